@@ -1,8 +1,10 @@
 """Typed handles of numbers: truth values, numbers, vectors and lists of points."""
 
+from __future__ import annotations
+
 import math
 from collections.abc import Sequence
-from typing import Annotated, Any, ClassVar, Union
+from typing import Annotated, Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,13 +18,6 @@ Array3 = Annotated[NDArray[np.float64], "vector"]
 """The value of a `Vector`, shape (3,)."""
 ArrayN3 = Annotated[NDArray[np.float64], "points"]
 """The value of `Points`, shape (n, 3)."""
-
-Scalar = Union["Float", float, int]
-VectorLike = Union["Vector", Sequence["Scalar"], NDArray[np.float64]]
-PointsLike = Union["Points", Sequence["VectorLike"], NDArray[np.float64]]
-Condition_ = Union["Bool", bool]
-Span = tuple[Scalar, Scalar]
-"""Extent along an axis: lowest and highest coordinate [m]."""
 
 # tuples: building a union type takes longer than an isinstance test
 _BOOLS = (bool, np.bool_)
@@ -58,15 +53,15 @@ class Bool(Handle):
             return bool(value)
         return super().lift(value)
 
-    def __and__(self, other: Condition_) -> "Bool":
+    def __and__(self, other: Condition_) -> Bool:
         """Tell whether both hold."""
         return Bool.record("and_", a=self, b=other)
 
-    def __or__(self, other: Condition_) -> "Bool":
+    def __or__(self, other: Condition_) -> Bool:
         """Tell whether either holds."""
         return Bool.record("or_", a=self, b=other)
 
-    def __invert__(self) -> "Bool":
+    def __invert__(self) -> Bool:
         """Tell whether it does not hold."""
         return Bool.record("not_", a=self)
 
@@ -97,67 +92,67 @@ class Float(Handle):
                 return NotImplemented
         return (Bool if name in _COMPARISONS else Float).record(name, a=a, b=b)
 
-    def __add__(self, other: Scalar) -> "Float":
+    def __add__(self, other: Scalar) -> Float:
         """Add."""
         return self._with("add", self, other)  # type: ignore[no-any-return]
 
-    def __radd__(self, other: Scalar) -> "Float":
+    def __radd__(self, other: Scalar) -> Float:
         """Add."""
         return self._with("add", other, self)  # type: ignore[no-any-return]
 
-    def __sub__(self, other: Scalar) -> "Float":
+    def __sub__(self, other: Scalar) -> Float:
         """Subtract."""
         return self._with("subtract", self, other)  # type: ignore[no-any-return]
 
-    def __rsub__(self, other: Scalar) -> "Float":
+    def __rsub__(self, other: Scalar) -> Float:
         """Subtract."""
         return self._with("subtract", other, self)  # type: ignore[no-any-return]
 
-    def __mul__(self, other: Scalar) -> "Float":
+    def __mul__(self, other: Scalar) -> Float:
         """Multiply."""
         return self._with("multiply", self, other)  # type: ignore[no-any-return]
 
-    def __rmul__(self, other: Scalar) -> "Float":
+    def __rmul__(self, other: Scalar) -> Float:
         """Multiply."""
         return self._with("multiply", other, self)  # type: ignore[no-any-return]
 
-    def __truediv__(self, other: Scalar) -> "Float":
+    def __truediv__(self, other: Scalar) -> Float:
         """Divide."""
         return self._with("divide", self, other)  # type: ignore[no-any-return]
 
-    def __rtruediv__(self, other: Scalar) -> "Float":
+    def __rtruediv__(self, other: Scalar) -> Float:
         """Divide."""
         return self._with("divide", other, self)  # type: ignore[no-any-return]
 
-    def __pow__(self, other: Scalar) -> "Float":
+    def __pow__(self, other: Scalar) -> Float:
         """Raise to a power."""
         return self._with("power", self, other)  # type: ignore[no-any-return]
 
-    def __rpow__(self, other: Scalar) -> "Float":
+    def __rpow__(self, other: Scalar) -> Float:
         """Raise to a power."""
         return self._with("power", other, self)  # type: ignore[no-any-return]
 
-    def __mod__(self, other: Scalar) -> "Float":
+    def __mod__(self, other: Scalar) -> Float:
         """Return the remainder, with the sign of the divisor."""
         return self._with("modulo", self, other)  # type: ignore[no-any-return]
 
-    def __rmod__(self, other: Scalar) -> "Float":
+    def __rmod__(self, other: Scalar) -> Float:
         """Return the remainder, with the sign of the divisor."""
         return self._with("modulo", other, self)  # type: ignore[no-any-return]
 
-    def __neg__(self) -> "Float":
+    def __neg__(self) -> Float:
         """Negate."""
         return Float.record("negate", a=self)
 
-    def __abs__(self) -> "Float":
+    def __abs__(self) -> Float:
         """Return the magnitude."""
         return Float.record("absolute", a=self)
 
-    def __floor__(self) -> "Float":
+    def __floor__(self) -> Float:
         """Return the largest whole number not above it: `math.floor(a)`."""
         return Float.record("floor", a=self)
 
-    def __round__(self, digits: int | None = None) -> "Float":
+    def __round__(self, digits: int | None = None) -> Float:
         """Return the nearest whole number, of two the even one: `round(a)`."""
         if digits is not None:
             raise BuildError(
@@ -232,33 +227,33 @@ class Vector(Handle):
         """The component along z."""
         return Float.record("component", vector=self, index=2)
 
-    def __add__(self, other: VectorLike) -> "Vector":
+    def __add__(self, other: VectorLike) -> Vector:
         """Add."""
         return Vector.record("vector_add", a=self, b=other)
 
-    def __radd__(self, other: VectorLike) -> "Vector":
+    def __radd__(self, other: VectorLike) -> Vector:
         """Add."""
         return Vector.record("vector_add", a=other, b=self)
 
-    def __sub__(self, other: VectorLike) -> "Vector":
+    def __sub__(self, other: VectorLike) -> Vector:
         """Subtract."""
         return Vector.record("vector_subtract", a=self, b=other)
 
-    def __rsub__(self, other: VectorLike) -> "Vector":
+    def __rsub__(self, other: VectorLike) -> Vector:
         """Subtract."""
         return Vector.record("vector_subtract", a=other, b=self)
 
-    def __mul__(self, factor: Scalar) -> "Vector":
+    def __mul__(self, factor: Scalar) -> Vector:
         """Multiply by a number."""
         return Vector.record("vector_scale", vector=self, factor=factor)
 
     __rmul__ = __mul__
 
-    def __truediv__(self, divisor: Scalar) -> "Vector":
+    def __truediv__(self, divisor: Scalar) -> Vector:
         """Divide by a number."""
         return self * Float.record("divide", a=1.0, b=divisor)
 
-    def __neg__(self) -> "Vector":
+    def __neg__(self) -> Vector:
         """Reverse the direction."""
         return Vector.record("vector_scale", vector=self, factor=-1.0)
 
@@ -271,7 +266,7 @@ class Vector(Handle):
         """
         return Float.record("norm", vector=self)
 
-    def normalized(self) -> "Vector":
+    def normalized(self) -> Vector:
         """Return the vector of length one in the same direction.
 
         Examples:
@@ -290,7 +285,7 @@ class Vector(Handle):
         """
         return Float.record("dot", a=self, b=other)
 
-    def cross(self, other: VectorLike) -> "Vector":
+    def cross(self, other: VectorLike) -> Vector:
         """Return the vector product with another vector.
 
         Examples:
@@ -300,7 +295,7 @@ class Vector(Handle):
         """
         return Vector.record("cross", a=self, b=other)
 
-    def rotate(self, axis: VectorLike, angle: Scalar) -> "Vector":
+    def rotate(self, axis: VectorLike, angle: Scalar) -> Vector:
         """Turn about an axis through the origin by an angle [rad].
 
         Examples:
@@ -340,16 +335,25 @@ class Points(Handle):
         """Return the array of points."""
         return np.array(literal, float).reshape(-1, 3)
 
-    def __add__(self, offset: VectorLike) -> "Points":
+    def __add__(self, offset: VectorLike) -> Points:
         """Move all points."""
         return Points.record("points_move", points=self, offset=offset)
 
-    def __sub__(self, offset: VectorLike) -> "Points":
+    def __sub__(self, offset: VectorLike) -> Points:
         """Move all points back."""
         return self + Vector.record("vector_scale", vector=offset, factor=-1.0)
 
-    def __mul__(self, factor: Scalar) -> "Points":
+    def __mul__(self, factor: Scalar) -> Points:
         """Multiply all points by a number."""
         return Points.record("points_scale", points=self, factor=factor)
 
     __radd__, __rmul__ = __add__, __mul__
+
+
+# defined after the classes, so that they hold no names that only this module can resolve
+Scalar = Float | float | int
+VectorLike = Vector | Sequence[Scalar] | NDArray[np.float64]
+PointsLike = Points | Sequence[VectorLike] | NDArray[np.float64]
+Condition_ = Bool | bool
+Span = tuple[Scalar, Scalar]
+"""Extent along an axis: lowest and highest coordinate [m]."""

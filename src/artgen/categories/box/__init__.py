@@ -23,19 +23,8 @@ holds (0.2-0.6 N m); fresh ones hold less and spring back to 30-60 degrees, a fe
 
 from typing import Literal
 
-from artgen import (
-    Body,
-    Float,
-    Material,
-    by,
-    category,
-    choice,
-    count,
-    details,
-    require,
-    shades,
-    uniform,
-)
+import artgen as ag
+from artgen import details
 from artgen.categories.box.board import Board, Feel, Flute
 from artgen.categories.box.ends import open_ended_box, tuck_end_box
 from artgen.categories.box.finish import (
@@ -66,7 +55,7 @@ Style = Literal["slotted", "half_slotted", "mailer", "pizza", "tuck_end", "wine"
 _LEAST_WIDTH: dict[Style, float] = {"tray": 0.14, "mailer": 0.15}  # [m]
 
 
-@category(
+@ag.category(
     labels=(
         "box",
         "flap_major",
@@ -88,7 +77,7 @@ _LEAST_WIDTH: dict[Style, float] = {"tray": 0.14, "mailer": 0.15}  # [m]
 )
 def box(
     *,
-    style: Style = choice(
+    style: Style = ag.choice(
         "slotted",
         "half_slotted",
         "mailer",
@@ -99,235 +88,266 @@ def box(
         "gift",
         weights=(0.24, 0.08, 0.15, 0.10, 0.10, 0.12, 0.10, 0.11),
     ),
-    mouth: Literal["top", "ends"] = by(
+    mouth: Literal["top", "ends"] = ag.by(
         "style",
-        slotted=choice("ends", "top", weights=(0.26, 0.74)),
+        slotted=ag.choice("ends", "top", weights=(0.26, 0.74)),
         tuck_end="ends",
         otherwise="top",
         doc="where it opens; one with open ends lies",
     ),
-    size: Literal["small", "medium", "large"] = by(
+    size: Literal["small", "medium", "large"] = ag.by(
         "style",
-        slotted=choice("small", "medium", "large", weights=(0.3, 0.4, 0.3)),
-        half_slotted=choice("medium", "large"),
+        slotted=ag.choice("small", "medium", "large", weights=(0.3, 0.4, 0.3)),
+        half_slotted=ag.choice("medium", "large"),
         wine="medium",
-        mailer=choice("small", "medium", "large", weights=(0.3, 0.4, 0.3)),
-        otherwise=choice("small", "medium", weights=(0.4, 0.6)),
+        mailer=ag.choice("small", "medium", "large", weights=(0.3, 0.4, 0.3)),
+        otherwise=ag.choice("small", "medium", weights=(0.4, 0.6)),
     ),
-    bottles: int = by(
-        "style", wine=choice(2, 3, 6, 12, weights=(0.25, 0.2, 0.35, 0.2)), otherwise=0, doc="cells for them"
-    ),
-    wine: Literal["none", "red", "white", "rose"] = by(
+    bottles: int = ag.by(
         "style",
-        wine=choice("none", "red", "white", "rose", weights=(0.3, 0.36, 0.2, 0.14)),
+        wine=ag.choice(2, 3, 6, 12, weights=(0.25, 0.2, 0.35, 0.2)),
+        otherwise=0,
+        doc="cells for them",
+    ),
+    wine: Literal["none", "red", "white", "rose"] = ag.by(
+        "style",
+        wine=ag.choice("none", "red", "white", "rose", weights=(0.3, 0.36, 0.2, 0.14)),
         otherwise="none",
         doc="what stands in the cells",
     ),
-    sides: Sides = by(
-        "style", mailer=choice("over", "tucked", weights=(0.7, 0.3)), pizza="tucked", otherwise="over"
+    sides: Sides = ag.by(
+        "style", mailer=ag.choice("over", "tucked", weights=(0.7, 0.3)), pizza="tucked", otherwise="over"
     ),
-    ears: bool = by(
+    ears: bool = ag.by(
         "style",
-        mailer=choice(True, False, weights=(0.75, 0.25)),
-        pizza=choice(True, False, weights=(0.4, 0.6)),
-        tuck_end=choice(True, False, weights=(0.6, 0.4)),
+        mailer=ag.choice(True, False, weights=(0.75, 0.25)),
+        pizza=ag.choice(True, False, weights=(0.4, 0.6)),
+        tuck_end=ag.choice(True, False, weights=(0.6, 0.4)),
         otherwise=False,
         doc="whether the tuck is locked by ears at its ends",
     ),
-    dusted: bool = by(
+    dusted: bool = ag.by(
         "sides",
-        over=by("style", mailer=by("size", large=choice(True, False), otherwise=False), otherwise=False),
+        over=ag.by(
+            "style", mailer=ag.by("size", large=ag.choice(True, False), otherwise=False), otherwise=False
+        ),
         tucked=False,
         doc="whether a deep mailer has dust flaps under its lid",
     ),
-    lips: bool = by(
+    lips: bool = ag.by(
         "style",
-        tuck_end=choice(True, False),
+        tuck_end=ag.choice(True, False),
         otherwise=False,
         doc="whether dust flaps end in lips, which seal the corners",
     ),
-    closure: Closure = by(
-        "style", gift=choice("lift", "flap", "drawer", weights=(0.5, 0.28, 0.22)), otherwise="lift"
+    closure: Closure = ag.by(
+        "style", gift=ag.choice("lift", "flap", "drawer", weights=(0.5, 0.28, 0.22)), otherwise="lift"
     ),
-    width: Float = by(
+    width: ag.Float = ag.by(
         "style",
-        slotted=by("size", small=uniform(0.20, 0.30), medium=uniform(0.32, 0.46), large=uniform(0.50, 0.74)),
-        half_slotted=by("size", medium=uniform(0.32, 0.46), otherwise=uniform(0.46, 0.62)),
-        mailer=by("size", small=uniform(0.19, 0.26), medium=uniform(0.25, 0.36), large=uniform(0.30, 0.40)),
-        pizza=by("size", small=uniform(0.25, 0.31), otherwise=uniform(0.32, 0.41)),
-        tuck_end=by("size", small=uniform(0.24, 0.32), otherwise=uniform(0.32, 0.46)),
-        tray=by("size", small=uniform(0.24, 0.32), otherwise=uniform(0.32, 0.42)),
-        gift=by("size", small=uniform(0.16, 0.21), otherwise=uniform(0.21, 0.30)),
-        otherwise=uniform(0.086, 0.093),
+        slotted=ag.by(
+            "size", small=ag.uniform(0.20, 0.30), medium=ag.uniform(0.32, 0.46), large=ag.uniform(0.50, 0.74)
+        ),
+        half_slotted=ag.by("size", medium=ag.uniform(0.32, 0.46), otherwise=ag.uniform(0.46, 0.62)),
+        mailer=ag.by(
+            "size", small=ag.uniform(0.19, 0.26), medium=ag.uniform(0.25, 0.36), large=ag.uniform(0.30, 0.40)
+        ),
+        pizza=ag.by("size", small=ag.uniform(0.25, 0.31), otherwise=ag.uniform(0.32, 0.41)),
+        tuck_end=ag.by("size", small=ag.uniform(0.24, 0.32), otherwise=ag.uniform(0.32, 0.46)),
+        tray=ag.by("size", small=ag.uniform(0.24, 0.32), otherwise=ag.uniform(0.32, 0.42)),
+        gift=ag.by("size", small=ag.uniform(0.16, 0.21), otherwise=ag.uniform(0.21, 0.30)),
+        otherwise=ag.uniform(0.086, 0.093),
         unit="m",
         within=(0.08, 0.80),
         doc="along the front; of a cell in a wine box",
     ),
-    aspect: Float = by(
+    aspect: ag.Float = ag.by(
         "style",
-        slotted=uniform(0.60, 0.96),
-        half_slotted=uniform(0.62, 0.92),
-        mailer=uniform(0.66, 0.84),
-        tuck_end=uniform(0.55, 0.75),
-        tray=uniform(0.60, 0.74),
-        gift=uniform(0.66, 1.0),
+        slotted=ag.uniform(0.60, 0.96),
+        half_slotted=ag.uniform(0.62, 0.92),
+        mailer=ag.uniform(0.66, 0.84),
+        tuck_end=ag.uniform(0.55, 0.75),
+        tray=ag.uniform(0.60, 0.74),
+        gift=ag.uniform(0.66, 1.0),
         otherwise=1.0,
         doc="depth over width",
         within=(0.5, 1.0),
     ),
-    height: Float = by(
+    height: ag.Float = ag.by(
         "style",
-        slotted=by(
+        slotted=ag.by(
             "mouth",
-            top=by("size", small=uniform(0.14, 0.22), medium=uniform(0.20, 0.36), large=uniform(0.34, 0.55)),
-            ends=by(  # less than the depth: minor flaps do not meet
-                "size", small=uniform(0.10, 0.12), medium=uniform(0.13, 0.19), large=uniform(0.19, 0.29)
+            top=ag.by(
+                "size",
+                small=ag.uniform(0.14, 0.22),
+                medium=ag.uniform(0.20, 0.36),
+                large=ag.uniform(0.34, 0.55),
+            ),
+            ends=ag.by(  # less than the depth: minor flaps do not meet
+                "size",
+                small=ag.uniform(0.10, 0.12),
+                medium=ag.uniform(0.13, 0.19),
+                large=ag.uniform(0.19, 0.29),
             ),
         ),
-        half_slotted=by("size", medium=uniform(0.32, 0.46), otherwise=uniform(0.44, 0.62)),
-        mailer=by(
-            "size", small=uniform(0.055, 0.085), medium=uniform(0.07, 0.11), large=uniform(0.125, 0.17)
+        half_slotted=ag.by("size", medium=ag.uniform(0.32, 0.46), otherwise=ag.uniform(0.44, 0.62)),
+        mailer=ag.by(
+            "size",
+            small=ag.uniform(0.055, 0.085),
+            medium=ag.uniform(0.07, 0.11),
+            large=ag.uniform(0.125, 0.17),
         ),
-        pizza=uniform(0.042, 0.050),
-        tuck_end=by("size", small=uniform(0.105, 0.13), otherwise=uniform(0.125, 0.19)),
-        wine=uniform(0.322, 0.338),
-        tray=by("size", small=uniform(0.10, 0.14), otherwise=uniform(0.11, 0.26)),
-        otherwise=uniform(0.075, 0.14),
+        pizza=ag.uniform(0.042, 0.050),
+        tuck_end=ag.by("size", small=ag.uniform(0.105, 0.13), otherwise=ag.uniform(0.125, 0.19)),
+        wine=ag.uniform(0.322, 0.338),
+        tray=ag.by("size", small=ag.uniform(0.10, 0.14), otherwise=ag.uniform(0.11, 0.26)),
+        otherwise=ag.uniform(0.075, 0.14),
         unit="m",
         within=(0.04, 0.80),
         doc="closed",
     ),
-    flute: Flute = by(
+    flute: Flute = ag.by(
         "style",
-        slotted=by(
+        slotted=ag.by(
             "size",
-            small=choice("b", "c"),
-            medium=choice("b", "c", "eb", weights=(0.25, 0.5, 0.25)),
-            large=choice("c", "eb", "bc", weights=(0.3, 0.3, 0.4)),
+            small=ag.choice("b", "c"),
+            medium=ag.choice("b", "c", "eb", weights=(0.25, 0.5, 0.25)),
+            large=ag.choice("c", "eb", "bc", weights=(0.3, 0.3, 0.4)),
         ),
-        half_slotted=choice("c", "eb", "bc"),
-        wine=choice("b", "c"),
-        tray=choice("b", "c", weights=(0.7, 0.3)),
+        half_slotted=ag.choice("c", "eb", "bc"),
+        wine=ag.choice("b", "c"),
+        tray=ag.choice("b", "c", weights=(0.7, 0.3)),
         gift="grey",
         otherwise="b",
         doc="of the board: 3 to 6.8 mm thick",
     ),
-    skirt: Float = by(
+    skirt: ag.Float = ag.by(
         "style",
-        tray=uniform(0.25, 0.9),
-        gift=uniform(0.28, 0.75),
+        tray=ag.uniform(0.25, 0.9),
+        gift=ag.uniform(0.28, 0.75),
         otherwise=0.5,
         within=(0.2, 0.95),
         doc="how far a lid or a front flap reaches down, as a share of the height",
     ),
-    outside: Material = by(
+    outside: ag.Material = ag.by(
         "style",
-        mailer=shades(*KRAFT, WHITE, *PRINTS, weights=(3, 2, 1, 4, *COLORFUL), color=0.05),
-        pizza=shades(KRAFT[0], KRAFT[1], WHITE, weights=(1.0, 0.8, 1.8), color=0.04),
-        tuck_end=shades(*KRAFT, WHITE, *PRINTS, weights=(2, 1.5, 0.7, 3, *COLORFUL), color=0.05),
-        wine=shades(*KRAFT, WHITE, PRINTS[0], PRINTS[10], weights=(3, 1, 1, 3, 0.8, 0.8), color=0.04),
-        tray=shades(KRAFT[0], KRAFT[1], WHITE, *PRINTS, weights=(1.5, 1, 2, *COLORFUL), color=0.05),
-        gift=shades(*WRAPS, color=0.06),
-        otherwise=shades(*KRAFT, WHITE, weights=(4, 2, 1, 1.6), color=0.07),
+        mailer=ag.shades(*KRAFT, WHITE, *PRINTS, weights=(3, 2, 1, 4, *COLORFUL), color=0.05),
+        pizza=ag.shades(KRAFT[0], KRAFT[1], WHITE, weights=(1.0, 0.8, 1.8), color=0.04),
+        tuck_end=ag.shades(*KRAFT, WHITE, *PRINTS, weights=(2, 1.5, 0.7, 3, *COLORFUL), color=0.05),
+        wine=ag.shades(*KRAFT, WHITE, PRINTS[0], PRINTS[10], weights=(3, 1, 1, 3, 0.8, 0.8), color=0.04),
+        tray=ag.shades(KRAFT[0], KRAFT[1], WHITE, *PRINTS, weights=(1.5, 1, 2, *COLORFUL), color=0.05),
+        gift=ag.shades(*WRAPS, color=0.06),
+        otherwise=ag.shades(*KRAFT, WHITE, weights=(4, 2, 1, 1.6), color=0.07),
     ),
-    lining: Material = by(
+    lining: ag.Material = ag.by(
         "style",
-        gift=shades(*LININGS, color=0.04),
-        mailer=shades(*KRAFT[:2], WHITE, *PRINTS, weights=(5, 3, 4, *COLORFUL), color=0.04),
-        otherwise=shades(*KRAFT, weights=(4, 2, 1), color=0.05),
+        gift=ag.shades(*LININGS, color=0.04),
+        mailer=ag.shades(*KRAFT[:2], WHITE, *PRINTS, weights=(5, 3, 4, *COLORFUL), color=0.04),
+        otherwise=ag.shades(*KRAFT, weights=(4, 2, 1), color=0.05),
         doc="the inner face",
     ),
-    taped: bool = by(
+    taped: bool = ag.by(
         "style",
-        slotted=choice(True, False, weights=(0.72, 0.28)),
-        half_slotted=choice(True, False),
-        wine=choice(True, False),
+        slotted=ag.choice(True, False, weights=(0.72, 0.28)),
+        half_slotted=ag.choice(True, False),
+        wine=ag.choice(True, False),
         otherwise=False,
         doc="tape along the seam, slit open",
     ),
-    holes: bool = by(
+    holes: bool = ag.by(
         "style",
-        slotted=by(
+        slotted=ag.by(
             "mouth",
-            top=by(
-                "size", small=False, medium=choice(False, True), large=choice(False, True, weights=(0.3, 0.7))
+            top=ag.by(
+                "size",
+                small=False,
+                medium=ag.choice(False, True),
+                large=ag.choice(False, True, weights=(0.3, 0.7)),
             ),
             ends=False,
         ),
-        half_slotted=choice(False, True),
+        half_slotted=ag.choice(False, True),
         otherwise=False,
         doc="hand holes",
     ),
-    ribbon: Material = by("style", gift=shades(*RIBBONS, color=0.05), otherwise=RIBBONS[0]),
-    ribbon_width: Float = uniform(0.014, 0.026, "m"),
-    crossed: bool = by(
-        "style", gift=choice(False, True), otherwise=False, doc="ribbon both ways around a gift box"
+    ribbon: ag.Material = ag.by("style", gift=ag.shades(*RIBBONS, color=0.05), otherwise=RIBBONS[0]),
+    ribbon_width: ag.Float = ag.uniform(0.014, 0.026, "m"),
+    crossed: bool = ag.by(
+        "style", gift=ag.choice(False, True), otherwise=False, doc="ribbon both ways around a gift box"
     ),
-    hollow: Hollow = by(
+    hollow: Hollow = ag.by(
         "closure",
         lift="none",
-        otherwise=choice("none", "square", "round", weights=(0.3, 0.4, 0.3)),
+        otherwise=ag.choice("none", "square", "round", weights=(0.3, 0.4, 0.3)),
         doc="in the foam of a gift box, if there is some",
     ),
-    rounded: bool = by(
-        "closure", flap=choice(False, True), otherwise=False, doc="corners of a magnetic flap"
+    rounded: bool = ag.by(
+        "closure", flap=ag.choice(False, True), otherwise=False, doc="corners of a magnetic flap"
     ),
-    strap: Material = by("style", tray=shades(*STRAPS, color=0.05), otherwise=STRAPS[0]),
-    crease: Literal["fresh", "worked"] = by(
+    strap: ag.Material = ag.by("style", tray=ag.shades(*STRAPS, color=0.05), otherwise=STRAPS[0]),
+    crease: Literal["fresh", "worked"] = ag.by(
         "style",
-        slotted=choice("fresh", "worked", weights=(0.4, 0.6)),
-        half_slotted=choice("fresh", "worked", weights=(0.4, 0.6)),
+        slotted=ag.choice("fresh", "worked", weights=(0.4, 0.6)),
+        half_slotted=ag.choice("fresh", "worked", weights=(0.4, 0.6)),
         otherwise="worked",
         doc="whether major flaps spring up again",
     ),
-    springback: Float = uniform(0.52, 1.05, "rad", doc="where fresh flaps come to rest"),
-    stiffness: Float = uniform(0.4, 1.2, "N m/rad", doc="of a metre of fresh crease"),
-    friction: Float = by(
-        "crease", fresh=uniform(0.06, 0.16), worked=uniform(0.2, 0.6), unit="N m", doc="of a metre of crease"
-    ),
-    damping: Float = by(
+    springback: ag.Float = ag.uniform(0.52, 1.05, "rad", doc="where fresh flaps come to rest"),
+    stiffness: ag.Float = ag.uniform(0.4, 1.2, "N m/rad", doc="of a metre of fresh crease"),
+    friction: ag.Float = ag.by(
         "crease",
-        fresh=uniform(0.03, 0.06),
-        worked=uniform(0.02, 0.05),
+        fresh=ag.uniform(0.06, 0.16),
+        worked=ag.uniform(0.2, 0.6),
+        unit="N m",
+        doc="of a metre of crease",
+    ),
+    damping: ag.Float = ag.by(
+        "crease",
+        fresh=ag.uniform(0.03, 0.06),
+        worked=ag.uniform(0.02, 0.05),
         unit="N m s/rad",
         doc="of a metre of crease",
     ),
-    rub: Float = uniform(0.25, 0.8, doc="of what slides, as a share of its weight"),
-    swing: Float = uniform(3.5, 4.62, "rad", doc="how far flaps open where they have room"),
-    lid_open: Float = by("style", wine=uniform(2.2, 3.4), otherwise=uniform(1.95, 2.85), unit="rad"),
-    signs: Signs = by(
+    rub: ag.Float = ag.uniform(0.25, 0.8, doc="of what slides, as a share of its weight"),
+    swing: ag.Float = ag.uniform(3.5, 4.62, "rad", doc="how far flaps open where they have room"),
+    lid_open: ag.Float = ag.by(
+        "style", wine=ag.uniform(2.2, 3.4), otherwise=ag.uniform(1.95, 2.85), unit="rad"
+    ),
+    signs: Signs = ag.by(
         "style",
-        slotted=choice("none", "up", "pair", "full", weights=(0.22, 0.2, 0.28, 0.3)),
-        half_slotted=choice("none", "up", "pair", "full"),
-        wine=choice("pair", "full"),
+        slotted=ag.choice("none", "up", "pair", "full", weights=(0.22, 0.2, 0.28, 0.3)),
+        half_slotted=ag.choice("none", "up", "pair", "full"),
+        wine=ag.choice("pair", "full"),
         otherwise="none",
     ),
-    label: bool = by(
+    label: bool = ag.by(
         "style",
-        slotted=choice(False, True),
-        mailer=choice(False, True, weights=(0.7, 0.3)),
-        tuck_end=choice(False, True, weights=(0.7, 0.3)),
-        tray=choice(False, True),
+        slotted=ag.choice(False, True),
+        mailer=ag.choice(False, True, weights=(0.7, 0.3)),
+        tuck_end=ag.choice(False, True, weights=(0.7, 0.3)),
+        tray=ag.choice(False, True),
         otherwise=False,
         doc="an address, or what is inside",
     ),
-    emblem: Literal["leaf", "hexagon", "waves", "peak", "sun", "diamond", "quarters", "ring"] = choice(
+    emblem: Literal["leaf", "hexagon", "waves", "peak", "sun", "diamond", "quarters", "ring"] = ag.choice(
         "leaf", "hexagon", "waves", "peak", "sun", "diamond", "quarters", "ring"
     ),
-    tint: Literal["graphite", "brown", "blue", "red", "forest"] = choice(
+    tint: Literal["graphite", "brown", "blue", "red", "forest"] = ag.choice(
         "graphite", "brown", "blue", "red", "forest", weights=(0.45, 0.2, 0.12, 0.12, 0.11), doc="of the ink"
     ),
-    maker: str = choice(*details.BRANDS),
-    model: int = count(100, 989),
-) -> Body:
+    maker: str = ag.choice(*details.BRANDS),
+    model: int = ag.count(100, 989),
+) -> ag.Body:
     """Make a cardboard or gift box, closed: flaps, tucks, ears, lid, drawer, bottles."""
     if style == "half_slotted" or (style == "slotted" and mouth == "top"):
         free = width * (1.0 - aspect)  # between the minor flaps of the bottom
-        width = require(width, free > 0.006, "flaps meet in a square box: lower aspect, to 0.96 at most")
+        width = ag.require(width, free > 0.006, "flaps meet in a square box: lower aspect, to 0.96 at most")
     least = _least_height(style)
-    height = require(height, height >= least, f"flaps and print need room: height at least {least:g} m")
+    height = ag.require(height, height >= least, f"flaps and print need room: height at least {least:g} m")
     least = _LEAST_WIDTH.get(style, 0.0)
-    width = require(width, width >= least, f"a strap, tucks and ears need room: width at least {least:g} m")
+    width = ag.require(
+        width, width >= least, f"a strap, tucks and ears need room: width at least {least:g} m"
+    )
     fresh = crease == "fresh"
     feel = Feel(stiffness if fresh else 0.0, springback if fresh else 0.0, friction, damping)
     draft = Draft(

@@ -9,26 +9,7 @@ import math
 from dataclasses import dataclass
 from typing import Literal, TypeVar
 
-from artgen import (
-    Body,
-    Condition,
-    Dependency,
-    Joint,
-    Material,
-    Profile,
-    Revolute,
-    Scalar,
-    Solid,
-    X,
-    Z,
-    box_between,
-    cylinder,
-    detail,
-    extrude,
-    material,
-    max_,
-    polygon,
-)
+import artgen as ag
 
 Flute = Literal["b", "c", "eb", "bc", "grey"]
 """B and C flute, the double walls EB and BC, and the solid greyboard of set-up boxes."""
@@ -50,17 +31,17 @@ _BEAD = 0.00045  # radius of the liner's bulge about the axis, within that of th
 _WAVES: dict[Flute, int] = {"b": 1, "c": 1, "eb": 2, "bc": 2, "grey": 1}
 _FAR = 2.5  # beyond any sheet [m]
 
-Thing = TypeVar("Thing", Solid, Body)
+Thing = TypeVar("Thing", ag.Solid, ag.Body)
 
 
 @dataclass(frozen=True)
 class Feel:
     """How a crease resists, for each metre of its length."""
 
-    stiffness: Scalar  # of the spring towards `rest` [N m/rad per m]
-    rest: Scalar  # how far a flap of a new box springs open again [rad]
-    friction: Scalar  # moment of a bent crease, which holds flaps in place [N m per m]
-    damping: Scalar  # [N m s/rad per m]
+    stiffness: ag.Scalar  # of the spring towards `rest` [N m/rad per m]
+    rest: ag.Scalar  # how far a flap of a new box springs open again [rad]
+    friction: ag.Scalar  # moment of a bent crease, which holds flaps in place [N m per m]
+    damping: ag.Scalar  # [N m s/rad per m]
 
 
 @dataclass(frozen=True)
@@ -68,8 +49,8 @@ class Board:
     """What a box is cut from."""
 
     flute: Flute  # its kind
-    outside: Material  # liner of the outer face
-    inside: Material  # liner of the inner face
+    outside: ag.Material  # liner of the outer face
+    inside: ag.Material  # liner of the inner face
 
     @property
     def thick(self) -> float:
@@ -77,36 +58,38 @@ class Board:
         return THICK[self.flute]
 
     @property
-    def edge(self) -> Material:
+    def edge(self) -> ag.Material:
         """What a cut shows: liners and the wave between them, or the wrap of greyboard."""
         if self.flute == "grey":
             return self.outside
         tile = (self.thick / _WAVES[self.flute], 0.064)
-        return material("cardboard_edge").with_(name=f"{self.flute}_flute_edge", tile=tile)
+        return ag.material("cardboard_edge").with_(name=f"{self.flute}_flute_edge", tile=tile)
 
-    def sheet(self, outline: Profile, *, relief: Scalar | None = 0.0) -> Solid:
+    def sheet(self, outline: ag.Profile, *, relief: ag.Scalar | None = 0.0) -> ag.Solid:
         """Cut a sheet with its outer face at z = 0."""
-        core = extrude(outline, 3.0 * self.thick).at(0.0, 0.0, -self.thick / 2.0).paint(self.edge)
+        core = ag.extrude(outline, 3.0 * self.thick).at(0.0, 0.0, -self.thick / 2.0).paint(self.edge)
         cut = core & self._slab()
         return cut if relief is None else cut - self._mitre().at(0.0, relief, 0.0)
 
-    def creased(self, solid: Solid, *creases: "Crease") -> Solid:
+    def creased(self, solid: ag.Solid, *creases: "Crease") -> ag.Solid:
         """Mitre the edges of a sheet, or of a wall, to which others are joined by creases."""
         for crease in creases:
             solid = solid - crease.beside(self._mitre())
         return solid
 
-    def _slab(self) -> Solid:
+    def _slab(self) -> ag.Solid:
         """Make the board without end, a little longer along x, along which its texture runs."""
-        upper = box_between((-_FAR - 0.1, -_FAR, -2.0 * self.thick), (_FAR + 0.1, _FAR, 0.0))
-        lower = box_between((-_FAR - 0.1, -_FAR, -self.thick), (_FAR + 0.1, _FAR, self.thick))
+        upper = ag.box_between((-_FAR - 0.1, -_FAR, -2.0 * self.thick), (_FAR + 0.1, _FAR, 0.0))
+        lower = ag.box_between((-_FAR - 0.1, -_FAR, -self.thick), (_FAR + 0.1, _FAR, self.thick))
         return upper.paint(self.outside) & lower.paint(self.inside)
 
-    def _mitre(self) -> Solid:
+    def _mitre(self) -> ag.Solid:
         """Make what a crease takes of the sheet beside it."""
         t = self.thick
-        wedge = polygon([(_GAP - 2.0 * t, 2.0 * t), (_GAP + 3.0 * t, -3.0 * t), (_GAP - 2.0 * t, -3.0 * t)])
-        return extrude(wedge, 2.0 * _FAR, axis=X).paint(self.inside)
+        wedge = ag.polygon(
+            [(_GAP - 2.0 * t, 2.0 * t), (_GAP + 3.0 * t, -3.0 * t), (_GAP - 2.0 * t, -3.0 * t)]
+        )
+        return ag.extrude(wedge, 2.0 * _FAR, axis=ag.X).paint(self.inside)
 
 
 @dataclass(frozen=True)
@@ -133,71 +116,71 @@ TOP = Mouth()
 """The opening of a box that stands."""
 
 
-def tongue(half: Scalar, reach: Scalar, *, shoulder: Scalar, tip: Scalar) -> Profile:
+def tongue(half: ag.Scalar, reach: ag.Scalar, *, shoulder: ag.Scalar, tip: ag.Scalar) -> ag.Profile:
     """Make the outline of a flap that narrows from a shoulder on to its tip."""
     corners = [(half, 0.0), (half, shoulder), (tip, reach)]
-    return polygon([*corners, *((-x, y) for x, y in reversed(corners))])
+    return ag.polygon([*corners, *((-x, y) for x, y in reversed(corners))])
 
 
 @dataclass(frozen=True)
 class Crease:
     """Where a sheet is joined to a wall or to another sheet, in the frame of that one."""
 
-    x: Scalar  # middle of the crease, where both outer faces would meet [m]
-    y: Scalar  # the same [m]
-    z: Scalar = 0.0  # the same [m]
+    x: ag.Scalar  # middle of the crease, where both outer faces would meet [m]
+    y: ag.Scalar  # the same [m]
+    z: ag.Scalar = 0.0  # the same [m]
     turn: float = 0.0  # about z, from the frame's y to the way of the sheet [rad]
     # whether the sheet hangs down at rest: it is joined to a sheet in the plane of the frame. Otherwise it
     # closes a box whose wall hangs down
     folded: bool = False
-    lean: Scalar | None = None  # by how much more it is folded [rad]
+    lean: ag.Scalar | None = None  # by how much more it is folded [rad]
 
     def place(self, thing: Thing) -> Thing:
         """Move what was made in the crease's own frame to where it is at rest."""
         moved = thing
         if self.lean is not None:
-            moved = moved.rotate(X, -self.lean, about=(0.0, -FOLD, FOLD))
+            moved = moved.rotate(ag.X, -self.lean, about=(0.0, -FOLD, FOLD))
         if self.folded:
-            moved = moved.rotate(X, -math.pi / 2.0)
-        return moved.rotate(Z, self.turn).at(self.x, self.y, self.z)
+            moved = moved.rotate(ag.X, -math.pi / 2.0)
+        return moved.rotate(ag.Z, self.turn).at(self.x, self.y, self.z)
 
-    def beside(self, cutter: Solid) -> Solid:
+    def beside(self, cutter: ag.Solid) -> ag.Solid:
         """Move a cutter for the sheet to the edge of what it is joined to."""
         mirrored = cutter.mirror((0.0, 1.0, 0.0))
         if not self.folded:  # the wall hangs down from the corner
-            mirrored = mirrored.rotate(X, math.pi / 2.0)
-        return mirrored.rotate(Z, self.turn).at(self.x, self.y, self.z)
+            mirrored = mirrored.rotate(ag.X, math.pi / 2.0)
+        return mirrored.rotate(ag.Z, self.turn).at(self.x, self.y, self.z)
 
-    def bead(self, length: Scalar, label: str, finish: Material) -> Body:
+    def bead(self, length: ag.Scalar, label: str, finish: ag.Material) -> ag.Body:
         """Show the liner that runs through the crease, in the frame of what the sheet is joined to."""
-        bulge = cylinder(_BEAD, length, axis=X).at(0.0, FOLD if self.folded else -FOLD, FOLD)
-        return detail(bulge.rotate(Z, self.turn).at(self.x, self.y, self.z), label, finish)
+        bulge = ag.cylinder(_BEAD, length, axis=ag.X).at(0.0, FOLD if self.folded else -FOLD, FOLD)
+        return ag.detail(bulge.rotate(ag.Z, self.turn).at(self.x, self.y, self.z), label, finish)
 
     def joint(
         self,
         name: str,
         *,
         feel: Feel,
-        length: Scalar,
-        reach: Scalar,
-        opening: Scalar,
-        needs: Condition | Dependency | None = None,
-        holding: Scalar = 0.0,
-    ) -> Joint:
+        length: ag.Scalar,
+        reach: ag.Scalar,
+        opening: ag.Scalar,
+        needs: ag.Condition | ag.Dependency | None = None,
+        holding: ag.Scalar = 0.0,
+    ) -> ag.Joint:
         """Make the hinge that a crease is."""
         cosine, sine = math.cos(self.turn), math.sin(self.turn)
         across, up = (FOLD, FOLD) if self.folded else (-FOLD, FOLD)
         friction = feel.friction * length
-        return Revolute(
+        return ag.Revolute(
             name,
             axis=(cosine, sine, 0.0),
             pivot=(self.x - sine * across, self.y + cosine * across, self.z + up),
             limits=(0.0, opening),
             stiffness=feel.stiffness * length,
             rest=feel.rest,
-            friction=max_(friction, holding),
+            friction=ag.max_(friction, holding),
             damping=feel.damping * length,
-            armature=max_(2e-5, 3e-4 * friction),  # contacts of what is lighter give way to a push
+            armature=ag.max_(2e-5, 3e-4 * friction),  # contacts of what is lighter give way to a push
             effort=0.01
             + length * (1.6 * feel.friction + 5.0 * feel.stiffness + 16.0 * reach**2)
             + 1.5 * holding,

@@ -6,28 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
-from artgen import (
-    Body,
-    Condition,
-    Joint,
-    Material,
-    Prismatic,
-    Scalar,
-    X,
-    Y,
-    Z,
-    colored,
-    cylinder_between,
-    detail,
-    extrude,
-    frustum,
-    grasp_on,
-    material,
-    part,
-    regular_polygon,
-    tube,
-    weld,
-)
+import artgen as ag
 
 Wine = Literal["red", "white", "rose"]
 
@@ -41,8 +20,8 @@ _TOO_DEEP = "bottles of 0.3 m would stand too deep in the box to be lifted out: 
 _NO_ROOM = "bottles of 0.3 m would meet the lid over them: take a larger height or a thinner flute"
 
 
-def _glass(name: str, color: tuple[float, float, float]) -> Material:
-    return material("black_glass").with_(name=f"{name}_bottle", base_color=color, density=_FULL)
+def _glass(name: str, color: tuple[float, float, float]) -> ag.Material:
+    return ag.material("black_glass").with_(name=f"{name}_bottle", base_color=color, density=_FULL)
 
 
 _GLASS = {
@@ -51,9 +30,9 @@ _GLASS = {
     "rose": _glass("pink", (0.52, 0.18, 0.13)),
 }
 _FOIL = {
-    "red": colored("abs", "burgundy"),
-    "white": colored("abs", "mustard"),
-    "rose": colored("abs", "silver"),
+    "red": ag.colored("abs", "burgundy"),
+    "white": ag.colored("abs", "mustard"),
+    "rose": ag.colored("abs", "silver"),
 }
 
 
@@ -64,17 +43,17 @@ class Bottles:
     wine: Wine  # which
     columns: int  # cells along x
     rows: int  # cells along y
-    cell: Scalar  # their side [m]
-    floor: Scalar  # on which they stand [m]
-    ceiling: Scalar  # lower face of the lid, or of the minor flaps over some of them [m]
-    higher: Scalar = 0.0  # how much higher the major flaps are over the others [m]
+    cell: ag.Scalar  # their side [m]
+    floor: ag.Scalar  # on which they stand [m]
+    ceiling: ag.Scalar  # lower face of the lid, or of the minor flaps over some of them [m]
+    higher: ag.Scalar = 0.0  # how much higher the major flaps are over the others [m]
 
-    def under(self, lid: Joint, angle: float, body: Body) -> Body:
+    def under(self, lid: ag.Joint, angle: float, body: ag.Body) -> ag.Body:
         """Put a bottle into each cell, to be lifted out where a lid is open beyond an angle [rad]."""
         needs = [lid > angle] * (self.columns * self.rows)
         return self._put(body, needs, [self.ceiling] * len(needs))
 
-    def below(self, flaps: Sequence[Joint], angle: float, body: Body) -> Body:
+    def below(self, flaps: Sequence[ag.Joint], angle: float, body: ag.Body) -> ag.Body:
         """Put a bottle into each cell, to be lifted out where the flaps over it are open beyond an angle."""
         needs, ceilings = [], []
         for row in range(self.rows):
@@ -90,7 +69,7 @@ class Bottles:
                 ceilings.append(self.ceiling if by_minor else self.ceiling + self.higher)
         return self._put(body, needs, ceilings)
 
-    def _put(self, body: Body, needs: Sequence[Condition], ceilings: Sequence[Scalar]) -> Body:
+    def _put(self, body: ag.Body, needs: Sequence[ag.Condition], ceilings: Sequence[ag.Scalar]) -> ag.Body:
         bottle, low = self._bottle(), self.floor + 0.0006
         body = body.require(self.ceiling - low >= _TALL + _SPARE, _NO_ROOM)
         body = body.require(self.ceiling + self.higher - low <= _TALL + _DEEP, _TOO_DEEP)
@@ -99,9 +78,9 @@ class Bottles:
             row, column = divmod(number, self.columns)
             x = self.cell * (column - (self.columns - 1) / 2.0)
             y = self.cell * (row - (self.rows - 1) / 2.0)
-            slide = Prismatic(
+            slide = ag.Prismatic(
                 f"bottle_lift_{number}",
-                axis=Z,
+                axis=ag.Z,
                 limits=(0.0, 0.32),
                 friction=0.3,
                 damping=3.0,
@@ -112,26 +91,26 @@ class Bottles:
             body = body.attach(bottle.at(x, y, low).suffixed(f"_{number}"), slide)
         return body
 
-    def _bottle(self) -> Body:
+    def _bottle(self) -> ag.Body:
         """Make a bottle that stands on the origin."""
         glass, foil = _GLASS[self.wine], _FOIL[self.wine].with_(name=f"{self.wine}_foil", texture="")
-        body = cylinder_between((0.0, 0.0, 0.0), (0.0, 0.0, _BODY), _RADIUS, bevel=0.004)
-        shoulder = frustum(_RADIUS, _NECK + 0.003, _SHOULDER - _BODY + 0.004).at(
+        body = ag.cylinder_between((0.0, 0.0, 0.0), (0.0, 0.0, _BODY), _RADIUS, bevel=0.004)
+        shoulder = ag.frustum(_RADIUS, _NECK + 0.003, _SHOULDER - _BODY + 0.004).at(
             0.0, 0.0, (_SHOULDER + _BODY) / 2.0 - 0.003
         )
-        neck = cylinder_between((0.0, 0.0, _SHOULDER - 0.004), (0.0, 0.0, _TALL), _NECK, bevel=0.001)
-        across = X if self.rows == 1 else Y  # a lid stands behind a single row
+        neck = ag.cylinder_between((0.0, 0.0, _SHOULDER - 0.004), (0.0, 0.0, _TALL), _NECK, bevel=0.001)
+        across = ag.X if self.rows == 1 else ag.Y  # a lid stands behind a single row
         # few facets carry the weight and collide, just under the round skin
-        core = extrude(regular_polygon(12, _RADIUS - 0.0001), _BODY).at(0.0, 0.0, _BODY / 2.0)
-        stem = extrude(regular_polygon(12, _NECK - 0.0001), _TALL - _BODY + 0.01)
+        core = ag.extrude(ag.regular_polygon(12, _RADIUS - 0.0001), _BODY).at(0.0, 0.0, _BODY / 2.0)
+        stem = ag.extrude(ag.regular_polygon(12, _NECK - 0.0001), _TALL - _BODY + 0.01)
         stem = stem.at(0.0, 0.0, (_TALL + _BODY - 0.01) / 2.0)
-        hold = grasp_on(stem, approach=-Z, closing=across, depth=0.010)
-        paper = colored("abs", "cream").with_(name="wine_label", texture="", specular_roughness=0.7)
-        sleeve = tube(_NECK + 0.0003, _NECK - 0.001, 0.052).at(0.0, 0.0, _TALL - 0.0257)
-        around = tube(_RADIUS + 0.0002, _RADIUS - 0.001, 0.085).at(0.0, 0.0, 0.082)
-        return weld(
-            part(core | stem, "bottle", glass, grasp=hold),
-            *(detail(each, "bottle", glass) for each in (body, shoulder, neck)),
-            detail(sleeve, "bottle", foil),
-            detail(around, "bottle", paper),
+        hold = ag.grasp_on(stem, approach=-ag.Z, closing=across, depth=0.010)
+        paper = ag.colored("abs", "cream").with_(name="wine_label", texture="", specular_roughness=0.7)
+        sleeve = ag.tube(_NECK + 0.0003, _NECK - 0.001, 0.052).at(0.0, 0.0, _TALL - 0.0257)
+        around = ag.tube(_RADIUS + 0.0002, _RADIUS - 0.001, 0.085).at(0.0, 0.0, 0.082)
+        return ag.weld(
+            ag.part(core | stem, "bottle", glass, grasp=hold),
+            *(ag.detail(each, "bottle", glass) for each in (body, shoulder, neck)),
+            ag.detail(sleeve, "bottle", foil),
+            ag.detail(around, "bottle", paper),
         )

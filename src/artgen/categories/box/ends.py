@@ -9,7 +9,7 @@ import math
 from collections.abc import Callable
 from dataclasses import replace
 
-from artgen import Body, Scalar, Solid, Y, Z, box_between, min_, part, require, weld
+import artgen as ag
 from artgen.categories.box.board import Mouth, Thing
 from artgen.categories.box.bodies import walls
 from artgen.categories.box.flaps import Top
@@ -27,22 +27,22 @@ _SIDES_MEET = (
 )
 
 
-def open_ended_box(draft: Draft, *, taped: bool) -> Body:
+def open_ended_box(draft: Draft, *, taped: bool) -> ag.Body:
     """Make a slotted box whose eight flaps are at its ends."""
     board, wide, tall, long = draft.board, draft.depth, draft.height, draft.width
-    tall = require(tall, tall <= wide, _SIDES_MEET)
+    tall = ag.require(tall, tall <= wide, _SIDES_MEET)
     left, right = (Top(board, wide, tall, long, draft.swing, taped, mouth=mouth) for mouth in (_LEFT, _RIGHT))
-    body = weld(
-        part(_both_ends(left.creased, _tube(draft), long), "box", board.outside),
+    body = ag.weld(
+        ag.part(_both_ends(left.creased, _tube(draft), long), "box", board.outside),
         *(_turned(each, long) for each in left.tape_ends()),
         *right.tape_ends(),
     )
     body = right.attached(_turned(left.attached(body, draft.feel), long), draft.feel)
     marks = shipping_print(draft.look, long, wide, low=0.0, high=tall, finish=board.outside, sides=False)
-    return weld(_laid(body, long, tall), *marks, _on_top(draft), *_label(draft))
+    return ag.weld(_laid(body, long, tall), *marks, _on_top(draft), *_label(draft))
 
 
-def tuck_end_box(draft: Draft, *, ears: bool, lips: bool, opening: Scalar) -> Body:
+def tuck_end_box(draft: Draft, *, ears: bool, lips: bool, opening: ag.Scalar) -> ag.Body:
     """Make a carton with a lid at either end, which hangs at the top, and flaps under it at its sides."""
     board, wide, tall, long = draft.board, draft.depth, draft.height, draft.width
     left = Lidded(
@@ -52,7 +52,7 @@ def tuck_end_box(draft: Draft, *, ears: bool, lips: bool, opening: Scalar) -> Bo
         long,
         sides="over",
         ears=ears,
-        dust=min_(0.42 * tall, 0.30 * wide),
+        dust=ag.min_(0.42 * tall, 0.30 * wide),
         opening=opening,
         lips=lips,
         lined=0.7 * long,
@@ -60,8 +60,8 @@ def tuck_end_box(draft: Draft, *, ears: bool, lips: bool, opening: Scalar) -> Bo
         mouth=_LEFT,
     )
     right = replace(left, mouth=_RIGHT)
-    body = weld(
-        part(_both_ends(left.creased, _tube(draft), long), "box", board.outside),
+    body = ag.weld(
+        ag.part(_both_ends(left.creased, _tube(draft), long), "box", board.outside),
         *(_turned(each, long) for each in left.rims()),
         *right.rims(),
     )
@@ -70,41 +70,41 @@ def tuck_end_box(draft: Draft, *, ears: bool, lips: bool, opening: Scalar) -> Bo
     ink = Ink(draft.look.ink(board.outside))
     name = draft.look.mark(0.62 * long, 0.17 * tall)
     marks = [ink.put(name, (0.0, -wide / 2.0, 0.52 * tall))]
-    return weld(_laid(body, long, tall), *marks, _on_top(draft), *_label(draft))
+    return ag.weld(_laid(body, long, tall), *marks, _on_top(draft), *_label(draft))
 
 
-def _tube(draft: Draft) -> Solid:
+def _tube(draft: Draft) -> ag.Solid:
     """Make the four walls of a box without ends, upright."""
     wide, tall = draft.depth, draft.height
     tube = walls(draft.board, wide, tall, draft.width, base=-0.004, floor=False)
-    return tube - box_between((-wide, -tall, -0.01), (wide, tall, 0.0)).paint(draft.board.edge)
+    return tube - ag.box_between((-wide, -tall, -0.01), (wide, tall, 0.0)).paint(draft.board.edge)
 
 
-def _both_ends(cut: Callable[[Solid], Solid], tube: Solid, long: Scalar) -> Solid:
+def _both_ends(cut: Callable[[ag.Solid], ag.Solid], tube: ag.Solid, long: ag.Scalar) -> ag.Solid:
     """Cut both ends of a tube as its top is cut."""
     return cut(_turned(cut(tube), long))
 
 
-def _turned(thing: Thing, long: Scalar) -> Thing:
+def _turned(thing: Thing, long: ag.Scalar) -> Thing:
     """Turn over what stands: its top is at the bottom, its front stays in front."""
-    return thing.rotate(Y, math.pi, about=(0.0, 0.0, long / 2.0))
+    return thing.rotate(ag.Y, math.pi, about=(0.0, 0.0, long / 2.0))
 
 
-def _laid(body: Body, long: Scalar, tall: Scalar) -> Body:
+def _laid(body: ag.Body, long: ag.Scalar, tall: ag.Scalar) -> ag.Body:
     """Lay down what stands: its top comes to the right, its front to the floor."""
-    return body.rotate(Z, math.pi / 2.0).rotate(Y, math.pi / 2.0).at(-long / 2.0, 0.0, tall / 2.0)
+    return body.rotate(ag.Z, math.pi / 2.0).rotate(ag.Y, math.pi / 2.0).at(-long / 2.0, 0.0, tall / 2.0)
 
 
-def _on_top(draft: Draft) -> Body:
+def _on_top(draft: Draft) -> ag.Body:
     """Print the name on the upper wall."""
     name = draft.look.mark(0.55 * draft.width, 0.16 * draft.depth)
-    return Ink(draft.look.ink(draft.board.outside), Z).put(name, (0.0, 0.0, draft.height))
+    return Ink(draft.look.ink(draft.board.outside), ag.Z).put(name, (0.0, 0.0, draft.height))
 
 
-def _label(draft: Draft) -> list[Body]:
+def _label(draft: Draft) -> list[ag.Body]:
     """Return the address on the upper wall, in front of the name, if there is one."""
     if not draft.look.label:
         return []
     at = (-0.27 * draft.width, -0.30 * draft.depth, draft.height)
-    size = min_(0.105, 0.45 * draft.depth)
-    return address_label(at, facing=Z, size=size, number=draft.look.model)
+    size = ag.min_(0.105, 0.45 * draft.depth)
+    return address_label(at, facing=ag.Z, size=size, number=draft.look.model)

@@ -1,22 +1,22 @@
 """What boxes are made of: kraft and white liners, prints in color, wrapping papers, ribbons and inks."""
 
-from artgen import Material, colored, material
+import artgen as ag
 from artgen.materials import COLORS
 
-_KRAFT = material("cardboard")
+_KRAFT = ag.material("cardboard")
 _GREYBOARD = 620.0  # solid board of set-up boxes, with its wrap [kg/m3]
 
 
-def _liner(name: str, color: tuple[float, float, float], roughness: float = 0.7) -> Material:
+def _liner(name: str, color: tuple[float, float, float], roughness: float = 0.7) -> ag.Material:
     return _KRAFT.with_(name=name, base_color=color, specular_roughness=roughness)
 
 
-def _printed(color: str) -> Material:
+def _printed(color: str) -> ag.Material:
     return _liner(f"printed_{color}", COLORS[color], 0.5)
 
 
-def _wrap(name: str, color: tuple[float, float, float], texture: str = "", rough: float = 0.5) -> Material:
-    return material("abs").with_(
+def _wrap(name: str, color: tuple[float, float, float], texture: str = "", rough: float = 0.5) -> ag.Material:
+    return ag.material("abs").with_(
         name=f"cardboard_{name}",
         base_color=color,
         specular_roughness=rough,
@@ -81,8 +81,8 @@ LININGS = (
 """What set-up boxes are lined with."""
 
 
-def _satin(color: str) -> Material:
-    return material("abs").with_(
+def _satin(color: str) -> ag.Material:
+    return ag.material("abs").with_(
         name=f"satin_{color}",
         base_color=COLORS[color],
         specular_roughness=0.3,
@@ -94,7 +94,7 @@ def _satin(color: str) -> Material:
 
 RIBBONS = (
     *map(_satin, ("red", "white", "navy", "burgundy", "forest", "blush", "black")),
-    material("abs").with_(
+    ag.material("abs").with_(
         name="satin_gold",
         base_color=(0.58, 0.38, 0.13),
         specular_roughness=0.28,
@@ -106,27 +106,27 @@ RIBBONS = (
 """Satin ribbons."""
 
 STRAPS = (
-    material("linen").with_(name="webbing", base_color=(0.50, 0.42, 0.31)),
-    material("linen").with_(name="dark_webbing", base_color=(0.05, 0.05, 0.055)),
-    material("leather_grain_abs").with_(name="leather", base_color=(0.20, 0.085, 0.035), density=900.0),
+    ag.material("linen").with_(name="webbing", base_color=(0.50, 0.42, 0.31)),
+    ag.material("linen").with_(name="dark_webbing", base_color=(0.05, 0.05, 0.055)),
+    ag.material("leather_grain_abs").with_(name="leather", base_color=(0.20, 0.085, 0.035), density=900.0),
 )
 """Webbing and leather of straps."""
 
-GOLD = material("satin_brass").with_(name="gold_foil", specular_roughness=0.25)
+GOLD = ag.material("satin_brass").with_(name="gold_foil", specular_roughness=0.25)
 """Hot foil."""
 
 
-def ink(name: str) -> Material:
+def ink(name: str) -> ag.Material:
     """Return a printing ink of a color of the table."""
-    return colored("abs", name).with_(name=f"ink_{name}", texture="", specular_roughness=0.6)
+    return ag.colored("abs", name).with_(name=f"ink_{name}", texture="", specular_roughness=0.6)
 
 
-def contrast(finish: Material) -> Material:
+def contrast(finish: ag.Material) -> ag.Material:
     """Return the ink or foil that shows on a finish."""
     mean = sum(finish.base_color) / 3.0
     return ink("graphite") if mean > 0.2 else ink("white")
 
 
-def foam(lining: Material) -> Material:
+def foam(lining: ag.Material) -> ag.Material:
     """Return the foam of inserts under a lining's color."""
-    return material("foam").with_(name="insert_foam", base_color=lining.base_color)
+    return ag.material("foam").with_(name="insert_foam", base_color=lining.base_color)

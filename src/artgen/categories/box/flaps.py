@@ -3,23 +3,7 @@
 import math
 from dataclasses import dataclass
 
-from artgen import (
-    Body,
-    Float,
-    Joint,
-    Scalar,
-    Solid,
-    Z,
-    box_between,
-    detail,
-    grasp_on,
-    min_,
-    part,
-    polygon,
-    push_on,
-    rectangle,
-    weld,
-)
+import artgen as ag
 from artgen.categories.box.board import FOLD, LAYER, SLIT, TOP, Board, Crease, Feel, Mouth
 from artgen.categories.box.bottles import Bottles
 from artgen.categories.box.marks import TAPE, pull_tab
@@ -40,38 +24,38 @@ class Top:
     """Four flaps of one length at the top of a box, its majors at the front and at the back."""
 
     board: Board  # what it is cut from
-    width: Scalar  # of the box along x, outside [m]
-    depth: Scalar  # of the box along y, outside [m]
-    height: Scalar  # of the closed box [m]
-    swing: Scalar  # how far flaps open if nothing stops them [rad]
+    width: ag.Scalar  # of the box along x, outside [m]
+    depth: ag.Scalar  # of the box along y, outside [m]
+    height: ag.Scalar  # of the closed box [m]
+    swing: ag.Scalar  # how far flaps open if nothing stops them [rad]
     taped: bool  # whether tape was slit along the seam
-    ground: Scalar = 0.0  # height above which flaps have room to hang down [m]
-    beside: Scalar = 0.0  # where minor flaps are pushed up, from their middle [m]
+    ground: ag.Scalar = 0.0  # height above which flaps have room to hang down [m]
+    beside: ag.Scalar = 0.0  # where minor flaps are pushed up, from their middle [m]
     mouth: Mouth = TOP  # what its sides are called, and whether the one in front lies on the floor
 
     @property
-    def reach(self) -> Scalar:
+    def reach(self) -> ag.Scalar:
         """From a crease to the free edge of its flap [m]."""
         return self.depth / 2.0 - SLIT / 2.0
 
     @property
-    def low(self) -> Scalar:
+    def low(self) -> ag.Scalar:
         """Height of the walls with minor flaps, which lie one layer lower [m]."""
         return self.height - self.board.thick - LAYER
 
     @property
-    def opening(self) -> Float:
+    def opening(self) -> ag.Float:
         """How far flaps open: neither down to the floor nor until their tabs meet the walls [rad]."""
         down = math.pi + 0.9 * (self.low - self.ground) / self.reach
-        return min_(min_(self.swing, down), 1.5 * math.pi - 0.028 / self.reach)
+        return ag.min_(ag.min_(self.swing, down), 1.5 * math.pi - 0.028 / self.reach)
 
     @property
-    def _shy(self) -> Scalar:
+    def _shy(self) -> ag.Scalar:
         """How far a flap that comes to lie on the floor stays off it, for its tab is below it [rad]."""
         return (_SHORT + 0.0015) / self.reach
 
     @property
-    def _taper(self) -> Scalar:
+    def _taper(self) -> ag.Scalar:
         """By how much minor flaps are narrower at either side of their tips: they clear such a flap [m]."""
         return 1.15 * (self._shy + _LYING) * self.reach if self.mouth.grounded else 0.0
 
@@ -89,27 +73,27 @@ class Top:
             "right": Crease(self.width / 2.0, 0.0, self.low, turn=math.pi / 2.0),
         }
 
-    def creased(self, walls: Solid) -> Solid:
+    def creased(self, walls: ag.Solid) -> ag.Solid:
         """Cut the tops of walls that end at the height of the box for their creases."""
         t = self.board.thick
         lowered = walls
         for side in (-1.0, 1.0):
             low = (side * self.width / 2.0 - 1.6 * t, -self.depth / 2.0 - 0.01, self.low)
             high = (side * self.width / 2.0 + 1.6 * t, self.depth / 2.0 + 0.01, self.height + 0.01)
-            lowered = lowered - box_between(low, high).paint(self.board.edge)
+            lowered = lowered - ag.box_between(low, high).paint(self.board.edge)
         return self.board.creased(lowered, *self.majors().values(), *self.minors().values())
 
     def attached(
         self,
-        body: Body,
+        body: ag.Body,
         feel: Feel,
         *,
-        printed: dict[str, list[Body]] | None = None,
+        printed: dict[str, list[ag.Body]] | None = None,
         label: str = "box",
         bottles: Bottles | None = None,
-    ) -> Body:
+    ) -> ag.Body:
         """Join the four flaps to a box."""
-        turns: list[Joint] = []
+        turns: list[ag.Joint] = []
         marks = printed or {}
         thick, free = self.board.thick + FOLD, SLIT / 2.0 - 0.0002  # the lower edge swings out by less
         body = body.require(self.reach >= (thick**2 - free**2) / (2.0 * free), _MAJORS_MEET)
@@ -123,7 +107,7 @@ class Top:
                 opening=math.pi / 2.0 - self._shy if lying else self.opening,
             )
             if not lying:
-                body = weld(body, crease.bead(self.width - 0.003, label, self.board.outside))
+                body = ag.weld(body, crease.bead(self.width - 0.003, label, self.board.outside))
             body = body.attach(crease.place(self._major(side, marks.get(side, []))), turn)
             turns.append(turn)
         resting = Feel(0.0, 0.0, feel.friction, feel.damping)
@@ -139,41 +123,41 @@ class Top:
                 needs=wide.until(_HANGING),
             )
             turns.append(turn)
-            body = weld(body, crease.bead(self.depth - 0.003, label, self.board.outside))
+            body = ag.weld(body, crease.bead(self.depth - 0.003, label, self.board.outside))
             body = body.attach(crease.place(self._minor(side)), turn)
         if bottles is None:
             return body
         return bottles.below(turns, _UPRIGHT, body)
 
-    def _major(self, side: str, marks: list[Body]) -> Body:
+    def _major(self, side: str, marks: list[ag.Body]) -> ag.Body:
         wide = self.width - 0.003
-        sheet = self.board.sheet(rectangle(wide, self.reach).at(0.0, self.reach / 2.0))
+        sheet = self.board.sheet(ag.rectangle(wide, self.reach).at(0.0, self.reach / 2.0))
         aside = 0.2 * self.width  # each to its own right: a hand has room beside the other one
         tall = _SHORT if self.mouth.grounded and side == "front" else 0.021
         tab = pull_tab(tall).at(aside, self.reach - 0.0035, 0.0)
-        hold = grasp_on(tab, approach=-Z, closing=(0.0, 1.0, 0.0), depth=0.76 * tall)
+        hold = ag.grasp_on(tab, approach=-ag.Z, closing=(0.0, 1.0, 0.0), depth=0.76 * tall)
         bodies = [
-            part(sheet, "flap_major", self.board.outside, name=self.mouth.link("flap", side)),
-            part(tab, "tape", TAPE, name=self.mouth.link("tab", side), grasp=hold),
+            ag.part(sheet, "flap_major", self.board.outside, name=self.mouth.link("flap", side)),
+            ag.part(tab, "tape", TAPE, name=self.mouth.link("tab", side), grasp=hold),
         ]
         if self.taped:
             low = (-wide / 2.0 + 0.001, self.reach - _TAPE_WIDE / 2.0, -0.0001)
-            strip = box_between(low, (wide / 2.0 - 0.001, self.reach - 0.0002, 0.00012))
-            bodies.append(detail(strip, "tape", TAPE))
-        return weld(*bodies, *marks)
+            strip = ag.box_between(low, (wide / 2.0 - 0.001, self.reach - 0.0002, 0.00012))
+            bodies.append(ag.detail(strip, "tape", TAPE))
+        return ag.weld(*bodies, *marks)
 
-    def _minor(self, side: str) -> Body:
+    def _minor(self, side: str) -> ag.Body:
         wide = self.depth - 2.0 * self.board.thick - 2.0 * SLIT
-        outline = rectangle(wide, self.reach).at(0.0, self.reach / 2.0)
+        outline = ag.rectangle(wide, self.reach).at(0.0, self.reach / 2.0)
         if self.mouth.grounded:
             near, far = wide / 2.0, wide / 2.0 - self._taper
-            outline = polygon([(-near, 0.0), (near, 0.0), (far, self.reach), (-far, self.reach)])
+            outline = ag.polygon([(-near, 0.0), (near, 0.0), (far, self.reach), (-far, self.reach)])
         sheet = self.board.sheet(outline)
-        below = push_on(sheet, direction=Z, at=(self.beside, 0.52 * self.reach, 0.0))
+        below = ag.push_on(sheet, direction=ag.Z, at=(self.beside, 0.52 * self.reach, 0.0))
         name = self.mouth.link("flap", side)
-        return part(sheet, "flap_minor", self.board.outside, name=name, push=below)
+        return ag.part(sheet, "flap_minor", self.board.outside, name=name, push=below)
 
-    def tape_ends(self) -> list[Body]:
+    def tape_ends(self) -> list[ag.Body]:
         """Make the ends of the tape, which go down the walls at the sides, if there is tape."""
         if not self.taped:
             return []
@@ -181,5 +165,7 @@ class Top:
         for side in (-1.0, 1.0):
             face, half = side * self.width / 2.0, _TAPE_WIDE / 2.0
             low = (face - 0.00012, -half, self.low - 0.065)
-            ends.append(detail(box_between(low, (face + 0.00012, half, self.low - 0.001)), "tape", TAPE))
+            ends.append(
+                ag.detail(ag.box_between(low, (face + 0.00012, half, self.low - 0.001)), "tape", TAPE)
+            )
         return ends

@@ -4,28 +4,7 @@ import math
 from dataclasses import dataclass
 from typing import Literal
 
-from artgen import (
-    Body,
-    Material,
-    Prismatic,
-    Scalar,
-    X,
-    Y,
-    Z,
-    box,
-    box_between,
-    cylinder,
-    detail,
-    ellipse,
-    extrude,
-    grasp_on,
-    max_,
-    min_,
-    part,
-    rectangle,
-    simplified_collider,
-    weld,
-)
+import artgen as ag
 from artgen.categories.box.board import LAYER, Board, Crease, Feel
 from artgen.categories.box.bodies import walls
 from artgen.categories.box.marks import pull_tab
@@ -45,25 +24,25 @@ class Gift:
     """A gift box."""
 
     board: Board  # greyboard, wrapped
-    width: Scalar  # along x, outside [m]
-    depth: Scalar  # along y, outside [m]
-    height: Scalar  # closed [m]
-    satin: Material  # the ribbon
-    wide: Scalar  # its width [m]
+    width: ag.Scalar  # along x, outside [m]
+    depth: ag.Scalar  # along y, outside [m]
+    height: ag.Scalar  # closed [m]
+    satin: ag.Material  # the ribbon
+    wide: ag.Scalar  # its width [m]
     hollow: Hollow  # of the foam inside a box with a flap or a drawer
-    foam: Material  # that foam
+    foam: ag.Material  # that foam
 
-    def lifted(self, skirt: Scalar, rub: Scalar, *, crossed: bool, printed: list[Body]) -> Body:
+    def lifted(self, skirt: ag.Scalar, rub: ag.Scalar, *, crossed: bool, printed: list[ag.Body]) -> ag.Body:
         """Make a base with a lid over it, which a ribbon with a bow goes around."""
         inset = 2.0 * (self.board.thick + PLAY)
         wide, deep = self.width - inset, self.depth - inset
         base_top = self.height - self.board.thick - LAYER
-        base = part(walls(self.board, wide, deep, base_top), "box", self.board.outside)
+        base = ag.part(walls(self.board, wide, deep, base_top), "box", self.board.outside)
         foot = self.height - skirt
-        seen = max_(foot - 0.004, 0.0015)  # of the base, below the lid
-        body = weld(base, *self._bands(wide, deep, 0.0, seen, crossed=crossed, over=False))
-        lid = weld(
-            part(
+        seen = ag.max_(foot - 0.004, 0.0015)  # of the base, below the lid
+        body = ag.weld(base, *self._bands(wide, deep, 0.0, seen, crossed=crossed, over=False))
+        lid = ag.weld(
+            ag.part(
                 cap(self.board, self.width, self.depth, top=self.height, skirt=skirt),
                 "lid",
                 self.board.outside,
@@ -75,8 +54,15 @@ class Gift:
         return body.attach(lid, lift("lid_lift", lid, travel=skirt + 0.06, rub=rub))
 
     def _bands(
-        self, width: Scalar, depth: Scalar, low: Scalar, high: Scalar, *, crossed: bool, over: bool
-    ) -> list[Body]:
+        self,
+        width: ag.Scalar,
+        depth: ag.Scalar,
+        low: ag.Scalar,
+        high: ag.Scalar,
+        *,
+        crossed: bool,
+        over: bool,
+    ) -> list[ag.Body]:
         """Make ribbon on the walls of one piece, and over its top."""
         half, out = self.wide / 2.0, _RIBBON
         made = []
@@ -91,110 +77,121 @@ class Gift:
                 corners = ((-half, near, bottom), (half, far, top))
                 if way == "x":
                     corners = ((near, -half, bottom), (far, half, top))
-                made.append(detail(box_between(*corners), "ribbon", self.satin))
+                made.append(ag.detail(ag.box_between(*corners), "ribbon", self.satin))
         return made
 
-    def _bow(self) -> Body:
+    def _bow(self) -> ag.Body:
         """Tie the bow on the lid: a knot to take hold of, two loops and two ends."""
         top = self.height + _RIBBON
         tall = 0.024
-        knot = box_between((-0.011, -0.0095, top - 0.001), (0.011, 0.0095, top + tall), bevel=0.006)
-        hold = grasp_on(knot, approach=-Z, closing=Y, depth=0.014)
-        bodies = [part(knot, "ribbon", self.satin, name="bow", grasp=hold)]
-        loop = extrude(ellipse(0.034, 0.0135) - ellipse(0.0325, 0.012), 0.8 * self.wide, axis=Y)
-        inner = extrude(ellipse(0.024, 0.0095) - ellipse(0.0225, 0.008), 0.66 * self.wide, axis=Y)
-        tail = box_between((0.0, -0.36 * self.wide, -0.0004), (0.062, 0.36 * self.wide, 0.0004))
+        knot = ag.box_between((-0.011, -0.0095, top - 0.001), (0.011, 0.0095, top + tall), bevel=0.006)
+        hold = ag.grasp_on(knot, approach=-ag.Z, closing=ag.Y, depth=0.014)
+        bodies = [ag.part(knot, "ribbon", self.satin, name="bow", grasp=hold)]
+        loop = ag.extrude(ag.ellipse(0.034, 0.0135) - ag.ellipse(0.0325, 0.012), 0.8 * self.wide, axis=ag.Y)
+        inner = ag.extrude(ag.ellipse(0.024, 0.0095) - ag.ellipse(0.0225, 0.008), 0.66 * self.wide, axis=ag.Y)
+        tail = ag.box_between((0.0, -0.36 * self.wide, -0.0004), (0.062, 0.36 * self.wide, 0.0004))
         for side in (-1.0, 1.0):
             turned = 0.0 if side > 0.0 else math.pi
             for each, at, rise, raised in ((loop, 0.042, 0.015, 0.22), (inner, 0.031, 0.022, 0.5)):
-                bow = each.rotate(Y, -raised).at(at, 0.0, rise).rotate(Z, turned)
-                bodies.append(detail(bow.at(0.0, 0.0, top), "ribbon", self.satin))
-            end = tail.at(0.006, 0.0, 0.001).rotate(Z, turned + side * 0.9 - 1.2)
-            bodies.append(detail(end.at(0.0, 0.0, top + 0.0006), "ribbon", self.satin))
-        return weld(*bodies)
+                bow = each.rotate(ag.Y, -raised).at(at, 0.0, rise).rotate(ag.Z, turned)
+                bodies.append(ag.detail(bow.at(0.0, 0.0, top), "ribbon", self.satin))
+            end = tail.at(0.006, 0.0, 0.001).rotate(ag.Z, turned + side * 0.9 - 1.2)
+            bodies.append(ag.detail(end.at(0.0, 0.0, top + 0.0006), "ribbon", self.satin))
+        return ag.weld(*bodies)
 
     def _insert(
-        self, width: Scalar, depth: Scalar, at: tuple[Scalar, Scalar, Scalar], height: Scalar
-    ) -> list[Body]:
+        self,
+        width: ag.Scalar,
+        depth: ag.Scalar,
+        at: tuple[ag.Scalar, ag.Scalar, ag.Scalar],
+        height: ag.Scalar,
+    ) -> list[ag.Body]:
         """Make the foam that holds what is given, with a hollow for it; none in a box for anything."""
         if self.hollow == "none":
             return []
-        block = box_between(
+        block = ag.box_between(
             (-width / 2.0, -depth / 2.0, 0.0), (width / 2.0, depth / 2.0, height), bevel=0.001
         )
         block = block.scale((width - 0.0012) / width, (depth - 0.0012) / depth, 1.0)
         if self.hollow == "round":
-            pit = cylinder(0.32 * min_(width, depth), height, bevel=0.0)
-            pit = simplified_collider(pit)
+            pit = ag.cylinder(0.32 * ag.min_(width, depth), height, bevel=0.0)
+            pit = ag.simplified_collider(pit)
         else:
-            pit = box(0.74 * width, 0.62 * depth, height)
+            pit = ag.box(0.74 * width, 0.62 * depth, height)
         solid = (block - pit.at(0.0, 0.0, 0.75 * height)).at(at[0], at[1], at[2] - 0.0002)
-        return [part(solid, "insert", self.foam)]
+        return [ag.part(solid, "insert", self.foam)]
 
     def flapped(
-        self, feel: Feel, *, opening: Scalar, reach: Scalar, rounded: bool, printed: list[Body]
-    ) -> Body:
+        self, feel: Feel, *, opening: ag.Scalar, reach: ag.Scalar, rounded: bool, printed: list[ag.Body]
+    ) -> ag.Body:
         """Make a base whose lid hangs at the back and ends in a flap over the front."""
         board, t = self.board, self.board.thick
         long = self.depth + t + 0.0008
         hinge = Crease(0.0, self.depth / 2.0, self.height, turn=math.pi)
         front = Crease(0.0, long, folded=True)
         low = self.height - t - LAYER
-        over = box_between(
+        over = ag.box_between(
             (-self.width, -self.depth, low), (self.width, self.depth / 2.0 - 1.6 * t, self.height + 0.01)
         ).paint(board.outside)
         shell = board.creased(walls(board, self.width, self.depth, self.height) - over, hinge)
-        sheet = board.creased(board.sheet(rectangle(self.width + 0.004, long).at(0.0, long / 2.0)), front)
-        lid = weld(part(sheet, "lid", board.outside), front.bead(self.width, "lid", board.outside), *printed)
-        outline = rectangle(self.width + 0.004, reach).at(0.0, reach / 2.0)
+        sheet = board.creased(board.sheet(ag.rectangle(self.width + 0.004, long).at(0.0, long / 2.0)), front)
+        lid = ag.weld(
+            ag.part(sheet, "lid", board.outside), front.bead(self.width, "lid", board.outside), *printed
+        )
+        outline = ag.rectangle(self.width + 0.004, reach).at(0.0, reach / 2.0)
         if rounded:
-            radius = min_(0.36 * reach, 0.46 * self.width)  # half a circle on a narrow flap, at most
-            tongue = rectangle(self.width + 0.004, 0.8 * reach, radius=radius)
-            outline = tongue.at(0.0, 0.6 * reach) | rectangle(self.width + 0.004, 0.5 * reach).at(
+            radius = ag.min_(0.36 * reach, 0.46 * self.width)  # half a circle on a narrow flap, at most
+            tongue = ag.rectangle(self.width + 0.004, 0.8 * reach, radius=radius)
+            outline = tongue.at(0.0, 0.6 * reach) | ag.rectangle(self.width + 0.004, 0.5 * reach).at(
                 0.0, 0.25 * reach
             )
         flap = board.sheet(outline)
         tab = pull_tab().at(0.0, reach - 0.012, 0.0)
-        hold = grasp_on(tab, approach=-Z, closing=Y, depth=0.016)
-        cover = weld(
-            part(flap, "lid", board.outside, name="flap_front"),
-            part(tab, "ribbon", self.satin, name="tab", grasp=hold),
+        hold = ag.grasp_on(tab, approach=-ag.Z, closing=ag.Y, depth=0.016)
+        cover = ag.weld(
+            ag.part(flap, "lid", board.outside, name="flap_front"),
+            ag.part(tab, "ribbon", self.satin, name="tab", grasp=hold),
         )
         turn = front.joint("flap_front_hinge", feel=feel, length=self.width, reach=reach, opening=2.4)
         weight = 9.81 * board.outside.density * t * self.width * long * 0.62 * long
         swing = hinge.joint(
             "lid_hinge", feel=feel, length=self.width, reach=long, opening=opening, holding=0.4 * weight
         )
-        body = weld(
-            part(shell, "box", board.outside),
+        body = ag.weld(
+            ag.part(shell, "box", board.outside),
             hinge.bead(self.width, "box", board.outside),
             *self._insert(self.width - 2.0 * t, self.depth - 2.0 * t, (0.0, 0.0, t), 0.55 * low),
         )
         return body.attach(hinge.place(lid.attach(front.place(cover), turn)), swing)
 
-    def drawn(self, friction: Scalar, *, printed: list[Body]) -> Body:
+    def drawn(self, friction: ag.Scalar, *, printed: list[ag.Body]) -> ag.Body:
         """Make a sleeve with a drawer, which a ribbon pulls out."""
         board, t = self.board, self.board.thick
-        case = part(drawer_case(board, self.width, self.depth, self.height), "box", board.outside)
+        case = ag.part(drawer_case(board, self.width, self.depth, self.height), "box", board.outside)
         wide, tall = self.width - 2.0 * (t + PLAY), self.height - 2.0 * (t + PLAY)
         long = self.depth - t - PLAY
         inside = walls(board, wide, long, tall).at(0.0, (-self.depth + long) / 2.0, t + PLAY)
         face = -self.depth / 2.0
-        tab = pull_tab().rotate(X, math.pi / 2.0).rotate(Y, math.pi / 2.0).at(0.0, face, self.height / 2.0)
-        hold = grasp_on(tab, approach=Y, closing=X, depth=0.016)
-        middle = ((0.0, (-self.depth + long) / 2.0, 2.0 * t + PLAY), 0.6 * tall)
-        drawer = weld(
-            part(inside, "drawer", board.outside),
-            *self._insert(wide - 2.0 * t, long - 2.0 * t, *middle),
-            part(tab, "ribbon", self.satin, name="tab", grasp=hold),
+        tab = (
+            pull_tab()
+            .rotate(ag.X, math.pi / 2.0)
+            .rotate(ag.Y, math.pi / 2.0)
+            .at(0.0, face, self.height / 2.0)
         )
-        slide = Prismatic(
+        hold = ag.grasp_on(tab, approach=ag.Y, closing=ag.X, depth=0.016)
+        middle = ((0.0, (-self.depth + long) / 2.0, 2.0 * t + PLAY), 0.6 * tall)
+        drawer = ag.weld(
+            ag.part(inside, "drawer", board.outside),
+            *self._insert(wide - 2.0 * t, long - 2.0 * t, *middle),
+            ag.part(tab, "ribbon", self.satin, name="tab", grasp=hold),
+        )
+        slide = ag.Prismatic(
             "drawer_slide",
-            axis=-Y,
+            axis=-ag.Y,
             limits=(0.0, 0.86 * long),
             friction=friction,
             damping=3.0,
             effort=20.0,
             velocity=1.0,
         )
-        return weld(case, *printed).attach(drawer, slide)
+        return ag.weld(case, *printed).attach(drawer, slide)

@@ -2,20 +2,7 @@
 
 from dataclasses import dataclass
 
-from artgen import (
-    Body,
-    Material,
-    Scalar,
-    X,
-    Y,
-    Z,
-    extrude,
-    max_,
-    min_,
-    part,
-    require,
-    weld,
-)
+import artgen as ag
 from artgen.categories.box.board import LAYER, Board, Feel
 from artgen.categories.box.bodies import bottom_flaps, cells, hand_holes, hole_corners, walls
 from artgen.categories.box.bottles import Bottles, Wine
@@ -47,33 +34,33 @@ class Draft:
     """What boxes of all kinds share."""
 
     board: Board  # what they are cut from
-    width: Scalar  # along x, outside [m]
-    depth: Scalar  # along y, outside [m]
-    height: Scalar  # closed [m]
+    width: ag.Scalar  # along x, outside [m]
+    depth: ag.Scalar  # along y, outside [m]
+    height: ag.Scalar  # closed [m]
     feel: Feel  # how creases resist
-    swing: Scalar  # how far flaps open where they have room [rad]
+    swing: ag.Scalar  # how far flaps open where they have room [rad]
     look: Look  # what is printed
 
-    def flap_label(self, top: Top) -> dict[str, list[Body]]:
+    def flap_label(self, top: Top) -> dict[str, list[ag.Body]]:
         """Return the address on the front flap of a slotted top, in the frame of its sheet."""
         if not self.look.label:
             return {}
-        size = min_(0.10, 0.8 * top.reach)
+        size = ag.min_(0.10, 0.8 * top.reach)
         at = (-0.27 * self.width, 0.46 * top.reach, 0.0)
-        return {"front": address_label(at, facing=Z, size=size, number=self.look.model)}
+        return {"front": address_label(at, facing=ag.Z, size=size, number=self.look.model)}
 
 
-def slotted_box(draft: Draft, *, taped: bool, holes: bool) -> Body:
+def slotted_box(draft: Draft, *, taped: bool, holes: bool) -> ag.Body:
     """Make a regular slotted box."""
     board, width, depth = draft.board, draft.width, draft.depth
     top = Top(board, width, depth, draft.height, draft.swing, taped)
     shell = top.creased(walls(board, width, depth, draft.height))
-    corners: list[Body] = []
+    corners: list[ag.Body] = []
     if holes:
         shell = hand_holes(shell, width, 0.66 * draft.height, board, depth=depth, span=(0.0, top.low))
         corners = hole_corners(width, 0.66 * draft.height, board)
-    body = weld(
-        part(shell, "box", board.outside),
+    body = ag.weld(
+        ag.part(shell, "box", board.outside),
         *corners,
         bottom_flaps(board, width, depth),
         *top.tape_ends(),
@@ -82,22 +69,22 @@ def slotted_box(draft: Draft, *, taped: bool, holes: bool) -> Body:
     return top.attached(body, draft.feel, printed=draft.flap_label(top))
 
 
-def half_slotted_box(draft: Draft, *, taped: bool, holes: bool, rub: Scalar) -> Body:
+def half_slotted_box(draft: Draft, *, taped: bool, holes: bool, rub: ag.Scalar) -> ag.Body:
     """Make a cover without a bottom, with four flaps at its top, that stands in a shallow tray."""
     board, wider = draft.board, 2.0 * (draft.board.thick + PLAY)
     rim = 0.05 + 0.11 * draft.height
     foot = board.thick + LAYER
-    tray = part(walls(board, draft.width, draft.depth, rim), "box", board.outside)
+    tray = ag.part(walls(board, draft.width, draft.depth, rim), "box", board.outside)
     width, depth = draft.width - wider, draft.depth - wider
     top = Top(board, width, depth, draft.height, draft.swing, taped, rim)
     shell = top.creased(walls(board, width, depth, draft.height, base=foot, floor=False))
     shell = shell.require(top.low - rim >= 0.05, _LOW_COVER)
-    corners: list[Body] = []
+    corners: list[ag.Body] = []
     if holes:
         shell = hand_holes(shell, width, 0.62 * draft.height, board, depth=depth, span=(rim, top.low))
         corners = hole_corners(width, 0.62 * draft.height, board, label="sleeve")
-    sleeve = weld(
-        part(shell, "sleeve", board.outside),
+    sleeve = ag.weld(
+        ag.part(shell, "sleeve", board.outside),
         *corners,
         *top.tape_ends(),
         *shipping_print(draft.look, width, depth, low=rim, high=top.low - 0.02, finish=board.outside),
@@ -106,16 +93,18 @@ def half_slotted_box(draft: Draft, *, taped: bool, holes: bool, rub: Scalar) -> 
     return tray.attach(sleeve, lift("sleeve_lift", sleeve, travel=rim + 0.12, rub=rub))
 
 
-def lidded_box(draft: Draft, *, pizza: bool, sides: Sides, ears: bool, dusted: bool, opening: Scalar) -> Body:
+def lidded_box(
+    draft: Draft, *, pizza: bool, sides: Sides, ears: bool, dusted: bool, opening: ag.Scalar
+) -> ag.Body:
     """Make a mailer, or a pizza box with vents."""
     board, look = draft.board, draft.look
-    require(not (dusted and sides == "tucked"), _NO_DUST)
-    dust = min_(0.28 * draft.depth, 0.30 * draft.width) if dusted else None
+    ag.require(not (dusted and sides == "tucked"), _NO_DUST)
+    dust = ag.min_(0.28 * draft.depth, 0.30 * draft.width) if dusted else None
     plan = Lidded(board, draft.width, draft.depth, draft.height, sides, ears, dust, opening)
     shell = plan.creased(walls(board, draft.width, draft.depth, draft.height))
-    marks: list[Body] = []
+    marks: list[ag.Body] = []
     if pizza:
-        hole = extrude(vents(0.0065), 3.0 * draft.width, axis=X).paint(board.edge)
+        hole = ag.extrude(vents(0.0065), 3.0 * draft.width, axis=ag.X).paint(board.edge)
         for share in (-0.30, 0.30):
             shell = shell - hole.at(0.0, share * draft.depth, 0.55 * draft.height)
         on_lid = pizza_print(look, 2.0 * plan.half, plan.reach)
@@ -128,11 +117,11 @@ def lidded_box(draft: Draft, *, pizza: bool, sides: Sides, ears: bool, dusted: b
             marks = side_label(
                 look, draft.width, draft.depth, height=0.5 * draft.height, tall=0.8 * draft.height
             )
-    body = weld(part(shell, "box", board.outside), *plan.rims(), *marks)
+    body = ag.weld(ag.part(shell, "box", board.outside), *plan.rims(), *marks)
     return plan.attached(body, draft.feel, printed=on_lid, swing=draft.swing)
 
 
-def wine_box(draft: Draft, *, bottles: int, wine: Wine | None, opening: Scalar, taped: bool) -> Body:
+def wine_box(draft: Draft, *, bottles: int, wine: Wine | None, opening: ag.Scalar, taped: bool) -> ag.Body:
     """Make a box for bottles: a tall carton with a tucked lid for a few, a slotted box for more."""
     board, (columns, rows) = draft.board, _GRID[bottles]
     t = board.thick
@@ -145,7 +134,7 @@ def wine_box(draft: Draft, *, bottles: int, wine: Wine | None, opening: Scalar, 
     low = 2.0 * t - 0.0002 if rows > 1 else t - 0.0002
     high = 0.60 * draft.height
     if rows == 1:
-        high = min_(high, draft.height - plan.tuck - 0.004)  # below the tuck
+        high = ag.min_(high, draft.height - plan.tuck - 0.004)  # below the tuck
     grid = cells(board, inner[0], depth - 2.0 * t, columns=columns, rows=rows, low=low, high=high)
     within = [grid] if grid is not None else []
     ceiling = draft.height - t if rows == 1 else draft.height - 2.0 * t - LAYER
@@ -155,8 +144,8 @@ def wine_box(draft: Draft, *, bottles: int, wine: Wine | None, opening: Scalar, 
         top = Top(board, width, depth, draft.height, draft.swing, taped, beside=beside)
         shell = top.creased(walls(board, width, depth, draft.height))
         shell = hand_holes(shell, width, 0.78 * draft.height, board, depth=depth, span=(low, top.low))
-        body = weld(
-            part(shell, "box", board.outside),
+        body = ag.weld(
+            ag.part(shell, "box", board.outside),
             *hole_corners(width, 0.78 * draft.height, board),
             bottom_flaps(board, width, depth),
             *top.tape_ends(),
@@ -165,38 +154,41 @@ def wine_box(draft: Draft, *, bottles: int, wine: Wine | None, opening: Scalar, 
         )
         return top.attached(body, draft.feel, bottles=filling)
     shell = plan.creased(walls(board, width, depth, draft.height))
-    body = weld(part(shell, "box", board.outside), *plan.rims(), *marks, *within)
+    body = ag.weld(ag.part(shell, "box", board.outside), *plan.rims(), *marks, *within)
     return plan.attached(body, draft.feel, printed=[], swing=draft.swing, bottles=filling)
 
 
-def tray_box(draft: Draft, *, skirt: Scalar, rub: Scalar, strapping: Material) -> Body:
+def tray_box(draft: Draft, *, skirt: ag.Scalar, rub: ag.Scalar, strapping: ag.Material) -> ag.Body:
     """Make a tray with a lid over it, which a strap lifts."""
     board, inset = draft.board, 2.0 * (draft.board.thick + PLAY)
     width, depth, top = draft.width, draft.depth, draft.height
-    deep = max_(skirt * top, 0.035)
+    deep = ag.max_(skirt * top, 0.035)
     base = walls(board, width - inset, depth - inset, top - board.thick - LAYER)
-    body = weld(
-        part(base, "box", board.outside),
+    body = ag.weld(
+        ag.part(base, "box", board.outside),
         *_base_label(draft, depth - inset, low=0.004, high=top - deep - 0.004),
     )
-    printer = Ink(draft.look.ink(board.outside), Z)
+    printer = Ink(draft.look.ink(board.outside), ag.Z)
     mark = printer.put(draft.look.mark(0.52 * width, 0.055 * depth), (0.0, -0.27 * depth, top))
-    lid = weld(
-        part(cap(board, width, depth, top=top, skirt=deep), "lid", board.outside),
+    lid = ag.weld(
+        ag.part(cap(board, width, depth, top=top, skirt=deep), "lid", board.outside),
         strap(top, strapping),
         mark,
     )
     return body.attach(lid, lift("lid_lift", lid, travel=deep + 0.06, rub=rub))
 
 
-def _base_label(draft: Draft, depth: Scalar, *, low: Scalar, high: Scalar) -> list[Body]:
+def _base_label(draft: Draft, depth: ag.Scalar, *, low: ag.Scalar, high: ag.Scalar) -> list[ag.Body]:
     """Return the label of what is inside, on the free part of a tray's front."""
     if not draft.look.label:
         return []
-    tall = max_(high - low, 0.012)
-    size = min_(0.085, 1.3 * tall)
+    tall = ag.max_(high - low, 0.012)
+    size = ag.min_(0.085, 1.3 * tall)
     return address_label(
-        (0.26 * draft.width, -depth / 2.0, (low + high) / 2.0), facing=-Y, size=size, number=draft.look.model
+        (0.26 * draft.width, -depth / 2.0, (low + high) / 2.0),
+        facing=-ag.Y,
+        size=size,
+        number=draft.look.model,
     )
 
 
@@ -204,15 +196,15 @@ def gift_box(
     draft: Draft,
     closure: Closure,
     *,
-    satin: Material,
-    wide: Scalar,
+    satin: ag.Material,
+    wide: ag.Scalar,
     crossed: bool,
     hollow: Hollow,
     rounded: bool,
-    skirt: Scalar,
-    rub: Scalar,
-    opening: Scalar,
-) -> Body:
+    skirt: ag.Scalar,
+    rub: ag.Scalar,
+    opening: ag.Scalar,
+) -> ag.Body:
     """Make a gift box."""
     board, top = draft.board, draft.height
     gift = Gift(board, draft.width, draft.depth, top, satin, wide, hollow, foam(board.inside))
@@ -220,11 +212,11 @@ def gift_box(
         case "flap":
             # in the frame of the lid's sheet, whose free edge is in front
             mark = name_on_lid(draft.look, draft.width, draft.depth)
-            foil = Ink(GOLD, Z, (0.0, -1.0, 0.0)).put(mark, (0.0, 0.5 * draft.depth, 0.0))
+            foil = Ink(GOLD, ag.Z, (0.0, -1.0, 0.0)).put(mark, (0.0, 0.5 * draft.depth, 0.0))
             reach = (0.45 + 0.55 * skirt) * top
             return gift.flapped(draft.feel, opening=opening, reach=reach, rounded=rounded, printed=[foil])
         case "drawer":
             mark = name_on_lid(draft.look, draft.width, draft.depth)
-            return gift.drawn(1.0 + 3.0 * rub, printed=[Ink(GOLD, Z).put(mark, (0.0, 0.0, top))])
+            return gift.drawn(1.0 + 3.0 * rub, printed=[Ink(GOLD, ag.Z).put(mark, (0.0, 0.0, top))])
         case _:
             return gift.lifted(skirt * top, rub, crossed=crossed, printed=[])

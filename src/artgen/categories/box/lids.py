@@ -8,30 +8,7 @@ import math
 from dataclasses import dataclass, replace
 from typing import Literal
 
-from artgen import (
-    Body,
-    Float,
-    Joint,
-    Scalar,
-    Solid,
-    X,
-    Y,
-    Z,
-    atan2,
-    board,
-    box_between,
-    detail,
-    extrude,
-    grasp_on,
-    max_,
-    min_,
-    part,
-    polygon,
-    push_on,
-    rectangle,
-    sqrt,
-    weld,
-)
+import artgen as ag
 from artgen.categories.box.board import LAYER, TOP, Board, Crease, Feel, Mouth, tongue
 from artgen.categories.box.bottles import Bottles
 from artgen.categories.box.marks import TAPE, pull_tab
@@ -57,47 +34,47 @@ class Lidded:
     """A box whose lid hangs on its back wall."""
 
     board: Board  # what it is cut from
-    width: Scalar  # along x, outside [m]
-    depth: Scalar  # along y, outside [m]
-    height: Scalar  # closed [m]
+    width: ag.Scalar  # along x, outside [m]
+    depth: ag.Scalar  # along y, outside [m]
+    height: ag.Scalar  # closed [m]
     sides: Sides  # how the lid meets the walls at the sides
     ears: bool  # whether the tuck has ears, which go in beside the walls
-    dust: Scalar | None  # reach of flaps at the walls under the lid [m]; None where there are none
-    opening: Scalar  # how far the lid opens [rad]
+    dust: ag.Scalar | None  # reach of flaps at the walls under the lid [m]; None where there are none
+    opening: ag.Scalar  # how far the lid opens [rad]
     lips: bool = False  # whether flaps under the lid end in lips, which are folded down
     # where the second layer of the walls begins, into which ears go [m]; None at the floor
-    lined: Scalar | None = None
+    lined: ag.Scalar | None = None
     grip: float = 0.006  # from the tuck to the tab that opens the lid [m]
     mouth: Mouth = TOP  # what the sides are called
 
     @property
-    def tuck(self) -> Float:
+    def tuck(self) -> ag.Float:
         """Reach of the tuck [m]."""
-        return min_(0.15 * self.depth + 0.005, 0.72 * self.height)
+        return ag.min_(0.15 * self.depth + 0.005, 0.72 * self.height)
 
     @property
-    def gap(self) -> Float:
+    def gap(self) -> ag.Float:
         """From the front edge of the lid to the wall: the tip of the tuck swings out by that much [m]."""
         swing = self.tuck / (2.0 * (self.depth - 2.0 * self.board.thick - 0.003))
-        return max_(0.0015, 2.0 * _TIP + self.tuck * (swing - _PLAY))
+        return ag.max_(0.0015, 2.0 * _TIP + self.tuck * (swing - _PLAY))
 
     @property
-    def reach(self) -> Scalar:
+    def reach(self) -> ag.Scalar:
         """From the crease of the lid to that of its tuck [m]."""
         return self.depth - 2.0 * self.board.thick - self.gap
 
     @property
-    def low(self) -> Scalar:
+    def low(self) -> ag.Scalar:
         """Height of the walls at the sides [m]."""
         return self.height if self.sides == "tucked" else self.height - self.board.thick - LAYER
 
     @property
-    def inner(self) -> Scalar:
+    def inner(self) -> ag.Scalar:
         """Half of the width between the walls at the sides [m]."""
         return self.width / 2.0 - (2.0 if self.ears else 1.0) * self.board.thick
 
     @property
-    def half(self) -> Scalar:
+    def half(self) -> ag.Scalar:
         """Half of the lid's width [m]."""
         return self.inner - _BESIDE if self.sides == "tucked" else self.width / 2.0 - 0.0012
 
@@ -116,7 +93,7 @@ class Lidded:
         }
 
     @property
-    def _dust_ends(self) -> tuple[Scalar, Scalar]:
+    def _dust_ends(self) -> tuple[ag.Scalar, ag.Scalar]:
         """Where dust flaps begin and end along y: behind the tuck and its ears, before the back wall [m]."""
         front = 3.0 * self.board.thick + self.gap + 0.003 + 0.07 * self.tuck
         if self.ears:
@@ -124,25 +101,25 @@ class Lidded:
         return front - self.depth / 2.0, self.depth / 2.0 - 3.0 * self.board.thick
 
     @property
-    def _dust_middle(self) -> Scalar:
+    def _dust_middle(self) -> ag.Scalar:
         start, end = self._dust_ends
         return (start + end) / 2.0
 
-    def creased(self, walls: Solid) -> Solid:
+    def creased(self, walls: ag.Solid) -> ag.Solid:
         """Cut the tops of walls that end at the height of the box to where the lid wants them."""
         t, lowered = self.board.thick, walls
         if self.sides == "over":
             for side in (-1.0, 1.0):
                 low = (side * self.width / 2.0 - 1.6 * t, -self.depth / 2.0 - 0.01, self.low)
                 high = (side * self.width / 2.0 + 1.6 * t, self.depth / 2.0 + 0.01, self.height + 0.01)
-                lowered = lowered - box_between(low, high).paint(self.board.edge)
+                lowered = lowered - ag.box_between(low, high).paint(self.board.edge)
         return self.board.creased(lowered, self.hinge, *self.dust_creases().values())
 
-    def rims(self, label: str = "box") -> list[Body]:
+    def rims(self, label: str = "box") -> list[ag.Body]:
         """Make the lip of the front wall, and the second layer of the walls where ears go in."""
         t, front, half = self.board.thick, -self.depth / 2.0, self.inner - 0.0003
         layer, tip = front + 2.0 * t, self.height - self.tuck
-        wedge = polygon(
+        wedge = ag.polygon(
             [
                 (layer - 0.6 * t, self.height - 0.5 * self.tuck),
                 (layer, self.height - 0.5 * self.tuck),
@@ -151,43 +128,49 @@ class Lidded:
                 (layer - 0.6 * t, 0.85 * tip),
             ]
         )
-        bar = board(
+        bar = ag.board(
             (-half, half), (front + t - 0.0003, layer), (0.8 * tip, self.height - 0.0002), bevel=0.0008
         )
-        made = [bar | extrude(wedge, 2.0 * half - 0.001, axis=X)]
+        made = [bar | ag.extrude(wedge, 2.0 * half - 0.001, axis=ag.X)]
         if self.ears:
             top = self.low - 0.0002 if self.dust is None else self.low - t - LAYER
             start = t - 0.0002 if self.lined is None else self.lined
             for side in (-1.0, 1.0):
                 x = _span(side, self.inner, self.inner + t + 0.0003)
                 y = (front + t + 0.0006, self.depth / 2.0 - t - 0.0006)
-                made.append(board(x, y, (start, top), bevel=0.0008))
-        return [part(each, label, self.board.outside) for each in made]
+                made.append(ag.board(x, y, (start, top), bevel=0.0008))
+        return [ag.part(each, label, self.board.outside) for each in made]
 
     def attached(
-        self, body: Body, feel: Feel, *, printed: list[Body], swing: Scalar, bottles: Bottles | None = None
-    ) -> Body:
+        self,
+        body: ag.Body,
+        feel: Feel,
+        *,
+        printed: list[ag.Body],
+        swing: ag.Scalar,
+        bottles: Bottles | None = None,
+    ) -> ag.Body:
         """Join the lid and all that hangs on it."""
         weight = 9.81 * 1.2 * self.board.outside.density * self.board.thick * 2.0 * self.half * self.reach
         # a fresh crease is no free spring: it takes the swing out of a lid, which otherwise slams shut
         mass, length = weight / 9.81, 2.0 * self.half
-        calm = 2.0 * sqrt(feel.stiffness * length * 0.45 * mass * self.reach**2) / length
+        calm = 2.0 * ag.sqrt(feel.stiffness * length * 0.45 * mass * self.reach**2) / length
         turn = self.hinge.joint(
             self.mouth.hinge("lid"),
-            feel=replace(feel, damping=max_(feel.damping, calm)),
+            feel=replace(feel, damping=ag.max_(feel.damping, calm)),
             length=2.0 * self.half,
             reach=self.reach,
             opening=self.opening,
             holding=weight * 0.62 * self.reach,  # a lid stays up, with its flaps out
         )
-        body = weld(body, self.hinge.bead(2.0 * self.half, "box", self.board.outside))
+        body = ag.weld(body, self.hinge.bead(2.0 * self.half, "box", self.board.outside))
         resting = Feel(0.0, 0.0, feel.friction, feel.damping)
         body = body.attach(self.hinge.place(self._lid(resting, turn, printed)), turn)
         if bottles is not None:
             body = bottles.under(turn, _AWAY, body)
         if self.dust is None:
             return body
-        opening = min_(swing, math.pi + 0.9 * self.low / self.dust)
+        opening = ag.min_(swing, math.pi + 0.9 * self.low / self.dust)
         start, end = self._dust_ends
         for side, crease in self.dust_creases().items():
             hinge = crease.joint(
@@ -198,50 +181,50 @@ class Lidded:
                 opening=opening,
                 needs=(turn > _UPRIGHT).until(_HANGING),
             )
-            body = weld(body, crease.bead(end - start, "box", self.board.outside))
+            body = ag.weld(body, crease.bead(end - start, "box", self.board.outside))
             body = body.attach(crease.place(self._dust_flap(side, end - start, self.dust, resting)), hinge)
         return body
 
-    def _dust_flap(self, side: str, wide: Scalar, reach: Scalar, feel: Feel) -> Body:
+    def _dust_flap(self, side: str, wide: ag.Scalar, reach: ag.Scalar, feel: Feel) -> ag.Body:
         """Make a flap under the lid, with its lip if it has one, in its own frame."""
         far = wide / 2.0 - 0.006
         sheet = self.board.sheet(
-            polygon([(-wide / 2.0, 0.0), (wide / 2.0, 0.0), (far, reach), (-far, reach)])
+            ag.polygon([(-wide / 2.0, 0.0), (wide / 2.0, 0.0), (far, reach), (-far, reach)])
         )
-        below = push_on(sheet, direction=Z, at=(0.33 * wide, 0.48 * reach, 0.0))  # beside what is below
+        below = ag.push_on(sheet, direction=ag.Z, at=(0.33 * wide, 0.48 * reach, 0.0))  # beside what is below
         name = self.mouth.link("flap", side)
         if not self.lips:
-            return part(sheet, "flap_minor", self.board.outside, name=name, push=below)
+            return ag.part(sheet, "flap_minor", self.board.outside, name=name, push=below)
         crease, deep = Crease(0.0, reach, folded=True), 0.3 * reach
-        flap = part(
+        flap = ag.part(
             self.board.creased(sheet, crease), "flap_minor", self.board.outside, name=name, push=below
         )
         lip = self.board.sheet(tongue(far - 0.001, deep, shoulder=0.4 * deep, tip=far - 0.4 * deep))
-        hold = grasp_on(lip, approach=(0.0, -1.0, 0.0), closing=Z, depth=min_(0.014, 0.55 * deep))
+        hold = ag.grasp_on(lip, approach=(0.0, -1.0, 0.0), closing=ag.Z, depth=ag.min_(0.014, 0.55 * deep))
         joint = crease.joint(
             self.mouth.hinge("lip", side), feel=feel, length=2.0 * far, reach=deep, opening=1.5
         )
-        body = part(lip, "tuck", self.board.outside, name=self.mouth.link("lip", side), grasp=hold)
-        flap = weld(flap, crease.bead(2.0 * far - 0.004, "flap_minor", self.board.outside))
+        body = ag.part(lip, "tuck", self.board.outside, name=self.mouth.link("lip", side), grasp=hold)
+        flap = ag.weld(flap, crease.bead(2.0 * far - 0.004, "flap_minor", self.board.outside))
         return flap.attach(crease.place(body), joint)
 
-    def _lid(self, feel: Feel, turn: Joint, printed: list[Body]) -> Body:
+    def _lid(self, feel: Feel, turn: ag.Joint, printed: list[ag.Body]) -> ag.Body:
         """Make the lid with its flaps, in its own frame."""
         front = Crease(0.0, self.reach, folded=True, lean=_PLAY - _TIP / self.tuck + _SLACK)
         sides = self._side_creases()
-        sheet = self.board.sheet(rectangle(2.0 * self.half, self.reach).at(0.0, self.reach / 2.0))
+        sheet = self.board.sheet(ag.rectangle(2.0 * self.half, self.reach).at(0.0, self.reach / 2.0))
         if sides:  # they narrow to a tip
             long = self._wing_end - self._wing_start
             sheet = sheet.require(long >= 0.6 * self._wing_reach + 0.006, _NO_WINGS)
         sheet = self.board.creased(sheet, front, *sides.values())
-        tab, across = pull_tab(), Y
+        tab, across = pull_tab(), ag.Y
         if self._sealed:  # near the floor a hand has room beside the tab
-            tab, across = tab.rotate(Z, math.pi / 2.0), X
+            tab, across = tab.rotate(ag.Z, math.pi / 2.0), ag.X
         tab = tab.at(0.0, self.reach - self.grip, 0.0)
-        hold = grasp_on(tab, approach=-Z, closing=across, depth=0.016)
-        lid = weld(
-            part(sheet, "lid", self.board.outside, name=self.mouth.link("lid")),
-            part(tab, "tape", TAPE, name=self.mouth.link("tab"), grasp=hold),
+        hold = ag.grasp_on(tab, approach=-ag.Z, closing=across, depth=0.016)
+        lid = ag.weld(
+            ag.part(sheet, "lid", self.board.outside, name=self.mouth.link("lid")),
+            ag.part(tab, "tape", TAPE, name=self.mouth.link("tab"), grasp=hold),
             *self._seal(),
             front.bead(2.0 * self.half - 0.004, "lid", self.board.outside),
             *(
@@ -272,32 +255,32 @@ class Lidded:
         """Whether tape goes over the edge of the lid, so that its tab is not at that edge."""
         return self.grip > 0.01
 
-    def _seal(self) -> list[Body]:
+    def _seal(self) -> list[ag.Body]:
         """Make the tape that was slit at the edge of the lid, if there is some."""
         if not self._sealed:
             return []
         low, high = (-0.024, self.reach - self.grip - 0.012, -0.0001), (0.024, self.reach - 0.0005, 0.00012)
-        return [detail(box_between(low, high), "tape", TAPE)]
+        return [ag.detail(ag.box_between(low, high), "tape", TAPE)]
 
     @property
-    def ear(self) -> Float:
+    def ear(self) -> ag.Float:
         """Reach of an ear from the tuck backward [m]."""
-        return min_(0.056, max_(0.24 * self.reach, 0.034))
+        return ag.min_(0.056, ag.max_(0.24 * self.reach, 0.034))
 
     @property
-    def _clear(self) -> Scalar:
+    def _clear(self) -> ag.Scalar:
         """Smallest angle of the lid at which the tuck clears the box in every position [rad]."""
-        far = sqrt(self.tuck**2 + self.ear**2) if self.ears else self.tuck
+        far = ag.sqrt(self.tuck**2 + self.ear**2) if self.ears else self.tuck
         return 1.13 * (far + 0.008) / self.reach
 
-    def _tuck(self, feel: Feel, turn: Joint, width: Scalar) -> Body:
+    def _tuck(self, feel: Feel, turn: ag.Joint, width: ag.Scalar) -> ag.Body:
         """Make the tuck with its ears, in its own frame."""
         half, cut = width / 2.0, 0.30 * self.tuck
         outline = tongue(half, self.tuck, shoulder=self.tuck - cut, tip=half - cut)
         creases: dict[str, Crease] = {}
         start, long = self.board.thick + 0.004, self.tuck - cut - self.board.thick - 0.008
         if self.ears:
-            outline = rectangle(width, self.tuck).at(0.0, self.tuck / 2.0)
+            outline = ag.rectangle(width, self.tuck).at(0.0, self.tuck / 2.0)
             long = self.tuck - start - 0.003
             middle = start + long / 2.0
             creases = {
@@ -305,18 +288,18 @@ class Lidded:
                 "right": Crease(half, middle, turn=-math.pi / 2.0, folded=True),
             }
         sheet = self.board.creased(self.board.sheet(outline, relief=0.0005), *creases.values())
-        edge = grasp_on(
+        edge = ag.grasp_on(
             sheet,
             approach=(0.0, -1.0, 0.0),
-            closing=Z,
+            closing=ag.Z,
             at=(0.0, self.tuck / 2.0, 0.0),
-            depth=min_(0.016, 0.55 * self.tuck),
+            depth=ag.min_(0.016, 0.55 * self.tuck),
         )
-        tuck = part(sheet, "tuck", self.board.outside, name=self.mouth.link("tuck", "front"), grasp=edge)
+        tuck = ag.part(sheet, "tuck", self.board.outside, name=self.mouth.link("tuck", "front"), grasp=edge)
         for side, crease in creases.items():
             bend = tongue(long / 2.0, self.ear, shoulder=0.6 * self.ear, tip=long / 4.0)
             ear = self.board.sheet(bend)
-            grip = grasp_on(ear, approach=(0.0, -1.0, 0.0), closing=Z, depth=0.014)
+            grip = ag.grasp_on(ear, approach=(0.0, -1.0, 0.0), closing=ag.Z, depth=0.014)
             joint = crease.joint(
                 self.mouth.hinge("ear", side),
                 feel=feel,
@@ -325,15 +308,15 @@ class Lidded:
                 opening=1.5,
                 needs=(turn > self._ears_clear).beyond(0.35 * _BESIDE / self.ear),
             )
-            body = part(ear, "tuck", self.board.outside, name=self.mouth.link("ear", side), grasp=grip)
-            tuck = weld(tuck, crease.bead(long - 0.002, "tuck", self.board.outside))
+            body = ag.part(ear, "tuck", self.board.outside, name=self.mouth.link("ear", side), grasp=grip)
+            tuck = ag.weld(tuck, crease.bead(long - 0.002, "tuck", self.board.outside))
             tuck = tuck.attach(crease.place(body), joint)
         return tuck
 
     @property
-    def _ears_clear(self) -> Scalar:
+    def _ears_clear(self) -> ag.Scalar:
         """Smallest angle of the lid at which the ears are above the walls [rad]."""
-        return max_(atan2(self.tuck + 0.012, self.reach - self.ear), self._clear)
+        return ag.max_(ag.atan2(self.tuck + 0.012, self.reach - self.ear), self._clear)
 
     def _side_creases(self) -> dict[str, Crease]:
         """Return the creases of the flaps at the sides of the lid, if it has some."""
@@ -346,31 +329,31 @@ class Lidded:
         }
 
     @property
-    def _wing_start(self) -> Scalar:
+    def _wing_start(self) -> ag.Scalar:
         """Where flaps at the sides begin, from the crease of the lid [m]."""
         return 0.30 * self.reach
 
     @property
-    def _wing_end(self) -> Scalar:
+    def _wing_end(self) -> ag.Scalar:
         """Where they end, behind the tuck and its ears [m]."""
         ears = self.ear + 0.004 if self.ears else 0.0
         return self.reach - ears - 0.014 - 0.05 * self.tuck - self.board.thick
 
     @property
-    def _wing_reach(self) -> Scalar:
+    def _wing_reach(self) -> ag.Scalar:
         """How far down they go [m]."""
         return 0.8 * self.tuck
 
-    def _wing(self, side: str) -> Body:
+    def _wing(self, side: str) -> ag.Body:
         """Make a flap at a side of the lid, in its own frame."""
         half, deep = (self._wing_end - self._wing_start) / 2.0, self._wing_reach
         outline = tongue(half, deep, shoulder=0.5 * deep, tip=half - 0.3 * deep)
         sheet = self.board.sheet(outline)
-        grip = grasp_on(sheet, approach=(0.0, -1.0, 0.0), closing=Z, depth=min_(0.016, 0.55 * deep))
-        return part(sheet, "tuck", self.board.outside, name=self.mouth.link("tuck", side), grasp=grip)
+        grip = ag.grasp_on(sheet, approach=(0.0, -1.0, 0.0), closing=ag.Z, depth=ag.min_(0.016, 0.55 * deep))
+        return ag.part(sheet, "tuck", self.board.outside, name=self.mouth.link("tuck", side), grasp=grip)
 
-    def _wing_joint(self, side: str, crease: Crease, feel: Feel, turn: Joint) -> Joint:
-        clear = atan2(self._wing_reach + 0.010, self._wing_start)
+    def _wing_joint(self, side: str, crease: Crease, feel: Feel, turn: ag.Joint) -> ag.Joint:
+        clear = ag.atan2(self._wing_reach + 0.010, self._wing_start)
         return crease.joint(
             self.mouth.hinge("tuck", side),
             feel=feel,
@@ -381,6 +364,6 @@ class Lidded:
         )
 
 
-def _span(side: float, near: Scalar, far: Scalar) -> tuple[Scalar, Scalar]:
+def _span(side: float, near: ag.Scalar, far: ag.Scalar) -> tuple[ag.Scalar, ag.Scalar]:
     """Return a span at one side of the middle, least first."""
     return (near, far) if side > 0.0 else (-far, -near)

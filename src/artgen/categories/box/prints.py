@@ -3,20 +3,8 @@
 from dataclasses import dataclass
 from typing import Literal
 
-from artgen import (
-    Body,
-    Material,
-    Profile,
-    Scalar,
-    Z,
-    circle,
-    details,
-    max_,
-    min_,
-    rectangle,
-    regular_polygon,
-    ring,
-)
+import artgen as ag
+from artgen import details
 from artgen.categories.box.finish import GOLD, contrast, ink
 from artgen.categories.box.marks import Ink, address_label, barcode, handling
 
@@ -45,16 +33,18 @@ class Look:
     signs: Signs  # handling signs
     label: bool  # whether there is a sticker with an address, or with what is inside
 
-    def ink(self, finish: Material) -> Material:
+    def ink(self, finish: ag.Material) -> ag.Material:
         """Return the ink that shows on a finish."""
         light = sum(finish.base_color) / 3.0 > 0.2
         return ink(self.tint) if light else contrast(finish)
 
-    def mark(self, width: Scalar, height: Scalar, *, sign: bool = True, tracking: float = 0.2) -> Profile:
+    def mark(
+        self, width: ag.Scalar, height: ag.Scalar, *, sign: bool = True, tracking: float = 0.2
+    ) -> ag.Profile:
         """Make the word mark, within a width and a height [m]."""
         name = self.maker.upper()
         units = details.lettering_width(name, tracking) + (2.3 if sign else 0.0)
-        size = min_(height, width / units)
+        size = ag.min_(height, width / units)
         return details.logo(self.maker, size, sign=self.emblem if sign else "none", tracking=tracking)
 
 
@@ -63,12 +53,12 @@ class _Face:
     """A wall to print on."""
 
     facing: tuple[float, float, float]  # out of it
-    wide: Scalar  # its width [m]
-    out: Scalar  # from the middle of the box [m]
-    low: Scalar  # where its free part begins [m]
-    tall: Scalar  # of that part [m]
+    wide: ag.Scalar  # its width [m]
+    out: ag.Scalar  # from the middle of the box [m]
+    low: ag.Scalar  # where its free part begins [m]
+    tall: ag.Scalar  # of that part [m]
 
-    def at(self, share: float, aside: Scalar = 0.0) -> tuple[Scalar, Scalar, Scalar]:
+    def at(self, share: float, aside: ag.Scalar = 0.0) -> tuple[ag.Scalar, ag.Scalar, ag.Scalar]:
         """Return the point at a share of the height, aside to the reader's right [m]."""
         x, y, _ = self.facing
         return (self.out * x - aside * y, self.out * y + aside * x, self.low + share * self.tall)
@@ -76,14 +66,14 @@ class _Face:
 
 def shipping_print(
     look: Look,
-    width: Scalar,
-    depth: Scalar,
+    width: ag.Scalar,
+    depth: ag.Scalar,
     *,
-    low: Scalar,
-    high: Scalar,
-    finish: Material,
+    low: ag.Scalar,
+    high: ag.Scalar,
+    finish: ag.Material,
     sides: bool = True,
-) -> list[Body]:
+) -> list[ag.Body]:
     """Print a shipping box on its walls."""
     tall, color, made = high - low, look.ink(finish), []
     row = _ROWS.get(look.signs, ())
@@ -94,55 +84,59 @@ def shipping_print(
     for facing in (_LEFT, _RIGHT) if sides else ():
         face, printer = _Face(facing, depth, width / 2.0, low, tall), Ink(color, facing)
         if look.signs == "full":
-            size = min_(min_(0.085, 0.24 * tall), 0.80 * depth / 2.84)
+            size = ag.min_(ag.min_(0.085, 0.24 * tall), 0.80 * depth / 2.84)
             made.append(printer.put(handling(row[:2], size), face.at(0.34)))
-        code = barcode(min_(0.11, 0.44 * depth), min_(0.026, 0.09 * tall), look.model)
+        code = barcode(ag.min_(0.11, 0.44 * depth), ag.min_(0.026, 0.09 * tall), look.model)
         made.append(printer.put(code, face.at(0.09)))
         number = f"NO. {look.model}-{look.model * 7 % 97:02d}"
-        size = max_(min_(min_(0.009, 0.035 * depth), 0.08 * tall), 0.0025)
+        size = ag.max_(ag.min_(ag.min_(0.009, 0.035 * depth), 0.08 * tall), 0.0025)
         text = details.lettering((number,), size, fineness="coarse")
         made.append(printer.put(text, face.at(0.175)))
     return made
 
 
-def _lower(look: Look, face: _Face, row: tuple[str, ...]) -> list[Profile]:
+def _lower(look: Look, face: _Face, row: tuple[str, ...]) -> list[ag.Profile]:
     """Return what stands below the name: handling signs, lines to write on, or bands."""
     wide, tall = face.wide, face.tall
     if row:
-        return [handling(row, min_(min_(0.085, 0.24 * tall), 0.80 * wide / (1.42 * len(row))))]
+        return [handling(row, ag.min_(ag.min_(0.085, 0.24 * tall), 0.80 * wide / (1.42 * len(row))))]
     match look.model % 3:
         case 0:  # of boxes for moving house
-            size = min_(min_(0.020, 0.07 * tall), 0.030 * wide)
+            size = ag.min_(ag.min_(0.020, 0.07 * tall), 0.030 * wide)
             words = details.lettering(
                 ("CONTENTS", "ROOM"), size, leading=2.6, align="left", fineness="coarse"
             )
             left = -0.36 * wide
-            lines = [rectangle(0.50 * wide, 0.0022).at(0.11 * wide, y * size - 0.0011) for y in (0.8, -1.8)]
+            lines = [
+                ag.rectangle(0.50 * wide, 0.0022).at(0.11 * wide, y * size - 0.0011) for y in (0.8, -1.8)
+            ]
             return [words.at(left) | lines[0] | lines[1]]
         case 1:
-            band = rectangle(0.985 * wide, 0.035 * tall)
-            return [band.at(0.0, 0.05 * tall) | rectangle(0.985 * wide, 0.012 * tall)]
+            band = ag.rectangle(0.985 * wide, 0.035 * tall)
+            return [band.at(0.0, 0.05 * tall) | ag.rectangle(0.985 * wide, 0.012 * tall)]
         case _:
             return []
 
 
-def side_label(look: Look, width: Scalar, depth: Scalar, *, height: Scalar, tall: Scalar) -> list[Body]:
+def side_label(
+    look: Look, width: ag.Scalar, depth: ag.Scalar, *, height: ag.Scalar, tall: ag.Scalar
+) -> list[ag.Body]:
     """Stick a label on the front."""
-    size = min_(min_(0.105, 1.2 * tall), 0.5 * width)
+    size = ag.min_(ag.min_(0.105, 1.2 * tall), 0.5 * width)
     return address_label((-0.24 * width, -depth / 2.0, height), facing=_FRONT, size=size, number=look.model)
 
 
-def pizza_print(look: Look, width: Scalar, depth: Scalar) -> list[Body]:
+def pizza_print(look: Look, width: ag.Scalar, depth: ag.Scalar) -> list[ag.Body]:
     """Print the lid of a pizza box, in the frame of its sheet, whose crease is at the back."""
     red, green = ink("red"), ink("forest")
     one, other = ((red, green), (green, red), (red, red), (ink("graphite"), ink("graphite")))[look.model % 4]
     up = (0.0, -1.0, 0.0)  # the reader stands at the free edge of the sheet
-    first, second = Ink(one, Z, up), Ink(other, Z, up)
+    first, second = Ink(one, ag.Z, up), Ink(other, ag.Z, up)
     name = second.put(look.mark(0.5 * depth, 0.034 * depth), (0.0, 0.90 * depth, 0.0))
     pattern = look.model // 4 % 3
     word = details.lettering(("PIZZA",), (0.085, 0.15, 0.11)[pattern] * depth, tracking=0.22)
     if pattern == 0:
-        rings = ring(0.335 * depth, 0.318 * depth) | ring(0.305 * depth, 0.300 * depth)
+        rings = ag.ring(0.335 * depth, 0.318 * depth) | ag.ring(0.305 * depth, 0.300 * depth)
         return [
             second.put(rings, (0.0, 0.47 * depth, 0.0)),
             first.put(details.icon("pizza", 0.30 * depth), (0.0, 0.40 * depth, 0.0)),
@@ -167,45 +161,47 @@ def pizza_print(look: Look, width: Scalar, depth: Scalar) -> list[Body]:
     ]
 
 
-def pizza_front(look: Look, width: Scalar, depth: Scalar, height: Scalar) -> Body:
+def pizza_front(look: Look, width: ag.Scalar, depth: ag.Scalar, height: ag.Scalar) -> ag.Body:
     """Print the front wall of a pizza box."""
     words = ("FRESH AND HOT", "BUON APPETITO", "HAND MADE", "ENJOY YOUR MEAL")[look.model % 4]
-    size = min_(0.34 * height, 0.98 * width / details.lettering_width(words, 0.25))
+    size = ag.min_(0.34 * height, 0.98 * width / details.lettering_width(words, 0.25))
     text = details.lettering((words,), size, tracking=0.25)
     return Ink(ink("red" if look.model % 3 else "forest")).put(text, (0.0, -depth / 2.0, 0.5 * height))
 
 
-def _checks(width: Scalar) -> Profile:
+def _checks(width: ag.Scalar) -> ag.Profile:
     """Make two rows of squares across a lid, as on a tablecloth."""
     side = 0.96 * width / 24.0
-    squares: Profile | None = None
+    squares: ag.Profile | None = None
     for number in range(24):
-        square = rectangle(0.98 * side, 0.98 * side).at((number - 11.5) * side, (number % 2 - 0.5) * side)
+        square = ag.rectangle(0.98 * side, 0.98 * side).at((number - 11.5) * side, (number % 2 - 0.5) * side)
         squares = square if squares is None else squares | square
     assert squares is not None
     return squares
 
 
 def mailer_print(
-    look: Look, width: Scalar, depth: Scalar, *, finish: Material, inner: Material, thick: float
-) -> list[Body]:
+    look: Look, width: ag.Scalar, depth: ag.Scalar, *, finish: ag.Material, inner: ag.Material, thick: float
+) -> list[ag.Body]:
     """Print the lid of a mailer outside and inside, in the frame of its sheet."""
     up = (0.0, -1.0, 0.0)
-    outer = Ink(look.ink(finish), Z, up)
+    outer = Ink(look.ink(finish), ag.Z, up)
     made = [outer.put(look.mark(0.62 * width, 0.085 * depth), (0.0, 0.5 * depth, 0.0))]
     pattern = look.model % 4
     if pattern == 0:
-        frame = rectangle(0.90 * width, 0.86 * depth) - rectangle(0.885 * width, 0.86 * depth - 0.015 * width)
+        frame = ag.rectangle(0.90 * width, 0.86 * depth) - ag.rectangle(
+            0.885 * width, 0.86 * depth - 0.015 * width
+        )
         made.append(outer.put(frame, (0.0, 0.5 * depth, 0.0)))
     if pattern == 1:
         made.append(outer.put(details.emblem(look.emblem, 0.17 * depth), (0.0, 0.27 * depth, 0.0)))
     if pattern == 2:
-        stripes = rectangle(0.996 * width, 0.012 * depth).at(0.0, 0.035 * depth) | rectangle(
+        stripes = ag.rectangle(0.996 * width, 0.012 * depth).at(0.0, 0.035 * depth) | ag.rectangle(
             0.996 * width, 0.026 * depth
         )
         made.append(outer.put(stripes, (0.0, 0.80 * depth, 0.0)))
     if pattern == 3:
-        dots = circle(0.011 * depth)
+        dots = ag.circle(0.011 * depth)
         field = dots.at(-0.40 * width, 0.0)
         for number in range(1, 9):
             field = field | dots.at((0.1 * number - 0.40) * width, 0.0)
@@ -215,7 +211,7 @@ def mailer_print(
     words = ("HELLO!", "THANK YOU", "ENJOY", "MADE FOR YOU")[look.model % 4]
     made.append(
         inside.put(
-            details.lettering((words,), min_(0.10 * depth, 0.07 * width), tracking=0.15),
+            details.lettering((words,), ag.min_(0.10 * depth, 0.07 * width), tracking=0.15),
             (0.0, 0.52 * depth, -thick),
         )
     )
@@ -223,8 +219,8 @@ def mailer_print(
 
 
 def wine_print(
-    look: Look, width: Scalar, depth: Scalar, height: Scalar, *, bottles: int, finish: Material
-) -> list[Body]:
+    look: Look, width: ag.Scalar, depth: ag.Scalar, height: ag.Scalar, *, bottles: int, finish: ag.Material
+) -> list[ag.Body]:
     """Print a wine box at the front and at the back."""
     color = look.ink(finish)
     foil = GOLD if sum(finish.base_color) / 3.0 < 0.1 else color
@@ -232,28 +228,30 @@ def wine_print(
     for facing, side in ((_FRONT, -1.0), (_BACK, 1.0)):
         y = side * depth / 2.0
         printer = Ink(foil, facing)
-        icon = details.icon("glass" if look.model % 2 else "bottle", min_(0.24 * height, 0.42 * width))
+        icon = details.icon("glass" if look.model % 2 else "bottle", ag.min_(0.24 * height, 0.42 * width))
         made.append(printer.put(icon, (0.0, y, 0.70 * height)))
         made.append(
             printer.put(
                 look.mark(0.78 * width, 0.050 * height, sign=False, tracking=0.3), (0.0, y, 0.485 * height)
             )
         )
-        words = details.lettering((f"{bottles} x 75 CL",), min_(0.024 * height, 0.09 * width), tracking=0.2)
+        words = details.lettering(
+            (f"{bottles} x 75 CL",), ag.min_(0.024 * height, 0.09 * width), tracking=0.2
+        )
         made.append(printer.put(words, (0.0, y, 0.385 * height)))
-        lines = rectangle(0.60 * width, 0.0016).at(0.0, 0.0035) | rectangle(0.60 * width, 0.0008)
+        lines = ag.rectangle(0.60 * width, 0.0016).at(0.0, 0.0035) | ag.rectangle(0.60 * width, 0.0008)
         made.append(printer.put(lines, (0.0, y, 0.435 * height)))
         if look.signs == "full":
-            signs = handling(("fragile", "up"), min_(0.045, 0.22 * width))
+            signs = handling(("fragile", "up"), ag.min_(0.045, 0.22 * width))
             made.append(Ink(color, facing).put(signs, (0.0, y, 0.20 * height)))
     return made
 
 
-def name_on_lid(look: Look, width: Scalar, depth: Scalar) -> Profile:
+def name_on_lid(look: Look, width: ag.Scalar, depth: ag.Scalar) -> ag.Profile:
     """Make the small name that is stamped on a gift box."""
     return look.mark(0.42 * width, 0.045 * depth, sign=False, tracking=0.35)
 
 
-def vents(radius: Scalar) -> Profile:
+def vents(radius: ag.Scalar) -> ag.Profile:
     """Make a vent hole of eight sides."""
-    return regular_polygon(8, radius)
+    return ag.regular_polygon(8, radius)

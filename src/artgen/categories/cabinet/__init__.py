@@ -16,24 +16,7 @@ door and up to 120 cm with two; base cabinets 56-60 cm deep and 80-92 cm high wi
 from functools import partial
 from typing import Any, Literal
 
-from artgen import (
-    Body,
-    Float,
-    Generator,
-    Material,
-    Scalar,
-    X,
-    Z,
-    by,
-    category,
-    choice,
-    material,
-    max_,
-    min_,
-    require,
-    uniform,
-    weld,
-)
+import artgen as ag
 from artgen.categories.cabinet.doors import Hanging, HingeStyle
 from artgen.categories.shared.finish import known
 from artgen.categories.shared.furniture.carcass import Carcass, LegStyle, Stand
@@ -59,7 +42,7 @@ _FINISH = boards("wood", "lacquer", "melamine", "decor")
 _WORKTOP, _LEG, _METAL = worktops(), leg_finishes(), hardware()
 
 
-@category(
+@ag.category(
     labels=(
         "body", "back", "shelf", "pin", "top", "plinth", "leg", "bracket", "door", "glass", "handle", "hinge",
         "bumper", "screw",
@@ -68,131 +51,141 @@ _WORKTOP, _LEG, _METAL = worktops(), leg_finishes(), hardware()
 )  # fmt: skip
 def cabinet(
     *,
-    kind: Literal["base", "wall", "tall"] = choice("base", "wall", "tall", weights=(0.42, 0.28, 0.30)),
-    look: BoardLook = choice("wood", "lacquer", "melamine", "decor", weights=(0.34, 0.36, 0.16, 0.14)),
-    style: FrontStyle = by(
+    kind: Literal["base", "wall", "tall"] = ag.choice("base", "wall", "tall", weights=(0.42, 0.28, 0.30)),
+    look: BoardLook = ag.choice("wood", "lacquer", "melamine", "decor", weights=(0.34, 0.36, 0.16, 0.14)),
+    style: FrontStyle = ag.by(
         "look",
-        wood=choice("flat", "shaker", "ramped", "fielded", "glazed", weights=(0.22, 0.24, 0.18, 0.14, 0.22)),
-        lacquer=choice("flat", "shaker", "ramped", "fielded", "glazed", weights=(0.2, 0.3, 0.2, 0.08, 0.22)),
-        otherwise=choice("flat", "shaker", weights=(0.85, 0.15)),
+        wood=ag.choice(
+            "flat", "shaker", "ramped", "fielded", "glazed", weights=(0.22, 0.24, 0.18, 0.14, 0.22)
+        ),
+        lacquer=ag.choice(
+            "flat", "shaker", "ramped", "fielded", "glazed", weights=(0.2, 0.3, 0.2, 0.08, 0.22)
+        ),
+        otherwise=ag.choice("flat", "shaker", weights=(0.85, 0.15)),
         doc="of the doors",
     ),
-    doors: int = choice(1, 2),
-    grip: Literal["knob", "bar", "cup", "edge"] = by(
+    doors: int = ag.choice(1, 2),
+    grip: Literal["knob", "bar", "cup", "edge"] = ag.by(
         "kind",
-        tall=choice("knob", "bar", weights=(0.4, 0.6)),
-        otherwise=choice("knob", "bar", "cup", "edge", weights=(0.3, 0.36, 0.14, 0.2)),
+        tall=ag.choice("knob", "bar", weights=(0.4, 0.6)),
+        otherwise=ag.choice("knob", "bar", "cup", "edge", weights=(0.3, 0.36, 0.14, 0.2)),
     ),
-    hinge: HingeStyle = by(
-        "grip", edge="concealed", otherwise=choice("concealed", "butt", weights=(0.62, 0.38))
+    hinge: HingeStyle = ag.by(
+        "grip", edge="concealed", otherwise=ag.choice("concealed", "butt", weights=(0.62, 0.38))
     ),
-    hand: Literal["left", "right"] = choice("left", "right", doc="side of the hinges of one door"),
-    stand: Stand = by(
+    hand: Literal["left", "right"] = ag.choice("left", "right", doc="side of the hinges of one door"),
+    stand: Stand = ag.by(
         "kind",
-        base=choice("plinth", "legs", weights=(0.65, 0.35)),
+        base=ag.choice("plinth", "legs", weights=(0.65, 0.35)),
         wall="brackets",
-        tall=choice("plinth", "legs", weights=(0.6, 0.4)),
+        tall=ag.choice("plinth", "legs", weights=(0.6, 0.4)),
     ),
-    shelves: int = by(
+    shelves: int = ag.by(
         "kind",
-        base=choice(0, 1, 2, weights=(0.2, 0.5, 0.3)),
-        wall=choice(1, 2, 3, weights=(0.4, 0.45, 0.15)),
-        tall=choice(3, 4, 5),
+        base=ag.choice(0, 1, 2, weights=(0.2, 0.5, 0.3)),
+        wall=ag.choice(1, 2, 3, weights=(0.4, 0.45, 0.15)),
+        tall=ag.choice(3, 4, 5),
         doc="behind the doors, without the bottom",
     ),
-    shelf_kind: Literal["board", "glass"] = by("style", glazed=choice("board", "glass"), otherwise="board"),
-    width: Float = by(
+    shelf_kind: Literal["board", "glass"] = ag.by(
+        "style", glazed=ag.choice("board", "glass"), otherwise="board"
+    ),
+    width: ag.Float = ag.by(
         "doors",
         {
-            1: uniform(0.30, 0.60),
-            2: by("kind", base=uniform(0.60, 1.20), wall=uniform(0.60, 1.0), tall=uniform(0.64, 1.10)),
+            1: ag.uniform(0.30, 0.60),
+            2: ag.by(
+                "kind", base=ag.uniform(0.60, 1.20), wall=ag.uniform(0.60, 1.0), tall=ag.uniform(0.64, 1.10)
+            ),
         },
         unit="m",
         within=(0.28, 1.3),
     ),
-    depth: Float = by(
+    depth: ag.Float = ag.by(
         "kind",
-        base=by("stand", plinth=uniform(0.51, 0.56), otherwise=uniform(0.36, 0.48)),
-        wall=uniform(0.29, 0.36),
-        tall=by("stand", plinth=uniform(0.36, 0.56), otherwise=uniform(0.36, 0.48)),
+        base=ag.by("stand", plinth=ag.uniform(0.51, 0.56), otherwise=ag.uniform(0.36, 0.48)),
+        wall=ag.uniform(0.29, 0.36),
+        tall=ag.by("stand", plinth=ag.uniform(0.36, 0.56), otherwise=ag.uniform(0.36, 0.48)),
         unit="m",
         doc="of the carcass",
         within=(0.25, 0.65),
     ),
-    height: Float = by(
+    height: ag.Float = ag.by(
         "kind",
-        base=by("stand", plinth=uniform(0.82, 0.92), otherwise=uniform(0.72, 0.90)),
-        wall=uniform(0.60, 0.92),
-        tall=uniform(1.60, 2.10),
+        base=ag.by("stand", plinth=ag.uniform(0.82, 0.92), otherwise=ag.uniform(0.72, 0.90)),
+        wall=ag.uniform(0.60, 0.92),
+        tall=ag.uniform(1.60, 2.10),
         unit="m",
         doc="over all",
         within=(0.55, 2.2),
     ),
-    stand_height: Float = by(
+    stand_height: ag.Float = ag.by(
         "stand",
-        plinth=uniform(0.07, 0.12),
-        legs=uniform(0.12, 0.20),
+        plinth=ag.uniform(0.07, 0.12),
+        legs=ag.uniform(0.12, 0.20),
         otherwise=0.0,
         unit="m",
         within=(0.0, 0.3),
     ),
-    setback: Float = uniform(0.030, 0.060, "m", doc="of a plinth"),
-    thickness: Float = uniform(0.016, 0.019, "m", doc="of the boards"),
-    door_thickness: Float = uniform(0.018, 0.021, "m", within=(0.016, 0.024)),
-    rail: Float = uniform(0.052, 0.068, "m", doc="width of the stiles and rails of framed doors"),
-    slope: Float = uniform(0.014, 0.026, "m", doc="width of the slope of ramped doors"),
-    moulding: Literal["square", "ovolo", "ogee"] = choice(
+    setback: ag.Float = ag.uniform(0.030, 0.060, "m", doc="of a plinth"),
+    thickness: ag.Float = ag.uniform(0.016, 0.019, "m", doc="of the boards"),
+    door_thickness: ag.Float = ag.uniform(0.018, 0.021, "m", within=(0.016, 0.024)),
+    rail: ag.Float = ag.uniform(0.052, 0.068, "m", doc="width of the stiles and rails of framed doors"),
+    slope: ag.Float = ag.uniform(0.014, 0.026, "m", doc="width of the slope of ramped doors"),
+    moulding: Literal["square", "ovolo", "ogee"] = ag.choice(
         "square", "ovolo", "ogee", weights=(0.6, 0.22, 0.18)
     ),
-    panes: int = choice(1, 2, 3, weights=(0.55, 0.25, 0.2), doc="of a glazed door above each other"),
-    leg: LegStyle = choice("tapered", "splayed", "square", "turned", "metal"),
-    top: Literal["worktop", "flush"] = by(
+    panes: int = ag.choice(1, 2, 3, weights=(0.55, 0.25, 0.2), doc="of a glazed door above each other"),
+    leg: LegStyle = ag.choice("tapered", "splayed", "square", "turned", "metal"),
+    top: Literal["worktop", "flush"] = ag.by(
         "kind",
-        base=by(
+        base=ag.by(
             "stand",
-            plinth=choice("worktop", "flush", weights=(0.85, 0.15)),
-            otherwise=choice("worktop", "flush"),
+            plinth=ag.choice("worktop", "flush", weights=(0.85, 0.15)),
+            otherwise=ag.choice("worktop", "flush"),
         ),
         otherwise="flush",
     ),
-    top_thickness: Float = uniform(0.018, 0.038, "m", doc="of a worktop"),
-    overhang: Float = uniform(0.004, 0.018, "m", doc="of a worktop over the doors"),
-    finish: Material = _FINISH,
-    shell: Literal["same", "white"] = by(
+    top_thickness: ag.Float = ag.uniform(0.018, 0.038, "m", doc="of a worktop"),
+    overhang: ag.Float = ag.uniform(0.004, 0.018, "m", doc="of a worktop over the doors"),
+    finish: ag.Material = _FINISH,
+    shell: Literal["same", "white"] = ag.by(
         "hinge",
         butt="same",
-        concealed=by(
+        concealed=ag.by(
             "stand",
-            plinth=choice("same", "white", weights=(0.7, 0.3)),
-            brackets=choice("same", "white", weights=(0.75, 0.25)),
+            plinth=ag.choice("same", "white", weights=(0.7, 0.3)),
+            brackets=ag.choice("same", "white", weights=(0.75, 0.25)),
             otherwise="same",  # kitchens have white carcasses, furniture has not
         ),
         doc="finish of the carcass",
     ),
-    inside: Literal["same", "white"] = by(
+    inside: Literal["same", "white"] = ag.by(
         "look",
-        wood=choice("same", "white", weights=(0.85, 0.15)),
-        otherwise=choice("same", "white"),
+        wood=ag.choice("same", "white", weights=(0.85, 0.15)),
+        otherwise=ag.choice("same", "white"),
         doc="of back and shelves",
     ),
-    worktop: Material = _WORKTOP,
-    leg_finish: Material = _LEG,
-    glass: Material = choice(*_GLASS, weights=(0.65, 0.25, 0.1)),
-    metal: Material = _METAL,
-    handle: Generator = by("grip", _HANDLES),
-    hinges: int = by("kind", tall=choice(3, 4), otherwise=2, doc="of a door"),
-    swing: Float = by(
-        "hinge", concealed=uniform(1.6, 2.2), butt=uniform(1.6, 2.3), unit="rad", within=(0.5, 2.35)
+    worktop: ag.Material = _WORKTOP,
+    leg_finish: ag.Material = _LEG,
+    glass: ag.Material = ag.choice(*_GLASS, weights=(0.65, 0.25, 0.1)),
+    metal: ag.Material = _METAL,
+    handle: ag.Generator = ag.by("grip", _HANDLES),
+    hinges: int = ag.by("kind", tall=ag.choice(3, 4), otherwise=2, doc="of a door"),
+    swing: ag.Float = ag.by(
+        "hinge", concealed=ag.uniform(1.6, 2.2), butt=ag.uniform(1.6, 2.3), unit="rad", within=(0.5, 2.35)
     ),
-    pull: Float = uniform(5.0, 9.0, "N", doc="at the free edge of a door, against the snap of its hinges"),
-    hinge_damping: Float = uniform(0.2, 0.8, "N m s/rad"),
-) -> Body:
+    pull: ag.Float = ag.uniform(
+        5.0, 9.0, "N", doc="at the free edge of a door, against the snap of its hinges"
+    ),
+    hinge_damping: ag.Float = ag.uniform(0.2, 0.8, "N m s/rad"),
+) -> ag.Body:
     """Make a base, wall or tall cabinet with its doors shut: hinges, shelves, pulls."""
-    require(stand != "feet", "stand=feet is for chests: it must be plinth, legs or brackets")
+    ag.require(stand != "feet", "stand=feet is for chests: it must be plinth, legs or brackets")
     require_suited(handle, "grip", grip, _HANDLES)
     if kind == "tall":
-        height = require(height, height >= 1.0, "a tall cabinet is at least 1 m high: raise height")
-    require(hinge == "concealed" or grip != "edge", "a door between the sides has no free edge")
+        height = ag.require(height, height >= 1.0, "a tall cabinet is at least 1 m high: raise height")
+    ag.require(hinge == "concealed" or grip != "edge", "a door between the sides has no free edge")
     slab = top_thickness if top == "worktop" else 0.0
     case = Carcass(
         width=width,
@@ -216,39 +209,39 @@ def cabinet(
         below=0.004 if on_bottom else 0.0,
         metal=metal,
     )
-    body = weld(*case.bodies(), *case.standing(stand, setback=setback, leg=leg, finish=leg_finish))
+    body = ag.weld(*case.bodies(), *case.standing(stand, setback=setback, leg=leg, finish=leg_finish))
     if top == "worktop":
         # fingers come to an edge pull before the worktop
         before = case.front - hanging.face + (0.0 if on_top else overhang)
-        body = weld(body, case.worktop(top_thickness, worktop, before=before, beside=0.0))
+        body = ag.weld(body, case.worktop(top_thickness, worktop, before=before, beside=0.0))
     behind = 0.020 + (door_thickness if hanging.inset else 0.0)
     of_glass = shelf_kind == "glass"
     clear = (case.ceiling - case.floor) / (shelves + 1)
     levels = [case.floor + clear * (at + 1) - 0.5 * thickness for at in range(shelves)]
-    body = weld(
+    body = ag.weld(
         body,
         *case.shelves(
             levels,
             thick=0.006 if of_glass else thickness,
             setback=behind,
-            finish=material("glass") if of_glass else case.inside,
+            finish=ag.material("glass") if of_glass else case.inside,
         ),
     )
 
-    rail = min_(rail, 0.27 * hanging.width)  # stiles of a narrow door leave room for its panel
+    rail = ag.min_(rail, 0.27 * hanging.width)  # stiles of a narrow door leave room for its panel
     look_ = FrontLook(style, finish, rail, moulding, slope, glass, (1, panes))
     hung = partial(hanging.joint, limit=swing, friction=pull * hanging.width, damping=hinge_damping)
     if doors == 1:
-        body = weld(body, *hanging.on_side())
+        body = ag.weld(body, *hanging.on_side())
         leaf = hanging.leaf(look_, _handled(hanging, kind, grip, handle, metal, rail, "door"), name="door")
         body = body.attach(leaf, hung("door_hinge"))
-        return body.mirror(X) if hand == "right" else body
-    halves = [half for each in hanging.on_side() for half in (each, each.mirror(X))]
-    body = weld(body, *halves)
+        return body.mirror(ag.X) if hand == "right" else body
+    halves = [half for each in hanging.on_side() for half in (each, each.mirror(ag.X))]
+    body = ag.weld(body, *halves)
     for side, name in ((1, "door_left"), (-1, "door_right")):
         leaf = hanging.leaf(look_, _handled(hanging, kind, grip, handle, metal, rail, name), name=name)
         joint = hung(f"{name.replace('door', 'door_hinge')}", side=side)
-        body = body.attach(leaf if side > 0 else leaf.mirror(X), joint)
+        body = body.attach(leaf if side > 0 else leaf.mirror(ag.X), joint)
     return body.require(hanging.pair_turns(), _CORNERS_MEET) if hanging.inset else body
 
 
@@ -263,8 +256,14 @@ def _shares(hinges: int, shelves: int) -> list[float]:
 
 
 def _handled(
-    hanging: Hanging, kind: str, grip: str, handle: Generator, metal: Material, rail: Scalar, name: str
-) -> Body:
+    hanging: Hanging,
+    kind: str,
+    grip: str,
+    handle: ag.Generator,
+    metal: ag.Material,
+    rail: ag.Scalar,
+    name: str,
+) -> ag.Body:
     """Make the handle of a door in place: near its free edge, where the hand is."""
     # a bar stands 0.155 m from the end of a door; on a tall one it is near the middle
     placed: dict[str, Any] = {}
@@ -272,15 +271,15 @@ def _handled(
         placed = {"level": False, "room": 0.92 if kind == "tall" else 0.31}
     elif handle == edge_pull:
         placed = {"room": hanging.width}
-    pull: Body = handle(finish=metal, name=f"{name}_handle", **placed)
+    pull: ag.Body = handle(finish=metal, name=f"{name}_handle", **placed)
     left, right = hanging.left, hanging.left + hanging.width
     low, high, face = hanging.low, hanging.high, hanging.face
     if grip == "edge":
         if kind == "wall":
-            return pull.mirror(Z).at((left + right) / 2, face, low)
+            return pull.mirror(ag.Z).at((left + right) / 2, face, low)
         return pull.at((left + right) / 2, face, high)
-    beside = max_(0.5 * rail, 0.030)
+    beside = ag.max_(0.5 * rail, 0.030)
     # from the end of the door; a cup lies on the rail
     reach = {"knob": 0.055, "bar": 0.155, "cup": 0.014 if kind == "wall" else 0.048}[grip]
-    level = low + reach if kind == "wall" else high - reach if kind == "base" else min_(high - 0.5, 1.02)
+    level = low + reach if kind == "wall" else high - reach if kind == "base" else ag.min_(high - 0.5, 1.02)
     return pull.at(right - (0.052 if grip == "cup" else beside), face, level)

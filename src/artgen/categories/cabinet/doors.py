@@ -7,25 +7,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
-from artgen import (
-    Body,
-    Bool,
-    Joint,
-    Material,
-    Revolute,
-    Scalar,
-    VectorLike,
-    array,
-    board,
-    circle,
-    cylinder,
-    detail,
-    dome,
-    extrude,
-    part,
-    rectangle,
-    weld,
-)
+import artgen as ag
 from artgen.categories.shared.finish import recess
 from artgen.categories.shared.furniture.carcass import Carcass
 from artgen.categories.shared.furniture.finish import CLEAR_RUBBER, ZINC
@@ -44,40 +26,46 @@ _CUP_AT = 0.0225  # from the edge of the door to its middle: 5 mm of wood are le
 _FLANGE = 0.0014  # thickness of what lies on the door [m]
 
 
-def _everywhere(levels: Sequence[Scalar]) -> list[VectorLike]:
+def _everywhere(levels: Sequence[ag.Scalar]) -> list[ag.VectorLike]:
     return [(0.0, 0.0, level) for level in levels]
 
 
-def cup_hinges_on_door(levels: Sequence[Scalar], *, finish: Material) -> list[Body]:
+def cup_hinges_on_door(levels: Sequence[ag.Scalar], *, finish: ag.Material) -> list[ag.Body]:
     """Make the cups with their flanges, which only are seen."""
     at = _everywhere(levels)
-    wing = rectangle(0.013, 0.062, radius=0.005).at(_CUP_AT + 0.008, 0.0)
-    plate = circle(_CUP + 0.0015).at(_CUP_AT, 0.0) | wing
+    wing = ag.rectangle(0.013, 0.062, radius=0.005).at(_CUP_AT + 0.008, 0.0)
+    plate = ag.circle(_CUP + 0.0015).at(_CUP_AT, 0.0) | wing
     way = (0.0, 1.0, 0.0)
-    flange = extrude(plate - circle(_CUP - 0.0015).at(_CUP_AT, 0.0), _FLANGE, axis=(0.0, -1.0, 0.0))
-    well = cylinder(_CUP - 0.0012, 0.0004, axis=way).at(_CUP_AT, 0.0001, 0.0)
-    cheek = board((0.0170, 0.0330), (-0.001, 0.0085), (-0.0011, 0.0011), bevel=0.0008)
-    link = array(cheek, at=[(0.0, 0.0, 0.0088), (0.0, 0.0, -0.0088)])
+    flange = ag.extrude(plate - ag.circle(_CUP - 0.0015).at(_CUP_AT, 0.0), _FLANGE, axis=(0.0, -1.0, 0.0))
+    well = ag.cylinder(_CUP - 0.0012, 0.0004, axis=way).at(_CUP_AT, 0.0001, 0.0)
+    cheek = ag.board((0.0170, 0.0330), (-0.001, 0.0085), (-0.0011, 0.0011), bevel=0.0008)
+    link = ag.array(cheek, at=[(0.0, 0.0, 0.0088), (0.0, 0.0, -0.0088)])
     heads = [(_CUP_AT + 0.008, _FLANGE / 2, level + end * 0.024) for level in levels for end in (-1, 1)]
     return [
-        detail(array(flange, at=at), "hinge", finish),
-        detail(array(well, at=at), "hinge", recess(finish)),
-        detail(array(link, at=at), "hinge", finish),
+        ag.detail(ag.array(flange, at=at), "hinge", finish),
+        ag.detail(ag.array(well, at=at), "hinge", recess(finish)),
+        ag.detail(ag.array(link, at=at), "hinge", finish),
         *screws(heads, facing="+y", radius=0.0036, finish=finish),
     ]
 
 
-def cup_hinges_on_side(levels: Sequence[Scalar], *, inside: Scalar, finish: Material) -> list[Body]:
+def cup_hinges_on_side(
+    levels: Sequence[ag.Scalar], *, inside: ag.Scalar, finish: ag.Material
+) -> list[ag.Body]:
     """Make the mounting plates and arms on the inner face of a side."""
     at = _everywhere(levels)
     y = DOOR_GAP
-    plate = board((inside - 0.0003, inside + 0.0035), (y + 0.024, y + 0.054), (-0.022, 0.022), bevel=0.0008)
-    arm = board((inside + 0.0030, inside + 0.0130), (y + 0.0025, y + 0.072), (-0.0062, 0.0062), bevel=0.0016)
+    plate = ag.board(
+        (inside - 0.0003, inside + 0.0035), (y + 0.024, y + 0.054), (-0.022, 0.022), bevel=0.0008
+    )
+    arm = ag.board(
+        (inside + 0.0030, inside + 0.0130), (y + 0.0025, y + 0.072), (-0.0062, 0.0062), bevel=0.0016
+    )
     heads = [(inside + 0.0034, y + 0.039, level + end * 0.016) for level in levels for end in (-1, 1)]
     turns = [(inside + 0.0129, y + deep, level) for level in levels for deep in (0.030, 0.058)]
     return [
-        part(array(plate, at=at), "hinge", finish),
-        part(array(arm, at=at), "hinge", finish),
+        ag.part(ag.array(plate, at=at), "hinge", finish),
+        ag.part(ag.array(arm, at=at), "hinge", finish),
         *screws(heads, facing="+x", radius=0.0038, finish=finish),
         *screws(turns, facing="+x", radius=0.0030, finish=finish),
     ]
@@ -102,12 +90,12 @@ class Hanging:
     case: Carcass  # the carcass
     hinge: HingeStyle  # what they hang on
     doors: int  # 1 or 2
-    thickness: Scalar  # of a door [m]
+    thickness: ag.Scalar  # of a door [m]
     # where hinges are between the outermost ones, as shares of the way; 0 and 1 are these
     shares: Sequence[float]
-    above: Scalar  # room over the doors beside what they need [m]
-    below: Scalar  # the same under them [m]
-    metal: Material  # of butt hinges
+    above: ag.Scalar  # room over the doors beside what they need [m]
+    below: ag.Scalar  # the same under them [m]
+    metal: ag.Material  # of butt hinges
 
     @property
     def inset(self) -> bool:
@@ -115,42 +103,42 @@ class Hanging:
         return self.hinge == "butt"
 
     @property
-    def left(self) -> Scalar:
+    def left(self) -> ag.Scalar:
         """The edge at the hinges of the door at the left, or of the only one, along x [m]."""
         return REVEAL - self.case.right if self.inset else _MARGIN - self.case.width / 2
 
     @property
-    def width(self) -> Scalar:
+    def width(self) -> ag.Scalar:
         """Of a door [m]."""
         return (-2 * self.left - (self.doors - 1) * REVEAL) / self.doors
 
     @property
-    def low(self) -> Scalar:
+    def low(self) -> ag.Scalar:
         """The lower edge of a door [m]."""
         return self.below + (self.case.floor + REVEAL if self.inset else self.case.low + _MARGIN)
 
     @property
-    def high(self) -> Scalar:
+    def high(self) -> ag.Scalar:
         """The upper edge of a door [m]."""
         return (self.case.ceiling - REVEAL if self.inset else self.case.high - _MARGIN) - self.above
 
     @property
-    def face(self) -> Scalar:
+    def face(self) -> ag.Scalar:
         """The face of a shut door along y [m]."""
         return self.case.front if self.inset else self.case.front - DOOR_GAP - self.thickness
 
     @property
-    def levels(self) -> list[Scalar]:
+    def levels(self) -> list[ag.Scalar]:
         """Heights of the middles of the hinges [m]."""
         way = self.high - self.low - 2 * _END
         return [self.low + _END + share * way for share in self.shares]
 
-    def pair_turns(self) -> Bool | bool:
+    def pair_turns(self) -> ag.Bool | bool:
         """Tell whether the far corners of a pair between the sides pass each other when both open."""
         deep = hinge_offset(_KNUCKLE) + self.thickness
         return deep * deep / (2 * self.width + REVEAL) < REVEAL / 2 - 0.0002
 
-    def leaf(self, look: FrontLook, handle: Body, *, name: str) -> Body:
+    def leaf(self, look: FrontLook, handle: ag.Body, *, name: str) -> ag.Body:
         """Make a door with its halves of the hinges."""
         t, back = self.thickness, self.face + self.thickness
         middle = (self.left + self.width / 2, self.face + t / 2, (self.low + self.high) / 2)
@@ -160,9 +148,9 @@ class Hanging:
         else:
             cups = cup_hinges_on_door(self.levels, finish=ZINC)
             halves = [*(each.at(self.left, back, 0.0) for each in cups), self._bumpers(back)]
-        return weld(*(each.at(*middle) for each in boards), handle, *halves)
+        return ag.weld(*(each.at(*middle) for each in boards), handle, *halves)
 
-    def on_side(self) -> list[Body]:
+    def on_side(self) -> list[ag.Body]:
         """Make the halves of the hinges at the left side of the carcass."""
         if self.inset:
             return [self._butt(hinge_frame)]
@@ -170,7 +158,7 @@ class Hanging:
         arms = cup_hinges_on_side(self.levels, inside=inside, finish=ZINC)
         return [each.at(self.left, self.case.front - DOOR_GAP, 0.0) for each in arms]
 
-    def _butt(self, make: Callable[..., Body]) -> Body:
+    def _butt(self, make: Callable[..., ag.Body]) -> ag.Body:
         half = make(
             height=_TALL,
             radius=_KNUCKLE,
@@ -182,21 +170,23 @@ class Hanging:
         )
         return half.at(self.left - REVEAL / 2, self.face - hinge_offset(_KNUCKLE), 0.0)
 
-    def _bumpers(self, back: Scalar) -> Body:
+    def _bumpers(self, back: ag.Scalar) -> ag.Body:
         """Make the drops of rubber behind the free corners, which keep a door off the carcass."""
-        drop = dome(0.0042, height=0.0014, axis=(0.0, 1.0, 0.0))
+        drop = ag.dome(0.0042, height=0.0014, axis=(0.0, 1.0, 0.0))
         x = self.left + self.width - 0.010
-        at: list[VectorLike] = [(x, back - 0.0001, z) for z in (self.low + 0.010, self.high - 0.010)]
-        return detail(array(drop, at=at), "bumper", CLEAR_RUBBER)
+        at: list[ag.VectorLike] = [(x, back - 0.0001, z) for z in (self.low + 0.010, self.high - 0.010)]
+        return ag.detail(ag.array(drop, at=at), "bumper", CLEAR_RUBBER)
 
-    def joint(self, name: str, *, limit: Scalar, friction: Scalar, damping: Scalar, side: int = 1) -> Joint:
+    def joint(
+        self, name: str, *, limit: ag.Scalar, friction: ag.Scalar, damping: ag.Scalar, side: int = 1
+    ) -> ag.Joint:
         """Make the hinge of a door; positive opens it towards -y."""
         x, y = (
             (self.left - REVEAL / 2, self.face - hinge_offset(_KNUCKLE))
             if self.inset
             else (self.left + AXIS[0], self.face + self.thickness + AXIS[1])
         )
-        return Revolute(
+        return ag.Revolute(
             name,
             axis=(0.0, 0.0, -side),
             pivot=(side * x, y, (self.low + self.high) / 2),

@@ -15,24 +15,8 @@ Sizes are those of shops: plates 0.56-0.92 m wide for cut-outs of 0.49 m, 0.50-0
 
 from typing import Literal
 
-from artgen import (
-    Body,
-    Float,
-    Material,
-    array,
-    by,
-    category,
-    choice,
-    colored,
-    details,
-    material,
-    min_,
-    part,
-    require,
-    shades,
-    uniform,
-    weld,
-)
+import artgen as ag
+from artgen import details
 from artgen.categories.cooktop.body import Case, Trim
 from artgen.categories.cooktop.dials import (
     DialLooks,
@@ -66,16 +50,16 @@ from artgen.categories.shared.cooktops.plan import BurnerKind, BurnerSize, DialS
 from artgen.categories.shared.finish import casting
 
 _GLASS = (
-    material("black_glass"),
-    material("black_glass").with_(name="grey_glass", base_color=(0.10, 0.105, 0.11)),
-    material("black_glass").with_(name="white_glass", base_color=(0.72, 0.72, 0.70)),
+    ag.material("black_glass"),
+    ag.material("black_glass").with_(name="grey_glass", base_color=(0.10, 0.105, 0.11)),
+    ag.material("black_glass").with_(name="white_glass", base_color=(0.72, 0.72, 0.70)),
 )
-_SILVER, _WHITE = colored("abs", "silver"), colored("abs", "white")
+_SILVER, _WHITE = ag.colored("abs", "silver"), ag.colored("abs", "white")
 _BETWEEN = 0.002  # two dials [m]
 _EXTRAS = ("timer", "fan")  # beside the burners' dials, with these icons
 
 
-@category(
+@ag.category(
     labels=(
         "body", "plate", "trim", "seal", "burner", "burner_cap", "igniter", "coil", "drip_bowl", "zone",
         "grate", "burner_dial", "dial", "bezel", "print", "vent", "screw", "clamp", "cord",
@@ -85,71 +69,71 @@ _EXTRAS = ("timer", "fan")  # beside the burners' dials, with these icons
 )  # fmt: skip
 def cooktop(
     *,
-    burner: BurnerKind = choice("gas", "radiant", "coil", "induction", weights=(0.38, 0.22, 0.18, 0.22)),
-    burners: int = by(
+    burner: BurnerKind = ag.choice("gas", "radiant", "coil", "induction", weights=(0.38, 0.22, 0.18, 0.22)),
+    burners: int = ag.by(
         "burner",
-        coil=choice(2, 3, 4, 5, weights=(0.2, 0.2, 0.45, 0.15)),
-        otherwise=choice(2, 3, 4, 5, 6, weights=(0.1, 0.16, 0.38, 0.22, 0.14)),
+        coil=ag.choice(2, 3, 4, 5, weights=(0.2, 0.2, 0.45, 0.15)),
+        otherwise=ag.choice(2, 3, 4, 5, 6, weights=(0.1, 0.16, 0.38, 0.22, 0.14)),
     ),
-    rows: int = by(
+    rows: int = ag.by(
         "burners",
-        {2: 1, 3: choice(1, 2, weights=(0.4, 0.6)), 4: choice(1, 2, weights=(0.15, 0.85))},
+        {2: 1, 3: ag.choice(1, 2, weights=(0.4, 0.6)), 4: ag.choice(1, 2, weights=(0.15, 0.85))},
         otherwise=2,
         doc="of five, the one between two rows is a wok's",
     ),
-    dials_at: DialSide = by(
+    dials_at: DialSide = ag.by(
         "burners",
-        {6: choice("front", "back", weights=(0.8, 0.2))},
-        otherwise=choice("front", "left", "right", "back", weights=(0.45, 0.12, 0.31, 0.12)),
+        {6: ag.choice("front", "back", weights=(0.8, 0.2))},
+        otherwise=ag.choice("front", "left", "right", "back", weights=(0.45, 0.12, 0.31, 0.12)),
     ),
-    dials: int = by(
+    dials: int = ag.by(
         "burners",
         {
-            2: choice(2, 3, 4, weights=(0.6, 0.25, 0.15)),
-            3: choice(3, 4, 5, weights=(0.6, 0.25, 0.15)),
-            4: choice(4, 5, 6, weights=(0.6, 0.25, 0.15)),
-            5: choice(5, 6, 7, weights=(0.6, 0.25, 0.15)),
-            6: choice(6, 7, 8, weights=(0.45, 0.25, 0.3)),
+            2: ag.choice(2, 3, 4, weights=(0.6, 0.25, 0.15)),
+            3: ag.choice(3, 4, 5, weights=(0.6, 0.25, 0.15)),
+            4: ag.choice(4, 5, 6, weights=(0.6, 0.25, 0.15)),
+            5: ag.choice(5, 6, 7, weights=(0.6, 0.25, 0.15)),
+            6: ag.choice(6, 7, 8, weights=(0.45, 0.25, 0.3)),
         },
         doc="one for each burner, then one for a timer, then one for the fan of a hood",
     ),
-    mirrored: bool = choice(False, True, doc="whether the large burners are on the right"),
-    width: Float = by(
+    mirrored: bool = ag.choice(False, True, doc="whether the large burners are on the right"),
+    width: ag.Float = ag.by(
         "burners",
         {
-            2: uniform(0.56, 0.60),
-            3: by("rows", {1: uniform(0.70, 0.80), 2: uniform(0.56, 0.68)}),
-            4: by("rows", {1: uniform(0.88, 0.92), 2: uniform(0.56, 0.77)}),
-            5: uniform(0.72, 0.92),
-            6: uniform(0.84, 0.92),
+            2: ag.uniform(0.56, 0.60),
+            3: ag.by("rows", {1: ag.uniform(0.70, 0.80), 2: ag.uniform(0.56, 0.68)}),
+            4: ag.by("rows", {1: ag.uniform(0.88, 0.92), 2: ag.uniform(0.56, 0.77)}),
+            5: ag.uniform(0.72, 0.92),
+            6: ag.uniform(0.84, 0.92),
         },
         unit="m",
         within=(0.55, 0.95),
     ),
-    depth: Float = uniform(0.50, 0.56, "m", within=(0.48, 0.60)),
-    height: Float = by(
+    depth: ag.Float = ag.uniform(0.50, 0.56, "m", within=(0.48, 0.60)),
+    height: ag.Float = ag.by(
         "burner",
-        gas=uniform(0.060, 0.100),
-        coil=uniform(0.065, 0.095),
-        otherwise=uniform(0.046, 0.066),
+        gas=ag.uniform(0.060, 0.100),
+        coil=ag.uniform(0.065, 0.095),
+        otherwise=ag.uniform(0.046, 0.066),
         unit="m",
         doc="of the plate over the bottom of the case",
         within=(0.04, 0.12),
     ),
-    dial_radius: Float = by(
+    dial_radius: ag.Float = ag.by(
         "dials_at",
-        front=uniform(0.017, 0.025),
-        back=uniform(0.017, 0.025),
-        otherwise=uniform(0.016, 0.020),  # where there is less room for a row of them
+        front=ag.uniform(0.017, 0.025),
+        back=ag.uniform(0.017, 0.025),
+        otherwise=ag.uniform(0.016, 0.020),  # where there is less room for a row of them
         unit="m",
         within=(0.014, 0.028),
     ),
-    dial_pitch: Float = uniform(
+    dial_pitch: ag.Float = ag.uniform(
         0.070, 0.088, "m", doc="between dials, where there is room for it", within=(0.055, 0.12)
     ),
-    finish: Material = by(
+    finish: ag.Material = ag.by(
         "burner",
-        gas=shades(
+        gas=ag.shades(
             "stainless",
             "enamel_black",
             "enamel_white",
@@ -157,32 +141,34 @@ def cooktop(
             weights=(4, 1.2, 1, 2.4, 0.5, 0.9),
             color=0.03,
         ),
-        coil=shades(
+        coil=ag.shades(
             "enamel_white", "enamel_black", "stainless", "enamel_cream", weights=(3, 2.5, 2, 0.8), color=0.03
         ),
-        radiant=shades(*_GLASS, weights=(5, 1, 1), color=0.05),
-        induction=shades(*_GLASS, weights=(5, 1, 1.4), color=0.05),
+        radiant=ag.shades(*_GLASS, weights=(5, 1, 1), color=0.05),
+        induction=ag.shades(*_GLASS, weights=(5, 1, 1.4), color=0.05),
     ),
-    trim: Trim = by(
+    trim: Trim = ag.by(
         "burner",
         gas="none",
         coil="none",
-        radiant=choice("none", "frame", "sides", weights=(0.3, 0.5, 0.2)),
-        induction=choice("none", "frame", "sides", weights=(0.5, 0.25, 0.25)),
+        radiant=ag.choice("none", "frame", "sides", weights=(0.3, 0.5, 0.2)),
+        induction=ag.choice("none", "frame", "sides", weights=(0.5, 0.25, 0.25)),
         doc="what guards the edge of glass",
     ),
-    metal: Material = shades(
+    metal: ag.Material = ag.shades(
         "stainless", "chrome", "aluminium", weights=(2, 1, 1), color=0.03, doc="of trims"
     ),
-    grate: GrateStyle = choice("continuous", "single", "diagonal", weights=(0.5, 0.25, 0.25)),
-    iron: Material = shades("cast_iron", color=0.1, roughness=0.05, doc="of the grates"),
-    brass: bool = choice(False, True, weights=(0.75, 0.25), doc="whether gas burners are of brass"),
-    bowl: Literal["chrome", "black"] = choice("chrome", "black", weights=(0.7, 0.3), doc="under coils"),
-    zone_print: Literal["cross", "corners", "dots"] = choice("cross", "corners", "dots", doc="of induction"),
-    dial_style: DialStyle = choice("round", "fluted", "bar", "skirted", "capped"),
-    dial_finish: Material = by(
+    grate: GrateStyle = ag.choice("continuous", "single", "diagonal", weights=(0.5, 0.25, 0.25)),
+    iron: ag.Material = ag.shades("cast_iron", color=0.1, roughness=0.05, doc="of the grates"),
+    brass: bool = ag.choice(False, True, weights=(0.75, 0.25), doc="whether gas burners are of brass"),
+    bowl: Literal["chrome", "black"] = ag.choice("chrome", "black", weights=(0.7, 0.3), doc="under coils"),
+    zone_print: Literal["cross", "corners", "dots"] = ag.choice(
+        "cross", "corners", "dots", doc="of induction"
+    ),
+    dial_style: DialStyle = ag.choice("round", "fluted", "bar", "skirted", "capped"),
+    dial_finish: ag.Material = ag.by(
         "burner",
-        gas=shades(
+        gas=ag.shades(
             "black_abs",
             "stainless",
             _SILVER,
@@ -190,21 +176,28 @@ def cooktop(
             weights=(2.2, 2, 1, 0.5),
             color=0.05,
         ),
-        coil=shades("black_abs", _WHITE, _SILVER, weights=(2, 1.5, 1), color=0.05),
-        otherwise=shades("black_abs", "stainless", _SILVER, weights=(2, 1.5, 1), color=0.05),
+        coil=ag.shades("black_abs", _WHITE, _SILVER, weights=(2, 1.5, 1), color=0.05),
+        otherwise=ag.shades("black_abs", "stainless", _SILVER, weights=(2, 1.5, 1), color=0.05),
     ),
-    scale: Scale = choice("numbers", "ticks", "band", weights=(0.5, 0.2, 0.3), doc="around electric dials"),
-    dial_friction: Float = uniform(0.05, 0.09, "N m", doc="of switches with detents, or of greased taps"),
-    push_travel: Float = uniform(0.003, 0.004, "m", doc="of gas dials", within=(0.0025, 0.005)),
-    push_force: Float = uniform(8.0, 14.0, "N", doc="of the spring of a gas tap pushed in", within=(6, 20)),
-    maker: str = choice(*details.BRANDS),
-    watts: int = by(
-        "burners", {2: 3500, 3: choice(5400, 5800), 4: choice(6600, 7200), 5: 7800, 6: choice(8900, 9400)}
+    scale: Scale = ag.choice(
+        "numbers", "ticks", "band", weights=(0.5, 0.2, 0.3), doc="around electric dials"
     ),
-) -> Body:
+    dial_friction: ag.Float = ag.uniform(
+        0.05, 0.09, "N m", doc="of switches with detents, or of greased taps"
+    ),
+    push_travel: ag.Float = ag.uniform(0.003, 0.004, "m", doc="of gas dials", within=(0.0025, 0.005)),
+    push_force: ag.Float = ag.uniform(
+        8.0, 14.0, "N", doc="of the spring of a gas tap pushed in", within=(6, 20)
+    ),
+    maker: str = ag.choice(*details.BRANDS),
+    watts: int = ag.by(
+        "burners",
+        {2: 3500, 3: ag.choice(5400, 5800), 4: ag.choice(6600, 7200), 5: 7800, 6: ag.choice(8900, 9400)},
+    ),
+) -> ag.Body:
     """Make a gas, coil, radiant or induction cooktop, off: dials that push and turn, grates."""
     extras = dials - burners
-    require(0 <= extras <= 2, "there are up to two dials more than burners")
+    ag.require(0 <= extras <= 2, "there are up to two dials more than burners")
     gas = burner == "gas"
     plan = Plan(burners, rows, dials, dials_at, width, depth, dial_radius, dial_pitch, mirrored)
     case = Case(burner, plan, height, finish, metal, trim)
@@ -214,14 +207,14 @@ def cooktop(
 
     coils = [(place.x, place.y, _coil_radius(plan, place.size)) for place in plan.places]
     taps = [(x, y, 0.0) for x, y in plan.dial_places[:burners]]
-    holes = array(tap_hole(height), at=taps) if gas else None
+    holes = ag.array(tap_hole(height), at=taps) if gas else None
     model = f"{maker[:2].upper()}{burners}{round(watts / 100)}"
     lines = (
         f"{maker} {model}",
         f"220-240 V~ {'0.6 W' if gas else f'{watts} W'}",
         "G20 20 mbar" if gas else "50/60 Hz",
     )
-    body = weld(
+    body = ag.weld(
         case.case(lines),
         case.plate(holes, coils if burner == "coil" else []),
         case.maker(maker, ink),
@@ -230,7 +223,7 @@ def cooktop(
     )
     match burner:
         case "gas":
-            cap = material("enamel_black").with_(
+            cap = ag.material("enamel_black").with_(
                 name="cap_enamel",
                 specular_roughness=0.5,
                 density=4000.0,  # a pressed cap
@@ -238,17 +231,17 @@ def cooktop(
             metals = BRASS if brass else ALUMINIUM
             kinds = {place.size: gas_burner(place.size, spreader=metals, cap=cap) for place in plan.places}
             heads = [kinds[place.size].at(place.x, place.y, height) for place in plan.places]
-            pins = array(tap_pin(push, top=height, thick=case.thick), at=taps)
-            steel = material("steel")
-            body = weld(
+            pins = ag.array(tap_pin(push, top=height, thick=case.thick), at=taps)
+            steel = ag.material("steel")
+            body = ag.weld(
                 body,
                 *heads,
                 bezels(plan, looks, top=height),
-                part(pins, "body", steel, separate="each pin is riveted to the plate"),
+                ag.part(pins, "body", steel, separate="each pin is riveted to the plate"),
             )
         case "coil":
-            dish = material("chrome") if bowl == "chrome" else material("enamel_black")
-            body = weld(
+            dish = ag.material("chrome") if bowl == "chrome" else ag.material("enamel_black")
+            body = ag.weld(
                 body,
                 *(
                     coil_burner(radius, bowl=dish, turn=0.4 + number).at(x, y, height)
@@ -260,15 +253,17 @@ def cooktop(
                 (place, radiant_zone(_zone(place), dual=place.size in ("large", "wok")))
                 for place in plan.places
             ]
-            body = weld(body, printed_zones(zones, height, ink))
+            body = ag.weld(body, printed_zones(zones, height, ink))
         case "induction":
             zones = [(place, induction_zone(_zone(place), style=zone_print)) for place in plan.places]
-            body = weld(body, printed_zones(zones, height, ink))
+            body = ag.weld(body, printed_zones(zones, height, ink))
 
     if gas:
         knob = tap_dial(plan, looks, push, top=height, thick=case.thick)
         body = body.repeat(knob, *tap_joints(push, friction=dial_friction), at=taps)
-        for one, lift in grates(plan.columns, plate=height, style=grate, iron=iron, feet=material("rubber")):
+        for one, lift in grates(
+            plan.columns, plate=height, style=grate, iron=iron, feet=ag.material("rubber")
+        ):
             body = body.attach(one, lift)
     else:
         knob = dial_on(plan, looks, top=height, name="burner_dial", label="burner_dial")
@@ -283,7 +278,7 @@ def cooktop(
     )
 
 
-def _light(finish: Material) -> Material:
+def _light(finish: ag.Material) -> ag.Material:
     """Return the material of a hollow dial: a moulding, or a cap of sheet on one."""
     return casting(finish, 0.25 if finish.base_metalness > 0.5 else 0.7)
 
@@ -294,6 +289,6 @@ def _coil_radius(plan: Plan, size: BurnerSize) -> float:
     return COIL_RADIUS[size if roomy else "small"]
 
 
-def _zone(place: Place) -> Float:
+def _zone(place: Place) -> ag.Float:
     """Return the radius of a zone, clear of its neighbors [m]."""
-    return min_(ZONE_RADIUS[place.size], 0.95 * place.reach)
+    return ag.min_(ZONE_RADIUS[place.size], 0.95 * place.reach)

@@ -8,30 +8,8 @@ stays in as long as the gas is on, and comes out again at the notch.
 from dataclasses import dataclass
 from typing import Literal
 
-from artgen import (
-    Body,
-    Joint,
-    Material,
-    Prismatic,
-    Revolute,
-    Scalar,
-    Solid,
-    VectorLike,
-    X,
-    Z,
-    array,
-    box,
-    box_between,
-    circle,
-    cylinder,
-    detail,
-    details,
-    part,
-    ring,
-    union,
-    vector,
-    weld,
-)
+import artgen as ag
+from artgen import details
 from artgen.categories.shared.controls.dials import DialStyle, dial, dial_print
 from artgen.categories.shared.cooktops.plan import SIGN, Plan
 
@@ -62,10 +40,10 @@ class DialLooks:
     """How dials look."""
 
     style: DialStyle  # their form
-    finish: Material  # what they are made of
-    mark: Material  # the color of their marks
-    cap: Material  # the metal of caps and bezels
-    ink: Material  # what is printed on the plate
+    finish: ag.Material  # what they are made of
+    mark: ag.Material  # the color of their marks
+    cap: ag.Material  # the metal of caps and bezels
+    ink: ag.Material  # what is printed on the plate
     scale: Scale  # what is printed around them
 
 
@@ -73,11 +51,13 @@ class DialLooks:
 class Push:
     """How a gas dial is pushed in."""
 
-    travel: Scalar  # how far [m]
-    force: Scalar  # of its spring when it is pushed in [N]
+    travel: ag.Scalar  # how far [m]
+    force: ag.Scalar  # of its spring when it is pushed in [N]
 
 
-def dial_on(plan: Plan, looks: DialLooks, *, top: Scalar, lift: Scalar = 0.0, name: str, label: str) -> Body:
+def dial_on(
+    plan: Plan, looks: DialLooks, *, top: ag.Scalar, lift: ag.Scalar = 0.0, name: str, label: str
+) -> ag.Body:
     """Make a dial about the z axis that looks up, its mark to the back."""
     one = dial(
         finish=looks.finish,
@@ -89,14 +69,14 @@ def dial_on(plan: Plan, looks: DialLooks, *, top: Scalar, lift: Scalar = 0.0, na
         name=name,
         label=label,
     )
-    return one.rotate(X, _FACE).at(0.0, 0.0, top + lift)
+    return one.rotate(ag.X, _FACE).at(0.0, 0.0, top + lift)
 
 
-def electric_turn(name: str, *, friction: Scalar, pivot: VectorLike = (0.0, 0.0, 0.0)) -> Joint:
+def electric_turn(name: str, *, friction: ag.Scalar, pivot: ag.VectorLike = (0.0, 0.0, 0.0)) -> ag.Joint:
     """Make the joint of a dial on a rotary switch; positive turns it clockwise from off."""
-    return Revolute(
+    return ag.Revolute(
         name,
-        axis=-Z,
+        axis=-ag.Z,
         pivot=pivot,
         limits=(0.0, SWEEP),
         friction=friction,
@@ -106,23 +86,23 @@ def electric_turn(name: str, *, friction: Scalar, pivot: VectorLike = (0.0, 0.0,
     )
 
 
-def tap_dial(plan: Plan, looks: DialLooks, push: Push, *, top: Scalar, thick: Scalar) -> Body:
+def tap_dial(plan: Plan, looks: DialLooks, push: Push, *, top: ag.Scalar, thick: ag.Scalar) -> ag.Body:
     """Make the dial of a gas tap with its stem and disc, about the z axis: the link `burner_dial`."""
     knob = dial_on(plan, looks, top=top, lift=push.travel, name="burner_dial", label="burner_dial")
     high = top - thick - _UNDER
     low = high - _DISC_THICK
-    stem = cylinder(_STEM, top + push.travel + 0.002 - low).align((0.0, 0.0, low), z=-1)
+    stem = ag.cylinder(_STEM, top + push.travel + 0.002 - low).align((0.0, 0.0, low), z=-1)
     inner, back = _PIN[1] - 0.0008, _DISC
-    disc = union(
-        box_between((-_DISC, -_DISC, low), (_DISC, inner, high)),
-        box_between((-_DISC, inner, low), (-_NOTCH, back, high)),
-        box_between((_NOTCH, inner, low), (_DISC, back, high)),
+    disc = ag.union(
+        ag.box_between((-_DISC, -_DISC, low), (_DISC, inner, high)),
+        ag.box_between((-_DISC, inner, low), (-_NOTCH, back, high)),
+        ag.box_between((_NOTCH, inner, low), (_DISC, back, high)),
     )
     steel = looks.cap if looks.cap.base_metalness > 0.5 else looks.finish
-    return weld(knob, part(union(stem, disc), "burner_dial", steel))
+    return ag.weld(knob, ag.part(ag.union(stem, disc), "burner_dial", steel))
 
 
-def tap_joints(push: Push, *, friction: Scalar) -> tuple[Joint, Joint]:
+def tap_joints(push: Push, *, friction: ag.Scalar) -> tuple[ag.Joint, ag.Joint]:
     """Make the joints of a gas dial: the push, then the turn, anti-clockwise from off, which needs it.
 
     The spring is as strong as taps have it, 2.5 N at rest and 8-14 N pushed in [EN 1106: a tap opens at
@@ -130,9 +110,9 @@ def tap_joints(push: Push, *, friction: Scalar) -> tuple[Joint, Joint]:
     """
     preload = 2.5
     stiffness = (push.force - preload) / push.travel
-    down = Prismatic(
+    down = ag.Prismatic(
         "burner_dial_push",
-        axis=-Z,
+        axis=-ag.Z,
         limits=(0.0, push.travel),
         stiffness=stiffness,
         rest=-preload / stiffness,
@@ -141,9 +121,9 @@ def tap_joints(push: Push, *, friction: Scalar) -> tuple[Joint, Joint]:
         armature=0.05,  # spindle and spring; without it solvers let so light a part through its limit
         effort=30.0,
     )
-    turn = Revolute(
+    turn = ag.Revolute(
         "burner_dial_turn",
-        axis=Z,
+        axis=ag.Z,
         limits=(0.0, SWEEP),
         friction=friction,  # of the greased cone
         damping=0.004,
@@ -154,29 +134,29 @@ def tap_joints(push: Push, *, friction: Scalar) -> tuple[Joint, Joint]:
     return down, turn
 
 
-def tap_pin(push: Push, *, top: Scalar, thick: Scalar) -> Solid:
+def tap_pin(push: Push, *, top: ag.Scalar, thick: ag.Scalar) -> ag.Solid:
     """Make the pin of a tap that hangs from the plate into the notch of the disc, about the z axis."""
     half, near, far = _PIN
     high = top - thick + 0.0005
     low = top - thick - _UNDER - push.travel + _CLEAR
-    return box_between((-half, near, low), (half, far, high))
+    return ag.box_between((-half, near, low), (half, far, high))
 
 
-def tap_hole(top: Scalar) -> Solid:
+def tap_hole(top: ag.Scalar) -> ag.Solid:
     """Make the tool that cuts the hole of a stem into the plate, about the z axis."""
-    return box(HOLE, HOLE, 0.05).at(0.0, 0.0, top)
+    return ag.box(HOLE, HOLE, 0.05).at(0.0, 0.0, top)
 
 
-def bezels(plan: Plan, looks: DialLooks, *, top: Scalar) -> Body:
+def bezels(plan: Plan, looks: DialLooks, *, top: ag.Scalar) -> ag.Body:
     """Make the flat rings around the dials of gas taps; only seen."""
     flat = details.relief(
-        ring(plan.radius + 0.0022, 0.0078), (0.0, 0.0, top), facing=Z, proud=0.0004, bevel=0.0002
+        ag.ring(plan.radius + 0.0022, 0.0078), (0.0, 0.0, top), facing=ag.Z, proud=0.0004, bevel=0.0002
     )
     at = [(x, y, 0.0) for x, y in plan.dial_places[: plan.burners]]
-    return detail(array(flat, at=at), "bezel", looks.cap)
+    return ag.detail(ag.array(flat, at=at), "bezel", looks.cap)
 
 
-def signs(plan: Plan, looks: DialLooks, *, top: Scalar, extras: tuple[str, ...]) -> Body:
+def signs(plan: Plan, looks: DialLooks, *, top: ag.Scalar, extras: tuple[str, ...]) -> ag.Body:
     """Print the sign beside each dial: the burners as small rings with its own one filled, or an icon."""
     left, right, front, back = plan.field
     middle = (0.5 * (left + right), 0.5 * (front + back))
@@ -186,8 +166,8 @@ def signs(plan: Plan, looks: DialLooks, *, top: Scalar, extras: tuple[str, ...])
     at = [((p.x - middle[0]) * scale, (p.y - middle[1]) * rise) for p in plan.places]
     size, step = 0.0017, plan.sign_step
     signs_at = [(x + step[0], y + step[1]) for x, y in plan.dial_places]
-    rings = details.relief(ring(size, size - 0.0005), (0.0, 0.0, top), facing=Z, proud=0.0002)
-    dot = details.relief(circle(size), (0.0, 0.0, top), facing=Z, proud=0.0003)
+    rings = details.relief(ag.ring(size, size - 0.0005), (0.0, 0.0, top), facing=ag.Z, proud=0.0002)
+    dot = details.relief(ag.circle(size), (0.0, 0.0, top), facing=ag.Z, proud=0.0003)
     own = [(x + i, y + j, 0.0) for (x, y), (i, j) in zip(signs_at, at, strict=False)]
     others = [
         (x + i, y + j, 0.0)
@@ -196,22 +176,22 @@ def signs(plan: Plan, looks: DialLooks, *, top: Scalar, extras: tuple[str, ...])
         if burner != dial
     ]
     icons = [
-        details.printed(details.icon(name, 0.009), (x, y, top), material=looks.ink, facing=Z)
+        details.printed(details.icon(name, 0.009), (x, y, top), material=looks.ink, facing=ag.Z)
         for name, (x, y) in zip(extras, signs_at[plan.burners :], strict=False)
     ]
-    return weld(
-        *([detail(array(rings, at=others), "print", looks.ink)] if others else []),
-        detail(array(dot, at=own), "print", looks.ink),
+    return ag.weld(
+        *([ag.detail(ag.array(rings, at=others), "print", looks.ink)] if others else []),
+        ag.detail(ag.array(dot, at=own), "print", looks.ink),
         *icons,
     )
 
 
-def scales(plan: Plan, looks: DialLooks, *, top: Scalar, gas: bool) -> Body:
+def scales(plan: Plan, looks: DialLooks, *, top: ag.Scalar, gas: bool) -> ag.Body:
     """Print the scales around all dials."""
     radius = plan.radius
     bodies = []
     for number, (x, y) in enumerate(plan.dial_places):
-        at = vector(x, y, top)
+        at = ag.vector(x, y, top)
         if gas and number < plan.burners:
             bodies.append(_flames(radius, looks.ink).at(at))
             continue
@@ -227,16 +207,16 @@ def scales(plan: Plan, looks: DialLooks, *, top: Scalar, gas: bool) -> Body:
             height=0.0027,
         )
         zero = details.printed(
-            ring(0.0012, 0.0007).at(0.0, radius + 0.0042), (0.0, 0.0, 0.0), material=looks.ink
+            ag.ring(0.0012, 0.0007).at(0.0, radius + 0.0042), (0.0, 0.0, 0.0), material=looks.ink
         )
-        bodies.append(weld(one, zero).rotate(X, _FACE).at(at))
-    return weld(*bodies)
+        bodies.append(ag.weld(one, zero).rotate(ag.X, _FACE).at(at))
+    return ag.weld(*bodies)
 
 
-def _flames(radius: Scalar, ink: Material) -> Body:
+def _flames(radius: ag.Scalar, ink: ag.Material) -> ag.Body:
     """Print the scale of a tap: off at the back, a large flame at the left, a small one at the right."""
-    off = ring(0.0015, 0.0010).at(0.0, radius + 0.0048)
+    off = ag.ring(0.0015, 0.0010).at(0.0, radius + 0.0048)
     large = details.icon("flame", 0.0062, weight="bold").at(-radius - 0.0052, 0.0)
     small = details.icon("flame", 0.0038).at(radius + 0.0050, 0.0)
     band = details.dial_band(radius + 0.0026, 0.0004, 0.0016, sweep=2.3, start=1.99)
-    return details.printed(off | large | small | band, (0.0, 0.0, 0.0), material=ink, facing=Z)
+    return details.printed(off | large | small | band, (0.0, 0.0, 0.0), material=ink, facing=ag.Z)

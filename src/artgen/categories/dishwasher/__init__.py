@@ -16,21 +16,8 @@ high with levelling feet; ASSE and makers' data sheets give 35-55 kg, 30-45 kg f
 
 from typing import Literal
 
-from artgen import (
-    Body,
-    Float,
-    Material,
-    by,
-    category,
-    choice,
-    colored,
-    count,
-    details,
-    material,
-    require,
-    shades,
-    uniform,
-)
+import artgen as ag
+from artgen import details
 from artgen.categories.dishwasher.console import Console
 from artgen.categories.dishwasher.dispenser import Dispenser
 from artgen.categories.dishwasher.door import (
@@ -48,32 +35,32 @@ from artgen.categories.shared.controls.buttons import ButtonShape
 from artgen.categories.shared.hardware.bar_handles import BarStyle
 from artgen.nodes.details.displays import Color
 
-_TUB_STEEL = material("stainless").with_(
+_TUB_STEEL = ag.material("stainless").with_(
     name="tub_steel", base_color=(0.78, 0.775, 0.77), specular_roughness=0.27
 )
-_TUB_PLASTIC = colored("polypropylene", "light_grey").with_(name="tub_plastic")
+_TUB_PLASTIC = ag.colored("polypropylene", "light_grey").with_(name="tub_plastic")
 _WIRES = (
-    colored("powder_coat", "light_grey"),
-    colored("powder_coat", "slate"),
-    colored("powder_coat", "white"),
-    colored("powder_coat", "sky"),
+    ag.colored("powder_coat", "light_grey"),
+    ag.colored("powder_coat", "slate"),
+    ag.colored("powder_coat", "white"),
+    ag.colored("powder_coat", "sky"),
 )
 _WORKTOPS = {"stainless": "light_grey", "dark_steel": "graphite", "white": "white", "black": "anthracite"}
 _CONSOLES = {  # of plastic in the tone of the front; those of other looks are of its finish
-    "stainless": colored("abs", "silver"),
-    "dark_steel": colored("abs", "anthracite"),
-    "panel": material("black_abs"),
+    "stainless": ag.colored("abs", "silver"),
+    "dark_steel": ag.colored("abs", "anthracite"),
+    "panel": ag.material("black_abs"),
 }
 _FINISH, _METAL = fronts(), grip_metals()
 _PLASTICS = (
-    colored("abs", "light_grey"),
-    colored("abs", "slate"),
-    colored("abs", "grey"),
-    colored("abs", "navy"),
+    ag.colored("abs", "light_grey"),
+    ag.colored("abs", "slate"),
+    ag.colored("abs", "grey"),
+    ag.colored("abs", "navy"),
 )
 
 
-@category(
+@ag.category(
     labels=(
         "body", "tub", "seal", "insulation", "worktop", "kick_plate", "foot", "rail", "filter", "hose",
         "cord", "rating_plate", "door", "panel", "handle", "print", "display", "vent", "hinge", "dispenser",
@@ -84,22 +71,22 @@ _PLASTICS = (
 )  # fmt: skip
 def dishwasher(
     *,
-    build: Build = choice("built_in", "freestanding", weights=(0.62, 0.38)),
-    size: Size = choice("full", "slim", weights=(0.66, 0.34), doc="60 or 45 cm wide"),
-    controls: Controls = by(
+    build: Build = ag.choice("built_in", "freestanding", weights=(0.62, 0.38)),
+    size: Size = ag.choice("full", "slim", weights=(0.66, 0.34), doc="60 or 45 cm wide"),
+    controls: Controls = ag.by(
         "build",
-        built_in=choice("front", "top", weights=(0.5, 0.5)),
+        built_in=ag.choice("front", "top", weights=(0.5, 0.5)),
         freestanding="front",
         doc="in front, or on the upper edge of the door",
     ),
-    look: Look = by(
+    look: Look = ag.by(
         "build",
-        built_in=by(
+        built_in=ag.by(
             "controls",
-            front=choice(
+            front=ag.choice(
                 "stainless", "dark_steel", "white", "black", "glass", weights=(0.35, 0.2, 0.15, 0.15, 0.15)
             ),
-            top=choice(
+            top=ag.choice(
                 "stainless",
                 "dark_steel",
                 "white",
@@ -109,102 +96,108 @@ def dishwasher(
                 weights=(0.22, 0.14, 0.08, 0.08, 0.08, 0.4),
             ),
         ),
-        freestanding=choice(
+        freestanding=ag.choice(
             "stainless", "dark_steel", "white", "black", "pastel", weights=(0.28, 0.12, 0.25, 0.1, 0.25)
         ),
     ),
-    handle: HandleKind = by(
+    handle: HandleKind = ag.by(
         "build",
-        built_in=by(
+        built_in=ag.by(
             "controls",
-            front=choice("bar", "pocket", "recessed", weights=(0.4, 0.35, 0.25)),
-            top=choice("bar", "recessed", weights=(0.72, 0.28)),
+            front=ag.choice("bar", "pocket", "recessed", weights=(0.4, 0.35, 0.25)),
+            top=ag.choice("bar", "recessed", weights=(0.72, 0.28)),
         ),
-        freestanding=choice("bar", "recessed", weights=(0.5, 0.5)),
+        freestanding=ag.choice("bar", "recessed", weights=(0.5, 0.5)),
     ),
-    racks: int = by(
+    racks: int = ag.by(
         "size",
-        full=choice(2, 3, weights=(0.45, 0.55)),
-        slim=choice(1, 2, 3, weights=(0.2, 0.5, 0.3)),
+        full=ag.choice(2, 3, weights=(0.45, 0.55)),
+        slim=ag.choice(1, 2, 3, weights=(0.2, 0.5, 0.3)),
         doc="the third is a tray for cutlery; one alone is that of a glass washer",
     ),
-    width: Float = by(
-        "size", full=uniform(0.595, 0.599), slim=uniform(0.446, 0.450), unit="m", within=(0.44, 0.62)
+    width: ag.Float = ag.by(
+        "size", full=ag.uniform(0.595, 0.599), slim=ag.uniform(0.446, 0.450), unit="m", within=(0.44, 0.62)
     ),
-    height: Float = by(
+    height: ag.Float = ag.by(
         "build",
-        built_in=uniform(0.82, 0.88),
-        freestanding=uniform(0.84, 0.88),
+        built_in=ag.uniform(0.82, 0.88),
+        freestanding=ag.uniform(0.84, 0.88),
         unit="m",
         within=(0.80, 0.92),
     ),
-    depth: Float = by(
+    depth: ag.Float = ag.by(
         "handle",
-        bar=uniform(0.600, 0.620),
-        otherwise=uniform(0.570, 0.600),
+        bar=ag.uniform(0.600, 0.620),
+        otherwise=ag.uniform(0.570, 0.600),
         unit="m",
         doc="of everything, the handle included",
         within=(0.55, 0.68),
     ),
-    door_thickness: Float = uniform(0.052, 0.060, "m", within=(0.050, 0.070)),
-    plinth: Float = uniform(
+    door_thickness: ag.Float = ag.uniform(0.052, 0.060, "m", within=(0.050, 0.070)),
+    plinth: ag.Float = ag.uniform(
         0.095, 0.120, "m", doc="height of the hinge above the floor", within=(0.09, 0.15)
     ),
-    swing: Float = uniform(1.54, 1.57, "rad", within=(1.50, 1.5707)),
-    clearance: Float = uniform(0.0022, 0.0030, "m", doc="of the lower rack over the open door"),
-    travel: Float = uniform(0.74, 0.88, doc="of the racks, as a share of their depth", within=(0.3, 0.92)),
-    upper_level: Float = uniform(0.44, 0.50, doc="of the upper rack, as a share of the room over the lower"),
-    finish: Material = _FINISH,
-    metal: Material = _METAL,
-    bar: BarStyle = by(
-        "look",
-        pastel=choice("bow", "arched", "round"),
-        panel=choice("round", "square", "strap", "pro"),
-        otherwise=choice("round", "square", "bow", "strap", "pro", "arched"),
+    swing: ag.Float = ag.uniform(1.54, 1.57, "rad", within=(1.50, 1.5707)),
+    clearance: ag.Float = ag.uniform(0.0022, 0.0030, "m", doc="of the lower rack over the open door"),
+    travel: ag.Float = ag.uniform(
+        0.74, 0.88, doc="of the racks, as a share of their depth", within=(0.3, 0.92)
     ),
-    framed: bool = by("look", panel=choice(False, True), otherwise=False, doc="whether a front has a frame"),
-    tub: Literal["steel", "plastic"] = by(
-        "look",
-        white=choice("steel", "plastic", weights=(0.6, 0.4)),
-        otherwise=choice("steel", "plastic", weights=(0.9, 0.1)),
+    upper_level: ag.Float = ag.uniform(
+        0.44, 0.50, doc="of the upper rack, as a share of the room over the lower"
     ),
-    pane: bool = by(
+    finish: ag.Material = _FINISH,
+    metal: ag.Material = _METAL,
+    bar: BarStyle = ag.by(
         "look",
-        white=choice(False, True, weights=(0.75, 0.25)),
-        pastel=choice(False, True, weights=(0.8, 0.2)),
-        stainless=choice(False, True),
-        otherwise=choice(False, True, weights=(0.3, 0.7)),
+        pastel=ag.choice("bow", "arched", "round"),
+        panel=ag.choice("round", "square", "strap", "pro"),
+        otherwise=ag.choice("round", "square", "bow", "strap", "pro", "arched"),
+    ),
+    framed: bool = ag.by(
+        "look", panel=ag.choice(False, True), otherwise=False, doc="whether a front has a frame"
+    ),
+    tub: Literal["steel", "plastic"] = ag.by(
+        "look",
+        white=ag.choice("steel", "plastic", weights=(0.6, 0.4)),
+        otherwise=ag.choice("steel", "plastic", weights=(0.9, 0.1)),
+    ),
+    pane: bool = ag.by(
+        "look",
+        white=ag.choice(False, True, weights=(0.75, 0.25)),
+        pastel=ag.choice(False, True, weights=(0.8, 0.2)),
+        stainless=ag.choice(False, True),
+        otherwise=ag.choice(False, True, weights=(0.3, 0.7)),
         doc="whether black glass lies on the console",
     ),
-    dial: Literal["", "round", "fluted", "bar", "skirted", "capped"] = by(
+    dial: Literal["", "round", "fluted", "bar", "skirted", "capped"] = ag.by(
         "controls",
-        front=choice("", "round", "fluted", "bar", "skirted", "capped", weights=(7, 1, 1, 0.6, 0.6, 1)),
+        front=ag.choice("", "round", "fluted", "bar", "skirted", "capped", weights=(7, 1, 1, 0.6, 0.6, 1)),
         top="",
         doc="the cycle dial of older styles; none where it is empty",
     ),
-    buttons: int = by("size", full=count(0, 8), slim=count(0, 5)),
-    button_shape: ButtonShape = choice("round", "square", "pill", "bar"),
-    button_travel: Float = uniform(0.0016, 0.0030, "m"),
-    button_force: Float = uniform(2.0, 5.0, "N"),
-    show: str = by(
+    buttons: int = ag.by("size", full=ag.count(0, 8), slim=ag.count(0, 5)),
+    button_shape: ButtonShape = ag.choice("round", "square", "pill", "bar"),
+    button_travel: ag.Float = ag.uniform(0.0016, 0.0030, "m"),
+    button_force: ag.Float = ag.uniform(2.0, 5.0, "N"),
+    show: str = ag.by(
         "controls",
-        front=choice("", "1:25", "3:10", "0:45", "24h", weights=(0.25, 0.25, 0.2, 0.15, 0.15)),
-        top=choice("", "2:05", "0:30"),
+        front=ag.choice("", "1:25", "3:10", "0:45", "24h", weights=(0.25, 0.25, 0.2, 0.15, 0.15)),
+        top=ag.choice("", "2:05", "0:30"),
         doc="what the display shows; none where it is empty",
     ),
-    figures: Color = choice("white", "red", "amber", "cyan", "green"),
-    maker: str = choice(*details.BRANDS),
-    wire: Material = shades(*_WIRES, weights=(3, 2, 1.5, 0.7), color=0.05),
-    plastic: Material = shades(*_PLASTICS, weights=(2, 2, 1.5, 0.6), color=0.05),
-    grip: Grip = choice("bar", "plate"),
-    shelves: bool = choice(True, False, weights=(0.65, 0.35), doc="cup shelves in the upper rack"),
-    ballast: Literal["steel", "concrete"] = choice("steel", "concrete", doc="in the base"),
-    rack_friction: Float = uniform(3.0, 8.0, "N"),
-    pull: Float = uniform(17.0, 24.0, "N", doc="at the handle, to begin to open the door"),
-) -> Body:
+    figures: Color = ag.choice("white", "red", "amber", "cyan", "green"),
+    maker: str = ag.choice(*details.BRANDS),
+    wire: ag.Material = ag.shades(*_WIRES, weights=(3, 2, 1.5, 0.7), color=0.05),
+    plastic: ag.Material = ag.shades(*_PLASTICS, weights=(2, 2, 1.5, 0.6), color=0.05),
+    grip: Grip = ag.choice("bar", "plate"),
+    shelves: bool = ag.choice(True, False, weights=(0.65, 0.35), doc="cup shelves in the upper rack"),
+    ballast: Literal["steel", "concrete"] = ag.choice("steel", "concrete", doc="in the base"),
+    rack_friction: ag.Float = ag.uniform(3.0, 8.0, "N"),
+    pull: ag.Float = ag.uniform(17.0, 24.0, "N", doc="at the handle, to begin to open the door"),
+) -> ag.Body:
     """Make a dishwasher: door, console, racks, spray arms, detergent flap."""
     if handle == "recessed":
-        door_thickness = require(
+        door_thickness = ag.require(
             door_thickness, door_thickness > 0.051, "a recessed handle is deep: door_thickness over 0.051 m"
         )
     worktop = build == "freestanding" and controls == "front" and handle != "pocket"
@@ -230,7 +223,7 @@ def dishwasher(
     inside = Racks(space, size, wire, plastic, grip, rack_friction, racks < 3, shelves, upper)
     levels = (inside.upper_axle, inside.tray_axle)[: racks - 1]
     look_of_tub = _TUB_STEEL if tub == "steel" else _TUB_PLASTIC
-    sides = material("zinc") if build == "built_in" else cabinet_finish(look, finish)
+    sides = ag.material("zinc") if build == "built_in" else cabinet_finish(look, finish)
     cabinet = Cabinet(
         space,
         build,
@@ -238,7 +231,7 @@ def dishwasher(
         sides,
         look_of_tub,
         kick_finish(sides, build),
-        sides if look in ("pastel", "glass", "panel") else colored("lacquered_mdf", _WORKTOPS[look]),
+        sides if look in ("pastel", "glass", "panel") else ag.colored("lacquered_mdf", _WORKTOPS[look]),
         {"steel": 520.0, "concrete": 640.0}[ballast],
         levels,
         maker,
@@ -255,7 +248,7 @@ def dishwasher(
         pane=pane and not let_in,
         buttons=min(buttons, 5) if let_in else buttons,
         shape=button_shape,
-        cap=material("black_abs") if pane or look in ("black", "dark_steel") else material("aluminium"),
+        cap=ag.material("black_abs") if pane or look in ("black", "dark_steel") else ag.material("aluminium"),
         travel=button_travel,
         force=button_force,
         dial=dial,

@@ -6,7 +6,8 @@ turned over.
 
 from dataclasses import dataclass
 
-from artgen import Body, Material, Scalar, Solid, Span, board, details, material, part, require, weld
+import artgen as ag
+from artgen import details
 from artgen._arrays import cached_property
 from artgen.categories.shared.controls.buttons import ButtonShape, button_press, push_button
 from artgen.categories.shared.controls.dials import DialStyle, dial, dial_print, dial_turn
@@ -35,21 +36,21 @@ _ROOM = 0.0025  # behind a cap that is pressed home [m]
 class Console:
     """What is on a console."""
 
-    width: Scalar  # of its face [m]
-    height: Scalar  # of its face [m]
-    finish: Material  # of the face
+    width: ag.Scalar  # of its face [m]
+    height: ag.Scalar  # of its face [m]
+    finish: ag.Material  # of the face
     pane: bool  # whether a pane of black glass lies on it
     buttons: int  # how many there are
     shape: ButtonShape  # of their caps
-    cap: Material  # finish of the caps
-    travel: Scalar  # of the buttons [m]
-    force: Scalar  # that presses them home [N]
+    cap: ag.Material  # finish of the caps
+    travel: ag.Scalar  # of the buttons [m]
+    force: ag.Scalar  # that presses them home [N]
     dial: DialStyle | str  # style of the cycle dial; `""` for none
     show: str  # what the display shows; `""` for none
     color: Color  # of its figures
-    middle: Scalar  # where the middle of the buttons lies along x [m]
-    aside: Scalar  # where the middle of the display lies along x [m]
-    far: Scalar  # where the dial is along x [m]
+    middle: ag.Scalar  # where the middle of the buttons lies along x [m]
+    aside: ag.Scalar  # where the middle of the display lies along x [m]
+    far: ag.Scalar  # where the dial is along x [m]
     upper: bool = False  # whether it lies on the upper edge of the door, where there is little room for print
     # half the length and half the height of the opening for a recessed grip in its middle; both 0 where
     # there is no grip [m]
@@ -70,12 +71,12 @@ class Console:
         return 0.0085 if self.shape in ("pill", "bar") else 0.0115
 
     @cached_property
-    def _at(self) -> list[Scalar]:
+    def _at(self) -> list[ag.Scalar]:
         return places(self.buttons, self.pitch, middle=self.middle)
 
     @cached_property
-    def _face(self) -> Material:
-        return material("black_glass") if self.pane else self.finish
+    def _face(self) -> ag.Material:
+        return ag.material("black_glass") if self.pane else self.finish
 
     @cached_property
     def _names(self) -> tuple[str, ...]:
@@ -83,41 +84,41 @@ class Console:
         count = self.buttons or 5
         return (*ICONS[: count - 1], ICONS[-1]) if count > 1 else ICONS[:1]
 
-    def boards(self) -> list[Solid]:
+    def boards(self) -> list[ag.Solid]:
         """Make the boards of the face, around the channel in which the buttons move."""
         x, z = 0.5 * self.width, 0.5 * self.height
-        y: Span = (0.0, self.thickness)
+        y: ag.Span = (0.0, self.thickness)
         wide, tall = self.opening
         if not self.buttons and not wide:
-            return [board((-x, x), y, (-z, z), bevel=0.0015)]
+            return [ag.board((-x, x), y, (-z, z), bevel=0.0015)]
         end = -wide if wide else x  # of what is left of the opening
         boards = []
         if wide:
             boards += [
-                board((wide, x), y, (-z, z)),
-                board((-wide - LAP, wide + LAP), y, (tall, z)),
-                board((-wide - LAP, wide + LAP), y, (-z, -tall)),
+                ag.board((wide, x), y, (-z, z)),
+                ag.board((-wide - LAP, wide + LAP), y, (tall, z)),
+                ag.board((-wide - LAP, wide + LAP), y, (-z, -tall)),
             ]
         if not self.buttons:
-            return [*boards, board((-x, end), y, (-z, z))]
+            return [*boards, ag.board((-x, end), y, (-z, z))]
         left, right = self._channel
         room = "the buttons have no room on the console: raise width, or lower buttons"
-        left, right = require(left, left > -x, room), require(right, right < end, room)
+        left, right = ag.require(left, left > -x, room), ag.require(right, right < end, room)
         half = 0.5 * self._cap_height + 0.0012
         return [
             *boards,
-            board((-x, end), y, (half, z)),
-            board((-x, end), y, (-z, -half)),
-            board((-x, left), y, (-half - LAP, half + LAP)),
-            board((right, end), y, (-half - LAP, half + LAP)),
+            ag.board((-x, end), y, (half, z)),
+            ag.board((-x, end), y, (-z, -half)),
+            ag.board((-x, left), y, (-half - LAP, half + LAP)),
+            ag.board((right, end), y, (-half - LAP, half + LAP)),
         ]
 
     @cached_property
-    def _channel(self) -> Span:
+    def _channel(self) -> ag.Span:
         half = 0.5 * ((self.buttons - 1) * self.pitch + self._cap_width) + 0.0012
         return (self.middle - half, self.middle + half)
 
-    def printed(self) -> Body:
+    def printed(self) -> ag.Body:
         """Make the pane, the strip around the buttons, display, icons and lamps, which are only seen."""
         face, bodies = self._face, []
         ink = ink_on(face)
@@ -127,7 +128,7 @@ class Console:
         if self.pane or holes is not None:
             high = self.height - 0.010 if self.pane else self._cap_height + 0.011
             if self.pane:
-                wide: Scalar = self.width - 0.012
+                wide: ag.Scalar = self.width - 0.012
                 bodies.append(inlay(wide, high, holes=holes, radius=0.004))
             else:
                 left, right = self._channel
@@ -157,9 +158,9 @@ class Console:
             bodies.append(ring.at(self.far, -proud, 0.0))
         if not bodies:
             bodies.append(lamp_row([self.aside], proud=proud))
-        return weld(*bodies)
+        return ag.weld(*bodies)
 
-    def joined(self, body: Body) -> Body:
+    def joined(self, body: ag.Body) -> ag.Body:
         """Join buttons and dial to a body on which the console is."""
         ink = ink_on(self.cap)
         for index, place in enumerate(self._at):
@@ -190,13 +191,13 @@ class Console:
                 radius=0.015 if small else 0.021,
                 depth=0.018,
                 mark=ink,
-                cap=material("aluminium"),
+                cap=ag.material("aluminium"),
             )
             turn = dial_turn(pivot=(self.far, 0.0, 0.0))
             body = body.attach(knob.at(self.far, 0.0, 0.0), turn)
         return body
 
-    def body(self, label: str = "panel") -> Body:
+    def body(self, label: str = "panel") -> ag.Body:
         """Make the whole console: boards, print, buttons and dial."""
-        solid = weld(*(part(each, label, self.finish) for each in self.boards()), self.printed())
+        solid = ag.weld(*(ag.part(each, label, self.finish) for each in self.boards()), self.printed())
         return self.joined(solid)

@@ -4,29 +4,8 @@ import math
 from dataclasses import dataclass
 from typing import Literal
 
-from artgen import (
-    Body,
-    Float,
-    Joint,
-    Material,
-    Revolute,
-    Scalar,
-    Solid,
-    Span,
-    X,
-    Y,
-    board,
-    box,
-    colored,
-    cylinder,
-    detail,
-    details,
-    material,
-    part,
-    rectangle,
-    sin,
-    weld,
-)
+import artgen as ag
+from artgen import details
 from artgen._arrays import cached_property
 from artgen.categories.dishwasher.console import LAP, Console
 from artgen.categories.dishwasher.dispenser import Dispenser
@@ -69,14 +48,14 @@ CONSOLE_BEFORE_POCKET = _BEFORE_POCKET
 """Thickness of a console before a pocket [m]."""
 
 
-def _frame_of(half: Scalar, y: Span, z: Span, wide: Scalar, opening: Span) -> list[Solid]:
+def _frame_of(half: ag.Scalar, y: ag.Span, z: ag.Span, wide: ag.Scalar, opening: ag.Span) -> list[ag.Solid]:
     """Make the four boards around an opening in the middle of a wall."""
     low, high = z
     return [
-        board((-half, half), y, (low, opening[0])),
-        board((-half, half), y, (opening[1], high)),
-        board((-half, -wide), y, (opening[0] - LAP, opening[1] + LAP)),
-        board((wide, half), y, (opening[0] - LAP, opening[1] + LAP)),
+        ag.board((-half, half), y, (low, opening[0])),
+        ag.board((-half, half), y, (opening[1], high)),
+        ag.board((-half, -wide), y, (opening[0] - LAP, opening[1] + LAP)),
+        ag.board((wide, half), y, (opening[0] - LAP, opening[1] + LAP)),
     ]
 
 
@@ -88,34 +67,34 @@ class Front:
     worktop: bool  # whether a worktop lies over its upper edge
     controls: Controls  # where its console is
     console: Console  # the console
-    high: Scalar  # height of a console in front [m]
+    high: ag.Scalar  # height of a console in front [m]
     handle: HandleKind  # the kind of the handle
     bar: BarStyle  # style of a bar
-    length: Scalar  # of the handle [m]
-    projection: Scalar  # from the front to the middle of a bar [m]
-    girth: Scalar  # half the thickness of a bar [m]
-    metal: Material  # of the handle
-    finish: Material  # of the front
+    length: ag.Scalar  # of the handle [m]
+    projection: ag.Scalar  # from the front to the middle of a bar [m]
+    girth: ag.Scalar  # half the thickness of a bar [m]
+    metal: ag.Material  # of the handle
+    finish: ag.Material  # of the front
     framed: bool  # whether a wooden front has a raised frame
-    liner: Material  # of the inside
+    liner: ag.Material  # of the inside
     maker: str  # whose name is on it; `""` for none
     dispenser: Dispenser  # the dispenser inside
 
     @cached_property
-    def top(self) -> Float:
+    def top(self) -> ag.Float:
         """The height of its upper edge [m]."""
         return self.space.height - (0.030 + _EDGE if self.worktop else _EDGE)
 
     @cached_property
-    def _half(self) -> Float:
+    def _half(self) -> ag.Float:
         return self.space.width / 2.0 - 0.0015
 
     @cached_property
-    def _skin_top(self) -> Scalar:
+    def _skin_top(self) -> ag.Scalar:
         return self.top - (self.high + _GAP if self.controls == "front" else self.console.thickness + _GAP)
 
     @cached_property
-    def handle_height(self) -> Scalar:
+    def handle_height(self) -> ag.Scalar:
         """The height at which a hand pulls it [m]."""
         if self.handle == "pocket":
             return self.top - 0.013
@@ -130,7 +109,7 @@ class Front:
         if self.handle == "pocket":
             grip = pocket_grip(self.length, finish=self._lining, lip=_BEFORE_POCKET, gap=0.022, deep=_POCKET)
             turned = Grip(
-                grip.cut.rotate(Y, -math.pi / 2.0), grip.shell.rotate(Y, -math.pi / 2.0)
+                grip.cut.rotate(ag.Y, -math.pi / 2.0), grip.shell.rotate(ag.Y, -math.pi / 2.0)
             )  # the free edge of a door at the right becomes the upper one
             return turned.at(0.0, space.front, self.top)
         if self.handle == "recessed":
@@ -141,16 +120,16 @@ class Front:
         return None
 
     @cached_property
-    def _lining(self) -> Material:
-        return colored("abs", "graphite").with_(name="grip_lining")
+    def _lining(self) -> ag.Material:
+        return ag.colored("abs", "graphite").with_(name="grip_lining")
 
     @cached_property
-    def _boards(self) -> list[tuple[Solid, Material]]:
+    def _boards(self) -> list[tuple[ag.Solid, ag.Material]]:
         """The boards of the front and the liner with their materials, around the grip."""
         space, half, low = self.space, self._half, self.space.door_bottom
         front, inner, dish = space.front, space.inner, space.inner - DISH
         wooden = self.finish.name.startswith(("oak", "walnut", "ash", "lacquered"))
-        skin = board((-half, half), (front, front + SKIN), (low, self._skin_top), bevel=0.003)
+        skin = ag.board((-half, half), (front, front + SKIN), (low, self._skin_top), bevel=0.003)
         grip = self._grip
         if grip is not None and self.handle == "recessed" and self.controls == "top":
             skin = skin - grip.cut
@@ -159,39 +138,41 @@ class Front:
         level = top - _RIM
         solids = self._around_grip(core, behind, level, top)
         beside = space.inside - 0.034
-        solids.append(board((-half, half), behind, (low, low + 0.058), bevel=0.003))
+        solids.append(ag.board((-half, half), behind, (low, low + 0.058), bevel=0.003))
         for x in ((beside, half), (-half, -beside)):
-            solids.append(board(x, behind, (low + 0.056, level + 0.002), bevel=0.003))
+            solids.append(ag.board(x, behind, (low + 0.056, level + 0.002), bevel=0.003))
         stuff = filled(self.liner, 285.0, "liner")
         return [
             (skin, filled(self.finish, 380.0 if wooden else 290.0, "front")),
             *((each, stuff) for each in solids),
         ]
 
-    def _around_grip(self, core: Span, behind: Span, level: Scalar, top: Scalar) -> list[Solid]:
+    def _around_grip(
+        self, core: ag.Span, behind: ag.Span, level: ag.Scalar, top: ag.Scalar
+    ) -> list[ag.Solid]:
         """Make the liner's wall and its upper rim, with room for what is let into the front."""
         half, low, wide = self._half, self.space.door_bottom, 0.5 * self.length
         front, inner, dish = self.space.front, behind[1], behind[0]
-        solids: list[Solid] = []
-        rim = board((-half, half), behind, (level, top), bevel=0.003)
+        solids: list[ag.Solid] = []
+        rim = ag.board((-half, half), behind, (level, top), bevel=0.003)
         match self.handle:
             case "bar":
-                solids = [board((-half, half), core, (low, top)), rim]
+                solids = [ag.board((-half, half), core, (low, top)), rim]
             case "recessed":
                 z = self.handle_height
                 solids = [
                     *_frame_of(half, core, (low, top), wide, (z - _HALF_RECESS, z + _HALF_RECESS)),
-                    board((-wide, wide), (front + _RECESS, dish), (z - _HALF_RECESS, z + _HALF_RECESS)),
+                    ag.board((-wide, wide), (front + _RECESS, dish), (z - _HALF_RECESS, z + _HALF_RECESS)),
                     rim,
                 ]
             case "pocket":
                 bottom = top - _POCKET
                 solids = [
-                    board((-half, half), core, (low, bottom)),
-                    board((-half, half), behind, (level, bottom)),
-                    board((-wide - LAP, wide + LAP), (front + _BEHIND_POCKET, inner), (bottom - LAP, top)),
+                    ag.board((-half, half), core, (low, bottom)),
+                    ag.board((-half, half), behind, (level, bottom)),
+                    ag.board((-wide - LAP, wide + LAP), (front + _BEHIND_POCKET, inner), (bottom - LAP, top)),
                     *(
-                        board(
+                        ag.board(
                             (wide, half) if side > 0 else (-half, -wide),
                             (front + SKIN - 0.001 + LAP, inner),
                             (bottom - 2.0 * LAP, top),
@@ -201,29 +182,29 @@ class Front:
                 ]
         return solids
 
-    def _console_at(self, body: Body) -> Body:
+    def _console_at(self, body: ag.Body) -> ag.Body:
         """Move the console to its place, turned over where it lies on the upper edge."""
         space = self.space
         if self.controls == "front":
             return body.at(0.0, space.front, self.top - self.high / 2.0)
-        return body.rotate(X, -math.pi / 2.0).at(0.0, space.front + space.thickness / 2.0, self.top)
+        return body.rotate(ag.X, -math.pi / 2.0).at(0.0, space.front + space.thickness / 2.0, self.top)
 
-    def body(self) -> Body:
+    def body(self) -> ag.Body:
         """Make the door with its console and dispenser: the link `door`."""
-        boards = [part(solid, "door", stuff) for solid, stuff in self._boards]
+        boards = [ag.part(solid, "door", stuff) for solid, stuff in self._boards]
         bodies = [*boards, *self.dispenser.housing(), *self._liner_details(), *self._front_details()]
         bodies.append(self._bar() if self._grip is None else self._grip.shell)
-        return weld(*bodies, self._console_body())
+        return ag.weld(*bodies, self._console_body())
 
-    def _console_body(self) -> Body:
+    def _console_body(self) -> ag.Body:
         console = self.console
         stuff = filled(console.finish, PANEL, "panel")
-        faces = [part(solid, "panel", stuff) for solid in console.boards()]
-        body = console.joined(weld(*faces, console.printed()))
+        faces = [ag.part(solid, "panel", stuff) for solid in console.boards()]
+        body = console.joined(ag.weld(*faces, console.printed()))
         return self._console_at(body)
 
-    def _bar(self) -> Body:
-        bar: Body = bar_handle(
+    def _bar(self) -> ag.Body:
+        bar: ag.Body = bar_handle(
             length=self.length,
             finish=self.metal,
             style=self.bar,
@@ -233,17 +214,17 @@ class Front:
         )
         return bar.at(0.0, self.space.front, self.handle_height)
 
-    def _front_details(self) -> list[Body]:
+    def _front_details(self) -> list[ag.Body]:
         """Make the frame of a wooden front and the maker's name."""
         space = self.space
-        bodies: list[Body] = []
+        bodies: list[ag.Body] = []
         low, top = space.door_bottom, self._skin_top
         if self.framed:
             width, height = 2.0 * self._half - 0.004, top - low - 0.004
-            outline = rectangle(width, height, radius=0.002) - rectangle(width - 0.13, height - 0.13)
+            outline = ag.rectangle(width, height, radius=0.002) - ag.rectangle(width - 0.13, height - 0.13)
             at = (0.0, space.front, (low + top) / 2.0)
             frame_ = details.relief(outline, at, proud=0.0045, sunk=0.001, bevel=0.0012)
-            bodies.append(detail(frame_, "door", self.finish))
+            bodies.append(ag.detail(frame_, "door", self.finish))
         if self.maker and not self.framed:
             word = details.logo(self.maker, 0.0085)
             z = top - (0.105 if self.handle != "pocket" and self.controls == "top" else 0.032)
@@ -251,11 +232,11 @@ class Front:
             bodies.append(details.printed(word, (0.0, space.front, level), material=ink_on(self.finish)))
         return bodies
 
-    def _liner_details(self) -> list[Body]:
+    def _liner_details(self) -> list[ag.Body]:
         """Make the vent in the liner, and the arms of the hinges beside it."""
         space = self.space
         floor = space.inner - DISH
-        vent = cylinder(0.031, 0.006, axis=Y, bevel=0.002).at(
+        vent = ag.cylinder(0.031, 0.006, axis=ag.Y, bevel=0.002).at(
             -self.dispenser.beside, floor + 0.002, self.top - 0.16
         )
         slots = details.vent_slots(0.044, 0.036, 7, slot=0.003, direction="horizontal")
@@ -266,34 +247,34 @@ class Front:
             proud=0.0003,
         )
         bodies = [
-            detail(vent, "vent", colored("polypropylene", "grey")),
-            detail(grille, "vent", DARK),
+            ag.detail(vent, "vent", ag.colored("polypropylene", "grey")),
+            ag.detail(grille, "vent", DARK),
         ]
-        steel = material("zinc")
+        steel = ag.material("zinc")
         for side in (-1, 1):
             x = side * (space.inside + 0.013)
-            arm = box(0.005, 0.003, 0.055, bevel=0.001).at(x, space.inner + 0.001, space.plinth + 0.055)
-            bodies.append(detail(arm, "hinge", steel))
+            arm = ag.box(0.005, 0.003, 0.055, bevel=0.001).at(x, space.inner + 0.001, space.plinth + 0.055)
+            bodies.append(ag.detail(arm, "hinge", steel))
         return bodies
 
-    def hinge(self, pull: Scalar) -> Joint:
+    def hinge(self, pull: ag.Scalar) -> ag.Joint:
         """Make the joint of the door; springs carry its weight, friction holds it where it is left.
 
         The springs are linear and begin at the closed door, so that they lift most where its weight pulls
         most: m g r sin(q) is met at the open end, and what is left in between is less than the friction.
         """
         space = self.space
-        moment: Scalar = _HANDLE * (self.handle_height - space.plinth)
+        moment: ag.Scalar = _HANDLE * (self.handle_height - space.plinth)
         for solid, stuff in self._boards:
             moment = moment + stuff.density * solid.volume() * (solid.centroid().z - space.plinth)
         for solid in self.console.boards():
             moment = moment + PANEL * solid.volume() * (self.top - space.plinth - 0.03)
-        return Revolute(
+        return ag.Revolute(
             "door_hinge",
-            axis=X,
+            axis=ag.X,
             pivot=space.hinge,
             limits=(0.0, space.swing),
-            stiffness=_GRAVITY * moment * sin(space.swing) / space.swing,
+            stiffness=_GRAVITY * moment * ag.sin(space.swing) / space.swing,
             friction=pull * (self.handle_height - space.plinth),
             damping=2.0,
             effort=40.0,  # 60 N at the handle

@@ -2,35 +2,8 @@
 
 from dataclasses import dataclass
 
-from artgen import (
-    Body,
-    Condition,
-    Dependency,
-    Float,
-    Joint,
-    Material,
-    Revolute,
-    Scalar,
-    Y,
-    Z,
-    array,
-    board,
-    box,
-    colored,
-    cylinder,
-    cylinder_between,
-    detail,
-    details,
-    extrude,
-    grid,
-    line,
-    material,
-    part,
-    polygon,
-    row,
-    vector,
-    weld,
-)
+import artgen as ag
+from artgen import details
 from artgen._arrays import cached_property
 from artgen.categories.dishwasher.space import ROLLER, UNDER, Size, Space
 from artgen.categories.shared.appliances.wire_baskets import Basket, Grip, rack_slide, rollers
@@ -55,16 +28,16 @@ class Racks:
 
     space: Space  # its measures
     size: Size  # 60 or 45 cm wide: decides how many wires and tines there are
-    wire: Material  # coating of the wires
-    plastic: Material  # of grips, rollers, basket and tray
+    wire: ag.Material  # coating of the wires
+    plastic: ag.Material  # of grips, rollers, basket and tray
     grip: Grip  # style of the grips
-    friction: Scalar  # of a rack on its rollers [N]
+    friction: ag.Scalar  # of a rack on its rollers [N]
     basket: bool  # whether a cutlery basket stands in the lower rack
     shelves: bool  # whether the upper rack has cup shelves
-    upper: Scalar  # height of the floor of the upper rack [m]
+    upper: ag.Scalar  # height of the floor of the upper rack [m]
 
     @cached_property
-    def _width(self) -> Scalar:
+    def _width(self) -> ag.Scalar:
         return 2.0 * (self.space.inside - _BESIDE)
 
     @cached_property
@@ -76,32 +49,32 @@ class Racks:
         return 0.125 if self.size == "full" else 0.080
 
     @cached_property
-    def floor(self) -> Scalar:
+    def floor(self) -> ag.Scalar:
         """Height of the floor of the lower rack [m]."""
         return self.space.treads + UNDER
 
     @cached_property
-    def rim(self) -> Scalar:
+    def rim(self) -> ag.Scalar:
         """Height of the front rim of the lower rack [m]."""
         return self.floor + FRONT_RIM
 
     @cached_property
-    def upper_axle(self) -> Scalar:
+    def upper_axle(self) -> ag.Scalar:
         """Height of the rollers of the upper rack [m]."""
         return self.upper + 0.052
 
     @cached_property
-    def tray_floor(self) -> Scalar:
+    def tray_floor(self) -> ag.Scalar:
         """Height of the floor of the cutlery tray [m]."""
         return self.space.ceiling - 0.068
 
     @cached_property
-    def tray_axle(self) -> Scalar:
+    def tray_axle(self) -> ag.Scalar:
         """Height of the rollers of the cutlery tray [m]."""
         return self.tray_floor + 0.016
 
     def _basket(self, front: float, back: float, rows: int, band: float = 0.5) -> Basket:
-        def height(value: float) -> Float:
+        def height(value: float) -> ag.Float:
             return 0.0 * self.space.width + value
 
         return Basket(
@@ -115,7 +88,9 @@ class Racks:
             band=band,
         )
 
-    def _wheels(self, axle: Scalar, radius: float, places: tuple[float, ...], rise: float = 0.0) -> Body:
+    def _wheels(
+        self, axle: ag.Scalar, radius: float, places: tuple[float, ...], rise: float = 0.0
+    ) -> ag.Body:
         depth = self.space.rack_depth
         return rollers(
             [(share * depth, axle) for share in places],
@@ -125,7 +100,7 @@ class Racks:
             rise=rise,
         )
 
-    def lower(self, name: str) -> Body:
+    def lower(self, name: str) -> ag.Body:
         """Make the lower rack: rows of tines for plates, rollers, and maybe a cutlery basket."""
         basket = self._basket(FRONT_RIM, _BACK_RIM, 13)
         depth, space = self.space.rack_depth, self.space
@@ -147,26 +122,28 @@ class Racks:
             bodies.append(basket.tines(first, step, rows, count=count, pitch=pitch, height=height, lean=lean))
         if self.basket:
             bodies.append(self._cutlery_basket(0.62 * self._width, 0.085).at(0.0, 0.055 - 0.5 * depth, 0.0))
-        return weld(*bodies).at(0.0, space.rack_middle, self.floor)
+        return ag.weld(*bodies).at(0.0, space.rack_middle, self.floor)
 
-    def _cutlery_basket(self, wide: Scalar, deep: float) -> Body:
+    def _cutlery_basket(self, wide: ag.Scalar, deep: float) -> ag.Body:
         """Make an open plastic basket with divisions and a handle over it."""
         high, low, sheet = 0.115, 0.0070, 0.0026
         half = 0.5 * wide
         walls = [
-            board((-half, half), (-deep / 2, deep / 2), (low, low + sheet)),
+            ag.board((-half, half), (-deep / 2, deep / 2), (low, low + sheet)),
             *(
-                board((-half, half), (y - sheet / 2, y + sheet / 2), (low, low + high), bevel=0.001)
+                ag.board((-half, half), (y - sheet / 2, y + sheet / 2), (low, low + high), bevel=0.001)
                 for y in (-deep / 2, deep / 2)
             ),
             *(
-                board((x - sheet / 2, x + sheet / 2), (-deep / 2, deep / 2), (low, low + high), bevel=0.001)
+                ag.board(
+                    (x - sheet / 2, x + sheet / 2), (-deep / 2, deep / 2), (low, low + high), bevel=0.001
+                )
                 for x in (-half, half)
             ),
-            board((-half, half), (-sheet / 2, sheet / 2), (low, low + high + 0.004), bevel=0.001),
+            ag.board((-half, half), (-sheet / 2, sheet / 2), (low, low + high + 0.004), bevel=0.001),
         ]
-        bodies = [part(each, "cutlery_basket", self.plastic) for each in walls]
-        hole = grid(
+        bodies = [ag.part(each, "cutlery_basket", self.plastic) for each in walls]
+        hole = ag.grid(
             (0.0, 0.0, low + high / 2.0),
             (wide * 0.125, 0.0, 0.0),
             (0.0, 0.0, 0.024),
@@ -174,15 +151,15 @@ class Racks:
             rows=4,
         )
         for y in (-deep / 2 - sheet / 2, deep / 2 + sheet / 2):
-            mark = box(wide * 0.085, 0.0004, 0.014).at(0.0, y, 0.0)
+            mark = ag.box(wide * 0.085, 0.0004, 0.014).at(0.0, y, 0.0)
             shade = self.plastic.with_(
                 name=f"{self.plastic.name}_hole",
                 base_color=tuple(0.25 * channel for channel in self.plastic.base_color),
             )
-            bodies.append(detail(array(mark, at=hole), "cutlery_basket", shade))
-        return weld(*bodies)
+            bodies.append(ag.detail(ag.array(mark, at=hole), "cutlery_basket", shade))
+        return ag.weld(*bodies)
 
-    def upper_rack(self, name: str) -> Body:
+    def upper_rack(self, name: str) -> ag.Body:
         """Make the upper rack: lower sides, finer tines, cup shelves, and the bearing of a spray arm."""
         basket = self._basket(_UPPER_RIM, _UPPER_RIM + 0.02, 12)
         depth = self.space.rack_depth
@@ -201,34 +178,36 @@ class Racks:
         )
         if self.shelves:
             bodies += self._cup_shelves(0.4 * self._width)
-        hanger = cylinder(0.020, _HANGS - 0.0008, axis=Z, bevel=0.002).at(0.0, 0.0, -_HANGS / 2.0 + 0.0012)
-        pipe = board((-0.012, 0.012), (0.0, 0.49 * depth), (-0.0085, 0.0006), bevel=0.003)
-        bodies += [part(hanger, "rack", self.plastic), part(pipe, "rack", self.plastic)]
-        return weld(*bodies).at(0.0, self.space.rack_middle, self.upper)
+        hanger = ag.cylinder(0.020, _HANGS - 0.0008, axis=ag.Z, bevel=0.002).at(
+            0.0, 0.0, -_HANGS / 2.0 + 0.0012
+        )
+        pipe = ag.board((-0.012, 0.012), (0.0, 0.49 * depth), (-0.0085, 0.0006), bevel=0.003)
+        bodies += [ag.part(hanger, "rack", self.plastic), ag.part(pipe, "rack", self.plastic)]
+        return ag.weld(*bodies).at(0.0, self.space.rack_middle, self.upper)
 
-    def _cup_shelves(self, x: Scalar) -> list[Body]:
+    def _cup_shelves(self, x: ag.Scalar) -> list[ag.Body]:
         """Make hinged shelves for cups at both sides, folded down."""
-        along = line((0.0, -0.148, 0.0), (0.0, 0.148, 0.0))
-        places = row((-0.044, 0.0, 0.0), (0.022, 0.0, 0.0), 5)
-        across = line((-0.0455, 0.0, 0.0), (0.0455, 0.0, 0.0))
+        along = ag.line((0.0, -0.148, 0.0), (0.0, 0.148, 0.0))
+        places = ag.row((-0.044, 0.0, 0.0), (0.022, 0.0, 0.0), 5)
+        across = ag.line((-0.0455, 0.0, 0.0), (0.0455, 0.0, 0.0))
         shelf = details.bent_wires(along, 0.0016, at=places)
         ends = details.bent_wires(across, 0.0021, at=((0.0, -0.147, 0.0), (0.0, 0.0, 0.0), (0.0, 0.147, 0.0)))
-        wire = cylinder(0.0013, 0.26, axis=Y)
+        wire = ag.cylinder(0.0013, 0.26, axis=ag.Y)
         bodies = []
         for side in (-1, 1):
-            at = vector(side * (x - 0.002), 0.02, _UPPER_RIM + 0.018)
+            at = ag.vector(side * (x - 0.002), 0.02, _UPPER_RIM + 0.018)
             seen, crossing, solid = (
-                each.rotate(Y, side * 0.10).at(at)
-                for each in (shelf, ends, array(wire, at=[(way * 0.044, 0.0, 0.0) for way in (-1, 0, 1)]))
+                each.rotate(ag.Y, side * 0.10).at(at)
+                for each in (shelf, ends, ag.array(wire, at=[(way * 0.044, 0.0, 0.0) for way in (-1, 0, 1)]))
             )
-            bodies += [detail(each, "cup_shelf", self.wire) for each in (seen, crossing)]
-            bodies.append(part(solid, "cup_shelf", self.wire))
-            post = cylinder(0.0018, 0.022, axis=Z)
+            bodies += [ag.detail(each, "cup_shelf", self.wire) for each in (seen, crossing)]
+            bodies.append(ag.part(solid, "cup_shelf", self.wire))
+            post = ag.cylinder(0.0018, 0.022, axis=ag.Z)
             feet = [(side * (0.5 * self._width - 0.0036), y, _UPPER_RIM + 0.008) for y in (-0.11, 0.15)]
-            bodies.append(detail(array(post, at=feet), "cup_shelf", self.wire))
+            bodies.append(ag.detail(ag.array(post, at=feet), "cup_shelf", self.wire))
         return bodies
 
-    def tray(self, name: str) -> Body:
+    def tray(self, name: str) -> ag.Body:
         """Make the cutlery tray under the ceiling: a shallow wire tray with ribs of plastic."""
         basket = self._basket(_TRAY, _TRAY, 9, band=0.55)
         depth = self.space.rack_depth
@@ -245,11 +224,13 @@ class Racks:
         ]
         for index in range(5):
             x = (index - 2) * 0.2 * self._width
-            comb = board((x - 0.002, x + 0.002), (-0.44 * depth, 0.44 * depth), (0.0072, 0.026), bevel=0.001)
-            bodies.append(part(comb, "rack", self.plastic))
-        return weld(*bodies).at(0.0, self.space.rack_middle, self.tray_floor)
+            comb = ag.board(
+                (x - 0.002, x + 0.002), (-0.44 * depth, 0.44 * depth), (0.0072, 0.026), bevel=0.001
+            )
+            bodies.append(ag.part(comb, "rack", self.plastic))
+        return ag.weld(*bodies).at(0.0, self.space.rack_middle, self.tray_floor)
 
-    def slide(self, name: str, needs: Condition | Dependency) -> Joint:
+    def slide(self, name: str, needs: ag.Condition | ag.Dependency) -> ag.Joint:
         """Make the joint by which a rack rolls out.
 
         Its effort is what a hand gives without pushing the closed door open.
@@ -257,15 +238,15 @@ class Racks:
         return rack_slide(name, travel=self.space.slide, friction=self.friction, damping=8.0, needs=needs)
 
     @cached_property
-    def low_ends(self) -> tuple[Scalar, Scalar, Scalar]:
+    def low_ends(self) -> tuple[ag.Scalar, ag.Scalar, ag.Scalar]:
         """The lowest heights of the three racks, of what they bear too [m]."""
         return (self.space.treads, self.upper - _HANGS - _BLADE - 0.0060, self.tray_floor)
 
-    def _arm(self, name: str, reach: Scalar) -> Body:
+    def _arm(self, name: str, reach: ag.Scalar) -> ag.Body:
         """Make a spray arm about the origin, its upper side on z = 0."""
-        grey = colored("polypropylene", "grey").with_(name="spray_arm_grey")
-        half: Scalar = 1.0 * reach
-        outline = polygon(
+        grey = ag.colored("polypropylene", "grey").with_(name="spray_arm_grey")
+        half: ag.Scalar = 1.0 * reach
+        outline = ag.polygon(
             [
                 (-half, -0.013),
                 (-0.3 * half, -0.019),
@@ -277,44 +258,44 @@ class Racks:
                 (-half, 0.013),
             ],
         )
-        blade = extrude(outline, _BLADE, axis=Z, bevel=0.0016).at(0.0, 0.0, -_BLADE / 2.0)
-        hub = cylinder(0.024, _BLADE + 0.004, axis=Z, bevel=0.002).at(0.0, 0.0, -_BLADE / 2.0 - 0.002)
+        blade = ag.extrude(outline, _BLADE, axis=ag.Z, bevel=0.0016).at(0.0, 0.0, -_BLADE / 2.0)
+        hub = ag.cylinder(0.024, _BLADE + 0.004, axis=ag.Z, bevel=0.002).at(0.0, 0.0, -_BLADE / 2.0 - 0.002)
         at = [
             (share * half, way * 0.006, 0.0001)
             for share, way in ((-0.9, 1), (-0.7, -1), (-0.5, 1), (0.42, -1), (0.62, 1), (0.84, -1))
         ]
-        holes = array(cylinder(0.0034, 0.0008, axis=Z), at=at)
-        dark = material("black_abs")
-        return weld(
-            part(blade, "spray_arm", grey, name=name),
-            part(hub, "spray_arm", grey),
-            detail(holes, "spray_arm", dark),
+        holes = ag.array(ag.cylinder(0.0034, 0.0008, axis=ag.Z), at=at)
+        dark = ag.material("black_abs")
+        return ag.weld(
+            ag.part(blade, "spray_arm", grey, name=name),
+            ag.part(hub, "spray_arm", grey),
+            ag.detail(holes, "spray_arm", dark),
         )
 
-    def lower_arm(self, name: str) -> Body:
+    def lower_arm(self, name: str) -> ag.Body:
         """Make the spray arm under the lower rack, as it lies at rest, a little askew."""
         z = self.floor - 0.009
-        arm = self._arm(name, self.space.reach_of_arms).rotate(Z, 0.35)
+        arm = self._arm(name, self.space.reach_of_arms).rotate(ag.Z, 0.35)
         return arm.at(0.0, self.space.rack_middle, z)
 
-    def post(self) -> Body:
+    def post(self) -> ag.Body:
         """Make the post on which the lower spray arm turns, to be welded to the tub."""
         top = self.floor - 0.009 - _BLADE - 0.0045
         low = self.space.floor - 0.001
         y = self.space.rack_middle
-        post = cylinder_between((0.0, y, low), (0.0, y, top), 0.019, bevel=0.002)
-        return part(post, "tub", colored("polypropylene", "grey"))
+        post = ag.cylinder_between((0.0, y, low), (0.0, y, top), 0.019, bevel=0.002)
+        return ag.part(post, "tub", ag.colored("polypropylene", "grey"))
 
-    def upper_arm(self, name: str) -> Body:
+    def upper_arm(self, name: str) -> ag.Body:
         """Make the spray arm under the upper rack."""
-        arm = self._arm(name, 0.92 * self.space.reach_of_arms).rotate(Z, -0.5)
+        arm = self._arm(name, 0.92 * self.space.reach_of_arms).rotate(ag.Z, -0.5)
         return arm.at(0.0, self.space.rack_middle, self.upper - _HANGS - 0.0005)
 
-    def spin(self, name: str) -> Joint:
+    def spin(self, name: str) -> ag.Joint:
         """Make the joint of a spray arm, which the water turns."""
-        return Revolute(
+        return ag.Revolute(
             name,
-            axis=Z,
+            axis=ag.Z,
             pivot=(0.0, self.space.rack_middle, 0.0),
             friction=0.004,
             damping=0.002,

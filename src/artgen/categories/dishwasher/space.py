@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from typing import Literal
 
-from artgen import Float, Scalar, atan2, cos, min_, sin, sqrt
+import artgen as ag
 from artgen._arrays import cached_property
 from artgen.categories.shared.appliances.finish import ApplianceSpace
 
@@ -39,94 +39,94 @@ _FLOOR = 0.047  # from the treads of the lower rack down to the floor of the tub
 class Space(ApplianceSpace):
     """The measures of a dishwasher."""
 
-    plinth: Float  # height of the hinge above the floor [m]
-    wall: Scalar  # thickness of a side wall, panel and tub together [m]
-    roof: Scalar  # from the ceiling of the tub to the very top [m]
-    swing: Float  # how far the door opens [rad]
-    clearance: Float  # of the lower rack over the open door [m]
-    travel: Float  # how far racks roll out, as a share of their depth
+    plinth: ag.Float  # height of the hinge above the floor [m]
+    wall: ag.Scalar  # thickness of a side wall, panel and tub together [m]
+    roof: ag.Scalar  # from the ceiling of the tub to the very top [m]
+    swing: ag.Float  # how far the door opens [rad]
+    clearance: ag.Float  # of the lower rack over the open door [m]
+    travel: ag.Float  # how far racks roll out, as a share of their depth
 
     @cached_property
-    def mouth(self) -> Scalar:
+    def mouth(self) -> ag.Scalar:
         """The front of the tub, along y [m]."""
         return self.inner + SEAL
 
     @cached_property
-    def back(self) -> Scalar:
+    def back(self) -> ag.Scalar:
         """The inside of the tub's back wall, along y [m]."""
         return self.depth / 2.0 - 0.045
 
     @cached_property
-    def inside(self) -> Float:
+    def inside(self) -> ag.Float:
         """Half the width of the tub's inside [m]."""
         return self.width / 2.0 - self.wall
 
     @cached_property
-    def ceiling(self) -> Float:
+    def ceiling(self) -> ag.Float:
         """The height of the tub's ceiling [m]."""
         return self.height - self.roof
 
     @cached_property
-    def arm(self) -> Float:
+    def arm(self) -> ag.Float:
         """From the hinge's axis back to the rim of the liner [m]."""
         return 0.6 * self.thickness
 
     @cached_property
-    def hinge(self) -> tuple[Scalar, Scalar, Scalar]:
+    def hinge(self) -> tuple[ag.Scalar, ag.Scalar, ag.Scalar]:
         """A point on the axis of the door [m]."""
         return (0.0, self.inner - self.arm, self.plinth)
 
     @cached_property
-    def door_bottom(self) -> Float:
+    def door_bottom(self) -> ag.Float:
         """The lower edge of the door: so little below the hinge that it turns past the tub [m]."""
         return self.plinth - 0.010
 
     @cached_property
-    def rack_depth(self) -> Scalar:
+    def rack_depth(self) -> ag.Scalar:
         """Of the racks, without their grips [m]."""
         return self.back - 0.016 - self.rack_front
 
     @cached_property
-    def rack_front(self) -> Scalar:
+    def rack_front(self) -> ag.Scalar:
         """The front of the racks, along y [m]."""
         return self.inner + REACH
 
     @cached_property
-    def rack_middle(self) -> Scalar:
+    def rack_middle(self) -> ag.Scalar:
         """The middle of the racks, along y [m]."""
         return self.rack_front + self.rack_depth / 2.0
 
     @cached_property
-    def slide(self) -> Scalar:
+    def slide(self) -> ag.Scalar:
         """How far racks roll out [m]."""
         return self.travel * self.rack_depth
 
     @cached_property
-    def over(self) -> Scalar:
+    def over(self) -> ag.Scalar:
         """How far the lower rack reaches out before the hinge [m]."""
         return self.slide - self.arm - REACH
 
     @cached_property
-    def treads(self) -> Scalar:
+    def treads(self) -> ag.Scalar:
         """The height on which the lower rack rolls.
 
         Over the open door, which rises a little to its end where it opens by less than a right angle, the
         rack keeps its clearance where it reaches farthest [m].
         """
-        rise = (self.arm + self.clearance + self.over * cos(self.swing)) / sin(self.swing)
+        rise = (self.arm + self.clearance + self.over * ag.cos(self.swing)) / ag.sin(self.swing)
         return self.plinth + rise
 
     @cached_property
-    def floor(self) -> Scalar:
+    def floor(self) -> ag.Scalar:
         """The height of the tub's floor [m]."""
         return self.treads - _FLOOR
 
     @cached_property
-    def reach_of_arms(self) -> Float:
+    def reach_of_arms(self) -> ag.Float:
         """Half the length of the spray arms [m]."""
-        return min_(self.inside - 0.040, (self.back - self.mouth) / 2.0 - 0.030)
+        return ag.min_(self.inside - 0.040, (self.back - self.mouth) / 2.0 - 0.030)
 
-    def angle_over(self, low: Scalar, ahead: Scalar = 0.0) -> Scalar:
+    def angle_over(self, low: ag.Scalar, ahead: ag.Scalar = 0.0) -> ag.Scalar:
         """Return the angle at which the open door clears the way of a rack [rad].
 
         The farthest point that the rack comes to lies before the hinge and above it, in the direction
@@ -134,6 +134,6 @@ class Space(ApplianceSpace):
         under which its distance from the hinge's axis is seen.
         """
         across, up = self.over + ahead, low - self.plinth
-        far = sqrt(across * across + up * up)
+        far = ag.sqrt(across * across + up * up)
         share = (self.arm + _LEAST) / far
-        return atan2(across, up) + atan2(share, sqrt(1.0 - share * share))
+        return ag.atan2(across, up) + ag.atan2(share, ag.sqrt(1.0 - share * share))

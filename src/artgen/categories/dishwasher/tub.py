@@ -2,31 +2,8 @@
 
 from dataclasses import dataclass
 
-from artgen import (
-    Body,
-    Material,
-    Scalar,
-    Solid,
-    VectorLike,
-    Y,
-    Z,
-    array,
-    board,
-    box,
-    circle,
-    colored,
-    cylinder,
-    detail,
-    details,
-    extrude,
-    material,
-    part,
-    polyline,
-    rectangle,
-    regular_polygon,
-    sweep,
-    weld,
-)
+import artgen as ag
+from artgen import details
 from artgen._arrays import cached_property
 from artgen.categories.dishwasher.space import Build, Space
 from artgen.categories.shared.appliances.cords import cord_stub
@@ -37,36 +14,38 @@ _RIBS = 3
 
 
 def drain_hose(
-    path: list[VectorLike],
+    path: list[ag.VectorLike],
     *,
-    radius: Scalar = 0.0105,
-    finish: Material | None = None,
+    radius: ag.Scalar = 0.0105,
+    finish: ag.Material | None = None,
     label: str = "hose",
-) -> Body:
+) -> ag.Body:
     """Make a corrugated hose from the origin through points."""
-    grey = finish or colored("polypropylene", "grey")
-    hose = sweep(circle(radius), polyline([(0.0, -0.004, 0.0), *path], fillet=1.8 * radius))
-    rib = cylinder(radius + 0.0012, 0.0035, axis=Y, bevel=0.001)
-    ribs = array(rib, at=[(0.0, 0.004 + _PITCH * index, 0.0) for index in range(_RIBS)])
-    collar = cylinder(1.45 * radius, 0.004, axis=Y, bevel=0.001).at(0.0, 0.001, 0.0)
-    return weld(*(detail(each, label, grey) for each in (hose, collar, ribs)))
+    grey = finish or ag.colored("polypropylene", "grey")
+    hose = ag.sweep(ag.circle(radius), ag.polyline([(0.0, -0.004, 0.0), *path], fillet=1.8 * radius))
+    rib = ag.cylinder(radius + 0.0012, 0.0035, axis=ag.Y, bevel=0.001)
+    ribs = ag.array(rib, at=[(0.0, 0.004 + _PITCH * index, 0.0) for index in range(_RIBS)])
+    collar = ag.cylinder(1.45 * radius, 0.004, axis=ag.Y, bevel=0.001).at(0.0, 0.001, 0.0)
+    return ag.weld(*(ag.detail(each, label, grey) for each in (hose, collar, ribs)))
 
 
 def inlet_hose(
-    path: list[VectorLike],
+    path: list[ag.VectorLike],
     *,
-    radius: Scalar = 0.007,
-    finish: Material | None = None,
+    radius: ag.Scalar = 0.007,
+    finish: ag.Material | None = None,
     label: str = "hose",
-) -> Body:
+) -> ag.Body:
     """Make a smooth pressure hose with the hexagon nut of its valve, from the origin through points."""
-    grey = finish or colored("abs", "light_grey")
-    hose = sweep(circle(radius), polyline([(0.0, 0.006, 0.0), *path], fillet=2.0 * radius))
-    nut: Solid = extrude(regular_polygon(6, 2.0 * radius), 0.014, axis=Y, bevel=0.001).at(0.0, 0.007, 0.0)
-    blue = colored("abs", "sky")
-    return weld(
-        detail(hose, label, grey),
-        detail(nut, label, blue),
+    grey = finish or ag.colored("abs", "light_grey")
+    hose = ag.sweep(ag.circle(radius), ag.polyline([(0.0, 0.006, 0.0), *path], fillet=2.0 * radius))
+    nut: ag.Solid = ag.extrude(ag.regular_polygon(6, 2.0 * radius), 0.014, axis=ag.Y, bevel=0.001).at(
+        0.0, 0.007, 0.0
+    )
+    blue = ag.colored("abs", "sky")
+    return ag.weld(
+        ag.detail(hose, label, grey),
+        ag.detail(nut, label, blue),
     )
 
 
@@ -84,17 +63,17 @@ class Cabinet:
     space: Space  # its measures
     build: Build  # for a kitchen front or on its own
     worktop: bool  # whether it has a worktop
-    sides: Material  # finish of its sides and top
-    tub: Material  # finish of the tub's inside
-    kick: Material  # finish of the kick plate
-    worktop_finish: Material  # finish of the worktop
+    sides: ag.Material  # finish of its sides and top
+    tub: ag.Material  # finish of the tub's inside
+    kick: ag.Material  # finish of the kick plate
+    worktop_finish: ag.Material  # finish of the worktop
     base_density: float  # of the base with pump, motor and ballast [kg/m3]
-    levels: tuple[Scalar, ...]  # heights of the axles of the upper racks, whose rails are on the walls [m]
+    levels: tuple[ag.Scalar, ...]  # heights of the axles of the upper racks, whose rails are on the walls [m]
     maker: str  # whose name is on the rating plate
 
-    def body(self) -> Body:
+    def body(self) -> ag.Body:
         """Make all that stands still: the link `body`."""
-        return weld(
+        return ag.weld(
             *self._base(),
             *self._walls(),
             *self._sides(),
@@ -105,47 +84,47 @@ class Cabinet:
         )
 
     @cached_property
-    def _half(self) -> Scalar:
+    def _half(self) -> ag.Scalar:
         return self.space.width / 2.0
 
     @cached_property
-    def _rear(self) -> Scalar:
+    def _rear(self) -> ag.Scalar:
         return self.space.depth / 2.0
 
-    def _base(self) -> list[Body]:
+    def _base(self) -> list[ag.Body]:
         space = self.space
         half, low = self._half, _FEET
         front = space.mouth + 0.034
         under = space.floor - 0.014
-        pan = board(
+        pan = ag.board(
             (0.004 - half, half - 0.004), (front, self._rear - _BACK - 0.002), (low, under), bevel=0.004
         )
-        ballast = filled(material("black_abs"), self.base_density, "base")
+        ballast = filled(ag.material("black_abs"), self.base_density, "base")
         top = space.door_bottom - 0.004
-        kick = board(
+        kick = ag.board(
             (0.001 - half, half - 0.001), (front - 0.0125, front + 0.001), (0.012, top + 0.02), bevel=0.002
         )
         y = (front + 0.045, self._rear - _BACK - 0.05)
         corners = [(side * (half - 0.045), each, 0.0) for side in (-1, 1) for each in y]
-        disc = cylinder(0.019, 0.008, axis=Z, bevel=0.0015).at(0.0, 0.0, 0.004)
-        stem = cylinder(0.007, low, axis=Z).at(0.0, 0.0, low / 2.0 + 0.002)
-        black = material("black_abs")
-        feet = weld(
-            part(array(disc, at=corners), "foot", black, separate="each foot is screwed into the base"),
-            part(array(stem, at=corners), "foot", material("zinc")),
+        disc = ag.cylinder(0.019, 0.008, axis=ag.Z, bevel=0.0015).at(0.0, 0.0, 0.004)
+        stem = ag.cylinder(0.007, low, axis=ag.Z).at(0.0, 0.0, low / 2.0 + 0.002)
+        black = ag.material("black_abs")
+        feet = ag.weld(
+            ag.part(ag.array(disc, at=corners), "foot", black, separate="each foot is screwed into the base"),
+            ag.part(ag.array(stem, at=corners), "foot", ag.material("zinc")),
         )
         slots = details.vent_slots(0.24, 0.012, 14, slot=0.0036)
         vent = details.relief(
             slots, (0.0, front - 0.0125, 0.045), proud=0.0003, sunk=0.0003
         )  # the base breathes through it
         return [
-            part(pan, "body", ballast),
-            part(kick, "kick_plate", filled(self.kick, 900.0)),
-            detail(vent, "kick_plate", DARK),
+            ag.part(pan, "body", ballast),
+            ag.part(kick, "kick_plate", filled(self.kick, 900.0)),
+            ag.detail(vent, "kick_plate", DARK),
             feet,
         ]
 
-    def _walls(self) -> list[Body]:
+    def _walls(self) -> list[ag.Body]:
         """Make floor, ceiling, sides and back of the tub, whose fronts are the frame of its mouth."""
         space = self.space
         wide, outer = space.inside, self._half - _SHEET
@@ -153,11 +132,11 @@ class Cabinet:
         front, back = space.mouth, space.back
         stuff = filled(self.tub, 190.0, "tub")
         boards = [
-            board((-outer, outer), (front, self._rear - _BACK), (low - 0.016, low)),
-            board((-outer, outer), (front, self._rear - 0.002), (high, high + 0.016)),
-            board((-outer, outer), (back, back + 0.012), (low - 0.001, high + 0.001)),
+            ag.board((-outer, outer), (front, self._rear - _BACK), (low - 0.016, low)),
+            ag.board((-outer, outer), (front, self._rear - 0.002), (high, high + 0.016)),
+            ag.board((-outer, outer), (back, back + 0.012), (low - 0.001, high + 0.001)),
             *(
-                board(
+                ag.board(
                     (side * wide, side * outer) if side > 0 else (-outer, -wide),
                     (front, back + 0.001),
                     (low - 0.001, high + 0.001),
@@ -172,12 +151,15 @@ class Cabinet:
             radius=0.016,
             section="half_round",
         ).at(0.0, front + 0.0002, (low + high) / 2.0 + 0.003)
-        return [*(part(each, "tub", stuff) for each in boards), detail(gasket, "seal", material("rubber"))]
+        return [
+            *(ag.part(each, "tub", stuff) for each in boards),
+            ag.detail(gasket, "seal", ag.material("rubber")),
+        ]
 
-    def _sides(self) -> list[Body]:
+    def _sides(self) -> list[ag.Body]:
         """Make the outer panels: painted ones, or galvanised frames around the insulated tub."""
         space, half = self.space, self._half
-        bodies: list[Body] = []
+        bodies: list[ag.Body] = []
         front, rear = space.mouth + 0.0006, self._rear
         top = space.height - (0.032 if self.worktop else 0.002)
         bottom = 0.026
@@ -186,105 +168,109 @@ class Cabinet:
         for side in (-1, 1):
             x = (side * (half - _SHEET), side * half) if side > 0 else (-half, _SHEET - half)
             low = space.floor - 0.014
-            bodies.append(part(board(x, (front, rear), (low, top), bevel=0.0012), "body", sheet))
+            bodies.append(ag.part(ag.board(x, (front, rear), (low, top), bevel=0.0012), "body", sheet))
             deep = (space.mouth + 0.030, rear - 0.002)
-            bodies.append(part(board(x, deep, (bottom, low + 0.001)), "body", sheet))
+            bodies.append(ag.part(ag.board(x, deep, (bottom, low + 0.001)), "body", sheet))
             if self.build == "built_in":
                 bodies += self._felt(side, top)
         return bodies
 
-    def _felt(self, side: int, top: Scalar) -> list[Body]:
+    def _felt(self, side: int, top: ag.Scalar) -> list[ag.Body]:
         """Make the insulation that shows between the posts of a built-in machine."""
         space = self.space
         low = space.floor + 0.02
         tall, long = top - low - 0.03, self._rear - space.mouth - 0.11
-        sheet = rectangle(long, tall, radius=0.012)
+        sheet = ag.rectangle(long, tall, radius=0.012)
         at = (side * self._half, space.mouth + 0.045 + long / 2.0, low + tall / 2.0)
-        felt = colored("fabric", "graphite").with_(name="bitumen_felt")
+        felt = ag.colored("fabric", "graphite").with_(name="bitumen_felt")
         pad = details.relief(sheet, at, facing=(side, 0.0, 0.0), proud=0.0006, sunk=0.0006)
-        return [detail(pad, "insulation", felt)]
+        return [ag.detail(pad, "insulation", felt)]
 
-    def _top(self) -> list[Body]:
+    def _top(self) -> list[ag.Body]:
         space, half = self.space, self._half
         low = space.ceiling + 0.016
         if self.worktop:
-            plate = board(
+            plate = ag.board(
                 (-half, half),
                 (space.front + 0.004, self._rear),
                 (space.height - 0.030, space.height),
                 bevel=0.005,
             )
             return [
-                part(
-                    board(
+                ag.part(
+                    ag.board(
                         (0.002 - half, half - 0.002), (space.mouth, self._rear), (low, space.height - 0.029)
                     ),
                     "body",
                     filled(self.sides, 300.0, "deck"),
                 ),
-                part(plate, "worktop", filled(self.worktop_finish, 620.0, "top")),
+                ag.part(plate, "worktop", filled(self.worktop_finish, 620.0, "top")),
             ]
-        deck = board((_SHEET - half, half - _SHEET), (space.mouth, self._rear), (low - 0.001, space.height))
-        return [part(deck, "body", filled(self.sides, 300.0, "deck"))]
+        deck = ag.board(
+            (_SHEET - half, half - _SHEET), (space.mouth, self._rear), (low - 0.001, space.height)
+        )
+        return [ag.part(deck, "body", filled(self.sides, 300.0, "deck"))]
 
-    def _rails(self) -> list[Body]:
+    def _rails(self) -> list[ag.Body]:
         """Make the ledges on which the lower rack rolls, and the channels of the upper ones."""
         space = self.space
-        bodies: list[Body] = []
+        bodies: list[ag.Body] = []
         front, back = space.mouth + 0.004, space.back - 0.006
-        grey = colored("polypropylene", "light_grey").with_(name="rail_plastic")
-        steel = material("stainless")
+        grey = ag.colored("polypropylene", "light_grey").with_(name="rail_plastic")
+        steel = ag.material("stainless")
         for side in (-1, 1):
             x = (space.inside - 0.017, space.inside + 0.001)
             if side < 0:
                 x = (-space.inside - 0.001, 0.017 - space.inside)
             top = space.treads - _RAIL
-            bodies.append(part(board(x, (front, back), (top - 0.008, top), bevel=0.002), "rail", grey))
+            bodies.append(ag.part(ag.board(x, (front, back), (top - 0.008, top), bevel=0.002), "rail", grey))
             for level in self.levels:
                 apart = 0.0095 + _RAIL
                 for way in (-1, 1):
                     z = level + way * (apart + 0.002)
-                    strip = board(x, (front, back), (z - 0.002, z + 0.002), bevel=0.0008)
-                    bodies.append(part(strip, "rail", steel))
+                    strip = ag.board(x, (front, back), (z - 0.002, z + 0.002), bevel=0.0008)
+                    bodies.append(ag.part(strip, "rail", steel))
         return bodies
 
-    def _inside(self) -> list[Body]:
+    def _inside(self) -> list[ag.Body]:
         """Make sump, filter, feed pipe and embossed walls, which are only seen."""
         space = self.space
         middle, low = space.rack_middle, space.floor
-        steel = material("stainless")
-        sump = cylinder(0.085, 0.003, axis=Z, bevel=0.001).at(0.0, middle - 0.075, low + 0.0006)
-        mesh = cylinder(0.078, 0.0012, axis=Z).at(0.0, middle - 0.075, low + 0.0022)
-        cup = cylinder(0.034, 0.014, axis=Z, bevel=0.003).at(0.0, middle - 0.105, low + 0.006)
-        bar = box(0.012, 0.056, 0.006, bevel=0.002).at(0.0, middle - 0.105, low + 0.0145)
-        grey = colored("polypropylene", "grey")
+        steel = ag.material("stainless")
+        sump = ag.cylinder(0.085, 0.003, axis=ag.Z, bevel=0.001).at(0.0, middle - 0.075, low + 0.0006)
+        mesh = ag.cylinder(0.078, 0.0012, axis=ag.Z).at(0.0, middle - 0.075, low + 0.0022)
+        cup = ag.cylinder(0.034, 0.014, axis=ag.Z, bevel=0.003).at(0.0, middle - 0.105, low + 0.006)
+        bar = ag.box(0.012, 0.056, 0.006, bevel=0.002).at(0.0, middle - 0.105, low + 0.0145)
+        grey = ag.colored("polypropylene", "grey")
         bodies = [
-            detail(sump, "filter", steel),
-            detail(mesh, "filter", material("perforated_steel")),
-            detail(cup, "filter", grey),
-            detail(bar, "filter", colored("polypropylene", "blue")),
+            ag.detail(sump, "filter", steel),
+            ag.detail(mesh, "filter", ag.material("perforated_steel")),
+            ag.detail(cup, "filter", grey),
+            ag.detail(bar, "filter", ag.colored("polypropylene", "blue")),
         ]
-        pipe = board((-0.016, 0.016), (space.back - 0.009, space.back + 0.001), (low, space.ceiling - 0.06))
-        bodies.append(detail(pipe, "tub", grey))
-        rib = box(0.006, 0.004, 0.55 * (space.ceiling - low), bevel=0.0019)  # they stiffen the sheet
-        at: list[VectorLike] = [
+        pipe = ag.board(
+            (-0.016, 0.016), (space.back - 0.009, space.back + 0.001), (low, space.ceiling - 0.06)
+        )
+        bodies.append(ag.detail(pipe, "tub", grey))
+        rib = ag.box(0.006, 0.004, 0.55 * (space.ceiling - low), bevel=0.0019)  # they stiffen the sheet
+        at: list[ag.VectorLike] = [
             (share * space.inside, space.back, (low + space.ceiling) / 2.0)
             for share in (-0.68, -0.42, 0.42, 0.68)
         ]
-        bodies.append(detail(array(rib, at=at), "tub", self.tub))
-        nozzle = cylinder(0.028, 0.008, axis=Z, bevel=0.002).at(0.0, middle, space.ceiling - 0.003)
-        return [*bodies, detail(nozzle, "tub", grey)]
+        bodies.append(ag.detail(ag.array(rib, at=at), "tub", self.tub))
+        nozzle = ag.cylinder(0.028, 0.008, axis=ag.Z, bevel=0.002).at(0.0, middle, space.ceiling - 0.003)
+        return [*bodies, ag.detail(nozzle, "tub", grey)]
 
-    def _back(self) -> list[Body]:
+    def _back(self) -> list[ag.Body]:
         """Make the back panel above the recess, and in the recess what is joined to water and mains."""
         space, half, rear = self.space, self._half, self._rear
-        zinc = filled(material("zinc"), 700.0, "sheet")
-        panel = board(
+        zinc = filled(ag.material("zinc"), 700.0, "sheet")
+        panel = ag.board(
             (_SHEET - half, half - _SHEET),
             (space.back + 0.011, rear - 0.003),
             (_SERVICES, space.ceiling + 0.002),
         )
-        wall = board(
+        wall = ag.board(
             (_SHEET - half, half - _SHEET),
             (rear - _BACK - 0.004, rear - _BACK),
             (_FEET + 0.004, _SERVICES + 0.001),
@@ -301,8 +287,8 @@ class Cabinet:
             double_insulated=False,
         )
         return [
-            part(panel, "body", zinc),
-            part(wall, "body", zinc),
+            ag.part(panel, "body", zinc),
+            ag.part(wall, "body", zinc),
             drain_hose([(0.0, 0.016, 0.0), (0.05, 0.016, -0.01), (0.06, 0.016, 0.14)], radius=0.009).at(
                 -side, plane, low
             ),
@@ -314,6 +300,6 @@ class Cabinet:
         ]
 
 
-def kick_finish(front: Material, build: Build) -> Material:
+def kick_finish(front: ag.Material, build: Build) -> ag.Material:
     """Return what the kick plate is made of: as the front, or black where the kitchen's plinth hides it."""
-    return material("powder_coat_black") if build == "built_in" else front
+    return ag.material("powder_coat_black") if build == "built_in" else front

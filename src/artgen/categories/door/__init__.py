@@ -22,22 +22,8 @@ from functools import partial, reduce
 from operator import and_
 from typing import Literal
 
-from artgen import (
-    Body,
-    Float,
-    Generator,
-    Material,
-    by,
-    category,
-    choice,
-    details,
-    min_,
-    one_of,
-    require,
-    shades,
-    uniform,
-    vector,
-)
+import artgen as ag
+from artgen import details
 from artgen.categories.door.doorset import DoorSet, Hand, Opens, handed
 from artgen.categories.door.frame import Doorway, FrameKind, Trim, door_frame
 from artgen.categories.door.hanging import Hanging
@@ -106,148 +92,161 @@ _INTERIOR = (*(5.0 / len(_VENEERS),) * len(_VENEERS), *(0.55 * each for each in 
 _EXTERIOR = (*(4.5 / len(_WOODS),) * len(_WOODS), *(0.55 * each for each in OUTDOORS))
 
 
-@category(
+@ag.category(
     labels=("frame", "seal", "threshold", "door", "glass", "plate", "flush_bolt", *HARDWARE_LABELS),
     joints=(1, 7),
 )
 def door(
     *,
-    use: Literal["interior", "exterior"] = choice(
+    use: Literal["interior", "exterior"] = ag.choice(
         "interior",
         "exterior",
         weights=(0.62, 0.38),
         doc="rooms have hollow or light leaves, entrances solid ones",
     ),
-    layout: Literal["single", "double"] = choice("single", "double", weights=(0.82, 0.18)),
-    hand: Hand = choice("left", "right", doc="side of the hinges of the (active) leaf"),
-    opens: Opens = choice("towards", "away", doc="seen by the viewer, who pulls or pushes"),
-    stock: Literal["standard", "made_to_measure"] = choice("standard", "made_to_measure"),
-    width: Float = by(
+    layout: Literal["single", "double"] = ag.choice("single", "double", weights=(0.82, 0.18)),
+    hand: Hand = ag.choice("left", "right", doc="side of the hinges of the (active) leaf"),
+    opens: Opens = ag.choice("towards", "away", doc="seen by the viewer, who pulls or pushes"),
+    stock: Literal["standard", "made_to_measure"] = ag.choice("standard", "made_to_measure"),
+    width: ag.Float = ag.by(
         "stock",
-        standard=by(  # 24, 28, 30, 32, 36 in
+        standard=ag.by(  # 24, 28, 30, 32, 36 in
             "use",
-            interior=choice(0.610, 0.711, 0.762, 0.813),
-            exterior=choice(0.813, 0.914, weights=(0.4, 0.6)),
+            interior=ag.choice(0.610, 0.711, 0.762, 0.813),
+            exterior=ag.choice(0.813, 0.914, weights=(0.4, 0.6)),
         ),
-        made_to_measure=by("use", interior=uniform(0.64, 0.90), exterior=uniform(0.80, 0.93)),
+        made_to_measure=ag.by("use", interior=ag.uniform(0.64, 0.90), exterior=ag.uniform(0.80, 0.93)),
         unit="m",
         doc="of one leaf",
         within=(0.60, 1.25),
     ),
-    height: Float = by(
+    height: ag.Float = ag.by(
         "stock",
-        standard=choice(1.981, 2.032, 2.134, 2.438),  # 78, 80, 84, 96 in
-        made_to_measure=uniform(1.98, 2.44),
+        standard=ag.choice(1.981, 2.032, 2.134, 2.438),  # 78, 80, 84, 96 in
+        made_to_measure=ag.uniform(1.98, 2.44),
         unit="m",
         doc="of a leaf",
         within=(1.8, 2.7),
     ),
-    thickness: Float = by(  # 1 3/8 and 1 3/4 in
+    thickness: ag.Float = ag.by(  # 1 3/8 and 1 3/4 in
         "use",
-        interior=uniform(0.035, 0.040),
-        exterior=uniform(0.042, 0.046),
+        interior=ag.uniform(0.035, 0.040),
+        exterior=ag.uniform(0.042, 0.046),
         unit="m",
         within=(0.03, 0.06),
     ),
-    side_gap: Float = uniform(0.003, 0.0036, "m", within=(0.0028, 0.006)),
-    floor_gap: Float = uniform(0.010, 0.019, "m", within=(0.008, 0.03)),
-    jamb_depth: Float = uniform(0.105, 0.145, "m", within=(0.08, 0.3)),
-    frame: FrameKind = by(
+    side_gap: ag.Float = ag.uniform(0.003, 0.0036, "m", within=(0.0028, 0.006)),
+    floor_gap: ag.Float = ag.uniform(0.010, 0.019, "m", within=(0.008, 0.03)),
+    jamb_depth: ag.Float = ag.uniform(0.105, 0.145, "m", within=(0.08, 0.3)),
+    frame: FrameKind = ag.by(
         "layout",
-        single=choice("jambs", "full", "arched", weights=(0.25, 0.6, 0.15)),
-        double=choice("jambs", "full", weights=(0.3, 0.7)),
+        single=ag.choice("jambs", "full", "arched", weights=(0.25, 0.6, 0.15)),
+        double=ag.choice("jambs", "full", weights=(0.3, 0.7)),
     ),
-    casing: Float = uniform(0.055, 0.090, "m"),
-    trim: Trim = choice("ogee", "flat", "stepped", "bevelled", weights=(0.4, 0.25, 0.2, 0.15)),
-    rise: Float = uniform(0.10, 0.20, doc="of an arch, as a share of the leaf's width"),
-    leaf: Generator = by(
+    casing: ag.Float = ag.uniform(0.055, 0.090, "m"),
+    trim: Trim = ag.choice("ogee", "flat", "stepped", "bevelled", weights=(0.4, 0.25, 0.2, 0.15)),
+    rise: ag.Float = ag.uniform(0.10, 0.20, doc="of an arch, as a share of the leaf's width"),
+    leaf: ag.Generator = ag.by(
         "use",
-        interior=one_of(flush_leaf, panel_leaf, louver_leaf, plank_leaf, weights=(0.3, 0.42, 0.16, 0.12)),
-        exterior=one_of(
+        interior=ag.one_of(flush_leaf, panel_leaf, louver_leaf, plank_leaf, weights=(0.3, 0.42, 0.16, 0.12)),
+        exterior=ag.one_of(
             panel_leaf, glazed_leaf, half_lite_leaf, plank_leaf, weights=(0.32, 0.25, 0.28, 0.15)
         ),
     ),
-    finish: Material = by(
+    finish: ag.Material = ag.by(
         "use",
-        interior=shades(*_VENEERS, *_PAINTS, weights=_INTERIOR, color=0.07, roughness=0.04),
-        exterior=shades(*_WOODS, *_SOLID_PAINTS, weights=_EXTERIOR, color=0.07, roughness=0.04),
+        interior=ag.shades(*_VENEERS, *_PAINTS, weights=_INTERIOR, color=0.07, roughness=0.04),
+        exterior=ag.shades(*_WOODS, *_SOLID_PAINTS, weights=_EXTERIOR, color=0.07, roughness=0.04),
     ),
-    frame_finish: Literal["same", "white"] = choice("same", "white", weights=(0.7, 0.3)),
-    frame_paint: Material = shades(_PAINTS[0], color=0.03, roughness=0.05, doc="of a white frame"),
-    sill: Material = by(
+    frame_finish: Literal["same", "white"] = ag.choice("same", "white", weights=(0.7, 0.3)),
+    frame_paint: ag.Material = ag.shades(_PAINTS[0], color=0.03, roughness=0.05, doc="of a white frame"),
+    sill: ag.Material = ag.by(
         "use",
-        interior=shades("aluminium", *_VENEERS[:1], "brass", weights=(0.6, 0.25, 0.15)),
-        exterior=shades("aluminium", "aged_bronze", weights=(0.8, 0.2)),
+        interior=ag.shades("aluminium", *_VENEERS[:1], "brass", weights=(0.6, 0.25, 0.15)),
+        exterior=ag.shades("aluminium", "aged_bronze", weights=(0.8, 0.2)),
         doc="of the threshold",
     ),
-    metal: Material = shades(
+    metal: ag.Material = ag.shades(
         *FINISHES, weights=FINISH_WEIGHTS, color=0.03, roughness=0.03, doc="of all hardware"
     ),
-    maker: str = choice(*details.BRANDS, doc="whose name is on the lock"),
-    letter_plate: bool = by("use", interior=False, exterior=choice(False, True)),
-    number: str = by(
+    maker: str = ag.choice(*details.BRANDS, doc="whose name is on the lock"),
+    letter_plate: bool = ag.by("use", interior=False, exterior=ag.choice(False, True)),
+    number: str = ag.by(
         "use",
         interior="",
-        exterior=choice("", "3", "8", "12", "27", "46", "51", "109", weights=(5, 1, 1, 1, 1, 1, 1, 1)),
+        exterior=ag.choice("", "3", "8", "12", "27", "46", "51", "109", weights=(5, 1, 1, 1, 1, 1, 1, 1)),
         doc="of the house",
     ),
-    viewer: bool = by("use", interior=False, exterior=choice(False, True, weights=(0.4, 0.6))),
-    kick_plate: bool = by("use", interior=False, exterior=choice(False, True, weights=(0.75, 0.25))),
-    sweep: bool = by(
-        "use", interior=False, exterior=choice(False, True), doc="whether a brush seals the gap to the floor"
-    ),
-    opener: Literal["lever", "knob", "push_bar", "pull", "none"] = by(
+    viewer: bool = ag.by("use", interior=False, exterior=ag.choice(False, True, weights=(0.4, 0.6))),
+    kick_plate: bool = ag.by("use", interior=False, exterior=ag.choice(False, True, weights=(0.75, 0.25))),
+    sweep: bool = ag.by(
         "use",
-        interior=choice("lever", "knob", "push_bar", "pull", "none", weights=(0.55, 0.24, 0.05, 0.09, 0.07)),
-        exterior=choice("lever", "knob", "push_bar", "pull", "none", weights=(0.46, 0.16, 0.16, 0.18, 0.04)),
+        interior=False,
+        exterior=ag.choice(False, True),
+        doc="whether a brush seals the gap to the floor",
     ),
-    handle: Generator = by("opener", _HANDLES),
-    handle_height: Float = uniform(0.86, 1.12, "m", doc="above the floor", within=(0.7, 1.4)),
-    handle_range: Float = by(
+    opener: Literal["lever", "knob", "push_bar", "pull", "none"] = ag.by(
+        "use",
+        interior=ag.choice(
+            "lever", "knob", "push_bar", "pull", "none", weights=(0.55, 0.24, 0.05, 0.09, 0.07)
+        ),
+        exterior=ag.choice(
+            "lever", "knob", "push_bar", "pull", "none", weights=(0.46, 0.16, 0.16, 0.18, 0.04)
+        ),
+    ),
+    handle: ag.Generator = ag.by("opener", _HANDLES),
+    handle_height: ag.Float = ag.uniform(0.86, 1.12, "m", doc="above the floor", within=(0.7, 1.4)),
+    handle_range: ag.Float = ag.by(
         "opener",
-        lever=uniform(0.60, 1.05),
-        knob=uniform(0.72, 0.85),
-        push_bar=uniform(0.012, 0.018),
+        lever=ag.uniform(0.60, 1.05),
+        knob=ag.uniform(0.72, 0.85),
+        push_bar=ag.uniform(0.012, 0.018),
         otherwise=0.8,
         doc="how far it moves; rad, or m for a push bar",
     ),
-    spring: Float = uniform(1.1, 1.5, "N m", doc="torque that turns a handle fully"),
-    backset: Float = uniform(0.060, 0.070, "m", doc="lock edge to spindle", within=(0.055, 0.09)),
-    throw: Float = uniform(0.010, 0.012, "m", doc="of the latch", within=(0.009, 0.014)),
-    rose: Literal["round", "square", "plate"] = choice("round", "square", "plate", weights=(0.5, 0.3, 0.2)),
-    rose_across: Float = by(
+    spring: ag.Float = ag.uniform(1.1, 1.5, "N m", doc="torque that turns a handle fully"),
+    backset: ag.Float = ag.uniform(0.060, 0.070, "m", doc="lock edge to spindle", within=(0.055, 0.09)),
+    throw: ag.Float = ag.uniform(0.010, 0.012, "m", doc="of the latch", within=(0.009, 0.014)),
+    rose: Literal["round", "square", "plate"] = ag.choice(
+        "round", "square", "plate", weights=(0.5, 0.3, 0.2)
+    ),
+    rose_across: ag.Float = ag.by(
         "rose",
-        round=uniform(0.050, 0.060),
-        square=uniform(0.050, 0.058),
-        plate=uniform(0.042, 0.050),
+        round=ag.uniform(0.050, 0.060),
+        square=ag.uniform(0.050, 0.058),
+        plate=ag.uniform(0.042, 0.050),
         unit="m",
     ),
-    rose_depth: Float = uniform(0.007, 0.011, "m"),
-    fixing: Fixing = by(
+    rose_depth: ag.Float = ag.uniform(0.007, 0.011, "m"),
+    fixing: Fixing = ag.by(
         "rose",
-        plate=choice("slot", "phillips"),
-        otherwise=choice("hidden", "slot", "phillips", weights=(0.4, 0.3, 0.3)),
+        plate=ag.choice("slot", "phillips"),
+        otherwise=ag.choice("hidden", "slot", "phillips", weights=(0.4, 0.3, 0.3)),
         doc="how roses are held: out of sight, or by two screws",
     ),
-    keyed: bool = by("rose", plate=choice(False, True), otherwise=False, doc="a key cylinder in the plate"),
-    bolted: bool = by(
+    keyed: bool = ag.by(
+        "rose", plate=ag.choice(False, True), otherwise=False, doc="a key cylinder in the plate"
+    ),
+    bolted: bool = ag.by(
         "opener",
-        lever=choice(False, True, weights=(0.7, 0.3)),
-        knob=choice(False, True, weights=(0.5, 0.5)),
-        pull=choice(False, True, weights=(0.6, 0.4)),
+        lever=ag.choice(False, True, weights=(0.7, 0.3)),
+        knob=ag.choice(False, True, weights=(0.5, 0.5)),
+        pull=ag.choice(False, True, weights=(0.6, 0.4)),
         otherwise=False,
         doc="whether there is a deadbolt with a thumb turn",
     ),
-    hinges: int = choice(2, 3, weights=(0.3, 0.7)),
-    hinge_height: Float = uniform(0.085, 0.102, "m"),
-    hinge_radius: Float = uniform(0.005, 0.006, "m", within=(0.004, 0.008)),
-    swing: Float = uniform(1.4, 2.0, "rad", within=(0.5, 2.0)),
-    hinge_friction: Float = uniform(0.6, 1.5, "N m", doc="keeps an open door where it is left"),
-    hinge_damping: Float = uniform(0.5, 2.0, "N m s/rad"),
-) -> Body:
+    hinges: int = ag.choice(2, 3, weights=(0.3, 0.7)),
+    hinge_height: ag.Float = ag.uniform(0.085, 0.102, "m"),
+    hinge_radius: ag.Float = ag.uniform(0.005, 0.006, "m", within=(0.004, 0.008)),
+    swing: ag.Float = ag.uniform(1.4, 2.0, "rad", within=(0.5, 2.0)),
+    hinge_friction: ag.Float = ag.uniform(0.6, 1.5, "N m", doc="keeps an open door where it is left"),
+    hinge_damping: ag.Float = ag.uniform(0.5, 2.0, "N m s/rad"),
+) -> ag.Body:
     """Make a door of one or two leaves in its frame: hinges, handle, latch, locks."""
     require_suited(handle, "opener", opener, _HANDLES)
-    require(layout == "single" or frame != "arched", "two leaves have no arch: frame must be jambs or full")
+    ag.require(
+        layout == "single" or frame != "arched", "two leaves have no arch: frame must be jambs or full"
+    )
     meeting = 1.25 * side_gap if layout == "double" else side_gap  # between the leaf and what its bolts enter
     arched = width * rise if frame == "arched" else None
     fittings = Fittings(metal, kick=kick_plate, sweep=sweep)
@@ -255,7 +254,7 @@ def door(
         fittings = replace(fittings, letters=letter_plate, number=number, viewer=viewer)
     reach = handle_height + _ABOVE
     blank = Blank(width, floor_gap, floor_gap + height, thickness, arched, None, finish, fittings, reach)
-    spindle = vector(width / 2.0 - backset, 0.0, handle_height)
+    spindle = ag.vector(width / 2.0 - backset, 0.0, handle_height)
     site = Site(spindle, backset, thickness, meeting, metal, maker)
     above = 0.30 if opener in ("pull", "none") else 0.15  # a bolt: past the end of a pull, or of a long plate
     match opener:
@@ -272,8 +271,10 @@ def door(
             lockset = pushed_handle(site, handle, width=width, travel=handle_range, throw=throw)
         case "pull" | "none":
             over = blank.straight - handle_height
-            over = min_(over, above - 0.03) if bolted else over
-            room = 2.0 * min_(over, handle_height - floor_gap)  # for a pull, on the leaf and below its bolt
+            over = ag.min_(over, above - 0.03) if bolted else over
+            room = 2.0 * ag.min_(
+                over, handle_height - floor_gap
+            )  # for a pull, on the leaf and below its bolt
             lockset = rigid_handle(site, partial(handle, room=room) if handle == pull_handle else handle)
     if bolted:
         lockset = lockset + dead_lock(replace(site, spindle=spindle + (0.0, 0.0, above)))

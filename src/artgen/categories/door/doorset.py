@@ -9,27 +9,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Literal
 
-from artgen import (
-    Body,
-    Dependency,
-    Float,
-    Joint,
-    Material,
-    Prismatic,
-    Scalar,
-    Solid,
-    X,
-    Y,
-    Z,
-    box,
-    cylinder,
-    detail,
-    generator,
-    grasp_on,
-    part,
-    union,
-    weld,
-)
+import artgen as ag
 from artgen.categories.door.hanging import Hanging
 from artgen.categories.door.lockset import Lockset, Site
 from artgen.categories.door.plates import astragal
@@ -43,68 +23,70 @@ _GRASP = 0.012  # engagement in the head [m]
 _PLATE = (0.024, 0.0018, 0.075)  # of the cover around the slide [m]
 
 
-def throw(gap: Scalar) -> Scalar:
+def throw(gap: ag.Scalar) -> ag.Scalar:
     """Return how far the bolt stands out of the leaf at rest [m]."""
     return gap + _GRASP
 
 
-def flush_bolt_slide(gap: Scalar, *, name: str = "flush_bolt_slide") -> Joint:
+def flush_bolt_slide(gap: ag.Scalar, *, name: str = "flush_bolt_slide") -> ag.Joint:
     """Make the joint of the bolt: 0 is thrown, positive is drawn down; friction carries its weight."""
     # 1 mm further than flush
-    return Prismatic(
-        name, axis=-Z, limits=(0.0, throw(gap) + 0.001), friction=12.0, damping=20.0, effort=100.0
+    return ag.Prismatic(
+        name, axis=-ag.Z, limits=(0.0, throw(gap) + 0.001), friction=12.0, damping=20.0, effort=100.0
     )
 
 
-@generator
-def flush_bolt(*, thickness: Float, gap: Float, finish: Material) -> Body:
+@ag.generator
+def flush_bolt(*, thickness: ag.Float, gap: ag.Float, finish: ag.Material) -> ag.Body:
     """Make the bolt with its thumb slide: the link `flush_bolt`."""
     long = _BELOW + 0.012 + throw(gap)
-    rod = box(_ROD, _ROD, long, bevel=0.001).at(0.0, 0.0, throw(gap) - long / 2.0)
+    rod = ag.box(_ROD, _ROD, long, bevel=0.001).at(0.0, 0.0, throw(gap) - long / 2.0)
     face = thickness / 2.0 + _PLATE[1]
-    stem = box(_STEM[0], face + 0.002, _STEM[1]).at(0.0, -(face + 0.002) / 2.0, -_BELOW)
-    thumb = box(0.018, 0.010, 0.024, bevel=0.003).at(0.0, -(face + 0.0055), -_BELOW)
-    hold = grasp_on(thumb, approach=Y, closing=X, depth=0.009)  # 1 mm less than it stands out
-    return part(union(rod, stem, thumb), "flush_bolt", finish, grasp=hold)
+    stem = ag.box(_STEM[0], face + 0.002, _STEM[1]).at(0.0, -(face + 0.002) / 2.0, -_BELOW)
+    thumb = ag.box(0.018, 0.010, 0.024, bevel=0.003).at(0.0, -(face + 0.0055), -_BELOW)
+    hold = ag.grasp_on(thumb, approach=ag.Y, closing=ag.X, depth=0.009)  # 1 mm less than it stands out
+    return ag.part(ag.union(rod, stem, thumb), "flush_bolt", finish, grasp=hold)
 
 
-def flush_bolt_channel(thickness: Scalar, gap: Scalar) -> Solid:
+def flush_bolt_channel(thickness: ag.Scalar, gap: ag.Scalar) -> ag.Solid:
     """Make the tool that cuts the bolt's channel and the slot of its slide into the leaf."""
     long = _BELOW + 0.012 + throw(gap) + 0.007  # 4 mm out of the leaf, 2 mm below the drawn bolt
-    channel = box(_ROD + 2 * _PLAY, _ROD + 2 * _PLAY, long).at(0.0, 0.0, 0.004 - long / 2.0)
+    channel = ag.box(_ROD + 2 * _PLAY, _ROD + 2 * _PLAY, long).at(0.0, 0.0, 0.004 - long / 2.0)
     return channel | _slot(thickness / 2.0 + 0.004, gap)
 
 
-def _slot(reach: Scalar, gap: Scalar) -> Solid:
+def _slot(reach: ag.Scalar, gap: ag.Scalar) -> ag.Solid:
     tall = _STEM[1] + throw(gap) + 0.003
-    return box(_STEM[0] + 2 * _PLAY, reach, tall).align(
+    return ag.box(_STEM[0] + 2 * _PLAY, reach, tall).align(
         (0.0, 0.0, -_BELOW + _STEM[1] / 2.0 + 0.001), y=1.0, z=1.0
     )
 
 
-def flush_bolt_pocket(gap: Scalar) -> Solid:
+def flush_bolt_pocket(gap: ag.Scalar) -> ag.Solid:
     """Make the tool that cuts the hole for the thrown bolt into the head; the leaf rattles by 0.7 mm."""
     deep = throw(gap) + 0.004
-    pocket = box(_ROD + 0.004, _ROD + 0.0007 + 0.002, deep - gap + 0.002)
+    pocket = ag.box(_ROD + 0.004, _ROD + 0.0007 + 0.002, deep - gap + 0.002)
     return pocket.align((0.0, -_ROD / 2.0 - 0.0007, deep), y=-1.0, z=1.0)
 
 
-@generator
-def flush_bolt_plate(*, thickness: Float, gap: Float, finish: Material) -> Body:
+@ag.generator
+def flush_bolt_plate(*, thickness: ag.Float, gap: ag.Float, finish: ag.Material) -> ag.Body:
     """Make the cover around the slide, to be welded to the leaf; it has the label `faceplate`."""
     wide, thick, tall = _PLATE
     middle = -_BELOW - throw(gap) / 2.0
-    plate = box(wide, thick, tall, bevel=0.0004).at(0.0, -(thickness / 2.0 + thick / 2.0 - 0.0004), middle)
+    plate = ag.box(wide, thick, tall, bevel=0.0004).at(0.0, -(thickness / 2.0 + thick / 2.0 - 0.0004), middle)
     screws = [
-        detail(
-            cylinder(0.003, 0.0008, axis=Y, bevel=0.0002).at(0.0, -(thickness / 2.0 + thick - 0.0004), place),
+        ag.detail(
+            ag.cylinder(0.003, 0.0008, axis=ag.Y, bevel=0.0002).at(
+                0.0, -(thickness / 2.0 + thick - 0.0004), place
+            ),
             "screw",
             finish,
         )
         for place in (middle - tall / 2.0 + 0.006, middle + tall / 2.0 - 0.006)
     ]
     cover = plate - _slot(thickness / 2.0 + 0.004, gap)
-    return weld(detail(cover, "faceplate", finish), *screws)  # thin, and behind the slide
+    return ag.weld(ag.detail(cover, "faceplate", finish), *screws)  # thin, and behind the slide
 
 
 Hand = Literal["left", "right"]
@@ -117,33 +99,33 @@ _HALF_OPEN = 0.42
 """Two leaves are out of each other's way when either stands further open than this [rad]."""
 
 
-def handed(body: Body, hand: Hand, opens: Opens) -> Body:
+def handed(body: ag.Body, hand: Hand, opens: Opens) -> ag.Body:
     """Turn or mirror the door with hinges at the left that opens towards the viewer into another one."""
     if opens == "towards":
-        return body.mirror(X) if hand == "right" else body
-    return body.rotate(Z, math.pi) if hand == "right" else body.mirror(Y)
+        return body.mirror(ag.X) if hand == "right" else body
+    return body.rotate(ag.Z, math.pi) if hand == "right" else body.mirror(ag.Y)
 
 
 @dataclass(frozen=True)
 class DoorSet:
     """What a door is put together of."""
 
-    surround: Callable[..., Body]  # makes the frame, given `jamb_cut` or `head_cut`
-    leaf: Callable[..., Body]  # makes a leaf of a blank
+    surround: Callable[..., ag.Body]  # makes the frame, given `jamb_cut` or `head_cut`
+    leaf: Callable[..., ag.Body]  # makes a leaf of a blank
     blank: Blank  # the measures of a leaf
     hanging: Hanging  # its hinges
     lockset: Lockset  # what the (active) leaf has
-    needs: Dependency | None  # where that leaf may open
+    needs: ag.Dependency | None  # where that leaf may open
 
-    def single(self) -> Body:
+    def single(self) -> ag.Body:
         """Hang one leaf in its frame."""
         lockset = self.lockset
-        cut = union(*lockset.strike_cuts) if lockset.strike_cuts else None
-        frame = weld(self.surround(jamb_cut=cut), self.hanging.on_frame(), *lockset.strikes)
+        cut = ag.union(*lockset.strike_cuts) if lockset.strike_cuts else None
+        frame = ag.weld(self.surround(jamb_cut=cut), self.hanging.on_frame(), *lockset.strikes)
         panel = _moving(self._fixed(lockset), lockset)
         return frame.attach(panel, self.hanging.joint("door_hinge", needs=self.needs))
 
-    def double(self, site: Site, hand: Hand) -> Body:
+    def double(self, site: Site, hand: Hand) -> ag.Body:
         """Hang the active leaf at the left and the inactive one, which a flush bolt holds, at the right."""
         blank, hanging, lockset = self.blank, self.hanging, self.lockset
         other = "right" if hand == "left" else "left"
@@ -152,8 +134,8 @@ class DoorSet:
         active = _moving(self._fixed(lockset).suffixed(f"_{hand}"), lockset)
 
         # seen from the inactive leaf, which is drawn like the active one and mirrored into place
-        opposite = [body.mirror(X).at(blank.width + site.gap, 0.0, 0.0) for body in lockset.strikes]
-        pockets = [solid.mirror(X).at(blank.width + site.gap, 0.0, 0.0) for solid in lockset.strike_cuts]
+        opposite = [body.mirror(ag.X).at(blank.width + site.gap, 0.0, 0.0) for body in lockset.strikes]
+        pockets = [solid.mirror(ag.X).at(blank.width + site.gap, 0.0, 0.0) for solid in lockset.strike_cuts]
         rod = (blank.width / 2.0 - 0.05, 0.0, blank.top)  # in the middle of a stile, behind the strikes
         slide = flush_bolt_slide(gap)
         held = Lockset(
@@ -166,11 +148,11 @@ class DoorSet:
             moving=((flush_bolt(thickness=thickness, gap=gap, finish=site.finish).at(rod), slide),),
         )
         inactive = replace(self, blank=replace(blank, fittings=blank.fittings.bare()))
-        second_leaf = _moving(inactive._fixed(held).suffixed(f"_{other}"), held).mirror(X)
+        second_leaf = _moving(inactive._fixed(held).suffixed(f"_{other}"), held).mirror(ag.X)
 
         in_head = (middle - rod[0], 0.0, blank.top)
         hung = hanging.on_frame().at(-middle)
-        frame = weld(self.surround(head_cut=flush_bolt_pocket(gap).at(in_head)), hung, hung.mirror(X))
+        frame = ag.weld(self.surround(head_cut=flush_bolt_pocket(gap).at(in_head)), hung, hung.mirror(ag.X))
         first = hanging.joint(f"door_hinge_{hand}", middle=-middle, needs=self.needs)
         # the inactive leaf follows once the active one is out of its way
         free = ((slide > throw(gap)) & (first > _HALF_OPEN)).until(_HALF_OPEN)
@@ -178,13 +160,13 @@ class DoorSet:
         frame = frame.attach(active.at(-middle), first)
         return frame.attach(second_leaf.at(middle), second)
 
-    def _fixed(self, lockset: Lockset) -> Body:
+    def _fixed(self, lockset: Lockset) -> ag.Body:
         """Make a leaf with everything that is fixed on it."""
-        cut = union(*lockset.cuts) if lockset.cuts else None
-        return weld(self.leaf(blank=replace(self.blank, cut=cut)), self.hanging.on_leaf(), *lockset.fixed)
+        cut = ag.union(*lockset.cuts) if lockset.cuts else None
+        return ag.weld(self.leaf(blank=replace(self.blank, cut=cut)), self.hanging.on_leaf(), *lockset.fixed)
 
 
-def _moving(panel: Body, lockset: Lockset) -> Body:
+def _moving(panel: ag.Body, lockset: Lockset) -> ag.Body:
     """Attach what moves on a leaf."""
     for body, joint in lockset.moving:
         panel = panel.attach(body, joint)

@@ -8,29 +8,7 @@ import math
 from dataclasses import dataclass
 from typing import Literal
 
-from artgen import (
-    Body,
-    Float,
-    Material,
-    Scalar,
-    Solid,
-    X,
-    Y,
-    Z,
-    array,
-    bounding_collider,
-    box,
-    detail,
-    extrude,
-    material,
-    min_,
-    part,
-    polygon,
-    polyline,
-    rectangle,
-    sweep,
-    weld,
-)
+import artgen as ag
 from artgen.categories.shared.furniture.door_slab import Arch
 
 JAMB = 0.034
@@ -78,20 +56,20 @@ _TRIMS: dict[str, tuple[tuple[float, float], ...]] = {
 class Doorway:
     """The clear opening that a frame leaves for its leaves."""
 
-    width: Float  # between the jambs [m]
-    height: Float  # under the head, at the crown of an arch [m]
-    thickness: Float  # of the leaf [m]
-    depth: Float  # of the jambs, front to back [m]
+    width: ag.Float  # between the jambs [m]
+    height: ag.Float  # under the head, at the crown of an arch [m]
+    thickness: ag.Float  # of the leaf [m]
+    depth: ag.Float  # of the jambs, front to back [m]
     arch: Arch | None  # the arch of the head; None for a straight one
-    floor_gap: Float  # under the leaf [m]
+    floor_gap: ag.Float  # under the leaf [m]
 
     @property
-    def straight(self) -> Scalar:
+    def straight(self) -> ag.Scalar:
         """Height of the jambs [m]."""
         return self.height if self.arch is None else self.arch.spring
 
     @property
-    def middle(self) -> Float:
+    def middle(self) -> ag.Float:
         """Where the middle of the jambs is along Y [m]."""
         return (self.depth - self.thickness) / 2.0
 
@@ -100,18 +78,18 @@ def door_frame(
     doorway: Doorway,
     kind: FrameKind,
     *,
-    finish: Material,
-    sill: Material,
-    casing: Scalar,
+    finish: ag.Material,
+    sill: ag.Material,
+    casing: ag.Scalar,
     trim: Trim = "ogee",
-    jamb_cut: Solid | None = None,
-    head_cut: Solid | None = None,
-) -> Body:
+    jamb_cut: ag.Solid | None = None,
+    head_cut: ag.Solid | None = None,
+) -> ag.Body:
     """Make the frame of a door: the link `frame`."""
     wide = _TIMBER if kind == "arched" else JAMB
     tall = doorway.straight if doorway.arch is None else doorway.arch.outset(wide).spring
     eased = 0.003 if kind == "arched" else 0.0015
-    jamb = box(wide, doorway.depth, tall, bevel=eased)
+    jamb = ag.box(wide, doorway.depth, tall, bevel=eased)
     beside, half_way = (doorway.width + wide) / 2.0, tall / 2.0
     right = jamb.at(beside, doorway.middle, half_way)
     head = _head(doorway, wide)
@@ -121,73 +99,73 @@ def door_frame(
         head if head_cut is None else head - head_cut,
         *_stops(doorway),
     ]
-    bodies = [part(solid, "frame", finish) for solid in solids]
-    bodies.append(detail(_seals(doorway), "seal", material("rubber")))
+    bodies = [ag.part(solid, "frame", finish) for solid in solids]
+    bodies.append(ag.detail(_seals(doorway), "seal", ag.material("rubber")))
     if kind == "full":
         front, back = -doorway.thickness / 2.0, doorway.depth - doorway.thickness / 2.0
         surround = _casing(doorway, casing, trim)
-        bodies.append(part(surround.at(0.0, front, 0.0), "frame", finish))
-        bodies.append(part(surround.rotate(Z, math.pi).at(0.0, back, 0.0), "frame", finish))
+        bodies.append(ag.part(surround.at(0.0, front, 0.0), "frame", finish))
+        bodies.append(ag.part(surround.rotate(ag.Z, math.pi).at(0.0, back, 0.0), "frame", finish))
     if kind != "jambs":
         bodies += _threshold(doorway, sill)
-    return weld(*bodies)
+    return ag.weld(*bodies)
 
 
-def _head(doorway: Doorway, wide: float) -> Solid:
+def _head(doorway: Doorway, wide: float) -> ag.Solid:
     if doorway.arch is None:
-        head = box(doorway.width + 2.0 * wide, doorway.depth, wide, bevel=0.0015)
+        head = ag.box(doorway.width + 2.0 * wide, doorway.depth, wide, bevel=0.0015)
         return head.at(0.0, doorway.middle, doorway.height + wide / 2.0)
     # its ends lie within the jambs, which reach up to its outer corners
     arch = doorway.arch
     (band,) = arch.bands(wide, beyond=(arch.outset(wide).angle - arch.angle) * arch.radius)
-    return extrude(band, doorway.depth, axis=Y, bevel=0.0015).at(0.0, doorway.middle, 0.0)
+    return ag.extrude(band, doorway.depth, axis=ag.Y, bevel=0.0015).at(0.0, doorway.middle, 0.0)
 
 
-def _stops(doorway: Doorway) -> list[Solid]:
+def _stops(doorway: Doorway) -> list[ag.Solid]:
     """Make the strips behind the leaf that it closes against."""
     out, deep = _STOP
     middle = doorway.thickness / 2.0 + STOP_GAP + deep / 2.0
-    side = box(out, deep, doorway.straight, bevel=0.0025)
+    side = ag.box(out, deep, doorway.straight, bevel=0.0025)
     beside = (doorway.width - out) / 2.0
     sides = [side.at(x, middle, doorway.straight / 2.0) for x in (-beside, beside)]
     if doorway.arch is not None:
         # in lengths that collide as their hulls, half a millimetre into the doorway
         bands = doorway.arch.outset(-out).bands(out, count=_ARCH_STOPS, beyond=out)
-        strips = [bounding_collider(extrude(band, deep, axis=Y, bevel=0.001)) for band in bands]
+        strips = [ag.bounding_collider(ag.extrude(band, deep, axis=ag.Y, bevel=0.001)) for band in bands]
         return [*sides, *(strip.at(0.0, middle, 0.0) for strip in strips)]
-    top = box(doorway.width - 2.0 * out, deep, out, bevel=0.0025)
+    top = ag.box(doorway.width - 2.0 * out, deep, out, bevel=0.0025)
     top = top.at(0.0, middle, doorway.height - out / 2.0)
     return [*sides, top]
 
 
-def _seals(doorway: Doorway) -> Solid:
+def _seals(doorway: Doorway) -> ag.Solid:
     """Make the strips of rubber on the sides of the stops that the leaf touches."""
     tall = doorway.straight - _STOP[0]
-    side = box(0.007, STOP_GAP - 0.0003, tall, bevel=0.0005)
+    side = ag.box(0.007, STOP_GAP - 0.0003, tall, bevel=0.0005)
     middle = (doorway.thickness + STOP_GAP) / 2.0 + 0.0002
     beside = (doorway.width - _STOP[0]) / 2.0
-    return array(side, at=[(-beside, middle, tall / 2.0), (beside, middle, tall / 2.0)])
+    return ag.array(side, at=[(-beside, middle, tall / 2.0), (beside, middle, tall / 2.0)])
 
 
-def _threshold(doorway: Doorway, sill: Material) -> list[Body]:
+def _threshold(doorway: Doorway, sill: ag.Material) -> list[ag.Body]:
     """Make the plate on the floor; one of metal has ribs that feet do not slip on."""
     thick = doorway.floor_gap - _SILL_PLAY
-    plate = box(doorway.width, doorway.depth, thick, bevel=min_(0.0022, 0.4 * thick))
-    bodies = [part(plate.at(0.0, doorway.middle, thick / 2.0), "threshold", sill)]
+    plate = ag.box(doorway.width, doorway.depth, thick, bevel=ag.min_(0.0022, 0.4 * thick))
+    bodies = [ag.part(plate.at(0.0, doorway.middle, thick / 2.0), "threshold", sill)]
     if sill.base_metalness > 0.5:
-        rib = box(doorway.width - 0.004, 0.0022, 0.0012, bevel=0.0005)
+        rib = ag.box(doorway.width - 0.004, 0.0022, 0.0012, bevel=0.0005)
         places = [(0.0, doorway.middle + (index - 3.0) * 0.007, thick) for index in range(7)]
-        bodies.append(detail(array(rib, at=places), "threshold", sill))
+        bodies.append(ag.detail(ag.array(rib, at=places), "threshold", sill))
     return bodies
 
 
-def _casing(doorway: Doorway, width: Scalar, trim: Trim) -> Solid:
+def _casing(doorway: Doorway, width: ag.Scalar, trim: Trim) -> ag.Solid:
     """Make the moulded trim of the front, mitred at its corners, its back at y = 0."""
     corners = [(share * width, high) for share, high in _TRIMS[trim]]
     # united with its back: a union is smooth where corners are blunt
-    back = rectangle(width, 0.004).at(width / 2.0, 0.002)
-    section = polygon([(0.0, 0.0), (width, 0.0), *corners]) | back
+    back = ag.rectangle(width, 0.004).at(width / 2.0, 0.002)
+    section = ag.polygon([(0.0, 0.0), (width, 0.0), *corners]) | back
     x, z = doorway.width / 2.0 + _REVEAL, doorway.height + _REVEAL
     # swept on the floor, up the left leg and down the right one, then stood up: up becomes the front
-    course = polyline([(-x, 0.0, 0.0), (-x, z, 0.0), (x, z, 0.0), (x, 0.0, 0.0)])
-    return sweep(section, course).rotate(X, math.pi / 2.0)
+    course = ag.polyline([(-x, 0.0, 0.0), (-x, z, 0.0), (x, z, 0.0), (x, 0.0, 0.0)])
+    return ag.sweep(section, course).rotate(ag.X, math.pi / 2.0)

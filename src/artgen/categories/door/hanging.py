@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from artgen import Body, Bool, Condition, Dependency, Float, Joint, Material, Revolute, Scalar
+import artgen as ag
 from artgen.categories.shared.furniture.door_slab import Blank
 from artgen.categories.shared.hardware.hinge import hinge_frame, hinge_leaf, hinge_offset
 
@@ -17,15 +17,15 @@ class Hanging:
 
     blank: Blank  # the leaf
     count: int  # 2 or 3 hinges
-    gap: Float  # between the leaf and the jamb [m]
-    height: Float  # of a hinge [m]
-    radius: Float  # of its knuckles [m]
-    finish: Material  # its metal
-    swing: Float  # how far the leaf opens [rad]
-    friction: Float  # of all hinges together [N m]
-    damping: Float  # of all hinges together [N m s/rad]
+    gap: ag.Float  # between the leaf and the jamb [m]
+    height: ag.Float  # of a hinge [m]
+    radius: ag.Float  # of its knuckles [m]
+    finish: ag.Material  # its metal
+    swing: ag.Float  # how far the leaf opens [rad]
+    friction: ag.Float  # of all hinges together [N m]
+    damping: ag.Float  # of all hinges together [N m s/rad]
 
-    def _half(self, make: Callable[..., Body]) -> Body:
+    def _half(self, make: Callable[..., ag.Body]) -> ag.Body:
         low, high = self.blank.bottom + _BOTTOM, self.blank.straight - _TOP
         levels = [low + (high - low) * index / (self.count - 1) for index in range(self.count)]
         half = make(
@@ -35,16 +35,16 @@ class Hanging:
             -(self.blank.width + self.gap) / 2.0, -self.blank.thickness / 2.0 - hinge_offset(self.radius), 0.0
         )
 
-    def on_leaf(self) -> Body:
+    def on_leaf(self) -> ag.Body:
         """Make the halves to weld to the leaf."""
         return self._half(hinge_leaf)
 
-    def on_frame(self) -> Body:
+    def on_frame(self) -> ag.Body:
         """Make the halves to weld to the jamb."""
         return self._half(hinge_frame)
 
     @property
-    def _depth(self) -> Float:
+    def _depth(self) -> ag.Float:
         """How far the plates reach along the edge: they stop 6 mm before its back [m]."""
         return self.blank.thickness - 0.006
 
@@ -52,13 +52,13 @@ class Hanging:
         self,
         name: str,
         *,
-        middle: Scalar = 0.0,
+        middle: ag.Scalar = 0.0,
         side: int = 1,
-        needs: Condition | Dependency | None = None,
-    ) -> Joint:
+        needs: ag.Condition | ag.Dependency | None = None,
+    ) -> ag.Joint:
         """Make the joint about the pins; positive opens the leaf towards -y."""
         blank = self.blank
-        return Revolute(
+        return ag.Revolute(
             name,
             axis=(0.0, 0.0, -side),
             pivot=(
@@ -74,7 +74,7 @@ class Hanging:
             needs=needs,
         )
 
-    def turns_within_gap(self) -> Bool:
+    def turns_within_gap(self) -> ag.Bool:
         """Tell whether the far corner of the leaf, which swings out of the closed width, clears the jamb."""
         thick = hinge_offset(self.radius) + self.blank.thickness
         return thick * thick / (2.0 * self.blank.width) < self.gap - 0.0004

@@ -7,31 +7,8 @@ y = -thickness / 2 and y = thickness / 2, its lock edge is at x = width / 2.
 from collections.abc import Sequence
 from typing import Literal, NamedTuple
 
-from artgen import (
-    Body,
-    Float,
-    Material,
-    Scalar,
-    Solid,
-    Y,
-    array,
-    box,
-    by,
-    choice,
-    count,
-    cylinder,
-    detail,
-    details,
-    dome,
-    extrude,
-    generator,
-    material,
-    part,
-    rectangle,
-    text,
-    uniform,
-    weld,
-)
+import artgen as ag
+from artgen import details
 from artgen.categories.shared.finish import across, casting, known, recess
 from artgen.categories.shared.furniture.door_slab import EASED, Blank, Fittings
 from artgen.categories.shared.furniture.infill import (
@@ -49,34 +26,34 @@ LETTER_PLATE = 0.30
 """Width of a letter plate [m]."""
 
 
-def letter_plate(fittings: Fittings, face: Scalar, height: Scalar) -> list[Body]:
+def letter_plate(fittings: Fittings, face: ag.Scalar, height: ag.Scalar) -> list[ag.Body]:
     """Make a letter plate with its flap on the outer face, and the cover of its slot inside."""
     finish, wide, tall = fittings.finish, LETTER_PLATE, 0.076
-    plate = extrude(rectangle(wide, tall, radius=0.006), 0.0075, axis=Y, bevel=0.0018)
-    flap = extrude(rectangle(wide - 0.062, 0.048, radius=0.003), 0.0036, axis=Y, bevel=0.0012)
-    gap = extrude(rectangle(wide - 0.059, 0.051, radius=0.0045), 0.0004, axis=Y)
-    pivot = cylinder(0.0028, wide - 0.064, axis=(1.0, 0.0, 0.0), bevel=0.0006)
+    plate = ag.extrude(ag.rectangle(wide, tall, radius=0.006), 0.0075, axis=ag.Y, bevel=0.0018)
+    flap = ag.extrude(ag.rectangle(wide - 0.062, 0.048, radius=0.003), 0.0036, axis=ag.Y, bevel=0.0012)
+    gap = ag.extrude(ag.rectangle(wide - 0.059, 0.051, radius=0.0045), 0.0004, axis=ag.Y)
+    pivot = ag.cylinder(0.0028, wide - 0.064, axis=(1.0, 0.0, 0.0), bevel=0.0006)
     out = face + 0.0070
-    inside = extrude(rectangle(wide - 0.03, 0.062, radius=0.004), 0.0030, axis=Y, bevel=0.0009)
-    lid = extrude(rectangle(wide - 0.075, 0.040, radius=0.003), 0.0026, axis=Y, bevel=0.0008)
+    inside = ag.extrude(ag.rectangle(wide - 0.03, 0.062, radius=0.004), 0.0030, axis=ag.Y, bevel=0.0009)
+    lid = ag.extrude(ag.rectangle(wide - 0.075, 0.040, radius=0.003), 0.0026, axis=ag.Y, bevel=0.0008)
     places = [(x * (wide / 2.0 - 0.0155), out, height) for x in (-1, 1)]
     return [
-        part(plate.at(0.0, face + 0.00325, height), "plate", casting(finish, 0.5)),
-        detail(gap.at(0.0, out, height), "plate", recess(finish)),
-        detail(flap.at(0.0, out + 0.0010, height), "plate", finish),
-        detail(pivot.at(0.0, out + 0.0004, height + 0.0215), "plate", finish),
+        ag.part(plate.at(0.0, face + 0.00325, height), "plate", casting(finish, 0.5)),
+        ag.detail(gap.at(0.0, out, height), "plate", recess(finish)),
+        ag.detail(flap.at(0.0, out + 0.0010, height), "plate", finish),
+        ag.detail(pivot.at(0.0, out + 0.0004, height + 0.0215), "plate", finish),
         *screws(places, facing="+y", radius=0.0040, finish=finish, drive="slot", head="pan"),
-        detail(inside.at(0.0, -(face + 0.0010), height), "plate", finish),
-        detail(lid.at(0.0, -(face + 0.0030), height), "plate", finish),
+        ag.detail(inside.at(0.0, -(face + 0.0010), height), "plate", finish),
+        ag.detail(lid.at(0.0, -(face + 0.0030), height), "plate", finish),
     ]
 
 
-def house_number(fittings: Fittings, face: Scalar, height: Scalar, tall: Scalar) -> Body:
+def house_number(fittings: Fittings, face: ag.Scalar, height: ag.Scalar, tall: ag.Scalar) -> ag.Body:
     """Make the number of the house, cast figures on the outer face."""
     return details.raised(
-        text(fittings.number, tall),
+        ag.text(fittings.number, tall),
         (0.0, face, height),
-        facing=Y,
+        facing=ag.Y,
         proud=0.004,
         bevel=0.0008,
         label="plate",
@@ -84,9 +61,9 @@ def house_number(fittings: Fittings, face: Scalar, height: Scalar, tall: Scalar)
     )
 
 
-def viewer(fittings: Fittings, face: Scalar, height: Scalar) -> list[Body]:
+def viewer(fittings: Fittings, face: ag.Scalar, height: ag.Scalar) -> list[ag.Body]:
     """Make a door viewer: a lens in a sleeve that shows on both faces."""
-    bodies: list[Body] = []
+    bodies: list[ag.Body] = []
     lens = fittings.finish.with_(
         name=f"{fittings.finish.name}_lens",
         base_color=(0.02, 0.025, 0.03),
@@ -97,43 +74,43 @@ def viewer(fittings: Fittings, face: Scalar, height: Scalar) -> list[Body]:
         tile=None,
     )
     for side, outer in ((1, 0.0085), (-1, 0.0100)):
-        sleeve = cylinder(outer, 0.0040, axis=Y, bevel=0.0009)
-        glass = dome(0.0048, height=0.0016, axis=(0.0, side, 0.0))
-        bodies.append(detail(sleeve.at(0.0, side * (face + 0.0012), height), "plate", fittings.finish))
-        bodies.append(detail(glass.at(0.0, side * (face + 0.0031), height), "plate", lens))
+        sleeve = ag.cylinder(outer, 0.0040, axis=ag.Y, bevel=0.0009)
+        glass = ag.dome(0.0048, height=0.0016, axis=(0.0, side, 0.0))
+        bodies.append(ag.detail(sleeve.at(0.0, side * (face + 0.0012), height), "plate", fittings.finish))
+        bodies.append(ag.detail(glass.at(0.0, side * (face + 0.0031), height), "plate", lens))
     return bodies
 
 
-def kick_plate(fittings: Fittings, face: Scalar, width: Scalar, bottom: Scalar) -> list[Body]:
+def kick_plate(fittings: Fittings, face: ag.Scalar, width: ag.Scalar, bottom: ag.Scalar) -> list[ag.Body]:
     """Make the sheet that protects the foot of the outer face."""
     wide, tall, middle = width - 0.064, 0.150, bottom + 0.092
-    sheet = extrude(rectangle(wide, tall, radius=0.003), 0.0014, axis=Y, bevel=0.0005)
+    sheet = ag.extrude(ag.rectangle(wide, tall, radius=0.003), 0.0014, axis=ag.Y, bevel=0.0005)
     places = [
         (x * (wide / 2.0 - 0.010), face + 0.0010, middle + z * (tall / 2.0 - 0.010))
         for x in (-1.0, -1.0 / 3.0, 1.0 / 3.0, 1.0)
         for z in (-1, 1)
     ]
     return [
-        detail(sheet.at(0.0, face + 0.0003, middle), "plate", fittings.finish),
+        ag.detail(sheet.at(0.0, face + 0.0003, middle), "plate", fittings.finish),
         *screws(places, facing="+y", radius=0.0036, finish=fittings.finish),
     ]
 
 
-def sweep_seal(face: Scalar, width: Scalar, bottom: Scalar) -> list[Body]:
+def sweep_seal(face: ag.Scalar, width: ag.Scalar, bottom: ag.Scalar) -> list[ag.Body]:
     """Make the brush in its rail that closes the gap to the floor, on the inner face (-y)."""
     finish, brush = (
-        material("aluminium"),
-        material("rubber").with_(name="bristles", base_color=(0.02, 0.02, 0.02)),
+        ag.material("aluminium"),
+        ag.material("rubber").with_(name="bristles", base_color=(0.02, 0.02, 0.02)),
     )
     wide = width - 0.06
-    rail = extrude(rectangle(wide, 0.032, radius=0.0015), 0.0050, axis=Y, bevel=0.0012)
-    bead = box(wide, 0.0016, 0.0030, bevel=0.0006)
-    hair = box(wide - 0.002, 0.0028, 0.014)
+    rail = ag.extrude(ag.rectangle(wide, 0.032, radius=0.0015), 0.0050, axis=ag.Y, bevel=0.0012)
+    bead = ag.box(wide, 0.0016, 0.0030, bevel=0.0006)
+    hair = ag.box(wide - 0.002, 0.0028, 0.014)
     places = [(x * (wide / 2.0 - 0.05), -(face + 0.0045), bottom + 0.022) for x in (-1.0, -0.34, 0.34, 1.0)]
     return [
-        detail(rail.at(0.0, -(face + 0.0020), bottom + 0.0195), "seal", finish),
-        detail(bead.at(0.0, -(face + 0.0045), bottom + 0.0085), "seal", finish),
-        detail(hair.at(0.0, -(face + 0.0020), bottom - 0.0010), "seal", brush),
+        ag.detail(rail.at(0.0, -(face + 0.0020), bottom + 0.0195), "seal", finish),
+        ag.detail(bead.at(0.0, -(face + 0.0045), bottom + 0.0085), "seal", finish),
+        ag.detail(hair.at(0.0, -(face + 0.0020), bottom - 0.0010), "seal", brush),
         *screws(places, facing="-y", radius=0.0030, finish=finish),
     ]
 
@@ -141,15 +118,15 @@ def sweep_seal(face: Scalar, width: Scalar, bottom: Scalar) -> list[Body]:
 def fitted(
     fittings: Fittings,
     *,
-    face: Scalar,
-    width: Scalar,
-    bottom: Scalar,
-    letters: Scalar | None,
-    number: Scalar | None,
-    looks_out: Scalar | None,
-) -> list[Body]:
+    face: ag.Scalar,
+    width: ag.Scalar,
+    bottom: ag.Scalar,
+    letters: ag.Scalar | None,
+    number: ag.Scalar | None,
+    looks_out: ag.Scalar | None,
+) -> list[ag.Body]:
     """Make everything that a leaf carries besides its lock."""
-    bodies: list[Body] = []
+    bodies: list[ag.Body] = []
     if fittings.letters and letters is not None:
         bodies += letter_plate(fittings, face, letters)
     if fittings.number and number is not None:
@@ -177,21 +154,21 @@ class Row(NamedTuple):
     fill: Fill  # what fills them
 
 
-def framed(blank: Blank, stile: Float, rows: Sequence[Row]) -> Body:
+def framed(blank: Blank, stile: ag.Float, rows: Sequence[Row]) -> ag.Body:
     """Make stiles and rails, fill what is between them, and fit what an entrance has."""
     upright = blank.board(stile, blank.upright)
     beside = (blank.width - stile) / 2.0
-    lock_stile = part(
+    lock_stile = ag.part(
         blank.carved(upright.at(beside, 0.0, blank.waist)), "door", blank.finish, push=blank.push
     )
     boards = [upright.at(-beside, 0.0, blank.waist)]
     if blank.arch is not None:
-        boards.append(extrude(blank.arch.segment(), blank.thickness, axis=Y, bevel=EASED))
+        boards.append(ag.extrude(blank.arch.segment(), blank.thickness, axis=ag.Y, bevel=EASED))
     inner = blank.width - 2.0 * stile
     free = blank.upright - _BOTTOM_RAIL - _TOP_RAIL - _LOCK_RAIL * (len(rows) - 1)
-    level: Scalar = blank.bottom
-    fillings: list[Body] = []
-    looks_out: Scalar | None = None
+    level: ag.Scalar = blank.bottom
+    fillings: list[ag.Body] = []
+    looks_out: ag.Scalar | None = None
     for index, row in enumerate(rows):
         rail = _LOCK_RAIL if index else _BOTTOM_RAIL
         boards.append(blank.board(inner, rail).at(0.0, 0.0, level + rail / 2.0))
@@ -214,13 +191,13 @@ def framed(blank: Blank, stile: Float, rows: Sequence[Row]) -> Body:
         number=top,
         looks_out=looks_out,
     )
-    rest = (part(board, "door", blank.finish) for board in boards)
-    return weld(lock_stile, *rest, *fillings, *fittings)
+    rest = (ag.part(board, "door", blank.finish) for board in boards)
+    return ag.weld(lock_stile, *rest, *fillings, *fittings)
 
 
 def _columns(
-    inner: Scalar, tall: Scalar, middle: Scalar, columns: int, blank: Blank
-) -> tuple[Opening, list[Solid]]:
+    inner: ag.Scalar, tall: ag.Scalar, middle: ag.Scalar, columns: int, blank: Blank
+) -> tuple[Opening, list[ag.Solid]]:
     """Return the openings of a row between the stiles, and the mullions between them."""
     wide = (inner - _MULLION * (columns - 1)) / columns
     pitch = wide + _MULLION
@@ -235,58 +212,60 @@ _LOCK_STRIP = 0.120  # from the lock edge to an upright inlay, which the lock mu
 _GLASS_WEIGHTS = (0.6, 0.3, 0.1)[: len(_GLASS)]
 
 
-@generator
+@ag.generator
 def flush_leaf(
     *,
     blank: Blank,
-    inlays: int = choice(0, 3, 4, weights=(0.7, 0.15, 0.15)),
-    grain: Literal["upright", "across"] = choice("upright", "across", weights=(0.75, 0.25)),
-) -> Body:
+    inlays: int = ag.choice(0, 3, 4, weights=(0.7, 0.15, 0.15)),
+    grain: Literal["upright", "across"] = ag.choice("upright", "across", weights=(0.75, 0.25)),
+) -> ag.Body:
     """Make a flush leaf: one smooth slab with a hollow or particle core."""
     finish = blank.finish if grain == "upright" else across(blank.finish)
     core = finish.with_(name=f"{finish.name}_faced", density=350.0)
     if blank.arch is None:
-        slab = box(blank.width, blank.thickness, blank.upright, bevel=0.0015).at(0.0, 0.0, blank.waist)
+        slab = ag.box(blank.width, blank.thickness, blank.upright, bevel=0.0015).at(0.0, 0.0, blank.waist)
     else:
-        outline = blank.arch.segment() | rectangle(blank.width, blank.upright).at(0.0, blank.waist)
-        slab = extrude(outline, blank.thickness, axis=Y, bevel=0.0015)
-    body = weld(part(blank.carved(slab), "door", core, push=blank.push), *_fitted(blank))
+        outline = blank.arch.segment() | ag.rectangle(blank.width, blank.upright).at(0.0, blank.waist)
+        slab = ag.extrude(outline, blank.thickness, axis=ag.Y, bevel=0.0015)
+    body = ag.weld(ag.part(blank.carved(slab), "door", core, push=blank.push), *_fitted(blank))
     if not inlays:
         return body
     # across, up to one that runs upright beside the lock
     long, out = blank.width - _LOCK_STRIP, blank.thickness / 2.0
-    strip, line = box(long, 0.0008, 0.008), box(0.008, 0.0008, blank.upright - 0.004)
+    strip, line = ag.box(long, 0.0008, 0.008), ag.box(0.008, 0.0008, blank.upright - 0.004)
     levels = [blank.bottom + blank.upright * (at + 0.75) / (inlays + 0.5) for at in range(inlays)]
     places = [(-_LOCK_STRIP / 2.0 + 0.001, side * (out - 0.0001), z) for z in levels for side in (-1, 1)]
     beside = [(blank.width / 2.0 - _LOCK_STRIP, side * (out - 0.0001), blank.waist) for side in (-1, 1)]
-    bars = (array(strip, at=places), array(line, at=beside))
-    return weld(body, *(detail(bar, "door", material("aluminium")) for bar in bars))
+    bars = (ag.array(strip, at=places), ag.array(line, at=beside))
+    return ag.weld(body, *(ag.detail(bar, "door", ag.material("aluminium")) for bar in bars))
 
 
-@generator
+@ag.generator
 def plank_leaf(
     *,
     blank: Blank,
-    boards: int = count(4, 7, weights=(1, 3, 3, 1)),
-    joint: Float = uniform(0.0025, 0.0045, "m", doc="radius of the edges, which makes the V between boards"),
-) -> Body:
+    boards: int = ag.count(4, 7, weights=(1, 3, 3, 1)),
+    joint: ag.Float = ag.uniform(
+        0.0025, 0.0045, "m", doc="radius of the edges, which makes the V between boards"
+    ),
+) -> ag.Body:
     """Make a boarded leaf: upright boards, tongued together, with a V in every joint."""
     wide = blank.width / boards
     board = blank.board(wide, blank.upright, joint)
-    bodies: list[Body] = []
+    bodies: list[ag.Body] = []
     for index in range(boards):
         placed = board.at((index - (boards - 1) / 2.0) * wide, 0.0, blank.waist)
         if index == boards - 1:  # at the lock
-            bodies.append(part(blank.carved(placed), "door", blank.finish, push=blank.push))
+            bodies.append(ag.part(blank.carved(placed), "door", blank.finish, push=blank.push))
         else:
-            bodies.append(part(placed, "door", blank.finish))
+            bodies.append(ag.part(placed, "door", blank.finish))
     if blank.arch is not None:
-        head = extrude(blank.arch.segment(), blank.thickness, axis=Y, bevel=EASED)
-        bodies.append(part(head, "door", across(blank.finish)))
-    return weld(*bodies, *_fitted(blank))
+        head = ag.extrude(blank.arch.segment(), blank.thickness, axis=ag.Y, bevel=EASED)
+        bodies.append(ag.part(head, "door", across(blank.finish)))
+    return ag.weld(*bodies, *_fitted(blank))
 
 
-def _fitted(blank: Blank) -> list[Body]:
+def _fitted(blank: Blank) -> list[ag.Body]:
     """Make what an entrance has on a leaf that is even all over."""
     return fitted(
         blank.fittings,
@@ -312,83 +291,85 @@ _ROWS: dict[int, tuple[tuple[float, int], ...]] = {
 """Rows of panels from the bottom up, with their share of the height and their columns."""
 
 
-@generator
+@ag.generator
 def panel_leaf(
     *,
     blank: Blank,
-    panels: int = count(1, 8, weights=(1, 3, 1, 3, 2, 4, 1, 1), doc="6 is the colonial door"),
-    relief: Relief = choice("raised", "recessed"),
-    sticking: Sticking = by(
+    panels: int = ag.count(1, 8, weights=(1, 3, 1, 3, 2, 4, 1, 1), doc="6 is the colonial door"),
+    relief: Relief = ag.choice("raised", "recessed"),
+    sticking: Sticking = ag.by(
         "relief",
-        raised=choice("ogee", "ovolo"),
-        recessed=choice("ogee", "ovolo", "square", weights=(0.25, 0.25, 0.5)),
+        raised=ag.choice("ogee", "ovolo"),
+        recessed=ag.choice("ogee", "ovolo", "square", weights=(0.25, 0.25, 0.5)),
         doc="the moulding around the panels; square is the shaker door",
     ),
-    stile: Float = uniform(0.106, 0.115, "m", within=(0.1, 0.16)),
-    moulding: Float = uniform(0.010, 0.016, "m", doc="how far the sticking reaches into a panel"),
-) -> Body:
+    stile: ag.Float = ag.uniform(0.106, 0.115, "m", within=(0.1, 0.16)),
+    moulding: ag.Float = ag.uniform(0.010, 0.016, "m", doc="how far the sticking reaches into a panel"),
+) -> ag.Body:
     """Make a leaf of stiles and rails with panels between them."""
 
-    def panel(opening: Opening, thickness: Scalar) -> list[Body]:
+    def panel(opening: Opening, thickness: ag.Scalar) -> list[ag.Body]:
         return panels_in(opening, thickness, relief, moulding, sticking)
 
     rows = [Row(share, columns, panel) for share, columns in _ROWS[panels]]
     return framed(blank, stile, rows)
 
 
-@generator
+@ag.generator
 def glazed_leaf(
     *,
     blank: Blank,
-    columns: int = choice(1, 2, 3, weights=(0.4, 0.3, 0.3)),
-    lights: int = choice(1, 4, 5, weights=(0.4, 0.3, 0.3), doc="panes above each other"),
-    glass: Material = choice(*_GLASS, weights=_GLASS_WEIGHTS),
-    stile: Float = uniform(0.106, 0.115, "m", within=(0.1, 0.16)),
-) -> Body:
+    columns: int = ag.choice(1, 2, 3, weights=(0.4, 0.3, 0.3)),
+    lights: int = ag.choice(1, 4, 5, weights=(0.4, 0.3, 0.3), doc="panes above each other"),
+    glass: ag.Material = ag.choice(*_GLASS, weights=_GLASS_WEIGHTS),
+    stile: ag.Float = ag.uniform(0.106, 0.115, "m", within=(0.1, 0.16)),
+) -> ag.Body:
     """Make a glazed leaf: one pane in beads, divided by muntins."""
 
-    def pane(opening: Opening, thickness: Scalar) -> list[Body]:
+    def pane(opening: Opening, thickness: ag.Scalar) -> list[ag.Body]:
         return panes_in(opening, thickness, columns, lights, glass)
 
     return framed(blank, stile, [Row(1.0, 1, pane)])
 
 
-@generator
+@ag.generator
 def half_lite_leaf(
     *,
     blank: Blank,
-    columns: int = choice(1, 2, 3),
-    lights: int = choice(1, 2, 3),
-    glass: Material = choice(*_GLASS, weights=_GLASS_WEIGHTS),
-    panels: int = choice(1, 2),
-    stile: Float = uniform(0.106, 0.115, "m", within=(0.1, 0.16)),
-) -> Body:
+    columns: int = ag.choice(1, 2, 3),
+    lights: int = ag.choice(1, 2, 3),
+    glass: ag.Material = ag.choice(*_GLASS, weights=_GLASS_WEIGHTS),
+    panels: int = ag.choice(1, 2),
+    stile: ag.Float = ag.uniform(0.106, 0.115, "m", within=(0.1, 0.16)),
+) -> ag.Body:
     """Make a leaf with a window above and panels below."""
 
-    def panel(opening: Opening, thickness: Scalar) -> list[Body]:
+    def panel(opening: Opening, thickness: ag.Scalar) -> list[ag.Body]:
         return panels_in(opening, thickness, "raised", 0.012, "ogee")
 
-    def pane(opening: Opening, thickness: Scalar) -> list[Body]:
+    def pane(opening: Opening, thickness: ag.Scalar) -> list[ag.Body]:
         return panes_in(opening, thickness, columns, lights, glass)
 
     return framed(blank, stile, [Row(0.42, panels, panel), Row(0.58, 1, pane)])
 
 
-@generator
+@ag.generator
 def louver_leaf(
     *,
     blank: Blank,
-    below: Literal["louver", "panel"] = choice("louver", "panel"),
+    below: Literal["louver", "panel"] = ag.choice("louver", "panel"),
     # each slat is a collider: two sections and a leaf's hardware stay below 64
-    slats: int = by("below", louver=count(9, 10), panel=count(15, 18), doc="in one section", within=(6, 24)),
-    stile: Float = uniform(0.106, 0.115, "m", within=(0.1, 0.16)),
-) -> Body:
+    slats: int = ag.by(
+        "below", louver=ag.count(9, 10), panel=ag.count(15, 18), doc="in one section", within=(6, 24)
+    ),
+    stile: ag.Float = ag.uniform(0.106, 0.115, "m", within=(0.1, 0.16)),
+) -> ag.Body:
     """Make a louvred leaf: slats tilted by about 40 degrees that hide what is behind."""
 
-    def louver(opening: Opening, thickness: Scalar) -> list[Body]:
+    def louver(opening: Opening, thickness: ag.Scalar) -> list[ag.Body]:
         return slats_in(opening, thickness, slats)
 
-    def panel(opening: Opening, thickness: Scalar) -> list[Body]:
+    def panel(opening: Opening, thickness: ag.Scalar) -> list[ag.Body]:
         return panels_in(opening, thickness, "recessed", 0.012, "ovolo")
 
     lower = louver if below == "louver" else panel

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal
 
-from artgen import Body, Condition, Joint, Material, Scalar, Solid, Vector, box, cylinder, detail, weld
+import artgen as ag
 from artgen.categories.door.pulls import pull_handle
 from artgen.categories.door.push_bar import push_bar_case, push_slide
 from artgen.categories.shared.finish import recess
@@ -47,11 +47,11 @@ _DRAWN = 0.02
 class Site:
     """Where a lockset goes, on a leaf whose middle plane is y = 0 and whose lock edge is at the right."""
 
-    spindle: Vector  # where the spindle crosses the middle plane [m]
-    backset: Scalar  # from the spindle to the lock edge [m]
-    thickness: Scalar  # of the leaf [m]
-    gap: Scalar  # between the leaf and what its bolts enter [m]
-    finish: Material  # metal of all that is seen
+    spindle: ag.Vector  # where the spindle crosses the middle plane [m]
+    backset: ag.Scalar  # from the spindle to the lock edge [m]
+    thickness: ag.Scalar  # of the leaf [m]
+    gap: ag.Scalar  # between the leaf and what its bolts enter [m]
+    finish: ag.Material  # metal of all that is seen
     mark: str = ""  # the name of its maker
 
 
@@ -60,8 +60,8 @@ class Roses:
     """The covers of the hole that the spindle of a handle passes."""
 
     style: Literal["round", "square", "plate"]  # round or square roses, or long plates
-    across: Scalar  # width of a rose [m]
-    depth: Scalar  # how far it stands out of the leaf [m]
+    across: ag.Scalar  # width of a rose [m]
+    depth: ag.Scalar  # how far it stands out of the leaf [m]
     fixing: Fixing = "hidden"  # how a rose is held
     keyed: bool = False  # whether a plate has a key cylinder
 
@@ -70,12 +70,12 @@ class Roses:
 class Lockset:
     """Everything that a lock brings along."""
 
-    cuts: tuple[Solid, ...] = ()  # what is taken out of the leaf
-    fixed: tuple[Body, ...] = ()  # what is welded to the leaf
-    moving: tuple[tuple[Body, Joint], ...] = ()  # what moves on the leaf, with its joint
-    strikes: tuple[Body, ...] = ()  # what is welded to the jamb
-    strike_cuts: tuple[Solid, ...] = ()  # what is taken out of the jamb
-    free: tuple[Condition, ...] = ()  # what has to hold before the closed leaf may open
+    cuts: tuple[ag.Solid, ...] = ()  # what is taken out of the leaf
+    fixed: tuple[ag.Body, ...] = ()  # what is welded to the leaf
+    moving: tuple[tuple[ag.Body, ag.Joint], ...] = ()  # what moves on the leaf, with its joint
+    strikes: tuple[ag.Body, ...] = ()  # what is welded to the jamb
+    strike_cuts: tuple[ag.Solid, ...] = ()  # what is taken out of the jamb
+    free: tuple[ag.Condition, ...] = ()  # what has to hold before the closed leaf may open
 
     def __add__(self, other: "Lockset") -> "Lockset":
         """Fit both."""
@@ -89,7 +89,9 @@ class Lockset:
         )
 
 
-def latch(site: Site, leader: Joint, *, throw: Scalar, release: Scalar, through: bool = False) -> Lockset:
+def latch(
+    site: Site, leader: ag.Joint, *, throw: ag.Scalar, release: ag.Scalar, through: bool = False
+) -> Lockset:
     """Fit a latch that a handle draws."""
     at, backset, finish = site.spindle, site.backset, site.finish
     strike = strike_plate(backset=backset, gap=site.gap, throw=throw, thickness=site.thickness, finish=finish)
@@ -110,11 +112,11 @@ def latch(site: Site, leader: Joint, *, throw: Scalar, release: Scalar, through:
 
 def turning_handle(
     site: Site,
-    handle: Callable[..., Body],
+    handle: Callable[..., ag.Body],
     *,
-    limit: Scalar,
-    torque: Scalar,
-    throw: Scalar,
+    limit: ag.Scalar,
+    torque: ag.Scalar,
+    throw: ag.Scalar,
     roses: Roses,
 ) -> Lockset:
     """Fit a lever or knob on its roses, with the latch that it draws."""
@@ -140,7 +142,7 @@ def turning_handle(
 
 
 def pushed_handle(
-    site: Site, bar: Callable[..., Body], *, width: Scalar, travel: Scalar, throw: Scalar
+    site: Site, bar: Callable[..., ag.Body], *, width: ag.Scalar, travel: ag.Scalar, throw: ag.Scalar
 ) -> Lockset:
     """Fit a push bar on the face to which the door does not open, a pull on the other, and the latch."""
     at, thickness, finish = site.spindle, site.thickness, site.finish
@@ -162,12 +164,12 @@ def pushed_handle(
     )
 
 
-def rigid_handle(site: Site, handle: Callable[..., Body]) -> Lockset:
+def rigid_handle(site: Site, handle: Callable[..., ag.Body]) -> Lockset:
     """Fit a pull or finger plates, and the roller that snaps into the jamb instead of a latch."""
     at, backset, finish = site.spindle, site.backset, site.finish
-    plate = box(0.0008, 0.0235, 0.057, bevel=0.0002).at(backset, 0.0, 0.0)
-    roller = cylinder(0.006, 0.014, bevel=0.001).at(backset - 0.0045, 0.0, 0.0)
-    catch = weld(detail(plate, "faceplate", finish), detail(roller, "latch", finish))
+    plate = ag.box(0.0008, 0.0235, 0.057, bevel=0.0002).at(backset, 0.0, 0.0)
+    roller = ag.cylinder(0.006, 0.014, bevel=0.001).at(backset - 0.0045, 0.0, 0.0)
+    catch = ag.weld(ag.detail(plate, "faceplate", finish), ag.detail(roller, "latch", finish))
     return Lockset(fixed=(handle(thickness=site.thickness, finish=finish).at(at), catch.at(at)))
 
 

@@ -1,20 +1,6 @@
 """Push bars (panic hardware): a touch bar that slides towards the leaf between fixed cases."""
 
-from artgen import (
-    Body,
-    Float,
-    Joint,
-    Material,
-    Prismatic,
-    Scalar,
-    box,
-    detail,
-    generator,
-    given,
-    part,
-    push_on,
-    weld,
-)
+import artgen as ag
 from artgen.categories.shared.finish import casting, recess
 
 _CHANNEL_DEPTH = 0.028  # how far the flanges of the rail stand out of the leaf [m]
@@ -31,7 +17,7 @@ _FULL = 0.2  # cases and bars are sheet metal around little: share of a full one
 _BOTTOM = 0.002  # what the innermost position leaves to the rail [m]
 
 
-def _bar_span(length: Scalar) -> tuple[Scalar, Scalar]:
+def _bar_span(length: ag.Scalar) -> tuple[ag.Scalar, ag.Scalar]:
     """Return the middle and the length of the touch bar along X."""
     near = _CASE_LENGTH / 2 + _END_GAP  # the case over the lock is centered on its axis
     far = length - _CASE_LENGTH - _END_GAP
@@ -41,16 +27,16 @@ def _bar_span(length: Scalar) -> tuple[Scalar, Scalar]:
 def push_slide(
     name: str = "handle_push",
     *,
-    travel: Scalar,
+    travel: ag.Scalar,
     side: int = 1,
-    preload: Scalar = 15.0,
-    force: Scalar = 45.0,
-    damping: Scalar = 40.0,
-    friction: Scalar = 1.0,
-) -> Joint:
+    preload: ag.Scalar = 15.0,
+    force: ag.Scalar = 45.0,
+    damping: ag.Scalar = 40.0,
+    friction: ag.Scalar = 1.0,
+) -> ag.Joint:
     """Make the joint of a push bar that a spring returns; positive moves it towards the leaf."""
     stiffness = (force - preload) / travel
-    return Prismatic(
+    return ag.Prismatic(
         name,
         axis=(0.0, -side, 0.0),
         limits=(0.0, travel),
@@ -62,39 +48,43 @@ def push_slide(
     )
 
 
-@generator
+@ag.generator
 def push_bar(
-    *, thickness: Float, length: Float, travel: Float, finish: Material, side: int = given(1)
-) -> Body:
+    *, thickness: ag.Float, length: ag.Float, travel: ag.Float, finish: ag.Material, side: int = ag.given(1)
+) -> ag.Body:
     """Make the touch bar, the link `handle`; attach it with `push_slide`; weld `push_bar_case` on."""
     middle, span = _bar_span(length)
     back = thickness / 2 + _SHEET + _BOTTOM + travel
     front = thickness / 2 + _BAR_REACH
-    bar = box(span, front - back, _BAR_HEIGHT, bevel=0.004).align((middle, side * front, 0.0), y=side)
+    bar = ag.box(span, front - back, _BAR_HEIGHT, bevel=0.004).align((middle, side * front, 0.0), y=side)
     at = (middle + 0.25 * span, side * front, 0.0)  # nearer to the lock: far from the hinges
-    return part(bar, "handle", casting(finish, _FULL), push=push_on(bar, direction=(0.0, -side, 0.0), at=at))
+    return ag.part(
+        bar, "handle", casting(finish, _FULL), push=ag.push_on(bar, direction=(0.0, -side, 0.0), at=at)
+    )
 
 
-def push_bar_case(*, thickness: Scalar, length: Scalar, finish: Material, side: int = 1) -> Body:
+def push_bar_case(*, thickness: ag.Scalar, length: ag.Scalar, finish: ag.Material, side: int = 1) -> ag.Body:
     """Make the rail and the cases of a push bar, to be welded to the leaf; it has the label `rose`."""
     face = thickness / 2 - 0.0005
     middle, span = _bar_span(length)
     inner = _BAR_HEIGHT / 2 + _PLAY
-    back = box(span + 0.004, _SHEET + 0.0005, 2 * inner + 0.002)
-    flange = box(span + 0.004, _CHANNEL_DEPTH + 0.0005, _SHEET, bevel=0.001)
+    back = ag.box(span + 0.004, _SHEET + 0.0005, 2 * inner + 0.002)
+    flange = ag.box(span + 0.004, _CHANNEL_DEPTH + 0.0005, _SHEET, bevel=0.001)
     flanges = [
         flange.at(middle, side * (face + _CHANNEL_DEPTH / 2), end * (inner + _SHEET / 2)) for end in (-1, 1)
     ]
     low, high = -_CASE_LENGTH / 2, _CASE_TO_EDGE
-    near = box(high - low, _CASE_DEPTH, _CASE_HEIGHT, bevel=0.005)
-    far = box(_CASE_LENGTH / 2, _CASE_DEPTH, _CASE_HEIGHT, bevel=0.005)
+    near = ag.box(high - low, _CASE_DEPTH, _CASE_HEIGHT, bevel=0.005)
+    far = ag.box(_CASE_LENGTH / 2, _CASE_DEPTH, _CASE_HEIGHT, bevel=0.005)
     far_middle = _CASE_LENGTH * 0.75 - length
     dark = recess(finish)
-    plate = box(0.034, 0.0004, 0.007).at(0.0, side * (face + _CASE_DEPTH), 0.014)
-    return weld(
-        part(near.at((low + high) / 2, side * (face + _CASE_DEPTH / 2), 0.0), "rose", casting(finish, _FULL)),
-        part(far.at(far_middle, side * (face + _CASE_DEPTH / 2), 0.0), "rose", casting(finish, _FULL)),
-        part(back.at(middle, side * (face + _SHEET / 2), 0.0), "rose", finish),
-        *(part(each, "rose", finish) for each in flanges),
-        detail(plate, "screw", dark),
+    plate = ag.box(0.034, 0.0004, 0.007).at(0.0, side * (face + _CASE_DEPTH), 0.014)
+    return ag.weld(
+        ag.part(
+            near.at((low + high) / 2, side * (face + _CASE_DEPTH / 2), 0.0), "rose", casting(finish, _FULL)
+        ),
+        ag.part(far.at(far_middle, side * (face + _CASE_DEPTH / 2), 0.0), "rose", casting(finish, _FULL)),
+        ag.part(back.at(middle, side * (face + _SHEET / 2), 0.0), "rose", finish),
+        *(ag.part(each, "rose", finish) for each in flanges),
+        ag.detail(plate, "screw", dark),
     )

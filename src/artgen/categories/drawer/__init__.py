@@ -16,22 +16,7 @@ wide and 0.7-1.3 m high, bedside tables 0.4-0.55 m wide, filing cabinets 0.4-0.4
 from functools import reduce
 from typing import Literal
 
-from artgen import (
-    Body,
-    Float,
-    Generator,
-    Material,
-    Scalar,
-    by,
-    category,
-    choice,
-    count,
-    material,
-    min_,
-    require,
-    uniform,
-    weld,
-)
+import artgen as ag
 from artgen.categories.drawer.boxes import (
     INDEXES,
     BoxLook,
@@ -68,12 +53,12 @@ _FINISH, _ACCENT = boards("wood", "lacquer", "melamine", "decor", "steel"), acce
 _WORKTOP, _LEG, _METAL = worktops(), leg_finishes(), hardware()
 _HANDLES = {"knob": knob_pull, "bar": bar_pull, "cup": cup_pull, "groove": groove_pull}
 _LEAST = 0.09  # from one drawer to the next [m]
-_FRAMED = choice("flat", "beaded", "shaker", "ramped", weights=(0.4, 0.15, 0.25, 0.2))
-_MOUNTED = choice("overlay", "inset", weights=(0.55, 0.45))
-_SLABS = choice("flat", "beaded", weights=(0.7, 0.3))  # many framed fronts would be too many colliders
+_FRAMED = ag.choice("flat", "beaded", "shaker", "ramped", weights=(0.4, 0.15, 0.25, 0.2))
+_MOUNTED = ag.choice("overlay", "inset", weights=(0.55, 0.45))
+_SLABS = ag.choice("flat", "beaded", weights=(0.7, 0.3))  # many framed fronts would be too many colliders
 
 
-@category(
+@ag.category(
     labels=(
         "body", "back", "top", "plinth", "leg", "foot", "drawer", "front", "runner", "handle", "label_holder",
         "lock", "cylinder", "print", "screw",
@@ -82,256 +67,277 @@ _SLABS = choice("flat", "beaded", weights=(0.7, 0.3))  # many framed fronts woul
 )  # fmt: skip
 def drawer(
     *,
-    kind: Literal["chest", "bedside", "file", "kitchen"] = choice(
+    kind: Literal["chest", "bedside", "file", "kitchen"] = ag.choice(
         "chest", "bedside", "file", "kitchen", weights=(0.34, 0.22, 0.2, 0.24)
     ),
-    look: CaseLook = by(
+    look: CaseLook = ag.by(
         "kind",
         file="steel",
-        kitchen=choice("wood", "lacquer", "melamine", "decor", weights=(0.25, 0.4, 0.2, 0.15)),
-        otherwise=choice("wood", "lacquer", "melamine", "decor", weights=(0.5, 0.28, 0.12, 0.1)),
+        kitchen=ag.choice("wood", "lacquer", "melamine", "decor", weights=(0.25, 0.4, 0.2, 0.15)),
+        otherwise=ag.choice("wood", "lacquer", "melamine", "decor", weights=(0.5, 0.28, 0.12, 0.1)),
     ),
-    rows: int = by(
+    rows: int = ag.by(
         "kind",
-        chest=choice(3, 4, 5, weights=(0.35, 0.35, 0.3)),
-        bedside=choice(1, 2, 3, weights=(0.3, 0.45, 0.25)),
-        file=choice(2, 3, 4),
-        kitchen=choice(2, 3, 4, 5, weights=(0.2, 0.45, 0.25, 0.1)),
+        chest=ag.choice(3, 4, 5, weights=(0.35, 0.35, 0.3)),
+        bedside=ag.choice(1, 2, 3, weights=(0.3, 0.45, 0.25)),
+        file=ag.choice(2, 3, 4),
+        kitchen=ag.choice(2, 3, 4, 5, weights=(0.2, 0.45, 0.25, 0.1)),
     ),
-    columns: int = by(
+    columns: int = ag.by(
         "kind",
-        chest=by(
+        chest=ag.by(
             "rows",
-            {5: choice(1, 2, 3, weights=(0.5, 0.3, 0.2))},
-            otherwise=choice(1, 2, 3, weights=(0.4, 0.38, 0.22)),
+            {5: ag.choice(1, 2, 3, weights=(0.5, 0.3, 0.2))},
+            otherwise=ag.choice(1, 2, 3, weights=(0.4, 0.38, 0.22)),
         ),
         bedside=1,
-        file=choice(1, 2, weights=(0.85, 0.15)),
-        kitchen=by(
+        file=ag.choice(1, 2, weights=(0.85, 0.15)),
+        kitchen=ag.by(
             "rows",
-            {4: choice(1, 2, weights=(0.7, 0.3)), 5: 1},
-            otherwise=choice(1, 2, 3, weights=(0.6, 0.27, 0.13)),
+            {4: ag.choice(1, 2, weights=(0.7, 0.3)), 5: 1},
+            otherwise=ag.choice(1, 2, 3, weights=(0.6, 0.27, 0.13)),
         ),
     ),
-    mounting: Mounting = by(
+    mounting: Mounting = ag.by(
         "grip",
         groove="overlay",
-        otherwise=by(
+        otherwise=ag.by(
             "kind",
-            kitchen=choice("overlay", "inset", weights=(0.85, 0.15)),
+            kitchen=ag.choice("overlay", "inset", weights=(0.85, 0.15)),
             # the 15 drawers of a chest for herbs, cards or tools have a frame around each
-            chest=by("rows", {5: by("columns", {3: "inset"}, otherwise=_MOUNTED)}, otherwise=_MOUNTED),
+            chest=ag.by("rows", {5: ag.by("columns", {3: "inset"}, otherwise=_MOUNTED)}, otherwise=_MOUNTED),
             otherwise=_MOUNTED,
         ),
         doc="fronts lie on the carcass or stand between its boards",
     ),
-    style: FrontStyle = by(
+    style: FrontStyle = ag.by(
         "look",
         steel="flat",
-        otherwise=by(
+        otherwise=ag.by(
             "grip",
             groove="flat",
-            otherwise=by(
-                "columns", {1: _FRAMED, 2: by("rows", {2: _FRAMED, 3: _FRAMED}, otherwise=_SLABS), 3: _SLABS}
+            otherwise=ag.by(
+                "columns",
+                {1: _FRAMED, 2: ag.by("rows", {2: _FRAMED, 3: _FRAMED}, otherwise=_SLABS), 3: _SLABS},
             ),
         ),
         doc="of the fronts",
     ),
-    niche: bool = by(
+    niche: bool = ag.by(
         "kind",
-        bedside=by(
-            "rows", {1: choice(False, True), 2: choice(False, True, weights=(0.7, 0.3))}, otherwise=False
+        bedside=ag.by(
+            "rows",
+            {1: ag.choice(False, True), 2: ag.choice(False, True, weights=(0.7, 0.3))},
+            otherwise=False,
         ),
         otherwise=False,
         doc="an open compartment under the drawers",
     ),
-    stand: Literal["plinth", "legs", "feet"] = by(
+    stand: Literal["plinth", "legs", "feet"] = ag.by(
         "kind",
-        chest=choice("plinth", "legs", weights=(0.4, 0.6)),
-        bedside=by(
+        chest=ag.choice("plinth", "legs", weights=(0.4, 0.6)),
+        bedside=ag.by(
             "rows",
-            {1: by("niche", {True: choice("plinth", "legs"), False: "legs"})},
-            otherwise=choice("plinth", "legs", weights=(0.35, 0.65)),
+            {1: ag.by("niche", {True: ag.choice("plinth", "legs"), False: "legs"})},
+            otherwise=ag.choice("plinth", "legs", weights=(0.35, 0.65)),
         ),
         file="feet",
         kitchen="plinth",
     ),
-    width: Float = by(
+    width: ag.Float = ag.by(
         "kind",
-        chest=by("columns", {1: uniform(0.60, 0.90), 2: uniform(0.85, 1.30), 3: uniform(1.15, 1.40)}),
-        bedside=uniform(0.40, 0.55),
-        file=by("columns", {1: uniform(0.40, 0.47), 2: uniform(0.80, 0.92)}),
-        kitchen=by("columns", {1: uniform(0.40, 0.90), 2: uniform(0.80, 1.20), 3: uniform(1.20, 1.40)}),
+        chest=ag.by(
+            "columns", {1: ag.uniform(0.60, 0.90), 2: ag.uniform(0.85, 1.30), 3: ag.uniform(1.15, 1.40)}
+        ),
+        bedside=ag.uniform(0.40, 0.55),
+        file=ag.by("columns", {1: ag.uniform(0.40, 0.47), 2: ag.uniform(0.80, 0.92)}),
+        kitchen=ag.by(
+            "columns", {1: ag.uniform(0.40, 0.90), 2: ag.uniform(0.80, 1.20), 3: ag.uniform(1.20, 1.40)}
+        ),
         unit="m",
         within=(0.38, 1.5),
     ),
-    depth: Float = by(
+    depth: ag.Float = ag.by(
         "kind",
-        chest=uniform(0.40, 0.52),
-        bedside=uniform(0.35, 0.44),
-        file=uniform(0.50, 0.58),
-        kitchen=uniform(0.51, 0.56),
+        chest=ag.uniform(0.40, 0.52),
+        bedside=ag.uniform(0.35, 0.44),
+        file=ag.uniform(0.50, 0.58),
+        kitchen=ag.uniform(0.51, 0.56),
         unit="m",
         doc="of the carcass",
         within=(0.33, 0.62),
     ),
-    height: Float = by(
+    height: ag.Float = ag.by(
         "kind",
-        chest=by("rows", {3: uniform(0.70, 0.86), 4: uniform(0.84, 1.06), 5: uniform(1.02, 1.28)}),
-        bedside=by(
+        chest=ag.by(
+            "rows", {3: ag.uniform(0.70, 0.86), 4: ag.uniform(0.84, 1.06), 5: ag.uniform(1.02, 1.28)}
+        ),
+        bedside=ag.by(
             "rows",
             {
-                1: uniform(0.42, 0.54),
-                2: by("niche", {True: uniform(0.57, 0.66), False: uniform(0.46, 0.62)}),
-                3: uniform(0.55, 0.68),
+                1: ag.uniform(0.42, 0.54),
+                2: ag.by("niche", {True: ag.uniform(0.57, 0.66), False: ag.uniform(0.46, 0.62)}),
+                3: ag.uniform(0.55, 0.68),
             },
         ),
-        file=by("rows", {2: uniform(0.66, 0.73), 3: uniform(0.95, 1.04), 4: uniform(1.24, 1.30)}),
-        kitchen=uniform(0.82, 0.92),
+        file=ag.by("rows", {2: ag.uniform(0.66, 0.73), 3: ag.uniform(0.95, 1.04), 4: ag.uniform(1.24, 1.30)}),
+        kitchen=ag.uniform(0.82, 0.92),
         unit="m",
         doc="over all",
         within=(0.38, 1.4),
     ),
-    stand_height: Float = by(
+    stand_height: ag.Float = ag.by(
         "stand",
-        plinth=uniform(0.06, 0.11),
-        feet=uniform(0.008, 0.014),
-        legs=by(
+        plinth=ag.uniform(0.06, 0.11),
+        feet=ag.uniform(0.008, 0.014),
+        legs=ag.by(
             "kind",
-            bedside=by(
+            bedside=ag.by(
                 "rows",
-                {1: by("niche", {True: uniform(0.10, 0.16), False: uniform(0.22, 0.27)})},
-                otherwise=uniform(0.10, 0.16),
+                {1: ag.by("niche", {True: ag.uniform(0.10, 0.16), False: ag.uniform(0.22, 0.27)})},
+                otherwise=ag.uniform(0.10, 0.16),
             ),
-            otherwise=uniform(0.09, 0.17),
+            otherwise=ag.uniform(0.09, 0.17),
         ),
         unit="m",
         within=(0.005, 0.35),
     ),
-    top_share: Float = by(
+    top_share: ag.Float = ag.by(
         "kind",
-        kitchen=by("rows", {2: uniform(0.45, 1.0), 3: uniform(0.45, 0.62)}, otherwise=uniform(0.7, 1.0)),
-        chest=uniform(0.72, 1.0),
+        kitchen=ag.by(
+            "rows", {2: ag.uniform(0.45, 1.0), 3: ag.uniform(0.45, 0.62)}, otherwise=ag.uniform(0.7, 1.0)
+        ),
+        chest=ag.uniform(0.72, 1.0),
         otherwise=1.0,
         doc="height of the top row, as a share of the second one's",
     ),
-    growth: Float = by(
+    growth: ag.Float = ag.by(
         "kind",
-        chest=uniform(1.0, 1.14),
+        chest=ag.uniform(1.0, 1.14),
         otherwise=1.0,
         doc="how much higher each further row is than the last",
     ),
-    setback: Float = by(
-        "kind", kitchen=uniform(0.04, 0.06), otherwise=uniform(0.004, 0.03), unit="m", doc="of a plinth"
+    setback: ag.Float = ag.by(
+        "kind", kitchen=ag.uniform(0.04, 0.06), otherwise=ag.uniform(0.004, 0.03), unit="m", doc="of a plinth"
     ),
-    thickness: Float = by(
-        "look", steel=uniform(0.012, 0.015), otherwise=uniform(0.016, 0.020), unit="m", doc="of the boards"
+    thickness: ag.Float = ag.by(
+        "look",
+        steel=ag.uniform(0.012, 0.015),
+        otherwise=ag.uniform(0.016, 0.020),
+        unit="m",
+        doc="of the boards",
     ),
-    front_thickness: Float = by(
+    front_thickness: ag.Float = ag.by(
         "grip",
-        groove=uniform(0.0215, 0.0235),
-        otherwise=uniform(0.017, 0.021),
+        groove=ag.uniform(0.0215, 0.0235),
+        otherwise=ag.uniform(0.017, 0.021),
         unit="m",
         within=(0.016, 0.025),
     ),
-    rail: Float = uniform(0.034, 0.046, "m", doc="width of the frames of framed fronts"),
-    slope: Float = uniform(0.010, 0.018, "m", doc="width of the slope of ramped fronts"),
-    leg: LegStyle = choice("tapered", "splayed", "square", "turned", "metal"),
-    top: Literal["worktop", "over", "flush"] = by(
-        "kind", kitchen="worktop", file="flush", otherwise=choice("over", "flush")
+    rail: ag.Float = ag.uniform(0.034, 0.046, "m", doc="width of the frames of framed fronts"),
+    slope: ag.Float = ag.uniform(0.010, 0.018, "m", doc="width of the slope of ramped fronts"),
+    leg: LegStyle = ag.choice("tapered", "splayed", "square", "turned", "metal"),
+    top: Literal["worktop", "over", "flush"] = ag.by(
+        "kind", kitchen="worktop", file="flush", otherwise=ag.choice("over", "flush")
     ),
-    top_thickness: Float = by(
-        "top", worktop=uniform(0.018, 0.038), otherwise=uniform(0.014, 0.024), unit="m"
+    top_thickness: ag.Float = ag.by(
+        "top", worktop=ag.uniform(0.018, 0.038), otherwise=ag.uniform(0.014, 0.024), unit="m"
     ),
-    overhang: Float = uniform(
+    overhang: ag.Float = ag.uniform(
         0.004, 0.016, "m", doc="of a top over the fronts, and over the sides of furniture"
     ),
-    finish: Material = _FINISH,
-    fronts: Literal["same", "painted", "wood"] = by(
+    finish: ag.Material = _FINISH,
+    fronts: Literal["same", "painted", "wood"] = ag.by(
         "kind",
         file="same",
         kitchen="same",
-        otherwise=by(
+        otherwise=ag.by(
             "look",
-            wood=choice("same", "painted", weights=(0.75, 0.25)),
-            lacquer=choice("same", "wood", weights=(0.75, 0.25)),
+            wood=ag.choice("same", "painted", weights=(0.75, 0.25)),
+            lacquer=ag.choice("same", "wood", weights=(0.75, 0.25)),
             otherwise="same",
         ),
         doc="finish of the fronts",
     ),
-    accent: Material = _ACCENT,
-    shell: Literal["same", "white"] = by(
+    accent: ag.Material = _ACCENT,
+    shell: Literal["same", "white"] = ag.by(
         "kind",
-        kitchen=by("mounting", overlay=choice("same", "white"), inset="same"),
+        kitchen=ag.by("mounting", overlay=ag.choice("same", "white"), inset="same"),
         otherwise="same",
         doc="finish of the carcass",
     ),
-    worktop: Material = _WORKTOP,
-    leg_finish: Material = _LEG,
-    box: Literal["ply", "white", "same", "steel"] = by(
+    worktop: ag.Material = _WORKTOP,
+    leg_finish: ag.Material = _LEG,
+    box: Literal["ply", "white", "same", "steel"] = ag.by(
         "kind",
         file="steel",
-        kitchen=choice("ply", "white", "steel", weights=(0.25, 0.4, 0.35)),
-        otherwise=choice("ply", "white", "same", weights=(0.6, 0.2, 0.2)),
+        kitchen=ag.choice("ply", "white", "steel", weights=(0.25, 0.4, 0.35)),
+        otherwise=ag.choice("ply", "white", "same", weights=(0.6, 0.2, 0.2)),
         doc="of what the boxes behind the fronts are made",
     ),
-    runner: RunnerStyle = by("kind", file="ball", otherwise=choice("roller", "ball")),
-    metal: Material = _METAL,
-    grip: Literal["knob", "bar", "cup", "groove"] = by(
+    runner: RunnerStyle = ag.by("kind", file="ball", otherwise=ag.choice("roller", "ball")),
+    metal: ag.Material = _METAL,
+    grip: Literal["knob", "bar", "cup", "groove"] = ag.by(
         "kind",
-        file=choice("bar", "cup", weights=(0.75, 0.25)),
-        chest=by(
+        file=ag.choice("bar", "cup", weights=(0.75, 0.25)),
+        chest=ag.by(
             "columns",
             {
-                1: choice("knob", "bar", "cup", "groove", weights=(0.35, 0.25, 0.18, 0.22)),
-                2: by(
+                1: ag.choice("knob", "bar", "cup", "groove", weights=(0.35, 0.25, 0.18, 0.22)),
+                2: ag.by(
                     "rows",
-                    {5: choice("knob", "groove")},
-                    otherwise=choice("knob", "bar", "cup", "groove", weights=(0.35, 0.25, 0.18, 0.22)),
+                    {5: ag.choice("knob", "groove")},
+                    otherwise=ag.choice("knob", "bar", "cup", "groove", weights=(0.35, 0.25, 0.18, 0.22)),
                 ),
                 3: "knob",
             },
         ),
-        bedside=choice("knob", "bar", "cup", "groove", weights=(0.42, 0.2, 0.14, 0.24)),
-        kitchen=by(
+        bedside=ag.choice("knob", "bar", "cup", "groove", weights=(0.42, 0.2, 0.14, 0.24)),
+        kitchen=ag.by(
             "columns",
-            {3: choice("knob", "bar", "cup", weights=(0.3, 0.5, 0.2))},
-            otherwise=choice("knob", "bar", "cup", "groove", weights=(0.15, 0.4, 0.2, 0.25)),
+            {3: ag.choice("knob", "bar", "cup", weights=(0.3, 0.5, 0.2))},
+            otherwise=ag.choice("knob", "bar", "cup", "groove", weights=(0.15, 0.4, 0.2, 0.25)),
         ),
     ),
-    handle: Generator = by("grip", _HANDLES),
-    handles: int = by(
+    handle: ag.Generator = ag.by("grip", _HANDLES),
+    handles: int = ag.by(
         "kind",
-        chest=by("columns", {1: choice(1, 2, weights=(0.25, 0.75))}, otherwise=1),
+        chest=ag.by("columns", {1: ag.choice(1, 2, weights=(0.25, 0.75))}, otherwise=1),
         otherwise=1,
         doc="on a drawer",
     ),
-    handle_level: Float = by(
+    handle_level: ag.Float = ag.by(
         "kind",
-        file=uniform(0.55, 0.68),
-        kitchen=uniform(0.55, 0.78),
-        otherwise=uniform(0.48, 0.60),
+        file=ag.uniform(0.55, 0.68),
+        kitchen=ag.uniform(0.55, 0.78),
+        otherwise=ag.uniform(0.48, 0.60),
         doc="height of handles as a share of the front",
     ),
-    first_index: int = by(
-        "kind", file=count(0, 7), otherwise=0, doc="which card is in the first label holder"
+    first_index: int = ag.by(
+        "kind", file=ag.count(0, 7), otherwise=0, doc="which card is in the first label holder"
     ),
-    locked: bool = by(
-        "kind", file=choice(True, False, weights=(0.8, 0.2)), otherwise=False, doc="with a lock"
+    locked: bool = ag.by(
+        "kind", file=ag.choice(True, False, weights=(0.8, 0.2)), otherwise=False, doc="with a lock"
     ),
-    slide_share: Float = uniform(
+    slide_share: ag.Float = ag.uniform(
         0.60, 0.75, doc="how much of its depth a drawer comes out", within=(0.2, 0.8)
     ),
-    slide_friction: Float = by(
-        "runner", roller=uniform(6.0, 10.0), ball=uniform(5.0, 8.0), unit="N", doc="of a pair of runners"
+    slide_friction: ag.Float = ag.by(
+        "runner",
+        roller=ag.uniform(6.0, 10.0),
+        ball=ag.uniform(5.0, 8.0),
+        unit="N",
+        doc="of a pair of runners",
     ),
-    slide_damping: Float = uniform(4.0, 12.0, "N s/m"),
-) -> Body:
+    slide_damping: ag.Float = ag.uniform(4.0, 12.0, "N s/m"),
+) -> ag.Body:
     """Make a chest, bedside table, filing cabinet or bank with its drawers shut."""
     require_suited(handle, "grip", grip, _HANDLES)
-    require(style not in ("fielded", "glazed"), f"style={style} is for doors: no handle of a drawer meets it")
+    ag.require(
+        style not in ("fielded", "glazed"), f"style={style} is for doors: no handle of a drawer meets it"
+    )
     slab = 0.0 if top == "flush" else top_thickness
-    height = require(
+    height = ag.require(
         height,
         height - stand_height - slab > _LEAST * rows,
         f"drawers are {_LEAST:g} m high at least: raise height, or lower rows or stand_height",
@@ -348,7 +354,7 @@ def drawer(
         foot=0.0 if stand == "plinth" else None,
     )
     shelf = case.floor + 0.42 * (case.ceiling - case.floor)
-    weights: list[Scalar] = [top_share, *(growth**at for at in range(rows - 1))]
+    weights: list[ag.Scalar] = [top_share, *(growth**at for at in range(rows - 1))]
     bays = Rows(case, mounting, columns, weights, front_thickness, grip == "groove", shelf if niche else None)
     dress = finish if fronts == "same" else accent
     sides = {"ply": PLY, "white": WHITE_BOARD, "same": dress, "steel": GREY_STEEL}[box]
@@ -361,7 +367,7 @@ def drawer(
         tallest=0.25 if kind == "file" else 0.19,
         solid=rows * columns <= 4,
     )
-    body = weld(
+    body = ag.weld(
         *case.bodies(),
         *bays.between(solid=boxes.solid),
         *([case.deck(shelf)] if niche else []),
@@ -371,18 +377,18 @@ def drawer(
     if top != "flush":
         before = case.front - bays.face + overhang
         beside = overhang if top == "over" else 0.0
-        body = weld(
+        body = ag.weld(
             body, case.worktop(slab, worktop if top == "worktop" else finish, before=before, beside=beside)
         )
 
     # between the rails of the lowest front is room for a hand
-    slim = reduce(min_, (0.25 * (high - low) for low, high in bays.spans), rail)
-    look_ = FrontLook(style, dress, slim, "square", slope, material("glass"))
+    slim = reduce(ag.min_, (0.25 * (high - low) for low, high in bays.spans), rail)
+    look_ = FrontLook(style, dress, slim, "square", slope, ag.material("glass"))
     for row, (low, high) in enumerate(bays.spans):
         made, tall = drawer_box(bays, row, boxes), high - low
         level = handle_level * tall
         if look_.framed:
-            level = min_(level, tall - slim - 0.031)
+            level = ag.min_(level, tall - slim - 0.031)
         for column, middle in enumerate(bays.middles):
             left, right = bays.outer(column)
             number, wide = row * columns + column, right - left
@@ -409,7 +415,7 @@ def drawer(
                 index = INDEXES[(first_index + number) % len(INDEXES)]
                 on_front += label_holder(z=level + 0.058, finish=metal, index=index)
             if locked and number == 0:
-                on_front += lock(x=wide / 2 - 0.032, z=tall - 0.032, finish=material("chrome"))
+                on_front += lock(x=wide / 2 - 0.032, z=tall - 0.032, finish=ag.material("chrome"))
             body = body.attach(
                 drawer_of(bays, row, column, look_, made, on_front)
                 .suffixed(f"_{number}")

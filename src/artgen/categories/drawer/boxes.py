@@ -7,27 +7,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
-from artgen import (
-    Body,
-    Joint,
-    Material,
-    Prismatic,
-    Scalar,
-    X,
-    Y,
-    box,
-    colored,
-    detail,
-    details,
-    extrude,
-    material,
-    min_,
-    part,
-    rectangle,
-    ring,
-    text,
-    weld,
-)
+import artgen as ag
+from artgen import details
 from artgen._arrays import cached_property
 from artgen.categories.drawer.runners import SIDE_PLAY, RunnerStyle, fixed_member, moving_member
 from artgen.categories.shared.furniture.carcass import Carcass
@@ -42,23 +23,27 @@ INDEXES = ("A-F", "G-K", "L-R", "S-Z", "2021", "2022", "2023", "2024")
 _WIDE, _HIGH = 0.078, 0.030  # of a label holder [m]
 
 
-def label_holder(*, z: Scalar, finish: Material, index: str) -> list[Body]:
+def label_holder(*, z: ag.Scalar, finish: ag.Material, index: str) -> list[ag.Body]:
     """Make a label holder and its card."""
-    opening = rectangle(_WIDE - 0.010, _HIGH - 0.011).at(0.0, 0.0015)
-    rim = rectangle(_WIDE, _HIGH, radius=0.003) - opening
-    paper = colored("abs", "white").with_(name="card", specular_roughness=0.85)
+    opening = ag.rectangle(_WIDE - 0.010, _HIGH - 0.011).at(0.0, 0.0015)
+    rim = ag.rectangle(_WIDE, _HIGH, radius=0.003) - opening
+    paper = ag.colored("abs", "white").with_(name="card", specular_roughness=0.85)
     return [
-        detail(extrude(rim, 0.0026, axis=Y, bevel=0.0007).at(0.0, -0.0008, z), "label_holder", finish),
-        detail(box(_WIDE - 0.009, 0.0008, _HIGH - 0.010).at(0.0, -0.0003, z + 0.0015), "label_holder", paper),
-        details.printed(text(index, 0.010), (0.0, -0.0007, z - 0.0035), material=material("black_abs")),
+        ag.detail(
+            ag.extrude(rim, 0.0026, axis=ag.Y, bevel=0.0007).at(0.0, -0.0008, z), "label_holder", finish
+        ),
+        ag.detail(
+            ag.box(_WIDE - 0.009, 0.0008, _HIGH - 0.010).at(0.0, -0.0003, z + 0.0015), "label_holder", paper
+        ),
+        details.printed(ag.text(index, 0.010), (0.0, -0.0007, z - 0.0035), material=ag.material("black_abs")),
     ]
 
 
-def lock(*, x: Scalar, z: Scalar, finish: Material) -> list[Body]:
+def lock(*, x: ag.Scalar, z: ag.Scalar, finish: ag.Material) -> list[ag.Body]:
     """Make the cylinder of a lock, which only is seen."""
-    collar = extrude(ring(0.0115, 0.0070), 0.0030, axis=Y, bevel=0.0009)
+    collar = ag.extrude(ag.ring(0.0115, 0.0070), 0.0030, axis=ag.Y, bevel=0.0009)
     return [
-        detail(collar.at(x, -0.0011, z), "lock", finish),
+        ag.detail(collar.at(x, -0.0011, z), "lock", finish),
         *(each.at(x, 0.0, z) for each in plug(face=0.0004, side=-1, finish=finish, radius=0.0072)),
     ]
 
@@ -86,11 +71,11 @@ class Rows:
     case: Carcass  # the carcass
     mounting: Mounting  # how fronts are mounted
     columns: int  # drawers side by side
-    weights: Sequence[Scalar]  # how high the rows are in proportion, from the top
-    thick: Scalar  # thickness of fronts [m]
+    weights: Sequence[ag.Scalar]  # how high the rows are in proportion, from the top
+    thick: ag.Scalar  # thickness of fronts [m]
     groove: bool = False  # whether fronts have a groove along their upper edges
     # where the lowest row begins, over the floor [m]; by default at the bottom of the carcass
-    low: Scalar | None = None
+    low: ag.Scalar | None = None
 
     @property
     def inset(self) -> bool:
@@ -98,58 +83,58 @@ class Rows:
         return self.mounting == "inset"
 
     @cached_property
-    def face(self) -> Scalar:
+    def face(self) -> ag.Scalar:
         """The faces of shut drawers along y [m]."""
         return self.case.front if self.inset else self.case.front - _BEHIND - self.thick
 
     @property
-    def apart(self) -> Scalar:
+    def apart(self) -> ag.Scalar:
         """From one front to the next one above it [m]."""
         if self.inset:
             return self.case.thick + 2 * GAP  # a rail between them
         return _SHADOW if self.groove else GAP
 
     @cached_property
-    def bottom(self) -> Scalar:
+    def bottom(self) -> ag.Scalar:
         """The lower edge of the lowest fronts [m]."""
         if self.inset:
             return (self.case.floor if self.low is None else self.low) + GAP
         return (self.case.low + _MARGIN) if self.low is None else self.low - self.case.thick / 2
 
     @cached_property
-    def top(self) -> Scalar:
+    def top(self) -> ag.Scalar:
         """The upper edge of the highest fronts [m]."""
         if self.inset:
             return self.case.ceiling - GAP
         return self.case.high - (_SHADOW if self.groove else _MARGIN)
 
     @cached_property
-    def cell(self) -> Scalar:
+    def cell(self) -> ag.Scalar:
         """The width between the boards beside a drawer [m]."""
         return (2 * self.case.right - (self.columns - 1) * self.case.thick) / self.columns
 
     @cached_property
-    def middles(self) -> list[Scalar]:
+    def middles(self) -> list[ag.Scalar]:
         """The middles of the columns along x [m]."""
         pitch = self.cell + self.case.thick
         return [(at - (self.columns - 1) / 2) * pitch for at in range(self.columns)]
 
     @cached_property
-    def width(self) -> Scalar:
+    def width(self) -> ag.Scalar:
         """Of a front [m]; those of a row are alike, so that outer ones may end before the outline."""
         return self.cell - 2 * GAP if self.inset else self.cell + self.case.thick - GAP
 
     @cached_property
-    def begin(self) -> Scalar:
+    def begin(self) -> ag.Scalar:
         """The fronts of boxes along y [m]."""
         return self.face + self.thick - _BITE
 
     @cached_property
-    def deep(self) -> Scalar:
+    def deep(self) -> ag.Scalar:
         """The depth of boxes [m]."""
         return self.case.behind - _REAR - self.begin
 
-    def outer(self, column: int) -> tuple[Scalar, Scalar]:
+    def outer(self, column: int) -> tuple[ag.Scalar, ag.Scalar]:
         """Return the left and the right edge of the fronts of a column [m]."""
         middle = self.middles[column]
         left, right = middle - self.width / 2, middle + self.width / 2
@@ -159,9 +144,9 @@ class Rows:
         return (-end if column == 0 else left), (end if column == self.columns - 1 else right)
 
     @cached_property
-    def spans(self) -> list[tuple[Scalar, Scalar]]:
+    def spans(self) -> list[tuple[ag.Scalar, ag.Scalar]]:
         """The lower and upper edges of the fronts of each row, from the top [m]."""
-        whole: Scalar = self.weights[0]
+        whole: ag.Scalar = self.weights[0]
         for weight in self.weights[1:]:
             whole = whole + weight
         unit = (self.top - self.bottom - (len(self.weights) - 1) * self.apart) / whole
@@ -171,22 +156,22 @@ class Rows:
             high = high - weight * unit - self.apart
         return found
 
-    def rises(self, row: int) -> tuple[Scalar, Scalar]:
+    def rises(self, row: int) -> tuple[ag.Scalar, ag.Scalar]:
         """Return what is free over the lower edge of a front, and under its upper one [m]."""
         if self.inset:
             return 0.0, 0.0
         last = row == len(self.weights) - 1
-        floor: Scalar = 0.0
+        floor: ag.Scalar = 0.0
         if last:
             floor = (self.case.floor - self.bottom) if self.low is None else self.case.thick / 2
-        ceiling: Scalar = 0.0
+        ceiling: ag.Scalar = 0.0
         if row == 0:
             ceiling = self.case.thick - _MARGIN
         if self.groove:
             ceiling = GROOVE
         return floor, ceiling
 
-    def between(self, *, solid: bool) -> list[Body]:
+    def between(self, *, solid: bool) -> list[ag.Body]:
         """Make the partitions between columns and the rails between rows."""
         case, y = self.case, self.case.thick / 2
         low = None if self.low is None else self.low
@@ -196,7 +181,7 @@ class Rows:
         ]
         if not self.inset and not self.groove:
             return bodies
-        levels: list[tuple[Scalar, Scalar]] = []
+        levels: list[tuple[ag.Scalar, ag.Scalar]] = []
         for (_, high), (low_above, _) in zip(self.spans[1:], self.spans, strict=False):
             if self.inset:
                 levels.append((high + GAP + y, case.thick))
@@ -215,41 +200,43 @@ class Rows:
 class BoxLook:
     """How the boxes of drawers look."""
 
-    sides: Material  # of sides, back and inner front
-    bottom: Material  # of the bottom
-    wall: Scalar  # thickness of sides, back and inner front [m]
-    floor: Scalar  # thickness of the bottom [m]
+    sides: ag.Material  # of sides, back and inner front
+    bottom: ag.Material  # of the bottom
+    wall: ag.Scalar  # thickness of sides, back and inner front [m]
+    floor: ag.Scalar  # thickness of the bottom [m]
     runner: RunnerStyle  # on what they run
-    tallest: Scalar  # height of their sides at most [m]
+    tallest: ag.Scalar  # height of their sides at most [m]
     # whether runners, and rails behind grooves, have mass and collide; those of many drawers only are seen,
     # since simulators look at all pairs of what is near
     solid: bool = True
 
 
-def drawer(rows: Rows, row: int, column: int, look: FrontLook, box: Body, handles: Sequence[Body]) -> Body:
+def drawer(
+    rows: Rows, row: int, column: int, look: FrontLook, box: ag.Body, handles: Sequence[ag.Body]
+) -> ag.Body:
     """Make a drawer: the link `drawer`."""
     low, high = rows.spans[row]
     left, right = rows.outer(column)
     aside = (left + right) / 2 - rows.middles[column]
     slab = high - low - GROOVE + 0.0004 if rows.groove else high - low  # under its edge
     middle = (aside, rows.face + rows.thick / 2, slab / 2)
-    return weld(
+    return ag.weld(
         box,
         *(each.at(*middle) for each in front(look, right - left, slab, rows.thick, label="front")),
         *(each.at(aside, rows.face, 0.0) for each in handles),
     )
 
 
-def _sizes(rows: Rows, row: int, look: BoxLook) -> tuple[Scalar, Scalar, Scalar]:
+def _sizes(rows: Rows, row: int, look: BoxLook) -> tuple[ag.Scalar, ag.Scalar, ag.Scalar]:
     """Return where the box of a drawer begins over its front, its height, and the middle of its runners."""
     low, high = rows.spans[row]
     floor, over = rows.rises(row)
     base = floor + _FLOOR
-    tall = min_(high - low - base - over - _OVER, look.tallest)
+    tall = ag.min_(high - low - base - over - _OVER, look.tallest)
     return base, tall, base + (0.017 if look.runner == "roller" else 0.42 * tall)
 
 
-def drawer_box(rows: Rows, row: int, look: BoxLook) -> Body:
+def drawer_box(rows: Rows, row: int, look: BoxLook) -> ag.Body:
     """Make the box of the drawers of a row with the moving members of its runners: the link `drawer`."""
     base, tall, z = _sizes(rows, row, look)
     begin, wide, deep = rows.begin, rows.cell - 2 * SIDE_PLAY, rows.deep
@@ -259,17 +246,17 @@ def drawer_box(rows: Rows, row: int, look: BoxLook) -> Body:
     members = moving_member(
         look.runner, side=wide / 2, z=z, front=begin + look.wall, length=length, solid=look.solid
     )
-    return weld(
-        part(inner, "drawer", look.sides, name="drawer"),
-        part(bottom, "drawer", look.bottom),
-        *(part(each, "drawer", look.sides) for each in others),
-        *(half for each in members for half in (each, each.mirror(X))),
+    return ag.weld(
+        ag.part(inner, "drawer", look.sides, name="drawer"),
+        ag.part(bottom, "drawer", look.bottom),
+        *(ag.part(each, "drawer", look.sides) for each in others),
+        *(half for each in members for half in (each, each.mirror(ag.X))),
     )
 
 
-def fixed_members(rows: Rows, look: BoxLook) -> list[Body]:
+def fixed_members(rows: Rows, look: BoxLook) -> list[ag.Body]:
     """Make the members of the runners on the carcass."""
-    bodies: list[Body] = []
+    bodies: list[ag.Body] = []
     for row, (low, _) in enumerate(rows.spans):
         z = low + _sizes(rows, row, look)[2]
         members = fixed_member(
@@ -280,20 +267,22 @@ def fixed_members(rows: Rows, look: BoxLook) -> list[Body]:
             length=rows.deep - 0.008,
             solid=look.solid,
         )
-        pair = [half for each in members for half in (each, each.mirror(X))]
+        pair = [half for each in members for half in (each, each.mirror(ag.X))]
         bodies += [each.at(x, 0.0, 0.0) for x in rows.middles for each in pair]
     return bodies
 
 
-def travel(rows: Rows, share: Scalar) -> Scalar:
+def travel(rows: Rows, share: ag.Scalar) -> ag.Scalar:
     """Return how far drawers come out [m]."""
     return share * rows.deep
 
 
-def slide(rows: Rows, row: int, column: int, *, share: Scalar, friction: Scalar, damping: Scalar) -> Joint:
+def slide(
+    rows: Rows, row: int, column: int, *, share: ag.Scalar, friction: ag.Scalar, damping: ag.Scalar
+) -> ag.Joint:
     """Make the slide of a drawer, to be suffixed with it."""
     low, high = rows.spans[row]
-    return Prismatic(
+    return ag.Prismatic(
         f"drawer_slide_{row * rows.columns + column}",
         axis=(0.0, -1.0, 0.0),
         pivot=(rows.middles[column], rows.face, (low + high) / 2),

@@ -6,20 +6,7 @@ of the carcass's member, another at the rear of the drawer's. Ball runners are z
 
 from typing import Literal
 
-from artgen import (
-    Body,
-    Material,
-    Scalar,
-    Solid,
-    VectorLike,
-    X,
-    array,
-    board,
-    cylinder,
-    detail,
-    material,
-    part,
-)
+import artgen as ag
 from artgen.categories.shared.furniture.finish import CREAM_STEEL, ZINC
 from artgen.categories.shared.hardware.fixings import screws
 
@@ -34,40 +21,42 @@ _MEMBER = 0.0052  # thickness of either member: 2.1 mm are left between them [m]
 _HIGH: dict[RunnerStyle, float] = {"roller": 0.030, "ball": 0.042}
 
 
-def steel_of(style: RunnerStyle) -> Material:
+def steel_of(style: RunnerStyle) -> ag.Material:
     """Return the steel of runners."""
     return CREAM_STEEL if style == "roller" else ZINC
 
 
 def fixed_member(
-    style: RunnerStyle, *, face: Scalar, z: Scalar, front: Scalar, length: Scalar, solid: bool
-) -> list[Body]:
+    style: RunnerStyle, *, face: ag.Scalar, z: ag.Scalar, front: ag.Scalar, length: ag.Scalar, solid: bool
+) -> list[ag.Body]:
     """Make the member on the carcass, at the right of a drawer."""
     high, steel = _HIGH[style], steel_of(style)
-    rail = board(
+    rail = ag.board(
         (face - _MEMBER, face + 0.0003), (front, front + length), (z - high / 2, z + high / 2), bevel=0.0008
     )
     # lips fold over the drawer's member
-    lip = board(
+    lip = ag.board(
         (face - _MEMBER - 0.0018, face - _MEMBER + 0.0005),
         (front + 0.001, front + length - 0.001),
         (-0.0015, 0.0015),
     )
     edge = high / 2 - 0.0015
-    at: list[VectorLike] = [(0.0, 0.0, z + end * edge) for end in ((-1, 1) if style == "ball" else (-1,))]
-    bodies = [_steel(rail, steel, solid=solid), detail(array(lip, at=at), "runner", steel)]
+    at: list[ag.VectorLike] = [(0.0, 0.0, z + end * edge) for end in ((-1, 1) if style == "ball" else (-1,))]
+    bodies = [_steel(rail, steel, solid=solid), ag.detail(ag.array(lip, at=at), "runner", steel)]
     if style == "roller":
-        wheel = cylinder(0.010, 0.0022, axis=X, bevel=0.0006)
-        bodies.append(detail(wheel.at(face - _MEMBER - 0.0006, front + 0.014, z), "runner", material("abs")))
+        wheel = ag.cylinder(0.010, 0.0022, axis=ag.X, bevel=0.0006)
+        bodies.append(
+            ag.detail(wheel.at(face - _MEMBER - 0.0006, front + 0.014, z), "runner", ag.material("abs"))
+        )
     return bodies
 
 
 def moving_member(
-    style: RunnerStyle, *, side: Scalar, z: Scalar, front: Scalar, length: Scalar, solid: bool
-) -> list[Body]:
+    style: RunnerStyle, *, side: ag.Scalar, z: ag.Scalar, front: ag.Scalar, length: ag.Scalar, solid: bool
+) -> list[ag.Body]:
     """Make the member on the right side of a drawer."""
     high, steel = _HIGH[style] - 0.010, steel_of(style)
-    rail = board(
+    rail = ag.board(
         (side - 0.0003, side + _MEMBER), (front, front + length), (z - high / 2, z + high / 2), bevel=0.0008
     )
     heads = [(side + _MEMBER, front + share * length, z) for share in (0.12, 0.5, 0.88)]
@@ -77,5 +66,5 @@ def moving_member(
     ]
 
 
-def _steel(rail: Solid, steel: Material, *, solid: bool) -> Body:
-    return part(rail, "runner", steel) if solid else detail(rail, "runner", steel)
+def _steel(rail: ag.Solid, steel: ag.Material, *, solid: bool) -> ag.Body:
+    return ag.part(rail, "runner", steel) if solid else ag.detail(rail, "runner", steel)

@@ -16,22 +16,7 @@ Sizes are those of shops: valves 0.2 m apart (8 inches, ASME A112.18.1), spouts 
 
 from typing import Literal
 
-from artgen import (
-    Body,
-    Float,
-    Material,
-    by,
-    category,
-    choice,
-    material,
-    max_,
-    min_,
-    require,
-    shades,
-    uniform,
-    vector,
-    weld,
-)
+import artgen as ag
 from artgen.categories.faucet.drain import Drain
 from artgen.categories.faucet.handles import (
     HandleStyle,
@@ -73,8 +58,8 @@ _METALS = {
     "chrome": 3.0,
     "stainless": 1.0,
 }
-_DECKS: dict[Material | str, float] = {
-    casting(material("stainless_blasted"), 0.14): 0.6,  # a sheet around a board
+_DECKS: dict[ag.Material | str, float] = {
+    casting(ag.material("stainless_blasted"), 0.14): 0.6,  # a sheet around a board
     "green_marble": 0.5,
     "marble": 1.2,
     "oak": 1.0,
@@ -86,7 +71,7 @@ _PAST = 0.045  # from the end of a lever to the middle of a spray head [m]
 _METAL_WEIGHTS, _DECK_WEIGHTS = tuple(_METALS.values()), tuple(_DECKS.values())
 
 
-@category(
+@ag.category(
     labels=(
         "deck", "foot", "screw", "escutcheon", "body", "valve", "collar", "handle", "index", "spout",
         "aerator", "spray_head", "hose", "guide", "lift_rod",
@@ -96,7 +81,7 @@ _METAL_WEIGHTS, _DECK_WEIGHTS = tuple(_METALS.values()), tuple(_DECKS.values())
 )  # fmt: skip
 def faucet(
     *,
-    style: Style = choice(
+    style: Style = ag.choice(
         "vessel",
         "bridge",
         "single_hole",
@@ -106,112 +91,121 @@ def faucet(
         "pull_down",
         weights=(0.15, 0.11, 0.10, 0.12, 0.16, 0.16, 0.20),
     ),
-    spout: SpoutStyle = by(
+    spout: SpoutStyle = ag.by(
         "style",
-        widespread=choice("gooseneck", "arc", "angular", weights=(0.3, 0.4, 0.3)),
-        bridge=choice("gooseneck", "angular", weights=(0.7, 0.3)),
-        wall=choice("gooseneck", "low", weights=(0.45, 0.55)),
+        widespread=ag.choice("gooseneck", "arc", "angular", weights=(0.3, 0.4, 0.3)),
+        bridge=ag.choice("gooseneck", "angular", weights=(0.7, 0.3)),
+        wall=ag.choice("gooseneck", "low", weights=(0.45, 0.55)),
         single_hole="beam",
         vessel="beam",
         otherwise="gooseneck",
     ),
-    height: Float = by(
+    height: ag.Float = ag.by(
         "style",
-        widespread=by(
-            "spout", gooseneck=uniform(0.20, 0.30), arc=uniform(0.145, 0.20), otherwise=uniform(0.145, 0.22)
+        widespread=ag.by(
+            "spout",
+            gooseneck=ag.uniform(0.20, 0.30),
+            arc=ag.uniform(0.145, 0.20),
+            otherwise=ag.uniform(0.145, 0.22),
         ),
-        bridge=uniform(0.30, 0.40),
-        wall=uniform(0.24, 0.29),
-        single_hole=uniform(0.062, 0.095),
-        vessel=uniform(0.17, 0.25),
-        gooseneck=uniform(0.32, 0.44),
-        pull_down=uniform(0.40, 0.45),
+        bridge=ag.uniform(0.30, 0.40),
+        wall=ag.uniform(0.24, 0.29),
+        single_hole=ag.uniform(0.062, 0.095),
+        vessel=ag.uniform(0.17, 0.25),
+        gooseneck=ag.uniform(0.32, 0.44),
+        pull_down=ag.uniform(0.40, 0.45),
         unit="m",
         doc="of the spout over the deck, or over the bar before a wall; of the column under a straight spout",
         within=(0.05, 0.45),
     ),
-    reach: Float = by(
+    reach: ag.Float = ag.by(
         "style",
-        widespread=uniform(0.11, 0.16),
-        single_hole=uniform(0.115, 0.15),
-        vessel=uniform(0.12, 0.18),
-        bridge=uniform(0.17, 0.22),
-        wall=uniform(0.15, 0.22),
-        otherwise=uniform(0.18, 0.22),
+        widespread=ag.uniform(0.11, 0.16),
+        single_hole=ag.uniform(0.115, 0.15),
+        vessel=ag.uniform(0.12, 0.18),
+        bridge=ag.uniform(0.17, 0.22),
+        wall=ag.uniform(0.15, 0.22),
+        otherwise=ag.uniform(0.18, 0.22),
         unit="m",
         doc="of the spout from its axis",
         within=(0.08, 0.26),
     ),
-    girth: Float = by(
+    girth: ag.Float = ag.by(
         "style",
-        widespread=uniform(0.0095, 0.0125),
-        pull_down=uniform(0.0125, 0.0145),
-        otherwise=uniform(0.0105, 0.0135),
+        widespread=ag.uniform(0.0095, 0.0125),
+        pull_down=ag.uniform(0.0125, 0.0145),
+        otherwise=ag.uniform(0.0105, 0.0135),
         unit="m",
         doc="radius of the spout's tube",
         within=(0.009, 0.016),
     ),
-    body_radius: Float = uniform(0.0215, 0.0265, "m", doc="of the column of a mixer", within=(0.02, 0.03)),
-    square: bool = choice(False, True, doc="whether a straight spout is flat"),
-    swivel_limit: Float = by(
+    body_radius: ag.Float = ag.uniform(
+        0.0215, 0.0265, "m", doc="of the column of a mixer", within=(0.02, 0.03)
+    ),
+    square: bool = ag.choice(False, True, doc="whether a straight spout is flat"),
+    swivel_limit: ag.Float = ag.by(
         "style",
-        single_hole=uniform(1.57, 2.1),  # clear of the rod behind it
-        wall=uniform(1.57, 1.75),  # clear of the wall
-        otherwise=uniform(1.57, 3.14),
+        single_hole=ag.uniform(1.57, 2.1),  # clear of the rod behind it
+        wall=ag.uniform(1.57, 1.75),  # clear of the wall
+        otherwise=ag.uniform(1.57, 3.14),
         unit="rad",
         doc="of the spout to either side",
         within=(0.5, 3.14),
     ),
-    handle: HandleStyle = choice(
+    handle: HandleStyle = ag.choice(
         "lever", "blade", "cross", "knob", weights=(0.35, 0.25, 0.25, 0.15), doc="of two"
     ),
-    lever: LeverStyle = choice("rod", "blade", "paddle", doc="of a mixer"),
-    handle_length: Float = uniform(0.058, 0.076, "m", doc="of two, from the axis", within=(0.045, 0.09)),
-    lever_length: Float = by(
+    lever: LeverStyle = ag.choice("rod", "blade", "paddle", doc="of a mixer"),
+    handle_length: ag.Float = ag.uniform(
+        0.058, 0.076, "m", doc="of two, from the axis", within=(0.045, 0.09)
+    ),
+    lever_length: ag.Float = ag.by(
         "style",
-        single_hole=uniform(0.078, 0.100),
-        vessel=uniform(0.078, 0.100),
-        otherwise=uniform(0.085, 0.115),
+        single_hole=ag.uniform(0.078, 0.100),
+        vessel=ag.uniform(0.078, 0.100),
+        otherwise=ag.uniform(0.085, 0.115),
         unit="m",
         doc="of a mixer, from the axis",
         within=(0.07, 0.14),
     ),
-    side: Literal["left", "right"] = choice(
+    side: Literal["left", "right"] = ag.choice(
         "right", "left", weights=(0.8, 0.2), doc="of the lever under a tall spout"
     ),
-    lift: Float = uniform(0.42, 0.50, "rad", doc="of a lever", within=(0.3, 0.55)),
-    rod: bool = by(
+    lift: ag.Float = ag.uniform(0.42, 0.50, "rad", doc="of a lever", within=(0.3, 0.55)),
+    rod: bool = ag.by(
         "style",
-        widespread=choice(True, False),
-        single_hole=choice(True, False),
+        widespread=ag.choice(True, False),
+        single_hole=ag.choice(True, False),
         otherwise=False,
         doc="whether it has a pop-up drain, which a rod shuts",
     ),
-    finish: Material = shades(*_METALS, weights=_METAL_WEIGHTS, color=0.03, roughness=0.03),
-    accent: Literal["same", "ceramic"] = choice(
+    finish: ag.Material = ag.shades(*_METALS, weights=_METAL_WEIGHTS, color=0.03, roughness=0.03),
+    accent: Literal["same", "ceramic"] = ag.choice(
         "same", "ceramic", weights=(0.6, 0.4), doc="buttons of two handles"
     ),
-    surface: Material = shades(*_DECKS, weights=_DECK_WEIGHTS, color=0.06, doc="of the deck or wall"),
-    deck_margin: Float = uniform(
+    surface: ag.Material = ag.shades(*_DECKS, weights=_DECK_WEIGHTS, color=0.06, doc="of the deck or wall"),
+    deck_margin: ag.Float = ag.uniform(
         0.045, 0.075, "m", doc="of the deck around what stands on it", within=(0.035, 0.12)
     ),
-    deck_thickness: Float = uniform(0.020, 0.030, "m", within=(0.020, 0.05)),
-    swivel_friction: Float = uniform(0.6, 1.4, "N m", doc="of the seals of the spout", within=(0.2, 4.0)),
-    handle_friction: Float = uniform(0.35, 0.75, "N m", doc="of ceramic discs", within=(0.1, 2.0)),
-    head_travel: Float = uniform(0.050, 0.075, "m", doc="of a spray head", within=(0.03, 0.09)),
-    head_force: Float = uniform(9.0, 14.0, "N", doc="by which it is drawn back", within=(5.0, 30.0)),
-    rod_friction: Float = uniform(5.0, 9.0, "N"),
-) -> Body:
+    deck_thickness: ag.Float = ag.uniform(0.020, 0.030, "m", within=(0.020, 0.05)),
+    swivel_friction: ag.Float = ag.uniform(
+        0.6, 1.4, "N m", doc="of the seals of the spout", within=(0.2, 4.0)
+    ),
+    handle_friction: ag.Float = ag.uniform(0.35, 0.75, "N m", doc="of ceramic discs", within=(0.1, 2.0)),
+    head_travel: ag.Float = ag.uniform(0.050, 0.075, "m", doc="of a spray head", within=(0.03, 0.09)),
+    head_force: ag.Float = ag.uniform(9.0, 14.0, "N", doc="by which it is drawn back", within=(5.0, 30.0)),
+    rod_friction: ag.Float = ag.uniform(5.0, 9.0, "N"),
+) -> ag.Body:
     """Make a faucet, shut: spout, one or two handles, spray head, lift rod."""
-    require(
+    ag.require(
         (spout == "beam") == (style in ("single_hole", "vessel")),
         f"spout={spout} does not go with style={style}: a beam is the spout of single_hole and vessel, and "
         "these have no other one",
     )
-    require(spout != "low" or style == "wall", f"spout=low hangs before a wall, not on style={style}")
-    require(not rod or style != "wall", "a faucet on a wall has no lift rod: rod must be False")
+    ag.require(spout != "low" or style == "wall", f"spout=low hangs before a wall, not on style={style}")
+    ag.require(not rod or style != "wall", "a faucet on a wall has no lift rod: rod must be False")
     # slabs on a wall are thinner than worktops
-    thick = min_(deck_thickness, 0.024) if style == "wall" else deck_thickness
+    thick = ag.min_(deck_thickness, 0.024) if style == "wall" else deck_thickness
     board = Board(deck_margin, thick, surface, reach if rod else None)
     arm = Lever(lever, lever_length, lift, handle_friction, side)
     ring = 2 * girth + 0.010  # height of the ring of a straight spout
@@ -239,7 +233,7 @@ def faucet(
         turned = hanging_spout(reach=reach, radius=girth, finish=finish)
     elif style == "pull_down":
         fall = straight - head_travel - 0.017  # over which the hose slides in a straight leg
-        end = vector(0.0, -reach, fall)
+        end = ag.vector(0.0, -reach, fall)
         turned = pull_down_spout(
             height=rise, reach=reach, radius=girth, travel=head_travel, fall=fall, finish=finish
         ).attach(
@@ -253,12 +247,12 @@ def faucet(
     else:
         fall = {"gooseneck": straight - 0.032, "arc": 0.6 * rise}.get(spout, rise - 0.032)
         turned = rising_spout(
-            spout, height=rise, reach=reach, fall=max_(stand.least, fall), radius=girth, finish=finish
+            spout, height=rise, reach=reach, fall=ag.max_(stand.least, fall), radius=girth, finish=finish
         )
     turn = swivel(limit=swivel_limit, friction=swivel_friction, pivot=stand.foot)
     body = stand.body.attach(turned.at(stand.foot), turn)
 
-    button = finish if accent == "same" else material("ceramic")
+    button = finish if accent == "same" else ag.material("ceramic")
     for at, hot in zip(stand.valves, (True, False), strict=False):
         which = "left" if hot else "right"
         one = turning_handle(
@@ -271,7 +265,7 @@ def faucet(
             from_tip=style == "wall",
         )
         joint = quarter_turn(f"handle_turn_{which}", hot=hot, friction=handle_friction, pivot=at)
-        body = weld(body, bonnet(finish, flange=stand.flanges).at(at)).attach(one.at(at), joint)
+        body = ag.weld(body, bonnet(finish, flange=stand.flanges).at(at)).attach(one.at(at), joint)
     if rod:
         drain = Drain(-reach, ROD_AT, board.top, deck_thickness, finish, rod_friction)
         body = drain.on(body)

@@ -3,38 +3,7 @@
 import math
 from typing import Literal
 
-from artgen import (
-    Body,
-    Joint,
-    Material,
-    Prismatic,
-    Profile,
-    Revolute,
-    Scalar,
-    Vector,
-    X,
-    Y,
-    Z,
-    array,
-    box_between,
-    circle,
-    cylinder,
-    detail,
-    frame,
-    frustum,
-    grasp_on,
-    material,
-    part,
-    polyline,
-    rectangle,
-    require,
-    revolve,
-    spline,
-    sweep,
-    tube,
-    vector,
-    weld,
-)
+import artgen as ag
 from artgen.categories.shared.finish import casting
 from artgen.nodes.handles import Path
 
@@ -56,14 +25,14 @@ _LEAST = 0.0104  # radius of a spout with that bore [m]
 _HOSE = 0.0056  # radius of the hose [m]
 _DOCK = 0.010  # what remains of the hose in the spout when the head is out [m]
 _SIDES = 12  # facets of hollow parts, under a smooth skin
-_MESH = material("black_abs").with_(name="aerator_mesh", base_color=(0.10, 0.10, 0.10))
+_MESH = ag.material("black_abs").with_(name="aerator_mesh", base_color=(0.10, 0.10, 0.10))
 
 
-def swivel(*, limit: Scalar, friction: Scalar, pivot: Vector) -> Joint:
+def swivel(*, limit: ag.Scalar, friction: ag.Scalar, pivot: ag.Vector) -> ag.Joint:
     """Make the joint of a spout, which looks to the front at 0."""
-    return Revolute(
+    return ag.Revolute(
         "spout_swivel",
-        axis=Z,
+        axis=ag.Z,
         pivot=pivot,
         limits=(-limit, limit),
         friction=friction,
@@ -73,35 +42,37 @@ def swivel(*, limit: Scalar, friction: Scalar, pivot: Vector) -> Joint:
     )
 
 
-def aerator(radius: Scalar, finish: Material) -> Body:
+def aerator(radius: ag.Scalar, finish: ag.Material) -> ag.Body:
     """Make an aerator that hangs from the origin down, with its sieve."""
-    ring_ = cylinder(radius, AERATOR, bevel=0.0014).align((0.0, 0.0, 0.001), z=1)
-    sieve = cylinder(0.74 * radius, 0.0008).at(0.0, 0.0, 0.001 - AERATOR)
-    holes = cylinder(0.50 * radius, 0.0010).at(0.0, 0.0, 0.0009 - AERATOR)
-    return weld(
-        part(ring_, "aerator", casting(finish, 0.6)),
-        detail(sieve, "aerator", _MESH),
-        detail(holes, "aerator", material("stainless").with_(name="sieve_steel", specular_roughness=0.5)),
+    ring_ = ag.cylinder(radius, AERATOR, bevel=0.0014).align((0.0, 0.0, 0.001), z=1)
+    sieve = ag.cylinder(0.74 * radius, 0.0008).at(0.0, 0.0, 0.001 - AERATOR)
+    holes = ag.cylinder(0.50 * radius, 0.0010).at(0.0, 0.0, 0.0009 - AERATOR)
+    return ag.weld(
+        ag.part(ring_, "aerator", casting(finish, 0.6)),
+        ag.detail(sieve, "aerator", _MESH),
+        ag.detail(
+            holes, "aerator", ag.material("stainless").with_(name="sieve_steel", specular_roughness=0.5)
+        ),
     )
 
 
-def _course(style: SpoutStyle, height: Scalar, reach: Scalar, fall: Scalar) -> Path:
+def _course(style: SpoutStyle, height: ag.Scalar, reach: ag.Scalar, fall: ag.Scalar) -> Path:
     """Return the middle line of a spout from its foot to its end, which points down."""
     low = 0.004
     match style:
         case "gooseneck":
-            height = require(
+            height = ag.require(
                 height,
                 height - low > 0.5 * reach,
                 "a gooseneck is higher than half of its reach: raise height, or lower reach",
             )
-            return polyline(
+            return ag.polyline(
                 [(0.0, 0.0, low), (0.0, 0.0, height), (0.0, -reach, height), (0.0, -reach, fall)],
                 fillet=0.4985 * reach,
             )
         case "arc":
             drop = height - fall
-            return spline(
+            return ag.spline(
                 [
                     (0.0, 0.0, low),
                     (0.0, 0.0, 0.50 * height),
@@ -113,53 +84,59 @@ def _course(style: SpoutStyle, height: Scalar, reach: Scalar, fall: Scalar) -> P
                 ]
             )
         case _:
-            return polyline(
+            return ag.polyline(
                 [(0.0, 0.0, low), (0.0, 0.0, height), (0.0, -reach, height), (0.0, -reach, fall)],
                 fillet=0.020,
             )
 
 
 def rising_spout(
-    style: SpoutStyle, *, height: Scalar, reach: Scalar, fall: Scalar, radius: Scalar, finish: Material
-) -> Body:
+    style: SpoutStyle,
+    *,
+    height: ag.Scalar,
+    reach: ag.Scalar,
+    fall: ag.Scalar,
+    radius: ag.Scalar,
+    finish: ag.Material,
+) -> ag.Body:
     """Make a spout that rises from its foot: the link `spout`."""
-    section: Profile = circle(radius)
+    section: ag.Profile = ag.circle(radius)
     if style == "angular":
-        section = rectangle(1.8 * radius, 1.8 * radius, radius=0.3 * radius)
-    pipe = sweep(section, _course(style, height, reach, fall))
-    hub = frustum(radius + 0.0065, radius + 0.0035, _FOOT, bevel=0.0015).align((0.0, 0.0, GAP), z=-1)
-    end = vector(0.0, -reach, fall)
+        section = ag.rectangle(1.8 * radius, 1.8 * radius, radius=0.3 * radius)
+    pipe = ag.sweep(section, _course(style, height, reach, fall))
+    hub = ag.frustum(radius + 0.0065, radius + 0.0035, _FOOT, bevel=0.0015).align((0.0, 0.0, GAP), z=-1)
+    end = ag.vector(0.0, -reach, fall)
     metal = casting(finish, 0.32)
     tip = aerator(radius + 0.0012, finish).at(end)
-    hold = frame(end + Z * 0.004, approach=Y, closing=X)
-    return weld(
-        part(hub, "spout", metal, grasp=hold, grasp_width=2.0 * radius + 0.012),
-        part(pipe, "spout", metal),
+    hold = ag.frame(end + ag.Z * 0.004, approach=ag.Y, closing=ag.X)
+    return ag.weld(
+        ag.part(hub, "spout", metal, grasp=hold, grasp_width=2.0 * radius + 0.012),
+        ag.part(pipe, "spout", metal),
         tip,
     )
 
 
-def hanging_spout(*, reach: Scalar, radius: Scalar, finish: Material) -> Body:
+def hanging_spout(*, reach: ag.Scalar, radius: ag.Scalar, finish: ag.Material) -> ag.Body:
     """Make a spout that hangs from a foot above it, runs forward and a little up: the link `spout`."""
     low, fall = -0.050, -0.062
-    course = polyline(
+    course = ag.polyline(
         [(0.0, 0.0, -0.004), (0.0, 0.0, low), (0.0, -reach, -0.028), (0.0, -reach, fall)],
         fillet=0.021,
     )
-    hub = frustum(radius + 0.0035, radius + 0.0065, _FOOT, bevel=0.0015).align((0.0, 0.0, -GAP), z=1)
-    end = vector(0.0, -reach, fall)
+    hub = ag.frustum(radius + 0.0035, radius + 0.0065, _FOOT, bevel=0.0015).align((0.0, 0.0, -GAP), z=1)
+    end = ag.vector(0.0, -reach, fall)
     metal = casting(finish, 0.32)
-    hold = frame(end + Z * 0.006, approach=Y, closing=X)
-    return weld(
-        part(hub, "spout", metal, grasp=hold, grasp_width=2.0 * radius + 0.012),
-        part(sweep(circle(radius), course), "spout", metal),
+    hold = ag.frame(end + ag.Z * 0.006, approach=ag.Y, closing=ag.X)
+    return ag.weld(
+        ag.part(hub, "spout", metal, grasp=hold, grasp_width=2.0 * radius + 0.012),
+        ag.part(ag.sweep(ag.circle(radius), course), "spout", metal),
         aerator(radius + 0.0012, finish).at(end),
     )
 
 
 def beam_spout(
-    *, hub: Scalar, tall: Scalar, reach: Scalar, radius: Scalar, square: bool, finish: Material
-) -> Body:
+    *, hub: ag.Scalar, tall: ag.Scalar, reach: ag.Scalar, radius: ag.Scalar, square: bool, finish: ag.Material
+) -> ag.Body:
     """Make a spout that leaves a ring about a column: the link `spout`.
 
     The ring has few facets under a smooth skin, which is only seen.
@@ -168,22 +145,22 @@ def beam_spout(
     core = core_radius(hub)
     inner = (core + 0.0004) * 1.04  # so that its facets clear the core
     low, high = GAP, tall - 2.0 * GAP
-    wall = revolve(
-        rectangle(hub - 0.0006 - inner, high - low).at(0.5 * (hub - 0.0006 + inner), 0.5 * (low + high)),
+    wall = ag.revolve(
+        ag.rectangle(hub - 0.0006 - inner, high - low).at(0.5 * (hub - 0.0006 + inner), 0.5 * (low + high)),
         sides=_SIDES,
     )
-    skin = tube(hub, hub - 0.0016, high - low, bevel=0.0006).at(0.0, 0.0, 0.5 * (low + high))
+    skin = ag.tube(hub, hub - 0.0016, high - low, bevel=0.0006).at(0.0, 0.0, 0.5 * (low + high))
     middle = 0.5 * tall
-    end = vector(0.0, -reach, middle - radius)
+    end = ag.vector(0.0, -reach, middle - radius)
     if square:
-        pipe = box_between(
+        pipe = ag.box_between(
             (-1.3 * radius, -reach - 1.1 * radius, middle - 0.75 * radius),
             (1.3 * radius, -0.80 * hub, middle + 0.75 * radius),
             bevel=0.0025,
         )
-        end = vector(0.0, -reach, middle - 0.75 * radius)
+        end = ag.vector(0.0, -reach, middle - 0.75 * radius)
     else:
-        course = polyline(
+        course = ag.polyline(
             [
                 (0.0, -0.80 * hub, middle),
                 (0.0, -reach, middle),
@@ -191,86 +168,94 @@ def beam_spout(
             ],
             fillet=1.25 * radius,
         )
-        pipe = sweep(circle(radius), course)
-        end = vector(0.0, -reach, middle - 1.6 * radius)
-    hold = grasp_on(pipe, approach=Y, closing=X, depth=0.018)
-    return weld(
-        part(wall, "spout", metal),
-        detail(skin, "spout", finish),
-        part(pipe, "spout", metal, grasp=hold),
+        pipe = ag.sweep(ag.circle(radius), course)
+        end = ag.vector(0.0, -reach, middle - 1.6 * radius)
+    hold = ag.grasp_on(pipe, approach=ag.Y, closing=ag.X, depth=0.018)
+    return ag.weld(
+        ag.part(wall, "spout", metal),
+        ag.detail(skin, "spout", finish),
+        ag.part(pipe, "spout", metal, grasp=hold),
         aerator(0.92 * radius, finish).at(end),
     )
 
 
-def core_radius(hub: Scalar) -> Scalar:
+def core_radius(hub: ag.Scalar) -> ag.Scalar:
     """Return the radius of the fixed core in the ring of a beam spout [m]."""
     return 0.60 * hub
 
 
 def pull_down_spout(
-    *, height: Scalar, reach: Scalar, radius: Scalar, travel: Scalar, fall: Scalar, finish: Material
-) -> Body:
+    *,
+    height: ag.Scalar,
+    reach: ag.Scalar,
+    radius: ag.Scalar,
+    travel: ag.Scalar,
+    fall: ag.Scalar,
+    finish: ag.Material,
+) -> ag.Body:
     """Make a gooseneck whose end takes up the hose of a spray head: the link `spout`."""
     metal = casting(finish, 0.32)
-    radius = require(
+    radius = ag.require(
         radius, radius > _LEAST, f"the hose of a spray head is in its spout: girth over {_LEAST:g} m"
     )
     deep = travel + _DOCK + 0.006  # of the bore
-    pipe = sweep(circle(radius), _course("gooseneck", height, reach, fall + deep))
-    hub = frustum(radius + 0.0065, radius + 0.0035, _FOOT, bevel=0.0015).align((0.0, 0.0, GAP), z=-1)
+    pipe = ag.sweep(ag.circle(radius), _course("gooseneck", height, reach, fall + deep))
+    hub = ag.frustum(radius + 0.0065, radius + 0.0035, _FOOT, bevel=0.0015).align((0.0, 0.0, GAP), z=-1)
     # facets inside of the smooth skin
     out, inner = radius - 0.0006, _BORE / 0.966
-    leg = revolve(rectangle(out - inner, deep + 0.0005).at(0.5 * (out + inner), 0.5 * deep), sides=_SIDES)
-    skin = tube(radius, radius - 0.0014, deep + 0.0006).at(0.0, 0.0, 0.5 * deep + 0.0003)
-    end = vector(0.0, -reach, fall)
-    hold = frame(end + Z * 0.012, approach=Y, closing=X)
-    return weld(
-        part(hub, "spout", metal, grasp=hold, grasp_width=2.0 * radius + 0.012),
-        part(pipe, "spout", metal),
-        part(leg.at(end), "spout", casting(finish, 0.8)),
-        detail(skin.at(end), "spout", finish),
+    leg = ag.revolve(
+        ag.rectangle(out - inner, deep + 0.0005).at(0.5 * (out + inner), 0.5 * deep), sides=_SIDES
+    )
+    skin = ag.tube(radius, radius - 0.0014, deep + 0.0006).at(0.0, 0.0, 0.5 * deep + 0.0003)
+    end = ag.vector(0.0, -reach, fall)
+    hold = ag.frame(end + ag.Z * 0.012, approach=ag.Y, closing=ag.X)
+    return ag.weld(
+        ag.part(hub, "spout", metal, grasp=hold, grasp_width=2.0 * radius + 0.012),
+        ag.part(pipe, "spout", metal),
+        ag.part(leg.at(end), "spout", casting(finish, 0.8)),
+        ag.detail(skin.at(end), "spout", finish),
     )
 
 
-def spray_head(*, radius: Scalar, travel: Scalar, finish: Material) -> Body:
+def spray_head(*, radius: ag.Scalar, travel: ag.Scalar, finish: ag.Material) -> ag.Body:
     """Make a spray head that hangs from the origin, with the hose above it: the link `spray_head`."""
     low = -HEAD - GAP
     wide = radius + 0.0045
-    grip = frustum(wide, radius + 0.0004, 0.75 * HEAD, bevel=0.001).align((0.0, 0.0, -GAP), z=1)
-    nose = cylinder(wide, 0.26 * HEAD, bevel=0.002).align((0.0, 0.0, low), z=-1)
-    hose = cylinder(_HOSE, travel + _DOCK + 0.002).align((0.0, 0.0, -GAP - 0.002), z=-1)
+    grip = ag.frustum(wide, radius + 0.0004, 0.75 * HEAD, bevel=0.001).align((0.0, 0.0, -GAP), z=1)
+    nose = ag.cylinder(wide, 0.26 * HEAD, bevel=0.002).align((0.0, 0.0, low), z=-1)
+    hose = ag.cylinder(_HOSE, travel + _DOCK + 0.002).align((0.0, 0.0, -GAP - 0.002), z=-1)
     metal = casting(finish, 0.28)
-    dark = material("black_abs")
+    dark = ag.material("black_abs")
     at = [
         (ring * wide * math.cos(turn), ring * wide * math.sin(turn), low - 0.0006)
         for ring, count in ((0.3, 6), (0.62, 12))
         for turn in (math.tau * step / count for step in range(count))
     ]
-    rocker = box_between(
+    rocker = ag.box_between(
         (-0.0042, -wide - 0.0012, -0.62 * HEAD), (0.0042, -radius, -0.36 * HEAD), bevel=0.0016
     )
-    face = cylinder(0.84 * wide, 0.0012).at(0.0, 0.0, low + 0.0001)
-    hold = grasp_on(grip, approach=Y, closing=X)
-    return weld(
-        part(grip, "spray_head", metal, grasp=hold),
-        part(nose, "spray_head", metal),
-        part(hose, "hose", material("rubber")),
-        detail(rocker, "spray_head", dark),
-        detail(face, "aerator", dark),
-        detail(array(cylinder(0.0012, 0.0012), at=at), "aerator", material("silicone")),
+    face = ag.cylinder(0.84 * wide, 0.0012).at(0.0, 0.0, low + 0.0001)
+    hold = ag.grasp_on(grip, approach=ag.Y, closing=ag.X)
+    return ag.weld(
+        ag.part(grip, "spray_head", metal, grasp=hold),
+        ag.part(nose, "spray_head", metal),
+        ag.part(hose, "hose", ag.material("rubber")),
+        ag.detail(rocker, "spray_head", dark),
+        ag.detail(face, "aerator", dark),
+        ag.detail(ag.array(ag.cylinder(0.0012, 0.0012), at=at), "aerator", ag.material("silicone")),
     )
 
 
-def pull_out(*, travel: Scalar, force: Scalar, pivot: Vector) -> Joint:
+def pull_out(*, travel: ag.Scalar, force: ag.Scalar, pivot: ag.Vector) -> ag.Joint:
     """Make the joint of a spray head, which the weight on its hose draws back.
 
     A weight of 0.5-0.8 kg hangs on the hose under the sink; friction in the bend takes part of it.
     """
     preload = 0.75 * force
     stiffness = (force - preload) / travel
-    return Prismatic(
+    return ag.Prismatic(
         "spray_head_slide",
-        axis=-Z,
+        axis=-ag.Z,
         pivot=pivot,
         limits=(0.0, travel),
         stiffness=stiffness,

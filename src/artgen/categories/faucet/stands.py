@@ -7,31 +7,8 @@ import math
 from dataclasses import dataclass, field
 from typing import Literal
 
-from artgen import (
-    Body,
-    Material,
-    Scalar,
-    Vector,
-    VectorLike,
-    X,
-    Y,
-    Z,
-    array,
-    board,
-    box,
-    box_between,
-    cylinder,
-    cylinder_between,
-    detail,
-    details,
-    frustum,
-    material,
-    part,
-    torus,
-    union,
-    vector,
-    weld,
-)
+import artgen as ag
+from artgen import details
 from artgen.categories.faucet.drain import FLANGE, HANGS, HOLE
 from artgen.categories.faucet.handles import LeverStyle, mixer
 from artgen.categories.faucet.spouts import core_radius
@@ -51,14 +28,14 @@ _SOLID, _FOLDED = 5000.0, 1500.0  # a slab of metal is 1.5 mm of sheet folded ar
 _ROSE = 0.030  # radius of the flanges on a wall [m]
 
 
-def deck(*, width: Scalar, depth: Scalar, thick: Scalar, finish: Material) -> Body:
+def deck(*, width: ag.Scalar, depth: ag.Scalar, thick: ag.Scalar, finish: ag.Material) -> ag.Body:
     """Make a sample deck on pads, its upper face at `PADS + thick`."""
-    slab = box(width, depth, thick, bevel=0.003).at(0.0, 0.0, PADS + thick / 2)
+    slab = ag.box(width, depth, thick, bevel=0.003).at(0.0, 0.0, PADS + thick / 2)
     pads = corner_feet(width, depth, inset=0.016, radius=0.008, height=PADS)
-    return weld(part(slab, "deck", _slab(finish)), pads)
+    return ag.weld(ag.part(slab, "deck", _slab(finish)), pads)
 
 
-def _slab(finish: Material) -> Material:
+def _slab(finish: ag.Material) -> ag.Material:
     """Return what a slab weighs of which this is seen."""
     if finish.density < _SOLID:
         return finish
@@ -67,109 +44,121 @@ def _slab(finish: Material) -> Material:
 
 def raised_deck(
     *,
-    width: Scalar,
-    front: Scalar,
-    back: Scalar,
-    top: Scalar,
-    thick: Scalar,
-    finish: Material,
-    drain_at: Scalar,
-    rod_at: Scalar,
-) -> Body:
+    width: ag.Scalar,
+    front: ag.Scalar,
+    back: ag.Scalar,
+    top: ag.Scalar,
+    thick: ag.Scalar,
+    finish: ag.Material,
+    drain_at: ag.Scalar,
+    rod_at: ag.Scalar,
+) -> ag.Body:
     """Make a piece of a vanity top with the holes of a drain and its rod, on two frames of flat steel."""
-    slab = board((-width / 2, width / 2), (front, back), (top - thick, top), bevel=0.003)
-    holes = union(
-        box(HOLE, HOLE, 2.0).at(0.0, drain_at, 0.0),
-        box(0.008, 0.008, 2.0).at(0.0, rod_at, 0.0),
+    slab = ag.board((-width / 2, width / 2), (front, back), (top - thick, top), bevel=0.003)
+    holes = ag.union(
+        ag.box(HOLE, HOLE, 2.0).at(0.0, drain_at, 0.0),
+        ag.box(0.008, 0.008, 2.0).at(0.0, rod_at, 0.0),
     )
     x, bar = width / 2 - 0.030, 0.006  # flat bars of 25 x 6 mm
     wide = (-x - 0.0125, -x + 0.0125)
     near, far, high = front + 0.020, back - 0.020, top - thick + 0.0003
-    rails = [board(wide, (near, far), (low, low + bar), bevel=0.001) for low in (PADS, high - bar)]
+    rails = [ag.board(wide, (near, far), (low, low + bar), bevel=0.001) for low in (PADS, high - bar)]
     posts = [
-        board((wide[0] + 0.0002, wide[1] - 0.0002), (y, y + bar), (PADS + bar - 0.0003, high - bar + 0.0003))
+        ag.board(
+            (wide[0] + 0.0002, wide[1] - 0.0002), (y, y + bar), (PADS + bar - 0.0003, high - bar + 0.0003)
+        )
         for y in (near + 0.0003, far - bar - 0.0003)
     ]
-    frame = union(*rails, *posts)
-    steel = material("powder_coat_black")
+    frame = ag.union(*rails, *posts)
+    steel = ag.material("powder_coat_black")
     pads = corner_feet(2.0 * x + 0.025, far - near, inset=0.012, radius=0.008, height=PADS)
-    return weld(
-        part(slab - holes, "deck", _slab(finish)),
-        part(frame, "deck", steel),
-        part(frame.mirror(X), "deck", steel),
+    return ag.weld(
+        ag.part(slab - holes, "deck", _slab(finish)),
+        ag.part(frame, "deck", steel),
+        ag.part(frame.mirror(ag.X), "deck", steel),
         pads.at(0.0, 0.5 * (near + far), 0.0),
     )
 
 
-def wall_board(*, width: Scalar, height: Scalar, thick: Scalar, finish: Material, metal: Material) -> Body:
+def wall_board(
+    *, width: ag.Scalar, height: ag.Scalar, thick: ag.Scalar, finish: ag.Material, metal: ag.Material
+) -> ag.Body:
     """Make a board that stands for a wall, its face on y = 0, on a foot of steel before it."""
-    panel = box_between((-0.5 * width, 0.0, PADS + 0.004), (0.5 * width, thick, height), bevel=0.003)
-    foot = box_between((-0.42 * width, -0.19, PADS), (0.42 * width, thick + 0.03, PADS + 0.008), bevel=0.002)
+    panel = ag.box_between((-0.5 * width, 0.0, PADS + 0.004), (0.5 * width, thick, height), bevel=0.003)
+    foot = ag.box_between(
+        (-0.42 * width, -0.19, PADS), (0.42 * width, thick + 0.03, PADS + 0.008), bevel=0.002
+    )
     pads = corner_feet(0.84 * width, 0.22 + thick, inset=0.016, radius=0.008, height=PADS)
     steel = metal.with_(name="foot_steel", density=5000.0)
     screws = [
-        details.screw(0.005, (side * 0.45 * width, 0.0, height - 0.03), material=material("stainless"))
+        details.screw(0.005, (side * 0.45 * width, 0.0, height - 0.03), material=ag.material("stainless"))
         for side in (-1, 1)
     ]
     middle = 0.5 * (thick + 0.03 - 0.19)
-    return weld(part(panel, "deck", finish), part(foot, "deck", steel), pads.at(0.0, middle, 0.0), *screws)
+    return ag.weld(
+        ag.part(panel, "deck", finish), ag.part(foot, "deck", steel), pads.at(0.0, middle, 0.0), *screws
+    )
 
 
-def column(*, radius: Scalar, height: Scalar, finish: Material) -> Body:
+def column(*, radius: ag.Scalar, height: ag.Scalar, finish: ag.Material) -> ag.Body:
     """Make a round column with its flange, on z = 0."""
     metal = casting(finish, 0.3)
-    shaft = cylinder(radius, height + 0.0004, bevel=0.0006).align((0.0, 0.0, height), z=1)
-    flange = frustum(radius + 0.0065, radius + 0.0045, 0.0065, bevel=0.0015).align((0.0, 0.0, -0.0004), z=-1)
-    return weld(part(flange, "escutcheon", metal), part(shaft, "body", metal))
+    shaft = ag.cylinder(radius, height + 0.0004, bevel=0.0006).align((0.0, 0.0, height), z=1)
+    flange = ag.frustum(radius + 0.0065, radius + 0.0045, 0.0065, bevel=0.0015).align(
+        (0.0, 0.0, -0.0004), z=-1
+    )
+    return ag.weld(ag.part(flange, "escutcheon", metal), ag.part(shaft, "body", metal))
 
 
-def pedestal(*, radius: Scalar, height: Scalar, finish: Material) -> Body:
+def pedestal(*, radius: ag.Scalar, height: ag.Scalar, finish: ag.Material) -> ag.Body:
     """Make the foot of a spout between two handles: a flange and a short column, on z = 0."""
     metal = casting(finish, 0.45)
-    shaft = frustum(radius + 0.0085, radius + 0.0065, height, bevel=0.0008).align((0.0, 0.0, height), z=1)
-    flange = frustum(radius + 0.0165, radius + 0.0135, 0.008, bevel=0.0015).align((0.0, 0.0, -0.0004), z=-1)
-    return weld(part(flange, "escutcheon", metal), part(shaft, "body", metal))
+    shaft = ag.frustum(radius + 0.0085, radius + 0.0065, height, bevel=0.0008).align((0.0, 0.0, height), z=1)
+    flange = ag.frustum(radius + 0.0165, radius + 0.0135, 0.008, bevel=0.0015).align(
+        (0.0, 0.0, -0.0004), z=-1
+    )
+    return ag.weld(ag.part(flange, "escutcheon", metal), ag.part(shaft, "body", metal))
 
 
-def bar(*, half: Scalar, finish: Material, below: bool = False) -> Body:
+def bar(*, half: ag.Scalar, finish: ag.Material, below: bool = False) -> ag.Body:
     """Make the bar that joins two valves, along x at the origin, with the boss of the spout in its middle.
 
     The valves' axes are at `half` to either side; the boss reaches 22 mm up, and the sockets of valves 15 mm.
     """
     metal = casting(finish, 0.35)
-    long = cylinder(BAR, 2.0 * half, axis=X)
-    boss = cylinder(0.0205, 0.039, bevel=0.001).align(
+    long = ag.cylinder(BAR, 2.0 * half, axis=ag.X)
+    boss = ag.cylinder(0.0205, 0.039, bevel=0.001).align(
         (0.0, 0.0, -0.022 if below else 0.022), z=-1 if below else 1
     )
-    socket = cylinder(0.0185, 0.034, bevel=0.0012)
-    sockets = array(socket.at(0.0, 0.0, -0.002), at=[(-half, 0.0, 0.0), (half, 0.0, 0.0)])
-    rings: list[Body] = []
+    socket = ag.cylinder(0.0185, 0.034, bevel=0.0012)
+    sockets = ag.array(socket.at(0.0, 0.0, -0.002), at=[(-half, 0.0, 0.0), (half, 0.0, 0.0)])
+    rings: list[ag.Body] = []
     for side in (-1, 1):
         for near in (0.026, half - 0.024):
-            ring = torus(BAR + 0.0004, 0.0019, axis=X).at(side * near, 0.0, 0.0)
-            rings.append(detail(ring, "body", finish))
-    return weld(part(union(long, boss, sockets), "body", metal), *rings)
+            ring = ag.torus(BAR + 0.0004, 0.0019, axis=ag.X).at(side * near, 0.0, 0.0)
+            rings.append(ag.detail(ring, "body", finish))
+    return ag.weld(ag.part(ag.union(long, boss, sockets), "body", metal), *rings)
 
 
-def risers(*, half: Scalar, height: Scalar, finish: Material) -> Body:
+def risers(*, half: ag.Scalar, height: ag.Scalar, finish: ag.Material) -> ag.Body:
     """Make the two columns that carry a bar at a height over a deck on z = 0."""
     metal = casting(finish, 0.35)
-    shaft = cylinder(0.0125, height).at(0.0, 0.0, 0.5 * height)
-    flange = frustum(0.0265, 0.0235, 0.009, bevel=0.0015).align((0.0, 0.0, -0.0004), z=-1)
-    nut = cylinder(0.0165, 0.012, bevel=0.0015).at(0.0, 0.0, 0.016)
-    at: list[VectorLike] = [(-half, 0.0, 0.0), (half, 0.0, 0.0)]
-    both = array(union(shaft, nut, flange), at=at)
-    return part(both, "body", metal, separate="the bar joins them")
+    shaft = ag.cylinder(0.0125, height).at(0.0, 0.0, 0.5 * height)
+    flange = ag.frustum(0.0265, 0.0235, 0.009, bevel=0.0015).align((0.0, 0.0, -0.0004), z=-1)
+    nut = ag.cylinder(0.0165, 0.012, bevel=0.0015).at(0.0, 0.0, 0.016)
+    at: list[ag.VectorLike] = [(-half, 0.0, 0.0), (half, 0.0, 0.0)]
+    both = ag.array(ag.union(shaft, nut, flange), at=at)
+    return ag.part(both, "body", metal, separate="the bar joins them")
 
 
-def elbows(*, half: Scalar, finish: Material) -> Body:
+def elbows(*, half: ag.Scalar, finish: ag.Material) -> ag.Body:
     """Make the two arms that carry a bar before a wall on y = 0: the bar is at y = -62 mm, on z = 0."""
     metal = casting(finish, 0.35)
-    arm = cylinder_between((0.0, 0.0005, 0.0), (0.0, -BEHIND, 0.0), 0.0125)
-    rose = frustum(_ROSE, _ROSE - 0.005, 0.011, axis=-Y, bevel=0.0018).at(0.0, -0.0053, 0.0)
-    nut = cylinder_between((0.0, -0.014, 0.0), (0.0, -0.026, 0.0), 0.0165, bevel=0.0015)
-    both = array(union(arm, rose, nut), at=[(-half, 0.0, 0.0), (half, 0.0, 0.0)])
-    return part(both, "body", metal, separate="the bar joins them")
+    arm = ag.cylinder_between((0.0, 0.0005, 0.0), (0.0, -BEHIND, 0.0), 0.0125)
+    rose = ag.frustum(_ROSE, _ROSE - 0.005, 0.011, axis=-ag.Y, bevel=0.0018).at(0.0, -0.0053, 0.0)
+    nut = ag.cylinder_between((0.0, -0.014, 0.0), (0.0, -0.026, 0.0), 0.0165, bevel=0.0015)
+    both = ag.array(ag.union(arm, rose, nut), at=[(-half, 0.0, 0.0), (half, 0.0, 0.0)])
+    return ag.part(both, "body", metal, separate="the bar joins them")
 
 
 ROD_AT = 0.053
@@ -191,17 +180,17 @@ _RISE = 0.22  # of a lever over the plane of its collar while it is closed [rad]
 class Board:
     """What a faucet is shown on."""
 
-    margin: Scalar  # around what stands on it [m]
-    thick: Scalar  # its thickness [m]
-    finish: Material  # its material
-    drain: Scalar | None  # how far before the spout's axis its drain is [m]; none where it is a plain deck
+    margin: ag.Scalar  # around what stands on it [m]
+    thick: ag.Scalar  # its thickness [m]
+    finish: ag.Material  # its material
+    drain: ag.Scalar | None  # how far before the spout's axis its drain is [m]; none where it is a plain deck
 
     @property
-    def top(self) -> Scalar:
+    def top(self) -> ag.Scalar:
         """Height of its upper face, where it is a deck [m]."""
         return PADS + (self.thick if self.drain is None else HANGS + 0.012)
 
-    def body(self, half: Scalar, deep: Scalar) -> Body:
+    def body(self, half: ag.Scalar, deep: ag.Scalar) -> ag.Body:
         """Make a deck around what takes up half a width and half a depth [m]."""
         width = 2.0 * (half + self.margin)
         if self.drain is None:
@@ -222,10 +211,12 @@ class Board:
 class Stand:
     """What stands still."""
 
-    body: Body  # the board with what is fixed to it
-    foot: Vector  # where the spout turns, on its axis
-    over: Scalar  # height of that over the deck, or over the bar before a wall [m]
-    valves: list[Vector] = field(default_factory=list)  # where the valves of two handles stand: hot and cold
+    body: ag.Body  # the board with what is fixed to it
+    foot: ag.Vector  # where the spout turns, on its axis
+    over: ag.Scalar  # height of that over the deck, or over the bar before a wall [m]
+    valves: list[ag.Vector] = field(
+        default_factory=list
+    )  # where the valves of two handles stand: hot and cold
     least: float = 0.0  # how high the end of the spout is over its foot, to pass the handles [m]
     flanges: bool = False  # whether the valves cover holes of their own
 
@@ -235,12 +226,12 @@ class Lever:
     """The lever of a mixer."""
 
     style: LeverStyle  # its form
-    length: Scalar  # from its axis to its tip [m]
-    lift: Scalar  # how far it is lifted [rad]
-    friction: Scalar  # of the cartridge [N m]
+    length: ag.Scalar  # from its axis to its tip [m]
+    lift: ag.Scalar  # how far it is lifted [rad]
+    friction: ag.Scalar  # of the cartridge [N m]
     side: Literal["left", "right"]  # at which side of a column it is
 
-    def mixer(self, radius: Scalar, finish: Material) -> Body:
+    def mixer(self, radius: ag.Scalar, finish: ag.Material) -> ag.Body:
         """Make the mixer about the z axis, in a collar of some radius [m]."""
         return mixer(
             self.style,
@@ -253,78 +244,78 @@ class Lever:
         )
 
 
-def widespread(board: Board, *, girth: Scalar, finish: Material) -> Stand:
+def widespread(board: Board, *, girth: ag.Scalar, finish: ag.Material) -> Stand:
     """Make a deck with a pedestal for a spout, and places for valves at its sides."""
     foot = pedestal(radius=girth, height=_PEDESTAL, finish=finish).at(0.0, 0.0, board.top)
     return Stand(
-        weld(board.body(_HALF + _FLANGE, _FLANGE), foot),
-        vector(0.0, 0.0, board.top + _PEDESTAL),
+        ag.weld(board.body(_HALF + _FLANGE, _FLANGE), foot),
+        ag.vector(0.0, 0.0, board.top + _PEDESTAL),
         _PEDESTAL,
-        [vector(side * _HALF, 0.0, board.top) for side in (-1, 1)],
+        [ag.vector(side * _HALF, 0.0, board.top) for side in (-1, 1)],
         least=0.078,
         flanges=True,
     )
 
 
-def bridge(board: Board, *, finish: Material) -> Stand:
+def bridge(board: Board, *, finish: ag.Material) -> Stand:
     """Make a deck with two risers and the bar between them."""
     level = board.top + _RISERS
-    body = weld(
+    body = ag.weld(
         board.body(_HALF + _FLANGE, _FLANGE),
         risers(half=_HALF, height=_RISERS, finish=finish).at(0.0, 0.0, board.top),
         bar(half=_HALF, finish=finish).at(0.0, 0.0, level),
     )
-    valves = [vector(side * _HALF, 0.0, level + _SOCKET) for side in (-1, 1)]
-    return Stand(body, vector(0.0, 0.0, level + _RAISED), _RISERS + _RAISED, valves, least=0.092)
+    valves = [ag.vector(side * _HALF, 0.0, level + _SOCKET) for side in (-1, 1)]
+    return Stand(body, ag.vector(0.0, 0.0, level + _RAISED), _RISERS + _RAISED, valves, least=0.092)
 
 
-def before_wall(board: Board, *, finish: Material, hangs: bool) -> Stand:
+def before_wall(board: Board, *, finish: ag.Material, hangs: bool) -> Stand:
     """Make a board that stands for a wall, with a bar before it.
 
     It ends where a hand that turns the handles would strike it.
     """
     level = 0.20 if hangs else 0.15
-    body = weld(
+    body = ag.weld(
         wall_board(
             width=2.0 * (_HALF + 0.05 + board.margin),
             height=level + 0.025 + board.margin,
             thick=board.thick,
             finish=board.finish,
-            metal=material("steel"),
+            metal=ag.material("steel"),
         ),
         elbows(half=_HALF, finish=finish).at(0.0, 0.0, level),
         bar(half=_HALF, finish=finish, below=hangs).at(0.0, -BEHIND, level),
     )
-    valves = [vector(side * _HALF, -BEHIND, level + _SOCKET) for side in (-1, 1)]
+    valves = [ag.vector(side * _HALF, -BEHIND, level + _SOCKET) for side in (-1, 1)]
     raised = -_RAISED if hangs else _RAISED
-    return Stand(body, vector(0.0, -BEHIND, level + raised), raised, valves, least=0.092)
+    return Stand(body, ag.vector(0.0, -BEHIND, level + raised), raised, valves, least=0.092)
 
 
 def topped_column(
-    board: Board, *, radius: Scalar, height: Scalar, ring: Scalar, lever: Lever, finish: Material
+    board: Board, *, radius: ag.Scalar, height: ag.Scalar, ring: ag.Scalar, lever: Lever, finish: ag.Material
 ) -> Stand:
     """Make a column with a core for the ring of a straight spout, and the mixer on top of it."""
-    foot = vector(0.0, 0.0, board.top + height)
-    core = cylinder(core_radius(radius), ring + 0.001).align(foot - Z * 0.001, z=-1)
-    body = weld(
+    foot = ag.vector(0.0, 0.0, board.top + height)
+    core = ag.cylinder(core_radius(radius), ring + 0.001).align(foot - ag.Z * 0.001, z=-1)
+    body = ag.weld(
         board.body(radius + 0.030, radius + 0.025),
         column(radius=radius, height=height, finish=finish).at(0.0, 0.0, board.top),
-        part(core, "body", casting(finish, 0.35)),
-        lever.mixer(radius, finish).at(foot + Z * ring),
+        ag.part(core, "body", casting(finish, 0.35)),
+        lever.mixer(radius, finish).at(foot + ag.Z * ring),
     )
     return Stand(body, foot, 1.0 * height)
 
 
-def sided_column(board: Board, *, radius: Scalar, lever: Lever, finish: Material) -> Stand:
+def sided_column(board: Board, *, radius: ag.Scalar, lever: Lever, finish: ag.Material) -> Stand:
     """Make a column for a tall spout with the mixer lying at its side, its lever upright."""
     out = radius + 0.012
-    boss = cylinder_between((0.5 * radius, 0.0, 0.0), (out, 0.0, 0.0), _SIDE, bevel=0.0006)
-    lying = lever.mixer(_SIDE, finish).rotate(Y, 0.5 * math.pi).rotate(X, -0.5 * math.pi)
-    unit = weld(part(boss, "body", casting(finish, 0.35)), lying.at(out, 0.0, 0.0))
-    unit = unit if lever.side == "right" else unit.mirror(X)
-    body = weld(
+    boss = ag.cylinder_between((0.5 * radius, 0.0, 0.0), (out, 0.0, 0.0), _SIDE, bevel=0.0006)
+    lying = lever.mixer(_SIDE, finish).rotate(ag.Y, 0.5 * math.pi).rotate(ag.X, -0.5 * math.pi)
+    unit = ag.weld(ag.part(boss, "body", casting(finish, 0.35)), lying.at(out, 0.0, 0.0))
+    unit = unit if lever.side == "right" else unit.mirror(ag.X)
+    body = ag.weld(
         board.body(radius + 0.030, radius + 0.025),
         column(radius=radius, height=_COLUMN, finish=finish).at(0.0, 0.0, board.top),
         unit.at(0.0, 0.0, board.top + _LEVER),
     )
-    return Stand(body, vector(0.0, 0.0, board.top + _COLUMN), _COLUMN)
+    return Stand(body, ag.vector(0.0, 0.0, board.top + _COLUMN), _COLUMN)

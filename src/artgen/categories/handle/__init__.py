@@ -12,31 +12,8 @@ Sizes are those of EN 12209 and EN 1906 locks and furniture and of bored locks a
 
 from typing import Literal
 
-from artgen import (
-    Body,
-    Float,
-    Generator,
-    Material,
-    X,
-    Y,
-    array,
-    box,
-    by,
-    category,
-    choice,
-    count,
-    cylinder,
-    detail,
-    details,
-    extrude,
-    material,
-    max_,
-    part,
-    rectangle,
-    shades,
-    uniform,
-    weld,
-)
+import artgen as ag
+from artgen import details
 from artgen.categories.handle.grip_set import grip, thumb_piece, thumb_press
 from artgen.categories.shared.finish import FINISH_WEIGHTS, FINISHES, known, paints, recess
 from artgen.categories.shared.hardware import HARDWARE_LABELS, require_suited
@@ -68,65 +45,71 @@ _LEAF_WEIGHTS = tuple(
     3.0 if leaf.name == "paint_white" else 0.6 if leaf.name.startswith("paint_") else 1.2 for leaf in _LEAVES
 )
 _FEET = (
-    material("black_abs").with_(name="stand", density=1800.0),  # weighted with stone powder
+    ag.material("black_abs").with_(name="stand", density=1800.0),  # weighted with stone powder
     *known("walnut", "oak", "granite", "black_granite", "aluminium"),
 )
 _FOOT_WEIGHTS = (4.0, *(1.0,) * (len(_FEET) - 1))
 
 
-@category(labels=("stand", "door", *HARDWARE_LABELS, "grip", "thumb_latch"), joints=(2, 4))
+@ag.category(labels=("stand", "door", *HARDWARE_LABELS, "grip", "thumb_latch"), joints=(2, 4))
 def handle(
     *,
-    kind: Literal["lever", "knob", "grip_set"] = choice(
+    kind: Literal["lever", "knob", "grip_set"] = ag.choice(
         "lever", "knob", "grip_set", weights=(0.45, 0.3, 0.25)
     ),
-    inside: Literal["lever", "knob"] = by(
-        "kind", lever=choice("lever"), knob=choice("knob"), grip_set=choice("lever", "knob")
+    inside: Literal["lever", "knob"] = ag.by(
+        "kind", lever=ag.choice("lever"), knob=ag.choice("knob"), grip_set=ag.choice("lever", "knob")
     ),
-    handle: Generator = by("inside", _HANDLES),
-    rose_style: Literal["round", "square", "plate"] = choice(
+    handle: ag.Generator = ag.by("inside", _HANDLES),
+    rose_style: Literal["round", "square", "plate"] = ag.choice(
         "round", "square", "plate", weights=(0.5, 0.25, 0.25)
     ),
-    rose_across: Float = by(
+    rose_across: ag.Float = ag.by(
         "rose_style",
         # EN 1906 roses are 50-55 mm, those of bored American locks 65-80 mm
-        round=uniform(0.050, 0.080, "m"),
-        square=uniform(0.050, 0.065, "m"),
-        plate=uniform(0.040, 0.050, "m"),
+        round=ag.uniform(0.050, 0.080, "m"),
+        square=ag.uniform(0.050, 0.065, "m"),
+        plate=ag.uniform(0.040, 0.050, "m"),
         within=(0.04, 0.1),
         doc="diameter or width of the rose or plate",
     ),
-    plate_height: Float = uniform(0.19, 0.22, "m", doc="of a long plate", within=(0.12, 0.24)),
-    rose_depth: Float = uniform(0.007, 0.010, "m", doc="how far the rose stands out", within=(0.007, 0.014)),
-    lock: Literal["none", "turn", "push"] = choice("none", "turn", "push"),
-    turn: Float = uniform(0.6, 0.9, "rad", doc="how far the handle turns", within=(0.4, 1.2)),
-    release: Float = uniform(0.82, 0.9, doc="share of the turn that frees the latch", within=(0.7, 1.0)),
-    throw: Float = uniform(0.010, 0.0127, "m", doc="how far the latch stands out", within=(0.006, 0.015)),
-    backset: Float = uniform(0.060, 0.070, "m", doc="lock edge to spindle", within=(0.05, 0.13)),
-    thickness: Float = uniform(0.035, 0.045, "m", doc="thickness of the leaf", within=(0.032, 0.06)),
-    preload: Float = uniform(0.6, 0.9, "N m", doc="torque of the spring at rest", within=(0.3, 2.0)),
-    torque_ratio: Float = uniform(
+    plate_height: ag.Float = ag.uniform(0.19, 0.22, "m", doc="of a long plate", within=(0.12, 0.24)),
+    rose_depth: ag.Float = ag.uniform(
+        0.007, 0.010, "m", doc="how far the rose stands out", within=(0.007, 0.014)
+    ),
+    lock: Literal["none", "turn", "push"] = ag.choice("none", "turn", "push"),
+    turn: ag.Float = ag.uniform(0.6, 0.9, "rad", doc="how far the handle turns", within=(0.4, 1.2)),
+    release: ag.Float = ag.uniform(
+        0.82, 0.9, doc="share of the turn that frees the latch", within=(0.7, 1.0)
+    ),
+    throw: ag.Float = ag.uniform(
+        0.010, 0.0127, "m", doc="how far the latch stands out", within=(0.006, 0.015)
+    ),
+    backset: ag.Float = ag.uniform(0.060, 0.070, "m", doc="lock edge to spindle", within=(0.05, 0.13)),
+    thickness: ag.Float = ag.uniform(0.035, 0.045, "m", doc="thickness of the leaf", within=(0.032, 0.06)),
+    preload: ag.Float = ag.uniform(0.6, 0.9, "N m", doc="torque of the spring at rest", within=(0.3, 2.0)),
+    torque_ratio: ag.Float = ag.uniform(
         1.5, 2.0, doc="torque at the full turn over that at rest", within=(1.05, 4)
     ),
-    damping: Float = uniform(0.05, 0.08, "N m s/rad", doc="of the handle"),
-    hand: Literal["left", "right"] = choice("left", "right"),
-    finish: Material = shades(*FINISHES, weights=FINISH_WEIGHTS, color=0.03, roughness=0.03),
-    fixing: Fixing = by(
+    damping: ag.Float = ag.uniform(0.05, 0.08, "N m s/rad", doc="of the handle"),
+    hand: Literal["left", "right"] = ag.choice("left", "right"),
+    finish: ag.Material = ag.shades(*FINISHES, weights=FINISH_WEIGHTS, color=0.03, roughness=0.03),
+    fixing: Fixing = ag.by(
         "rose_style",
-        plate=choice("slot", "phillips"),
-        otherwise=choice("hidden", "slot", "phillips", weights=(0.4, 0.3, 0.3)),
+        plate=ag.choice("slot", "phillips"),
+        otherwise=ag.choice("hidden", "slot", "phillips", weights=(0.4, 0.3, 0.3)),
         doc="how roses are held: out of sight, or by two screws",
     ),
-    leaf: Material = shades(*_LEAVES, weights=_LEAF_WEIGHTS),
-    foot: Material = shades(
+    leaf: ag.Material = ag.shades(*_LEAVES, weights=_LEAF_WEIGHTS),
+    foot: ag.Material = ag.shades(
         *_FEET,
         weights=_FOOT_WEIGHTS,
         color=0.05,
         doc="of the display stand",
     ),
-    maker: str = choice(*details.BRANDS, doc="whose name is on the stand and on the latch"),
-    model: int = count(101, 989, doc="number on the stand"),
-) -> Body:
+    maker: str = ag.choice(*details.BRANDS, doc="whose name is on the stand and on the latch"),
+    model: int = ag.count(101, 989, doc="number on the stand"),
+) -> ag.Body:
     """Make a lever, knob or grip set on a stand: both sides, spindle, latch, lock."""
     require_suited(handle, "inside", inside, _HANDLES)
     is_set = kind == "grip_set"
@@ -135,11 +118,11 @@ def handle(
     common = {"thickness": thickness, "rose_depth": rose_depth, "finish": finish, "faces": faces}
     pinned = lock if inside == "lever" else "none"  # a knob has the lock in itself
     # the pin of a lock needs a rose that reaches 3 mm past it
-    across = max_(rose_across, 0.062) if pinned != "none" and rose_style != "plate" else rose_across
+    across = ag.max_(rose_across, 0.062) if pinned != "none" and rose_style != "plate" else rose_across
 
     # all is built about the spindle, and moved onto its stand at the end
     height = 0.35 if is_set else 0.145
-    base = weld(
+    base = ag.weld(
         _stand(thickness, backset, throw, low=-height, high=0.125, wood=leaf, foot=foot, metal=finish),
         _plaque(backset, low=-height, lines=(maker.upper(), f"No. {model}")),
         rose(
@@ -158,7 +141,7 @@ def handle(
     )
     if is_set:
         outside = grip(thickness=thickness, depth=rose_depth, finish=finish, length=0.23, projection=0.055)
-        base = weld(base, outside)
+        base = ag.weld(base, outside)
 
     lean = spring_turn(limit=turn, preload=preload, torque=preload * torque_ratio, damping=damping)
     if inside == "lever":
@@ -182,49 +165,51 @@ def handle(
         press = thumb_press(lean, limit=turn, thickness=thickness, depth=rose_depth)
         base = base.attach(piece, press)
     shown = base.at(_WIDTH / 2 - backset, 0.0, height + _FOOT)
-    return shown.mirror(X) if hand == "right" else shown
+    return shown.mirror(ag.X) if hand == "right" else shown
 
 
 def _stand(
-    thickness: Float,
-    backset: Float,
-    throw: Float,
+    thickness: ag.Float,
+    backset: ag.Float,
+    throw: ag.Float,
     *,
     low: float,
     high: float,
-    wood: Material,
-    foot: Material,
-    metal: Material,
-) -> Body:
+    wood: ag.Material,
+    foot: ag.Material,
+    metal: ag.Material,
+) -> ag.Body:
     """Make a bored piece of door leaf from `low` to `high` about the spindle, on a foot."""
     middle = backset - _WIDTH / 2
-    board = box(_WIDTH, thickness, high - low + 0.002, bevel=0.0015).at(middle, 0.0, (high + low) / 2 - 0.001)
+    board = ag.box(_WIDTH, thickness, high - low + 0.002, bevel=0.0015).at(
+        middle, 0.0, (high + low) / 2 - 0.001
+    )
     dark = recess(metal)
     pocket = latch_pocket(backset=backset, throw=throw)
     board = board - spindle_hole(thickness).paint(dark) - pocket.paint(dark)
-    block = box(_WIDTH + 0.05, _DEEP, _FOOT, bevel=0.003).at(middle, 0.0, low - _FOOT / 2)
-    pad = cylinder(0.008, 0.0016, bevel=0.0004)
+    block = ag.box(_WIDTH + 0.05, _DEEP, _FOOT, bevel=0.003).at(middle, 0.0, low - _FOOT / 2)
+    pad = ag.cylinder(0.008, 0.0016, bevel=0.0004)
     corners = [
         (middle + x * _WIDTH / 2, y * (_DEEP / 2 - 0.018), low - _FOOT + 0.0008)
         for x in (-1, 1)
         for y in (-1, 1)
     ]
-    return weld(
-        part(block, "stand", foot, name="base"),
-        part(board, "door", wood),
-        detail(array(pad, at=corners), "stand", material("rubber")),
+    return ag.weld(
+        ag.part(block, "stand", foot, name="base"),
+        ag.part(board, "door", wood),
+        ag.detail(ag.array(pad, at=corners), "stand", ag.material("rubber")),
     )
 
 
-def _plaque(backset: Float, *, low: float, lines: tuple[str, str]) -> Body:
+def _plaque(backset: ag.Float, *, low: float, lines: tuple[str, str]) -> ag.Body:
     """Make the small plate on the front of the foot, with the maker's name and the model engraved."""
     middle = backset - _WIDTH / 2
-    metal, face = material("stainless"), -_DEEP / 2 - 0.0004
-    plate = extrude(rectangle(0.060, 0.0125, radius=0.0012), 0.0010, axis=Y, bevel=0.0002)
+    metal, face = ag.material("stainless"), -_DEEP / 2 - 0.0004
+    plate = ag.extrude(ag.rectangle(0.060, 0.0125, radius=0.0012), 0.0010, axis=ag.Y, bevel=0.0002)
     name = details.lettering(lines[:1], 0.0036, tracking=0.15, fineness="coarse").at(0.0, 0.0019)
     print_ = name | details.lettering(lines[1:], 0.0021, tracking=0.05, fineness="coarse").at(0.0, -0.0033)
     at = (middle, face, low - _FOOT / 2)
-    return weld(
-        detail(plate.at(middle, face + 0.0005, low - _FOOT / 2), "stand", metal),
+    return ag.weld(
+        ag.detail(plate.at(middle, face + 0.0005, low - _FOOT / 2), "stand", metal),
         details.engraved(print_, at, label="stand", material=metal),
     )

@@ -16,19 +16,7 @@ Sizes are those of shops: desk lamps with arms of 0.3-0.45 m, table lamps 0.35-0
 
 from typing import Literal
 
-from artgen import (
-    Body,
-    Float,
-    Material,
-    Scalar,
-    by,
-    category,
-    choice,
-    max_,
-    shades,
-    uniform,
-    weld,
-)
+import artgen as ag
 from artgen.categories.lamp.arms import ARM_LABELS, ArmStyle
 from artgen.categories.lamp.bases import (
     FITTING,
@@ -83,13 +71,13 @@ _ON_CASE = 0.020  # of a dial above its case on the cord, and 3 mm [m]
 _STEM = 0.14  # between the hub of a tripod and its socket, where a chain hangs [m]
 
 
-@category(
+@ag.category(
     labels=("base", "foot", "pole", *ARM_LABELS, "shade", "socket", "bulb", "harp", "finial", *SWITCH_LABELS),
     joints=(1, 5),
 )
 def lamp(
     *,
-    style: Style = choice(
+    style: Style = ag.choice(
         "desk",
         "architect",
         "led_bar",
@@ -101,246 +89,246 @@ def lamp(
         "mushroom",
         weights=(0.12, 0.12, 0.11, 0.13, 0.12, 0.10, 0.07, 0.17, 0.06),
     ),
-    base_shape: BaseShape = by(
+    base_shape: BaseShape = ag.by(
         "style",
-        arc=choice("round", "square", "hexagonal", weights=(0.6, 0.3, 0.1)),
-        mushroom=choice("round", "hexagonal", weights=(0.85, 0.15)),
+        arc=ag.choice("round", "square", "hexagonal", weights=(0.6, 0.3, 0.1)),
+        mushroom=ag.choice("round", "hexagonal", weights=(0.85, 0.15)),
         tripod="round",
-        otherwise=choice("round", "square", "hexagonal", weights=(0.6, 0.25, 0.15)),
+        otherwise=ag.choice("round", "square", "hexagonal", weights=(0.6, 0.25, 0.15)),
     ),
-    base_radius: Float = by(
+    base_radius: ag.Float = ag.by(
         "style",
-        desk=uniform(0.085, 0.110),
-        architect=uniform(0.090, 0.115),
-        led_bar=uniform(0.085, 0.110),
-        reading=uniform(0.125, 0.150),
-        floor=uniform(0.125, 0.160),
-        arc=uniform(0.155, 0.180),
-        table=uniform(0.080, 0.105),
-        mushroom=uniform(0.080, 0.100),
+        desk=ag.uniform(0.085, 0.110),
+        architect=ag.uniform(0.090, 0.115),
+        led_bar=ag.uniform(0.085, 0.110),
+        reading=ag.uniform(0.125, 0.150),
+        floor=ag.uniform(0.125, 0.160),
+        arc=ag.uniform(0.155, 0.180),
+        table=ag.uniform(0.080, 0.105),
+        mushroom=ag.uniform(0.080, 0.100),
         otherwise=0.1,
         unit="m",
         within=(0.08, 0.18),
     ),
-    base_height: Float = by(
+    base_height: ag.Float = ag.by(
         "style",
-        arc=uniform(0.026, 0.036),
-        table=uniform(0.018, 0.028),
-        otherwise=uniform(0.017, 0.024),
+        arc=ag.uniform(0.026, 0.036),
+        table=ag.uniform(0.018, 0.028),
+        otherwise=ag.uniform(0.017, 0.024),
         unit="m",
         doc="at least; more where the lamp would tip",
         within=(0.016, 0.08),
     ),
-    height: Float = by(
+    height: ag.Float = ag.by(
         "style",
-        reading=uniform(1.22, 1.45),
-        floor=uniform(1.40, 1.75),
-        tripod=uniform(1.35, 1.60),
-        arc=uniform(1.62, 1.84),
-        table=uniform(0.46, 0.69),
-        mushroom=uniform(0.36, 0.50),
+        reading=ag.uniform(1.22, 1.45),
+        floor=ag.uniform(1.40, 1.75),
+        tripod=ag.uniform(1.35, 1.60),
+        arc=ag.uniform(1.62, 1.84),
+        table=ag.uniform(0.46, 0.69),
+        mushroom=ag.uniform(0.36, 0.50),
         otherwise=0.5,
         unit="m",
         doc="of a lamp that stands by itself; that of a desk lamp follows from its arms",
         within=(0.34, 1.85),
     ),
-    arm_style: ArmStyle = choice("rods", "tube", "flat"),
-    arm_length: Float = by(
+    arm_style: ArmStyle = ag.choice("rods", "tube", "flat"),
+    arm_length: ag.Float = ag.by(
         "style",
-        desk=uniform(0.34, 0.42),
-        architect=uniform(0.32, 0.38),
-        led_bar=uniform(0.36, 0.45),
-        reading=uniform(0.37, 0.44),
+        desk=ag.uniform(0.34, 0.42),
+        architect=ag.uniform(0.32, 0.38),
+        led_bar=ag.uniform(0.36, 0.45),
+        reading=ag.uniform(0.37, 0.44),
         otherwise=0.4,
         unit="m",
         doc="of the lower arm",
         within=(0.3, 0.6),
     ),
-    upper_arm: Float = uniform(
+    upper_arm: ag.Float = ag.uniform(
         0.90, 1.02, doc="length of an upper arm over that of the lower", within=(0.8, 1.1)
     ),
-    lean: Float = by(
+    lean: ag.Float = ag.by(
         "style",
-        desk=uniform(0.05, 0.40),
-        architect=uniform(0.36, 0.50),
-        led_bar=uniform(0.08, 0.25),
-        reading=uniform(0.95, 1.25),
+        desk=ag.uniform(0.05, 0.40),
+        architect=ag.uniform(0.36, 0.50),
+        led_bar=ag.uniform(0.08, 0.25),
+        reading=ag.uniform(0.95, 1.25),
         otherwise=0.0,
         unit="rad",
         doc="of the lower arm at rest: back, or forward where it is the only one",
     ),
-    rise: Float = uniform(0.82, 0.98, "rad", doc="of an upper arm at rest, from the vertical"),
-    tilt: Float = by(
+    rise: ag.Float = ag.uniform(0.82, 0.98, "rad", doc="of an upper arm at rest, from the vertical"),
+    tilt: ag.Float = ag.by(
         "style",
-        desk=uniform(0.75, 0.95),
-        otherwise=uniform(0.20, 0.40),
+        desk=ag.uniform(0.75, 0.95),
+        otherwise=ag.uniform(0.20, 0.40),
         unit="rad",
         doc="how far a metal shade looks forward at rest, at least",
     ),
-    reach: Float = uniform(0.46, 0.62, "m", doc="of the bow of an arc lamp", within=(0.3, 0.8)),
-    travel: Float = uniform(
+    reach: ag.Float = ag.uniform(0.46, 0.62, "m", doc="of the bow of an arc lamp", within=(0.3, 0.8)),
+    travel: ag.Float = ag.uniform(
         0.25, 0.40, "m", doc="of the clamp of a reading lamp on its pole", within=(0.1, 0.5)
     ),
-    shade: ShadeKind = by(
+    shade: ShadeKind = ag.by(
         "style",
-        floor=choice("drum", "cone", "curved"),
-        tripod=choice("drum", "cone", weights=(0.7, 0.3)),
-        arc=choice("dome", "cone", "curved", weights=(0.6, 0.2, 0.2)),
-        table=choice("cone", "drum", "curved"),
-        mushroom=choice("dome", "globe", weights=(0.45, 0.55)),
+        floor=ag.choice("drum", "cone", "curved"),
+        tripod=ag.choice("drum", "cone", weights=(0.7, 0.3)),
+        arc=ag.choice("dome", "cone", "curved", weights=(0.6, 0.2, 0.2)),
+        table=ag.choice("cone", "drum", "curved"),
+        mushroom=ag.choice("dome", "globe", weights=(0.45, 0.55)),
         led_bar="drum",
-        otherwise=choice("cone", "dome", "curved", "drum"),
+        otherwise=ag.choice("cone", "dome", "curved", "drum"),
     ),
-    shade_radius: Float = by(
+    shade_radius: ag.Float = ag.by(
         "style",
-        desk=uniform(0.066, 0.084),
-        architect=uniform(0.070, 0.088),
-        reading=uniform(0.062, 0.080),
-        floor=uniform(0.17, 0.23),
-        tripod=uniform(0.18, 0.23),
-        arc=uniform(0.11, 0.15),
-        table=uniform(0.135, 0.185),
-        mushroom=uniform(0.105, 0.150),
+        desk=ag.uniform(0.066, 0.084),
+        architect=ag.uniform(0.070, 0.088),
+        reading=ag.uniform(0.062, 0.080),
+        floor=ag.uniform(0.17, 0.23),
+        tripod=ag.uniform(0.18, 0.23),
+        arc=ag.uniform(0.11, 0.15),
+        table=ag.uniform(0.135, 0.185),
+        mushroom=ag.uniform(0.105, 0.150),
         otherwise=0.08,
         unit="m",
         doc="of the rim",
         within=(0.06, 0.26),
     ),
-    shade_height: Float = by(
+    shade_height: ag.Float = ag.by(
         "style",
-        floor=uniform(1.05, 1.30),
-        tripod=uniform(1.00, 1.25),
-        table=uniform(1.15, 1.40),
-        mushroom=uniform(0.86, 1.00),
-        arc=uniform(0.85, 1.00),
-        otherwise=by(
+        floor=ag.uniform(1.05, 1.30),
+        tripod=ag.uniform(1.00, 1.25),
+        table=ag.uniform(1.15, 1.40),
+        mushroom=ag.uniform(0.86, 1.00),
+        arc=ag.uniform(0.85, 1.00),
+        otherwise=ag.by(
             "shade",
-            cone=uniform(1.45, 1.80),
-            drum=uniform(1.40, 1.80),
-            dome=uniform(1.25, 1.45),
-            otherwise=uniform(1.45, 1.70),
+            cone=ag.uniform(1.45, 1.80),
+            drum=ag.uniform(1.40, 1.80),
+            dome=ag.uniform(1.25, 1.45),
+            otherwise=ag.uniform(1.45, 1.70),
         ),
         doc="over the radius of its rim",
         within=(0.7, 2.2),
     ),
-    shade_top: Float = by(  # radius of the upper rim
+    shade_top: ag.Float = ag.by(  # radius of the upper rim
         "shade",
-        drum=uniform(0.94, 0.99),
-        cone=uniform(0.52, 0.78),
-        otherwise=uniform(0.48, 0.58),
+        drum=ag.uniform(0.94, 0.99),
+        cone=ag.uniform(0.52, 0.78),
+        otherwise=ag.uniform(0.48, 0.58),
         doc="of cloth, over that of the lower",
         within=(0.4, 1.0),
     ),
-    body: BodyForm = by(
+    body: BodyForm = ag.by(
         "style",
-        table=choice("vase", "gourd", "bottle", "column", "turned"),
+        table=ag.choice("vase", "gourd", "bottle", "column", "turned"),
         otherwise="column",
         doc="of a table lamp",
     ),
-    body_radius: Float = by(
+    body_radius: ag.Float = ag.by(
         "body",
-        vase=uniform(0.075, 0.100),
-        gourd=uniform(0.075, 0.095),
-        bottle=uniform(0.068, 0.090),
-        otherwise=uniform(0.046, 0.058),
+        vase=ag.uniform(0.075, 0.100),
+        gourd=ag.uniform(0.075, 0.095),
+        bottle=ag.uniform(0.068, 0.090),
+        otherwise=ag.uniform(0.046, 0.058),
         unit="m",
         within=(0.04, 0.11),
     ),
-    switch: Literal["button", "rocker", "dial", "pull_chain"] = by(
+    switch: Literal["button", "rocker", "dial", "pull_chain"] = ag.by(
         "style",
-        floor=choice("pull_chain", "button", "rocker", "dial", weights=(0.5, 0.25, 0.1, 0.15)),
-        tripod=choice("pull_chain", "button", "rocker", "dial", weights=(0.3, 0.35, 0.15, 0.2)),
-        table=by(
+        floor=ag.choice("pull_chain", "button", "rocker", "dial", weights=(0.5, 0.25, 0.1, 0.15)),
+        tripod=ag.choice("pull_chain", "button", "rocker", "dial", weights=(0.3, 0.35, 0.15, 0.2)),
+        table=ag.by(
             "body",
-            column=choice("pull_chain", "rocker", "dial", weights=(0.7, 0.15, 0.15)),
-            turned=choice("pull_chain", "rocker", "dial", weights=(0.7, 0.15, 0.15)),
-            otherwise=choice("rocker", "dial", "button"),
+            column=ag.choice("pull_chain", "rocker", "dial", weights=(0.7, 0.15, 0.15)),
+            turned=ag.choice("pull_chain", "rocker", "dial", weights=(0.7, 0.15, 0.15)),
+            otherwise=ag.choice("rocker", "dial", "button"),
         ),
-        otherwise=choice("button", "rocker", "dial"),
+        otherwise=ag.choice("button", "rocker", "dial"),
     ),
-    switch_on: Literal["base", "cord", "socket"] = by(
+    switch_on: Literal["base", "cord", "socket"] = ag.by(
         "switch",
         pull_chain="socket",
         dial="cord",  # where a hand can turn without striking an arm
-        otherwise=by(
+        otherwise=ag.by(
             "style",
-            desk=choice("base", "cord", weights=(0.75, 0.25)),
-            architect=choice("base", "cord", weights=(0.7, 0.3)),
+            desk=ag.choice("base", "cord", weights=(0.75, 0.25)),
+            architect=ag.choice("base", "cord", weights=(0.7, 0.3)),
             led_bar="base",
-            reading=choice("base", "cord"),
+            reading=ag.choice("base", "cord"),
             otherwise="cord",
         ),
     ),
-    chain_travel: Float = uniform(
+    chain_travel: ag.Float = ag.uniform(
         0.030, 0.060, "m", doc="how far a pull chain is pulled", within=(0.02, 0.07)
     ),
-    chain_force: Float = uniform(
+    chain_force: ag.Float = ag.uniform(
         3.0, 8.0, "N", doc="of its spring when it is pulled out", within=(2.0, 12.0)
     ),
-    swivel_friction: Float = by(
+    swivel_friction: ag.Float = ag.by(
         "style",
-        reading=uniform(1.5, 2.6),
-        arc=uniform(2.0, 3.5),
-        otherwise=uniform(0.9, 1.7),
+        reading=ag.uniform(1.5, 2.6),
+        arc=ag.uniform(2.0, 3.5),
+        otherwise=ag.uniform(0.9, 1.7),
         unit="N m",
         doc="against turning an arm on the base: 3-6 N at its end",
         within=(0.1, 6.0),
     ),
-    shade_friction: Float = by(
+    shade_friction: ag.Float = ag.by(
         "shade",
-        dome=uniform(0.04, 0.08),  # it is turned by its knob
-        otherwise=uniform(0.30, 0.70),
+        dome=ag.uniform(0.04, 0.08),  # it is turned by its knob
+        otherwise=ag.uniform(0.30, 0.70),
         unit="N m",
         doc="against turning a shade on its harp",
         within=(0.01, 2.0),
     ),
-    metal: Material = by(
+    metal: ag.Material = ag.by(
         "style",
-        floor=shades(*FITTINGS, weights=FITTING_WEIGHTS, color=0.03),
-        tripod=shades(*FITTINGS, weights=FITTING_WEIGHTS, color=0.03),
-        table=shades(*FITTINGS, weights=FITTING_WEIGHTS, color=0.03),
-        arc=shades(*FITTINGS, weights=FITTING_WEIGHTS, color=0.03),
-        otherwise=shades(*COATS, weights=COAT_WEIGHTS, color=0.05),
+        floor=ag.shades(*FITTINGS, weights=FITTING_WEIGHTS, color=0.03),
+        tripod=ag.shades(*FITTINGS, weights=FITTING_WEIGHTS, color=0.03),
+        table=ag.shades(*FITTINGS, weights=FITTING_WEIGHTS, color=0.03),
+        arc=ag.shades(*FITTINGS, weights=FITTING_WEIGHTS, color=0.03),
+        otherwise=ag.shades(*COATS, weights=COAT_WEIGHTS, color=0.05),
         doc="of arms, poles and bases",
     ),
-    finish: Material = by(
+    finish: ag.Material = ag.by(
         "style",
-        floor=shades(*CLOTHS, weights=CLOTH_WEIGHTS, color=0.06),
-        tripod=shades(*CLOTHS, weights=CLOTH_WEIGHTS, color=0.06),
-        table=shades(*CLOTHS, weights=CLOTH_WEIGHTS, color=0.06),
-        otherwise=shades(*COATS, weights=COAT_WEIGHTS, color=0.05),
+        floor=ag.shades(*CLOTHS, weights=CLOTH_WEIGHTS, color=0.06),
+        tripod=ag.shades(*CLOTHS, weights=CLOTH_WEIGHTS, color=0.06),
+        table=ag.shades(*CLOTHS, weights=CLOTH_WEIGHTS, color=0.06),
+        otherwise=ag.shades(*COATS, weights=COAT_WEIGHTS, color=0.05),
         doc="of the shade",
     ),
-    matching: bool = by(
+    matching: bool = ag.by(
         "style",
-        desk=choice(True, False, weights=(0.8, 0.2)),
+        desk=ag.choice(True, False, weights=(0.8, 0.2)),
         architect=True,
         led_bar=True,
-        reading=choice(True, False, weights=(0.8, 0.2)),
+        reading=ag.choice(True, False, weights=(0.8, 0.2)),
         mushroom=True,
         otherwise=False,
         doc="whether the shade is finished like the arms or the base",
     ),
-    lining: Material = by(
+    lining: ag.Material = ag.by(
         "style",
-        floor=shades("fabric", color=0.02),
-        tripod=shades("fabric", color=0.02),
-        table=shades("fabric", color=0.02),
-        otherwise=shades("enamel_white", "satin_brass", weights=(0.85, 0.15), color=0.02),
+        floor=ag.shades("fabric", color=0.02),
+        tripod=ag.shades("fabric", color=0.02),
+        table=ag.shades("fabric", color=0.02),
+        otherwise=ag.shades("enamel_white", "satin_brass", weights=(0.85, 0.15), color=0.02),
         doc="inside of the shade",
     ),
-    stuff: Material = by(
+    stuff: ag.Material = ag.by(
         "style",
-        table=shades(*BODIES, weights=BODY_WEIGHTS, color=0.06),
-        tripod=shades(*LEGS, color=0.06),
-        arc=shades(*STONES, color=0.05),
-        otherwise=shades("glass"),
+        table=ag.shades(*BODIES, weights=BODY_WEIGHTS, color=0.06),
+        tripod=ag.shades(*LEGS, color=0.06),
+        arc=ag.shades(*STONES, color=0.05),
+        otherwise=ag.shades("glass"),
         doc="of the body of a table lamp, the legs of a tripod, the stone under an arc lamp",
     ),
-    plastics: Literal["black", "white"] = choice(
+    plastics: Literal["black", "white"] = ag.choice(
         "black", "white", weights=(0.65, 0.35), doc="of switch and cord"
     ),
-) -> Body:
+) -> ag.Body:
     """Make a lamp for a desk, a table or the floor: arms, shade, switch."""
     dark, ink = plastic(plastics)
     coat = metal if matching else finish
@@ -374,11 +362,11 @@ def lamp(
                 front - set_in.half > (body_radius if style == "table" else _STALK) + 0.001, _COVERS
             )
         cord = Cord(dark, start=edge, end=edge + 0.11, height=0.5 * top + 0.001)
-    base = weld(base, cord.with_case(switched) if switched and switch_on == "cord" else cord.alone())
+    base = ag.weld(base, cord.with_case(switched) if switched and switch_on == "cord" else cord.alone())
 
     if carried is not None and style == "reading":
         clamp = height - 0.11 - travel  # where it is lowest
-        base = weld(base, pole(POLE, top - 0.001, height - 0.03, metal, capped=True)).require(
+        base = ag.weld(base, pole(POLE, top - 0.001, height - 0.03, metal, capped=True)).require(
             clamp > top + carried.hangs + 0.01, _TOO_LOW
         )
         return base.attach(carried.body.at(0.0, 0.0, clamp), *carried.joints)
@@ -387,7 +375,7 @@ def lamp(
 
     mouth = height - crown(harp_rise(deep, shade))  # of the socket
     foot = mouth - SOCKET
-    under: Scalar = top  # a chain
+    under: ag.Scalar = top  # a chain
     if style == "table":
         stand = turned_lamp(body, radius=body_radius, low=top - 0.001, high=foot, finish=stuff, metal=metal)
         under = wide_up_to(body, BESIDE, radius=body_radius, low=top, high=foot - FITTING)
@@ -401,7 +389,7 @@ def lamp(
     else:
         stand = pole(0.0115, top - 0.001, foot + 0.003, metal)
     if shade == "globe":
-        return globed(weld(base, stand), top=foot, radius=shade_radius, glass=OPAL, metal=metal)
+        return globed(ag.weld(base, stand), top=foot, radius=shade_radius, glass=OPAL, metal=metal)
     cover = spider_shade(
         shade,
         top=shade_top * shade_radius,
@@ -413,14 +401,14 @@ def lamp(
         wire=metal,
     )
     chain = Chain(chain_travel, chain_force, metal, under) if switch == "pull_chain" else None
-    low: Scalar = 0.002 if style == "tripod" else top + 0.002  # the shade hangs above it
+    low: ag.Scalar = 0.002 if style == "tripod" else top + 0.002  # the shade hangs above it
     return shaded(
-        weld(base, stand),
+        ag.weld(base, stand),
         cover,
         mouth=mouth,
         height=deep,
         metal=metal,
         friction=shade_friction,
-        over=max_(low, CASE[2] + _ON_CASE) if switch_on == "cord" else low,
+        over=ag.max_(low, CASE[2] + _ON_CASE) if switch_on == "cord" else low,
         chain=chain,
     )

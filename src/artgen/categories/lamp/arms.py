@@ -7,32 +7,7 @@ it is turned: the inner lane is 10 mm wide about y = 0, the outer one a pair of 
 import math
 from typing import Literal
 
-from artgen import (
-    Body,
-    Joint,
-    Material,
-    Prismatic,
-    Revolute,
-    Scalar,
-    Solid,
-    VectorLike,
-    Y,
-    Z,
-    array,
-    box,
-    circle,
-    cylinder,
-    detail,
-    frame,
-    helix,
-    max_,
-    min_,
-    part,
-    sin,
-    sweep,
-    tube,
-    weld,
-)
+import artgen as ag
 
 ArmStyle = Literal["rods", "tube", "flat"]
 """Thin round bars, a round tube or square bars, or flat bars."""
@@ -58,114 +33,119 @@ _HOLDS = 1.3  # by how much a brake is stronger than what it has to hold
 _SOFT = 0.2  # share of the friction by which a balancing spring varies over the range
 
 
-def eyes(finish: Material, *, label: str, outer: bool) -> list[Body]:
+def eyes(finish: ag.Material, *, label: str, outer: bool) -> list[ag.Body]:
     """Make the round end of an arm about the origin, in the inner or the outer lane."""
     if not outer:
-        return [part(cylinder(EYE, 2.0 * INNER, axis=Y, bevel=0.0008), label, finish)]
-    plate = cylinder(EYE, _PLATE, axis=Y, bevel=0.0006)
-    nut = cylinder(0.0062, 0.0045, axis=Y, bevel=0.001)
+        return [ag.part(ag.cylinder(EYE, 2.0 * INNER, axis=ag.Y, bevel=0.0008), label, finish)]
+    plate = ag.cylinder(EYE, _PLATE, axis=ag.Y, bevel=0.0006)
+    nut = ag.cylinder(0.0062, 0.0045, axis=ag.Y, bevel=0.001)
     return [
-        part(array(plate, at=[(0.0, -_OUTER, 0.0), (0.0, _OUTER, 0.0)]), label, finish, separate=_PAIR),
-        detail(array(nut, at=[(0.0, side * (_OUTER + 0.0038), 0.0) for side in (-1, 1)]), "hinge", finish),
+        ag.part(ag.array(plate, at=[(0.0, -_OUTER, 0.0), (0.0, _OUTER, 0.0)]), label, finish, separate=_PAIR),
+        ag.detail(
+            ag.array(nut, at=[(0.0, side * (_OUTER + 0.0038), 0.0) for side in (-1, 1)]), "hinge", finish
+        ),
     ]
 
 
 _PAIR = "the two plates of a pair are held by the bolts through them"
 
 
-def arm_bar(style: ArmStyle, length: Scalar, *, outer: bool) -> Solid:
+def arm_bar(style: ArmStyle, length: ag.Scalar, *, outer: bool) -> ag.Solid:
     """Make the bar or the pair of bars of an arm, upward from one hinge at the origin to the next."""
     width = _PLATE if outer else 2.0 * INNER
     match style:
         case "rods":
-            bar = cylinder(0.0020 if outer else 0.0042, length)
+            bar = ag.cylinder(0.0020 if outer else 0.0042, length)
         case "tube":
             bar = (
-                box(_PLATE, 0.0085, length, bevel=0.0009).rotate(Z, math.pi / 2)
+                ag.box(_PLATE, 0.0085, length, bevel=0.0009).rotate(ag.Z, math.pi / 2)
                 if outer
-                else cylinder(INNER, length)
+                else ag.cylinder(INNER, length)
             )
         case "flat":
-            bar = box(0.015, width - 0.0004, length, bevel=0.0012)
+            bar = ag.box(0.015, width - 0.0004, length, bevel=0.0012)
     if not outer:
         return bar.at(0.0, 0.0, length / 2.0)
-    return array(bar, at=[(0.0, side * _OUTER, length / 2.0) for side in (-1, 1)])
+    return ag.array(bar, at=[(0.0, side * _OUTER, length / 2.0) for side in (-1, 1)])
 
 
 def arm(
     label: str,
     style: ArmStyle,
-    length: Scalar,
+    length: ag.Scalar,
     *,
-    finish: Material,
+    finish: ag.Material,
     outer: bool,
-    spring: Material | None = None,
-) -> Body:
+    spring: ag.Material | None = None,
+) -> ag.Body:
     """Make an arm, upward from its hinge at the origin; what it carries turns in the other lane."""
-    middle = frame((0.0, 0.0, 0.5 * length), approach=Y, closing=(1.0, 0.0, 0.0))
+    middle = ag.frame((0.0, 0.0, 0.5 * length), approach=ag.Y, closing=(1.0, 0.0, 0.0))
     bar = arm_bar(style, length, outer=outer)
-    bodies = [part(bar, label, finish, grasp=middle, separate=_PAIR if outer else "")]
+    bodies = [ag.part(bar, label, finish, grasp=middle, separate=_PAIR if outer else "")]
     for level in (0.0, length):
         bodies += [each.at(0.0, 0.0, level) for each in eyes(finish, label=label, outer=outer)]
     if outer:  # spacers hold the pair together
-        spacer = cylinder(0.0040, 2.0 * _OUTER, axis=Y)
-        bodies += [part(spacer.at(0.0, 0.0, share * length), label, finish) for share in (0.35, 0.72)]
+        spacer = ag.cylinder(0.0040, 2.0 * _OUTER, axis=ag.Y)
+        bodies += [ag.part(spacer.at(0.0, 0.0, share * length), label, finish) for share in (0.35, 0.72)]
     if spring is not None:
         bodies += _springs(style, length, spring, outer=outer)
-    return weld(*bodies)
+    return ag.weld(*bodies)
 
 
-def _springs(style: ArmStyle, length: Scalar, metal: Material, *, outer: bool) -> list[Body]:
+def _springs(style: ArmStyle, length: ag.Scalar, metal: ag.Material, *, outer: bool) -> list[ag.Body]:
     """Make the springs beside an arm: between its bars, or at both sides of its only one."""
     low, long = 0.16 * length, 0.40 * length
     radius = 0.0036
-    coil = sweep(circle(0.0007), helix(radius, long / 22.0, 22.0))
-    wire = cylinder(0.0007, 0.62 * length).at(0.0, 0.0, 0.37 * length)
+    coil = ag.sweep(ag.circle(0.0007), ag.helix(radius, long / 22.0, 22.0))
+    wire = ag.cylinder(0.0007, 0.62 * length).at(0.0, 0.0, 0.37 * length)
     one = [coil.at(0.0, 0.0, low + long / 2.0), wire]
     if outer:
-        return [detail(each, "spring", metal) for each in one]
+        return [ag.detail(each, "spring", metal) for each in one]
     aside = (0.0042 if style == "rods" else INNER) + radius - 0.0002
     pins = [
-        cylinder(0.0018, 2.0 * aside + 0.004, axis=Y).at(0.0, 0.0, share * length) for share in (0.07, 0.68)
+        ag.cylinder(0.0018, 2.0 * aside + 0.004, axis=ag.Y).at(0.0, 0.0, share * length)
+        for share in (0.07, 0.68)
     ]
     return [
         *(
-            detail(array(each, at=[(0.0, side * aside, 0.0) for side in (-1, 1)]), "spring", metal)
+            ag.detail(ag.array(each, at=[(0.0, side * aside, 0.0) for side in (-1, 1)]), "spring", metal)
             for each in one
         ),
-        *(detail(pin, "spring", metal) for pin in pins),
+        *(ag.detail(pin, "spring", metal) for pin in pins),
     ]
 
 
-def turret(finish: Material, *, height: Scalar, outer: bool, radius: Scalar = 0.024) -> Body:
+def turret(finish: ag.Material, *, height: ag.Scalar, outer: bool, radius: ag.Scalar = 0.024) -> ag.Body:
     """Make what turns on a base: a disc with a post and an eye at a height, the link `swivel`.
 
     It stands on the plane z = 0, which is the top of the base, with a gap of 0.6 mm.
     """
-    disc = cylinder(radius, 0.010, bevel=0.002).at(0.0, 0.0, TURRET + 0.005)
-    bodies = [part(disc, "swivel", finish)]
+    disc = ag.cylinder(radius, 0.010, bevel=0.002).at(0.0, 0.0, TURRET + 0.005)
+    bodies = [ag.part(disc, "swivel", finish)]
     start = TURRET + 0.006
     tall = height - start
     if outer:
-        cheek = box(0.018, _PLATE, tall, bevel=0.0008)
-        pair = array(cheek, at=[(0.0, side * _OUTER, start + tall / 2.0) for side in (-1, 1)])
-        bodies.append(part(pair, "swivel", finish, separate=_PAIR))
+        cheek = ag.box(0.018, _PLATE, tall, bevel=0.0008)
+        pair = ag.array(cheek, at=[(0.0, side * _OUTER, start + tall / 2.0) for side in (-1, 1)])
+        bodies.append(ag.part(pair, "swivel", finish, separate=_PAIR))
     else:
-        post = box(0.018, 2.0 * INNER, tall, bevel=0.0012).at(0.0, 0.0, start + tall / 2.0)
-        bodies.append(part(post, "swivel", finish))
-    return weld(*bodies, *(each.at(0.0, 0.0, height) for each in eyes(finish, label="swivel", outer=outer)))
+        post = ag.box(0.018, 2.0 * INNER, tall, bevel=0.0012).at(0.0, 0.0, start + tall / 2.0)
+        bodies.append(ag.part(post, "swivel", finish))
+    return ag.weld(
+        *bodies, *(each.at(0.0, 0.0, height) for each in eyes(finish, label="swivel", outer=outer))
+    )
 
 
-def turret_turn(*, friction: Scalar, name: str = "arm_swivel") -> Joint:
+def turret_turn(*, friction: ag.Scalar, name: str = "arm_swivel") -> ag.Joint:
     """Make the joint by which an arm turns on its base, without limits; friction holds it."""
-    return Revolute(name, axis=Z, friction=friction, damping=0.02, armature=0.0005, effort=12.0)
+    return ag.Revolute(name, axis=ag.Z, friction=friction, damping=0.02, armature=0.0005, effort=12.0)
 
 
-def bracket(finish: Material, *, length: Scalar, label: str = "shade") -> list[Body]:
+def bracket(finish: ag.Material, *, length: ag.Scalar, label: str = "shade") -> list[ag.Body]:
     """Make the plates in the outer lane by which a shade hangs on an arm, from z = 0 to -length."""
-    plate = box(0.016, _PLATE, length + 0.004, bevel=0.0008).at(0.0, 0.0, -0.5 * (length + 0.004))
-    pair = array(plate, at=[(0.0, side * _OUTER, 0.0) for side in (-1, 1)])
-    return [part(pair, label, finish, separate=_PAIR), *eyes(finish, label=label, outer=True)]
+    plate = ag.box(0.016, _PLATE, length + 0.004, bevel=0.0008).at(0.0, 0.0, -0.5 * (length + 0.004))
+    pair = ag.array(plate, at=[(0.0, side * _OUTER, 0.0) for side in (-1, 1)])
+    return [ag.part(pair, label, finish, separate=_PAIR), *eyes(finish, label=label, outer=True)]
 
 
 class Load:
@@ -173,24 +153,24 @@ class Load:
 
     def __init__(self) -> None:
         """Begin with nothing."""
-        self.low: Scalar = 0.0
-        self.high: Scalar = 0.0
+        self.low: ag.Scalar = 0.0
+        self.high: ag.Scalar = 0.0
 
-    def lever(self, weight: Scalar, length: Scalar, low: Scalar, high: Scalar) -> "Load":
+    def lever(self, weight: ag.Scalar, length: ag.Scalar, low: ag.Scalar, high: ag.Scalar) -> "Load":
         """Add a weight [N] on a lever [m] whose angle from the vertical goes from low to high [rad].
 
         Angles are within -pi/2 and pi, positive towards +x.
         """
         crest = 1.0  # of the sine, if the lever may lie level
-        ends = (sin(low), sin(high))
-        self.low = self.low + weight * length * min_(*ends)
-        top = max_(*ends)
+        ends = (ag.sin(low), ag.sin(high))
+        self.low = self.low + weight * length * ag.min_(*ends)
+        top = ag.max_(*ends)
         # between low and high the sine is greatest where it is nearest to a quarter turn
-        level = max_(0.0, min_(1.0, 1e6 * (min_(high, math.pi - low) - math.pi / 2.0)))
+        level = ag.max_(0.0, ag.min_(1.0, 1e6 * (ag.min_(high, math.pi - low) - math.pi / 2.0)))
         self.high = self.high + weight * length * (level * crest + (1.0 - level) * top)
         return self
 
-    def free(self, weight: Scalar, length: Scalar) -> "Load":
+    def free(self, weight: ag.Scalar, length: ag.Scalar) -> "Load":
         """Add a weight [N] on a lever [m] that may point anywhere."""
         self.low = self.low - weight * length
         self.high = self.high + weight * length
@@ -200,14 +180,14 @@ class Load:
 def braked_hinge(
     name: str,
     *,
-    pivot: VectorLike,
-    limits: tuple[Scalar, Scalar],
+    pivot: ag.VectorLike,
+    limits: tuple[ag.Scalar, ag.Scalar],
     load: Load,
-    feel: Scalar,
-    reach: Scalar,
+    feel: ag.Scalar,
+    reach: ag.Scalar,
     sprung: bool = False,
-    damping: Scalar = 0.05,
-) -> Joint:
+    damping: ag.Scalar = 0.05,
+) -> ag.Joint:
     """Make a hinge about y that stays where it is put, whatever the arms beyond it do.
 
     A brake alone is stronger than the greatest torque of gravity. A spring takes over the mean of it, and the
@@ -216,12 +196,12 @@ def braked_hinge(
     least = feel * reach
     low, high = limits
     if not sprung:
-        most = max_(load.high, -load.low)
-        friction = max_(_HOLDS * max_(most, 0.0), least)
-        effort = friction + max_(most, 0.0) + 20.0 * reach
-        return Revolute(
+        most = ag.max_(load.high, -load.low)
+        friction = ag.max_(_HOLDS * ag.max_(most, 0.0), least)
+        effort = friction + ag.max_(most, 0.0) + 20.0 * reach
+        return ag.Revolute(
             name,
-            axis=Y,
+            axis=ag.Y,
             pivot=pivot,
             limits=limits,
             friction=friction,
@@ -230,11 +210,11 @@ def braked_hinge(
             effort=effort,
         )
     middle, rest = (load.low + load.high) / 2.0, (load.high - load.low) / 2.0
-    friction = max_(_HOLDS * rest / (1.0 - 0.5 * _HOLDS * _SOFT), least)
+    friction = ag.max_(_HOLDS * rest / (1.0 - 0.5 * _HOLDS * _SOFT), least)
     stiffness = _SOFT * friction / (high - low)
-    return Revolute(
+    return ag.Revolute(
         name,
-        axis=Y,
+        axis=ag.Y,
         pivot=pivot,
         limits=limits,
         stiffness=stiffness,
@@ -247,55 +227,55 @@ def braked_hinge(
 
 
 def head_hinge(
-    body: Body, *, pivot: VectorLike, limits: tuple[Scalar, Scalar], name: str = "shade_hinge"
-) -> Joint:
+    body: ag.Body, *, pivot: ag.VectorLike, limits: tuple[ag.Scalar, ag.Scalar], name: str = "shade_hinge"
+) -> ag.Joint:
     """Make the hinge of a shade, whose friction holds its weight in every direction."""
     lever = (body.center_of_mass() - vector_of(pivot)).norm()
     load = Load().free(GRAVITY * body.mass(), lever)
     return braked_hinge(name, pivot=pivot, limits=limits, load=load, feel=4.0, reach=0.08, damping=0.01)
 
 
-def vector_of(point: VectorLike) -> VectorLike:
+def vector_of(point: ag.VectorLike) -> ag.VectorLike:
     """Return a point as a handle or a tuple, as it came."""
     return point
 
 
-def collar(finish: Material, *, bore: Scalar, out: Scalar, height: Scalar = 0.055) -> Body:
+def collar(finish: ag.Material, *, bore: ag.Scalar, out: ag.Scalar, height: ag.Scalar = 0.055) -> ag.Body:
     """Make the clamp that slides on a pole along z and carries an arm at x = out: the link `slider`."""
-    ring = tube(bore + 0.009, bore + 0.0006, height, bevel=0.0015)
+    ring = ag.tube(bore + 0.009, bore + 0.0006, height, bevel=0.0015)
     start = bore + 0.006
-    plate = box(out - start, _PLATE, 0.018, bevel=0.0008)
-    pair = array(plate, at=[((start + out) / 2.0, side * _OUTER, 0.0) for side in (-1, 1)])
-    knob = cylinder(0.013, 0.014, axis=(1.0, 0.0, 0.0), bevel=0.002)
-    shaft = cylinder(0.004, 0.016, axis=(1.0, 0.0, 0.0))
+    plate = ag.box(out - start, _PLATE, 0.018, bevel=0.0008)
+    pair = ag.array(plate, at=[((start + out) / 2.0, side * _OUTER, 0.0) for side in (-1, 1)])
+    knob = ag.cylinder(0.013, 0.014, axis=(1.0, 0.0, 0.0), bevel=0.002)
+    shaft = ag.cylinder(0.004, 0.016, axis=(1.0, 0.0, 0.0))
     back = -(bore + 0.009)
-    return weld(
-        part(ring, "slider", finish),
-        part(pair, "slider", finish, separate=_PAIR),
-        part(shaft.at(back - 0.006, 0.0, 0.0), "slider", finish),
-        part(
+    return ag.weld(
+        ag.part(ring, "slider", finish),
+        ag.part(pair, "slider", finish, separate=_PAIR),
+        ag.part(shaft.at(back - 0.006, 0.0, 0.0), "slider", finish),
+        ag.part(
             knob.at(back - 0.018, 0.0, 0.0),
             "slider",
             finish,
-            grasp=frame((back - 0.019, 0.0, 0.0), approach=(1.0, 0.0, 0.0), closing=Y),
+            grasp=ag.frame((back - 0.019, 0.0, 0.0), approach=(1.0, 0.0, 0.0), closing=ag.Y),
         ),
         *(each.at(out, 0.0, 0.0) for each in eyes(finish, label="slider", outer=True)),
     )
 
 
-def collar_joints(load: Body, *, travel: Scalar, friction: Scalar) -> tuple[Joint, Joint]:
+def collar_joints(load: ag.Body, *, travel: ag.Scalar, friction: ag.Scalar) -> tuple[ag.Joint, ag.Joint]:
     """Make the joints of a clamp on its pole: it slides up from its lowest place, and turns without limits.
 
     The clamp bears 1.3 times what hangs on it, and a hand slides it with less than 60 N.
     """
     grip = _HOLDS * GRAVITY * load.mass()
-    slide = Prismatic(
+    slide = ag.Prismatic(
         "height_slide",
-        axis=Z,
+        axis=ag.Z,
         limits=(0.0, travel),
         friction=grip,
         damping=8.0,
         effort=GRAVITY * load.mass() + grip + 15.0,
     )
-    turn = Revolute("arm_swivel", axis=Z, friction=friction, damping=0.03, armature=0.0005, effort=12.0)
+    turn = ag.Revolute("arm_swivel", axis=ag.Z, friction=friction, damping=0.03, armature=0.0005, effort=12.0)
     return slide, turn

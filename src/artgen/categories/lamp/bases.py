@@ -5,37 +5,7 @@ from collections.abc import Sequence
 from itertools import pairwise
 from typing import Literal
 
-from artgen import (
-    Body,
-    Float,
-    Material,
-    Scalar,
-    Solid,
-    Vector,
-    box,
-    circle,
-    clamp,
-    cylinder,
-    cylinder_between,
-    detail,
-    extrude,
-    frustum,
-    half_section,
-    material,
-    max_,
-    part,
-    polyline,
-    regular_polygon,
-    require,
-    revolve,
-    sphere,
-    spline,
-    sweep,
-    switch,
-    union,
-    vector,
-    weld,
-)
+import artgen as ag
 from artgen.categories.lamp.jointed import Carried
 from artgen.categories.lamp.switches import Switch
 from artgen.categories.shared.finish import casting
@@ -71,124 +41,132 @@ _CORE_SIDES = 32  # of that core: its frustums have 64 corners, as many as a col
 _STEADY = 1.35  # by how much the base outweighs what would tip it
 
 
-def base_edge(shape: BaseShape, radius: Scalar) -> Scalar:
+def base_edge(shape: BaseShape, radius: ag.Scalar) -> ag.Scalar:
     """Return the distance from the middle of a base to its nearest edge [m]."""
     return _EDGE[shape] * radius
 
 
-def steady_height(shape: BaseShape, radius: Scalar, density: float, *, least: Scalar, of: Carried) -> Float:
+def steady_height(
+    shape: BaseShape, radius: ag.Scalar, density: float, *, least: ag.Scalar, of: Carried
+) -> ag.Float:
     """Return how high a base has to be to outweigh what it carries, with the arms stretched out."""
     edge = 0.97 * base_edge(shape, radius)  # its pad is a little smaller
     tips = of.moment - of.body.mass() * edge
-    high = max_(least, _STEADY * tips / (edge * density * _AREA[shape] * radius * radius))
-    return require(high, high < 2.0 * radius, _TIPS)
+    high = ag.max_(least, _STEADY * tips / (edge * density * _AREA[shape] * radius * radius))
+    return ag.require(high, high < 2.0 * radius, _TIPS)
 
 
-def base_block(shape: BaseShape, radius: Scalar, height: Scalar, *, bevel: Scalar = 0.0025) -> Solid:
+def base_block(
+    shape: BaseShape, radius: ag.Scalar, height: ag.Scalar, *, bevel: ag.Scalar = 0.0025
+) -> ag.Solid:
     """Make the block of a base on its pad, up to z = height."""
     tall = height - PAD
     match shape:
         case "round":
-            block = cylinder(radius, tall, bevel=bevel)
+            block = ag.cylinder(radius, tall, bevel=bevel)
         case "square":
-            block = box(2.0 * 0.89 * radius, 2.0 * 0.89 * radius, tall, bevel=bevel)
+            block = ag.box(2.0 * 0.89 * radius, 2.0 * 0.89 * radius, tall, bevel=bevel)
         case "hexagonal":
-            block = extrude(regular_polygon(6, radius), tall, bevel=bevel)
+            block = ag.extrude(ag.regular_polygon(6, radius), tall, bevel=bevel)
     return block.at(0.0, 0.0, PAD + tall / 2.0)
 
 
-def pad(shape: BaseShape, radius: Scalar) -> Body:
+def pad(shape: BaseShape, radius: ag.Scalar) -> ag.Body:
     """Make the pad under a base, which keeps it from sliding and scratching."""
     inset = 0.96 * radius
     match shape:
         case "round":
-            sheet = cylinder(inset, PAD + 0.0006)
+            sheet = ag.cylinder(inset, PAD + 0.0006)
         case "square":
-            sheet = box(1.78 * inset, 1.78 * inset, PAD + 0.0006)
+            sheet = ag.box(1.78 * inset, 1.78 * inset, PAD + 0.0006)
         case "hexagonal":
-            sheet = extrude(regular_polygon(6, inset), PAD + 0.0006)
-    return part(sheet.at(0.0, 0.0, (PAD + 0.0006) / 2.0), "foot", material("rubber"))
+            sheet = ag.extrude(ag.regular_polygon(6, inset), PAD + 0.0006)
+    return ag.part(sheet.at(0.0, 0.0, (PAD + 0.0006) / 2.0), "foot", ag.material("rubber"))
 
 
 def weighted_base(
     shape: BaseShape,
-    radius: Scalar,
-    height: Scalar,
-    finish: Material,
+    radius: ag.Scalar,
+    height: ag.Scalar,
+    finish: ag.Material,
     *,
     set_in: Switch | None = None,
-    front: Scalar = 0.0,
-) -> Body:
+    front: ag.Scalar = 0.0,
+) -> ag.Body:
     """Make a base on its pad: the link `base`."""
     block = base_block(shape, radius, height)
     if set_in is None:
-        return weld(part(block, "base", finish), pad(shape, radius))
-    at = vector(0.0, -front, height)
+        return ag.weld(ag.part(block, "base", finish), pad(shape, radius))
+    at = ag.vector(0.0, -front, height)
     if set_in.hole is not None:
         block = block - set_in.hole.at(at)
-    return weld(part(block, "base", finish), pad(shape, radius), set_in.body.at(at))
+    return ag.weld(ag.part(block, "base", finish), pad(shape, radius), set_in.body.at(at))
 
 
 _LENGTHS = 4  # of a pole on which a ring slides
 
 
-def pole(radius: Scalar, low: Scalar, high: Scalar, finish: Material, *, capped: bool = False) -> Body:
+def pole(
+    radius: ag.Scalar, low: ag.Scalar, high: ag.Scalar, finish: ag.Material, *, capped: bool = False
+) -> ag.Body:
     """Make an upright tube, with a flange at its foot and, if it is `capped`, a ball that ends it.
 
     On a capped one a ring slides: it collides in short lengths, for PhysX lets a ring jam on a long thin one.
     """
     if capped:
         long = (high - low) / _LENGTHS
-        length = cylinder(radius, long + 0.001)
+        length = ag.cylinder(radius, long + 0.001)
         middles = [low + long * (number + 0.5) for number in range(_LENGTHS)]
-        tube_ = union(*(length.at(0.0, 0.0, middle) for middle in middles))
+        tube_ = ag.union(*(length.at(0.0, 0.0, middle) for middle in middles))
     else:
-        tube_ = cylinder_between((0.0, 0.0, low), (0.0, 0.0, high), radius, bevel=0.001)
-    flange = cylinder(2.1 * radius, 0.008, bevel=0.0025).at(0.0, 0.0, low + 0.004)
-    bodies = [part(tube_, "pole", hollow(finish)), part(flange, "pole", finish)]
+        tube_ = ag.cylinder_between((0.0, 0.0, low), (0.0, 0.0, high), radius, bevel=0.001)
+    flange = ag.cylinder(2.1 * radius, 0.008, bevel=0.0025).at(0.0, 0.0, low + 0.004)
+    bodies = [ag.part(tube_, "pole", hollow(finish)), ag.part(flange, "pole", finish)]
     if capped:
-        bodies.append(part(sphere(1.7 * radius).at(0.0, 0.0, high + 0.8 * radius), "pole", finish))
-    return weld(*bodies)
+        bodies.append(ag.part(ag.sphere(1.7 * radius).at(0.0, 0.0, high + 0.8 * radius), "pole", finish))
+    return ag.weld(*bodies)
 
 
-def hollow(finish: Material) -> Material:
+def hollow(finish: ag.Material) -> ag.Material:
     """Return the material of a tube; a wall of 1.5 mm at a radius of 10 mm is 28 % of the whole."""
     return casting(finish, 0.28)
 
 
-def tripod(*, spread: Scalar, height: Scalar, radius: Scalar, finish: Material, metal: Material) -> Body:
+def tripod(
+    *, spread: ag.Scalar, height: ag.Scalar, radius: ag.Scalar, finish: ag.Material, metal: ag.Material
+) -> ag.Body:
     """Make three slanted legs under a hub whose top is at a height; one leg points to the front."""
     top = 0.034
-    disc = cylinder(0.052, 0.030, bevel=0.004).at(0.0, 0.0, height - 0.015)
-    bodies = [part(disc, "pole", metal.with_(name=f"{metal.name}_hub", density=1500.0), name="base")]
-    foot = cylinder(0.62 * radius + 0.004, 0.014, bevel=0.003)
+    disc = ag.cylinder(0.052, 0.030, bevel=0.004).at(0.0, 0.0, height - 0.015)
+    bodies = [ag.part(disc, "pole", metal.with_(name=f"{metal.name}_hub", density=1500.0), name="base")]
+    foot = ag.cylinder(0.62 * radius + 0.004, 0.014, bevel=0.003)
     rise = height - 0.020
     for number in range(3):
         turn = math.pi * (1.5 + 2.0 * number / 3.0)
-        out = vector(math.cos(turn), math.sin(turn), 0.0)
-        low, high = out * spread + vector(0.0, 0.0, 0.010), out * top + vector(0.0, 0.0, rise)
+        out = ag.vector(math.cos(turn), math.sin(turn), 0.0)
+        low, high = out * spread + ag.vector(0.0, 0.0, 0.010), out * top + ag.vector(0.0, 0.0, rise)
         leg = _strut(low, high, 0.62 * radius, radius)
         share = 0.09
         end = low + (high - low) * share
         ferrule = _strut(low, end, 0.62 * radius + 0.0012, 0.62 * radius + 0.0012 + 0.38 * share * radius)
         bodies += [
-            part(leg, "pole", finish),
-            detail(ferrule, "pole", metal),
-            part(foot.at(out * spread + vector(0.0, 0.0, 0.007)), "foot", material("rubber")),
+            ag.part(leg, "pole", finish),
+            ag.detail(ferrule, "pole", metal),
+            ag.part(foot.at(out * spread + ag.vector(0.0, 0.0, 0.007)), "foot", ag.material("rubber")),
         ]
     share = 0.46  # of the way up, where three rods hold the legs apart
     corners = [
-        vector(math.cos(turn), math.sin(turn), 0.0) * (spread + (top - spread) * share)
-        + vector(0.0, 0.0, 0.010 + (rise - 0.010) * share)
+        ag.vector(math.cos(turn), math.sin(turn), 0.0) * (spread + (top - spread) * share)
+        + ag.vector(0.0, 0.0, 0.010 + (rise - 0.010) * share)
         for turn in (math.pi * (1.5 + 2.0 * number / 3.0) for number in range(3))
     ]
     rods = [_strut(corners[index], corners[index - 1], 0.0035, 0.0035) for index in range(3)]
-    return weld(*bodies, *(part(rod, "pole", metal) for rod in rods))
+    return ag.weld(*bodies, *(ag.part(rod, "pole", metal) for rod in rods))
 
 
-def _strut(low: Vector, high: Vector, thin: Scalar, thick: Scalar) -> Solid:
+def _strut(low: ag.Vector, high: ag.Vector, thin: ag.Scalar, thick: ag.Scalar) -> ag.Solid:
     along = high - low
-    return frustum(thin, thick, along.norm(), axis=along).at((low + high) * 0.5)
+    return ag.frustum(thin, thick, along.norm(), axis=along).at((low + high) * 0.5)
 
 
 _BODIES: dict[str, Sequence[tuple[float, float]]] = {
@@ -236,70 +214,86 @@ def _between(points: Sequence[tuple[float, float]]) -> list[tuple[float, float]]
     return found
 
 
-def turned_body(form: BodyForm, *, radius: Scalar, low: Scalar, high: Scalar, finish: Material) -> Body:
+def turned_body(
+    form: BodyForm, *, radius: ag.Scalar, low: ag.Scalar, high: ag.Scalar, finish: ag.Material
+) -> ag.Body:
     """Make the turned or thrown body of a table lamp between two heights.
 
     What is seen is a smooth skin; what weighs and collides is a core of frustums 2 mm below it, each of which
     is one convex piece of few corners.
     """
     least = 0.020 if form == "stem" else 0.068  # the core of a lower one crosses itself
-    high = require(high, high - low >= least, _SQUAT)
+    high = ag.require(high, high - low >= least, _SQUAT)
     points = [(r * radius, 0.0, low + share * (high - low)) for r, share in _between(_BODIES[form])]
-    core = revolve(half_section(polyline(points), inset=_BELOW), sides=_CORE_SIDES)
-    skin = revolve(half_section(spline(points), wall=0.0005))
-    lid = cylinder(_BODIES[form][-1][0] * radius - 0.0002, 0.0025).at(0.0, 0.0, high - 0.00125)
-    return weld(part(core, "base", finish), detail(skin, "base", finish), detail(lid, "base", finish))
+    core = ag.revolve(ag.half_section(ag.polyline(points), inset=_BELOW), sides=_CORE_SIDES)
+    skin = ag.revolve(ag.half_section(ag.spline(points), wall=0.0005))
+    lid = ag.cylinder(_BODIES[form][-1][0] * radius - 0.0002, 0.0025).at(0.0, 0.0, high - 0.00125)
+    return ag.weld(
+        ag.part(core, "base", finish), ag.detail(skin, "base", finish), ag.detail(lid, "base", finish)
+    )
 
 
-def wide_up_to(form: BodyForm, beside: float, *, radius: Scalar, low: Scalar, high: Scalar) -> Scalar:
+def wide_up_to(
+    form: BodyForm, beside: float, *, radius: ag.Scalar, low: ag.Scalar, high: ag.Scalar
+) -> ag.Scalar:
     """Return up to which height a turned body reaches farther out than to a distance from its axis [m]."""
     found = low
     share = beside / radius
     for (r, at), (r_above, at_above) in pairwise(_between(_BODIES[form])):
-        way = clamp((r - share) / (r - r_above), 0.0, 1.0) if r > r_above else 1.0
+        way = ag.clamp((r - share) / (r - r_above), 0.0, 1.0) if r > r_above else 1.0
         end = low + (at + way * (at_above - at)) * (high - low)
-        found = switch(max(r, r_above) > share, end, found)
+        found = ag.switch(max(r, r_above) > share, end, found)
     return found
 
 
-def neck(form: BodyForm, radius: Scalar, *, low: Scalar, high: Scalar, finish: Material) -> Body:
+def neck(
+    form: BodyForm, radius: ag.Scalar, *, low: ag.Scalar, high: ag.Scalar, finish: ag.Material
+) -> ag.Body:
     """Make the fitting between a body and its socket: a cap on the body, and a tube."""
-    wide = max_(_BODIES[form][-1][0] * radius + 0.003, 0.016)
-    cap = cylinder(wide, 0.006, bevel=0.002).at(0.0, 0.0, low + 0.002)
-    stem = cylinder_between((0.0, 0.0, low), (0.0, 0.0, high), 0.0095, bevel=0.001)
-    ring = cylinder(0.0125, 0.008, bevel=0.0028).at(0.0, 0.0, low + 0.45 * (high - low))
-    return weld(part(cap, "pole", finish), part(stem, "pole", hollow(finish)), part(ring, "pole", finish))
+    wide = ag.max_(_BODIES[form][-1][0] * radius + 0.003, 0.016)
+    cap = ag.cylinder(wide, 0.006, bevel=0.002).at(0.0, 0.0, low + 0.002)
+    stem = ag.cylinder_between((0.0, 0.0, low), (0.0, 0.0, high), 0.0095, bevel=0.001)
+    ring = ag.cylinder(0.0125, 0.008, bevel=0.0028).at(0.0, 0.0, low + 0.45 * (high - low))
+    return ag.weld(
+        ag.part(cap, "pole", finish), ag.part(stem, "pole", hollow(finish)), ag.part(ring, "pole", finish)
+    )
 
 
 def turned_lamp(
-    form: BodyForm, *, radius: Scalar, low: Scalar, high: Scalar, finish: Material, metal: Material
-) -> Body:
+    form: BodyForm,
+    *,
+    radius: ag.Scalar,
+    low: ag.Scalar,
+    high: ag.Scalar,
+    finish: ag.Material,
+    metal: ag.Material,
+) -> ag.Body:
     """Make the body of a table lamp with the fitting that carries its socket."""
     shoulder = high - FITTING
-    return weld(
+    return ag.weld(
         turned_body(form, radius=radius, low=low, high=shoulder, finish=finish),
         neck(form, radius, low=shoulder, high=high + 0.003, finish=metal),
     )
 
 
-def weighted(finish: Material, density: float = 4600.0) -> Material:
+def weighted(finish: ag.Material, density: float = 4600.0) -> ag.Material:
     """Return the material of a base: a pressed cover over cast iron or cement."""
     return finish.with_(name=f"{finish.name}_{density:.0f}", density=density)
 
 
 def harp(
     *,
-    saddle: Scalar,
-    top: Scalar,
-    half: Scalar,
-    metal: Material,
-    stud: Scalar,
-    stud_radius: Scalar,
+    saddle: ag.Scalar,
+    top: ag.Scalar,
+    half: ag.Scalar,
+    metal: ag.Material,
+    stud: ag.Scalar,
+    stud_radius: ag.Scalar,
     finial: bool = True,
-) -> list[Body]:
+) -> list[ag.Body]:
     """Make the bow of wire around a bulb that carries a shade, with its stud and finial."""
     rise = top - saddle
-    course = polyline(
+    course = ag.polyline(
         [
             (-0.014, 0.0, saddle),
             (-half, 0.0, saddle + 0.30 * rise),
@@ -311,18 +305,18 @@ def harp(
             (0.014, 0.0, saddle),
         ]
     )
-    seat = cylinder(0.0085, 0.0030, bevel=0.0008).at(0.0, 0.0, top + 0.0012)
+    seat = ag.cylinder(0.0085, 0.0030, bevel=0.0008).at(0.0, 0.0, top + 0.0012)
     tall = stud + (0.004 if finial else -0.003)  # a stud without a finial ends inside of the hub
-    pin = cylinder(stud_radius, tall).at(0.0, 0.0, top + tall / 2.0)
-    knob = sphere(0.0085).at(0.0, 0.0, top + stud + 0.0095)
-    saddle_bar = box(0.034, 0.010, 0.0030, bevel=0.0008).at(0.0, 0.0, saddle)
+    pin = ag.cylinder(stud_radius, tall).at(0.0, 0.0, top + tall / 2.0)
+    knob = ag.sphere(0.0085).at(0.0, 0.0, top + stud + 0.0095)
+    saddle_bar = ag.box(0.034, 0.010, 0.0030, bevel=0.0008).at(0.0, 0.0, saddle)
     bodies = [
-        part(sweep(circle(0.0019), course), "harp", metal),
-        part(saddle_bar, "harp", metal),
-        part(seat, "harp", metal),
-        part(pin, "harp", metal),
+        ag.part(ag.sweep(ag.circle(0.0019), course), "harp", metal),
+        ag.part(saddle_bar, "harp", metal),
+        ag.part(seat, "harp", metal),
+        ag.part(pin, "harp", metal),
     ]
     if finial:
-        collar = cylinder(0.0062, 0.004, bevel=0.0008).at(0.0, 0.0, top + stud + 0.0025)
-        bodies += [part(collar, "finial", metal), part(knob, "finial", metal)]
+        collar = ag.cylinder(0.0062, 0.004, bevel=0.0008).at(0.0, 0.0, top + stud + 0.0025)
+        bodies += [ag.part(collar, "finial", metal), ag.part(knob, "finial", metal)]
     return bodies

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from artgen import Body, Material, Scalar, bezier, box, circle, detail, part, sweep, weld
+import artgen as ag
 from artgen.categories.lamp.switches import Switch
 from artgen.categories.shared.appliances.cords import CORD, strain_relief
 
@@ -17,14 +17,14 @@ _ALONE = 0.15  # farther back that a cord without one ends [m]
 class Cord:
     """Where a cord runs."""
 
-    finish: Material  # what cord and case are made of
-    start: Scalar  # where it leaves the base, along y [m]
-    end: Scalar  # where its switch lies [m]
-    height: Scalar  # of its outlet [m]
+    finish: ag.Material  # what cord and case are made of
+    start: ag.Scalar  # where it leaves the base, along y [m]
+    end: ag.Scalar  # where its switch lies [m]
+    height: ag.Scalar  # of its outlet [m]
     # how far it goes straight back at first; from high up it bends down in a wider arc [m]
-    stiff: Scalar = 0.022
+    stiff: ag.Scalar = 0.022
 
-    def alone(self) -> Body:
+    def alone(self) -> ag.Body:
         """Make the cord without a switch."""
         return cord_run(
             self.start,
@@ -35,40 +35,46 @@ class Cord:
             stiff=self.stiff,
         )
 
-    def with_case(self, switched: Switch) -> Body:
+    def with_case(self, switched: Switch) -> ag.Body:
         """Make the cord with a switch in a case."""
         half = CASE[1] / 2.0
         near, far = self.end - half + 0.002, self.end + half
-        return weld(
+        return ag.weld(
             cord_case(switched, self.finish).at(0.0, self.end, 0.0),
             cord_run(self.start, near, height=self.height, finish=self.finish, stiff=self.stiff),
             cord_run(far, far + _TAIL, height=0.010, finish=self.finish, sway=0.03),
         )
 
 
-def cord_case(switched: Switch, finish: Material) -> Body:
+def cord_case(switched: Switch, finish: ag.Material) -> ag.Body:
     """Make the case of a switch on a cord: it lies on the floor about the origin, the cord runs along y."""
     wide, long, high = CASE
-    block = box(wide, long, high - 0.001, bevel=0.005).at(0.0, 0.0, (high + 0.001) / 2.0)
+    block = ag.box(wide, long, high - 0.001, bevel=0.005).at(0.0, 0.0, (high + 0.001) / 2.0)
     if switched.hole is not None:
         block = block - switched.hole.at(0.0, 0.0, high)
-    seam = box(wide - 0.004, long - 0.004, 0.0012)
-    foot = box(wide - 0.010, long - 0.012, 0.002, bevel=0.0006).at(0.0, 0.0, 0.001)
+    seam = ag.box(wide - 0.004, long - 0.004, 0.0012)
+    foot = ag.box(wide - 0.010, long - 0.012, 0.002, bevel=0.0006).at(0.0, 0.0, 0.001)
     joined = "its cord, which is only seen, joins it to the base"
-    return weld(
-        part(block, "switch", finish, separate=joined),
-        part(foot, "switch", finish),
-        detail(seam.at(0.0, 0.0, 0.009), "switch", finish),
+    return ag.weld(
+        ag.part(block, "switch", finish, separate=joined),
+        ag.part(foot, "switch", finish),
+        ag.detail(seam.at(0.0, 0.0, 0.009), "switch", finish),
         switched.body.at(0.0, 0.0, high),
     )
 
 
 def cord_run(
-    start: Scalar, end: Scalar, *, height: Scalar, finish: Material, sway: Scalar = 0.0, stiff: Scalar = 0.022
-) -> Body:
+    start: ag.Scalar,
+    end: ag.Scalar,
+    *,
+    height: ag.Scalar,
+    finish: ag.Material,
+    sway: ag.Scalar = 0.0,
+    stiff: ag.Scalar = 0.022,
+) -> ag.Body:
     """Make a cord that leaves a base at the back, at y = start, and lies on the floor up to y = end."""
     run = end - start
-    path = bezier(  # which stays above the floor, as its control points do
+    path = ag.bezier(  # which stays above the floor, as its control points do
         [
             (0.0, start - 0.004, height),
             (0.0, start + stiff, height - 0.001),
@@ -78,7 +84,7 @@ def cord_run(
             (0.0, end, CORD),
         ]
     )
-    return weld(
-        *(detail(each.at(0.0, start, height), "cord", finish) for each in strain_relief()),
-        detail(sweep(circle(CORD - 0.0002), path), "cord", finish),
+    return ag.weld(
+        *(ag.detail(each.at(0.0, start, height), "cord", finish) for each in strain_relief()),
+        ag.detail(ag.sweep(ag.circle(CORD - 0.0002), path), "cord", finish),
     )

@@ -1,6 +1,6 @@
 """What lamps are made of, and in which colors."""
 
-from artgen import Material, colored, material
+import artgen as ag
 from artgen.categories.shared.finish import known, weighing
 
 _COATS = {
@@ -20,7 +20,7 @@ _COATS = {
 }
 _METALS = {"chrome": 1.2, "satin_nickel": 1.2, "satin_brass": 1.2, "copper": 0.5}
 
-COATS = (*(colored("powder_coat", color) for color in _COATS), *known(*_METALS))
+COATS = (*(ag.colored("powder_coat", color) for color in _COATS), *known(*_METALS))
 """Finishes of lamps with arms: powder coats and metals."""
 
 COAT_WEIGHTS = (*_COATS.values(), *_METALS.values())
@@ -57,7 +57,7 @@ _CLOTHS = {
     "teal": 0.5,
 }
 
-CLOTHS = (*(colored("fabric", color) for color in _CLOTHS), material("linen"), material("wicker"))
+CLOTHS = (*(ag.colored("fabric", color) for color in _CLOTHS), ag.material("linen"), ag.material("wicker"))
 """What cloth shades are made of."""
 
 CLOTH_WEIGHTS = (*_CLOTHS.values(), 2.5, 0.8)
@@ -79,7 +79,7 @@ _GLAZES = (
 )
 
 BODIES = (
-    *weighing([colored("ceramic", color) for color in _GLAZES], 430.0, "thrown"),  # walls of 7 mm
+    *weighing([ag.colored("ceramic", color) for color in _GLAZES], 430.0, "thrown"),  # walls of 7 mm
     *weighing(known("oak", "walnut", "beech", "mahogany"), 420.0, "turned"),
     *weighing(known("glass", "amber_glass", "tinted_glass"), 450.0, "blown"),
     *weighing(known("marble", "green_marble"), 800.0, "bored"),
@@ -99,7 +99,7 @@ LEGS = (
 STONES = known("marble", "green_marble", "black_granite", "granite")
 """What stands under arc lamps."""
 
-OPAL = material("frosted_glass").with_(
+OPAL = ag.material("frosted_glass").with_(
     name="opal_glass",
     base_color=(0.93, 0.91, 0.86),
     opacity=1.0,
@@ -111,8 +111,8 @@ OPAL = material("frosted_glass").with_(
 """Opal glass, which a lit bulb would make shine."""
 
 
-def plastic(color: str) -> tuple[Material, Material]:
+def plastic(color: str) -> tuple[ag.Material, ag.Material]:
     """Return the plastic of switches and cords, and the print on it: white on black, or grey on white."""
     if color == "black":
-        return material("black_abs"), material("powder_coat_white")
-    return material("glossy_plastic_white"), colored("abs", "graphite")
+        return ag.material("black_abs"), ag.material("powder_coat_white")
+    return ag.material("glossy_plastic_white"), ag.colored("abs", "graphite")

@@ -6,30 +6,7 @@ Arms swing in the plane y = 0. Angles are from the vertical, positive towards +x
 import math
 from dataclasses import dataclass
 
-from artgen import (
-    Body,
-    Float,
-    Joint,
-    Material,
-    Scalar,
-    Vector,
-    Y,
-    atan2,
-    box,
-    cos,
-    cylinder,
-    detail,
-    frame,
-    material,
-    max_,
-    min_,
-    part,
-    require,
-    sin,
-    sqrt,
-    vector,
-    weld,
-)
+import artgen as ag
 from artgen.categories.lamp.arms import (
     GRAVITY,
     ArmStyle,
@@ -52,8 +29,8 @@ POST = 0.050
 _HANG = 0.024  # from the hinge of a shade to the top of its housing [m]
 _BESIDE = 0.0095  # half of the width of an arm, and 2 mm [m]
 _OVER = 0.020  # by how much a shade stays above the hinge of the lowest arm [m]
-_SPRING = material("chrome")
-_LIGHT = material("led_white")
+_SPRING = ag.material("chrome")
+_LIGHT = ag.material("led_white")
 _BACK = 0.26  # how far it turns back at least [rad]
 _UP = -1.25  # how far a shade turns up [rad]
 
@@ -62,10 +39,10 @@ _UP = -1.25  # how far a shade turns up [rad]
 class Carried:
     """What stands on a base."""
 
-    body: Body  # the link that moves on the base, with all that it carries; it begins at z = 0
-    moment: Float  # mass times the farthest reach of its parts [kg m]
-    joints: tuple[Joint, ...]  # how it moves on the base
-    hangs: Scalar = 0.0  # how far below z = 0 an arm of a reading lamp reaches with its shade [m]
+    body: ag.Body  # the link that moves on the base, with all that it carries; it begins at z = 0
+    moment: ag.Float  # mass times the farthest reach of its parts [kg m]
+    joints: tuple[ag.Joint, ...]  # how it moves on the base
+    hangs: ag.Scalar = 0.0  # how far below z = 0 an arm of a reading lamp reaches with its shade [m]
 
 
 @dataclass(frozen=True)
@@ -73,10 +50,10 @@ class ArmLooks:
     """How arms look and feel."""
 
     style: ArmStyle  # form of their bars
-    finish: Material  # what they are made of
-    swivel_friction: Scalar  # against turning on the base [N m]
+    finish: ag.Material  # what they are made of
+    swivel_friction: ag.Scalar  # against turning on the base [N m]
 
-    def turn(self) -> tuple[Joint, ...]:
+    def turn(self) -> tuple[ag.Joint, ...]:
         """Make the joint by which they turn on the base."""
         return (turret_turn(friction=self.swivel_friction),)
 
@@ -85,50 +62,52 @@ class ArmLooks:
 class ArmSizes:
     """The sizes of arms; each lamp takes those that it has."""
 
-    length: Scalar  # of the lower or only arm [m]
-    upper: Scalar  # of the upper arm, or of a bar of LEDs [m]
-    lean: Scalar  # of the lower arm at rest [rad]
-    rise: Scalar  # of the upper arm at rest, from the vertical [rad]
-    tilt: Scalar  # how far a shade looks forward at rest [rad]
-    reach: Scalar  # of a bow [m]
-    travel: Scalar  # of a clamp on its pole [m]
-    height: Scalar  # of a bow above the base [m]
+    length: ag.Scalar  # of the lower or only arm [m]
+    upper: ag.Scalar  # of the upper arm, or of a bar of LEDs [m]
+    lean: ag.Scalar  # of the lower arm at rest [rad]
+    rise: ag.Scalar  # of the upper arm at rest, from the vertical [rad]
+    tilt: ag.Scalar  # how far a shade looks forward at rest [rad]
+    reach: ag.Scalar  # of a bow [m]
+    travel: ag.Scalar  # of a clamp on its pole [m]
+    height: ag.Scalar  # of a bow above the base [m]
 
 
-def _steepest(cosine: Scalar) -> Float:
+def _steepest(cosine: ag.Scalar) -> ag.Float:
     """Return the angle of a cosine [rad]."""
-    held = max_(-0.99, min_(0.99, cosine))
-    return atan2(sqrt(1.0 - held * held), held)
+    held = ag.max_(-0.99, ag.min_(0.99, cosine))
+    return ag.atan2(ag.sqrt(1.0 - held * held), held)
 
 
-def _hung(head: Head, looks: ArmLooks) -> Body:
+def _hung(head: Head, looks: ArmLooks) -> ag.Body:
     """Return a head with its bracket, its hinge at the origin."""
-    return weld(head.body.at(0.0, 0.0, -_HANG), *bracket(looks.finish, length=_HANG))
+    return ag.weld(head.body.at(0.0, 0.0, -_HANG), *bracket(looks.finish, length=_HANG))
 
 
-def _tip(length: Scalar, angle: Scalar) -> tuple[Scalar, float, Scalar]:
-    return (length * sin(angle), 0.0, length * cos(angle))
+def _tip(length: ag.Scalar, angle: ag.Scalar) -> tuple[ag.Scalar, float, ag.Scalar]:
+    return (length * ag.sin(angle), 0.0, length * ag.cos(angle))
 
 
-def _headed(body: Body, hung: Body, head: Head, *, at: Vector, lean: Scalar, tilt: Scalar) -> Body:
+def _headed(
+    body: ag.Body, hung: ag.Body, head: Head, *, at: ag.Vector, lean: ag.Scalar, tilt: ag.Scalar
+) -> ag.Body:
     """Attach a head to the end of an arm that leans by an angle; the head looks down and a little forward."""
     filled = head.spread(_HANG, _BESIDE) + 0.03 - lean
-    looks = max_(tilt, filled + _BACK)  # a wide shade looks farther forward, off its arm
-    placed = hung.rotate(Y, -looks).at(at)
-    return body.attach(placed, head_hinge(placed, pivot=at, limits=(_UP, min_(looks - filled, 1.1))))
+    looks = ag.max_(tilt, filled + _BACK)  # a wide shade looks farther forward, off its arm
+    placed = hung.rotate(ag.Y, -looks).at(at)
+    return body.attach(placed, head_hinge(placed, pivot=at, limits=(_UP, ag.min_(looks - filled, 1.1))))
 
 
-def one_arm(head: Head, looks: ArmLooks, *, length: Scalar, lean: Scalar, tilt: Scalar) -> Carried:
+def one_arm(head: Head, looks: ArmLooks, *, length: ag.Scalar, lean: ag.Scalar, tilt: ag.Scalar) -> Carried:
     """Make an arm on a turret with a shade at its end."""
     hung = _hung(head, looks)
     weight, heavy = GRAVITY * hung.mass(), hung.center_of_mass().norm()
     reach = head.reach + _HANG
     lowest = _steepest((reach + _OVER) / length)
-    back = -min_(0.6, lowest)
+    back = -ag.min_(0.6, lowest)
     bar = arm("arm_lower", looks.style, length, finish=looks.finish, outer=False)
     own = bar.mass()
-    placed = bar.rotate(Y, lean).at(0.0, 0.0, POST)
-    end = vector(*_tip(length, lean)) + (0.0, 0.0, POST)
+    placed = bar.rotate(ag.Y, lean).at(0.0, 0.0, POST)
+    end = ag.vector(*_tip(length, lean)) + (0.0, 0.0, POST)
     placed = _headed(placed, hung, head, at=end, lean=lean, tilt=tilt)
     load = Load().lever(GRAVITY * own, length / 2.0, back, lowest).lever(weight, length, back, lowest)
     hinge = braked_hinge(
@@ -140,7 +119,7 @@ def one_arm(head: Head, looks: ArmLooks, *, length: Scalar, lean: Scalar, tilt: 
         reach=length,
     )
     body = turret(looks.finish, height=POST, outer=True).attach(placed, hinge)
-    far = sin(lowest) * length
+    far = ag.sin(lowest) * length
     moment = own * far / 2.0 + hung.mass() * (far + heavy)
     return Carried(
         body.require(lowest - lean > 0.2, "the arm has no way forward"), 1.0 * moment, looks.turn()
@@ -148,7 +127,14 @@ def one_arm(head: Head, looks: ArmLooks, *, length: Scalar, lean: Scalar, tilt: 
 
 
 def two_arms(
-    head: Head, looks: ArmLooks, *, lower: Scalar, upper: Scalar, lean: Scalar, rise: Scalar, tilt: Scalar
+    head: Head,
+    looks: ArmLooks,
+    *,
+    lower: ag.Scalar,
+    upper: ag.Scalar,
+    lean: ag.Scalar,
+    rise: ag.Scalar,
+    tilt: ag.Scalar,
 ) -> Carried:
     """Make two arms on a turret that springs balance, with a shade at their end."""
     hung = _hung(head, looks)
@@ -163,12 +149,12 @@ def two_arms(
     )  # of the upper arm, the lower one at its most
     bent = folded - high  # angle between the arms
     straight = 0.45
-    elbow = vector(*_tip(lower, -lean)) + (0.0, 0.0, POST)
-    end = elbow + vector(*_tip(upper, rise))
-    turned = second.rotate(Y, rise).at(elbow)
+    elbow = ag.vector(*_tip(lower, -lean)) + (0.0, 0.0, POST)
+    end = elbow + ag.vector(*_tip(upper, rise))
+    turned = second.rotate(ag.Y, rise).at(elbow)
     turned = _headed(turned, hung, head, at=end, lean=rise, tilt=tilt)
     between = rise + lean
-    ends = (low + straight, max_(high + bent, 1.6))
+    ends = (low + straight, ag.max_(high + bent, 1.6))
     above = Load().lever(beyond, upper / 2.0, *ends).lever(weight, upper, *ends).free(weight, heavy)
     bend = braked_hinge(
         "arm_upper_hinge",
@@ -191,7 +177,7 @@ def two_arms(
         sprung=True,
         damping=0.1,
     )
-    chain = first.rotate(Y, -lean).at(0.0, 0.0, POST).attach(turned, bend)
+    chain = first.rotate(ag.Y, -lean).at(0.0, 0.0, POST).attach(turned, bend)
     body = turret(looks.finish, height=POST, outer=False).attach(chain, swing)
     far = lower * math.sin(high)
     moment = (own * far / 2.0 + beyond * (far + upper / 2.0) + weight * (far + upper + heavy)) / GRAVITY
@@ -200,18 +186,18 @@ def two_arms(
     )
 
 
-def light_bar(looks: ArmLooks, *, length: Scalar, bar: Scalar, lean: Scalar) -> Carried:
+def light_bar(looks: ArmLooks, *, length: ag.Scalar, bar: ag.Scalar, lean: ag.Scalar) -> Carried:
     """Make a bar of LEDs on an arm."""
     first = arm("arm_lower", looks.style, length, finish=looks.finish, outer=True)
     shade = _bar(looks.finish, bar)
     own, weight, heavy = GRAVITY * first.mass(), GRAVITY * shade.mass(), shade.center_of_mass().norm()
     low, high = -lean - 0.45, 0.40
     folded = _steepest((0.045 - length * math.cos(high)) / bar)
-    bent = min_(folded - high, 2.2)
-    top = vector(*_tip(length, -lean)) + (0.0, 0.0, POST)
+    bent = ag.min_(folded - high, 2.2)
+    top = ag.vector(*_tip(length, -lean)) + (0.0, 0.0, POST)
     between = math.pi / 2.0 + lean
     straight = 0.35
-    ends = (low + straight, max_(high + bent, 1.6))
+    ends = (low + straight, ag.max_(high + bent, 1.6))
     hinge = braked_hinge(
         "shade_hinge",
         pivot=top,
@@ -229,33 +215,40 @@ def light_bar(looks: ArmLooks, *, length: Scalar, bar: Scalar, lean: Scalar) -> 
         feel=5.0,
         reach=length,
     )
-    chain = first.rotate(Y, -lean).at(0.0, 0.0, POST)
-    chain = chain.attach(shade.rotate(Y, math.pi / 2.0).at(top), hinge)
+    chain = first.rotate(ag.Y, -lean).at(0.0, 0.0, POST)
+    chain = chain.attach(shade.rotate(ag.Y, math.pi / 2.0).at(top), hinge)
     body = turret(looks.finish, height=POST, outer=False).attach(chain, swing)
     far = length * math.sin(0.40)
     moment = (own * far / 2.0 + weight * (far + heavy)) / GRAVITY
     return Carried(body.require(bent - between > 0.15, "the bar has no way down"), 1.0 * moment, looks.turn())
 
 
-def _bar(finish: Material, length: Scalar) -> Body:
+def _bar(finish: ag.Material, length: ag.Scalar) -> ag.Body:
     """Make the bar, upward from its hinge; its light shines to +x, which is down when it lies level."""
     start, thick, width = 0.045, 0.011, 0.026
     long = length - start
     middle = start + long / 2.0
-    grip = frame((0.0, 0.0, middle), approach=Y, closing=(1.0, 0.0, 0.0))
-    case = box(thick, width, long, bevel=0.003).at(0.0, 0.0, middle)
-    neck = cylinder(0.0042, start + 0.004).at(0.0, 0.0, (start + 0.004) / 2.0)
-    glow = box(0.0016, width - 0.007, long - 0.016, bevel=0.0006).at(thick / 2.0 + 0.0002, 0.0, middle)
-    return weld(
-        part(case, "shade", finish.with_(name=f"{finish.name}_bar", density=900.0), grasp=grip),
-        part(neck, "shade", finish),
-        detail(glow, "bulb", _LIGHT),
+    grip = ag.frame((0.0, 0.0, middle), approach=ag.Y, closing=(1.0, 0.0, 0.0))
+    case = ag.box(thick, width, long, bevel=0.003).at(0.0, 0.0, middle)
+    neck = ag.cylinder(0.0042, start + 0.004).at(0.0, 0.0, (start + 0.004) / 2.0)
+    glow = ag.box(0.0016, width - 0.007, long - 0.016, bevel=0.0006).at(thick / 2.0 + 0.0002, 0.0, middle)
+    return ag.weld(
+        ag.part(case, "shade", finish.with_(name=f"{finish.name}_bar", density=900.0), grasp=grip),
+        ag.part(neck, "shade", finish),
+        ag.detail(glow, "bulb", _LIGHT),
         *eyes(finish, label="shade", outer=False),
     )
 
 
 def reading_arm(
-    head: Head, looks: ArmLooks, *, length: Scalar, lean: Scalar, tilt: Scalar, bore: Scalar, travel: Scalar
+    head: Head,
+    looks: ArmLooks,
+    *,
+    length: ag.Scalar,
+    lean: ag.Scalar,
+    tilt: ag.Scalar,
+    bore: ag.Scalar,
+    travel: ag.Scalar,
 ) -> Carried:
     """Make an arm on a clamp that slides and turns on a pole about z, the clamp at z = 0."""
     hung = _hung(head, looks)
@@ -266,13 +259,13 @@ def reading_arm(
     own = bar.mass()
     # upright the shade would strike the pole: its hinge stays farther out than the shade reaches
     sine = (reach + bore + 0.012 - out) / length
-    sine = require(
+    sine = ag.require(
         sine, sine < 0.95, "the shade strikes the pole: lower shade_radius, or raise arm_length or height"
     )
-    low = atan2(sine, sqrt(1.0 - sine * sine))
+    low = ag.atan2(sine, ag.sqrt(1.0 - sine * sine))
     high = 2.0
-    end = vector(*_tip(length, lean)) + (out, 0.0, 0.0)
-    placed = bar.rotate(Y, lean).at(out, 0.0, 0.0)
+    end = ag.vector(*_tip(length, lean)) + (out, 0.0, 0.0)
+    placed = bar.rotate(ag.Y, lean).at(out, 0.0, 0.0)
     placed = _headed(placed, hung, head, at=end, lean=lean, tilt=tilt)
     load = Load().lever(GRAVITY * own, length / 2.0, low, high).lever(weight, length, low, high)
     hinge = braked_hinge(

@@ -8,40 +8,13 @@ import math
 from dataclasses import dataclass
 from typing import Literal
 
-from artgen import (
-    Body,
-    Float,
-    Frame,
-    Material,
-    Scalar,
-    Solid,
-    Z,
-    atan2,
-    cylinder,
-    cylinder_between,
-    detail,
-    frame,
-    grasp_on,
-    half_section,
-    material,
-    max_,
-    part,
-    polyline,
-    rectangle,
-    revolve,
-    sphere,
-    spline,
-    sqrt,
-    tube,
-    vector,
-    weld,
-)
+import artgen as ag
 from artgen.categories.lamp.bulbs import bulb, vents
 
 ShadeKind = Literal["cone", "drum", "dome", "curved", "globe"]
 """The form of a shade; a curved one is a bell."""
 
-Point = tuple[Scalar, Scalar]
+Point = tuple[ag.Scalar, ag.Scalar]
 """Radius and height of a point of a shade's outline [m]."""
 
 NECK = 0.024
@@ -63,7 +36,7 @@ _SAG = 1.0 - math.cos(math.pi / _SIDES)  # of its facets, as a share of the radi
 _ARCHED = 0.018  # how far a third of a dome's line bulges, as a share of the radius
 
 
-def spun(finish: Material) -> Material:
+def spun(finish: ag.Material) -> ag.Material:
     """Return a finish on spun aluminium, of which light metal shades are made."""
     return finish.with_(name=f"{finish.name}_spun", density=2700.0)
 
@@ -72,53 +45,63 @@ def spun(finish: Material) -> Material:
 class Head:
     """A metal shade with its housing, socket and bulb, which shines along -z."""
 
-    body: Body  # the link `shade`; the top of its housing is the origin
-    reach: Float  # distance of its farthest point from the origin [m]
+    body: ag.Body  # the link `shade`; the top of its housing is the origin
+    reach: ag.Float  # distance of its farthest point from the origin [m]
     # radius and depth below the origin of the points that come nearest to an arm behind it
     corners: tuple[Point, ...]
 
-    def spread(self, above: Scalar, beside: Scalar) -> Float:
+    def spread(self, above: ag.Scalar, beside: ag.Scalar) -> ag.Float:
         """Return the angle about the axis that it fills, seen from a pivot above the origin [rad]."""
-        widest: Float = sqrt(0.0)
+        widest: ag.Float = ag.sqrt(0.0)
         for radius, depth in self.corners:
             deep = depth + above
             far = radius * radius + deep * deep
             # the angle to the corner, and that by which an arm of that half width comes nearer
-            widest = max_(widest, atan2(radius, deep) + atan2(beside, sqrt(far - beside * beside)))
+            widest = ag.max_(
+                widest, ag.atan2(radius, deep) + ag.atan2(beside, ag.sqrt(far - beside * beside))
+            )
         return widest
 
 
 def metal_head(
-    kind: ShadeKind, *, radius: Scalar, depth: Scalar, finish: Material, lining: Material, trim: Material
+    kind: ShadeKind,
+    *,
+    radius: ag.Scalar,
+    depth: ag.Scalar,
+    finish: ag.Material,
+    lining: ag.Material,
+    trim: ag.Material,
 ) -> Head:
     """Make a metal shade, open below, with its bulb."""
     top = -HOUSING_TOP
     points = [(r, top + z) for r, z in _metal_outline(kind, radius, depth)]
     low, high = points[0], points[-1]
-    housing = cylinder(HOUSING, HOUSING_TOP + 0.006, bevel=0.002).at(0.0, 0.0, -0.5 * (HOUSING_TOP + 0.006))
-    lid = cylinder(high[0], 0.0026, bevel=0.0010).at(0.0, 0.0, high[1] + 0.0003)
-    mouth = cylinder(0.0180, 0.012, bevel=0.0012).at(0.0, 0.0, top - 0.010)
+    housing = ag.cylinder(HOUSING, HOUSING_TOP + 0.006, bevel=0.002).at(
+        0.0, 0.0, -0.5 * (HOUSING_TOP + 0.006)
+    )
+    lid = ag.cylinder(high[0], 0.0026, bevel=0.0010).at(0.0, 0.0, high[1] + 0.0003)
+    mouth = ag.cylinder(0.0180, 0.012, bevel=0.0012).at(0.0, 0.0, top - 0.010)
     if kind in ("cone", "drum"):
         skins = _straight(points, spun(finish), lining, _rim_grasp(points[0], points[1], _ROUND, 0.0))
     else:
         hold = _rim_grasp(points[0], points[1], _SIDES, _UNDER)
         skins = _curved(kind, points, spun(finish), lining, hold)
-    plug = cylinder(high[0] - 0.0016, 0.010, bevel=0.0010).at(0.0, 0.0, high[1] - 0.0045)
-    body = weld(
+    plug = ag.cylinder(high[0] - 0.0016, 0.010, bevel=0.0010).at(0.0, 0.0, high[1] - 0.0045)
+    body = ag.weld(
         *skins,
-        *([] if kind == "drum" else [part(plug, "shade", spun(finish))]),
-        part(lid, "shade", spun(finish)),
-        part(housing, "socket", trim.with_(name=f"{trim.name}_housing", density=1100.0)),
-        part(mouth, "socket", material("black_abs")),
+        *([] if kind == "drum" else [ag.part(plug, "shade", spun(finish))]),
+        ag.part(lid, "shade", spun(finish)),
+        ag.part(housing, "socket", trim.with_(name=f"{trim.name}_housing", density=1100.0)),
+        ag.part(mouth, "socket", ag.material("black_abs")),
         bulb().rotate((1.0, 0.0, 0.0), math.pi).at(0.0, 0.0, top - 0.014),
         vents(HOUSING, -0.5 * HOUSING_TOP, trim),
     )
-    reach = vector(low[0], 0.0, low[1]).norm()
+    reach = ag.vector(low[0], 0.0, low[1]).norm()
     corners = ((HOUSING, 0.0), *((r, -z) for r, z in points))
     return Head(body, reach, corners)
 
 
-def _metal_outline(kind: str, radius: Scalar, depth: Scalar) -> list[Point]:
+def _metal_outline(kind: str, radius: ag.Scalar, depth: ag.Scalar) -> list[Point]:
     """Return the outline from the rim up to the neck, its top at 0."""
     match kind:
         case "cone":
@@ -141,66 +124,75 @@ def _metal_outline(kind: str, radius: Scalar, depth: Scalar) -> list[Point]:
             return [(NECK + across * (c - last) / (1.0 - last), up * s - depth) for c, s in flat]
 
 
-def _line(points: list[Point]) -> list[tuple[Scalar, float, Scalar]]:
+def _line(points: list[Point]) -> list[tuple[ag.Scalar, float, ag.Scalar]]:
     return [(r, 0.0, z) for r, z in points]
 
 
-def _straight(points: list[Point], finish: Material, lining: Material, grasp: Frame) -> list[Body]:
-    path = polyline(_line(points))
-    shell = revolve(half_section(path, wall=_WALL), sides=_ROUND)
-    inside = revolve(half_section(path, wall=0.0003, inset=_WALL - 0.0001), sides=_ROUND)
+def _straight(
+    points: list[Point], finish: ag.Material, lining: ag.Material, grasp: ag.Frame
+) -> list[ag.Body]:
+    path = ag.polyline(_line(points))
+    shell = ag.revolve(ag.half_section(path, wall=_WALL), sides=_ROUND)
+    inside = ag.revolve(ag.half_section(path, wall=0.0003, inset=_WALL - 0.0001), sides=_ROUND)
     (radius, level), *_ = points
-    bead = revolve(rectangle(0.0030, 0.0026, radius=0.0012).at(radius - 0.0008, level + 0.0013))
+    bead = ag.revolve(ag.rectangle(0.0030, 0.0026, radius=0.0012).at(radius - 0.0008, level + 0.0013))
     return [
-        part(shell, "shade", finish, grasp=grasp),
-        detail(inside, "shade", lining),
-        detail(bead, "shade", finish),
+        ag.part(shell, "shade", finish, grasp=grasp),
+        ag.detail(inside, "shade", lining),
+        ag.detail(bead, "shade", finish),
     ]
 
 
 def _curved(
-    kind: ShadeKind, points: list[Point], finish: Material, lining: Material, grasp: Frame | tuple[()]
-) -> list[Body]:
+    kind: ShadeKind,
+    points: list[Point],
+    finish: ag.Material,
+    lining: ag.Material,
+    grasp: ag.Frame | tuple[()],
+) -> list[ag.Body]:
     """Make a smooth shade: two skins, and the faceted shell between them."""
-    smooth, flat = spline(_line(points)), polyline(_line(points))
+    smooth, flat = ag.spline(_line(points)), ag.polyline(_line(points))
     radius, level = points[0]
     deep = _UNDER + (0.010 * radius if kind == "curved" else 0.0)
     thick = deep + 0.0016 + (_SAG + _ARCHED) * radius + 0.0004
     # a flared rim ends lower inside than outside
     low, tall = (-0.0028, 0.0062) if kind == "curved" else (-0.0002, 0.0032)
-    ring = rectangle(thick + 0.001, tall, radius=0.0014)
-    bead = revolve(ring.at(radius - thick / 2.0, level + low + tall / 2.0))
+    ring = ag.rectangle(thick + 0.001, tall, radius=0.0014)
+    bead = ag.revolve(ring.at(radius - thick / 2.0, level + low + tall / 2.0))
     return [
-        part(
-            revolve(half_section(flat, wall=0.0016, inset=deep), sides=_SIDES), "shade", finish, grasp=grasp
+        ag.part(
+            ag.revolve(ag.half_section(flat, wall=0.0016, inset=deep), sides=_SIDES),
+            "shade",
+            finish,
+            grasp=grasp,
         ),
-        detail(revolve(half_section(smooth, wall=_SKIN)), "shade", finish),
-        detail(revolve(half_section(smooth, wall=_SKIN, inset=thick)), "shade", lining),
-        detail(bead, "shade", finish),
+        ag.detail(ag.revolve(ag.half_section(smooth, wall=_SKIN)), "shade", finish),
+        ag.detail(ag.revolve(ag.half_section(smooth, wall=_SKIN, inset=thick)), "shade", lining),
+        ag.detail(bead, "shade", finish),
     ]
 
 
-def _rim_grasp(low: Point, high: Point, sides: int, under: Scalar, *, upper: bool = False) -> Frame:
+def _rim_grasp(low: Point, high: Point, sides: int, under: ag.Scalar, *, upper: bool = False) -> ag.Frame:
     """Return where a hand holds a rim: in front, one finger inside, from below or (`upper`) from above."""
     turn = math.pi * (1.5 + (0.0 if sides % 4 == 2 else 1.0 / sides))  # the middle of a facet
-    out = vector(math.cos(turn), math.sin(turn), 0.0)
+    out = ag.vector(math.cos(turn), math.sin(turn), 0.0)
     share = math.cos(math.pi / sides)
-    along = vector(0.0, 0.0, high[1] - low[1]) + out * ((high[0] - low[0]) * share)
+    along = ag.vector(0.0, 0.0, high[1] - low[1]) + out * ((high[0] - low[0]) * share)
     length = along.norm()
     up = along / length
     inward = under + 0.0008
-    closing = vector(0.0, 0.0, (high[0] - low[0]) * share / length) - out * ((high[1] - low[1]) / length)
+    closing = ag.vector(0.0, 0.0, (high[0] - low[0]) * share / length) - out * ((high[1] - low[1]) / length)
     inside = closing * (-inward if upper else inward)
-    at = out * (low[0] * share) + vector(0.0, 0.0, low[1]) + up * 0.006 + inside
-    return frame(at, approach=up, closing=closing)
+    at = out * (low[0] * share) + ag.vector(0.0, 0.0, low[1]) + up * 0.006 + inside
+    return ag.frame(at, approach=up, closing=closing)
 
 
-def dome_path(radius: Scalar, height: Scalar, top: Scalar) -> list[Point]:
+def dome_path(radius: ag.Scalar, height: ag.Scalar, top: ag.Scalar) -> list[Point]:
     """Return the outline of a dome from its rim at z = 0 up to a small opening of radius `top` [m]."""
     return [(r, z + height) for r, z in _scaled(radius, height, top)]
 
 
-def _scaled(radius: Scalar, height: Scalar, top: Scalar) -> list[Point]:
+def _scaled(radius: ag.Scalar, height: ag.Scalar, top: ag.Scalar) -> list[Point]:
     flat = [(math.cos(turn), math.sin(turn)) for turn in (0.0, 0.45, 0.9, 1.35)]
     last, high = flat[-1]
     return [(top + (radius - top) * (c - last) / (1.0 - last), height * (s / high - 1.0)) for c, s in flat]
@@ -210,8 +202,8 @@ def _scaled(radius: Scalar, height: Scalar, top: Scalar) -> list[Point]:
 class FabricShade:
     """A shade on a spider, which turns on a stud about the z axis."""
 
-    body: Body  # the link `shade`; the middle of its lower rim is the origin
-    hub: Float  # height of the lower face of the spider's hub [m]
+    body: ag.Body  # the link `shade`; the middle of its lower rim is the origin
+    hub: ag.Float  # height of the lower face of the spider's hub [m]
     kind: ShadeKind  # its form
 
 
@@ -235,30 +227,30 @@ def drop_of(kind: ShadeKind) -> float:
 def spider_shade(
     kind: ShadeKind,
     *,
-    top: Scalar,
-    bottom: Scalar,
-    height: Scalar,
-    finish: Material,
-    lining: Material,
-    trim: Material,
-    wire: Material,
+    top: ag.Scalar,
+    bottom: ag.Scalar,
+    height: ag.Scalar,
+    finish: ag.Material,
+    lining: ag.Material,
+    trim: ag.Material,
+    wire: ag.Material,
 ) -> FabricShade:
     """Make a shade on three spokes: a cone, a drum or a bell of cloth, or a dome of metal."""
     drop = drop_of(kind)
-    level: Scalar = height - drop
-    reach: Scalar | None = None  # of the spokes; a dome needs none
+    level: ag.Scalar = height - drop
+    reach: ag.Scalar | None = None  # of the spokes; a dome needs none
     match kind:
         case "dome":
             points = dome_path(bottom, height, 0.020)
             bodies = _curved(kind, points, spun(finish), lining, ())
-            cap = tube(0.0215, STUD + _PLAY, 0.0026, bevel=0.0008).at(0.0, 0.0, height - 0.0006)
-            knob = sphere(0.0095).at(0.0, 0.0, height + 0.0145)
-            collar = cylinder(0.0064, 0.007, bevel=0.0008).at(0.0, 0.0, height + 0.0040)
-            hold = grasp_on(knob, approach=(0.0, 0.0, -1.0), closing=(1.0, 0.0, 0.0))
+            cap = ag.tube(0.0215, STUD + _PLAY, 0.0026, bevel=0.0008).at(0.0, 0.0, height - 0.0006)
+            knob = ag.sphere(0.0095).at(0.0, 0.0, height + 0.0145)
+            collar = ag.cylinder(0.0064, 0.007, bevel=0.0008).at(0.0, 0.0, height + 0.0040)
+            hold = ag.grasp_on(knob, approach=(0.0, 0.0, -1.0), closing=(1.0, 0.0, 0.0))
             bodies += [
-                part(cap, "shade", spun(finish)),
-                part(collar, "finial", wire),
-                part(knob, "finial", wire, name="shade", grasp=hold),
+                ag.part(cap, "shade", spun(finish)),
+                ag.part(collar, "finial", wire),
+                ag.part(knob, "finial", wire, name="shade", grasp=hold),
             ]
             level = height - 0.005
         case "curved":
@@ -277,61 +269,67 @@ def spider_shade(
             bodies = _cloth(points, finish, lining, trim, sides=_ROUND, under=_UNDER)
             reach = (top + (bottom - top) * drop / height - _UNDER) * math.cos(math.pi / _ROUND)
     spokes = [] if reach is None else _spokes(reach, level + HUB / 2.0, wire)
-    hub = tube(STUD + 0.0038, STUD + _PLAY, HUB, bevel=0.0006).at(0.0, 0.0, level + HUB / 2.0)
-    return FabricShade(weld(*bodies, part(hub, "shade", wire), *spokes), vector(z=level).z, kind)
+    hub = ag.tube(STUD + 0.0038, STUD + _PLAY, HUB, bevel=0.0006).at(0.0, 0.0, level + HUB / 2.0)
+    return FabricShade(ag.weld(*bodies, ag.part(hub, "shade", wire), *spokes), ag.vector(z=level).z, kind)
 
 
-def _spokes(reach: Scalar, level: Scalar, wire: Material) -> list[Body]:
+def _spokes(reach: ag.Scalar, level: ag.Scalar, wire: ag.Material) -> list[ag.Body]:
     """Make three spokes from the hub into the shade; none is in front, where hands hold the rim."""
     start, end = STUD + 0.0025, reach - 0.0008
     bodies = []
     for turn in (math.pi / 2.0, math.pi * 7.0 / 6.0, math.pi * 11.0 / 6.0):
-        out = vector(math.cos(turn), math.sin(turn), 0.0)
-        spoke = cylinder_between(out * start + Z * level, out * end + Z * level, 0.0017)
-        bodies.append(part(spoke, "shade", wire))
+        out = ag.vector(math.cos(turn), math.sin(turn), 0.0)
+        spoke = ag.cylinder_between(out * start + ag.Z * level, out * end + ag.Z * level, 0.0017)
+        bodies.append(ag.part(spoke, "shade", wire))
     return bodies
 
 
 def _cloth(
-    points: list[Point], finish: Material, lining: Material, trim: Material, *, sides: int, under: Scalar
-) -> list[Body]:
+    points: list[Point],
+    finish: ag.Material,
+    lining: ag.Material,
+    trim: ag.Material,
+    *,
+    sides: int,
+    under: ag.Scalar,
+) -> list[ag.Body]:
     """Make a cloth shade: visible skin and lining, the faceted shell between them, two bands."""
     sag = 1.0 - math.cos(math.pi / sides)
     within = [(r - (under + _CLOTH + 0.0005 + sag * r), z) for r, z in points]
     outside, inside = (
-        spline(_line(each)) if len(each) > 2 else polyline(_line(each)) for each in (points, within)
+        ag.spline(_line(each)) if len(each) > 2 else ag.polyline(_line(each)) for each in (points, within)
     )
-    shell = revolve(half_section(polyline(_line(points)), wall=_CLOTH, inset=under), sides=sides)
+    shell = ag.revolve(ag.half_section(ag.polyline(_line(points)), wall=_CLOTH, inset=under), sides=sides)
     grasp = _rim_grasp(points[-1], points[-2], sides, under, upper=True)
     bands = []
     for end, beside in ((0, 1), (-1, -2)):
         first, second = _rim(points[end], points[beside])
         thick = points[end][0] - within[end][0] + _SKIN
-        bands.append(detail(_band(*((second, first) if end else (first, second)), thick), "shade", trim))
+        bands.append(ag.detail(_band(*((second, first) if end else (first, second)), thick), "shade", trim))
     return [
-        part(shell, "shade", finish, grasp=grasp),
-        detail(revolve(half_section(outside, wall=_SKIN)), "shade", finish),
-        detail(revolve(half_section(inside, wall=_SKIN)), "shade", lining),
+        ag.part(shell, "shade", finish, grasp=grasp),
+        ag.detail(ag.revolve(ag.half_section(outside, wall=_SKIN)), "shade", finish),
+        ag.detail(ag.revolve(ag.half_section(inside, wall=_SKIN)), "shade", lining),
         *bands,
     ]
 
 
-def _rim(start: Point, towards: Point, long: Scalar = 0.009) -> tuple[Point, Point]:
+def _rim(start: Point, towards: Point, long: ag.Scalar = 0.009) -> tuple[Point, Point]:
     """Return the ends of the first 9 mm of an outline's run."""
     (r, z), (r_far, z_far) = start, towards
-    share = long / sqrt((r_far - r) * (r_far - r) + (z_far - z) * (z_far - z))
+    share = long / ag.sqrt((r_far - r) * (r_far - r) + (z_far - z) * (z_far - z))
     return start, (r + share * (r_far - r), z + share * (z_far - z))
 
 
-def _band(low: Point, high: Point, thick: Scalar) -> Solid:
+def _band(low: Point, high: Point, thick: ag.Scalar) -> ag.Solid:
     """Make a band that is folded over the rim of a shade of some thickness [m]."""
-    return revolve(half_section(polyline(_line([low, high])), wall=thick + 0.0014, inset=-0.0007))
+    return ag.revolve(ag.half_section(ag.polyline(_line([low, high])), wall=thick + 0.0014, inset=-0.0007))
 
 
-def globe(radius: Scalar, finish: Material) -> Body:
+def globe(radius: ag.Scalar, finish: ag.Material) -> ag.Body:
     """Make a globe of opal glass, closed: the link `shade` about the origin.
 
     It weighs what a globe of 3 mm glass weighs.
     """
     hollow = finish.with_(name=f"{finish.name}_globe", density=230.0)  # 3 mm of 2500 kg/m3 at 0.1 m
-    return part(sphere(radius), "shade", hollow)
+    return ag.part(ag.sphere(radius), "shade", hollow)

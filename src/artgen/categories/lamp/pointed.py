@@ -2,24 +2,7 @@
 
 import math
 
-from artgen import (
-    Scalar,
-    Y,
-    atan2,
-    circle,
-    clamp,
-    cylinder,
-    frame,
-    min_,
-    part,
-    require,
-    spline,
-    sqrt,
-    sweep,
-    switch,
-    vector,
-    weld,
-)
+import artgen as ag
 from artgen.categories.lamp.arms import (
     GRAVITY,
     TURRET,
@@ -50,10 +33,10 @@ _TURN = 2.595  # of the ellipse that the bow follows, from its side on [rad]
 _STEPS = 9  # points on it
 
 
-def arc_arm(head: Head, *, height: Scalar, reach: Scalar, looks: ArmLooks) -> Carried:
+def arc_arm(head: Head, *, height: ag.Scalar, reach: ag.Scalar, looks: ArmLooks) -> Carried:
     """Make the bow with its shade; it turns about z on the plane z = 0."""
     finish = looks.finish
-    foot = cylinder(2.3 * _TUBE, 0.022, bevel=0.003).at(0.0, 0.0, TURRET + 0.011)
+    foot = ag.cylinder(2.3 * _TUBE, 0.022, bevel=0.003).at(0.0, 0.0, TURRET + 0.011)
     # straight up, then a quarter and more of an ellipse
     rise = 0.50 * height
     wide, high = reach / (1.0 - math.cos(_TURN)), height - rise
@@ -61,34 +44,34 @@ def arc_arm(head: Head, *, height: Scalar, reach: Scalar, looks: ArmLooks) -> Ca
         (wide * (1.0 - math.cos(turn)), 0.0, rise + high * math.sin(turn))
         for turn in (_TURN * step / _STEPS for step in range(_STEPS + 1))
     ]
-    end, before = vector(*bend[-1]), vector(*bend[-2])
+    end, before = ag.vector(*bend[-1]), ag.vector(*bend[-2])
     last = end + (before - end) * (0.034 / (before - end).norm())  # from here on it runs in the inner lane
-    course = spline([(0.0, 0.0, 0.018), (0.0, 0.0, 0.84 * rise), *bend[:-1], last])
-    neck = cylinder(0.0048, 0.040, axis=end - last).at((end + last) * 0.5)
-    grip = frame((0.0, 0.0, 0.5 * rise), approach=Y, closing=(1.0, 0.0, 0.0))
-    towards: Scalar = _SWING  # how far the shade swings to the bow
+    course = ag.spline([(0.0, 0.0, 0.018), (0.0, 0.0, 0.84 * rise), *bend[:-1], last])
+    neck = ag.cylinder(0.0048, 0.040, axis=end - last).at((end + last) * 0.5)
+    grip = ag.frame((0.0, 0.0, 0.5 * rise), approach=ag.Y, closing=(1.0, 0.0, 0.0))
+    towards: ag.Scalar = _SWING  # how far the shade swings to the bow
     for corner, below in head.corners:
         deep = below + _HANG
         # where the corner is when it has swung up, and how far forward the bow is there
         level = end.z - deep * math.cos(_SWING) + corner * math.sin(_SWING)
-        share = clamp((level - rise) / high, 0.0, 1.0)
-        room = reach - wide * (1.0 - sqrt(1.0 - share * share)) - _TUBE - _OFF
-        far = sqrt(corner * corner + deep * deep)
-        sine = clamp(room / far, 0.0, 1.0)
-        meets = atan2(sine, sqrt(1.0 - sine * sine)) - atan2(corner, deep)
-        towards = min_(towards, switch(room < far, meets, _SWING))
-    bow = weld(
-        part(sweep(circle(_TUBE), course), "arm_lower", hollow(finish), grasp=grip),
-        part(foot, "arm_lower", finish),
-        part(neck, "arm_lower", finish),
+        share = ag.clamp((level - rise) / high, 0.0, 1.0)
+        room = reach - wide * (1.0 - ag.sqrt(1.0 - share * share)) - _TUBE - _OFF
+        far = ag.sqrt(corner * corner + deep * deep)
+        sine = ag.clamp(room / far, 0.0, 1.0)
+        meets = ag.atan2(sine, ag.sqrt(1.0 - sine * sine)) - ag.atan2(corner, deep)
+        towards = ag.min_(towards, ag.switch(room < far, meets, _SWING))
+    bow = ag.weld(
+        ag.part(ag.sweep(ag.circle(_TUBE), course), "arm_lower", hollow(finish), grasp=grip),
+        ag.part(foot, "arm_lower", finish),
+        ag.part(neck, "arm_lower", finish),
         *(each.at(end) for each in eyes(finish, label="arm_lower", outer=False)),
     )
-    shade = weld(head.body.at(0.0, 0.0, -_HANG), *bracket(finish, length=_HANG)).at(end)
+    shade = ag.weld(head.body.at(0.0, 0.0, -_HANG), *bracket(finish, length=_HANG)).at(end)
     lever = (shade.center_of_mass() - end).norm()
     hinge = braked_hinge(
         "shade_hinge",
         pivot=end,
-        limits=(-_SWING, require(towards, towards > _LEAST_SWING, _MEETS_BOW)),
+        limits=(-_SWING, ag.require(towards, towards > _LEAST_SWING, _MEETS_BOW)),
         load=Load().free(GRAVITY * shade.mass(), lever),
         feel=4.0,
         reach=0.12,

@@ -2,32 +2,7 @@
 
 from dataclasses import dataclass
 
-from artgen import (
-    Body,
-    Float,
-    Joint,
-    Material,
-    Prismatic,
-    Revolute,
-    Scalar,
-    Solid,
-    X,
-    Y,
-    Z,
-    array,
-    capsule,
-    clamp,
-    cylinder,
-    detail,
-    frustum,
-    grasp_on,
-    max_,
-    part,
-    row,
-    sphere,
-    tube,
-    weld,
-)
+import artgen as ag
 from artgen.categories.lamp.bases import harp
 from artgen.categories.lamp.bulbs import lamp_holder
 from artgen.categories.lamp.lampshades import HUB, STUD, FabricShade, ShadeKind, drop_of
@@ -47,45 +22,47 @@ _BORE = 0.0042  # of the spout of the switch [m]
 _IN_SPOUT = 0.012  # how much of the chain is left in the spout when it is pulled [m]
 
 
-def spout_length(travel: Scalar) -> Scalar:
+def spout_length(travel: ag.Scalar) -> ag.Scalar:
     """Return how long the spout of a switch is from which a chain comes out by a travel [m]."""
     return travel + _IN_SPOUT + 0.006
 
 
-def spout(travel: Scalar, finish: Material) -> Body:
+def spout(travel: ag.Scalar, finish: ag.Material) -> ag.Body:
     """Make the switch of a pull chain: a bell-mouthed tube down to z = 0, to be welded to a socket."""
     long = spout_length(travel)
-    pipe = tube(SPOUT, _BORE, long, bevel=0.0006).at(0.0, 0.0, long / 2.0)
-    lid = cylinder(_BORE + 0.0034, 0.005, bevel=0.0012).at(0.0, 0.0, long + 0.0022)
-    mouth = tube(SPOUT + 0.0018, SPOUT - 0.0004, 0.004, bevel=0.0008).at(0.0, 0.0, 0.002)
-    return weld(part(pipe, "socket", finish), part(lid, "socket", finish), detail(mouth, "switch", finish))
+    pipe = ag.tube(SPOUT, _BORE, long, bevel=0.0006).at(0.0, 0.0, long / 2.0)
+    lid = ag.cylinder(_BORE + 0.0034, 0.005, bevel=0.0012).at(0.0, 0.0, long + 0.0022)
+    mouth = ag.tube(SPOUT + 0.0018, SPOUT - 0.0004, 0.004, bevel=0.0008).at(0.0, 0.0, 0.002)
+    return ag.weld(
+        ag.part(pipe, "socket", finish), ag.part(lid, "socket", finish), ag.detail(mouth, "switch", finish)
+    )
 
 
-def pull_chain(travel: Scalar, hang: Scalar, *, finish: Material, knob: Material) -> Body:
+def pull_chain(travel: ag.Scalar, hang: ag.Scalar, *, finish: ag.Material, knob: ag.Material) -> ag.Body:
     """Make a chain that hangs out of a spout whose mouth is the origin: the link `pull_chain`.
 
     A thin rod stands for the chain, whose balls are only seen.
     """
     above = travel + _IN_SPOUT
-    rod = capsule(_CORE, hang + above).at(0.0, 0.0, (above - hang) / 2.0)
-    pull: Solid = cylinder(*KNOB, bevel=0.0022).at(0.0, 0.0, -hang)
-    neck = frustum(0.0044, 0.0020, 0.006).at(0.0, 0.0, 0.0105 - hang)
+    rod = ag.capsule(_CORE, hang + above).at(0.0, 0.0, (above - hang) / 2.0)
+    pull: ag.Solid = ag.cylinder(*KNOB, bevel=0.0022).at(0.0, 0.0, -hang)
+    neck = ag.frustum(0.0044, 0.0020, 0.006).at(0.0, 0.0, 0.0105 - hang)
     step = (0.5 * above + hang - 0.0135) / (CHAIN_BALLS - 1)
-    balls = array(sphere(_BALL), at=row((0.0, 0.0, 0.5 * above), (0.0, 0.0, -step), CHAIN_BALLS))
-    hold = grasp_on(pull, approach=Y, closing=X)
-    return weld(
-        part(pull, "pull_chain", knob, grasp=hold),
-        part(neck, "pull_chain", knob),
-        part(rod, "pull_chain", finish.with_(name=f"{finish.name}_chain", density=1500.0)),
-        detail(balls, "pull_chain", finish),
+    balls = ag.array(ag.sphere(_BALL), at=ag.row((0.0, 0.0, 0.5 * above), (0.0, 0.0, -step), CHAIN_BALLS))
+    hold = ag.grasp_on(pull, approach=ag.Y, closing=ag.X)
+    return ag.weld(
+        ag.part(pull, "pull_chain", knob, grasp=hold),
+        ag.part(neck, "pull_chain", knob),
+        ag.part(rod, "pull_chain", finish.with_(name=f"{finish.name}_chain", density=1500.0)),
+        ag.detail(balls, "pull_chain", finish),
     )
 
 
-def chain_pull(travel: Scalar, *, force: Scalar) -> Joint:
+def chain_pull(travel: ag.Scalar, *, force: ag.Scalar) -> ag.Joint:
     """Make the joint of a chain: it comes down by a travel, and its spring takes it up again."""
     preload = 0.35 * force  # carries chain and knob, 0.1 N, and the friction
     stiffness = (force - preload) / travel
-    return Prismatic(
+    return ag.Prismatic(
         "switch_pull",
         axis=(0.0, 0.0, -1.0),
         limits=(0.0, travel),
@@ -121,37 +98,37 @@ BESIDE = _OUT - KNOB[0]
 class Chain:
     """A pull chain."""
 
-    travel: Scalar  # how far it is pulled [m]
-    force: Scalar  # of its spring when it is pulled out [N]
-    knob: Material  # what its knob is made of
-    under: Scalar  # height of what stands under it [m]
+    travel: ag.Scalar  # how far it is pulled [m]
+    force: ag.Scalar  # of its spring when it is pulled out [N]
+    knob: ag.Material  # what its knob is made of
+    under: ag.Scalar  # height of what stands under it [m]
 
 
-def harp_rise(height: Scalar, kind: ShadeKind) -> Float:
+def harp_rise(height: ag.Scalar, kind: ShadeKind) -> ag.Float:
     """Return how far a harp stands above the mouth of its socket [m].
 
     A cloth shade hides the socket: its rim is about 34 mm below the mouth. A dome ends near the mouth.
     """
     below = 0.004 if kind == "dome" else drop_of(kind) + 0.037
-    return clamp(height - below, 0.112, 0.24)
+    return ag.clamp(height - below, 0.112, 0.24)
 
 
-def crown(rise: Float) -> Float:
+def crown(rise: ag.Float) -> ag.Float:
     """Return how far the finial of a harp stands above the mouth of the socket [m]."""
     return rise + 0.012 + 0.018
 
 
 def shaded(
-    base: Body,
+    base: ag.Body,
     shade: FabricShade,
     *,
-    mouth: Scalar,
-    height: Scalar,
-    metal: Material,
-    friction: Scalar,
-    over: Scalar,
+    mouth: ag.Scalar,
+    height: ag.Scalar,
+    metal: ag.Material,
+    friction: ag.Scalar,
+    over: ag.Scalar,
     chain: Chain | None = None,
-) -> Body:
+) -> ag.Body:
     """Put a socket with its bulb, a harp and a shade on a base.
 
     The shade rests on the harp, on whose stud it turns; its weight and the finial hold it by friction.
@@ -170,33 +147,35 @@ def shaded(
     level = top + _SEAT + _GAP - shade.hub  # of the lower rim
     if chain is not None:
         bodies.append(_chained(chain, mouth, level, metal))
-    turn = Revolute("shade_turn", axis=Z, friction=friction, damping=0.01, armature=0.0002, effort=3.0)
+    turn = ag.Revolute("shade_turn", axis=ag.Z, friction=friction, damping=0.01, armature=0.0002, effort=3.0)
     cover = shade.body.at(0.0, 0.0, level).require(level > over, _HANGS_LOW)
-    return weld(*bodies).attach(cover, turn)
+    return ag.weld(*bodies).attach(cover, turn)
 
 
-def _chained(chain: Chain, mouth: Scalar, rim: Scalar, metal: Material) -> Body:
+def _chained(chain: Chain, mouth: ag.Scalar, rim: ag.Scalar, metal: ag.Material) -> ag.Body:
     """Make the switch beside a socket with its chain, in front."""
     outlet = mouth - 0.048
-    hang = max_(outlet - rim + _BELOW, _OUTSIDE)
+    hang = ag.max_(outlet - rim + _BELOW, _OUTSIDE)
     long = _OUT - SPOUT + 0.001
-    stem = cylinder(0.0042, long, axis=Y).at(0.0, -0.5 * long, mouth - 0.030)
-    switch = weld(part(stem, "socket", metal), spout(chain.travel, metal).at(0.0, -_OUT, outlet))
+    stem = ag.cylinder(0.0042, long, axis=ag.Y).at(0.0, -0.5 * long, mouth - 0.030)
+    switch = ag.weld(ag.part(stem, "socket", metal), spout(chain.travel, metal).at(0.0, -_OUT, outlet))
     pull = pull_chain(chain.travel, hang, finish=metal, knob=chain.knob).at(0.0, -_OUT, outlet)
     lowest = outlet - hang - KNOB[1] / 2.0 - chain.travel
     pull = pull.require(lowest > chain.under + 0.001, _PULLED_INTO)
     return switch.attach(pull, chain_pull(chain.travel, force=chain.force))
 
 
-def globed(base: Body, *, top: Scalar, radius: Scalar, glass: Material, metal: Material) -> Body:
+def globed(
+    base: ag.Body, *, top: ag.Scalar, radius: ag.Scalar, glass: ag.Material, metal: ag.Material
+) -> ag.Body:
     """Put a globe of opal glass, which hides its bulb, on a base whose top is at a height."""
     opal = glass.with_(name=f"{glass.name}_globe", density=230.0)  # 3 mm of 2500 kg/m3 at 0.1 m
-    cup = tube(0.030, 0.026, 0.016, bevel=0.0012).at(0.0, 0.0, top + 0.008)
-    floor = cylinder(0.029, 0.004, bevel=0.0012).at(0.0, 0.0, top + 0.002)
+    cup = ag.tube(0.030, 0.026, 0.016, bevel=0.0012).at(0.0, 0.0, top + 0.008)
+    floor = ag.cylinder(0.029, 0.004, bevel=0.0012).at(0.0, 0.0, top + 0.002)
     sunk = 0.010 - 0.0045  # where a globe of 0.1 m enters a ring of 26 mm
-    return weld(
+    return ag.weld(
         base,
-        part(sphere(radius).at(0.0, 0.0, top + sunk + radius), "shade", opal),
-        part(cup, "socket", metal),
-        part(floor, "socket", metal),
+        ag.part(ag.sphere(radius).at(0.0, 0.0, top + sunk + radius), "shade", opal),
+        ag.part(cup, "socket", metal),
+        ag.part(floor, "socket", metal),
     )

@@ -16,21 +16,8 @@ of 245-315 mm.
 
 from typing import Literal, get_args
 
-from artgen import (
-    Body,
-    Float,
-    Material,
-    by,
-    category,
-    choice,
-    colored,
-    details,
-    material,
-    require,
-    shades,
-    uniform,
-    weld,
-)
+import artgen as ag
+from artgen import details
 from artgen.categories.microwave.case import Case
 from artgen.categories.microwave.controls import Controls, Panel
 from artgen.categories.microwave.door import Door, FaceStyle, HandleKind, Latches
@@ -48,23 +35,23 @@ Look = Literal["stainless", "dark_steel", "white", "black", "pastel"]
 _LOOKS: tuple[Look, ...] = get_args(Look)
 _FINISH, _METAL = fronts(*_LOOKS), grip_metals(*_LOOKS)
 _CAVITIES = {
-    "grey": colored("enamel", "light_grey").with_(name="cavity_grey", specular_roughness=0.35),
-    "ivory": colored("enamel", "ivory").with_(name="cavity_ivory", specular_roughness=0.35),
-    "steel": material("stainless").with_(
+    "grey": ag.colored("enamel", "light_grey").with_(name="cavity_grey", specular_roughness=0.35),
+    "ivory": ag.colored("enamel", "ivory").with_(name="cavity_ivory", specular_roughness=0.35),
+    "steel": ag.material("stainless").with_(
         name="cavity_steel", base_color=(0.74, 0.735, 0.73), specular_roughness=0.32
     ),
 }
-_BLACK = material("black_glass")
-_WHITE = material("black_glass").with_(name="white_glass", base_color=(0.80, 0.80, 0.79))
+_BLACK = ag.material("black_glass")
+_WHITE = ag.material("black_glass").with_(name="white_glass", base_color=(0.80, 0.80, 0.79))
 _CAPS = {
-    "stainless": colored("abs", "silver"),
-    "dark_steel": colored("abs", "graphite"),
-    "white": colored("abs", "light_grey"),
-    "black": colored("abs", "anthracite"),
-    "pastel": colored("abs", "ivory"),
+    "stainless": ag.colored("abs", "silver"),
+    "dark_steel": ag.colored("abs", "graphite"),
+    "white": ag.colored("abs", "light_grey"),
+    "black": ag.colored("abs", "anthracite"),
+    "pastel": ag.colored("abs", "ivory"),
 }
 _LININGS = {  # those of other looks are of the finish
-    look: colored("abs", color).with_(name=f"door_lining_{color}")
+    look: ag.colored("abs", color).with_(name=f"door_lining_{color}")
     for look, color in (
         ("stainless", "graphite"),
         ("dark_steel", "anthracite"),
@@ -72,13 +59,13 @@ _LININGS = {  # those of other looks are of the finish
     )
 }
 _KNOBS = (  # caps of plastic under a skin of metal
-    *(material(name).with_(name=f"{name}_cap", density=1100.0) for name in ("aluminium", "chrome")),
-    material("black_abs"),
-    material("brushed_aluminium").with_(name="brushed_cap", density=1100.0),
+    *(ag.material(name).with_(name=f"{name}_cap", density=1100.0) for name in ("aluminium", "chrome")),
+    ag.material("black_abs"),
+    ag.material("brushed_aluminium").with_(name="brushed_cap", density=1100.0),
 )
 
 
-@category(
+@ag.category(
     labels=(
         "body", "cavity", "foot", "vent", "light", "wave_guide_cover", "rating_plate", "screw", "cord",
         "door", "window", "mesh", "handle", "hinge", "latch", "panel", "display", "print", "button", "dial",
@@ -88,92 +75,96 @@ _KNOBS = (  # caps of plastic under a skin of metal
 )  # fmt: skip
 def microwave(
     *,
-    controls: Controls = choice("keypad", "mixed", "dials", weights=(0.5, 0.28, 0.22)),
-    look: Look = by(
+    controls: Controls = ag.choice("keypad", "mixed", "dials", weights=(0.5, 0.28, 0.22)),
+    look: Look = ag.by(
         "controls",
-        dials=choice(*_LOOKS, weights=(1.0, 0.3, 1.6, 0.8, 2.4)),
-        otherwise=choice(*_LOOKS, weights=(2.4, 0.7, 1.4, 1.0, 1.0)),
+        dials=ag.choice(*_LOOKS, weights=(1.0, 0.3, 1.6, 0.8, 2.4)),
+        otherwise=ag.choice(*_LOOKS, weights=(2.4, 0.7, 1.4, 1.0, 1.0)),
     ),
-    handle: HandleKind = by(
+    handle: HandleKind = ag.by(
         "look",
-        stainless=choice("pocket", "none", "bar", weights=(0.25, 0.3, 0.45)),
-        dark_steel=choice("none", "pocket", "bar", weights=(0.3, 0.25, 0.45)),
-        white=choice("bar", "pocket", "none", weights=(0.25, 0.3, 0.45)),
-        black=choice("none", "bar", "pocket", weights=(0.35, 0.35, 0.3)),
-        pastel=choice("pocket", "none", "bar", weights=(0.15, 0.35, 0.5)),
+        stainless=ag.choice("pocket", "none", "bar", weights=(0.25, 0.3, 0.45)),
+        dark_steel=ag.choice("none", "pocket", "bar", weights=(0.3, 0.25, 0.45)),
+        white=ag.choice("bar", "pocket", "none", weights=(0.25, 0.3, 0.45)),
+        black=ag.choice("none", "bar", "pocket", weights=(0.35, 0.35, 0.3)),
+        pastel=ag.choice("pocket", "none", "bar", weights=(0.15, 0.35, 0.5)),
         doc="none has a button that opens the door",
     ),
-    face: FaceStyle = by(
+    face: FaceStyle = ag.by(
         "look",
-        stainless=choice("framed", "glass", "banded", weights=(0.4, 0.2, 0.4)),
-        dark_steel=choice("framed", "glass", "banded", weights=(0.3, 0.4, 0.3)),
-        white=choice("framed", "glass", weights=(0.75, 0.25)),
-        black=choice("framed", "glass", weights=(0.4, 0.6)),
+        stainless=ag.choice("framed", "glass", "banded", weights=(0.4, 0.2, 0.4)),
+        dark_steel=ag.choice("framed", "glass", "banded", weights=(0.3, 0.4, 0.3)),
+        white=ag.choice("framed", "glass", weights=(0.75, 0.25)),
+        black=ag.choice("framed", "glass", weights=(0.4, 0.6)),
         pastel="framed",
     ),
-    width: Float = uniform(0.44, 0.60, "m", within=(0.43, 0.66)),
-    height: Float = uniform(0.25, 0.34, "m", within=(0.245, 0.38)),
-    depth: Float = by(
+    width: ag.Float = ag.uniform(0.44, 0.60, "m", within=(0.43, 0.66)),
+    height: ag.Float = ag.uniform(0.25, 0.34, "m", within=(0.245, 0.38)),
+    depth: ag.Float = ag.by(
         "handle",
-        bar=uniform(0.375, 0.45),
-        otherwise=uniform(0.330, 0.42),
+        bar=ag.uniform(0.375, 0.45),
+        otherwise=ag.uniform(0.330, 0.42),
         unit="m",
         doc="of everything, a handle included",
         within=(0.32, 0.5),
     ),
-    panel: Float = uniform(0.098, 0.128, "m", doc="width of the control panel", within=(0.094, 0.16)),
-    door_thickness: Float = uniform(0.0345, 0.040, "m", within=(0.034, 0.05)),
-    border: Float = uniform(0.030, 0.052, "m", doc="above and below the window", within=(0.026, 0.08)),
-    foot: Float = uniform(0.008, 0.014, "m", doc="height of the feet", within=(0.006, 0.02)),
-    plate: Float = uniform(0.93, 1.0, doc="of the largest plate that turns in the cavity", within=(0.7, 1.0)),
-    finish: Material = _FINISH,
-    metal: Material = _METAL,
-    bar: BarStyle = by(
-        "look",
-        pastel=choice("bow", "arched", "round"),
-        otherwise=choice("round", "square", "bow", "strap", "arched"),
+    panel: ag.Float = ag.uniform(0.098, 0.128, "m", doc="width of the control panel", within=(0.094, 0.16)),
+    door_thickness: ag.Float = ag.uniform(0.0345, 0.040, "m", within=(0.034, 0.05)),
+    border: ag.Float = ag.uniform(0.030, 0.052, "m", doc="above and below the window", within=(0.026, 0.08)),
+    foot: ag.Float = ag.uniform(0.008, 0.014, "m", doc="height of the feet", within=(0.006, 0.02)),
+    plate: ag.Float = ag.uniform(
+        0.93, 1.0, doc="of the largest plate that turns in the cavity", within=(0.7, 1.0)
     ),
-    cavity: Literal["grey", "ivory", "steel"] = choice("grey", "ivory", "steel", weights=(0.45, 0.25, 0.3)),
-    keys: int = by(
+    finish: ag.Material = _FINISH,
+    metal: ag.Material = _METAL,
+    bar: BarStyle = ag.by(
+        "look",
+        pastel=ag.choice("bow", "arched", "round"),
+        otherwise=ag.choice("round", "square", "bow", "strap", "arched"),
+    ),
+    cavity: Literal["grey", "ivory", "steel"] = ag.choice(
+        "grey", "ivory", "steel", weights=(0.45, 0.25, 0.3)
+    ),
+    keys: int = ag.by(
         "controls",
-        keypad=choice(6, 9, 12, weights=(0.25, 0.35, 0.4)),
-        mixed=choice(3, 6),
+        keypad=ag.choice(6, 9, 12, weights=(0.25, 0.35, 0.4)),
+        mixed=ag.choice(3, 6),
         dials=0,
         doc="in rows of three",
     ),
-    key_shape: ButtonShape = choice("bar", "square", "pill", weights=(0.45, 0.25, 0.3)),
-    key_travel: Float = uniform(0.0010, 0.0015, "m", within=(0.0005, 0.003)),
-    key_force: Float = uniform(2.0, 4.0, "N"),
-    dials: int = by("controls", keypad=0, mixed=1, dials=choice(2, 3, weights=(0.75, 0.25))),
-    dial_style: DialStyle = choice("round", "fluted", "bar", "skirted", "capped"),
-    dial_radius: Float = by(
+    key_shape: ButtonShape = ag.choice("bar", "square", "pill", weights=(0.45, 0.25, 0.3)),
+    key_travel: ag.Float = ag.uniform(0.0010, 0.0015, "m", within=(0.0005, 0.003)),
+    key_force: ag.Float = ag.uniform(2.0, 4.0, "N"),
+    dials: int = ag.by("controls", keypad=0, mixed=1, dials=ag.choice(2, 3, weights=(0.75, 0.25))),
+    dial_style: DialStyle = ag.choice("round", "fluted", "bar", "skirted", "capped"),
+    dial_radius: ag.Float = ag.by(
         "dials",
-        {2: uniform(0.018, 0.023), 3: uniform(0.0165, 0.019)},
-        otherwise=uniform(0.0165, 0.021),
+        {2: ag.uniform(0.018, 0.023), 3: ag.uniform(0.0165, 0.019)},
+        otherwise=ag.uniform(0.0165, 0.021),
         unit="m",
         within=(0.012, 0.026),
     ),
-    knob: Material = shades(*_KNOBS, color=0.03, roughness=0.03, doc="of dials"),
-    eject_travel: Float = uniform(0.0042, 0.0050, "m", doc="of the button that opens the door"),
-    eject_force: Float = uniform(8.0, 14.0, "N", doc="that presses it home"),
-    swing: Float = uniform(1.55, 1.70, "rad", within=(1.2, 1.75)),
-    pull: Float = uniform(10.0, 22.0, "N", doc="at the handle, to begin to open the door"),
-    pop: Float = uniform(2.0, 3.5, "N", doc="of the spring of a door without a handle, at its latches"),
-    plate_friction: Float = uniform(0.02, 0.05, "N m", doc="of the rollers and the motor's gears"),
-    show: str = by(
+    knob: ag.Material = ag.shades(*_KNOBS, color=0.03, roughness=0.03, doc="of dials"),
+    eject_travel: ag.Float = ag.uniform(0.0042, 0.0050, "m", doc="of the button that opens the door"),
+    eject_force: ag.Float = ag.uniform(8.0, 14.0, "N", doc="that presses it home"),
+    swing: ag.Float = ag.uniform(1.55, 1.70, "rad", within=(1.2, 1.75)),
+    pull: ag.Float = ag.uniform(10.0, 22.0, "N", doc="at the handle, to begin to open the door"),
+    pop: ag.Float = ag.uniform(2.0, 3.5, "N", doc="of the spring of a door without a handle, at its latches"),
+    plate_friction: ag.Float = ag.uniform(0.02, 0.05, "N m", doc="of the rollers and the motor's gears"),
+    show: str = ag.by(
         "controls",
         dials="",
-        otherwise=choice("12:00", "9:41", "0:30", "2:05", "18:20"),
+        otherwise=ag.choice("12:00", "9:41", "0:30", "2:05", "18:20"),
         doc="what the display shows; none where it is empty",
     ),
-    figures: Color = choice("green", "white", "cyan", "amber", "red", "lcd"),
-    air: Literal["left", "right"] = choice("left", "right", doc="side of the larger vent"),
-    watts: int = choice(1050, 1150, 1200, 1270, 1350, 1450),
-    maker: str = choice(*details.BRANDS),
-    signed: Literal["door", "panel"] = choice("door", "panel", doc="where the maker's name is"),
-) -> Body:
+    figures: Color = ag.choice("green", "white", "cyan", "amber", "red", "lcd"),
+    air: Literal["left", "right"] = ag.choice("left", "right", doc="side of the larger vent"),
+    watts: int = ag.choice(1050, 1150, 1200, 1270, 1350, 1450),
+    maker: str = ag.choice(*details.BRANDS),
+    signed: Literal["door", "panel"] = ag.choice("door", "panel", doc="where the maker's name is"),
+) -> ag.Body:
     """Make a microwave oven, closed: door, latch, turntable, keys, dials."""
-    require(key_shape != "round", "keys are wider than high: key_shape must be bar, square or pill")
+    ag.require(key_shape != "round", "keys are wider than high: key_shape must be bar, square or pill")
     girth, projection = 0.0072, 0.034
     space = Space(
         width=width,
@@ -235,7 +226,7 @@ def microwave(
     x, y = space.middle
     table = Turntable(plate * space.reach, x, y, space.floor, plate_friction)
 
-    body = weld(case.body(), front.body(), table.shaft())
+    body = ag.weld(case.body(), front.body(), table.shaft())
     if handle == "none":
         press = front.press()
         hinge = leaf.hinge(swing=swing, pull=pop, needs=latches.frees(press), sprung=True)

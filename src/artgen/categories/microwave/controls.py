@@ -3,21 +3,8 @@
 from dataclasses import dataclass
 from typing import Literal
 
-from artgen import (
-    Body,
-    Joint,
-    Material,
-    Profile,
-    Scalar,
-    Solid,
-    Span,
-    board,
-    detail,
-    details,
-    part,
-    rectangle,
-    weld,
-)
+import artgen as ag
+from artgen import details
 from artgen._arrays import cached_property
 from artgen.categories.microwave.door import PANE, FaceStyle
 from artgen.categories.microwave.space import EDGE, Space
@@ -66,40 +53,40 @@ class Panel:
 
     space: Space  # the measures of the oven
     face: FaceStyle  # how the front is divided
-    finish: Material  # of the front
-    glass: Material  # of panes
+    finish: ag.Material  # of the front
+    glass: ag.Material  # of panes
     keys: int  # how many keys there are, in rows of three
     shape: ButtonShape  # of their caps
-    cap: Material  # of keys and the button
+    cap: ag.Material  # of keys and the button
     dials: int  # how many dials there are, one below the other
     dial: DialStyle  # their style
-    radius: Scalar  # of the dials [m]
-    knob: Material  # what dials are made of
-    metal: Material  # of caps of dials
-    travel: Scalar  # of keys [m]
-    force: Scalar  # that presses a key home [N]
+    radius: ag.Scalar  # of the dials [m]
+    knob: ag.Material  # what dials are made of
+    metal: ag.Material  # of caps of dials
+    travel: ag.Scalar  # of keys [m]
+    force: ag.Scalar  # that presses a key home [N]
     eject: bool  # whether a button opens the door
-    eject_travel: Scalar  # of that button [m]
-    eject_force: Scalar  # that presses it home [N]
+    eject_travel: ag.Scalar  # of that button [m]
+    eject_force: ag.Scalar  # that presses it home [N]
     show: str  # what the display shows; `""` for none
     color: Color  # of its figures
     maker: str  # whose name is above the display; `""` for none
 
     @cached_property
-    def _x(self) -> Span:
+    def _x(self) -> ag.Span:
         return (self.space.split, self.space.half - EDGE)
 
     @cached_property
-    def _middle(self) -> Scalar:
+    def _middle(self) -> ag.Scalar:
         return (self._x[0] + self._x[1]) / 2.0
 
     @cached_property
-    def _wide(self) -> Scalar:
+    def _wide(self) -> ag.Scalar:
         """The width of what is on the panel [m]."""
         return self._x[1] - self._x[0] - 2.0 * _MARGIN
 
     @cached_property
-    def _ends(self) -> Span:
+    def _ends(self) -> ag.Span:
         """The lowest and highest of what is on the panel [m]."""
         low, high = self.space.tall
         edge = _BAND + 0.004 if self.face == "banded" else _MARGIN
@@ -110,28 +97,28 @@ class Panel:
         return -(-self.keys // 3)
 
     @cached_property
-    def _screen(self) -> Scalar:
+    def _screen(self) -> ag.Scalar:
         """The middle of the display, along z [m]."""
         return self._ends[1] - (0.010 if self.maker else 0.0) - _SCREEN / 2.0
 
     @cached_property
-    def _room(self) -> Span:
+    def _room(self) -> ag.Span:
         """What is left between the display and the button, along z [m]."""
         low, high = self._ends
         top = self._screen - _SCREEN / 2.0 - _APART if self.show else high - (0.012 if self.maker else 0.0)
         return (low + _EJECT + _APART if self.eject else low, top)
 
     @cached_property
-    def _key(self) -> Scalar:
+    def _key(self) -> ag.Scalar:
         """The width of a key [m]."""
         return self._pitch - 0.0056
 
     @cached_property
-    def _pitch(self) -> Scalar:
+    def _pitch(self) -> ag.Scalar:
         return self._wide / 3.0
 
     @cached_property
-    def _grid(self) -> list[tuple[Scalar, Scalar]]:
+    def _grid(self) -> list[tuple[ag.Scalar, ag.Scalar]]:
         """The middles of the keys, x and z [m]."""
         low, high = self._room
         tall = (self._rows - 1) * _PITCH
@@ -143,13 +130,13 @@ class Panel:
         ]
 
     @cached_property
-    def _turned(self) -> list[tuple[Scalar, Scalar]]:
+    def _turned(self) -> list[tuple[ag.Scalar, ag.Scalar]]:
         """The middles of the dials, x and z [m]."""
         high, step = self._room[1], self._step
         return [(self._middle, high - (number + 0.5) * step) for number in range(self.dials)]
 
     @cached_property
-    def _step(self) -> Scalar:
+    def _step(self) -> ag.Scalar:
         """The height that each dial has [m]."""
         low, high = self._room
         if self.keys:
@@ -157,17 +144,17 @@ class Panel:
         return (high - low) / max(self.dials, 1)
 
     @property
-    def room(self) -> Scalar:
+    def room(self) -> ag.Scalar:
         """How much higher than needed what is left for dials is; negative where they do not fit [m]."""
         return self._step - 2.0 * self.radius if self.dials else self._step
 
     @cached_property
-    def _button(self) -> Scalar:
+    def _button(self) -> ag.Scalar:
         """The middle of the button, along z [m]."""
         return self._ends[0] + _EJECT / 2.0
 
     @cached_property
-    def _fields(self) -> list[tuple[Span, Span]]:
+    def _fields(self) -> list[tuple[ag.Span, ag.Span]]:
         """The channels in which keys and button move, along x and z, from the lowest up [m]."""
         play = PLAY + 0.0006
         half = self._wide / 2.0 + play
@@ -184,7 +171,7 @@ class Panel:
             fields.append(((self._middle - beside, self._middle + beside), (last - tall, first + tall)))
         return fields
 
-    def _boards(self) -> list[Solid]:
+    def _boards(self) -> list[ag.Solid]:
         """Make the boards around the channels, just under the face that is seen, and the back."""
         space, (left, right) = self.space, self._x
         low, high = space.tall
@@ -192,56 +179,56 @@ class Panel:
         inside = (y[0] + _UNDER, y[1] - _UNDER)
         x, z = (left + _UNDER, right - _UNDER), (low + _UNDER, high - _UNDER)
         solids = [
-            board(
+            ag.board(
                 (left + 0.001, right - 0.001), (y[1] - _LAP, space.mouth + _LAP), (low + 0.001, high - 0.001)
             )
         ]
         if not self._fields:
-            return [*solids, board(x, y, z)]
+            return [*solids, ag.board(x, y, z)]
         between = self._fields[0][0]  # the widest is the lowest
-        solids += [board((x[0], between[0]), y, z), board((between[1], x[1]), y, z)]
+        solids += [ag.board((x[0], between[0]), y, z), ag.board((between[1], x[1]), y, z)]
         edges = [z[0] + _LAP, *(edge for _, field in self._fields for edge in field), z[1] - _LAP]
         across = (between[0] - _LAP, between[1] + _LAP)
         return solids + [
-            board(across, inside, (edges[index], edges[index + 1])) for index in range(0, len(edges), 2)
+            ag.board(across, inside, (edges[index], edges[index + 1])) for index in range(0, len(edges), 2)
         ]
 
-    def _front(self) -> Solid:
+    def _front(self) -> ag.Solid:
         """Make the face with its channels as it is seen."""
         (left, right), (low, high) = self._x, self.space.tall
         x, z = (left + right) / 2.0, (low + high) / 2.0
-        outline = rectangle(right - left, high - low)
+        outline = ag.rectangle(right - left, high - low)
         for (x0, x1), (z0, z1) in self._fields:
-            outline = outline - rectangle(x1 - x0, z1 - z0).at((x0 + x1) / 2.0 - x, (z0 + z1) / 2.0 - z)
+            outline = outline - ag.rectangle(x1 - x0, z1 - z0).at((x0 + x1) / 2.0 - x, (z0 + z1) / 2.0 - z)
         middle = (x, self.space.front + _FACE / 2.0, z)
         return details.relief(outline, middle, proud=_FACE / 2.0, sunk=_FACE / 2.0, bevel=0.0014)
 
-    def body(self) -> Body:
+    def body(self) -> ag.Body:
         """Make the panel with its print, to be welded to the case."""
         stuff = filled(self.finish, 240.0, "panel")
-        return weld(
-            *(part(each, "panel", stuff) for each in self._boards()),
-            detail(self._front(), "panel", self.finish),
+        return ag.weld(
+            *(ag.part(each, "panel", stuff) for each in self._boards()),
+            ag.detail(self._front(), "panel", self.finish),
             *self._printed(),
         )
 
     @cached_property
-    def _dark(self) -> Material:
+    def _dark(self) -> ag.Material:
         """What lies around the keys."""
         return self.finish if self.face == "framed" and not self.show else self.glass
 
-    def _pane(self) -> Profile:
+    def _pane(self) -> ag.Profile:
         """Return the outline of the pane about the middle of the panel, with holes for keys and button."""
         low, high = self.space.tall
         level = (low + high) / 2.0
         wide = self._x[1] - self._x[0]
         match self.face:
             case "framed":
-                pane = rectangle(wide - 0.008, high - low - 0.008, radius=0.005)
+                pane = ag.rectangle(wide - 0.008, high - low - 0.008, radius=0.005)
             case "glass":
-                pane = rectangle(wide - 0.003, high - low - 0.003, radius=0.003)
+                pane = ag.rectangle(wide - 0.003, high - low - 0.003, radius=0.003)
             case "banded":
-                pane = rectangle(wide - 0.0006, high - low - 2.0 * _BAND)
+                pane = ag.rectangle(wide - 0.0006, high - low - 2.0 * _BAND)
         holes = [
             button_outline(self.shape, self._key + 2.0 * PLAY, _KEY + 2.0 * PLAY).at(
                 x - self._middle, z - level
@@ -255,7 +242,7 @@ class Panel:
             pane = pane - hole
         return pane
 
-    def _printed(self) -> list[Body]:
+    def _printed(self) -> list[ag.Body]:
         """Make pane, display, scales of dials and the name, which are only seen."""
         space, bodies = self.space, []
         low, high = space.tall
@@ -263,7 +250,7 @@ class Panel:
         pane = details.relief(
             self._pane(), (self._middle, space.front, (low + high) / 2.0), proud=PANE, sunk=0.0006
         )
-        bodies.append(detail(pane, "panel", face))
+        bodies.append(ag.detail(pane, "panel", face))
         ink, plane = ink_on(face), space.front - PANE
         if self.show:
             bodies.append(
@@ -290,7 +277,7 @@ class Panel:
             )
         return bodies
 
-    def button(self) -> Body:
+    def button(self) -> ag.Body:
         """Make the button that opens the door: the link `button`."""
         at = (self._middle, self.space.front, self._button)
         cap = push_button(
@@ -304,9 +291,9 @@ class Panel:
         )
         word = details.lettering(["OPEN"], 0.0052, tracking=0.25)
         out = -(self.eject_travel + 0.0016)
-        return weld(cap, details.printed(word, (0.0, out, 0.0), material=ink_on(self.cap))).at(*at)
+        return ag.weld(cap, details.printed(word, (0.0, out, 0.0), material=ink_on(self.cap))).at(*at)
 
-    def press(self) -> Joint:
+    def press(self) -> ag.Joint:
         """Make the joint of that button, which lifts the latches against their springs."""
         at = (self._middle, self.space.front, self._button)
         return button_press(
@@ -318,7 +305,7 @@ class Panel:
             pivot=at,
         )
 
-    def joined(self, body: Body) -> Body:
+    def joined(self, body: ag.Body) -> ag.Body:
         """Join keys and dials to the body that has the panel."""
         for number, ((x, z), name) in enumerate(zip(self._grid, key_names(self.keys), strict=True)):
             at = (x, self.space.front, z)
@@ -337,7 +324,7 @@ class Panel:
             )
             if name.isdigit():
                 figure = details.lettering([name], 0.0058)
-                cap = weld(cap, details.printed(figure, (0.0, -proud, 0.0), material=ink))
+                cap = ag.weld(cap, details.printed(figure, (0.0, -proud, 0.0), material=ink))
             # the domes under the keys of a foil hardly push at rest
             press = button_press(
                 f"key_slide_{number}", travel=self.travel, preload=0.3, force=self.force, pivot=at

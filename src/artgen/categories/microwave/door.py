@@ -3,29 +3,8 @@
 from dataclasses import dataclass
 from typing import Literal
 
-from artgen import (
-    Body,
-    Dependency,
-    Joint,
-    Material,
-    Prismatic,
-    Profile,
-    Revolute,
-    Scalar,
-    Solid,
-    Span,
-    Z,
-    array,
-    board,
-    colored,
-    cylinder,
-    detail,
-    details,
-    material,
-    part,
-    rectangle,
-    weld,
-)
+import artgen as ag
+from artgen import details
 from artgen._arrays import cached_property
 from artgen.categories.microwave.space import Space
 from artgen.categories.shared.appliances.finish import filled
@@ -77,19 +56,19 @@ class Latches:
     space: Space  # the measures of the oven
 
     @cached_property
-    def _levels(self) -> tuple[Scalar, Scalar]:
+    def _levels(self) -> tuple[ag.Scalar, ag.Scalar]:
         """The middles of the hooks, along z [m]."""
         low, high = self.space.floor, self.space.ceiling
         return (low + 0.16 * (high - low), low + 0.80 * (high - low))
 
     @cached_property
-    def slots(self) -> tuple[Span, Span]:
+    def slots(self) -> tuple[ag.Span, ag.Span]:
         """The lower and upper edges of their slots in the frame of the cavity [m]."""
         low, high = _HOOK[1] / 2.0 + _SLOT, _HOOK[1] / 2.0 + _BARB[0] + _SLOT
         first, second = self._levels
         return ((first - low, first + high), (second - low, second + high))
 
-    def hooks(self) -> list[Solid]:
+    def hooks(self) -> list[ag.Solid]:
         """Make the hooks, to be welded to the inside of the door."""
         space = self.space
         wide, high, reach = _HOOK
@@ -98,33 +77,33 @@ class Latches:
         for level in self._levels:
             x = (space.hook - wide / 2.0, space.hook + wide / 2.0)
             low = level - high / 2.0
-            solids.append(board(x, (front, end), (low, low + high), bevel=0.0008))
+            solids.append(ag.board(x, (front, end), (low, low + high), bevel=0.0008))
             barb = (end - _BARB[1], end - 0.0002)
             inside = (x[0] + 0.0002, x[1] - 0.0002)
-            solids.append(board(inside, barb, (low + 0.002, low + high + _BARB[0]), bevel=0.0006))
+            solids.append(ag.board(inside, barb, (low + 0.002, low + high + _BARB[0]), bevel=0.0006))
         return solids
 
-    def pawls(self) -> Body:
+    def pawls(self) -> ag.Body:
         """Make the slide with two pawls: the link `latch`."""
         space = self.space
         y = (space.mouth + _BEHIND, space.mouth + _BEHIND + _PAWL[0])
         x = space.hook
         lows = [level + _HOOK[1] / 2.0 + _PLAY for level in self._levels]
-        black = colored("polypropylene", "ivory").with_(name="latch_plastic")
-        spine = board((x + 0.0058, x + 0.0096), y, (lows[0], lows[1] + _PAWL[1]))
+        black = ag.colored("polypropylene", "ivory").with_(name="latch_plastic")
+        spine = ag.board((x + 0.0058, x + 0.0096), y, (lows[0], lows[1] + _PAWL[1]))
         fingers = [
-            board((x - 0.0042, x + 0.0060), (y[0] + 0.0002, y[1] - 0.0002), (low, low + _PAWL[1] - 0.0004))
+            ag.board((x - 0.0042, x + 0.0060), (y[0] + 0.0002, y[1] - 0.0002), (low, low + _PAWL[1] - 0.0004))
             for low in lows
         ]
-        return weld(*(part(each, "latch", black) for each in (spine, *fingers)))
+        return ag.weld(*(ag.part(each, "latch", black) for each in (spine, *fingers)))
 
-    def slide(self, button: Joint) -> Joint:
+    def slide(self, button: ag.Joint) -> ag.Joint:
         """Make the joint by which the button lifts the pawls."""
-        return Prismatic(
-            "latch_slide", axis=Z, follows=_LIFT * button, damping=2.0, friction=0.05, armature=0.02
+        return ag.Prismatic(
+            "latch_slide", axis=ag.Z, follows=_LIFT * button, damping=2.0, friction=0.05, armature=0.02
         )
 
-    def frees(self, button: Joint) -> Dependency:
+    def frees(self, button: ag.Joint) -> ag.Dependency:
         """Return what the door needs until its hooks have passed the pawls."""
         lift = _BARB[0] - _PLAY + _SPARE
         passing = _HOOK[2] - _BEHIND + 0.004  # how far the barbs come forward below the pawls
@@ -139,28 +118,28 @@ class Door:
     face: FaceStyle  # how its front is divided
     handle: HandleKind  # its handle
     bar: BarStyle  # style of a bar
-    finish: Material  # of its frame
-    glass: Material  # of its front
-    metal: Material  # of the handle
-    inside: Material  # of its inside
+    finish: ag.Material  # of its frame
+    glass: ag.Material  # of its front
+    metal: ag.Material  # of the handle
+    inside: ag.Material  # of its inside
     # from the edges of the door to its window, at the left, the right, below and above [m]
-    border: tuple[Scalar, Scalar, Scalar, Scalar]
+    border: tuple[ag.Scalar, ag.Scalar, ag.Scalar, ag.Scalar]
     maker: str  # whose name is on it; `""` for none
 
     @cached_property
-    def _window(self) -> tuple[Span, Span]:
+    def _window(self) -> tuple[ag.Span, ag.Span]:
         """The window, along x and z [m]."""
         left, right, low, high = self.border
         x, z = self.space.door, self.space.tall
         return ((x[0] + left, x[1] - right), (z[0] + low, z[1] - high))
 
     @cached_property
-    def _grip_at(self) -> Scalar:
+    def _grip_at(self) -> ag.Scalar:
         """Where a handle is, along x [m]."""
         return self.space.door[1] - (0.021 if self.handle == "bar" else POCKET_WIDTH / 2.0 + 0.009)
 
     @cached_property
-    def _level(self) -> Scalar:
+    def _level(self) -> ag.Scalar:
         """The height of the middle of the door [m]."""
         low, high = self.space.tall
         return (low + high) / 2.0
@@ -169,28 +148,28 @@ class Door:
     def _grip(self) -> Grip | None:
         if self.handle != "pocket":
             return None
-        lining = colored("abs", "graphite").with_(name="grip_lining")
+        lining = ag.colored("abs", "graphite").with_(name="grip_lining")
         grip = recessed_grip(
             _POCKET_HEIGHT, finish=self.metal, lining=lining, width=POCKET_WIDTH, deep=POCKET, thin=True
         )
         return grip.at(self._grip_at, self.space.front, self._level)
 
-    def body(self, latches: Latches) -> Body:
+    def body(self, latches: Latches) -> ag.Body:
         """Make the door: the link `door`."""
         bodies = [*self._frame(), *self._panes(), *self._seen()]
-        black = colored("polypropylene", "graphite").with_(name="hook_plastic")
-        bodies += [part(each, "latch", black) for each in latches.hooks()]
+        black = ag.colored("polypropylene", "graphite").with_(name="hook_plastic")
+        bodies += [ag.part(each, "latch", black) for each in latches.hooks()]
         if self.handle == "bar":
             low, high = self.space.tall
-            handle: Body = bar_handle(
+            handle: ag.Body = bar_handle(
                 length=0.74 * (high - low), finish=self.metal, style=self.bar, projection=0.034, girth=0.0072
             )
             bodies.append(handle.at(self._grip_at, self.space.front, self._level))
         elif self._grip is not None:
             bodies.append(self._grip.shell)
-        return weld(*bodies)
+        return ag.weld(*bodies)
 
-    def _frame(self) -> list[Body]:
+    def _frame(self) -> list[ag.Body]:
         """Make the frame in two layers: the front, and behind it the choke that keeps the waves inside.
 
         Both are only seen; boards under their surfaces weigh and collide.
@@ -206,20 +185,22 @@ class Door:
         )
         bodies = []
         for (start, end), finish, inset, bevel in layers:
-            outline = rectangle(right - left - 2.0 * inset, high - low - 2.0 * inset)
-            hole = rectangle(x1 - x0 - inset, z1 - z0 - inset).at((x0 + x1) / 2.0 - x, (z0 + z1) / 2.0 - z)
+            outline = ag.rectangle(right - left - 2.0 * inset, high - low - 2.0 * inset)
+            hole = ag.rectangle(x1 - x0 - inset, z1 - z0 - inset).at((x0 + x1) / 2.0 - x, (z0 + z1) / 2.0 - z)
             outline = outline - hole
             if self.handle == "pocket":
                 across, tall = self._pocket
-                outline = outline - rectangle(across[1] - across[0], tall[1] - tall[0]).at(self._grip_at - x)
+                outline = outline - ag.rectangle(across[1] - across[0], tall[1] - tall[0]).at(
+                    self._grip_at - x
+                )
             half, at = (end - start) / 2.0, (x, (start + end) / 2.0, z)
             frame = details.relief(outline, at, proud=half, sunk=half, bevel=bevel)
-            bodies.append(detail(frame, "door", finish))
+            bodies.append(ag.detail(frame, "door", finish))
         stuff = filled(self.finish, 670.0, "door")
-        return [*(part(each, "door", stuff) for each in self._boards()), *bodies]
+        return [*(ag.part(each, "door", stuff) for each in self._boards()), *bodies]
 
     @cached_property
-    def _pocket(self) -> tuple[Span, Span]:
+    def _pocket(self) -> tuple[ag.Span, ag.Span]:
         """The edges of the recess of a grip, along x and z [m]."""
         wide, tall = POCKET_WIDTH / 2.0, _POCKET_HEIGHT / 2.0
         return (
@@ -227,7 +208,7 @@ class Door:
             (self._level - tall, self._level + tall),
         )
 
-    def _boards(self) -> list[Solid]:
+    def _boards(self) -> list[ag.Solid]:
         """Make the boards around the window, and around and behind the recess of a grip."""
         space = self.space
         y = (space.front + _UNDER, space.inner - _UNDER)
@@ -238,44 +219,44 @@ class Door:
             return [beside, other, *rest]
         within = (self._window[0][1], x[1])
         across, tall = ((start - _LAP, end + _LAP) for start, end in self._pocket)
-        behind = board(across, (space.front + POCKET, y[1] - 2.0 * _LAP), tall)
+        behind = ag.board(across, (space.front + POCKET, y[1] - 2.0 * _LAP), tall)
         return [beside, *rest, *boards_around(within, z, self._pocket, y), behind]
 
-    def _panes(self) -> list[Body]:
+    def _panes(self) -> list[ag.Body]:
         """Make the panes of the window with the mesh between them, which is only seen."""
         (x0, x1), (z0, z1) = self._window
         front, inner = self.space.front, self.space.inner
         bite = 0.003
         x, z = (x0 - bite, x1 + bite), (z0 - bite, z1 + bite)
-        tinted = material("tinted_glass").with_(name="door_glass", opacity=0.5)
-        clear = material("glass").with_(name="inner_film", opacity=0.12, density=1900.0)  # with the mesh
-        mesh = material("perforated_steel").with_(name="window_mesh", opacity=0.72)
+        tinted = ag.material("tinted_glass").with_(name="door_glass", opacity=0.5)
+        clear = ag.material("glass").with_(name="inner_film", opacity=0.12, density=1900.0)  # with the mesh
+        mesh = ag.material("perforated_steel").with_(name="window_mesh", opacity=0.72)
         return [
-            part(board(x, (front + 0.0012, front + 0.0042), z), "window", tinted),
-            detail(board(x, (front + 0.018, front + 0.0186), z), "mesh", mesh),
-            part(board(x, (inner - 0.0044, inner - 0.0032), z), "window", clear),
+            ag.part(ag.board(x, (front + 0.0012, front + 0.0042), z), "window", tinted),
+            ag.detail(ag.board(x, (front + 0.018, front + 0.0186), z), "mesh", mesh),
+            ag.part(ag.board(x, (inner - 0.0044, inner - 0.0032), z), "window", clear),
         ]
 
-    def _seen(self) -> list[Body]:
+    def _seen(self) -> list[ag.Body]:
         """Make the glass of the front, the edge of the mesh, the choke's cover, hinges and the name."""
         space = self.space
         (left, right), (low, high) = space.door, space.tall
         (x0, x1), (z0, z1) = self._window
         middle, level = (left + right) / 2.0, (low + high) / 2.0
-        hole = rectangle(x1 - x0 - 0.004, z1 - z0 - 0.004, radius=0.005).at(
+        hole = ag.rectangle(x1 - x0 - 0.004, z1 - z0 - 0.004, radius=0.005).at(
             (x0 + x1) / 2.0 - middle, (z0 + z1) / 2.0 - level
         )
         pane = details.relief(self._pane(hole), (middle, space.front, level), proud=PANE, sunk=0.0006)
-        bodies = [detail(pane, "door", self.glass)]
+        bodies = [ag.detail(pane, "door", self.glass)]
         # an edge of dots darkens to black on real panes; here it is a rim
-        rim = rectangle(x1 - x0 + 0.002, z1 - z0 + 0.002, radius=0.006)
-        rim = rim - rectangle(x1 - x0 - 0.012, z1 - z0 - 0.012, radius=0.010)
+        rim = ag.rectangle(x1 - x0 + 0.002, z1 - z0 + 0.002, radius=0.006)
+        rim = rim - ag.rectangle(x1 - x0 - 0.012, z1 - z0 - 0.012, radius=0.010)
         at = ((x0 + x1) / 2.0, space.front + 0.0011, (z0 + z1) / 2.0)
-        black = material("black_glass").with_(name="window_rim", specular_roughness=0.25)
-        bodies.append(detail(details.relief(rim, at, proud=0.0002, sunk=0.0006), "door", black))
+        black = ag.material("black_glass").with_(name="window_rim", specular_roughness=0.25)
+        bodies.append(ag.detail(details.relief(rim, at, proud=0.0002, sunk=0.0006), "door", black))
         a, b = space.across
-        choke = rectangle(b - a + 0.030, space.ceiling - space.floor + 0.022, radius=0.010)
-        choke = choke - rectangle(x1 - x0 + 0.006, z1 - z0 + 0.006, radius=0.008).at(
+        choke = ag.rectangle(b - a + 0.030, space.ceiling - space.floor + 0.022, radius=0.010)
+        choke = choke - ag.rectangle(x1 - x0 + 0.006, z1 - z0 + 0.006, radius=0.008).at(
             -((x0 + x1) / 2.0 - (a + b) / 2.0), (z0 + z1) / 2.0 - (space.floor + space.ceiling) / 2.0
         )  # seen from behind, x runs the other way
         cover = details.relief(
@@ -285,10 +266,14 @@ class Door:
             proud=0.0008,
             sunk=0.0006,
         )
-        bodies.append(detail(cover, "door", colored("polypropylene", "slate").with_(name="choke_cover")))
+        bodies.append(
+            ag.detail(cover, "door", ag.colored("polypropylene", "slate").with_(name="choke_cover"))
+        )
         pin_x, pin_y, _ = space.hinge
-        pin = cylinder(0.0030, 0.0016).at(pin_x, pin_y, 0.0)
-        bodies.append(detail(array(pin, at=[(0.0, 0.0, z) for z in (low, high)]), "hinge", material("zinc")))
+        pin = ag.cylinder(0.0030, 0.0016).at(pin_x, pin_y, 0.0)
+        bodies.append(
+            ag.detail(ag.array(pin, at=[(0.0, 0.0, z) for z in (low, high)]), "hinge", ag.material("zinc"))
+        )
         if self.maker:
             bottom = {"framed": z0 - _EDGE, "glass": z0, "banded": low + _RAMP}[self.face]
             face, plane = (self.glass, PANE) if self.face == "glass" else (self.finish, 0.0)
@@ -296,26 +281,28 @@ class Door:
             bodies.append(details.printed(details.logo(self.maker, 0.0062), at, material=ink_on(face)))
         return bodies
 
-    def _pane(self, hole: Profile) -> Profile:
+    def _pane(self, hole: ag.Profile) -> ag.Profile:
         """Return the outline of the glass on the front about the middle of the door, without the window."""
         (left, right), (low, high) = self.space.door, self.space.tall
         wide, tall = right - left, high - low
         match self.face:
             case "framed":
                 (x0, x1), (z0, z1) = self._window
-                pane = rectangle(x1 - x0 + 2.0 * _EDGE, z1 - z0 + 2.0 * _EDGE, radius=0.012)
+                pane = ag.rectangle(x1 - x0 + 2.0 * _EDGE, z1 - z0 + 2.0 * _EDGE, radius=0.012)
                 return pane.at((x0 + x1 - left - right) / 2.0, (z0 + z1 - low - high) / 2.0) - hole
             case "glass":
-                pane = rectangle(wide - 0.003, tall - 0.003, radius=0.003)
+                pane = ag.rectangle(wide - 0.003, tall - 0.003, radius=0.003)
             case "banded":
-                pane = rectangle(wide - 0.0006, tall - 2.0 * _RAMP)
+                pane = ag.rectangle(wide - 0.0006, tall - 2.0 * _RAMP)
         pane = pane - hole
         if self._grip is not None:
-            cut = rectangle(POCKET_WIDTH + 0.0068, _POCKET_HEIGHT + 0.0068, radius=0.004)
+            cut = ag.rectangle(POCKET_WIDTH + 0.0068, _POCKET_HEIGHT + 0.0068, radius=0.004)
             pane = pane - cut.at(self._grip_at - (left + right) / 2.0)
         return pane
 
-    def hinge(self, *, swing: Scalar, pull: Scalar, needs: Dependency | None, sprung: bool = False) -> Joint:
+    def hinge(
+        self, *, swing: ag.Scalar, pull: ag.Scalar, needs: ag.Dependency | None, sprung: bool = False
+    ) -> ag.Joint:
         """Make the joint of the door.
 
         One with a handle stays where it is left: 10-25 N at the handle take the hooks out of their catches
@@ -325,7 +312,7 @@ class Door:
         arm = space.arm
         axis, pivot = (0.0, 0.0, -1.0), space.hinge
         if not sprung:
-            return Revolute(
+            return ag.Revolute(
                 "door_hinge",
                 axis=axis,
                 pivot=pivot,
@@ -339,7 +326,7 @@ class Door:
         # friction is the pull of the spring over 0.8 rad, so that it holds the door from 0.3 rad to the end
         rest, held = 1.15, 0.85
         stiffness = pull * arm / rest
-        return Revolute(
+        return ag.Revolute(
             "door_hinge",
             axis=axis,
             pivot=pivot,

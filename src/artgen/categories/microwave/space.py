@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from artgen import Float, Scalar, Span, min_
+import artgen as ag
 from artgen._arrays import cached_property
 from artgen.categories.shared.appliances.finish import ApplianceSpace
 
@@ -41,68 +41,68 @@ _PIVOT = (0.0062, 0.0170)  # of the hinge, from the left edge and the inside of 
 class Space(ApplianceSpace):
     """The measures of a microwave oven."""
 
-    panel: Float  # width of the control panel [m]
-    foot: Float  # height of the feet [m]
+    panel: ag.Float  # width of the control panel [m]
+    foot: ag.Float  # height of the feet [m]
 
     @cached_property
-    def mouth(self) -> Scalar:
+    def mouth(self) -> ag.Scalar:
         """The front of the cavity's frame, along y [m]."""
         return self.inner + SEAL
 
     @cached_property
-    def back(self) -> Scalar:
+    def back(self) -> ag.Scalar:
         """The back wall of the cavity, along y [m]."""
         return self.rear - _BEHIND
 
     @cached_property
-    def split(self) -> Scalar:
+    def split(self) -> ag.Scalar:
         """The left edge of the control panel, along x [m]."""
         return self.half - self.panel
 
     @cached_property
-    def door(self) -> Span:
+    def door(self) -> ag.Span:
         """The edges of the door, along x [m]."""
         return (EDGE - self.half, self.split - GAP)
 
     @cached_property
-    def across(self) -> Span:
+    def across(self) -> ag.Span:
         """The side walls of the cavity, along x [m]."""
         return (_SIDE - self.half, self.split - STILE)
 
     @cached_property
-    def tall(self) -> Span:
+    def tall(self) -> ag.Span:
         """The edges of door and panel, along z [m]."""
         return (self.foot + EDGE, self.height - EDGE)
 
     @cached_property
-    def floor(self) -> Scalar:
+    def floor(self) -> ag.Scalar:
         """The floor of the cavity, along z [m]."""
         return self.foot + _UNDER
 
     @cached_property
-    def ceiling(self) -> Scalar:
+    def ceiling(self) -> ag.Scalar:
         """The ceiling of the cavity, along z [m]."""
         return self.height - _OVER
 
     @cached_property
-    def middle(self) -> tuple[Scalar, Scalar]:
+    def middle(self) -> tuple[ag.Scalar, ag.Scalar]:
         """The middle of the cavity, x and y [m]."""
         left, right = self.across
         return ((left + right) / 2.0, (self.mouth + self.back) / 2.0)
 
     @cached_property
-    def reach(self) -> Float:
+    def reach(self) -> ag.Float:
         """The radius of the largest plate that turns in the cavity, 7 mm to spare [m]."""
         left, right = self.across
-        return min_(right - left, self.back - self.mouth) / 2.0 - 0.007
+        return ag.min_(right - left, self.back - self.mouth) / 2.0 - 0.007
 
     @cached_property
-    def hook(self) -> Scalar:
+    def hook(self) -> ag.Scalar:
         """The middle of the latches, along x [m]."""
         return self.across[1] + HOOK
 
     @cached_property
-    def hinge(self) -> tuple[Scalar, Scalar, Scalar]:
+    def hinge(self) -> tuple[ag.Scalar, ag.Scalar, ag.Scalar]:
         """A point on the axis of the door.
 
         So near to the edge that the corner of the door behind it turns past the frame by 1 mm [m].
@@ -111,6 +111,6 @@ class Space(ApplianceSpace):
         return (self.door[0] + aside, self.inner - ahead, self.height / 2.0)
 
     @cached_property
-    def arm(self) -> Scalar:
+    def arm(self) -> ag.Scalar:
         """From the hinge to the latches [m]."""
         return self.hook - self.hinge[0]

@@ -15,22 +15,8 @@ whose burners are 85-92 cm high. Masses: 30-45 kg built in, 45-90 kg for ranges.
 
 from typing import Literal, get_args
 
-from artgen import (
-    Body,
-    Float,
-    Material,
-    by,
-    category,
-    choice,
-    colored,
-    count,
-    details,
-    material,
-    require,
-    shades,
-    uniform,
-    weld,
-)
+import artgen as ag
+from artgen import details
 from artgen.categories.oven.body import Cabinet
 from artgen.categories.oven.door import BEHIND, Door, HandleKind, Window
 from artgen.categories.oven.drawer import Drawer
@@ -49,20 +35,24 @@ Look = Literal["stainless", "dark_steel", "white", "black", "pastel"]
 _LOOKS: tuple[Look, ...] = get_args(Look)
 _FINISH, _METAL = fronts(*_LOOKS), grip_metals(*_LOOKS)
 _ENAMELS = (
-    colored("enamel", "anthracite").with_(name="cavity_anthracite", specular_roughness=0.22),
-    colored("enamel", "slate").with_(name="cavity_slate", specular_roughness=0.22),
-    colored("enamel", "navy").with_(name="cavity_blue", specular_roughness=0.22),
+    ag.colored("enamel", "anthracite").with_(name="cavity_anthracite", specular_roughness=0.22),
+    ag.colored("enamel", "slate").with_(name="cavity_slate", specular_roughness=0.22),
+    ag.colored("enamel", "navy").with_(name="cavity_blue", specular_roughness=0.22),
 )
 _KNOBS = (  # caps of plastic under a skin of metal
     *(
-        material(name).with_(name=f"{name}_cap", density=1100.0)
+        ag.material(name).with_(name=f"{name}_cap", density=1100.0)
         for name in ("stainless", "aluminium", "chrome", "satin_brass")
     ),
-    material("black_abs"),
-    colored("abs", "light_grey"),
+    ag.material("black_abs"),
+    ag.colored("abs", "light_grey"),
 )
-_CHROME = material("chrome").with_(name="rack_chrome", density=15000.0)  # with the wires that are only seen
-_PAN = colored("enamel", "anthracite").with_(name="pan_enamel", density=2200.0)  # of 0.6 mm, drawn 2.2 thick
+_CHROME = ag.material("chrome").with_(
+    name="rack_chrome", density=15000.0
+)  # with the wires that are only seen
+_PAN = ag.colored("enamel", "anthracite").with_(
+    name="pan_enamel", density=2200.0
+)  # of 0.6 mm, drawn 2.2 thick
 _RACKS_MEET = (
     "racks would meet each other, or the heating element over them: the cavity is too low for so many, raise "
     "height, lower hinge_height or panel, or take fewer racks or pan=False"
@@ -73,7 +63,7 @@ _DRAWER_MEETS = (
 _LEVELS = {1: (2,), 2: (1, 3), 3: (1, 2, 4)}  # at which racks are, by their number
 
 
-@category(
+@ag.category(
     labels=(
         "body", "cavity", "top", "trim", "kick_plate", "foot", "rail", "seal", "light", "element",
         "fan_cover", "vent", "screw", "rating_plate", "cord", "panel", "display", "print", "dial", "door",
@@ -84,146 +74,152 @@ _LEVELS = {1: (2,), 2: (1, 3), 3: (1, 2, 4)}  # at which racks are, by their num
 )  # fmt: skip
 def oven(
     *,
-    build: Build = choice("built_in", "range", weights=(0.48, 0.52)),
-    look: Look = by(
+    build: Build = ag.choice("built_in", "range", weights=(0.48, 0.52)),
+    look: Look = ag.by(
         "build",
-        built_in=choice(*_LOOKS, weights=(2.0, 1.0, 1.2, 1.2, 0.9)),
-        range=choice(*_LOOKS, weights=(2.0, 0.7, 1.4, 0.9, 1.8)),
+        built_in=ag.choice(*_LOOKS, weights=(2.0, 1.0, 1.2, 1.2, 0.9)),
+        range=ag.choice(*_LOOKS, weights=(2.0, 0.7, 1.4, 0.9, 1.8)),
     ),
-    window: Window = by(
+    window: Window = ag.by(
         "look",
-        pastel=choice("partial", "none", weights=(0.8, 0.2)),
-        white=choice("none", "partial", "full", weights=(0.2, 0.5, 0.3)),
-        otherwise=choice("none", "partial", "full", weights=(0.08, 0.5, 0.42)),
+        pastel=ag.choice("partial", "none", weights=(0.8, 0.2)),
+        white=ag.choice("none", "partial", "full", weights=(0.2, 0.5, 0.3)),
+        otherwise=ag.choice("none", "partial", "full", weights=(0.08, 0.5, 0.42)),
         doc="in the door; full is a front of glass",
     ),
-    handle: HandleKind = by(
+    handle: HandleKind = ag.by(
         "look",
-        pastel=choice("bar", "box", weights=(0.8, 0.2)),
-        otherwise=choice("bar", "box", weights=(0.65, 0.35)),
+        pastel=ag.choice("bar", "box", weights=(0.8, 0.2)),
+        otherwise=ag.choice("bar", "box", weights=(0.65, 0.35)),
     ),
-    burner: BurnerKind = by(
+    burner: BurnerKind = ag.by(
         "build",
         built_in="gas",
-        range=choice("gas", "radiant", "induction", weights=(0.55, 0.25, 0.2)),
+        range=ag.choice("gas", "radiant", "induction", weights=(0.55, 0.25, 0.2)),
         doc="on a range",
     ),
-    burners: int = by("build", built_in=0, range=choice(4, 5, weights=(0.65, 0.35))),
-    drawer: bool = by(
+    burners: int = ag.by("build", built_in=0, range=ag.choice(4, 5, weights=(0.65, 0.35))),
+    drawer: bool = ag.by(
         "build",
         built_in=False,
-        range=choice(True, False, weights=(0.7, 0.3)),
+        range=ag.choice(True, False, weights=(0.7, 0.3)),
         doc="whether a drawer is below the oven",
     ),
-    racks: int = choice(1, 2, 3, weights=(0.25, 0.45, 0.3)),
-    pan: bool = choice(False, True, weights=(0.55, 0.45), doc="whether the second rack is a deep pan"),
-    width: Float = by(
+    racks: int = ag.choice(1, 2, 3, weights=(0.25, 0.45, 0.3)),
+    pan: bool = ag.choice(False, True, weights=(0.55, 0.45), doc="whether the second rack is a deep pan"),
+    width: ag.Float = ag.by(
         "build",
-        built_in=uniform(0.56, 0.60),
-        range=by("burners", {4: uniform(0.60, 0.70)}, otherwise=uniform(0.68, 0.76)),
+        built_in=ag.uniform(0.56, 0.60),
+        range=ag.by("burners", {4: ag.uniform(0.60, 0.70)}, otherwise=ag.uniform(0.68, 0.76)),
         unit="m",
         within=(0.55, 0.92),
     ),
-    height: Float = by(
+    height: ag.Float = ag.by(
         "build",
-        built_in=uniform(0.600, 0.640),
-        range=uniform(0.85, 0.92),
+        built_in=ag.uniform(0.600, 0.640),
+        range=ag.uniform(0.85, 0.92),
         unit="m",
         doc="without grates",
         within=(0.59, 0.95),
     ),
-    depth: Float = by(
+    depth: ag.Float = ag.by(
         "build",
-        built_in=uniform(0.560, 0.620),
-        range=uniform(0.600, 0.650),
+        built_in=ag.uniform(0.560, 0.620),
+        range=ag.uniform(0.600, 0.650),
         unit="m",
         doc="of everything, the handle included",
         within=(0.55, 0.72),
     ),
-    door_thickness: Float = uniform(0.038, 0.046, "m", within=(0.036, 0.055)),
-    hinge_height: Float = by(
+    door_thickness: ag.Float = ag.uniform(0.038, 0.046, "m", within=(0.036, 0.055)),
+    hinge_height: ag.Float = ag.by(
         "build",
-        built_in=uniform(0.076, 0.082),
-        range=uniform(0.215, 0.245),
+        built_in=ag.uniform(0.076, 0.082),
+        range=ag.uniform(0.215, 0.245),
         unit="m",
         doc="of the axis of the door",
         within=(0.074, 0.30),
     ),
-    panel: Float = uniform(0.090, 0.112, "m", doc="height of the control panel", within=(0.085, 0.13)),
-    wall: Float = uniform(0.050, 0.062, "m", doc="from the sides to the cavity", within=(0.045, 0.09)),
-    window_width: Float = uniform(0.72, 0.94, doc="of the cavity's", within=(0.4, 0.95)),
-    window_height: Float = by(
+    panel: ag.Float = ag.uniform(0.090, 0.112, "m", doc="height of the control panel", within=(0.085, 0.13)),
+    wall: ag.Float = ag.uniform(0.050, 0.062, "m", doc="from the sides to the cavity", within=(0.045, 0.09)),
+    window_width: ag.Float = ag.uniform(0.72, 0.94, doc="of the cavity's", within=(0.4, 0.95)),
+    window_height: ag.Float = ag.by(
         "window",
-        full=uniform(0.84, 1.0),
-        otherwise=uniform(0.62, 0.86),
+        full=ag.uniform(0.84, 1.0),
+        otherwise=ag.uniform(0.62, 0.86),
         doc="of the room for it",
         within=(0.4, 1.0),
     ),
-    finish: Material = _FINISH,
-    metal: Material = _METAL,
-    enamel: Material = shades(*_ENAMELS, weights=(3, 1.5, 1.5), color=0.05, doc="of the cavity"),
-    bar: BarStyle = by(
+    finish: ag.Material = _FINISH,
+    metal: ag.Material = _METAL,
+    enamel: ag.Material = ag.shades(*_ENAMELS, weights=(3, 1.5, 1.5), color=0.05, doc="of the cavity"),
+    bar: BarStyle = ag.by(
         "look",
-        pastel=choice("bow", "arched", "round"),
-        otherwise=choice("round", "square", "bow", "strap", "arched"),
+        pastel=ag.choice("bow", "arched", "round"),
+        otherwise=ag.choice("round", "square", "bow", "strap", "arched"),
     ),
-    handle_length: Float = uniform(0.70, 0.90, doc="of the width", within=(0.4, 0.95)),
-    projection: Float = uniform(0.038, 0.046, "m", doc="of the handle", within=(0.036, 0.055)),
-    convection: bool = choice(True, False, weights=(0.7, 0.3), doc="whether a fan is behind its back wall"),
-    dials: int = by(
+    handle_length: ag.Float = ag.uniform(0.70, 0.90, doc="of the width", within=(0.4, 0.95)),
+    projection: ag.Float = ag.uniform(0.038, 0.046, "m", doc="of the handle", within=(0.036, 0.055)),
+    convection: bool = ag.choice(
+        True, False, weights=(0.7, 0.3), doc="whether a fan is behind its back wall"
+    ),
+    dials: int = ag.by(
         "build",
-        built_in=choice(0, 1, 2, 3, weights=(0.25, 0.1, 0.45, 0.2)),
-        range=by(
+        built_in=ag.choice(0, 1, 2, 3, weights=(0.25, 0.1, 0.45, 0.2)),
+        range=ag.by(
             "burner",
-            gas=by("burners", {4: choice(5, 6)}, otherwise=6),
-            otherwise=by(
-                "burners", {4: choice(0, 4, 5, 6, weights=(0.25, 0.15, 0.35, 0.25))}, otherwise=choice(0, 6)
+            gas=ag.by("burners", {4: ag.choice(5, 6)}, otherwise=6),
+            otherwise=ag.by(
+                "burners",
+                {4: ag.choice(0, 4, 5, 6, weights=(0.25, 0.15, 0.35, 0.25))},
+                otherwise=ag.choice(0, 6),
             ),
         ),
         doc="those of the burners first",
     ),
-    dial_style: DialStyle = choice("round", "fluted", "bar", "skirted", "capped"),
-    dial_radius: Float = by(
+    dial_style: DialStyle = ag.choice("round", "fluted", "bar", "skirted", "capped"),
+    dial_radius: ag.Float = ag.by(
         "build",
-        built_in=uniform(0.0200, 0.0245),
-        range=uniform(0.0195, 0.0235),
+        built_in=ag.uniform(0.0200, 0.0245),
+        range=ag.uniform(0.0195, 0.0235),
         unit="m",
         within=(0.014, 0.026),
     ),
-    dial_friction: Float = uniform(0.04, 0.09, "N m", doc="of switches with detents, or of greased taps"),
-    knob: Material = shades(*_KNOBS, weights=(2, 1.5, 1, 0.4, 2, 0.6), color=0.03, roughness=0.03),
-    show: str = by(
+    dial_friction: ag.Float = ag.uniform(
+        0.04, 0.09, "N m", doc="of switches with detents, or of greased taps"
+    ),
+    knob: ag.Material = ag.shades(*_KNOBS, weights=(2, 1.5, 1, 0.4, 2, 0.6), color=0.03, roughness=0.03),
+    show: str = ag.by(
         "dials",
         {
-            0: choice("12:30", "180", "7:45", "220"),
-            6: by("build", built_in="", range=choice("", "12:30", weights=(0.7, 0.3))),
+            0: ag.choice("12:30", "180", "7:45", "220"),
+            6: ag.by("build", built_in="", range=ag.choice("", "12:30", weights=(0.7, 0.3))),
         },
-        otherwise=choice("", "12:30", "7:45", "18:05", weights=(0.3, 0.3, 0.2, 0.2)),
+        otherwise=ag.choice("", "12:30", "7:45", "18:05", weights=(0.3, 0.3, 0.2, 0.2)),
         doc="what the display shows; none where it is empty",
     ),
-    figures: Color = choice("white", "red", "amber", "cyan", "green"),
-    mirrored: bool = choice(False, True, doc="whether the large burners are on the right"),
-    brass: bool = choice(False, True, weights=(0.75, 0.25), doc="whether gas burners are of brass"),
-    swing: Float = uniform(1.54, 1.57, "rad", within=(1.53, 1.5707)),
-    pull: Float = uniform(16.0, 24.0, "N", doc="at the handle, to begin to open the door"),
-    travel: Float = uniform(0.30, 0.36, "m", doc="of the racks", within=(0.2, 0.37)),
-    rack_friction: Float = uniform(3.0, 7.0, "N"),
-    drawer_travel: Float = uniform(
+    figures: Color = ag.choice("white", "red", "amber", "cyan", "green"),
+    mirrored: bool = ag.choice(False, True, doc="whether the large burners are on the right"),
+    brass: bool = ag.choice(False, True, weights=(0.75, 0.25), doc="whether gas burners are of brass"),
+    swing: ag.Float = ag.uniform(1.54, 1.57, "rad", within=(1.53, 1.5707)),
+    pull: ag.Float = ag.uniform(16.0, 24.0, "N", doc="at the handle, to begin to open the door"),
+    travel: ag.Float = ag.uniform(0.30, 0.36, "m", doc="of the racks", within=(0.2, 0.37)),
+    rack_friction: ag.Float = ag.uniform(3.0, 7.0, "N"),
+    drawer_travel: ag.Float = ag.uniform(
         0.68, 0.80, doc="of the drawer, as a share of its depth", within=(0.3, 0.82)
     ),
-    drawer_friction: Float = uniform(6.0, 14.0, "N"),
-    watts: int = count(2100, 3600),
-    maker: str = choice(*details.BRANDS),
-    signed: Literal["door", "panel"] = choice("door", "panel", doc="where the maker's name is"),
-) -> Body:
+    drawer_friction: ag.Float = ag.uniform(6.0, 14.0, "N"),
+    watts: int = ag.count(2100, 3600),
+    maker: str = ag.choice(*details.BRANDS),
+    signed: Literal["door", "panel"] = ag.choice("door", "panel", doc="where the maker's name is"),
+) -> ag.Body:
     """Make an oven or a range, closed: door, racks, drawer, dials."""
     girth = 0.0080
-    require(not drawer or build == "range", "a drawer is below the door of a range: drawer must be False")
+    ag.require(not drawer or build == "range", "a drawer is below the door of a range: drawer must be False")
     if build == "range":
-        hinge_height = require(
+        hinge_height = ag.require(
             hinge_height, hinge_height > 0.18, "there is a drawer below the door: hinge_height over 0.18 m"
         )
-        height = require(height, height >= 0.8, "a range stands on the floor: height at least 0.8 m")
+        height = ag.require(height, height >= 0.8, "a range stands on the floor: height at least 0.8 m")
     space = Space(
         build=build,
         width=width,
@@ -237,8 +233,8 @@ def oven(
         swing=swing,
         slide=travel,
     )
-    glass = material("black_glass")
-    sides = colored("powder_coat", "anthracite") if build == "range" else material("zinc")
+    glass = ag.material("black_glass")
+    sides = ag.colored("powder_coat", "anthracite") if build == "range" else ag.material("zinc")
     cabinet = Cabinet(
         space,
         cabinet_finish(look, finish) if look in ("white", "pastel") and build == "range" else sides,
@@ -282,14 +278,14 @@ def oven(
     )
     inside, levels = Racks(space, _CHROME, _PAN, rack_friction), _LEVELS[racks]
 
-    body = weld(cabinet.body(), front.body(), inside.rails(levels), element(space))
+    body = ag.weld(cabinet.body(), front.body(), inside.rails(levels), element(space))
     body = body.require(inside.apart(levels, pan=pan), _RACKS_MEET)
     pans = Drawer(space, finish, metal, 0.24 * width, drawer_travel, drawer_friction)
     if drawer:
-        body = weld(body, pans.runners())
+        body = ag.weld(body, pans.runners())
     if build == "range":
         top = Top(space, burner, burners, mirrored, finish, brass, maker, drawer)
-        body = top.joined(weld(body, top.body()))
+        body = top.joined(ag.weld(body, top.body()))
     hinge = leaf.hinge(pull)
     body = body.attach(leaf.body(), hinge)
     for number, level in enumerate(levels):

@@ -2,23 +2,8 @@
 
 from dataclasses import dataclass
 
-from artgen import (
-    Body,
-    Material,
-    Scalar,
-    Y,
-    array,
-    board,
-    circle,
-    cylinder,
-    detail,
-    details,
-    material,
-    part,
-    rectangle,
-    ring,
-    weld,
-)
+import artgen as ag
+from artgen import details
 from artgen._arrays import cached_property
 from artgen.categories.oven.space import LAP, Space
 from artgen.categories.shared.appliances.cords import cord_stub
@@ -41,59 +26,59 @@ class Cabinet:
     """How a cabinet looks."""
 
     space: Space  # its measures
-    sides: Material  # finish of its sides
-    enamel: Material  # of the cavity
+    sides: ag.Material  # finish of its sides
+    enamel: ag.Material  # of the cavity
     wool: float  # what its walls weigh by their volume [kg/m3]
     bay: bool  # whether there is a bay for a drawer below; else a panel closes it
-    finish: Material  # of what is below the door
+    finish: ag.Material  # of what is below the door
     convection: bool  # whether a fan is behind the back wall
     maker: str  # whose name is on the rating plate
     watts: int  # on the rating plate [W]
 
-    def body(self) -> Body:
+    def body(self) -> ag.Body:
         """Make all that stands still but panel, top and rails: the link `body`."""
         below = self._lower() if self.space.build == "range" else self._trim()
-        return weld(*self._outside(), *self._walls(), *below, *self._inside(), *self._back())
+        return ag.weld(*self._outside(), *self._walls(), *below, *self._inside(), *self._back())
 
     @cached_property
-    def _low(self) -> Scalar:
+    def _low(self) -> ag.Scalar:
         """The underside of the cabinet [m]."""
         return FOOT if self.space.build == "range" else 0.0 * self.space.width
 
     @cached_property
-    def _high(self) -> Scalar:
+    def _high(self) -> ag.Scalar:
         """The upper side of what is behind the panel [m]."""
         return self.space.panel_high - 0.0008
 
     @cached_property
-    def _under(self) -> Scalar:
+    def _under(self) -> ag.Scalar:
         """The underside of the cavity's floor [m]."""
         return self.space.floor - _SLAB
 
     @cached_property
-    def _bay_top(self) -> Scalar:
+    def _bay_top(self) -> ag.Scalar:
         """The ceiling of the bay for a drawer [m]."""
         return self._under
 
-    def _outside(self) -> list[Body]:
+    def _outside(self) -> list[ag.Body]:
         """Make sides, bottom, back and deck of sheet."""
         space, side = self.space, self.space.side
         front, rear = space.mouth + 0.0006, space.rear
         low, high = self._low, self._high
         sheet = filled(self.sides, 2000.0, "sheet")
-        zinc = material("zinc")
+        zinc = ag.material("zinc")
         bodies = [
-            part(board(x, (front, rear), (low, high), bevel=0.0010), "body", sheet)
+            ag.part(ag.board(x, (front, rear), (low, high), bevel=0.0010), "body", sheet)
             for x in ((-side, _SHEET - side), (side - _SHEET, 1.0 * side))
         ]
         inner = (_SHEET - side - LAP, side - _SHEET + LAP)
-        deck = board(inner, (front, rear - 0.0012), (high - 0.0020, high - 0.0004))
-        bottom = board(inner, (front, rear - LAP), (low + 0.0004, low + 0.0024))
-        back = board(inner, (rear - 0.0030, rear - 0.0008), (low + 0.0008, high - 0.0008))
-        bodies.append(part(bottom, "body", filled(zinc, 1800.0, "sheet")))
-        return [*bodies, *(detail(each, "body", zinc) for each in (deck, back))]
+        deck = ag.board(inner, (front, rear - 0.0012), (high - 0.0020, high - 0.0004))
+        bottom = ag.board(inner, (front, rear - LAP), (low + 0.0004, low + 0.0024))
+        back = ag.board(inner, (rear - 0.0030, rear - 0.0008), (low + 0.0008, high - 0.0008))
+        bodies.append(ag.part(bottom, "body", filled(zinc, 1800.0, "sheet")))
+        return [*bodies, *(ag.detail(each, "body", zinc) for each in (deck, back))]
 
-    def _walls(self) -> list[Body]:
+    def _walls(self) -> list[ag.Body]:
         """Make floor, ceiling, sides and back of the cavity, whose fronts are the frame of its mouth."""
         space, inside = self.space, self.space.inside
         outer, edge = space.side - _SHEET + LAP, inside + _FRAME
@@ -103,71 +88,76 @@ class Cabinet:
         tall = (floor - LAP, ceiling + LAP)
         deep = (front, back + 0.014)
         boards = [
-            board((-edge, edge), deep, (self._under, floor)),
-            board((-edge, edge), deep, (ceiling, ceiling + _FRAME)),
-            board((-inside - LAP, inside + LAP), (back, deep[1] - LAP), tall),
-            *(board(x, (front, deep[1] - LAP), tall) for x in ((inside, edge - LAP), (LAP - edge, -inside))),
+            ag.board((-edge, edge), deep, (self._under, floor)),
+            ag.board((-edge, edge), deep, (ceiling, ceiling + _FRAME)),
+            ag.board((-inside - LAP, inside + LAP), (back, deep[1] - LAP), tall),
+            *(
+                ag.board(x, (front, deep[1] - LAP), tall)
+                for x in ((inside, edge - LAP), (LAP - edge, -inside))
+            ),
         ]
         # posts beside the frame, and what is over it behind the panel
-        frame = filled(material("powder_coat_black"), self.wool, "frame")
+        frame = filled(ag.material("powder_coat_black"), self.wool, "frame")
         behind = (front + 0.0008, deep[1] - 2.0 * LAP)
         # the top of a range stands on them
         top = space.panel_high + 0.0008 if space.build == "range" else self._high - 0.0012
         posts = [
-            board(x, behind, (self._under + LAP, top))
+            ag.board(x, behind, (self._under + LAP, top))
             for x in ((edge - 2.0 * LAP, outer), (-outer, 2.0 * LAP - edge))
         ]
-        posts.append(board((-edge, edge), (behind[0], behind[1] - LAP), (ceiling + _FRAME - LAP, top - LAP)))
+        posts.append(
+            ag.board((-edge, edge), (behind[0], behind[1] - LAP), (ceiling + _FRAME - LAP, top - LAP))
+        )
         return [
-            *(part(each, "cavity", stuff) for each in boards),
-            *(part(each, "body", frame) for each in posts),
+            *(ag.part(each, "cavity", stuff) for each in boards),
+            *(ag.part(each, "body", frame) for each in posts),
         ]
 
-    def _trim(self) -> list[Body]:
+    def _trim(self) -> list[ag.Body]:
         """Make what is below the door of a built-in oven: a strip with slots for the air."""
         space, half = self.space, self.space.half
         front, top = space.front + 0.006, space.under_door
-        strip = board((-half, half), (front, front + 0.016), (0.0, top), bevel=0.0020)
-        behind = board(
+        strip = ag.board((-half, half), (front, front + 0.016), (0.0, top), bevel=0.0020)
+        behind = ag.board(
             (-space.side, space.side), (front + 0.0155, space.mouth + 0.004), (0.0004, top - 0.002)
         )
         slots = details.vent_slots(0.86 * space.width, 0.012, 26, slot=0.0090)
         vent = details.relief(slots, (0.0, front, 0.5 * top), proud=0.0003, sunk=0.0003)
         return [
-            part(strip, "trim", filled(self.finish, 500.0, "trim")),
-            part(behind, "body", filled(material("powder_coat_black"), 240.0, "base")),
-            detail(vent, "vent", DARK),
+            ag.part(strip, "trim", filled(self.finish, 500.0, "trim")),
+            ag.part(behind, "body", filled(ag.material("powder_coat_black"), 240.0, "base")),
+            ag.detail(vent, "vent", DARK),
         ]
 
-    def _lower(self) -> list[Body]:
+    def _lower(self) -> list[ag.Body]:
         """Make what is below the door of a range: feet, kick plate, and a panel where there is no drawer."""
         space, half = self.space, self.space.half
         front, low = space.mouth, FOOT
-        kick = board((0.004 - half, half - 0.004), (front + 0.020, front + 0.030), (0.010, low + 0.015))
-        black = material("powder_coat_black")
+        kick = ag.board((0.004 - half, half - 0.004), (front + 0.020, front + 0.030), (0.010, low + 0.015))
+        black = ag.material("powder_coat_black")
         x, rear = half - 0.05, space.rear - 0.06
         corners = [(side * x, y) for side in (-1, 1) for y in (front + 0.07, rear)]
         bodies = [
-            part(kick, "kick_plate", filled(black, 900.0)),
-            feet(corners, radius=0.018, height=low + 0.0004, style="pad", finish=material("black_abs")),
+            ag.part(kick, "kick_plate", filled(black, 900.0)),
+            feet(corners, radius=0.018, height=low + 0.0004, style="pad", finish=ag.material("black_abs")),
         ]
         if not self.bay:
-            face = board(
+            face = ag.board(
                 (0.0015 - half, half - 0.0015),
                 (space.front, space.front + 0.016),
                 (low + LOW, space.under_door),
                 bevel=0.0022,
             )
-            behind = board(  # between the sides, into which it reaches
+            behind = ag.board(  # between the sides, into which it reaches
                 (0.0025 - half, half - 0.0025),
                 (space.front + 0.0155, front + 0.004),
                 (low + LOW + 0.002, space.under_door - 0.002),
             )
-            bodies.append(part(face, "kick_plate", filled(self.finish, 300.0, "front")))
-            bodies.append(part(behind, "body", filled(material("powder_coat_black"), 120.0, "base")))
+            bodies.append(ag.part(face, "kick_plate", filled(self.finish, 300.0, "front")))
+            bodies.append(ag.part(behind, "body", filled(ag.material("powder_coat_black"), 120.0, "base")))
         return bodies
 
-    def _inside(self) -> list[Body]:
+    def _inside(self) -> list[ag.Body]:
         """Make gasket, lamp, fan cover and embossed walls, which are only seen."""
         space = self.space
         floor, ceiling, back, inside = space.floor, space.ceiling, space.back, space.inside
@@ -175,27 +165,27 @@ class Cabinet:
         gasket = details.gasket(
             2.0 * inside + 0.022, tall + 0.022, size=0.0056, radius=0.016, section="half_round"
         ).at(0.0, space.mouth + 0.0002, level)
-        rubber = material("rubber").with_(name="glass_fibre_seal", base_color=(0.16, 0.155, 0.15))
-        bodies = [detail(gasket, "seal", rubber)]
-        field = rectangle(1.72 * inside, 0.80 * tall, radius=0.02)
+        rubber = ag.material("rubber").with_(name="glass_fibre_seal", base_color=(0.16, 0.155, 0.15))
+        bodies = [ag.detail(gasket, "seal", rubber)]
+        field = ag.rectangle(1.72 * inside, 0.80 * tall, radius=0.02)
         rib = details.relief(
             field - field.offset(-0.006), (0.0, back, level), proud=0.0024, sunk=0.0004, bevel=0.0018
         )
-        bodies.append(detail(rib, "cavity", self.enamel))
-        lens = cylinder(0.026, 0.012, axis=Y, bevel=0.003).at(
+        bodies.append(ag.detail(rib, "cavity", self.enamel))
+        lens = ag.cylinder(0.026, 0.012, axis=ag.Y, bevel=0.003).at(
             -0.62 * inside, back - 0.004, ceiling - 0.25 * tall
         )
         collar = details.relief(
-            ring(0.031, 0.024), (-0.62 * inside, back, ceiling - 0.25 * tall), proud=0.004
+            ag.ring(0.031, 0.024), (-0.62 * inside, back, ceiling - 0.25 * tall), proud=0.004
         )
         bodies += [
-            detail(lens, "light", material("bulb").with_(name="oven_lamp")),
-            detail(collar, "light", material("stainless")),
+            ag.detail(lens, "light", ag.material("bulb").with_(name="oven_lamp")),
+            ag.detail(collar, "light", ag.material("stainless")),
         ]
         if self.convection:
             radius = 0.105
-            cover = details.relief(circle(radius), (0.0, back, level), proud=0.010, bevel=0.006)
-            petals = details.perforation(circle(0.062), 0.0155, 0.0052)
+            cover = details.relief(ag.circle(radius), (0.0, back, level), proud=0.010, bevel=0.006)
+            petals = details.perforation(ag.circle(0.062), 0.0155, 0.0052)
             holes = details.relief(petals, (0.0, back - 0.010, level), proud=0.0002)
             slots = details.relief(
                 details.vent_slots(0.055, 0.026, 3, slot=0.0046, direction="horizontal"),
@@ -205,20 +195,20 @@ class Cabinet:
             )
             at = [(x * 0.155, 0.0, level + z * 0.30 * tall) for x in (-1, 1) for z in (-1, 1)]
             bodies += [
-                detail(cover, "fan_cover", self.enamel),
-                detail(holes, "fan_cover", DARK),
-                detail(array(slots, at=at), "fan_cover", DARK),
+                ag.detail(cover, "fan_cover", self.enamel),
+                ag.detail(holes, "fan_cover", DARK),
+                ag.detail(ag.array(slots, at=at), "fan_cover", DARK),
                 *screws(
                     [(x * 0.078, back - 0.010, level + z * 0.040) for x in (-1, 1) for z in (-1, 1)],
                     facing="-y",
                     radius=0.0035,
-                    finish=material("stainless"),
+                    finish=ag.material("stainless"),
                     head="pan",
                 ),
             ]
         return bodies
 
-    def _back(self) -> list[Body]:
+    def _back(self) -> list[ag.Body]:
         """Make vents, screws, rating plate and the cord."""
         space, side = self.space, self.space.side
         plane = space.rear - 0.0008
@@ -238,13 +228,13 @@ class Cabinet:
             proud=0.0002,
         )
         box_cover = details.relief(
-            rectangle(0.30, 0.30, radius=0.02),
+            ag.rectangle(0.30, 0.30, radius=0.02),
             (0.0, plane, low + 0.58 * tall),
             facing=backward,
             proud=0.008,
             bevel=0.005,
         )
-        heads: list[tuple[Scalar, Scalar, Scalar]] = [
+        heads: list[tuple[ag.Scalar, ag.Scalar, ag.Scalar]] = [
             (x, plane, z)
             for x in (0.014 - side, side - 0.014)
             for z in (low + 0.03, low + 0.5 * tall, high - 0.02)
@@ -253,12 +243,12 @@ class Cabinet:
         plate = details.rating_plate(
             0.080, 0.042, lines, at=(-0.12, plane, low + 0.22 * tall), facing=backward, double_insulated=False
         )
-        zinc = material("zinc")
+        zinc = ag.material("zinc")
         outlet = low + 0.10 * tall + 0.03
         return [
-            detail(upper, "vent", DARK),
-            detail(lower, "vent", DARK),
-            detail(box_cover, "body", zinc),
+            ag.detail(upper, "vent", DARK),
+            ag.detail(lower, "vent", DARK),
+            ag.detail(box_cover, "body", zinc),
             *screws(heads, facing="+y", radius=0.0036, finish=zinc, head="pan"),
             plate,
             cord_stub(height=outlet, reach=0.040, radius=0.0045).at(0.6 * side, plane, outlet),

@@ -2,24 +2,8 @@
 
 from dataclasses import dataclass
 
-from artgen import (
-    Body,
-    Joint,
-    Material,
-    Prismatic,
-    Scalar,
-    Solid,
-    Span,
-    Y,
-    board,
-    colored,
-    detail,
-    details,
-    material,
-    part,
-    rectangle,
-    weld,
-)
+import artgen as ag
+from artgen import details
 from artgen._arrays import cached_property
 from artgen.categories.oven.body import FOOT, LOW
 from artgen.categories.oven.space import LAP, UNDER, Space
@@ -39,19 +23,19 @@ class Drawer:
     """A drawer."""
 
     space: Space  # the measures of the range
-    finish: Material  # of its front
-    metal: Material  # of the blade of its grip
-    grip: Scalar  # length of the grip [m]
-    share: Scalar  # how far it comes out, as a share of its depth
-    friction: Scalar  # of its runners [N]
+    finish: ag.Material  # of its front
+    metal: ag.Material  # of the blade of its grip
+    grip: ag.Scalar  # length of the grip [m]
+    share: ag.Scalar  # how far it comes out, as a share of its depth
+    friction: ag.Scalar  # of its runners [N]
 
     @cached_property
-    def _tall(self) -> Span:
+    def _tall(self) -> ag.Span:
         """The lower and upper edge of the front [m]."""
         return (FOOT + LOW, self.space.under_door)
 
     @cached_property
-    def _box(self) -> tuple[Scalar, Span, Span]:
+    def _box(self) -> tuple[ag.Scalar, ag.Span, ag.Span]:
         """Half the width of the box, and where it is along y and z [m]."""
         space = self.space
         low = self._tall[0]
@@ -64,22 +48,22 @@ class Drawer:
         )
 
     @cached_property
-    def _travel(self) -> Scalar:
+    def _travel(self) -> ag.Scalar:
         """How far it comes out [m]."""
         _, (y0, y1), _ = self._box
         return self.share * (y1 - y0)
 
     @cached_property
-    def before(self) -> Scalar:
+    def before(self) -> ag.Scalar:
         """How far its front comes before the axis of the door [m]."""
         return self._travel + self.space.hinge[1] - self.space.front
 
-    def body(self) -> Body:
+    def body(self) -> ag.Body:
         """Make the drawer: the link `drawer`."""
         space, half = self.space, self.space.half - 0.0015
         low, high = self._tall
         middle = (low + high) / 2.0 + 0.010
-        lining = colored("abs", "graphite").with_(name="grip_lining")
+        lining = ag.colored("abs", "graphite").with_(name="grip_lining")
         grip: Grip = recessed_grip(
             self.grip,
             finish=self.metal,
@@ -92,8 +76,8 @@ class Drawer:
         ).at(0.0, space.front, middle)
         x, y, z = (-half, half), (space.front, space.front + _FACE), (low, high)
         # it is seen as a moulding with soft edges, over the boards around the grip
-        opening = rectangle(self.grip, _WIDE).at(0.0, middle - 0.5 * (low + high))
-        outline = rectangle(2.0 * half, high - low) - opening
+        opening = ag.rectangle(self.grip, _WIDE).at(0.0, middle - 0.5 * (low + high))
+        outline = ag.rectangle(2.0 * half, high - low) - opening
         at = (0.0, 0.5 * (y[0] + y[1]), 0.5 * (low + high))
         skin = details.relief(outline, at, proud=0.5 * _FACE, sunk=0.5 * _FACE, bevel=0.0022)
         hole = ((-0.5 * self.grip, 0.5 * self.grip), (middle - 0.5 * _WIDE, middle + 0.5 * _WIDE))
@@ -101,29 +85,29 @@ class Drawer:
         across, tall = ((start + UNDER, end - UNDER) for start, end in (x, z))
         front = boards_around(across, tall, hole, deep)
         front.append(
-            board(
+            ag.board(
                 (hole[0][0] - LAP, hole[0][1] + LAP),
                 (y[0] + _POCKET, y[1] - 2.0 * UNDER),
                 (hole[1][0] - LAP, hole[1][1] + LAP),
             )
         )
-        steel = colored("powder_coat", "graphite").with_(name="drawer_sheet", density=1900.0)
+        steel = ag.colored("powder_coat", "graphite").with_(name="drawer_sheet", density=1900.0)
         filling = filled(self.finish, 300.0, "front")
         *boards, before = self._boards()
-        return weld(
-            *(part(each, "drawer", filling) for each in front),
-            detail(skin, "drawer", self.finish),
+        return ag.weld(
+            *(ag.part(each, "drawer", filling) for each in front),
+            ag.detail(skin, "drawer", self.finish),
             grip.shell,
-            *(part(each, "drawer", steel) for each in boards),
-            detail(before, "drawer", steel),
+            *(ag.part(each, "drawer", steel) for each in boards),
+            ag.detail(before, "drawer", steel),
         )
 
-    def _boards(self) -> list[Solid]:
+    def _boards(self) -> list[ag.Solid]:
         x, (y0, y1), (z0, z1) = self._box
         less = 0.0004
-        floor = board((less - x, x - less), (y0, y1 - less), (z0, z0 + _SHEET))
+        floor = ag.board((less - x, x - less), (y0, y1 - less), (z0, z0 + _SHEET))
         sides = [
-            board(
+            ag.board(
                 (x - _SHEET, x) if way > 0 else (-x, _SHEET - x),
                 (y0, y1),
                 (z0 + less, z1),
@@ -132,32 +116,32 @@ class Drawer:
             for way in (-1, 1)
         ]
         ends = [
-            board((_SHEET - x - less, x - _SHEET + less), y, (z0 + less, z1 - less))
+            ag.board((_SHEET - x - less, x - _SHEET + less), y, (z0 + less, z1 - less))
             for y in ((y1 - _SHEET, y1 - less), (y0 + LAP, y0 + _SHEET))
         ]
         return [floor, *sides, *ends]
 
-    def runners(self) -> Body:
+    def runners(self) -> ag.Body:
         """Make the runners at both sides of the bay, to be welded to the cabinet."""
         space = self.space
         x, (_, end), (z0, z1) = self._box
         z = (z0 + 0.45 * (z1 - z0), z0 + 0.45 * (z1 - z0) + 0.030)
-        steel = material("zinc")
+        steel = ag.material("zinc")
         solids = [
-            board(
+            ag.board(
                 (x + _PLAY, space.half - 0.0025) if way > 0 else (0.0025 - space.half, -x - _PLAY),
                 (space.mouth + 0.004, end - 0.01),
                 z,
             )
             for way in (-1, 1)
         ]
-        return weld(*(detail(each, "rail", steel) for each in solids))
+        return ag.weld(*(ag.detail(each, "rail", steel) for each in solids))
 
-    def slide(self) -> Joint:
+    def slide(self) -> ag.Joint:
         """Make the joint by which it is drawn out, to the front."""
-        return Prismatic(
+        return ag.Prismatic(
             "drawer_slide",
-            axis=-Y,
+            axis=-ag.Y,
             limits=(0.0, self._travel),
             friction=self.friction,
             damping=10.0,

@@ -3,7 +3,8 @@
 from dataclasses import dataclass
 from typing import Literal
 
-from artgen import Body, Joint, Material, Scalar, board, details, material, part, weld
+import artgen as ag
+from artgen import details
 from artgen._arrays import cached_property
 from artgen.categories.oven.space import LAP, Space
 from artgen.categories.shared.appliances.finish import filled
@@ -17,7 +18,7 @@ SWEEP = 4.7
 _START = 0.45  # from the top, where off is, to the first place of a scale [rad]
 _DEEP = 0.030  # thickness of the panel [m]
 _FUNCTIONS = ("heat_both", "heat_bottom", "grill", "hot_air", "defrost", "oven_light")
-_BLACK = material("black_glass")
+_BLACK = ag.material("black_glass")
 _TOUCH = ("power", "minus", "timer", "clock", "plus", "child_lock")
 
 
@@ -26,43 +27,43 @@ class Panel:
     """What is on a panel."""
 
     space: Space  # the measures of the oven
-    finish: Material  # of its face
+    finish: ag.Material  # of its face
     pane: bool  # whether a pane of black glass lies on it
     dials: int  # how many dials there are
     burners: int  # how many of them belong to burners
     style: DialStyle  # of the dials
-    radius: Scalar  # of the dials [m]
-    knob: Material  # what dials are made of
-    metal: Material  # of their caps
-    friction: Scalar  # that holds them [N m]
+    radius: ag.Scalar  # of the dials [m]
+    knob: ag.Material  # what dials are made of
+    metal: ag.Material  # of their caps
+    friction: ag.Scalar  # that holds them [N m]
     show: str  # what the display shows; `""` for none
     color: Color  # of its figures
     maker: str  # whose name is on it; `""` for none
 
     @cached_property
-    def _level(self) -> Scalar:
+    def _level(self) -> ag.Scalar:
         """The middle of the panel, along z [m]."""
         return (self.space.panel_low + self.space.panel_high) / 2.0
 
     @cached_property
-    def _half(self) -> Scalar:
+    def _half(self) -> ag.Scalar:
         return self.space.half - (0.0015 if self.space.build == "range" else 0.0)
 
     @cached_property
-    def _screen(self) -> tuple[Scalar, Scalar]:
+    def _screen(self) -> tuple[ag.Scalar, ag.Scalar]:
         """Width and height of the display [m]."""
         high = 0.30 * self.space.panel
         return (2.9 * high, high)
 
     @cached_property
-    def _aside(self) -> Scalar:
+    def _aside(self) -> ag.Scalar:
         """Half of what the display takes with its touch keys, along x [m]."""
         if not self.show:
             return 0.0 * self.space.width
         return self._screen[0] / 2.0 + 0.012
 
     @cached_property
-    def _at(self) -> list[Scalar]:
+    def _at(self) -> list[ag.Scalar]:
         """The middles of the dials, from left to right [m]."""
         if not self.dials:
             return []
@@ -83,33 +84,33 @@ class Panel:
             row += found[::-1] if way < 0 else found
         return row
 
-    def body(self) -> Body:
+    def body(self) -> ag.Body:
         """Make the panel with its print, to be welded to the cabinet."""
         space, half = self.space, self._half
         front = space.front
-        face = board(
+        face = ag.board(
             (-half, half),
             (front, front + _DEEP),
             (space.panel_low, space.panel_high - 0.0006),
             bevel=0.0020,
         )
-        behind = board(
+        behind = ag.board(
             (0.002 - half, half - 0.002),
             (front + _DEEP - LAP, space.mouth + LAP),
             (space.panel_low + 0.001, space.panel_high - 0.001),
         )
-        return weld(
-            part(face, "panel", filled(self.finish, 260.0, "panel")),
-            part(behind, "panel", filled(material("powder_coat_black"), 150.0, "panel")),
+        return ag.weld(
+            ag.part(face, "panel", filled(self.finish, 260.0, "panel")),
+            ag.part(behind, "panel", filled(ag.material("powder_coat_black"), 150.0, "panel")),
             *(each.at(0.0, front, self._level) for each in self._printed()),
         )
 
-    def _printed(self) -> list[Body]:
+    def _printed(self) -> list[ag.Body]:
         """Make pane, display, touch keys, scales and the name on the plane y = 0, about the middle."""
         bodies = []
         high = self.space.panel
         face = _BLACK if self.pane else self.finish
-        proud: Scalar = PANE if self.pane else 0.0
+        proud: ag.Scalar = PANE if self.pane else 0.0
         if self.pane:
             bodies.append(inlay(2.0 * self._half - 0.006, high - 0.008, finish=face, radius=0.004))
         ink = ink_on(face)
@@ -127,7 +128,7 @@ class Panel:
             bodies.append(self._name(ink, proud))
         return bodies
 
-    def _display(self, high: Scalar) -> list[Body]:
+    def _display(self, high: ag.Scalar) -> list[ag.Body]:
         """Make the display over its three touch keys, on a pane of its own where the panel has none."""
         wide, tall = self._screen
         keys = places(3, 0.30 * wide)
@@ -138,7 +139,7 @@ class Panel:
             icon_row(names, keys, height=0.0085, level=-0.24 * high, ink=ink_on(_BLACK), proud=PANE),
         ]
 
-    def _scale(self, number: int, ink: Material) -> Body:
+    def _scale(self, number: int, ink: ag.Material) -> ag.Body:
         """Print the scale around a dial: fan signs of the oven's first, temperatures, or heat of a burner."""
         last = self.dials - self.burners
         sweep = SWEEP - _START
@@ -168,18 +169,18 @@ class Panel:
         if sign:
             mark = details.icon(sign, 0.0085).at(0.0, -self.radius - 0.0115)
             bodies.append(details.printed(mark, (0.0, 0.0, 0.0), material=ink))
-        return weld(*bodies)
+        return ag.weld(*bodies)
 
-    def _name(self, ink: Material, proud: Scalar) -> Body:
+    def _name(self, ink: ag.Material, proud: ag.Scalar) -> ag.Body:
         """Print the maker's name at the right end, or in the middle where there is no display."""
         word = details.logo(self.maker, 0.0058)
         tall = 0.5 * self.space.panel - 0.0105
         x = 0.0 if self.show else -self._half + 0.055
         return details.printed(word, (x, -proud, -tall), material=ink)
 
-    def joined(self, body: Body) -> Body:
+    def joined(self, body: ag.Body) -> ag.Body:
         """Join the dials to a body that has the panel."""
-        proud: Scalar = PANE if self.pane else 0.0
+        proud: ag.Scalar = PANE if self.pane else 0.0
         for number, x in enumerate(self._at):
             tail = f"_{number}" if self.dials > 1 else ""
             at = (x, self.space.front - proud, self._level)
@@ -196,5 +197,5 @@ class Panel:
             body = body.attach(knob.at(at), self._turn(f"dial_turn{tail}", at))
         return body
 
-    def _turn(self, name: str, at: tuple[Scalar, Scalar, Scalar]) -> Joint:
+    def _turn(self, name: str, at: tuple[ag.Scalar, ag.Scalar, ag.Scalar]) -> ag.Joint:
         return dial_turn(name, low=0.0, high=SWEEP, friction=self.friction, pivot=at)

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from typing import Literal
 
-from artgen import Float, Scalar, Span, atan2, sqrt
+import artgen as ag
 from artgen._arrays import cached_property
 from artgen.categories.shared.appliances.finish import ApplianceSpace
 
@@ -48,102 +48,102 @@ class Space(ApplianceSpace):
     """The measures of an oven."""
 
     build: Build  # built in or a range
-    hinge_height: Float  # of the axis of the door [m]
-    panel: Float  # height of the control panel [m]
-    wall: Float  # from the outside to the cavity at the sides [m]
-    swing: Float  # how far the door opens [rad]
-    slide: Float  # how far racks come out [m]
+    hinge_height: ag.Float  # of the axis of the door [m]
+    panel: ag.Float  # height of the control panel [m]
+    wall: ag.Float  # from the outside to the cavity at the sides [m]
+    swing: ag.Float  # how far the door opens [rad]
+    slide: ag.Float  # how far racks come out [m]
 
     @cached_property
-    def side(self) -> Scalar:
+    def side(self) -> ag.Scalar:
         """Half the width behind the front: a built-in oven goes into a niche [m]."""
         return self.half - 0.018 if self.build == "built_in" else self.half
 
     @cached_property
-    def mouth(self) -> Scalar:
+    def mouth(self) -> ag.Scalar:
         """The front of the cavity, along y [m]."""
         return self.inner + SEAL
 
     @cached_property
-    def back(self) -> Scalar:
+    def back(self) -> ag.Scalar:
         """The back wall of the cavity, along y: the fan and wool are behind it [m]."""
         return self.rear - 0.058
 
     @cached_property
-    def inside(self) -> Float:
+    def inside(self) -> ag.Float:
         """Half the width of the cavity [m]."""
         return self.half - self.wall
 
     @cached_property
-    def arm(self) -> Float:
+    def arm(self) -> ag.Float:
         """From the axis of the door back to its inside [m]."""
         return 0.74 * self.thickness
 
     @cached_property
-    def hinge(self) -> tuple[Scalar, Scalar, Scalar]:
+    def hinge(self) -> tuple[ag.Scalar, ag.Scalar, ag.Scalar]:
         """A point on the axis of the door [m]."""
         return (0.0, self.inner - self.arm, self.hinge_height)
 
     @cached_property
-    def panel_high(self) -> Scalar:
+    def panel_high(self) -> ag.Scalar:
         """The upper edge of the control panel [m]."""
         return self.height - (TOP if self.build == "range" else 0.0)
 
     @cached_property
-    def panel_low(self) -> Scalar:
+    def panel_low(self) -> ag.Scalar:
         """The lower edge of the control panel [m]."""
         return self.panel_high - self.panel
 
     @cached_property
-    def door(self) -> Span:
+    def door(self) -> ag.Span:
         """The lower and the upper edge of the door [m]."""
         return (self.hinge_height - _BELOW, self.panel_low - GAP)
 
     @cached_property
-    def under_door(self) -> Scalar:
+    def under_door(self) -> ag.Scalar:
         """The upper edge of what is below the door, past which its edge turns [m]."""
         return self.hinge_height - _UNDER
 
     @cached_property
-    def floor(self) -> Scalar:
+    def floor(self) -> ag.Scalar:
         """The floor of the cavity [m]."""
         return self.hinge_height + _FLOOR
 
     @cached_property
-    def ceiling(self) -> Scalar:
+    def ceiling(self) -> ag.Scalar:
         """The ceiling of the cavity [m]."""
         return self.door[1] - _OVER
 
-    def level(self, number: int) -> Scalar:
+    def level(self, number: int) -> ag.Scalar:
         """Return the height of the middle of the rails at a level, counted from below [m]."""
         share = (number + 0.75) / (LEVELS + 0.6)
         return self.floor + share * (self.ceiling - self.floor)
 
-    def rack(self, number: int) -> Scalar:
+    def rack(self, number: int) -> ag.Scalar:
         """Return the height of the middle of the rods of a rack at a level [m]."""
         return self.level(number) + 2.0 * ROD + _PLAY
 
     @cached_property
-    def rack_front(self) -> Scalar:
+    def rack_front(self) -> ag.Scalar:
         """The front of the racks, along y [m]."""
         return self.mouth + _REACH
 
     @cached_property
-    def rack_depth(self) -> Scalar:
+    def rack_depth(self) -> ag.Scalar:
         """Of the racks [m]."""
         return self.back - 0.012 - self.rack_front
 
     @cached_property
-    def rack_half(self) -> Scalar:
+    def rack_half(self) -> ag.Scalar:
         """Half the width of a rack, which lies on rails that stand 5 mm off the walls [m]."""
         return self.inside - 0.0065
 
     @cached_property
-    def play(self) -> Scalar:
+    def play(self) -> ag.Scalar:
         """How far a rack comes behind the closed door [m]."""
         return _REACH + SEAL - 0.0012
 
-    def angle_over(self, low: Scalar) -> Scalar:
+    def angle_over(self, low: ag.Scalar) -> ag.Scalar:
         """Return the angle at which the open door clears the way of a rack [rad].
 
         Its inside clears the farthest point that the rack comes to where it leans farther out than the
@@ -151,6 +151,6 @@ class Space(ApplianceSpace):
         """
         across = self.slide - (self.rack_front - self.hinge[1])
         up = low - self.hinge_height
-        far = sqrt(across * across + up * up)
+        far = ag.sqrt(across * across + up * up)
         share = (self.arm + _LEAST) / far
-        return atan2(across, up) + atan2(share, sqrt(1.0 - share * share))
+        return ag.atan2(across, up) + ag.atan2(share, ag.sqrt(1.0 - share * share))

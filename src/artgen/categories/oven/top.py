@@ -3,22 +3,8 @@
 from dataclasses import dataclass
 from typing import Literal
 
-from artgen import (
-    Body,
-    Material,
-    Scalar,
-    Y,
-    Z,
-    board,
-    detail,
-    details,
-    extrude,
-    material,
-    min_,
-    part,
-    rectangle,
-    weld,
-)
+import artgen as ag
+from artgen import details
 from artgen._arrays import cached_property
 from artgen.categories.oven.space import LAP, TOP, UNDER, Space
 from artgen.categories.shared.appliances.finish import DARK, filled
@@ -49,7 +35,7 @@ class TopPlan(Plan):
     """Burners that have all of a top but its border: their dials are on the panel."""
 
     @cached_property
-    def field(self) -> tuple[Scalar, Scalar, Scalar, Scalar]:
+    def field(self) -> tuple[ag.Scalar, ag.Scalar, ag.Scalar, ag.Scalar]:
         """Left, right, front and back of the field with the burners [m]."""
         x, y = self.width / 2.0 - _EDGE, self.depth / 2.0
         return (-x, x, _EDGE - y, y - _VENT)
@@ -63,18 +49,18 @@ class Top:
     kind: BurnerKind  # what heats
     burners: int  # how many burners there are
     mirrored: bool  # whether the large burners are on the right
-    finish: Material  # of a top of sheet, and of the edge of one of glass
+    finish: ag.Material  # of a top of sheet, and of the edge of one of glass
     brass: bool  # whether gas burners are of brass
     maker: str  # whose name is on glass; `""` for none
     drawer: bool  # whether a drawer is below, and no panel of sheet
 
     @cached_property
-    def _deep(self) -> tuple[Scalar, Scalar]:
+    def _deep(self) -> tuple[ag.Scalar, ag.Scalar]:
         """The front and the back of the top, along y [m]."""
         return (self.space.front - 0.004, self.space.rear - 0.0006)
 
     @cached_property
-    def _y(self) -> Scalar:
+    def _y(self) -> ag.Scalar:
         """The middle of the top, along y [m]."""
         return (self._deep[0] + self._deep[1]) / 2.0
 
@@ -83,29 +69,33 @@ class Top:
         front, back = self._deep
         return TopPlan(self.burners, 2, 0, "front", self.space.width, back - front, 0.02, 0.07, self.mirrored)
 
-    def body(self) -> Body:
+    def body(self) -> ag.Body:
         """Make the top with its burners or zones, to be welded to the cabinet."""
         space, plan = self.space, self._plan
         wide, deep = space.width, plan.depth
         thick = TOP - 0.0004
-        outline = rectangle(wide, deep, radius=0.010)
+        outline = ag.rectangle(wide, deep, radius=0.010)
         low = space.height - thick
         glass = self.kind != "gas"
         half = 0.5 * (thick - (_GLASS if glass else 0.0))
         slab = details.relief(
-            outline, (0.0, 0.0, low + half), facing=Z, up=Y, proud=half, sunk=half, bevel=0.0028
+            outline, (0.0, 0.0, low + half), facing=ag.Z, up=ag.Y, proud=half, sunk=half, bevel=0.0028
         )
-        bodies = [detail(slab, "top", self.finish), *self._tray(low)]
+        bodies = [ag.detail(slab, "top", self.finish), *self._tray(low)]
         if glass:
-            pane = extrude(rectangle(wide - 0.010, deep - 0.010, radius=0.008), _GLASS + 0.001, bevel=0.0014)
-            bodies.append(part(pane.align((0.0, 0.0, space.height), z=1), "top", material("black_glass")))
+            pane = ag.extrude(
+                ag.rectangle(wide - 0.010, deep - 0.010, radius=0.008), _GLASS + 0.001, bevel=0.0014
+            )
+            bodies.append(
+                ag.part(pane.align((0.0, 0.0, space.height), z=1), "top", ag.material("black_glass"))
+            )
             bodies += self._zones()
         else:
-            border = rectangle(wide - 0.004, deep - 0.004, radius=0.009)
-            border = border - rectangle(wide - 0.020, deep - 0.020, radius=0.007)
-            rim = details.relief(border, (0.0, 0.0, space.height), facing=Z, proud=0.0018, bevel=0.0014)
-            bodies.append(detail(rim, "top", self.finish))
-            cap = material("enamel_black").with_(name="cap_enamel", specular_roughness=0.5)
+            border = ag.rectangle(wide - 0.004, deep - 0.004, radius=0.009)
+            border = border - ag.rectangle(wide - 0.020, deep - 0.020, radius=0.007)
+            rim = details.relief(border, (0.0, 0.0, space.height), facing=ag.Z, proud=0.0018, bevel=0.0014)
+            bodies.append(ag.detail(rim, "top", self.finish))
+            cap = ag.material("enamel_black").with_(name="cap_enamel", specular_roughness=0.5)
             metal = BRASS if self.brass else ALUMINIUM
             bodies += [
                 gas_burner(each.size, spreader=metal, cap=cap).at(each.x, each.y, space.height)
@@ -113,29 +103,29 @@ class Top:
             ]
         slots = details.vent_slots(0.62 * wide, 0.014, 34, slot=0.0060)
         at = (0.0, deep / 2.0 - 0.024, space.height)
-        bodies.append(detail(details.relief(slots, at, facing=Z, proud=0.0003), "vent", DARK))
-        return weld(*bodies).at(0.0, self._y, 0.0)
+        bodies.append(ag.detail(details.relief(slots, at, facing=ag.Z, proud=0.0003), "vent", DARK))
+        return ag.weld(*bodies).at(0.0, self._y, 0.0)
 
-    def _tray(self, low: Scalar) -> list[Body]:
+    def _tray(self, low: ag.Scalar) -> list[ag.Body]:
         """Make what carries the burners, as boards just under the surface; its front edge is hollow."""
         x, y = self.space.width / 2.0 - UNDER, self._plan.depth / 2.0 - UNDER
         z = (low + UNDER, self.space.height - UNDER)
         edge = -y + _LIP
         return [
-            part(board((-x, x), (edge, y), z), "top", filled(self.finish, 560.0, "top")),
-            part(
-                board((LAP - x, x - LAP), (-y, edge + LAP), (z[0] + LAP, z[1])),
+            ag.part(ag.board((-x, x), (edge, y), z), "top", filled(self.finish, 560.0, "top")),
+            ag.part(
+                ag.board((LAP - x, x - LAP), (-y, edge + LAP), (z[0] + LAP, z[1])),
                 "top",
                 filled(self.finish, 150.0 if self.drawer else 420.0, "edge"),
             ),
         ]
 
-    def _zones(self) -> list[Body]:
+    def _zones(self) -> list[ag.Body]:
         plan, top = self._plan, self.space.height
-        ink = ink_on(material("black_glass"))
+        ink = ink_on(ag.material("black_glass"))
         zones = []
         for place in plan.places:
-            radius = min_(ZONE_RADIUS[place.size], 0.92 * place.reach)
+            radius = ag.min_(ZONE_RADIUS[place.size], 0.92 * place.reach)
             film = (
                 radiant_zone(radius, dual=place.size in ("large", "wok"))
                 if self.kind == "radiant"
@@ -146,10 +136,10 @@ class Top:
         if self.maker:
             word = details.logo(self.maker, 0.008)
             at = (0.0, -0.5 * plan.depth + 0.022, top)
-            bodies.append(details.printed(word, at, material=ink, facing=Z))
+            bodies.append(details.printed(word, at, material=ink, facing=ag.Z))
         return bodies
 
-    def joined(self, body: Body) -> Body:
+    def joined(self, body: ag.Body) -> ag.Body:
         """Join the grates of gas burners, which lift off, to a body that has the top."""
         if self.kind != "gas":
             return body
@@ -157,8 +147,8 @@ class Top:
             self._plan.columns,
             plate=self.space.height,
             style="continuous",
-            iron=material("cast_iron"),
-            feet=material("rubber"),
+            iron=ag.material("cast_iron"),
+            feet=ag.material("rubber"),
         )
         for grate, lift in made:
             body = body.attach(grate.at(0.0, self._y, 0.0), lift)

@@ -11,19 +11,8 @@ cm for the table, to 40 cm for restaurants, 50-72 mm wide; a beech mill of 18 cm
 
 from typing import Literal
 
-from artgen import (
-    Body,
-    Float,
-    Material,
-    by,
-    category,
-    choice,
-    details,
-    require,
-    shades,
-    uniform,
-    weld,
-)
+import artgen as ag
+from artgen import details
 from artgen.categories.pepper_grinder.bodies import INSET, Content, capped, clear, ring, wooden
 from artgen.categories.pepper_grinder.finish import (
     CLEAR,
@@ -49,7 +38,7 @@ _STRAIGHT = ("cylinder",)  # what a clear tube looks like
 _RINGS = {"table": 9, "kitchen": 13, "restaurant": 19}
 
 
-@category(
+@ag.category(
     labels=(
         "body",
         "mechanism",
@@ -69,7 +58,7 @@ _RINGS = {"table": 9, "kitchen": 13, "restaurant": 19}
 )
 def pepper_grinder(
     *,
-    style: BodyForm = choice(
+    style: BodyForm = ag.choice(
         "classic",
         "baluster",
         "hourglass",
@@ -81,105 +70,109 @@ def pepper_grinder(
         "cylinder",
         weights=(0.16, 0.10, 0.12, 0.08, 0.09, 0.07, 0.08, 0.07, 0.23),
     ),
-    top: Top = by(
+    top: Top = ag.by(
         "style",
-        classic=choice("bulb", "ball", "crank", weights=(0.7, 0.15, 0.15)),
-        baluster=choice("bulb", "ball", "crank", weights=(0.45, 0.3, 0.25)),
-        hourglass=choice("bulb", "disc", "ball", weights=(0.2, 0.6, 0.2)),
-        tower=choice("disc", "ball", "bulb", weights=(0.5, 0.3, 0.2)),
-        cone=choice("disc", "ball", "crank", weights=(0.45, 0.35, 0.2)),
-        barrel=choice("disc", "crank", weights=(0.35, 0.65)),
-        cylinder=choice("disc", "ball", "crank", weights=(0.6, 0.2, 0.2)),
-        otherwise=choice("bulb", "ball", weights=(0.65, 0.35)),
+        classic=ag.choice("bulb", "ball", "crank", weights=(0.7, 0.15, 0.15)),
+        baluster=ag.choice("bulb", "ball", "crank", weights=(0.45, 0.3, 0.25)),
+        hourglass=ag.choice("bulb", "disc", "ball", weights=(0.2, 0.6, 0.2)),
+        tower=ag.choice("disc", "ball", "bulb", weights=(0.5, 0.3, 0.2)),
+        cone=ag.choice("disc", "ball", "crank", weights=(0.45, 0.35, 0.2)),
+        barrel=ag.choice("disc", "crank", weights=(0.35, 0.65)),
+        cylinder=ag.choice("disc", "ball", "crank", weights=(0.6, 0.2, 0.2)),
+        otherwise=ag.choice("bulb", "ball", weights=(0.65, 0.35)),
         doc="what turns: a head, or a crank on a cap",
     ),
-    build: Build = by(
+    build: Build = ag.by(
         "style",
-        cylinder=choice("wood", "lacquer", "steel", "clear", weights=(0.12, 0.13, 0.20, 0.55)),
-        hourglass=choice("wood", "lacquer", "steel", weights=(0.36, 0.36, 0.28)),
-        cone=choice("wood", "lacquer", "steel", weights=(0.45, 0.25, 0.3)),
-        otherwise=choice("wood", "lacquer", weights=(0.56, 0.44)),
+        cylinder=ag.choice("wood", "lacquer", "steel", "clear", weights=(0.12, 0.13, 0.20, 0.55)),
+        hourglass=ag.choice("wood", "lacquer", "steel", weights=(0.36, 0.36, 0.28)),
+        cone=ag.choice("wood", "lacquer", "steel", weights=(0.45, 0.25, 0.3)),
+        otherwise=ag.choice("wood", "lacquer", weights=(0.56, 0.44)),
         doc="what the body is made of; a clear one shows what is in it",
     ),
-    size: Literal["table", "kitchen", "restaurant"] = by(
+    size: Literal["table", "kitchen", "restaurant"] = ag.by(
         "top",
         crank="table",
-        disc=choice("table", "kitchen", "restaurant", weights=(0.45, 0.43, 0.12)),
-        otherwise=choice("table", "kitchen", "restaurant", weights=(0.35, 0.45, 0.2)),
+        disc=ag.choice("table", "kitchen", "restaurant", weights=(0.45, 0.43, 0.12)),
+        otherwise=ag.choice("table", "kitchen", "restaurant", weights=(0.35, 0.45, 0.2)),
     ),
-    height: Float = by(
+    height: ag.Float = ag.by(
         "size",
-        table=uniform(0.125, 0.175),
-        kitchen=uniform(0.185, 0.26),
-        restaurant=uniform(0.29, 0.385),
+        table=ag.uniform(0.125, 0.175),
+        kitchen=ag.uniform(0.185, 0.26),
+        restaurant=ag.uniform(0.29, 0.385),
         unit="m",
         within=(0.12, 0.40),
         doc="to the top of the head, below its nut",
     ),
-    diameter: Float = by(
+    diameter: ag.Float = ag.by(
         "size",
-        table=uniform(0.050, 0.060),
-        kitchen=uniform(0.053, 0.064),
-        restaurant=uniform(0.060, 0.072),
+        table=ag.uniform(0.050, 0.060),
+        kitchen=ag.uniform(0.053, 0.064),
+        restaurant=ag.uniform(0.060, 0.072),
         unit="m",
         within=(0.05, 0.075),
     ),
-    head_height: Float = by(
+    head_height: ag.Float = ag.by(
         "top",
-        disc=uniform(0.75, 1.5),
+        disc=ag.uniform(0.75, 1.5),
         crank=1.0,
-        otherwise=uniform(0.92, 1.12),
+        otherwise=ag.uniform(0.92, 1.12),
         doc="over what its drawing has",
         within=(0.6, 1.8),
     ),
-    finish: Material = by(
+    finish: ag.Material = ag.by(
         "build",
-        wood=shades(*WOODS, weights=WOOD_WEIGHTS, color=0.12),
-        lacquer=shades(*LACQUERS, weights=LACQUER_WEIGHTS, color=0.05),
-        steel=shades(*STEELS, weights=STEEL_WEIGHTS, color=0.02),
-        clear=shades(*CLEAR, weights=(0.8, 0.2), color=0.0),
+        wood=ag.shades(*WOODS, weights=WOOD_WEIGHTS, color=0.12),
+        lacquer=ag.shades(*LACQUERS, weights=LACQUER_WEIGHTS, color=0.05),
+        steel=ag.shades(*STEELS, weights=STEEL_WEIGHTS, color=0.02),
+        clear=ag.shades(*CLEAR, weights=(0.8, 0.2), color=0.0),
     ),
-    ends: Material = by(
+    ends: ag.Material = ag.by(
         "build",
-        clear=shades(*WOODS, *STEELS, weights=(*WOOD_WEIGHTS, *STEEL_WEIGHTS), color=0.05),
-        steel=shades(*STEELS, *WOODS, weights=(*STEEL_WEIGHTS, *WOOD_WEIGHTS), color=0.04),
-        otherwise=shades(*WOODS, color=0.06),
+        clear=ag.shades(*WOODS, *STEELS, weights=(*WOOD_WEIGHTS, *STEEL_WEIGHTS), color=0.05),
+        steel=ag.shades(*STEELS, *WOODS, weights=(*STEEL_WEIGHTS, *WOOD_WEIGHTS), color=0.04),
+        otherwise=ag.shades(*WOODS, color=0.06),
         doc="of the head, foot and collar of a clear mill, of the head of a steel one, of a crank's knob",
     ),
-    metal: Material = choice(*METALS, weights=METAL_WEIGHTS, doc="of the nut, the ring and a crank"),
-    finial: Finial = choice("nut", "ball", "cap", weights=(0.4, 0.35, 0.25)),
-    ringed: bool = by("top", crank=False, otherwise=choice(True, False, weights=(0.45, 0.55))),
-    crank_reach: Float = uniform(0.052, 0.068, "m", doc="from the axis to the knob", within=(0.045, 0.09)),
-    knob_radius: Float = uniform(0.0105, 0.0130, "m", within=(0.009, 0.016)),
-    friction: Float = uniform(0.10, 0.40, "N m", doc="of peppercorns between the burrs", within=(0.02, 0.8)),
-    knob_friction: Float = uniform(0.001, 0.003, "N m", doc="of a crank's knob on its pin"),
-    content: Content = by(
-        "build",
-        clear=choice("pepper", "salt", "mixed", weights=(0.6, 0.25, 0.15)),
-        otherwise=choice("pepper", "salt", weights=(0.7, 0.3)),
+    metal: ag.Material = ag.choice(*METALS, weights=METAL_WEIGHTS, doc="of the nut, the ring and a crank"),
+    finial: Finial = ag.choice("nut", "ball", "cap", weights=(0.4, 0.35, 0.25)),
+    ringed: bool = ag.by("top", crank=False, otherwise=ag.choice(True, False, weights=(0.45, 0.55))),
+    crank_reach: ag.Float = ag.uniform(
+        0.052, 0.068, "m", doc="from the axis to the knob", within=(0.045, 0.09)
     ),
-    mark: Mark = by(
+    knob_radius: ag.Float = ag.uniform(0.0105, 0.0130, "m", within=(0.009, 0.016)),
+    friction: ag.Float = ag.uniform(
+        0.10, 0.40, "N m", doc="of peppercorns between the burrs", within=(0.02, 0.8)
+    ),
+    knob_friction: ag.Float = ag.uniform(0.001, 0.003, "N m", doc="of a crank's knob on its pin"),
+    content: Content = ag.by(
+        "build",
+        clear=ag.choice("pepper", "salt", "mixed", weights=(0.6, 0.25, 0.15)),
+        otherwise=ag.choice("pepper", "salt", weights=(0.7, 0.3)),
+    ),
+    mark: Mark = ag.by(
         "top",
-        disc=choice("none", "letter", "word", weights=(0.45, 0.35, 0.2)),
-        otherwise=by("build", wood="none", otherwise=choice("none", "word", weights=(0.7, 0.3))),
+        disc=ag.choice("none", "letter", "word", weights=(0.45, 0.35, 0.2)),
+        otherwise=ag.by("build", wood="none", otherwise=ag.choice("none", "word", weights=(0.7, 0.3))),
         doc="how it says what is in it",
     ),
-    maker: str = choice(*details.BRANDS),
-) -> Body:
+    maker: str = ag.choice(*details.BRANDS),
+) -> ag.Body:
     """Make a pepper or salt mill: a head that turns, or a crank with its knob."""
     least = 0.91 if top == "ball" else 0.0
-    head_height = require(
+    head_height = ag.require(
         head_height, head_height >= least, f"a ball is no lower: head_height at least {least:g}"
     )
-    require(
+    ag.require(
         mark != "letter" or top == "disc",
         f"a letter is printed on a flat head: mark=letter has top=disc only, not {top}",
     )
-    require(build != "clear" or style in _STRAIGHT, "a clear tube is straight: style must be cylinder")
+    ag.require(build != "clear" or style in _STRAIGHT, "a clear tube is straight: style must be cylinder")
     radius = diameter / 2.0
     crown = head_height * HEAD_HEIGHT[top] * radius
     tall = height - crown  # of the body
-    tall = require(
+    tall = ag.require(
         tall, tall > 1.2 * radius, "there is no room for a body below: raise height, or lower head_height"
     )
     if build == "clear":
@@ -187,13 +180,13 @@ def pepper_grinder(
     else:
         body = wooden(style, radius, tall, finish)
     if ringed:
-        body = weld(body, ring(end_radius(style) * radius + 0.0004, tall - 0.0032, tall - 0.0006, metal))
+        body = ag.weld(body, ring(end_radius(style) * radius + 0.0004, tall - 0.0032, tall - 0.0006, metal))
     solid = ends if build == "clear" else finish
-    body = weld(body, maker_mark(maker, style, radius, tall, solid))
+    body = ag.weld(body, maker_mark(maker, style, radius, tall, solid))
     word = "salt" if content == "salt" else "pepper"
     if mark == "word":
         around = radius - INSET if build == "clear" else radius
-        body = weld(body, word_mark(word, style, around, tall, finish))
+        body = ag.weld(body, word_mark(word, style, around, tall, finish))
 
     looks = HeadLooks(
         ends if build in ("clear", "steel") or top == "crank" else finish, metal, finial, fitting(style, top)
@@ -204,5 +197,5 @@ def pepper_grinder(
         return body.attach(turning, head_turn("crank_turn", friction))
     turning = head(top, radius, tall, crown, looks)
     if mark == "letter":
-        turning = weld(turning, letter_mark(word, radius, height, looks.finish))
+        turning = ag.weld(turning, letter_mark(word, radius, height, looks.finish))
     return body.attach(turning, head_turn("top_turn", friction))

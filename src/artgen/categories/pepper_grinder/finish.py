@@ -2,7 +2,8 @@
 
 from typing import Literal
 
-from artgen import Body, Material, Scalar, Z, colored, details, material, text
+import artgen as ag
+from artgen import details
 from artgen.categories.pepper_grinder.forms import BodyForm, body_runs
 from artgen.categories.shared.finish import known, weighing
 from artgen.categories.shared.vessels.turned import path_of
@@ -35,13 +36,15 @@ _WORD = {  # the run with the word, and at which share of the height
 }
 
 
-def ink_on(finish: Material) -> Material:
+def ink_on(finish: ag.Material) -> ag.Material:
     """Return what print on a finish is made of: burnt into light wood, light on what is dark."""
     mean = sum(finish.base_color) / 3.0
-    return colored("abs", "anthracite" if mean > _LIGHT else "silver")
+    return ag.colored("abs", "anthracite" if mean > _LIGHT else "silver")
 
 
-def maker_mark(maker: str, form: BodyForm, radius: Scalar, height: Scalar, finish: Material) -> Body:
+def maker_mark(
+    maker: str, form: BodyForm, radius: ag.Scalar, height: ag.Scalar, finish: ag.Material
+) -> ag.Body:
     """Print the maker's name around the foot."""
     run, level = _FOOT[form]
     path = path_of(body_runs(form, radius, 0.0, height)[run])
@@ -49,7 +52,9 @@ def maker_mark(maker: str, form: BodyForm, radius: Scalar, height: Scalar, finis
     return details.wrapped(mark, path, level * radius, material=ink_on(finish))
 
 
-def word_mark(word: str, form: BodyForm, radius: Scalar, height: Scalar, finish: Material) -> Body:
+def word_mark(
+    word: str, form: BodyForm, radius: ag.Scalar, height: ag.Scalar, finish: ag.Material
+) -> ag.Body:
     """Print what is in a mill around its body, or around its clear tube, of the radius of that."""
     run, share = _WORD[form]
     path = path_of(body_runs(form, radius, 0.0, height)[run])
@@ -57,17 +62,17 @@ def word_mark(word: str, form: BodyForm, radius: Scalar, height: Scalar, finish:
     return details.wrapped(mark, path, share * height, material=ink_on(finish), proud=0.0003)
 
 
-def letter_mark(word: str, radius: Scalar, top: Scalar, finish: Material) -> Body:
+def letter_mark(word: str, radius: ag.Scalar, top: ag.Scalar, finish: ag.Material) -> ag.Body:
     """Print the first letter of what is in a mill on its flat head, before the nut."""
-    letter = text(word[0].upper(), 0.24 * radius)
+    letter = ag.text(word[0].upper(), 0.24 * radius)
     at = (0.0, -0.56 * radius, top)
-    return details.printed(letter, at, material=ink_on(finish), facing=Z, up=(0.0, 1.0, 0.0))
+    return details.printed(letter, at, material=ink_on(finish), facing=ag.Z, up=(0.0, 1.0, 0.0))
 
 
-_EBONY = material("walnut").with_(name="ebonised_beech", base_color=(0.034, 0.026, 0.021), density=720.0)
-_OLIVE = material("ash_flat_sawn").with_(name="olive_wood", base_color=(0.46, 0.28, 0.11), density=920.0)
+_EBONY = ag.material("walnut").with_(name="ebonised_beech", base_color=(0.034, 0.026, 0.021), density=720.0)
+_OLIVE = ag.material("ash_flat_sawn").with_(name="olive_wood", base_color=(0.46, 0.28, 0.11), density=920.0)
 
-_CHERRY = material("maple").with_(name="cherry", base_color=(0.40, 0.17, 0.075), density=630.0)
+_CHERRY = ag.material("maple").with_(name="cherry", base_color=(0.40, 0.17, 0.075), density=630.0)
 
 WOODS = (*known("beech", "walnut", "oak", "mahogany"), _CHERRY, *known("maple"), _EBONY, _OLIVE)
 """Woods that are turned."""
@@ -89,7 +94,7 @@ _COLORS = {
     "orange": 0.5,
 }
 
-LACQUERS = weighing([colored("lacquered_mdf", color) for color in _COLORS], 690.0, "beech")
+LACQUERS = weighing([ag.colored("lacquered_mdf", color) for color in _COLORS], 690.0, "beech")
 """Lacquers on beech."""
 
 LACQUER_WEIGHTS = tuple(_COLORS.values())
@@ -105,8 +110,8 @@ STEEL_WEIGHTS = (3.0, 1.0, 0.7, 0.5, 1.0, 0.6)
 """How often."""
 
 CLEAR = (
-    material("polycarbonate").with_(name="acrylic", base_color=(0.93, 0.95, 0.95), opacity=0.22),
-    material("polycarbonate").with_(name="smoked_acrylic", base_color=(0.30, 0.30, 0.31), opacity=0.45),
+    ag.material("polycarbonate").with_(name="acrylic", base_color=(0.93, 0.95, 0.95), opacity=0.22),
+    ag.material("polycarbonate").with_(name="smoked_acrylic", base_color=(0.30, 0.30, 0.31), opacity=0.45),
 )
 """Clear plastics."""
 

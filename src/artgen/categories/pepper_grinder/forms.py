@@ -6,7 +6,7 @@ A form is a list of runs, each smooth, which meet in knees, in shares of the mil
 import math
 from typing import Literal
 
-from artgen import Scalar
+import artgen as ag
 from artgen.categories.shared.vessels.turned import Drawn, Run, drawn
 
 BodyForm = Literal[
@@ -152,12 +152,14 @@ def fitting(form: BodyForm, top: Top) -> float:
     return share if top in ("disc", "crank") else min(share, 1.06)
 
 
-def body_runs(form: BodyForm, radius: Scalar, low: Scalar, height: Scalar) -> list[Run]:
+def body_runs(form: BodyForm, radius: ag.Scalar, low: ag.Scalar, height: ag.Scalar) -> list[Run]:
     """Return the outline of a body that stands at a height."""
     return drawn(_BODIES[form], radius, low, height)
 
 
-def head_runs(top: Top, radius: Scalar, low: Scalar, height: Scalar, *, across: float = 1.0) -> list[Run]:
+def head_runs(
+    top: Top, radius: ag.Scalar, low: ag.Scalar, height: ag.Scalar, *, across: float = 1.0
+) -> list[Run]:
     """Return the outline of a head, or of the cap under a crank."""
     form = [[(across * r, share, rest) for r, share, rest in run] for run in _HEADS[top]]
     return drawn(form, radius, low, height)

@@ -12,40 +12,22 @@ Sizes are those of Knipex, Bahco and Wiha catalogues: combination 160-200 mm and
 140-200 mm and 0.10-0.20 kg, diagonal cutters 130-180 mm and 0.12-0.26 kg, slip-joint 160-250 mm.
 """
 
-from artgen import (
-    Body,
-    Float,
-    Material,
-    Prismatic,
-    Revolute,
-    X,
-    Z,
-    by,
-    category,
-    choice,
-    colored,
-    count,
-    details,
-    material,
-    max_,
-    require,
-    shades,
-    uniform,
-)
+import artgen as ag
+from artgen import details
 from artgen.categories.plier.fittings import PASSES, Grip, Key, off_middle
 from artgen.categories.plier.half import Make
 from artgen.categories.plier.halves import Forging, Style
 
-_STEEL = material("steel")
+_STEEL = ag.material("steel")
 _STEELS = (
     _STEEL.with_(name="polished_steel", base_color=(0.72, 0.71, 0.70), specular_roughness=0.16),
-    material("chrome").with_(name="chrome_vanadium", specular_roughness=0.14, density=7850.0),
-    material("satin_nickel").with_(name="nickel_plated", density=7850.0),
-    material("black_steel").with_(name="blackened_steel", specular_roughness=0.38, density=7850.0),
+    ag.material("chrome").with_(name="chrome_vanadium", specular_roughness=0.14, density=7850.0),
+    ag.material("satin_nickel").with_(name="nickel_plated", density=7850.0),
+    ag.material("black_steel").with_(name="blackened_steel", specular_roughness=0.38, density=7850.0),
     _STEEL.with_(name="forged_steel", base_color=(0.30, 0.295, 0.29), specular_roughness=0.48),
 )
 _SLEEVES = tuple(
-    colored(name, color)
+    ag.colored(name, color)
     for name, color in (
         ("rubber", "red"),
         ("rubber", "blue"),
@@ -59,59 +41,63 @@ _SLEEVES = tuple(
         ("abs", "teal"),
     )
 )
-_ACCENTS = tuple(colored("rubber", color) for color in ("red", "yellow", "orange", "light_grey", "blue"))
+_ACCENTS = tuple(ag.colored("rubber", color) for color in ("red", "yellow", "orange", "light_grey", "blue"))
 _BRIGHT = 0.10  # mean of the color of a sleeve whose soft part is dark
 
 
-@category(labels=("body", "jaw", "teeth", "edge", "pivot", "grip", "spring", "print"), joints=(1, 2))
+@ag.category(labels=("body", "jaw", "teeth", "edge", "pivot", "grip", "spring", "print"), joints=(1, 2))
 def plier(
     *,
-    style: Style = choice(
+    style: Style = ag.choice(
         "combination", "needle_nose", "cutter", "slip_joint", weights=(0.34, 0.26, 0.22, 0.18)
     ),
-    length: Float = by(
+    length: ag.Float = ag.by(
         "style",
-        combination=uniform(0.155, 0.205),
-        needle_nose=uniform(0.140, 0.210),
-        cutter=uniform(0.130, 0.180),
-        slip_joint=uniform(0.165, 0.250),
+        combination=ag.uniform(0.155, 0.205),
+        needle_nose=ag.uniform(0.140, 0.210),
+        cutter=ag.uniform(0.130, 0.180),
+        slip_joint=ag.uniform(0.165, 0.250),
         unit="m",
         within=(0.12, 0.26),
     ),
-    spread: Float = uniform(0.118, 0.140, doc="half of the width over the closed handles, over the length"),
-    handle_width: Float = uniform(0.0088, 0.0104, "m", doc="of the bare bar", within=(0.007, 0.012)),
-    handle_share: Float = uniform(0.66, 0.82, doc="thickness of the bar over that at the pivot"),
-    jagged: bool = by("style", cutter=False, otherwise=choice(True, False, weights=(0.8, 0.2))),
-    teeth_count: int = by("jagged", {True: count(6, 20), False: 6}, doc="on the flat of a jaw"),
-    steel: Material = shades(*_STEELS, weights=(2.2, 1.6, 1.0, 1.6, 0.8), color=0.04, roughness=0.05),
-    grips: Grip = choice("bare", "dipped", "two_component", weights=(0.2, 0.42, 0.38)),
-    sleeve: Material = shades(*_SLEEVES, color=0.06, roughness=0.04),
-    accent: Material = choice(*_ACCENTS, doc="of the soft part of a dark sleeve; it is dark in a bright one"),
-    sprung: bool = by(
+    spread: ag.Float = ag.uniform(
+        0.118, 0.140, doc="half of the width over the closed handles, over the length"
+    ),
+    handle_width: ag.Float = ag.uniform(0.0088, 0.0104, "m", doc="of the bare bar", within=(0.007, 0.012)),
+    handle_share: ag.Float = ag.uniform(0.66, 0.82, doc="thickness of the bar over that at the pivot"),
+    jagged: bool = ag.by("style", cutter=False, otherwise=ag.choice(True, False, weights=(0.8, 0.2))),
+    teeth_count: int = ag.by("jagged", {True: ag.count(6, 20), False: 6}, doc="on the flat of a jaw"),
+    steel: ag.Material = ag.shades(*_STEELS, weights=(2.2, 1.6, 1.0, 1.6, 0.8), color=0.04, roughness=0.05),
+    grips: Grip = ag.choice("bare", "dipped", "two_component", weights=(0.2, 0.42, 0.38)),
+    sleeve: ag.Material = ag.shades(*_SLEEVES, color=0.06, roughness=0.04),
+    accent: ag.Material = ag.choice(
+        *_ACCENTS, doc="of the soft part of a dark sleeve; it is dark in a bright one"
+    ),
+    sprung: bool = ag.by(
         "style",
         slip_joint=False,
-        needle_nose=choice(False, True, weights=(0.6, 0.4)),
-        cutter=choice(False, True),
-        combination=choice(False, True, weights=(0.85, 0.15)),
+        needle_nose=ag.choice(False, True, weights=(0.6, 0.4)),
+        cutter=ag.choice(False, True),
+        combination=ag.choice(False, True, weights=(0.85, 0.15)),
     ),
-    opening: Float = uniform(0.42, 0.50, "rad", within=(0.2, 0.52)),
-    friction: Float = uniform(
+    opening: ag.Float = ag.uniform(0.42, 0.50, "rad", within=(0.2, 0.52)),
+    friction: ag.Float = ag.uniform(
         0.06, 0.16, "N m", doc="of the joint: it opens by its weight when new and oiled"
     ),
-    preload: Float = uniform(0.22, 0.32, "N m", doc="of a spring, jaws open, handles 0.15 m long"),
-    squeeze: Float = uniform(0.45, 0.75, "N m", doc="of a spring, jaws closed, handles 0.15 m long"),
-    maker: str = choice(*details.BRANDS),
-) -> Body:
+    preload: ag.Float = ag.uniform(0.22, 0.32, "N m", doc="of a spring, jaws open, handles 0.15 m long"),
+    squeeze: ag.Float = ag.uniform(0.45, 0.75, "N m", doc="of a spring, jaws closed, handles 0.15 m long"),
+    maker: str = ag.choice(*details.BRANDS),
+) -> ag.Body:
     """Make combination, needle-nose, slip-joint or cutting pliers, closed."""
     slip = style == "slip_joint"
     key = Key.of(length)
     least = PASSES + 0.01 if slip else 0.0
-    opening = require(
+    opening = ag.require(
         opening, opening >= least, f"the bolt passes its slot when they are open: opening at least {least:g}"
     )
     # fingers come between the handles of the smallest, too
-    forging = Forging(style, length, key.way if slip else 0.0, max_(spread * length, 0.0178))
-    inlay = colored("rubber", "graphite") if sum(sleeve.base_color) / 3.0 > _BRIGHT else accent
+    forging = Forging(style, length, key.way if slip else 0.0, ag.max_(spread * length, 0.0178))
+    inlay = ag.colored("rubber", "graphite") if sum(sleeve.base_color) / 3.0 > _BRIGHT else accent
     teeth = teeth_count if jagged else 0
     thick = handle_share * forging.thick
     make = Make(
@@ -119,9 +105,9 @@ def plier(
     )
     lever = forging.rear / 0.15  # a spring is made for the force at the hand
     stiffness = lever * (squeeze - preload) / opening
-    hinge = Revolute(
+    hinge = ag.Revolute(
         "jaw_hinge",
-        axis=Z,
+        axis=ag.Z,
         limits=(0.0, opening),
         stiffness=stiffness if sprung else 0.0,
         rest=lever * squeeze / stiffness if sprung else 0.0,
@@ -130,9 +116,9 @@ def plier(
         armature=0.00002,
         effort=20.0,
     )
-    slide = Prismatic(
+    slide = ag.Prismatic(
         "pivot_slide",
-        axis=-X,
+        axis=-ag.X,
         limits=(0.0, key.way),
         friction=4.0,  # of a bolt that is drawn tight
         damping=1.0,

@@ -7,33 +7,7 @@ import math
 from functools import reduce
 from typing import Literal, NamedTuple
 
-from artgen import (
-    Body,
-    Float,
-    Frame,
-    Material,
-    Profile,
-    Scalar,
-    Solid,
-    X,
-    Y,
-    Z,
-    cylinder_between,
-    detail,
-    extrude,
-    grasp_on,
-    loft,
-    material,
-    min_,
-    part,
-    polygon,
-    polyline,
-    rectangle,
-    regular_polygon,
-    sqrt,
-    sweep,
-    union,
-)
+import artgen as ag
 from artgen.categories.plier.halves import RECESSED, Forging
 
 Grip = Literal["bare", "dipped", "two_component"]
@@ -49,7 +23,7 @@ PASSES = 0.40
 """From where on the bolt passes [rad]."""
 
 
-def jaw_face(forging: Forging, count: int, finish: Material, *, phase: int) -> Body:
+def jaw_face(forging: Forging, count: int, finish: ag.Material, *, phase: int) -> ag.Body:
     """Make the flat of a jaw, as it is seen; its teeth fit between those of the other jaw."""
     low, high = forging.head.grips
     start, end = forging.level(low), forging.level(high)
@@ -60,26 +34,26 @@ def jaw_face(forging: Forging, count: int, finish: Material, *, phase: int) -> B
         for index in range(steps + 1)
     ]
     back = RECESSED + 0.0004
-    strip = extrude(polygon([*points, (back, end), (back, start)]), 0.03, axis=Z)
-    return detail(strip & _between(forging, low, high, 0.96), "teeth", finish)
+    strip = ag.extrude(ag.polygon([*points, (back, end), (back, start)]), 0.03, axis=ag.Z)
+    return ag.detail(strip & _between(forging, low, high, 0.96), "teeth", finish)
 
 
-def _between(forging: Forging, low: float, high: float, share: float) -> Solid:
+def _between(forging: Forging, low: float, high: float, share: float) -> ag.Solid:
     """Make the room between the sides of a jaw, for what lies on its face."""
-    sections = [rectangle(0.02, share * forging.height(at)) for at in (low, high)]
-    return loft(sections, [forging.level(low), forging.level(high)], axis=Y)
+    sections = [ag.rectangle(0.02, share * forging.height(at)) for at in (low, high)]
+    return ag.loft(sections, [forging.level(low), forging.level(high)], axis=ag.Y)
 
 
-def cutting_edge(forging: Forging, finish: Material) -> Body:
+def cutting_edge(forging: Forging, finish: ag.Material) -> ag.Body:
     """Make the ground edge of a jaw that cuts, as it is seen."""
     low, high = forging.level(forging.head.cuts[0]), forging.level(forging.head.cuts[1])
     half, back = 0.2 * forging.height(forging.head.cuts[1]), RECESSED + 0.0004
-    section = polygon([(0.0001, 0.0), (back, half), (back, -half)])
-    edge = extrude(section, high - low, axis=Y).at(0.0, (low + high) / 2.0, 0.0)
-    return detail(edge, "edge", finish)
+    section = ag.polygon([(0.0001, 0.0), (back, half), (back, -half)])
+    edge = ag.extrude(section, high - low, axis=ag.Y).at(0.0, (low + high) / 2.0, 0.0)
+    return ag.detail(edge, "edge", finish)
 
 
-def pipe_lining(forging: Forging, finish: Material) -> Body:
+def pipe_lining(forging: Forging, finish: ag.Material) -> ag.Body:
     """Make the coarse teeth of the round grip for pipes, as they are seen."""
     middle, half = forging.head.pipe
     y, deep, long = forging.level(middle), forging.pipe_depth, half * forging.jaw
@@ -90,62 +64,69 @@ def pipe_lining(forging: Forging, finish: Material) -> Body:
         share = 0.97 if index % 2 else 0.80
         inner.append((share * deep * math.cos(angle), y + share * long * math.sin(angle)))
         outer.append((1.1 * deep * math.cos(angle), y + 1.04 * long * math.sin(angle)))
-    strip = extrude(polygon([*inner, *reversed(outer)]), 0.9 * forging.height(middle), axis=Z)
-    return detail(strip, "teeth", finish)
+    strip = ag.extrude(ag.polygon([*inner, *reversed(outer)]), 0.9 * forging.height(middle), axis=ag.Z)
+    return ag.detail(strip, "teeth", finish)
 
 
-def pivot_hole(radius: Scalar) -> Profile:
+def pivot_hole(radius: ag.Scalar) -> ag.Profile:
     """Make the outline of the hole for a rivet, its sides outside of the radius [m]."""
-    return regular_polygon(_SIDES, radius / math.cos(math.pi / _SIDES))
+    return ag.regular_polygon(_SIDES, radius / math.cos(math.pi / _SIDES))
 
 
-def rivet(forging: Forging, radius: Scalar, finish: Material) -> list[Body]:
+def rivet(forging: Forging, radius: ag.Scalar, finish: ag.Material) -> list[ag.Body]:
     """Make a rivet: it is fast in the lower plate, passes the upper one, and has a head above it."""
     top, bottom = forging.thick / 2.0, -forging.thick / 2.0
-    shank = cylinder_between((0.0, 0.0, bottom + 0.0004), (0.0, 0.0, top + 0.0008), radius)
-    head = cylinder_between((0.0, 0.0, top + 0.0002), (0.0, 0.0, top + 0.0012), 1.55 * radius, bevel=0.0004)
-    ground = cylinder_between(
+    shank = ag.cylinder_between((0.0, 0.0, bottom + 0.0004), (0.0, 0.0, top + 0.0008), radius)
+    head = ag.cylinder_between(
+        (0.0, 0.0, top + 0.0002), (0.0, 0.0, top + 0.0012), 1.55 * radius, bevel=0.0004
+    )
+    ground = ag.cylinder_between(
         (0.0, 0.0, top + 0.0008), (0.0, 0.0, top + 0.00125), 1.05 * radius, bevel=0.0002
     )
-    return [part(union(shank, head), "pivot", finish), detail(ground, "pivot", material("stainless"))]
+    return [
+        ag.part(ag.union(shank, head), "pivot", finish),
+        ag.detail(ground, "pivot", ag.material("stainless")),
+    ]
 
 
 class Key(NamedTuple):
     """The keyed bolt of a slip joint and the slot of two holes that it passes when it is aligned."""
 
-    radius: Scalar  # of the bolt [m]
-    flats: Scalar  # half of the distance between its flats [m]
-    hole: Scalar  # radius of both holes [m]
-    way: Scalar  # from one hole to the other [m]
+    radius: ag.Scalar  # of the bolt [m]
+    flats: ag.Scalar  # half of the distance between its flats [m]
+    hole: ag.Scalar  # radius of both holes [m]
+    way: ag.Scalar  # from one hole to the other [m]
 
     @staticmethod
-    def of(length: Scalar) -> "Key":
+    def of(length: ag.Scalar) -> "Key":
         """Size a bolt for pliers of a length [m]; the neck between the holes is 6 mm for 200 mm."""
         return Key(0.0200 * length, 0.0120 * length, 0.0200 * length + 0.00019, 0.0290 * length)
 
-    def slot(self) -> Profile:
+    def slot(self) -> ag.Profile:
         """Make the outline of the slot: the second hole is at -x."""
         # of so few sides that no collider takes two of them for one, and reaches into the hole
-        hole = regular_polygon(14, self.hole / math.cos(math.pi / 14.0))
+        hole = ag.regular_polygon(14, self.hole / math.cos(math.pi / 14.0))
         return hole | hole.at(-self.way)
 
-    def bolt(self, forging: Forging, finish: Material) -> list[Body]:
+    def bolt(self, forging: Forging, finish: ag.Material) -> list[ag.Body]:
         """Make the bolt, fast in the plate of a half, with a nut beyond the plate of the other one."""
         top, bottom = forging.thick / 2.0, -forging.thick / 2.0
         # at what angle its flats meet its round sides
-        reach = sqrt(self.radius * self.radius - self.flats * self.flats)
+        reach = ag.sqrt(self.radius * self.radius - self.flats * self.flats)
         side = [(self.radius * math.cos(at), self.radius * math.sin(at)) for at in (-0.39, -0.13, 0.13, 0.39)]
         half = [(reach, -self.flats), *side, (reach, self.flats)]
-        outline = polygon([*half, *((-x, -y) for x, y in half)]).rotate(ALIGNED)
+        outline = ag.polygon([*half, *((-x, -y) for x, y in half)]).rotate(ALIGNED)
         nut = 0.0020
-        shank = extrude(outline, forging.thick + nut, axis=Z).at(0.0, 0.0, nut / 2.0)
-        plate = extrude(regular_polygon(6, 1.75 * self.radius), nut - 0.0003, axis=Z, bevel=0.0003)
-        head = cylinder_between(
+        shank = ag.extrude(outline, forging.thick + nut, axis=ag.Z).at(0.0, 0.0, nut / 2.0)
+        plate = ag.extrude(ag.regular_polygon(6, 1.75 * self.radius), nut - 0.0003, axis=ag.Z, bevel=0.0003)
+        head = ag.cylinder_between(
             (0.0, 0.0, bottom + 0.0004), (0.0, 0.0, bottom - 0.0016), 1.7 * self.radius, bevel=0.0006
         )
         return [
-            part(union(shank, plate.at(0.0, 0.0, top + 0.0003 + (nut - 0.0003) / 2.0)), "pivot", finish),
-            part(head, "pivot", finish),
+            ag.part(
+                ag.union(shank, plate.at(0.0, 0.0, top + 0.0003 + (nut - 0.0003) / 2.0)), "pivot", finish
+            ),
+            ag.part(head, "pivot", finish),
         ]
 
 
@@ -156,7 +137,7 @@ _SWELL = {"dipped": (1.0,) * 7, "two_component": (1.12, 1.0, 1.02, 1.05, 1.04, 0
 """How a sleeve grows and shrinks on its way, from its upper end on."""
 
 
-def sleeve_thickness(style: Grip, thick: Float) -> Float:
+def sleeve_thickness(style: Grip, thick: ag.Float) -> ag.Float:
     """Return the thickness of the handles of pliers, over bars of a thickness, at most [m]."""
     return (thick + 2.0 * _FAT[style]) * max(_SWELL.get(style, (1.0,)))
 
@@ -164,13 +145,13 @@ def sleeve_thickness(style: Grip, thick: Float) -> Float:
 class _Ring(NamedTuple):
     """A section of a sleeve: where it is, and how large."""
 
-    y: Scalar
-    x: Scalar
-    wide: Scalar
-    tall: Scalar
+    y: ag.Scalar
+    x: ag.Scalar
+    wide: ag.Scalar
+    tall: ag.Scalar
 
 
-def _rings(forging: Forging, style: Grip, width: Scalar, thick: Scalar) -> list[_Ring]:
+def _rings(forging: Forging, style: Grip, width: ag.Scalar, thick: ag.Scalar) -> list[_Ring]:
     """Return the sections of a sleeve, from its upper end on."""
     fat = 2.0 * _FAT[style]
     first = 0 if style == "two_component" else 1
@@ -184,12 +165,12 @@ def _rings(forging: Forging, style: Grip, width: Scalar, thick: Scalar) -> list[
     return [upper, *rings, _below(rings[-1], 0.0036, 0.56)]
 
 
-def off_middle(forging: Forging, style: Grip, width: Scalar) -> Scalar:
+def off_middle(forging: Forging, style: Grip, width: ag.Scalar) -> ag.Scalar:
     """Return how far handles stay off the middle between them, closed, where they begin to part [m]."""
     off = [-x - width / 2.0 for _, x in forging.course[1:3]]
     if style != "bare":
         off += [-ring.x - ring.wide / 2.0 for ring in _rings(forging, style, width, width)[:3]]
-    return reduce(min_, off)
+    return reduce(ag.min_, off)
 
 
 def _below(ring: _Ring, down: float, share: float) -> _Ring:
@@ -197,47 +178,53 @@ def _below(ring: _Ring, down: float, share: float) -> _Ring:
     return _Ring(ring.y - down, ring.x + down / 12.0, share * ring.wide, share * ring.tall)
 
 
-def sleeved(forging: Forging, style: Grip, width: Scalar, thick: Scalar) -> Solid:
+def sleeved(forging: Forging, style: Grip, width: ag.Scalar, thick: ag.Scalar) -> ag.Solid:
     """Make the sleeve of a handle: dipped in PVC, or a thick one of two plastics."""
     return _along(_rings(forging, style, width, thick))
 
 
-def sleeve_end(forging: Forging, style: Grip, width: Scalar, thick: Scalar, finish: Material) -> Body:
+def sleeve_end(
+    forging: Forging, style: Grip, width: ag.Scalar, thick: ag.Scalar, finish: ag.Material
+) -> ag.Body:
     """Make the round end of a sleeve, as it is seen over the cone that collides; see `sleeved`."""
     last = _rings(forging, style, width, thick)[-2]
     steps = ((-0.0004, 0.97), (0.0002, 1.0), (0.0014, 0.94), (0.0028, 0.80), (0.0037, 0.56))
-    return detail(_along([_below(last, down, share) for down, share in steps]), "grip", finish)
+    return ag.detail(_along([_below(last, down, share) for down, share in steps]), "grip", finish)
 
 
-def grip_inlay(forging: Forging, width: Scalar, thick: Scalar, finish: Material, *, over: bool) -> Body:
+def grip_inlay(
+    forging: Forging, width: ag.Scalar, thick: ag.Scalar, finish: ag.Material, *, over: bool
+) -> ag.Body:
     """Make the soft part of a sleeve of two plastics, as it is seen from above; see `hold_on`."""
     shares = (0.30, 0.58, 0.66, 0.66, 0.60, 0.42, 0.20)
     rings = _rings(forging, "two_component", width, thick)[1:]
     soft = [_Ring(y, x, share * wide, tall) for share, (y, x, wide, tall) in zip(shares, rings, strict=False)]
-    return detail(_along(soft).at(0.0, 0.0, -_PROUD if over else _PROUD), "grip", finish)
+    return ag.detail(_along(soft).at(0.0, 0.0, -_PROUD if over else _PROUD), "grip", finish)
 
 
-def hold_on(forging: Forging, solid: Solid, thick: Scalar, *, over: bool) -> Frame:
+def hold_on(forging: Forging, solid: ag.Solid, thick: ag.Scalar, *, over: bool) -> ag.Frame:
     """Find where a hand from above takes hold of a handle, near its widest place."""
     y, x = forging.course[5]
-    return grasp_on(solid, approach=Z if over else -Z, closing=X, at=(x, y, 0.0), depth=0.8 * thick)
+    return ag.grasp_on(
+        solid, approach=ag.Z if over else -ag.Z, closing=ag.X, at=(x, y, 0.0), depth=0.8 * thick
+    )
 
 
-def _along(rings: list[_Ring]) -> Solid:
+def _along(rings: list[_Ring]) -> ag.Solid:
     sections = [
-        rectangle(ring.wide, ring.tall, radius=0.40 * min_(ring.wide, ring.tall)).at(ring.x)
+        ag.rectangle(ring.wide, ring.tall, radius=0.40 * ag.min_(ring.wide, ring.tall)).at(ring.x)
         for ring in reversed(rings)
     ]
-    return loft(sections, [ring.y for ring in reversed(rings)], axis=Y)
+    return ag.loft(sections, [ring.y for ring in reversed(rings)], axis=ag.Y)
 
 
-def leaf_spring(forging: Forging, finish: Material, *, width: Scalar) -> Body:
+def leaf_spring(forging: Forging, finish: ag.Material, *, width: ag.Scalar) -> ag.Body:
     """Make the leaf spring of a handle, as it is seen: it rests on that of the other one in the middle."""
     stations = forging.course
     foot_y, foot_x = stations[3]
     inside = foot_x + 0.42 * width
     end = -forging.clear_below - 0.55 * forging.lap
-    course = polyline(
+    course = ag.polyline(
         [
             (inside, foot_y - 0.006, 0.0),
             (inside + 0.0008, foot_y + 0.002, 0.0),
@@ -246,4 +233,4 @@ def leaf_spring(forging: Forging, finish: Material, *, width: Scalar) -> Body:
         ],
         fillet=0.006,
     )
-    return detail(sweep(rectangle(0.0009, 0.0045), course), "spring", finish)
+    return ag.detail(ag.sweep(ag.rectangle(0.0009, 0.0045), course), "spring", finish)

@@ -3,7 +3,7 @@
 import math
 from dataclasses import dataclass
 
-from artgen import Body, Float, Material, Scalar, Solid, Y, material, max_, min_, part, union, weld
+import artgen as ag
 from artgen._arrays import cached_property
 from artgen.categories.plier.fittings import (
     Grip,
@@ -32,81 +32,81 @@ class Make:
 
     forging: Forging  # the measures of their halves
     teeth: int  # teeth on the flat of a jaw; 0 for plain jaws
-    steel: Material  # of the halves
+    steel: ag.Material  # of the halves
     grip: Grip  # what is on their handles
-    sleeve: Material  # its material
-    inlay: Material  # of its soft part
-    width: Scalar  # of the bars of the handles, in the plane of the tool [m]
-    thick: Float  # of these bars [m]
+    sleeve: ag.Material  # its material
+    inlay: ag.Material  # of its soft part
+    width: ag.Scalar  # of the bars of the handles, in the plane of the tool [m]
+    thick: ag.Float  # of these bars [m]
     sprung: bool  # whether a leaf spring opens them
     key: Key | None  # the keyed bolt of slip-joint pliers; None for a rivet
 
-    def lower(self) -> Body:
+    def lower(self) -> ag.Body:
         """Make the half whose jaw is at the right, with its plate below: the link `body`."""
         pivot = [] if self.key else rivet(self.forging, _RIVET * self.forging.lap, self.steel)
-        return weld(self._half("body", over=False), *pivot)
+        return ag.weld(self._half("body", over=False), *pivot)
 
-    def upper(self) -> Body:
+    def upper(self) -> ag.Body:
         """Make the half whose jaw is at the left, with its plate on top: the link `jaw`."""
         pivot = self.key.bolt(self.forging, self.steel) if self.key else []
-        return weld(self._half("jaw", over=True), *pivot).rotate(Y, math.pi)
+        return ag.weld(self._half("jaw", over=True), *pivot).rotate(ag.Y, math.pi)
 
-    def rests(self) -> Float:
+    def rests(self) -> ag.Float:
         """Return how far the middle of the tool lies above the table [m]."""
         nut = 0.0020 if self.key else 0.0
-        return max_(sleeve_thickness(self.grip, self.thick) / 2.0, self.forging.thick / 2.0 + nut)
+        return ag.max_(sleeve_thickness(self.grip, self.thick) / 2.0, self.forging.thick / 2.0 + nut)
 
-    def middle(self) -> Float:
+    def middle(self) -> ag.Float:
         """Return the middle of the lower half, x [m]."""
         left, right = self._lower.anchor(x=-1.0).x, self._lower.anchor(x=1.0).x
         if self.grip != "bare":
-            left = min_(left, self._sleeve.anchor(x=-1.0).x)
+            left = ag.min_(left, self._sleeve.anchor(x=-1.0).x)
         return (left + right) / 2.0
 
     @cached_property
-    def _bar(self) -> Solid:
+    def _bar(self) -> ag.Solid:
         """The steel of a handle."""
         return self.forging.handle_solid(self.width, self.thick, hidden=self.grip != "bare")
 
     @cached_property
-    def _sleeve(self) -> Solid:
+    def _sleeve(self) -> ag.Solid:
         """What is on it."""
         return sleeved(self.forging, self.grip, self.width, self.thick)
 
     @cached_property
-    def _sleeve_end(self) -> Body:
+    def _sleeve_end(self) -> ag.Body:
         """Its round end, as it is seen."""
         return sleeve_end(self.forging, self.grip, self.width, self.thick, self.sleeve)
 
     @cached_property
-    def _forged(self) -> Solid:
+    def _forged(self) -> ag.Solid:
         """What is the same in both halves."""
-        return union(self.forging.jaw_solid(), *self.forging.shoulders(), self._bar)
+        return ag.union(self.forging.jaw_solid(), *self.forging.shoulders(), self._bar)
 
     @cached_property
-    def _lower(self) -> Solid:
+    def _lower(self) -> ag.Solid:
         """The steel of the lower half."""
         return self._forged | self.forging.plate(self.key.slot() if self.key else None)
 
     @cached_property
-    def _upper(self) -> Solid:
+    def _upper(self) -> ag.Solid:
         """That of the other half, before it is turned over."""
         hole = None if self.key else pivot_hole(_RIVET * self.forging.lap + _PLAY)
         return self._forged | self.forging.plate(hole)
 
-    def _half(self, label: str, *, over: bool) -> Body:
+    def _half(self, label: str, *, over: bool) -> ag.Body:
         """Make a half as it is drawn, its jaw at the right, without its pivot."""
         forging, solid = self.forging, self._upper if over else self._lower
         if self.grip == "bare":
             hold = hold_on(forging, self._bar, self.thick, over=over)
-            bodies = [part(solid, label, self.steel, grasp=hold)]
+            bodies = [ag.part(solid, label, self.steel, grasp=hold)]
         else:
             tall = sleeve_thickness(self.grip, self.thick)
             hold = hold_on(forging, self._sleeve, tall, over=over)
             name = "upper_grip" if over else "lower_grip"
             bodies = [
-                part(solid, label, self.steel),
-                part(self._sleeve, "grip", self.sleeve, name=name, grasp=hold),
+                ag.part(solid, label, self.steel),
+                ag.part(self._sleeve, "grip", self.sleeve, name=name, grasp=hold),
                 self._sleeve_end,
             ]
         if self.grip == "two_component":
@@ -118,5 +118,5 @@ class Make:
         if forging.head.cuts[1] and not forging.keen:
             bodies.append(cutting_edge(forging, self.steel))
         if self.sprung:
-            bodies.append(leaf_spring(forging, material("stainless"), width=self.width))
-        return weld(*bodies)
+            bodies.append(leaf_spring(forging, ag.material("stainless"), width=self.width))
+        return ag.weld(*bodies)

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import Literal, NamedTuple
 
-from artgen import Float, Profile, Scalar, Solid, Y, Z, circle, extrude, loft, min_, polygon, rectangle, union
+import artgen as ag
 from artgen._arrays import cached_property
 
 Style = Literal["combination", "needle_nose", "cutter", "slip_joint"]
@@ -89,9 +89,9 @@ class Forging:
     """The measures of both halves."""
 
     style: Style  # what they are for
-    length: Float  # over all [m]
-    slip: Scalar  # how far the pivot of slip-joint pliers moves; 0 for others [m]
-    spread: Float  # half of the distance between the handles at their widest, closed [m]
+    length: ag.Float  # over all [m]
+    slip: ag.Scalar  # how far the pivot of slip-joint pliers moves; 0 for others [m]
+    spread: ag.Float  # half of the distance between the handles at their widest, closed [m]
 
     @property
     def head(self) -> Head:
@@ -99,22 +99,22 @@ class Forging:
         return HEADS[self.style]
 
     @property
-    def jaw(self) -> Float:
+    def jaw(self) -> ag.Float:
         """From the pivot to the tip [m]."""
         return self.head.jaw * self.length
 
     @property
-    def lap(self) -> Float:
+    def lap(self) -> ag.Float:
         """Radius of the plates [m]."""
         return self.head.lap * self.length
 
     @property
-    def thick(self) -> Float:
+    def thick(self) -> ag.Float:
         """Thickness at the pivot [m]."""
         return self.head.thick * self.length
 
     @property
-    def rear(self) -> Float:
+    def rear(self) -> ag.Float:
         """From the pivot to the end of the handles [m]."""
         return self.length - self.jaw
 
@@ -124,7 +124,7 @@ class Forging:
         return self.style == "cutter"
 
     @property
-    def clear(self) -> Float:
+    def clear(self) -> ag.Float:
         """Radius within which the jaw's shoulder leaves room for the other plate [m]."""
         return self.lap + _OFF + 0.54 * self.slip
 
@@ -135,7 +135,7 @@ class Forging:
         return math.radians(degrees[0]), math.radians(degrees[1])
 
     @property
-    def clear_below(self) -> Float:
+    def clear_below(self) -> ag.Float:
         """Radius within which the handle's shoulder leaves room for the other plate, where it slides [m]."""
         return self.lap + _OFF + 1.0 * self.slip
 
@@ -144,20 +144,20 @@ class Forging:
         """Angle at which the shoulder of the jaw begins, past what the other half sweeps [rad]."""
         return math.radians(20.0 if self.style != "slip_joint" else 30.0)
 
-    def level(self, share: float) -> Float:
+    def level(self, share: float) -> ag.Float:
         """Return where a share of the jaw is, from its root on, y [m]."""
         start = self.clear
         return start + share * (self.jaw - start)
 
-    def half_width(self, share: float) -> Float:
+    def half_width(self, share: float) -> ag.Float:
         """Return the half width of the head at a share of the jaw [m]."""
         return self._width(share) * self.lap
 
-    def height(self, share: float) -> Float:
+    def height(self, share: float) -> ag.Float:
         """Return the thickness of a jaw at a share of its length [m]."""
         return self._thinned(self._width(share))
 
-    def _thinned(self, width: float) -> Float:
+    def _thinned(self, width: float) -> ag.Float:
         """Return the thickness of a jaw where its half width is so many radii of the lap [m]."""
         return width / self.head.outline[0][1] * self.thick
 
@@ -169,29 +169,29 @@ class Forging:
                 return low[1] + along * (high[1] - low[1])
         return rows[-1][1]
 
-    def jaw_solid(self) -> Solid:
+    def jaw_solid(self) -> ag.Solid:
         """Make the jaw in front of the lap, without what stands out of its face."""
         sections = [
             _jaw_section(width * self.lap, self._thinned(width), keen=self.keen)
             for _, width in self.head.outline
         ]
-        solid = loft(sections, [self.level(high[0]) for high in self.head.outline], axis=Y)
+        solid = ag.loft(sections, [self.level(high[0]) for high in self.head.outline], axis=ag.Y)
         middle, half = self.head.pipe
         if half == 0.0:
             return solid
         # three sides: the lining is round and has the teeth
         long, deep, y = half * self.jaw, self.pipe_depth, self.level(middle)
         out = 0.60 * long
-        left: list[tuple[Scalar, Scalar]] = [(-0.01, y + long), (-0.01, y - long), (0.0, y - long)]
-        tool = polygon([*left, (0.95 * deep, y - out), (0.95 * deep, y + out), (0.0, y + long)])
-        return solid - extrude(tool, 0.05, axis=Z)
+        left: list[tuple[ag.Scalar, ag.Scalar]] = [(-0.01, y + long), (-0.01, y - long), (0.0, y - long)]
+        tool = ag.polygon([*left, (0.95 * deep, y - out), (0.95 * deep, y + out), (0.0, y + long)])
+        return solid - ag.extrude(tool, 0.05, axis=ag.Z)
 
     @property
-    def pipe_depth(self) -> Float:
+    def pipe_depth(self) -> ag.Float:
         """How deep the round grip goes into a jaw [m]."""
         return 0.34 * self.half_width(self.head.pipe[0])
 
-    def shoulders(self) -> list[Solid]:
+    def shoulders(self) -> list[ag.Solid]:
         """Make what joins jaw and handle to the lap at full thickness, outside of the other half's plate."""
         first, last = self._root, math.radians(90.0)
         outer = self.half_width(0.0)
@@ -201,22 +201,22 @@ class Forging:
         low = jaw[0][1]
         eased = 0.20 * self.lap
         top = self.level(0.02)
-        jaw_root = polygon([*reversed(jaw), (outer, low + eased), (outer, top), (RECESSED, top)])
+        jaw_root = ag.polygon([*reversed(jaw), (outer, low + eased), (outer, top), (RECESSED, top)])
         start, end = self._tail
         handle = _arc(self.clear_below, start, end)
         bottom = -self.clear_below - 0.35 * self.lap
         left, right = self.neck
-        beside = min_(-0.99 * outer, handle[0][0] - 0.0006)
+        beside = ag.min_(-0.99 * outer, handle[0][0] - 0.0006)
         shoulder = (beside, handle[0][1] - eased)
-        handle_root = polygon([*handle, (right, bottom), (left, bottom), shoulder])
-        return [extrude(each, self.thick, axis=Z) for each in (jaw_root, handle_root)]
+        handle_root = ag.polygon([*handle, (right, bottom), (left, bottom), shoulder])
+        return [ag.extrude(each, self.thick, axis=ag.Z) for each in (jaw_root, handle_root)]
 
     @property
-    def neck(self) -> tuple[Scalar, Scalar]:
+    def neck(self) -> tuple[ag.Scalar, ag.Scalar]:
         """Where the handle begins below the lap, x from left to right [m]."""
         return -0.92 * self.lap - 0.55 * self.slip, -0.10 * self.lap - 0.55 * self.slip
 
-    def plate(self, hole: Profile | None) -> Solid:
+    def plate(self, hole: ag.Profile | None) -> ag.Solid:
         """Make the lower plate with a hole for the pivot, and its webs to the shoulders."""
         high = self.thick / 2.0 - LAP_GAP
         start, end = self._tail
@@ -224,27 +224,27 @@ class Forging:
             self._web(self.clear + 0.0012, self._root, math.radians(90.0), RECESSED),
             self._web(self.clear_below + 0.0012, start + 0.03, end - 0.03, None),
         ]
-        disc = circle(self.lap)
+        disc = ag.circle(self.lap)
         if self.style == "slip_joint":
-            outline = disc | circle(0.78 * self.lap).at(-self.slip) | webs[0] | webs[1]
-            flat = extrude(outline if hole is None else outline - hole, high, axis=Z)
+            outline = disc | ag.circle(0.78 * self.lap).at(-self.slip) | webs[0] | webs[1]
+            flat = ag.extrude(outline if hole is None else outline - hole, high, axis=ag.Z)
         else:
-            plate = extrude(disc, high, axis=Z)
-            plate = plate if hole is None else plate - extrude(hole, 2.0 * high, axis=Z)
-            flat = union(plate, *(extrude(web, high, axis=Z) for web in webs))
+            plate = ag.extrude(disc, high, axis=ag.Z)
+            plate = plate if hole is None else plate - ag.extrude(hole, 2.0 * high, axis=ag.Z)
+            flat = ag.union(plate, *(ag.extrude(web, high, axis=ag.Z) for web in webs))
         return flat.at(0.0, 0.0, -LAP_GAP - high / 2.0)
 
-    def _web(self, radius: Scalar, start: float, end: float, face: Scalar | None) -> Profile:
+    def _web(self, radius: ag.Scalar, start: float, end: float, face: ag.Scalar | None) -> ag.Profile:
         """Make a web from the disc to a shoulder between two angles; one of a jaw ends at its face."""
         points = _arc(radius, start, end)
         if face is not None:
             points[-1] = (face, radius)
         inner = 0.66 * self.lap
         corners = [(inner * math.cos(angle), inner * math.sin(angle)) for angle in (end, start)]
-        return polygon([*points, *corners])
+        return ag.polygon([*points, *corners])
 
     @cached_property
-    def course(self) -> list[tuple[Scalar, Scalar]]:
+    def course(self) -> list[tuple[ag.Scalar, ag.Scalar]]:
         """The middle line of the handle: y and x of its stations, from the lap down [m]."""
         top = -self.clear_below - 0.30 * self.lap
         left, right = self.neck
@@ -259,20 +259,20 @@ class Forging:
             for share, out in zip(shares, outs, strict=True)
         ]
 
-    def handle_solid(self, width: Scalar, thick: Scalar, *, hidden: bool) -> Solid:
+    def handle_solid(self, width: ag.Scalar, thick: ag.Scalar, *, hidden: bool) -> ag.Solid:
         """Make the handle: a bar of rounded section."""
         left, right = self.neck
         bends = [bend for index, bend in enumerate(self.course) if not (hidden and index in (5, 7))]
-        root = rectangle(right - left, self.thick, radius=0.0015)
+        root = ag.rectangle(right - left, self.thick, radius=0.0015)
         # a thin bar much wider than the neck would twist the sides between them
         flare = right - left + _FLARE * thick / self.thick - _FLARE_LESS
-        wide = [min_(width, flare), *(width for _ in bends[2:])]
-        bars = [rectangle(each, thick, radius=min_(0.0028, 0.49 * thick)) for each in wide]
+        wide = [ag.min_(width, flare), *(width for _ in bends[2:])]
+        bars = [ag.rectangle(each, thick, radius=ag.min_(0.0028, 0.49 * thick)) for each in wide]
         sections = [root.at(bends[0][1]), *(bar.at(x) for bar, (_, x) in zip(bars, bends[1:], strict=True))]
-        return loft(sections[::-1], [y for y, _ in reversed(bends)], axis=Y)
+        return ag.loft(sections[::-1], [y for y, _ in reversed(bends)], axis=ag.Y)
 
 
-def _arc(radius: Scalar, start: float, end: float) -> list[tuple[Scalar, Scalar]]:
+def _arc(radius: ag.Scalar, start: float, end: float) -> list[tuple[ag.Scalar, ag.Scalar]]:
     """Return points whose chords stay outside of a radius, counter-clockwise [m]."""
     step = (end - start) / _STEPS
     out = radius / math.cos(step / 2.0)
@@ -289,9 +289,9 @@ _BACK = [
 """The round back of a jaw, for a width of 1 and a height of 2."""
 
 
-def _jaw_section(width: Scalar, high: Scalar, *, keen: bool) -> Profile:
+def _jaw_section(width: ag.Scalar, high: ag.Scalar, *, keen: bool) -> ag.Profile:
     """Make the section of a jaw: flat or keen at its face, round on its back."""
     if keen:
         edge = [(0.12, 1.0), (0.0, 0.04), (0.0, -0.04), (0.12, -1.0)]
-        return polygon([*_BACK, *edge]).scale(width, high / 2.0).at(_CLOSED)
-    return polygon([*_BACK, (0.0, 1.0), (0.0, -1.0)]).scale(width, high / 2.0).at(RECESSED)
+        return ag.polygon([*_BACK, *edge]).scale(width, high / 2.0).at(_CLOSED)
+    return ag.polygon([*_BACK, (0.0, 1.0), (0.0, -1.0)]).scale(width, high / 2.0).at(RECESSED)

@@ -22,25 +22,8 @@ from functools import reduce
 from operator import and_
 from typing import Literal
 
-from artgen import (
-    Body,
-    Condition,
-    Float,
-    Joint,
-    Material,
-    X,
-    by,
-    category,
-    choice,
-    colored,
-    details,
-    material,
-    max_,
-    require,
-    shades,
-    uniform,
-    weld,
-)
+import artgen as ag
+from artgen import details
 from artgen.categories.refrigerator.case import COVER, Back, Case, cabinet
 from artgen.categories.refrigerator.doors import SOFT, Dress, Front, GripKind, door, mullion
 from artgen.categories.refrigerator.drawers import (
@@ -73,20 +56,20 @@ _LABELS = (
     "condenser", "cord", "rating_plate", "logo", "print",
 )  # fmt: skip
 _FINISH, _METAL = fronts(), grip_metals()
-_SEALS = {"white": colored("silicone", "light_grey"), "grey": colored("silicone", "grey")}
+_SEALS = {"white": ag.colored("silicone", "light_grey"), "grey": ag.colored("silicone", "grey")}
 _TRIMS = (
-    material("glossy_plastic_white").with_(name="trim_white"),
-    material("aluminium"),
-    material("glossy_plastic_white").with_(name="trim_smoke", base_color=(0.16, 0.17, 0.18)),
+    ag.material("glossy_plastic_white").with_(name="trim_white"),
+    ag.material("aluminium"),
+    ag.material("glossy_plastic_white").with_(name="trim_smoke", base_color=(0.16, 0.17, 0.18)),
 )
 _WIRE_SHELVES = 6  # in one refrigerator
 _MORE = 0.12  # how much further than its drawers need a door opens [rad]
 
 
-@category(labels=_LABELS, joints=(1, 7))
+@ag.category(labels=_LABELS, joints=(1, 7))
 def refrigerator(
     *,
-    layout: Layout = choice(
+    layout: Layout = ag.choice(
         "single",
         "top_freezer",
         "bottom_freezer",
@@ -94,52 +77,55 @@ def refrigerator(
         "side_by_side",
         weights=(0.22, 0.17, 0.25, 0.2, 0.16),
     ),
-    build: Literal["under_counter", "medium", "tall"] = by(
+    build: Literal["under_counter", "medium", "tall"] = ag.by(
         "layout",
-        single=choice("under_counter", "medium", "tall", weights=(0.4, 0.3, 0.3)),
-        top_freezer=choice("medium", "tall", weights=(0.35, 0.65)),
+        single=ag.choice("under_counter", "medium", "tall", weights=(0.4, 0.3, 0.3)),
+        top_freezer=ag.choice("medium", "tall", weights=(0.35, 0.65)),
         otherwise="tall",
     ),
-    hand: Literal["left", "right"] = choice("left", "right", doc="side of the hinges of one door"),
-    width: Float = by(
+    hand: Literal["left", "right"] = ag.choice("left", "right", doc="side of the hinges of one door"),
+    width: ag.Float = ag.by(
         "layout",
-        single=by("build", under_counter=uniform(0.55, 0.60), otherwise=uniform(0.58, 0.70)),
-        top_freezer=by("build", medium=uniform(0.55, 0.62), otherwise=uniform(0.58, 0.76)),
-        bottom_freezer=uniform(0.55, 0.76),
-        otherwise=uniform(0.83, 0.92),
+        single=ag.by("build", under_counter=ag.uniform(0.55, 0.60), otherwise=ag.uniform(0.58, 0.70)),
+        top_freezer=ag.by("build", medium=ag.uniform(0.55, 0.62), otherwise=ag.uniform(0.58, 0.76)),
+        bottom_freezer=ag.uniform(0.55, 0.76),
+        otherwise=ag.uniform(0.83, 0.92),
         unit="m",
         within=(0.5, 1.1),
     ),
-    depth: Float = by(
+    depth: ag.Float = ag.by(
         "layout",
-        single=uniform(0.60, 0.68),
-        top_freezer=uniform(0.61, 0.72),
-        bottom_freezer=uniform(0.61, 0.72),
-        otherwise=uniform(0.66, 0.80),
+        single=ag.uniform(0.60, 0.68),
+        top_freezer=ag.uniform(0.61, 0.72),
+        bottom_freezer=ag.uniform(0.61, 0.72),
+        otherwise=ag.uniform(0.66, 0.80),
         unit="m",
         doc="front to back, without handles",
         within=(0.56, 0.9),
     ),
-    height: Float = by(
+    height: ag.Float = ag.by(
         "layout",
-        single=by(
-            "build", under_counter=uniform(0.80, 0.90), medium=uniform(1.20, 1.50), tall=uniform(1.55, 1.83)
+        single=ag.by(
+            "build",
+            under_counter=ag.uniform(0.80, 0.90),
+            medium=ag.uniform(1.20, 1.50),
+            tall=ag.uniform(1.55, 1.83),
         ),
-        top_freezer=by("build", medium=uniform(1.25, 1.50), otherwise=uniform(1.50, 1.80)),
-        bottom_freezer=uniform(1.60, 1.83),
-        otherwise=uniform(1.70, 1.83),
+        top_freezer=ag.by("build", medium=ag.uniform(1.25, 1.50), otherwise=ag.uniform(1.50, 1.80)),
+        bottom_freezer=ag.uniform(1.60, 1.83),
+        otherwise=ag.uniform(1.70, 1.83),
         unit="m",
         within=(0.78, 2.1),
     ),
-    look: Look = by(
+    look: Look = ag.by(
         "layout",
-        single=choice(
+        single=ag.choice(
             "white", "pastel", "stainless", "black", "panel", "dark_steel", weights=(3, 3, 2, 1, 1, 0.6)
         ),
-        top_freezer=choice(
+        top_freezer=ag.choice(
             "white", "stainless", "pastel", "black", "dark_steel", weights=(3, 2.5, 1.6, 1, 0.8)
         ),
-        bottom_freezer=choice(
+        bottom_freezer=ag.choice(
             "stainless",
             "white",
             "pastel",
@@ -149,7 +135,7 @@ def refrigerator(
             "black",
             weights=(2.6, 1.6, 1.2, 1, 1, 0.9, 0.7),
         ),
-        otherwise=choice(
+        otherwise=ag.choice(
             "stainless",
             "dark_steel",
             "white",
@@ -159,132 +145,158 @@ def refrigerator(
             weights=(3, 1.4, 0.8, 0.9, 1.1, 0.9),
         ),
     ),
-    finish: Material = _FINISH,
-    metal: Material = _METAL,
-    form: Front = by(
+    finish: ag.Material = _FINISH,
+    metal: ag.Material = _METAL,
+    form: Front = ag.by(
         "look",
-        pastel=choice("bowed", "soft", weights=(0.75, 0.25)),
-        panel=choice("framed", "flat"),
-        white=choice("soft", "flat"),
+        pastel=ag.choice("bowed", "soft", weights=(0.75, 0.25)),
+        panel=ag.choice("framed", "flat"),
+        white=ag.choice("soft", "flat"),
         glass="flat",
-        otherwise=choice("flat", "soft", weights=(0.65, 0.35)),
+        otherwise=ag.choice("flat", "soft", weights=(0.65, 0.35)),
         doc="of the fronts",
     ),
-    bow: Float = uniform(0.008, 0.018, "m", doc="how far a bowed front swells", within=(0.002, 0.03)),
-    grip: GripKind = by(
+    bow: ag.Float = ag.uniform(0.008, 0.018, "m", doc="how far a bowed front swells", within=(0.002, 0.03)),
+    grip: GripKind = ag.by(
         "look",
         pastel="bar",
-        otherwise=by(
+        otherwise=ag.by(
             "layout",
-            french=choice("bar", "recessed", weights=(0.78, 0.22)),
-            side_by_side=choice("bar", "recessed", weights=(0.72, 0.28)),
-            otherwise=choice("bar", "pocket", "channel", "recessed", weights=(0.56, 0.18, 0.12, 0.14)),
+            french=ag.choice("bar", "recessed", weights=(0.78, 0.22)),
+            side_by_side=ag.choice("bar", "recessed", weights=(0.72, 0.28)),
+            otherwise=ag.choice("bar", "pocket", "channel", "recessed", weights=(0.56, 0.18, 0.12, 0.14)),
         ),
         doc="bars, or grips let into the front or its edge",
     ),
-    bar: BarStyle = by(
+    bar: BarStyle = ag.by(
         "look",
-        pastel=choice("bow", "arched", "pro"),
-        white=choice("bow", "strap", "arched", "round"),
-        panel=choice("strap", "square", "pro", "round"),
-        glass=choice("square", "strap"),
-        otherwise=choice("round", "square", "pro", "arched", "strap"),
+        pastel=ag.choice("bow", "arched", "pro"),
+        white=ag.choice("bow", "strap", "arched", "round"),
+        panel=ag.choice("strap", "square", "pro", "round"),
+        glass=ag.choice("square", "strap"),
+        otherwise=ag.choice("round", "square", "pro", "arched", "strap"),
     ),
-    girth: Float = uniform(0.0075, 0.0105, "m", doc="half of the thickness of a bar", within=(0.006, 0.014)),
-    grip_length: Float = uniform(0.30, 0.60, doc="of handles, as a share of the front", within=(0.2, 0.75)),
-    door_thickness: Float = by(
-        "water", {True: uniform(0.070, 0.078), False: uniform(0.056, 0.070)}, unit="m", within=(0.054, 0.09)
+    girth: ag.Float = ag.uniform(
+        0.0075, 0.0105, "m", doc="half of the thickness of a bar", within=(0.006, 0.014)
     ),
-    wall: Float = uniform(0.046, 0.056, "m", doc="thickness of the sides", within=(0.044, 0.08)),
-    gap: Float = uniform(0.0034, 0.0042, "m", doc="between two fronts", within=(0.0032, 0.006)),
-    kick_height: Float = uniform(0.055, 0.095, "m", doc="under the lowest front", within=(0.05, 0.14)),
-    freezer_share: Float = by(
+    grip_length: ag.Float = ag.uniform(
+        0.30, 0.60, doc="of handles, as a share of the front", within=(0.2, 0.75)
+    ),
+    door_thickness: ag.Float = ag.by(
+        "water",
+        {True: ag.uniform(0.070, 0.078), False: ag.uniform(0.056, 0.070)},
+        unit="m",
+        within=(0.054, 0.09),
+    ),
+    wall: ag.Float = ag.uniform(0.046, 0.056, "m", doc="thickness of the sides", within=(0.044, 0.08)),
+    gap: ag.Float = ag.uniform(0.0034, 0.0042, "m", doc="between two fronts", within=(0.0032, 0.006)),
+    kick_height: ag.Float = ag.uniform(0.055, 0.095, "m", doc="under the lowest front", within=(0.05, 0.14)),
+    freezer_share: ag.Float = ag.by(
         "layout",
-        top_freezer=uniform(0.25, 0.33),
-        bottom_freezer=uniform(0.31, 0.40),
-        french=uniform(0.32, 0.42),
-        side_by_side=uniform(0.40, 0.46),
+        top_freezer=ag.uniform(0.25, 0.33),
+        bottom_freezer=ag.uniform(0.31, 0.40),
+        french=ag.uniform(0.32, 0.42),
+        side_by_side=ag.uniform(0.40, 0.46),
         otherwise=0.3,
         doc="of the height, or of the width",
         within=(0.2, 0.55),
     ),
-    outer_drawers: int = by(
-        "layout", bottom_freezer=choice(0, 1, 2, weights=(0.5, 0.3, 0.2)), french=choice(1, 2), otherwise=0
-    ),
-    crispers: int = by(
+    outer_drawers: int = ag.by(
         "layout",
-        single=by("build", under_counter=choice(0, 1), otherwise=choice(0, 1, 2)),
-        bottom_freezer=by("outer_drawers", {0: choice(0, 1)}, otherwise=choice(1, 2)),
-        french=choice(2, 3),
-        otherwise=choice(1, 2),
+        bottom_freezer=ag.choice(0, 1, 2, weights=(0.5, 0.3, 0.2)),
+        french=ag.choice(1, 2),
+        otherwise=0,
+    ),
+    crispers: int = ag.by(
+        "layout",
+        single=ag.by("build", under_counter=ag.choice(0, 1), otherwise=ag.choice(0, 1, 2)),
+        bottom_freezer=ag.by("outer_drawers", {0: ag.choice(0, 1)}, otherwise=ag.choice(1, 2)),
+        french=ag.choice(2, 3),
+        otherwise=ag.choice(1, 2),
         doc="drawers behind the door of the refrigerator",
     ),
-    freezer_drawers: int = by(
+    freezer_drawers: int = ag.by(
         "layout",
-        bottom_freezer=by("outer_drawers", {0: by("crispers", {0: choice(2, 3)}, otherwise=2)}, otherwise=0),
-        side_by_side=choice(0, 1),
+        bottom_freezer=ag.by(
+            "outer_drawers", {0: ag.by("crispers", {0: ag.choice(2, 3)}, otherwise=2)}, otherwise=0
+        ),
+        side_by_side=ag.choice(0, 1),
         otherwise=0,
         doc="behind the door of the freezer",
     ),
-    crisper_height: Float = uniform(0.165, 0.215, "m", within=(0.155, 0.26)),
-    ice_box: bool = by("layout", single=choice(False, True, weights=(0.55, 0.45)), otherwise=False),
-    shelves: int = by(
+    crisper_height: ag.Float = ag.uniform(0.165, 0.215, "m", within=(0.155, 0.26)),
+    ice_box: bool = ag.by("layout", single=ag.choice(False, True, weights=(0.55, 0.45)), otherwise=False),
+    shelves: int = ag.by(
         "build",
-        under_counter=by("ice_box", {True: 1, False: choice(1, 2)}),
-        medium=choice(2, 3),
-        tall=by("layout", single=choice(3, 4, 5), side_by_side=choice(3, 4), otherwise=choice(2, 3)),
+        under_counter=ag.by("ice_box", {True: 1, False: ag.choice(1, 2)}),
+        medium=ag.choice(2, 3),
+        tall=ag.by(
+            "layout", single=ag.choice(3, 4, 5), side_by_side=ag.choice(3, 4), otherwise=ag.choice(2, 3)
+        ),
     ),
-    shelf_kind: ShelfKind = by(
+    shelf_kind: ShelfKind = ag.by(
         "layout",
         side_by_side="glass",
         french="glass",
-        otherwise=choice("glass", "wire", weights=(0.65, 0.35)),
+        otherwise=ag.choice("glass", "wire", weights=(0.65, 0.35)),
     ),
-    freezer_shelves: int = by("layout", top_freezer=choice(0, 1), side_by_side=choice(3, 4), otherwise=0),
-    bins: int = by(
-        "build", under_counter=choice(1, 2), medium=choice(2, 3), tall=choice(2, 3, 4), doc="on each door"
+    freezer_shelves: int = ag.by(
+        "layout", top_freezer=ag.choice(0, 1), side_by_side=ag.choice(3, 4), otherwise=0
     ),
-    bin_depth: Float = uniform(0.078, 0.105, "m", within=(0.05, 0.12)),
-    egg_tray: bool = choice(False, True),
-    water: bool = by(
+    bins: int = ag.by(
+        "build",
+        under_counter=ag.choice(1, 2),
+        medium=ag.choice(2, 3),
+        tall=ag.choice(2, 3, 4),
+        doc="on each door",
+    ),
+    bin_depth: ag.Float = ag.uniform(0.078, 0.105, "m", within=(0.05, 0.12)),
+    egg_tray: bool = ag.choice(False, True),
+    water: bool = ag.by(
         "layout",
-        french=choice(False, True, weights=(0.5, 0.5)),
-        side_by_side=choice(False, True, weights=(0.35, 0.65)),
+        french=ag.choice(False, True, weights=(0.5, 0.5)),
+        side_by_side=ag.choice(False, True, weights=(0.35, 0.65)),
         otherwise=False,
         doc="whether a door has a dispenser",
     ),
-    display: str = by(
+    display: str = ag.by(
         "look",
         pastel="",
         panel="",
-        otherwise=choice("", "4 -18", "3 -20", "5", weights=(0.6, 0.15, 0.15, 0.1)),
+        otherwise=ag.choice("", "4 -18", "3 -20", "5", weights=(0.6, 0.15, 0.15, 0.1)),
         doc="on the door",
     ),
-    control: Literal["dial", "touch"] = by("build", under_counter="dial", otherwise=choice("dial", "touch")),
-    inside: Literal["white", "grey"] = by(
+    control: Literal["dial", "touch"] = ag.by(
+        "build", under_counter="dial", otherwise=ag.choice("dial", "touch")
+    ),
+    inside: Literal["white", "grey"] = ag.by(
         "look",
-        dark_steel=choice("white", "grey"),
-        stainless=choice("white", "grey", weights=(0.75, 0.25)),
+        dark_steel=ag.choice("white", "grey"),
+        stainless=ag.choice("white", "grey", weights=(0.75, 0.25)),
         otherwise="white",
     ),
-    trim: Material = shades(*_TRIMS, color=0.03, doc="of shelves and bins"),
-    back: Back = by("layout", french="panel", side_by_side="panel", otherwise=choice("grille", "panel")),
-    maker: str = choice(*details.BRANDS),
-    swing: Float = uniform(1.6, 3.0, "rad", doc="of doors; more where drawers need it", within=(1.6, 3.0)),
-    pull: Float = uniform(15.0, 20.0, "N", doc="at the handle of a door", within=(2.0, 45.0)),
-    door_damping: Float = uniform(1.0, 2.5, "N m s/rad"),
-    flap_limit: Float = uniform(1.1, 1.4, "rad", doc="of the flap of an ice box", within=(0.5, 1.5)),
-    drawer_share: Float = uniform(
+    trim: ag.Material = ag.shades(*_TRIMS, color=0.03, doc="of shelves and bins"),
+    back: Back = ag.by(
+        "layout", french="panel", side_by_side="panel", otherwise=ag.choice("grille", "panel")
+    ),
+    maker: str = ag.choice(*details.BRANDS),
+    swing: ag.Float = ag.uniform(
+        1.6, 3.0, "rad", doc="of doors; more where drawers need it", within=(1.6, 3.0)
+    ),
+    pull: ag.Float = ag.uniform(15.0, 20.0, "N", doc="at the handle of a door", within=(2.0, 45.0)),
+    door_damping: ag.Float = ag.uniform(1.0, 2.5, "N m s/rad"),
+    flap_limit: ag.Float = ag.uniform(1.1, 1.4, "rad", doc="of the flap of an ice box", within=(0.5, 1.5)),
+    drawer_share: ag.Float = ag.uniform(
         0.60, 0.80, doc="how much of its depth a drawer comes out", within=(0.3, 0.9)
     ),
-    drawer_friction: Float = uniform(3.0, 8.0, "N", doc="of plastic drawers on plastic rails"),
-    drawer_pull: Float = uniform(15.0, 30.0, "N", doc="of gasket and runners of freezer drawers"),
-) -> Body:
+    drawer_friction: ag.Float = ag.uniform(3.0, 8.0, "N", doc="of plastic drawers on plastic rails"),
+    drawer_pull: ag.Float = ag.uniform(15.0, 30.0, "N", doc="of gasket and runners of freezer drawers"),
+) -> ag.Body:
     """Make a refrigerator: doors, freezer doors, drawers, shelves and bins inside."""
     case = Case(width, depth, height - COVER, kick_height, door_thickness, wall, gap)
     # drawers fill a freezer up to the flat inside of its door
     full = layout == "bottom_freezer" or (layout == "top_freezer" and freezer_drawers > 0)
-    require(
+    ag.require(
         shelf_kind == "glass" or shelves + freezer_shelves <= _WIRE_SHELVES,
         f"wire shelves have many colliders: shelves and freezer_shelves must be {_WIRE_SHELVES} at most",
     )
@@ -296,8 +308,8 @@ def refrigerator(
     dress = Dress(finish, metal, liner, seal, trim, form, bow, grip, bar, girth, grip_length)
     shell = cabinet_finish(look, finish)
     light = look in ("white", "pastel")
-    kick = shell if light else material("powder_coat_graphite")
-    cover = _TRIMS[0] if light else material("black_abs")
+    kick = shell if light else ag.material("powder_coat_graphite")
+    cover = _TRIMS[0] if light else ag.material("black_abs")
     block = cabinet(
         case,
         plan.cells,
@@ -331,15 +343,15 @@ def refrigerator(
         )
         rooms["freezer_door"] = furnish(case, plan.freezer.cell, plan.freezer.ridge, held)
         bodies += rooms["freezer_door"].bodies
-    body = weld(block, *bodies)
+    body = ag.weld(block, *bodies)
 
     # a door opens at least as far as what is behind it needs
-    swings: dict[str, Joint] = {}
+    swings: dict[str, ag.Joint] = {}
     for leaf in plan.leaves:
         behind = rooms[leaf.label]
         ways = [leaf.frees(slot.left, slot.right) for slot in behind.slots]
         ways += [leaf.frees(flap_reach(plan.cold), plan.cold.right)] if boxed else []
-        limit = reduce(max_, [way + _MORE for way in ways], swing)
+        limit = reduce(ag.max_, [way + _MORE for way in ways], swing)
         swings[leaf.name] = leaf.hinge(limit=limit, pull=pull, damping=door_damping)
         first = leaf is plan.doors[0]
         made = door(
@@ -350,7 +362,7 @@ def refrigerator(
             water=water and leaf is (plan.freezer or first),
         )
         if leaf.name == "door_left":
-            made = weld(made, mullion(leaf, finish=liner))
+            made = ag.weld(made, mullion(leaf, finish=liner))
         body = body.attach(made, swings[leaf.name])
 
     number = 0
@@ -370,7 +382,7 @@ def refrigerator(
         swing_ = flap_swing(plan.cold, opened, front=cold.front, far=leaf.ridges[1], limit=flap_limit)
         body = body.attach(flap(plan.cold, low=cold.ice, front=cold.front, finish=FROSTED), swing_)
     body = body.require(cold.spread > 0.085, "there is no room between so many shelves and drawers")
-    return body.mirror(X) if hand == "right" and layout not in ("french", "side_by_side") else body
+    return body.mirror(ag.X) if hand == "right" and layout not in ("french", "side_by_side") else body
 
 
 def _rows(count: int, *, stacked: bool) -> tuple[int, ...]:
@@ -380,7 +392,7 @@ def _rows(count: int, *, stacked: bool) -> tuple[int, ...]:
     return (2, *(1,) * (count - 2))
 
 
-def _opened(slot: Slot, leaves: Sequence[Leaf], label: str, swings: Mapping[str, Joint]) -> Condition:
+def _opened(slot: Slot, leaves: Sequence[Leaf], label: str, swings: Mapping[str, ag.Joint]) -> ag.Condition:
     """Return where the doors in front of a drawer have swung out of its way."""
     found = [leaf for leaf in leaves if leaf.label == label]
     if len(found) == 2:

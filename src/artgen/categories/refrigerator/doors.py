@@ -3,29 +3,8 @@
 from dataclasses import dataclass
 from typing import Literal
 
-from artgen import (
-    Body,
-    Material,
-    Scalar,
-    Solid,
-    X,
-    Y,
-    board,
-    box,
-    cylinder,
-    detail,
-    details,
-    extrude,
-    frustum,
-    material,
-    max_,
-    min_,
-    part,
-    polygon,
-    rectangle,
-    require,
-    weld,
-)
+import artgen as ag
+from artgen import details
 from artgen.categories.refrigerator.case import SEAL_GAP, Case
 from artgen.categories.refrigerator.leaf import CHEEK, LINING_INSET, SEAL_INSET, Leaf, door_gasket
 from artgen.categories.shared.appliances.finish import CLEAR, DARK, filled
@@ -43,32 +22,32 @@ from artgen.categories.shared.hardware.bar_handles import (
 _SHEET = 0.002
 
 
-def dispenser(*, width: Scalar, height: Scalar, deep: Scalar, trim: Material, show: str) -> Grip:
+def dispenser(*, width: ag.Scalar, height: ag.Scalar, deep: ag.Scalar, trim: ag.Material, show: str) -> Grip:
     """Make a niche about the origin of the front y = 0, with spout, lever and tray, under a touch panel."""
-    cut = box(width, deep + 0.010, height).at(0.0, deep / 2 - 0.005, 0.0)
+    cut = ag.box(width, deep + 0.010, height).at(0.0, deep / 2 - 0.005, 0.0)
     walls = niche(width, height, deep, sheet=_SHEET)
     panel_high = 0.072
     top, bottom = height / 2, -0.5 * height
-    frame = rectangle(width + 0.022, height + 0.022, radius=0.008) - rectangle(
+    frame = ag.rectangle(width + 0.022, height + 0.022, radius=0.008) - ag.rectangle(
         width - 0.003, height - 0.003, radius=0.002
     )
-    spout = frustum(0.009, 0.016, 0.03, bevel=0.002).at(0.0, 0.45 * deep, top - 0.016)
-    lever = box(0.045, 0.006, 0.085, bevel=0.0025).at(0.0, deep - 0.0045, top - 0.085)
+    spout = ag.frustum(0.009, 0.016, 0.03, bevel=0.002).at(0.0, 0.45 * deep, top - 0.016)
+    lever = ag.box(0.045, 0.006, 0.085, bevel=0.0025).at(0.0, deep - 0.0045, top - 0.085)
     slots = details.vent_slots(0.8 * width, 0.6 * deep, 7, slot=0.0026)
-    tray = box(0.86 * width, 0.8 * deep, 0.006, bevel=0.0015).at(0.0, 0.48 * deep, bottom + 0.005)
+    tray = ag.box(0.86 * width, 0.8 * deep, 0.006, bevel=0.0015).at(0.0, 0.48 * deep, bottom + 0.005)
     panel = control_panel(
         width + 0.022, panel_high, icons=("drop", "ice", "child_lock", "light"), show=show, color="cyan",
         screen=(0.05, 0.022), pitch=0.026,
     ).at(0.0, 0.0, top + 0.012 + panel_high / 2)  # fmt: skip
     return Grip(
         cut,
-        weld(
-            *(part(wall, "dispenser", DARK) for wall in walls),
-            detail(details.relief(frame, proud=0.0022, bevel=0.0012), "dispenser", trim),
-            detail(spout, "dispenser", material("chrome")),
-            detail(cylinder(0.011, 0.004).at(0.0, 0.45 * deep, top - 0.003), "dispenser", trim),
-            detail(lever, "dispenser", material("black_abs")),
-            detail(tray, "dispenser", trim),
+        ag.weld(
+            *(ag.part(wall, "dispenser", DARK) for wall in walls),
+            ag.detail(details.relief(frame, proud=0.0022, bevel=0.0012), "dispenser", trim),
+            ag.detail(spout, "dispenser", ag.material("chrome")),
+            ag.detail(ag.cylinder(0.011, 0.004).at(0.0, 0.45 * deep, top - 0.003), "dispenser", trim),
+            ag.detail(lever, "dispenser", ag.material("black_abs")),
+            ag.detail(tray, "dispenser", trim),
             details.printed(
                 slots,
                 (0.0, 0.48 * deep, bottom + 0.008),
@@ -115,17 +94,17 @@ _NO_ROOM = (
 class Dress:
     """How the fronts of one refrigerator look."""
 
-    finish: Material  # of the fronts
-    metal: Material  # of handles
-    liner: Material  # of the inner sides
-    seal: Material  # of the gaskets
-    trim: Material  # of bins and shelves
+    finish: ag.Material  # of the fronts
+    metal: ag.Material  # of handles
+    liner: ag.Material  # of the inner sides
+    seal: ag.Material  # of the gaskets
+    trim: ag.Material  # of bins and shelves
     form: Front  # of the fronts
-    bow: Scalar  # how far a bowed front swells [m]
+    bow: ag.Scalar  # how far a bowed front swells [m]
     grip: GripKind  # kind of the handles
     bar: BarStyle  # style of a bar
-    girth: Scalar  # half of the thickness of a bar [m]
-    length: Scalar  # of a handle, as a share of the front
+    girth: ag.Scalar  # half of the thickness of a bar [m]
+    length: ag.Scalar  # of a handle, as a share of the front
 
     @property
     def front(self) -> Front:
@@ -134,7 +113,7 @@ class Dress:
             return self.form
         return "soft" if self.form == "bowed" else "flat"
 
-    def rise(self, share: Scalar) -> Scalar:
+    def rise(self, share: ag.Scalar) -> ag.Scalar:
         """Return how far the front stands out at a share of half its width from its middle [m]."""
         if self.front == "framed":
             return _FRAME[1]
@@ -142,15 +121,22 @@ class Dress:
 
 
 def slab(
-    case: Case, dress: Dress, left: Scalar, right: Scalar, low: Scalar, high: Scalar, *, thick: Scalar = _SKIN
-) -> Solid:
+    case: Case,
+    dress: Dress,
+    left: ag.Scalar,
+    right: ag.Scalar,
+    low: ag.Scalar,
+    high: ag.Scalar,
+    *,
+    thick: ag.Scalar = _SKIN,
+) -> ag.Solid:
     """Make the front part of a door or drawer."""
     middle, upward, ease = (left + right) / 2, (low + high) / 2, _EDGES[dress.front]
     if dress.front == "soft":
-        outline = rectangle(right - left, high - low, radius=SOFT)
-        return extrude(outline, thick, axis=Y, bevel=ease).at(middle, case.front + thick / 2, upward)
+        outline = ag.rectangle(right - left, high - low, radius=SOFT)
+        return ag.extrude(outline, thick, axis=ag.Y, bevel=ease).at(middle, case.front + thick / 2, upward)
     if dress.front != "bowed":
-        board = box(right - left, thick, high - low, bevel=ease)
+        board = ag.box(right - left, thick, high - low, bevel=ease)
         return board.at(middle, case.front + thick / 2, upward)
     half = (right - left) / 2
     edge = [(share * half, back - dress.rise(share)) for share, back in _BOW]
@@ -162,32 +148,36 @@ def slab(
         *swell,
         *((-x, y) for x, y in reversed(edge)),
     ]
-    return extrude(polygon(corners), high - low, bevel=ease).at(middle, case.front, upward)
+    return ag.extrude(ag.polygon(corners), high - low, bevel=ease).at(middle, case.front, upward)
 
 
-def framing(case: Case, dress: Dress, left: Scalar, right: Scalar, low: Scalar, high: Scalar) -> list[Body]:
+def framing(
+    case: Case, dress: Dress, left: ag.Scalar, right: ag.Scalar, low: ag.Scalar, high: ag.Scalar
+) -> list[ag.Body]:
     """Make the boards around the panel of a framed front; none for another one."""
     if dress.front != "framed":
         return []
     wide, out = _FRAME
     y = case.front - out / 2 + 0.0005
-    stile = box(wide, out + 0.001, high - low, bevel=0.0014)
-    rail = box(right - left - 2 * wide + 0.001, out + 0.001, wide, bevel=0.0014)
+    stile = ag.box(wide, out + 0.001, high - low, bevel=0.0014)
+    rail = ag.box(right - left - 2 * wide + 0.001, out + 0.001, wide, bevel=0.0014)
     middle, upward = (left + right) / 2, (low + high) / 2
     boards = [
         *(stile.at(middle + way * (right - left - wide) / 2, y, upward) for way in (-1, 1)),
         *(rail.at(middle, y, upward + way * (high - low - wide) / 2) for way in (-1, 1)),
     ]
-    return [part(board, "panel", filled(dress.finish, _FOAM)) for board in boards]
+    return [ag.part(board, "panel", filled(dress.finish, _FOAM)) for board in boards]
 
 
-def lining(case: Case, left: Scalar, right: Scalar, low: Scalar, high: Scalar, *, thick: Scalar) -> Solid:
+def lining(
+    case: Case, left: ag.Scalar, right: ag.Scalar, low: ag.Scalar, high: ag.Scalar, *, thick: ag.Scalar
+) -> ag.Solid:
     """Make the rear part of a door or drawer, a little narrower than its front part."""
     deep = case.thickness - thick + 0.001
-    return board((left, right), (case.face - deep, case.face), (low, high), bevel=0.005)
+    return ag.board((left, right), (case.face - deep, case.face), (low, high), bevel=0.005)
 
 
-def door(leaf: Leaf, dress: Dress, *, brand: str = "", display: str = "", water: bool = False) -> Body:
+def door(leaf: Leaf, dress: Dress, *, brand: str = "", display: str = "", water: bool = False) -> ag.Body:
     """Make a door: the link of that name, in its place."""
     case = leaf.case
     grip = dress.grip
@@ -204,15 +194,15 @@ def door(leaf: Leaf, dress: Dress, *, brand: str = "", display: str = "", water:
         thick=thick,
     )
     cuts: list[Grip] = []
-    bodies: list[Body] = []
+    bodies: list[ag.Body] = []
     if grip == "bar":
         bodies.append(_bar(leaf, dress))
     else:
         cuts.append(_sunk(leaf, dress, grip))
     if water:
-        high = min_(0.30, 0.32 * leaf.height)
+        high = ag.min_(0.30, 0.32 * leaf.height)
         made = dispenser(
-            width=min_(0.19, 0.55 * leaf.width),
+            width=ag.min_(0.19, 0.55 * leaf.width),
             height=high,
             deep=case.thickness - 0.018,
             trim=dress.metal,
@@ -222,31 +212,31 @@ def door(leaf: Leaf, dress: Dress, *, brand: str = "", display: str = "", water:
     for made in cuts:
         skin, inner = skin - made.cut, inner - made.cut
     bodies += [made.shell for made in cuts]
-    base = part(skin, leaf.label, filled(dress.finish, _FOAM), name=leaf.name)
-    body = weld(
+    base = ag.part(skin, leaf.label, filled(dress.finish, _FOAM), name=leaf.name)
+    body = ag.weld(
         base,
-        part(inner, "liner", filled(dress.liner, _FOAM)),
+        ag.part(inner, "liner", filled(dress.liner, _FOAM)),
         *framing(case, dress, leaf.left, leaf.right, leaf.low, leaf.high),
         *bodies,
         _seal(leaf, dress),
         *_inside(leaf, dress),
         *_signs(leaf, dress, brand, display),
     )
-    return body.mirror(X) if leaf.mirrored else body
+    return body.mirror(ag.X) if leaf.mirrored else body
 
 
-def _bar(leaf: Leaf, dress: Dress) -> Body:
-    length = max_(dress.length * leaf.height, 0.17)
+def _bar(leaf: Leaf, dress: Dress) -> ag.Body:
+    length = ag.max_(dress.length * leaf.height, 0.17)
     aside = _FRAME[0] / 2 if dress.front == "framed" else 0.048
     share = 1 - 2 * aside / leaf.width
     y = leaf.case.front - dress.rise(share) + (0.0008 if dress.front == "bowed" else 0.0)
-    level: Scalar = (leaf.low + leaf.high) / 2
+    level: ag.Scalar = (leaf.low + leaf.high) / 2
     if leaf.handle == "low":
         level = leaf.low + 0.055 + length / 2
     elif leaf.handle == "high":
         level = leaf.high - 0.055 - length / 2
     out = 0.040 + 1.4 * dress.girth
-    bar: Body = bar_handle(
+    bar: ag.Body = bar_handle(
         length=length,
         finish=dress.metal,
         style=dress.bar,
@@ -262,29 +252,29 @@ def _sunk(leaf: Leaf, dress: Dress, grip: str) -> Grip:
     y, middle = leaf.case.front, (leaf.low + leaf.high) / 2
     name = f"{leaf.name}_handle"
     if grip == "channel":
-        return pocket_grip(leaf.height - 0.03, finish=material("aluminium"), name=name).at(
+        return pocket_grip(leaf.height - 0.03, finish=ag.material("aluminium"), name=name).at(
             leaf.right, y, middle
         )
-    length = min_(max_(dress.length * leaf.height, 0.13), 0.34)
-    level: Scalar = middle
+    length = ag.min_(ag.max_(dress.length * leaf.height, 0.13), 0.34)
+    level: ag.Scalar = middle
     if leaf.handle == "low":
         level = leaf.low + 0.05 + length / 2
     elif leaf.handle == "high":
         level = leaf.high - 0.05 - length / 2
-    shade = material("black_abs")
+    shade = ag.material("black_abs")
     if grip == "pocket":
         return pocket_grip(length, finish=shade, name=name).at(leaf.right, y, level)
     return recessed_grip(length, finish=dress.metal, lining=shade, name=name).at(leaf.right - 0.062, y, level)
 
 
-def _seal(leaf: Leaf, dress: Dress) -> Body:
+def _seal(leaf: Leaf, dress: Dress) -> ag.Body:
     left, right = leaf.left + SEAL_INSET, leaf.right - 0.012
     low, high = leaf.low + 0.008, leaf.high - 0.008
     ring = door_gasket(right - left, high - low, rubber=dress.seal, deep=SEAL_GAP - _SEAL_FREE, size=_SEAL)
     return ring.at((left + right) / 2, leaf.case.face, (low + high) / 2)
 
 
-def _inside(leaf: Leaf, dress: Dress) -> list[Body]:
+def _inside(leaf: Leaf, dress: Dress) -> list[ag.Body]:
     """Make the ridges of the lining and the bins between them."""
     if leaf.ridge is None:
         return []
@@ -294,10 +284,10 @@ def _inside(leaf: Leaf, dress: Dress) -> list[Body]:
     y = leaf.case.face + (leaf.ridge - sunk) / 2
     white = filled(dress.liner, _FOAM)
     # the free one is so wide that it stands before the drawers at its side
-    first, last = left + _RIDGE, min_(right - _RIDGE, leaf.cell.right - CHEEK - 0.012)
+    first, last = left + _RIDGE, ag.min_(right - _RIDGE, leaf.cell.right - CHEEK - 0.012)
     bodies = [
-        part(
-            box(end - start, leaf.ridge + sunk, high - low, bevel=0.005).at(
+        ag.part(
+            ag.box(end - start, leaf.ridge + sunk, high - low, bevel=0.005).at(
                 (start + end) / 2, y, (low + high) / 2
             ),
             "liner",
@@ -305,14 +295,14 @@ def _inside(leaf: Leaf, dress: Dress) -> list[Body]:
         )
         for start, end in ((left, first), (last, right))
     ]
-    width = require(last - first + 0.002, last - first > _LEAST_BIN, _NO_ROOM)
+    width = ag.require(last - first + 0.002, last - first > _LEAST_BIN, _NO_ROOM)
     deep = leaf.ridge - BIN_SHY
     pitch = (high - low) / leaf.bins
     middle = ((first + last) / 2, leaf.case.face - 0.001)
     hung = door_bin(
         width,
         deep + 0.001,
-        min_(0.095, 0.6 * pitch),
+        ag.min_(0.095, 0.6 * pitch),
         finish=CLEAR,
         trim=dress.trim,
         at=[(*middle, low + index * pitch + 0.006) for index in range(leaf.bins)],
@@ -320,19 +310,19 @@ def _inside(leaf: Leaf, dress: Dress) -> list[Body]:
     return [*bodies, hung]
 
 
-def _signs(leaf: Leaf, dress: Dress, brand: str, display: str) -> list[Body]:
+def _signs(leaf: Leaf, dress: Dress, brand: str, display: str) -> list[ag.Body]:
     """Make the name and the display on the front."""
     bodies = []
     y = leaf.case.front - (dress.bow - 0.0003 if dress.front == "bowed" else 0.0)
     middle = (leaf.left + leaf.right) / 2
     if brand:
-        size: Scalar = 0.013
+        size: ag.Scalar = 0.013
         if dress.front == "bowed":  # its ends have to reach back to a front that swells away from them
-            share = min_(0.28, 0.005 / dress.bow)
-            size = min_(size, share * leaf.width / details.lettering_width(brand.upper(), _TRACKING))
+            share = ag.min_(0.28, 0.005 / dress.bow)
+            size = ag.min_(size, share * leaf.width / details.lettering_width(brand.upper(), _TRACKING))
         mark = details.logo(brand, size, tracking=_TRACKING)
         drop = 0.09 if dress.front == "framed" else 0.055
-        shine = dress.metal if dress.metal.base_metalness > 0.5 else material("chrome")
+        shine = dress.metal if dress.metal.base_metalness > 0.5 else ag.material("chrome")
         bodies.append(
             details.raised(
                 mark, (middle, y, leaf.high - drop), material=shine, label="logo", proud=0.0005, bevel=0.0
@@ -345,16 +335,16 @@ def _signs(leaf: Leaf, dress: Dress, brand: str, display: str) -> list[Body]:
     return bodies
 
 
-def mullion(leaf: Leaf, *, finish: Material) -> Body:
+def mullion(leaf: Leaf, *, finish: ag.Material) -> ag.Body:
     """Make the strip at the free edge of a door that closes the gap to the other one from behind.
 
     Real ones fold as the door opens; this one stays within its door, so that it never touches the other.
     """
     wide, deep = 0.044, 0.013
-    strip = box(wide, deep, leaf.cell.height - 0.010, bevel=0.002)
+    strip = ag.box(wide, deep, leaf.cell.height - 0.010, bevel=0.002)
     strip = strip.at(
         leaf.right - 0.012 - wide / 2,
         leaf.case.face + deep / 2 - 0.0005,
         (leaf.cell.low + leaf.cell.high) / 2,
     )
-    return part(strip, "mullion", finish)
+    return ag.part(strip, "mullion", finish)

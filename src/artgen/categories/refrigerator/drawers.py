@@ -3,22 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from artgen import (
-    Body,
-    Condition,
-    Joint,
-    Material,
-    Prismatic,
-    Scalar,
-    box,
-    detail,
-    material,
-    max_,
-    min_,
-    part,
-    switch,
-    weld,
-)
+import artgen as ag
 from artgen.categories.refrigerator.case import HUMP_DEEP, HUMP_HIGH, SEAL_GAP, Case, Cell
 from artgen.categories.refrigerator.doors import Dress, framing, lining, slab
 from artgen.categories.refrigerator.leaf import CHEEK, door_gasket
@@ -40,18 +25,18 @@ _HAND = 60.0  # the most that a hand pulls with [N]
 class Slot:
     """The place of a drawer behind a door."""
 
-    left: Scalar  # its left side along x [m]
-    right: Scalar  # its right side [m]
-    low: Scalar  # its underside [m]
-    height: Scalar  # of the drawer [m]
-    front: Scalar  # its front along y [m]
-    rear: Scalar  # the furthest that it may reach to the back [m]
-    lip: Scalar  # height of its lip over its underside [m]
+    left: ag.Scalar  # its left side along x [m]
+    right: ag.Scalar  # its right side [m]
+    low: ag.Scalar  # its underside [m]
+    height: ag.Scalar  # of the drawer [m]
+    front: ag.Scalar  # its front along y [m]
+    rear: ag.Scalar  # the furthest that it may reach to the back [m]
+    lip: ag.Scalar  # height of its lip over its underside [m]
     # the halves of the cell in which it is: -1 the left one, 1 the right one
     sides: tuple[int, ...] = (-1, 1)
 
 
-def drawer_front(case: Case, ridge: Scalar | None) -> Scalar:
+def drawer_front(case: Case, ridge: ag.Scalar | None) -> ag.Scalar:
     """Return where the fronts of drawers are along y, behind a door with ridges or with a flat inside [m]."""
     return case.face + SLACK + LIP_REACH + (0.0 if ridge is None else ridge)
 
@@ -60,20 +45,20 @@ def rows(
     cell: Cell,
     counts: Sequence[int],
     *,
-    low: Scalar,
-    height: Scalar,
-    front: Scalar,
-    pitch: Scalar,
-    lip: Scalar,
-    finish: Material,
-) -> tuple[list[Slot], list[Body]]:
+    low: ag.Scalar,
+    height: ag.Scalar,
+    front: ag.Scalar,
+    pitch: ag.Scalar,
+    lip: ag.Scalar,
+    finish: ag.Material,
+) -> tuple[list[Slot], list[ag.Body]]:
     """Place drawers in rows from below, and make the rails at both sides of them."""
     slots: list[Slot] = []
-    rails: list[Body] = []
+    rails: list[ag.Body] = []
     hollow = filled(finish, 160.0)
     for number, count in enumerate(counts):
         base = low + number * pitch + _FLOOR
-        behind = switch(base < cell.low + HUMP_HIGH, HUMP_DEEP, 0.0) if cell.humped else 0.0
+        behind = ag.switch(base < cell.low + HUMP_HIGH, HUMP_DEEP, 0.0) if cell.humped else 0.0
         rear = cell.rear - behind - 0.012
         room = cell.width - 2 * CHEEK
         wide = (room - (count - 1) * 0.008) / count
@@ -82,16 +67,18 @@ def rows(
             sides = (-1, 1) if count == 1 else (-1,) if place == 0 else (1,)
             slots.append(Slot(left, left + wide, base, height, front, rear, lip, sides))
         deep = rear - front - 0.02
-        cheek = box(CHEEK - _PLAY + 0.0005, deep, height - 0.006, bevel=0.002)
+        cheek = ag.box(CHEEK - _PLAY + 0.0005, deep, height - 0.006, bevel=0.002)
         aside = (CHEEK - _PLAY - 0.0005) / 2
         rails += [
-            part(cheek.at(x, front + 0.02 + deep / 2, base + height / 2), "rail", hollow)
+            ag.part(cheek.at(x, front + 0.02 + deep / 2, base + height / 2), "rail", hollow)
             for x in (cell.left + aside, cell.right - aside)
         ]
     return slots, rails
 
 
-def inner_drawer(slot: Slot, number: int, *, finish: Material, front: Material, lip: Material) -> Body:
+def inner_drawer(
+    slot: Slot, number: int, *, finish: ag.Material, front: ag.Material, lip: ag.Material
+) -> ag.Body:
     """Make a drawer behind a door: the link `inner_drawer_<number>`."""
     made = drawer_box(
         slot.right - slot.left,
@@ -107,9 +94,11 @@ def inner_drawer(slot: Slot, number: int, *, finish: Material, front: Material, 
     return made.at((slot.left + slot.right) / 2, slot.front, slot.low)
 
 
-def inner_slide(slot: Slot, number: int, opened: Condition, *, share: Scalar, friction: Scalar) -> Joint:
+def inner_slide(
+    slot: Slot, number: int, opened: ag.Condition, *, share: ag.Scalar, friction: ag.Scalar
+) -> ag.Joint:
     """Make the slide of a drawer behind a door: it strikes the door unless that is open."""
-    return Prismatic(
+    return ag.Prismatic(
         f"inner_drawer_slide_{number}",
         axis=(0.0, -1.0, 0.0),
         pivot=((slot.left + slot.right) / 2, slot.front, slot.low),
@@ -126,13 +115,13 @@ class Front:
     """The front of a freezer drawer."""
 
     cell: Cell  # what it closes
-    left: Scalar  # its left edge along x [m]
-    right: Scalar  # its right edge [m]
-    low: Scalar  # its lower edge [m]
-    high: Scalar  # its upper edge [m]
+    left: ag.Scalar  # its left edge along x [m]
+    right: ag.Scalar  # its right edge [m]
+    low: ag.Scalar  # its lower edge [m]
+    high: ag.Scalar  # its upper edge [m]
 
 
-def outer_drawer(case: Case, front: Front, number: int, dress: Dress, *, finish: Material) -> Body:
+def outer_drawer(case: Case, front: Front, number: int, dress: Dress, *, finish: ag.Material) -> ag.Body:
     """Make a freezer drawer with its front, gasket, handle and basket: the link `outer_drawer_<number>`."""
     left, right, low, high = front.left, front.right, front.low, front.high
     middle, upward = (left + right) / 2, (low + high) / 2
@@ -140,7 +129,7 @@ def outer_drawer(case: Case, front: Front, number: int, dress: Dress, *, finish:
     inner = lining(case, left + 0.005, right - 0.005, low + 0.005, high - 0.005, thick=0.028)
     if dress.grip == "bar":
         aside = 0.031 if dress.front == "framed" else 0.055
-        length = min_(max_(0.62 * (right - left), 0.2), (right - left) - 0.1)
+        length = ag.min_(ag.max_(0.62 * (right - left), 0.2), (right - left) - 0.1)
         feet = dress.rise((length - 0.02) / (right - left)) - (0.0008 if dress.front == "bowed" else 0.0)
         out = 0.040 + 1.4 * dress.girth + (dress.rise(0.0) - feet)  # before the middle, which swells most
         handle = bar_handle(
@@ -156,7 +145,7 @@ def outer_drawer(case: Case, front: Front, number: int, dress: Dress, *, finish:
         grip = recessed_grip(
             0.26,
             finish=dress.metal,
-            lining=material("black_abs"),
+            lining=ag.material("black_abs"),
             level=True,
             name=f"outer_drawer_{number}_handle",
         )
@@ -165,9 +154,9 @@ def outer_drawer(case: Case, front: Front, number: int, dress: Dress, *, finish:
     seal = door_gasket(
         right - left - 0.024, high - low - 0.016, rubber=dress.seal, deep=SEAL_GAP - 0.0004, size=0.014
     )
-    return weld(
-        part(skin, "outer_drawer", filled(dress.finish, _FOAM), name=f"outer_drawer_{number}"),
-        part(inner, "liner", filled(dress.liner, _FOAM)),
+    return ag.weld(
+        ag.part(skin, "outer_drawer", filled(dress.finish, _FOAM), name=f"outer_drawer_{number}"),
+        ag.part(inner, "liner", filled(dress.liner, _FOAM)),
         *framing(case, dress, left, right, low, high),
         handle,
         seal.at(middle, case.face, upward),
@@ -175,33 +164,33 @@ def outer_drawer(case: Case, front: Front, number: int, dress: Dress, *, finish:
     )
 
 
-def basket_depth(case: Case, cell: Cell) -> Scalar:
+def basket_depth(case: Case, cell: Cell) -> ag.Scalar:
     """Return how deep the basket of a freezer drawer is [m]."""
     return cell.rear - (HUMP_DEEP if cell.humped else 0.0) - 0.015 - case.face
 
 
-def _basket(case: Case, cell: Cell, finish: Material) -> list[Body]:
+def _basket(case: Case, cell: Cell, finish: ag.Material) -> list[ag.Body]:
     deep, wide = basket_depth(case, cell), cell.width - 2 * 0.022
     tall = 0.62 * cell.height
     boards = open_box(wide, deep + 0.002, tall, wall=0.004, front=0.004)
-    rail = box(0.010, deep - 0.02, 0.022, bevel=0.002)
+    rail = ag.box(0.010, deep - 0.02, 0.022, bevel=0.002)
     at = (cell.middle, case.face - 0.002, cell.low + 0.012)
     return [
-        *(part(board.at(*at), "basket", finish) for board in boards),
+        *(ag.part(board.at(*at), "basket", finish) for board in boards),
         *(
-            detail(
+            ag.detail(
                 rail.at(cell.middle + way * (wide / 2 + 0.003), case.face + deep / 2, cell.low + 0.7 * tall),
                 "rail",
-                material("zinc"),
+                ag.material("zinc"),
             )
             for way in (-1, 1)
         ),
     ]
 
 
-def outer_slide(case: Case, front: Front, number: int, *, share: Scalar, pull: Scalar) -> Joint:
+def outer_slide(case: Case, front: Front, number: int, *, share: ag.Scalar, pull: ag.Scalar) -> ag.Joint:
     """Make the slide of a freezer drawer on its runners."""
-    return Prismatic(
+    return ag.Prismatic(
         f"outer_drawer_slide_{number}",
         axis=(0.0, -1.0, 0.0),
         pivot=((front.left + front.right) / 2, case.front, (front.low + front.high) / 2),

@@ -3,26 +3,8 @@
 from collections.abc import Sequence
 from typing import Literal
 
-from artgen import (
-    Body,
-    Condition,
-    Joint,
-    Material,
-    Revolute,
-    Scalar,
-    Y,
-    array,
-    atan2,
-    box,
-    cylinder,
-    detail,
-    details,
-    frame,
-    material,
-    max_,
-    part,
-    weld,
-)
+import artgen as ag
+from artgen import details
 from artgen.categories.refrigerator.case import Cell
 from artgen.categories.refrigerator.drawers import SLACK
 from artgen.categories.shared.appliances.finish import DARK, filled
@@ -46,12 +28,12 @@ _FLAP_INSET = 0.062  # from the side of the cell to its edge with the hinges [m]
 def shelf(
     cell: Cell,
     kind: ShelfKind,
-    levels: Sequence[Scalar],
+    levels: Sequence[ag.Scalar],
     *,
-    front: Scalar,
-    trim: Material,
-    glass: Material,
-) -> Body:
+    front: ag.Scalar,
+    trim: ag.Material,
+    glass: ag.Material,
+) -> ag.Body:
     """Make shelves from side to side of a cell."""
     rear = cell.rear - DUCT - 0.004
     deep = rear - front
@@ -61,7 +43,7 @@ def shelf(
     return wire_shelf(cell.width, deep, finish=trim, at=places)
 
 
-def eggs(cell: Cell, level: Scalar, *, front: Scalar, finish: Material) -> Body:
+def eggs(cell: Cell, level: ag.Scalar, *, front: ag.Scalar, finish: ag.Material) -> ag.Body:
     """Make an egg tray on a glass shelf, at the right in front."""
     wide = 0.22
     return egg_tray(wide, 0.098, finish=finish, columns=4).at(
@@ -72,21 +54,21 @@ def eggs(cell: Cell, level: Scalar, *, front: Scalar, finish: Material) -> Body:
 def fittings(
     cell: Cell,
     *,
-    front: Scalar,
-    low: Scalar,
-    high: Scalar,
+    front: ag.Scalar,
+    low: ag.Scalar,
+    high: ag.Scalar,
     control: Literal["dial", "touch", "none"],
     show: str,
-    liner: Material,
-) -> list[Body]:
+    liner: ag.Material,
+) -> list[ag.Body]:
     """Make light and control at the ceiling of a cell, and the air duct on its rear."""
     bodies = []
     wide = 0.34 * cell.width
-    tall = max_(high - low - 0.03, 0.02)  # where there is no room, the category says so
-    duct = box(wide, DUCT + 0.001, tall, bevel=0.005)
+    tall = ag.max_(high - low - 0.03, 0.02)  # where there is no room, the category says so
+    duct = ag.box(wide, DUCT + 0.001, tall, bevel=0.005)
     face = cell.rear - DUCT
     bodies.append(
-        part(
+        ag.part(
             duct.at(cell.middle, cell.rear - DUCT / 2 + 0.0005, low + tall / 2 + 0.01),
             "duct",
             filled(liner, 220.0),
@@ -95,71 +77,78 @@ def fittings(
     slots = details.vent_slots(0.6 * wide, 0.028, 4, slot=0.0035, direction="horizontal")
     vent = details.relief(slots, (0.0, 0.0, 0.0), proud=0.0002)
     places = [(cell.middle, face, low + share * tall) for share in (0.22, 0.55, 0.86)]
-    bodies.append(detail(array(vent, at=places), "vent", DARK))
-    housing = box(LIGHT, 0.085, 0.022, bevel=0.005).at(cell.middle, front + 0.055, high - 0.0105)
-    bodies.append(part(housing, "light", filled(liner, 220.0)))
-    lamp = box(0.11, 0.045, 0.004, bevel=0.0015).at(cell.middle, front + 0.058, high - 0.0228)
-    bodies.append(detail(lamp, "light", material("led_white")))
+    bodies.append(ag.detail(ag.array(vent, at=places), "vent", DARK))
+    housing = ag.box(LIGHT, 0.085, 0.022, bevel=0.005).at(cell.middle, front + 0.055, high - 0.0105)
+    bodies.append(ag.part(housing, "light", filled(liner, 220.0)))
+    lamp = ag.box(0.11, 0.045, 0.004, bevel=0.0015).at(cell.middle, front + 0.058, high - 0.0228)
+    bodies.append(ag.detail(lamp, "light", ag.material("led_white")))
     panel = (cell.middle, front + 0.0125, high - 0.0105)
     if control == "dial":
         at = (cell.middle, front + 0.0080, high - 0.0105)
-        knob = cylinder(0.0085, 0.010, axis=Y, bevel=0.0015).at(*at)
-        mark = box(0.0012, 0.0008, 0.006).at(cell.middle, front + 0.0030, high - 0.0085)
-        bodies += [detail(knob, "control", material("abs")), detail(mark, "control", material("black_abs"))]
+        knob = ag.cylinder(0.0085, 0.010, axis=ag.Y, bevel=0.0015).at(*at)
+        mark = ag.box(0.0012, 0.0008, 0.006).at(cell.middle, front + 0.0030, high - 0.0085)
+        bodies += [
+            ag.detail(knob, "control", ag.material("abs")),
+            ag.detail(mark, "control", ag.material("black_abs")),
+        ]
         sign = details.icon("snowflake", 0.008).at(0.03, 0.0)
-        bodies.append(details.printed(sign, panel, material=material("black_abs"), label="control"))
+        bodies.append(details.printed(sign, panel, material=ag.material("black_abs"), label="control"))
     elif control == "touch":
         bodies.append(details.display(show, 0.05, 0.015, at=panel, color="white", label="control"))
     return bodies
 
 
-def ice_box(cell: Cell, *, low: Scalar, front: Scalar, liner: Material) -> list[Body]:
+def ice_box(cell: Cell, *, low: ag.Scalar, front: ag.Scalar, liner: ag.Material) -> list[ag.Body]:
     """Make the floor of an ice box under the ceiling of a cell, and the post on which its flap hangs."""
     deep = cell.rear - front
-    floor = box(cell.width + 0.001, deep + 0.001, ICE_SHELF, bevel=0.004)
-    plate = box(cell.width - 0.01, deep - 0.06, 0.001)
+    floor = ag.box(cell.width + 0.001, deep + 0.001, ICE_SHELF, bevel=0.004)
+    plate = ag.box(cell.width - 0.01, deep - 0.06, 0.001)
     wide, high = _FLAP_INSET - 0.004, cell.high - low - ICE_SHELF
-    post = box(wide + 0.0005, 0.05, high + 0.001, bevel=0.004)
+    post = ag.box(wide + 0.0005, 0.05, high + 0.001, bevel=0.004)
     return [
-        part(floor.at(cell.middle, front + deep / 2, low + ICE_SHELF / 2), "ice_box", liner),
-        part(post.at(cell.left + (wide - 0.0005) / 2, front + 0.025, cell.high - high / 2), "ice_box", liner),
-        detail(
+        ag.part(floor.at(cell.middle, front + deep / 2, low + ICE_SHELF / 2), "ice_box", liner),
+        ag.part(
+            post.at(cell.left + (wide - 0.0005) / 2, front + 0.025, cell.high - high / 2), "ice_box", liner
+        ),
+        ag.detail(
             plate.at(cell.middle, front + deep / 2 + 0.02, low + ICE_SHELF + 0.0002),
             "ice_box",
-            material("aluminium"),
+            ag.material("aluminium"),
         ),
     ]
 
 
-def flap(cell: Cell, *, low: Scalar, front: Scalar, finish: Material) -> Body:
+def flap(cell: Cell, *, low: ag.Scalar, front: ag.Scalar, finish: ag.Material) -> ag.Body:
     """Make the flap of an ice box, the link `freezer_door`, hinged at the left."""
     left, right = cell.left + _FLAP_INSET, cell.right - 0.012
     bottom, top = low + ICE_SHELF + 0.003, cell.high - 0.004
-    board = box(right - left, _FLAP, top - bottom, bevel=0.004)
+    board = ag.box(right - left, _FLAP, top - bottom, bevel=0.004)
     middle = ((left + right) / 2, front + _FLAP / 2, (bottom + top) / 2)
     level = bottom + 0.025
-    lip = box(right - left - 0.03, LIP_REACH + 0.0005, 0.009, bevel=0.003)
+    lip = ag.box(right - left - 0.03, LIP_REACH + 0.0005, 0.009, bevel=0.003)
     lip = lip.at(middle[0] + 0.01, front - (LIP_REACH - 0.0005) / 2, level)
-    hold = frame((right - 0.11, front - 0.011, level), approach=(0.0, 1.0, 0.0), closing=(0.0, 0.0, 1.0))
-    ink = material("black_abs").with_(name="ice_ink", base_color=(0.10, 0.25, 0.42))
+    hold = ag.frame((right - 0.11, front - 0.011, level), approach=(0.0, 1.0, 0.0), closing=(0.0, 0.0, 1.0))
+    ink = ag.material("black_abs").with_(name="ice_ink", base_color=(0.10, 0.25, 0.42))
     sign = details.icon("snowflake", 0.03)
-    return weld(
-        part(lip, "freezer_door", finish, name="freezer_door", grasp=hold),
-        part(board.at(*middle), "freezer_door", finish),
+    return ag.weld(
+        ag.part(lip, "freezer_door", finish, name="freezer_door", grasp=hold),
+        ag.part(board.at(*middle), "freezer_door", finish),
         details.printed(sign, (middle[0], front, middle[2] + 0.012), material=ink),
     )
 
 
-def flap_reach(cell: Cell) -> Scalar:
+def flap_reach(cell: Cell) -> ag.Scalar:
     """Return how far to the left the flap of an ice box comes as it opens [m]."""
     return cell.left + _FLAP_INSET + _FLAP / 2 - LIP_REACH - _FLAP / 2 - 0.003
 
 
-def flap_swing(cell: Cell, opened: Condition, *, front: Scalar, far: Scalar, limit: Scalar) -> Joint:
+def flap_swing(
+    cell: Cell, opened: ag.Condition, *, front: ag.Scalar, far: ag.Scalar, limit: ag.Scalar
+) -> ag.Joint:
     """Make the hinge of the flap of an ice box; it strikes the door in front of it unless that is open."""
     axis = cell.left + _FLAP_INSET + _FLAP / 2
-    free = atan2(SLACK, far - axis)
-    return Revolute(
+    free = ag.atan2(SLACK, far - axis)
+    return ag.Revolute(
         "freezer_door_hinge",
         pivot=(axis, front + _FLAP / 2, cell.high - 0.05),
         axis=(0.0, 0.0, -1.0),

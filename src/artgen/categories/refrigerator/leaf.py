@@ -3,56 +3,39 @@
 from dataclasses import dataclass
 from typing import Literal
 
-from artgen import (
-    Body,
-    Float,
-    Joint,
-    Material,
-    Scalar,
-    Solid,
-    Vector,
-    Y,
-    atan2,
-    box,
-    detail,
-    extrude,
-    max_,
-    part,
-    rectangle,
-    sqrt,
-    vector,
-    weld,
-)
+import artgen as ag
 from artgen._arrays import cached_property
 from artgen.categories.refrigerator.case import SEAL_GAP, Case, Cell
 from artgen.categories.refrigerator.hinges import door_swing
 
 
 def door_gasket(
-    width: Scalar,
-    height: Scalar,
+    width: ag.Scalar,
+    height: ag.Scalar,
     *,
-    rubber: Material,
-    deep: Scalar,
-    size: Scalar = 0.014,
+    rubber: ag.Material,
+    deep: ag.Scalar,
+    size: ag.Scalar = 0.014,
     label: str = "gasket",
-) -> Body:
+) -> ag.Body:
     """Make the gasket of a door in the plane of X and Z about the origin; its foot is y = 0, it faces +y.
 
     It fills the gap of a closed door but for what the caller leaves: 0.3-0.5 mm is not seen, and lets door
     and cabinet be free of each other; or the gap is less, and `allow_contact` says so.
     """
-    bodies = [part(bar, label, rubber) for bar in _ring(width, height, deep, size, 0.45 * deep)]
+    bodies = [ag.part(bar, label, rubber) for bar in _ring(width, height, deep, size, 0.45 * deep)]
     # a flat ring is the root by which it sits in the door's groove
-    inner = rectangle(width - 2 * size - 0.006, height - 2 * size - 0.006)
-    root = rectangle(width + 0.006, height + 0.006, radius=0.006) - inner
-    return weld(*bodies, detail(extrude(root, 0.004, axis=Y), label, rubber))
+    inner = ag.rectangle(width - 2 * size - 0.006, height - 2 * size - 0.006)
+    root = ag.rectangle(width + 0.006, height + 0.006, radius=0.006) - inner
+    return ag.weld(*bodies, ag.detail(ag.extrude(root, 0.004, axis=ag.Y), label, rubber))
 
 
-def _ring(width: Scalar, height: Scalar, deep: Scalar, size: Scalar, bevel: Scalar) -> list[Solid]:
+def _ring(
+    width: ag.Scalar, height: ag.Scalar, deep: ag.Scalar, size: ag.Scalar, bevel: ag.Scalar
+) -> list[ag.Solid]:
     less = 0.0002  # uprights end inside of the level bars, a hair below their faces
-    level = box(width, deep, size, bevel=bevel)
-    upright = box(size - less, deep - less, height - size, bevel=bevel)
+    level = ag.box(width, deep, size, bevel=bevel)
+    upright = ag.box(size - less, deep - less, height - size, bevel=bevel)
     return [
         *(level.at(0.0, deep / 2, way * (height - size) / 2) for way in (-1, 1)),
         *(upright.at(way * (width - size) / 2, deep / 2 - less / 2, 0.0) for way in (-1, 1)),
@@ -84,37 +67,37 @@ class Leaf:
     name: str  # name of the link
     case: Case  # the cabinet
     cell: Cell  # what it closes
-    left: Scalar  # its edge with the hinges along x [m]
-    right: Scalar  # its free edge [m]
-    low: Scalar  # its lower edge [m]
-    high: Scalar  # its upper edge [m]
-    limit: Scalar  # how far to the right what is on its inside may reach: a wall, or another door [m]
-    ridge: Scalar | None  # how deep its ridges reach into the cell [m]; None for a flat inside
+    left: ag.Scalar  # its edge with the hinges along x [m]
+    right: ag.Scalar  # its free edge [m]
+    low: ag.Scalar  # its lower edge [m]
+    high: ag.Scalar  # its upper edge [m]
+    limit: ag.Scalar  # how far to the right what is on its inside may reach: a wall, or another door [m]
+    ridge: ag.Scalar | None  # how deep its ridges reach into the cell [m]; None for a flat inside
     bins: int  # how many bins hang between them
     mirrored: bool = False  # whether it hinges at the right: all measures then are those of the mirror image
     handle: Literal["low", "middle", "high"] = "middle"  # where its handle is
     meets: bool = False  # whether its free edge meets that of another door
 
     @cached_property
-    def width(self) -> Scalar:
+    def width(self) -> ag.Scalar:
         """From edge to edge [m]."""
         return self.right - self.left
 
     @cached_property
-    def height(self) -> Scalar:
+    def height(self) -> ag.Scalar:
         """From its lower to its upper edge [m]."""
         return self.high - self.low
 
     @cached_property
-    def arm(self) -> Scalar:
+    def arm(self) -> ag.Scalar:
         """From the axis to the handle [m]."""
         return self.width - PIN - 0.05
 
     @cached_property
-    def pivot(self) -> Vector:
+    def pivot(self) -> ag.Vector:
         """A point on the axis of the hinge, mirrored where the door is [m]."""
         side = -1.0 if self.mirrored else 1.0
-        return vector(side * (self.left + PIN), self.case.front + PIN, (self.low + self.high) / 2)
+        return ag.vector(side * (self.left + PIN), self.case.front + PIN, (self.low + self.high) / 2)
 
     @cached_property
     def joint(self) -> str:
@@ -125,21 +108,23 @@ class Leaf:
         return f"{head}_hinge{split}{side}"
 
     @cached_property
-    def reach(self) -> Scalar:
+    def reach(self) -> ag.Scalar:
         """From the axis to the tips of the ridges, front to back [m]."""
         return self.case.thickness - PIN + (0.0 if self.ridge is None else self.ridge)
 
     @cached_property
-    def ridges(self) -> tuple[Scalar, Scalar]:
+    def ridges(self) -> tuple[ag.Scalar, ag.Scalar]:
         """The outer sides of the ridges along x [m].
 
         The free one is as far from the axis as it may be to pass the limit with its tip.
         """
         axis = self.left + PIN
         room = self.limit - axis - _SWINGS_PAST
-        return self.cell.left + _RIDGE_INSET, axis + sqrt(max_(room * room - self.reach * self.reach, 0.0))
+        return self.cell.left + _RIDGE_INSET, axis + ag.sqrt(
+            ag.max_(room * room - self.reach * self.reach, 0.0)
+        )
 
-    def clears(self, x: Scalar) -> Float:
+    def clears(self, x: ag.Scalar) -> ag.Float:
         """Return the smallest angle at which the open door stays to the left of `x` [rad].
 
         A point at (u, v) of the axis, to the right and to the back, has turned to u cos q + v sin q. This
@@ -148,7 +133,7 @@ class Leaf:
         axis = self.left + PIN
         room = x - axis - _CLEARS
         back = self.case.thickness - PIN
-        points: list[tuple[Scalar, Scalar]] = [
+        points: list[tuple[ag.Scalar, ag.Scalar]] = [
             (LINING_INSET - PIN, back),
             (SEAL_INSET - PIN, back + SEAL_GAP),
         ]
@@ -156,11 +141,11 @@ class Leaf:
             points.append((self.ridges[0] - axis, self.reach))
         angles = []
         for u, v in points:
-            rest = sqrt(max_(u * u + v * v - room * room, 0.0))
-            angles.append(atan2(v, u) + atan2(rest, room))
-        return max_(max_(angles[0], angles[1]), angles[-1])
+            rest = ag.sqrt(ag.max_(u * u + v * v - room * room, 0.0))
+            angles.append(ag.atan2(v, u) + ag.atan2(rest, room))
+        return ag.max_(ag.max_(angles[0], angles[1]), angles[-1])
 
-    def hinge(self, *, limit: Scalar, pull: Scalar, damping: Scalar) -> Joint:
+    def hinge(self, *, limit: ag.Scalar, pull: ag.Scalar, damping: ag.Scalar) -> ag.Joint:
         """Make its hinge."""
         return door_swing(
             self.joint,
@@ -172,6 +157,6 @@ class Leaf:
             damping=damping,
         )
 
-    def frees(self, left: Scalar, right: Scalar) -> Float:
+    def frees(self, left: ag.Scalar, right: ag.Scalar) -> ag.Float:
         """Return the smallest opening angle that clears a drawer between two sides [rad]."""
         return self.clears(-right if self.mirrored else left)

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from typing import Literal
 
-from artgen import Body, Material, Scalar, X, min_, require
+import artgen as ag
 from artgen._arrays import cached_property
 from artgen.categories.refrigerator.case import HUMP_HIGH, Case, Cell
 from artgen.categories.refrigerator.drawers import Front
@@ -59,9 +59,9 @@ class Divided:
     """What divides a cabinet."""
 
     case: Case  # the cabinet
-    share: Scalar  # of the freezer, in the height or the width
-    ridge: Scalar  # how deep the bins of the refrigerator's doors reach into it [m]
-    freezer_ridge: Scalar | None  # the same for the freezer's door; None for a flat inside
+    share: ag.Scalar  # of the freezer, in the height or the width
+    ridge: ag.Scalar  # how deep the bins of the refrigerator's doors reach into it [m]
+    freezer_ridge: ag.Scalar | None  # the same for the freezer's door; None for a flat inside
     bins: int  # on each door of the refrigerator
     drawers: int  # freezer drawers with fronts of their own
 
@@ -96,7 +96,7 @@ class Divided:
             doors = self._pair(cold, split + case.gap / 2, high)
         return Plan(cold, cells, doors, None, fronts)
 
-    def _cell(self, low: Scalar, high: Scalar, *, lowest: bool = False, highest: bool = False) -> Cell:
+    def _cell(self, low: ag.Scalar, high: ag.Scalar, *, lowest: bool = False, highest: bool = False) -> Cell:
         case = self.case
         side = case.width / 2 - case.wall
         bottom = low + (_FLOOR if lowest else _HALF_WALL)
@@ -104,24 +104,24 @@ class Divided:
         return Cell(-side, side, bottom, top, case.rear, humped=lowest, top=highest)
 
     @cached_property
-    def _edge(self) -> Scalar:
+    def _edge(self) -> ag.Scalar:
         return self.case.width / 2 - _INSET
 
     def _door(
-        self, cell: Cell, low: Scalar, high: Scalar, handle: Literal["low", "middle", "high"] = "middle"
+        self, cell: Cell, low: ag.Scalar, high: ag.Scalar, handle: Literal["low", "middle", "high"] = "middle"
     ) -> Leaf:
         return self._wide("door", cell, low, high, self.ridge, self.bins, handle)
 
-    def _freezer(self, cell: Cell, low: Scalar, high: Scalar, handle: Literal["low", "high"]) -> Leaf:
+    def _freezer(self, cell: Cell, low: ag.Scalar, high: ag.Scalar, handle: Literal["low", "high"]) -> Leaf:
         return self._wide("freezer_door", cell, low, high, self.freezer_ridge, max(1, self.bins - 1), handle)
 
     def _wide(
         self,
         name: str,
         cell: Cell,
-        low: Scalar,
-        high: Scalar,
-        ridge: Scalar | None,
+        low: ag.Scalar,
+        high: ag.Scalar,
+        ridge: ag.Scalar | None,
         bins: int,
         handle: Literal["low", "middle", "high"],
     ) -> Leaf:
@@ -129,11 +129,11 @@ class Divided:
         edge, case = self._edge, self.case
         return Leaf(name, name, case, cell, -edge, edge, low, high, cell.right, ridge, bins, handle=handle)
 
-    def _fronts(self, low: Scalar, high: Scalar) -> tuple[Front, ...]:
+    def _fronts(self, low: ag.Scalar, high: ag.Scalar) -> tuple[Front, ...]:
         """Divide the freezer into drawers of equal fronts."""
         count, half = self.drawers, self.case.gap / 2
         lowest = (high - low) / count - _FLOOR - _HALF_WALL  # its height
-        high = require(
+        high = ag.require(
             high,
             lowest > HUMP_HIGH - 1.5 * _HALF_WALL,  # the top of the machine room is in the wall over it
             "the machine room behind the lowest drawer is as high as that: raise freezer_share or height, "
@@ -148,7 +148,7 @@ class Divided:
             fronts.append(Front(cell, -self._edge, self._edge, start, top - half))
         return tuple(fronts)
 
-    def _pair(self, cell: Cell, low: Scalar, high: Scalar) -> tuple[Leaf, Leaf]:
+    def _pair(self, cell: Cell, low: ag.Scalar, high: ag.Scalar) -> tuple[Leaf, Leaf]:
         """Make two doors that meet in the middle."""
         edge, half = self._edge, -0.5 * self.case.gap
         left, right = (
@@ -171,13 +171,13 @@ class Divided:
         )
         return left, right
 
-    def _abreast(self, low: Scalar, high: Scalar) -> Plan:
+    def _abreast(self, low: ag.Scalar, high: ag.Scalar) -> Plan:
         """Divide the cabinet in its width, the freezer at the left."""
         case, half = self.case, self.case.gap / 2
         whole = self._cell(low, high, lowest=True, highest=True)
         split = -0.5 * case.width + self.share * case.width
-        narrower = min_(split - whole.left, whole.right - split) - _HALF_WALL
-        split = require(split, narrower > LIGHT + 0.01, _NO_LIGHT)
+        narrower = ag.min_(split - whole.left, whole.right - split) - _HALF_WALL
+        split = ag.require(split, narrower > LIGHT + 0.01, _NO_LIGHT)
         frozen = Cell(
             whole.left, split - _HALF_WALL, whole.low, whole.high, whole.rear, humped=True, top=True
         )
@@ -194,7 +194,7 @@ class Divided:
         return Plan(cold, (frozen,), (door,), freezer, abreast=True)
 
 
-def hinges(plan: Plan, case: Case, *, cover: Material, metal: Material) -> list[Body]:
+def hinges(plan: Plan, case: Case, *, cover: ag.Material, metal: ag.Material) -> list[ag.Body]:
     """Make the covers over the hinges on top of the cabinet, and the brackets under the doors."""
     bodies = []
     for leaf in plan.leaves:
@@ -206,5 +206,5 @@ def hinges(plan: Plan, case: Case, *, cover: Material, metal: Material) -> list[
         ]
         if leaf.cell.top:
             fixed.append(hinge_cover(finish=cover, way=-1, inset=PIN).at(x, y, case.top))
-        bodies += [each.mirror(X) if leaf.mirrored else each for each in fixed]
+        bodies += [each.mirror(ag.X) if leaf.mirrored else each for each in fixed]
     return bodies

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from typing import Literal
 
-from artgen import Body, Material, Scalar, material
+import artgen as ag
 from artgen.categories.refrigerator.case import Case, Cell
 from artgen.categories.refrigerator.drawers import Slot, drawer_front, rows
 from artgen.categories.refrigerator.inside import ShelfKind, eggs, fittings, ice_box, shelf
@@ -20,11 +20,11 @@ class Furniture:
     """What a cell holds."""
 
     drawers: tuple[int, ...]  # how many drawers stand side by side in each row, from below
-    drawer_height: Scalar | None  # of each; None lets them fill the cell [m]
+    drawer_height: ag.Scalar | None  # of each; None lets them fill the cell [m]
     shelves: int  # how many there are above the drawers
     kind: ShelfKind  # of the shelves
-    trim: Material  # of their strips, or wires
-    liner: Material  # of the cell, and of what is fixed to its walls
+    trim: ag.Material  # of their strips, or wires
+    liner: ag.Material  # of the cell, and of what is fixed to its walls
     ice_box: bool = False  # whether there is one
     egg_tray: bool = False  # whether there is one
     control: Literal["dial", "touch", "none"] = "none"  # what sets the temperature
@@ -35,22 +35,22 @@ class Furniture:
 class Room:
     """A furnished cell."""
 
-    bodies: tuple[Body, ...]  # what is to be welded to the cabinet
+    bodies: tuple[ag.Body, ...]  # what is to be welded to the cabinet
     slots: tuple[Slot, ...]  # the places of its drawers
-    front: Scalar  # the front of its drawers along y [m]
-    ice: Scalar  # underside of the floor of its ice box [m]
-    spread: Scalar  # from shelf to shelf [m]
+    front: ag.Scalar  # the front of its drawers along y [m]
+    ice: ag.Scalar  # underside of the floor of its ice box [m]
+    spread: ag.Scalar  # from shelf to shelf [m]
 
 
-def furnish(case: Case, cell: Cell, ridge: Scalar | None, held: Furniture) -> Room:
+def furnish(case: Case, cell: Cell, ridge: ag.Scalar | None, held: Furniture) -> Room:
     """Furnish a cell."""
-    glass = material("glass")
+    glass = ag.material("glass")
     front = drawer_front(case, ridge)
     shelf_front = case.mouth + 0.02 if ridge is None else case.face + ridge + _SHELF_SHY
     count = len(held.drawers)
     if held.drawer_height is None:
         pitch = cell.height / max(count, 1) - 0.004
-        high: Scalar = pitch - 0.012
+        high: ag.Scalar = pitch - 0.012
         lip = 0.45 * high  # hands come between the door above and the floor
     else:
         high, pitch = held.drawer_height, held.drawer_height + _OVER

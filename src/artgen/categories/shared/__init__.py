@@ -2,12 +2,12 @@
 
 import math
 
-from artgen import Profile, Scalar, polygon
+import artgen as ag
 
 
-def recycling(size: Scalar) -> Profile:
+def recycling(size: ag.Scalar) -> ag.Profile:
     """Make three arrows that chase each other around a triangle, about the origin."""
-    unit = polygon(
+    unit = ag.polygon(
         [(-0.16, 0.30), (-0.16, 0.44), (0.14, 0.44), (0.14, 0.54), (0.34, 0.37), (0.14, 0.20), (0.14, 0.30)]
     )
     arrow = unit.at(0.0, -0.02)

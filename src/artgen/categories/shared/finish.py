@@ -2,12 +2,12 @@
 
 from collections.abc import Sequence
 
-from artgen import MATERIALS, Material, material
+import artgen as ag
 
 
-def known(*names: str) -> tuple[Material, ...]:
+def known(*names: str) -> tuple[ag.Material, ...]:
     """Return the materials of those names that the table has."""
-    return tuple(MATERIALS[name] for name in names if name in MATERIALS)
+    return tuple(ag.MATERIALS[name] for name in names if name in ag.MATERIALS)
 
 
 _HARDWARE = {
@@ -28,12 +28,12 @@ FINISH_WEIGHTS = tuple(_HARDWARE[finish.name] for finish in FINISHES)
 """How often."""
 
 
-def casting(finish: Material, share: float = 0.35) -> Material:
+def casting(finish: ag.Material, share: float = 0.35) -> ag.Material:
     """Return the material of a hollow casting, a moulding or a tube with the looks of a finish."""
     return finish.with_(name=f"{finish.name}_hollow_{round(100 * share)}", density=share * finish.density)
 
 
-def recess(finish: Material) -> Material:
+def recess(finish: ag.Material) -> ag.Material:
     """Return the material of slots and holes in a finish, which look dark."""
     return finish.with_(
         name=f"{finish.name}_recess",
@@ -48,12 +48,12 @@ def recess(finish: Material) -> Material:
     )
 
 
-def weighing(materials: Sequence[Material], density: float, prefix: str) -> tuple[Material, ...]:
+def weighing(materials: Sequence[ag.Material], density: float, prefix: str) -> tuple[ag.Material, ...]:
     """Return materials of another density [kg/m3], such as veneers on a light core, under other names."""
     return tuple(each.with_(name=f"{prefix}_{each.name}", density=density) for each in materials)
 
 
-def across(finish: Material) -> Material:
+def across(finish: ag.Material) -> ag.Material:
     """Return a finish whose grain runs across the long side of a part."""
     if not finish.texture:
         return finish
@@ -89,9 +89,9 @@ _SPRAYED = (
 )  # factory finishes; a brush leaves marks in the others
 
 
-def paints(density: float, prefix: str) -> tuple[Material, ...]:
+def paints(density: float, prefix: str) -> tuple[ag.Material, ...]:
     """Return the paints over a wood of some density [kg/m3], under names that begin with the prefix."""
-    base = material("painted_wood")
+    base = ag.material("painted_wood")
     return tuple(
         base.with_(
             name=f"{prefix}_{color}",

@@ -10,22 +10,8 @@ What hangs on a wall comes with the tile that it hangs on. A pump takes 8 to 25 
 
 from typing import Literal
 
-from artgen import (
-    Body,
-    Float,
-    Material,
-    by,
-    category,
-    choice,
-    colored,
-    details,
-    material,
-    max_,
-    require,
-    shades,
-    uniform,
-    weld,
-)
+import artgen as ag
+from artgen import details
 from artgen.categories.soap_dispenser.bottles import Shape, Sizes, clear, opaque
 from artgen.categories.soap_dispenser.finish import (
     CERAMIC_WEIGHTS,
@@ -63,7 +49,7 @@ _CLEAR: tuple[Shape, ...] = ("round", "square", "cube", "hexagonal", "cone", "be
 _HELD: tuple[Shape, ...] = ("round", "apothecary")
 
 
-@category(
+@ag.category(
     labels=(
         "body",
         "collar",
@@ -87,10 +73,12 @@ _HELD: tuple[Shape, ...] = ("round", "apothecary")
 )
 def soap_dispenser(
     *,
-    style: Literal["bottle", "holder", "box"] = choice("bottle", "holder", "box", weights=(0.76, 0.10, 0.14)),
-    shape: Shape = by(
+    style: Literal["bottle", "holder", "box"] = ag.choice(
+        "bottle", "holder", "box", weights=(0.76, 0.10, 0.14)
+    ),
+    shape: Shape = ag.by(
         "style",
-        bottle=choice(
+        bottle=ag.choice(
             "round",
             "square",
             "cube",
@@ -104,107 +92,109 @@ def soap_dispenser(
             "beehive",
             weights=(0.15, 0.10, 0.08, 0.10, 0.08, 0.08, 0.08, 0.08, 0.12, 0.07, 0.06),
         ),
-        holder=choice(*_HELD),
+        holder=ag.choice(*_HELD),
         box="square",
     ),
-    build: Build = by(
+    build: Build = ag.by(
         "style",
-        bottle=by(
+        bottle=ag.by(
             "shape",
-            round=choice("clear", "ceramic", "plastic", "steel", weights=(0.25, 0.30, 0.15, 0.30)),
-            square=choice("clear", "ceramic", "plastic", "steel", weights=(0.4, 0.25, 0.15, 0.2)),
-            cube=choice("clear", "ceramic", weights=(0.6, 0.4)),
-            hexagonal=choice("clear", "ceramic", "plastic", weights=(0.45, 0.4, 0.15)),
-            oval=choice("ceramic", "plastic", weights=(0.3, 0.7)),
-            cone=choice("clear", "ceramic", "plastic", "steel", weights=(0.3, 0.35, 0.15, 0.2)),
-            bell=choice("clear", "ceramic", weights=(0.35, 0.65)),
-            apothecary=choice("clear", "plastic", weights=(0.8, 0.2)),
-            otherwise=choice("ceramic", "plastic", weights=(0.85, 0.15)),
+            round=ag.choice("clear", "ceramic", "plastic", "steel", weights=(0.25, 0.30, 0.15, 0.30)),
+            square=ag.choice("clear", "ceramic", "plastic", "steel", weights=(0.4, 0.25, 0.15, 0.2)),
+            cube=ag.choice("clear", "ceramic", weights=(0.6, 0.4)),
+            hexagonal=ag.choice("clear", "ceramic", "plastic", weights=(0.45, 0.4, 0.15)),
+            oval=ag.choice("ceramic", "plastic", weights=(0.3, 0.7)),
+            cone=ag.choice("clear", "ceramic", "plastic", "steel", weights=(0.3, 0.35, 0.15, 0.2)),
+            bell=ag.choice("clear", "ceramic", weights=(0.35, 0.65)),
+            apothecary=ag.choice("clear", "plastic", weights=(0.8, 0.2)),
+            otherwise=ag.choice("ceramic", "plastic", weights=(0.85, 0.15)),
         ),
-        holder=choice("clear", "plastic", "steel", weights=(0.4, 0.3, 0.3)),
-        box=choice("plastic", "steel", weights=(0.6, 0.4)),
+        holder=ag.choice("clear", "plastic", "steel", weights=(0.4, 0.3, 0.3)),
+        box=ag.choice("plastic", "steel", weights=(0.6, 0.4)),
     ),
-    nozzle: Nozzle = by(
+    nozzle: Nozzle = ag.by(
         "build",
-        plastic=choice("saddle", "beak", "foamer", "bar", weights=(0.45, 0.25, 0.2, 0.1)),
-        clear=choice(
+        plastic=ag.choice("saddle", "beak", "foamer", "bar", weights=(0.45, 0.25, 0.2, 0.1)),
+        clear=ag.choice(
             "saddle", "beak", "gooseneck", "bar", "swan", "foamer", weights=(0.22, 0.2, 0.2, 0.16, 0.14, 0.08)
         ),
-        ceramic=choice("saddle", "beak", "gooseneck", "bar", "swan", weights=(0.14, 0.26, 0.24, 0.2, 0.16)),
-        steel=choice("beak", "gooseneck", "bar", "swan"),
+        ceramic=ag.choice(
+            "saddle", "beak", "gooseneck", "bar", "swan", weights=(0.14, 0.26, 0.24, 0.2, 0.16)
+        ),
+        steel=ag.choice("beak", "gooseneck", "bar", "swan"),
     ),
-    press: Press = choice("button", "lever", doc="of a box"),
-    width: Float = by(
+    press: Press = ag.choice("button", "lever", doc="of a box"),
+    width: ag.Float = ag.by(
         "shape",
-        round=uniform(0.064, 0.078),
-        square=uniform(0.060, 0.070),
-        cube=uniform(0.074, 0.082),
-        oval=uniform(0.076, 0.088),
-        hexagonal=uniform(0.070, 0.082),
-        amphora=uniform(0.074, 0.088),
-        cone=uniform(0.076, 0.090),
-        bell=uniform(0.072, 0.086),
-        apothecary=uniform(0.064, 0.074),
-        otherwise=uniform(0.068, 0.080),
+        round=ag.uniform(0.064, 0.078),
+        square=ag.uniform(0.060, 0.070),
+        cube=ag.uniform(0.074, 0.082),
+        oval=ag.uniform(0.076, 0.088),
+        hexagonal=ag.uniform(0.070, 0.082),
+        amphora=ag.uniform(0.074, 0.088),
+        cone=ag.uniform(0.076, 0.090),
+        bell=ag.uniform(0.072, 0.086),
+        apothecary=ag.uniform(0.064, 0.074),
+        otherwise=ag.uniform(0.068, 0.080),
         unit="m",
         within=(0.058, 0.095),
         doc="of a bottle",
     ),
-    depth: Float = by(
+    depth: ag.Float = ag.by(
         "shape",
-        oval=uniform(0.56, 0.66),
-        square=by("style", box=1.0, otherwise=uniform(0.86, 1.0)),
+        oval=ag.uniform(0.56, 0.66),
+        square=ag.by("style", box=1.0, otherwise=ag.uniform(0.86, 1.0)),
         otherwise=1.0,
         doc="over the width of an oval or rectangular bottle",
         within=(0.5, 1.0),
     ),
-    height: Float = by(
+    height: ag.Float = ag.by(
         "shape",
-        cube=uniform(0.080, 0.088),
-        otherwise=by("style", holder=uniform(0.098, 0.108), otherwise=uniform(0.092, 0.124)),
+        cube=ag.uniform(0.080, 0.088),
+        otherwise=ag.by("style", holder=ag.uniform(0.098, 0.108), otherwise=ag.uniform(0.092, 0.124)),
         unit="m",
         doc="of a bottle up to the collar of its pump",
         within=(0.075, 0.13),
     ),
-    box_width: Float = uniform(0.074, 0.094, "m", doc="of a box", within=(0.07, 0.11)),
-    box_depth: Float = uniform(0.066, 0.078, "m", doc="how far a box stands out", within=(0.06, 0.09)),
-    reach: Float = uniform(0.042, 0.054, "m", doc="of the spout from its axis", within=(0.038, 0.07)),
-    travel: Float = uniform(0.012, 0.020, "m", doc="of nozzle or button", within=(0.010, 0.0202)),
-    swing: Float = uniform(0.20, 0.30, "rad", doc="of a lever", within=(0.1, 0.35)),
-    force: Float = uniform(9.0, 22.0, "N", doc="of the spring, pressed home", within=(5.0, 30.0)),
-    damping: Float = uniform(6.0, 12.0, "N s/m", doc="of the soap that is drawn in"),
-    turn_friction: Float = uniform(0.02, 0.05, "N m", doc="of the nozzle on its stem"),
-    finish: Material = by(
+    box_width: ag.Float = ag.uniform(0.074, 0.094, "m", doc="of a box", within=(0.07, 0.11)),
+    box_depth: ag.Float = ag.uniform(0.066, 0.078, "m", doc="how far a box stands out", within=(0.06, 0.09)),
+    reach: ag.Float = ag.uniform(0.042, 0.054, "m", doc="of the spout from its axis", within=(0.038, 0.07)),
+    travel: ag.Float = ag.uniform(0.012, 0.020, "m", doc="of nozzle or button", within=(0.010, 0.0202)),
+    swing: ag.Float = ag.uniform(0.20, 0.30, "rad", doc="of a lever", within=(0.1, 0.35)),
+    force: ag.Float = ag.uniform(9.0, 22.0, "N", doc="of the spring, pressed home", within=(5.0, 30.0)),
+    damping: ag.Float = ag.uniform(6.0, 12.0, "N s/m", doc="of the soap that is drawn in"),
+    turn_friction: ag.Float = ag.uniform(0.02, 0.05, "N m", doc="of the nozzle on its stem"),
+    finish: ag.Material = ag.by(
         "build",
-        clear=shades(*GLASSES, weights=GLASS_WEIGHTS, color=0.03, roughness=0.0),
-        ceramic=shades(*CERAMICS, weights=CERAMIC_WEIGHTS, color=0.05),
-        plastic=shades(*PLASTICS, weights=PLASTIC_WEIGHTS, color=0.04),
-        steel=shades(*STEELS, weights=STEEL_WEIGHTS, color=0.03),
+        clear=ag.shades(*GLASSES, weights=GLASS_WEIGHTS, color=0.03, roughness=0.0),
+        ceramic=ag.shades(*CERAMICS, weights=CERAMIC_WEIGHTS, color=0.05),
+        plastic=ag.shades(*PLASTICS, weights=PLASTIC_WEIGHTS, color=0.04),
+        steel=ag.shades(*STEELS, weights=STEEL_WEIGHTS, color=0.03),
     ),
-    pump: Material = by(
+    pump: ag.Material = ag.by(
         "nozzle",
-        saddle=shades(*PUMPS, weights=PUMP_WEIGHTS, color=0.04),
-        foamer=shades(*PUMPS, weights=PUMP_WEIGHTS, color=0.04),
-        beak=shades(
+        saddle=ag.shades(*PUMPS, weights=PUMP_WEIGHTS, color=0.04),
+        foamer=ag.shades(*PUMPS, weights=PUMP_WEIGHTS, color=0.04),
+        beak=ag.shades(
             *METALS, *PUMPS, weights=(*METAL_WEIGHTS, *(1.2 * each for each in PUMP_WEIGHTS)), color=0.03
         ),
-        otherwise=shades(*METALS, weights=METAL_WEIGHTS, color=0.03),
+        otherwise=ag.shades(*METALS, weights=METAL_WEIGHTS, color=0.03),
     ),
-    soap: Material = choice(*SOAPS, doc="what is in a clear bottle, or in the window of a box"),
-    fill: Float = uniform(
+    soap: ag.Material = ag.choice(*SOAPS, doc="what is in a clear bottle, or in the window of a box"),
+    fill: ag.Float = ag.uniform(
         0.45, 0.78, doc="to which share of its height a clear bottle is full", within=(0.2, 0.8)
     ),
-    wall: Material = shades(*TILES, color=0.03, doc="the tile behind what hangs on a wall"),
-    content: Content = choice("soap", "hand_wash", "lotion", "dish_soap", weights=(0.4, 0.25, 0.2, 0.15)),
-    print_: Print = by(
+    wall: ag.Material = ag.shades(*TILES, color=0.03, doc="the tile behind what hangs on a wall"),
+    content: Content = ag.choice("soap", "hand_wash", "lotion", "dish_soap", weights=(0.4, 0.25, 0.2, 0.15)),
+    print_: Print = ag.by(
         "build",
-        clear=choice("none", "word", "icon", "label", weights=(0.35, 0.2, 0.1, 0.35)),
-        plastic=choice("none", "word", "icon", "label", weights=(0.2, 0.2, 0.2, 0.4)),
-        otherwise=choice("none", "word", "icon", weights=(0.5, 0.35, 0.15)),
+        clear=ag.choice("none", "word", "icon", "label", weights=(0.35, 0.2, 0.1, 0.35)),
+        plastic=ag.choice("none", "word", "icon", "label", weights=(0.2, 0.2, 0.2, 0.4)),
+        otherwise=ag.choice("none", "word", "icon", weights=(0.5, 0.35, 0.15)),
         doc="what is printed on a bottle, where it has no ribs",
     ),
-    maker: str = choice(*details.BRANDS),
-) -> Body:
+    maker: str = ag.choice(*details.BRANDS),
+) -> ag.Body:
     """Make a soap dispenser, its pump up: a nozzle that slides and turns, or a button."""
     if style == "box":
         body = wall_box(
@@ -217,7 +207,7 @@ def soap_dispenser(
             maker=maker,
             word=" ".join(WORDS[content]),
         )
-        body = weld(body, tile(1.5 * box_width, wall))
+        body = ag.weld(body, tile(1.5 * box_width, wall))
         pressed = panel(box_width, box_depth, press=press, travel=travel, finish=finish, ink=ink_on(finish))
         if press == "button":
             return body.attach(
@@ -227,36 +217,36 @@ def soap_dispenser(
         hinge = lever_hinge(box_depth, swing=swing, force=force, damping=0.0025 * damping)
         return body.attach(pressed, hinge)
 
-    require(build != "clear" or shape in _CLEAR, f"no {shape} bottle is made of clear glass")
-    require(
+    ag.require(build != "clear" or shape in _CLEAR, f"no {shape} bottle is made of clear glass")
+    ag.require(
         style != "holder" or shape in _HELD,
         f"the ring of style=holder fits round bottles with upright sides: shape={shape} must be "
         f"{' or '.join(_HELD)}",
     )
     least = 0.28 if style == "holder" else 0.0
-    fill = require(
+    fill = ag.require(
         fill, fill >= least, f"its holder grips a bottle where it is full: fill at least {least:g}"
     )
     sizes = Sizes(width, depth, height)
     is_clear = build == "clear"
     if is_clear:
-        body = clear(shape, sizes, finish, soap, fill=fill, plastic=material("polypropylene"))
+        body = clear(shape, sizes, finish, soap, fill=fill, plastic=ag.material("polypropylene"))
     else:
         body = opaque(shape, sizes, finish)
     shown = print_ if shape in PRINTED and (print_ != "label" or shape in LABELLED) else "none"
-    body = weld(
+    body = ag.weld(
         body, *marks(shown, content, maker, shape=shape, sizes=sizes, ink=ink_on(finish), clear=is_clear)
     )
 
     is_metal = pump.base_metalness > 0.5
     looks = PumpLooks(
         pump,
-        material("chrome" if is_metal else "polypropylene"),
+        ag.material("chrome" if is_metal else "polypropylene"),
         ribbed=not is_metal,
         ink=None if is_metal else ink_on(pump),
     )
     head = nozzle_body(nozzle, reach=reach, travel=travel, looks=looks)
-    body = weld(body, collar(nozzle, height, looks))
+    body = ag.weld(body, collar(nozzle, height, looks))
     body = body.attach(
         head.at(0.0, 0.0, height + COLLAR + GAP + travel),
         nozzle_turn(turn_friction),
@@ -264,8 +254,8 @@ def soap_dispenser(
     )
     if style == "bottle":
         return body
-    out = max_(width / 2.0 + 0.016, reach + 0.010)
+    out = ag.max_(width / 2.0 + 0.016, reach + 0.010)
     # below what is printed, and below the level of the soap
     ring_at = TRAY + (0.13 if shape == "apothecary" else 0.22) * height
-    hung = holder(width / 2.0, out, ring_at, colored("powder_coat", "black") if not is_metal else pump)
-    return weld(body.at(0.0, 0.0, TRAY - 0.0002), weld(hung, tile(0.11, wall)).at(0.0, out, 0.0))
+    hung = holder(width / 2.0, out, ring_at, ag.colored("powder_coat", "black") if not is_metal else pump)
+    return ag.weld(body.at(0.0, 0.0, TRAY - 0.0002), ag.weld(hung, tile(0.11, wall)).at(0.0, out, 0.0))

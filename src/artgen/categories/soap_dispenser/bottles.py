@@ -8,26 +8,7 @@ import math
 from dataclasses import dataclass
 from typing import Literal
 
-from artgen import (
-    Body,
-    Material,
-    Profile,
-    Scalar,
-    Solid,
-    cylinder,
-    cylinder_between,
-    detail,
-    ellipse,
-    extrude,
-    loft,
-    min_,
-    part,
-    polygon,
-    polyline,
-    rectangle,
-    regular_polygon,
-    weld,
-)
+import artgen as ag
 from artgen.categories.shared.vessels.turned import Drawn, Run, blown, drawn, filled, turned
 from artgen.nodes.handles import Path
 
@@ -115,9 +96,9 @@ _TUBE = 0.0023  # radius of the dip tube [m]
 class Sizes:
     """Sizes of a bottle."""
 
-    width: Scalar  # its width [m]
-    depth: Scalar  # its depth over its width, of an oval or rectangular one
-    height: Scalar  # from the table to its shoulder [m]
+    width: ag.Scalar  # its width [m]
+    depth: ag.Scalar  # its depth over its width, of an oval or rectangular one
+    height: ag.Scalar  # from the table to its shoulder [m]
 
 
 def is_turned(shape: Shape) -> bool:
@@ -132,20 +113,20 @@ def bottle_runs(shape: Shape, sizes: Sizes) -> list[Run]:
     return drawn(_FORMS[shape], sizes.width / 2.0, 0.0, sizes.height)
 
 
-def outline(shape: Shape, sizes: Sizes, inset: Scalar = 0.0) -> Profile:
+def outline(shape: Shape, sizes: Sizes, inset: ag.Scalar = 0.0) -> ag.Profile:
     """Return the outline of the plan of a bottle with flat or oval sides, moved inward."""
     wide = sizes.width - 2.0 * inset
     deep = sizes.width * sizes.depth - 2.0 * inset
     match shape:
         case "hexagonal":
-            return regular_polygon(6, wide / 2.0)
+            return ag.regular_polygon(6, wide / 2.0)
         case "oval":
-            return ellipse(wide / 2.0, deep / 2.0)
+            return ag.ellipse(wide / 2.0, deep / 2.0)
         case _:
-            return rectangle(wide, deep)
+            return ag.rectangle(wide, deep)
 
 
-def opaque(shape: Shape, sizes: Sizes, finish: Material) -> Body:
+def opaque(shape: Shape, sizes: Sizes, finish: ag.Material) -> ag.Body:
     """Make a bottle that hides what is in it: the link `body`."""
     height = sizes.height
     if shape in _FORMS:
@@ -153,30 +134,32 @@ def opaque(shape: Shape, sizes: Sizes, finish: Material) -> Body:
     if shape == "ribbed":
         return _ribbed(sizes, finish)
     if shape == "oval":
-        return part(_oval(sizes), "body", finish)
+        return ag.part(_oval(sizes), "body", finish)
     wide, deep = sizes.width, sizes.width * sizes.depth
     edge = 0.13 * wide if shape == "cube" else 0.10 * wide
-    plan = regular_polygon(6, wide / 2.0) if shape == "hexagonal" else rectangle(wide, deep, radius=edge)
+    plan = (
+        ag.regular_polygon(6, wide / 2.0) if shape == "hexagonal" else ag.rectangle(wide, deep, radius=edge)
+    )
     bevel = 0.004
-    return part(extrude(plan, height, bevel=bevel).at(0.0, 0.0, height / 2.0), "body", finish)
+    return ag.part(ag.extrude(plan, height, bevel=bevel).at(0.0, 0.0, height / 2.0), "body", finish)
 
 
-def _ribbed(sizes: Sizes, finish: Material) -> Body:
+def _ribbed(sizes: Sizes, finish: ag.Material) -> ag.Body:
     """Make a cylinder with upright flutes, which are only seen."""
     radius, height = sizes.width / 2.0, sizes.height
     steps = 6 * _FLUTES
     angles = [math.tau * step / steps for step in range(steps)]
     radii = [1.0 - 0.045 * (0.5 - 0.5 * math.cos(_FLUTES * angle)) ** 2 for angle in angles]
-    plan = polygon([(r * math.cos(a), r * math.sin(a)) for r, a in zip(radii, angles, strict=True)])
-    skin = extrude(plan.scale(radius), height - 0.010, bevel=0.0008).at(0.0, 0.0, height / 2.0 - 0.001)
-    core = cylinder(0.955 * radius, height, bevel=0.003).at(0.0, 0.0, height / 2.0)
-    return weld(part(core, "body", finish), detail(skin, "body", finish))
+    plan = ag.polygon([(r * math.cos(a), r * math.sin(a)) for r, a in zip(radii, angles, strict=True)])
+    skin = ag.extrude(plan.scale(radius), height - 0.010, bevel=0.0008).at(0.0, 0.0, height / 2.0 - 0.001)
+    core = ag.cylinder(0.955 * radius, height, bevel=0.003).at(0.0, 0.0, height / 2.0)
+    return ag.weld(ag.part(core, "body", finish), ag.detail(skin, "body", finish))
 
 
-def _oval(sizes: Sizes) -> Solid:
+def _oval(sizes: Sizes) -> ag.Solid:
     """Make an oval bottle whose shoulders slope to the neck."""
     wide, deep, height = sizes.width / 2.0, sizes.width * sizes.depth / 2.0, sizes.height
-    levels: list[tuple[float, Scalar]] = [
+    levels: list[tuple[float, ag.Scalar]] = [
         (0.95, 0.0),
         (1.0, 0.003),
         (1.0, 0.74 * height),
@@ -185,31 +168,39 @@ def _oval(sizes: Sizes) -> Solid:
         (0.80, 0.945 * height),
         (0.62, 0.985 * height),
     ]
-    plans = [ellipse(share * wide, (0.35 + 0.65 * share) * deep) for share, _ in levels]
-    plans.append(ellipse(0.46 * wide, NECK + 0.001))
-    return loft(plans, [*(level for _, level in levels), height])
+    plans = [ag.ellipse(share * wide, (0.35 + 0.65 * share) * deep) for share, _ in levels]
+    plans.append(ag.ellipse(0.46 * wide, NECK + 0.001))
+    return ag.loft(plans, [*(level for _, level in levels), height])
 
 
 def clear(
-    shape: Shape, sizes: Sizes, glass: Material, soap: Material, *, fill: Scalar, plastic: Material
-) -> Body:
+    shape: Shape,
+    sizes: Sizes,
+    glass: ag.Material,
+    soap: ag.Material,
+    *,
+    fill: ag.Scalar,
+    plastic: ag.Material,
+) -> ag.Body:
     """Make a bottle that shows its soap, with the pump's housing and tube in it: the link `body`."""
     height = sizes.height
     level = fill * height
     tube = plastic.with_(name=f"{plastic.name}_tube", density=420.0)
-    inside = weld(
-        part(
-            cylinder_between((0.0, 0.0, height - _DEEP), (0.0, 0.0, height), _PUMP, bevel=0.001),
+    inside = ag.weld(
+        ag.part(
+            ag.cylinder_between((0.0, 0.0, height - _DEEP), (0.0, 0.0, height), _PUMP, bevel=0.001),
             "pump",
             plastic,
         ),
-        part(
-            cylinder_between((0.0, 0.0, 0.0075), (0.0, 0.0, height - _DEEP + 0.001), _TUBE), "dip_tube", tube
+        ag.part(
+            ag.cylinder_between((0.0, 0.0, 0.0075), (0.0, 0.0, height - _DEEP + 0.001), _TUBE),
+            "dip_tube",
+            tube,
         ),
     )
     if shape in _BLOWN:
         path, foot = blown_path(shape, sizes), sizes.width / 2.0 - _EDGE
-        solid_to = min_(level, _straight(shape, sizes))
+        solid_to = ag.min_(level, _straight(shape, sizes))
         vessel = blown(path, "body", glass, foot=foot, wall=_GLASS, level=solid_to)
         content = filled(path, wall=_GLASS, level=level - 0.0003)
         if shape != "cone":
@@ -217,13 +208,13 @@ def clear(
     else:
         floor = 2.0 * _GLASS
         outer = outline(shape, sizes) if shape == "hexagonal" else _rounded(sizes)
-        hollow = extrude(outline(shape, sizes, _GLASS), height - 0.004 - floor)
-        block = extrude(outer, height, bevel=0.003).at(0.0, 0.0, height / 2.0)
-        vessel = part(block - hollow.at(0.0, 0.0, (height - 0.004 + floor) / 2.0), "body", glass)
-        content = extrude(outline(shape, sizes, _GLASS + 0.0002), level - floor - 0.0002)
+        hollow = ag.extrude(outline(shape, sizes, _GLASS), height - 0.004 - floor)
+        block = ag.extrude(outer, height, bevel=0.003).at(0.0, 0.0, height / 2.0)
+        vessel = ag.part(block - hollow.at(0.0, 0.0, (height - 0.004 + floor) / 2.0), "body", glass)
+        content = ag.extrude(outline(shape, sizes, _GLASS + 0.0002), level - floor - 0.0002)
         content = content.at(0.0, 0.0, (level + floor + 0.0002) / 2.0)
     # the first part gives the link its name; of what overlaps, the first part counts
-    return weld(vessel, inside, part(content, "soap", soap))
+    return ag.weld(vessel, inside, ag.part(content, "soap", soap))
 
 
 def blown_path(shape: Shape, sizes: Sizes) -> Path:
@@ -232,15 +223,15 @@ def blown_path(shape: Shape, sizes: Sizes) -> Path:
     radius = sizes.width / 2.0
     (slope,) = drawn([corners], radius, 0.0, sizes.height)
     points = [(radius - _EDGE, 0.0), (radius, _EDGE), *slope, (NECK, sizes.height)]
-    return polyline([(r, 0.0, z) for r, z in points], fillet=fillet)
+    return ag.polyline([(r, 0.0, z) for r, z in points], fillet=fillet)
 
 
-def _straight(shape: Shape, sizes: Sizes) -> Scalar:
+def _straight(shape: Shape, sizes: Sizes) -> ag.Scalar:
     """Return up to which height a blown bottle has no bends [m]."""
     corners, fillet = _BLOWN[shape]
     _, share, rest = corners[0]
     return share * sizes.height + rest * sizes.width / 2.0 - fillet
 
 
-def _rounded(sizes: Sizes) -> Profile:
-    return rectangle(sizes.width, sizes.width * sizes.depth, radius=0.005)
+def _rounded(sizes: Sizes) -> ag.Profile:
+    return ag.rectangle(sizes.width, sizes.width * sizes.depth, radius=0.005)

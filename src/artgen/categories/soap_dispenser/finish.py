@@ -4,7 +4,7 @@ Bottles that hide their content have the density of the whole: soap in four fift
 5 mm of ceramic, 1.5 mm of plastic or 0.6 mm of steel.
 """
 
-from artgen import Material, colored, material
+import artgen as ag
 from artgen.categories.shared.finish import known, weighing
 from artgen.materials import COLORS
 
@@ -31,7 +31,7 @@ _GLAZES = {
 }
 
 CERAMICS = (
-    *weighing([colored("ceramic", color) for color in _GLAZES], 1150.0, "thrown"),
+    *weighing([ag.colored("ceramic", color) for color in _GLAZES], 1150.0, "thrown"),
     *weighing(known("marble", "green_marble", "black_granite", "granite"), 1250.0, "bored"),
 )
 """Glazes, and stone."""
@@ -53,7 +53,7 @@ _DYES = (
     "lavender",
 )
 
-PLASTICS = weighing([colored("glossy_plastic", color) for color in _DYES], 940.0, "filled")
+PLASTICS = weighing([ag.colored("glossy_plastic", color) for color in _DYES], 940.0, "filled")
 """Plastics."""
 
 PLASTIC_WEIGHTS = (3.0, 1.6, 1.0, 0.8, 0.8, 0.8, 0.8, 0.8, 0.6, 0.6, 0.5)
@@ -62,7 +62,9 @@ PLASTIC_WEIGHTS = (3.0, 1.6, 1.0, 0.8, 0.8, 0.8, 0.8, 0.8, 0.6, 0.6, 0.5)
 STEELS = (
     *weighing(known("stainless", "brushed_aluminium", "copper", "satin_brass"), 1000.0, "filled"),
     *weighing(
-        [colored("powder_coat", color) for color in ("black", "white", "graphite", "sage")], 1000.0, "filled"
+        [ag.colored("powder_coat", color) for color in ("black", "white", "graphite", "sage")],
+        1000.0,
+        "filled",
     ),
 )
 """Drawn shells of metal."""
@@ -80,7 +82,7 @@ METALS = weighing(
 METAL_WEIGHTS = (2.4, 1.8, 1.6, 0.5, 1.8, 0.5)
 """How often."""
 
-PUMPS = tuple(colored("abs", color) for color in ("white", "black", "light_grey", "graphite"))
+PUMPS = tuple(ag.colored("abs", color) for color in ("white", "black", "light_grey", "graphite"))
 """Of plastic pumps."""
 
 PUMP_WEIGHTS = (2.4, 2.0, 0.6, 0.6)
@@ -98,7 +100,7 @@ _SOAPS = {
 }
 
 SOAPS = tuple(
-    material("polycarbonate").with_(
+    ag.material("polycarbonate").with_(
         name=f"soap_{name}",
         base_color=color,
         specular_roughness=0.15,
@@ -113,7 +115,7 @@ SOAPS = tuple(
 
 TILES = (
     *weighing(
-        [colored("ceramic", color) for color in ("white", "cool_white", "sage", "navy", "light_grey")],
+        [ag.colored("ceramic", color) for color in ("white", "cool_white", "sage", "navy", "light_grey")],
         2300.0,
         "fired",
     ),
@@ -124,9 +126,9 @@ TILES = (
 _LIGHT = 0.30
 
 
-def ink_on(finish: Material) -> Material:
+def ink_on(finish: ag.Material) -> ag.Material:
     """Return what print on a finish is made of."""
     mean = sum(finish.base_color) / 3.0
     if finish.transmission_weight > 0.5:
-        return colored("abs", "white" if mean < 0.6 else "anthracite")
-    return colored("abs", "anthracite" if mean > _LIGHT else "white")
+        return ag.colored("abs", "white" if mean < 0.6 else "anthracite")
+    return ag.colored("abs", "anthracite" if mean > _LIGHT else "white")

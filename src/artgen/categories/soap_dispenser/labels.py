@@ -3,21 +3,8 @@
 import math
 from typing import Literal, get_args
 
-from artgen import (
-    Body,
-    Material,
-    Profile,
-    Scalar,
-    Z,
-    box_between,
-    colored,
-    detail,
-    details,
-    line,
-    material,
-    rectangle,
-    revolve,
-)
+import artgen as ag
+from artgen import details
 from artgen.categories.shared.vessels.turned import path_of
 from artgen.categories.soap_dispenser.bottles import Shape, Sizes, blown_path, bottle_runs
 
@@ -46,15 +33,15 @@ LABELLED: tuple[Shape, ...] = ("round", "square", "cube", "apothecary")
 
 
 def _printed(
-    profile: Profile,
+    profile: ag.Profile,
     shape: Shape,
     sizes: Sizes,
-    ink: Material,
+    ink: ag.Material,
     *,
     clear: bool,
-    rise: Scalar = 0.0,
+    rise: ag.Scalar = 0.0,
     proud: float = 0.0003,
-) -> Body:
+) -> ag.Body:
     """Print a profile on the front of a bottle."""
     level = _LEVEL.get(shape, 0.45) * sizes.height + rise
     half = sizes.width / 2.0
@@ -64,16 +51,16 @@ def _printed(
     deep = half * sizes.depth
     if shape == "oval":  # as round as an ellipse is in front
         round_ = half * half / deep
-        path = line((round_, 0.0, 0.0), (round_, 0.0, sizes.height))
+        path = ag.line((round_, 0.0, 0.0), (round_, 0.0, sizes.height))
         film = details.wrap(profile, path, level, proud=proud).at(0.0, round_ - deep, 0.0)
-        return detail(film, "print", ink, reads=(1.0, 0.0, 0.0))
+        return ag.detail(film, "print", ink, reads=(1.0, 0.0, 0.0))
     front = half * math.cos(math.pi / 6.0) if shape == "hexagonal" else deep
     return details.printed(profile, (0.0, -front, level), material=ink, proud=proud)
 
 
 def marks(
-    kind: Print, content: Content, maker: str, *, shape: Shape, sizes: Sizes, ink: Material, clear: bool
-) -> list[Body]:
+    kind: Print, content: Content, maker: str, *, shape: Shape, sizes: Sizes, ink: ag.Material, clear: bool
+) -> list[ag.Body]:
     """Print a bottle."""
     words = WORDS[content]
     match kind:
@@ -88,12 +75,12 @@ def marks(
                 _printed(small, shape, sizes, ink, clear=clear, rise=-0.0165),
             ]
         case "label":
-            dark = colored("abs", "anthracite")
+            dark = ag.colored("abs", "anthracite")
             wide, high = 0.036, 0.044
             texts = (
                 (details.logo(maker, 0.0026, tracking=0.2), 0.0155),
                 (details.lettering(words, 0.0052, tracking=0.25, leading=1.8), 0.0030),
-                (rectangle(0.020, 0.0004), -0.0080),
+                (ag.rectangle(0.020, 0.0004), -0.0080),
                 (details.lettering(("300 ML  10 FL OZ",), 0.0020, tracking=0.2, fineness="coarse"), -0.0150),
             )
             return [
@@ -107,16 +94,16 @@ def marks(
             return []
 
 
-def _paper(shape: Shape, sizes: Sizes, wide: float, high: float) -> Body:
+def _paper(shape: Shape, sizes: Sizes, wide: float, high: float) -> ag.Body:
     """Make the paper of a label, around a straight wall or on a flat one."""
-    paper = material("cardboard").with_(name="label_paper", base_color=(0.80, 0.78, 0.72), texture="")
+    paper = ag.material("cardboard").with_(name="label_paper", base_color=(0.80, 0.78, 0.72), texture="")
     level, half = _LEVEL.get(shape, 0.45) * sizes.height, sizes.width / 2.0
     if shape in _RUN:
         angle = wide / half
-        sheet = revolve(rectangle(0.0006, high).at(half, level), angle=angle)
-        return detail(sheet.rotate(Z, -0.5 * (math.pi + angle)), "label", paper)
+        sheet = ag.revolve(ag.rectangle(0.0006, high).at(half, level), angle=angle)
+        return ag.detail(sheet.rotate(ag.Z, -0.5 * (math.pi + angle)), "label", paper)
     front = half * sizes.depth
-    sheet = box_between(
+    sheet = ag.box_between(
         (-0.5 * wide, -front - 0.0003, level - 0.5 * high), (0.5 * wide, -front + 0.0003, level + 0.5 * high)
     )
-    return detail(sheet, "label", paper)
+    return ag.detail(sheet, "label", paper)

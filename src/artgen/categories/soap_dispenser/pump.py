@@ -7,34 +7,8 @@ import math
 from dataclasses import dataclass
 from typing import Literal
 
-from artgen import (
-    Body,
-    Joint,
-    Material,
-    Prismatic,
-    Profile,
-    Revolute,
-    Scalar,
-    Solid,
-    X,
-    Z,
-    box_between,
-    circle,
-    cylinder_between,
-    detail,
-    details,
-    extrude,
-    grasp_on,
-    loft,
-    part,
-    polygon,
-    push_on,
-    rectangle,
-    ring,
-    spline,
-    sweep,
-    weld,
-)
+import artgen as ag
+from artgen import details
 from artgen.categories.shared.vessels.turned import Run, core, turned
 
 Nozzle = Literal["saddle", "beak", "gooseneck", "bar", "swan", "foamer"]
@@ -69,13 +43,13 @@ _THREAD = 0.0165
 class PumpLooks:
     """How a pump is made."""
 
-    finish: Material  # of collar and nozzle
-    stem: Material  # of the stem
+    finish: ag.Material  # of collar and nozzle
+    stem: ag.Material  # of the stem
     ribbed: bool  # whether the collar has ribs for fingers
-    ink: Material | None = None  # of what is printed on it; None prints nothing
+    ink: ag.Material | None = None  # of what is printed on it; None prints nothing
 
 
-def collar(nozzle: Nozzle, low: Scalar, looks: PumpLooks) -> Body:
+def collar(nozzle: Nozzle, low: ag.Scalar, looks: PumpLooks) -> ag.Body:
     """Make the collar that is screwed on a neck, with the sleeve in which the stem slides."""
     radius = _WIDE.get(nozzle, _THREAD)
     neck = 0.0105 if nozzle != "foamer" else 0.0150
@@ -88,25 +62,25 @@ def collar(nozzle: Nozzle, low: Scalar, looks: PumpLooks) -> Body:
         [(neck - 0.0006, top - 0.0008), (neck - 0.0014, top)],
     ]
     half = _STEM + _PLAY
-    hole = box_between((-half, -half, low - 0.001), (half, half, top + 0.001))
+    hole = ag.box_between((-half, -half, low - 0.001), (half, half, top + 0.001))
     body = turned(runs, "collar", looks.finish, hole=hole, bore=half)
     if not looks.ribbed:
         return body
-    ribs = extrude(_fluted().scale(radius + 0.0007) - circle(radius - 0.0015), 0.0140, bevel=0.0003)
-    return weld(body, detail(ribs.at(0.0, 0.0, low + 0.0085), "collar", looks.finish))
+    ribs = ag.extrude(_fluted().scale(radius + 0.0007) - ag.circle(radius - 0.0015), 0.0140, bevel=0.0003)
+    return ag.weld(body, ag.detail(ribs.at(0.0, 0.0, low + 0.0085), "collar", looks.finish))
 
 
-def _fluted() -> Profile:
+def _fluted() -> ag.Profile:
     steps = 4 * _RIBS
     angles = [math.tau * step / steps for step in range(steps)]
     radii = [1.0 - 0.018 * (1.0 - math.cos(_RIBS * angle)) for angle in angles]
-    return polygon([(r * math.cos(a), r * math.sin(a)) for r, a in zip(radii, angles, strict=True)])
+    return ag.polygon([(r * math.cos(a), r * math.sin(a)) for r, a in zip(radii, angles, strict=True)])
 
 
-def nozzle_body(kind: Nozzle, *, reach: Scalar, travel: Scalar, looks: PumpLooks) -> Body:
+def nozzle_body(kind: Nozzle, *, reach: ag.Scalar, travel: ag.Scalar, looks: PumpLooks) -> ag.Body:
     """Make a nozzle with its stem: the link `nozzle`."""
     low = -(travel + GAP + _ENGAGED)
-    stem = cylinder_between((0.0, 0.0, low), (0.0, 0.0, 0.004), _STEM)
+    stem = ag.cylinder_between((0.0, 0.0, low), (0.0, 0.0, 0.004), _STEM)
     make = {
         "saddle": _saddle,
         "beak": _beak,
@@ -115,25 +89,29 @@ def nozzle_body(kind: Nozzle, *, reach: Scalar, travel: Scalar, looks: PumpLooks
         "swan": _swan,
         "foamer": _foamer,
     }[kind]
-    return weld(*make(reach, looks), part(stem, "stem", looks.stem))
+    return ag.weld(*make(reach, looks), ag.part(stem, "stem", looks.stem))
 
 
-def _spout(stations: list[tuple[Scalar, float, float, float]]) -> Solid:
+def _spout(stations: list[tuple[ag.Scalar, float, float, float]]) -> ag.Solid:
     """Make a spout to the front of rounded sections: distance before the axis, width, height, middle's z."""
     plans = [
-        rectangle(wide, high, radius=0.42 * min(wide, high)).at(0.0, level)
+        ag.rectangle(wide, high, radius=0.42 * min(wide, high)).at(0.0, level)
         for _, wide, high, level in stations
     ]
-    return loft(plans, [far for far, *_ in stations], axis=(0.0, -1.0, 0.0))
+    return ag.loft(plans, [far for far, *_ in stations], axis=(0.0, -1.0, 0.0))
 
 
-def _mouth(at: tuple[Scalar, Scalar], radius: float, finish: Material, long: float = 0.004) -> Body:
+def _mouth(
+    at: tuple[ag.Scalar, ag.Scalar], radius: float, finish: ag.Material, long: float = 0.004
+) -> ag.Body:
     """Make the short pipe at the end of a spout, that looks down."""
     y, z = at
-    return part(cylinder_between((0.0, y, z - long), (0.0, y, z), radius, bevel=0.0004), "nozzle", finish)
+    return ag.part(
+        ag.cylinder_between((0.0, y, z - long), (0.0, y, z), radius, bevel=0.0004), "nozzle", finish
+    )
 
 
-def _saddle(reach: Scalar, looks: PumpLooks) -> list[Body]:
+def _saddle(reach: ag.Scalar, looks: PumpLooks) -> list[ag.Body]:
     spout = _spout(
         [
             (-0.0130, 0.0120, 0.0060, 0.0078),
@@ -144,17 +122,17 @@ def _saddle(reach: Scalar, looks: PumpLooks) -> list[Body]:
             (reach, 0.0070, 0.0056, 0.0036),
         ]
     )
-    hub = cylinder_between((0.0, 0.0, 0.0), (0.0, 0.0, 0.006), 0.0088, bevel=0.0008)
-    push = push_on(spout, direction=-Z, at=(0.0, 0.0, 0.005))
-    hold = grasp_on(spout, approach=-Z, closing=X, at=(0.0, -0.001, 0.005), depth=0.006)
+    hub = ag.cylinder_between((0.0, 0.0, 0.0), (0.0, 0.0, 0.006), 0.0088, bevel=0.0008)
+    push = ag.push_on(spout, direction=-ag.Z, at=(0.0, 0.0, 0.005))
+    hold = ag.grasp_on(spout, approach=-ag.Z, closing=ag.X, at=(0.0, -0.001, 0.005), depth=0.006)
     bodies = [
-        part(spout, "nozzle", looks.finish, push=push, grasp=hold),
-        part(hub, "nozzle", looks.finish),
+        ag.part(spout, "nozzle", looks.finish, push=push, grasp=hold),
+        ag.part(hub, "nozzle", looks.finish),
         _mouth((-reach + 0.0032, 0.0016), 0.0027, looks.finish, 0.003),
     ]
     if looks.ink is not None:  # which way it is locked
         arrow = details.icon("repeat", 0.0065)
-        bodies.append(details.printed(arrow, (0.0, 0.0, 0.0104), material=looks.ink, facing=Z))
+        bodies.append(details.printed(arrow, (0.0, 0.0, 0.0104), material=looks.ink, facing=ag.Z))
     return bodies
 
 
@@ -167,7 +145,7 @@ def _cap_runs(radius: float, low: float, high: float) -> list[Run]:
     ]
 
 
-def _beak(reach: Scalar, looks: PumpLooks) -> list[Body]:
+def _beak(reach: ag.Scalar, looks: PumpLooks) -> list[ag.Body]:
     top = HEAD["beak"]
     spout = _spout(
         [
@@ -179,21 +157,21 @@ def _beak(reach: Scalar, looks: PumpLooks) -> list[Body]:
     )
     runs = _cap_runs(0.0125, 0.0, top)
     cap = turned(runs, "cap", looks.finish)
-    block = cylinder_between((0.0, 0.0, 0.004), (0.0, 0.0, top), 0.010)
-    hold = grasp_on(spout, approach=-Z, closing=X, at=(0.0, -0.72 * reach, 0.0066), depth=0.006)
+    block = ag.cylinder_between((0.0, 0.0, 0.004), (0.0, 0.0, top), 0.010)
+    hold = ag.grasp_on(spout, approach=-ag.Z, closing=ag.X, at=(0.0, -0.72 * reach, 0.0066), depth=0.006)
     return [
-        part(spout, "nozzle", looks.finish, grasp=hold, push=push_on(block, direction=-Z)),
+        ag.part(spout, "nozzle", looks.finish, grasp=hold, push=ag.push_on(block, direction=-ag.Z)),
         cap,
         _mouth((-reach + 0.0030, 0.0030), 0.0025, looks.finish, 0.003),
     ]
 
 
-def _tube(points: list[tuple[Scalar, Scalar]], radius: float) -> Solid:
+def _tube(points: list[tuple[ag.Scalar, ag.Scalar]], radius: float) -> ag.Solid:
     """Make a bent tube in the plane x = 0: y and z of its points."""
-    return sweep(circle(radius), spline([(0.0, y, z) for y, z in points]))
+    return ag.sweep(ag.circle(radius), ag.spline([(0.0, y, z) for y, z in points]))
 
 
-def _gooseneck(reach: Scalar, looks: PumpLooks) -> list[Body]:
+def _gooseneck(reach: ag.Scalar, looks: PumpLooks) -> list[ag.Body]:
     rise = HEAD["gooseneck"] - 0.0042
     tube = _tube(
         [
@@ -212,30 +190,30 @@ def _gooseneck(reach: Scalar, looks: PumpLooks) -> list[Body]:
         [(0.0090, 0.0070), (0.0076, 0.0098), (0.0050, 0.0110)],
     ]
     at = (0.0, -0.42 * reach, rise)
-    hold = grasp_on(tube, approach=-Z, closing=X, at=at, depth=0.006)
-    lip = ring(0.0050, 0.0030)
-    mouth = extrude(lip, 0.003, axis=(0.0, -0.35, -1.0)).at(0.0, -reach, rise - 0.020)
+    hold = ag.grasp_on(tube, approach=-ag.Z, closing=ag.X, at=at, depth=0.006)
+    lip = ag.ring(0.0050, 0.0030)
+    mouth = ag.extrude(lip, 0.003, axis=(0.0, -0.35, -1.0)).at(0.0, -reach, rise - 0.020)
     return [
-        part(tube, "nozzle", looks.finish, grasp=hold, push=push_on(tube, direction=-Z, at=at)),
+        ag.part(tube, "nozzle", looks.finish, grasp=hold, push=ag.push_on(tube, direction=-ag.Z, at=at)),
         turned(runs, "nozzle", looks.finish, sides=16),
-        detail(mouth, "nozzle", looks.finish),
+        ag.detail(mouth, "nozzle", looks.finish),
     ]
 
 
-def _bar(reach: Scalar, looks: PumpLooks) -> list[Body]:
+def _bar(reach: ag.Scalar, looks: PumpLooks) -> list[ag.Body]:
     top = HEAD["bar"]
-    bar = box_between((-0.0056, -reach, 0.0025), (0.0056, 0.0085, top), bevel=0.0012)
-    hub = cylinder_between((0.0, 0.0, 0.0), (0.0, 0.0, 0.004), 0.0080, bevel=0.0006)
-    hold = grasp_on(bar, approach=-Z, closing=X, at=(0.0, -0.6 * reach, 0.007), depth=0.008)
-    push = push_on(bar, direction=-Z, at=(0.0, 0.0, 0.007))
+    bar = ag.box_between((-0.0056, -reach, 0.0025), (0.0056, 0.0085, top), bevel=0.0012)
+    hub = ag.cylinder_between((0.0, 0.0, 0.0), (0.0, 0.0, 0.004), 0.0080, bevel=0.0006)
+    hold = ag.grasp_on(bar, approach=-ag.Z, closing=ag.X, at=(0.0, -0.6 * reach, 0.007), depth=0.008)
+    push = ag.push_on(bar, direction=-ag.Z, at=(0.0, 0.0, 0.007))
     return [
-        part(bar, "nozzle", looks.finish, grasp=hold, push=push),
-        part(hub, "nozzle", looks.finish),
+        ag.part(bar, "nozzle", looks.finish, grasp=hold, push=push),
+        ag.part(hub, "nozzle", looks.finish),
         _mouth((-reach + 0.0056, 0.0040), 0.0034, looks.finish, 0.0040),
     ]
 
 
-def _swan(reach: Scalar, looks: PumpLooks) -> list[Body]:
+def _swan(reach: ag.Scalar, looks: PumpLooks) -> list[ag.Body]:
     top = HEAD["swan"]
     post: list[Run] = [
         [(0.0078, 0.0), (0.0084, 0.0010)],
@@ -253,16 +231,16 @@ def _swan(reach: Scalar, looks: PumpLooks) -> list[Body]:
         ],
         0.0036,
     )
-    hold = grasp_on(tube, approach=-Z, closing=X, at=(0.0, -0.62 * reach, 0.0162), depth=0.005)
-    block = cylinder_between((0.0, 0.0, 0.010), (0.0, 0.0, top), 0.006)
+    hold = ag.grasp_on(tube, approach=-ag.Z, closing=ag.X, at=(0.0, -0.62 * reach, 0.0162), depth=0.005)
+    block = ag.cylinder_between((0.0, 0.0, 0.010), (0.0, 0.0, top), 0.006)
     return [
-        part(tube, "nozzle", looks.finish, grasp=hold, push=push_on(block, direction=-Z)),
+        ag.part(tube, "nozzle", looks.finish, grasp=hold, push=ag.push_on(block, direction=-ag.Z)),
         turned(post[:2], "nozzle", looks.finish, sides=16),
         turned(post[2:], "cap", looks.finish, sides=16),
     ]
 
 
-def _foamer(reach: Scalar, looks: PumpLooks) -> list[Body]:
+def _foamer(reach: ag.Scalar, looks: PumpLooks) -> list[ag.Body]:
     top, radius = HEAD["foamer"], 0.0178
     spout = _spout(
         [
@@ -272,11 +250,11 @@ def _foamer(reach: Scalar, looks: PumpLooks) -> list[Body]:
         ]
     )
     runs = _cap_runs(radius, 0.0, top)
-    hold = grasp_on(core(runs), approach=-Z, closing=X, depth=0.012)
+    hold = ag.grasp_on(core(runs), approach=-ag.Z, closing=ag.X, depth=0.012)
     cap = turned(runs, "cap", looks.finish, grasp=hold)
-    block = cylinder_between((0.0, 0.0, 0.0), (0.0, 0.0, top), radius - 0.002)
+    block = ag.cylinder_between((0.0, 0.0, 0.0), (0.0, 0.0, top), radius - 0.002)
     return [
-        part(spout, "nozzle", looks.finish, push=push_on(block, direction=-Z)),
+        ag.part(spout, "nozzle", looks.finish, push=ag.push_on(block, direction=-ag.Z)),
         cap,
         _mouth((-reach + 0.0046, 0.0150), 0.0040, looks.finish, 0.004),
     ]
@@ -285,15 +263,15 @@ def _foamer(reach: Scalar, looks: PumpLooks) -> list[Body]:
 def pump_slide(
     name: str = "nozzle_slide",
     *,
-    travel: Scalar,
-    force: Scalar,
-    damping: Scalar,
+    travel: ag.Scalar,
+    force: ag.Scalar,
+    damping: ag.Scalar,
     axis: tuple[float, float, float] = (0.0, 0.0, -1.0),
-) -> Joint:
+) -> ag.Joint:
     """Make the joint of what is pressed against the spring of a pump."""
     preload = 0.35 * force  # the spring of a lotion pump starts at a third of its force
     stiffness = (force - preload) / travel
-    return Prismatic(
+    return ag.Prismatic(
         name,
         axis=axis,
         limits=(0.0, travel),
@@ -306,6 +284,8 @@ def pump_slide(
     )
 
 
-def nozzle_turn(friction: Scalar) -> Joint:
+def nozzle_turn(friction: ag.Scalar) -> ag.Joint:
     """Make the joint by which a nozzle turns on its stem, without end."""
-    return Revolute("nozzle_turn", axis=Z, friction=friction, damping=0.001, armature=0.00001, effort=0.6)
+    return ag.Revolute(
+        "nozzle_turn", axis=ag.Z, friction=friction, damping=0.001, armature=0.00001, effort=0.6
+    )

@@ -15,20 +15,8 @@ toasters: slots 25-40 mm wide, 14-16 cm long for one slice or 24 cm for two.
 import math
 from typing import Literal
 
-from artgen import (
-    Body,
-    Float,
-    Material,
-    Z,
-    by,
-    category,
-    choice,
-    details,
-    material,
-    require,
-    uniform,
-    weld,
-)
+import artgen as ag
+from artgen import details
 from artgen.categories.shared.appliances.cords import cord_stub, mains_cord
 from artgen.categories.shared.controls.buttons import ButtonShape
 from artgen.categories.shared.controls.dials import DialStyle
@@ -63,7 +51,7 @@ _ENDS_APART: tuple[BodyStyle, ...] = ("steel", "classic")  # whose ends are of a
 _FLAT_SIDES: tuple[BodyStyle, ...] = ("box", "steel")  # which may have controls
 
 
-@category(
+@ag.category(
     labels=(
         "body",
         "control_panel",
@@ -91,121 +79,148 @@ _FLAT_SIDES: tuple[BodyStyle, ...] = ("box", "steel")  # which may have controls
 )
 def toaster(
     *,
-    style: BodyStyle = choice(
+    style: BodyStyle = ag.choice(
         "box", "rounded", "retro", "steel", "classic", weights=(0.14, 0.24, 0.20, 0.24, 0.18)
     ),
-    slots: int = by(
+    slots: int = ag.by(
         "style",
-        rounded=choice(1, 2, 4, weights=(0.14, 0.46, 0.40)),
-        retro=choice(1, 2, 4, weights=(0.06, 0.52, 0.42)),
-        classic=choice(1, 2, 4, weights=(0.06, 0.42, 0.52)),  # which cafes have
-        otherwise=choice(1, 2, 4, weights=(0.18, 0.40, 0.42)),
+        rounded=ag.choice(1, 2, 4, weights=(0.14, 0.46, 0.40)),
+        retro=ag.choice(1, 2, 4, weights=(0.06, 0.52, 0.42)),
+        classic=ag.choice(1, 2, 4, weights=(0.06, 0.42, 0.52)),  # which cafes have
+        otherwise=ag.choice(1, 2, 4, weights=(0.18, 0.40, 0.42)),
     ),
-    slot_size: Literal["short", "long"] = by(
+    slot_size: Literal["short", "long"] = ag.by(
         "slots",
         {
-            1: choice("short", "long", weights=(0.35, 0.65)),
-            2: choice("short", "long", weights=(0.75, 0.25)),
+            1: ag.choice("short", "long", weights=(0.35, 0.65)),
+            2: ag.choice("short", "long", weights=(0.75, 0.25)),
             4: "short",
         },
         doc="for one slice, or for two in a row",
     ),
-    levers: int = by(
+    levers: int = ag.by(
         "slots",
-        {1: 1, 2: by("slot_size", short=1, long=choice(1, 2)), 4: choice(1, 2, weights=(0.3, 0.7))},
+        {1: 1, 2: ag.by("slot_size", short=1, long=ag.choice(1, 2)), 4: ag.choice(1, 2, weights=(0.3, 0.7))},
         doc="two lift one half of the slots each",
     ),
-    controls: Literal["end", "side"] = by(
+    controls: Literal["end", "side"] = ag.by(
         "levers",
         {
-            1: by(
+            1: ag.by(
                 "style",
-                box=choice("end", "side", weights=(0.7, 0.3)),
-                steel=choice("end", "side", weights=(0.7, 0.3)),
+                box=ag.choice("end", "side", weights=(0.7, 0.3)),
+                steel=ag.choice("end", "side", weights=(0.7, 0.3)),
                 otherwise="end",
             ),
             2: "end",
         },
         doc="the face with the controls, which looks to the front: a narrow end or a broad side",
     ),
-    layout: Layout = by(
+    layout: Layout = ag.by(
         "levers",
-        {1: by("controls", end=choice("beside", "below", weights=(0.6, 0.4)), side="beside"), 2: "below"},
+        {
+            1: ag.by("controls", end=ag.choice("beside", "below", weights=(0.6, 0.4)), side="beside"),
+            2: "below",
+        },
     ),
-    hand: Literal["left", "right"] = choice("left", "right", doc="side of a lever that has dials beside it"),
-    length: Float = by(
+    hand: Literal["left", "right"] = ag.choice(
+        "left", "right", doc="side of a lever that has dials beside it"
+    ),
+    length: ag.Float = ag.by(
         "slot_size",
-        short=uniform(0.256, 0.29),
-        long=uniform(0.345, 0.375),
+        short=ag.uniform(0.256, 0.29),
+        long=ag.uniform(0.345, 0.375),
         unit="m",
         within=(0.25, 0.42),
         doc="of the body along the slots",
     ),
-    height: Float = by(
-        "layout", below=uniform(0.199, 0.22), beside=uniform(0.18, 0.215), unit="m", within=(0.178, 0.25)
+    height: ag.Float = ag.by(
+        "layout",
+        below=ag.uniform(0.199, 0.22),
+        beside=ag.uniform(0.18, 0.215),
+        unit="m",
+        within=(0.178, 0.25),
     ),
-    slot_length: Float = by(
-        "slot_size", short=uniform(0.14, 0.158), long=uniform(0.235, 0.25), unit="m", within=(0.12, 0.28)
+    slot_length: ag.Float = ag.by(
+        "slot_size",
+        short=ag.uniform(0.14, 0.158),
+        long=ag.uniform(0.235, 0.25),
+        unit="m",
+        within=(0.12, 0.28),
     ),
-    slot_width: Float = by(
-        "slots", {4: uniform(0.0255, 0.033)}, otherwise=uniform(0.025, 0.040), unit="m", within=(0.024, 0.045)
-    ),
-    bridge: Float = uniform(0.026, 0.032, "m", doc="between two slots", within=(0.024, 0.05)),
-    shoulder: Float = by(
+    slot_width: ag.Float = ag.by(
         "slots",
-        {1: uniform(0.064, 0.072), 2: uniform(0.040, 0.048), 4: uniform(0.036, 0.042)},
+        {4: ag.uniform(0.0255, 0.033)},
+        otherwise=ag.uniform(0.025, 0.040),
+        unit="m",
+        within=(0.024, 0.045),
+    ),
+    bridge: ag.Float = ag.uniform(0.026, 0.032, "m", doc="between two slots", within=(0.024, 0.05)),
+    shoulder: ag.Float = ag.by(
+        "slots",
+        {1: ag.uniform(0.064, 0.072), 2: ag.uniform(0.040, 0.048), 4: ag.uniform(0.036, 0.042)},
         unit="m",
         within=(0.034, 0.08),
         doc="from the outer slots to the sides",
     ),
-    foot: Float = uniform(0.008, 0.011, "m", doc="height of the feet", within=(0.007, 0.02)),
-    finish: Material = SLEEVES,
-    ends: Material = ENDS,
-    metal: Material = METALS,
-    grip: Material = GRIPS,
-    keys: Material = KEYS,
-    panel: Literal["same", "black", "steel"] = by(
+    foot: ag.Float = ag.uniform(0.008, 0.011, "m", doc="height of the feet", within=(0.007, 0.02)),
+    finish: ag.Material = SLEEVES,
+    ends: ag.Material = ENDS,
+    metal: ag.Material = METALS,
+    grip: ag.Material = GRIPS,
+    keys: ag.Material = KEYS,
+    panel: Literal["same", "black", "steel"] = ag.by(
         "style",
-        box=choice("same", "black", "steel", weights=(0.4, 0.35, 0.25)),
-        rounded=choice("same", "black", "steel", weights=(0.35, 0.35, 0.3)),
-        retro=choice("same", "black", "steel", weights=(0.45, 0.1, 0.45)),
-        steel=choice("same", "black", "steel", weights=(0.3, 0.3, 0.4)),
-        classic=choice("same", "black", "steel", weights=(0.6, 0.2, 0.2)),
+        box=ag.choice("same", "black", "steel", weights=(0.4, 0.35, 0.25)),
+        rounded=ag.choice("same", "black", "steel", weights=(0.35, 0.35, 0.3)),
+        retro=ag.choice("same", "black", "steel", weights=(0.45, 0.1, 0.45)),
+        steel=ag.choice("same", "black", "steel", weights=(0.3, 0.3, 0.4)),
+        classic=ag.choice("same", "black", "steel", weights=(0.6, 0.2, 0.2)),
         doc="finish of the control panel",
     ),
-    lever_style: LeverStyle = by(
+    lever_style: LeverStyle = ag.by(
         "style",
-        retro=choice("tab", "bar", "ball", "tee", "paddle", weights=(0.1, 0.35, 0.4, 0.1, 0.05)),
-        otherwise=choice("tab", "bar", "ball", "tee", "paddle", weights=(0.25, 0.17, 0.08, 0.22, 0.28)),
+        retro=ag.choice("tab", "bar", "ball", "tee", "paddle", weights=(0.1, 0.35, 0.4, 0.1, 0.05)),
+        otherwise=ag.choice("tab", "bar", "ball", "tee", "paddle", weights=(0.25, 0.17, 0.08, 0.22, 0.28)),
     ),
-    lever_travel: Float = by(
-        "layout", below=uniform(0.060, 0.068), beside=uniform(0.062, 0.090), unit="m", within=(0.05, 0.092)
+    lever_travel: ag.Float = ag.by(
+        "layout",
+        below=ag.uniform(0.060, 0.068),
+        beside=ag.uniform(0.062, 0.090),
+        unit="m",
+        within=(0.05, 0.092),
     ),
-    lever_force: Float = uniform(12.0, 24.0, "N", doc="of the spring at the bottom", within=(8.0, 40.0)),
-    lever_damping: Float = uniform(10.0, 16.0, "N s/m"),
-    knobs: int = by("levers", {1: choice(0, 1, weights=(0.18, 0.82)), 2: choice(0, 2, weights=(0.12, 0.88))}),
-    buttons: int = by(
+    lever_force: ag.Float = ag.uniform(
+        12.0, 24.0, "N", doc="of the spring at the bottom", within=(8.0, 40.0)
+    ),
+    lever_damping: ag.Float = ag.uniform(10.0, 16.0, "N s/m"),
+    knobs: int = ag.by(
+        "levers", {1: ag.choice(0, 1, weights=(0.18, 0.82)), 2: ag.choice(0, 2, weights=(0.12, 0.88))}
+    ),
+    buttons: int = ag.by(
         "knobs",
-        {0: choice(2, 3, 4)},  # which choose the browning
-        otherwise=choice(0, 1, 2, 3, 4, weights=(0.12, 0.2, 0.18, 0.28, 0.22)),
+        {0: ag.choice(2, 3, 4)},  # which choose the browning
+        otherwise=ag.choice(0, 1, 2, 3, 4, weights=(0.12, 0.2, 0.18, 0.28, 0.22)),
     ),
-    button_shape: ButtonShape = choice("round", "square", "pill", "bar", weights=(0.45, 0.25, 0.15, 0.15)),
-    button_force: Float = uniform(2.0, 4.0, "N", within=(1.0, 8.0)),
-    knob_style: DialStyle = choice("round", "fluted", "bar", "skirted", "capped"),
-    knob_radius: Float = uniform(0.0135, 0.0165, "m", within=(0.012, 0.017)),
-    knob_friction: Float = uniform(0.03, 0.06, "N m", doc="of its detents"),
-    scale: Scale = choice("numbers", "ticks", "band", weights=(0.5, 0.25, 0.25)),
-    tray: TrayWay = by("style", retro="back", otherwise=choice("back", "side", weights=(0.75, 0.25))),
-    tray_friction: Float = uniform(1.0, 3.0, "N"),
-    cord_side: Literal["left", "right"] = choice("left", "right"),
-    maker: str = choice(*details.BRANDS),
-    watts: int = by("slots", {1: choice(850, 1000), 2: choice(850, 950, 1100), 4: choice(1500, 1750, 1800)}),
-) -> Body:
+    button_shape: ButtonShape = ag.choice("round", "square", "pill", "bar", weights=(0.45, 0.25, 0.15, 0.15)),
+    button_force: ag.Float = ag.uniform(2.0, 4.0, "N", within=(1.0, 8.0)),
+    knob_style: DialStyle = ag.choice("round", "fluted", "bar", "skirted", "capped"),
+    knob_radius: ag.Float = ag.uniform(0.0135, 0.0165, "m", within=(0.012, 0.017)),
+    knob_friction: ag.Float = ag.uniform(0.03, 0.06, "N m", doc="of its detents"),
+    scale: Scale = ag.choice("numbers", "ticks", "band", weights=(0.5, 0.25, 0.25)),
+    tray: TrayWay = ag.by("style", retro="back", otherwise=ag.choice("back", "side", weights=(0.75, 0.25))),
+    tray_friction: ag.Float = ag.uniform(1.0, 3.0, "N"),
+    cord_side: Literal["left", "right"] = ag.choice("left", "right"),
+    maker: str = ag.choice(*details.BRANDS),
+    watts: int = ag.by(
+        "slots", {1: ag.choice(850, 1000), 2: ag.choice(850, 950, 1100), 4: ag.choice(1500, 1750, 1800)}
+    ),
+) -> ag.Body:
     """Make a toaster with its levers up: carriages, buttons, knobs, crumb tray."""
-    require(levers == 1 or controls == "end", "two levers stand side by side on an end")
-    require(controls == "end" or style in _FLAT_SIDES, "the sides of this body are not flat")
-    require(style != "retro" or tray == "back", "the sides of style=retro are round: tray must be back")
-    length = require(
+    ag.require(levers == 1 or controls == "end", "two levers stand side by side on an end")
+    ag.require(controls == "end" or style in _FLAT_SIDES, "the sides of this body are not flat")
+    ag.require(style != "retro" or tray == "back", "the sides of style=retro are round: tray must be back")
+    length = ag.require(
         length,
         length - slot_length >= 0.05,
         "a slot is shorter than the body: length 0.05 m over slot_length",
@@ -215,7 +230,9 @@ def toaster(
     )
     is_side, apart = controls == "side", style in _ENDS_APART
     around = ends if apart and not is_side else finish
-    plate = {"same": around, "black": material("glossy_plastic_black"), "steel": material("stainless")}[panel]
+    plate = {"same": around, "black": ag.material("glossy_plastic_black"), "steel": ag.material("stainless")}[
+        panel
+    ]
     panel_looks = PanelLooks(
         plate=hollow(plate),
         ink=ink_on(plate),
@@ -239,13 +256,13 @@ def toaster(
         piping=metal if style == "retro" else None,
     )
     # the shell lies with its slots along y until it is turned
-    opening = front.opening().rotate(Z, -_QUARTER) if is_side else front.opening()
+    opening = front.opening().rotate(ag.Z, -_QUARTER) if is_side else front.opening()
     cuts = Cuts(
         front=None if is_side else opening,
         side=((opening,) if is_side else ()) + ((drawer.opening(),) if tray == "side" else ()),
         back=(drawer.opening(),) if tray == "back" else (),
     )
-    base = weld(
+    base = ag.weld(
         shell(plan, looks, cuts),
         chamber(plan),
         corner_feet(plan.width, plan.length, inset=0.028, height=foot + plan.inset),
@@ -254,7 +271,7 @@ def toaster(
         _cord(plan, controls, cord_side, tray),
     )
     base = base.attach(drawer.body(hollow(grip)), drawer.slide(tray_friction))
-    body = weld(base.rotate(Z, _QUARTER) if is_side else base, front.plate())
+    body = ag.weld(base.rotate(ag.Z, _QUARTER) if is_side else base, front.plate())
 
     share = slots // levers  # of the slots, for each lever
     for number, at in enumerate(site.arms):
@@ -263,10 +280,10 @@ def toaster(
         post = middles[0] if is_side else at.x
         rack = carriage(plan, middles, post=post, height=site.rest, travel=lever_travel)
         reach = (middles[0] if is_side else plan.bay) - site.plane
-        pressed = weld(
+        pressed = ag.weld(
             lever(lever_style, finish=grip, accent=metal, slim=levers == slots, name=f"lever{tail}").at(at),
             arm(reach).at(at),
-            rack.rotate(Z, _QUARTER) if is_side else rack,
+            rack.rotate(ag.Z, _QUARTER) if is_side else rack,
         )
         slide = lever_slide(
             f"lever_slide{tail}", travel=lever_travel, force=lever_force, damping=lever_damping
@@ -277,11 +294,11 @@ def toaster(
 
 def _cord(
     plan: Plan, controls: Literal["end", "side"], cord_side: Literal["left", "right"], tray: TrayWay
-) -> Body:
+) -> ag.Body:
     """Make the cord, which leaves at the back and lies behind the body, with the slots along y."""
     height, length = plan.foot + 0.032, 0.125
     if controls == "side":  # a quarter turn takes the wall at x to the back, and the bay to the right
-        cord = mains_cord(height=height, length=length, side=-1).rotate(Z, -_QUARTER)
+        cord = mains_cord(height=height, length=length, side=-1).rotate(ag.Z, -_QUARTER)
         return cord.at(plan.width / 2 - plan.inset, plan.bay, height)
     way = 1 if cord_side == "right" else -1
     # a plug on the floor would lie in the way of a tray at the back

@@ -6,37 +6,7 @@ The lever is drawn about the axis of its arm on the plane y = 0, which is the fa
 from collections.abc import Sequence
 from typing import Literal
 
-from artgen import (
-    Body,
-    Float,
-    Frame,
-    Joint,
-    Material,
-    Prismatic,
-    Profile,
-    Scalar,
-    Solid,
-    X,
-    Y,
-    Z,
-    array,
-    board,
-    box,
-    capsule,
-    cylinder,
-    detail,
-    grasp_on,
-    material,
-    max_,
-    min_,
-    part,
-    push_on,
-    rectangle,
-    row,
-    sphere,
-    union,
-    weld,
-)
+import artgen as ag
 from artgen.categories.toaster.plan import Plan
 
 LeverStyle = Literal["tab", "bar", "ball", "tee", "paddle"]
@@ -53,22 +23,22 @@ _LOW = 0.0185  # how far over the floor of the sleeve a carriage ends, over the 
 _ENDS = 0.004  # from a carriage to the ends of its slot [m]
 
 
-def slit(travel: Scalar) -> Profile:
+def slit(travel: ag.Scalar) -> ag.Profile:
     """Return the outline of the slit in the panel, about the arm at rest."""
     wide, tall = ARM[0] + 2 * _PLAY[0], travel + ARM[1] + 2 * _PLAY[1]
-    return rectangle(wide, tall, radius=0.0012).at(0.0, -0.5 * travel)
+    return ag.rectangle(wide, tall, radius=0.0012).at(0.0, -0.5 * travel)
 
 
-def lever_slide(name: str, *, travel: Scalar, force: Scalar, damping: Scalar) -> Joint:
+def lever_slide(name: str, *, travel: ag.Scalar, force: ag.Scalar, damping: ag.Scalar) -> ag.Joint:
     """Make the joint of a lever; positive moves it down, where no magnet holds it without power.
 
     The spring of a toaster lifts the carriage with bread (about 0.15 kg), and takes 10-25 N at the bottom.
     """
     preload = 0.42 * force  # 4-10 N, over its own weight of 1-3 N
     stiffness = (force - preload) / travel
-    return Prismatic(
+    return ag.Prismatic(
         name,
-        axis=-Z,
+        axis=-ag.Z,
         limits=(0.0, travel),
         stiffness=stiffness,
         rest=-preload / stiffness,
@@ -79,74 +49,78 @@ def lever_slide(name: str, *, travel: Scalar, force: Scalar, damping: Scalar) ->
     )
 
 
-def lever(style: LeverStyle, *, finish: Material, accent: Material, slim: bool, name: str = "lever") -> Body:
+def lever(
+    style: LeverStyle, *, finish: ag.Material, accent: ag.Material, slim: bool, name: str = "lever"
+) -> ag.Body:
     """Make what a hand presses down, about the arm, in front of the panel."""
-    bodies: list[Body] = []
+    bodies: list[ag.Body] = []
     share = 0.62 if slim else 1.0
     match style:
         case "tab":
-            held = box(0.030 * (0.8 if slim else 1.0), 0.021, 0.0085, bevel=0.003)
+            held = ag.box(0.030 * (0.8 if slim else 1.0), 0.021, 0.0085, bevel=0.003)
             rest = [held.at(0.0, -_OUT - 0.0105, 0.0)]
             bodies += [_inlay(0.012, -_OUT - 0.021, 0.0024, accent)]
         case "bar":
-            held = cylinder(0.0068, 0.050 * share, axis=X, bevel=0.0018)
+            held = ag.cylinder(0.0068, 0.050 * share, axis=ag.X, bevel=0.0018)
             rest = [held.at(0.0, -_OUT - 0.0128, 0.0), _neck(0.010)]
-            cuff = cylinder(0.0071, 0.0022, axis=X, bevel=0.0004)
+            cuff = ag.cylinder(0.0071, 0.0022, axis=ag.X, bevel=0.0004)
             ends = [(side * (0.019 * share), -_OUT - 0.0128, 0.0) for side in (-1, 1)]
-            bodies += [detail(array(cuff, at=ends), "lever", accent)]
+            bodies += [ag.detail(ag.array(cuff, at=ends), "lever", accent)]
         case "ball":
-            held = sphere(0.0118)
+            held = ag.sphere(0.0118)
             rest = [held.at(0.0, -_OUT - 0.0135, 0.0), _neck(0.008)]
         case "tee":
-            held = box(0.048 * share, 0.0115, 0.0125, bevel=0.0028)
+            held = ag.box(0.048 * share, 0.0115, 0.0125, bevel=0.0028)
             rest = [held.at(0.0, -_OUT - 0.0155, 0.0), _neck(0.015)]
             bodies += [_inlay(0.030 * share, -_OUT - 0.02125, 0.0022, accent)]
         case "paddle":
-            held = box(0.062 * (0.56 if slim else 1.0), 0.0195, 0.0115, bevel=0.0042)
+            held = ag.box(0.062 * (0.56 if slim else 1.0), 0.0195, 0.0115, bevel=0.0042)
             rest = [held.at(0.0, -_OUT - 0.00975, 0.0)]
             bodies += [_inlay(0.026, -_OUT - 0.0195, 0.0018, accent)]
-    hold: Frame = grasp_on(rest[0], approach=Y, closing=X)
-    press: Frame = push_on(rest[0], direction=-Z)
-    parts = [part(rest[0], "lever", finish, name=name, grasp=hold, push=press)]
-    return weld(*parts, *(part(each, "lever", accent) for each in rest[1:]), *bodies)
+    hold: ag.Frame = ag.grasp_on(rest[0], approach=ag.Y, closing=ag.X)
+    press: ag.Frame = ag.push_on(rest[0], direction=-ag.Z)
+    parts = [ag.part(rest[0], "lever", finish, name=name, grasp=hold, push=press)]
+    return ag.weld(*parts, *(ag.part(each, "lever", accent) for each in rest[1:]), *bodies)
 
 
-def _neck(length: float) -> Solid:
+def _neck(length: float) -> ag.Solid:
     """Make the round neck between the slit's plane and a lever."""
-    return cylinder(0.0042, length, axis=Y, bevel=0.0008).at(0.0, -_OUT + 0.003 - length / 2, 0.0)
+    return ag.cylinder(0.0042, length, axis=ag.Y, bevel=0.0008).at(0.0, -_OUT + 0.003 - length / 2, 0.0)
 
 
-def _inlay(wide: float, face: float, tall: float, accent: Material) -> Body:
+def _inlay(wide: float, face: float, tall: float, accent: ag.Material) -> ag.Body:
     """Make the bright line on the front of a lever."""
-    return detail(box(wide, 0.0010, tall, bevel=0.0003).at(0.0, face, 0.0), "lever", accent)
+    return ag.detail(ag.box(wide, 0.0010, tall, bevel=0.0003).at(0.0, face, 0.0), "lever", accent)
 
 
-def arm(reach: Scalar) -> Body:
+def arm(reach: ag.Scalar) -> ag.Body:
     """Make the arm that goes from a lever through its slit to y = `reach` behind the panel."""
     near = -_OUT - 0.0012  # not under a finger that presses the middle of a flat lever
     wide, high = ARM[0] / 2, ARM[1] / 2
-    bar = board((-wide, wide), (near, reach), (-high, high), bevel=0.0008)
-    return part(bar, "carriage", material("steel"))
+    bar = ag.board((-wide, wide), (near, reach), (-high, high), bevel=0.0008)
+    return ag.part(bar, "carriage", ag.material("steel"))
 
 
-def carriage(plan: Plan, middles: Sequence[Float], *, post: Scalar, height: Scalar, travel: Scalar) -> Body:
+def carriage(
+    plan: Plan, middles: Sequence[ag.Float], *, post: ag.Scalar, height: ag.Scalar, travel: ag.Scalar
+) -> ag.Body:
     """Make the carriage of one lever at rest, with the slots along y, to be welded to the lever."""
     level = plan.floor + _LOW + _STEEL / 2 + travel
     begin, end = plan.chamber
     front, back = plan.bay, end - _ENDS
-    upright = box(0.014, _STEEL, height - level + 0.010).at(post, front, 0.5 * (height + level) + 0.0035)
-    left, right = min_(middles[0], post) - 0.004, max_(middles[-1], post) + 0.004
+    upright = ag.box(0.014, _STEEL, height - level + 0.010).at(post, front, 0.5 * (height + level) + 0.0035)
+    left, right = ag.min_(middles[0], post) - 0.004, ag.max_(middles[-1], post) + 0.004
     thin, half = _STEEL / 2 - 0.0003, _STEEL / 2
-    cross = board((left, right), (front - thin, front + thin), (level - 0.0012, level + 0.0062))
-    rail = board((-half, half), (front, back), (level - 0.0015, level + 0.0045))
+    cross = ag.board((left, right), (front - thin, front + thin), (level - 0.0012, level + 0.0062))
+    rail = ag.board((-half, half), (front, back), (level - 0.0015, level + 0.0045))
     count = 8 if plan.long else 5
     first, last = begin + _ENDS + 0.002, back - 0.002
-    prong = capsule(0.0012, _PRONGS, axis=X).at(0.0, first, level + 0.0045)
-    prongs = array(prong, at=row((0.0, 0.0, 0.0), (0.0, (last - first) / (count - 1), 0.0), count))
+    prong = ag.capsule(0.0012, _PRONGS, axis=ag.X).at(0.0, first, level + 0.0045)
+    prongs = ag.array(prong, at=ag.row((0.0, 0.0, 0.0), (0.0, (last - first) / (count - 1), 0.0), count))
     places = [(x, 0.0, 0.0) for x in middles]
-    steel = material("steel")
-    return weld(
-        part(union(upright, cross), "carriage", steel),
-        part(array(rail, at=places), "carriage", steel),
-        part(array(prongs, at=places), "carriage", steel),
+    steel = ag.material("steel")
+    return ag.weld(
+        ag.part(ag.union(upright, cross), "carriage", steel),
+        ag.part(ag.array(rail, at=places), "carriage", steel),
+        ag.part(ag.array(prongs, at=places), "carriage", steel),
     )

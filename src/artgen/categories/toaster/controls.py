@@ -6,24 +6,8 @@ It stands in the finished toaster, looking to -y. Its controls are named by heig
 from dataclasses import dataclass
 from typing import Literal
 
-from artgen import (
-    Body,
-    Bool,
-    Material,
-    Profile,
-    Scalar,
-    Solid,
-    Vector,
-    array,
-    box,
-    detail,
-    details,
-    min_,
-    part,
-    rectangle,
-    vector,
-    weld,
-)
+import artgen as ag
+from artgen import details
 from artgen._arrays import cached_property
 from artgen.categories.shared.controls.buttons import (
     PLAY,
@@ -61,37 +45,37 @@ _ICONS = ("cross", "bagel", "defrost", "steam")  # cancel, one side only, frozen
 class Site:
     """Where a panel is."""
 
-    middle: Scalar  # where its middle is along x [m]
-    plane: Scalar  # where its face is along y [m]
-    low: Scalar  # height of its lower edge [m]
-    high: Scalar  # height of its upper edge [m]
-    half: Scalar  # half of its width [m]
-    deep: Scalar  # how deep its opening is cut into the shell [m]
+    middle: ag.Scalar  # where its middle is along x [m]
+    plane: ag.Scalar  # where its face is along y [m]
+    low: ag.Scalar  # height of its lower edge [m]
+    high: ag.Scalar  # height of its upper edge [m]
+    half: ag.Scalar  # half of its width [m]
+    deep: ag.Scalar  # how deep its opening is cut into the shell [m]
     layout: Layout  # how its controls are arranged
-    levers: tuple[Scalar, ...]  # where the arms of levers are, along x from its middle [m]
+    levers: tuple[ag.Scalar, ...]  # where the arms of levers are, along x from its middle [m]
     lean: int  # 1 where what stands beside a lever is right of it, -1 where it is left
 
     @cached_property
-    def rest(self) -> Scalar:
+    def rest(self) -> ag.Scalar:
         """Height of the arms of levers at rest [m]."""
         return self.high - _UNDER
 
     @cached_property
-    def arms(self) -> list[Vector]:
+    def arms(self) -> list[ag.Vector]:
         """Where the arms of levers pass through the face."""
-        return [vector(self.middle + x, self.plane, self.rest) for x in self.levers]
+        return [ag.vector(self.middle + x, self.plane, self.rest) for x in self.levers]
 
 
 def end_site(plan: Plan, levers: int, layout: Layout, lean: int) -> Site:
     """Place the panel on a narrow end."""
     half = plan.width / 2 - plan.border
-    at: tuple[Scalar, ...] = (0.0,)
+    at: tuple[ag.Scalar, ...] = (0.0,)
     if levers > 1:
         aside = plan.pitch * plan.slots / 4
         at = (-aside, aside)
     elif layout == "beside":
-        half = min_(half, _NEAREST + 0.030)
-        at = (-lean * min_(half - 0.022, _NEAREST),)
+        half = ag.min_(half, _NEAREST + 0.030)
+        at = (-lean * ag.min_(half - 0.022, _NEAREST),)
     return Site(
         middle=0.0,
         plane=_RECESS - plan.length / 2,
@@ -126,13 +110,13 @@ def side_site(plan: Plan) -> Site:
 class PanelLooks:
     """What the panel and its controls are made of."""
 
-    plate: Material  # the panel
-    ink: Material  # what is printed on it
-    button: Material  # the buttons
-    button_ink: Material  # what is printed on them
-    dial: Material  # the dials
-    mark: Material  # the marks of dials
-    metal: Material  # caps of dials and plates around buttons
+    plate: ag.Material  # the panel
+    ink: ag.Material  # what is printed on it
+    button: ag.Material  # the buttons
+    button_ink: ag.Material  # what is printed on them
+    dial: ag.Material  # the dials
+    mark: ag.Material  # the marks of dials
+    metal: ag.Material  # caps of dials and plates around buttons
     shape: ButtonShape  # form of the buttons
     style: DialStyle  # form of the dials
     scale: Scale  # what is printed around them
@@ -144,30 +128,30 @@ class Panel:
     """What is on the panel."""
 
     site: Site  # where it is
-    travel: Scalar  # how far levers go down [m]
+    travel: ag.Scalar  # how far levers go down [m]
     knobs: int  # how many dials there are
     buttons: int  # how many buttons there are
-    radius: Scalar  # of the dials [m]
+    radius: ag.Scalar  # of the dials [m]
     looks: PanelLooks  # what it is made of
 
     @cached_property
-    def _aside(self) -> Scalar:
+    def _aside(self) -> ag.Scalar:
         """Where dials and buttons are that stand beside a lever."""
-        return self.site.lean * (min_(self.site.half, _NEAREST + 0.030) - self.radius - 0.010)
+        return self.site.lean * (ag.min_(self.site.half, _NEAREST + 0.030) - self.radius - 0.010)
 
     @cached_property
-    def _dial(self) -> Scalar:
+    def _dial(self) -> ag.Scalar:
         """Height of the dials."""
         return self.site.low + self.radius + _OVER
 
-    def _dials(self) -> list[tuple[Scalar, Scalar]]:
+    def _dials(self) -> list[tuple[ag.Scalar, ag.Scalar]]:
         """Return where the dials are, or the display that stands for them."""
         if self.site.layout == "beside":
             return [(self._aside, self._dial)]
         return [(x, self._dial) for x in self.site.levers]
 
     @cached_property
-    def _keys(self) -> list[tuple[Scalar, Scalar]]:
+    def _keys(self) -> list[tuple[ag.Scalar, ag.Scalar]]:
         """Where the buttons are."""
         numbers = range(self.buttons)
         if self.site.layout == "beside":
@@ -180,7 +164,7 @@ class Panel:
         rows = [self._dial + row * (_PITCH + 0.001) for row in (0, 1)]
         return [((2 * (number % 2) - 1) * aside, rows[number // 2]) for number in numbers]
 
-    def fits(self) -> Bool | bool:
+    def fits(self) -> ag.Bool | bool:
         """Tell whether buttons end below the upper edge, within the sides, and clear of a lever beside."""
         site, top = self.site, self._keys[-1][1] if self._keys else self._dial
         below = top + _CAP / 2 < site.high
@@ -189,34 +173,34 @@ class Panel:
             return below & (out + _CAP / 2 + PLAY < site.half)
         return below & (site.lean * (self._aside - site.levers[0]) > _BESIDE)
 
-    def _at(self, place: tuple[Scalar, Scalar]) -> Vector:
-        return vector(self.site.middle + place[0], self.site.plane, place[1])
+    def _at(self, place: tuple[ag.Scalar, ag.Scalar]) -> ag.Vector:
+        return ag.vector(self.site.middle + place[0], self.site.plane, place[1])
 
-    def opening(self) -> Solid:
+    def opening(self) -> ag.Solid:
         """Return the tool that cuts the panel's opening into the shell."""
         site = self.site
         front, back = site.plane - 0.005, site.plane + site.deep
-        tool = box(2 * site.half, back - front, site.high - site.low)
+        tool = ag.box(2 * site.half, back - front, site.high - site.low)
         return tool.at(site.middle, 0.5 * (front + back), 0.5 * (site.low + site.high))
 
-    def _outline(self) -> Profile:
+    def _outline(self) -> ag.Profile:
         """Return the outline of the plate, about its middle, at its heights."""
         site = self.site
         tall = site.high - site.low + 2 * _LAP
-        plate = rectangle(2 * (site.half + _LAP), tall).at(0.0, 0.5 * (site.low + site.high))
+        plate = ag.rectangle(2 * (site.half + _LAP), tall).at(0.0, 0.5 * (site.low + site.high))
         for x in site.levers:
             plate = plate - slit(self.travel).at(x, site.rest)
-        hole = rectangle(_CAP + 2 * PLAY, _CAP + 2 * PLAY)
+        hole = ag.rectangle(_CAP + 2 * PLAY, _CAP + 2 * PLAY)
         for x, z in self._keys:
             plate = plate - hole.at(x, z)
         return plate
 
-    def plate(self) -> Body:
+    def plate(self) -> ag.Body:
         """Make the panel with its print, to be welded to the shell."""
         looks, site = self.looks, self.site
-        at = vector(site.middle, site.plane + _THICK / 2, 0.0)
+        at = ag.vector(site.middle, site.plane + _THICK / 2, 0.0)
         solid = details.relief(self._outline(), at, proud=_THICK / 2, sunk=_THICK / 2)
-        bodies = [part(solid, "control_panel", looks.plate), self._shields()]
+        bodies = [ag.part(solid, "control_panel", looks.plate), self._shields()]
         for key in self._keys:
             rim = button_plate(finish=looks.metal, shape=looks.shape, width=_CAP, height=_CAP)
             bodies.append(rim.at(self._at(key)))
@@ -232,21 +216,21 @@ class Panel:
             bodies.append(
                 details.printed(name, self._at((self._aside, site.high - 0.010)), material=looks.ink)
             )
-        return weld(*bodies)
+        return ag.weld(*bodies)
 
-    def _shields(self) -> Body:
+    def _shields(self) -> ag.Body:
         """Make the dark brushes behind slits, at both sides of the arms that pass; only seen."""
         wide = 0.0063
-        strip = box(wide, 0.001, self.travel + 0.022)
+        strip = ag.box(wide, 0.001, self.travel + 0.022)
         level, out = self.site.rest - self.travel / 2, ARM[0] / 2 + 0.0002 + wide / 2
         at = [
             (self.site.middle + x + side * out, self.site.plane + _THICK, level)
             for x in self.site.levers
             for side in (-1, 1)
         ]
-        return detail(array(strip, at=at), "control_panel", recess(self.looks.plate))
+        return ag.detail(ag.array(strip, at=at), "control_panel", recess(self.looks.plate))
 
-    def attached(self, body: Body, force: Scalar, friction: Scalar) -> Body:
+    def attached(self, body: ag.Body, force: ag.Scalar, friction: ag.Scalar) -> ag.Body:
         """Attach buttons and dials to a body that has the panel."""
         looks = self.looks
         for number, key in enumerate(self._keys):

@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from artgen import Material, by, colored, material, shades
+import artgen as ag
 from artgen.materials import COLORS
 
 _HEAVY = 2000.0  # [kg/m3]: what is heavier is metal
@@ -11,37 +11,41 @@ _LINED = 1.45  # weight of a wall of plastic with its ribs and a liner of tin, a
 _HOLLOW = 560.0  # moulded or pressed ends with what is fixed behind them, drawn solid [kg/m3]
 
 _STEELS = (
-    material("stainless"),
-    material("stainless_across"),
-    material("stainless").with_(name="black_stainless", base_color=(0.105, 0.105, 0.110)),
-    material("copper").with_(name="brushed_copper", specular_roughness=0.34, texture="brushed"),
+    ag.material("stainless"),
+    ag.material("stainless_across"),
+    ag.material("stainless").with_(name="black_stainless", base_color=(0.105, 0.105, 0.110)),
+    ag.material("copper").with_(name="brushed_copper", specular_roughness=0.34, texture="brushed"),
 )
 _MATTE = tuple(
-    colored("abs", color) for color in ("white", "black", "graphite", "sage", "sand", "light_grey", "navy")
+    ag.colored("abs", color) for color in ("white", "black", "graphite", "sage", "sand", "light_grey", "navy")
 )
 _GLOSSY = tuple(
-    colored("glossy_plastic", color)
+    ag.colored("glossy_plastic", color)
     for color in ("white", "black", "cream", "red", "silver", "burgundy", "teal")
 )
 _ENAMELS = tuple(
-    colored("enamel", color)
+    ag.colored("enamel", color)
     for color in ("cream", "mint", "sky", "blush", "red", "black", "white", "sage", "mustard", "navy")
 )
 _SLEEVES = tuple(
-    colored("enamel", color)
+    ag.colored("enamel", color)
     for color in ("white", "black", "cream", "red", "slate", "forest", "blue", "orange")
 )
-_DARK_ENDS = (material("black_abs"), colored("abs", "graphite"), colored("glossy_plastic", "black"))
-_LIGHT_ENDS = (colored("abs", "white"), colored("abs", "light_grey"), colored("glossy_plastic", "cream"))
+_DARK_ENDS = (ag.material("black_abs"), ag.colored("abs", "graphite"), ag.colored("glossy_plastic", "black"))
+_LIGHT_ENDS = (
+    ag.colored("abs", "white"),
+    ag.colored("abs", "light_grey"),
+    ag.colored("glossy_plastic", "cream"),
+)
 
 
-SLEEVES: Any = by(
+SLEEVES: Any = ag.by(
     "style",
-    box=shades(*_MATTE, *_STEELS[:1], weights=(2.0, 2.2, 1.2, 1.0, 0.8, 1.0, 0.6, 1.6), color=0.05),
-    rounded=shades(*_GLOSSY, *_STEELS[:1], weights=(2.0, 1.7, 1.4, 1.2, 0.8, 0.8, 0.9, 1.3), color=0.05),
-    retro=shades(*_ENAMELS, weights=(1.6, 1.5, 1.4, 1.1, 1.2, 0.9, 1.0, 0.8, 0.6, 0.6), color=0.05),
-    steel=shades(*_STEELS, weights=(2.6, 1.6, 1.2, 0.7), color=0.03),
-    classic=shades(
+    box=ag.shades(*_MATTE, *_STEELS[:1], weights=(2.0, 2.2, 1.2, 1.0, 0.8, 1.0, 0.6, 1.6), color=0.05),
+    rounded=ag.shades(*_GLOSSY, *_STEELS[:1], weights=(2.0, 1.7, 1.4, 1.2, 0.8, 0.8, 0.9, 1.3), color=0.05),
+    retro=ag.shades(*_ENAMELS, weights=(1.6, 1.5, 1.4, 1.1, 1.2, 0.9, 1.0, 0.8, 0.6, 0.6), color=0.05),
+    steel=ag.shades(*_STEELS, weights=(2.6, 1.6, 1.2, 0.7), color=0.03),
+    classic=ag.shades(
         *_SLEEVES, *_STEELS[:1], weights=(1.2, 1.2, 1.2, 1.1, 0.8, 0.7, 0.7, 0.6, 2.0), color=0.05
     ),
     doc="finish of the sleeve; of the whole body where it is of one piece",
@@ -49,37 +53,37 @@ SLEEVES: Any = by(
 """The finish of the sleeve, by the parameter `style`."""
 
 
-ENDS: Any = by(
+ENDS: Any = ag.by(
     "style",
-    steel=shades(*_DARK_ENDS, *_LIGHT_ENDS, weights=(3.0, 1.2, 1.2, 0.8, 0.8, 0.5), color=0.04),
-    otherwise=shades("brushed_aluminium", "stainless", "chrome", weights=(1.5, 1.5, 0.6), color=0.03),
+    steel=ag.shades(*_DARK_ENDS, *_LIGHT_ENDS, weights=(3.0, 1.2, 1.2, 0.8, 0.8, 0.5), color=0.04),
+    otherwise=ag.shades("brushed_aluminium", "stainless", "chrome", weights=(1.5, 1.5, 0.6), color=0.03),
     doc="of the ends of a steel or classic body",
 )
 """The finish of the ends by the parameter `style`, where they are of another material."""
 
 
-METALS: Any = by(
+METALS: Any = ag.by(
     "style",
-    retro=shades("chrome", "satin_brass", weights=(0.85, 0.15), color=0.03),
-    classic=shades("stainless", "chrome", color=0.03),
-    otherwise=shades("stainless", "chrome", "powder_coat_black", weights=(0.5, 0.3, 0.2), color=0.03),
+    retro=ag.shades("chrome", "satin_brass", weights=(0.85, 0.15), color=0.03),
+    classic=ag.shades("stainless", "chrome", color=0.03),
+    otherwise=ag.shades("stainless", "chrome", "powder_coat_black", weights=(0.5, 0.3, 0.2), color=0.03),
     doc="of the trim around the slots and of caps",
 )
 """The metal of trim, caps and inlays, by the parameter `style`."""
 
 
-GRIPS: Any = by(
+GRIPS: Any = ag.by(
     "style",
-    retro=shades(
-        "chrome", "glossy_plastic_black", colored("glossy_plastic", "cream"), weights=(0.6, 0.25, 0.15)
+    retro=ag.shades(
+        "chrome", "glossy_plastic_black", ag.colored("glossy_plastic", "cream"), weights=(0.6, 0.25, 0.15)
     ),
-    classic=shades("black_abs", "glossy_plastic_black", weights=(0.7, 0.3)),
-    otherwise=shades(
+    classic=ag.shades("black_abs", "glossy_plastic_black", weights=(0.7, 0.3)),
+    otherwise=ag.shades(
         "black_abs",
         "glossy_plastic_black",
-        colored("abs", "grey"),
+        ag.colored("abs", "grey"),
         "stainless",
-        colored("abs", "white"),
+        ag.colored("abs", "white"),
         weights=(3.0, 1.5, 0.8, 1.2, 0.7),
     ),
     doc="of levers and dials",
@@ -87,35 +91,35 @@ GRIPS: Any = by(
 """The material of levers and dials, by the parameter `style`."""
 
 
-KEYS: Any = shades(
+KEYS: Any = ag.shades(
     "black_abs",
     "stainless",
-    colored("abs", "light_grey"),
+    ag.colored("abs", "light_grey"),
     "glossy_plastic_white",
     doc="of the buttons",
 )
 """The material of buttons."""
 
 
-def sheet(finish: Material, share: float = 1.0) -> Material:
+def sheet(finish: ag.Material, share: float = 1.0) -> ag.Material:
     """Return a finish with the weight of the thin wall that it is."""
     density = share * (_SHEET if finish.density > _HEAVY else _LINED * finish.density)
     return finish.with_(name=f"{finish.name}_sheet", density=density)
 
 
-def hollow(finish: Material) -> Material:
+def hollow(finish: ag.Material) -> ag.Material:
     """Return a finish with the weight of a hollow moulding or pressing."""
     return finish.with_(name=f"{finish.name}_hollow", density=_HOLLOW)
 
 
-def is_dark(finish: Material) -> bool:
+def is_dark(finish: ag.Material) -> bool:
     """Tell whether light print is read better on a finish."""
     red, green, blue = finish.base_color
     return 0.2126 * red + 0.7152 * green + 0.0722 * blue < 0.22
 
 
-def ink_on(finish: Material) -> Material:
+def ink_on(finish: ag.Material) -> ag.Material:
     """Return the ink that is read on a finish."""
     dark = is_dark(finish)
     color = COLORS["cool_white" if dark else "anthracite"]
-    return material("abs").with_(name=f"ink_{'light' if dark else 'dark'}", base_color=color, texture="")
+    return ag.material("abs").with_(name=f"ink_{'light' if dark else 'dark'}", base_color=color, texture="")

@@ -8,7 +8,7 @@ import math
 from dataclasses import dataclass
 from typing import Literal
 
-from artgen import Float, Profile, Scalar, min_, polygon, rectangle
+import artgen as ag
 from artgen._arrays import cached_property
 
 BodyStyle = Literal["box", "rounded", "retro", "steel", "classic"]
@@ -25,10 +25,10 @@ _BORDERS: dict[BodyStyle, float] = {"rounded": 0.021, "retro": 0.026, "classic":
 _TOPS: dict[BodyStyle, float] = {"rounded": 0.026, "retro": 0.034, "classic": 0.032}  # from the top [m]
 
 
-def _round(sides: int) -> Profile:
+def _round(sides: int) -> ag.Profile:
     """Make a circle of radius 1 with so many sides."""
     angles = [math.tau * side / sides for side in range(sides)]
-    return polygon([(math.cos(angle), math.sin(angle)) for angle in angles])
+    return ag.polygon([(math.cos(angle), math.sin(angle)) for angle in angles])
 
 
 _COARSE = _round(40)  # for ends, whose corners all count
@@ -42,21 +42,21 @@ class Plan:
     style: BodyStyle  # form of the body
     slots: int  # number of slots side by side
     long: bool  # whether two slices fit into a slot
-    slot_width: Float  # width of a slot
-    slot_length: Float  # length of a slot
-    bridge: Float  # between two slots
-    shoulder: Float  # from the outer slots to the sides
-    length: Float  # length of the body along the slots
-    height: Float  # height of the body's top over the floor
-    foot: Float  # height of the body's underside over the floor
+    slot_width: ag.Float  # width of a slot
+    slot_length: ag.Float  # length of a slot
+    bridge: ag.Float  # between two slots
+    shoulder: ag.Float  # from the outer slots to the sides
+    length: ag.Float  # length of the body along the slots
+    height: ag.Float  # height of the body's top over the floor
+    foot: ag.Float  # height of the body's underside over the floor
 
     @cached_property
-    def span(self) -> Float:
+    def span(self) -> ag.Float:
         """Width from the first slot to the last."""
         return self.slots * self.slot_width + (self.slots - 1) * self.bridge
 
     @cached_property
-    def width(self) -> Float:
+    def width(self) -> ag.Float:
         """Width of the body across the slots."""
         return self.span + 2 * self.shoulder
 
@@ -96,7 +96,7 @@ class Plan:
         return _TOPS.get(self.style, 0.018)
 
     @cached_property
-    def pitch(self) -> Float:
+    def pitch(self) -> ag.Float:
         """From the middle of a slot to that of the next."""
         return self.slot_width + self.bridge
 
@@ -106,41 +106,41 @@ class Plan:
         return {"retro": 0.42, "rounded": 0.75, "steel": 0.85}.get(self.style, 1.0)
 
     @cached_property
-    def top(self) -> Float:
+    def top(self) -> ag.Float:
         """Height of the sleeve's upper face."""
         return self.height - self.inset
 
     @cached_property
-    def floor(self) -> Float:
+    def floor(self) -> ag.Float:
         """Height of the inner face of the sleeve's bottom."""
         return self.foot + self.inset + SHEET
 
     @cached_property
-    def chamber(self) -> tuple[Float, Float]:
+    def chamber(self) -> tuple[ag.Float, ag.Float]:
         """Where the chamber begins and ends along y."""
         end = self.length / 2 - self.back_cap - _BACK
         return end - self.slot_length, end
 
     @cached_property
-    def bay(self) -> Float:
+    def bay(self) -> ag.Float:
         """Middle of the bay along y, in which the carriage's post moves."""
         return 0.5 * (self.chamber[0] - self.length / 2 + self.cap)
 
     @cached_property
-    def middles(self) -> list[Float]:
+    def middles(self) -> list[ag.Float]:
         """Middle of each slot along x, from the left."""
         return [(number - (self.slots - 1) / 2) * self.pitch for number in range(self.slots)]
 
     @cached_property
-    def outline(self) -> Profile:
+    def outline(self) -> ag.Profile:
         """The outline of the ends in x and z, about its middle."""
         return self._outline(self.width, self.height - self.foot, _COARSE)
 
-    def section(self) -> Profile:
+    def section(self) -> ag.Profile:
         """Return the outline of the sleeve, about the middle of the ends."""
         return self._outline(self.width - 2 * self.inset, self.height - self.foot - 2 * self.inset, _ROUND)
 
-    def hollow(self) -> Profile:
+    def hollow(self) -> ag.Profile:
         """Return the outline of what is inside the sleeve; with few corners, few pieces are around it.
 
         Walls are thicker where the sleeve is round outside, which nobody sees.
@@ -148,7 +148,7 @@ class Plan:
         x, z = self.width / 2 - self.inset - SHEET, (self.height - self.foot) / 2 - self.inset - SHEET
         match self.style:
             case "box":
-                return rectangle(2 * x, 2 * z)
+                return ag.rectangle(2 * x, 2 * z)
             case "steel":
                 return _cornered(x, z, upper=self._steel - SHEET, lower=self._steel - SHEET)
             case "rounded":
@@ -158,48 +158,48 @@ class Plan:
             case "retro":
                 low, high = 0.93 * x - 0.013, 0.895 * x - 0.013
                 left = [(-high, z), (-x, -0.06 * z), (-low, -z)]
-                return polygon([(low, -z), (x, -0.06 * z), (high, z), *left])
+                return ag.polygon([(low, -z), (x, -0.06 * z), (high, z), *left])
 
     @cached_property
-    def _steel(self) -> Float:
-        return min_(0.5 * self.shoulder, 0.017)
+    def _steel(self) -> ag.Float:
+        return ag.min_(0.5 * self.shoulder, 0.017)
 
     @cached_property
-    def _shoulder(self) -> Float:
-        return min_(0.7 * self.shoulder, 0.036)
+    def _shoulder(self) -> ag.Float:
+        return ag.min_(0.7 * self.shoulder, 0.036)
 
     @cached_property
-    def _bevel(self) -> Float:
-        return min_(0.72 * self.shoulder, 0.034)
+    def _bevel(self) -> ag.Float:
+        return ag.min_(0.72 * self.shoulder, 0.034)
 
-    def _outline(self, wide: Scalar, high: Scalar, disc: Profile) -> Profile:
+    def _outline(self, wide: ag.Scalar, high: ag.Scalar, disc: ag.Profile) -> ag.Profile:
         match self.style:
             case "box":
-                return rectangle(wide, high, radius=0.0075)
+                return ag.rectangle(wide, high, radius=0.0075)
             case "steel":
-                return rectangle(wide, high, radius=self._steel)
+                return ag.rectangle(wide, high, radius=self._steel)
             case "rounded":
-                shoulders = rectangle(wide, high, radius=self._shoulder)
-                return shoulders | rectangle(wide, 0.6 * high, radius=0.0075).at(0.0, -0.2 * high)
+                shoulders = ag.rectangle(wide, high, radius=self._shoulder)
+                return shoulders | ag.rectangle(wide, 0.6 * high, radius=0.0075).at(0.0, -0.2 * high)
             case "retro":
                 bulge = disc.scale(wide / 2, 1.15 * high)
-                bulging = rectangle(1.1 * wide, high) & bulge.at(0.0, -0.04 * high)
+                bulging = ag.rectangle(1.1 * wide, high) & bulge.at(0.0, -0.04 * high)
                 return bulging.offset(-0.022).offset(0.022)
             case "classic":
                 return _cornered(wide / 2, high / 2, upper=self._bevel, steep=1.5, radius=0.004)
 
 
 def _cornered(
-    x: Scalar,
-    z: Scalar,
+    x: ag.Scalar,
+    z: ag.Scalar,
     *,
-    upper: Scalar,
-    lower: Scalar | None = None,
+    upper: ag.Scalar,
+    lower: ag.Scalar | None = None,
     steep: float = 1.0,
     radius: float = 0.0,
-) -> Profile:
+) -> ag.Profile:
     """Make a rectangle with its upper corners cut off, and its lower ones if they have a size."""
-    right: list[tuple[Scalar, Scalar]] = [(x, z - steep * upper), (x - upper, z)]
+    right: list[tuple[ag.Scalar, ag.Scalar]] = [(x, z - steep * upper), (x - upper, z)]
     right = [(x, -z), *right] if lower is None else [(x - lower, -z), (x, steep * lower - z), *right]
     left = [(-each, level) for each, level in reversed(right)]
-    return polygon([*right, *left], radius=radius)
+    return ag.polygon([*right, *left], radius=radius)

@@ -2,24 +2,7 @@
 
 from typing import Literal
 
-from artgen import (
-    Body,
-    Joint,
-    Material,
-    Prismatic,
-    Scalar,
-    Solid,
-    Vector,
-    X,
-    Y,
-    box,
-    frame,
-    material,
-    part,
-    union,
-    vector,
-    weld,
-)
+import artgen as ag
 from artgen.categories.toaster.plan import Plan
 
 TrayWay = Literal["back", "side"]
@@ -40,10 +23,10 @@ class Tray:
         begin, end = plan.chamber
         self.way = way
         self._plan = plan
-        self._deep: Scalar
-        self._wide: Scalar
-        self._out: Scalar
-        self._middle: Scalar
+        self._deep: ag.Scalar
+        self._wide: ag.Scalar
+        self._out: ag.Scalar
+        self._middle: ag.Scalar
         if way == "back":
             self._wide, self._out, self._middle = plan.span + 0.006, plan.length / 2, 0.0
             self._deep = plan.length / 2 - begin - 0.004
@@ -54,55 +37,59 @@ class Tray:
         self._low = plan.floor + _LIFT
 
     @property
-    def direction(self) -> Vector:
+    def direction(self) -> ag.Vector:
         """The way out."""
-        return vector(0.0, 1.0, 0.0) if self.way == "back" else vector(1.0, 0.0, 0.0)
+        return ag.vector(0.0, 1.0, 0.0) if self.way == "back" else ag.vector(1.0, 0.0, 0.0)
 
-    def _turned(self, solid: Solid) -> Solid:
+    def _turned(self, solid: ag.Solid) -> ag.Solid:
         return solid if self.way == "back" else solid.rotate((0.0, 0.0, 1.0), -1.5707963267948966)
 
-    def opening(self) -> Solid:
+    def opening(self) -> ag.Solid:
         """Return the tool that cuts the tray's opening."""
         low, high = self._plan.floor + 0.0002, self._low + _RIM + _PLAY  # not into the bottom
-        hole = box(self._wide + 2 * _PLAY, 0.04, high - low)
+        hole = ag.box(self._wide + 2 * _PLAY, 0.04, high - low)
         return self._turned(hole.at(self._middle, self._out, 0.5 * (low + high)))
 
-    def body(self, finish: Material) -> Body:
+    def body(self, finish: ag.Material) -> ag.Body:
         """Make the tray with its face and tab; its face is of the finish."""
         deep = self._deep
         y, x = self._out - deep / 2, self._middle
         half, high = self._wide / 2, self._low + _RIM / 2
         # sheets end within each other, so that no two have a face in one plane
-        floor = box(self._wide - _SHEET, deep - _SHEET, _SHEET).at(x, y, self._low + 0.7 * _SHEET)
-        rims = [box(_SHEET, deep, _RIM).at(x + side * (half - _SHEET / 2), y, high) for side in (-1, 1)]
-        rear = box(self._wide - _SHEET, _SHEET, _RIM - 0.0006)
+        floor = ag.box(self._wide - _SHEET, deep - _SHEET, _SHEET).at(x, y, self._low + 0.7 * _SHEET)
+        rims = [ag.box(_SHEET, deep, _RIM).at(x + side * (half - _SHEET / 2), y, high) for side in (-1, 1)]
+        rear = ag.box(self._wide - _SHEET, _SHEET, _RIM - 0.0006)
         rims.append(rear.at(x, self._out - deep + 0.6 * _SHEET, high))
         at = self._out + 0.0010 + _FACE / 2
         bottom = self._plan.foot + 0.0005
         top = self._low + _RIM + 0.005
-        face = box(self._wide + 0.014, _FACE, top - bottom, bevel=0.0012).at(x, at, 0.5 * (bottom + top))
+        face = ag.box(self._wide + 0.014, _FACE, top - bottom, bevel=0.0012).at(x, at, 0.5 * (bottom + top))
         # a web joins the face with the tray, through the opening
-        web = box(self._wide - 0.004, 0.004, _RIM - 0.001).at(x, self._out, high)
+        web = ag.box(self._wide - 0.004, 0.004, _RIM - 0.001).at(x, self._out, high)
         wide, long, thick = _TAB
         level = 0.5 * (bottom + top)
-        tab = box(wide, long, thick, bevel=0.0018).at(x, at + long / 2, level)
-        rib = box(wide - 0.006, 0.0035, thick + 0.0035, bevel=0.0014).at(x, at + long - 0.0035, level + 0.001)
-        point = self._turned(box(0.001, 0.001, 0.001).at(x, at + long - 0.0062, level)).anchor()
+        tab = ag.box(wide, long, thick, bevel=0.0018).at(x, at + long / 2, level)
+        rib = ag.box(wide - 0.006, 0.0035, thick + 0.0035, bevel=0.0014).at(
+            x, at + long - 0.0035, level + 0.001
+        )
+        point = self._turned(ag.box(0.001, 0.001, 0.001).at(x, at + long - 0.0062, level)).anchor()
         out = self.direction
         # a hand comes at 45 degrees from above, so that it stays over the counter
-        hold = frame(point, approach=-out + vector(0.0, 0.0, -1.0), closing=X if self.way == "back" else Y)
-        tin = material("stainless").with_(name="tray_tin", density=4000.0)
-        return weld(
-            part(self._turned(union(floor, *rims)), "crumb_tray", tin, name="crumb_tray"),
-            part(self._turned(web), "crumb_tray", finish),
-            part(self._turned(face), "crumb_tray", finish),
-            part(self._turned(tab), "crumb_tray", finish, grasp=hold, name="crumb_tray"),
-            part(self._turned(rib), "crumb_tray", finish),
+        hold = ag.frame(
+            point, approach=-out + ag.vector(0.0, 0.0, -1.0), closing=ag.X if self.way == "back" else ag.Y
+        )
+        tin = ag.material("stainless").with_(name="tray_tin", density=4000.0)
+        return ag.weld(
+            ag.part(self._turned(ag.union(floor, *rims)), "crumb_tray", tin, name="crumb_tray"),
+            ag.part(self._turned(web), "crumb_tray", finish),
+            ag.part(self._turned(face), "crumb_tray", finish),
+            ag.part(self._turned(tab), "crumb_tray", finish, grasp=hold, name="crumb_tray"),
+            ag.part(self._turned(rib), "crumb_tray", finish),
         )
 
-    def slide(self, friction: Scalar) -> Joint:
+    def slide(self, friction: ag.Scalar) -> ag.Joint:
         """Make the joint of the tray; positive pulls it out."""
-        return Prismatic(
+        return ag.Prismatic(
             "crumb_tray_slide",
             axis=self.direction,
             limits=(0.0, 0.8 * self._deep),

@@ -15,23 +15,8 @@ Sizes are those of household bins of 3 to 50 litres (EKO, Brabantia, simplehuman
 
 from typing import Literal
 
-from artgen import (
-    Body,
-    Float,
-    Material,
-    Scalar,
-    by,
-    category,
-    choice,
-    count,
-    details,
-    material,
-    min_,
-    require,
-    shades,
-    uniform,
-    weld,
-)
+import artgen as ag
+from artgen import details
 from artgen.categories.trashcan.bins import Can, Plan
 from artgen.categories.trashcan.finish import (
     BUCKET_WEIGHTS,
@@ -74,10 +59,10 @@ _PLANS: dict[str, tuple[str, ...]] = {
     "butterfly": ("square", "rectangle"),  # flaps hinge at straight sides
     "open": ("round", "square", "rectangle"),
 }
-_DARK = material("black_abs")
+_DARK = ag.material("black_abs")
 
 
-@category(
+@ag.category(
     labels=(
         "body",
         "base",
@@ -101,7 +86,7 @@ _DARK = material("black_abs")
 )
 def trashcan(
     *,
-    style: Style = choice(
+    style: Style = ag.choice(
         "ball",
         "touch",
         "lift",
@@ -112,148 +97,156 @@ def trashcan(
         "open",
         weights=(0.06, 0.09, 0.13, 0.13, 0.11, 0.07, 0.28, 0.13),
     ),
-    size: Literal["small", "medium", "large"] = by(
+    size: Literal["small", "medium", "large"] = ag.by(
         "style",
-        pedal=choice("small", "medium", "large", weights=(0.25, 0.35, 0.4)),
-        lift=choice("small", "medium", "large", weights=(0.3, 0.4, 0.3)),
-        open=choice("small", "medium", weights=(0.4, 0.6)),
+        pedal=ag.choice("small", "medium", "large", weights=(0.25, 0.35, 0.4)),
+        lift=ag.choice("small", "medium", "large", weights=(0.3, 0.4, 0.3)),
+        open=ag.choice("small", "medium", weights=(0.4, 0.6)),
         ball="large",
-        otherwise=choice("medium", "large", weights=(0.5, 0.5)),
+        otherwise=ag.choice("medium", "large", weights=(0.5, 0.5)),
         doc="3-5, 10-20 or 30-50 litres",
     ),
-    plan: Plan = by(
+    plan: Plan = ag.by(
         "style",
-        pedal=choice("round", "square", "rectangle", "half_round", weights=(0.4, 0.15, 0.25, 0.2)),
-        lift=choice("round", "square", "rectangle", "half_round", weights=(0.4, 0.2, 0.2, 0.2)),
-        swing=choice("round", "square", "rectangle", weights=(0.3, 0.3, 0.4)),
+        pedal=ag.choice("round", "square", "rectangle", "half_round", weights=(0.4, 0.15, 0.25, 0.2)),
+        lift=ag.choice("round", "square", "rectangle", "half_round", weights=(0.4, 0.2, 0.2, 0.2)),
+        swing=ag.choice("round", "square", "rectangle", weights=(0.3, 0.3, 0.4)),
         ball="round",
-        disc=choice("round", "square", weights=(0.65, 0.35)),
-        butterfly=choice("square", "rectangle", weights=(0.3, 0.7)),
-        touch=choice("round", "square", "rectangle", weights=(0.55, 0.2, 0.25)),
-        open=choice("round", "square", "rectangle", weights=(0.55, 0.25, 0.2)),
+        disc=ag.choice("round", "square", weights=(0.65, 0.35)),
+        butterfly=ag.choice("square", "rectangle", weights=(0.3, 0.7)),
+        touch=ag.choice("round", "square", "rectangle", weights=(0.55, 0.2, 0.25)),
+        open=ag.choice("round", "square", "rectangle", weights=(0.55, 0.25, 0.2)),
     ),
-    width: Float = by(
+    width: ag.Float = ag.by(
         "size",
-        small=uniform(0.175, 0.215),
-        medium=uniform(0.235, 0.285),
-        large=uniform(0.285, 0.330),
+        small=ag.uniform(0.175, 0.215),
+        medium=ag.uniform(0.235, 0.285),
+        large=ag.uniform(0.285, 0.330),
         unit="m",
         within=(0.15, 0.45),
         doc="at the rim; a rectangular bin is narrower than others of its volume",
     ),
-    aspect: Float = by(
+    aspect: ag.Float = ag.by(
         "plan",
-        rectangle=uniform(1.18, 1.36),
-        half_round=uniform(0.84, 0.96),
+        rectangle=ag.uniform(1.18, 1.36),
+        half_round=ag.uniform(0.84, 0.96),
         otherwise=1.0,
         doc="depth over width",
         within=(0.8, 1.6),
     ),
-    height: Float = by(
+    height: ag.Float = ag.by(
         "size",
-        small=uniform(0.26, 0.32),
-        medium=uniform(0.36, 0.50),
-        large=uniform(0.58, 0.74),
+        small=ag.uniform(0.26, 0.32),
+        medium=ag.uniform(0.36, 0.50),
+        large=ag.uniform(0.58, 0.74),
         unit="m",
         doc="over all, closed",
         within=(0.24, 0.85),
     ),
-    corner: Float = uniform(0.020, 0.045, "m", doc="of square and rectangular bins", within=(0.008, 0.06)),
-    taper: Float = by(
+    corner: ag.Float = ag.uniform(
+        0.020, 0.045, "m", doc="of square and rectangular bins", within=(0.008, 0.06)
+    ),
+    taper: ag.Float = ag.by(
         "style",
-        lift=uniform(0.0, 0.12),
-        swing=uniform(0.04, 0.16),
-        disc=uniform(0.0, 0.12),
-        open=uniform(0.06, 0.24),
+        lift=ag.uniform(0.0, 0.12),
+        swing=ag.uniform(0.04, 0.16),
+        disc=ag.uniform(0.0, 0.12),
+        open=ag.uniform(0.06, 0.24),
         otherwise=0.0,
         doc="share by which the foot is smaller than the rim; others than these stand straight",
         within=(0.0, 0.35),
     ),
-    skin: Literal["steel", "coated", "plastic", "wicker", "mesh"] = by(
+    skin: Literal["steel", "coated", "plastic", "wicker", "mesh"] = ag.by(
         "style",
-        pedal=choice("steel", "coated", "plastic", weights=(0.45, 0.38, 0.17)),
-        lift=choice("steel", "coated", "plastic", weights=(0.2, 0.4, 0.4)),
-        swing=choice("steel", "coated", "plastic", weights=(0.2, 0.2, 0.6)),
-        ball=choice("steel", "coated", weights=(0.5, 0.5)),
-        disc=choice("steel", "coated", "plastic", weights=(0.4, 0.35, 0.25)),
-        butterfly=choice("steel", "coated", weights=(0.7, 0.3)),
-        touch=choice("steel", "coated", weights=(0.5, 0.5)),
-        open=choice("coated", "plastic", "wicker", "mesh", weights=(0.2, 0.3, 0.25, 0.25)),
+        pedal=ag.choice("steel", "coated", "plastic", weights=(0.45, 0.38, 0.17)),
+        lift=ag.choice("steel", "coated", "plastic", weights=(0.2, 0.4, 0.4)),
+        swing=ag.choice("steel", "coated", "plastic", weights=(0.2, 0.2, 0.6)),
+        ball=ag.choice("steel", "coated", weights=(0.5, 0.5)),
+        disc=ag.choice("steel", "coated", "plastic", weights=(0.4, 0.35, 0.25)),
+        butterfly=ag.choice("steel", "coated", weights=(0.7, 0.3)),
+        touch=ag.choice("steel", "coated", weights=(0.5, 0.5)),
+        open=ag.choice("coated", "plastic", "wicker", "mesh", weights=(0.2, 0.3, 0.25, 0.25)),
     ),
-    finish: Material = by(
+    finish: ag.Material = ag.by(
         "skin",
-        steel=shades(*STEELS, weights=STEEL_WEIGHTS, color=0.04),
-        coated=shades(*COATED, weights=COATED_WEIGHTS),
-        plastic=shades(*PLASTICS, weights=PLASTIC_WEIGHTS),
-        wicker=shades(*WEAVES[:2]),
-        mesh=shades(*WEAVES[2:], color=0.04),
+        steel=ag.shades(*STEELS, weights=STEEL_WEIGHTS, color=0.04),
+        coated=ag.shades(*COATED, weights=COATED_WEIGHTS),
+        plastic=ag.shades(*PLASTICS, weights=PLASTIC_WEIGHTS),
+        wicker=ag.shades(*WEAVES[:2]),
+        mesh=ag.shades(*WEAVES[2:], color=0.04),
     ),
-    lid_finish: Literal["same", "plastic", "steel"] = by(
+    lid_finish: Literal["same", "plastic", "steel"] = ag.by(
         "skin",
-        steel=choice("same", "plastic", weights=(0.7, 0.3)),
-        coated=choice("same", "plastic", "steel", weights=(0.6, 0.15, 0.25)),
-        otherwise=choice("same", "plastic", weights=(0.7, 0.3)),
+        steel=ag.choice("same", "plastic", weights=(0.7, 0.3)),
+        coated=ag.choice("same", "plastic", "steel", weights=(0.6, 0.15, 0.25)),
+        otherwise=ag.choice("same", "plastic", weights=(0.7, 0.3)),
     ),
-    trim: Material = choice(*TRIMS, weights=(0.55, 0.2, 0.1, 0.15)),
-    dress: Dress = choice("plain", "base_band", "beads", "ring", weights=(0.3, 0.35, 0.15, 0.2)),
-    lid_style: LidStyle = by(
+    trim: ag.Material = ag.choice(*TRIMS, weights=(0.55, 0.2, 0.1, 0.15)),
+    dress: Dress = ag.choice("plain", "base_band", "beads", "ring", weights=(0.3, 0.35, 0.15, 0.2)),
+    lid_style: LidStyle = ag.by(
         "plan",
-        half_round=choice("flat", "stepped"),
-        otherwise=choice("flat", "domed", "stepped", weights=(0.4, 0.35, 0.25)),
+        half_round=ag.choice("flat", "stepped"),
+        otherwise=ag.choice("flat", "domed", "stepped", weights=(0.4, 0.35, 0.25)),
     ),
-    lid_open: Float = by(
+    lid_open: ag.Float = ag.by(
         "style",
-        pedal=uniform(1.46, 1.56),
-        lift=uniform(1.44, 1.62),
-        swing=uniform(1.05, 1.2),
-        ball=uniform(0.9, 1.0),
-        disc=uniform(1.45, 1.57),
-        butterfly=uniform(1.42, 1.5),
-        touch=uniform(1.44, 1.54),
+        pedal=ag.uniform(1.46, 1.56),
+        lift=ag.uniform(1.44, 1.62),
+        swing=ag.uniform(1.05, 1.2),
+        ball=ag.uniform(0.9, 1.0),
+        disc=ag.uniform(1.45, 1.57),
+        butterfly=ag.uniform(1.42, 1.5),
+        touch=ag.uniform(1.44, 1.54),
         otherwise=0.0,
         unit="rad",
         doc="how far the lid opens; those that turn in a hood do so both ways",
     ),
-    grip: Grip = by(
-        "style", lift=by("lid_style", domed="lip", otherwise=choice("lip", "bar", "knob")), otherwise="none"
-    ),
-    stepped_on: bool = by("style", butterfly=choice(False, True, weights=(0.3, 0.7)), otherwise=False),
-    crank: Float = uniform(0.014, 0.018, "m", doc="of the lid, which the rod lifts", within=(0.013, 0.022)),
-    pedal_travel: Float = uniform(0.034, 0.046, "m", doc="of the foot plate", within=(0.025, 0.06)),
-    pedal_width: Float = uniform(0.062, 0.092, "m", within=(0.045, 0.14)),
-    pedal_preload: Float = uniform(9.5, 11.5, "N", doc="of its spring, at the foot plate"),
-    pedal_force: Float = uniform(13.0, 16.0, "N", doc="of its spring, pressed down"),
-    soft_close: bool = choice(False, True),
-    hinge_friction: Float = uniform(0.015, 0.04, "N m"),
-    carry: Carry = by(
+    grip: Grip = ag.by(
         "style",
-        pedal=choice("loop", "bail", weights=(0.4, 0.6)),
-        lift=choice("none", "loop", "bail", weights=(0.2, 0.4, 0.4)),
-        touch=choice("loop", "bail"),
+        lift=ag.by("lid_style", domed="lip", otherwise=ag.choice("lip", "bar", "knob")),
+        otherwise="none",
+    ),
+    stepped_on: bool = ag.by("style", butterfly=ag.choice(False, True, weights=(0.3, 0.7)), otherwise=False),
+    crank: ag.Float = ag.uniform(
+        0.014, 0.018, "m", doc="of the lid, which the rod lifts", within=(0.013, 0.022)
+    ),
+    pedal_travel: ag.Float = ag.uniform(0.034, 0.046, "m", doc="of the foot plate", within=(0.025, 0.06)),
+    pedal_width: ag.Float = ag.uniform(0.062, 0.092, "m", within=(0.045, 0.14)),
+    pedal_preload: ag.Float = ag.uniform(9.5, 11.5, "N", doc="of its spring, at the foot plate"),
+    pedal_force: ag.Float = ag.uniform(13.0, 16.0, "N", doc="of its spring, pressed down"),
+    soft_close: bool = ag.choice(False, True),
+    hinge_friction: ag.Float = ag.uniform(0.015, 0.04, "N m"),
+    carry: Carry = ag.by(
+        "style",
+        pedal=ag.choice("loop", "bail", weights=(0.4, 0.6)),
+        lift=ag.choice("none", "loop", "bail", weights=(0.2, 0.4, 0.4)),
+        touch=ag.choice("loop", "bail"),
         butterfly="loop",
-        open=by("skin", wicker="bail", otherwise="none"),
+        open=ag.by("skin", wicker="bail", otherwise="none"),
         otherwise="none",
         doc="by what an inner bucket is carried; none has no bucket",
     ),
-    bucket_finish: Material = shades(*BUCKETS, weights=BUCKET_WEIGHTS),
-    bagged: bool = by("style", open=by("skin", wicker=False, otherwise=choice(False, True)), otherwise=False),
-    sort: Sort = by(
+    bucket_finish: ag.Material = ag.shades(*BUCKETS, weights=BUCKET_WEIGHTS),
+    bagged: bool = ag.by(
+        "style", open=ag.by("skin", wicker=False, otherwise=ag.choice(False, True)), otherwise=False
+    ),
+    sort: Sort = ag.by(
         "style",
-        swing=choice("none", "recycling", "paper", "plastic", "glass", weights=(0.5, 0.2, 0.1, 0.1, 0.1)),
-        open=choice("none", "recycling", "paper", weights=(0.6, 0.25, 0.15)),
+        swing=ag.choice("none", "recycling", "paper", "plastic", "glass", weights=(0.5, 0.2, 0.1, 0.1, 0.1)),
+        open=ag.choice("none", "recycling", "paper", weights=(0.6, 0.25, 0.15)),
         otherwise="none",
     ),
-    maker: str = choice(*details.BRANDS),
-    model: int = count(100, 989),
-) -> Body:
+    maker: str = ag.choice(*details.BRANDS),
+    model: int = ag.count(100, 989),
+) -> ag.Body:
     """Make a waste bin: lid, flaps or none, pedal, button, inner bucket."""
-    require(
+    ag.require(
         plan in _PLANS.get(style, ("round", "square", "rectangle", "half_round")),
         f"a {style} bin is no {plan} one; choose plan= of {', '.join(_PLANS.get(style, ()))}",
     )
     across = width * 0.86 if plan == "rectangle" else width
     depth = across if plan == "round" else across * aspect
-    crown: dict[str, Scalar] = {
+    crown: dict[str, ag.Scalar] = {
         "swing": 0.28 * across,
         "ball": 0.5 * across + 0.055,
         "disc": 0.026,
@@ -264,14 +257,16 @@ def trashcan(
         across,
         depth,
         height - crown.get(style, GAP + THICK),
-        corner=min_(corner, 0.4 * min_(across, depth)),
+        corner=ag.min_(corner, 0.4 * ag.min_(across, depth)),
         sheet=WALL,
         taper=taper if style in _TAPERED else 0.0,
     )
-    require(style != "butterfly" or carry != "bail", "the flaps of a butterfly bin strike a bail: carry=loop")
+    ag.require(
+        style != "butterfly" or carry != "bail", "the flaps of a butterfly bin strike a bail: carry=loop"
+    )
     plastic = _DARK if trim.base_metalness > 0.5 else trim
     shown = {"same": finish, "plastic": plastic, "steel": STEELS[0]}[lid_finish]
-    looks = Looks(finish, lid_of(shown), trim, material("chrome"), plastic)
+    looks = Looks(finish, lid_of(shown), trim, ag.material("chrome"), plastic)
     draft = Draft(can, looks, dress, carry, bucket_finish, maker, model)
     lid = Lid(lid_style, lid_open, hinge_friction, 0.16 if soft_close else 0.05)
     foot = Foot(crank, pedal_travel, pedal_width, pedal_preload, pedal_force)
@@ -293,4 +288,4 @@ def trashcan(
     marks = sort_mark(can, sort, z=0.55 * can.top, finish=finish)
     if skin not in ("wicker", "mesh"):
         marks.append(maker_mark(can, maker, z=0.09, finish=finish))
-    return weld(body, *marks)
+    return ag.weld(body, *marks)

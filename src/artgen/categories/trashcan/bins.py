@@ -11,28 +11,7 @@ import math
 from dataclasses import dataclass, replace
 from typing import Literal
 
-from artgen import (
-    Body,
-    Material,
-    Profile,
-    Scalar,
-    Solid,
-    Vector,
-    VectorLike,
-    Z,
-    circle,
-    cylinder,
-    detail,
-    extrude,
-    max_,
-    min_,
-    part,
-    polygon,
-    rectangle,
-    require,
-    sqrt,
-    vector,
-)
+import artgen as ag
 
 Plan = Literal["round", "square", "rectangle", "half_round"]
 """Seen from above; a half-round bin has its flat side at the back, to stand against a wall."""
@@ -57,16 +36,16 @@ class Can:
     """The shell of a bin."""
 
     plan: Plan  # its outline seen from above
-    width: Scalar  # across, at the rim [m]
-    depth: Scalar  # from front to back, at the rim; of a round one, its width [m]
-    top: Scalar  # height of the rim above the floor [m]
-    foot: Scalar = 0.005  # height of the lower edge of the wall above the floor [m]
-    corner: Scalar = 0.03  # radius of the corners at the rim, of a square or rectangular one [m]
-    sheet: Scalar = 0.003  # thickness of what weighs and collides of the wall [m]
-    taper: Scalar = 0.0  # share by which the foot is smaller than the rim
+    width: ag.Scalar  # across, at the rim [m]
+    depth: ag.Scalar  # from front to back, at the rim; of a round one, its width [m]
+    top: ag.Scalar  # height of the rim above the floor [m]
+    foot: ag.Scalar = 0.005  # height of the lower edge of the wall above the floor [m]
+    corner: ag.Scalar = 0.03  # radius of the corners at the rim, of a square or rectangular one [m]
+    sheet: ag.Scalar = 0.003  # thickness of what weighs and collides of the wall [m]
+    taper: ag.Scalar = 0.0  # share by which the foot is smaller than the rim
 
     @property
-    def wall(self) -> Scalar:
+    def wall(self) -> ag.Scalar:
         """Thickness of the wall that is seen [m]."""
         match self.plan:
             case "round":
@@ -77,88 +56,94 @@ class Can:
                 off = _off(math.pi / 2.0 / _CORNER) * self.corner
         return _HAIR + off + self.sheet
 
-    def outline(self, inset: Scalar = 0.0) -> Profile:
+    def outline(self, inset: ag.Scalar = 0.0) -> ag.Profile:
         """Make the outline at the rim, moved inward [m]."""
         if self.plan == "round":
-            return circle(self.width / 2.0 - inset)
+            return ag.circle(self.width / 2.0 - inset)
         if self.plan == "half_round":
             return self._half_round(inset)
         across, along = self.width - 2.0 * inset, self.depth - 2.0 * inset
-        return rectangle(across, along, radius=max_(self.corner - inset, _LEAST_CORNER))
+        return ag.rectangle(across, along, radius=ag.max_(self.corner - inset, _LEAST_CORNER))
 
-    def facets(self, inset: Scalar) -> Profile:
+    def facets(self, inset: ag.Scalar) -> ag.Profile:
         """Make the outline of few facets whose edges lie on the outline, moved inward [m]."""
         x, y = self.width / 2.0 - inset, self.depth / 2.0 - inset
         if self.plan == "round":
             start = math.pi / SIDES
-            return polygon(_arc(0.0, 0.0, x, start, start + math.tau, SIDES)[:-1])
+            return ag.polygon(_arc(0.0, 0.0, x, start, start + math.tau, SIDES)[:-1])
         if self.plan == "half_round":
-            corner = max_(_BACK_CORNER - inset, _LEAST_CORNER)
+            corner = ag.max_(_BACK_CORNER - inset, _LEAST_CORNER)
             front = _arc(0.0, x - y, x, -math.pi, 0.0, _FRONT)
         else:
-            corner = max_(self.corner - inset, _LEAST_CORNER)
+            corner = ag.max_(self.corner - inset, _LEAST_CORNER)
             front = [*_corner(-x, -y, corner, 2), *_corner(x, -y, corner, 3)]
-        return polygon([*front, *_corner(x, y, corner, 0), *_corner(-x, y, corner, 1)])
+        return ag.polygon([*front, *_corner(x, y, corner, 0), *_corner(-x, y, corner, 1)])
 
-    def _half_round(self, inset: Scalar) -> Profile:
-        radius, corner = self.width / 2.0 - inset, max_(_BACK_CORNER - inset, _LEAST_CORNER)
+    def _half_round(self, inset: ag.Scalar) -> ag.Profile:
+        radius, corner = self.width / 2.0 - inset, ag.max_(_BACK_CORNER - inset, _LEAST_CORNER)
         back = self.depth / 2.0 - inset
         front = radius + inset - self.depth / 2.0  # the middle of the round front
-        straight = rectangle(2.0 * radius, back - front + corner, radius=corner)
-        below = rectangle(3.0 * radius, 2.0 * radius).at(0.0, front - radius + _OVERLAP)
-        half = circle(radius).at(0.0, front) & below
+        straight = ag.rectangle(2.0 * radius, back - front + corner, radius=corner)
+        below = ag.rectangle(3.0 * radius, 2.0 * radius).at(0.0, front - radius + _OVERLAP)
+        half = ag.circle(radius).at(0.0, front) & below
         return half | straight.at(0.0, (back + front - corner) / 2.0)
 
-    def scale_at(self, z: Scalar) -> Scalar:
+    def scale_at(self, z: ag.Scalar) -> ag.Scalar:
         """Return how large the plan is at a height, as a share of the rim's."""
         return 1.0 - self.taper * (self.top - z) / (self.top - self.foot)
 
-    def band(self, low: Scalar, high: Scalar, *, outer: Scalar = 0.0, inner: Scalar | None = None) -> Solid:
+    def band(
+        self, low: ag.Scalar, high: ag.Scalar, *, outer: ag.Scalar = 0.0, inner: ag.Scalar | None = None
+    ) -> ag.Solid:
         """Make a ring that follows the wall between two heights."""
         within = self.wall if inner is None else inner
         section = self.outline(outer) - self.outline(within)
         return self._drawn(section, low, high)
 
-    def block(self, low: Scalar, high: Scalar, *, inset: Scalar = 0.0, bevel: Scalar = 0.0) -> Solid:
+    def block(
+        self, low: ag.Scalar, high: ag.Scalar, *, inset: ag.Scalar = 0.0, bevel: ag.Scalar = 0.0
+    ) -> ag.Solid:
         """Make what fills the plan between two heights, moved inward [m]."""
         if self.plan == "round" and _is_zero(self.taper):
-            disc = cylinder(self.width / 2.0 - inset, high - low, bevel=bevel)
+            disc = ag.cylinder(self.width / 2.0 - inset, high - low, bevel=bevel)
             return disc.at(0.0, 0.0, (low + high) / 2.0)
         return self._drawn(self.outline(inset), low, high, bevel)
 
-    def floor(self, low: Scalar, high: Scalar) -> Solid:
+    def floor(self, low: ag.Scalar, high: ag.Scalar) -> ag.Solid:
         """Make a floor between two heights, whose edge lies in the wall."""
         return self._drawn(self.facets(2.0 * _HAIR), low, high)
 
-    def _drawn(self, section: Profile, low: Scalar, high: Scalar, bevel: Scalar = 0.0) -> Solid:
+    def _drawn(
+        self, section: ag.Profile, low: ag.Scalar, high: ag.Scalar, bevel: ag.Scalar = 0.0
+    ) -> ag.Solid:
         middle = (low + high) / 2.0
         if _is_zero(self.taper):
-            return extrude(section, high - low, bevel=bevel).at(0.0, 0.0, middle)
+            return ag.extrude(section, high - low, bevel=bevel).at(0.0, 0.0, middle)
         share = self.scale_at(high)
         narrower = 1.0 - self.scale_at(low) / share
-        drawn = extrude(section.scale(share), high - low, axis=-Z, taper=narrower, bevel=bevel)
+        drawn = ag.extrude(section.scale(share), high - low, axis=-ag.Z, taper=narrower, bevel=bevel)
         return drawn.at(0.0, 0.0, middle)
 
     def shell(
-        self, label: str, finish: Material, *, name: str | None = None, holes: Solid | None = None
-    ) -> list[Body]:
+        self, label: str, finish: ag.Material, *, name: str | None = None, holes: ag.Solid | None = None
+    ) -> list[ag.Body]:
         """Make the wall from the foot to the rim: what weighs and collides, and its skin."""
         seen = self.band(self.foot, self.top)
         ring = self.facets(_HAIR) - self.facets(_HAIR + self.sheet)
         solid = self._drawn(ring, self.foot + _THIN, self.top - _THIN)
         if holes is not None:
             solid, seen = solid - holes, seen - holes
-        return [part(solid, label, finish, name=name), detail(seen, label, finish)]
+        return [ag.part(solid, label, finish, name=name), ag.detail(seen, label, finish)]
 
     def inside(
         self,
-        gap: Scalar,
+        gap: ag.Scalar,
         *,
-        foot: Scalar,
-        top: Scalar,
-        sheet: Scalar,
-        beside: Scalar = 0.0,
-        behind: Scalar = 0.0,
+        foot: ag.Scalar,
+        top: ag.Scalar,
+        sheet: ag.Scalar,
+        beside: ag.Scalar = 0.0,
+        behind: ag.Scalar = 0.0,
     ) -> "Can":
         """Make what stands in it, with a gap all round."""
         less = 2.0 * (self.wall + gap)
@@ -168,13 +153,13 @@ class Can:
         deep = self.depth * share - less - 2.0 * behind
         wide = deep if round_ else self.width * share - less - 2.0 * beside
         if self.plan == "half_round":  # its sides are straight from the round front to the back corners
-            deep = require(deep, deep - wide / 2.0 > _BACK_CORNER + 0.001, _NO_SIDES)
-        corner = min_(self.corner * share - less / 2.0, 0.45 * min_(wide, deep))
+            deep = ag.require(deep, deep - wide / 2.0 > _BACK_CORNER + 0.001, _NO_SIDES)
+        corner = ag.min_(self.corner * share - less / 2.0, 0.45 * ag.min_(wide, deep))
         return replace(
             self,
             width=wide,
             depth=deep,
-            corner=max_(corner, _LEAST_CORNER),
+            corner=ag.max_(corner, _LEAST_CORNER),
             foot=foot,
             top=top,
             sheet=sheet,
@@ -182,16 +167,16 @@ class Can:
         )
 
     @property
-    def front(self) -> Scalar:
+    def front(self) -> ag.Scalar:
         """Where the wall is in front, at the rim [m]."""
         return -self.depth / 2.0
 
     @property
-    def back(self) -> Scalar:
+    def back(self) -> ag.Scalar:
         """Where the wall is behind, at the rim [m]."""
         return self.depth / 2.0
 
-    def feet(self, inset: Scalar = 0.016) -> list[tuple[Scalar, Scalar]]:
+    def feet(self, inset: ag.Scalar = 0.016) -> list[tuple[ag.Scalar, ag.Scalar]]:
         """Return where four feet stand, at the corners of the foot [m]."""
         share = self.scale_at(self.foot)
         x, y = share * self.width / 2.0 - inset, share * self.depth / 2.0 - inset
@@ -204,30 +189,30 @@ class Can:
         x, y = x - near, y - near
         return [(-x, -y), (x, -y), (x, y), (-x, y)]
 
-    def face(self, z: Scalar) -> Vector:
+    def face(self, z: ag.Scalar) -> ag.Vector:
         """Return the point of the front at a height, in the middle [m]."""
-        return vector(0.0, self.scale_at(z) * self.front, z)
+        return ag.vector(0.0, self.scale_at(z) * self.front, z)
 
     @property
-    def facing(self) -> VectorLike:
+    def facing(self) -> ag.VectorLike:
         """Where the front looks: a tapered one looks down a little."""
         return (0.0, -1.0, -0.5 * self.depth * self.taper / (self.top - self.foot))
 
     @property
-    def diagonal(self) -> Scalar:
+    def diagonal(self) -> ag.Scalar:
         """From the middle to the farthest point of a corner, of one that is not round [m]."""
         corner = _BACK_CORNER if self.plan == "half_round" else self.corner
         x, y = self.width / 2.0 - corner, self.depth / 2.0 - corner
-        return sqrt(x * x + y * y) + corner
+        return ag.sqrt(x * x + y * y) + corner
 
-    def half_across(self, inset: Scalar = 0.0) -> Scalar:
+    def half_across(self, inset: ag.Scalar = 0.0) -> ag.Scalar:
         """Return half the width through the middle of the plan [m]."""
         radius = self.width / 2.0 - inset
         if self.plan != "half_round":
             return radius
         # of the middle: there is the middle of its front's circle; that of a deep one is before it
-        behind = max_((self.width - self.depth) / 2.0, 0.0)
-        return sqrt(radius * radius - behind * behind)
+        behind = ag.max_((self.width - self.depth) / 2.0, 0.0)
+        return ag.sqrt(radius * radius - behind * behind)
 
 
 def _off(turn: float) -> float:
@@ -236,18 +221,18 @@ def _off(turn: float) -> float:
 
 
 def _arc(
-    x: Scalar, y: Scalar, radius: Scalar, start: float, end: float, facets: int
-) -> list[tuple[Scalar, Scalar]]:
+    x: ag.Scalar, y: ag.Scalar, radius: ag.Scalar, start: float, end: float, facets: int
+) -> list[tuple[ag.Scalar, ag.Scalar]]:
     turns = [start + (end - start) * number / facets for number in range(facets + 1)]
     return [(x + radius * math.cos(turn), y + radius * math.sin(turn)) for turn in turns]
 
 
-def _corner(x: Scalar, y: Scalar, radius: Scalar, quarter: int) -> list[tuple[Scalar, Scalar]]:
+def _corner(x: ag.Scalar, y: ag.Scalar, radius: ag.Scalar, quarter: int) -> list[tuple[ag.Scalar, ag.Scalar]]:
     """Return the edges of a rounded corner [m] that looks to a quarter of the plan, counted from +X, +Y."""
     right, behind = (1.0, -1.0, -1.0, 1.0)[quarter], (1.0, 1.0, -1.0, -1.0)[quarter]
     start = quarter * math.pi / 2.0
     return _arc(x - right * radius, y - behind * radius, radius, start, start + math.pi / 2.0, _CORNER)
 
 
-def _is_zero(value: Scalar) -> bool:
+def _is_zero(value: ag.Scalar) -> bool:
     return isinstance(value, int | float) and value == 0.0

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from artgen import Material, colored, material
+import artgen as ag
 
 WALL = 0.003
 """Thickness of walls as they are built; sheet is thinner, and weighs as little [m]."""
@@ -11,21 +11,21 @@ _SHEET = 0.0005  # thickness of the steel of bins, 0.4-0.6 mm [m]
 _HOLLOW_LID = 310.0  # sheet of 0.4 mm over a thin liner, 3.7 kg/m2 for a lid 12 mm thick [kg/m3]
 
 
-def _sheet(made: Material) -> Material:
+def _sheet(made: ag.Material) -> ag.Material:
     """Return a finish on sheet: the wall is built thicker than it is, and weighs what it does."""
     return made.with_(name=f"{made.name}_sheet", density=made.density * _SHEET / WALL)
 
 
-def _sheets(name: str, colors: Sequence[str]) -> tuple[Material, ...]:
-    return tuple(_sheet(colored(name, color)) for color in colors)
+def _sheets(name: str, colors: Sequence[str]) -> tuple[ag.Material, ...]:
+    return tuple(_sheet(ag.colored(name, color)) for color in colors)
 
 
-def _plastics(name: str, colors: Sequence[str]) -> tuple[Material, ...]:
-    return tuple(colored(name, color) for color in colors)
+def _plastics(name: str, colors: Sequence[str]) -> tuple[ag.Material, ...]:
+    return tuple(ag.colored(name, color) for color in colors)
 
 
 # fingerprint-free steel: a clear lacquer makes it brighter and smoother than bare brushed sheet
-_BRIGHT = material("stainless").with_(
+_BRIGHT = ag.material("stainless").with_(
     name="bright_steel", base_color=(0.75, 0.745, 0.735), specular_roughness=0.26, coat_weight=0.25
 )
 
@@ -34,12 +34,12 @@ STEELS = (
     _sheet(_BRIGHT.with_(name="bright_across", turned=True)),
     _sheet(_BRIGHT.with_(name="satin_steel", texture="satin", specular_roughness=0.34)),
     _sheet(
-        material("stainless").with_(
+        ag.material("stainless").with_(
             name="black_stainless", base_color=(0.10, 0.098, 0.098), specular_roughness=0.3
         )
     ),
-    _sheet(material("satin_brass")),
-    _sheet(material("copper").with_(name="satin_copper", specular_roughness=0.32)),
+    _sheet(ag.material("satin_brass")),
+    _sheet(ag.material("copper").with_(name="satin_copper", specular_roughness=0.32)),
 )
 """Bare sheet."""
 
@@ -56,39 +56,41 @@ COATED_WEIGHTS = (1.5, 0.8, 0.6, 0.8, 1.0, 0.7, 0.7, 0.6, 1.0, 1.1, 1.1, 0.9, 0.
 PLASTICS = (
     *_plastics("polypropylene", ("white", "light_grey", "graphite", "black", "sand", "sage", "sky", "blush")),
     *_plastics("abs", ("white", "silver", "slate", "red", "mint", "lavender")),
-    material("leather_grain_abs"),
+    ag.material("leather_grain_abs"),
 )
 """Moulded plastics."""
 
 PLASTIC_WEIGHTS = (1.5, 1.2, 0.7, 0.6, 1.0, 1.0, 1.0, 0.8, 0.8, 1.2, 0.7, 0.8, 0.8, 0.6, 0.6)
 
 WEAVES = (
-    material("wicker"),
-    material("plastic_wicker"),
-    material("perforated_steel").with_(name="perforated_sheet", density=790.0),  # 40 % of it are holes
-    material("perforated_steel").with_(
+    ag.material("wicker"),
+    ag.material("plastic_wicker"),
+    ag.material("perforated_steel").with_(name="perforated_sheet", density=790.0),  # 40 % of it are holes
+    ag.material("perforated_steel").with_(
         name="perforated_silver", base_color=(0.42, 0.42, 0.43), base_metalness=0.6, density=790.0
     ),
-    material("perforated_steel").with_(name="perforated_white", base_color=(0.66, 0.66, 0.64), density=790.0),
+    ag.material("perforated_steel").with_(
+        name="perforated_white", base_color=(0.66, 0.66, 0.64), density=790.0
+    ),
 )
 """Of open bins: wickers first, then perforated sheet."""
 
 BUCKETS = (
-    colored("polypropylene", "black"),
-    colored("polypropylene", "graphite"),
-    colored("polypropylene", "light_grey"),
-    colored("polypropylene", "white"),
-    _sheet(material("zinc").with_(name="galvanised")),
+    ag.colored("polypropylene", "black"),
+    ag.colored("polypropylene", "graphite"),
+    ag.colored("polypropylene", "light_grey"),
+    ag.colored("polypropylene", "white"),
+    _sheet(ag.material("zinc").with_(name="galvanised")),
 )
 """Of inner buckets."""
 
 BUCKET_WEIGHTS = (3.0, 1.5, 1.5, 0.8, 1.2)
 
-_CHROMED = material("chrome").with_(name="chromed_plastic", density=1150.0)
-TRIMS = (material("black_abs"), colored("abs", "graphite"), _CHROMED, colored("abs", "white"))
+_CHROMED = ag.material("chrome").with_(name="chromed_plastic", density=1150.0)
+TRIMS = (ag.material("black_abs"), ag.colored("abs", "graphite"), _CHROMED, ag.colored("abs", "white"))
 """Of rims and bases."""
 
 
-def lid_of(finish: Material, density: float = _HOLLOW_LID) -> Material:
+def lid_of(finish: ag.Material, density: float = _HOLLOW_LID) -> ag.Material:
     """Return the material of a hollow lid with the looks of a finish."""
     return finish.with_(name=f"{finish.name}_lid", density=density)

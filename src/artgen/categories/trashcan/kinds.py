@@ -3,22 +3,7 @@
 from dataclasses import dataclass
 from typing import Literal
 
-from artgen import (
-    Body,
-    Condition,
-    Dependency,
-    Joint,
-    Material,
-    Scalar,
-    Solid,
-    VectorLike,
-    box,
-    material,
-    min_,
-    part,
-    tan,
-    weld,
-)
+import artgen as ag
 from artgen.categories.trashcan.bins import Can
 from artgen.categories.trashcan.finish import lid_of
 from artgen.categories.trashcan.hoods import Flaps, Hood, Turning
@@ -66,7 +51,7 @@ _OVER = 0.03  # how far above the rim buckets come with their foot [m]
 _SHORT = 0.055  # height of a hinge block without a rod in it [m]
 _BEHIND = 0.005  # more room for a bucket in front and behind [m]
 _DAMPED = 0.08  # damping of a lid from which a damper sits beside its hinge [N m s/rad]
-_STEEL = material("steel")
+_STEEL = ag.material("steel")
 
 
 @dataclass(frozen=True)
@@ -74,8 +59,8 @@ class Lid:
     """A lid and how it moves."""
 
     style: LidStyle  # its form
-    opening: Scalar  # how far it opens [rad]
-    friction: Scalar  # of its hinge [N m]
+    opening: ag.Scalar  # how far it opens [rad]
+    friction: ag.Scalar  # of its hinge [N m]
     damping: float  # of its hinge, with a damper where it closes softly [N m s/rad]
 
 
@@ -83,11 +68,11 @@ class Lid:
 class Foot:
     """What a foot works."""
 
-    crank: Scalar  # of the lid [m]
-    travel: Scalar  # of the foot plate [m]
-    width: Scalar  # of the foot plate [m]
-    preload: Scalar  # force of its spring at the foot plate at rest [N]
-    force: Scalar  # the same, pressed down [N]
+    crank: ag.Scalar  # of the lid [m]
+    travel: ag.Scalar  # of the foot plate [m]
+    width: ag.Scalar  # of the foot plate [m]
+    preload: ag.Scalar  # force of its spring at the foot plate at rest [N]
+    force: ag.Scalar  # the same, pressed down [N]
 
 
 @dataclass(frozen=True)
@@ -98,49 +83,56 @@ class Draft:
     looks: Looks  # its materials
     dress: Dress  # what goes around its wall
     carry: Carry  # what the inner bucket is carried by
-    inner: Material  # material of the bucket
+    inner: ag.Material  # material of the bucket
     maker: str  # whose name is on the lid
     model: int  # its number
 
     def lift_out(
         self,
-        body: Body,
+        body: ag.Body,
         can: Can,
         *,
-        travel: Scalar,
-        needs: Condition | None,
-        above: Scalar = GAP + _LOWER,
-    ) -> Body:
+        travel: ag.Scalar,
+        needs: ag.Condition | None,
+        above: ag.Scalar = GAP + _LOWER,
+    ) -> ag.Body:
         """Put a bucket into a bin, to be lifted out."""
         inside = bucket(can, finish=self.inner, loop=self.carry == "loop")
         if self.carry == "bail":
-            raised: Dependency | None = None if needs is None else needs.beyond(bail_play(can, above))
+            raised: ag.Dependency | None = None if needs is None else needs.beyond(bail_play(can, above))
             inside = with_bail(inside, can, finish=_STEEL, needs=raised)
         return body.attach(inside, bucket_slide(inside, travel=travel, needs=needs))
 
-    def linkage(self, *, opening: Scalar, crank: Scalar, travel: Scalar, rod: Scalar) -> Linkage:
+    def linkage(self, *, opening: ag.Scalar, crank: ag.Scalar, travel: ag.Scalar, rod: ag.Scalar) -> Linkage:
         """Make the levers between a pedal in front and a rod behind."""
         return Linkage(opening, crank, travel, self.can.front - 0.008 - _PLATE / 2.0, rod)
 
-    def step(self, body: Body, linkage: Linkage, pedal: Joint, *, width: Scalar) -> Body:
+    def step(self, body: ag.Body, linkage: Linkage, pedal: ag.Joint, *, width: ag.Scalar) -> ag.Body:
         """Hang a pedal under a bin."""
-        metal = material("stainless") if self.looks.finish.base_metalness > 0.5 else self.looks.trim
+        metal = ag.material("stainless") if self.looks.finish.base_metalness > 0.5 else self.looks.trim
         metal = metal.with_(name=f"{metal.name}_pedal", density=2400.0)  # a pressing, ribbed below
         return body.attach(linkage.pedal(finish=metal, width=width, deep=_PLATE), pedal)
 
-    def cover(self, hinge: Hinge, lid: Lid) -> Body:
+    def cover(self, hinge: Hinge, lid: Lid) -> ag.Body:
         """Make a lid with its arm: the link `lid`."""
         can, looks, low = self.can, self.looks, self.can.top + GAP
-        arm = (part(each, "lid", looks.plastic) for each in hinge.arm(low, THICK))
-        body = weld(lid_panel(can, low=low, thick=THICK, style=lid.style, finish=looks.lid), *arm)
+        arm = (ag.part(each, "lid", looks.plastic) for each in hinge.arm(low, THICK))
+        body = ag.weld(lid_panel(can, low=low, thick=THICK, style=lid.style, finish=looks.lid), *arm)
         if lid.style == "domed":
             return body
         y, top = can.front + 0.12 * can.depth, low + THICK + (STEP if lid.style == "stepped" else 0.0)
-        return weld(body, top_mark(self.maker, (0.0, y, top), looks.lid))
+        return ag.weld(body, top_mark(self.maker, (0.0, y, top), looks.lid))
 
     def filled(
-        self, body: Body, hinge: Hinge, turn: Joint, *, opening: Scalar, floor: Scalar, room: float = 0.0
-    ) -> Body:
+        self,
+        body: ag.Body,
+        hinge: Hinge,
+        turn: ag.Joint,
+        *,
+        opening: ag.Scalar,
+        floor: ag.Scalar,
+        room: float = 0.0,
+    ) -> ag.Body:
         """Put a bucket into a bin with a lid behind, as high as the open lid lets it rise."""
         if self.carry == "none":
             return body
@@ -149,41 +141,41 @@ class Draft:
         inner = can.inside(_FREE, foot=floor + _UNDER, top=can.top - _LOWER, sheet=_BUCKET, behind=ahead)
         above = inner.top - hinge.axis[1]
         reach = can.wall + _FREE + ahead
-        most = (hinge.behind + reach - SPARE) * tan(min_(opening - _SPARE, _UPRIGHT)) - above
+        most = (hinge.behind + reach - SPARE) * ag.tan(ag.min_(opening - _SPARE, _UPRIGHT)) - above
         if room:  # the tongue stands out of the open lid
-            most = min_(most, hinge.behind + can.depth - _TONGUE - above)
-        travel = min_(inner.top - inner.foot + _OVER, most)
+            most = ag.min_(most, hinge.behind + can.depth - _TONGUE - above)
+        travel = ag.min_(inner.top - inner.foot + _OVER, most)
         return self.lift_out(body, inner, travel=travel, needs=turn > hinge.clear(above + travel, reach))
 
-    def sticker(self, at: VectorLike) -> Body:
+    def sticker(self, at: ag.VectorLike) -> ag.Body:
         """Stick the plate with type and maker behind a bin."""
         return plate(at, (self.maker.upper(), f"TYPE {self.model}"))
 
-    def slot(self, linkage: Linkage) -> Solid:
+    def slot(self, linkage: Linkage) -> ag.Solid:
         """Make the tool that cuts the slots of the lever into the wall, in front and behind."""
         high = linkage.head - 0.001
-        return box(SLOT, self.can.depth + 0.1, high + 0.02).at(0.0, 0.0, (high - 0.02) / 2.0)
+        return ag.box(SLOT, self.can.depth + 0.1, high + 0.02).at(0.0, 0.0, (high - 0.02) / 2.0)
 
 
-def open_bin(draft: Draft, *, bagged: bool) -> Body:
+def open_bin(draft: Draft, *, bagged: bool) -> ag.Body:
     """Make an open bin: a liner lifts out of it, or the ring that holds its bag lifts off."""
     can, looks = draft.can, draft.looks
     body = stand(can, looks, floor=can.foot, dress=draft.dress, rim=0.0)
     if draft.carry != "none":
-        body = weld(body, rolled_rim(can, looks.finish))
+        body = ag.weld(body, rolled_rim(can, looks.finish))
         liner = can.inside(_FREE, foot=can.foot + _UNDER, top=can.top + 0.006, sheet=_BUCKET)
         return draft.lift_out(body, liner, travel=liner.top - liner.foot, needs=None)
     ring = Hood(can, "ring", 0.014, 0.0, looks.trim)
     top = ring.body(looks.bright)
-    return weld(body, *([bag(can)] if bagged else ())).attach(top, ring.lift(top, travel=0.12))
+    return ag.weld(body, *([bag(can)] if bagged else ())).attach(top, ring.lift(top, travel=0.12))
 
 
-def hooded_bin(draft: Draft, kind: Turning, *, opening: Scalar, rise: Scalar) -> Body:
+def hooded_bin(draft: Draft, kind: Turning, *, opening: ag.Scalar, rise: ag.Scalar) -> ag.Body:
     """Make a bin with a lid that turns in a hood; the bag hangs in the bin itself."""
     can, looks = draft.can, draft.looks
     hood = Hood(can, kind, rise, 0.14, looks.lid)
     light = {"swing": 280.0, "disc": 280.0, "ball": 110.0}[kind]
-    lid = hood.lid(finish=lid_of(looks.lid, light), dark=material("black_abs"))
+    lid = hood.lid(finish=lid_of(looks.lid, light), dark=ag.material("black_abs"))
     top = hood.body(looks.bright).attach(lid, hood.turn(lid, opening=opening))
     body = stand(can, looks, floor=can.foot, dress=draft.dress, rim=0.0)
     body = body.attach(top, hood.lift(top, travel=0.4 * can.width))
@@ -193,7 +185,7 @@ def hooded_bin(draft: Draft, kind: Turning, *, opening: Scalar, rise: Scalar) ->
     )
 
 
-def butterfly_bin(draft: Draft, lid: Lid, foot: Foot | None) -> Body:
+def butterfly_bin(draft: Draft, lid: Lid, foot: Foot | None) -> ag.Body:
     """Make a bin with two flaps, which a pedal or hands open."""
     can, looks, opening = draft.can, draft.looks, lid.opening
     flaps = Flaps(can, opening)
@@ -203,14 +195,14 @@ def butterfly_bin(draft: Draft, lid: Lid, foot: Foot | None) -> Body:
     floor = can.foot if linkage is None else linkage.head
     holes = None if linkage is None else draft.slot(linkage)
     body = stand(can, looks, floor=floor, dress=draft.dress, holes=holes)
-    body = weld(body, flaps.frame(looks.trim, linkage))
+    body = ag.weld(body, flaps.frame(looks.trim, linkage))
     pedal = None
     if linkage is not None and foot is not None:
         pedal = linkage.turn(preload=foot.preload, force=foot.force)
-        body = weld(body, linkage.bracket(floor=floor, depth=can.depth, finish=looks.plastic))
+        body = ag.weld(body, linkage.bracket(floor=floor, depth=can.depth, finish=looks.plastic))
         body = draft.step(body, linkage, pedal, width=foot.width)
         rod = linkage.rod_body(axis=flaps.level, finish=_STEEL)
-        rod = weld(rod, flaps.crossbar(linkage, _STEEL))
+        rod = ag.weld(rod, flaps.crossbar(linkage, _STEEL))
         body = body.attach(rod, linkage.rod_slide(pedal))
     turns = [
         flaps.turn(side, linkage=linkage, pedal=pedal, friction=lid.friction, damping=lid.damping)
@@ -218,7 +210,7 @@ def butterfly_bin(draft: Draft, lid: Lid, foot: Foot | None) -> Body:
     ]
     for side, turn in zip((-1, 1), turns, strict=True):
         body = body.attach(flaps.flap(side, finish=looks.lid, dark=looks.plastic, linkage=linkage), turn)
-    aside = 0.010 + flaps.reach / tan(opening - _SPARE)
+    aside = 0.010 + flaps.reach / ag.tan(opening - _SPARE)
     inner = can.inside(
         _FREE,
         foot=floor + _UNDER,
@@ -233,7 +225,7 @@ def butterfly_bin(draft: Draft, lid: Lid, foot: Foot | None) -> Body:
     )
 
 
-def pedal_bin(draft: Draft, lid: Lid, foot: Foot) -> Body:
+def pedal_bin(draft: Draft, lid: Lid, foot: Foot) -> ag.Body:
     """Make a bin whose lid a pedal opens, through a rod behind the wall."""
     can, looks = draft.can, draft.looks
     hinge = Hinge(can, foot.crank + 0.007, 0.006)
@@ -241,7 +233,7 @@ def pedal_bin(draft: Draft, lid: Lid, foot: Foot) -> Body:
         opening=lid.opening, crank=foot.crank, travel=foot.travel, rod=hinge.axis[0] - 0.87 * foot.crank
     )
     floor = linkage.head
-    body = weld(
+    body = ag.weld(
         stand(can, looks, floor=floor, dress=draft.dress, holes=draft.slot(linkage)),
         linkage.bracket(floor=floor, depth=can.depth, finish=looks.plastic),
         hinge.housing(looks.plastic, sill=False, damper=lid.damping > _DAMPED),
@@ -251,33 +243,35 @@ def pedal_bin(draft: Draft, lid: Lid, foot: Foot) -> Body:
     body = draft.step(body, linkage, pedal, width=foot.width)
     rod = linkage.rod_body(axis=hinge.axis[1], finish=_STEEL)
     body = body.attach(rod, linkage.rod_slide(pedal))
-    cranks = (part(each, "lid", _STEEL) for each in linkage.cranks(axis=hinge.axis))
+    cranks = (ag.part(each, "lid", _STEEL) for each in linkage.cranks(axis=hinge.axis))
     turn = hinge.turn(linkage=linkage, pedal=pedal, friction=lid.friction, damping=lid.damping)
-    body = body.attach(weld(draft.cover(hinge, lid), *cranks), turn)
+    body = body.attach(ag.weld(draft.cover(hinge, lid), *cranks), turn)
     return draft.filled(body, hinge, turn, opening=lid.opening, floor=floor)
 
 
-def lift_bin(draft: Draft, lid: Lid, grip: Grip) -> Body:
+def lift_bin(draft: Draft, lid: Lid, grip: Grip) -> ag.Body:
     """Make a bin whose lid hands lift; it falls shut, or stays where it leans back."""
     can, looks = draft.can, draft.looks
     hinge = Hinge(can, 0.016, can.top - _SHORT)
     solids, holds = lid_grip(can, low=can.top + GAP, thick=THICK, style=grip, lid=lid.style)
-    held = [part(each, "lid", looks.lid, grasp=() if index else holds) for index, each in enumerate(solids)]
-    body = weld(stand(can, looks, floor=can.foot, dress=draft.dress), hinge.housing(looks.plastic))
+    held = [
+        ag.part(each, "lid", looks.lid, grasp=() if index else holds) for index, each in enumerate(solids)
+    ]
+    body = ag.weld(stand(can, looks, floor=can.foot, dress=draft.dress), hinge.housing(looks.plastic))
     turn = hinge.turn(opening=lid.opening, friction=lid.friction, damping=lid.damping)
-    body = body.attach(weld(draft.cover(hinge, lid), *held), turn)
+    body = body.attach(ag.weld(draft.cover(hinge, lid), *held), turn)
     return draft.filled(body, hinge, turn, opening=lid.opening, floor=can.foot)
 
 
-def touch_bin(draft: Draft, lid: Lid) -> Body:
+def touch_bin(draft: Draft, lid: Lid) -> ag.Body:
     """Make a bin whose lid springs open when its button is pressed."""
     can, looks = draft.can, draft.looks
     hinge, catch = Hinge(can, 0.016, can.top - _SHORT), Catch(can)
     body = stand(can, looks, floor=can.foot, dress=draft.dress, holes=catch.hole())
-    body = weld(body, hinge.housing(looks.plastic))
+    body = ag.weld(body, hinge.housing(looks.plastic))
     press = catch.press()
     body = body.attach(catch.button(looks.trim, looks.plastic), press)
-    tongue = (part(each, "lid", looks.plastic) for each in catch.tongue(can.top + GAP))
-    cover = weld(draft.cover(hinge, lid), *tongue)
+    tongue = (ag.part(each, "lid", looks.plastic) for each in catch.tongue(can.top + GAP))
+    cover = ag.weld(draft.cover(hinge, lid), *tongue)
     turn = sprung_lid(hinge, cover, opening=lid.opening, needs=catch.frees(press), damping=lid.damping)
     return draft.filled(body.attach(cover, turn), hinge, turn, opening=lid.opening, floor=can.foot, room=ROOM)

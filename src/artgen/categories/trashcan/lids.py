@@ -8,38 +8,7 @@ import math
 from dataclasses import dataclass, replace
 from typing import Literal
 
-from artgen import (
-    Body,
-    Dependency,
-    Float,
-    Frame,
-    Joint,
-    Material,
-    Revolute,
-    Scalar,
-    Solid,
-    X,
-    Y,
-    Z,
-    atan2,
-    board,
-    box,
-    cylinder,
-    detail,
-    dome,
-    extrude,
-    grasp_on,
-    material,
-    max_,
-    min_,
-    part,
-    polygon,
-    push_on,
-    rectangle,
-    revolve,
-    union,
-    weld,
-)
+import artgen as ag
 from artgen.categories.shared.controls.buttons import button_press
 from artgen.categories.shared.finish import casting
 from artgen.categories.trashcan.bins import Can, Plan
@@ -82,71 +51,71 @@ class Hinge:
     """The hinge at the back of a bin."""
 
     can: Can  # the bin
-    behind: Scalar  # how far the axis is behind the rim's wall [m]
-    foot: Scalar  # where the housing ends below [m]
+    behind: ag.Scalar  # how far the axis is behind the rim's wall [m]
+    foot: ag.Scalar  # where the housing ends below [m]
 
     @property
-    def axis(self) -> tuple[Scalar, Scalar]:
+    def axis(self) -> tuple[ag.Scalar, ag.Scalar]:
         """The axis, y and z [m]."""
         return self.can.back + self.behind, self.can.top - _BELOW
 
     def housing(
-        self, finish: Material, *, sill: bool = True, damper: bool = False, label: str = "hinge"
-    ) -> Body:
+        self, finish: ag.Material, *, sill: bool = True, damper: bool = False, label: str = "hinge"
+    ) -> ag.Body:
         """Make the block behind the rim that carries the pin: two cheeks, and the cover between them."""
         y, z = self.axis
         finish = casting(finish, _SHELL)
         near, far = self.can.back - 0.004, y + 0.008
-        round_ = cylinder(_ROUND, _CHEEK, axis=X, bevel=0.0012)
-        parts: list[Body] = []
-        cheek = board((-_CHEEK / 2.0, _CHEEK / 2.0), (near, far), (self.foot, z), bevel=0.0012)
+        round_ = ag.cylinder(_ROUND, _CHEEK, axis=ag.X, bevel=0.0012)
+        parts: list[ag.Body] = []
+        cheek = ag.board((-_CHEEK / 2.0, _CHEEK / 2.0), (near, far), (self.foot, z), bevel=0.0012)
         for side in (-1, 1):
             x = side * (_HALF + 0.0005 + _CHEEK / 2.0)
-            parts.append(part(cheek.at(x, 0.0, 0.0), label, finish))
-            parts.append(part(round_.at(x, y, z), label, finish))
+            parts.append(ag.part(cheek.at(x, 0.0, 0.0), label, finish))
+            parts.append(ag.part(round_.at(x, y, z), label, finish))
         half = _HALF + _CHEEK
-        cover = board((-half, half), (far - 0.0027, far + 0.0003), (self.foot, z - 0.010), bevel=0.0012)
-        parts.append(part(cover, label, finish))
+        cover = ag.board((-half, half), (far - 0.0027, far + 0.0003), (self.foot, z - 0.010), bevel=0.0012)
+        parts.append(ag.part(cover, label, finish))
         if sill:
-            plate = board((-half, half), (near, far), (self.foot, self.foot + 0.003), bevel=0.001)
-            parts.append(part(plate, label, finish))
-        head = cylinder(0.0034, _CHEEK, axis=X, bevel=0.0008)
+            plate = ag.board((-half, half), (near, far), (self.foot, self.foot + 0.003), bevel=0.001)
+            parts.append(ag.part(plate, label, finish))
+        head = ag.cylinder(0.0034, _CHEEK, axis=ag.X, bevel=0.0008)
         for side in (-1, 1):
             out = _HALF + _CHEEK / 2.0 + 0.0012
-            parts.append(detail(head.at(side * out, y, z), "screw", material("stainless")))
+            parts.append(ag.detail(head.at(side * out, y, z), "screw", ag.material("stainless")))
         if damper:
-            disc = cylinder(0.0075, 0.006, axis=X, bevel=0.001).at(_HALF + _CHEEK + 0.003, y, z)
-            parts.append(detail(disc, label, material("glossy_plastic_black")))
-        return weld(*parts)
+            disc = ag.cylinder(0.0075, 0.006, axis=ag.X, bevel=0.001).at(_HALF + _CHEEK + 0.003, y, z)
+            parts.append(ag.detail(disc, label, ag.material("glossy_plastic_black")))
+        return ag.weld(*parts)
 
-    def arm(self, low: Scalar, thick: Scalar) -> list[Solid]:
+    def arm(self, low: ag.Scalar, thick: ag.Scalar) -> list[ag.Solid]:
         """Make the hub of the lid and the arm from it to a lid whose underside is at a height."""
         y, z = self.axis
-        hub = cylinder(_HUB, 2.0 * _HALF, axis=X, bevel=0.0008).at(0.0, y, z)
+        hub = ag.cylinder(_HUB, 2.0 * _HALF, axis=ag.X, bevel=0.0008).at(0.0, y, z)
         top = low + 0.7 * thick
         rise = top - 0.001 - z
-        neck = box(2.0 * _HALF - 0.002, 0.010, rise, bevel=0.0015).at(0.0, y - 0.0015, z + rise / 2.0)
-        bridge = board((-_HALF, _HALF), (self.can.back - 0.010, y + 0.004), (low, top), bevel=0.0015)
+        neck = ag.box(2.0 * _HALF - 0.002, 0.010, rise, bevel=0.0015).at(0.0, y - 0.0015, z + rise / 2.0)
+        bridge = ag.board((-_HALF, _HALF), (self.can.back - 0.010, y + 0.004), (low, top), bevel=0.0015)
         return [hub, neck, bridge]
 
     def turn(
         self,
         *,
-        opening: Scalar | None = None,
+        opening: ag.Scalar | None = None,
         linkage: Linkage | None = None,
-        pedal: Joint | None = None,
-        friction: Scalar = 0.03,
-        damping: Scalar = 0.05,
+        pedal: ag.Joint | None = None,
+        friction: ag.Scalar = 0.03,
+        damping: ag.Scalar = 0.05,
         name: str = "lid_hinge",
-    ) -> Joint:
+    ) -> ag.Joint:
         """Make the joint of the lid; positive opens it."""
         y, z = self.axis
         follows = None
         if linkage is not None and pedal is not None:
             follows = pedal * (linkage.opening / linkage.angle)
-        return Revolute(
+        return ag.Revolute(
             name,
-            axis=-X,
+            axis=-ag.X,
             pivot=(0.0, y, z),
             limits=None if opening is None else (0.0, opening),
             follows=follows,
@@ -158,21 +127,27 @@ class Hinge:
         )
 
     @property
-    def far(self) -> Scalar:
+    def far(self) -> ag.Scalar:
         """Where the cover behind it ends, along y [m]."""
         return self.axis[0] + 0.0083
 
-    def clear(self, height: Scalar, before: Scalar) -> Float:
+    def clear(self, height: ag.Scalar, before: ag.Scalar) -> ag.Float:
         """Return the angle at which the lid leaves free what rises from the bin [rad]."""
-        return atan2(height, self.behind + before - SPARE)
+        return ag.atan2(height, self.behind + before - SPARE)
 
 
 def lid_panel(
-    can: Can, *, low: Scalar, thick: Scalar, style: LidStyle, finish: Material, overhang: Scalar = 0.0015
-) -> Body:
+    can: Can,
+    *,
+    low: ag.Scalar,
+    thick: ag.Scalar,
+    style: LidStyle,
+    finish: ag.Material,
+    overhang: ag.Scalar = 0.0015,
+) -> ag.Body:
     """Make the panel of a lid from its underside at a height: the link `lid`."""
     level = Can(can.plan, can.width, can.depth, low + thick, low, can.corner, can.sheet)
-    slab = extrude(level.outline(-overhang), thick, bevel=_SOFT).at(0.0, 0.0, low + thick / 2.0)
+    slab = ag.extrude(level.outline(-overhang), thick, bevel=_SOFT).at(0.0, 0.0, low + thick / 2.0)
     radius = can.width / 2.0 + overhang
     bodies = _faceted(slab, _disc(radius, thick).at(0.0, 0.0, low), finish, can.plan)
     top = low + thick
@@ -180,72 +155,74 @@ def lid_panel(
     if style == "domed" and can.plan == "round":
         radius = radius - 0.004
         rise = 0.16 * can.width
-        cushion = dome(radius, height=rise).at(0.0, 0.0, top - 0.001)
+        cushion = ag.dome(radius, height=rise).at(0.0, 0.0, top - 0.001)
         bodies += _faceted(cushion, _cap(radius, rise).at(0.0, 0.0, top - 0.001), hollow, can.plan)
     elif style == "domed":
         rise = 0.016
-        soft = replace(level, corner=max_(can.corner, _LEAST_ROUND))
-        taper = min_(0.16, _SLOPE * rise / soft.diagonal)
-        slope = extrude(soft.outline(0.003 - overhang), rise, taper=taper, bevel=0.005)
-        bodies.append(part(slope.at(0.0, 0.0, top - 0.002 + rise / 2.0), "lid", hollow))
+        soft = replace(level, corner=ag.max_(can.corner, _LEAST_ROUND))
+        taper = ag.min_(0.16, _SLOPE * rise / soft.diagonal)
+        slope = ag.extrude(soft.outline(0.003 - overhang), rise, taper=taper, bevel=0.005)
+        bodies.append(ag.part(slope.at(0.0, 0.0, top - 0.002 + rise / 2.0), "lid", hollow))
     elif style == "stepped":
         step = level.block(top - 0.001, top + STEP, inset=0.014, bevel=0.0025)
-        bodies.append(part(step, "lid", finish))
-    liner = extrude(level.outline(can.wall + 0.006), 0.0016).at(0.0, 0.0, low)
-    bodies.append(detail(liner, "lid", material("black_abs")))
-    return weld(*bodies)
+        bodies.append(ag.part(step, "lid", finish))
+    liner = ag.extrude(level.outline(can.wall + 0.006), 0.0016).at(0.0, 0.0, low)
+    bodies.append(ag.detail(liner, "lid", ag.material("black_abs")))
+    return ag.weld(*bodies)
 
 
-def _faceted(seen: Solid, met: Solid, finish: Material, plan: Plan) -> list[Body]:
+def _faceted(seen: ag.Solid, met: ag.Solid, finish: ag.Material, plan: Plan) -> list[ag.Body]:
     """Make one piece of a lid; of a round one what is seen is only that, and what is met has few facets.
 
     A round slab of its own would collide as four pieces of many vertices, a cushion as eight; simulators find
     the contacts with the flat side of so wide a cylinder only roughly.
     """
     if plan != "round":
-        return [part(seen, "lid", finish)]
-    return [part(met, "lid", finish), detail(seen, "lid", finish)]
+        return [ag.part(seen, "lid", finish)]
+    return [ag.part(met, "lid", finish), ag.detail(seen, "lid", finish)]
 
 
-def _disc(radius: Scalar, thick: Scalar) -> Solid:
+def _disc(radius: ag.Scalar, thick: ag.Scalar) -> ag.Solid:
     """Make a disc of few facets within a slab whose underside is at z = 0.
 
     It is four quarters: what a lid falls on, such as a raised bucket, then meets it at points all around.
     """
     wide, high = radius - 0.8 * _SOFT, thick - 2.0 * _WITHIN
-    quarter = revolve(rectangle(wide, high).at(wide / 2.0, thick / 2.0), angle=math.pi / 2.0, sides=32)
-    return union(*(quarter.rotate(Z, number * math.pi / 2.0) for number in range(4)))
+    quarter = ag.revolve(ag.rectangle(wide, high).at(wide / 2.0, thick / 2.0), angle=math.pi / 2.0, sides=32)
+    return ag.union(*(quarter.rotate(ag.Z, number * math.pi / 2.0) for number in range(4)))
 
 
-def _cap(radius: Scalar, rise: Scalar) -> Solid:
+def _cap(radius: ag.Scalar, rise: ag.Scalar) -> ag.Solid:
     """Make half of an ellipsoid of few facets within one that is smooth."""
     turns = (0.0, 0.36, 0.78)
     wide, high = radius - _WITHIN, rise - _WITHIN
     line = [(wide * math.cos(turn), high * math.sin(turn)) for turn in turns]
     flat = 0.22  # of the radius: on top
-    return revolve(polygon([(0.0, 0.0), *line, (flat * wide, 0.975 * high), (0.0, 0.975 * high)]), sides=15)
+    return ag.revolve(
+        ag.polygon([(0.0, 0.0), *line, (flat * wide, 0.975 * high), (0.0, 0.975 * high)]), sides=15
+    )
 
 
 def lid_grip(
-    can: Can, *, low: Scalar, thick: Scalar, style: Grip, lid: LidStyle
-) -> tuple[list[Solid], list[Frame]]:
+    can: Can, *, low: ag.Scalar, thick: ag.Scalar, style: Grip, lid: LidStyle
+) -> tuple[list[ag.Solid], list[ag.Frame]]:
     """Make what a hand lifts a lid by, to be part of it, and the frames at which it does."""
     if style == "lip" or lid == "domed":
         wide = 0.34 * can.width
-        lip = box(wide, _LIP + 0.012, 0.008, bevel=0.003)
+        lip = ag.box(wide, _LIP + 0.012, 0.008, bevel=0.003)
         lip = lip.at(0.0, can.front - _LIP / 2.0 + 0.006, low + thick / 2.0)
-        hold = grasp_on(lip, at=(0.0, can.front - _LIP + 0.008, low + thick / 2.0), depth=0.015)
+        hold = ag.grasp_on(lip, at=(0.0, can.front - _LIP + 0.008, low + thick / 2.0), depth=0.015)
         return [lip], [hold]
     y, top = can.front + 0.30 * can.depth, low + thick + (STEP if lid == "stepped" else 0.0)
     if style == "bar":
         wide = 0.10
-        bar = box(wide, 0.012, 0.008, bevel=0.003).at(0.0, y, top + 0.030)
-        post = box(0.010, 0.012, 0.032, bevel=0.002)
+        bar = ag.box(wide, 0.012, 0.008, bevel=0.003).at(0.0, y, top + 0.030)
+        post = ag.box(0.010, 0.012, 0.032, bevel=0.002)
         posts = [post.at(side * (wide / 2.0 - 0.005), y, top + 0.015) for side in (-1, 1)]
-        return [bar, *posts], [grasp_on(bar, approach=-Z, closing=Y)]
-    knob = cylinder(0.017, 0.014, bevel=0.004).at(0.0, y, top + 0.024)
-    post = cylinder(0.007, 0.022).at(0.0, y, top + 0.008)
-    return [knob, post], [grasp_on(knob, approach=-Z, closing=Y, depth=0.013)]
+        return [bar, *posts], [ag.grasp_on(bar, approach=-ag.Z, closing=ag.Y)]
+    knob = ag.cylinder(0.017, 0.014, bevel=0.004).at(0.0, y, top + 0.024)
+    post = ag.cylinder(0.007, 0.022).at(0.0, y, top + 0.008)
+    return [knob, post], [ag.grasp_on(knob, approach=-ag.Z, closing=ag.Y, depth=0.013)]
 
 
 ROOM = 0.027
@@ -272,68 +249,70 @@ class Catch:
     can: Can  # the bin
 
     @property
-    def _foot(self) -> Scalar:
+    def _foot(self) -> ag.Scalar:
         """Height of the underside of the foot [m]."""
         return self.can.top - _REACH
 
     @property
-    def _bar(self) -> Scalar:
+    def _bar(self) -> ag.Scalar:
         """Height of the middle of the bar and of the button [m]."""
         return self._foot + _THIN + _PLAY + 0.002
 
-    def hole(self) -> Solid:
+    def hole(self) -> ag.Solid:
         """Make the tool that cuts the hole of the button into the front wall."""
         wide, _, high = _CAP
-        tool = box(wide + 0.001, 0.04, high + 0.001)
+        tool = ag.box(wide + 0.001, 0.04, high + 0.001)
         return tool.at(0.0, self.can.front, self._bar)
 
-    def tongue(self, low: Scalar) -> list[Solid]:
+    def tongue(self, low: ag.Scalar) -> list[ag.Solid]:
         """Make the tongue, to be welded to a lid whose underside is at a height."""
         y = self.can.front + _BEHIND
-        blade = box(_TONGUE, _THIN, low + 0.004 - self._foot, bevel=0.0008)
-        foot = box(_TONGUE - 0.001, _FOOT + 0.001, _THIN, bevel=0.0006)
+        blade = ag.box(_TONGUE, _THIN, low + 0.004 - self._foot, bevel=0.0008)
+        foot = ag.box(_TONGUE - 0.001, _FOOT + 0.001, _THIN, bevel=0.0006)
         return [
             blade.at(0.0, y, (low + 0.004 + self._foot) / 2.0),
             foot.at(0.0, y + _THIN / 2.0 + (_FOOT - 0.001) / 2.0, self._foot + _THIN / 2.0),
         ]
 
-    def button(self, finish: Material, hidden: Material) -> Body:
+    def button(self, finish: ag.Material, hidden: ag.Material) -> ag.Body:
         """Make the button with its bar: the link `button`."""
         wide, deep, high = _CAP
-        cap = box(wide, deep, high, bevel=0.003).at(0.0, self.can.front - _PROUD + deep / 2.0, self._bar)
+        cap = ag.box(wide, deep, high, bevel=0.003).at(0.0, self.can.front - _PROUD + deep / 2.0, self._bar)
         start = self.can.front + 0.001
         far = self.can.front + _BEHIND + _THIN / 2.0 + 0.0008
-        arm = box(0.003, far + 0.004 - start, 0.004)
-        bar = box(_TONGUE + 0.010, 0.004, 0.004, bevel=0.0006).at(0.0, far + 0.002, self._bar)
+        arm = ag.box(0.003, far + 0.004 - start, 0.004)
+        bar = ag.box(_TONGUE + 0.010, 0.004, 0.004, bevel=0.0006).at(0.0, far + 0.002, self._bar)
         arms = [
             arm.at(side * (_TONGUE / 2.0 + 0.0032), (start + far + 0.004) / 2.0, self._bar)
             for side in (-1, 1)
         ]
-        body = part(cap, "button", finish, push=push_on(cap, direction=Y))
-        return weld(body, *(part(each, "button", hidden) for each in (bar, *arms)))
+        body = ag.part(cap, "button", finish, push=ag.push_on(cap, direction=ag.Y))
+        return ag.weld(body, *(ag.part(each, "button", hidden) for each in (bar, *arms)))
 
-    def press(self, name: str = "button_slide") -> Joint:
+    def press(self, name: str = "button_slide") -> ag.Joint:
         """Make the joint of the button."""
         return button_press(
             name, travel=_TRAVEL, preload=0.9, force=6.0, pivot=(0.0, self.can.front, self._bar)
         )
 
-    def frees(self, press: Joint) -> Dependency:
+    def frees(self, press: ag.Joint) -> ag.Dependency:
         """Return what the lid needs until its foot has passed the bar."""
         # the foot has to rise by the heights of foot and bar, 3 mm to spare
         passed = (_THIN + 0.004 + 0.004) / (0.85 * self.can.depth)
         return (press > _FREE).until(passed)
 
 
-def sprung_lid(hinge: Hinge, lid: Body, *, opening: Scalar, needs: Dependency, damping: Scalar) -> Joint:
+def sprung_lid(
+    hinge: Hinge, lid: ag.Body, *, opening: ag.Scalar, needs: ag.Dependency, damping: ag.Scalar
+) -> ag.Joint:
     """Make the joint of a lid that a spring opens, a third stronger than its weight and its friction."""
     y, z = hinge.axis
-    weight: Float = _GRAVITY * lid.mass() * (y - lid.center_of_mass().y)
+    weight: ag.Float = _GRAVITY * lid.mass() * (y - lid.center_of_mass().y)
     start, end = 1.35 * weight + _FRICTION, 0.45 * weight
     stiffness = (start - end) / opening
-    return Revolute(
+    return ag.Revolute(
         "lid_hinge",
-        axis=-X,
+        axis=-ag.X,
         pivot=(0.0, y, z),
         limits=(0.0, opening),
         stiffness=stiffness,

@@ -7,32 +7,8 @@ that the rod follows both to a millimetre.
 
 from dataclasses import dataclass
 
-from artgen import (
-    Body,
-    Float,
-    Joint,
-    Material,
-    Prismatic,
-    Revolute,
-    Scalar,
-    Solid,
-    X,
-    Z,
-    atan2,
-    box,
-    cylinder,
-    detail,
-    details,
-    extrude,
-    material,
-    max_,
-    part,
-    push_on,
-    rectangle,
-    sin,
-    sqrt,
-    weld,
-)
+import artgen as ag
+from artgen import details
 
 ROLLER = 0.004
 """Radius of the roller on which the rod stands [m]."""
@@ -52,62 +28,62 @@ _FLOOR = 0.004  # under the pressed pedal [m]
 _ARM = 0.022  # width of the lever [m]
 
 
-def asin(value: Scalar) -> Float:
+def asin(value: ag.Scalar) -> ag.Float:
     """Return the angle whose sine is a number [rad]."""
-    return atan2(value, sqrt(1.0 - value * value))
+    return ag.atan2(value, ag.sqrt(1.0 - value * value))
 
 
 @dataclass(frozen=True)
 class Linkage:
     """The levers between a pedal and a lid."""
 
-    opening: Scalar  # how far the lid opens [rad]
-    crank: Scalar  # from the lid's axis to the pin that the rod lifts [m]
-    travel: Scalar  # how far down the middle of the foot plate goes [m]
-    plate: Scalar  # where the middle of the foot plate is, along y [m]
-    rod: Scalar  # where the rod is, along y [m]
+    opening: ag.Scalar  # how far the lid opens [rad]
+    crank: ag.Scalar  # from the lid's axis to the pin that the rod lifts [m]
+    travel: ag.Scalar  # how far down the middle of the foot plate goes [m]
+    plate: ag.Scalar  # where the middle of the foot plate is, along y [m]
+    rod: ag.Scalar  # where the rod is, along y [m]
 
     @property
-    def lift(self) -> Float:
+    def lift(self) -> ag.Float:
         """How far the rod rises: the crank swings from half the opening below the level to as far above."""
-        return 2.0 * self.crank * sin(self.opening / 2.0)
+        return 2.0 * self.crank * ag.sin(self.opening / 2.0)
 
     @property
-    def front(self) -> Float:
+    def front(self) -> ag.Float:
         """Length of the lever from the pin to the foot plate [m]."""
         return (self.rod - self.plate) * self.travel / (self.travel + self.lift)
 
     @property
-    def rear(self) -> Float:
+    def rear(self) -> ag.Float:
         """Length of the lever from the pin to the rod [m]."""
         return (self.rod - self.plate) * self.lift / (self.travel + self.lift)
 
     @property
-    def angle(self) -> Float:
+    def angle(self) -> ag.Float:
         """How far the pedal turns [rad]."""
         return 2.0 * asin(self.lift / (2.0 * self.rear))
 
     @property
-    def pin(self) -> tuple[Scalar, Scalar]:
+    def pin(self) -> tuple[ag.Scalar, ag.Scalar]:
         """Where the pin of the lever is, y and z: neither end reaches the floor [m]."""
-        below = max_(self.lift / 2.0 + ROLLER, self.travel / 2.0 + _PLATE / 2.0)
+        below = ag.max_(self.lift / 2.0 + ROLLER, self.travel / 2.0 + _PLATE / 2.0)
         return self.rod - self.rear, below + _FLOOR
 
     @property
-    def head(self) -> Float:
+    def head(self) -> ag.Float:
         """Height of the space that the lever needs above the floor [m]."""
-        return self.pin[1] + max_(self.travel, self.lift) / 2.0 + 0.009
+        return self.pin[1] + ag.max_(self.travel, self.lift) / 2.0 + 0.009
 
-    def turn(self, *, preload: Scalar, force: Scalar, damping: Scalar = 0.15) -> Joint:
+    def turn(self, *, preload: ag.Scalar, force: ag.Scalar, damping: ag.Scalar = 0.15) -> ag.Joint:
         """Make the joint of the pedal; positive presses the foot plate down.
 
         The lid's weight returns it through the rod, and a spring helps.
         """
         stiffness = (force - preload) * self.front / self.angle
         y, z = self.pin
-        return Revolute(
+        return ag.Revolute(
             "pedal_hinge",
-            axis=X,
+            axis=ag.X,
             pivot=(0.0, y, z),
             limits=(0.0, self.angle),
             stiffness=stiffness,
@@ -119,65 +95,69 @@ class Linkage:
             velocity=6.0,
         )
 
-    def pedal(self, *, finish: Material, width: Scalar, deep: Scalar, sole: str = "pedal") -> Body:
+    def pedal(
+        self, *, finish: ag.Material, width: ag.Scalar, deep: ag.Scalar, sole: str = "pedal"
+    ) -> ag.Body:
         """Make the lever with its foot plate, at rest: the link `pedal`."""
         front, rear = self.front, self.rear
         inner = front - 0.25 * deep
-        arm = box(_ARM, inner + rear, _THICK, bevel=0.0012).at(0.0, (rear - inner) / 2.0, 0.0)
-        hub = cylinder(_HUB, _ARM, axis=X, bevel=0.001)
-        roller = cylinder(ROLLER, _ARM, axis=X).at(0.0, rear, 0.0)
-        outline = rectangle(width, deep, radius=0.4 * deep)
-        plate = extrude(outline, _PLATE, bevel=0.0022).at(0.0, -front, 0.0005)
+        arm = ag.box(_ARM, inner + rear, _THICK, bevel=0.0012).at(0.0, (rear - inner) / 2.0, 0.0)
+        hub = ag.cylinder(_HUB, _ARM, axis=ag.X, bevel=0.001)
+        roller = ag.cylinder(ROLLER, _ARM, axis=ag.X).at(0.0, rear, 0.0)
+        outline = ag.rectangle(width, deep, radius=0.4 * deep)
+        plate = ag.extrude(outline, _PLATE, bevel=0.0022).at(0.0, -front, 0.0005)
         at = (0.0, -front - 0.15 * deep, 0.0)
-        rubber = material("rubber")
+        rubber = ag.material("rubber")
         top = 0.0005 + _PLATE / 2.0
-        sheet = extrude(rectangle(width - 0.012, deep - 0.012, radius=0.4 * (deep - 0.012)), 0.0016)
+        sheet = ag.extrude(ag.rectangle(width - 0.012, deep - 0.012, radius=0.4 * (deep - 0.012)), 0.0016)
         sign = details.icon(sole, 0.5 * deep, weight="bold")
-        light = material("abs")
-        body = weld(
-            part(plate, "pedal", finish, push=push_on(plate, direction=-Z, at=at)),
-            *(part(each, "pedal", finish) for each in (arm, hub, roller)),
-            detail(sheet.at(0.0, -front, top), "pedal", rubber),
-            details.printed(sign, (0.0, -front, top + 0.0008), material=light, facing=Z, up=(0.0, 1.0, 0.0)),
+        light = ag.material("abs")
+        body = ag.weld(
+            ag.part(plate, "pedal", finish, push=ag.push_on(plate, direction=-ag.Z, at=at)),
+            *(ag.part(each, "pedal", finish) for each in (arm, hub, roller)),
+            ag.detail(sheet.at(0.0, -front, top), "pedal", rubber),
+            details.printed(
+                sign, (0.0, -front, top + 0.0008), material=light, facing=ag.Z, up=(0.0, 1.0, 0.0)
+            ),
         )
         y, z = self.pin
-        return body.rotate(X, -0.5 * self.angle).at(0.0, y, z)
+        return body.rotate(ag.X, -0.5 * self.angle).at(0.0, y, z)
 
-    def bracket(self, *, floor: Scalar, depth: Scalar, finish: Material) -> Body:
+    def bracket(self, *, floor: ag.Scalar, depth: ag.Scalar, finish: ag.Material) -> ag.Body:
         """Make the two cheeks under the floor that carry the pin, to be welded to the bin."""
         y, z = self.pin
         low = z - 0.008
-        cheek = box(0.003, 0.018, floor - low + 0.001, bevel=0.0008)
-        parts: list[Body] = []
+        cheek = ag.box(0.003, 0.018, floor - low + 0.001, bevel=0.0008)
+        parts: list[ag.Body] = []
         for side in (-1, 1):
             x = side * (_ARM / 2.0 + 0.0006 + 0.0015)
-            parts.append(part(cheek.at(x, y, (low + floor + 0.001) / 2.0), "base", finish))
-        dark = material("black_abs")
+            parts.append(ag.part(cheek.at(x, y, (low + floor + 0.001) / 2.0), "base", finish))
+        dark = ag.material("black_abs")
         for side in (-1, 1):  # one sees no light through the slot
-            screen = box(0.001, depth - 0.008, floor - 0.006)
+            screen = ag.box(0.001, depth - 0.008, floor - 0.006)
             parts.append(
-                detail(screen.at(side * (SLOT / 2.0 + 0.0008), 0.0, floor / 2.0 + 0.003), "base", dark)
+                ag.detail(screen.at(side * (SLOT / 2.0 + 0.0008), 0.0, floor / 2.0 + 0.003), "base", dark)
             )
-        end = cylinder(0.003, 0.0059, axis=X, bevel=0.0006)  # of the pin, beside the arm
+        end = ag.cylinder(0.003, 0.0059, axis=ag.X, bevel=0.0006)  # of the pin, beside the arm
         for side in (-1, 1):
             placed = end.at(side * (_ARM / 2.0 + 0.00355), y, z)
-            parts.append(detail(placed, "base", material("steel")))
-        return weld(*parts)
+            parts.append(ag.detail(placed, "base", ag.material("steel")))
+        return ag.weld(*parts)
 
-    def rod_body(self, *, axis: Scalar, finish: Material) -> Body:
+    def rod_body(self, *, axis: ag.Scalar, finish: ag.Material) -> ag.Body:
         """Make the rod at rest: the link `rod`."""
         low = self.pin[1] - self.lift / 2.0 + ROLLER + _PLAY
         high = axis - self.lift / 2.0 - PIN - _SLACK
-        bar = box(0.005, 0.005, high - low - 0.002, bevel=0.001).at(0.0, self.rod, (low + high) / 2.0)
-        foot = box(0.012, 0.009, 0.004, bevel=0.001).at(0.0, self.rod, low + 0.002)
-        head = box(0.006, 0.3 * self.crank + 0.005, 0.005, bevel=0.001).at(0.0, self.rod, high - 0.0025)
-        return weld(*(part(each, "rod", finish) for each in (bar, foot, head)))
+        bar = ag.box(0.005, 0.005, high - low - 0.002, bevel=0.001).at(0.0, self.rod, (low + high) / 2.0)
+        foot = ag.box(0.012, 0.009, 0.004, bevel=0.001).at(0.0, self.rod, low + 0.002)
+        head = ag.box(0.006, 0.3 * self.crank + 0.005, 0.005, bevel=0.001).at(0.0, self.rod, high - 0.0025)
+        return ag.weld(*(ag.part(each, "rod", finish) for each in (bar, foot, head)))
 
-    def rod_slide(self, pedal: Joint) -> Joint:
+    def rod_slide(self, pedal: ag.Joint) -> ag.Joint:
         """Make the joint by which the rod follows the pedal."""
-        return Prismatic(
+        return ag.Prismatic(
             "rod_slide",
-            axis=Z,
+            axis=ag.Z,
             pivot=(0.0, self.rod, 0.0),
             follows=pedal * (self.lift / self.angle),
             friction=0.2,
@@ -185,10 +165,10 @@ class Linkage:
             effort=200.0,
         )
 
-    def cranks(self, *, axis: tuple[Scalar, Scalar]) -> list[Solid]:
+    def cranks(self, *, axis: tuple[ag.Scalar, ag.Scalar]) -> list[ag.Solid]:
         """Make the crank of the lid at rest, to be welded to it: two plates and the pin between them."""
         y, z = axis
-        plate = box(0.0032, self.crank, 0.006, bevel=0.0008).at(0.0, -0.5 * self.crank, 0.0)
-        pin = cylinder(PIN, 0.0164, axis=X).at(0.0, -self.crank, 0.0)
+        plate = ag.box(0.0032, self.crank, 0.006, bevel=0.0008).at(0.0, -0.5 * self.crank, 0.0)
+        pin = ag.cylinder(PIN, 0.0164, axis=ag.X).at(0.0, -self.crank, 0.0)
         level = [plate.at(0.0066, 0.0, 0.0), plate.at(-0.0066, 0.0, 0.0), pin]
-        return [each.rotate(X, self.opening / 2.0).at(0.0, y, z) for each in level]
+        return [each.rotate(ag.X, self.opening / 2.0).at(0.0, y, z) for each in level]

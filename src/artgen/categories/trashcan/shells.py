@@ -3,31 +3,7 @@
 from dataclasses import dataclass
 from typing import Literal
 
-from artgen import (
-    Body,
-    Condition,
-    Dependency,
-    Joint,
-    Material,
-    Prismatic,
-    Revolute,
-    Scalar,
-    Solid,
-    X,
-    Z,
-    box,
-    circle,
-    cylinder,
-    detail,
-    grasp_on,
-    material,
-    min_,
-    part,
-    simplified_collider,
-    spline,
-    sweep,
-    weld,
-)
+import artgen as ag
 from artgen.categories.shared.finish import casting
 from artgen.categories.shared.hardware.fixings import feet
 from artgen.categories.trashcan.bins import Can
@@ -38,50 +14,50 @@ WIRE = 0.0028
 _REACH = 0.62  # how far the bail reaches forward, as a share of half the bucket's depth
 _BEHIND = 0.028  # from the wall to the middle of a fixed grip: a finger has room between them [m]
 _GRIP = 0.0058  # radius of the grip on it [m]
-_PLASTIC = material("black_abs")
+_PLASTIC = ag.material("black_abs")
 _GRAVITY = 9.81  # [m/s2]
 
 
-def bucket(can: Can, *, finish: Material, loop: bool = True, band: Material | None = None) -> Body:
+def bucket(can: Can, *, finish: ag.Material, loop: bool = True, band: ag.Material | None = None) -> ag.Body:
     """Make a bucket: the link `bucket`."""
     floor = can.floor(can.foot, can.foot + 0.0022)
     lip = can.band(can.top - 0.010, can.top, outer=-0.0012, inner=0.0005)
     bodies = [
         *can.shell("bucket", finish),
-        part(floor, "bucket", finish),
-        detail(lip, "bucket", finish if band is None else band),
+        ag.part(floor, "bucket", finish),
+        ag.detail(lip, "bucket", finish if band is None else band),
     ]
     if loop:
         bodies += _loop(can, finish)
-    return weld(*bodies)
+    return ag.weld(*bodies)
 
 
-def _loop(can: Can, finish: Material) -> list[Body]:
+def _loop(can: Can, finish: ag.Material) -> list[ag.Body]:
     """Make a level bar inside the rim, on two ribs, for fingers to reach behind."""
     finish = casting(finish)  # it is pressed of sheet, or moulded hollow
     wall = can.front + 0.6 * can.wall
     y, z = wall + _BEHIND, can.top - 0.006
     # in a narrow one it is shorter: its ribs stand where the corners hardly draw the wall in yet
     corner = can.corner if can.plan in ("square", "rectangle") else 0.0
-    beside = min_(0.064 / 2.0 - 0.004, can.width / 2.0 - 0.5 * corner - 0.003)
-    bar = box(2.0 * (beside + 0.004), 0.009, 0.011, bevel=0.003).at(0.0, y, z)
-    rib = box(0.006, _BEHIND, 0.009, bevel=0.0015)
+    beside = ag.min_(0.064 / 2.0 - 0.004, can.width / 2.0 - 0.5 * corner - 0.003)
+    bar = ag.box(2.0 * (beside + 0.004), 0.009, 0.011, bevel=0.003).at(0.0, y, z)
+    rib = ag.box(0.006, _BEHIND, 0.009, bevel=0.0015)
     middle = wall + _BEHIND / 2.0
     ribs = [rib.at(side * beside, middle, z) for side in (-1, 1)]
-    hold = grasp_on(bar, approach=-Z, closing=(0.0, 1.0, 0.0), depth=0.010)
-    return [part(bar, "bucket", finish, grasp=hold), *(part(each, "bucket", finish) for each in ribs)]
+    hold = ag.grasp_on(bar, approach=-ag.Z, closing=(0.0, 1.0, 0.0), depth=0.010)
+    return [ag.part(bar, "bucket", finish, grasp=hold), *(ag.part(each, "bucket", finish) for each in ribs)]
 
 
-def bail_play(can: Can, gap: Scalar) -> Scalar:
+def bail_play(can: Can, gap: ag.Scalar) -> ag.Scalar:
     """Return how far a bail can turn before it strikes what is a gap above the rim, a little less [rad]."""
     return 0.9 * gap / (_REACH * can.depth / 2.0)
 
 
-def bucket_slide(body: Body, *, travel: Scalar, needs: Condition | Dependency | None) -> Joint:
+def bucket_slide(body: ag.Body, *, travel: ag.Scalar, needs: ag.Condition | ag.Dependency | None) -> ag.Joint:
     """Make the joint by which a bucket is lifted out, just above its weight."""
-    return Prismatic(
+    return ag.Prismatic(
         "bucket_slide",
-        axis=Z,
+        axis=ag.Z,
         limits=(0.0, travel),
         friction=0.15,  # it rubs on the wall here and there; a lid that leans on it must not hold it up
         damping=2.0,
@@ -91,25 +67,27 @@ def bucket_slide(body: Body, *, travel: Scalar, needs: Condition | Dependency | 
     )
 
 
-def with_bail(body: Body, can: Can, *, finish: Material, needs: Condition | Dependency | None) -> Body:
+def with_bail(
+    body: ag.Body, can: Can, *, finish: ag.Material, needs: ag.Condition | ag.Dependency | None
+) -> ag.Body:
     """Hang a wire bail on a bucket; it lies on the level of the rim, towards the front: the link `handle`."""
     # the front of a half-round one closes in at once
     half = can.half_across(can.wall) - (0.005 if can.plan == "half_round" else 0.0)
     x, y = half - WIRE - 0.0022, -_REACH * can.depth / 2.0
     z = can.top - WIRE
-    way = spline([(x, 0.0, z), (0.93 * x, 0.45 * y, z), (0.55 * x, 0.88 * y, z), (0.0, y, z),
+    way = ag.spline([(x, 0.0, z), (0.93 * x, 0.45 * y, z), (0.55 * x, 0.88 * y, z), (0.0, y, z),
                   (-0.55 * x, 0.88 * y, z), (-0.93 * x, 0.45 * y, z), (-x, 0.0, z)])  # fmt: skip
-    wire = simplified_collider(sweep(circle(WIRE), way), 0.00075)
-    grip = cylinder(_GRIP, 0.07, axis=X, bevel=0.0015).at(0.0, y, z - 0.003)
-    hold = grasp_on(grip, approach=-Z, closing=(0.0, 1.0, 0.0))
+    wire = ag.simplified_collider(ag.sweep(ag.circle(WIRE), way), 0.00075)
+    grip = ag.cylinder(_GRIP, 0.07, axis=ag.X, bevel=0.0015).at(0.0, y, z - 0.003)
+    hold = ag.grasp_on(grip, approach=-ag.Z, closing=(0.0, 1.0, 0.0))
     inner, outer = x + WIRE + 0.0005, can.half_across(can.wall) + 0.001
-    eye = cylinder(0.004, outer - inner, axis=X)
+    eye = ag.cylinder(0.004, outer - inner, axis=ag.X)
     eyes = [eye.at(side * (inner + outer) / 2.0, 0.0, z) for side in (-1, 1)]
-    bail = weld(part(wire, "handle", finish), part(grip, "handle", _PLASTIC, grasp=hold))
+    bail = ag.weld(ag.part(wire, "handle", finish), ag.part(grip, "handle", _PLASTIC, grasp=hold))
     weight = _GRAVITY * bail.mass() * (0.0 - bail.center_of_mass().y)
-    turn = Revolute(
+    turn = ag.Revolute(
         "handle_hinge",
-        axis=-X,
+        axis=-ag.X,
         pivot=(0.0, 0.0, z),
         limits=(0.0, 1.5),
         friction=1.2 * weight,  # it stays up: its ends are bent to grip the eyes
@@ -119,7 +97,7 @@ def with_bail(body: Body, can: Can, *, finish: Material, needs: Condition | Depe
         velocity=8.0,
         needs=needs,
     )
-    return weld(body, *(detail(eye, "bucket", finish) for eye in eyes)).attach(bail, turn)
+    return ag.weld(body, *(ag.detail(eye, "bucket", finish) for eye in eyes)).attach(bail, turn)
 
 
 Dress = Literal["plain", "base_band", "beads", "ring"]
@@ -130,52 +108,54 @@ Dress = Literal["plain", "base_band", "beads", "ring"]
 class Looks:
     """What a bin is made of."""
 
-    finish: Material  # of its wall
-    lid: Material  # of its lid or hood
-    trim: Material  # of rim, base and hinge
-    bright: Material  # of rings and pins
-    plastic: Material  # of what is hidden, and of hinges
+    finish: ag.Material  # of its wall
+    lid: ag.Material  # of its lid or hood
+    trim: ag.Material  # of rim, base and hinge
+    bright: ag.Material  # of rings and pins
+    plastic: ag.Material  # of what is hidden, and of hinges
 
 
 def stand(
     can: Can,
     looks: Looks,
     *,
-    floor: Scalar,
+    floor: ag.Scalar,
     dress: Dress,
-    holes: Solid | None = None,
-    rim: Scalar = 0.014,
+    holes: ag.Solid | None = None,
+    rim: ag.Scalar = 0.014,
     label: str = "body",
-) -> Body:
+) -> ag.Body:
     """Make the wall, floor, feet and trim of a bin: the link `body`."""
     bodies = [
         *can.shell(label, looks.finish, name="body", holes=holes),
-        part(can.floor(floor, floor + 0.003), "base", looks.trim),
-        feet(can.feet(0.024), height=floor, radius=0.008, finish=material("rubber")),
+        ag.part(can.floor(floor, floor + 0.003), "base", looks.trim),
+        feet(can.feet(0.024), height=floor, radius=0.008, finish=ag.material("rubber")),
     ]
-    bodies += [detail(each, "rim", looks.trim) for each in _rim(can, rim)]
+    bodies += [ag.detail(each, "rim", looks.trim) for each in _rim(can, rim)]
     if dress == "base_band":
         band = can.band(can.foot - 0.001, can.foot + 0.020, outer=-0.0012, inner=0.0008)
-        bodies.append(detail(band if holes is None else band - holes, "base", looks.trim))
+        bodies.append(ag.detail(band if holes is None else band - holes, "base", looks.trim))
     elif dress == "beads":
         for share in (0.30, 0.36):
             z = can.foot + share * (can.top - can.foot)
-            bodies.append(detail(can.band(z, z + 0.005, outer=-0.0014, inner=0.0010), "body", looks.finish))
+            bodies.append(
+                ag.detail(can.band(z, z + 0.005, outer=-0.0014, inner=0.0010), "body", looks.finish)
+            )
     elif dress == "ring":
         z = can.top - 0.050
         ring = can.band(z, z + 0.006, outer=-0.0018, inner=0.0010)
-        bodies.append(detail(ring if holes is None else ring - holes, "rim", looks.bright))
-    return weld(*bodies)
+        bodies.append(ag.detail(ring if holes is None else ring - holes, "rim", looks.bright))
+    return ag.weld(*bodies)
 
 
-def _rim(can: Can, high: Scalar) -> list[Solid]:
+def _rim(can: Can, high: ag.Scalar) -> list[ag.Solid]:
     if isinstance(high, int | float) and high <= 0.0:
         return []
     return [can.band(can.top - high, can.top + 0.0006, outer=-0.0012, inner=can.wall + 0.0008)]
 
 
-def rolled_rim(can: Can, finish: Material) -> Body:
+def rolled_rim(can: Can, finish: ag.Material) -> ag.Body:
     """Make the bead around the rim of an open bin, only seen."""
-    return detail(
+    return ag.detail(
         can.band(can.top - 0.010, can.top + 0.0015, outer=-0.0028, inner=can.wall + 0.001), "rim", finish
     )

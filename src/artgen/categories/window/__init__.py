@@ -19,20 +19,7 @@ Sizes are those of catalogues of timber (IV68), PVC (70 mm) and aluminium system
 
 from typing import Literal
 
-from artgen import (
-    Body,
-    Float,
-    Material,
-    X,
-    by,
-    category,
-    choice,
-    count,
-    require,
-    shades,
-    uniform,
-    weld,
-)
+import artgen as ag
 from artgen.categories.shared.finish import FINISH_WEIGHTS, FINISHES, known, paints
 from artgen.categories.window.frame import (
     SILL,
@@ -65,7 +52,7 @@ _NO_ROOM = "a finger on the meeting rail finds no room before the next bar"
 _SHUTTERS = paints(520.0, "shutter_paint")
 
 
-@category(
+@ag.category(
     labels=(
         "frame",
         "sill",
@@ -84,142 +71,144 @@ _SHUTTERS = paints(520.0, "shutter_paint")
 )
 def window(
     *,
-    style: Literal["casement", "awning", "sliding", "double_hung"] = choice(
+    style: Literal["casement", "awning", "sliding", "double_hung"] = ag.choice(
         "casement", "awning", "sliding", "double_hung", weights=(0.48, 0.12, 0.19, 0.21)
     ),
-    layout: Literal["single", "pair", "row", "cross"] = by(
+    layout: Literal["single", "pair", "row", "cross"] = ag.by(
         "style",
-        casement=choice("single", "pair", "row", "cross", weights=(0.38, 0.36, 0.12, 0.14)),
+        casement=ag.choice("single", "pair", "row", "cross", weights=(0.38, 0.36, 0.12, 0.14)),
         awning="single",
-        sliding=choice("pair", "row", weights=(0.65, 0.35)),
+        sliding=ag.choice("pair", "row", weights=(0.65, 0.35)),
         double_hung="pair",
         doc="a row has four side by side, a cross two above two",
     ),
-    opens: Literal["inwards", "outwards"] = by(
-        "style", casement=choice("inwards", "outwards", weights=(0.6, 0.4)), otherwise="outwards"
+    opens: Literal["inwards", "outwards"] = ag.by(
+        "style", casement=ag.choice("inwards", "outwards", weights=(0.6, 0.4)), otherwise="outwards"
     ),
-    hand: Literal["left", "right"] = choice("left", "right", doc="side of the hinges, or of what slides"),
-    hands: Literal["same", "opposite"] = by(
-        "layout", single="same", otherwise=choice("same", "opposite", weights=(0.3, 0.7))
+    hand: Literal["left", "right"] = ag.choice("left", "right", doc="side of the hinges, or of what slides"),
+    hands: Literal["same", "opposite"] = ag.by(
+        "layout", single="same", otherwise=ag.choice("same", "opposite", weights=(0.3, 0.7))
     ),
-    slides: Literal["one", "both"] = by(
+    slides: Literal["one", "both"] = ag.by(
         "style",
-        sliding=by("layout", row="one", otherwise=choice("one", "both")),
+        sliding=ag.by("layout", row="one", otherwise=ag.choice("one", "both")),
         otherwise="both",
         doc="of two sashes side by side: XO or XX; of four (OXXO) the middle ones do",
     ),
-    width: Float = by(
+    width: ag.Float = ag.by(
         "style",
-        casement=by(
+        casement=ag.by(
             "layout",
-            single=uniform(0.48, 0.90),
-            pair=uniform(0.95, 1.55),
-            row=uniform(1.85, 2.40),
-            cross=uniform(0.95, 1.45),
+            single=ag.uniform(0.48, 0.90),
+            pair=ag.uniform(0.95, 1.55),
+            row=ag.uniform(1.85, 2.40),
+            cross=ag.uniform(0.95, 1.45),
         ),
-        awning=uniform(0.50, 1.15),
-        sliding=by("layout", row=uniform(1.75, 2.40), otherwise=uniform(0.95, 1.80)),
-        double_hung=uniform(0.55, 1.10),
+        awning=ag.uniform(0.50, 1.15),
+        sliding=ag.by("layout", row=ag.uniform(1.75, 2.40), otherwise=ag.uniform(0.95, 1.80)),
+        double_hung=ag.uniform(0.55, 1.10),
         unit="m",
         doc="of the frame",
         within=(0.4, 2.4),
     ),
-    height: Float = by(
+    height: ag.Float = ag.by(
         "style",
-        casement=by("layout", cross=uniform(1.25, 1.80), otherwise=uniform(0.70, 1.60)),
-        awning=uniform(0.50, 0.80),
-        sliding=uniform(0.60, 1.40),
-        double_hung=uniform(1.05, 1.80),
+        casement=ag.by("layout", cross=ag.uniform(1.25, 1.80), otherwise=ag.uniform(0.70, 1.60)),
+        awning=ag.uniform(0.50, 0.80),
+        sliding=ag.uniform(0.60, 1.40),
+        double_hung=ag.uniform(1.05, 1.80),
         unit="m",
         doc="of the frame, on its sill",
         within=(0.45, 1.8),
     ),
-    upper: Float = uniform(0.26, 0.36, doc="share of the height above the transom of a cross"),
-    columns: int = choice(0, 1, 2, 3, weights=(0.54, 0.27, 0.13, 0.06), doc="upright bars on a pane"),
-    rows: int = by(
+    upper: ag.Float = ag.uniform(0.26, 0.36, doc="share of the height above the transom of a cross"),
+    columns: int = ag.choice(0, 1, 2, 3, weights=(0.54, 0.27, 0.13, 0.06), doc="upright bars on a pane"),
+    rows: int = ag.by(
         "columns",
         {
-            0: choice(0, 1, 2, 3, weights=(0.68, 0.22, 0.07, 0.03)),
-            1: choice(0, 1, 2, 3, weights=(0.2, 0.4, 0.25, 0.15)),
-            2: choice(1, 2, 3, weights=(0.4, 0.35, 0.25)),
-            3: choice(1, 2, 3, weights=(0.3, 0.35, 0.35)),
+            0: ag.choice(0, 1, 2, 3, weights=(0.68, 0.22, 0.07, 0.03)),
+            1: ag.choice(0, 1, 2, 3, weights=(0.2, 0.4, 0.25, 0.15)),
+            2: ag.choice(1, 2, 3, weights=(0.4, 0.35, 0.25)),
+            3: ag.choice(1, 2, 3, weights=(0.3, 0.35, 0.35)),
         },
         doc="level bars on a pane",
     ),
-    kind: Kind = choice("wood", "pvc", "aluminium", weights=(0.4, 0.35, 0.25)),
-    finish: Material = by(
+    kind: Kind = ag.choice("wood", "pvc", "aluminium", weights=(0.4, 0.35, 0.25)),
+    finish: ag.Material = ag.by(
         "kind",
-        wood=shades(*WOODS, weights=WOOD_WEIGHTS, color=0.06, roughness=0.04),
-        pvc=shades(*PLASTICS, weights=PLASTIC_WEIGHTS, color=0.02, roughness=0.04),
-        aluminium=shades(*METALS, weights=METAL_WEIGHTS, color=0.03, roughness=0.04),
+        wood=ag.shades(*WOODS, weights=WOOD_WEIGHTS, color=0.06, roughness=0.04),
+        pvc=ag.shades(*PLASTICS, weights=PLASTIC_WEIGHTS, color=0.02, roughness=0.04),
+        aluminium=ag.shades(*METALS, weights=METAL_WEIGHTS, color=0.03, roughness=0.04),
     ),
-    glass: Material = choice(*_GLASS, weights=(0.82, 0.10, 0.08)),
-    sheets: int = by("kind", wood=choice(1, 2, weights=(0.3, 0.7)), otherwise=2),
-    sill: Material = shades(*SILLS, weights=SILL_WEIGHTS, color=0.03),
-    horns: Float = uniform(0.0, 0.045, "m", doc="how far the sill reaches past the frame"),
-    board: bool = by(
+    glass: ag.Material = ag.choice(*_GLASS, weights=(0.82, 0.10, 0.08)),
+    sheets: int = ag.by("kind", wood=ag.choice(1, 2, weights=(0.3, 0.7)), otherwise=2),
+    sill: ag.Material = ag.shades(*SILLS, weights=SILL_WEIGHTS, color=0.03),
+    horns: ag.Float = ag.uniform(0.0, 0.045, "m", doc="how far the sill reaches past the frame"),
+    board: bool = ag.by(
         "style",
         awning=False,  # a hand at the lever would strike it
-        otherwise=choice(False, True, weights=(0.6, 0.4)),
+        otherwise=ag.choice(False, True, weights=(0.6, 0.4)),
         doc="whether there is a window board inside",
     ),
-    vent: bool = choice(False, True, weights=(0.7, 0.3), doc="a trickle vent in the head"),
-    cap: bool = choice(False, True, weights=(0.45, 0.55), doc="a drip cap over the head"),
-    shutters: ShutterStyle = by(
+    vent: bool = ag.choice(False, True, weights=(0.7, 0.3), doc="a trickle vent in the head"),
+    cap: bool = ag.choice(False, True, weights=(0.45, 0.55), doc="a drip cap over the head"),
+    shutters: ShutterStyle = ag.by(
         "layout",
         row="none",
-        cross=by("opens", inwards=choice("none", "boarded", weights=(0.6, 0.4)), outwards="none"),
-        otherwise=by(
+        cross=ag.by("opens", inwards=ag.choice("none", "boarded", weights=(0.6, 0.4)), outwards="none"),
+        otherwise=ag.by(
             "opens",
-            inwards=choice("none", "louvred", "boarded", weights=(0.55, 0.28, 0.17)),
-            outwards=by(
+            inwards=ag.choice("none", "louvred", "boarded", weights=(0.55, 0.28, 0.17)),
+            outwards=ag.by(
                 "style",
-                double_hung=choice("none", "louvred", "boarded", weights=(0.7, 0.2, 0.1)),
+                double_hung=ag.choice("none", "louvred", "boarded", weights=(0.7, 0.2, 0.1)),
                 otherwise="none",
             ),
         ),
     ),
-    shutter_finish: Material = shades(*_SHUTTERS, color=0.06, roughness=0.04),
-    slats: int = count(9, 12, doc="louvres in half a shutter"),
-    shutter_swing: Float = uniform(1.7, 3.0, "rad"),
-    metal: Material = shades(*FINISHES, weights=FINISH_WEIGHTS, color=0.03, roughness=0.03),
-    lever: LeverStyle = choice("straight", "tapered", "bent"),
-    lever_length: Float = uniform(0.105, 0.135, "m", within=(0.09, 0.15)),
-    lever_turn: Literal["quarter", "half"] = by(
+    shutter_finish: ag.Material = ag.shades(*_SHUTTERS, color=0.06, roughness=0.04),
+    slats: int = ag.count(9, 12, doc="louvres in half a shutter"),
+    shutter_swing: ag.Float = ag.uniform(1.7, 3.0, "rad"),
+    metal: ag.Material = ag.shades(*FINISHES, weights=FINISH_WEIGHTS, color=0.03, roughness=0.03),
+    lever: LeverStyle = ag.choice("straight", "tapered", "bent"),
+    lever_length: ag.Float = ag.uniform(0.105, 0.135, "m", within=(0.09, 0.15)),
+    lever_turn: Literal["quarter", "half"] = ag.by(
         "opens",
-        inwards=choice("quarter", "half"),
+        inwards=ag.choice("quarter", "half"),
         outwards="quarter",
         doc="half a turn ends where gear for tilting airs",
     ),
-    lever_friction: Float = uniform(0.35, 0.8, "N m", doc="of the gear and its detents"),
-    lock_friction: Float = by(
-        "slides", one=uniform(2.5, 5.0), both=uniform(0.15, 0.4), doc="of a latch [N], of a cam [N m]"
+    lever_friction: ag.Float = ag.uniform(0.35, 0.8, "N m", doc="of the gear and its detents"),
+    lock_friction: ag.Float = ag.by(
+        "slides", one=ag.uniform(2.5, 5.0), both=ag.uniform(0.15, 0.4), doc="of a latch [N], of a cam [N m]"
     ),
-    swing: Float = by(
-        "style", awning=uniform(0.45, 1.1), otherwise=uniform(1.2, 1.5), unit="rad", within=(0.2, 1.52)
+    swing: ag.Float = ag.by(
+        "style", awning=ag.uniform(0.45, 1.1), otherwise=ag.uniform(1.2, 1.5), unit="rad", within=(0.2, 1.52)
     ),
-    stay: Literal["friction", "none"] = by(
-        "style", awning=choice("friction", "none", weights=(0.65, 0.35)), otherwise="friction"
+    stay: Literal["friction", "none"] = ag.by(
+        "style", awning=ag.choice("friction", "none", weights=(0.65, 0.35)), otherwise="friction"
     ),
-    hinge_friction: Float = uniform(0.8, 2.0, "N m", doc="of casement stays"),
-    hinge_damping: Float = uniform(0.5, 1.5, "N m s/rad"),
-    bar: Float = uniform(0.11, 0.18, "m", doc="of the pulls of sliding sashes"),
-    lifts: int = by(
-        "style", double_hung=choice(1, 2), otherwise=1, doc="on the lower one of two hung sashes"
+    hinge_friction: ag.Float = ag.uniform(0.8, 2.0, "N m", doc="of casement stays"),
+    hinge_damping: ag.Float = ag.uniform(0.5, 1.5, "N m s/rad"),
+    bar: ag.Float = ag.uniform(0.11, 0.18, "m", doc="of the pulls of sliding sashes"),
+    lifts: int = ag.by(
+        "style", double_hung=ag.choice(1, 2), otherwise=1, doc="on the lower one of two hung sashes"
     ),
-    drag: Float = uniform(9.0, 18.0, "N", doc="of rollers, balances and brushes"),
-) -> Body:
+    drag: ag.Float = ag.uniform(9.0, 18.0, "N", doc="of rollers, balances and brushes"),
+) -> ag.Body:
     """Make a casement, awning, sliding or double-hung window, shut and locked."""
-    require(style == "casement" or opens == "outwards", f"style={style} has opens=outwards only")
-    require(
+    ag.require(style == "casement" or opens == "outwards", f"style={style} has opens=outwards only")
+    ag.require(
         shutters == "none" or (opens == "inwards" if style == "casement" else style != "awning"),
         f"style={style} that opens {opens} would strike shutters={shutters}: they must be none",
     )
-    require(style != "sliding" or layout in ("pair", "row"), "style=sliding has layout=pair or row only")
+    ag.require(style != "sliding" or layout in ("pair", "row"), "style=sliding has layout=pair or row only")
     abreast = {"single": 1, "row": 4}.get(layout, 2)
     # a row of sashes needs room for the glass of each
     least = (abreast + 1) / 5.0 if style in ("casement", "sliding") else 0.0
-    width = require(width, width >= least, f"layout={layout} has narrow sashes: width at least {least:g} m")
+    width = ag.require(
+        width, width >= least, f"layout={layout} has narrow sashes: width at least {least:g} m"
+    )
     section = SECTIONS[kind]
     wide, tall = width - 2.0 * section.frame, height - SILL - 2.0 * section.frame
     glazing = Glazing(glass, sheets, columns, rows, finish)
@@ -251,7 +240,7 @@ def window(
                 body = body if columns < 3 else body.require(width > 1.25, _NO_ROOM)
             else:
                 body = sliding(draft, 2 if layout == "pair" else 4, bar=bar, drag=drag)
-            body = body.mirror(X) if hand == "right" else body
+            body = body.mirror(ag.X) if hand == "right" else body
         case "double_hung":
             body = double_hung(draft, lifts=lifts, drag=drag)
             body = body if rows < 3 else body.require(height > 1.28, _NO_ROOM)
@@ -266,7 +255,7 @@ def window(
         fixed.append(trickle_vent(0.0, back, high - 0.020, finish, length=0.30))
     if board:
         fixed.append(window_board(width, back, low, finish))
-    body = weld(body, *fixed)
+    body = ag.weld(body, *fixed)
     if shutters != "none":
         pair = Shutters(shutters, shutter_finish, metal, slats, shutter_swing, hinge_friction, few)
         body = pair.hung(body, front=front, width=width, low=low + 0.010, high=high - 0.030)

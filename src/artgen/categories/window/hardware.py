@@ -6,38 +6,8 @@ front plane of the frame is y = 0.
 
 from typing import Literal, NamedTuple
 
-from artgen import (
-    Body,
-    Float,
-    Joint,
-    Material,
-    Prismatic,
-    Revolute,
-    Scalar,
-    Solid,
-    X,
-    Y,
-    Z,
-    array,
-    board,
-    box,
-    box_between,
-    cylinder,
-    cylinder_between,
-    detail,
-    details,
-    extrude,
-    grasp_on,
-    hull,
-    part,
-    polygon,
-    polyline,
-    rectangle,
-    regular_polygon,
-    sweep,
-    union,
-    weld,
-)
+import artgen as ag
+from artgen import details
 from artgen.categories.shared.hardware.furniture_pulls import bar_pull
 from artgen.categories.window.plan import LIP, REBATE, SEALED, Section
 
@@ -67,49 +37,53 @@ LeverStyle = Literal["straight", "tapered", "bent"]
 class Pin(NamedTuple):
     """The axis of the hinges of a sash, parallel to Z."""
 
-    x: Scalar  # [m]
-    y: Scalar  # [m]
+    x: ag.Scalar  # [m]
+    y: ag.Scalar  # [m]
 
     @staticmethod
-    def beside(width: Scalar, section: Section) -> "Pin":
+    def beside(width: ag.Scalar, section: Section) -> "Pin":
         """Put the axis beside the lip of a sash in an opening of some width."""
         return Pin(-width / 2.0 - LIP - _BESIDE - BARREL, -SEALED - section.lip / 2.0)
 
 
 def barrel_hinges(
     pin: Pin,
-    levels: list[Scalar],
+    levels: list[ag.Scalar],
     *,
     tall: float,
-    to: Scalar,
-    face: Scalar,
-    finish: Material,
+    to: ag.Scalar,
+    face: ag.Scalar,
+    finish: ag.Material,
     solid: bool = True,
-) -> tuple[Body, Body]:
+) -> tuple[ag.Body, ag.Body]:
     """Make barrel hinges: the upper half turns with the sash, the lower one stands on the frame."""
     half = tall / 2.0 - _APART
     up, down = _APART + half / 2.0, -_APART - half / 2.0
-    barrel = cylinder(BARREL, half, axis=Z, bevel=0.001)
+    barrel = ag.cylinder(BARREL, half, axis=ag.Z, bevel=0.001)
     # a post within the barrel collides, in one piece with the arm or the foot
-    core = extrude(regular_polygon(8, BARREL - 0.0001), half - 0.0002)
-    arm = box_between((0.0, -0.0025, -0.4 * half), (to - pin.x + 0.001, 0.0025, 0.4 * half))
-    foot = box_between((-0.004, 0.0, -0.4 * half), (0.004, face - pin.y + 0.001, 0.4 * half))
-    tip = cylinder(0.55 * BARREL, 0.003, axis=Z, bevel=0.001)
+    core = ag.extrude(ag.regular_polygon(8, BARREL - 0.0001), half - 0.0002)
+    arm = ag.box_between((0.0, -0.0025, -0.4 * half), (to - pin.x + 0.001, 0.0025, 0.4 * half))
+    foot = ag.box_between((-0.004, 0.0, -0.4 * half), (0.004, face - pin.y + 0.001, 0.4 * half))
+    tip = ag.cylinder(0.55 * BARREL, 0.003, axis=ag.Z, bevel=0.001)
     places = [(pin.x, pin.y, level) for level in levels]
     made = []
     for middle, holds, end in ((down, foot, -1.0), (up, arm, 1.0)):
-        seen = union(barrel, tip.at(0.0, 0.0, end * (half / 2.0 + 0.001))).at(0.0, 0.0, middle)
-        met = array(hull(core, holds).at(0.0, 0.0, middle), at=places)
-        skin = detail(array(seen, at=places), "hinge", finish)
-        made.append(weld(part(met, "hinge", finish) if solid else detail(met, "hinge", finish), skin))
+        seen = ag.union(barrel, tip.at(0.0, 0.0, end * (half / 2.0 + 0.001))).at(0.0, 0.0, middle)
+        met = ag.array(ag.hull(core, holds).at(0.0, 0.0, middle), at=places)
+        skin = ag.detail(ag.array(seen, at=places), "hinge", finish)
+        made.append(
+            ag.weld(ag.part(met, "hinge", finish) if solid else ag.detail(met, "hinge", finish), skin)
+        )
     return made[0], made[1]
 
 
-def lever_turn(name: str, *, pivot: tuple[Scalar, Scalar, Scalar], limit: Scalar, friction: Scalar) -> Joint:
+def lever_turn(
+    name: str, *, pivot: tuple[ag.Scalar, ag.Scalar, ag.Scalar], limit: ag.Scalar, friction: ag.Scalar
+) -> ag.Joint:
     """Make the joint of a lever that hangs down while it locks, held by the detents of its gear."""
-    return Revolute(
+    return ag.Revolute(
         name,
-        axis=Y,
+        axis=ag.Y,
         pivot=pivot,
         limits=(0.0, limit),
         friction=friction,
@@ -120,11 +94,16 @@ def lever_turn(name: str, *, pivot: tuple[Scalar, Scalar, Scalar], limit: Scalar
 
 
 def window_lever(
-    at: tuple[Scalar, Scalar, Scalar], *, side: int, style: LeverStyle, length: Scalar, finish: Material
-) -> tuple[Body, Body]:
+    at: tuple[ag.Scalar, ag.Scalar, ag.Scalar],
+    *,
+    side: int,
+    style: LeverStyle,
+    length: ag.Scalar,
+    finish: ag.Material,
+) -> tuple[ag.Body, ag.Body]:
     """Make a lever and its rose on a stile."""
     x, face, z = at
-    rose = box(0.028, 0.0115, 0.066, bevel=0.0045).at(x, face + side * 0.0055, z)
+    rose = ag.box(0.028, 0.0115, 0.066, bevel=0.0045).at(x, face + side * 0.0055, z)
     caps = [
         details.screw(
             0.0032, (x, face + side * 0.0112, z + up), facing=(0.0, side, 0.0), material=finish, label="screw"
@@ -132,55 +111,59 @@ def window_lever(
         for up in (-0.022, 0.022)
     ]
     start, out = face + side * 0.0117, face + side * (LEVER_OUT - 0.006)
-    neck = cylinder_between((x, start, z), (x, face + side * LEVER_OUT, z), 0.0088, bevel=0.0015)
+    neck = ag.cylinder_between((x, start, z), (x, face + side * LEVER_OUT, z), 0.0088, bevel=0.0015)
     low = z - length
-    seen: list[Body] = []
+    seen: list[ag.Body] = []
     match style:
         case "straight":
-            grip = box(0.018, 0.012, length - 0.004, bevel=0.0045).at(x, out, (z + low) / 2.0 + 0.002)
+            grip = ag.box(0.018, 0.012, length - 0.004, bevel=0.0045).at(x, out, (z + low) / 2.0 + 0.002)
         case "tapered":
-            top = box(0.014, 0.010, 0.012, bevel=0.004).at(x, out, z - 0.002)
-            end = box(0.023, 0.011, 0.014, bevel=0.005).at(x, out, low + 0.007)
-            seen.append(detail(hull(top, end), "handle", finish))
+            top = ag.box(0.014, 0.010, 0.012, bevel=0.004).at(x, out, z - 0.002)
+            end = ag.box(0.023, 0.011, 0.014, bevel=0.005).at(x, out, low + 0.007)
+            seen.append(ag.detail(ag.hull(top, end), "handle", finish))
             # of few corners, just under that skin
             upper = _octagonal(0.0136, 0.0096, 0.0060, cut=0.0026).at(x, out, z - 0.002)
             lower = _octagonal(0.0222, 0.0104, 0.0090, cut=0.0032).at(x, out, low + 0.007)
-            grip = hull(upper, lower)
+            grip = ag.hull(upper, lower)
         case "bent":
-            course = polyline(
+            course = ag.polyline(
                 [(x, out, z - 0.001), (x, out, low + 0.006), (x, out - side * 0.016, low + 0.006)],
                 fillet=0.009,
             )
-            seen.append(detail(sweep(rectangle(0.017, 0.011, radius=0.004), course), "handle", finish))
+            seen.append(
+                ag.detail(ag.sweep(ag.rectangle(0.017, 0.011, radius=0.004), course), "handle", finish)
+            )
             # within that skin: a bar, and a piece for the bend
-            grip = board((x - 0.008, x + 0.008), (out - 0.005, out + 0.005), (low + 0.0145, z - 0.0015))
-            end = box(0.0156, 0.0067, 0.0070).at(x, out - side * 0.01235, low + 0.0045)
-            bend = board((x - 0.0078, x + 0.0078), (out - 0.005, out + 0.005), (low + 0.0145, low + 0.0155))
-            seen.append(part(hull(bend, end), "handle", finish))
-    hold = grasp_on(grip, approach=(0.0, -side, 0.0), closing=X, at=(x, out, z - 0.62 * length))
-    lever = weld(part(union(neck, grip), "handle", finish, grasp=hold), *seen)
-    return weld(part(rose, "handle", finish), *caps), lever
+            grip = ag.board((x - 0.008, x + 0.008), (out - 0.005, out + 0.005), (low + 0.0145, z - 0.0015))
+            end = ag.box(0.0156, 0.0067, 0.0070).at(x, out - side * 0.01235, low + 0.0045)
+            bend = ag.board(
+                (x - 0.0078, x + 0.0078), (out - 0.005, out + 0.005), (low + 0.0145, low + 0.0155)
+            )
+            seen.append(ag.part(ag.hull(bend, end), "handle", finish))
+    hold = ag.grasp_on(grip, approach=(0.0, -side, 0.0), closing=ag.X, at=(x, out, z - 0.62 * length))
+    lever = ag.weld(ag.part(ag.union(neck, grip), "handle", finish, grasp=hold), *seen)
+    return ag.weld(ag.part(rose, "handle", finish), *caps), lever
 
 
-def _octagonal(wide: float, deep: float, tall: float, *, cut: float) -> Solid:
+def _octagonal(wide: float, deep: float, tall: float, *, cut: float) -> ag.Solid:
     """Make an upright bar about the origin whose edges are cut off."""
     x, y = wide / 2.0, deep / 2.0
     right = [(x, cut - y), (x, y - cut), (x - cut, y)]
     corners = [(x - cut, -y), *right, *((-a, -b) for a, b in [(x - cut, -y), *right])]
-    return extrude(polygon(corners), tall)
+    return ag.extrude(ag.polygon(corners), tall)
 
 
-def bow_pull(*, length: Scalar, girth: float, finish: Material, name: str) -> Body:
+def bow_pull(*, length: ag.Scalar, girth: float, finish: ag.Material, name: str) -> ag.Body:
     """Make an upright bow on the face y = 0, standing out to -y, with round flanges under its ends."""
-    bow: Body = bar_pull(
+    bow: ag.Body = bar_pull(
         finish=finish, name=name, level=False, style="bow", length=length, projection=0.034, girth=girth
     )
-    flange = cylinder(girth + 0.004, 0.005, axis=Y, bevel=0.0012)
+    flange = ag.cylinder(girth + 0.004, 0.005, axis=ag.Y, bevel=0.0012)
     ends = [(0.0, -0.002, end * (length / 2.0 - girth)) for end in (-1, 1)]
-    return weld(bow, detail(array(flange, at=ends), "handle", finish))
+    return ag.weld(bow, ag.detail(ag.array(flange, at=ends), "handle", finish))
 
 
-def swings_out(arm: Scalar, back: Scalar, past: Scalar) -> Scalar:
+def swings_out(arm: ag.Scalar, back: ag.Scalar, past: ag.Scalar) -> ag.Scalar:
     """Return how far from the axis of a sash a corner comes before it has passed something beside it [m]."""
     return past * (back - past / 2.0) / arm
 
@@ -188,46 +171,54 @@ def swings_out(arm: Scalar, back: Scalar, past: Scalar) -> Scalar:
 class CamLock(NamedTuple):
     """Cams in the edge of a sash, which a lever slides behind keeps on the frame."""
 
-    rod: Body  # what slides: the link `bolt`
-    keeps: Body  # to be welded to the frame
-    slide: Joint  # the joint of the rod
-    passed: Float | Scalar  # angle of the pane at which the cams are out of the keeps' way [rad]
-    nears: Scalar  # how far a rod swings towards the keeps until it has passed them [m]
+    rod: ag.Body  # what slides: the link `bolt`
+    keeps: ag.Body  # to be welded to the frame
+    slide: ag.Joint  # the joint of the rod
+    passed: ag.Float | ag.Scalar  # angle of the pane at which the cams are out of the keeps' way [rad]
+    nears: ag.Scalar  # how far a rod swings towards the keeps until it has passed them [m]
     room: float  # from the rod to the keeps [m]
 
 
 def cam_lock(
-    turn: Joint, pin: Pin, width: Scalar, level: Scalar, reach: Scalar, *, name: str, finish: Material
+    turn: ag.Joint,
+    pin: Pin,
+    width: ag.Scalar,
+    level: ag.Scalar,
+    reach: ag.Scalar,
+    *,
+    name: str,
+    finish: ag.Material,
 ) -> CamLock:
     """Make cams at the lock edge of a sash, in the groove between it and the frame."""
     edge = width / 2.0 - REBATE
     middle = 0.029  # of the cams, in depth [m]
     deep, tall = _CAM
     out = REBATE - 0.0034
-    cam = box_between(
+    cam = ag.box_between(
         (edge + _EDGE_GAP, middle - deep / 2.0, -tall / 2.0),
         (edge + out, middle + deep / 2.0, tall / 2.0),
         bevel=0.0012,
     )
     wide, thick = 0.006, _EDGE_GAP + 0.0022
-    rail = box_between(
+    rail = ag.box_between(
         (edge + _EDGE_GAP, middle - wide, level - reach - 0.012),
         (edge + thick, middle + wide, level + reach + 0.012),
     )
     heights = [level - reach, level + reach]
-    rod = part(union(rail, *(cam.at(0.0, 0.0, z) for z in heights)), "lock", finish, name="bolt")
+    rod = ag.part(ag.union(rail, *(cam.at(0.0, 0.0, z) for z in heights)), "lock", finish, name="bolt")
     front = middle - deep / 2.0 - _PLAY
-    keep = box_between(
+    keep = ag.box_between(
         (width / 2.0 - _KEEP_OUT, front - _KEEP[0], -_KEEP[1] / 2.0),
         (width / 2.0 + 0.001, front, _KEEP[1] / 2.0),
         bevel=_KEEP_BEVEL,
     )
-    plate = box(0.0012, 0.024, 0.046, bevel=0.0004).at(width / 2.0 - 0.0005, middle - 0.004, 0.0)
+    plate = ag.box(0.0012, 0.024, 0.046, bevel=0.0004).at(width / 2.0 - 0.0005, middle - 0.004, 0.0)
     places = [(0.0, 0.0, z) for z in heights]
-    keeps = weld(
-        part(array(keep, at=places), "keep", finish), detail(array(plate, at=places), "keep", finish)
+    keeps = ag.weld(
+        ag.part(ag.array(keep, at=places), "keep", finish),
+        ag.detail(ag.array(plate, at=places), "keep", finish),
     )
-    slide = Prismatic(name, axis=Z, follows=(_TRAVEL / QUARTER) * turn, damping=2.0)
+    slide = ag.Prismatic(name, axis=ag.Z, follows=(_TRAVEL / QUARTER) * turn, damping=2.0)
     # until the back of the cam has passed the front of the keep
     passed = 1.05 * (deep + _PLAY + _KEEP[0] + 0.003) / (edge - pin.x)
     past = middle + wide - (front - _KEEP[0] + _KEEP_BEVEL)

@@ -10,24 +10,7 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import Literal
 
-from artgen import (
-    Body,
-    Float,
-    Joint,
-    Material,
-    Revolute,
-    Scalar,
-    X,
-    Y,
-    Z,
-    atan2,
-    cos,
-    min_,
-    require,
-    sin,
-    sqrt,
-    weld,
-)
+import artgen as ag
 from artgen.categories.window.frame import (
     cells,
     rebated_frame,
@@ -77,24 +60,24 @@ _LOCK_MEETS = (
 class Draft:
     """What every window has."""
 
-    width: Float  # of the opening in the frame [m]
-    height: Float  # [m]
+    width: ag.Float  # of the opening in the frame [m]
+    height: ag.Float  # [m]
     section: Section  # of the system
     glazing: Glazing  # what fills the sashes
-    finish: Material  # of the frame
-    metal: Material  # of levers, locks and hinges
-    friction: Float  # of the gear or detent of a lock [N m; N for a latch]
+    finish: ag.Material  # of the frame
+    metal: ag.Material  # of levers, locks and hinges
+    friction: ag.Float  # of the gear or detent of a lock [N m; N for a latch]
 
 
 @dataclass(frozen=True)
 class Swing:
     """How hinged sashes hang."""
 
-    limit: Float  # how far they open [rad]
-    friction: Float  # of the hinges of a casement [N m]
-    damping: Float  # [N m s/rad]
+    limit: ag.Float  # how far they open [rad]
+    friction: ag.Float  # of the hinges of a casement [N m]
+    damping: ag.Float  # [N m s/rad]
     lever: LeverStyle  # style of the lever
-    length: Float  # of the lever [m]
+    length: ag.Float  # of the lever [m]
     turn: float  # how far it turns [rad]
     stay: Literal["friction", "none"]  # what holds an awning: a friction stay, or nothing
     # whether hinges and stops have mass and collide; those of many leaves only are seen, since simulators
@@ -103,38 +86,40 @@ class Swing:
 
 
 def casement(
-    draft: Draft, swing: Swing, hands: tuple[int, ...], rows: Sequence[Scalar], *, inward: bool
-) -> Body:
+    draft: Draft, swing: Swing, hands: tuple[int, ...], rows: Sequence[ag.Scalar], *, inward: bool
+) -> ag.Body:
     """Make casements beside and above each other, hung at their sides."""
     places = cells(draft.width, draft.height, len(hands), rows)
     body = rebated_frame(draft.width, draft.height, places, draft.section, draft.finish, solid=swing.solid)
     for number, cell in enumerate(places):
         hung = _Hung(draft, swing, cell.width, cell.height, inward).body()
-        hung = hung.mirror(X) if hands[cell.column] < 0 else hung
+        hung = hung.mirror(ag.X) if hands[cell.column] < 0 else hung
         hung = hung.suffixed(f"_{number}") if len(places) > 1 else hung
-        body = weld(body, hung.at(cell.x, 0.0, cell.z))
+        body = ag.weld(body, hung.at(cell.x, 0.0, cell.z))
     if inward:
         for left, right in pairwise(places[: len(hands)]):
             if hands[left.column] < hands[right.column]:  # both hang on what is between them
                 pin = Pin.beside(left.width, draft.section).x
                 reach = left.width / 2.0 - _seen(draft.section, inward=True) / 2.0 - pin - swing.length
                 out = LEVER_OUT + draft.section.lip / 2.0
-                tip = out * sin(swing.limit) - reach * cos(swing.limit)  # past the axis, once turned to it
+                tip = out * ag.sin(swing.limit) - reach * ag.cos(
+                    swing.limit
+                )  # past the axis, once turned to it
                 body = body.require(tip <= (right.x - left.x) / 2.0 + pin - 0.001, _LEVERS_MEET)
-    return body.mirror(Y) if inward else body
+    return body.mirror(ag.Y) if inward else body
 
 
-def awning(draft: Draft, swing: Swing) -> Body:
+def awning(draft: Draft, swing: Swing) -> ag.Body:
     """Make one sash that hangs at its top and opens to the outside."""
     places = cells(draft.width, draft.height, 1, (1.0,))
     body = rebated_frame(draft.width, draft.height, places, draft.section, draft.finish, solid=swing.solid)
     glazing = replace(draft.glazing, columns=draft.glazing.rows, rows=draft.glazing.columns)
     # a casement laid on its side: its hinges at the left come to the top
     hung = _Hung(replace(draft, glazing=glazing), swing, draft.height, draft.width, False, falls=True)
-    return weld(body, hung.body().rotate(Y, math.pi / 2.0))
+    return ag.weld(body, hung.body().rotate(ag.Y, math.pi / 2.0))
 
 
-def _seen(section: Section, *, inward: bool) -> Scalar:
+def _seen(section: Section, *, inward: bool) -> ag.Scalar:
     """Return how wide the lock stile is that a lever is in the middle of [m]."""
     return REBATE + section.sash + (0.0 if inward else STOP)
 
@@ -145,16 +130,16 @@ class _Hung:
 
     draft: Draft  # what every window has
     swing: Swing  # how it hangs
-    width: Scalar  # of the opening [m]
-    height: Scalar  # [m]
+    width: ag.Scalar  # of the opening [m]
+    height: ag.Scalar  # [m]
     inward: bool  # whether its lever is in front, where it opens to, or at its back
     falls: bool = False  # whether its hinges are to be level
 
-    def body(self) -> Body:
+    def body(self) -> ag.Body:
         """Make what belongs to the frame, with the sash on it."""
         draft, swing, section, metal = self.draft, self.swing, self.draft.section, self.draft.metal
         pin = Pin.beside(self.width, section)
-        tall = require(self.height, self.height > (_HINGED if swing.solid else _LOCKED), _TOO_SHORT)
+        tall = ag.require(self.height, self.height > (_HINGED if swing.solid else _LOCKED), _TOO_SHORT)
         low, high = -tall / 2.0 + 0.11, tall / 2.0 - 0.11
         on_frame, on_sash = barrel_hinges(
             pin,
@@ -173,13 +158,13 @@ class _Hung:
         )
         turn = lever_turn("handle_turn", pivot=at, limit=swing.turn, friction=draft.friction)
         lock = cam_lock(
-            turn, pin, self.width, 0.0, min_(0.30, tall / 2.0 - 0.09), name="bolt_slide", finish=metal
+            turn, pin, self.width, 0.0, ag.min_(0.30, tall / 2.0 - 0.09), name="bolt_slide", finish=metal
         )
         sash = lipped_sash(self.width, tall, section, draft.glazing)
-        sash = weld(sash, on_sash, rose).attach(lever, turn).attach(lock.rod, lock.slide)
+        sash = ag.weld(sash, on_sash, rose).attach(lever, turn).attach(lock.rod, lock.slide)
         hinge = self._falling(sash, pin, turn, lock) if self.falls else self._upright(pin, turn, lock)
         thick = section.depth + SEALED + section.lip / 2.0  # behind the axis
-        body = weld(on_frame, lock.keeps).attach(sash, hinge)
+        body = ag.weld(on_frame, lock.keeps).attach(sash, hinge)
         if not self.inward:
             body = self._lever_passes(body, at[0], tall)
         body = body.require(lock.nears < lock.room - 0.0001, _LOCK_MEETS)
@@ -188,7 +173,7 @@ class _Hung:
             "the far edge of the sash would strike the frame",
         )
 
-    def _lever_passes(self, body: Body, x: Scalar, tall: Scalar) -> Body:
+    def _lever_passes(self, body: ag.Body, x: ag.Scalar, tall: ag.Scalar) -> ag.Body:
         """Demand that the lever at `x`, behind a sash so tall, passes the opening of the frame with it."""
         swing, section = self.swing, self.draft.section
         pin = Pin.beside(self.width, section)
@@ -199,26 +184,28 @@ class _Hung:
         nears = swings_out(edge - pin.x, behind - pin.y, behind - section.stop)
         return body.require(nears < self.width / 2.0 - stop - edge - 0.0002, _LEVER_NEAR)
 
-    def _upright(self, pin: Pin, turn: Joint, lock: CamLock) -> Joint:
+    def _upright(self, pin: Pin, turn: ag.Joint, lock: CamLock) -> ag.Joint:
         swing = self.swing
         return self._joint(pin, turn, lock, swing.limit, swing.friction)
 
-    def _falling(self, sash: Body, pin: Pin, turn: Joint, lock: CamLock) -> Joint:
+    def _falling(self, sash: ag.Body, pin: Pin, turn: ag.Joint, lock: CamLock) -> ag.Joint:
         """Make a level hinge, which a hand lifts: a friction stay holds the sash, or it falls shut."""
         swing, weight = self.swing, _GRAVITY * sash.mass()
         arm = sash.center_of_mass().x - pin.x
         holds = swing.stay == "friction"
         # a hand at the lever lifts the weight, and overcomes the friction that holds it
         most = _LIFTS * (self.width - 0.05) / (weight * arm * (1.0 + _HOLDS if holds else 1.0))
-        sine = min_(most, 0.97)
-        limit = min_(swing.limit, atan2(sine, sqrt(1.0 - sine * sine)))
-        friction = _HOLDS * weight * arm * sin(limit) if holds else 0.15
+        sine = ag.min_(most, 0.97)
+        limit = ag.min_(swing.limit, ag.atan2(sine, ag.sqrt(1.0 - sine * sine)))
+        friction = _HOLDS * weight * arm * ag.sin(limit) if holds else 0.15
         return self._joint(pin, turn, lock, limit, friction)
 
-    def _joint(self, pin: Pin, turn: Joint, lock: CamLock, limit: Scalar, friction: Scalar) -> Joint:
-        return Revolute(
+    def _joint(
+        self, pin: Pin, turn: ag.Joint, lock: CamLock, limit: ag.Scalar, friction: ag.Scalar
+    ) -> ag.Joint:
+        return ag.Revolute(
             "pane_hinge",
-            axis=-Z,
+            axis=-ag.Z,
             pivot=(pin.x, pin.y, 0.0),
             limits=(0.0, limit),
             friction=friction,

@@ -9,24 +9,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal, NamedTuple
 
-from artgen import (
-    Body,
-    Frame,
-    Material,
-    Profile,
-    Scalar,
-    Solid,
-    X,
-    Z,
-    box_between,
-    colored,
-    detail,
-    material,
-    part,
-    polyline,
-    sweep,
-    weld,
-)
+import artgen as ag
 from artgen.categories.shared.finish import OUTDOORS, known, paints, weighing
 
 Kind = Literal["wood", "pvc", "aluminium"]
@@ -78,7 +61,7 @@ STOP = 0.018
 """How far stops stand out into an opening [m]."""
 
 
-def _hollow(made: Material, density: float) -> Material:
+def _hollow(made: ag.Material, density: float) -> ag.Material:
     """Return a profile with chambers: 2.0-2.4 kg/m of PVC with steel in it, 1.7 kg/m of aluminium."""
     return made.with_(name=f"{made.name}_profile", density=density)
 
@@ -91,7 +74,8 @@ WOODS = (*_TIMBER, *paints(500.0, "window_paint"))
 WOOD_WEIGHTS = (*(1.6,) * len(_TIMBER), *(0.7 * each for each in OUTDOORS))
 
 PLASTICS = tuple(
-    _hollow(colored("abs", color), 560.0) for color in ("white", "cream", "anthracite", "light_grey", "brown")
+    _hollow(ag.colored("abs", color), 560.0)
+    for color in ("white", "cream", "anthracite", "light_grey", "brown")
 )
 """White PVC, and PVC under a colored foil."""
 
@@ -99,17 +83,19 @@ PLASTIC_WEIGHTS = (4.0, 1.0, 1.6, 0.8, 1.0)
 
 METALS = (
     *(
-        _hollow(colored("powder_coat", c), 640.0)
+        _hollow(ag.colored("powder_coat", c), 640.0)
         for c in ("anthracite", "black", "white", "slate", "forest", "burgundy")
     ),
-    _hollow(material("brushed_aluminium"), 640.0),
-    _hollow(material("aged_bronze"), 640.0),
+    _hollow(ag.material("brushed_aluminium"), 640.0),
+    _hollow(ag.material("aged_bronze"), 640.0),
 )
 """Aluminium, coated or anodised."""
 
 METAL_WEIGHTS = (4.0, 2.0, 1.5, 1.0, 0.5, 0.3, 1.5, 0.7)
 
-_SHEETS = tuple(_hollow(colored("powder_coat", color), 640.0) for color in ("silver", "white", "anthracite"))
+_SHEETS = tuple(
+    _hollow(ag.colored("powder_coat", color), 640.0) for color in ("silver", "white", "anthracite")
+)
 
 SILLS = (*weighing(known("granite", "marble"), 2700.0, "sill"), *_SHEETS)
 """Stone, and folded sheet."""
@@ -117,21 +103,21 @@ SILLS = (*weighing(known("granite", "marble"), 2700.0, "sill"), *_SHEETS)
 SILL_WEIGHTS = (1.0, 0.7, 1.2, 1.5, 1.0)
 
 
-def ring_along(section: Profile, width: Scalar, height: Scalar) -> Solid:
+def ring_along(section: ag.Profile, width: ag.Scalar, height: ag.Scalar) -> ag.Solid:
     """Draw a section around a rectangle about the origin, mitred at its corners."""
     x, z = width / 2.0, height / 2.0
-    course = polyline([(-x, -z, 0.0), (x, -z, 0.0), (x, z, 0.0), (-x, z, 0.0)], closed=True)
+    course = ag.polyline([(-x, -z, 0.0), (x, -z, 0.0), (x, z, 0.0), (-x, z, 0.0)], closed=True)
     # swept on the floor, where the section's y is up, then stood up: up becomes the front
-    return sweep(section, course).rotate(X, math.pi / 2.0)
+    return ag.sweep(section, course).rotate(ag.X, math.pi / 2.0)
 
 
 class Rect(NamedTuple):
     """A rectangle of a section, from the edge of a ring to its middle, and from the back to the front [m]."""
 
-    outer: Scalar
-    inner: Scalar
-    back: Scalar
-    front: Scalar
+    outer: ag.Scalar
+    inner: ag.Scalar
+    back: ag.Scalar
+    front: ag.Scalar
 
 
 _THINNER = 0.0001  # [m]
@@ -143,17 +129,17 @@ def under(eased: float) -> float:
 
 
 def ring_of(
-    section: Profile,
+    section: ag.Profile,
     filled: Sequence[Rect],
-    width: Scalar,
-    height: Scalar,
+    width: ag.Scalar,
+    height: ag.Scalar,
     label: str,
-    finish: Material,
+    finish: ag.Material,
     *,
     eased: float,
     name: str | None = None,
-    push: Frame | None = None,
-) -> Body:
+    push: ag.Frame | None = None,
+) -> ag.Body:
     """Make a mitred ring to be seen, over boards just under its surface that weigh and collide as boxes."""
     inside = under(eased)
     boards = []
@@ -162,13 +148,13 @@ def ring_of(
         back, front = -rect.back - inside, -rect.front + inside
         x, z = width / 2.0, height / 2.0
         # rails stand between the stiles, a little thinner: boards must not share corners
-        stile = box_between((outer - x, front, outer - z), (inner - x, back, z - outer))
-        rail = box_between(
+        stile = ag.box_between((outer - x, front, outer - z), (inner - x, back, z - outer))
+        rail = ag.box_between(
             (inner - x + SEAM, front + _THINNER, outer - z + _THINNER),
             (x - inner - SEAM, back - _THINNER, inner - z),
         )
-        boards += [stile, stile.mirror(X), rail.mirror(Z), rail]
-    first = part(boards[0], label, finish, name=name)
-    rest = [part(board, label, finish) for board in boards[1:-1]]
-    last = part(boards[-1], label, finish, push=() if push is None else push)
-    return weld(first, *rest, last, detail(ring_along(section, width, height), label, finish))
+        boards += [stile, stile.mirror(ag.X), rail.mirror(ag.Z), rail]
+    first = ag.part(boards[0], label, finish, name=name)
+    rest = [ag.part(board, label, finish) for board in boards[1:-1]]
+    last = ag.part(boards[-1], label, finish, push=() if push is None else push)
+    return ag.weld(first, *rest, last, ag.detail(ring_along(section, width, height), label, finish))

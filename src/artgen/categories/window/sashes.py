@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from artgen import Body, Frame, Material, Scalar, polygon, rectangle, weld
+import artgen as ag
 from artgen.categories.shared.furniture.infill import Opening, panes_in
 from artgen.categories.window.plan import LIP, REBATE, SEALED, Rect, Section, ring_of
 
@@ -16,13 +16,13 @@ _SHEET = 0.004  # thickness of a sheet of glass [m]
 class Glazing:
     """What fills sashes."""
 
-    glass: Material  # its looks
+    glass: ag.Material  # its looks
     sheets: int  # 2 for insulating glass, 1 for a single sheet
     columns: int  # bars that stand upright on it
     rows: int  # bars that lie across it
-    finish: Material  # of the ring, the beads and the bars
+    finish: ag.Material  # of the ring, the beads and the bars
 
-    def within(self, width: Scalar, height: Scalar, thickness: Scalar) -> list[Body]:
+    def within(self, width: ag.Scalar, height: ag.Scalar, thickness: ag.Scalar) -> list[ag.Body]:
         """Fill a ring about the origin, whose middle plane is y = 0."""
         heavy = self.glass.density * _SHEET * self.sheets / PANE
         glass = self.glass.with_(name=f"{self.glass.name}_{self.sheets}_sheets", density=heavy)
@@ -31,13 +31,13 @@ class Glazing:
 
 
 def lipped_sash(
-    width: Scalar,
-    height: Scalar,
+    width: ag.Scalar,
+    height: ag.Scalar,
     section: Section,
     glazing: Glazing,
     *,
-    push: Frame | None = None,
-) -> Body:
+    push: ag.Frame | None = None,
+) -> ag.Body:
     """Make a sash that closes an opening about the origin: its lip stands in front of the frame at y = 0."""
     face, front = section.sash, SEALED + section.lip
     over = REBATE + LIP
@@ -60,7 +60,7 @@ def lipped_sash(
     thick = section.depth + front
     middle = (section.depth - front) / 2.0
     ring = ring_of(
-        polygon(outline, radius=section.eased),
+        ag.polygon(outline, radius=section.eased),
         filled,
         wide,
         high,
@@ -70,21 +70,21 @@ def lipped_sash(
         push=push,
     )
     panes = glazing.within(wide - 2.0 * face, high - 2.0 * face, thick)
-    return weld(ring, *(each.at(0.0, middle, 0.0) for each in panes))
+    return ag.weld(ring, *(each.at(0.0, middle, 0.0) for each in panes))
 
 
 def plain_sash(
-    width: Scalar,
-    height: Scalar,
+    width: ag.Scalar,
+    height: ag.Scalar,
     section: Section,
     glazing: Glazing,
     *,
-    push: Frame | None = None,
-) -> Body:
+    push: ag.Frame | None = None,
+) -> ag.Body:
     """Make a sash that slides in its track, about the origin."""
     face, half = slide_face(section), section.slide / 2.0
     ring = ring_of(
-        rectangle(face, section.slide, radius=section.eased).at(face / 2.0),
+        ag.rectangle(face, section.slide, radius=section.eased).at(face / 2.0),
         [Rect(0.0, face, -half, half)],
         width,
         height,
@@ -93,7 +93,7 @@ def plain_sash(
         eased=section.eased,
         push=push,
     )
-    return weld(ring, *glazing.within(width - 2.0 * face, height - 2.0 * face, section.slide))
+    return ag.weld(ring, *glazing.within(width - 2.0 * face, height - 2.0 * face, section.slide))
 
 
 def slide_face(section: Section) -> float:

@@ -7,30 +7,8 @@ import math
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
-from artgen import (
-    Body,
-    Joint,
-    Material,
-    Prismatic,
-    Revolute,
-    Scalar,
-    X,
-    Y,
-    Z,
-    array,
-    box,
-    box_between,
-    cylinder_between,
-    details,
-    frame,
-    grasp_on,
-    hull,
-    min_,
-    part,
-    require,
-    union,
-    weld,
-)
+import artgen as ag
+from artgen import details
 from artgen.categories.window.frame import TRACK, Tracks, tracked_frame
 from artgen.categories.window.hardware import bow_pull
 from artgen.categories.window.kinds import Draft
@@ -44,46 +22,52 @@ LATCH_TOP = 0.044
 class SashLock(NamedTuple):
     """A cam on the lower meeting rail that turns under a keeper on the upper one."""
 
-    base: Body  # to be welded to the lower sash
-    cam: Body  # what turns: the link `lock`
-    keeper: Body  # to be welded to the upper sash
-    turn: Joint  # the joint of the cam
+    base: ag.Body  # to be welded to the lower sash
+    cam: ag.Body  # what turns: the link `lock`
+    keeper: ag.Body  # to be welded to the upper sash
+    turn: ag.Joint  # the joint of the cam
     free: float  # where the cam has left the upper sash [rad]
 
 
 def sash_lock(
-    x: Scalar, lower: Scalar, upper: Scalar, top: Scalar, *, friction: Scalar, finish: Material
+    x: ag.Scalar,
+    lower: ag.Scalar,
+    upper: ag.Scalar,
+    top: ag.Scalar,
+    *,
+    friction: ag.Scalar,
+    finish: ag.Material,
 ) -> SashLock:
     """Make the lock of a double-hung window."""
     axis = lower + 0.015
-    base = hull(
-        box(0.056, 0.024, 0.004, bevel=0.0015).at(x, axis + 0.001, top + 0.0015),
-        box(0.030, 0.018, 0.004, bevel=0.0015).at(x, axis, top + 0.0105),
+    base = ag.hull(
+        ag.box(0.056, 0.024, 0.004, bevel=0.0015).at(x, axis + 0.001, top + 0.0015),
+        ag.box(0.030, 0.018, 0.004, bevel=0.0015).at(x, axis, top + 0.0105),
     )
     screws = [
         details.screw(
-            0.0028, (x + side * 0.0235, axis, top + 0.0042), facing=Z, material=finish, label="screw"
+            0.0028, (x + side * 0.0235, axis, top + 0.0042), facing=ag.Z, material=finish, label="screw"
         )
         for side in (-1, 1)
     ]
-    hub = cylinder_between((x, axis, top + 0.0129), (x, axis, top + 0.0335), 0.0085, bevel=0.001)
+    hub = ag.cylinder_between((x, axis, top + 0.0129), (x, axis, top + 0.0335), 0.0085, bevel=0.001)
     tip = upper - 0.0033  # bars on the glass begin 4 mm behind that face
-    tongue = hull(
-        box_between((x - 0.007, axis - 0.002, top + 0.0145), (x + 0.007, axis, top + 0.0195)),
-        box_between((x - 0.004, tip, top + 0.0145), (x + 0.004, tip + 0.004, top + 0.0195)),
+    tongue = ag.hull(
+        ag.box_between((x - 0.007, axis - 0.002, top + 0.0145), (x + 0.007, axis, top + 0.0195)),
+        ag.box_between((x - 0.004, tip, top + 0.0145), (x + 0.004, tip + 0.004, top + 0.0195)),
     )
-    arm = box(0.052, 0.011, 0.0055, bevel=0.0022).at(x - 0.026, axis, top + 0.0305)
-    hold = grasp_on(arm, approach=(0.0, -1.0, 0.0), closing=Z, at=(x - 0.040, axis, top + 0.0305))
-    cam = part(union(hub, tongue, arm), "lock", finish, name="lock", grasp=hold)
-    wall = box_between(
+    arm = ag.box(0.052, 0.011, 0.0055, bevel=0.0022).at(x - 0.026, axis, top + 0.0305)
+    hold = ag.grasp_on(arm, approach=(0.0, -1.0, 0.0), closing=ag.Z, at=(x - 0.040, axis, top + 0.0305))
+    cam = ag.part(ag.union(hub, tongue, arm), "lock", finish, name="lock", grasp=hold)
+    wall = ag.box_between(
         (x - 0.020, upper - 0.0135, top - 0.0005), (x + 0.020, upper - 0.0098, top + 0.0262), bevel=0.0008
     )
-    roof = box_between(
+    roof = ag.box_between(
         (x - 0.020, upper - 0.0135, top + 0.0212), (x + 0.020, upper - 0.0006, top + 0.0262), bevel=0.0012
     )
-    turn = Revolute(
+    turn = ag.Revolute(
         "lock_turn",
-        axis=-Z,  # takes the lever from the left over the room to the right
+        axis=-ag.Z,  # takes the lever from the left over the room to the right
         pivot=(x, axis, top),
         limits=(0.0, math.pi),
         friction=friction,
@@ -92,82 +76,89 @@ def sash_lock(
         effort=5.0,
     )
     return SashLock(
-        weld(part(base, "lock", finish), *screws), cam, part(union(wall, roof), "keep", finish), turn, 1.35
+        ag.weld(ag.part(base, "lock", finish), *screws),
+        cam,
+        ag.part(ag.union(wall, roof), "keep", finish),
+        turn,
+        1.35,
     )
 
 
-def sash_lifts(places: list[Scalar], face: Scalar, z: Scalar, finish: Material) -> Body:
+def sash_lifts(places: list[ag.Scalar], face: ag.Scalar, z: ag.Scalar, finish: ag.Material) -> ag.Body:
     """Make hook lifts on the bottom rail of a sash whose face looks to +y."""
-    plate = box(0.054, 0.0035, 0.026, bevel=0.0014).at(0.0, face + 0.0012, z)
-    hook = box_between((-0.023, face + 0.001, z + 0.001), (0.023, face + 0.020, z + 0.0065), bevel=0.0022)
-    lip = box_between((-0.023, face + 0.016, z + 0.001), (0.023, face + 0.020, z + 0.0125), bevel=0.0018)
-    lift = union(plate, hook, lip)
+    plate = ag.box(0.054, 0.0035, 0.026, bevel=0.0014).at(0.0, face + 0.0012, z)
+    hook = ag.box_between((-0.023, face + 0.001, z + 0.001), (0.023, face + 0.020, z + 0.0065), bevel=0.0022)
+    lip = ag.box_between((-0.023, face + 0.016, z + 0.001), (0.023, face + 0.020, z + 0.0125), bevel=0.0018)
+    lift = ag.union(plate, hook, lip)
     holds = [
-        grasp_on(hook.at(x, 0.0, 0.0), approach=(0.0, -1.0, 0.0), closing=X, depth=0.0145) for x in places
+        ag.grasp_on(hook.at(x, 0.0, 0.0), approach=(0.0, -1.0, 0.0), closing=ag.X, depth=0.0145)
+        for x in places
     ]
     screws = [
         details.screw(
-            0.0026, (x + side * 0.018, face + 0.0029, z - 0.006), facing=Y, material=finish, label="screw"
+            0.0026, (x + side * 0.018, face + 0.0029, z - 0.006), facing=ag.Y, material=finish, label="screw"
         )
         for x in places
         for side in (-1, 1)
     ]
-    return weld(part(array(lift, at=[(x, 0.0, 0.0) for x in places]), "handle", finish, grasp=holds), *screws)
+    return ag.weld(
+        ag.part(ag.array(lift, at=[(x, 0.0, 0.0) for x in places]), "handle", finish, grasp=holds), *screws
+    )
 
 
 class Latch(NamedTuple):
     """A latch on the stile of a sliding sash that drops behind a keep on the frame."""
 
-    case: Body  # to be welded to the sash
-    slider: Body  # what is lifted: the link `lock`
-    keep: Body  # to be welded to the frame
-    slide: Joint  # the joint of the slider
+    case: ag.Body  # to be welded to the sash
+    slider: ag.Body  # what is lifted: the link `lock`
+    keep: ag.Body  # to be welded to the frame
+    slide: ag.Joint  # the joint of the slider
     free: float  # height at which it clears the keep [m]
     passed: float  # way of the sash at which it has passed the keep [m]
 
 
 def sliding_latch(
-    at: tuple[Scalar, Scalar, Scalar],
-    floor: Scalar,
+    at: tuple[ag.Scalar, ag.Scalar, ag.Scalar],
+    floor: ag.Scalar,
     way: int,
     *,
     name: str,
-    friction: Scalar,
-    finish: Material,
+    friction: ag.Scalar,
+    finish: ag.Material,
 ) -> Latch:
     """Make a latch on the face of a sash that looks to +y."""
     x, face, z = at
     tall, wide = 0.014, 0.010  # of the keep, and of what drops beside it [m]
     bottom = floor + 0.0015
-    slider = box_between(
+    slider = ag.box_between(
         (x - wide / 2.0, face + 0.003, bottom), (x + wide / 2.0, face + 0.0105, z + 0.020), bevel=0.001
     )
-    nub = box_between(
+    nub = ag.box_between(
         (x - 0.009, face + 0.0092, z - 0.008), (x + 0.009, face + 0.026, z + 0.008), bevel=0.003
     )
-    hold = grasp_on(nub, approach=(0.0, -1.0, 0.0), closing=X, depth=0.013)
-    body = part(union(slider, nub), "lock", finish, name="lock", grasp=hold)
+    hold = ag.grasp_on(nub, approach=(0.0, -1.0, 0.0), closing=ag.X, depth=0.013)
+    body = ag.part(ag.union(slider, nub), "lock", finish, name="lock", grasp=hold)
     # the slider runs between two cheeks on a plate
     low, high = floor + 0.0185 + 0.004, z + LATCH_TOP
-    plate = box_between((x - 0.013, face - 0.0005, low), (x + 0.013, face + 0.0024, high), bevel=0.0008)
+    plate = ag.box_between((x - 0.013, face - 0.0005, low), (x + 0.013, face + 0.0024, high), bevel=0.0008)
     cheeks = [
-        box_between(
+        ag.box_between(
             (x + side * 0.0095 - 0.0035, face, low),
             (x + side * 0.0095 + 0.0035, face + 0.0085, high),
             bevel=0.0015,
         )
         for side in (-1, 1)
     ]
-    keep = box_between(
+    keep = ag.box_between(
         (x + way * (wide / 2.0 + 0.0012 + 0.005) - 0.005, face + 0.0040, floor - 0.0005),
         (x + way * (wide / 2.0 + 0.0012 + 0.005) + 0.005, face + 0.0125, floor + tall),
         bevel=0.0012,
     )
-    slide = Prismatic(
-        name, axis=Z, limits=(0.0, 0.018), friction=friction, damping=1.0, armature=0.02, effort=30.0
+    slide = ag.Prismatic(
+        name, axis=ag.Z, limits=(0.0, 0.018), friction=friction, damping=1.0, armature=0.02, effort=30.0
     )
-    case = weld(*(part(each, "lock", finish) for each in (plate, *cheeks)))
-    return Latch(case, body, part(keep, "keep", finish), slide, tall + 0.0015, 2.0 * wide + 0.006)
+    case = ag.weld(*(ag.part(each, "lock", finish) for each in (plate, *cheeks)))
+    return Latch(case, body, ag.part(keep, "keep", finish), slide, tall + 0.0015, 2.0 * wide + 0.006)
 
 
 _GRAVITY = 9.81  # [m/s^2]
@@ -182,16 +173,16 @@ _PULL_MEETS = (
 _MEETING = 0.002  # from the middle of a window to the edges of two sashes that meet there [m]
 
 
-def sliding(draft: Draft, panels: int, *, bar: Scalar, drag: Scalar) -> Body:
+def sliding(draft: Draft, panels: int, *, bar: ag.Scalar, drag: ag.Scalar) -> ag.Body:
     """Make sashes that slide past fixed ones: one of two, or the middle ones of four."""
     body = tracked_frame(draft.width, draft.height, draft.section, draft.finish, head=_STRIP)
     if panels == 2:
-        return weld(body, _sliding_pair(draft, draft.width, TRACK, bar, drag).at(-draft.width / 2.0))
+        return ag.weld(body, _sliding_pair(draft, draft.width, TRACK, bar, drag).at(-draft.width / 2.0))
     right = _sliding_pair(draft, draft.width / 2.0, _MEETING, bar, drag)
-    return weld(body, right.mirror(X).suffixed("_0"), right.suffixed("_1"))
+    return ag.weld(body, right.mirror(ag.X).suffixed("_0"), right.suffixed("_1"))
 
 
-def _sliding_pair(draft: Draft, long: Scalar, start: float, bar: Scalar, drag: Scalar) -> Body:
+def _sliding_pair(draft: Draft, long: ag.Scalar, start: float, bar: ag.Scalar, drag: ag.Scalar) -> ag.Body:
     """Make a sash in the inner track, from x = `start` on, and the fixed one that it slides past."""
     section, tracks = draft.section, Tracks.of(draft.section)
     face, high = slide_face(section), draft.height - 2.0 * TRACK
@@ -202,8 +193,8 @@ def _sliding_pair(draft: Draft, long: Scalar, start: float, bar: Scalar, drag: S
     floor = _STRIP - draft.height / 2.0
     pull = bow_pull(length=bar, girth=0.0052, finish=draft.metal, name="handle_front")
     level, lock = _level(bar, draft.height), floor + 0.048
-    level = require(level, level - bar / 2.0 - _ROOM > lock + LATCH_TOP, _PULL_MEETS)
-    pull = pull.rotate(Z, math.pi).at(stile, tracks.inner + section.slide / 2.0, level)
+    level = ag.require(level, level - bar / 2.0 - _ROOM > lock + LATCH_TOP, _PULL_MEETS)
+    pull = pull.rotate(ag.Z, math.pi).at(stile, tracks.inner + section.slide / 2.0, level)
     latch = sliding_latch(
         (stile, inside, lock),
         floor,
@@ -213,9 +204,9 @@ def _sliding_pair(draft: Draft, long: Scalar, start: float, bar: Scalar, drag: S
         finish=draft.metal,
     )
     sash = plain_sash(wide, high, section, draft.glazing).at(start + wide / 2.0, tracks.inner, 0.0)
-    slide = Prismatic(
+    slide = ag.Prismatic(
         "pane_slide",
-        axis=X,
+        axis=ag.X,
         limits=(0.0, middle - face / 2.0 - TRACK - 0.002),
         friction=drag,
         damping=8.0,
@@ -223,13 +214,13 @@ def _sliding_pair(draft: Draft, long: Scalar, start: float, bar: Scalar, drag: S
     )
     fixed = plain_sash(still, draft.height + 2.0 * _LET_IN, section, draft.glazing)
     fixed = fixed.at(long + _LET_IN - still / 2.0, tracks.outer, 0.0)
-    moving = weld(sash, pull, latch.case).attach(latch.slider, latch.slide)
-    return weld(latch.keep, fixed).attach(moving, slide)
+    moving = ag.weld(sash, pull, latch.case).attach(latch.slider, latch.slide)
+    return ag.weld(latch.keep, fixed).attach(moving, slide)
 
 
-def _level(bar: Scalar, height: Scalar) -> Scalar:
+def _level(bar: ag.Scalar, height: ag.Scalar) -> ag.Scalar:
     """Return where the middle of a pull is: it ends below the strip at the head of an opening [m]."""
-    return min_(0.06, height / 2.0 - _STRIP - _ROOM - bar / 2.0)
+    return ag.min_(0.06, height / 2.0 - _STRIP - _ROOM - bar / 2.0)
 
 
 @dataclass(frozen=True)
@@ -244,17 +235,17 @@ class _Passing:
         return slide_face(self.draft.section)
 
     @property
-    def wide(self) -> Scalar:
+    def wide(self) -> ag.Scalar:
         """Width of both [m]."""
         return self.draft.width - 2.0 * TRACK
 
     @property
-    def tall(self) -> Scalar:
+    def tall(self) -> ag.Scalar:
         """Height of both [m]."""
         return self.draft.height / 2.0 + self.face / 2.0 - TRACK
 
     @property
-    def way(self) -> Scalar:
+    def way(self) -> ag.Scalar:
         """How far each has room to slide [m]."""
         return self.draft.height / 2.0 - self.face / 2.0 - TRACK - 0.004
 
@@ -270,15 +261,15 @@ class _Passing:
         inner, outer = tracks.inner - half, tracks.outer + half
         return sash_lock(0.0, inner, outer, self.face / 2.0, friction=draft.friction, finish=draft.metal)
 
-    def inner(self, gear: Body, name: str) -> Body:
+    def inner(self, gear: ag.Body, name: str) -> ag.Body:
         """Make the inner sash with the lock, and `gear` in the axes of the sash's middle."""
         draft, lock, y = self.draft, self.lock, Tracks.of(self.draft.section).inner
         sash = plain_sash(self.wide, self.tall, draft.section, draft.glazing).at(0.0, y, 0.0)
         level = (self.tall - self.face) / 2.0
-        sash = weld(sash, gear).at(0.0, 0.0, -level).suffixed(name)
-        return weld(sash, lock.base).attach(lock.cam, lock.turn)
+        sash = ag.weld(sash, gear).at(0.0, 0.0, -level).suffixed(name)
+        return ag.weld(sash, lock.base).attach(lock.cam, lock.turn)
 
-    def outer(self, name: str) -> Body:
+    def outer(self, name: str) -> ag.Body:
         """Make the outer sash with the keeper of the lock.
 
         A finger on its meeting rail, beside the glass, pushes it.
@@ -289,20 +280,20 @@ class _Passing:
         beside = {0: 0.25, 1: 0.25, 2: 1.0 / 3.0}.get(draft.glazing.columns, 0.125)  # between two bars
         rail = self.face - self.tall / 2.0 - under(section.eased) - 0.00005
         at = (beside * (self.wide - 2.0 * self.face), section.slide / 2.0 - inset, rail)
-        press = frame(at, approach=-Z, closing=X)
+        press = ag.frame(at, approach=-ag.Z, closing=ag.X)
         sash = plain_sash(self.wide, self.tall, section, draft.glazing, push=press)
         sash = sash.at(0.0, y, (self.tall - self.face) / 2.0).suffixed(name)
-        return weld(sash, self.lock.keeper)
+        return ag.weld(sash, self.lock.keeper)
 
 
-def double_hung(draft: Draft, *, lifts: int, drag: Scalar) -> Body:
+def double_hung(draft: Draft, *, lifts: int, drag: ag.Scalar) -> ag.Body:
     """Make two sashes that slide up and down, each balanced by springs, with a lock where they meet.
 
     Block-and-tackle and constant-force balances carry the weight of a sash at every height; brushes hold
     what is left (ANSI/AAMA 902). A soft spring that is drawn far out has a nearly constant force.
     """
     pair = _Passing(draft)
-    places: list[Scalar] = [0.0] if lifts == 1 else [-0.26 * pair.wide, 0.26 * pair.wide]
+    places: list[ag.Scalar] = [0.0] if lifts == 1 else [-0.26 * pair.wide, 0.26 * pair.wide]
     gear = sash_lifts(places, pair.inside, 0.6 * pair.face - pair.tall / 2.0, draft.metal)
     lower, upper = pair.inner(gear, "_lower"), pair.outer("_upper")
     body = tracked_frame(draft.width, draft.height, draft.section, draft.finish, head=_STRIP)
@@ -312,7 +303,7 @@ def double_hung(draft: Draft, *, lifts: int, drag: Scalar) -> Body:
     return body.attach(lower, up).attach(upper, down)
 
 
-def sliding_both(draft: Draft, *, bar: Scalar, drag: Scalar) -> Body:
+def sliding_both(draft: Draft, *, bar: ag.Scalar, drag: ag.Scalar) -> ag.Body:
     """Make two sashes that both slide, the inner one from the left, with a lock where they meet."""
     glazing = replace(draft.glazing, columns=draft.glazing.rows, rows=draft.glazing.columns)
     # hung sashes laid on their side: what is below comes to the left
@@ -320,14 +311,14 @@ def sliding_both(draft: Draft, *, bar: Scalar, drag: Scalar) -> Body:
     pull = bow_pull(length=bar, girth=0.0052, finish=draft.metal, name="handle_front")
     stile = pair.face / 2.0 + 0.004 - pair.tall / 2.0  # in the middle of what the strip at the jamb leaves
     level = _level(bar, draft.height)
-    pull = pull.rotate(Z, math.pi).rotate(Y, -math.pi / 2.0).at(-level, pair.inside, stile)
+    pull = pull.rotate(ag.Z, math.pi).rotate(ag.Y, -math.pi / 2.0).at(-level, pair.inside, stile)
     body = tracked_frame(draft.height, draft.width, draft.section, draft.finish, head=_STRIP)
     sashes = (pair.inner(pull, "_0"), pair.outer("_1"))
     # the lock stays before the jamb
     for number, (sash, way, travel) in enumerate(
         zip(sashes, (1, -1), (pair.way - _LOCK, pair.way), strict=True)
     ):
-        slide = Prismatic(
+        slide = ag.Prismatic(
             f"pane_slide_{number}",
             axis=(0.0, 0.0, way),
             limits=(0.0, travel),
@@ -336,12 +327,14 @@ def sliding_both(draft: Draft, *, bar: Scalar, drag: Scalar) -> Body:
             needs=pair.lock.turn > pair.lock.free,
         )
         body = body.attach(sash, slide)
-    return body.rotate(Y, math.pi / 2.0)
+    return body.rotate(ag.Y, math.pi / 2.0)
 
 
-def _balanced(name: str, sash: Body, way: int, travel: Scalar, drag: Scalar, lock: SashLock) -> Joint:
+def _balanced(
+    name: str, sash: ag.Body, way: int, travel: ag.Scalar, drag: ag.Scalar, lock: SashLock
+) -> ag.Joint:
     weight = _GRAVITY * sash.mass()
-    return Prismatic(
+    return ag.Prismatic(
         name,
         axis=(0.0, 0.0, way),
         limits=(0.0, travel),

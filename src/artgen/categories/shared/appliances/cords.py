@@ -3,29 +3,7 @@
 import math
 from collections.abc import Sequence
 
-from artgen import (
-    Body,
-    Float,
-    Material,
-    Scalar,
-    Solid,
-    VectorLike,
-    X,
-    box,
-    circle,
-    cylinder,
-    detail,
-    extrude,
-    material,
-    min_,
-    polygon,
-    polyline,
-    rectangle,
-    revolve,
-    sweep,
-    vector,
-    weld,
-)
+import artgen as ag
 
 CORD = 0.0032
 """Radius of the cord of a small appliance, H03VV-F 3 x 0.75 mm2 [m]."""
@@ -34,74 +12,74 @@ _RELIEF = 0.024  # length of the strain relief [m]
 _RIBS = 4  # around it
 
 
-def strain_relief(*, radius: Scalar = CORD, length: Scalar = _RELIEF) -> list[Solid]:
+def strain_relief(*, radius: ag.Scalar = CORD, length: ag.Scalar = _RELIEF) -> list[ag.Solid]:
     """Make the ribbed sleeve that keeps a cord from kinking: from y = 0 back, about the y axis."""
     pitch, edge = length / _RIBS, 0.0004
     core = radius + 0.0007
-    line: list[tuple[Scalar, Scalar]] = [(0.0, 0.0)]
+    line: list[tuple[ag.Scalar, ag.Scalar]] = [(0.0, 0.0)]
     for rib in range(_RIBS):
         out, low, high = radius + 0.0030 - 0.00055 * rib, rib * pitch, (rib + 0.62) * pitch
         line += [(out - edge, low), (out, low + edge), (out, high - edge), (out - edge, high), (core, high)]
         line.append((core, (rib + 1.0) * pitch))
     line.append((0.0, 1.0 * length))
-    return [revolve(polygon(line)).rotate(X, -0.5 * math.pi)]
+    return [ag.revolve(ag.polygon(line)).rotate(ag.X, -0.5 * math.pi)]
 
 
-def _seen(solids: Sequence[Solid], label: str, finish: Material | None) -> Body:
+def _seen(solids: Sequence[ag.Solid], label: str, finish: ag.Material | None) -> ag.Body:
     """Return solids that overlap, and are only seen, on one body; by default of black rubber."""
-    return weld(*(detail(each, label, finish or material("rubber")) for each in solids))
+    return ag.weld(*(ag.detail(each, label, finish or ag.material("rubber")) for each in solids))
 
 
 def cord_stub(
     *,
-    height: Scalar,
-    finish: Material | None = None,
-    radius: Scalar = CORD,
-    reach: Scalar = 0.045,
+    height: ag.Scalar,
+    finish: ag.Material | None = None,
+    radius: ag.Scalar = CORD,
+    reach: ag.Scalar = 0.045,
     label: str = "cord",
-) -> Body:
+) -> ag.Body:
     """Make a strain relief on the plane y = 0 and a cord that hangs from it to the floor at the back (+y)."""
     fall = -(height - radius)
-    path = polyline(_down(reach, fall), fillet=_bend(fall))
-    return _seen([*strain_relief(radius=radius), sweep(circle(radius), path)], label, finish)
+    path = ag.polyline(_down(reach, fall), fillet=_bend(fall))
+    return _seen([*strain_relief(radius=radius), ag.sweep(ag.circle(radius), path)], label, finish)
 
 
 def mains_cord(
     *,
-    height: Scalar,
-    length: Scalar = 0.16,
+    height: ag.Scalar,
+    length: ag.Scalar = 0.16,
     side: int = 1,
-    finish: Material | None = None,
-    radius: Scalar = CORD,
-    reach: Scalar = 0.045,
+    finish: ag.Material | None = None,
+    radius: ag.Scalar = CORD,
+    reach: ag.Scalar = 0.045,
     label: str = "cord",
-) -> Body:
+) -> ag.Body:
     """Make a cord with its plug: from its outlet on y = 0 down to the floor and along it to one side."""
     fall = -(height - radius)
     run = side * 1.0 * (length - 0.052)
-    path = polyline([*_down(reach, fall), (run, reach, fall)], fillet=_bend(fall))
-    end = vector(run, reach, fall)
-    plug = [(each if side > 0 else each.mirror(X)).at(end) for each in _plug(radius)]
-    return _seen([*strain_relief(radius=radius), sweep(circle(radius), path), *plug], label, finish)
+    path = ag.polyline([*_down(reach, fall), (run, reach, fall)], fillet=_bend(fall))
+    end = ag.vector(run, reach, fall)
+    plug = [(each if side > 0 else each.mirror(ag.X)).at(end) for each in _plug(radius)]
+    return _seen([*strain_relief(radius=radius), ag.sweep(ag.circle(radius), path), *plug], label, finish)
 
 
-def _down(reach: Scalar, fall: Scalar) -> list[VectorLike]:
+def _down(reach: ag.Scalar, fall: ag.Scalar) -> list[ag.VectorLike]:
     """Return the corners of a cord from within its sleeve to the floor."""
     return [(0.0, 0.4 * _RELIEF, 0.0), (0.0, reach, 0.0), (0.0, reach, fall)]
 
 
-def _bend(fall: Scalar) -> Float:
+def _bend(fall: ag.Scalar) -> ag.Float:
     """Return the radius of the bends of a cord that falls by so much [m]."""
-    return min_(0.016, -0.45 * fall)
+    return ag.min_(0.016, -0.45 * fall)
 
 
-def _plug(radius: Scalar) -> list[Solid]:
+def _plug(radius: ag.Scalar) -> list[ag.Solid]:
     """Make a flat moulded plug with two pins, along x from the origin, which is where its cord enters."""
-    body = extrude(rectangle(0.0260, 0.0130, radius=0.0048), 0.034, axis=X, bevel=0.0018)
-    sleeve = cylinder(radius + 0.0012, 0.014, axis=X, bevel=0.0008)
+    body = ag.extrude(ag.rectangle(0.0260, 0.0130, radius=0.0048), 0.034, axis=ag.X, bevel=0.0018)
+    sleeve = ag.cylinder(radius + 0.0012, 0.014, axis=ag.X, bevel=0.0008)
     low = 0.0065 - radius  # the plug lies on the floor too
-    pin = cylinder(0.0020, 0.019, axis=X, bevel=0.0009)
-    base = box(0.004, 0.0190, 0.0090, bevel=0.0015)
+    pin = ag.cylinder(0.0020, 0.019, axis=ag.X, bevel=0.0009)
+    base = ag.box(0.004, 0.0190, 0.0090, bevel=0.0015)
     return [
         body.at(0.026, 0.0, low),
         sleeve.at(0.006, 0.0, 0.0012),

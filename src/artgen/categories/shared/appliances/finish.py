@@ -12,7 +12,7 @@ Walls of appliances are sheet metal around foam, wool or air: `filled` gives the
 from dataclasses import dataclass
 from typing import Any, Literal, get_args
 
-from artgen import Float, Material, Scalar, by, colored, material, shades
+import artgen as ag
 from artgen._arrays import cached_property
 from artgen.materials import COLORS
 
@@ -21,29 +21,29 @@ from artgen.materials import COLORS
 class ApplianceSpace:
     """The measures that appliances share."""
 
-    width: Float  # of everything [m]
-    height: Float  # of everything but what stands on a range [m]
-    depth: Float  # of everything, a handle included [m]
-    projection: Scalar  # of a handle before the door [m]
-    thickness: Float  # of the door [m]
+    width: ag.Float  # of everything [m]
+    height: ag.Float  # of everything but what stands on a range [m]
+    depth: ag.Float  # of everything, a handle included [m]
+    projection: ag.Scalar  # of a handle before the door [m]
+    thickness: ag.Float  # of the door [m]
 
     @cached_property
-    def half(self) -> Scalar:
+    def half(self) -> ag.Scalar:
         """Half the width [m]."""
         return self.width / 2.0
 
     @cached_property
-    def front(self) -> Scalar:
+    def front(self) -> ag.Scalar:
         """The outer face of the door, along y [m]."""
         return self.projection - self.depth / 2.0
 
     @cached_property
-    def inner(self) -> Scalar:
+    def inner(self) -> ag.Scalar:
         """The inside of the door, along y [m]."""
         return self.front + self.thickness
 
     @cached_property
-    def rear(self) -> Scalar:
+    def rear(self) -> ag.Scalar:
         """The back of everything, along y [m]."""
         return self.depth / 2.0
 
@@ -54,42 +54,42 @@ Look = Literal["stainless", "dark_steel", "white", "black", "pastel", "glass", "
 LOOKS: tuple[Look, ...] = get_args(Look)
 
 _DARK_STEEL = (
-    material("stainless").with_(name="black_stainless", base_color=(0.105, 0.105, 0.110)),
-    material("stainless").with_(name="slate_steel", base_color=(0.235, 0.235, 0.242)),
-    material("stainless").with_(name="bronze_steel", base_color=(0.225, 0.190, 0.160)),
+    ag.material("stainless").with_(name="black_stainless", base_color=(0.105, 0.105, 0.110)),
+    ag.material("stainless").with_(name="slate_steel", base_color=(0.235, 0.235, 0.242)),
+    ag.material("stainless").with_(name="bronze_steel", base_color=(0.225, 0.190, 0.160)),
 )
 _PLAIN_STEEL = (
-    material("stainless"),
-    material("stainless_across"),
-    material("stainless").with_(name="silver_steel", base_color=(0.50, 0.505, 0.515)),
+    ag.material("stainless"),
+    ag.material("stainless_across"),
+    ag.material("stainless").with_(name="silver_steel", base_color=(0.50, 0.505, 0.515)),
 )
 _WHITE = (
-    material("enamel_white"),
-    colored("enamel", "cool_white"),
-    material("powder_coat_white"),
+    ag.material("enamel_white"),
+    ag.colored("enamel", "cool_white"),
+    ag.material("powder_coat_white"),
 )
 _BLACK = (
-    material("enamel_black"),
-    material("powder_coat_black"),
-    colored("powder_coat", "anthracite"),
+    ag.material("enamel_black"),
+    ag.material("powder_coat_black"),
+    ag.colored("powder_coat", "anthracite"),
 )
 _PASTEL = tuple(
-    colored("enamel", color)
+    ag.colored("enamel", color)
     for color in ("cream", "mint", "sky", "blush", "red", "navy", "black", "sage", "mustard", "orange")
 )
 _GLASS = (
-    material("black_glass"),
-    material("black_glass").with_(name="white_glass", base_color=COLORS["cool_white"]),
-    material("black_glass").with_(name="grey_glass", base_color=COLORS["slate"]),
+    ag.material("black_glass"),
+    ag.material("black_glass").with_(name="white_glass", base_color=COLORS["cool_white"]),
+    ag.material("black_glass").with_(name="grey_glass", base_color=COLORS["slate"]),
 )
 _PANEL = (
-    material("oak"),
-    material("walnut"),
-    material("ash"),
-    *(colored("lacquered_mdf", color) for color in ("white", "sage", "navy", "graphite", "taupe")),
+    ag.material("oak"),
+    ag.material("walnut"),
+    ag.material("ash"),
+    *(ag.colored("lacquered_mdf", color) for color in ("white", "sage", "navy", "graphite", "taupe")),
 )
 
-FRONTS: dict[Look, tuple[tuple[Material, ...], tuple[float, ...]]] = {
+FRONTS: dict[Look, tuple[tuple[ag.Material, ...], tuple[float, ...]]] = {
     "stainless": (_PLAIN_STEEL, (0.5, 0.2, 0.3)),
     "dark_steel": (_DARK_STEEL, (0.5, 0.3, 0.2)),
     "white": (_WHITE, (0.5, 0.25, 0.25)),
@@ -125,20 +125,20 @@ def fronts(*looks: Look, color: float = 0.04, roughness: float = 0.03) -> Any:
     cases = {}
     for look in looks or LOOKS:
         stock, weights = FRONTS[look]
-        cases[look] = shades(*stock, weights=weights, color=color, roughness=roughness)
-    return by("look", cases, doc="finish of the front")
+        cases[look] = ag.shades(*stock, weights=weights, color=color, roughness=roughness)
+    return ag.by("look", cases, doc="finish of the front")
 
 
 def grip_metals(*looks: Look) -> Any:
     """Draw the metal (or lacquer) of handles by the parameter `look`."""
     cases = {
-        look: shades(*_METALS[look], weights=tuple(_METALS[look].values()), color=0.03, roughness=0.03)
+        look: ag.shades(*_METALS[look], weights=tuple(_METALS[look].values()), color=0.03, roughness=0.03)
         for look in looks or LOOKS
     }
-    return by("look", cases, doc="of handles and trim")
+    return ag.by("look", cases, doc="of handles and trim")
 
 
-def cabinet_finish(look: Look, finish: Material) -> Material:
+def cabinet_finish(look: Look, finish: ag.Material) -> ag.Material:
     """Return what the sides of an appliance are made of whose front has a finish.
 
     Steel and panel fronts have cabinets of painted sheet; colored ones are of one color all around.
@@ -146,22 +146,22 @@ def cabinet_finish(look: Look, finish: Material) -> Material:
     if look in ("pastel", "white", "black"):
         return finish
     if look == "glass" and max(finish.base_color) < 0.2:
-        return colored("powder_coat", "anthracite")
-    return colored("powder_coat", _CABINETS[look])
+        return ag.colored("powder_coat", "anthracite")
+    return ag.colored("powder_coat", _CABINETS[look])
 
 
-def filled(finish: Material, density: float, what: str = "filled") -> Material:
+def filled(finish: ag.Material, density: float, what: str = "filled") -> ag.Material:
     """Return a finish on sheet metal that is filled with foam, wool or air."""
     return finish.with_(name=f"{finish.name}_{what}_{round(density)}", density=density)
 
 
-LINER = material("glossy_plastic_white").with_(name="liner_white", specular_roughness=0.3)
+LINER = ag.material("glossy_plastic_white").with_(name="liner_white", specular_roughness=0.3)
 """White polystyrene, of which refrigerators are lined [vacuum-formed HIPS sheet]."""
 
 LINER_GREY = LINER.with_(name="liner_grey", base_color=(0.33, 0.34, 0.35), specular_roughness=0.4)
 """Grey lining, as behind steel fronts."""
 
-CLEAR = material("polycarbonate").with_(
+CLEAR = ag.material("polycarbonate").with_(
     name="clear_polystyrene", base_color=(0.86, 0.91, 0.94), opacity=0.34, density=1050.0
 )
 """Clear polystyrene of bins and drawers."""
@@ -169,5 +169,7 @@ CLEAR = material("polycarbonate").with_(
 FROSTED = CLEAR.with_(name="frosted_polystyrene", specular_roughness=0.45, opacity=0.72)
 """Cloudy polystyrene of freezer drawers."""
 
-DARK = material("black_abs").with_(name="dark_recess", base_color=(0.02, 0.02, 0.021), specular_roughness=0.6)
+DARK = ag.material("black_abs").with_(
+    name="dark_recess", base_color=(0.02, 0.02, 0.021), specular_roughness=0.6
+)
 """What is seen in gaps, recesses and behind grilles."""

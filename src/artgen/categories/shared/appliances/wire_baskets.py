@@ -8,37 +8,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
-from artgen import (
-    Body,
-    Condition,
-    Dependency,
-    Float,
-    Joint,
-    Material,
-    Points,
-    Prismatic,
-    Scalar,
-    Solid,
-    Vector,
-    VectorLike,
-    X,
-    Y,
-    Z,
-    array,
-    box,
-    capsule,
-    cylinder,
-    detail,
-    details,
-    frame,
-    grid,
-    line,
-    part,
-    polyline,
-    row,
-    vector,
-    weld,
-)
+import artgen as ag
+from artgen import details
 from artgen._arrays import cached_property
 
 Grip = Literal["bar", "plate"]
@@ -56,9 +27,9 @@ _CROSS = 5  # solid wires across the floor
 _WELDED = "wires of a rack are joined by bent ones, which are only seen"
 
 
-def _spread(count: int, length: Scalar, *, along: Vector = X) -> Points:
+def _spread(count: int, length: ag.Scalar, *, along: ag.Vector = ag.X) -> ag.Points:
     """Return points evenly spaced about the origin over a length [m]."""
-    return grid((0.0, 0.0, 0.0), along * (length / max(count - 1, 1)), Z, columns=count, rows=1)
+    return ag.grid((0.0, 0.0, 0.0), along * (length / max(count - 1, 1)), ag.Z, columns=count, rows=1)
 
 
 _HERE = ((0.0, 0.0, 0.0),)
@@ -68,64 +39,66 @@ _HERE = ((0.0, 0.0, 0.0),)
 class Basket:
     """An open basket of wires."""
 
-    width: Float  # overall width along x [m]
-    depth: Float  # overall depth along y, without grips [m]
-    front: Float  # height of the front rim above the lowest wires [m]
-    back: Float  # height of the rear rim [m]
+    width: ag.Float  # overall width along x [m]
+    depth: ag.Float  # overall depth along y, without grips [m]
+    front: ag.Float  # height of the front rim above the lowest wires [m]
+    back: ag.Float  # height of the rear rim [m]
     columns: int  # how many wires run from front to back, an odd number: every other one is solid
     rows: int  # how many wires run from side to side
-    finish: Material  # coating of the wires
+    finish: ag.Material  # coating of the wires
     label: str = "rack"  # semantic label of the wires
-    wire: Scalar = 0.0019  # radius of the wires of the grid [m]
-    rim: Scalar = 0.0027  # radius of the wire around the top [m]
-    bend: Scalar = 0.014  # radius in which wires turn up the walls [m]
+    wire: ag.Scalar = 0.0019  # radius of the wires of the grid [m]
+    rim: ag.Scalar = 0.0027  # radius of the wire around the top [m]
+    bend: ag.Scalar = 0.014  # radius in which wires turn up the walls [m]
     band: float = 0.5  # height of a second wire around the walls, as a share of the front height; 0 for none
 
-    def wires(self, name: str | None = None) -> Body:
+    def wires(self, name: str | None = None) -> ag.Body:
         """Make floor, walls and rims.
 
         What is solid, and collides, are straight wires: those of the floor, the rim and the band. They run
         inside the bent ones, which are seen.
         """
-        return weld(*self._solid(name), *self._seen())
+        return ag.weld(*self._solid(name), *self._seen())
 
     @cached_property
-    def _half_width(self) -> Float:
+    def _half_width(self) -> ag.Float:
         """From the middle to the middle lines of the side walls [m]."""
         return self.width / 2.0 - self.rim
 
     @cached_property
-    def _half_depth(self) -> Float:
+    def _half_depth(self) -> ag.Float:
         """From the middle to the middle lines of front and back [m]."""
         return self.depth / 2.0 - self.rim
 
     @cached_property
-    def _down(self) -> tuple[Scalar, ...]:
+    def _down(self) -> tuple[ag.Scalar, ...]:
         """How far the wires around the walls lie under the tops of the walls [m]."""
         lowest = self.front * (1.0 - self.band)
         return (self.rim, lowest) if self.band > 0.0 else (self.rim,)
 
-    def _solid(self, name: str | None) -> list[Body]:
+    def _solid(self, name: str | None) -> list[ag.Body]:
         wire, bend = self.wire - _INSIDE, self.bend
         x, y = self._half_width, self._half_depth
-        floor = self._straight(wire, 2.0 * (y - bend), Y, [(0.0, 0.0, self.wire)])
-        columns = array(floor, at=_spread((self.columns + 1) // 2, 2.0 * (x - bend - self.wire)))
-        across = self._straight(wire, 2.0 * (x - bend), X, [(0.0, 0.0, 3.0 * self.wire - _SUNK)])
-        rows = array(across, at=_spread(_CROSS, 2.0 * (y - bend - self.wire), along=Y))
-        ends: list[VectorLike] = [
+        floor = self._straight(wire, 2.0 * (y - bend), ag.Y, [(0.0, 0.0, self.wire)])
+        columns = ag.array(floor, at=_spread((self.columns + 1) // 2, 2.0 * (x - bend - self.wire)))
+        across = self._straight(wire, 2.0 * (x - bend), ag.X, [(0.0, 0.0, 3.0 * self.wire - _SUNK)])
+        rows = ag.array(across, at=_spread(_CROSS, 2.0 * (y - bend - self.wire), along=ag.Y))
+        ends: list[ag.VectorLike] = [
             (0.0, side * y, tall - down)
             for side, tall in ((-1, self.front), (1, self.back))
             for down in self._down
         ]
         rim = self.rim - _INSIDE
-        slope = vector(0.0, 2.0 * y, self.back - self.front)
+        slope = ag.vector(0.0, 2.0 * y, self.back - self.front)
         middle = (self.front + self.back) / 2.0
-        sides: list[VectorLike] = [(side * x, 0.0, middle - down) for side in (-1, 1) for down in self._down]
+        sides: list[ag.VectorLike] = [
+            (side * x, 0.0, middle - down) for side in (-1, 1) for down in self._down
+        ]
         return [
-            part(columns, self.label, self.finish, name=name, separate=_WELDED),
-            part(rows, self.label, self.finish),
-            part(self._straight(rim, 2.0 * (x - _CORNER), X, ends), self.label, self.finish),
-            part(
+            ag.part(columns, self.label, self.finish, name=name, separate=_WELDED),
+            ag.part(rows, self.label, self.finish),
+            ag.part(self._straight(rim, 2.0 * (x - _CORNER), ag.X, ends), self.label, self.finish),
+            ag.part(
                 self._straight(rim, slope.norm() - 2.0 * _CORNER, slope, sides),
                 self.label,
                 self.finish,
@@ -133,20 +106,22 @@ class Basket:
         ]
 
     @staticmethod
-    def _straight(radius: Scalar, length: Scalar, axis: VectorLike, at: list[VectorLike]) -> Solid:
-        return array(cylinder(radius, length, axis=axis), at=at)
+    def _straight(
+        radius: ag.Scalar, length: ag.Scalar, axis: ag.VectorLike, at: list[ag.VectorLike]
+    ) -> ag.Solid:
+        return ag.array(ag.cylinder(radius, length, axis=axis), at=at)
 
-    def _seen(self) -> list[Body]:
+    def _seen(self) -> list[ag.Body]:
         """Make the wires that come up out of the floor into the walls, and those around them."""
         wire, bend = self.wire, self.bend
         x, y = self._half_width, self._half_depth
         low = 3.0 * wire - _SUNK
         front, back = self.front - self.rim, self.back - self.rim
-        column: list[VectorLike] = [
+        column: list[ag.VectorLike] = [
             (0.0, -y, front), (0.0, -y, wire), (0.0, y, wire), (0.0, y, back)
         ]  # fmt: skip
         level = (front + back) / 2.0 - 0.5 * wire
-        cross: list[VectorLike] = [
+        cross: list[ag.VectorLike] = [
             (-x, 0.0, level),
             (-x, 0.0, low),
             (x, 0.0, low),
@@ -155,113 +130,120 @@ class Basket:
         # the rods across end at the mean height of the sloping rim, whose ends are a little off
         bent = [
             details.bent_wires(
-                polyline(column, fillet=bend),
+                ag.polyline(column, fillet=bend),
                 wire,
                 at=_spread(self.columns, 2.0 * (x - bend - wire)),
             ),
             details.bent_wires(
-                polyline(cross, fillet=bend),
+                ag.polyline(cross, fillet=bend),
                 wire,
-                at=_spread(self.rows, 2.0 * (y - bend - wire), along=Y),
+                at=_spread(self.rows, 2.0 * (y - bend - wire), along=ag.Y),
             ),
         ]
         for number, down in enumerate(self._down):
             high, far = self.front - down, self.back - down
-            loop: list[VectorLike] = [
+            loop: list[ag.VectorLike] = [
                 (0.0, -y, high),
                 (x, -y, high),
                 (x, y, far),
                 (-x, y, far),
                 (-x, -y, high),
             ]
-            path = polyline(loop, fillet=_CORNER, closed=True)
+            path = ag.polyline(loop, fillet=_CORNER, closed=True)
             bent.append(details.bent_wires(path, wire if number else self.rim, at=_HERE))
-        return [detail(each, self.label, self.finish) for each in bent]
+        return [ag.detail(each, self.label, self.finish) for each in bent]
 
     def tines(
         self,
-        first: tuple[Scalar, Scalar],
-        step: tuple[Scalar, Scalar],
+        first: tuple[ag.Scalar, ag.Scalar],
+        step: tuple[ag.Scalar, ag.Scalar],
         rows: int,
         *,
         count: int,
-        pitch: Scalar,
-        height: Scalar,
-        lean: Scalar = 0.0,
+        pitch: ag.Scalar,
+        height: ag.Scalar,
+        lean: ag.Scalar = 0.0,
         across: bool = True,
-    ) -> Body:
+    ) -> ag.Body:
         """Make rows of tines that stand on the floor; their rails collide, the tines are only seen."""
-        along, aside = (X, Y) if across else (Y, X)
+        along, aside = (ag.X, ag.Y) if across else (ag.Y, ag.X)
         # rails along x lie beside the wires that run so, those along y on top of them
         level = (3.0 if across else 5.0) * self.wire - 2.0 * _SUNK
-        start, way = vector(*first, level), vector(*step, 0.0)
-        places = row(start, way, rows)
+        start, way = ag.vector(*first, level), ag.vector(*step, 0.0)
+        places = ag.row(start, way, rows)
         length = (count - 1) * pitch
-        rail = array(cylinder(self.wire, length + 0.008, axis=along), at=places)
-        path = line(Z * 0.0, aside * (-height * lean) + Z * height)
+        rail = ag.array(ag.cylinder(self.wire, length + 0.008, axis=along), at=places)
+        path = ag.line(ag.Z * 0.0, aside * (-height * lean) + ag.Z * height)
         middle = start + way * (0.5 * (rows - 1))
-        stand = grid(middle, along * pitch, way, columns=count, rows=rows)
+        stand = ag.grid(middle, along * pitch, way, columns=count, rows=rows)
         tines = details.bent_wires(path, _TINE, at=stand)
-        return weld(
-            part(rail, self.label, self.finish),
-            detail(tines, self.label, self.finish),
+        return ag.weld(
+            ag.part(rail, self.label, self.finish),
+            ag.detail(tines, self.label, self.finish),
         )
 
     def grip(
         self,
         *,
         style: Grip = "bar",
-        length: Scalar = 0.13,
-        material: Material,
-        height: Scalar | None = None,
+        length: ag.Scalar = 0.13,
+        material: ag.Material,
+        height: ag.Scalar | None = None,
         label: str = "grip",
         name: str | None = None,
-    ) -> Body:
+    ) -> ag.Body:
         """Make a grip in front of the rim, with the grasp frame of a hand from the front."""
         z = self.front - self.rim if height is None else height
         front = -self.depth / 2.0
         out = front - GRIP_REACH + 0.0055
         if style == "bar":
-            solid: Solid = capsule(0.0055, length, axis=X).at(0.0, out, z)
+            solid: ag.Solid = ag.capsule(0.0055, length, axis=ag.X).at(0.0, out, z)
         else:
-            solid = box(length, 0.011, 0.010, bevel=0.0035).at(0.0, out, z)
-        arm = box(0.008, GRIP_REACH - 0.004, 0.007, bevel=0.002).at(0.0, (front + out) / 2.0 + 0.001, z)
-        arms = [part(arm.at(side * (length / 2.0 - 0.012)), label, material) for side in (-1, 1)]
+            solid = ag.box(length, 0.011, 0.010, bevel=0.0035).at(0.0, out, z)
+        arm = ag.box(0.008, GRIP_REACH - 0.004, 0.007, bevel=0.002).at(0.0, (front + out) / 2.0 + 0.001, z)
+        arms = [ag.part(arm.at(side * (length / 2.0 - 0.012)), label, material) for side in (-1, 1)]
         # tips, which reach 9 mm past the frame, end before the wires of the wall
-        hold = frame((0.0, front - 0.0175, z), approach=Y, closing=Z)
+        hold = ag.frame((0.0, front - 0.0175, z), approach=ag.Y, closing=ag.Z)
         thick = 0.011 if style == "bar" else 0.010
-        held = part(solid, label, material, name=name, grasp=hold, grasp_width=thick + 0.010)
-        return weld(held, *arms)
+        held = ag.part(solid, label, material, name=name, grasp=hold, grasp_width=thick + 0.010)
+        return ag.weld(held, *arms)
 
 
 def rollers(
-    places: Sequence[tuple[Scalar, Scalar]],
+    places: Sequence[tuple[ag.Scalar, ag.Scalar]],
     *,
-    x: Scalar,
-    radius: Scalar,
-    material: Material,
+    x: ag.Scalar,
+    radius: ag.Scalar,
+    material: ag.Material,
     rise: float = 0.0,
     label: str = "roller",
-) -> Body:
+) -> ag.Body:
     """Make rollers on both sides of a basket, each on a bracket that reaches inward to its wires."""
     both = [(side, y, z) for y, z in places for side in (-1, 1)]
-    wheel = cylinder(radius, _TREAD, axis=X, bevel=0.0012)
+    wheel = ag.cylinder(radius, _TREAD, axis=ag.X, bevel=0.0012)
     tall = 2.0 * rise + 0.009
-    arm = box(0.026, 0.014, tall, bevel=0.002)
+    arm = ag.box(0.026, 0.014, tall, bevel=0.002)
     far = x - 0.5 * _TREAD - 0.012
-    return weld(
-        part(array(wheel, at=[(side * x, y, z) for side, y, z in both]), label, material, separate=_WELDED),
-        detail(array(arm, at=[(side * far, y, z + rise) for side, y, z in both]), label, material),
+    return ag.weld(
+        ag.part(
+            ag.array(wheel, at=[(side * x, y, z) for side, y, z in both]), label, material, separate=_WELDED
+        ),
+        ag.detail(ag.array(arm, at=[(side * far, y, z + rise) for side, y, z in both]), label, material),
     )
 
 
 def rack_slide(
-    name: str, *, travel: Scalar, friction: Scalar, damping: Scalar, needs: Condition | Dependency
-) -> Joint:
+    name: str,
+    *,
+    travel: ag.Scalar,
+    friction: ag.Scalar,
+    damping: ag.Scalar,
+    needs: ag.Condition | ag.Dependency,
+) -> ag.Joint:
     """Make the slide of a rack; its effort is the force of a hand that leaves the door in place."""
-    return Prismatic(
+    return ag.Prismatic(
         name,
-        axis=-Y,
+        axis=-ag.Y,
         limits=(0.0, travel),
         friction=friction,
         damping=damping,

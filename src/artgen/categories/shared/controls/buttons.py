@@ -7,28 +7,8 @@ half of a cap apart, and a cap that stands out by more than its travel can be pr
 
 from typing import Literal
 
-from artgen import (
-    Body,
-    Joint,
-    Material,
-    Prismatic,
-    Profile,
-    Scalar,
-    Solid,
-    VectorLike,
-    Y,
-    box,
-    circle,
-    cylinder,
-    detail,
-    details,
-    extrude,
-    min_,
-    part,
-    push_on,
-    rectangle,
-    weld,
-)
+import artgen as ag
+from artgen import details
 
 ButtonShape = Literal["round", "square", "pill", "bar"]
 """The outline of a cap: a circle, a soft square, round ends, or a plain bar."""
@@ -40,59 +20,59 @@ _BEFORE = 0.010  # how far the tool of a hole stands out of the face [m]
 _BEVEL = 0.0007  # of the rim of a cap [m]
 
 
-def button_outline(shape: ButtonShape, width: Scalar, height: Scalar) -> Profile:
+def button_outline(shape: ButtonShape, width: ag.Scalar, height: ag.Scalar) -> ag.Profile:
     """Make the outline of a cap, x to the right and y upward."""
     if shape == "round":
-        return circle(width / 2)
+        return ag.circle(width / 2)
     share = {"square": 0.2, "pill": 0.499, "bar": 0.12}[shape]
-    return rectangle(width, height, radius=share * min_(width, height))
+    return ag.rectangle(width, height, radius=share * ag.min_(width, height))
 
 
 def push_button(
     *,
-    finish: Material,
+    finish: ag.Material,
     shape: ButtonShape = "round",
-    width: Scalar = 0.012,
-    height: Scalar | None = None,
-    proud: Scalar = 0.004,
-    deep: Scalar = 0.008,
+    width: ag.Scalar = 0.012,
+    height: ag.Scalar | None = None,
+    proud: ag.Scalar = 0.004,
+    deep: ag.Scalar = 0.008,
     icon: str = "",
-    ink: Material | None = None,
+    ink: ag.Material | None = None,
     name: str = "button",
-) -> Body:
+) -> ag.Body:
     """Make the cap of a button with its push frame; attach it by `button_press`."""
     high = width if height is None or shape == "round" else height
     length = proud + deep
     if shape == "round":
-        cap = cylinder(width / 2, length, axis=Y, bevel=_BEVEL)
+        cap = ag.cylinder(width / 2, length, axis=ag.Y, bevel=_BEVEL)
     else:
-        cap = extrude(button_outline(shape, width, high), length, axis=Y, bevel=_BEVEL)
+        cap = ag.extrude(button_outline(shape, width, high), length, axis=ag.Y, bevel=_BEVEL)
     cap = cap.at(0.0, (deep - proud) / 2, 0.0)
-    body = part(cap, "button", finish, name=name, push=push_on(cap, direction=Y))
+    body = ag.part(cap, "button", finish, name=name, push=ag.push_on(cap, direction=ag.Y))
     if not icon or ink is None:
         return body
-    sign = details.icon(icon, 0.62 * min_(width, high))
-    return weld(body, details.printed(sign, (0.0, -proud, 0.0), material=ink))
+    sign = details.icon(icon, 0.62 * ag.min_(width, high))
+    return ag.weld(body, details.printed(sign, (0.0, -proud, 0.0), material=ink))
 
 
 def button_press(
     name: str = "button_slide",
     *,
-    travel: Scalar = 0.003,
-    preload: Scalar = 0.6,
-    force: Scalar = 3.0,
-    damping: Scalar = 6.0,
-    effort: Scalar = 12.0,
-    pivot: VectorLike = (0.0, 0.0, 0.0),
-) -> Joint:
+    travel: ag.Scalar = 0.003,
+    preload: ag.Scalar = 0.6,
+    force: ag.Scalar = 3.0,
+    damping: ag.Scalar = 6.0,
+    effort: ag.Scalar = 12.0,
+    pivot: ag.VectorLike = (0.0, 0.0, 0.0),
+) -> ag.Joint:
     """Make the joint of a button that a spring returns; positive moves it into its panel (+y).
 
     Keys of appliances close at 2-4 N, and start at a fifth of that or more, so that they do not rattle.
     """
     stiffness = (force - preload) / travel
-    return Prismatic(
+    return ag.Prismatic(
         name,
-        axis=Y,
+        axis=ag.Y,
         pivot=pivot,
         limits=(0.0, travel),
         stiffness=stiffness,
@@ -105,32 +85,32 @@ def button_press(
 
 
 def button_hole(
-    width: Scalar, height: Scalar | None = None, *, through: Scalar = 0.01, play: Scalar = PLAY
-) -> Solid:
+    width: ag.Scalar, height: ag.Scalar | None = None, *, through: ag.Scalar = 0.01, play: ag.Scalar = PLAY
+) -> ag.Solid:
     """Make the tool that cuts the hole of a cap; it is rectangular for all shapes, which colliders like.
 
     A `button_plate` covers the corners that round caps leave open.
     """
     high = width if height is None else height
-    hole = box(width + 2 * play, _BEFORE + through, high + 2 * play)
+    hole = ag.box(width + 2 * play, _BEFORE + through, high + 2 * play)
     return hole.at(0.0, (through - _BEFORE) / 2, 0.0)
 
 
 def button_plate(
     *,
-    finish: Material,
+    finish: ag.Material,
     shape: ButtonShape = "round",
-    width: Scalar = 0.012,
-    height: Scalar | None = None,
-    border: Scalar = 0.002,
-    proud: Scalar = 0.0006,
+    width: ag.Scalar = 0.012,
+    height: ag.Scalar | None = None,
+    border: ag.Scalar = 0.002,
+    proud: ag.Scalar = 0.0006,
     label: str = "bezel",
-) -> Body:
+) -> ag.Body:
     """Make the thin plate around a cap, with a hole of its shape; it is only seen."""
     high = width if height is None or shape == "round" else height
     hole = button_outline(shape, width + 2 * PLAY, high + 2 * PLAY)
     wide, tall = width + 2 * border, high + 2 * border
     soft = "square" if shape in ("round", "pill") else shape  # it has to cover the corners of the hole
     sheet = button_outline(soft, wide, tall) - hole
-    solid = extrude(sheet, proud + 0.001, axis=Y).at(0.0, (0.001 - proud) / 2, 0.0)
-    return detail(solid, label, finish)
+    solid = ag.extrude(sheet, proud + 0.001, axis=ag.Y).at(0.0, (0.001 - proud) / 2, 0.0)
+    return ag.detail(solid, label, finish)

@@ -7,21 +7,8 @@ and dials, which move, are joined at the same places, which `places` gives.
 from collections.abc import Sequence
 from typing import Literal
 
-from artgen import (
-    MATERIALS,
-    Body,
-    Material,
-    Profile,
-    Scalar,
-    Y,
-    circle,
-    colored,
-    detail,
-    details,
-    extrude,
-    rectangle,
-    weld,
-)
+import artgen as ag
+from artgen import details
 from artgen.categories.shared.controls.buttons import PLAY, ButtonShape, button_outline
 from artgen.nodes.details.displays import Color
 
@@ -31,46 +18,51 @@ PANE = 0.0006
 _LAMP = 0.0009  # radius of a lamp beside an icon [m]
 _FILM = 0.0002  # how far print stands out [m]
 
-LIGHT_INK = colored("abs", "light_grey").with_(name="light_ink", texture="", tile=None)
+LIGHT_INK = ag.colored("abs", "light_grey").with_(name="light_ink", texture="", tile=None)
 """Print on dark faces."""
 
-DARK_INK = colored("abs", "graphite").with_(name="dark_ink", texture="", tile=None)
+DARK_INK = ag.colored("abs", "graphite").with_(name="dark_ink", texture="", tile=None)
 """Print on bright faces."""
 
 
-def ink_on(face: Material) -> Material:
+def ink_on(face: ag.Material) -> ag.Material:
     """Return the print that shows on a face."""
     luminance = sum(share * one for share, one in zip((0.21, 0.72, 0.07), face.base_color, strict=True))
     return DARK_INK if luminance > 0.12 else LIGHT_INK
 
 
-def places(count: int, pitch: Scalar, *, middle: Scalar = 0.0) -> list[Scalar]:
+def places(count: int, pitch: ag.Scalar, *, middle: ag.Scalar = 0.0) -> list[ag.Scalar]:
     """Return the middles of things in a row along x [m]."""
     return [middle + (index - (count - 1) / 2.0) * pitch for index in range(count)]
 
 
 def inlay(
-    width: Scalar,
-    height: Scalar,
+    width: ag.Scalar,
+    height: ag.Scalar,
     *,
-    finish: Material | None = None,
-    radius: Scalar = 0.003,
-    holes: Profile | None = None,
-    proud: Scalar = PANE,
+    finish: ag.Material | None = None,
+    radius: ag.Scalar = 0.003,
+    holes: ag.Profile | None = None,
+    proud: ag.Scalar = PANE,
     label: str = "panel",
-) -> Body:
+) -> ag.Body:
     """Make a thin pane on the face, about the origin."""
-    outline = rectangle(width, height, radius=radius)
+    outline = ag.rectangle(width, height, radius=radius)
     if holes is None:
         solid = details.relief(outline, proud=proud, sunk=0.0006, bevel=0.0003)
     else:
-        solid = extrude(outline - holes, proud + 0.0006, axis=Y).at(0.0, (0.0006 - proud) / 2.0, 0.0)
-    return detail(solid, label, finish or MATERIALS["black_glass"])
+        solid = ag.extrude(outline - holes, proud + 0.0006, axis=ag.Y).at(0.0, (0.0006 - proud) / 2.0, 0.0)
+    return ag.detail(solid, label, finish or ag.MATERIALS["black_glass"])
 
 
 def button_holes(
-    shape: ButtonShape, width: Scalar, height: Scalar, at: Sequence[Scalar], *, level: Scalar = 0.0
-) -> Profile:
+    shape: ButtonShape,
+    width: ag.Scalar,
+    height: ag.Scalar,
+    at: Sequence[ag.Scalar],
+    *,
+    level: ag.Scalar = 0.0,
+) -> ag.Profile:
     """Make the holes of a row of buttons, to be cut out of an `inlay` with gaps around the caps."""
     hole = button_outline(shape, width + 2.0 * PLAY, height + 2.0 * PLAY)
     holes = hole.at(at[0], level)
@@ -81,13 +73,13 @@ def button_holes(
 
 def icon_row(
     icons: Sequence[str],
-    at: Sequence[Scalar],
+    at: Sequence[ag.Scalar],
     *,
-    height: Scalar = 0.007,
-    level: Scalar = 0.0,
-    ink: Material = LIGHT_INK,
-    proud: Scalar = PANE,
-) -> Body:
+    height: ag.Scalar = 0.007,
+    level: ag.Scalar = 0.0,
+    ink: ag.Material = LIGHT_INK,
+    proud: ag.Scalar = PANE,
+) -> ag.Body:
     """Print a row of icons as one film."""
     found = [
         details.icon(name, height).at(place, level) for name, place in zip(icons, at, strict=False) if name
@@ -99,50 +91,50 @@ def icon_row(
 
 
 def lamp_row(
-    at: Sequence[Scalar],
+    at: Sequence[ag.Scalar],
     *,
-    level: Scalar = 0.0,
+    level: ag.Scalar = 0.0,
     lit: int = 0,
     color: Literal["white", "green", "blue", "amber", "red"] = "white",
-    proud: Scalar = PANE,
-) -> Body:
+    proud: ag.Scalar = PANE,
+) -> ag.Body:
     """Make a row of small lamps, one of which shines."""
-    dark = MATERIALS["abs"].with_(name="lamp_dark", base_color=(0.10, 0.10, 0.10), texture="", tile=None)
+    dark = ag.MATERIALS["abs"].with_(name="lamp_dark", base_color=(0.10, 0.10, 0.10), texture="", tile=None)
     groups = [
         ([place for index, place in enumerate(at) if (index == lit) == shines], each)
-        for shines, each in ((True, MATERIALS[f"led_{color}"]), (False, dark))
+        for shines, each in ((True, ag.MATERIALS[f"led_{color}"]), (False, dark))
     ]
     bodies = []
     for found, finish in groups:
         if found:
-            film = circle(_LAMP).at(found[0], level)
+            film = ag.circle(_LAMP).at(found[0], level)
             for place in found[1:]:
-                film = film | circle(_LAMP).at(place, level)
+                film = film | ag.circle(_LAMP).at(place, level)
             solid = details.relief(film, (0.0, -proud, 0.0), proud=0.0003)
-            bodies.append(detail(solid, "print", finish))
-    return weld(*bodies)
+            bodies.append(ag.detail(solid, "print", finish))
+    return ag.weld(*bodies)
 
 
 def control_panel(
-    width: Scalar,
-    height: Scalar,
+    width: ag.Scalar,
+    height: ag.Scalar,
     *,
     icons: Sequence[str] = (),
-    pitch: Scalar = 0.022,
-    icon_height: Scalar = 0.008,
+    pitch: ag.Scalar = 0.022,
+    icon_height: ag.Scalar = 0.008,
     show: str = "",
-    screen: tuple[Scalar, Scalar] = (0.05, 0.018),
+    screen: tuple[ag.Scalar, ag.Scalar] = (0.05, 0.018),
     color: Color = "white",
     upright: bool = False,
-    finish: Material | None = None,
-    ink: Material | None = None,
-    radius: Scalar = 0.004,
-) -> Body:
+    finish: ag.Material | None = None,
+    ink: ag.Material | None = None,
+    radius: ag.Scalar = 0.004,
+) -> ag.Body:
     """Make a touch panel about the origin: a pane with a display and a row of icons, each with a lamp.
 
     The display is in the middle with half of the icons at either side, or above the icons of an upright one.
     """
-    face = finish or MATERIALS["black_glass"]
+    face = finish or ag.MATERIALS["black_glass"]
     print_ = ink or ink_on(face)
     bodies = [inlay(width, height, finish=face, radius=radius)]
     if show:
@@ -156,20 +148,22 @@ def control_panel(
         row = _beside(len(icons), pitch, aside) if show else places(len(icons), pitch)
         bodies.append(icon_row(icons, row, height=icon_height, ink=print_))
         bodies.append(lamp_row(row, level=-0.85 * icon_height))
-    return weld(*bodies)
+    return ag.weld(*bodies)
 
 
-def _beside(count: int, pitch: Scalar, aside: Scalar) -> list[Scalar]:
+def _beside(count: int, pitch: ag.Scalar, aside: ag.Scalar) -> list[ag.Scalar]:
     """Return places at both sides of a display, which leaves `aside` free at either side of x = 0 [m]."""
     half = (count + 1) // 2
     left = [-aside - (half - index - 0.5) * pitch for index in range(half)]
     return [*left, *(aside + (index + 0.5) * pitch for index in range(count - half))]
 
 
-def _column(icons: Sequence[str], pitch: Scalar, height: Scalar, middle: Scalar, ink: Material) -> Body:
+def _column(
+    icons: Sequence[str], pitch: ag.Scalar, height: ag.Scalar, middle: ag.Scalar, ink: ag.Material
+) -> ag.Body:
     """Print icons below each other."""
     rows = [middle + ((len(icons) - 1) / 2.0 - index) * pitch for index in range(len(icons))]
-    return weld(
+    return ag.weld(
         *(
             icon_row([name], [0.0], height=height, level=level, ink=ink)
             for name, level in zip(icons, rows, strict=True)

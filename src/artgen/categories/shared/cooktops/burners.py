@@ -7,33 +7,8 @@ import math
 from collections.abc import Sequence
 from functools import cache
 
-from artgen import (
-    Body,
-    Material,
-    Profile,
-    Scalar,
-    Solid,
-    VectorLike,
-    Z,
-    box_between,
-    circle,
-    cylinder,
-    detail,
-    details,
-    ellipse,
-    extrude,
-    frustum,
-    half_section,
-    material,
-    part,
-    polygon,
-    rectangle,
-    revolve,
-    ring,
-    spline,
-    sweep,
-    weld,
-)
+import artgen as ag
+from artgen import details
 from artgen.categories.shared.cooktops.plan import BurnerSize, Place
 
 GAS_RADIUS: dict[BurnerSize, float] = {"small": 0.025, "medium": 0.034, "large": 0.045, "wok": 0.060}
@@ -55,12 +30,12 @@ BOWL = 0.011
 """How deep a drip bowl is set into the plate [m]."""
 
 # castings of cups and spreaders are hollow
-ALUMINIUM = material("aluminium").with_(
+ALUMINIUM = ag.material("aluminium").with_(
     name="burner_aluminium", base_color=(0.56, 0.55, 0.53), specular_roughness=0.45, density=1300.0
 )
-BRASS = material("brass").with_(name="burner_brass", specular_roughness=0.35, density=3200.0)
-_SOOT = material("cast_iron").with_(name="burner_slots", base_color=(0.03, 0.028, 0.026), density=2000.0)
-_ELEMENT = material("black_steel").with_(
+BRASS = ag.material("brass").with_(name="burner_brass", specular_roughness=0.35, density=3200.0)
+_SOOT = ag.material("cast_iron").with_(name="burner_slots", base_color=(0.03, 0.028, 0.026), density=2000.0)
+_ELEMENT = ag.material("black_steel").with_(
     name="heating_tube", base_color=(0.045, 0.043, 0.042), specular_roughness=0.55
 )
 _TEETH = 24
@@ -70,22 +45,24 @@ _TUBE = 0.0042  # half the width of the flattened tube of a coil [m]
 
 
 @cache
-def _toothed() -> Profile:
+def _toothed() -> ag.Profile:
     """Make the outline of a spreader of radius 1: teeth, and the slots between them for the flames."""
     points = []
     for tooth in range(_TEETH):
         for turn, share in ((0.0, 1.0), (0.62, 1.0), (0.62, 0.9), (1.0, 0.9)):
             angle = math.tau * (tooth + turn) / _TEETH
             points.append((share * math.cos(angle), share * math.sin(angle)))
-    return polygon(points)
+    return ag.polygon(points)
 
 
-def gas_burner(size: BurnerSize, *, spreader: Material = ALUMINIUM, cap: Material, igniter: int = 1) -> Body:
+def gas_burner(
+    size: BurnerSize, *, spreader: ag.Material = ALUMINIUM, cap: ag.Material, igniter: int = 1
+) -> ag.Body:
     """Make a gas burner: cup, slotted spreader, cap, igniter and thermocouple."""
     radius = GAS_RADIUS[size]
     edge = 1.34 * radius
-    well = revolve(polygon([(0.0, -0.0004), (edge, -0.0004), (edge - 0.0015, 0.0009), (0.0, 0.0012)]))
-    bodies = [detail(well, "burner", ALUMINIUM)]
+    well = ag.revolve(ag.polygon([(0.0, -0.0004), (edge, -0.0004), (edge - 0.0015, 0.0009), (0.0, 0.0012)]))
+    bodies = [ag.detail(well, "burner", ALUMINIUM)]
     # a dark drum, seen between the teeth, weighs what cup, spreader and cap weigh; they are only seen
     heavy = _drum_density(spreader, cap)
     dark = _SOOT.with_(
@@ -93,34 +70,34 @@ def gas_burner(size: BurnerSize, *, spreader: Material = ALUMINIUM, cap: Materia
         density=round(heavy * (GAS_RADIUS["medium"] / radius) ** 2),
     )
     if size == "wok":
-        drum = cylinder(0.90 * radius, 0.017).align((0.0, 0.0, -0.0005), z=-1)
-        inner = cylinder(0.021, 0.0070).align((0.0, 0.0, 0.0155), z=-1)
-        cup = cylinder(radius, 0.0125, bevel=0.001).align((0.0, 0.0, -0.0005), z=-1)
-        rim = revolve(rectangle(0.021, 0.0035, radius=0.0014).at(0.8 * radius, 0.018))
+        drum = ag.cylinder(0.90 * radius, 0.017).align((0.0, 0.0, -0.0005), z=-1)
+        inner = ag.cylinder(0.021, 0.0070).align((0.0, 0.0, 0.0155), z=-1)
+        cup = ag.cylinder(radius, 0.0125, bevel=0.001).align((0.0, 0.0, -0.0005), z=-1)
+        rim = ag.revolve(ag.rectangle(0.021, 0.0035, radius=0.0014).at(0.8 * radius, 0.018))
         bodies += [
-            part(drum, "burner", dark),
-            part(inner, "burner", spreader),
-            detail(cup, "burner", spreader),
+            ag.part(drum, "burner", dark),
+            ag.part(inner, "burner", spreader),
+            ag.detail(cup, "burner", spreader),
         ]
-        bodies += [_teeth(0.98 * radius, 0.012, 0.0165, spreader), detail(rim, "burner_cap", cap)]
+        bodies += [_teeth(0.98 * radius, 0.012, 0.0165, spreader), ag.detail(rim, "burner_cap", cap)]
         bodies += _cap(0.024, 0.0185, GAS_TOP, cap)
     else:
         high = GAS_TOP - 0.001
-        drum = cylinder(0.92 * radius, high - 0.0005).align((0.0, 0.0, -0.0005), z=-1)
-        cup = frustum(1.14 * radius, 0.97 * radius, 0.0105, bevel=0.0008)
-        bodies.append(part(drum, "burner", dark))
-        bodies.append(detail(cup.align((0.0, 0.0, -0.0005), z=-1), "burner", spreader))
+        drum = ag.cylinder(0.92 * radius, high - 0.0005).align((0.0, 0.0, -0.0005), z=-1)
+        cup = ag.frustum(1.14 * radius, 0.97 * radius, 0.0105, bevel=0.0008)
+        bodies.append(ag.part(drum, "burner", dark))
+        bodies.append(ag.detail(cup.align((0.0, 0.0, -0.0005), z=-1), "burner", spreader))
         bodies += [_teeth(radius, 0.0095, 0.0165, spreader), *_cap(0.93 * radius, 0.016, high, cap)]
-    pin, tip = cylinder(0.0026, 0.0125, bevel=0.0008), cylinder(0.0009, 0.004)
+    pin, tip = ag.cylinder(0.0026, 0.0125, bevel=0.0008), ag.cylinder(0.0009, 0.004)
     at = (0.74 * igniter * 1.24 * radius, -0.68 * 1.24 * radius, 0.0)
-    bodies.append(detail(pin.at(at[0], at[1], 0.006), "igniter", material("ceramic")))
-    bodies.append(detail(tip.at(at[0], at[1], 0.0138), "igniter", material("steel")))
-    couple = cylinder(0.0021, 0.015, bevel=0.001)
-    bodies.append(detail(couple.at(-at[0], at[1], 0.0072), "igniter", material("copper")))
-    return weld(*bodies)
+    bodies.append(ag.detail(pin.at(at[0], at[1], 0.006), "igniter", ag.material("ceramic")))
+    bodies.append(ag.detail(tip.at(at[0], at[1], 0.0138), "igniter", ag.material("steel")))
+    couple = ag.cylinder(0.0021, 0.015, bevel=0.001)
+    bodies.append(ag.detail(couple.at(-at[0], at[1], 0.0072), "igniter", ag.material("copper")))
+    return ag.weld(*bodies)
 
 
-def _drum_density(spreader: Material, cap: Material) -> float:
+def _drum_density(spreader: ag.Material, cap: ag.Material) -> float:
     """Return what the drum of a medium burner weighs by its volume, for what is seen around it [kg/m3].
 
     The shares are the volumes of spreader with cup and of the cap in that of the drum, which is 22 mm high.
@@ -130,18 +107,18 @@ def _drum_density(spreader: Material, cap: Material) -> float:
     return round(700.0 + 0.6 * spreader.density + 0.3 * cap.density)
 
 
-def _teeth(radius: Scalar, low: Scalar, high: Scalar, metal: Material) -> Body:
+def _teeth(radius: ag.Scalar, low: ag.Scalar, high: ag.Scalar, metal: ag.Material) -> ag.Body:
     """Make the teeth between the slots for the flames, from one height to another."""
-    teeth = extrude(_toothed().scale(radius), high - low).align((0.0, 0.0, low), z=-1)
-    return detail(teeth, "burner", metal)
+    teeth = ag.extrude(_toothed().scale(radius), high - low).align((0.0, 0.0, low), z=-1)
+    return ag.detail(teeth, "burner", metal)
 
 
-def _cap(radius: Scalar, low: Scalar, high: Scalar, finish: Material) -> list[Body]:
+def _cap(radius: ag.Scalar, low: ag.Scalar, high: ag.Scalar, finish: ag.Material) -> list[ag.Body]:
     """Make a cap between two heights, slightly domed."""
-    edge = cylinder(radius, high - low, bevel=0.0018).align((0.0, 0.0, low), z=-1)
-    crown = revolve(
-        half_section(
-            spline(
+    edge = ag.cylinder(radius, high - low, bevel=0.0018).align((0.0, 0.0, low), z=-1)
+    crown = ag.revolve(
+        ag.half_section(
+            ag.spline(
                 [
                     (0.86 * radius, 0.0, high - 0.0006),
                     (0.5 * radius, 0.0, high + 0.0007),
@@ -150,23 +127,23 @@ def _cap(radius: Scalar, low: Scalar, high: Scalar, finish: Material) -> list[Bo
             )
         )
     )
-    return [detail(edge, "burner_cap", finish), detail(crown, "burner_cap", finish)]
+    return [ag.detail(edge, "burner_cap", finish), ag.detail(crown, "burner_cap", finish)]
 
 
-def coil_hole(radius: Scalar) -> Profile:
+def coil_hole(radius: ag.Scalar) -> ag.Profile:
     """Return the outline of the hole for the drip bowl of a coil: an octagon under the lip of the bowl."""
     corners = [math.tau * (side + 0.5) / 8.0 for side in range(8)]
     wide = (radius + 0.008) / math.cos(math.pi / 8.0)
-    return polygon([(math.cos(turn), math.sin(turn)) for turn in corners]).scale(wide)
+    return ag.polygon([(math.cos(turn), math.sin(turn)) for turn in corners]).scale(wide)
 
 
-def coil_burner(radius: float, *, bowl: Material, turn: float = 0.0) -> Body:
+def coil_burner(radius: float, *, bowl: ag.Material, turn: float = 0.0) -> ag.Body:
     """Make a coil on three bars in its drip bowl, which reaches 11 mm down into the plate.
 
     The bars carry a pot; the coil, half a millimetre higher, is only seen.
     """
     lip = radius + 0.008
-    line: list[VectorLike] = [
+    line: list[ag.VectorLike] = [
         (0.012, 0.0, -BOWL + 0.0006),
         (0.30 * lip, 0.0, -BOWL + 0.0008),
         (0.86 * lip, 0.0, -0.006),
@@ -174,23 +151,23 @@ def coil_burner(radius: float, *, bowl: Material, turn: float = 0.0) -> Body:
         (1.065 * lip, 0.0, 0.0016),
         (1.08 * lip, 0.0, 0.0002),
     ]
-    dish = revolve(half_section(spline(line), wall=0.0007))
-    hole = cylinder(0.0125, 0.0008).at(0.0, 0.0, -BOWL + 0.0002)
-    bar = box_between((0.010, -0.0012, -BOWL - 0.0005), (0.97 * radius, 0.0012, COIL_TOP - 0.0085))
-    tread = box_between((0.012, -0.0012, COIL_TOP - 0.009), (0.99 * radius, 0.0012, COIL_TOP - 0.0005))
-    spokes = [each.rotate(Z, turn + math.tau * arm / 3.0) for arm in range(3) for each in (bar, tread)]
-    boss = cylinder(0.0115, COIL_TOP + BOWL - 0.0012, bevel=0.0008).align((0.0, 0.0, -BOWL - 0.0004), z=-1)
-    steel = material("stainless").with_(name="coil_bars", specular_roughness=0.4)
-    return weld(
-        *(part(each, "burner", steel) for each in spokes),
-        part(boss, "burner", steel),
-        detail(_spiral(radius).rotate(Z, turn), "coil", _ELEMENT),
-        detail(dish, "drip_bowl", bowl),
-        detail(hole, "drip_bowl", _SOOT),
+    dish = ag.revolve(ag.half_section(ag.spline(line), wall=0.0007))
+    hole = ag.cylinder(0.0125, 0.0008).at(0.0, 0.0, -BOWL + 0.0002)
+    bar = ag.box_between((0.010, -0.0012, -BOWL - 0.0005), (0.97 * radius, 0.0012, COIL_TOP - 0.0085))
+    tread = ag.box_between((0.012, -0.0012, COIL_TOP - 0.009), (0.99 * radius, 0.0012, COIL_TOP - 0.0005))
+    spokes = [each.rotate(ag.Z, turn + math.tau * arm / 3.0) for arm in range(3) for each in (bar, tread)]
+    boss = ag.cylinder(0.0115, COIL_TOP + BOWL - 0.0012, bevel=0.0008).align((0.0, 0.0, -BOWL - 0.0004), z=-1)
+    steel = ag.material("stainless").with_(name="coil_bars", specular_roughness=0.4)
+    return ag.weld(
+        *(ag.part(each, "burner", steel) for each in spokes),
+        ag.part(boss, "burner", steel),
+        ag.detail(_spiral(radius).rotate(ag.Z, turn), "coil", _ELEMENT),
+        ag.detail(dish, "drip_bowl", bowl),
+        ag.detail(hole, "drip_bowl", _SOOT),
     )
 
 
-def _spiral(radius: float) -> Solid:
+def _spiral(radius: float) -> ag.Solid:
     """Make a flattened tube that winds outward, with the tail that goes down into the bowl."""
     first, last = 0.019, radius - _TUBE
     pitch = 2.0 * _TUBE + _GAP
@@ -203,44 +180,44 @@ def _spiral(radius: float) -> Solid:
         angle = sweep_ * step / steps
         course.append((angle, first + pitch * angle / math.tau, 0.0))
     course += [(sweep_ + 0.22, last, -0.0015), (sweep_ + 0.40, last, -0.006)]
-    points: list[VectorLike] = [
+    points: list[ag.VectorLike] = [
         (out * math.cos(angle), out * math.sin(angle), level + drop) for angle, out, drop in course
     ]
-    return sweep(ellipse(_TUBE, 0.003), spline(points))
+    return ag.sweep(ag.ellipse(_TUBE, 0.003), ag.spline(points))
 
 
-def radiant_zone(radius: Scalar, *, dual: bool) -> Profile:
+def radiant_zone(radius: ag.Scalar, *, dual: bool) -> ag.Profile:
     """Make the print over a radiant heater: a fine circle, its band, and an inner circle on dual heaters."""
-    zone = ring(radius, radius - 0.0011) | ring(radius - 0.0030, radius - 0.0036)
+    zone = ag.ring(radius, radius - 0.0011) | ag.ring(radius - 0.0030, radius - 0.0036)
     if dual:
-        zone = zone | ring(0.62 * radius, 0.62 * radius - 0.0011)
+        zone = zone | ag.ring(0.62 * radius, 0.62 * radius - 0.0011)
     return zone
 
 
-def induction_zone(radius: Scalar, *, style: str) -> Profile:
+def induction_zone(radius: ag.Scalar, *, style: str) -> ag.Profile:
     """Make what is printed over an induction coil."""
-    arm = rectangle(0.030, 0.0011) | rectangle(0.0011, 0.030)
+    arm = ag.rectangle(0.030, 0.0011) | ag.rectangle(0.0011, 0.030)
     if style == "cross":
-        gap = rectangle(3.0 * radius, 0.55 * radius) | rectangle(0.55 * radius, 3.0 * radius)
-        return arm | (ring(radius, radius - 0.0011) - gap.rotate(math.pi / 4.0))
+        gap = ag.rectangle(3.0 * radius, 0.55 * radius) | ag.rectangle(0.55 * radius, 3.0 * radius)
+        return arm | (ag.ring(radius, radius - 0.0011) - gap.rotate(math.pi / 4.0))
     side = 0.93 * radius
     if style == "corners":
-        outer = rectangle(2 * side, 2 * side, radius=0.006) - rectangle(
+        outer = ag.rectangle(2 * side, 2 * side, radius=0.006) - ag.rectangle(
             2 * side - 0.0022, 2 * side - 0.0022, radius=0.005
         )
-        gap = rectangle(3.0 * side, 1.3 * side) | rectangle(1.3 * side, 3.0 * side)
+        gap = ag.rectangle(3.0 * side, 1.3 * side) | ag.rectangle(1.3 * side, 3.0 * side)
         return (outer - gap) | arm.scale(0.5)
     dots = arm.scale(0.6)
     for step in range(12):
         angle = math.tau * step / 12.0
-        dots = dots | circle(0.0016).at(radius * math.cos(angle), radius * math.sin(angle))
+        dots = dots | ag.circle(0.0016).at(radius * math.cos(angle), radius * math.sin(angle))
     return dots
 
 
-def printed_zones(zones: Sequence[tuple[Place, Profile]], top: Scalar, ink: Material) -> Body:
+def printed_zones(zones: Sequence[tuple[Place, ag.Profile]], top: ag.Scalar, ink: ag.Material) -> ag.Body:
     """Print zones on a glass whose upper face is at a height, as one film."""
     place, film = zones[0]
     whole = film.at(place.x, place.y)
     for place, film in zones[1:]:
         whole = whole | film.at(place.x, place.y)
-    return details.printed(whole, (0.0, 0.0, top), material=ink, facing=Z, label="zone")
+    return details.printed(whole, (0.0, 0.0, top), material=ink, facing=ag.Z, label="zone")

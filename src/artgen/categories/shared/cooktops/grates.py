@@ -7,26 +7,7 @@ from collections.abc import Sequence
 from itertools import pairwise
 from typing import Literal
 
-from artgen import (
-    Body,
-    Joint,
-    Material,
-    Prismatic,
-    Scalar,
-    Solid,
-    Y,
-    Z,
-    array,
-    atan2,
-    box_between,
-    detail,
-    frame,
-    min_,
-    part,
-    sqrt,
-    vector,
-    weld,
-)
+import artgen as ag
 from artgen.categories.shared.cooktops.plan import Column, Place
 
 GrateStyle = Literal["continuous", "single", "diagonal"]
@@ -46,17 +27,19 @@ _REST = 0.0003  # between the feet and the plate, which the joint's limit keeps 
 _SOFT = 0.0022  # radius of the edges [m]
 
 
-def _bars(size: tuple[Scalar, Scalar], at: list[tuple[Scalar, Scalar]], top: Scalar) -> Solid:
+def _bars(
+    size: tuple[ag.Scalar, ag.Scalar], at: list[tuple[ag.Scalar, ag.Scalar]], top: ag.Scalar
+) -> ag.Solid:
     """Make level bars of one length along x and y, their middles at places [m]."""
     x, y = size
     low = (-0.5 * x, -0.5 * y, top - _HIGH)
-    bar = box_between(low, (0.5 * x, 0.5 * y, top), bevel=_SOFT)
-    return array(bar, at=[(i, j, 0.0) for i, j in at])
+    bar = ag.box_between(low, (0.5 * x, 0.5 * y, top), bevel=_SOFT)
+    return ag.array(bar, at=[(i, j, 0.0) for i, j in at])
 
 
 def _fingers(
-    burners: Sequence[Place], half: tuple[Scalar, Scalar], *, diagonal: bool, top: Scalar
-) -> list[Solid]:
+    burners: Sequence[Place], half: tuple[ag.Scalar, ag.Scalar], *, diagonal: bool, top: ag.Scalar
+) -> list[ag.Solid]:
     """Make four fingers that point to the middle of each burner from the frame around it."""
     wide, deep = half
     middles = [(place.x, place.y) for place in burners]
@@ -70,13 +53,13 @@ def _fingers(
     x, y = wide - inner, deep - inner
     made = []
     for way in (-1, 1):  # two fingers in a line have one direction
-        start = box_between(
-            (0.0, -0.5 * slim, low - _HIGH), (sqrt(x * x + y * y), 0.5 * slim, low), bevel=_SOFT
+        start = ag.box_between(
+            (0.0, -0.5 * slim, low - _HIGH), (ag.sqrt(x * x + y * y), 0.5 * slim, low), bevel=_SOFT
         )
-        finger = start.rotate(Z, atan2(way * y, x))
+        finger = start.rotate(ag.Z, ag.atan2(way * y, x))
         first = [(i + inner, j + way * inner) for i, j in middles]
         second = [(i - wide, j - way * deep) for i, j in middles]
-        made.append(array(finger, at=[(i, j, 0.0) for i, j in (*first, *second)]))
+        made.append(ag.array(finger, at=[(i, j, 0.0) for i, j in (*first, *second)]))
     return made
 
 
@@ -84,12 +67,12 @@ def grate(
     name: str,
     burners: Sequence[Place],
     *,
-    half: tuple[Scalar, Scalar],
-    plate: Scalar,
+    half: tuple[ag.Scalar, ag.Scalar],
+    plate: ag.Scalar,
     style: GrateStyle,
-    iron: Material,
-    feet: Material,
-) -> Body:
+    iron: ag.Material,
+    feet: ag.Material,
+) -> ag.Body:
     """Make a grate over one burner, or over several behind each other."""
     top = plate + TOP
     wide, deep = half
@@ -101,47 +84,47 @@ def grate(
     sides = _bars((_WIDE, back - front), ends, top - 0.0002)
     inner = _fingers(burners, half, diagonal=style == "diagonal", top=top)
     # legs under the corners, whose ends have rubber around them
-    corners = [vector(x + i * wide, y, 0.0) for i in (-1, 1) for y in (front, back)]
-    leg = box_between((-0.0046, -0.0046, plate + _REST), (0.0046, 0.0046, top - 0.004), bevel=_SOFT)
-    pad = box_between((-0.0052, -0.0052, plate + _REST), (0.0052, 0.0052, plate + 0.006), bevel=0.0015)
+    corners = [ag.vector(x + i * wide, y, 0.0) for i in (-1, 1) for y in (front, back)]
+    leg = ag.box_between((-0.0046, -0.0046, plate + _REST), (0.0046, 0.0046, top - 0.004), bevel=_SOFT)
+    pad = ag.box_between((-0.0052, -0.0052, plate + _REST), (0.0052, 0.0052, plate + 0.006), bevel=0.0015)
     # a hand takes it by a finger, where no other grate is beside it; its tips reach 10 mm down
     slim, grip = _SLIM * _WIDE, top - 0.04 * _HIGH - 0.001
     if style == "diagonal":
         start, share = 0.71 * _BARE, 0.5
         run, rise = wide - start, deep - start
         at = (first.x - start - share * run, first.y + start + share * rise, grip)
-        hold = frame(at, approach=-Z, closing=vector(rise, run, 0.0))
+        hold = ag.frame(at, approach=-ag.Z, closing=ag.vector(rise, run, 0.0))
     else:
-        hold = frame((first.x - 0.5 * (wide + _BARE), first.y, grip), approach=-Z, closing=Y)
+        hold = ag.frame((first.x - 0.5 * (wide + _BARE), first.y, grip), approach=-ag.Z, closing=ag.Y)
     apart = "each bar is cast onto the others"
-    return weld(
-        part(inner[0], "grate", iron, name=name, grasp=hold, grasp_width=slim + 0.010, separate=apart),
+    return ag.weld(
+        ag.part(inner[0], "grate", iron, name=name, grasp=hold, grasp_width=slim + 0.010, separate=apart),
         *(
-            part(each, "grate", iron, separate=apart)
-            for each in (*inner[1:], across, sides, array(leg, at=corners))
+            ag.part(each, "grate", iron, separate=apart)
+            for each in (*inner[1:], across, sides, ag.array(leg, at=corners))
         ),
-        detail(array(pad, at=corners), "grate", feet),
+        ag.detail(ag.array(pad, at=corners), "grate", feet),
     )
 
 
-def grate_lift(name: str) -> Joint:
+def grate_lift(name: str) -> ag.Joint:
     """Make the joint by which a grate is lifted off the plate; its weight brings it back."""
-    return Prismatic(name, axis=Z, limits=(0.0, LIFT), damping=4.0, effort=60.0)
+    return ag.Prismatic(name, axis=ag.Z, limits=(0.0, LIFT), damping=4.0, effort=60.0)
 
 
 def grates(
-    columns: Sequence[Column], *, plate: Scalar, style: GrateStyle, iron: Material, feet: Material
-) -> list[tuple[Body, Joint]]:
+    columns: Sequence[Column], *, plate: ag.Scalar, style: GrateStyle, iron: ag.Material, feet: ag.Material
+) -> list[tuple[ag.Body, ag.Joint]]:
     """Make all grates of a cooktop with the joints by which they are lifted."""
     inset = _APART + _WIDE / 2
-    groups: list[tuple[Sequence[Place], tuple[Scalar, Scalar]]] = []
+    groups: list[tuple[Sequence[Place], tuple[ag.Scalar, ag.Scalar]]] = []
     for column in columns:
         deep = 0.5 * column.depth / len(column.burners)
         if style == "continuous":
             groups.append((column.burners, (0.5 * column.width - inset, deep - inset)))
         else:
             most = 1.3 * column.burners[0].reach
-            around = (min_(0.5 * column.width, most) - inset, min_(deep, most) - inset)
+            around = (ag.min_(0.5 * column.width, most) - inset, ag.min_(deep, most) - inset)
             groups += [((burner,), around) for burner in column.burners]
     made = []
     for number, (burners, half) in enumerate(groups):

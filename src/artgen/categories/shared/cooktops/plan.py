@@ -6,7 +6,7 @@ Seen from above: x to the right, y to the back, the origin in the middle of the 
 from dataclasses import dataclass
 from typing import Literal
 
-from artgen import Float, Scalar, min_
+import artgen as ag
 from artgen._arrays import cached_property
 
 BurnerKind = Literal["gas", "radiant", "coil", "induction"]
@@ -57,19 +57,19 @@ _SIZES: dict[tuple[int, int], tuple[BurnerSize, ...]] = {
 class Place:
     """Where a burner is."""
 
-    x: Scalar  # its middle [m]
-    y: Scalar  # its middle [m]
+    x: ag.Scalar  # its middle [m]
+    y: ag.Scalar  # its middle [m]
     size: BurnerSize  # how large it is
-    reach: Scalar  # half the width of the square around it that is its own [m]
+    reach: ag.Scalar  # half the width of the square around it that is its own [m]
 
 
 @dataclass(frozen=True)
 class Column:
     """Burners behind each other."""
 
-    x: Scalar  # middle of the column [m]
-    width: Scalar  # its width [m]
-    depth: Scalar  # its depth [m]
+    x: ag.Scalar  # middle of the column [m]
+    width: ag.Scalar  # its width [m]
+    depth: ag.Scalar  # its depth [m]
     burners: tuple[Place, ...]  # its burners, from the front to the back
 
 
@@ -81,19 +81,19 @@ class Plan:
     rows: int  # in how many rows
     dials: int  # how many dials there are, the burners' first
     side: DialSide  # where they are
-    width: Scalar  # of the plate [m]
-    depth: Scalar  # of the plate [m]
-    radius: Scalar  # of the dials [m]
-    pitch: Scalar  # distance between dials, where there is room for it [m]
+    width: ag.Scalar  # of the plate [m]
+    depth: ag.Scalar  # of the plate [m]
+    radius: ag.Scalar  # of the dials [m]
+    pitch: ag.Scalar  # distance between dials, where there is room for it [m]
     mirrored: bool  # whether the large burners are on the right
 
     @cached_property
-    def strip(self) -> Scalar:
+    def strip(self) -> ag.Scalar:
         """Width of the strip with the dials and their print [m]."""
         return EDGE + 2.0 * (self.radius + PRINT) + SIGN + 0.003
 
     @cached_property
-    def field(self) -> tuple[Scalar, Scalar, Scalar, Scalar]:
+    def field(self) -> tuple[ag.Scalar, ag.Scalar, ag.Scalar, ag.Scalar]:
         """Left, right, front and back of the field with the burners [m]."""
         x, y = self.width / 2 - _MARGIN, self.depth / 2 - _MARGIN
         inner = self.strip - _MARGIN
@@ -121,7 +121,7 @@ class Plan:
             x, way = (-x + left + right, -1) if self.mirrored else (x, 1)
             tall = deep / number
             burners = tuple(
-                Place(x, front + tall * (row + 0.5), next(sizes), 0.5 * min_(width, tall))
+                Place(x, front + tall * (row + 0.5), next(sizes), 0.5 * ag.min_(width, tall))
                 for row in range(number)
             )
             found.insert(0 if way < 0 else len(found), Column(x, width, deep, burners))
@@ -133,13 +133,13 @@ class Plan:
         return [place for column in self.columns for place in column.burners]
 
     @cached_property
-    def spaced(self) -> Float:
+    def spaced(self) -> ag.Float:
         """Distance between dials [m]."""
         span = (self.width if self.side in ("front", "back") else self.depth) - 2.0 * (self.radius + _END)
-        return min_(self.pitch, span / max(self.dials - 1, 1))
+        return ag.min_(self.pitch, span / max(self.dials - 1, 1))
 
     @cached_property
-    def dial_places(self) -> list[tuple[Scalar, Scalar]]:
+    def dial_places(self) -> list[tuple[ag.Scalar, ag.Scalar]]:
         """Where the dials are, from left to right or from front to back [m]."""
         across = self.side in ("front", "back")
         inset = EDGE + PRINT + self.radius
@@ -149,10 +149,10 @@ class Plan:
         return [(along, level) if across else (level, along) for along in row]
 
     @cached_property
-    def sign_step(self) -> tuple[Scalar, Scalar]:
+    def sign_step(self) -> tuple[ag.Scalar, ag.Scalar]:
         """The way from a dial to the sign of its burner [m]."""
         away = self.radius + PRINT + SIGN / 2.0
-        ways: dict[DialSide, tuple[Scalar, Scalar]] = {
+        ways: dict[DialSide, tuple[ag.Scalar, ag.Scalar]] = {
             "front": (0.0, away),
             "back": (0.0, -away),
             "left": (away, 0.0),

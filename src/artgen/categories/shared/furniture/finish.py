@@ -8,7 +8,7 @@ A category draws a look, and by it the finish of fronts and carcass:
 
 from typing import Any, Literal
 
-from artgen import Material, by, colored, material, shades
+import artgen as ag
 from artgen.categories.shared.finish import known, weighing
 
 BoardLook = Literal["wood", "lacquer", "melamine", "decor"]
@@ -46,19 +46,19 @@ _LACQUERS: dict[str, float] = {
     "mustard": 0.3,
     "burgundy": 0.3,
 }
-LACQUERS = tuple(colored("lacquered_mdf", color) for color in _LACQUERS)
+LACQUERS = tuple(ag.colored("lacquered_mdf", color) for color in _LACQUERS)
 """Sprayed MDF, 750 kg/m3."""
 
 _FOIL: dict[str, Any] = {"specular_roughness": 0.42, "coat_weight": 0.0, "density": 660.0}  # on chipboard
 _MELAMINES: dict[str, float] = {"cool_white": 2.4, "light_grey": 1.0, "sand": 0.7, "graphite": 0.8}
 MELAMINES = tuple(
-    colored("lacquered_mdf", color).with_(name=f"melamine_{color}", **_FOIL) for color in _MELAMINES
+    ag.colored("lacquered_mdf", color).with_(name=f"melamine_{color}", **_FOIL) for color in _MELAMINES
 )
 """Chipboard with a foil of one color."""
 
 _DECORS: dict[str, float] = {"oak": 1.4, "walnut": 0.8, "ash": 1.0, "beech": 0.6}
 DECORS = tuple(
-    material(name).with_(name=f"decor_{name}", **_FOIL | {"specular_roughness": 0.5}) for name in _DECORS
+    ag.material(name).with_(name=f"decor_{name}", **_FOIL | {"specular_roughness": 0.5}) for name in _DECORS
 )
 """Chipboard with a foil that has the grain of a wood printed on it."""
 
@@ -74,35 +74,35 @@ _STEELS: dict[str, float] = {
     "navy": 0.4,
 }
 # walls are two sheets of 0.8 mm with air between them: 1.6 of some 14 mm are steel, less where they are one
-STEELS = weighing([colored("powder_coat", color) for color in _STEELS], 620.0, "sheet")
+STEELS = weighing([ag.colored("powder_coat", color) for color in _STEELS], 620.0, "sheet")
 """Painted sheet steel, folded."""
 
-WHITE_BOARD = colored("lacquered_mdf", "cool_white").with_(name="melamine_inside", **_FOIL)
+WHITE_BOARD = ag.colored("lacquered_mdf", "cool_white").with_(name="melamine_inside", **_FOIL)
 """White melamine, of which the insides of kitchen cabinets are."""
 
-PLY = material("plywood").with_(name="birch_ply", base_color=(0.70, 0.55, 0.37))
+PLY = ag.material("plywood").with_(name="birch_ply", base_color=(0.70, 0.55, 0.37))
 """Birch plywood: backs, and the bottoms and sides of drawers."""
 
-HARDBOARD = colored("lacquered_mdf", "cool_white").with_(name="hardboard_white", density=850.0)
+HARDBOARD = ag.colored("lacquered_mdf", "cool_white").with_(name="hardboard_white", density=850.0)
 """Hardboard with a white face: thin backs and bottoms."""
 
-ZINC = material("zinc").with_(name="zinc_plated", base_color=(0.66, 0.67, 0.69), density=7850.0)
+ZINC = ag.material("zinc").with_(name="zinc_plated", base_color=(0.66, 0.67, 0.69), density=7850.0)
 """Zinc-plated steel of runners, hinges and pins."""
 
-GREY_STEEL = colored("powder_coat", "light_grey").with_(name="grey_steel_walls", density=700.0)
+GREY_STEEL = ag.colored("powder_coat", "light_grey").with_(name="grey_steel_walls", density=700.0)
 """Sides of drawers, folded of sheet steel and hollow."""
 
-CREAM_STEEL = colored("powder_coat", "ivory").with_(name="cream_steel")
+CREAM_STEEL = ag.colored("powder_coat", "ivory").with_(name="cream_steel")
 """Epoxy-coated steel, of which roller runners are."""
 
-CLEAR_RUBBER = material("polycarbonate").with_(name="clear_rubber", density=1150.0, friction=0.9)
+CLEAR_RUBBER = ag.material("polycarbonate").with_(name="clear_rubber", density=1150.0, friction=0.9)
 """Bumpers behind doors."""
 
 _STONES = {"granite": 1.0, "black_granite": 1.0, "marble": 0.8}
 _TOPS = (
     *weighing(known("oak", "beech", "walnut"), 680.0, "butcher_block"),
     *(
-        colored("lacquered_mdf", color).with_(name=f"laminate_{color}", **_FOIL)
+        ag.colored("lacquered_mdf", color).with_(name=f"laminate_{color}", **_FOIL)
         for color in ("graphite", "white", "sand")
     ),
     *known(*_STONES),
@@ -124,7 +124,7 @@ HARDWARE: dict[str, float] = {
 
 def boards(*looks: CaseLook, color: float = 0.05) -> Any:
     """Draw the material of fronts and carcass by the parameter `look`."""
-    stock: dict[CaseLook, tuple[tuple[Material, ...], tuple[float, ...]]] = {
+    stock: dict[CaseLook, tuple[tuple[ag.Material, ...], tuple[float, ...]]] = {
         "wood": (WOODS, tuple(_WOODS.values())),
         "lacquer": (LACQUERS, tuple(_LACQUERS.values())),
         "melamine": (MELAMINES, tuple(_MELAMINES.values())),
@@ -132,38 +132,41 @@ def boards(*looks: CaseLook, color: float = 0.05) -> Any:
         "steel": (STEELS, tuple(_STEELS.values())),
     }
     cases = {
-        look: shades(*stock[look][0], weights=stock[look][1], color=color, roughness=0.04) for look in looks
+        look: ag.shades(*stock[look][0], weights=stock[look][1], color=color, roughness=0.04)
+        for look in looks
     }
-    return by("look", cases, doc="of fronts and carcass")
+    return ag.by("look", cases, doc="of fronts and carcass")
 
 
 def accents() -> Any:
     """Draw the material of fronts that are not those of the carcass, by the parameter `fronts`."""
-    return by(
+    return ag.by(
         "fronts",
-        wood=shades(*WOODS[:5], weights=tuple(_WOODS.values())[:5], color=0.05, roughness=0.04),
-        otherwise=shades(*LACQUERS, weights=tuple(_LACQUERS.values()), color=0.05, roughness=0.04),
+        wood=ag.shades(*WOODS[:5], weights=tuple(_WOODS.values())[:5], color=0.05, roughness=0.04),
+        otherwise=ag.shades(*LACQUERS, weights=tuple(_LACQUERS.values()), color=0.05, roughness=0.04),
         doc="of fronts of their own",
     )
 
 
 def worktops() -> Any:
     """Draw the material of a worktop: glued wood, laminate or stone."""
-    return shades(*_TOPS, weights=_TOP_WEIGHTS, color=0.05, roughness=0.03, doc="of the worktop")
+    return ag.shades(*_TOPS, weights=_TOP_WEIGHTS, color=0.05, roughness=0.03, doc="of the worktop")
 
 
 def hardware() -> Any:
     """Draw the metal of handles."""
-    return shades(*HARDWARE, weights=tuple(HARDWARE.values()), color=0.03, roughness=0.03, doc="of handles")
+    return ag.shades(
+        *HARDWARE, weights=tuple(HARDWARE.values()), color=0.03, roughness=0.03, doc="of handles"
+    )
 
 
 def leg_finishes() -> Any:
     """Draw what legs are made of by the parameter `leg`: wood, or the metal of a tube."""
     metals = ("powder_coat_black", "satin_brass", "stainless")
-    return by(
+    return ag.by(
         "leg",
-        metal=shades(*metals, weights=(3.0, 1.0, 1.0), color=0.03),
-        otherwise=shades(
+        metal=ag.shades(*metals, weights=(3.0, 1.0, 1.0), color=0.03),
+        otherwise=ag.shades(
             *WOODS[:4], *known("powder_coat_black"), weights=(2.0, 1.0, 2.0, 1.0, 1.0), color=0.05
         ),
         doc="of legs",

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from typing import Literal
 
-from artgen import Body, Material, Scalar, Solid, Y, box, detail, extrude, min_, part, rectangle
+import artgen as ag
 from artgen.categories.shared.furniture.door_slab import EASED
 from artgen.categories.shared.furniture.infill import Opening, Sticking, panels_in, panes_in
 
@@ -17,11 +17,11 @@ class FrontLook:
     """How fronts look."""
 
     style: FrontStyle  # their build
-    finish: Material  # what they are made of
-    rail: Scalar  # width of stiles and rails [m]
+    finish: ag.Material  # what they are made of
+    rail: ag.Scalar  # width of stiles and rails [m]
     moulding: Sticking  # of the edge of the frame around a shaker panel
-    slope: Scalar  # width of the slope of a ramped front [m]
-    glass: Material  # of the pane of a glazed one
+    slope: ag.Scalar  # width of the slope of a ramped front [m]
+    glass: ag.Material  # of the pane of a glazed one
     panes: tuple[int, int] = (1, 1)  # panes side by side, and above each other
 
     @property
@@ -29,27 +29,33 @@ class FrontLook:
         """Whether handles stand on a panel that lies behind rails and stiles."""
         return self.style in ("shaker", "ramped")
 
-    def sunk(self, thickness: Scalar) -> Scalar:
+    def sunk(self, thickness: ag.Scalar) -> ag.Scalar:
         """Return how far behind its face the middle of a front lies, where handles stand [m]."""
         return 0.375 * thickness if self.framed else 0.0
 
 
 def front(
-    look: FrontLook, width: Scalar, height: Scalar, thickness: Scalar, *, label: str, name: str | None = None
-) -> list[Body]:
+    look: FrontLook,
+    width: ag.Scalar,
+    height: ag.Scalar,
+    thickness: ag.Scalar,
+    *,
+    label: str,
+    name: str | None = None,
+) -> list[ag.Body]:
     """Make a front in the X-Z plane, with the origin in its middle."""
     if look.style in ("flat", "beaded"):
-        slab = part(box(width, thickness, height, bevel=0.0014), label, look.finish, name=name)
+        slab = ag.part(ag.box(width, thickness, height, bevel=0.0014), label, look.finish, name=name)
         return (
-            [slab, detail(_bead(width, height, thickness), label, look.finish)]
+            [slab, ag.detail(_bead(width, height, thickness), label, look.finish)]
             if look.style == "beaded"
             else [slab]
         )
     rail = look.rail
-    narrow = min_(rail, 0.27 * height)  # rails of a low drawer leave room for its panel
-    stile = box(rail, thickness, height, bevel=EASED)
-    beam = box(width - 2 * rail, thickness, narrow, bevel=EASED)
-    boards: list[Solid] = [
+    narrow = ag.min_(rail, 0.27 * height)  # rails of a low drawer leave room for its panel
+    stile = ag.box(rail, thickness, height, bevel=EASED)
+    beam = ag.box(width - 2 * rail, thickness, narrow, bevel=EASED)
+    boards: list[ag.Solid] = [
         *(stile.at(way * (width - rail) / 2, 0.0, 0.0) for way in (-1, 1)),
         *(beam.at(0.0, 0.0, way * (height - narrow) / 2) for way in (-1, 1)),
     ]
@@ -59,20 +65,20 @@ def front(
         case "glazed":
             filling = panes_in(opening, thickness, *look.panes, look.glass)
         case "ramped":
-            slope = min_(look.slope, 0.3 * min_(opening.width, opening.height))
+            slope = ag.min_(look.slope, 0.3 * ag.min_(opening.width, opening.height))
             filling = panels_in(opening, thickness, "recessed", slope, "ramp")
         case "fielded":
             filling = panels_in(opening, thickness, "raised", 0.008, "ovolo")
         case _:
             filling = panels_in(opening, thickness, "recessed", 0.009, look.moulding)
     return [
-        part(first, label, look.finish, name=name),
-        *(part(each, label, look.finish) for each in others),
+        ag.part(first, label, look.finish, name=name),
+        *(ag.part(each, label, look.finish) for each in others),
         *filling,
     ]
 
 
-def _bead(width: Scalar, height: Scalar, thickness: Scalar) -> Solid:
+def _bead(width: ag.Scalar, height: ag.Scalar, thickness: ag.Scalar) -> ag.Solid:
     """Make a half-round bead around the face of a slab, which stands out by 2 mm."""
-    ring = rectangle(width - 0.004, height - 0.004) - rectangle(width - 0.018, height - 0.018)
-    return extrude(ring, 0.006, axis=Y, bevel=0.0028).at(0.0, 0.001 - thickness / 2, 0.0)
+    ring = ag.rectangle(width - 0.004, height - 0.004) - ag.rectangle(width - 0.018, height - 0.018)
+    return ag.extrude(ring, 0.006, axis=ag.Y, bevel=0.0028).at(0.0, 0.001 - thickness / 2, 0.0)

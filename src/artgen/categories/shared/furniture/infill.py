@@ -7,27 +7,7 @@ import math
 from collections.abc import Callable, Sequence
 from typing import Literal, NamedTuple
 
-from artgen import (
-    Body,
-    Material,
-    Scalar,
-    Solid,
-    VectorLike,
-    X,
-    Z,
-    array,
-    atan2,
-    box,
-    detail,
-    hull,
-    min_,
-    part,
-    polygon,
-    polyline,
-    rectangle,
-    sqrt,
-    sweep,
-)
+import artgen as ag
 
 _PANE = 0.005  # toughened glass [m]
 _BOARDS = 3  # of which the slats of a section are cut
@@ -45,19 +25,19 @@ Sticking = Literal["ogee", "ovolo", "square", "ramp"]
 class Opening(NamedTuple):
     """The openings of a row, all of one size."""
 
-    width: Scalar  # [m]
-    height: Scalar  # [m]
-    centers: Sequence[VectorLike]  # where their centers are [m]
+    width: ag.Scalar  # [m]
+    height: ag.Scalar  # [m]
+    centers: Sequence[ag.VectorLike]  # where their centers are [m]
     columns: int  # how many there are
-    finish: Material  # what surrounds them
+    finish: ag.Material  # what surrounds them
     label: str = "door"  # semantic label of the leaf
 
-    def everywhere(self, solid: Solid) -> Solid:
+    def everywhere(self, solid: ag.Solid) -> ag.Solid:
         """Return copies of a solid, made about the origin, in all openings."""
-        return array(solid, at=self.centers)
+        return ag.array(solid, at=self.centers)
 
 
-Fill = Callable[[Opening, Scalar], list[Body]]
+Fill = Callable[[Opening, ag.Scalar], list[ag.Body]]
 """Makes what fills the openings of a row in a leaf of some thickness [m]."""
 
 
@@ -76,34 +56,36 @@ _SECTIONS: dict[str, tuple[tuple[float, float], ...]] = {
 }  # fmt: skip
 
 
-def _sticking(opening: Opening, thickness: Scalar, depth: Scalar, reach: Scalar, style: str) -> list[Body]:
+def _sticking(
+    opening: Opening, thickness: ag.Scalar, depth: ag.Scalar, reach: ag.Scalar, style: str
+) -> list[ag.Body]:
     """Make the moulding around the openings on both faces, down to the filling."""
     corners = [(out * reach, -down * depth) for out, down in _SECTIONS[style]]
     last = -_SECTIONS[style][-1][1] * depth
     # united with its foot: a union is smooth where corners are blunt
-    foot = rectangle(reach + 0.0005, 0.2 * depth).at(reach / 2.0 - 0.00025, -0.9 * depth)
-    section = polygon([(-0.0005, last), (-0.0005, -depth), (reach, -depth), *corners]) | foot
+    foot = ag.rectangle(reach + 0.0005, 0.2 * depth).at(reach / 2.0 - 0.00025, -0.9 * depth)
+    section = ag.polygon([(-0.0005, last), (-0.0005, -depth), (reach, -depth), *corners]) | foot
     x, z = opening.width / 2.0, opening.height / 2.0
-    ring = polyline([(-x, -z, 0.0), (x, -z, 0.0), (x, z, 0.0), (-x, z, 0.0)], closed=True)
+    ring = ag.polyline([(-x, -z, 0.0), (x, -z, 0.0), (x, z, 0.0), (-x, z, 0.0)], closed=True)
     # swept on the floor, where the section's y is up, then stood up: up becomes the front
-    front = sweep(section, ring).rotate(X, math.pi / 2.0).at(0.0, -thickness / 2.0, 0.0)
-    faces = (front, front.rotate(Z, math.pi))
-    return [detail(opening.everywhere(face), opening.label, opening.finish) for face in faces]
+    front = ag.sweep(section, ring).rotate(ag.X, math.pi / 2.0).at(0.0, -thickness / 2.0, 0.0)
+    faces = (front, front.rotate(ag.Z, math.pi))
+    return [ag.detail(opening.everywhere(face), opening.label, opening.finish) for face in faces]
 
 
 def panels_in(
-    opening: Opening, thickness: Scalar, relief: Relief, moulding: Scalar, sticking: Sticking
-) -> list[Body]:
+    opening: Opening, thickness: ag.Scalar, relief: Relief, moulding: ag.Scalar, sticking: Sticking
+) -> list[ag.Body]:
     """Make the panels of a row with their mouldings; each panel is a board of its own."""
     width, height = opening.width - 0.0006, opening.height - 0.0006
     tongue = 0.25 * thickness  # 9-11 mm stand in the groove
-    panel = box(width, tongue, height)
+    panel = ag.box(width, tongue, height)
     if relief == "raised":
         # fielded on both faces: bevels rise from the groove to a field 4 mm below the faces of the leaf
-        run = 2.0 * min_(_BEVEL, 0.3 * min_(width, height))
-        field = box(width - run, thickness - 0.008, height - run)
-        panel = hull(panel, field)
-    bodies = [part(panel.at(center), opening.label, opening.finish) for center in opening.centers]
+        run = 2.0 * ag.min_(_BEVEL, 0.3 * ag.min_(width, height))
+        field = ag.box(width - run, thickness - 0.008, height - run)
+        panel = ag.hull(panel, field)
+    bodies = [ag.part(panel.at(center), opening.label, opening.finish) for center in opening.centers]
     if sticking == "square":
         return bodies
     return bodies + _sticking(opening, thickness, (thickness - tongue) / 2.0, moulding, sticking)
@@ -111,17 +93,17 @@ def panels_in(
 
 def panes_in(
     opening: Opening,
-    thickness: Scalar,
+    thickness: ag.Scalar,
     columns: int,
     lights: int,
-    glass: Material,
+    glass: ag.Material,
     *,
     pane: float = _PANE,
-) -> list[Body]:
+) -> list[ag.Body]:
     """Make a pane in its beads, and the muntins over it."""
     width, height = opening.width - 0.002, opening.height - 0.002
     bodies = [
-        part(opening.everywhere(box(width, pane, height)), "glass", glass),
+        ag.part(opening.everywhere(ag.box(width, pane, height)), "glass", glass),
         *_sticking(opening, thickness, (thickness - pane) / 2.0, 0.013, "bead"),
     ]
     center = opening.centers[0]
@@ -129,41 +111,43 @@ def panes_in(
         if number < 2:
             continue
         pitch = (opening.width if across else opening.height) / number
-        soft = min_(0.005, 0.45 * (thickness - 0.009))  # doors of cabinets are thin
+        soft = ag.min_(0.005, 0.45 * (thickness - 0.009))  # doors of cabinets are thin
         bar = (
-            box(0.022, thickness - 0.008, opening.height, bevel=soft)
+            ag.box(0.022, thickness - 0.008, opening.height, bevel=soft)
             if across
-            else box(opening.width, thickness - 0.009, 0.022, bevel=soft)
+            else ag.box(opening.width, thickness - 0.009, 0.022, bevel=soft)
         )
         places = [
             ((at - number / 2.0) * pitch, 0.0, 0.0) if across else (0.0, 0.0, (at - number / 2.0) * pitch)
             for at in range(1, number)
         ]
-        bodies.append(part(array(bar, at=places).at(center), opening.label, opening.finish))
+        bodies.append(ag.part(ag.array(bar, at=places).at(center), opening.label, opening.finish))
     return bodies
 
 
-def slats_in(opening: Opening, thickness: Scalar, slats: int, *, joined: bool = False) -> list[Body]:
+def slats_in(opening: Opening, thickness: ag.Scalar, slats: int, *, joined: bool = False) -> list[ag.Body]:
     """Make slats of which each begins in height where the last one ends, so that nobody sees through."""
     pitch = opening.height / slats
     depth = thickness - 0.010
     rise = 0.98 * pitch
     plank = 0.008  # its edges are half round, so that they stick out as far at every tilt
     out, up = depth - plank, rise - plank
-    slat = box(opening.width, sqrt(out * out + up * up) + plank, plank, bevel=plank / 2.0)
+    slat = ag.box(opening.width, ag.sqrt(out * out + up * up) + plank, plank, bevel=plank / 2.0)
     places = [
         (0.0, 0.0, (at - (slats - 1) / 2.0) * (opening.height - rise) / (slats - 1)) for at in range(slats)
     ]
     # the outer edge hangs down, so that rain and eyes stay out
-    tilted = slat.rotate(X, atan2(up, out))
+    tilted = slat.rotate(ag.X, ag.atan2(up, out))
     if joined:
-        core = box(opening.width, _CORE, opening.height).at(opening.centers[0])
+        core = ag.box(opening.width, _CORE, opening.height).at(opening.centers[0])
         finish = opening.finish
         heavy = finish.with_(name=f"{finish.name}_slats", density=_SLATS * finish.density / _CORE)
-        field = array(tilted, at=places).at(opening.centers[0])
-        return [part(core, opening.label, heavy), detail(field, opening.label, finish)]
+        field = ag.array(tilted, at=places).at(opening.centers[0])
+        return [ag.part(core, opening.label, heavy), ag.detail(field, opening.label, finish)]
     # neighbors are of different boards
     return [
-        part(array(tilted, at=places[first::_BOARDS]).at(opening.centers[0]), opening.label, opening.finish)
+        ag.part(
+            ag.array(tilted, at=places[first::_BOARDS]).at(opening.centers[0]), opening.label, opening.finish
+        )
         for first in range(_BOARDS)
     ]

@@ -3,27 +3,8 @@
 import math
 from collections.abc import Sequence
 
-from artgen import (
-    Body,
-    Material,
-    Scalar,
-    Solid,
-    VectorLike,
-    X,
-    Y,
-    Z,
-    array,
-    box,
-    capsule,
-    circle,
-    detail,
-    details,
-    frame,
-    material,
-    part,
-    ring,
-    weld,
-)
+import artgen as ag
+from artgen import details
 
 GLASS = 0.004
 """Thickness of a pane of toughened glass [m]."""
@@ -37,45 +18,45 @@ _FRONT = 0.007  # front of a drawer [m]
 _LIP_DEEP, _LIP_HIGH = 0.019, 0.009  # of the lip by which a drawer is drawn [m]
 
 
-ORIGIN: tuple[VectorLike, ...] = ((0.0, 0.0, 0.0),)
+ORIGIN: tuple[ag.VectorLike, ...] = ((0.0, 0.0, 0.0),)
 """One thing, at the origin."""
 
 
 def glass_shelf(
-    width: Scalar,
-    depth: Scalar,
+    width: ag.Scalar,
+    depth: ag.Scalar,
     *,
-    trim: Material,
-    glass: Material | None = None,
-    at: Sequence[VectorLike] = ORIGIN,
+    trim: ag.Material,
+    glass: ag.Material | None = None,
+    at: Sequence[ag.VectorLike] = ORIGIN,
     label: str = "shelf",
-) -> Body:
+) -> ag.Body:
     """Make glass shelves between two walls, on ledges, with strips at their fronts and backs.
 
     The middle of the underside of a pane is the origin.
     """
-    pane = box(width + 2 * _IN_WALL, depth, GLASS, bevel=0.001).at(0.0, 0.0, GLASS / 2)
-    strip = box(width - 0.001, _TRIM_DEEP, _TRIM_HIGH, bevel=0.003)
+    pane = ag.box(width + 2 * _IN_WALL, depth, GLASS, bevel=0.001).at(0.0, 0.0, GLASS / 2)
+    strip = ag.box(width - 0.001, _TRIM_DEEP, _TRIM_HIGH, bevel=0.003)
     front = strip.at(0.0, (_TRIM_DEEP - depth) / 2 - 0.002, GLASS + 0.0015 - _TRIM_HIGH / 2)
     back = strip.at(0.0, (depth - _TRIM_DEEP) / 2, GLASS + 0.0015 - _TRIM_HIGH / 2)
-    ledge = box(_LEDGE + _IN_WALL, depth - 0.004, 0.008, bevel=0.0015)
+    ledge = ag.box(_LEDGE + _IN_WALL, depth - 0.004, 0.008, bevel=0.0015)
     beside = (width - _LEDGE + _IN_WALL) / 2
-    return weld(
-        part(array(pane, at=at), label, glass or material("glass")),
-        part(array(front, at=at), label, trim),
-        *(detail(array(ledge.at(way * beside, 0.0, -0.0039), at=at), label, trim) for way in (-1, 1)),
-        detail(array(back, at=at), label, trim),
+    return ag.weld(
+        ag.part(ag.array(pane, at=at), label, glass or ag.material("glass")),
+        ag.part(ag.array(front, at=at), label, trim),
+        *(ag.detail(ag.array(ledge.at(way * beside, 0.0, -0.0039), at=at), label, trim) for way in (-1, 1)),
+        ag.detail(ag.array(back, at=at), label, trim),
     )
 
 
 def wire_shelf(
-    width: Scalar,
-    depth: Scalar,
+    width: ag.Scalar,
+    depth: ag.Scalar,
     *,
-    finish: Material,
-    at: Sequence[VectorLike] = ORIGIN,
+    finish: ag.Material,
+    at: Sequence[ag.VectorLike] = ORIGIN,
     label: str = "shelf",
-) -> Body:
+) -> ag.Body:
     """Make wire shelves between two walls, the middle of the frame of one on z = 0.
 
     Its front, its back and three rods across collide; the wires between them only are seen.
@@ -84,35 +65,35 @@ def wire_shelf(
     rack = details.wire_rack(
         width + 2 * _IN_WALL, depth, pitch=0.026, wire=wire, frame=rod, corner=0.012, supports=0
     )
-    front = capsule(rod - _INSIDE, width + 2 * _IN_WALL, axis=X)
-    deep = capsule(rod - _INSIDE, depth - 2 * rod, axis=Y)
-    rods = array(deep, at=[(way * 0.25 * width, 0.0, 0.0) for way in (-1, 0, 1)])
-    ends = array(front, at=[(0.0, way * (depth / 2 - rod), 0.0) for way in (-1, 1)])
-    return weld(
-        part(array(ends, at=at), label, finish),
-        part(array(rods, at=at), label, finish),
-        detail(array(rack, at=at), label, finish),
+    front = ag.capsule(rod - _INSIDE, width + 2 * _IN_WALL, axis=ag.X)
+    deep = ag.capsule(rod - _INSIDE, depth - 2 * rod, axis=ag.Y)
+    rods = ag.array(deep, at=[(way * 0.25 * width, 0.0, 0.0) for way in (-1, 0, 1)])
+    ends = ag.array(front, at=[(0.0, way * (depth / 2 - rod), 0.0) for way in (-1, 1)])
+    return ag.weld(
+        ag.part(ag.array(ends, at=at), label, finish),
+        ag.part(ag.array(rods, at=at), label, finish),
+        ag.detail(ag.array(rack, at=at), label, finish),
     )
 
 
 def open_box(
-    width: Scalar,
-    depth: Scalar,
-    height: Scalar,
+    width: ag.Scalar,
+    depth: ag.Scalar,
+    height: ag.Scalar,
     *,
-    wall: Scalar = _SHEET,
-    front: Scalar = _SHEET,
-    floor: Scalar | None = None,
-) -> list[Solid]:
+    wall: ag.Scalar = _SHEET,
+    front: ag.Scalar = _SHEET,
+    floor: ag.Scalar | None = None,
+) -> list[ag.Solid]:
     """Make floor, back, sides and front of a box without a lid; its front is y = 0 and its floor z = 0."""
     ease, less = 0.0012, 0.0006  # boards end inside of those that they meet
     sole = wall if floor is None else floor
     deep = depth - (front + wall) / 2
-    side = box(wall, deep, height - less, bevel=ease)
+    side = ag.box(wall, deep, height - less, bevel=ease)
     return [
-        box(width, front, height, bevel=ease).at(0.0, front / 2, height / 2),
-        box(width - less, deep, sole, bevel=ease).at(0.0, (depth + front / 2) / 2, sole / 2 + less / 2),
-        box(width - wall, wall, height - 0.004, bevel=ease).at(0.0, depth - wall / 2, height / 2),
+        ag.box(width, front, height, bevel=ease).at(0.0, front / 2, height / 2),
+        ag.box(width - less, deep, sole, bevel=ease).at(0.0, (depth + front / 2) / 2, sole / 2 + less / 2),
+        ag.box(width - wall, wall, height - 0.004, bevel=ease).at(0.0, depth - wall / 2, height / 2),
         *(
             side.at(way * (width - wall) / 2, (depth + front / 2) / 2 - wall / 4, height / 2)
             for way in (-1, 1)
@@ -121,77 +102,80 @@ def open_box(
 
 
 def door_bin(
-    width: Scalar,
-    depth: Scalar,
-    height: Scalar,
+    width: ag.Scalar,
+    depth: ag.Scalar,
+    height: ag.Scalar,
     *,
-    finish: Material,
-    trim: Material | None = None,
-    at: Sequence[VectorLike] = ORIGIN,
+    finish: ag.Material,
+    trim: ag.Material | None = None,
+    at: Sequence[ag.VectorLike] = ORIGIN,
     label: str = "bin",
-) -> Body:
+) -> ag.Body:
     """Make bins for the inside of a door: back of a bin at y = 0, front to +y, floor at z = 0."""
-    boards = [board.rotate(Z, math.pi).at(0.0, depth, 0.0) for board in open_box(width, depth, height)]
-    first, *others = (array(board, at=at) for board in boards)
+    boards = [board.rotate(ag.Z, math.pi).at(0.0, depth, 0.0) for board in open_box(width, depth, height)]
+    first, *others = (ag.array(board, at=at) for board in boards)
     bodies = [
-        part(first, label, finish),
-        *(part(other, label, finish) for other in others),
+        ag.part(first, label, finish),
+        *(ag.part(other, label, finish) for other in others),
     ]
     if trim is not None:
-        strip = box(width - 0.002, 0.0048, 0.012, bevel=0.0014).at(0.0, depth - 0.0016, height - 0.0075)
-        bodies.append(detail(array(strip, at=at), label, trim))
-    return weld(*bodies)
+        strip = ag.box(width - 0.002, 0.0048, 0.012, bevel=0.0014).at(0.0, depth - 0.0016, height - 0.0075)
+        bodies.append(ag.detail(ag.array(strip, at=at), label, trim))
+    return ag.weld(*bodies)
 
 
 def egg_tray(
-    width: Scalar, depth: Scalar, *, finish: Material, columns: int = 6, label: str = "egg_tray"
-) -> Body:
+    width: ag.Scalar, depth: ag.Scalar, *, finish: ag.Material, columns: int = 6, label: str = "egg_tray"
+) -> ag.Body:
     """Make a tray with two rows of holes for eggs; it stands on z = 0 about the origin."""
     high, sheet = 0.028, 0.003
-    plate = box(width, depth, sheet, bevel=0.0012).at(0.0, 0.0, high - sheet / 2)
-    leg = box(0.004, depth - 0.004, high - 0.001, bevel=0.001)
+    plate = ag.box(width, depth, sheet, bevel=0.0012).at(0.0, 0.0, high - sheet / 2)
+    leg = ag.box(0.004, depth - 0.004, high - 0.001, bevel=0.001)
     places = [
         ((column - (columns - 1) / 2) * width / (columns + 0.25), row * depth * 0.235, 0.0)
         for row in (-1, 1)
         for column in range(columns)
     ]
     up = (0.0, 0.0, 1.0)
-    rim = details.relief(ring(0.0205, 0.0165), (0.0, 0.0, high), facing=up, proud=0.0022, bevel=0.001)
-    cup = details.relief(circle(0.0166), (0.0, 0.0, high), facing=up, proud=0.0002)
+    rim = details.relief(ag.ring(0.0205, 0.0165), (0.0, 0.0, high), facing=up, proud=0.0022, bevel=0.001)
+    cup = details.relief(ag.circle(0.0166), (0.0, 0.0, high), facing=up, proud=0.0002)
     shade = finish.with_(name=f"{finish.name}_cup", base_color=tuple(0.45 * c for c in finish.base_color))
-    return weld(
-        part(plate, label, finish),
-        *(part(leg.at(way * (width / 2 - 0.006), 0.0, (high - 0.001) / 2), label, finish) for way in (-1, 1)),
-        detail(array(rim, at=places), label, finish),
-        detail(array(cup, at=places), label, shade),
+    return ag.weld(
+        ag.part(plate, label, finish),
+        *(
+            ag.part(leg.at(way * (width / 2 - 0.006), 0.0, (high - 0.001) / 2), label, finish)
+            for way in (-1, 1)
+        ),
+        ag.detail(ag.array(rim, at=places), label, finish),
+        ag.detail(ag.array(cup, at=places), label, shade),
     )
 
 
 def drawer_box(
-    width: Scalar,
-    depth: Scalar,
-    height: Scalar,
+    width: ag.Scalar,
+    depth: ag.Scalar,
+    height: ag.Scalar,
     *,
     label: str,
-    finish: Material,
-    front: Material,
-    lip: Material,
-    lip_at: Scalar,
+    finish: ag.Material,
+    front: ag.Material,
+    lip: ag.Material,
+    lip_at: ag.Scalar,
     name: str | None = None,
-) -> Body:
+) -> ag.Body:
     """Make a drawer with a lip in front by which it is drawn: the front is y = 0, the floor z = 0."""
     face, *walls = open_box(width, depth, height, front=_FRONT)
     long = width - 0.004
-    ledge = box(long, _LIP_DEEP + _IN_WALL, _LIP_HIGH, bevel=0.003)
+    ledge = ag.box(long, _LIP_DEEP + _IN_WALL, _LIP_HIGH, bevel=0.003)
     ledge = ledge.at(0.0, (_IN_WALL - _LIP_DEEP) / 2, lip_at)
     # pads reach to 2 mm before the front
-    hold = frame((0.0, -0.011, lip_at), approach=(0.0, 1.0, 0.0), closing=(0.0, 0.0, 1.0))
-    band = box(width + 0.001, 0.0022, 0.014, bevel=0.0007).at(0.0, 0.0, height - 0.0075)
-    return weld(
-        part(ledge, label, lip, name=name, grasp=hold),
-        part(face, label, front),
-        *(part(each, label, finish) for each in walls),
-        detail(band, label, lip),
+    hold = ag.frame((0.0, -0.011, lip_at), approach=(0.0, 1.0, 0.0), closing=(0.0, 0.0, 1.0))
+    band = ag.box(width + 0.001, 0.0022, 0.014, bevel=0.0007).at(0.0, 0.0, height - 0.0075)
+    return ag.weld(
+        ag.part(ledge, label, lip, name=name, grasp=hold),
+        ag.part(face, label, front),
+        *(ag.part(each, label, finish) for each in walls),
+        ag.detail(band, label, lip),
     )
 
 

@@ -8,13 +8,15 @@ to -x. Callers move parts with `.at(spindle)` and mirror the finished door for t
 
 from collections.abc import Mapping
 
-from artgen import Generator, require
+import artgen as ag
 
 
-def require_suited(handle: Generator, option: str, chosen: str, handles: Mapping[str, Generator]) -> None:
+def require_suited(
+    handle: ag.Generator, option: str, chosen: str, handles: Mapping[str, ag.Generator]
+) -> None:
     """Rule out a sample with the handle of another option value; a caller's own handle passes."""
     own = [value for value, each in handles.items() if handle == each]
-    require(
+    ag.require(
         not own or chosen in own,
         f"handle={handle.name} belongs to {option}={' or '.join(own)}, not to {option}={chosen}: "
         f"set {option} as well, or leave handle out",

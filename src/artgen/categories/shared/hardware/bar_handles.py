@@ -11,30 +11,7 @@ from dataclasses import dataclass
 from functools import partial
 from typing import Literal
 
-from artgen import (
-    Body,
-    Float,
-    Material,
-    Scalar,
-    Solid,
-    Span,
-    Y,
-    Z,
-    board,
-    box,
-    circle,
-    cylinder,
-    detail,
-    extrude,
-    frame,
-    generator,
-    given,
-    part,
-    polygon,
-    rectangle,
-    uniform,
-    weld,
-)
+import artgen as ag
 from artgen.categories.shared.finish import casting
 from artgen.categories.shared.hardware.bars import bent_bar, rod
 
@@ -53,10 +30,10 @@ _FINGERS = 0.005  # between an open finger and what it closes on [m]
 class Grip:
     """A grip that is let into a front."""
 
-    cut: Solid  # what to cut out of the front
-    shell: Body  # its lining, with the label `handle` and the grasp; to be welded to the front
+    cut: ag.Solid  # what to cut out of the front
+    shell: ag.Body  # its lining, with the label `handle` and the grasp; to be welded to the front
 
-    def at(self, x: Scalar, y: Scalar, z: Scalar) -> "Grip":
+    def at(self, x: ag.Scalar, y: ag.Scalar, z: ag.Scalar) -> "Grip":
         """Move it [m]."""
         return Grip(self.cut.at(x, y, z), self.shell.at(x, y, z))
 
@@ -65,20 +42,20 @@ class Grip:
         return Grip(self.cut.mirror(normal), self.shell.mirror(normal))
 
 
-@generator
+@ag.generator
 def bar_handle(
     *,
-    length: Float,
-    finish: Material,
-    style: BarStyle = given("round"),
-    level: bool = given(False),
-    name: str = given("handle"),
-    overhang: Float = given(0.045),
-    projection: Float = uniform(0.044, 0.058, "m", doc="face of the front to the middle of the bar"),
-    girth: Float = uniform(0.0075, 0.0105, "m", doc="half of the thickness of the bar"),
-) -> Body:
+    length: ag.Float,
+    finish: ag.Material,
+    style: BarStyle = ag.given("round"),
+    level: bool = ag.given(False),
+    name: str = ag.given("handle"),
+    overhang: ag.Float = ag.given(0.045),
+    projection: ag.Float = ag.uniform(0.044, 0.058, "m", doc="face of the front to the middle of the bar"),
+    girth: ag.Float = ag.uniform(0.0075, 0.0105, "m", doc="half of the thickness of the bar"),
+) -> ag.Body:
     """Make a bar handle on the plane y = 0, upright about the origin, to be welded to a front."""
-    makers: dict[BarStyle, Callable[[Scalar, Scalar, Scalar], list[Solid]]] = {
+    makers: dict[BarStyle, Callable[[ag.Scalar, ag.Scalar, ag.Scalar], list[ag.Solid]]] = {
         "round": partial(_round, overhang=overhang),
         "square": _square,
         "bow": _bow,
@@ -88,64 +65,64 @@ def bar_handle(
     }
     solids = makers[style](projection, length, girth)
     hollow = casting(finish, 0.4)
-    hold = frame((0.0, -projection, 0.0), approach=(0.0, 1.0, 0.0), closing=(1.0, 0.0, 0.0))
-    body = weld(
-        part(solids[0], "handle", hollow, name=name, grasp=hold),
-        *(part(each, "handle", hollow) for each in solids[1:]),
+    hold = ag.frame((0.0, -projection, 0.0), approach=(0.0, 1.0, 0.0), closing=(1.0, 0.0, 0.0))
+    body = ag.weld(
+        ag.part(solids[0], "handle", hollow, name=name, grasp=hold),
+        *(ag.part(each, "handle", hollow) for each in solids[1:]),
     )
-    return body.rotate(Y, math.pi / 2) if level else body
+    return body.rotate(ag.Y, math.pi / 2) if level else body
 
 
-def _posts(out: Scalar, apart: Scalar, radius: Scalar) -> list[Solid]:
+def _posts(out: ag.Scalar, apart: ag.Scalar, radius: ag.Scalar) -> list[ag.Solid]:
     """Make the posts of a bar and the flanges under them."""
-    post = cylinder(radius, out + _SUNK, axis=Y).at(0.0, (_SUNK - out) / 2, 0.0)
-    flange = cylinder(1.55 * radius, 0.004, axis=Y, bevel=0.0012).at(0.0, -0.002 + _SUNK, 0.0)
+    post = ag.cylinder(radius, out + _SUNK, axis=ag.Y).at(0.0, (_SUNK - out) / 2, 0.0)
+    flange = ag.cylinder(1.55 * radius, 0.004, axis=ag.Y, bevel=0.0012).at(0.0, -0.002 + _SUNK, 0.0)
     return [each.at(0.0, 0.0, end * apart / 2) for each in (post, flange) for end in (-1, 1)]
 
 
-def _round(out: Scalar, length: Scalar, girth: Scalar, overhang: Scalar) -> list[Solid]:
-    bar = cylinder(girth, length, bevel=0.0018).at(0.0, -out, 0.0)
+def _round(out: ag.Scalar, length: ag.Scalar, girth: ag.Scalar, overhang: ag.Scalar) -> list[ag.Solid]:
+    bar = ag.cylinder(girth, length, bevel=0.0018).at(0.0, -out, 0.0)
     return [bar, *_posts(out, length - 2 * overhang, 0.7 * girth)]
 
 
-def _square(out: Scalar, length: Scalar, girth: Scalar) -> list[Solid]:
-    bar = box(1.8 * girth, 1.8 * girth, length, bevel=0.0018).at(0.0, -out, 0.0)
-    post = box(1.5 * girth, out + _SUNK, 1.8 * girth, bevel=0.0012).at(0.0, (_SUNK - out) / 2, 0.0)
+def _square(out: ag.Scalar, length: ag.Scalar, girth: ag.Scalar) -> list[ag.Solid]:
+    bar = ag.box(1.8 * girth, 1.8 * girth, length, bevel=0.0018).at(0.0, -out, 0.0)
+    post = ag.box(1.5 * girth, out + _SUNK, 1.8 * girth, bevel=0.0012).at(0.0, (_SUNK - out) / 2, 0.0)
     return [bar, *(post.at(0.0, 0.0, end * (length / 2 - 0.02)) for end in (-1, 1))]
 
 
-def _bow(out: Scalar, length: Scalar, girth: Scalar) -> list[Solid]:
+def _bow(out: ag.Scalar, length: ag.Scalar, girth: ag.Scalar) -> list[ag.Solid]:
     half = length / 2 - girth
     corners = [(0.0, _SUNK, -half), (0.0, -out, -half), (0.0, -out, half), (0.0, _SUNK, half)]
     ways = [(0, -1, 0), (0, 0, 1), (0, 1, 0)]
-    section = circle(girth)
+    section = ag.circle(girth)
     bars = bent_bar(section, corners, ways, bend=0.024, halves=True, run=rod(girth))
-    flange = cylinder(1.5 * girth, 0.004, axis=Y, bevel=0.0012).at(0.0, -0.002 + _SUNK, 0.0)
+    flange = ag.cylinder(1.5 * girth, 0.004, axis=ag.Y, bevel=0.0012).at(0.0, -0.002 + _SUNK, 0.0)
     # the straight grip comes first: it carries the grasp
     return [bars[1], bars[0], *bars[2:], *(flange.at(0.0, 0.0, end * half) for end in (-1, 1))]
 
 
-def _strap(out: Scalar, length: Scalar, girth: Scalar) -> list[Solid]:
+def _strap(out: ag.Scalar, length: ag.Scalar, girth: ag.Scalar) -> list[ag.Solid]:
     thin = 0.006  # of the plate [m]
-    plate = extrude(rectangle(2.6 * girth, length, radius=0.004), thin, axis=Y, bevel=0.0016)
-    post = box(2.2 * girth, out + _SUNK, 0.012, bevel=0.0016).at(0.0, (_SUNK - out) / 2, 0.0)
+    plate = ag.extrude(ag.rectangle(2.6 * girth, length, radius=0.004), thin, axis=ag.Y, bevel=0.0016)
+    post = ag.box(2.2 * girth, out + _SUNK, 0.012, bevel=0.0016).at(0.0, (_SUNK - out) / 2, 0.0)
     return [plate.at(0.0, -out, 0.0), *(post.at(0.0, 0.0, end * (length / 2 - 0.012)) for end in (-1, 1))]
 
 
-def _pro(out: Scalar, length: Scalar, girth: Scalar) -> list[Solid]:
+def _pro(out: ag.Scalar, length: ag.Scalar, girth: ag.Scalar) -> list[ag.Solid]:
     thick = 1.55 * girth
-    tube = cylinder(thick, length - 0.052, bevel=0.001).at(0.0, -out, 0.0)
-    cap = cylinder(1.24 * thick, 0.036, bevel=0.004)
-    foot = box(1.7 * thick, out + _SUNK, 0.026, bevel=0.004).at(0.0, (_SUNK - out) / 2, 0.0)
+    tube = ag.cylinder(thick, length - 0.052, bevel=0.001).at(0.0, -out, 0.0)
+    cap = ag.cylinder(1.24 * thick, 0.036, bevel=0.004)
+    foot = ag.box(1.7 * thick, out + _SUNK, 0.026, bevel=0.004).at(0.0, (_SUNK - out) / 2, 0.0)
     ends = [(end * (length / 2 - 0.018)) for end in (-1, 1)]
     return [tube, *(cap.at(0.0, -out, z) for z in ends), *(foot.at(0.0, 0.0, z) for z in ends)]
 
 
-def _arched(out: Scalar, length: Scalar, girth: Scalar) -> list[Solid]:
+def _arched(out: ag.Scalar, length: ag.Scalar, girth: ag.Scalar) -> list[ag.Solid]:
     """Make a blade that leaves the front in a long curve, in lengths that are convex."""
     wide, thin = 2.4 * girth, 0.009
     half, low = length / 2, 0.30  # share of the length over which it rises at either end
-    straight = box(wide, thin, (1 - 2 * low) * length + 0.002, bevel=0.002).at(0.0, -out, 0.0)
+    straight = ag.box(wide, thin, (1 - 2 * low) * length + 0.002, bevel=0.002).at(0.0, -out, 0.0)
     solids = [straight]
     for index in range(_ARCS):
         points = []
@@ -154,20 +131,22 @@ def _arched(out: Scalar, length: Scalar, girth: Scalar) -> list[Solid]:
             points.append((-half + at * low * length, -out * rise + (1 - rise) * _SUNK))
         (z0, y0), (z1, y1) = points
         over = 0.0006  # so that lengths meet without a seam
-        side = polygon(
+        side = ag.polygon(
             [(y0 - thin / 2, z0), (y0 + thin / 2, z0), (y1 + thin / 2, z1 + over), (y1 - thin / 2, z1 + over)]
         )
-        length_ = extrude(side, wide, axis=(1.0, 0.0, 0.0))
-        solids += [length_, length_.mirror(Z)]
+        length_ = ag.extrude(side, wide, axis=(1.0, 0.0, 0.0))
+        solids += [length_, length_.mirror(ag.Z)]
     return solids
 
 
-def niche(width: Scalar, height: Scalar, deep: Scalar, *, sheet: Scalar = 0.0015) -> list[Solid]:
+def niche(
+    width: ag.Scalar, height: ag.Scalar, deep: ag.Scalar, *, sheet: ag.Scalar = 0.0015
+) -> list[ag.Solid]:
     """Make the lining of a recess in the front y = 0, about the origin: floor, sides and ends."""
     bite = _BITE
-    side = box(sheet + bite, deep, height + 2 * bite)
-    end = box(width + 4 * bite, deep - bite, sheet + 2 * bite)
-    floor = box(width + 6 * bite, sheet + 3 * bite, height + 6 * bite)
+    side = ag.box(sheet + bite, deep, height + 2 * bite)
+    end = ag.box(width + 4 * bite, deep - bite, sheet + 2 * bite)
+    floor = ag.box(width + 6 * bite, sheet + 3 * bite, height + 6 * bite)
     return [
         floor.at(0.0, deep - (sheet - 3 * bite) / 2, 0.0),
         *(side.at(way * (width - sheet + bite) / 2, deep / 2 + bite, 0.0) for way in (-1, 1)),
@@ -176,13 +155,13 @@ def niche(width: Scalar, height: Scalar, deep: Scalar, *, sheet: Scalar = 0.0015
 
 
 def pocket_grip(
-    length: Scalar,
+    length: ag.Scalar,
     *,
-    finish: Material,
-    lip: Scalar = 0.015,
-    gap: Scalar = 0.024,
-    deep: Scalar = 0.030,
-    lining: Scalar = 0.0015,
+    finish: ag.Material,
+    lip: ag.Scalar = 0.015,
+    gap: ag.Scalar = 0.024,
+    deep: ag.Scalar = 0.030,
+    lining: ag.Scalar = 0.0015,
     name: str = "handle",
 ) -> Grip:
     """Make a pocket in the free edge of a door, into which fingers reach from the side, behind a lip.
@@ -190,20 +169,20 @@ def pocket_grip(
     The door's front is y = 0 and its free edge x = 0, the door lies at x < 0 and y > 0. A long one is the
     channel of a front without handles.
     """
-    cut = box(deep + 0.010, gap, length).at(0.005 - deep / 2, lip + gap / 2, 0.0)
+    cut = ag.box(deep + 0.010, gap, length).at(0.005 - deep / 2, lip + gap / 2, 0.0)
     bite = _BITE  # boards lie in the walls of the cut, and no two of them end at one corner
-    inner = part(
-        box(lining + 3 * bite, gap + 6 * bite, length + 6 * bite).at(
+    inner = ag.part(
+        ag.box(lining + 3 * bite, gap + 6 * bite, length + 6 * bite).at(
             (lining - 3 * bite) / 2 - deep, lip + gap / 2, 0.0
         ),
         "handle",
         finish,
         name=name,
-        grasp=frame((-0.013, lip / 2, 0.0), approach=(-1.0, 0.0, 0.0), closing=(0.0, 1.0, 0.0)),
+        grasp=ag.frame((-0.013, lip / 2, 0.0), approach=(-1.0, 0.0, 0.0), closing=(0.0, 1.0, 0.0)),
         grasp_width=lip + lining + 2 * _FINGERS,
     )
-    flat = box(deep, lining + bite, length + 2 * bite)
-    ends = box(deep - bite, gap + 4 * bite, lining + 2 * bite)
+    flat = ag.box(deep, lining + bite, length + 2 * bite)
+    ends = ag.box(deep - bite, gap + 4 * bite, lining + 2 * bite)
     boards = [
         flat.at(-deep / 2 - bite, lip + (lining - bite) / 2, 0.0),
         flat.at(-deep / 2 - bite, lip + gap - (lining - bite) / 2, 0.0),
@@ -212,29 +191,29 @@ def pocket_grip(
             for end in (-1, 1)
         ),
     ]
-    return Grip(cut, weld(inner, *(part(each, "handle", finish) for each in boards)))
+    return Grip(cut, ag.weld(inner, *(ag.part(each, "handle", finish) for each in boards)))
 
 
-def boards_around(x: Span, z: Span, hole: tuple[Span, Span], y: Span) -> list[Solid]:
+def boards_around(x: ag.Span, z: ag.Span, hole: tuple[ag.Span, ag.Span], y: ag.Span) -> list[ag.Solid]:
     """Make the boards of a front around a rectangular opening: left, right, below and above."""
     (left, right), (bottom, top) = hole
     lap = 0.0005  # so that boards have no corners in common
     across, thin = (left - lap, right + lap), (y[0] + lap, y[1] - lap)
     return [
-        board((x[0], left), y, z),
-        board((right, x[1]), y, z),
-        board(across, thin, (z[0] + lap, bottom)),
-        board(across, thin, (top, z[1] - lap)),
+        ag.board((x[0], left), y, z),
+        ag.board((right, x[1]), y, z),
+        ag.board(across, thin, (z[0] + lap, bottom)),
+        ag.board(across, thin, (top, z[1] - lap)),
     ]
 
 
 def recessed_grip(
-    length: Scalar,
+    length: ag.Scalar,
     *,
-    finish: Material,
-    lining: Material,
-    width: Scalar = 0.074,
-    deep: Scalar = 0.034,
+    finish: ag.Material,
+    lining: ag.Material,
+    width: ag.Scalar = 0.074,
+    deep: ag.Scalar = 0.034,
     level: bool = False,
     name: str = "handle",
     thin: bool = False,
@@ -244,18 +223,20 @@ def recessed_grip(
     The front is y = 0; the recess is upright about the origin, or lies along X.
     """
     sheet, thick = 0.0015, 0.010
-    cut = box(width, deep + 0.010, length).at(0.0, deep / 2 - 0.005, 0.0)
+    cut = ag.box(width, deep + 0.010, length).at(0.0, deep / 2 - 0.005, 0.0)
     blade_deep = deep - 0.0005
-    blade = box(thick, blade_deep, length, bevel=0.002).at(0.0, 0.001 + blade_deep / 2 - 0.0015, 0.0)
-    hold = frame((0.0, 0.0155, 0.0), approach=(0.0, 1.0, 0.0), closing=(1.0, 0.0, 0.0))
+    blade = ag.box(thick, blade_deep, length, bevel=0.002).at(0.0, 0.001 + blade_deep / 2 - 0.0015, 0.0)
+    hold = ag.frame((0.0, 0.0155, 0.0), approach=(0.0, 1.0, 0.0), closing=(1.0, 0.0, 0.0))
     walls = niche(width, length, deep, sheet=sheet)
-    rim = rectangle(width + 0.006, length + 0.006, radius=0.004) - rectangle(width - 0.002, length - 0.002)
-    shell = weld(
-        part(blade, "handle", finish, name=name, grasp=hold),
-        *((detail if thin else part)(each, "handle", lining) for each in walls),
-        detail(extrude(rim, 0.0012, axis=Y).at(0.0, -0.0002, 0.0), "handle", finish),
+    rim = ag.rectangle(width + 0.006, length + 0.006, radius=0.004) - ag.rectangle(
+        width - 0.002, length - 0.002
+    )
+    shell = ag.weld(
+        ag.part(blade, "handle", finish, name=name, grasp=hold),
+        *((ag.detail if thin else ag.part)(each, "handle", lining) for each in walls),
+        ag.detail(ag.extrude(rim, 0.0012, axis=ag.Y).at(0.0, -0.0002, 0.0), "handle", finish),
     )
     turned = Grip(cut, shell)
     if not level:
         return turned
-    return Grip(cut.rotate(Y, math.pi / 2), shell.rotate(Y, math.pi / 2))
+    return Grip(cut.rotate(ag.Y, math.pi / 2), shell.rotate(ag.Y, math.pi / 2))

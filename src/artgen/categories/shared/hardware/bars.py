@@ -3,7 +3,7 @@
 import math
 from collections.abc import Callable, Sequence
 
-from artgen import Profile, Scalar, Solid, Vector, bounding_collider, cylinder, line, polyline, sweep, vector
+import artgen as ag
 
 Way = tuple[int, int, int]
 """The direction of a straight run: an axis or its opposite."""
@@ -11,59 +11,65 @@ Way = tuple[int, int, int]
 _EIGHTH = math.tan(math.pi / 8.0)
 
 
-def rod(radius: Scalar) -> Callable[[Vector, Vector], Solid]:
+def rod(radius: ag.Scalar) -> Callable[[ag.Vector, ag.Vector], ag.Solid]:
     """Return the maker of round straight runs."""
 
-    def run(start: Vector, end: Vector) -> Solid:
+    def run(start: ag.Vector, end: ag.Vector) -> ag.Solid:
         along = end - start
-        return cylinder(radius, along.norm(), axis=along).at((start + end) * 0.5)
+        return ag.cylinder(radius, along.norm(), axis=along).at((start + end) * 0.5)
 
     return run
 
 
-def straight_run(section: Profile) -> Callable[[Vector, Vector], Solid]:
+def straight_run(section: ag.Profile) -> Callable[[ag.Vector, ag.Vector], ag.Solid]:
     """Return the maker of straight runs of a section."""
-    return lambda start, end: sweep(section, line(start, end))
+    return lambda start, end: ag.sweep(section, ag.line(start, end))
 
 
 def bent_bar(
-    section: Profile,
-    corners: Sequence[tuple[Scalar, Scalar, Scalar]],
+    section: ag.Profile,
+    corners: Sequence[tuple[ag.Scalar, ag.Scalar, ag.Scalar]],
     ways: Sequence[Way],
     *,
-    bend: Scalar,
+    bend: ag.Scalar,
     halves: bool,
-    run: Callable[[Vector, Vector], Solid] | None = None,
-) -> list[Solid]:
+    run: Callable[[ag.Vector, ag.Vector], ag.Solid] | None = None,
+) -> list[ag.Solid]:
     """Make a bar along axes: its straight runs, then its bends, each of which is nearly convex.
 
     The hull around a bend stands off its inner side by 0.3 of the radius there, or 0.08 if bends are halved.
     """
     straight = run or straight_run(section)
-    points = [vector(*corner) for corner in corners]
-    runs: list[Solid] = []
-    bends: list[Solid] = []
+    points = [ag.vector(*corner) for corner in corners]
+    runs: list[ag.Solid] = []
+    bends: list[ag.Solid] = []
     for index, way in enumerate(ways):
-        along = vector(*way)
+        along = ag.vector(*way)
         first = points[index] if index == 0 else points[index] + along * bend
         last = points[index + 1] if index == len(ways) - 1 else points[index + 1] - along * bend
         runs.append(straight(first, last))
         if index + 1 < len(ways):
-            after = vector(*ways[index + 1])
+            after = ag.vector(*ways[index + 1])
             bends += _bend(section, points[index + 1], along, after, bend, halves=halves)
     return [*runs, *bends]
 
 
 def _bend(
-    section: Profile, corner: Vector, before: Vector, after: Vector, radius: Scalar, *, halves: bool
-) -> list[Solid]:
+    section: ag.Profile,
+    corner: ag.Vector,
+    before: ag.Vector,
+    after: ag.Vector,
+    radius: ag.Scalar,
+    *,
+    halves: bool,
+) -> list[ag.Solid]:
     start, end = corner - before * radius, corner + after * radius
     if not halves:
-        return [bounding_collider(sweep(section, polyline([start, corner, end], fillet=radius)))]
+        return [ag.bounding_collider(ag.sweep(section, ag.polyline([start, corner, end], fillet=radius)))]
     short = radius * _EIGHTH
     near, far = start + before * short, end - after * short
     middle = (near + far) * 0.5
     return [
-        bounding_collider(sweep(section, polyline(points, fillet=radius)))
+        ag.bounding_collider(ag.sweep(section, ag.polyline(points, fillet=radius)))
         for points in ([start, near, middle], [middle, far, end])
     ]

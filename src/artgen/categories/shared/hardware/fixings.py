@@ -3,19 +3,8 @@
 from collections.abc import Sequence
 from typing import Literal
 
-from artgen import (
-    Body,
-    Material,
-    Scalar,
-    VectorLike,
-    array,
-    bounding_collider,
-    cylinder,
-    detail,
-    details,
-    material,
-    part,
-)
+import artgen as ag
+from artgen import details
 from artgen.categories.shared.finish import recess
 
 FootStyle = Literal["pad", "round", "levelling"]
@@ -25,41 +14,41 @@ _SUNK = 0.001  # how deep feet reach into what stands on them [m]
 
 
 def feet(
-    at: Sequence[tuple[Scalar, Scalar]],
+    at: Sequence[tuple[ag.Scalar, ag.Scalar]],
     *,
-    radius: Scalar = 0.009,
-    height: Scalar = 0.008,
+    radius: ag.Scalar = 0.009,
+    height: ag.Scalar = 0.008,
     style: FootStyle = "pad",
-    finish: Material | None = None,
+    finish: ag.Material | None = None,
     label: str = "foot",
-) -> Body:
+) -> ag.Body:
     """Make feet at places of the floor, z = 0; weld them to what stands `height` above it."""
     tall = height + _SUNK
     if style == "pad":  # a cylinder is one collider
-        one = cylinder(radius, tall, bevel=0.0009).at(0.0, 0.0, tall / 2)
+        one = ag.cylinder(radius, tall, bevel=0.0009).at(0.0, 0.0, tall / 2)
     else:
-        one = bounding_collider(details.foot(radius, tall, style=style))
-    places: list[VectorLike] = [(x, y, 0.0) for x, y in at]
-    solid = array(one, at=places)
-    return part(
+        one = ag.bounding_collider(details.foot(radius, tall, style=style))
+    places: list[ag.VectorLike] = [(x, y, 0.0) for x, y in at]
+    solid = ag.array(one, at=places)
+    return ag.part(
         solid,
         label,
-        material("rubber") if finish is None else finish,
+        ag.material("rubber") if finish is None else finish,
         separate="each foot is fixed to what stands on it",
     )
 
 
 def corner_feet(
-    width: Scalar,
-    depth: Scalar,
+    width: ag.Scalar,
+    depth: ag.Scalar,
     *,
-    inset: Scalar = 0.02,
-    radius: Scalar = 0.009,
-    height: Scalar = 0.008,
+    inset: ag.Scalar = 0.02,
+    radius: ag.Scalar = 0.009,
+    height: ag.Scalar = 0.008,
     style: FootStyle = "pad",
-    finish: Material | None = None,
+    finish: ag.Material | None = None,
     label: str = "foot",
-) -> Body:
+) -> ag.Body:
     """Make four feet under the corners of a rectangle about the origin."""
     x, y = width / 2 - inset, depth / 2 - inset
     corners = [(-x, -y), (x, -y), (x, y), (-x, y)]
@@ -88,15 +77,15 @@ _FLOOR = {"pan": (0.54, 0.26), "countersunk": (0.60, 0.09)}  # reach and height 
 
 
 def screws(
-    at: Sequence[VectorLike],
+    at: Sequence[ag.VectorLike],
     *,
     facing: Way,
-    radius: Scalar,
-    finish: Material,
+    radius: ag.Scalar,
+    finish: ag.Material,
     drive: Drive = "phillips",
     head: Head = "countersunk",
-    sunk: Scalar = 0.0,
-) -> list[Body]:
+    sunk: ag.Scalar = 0.0,
+) -> list[ag.Body]:
     """Make heads of screws on a face, each with a recess whose floor lies in the dark."""
     out = FACING[facing]
     seat = tuple(-sunk * each for each in out)
@@ -105,6 +94,6 @@ def screws(
     bottom = details.drive_recess(reach * radius, drive).rotate(_TURN)
     floor = details.relief(bottom, seat, facing=out, proud=high * radius, sunk=0.02 * radius)
     return [
-        detail(array(solid, at=at), "screw", finish),
-        detail(array(floor, at=at), "screw", recess(finish)),
+        ag.detail(ag.array(solid, at=at), "screw", finish),
+        ag.detail(ag.array(floor, at=at), "screw", recess(finish)),
     ]

@@ -3,37 +3,7 @@
 import math
 from typing import Literal
 
-from artgen import (
-    Body,
-    Float,
-    Frame,
-    Joint,
-    Material,
-    Profile,
-    Revolute,
-    Scalar,
-    Solid,
-    VectorLike,
-    X,
-    Y,
-    box,
-    choice,
-    circle,
-    cylinder,
-    ellipse,
-    ellipsoid,
-    frame,
-    generator,
-    given,
-    grasp_on,
-    part,
-    polyline,
-    rectangle,
-    spline,
-    sweep,
-    uniform,
-    union,
-)
+import artgen as ag
 from artgen.categories.shared.hardware.roses import NECK_GAP, SIDES, Faces, spindle
 
 _FLATNESS = 0.6  # thickness of a flat or oval grip over its height
@@ -46,16 +16,16 @@ _RETURN = 0.031  # how far the tip of a bent lever returns towards the leaf, so 
 def spring_turn(
     name: str = "handle_turn",
     *,
-    limit: Scalar,
-    pivot: VectorLike = (0.0, 0.0, 0.0),
-    preload: Scalar = 0.7,
-    torque: Scalar = 1.3,
-    damping: Scalar = 0.06,
-    friction: Scalar = 0.02,
-) -> Joint:
+    limit: ag.Scalar,
+    pivot: ag.VectorLike = (0.0, 0.0, 0.0),
+    preload: ag.Scalar = 0.7,
+    torque: ag.Scalar = 1.3,
+    damping: ag.Scalar = 0.06,
+    friction: ag.Scalar = 0.02,
+) -> ag.Joint:
     """Make the joint of a lever or knob that a spring turns back; positive moves the free end down."""
     stiffness = (torque - preload) / limit
-    return Revolute(
+    return ag.Revolute(
         name,
         axis=(0.0, -1.0, 0.0),  # takes a lever that points to -x down
         pivot=pivot,
@@ -69,26 +39,28 @@ def spring_turn(
     )
 
 
-@generator
+@ag.generator
 def lever_handle(
     *,
-    thickness: Float,
-    rose_depth: Float,
-    finish: Material,
-    faces: Faces = given("both"),
-    style: Literal["straight", "bent", "wave"] = choice("straight", "bent", "wave"),
-    section: Literal["round", "flat"] = choice("round", "flat"),
-    length: Float = uniform(0.115, 0.145, "m", doc="spindle to the tip of the lever", within=(0.08, 0.25)),
-    projection: Float = uniform(0.046, 0.056, "m", doc="face of the leaf to the middle of the lever"),
-    girth: Float = uniform(0.0085, 0.0105, "m", doc="half the height of the grip"),
-) -> Body:
+    thickness: ag.Float,
+    rose_depth: ag.Float,
+    finish: ag.Material,
+    faces: Faces = ag.given("both"),
+    style: Literal["straight", "bent", "wave"] = ag.choice("straight", "bent", "wave"),
+    section: Literal["round", "flat"] = ag.choice("round", "flat"),
+    length: ag.Float = ag.uniform(
+        0.115, 0.145, "m", doc="spindle to the tip of the lever", within=(0.08, 0.25)
+    ),
+    projection: ag.Float = ag.uniform(0.046, 0.056, "m", doc="face of the leaf to the middle of the lever"),
+    girth: ag.Float = ag.uniform(0.0085, 0.0105, "m", doc="half the height of the grip"),
+) -> ag.Body:
     """Make a lever on each face of the leaf, joined by the spindle: the link `handle`.
 
     Attach it by `spring_turn`.
     """
-    solids: list[Solid] = []
-    grasps: list[Frame] = []
-    collar = cylinder(girth + 0.002, 0.010, axis=Y, bevel=0.0012)
+    solids: list[ag.Solid] = []
+    grasps: list[ag.Frame] = []
+    collar = ag.cylinder(girth + 0.002, 0.010, axis=ag.Y, bevel=0.0012)
     start, out = thickness / 2 + rose_depth + NECK_GAP, thickness / 2 + projection
     level = style != "wave"  # its upper and lower half are alike: turned over, it fits the other face
     for side in SIDES[faces]:
@@ -98,58 +70,58 @@ def lever_handle(
             solid += _bar(style, section, start, out, length, girth)
         else:
             solid += _wave(side * start, side * out, side, length, girth)
-        solids += [each.rotate(X, math.pi) for each in solid] if side < sense else solid
+        solids += [each.rotate(ag.X, math.pi) for each in solid] if side < sense else solid
         lean = _PAST_JAMB if side > 0 else 0.0
         towards = (math.sin(lean), -side * math.cos(lean), 0.0)
         if level:
-            grasps.append(frame((-_HOLD * length, side * out, 0.0), approach=towards))
+            grasps.append(ag.frame((-_HOLD * length, side * out, 0.0), approach=towards))
         else:
             grasps.append(_hold_on_wave(solid[-2], towards, side * out, length, girth))
     solids.append(spindle(thickness, rose_depth, faces))
-    return part(union(*solids), "handle", finish, grasp=grasps)
+    return ag.part(ag.union(*solids), "handle", finish, grasp=grasps)
 
 
 def _bar(
     style: str,
     section: str,
-    start: Scalar,
-    out: Scalar,
-    length: Scalar,
-    girth: Scalar,
-) -> list[Solid]:
+    start: ag.Scalar,
+    out: ag.Scalar,
+    length: ag.Scalar,
+    girth: ag.Scalar,
+) -> list[ag.Solid]:
     """Make a bent bar from its neck at y = start to its tip, which is slightly domed."""
     thin = girth if section == "round" else _FLATNESS * girth
-    corners: list[VectorLike] = [(0.0, start, 0.0), (0.0, out, 0.0)]
+    corners: list[ag.VectorLike] = [(0.0, start, 0.0), (0.0, out, 0.0)]
     if style == "bent":
         reach = thin - length
         corners += [(reach, out, 0.0), (reach, out - _RETURN, 0.0)]
     else:
         corners += [(0.002 - length, out, 0.0)]
-    bar = sweep(_section(section, girth), polyline(corners, fillet=_BEND))
+    bar = ag.sweep(_section(section, girth), ag.polyline(corners, fillet=_BEND))
     # the tip is rounded by what stands 2 mm out of its end, 0.2 mm smaller all round
     if section == "round":
-        tip = cylinder(girth - 0.0002, 0.004, axis=Y if style == "bent" else X, bevel=0.0018)
+        tip = ag.cylinder(girth - 0.0002, 0.004, axis=ag.Y if style == "bent" else ag.X, bevel=0.0018)
     else:
         wide, high = 2 * thin - 0.0004, 2 * girth - 0.0004
         sizes = (wide, 0.004, high) if style == "bent" else (0.004, wide, high)
-        tip = box(*sizes, bevel=0.0016)
+        tip = ag.box(*sizes, bevel=0.0016)
     return [bar, tip.at(corners[-1])]
 
 
-def _section(section: str, girth: Scalar) -> Profile:
+def _section(section: str, girth: ag.Scalar) -> ag.Profile:
     if section == "round":
-        return circle(girth)
-    return rectangle(2 * _FLATNESS * girth, 2 * girth, radius=0.003)
+        return ag.circle(girth)
+    return ag.rectangle(2 * _FLATNESS * girth, 2 * girth, radius=0.003)
 
 
-def _wave(start: Scalar, out: Scalar, side: int, length: Scalar, girth: Scalar) -> list[Solid]:
+def _wave(start: ag.Scalar, out: ag.Scalar, side: int, length: ag.Scalar, girth: ag.Scalar) -> list[ag.Solid]:
     """Make a hub and an oval arm that rises, dips and levels out."""
     thin = _FLATNESS * girth
     face = out + side * (thin + 0.001)  # the hub ends 1 mm in front of the arm
-    hub = cylinder(girth + 0.0015, side * (face - start), axis=Y, bevel=0.002)
+    hub = ag.cylinder(girth + 0.0015, side * (face - start), axis=ag.Y, bevel=0.002)
     reach = thin - length
     # heights as shares of the girth: a gentle S, as cast levers have it
-    course = spline(
+    course = ag.spline(
         [
             (0.0, out, 0.0),
             (0.30 * reach, out, 0.45 * girth),
@@ -157,15 +129,15 @@ def _wave(start: Scalar, out: Scalar, side: int, length: Scalar, girth: Scalar) 
             (reach, out, -0.45 * girth),
         ]
     )
-    tip = ellipsoid(thin, thin - 0.0002, girth - 0.0002).at(reach, out, -0.45 * girth)
-    return [hub.at(0.0, (start + face) / 2, 0.0), sweep(ellipse(thin, girth), course), tip]
+    tip = ag.ellipsoid(thin, thin - 0.0002, girth - 0.0002).at(reach, out, -0.45 * girth)
+    return [hub.at(0.0, (start + face) / 2, 0.0), ag.sweep(ag.ellipse(thin, girth), course), tip]
 
 
 def _hold_on_wave(
-    arm: Solid, approach: tuple[float, float, float], out: Scalar, length: Scalar, girth: Scalar
-) -> Frame:
+    arm: ag.Solid, approach: tuple[float, float, float], out: ag.Scalar, length: ag.Scalar, girth: ag.Scalar
+) -> ag.Frame:
     """Find the frame on the last third of a wave, which falls gently; the fingers close square to it."""
     reach = _FLATNESS * girth - length
     run, fall = 0.32 * reach, -0.20 * girth
     at = (0.84 * reach, out, -0.35 * girth)
-    return grasp_on(arm, approach=approach, closing=(fall, 0.0, -run), at=at)
+    return ag.grasp_on(arm, approach=approach, closing=(fall, 0.0, -run), at=at)

@@ -7,26 +7,8 @@ covers it, so that nothing of the hole is seen.
 import math
 from typing import Literal
 
-from artgen import (
-    Body,
-    Material,
-    Scalar,
-    Solid,
-    Y,
-    Z,
-    bore,
-    box,
-    circle,
-    cylinder,
-    detail,
-    details,
-    extrude,
-    part,
-    rectangle,
-    ring,
-    slot,
-    weld,
-)
+import artgen as ag
+from artgen import details
 from artgen.categories.shared.finish import casting, recess
 from artgen.categories.shared.hardware.fixings import Drive, Way, screws
 
@@ -34,16 +16,18 @@ _PLUG = 0.0066  # radius of the plug of a euro-profile cylinder [m]
 _OUT = 0.0018  # how far that cylinder stands out of its plate [m]
 
 
-def plug(*, face: Scalar, side: int, finish: Material, radius: Scalar, below: Scalar = 0.0) -> list[Body]:
+def plug(
+    *, face: ag.Scalar, side: int, finish: ag.Material, radius: ag.Scalar, below: ag.Scalar = 0.0
+) -> list[ag.Body]:
     """Make the plug of a cylinder with its keyway, 0.7 mm proud."""
-    upright = slot(0.0080, 0.0017).rotate(math.pi / 2.0)
-    keyway = upright | rectangle(0.0026, 0.0014).at(0.0004, 0.0012)  # a ward of its key
-    disc = extrude(circle(radius) - keyway, 0.0012, axis=Y)
-    dark = box(0.0034, 0.0004, 0.0084)
-    groove = extrude(ring(radius + 0.0005, radius - 0.0004), 0.0003, axis=Y)
+    upright = ag.slot(0.0080, 0.0017).rotate(math.pi / 2.0)
+    keyway = upright | ag.rectangle(0.0026, 0.0014).at(0.0004, 0.0012)  # a ward of its key
+    disc = ag.extrude(ag.circle(radius) - keyway, 0.0012, axis=ag.Y)
+    dark = ag.box(0.0034, 0.0004, 0.0084)
+    groove = ag.extrude(ag.ring(radius + 0.0005, radius - 0.0004), 0.0003, axis=ag.Y)
     return [
-        detail(disc.at(0.0, side * (face + 0.0001), -below), "cylinder", finish),
-        detail(
+        ag.detail(disc.at(0.0, side * (face + 0.0001), -below), "cylinder", finish),
+        ag.detail(
             (dark.at(0.0, side * (face - 0.0001), 0.0) | groove.at(0.0, side * face, 0.0)).at(
                 0.0, 0.0, -below
             ),
@@ -53,12 +37,12 @@ def plug(*, face: Scalar, side: int, finish: Material, radius: Scalar, below: Sc
     ]
 
 
-def key_cylinder(*, face: Scalar, side: int, finish: Material, below: Scalar) -> list[Body]:
+def key_cylinder(*, face: ag.Scalar, side: int, finish: ag.Material, below: ag.Scalar) -> list[ag.Body]:
     """Make the end of a euro-profile cylinder in a plate, which is only seen."""
-    profile = circle(0.0085) | rectangle(0.0100, 0.0245, radius=0.0045).at(0.0, -0.01225)
-    body = extrude(profile, 2.0 * _OUT, axis=Y, bevel=0.0006)
+    profile = ag.circle(0.0085) | ag.rectangle(0.0100, 0.0245, radius=0.0045).at(0.0, -0.01225)
+    body = ag.extrude(profile, 2.0 * _OUT, axis=ag.Y, bevel=0.0006)
     return [
-        detail(body.at(0.0, side * face, -below), "cylinder", finish),
+        ag.detail(body.at(0.0, side * face, -below), "cylinder", finish),
         *plug(face=face + _OUT, side=side, finish=finish, radius=_PLUG, below=below),
     ]
 
@@ -89,32 +73,32 @@ _HOLE = 0.0105  # side of the hole [m]
 _SUNK = 0.0005  # how deep a rose is let into the leaf [m]
 
 
-def spindle_hole(thickness: Scalar, *, height: Scalar = _HOLE) -> Solid:
+def spindle_hole(thickness: ag.Scalar, *, height: ag.Scalar = _HOLE) -> ag.Solid:
     """Make the tool that cuts the hole for a spindle through a leaf (4 mm past either face)."""
-    return box(_HOLE, thickness + 0.008, height)
+    return ag.box(_HOLE, thickness + 0.008, height)
 
 
 def rose(
     *,
-    thickness: Scalar,
-    depth: Scalar,
-    across: Scalar,
-    finish: Material,
+    thickness: ag.Scalar,
+    depth: ag.Scalar,
+    across: ag.Scalar,
+    finish: ag.Material,
     style: Literal["round", "square", "plate"] = "round",
-    height: Scalar = 0.2,
+    height: ag.Scalar = 0.2,
     faces: Faces = "both",
     pin: bool = False,
     pin_side: int = -1,
     fixing: Fixing = "hidden",
     keyed: bool = False,
-) -> Body:
+) -> ag.Body:
     """Make the roses of a handle on the faces of a leaf, to be welded to it."""
     if faces == "both" and not pin:
-        front = weld(
+        front = ag.weld(
             *_one_rose(thickness, depth, across, finish, style, height, -1, fixing, pin=False, keyed=keyed)
         )
-        return weld(front, front.rotate(Z, math.pi))
-    bodies: list[Body] = []
+        return ag.weld(front, front.rotate(ag.Z, math.pi))
+    bodies: list[ag.Body] = []
     for side in SIDES[faces]:
         bodies += _one_rose(
             thickness,
@@ -128,35 +112,35 @@ def rose(
             pin=pin and side == pin_side,
             keyed=keyed,
         )
-    return weld(*bodies)
+    return ag.weld(*bodies)
 
 
 def _one_rose(
-    thickness: Scalar,
-    depth: Scalar,
-    across: Scalar,
-    finish: Material,
+    thickness: ag.Scalar,
+    depth: ag.Scalar,
+    across: ag.Scalar,
+    finish: ag.Material,
     style: str,
-    height: Scalar,
+    height: ag.Scalar,
     side: int,
     fixing: Fixing,
     *,
     pin: bool,
     keyed: bool,
-) -> list[Body]:
+) -> list[ag.Body]:
     middle = side * (thickness / 2 + (depth - _SUNK) / 2)
     face = side * (thickness / 2 + depth)
     deep = depth + _SUNK
     if style == "round":
-        cover = cylinder(across / 2, deep, axis=Y, bevel=0.0022)
+        cover = ag.cylinder(across / 2, deep, axis=ag.Y, bevel=0.0022)
     elif style == "square":
-        cover = box(across, deep, across, bevel=0.0022)
+        cover = ag.box(across, deep, across, bevel=0.0022)
     else:
-        cover = extrude(rectangle(across, height, radius=0.006), deep, axis=Y, bevel=0.0015)
-    cover = cover.at(0.0, middle, 0.0) - box(_HOLE, deep + 0.004, _HOLE).at(0.0, middle, 0.0)
+        cover = ag.extrude(ag.rectangle(across, height, radius=0.006), deep, axis=ag.Y, bevel=0.0015)
+    cover = cover.at(0.0, middle, 0.0) - ag.box(_HOLE, deep + 0.004, _HOLE).at(0.0, middle, 0.0)
     if pin:
-        cover = cover - bore(PIN + 0.0004, deep + 0.004, axis=Y).at(0.0, middle, -PIN_BELOW)
-    bodies = [part(cover, "rose", casting(finish))]
+        cover = cover - ag.bore(PIN + 0.0004, deep + 0.004, axis=ag.Y).at(0.0, middle, -PIN_BELOW)
+    bodies = [ag.part(cover, "rose", casting(finish))]
     facing: Way = "-y" if side < 0 else "+y"
     drive: Drive = "phillips" if fixing == "phillips" else "slot"
     if style == "plate":
@@ -168,22 +152,22 @@ def _one_rose(
         return bodies
     if fixing == "hidden":
         # the set screw sits in the rim, where it is not seen from the front
-        socket = extrude(circle(0.0021) - details.drive_recess(0.00125, "hex"), 0.0008).at(
+        socket = ag.extrude(ag.circle(0.0021) - details.drive_recess(0.00125, "hex"), 0.0008).at(
             0.0, middle, -across / 2
         )
-        dark = cylinder(0.0019, 0.0008).at(0.0, middle, -across / 2 + 0.0003)
-        return [*bodies, detail(socket, "screw", finish), detail(dark, "screw", recess(finish))]
+        dark = ag.cylinder(0.0019, 0.0008).at(0.0, middle, -across / 2 + 0.0003)
+        return [*bodies, ag.detail(socket, "screw", finish), ag.detail(dark, "screw", recess(finish))]
     aside = across / 2 - 0.0056  # outside of the collar of a knob
     # beside the hole of a pin, or above and below the spindle
     spots = [(end * aside, face, 0.0) if pin else (0.0, face, end * aside) for end in (-1, 1)]
     return bodies + screws(spots, facing=facing, radius=0.0028, finish=finish, drive=drive, head="pan")
 
 
-def spindle(thickness: Scalar, rose_depth: Scalar, faces: Faces = "both") -> Solid:
+def spindle(thickness: ag.Scalar, rose_depth: ag.Scalar, faces: Faces = "both") -> ag.Solid:
     """Make the spindle that joins the handles on both faces, or ends in the middle of the leaf."""
     reach = thickness / 2 + rose_depth + 0.006  # 6 mm into the neck of the handle
     if faces == "both":
-        return cylinder(SPINDLE, 2 * reach, axis=Y)
+        return ag.cylinder(SPINDLE, 2 * reach, axis=ag.Y)
     side = SIDES[faces][0]
     # a one-sided spindle ends behind the follower of the lock, 5 mm past the middle
-    return cylinder(SPINDLE, reach + 0.005, axis=Y).at(0.0, side * (reach - 0.005) / 2, 0.0)
+    return ag.cylinder(SPINDLE, reach + 0.005, axis=ag.Y).at(0.0, side * (reach - 0.005) / 2, 0.0)

@@ -7,28 +7,10 @@ deeper than a millimetre: a smooth solid would collide as hundreds of corners th
 import math
 from collections.abc import Sequence
 
-from artgen import (
-    Body,
-    Frame,
-    Material,
-    Scalar,
-    Solid,
-    Z,
-    bounding_collider,
-    cylinder_between,
-    detail,
-    half_section,
-    line,
-    min_,
-    part,
-    revolve,
-    simplified_collider,
-    spline,
-    weld,
-)
+import artgen as ag
 from artgen.nodes.handles import Path
 
-Point = tuple[Scalar, Scalar]
+Point = tuple[ag.Scalar, ag.Scalar]
 """Radius and height of a point of an outline [m]."""
 
 Run = Sequence[Point]
@@ -53,75 +35,75 @@ _WITHIN = 0.0005  # how deep the straight runs of a core lie below the outline [
 def path_of(run: Run) -> Path:
     """Return the line of a run: straight through two points, a spline through more."""
     points = [(radius, 0.0, height) for radius, height in run]
-    return line(*points) if len(points) == 2 else spline(points)
+    return ag.line(*points) if len(points) == 2 else ag.spline(points)
 
 
-def drawn(form: Sequence[Sequence[Drawn]], radius: Scalar, low: Scalar, height: Scalar) -> list[Run]:
+def drawn(form: Sequence[Sequence[Drawn]], radius: ag.Scalar, low: ag.Scalar, height: ag.Scalar) -> list[Run]:
     """Return the outline of a thing from its drawing."""
     return [[(r * radius, low + share * height + rest * radius) for r, share, rest in run] for run in form]
 
 
-def core(runs: Sequence[Run], *, sides: int = SIDES, within: Scalar = _WITHIN) -> Solid:
+def core(runs: Sequence[Run], *, sides: int = SIDES, within: ag.Scalar = _WITHIN) -> ag.Solid:
     """Make the solid of few facets that lies within a turned thing."""
-    return revolve(half_section([path_of(run) for run in runs], within=within), sides=sides)
+    return ag.revolve(ag.half_section([path_of(run) for run in runs], within=within), sides=sides)
 
 
-def skin(runs: Sequence[Run], *, bore: Scalar = 0.0) -> Solid:
+def skin(runs: Sequence[Run], *, bore: ag.Scalar = 0.0) -> ag.Solid:
     """Make the smooth solid of a turned thing, to be a `detail` around its core."""
-    return revolve(half_section([path_of(run) for run in runs], bore=bore), sides=_SMOOTH)
+    return ag.revolve(ag.half_section([path_of(run) for run in runs], bore=bore), sides=_SMOOTH)
 
 
 def turned(
     runs: Sequence[Run],
     label: str,
-    finish: Material,
+    finish: ag.Material,
     *,
-    hole: Solid | None = None,
+    hole: ag.Solid | None = None,
     spare: float = _SPARE,
-    bore: Scalar = 0.0,
+    bore: ag.Scalar = 0.0,
     sides: int = SIDES,
     name: str | None = None,
-    grasp: Frame | Sequence[Frame] = (),
-) -> Body:
+    grasp: ag.Frame | Sequence[ag.Frame] = (),
+) -> ag.Body:
     """Make a closed turned thing about z."""
     body = core(runs, sides=sides)
     if hole is not None:
-        body = simplified_collider(body, spare) - hole
-    return weld(
-        part(body, label, finish, name=name, grasp=grasp), detail(skin(runs, bore=bore), label, finish)
+        body = ag.simplified_collider(body, spare) - hole
+    return ag.weld(
+        ag.part(body, label, finish, name=name, grasp=grasp), ag.detail(skin(runs, bore=bore), label, finish)
     )
 
 
 def blown(
     path: Path,
     label: str,
-    finish: Material,
+    finish: ag.Material,
     *,
-    foot: Scalar,
-    wall: Scalar,
-    level: Scalar,
+    foot: ag.Scalar,
+    wall: ag.Scalar,
+    level: ag.Scalar,
     name: str | None = None,
-) -> Body:
+) -> ag.Body:
     """Make a vessel that one can look into, open above: its glass is seen from both sides, so it has no core.
 
     Where it is full, it collides as if it were solid; above, as 21 sectors for each bend of its outline, so
     that straight slopes are worth having.
     """
-    vessel = revolve(half_section(path, wall=wall), sides=_GLASS_SIDES)
-    upper = vessel.split(point=(0.0, 0.0, level), normal=Z)
+    vessel = ag.revolve(ag.half_section(path, wall=wall), sides=_GLASS_SIDES)
+    upper = vessel.split(point=(0.0, 0.0, level), normal=ag.Z)
     # a hair more, so that both have corners of their own
-    lower = vessel.split(point=(0.0, 0.0, level + 0.0001), normal=-Z)
-    pane = cylinder_between((0.0, 0.0, 0.0), (0.0, 0.0, 1.4 * wall), foot - 0.5 * wall)
+    lower = vessel.split(point=(0.0, 0.0, level + 0.0001), normal=-ag.Z)
+    pane = ag.cylinder_between((0.0, 0.0, 0.0), (0.0, 0.0, 1.4 * wall), foot - 0.5 * wall)
     # where it is narrow 3 facets would be one collider, and stand off more
-    off = min_(_GLASS_OFF, (1.0 - math.cos(3.0 * math.pi / _GLASS_SIDES)) * foot)
-    return weld(
-        part(simplified_collider(upper, off), label, finish, name=name),
-        part(bounding_collider(lower | pane), label, finish),
+    off = ag.min_(_GLASS_OFF, (1.0 - math.cos(3.0 * math.pi / _GLASS_SIDES)) * foot)
+    return ag.weld(
+        ag.part(ag.simplified_collider(upper, off), label, finish, name=name),
+        ag.part(ag.bounding_collider(lower | pane), label, finish),
     )
 
 
-def filled(path: Path, *, wall: Scalar, level: Scalar) -> Solid:
+def filled(path: Path, *, wall: ag.Scalar, level: ag.Scalar) -> ag.Solid:
     """Make what fills a blown vessel up to a height, a hair off its wall."""
-    inside = revolve(half_section(path, inset=wall + 0.0002))
-    kept = inside.split(point=(0.0, 0.0, level), normal=-Z)
-    return kept.split(point=(0.0, 0.0, 1.4 * wall + 0.0002), normal=Z)
+    inside = ag.revolve(ag.half_section(path, inset=wall + 0.0002))
+    kept = inside.split(point=(0.0, 0.0, level), normal=-ag.Z)
+    return kept.split(point=(0.0, 0.0, 1.4 * wall + 0.0002), normal=ag.Z)
