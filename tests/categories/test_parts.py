@@ -8,30 +8,26 @@ from manifold3d import Manifold, OpType
 
 from artgen import Body, Revolute, Z, box, material, part, weld
 from artgen.asset import Asset
-from artgen.categories.door.pulls import pull_handle
-from artgen.categories.door.push_bar import push_bar, push_bar_case, push_slide
+from artgen.categories.door.fittings import pull_handle, push_bar, push_bar_case, push_slide
 from artgen.categories.handle.grip_set import THUMB_RANGE, grip, thumb_piece, thumb_press
+from artgen.categories.shared.hardware.door_handles import knob_handle, lever_handle, spring_turn
 from artgen.categories.shared.hardware.hinge import hinge_frame, hinge_leaf, hinge_offset
-from artgen.categories.shared.hardware.knobs import knob_handle
-from artgen.categories.shared.hardware.latch import (
+from artgen.categories.shared.hardware.locks import (
     LATCH,
+    QUARTER,
+    THROW,
     clear_angle,
+    deadbolt,
+    deadbolt_cover,
+    deadbolt_hole,
+    deadbolt_pocket,
+    deadbolt_slide,
     faceplate,
     latch_bolt,
     latch_pocket,
     latch_slide,
     strike_plate,
     strike_pocket,
-)
-from artgen.categories.shared.hardware.levers import lever_handle, spring_turn
-from artgen.categories.shared.hardware.locks import (
-    QUARTER,
-    THROW,
-    deadbolt,
-    deadbolt_cover,
-    deadbolt_hole,
-    deadbolt_pocket,
-    deadbolt_slide,
     thumb_turn,
     thumb_turn_joint,
 )

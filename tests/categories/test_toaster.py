@@ -13,7 +13,7 @@ from artgen import Asset, Cache, InfeasibleError
 from artgen.categories.shared.controls.buttons import ButtonShape
 from artgen.categories.shared.controls.dials import DialStyle
 from artgen.categories.toaster import toaster
-from artgen.categories.toaster.carriage import LeverStyle
+from artgen.categories.toaster.inside import LeverStyle
 from artgen.categories.toaster.plan import BodyStyle
 
 STYLES = get_args(BodyStyle)

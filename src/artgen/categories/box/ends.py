@@ -10,13 +10,11 @@ from collections.abc import Callable
 from dataclasses import replace
 
 import artgen as ag
-from artgen.categories.box.board import Mouth, Thing
-from artgen.categories.box.bodies import walls
+from artgen.categories.box.board import Mouth, Thing, walls
 from artgen.categories.box.flaps import Top
 from artgen.categories.box.kinds import Draft
 from artgen.categories.box.lids import Lidded
-from artgen.categories.box.marks import Ink, address_label
-from artgen.categories.box.prints import shipping_print
+from artgen.categories.box.prints import Ink, address_label, shipping_print
 
 # the end at the left is closed first and turned over then, which swaps its left and its right
 _LEFT = Mouth("lower", "upper", "back", "front", "_left", grounded=True)

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import artgen as ag
 from artgen.categories.box.board import FOLD, LAYER, SLIT, TOP, Board, Crease, Feel, Mouth
 from artgen.categories.box.bottles import Bottles
-from artgen.categories.box.marks import TAPE, pull_tab
+from artgen.categories.box.prints import TAPE, pull_tab
 
 _UPRIGHT = 1.60  # from here on a flap leaves the space over the box free [rad]
 _HANGING = 3.40  # from here on a flap is below what closes over the box [rad]

@@ -3,16 +3,25 @@
 from dataclasses import dataclass
 
 import artgen as ag
-from artgen.categories.box.board import LAYER, Board, Feel
-from artgen.categories.box.bodies import bottom_flaps, cells, hand_holes, hole_corners, walls
+from artgen.categories.box.board import (
+    LAYER,
+    Board,
+    Feel,
+    bottom_flaps,
+    cells,
+    hand_holes,
+    hole_corners,
+    walls,
+)
 from artgen.categories.box.bottles import Bottles, Wine
 from artgen.categories.box.finish import GOLD, foam
 from artgen.categories.box.flaps import Top
-from artgen.categories.box.gifts import Closure, Gift, Hollow
+from artgen.categories.box.gifts import PLAY, Closure, Gift, Hollow, cap, lift, strap
 from artgen.categories.box.lids import Lidded, Sides
-from artgen.categories.box.marks import Ink, address_label
 from artgen.categories.box.prints import (
+    Ink,
     Look,
+    address_label,
     mailer_print,
     name_on_lid,
     pizza_front,
@@ -22,7 +31,6 @@ from artgen.categories.box.prints import (
     vents,
     wine_print,
 )
-from artgen.categories.box.trays import PLAY, cap, lift, strap
 
 _NO_DUST = "flaps under a lid need one that lies on the walls: take sides=over or dusted=False"
 _LOW_COVER = "the cover would hardly stand out of the tray it is in: take a larger height"

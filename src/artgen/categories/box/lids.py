@@ -11,7 +11,7 @@ from typing import Literal
 import artgen as ag
 from artgen.categories.box.board import LAYER, TOP, Board, Crease, Feel, Mouth, tongue
 from artgen.categories.box.bottles import Bottles
-from artgen.categories.box.marks import TAPE, pull_tab
+from artgen.categories.box.prints import TAPE, pull_tab
 
 Sides = Literal["over", "tucked"]
 """Whether a lid lies on the walls at its sides, or goes between them with a flap at either side."""

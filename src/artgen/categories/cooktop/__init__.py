@@ -39,13 +39,14 @@ from artgen.categories.shared.cooktops.burners import (
     BRASS,
     COIL_RADIUS,
     ZONE_RADIUS,
+    GrateStyle,
     coil_burner,
     gas_burner,
+    grates,
     induction_zone,
     printed_zones,
     radiant_zone,
 )
-from artgen.categories.shared.cooktops.grates import GrateStyle, grates
 from artgen.categories.shared.cooktops.plan import BurnerKind, BurnerSize, DialSide, Place, Plan
 from artgen.categories.shared.finish import casting
 

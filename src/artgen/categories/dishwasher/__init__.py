@@ -19,10 +19,10 @@ from typing import Literal
 import artgen as ag
 from artgen import details
 from artgen.categories.dishwasher.console import Console
-from artgen.categories.dishwasher.dispenser import Dispenser
 from artgen.categories.dishwasher.door import (
     CONSOLE_BEFORE_POCKET,
     RECESS_HALF,
+    Dispenser,
     Front,
     HandleKind,
 )

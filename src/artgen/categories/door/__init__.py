@@ -25,8 +25,8 @@ from typing import Literal
 import artgen as ag
 from artgen import details
 from artgen.categories.door.doorset import DoorSet, Hand, Opens, handed
-from artgen.categories.door.frame import Doorway, FrameKind, Trim, door_frame
-from artgen.categories.door.hanging import Hanging
+from artgen.categories.door.fittings import finger_plate, pull_handle, push_bar
+from artgen.categories.door.frame import Doorway, FrameKind, Hanging, Trim, door_frame
 from artgen.categories.door.leaf import (
     flush_leaf,
     glazed_leaf,
@@ -43,9 +43,6 @@ from artgen.categories.door.lockset import (
     rigid_handle,
     turning_handle,
 )
-from artgen.categories.door.plates import finger_plate
-from artgen.categories.door.pulls import pull_handle
-from artgen.categories.door.push_bar import push_bar
 from artgen.categories.shared.finish import (
     FINISH_WEIGHTS,
     FINISHES,
@@ -57,9 +54,8 @@ from artgen.categories.shared.finish import (
 )
 from artgen.categories.shared.furniture.door_slab import Blank, Fittings
 from artgen.categories.shared.hardware import HARDWARE_LABELS, require_suited
-from artgen.categories.shared.hardware.knobs import knob_handle
-from artgen.categories.shared.hardware.latch import DEADBOLT
-from artgen.categories.shared.hardware.levers import lever_handle
+from artgen.categories.shared.hardware.door_handles import knob_handle, lever_handle
+from artgen.categories.shared.hardware.locks import DEADBOLT
 from artgen.categories.shared.hardware.roses import Fixing
 
 _HANDLES = {

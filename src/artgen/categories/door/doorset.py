@@ -10,9 +10,9 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 import artgen as ag
-from artgen.categories.door.hanging import Hanging
+from artgen.categories.door.fittings import astragal
+from artgen.categories.door.frame import Hanging
 from artgen.categories.door.lockset import Lockset, Site
-from artgen.categories.door.plates import astragal
 from artgen.categories.shared.furniture.door_slab import Blank
 
 _ROD = 0.010  # width of the square bolt [m]

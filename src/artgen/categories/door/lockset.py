@@ -5,27 +5,24 @@ from dataclasses import dataclass
 from typing import Literal
 
 import artgen as ag
-from artgen.categories.door.pulls import pull_handle
-from artgen.categories.door.push_bar import push_bar_case, push_slide
+from artgen.categories.door.fittings import pull_handle, push_bar_case, push_slide
 from artgen.categories.shared.finish import recess
-from artgen.categories.shared.hardware.latch import (
+from artgen.categories.shared.hardware.door_handles import spring_turn
+from artgen.categories.shared.hardware.locks import (
     DEADBOLT,
     LATCH_HOLE,
-    faceplate,
-    latch_bolt,
-    latch_pocket,
-    latch_slide,
-    strike_plate,
-    strike_pocket,
-)
-from artgen.categories.shared.hardware.levers import spring_turn
-from artgen.categories.shared.hardware.locks import (
     THROW,
     deadbolt,
     deadbolt_cover,
     deadbolt_hole,
     deadbolt_pocket,
     deadbolt_slide,
+    faceplate,
+    latch_bolt,
+    latch_pocket,
+    latch_slide,
+    strike_plate,
+    strike_pocket,
     thumb_turn,
     thumb_turn_joint,
 )

@@ -22,6 +22,7 @@ from artgen.categories.drawer.boxes import (
     BoxLook,
     Mounting,
     Rows,
+    RunnerStyle,
     drawer_box,
     fixed_members,
     label_holder,
@@ -31,7 +32,6 @@ from artgen.categories.drawer.boxes import (
 from artgen.categories.drawer.boxes import (
     drawer as drawer_of,
 )
-from artgen.categories.drawer.runners import RunnerStyle
 from artgen.categories.shared.furniture.carcass import Carcass, LegStyle
 from artgen.categories.shared.furniture.finish import (
     GREY_STEEL,

@@ -17,10 +17,14 @@ from artgen import details
 from artgen.categories.handle.grip_set import grip, thumb_piece, thumb_press
 from artgen.categories.shared.finish import FINISH_WEIGHTS, FINISHES, known, paints, recess
 from artgen.categories.shared.hardware import HARDWARE_LABELS, require_suited
-from artgen.categories.shared.hardware.knobs import knob_handle
-from artgen.categories.shared.hardware.latch import faceplate, latch_bolt, latch_pocket, latch_slide
-from artgen.categories.shared.hardware.levers import lever_handle, spring_turn
-from artgen.categories.shared.hardware.locks import with_button
+from artgen.categories.shared.hardware.door_handles import knob_handle, lever_handle, spring_turn
+from artgen.categories.shared.hardware.locks import (
+    faceplate,
+    latch_bolt,
+    latch_pocket,
+    latch_slide,
+    with_button,
+)
 from artgen.categories.shared.hardware.roses import PIN_BELOW, Faces, Fixing, rose, spindle_hole
 
 _HANDLES = {"lever": lever_handle, "knob": knob_handle}

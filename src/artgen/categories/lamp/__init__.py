@@ -32,8 +32,8 @@ from artgen.categories.lamp.bases import (
     weighted_base,
     wide_up_to,
 )
-from artgen.categories.lamp.bulbs import SOCKET
-from artgen.categories.lamp.cord import CASE, Cord
+from artgen.categories.lamp.electrics import CASE, SWITCH_LABELS, Cord
+from artgen.categories.lamp.electrics import switch as switch_of
 from artgen.categories.lamp.finish import (
     BODIES,
     BODY_WEIGHTS,
@@ -49,11 +49,9 @@ from artgen.categories.lamp.finish import (
     plastic,
 )
 from artgen.categories.lamp.jointed import ArmLooks, ArmSizes, Carried
-from artgen.categories.lamp.lampshades import ShadeKind, metal_head, spider_shade
+from artgen.categories.lamp.lampshades import SOCKET, ShadeKind, metal_head, spider_shade
 from artgen.categories.lamp.pointed import POLE, pointed
 from artgen.categories.lamp.standing import BESIDE, Chain, crown, globed, harp_rise, shaded
-from artgen.categories.lamp.switches import SWITCH_LABELS
-from artgen.categories.lamp.switches import switch as switch_of
 
 Style = Literal["desk", "architect", "led_bar", "reading", "floor", "tripod", "arc", "table", "mushroom"]
 

@@ -6,8 +6,8 @@ from itertools import pairwise
 from typing import Literal
 
 import artgen as ag
+from artgen.categories.lamp.electrics import Switch
 from artgen.categories.lamp.jointed import Carried
-from artgen.categories.lamp.switches import Switch
 from artgen.categories.shared.finish import casting
 
 BaseShape = Literal["round", "square", "hexagonal"]

@@ -4,8 +4,7 @@ from dataclasses import dataclass
 
 import artgen as ag
 from artgen.categories.lamp.bases import harp
-from artgen.categories.lamp.bulbs import lamp_holder
-from artgen.categories.lamp.lampshades import HUB, STUD, FabricShade, ShadeKind, drop_of
+from artgen.categories.lamp.lampshades import HUB, STUD, FabricShade, ShadeKind, drop_of, lamp_holder
 
 CHAIN_BALLS = 26
 """How many balls of a chain are seen."""

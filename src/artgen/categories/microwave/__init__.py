@@ -18,11 +18,10 @@ from typing import Literal, get_args
 
 import artgen as ag
 from artgen import details
-from artgen.categories.microwave.case import Case
+from artgen.categories.microwave.case import Case, Turntable
 from artgen.categories.microwave.controls import Controls, Panel
 from artgen.categories.microwave.door import Door, FaceStyle, HandleKind, Latches
 from artgen.categories.microwave.space import Space
-from artgen.categories.microwave.turntable import Turntable
 from artgen.categories.shared.appliances.finish import cabinet_finish, fronts, grip_metals
 from artgen.categories.shared.controls.buttons import ButtonShape
 from artgen.categories.shared.controls.dials import DialStyle

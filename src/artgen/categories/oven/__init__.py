@@ -18,8 +18,7 @@ from typing import Literal, get_args
 import artgen as ag
 from artgen import details
 from artgen.categories.oven.body import Cabinet
-from artgen.categories.oven.door import BEHIND, Door, HandleKind, Window
-from artgen.categories.oven.drawer import Drawer
+from artgen.categories.oven.door import BEHIND, Door, Drawer, HandleKind, Window
 from artgen.categories.oven.panel import Panel
 from artgen.categories.oven.racks import Racks, element
 from artgen.categories.oven.space import Build, Space

@@ -14,11 +14,11 @@ from artgen.categories.shared.cooktops.burners import (
     BRASS,
     ZONE_RADIUS,
     gas_burner,
+    grates,
     induction_zone,
     printed_zones,
     radiant_zone,
 )
-from artgen.categories.shared.cooktops.grates import grates
 from artgen.categories.shared.cooktops.plan import Plan
 
 BurnerKind = Literal["gas", "radiant", "induction"]

@@ -13,7 +13,6 @@ from typing import Literal
 
 import artgen as ag
 from artgen import details
-from artgen.categories.pepper_grinder.bodies import INSET, Content, capped, clear, ring, wooden
 from artgen.categories.pepper_grinder.finish import (
     CLEAR,
     LACQUER_WEIGHTS,
@@ -30,7 +29,20 @@ from artgen.categories.pepper_grinder.finish import (
     word_mark,
 )
 from artgen.categories.pepper_grinder.forms import HEAD_HEIGHT, BodyForm, Top, end_radius, fitting
-from artgen.categories.pepper_grinder.works import Crank, Finial, HeadLooks, crank, head, head_turn
+from artgen.categories.pepper_grinder.works import (
+    INSET,
+    Content,
+    Crank,
+    Finial,
+    HeadLooks,
+    capped,
+    clear,
+    crank,
+    head,
+    head_turn,
+    ring,
+    wooden,
+)
 
 Build = Literal["wood", "lacquer", "steel", "clear"]
 

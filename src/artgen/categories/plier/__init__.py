@@ -14,8 +14,7 @@ Sizes are those of Knipex, Bahco and Wiha catalogues: combination 160-200 mm and
 
 import artgen as ag
 from artgen import details
-from artgen.categories.plier.fittings import PASSES, Grip, Key, off_middle
-from artgen.categories.plier.half import Make
+from artgen.categories.plier.fittings import PASSES, Grip, Key, Make, off_middle
 from artgen.categories.plier.halves import Forging, Style
 
 _STEEL = ag.material("steel")

@@ -33,10 +33,9 @@ from artgen.categories.refrigerator.drawers import (
     outer_drawer,
     outer_slide,
 )
-from artgen.categories.refrigerator.inside import ShelfKind, flap, flap_reach, flap_swing
+from artgen.categories.refrigerator.inside import Furniture, ShelfKind, flap, flap_reach, flap_swing, furnish
 from artgen.categories.refrigerator.leaf import Leaf
 from artgen.categories.refrigerator.plan import Divided, Layout, hinges
-from artgen.categories.refrigerator.rooms import Furniture, furnish
 from artgen.categories.shared.appliances.finish import (
     CLEAR,
     FROSTED,

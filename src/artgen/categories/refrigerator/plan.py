@@ -7,9 +7,8 @@ import artgen as ag
 from artgen._arrays import cached_property
 from artgen.categories.refrigerator.case import HUMP_HIGH, Case, Cell
 from artgen.categories.refrigerator.drawers import Front
-from artgen.categories.refrigerator.hinges import hinge_bracket, hinge_cover
 from artgen.categories.refrigerator.inside import LIGHT
-from artgen.categories.refrigerator.leaf import PIN, Leaf
+from artgen.categories.refrigerator.leaf import PIN, Leaf, hinge_bracket, hinge_cover
 
 Layout = Literal["single", "top_freezer", "bottom_freezer", "french", "side_by_side"]
 """One door; a freezer above or below; two doors over freezer drawers; freezer and refrigerator abreast."""

@@ -12,7 +12,18 @@ from typing import Literal
 
 import artgen as ag
 from artgen import details
-from artgen.categories.soap_dispenser.bottles import Shape, Sizes, clear, opaque
+from artgen.categories.soap_dispenser.bottles import (
+    LABELLED,
+    PRINTED,
+    WORDS,
+    Content,
+    Print,
+    Shape,
+    Sizes,
+    clear,
+    marks,
+    opaque,
+)
 from artgen.categories.soap_dispenser.finish import (
     CERAMIC_WEIGHTS,
     CERAMICS,
@@ -30,7 +41,6 @@ from artgen.categories.soap_dispenser.finish import (
     TILES,
     ink_on,
 )
-from artgen.categories.soap_dispenser.labels import LABELLED, PRINTED, WORDS, Content, Print, marks
 from artgen.categories.soap_dispenser.pump import (
     COLLAR,
     GAP,

@@ -21,8 +21,6 @@ from artgen.categories.shared.appliances.cords import cord_stub, mains_cord
 from artgen.categories.shared.controls.buttons import ButtonShape
 from artgen.categories.shared.controls.dials import DialStyle
 from artgen.categories.shared.hardware.fixings import corner_feet
-from artgen.categories.toaster.carriage import LeverStyle, arm, carriage, lever, lever_slide
-from artgen.categories.toaster.chamber import chamber
 from artgen.categories.toaster.controls import (
     Layout,
     Panel,
@@ -41,9 +39,18 @@ from artgen.categories.toaster.finish import (
     ink_on,
     sheet,
 )
+from artgen.categories.toaster.inside import (
+    LeverStyle,
+    Tray,
+    TrayWay,
+    arm,
+    carriage,
+    chamber,
+    lever,
+    lever_slide,
+)
 from artgen.categories.toaster.plan import BodyStyle, Plan
 from artgen.categories.toaster.shell import Cuts, ShellLooks, back_print, shell, underside
-from artgen.categories.toaster.tray import Tray, TrayWay
 
 _QUARTER = math.pi / 2.0
 _NO_ROOM = "controls have no room: raise height or shoulder, or lower buttons"

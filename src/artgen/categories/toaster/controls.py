@@ -18,7 +18,7 @@ from artgen.categories.shared.controls.buttons import (
 )
 from artgen.categories.shared.controls.dials import DialStyle, dial, dial_print, dial_turn
 from artgen.categories.shared.finish import recess
-from artgen.categories.toaster.carriage import ARM, slit
+from artgen.categories.toaster.inside import ARM, slit
 from artgen.categories.toaster.plan import Plan
 
 Layout = Literal["beside", "below"]

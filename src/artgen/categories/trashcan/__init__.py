@@ -30,7 +30,10 @@ from artgen.categories.trashcan.finish import (
     TRIMS,
     WALL,
     WEAVES,
+    Sort,
     lid_of,
+    maker_mark,
+    sort_mark,
 )
 from artgen.categories.trashcan.kinds import (
     THICK,
@@ -46,7 +49,6 @@ from artgen.categories.trashcan.kinds import (
     touch_bin,
 )
 from artgen.categories.trashcan.lids import GAP, Grip, LidStyle
-from artgen.categories.trashcan.marks import Sort, maker_mark, sort_mark
 from artgen.categories.trashcan.shells import Dress, Looks
 
 Style = Literal["pedal", "lift", "swing", "ball", "disc", "butterfly", "touch", "open"]

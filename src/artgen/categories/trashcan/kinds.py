@@ -5,7 +5,7 @@ from typing import Literal
 
 import artgen as ag
 from artgen.categories.trashcan.bins import Can
-from artgen.categories.trashcan.finish import lid_of
+from artgen.categories.trashcan.finish import bag, lid_of, plate, top_mark
 from artgen.categories.trashcan.hoods import Flaps, Hood, Turning
 from artgen.categories.trashcan.lids import (
     GAP,
@@ -20,7 +20,6 @@ from artgen.categories.trashcan.lids import (
     lid_panel,
     sprung_lid,
 )
-from artgen.categories.trashcan.marks import bag, plate, top_mark
 from artgen.categories.trashcan.pedals import SLOT, Linkage
 from artgen.categories.trashcan.shells import (
     Dress,

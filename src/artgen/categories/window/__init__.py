@@ -43,8 +43,7 @@ from artgen.categories.window.plan import (
     WOODS,
     Kind,
 )
-from artgen.categories.window.sashes import Glazing
-from artgen.categories.window.shutters import Shutters, ShutterStyle
+from artgen.categories.window.sashes import Glazing, Shutters, ShutterStyle
 from artgen.categories.window.slides import double_hung, sliding, sliding_both
 
 _GLASS = known("glass", "frosted_glass", "tinted_glass")

@@ -1,10 +1,12 @@
-"""Sashes: rings of a real section with their glass, glazing beads and bars; a ring has the label `pane`."""
+"""Sashes with their glazing, and shutters."""
 
 from dataclasses import dataclass
+from typing import Literal, NamedTuple
 
 import artgen as ag
-from artgen.categories.shared.furniture.infill import Opening, panes_in
-from artgen.categories.window.plan import LIP, REBATE, SEALED, Rect, Section, ring_of
+from artgen.categories.shared.furniture.infill import Opening, panes_in, slats_in
+from artgen.categories.window.hardware import BARREL, Pin, barrel_hinges, bow_pull
+from artgen.categories.window.plan import LIP, REBATE, SEALED, SEAM, Rect, Section, ring_of
 
 PANE = 0.012
 """Thickness of an insulating glass as it is built [m]; it weighs what its panes do."""
@@ -99,3 +101,104 @@ def plain_sash(
 def slide_face(section: Section) -> float:
     """Return the face of stiles and rails of a sash that slides, slimmer than that of a hinged one [m]."""
     return 0.92 * section.sash
+
+
+ShutterStyle = Literal["none", "louvred", "boarded"]
+
+_THICK = 0.032  # of a leaf [m]
+_OFF = 0.012  # from a leaf to the frame behind it [m]
+_STILE, _RAIL = 0.048, 0.062  # faces of their boards [m]
+_MEETING = 0.004  # between two leaves, where they are wide [m]
+_PIN_IN = 0.004  # from the face of a leaf to its pin [m]
+_LEDGE = 0.016  # thickness of the ledges that hold boards together [m]
+
+
+def _edge(reach: ag.Scalar) -> ag.Scalar:
+    """Return the gap to the middle that lets a leaf's back corner swing past the other leaf [m]."""
+    behind, free = _THICK - _PIN_IN, reach - 0.0003
+    return ag.max_(_MEETING / 2.0, reach - ag.sqrt(free * free - behind * behind))
+
+
+class Shutters(NamedTuple):
+    """What a pair of shutters is like."""
+
+    style: ShutterStyle  # louvres, or boards on ledges
+    finish: ag.Material  # their paint
+    metal: ag.Material  # of their hinges and pulls
+    slats: int  # louvres in each half of a leaf, or twice the boards
+    swing: ag.Scalar  # how far they open [rad]
+    friction: ag.Scalar  # of the hinges of a leaf [N m]
+    solid: bool  # whether these have mass and collide, or only are seen
+
+    def hung(
+        self, body: ag.Body, *, front: ag.Scalar, width: ag.Scalar, low: ag.Scalar, high: ag.Scalar
+    ) -> ag.Body:
+        """Hang a pair in front of a frame."""
+        pin = Pin(BARREL - width / 2.0, front - _OFF - _THICK + _PIN_IN)
+        start = pin.x + BARREL + 0.002
+        wide, tall = -_edge(-pin.x) - start, high - low
+        levels = [low + 0.16 * tall, low + 0.84 * tall]
+        on_frame, on_leaf = barrel_hinges(
+            pin, levels, tall=0.075, to=start, face=front, finish=self.metal, solid=self.solid
+        )
+        middle = (start + wide / 2.0, front - _OFF - _THICK / 2.0, (low + high) / 2.0)
+        pull = bow_pull(length=0.12, girth=0.0048, finish=self.metal, name="handle_front")
+        boards = self._louvred(wide, tall) if self.style == "louvred" else self._boarded(wide, tall)
+        leaf = ag.weld(*boards, pull.at((wide - _STILE) / 2.0, -_THICK / 2.0, 0.0)).at(middle)
+        leaf = ag.weld(leaf, on_leaf)
+        for side, name in ((1, "left"), (-1, "right")):
+            hinge = self._hinge(f"shutter_hinge_{name}", pin, side)
+            turned = leaf if side > 0 else leaf.mirror(ag.X)
+            body = ag.weld(body, on_frame if side > 0 else on_frame.mirror(ag.X))
+            body = body.attach(turned.suffixed(f"_{name}"), hinge)
+        return body
+
+    def _hinge(self, name: str, pin: Pin, side: int) -> ag.Joint:
+        return ag.Revolute(
+            name,
+            axis=-side * ag.Z,
+            pivot=(side * pin.x, pin.y, 0.0),
+            limits=(0.0, self.swing),
+            friction=self.friction,
+            damping=0.4,
+            effort=60.0,
+            velocity=6.0,
+        )
+
+    def _louvred(self, wide: ag.Scalar, tall: ag.Scalar) -> list[ag.Body]:
+        """Make stiles, three rails and two fields of louvres, about the origin."""
+        inner = wide - 2.0 * _STILE
+        free = (tall - 3.0 * _RAIL) / 2.0
+        stile = ag.box(_STILE, _THICK, tall, bevel=0.0025)
+        rail = ag.box(inner - SEAM, _THICK - 0.0004, _RAIL, bevel=0.0015)
+        side, up = (wide - _STILE) / 2.0, (tall - _RAIL) / 2.0
+        bodies = [
+            ag.part(stile.at(-side, 0.0, 0.0), "shutter", self.finish, name="shutter"),
+            ag.part(stile.at(side, 0.0, 0.0), "shutter", self.finish),
+            *(ag.part(rail.at(0.0, 0.0, z), "shutter", self.finish) for z in (-up, 0.0, up)),
+        ]
+        for z in (-(free + _RAIL) / 2.0, (free + _RAIL) / 2.0):
+            opening = Opening(inner + 0.002, free, [(0.0, 0.0, z)], 1, self.finish, "shutter")
+            bodies += slats_in(opening, _THICK, self.slats, joined=True)
+        return bodies
+
+    def _boarded(self, wide: ag.Scalar, tall: ag.Scalar) -> list[ag.Body]:
+        """Make upright boards with a V in every joint, on two ledges behind them, about the origin."""
+        boards = max(3, self.slats // 3)
+        each = wide / boards
+        thin = _THICK - _LEDGE
+        board = ag.box(each, thin, tall, bevel=0.003)
+        ledge = ag.box(wide - 0.030, _LEDGE + 0.0005, 0.085, bevel=0.003).at(
+            0.0, (_THICK - _LEDGE) / 2.0, 0.0
+        )
+        bodies = [
+            ag.part(
+                board.at((index - (boards - 1) / 2.0) * each, (thin - _THICK) / 2.0, 0.0),
+                "shutter",
+                self.finish,
+                name="shutter" if index == 0 else None,
+            )
+            for index in range(boards)
+        ]
+        ledges = ag.array(ledge, at=[(0.0, 0.0, -0.34 * tall), (0.0, 0.0, 0.34 * tall)])
+        return [*bodies, ag.part(ag.union(ledges), "shutter", self.finish)]
