@@ -16,7 +16,7 @@ from timing import empty_cache, seconds, timed
 
 import artgen
 from artgen.asset import Asset, Link
-from artgen.asset.collision import solid_parts, with_colliders
+from artgen.asset.collision import link_parts, with_colliders
 
 KINDS = ("exact", "coacd")
 
@@ -117,7 +117,7 @@ def _made(asset: Asset, kind: str, start: float) -> Made:
 
 def _volumes(link: Link) -> tuple[float, float, float, float]:
     """Return the hollow of a link, what of it is open, its solids, and what of them is covered [m^3]."""
-    solid = Manifold.batch_boolean([part.solid for part in solid_parts(link)], OpType.Add)
+    solid = Manifold.batch_boolean([part.solid for part in link_parts(link)], OpType.Add)
     colliders = Manifold.batch_boolean([each.convex.manifold() for each in link.colliders], OpType.Add)
     hollow = solid.hull() - solid
     return hollow.volume(), (hollow - colliders).volume(), solid.volume(), (solid ^ colliders).volume()

@@ -9,8 +9,7 @@ import pytest
 import artgen
 from artgen import Body, Prismatic, Revolute, X, Y, Z, box, frame, grasp_on, material, part, push_on
 from artgen.asset import Asset
-from artgen.asset.affordance import Grasp, Push, affordance_data
-from artgen.asset.gripper import GRIPPER, block, held
+from artgen.asset.affordance import GRIPPER, Grasp, Push, affordance_data, block, held
 
 STEEL = material("steel")
 

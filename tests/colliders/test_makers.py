@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from manifold3d import CrossSection, Manifold
 from numpy.typing import NDArray
 
-from artgen.asset.distance import TriangleSet
+from artgen.asset.shells import TriangleSet
 from artgen.colliders import (
     Convex,
     Pieces,

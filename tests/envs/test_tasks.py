@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import artgen
-from artgen.asset.gripper import GRIPPER
+from artgen.asset.affordance import GRIPPER
 from artgen.envs.motion import Stage, lifted
 from artgen.envs.robot import LIMITS, frames
 from artgen.envs.task import TASKS, found, push_door

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from artgen import X, Y, Z, box, cylinder, dome, grasp_on, material, part, push_on, sphere
 from artgen.asset import Tree
-from artgen.asset.gripper import GRIPPER
+from artgen.asset.affordance import GRIPPER
 from artgen.errors import EvaluationError
 from artgen.graph import evaluate
 

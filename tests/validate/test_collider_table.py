@@ -8,8 +8,7 @@ import pytest
 import artgen
 from artgen import box, part
 from artgen.asset import Asset
-from artgen.asset.collision import made_colliders
-from artgen.asset.stored_solids import link_parts
+from artgen.asset.collision import link_parts, made_colliders
 from artgen.errors import AssetError
 from artgen.validate import collider_table
 from artgen.validate.collider_table import compare_colliders, steps_per_second

@@ -1,11 +1,14 @@
-"""Affordances: frames at which a hand grasps or pushes an asset, and the joints that this moves."""
+"""Affordances: frames at which a hand grasps or pushes an asset, the joints that this moves, and the hand."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, Literal, Self
 
 import numpy as np
+from manifold3d import Manifold
 
 from artgen._arrays import Array, FrozenArrays
+from artgen.asset.manifolds import mesh_of
 from artgen.asset.record import Record
 
 if TYPE_CHECKING:
@@ -108,3 +111,70 @@ def affordance_data(affordance: Affordance, asset: "Asset") -> dict[str, Any]:
         data = asset.joint(affordance.joints[0]).to_data()
         motion = {"joint": data["name"], **{name: data[name] for name in ("kind", "axis", "pivot", "limits")}}
     return {**affordance.to_data(), "motion": motion}
+
+
+@dataclass(frozen=True)
+class Gripper:
+    """A parallel gripper, and a finger that pushes; the sizes are those of a Franka hand.
+
+    In the frame of a grasp, the fingers close along x, the hand approaches along z, and the origin is the
+    center of the pads.
+    """
+
+    stroke: float = 0.08  # widest opening between the pads [m]
+    thick: float = 0.009  # thickness of a finger along the closing direction [m]
+    wide: float = 0.020  # width of a finger and of its pad [m]
+    pad: float = 0.018  # length of a pad along the approach; it ends at the tip [m]
+    long: float = 0.054  # length of a finger from the hand to the tip [m]
+    # sizes of the hand behind the fingers: along the closing direction, across, and along the approach [m]
+    hand: tuple[float, float, float] = (0.204, 0.063, 0.066)
+    clearance: float = 0.005  # distance of each open finger from the object before it closes [m]
+    finger: float = 0.018  # diameter of the pushing finger [m]
+
+    @property
+    def tip(self) -> float:
+        """Distance of the finger tips beyond the origin of a grasp [m]."""
+        return self.pad / 2.0
+
+    def opening(self, thickness: float) -> float:
+        """Return the opening of the fingers around an object of a thickness, in steps of 0.1 mm [m].
+
+        For objects that are too thick it exceeds the stroke, so that checks can report the excess.
+        """
+        wanted = np.ceil(1e4 * (thickness + 2.0 * self.clearance) - 1e-3) / 1e4
+        return float(wanted if thickness > self.stroke else min(wanted, self.stroke))
+
+    def between(self, half: float) -> Array:
+        """Return the corners of the space between open fingers, shape (2, 3) [m]."""
+        return np.array([[-half, -self.wide / 2.0, self.tip - self.long], [half, self.wide / 2.0, self.tip]])
+
+    def blocks(self, low: float, high: float, back: float = 0.0) -> dict[str, Array]:
+        """Return the boxes of the hand by name, each as two corners, shape (2, 3) [m]."""
+        root, across = self.tip - self.long, self.wide / 2.0
+        x, y, z = self.hand
+        return {
+            "finger": np.array([[high, -across, root - back], [high + self.thick, across, self.tip]]),
+            "other finger": np.array([[low - self.thick, -across, root - back], [low, across, self.tip]]),
+            "hand": np.array([[-x / 2.0, -y / 2.0, root - z - back], [x / 2.0, y / 2.0, root]]),
+        }
+
+
+GRIPPER = Gripper()
+"""The gripper for which grasps are made."""
+
+
+def block(corners: Array, frame: Array) -> Manifold:
+    """Return a box as a solid."""
+    return Manifold.cube(np.maximum(corners[1] - corners[0], 1e-9)).translate(corners[0]).transform(frame[:3])
+
+
+def clipped(solids: Iterable[Manifold], region: Manifold, frame: Array) -> Array:
+    """Return the corners of the intersection of solids with a convex region, in a frame, shape (n, 3) [m]."""
+    found = [mesh_of(solid ^ region)[0] for solid in solids]
+    return np.asarray((np.concatenate([np.zeros((0, 3)), *found]) - frame[:3, 3]) @ frame[:3, :3])
+
+
+def held(solids: Iterable[Manifold], frame: Array) -> tuple[float, float] | None:
+    """Return the extent of solids along x between the fingers of a grasp; None without solids there [m]."""
+    points = clipped(solids, block(GRIPPER.between(GRIPPER.stroke), frame), frame)
+    return (float(points[:, 0].min()), float(points[:, 0].max())) if len(points) else None

@@ -10,10 +10,9 @@ from artgen._arrays import Array, cached_property
 from artgen.asset.affordance import Affordance, affordance_data, affordances
 from artgen.asset.certificate import Certificate
 from artgen.asset.joint import AllowedContact, AssetJoint, is_number, positions_of_followers
-from artgen.asset.link import Link
+from artgen.asset.link import Link, RoundedLink
 from artgen.asset.mass import MassProperties, total
 from artgen.asset.record import json_text, plain, rounded
-from artgen.asset.rounding import rounded_links
 from artgen.asset.tree import Tree, check_contact
 from artgen.errors import AssetError, nearest
 from artgen.materials import Material
@@ -297,20 +296,24 @@ class Asset:
         """Return the asset with as many digits as its files keep.
 
         Numbers have 12 significant digits; poses and points of colliders have 12 decimals, and surfaces as
-        many as `artgen.asset.rounding` says. The digits beyond differ between machines. An asset that was
+        many as `artgen.asset.surface` says. The digits beyond differ between machines. An asset that was
         read from files has no more digits and is returned unchanged.
         """
         if all(link.rounded for link in self.links):
             return self
         joints = tuple(map(rounded, self.joints))
-        origins = {joint.child: joint.pivot for joint in joints}
-        result = replace(
-            self,
-            links=rounded_links(self.links, {self.links[0].name: np.zeros(3), **origins}),
-            joints=joints,
-            parameters=rounded(self.parameters),
-            contacts=rounded(self.contacts),
-        )
+        # the origin of a link lies on its last joint; the base has the asset's frame
+        origins = {self.links[0].name: np.zeros(3), **{joint.child: joint.pivot for joint in joints}}
+        links = [
+            link
+            if link.rounded
+            else RoundedLink.of(
+                link, origin=origins[link.name], grasps=rounded(link.grasps), pushes=rounded(link.pushes)
+            )
+            for link in self.links
+        ]
+        parameters, contacts = rounded(self.parameters), rounded(self.contacts)
+        result = replace(self, links=tuple(links), joints=joints, parameters=parameters, contacts=contacts)
         return remember(result, self.certificate)
 
     def to_data(self) -> dict[str, Any]:

@@ -1,25 +1,27 @@
-"""Replacement of the colliders of an asset: CoACD, convex hulls, or given pieces."""
+"""Solids of links, also of links that were read from files, and colliders that are made of them."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, Literal, get_args
 
 import numpy as np
-from manifold3d import Manifold, Mesh64, OpType
-from numpy.typing import NDArray
+from manifold3d import Error, Manifold, Mesh64, OpType
 
-from artgen._arrays import Array, cached_property
-from artgen.asset import Asset, Collider, Link
+from artgen._arrays import Array, Indices, cached_per_object, cached_property
+from artgen.asset import Asset, Collider, Link, Mesh, Surface
 from artgen.asset.link import MOST_COLLIDERS, DerivedLink, boxes_overlap
+from artgen.asset.manifolds import box_of
 from artgen.colliders import Convex
 from artgen.colliders.coacd import coacd_pieces, fewest, single_hull
 from artgen.errors import AssetError, ExportError, nearest
 from artgen.materials import Material
 
+_ONE_POINT = 3e-7  # vertices of a file nearer than this are one; files have seven decimals [m]
+_ONE_BOX = 1e-6  # tolerance of bounding boxes in files [m]
 _DUST = 1e-15  # smaller parts are rounding crumbs of booleans: a cube of 0.01 mm [m^3]
 
 
-def closed_mesh(solid: Manifold) -> tuple[Array, NDArray[np.int64]]:
+def closed_mesh(solid: Manifold) -> tuple[Array, Indices]:
     """Return the distinct vertices of a solid, shape (n, 3) [m], and its triangles, shape (m, 3)."""
     mesh = solid.to_mesh64()
     vertices = np.array(mesh.vert_properties)[:, :3]
@@ -51,7 +53,7 @@ def _rank(shell: Manifold) -> tuple[float, ...]:
 
 
 def _inside(inner: Manifold, outer: Manifold) -> bool:
-    first, second = (np.array(solid.bounding_box()).reshape(2, 3) for solid in (inner, outer))
+    first, second = box_of(inner), box_of(outer)
     return bool((first[0] >= second[0]).all() and (first[1] <= second[1]).all())
 
 
@@ -66,6 +68,76 @@ def need_solids(asset: Asset, refused: str, instead: str) -> None:
             )
 
 
+@dataclass(frozen=True, eq=False)
+class SolidPart:
+    """A solid of a link from which colliders are made."""
+
+    label: str  # semantic label
+    material: Material  # material of the solid
+    solid: Manifold  # the solid in asset coordinates at rest; it may have several separate parts
+
+
+def mesh_precision(*links: Link) -> float:
+    """Return the mesh precision that links were exported with; 0 for exact meshes [m]."""
+    read = [link.to_data() for link in links if not link.pieces]
+    return max((float(data.get("mesh_precision", 0.0)) for data in read), default=0.0)
+
+
+def is_detail(details: Sequence[Mapping[str, Any]], label: str, bounds: Array) -> bool:
+    """Tell whether the data of visual details list one with a label and a bounding box, shape (2, 3)."""
+    return any(
+        each["label"] == label and np.abs(each["bounds"] - bounds).max() <= _ONE_BOX for each in details
+    )
+
+
+@cached_per_object
+def link_parts(link: Link) -> tuple[SolidPart, ...]:
+    """Return the solids of a link; for a link that was read from files, the closed parts of its meshes.
+
+    Visual details, such as heads of screws, are left out: label and bounding box identify them.
+    """
+    if link.pieces:
+        return tuple(
+            SolidPart(piece.label, piece.material, piece.shape.manifold)
+            for piece in link.pieces
+            if not piece.visual
+        )
+    if precision := mesh_precision(link):
+        raise AssetError(
+            f"the meshes of link {link.name!r} have a precision of {1e3 * precision:g} mm and do not give "
+            f"its exact solids; export the asset with mesh_precision=0",
+            link=link.name,
+        )
+    groups: dict[str, list[Surface]] = {}
+    for surface in link.surfaces:
+        groups.setdefault(surface.label, []).append(surface)
+    materials = {collider.label: collider.material for collider in link.colliders}
+    details = link.to_data().get("details", ())
+    return tuple(
+        SolidPart(label, materials.get(label, surfaces[0].material), part)
+        for label, surfaces in groups.items()
+        for part in _closed(link, label, surfaces)
+        if not is_detail(details, label, box_of(part))
+    )
+
+
+def _closed(link: Link, label: str, surfaces: list[Surface]) -> list[Manifold]:
+    """Return the closed parts of the surfaces of one label, with their hollows."""
+    joined = Mesh.concatenated([surface.mesh for surface in surfaces])
+    mesh = Mesh64(np.array(joined.vertices), joined.triangles.astype(np.uint64), tolerance=_ONE_POINT)
+    mesh.merge()
+    whole = Manifold(mesh)
+    fault = "are empty" if whole.is_empty() else ""
+    if whole.status() != Error.NoError:
+        fault = f"do not close to a solid ({whole.status().name})"
+    if fault:
+        raise AssetError(
+            f"the meshes of link {link.name!r} with label {label!r} {fault}; export the asset again",
+            link=link.name,
+        )
+    return connected_parts(whole)
+
+
 Collision = Literal["exact", "coacd", "hull"]
 COLLISIONS: tuple[str, ...] = get_args(Collision)
 """Kinds of colliders; `exact` keeps the colliders of the asset."""
@@ -74,15 +146,6 @@ _MOST_VERTICES = 64
 _TOUCHING = 2e-6  # solids that overlap by less only touch; files have seven decimals [m]
 _CONVEX = 1e-4  # largest share of its hull that a convex part may leave empty
 _RECORD = "collision"  # key in the data of a link with replaced colliders
-
-
-@dataclass(frozen=True, eq=False)
-class SolidPart:
-    """A solid of a link from which colliders are made."""
-
-    label: str  # semantic label
-    material: Material  # material of the solid
-    solid: Manifold  # the solid in asset coordinates at rest; it may have several separate parts
 
 
 def with_colliders(asset: Asset, kind: Collision | str) -> Asset:
@@ -114,7 +177,7 @@ def with_colliders(asset: Asset, kind: Collision | str) -> Asset:
         f"its colliders cannot be replaced by {kind!r}",
         "collision='exact', which keeps the colliders that it has",
     )
-    found = {link.name: made_colliders(solid_parts(link), kind) for link in asset.links}
+    found = {link.name: made_colliders(link_parts(link), kind) for link in asset.links}
     return replace_colliders(asset, found, kind)
 
 
@@ -128,15 +191,6 @@ def collision_of(links: Sequence[dict[str, Any]]) -> str:
     """Return the kind of the colliders in the data of an asset's links."""
     kinds = dict.fromkeys(link.get(_RECORD, "exact") for link in links)
     return next((kind for kind in kinds if kind != "exact"), "exact")
-
-
-def solid_parts(link: Link) -> list[SolidPart]:
-    """Return the solids of a generated link, without visual details."""
-    return [
-        SolidPart(piece.label, piece.material, piece.shape.manifold)
-        for piece in link.pieces
-        if not piece.visual
-    ]
 
 
 def made_colliders(parts: Sequence[SolidPart], kind: str) -> tuple[Collider, ...]:
@@ -161,7 +215,7 @@ def _unions(parts: Sequence[SolidPart]) -> list[Manifold]:
 
 
 def _overlapping(first: Manifold, second: Manifold) -> bool:
-    if not boxes_overlap(_bounds(first), _bounds(second)):
+    if not boxes_overlap(box_of(first), box_of(second)):
         return False
     common = first ^ second
     return bool(2.0 * common.volume() > _TOUCHING * common.surface_area())  # the thickness of a film
@@ -195,15 +249,11 @@ def _named(convex: Convex, parts: Sequence[SolidPart]) -> Collider:
     """Give a piece the label and the material of the solid that fills most of it."""
     manifold, bounds = convex.manifold(), convex.bounds()
     filled = [
-        (manifold ^ part.solid).volume() if boxes_overlap(bounds, _bounds(part.solid)) else 0.0
+        (manifold ^ part.solid).volume() if boxes_overlap(bounds, box_of(part.solid)) else 0.0
         for part in parts
     ]
     part = parts[int(np.argmax(filled))]
     return Collider(convex, part.label, part.material)
-
-
-def _bounds(solid: Manifold) -> Array:
-    return np.array(solid.bounding_box(), np.float64).reshape(2, 3)
 
 
 @dataclass(frozen=True, eq=False)

@@ -1,20 +1,20 @@
 """Links: rigid bodies made of named pieces of one material each."""
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field, fields, replace
 from operator import attrgetter
 from typing import Any, ClassVar, Self
 
 import numpy as np
 from manifold3d import Manifold, OpType
 
-from artgen._arrays import Array, FrozenArrays, cached_property
+from artgen._arrays import Array, FrozenArrays, cached, cached_property
 from artgen.asset.affordance import Grasp, Push
 from artgen.asset.manifolds import mesh_of
 from artgen.asset.mass import MassProperties, Moments, polyhedron_moments, total
-from artgen.asset.record import plain
+from artgen.asset.record import plain, rounded, rounded_coordinates
 from artgen.asset.shape import Mesh, Shape
-from artgen.asset.surface import by_paint, joined, shifted
+from artgen.asset.surface import as_written, by_paint, joined, shifted
 from artgen.colliders import Convex, budgeted_together
 from artgen.errors import AssetError
 from artgen.materials import Material
@@ -179,8 +179,8 @@ class Link(FrozenArrays):
         """Return the link carried along by a rigid motion or a reflection, shape (4, 4)."""
         grasps = tuple(grasp.moved(matrix) for grasp in self.grasps)
         pushes = tuple(push.moved(matrix) for push in self.pushes)
-        fields = (MovedPieces(self.pieces, matrix), grasps, self.separate, pushes)
-        return MovedLink(self.name, self.label, *fields, source=self, matrix=matrix)
+        values = (MovedPieces(self.pieces, matrix), grasps, self.separate, pushes)
+        return MovedLink(self.name, self.label, *values, source=self, matrix=matrix)
 
     def renamed(self, suffix: str) -> "Link":
         """Return the link with a suffix on its name and on the names of its grasps and pushes."""
@@ -282,9 +282,10 @@ class DerivedLink(Link):
 
     @classmethod
     def of(cls, link: Link, **changes: Any) -> Self:
-        """Return the link derived from another; `changes` are the fields of the subclass."""
-        fields = (link.name, link.label, link.pieces, link.grasps, link.separate, link.pushes)
-        return cls(*fields, source=link, **changes)
+        """Return the link derived from another, with changed fields."""
+        return cls(
+            **{each.name: getattr(link, each.name) for each in fields(Link)} | {"source": link} | changes
+        )
 
     labels = cached_property(attrgetter("source.labels"))
     mass_properties = cached_property(attrgetter("source.mass_properties"))
@@ -339,3 +340,48 @@ class MovedLink(Link):
         if self.name == self.source.name:
             return tuple(moved)
         return tuple(replace(each, mesh=shifted(each.mesh, each.material, self.name)) for each in moved)
+
+
+@dataclass(frozen=True, eq=False)
+class RoundedLink(DerivedLink):
+    """A link rounded to the digits that files keep."""
+
+    rounded: ClassVar = True
+
+    origin: Array = field(kw_only=True)  # of its frame in asset coordinates at rest, shape (3,) [m]
+
+    @cached_property
+    def mass_properties(self) -> MassProperties:
+        """Mass, center and inertia of the source, rounded."""
+        properties: MassProperties = rounded(self.source.mass_properties)
+        return properties
+
+    @cached_property
+    def colliders(self) -> tuple[Collider, ...]:
+        """The colliders of the source, rounded."""
+        return tuple(
+            replace(each, convex=_rounded_convex(each.convex), material=_rounded_material(each.material))
+            for each in self.source.colliders
+        )
+
+    @cached_property
+    def surfaces(self) -> tuple[Surface, ...]:
+        """The visible faces of the source, as a loader of the files sees them."""
+        result = []
+        for surface in self.source.surfaces:
+            material = _rounded_material(surface.material)
+            mesh = as_written(surface.mesh, self.origin, material)
+            result.append(replace(surface, material=material, mesh=mesh))
+        return tuple(result)
+
+
+@cached(256)
+def _rounded_material(material: Material) -> Material:
+    result: Material = rounded(material)
+    return result
+
+
+def _rounded_convex(convex: Convex) -> Convex:
+    size = tuple(map(rounded, convex.size))
+    points = convex.points if convex.kind == "hull" else np.empty((0, 3))
+    return Convex(convex.kind, rounded_coordinates(convex.pose), size, rounded_coordinates(points))

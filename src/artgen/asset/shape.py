@@ -79,6 +79,11 @@ class Mesh(FrozenArrays):
         triangles = [mesh.triangles + start for mesh, start in zip(meshes, starts, strict=True)]
         return Mesh(*(np.concatenate(each) for each in (*columns, triangles)))
 
+    def selected(self, rows: Indices, triangles: Indices) -> "Mesh":
+        """Return a mesh of some vertices, with triangles that number them."""
+        vertices, normals = self.vertices[rows], self.normals[rows]
+        return Mesh(vertices, normals, self.uvs[rows], self.paints[rows], triangles)
+
     def moved(self, matrix: Array) -> "Mesh":
         """Return the mesh after a rigid motion or a reflection, shape (4, 4); print stays readable."""
         rotation = matrix[:3, :3]

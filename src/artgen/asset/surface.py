@@ -1,4 +1,4 @@
-"""Operations on visible meshes: join, split by paint, remove degenerate triangles, map textures."""
+"""Operations on visible meshes: textures, split by paint, join, needles, rounding, simplification."""
 
 import math
 import zlib
@@ -10,13 +10,34 @@ import numpy as np
 from numpy.typing import NDArray
 
 from artgen._arrays import Array, Indices
-from artgen.asset.shape import Mesh
-from artgen.colliders.triangles import cross
+from artgen.asset.manifolds import coincident
+from artgen.asset.shape import Mesh, Shape
+from artgen.colliders.triangles import across
 from artgen.materials import Material
 from artgen.materials.textures import shifts_of, tile_of
 
+Corners = NDArray[np.int64]
+"""Corner indices of triangles, shape (3, m): NumPy sums and compares rows much faster than columns."""
+
+POSITION_DECIMALS = 7
+"""Decimals of the vertices of surfaces in files, in the frame of their link: 0.1 micrometre."""
+
+NORMAL_DECIMALS = 5
+"""Decimals of the normals of surfaces in files."""
+
+UV_DECIMALS = 6
+"""Decimals of the texture coordinates of surfaces in files, in repeats of the maps."""
+
 _SAME = 1e-6  # tolerance of position [m], normal and texture coordinates [m] of equal vertices
 _ROUNDS = 8  # tries for each needle: its neighbors may have to be removed first
+_SHIFTS = 64  # possible texture offsets in a tile, in each direction
+_APART = 1e-5  # difference of texture coordinates that keeps two vertices separate [m]
+_STEPS = 1e7  # rounding steps per metre, and per unit of a normal
+_MOST_PACKED = 2**21  # most vertices for which three indices fit into 64 bits
+_CREASE = math.radians(62.0)  # smooth below: a round surface with few facets has large angles between them
+_SHARES = (1.0, 0.8, 0.6, 0.3, 0.1, 0.03)  # shares of the precision to try
+_KEPT = 0.9  # least share of the area; below it, parts have vanished
+_POINT = 1e-9  # radius of a ball that represents a point [m]
 
 
 def needles(positions: Indices, corners: Indices) -> NDArray[np.bool_]:
@@ -57,7 +78,8 @@ def without_needles(
             if beyond in waiting:
                 waiting.append(number)
             continue
-        one, other, apex = _from_side(triangles[beyond], places, places[end])
+        facing = [places[corner] for corner in triangles[beyond]].index(places[end])
+        one, other, apex = _from(triangles[beyond], facing)
         if (one, other) != (end, start):  # another face, with its own vertices
             middle = _vertex_between(vertices, places, middle, one, other)
         triangles[beyond] = [one, middle, apex]
@@ -76,12 +98,8 @@ def _from_middle(triangle: list[int], vertices: list[Array]) -> tuple[int, int, 
     return _from(triangle, int(opposite.argmax()))
 
 
-def _from_side(triangle: list[int], places: list[int], place: int) -> tuple[int, int, int]:
-    """Return the corners of a triangle in order, the one at a place first."""
-    return _from(triangle, [places[corner] for corner in triangle].index(place))
-
-
 def _from(triangle: list[int], number: int) -> tuple[int, int, int]:
+    """Return the corners of a triangle in order, the one with a number first."""
     return triangle[number], triangle[number - 2], triangle[number - 1]
 
 
@@ -106,9 +124,8 @@ def corner_normals(
 ) -> Array:
     """Return a normal for each corner of each triangle, shape (3 m, 3), smooth below a crease angle."""
     count = len(triangles)
-    across = cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    areas = np.linalg.norm(across, axis=1)  # twice
-    flat = across / np.maximum(areas, 1e-300)[:, None]
+    products, areas = across(corners)  # twice the areas
+    flat = products / np.maximum(areas, 1e-300)[:, None]
     following, before = np.roll(corners, -1, axis=1) - corners, np.roll(corners, 1, axis=1) - corners
     cosine = np.einsum("ijk,ijk->ij", following, before)
     angle = np.arctan2(np.broadcast_to(areas[:, None], cosine.shape), cosine).ravel()
@@ -128,15 +145,6 @@ def corner_normals(
         normals[corner.ravel()] = np.einsum("vij,vjk->vik", weight, turned).reshape(-1, 3)
     length = np.linalg.norm(normals, axis=1, keepdims=True)
     return np.where(length > 1e-12, normals / np.maximum(length, 1e-300), np.repeat(flat, 3, axis=0))
-
-
-Corners = NDArray[np.int64]
-"""Corner indices of triangles, shape (3, m): NumPy sums and compares rows much faster than columns."""
-
-_SHIFTS = 64  # possible texture offsets in a tile, in each direction
-_APART = 1e-5  # difference of texture coordinates that keeps two vertices separate [m]
-_STEPS = 1e7  # rounding steps per metre, and per unit of a normal
-_MOST_PACKED = 2**21  # most vertices for which three indices fit into 64 bits
 
 
 def shifted(mesh: Mesh, material: Material, key: str) -> Mesh:
@@ -174,18 +182,11 @@ def by_paint(mesh: Mesh) -> list[tuple[int, Mesh]]:
     numbers = [int(number) for number in np.unique(paint)]
     if len(numbers) == 1:
         return [(numbers[0], mesh)]
-    return [(number, _compacted(mesh, mesh.triangles[paint == number])) for number in numbers]
-
-
-def _compacted(mesh: Mesh, triangles: NDArray[np.int64]) -> Mesh:
-    used, renumbered = np.unique(triangles, return_inverse=True)
-    return Mesh(
-        mesh.vertices[used],
-        mesh.normals[used],
-        mesh.uvs[used],
-        mesh.paints[used],
-        renumbered.reshape(-1, 3),
-    )
+    parts = []
+    for number in numbers:
+        used, triangles = np.unique(mesh.triangles[paint == number], return_inverse=True)
+        parts.append((number, mesh.selected(used, triangles.reshape(-1, 3))))
+    return parts
 
 
 def joined(meshes: list[Mesh]) -> Mesh:
@@ -194,13 +195,9 @@ def joined(meshes: list[Mesh]) -> Mesh:
     Equal corners become one vertex, except where faces touch in a single point: one vertex would not be
     manifold there. Such vertices differ a little, because checkers merge equal vertices again.
     """
-    offsets = np.cumsum([0, *(len(mesh.vertices) for mesh in meshes[:-1])])
-    rows = np.concatenate(
-        [np.concatenate([mesh.vertices, mesh.normals, mesh.uvs], axis=1) for mesh in meshes]
-    )
-    corners = np.concatenate(
-        [(mesh.triangles + offset).T for mesh, offset in zip(meshes, offsets, strict=True)], axis=1
-    )
+    whole = Mesh.concatenated(meshes)
+    rows = np.concatenate([whole.vertices, whole.normals, whole.uvs], axis=1)
+    corners = np.ascontiguousarray(whole.triangles.T)
     quantised = _quantised(rows)
     order = np.lexsort(quantised[::-1])
     ordered = quantised[:, order]
@@ -275,3 +272,103 @@ def _fanned(corners: Corners, count: int) -> tuple[Corners, list[int]]:
                 number = after.pop(behind[number], None)
             copied.append(vertex)
     return corners, copied
+
+
+def as_written(mesh: Mesh, origin: Array, material: Material) -> Mesh:
+    """Return a mesh rounded in the frame at `origin` [m], in the order of its file."""
+    # rounding makes some vertices equal; joining them may move texture coordinates
+    mesh = joined([rounded_mesh(mesh, origin, material)])
+    return _in_order(replace(mesh, uvs=_rounded_uvs(mesh, material)), origin, material)
+
+
+def _in_order(mesh: Mesh, origin: Array, material: Material) -> Mesh:
+    """Return a mesh with its vertices in the order of a mesh file.
+
+    `joined` sorts them by position, normal and metric texture coordinates; on turned maps the order of the
+    written coordinates differs.
+    """
+    coordinates = texture_coordinates(mesh, material)
+    steps = [each[1:] - each[:-1] for each in (mesh.vertices, mesh.normals)]
+    alike = ~np.any([each.any(axis=1) for each in steps], axis=0)
+    written = np.rint(coordinates * 10.0**UV_DECIMALS)
+    u, v = (written[1:] - written[:-1])[alike].T
+    if not ((u < 0.0) | (u == 0.0) & (v < 0.0)).any():
+        return mesh
+    columns = (
+        (coordinates, UV_DECIMALS),
+        (mesh.normals, NORMAL_DECIMALS),
+        (mesh.vertices - origin, POSITION_DECIMALS),  # lexsort: the last keys decide first
+    )
+    keys = [np.rint(each[:, ::-1].T * 10.0**decimals) for each, decimals in columns]
+    order = np.lexsort(np.concatenate(keys))
+    return mesh.selected(order, np.argsort(order)[mesh.triangles])
+
+
+def rounded_mesh(
+    mesh: Mesh,
+    origin: Array,
+    material: Material,
+    *,
+    positions: int = POSITION_DECIMALS,
+    normals: int = NORMAL_DECIMALS,
+    uvs: int = UV_DECIMALS,
+) -> Mesh:
+    """Return a mesh rounded to numbers of decimals in the frame of a link at `origin`, shape (3,) [m]."""
+    return replace(
+        mesh,
+        vertices=np.round(mesh.vertices - origin, positions) + 0.0 + origin,
+        normals=np.round(mesh.normals, normals) + 0.0,
+        uvs=_rounded_uvs(mesh, material, uvs),
+    )
+
+
+def _rounded_uvs(mesh: Mesh, material: Material, decimals: int = UV_DECIMALS) -> Array:
+    written = np.round(texture_coordinates(mesh, material), decimals) + 0.0
+    return metric_coordinates(written, material)
+
+
+def coarser(shape: Shape, precision: float) -> Mesh:
+    """Return a surface with fewer triangles, within a precision of the shape's surface [m].
+
+    Remaining vertices keep their texture coordinates and paint. Normals are computed again: normals of a
+    removed round edge would shade the faces next to it. Features thinner than the precision, such as print,
+    are kept to a share of it.
+    """
+    mesh = shape.mesh  # its order decides which vertices are removed
+    same = Shape.from_mesh(
+        mesh.vertices, mesh.normals, mesh.uvs, mesh.triangles, shape.pieces, paints=mesh.paints
+    )
+    area, paints = same.manifold.surface_area(), set(mesh.paints.tolist())
+    for share in _SHARES:
+        solid = same.manifold.simplify(share * precision)
+        fewer = Shape(solid, shape.pieces).mesh
+        if solid.surface_area() <= _KEPT * area or set(fewer.paints.tolist()) != paints:
+            continue
+        if lies_within(precision, mesh.vertices, fewer):  # along a curve, steps add up
+            break
+    else:
+        return mesh
+    corners = fewer.triangles.ravel()
+    places = coincident(fewer.vertices)
+    normals = corner_normals(places[fewer.triangles], fewer.vertices[fewer.triangles], _CREASE, by="area")
+    separate = fewer.selected(corners, np.arange(len(corners)).reshape(-1, 3))
+    return replace(separate, normals=normals)
+
+
+def lies_within(distance: float, points: Array, mesh: Mesh) -> bool:
+    """Tell whether all points, shape (n, 3), lie within a distance of a surface [m]."""
+    import fcl
+    from scipy.spatial import cKDTree
+
+    near = cKDTree(mesh.vertices).query(points, distance_upper_bound=distance)[0]
+    far = np.unique(points[near > distance], axis=0)
+    if not len(far):
+        return True
+    faces = fcl.BVHModel()
+    faces.beginModel(len(mesh.vertices), len(mesh.triangles))
+    faces.addSubModel(mesh.vertices, mesh.triangles)
+    faces.endModel()
+    surface, ball = fcl.CollisionObject(faces), fcl.Sphere(_POINT)
+    return all(
+        fcl.distance(fcl.CollisionObject(ball, fcl.Transform(point)), surface) <= distance for point in far
+    )

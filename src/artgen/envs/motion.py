@@ -7,8 +7,7 @@ import numpy as np
 
 from artgen._arrays import Array
 from artgen.asset import rotation
-from artgen.asset.affordance import Affordance
-from artgen.asset.gripper import GRIPPER
+from artgen.asset.affordance import GRIPPER, Affordance
 
 OPEN = GRIPPER.stroke
 """Largest opening of the hand [m]."""

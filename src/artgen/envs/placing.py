@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from artgen._arrays import Array
 from artgen.asset import Asset
-from artgen.asset.gripper import GRIPPER
+from artgen.asset.affordance import GRIPPER
 from artgen.colliders import Convex
 from artgen.envs.motion import Contact, Move, Stage, Target, between, lifted, turned
 from artgen.envs.robot import BALL_JOINTS, BALL_PLACES, BALL_RADII, HOME, LIMITS, frames, reach

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from artgen._arrays import Array
-from artgen.asset.gripper import GRIPPER
+from artgen.asset.affordance import GRIPPER
 from artgen.errors import EnvError
 
 PREFIX = "robot_"

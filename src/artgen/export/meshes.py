@@ -9,8 +9,7 @@ import numpy as np
 from artgen._arrays import Array, FrozenArrays, Indices, cached
 from artgen.asset import Asset, Mesh
 from artgen.asset.files import MESH_DIRECTORY, mesh_names
-from artgen.asset.rounding import NORMAL_DECIMALS, POSITION_DECIMALS, UV_DECIMALS
-from artgen.asset.surface import texture_coordinates
+from artgen.asset.surface import NORMAL_DECIMALS, POSITION_DECIMALS, UV_DECIMALS, texture_coordinates
 from artgen.export.hulls import HULL_DECIMALS, Hull, hulls
 from artgen.export.maps import TEXTURE_DIRECTORY, MapFiles, map_files, phong_exponent, specular_color
 from artgen.export.text import face_lines, lines, rounded, text

@@ -12,10 +12,8 @@ from artgen._arrays import cached_property
 from artgen.asset import Asset, Mesh, Surface
 from artgen.asset.asset import remember
 from artgen.asset.collision import need_solids
-from artgen.asset.decimate import coarser
 from artgen.asset.link import DerivedLink, Piece
-from artgen.asset.rounding import POSITION_DECIMALS, rounded_mesh
-from artgen.asset.surface import joined
+from artgen.asset.surface import POSITION_DECIMALS, coarser, joined, rounded_mesh
 from artgen.errors import ParameterError
 
 COARSEST = 0.005

@@ -19,7 +19,7 @@ from artgen.asset import (
     Tree,
     rotation,
 )
-from artgen.asset.gripper import GRIPPER, held
+from artgen.asset.affordance import GRIPPER, held
 from artgen.asset.link import MovedLink
 from artgen.asset.mass import total
 from artgen.errors import nearest

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from artgen.asset import Shape
-from artgen.asset.gripper import GRIPPER, block, clipped
+from artgen.asset.affordance import GRIPPER, block, clipped
 from artgen.graph import Handle, records
 from artgen.nodes.handles import Array3, Scalar, Solid, VectorLike
 from artgen.nodes.vector import unit

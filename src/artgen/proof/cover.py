@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 
 from artgen._arrays import Array, FrozenArrays, Indices, cached_per_object
 from artgen.asset import Link
+from artgen.asset.collision import link_parts
 from artgen.asset.link import MovedLink
 from artgen.asset.shape import Shape
-from artgen.asset.stored_solids import link_parts
 from artgen.colliders import Exact
 from artgen.colliders.polytope import Polytope
 from artgen.colliders.triangles import hull_of

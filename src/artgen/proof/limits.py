@@ -8,8 +8,8 @@ import numpy as np
 from artgen._arrays import Array
 from artgen.asset import Asset, Link
 from artgen.asset.affordance import head
+from artgen.asset.collision import link_parts
 from artgen.asset.manifolds import box_of
-from artgen.asset.stored_solids import link_parts
 from artgen.proof.certify import certify
 from artgen.proof.overlap import link_overlap
 from artgen.proof.paths import JointPath, Space

@@ -8,9 +8,9 @@ from manifold3d import Manifold
 
 from artgen._arrays import Array, cached_per_object
 from artgen.asset import Link
+from artgen.asset.collision import link_parts
 from artgen.asset.joint import AllowedContact
 from artgen.asset.manifolds import box_of, mesh_of
-from artgen.asset.stored_solids import link_parts
 from artgen.colliders.triangles import cross
 from artgen.proof.paths import JointPath
 

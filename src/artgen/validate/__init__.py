@@ -117,7 +117,7 @@ class Examination:
 
     @cached_property
     def _mesh_precision(self) -> float:
-        from artgen.asset.stored_solids import mesh_precision
+        from artgen.asset.collision import mesh_precision
 
         asset = self._exported.asset
         return mesh_precision(*asset.links) if asset is not None else 0.0

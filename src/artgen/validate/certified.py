@@ -4,8 +4,8 @@ from collections.abc import Iterator
 
 from artgen.asset import Asset
 from artgen.asset.certificate import Certificate, PairResult, spelled_region
+from artgen.asset.collision import mesh_precision
 from artgen.asset.report import CheckResult, Finding
-from artgen.asset.stored_solids import mesh_precision
 
 _CHECK = "certificate"
 _CERTIFY = (

@@ -8,9 +8,15 @@ from typing import Any
 from manifold3d import Manifold, OpType
 
 from artgen.asset import Asset
-from artgen.asset.collision import COLLISIONS, SolidPart, collision_of, made_colliders, replace_colliders
+from artgen.asset.collision import (
+    COLLISIONS,
+    SolidPart,
+    collision_of,
+    link_parts,
+    made_colliders,
+    replace_colliders,
+)
 from artgen.asset.record import significant
-from artgen.asset.stored_solids import link_parts
 from artgen.export.mjcf import write_mjcf
 from artgen.validate.fidelity import Fidelity, fidelity
 

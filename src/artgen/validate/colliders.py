@@ -8,10 +8,10 @@ from scipy.spatial import ConvexHull, QhullError
 
 from artgen._arrays import Array
 from artgen.asset import Asset, Link
+from artgen.asset.collision import is_detail
 from artgen.asset.link import MOST_COLLIDERS
 from artgen.asset.report import CheckResult, Finding, Severity
 from artgen.asset.shells import point_text, skins
-from artgen.asset.stored_solids import Details
 from artgen.errors import ArtgenError, AssetError
 from artgen.validate.fidelity import Fidelity, fidelity
 
@@ -78,13 +78,12 @@ def solid_of(link: Link) -> Manifold:
             raise AssetError(
                 f"the file of link {link.name!r} does not tell which solids are only seen; export again"
             )
-        seen = Details.of(details)
         covered = {collider.label for collider in link.colliders}
         parts = [
             shell.manifold
             for skin in skins(link)
             for shell in skin.solids
-            if shell.label in covered and not seen.have(shell.label, shell.bounds)
+            if shell.label in covered and not is_detail(details, shell.label, shell.bounds)
         ]
     return Manifold.batch_boolean(parts, OpType.Add)
 

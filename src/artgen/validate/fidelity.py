@@ -7,7 +7,7 @@ import numpy as np
 from manifold3d import Manifold, OpType
 
 from artgen._arrays import Array
-from artgen.asset.distance import TriangleSet, distinct_rows
+from artgen.asset.shells import TriangleSet, distinct_rows
 from artgen.colliders import Convex
 from artgen.colliders.polytope import Polytope
 from artgen.colliders.triangles import hull_of

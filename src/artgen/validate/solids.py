@@ -9,9 +9,9 @@ from manifold3d import Manifold, OpType
 from scipy.spatial import cKDTree
 
 from artgen.asset import Asset, Link
+from artgen.asset.collision import link_parts
 from artgen.asset.report import CheckResult, Finding
 from artgen.asset.shells import LinkShells, Shell, point_text, skins
-from artgen.asset.stored_solids import link_parts
 from artgen.errors import ArtgenError
 
 _CHECK = "solids"

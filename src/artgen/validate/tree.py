@@ -8,9 +8,9 @@ import numpy as np
 from artgen._arrays import Array
 from artgen._names import is_identifier
 from artgen.asset import Asset, Grasp, Link
+from artgen.asset.collision import mesh_precision
 from artgen.asset.report import CheckResult, Finding
 from artgen.asset.shells import Shell, point_text, skins
-from artgen.asset.stored_solids import mesh_precision
 from artgen.errors import ArtgenError, nearest
 from artgen.validate.joints import joint_findings
 

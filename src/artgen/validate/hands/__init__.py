@@ -6,8 +6,7 @@ import numpy as np
 
 from artgen._arrays import Array
 from artgen.asset import Asset, AssetCondition
-from artgen.asset.affordance import Affordance
-from artgen.asset.gripper import GRIPPER
+from artgen.asset.affordance import GRIPPER, Affordance
 from artgen.asset.report import CheckResult, Finding
 from artgen.validate.hands.force import MOST_FORCE, hand_forces
 from artgen.validate.hands.motion import Reach, reach_of, tendency

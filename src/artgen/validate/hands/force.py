@@ -12,8 +12,7 @@ import numpy as np
 
 from artgen._arrays import Array
 from artgen.asset import Asset, AssetJoint
-from artgen.asset.affordance import Affordance
-from artgen.asset.gripper import GRIPPER
+from artgen.asset.affordance import GRIPPER, Affordance
 from artgen.export.frames import coupling
 from artgen.validate.hands.states import standing
 

@@ -8,8 +8,7 @@ import numpy as np
 
 from artgen._arrays import Array
 from artgen.asset import Asset
-from artgen.asset.affordance import Affordance
-from artgen.asset.gripper import GRIPPER
+from artgen.asset.affordance import GRIPPER, Affordance
 from artgen.validate.hands.space import HandSpace, Touch
 from artgen.validate.hands.states import Opened, standing
 

@@ -8,9 +8,8 @@ from manifold3d import Manifold
 
 from artgen._arrays import Array
 from artgen.asset import Asset
-from artgen.asset.collision import SolidPart
-from artgen.asset.gripper import GRIPPER, block, clipped
-from artgen.asset.stored_solids import link_parts
+from artgen.asset.affordance import GRIPPER, block, clipped
+from artgen.asset.collision import SolidPart, link_parts
 from artgen.proof.overlap import LEAST_VOLUME
 
 _BEHIND = 0.020  # search depth for the surface behind the point of a push [m]

@@ -6,7 +6,7 @@ from typing import Literal
 
 import artgen as ag
 from artgen import details
-from artgen.asset.gripper import GRIPPER
+from artgen.asset.affordance import GRIPPER
 from artgen.categories.shared.finish import casting
 from artgen.categories.shared.hardware.fixings import Way, screws
 from artgen.categories.shared.hardware.roses import PIN, SPINDLE, plug, spindle_hole
