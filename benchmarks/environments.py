@@ -16,7 +16,7 @@ from artgen.envs import TASKS, ManipulationEnv
 
 def measured(task: str, assets: int, actions: int) -> tuple[float, float, float]:
     """Return the time to make an asset ready, that of another reset and that of an action [s]."""
-    env = ManipulationEnv(task, range(assets), in_turn=True)
+    env = ManipulationEnv(task, range(assets), shuffle=False)
     begin = time.process_time()
     for _ in range(assets):
         env.reset()

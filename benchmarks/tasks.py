@@ -52,7 +52,7 @@ def tried(name: str, seed: int, *, random: bool = True) -> Outcome:
         seed: Of the asset.
         random: Whether the random policy is tried as well.
     """
-    env = ManipulationEnv(name, scenes=1)
+    env = ManipulationEnv(name, cache_size=1)
     begin = time.perf_counter()
     try:
         env.reset(seed=seed, options={"asset": seed})

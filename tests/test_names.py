@@ -13,7 +13,7 @@ import artgen
 from artgen._names import inside, is_identifier, is_plain_path
 from artgen.asset import Asset
 from artgen.asset.files import main_files
-from artgen.dataset.disk import Disk
+from artgen.dataset.places import Disk
 from artgen.errors import AssetError, ExportError
 
 HOSTILE = (

@@ -269,7 +269,7 @@ def speeds(batch: BatchedTask, seeds: range, steps: int) -> tuple[float, float]:
     for _ in range(steps):
         batch.step(rng.uniform(-1.0, 1.0, (batch.num_envs, 7)))
     together = batch.num_envs * steps / (time.perf_counter() - start)
-    env = ManipulationEnv(batch.task, seeds, in_turn=True)
+    env = ManipulationEnv(batch.task, seeds, shuffle=False)
     for _ in seeds:
         env.reset()  # the models are made now
     start = time.perf_counter()

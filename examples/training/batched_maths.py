@@ -6,10 +6,9 @@ from typing import Any
 import numpy as np
 import torch
 
-from artgen.envs.control import DAMPING, POSTURE, POSTURE_DAMPING, STIFFNESS
 from artgen.envs.env import ACTION, ALONG, DENSE, NEAR, STEEPNESS
 from artgen.envs.motion import Target, tip_of
-from artgen.envs.robot import OPENING
+from artgen.envs.robot import DAMPING, OPENING, POSTURE, POSTURE_DAMPING, STIFFNESS
 from artgen.envs.scene import TaskScene
 
 

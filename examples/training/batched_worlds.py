@@ -13,9 +13,8 @@ import numpy as np
 import torch
 from batched_maths import Goals, jacobians, rotations, torques
 
-from artgen.envs.control import POSITION, ROTATION
 from artgen.envs.motion import Target
-from artgen.envs.robot import LIMITS, OPENING
+from artgen.envs.robot import LIMITS, OPENING, POSITION, ROTATION
 from artgen.envs.scene import SHUT, STEPS, STEPS_OF_TORQUES, TaskScene
 
 _CONTACTS, _CONSTRAINTS = 96, 384  # room in each world; MuJoCo Warp says so if it is not enough

@@ -99,7 +99,7 @@ def train(policy: Policy, file: Path, steps: int, batch: int, seed: int) -> None
 def succeeds(number: int, environment: str, file: Path | None) -> bool:
     """Tell whether a policy does a task with a held-out asset; without a file, it acts at random."""
     torch.set_num_threads(1)
-    env = gymnasium.make(environment, assets=range(HELD_OUT, 2 * HELD_OUT), in_turn=True)
+    env = gymnasium.make(environment, assets=range(HELD_OUT, 2 * HELD_OUT), shuffle=False)
     observation, _ = env.reset(seed=number)  # an asset that the task cannot be done with is passed over
     policy = None
     if file is not None:

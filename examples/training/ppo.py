@@ -105,7 +105,7 @@ def tried(task: str, out: Path, episodes: int, processes: int) -> float:
     model = PPO.load(out / "policy", device="cpu")
     seeds = range(HELD_OUT, HELD_OUT + episodes)
     shares = [seeds[number::processes] for number in range(processes)]
-    vector = SubprocVecEnv([made(task, share, in_turn=True) for share in shares], start_method="spawn")
+    vector = SubprocVecEnv([made(task, share, shuffle=False) for share in shares], start_method="spawn")
     try:
         trial = VecNormalize.load(str(out / "normalization.pkl"), vector)
         trial.training = trial.norm_reward = False

@@ -3,12 +3,10 @@
 import functools
 import json
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from contextlib import closing
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, TextIO
 
-from artgen.dataset.disk import Lines
 from artgen.dataset.workers import Ending, run_job, run_tasks
 from artgen.errors import ExportError
 from surveys.sample import measure
@@ -26,14 +24,14 @@ class _Measuring:
     task: Callable[[int], dict[str, Any]]
     numbers: Iterable[int]
     record_of: Callable[[Ending], dict[str, Any]]
-    lines: Lines
+    lines: TextIO  # with line buffering
 
     def left(self) -> Iterable[int]:
         return self.numbers
 
     def add(self, ending: Ending) -> dict[str, Any]:
         record = self.record_of(ending)
-        self.lines.add(json.dumps(record, allow_nan=False) + "\n")
+        self.lines.write(json.dumps(record, allow_nan=False) + "\n")
         return record
 
 
@@ -48,7 +46,7 @@ def measured(
 ) -> Iterator[dict[str, Any]]:
     """Measure samples, add their lines to a file, and yield their records."""
     try:
-        with closing(Lines(path)) as lines:
+        with path.open("a", buffering=1, encoding="utf-8", newline="\n") as lines:
             job = _Measuring(task, numbers, record_of, lines)
             yield from run_job(job, functools.partial(run_tasks, jobs=jobs), limit=limit)
     except OSError as error:

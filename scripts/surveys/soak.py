@@ -10,7 +10,7 @@ from itertools import count
 from pathlib import Path
 from typing import Any
 
-from artgen.dataset.disk import locked
+from artgen.dataset.places import locked
 from artgen.dataset.workers import Ending
 from artgen.version import __version__
 from surveys.extreme_sample import measure_extreme, of_record

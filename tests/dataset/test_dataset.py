@@ -7,8 +7,8 @@ from typing import Any
 import pytest
 
 from artgen.dataset import Dataset, Plan
-from artgen.dataset.disk import Disk
-from artgen.dataset.folder import MANIFEST_FILE, Folder
+from artgen.dataset.places import Disk
+from artgen.dataset.run import MANIFEST_FILE, Folder
 from artgen.errors import ExportError, ParameterError
 
 

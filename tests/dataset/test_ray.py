@@ -15,8 +15,8 @@ from typing import Any
 
 import pytest
 
-from artgen.dataset import Plan, engine, generate_many
-from artgen.dataset.disk import LOCK_FILE
+from artgen.dataset import Plan, generate_many, workers
+from artgen.dataset.places import LOCK_FILE
 from artgen.errors import ExportError, ParameterError
 from support.digests import digests
 
@@ -73,7 +73,7 @@ def test_engines_that_there_are_not(tmp_path: Path) -> None:
     with pytest.raises(ParameterError, match="the engine is local or ray, not 'slurm'"):
         generate_many(PLAN, tmp_path / "set", engine="slurm")  # type: ignore[arg-type]
     with pytest.raises(
-        ParameterError, match="the address 'head:6379' is of a Ray cluster: choose the engine"
+        ParameterError, match="the address 'head:6379' is for a Ray cluster: choose the engine"
     ):
         generate_many(PLAN, tmp_path / "set", address="head:6379")
 
@@ -81,7 +81,7 @@ def test_engines_that_there_are_not(tmp_path: Path) -> None:
 @pytest.fixture(scope="module")
 def run(bucket: Path) -> Iterator[Any]:
     """A cluster of three processes, started once: it takes seconds."""
-    with engine.cluster("local", 3) as started:
+    with workers.cluster("local", 3) as started:
         yield started
 
 
@@ -110,8 +110,8 @@ def test_every_item_has_an_ending(run: Any) -> None:
 
 
 def test_another_version_of_artgen_is_refused(run: Any, monkeypatch: pytest.MonkeyPatch) -> None:
-    real = engine.__version__
-    monkeypatch.setattr(engine, "__version__", "0.0.1")
+    real = workers.__version__
+    monkeypatch.setattr(workers, "__version__", "0.0.1")
     with pytest.raises(ExportError, match=f"has artgen {real}, and this is 0.0.1: the same seeds may give"):
         list(run(behave, [0], limit=2.0))
 
@@ -156,7 +156,7 @@ def test_workers_write_to_a_url(run: Any, bucket: Path, tmp_path: Path) -> None:
 def test_a_cluster_is_joined_and_left(run: Any, tmp_path: Path) -> None:
     """In a process of its own, as that of the tests has started the cluster."""
     address = ray.get_runtime_context().gcs_address
-    engine._call(address)
+    workers._check_head_node(address)
     arguments = ["drawer", "-n", "1", "--format", "mjcf", "--textures", "none", "--no-certify"]
     done = subprocess.run(
         [

@@ -17,8 +17,8 @@ import artgen.dataset.plan as plans
 from artgen.asset import Asset
 from artgen.catalog import find
 from artgen.dataset import Plan, generate_many
-from artgen.dataset.disk import Disk, locked
-from artgen.dataset.folder import MANIFEST_FILE, make
+from artgen.dataset.places import Disk, locked
+from artgen.dataset.run import MANIFEST_FILE, make
 from artgen.errors import ArtgenError, ExportError
 from support.digests import digests
 
@@ -43,7 +43,7 @@ def undisturbed(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A dataset that one process made at a stretch."""
     folder = tmp_path_factory.mktemp("dataset") / "undisturbed"
     summary = generate_many(PLAN, folder, jobs=1)
-    assert (summary.made, summary.kept, summary.failed) == (5, 0, ())
+    assert (summary.made, summary.existing, summary.failed) == (5, 0, ())
     return folder
 
 
@@ -80,7 +80,7 @@ def test_a_longer_plan_adds_to_a_shorter_one(undisturbed: Path, tmp_path: Path) 
     folder = tmp_path / "grown"
     assert generate_many(Plan(CATEGORIES, 2, formats=("mjcf",), texture_size=256), folder, jobs=1).made == 2
     summary = generate_many(PLAN, folder, jobs=2)
-    assert (summary.made, summary.kept) == (3, 2)
+    assert (summary.made, summary.existing) == (3, 2)
     assert digests(folder) == digests(undisturbed)
     assert generate_many(PLAN, folder).made == 0
 
@@ -166,9 +166,8 @@ def test_a_fault_of_artgen_is_on_record(tmp_path: Path, monkeypatch: pytest.Monk
         raise ZeroDivisionError("division by zero")
 
     monkeypatch.setattr(plans, "encode", broken)
-    made = make(next(PLAN.items()), plan=PLAN, target=Disk(tmp_path))
-    assert made.record is not None
-    assert made.record["error"] == "ZeroDivisionError: division by zero"
+    made = make(next(PLAN.items()), plan=PLAN, place=Disk(tmp_path))
+    assert made["error"] == "ZeroDivisionError: division by zero"
 
 
 def test_two_runs_do_not_write_to_one_folder(undisturbed: Path) -> None:

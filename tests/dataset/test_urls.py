@@ -11,11 +11,9 @@ from pathlib import Path
 
 import pytest
 
-import artgen.dataset.store as stores
-from artgen.dataset import Dataset, Plan, generate_many
-from artgen.dataset.disk import LOCK_FILE
-from artgen.dataset.folder import MANIFEST_FILE, Folder
-from artgen.dataset.store import Store, target_of
+from artgen.dataset import Dataset, Plan, generate_many, places
+from artgen.dataset.places import LOCK_FILE, Store, place_of
+from artgen.dataset.run import MANIFEST_FILE, Folder
 from artgen.errors import ExportError
 from support.digests import digests
 
@@ -52,7 +50,7 @@ def filled(bucket: Path) -> Path:
 
 def test_the_same_bytes_as_in_a_folder(undisturbed: dict[str, str], filled: Path) -> None:
     assert digests(filled) == undisturbed
-    assert generate_many(PLAN, f"bucket://{filled}").kept == 4
+    assert generate_many(PLAN, f"bucket://{filled}").existing == 4
 
 
 def test_a_killed_run_goes_on(undisturbed: dict[str, str], bucket: Path) -> None:
@@ -90,7 +88,7 @@ def test_a_directory_without_its_record_is_absent(
     first, *_ = (folder / MANIFEST_FILE).read_text().splitlines(keepends=True)
     (folder / MANIFEST_FILE).write_text(first)  # it is written from time to time only
     summary = generate_many(PLAN, f"bucket://{folder}", jobs=1)
-    assert (summary.made, summary.kept) == (1, 3)
+    assert (summary.made, summary.existing) == (1, 3)
     assert digests(folder) == undisturbed
 
 
@@ -110,23 +108,23 @@ def test_a_store_with_folders_gets_them(undisturbed: dict[str, str], tmp_path: P
 
 
 def test_the_manifest_is_written_from_time_to_time(bucket: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(stores, "_EVERY", 0.05)
+    monkeypatch.setattr(places, "_INTERVAL", 0.05)
     store = Store(f"bucket://{bucket}/lines")
-    lines = store.lines("lines", "first\n")
-    lines.add("second\n")
-    assert store.read("lines") == b"first\n"
-    time.sleep(0.06)
-    lines.add("third\n")
-    assert store.read("lines") == b"first\nsecond\nthird\n"
-    lines.add("fourth\n")
-    lines.close()
+    store.write("lines", b"first\n")
+    with store.opened():
+        store.append("lines", "second\n")
+        assert store.read("lines") == b"first\n"
+        time.sleep(0.06)
+        store.append("lines", "third\n")
+        assert store.read("lines") == b"first\nsecond\nthird\n"
+        store.append("lines", "fourth\n")
     assert store.read("lines") == b"first\nsecond\nthird\nfourth\n"
 
 
 def test_two_runs_do_not_write_to_one_url(bucket: Path) -> None:
     url = f"bucket://{bucket}/held"
     with (
-        Folder.opened(target_of(url), PLAN),
+        Folder.opened(place_of(url), PLAN),
         pytest.raises(ExportError, match=r"another run \(process \d+ on .*, since 20.*\) writes to bucket:"),
     ):
         generate_many(PLAN, url)
@@ -186,14 +184,14 @@ def test_urls_that_nothing_knows(url: str, told: str) -> None:
 
 def test_the_url_of_a_file_is_a_folder(tmp_path: Path) -> None:
     folder = tmp_path / "a set"
-    assert str(target_of(folder.as_uri())) == str(folder)
-    assert target_of(folder.as_uri()).links
+    assert str(place_of(folder.as_uri())) == str(folder)
+    assert place_of(folder.as_uri()).links
 
 
 def test_without_fsspec_it_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "fsspec.core", None)
     with pytest.raises(ExportError, match=r"s3://x needs fsspec: pip install 'artgen\[url\]'"):
-        target_of("s3://x")
+        place_of("s3://x")
 
 
 def test_datasets_are_read_from_urls(filled: Path) -> None:

@@ -8,7 +8,7 @@ import sys
 import numpy as np
 import pytest
 
-from artgen.dataset.disk import locked
+from artgen.dataset.places import locked
 from artgen.dataset.workers import Ending
 from artgen.demos import make_demos, record
 from artgen.demos.run import Attempts, in_order

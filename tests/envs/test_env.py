@@ -46,7 +46,7 @@ def test_gymnasium_finds_nothing_amiss():
 
 
 def test_a_seed_gives_the_same_episode_whatever_came_before():
-    env, other = made(), made(scenes=1)
+    env, other = made(), made(cache_size=1)
     name, first = rolled(env, 7)
     for seed in (1, 2, 3):  # so that other assets are made, and of one environment each model anew
         other.reset(seed=seed)
@@ -72,7 +72,7 @@ def test_resets_draw_other_assets_and_postures():
 
 
 def test_assets_come_in_turn_or_by_number():
-    env = made(in_turn=True, assets=range(10, 13))
+    env = made(shuffle=False, assets=range(10, 13))
     assert [env.reset()[1]["seed"] for _ in range(4)] == [10, 11, 12, 10]
     assert [env.reset(seed=1)[1]["seed"], env.reset()[1]["seed"]] == [11, 12]
     assert env.reset(options={"asset": 10})[1]["seed"] == 10
@@ -207,8 +207,8 @@ def gl():
         ({"obs": "stat"}, "there are no observations 'stat'. Did you mean 'state'"),
         ({"render_mode": "human"}, "there is no render_mode 'human'; take 'rgb_array' or None"),
         ({"size": 8}, "size is a whole number from 16 to 4096, not 8"),
-        ({"scenes": 0}, "scenes is a whole number from 1"),
-        ({"places": 1.5}, "places is a whole number from 1"),
+        ({"cache_size": 0}, "cache_size is a whole number from 1"),
+        ({"layouts_per_asset": 1.5}, "layouts_per_asset is a whole number from 1"),
     ],
 )
 def test_bad_options_are_one_clear_error(options, message):
@@ -233,7 +233,7 @@ def test_bad_calls_are_one_clear_error():
 def test_assets_that_lack_the_part_are_passed_over():
     good = PULL.generate(0)
     bare = replace(good, name="bare", links=tuple(replace(link, grasps=()) for link in good.links))
-    env = made(assets=[bare, good], in_turn=True)
+    env = made(assets=[bare, good], shuffle=False)
     for _ in range(3):
         assert env.reset()[1]["asset"] == good.name
     with pytest.raises(EnvError, match="asset 'bare' has no drawer with a handle"):

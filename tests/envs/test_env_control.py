@@ -14,8 +14,7 @@ import pytest
 
 from artgen.asset import rotation
 from artgen.envs import robot
-from artgen.envs.control import Control
-from artgen.envs.robot import HAND, HOME, OPENING, PREFIX, panda
+from artgen.envs.robot import HAND, HOME, OPENING, PREFIX, Control, panda
 from artgen.errors import EnvError
 
 ALONE = "ARTGEN_TEST_ALONE"

@@ -11,7 +11,7 @@ from artgen import generate
 from artgen.asset import Asset
 from artgen.asset.manifolds import is_closed
 from artgen.asset.surface import coarser
-from artgen.dataset.folder import record_of
+from artgen.dataset.run import record_of
 from artgen.errors import AssetError, ParameterError
 from artgen.export.files import encode
 from artgen.validate import validate

@@ -42,5 +42,5 @@ def image_set(tmp_path_factory: pytest.TempPathFactory, image_plan: ImagePlan, o
     """Ten pictures of three pliers and two drawers, by one process."""
     folder = tmp_path_factory.mktemp("images") / "set"
     summary = make_images(image_plan, folder, jobs=1)
-    assert (summary.made, summary.kept, summary.failed) == (5, 0, ())
+    assert (summary.made, summary.existing, summary.failed) == (5, 0, ())
     return folder

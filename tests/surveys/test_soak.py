@@ -23,7 +23,7 @@ from artgen import Body, Prismatic, Revolute, X, Z, box, material, part
 from artgen.asset import Asset
 from artgen.catalog import categories, find
 from artgen.cli import app
-from artgen.dataset.disk import locked
+from artgen.dataset.places import locked
 from artgen.errors import ExportError
 from artgen.graph import evaluate
 from surveys import extreme_sample, rest

@@ -6,7 +6,7 @@ from typing import Annotated
 import typer
 
 from artgen.commands.progress import rate_bar
-from artgen.dataset.disk import GO_ON
+from artgen.dataset.places import GO_ON
 
 _INTERRUPTED = 130  # exit code
 _SHOWN = 20  # most listed seeds that failed

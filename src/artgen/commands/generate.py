@@ -10,8 +10,8 @@ from artgen.catalog import find
 from artgen.commands.export import check_formats
 from artgen.commands.progress import many
 from artgen.dataset import Plan, TextureMode, generate_many
-from artgen.dataset.engine import EngineName
-from artgen.dataset.store import is_url
+from artgen.dataset.places import is_url
+from artgen.dataset.workers import EngineName
 from artgen.export import DEFAULT_FORMATS, FORMATS, LAYOUTS, TEXTURES
 from artgen.export.precision import check_precision
 from artgen.generator import OnCollision

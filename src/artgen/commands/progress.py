@@ -18,7 +18,7 @@ from rich.progress import (
 from rich.text import Text
 
 from artgen.dataset import Summary
-from artgen.dataset.disk import GO_ON
+from artgen.dataset.places import GO_ON
 
 
 def progress_bar() -> Progress:
@@ -100,8 +100,8 @@ def _tell(summary: Summary, out: str, each: int, what: str) -> None:
         typer.echo(f"{record['name']}: {record['error']}", err=True)
     if len(summary.failed) > _SHOWN:
         typer.echo(f"and {len(summary.failed) - _SHOWN} more: manifest.jsonl lists them", err=True)
-    made, kept = each * summary.made, each * summary.kept
+    made, existing = each * summary.made, each * summary.existing
     rate = f", {summary.seconds / made:.2f} s each" if made else ""
-    before = f", {kept} were there" if kept else ""
+    before = f", {existing} were there" if existing else ""
     failed = f", {len(summary.failed)} cannot be made" if summary.failed else ""
     typer.echo(f"made {made} {what} in {summary.seconds:.0f} s{rate}{before}{failed}: {out}")

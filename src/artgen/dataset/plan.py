@@ -1,17 +1,16 @@
 """The plan of a dataset: categories, seeds, and how assets are drawn and written."""
 
 from abc import ABC, abstractmethod
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
 from importlib.util import find_spec
 from io import BytesIO
 from typing import Any, ClassVar, Literal, Self, get_args
 
-from artgen._arrays import cached_property
 from artgen.asset.asset import Asset, Base
 from artgen.asset.collision import Collision
 from artgen.catalog import find, is_file
-from artgen.dataset.store import Target
+from artgen.dataset.places import Place
 from artgen.errors import ExportError, ParameterError
 from artgen.export.files import chosen_formats, encode, find_layout
 from artgen.export.layouts import TEXTURES
@@ -25,7 +24,6 @@ TextureMode = Literal["shared", "embedded", "none"]
 
 TABLE_DIRECTORY = "parameters"
 
-_EVERY = ""  # key for all categories in overrides
 _COMMON = ("name", "seed", "path", "attempt", "proven", "mass", "links")  # columns of every table
 
 
@@ -104,22 +102,19 @@ class Draws(ABC):
 
     def overrides_of(self, category: str) -> dict[str, Any]:
         """Return the overrides for a category; its own overrides replace those for all categories."""
-        found = self._overrides
-        return found.get(_EVERY, {}) | found.get(category, {})
-
-    @cached_property
-    def _overrides(self) -> Mapping[str, dict[str, Any]]:
-        texts: dict[str, list[str]] = {}
+        common, own = [], []
         for text in self.overrides:
             before, colon, after = text.partition(":")
-            owner = before.strip() if colon and "=" not in before else _EVERY
-            if owner and owner not in self.categories:
+            if not colon or "=" in before:
+                common.append(text)
+            elif before.strip() == category:
+                own.append(after)
+            elif before.strip() not in self.categories:
                 raise ParameterError(
-                    f"the override {text!r} is for {owner!r}, which is not in the plan; its categories are "
-                    f"{', '.join(self.categories)}"
+                    f"the override {text!r} is for {before.strip()!r}, which is not in the plan; its "
+                    f"categories are {', '.join(self.categories)}"
                 )
-            texts.setdefault(owner, []).append(after if owner else text)
-        return {owner: parse_overrides(each) for owner, each in texts.items()}
+        return parse_overrides(common) | parse_overrides(own)
 
     @property
     def shares_maps(self) -> bool:
@@ -131,10 +126,10 @@ class Draws(ABC):
         """Return the files of an item by path, including its `asset.json`."""
 
     @abstractmethod
-    def finish(self, target: Target, records: Sequence[Mapping[str, Any]]) -> None:
+    def finish(self, place: Place, records: Sequence[Mapping[str, Any]]) -> None:
         """Write the files common to all assets."""
 
-    def placed(self, target: Target) -> Self:
+    def placed(self, place: Place) -> Self:
         """Return the plan with the defaults of a place."""
         return self
 
@@ -207,40 +202,38 @@ class Plan(Draws):
         asset = self.draw(item)
         return encode(asset, self.formats, self.collision, self.texels, self.layout, self.mesh_precision)
 
-    def finish(self, target: Target, records: Sequence[Mapping[str, Any]]) -> None:
+    def finish(self, place: Place, records: Sequence[Mapping[str, Any]]) -> None:
         """Write a Parquet table for each category, if pyarrow is installed: `pip install artgen[data]`."""
         if find_spec("pyarrow") is None:
             return
         import pyarrow as pa
         from pyarrow import parquet
 
-        for category, table in rows(records).items():
+        tables: dict[str, list[dict[str, Any]]] = {}
+        for record in records:
+            if record["state"] == "done":
+                tables.setdefault(record["category"], []).append(row_of(record))
+        for category, table in tables.items():
             names = dict.fromkeys(name for row in table for name in row)
-            columns = {name: [row.get(name) for row in table] for name in names}
             content = BytesIO()
-            parquet.write_table(pa.table(columns), content)
-            target.write(f"{TABLE_DIRECTORY}/{category}.parquet", content.getvalue())
+            parquet.write_table(pa.table({name: [row.get(name) for row in table] for name in names}), content)
+            place.write(f"{TABLE_DIRECTORY}/{category}.parquet", content.getvalue())
 
-    def placed(self, target: Target) -> Self:
+    def placed(self, place: Place) -> Self:
         """Return the plan with the place of texture maps: shared where the target supports links.
 
         Raises:
             ExportError: Maps shall be shared, but the target does not support links.
         """
-        if self.textures == "shared" and not target.links:
+        if self.textures == "shared" and not place.links:
             raise ExportError(
-                f"maps are shared by links, and {target} has no links; choose the textures 'embedded' or "
+                f"maps are shared by links, and {place} has no links; choose the textures 'embedded' or "
                 "'none'"
             )
-        return replace(self, textures=self.textures or ("shared" if target.links else "embedded"))
+        return replace(self, textures=self.textures or ("shared" if place.links else "embedded"))
 
 
-def rows(records: Iterable[Mapping[str, Any]]) -> dict[str, list[dict[str, Any]]]:
-    """Return a row for each finished asset, by category: common columns, then parameters."""
-    found: dict[str, list[dict[str, Any]]] = {}
-    for record in records:
-        if record["state"] == "done":
-            row = {name: record[name] for name in _COMMON}
-            row |= {f"parameter.{name}": value for name, value in record["parameters"].items()}
-            found.setdefault(record["category"], []).append(row)
-    return {category: sorted(each, key=lambda row: row["seed"]) for category, each in found.items()}
+def row_of(record: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the row of a finished asset in a table: common columns, then parameters."""
+    parameters = {f"parameter.{name}": value for name, value in record["parameters"].items()}
+    return {name: record[name] for name in _COMMON} | parameters

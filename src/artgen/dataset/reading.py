@@ -6,9 +6,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, overload
 
 from artgen.asset import Asset
-from artgen.dataset.folder import MANIFEST_FILE, read_manifest, stored_plan
-from artgen.dataset.plan import rows
-from artgen.dataset.store import is_url, target_of
+from artgen.dataset.places import is_url, place_of
+from artgen.dataset.plan import row_of
+from artgen.dataset.run import MANIFEST_FILE, read_manifest, stored_plan
 from artgen.errors import ExportError, ParameterError, nearest
 
 if TYPE_CHECKING:
@@ -38,11 +38,11 @@ class Dataset(Sequence[Asset]):
 
     def __init__(self, directory: str | Path) -> None:
         self.directory = directory if is_url(directory) else Path(directory)
-        self._target = target_of(directory)
-        if stored_plan(self._target) is None or self._target.read(MANIFEST_FILE) is None:
+        self._place = place_of(directory)
+        if stored_plan(self._place) is None or self._place.read(MANIFEST_FILE) is None:
             raise ExportError(f"{directory} holds no dataset; `artgen generate CATEGORY -n 100` makes one")
         self.records: tuple[Mapping[str, Any], ...] = tuple(
-            record for record in read_manifest(self._target) if record["state"] == "done"
+            record for record in read_manifest(self._place) if record["state"] == "done"
         )
 
     def __len__(self) -> int:
@@ -161,18 +161,16 @@ class Dataset(Sequence[Asset]):
             import pandas as pd
         except ImportError as error:
             raise ExportError("tables need pandas: pip install 'artgen[data]'") from error
-        table = rows(self.records)
-        cells = [{"category": name, **row} for name, each in table.items() for row in each]
-        place = {record["name"]: number for number, record in enumerate(self.records)}
-        return pd.DataFrame(sorted(cells, key=lambda row: place[row["name"]]))
+        rows = [{"category": record["category"], **row_of(record)} for record in self.records]
+        return pd.DataFrame(rows)
 
     def _of(self, records: tuple[Mapping[str, Any], ...]) -> "Dataset":
         part = object.__new__(Dataset)
-        part.directory, part._target, part.records = self.directory, self._target, records
+        part.directory, part._place, part.records = self.directory, self._place, records
         return part
 
     def _path(self, record: Mapping[str, Any]) -> Path:
-        return self._target.local(str(record["path"]))
+        return self._place.local(str(record["path"]))
 
     def _refuse_unknown(self, kind: str, names: Iterable[str], known: Iterable[str]) -> None:
         allowed = set(known)

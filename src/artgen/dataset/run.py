@@ -1,18 +1,37 @@
-"""The run that fills the folder of a dataset: worker processes make missing assets."""
+"""The run that fills the place of a dataset: plan, manifest, a directory for each asset, and shared maps.
 
+The directory of an asset is complete or absent. The manifest line of an asset depends on its `asset.json`
+only: if a run is killed between both, the next run writes the same line. During a run, the lines are in the
+order of completion; at its end, in the order of the plan.
+"""
+
+import hashlib
+import json
 import time
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
+from typing import Any
 
-from artgen.dataset.engine import EngineName, engine_of
-from artgen.dataset.folder import Folder, Record, writing
-from artgen.dataset.plan import Draws
-from artgen.dataset.store import target_of
-from artgen.dataset.workers import run_job
-from artgen.errors import ParameterError
+from artgen._names import inside
+from artgen.asset.files import ASSET_FILE
+from artgen.asset.record import json_text
+from artgen.dataset.places import GO_ON, PLAN_FILE, Place, is_url, place_of
+from artgen.dataset.plan import Draws, Item, Plan
+from artgen.dataset.workers import Ending, EngineName, engine_of, run_job
+from artgen.errors import ArtgenError, ExportError, ParameterError
+from artgen.version import __version__
+
+MANIFEST_FILE = "manifest.jsonl"
 
 _TRIES = 3  # tries of an item that ends its process or exceeds the time limit
+_BATCH = 256  # number of files that are read at once
+_DIGEST = 16  # characters of a digest
+
+Record = dict[str, Any]
+"""A line of the manifest."""
 
 
 @dataclass(frozen=True)
@@ -21,13 +40,13 @@ class Summary:
 
     Attributes:
         made: Number of assets made in this run.
-        kept: Number of assets that existed before.
+        existing: Number of assets made by earlier runs.
         failed: Manifest lines of the assets that failed, in this run and earlier ones.
         seconds: Duration of the run [s].
     """
 
     made: int
-    kept: int
+    existing: int
     failed: tuple[Record, ...] = ()
     seconds: float = 0.0
 
@@ -67,11 +86,11 @@ def generate_many(
             there is no such cluster; finished assets stay.
     """
     if jobs is not None and jobs < 1:
-        raise ParameterError(f"at least one process has to work, not {jobs}")
+        raise ParameterError(f"jobs is {jobs}; at least one process is needed")
     start = time.monotonic()
-    target = target_of(directory).absolute()
-    with engine_of(engine, jobs=jobs, address=address) as run, Folder.opened(target, plan) as folder:
-        kept = sum(record["state"] == "done" for record in folder.records.values())
+    place = place_of(directory if is_url(directory) else Path(directory).absolute())
+    with engine_of(engine, jobs=jobs, address=address) as run, Folder.opened(place, plan) as folder:
+        existing = sum(record["state"] == "done" for record in folder.records.values())
         if begin is not None:
             begin(len(folder.left()))
         made = 0
@@ -79,8 +98,209 @@ def generate_many(
             made += record["state"] == "done"
             if progress is not None:
                 progress(record)
-        records = folder.finish()
-        with writing(target):
-            folder.plan.finish(target, records)
-        failed = tuple(record for record in records if record["state"] != "done")
-    return Summary(made, kept, failed, time.monotonic() - start)
+        failed = tuple(record for record in folder.finish() if record["state"] != "done")
+    return Summary(made, existing, failed, time.monotonic() - start)
+
+
+class Folder:
+    """A place that a run fills; as a `Job`, its items are those of the plan without a record."""
+
+    def __init__(self, place: Place, plan: Draws) -> None:
+        self.place, self.plan = place, plan.placed(place)
+        self.records: dict[str, Record] = {}  # manifest line of each finished or failed asset, by name
+        self.task: Callable[[Item], Record] = partial(make, plan=self.plan, place=place)
+
+    @staticmethod
+    @contextmanager
+    def opened(place: Place, plan: Draws) -> Iterator["Folder"]:
+        """Open a place for one run; create it if necessary, and repair the remains of a killed run."""
+        folder = Folder(place, plan)
+        with _disk_errors(place):
+            names = sorted(place.names())
+            if names and PLAN_FILE not in names:
+                raise ExportError(
+                    f"cannot write a dataset to {place}: it holds {names[0]!r} and no dataset; choose "
+                    "another folder"
+                )
+            with place.opened():
+                folder._begin()
+                yield folder
+
+    def left(self) -> list[Item]:
+        """Return the items that have no record."""
+        return [item for item in self.plan.items() if item.name not in self.records]
+
+    def add(self, ending: Ending) -> Record:
+        """Add the line of a finished or failed asset, and return it."""
+        record: Record = ending.value
+        if ending.state != "done":
+            record = failure(ending.item, ending.reason, state="lost")
+        elif record["state"] == "refused":
+            raise ExportError(f"an asset cannot be written: {record['error']}; {GO_ON}")
+        self.records[ending.item.name] = record
+        self.place.append(MANIFEST_FILE, _line(record))
+        return record
+
+    def finish(self) -> list[Record]:
+        """Sort the manifest in the order of the plan, write the files of all assets, and return its lines."""
+        records = [self.records[item.name] for item in self.plan.items() if item.name in self.records]
+        self.place.write(MANIFEST_FILE, "".join(map(_line, records)).encode())
+        self.plan.finish(self.place, records)
+        return records
+
+    def _begin(self) -> None:
+        """Write plan and manifest; the manifest has a line for each asset that is complete or failed."""
+        before = _earlier_plan(self.place, self.plan)
+        if self.plan != before:
+            data = {"format": self.plan.FORMAT, "version": __version__, "plan": self.plan.to_data()}
+            self.place.write(PLAN_FILE, json_text(data).encode())
+        known = {str(record["name"]): record for record in read_manifest(self.place)}
+        states = {name: record["state"] for name, record in known.items()}
+        items = list(self.plan.items())
+        made = self.place.complete(item.path for item in items) if before is not None else set()
+        unlisted = [item.path for item in items if item.path in made and states.get(item.name) != "done"]
+        listed = dict(_read_records(self.place, unlisted))
+        for item in items:
+            if item.path in listed:
+                self.records[item.name] = listed[item.path]
+            elif states.get(item.name) == ("done" if item.path in made else "failed"):
+                self.records[item.name] = known[item.name]
+        self.place.write(MANIFEST_FILE, "".join(map(_line, self.records.values())).encode())
+
+
+@contextmanager
+def _disk_errors(place: Place) -> Iterator[None]:
+    """Convert a disk error to an ExportError that names the place."""
+    try:
+        yield
+    except ExportError:
+        raise
+    except OSError as error:
+        raise ExportError(f"cannot write to {place}: {error.strerror or error}; {GO_ON}") from error
+
+
+def make(item: Item, *, plan: Draws, place: Place) -> Record:
+    """Make the files of an item, put them in its directory, and return its line of the manifest."""
+    try:
+        files = plan.files(item)
+    except Exception as error:  # noqa: BLE001 - a category may raise anything; the other items go on
+        text = " ".join(str(error).split())
+        expected = isinstance(error, ArtgenError) and not isinstance(error, ExportError)
+        return failure(item, text if expected else f"{type(error).__name__}: {text}")
+    try:
+        place.put(files, item.path, share=plan.shares_maps)
+    except OSError as error:  # nothing else can be written
+        return failure(item, error.strerror or str(error), state="refused")
+    return record_of(files[ASSET_FILE], item.path)
+
+
+def record_of(text: bytes, path: str) -> Record:
+    """Return the manifest line of an asset, from its `asset.json` alone."""
+    data = json.loads(text)
+    certificate = data["certificate"]
+    return {
+        "name": data["name"],
+        "category": data["category"],
+        "seed": data["seed"],
+        "state": "done",
+        "path": path,
+        "files": {name: each["main"] for name, each in data["formats"].items()},
+        "attempt": data["attempt"],
+        "proven": None if certificate is None else certificate["proven"],
+        "mass": data["mass"],
+        "links": len(data["links"]),
+        "joints": {joint["name"]: joint["kind"] for joint in data["joints"]},
+        "parameters": data["parameters"],
+        "digest": hashlib.sha256(text).hexdigest()[:_DIGEST],
+    }
+
+
+def failure(item: Item, error: str, *, state: str = "failed") -> Record:
+    """Return the manifest line of an asset that is not made."""
+    return {"name": item.name, "category": item.category, "seed": item.seed, "state": state, "error": error}
+
+
+def stored_plan(place: Place, form: str = Plan.FORMAT) -> dict[str, Any] | None:
+    """Return the content of the plan file of a place; None if it holds no dataset."""
+    text = place.read(PLAN_FILE)
+    if text is None:
+        return None
+    try:
+        data = json.loads(text)
+    except ValueError as error:
+        raise ExportError(f"{place}/{PLAN_FILE} is damaged: {error}; choose another folder") from error
+    found = data.get("format") if isinstance(data, dict) else None
+    if found != form:
+        raise ExportError(f"{place}/{PLAN_FILE} has format {found!r}, not {form!r}; choose another folder")
+    return dict(data)
+
+
+def _earlier_plan(place: Place, plan: Draws) -> Draws | None:
+    """Return the plan of the dataset in a place; None if there is none.
+
+    Raises:
+        ExportError: The plan differs from the given one in more than a smaller count.
+    """
+    data = stored_plan(place, plan.FORMAT)
+    if data is None:
+        return None
+    if data["version"] != __version__:
+        raise ExportError(
+            f"{place} holds assets of artgen {data['version']}, and this is {__version__}: the same seeds "
+            "may give others; choose another folder"
+        )
+    try:
+        before = type(plan).from_data(data["plan"])
+    except ParameterError as error:
+        raise ExportError(f"{place}/{PLAN_FILE}: {error}") from error
+    if before.count > plan.count:
+        raise ExportError(
+            f"{place} holds a dataset of {before.count} assets: ask for as many or for more, or choose "
+            "another folder"
+        )
+    old, new = before.to_data(), replace(plan, count=before.count).to_data()
+    for name, value in old.items():
+        if value != new[name]:
+            raise ExportError(
+                f"{place} holds a dataset with {name} = {_shown(value)}, not {_shown(new[name])}: go on "
+                "with the same options, or choose another folder"
+            )
+    return before
+
+
+def _shown(value: Any) -> str:
+    return ",".join(map(str, value)) or "none" if isinstance(value, list) else repr(value)
+
+
+def read_manifest(place: Place) -> Iterator[Record]:
+    """Yield the lines of a manifest; an incomplete last line of a killed run is skipped."""
+    *lines, _ = (place.read(MANIFEST_FILE) or b"").decode(errors="replace").split("\n")
+    for number, line in enumerate(lines):
+        try:
+            record = json.loads(line)
+            inside(Path(), record.get("path", "none"))
+            yield record
+        except (AttributeError, ValueError, ExportError) as error:
+            raise ExportError(
+                f"{place}/{MANIFEST_FILE}: line {number + 1} is damaged ({error}); remove the file, and the "
+                "next run makes it again from the assets"
+            ) from error
+
+
+def _read_records(place: Place, paths: Sequence[str]) -> Iterator[tuple[str, Record]]:
+    """Yield the directory and the line of each existing asset."""
+    for start in range(0, len(paths), _BATCH):
+        texts = place.contents(f"{path}/{ASSET_FILE}" for path in paths[start : start + _BATCH])
+        for name, text in texts.items():
+            path = name.rpartition("/")[0]
+            try:
+                yield path, record_of(text, path)
+            except (ValueError, LookupError) as error:
+                raise ExportError(
+                    f"{place}/{name} is damaged: {error!r}; remove {place}/{path}, and the same command "
+                    "makes the asset again"
+                ) from error
+
+
+def _line(record: Mapping[str, Any]) -> str:
+    return json.dumps(record, allow_nan=False, ensure_ascii=False) + "\n"

@@ -1,8 +1,10 @@
-"""Jobs whose tasks run in worker processes with a time limit and can be interrupted."""
+"""Engines that run interruptible jobs: worker processes of this machine, or a Ray cluster."""
 
+import logging
 import multiprocessing
 import os
 import signal
+import socket
 import sys
 import threading
 import time
@@ -11,15 +13,28 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
+from functools import partial
 from multiprocessing import resource_tracker
 from multiprocessing.connection import Connection, wait
 from multiprocessing.process import BaseProcess
 from types import ModuleType
-from typing import Any, Literal, Protocol
+from typing import Any, Literal, Protocol, get_args
 
-_THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")  # one core per process
+from artgen.errors import ExportError, ParameterError
+from artgen.version import __version__
+
+_ONE_THREAD = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"), "1")
 _START = 60.0  # time limit for the start of a process, added to that of its first task [s]
 
+_AHEAD = 2  # tasks per core of the cluster: one runs, one waits
+_SILENCE = 5.0  # time limit for the answer of a head node [s]
+# a connection of HTTP/2, the protocol of Ray, begins with a settings frame from both sides
+_SETTINGS, _FRAME = 4, 9  # kind of the frame, and length of its head [bytes]
+_HELLO = b"PRI * HTTP/2.0\r\n\r\nSM\r\n\r\n" + bytes([0, 0, 0, _SETTINGS, 0, 0, 0, 0, 0])
+_POLL = 1.0  # interval between checks of time limits [s]
+_MEMORY = 128 * 2**20  # object store of a cluster that is started here [bytes]
+
+EngineName = Literal["local", "ray"]
 State = Literal["done", "failed", "timed out", "crashed"]
 
 
@@ -84,8 +99,8 @@ def run_tasks(
     task: Callable[[Any], Any], items: Iterable[Any], *, jobs: int, limit: float
 ) -> Iterator[Ending]:
     """Run a task for each item in processes of this machine, and yield the endings as they come."""
-    for name in _THREADS:
-        os.environ.setdefault(name, "1")
+    for name, number in _ONE_THREAD.items():
+        os.environ.setdefault(name, number)
     waiting = iter(items)
     workers: list[Worker] = []
     try:
@@ -125,7 +140,7 @@ class Worker:
         self.pipe, other = context.Pipe()
         self._limit = limit
         self._process: BaseProcess = context.Process(target=_work, args=(task, other), daemon=True)
-        with _unnamed_main(), _deaf():
+        with _starting():
             self._process.start()
         other.close()
         self.give(item)
@@ -162,28 +177,19 @@ class Worker:
 
 
 @contextmanager
-def _unnamed_main() -> Iterator[None]:
-    """Hide the main program from new processes: without a `__name__` guard, each would run it again."""
-    main = sys.modules["__main__"]
+def _starting() -> Iterator[None]:
+    """Let new processes inherit a blocked Ctrl-C, and hide the main program, which each would run again."""
+    main, before = sys.modules["__main__"], None
+    if hasattr(signal, "pthread_sigmask"):
+        resource_tracker.ensure_running()  # a later process would unblock it
+        before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
     sys.modules["__main__"] = ModuleType("__main__")
     try:
         yield
     finally:
         sys.modules["__main__"] = main
-
-
-@contextmanager
-def _deaf() -> Iterator[None]:
-    """Block Ctrl-C in new processes while they start; they inherit the blocked signals."""
-    if not hasattr(signal, "pthread_sigmask"):
-        yield
-        return
-    resource_tracker.ensure_running()  # a later process would unblock it
-    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
-    try:
-        yield
-    finally:
-        signal.pthread_sigmask(signal.SIG_SETMASK, before)
+        if before is not None:
+            signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 def _work(task: Callable[[Any], Any], pipe: Connection) -> None:
@@ -210,3 +216,151 @@ def _end_with_parent() -> None:
     if parent is not None:
         parent.join()
         os._exit(1)
+
+
+@contextmanager
+def engine_of(name: EngineName, *, jobs: int | None, address: str | None) -> Iterator[Engine]:
+    """Yield the engine of a name."""
+    if name not in get_args(EngineName):
+        raise ParameterError(f"the engine is local or ray, not {name!r}")
+    if name == "local":
+        if address is not None:
+            raise ParameterError(
+                f"the address {address!r} is for a Ray cluster: choose the engine ray, or give no address"
+            )
+        yield partial(run_tasks, jobs=jobs or cores())
+        return
+    with cluster(address, jobs) as run:
+        yield run
+
+
+@contextmanager
+def cluster(address: str | None, jobs: int | None) -> Iterator[Engine]:
+    """Join a Ray cluster, or start one on this machine that ends with the run."""
+    try:
+        import ray
+    except ImportError as error:
+        raise ExportError("the engine ray needs Ray: pip install 'artgen[ray]'") from error
+    if ray.is_initialized():  # by the caller
+        yield partial(_run, most=jobs)
+        return
+    found = address or os.environ.get("RAY_ADDRESS") or "local"
+    options: dict[str, Any] = {}
+    if found == "local":
+        os.environ.setdefault("RAY_USAGE_STATS_ENABLED", "0")
+        options = {"num_cpus": jobs or cores(), "include_dashboard": False, "object_store_memory": _MEMORY}
+    else:
+        _check_head_node(found)
+    try:
+        ray.init(found, log_to_driver=False, logging_level=logging.ERROR, **options)
+    except (Exception, SystemExit) as error:  # Ray exits if a cluster does not answer
+        ray.shutdown()
+        raise ExportError(_cannot_join(found, error)) from error
+    try:
+        yield partial(_run, most=None if found == "local" else jobs)
+    finally:
+        ray.shutdown()
+
+
+def _check_head_node(address: str) -> None:
+    """Raise ExportError for an address without a head node; Ray would try for minutes."""
+    host, _, port = address.rpartition("/")[2].rpartition(":")
+    if not host or not port.isdigit():
+        return
+    try:
+        with socket.create_connection((host, int(port)), timeout=_SILENCE) as connection:
+            if "RAY_USE_TLS" in os.environ:
+                return
+            connection.sendall(_HELLO)
+            answer = connection.recv(_FRAME)
+    except OSError as error:
+        raise ExportError(_cannot_join(address, error)) from error
+    if len(answer) < _FRAME or answer[3] != _SETTINGS:
+        raise ExportError(_cannot_join(address, "another service listens there"))
+
+
+def _cannot_join(address: str, error: BaseException | str) -> str:
+    """Return the message for a cluster that cannot be used."""
+    reason = " ".join(str(getattr(error, "strerror", None) or error).split())
+    if address == "local":
+        return f"Ray cannot be started here: {reason}"
+    return (
+        f"there is no Ray cluster at {address!r}: {reason}; give the HOST:PORT of its head node, with "
+        "RAY_AUTH_MODE=token if it requires a token, or no address to start one here"
+    )
+
+
+def _run(
+    task: Callable[[Any], Any], items: Iterable[Any], *, limit: float, most: int | None
+) -> Iterator[Ending]:
+    """Run a task for each item on a Ray cluster, and yield the endings as they come.
+
+    The time limit of a task starts when it begins, because it may wait long for a core of a shared cluster.
+    """
+    import ray
+
+    work = ray.remote(
+        num_cpus=1,
+        max_retries=0,  # `run_job` tries again
+        num_returns="streaming",
+        runtime_env={"env_vars": _ONE_THREAD},
+    )(_remote_work)
+    waiting = iter(items)
+    given: dict[Any, Any] = {}  # items of the tasks in the cluster, by stream of answers
+    deadlines: dict[Any, float] = {}  # start of running tasks on the monotonic clock [s]
+    try:
+        while True:
+            room = most or max(_AHEAD * int(ray.cluster_resources().get("CPU", 0)), 1)
+            while len(given) < room and (item := next(waiting, None)) is not None:
+                given[work.remote(task, item, __version__)] = item
+            if not given:
+                return
+            ready, _ = ray.wait(list(given), num_returns=1, timeout=_POLL)
+            for stream in ready:
+                ending = _ending(given[stream], stream)
+                if ending is None:
+                    deadlines[stream] = time.monotonic() + limit
+                else:
+                    deadlines.pop(stream, None)
+                    del given[stream]
+                    yield ending
+            for stream in [each for each, end in deadlines.items() if time.monotonic() >= end]:
+                ray.cancel(stream, force=True)
+                del deadlines[stream]
+                yield Ending(given.pop(stream), "timed out", message=f"it took more than {limit:g} s")
+    finally:
+        for stream in given:
+            with suppress(Exception):  # the cluster may be gone
+                ray.cancel(stream, force=True)
+
+
+def _remote_work(task: Callable[[Any], Any], item: Any, version: str) -> Iterator[Any]:
+    """Yield None at the start of a task, then its answer; an error message for different versions."""
+    if version != __version__:
+        yield (
+            f"{socket.gethostname()} has artgen {__version__}, and this is {version}: the same seeds may "
+            "give other assets; install one version on all machines of the cluster"
+        )
+        return
+    yield None
+    yield attempt(task, item)
+
+
+def _ending(item: Any, stream: Any) -> Ending | None:
+    """Read the next answer of a task; None if it has only begun."""
+    import ray
+    from ray.exceptions import RayError, RayTaskError, RuntimeEnvSetupError
+
+    try:
+        answer = ray.get(next(stream))
+    except (RayTaskError, RuntimeEnvSetupError) as error:  # `_remote_work` raises nothing: it was not found
+        reason = str(error).strip().rpartition("\n")[2]
+        raise ExportError(
+            f"a machine of the Ray cluster cannot run artgen {__version__}: {reason}; install it on all of "
+            "them"
+        ) from error
+    except RayError as error:  # its process or its machine died, or its memory was exhausted
+        return Ending(item, "crashed", message=str(error).strip().partition("\n")[0])
+    if isinstance(answer, str):
+        raise ExportError(answer)
+    return None if answer is None else Ending(item, *answer)

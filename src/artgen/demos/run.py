@@ -24,7 +24,7 @@ from typing import Any
 
 import numpy as np
 
-from artgen.dataset.disk import Disk, locked
+from artgen.dataset.places import Disk, locked
 from artgen.dataset.workers import Ending, cores, run_job, run_tasks
 from artgen.demos.episode import Demo, check_task, record
 from artgen.errors import CheckError, ExportError, ParameterError

@@ -14,34 +14,23 @@ from artgen.asset import Asset
 from artgen.envs.motion import Stage, Target, tip_of
 from artgen.envs.robot import OPENING
 from artgen.envs.scene import CAMERAS, STEPS, TIME_STEP, Pictures, TaskScene
-from artgen.envs.task import TASKS, Assets, Source, Task, compiled_asset
+from artgen.envs.task import Assets, Source, Task, compiled_asset, find_task
 from artgen.errors import EnvError, ParameterError, nearest
 
-RATE = round(1.0 / (STEPS * TIME_STEP))
-"""Actions per second [1/s]."""
-
-PROPRIOCEPTION = 30
-"""Size of the observation of the robot only."""
-
-STATE = PROPRIOCEPTION + 17
-"""Size of the observation of robot and asset."""
-
-DENSE = 10.0
-"""Largest sum of the rewards of an episode without the bonus."""
-
-BONUS = 20.0
-"""Reward of success, once."""
-
+RATE = round(1.0 / (STEPS * TIME_STEP))  # actions per second [1/s]
+PROPRIOCEPTION = 30  # size of the observation of the robot only
+STATE = PROPRIOCEPTION + 17  # size of the observation of robot and asset
+DENSE = 10.0  # largest sum of the rewards of an episode without the bonus
+BONUS = 20.0  # reward of success, once
 NEAR, ALONG = 0.3, 0.7  # shares of nearness and of progress in the reward of a stage
 STEEPNESS = 5.0  # rate of decay of the reward of nearness: a quarter is left at 0.2 m [1/m]
 ACTION = 0.05  # cost of an action of 1 in all directions, as a share of all stages
-_SPEED = 0.5  # factor of speeds in observations, so that most numbers are within 1
+JITTER = 0.02  # deviation of the arm's angles at reset, as in robosuite [rad]
 
+_SPEED = 0.5  # factor of speeds in observations, so that most numbers are within 1
 _MOST_TRIES = 50  # unsuitable assets in a row before the reset fails
-_SIZES = (16, 4096)  # range of pixels per side of a picture
 _OBSERVATIONS = ("state", "rgb")
 _NOT_BEGUN = "{} has not begun; call reset() first"
-JITTER = 0.02  # deviation of the arm's angles at reset, as in robosuite [rad]
 
 
 class ManipulationEnv(gymnasium.Env[Any, NDArray[np.float32]]):
@@ -56,15 +45,15 @@ class ManipulationEnv(gymnasium.Env[Any, NDArray[np.float32]]):
         assets: A folder made by `artgen generate`, a `Dataset`, assets, a `range` of seeds, or None for a new
             asset in each episode. Assets that are unsuitable for the task are skipped.
         obs: `state`, numbers of robot and asset, or `rgb`, pictures and numbers of the robot.
-        in_turn: Whether each reset takes the next asset rather than a random one; a reset with a seed
-            continues from the asset at that index, modulo their number.
+        shuffle: Whether each reset takes a random asset. If False, it takes the next one, and a reset with a
+            seed continues from the asset at that index, modulo their number.
         terminate_on_success: Whether an episode ends when the task is done.
         size: Pixels per side of the pictures.
         textures: Texels per side of the texture maps in pictures; 0 for plain colors.
-        scenes: Number of compiled assets that the process caches for all its environments; one takes about
-            15 MB.
-        places: Number of variants of the task on each asset: the place of the robot, the pose of its hand,
-            and the part to move among several equal ones.
+        cache_size: Number of compiled assets that the process caches for all its environments; one takes
+            about 15 MB.
+        layouts_per_asset: Number of variants of the task on each asset: the place of the robot, the pose of
+            its hand, and the part to move among several equal ones.
         render_mode: `rgb_array`, so that `render()` returns a picture; None for no pictures.
 
     Raises:
@@ -73,8 +62,6 @@ class ManipulationEnv(gymnasium.Env[Any, NDArray[np.float32]]):
 
     Attributes:
         task: The task.
-        asset: The asset of this episode.
-        target: The stages of the task on it, and the place of the robot.
         steps: Number of actions of an episode.
     """
 
@@ -86,34 +73,43 @@ class ManipulationEnv(gymnasium.Env[Any, NDArray[np.float32]]):
         assets: Source = None,
         *,
         obs: Literal["state", "rgb"] = "state",
-        in_turn: bool = False,
+        shuffle: bool = True,
         terminate_on_success: bool = True,
         size: int = 128,
         textures: int = 0,
-        scenes: int = 128,
-        places: int = 1,
+        cache_size: int = 128,
+        layouts_per_asset: int = 1,
         render_mode: str | None = None,
     ) -> None:
-        self.task = _task(task)
-        numbers = {"size": (size, *_SIZES), "scenes": (scenes, 1, 10**6), "places": (places, 1, 10**6)}
-        _check_options(obs, numbers, render_mode)
+        self.task = task if isinstance(task, Task) else find_task(task)
+        if obs not in _OBSERVATIONS:
+            raise ParameterError(f"there are no observations {obs!r}.{nearest(str(obs), _OBSERVATIONS)}")
+        if render_mode not in (None, *self.metadata["render_modes"]):
+            raise ParameterError(f"there is no render_mode {render_mode!r}; take 'rgb_array' or None")
+        _check_whole("size", size, 16, 4096)
+        _check_whole("cache_size", cache_size, 1, 10**6)
+        _check_whole("layouts_per_asset", layouts_per_asset, 1, 10**6)
         self.assets = Assets(self.task, assets)
         self.render_mode = render_mode
         self.steps = round(self.task.seconds * RATE)
-        self._obs, self._in_turn, self._ends = obs, in_turn, terminate_on_success
+        self._obs, self._shuffle, self._ends = obs, shuffle, terminate_on_success
         self._visual = obs == "rgb" or render_mode is not None
-        self._size, self._textures, self._most = size, textures, scenes
-        self._places = places
+        self._size, self._textures = size, textures
+        self._cache_size, self._layouts = cache_size, layouts_per_asset
         self._pictures = Pictures()
-        self._turn = self._step = 0
+        self._next_asset = self._step = 0
         self._scene: TaskScene | None = None
         self._target: Target | None = None
         self._done: list[bool] = []
         self._progress: list[float] = []
-        self._handle = np.eye(4)
+        self._handle = np.eye(4)  # pose of the tip at the affordance of the current stage
         self._succeeded = False
         self.action_space = spaces.Box(-1.0, 1.0, (7,), np.float32)
-        self.observation_space = _observation_space(obs, size)
+        self.observation_space = _numbers(STATE)
+        if obs == "rgb":
+            picture = spaces.Box(0, 255, (size, size, 3), np.uint8)
+            robot = _numbers(PROPRIOCEPTION)
+            self.observation_space = spaces.Dict({"rgb": picture, "hand_rgb": picture, "robot": robot})
 
     def reset(
         self, *, seed: int | None = None, options: Mapping[str, Any] | None = None
@@ -130,16 +126,20 @@ class ManipulationEnv(gymnasium.Env[Any, NDArray[np.float32]]):
         """
         super().reset(seed=seed)
         if seed is not None:
-            self._turn = seed
-        wanted = _wanted_asset(options)
-        self._scene, self._target = self._begin(wanted)
+            self._next_asset = seed
+        for name in options or {}:
+            if name != "asset":
+                raise ParameterError(
+                    f"reset has no option {name!r}; its option is 'asset', the number of an asset"
+                )
+        self._scene, self._target = self._set_up((options or {}).get("asset"))
         jitter = JITTER * self.np_random.uniform(-1.0, 1.0, 7)
         self._scene.place(self._target, self._target.arm + jitter)
         self._step, self._succeeded = 0, False
         self._done = [False] * len(self._target.stages)
         self._progress = [0.0] * len(self._target.stages)
-        self._note()
-        return self._observed(), self._info()
+        self._update_progress()
+        return self._observation(), self._info()
 
     def step(self, action: Any) -> tuple[Any, float, bool, bool, dict[str, Any]]:
         """Apply an action; return observation, reward, terminated, truncated and info."""
@@ -149,15 +149,13 @@ class ManipulationEnv(gymnasium.Env[Any, NDArray[np.float32]]):
             raise ParameterError(f"an action of {self.task.name} is 7 finite numbers, got {action!r}")
         scene.act(taken)
         self._step += 1
-        self._note()
-        success = all(self._done)
-        first = success and not self._succeeded
-        self._succeeded |= success
+        self._update_progress()
+        first = all(self._done) and not self._succeeded
+        self._succeeded |= first
         distance = float(np.linalg.norm(self._handle[:3, 3] - scene.tip()[:3, 3]))
         value = dense(self._progress, self._done, distance)
         gained = reward(value, taken, self.steps, success=first)
-        ended = first and self._ends
-        return self._observed(), gained, ended, self._step >= self.steps, self._info()
+        return self._observation(), gained, first and self._ends, self._step >= self.steps, self._info()
 
     def render(self) -> Any:
         """Return a picture if the render mode is `rgb_array`, shape (size, size, 3); else None."""
@@ -180,16 +178,16 @@ class ManipulationEnv(gymnasium.Env[Any, NDArray[np.float32]]):
         return self._scene
 
     @property
-    def asset(self) -> Asset:
-        """The asset of this episode."""
-        return self.scene.asset
-
-    @property
     def target(self) -> Target:
         """The stages of the task on the asset of this episode, and the place of the robot."""
         if self._target is None:
             raise EnvError(_NOT_BEGUN.format(self.task.name))
         return self._target
+
+    @property
+    def asset(self) -> Asset:
+        """The asset of this episode."""
+        return self.scene.asset
 
     @property
     def model(self) -> Any:
@@ -214,9 +212,45 @@ class ManipulationEnv(gymnasium.Env[Any, NDArray[np.float32]]):
         return tuple(self._done)
 
     def state(self) -> NDArray[np.float32]:
-        """Return the observation of robot and asset, for any setting of `obs`."""
+        """Return the observation of robot and asset, for any setting of `obs`, shape (47,).
+
+        After the 30 numbers of the robot: vector from the tip to the handle (3) [m], x and z axes of the
+        handle (6), along which fingers close and the hand approaches, direction of the handle as its joint
+        moves to the goal (3), progress of the joint, 0-1, its distance to the goal [rad or m] and its speed
+        [rad/s or m/s], whether the contact is a grasp, and the share of stages that are done.
+        """
+        scene, pose = self.scene, self._handle
         number, stage = self._stage()
-        return state(self.scene, self.target.base, stage, self._handle, number / len(self._done))
+        toward, position = np.sign(stage.goal - stage.start), scene.q(stage.joint)
+        direction = toward * scene.motion(stage.joint, pose[:3, 3])
+        of_asset = [
+            pose[:3, 3] - scene.tip()[:3, 3],
+            pose[:3, 0],
+            pose[:3, 2],
+            direction / max(float(np.linalg.norm(direction)), 1e-9),
+            [stage.progress(position), toward * (stage.goal - position), toward * scene.speed(stage.joint)],
+            [float(stage.affordance.kind == "grasp"), number / len(self._done)],
+        ]
+        return np.concatenate([self._proprioception(), *of_asset], dtype=np.float32)
+
+    def _proprioception(self) -> NDArray[np.float32]:
+        """Return the observation of the robot only, shape (30,).
+
+        In order: angles of the arm (7) [rad], half their speeds (7) [rad/s], vector from base to tip (3) [m],
+        x and z axes of the tip (6), half its velocity (3) [m/s], half its angular velocity (3) [rad/s],
+        opening of the hand (1), 0-1.
+        """
+        scene, control, tip = self.scene, self.scene.control, self.scene.tip()
+        of_robot = [
+            scene.data.qpos[control.at],
+            _SPEED * scene.speeds[control.dofs],
+            tip[:3, 3] - self.target.base[:3, 3],
+            tip[:3, 0],
+            tip[:3, 2],
+            _SPEED * control.velocity(),
+            [scene.opening() / (2.0 * OPENING)],
+        ]
+        return np.concatenate(of_robot, dtype=np.float32)
 
     def picture(self, size: int = 256, camera: str = "front", *, shadows: bool = False) -> NDArray[np.uint8]:
         """Return a picture of the current scene, shape (size, size, 3).
@@ -237,40 +271,38 @@ class ManipulationEnv(gymnasium.Env[Any, NDArray[np.float32]]):
             raise ParameterError(f"there is no camera {camera!r}.{nearest(camera, CAMERAS)}")
         return self._pictures.take(self.scene, size, camera, shadows=shadows)
 
-    def _begin(self, wanted: int | None) -> tuple[TaskScene, Target]:
-        """Return the scene and the target of the next suitable asset."""
+    def _set_up(self, chosen: int | None) -> tuple[TaskScene, Target]:
+        """Return the scene and the target of the chosen or the next suitable asset."""
         reason = ""
-        tries = _MOST_TRIES if wanted is None else 1
-        for _ in range(tries):
-            key = self._next() if wanted is None else wanted
-            number = int(self.np_random.integers(self._places))
+        for _ in range(_MOST_TRIES if chosen is None else 1):
+            key = self._draw_asset() if chosen is None else chosen
+            number = int(self.np_random.integers(self._layouts))
             try:
-                return self._set_up(key, number)
+                found = compiled_asset(
+                    self.assets, key, visual=self._visual, textures=self._textures, most=self._cache_size
+                )
+                target = found.target(number)
             except EnvError as error:
                 reason = str(error)
-        if wanted is not None:
+                continue
+            if self._scene is not None and self._scene.asset is found.asset:
+                return self._scene, target
+            return found.scene(), target
+        if chosen is not None:
             raise EnvError(reason)
-        raise EnvError(f"{self.task.name} found no suitable asset in {tries} draws; the last one: {reason}")
+        raise EnvError(
+            f"{self.task.name} found no suitable asset in {_MOST_TRIES} draws; the last one: {reason}"
+        )
 
-    def _next(self) -> int:
-        """Return the number of the next asset."""
-        if not self._in_turn:
+    def _draw_asset(self) -> int:
+        """Return the number of a random asset, or of the next one."""
+        if self._shuffle:
             return self.assets.draw(self.np_random)
-        key = self.assets.keys[self._turn % len(self.assets.keys)]
-        self._turn += 1
+        key = self.assets.keys[self._next_asset % len(self.assets.keys)]
+        self._next_asset += 1
         return key
 
-    def _set_up(self, key: int, number: int) -> tuple[TaskScene, Target]:
-        """Return the scene of an asset and a variant of the task on it."""
-        found = compiled_asset(
-            self.assets, key, visual=self._visual, textures=self._textures, most=self._most
-        )
-        target = found.target(number)
-        if self._scene is not None and self._scene.asset is found.asset:
-            return self._scene, target
-        return found.scene(), target
-
-    def _note(self) -> None:
+    def _update_progress(self) -> None:
         """Update the progress of the stages; a stage can be done only after the earlier ones."""
         before = True
         for number, stage in enumerate(self.target.stages):
@@ -278,7 +310,8 @@ class ManipulationEnv(gymnasium.Env[Any, NDArray[np.float32]]):
             self._progress[number] = stage.progress(position)
             now = bool(stage.reached(position)) or (self._done[number] and not stage.holds)
             before = self._done[number] = before and now
-        self._handle = handle(self.scene, self._stage()[1])
+        affordance = self._stage()[1].affordance
+        self._handle = np.asarray(self.scene.pose(affordance.link) @ tip_of(affordance))
 
     def _stage(self) -> tuple[int, Stage]:
         """Return the current stage, or the last one if all are done, with its number."""
@@ -286,14 +319,11 @@ class ManipulationEnv(gymnasium.Env[Any, NDArray[np.float32]]):
         number = self._done.index(False) if False in self._done else len(stages) - 1
         return number, stages[number]
 
-    def _observed(self) -> Any:
+    def _observation(self) -> Any:
         if self._obs == "state":
             return self.state()
-        return {
-            "rgb": self.picture(self._size),
-            "hand_rgb": self.picture(self._size, "hand"),
-            "robot": proprioception(self.scene, self.target.base),
-        }
+        front, hand = (self.picture(self._size, camera) for camera in ("front", "hand"))
+        return {"rgb": front, "hand_rgb": hand, "robot": self._proprioception()}
 
     def _info(self) -> dict[str, Any]:
         return {
@@ -305,86 +335,13 @@ class ManipulationEnv(gymnasium.Env[Any, NDArray[np.float32]]):
         }
 
 
-def _task(task: str | Task) -> Task:
-    if isinstance(task, Task):
-        return task
-    if task not in TASKS:
-        raise ParameterError(f"there is no task {task!r}.{nearest(str(task), TASKS)}")
-    return TASKS[task]
+def _check_whole(name: str, value: Any, low: int, high: int) -> None:
+    if not isinstance(value, int) or not low <= value <= high:
+        raise ParameterError(f"{name} is a whole number from {low} to {high}, not {value!r}")
 
 
-def _check_options(obs: str, numbers: Mapping[str, tuple[Any, int, int]], render_mode: str | None) -> None:
-    if obs not in _OBSERVATIONS:
-        raise ParameterError(f"there are no observations {obs!r}.{nearest(str(obs), _OBSERVATIONS)}")
-    if render_mode not in (None, *ManipulationEnv.metadata["render_modes"]):
-        raise ParameterError(f"there is no render_mode {render_mode!r}; take 'rgb_array' or None")
-    for name, (value, low, high) in numbers.items():
-        if not isinstance(value, int) or not low <= value <= high:
-            raise ParameterError(f"{name} is a whole number from {low} to {high}, not {value!r}")
-
-
-def _wanted_asset(options: Mapping[str, Any] | None) -> int | None:
-    for name in options or {}:
-        if name != "asset":
-            raise ParameterError(
-                f"reset has no option {name!r}; its option is 'asset', the number of an asset"
-            )
-    return (options or {}).get("asset")
-
-
-def _observation_space(obs: str, size: int) -> spaces.Space[Any]:
-    if obs == "state":
-        return spaces.Box(-np.inf, np.inf, (STATE,), np.float32)
-    picture = spaces.Box(0, 255, (size, size, 3), np.uint8)
-    robot = spaces.Box(-np.inf, np.inf, (PROPRIOCEPTION,), np.float32)
-    return spaces.Dict({"rgb": picture, "hand_rgb": picture, "robot": robot})
-
-
-def handle(scene: TaskScene, stage: Stage) -> Array:
-    """Return the current pose of the tip at the affordance of a stage, shape (4, 4) [m]."""
-    affordance = stage.affordance
-    return np.asarray(scene.pose(affordance.link) @ tip_of(affordance))
-
-
-def proprioception(scene: TaskScene, base: Array) -> NDArray[np.float32]:
-    """Return the observation of the robot only, shape (30,).
-
-    In order: angles of the arm (7) [rad], half their speeds (7) [rad/s], vector from base to tip (3) [m],
-    x and z axes of the tip (6), half its velocity (3) [m/s], half its angular velocity (3) [rad/s], opening
-    of the hand (1), 0-1.
-    """
-    control, tip = scene.control, scene.tip()
-    of_robot = [
-        scene.data.qpos[control.at],
-        _SPEED * scene.speeds[control.dofs],
-        tip[:3, 3] - base[:3, 3],
-        tip[:3, 0],
-        tip[:3, 2],
-        _SPEED * control.velocity(),
-        [scene.opening() / (2.0 * OPENING)],
-    ]
-    return np.concatenate(of_robot, dtype=np.float32)
-
-
-def state(scene: TaskScene, base: Array, stage: Stage, pose: Array, share: float) -> NDArray[np.float32]:
-    """Return the observation of robot and asset, shape (47,).
-
-    After `proprioception`: vector from the tip to the handle (3) [m], x and z axes of the handle (6), along
-    which fingers close and the hand approaches, direction of the handle as its joint moves to the goal (3),
-    progress of the joint, 0-1, its distance to the goal [rad or m] and its speed [rad/s or m/s], whether the
-    contact is a grasp, and the share of stages that are done. `pose` is the `handle` of the current stage.
-    """
-    toward, position = np.sign(stage.goal - stage.start), scene.q(stage.joint)
-    way = toward * scene.motion(stage.joint, pose[:3, 3])
-    of_asset = [
-        pose[:3, 3] - scene.tip()[:3, 3],
-        pose[:3, 0],
-        pose[:3, 2],
-        way / max(float(np.linalg.norm(way)), 1e-9),
-        [stage.progress(position), toward * (stage.goal - position), toward * scene.speed(stage.joint)],
-        [float(stage.affordance.kind == "grasp"), share],
-    ]
-    return np.concatenate([proprioception(scene, base), *of_asset], dtype=np.float32)
+def _numbers(count: int) -> spaces.Space[Any]:
+    return spaces.Box(-np.inf, np.inf, (count,), np.float32)
 
 
 def dense(progress: Sequence[float], done: Sequence[bool], distance: float) -> float:

@@ -9,11 +9,8 @@ from artgen._arrays import Array
 from artgen.asset import rotation
 from artgen.asset.affordance import GRIPPER, Affordance
 
-OPEN = GRIPPER.stroke
-"""Largest opening of the hand [m]."""
-
-BACK, FAR_BACK = 0.10, 0.16
-"""Distance of the start of the approach: usually, and if random motion would do the task [m]."""
+OPEN = GRIPPER.stroke  # largest opening of the hand [m]
+BACK, FAR_BACK = 0.10, 0.16  # start of the approach: usually, and if random motion would do the task [m]
 
 
 @dataclass(frozen=True, eq=False)

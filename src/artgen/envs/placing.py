@@ -40,28 +40,18 @@ _TABLE = 1.0  # height of a table, more than a robot reaches down [m]
 _GRAZE = 0.001  # gap between the table and the asset [m]
 _UNIT = np.stack(np.meshgrid(*[[-1.0, 1.0]] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
 
-HAND = np.array(
-    [
-        [-GRIPPER.hand[0] / 2.0, -GRIPPER.hand[1] / 2.0, GRIPPER.tip - GRIPPER.long - GRIPPER.hand[2]],
-        [GRIPPER.hand[0] / 2.0, GRIPPER.hand[1] / 2.0, GRIPPER.tip - GRIPPER.long],
-    ]
-)
-"""Corners of the box behind the fingers, in the tip's frame, shape (2, 3) [m]."""
+# corners of the box behind the fingers, in the frame of the tip, shape (2, 3) [m]
+_HAND = np.array([[-0.5, -0.5, -1.0], [0.5, 0.5, 0.0]]) * GRIPPER.hand
+_HAND[:, 2] += GRIPPER.tip - GRIPPER.long
 
 
 class Obstacles:
-    """An asset as obstacles: each collider as an oriented box that moves with its link.
-
-    Attributes:
-        asset: The asset.
-        raised: Whether it stands on a table of its own size.
-        floor: Height of the floor; far below the asset if there is a table [m].
-    """
+    """An asset as obstacles: each collider as an oriented box that moves with its link."""
 
     def __init__(self, asset: Asset, *, raised: bool = False) -> None:
-        self.asset, self.raised = asset, raised
+        self.asset, self.raised = asset, raised  # raised: it stands on a table of its own size
         low, high = asset.bounds()
-        self.floor = float(low[2]) - (_TABLE if raised else 0.0)
+        self.floor = float(low[2]) - (_TABLE if raised else 0.0)  # height of the floor [m]
         pieces = [(number, each.convex) for number, link in enumerate(asset.links) for each in link.colliders]
         if raised:
             table = np.eye(4)
@@ -150,21 +140,20 @@ def place(
         for stage in stages
         for move in stage.moves
     ]
-    paths = [_path(obstacles, moves, rng) for moves in _combined(options)]
+    numbers = product(*(range(len(each)) for each in options))
+    preferred = sorted(islice(numbers, _MOST_COMBINED), key=sum)[:_COMBINED]
+    combined = [tuple(each[index] for each, index in zip(options, some, strict=True)) for some in preferred]
+    paths = [_path(obstacles, moves, rng) for moves in combined]
     best, most = None, 0.0
     for path, bases in _trials(obstacles, paths, rng):
         for score, base, arm in _followed(obstacles, path, bases, rng):
             if score > most:
-                best, most = (path, base, arm), score
+                moves, most = iter(path.moves), score
+                moved = (replace(stage, moves=tuple(next(moves) for _ in stage.moves)) for stage in stages)
+                best = Target(tuple(moved), {}, base, arm, base @ frames(arm[None])[0, 7])
         if most > _GOOD:
             break
-    if best is None:
-        return None
-    path, base, arm = best
-    hand = base @ frames(arm[None])[0, 7]
-    moves = iter(path.moves)
-    moved = tuple(replace(stage, moves=tuple(next(moves) for _ in stage.moves)) for stage in stages)
-    return Target(moved, {}, base, arm, hand)
+    return best
 
 
 def _trials(
@@ -175,13 +164,6 @@ def _trials(
         some = [(path, _bases(obstacles, path, rng)) for path in paths[first : first + _BATCH]]
         for begin in range(0, _ROUNDS * _BASES, _BASES):
             yield from ((path, bases[begin : begin + _BASES]) for path, bases in some if len(bases) > begin)
-
-
-def _combined(options: Sequence[Sequence[Move]]) -> list[tuple[Move, ...]]:
-    """Return combinations of the variants of all moves, the preferred ones first."""
-    numbers = product(*(range(len(each)) for each in options))
-    chosen = sorted(islice(numbers, _MOST_COMBINED), key=sum)[:_COMBINED]
-    return [tuple(each[index] for each, index in zip(options, some, strict=True)) for some in chosen]
 
 
 def _variants(obstacles: Obstacles, move: Move, stages: Sequence[Stage]) -> Iterator[Move]:
@@ -203,7 +185,7 @@ def _variants(obstacles: Obstacles, move: Move, stages: Sequence[Stage]) -> Iter
 
 def _free(obstacles: Obstacles, contact: Contact, q: dict[str, float], move: Move) -> bool:
     """Tell whether the hand collides neither in its approach nor in the motion of the joint."""
-    asset, hand = obstacles.asset, HAND + np.array([[-_ROOM], [_ROOM]])
+    asset, hand = obstacles.asset, _HAND + np.array([[-_ROOM], [_ROOM]])
     start = q.get(move.joint, asset.joint(move.joint).closed)
     for share, back in ((0.0, contact.back), (0.0, 0.0), (0.5, 0.0), (1.0, 0.0)):
         pose = asset.pose({**q, move.joint: start + share * (move.until - start)})
@@ -288,9 +270,10 @@ def _followed(
         angles, miss = reach(angles, local[which], steps)
         angles, which = angles[miss < allowed], which[miss < allowed]
     score = _ease(angles)
-    kept = _first_of_each(which, score)
-    angles, which, score = angles[kept], which[kept], score[kept]
-    begin = angles
+    order = np.argsort(-score, kind="stable")  # the `_POSTURES` best postures of each base
+    chosen = [index for base in np.unique(which) for index in order[which[order] == base][:_POSTURES]]
+    begin = angles = angles[chosen]
+    which, score = which[chosen], score[chosen]
     for index, tip in enumerate(path.tips):
         if not len(which):
             return []
@@ -300,13 +283,6 @@ def _followed(
         score = np.minimum(score, _ease(moved))
         angles, begin, which, score = (each[good] for each in (moved, begin, which, score))
     return [(float(score[index]), bases[which[index]], begin[index]) for index in range(len(which))]
-
-
-def _first_of_each(which: NDArray[np.int64], score: Array) -> NDArray[np.int64]:
-    """Return the indices of the `_POSTURES` best postures of each base."""
-    order = np.argsort(-score, kind="stable")
-    kept = [index for base in np.unique(which) for index in order[which[order] == base][:_POSTURES]]
-    return np.array(kept, int)
 
 
 def _postures(rng: np.random.Generator) -> Array:

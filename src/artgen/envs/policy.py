@@ -7,8 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from artgen._arrays import Array
-from artgen.envs.control import POSITION, ROTATION
 from artgen.envs.motion import OPEN, Contact, Move, lifted, rotation_vector
+from artgen.envs.robot import POSITION, ROTATION
 
 if TYPE_CHECKING:
     import gymnasium
@@ -44,7 +44,7 @@ class ScriptedPolicy:
         self._script: Iterator[Aim] = iter(())
         self._last: Aim | None = None
         self._opening = OPEN
-        self._kept: dict[str, float] = {}  # positions of joints that the hand still holds
+        self._held: dict[str, float] = {}  # positions of joints that the hand still holds
         self._ahead: dict[str, float] = {}  # offsets of the aim for these joints
         self.done = False
         """Whether it has finished and released the asset."""
@@ -79,13 +79,13 @@ class ScriptedPolicy:
                 end = move.until if move is not stage.moves[-1] else stage.goal
                 if (self._env.q(move.joint) - end) * np.sign(stage.goal - stage.start) >= -1e-3:
                     break
-            self._kept[move.joint] = move.until
+            self._held[move.joint] = move.until
         if contact is not None:
             yield from self._leave(contact)
 
     def _take(self, contact: Contact) -> Iterator[Aim]:
         """Approach a contact, and close the fingers if it is a grasp."""
-        self._kept.clear()
+        self._held.clear()
         self._ahead.clear()
         self._opening = contact.width
         for pose in contact.through:
@@ -151,27 +151,27 @@ class ScriptedPolicy:
             for joint in joints:
                 position = self._env.q(joint.name)
                 if ahead is not None:
-                    position = ahead.get(joint.name, self._keeping(joint.name, position))
+                    position = ahead.get(joint.name, self._held_aim(joint.name, position))
                 motion = motion @ joint.motion(position)
             result = motion @ result
         return result
 
-    def _keeping(self, joint: str, position: float) -> float:
+    def _held_aim(self, joint: str, position: float) -> float:
         """Return the aim for a joint that keeps it at its position."""
-        if joint not in self._kept:
+        if joint not in self._held:
             return position
-        missing = self._kept[joint] - position
+        missing = self._held[joint] - position
         self._ahead[joint] = float(np.clip(self._ahead.get(joint, 0.0) + 0.1 * missing, -0.6, 0.6))
-        return self._kept[joint] + self._ahead[joint]
+        return self._held[joint] + self._ahead[joint]
 
 
-def action_towards(tip: Array, pose: Array, opening: float, speed: float = 1.0) -> NDArray[np.float32]:
+def action_towards(tip: Array, pose: Array, opening: float) -> NDArray[np.float32]:
     """Return the action that moves the tip towards a pose, with an opening of the fingers [m], shape (7,)."""
     result = np.empty(7)
     shift = (pose[:3, 3] - tip[:3, 3]) / POSITION
     turn = rotation_vector(pose[:3, :3] @ tip[:3, :3].T) / ROTATION
-    result[:3] = shift * min(1.0, speed / max(float(np.linalg.norm(shift)), 1e-9))
-    result[3:6] = turn * min(1.0, speed / max(float(np.linalg.norm(turn)), 1e-9))
+    result[:3] = shift * min(1.0, 1.0 / max(float(np.linalg.norm(shift)), 1e-9))
+    result[3:6] = turn * min(1.0, 1.0 / max(float(np.linalg.norm(turn)), 1e-9))
     result[6] = 1.0 - 2.0 * opening / OPEN
     return np.clip(result, -1.0, 1.0).astype(np.float32)
 

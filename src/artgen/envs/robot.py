@@ -1,7 +1,11 @@
-"""A Franka Panda with its hand from the files of robosuite, and the kinematics of its arm.
+"""A Franka Panda with its hand from the files of robosuite: its model, kinematics and controller.
 
 The tip is the point in the middle of the fingers' pads: z points out of the hand, the fingers close along x.
 A hand whose tip is at the frame of a grasp can close on it; the fingers end `GRIPPER.tip` farther out.
+
+The controller follows relative changes of the pose of the tip. Its control law and the scale of its actions
+are those of `OSC_POSE` of robosuite; the tests compare both. The controller of robosuite 1.5.0 uses an
+interface that MuJoCo 4 lacks, and is slower than the physics.
 """
 
 from importlib.util import find_spec
@@ -9,33 +13,30 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from scipy.linalg.lapack import dposv
 
 from artgen._arrays import Array
+from artgen.asset import rotation
 from artgen.asset.affordance import GRIPPER
 from artgen.errors import EnvError
 
-PREFIX = "robot_"
-"""Prefix of all names of the robot in a scene."""
-
-HAND = "hand_"
-"""Prefix of the names of the hand, after that of the robot."""
-
+PREFIX = "robot_"  # of all names of the robot in a scene
+HAND = "hand_"  # of the names of the hand, after `PREFIX`
 HOME = np.array([0.0, np.pi / 16, 0.0, -5 * np.pi / 6, 0.0, np.pi - 0.2, np.pi / 4])
 """Initial posture of robosuite: the hand in front, pointing down, shape (7,) [rad]."""
 
-LIMITS = np.column_stack(
-    (
-        [-2.8973, -1.7628, -2.8973, -3.0718, -2.8973, -0.0175, -2.8973],
-        [2.8973, 1.7628, 2.8973, -0.0698, 2.8973, 3.7525, 2.8973],
-    )
-)
+_LOW = [-2.8973, -1.7628, -2.8973, -3.0718, -2.8973, -0.0175, -2.8973]
+_HIGH = [2.8973, 1.7628, 2.8973, -0.0698, 2.8973, 3.7525, 2.8973]
+LIMITS = np.column_stack((_LOW, _HIGH))
 """Range of each joint of the arm, shape (7, 2) [rad]."""
 
-OPENING = 0.04
-"""Travel of each finger from the middle [m]."""
-
-ROBOT_BIT, ASSET_BIT = 2, 1
-"""Bits of MuJoCo's `contype` for contacts: an asset is exported with the first bit alone."""
+OPENING = 0.04  # travel of each finger from the middle [m]
+ROBOT_BIT, ASSET_BIT = 2, 1  # bits of MuJoCo's `contype`: an asset is exported with the first bit alone
+POSITION, ROTATION = 0.05, 0.5  # translation [m] and rotation [rad] of the tip for an action of 1
+STIFFNESS = 300.0  # maximum of robosuite; with its default of 150, seals keep doors shut [1/s^2]
+DAMPING = 2.0 * np.sqrt(STIFFNESS)  # critical damping [1/s]
+POSTURE = 10.0  # stiffness of the posture in the null space of the tip [1/s^2]
+POSTURE_DAMPING = 2.0 * np.sqrt(POSTURE)  # [1/s]
 
 _PEDESTAL = (0.11, 0.11)  # half of its width and depth [m]
 _PEDESTAL_MIDDLE = -0.04  # x of the pedestal, under the foot of the arm [m]
@@ -58,6 +59,7 @@ _SHIFTS = np.array(
 )  # [m]
 _TIP = 0.1065 + 0.097  # from the last joint along its axis: the flange, then the middle of the pads [m]
 _TIP_TURN = -0.75 * np.pi  # about that axis
+# balls that fill the arm from elbow to flange
 _BALLS = np.array(
     [
         [2, 0.0, 0.0, -0.06, 0.060],
@@ -74,10 +76,8 @@ _BALLS = np.array(
         [6, 0.0, 0.0, 0.07, 0.050],
         [6, 0.04, 0.04, 0.08, 0.045],
     ]
-)  # number of the joint, place in its frame, radius [m]
+)  # index of the joint, center in its frame, radius [m]
 BALL_JOINTS, BALL_PLACES, BALL_RADII = _BALLS[:, 0].astype(int), _BALLS[:, 1:4], _BALLS[:, 4]
-"""Balls that fill the arm from elbow to flange: indices of their joints, shape (n,), centers in the frames of
-the joints, shape (n, 3), and radii, shape (n,) [m]."""
 
 _MIDDLE = LIMITS.mean(axis=1)
 _DAMPING = 0.03
@@ -86,11 +86,7 @@ _LONGEST = 0.35  # largest change of an angle per step [rad]
 
 
 def files() -> Path:
-    """Return the directory of robosuite's models, without importing robosuite, which takes seconds.
-
-    Raises:
-        EnvError: robosuite is not installed.
-    """
+    """Return the directory of robosuite's models, without importing robosuite, which takes seconds."""
     found = find_spec("robosuite")
     if found is None or not found.submodule_search_locations:
         raise EnvError(f"the Panda of the manipulation tasks comes with robosuite: {_INSTALL}")
@@ -98,20 +94,20 @@ def files() -> Path:
 
 
 def panda(*, visual: bool) -> Any:
-    """Return the specification of the arm with its hand at the origin, with or without visual surfaces.
-
-    Parts of the robot do not collide with each other, which saves time.
-
-    Raises:
-        EnvError: robosuite or mujoco is not installed.
-    """
+    """Return the specification of the robot at the origin; its parts do not collide with each other."""
     mujoco = simulator()
     arm = mujoco.MjSpec.from_file(str(files() / "robots" / "panda" / "robot.xml"))
     hand = mujoco.MjSpec.from_file(str(files() / "grippers" / "panda_gripper.xml"))
     arm.attach(hand, frame=arm.body("right_hand").add_frame(), prefix=HAND)
-    _strengthen_fingers(arm)
-    for number, side in ((1, 1.0), (2, -1.0)):
-        _slim(arm.geom(f"{HAND}finger{number}_collision"), side, mujoco.mjtGeom.mjGEOM_BOX)
+    for finger in arm.actuators:
+        if finger.name.startswith(HAND):  # the force of a Panda, and a control range beyond contact
+            finger.gainprm[0], finger.biasprm[1] = _FINGER_STIFFNESS, -_FINGER_STIFFNESS
+            finger.forcerange, finger.ctrlrange = (-_SQUEEZE, _SQUEEZE), (-OPENING, OPENING)
+    half = np.array([GRIPPER.wide, GRIPPER.thick, GRIPPER.long]) / 2.0
+    for number, side in ((1, 1.0), (2, -1.0)):  # the hull of their meshes is up to three times as thick
+        finger = arm.geom(f"{HAND}finger{number}_collision")
+        finger.type, finger.meshname, finger.size = mujoco.mjtGeom.mjGEOM_BOX, "", half
+        finger.pos, finger.quat = (0.0, side * half[1], half[2]), (1.0, 0.0, 0.0, 0.0)
     _strip(arm, visual=visual)
     arm.body("base").add_geom(
         name="pedestal",
@@ -124,15 +120,6 @@ def panda(*, visual: bool) -> Any:
         group=2,
     )
     return arm
-
-
-def _strengthen_fingers(arm: Any) -> None:
-    """Give the fingers the force of a Panda, and a control range beyond contact."""
-    for finger in arm.actuators:
-        if finger.name.startswith(HAND):
-            finger.gainprm[0], finger.biasprm[1] = _FINGER_STIFFNESS, -_FINGER_STIFFNESS
-            finger.forcerange = -_SQUEEZE, _SQUEEZE
-            finger.ctrlrange = -OPENING, OPENING
 
 
 def _strip(arm: Any, *, visual: bool) -> None:
@@ -152,14 +139,6 @@ def _strip(arm: Any, *, visual: bool) -> None:
     for mesh in list(arm.meshes):
         if mesh.name not in used:
             arm.delete(mesh)
-
-
-def _slim(finger: Any, side: float, box: Any) -> None:
-    """Replace a finger by the box of certified grasps; the hull of its mesh is up to three times as thick."""
-    half = np.array([GRIPPER.wide, GRIPPER.thick, GRIPPER.long]) / 2.0
-    finger.type, finger.meshname = box, ""
-    finger.size, finger.pos = half, (0.0, side * half[1], half[2])
-    finger.quat = (1.0, 0.0, 0.0, 0.0)
 
 
 def simulator() -> Any:
@@ -240,3 +219,67 @@ def _error(poses: Array, tips: Array) -> Array:
     angle = np.arctan2(sine, np.trace(turn, axis1=1, axis2=2) - 1.0)
     result[:, 3:] = vector * (angle / np.maximum(sine, 1e-9))[:, None]
     return result
+
+
+class Control:
+    """The controller of the arm, for the model of a scene and its state."""
+
+    def __init__(self, model: Any, data: Any) -> None:
+        mujoco = simulator()
+        self._model, self._data = model, data
+        self._jacobian_of, self._inertia_of = mujoco.mj_jacSite, mujoco.mj_fullM
+        self.tip = int(model.site(f"{PREFIX}{HAND}grip_site").id)
+        joint, motor = model.joint(f"{PREFIX}joint1"), model.actuator(f"{PREFIX}torq_j1")
+        # the seven joints are consecutive; slices are faster than lists of indices
+        self.at, self.dofs, self.actuators = (  # in `qpos`, `qvel` and `ctrl`
+            slice(int(first), int(first) + 7) for first in (joint.qposadr[0], joint.dofadr[0], motor.id)
+        )
+        # permanent views: creating one takes as long as reading it
+        whole, inertia = np.zeros((6, model.nv)), np.zeros((model.nv, model.nv))
+        self._into, self._jacobian = (whole[:3], whole[3:]), whole[:, self.dofs]
+        self._whole_inertia, self._inertia = inertia, inertia[self.dofs, self.dofs]
+        self._angles, self._speeds = data.qpos[self.at], data.qvel[self.dofs]
+        self._bias, self._torques = data.qfrc_bias[self.dofs], data.ctrl[self.actuators]
+        self._place, self._turn = data.site_xpos[self.tip], data.site_xmat[self.tip].reshape(3, 3)
+        self._posture = np.zeros(7)
+        self._goal, self._goal_turn = np.zeros(3), np.eye(3)
+
+    def begin(self) -> None:
+        """Use the current posture as the null-space goal, and the current pose of the tip as its goal."""
+        self._posture = self._angles.copy()
+        self._goal, self._goal_turn = self._place.copy(), self._turn.copy()
+
+    def velocity(self) -> Array:
+        """Return the velocity of the tip, shape (6,) [m/s, rad/s]."""
+        self._jacobian_of(self._model, self._data, *self._into, self.tip)
+        return np.asarray(self._jacobian @ self._speeds)
+
+    def aim(self, action: Array) -> None:
+        """Set the goal to a translation and rotation of the tip, in units of `POSITION` and `ROTATION`."""
+        self._goal = self._place + POSITION * action[:3]
+        angle = float(np.linalg.norm(ROTATION * action[3:]))
+        turn = rotation(ROTATION * action[3:] / angle, angle) if angle > 1e-9 else np.eye(3)
+        self._goal_turn = turn @ self._turn
+
+    def run(self) -> None:
+        """Set the torques for the current state, after the first half of a step of MuJoCo."""
+        self._jacobian_of(self._model, self._data, *self._into, self.tip)
+        self._inertia_of(self._model, self._data, self._whole_inertia)
+        jacobian, inertia, speeds = self._jacobian, self._inertia, self._speeds
+        wanted = -DAMPING * (jacobian @ speeds)
+        wanted[:3] += STIFFNESS * (self._goal - self._place)
+        turn = self._goal_turn @ self._turn.T
+        sines = [turn[2, 1] - turn[1, 2], turn[0, 2] - turn[2, 0], turn[1, 0] - turn[0, 1]]
+        wanted[3:] += STIFFNESS * (0.5 * np.array(sines))
+        yields = jacobian @ _solve(inertia, jacobian.T)  # acceleration of the tip per force at the tip
+        keep = POSTURE * (self._posture - self._angles) - POSTURE_DAMPING * speeds
+        wrench = -_solve(yields, jacobian @ keep)  # cancels the effect of the posture on the tip
+        # forces and torques are decoupled
+        wrench[:3] += _solve(yields[:3, :3], wanted[:3])
+        wrench[3:] += _solve(yields[3:, 3:], wanted[3:])
+        self._torques[:] = jacobian.T @ wrench + inertia @ keep + self._bias
+
+
+def _solve(matrix: Array, right: Array) -> Array:
+    """Solve a system with a symmetric positive definite matrix, twice as fast as NumPy."""
+    return np.asarray(dposv(matrix, right)[1])

@@ -12,29 +12,23 @@ from numpy.typing import NDArray
 from artgen._arrays import Array
 from artgen.asset import Asset
 from artgen.asset.affordance import head
-from artgen.envs.control import Control
 from artgen.envs.motion import Target
-from artgen.envs.robot import ASSET_BIT, HAND, LIMITS, OPENING, PREFIX, ROBOT_BIT, panda, simulator
+from artgen.envs.robot import ASSET_BIT, HAND, LIMITS, OPENING, PREFIX, ROBOT_BIT, Control, panda, simulator
 from artgen.export.frames import quaternion
 from artgen.export.meshes import mesh_files
 from artgen.export.mjcf import mjcf_tree
 from artgen.export.text import document
 from artgen.view import gl
 
-TIME_STEP = 0.0025
-"""Time step of the physics [s]: half the time constant of contacts and limits in the exports."""
-
-STEPS = 20
-"""Physics steps per action."""
-
-CAMERAS = {"front": "scene_front", "hand": f"{PREFIX}eye_in_hand"}
-"""Names of a camera next to the robot, and of one on its hand."""
-
+TIME_STEP = 0.0025  # of the physics: half the time constant of contacts and limits in the exports [s]
+STEPS = 20  # physics steps per action
 STEPS_OF_TORQUES = 4  # physics steps with the same torques of the arm
 SHUT = 0.001  # smaller openings of each finger mean that the hand squeezes [m]
+CAMERAS = {"front": "scene_front", "hand": f"{PREFIX}eye_in_hand"}  # next to the robot, and on its hand
+
 _FLOOR, _TABLE, _LIGHT = "scene_floor", "scene_table", "scene_light"
 _AMBIENT, _HEADLIGHT, _LAMP = 0.28, 0.3, 0.5  # ambient light, light from the camera and from above
-_LIGHT_GOES = (0.3, 0.5, -1.0)
+_LIGHT_DIRECTION = (0.3, 0.5, -1.0)
 _DEEP = 0.02  # least height of the pedestal [m]
 _VISUAL_GROUP, _GROUPS = 2, 6  # geom group of visual surfaces, and number of groups
 
@@ -42,37 +36,28 @@ _VISUAL_GROUP, _GROUPS = 2, 6  # geom group of visual surfaces, and number of gr
 class TaskScene:
     """A compiled model with its state; `place` sets up a task.
 
-    The names of the asset are unchanged; those of the robot begin with `robot_`.
-
-    Attributes:
-        asset: The asset.
-        model: Its model from `compiled`; the scene moves the robot in it.
-        data: State of MuJoCo.
-        control: Controller of the arm.
-        fingers: Indices of the two motors of the hand.
-        finger_at: Indices of the two fingers in `qpos`.
-        speeds: Speeds of the joints of asset and robot, as a view of the state.
+    The names of the asset are unchanged; those of the robot begin with `robot_`. The scene moves the robot in
+    the model.
     """
 
     def __init__(self, asset: Asset, model: Any) -> None:
         mujoco = simulator()
         self.asset, self._mujoco, self.model = asset, mujoco, model
-        self.data = mujoco.MjData(self.model)
+        self.data = mujoco.MjData(model)
         self.control = Control(model, self.data)
-        self._joints: dict[str, tuple[int, int, int]] = {}
+        self._joints: dict[str, tuple[int, int, int]] = {}  # indices in `qpos`, `qvel` and of the joint
         for joint in asset.joints:
             if not joint.locked:
                 found = model.joint(joint.name)
                 self._joints[joint.name] = int(found.qposadr[0]), int(found.dofadr[0]), int(found.id)
         self._bodies = {link.name: int(model.body(link.name).id) for link in asset.links}
-        self.fingers = np.array([model.actuator(f"{PREFIX}{HAND}gripper_finger_joint{n}").id for n in (1, 2)])
-        fingers = [model.joint(f"{PREFIX}{HAND}finger_joint{number}") for number in (1, 2)]
-        self.finger_at = np.array([finger.qposadr[0] for finger in fingers])
+        hand = f"{PREFIX}{HAND}"
+        self.fingers = np.array([model.actuator(f"{hand}gripper_finger_joint{n}").id for n in (1, 2)])
+        self.finger_at = np.array([model.joint(f"{hand}finger_joint{n}").qposadr[0] for n in (1, 2)])
         self._tip_place = self.data.site_xpos[self.control.tip]
         self._tip_turn = self.data.site_xmat[self.control.tip].reshape(3, 3)
         self._rest = {link.name: asset.origin(link.name) for link in asset.links}
-        self._bounds = asset.bounds()
-        self._qpos, self.speeds = self.data.qpos, self.data.qvel
+        self._bounds, self._qpos, self.speeds = asset.bounds(), self.data.qpos, self.data.qvel
 
     def place(self, target: Target, arm: Array) -> None:
         """Set up a task, with the arm at given angles, shape (7,) [rad], and everything at rest."""
@@ -145,9 +130,8 @@ class TaskScene:
         self.model.geom(_FLOOR).pos[2] = floor
         height = max(float(base[2, 3]) - floor, _DEEP)
         pedestal = self.model.geom(f"{PREFIX}pedestal")
-        self._put_box(
-            pedestal, np.array([pedestal.pos[0], 0.0, -0.5 * height]), [*pedestal.size[:2], 0.5 * height]
-        )
+        center = np.array([pedestal.pos[0], 0.0, -0.5 * height])
+        self._put_box(pedestal, center, [*pedestal.size[:2], 0.5 * height])
         low, high = self._bounds
         middle, half = 0.5 * (low + high), 0.5 * (high - low)
         if floor < 0.0:
@@ -230,7 +214,7 @@ def compiled(asset: Asset, *, visual: bool = False, textures: int = 0) -> Any:
     world.add_light(
         name=_LIGHT,
         type=mujoco.mjtLightType.mjLIGHT_DIRECTIONAL,
-        dir=_LIGHT_GOES,
+        dir=_LIGHT_DIRECTION,
         pos=(0.0, 0.0, 4.0),
         diffuse=[_LAMP] * 3,
     )

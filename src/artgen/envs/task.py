@@ -1,4 +1,4 @@
-"""The manipulation tasks: category, joints to move, contacts and time limit of each."""
+"""The manipulation tasks: category, joints to move, contacts and time limit of each; and their assets."""
 
 import copy
 from collections import OrderedDict
@@ -17,7 +17,7 @@ from artgen.dataset import Dataset
 from artgen.envs.motion import BACK, FAR_BACK, Contact, Move, Stage, Target, contact_of, lifted
 from artgen.envs.placing import place
 from artgen.envs.scene import TaskScene, compiled
-from artgen.errors import EnvError
+from artgen.errors import EnvError, ParameterError, nearest
 from artgen.sampling import choice
 
 Choice = tuple[Stage, ...]
@@ -92,19 +92,10 @@ def one_joint(
     at_least: float = 0.0,
     back: float = BACK,
 ) -> Chooser:
-    """Return the chooser of a task that moves one joint of a part.
-
-    Args:
-        part: Part of the names of its links.
-        kind: Kind of the contact.
-        joint_kind: Kind of the joint.
-        share: Goal as a share of the range of the joint.
-        at_least: Goal if `share` is 0 [rad or m].
-        back: Start of the approach; far for joints that random motion moves easily [m].
-    """
+    """Return the chooser of a task that moves one joint of a part; see `stage` for the last arguments."""
 
     def choose(asset: Asset, rng: np.random.Generator) -> Iterator[Choice]:
-        for affordance in shuffled(found(asset, part, kind, joint_kind), rng):
+        for affordance in _shuffled(found(asset, part, kind, joint_kind), rng):
             yield (stage(asset, affordance, share, at_least, back=back),)
 
     return choose
@@ -120,25 +111,31 @@ def found(asset: Asset, part: str, kind: str, joint_kind: str) -> list[Affordanc
         if joint.kind == joint_kind and joint.needs is None and joint.limits is not None:
             result.append(each)
     if not result:
-        way = "grasp" if kind == "grasp" else "push"
         have = ", ".join(f"{each.name} ({each.link})" for each in asset.affordances) or "none"
         raise EnvError(
-            f"asset {asset.name!r} of category {asset.category!r} has no {part} that a hand can {way} "
+            f"asset {asset.name!r} of category {asset.category!r} has no {part} that a hand can {kind} "
             f"to move a {joint_kind} joint; it has these grasps and pushes: {have}. Draw it with the part, "
             "as the task's own generate(seed) does"
         )
     return result
 
 
-def shuffled(items: list[Affordance], rng: np.random.Generator) -> list[Affordance]:
-    """Return items in random order."""
+def _shuffled(items: list[Affordance], rng: np.random.Generator) -> list[Affordance]:
     return [items[index] for index in rng.permutation(len(items))]
 
 
 def stage(
     asset: Asset, affordance: Affordance, share: float, at_least: float = 0.0, *, back: float = BACK
 ) -> Stage:
-    """Return the stage that moves the nearest joint of an affordance from rest towards larger positions."""
+    """Return the stage that moves the nearest joint of an affordance from rest towards larger positions.
+
+    Args:
+        asset: The asset.
+        affordance: The contact with the part.
+        share: Goal as a share of the range of the joint.
+        at_least: Goal if `share` is 0 [rad or m].
+        back: Start of the approach; far for joints that random motion moves easily [m].
+    """
     joint = asset.joint(affordance.joints[0])
     assert joint.limits is not None
     start, end = joint.closed, joint.limits[1]
@@ -150,46 +147,34 @@ def stage(
 
 def push_door(asset: Asset, rng: np.random.Generator) -> Iterator[Choice]:
     """Yield the rotation of a lever, which frees the latch, and the push of the leaf with the same grasp."""
-    for grasp in shuffled(found(asset, "handle", "grasp", "revolute"), rng):
+    for grasp in _shuffled(found(asset, "handle", "grasp", "revolute"), rng):
         lever, *others = (asset.joint(name) for name in grasp.joints)
         hinge = next((each for each in others if each.kind == "revolute" and each.needs is not None), None)
-        if hinge is None or lever.limits is None or not _is_pushed(grasp, hinge.motion(0.1)):
+        if hinge is None or lever.limits is None:
             continue
+        before, motion = grasp.frame[:3, 3], hinge.motion(0.1)
+        if (motion[:3, :3] @ before + motion[:3, 3] - before) @ grasp.frame[:3, 2] <= 0.0:
+            continue  # the hand would pull
         freed = _frees(asset, hinge.name, lever.name)
         goal = max(0.3, freed + 0.02 * (lever.limits[1] - freed))
-        turn = Stage(
-            lever.name,
-            0.0,
-            goal,
-            grasp,
-            (Move(lever.name, 0.5 * (goal + lever.limits[1]), contact_of(grasp, FAR_BACK)),),
-        )
-        push = Stage(hinge.name, 0.0, 0.3, grasp, (Move(hinge.name, 0.34, None),))
-        yield (turn, push)
-
-
-def _is_pushed(affordance: Affordance, motion: Array) -> bool:
-    """Tell whether a motion carries an affordance along its approach: the hand pushes."""
-    before = affordance.frame[:3, 3]
-    way = motion[:3, :3] @ before + motion[:3, 3] - before
-    return bool(way @ affordance.frame[:3, 2] > 0.0)
+        turn = Move(lever.name, 0.5 * (goal + lever.limits[1]), contact_of(grasp, FAR_BACK))
+        push = Move(hinge.name, 0.34, None)
+        yield Stage(lever.name, 0.0, goal, grasp, (turn,)), Stage(hinge.name, 0.0, 0.3, grasp, (push,))
 
 
 def _frees(asset: Asset, blocked: str, lever: str) -> float:
     """Return the least position of a lever at which a joint is free [rad]."""
     needs, limits = asset.joint(blocked).needs, asset.joint(lever).limits
     assert limits is not None
-    if needs is None:
-        return limits[0]
     low, high = limits
+    if needs is None:
+        return low
     if not needs.condition.holds(asset.positions({lever: high})):
         raise EnvError(f"asset {asset.name!r}: {lever} alone does not free {blocked}; it needs {needs}")
     for _ in range(40):
         middle = 0.5 * (low + high)
-        if needs.condition.holds(asset.positions({lever: middle})):
-            high = middle
-        else:
-            low = middle
+        free = needs.condition.holds(asset.positions({lever: middle}))
+        low, high = (low, middle) if free else (middle, high)
     return high
 
 
@@ -202,17 +187,17 @@ def open_dishwasher(asset: Asset, rng: np.random.Generator) -> Iterator[Choice]:
     door = asset.joint(grasp.joints[0])
     racks = [each for each in asset.affordances if each.link.startswith("rack") and each.kind == "grasp"]
     if not racks:
-        raise EnvError(f"asset {asset.name!r} has no rack that a hand can take")
+        raise EnvError(f"asset {asset.name!r} has no rack that a hand can grasp; take one with a rack")
     freed = {each.name: _frees(asset, each.joints[0], door.name) for each in racks}
     assert door.limits is not None
-    for rack in sorted(shuffled(racks, rng), key=lambda each: freed[each.name] > _STEEP):
+    for rack in sorted(_shuffled(racks, rng), key=lambda each: freed[each.name] > _STEEP):
         goal = min(max(_STEEP, freed[rack.name] + 0.1), 0.97 * door.limits[1])
         pull = stage(asset, rack, 0.5)
         for side in rng.permutation([-1.0, 1.0, 0.0]):
             ajar = Move(door.name, _AJAR, contact_of(grasp, back=0.15))
             within = _from_within(asset, grasp, door.motion(_AJAR), 0.12 * side)
             down = Move(door.name, min(goal + 0.15, door.limits[1]), within)
-            yield (Stage(door.name, 0.0, goal, grasp, (ajar, down), holds=True), pull)
+            yield Stage(door.name, 0.0, goal, grasp, (ajar, down), holds=True), pull
 
 
 def _from_within(asset: Asset, grasp: Affordance, ajar: Array, beside: float) -> Contact:
@@ -224,8 +209,7 @@ def _from_within(asset: Asset, grasp: Affordance, ajar: Array, beside: float) ->
     boxes = np.array([each.convex.bounds() for each in link.colliders])
     top = float(boxes[:, 1, 2].max())
     inner = float(boxes[boxes[:, 1, 2] > top - 0.03, 1, 1].max())
-    frame = np.eye(4)
-    frame[:3, 0], frame[:3, 1], frame[:3, 2] = (1.0, 0.0, 0.0), (0.0, -1.0, 0.0), (0.0, 0.0, -1.0)
+    frame = np.diag([1.0, -1.0, -1.0, 1.0])
     frame[:3, 3] = (grasp.frame[0, 3] + beside, inner + 0.012, top - 0.03)
     return Contact("push", link.name, frame, through=(lifted(ajar @ frame, -0.25),))
 
@@ -314,6 +298,13 @@ TASKS = {task.name: task for task in _TASKS}
 """All tasks by name."""
 
 
+def find_task(name: str) -> Task:
+    """Return the task of a name."""
+    if name not in TASKS:
+        raise ParameterError(f"there is no task {name!r}.{nearest(str(name), TASKS)}")
+    return TASKS[name]
+
+
 Source = str | Path | Dataset | Sequence[Asset] | range | None
 """A folder made by `artgen generate`, a dataset, assets, a range of seeds, or None for all seeds."""
 
@@ -321,32 +312,22 @@ _SEEDS = 2**31  # number of all seeds
 
 
 class Assets:
-    """Assets of a task by number, made or read on access.
-
-    Args:
-        task: The task.
-        source: Source of the assets; in a folder or dataset, those of the task's category.
+    """Assets of a task by number, made or read on access; of a dataset, those of the category of the task.
 
     Raises:
         EnvError: There are no assets, or some in a list have another category.
         ExportError: The folder holds no dataset.
-
-    Attributes:
-        task: The task.
-        keys: Their numbers: indices in a dataset or list, or seeds.
     """
 
     def __init__(self, task: Task, source: Source = None) -> None:
         self.task = task
+        self.keys: Sequence[int] = range(_SEEDS)  # indices in a dataset or list, or seeds
         self._known: Sequence[Asset] | None = None
-        self.keys: Sequence[int] = range(_SEEDS)
         if isinstance(source, range):
             self.keys = source
-        elif isinstance(source, str | Path | Dataset):
-            self._known = _of_category(task, source)
-            self.keys = range(len(self._known))
         elif source is not None:
-            self._known = _checked(task, source)
+            stored = isinstance(source, str | Path | Dataset)
+            self._known = _of_category(task, source) if stored else _checked(task, source)
             self.keys = range(len(self._known))
         if not len(self.keys):
             raise EnvError(
@@ -377,7 +358,7 @@ class Assets:
         return self.task.generate(key) if self._known is None else self._known[key]
 
 
-def _of_category(task: Task, source: str | Path | Dataset) -> Dataset:
+def _of_category(task: Task, source: Any) -> Dataset:
     dataset = source if isinstance(source, Dataset) else Dataset(source)
     found = sorted({str(record["category"]) for record in dataset.records})
     if task.category not in found:
@@ -422,10 +403,9 @@ class CompiledAsset:
     def target(self, number: int) -> Target:
         """Return a variant of the task, which depends only on the asset and the number."""
         if number not in self._targets:
+            rng = np.random.default_rng([self._key, number])
             try:
-                self._targets[number] = self._task.target(
-                    self.asset, np.random.default_rng([self._key, number])
-                )
+                self._targets[number] = self._task.target(self.asset, rng)
             except EnvError as error:
                 self._targets[number] = str(error)
         found = self._targets[number]

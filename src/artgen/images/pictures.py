@@ -13,8 +13,8 @@ from artgen._arrays import Array
 from artgen.asset import Asset
 from artgen.asset.files import ASSET_FILE
 from artgen.asset.record import json_text, rounded
+from artgen.dataset.places import Place
 from artgen.dataset.plan import Item
-from artgen.dataset.store import Target
 from artgen.images.draws import (
     Setting,
     Surroundings,
@@ -360,7 +360,7 @@ def _joints_of_links(
     return found
 
 
-def write_coco(target: Target, records: Sequence[Mapping[str, Any]], plan: "ImagePlan") -> None:
+def write_coco(place: Place, records: Sequence[Mapping[str, Any]], plan: "ImagePlan") -> None:
     """Write `train.json`, `val.json` and `test.json`; a longer plan keeps the ids of a shorter one."""
     part_of_seed = split_of(plan.seed, -(-plan.count // len(plan.categories)), plan.split)
     images: dict[str, list[dict[str, Any]]] = {part: [] for part in PARTS}
@@ -369,7 +369,7 @@ def write_coco(target: Target, records: Sequence[Mapping[str, Any]], plan: "Imag
     mask_id = 0
     for start in range(0, len(done), _BATCH):
         some = done[start : start + _BATCH]
-        texts = target.contents(f"{record['path']}/{ANNOTATION_FILE}" for _, record in some)
+        texts = place.contents(f"{record['path']}/{ANNOTATION_FILE}" for _, record in some)
         for number, record in some:
             part = part_of_seed[record["seed"]]
             data = json.loads(texts[f"{record['path']}/{ANNOTATION_FILE}"])
@@ -392,7 +392,7 @@ def write_coco(target: Target, records: Sequence[Mapping[str, Any]], plan: "Imag
             "images": images[part],
             "annotations": masks[part],
         }
-        target.write(f"{part}.json", json.dumps(data, allow_nan=False, ensure_ascii=False).encode())
+        place.write(f"{part}.json", json.dumps(data, allow_nan=False, ensure_ascii=False).encode())
 
 
 def split_of(first: int, count: int, shares: Sequence[float]) -> Mapping[int, str]:

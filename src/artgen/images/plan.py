@@ -10,9 +10,9 @@ from pathlib import Path
 from typing import Any, ClassVar, Literal, get_args
 
 from artgen.catalog import find
+from artgen.dataset.places import Place
 from artgen.dataset.plan import Draws, Item
 from artgen.dataset.run import Summary, generate_many
-from artgen.dataset.store import Target
 from artgen.errors import ParameterError, RenderError, nearest
 from artgen.images.pictures import PARTS, pictures_of, write_coco
 from artgen.materials.textures import check_size
@@ -109,9 +109,9 @@ class ImagePlan(Draws):
         """Return the pictures of an asset, their annotations, and its `asset.json`."""
         return pictures_of(item, self)
 
-    def finish(self, target: Target, records: Sequence[Mapping[str, Any]]) -> None:
+    def finish(self, place: Place, records: Sequence[Mapping[str, Any]]) -> None:
         """Write the files of COCO."""
-        write_coco(target, records, self)
+        write_coco(place, records, self)
 
     def to_data(self) -> dict[str, Any]:
         """Return the plan as JSON data."""

@@ -1,7 +1,9 @@
-"""A dataset at a URL that fsspec can open: `s3://bucket/set`, `gs://`, `sftp://`, ...
+"""Places of datasets: a folder on a disk, or a URL that fsspec can open, such as `s3://bucket/set`.
 
-Object stores have no renaming, links or locks. Therefore the `asset.json` of an asset is written last, a
-directory without it counts as absent, and an object with the name of the process marks a run.
+One run at a time writes to a place. On a disk, an asset is written below `.staging` and then renamed, so that
+its directory is complete or absent. Object stores have no renaming, links or locks. Therefore the
+`asset.json` of an asset is written last, a directory without it counts as absent, and an object with the name
+of the process marks a run.
 """
 
 import atexit
@@ -22,26 +24,158 @@ from urllib.request import url2pathname
 from artgen._arrays import cached_property
 from artgen._names import inside
 from artgen.asset.files import ASSET_FILE
-from artgen.dataset.disk import LOCK_FILE, PLAN_FILE, Disk, unseen
 from artgen.errors import ExportError
-from artgen.export.files import write_files
+from artgen.export.files import replaced, write_files
 
-_EVERY = 30.0  # time between two writes of a growing file [s]
+PLAN_FILE = "dataset.json"
+LOCK_FILE = ".lock"
+STAGING = ".staging"
+TEXTURE_DIRECTORY = "textures"
+
+GO_ON = "what is done stays, and the same command goes on from there"
+"""The end of each message about an interrupted run."""
+
+_INTERVAL = 30.0  # time between two writes of a growing object in a store [s]
+
+
+def _unseen(place: "Place") -> ExportError:
+    """Return the error of a worker without access to the place of the run."""
+    return ExportError(
+        f"process {os.getpid()} on {socket.gethostname()} does not see {place}; choose a folder or URL that "
+        "all processes share"
+    )
+
+
+class Disk:
+    """A folder on a disk; workers get a copy of this object. Paths are relative to it, with slashes."""
+
+    links = True  # assets can share texture maps by links
+
+    def __init__(self, path: Path) -> None:
+        self.path = path
+        self._staging = path / STAGING  # assets are written here; the folder exists during a run only
+
+    def __str__(self) -> str:
+        return str(self.path)
+
+    @contextmanager
+    def opened(self) -> Iterator[None]:
+        """Hold the place for one run; create it if necessary, and remove the remains of a killed run."""
+        self.path.mkdir(parents=True, exist_ok=True)
+        with locked(self.path):
+            shutil.rmtree(self._staging, ignore_errors=True)
+            self._staging.mkdir()
+            try:
+                yield
+            finally:
+                shutil.rmtree(self._staging, ignore_errors=True)
+
+    def names(self) -> list[str]:
+        """Return the names of the files and folders in the place, without those of the run."""
+        if self.path.is_file():
+            raise ExportError(f"cannot write a dataset to {self}: it is a file; choose another folder")
+        found = self.path.iterdir() if self.path.exists() else ()
+        return [each.name for each in found if each.name not in (LOCK_FILE, STAGING)]
+
+    def read(self, path: str) -> bytes | None:
+        """Return the content of a file; None if there is none."""
+        return self.contents([path]).get(path)
+
+    def contents(self, paths: Iterable[str]) -> dict[str, bytes]:
+        """Return the contents of the existing files."""
+        found = {}
+        for path in paths:
+            with suppress(FileNotFoundError, NotADirectoryError):
+                found[path] = (self.path / path).read_bytes()
+        return found
+
+    def complete(self, paths: Iterable[str]) -> set[str]:
+        """Return the directories that have an `asset.json`."""
+        return {path for path in paths if (self.path / path / ASSET_FILE).is_file()}
+
+    def write(self, path: str, content: bytes) -> None:
+        """Write a file, which is complete or absent."""
+        with replaced(inside(self.path, path)) as partial:
+            partial.write_bytes(content)
+
+    def append(self, path: str, line: str) -> None:
+        """Add a line to a file, on the disk at once."""
+        with (self.path / path).open("a", encoding="utf-8", newline="\n") as file:
+            file.write(line)
+
+    def put(self, files: Mapping[str, bytes], path: str, *, share: bool) -> None:
+        """Put an asset in its directory, which is complete or absent; an existing one stays."""
+        if not self._staging.is_dir():  # another machine would create its own folder
+            raise _unseen(self)
+        made, place = self._staging / uuid.uuid4().hex, inside(self.path, path)
+        store = self.path / TEXTURE_DIRECTORY if share else None
+        if store is not None:
+            store.mkdir(exist_ok=True)
+        write_files(files, made, store)
+        place.parent.mkdir(parents=True, exist_ok=True)
+        try:
+            made.rename(place)
+        except OSError:
+            if not (place / ASSET_FILE).is_file():
+                raise
+            shutil.rmtree(made, ignore_errors=True)
+
+    def local(self, path: str) -> Path:
+        """Return the directory of an asset on this machine."""
+        return inside(self.path, path)
+
+
+@contextmanager
+def locked(place: Path) -> Iterator[None]:
+    """Hold the lock of a folder or a file; the system releases it at the end of the process."""
+    kind = "folder" if place.is_dir() else "file"
+    lock = place / LOCK_FILE if kind == "folder" else place.with_name(f".{place.name}{LOCK_FILE}")
+    try:
+        descriptor = os.open(lock, os.O_RDWR | os.O_CREAT, 0o644)
+    except OSError as error:
+        raise ExportError(f"cannot write to {place}: {error.strerror}") from error
+    with os.fdopen(descriptor, "r+", encoding="ascii") as file:
+        try:
+            _lock(descriptor)
+        except OSError as error:
+            holder = file.read().strip() or "unknown"
+            raise ExportError(
+                f"another run (process {holder}) writes to {place}; wait until it is done, or choose "
+                f"another {kind}"
+            ) from error
+        file.truncate(0)
+        file.write(str(os.getpid()))
+        file.flush()
+        try:
+            yield
+        finally:
+            file.seek(0)
+            file.truncate(0)
+
+
+def _lock(descriptor: int) -> None:
+    """Lock an open file, or raise an OSError at once."""
+    if os.name == "nt":
+        import msvcrt
+
+        msvcrt.locking(descriptor, msvcrt.LK_NBLCK, 1)  # type: ignore[attr-defined]
+    else:
+        import fcntl
+
+        fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
 
 
 class Store:
-    """A place at a URL, with the methods of `Disk`; fsspec finds the credentials.
-
-    Attributes:
-        url: The URL.
-        links: Whether assets can share texture maps by links.
-    """
+    """A place at a URL, with the methods of `Disk`; fsspec finds the credentials."""
 
     links = False
 
     def __init__(self, url: str) -> None:
         self.url = url.rstrip("/")
-        with self._told():
+        self._growing: dict[str, bytearray] = {}  # content of growing objects, of which some is not written
+        self._written = time.monotonic()
+        with self._named_errors():
+            self._root = self._connection()[1].rstrip("/")
             self._files.invalidate_cache()  # other processes write to it as well
 
     def __str__(self) -> str:
@@ -51,28 +185,27 @@ class Store:
         """Pickle the URL only: another process makes its own connections and cache."""
         return Store, (self.url,)
 
-    def absolute(self) -> "Store":
-        """Return the place for processes with another working directory."""
-        return self
-
     @contextmanager
     def opened(self) -> Iterator[None]:
         """Hold the place for one run."""
         since = datetime.now(UTC).isoformat(timespec="seconds")
         run = f"process {os.getpid()} on {socket.gethostname()}, since {since}, run {uuid.uuid4().hex}"
         owner = run.encode()
-        with self._told():
+        with self._named_errors():
             self._own(owner)
         try:
             yield
         finally:
-            with self._told():
-                if self.read(LOCK_FILE) == owner:
-                    self._files.rm_file(self._at(LOCK_FILE))
+            with self._named_errors():
+                try:
+                    self._flush()
+                finally:
+                    if self.read(LOCK_FILE) == owner:
+                        self._files.rm_file(self._at(LOCK_FILE))
 
     def names(self) -> list[str]:
         """Return the names of the files and folders in the place, without those of the run."""
-        with self._told():
+        with self._named_errors():
             try:
                 found = self._files.ls(self._root, detail=True)
             except FileNotFoundError:
@@ -92,44 +225,52 @@ class Store:
         places = {self._at(path): path for path in paths}
         if not places:
             return {}
-        with self._told():
+        with self._named_errors():
             found = self._files.cat(list(places), on_error="return")
             for content in found.values():
                 if isinstance(content, Exception) and not isinstance(content, FileNotFoundError):
                     raise content
         return {places[at]: content for at, content in found.items() if isinstance(content, bytes)}
 
-    def write(self, path: str, content: bytes) -> None:
-        """Write a file, which is complete or absent."""
-        with self._told():
-            self._pipe({path: content})
-
-    def lines(self, path: str, text: str) -> "StoreLines":
-        """Open a file that grows by one line at a time."""
-        return StoreLines(self, path, text)
-
     def complete(self, paths: Iterable[str]) -> set[str]:
         """Return the directories that have an `asset.json`."""
-        with self._told():
+        with self._named_errors():
             self._files.invalidate_cache()
             there = set(self._files.find(self._root))
         return {path for path in paths if self._at(f"{path}/{ASSET_FILE}") in there}
 
+    def write(self, path: str, content: bytes) -> None:
+        """Write a file, which is complete or absent."""
+        with self._named_errors():
+            self._pipe({path: content})
+        self._growing.pop(path, None)
+        self._written = time.monotonic()
+
+    def append(self, path: str, line: str) -> None:
+        """Add a line to a file; it is written as a whole at intervals, because objects cannot grow."""
+        if path not in self._growing:
+            self._growing[path] = bytearray(self.read(path) or b"")
+        self._growing[path] += line.encode()
+        if time.monotonic() - self._written > _INTERVAL:
+            self._flush()
+
+    def _flush(self) -> None:
+        for path, content in list(self._growing.items()):
+            self.write(path, bytes(content))
+
     def put(self, files: Mapping[str, bytes], path: str, *, share: bool) -> None:
         """Put an asset in its directory, which is complete or counts as absent."""
-        with self._told():
+        with self._named_errors():
             if not self._files.exists(self._at(PLAN_FILE)):
-                raise unseen(self)
-            whole = {f"{path}/{name}": content for name, content in files.items()}
-            last = f"{path}/{ASSET_FILE}"
-            self._pipe({name: content for name, content in whole.items() if name != last})
-            self._pipe({last: whole[last]})
+                raise _unseen(self)
+            self._pipe({f"{path}/{name}": files[name] for name in files if name != ASSET_FILE})
+            self._pipe({f"{path}/{ASSET_FILE}": files[ASSET_FILE]})
 
     def local(self, path: str) -> Path:
         """Return the directory of an asset on this machine, fetched once."""
         place = inside(self._cache, path)
         if not place.exists():
-            with self._told():
+            with self._named_errors():
                 names = self._files.find(self._at(path))
             start = len(self._at(path)) + 1
             files = self.contents([f"{path}/{name[start:]}" for name in names])
@@ -142,17 +283,7 @@ class Store:
                 partial.rename(place)
         return place
 
-    @property
-    def _files(self) -> Any:
-        """The file system of fsspec."""
-        return self._opened_url()[0]
-
-    @property
-    def _root(self) -> str:
-        """The path of the place in that file system."""
-        return self._opened_url()[1]
-
-    def _opened_url(self) -> tuple[Any, str]:
+    def _connection(self) -> tuple[Any, str]:
         """Return file system and path; fsspec caches them, and reconnects in a forked process."""
         try:
             from fsspec.core import url_to_fs
@@ -162,7 +293,12 @@ class Store:
             files, root = url_to_fs(self.url)
         except (ImportError, ValueError) as error:  # unknown protocol, or its package is missing
             raise ExportError(f"{self.url} cannot be opened: {error}") from error
-        return files, root.rstrip("/")
+        return files, root
+
+    @property
+    def _files(self) -> Any:
+        """The file system of fsspec."""
+        return self._connection()[0]
 
     @cached_property
     def _cache(self) -> Path:
@@ -224,7 +360,7 @@ class Store:
             self._pipe({path: content})
 
     @contextmanager
-    def _told(self) -> Iterator[None]:
+    def _named_errors(self) -> Iterator[None]:
         """Convert any error of a store to an ExportError that names the place."""
         try:
             yield
@@ -237,50 +373,25 @@ class Store:
             ) from error
 
 
-class StoreLines:
-    """A growing file; it is written as a whole at intervals, because objects cannot grow."""
-
-    def __init__(self, store: Store, path: str, text: str) -> None:
-        self._store, self._path = store, path
-        self._parts = [text]
-        self._write()
-
-    def add(self, line: str) -> None:
-        """Add a line, which ends with a line break."""
-        self._parts.append(line)
-        self._new = True
-        if time.monotonic() - self._at > _EVERY:
-            self._write()
-
-    def close(self) -> None:
-        """Write the remaining lines."""
-        if self._new:
-            self._write()
-
-    def _write(self) -> None:
-        self._store.write(self._path, "".join(self._parts).encode())
-        self._at, self._new = time.monotonic(), False
-
-
 def is_url(place: str | Path) -> bool:
     """Tell whether a place is a URL; `file:` is one, and so are chained URLs, such as `zip::s3://x`."""
     return isinstance(place, str) and ("://" in place or "::" in place)
 
 
-Target = Disk | Store
+Place = Disk | Store
 """A place of a dataset."""
 
 
-def target_of(place: str | Path) -> Target:
+def place_of(path: str | Path) -> Place:
     """Return the place of a folder or URL."""
-    if isinstance(place, Path) or not is_url(place):
-        return Disk(Path(place))
-    parts = urlsplit(place)
+    if isinstance(path, Path) or not is_url(path):
+        return Disk(Path(path))
+    parts = urlsplit(path)
     if parts.scheme != "file":
-        return Store(place)
+        return Store(path)
     if parts.netloc not in ("", "localhost"):
         raise ExportError(
-            f"{place} names a folder of another machine ({parts.netloc!r}): a folder of this one is "
+            f"{path} names a folder of another machine ({parts.netloc!r}): a folder of this one is "
             "file:///PATH, with three slashes"
         )
     return Disk(Path(url2pathname(parts.path)))
