@@ -5,7 +5,7 @@ import json
 import numpy as np
 import pytest
 
-from artgen.demos.episode import Demo
+from artgen.demos import Demo
 from artgen.demos.run import is_replaceable, write_demos
 from artgen.errors import ExportError
 from artgen.export.files import replaced

@@ -11,7 +11,7 @@ import pytest
 from artgen.dataset.places import locked
 from artgen.dataset.workers import Ending
 from artgen.demos import make_demos, record
-from artgen.demos.run import Attempts, in_order
+from artgen.demos.run import Attempts
 from artgen.errors import CheckError, ExportError, ParameterError
 
 h5py = pytest.importorskip("h5py", reason="pip install 'artgen[demos]'")
@@ -19,17 +19,21 @@ gymnasium = pytest.importorskip("gymnasium", reason="pip install 'artgen[demos]'
 pytest.importorskip("robosuite", reason="pip install 'artgen[envs]'")
 
 
-def test_early_endings_wait_for_their_turn():
-    late_first = [Ending(item, "done", item) for item in (2, 0, 1, 3)]
-    assert [each.item for each in in_order(late_first, range(4))] == [0, 1, 2, 3]
-    endless = (Ending(item ^ 1, "done") for item in itertools.count())
-    assert [each.item for each in itertools.islice(in_order(endless, itertools.count()), 5)] == [
-        0,
-        1,
-        2,
-        3,
-        4,
-    ]
+def test_early_endings_wait_for_their_turn(tmp_path, monkeypatch):
+    arrived = []
+
+    def swapped(task, items, *, jobs, limit):
+        for item in items:
+            arrived.append(item ^ 1)
+            yield Ending(item ^ 1, "crashed" if item == 3 else "failed", message=f"attempt {item ^ 1}")
+
+    monkeypatch.setattr("artgen.demos.run.run_tasks", swapped)
+    attempts = Attempts(tmp_path / "attempts", {}, range(1000), record)
+    found = list(itertools.islice(attempts.endings(1), 5))
+    assert [each.item for each in found] == [0, 1, 2, 3, 4]
+    assert [each.state for each in found] == ["failed", "failed", "crashed", "failed", "failed"]
+    assert arrived == [1, 0, 3, 2, 5, 4], "no more attempts are made than are used"
+    assert attempts.left()[:3] == [2, 6, 7]
 
 
 def test_a_demonstration_ends_in_success_and_repeats_with_its_seed():

@@ -3,7 +3,6 @@
 `artgen demos OpenDrawer -n 100 --out DIR` and `make_demos` write `DIR/demo.hdf5` for imitation learning.
 """
 
-from artgen.demos.episode import Demo, record
-from artgen.demos.run import DEMO_FILE, DemoSummary, make_demos
+from artgen.demos.run import DEMO_FILE, Demo, DemoSummary, make_demos, record
 
 __all__ = ["DEMO_FILE", "Demo", "DemoSummary", "make_demos", "record"]

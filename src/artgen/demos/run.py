@@ -1,4 +1,4 @@
-"""Many demonstrations of a task, recorded by processes and written in the order of their seeds.
+"""Demonstrations of the scripted policy in a task, recorded by processes, in the order of their seeds.
 
 The HDF5 layout is that of robomimic: a group for each demonstration, and lists for training and validation.
 
@@ -23,13 +23,15 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from artgen.dataset.places import Disk, locked
 from artgen.dataset.workers import Ending, cores, run_job, run_tasks
-from artgen.demos.episode import Demo, check_task, record
-from artgen.errors import CheckError, ExportError, ParameterError
+from artgen.errors import CheckError, EnvError, ExportError, ParameterError
 from artgen.export.files import replaced
 from artgen.version import __version__
+
+Array = NDArray[Any]
 
 DEMO_FILE = "demo.hdf5"
 """The file with all demonstrations."""
@@ -41,9 +43,112 @@ _ATTEMPTS = ".attempts"  # folder of the attempts of an unfinished run
 _PLAN = "plan.json"
 _LIMIT = 900.0  # time limit for one attempt [s]
 _SPARE = 10  # attempts in addition to twice the number of demonstrations
+_AFTERWARDS = 40  # most steps after success, in which the hand releases
 _SERIES = ("actions", "applied", "rewards", "dones", "states")
 _OBSERVED = "obs/"  # prefix of the names of observations in the file of an attempt
 _GYM = 2  # robomimic's type of Gymnasium environments
+
+
+@dataclass(frozen=True, eq=False)
+class Demo:
+    """An episode of n steps.
+
+    Attributes:
+        seed: Seed of the asset and of all random numbers.
+        asset: Name of the asset.
+        success: Whether the task succeeded.
+        observations: Observations by name, before the first step and after each, shape (n + 1, ...).
+        actions: Action of the policy in each step, shape (n, 7), in [-1, 1].
+        applied: The actions with noise, shape (n, 7), in [-1, 1].
+        rewards: Reward of each step, shape (n,).
+        dones: 1 in the last step, else 0, shape (n,).
+        states: Time, positions and velocities of MuJoCo before each step, shape (n, m).
+    """
+
+    seed: int
+    asset: str
+    success: bool
+    observations: dict[str, Array]
+    actions: Array
+    applied: Array
+    rewards: Array
+    dones: Array
+    states: Array
+
+    def __len__(self) -> int:
+        return len(self.actions)
+
+
+def _check_task(task: str) -> None:
+    """Check that a task exists and the environments are installed."""
+    try:
+        from artgen.envs.task import find_task
+    except ImportError as error:
+        raise EnvError(f"tasks need the package {error.name}: pip install 'artgen[envs]'") from error
+    find_task(task)
+
+
+def record(task: str, seed: int, *, image: int = 0, noise: float = 0.0) -> Demo:
+    """Record one attempt of the scripted policy at a task; it goes on for some steps after success.
+
+    Args:
+        task: Name of the task.
+        seed: Seed of the asset and of all random numbers.
+        image: Pixels per side of the pictures in the observations; 0 for none.
+        noise: Standard deviation of the noise on the motion of the arm.
+
+    Raises:
+        ParameterError: There is no such task.
+        EnvError: The environment cannot be made.
+    """
+    _check_task(task)
+    import gymnasium
+
+    from artgen.envs.policy import ScriptedPolicy
+
+    mode = "rgb_array" if image else None
+    env = gymnasium.make(f"artgen/{task}-v0", terminate_on_success=False, render_mode=mode)
+    scene: Any = env.unwrapped
+    try:
+        env.reset(seed=seed, options={"asset": seed})
+        policy, rng = ScriptedPolicy(scene), np.random.default_rng((seed, 1))
+        states, seen = [_state(scene)], [_observations(scene, image)]
+        actions, applied, rewards = [], [], []
+        success, over, left = False, False, _AFTERWARDS
+        while not over and left > 0 and not (success and policy.done):
+            action = np.clip(policy.action(), -1.0, 1.0).astype(np.float32)
+            disturbed = action.copy()  # no noise on the fingers
+            disturbed[:6] = np.clip(disturbed[:6] + noise * rng.standard_normal(6), -1.0, 1.0)
+            _, reward, ended, truncated, info = env.step(disturbed)
+            states.append(_state(scene))
+            seen.append(_observations(scene, image))
+            actions.append(action)
+            applied.append(disturbed)
+            rewards.append(float(reward))
+            success, over = success or bool(info["success"]), ended or truncated
+            left -= success
+        name = scene.asset.name
+    finally:
+        env.close()
+    dones = np.zeros(len(actions), np.int64)
+    dones[-1] = 1
+    observations = {key: np.stack([each[key] for each in seen]) for key in seen[0]}
+    series = np.stack(actions), np.stack(applied), np.array(rewards), dones, np.stack(states[:-1])
+    return Demo(seed, name, success, observations, *series)
+
+
+def _state(scene: Any) -> Array:
+    """Return the state of the simulation in the order of robosuite."""
+    return np.concatenate(([scene.data.time], scene.data.qpos, scene.data.qvel))
+
+
+def _observations(scene: Any, image: int) -> dict[str, Array]:
+    """Return the observations of the current state."""
+    found: dict[str, Array] = {"state": scene.state()}
+    if image:
+        found["image"] = scene.picture(image, camera="front")
+        found["hand_image"] = scene.picture(image, camera="hand")
+    return found
 
 
 @dataclass(frozen=True)
@@ -99,7 +204,7 @@ def make_demos(
             reports an error.
         CheckError: The policy fails too often; nothing is written.
     """
-    check_task(task)
+    _check_task(task)
     _check("the number of demonstrations", count, 1, 10_000_000)
     _check("the size of an image", image, 0, 4096)
     _check("the noise", noise, 0.0, 1.0)
@@ -125,9 +230,15 @@ def make_demos(
             if len(succeeded) == count:
                 return
 
-    with locked(_folder(file.parent)), replaced(file) as partial_file:
-        made_by = partial(record, task, image=image, noise=noise)
-        attempts = Attempts(file.parent / _ATTEMPTS, plan, seeds, made_by)
+    try:
+        file.parent.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise ExportError(
+            f"cannot write to {file.parent}: {error.strerror}; choose another directory"
+        ) from error
+    with locked(file.parent), replaced(file) as partial_file:
+        task_of_seed = partial(record, task, image=image, noise=noise)
+        attempts = Attempts(file.parent / _ATTEMPTS, plan, seeds, task_of_seed)
         with closing(attempts.endings(jobs or cores())) as endings:
             steps = write_demos(partial_file, successes(endings), f"artgen/{task}-v0", {"obs": "state"})
         if len(succeeded) < count:
@@ -150,8 +261,7 @@ class Attempts:
         self.task, self._seeds, self._folder = task, seeds, Disk(folder)
         text = json.dumps(dict(plan), sort_keys=True).encode()
         if self._folder.read(_PLAN) != text:  # attempts of another plan
-            if folder.exists():
-                shutil.rmtree(folder)
+            self.remove()
             self._folder.write(_PLAN, text)
 
     def left(self) -> list[int]:
@@ -184,10 +294,14 @@ class Attempts:
 
     def endings(self, jobs: int) -> Generator[Ending]:
         """Yield the endings of all attempts in the order of the seeds; missing ones are made."""
-        left = set(self.left())
-        made = in_order(run_job(self, partial(run_tasks, jobs=jobs), limit=_LIMIT), sorted(left))
+        arriving = run_job(self, partial(run_tasks, jobs=jobs), limit=_LIMIT)
+        killed: dict[int, Ending] = {}
         for seed in self._seeds:
-            yield next(made) if seed in left else self.read(seed)
+            while seed not in killed and not self._path(seed).exists():
+                ending = next(arriving)
+                if not self._path(ending.item).exists():
+                    killed[ending.item] = ending
+            yield killed.get(seed) or self.read(seed)
 
     def remove(self) -> None:
         """Remove the folder."""
@@ -195,17 +309,6 @@ class Attempts:
 
     def _path(self, seed: int) -> Path:
         return self._folder.path / f"{seed}.npz"
-
-
-def in_order(endings: Iterable[Ending], items: Iterable[Any]) -> Iterator[Ending]:
-    """Yield endings in the order of their items; early ones wait."""
-    early: dict[Any, Ending] = {}
-    arriving = iter(endings)
-    for item in items:
-        while item not in early:
-            ending = next(arriving)
-            early[ending.item] = ending
-        yield early.pop(item)
 
 
 def write_demos(path: Path, demos: Iterable[Demo], environment: str, arguments: Mapping[str, Any]) -> int:
@@ -262,14 +365,6 @@ def is_replaceable(path: Path) -> bool:
             return str(json.loads(file["data"].attrs["env_args"])["env_name"]).startswith("artgen/")
     except (OSError, KeyError, ValueError, TypeError):
         return False
-
-
-def _folder(path: Path) -> Path:
-    try:
-        path.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise ExportError(f"cannot write to {path}: {error.strerror}; choose another directory") from error
-    return path
 
 
 def _check(name: str, value: float, least: float, most: float) -> None:
