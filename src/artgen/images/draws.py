@@ -6,24 +6,22 @@ row j spans i..i+1 and j..j+1, so its center lies at (i + 0.5, j + 0.5), as for 
 
 import colorsys
 import math
-from collections.abc import Collection, Mapping
+from collections.abc import Collection
 from dataclasses import asdict, dataclass, replace
 from typing import Any
 
 import numpy as np
 
 from artgen._arrays import Array
-from artgen.asset import Asset, AssetJoint
-from artgen.export.frames import Region, leader_of, regions
+from artgen.asset import Asset
+from artgen.export.frames import Region, intersection, leader_of, regions
 from artgen.view.camera import Camera, View
 
 Color = tuple[float, float, float]  # red, green and blue, 0-1
 
+# materials of random floors and walls
 FLOORS = ("oak", "walnut_flat_sawn", "pine", "marble", "granite", "black_granite", "linen", "canvas", "mdf")
-"""Materials of random floors."""
-
 WALLS = ("linen", "marble", "plywood", "cardboard", "fabric", "beech", "mdf", "granite")
-"""Materials of random walls."""
 
 _PLAIN_SKY = (0.80, 0.80, 0.80)
 
@@ -39,56 +37,40 @@ def random_positions(asset: Asset, draw: np.random.Generator) -> dict[str, float
     Most joints stand anywhere between their limits, some at rest. For a blocked joint, either the blocking
     joint is moved (the door for a rack), or the joint is put back. A certified asset has no collision there.
     """
-    free = {joint.name: joint for joint in asset.free_joints}
-    limits = {name: joint.limits or (-math.pi, math.pi) for name, joint in free.items()}
+    closed = {joint.name: joint.closed for joint in asset.free_joints}
+    limits = {joint.name: joint.limits or (-math.pi, math.pi) for joint in asset.free_joints}
+    leaders = {joint.name: leader_of(asset, joint)[0] for joint in asset.joints}
     q = {name: float(draw.uniform(low, high)) for name, (low, high) in limits.items()}
-    q |= {name: free[name].closed for name in free if draw.random() > _MOVED}
+    q |= {name: closed[name] for name in closed if draw.random() > _MOVED}
     freed = {joint.name: draw.random() < _FREED for joint in asset.joints}
+
+    def back(name: str) -> dict[str, float]:
+        return {leader: closed[leader] for leader in (leaders[name],) if leader in closed}
+
     for _ in range(_ROUNDS):
         for name in asset.blocked(q):
-            joint = asset.joint(name)
-            q |= _freeing(asset, joint, free, draw) if freed[name] else _back(asset, joint, free)
+            q |= (_freeing(asset, name, limits, draw) if freed[name] else {}) or back(name)
     # joints that are still blocked go back, which may block others: repeat until nothing changes
-    while blocked := [name for name in asset.blocked(q) if _is_away(asset, name, q, free)]:
+    while blocked := [name for name in asset.blocked(q) if not back(name).items() <= q.items()]:
         for name in blocked:
-            q |= _back(asset, asset.joint(name), free)
-    return q if not asset.blocked(q) else {name: joint.closed for name, joint in free.items()}
+            q |= back(name)
+    return closed if asset.blocked(q) else q
 
 
-def _back(asset: Asset, joint: AssetJoint, free: Mapping[str, AssetJoint]) -> dict[str, float]:
-    leader = leader_of(asset, joint)[0]
-    return {leader: free[leader].closed} if leader in free else {}
-
-
-def _is_away(asset: Asset, name: str, q: Mapping[str, float], free: Mapping[str, AssetJoint]) -> bool:
-    leader = leader_of(asset, asset.joint(name))[0]
-    return leader in free and q[leader] != free[leader].closed
-
-
-def _freeing(
-    asset: Asset, joint: AssetJoint, free: Mapping[str, AssetJoint], draw: np.random.Generator
-) -> dict[str, float]:
-    """Return positions of other joints that free a joint; if there are none, put the joint back."""
-    assert joint.needs is not None
-    found = (_within_limits(region, free) for region in regions(asset, joint.needs.condition))
-    boxes = [box for box in found if box is not None]
+def _freeing(asset: Asset, name: str, limits: Region, draw: np.random.Generator) -> dict[str, float]:
+    """Return positions of other joints that free a joint; empty if there are none within the limits."""
+    needs = asset.joint(name).needs
+    assert needs is not None
+    boxes = [
+        intersection([region, {each: limits[each] for each in region}])
+        for region in regions(asset, needs.condition)
+        if region.keys() <= limits.keys()
+    ]
+    boxes = [box for box in boxes if all(low < high for low, high in box.values())]
     if not boxes:
-        return _back(asset, joint, free)
+        return {}
     box = boxes[int(draw.integers(len(boxes)))]
-    return {name: float(draw.uniform(low, high)) for name, (low, high) in box.items()}
-
-
-def _within_limits(region: Region, free: Mapping[str, AssetJoint]) -> Region | None:
-    """Return the part of a region within the limits of the joints; None if it is empty."""
-    found = {}
-    for name, (low, high) in region.items():
-        if name not in free:
-            return None
-        least, most = free[name].limits or (-math.pi, math.pi)
-        if max(low, least) >= min(high, most):
-            return None
-        found[name] = (max(low, least), min(high, most))
-    return found
+    return {each: float(draw.uniform(low, high)) for each, (low, high) in box.items()}
 
 
 def random_camera(
@@ -108,20 +90,15 @@ def random_camera(
         float(draw.uniform(*field_of_view)),
         float(draw.uniform(*margin)),
     )
-    return _shifted(view.camera(points), points, draw)
-
-
-def _shifted(camera: Camera, points: Array, draw: np.random.Generator) -> Camera:
-    """Return the camera moved aside with all points in the picture, and never below the floor."""
+    camera = view.camera(points)
     seen = camera.pixels(points, (1, 1))  # in fractions of the picture
     free = np.clip(np.minimum(seen.min(axis=0), 1.0 - seen.max(axis=0)), 0.0, 1.0)
     across, up = draw.uniform(-_ASIDE, _ASIDE, 2) * free
     right, above, forward = camera.axes()
     depth = float(((points - camera.position) @ forward).min())  # the nearest points move farthest
     move = 2.0 * depth * math.tan(camera.field_of_view / 2.0) * (across * right + up * above)
-    floor = float(points[:, 2].min())
-    if camera.position[2] + move[2] < floor + 0.02 * depth:
-        move[2] = 0.0
+    if camera.position[2] + move[2] < float(points[:, 2].min()) + 0.02 * depth:
+        move[2] = 0.0  # never below the floor
     return replace(
         camera, position=tuple(camera.position + move), target=tuple(np.array(camera.target) + move)
     )
@@ -171,24 +148,24 @@ class Light:
 class Setting:
     """Light and surroundings of one picture."""
 
-    light: Light = Light()
-    horizon: Color = _PLAIN_SKY  # color of the sky at the horizon and below
-    zenith: Color = _PLAIN_SKY  # color of the sky at the zenith
-    floor: int = -1  # index of the floor; -1 for none
-    floor_tint: Color = (1.0, 1.0, 1.0)  # factor of its colors
-    floor_turn: float = 0.0  # rotation about z [rad]
-    wall: int = -1  # index of the wall behind the asset; -1 for none
-    wall_tint: Color = (1.0, 1.0, 1.0)  # factor of its colors
-    wall_turn: float = 0.0  # rotation about z [rad]
-    wall_distance: float = 1.5  # distance from the center of the asset, relative to its radius
+    light: Light
+    horizon: Color  # color of the sky at the horizon and below
+    zenith: Color  # color of the sky at the zenith
+    floor: int  # index of the floor; -1 for none
+    floor_tint: Color  # factor of its colors
+    floor_turn: float  # rotation about z [rad]
+    wall: int  # index of the wall behind the asset; -1 for none
+    wall_tint: Color  # factor of its colors
+    wall_turn: float  # rotation about z [rad]
+    wall_distance: float  # distance from the center of the asset, relative to its radius
 
 
 @dataclass(frozen=True)
 class Surroundings:
-    """Floors and walls for the pictures of one asset."""
+    """Materials of floors and walls for the pictures of one asset."""
 
-    floors: tuple[str, ...] = ()  # materials of the floors
-    walls: tuple[str, ...] = ()  # materials of the walls
+    floors: tuple[str, ...] = ()
+    walls: tuple[str, ...] = ()
 
 
 def random_surroundings(random: Collection[str], draw: np.random.Generator) -> Surroundings:

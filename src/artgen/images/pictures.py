@@ -25,7 +25,7 @@ from artgen.images.draws import (
     random_setting,
     random_surroundings,
 )
-from artgen.materials import material
+from artgen.materials import material as find_material
 from artgen.sampling.distributions import stream
 from artgen.version import __version__
 from artgen.view.camera import Camera
@@ -36,7 +36,10 @@ from artgen.view.studio import ribbon
 if TYPE_CHECKING:
     from artgen.images.plan import ImagePlan
 
+PARTS = ("train", "val", "test")  # of a set; each has a COCO file
+ANNOTATION_FILE = "annotations.json"  # of the pictures of one asset; the COCO files are made from them
 
+_BATCH = 64  # number of assets that are read at once
 _SKY_TEXELS = 32
 _WIDE = 40.0  # half the size of floors and walls, over the radius of the asset
 _NEARER = 0.15  # nearest depth with a floor, over that of the asset alone
@@ -72,7 +75,7 @@ class ImageScene(RenderScene):
         ):
             for number, name in enumerate(names):
                 # its own name separates its tint from that of the asset
-                made = replace(material(name), name=f"{kind}_{name}")
+                made = replace(find_material(name), name=f"{kind}_{name}")
                 body = spec.worldbody.add_body(name=f"{kind}_{number}", mocap=True)
                 builder.add_surroundings(body, f"{kind}_{number}", mesh, made, texels)
 
@@ -87,23 +90,29 @@ class ImageRenderer(Renderer):
 
     def __init__(self, asset: Asset, around: Surroundings, textures: int, size: int) -> None:
         super().__init__(ImageScene(asset, around, textures, large=size >= _LARGE), (size, size))
-        self.around = around
-        self._setting = Setting()
         self._size_of_picture = (size, size)
-        self._tints = {
-            (kind, number): self.scene.model.mat_rgba[self._material(kind, number)].copy()
-            for kind, names in (("floor", around.floors), ("wall", around.walls))
-            for number in range(len(names))
+        self._setting: Setting  # of the current picture
+        named = {"floor": around.floors, "wall": around.walls}
+        self._boards = {
+            kind: [self._board(f"{kind}_{number}") for number in range(len(names))]
+            for kind, names in named.items()
         }
 
+    def _board(self, name: str) -> tuple[int, int, int, Array]:
+        """Return the indices of geom, mocap body and material of a floor or wall, and its color."""
+        model = self.scene.model
+        geom = int(model.geom(name).id)
+        material = int(model.geom_matid[geom])
+        return geom, int(model.body(name).mocapid[0]), material, model.mat_rgba[material].copy()
+
     def take(
-        self, camera: Camera, poses: Mapping[str, Array], points: Array, setting: Setting, samples: int
+        self, shot: "Shot", points: Array, samples: int
     ) -> tuple[NDArray[np.uint8], NDArray[np.int32], Array]:
-        """Return colors, the surface of each pixel, and depths."""
-        self._setting = setting
-        studio = self.scene.place.turned(camera)
+        """Return colors, the surface of each pixel, and depths; `points` are the vertices of all links."""
+        self._setting = shot.setting
+        studio = self.scene.place.turned(shot.camera)
         self._furnish(points @ studio[:3, :3].T + studio[:3, 3])
-        placed, moved = self.scene.placed(camera, poses)
+        placed, moved = self.scene.placed(shot.camera, shot.poses)
         color = self.color(placed, moved, self._size_of_picture, samples)
         return color, *self.surfaces(placed, moved, self._size_of_picture)
 
@@ -122,19 +131,12 @@ class ImageRenderer(Renderer):
     def _stand(self, kind: str, chosen: int, turn: float, at: Any, tint: Any) -> None:
         """Show one of the floors or walls, and hide the others."""
         model, data = self.scene.model, self.scene.data
-        names = self.around.floors if kind == "floor" else self.around.walls
-        for number in range(len(names)):
-            shown = number == chosen
-            model.geom_group[model.geom(f"{kind}_{number}").id] = STUDIO_GROUP if shown else HIDDEN_GROUP
-            if shown:
-                mocap = model.body(f"{kind}_{number}").mocapid[0]
+        for number, (geom, mocap, material, color) in enumerate(self._boards[kind]):
+            model.geom_group[geom] = STUDIO_GROUP if number == chosen else HIDDEN_GROUP
+            if number == chosen:
                 data.mocap_pos[mocap] = at
                 data.mocap_quat[mocap] = (np.cos(turn / 2.0), 0.0, 0.0, np.sin(turn / 2.0))
-                model.mat_rgba[self._material(kind, number)] = self._tints[kind, number] * (*tint, 1.0)
-
-    def _material(self, kind: str, number: int) -> int:
-        model = self.scene.model
-        return int(model.geom_matid[model.geom(f"{kind}_{number}").id])
+                model.mat_rgba[material] = color * (*tint, 1.0)
 
     def _paint_sky(self) -> None:
         """Paint the sky with a gradient from horizon to zenith."""
@@ -172,44 +174,14 @@ class ImageRenderer(Renderer):
             lamp.specular = [0.0] * 3
 
 
-def encoded_color(pixels: NDArray[np.uint8], form: str) -> bytes:
-    """Return colors, shape (height, width, 3), as PNG or JPEG."""
-    return _png(pixels) if form == "png" else _encoded(pixels, "JPEG", quality=_JPEG_QUALITY)
-
-
-def encoded_depth(depth: Array) -> tuple[bytes, float]:
-    """Return depths as a 16-bit PNG, 0 for nothing, and the depth of one step [m]."""
-    seen = np.isfinite(depth)
-    scale = float(depth[seen].max()) / _MOST if seen.any() else 1.0
-    steps = np.rint(np.where(seen, depth, 0.0) / scale)
-    return _png(steps.astype(np.uint16)), scale
-
-
-def encoded_normals(normals: Array) -> bytes:
-    """Return unit normals, shape (height, width, 3), as PNG: 127.5 + 127.5 n, black for nothing."""
-    seen = np.abs(normals).sum(axis=-1, keepdims=True) > 0.0
-    return _png(np.where(seen, np.rint(127.5 + 127.5 * normals), 0.0).astype(np.uint8))
-
-
-def _png(pixels: NDArray[Any]) -> bytes:
-    return _encoded(pixels, "PNG", compress_level=_PNG_LEVEL)
-
-
-def _encoded(pixels: NDArray[Any], form: str, **options: int) -> bytes:
+def _encoded(pixels: NDArray[Any], form: str = "png") -> bytes:
+    """Return pixels as PNG or JPEG."""
     from PIL import Image
 
+    options = {"compress_level": _PNG_LEVEL} if form == "png" else {"quality": _JPEG_QUALITY}
     content = BytesIO()
-    Image.fromarray(pixels).save(content, form, **options)
+    Image.fromarray(pixels).save(content, "PNG" if form == "png" else "JPEG", **options)
     return content.getvalue()
-
-
-PARTS = ("train", "val", "test")
-"""Names of the parts of a set, and of their COCO files."""
-
-_BATCH = 64  # number of assets that are read at once
-
-ANNOTATION_FILE = "annotations.json"
-"""Annotations of the pictures of one asset, in its directory; the COCO files are made from them."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -219,7 +191,6 @@ class Shot:
     name: str  # stem of its files
     q: Mapping[str, float]  # positions of the free joints [rad or m]
     poses: Mapping[str, Array]  # displacement of each link from rest, shape (4, 4)
-    points: Array  # the vertices of all links, in asset coordinates, shape (n, 3) [m]
     camera: Camera
     setting: Setting
 
@@ -233,40 +204,34 @@ def pictures_of(item: Item, plan: "ImagePlan") -> dict[str, bytes]:
     renderer = ImageRenderer(asset, around, plan.texture_size, plan.size)
     try:
         for number in range(plan.images):
-            shot = _shot(asset, item, plan, around, number)
-            color, surfaces, depth = renderer.take(
-                shot.camera, shot.poses, shot.points, shot.setting, plan.samples
+            draw = stream(item.seed, f"{item.category}/images/{number}")
+            q = random_positions(asset, draw)
+            poses = asset.pose(q)
+            points = np.concatenate(
+                [
+                    surface.mesh.vertices @ poses[link.name][:3, :3].T + poses[link.name][:3, 3]
+                    for link in asset.links
+                    for surface in link.surfaces
+                ]
             )
+            camera = random_camera(
+                points,
+                draw,
+                field_of_view=plan.field_of_view,
+                elevation=plan.elevation,
+                azimuth=plan.azimuth,
+                margin=plan.margin,
+            )
+            shot = Shot(f"{number:02d}", q, poses, camera, random_setting(around, plan.random, draw))
+            color, surfaces, depth = renderer.take(shot, points, plan.samples)
             written, data = _annotated(asset, item, plan, shot, surfaces, depth)
-            files |= {f"{shot.name}.{plan.picture}": encoded_color(color, plan.picture)} | written
+            files |= {f"{shot.name}.{plan.picture}": _encoded(color, plan.picture)} | written
             found.append(data)
     finally:
         renderer.close()
     files[ANNOTATION_FILE] = json_text({"images": found}).encode()
     files[ASSET_FILE] = json_text(asset.to_data() | {"formats": {}}).encode()
     return files
-
-
-def _shot(asset: Asset, item: Item, plan: "ImagePlan", around: Surroundings, number: int) -> Shot:
-    """Draw pose, camera and setting of one picture."""
-    draw = stream(item.seed, f"{item.category}/images/{number}")
-    q = random_positions(asset, draw)
-    poses = asset.pose(q)
-    seen = [
-        surface.mesh.vertices @ poses[link.name][:3, :3].T + poses[link.name][:3, 3]
-        for link in asset.links
-        for surface in link.surfaces
-    ]
-    points = np.concatenate(seen)
-    camera = random_camera(
-        points,
-        draw,
-        field_of_view=plan.field_of_view,
-        elevation=plan.elevation,
-        azimuth=plan.azimuth,
-        margin=plan.margin,
-    )
-    return Shot(f"{number:02d}", q, poses, points, camera, random_setting(around, plan.random, draw))
 
 
 def _annotated(
@@ -289,15 +254,20 @@ def _annotated(
     }
     shown = [(link.name, surface) for link in asset.links for surface in link.surfaces]
     if plan.depth:
-        name = f"{shot.name}_depth.png"
-        files[name], data["depth_scale"] = encoded_depth(depth)
+        name = f"{shot.name}_depth.png"  # 16 bits, 0 for nothing
+        seen = np.isfinite(depth)
+        scale = float(depth[seen].max()) / _MOST if seen.any() else 1.0
+        files[name] = _encoded(np.rint(np.where(seen, depth, 0.0) / scale).astype(np.uint16))
+        data["depth_scale"] = scale  # depth of one step [m]
         data["depth_file"] = f"{item.path}/{name}"
     if plan.normals:
-        name = f"{shot.name}_normals.png"
+        name = f"{shot.name}_normals.png"  # 127.5 + 127.5 n, black for nothing
         meshes = [surface.mesh.moved(shot.poses[link]) for link, surface in shown]
         rays = shot.camera.rays((plan.size, plan.size))
         normals = cast(meshes, np.array(shot.camera.position), rays).normals @ matrix[:3, :3].T
-        files[name] = encoded_normals(normals.reshape(plan.size, plan.size, 3))
+        hit = np.abs(normals).sum(axis=-1, keepdims=True) > 0.0
+        pixels = np.where(hit, np.rint(127.5 + 127.5 * normals), 0.0).astype(np.uint8)
+        files[name] = _encoded(pixels.reshape(plan.size, plan.size, 3))
         data["normals_file"] = f"{item.path}/{name}"
     vocabulary = plan.vocabulary()
     names = vocabulary.names[asset.category]

@@ -159,14 +159,6 @@ def make_images(
         ExportError: The folder holds something else, another run writes to it, or the disk reports an error;
             finished assets stay.
     """
-    _check_tools(plan)
-    os.environ.setdefault("LP_NUM_THREADS", "0")  # otherwise Mesa uses all cores in every process
-    limit = 600.0 + 60.0 * plan.images if limit is None else limit
-    return generate_many(plan, directory, jobs=jobs, limit=limit, progress=progress, begin=begin)
-
-
-def _check_tools(plan: ImagePlan) -> None:
-    """Check OpenGL and the packages."""
     gl.available()
     needed = {"mujoco": "draws pictures", "pycocotools": "encodes masks"}
     if plan.normals:
@@ -176,6 +168,9 @@ def _check_tools(plan: ImagePlan) -> None:
             raise RenderError(f'{name}, which {purpose}, is not installed: pip install "artgen[images]"')
     gl.claim_process()
     gl.context(16, 16).free()
+    os.environ.setdefault("LP_NUM_THREADS", "0")  # otherwise Mesa uses all cores in every process
+    limit = 600.0 + 60.0 * plan.images if limit is None else limit
+    return generate_many(plan, directory, jobs=jobs, limit=limit, progress=progress, begin=begin)
 
 
 @dataclass(frozen=True)
