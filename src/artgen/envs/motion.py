@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
+from scipy.spatial.transform import Rotation
 
 from artgen._arrays import Array
 from artgen.asset import rotation
@@ -109,31 +110,18 @@ def turned(pose: Array, axis: int, angle: float) -> Array:
 def between(first: Array, second: Array, shift: float, turn: float) -> list[Array]:
     """Return poses between two, without both, at most a distance [m] and an angle [rad] apart."""
     vector = rotation_vector(second[:3, :3] @ first[:3, :3].T)
-    angle = float(np.linalg.norm(vector))
     apart = second[:3, 3] - first[:3, 3]
-    count = int(np.ceil(max(float(np.linalg.norm(apart)) / shift, angle / turn)))
-    result = []
-    for share in np.arange(1, count) / max(count, 1):
-        pose = first.copy()
-        pose[:3, :3] = rotation(vector / max(angle, 1e-9), share * angle) @ first[:3, :3]
-        pose[:3, 3] += share * apart
-        result.append(pose)
-    return result
+    count = int(np.ceil(max(float(np.linalg.norm(apart)) / shift, float(np.linalg.norm(vector)) / turn)))
+    shares = np.arange(1, count)[:, None] / max(count, 1)
+    result = np.tile(first, (len(shares), 1, 1))
+    result[:, :3, :3] = Rotation.from_rotvec(shares * vector).as_matrix() @ first[:3, :3]
+    result[:, :3, 3] += shares * apart
+    return list(result)
 
 
 def rotation_vector(matrix: Array) -> Array:
     """Return the axis of a rotation times its angle, shape (3,) [rad]."""
-    vector = np.array([matrix[2, 1] - matrix[1, 2], matrix[0, 2] - matrix[2, 0], matrix[1, 0] - matrix[0, 1]])
-    sine = float(np.linalg.norm(vector))
-    angle = float(np.arctan2(sine, np.trace(matrix) - 1.0))
-    if sine > 1e-6:
-        return np.asarray(vector * (angle / sine))
-    if angle < 1.0:
-        return np.zeros(3)
-    axis = np.sqrt(np.maximum(np.diag(matrix) + 1.0, 0.0) / 2.0)  # half a turn
-    largest = int(np.argmax(axis))
-    axis *= np.where(matrix[largest] + matrix[:, largest] < 0.0, -1.0, 1.0)
-    return np.asarray(angle * axis / np.linalg.norm(axis))
+    return np.asarray(Rotation.from_matrix(matrix, assume_valid=True).as_rotvec())
 
 
 def contact_of(affordance: Affordance, back: float = BACK) -> Contact:
