@@ -96,7 +96,7 @@ class ManipulationEnv(gymnasium.Env[Any, NDArray[np.float32]]):
         self._visual = obs == "rgb" or render_mode is not None
         self._size, self._textures = size, textures
         self._cache_size, self._layouts = cache_size, layouts_per_asset
-        self._pictures = Pictures()
+        self._pictures: Pictures | None = None
         self._next_asset = self._step = 0
         self._scene: TaskScene | None = None
         self._target: Target | None = None
@@ -163,7 +163,7 @@ class ManipulationEnv(gymnasium.Env[Any, NDArray[np.float32]]):
 
     def close(self) -> None:
         """Free the model and the renderer."""
-        self._pictures.close()
+        self._close_pictures()
         self._scene = None
 
     @property
@@ -269,7 +269,16 @@ class ManipulationEnv(gymnasium.Env[Any, NDArray[np.float32]]):
             raise EnvError("pictures need render_mode='rgb_array' or obs='rgb' when the environment is made")
         if camera not in CAMERAS:
             raise ParameterError(f"there is no camera {camera!r}.{nearest(camera, CAMERAS)}")
-        return self._pictures.take(self.scene, size, camera, shadows=shadows)
+        pictures = self._pictures
+        if pictures is None or pictures.scene is not self.scene or not pictures.fits((size, size)):
+            self._close_pictures()
+            pictures = self._pictures = Pictures(self.scene, size)
+        return pictures.take(size, camera, shadows=shadows)
+
+    def _close_pictures(self) -> None:
+        if self._pictures is not None:
+            self._pictures.close()
+        self._pictures = None
 
     def _set_up(self, chosen: int | None) -> tuple[TaskScene, Target]:
         """Return the scene and the target of the chosen or the next suitable asset."""

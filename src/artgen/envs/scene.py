@@ -19,6 +19,7 @@ from artgen.export.meshes import mesh_files
 from artgen.export.mjcf import mjcf_tree
 from artgen.export.text import document
 from artgen.view import gl
+from artgen.view.rendering import Renderer
 
 TIME_STEP = 0.0025  # of the physics: half the time constant of contacts and limits in the exports [s]
 STEPS = 20  # physics steps per action
@@ -263,22 +264,22 @@ def _strip(root: ET.Element) -> None:
                 parent.remove(element)
 
 
-class Pictures:
-    """Renders scenes without a window; it keeps the graphics resources of the last one."""
+class Pictures(Renderer):
+    """Draws one scene from its cameras; `close` frees the graphics memory."""
 
-    def __init__(self) -> None:
-        self._scene: TaskScene | None = None
-        self._size = 0
-        self._gl: Any = None
-        self._context: Any = None
+    scene: Any  # a `TaskScene`, which has the model and the state that the base class needs
 
-    def take(self, scene: TaskScene, size: int, camera: str, *, shadows: bool) -> NDArray[np.uint8]:
-        """Return a picture from one of the `CAMERAS`, shape (size, size, 3), or raise a RenderError."""
-        mujoco = simulator()
-        if scene is not self._scene or size != self._size:
-            self._open(scene, size)
+    def __init__(self, scene: Any, size: int) -> None:
+        gl.claim_process()
+        super().__init__(scene, (size, size))
+        self._option = simulator().MjvOption()
+        for number in range(_GROUPS):
+            self._option.geomgroup[number] = number == _VISUAL_GROUP
+
+    def take(self, size: int, camera: str, *, shadows: bool) -> NDArray[np.uint8]:
+        """Return a picture from one of the `CAMERAS`, shape (size, size, 3)."""
+        mujoco, model, data = simulator(), self.scene.model, self.scene.data
         self._gl.make_current()
-        model, data = scene.model, scene.data
         mujoco.mj_camlight(model, data)
         eye = mujoco.MjvCamera()
         eye.type = mujoco.mjtCamera.mjCAMERA_FIXED
@@ -291,32 +292,3 @@ class Pictures:
         mujoco.mjr_render(rectangle, self._view, self._context)
         mujoco.mjr_readPixels(pixels, None, rectangle, self._context)
         return np.ascontiguousarray(pixels[::-1])
-
-    def close(self) -> None:
-        """Free the graphics memory."""
-        if self._gl is not None:
-            self._gl.make_current()
-            self._context.free()
-            self._gl.free()
-        self._gl = self._scene = None
-
-    def _open(self, scene: TaskScene, size: int) -> None:
-        mujoco = simulator()
-        if self._gl is not None and size != self._size:
-            self.close()
-        if self._gl is None:
-            gl.claim_process()
-            self._gl = gl.context(size, size)
-        else:
-            self._gl.make_current()
-            self._context.free()
-        self._gl.make_current()
-        visual = scene.model.vis.global_
-        visual.offwidth = visual.offheight = size
-        self._context = mujoco.MjrContext(scene.model, mujoco.mjtFontScale.mjFONTSCALE_100)
-        mujoco.mjr_setBuffer(mujoco.mjtFramebuffer.mjFB_OFFSCREEN, self._context)
-        self._view = mujoco.MjvScene(scene.model, scene.model.ngeom + 10)
-        self._option = mujoco.MjvOption()
-        for number in range(_GROUPS):
-            self._option.geomgroup[number] = number == _VISUAL_GROUP
-        self._scene, self._size = scene, size
