@@ -51,7 +51,7 @@ PAGES: Mapping[str, tuple[str, tuple[str, ...]]] = {
     ),
     "graphs": ("Graphs", ("Graph", "Cache", "graph.Evaluation")),
     "datasets": ("Datasets", ("Dataset", "stream", "dataset.generate_many", "dataset.Plan")),
-    "images": ("Images for training", ("images.make_images", "images.ImagePlan")),
+    "images": ("Images for training", ("images.ImagePlan",)),
     "tasks": (
         "Manipulation tasks",
         (

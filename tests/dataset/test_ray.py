@@ -123,7 +123,9 @@ def working() -> list[int]:
     told = subprocess.run(listing, check=True, capture_output=True, text=True).stdout
     rows = [line.split(maxsplit=2) for line in told.splitlines()]
     ours = {int(pid) for pid, parent, _ in rows if int(parent) == os.getpid()}
-    return [int(pid) for pid, parent, name in rows if int(parent) in ours and name.startswith("ray::_remote_work")]
+    return [
+        int(pid) for pid, parent, name in rows if int(parent) in ours and name.startswith("ray::_remote_work")
+    ]
 
 
 def test_a_killed_worker_loses_nothing(run: Any, tmp_path: Path) -> None:

@@ -4,8 +4,9 @@ from pathlib import Path
 
 import pytest
 
+from artgen.dataset import generate_many
 from artgen.errors import RenderError
-from artgen.images import ImagePlan, make_images
+from artgen.images import ImagePlan
 from artgen.view import gl
 
 
@@ -41,6 +42,6 @@ def opengl() -> None:
 def image_set(tmp_path_factory: pytest.TempPathFactory, image_plan: ImagePlan, opengl: None) -> Path:
     """Ten pictures of three pliers and two drawers, by one process."""
     folder = tmp_path_factory.mktemp("images") / "set"
-    summary = make_images(image_plan, folder, jobs=1)
+    summary = generate_many(image_plan, folder, jobs=1)
     assert (summary.made, summary.existing, summary.failed) == (5, 0, ())
     return folder

@@ -15,9 +15,9 @@ from PIL import Image
 
 from artgen.asset import Asset
 from artgen.asset.record import rounded
-from artgen.dataset import Dataset
+from artgen.dataset import Dataset, generate_many
 from artgen.errors import ExportError
-from artgen.images import ImagePlan, make_images
+from artgen.images import ImagePlan
 from support.digests import digests
 from support.pixels import Solid
 
@@ -158,10 +158,10 @@ def test_the_pictures_are_the_plans_whatever_interrupted_it(
     shutil.copytree(image_set, folder)
     shutil.rmtree(folder / "plier" / "plier_1")
     (folder / "train.json").unlink()
-    assert make_images(image_plan, folder, jobs=1).made == 1
+    assert generate_many(image_plan, folder, jobs=1).made == 1
     assert digests(folder) == digests(image_set)
     with pytest.raises(ExportError, match="holds a dataset with images = 2, not 3: go on with the same"):
-        make_images(replace(image_plan, images=3), folder)
+        generate_many(replace(image_plan, images=3), folder)
     with pytest.raises(ExportError, match="has format 'artgen-images-1', not 'artgen-dataset-1'"):
         Dataset(folder)
 

@@ -6,9 +6,10 @@ from typing import Annotated
 import typer
 
 from artgen.commands.progress import many
+from artgen.dataset import generate_many
 from artgen.errors import ParameterError
 from artgen.generator import OnCollision
-from artgen.images import ImagePlan, make_images
+from artgen.images import ImagePlan
 from artgen.images.plan import RANDOM, PictureFormat
 
 _RANGE = "LOW,HIGH"
@@ -108,7 +109,7 @@ def images(
         split=_numbers("--split", split, 3),
     )
     many(
-        lambda step, begin: make_images(plan, out, jobs=jobs, progress=step, begin=begin),
+        lambda step, begin: generate_many(plan, out, jobs=jobs, progress=step, begin=begin),
         out,
         each=images_per_asset,
         what="images",

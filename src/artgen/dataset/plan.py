@@ -121,6 +121,11 @@ class Draws(ABC):
         """Whether the assets of the folder share texture maps through links."""
         return False
 
+    @property
+    def time_limit(self) -> float:
+        """Default time limit for one asset [s]."""
+        return 600.0
+
     @abstractmethod
     def files(self, item: Item) -> dict[str, bytes]:
         """Return the files of an item by path, including its `asset.json`."""
@@ -129,8 +134,8 @@ class Draws(ABC):
     def finish(self, place: Place, records: Sequence[Mapping[str, Any]]) -> None:
         """Write the files common to all assets."""
 
-    def placed(self, place: Place) -> Self:
-        """Return the plan with the defaults of a place."""
+    def prepared(self, place: Place) -> Self:
+        """Return the plan with the defaults of a place; check the tools that it needs."""
         return self
 
     def to_data(self) -> dict[str, Any]:
@@ -219,7 +224,7 @@ class Plan(Draws):
             parquet.write_table(pa.table({name: [row.get(name) for row in table] for name in names}), content)
             place.write(f"{TABLE_DIRECTORY}/{category}.parquet", content.getvalue())
 
-    def placed(self, place: Place) -> Self:
+    def prepared(self, place: Place) -> Self:
         """Return the plan with the place of texture maps: shared where the target supports links.
 
         Raises:

@@ -58,25 +58,26 @@ def generate_many(
     jobs: int | None = None,
     engine: EngineName = "local",
     address: str | None = None,
-    limit: float = 600.0,
+    limit: float | None = None,
     progress: Callable[[Record], None] | None = None,
     begin: Callable[[int], None] | None = None,
 ) -> Summary:
-    """Make all assets of a plan in a folder or at a URL, with a manifest and tables of their parameters.
+    """Make all assets of a plan in a folder or at a URL, with a manifest and the tables of the plan.
 
     The files depend only on the plan, not on the number of processes or interruptions: a run in a folder with
     the same plan makes the missing assets. A failed asset is a line of the manifest with its error. An asset
     that ended its process or exceeded the time limit is tried twice again, and by the next run.
 
     Args:
-        plan: A `Plan`, or an `ImagePlan` for pictures instead of files of the assets.
+        plan: A `Plan`, or an `ImagePlan` for pictures instead of files of the assets, with the files
+            `train.json`, `val.json` and `test.json` in the format of COCO.
         directory: A folder, or a URL that fsspec can open; created if necessary. An existing one must be
             empty or hold a dataset with the same plan.
         jobs: Number of processes; by default the number of cores of this process or of the cluster.
         engine: `local` processes, or `ray`.
         address: Address of a running Ray cluster; by default that of the variable RAY_ADDRESS, or a cluster
             is started here.
-        limit: Time limit for one asset [s].
+        limit: Time limit for one asset; by default ten minutes, and one more per picture [s].
         progress: Called with each new line of the manifest.
         begin: Called at the beginning with the number of missing assets.
 
@@ -84,10 +85,12 @@ def generate_many(
         ParameterError: `jobs` is less than one, or there is no such engine.
         ExportError: The folder holds something else, another run writes to it, the disk reports an error, or
             there is no such cluster; finished assets stay.
+        RenderError: MuJoCo, OpenGL or a package for pictures is missing; nothing was written.
     """
     if jobs is not None and jobs < 1:
         raise ParameterError(f"jobs is {jobs}; at least one process is needed")
     start = time.monotonic()
+    limit = plan.time_limit if limit is None else limit
     place = place_of(directory if is_url(directory) else Path(directory).absolute())
     with engine_of(engine, jobs=jobs, address=address) as run, Folder.opened(place, plan) as folder:
         existing = sum(record["state"] == "done" for record in folder.records.values())
@@ -106,7 +109,7 @@ class Folder:
     """A place that a run fills; as a `Job`, its items are those of the plan without a record."""
 
     def __init__(self, place: Place, plan: Draws) -> None:
-        self.place, self.plan = place, plan.placed(place)
+        self.place, self.plan = place, plan.prepared(place)
         self.records: dict[str, Record] = {}  # manifest line of each finished or failed asset, by name
         self.task: Callable[[Item], Record] = partial(make, plan=self.plan, place=place)
 

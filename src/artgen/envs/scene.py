@@ -19,6 +19,7 @@ from artgen.export.meshes import mesh_files
 from artgen.export.mjcf import mjcf_tree
 from artgen.export.text import document
 from artgen.view import gl
+from artgen.view.camera import Camera
 from artgen.view.rendering import Renderer
 
 TIME_STEP = 0.0025  # of the physics: half the time constant of contacts and limits in the exports [s]
@@ -163,11 +164,9 @@ class TaskScene:
         middle = at + 0.25 * back
         eye = middle + max(distance, 0.6) * (1.1 * before + 0.9 * side + np.array([0.0, 0.0, 0.8]))
         camera = self.model.camera(CAMERAS["front"])
-        forward = (middle - eye) / np.linalg.norm(middle - eye)
-        right = np.cross(forward, [0.0, 0.0, 1.0])
-        right /= np.linalg.norm(right)
+        right, up, forward = Camera(tuple(eye), tuple(middle)).axes()
         pose = np.eye(4)
-        pose[:3, :3] = np.column_stack([right, np.cross(right, forward), -forward])
+        pose[:3, :3] = np.column_stack([right, up, -forward])
         camera.pos[:], camera.quat[:] = eye, quaternion(pose)
 
 

@@ -1,5 +1,5 @@
 """Pictures for training: random cameras, lights and poses, with masks of the parts in COCO format."""
 
-from artgen.images.plan import ImagePlan, make_images
+from artgen.images.plan import ImagePlan
 
-__all__ = ["ImagePlan", "make_images"]
+__all__ = ["ImagePlan"]

@@ -1,18 +1,16 @@
-"""A set of images: its plan, and the run that renders the pictures of each asset."""
+"""The plan of a set of images, and the vocabulary of its masks."""
 
 import math
 import os
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from importlib.util import find_spec
 from numbers import Real
-from pathlib import Path
-from typing import Any, ClassVar, Literal, get_args
+from typing import Any, ClassVar, Literal, Self, get_args
 
 from artgen.catalog import find
 from artgen.dataset.places import Place
 from artgen.dataset.plan import Draws, Item
-from artgen.dataset.run import Summary, generate_many
 from artgen.errors import ParameterError, RenderError, nearest
 from artgen.images.pictures import PARTS, pictures_of, write_coco
 from artgen.materials.textures import check_size
@@ -105,6 +103,29 @@ class ImagePlan(Draws):
         """
         return Vocabulary.of(self.categories, self.labels)
 
+    @property
+    def time_limit(self) -> float:
+        """Default time limit for one asset: ten minutes, and one more per picture [s]."""
+        return super().time_limit + 60.0 * self.images
+
+    def prepared(self, place: Place) -> Self:
+        """Return the plan after a check of OpenGL and the packages.
+
+        Raises:
+            RenderError: MuJoCo, OpenGL or a package is missing.
+        """
+        gl.available()
+        needed = {"mujoco": "draws pictures", "pycocotools": "encodes masks"}
+        if self.normals:
+            needed["embreex"] = "finds normals"
+        for name, purpose in needed.items():
+            if find_spec(name) is None:
+                raise RenderError(f'{name}, which {purpose}, is not installed: pip install "artgen[images]"')
+        gl.claim_process()
+        gl.context(16, 16).free()
+        os.environ.setdefault("LP_NUM_THREADS", "0")  # otherwise Mesa uses all cores in every process
+        return super().prepared(place)
+
     def files(self, item: Item) -> dict[str, bytes]:
         """Return the pictures of an asset, their annotations, and its `asset.json`."""
         return pictures_of(item, self)
@@ -128,49 +149,6 @@ def _check_range(name: str, value: Any, least: float, most: float) -> None:
     if not fine or not least <= value[0] <= value[1] <= most:
         shown = value[1] if name == "azimuth" and fine else value
         raise ParameterError(f"{name} {shown!r} must lie in {least:g}..{most:g}, the lower number first")
-
-
-def make_images(
-    plan: ImagePlan,
-    directory: str | Path,
-    *,
-    jobs: int | None = None,
-    limit: float | None = None,
-    progress: Callable[[dict[str, Any]], None] | None = None,
-    begin: Callable[[int], None] | None = None,
-) -> Summary:
-    """Render all pictures of a plan, and write the COCO files `train.json`, `val.json` and `test.json`.
-
-    The pictures depend only on the plan, not on the number of processes or interruptions: a run in a folder
-    with the same plan makes the missing ones.
-
-    Args:
-        plan: The plan.
-        directory: A folder, or a URL that fsspec can open; created if necessary. An existing one must be
-            empty or hold images of the same plan.
-        jobs: Number of processes; by default the number of cores of this process.
-        limit: Time limit for one asset; by default ten minutes, and one more per picture [s].
-        progress: Called with each new line of the manifest.
-        begin: Called at the beginning with the number of missing assets.
-
-    Raises:
-        ParameterError: `jobs` is less than one.
-        RenderError: MuJoCo, OpenGL or a package is missing; nothing was written.
-        ExportError: The folder holds something else, another run writes to it, or the disk reports an error;
-            finished assets stay.
-    """
-    gl.available()
-    needed = {"mujoco": "draws pictures", "pycocotools": "encodes masks"}
-    if plan.normals:
-        needed["embreex"] = "finds normals"
-    for name, purpose in needed.items():
-        if find_spec(name) is None:
-            raise RenderError(f'{name}, which {purpose}, is not installed: pip install "artgen[images]"')
-    gl.claim_process()
-    gl.context(16, 16).free()
-    os.environ.setdefault("LP_NUM_THREADS", "0")  # otherwise Mesa uses all cores in every process
-    limit = 600.0 + 60.0 * plan.images if limit is None else limit
-    return generate_many(plan, directory, jobs=jobs, limit=limit, progress=progress, begin=begin)
 
 
 @dataclass(frozen=True)
