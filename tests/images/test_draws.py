@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import artgen
+from artgen.images import ImagePlan
 from artgen.images.draws import (
     extrinsics,
     intrinsics,
@@ -15,7 +16,6 @@ from artgen.images.draws import (
     random_surroundings,
 )
 from artgen.images.pictures import split_of
-from artgen.images.plan import Vocabulary
 
 
 @pytest.fixture(scope="module")
@@ -102,14 +102,15 @@ def test_a_split_has_its_shares_and_a_longer_one_begins_with_it(count: int) -> N
 
 def test_labels_can_be_chosen_and_put_together() -> None:
     texts = ("handle", "door:body=door+glass", "cabinet:front=door")
-    found = Vocabulary.of(("door", "cabinet"), texts)
-    assert found.names["door"] == {"handle": "handle", "door": "body", "glass": "body"}
-    assert found.names["cabinet"] == {"handle": "handle", "door": "front"}
-    assert found.categories() == [
+    plan = ImagePlan(("door", "cabinet"), 2, labels=texts)
+    found = plan.mask_names()
+    assert found["door"] == {"handle": "handle", "door": "body", "glass": "body"}
+    assert found["cabinet"] == {"handle": "handle", "door": "front"}
+    assert plan.coco_categories() == [
         {"id": 1, "name": "handle", "supercategory": "door"},
         {"id": 2, "name": "body", "supercategory": "door"},
         {"id": 3, "name": "handle", "supercategory": "cabinet"},
         {"id": 4, "name": "front", "supercategory": "cabinet"},
     ]
-    every = Vocabulary.of(("plier",), ())
-    assert list(every.names["plier"]) == list(artgen.catalog.find("plier").labels)
+    every = ImagePlan(("plier",), 1).mask_names()
+    assert list(every["plier"]) == list(artgen.catalog.find("plier").labels)

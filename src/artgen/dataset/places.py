@@ -175,7 +175,14 @@ class Store:
         self._growing: dict[str, bytearray] = {}  # content of growing objects, of which some is not written
         self._written = time.monotonic()
         with self._named_errors():
-            self._root = self._connection()[1].rstrip("/")
+            try:
+                from fsspec.core import url_to_fs
+            except ImportError as error:
+                raise ExportError(f"{url} needs fsspec: pip install 'artgen[url]'") from error
+            try:
+                self._root = url_to_fs(self.url)[1].rstrip("/")
+            except (ImportError, ValueError) as error:  # unknown protocol, or its package is missing
+                raise ExportError(f"{url} cannot be opened: {error}") from error
             self._files.invalidate_cache()  # other processes write to it as well
 
     def __str__(self) -> str:
@@ -283,22 +290,12 @@ class Store:
                 partial.rename(place)
         return place
 
-    def _connection(self) -> tuple[Any, str]:
-        """Return file system and path; fsspec caches them, and reconnects in a forked process."""
-        try:
-            from fsspec.core import url_to_fs
-        except ImportError as error:
-            raise ExportError(f"{self.url} needs fsspec: pip install 'artgen[url]'") from error
-        try:
-            files, root = url_to_fs(self.url)
-        except (ImportError, ValueError) as error:  # unknown protocol, or its package is missing
-            raise ExportError(f"{self.url} cannot be opened: {error}") from error
-        return files, root
-
     @property
     def _files(self) -> Any:
-        """The file system of fsspec."""
-        return self._connection()[0]
+        """The file system; fsspec caches it, and reconnects in a forked process."""
+        from fsspec.core import url_to_fs
+
+        return url_to_fs(self.url)[0]
 
     @cached_property
     def _cache(self) -> Path:

@@ -33,7 +33,13 @@ class Stream(Iterable[Asset]):
 
     def __iter__(self) -> Iterator[Asset]:
         """Yield assets endlessly; a worker of a PyTorch DataLoader yields its share."""
-        number, step = _share()
+        number, step = 0, 1
+        if "torch" in sys.modules:
+            from torch.utils.data import get_worker_info
+
+            worker = get_worker_info()
+            if worker is not None:
+                number, step = worker.id, worker.num_workers
         while True:
             category = self.categories[number % len(self.categories)]
             seed = self.seed + number // len(self.categories)
@@ -82,14 +88,3 @@ def _torch_stream() -> type[Stream]:
 def _stream_of(*fields: Any) -> Stream:
     """Return a stream, for the DataLoader of PyTorch if torch was imported."""
     return (_torch_stream() if "torch" in sys.modules else Stream)(*fields)
-
-
-def _share() -> tuple[int, int]:
-    """Return the number of the first asset for this process, and the step to the next one."""
-    if "torch" in sys.modules:
-        from torch.utils.data import get_worker_info
-
-        worker = get_worker_info()
-        if worker is not None:
-            return worker.id, worker.num_workers
-    return 0, 1

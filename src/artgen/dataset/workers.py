@@ -11,7 +11,7 @@ import time
 import traceback
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator
-from contextlib import contextmanager, suppress
+from contextlib import AbstractContextManager, contextmanager, nullcontext, suppress
 from dataclasses import dataclass
 from functools import partial
 from multiprocessing import resource_tracker
@@ -53,8 +53,7 @@ class Ending:
         return self.message.strip().rpartition("\n")[2]
 
 
-Engine = Callable[..., Iterator[Ending]]
-"""A function of task, items and time limit [s] that runs a task for each item, as `run_tasks` does."""
+Engine = Callable[..., Iterator[Ending]]  # runs a task for each item, with a time limit, as `run_tasks`
 
 
 class Job(Protocol):
@@ -128,16 +127,11 @@ def run_tasks(
 
 
 class Worker:
-    """A process that runs a task on one item after another.
-
-    Attributes:
-        pipe: Connection for items and answers.
-        deadline: End of the time limit of its task, on the monotonic clock [s].
-    """
+    """A process that runs a task on one item after another."""
 
     def __init__(self, task: Callable[[Any], Any], item: Any, limit: float) -> None:
         context = multiprocessing.get_context("spawn")  # copies no threads and locks
-        self.pipe, other = context.Pipe()
+        self.pipe, other = context.Pipe()  # for items and answers
         self._limit = limit
         self._process: BaseProcess = context.Process(target=_work, args=(task, other), daemon=True)
         with _starting():
@@ -149,7 +143,7 @@ class Worker:
     def give(self, item: Any) -> None:
         """Send the next item."""
         self._item = item
-        self.deadline = time.monotonic() + self._limit
+        self.deadline = time.monotonic() + self._limit  # end of the time limit of its task [s]
         with suppress(OSError):  # it was killed after its answer: `ending` reports that
             self.pipe.send(item)
 
@@ -218,9 +212,8 @@ def _end_with_parent() -> None:
         os._exit(1)
 
 
-@contextmanager
-def engine_of(name: EngineName, *, jobs: int | None, address: str | None) -> Iterator[Engine]:
-    """Yield the engine of a name."""
+def engine_of(name: EngineName, *, jobs: int | None, address: str | None) -> AbstractContextManager[Engine]:
+    """Return a context that gives the engine of a name."""
     if name not in get_args(EngineName):
         raise ParameterError(f"the engine is local or ray, not {name!r}")
     if name == "local":
@@ -228,10 +221,8 @@ def engine_of(name: EngineName, *, jobs: int | None, address: str | None) -> Ite
             raise ParameterError(
                 f"the address {address!r} is for a Ray cluster: choose the engine ray, or give no address"
             )
-        yield partial(run_tasks, jobs=jobs or cores())
-        return
-    with cluster(address, jobs) as run:
-        yield run
+        return nullcontext(partial(run_tasks, jobs=jobs or cores()))
+    return cluster(address, jobs)
 
 
 @contextmanager

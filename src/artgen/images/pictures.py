@@ -269,9 +269,8 @@ def _annotated(
         pixels = np.where(hit, np.rint(127.5 + 127.5 * normals), 0.0).astype(np.uint8)
         files[name] = _encoded(pixels.reshape(plan.size, plan.size, 3))
         data["normals_file"] = f"{item.path}/{name}"
-    vocabulary = plan.vocabulary()
-    names = vocabulary.names[asset.category]
-    ids = {name: vocabulary.ids()[asset.category, name] for name in names.values()}
+    names, owner = plan.mask_names()[asset.category], asset.category
+    ids = {each["name"]: each["id"] for each in plan.coco_categories() if each["supercategory"] == owner}
     moves = _joints_of_links(asset, shot.q, matrix)
     masks = _coded(surfaces, [(link, names.get(surface.label, "")) for link, surface in shown], ids)
     return files, data | {"annotations": [each | {"joints": moves[each["link"]]} for each in masks]}
@@ -358,7 +357,7 @@ def write_coco(place: Place, records: Sequence[Mapping[str, Any]], plan: "ImageP
                 "plan": plan.to_data(),
             },
             "licenses": [],
-            "categories": plan.vocabulary().categories(),
+            "categories": plan.coco_categories(),
             "images": images[part],
             "annotations": masks[part],
         }

@@ -1,4 +1,4 @@
-"""The plan of a set of images, and the vocabulary of its masks."""
+"""The plan of a set of images."""
 
 import math
 import os
@@ -20,8 +20,7 @@ from artgen.view.rendering import checked_size
 PictureFormat = Literal["png", "jpg"]
 Range = tuple[float, float]
 
-RANDOM = ("backdrop", "floor", "light")
-"""Parts of a picture that can vary."""
+RANDOM = ("backdrop", "floor", "light")  # parts of a picture that can vary
 
 
 @dataclass(frozen=True)
@@ -93,15 +92,49 @@ class ImagePlan(Draws):
                 "0.8,0.1,0.1"
             )
         super().__post_init__()
-        self.vocabulary()
+        self.mask_names()
 
-    def vocabulary(self) -> "Vocabulary":
-        """Return the labels with masks.
+    def mask_names(self) -> dict[str, dict[str, str]]:
+        """Return the name of the mask of each label, by category and label.
 
         Raises:
             ParameterError: A label is unknown, or named twice.
         """
-        return Vocabulary.of(self.categories, self.labels)
+        known = {name: find(name).labels for name in self.categories}
+        if not self.labels:
+            return {name: {label: label for label in labels} for name, labels in known.items()}
+        found: dict[str, dict[str, str]] = {name: {} for name in known}
+        for text in self.labels:
+            owner, colon, rest = text.partition(":")
+            if colon and owner.strip() not in known:
+                raise ParameterError(f"the label {text!r} is of {owner!r}, but the plan has no images of it")
+            owners = [owner.strip()] if colon else list(known)
+            new, equals, old = (rest if colon else text).partition("=")
+            for label in map(str.strip, (old if equals else new).split("+")):
+                having = [owner for owner in owners if label in known[owner]]
+                if not having or not new.strip():
+                    allowed = [each for owner in owners for each in known[owner]]
+                    where = ", ".join(owners)
+                    raise ParameterError(f"{where}: there is no label {label!r}.{nearest(label, allowed)}")
+                for owner in having:
+                    if label in found[owner]:
+                        raise ParameterError(
+                            f"the label {label!r} of {owner} is named twice; leave one of them out"
+                        )
+                    found[owner][label] = new.strip()
+        return found
+
+    def coco_categories(self) -> list[dict[str, Any]]:
+        """Return the categories of COCO: one for each mask of each category, numbered from 1."""
+        parts = [
+            (owner, name)
+            for owner, names in self.mask_names().items()
+            for name in dict.fromkeys(names.values())
+        ]
+        return [
+            {"id": number, "name": name, "supercategory": owner}
+            for number, (owner, name) in enumerate(parts, start=1)
+        ]
 
     @property
     def time_limit(self) -> float:
@@ -149,51 +182,3 @@ def _check_range(name: str, value: Any, least: float, most: float) -> None:
     if not fine or not least <= value[0] <= value[1] <= most:
         shown = value[1] if name == "azimuth" and fine else value
         raise ParameterError(f"{name} {shown!r} must lie in {least:g}..{most:g}, the lower number first")
-
-
-@dataclass(frozen=True)
-class Vocabulary:
-    """Labels with masks."""
-
-    names: Mapping[str, Mapping[str, str]]  # name of the mask of a label, by category and label
-
-    @staticmethod
-    def of(categories: Sequence[str], texts: Sequence[str]) -> "Vocabulary":
-        """Parse the labels with masks; all labels for an empty list."""
-        known = {name: find(name).labels for name in categories}
-        if not texts:
-            return Vocabulary({name: {label: label for label in labels} for name, labels in known.items()})
-        found: dict[str, dict[str, str]] = {name: {} for name in categories}
-        for text in texts:
-            owner, colon, rest = text.partition(":")
-            if colon and owner.strip() not in known:
-                raise ParameterError(f"the label {text!r} is of {owner!r}, but the plan has no images of it")
-            owners = [owner.strip()] if colon else list(categories)
-            new, equals, old = (rest if colon else text).partition("=")
-            for label in map(str.strip, (old if equals else new).split("+")):
-                having = [owner for owner in owners if label in known[owner]]
-                if not having or not new.strip():
-                    allowed = [each for owner in owners for each in known[owner]]
-                    where = ", ".join(owners)
-                    raise ParameterError(f"{where}: there is no label {label!r}.{nearest(label, allowed)}")
-                for owner in having:
-                    if label in found[owner]:
-                        raise ParameterError(
-                            f"the label {label!r} of {owner} is named twice; leave one of them out"
-                        )
-                    found[owner][label] = new.strip()
-        return Vocabulary(found)
-
-    def categories(self) -> list[dict[str, Any]]:
-        """Return the categories of COCO: one for each part of each category, numbered from 1."""
-        parts = [
-            (owner, name) for owner, names in self.names.items() for name in dict.fromkeys(names.values())
-        ]
-        return [
-            {"id": number, "name": name, "supercategory": owner}
-            for number, (owner, name) in enumerate(parts, start=1)
-        ]
-
-    def ids(self) -> dict[tuple[str, str], int]:
-        """Return the number of each part, by category and name."""
-        return {(each["supercategory"], each["name"]): each["id"] for each in self.categories()}
