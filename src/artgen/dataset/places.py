@@ -32,8 +32,7 @@ LOCK_FILE = ".lock"
 STAGING = ".staging"
 TEXTURE_DIRECTORY = "textures"
 
-GO_ON = "what is done stays, and the same command goes on from there"
-"""The end of each message about an interrupted run."""
+GO_ON = "what is done stays, and the same command goes on from there"  # ends messages about interrupted runs
 
 _INTERVAL = 30.0  # time between two writes of a growing object in a store [s]
 
@@ -376,7 +375,6 @@ def is_url(place: str | Path) -> bool:
 
 
 Place = Disk | Store
-"""A place of a dataset."""
 
 
 def place_of(path: str | Path) -> Place:

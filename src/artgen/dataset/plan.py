@@ -19,9 +19,7 @@ from artgen.generator import OnCollision
 from artgen.generator.overrides import parse_overrides
 from artgen.materials.textures import check_size
 
-TextureMode = Literal["shared", "embedded", "none"]
-"""Place of the texture maps: shared by the dataset, with each asset, or none."""
-
+TextureMode = Literal["shared", "embedded", "none"]  # shared by the dataset, with each asset, or none
 TABLE_DIRECTORY = "parameters"
 
 _COMMON = ("name", "seed", "path", "attempt", "proven", "mass", "links")  # columns of every table
@@ -29,14 +27,9 @@ _COMMON = ("name", "seed", "path", "attempt", "proven", "mass", "links")  # colu
 
 @dataclass(frozen=True)
 class Item:
-    """One asset of a dataset.
+    """One asset of a dataset."""
 
-    Attributes:
-        category: Name of the category.
-        seed: The seed.
-    """
-
-    category: str
+    category: str  # name of the category
     seed: int
 
     @property

@@ -30,8 +30,7 @@ _TRIES = 3  # tries of an item that ends its process or exceeds the time limit
 _BATCH = 256  # number of files that are read at once
 _DIGEST = 16  # characters of a digest
 
-Record = dict[str, Any]
-"""A line of the manifest."""
+Record = dict[str, Any]  # a line of the manifest
 
 
 @dataclass(frozen=True)
@@ -239,11 +238,7 @@ def stored_plan(place: Place, form: str = Plan.FORMAT) -> dict[str, Any] | None:
 
 
 def _earlier_plan(place: Place, plan: Draws) -> Draws | None:
-    """Return the plan of the dataset in a place; None if there is none.
-
-    Raises:
-        ExportError: The plan differs from the given one in more than a smaller count.
-    """
+    """Return the plan of the dataset in a place, which may differ only in a smaller count; None if none."""
     data = stored_plan(place, plan.FORMAT)
     if data is None:
         return None

@@ -33,11 +33,8 @@ from artgen.version import __version__
 
 Array = NDArray[Any]
 
-DEMO_FILE = "demo.hdf5"
-"""The file with all demonstrations."""
-
-VALID_EVERY = 10
-"""Every n-th demonstration is for validation."""
+DEMO_FILE = "demo.hdf5"  # with all demonstrations
+VALID_EVERY = 10  # every n-th demonstration is for validation
 
 _ATTEMPTS = ".attempts"  # folder of the attempts of an unfinished run
 _PLAN = "plan.json"

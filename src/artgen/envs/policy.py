@@ -13,7 +13,6 @@ from artgen.envs.robot import POSITION, ROTATION
 if TYPE_CHECKING:
     import gymnasium
 
-
 _NEAR, _AT = 0.015, 0.004  # accuracy of intermediate poses and of contacts [m]
 _TURN_MATTERS = 0.05  # distance equivalent to a rotation of 1 rad [m]
 _SLOW = 0.4  # speed of an approach, over the full speed
@@ -25,8 +24,7 @@ _STUCK = 60  # actions without progress before the hand grasps again
 _IDLE, _NEARER = 8, 0.001  # actions in which the hand has to approach by this distance [m]
 _TAKEN = 3  # attempts at one contact
 
-Aim = tuple[Array, float]
-"""A pose of the tip, and an opening of the fingers, negative to squeeze [m]."""
+Aim = tuple[Array, float]  # a pose of the tip, and an opening of the fingers, negative to squeeze [m]
 
 
 class ScriptedPolicy:
@@ -46,8 +44,7 @@ class ScriptedPolicy:
         self._opening = OPEN
         self._held: dict[str, float] = {}  # positions of joints that the hand still holds
         self._ahead: dict[str, float] = {}  # offsets of the aim for these joints
-        self.done = False
-        """Whether it has finished and released the asset."""
+        self.done = False  # whether it has finished and released the asset
 
     def action(self, observation: object = None) -> NDArray[np.float32]:
         """Return the next action, shape (7,); the observation is not used."""

@@ -22,14 +22,11 @@ from artgen.errors import EnvError
 
 PREFIX = "robot_"  # of all names of the robot in a scene
 HAND = "hand_"  # of the names of the hand, after `PREFIX`
+# initial posture of robosuite: the hand in front, pointing down, shape (7,) [rad]
 HOME = np.array([0.0, np.pi / 16, 0.0, -5 * np.pi / 6, 0.0, np.pi - 0.2, np.pi / 4])
-"""Initial posture of robosuite: the hand in front, pointing down, shape (7,) [rad]."""
-
 _LOW = [-2.8973, -1.7628, -2.8973, -3.0718, -2.8973, -0.0175, -2.8973]
 _HIGH = [2.8973, 1.7628, 2.8973, -0.0698, 2.8973, 3.7525, 2.8973]
-LIMITS = np.column_stack((_LOW, _HIGH))
-"""Range of each joint of the arm, shape (7, 2) [rad]."""
-
+LIMITS = np.column_stack((_LOW, _HIGH))  # of the joints of the arm, shape (7, 2) [rad]
 OPENING = 0.04  # travel of each finger from the middle [m]
 ROBOT_BIT, ASSET_BIT = 2, 1  # bits of MuJoCo's `contype`: an asset is exported with the first bit alone
 POSITION, ROTATION = 0.05, 0.5  # translation [m] and rotation [rad] of the tip for an action of 1

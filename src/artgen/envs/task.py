@@ -20,9 +20,8 @@ from artgen.envs.scene import TaskScene, compiled
 from artgen.errors import EnvError, ParameterError, nearest
 from artgen.sampling import choice
 
-Choice = tuple[Stage, ...]
-Chooser = Callable[[Asset, np.random.Generator], Iterator[Choice]]
-"""Yields the possible stages of a task on an asset, in random order."""
+Choice = tuple[Stage, ...]  # possible stages of a task on an asset
+Chooser = Callable[[Asset, np.random.Generator], Iterator[Choice]]  # all choices, in random order
 
 _AJAR = 0.40  # opening of a dishwasher by its handle [rad]
 _STEEP = 1.0  # least total opening of a dishwasher [rad]
@@ -125,17 +124,14 @@ def _shuffled(items: list[Affordance], rng: np.random.Generator) -> list[Afforda
 
 
 def stage(
-    asset: Asset, affordance: Affordance, share: float, at_least: float = 0.0, *, back: float = BACK
+    asset: Asset,
+    affordance: Affordance,
+    share: float,  # goal as a share of the range of the joint
+    at_least: float = 0.0,  # goal if `share` is 0 [rad or m]
+    *,
+    back: float = BACK,  # start of the approach; far for joints that random motion moves easily [m]
 ) -> Stage:
-    """Return the stage that moves the nearest joint of an affordance from rest towards larger positions.
-
-    Args:
-        asset: The asset.
-        affordance: The contact with the part.
-        share: Goal as a share of the range of the joint.
-        at_least: Goal if `share` is 0 [rad or m].
-        back: Start of the approach; far for joints that random motion moves easily [m].
-    """
+    """Return the stage that moves the nearest joint of an affordance from rest towards larger positions."""
     joint = asset.joint(affordance.joints[0])
     assert joint.limits is not None
     start, end = joint.closed, joint.limits[1]
@@ -295,7 +291,6 @@ _TASKS = (
 )
 
 TASKS = {task.name: task for task in _TASKS}
-"""All tasks by name."""
 
 
 def find_task(name: str) -> Task:
@@ -312,12 +307,7 @@ _SEEDS = 2**31  # number of all seeds
 
 
 class Assets:
-    """Assets of a task by number, made or read on access; of a dataset, those of the category of the task.
-
-    Raises:
-        EnvError: There are no assets, or some in a list have another category.
-        ExportError: The folder holds no dataset.
-    """
+    """Assets of a task by number, made or read on access; of a dataset, those of the category of the task."""
 
     def __init__(self, task: Task, source: Source = None) -> None:
         self.task = task

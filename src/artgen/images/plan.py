@@ -95,11 +95,7 @@ class ImagePlan(Draws):
         self.mask_names()
 
     def mask_names(self) -> dict[str, dict[str, str]]:
-        """Return the name of the mask of each label, by category and label.
-
-        Raises:
-            ParameterError: A label is unknown, or named twice.
-        """
+        """Return the name of the mask of each label, by category and label."""
         known = {name: find(name).labels for name in self.categories}
         if not self.labels:
             return {name: {label: label for label in labels} for name, labels in known.items()}
@@ -142,11 +138,7 @@ class ImagePlan(Draws):
         return super().time_limit + 60.0 * self.images
 
     def prepared(self, place: Place) -> Self:
-        """Return the plan after a check of OpenGL and the packages.
-
-        Raises:
-            RenderError: MuJoCo, OpenGL or a package is missing.
-        """
+        """Return the plan after a check of OpenGL and the packages."""
         gl.available()
         needed = {"mujoco": "draws pictures", "pycocotools": "encodes masks"}
         if self.normals:
