@@ -284,7 +284,12 @@ class ManipulationEnv(gymnasium.Env[Any, NDArray[np.float32]]):
         """Return the scene and the target of the chosen or the next suitable asset."""
         reason = ""
         for _ in range(_MOST_TRIES if chosen is None else 1):
-            key = self._draw_asset() if chosen is None else chosen
+            key = chosen
+            if key is None and self._shuffle:
+                key = self.assets.draw(self.np_random)
+            elif key is None:
+                key = self.assets.keys[self._next_asset % len(self.assets.keys)]
+                self._next_asset += 1
             number = int(self.np_random.integers(self._layouts))
             try:
                 found = compiled_asset(
@@ -302,14 +307,6 @@ class ManipulationEnv(gymnasium.Env[Any, NDArray[np.float32]]):
         raise EnvError(
             f"{self.task.name} found no suitable asset in {_MOST_TRIES} draws; the last one: {reason}"
         )
-
-    def _draw_asset(self) -> int:
-        """Return the number of a random asset, or of the next one."""
-        if self._shuffle:
-            return self.assets.draw(self.np_random)
-        key = self.assets.keys[self._next_asset % len(self.assets.keys)]
-        self._next_asset += 1
-        return key
 
     def _update_progress(self) -> None:
         """Update the progress of the stages; a stage can be done only after the earlier ones."""

@@ -78,8 +78,11 @@ class Obstacles:
         """Tell whether a box with opposite corners in a frame, shape (2, 3) [m], overlaps the asset."""
         own, half = frame[:3, :3], (corners[1] - corners[0]) / 2.0
         middle = own @ corners.mean(axis=0) + frame[:3, 3]
-        low, high = self._extents(pose, own)
-        at = middle @ own
+        # extents of the pieces along the axes of the frame
+        moved, at = self._moved(pose)[self._piece], middle @ own
+        points = (np.einsum("nij,nj->ni", moved[:, :3, :3], self._corners) + moved[:, :3, 3]) @ own
+        low = np.minimum.reduceat(points, self._first)
+        high = np.maximum.reduceat(points, self._first)
         near = ((low <= at + half) & (high >= at - half)).all(axis=1)
         chosen = np.flatnonzero(near)
         if not len(chosen):
@@ -99,12 +102,6 @@ class Obstacles:
         boxes = self._placed(pose)
         reach = np.einsum("nij,nj->ni", np.abs(boxes[:, :3, :3]), self._halves)
         return np.stack([boxes[:, :3, 3] - reach, boxes[:, :3, 3] + reach], axis=1)
-
-    def _extents(self, pose: Mapping[str, Array], axes: Array) -> tuple[Array, Array]:
-        """Return the extents of the pieces along axes, the columns of a matrix, shape (n, 3) each [m]."""
-        moved = self._moved(pose)[self._piece]
-        points = (np.einsum("nij,nj->ni", moved[:, :3, :3], self._corners) + moved[:, :3, 3]) @ axes
-        return np.minimum.reduceat(points, self._first), np.maximum.reduceat(points, self._first)
 
     def _placed(self, pose: Mapping[str, Array]) -> Array:
         """Return the poses of the boxes, shape (n, 4, 4)."""

@@ -1,6 +1,6 @@
 """A scripted policy: it approaches each contact, and follows the true arc or line of the moved link."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -87,7 +87,7 @@ class ScriptedPolicy:
         self._opening = contact.width
         for pose in contact.through:
             yield from self._go(pose, _NEAR)
-        place = self._place(contact.link) @ contact.frame
+        place = self._env.scene.pose(contact.link) @ contact.frame
         yield from self._go(lifted(place, -contact.back), _AT)
         yield from self._go(place, _AT, _SLOW)
         if contact.kind == "grasp":
@@ -122,43 +122,44 @@ class ScriptedPolicy:
 
     def _follow(self, move: Move, contact: Contact) -> Iterator[Aim]:
         """Bring a joint to its release position; the hand follows the path of its link."""
-        joint = self._env.asset.joint(move.joint)
+        scene, joint = self._env.scene, self._env.asset.joint(move.joint)
         held = contact.frame
         if contact.kind == "grasp":
-            held = np.linalg.inv(self._place(contact.link)) @ self._env.tip()
-        way = np.sign(move.until - self._env.q(move.joint)) or 1.0
-        lead, best, idle = _LEAD[0], self._env.q(move.joint), 0
-        while way * (move.until - self._env.q(move.joint)) > 0.0 and idle < _STUCK:
-            q = self._env.q(move.joint)
-            arm = _arm(joint, self._place(contact.link) @ held)
-            if way * (q - best) > 1e-3 / arm:
+            held = np.linalg.inv(scene.pose(contact.link)) @ scene.tip()
+        direction = np.sign(move.until - scene.q(move.joint)) or 1.0
+        lead, best, idle = _LEAD[0], scene.q(move.joint), 0
+        while direction * (move.until - scene.q(move.joint)) > 0.0 and idle < _STUCK:
+            q, arm = scene.q(move.joint), 1.0
+            if joint.kind == "revolute":  # the distance that the hand moves per unit of the joint [m/rad]
+                apart = (scene.pose(contact.link) @ held)[:3, 3] - joint.pivot
+                arm = max(0.03, float(np.linalg.norm(apart - joint.axis * (apart @ joint.axis))))
+            if direction * (q - best) > 1e-3 / arm:
                 best, idle = q, 0
             else:
                 idle += 1
                 lead = min(lead + _MORE, _LEAD[1])
-            yield self._place(contact.link, {move.joint: q + way * lead / arm}) @ held, self._opening
+            yield self._pose_ahead(contact.link, joint.name, q + direction * lead / arm) @ held, self._opening
 
-    def _place(self, link: str, ahead: Mapping[str, float] | None = None) -> Array:
-        """Return the displacement of a link from rest, with held joints at their positions, shape (4, 4)."""
+    def _pose_ahead(self, link: str, moved: str, position: float) -> Array:
+        """Return the displacement of a link with one joint moved and held joints kept, shape (4, 4)."""
         result = np.eye(4)
         above = {child: (parent, joints) for parent, child, joints in self._env.asset.pairs()}
         while link in above:
             link, joints = above[link]
             motion = np.eye(4)
             for joint in joints:
-                position = self._env.q(joint.name)
-                if ahead is not None:
-                    position = ahead.get(joint.name, self._held_aim(joint.name, position))
-                motion = motion @ joint.motion(position)
+                q = position if joint.name == moved else self._held_aim(joint.name)
+                motion = motion @ joint.motion(q)
             result = motion @ result
         return result
 
-    def _held_aim(self, joint: str, position: float) -> float:
-        """Return the aim for a joint that keeps it at its position."""
+    def _held_aim(self, joint: str) -> float:
+        """Return the position of a joint, or the aim that keeps a held joint at its position."""
+        q = float(self._env.q(joint))
         if joint not in self._held:
-            return position
-        missing = self._held[joint] - position
-        self._ahead[joint] = float(np.clip(self._ahead.get(joint, 0.0) + 0.1 * missing, -0.6, 0.6))
+            return q
+        ahead = self._ahead.get(joint, 0.0) + 0.1 * (self._held[joint] - q)
+        self._ahead[joint] = float(np.clip(ahead, -0.6, 0.6))
         return self._held[joint] + self._ahead[joint]
 
 
@@ -171,11 +172,3 @@ def action_towards(tip: Array, pose: Array, opening: float) -> NDArray[np.float3
     result[3:6] = turn * min(1.0, 1.0 / max(float(np.linalg.norm(turn)), 1e-9))
     result[6] = 1.0 - 2.0 * opening / OPEN
     return np.clip(result, -1.0, 1.0).astype(np.float32)
-
-
-def _arm(joint: Any, place: Array) -> float:
-    """Return the distance that a pose moves per unit of a joint [m or m/rad]."""
-    if joint.kind == "prismatic":
-        return 1.0
-    apart = place[:3, 3] - joint.pivot
-    return max(0.03, float(np.linalg.norm(apart - joint.axis * (apart @ joint.axis))))
