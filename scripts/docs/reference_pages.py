@@ -47,7 +47,7 @@ PAGES: Mapping[str, tuple[str, tuple[str, ...]]] = {
     ),
     "materials": (
         "Materials",
-        ("Material", "materials.table.material", "colored", "MATERIALS", "materials.COLORS"),
+        ("Material", "materials.material.material", "colored", "MATERIALS", "materials.COLORS"),
     ),
     "graphs": ("Graphs", ("Graph", "Cache", "graph.Evaluation")),
     "datasets": ("Datasets", ("Dataset", "stream", "dataset.generate_many", "dataset.Plan")),

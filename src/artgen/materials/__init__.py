@@ -1,6 +1,5 @@
 """Materials: appearance, density and friction."""
 
-from artgen.materials.material import Material
-from artgen.materials.table import COLORS, MATERIALS, colored, material
+from artgen.materials.material import COLORS, MATERIALS, Material, colored, material
 
 __all__ = ["COLORS", "MATERIALS", "Material", "colored", "material"]

@@ -1,17 +1,19 @@
-"""The material: OpenPBR names for appearance, SI units for physics."""
+"""Materials: OpenPBR names for appearance, SI units for physics; `materials.json` is their table."""
 
+import json
 import math
 import re
 import zlib
 from dataclasses import dataclass, fields, replace
+from pathlib import Path
 from typing import Any
 
 from artgen.errors import ParameterError, nearest
 
 _NAME = re.compile(r"[a-z][a-z0-9_]*\Z")
-_COLORS = ("base_color", "emission")
-_SHARES = ("base_metalness", "specular_roughness", "coat_weight", "coat_roughness", "transmission_weight")
-_MORE = ("opacity", "density", "friction")
+_SHARES = (
+    "base_metalness", "specular_roughness", "coat_weight", "coat_roughness", "transmission_weight", "opacity",
+)  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -59,42 +61,39 @@ class Material:
             raise ParameterError(
                 f"material name {self.name!r} is not a lower-case identifier; use letters, digits and _"
             )
-        for field in _COLORS:
+        for field in ("base_color", "emission"):
             value = tuple(self._number(field, channel) for channel in getattr(self, field))
             if len(value) != 3 or not all(0.0 <= channel <= 1.0 for channel in value):
-                raise ParameterError(f"material {self.name!r}: {field} {value} must be 3 numbers in 0..1")
+                raise self._error(f"{field} {value} must be 3 numbers in 0..1")
             object.__setattr__(self, field, value)
-        for field in (*_SHARES, *_MORE):
-            object.__setattr__(self, field, self._number(field, getattr(self, field)))
-        for field in (*_SHARES, "opacity"):
-            if not 0.0 <= getattr(self, field) <= 1.0:
-                raise ParameterError(
-                    f"material {self.name!r}: {field} {getattr(self, field)} must be in 0..1"
-                )
+        for field in (*_SHARES, "density", "friction"):
+            number = self._number(field, getattr(self, field))
+            if field in _SHARES and not 0.0 <= number <= 1.0:
+                raise self._error(f"{field} {number} must be in 0..1")
+            object.__setattr__(self, field, number)
         if self.density <= 0.0:
-            raise ParameterError(f"material {self.name!r}: density {self.density} must be positive [kg/m^3]")
+            raise self._error(f"density {self.density} must be positive [kg/m^3]")
         if self.friction < 0.0:
-            raise ParameterError(f"material {self.name!r}: friction {self.friction} must not be negative")
+            raise self._error(f"friction {self.friction} must not be negative")
         self._check_texture()
 
     def _check_texture(self) -> None:
         if self.tile is not None:
             tile = tuple(self._number("tile", length) for length in self.tile)
             if len(tile) != 2 or min(tile) <= 0.0:
-                raise ParameterError(f"material {self.name!r}: tile {tile} must be 2 positive lengths [m]")
+                raise self._error(f"tile {tile} must be 2 positive lengths [m]")
             object.__setattr__(self, "tile", tile)
         variant: Any = self.variant
         if isinstance(variant, bool) or not isinstance(variant, int) or variant < 0:
-            raise ParameterError(
-                f"material {self.name!r}: variant {variant!r} must be a whole number from 0 on"
-            )
+            raise self._error(f"variant {variant!r} must be a whole number, 0 or more")
         if self.turned not in (False, True):
-            raise ParameterError(f"material {self.name!r}: turned {self.turned!r} must be True or False")
+            raise self._error(f"turned {self.turned!r} must be True or False")
         object.__setattr__(self, "turned", bool(self.turned))
         if self.texture and not _NAME.fullmatch(str(self.texture)):
-            raise ParameterError(
-                f"material {self.name!r}: texture {self.texture!r} is not the name of a recipe"
-            )
+            raise self._error(f"texture {self.texture!r} is not the name of a recipe")
+
+    def _error(self, message: str) -> ParameterError:
+        return ParameterError(f"material {self.name!r}: {message}")
 
     def _number(self, field: str, value: Any) -> float:
         """Return a finite number as a Python float, so that equal materials have equal data."""
@@ -103,7 +102,7 @@ class Material:
         except (TypeError, ValueError):
             number = math.nan
         if not math.isfinite(number):
-            raise ParameterError(f"material {self.name!r}: {field} {value!r} must be a finite number")
+            raise self._error(f"{field} {value!r} must be a finite number")
         return number
 
     @property
@@ -136,3 +135,43 @@ class Material:
 
 
 _FIELDS = tuple(field.name for field in fields(Material))
+
+_TABLE: dict[str, dict[str, Any]] = json.loads(Path(__file__).with_name("materials.json").read_text("utf-8"))
+
+COLORS: dict[str, tuple[float, float, float]] = {
+    name: tuple(color) for name, color in _TABLE["colors"].items()
+}
+"""Colors of paints, enamels and plastics of products, linear RGB, by name."""
+
+MATERIALS: dict[str, Material] = {
+    name: Material(name, **row | {"base_color": COLORS.get(str(row["base_color"]), row["base_color"])})
+    for name, row in _TABLE["materials"].items()
+}
+"""The materials by name."""
+
+
+def material(name: str) -> Material:
+    """Return a material of the table by name.
+
+    Raises:
+        ParameterError: The table has no such material; the message suggests the nearest name.
+    """
+    if name not in MATERIALS:
+        raise ParameterError(f"there is no material {name!r}.{nearest(name, MATERIALS)}")
+    return MATERIALS[name]
+
+
+def colored(name: str, color: str) -> Material:
+    """Return a material of the table in a color of products, named after both: `powder_coat_sage`.
+
+    Args:
+        name: A painted or dyed material, such as `powder_coat`, `enamel`, `abs` or `painted_wood`.
+        color: A name of `COLORS`.
+
+    Raises:
+        ParameterError: There is no such material or color; the message suggests the nearest name.
+    """
+    made = material(name)
+    if color not in COLORS:
+        raise ParameterError(f"there is no color {color!r}.{nearest(color, COLORS)}")
+    return made.with_(name=f"{name}_{color}", base_color=COLORS[color])

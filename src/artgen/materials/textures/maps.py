@@ -10,8 +10,7 @@ from numpy.typing import NDArray
 
 from artgen._arrays import cached
 from artgen.errors import ParameterError, nearest
-from artgen.materials.material import Material
-from artgen.materials.table import MATERIALS
+from artgen.materials.material import MATERIALS, Material
 from artgen.materials.textures.bake import MEMORY, Maps, Pixels, as_bytes, bake, baked, displayed, read, write
 from artgen.materials.textures.fields import RECIPES, Recipe
 
