@@ -5,7 +5,7 @@ finer waves, and cells keep their places.
 """
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import product
 from typing import Any, Literal, NamedTuple, TypeVar
 
@@ -207,11 +207,16 @@ def recipe(
     varying: tuple[Varying, ...] = ("normal",),
     shifts: tuple[bool, bool] = (True, True),
 ) -> Callable[[Callable[[Tile], Pattern]], None]:
-    """Register a function that draws a tile of a size [m] as a recipe with cached maps."""
+    """Register a function that draws a tile of a size [m] as a recipe with cached maps.
+
+    The albedo that it draws is scaled to the mean `base_color`, and the roughness is centered.
+    """
 
     def register(draw: Callable[[Tile], Pattern]) -> None:
         def make(stream: np.random.Generator, size: int) -> Pattern:
-            return draw(Tile(stream, size, extent))
+            drawn = draw(Tile(stream, size, extent))
+            albedo = None if drawn.albedo is None else with_mean(drawn.albedo, base_color)
+            return replace(drawn, albedo=albedo, roughness=centered(drawn.roughness))
 
         RECIPES[name] = Recipe(name, base_color, make, extent, variants, varying, shifts, kept=True)
 
@@ -270,13 +275,6 @@ def in_strips(make: Callable[..., NDArray[Value]], *fields: NDArray[Any]) -> NDA
     for start in range(rows, len(result), rows):
         result[start : start + rows] = make(*(field[start : start + rows] for field in fields))
     return result
-
-
-def hairlines(tile: Tile, width: float, length: float, least: float) -> Array:
-    """Return sparse fine scratches of a width and length [m] along and across, 0..2, shape (n, n)."""
-    ways = ((width, length), (length, width))
-    along, across = (smoothstep(least, 3.4, tile.streaks(*way)) for way in ways)
-    return along + across
 
 
 def smoothstep(low: float, high: float, values: Array) -> Array:

@@ -2,18 +2,7 @@
 
 import numpy as np
 
-from artgen.materials.textures.fields import (
-    SEEN,
-    Color,
-    Pattern,
-    Tile,
-    blend,
-    centered,
-    hairlines,
-    recipe,
-    smoothstep,
-    with_mean,
-)
+from artgen.materials.textures.fields import SEEN, Color, Pattern, Tile, blend, recipe, smoothstep
 
 _BRONZE: Color = (0.090, 0.063, 0.045)
 _HAMMERED: Color = (0.20, 0.13, 0.075)
@@ -38,9 +27,8 @@ def _grained(
     @recipe(name, (side, side))
     def drawn(tile: Tile) -> Pattern:
         field = tile.band(*grain)
-        return Pattern(
-            None, centered(roughness * field + smudges[0] * tile.smudges(smudges[1])), height=height * field
-        )
+        rough = roughness * field + smudges[0] * tile.smudges(smudges[1])
+        return Pattern(None, rough, height=height * field)
 
 
 _grained("anodised", 0.10, (0.0006, 0.6), 0.018, (0.020, 0.08), 3e-6)
@@ -74,7 +62,7 @@ def _brushed(
         strokes = (0.45 * long + 0.65 * fine + 0.45 * short) / 0.91
         fields = (strokes, tile.streaks(*bundle), tile.smudges(smudge))
         rough = roughness[0] * fields[0] + roughness[1] * fields[1] + roughness[2] * fields[2]
-        return Pattern(None, centered(rough), height=height * strokes)
+        return Pattern(None, rough, height=height * strokes)
 
 
 _brushed("brushed", (0.15, 0.60), (0.0005, 0.10), (0.0030, 0.25), (0.030, 0.014, 0.030), 0.15, 5e-6)
@@ -86,8 +74,10 @@ def _glossy(name: str, hair: tuple[float, float, float], hairs: float, smudges: 
 
     @recipe(name, (0.25, 0.25), variants=2, varying=())
     def drawn(tile: Tile) -> Pattern:
-        scratches = hairlines(tile, *hair)
-        return Pattern(None, centered(smudges[0] * tile.smudges(smudges[1]) + hairs * scratches))
+        width, length, least = hair
+        fine = [tile.streaks(*size) for size in ((width, length), (length, width))]
+        scratches = smoothstep(least, 3.4, fine[0]) + smoothstep(least, 3.4, fine[1])
+        return Pattern(None, smudges[0] * tile.smudges(smudges[1]) + hairs * scratches)
 
 
 _glossy("polished", (0.0008, 0.02, 2.3), 0.030, (0.020, 0.08))
@@ -102,7 +92,7 @@ def _cast(tile: Tile) -> Pattern:
     pits = smoothstep(1.7, 3.0, tile.band(0.0022, 0.5))
     height = 28e-6 * lumps + 9e-6 * sand - 45e-6 * pits
     roughness = 0.035 * sand + 0.03 * tile.cloud(0.05, 2.0) + 0.08 * pits
-    return Pattern(None, centered(roughness), height=height)
+    return Pattern(None, roughness, height=height)
 
 
 @recipe("rolled", (0.30, 0.30))
@@ -112,7 +102,7 @@ def _rolled(tile: Tile) -> Pattern:
     lines = tile.fibres(0.15, 0.4)
     grain = tile.band(0.0016, 0.6)
     roughness = 0.040 * blotches + 0.015 * lines + 0.012 * grain
-    return Pattern(None, centered(roughness), height=7e-6 * grain + 5e-6 * lines)
+    return Pattern(None, roughness, height=7e-6 * grain + 5e-6 * lines)
 
 
 @recipe("aged_bronze", (0.16, 0.16), _BRONZE, variants=2, varying=("albedo", "metalness", "normal"))
@@ -125,7 +115,7 @@ def _aged_bronze(tile: Tile) -> Pattern:
     albedo = blend(0.22 + 0.028 * mottle + 0.60 * worn, stops)
     metalness = np.clip(0.74 + 0.26 * worn - 0.02 * mottle, 0.0, 1.0)
     roughness = 0.015 * grain - 0.13 * worn + 0.022 * mottle + 0.02 * tile.smudges(0.06)
-    return Pattern(with_mean(albedo, _BRONZE), centered(roughness), metalness, 3e-6 * grain)
+    return Pattern(albedo, roughness, metalness, 3e-6 * grain)
 
 
 @recipe("hammered", (0.12, 0.12), _HAMMERED, varying=("albedo", "metalness", "normal"))
@@ -141,7 +131,7 @@ def _hammered(tile: Tile) -> Pattern:
     height = 200e-6 * dent + 1.5e-6 * tile.band(0.001, 0.6)
     metalness = np.clip(0.88 + 0.05 * mottle, 0.0, 1.0)
     roughness = 0.035 * mottle + 0.01 * tile.smudges(0.06)
-    return Pattern(with_mean(blend(share, stops), _HAMMERED), centered(roughness), metalness, height)
+    return Pattern(blend(share, stops), roughness, metalness, height)
 
 
 @recipe("knurl", (0.0096, 0.0144))
@@ -155,7 +145,7 @@ def _knurl(tile: Tile) -> Pattern:
     crests = np.minimum(*[np.arcsin(np.sqrt(each)) / (0.5 * np.pi) for each in sets])
     wear = smoothstep(0.70, 0.80, crests)
     roughness = 0.06 * (1.0 - crests) - 0.05 * wear + 0.02 * tile.cloud(0.004, 1.5)
-    return Pattern(None, centered(roughness), height=220e-6 * np.minimum(crests, 0.78))
+    return Pattern(None, roughness, height=220e-6 * np.minimum(crests, 0.78))
 
 
 @recipe("coarse_grain", (0.12, 0.12))
@@ -165,7 +155,7 @@ def _coarse_grain(tile: Tile) -> Pattern:
     island = smoothstep(0.0, 0.0006, cells.second - cells.nearest)
     fine = tile.band(0.0007, 0.6)
     roughness = -0.05 * island + 0.015 * fine + 0.02 * tile.smudges(0.08)
-    return Pattern(None, centered(roughness), height=22e-6 * island + 2.5e-6 * fine)
+    return Pattern(None, roughness, height=22e-6 * island + 2.5e-6 * fine)
 
 
 @recipe("rubber", (0.10, 0.10))
@@ -173,7 +163,7 @@ def _rubber(tile: Tile) -> Pattern:
     """Draw rubber: matt, with blotches of bloom and dust."""
     grain = tile.cloud(0.003, 1.1)
     bloom = tile.cloud(0.05, 1.8)
-    return Pattern(None, centered(0.03 * grain + 0.035 * bloom), height=5e-6 * grain)
+    return Pattern(None, 0.03 * grain + 0.035 * bloom, height=5e-6 * grain)
 
 
 @recipe("foam", (0.08, 0.08), _FOAM, varying=SEEN)
@@ -184,7 +174,7 @@ def _foam(tile: Tile) -> Pattern:
     shade = tile.cloud(0.02, 1.5)
     light = 1.0 - 0.22 * hollow + 0.02 * shade
     albedo = np.maximum(light, 0.2)[..., None] * np.array(_FOAM)
-    return Pattern(with_mean(albedo, _FOAM), centered(0.02 * shade), height=-90e-6 * hollow)
+    return Pattern(albedo, 0.02 * shade, height=-90e-6 * hollow)
 
 
 @recipe("powder_coat", (0.12, 0.12))
@@ -193,14 +183,14 @@ def _powder_coat(tile: Tile) -> Pattern:
     peel = tile.band(0.0024, 0.45)
     grain = tile.band(0.0008, 0.5)
     roughness = 0.012 * peel + 0.016 * grain + 0.02 * tile.smudges(0.10)
-    return Pattern(None, centered(roughness), height=6.0e-6 * peel + 1.2e-6 * grain)
+    return Pattern(None, roughness, height=6.0e-6 * peel + 1.2e-6 * grain)
 
 
 @recipe("enamel", (0.30, 0.30), varying=())
 def _enamel(tile: Tile) -> Pattern:
     """Draw vitreous or stoved enamel: glossy, with waves flatter than the levels of a normal map."""
     hairs = smoothstep(2.5, 3.6, tile.streaks(0.0012, 0.04))
-    return Pattern(None, centered(0.020 * tile.smudges(0.15) + 0.006 * tile.band(0.009, 0.5) + 0.02 * hairs))
+    return Pattern(None, 0.020 * tile.smudges(0.15) + 0.006 * tile.band(0.009, 0.5) + 0.02 * hairs)
 
 
 @recipe("brushed_paint", (0.30, 0.60), variants=2)
@@ -216,14 +206,14 @@ def _brushed_paint(tile: Tile) -> Pattern:
 def _glaze(tile: Tile) -> Pattern:
     """Draw glazed ceramic: a few pin holes, wiped, with waves flatter than the levels of a normal map."""
     holes = smoothstep(3.3, 3.9, tile.band(0.0028, 0.5))
-    return Pattern(None, centered(0.018 * tile.smudges(0.15) + 0.10 * holes))
+    return Pattern(None, 0.018 * tile.smudges(0.15) + 0.10 * holes)
 
 
 @recipe("clear_glass", (0.40, 0.40), variants=2, varying=())
 def _clear_glass(tile: Tile) -> Pattern:
     """Draw clear glass: smudges and the streaks of wiping."""
     wiped = tile.smudges(0.20) + 0.25 * tile.streaks(0.004, 0.06)
-    return Pattern(None, centered(0.014 * np.clip(wiped, -1.2, 4.0)))
+    return Pattern(None, 0.014 * np.clip(wiped, -1.2, 4.0))
 
 
 @recipe("flat", (0.5, 0.5), varying=())

@@ -14,17 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from artgen._arrays import Array
-from artgen.materials.textures.fields import (
-    SEEN,
-    Color,
-    Pattern,
-    Tile,
-    blend,
-    centered,
-    recipe,
-    smoothstep,
-    with_mean,
-)
+from artgen.materials.textures.fields import SEEN, Color, Pattern, Tile, blend, centered, recipe, smoothstep
 
 _SPREAD = 0.45  # deviation of the logarithm of lengths
 _AT_ONCE = 1 << 14  # pores drawn at once: more would need many pages of memory
@@ -209,7 +199,7 @@ def _wood(species: Species, cut: _Cut, tile: Tile) -> Pattern:
         albedo[..., channel] *= shade * (1.0 + 0.025 * share * hue)
     roughness = 0.10 * groove - 0.06 * centered(late) + 0.008 * fine + 0.018 * tile.smudges(0.2)
     height = -_PORE_DEPTH * groove + 12e-6 * fine + 4e-6 * short - 15e-6 * late
-    return Pattern(with_mean(albedo, species.mean), centered(roughness), height=height)
+    return Pattern(albedo, roughness, height=height)
 
 
 def _grooves(tile: Tile, species: Species, rings: Array, short: Array, broad: Array) -> Array:
@@ -251,10 +241,8 @@ def _plywood(tile: Tile) -> Pattern:
     fleck = smoothstep(1.9, 3.0, tile.streaks(0.0022, 0.020))
     light = 1.0 - 0.060 * rings + 0.020 * fine + 0.022 * short + 0.02 * tile.streaks(0.09, 0.8)
     albedo = (light * (1.0 - 0.16 * fleck))[..., None] ** np.array([0.8, 1.0, 1.3]) * _PLYWOOD
-    roughness = centered(0.03 * fleck + 0.012 * short + 0.015 * tile.smudges(0.3))
-    return Pattern(
-        with_mean(albedo, _PLYWOOD), roughness, height=20e-6 * short + 10e-6 * fine - 30e-6 * fleck
-    )
+    roughness = 0.03 * fleck + 0.012 * short + 0.015 * tile.smudges(0.3)
+    return Pattern(albedo, roughness, height=20e-6 * short + 10e-6 * fine - 30e-6 * fleck)
 
 
 @recipe("plywood_edge", (0.0336, 0.30), _PLYWOOD, variants=2, varying=SEEN)
@@ -275,8 +263,8 @@ def _plywood_edge(tile: Tile) -> Pattern:
     light = np.clip(light * (1.0 - 0.38 * glue), 0.1, 1.35)
     albedo = light[..., None] ** np.array([0.85, 1.0, 1.3]) * _PLYWOOD
     height = np.where(end_grain == 1, 6e-6 * dots - 12e-6, 2e-6 * lines) - 15e-6 * glue
-    roughness = centered(0.08 * end_grain + 0.02 * dots)
-    return Pattern(with_mean(albedo, _PLYWOOD), roughness, height=height)
+    roughness = 0.08 * end_grain + 0.02 * dots
+    return Pattern(albedo, roughness, height=height)
 
 
 @recipe("mdf", (0.25, 0.25), _MDF, varying=SEEN)
@@ -289,8 +277,8 @@ def _mdf(tile: Tile) -> Pattern:
     )
     light = 1.0 + 0.035 * felt + 0.03 * fine + 0.025 * tile.cloud(0.12, 1.6) - 0.20 * dark
     albedo = np.maximum(light, 0.3)[..., None] ** np.array([0.9, 1.0, 1.15]) * _MDF
-    roughness = centered(0.03 * felt + 0.02 * tile.cloud(0.1, 2.0))
-    return Pattern(with_mean(albedo, _MDF), roughness, height=8e-6 * fine + 6e-6 * felt)
+    roughness = 0.03 * felt + 0.02 * tile.cloud(0.1, 2.0)
+    return Pattern(albedo, roughness, height=8e-6 * fine + 6e-6 * felt)
 
 
 @recipe("cardboard", (0.20, 0.256), _CARDBOARD, variants=2, varying=SEEN)
@@ -306,7 +294,7 @@ def _cardboard(tile: Tile) -> Pattern:
     light = light - 0.11 * fibre + 0.08 * pale
     albedo = light[..., None] ** np.array([0.9, 1.0, 1.2]) * _CARDBOARD
     height = 22e-6 * flute + 9e-6 * wash + 9e-6 * fibre
-    return Pattern(with_mean(albedo, _CARDBOARD), centered(0.02 * wash - 0.03 * pale), height=height)
+    return Pattern(albedo, 0.02 * wash - 0.03 * pale, height=height)
 
 
 # the liners are the board's faces
@@ -328,7 +316,7 @@ def _cardboard_edge(tile: Tile) -> Pattern:
     depth = 0.30 + 0.70 * solid * (1.0 + 0.09 * rag)
     albedo = np.clip(depth, 0.05, 1.3)[..., None] ** np.array([0.9, 1.0, 1.1]) * _CARDBOARD_EDGE
     height = 60e-6 * solid + 5e-6 * rag * solid
-    return Pattern(with_mean(albedo, _CARDBOARD_EDGE), centered(0.03 * rag), height=height)
+    return Pattern(albedo, 0.03 * rag, height=height)
 
 
 def _sheet(distance: Array, half: float, texel: Array | float) -> Array:

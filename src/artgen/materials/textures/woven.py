@@ -6,16 +6,7 @@ from functools import partial
 import numpy as np
 
 from artgen._arrays import Array
-from artgen.materials.textures.fields import (
-    SEEN,
-    Color,
-    Pattern,
-    Tile,
-    centered,
-    recipe,
-    smoothstep,
-    with_mean,
-)
+from artgen.materials.textures.fields import SEEN, Color, Pattern, Tile, recipe, smoothstep
 
 
 @dataclass(frozen=True)
@@ -63,8 +54,8 @@ def _weave(kind: Weave, tile: Tile) -> Pattern:
     light *= 1.0 + 0.015 * tile.cloud(0.5 * tile.extent[0], 1.5)
     albedo = np.clip(light, 0.03, 1.6)[..., None] ** np.array([0.92, 1.0, 1.1]) * np.array(kind.mean)
     relief = kind.depth * (height + 0.25 * kind.twist * strand * height + 0.02 * hair)
-    roughness = centered(0.02 * hair - 0.05 * height)
-    return Pattern(with_mean(albedo, kind.mean), roughness, height=relief)
+    roughness = 0.02 * hair - 0.05 * height
+    return Pattern(albedo, roughness, height=relief)
 
 
 class _Threads:
@@ -106,4 +97,4 @@ def _perforated(tile: Tile) -> Pattern:
     texel = tile.extent[0] / tile.size
     metal = smoothstep(0.00062 - texel, 0.00062 + texel, distance)
     albedo = (0.40 + 0.60 * metal)[..., None] * np.ones(3)
-    return Pattern(with_mean(albedo, _PERFORATED), centered(-0.25 * metal), height=60e-6 * metal)
+    return Pattern(albedo, -0.25 * metal, height=60e-6 * metal)
