@@ -10,7 +10,6 @@ from hypothesis import strategies as st
 from manifold3d import Manifold
 
 from artgen.colliders import (
-    Bounded,
     Convex,
     Exact,
     Pieces,
@@ -208,7 +207,7 @@ def test_results_are_computed_once_for_each_tolerance() -> None:
         asked.append(tolerance)
         return (Convex.sphere(0.1),)
 
-    pieces = Bounded(outer, outer)
+    pieces = Pieces(outer, outer)
     assert pieces.outer(0.001) is pieces.outer(0.001)
     pieces.outer(0.002)
     assert asked == [0.001, 0.002]

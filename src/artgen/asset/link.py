@@ -15,7 +15,7 @@ from artgen.asset.mass import MassProperties, Moments, polyhedron_moments, total
 from artgen.asset.record import plain, rounded, rounded_coordinates
 from artgen.asset.shape import Mesh, Shape
 from artgen.asset.surface import as_written, by_paint, joined, shifted
-from artgen.colliders import Convex, budgeted_together
+from artgen.colliders import Convex, budgeted
 from artgen.errors import AssetError
 from artgen.materials import Material
 
@@ -143,7 +143,7 @@ class Link(FrozenArrays):
                 f"{MOST_COLLIDERS} colliders: join small solids or make them details"
             )
         try:
-            found = budgeted_together([piece.shape.pieces for piece in pieces], most_pieces=MOST_COLLIDERS)
+            found = budgeted([piece.shape.pieces for piece in pieces], most_pieces=MOST_COLLIDERS)
         except ValueError as error:
             raise AssetError(f"link {self.name!r}: {error}") from None
         return tuple(

@@ -5,7 +5,6 @@ concatenates pieces, a difference splits them by the faces of the cutter's piece
 """
 
 from artgen._arrays import Array
-from artgen.colliders.budget import budgeted, budgeted_together
 from artgen.colliders.convex import TOLERANCE, Convex, Kind
 from artgen.colliders.makers import (
     chain_pieces,
@@ -14,20 +13,18 @@ from artgen.colliders.makers import (
     prism_pieces,
     round_pieces,
 )
-from artgen.colliders.pieces import Bounded, Exact, Pieces, difference, intersection, union
+from artgen.colliders.pieces import Exact, Pieces, budgeted, difference, intersection, union
 from artgen.colliders.polygon import decompose_polygon
 from artgen.colliders.revolve import revolve_pieces
 
 __all__ = [
     "TOLERANCE",
     "Array",
-    "Bounded",
     "Convex",
     "Exact",
     "Kind",
     "Pieces",
     "budgeted",
-    "budgeted_together",
     "chain_pieces",
     "cylinder_pieces",
     "decompose_polygon",

@@ -9,7 +9,7 @@ from artgen._arrays import Array, successors
 from artgen.colliders.approximate import inscribed_points
 from artgen.colliders.convex import Convex
 from artgen.colliders.enclose import Facets, enclosing
-from artgen.colliders.pieces import Bounded, Cover, Exact, Pieces
+from artgen.colliders.pieces import Cover, Exact, Pieces
 from artgen.colliders.polygon import convex_hull, decompose_polygon
 from artgen.colliders.polytope import SLIVER, Polytope
 
@@ -27,7 +27,7 @@ def hull_pieces(points: Array) -> Pieces:
     solid = Convex.hull(points)
     if solid.kind == "box" or len(solid.points) <= 16:
         return Exact([solid])
-    return Bounded(lambda _: (solid,), lambda tolerance: _thinned_hull(solid, tolerance))
+    return Pieces(lambda _: (solid,), lambda tolerance: _thinned_hull(solid, tolerance))
 
 
 def round_pieces(primitive: Convex, points: Array) -> Pieces:
@@ -36,7 +36,7 @@ def round_pieces(primitive: Convex, points: Array) -> Pieces:
     The primitive contains the mesh; the mesh contains the hull of some of its vertices.
     """
     solid = Convex.hull(points)
-    return Bounded(lambda _: (primitive,), lambda tolerance: _thinned_hull(solid, tolerance))
+    return Pieces(lambda _: (primitive,), lambda tolerance: _thinned_hull(solid, tolerance))
 
 
 def _thinned_hull(solid: Convex, tolerance: float) -> Cover:
@@ -66,7 +66,7 @@ def cylinder_pieces(radius: float, length: float, pose: Array = _IDENTITY, mesh_
         prism = Polytope.prism(polygon, -length / 2.0, length / 2.0)
         return (Convex.of(prism.transformed(cylinder.pose)),)
 
-    return Bounded(lambda _: (cylinder,), inner)
+    return Pieces(lambda _: (cylinder,), inner)
 
 
 def _mesh_step(radius: float, mesh_sides: int, tolerance: float) -> int:
@@ -115,7 +115,7 @@ def prism_pieces(
             if prism.width >= SLIVER
         )
 
-    return Bounded(
+    return Pieces(
         lambda tolerance: cover(tolerance, inner=False), lambda tolerance: cover(tolerance, inner=True)
     )
 
@@ -158,7 +158,7 @@ def chain_pieces(rings: Sequence[Array], *, closed: bool = False) -> Pieces:
         links = (_inner_link(stack[start], stack[end]) for start, end in _straight_runs(stack, _STRAIGHT))
         return tuple(Convex.of(link) for link in links if link is not None)
 
-    return Bounded(outer, inner)
+    return Pieces(outer, inner)
 
 
 def _ring_planes(stack: Array) -> Array:

@@ -1,26 +1,33 @@
-"""Lazily evaluated convex covers of solids, combined like the solids."""
+"""Lazily evaluated convex covers of solids, combined like the solids, and their reduction to a budget."""
 
-from abc import ABC, abstractmethod
 from collections.abc import Callable, Sequence
 
 import numpy as np
 
 from artgen._arrays import Array, frozen
-from artgen.colliders.convex import Convex
+from artgen.colliders.convex import TOLERANCE, Convex
 from artgen.colliders.enclose import few_vertices
-from artgen.colliders.merge import joined
+from artgen.colliders.merge import condensed, joined
 from artgen.colliders.polytope import is_rigid
 from artgen.colliders.split import Facetted, intersect, subtract
 
 Cover = tuple[Convex, ...]
 
 _MANY = 10**9  # more than the vertices of any piece
+_COARSER = (0.0005, 0.001)  # tolerances for solids that need too many pieces [m]
+_MARGIN = 0.001  # largest distance of joined pieces from the solid [m]
 
 
-class Pieces(ABC):
-    """A convex cover of one solid, computed on first access and cached for each tolerance."""
+class Pieces:
+    """A convex cover of one solid, computed on first access and cached for each tolerance.
 
-    def __init__(self) -> None:
+    Args:
+        outer: Function of the tolerance for the pieces that contain the solid.
+        inner: Function of the tolerance for the pieces inside the solid.
+    """
+
+    def __init__(self, outer: Callable[[float], Cover], inner: Callable[[float], Cover]) -> None:
+        self._outer, self._inner = outer, inner
         self._known: dict[tuple[str, float, int], Cover] = {}
 
     def outer(self, tolerance: float) -> Cover:
@@ -32,7 +39,7 @@ class Pieces(ABC):
         Raises:
             ValueError: The tolerance is not positive.
         """
-        return self._remembered(("outer", tolerance, 0), self._outer)
+        return self._cached(("outer", tolerance, 0), self._outer)
 
     def inner(self, tolerance: float) -> Cover:
         """Return pieces inside the solid.
@@ -43,13 +50,16 @@ class Pieces(ABC):
         Raises:
             ValueError: The tolerance is not positive.
         """
-        return self._remembered(("inner", tolerance, 0), self._inner)
+        return self._cached(("inner", tolerance, 0), self._inner)
 
     def simplified(self, tolerance: float, most_vertices: int = 64) -> Cover:
         """Return the outer pieces, joined where that adds no volume, with a limit of vertices."""
-        return self._remembered(
-            ("simplified", tolerance, most_vertices), lambda limit: self._simplified(limit, most_vertices)
-        )
+
+        def compute(tolerance: float) -> Cover:
+            pieces = joined(self.outer(tolerance), most_vertices)
+            return tuple(small for piece in pieces for small in few_vertices(piece, most_vertices, tolerance))
+
+        return self._cached(("simplified", tolerance, most_vertices), compute)
 
     def transformed(self, matrix: Array) -> "Pieces":
         """Return the cover moved by an affine matrix, shape (4, 4)."""
@@ -58,25 +68,13 @@ class Pieces(ABC):
             raise ValueError(f"a transform must be a finite matrix of shape (4, 4), got {matrix.tolist()}")
         return _Transformed(self, matrix)
 
-    @abstractmethod
-    def _outer(self, tolerance: float) -> Cover:
-        """Compute the pieces that contain the solid."""
-
-    @abstractmethod
-    def _inner(self, tolerance: float) -> Cover:
-        """Compute the pieces inside the solid."""
-
-    def _remembered(self, key: tuple[str, float, int], compute: Callable[[float], Cover]) -> Cover:
+    def _cached(self, key: tuple[str, float, int], compute: Callable[[float], Cover]) -> Cover:
         tolerance = key[1]
         if not 0.0 < tolerance < float("inf"):
             raise ValueError(f"the tolerance of convex pieces must be positive, got {tolerance} m")
         if key not in self._known:
-            self._known[key] = compute(tolerance)
+            self._known[key] = tuple(compute(tolerance))
         return self._known[key]
-
-    def _simplified(self, tolerance: float, most_vertices: int) -> Cover:
-        pieces = joined(self.outer(tolerance), most_vertices)
-        return tuple(small for piece in pieces for small in few_vertices(piece, most_vertices, tolerance))
 
 
 class Exact(Pieces):
@@ -87,104 +85,72 @@ class Exact(Pieces):
     """
 
     def __init__(self, convexes: Sequence[Convex]) -> None:
-        super().__init__()
-        self._convexes = tuple(convexes)
-
-    def _outer(self, tolerance: float) -> Cover:
-        return self._convexes
-
-    def _inner(self, tolerance: float) -> Cover:
-        return self._convexes
-
-
-class Bounded(Pieces):
-    """Pieces computed by two functions of the tolerance.
-
-    Args:
-        outer: Function for the pieces that contain the solid, such as the `outer` of other pieces.
-        inner: Function for the pieces inside the solid.
-    """
-
-    def __init__(self, outer: Callable[[float], Cover], inner: Callable[[float], Cover]) -> None:
-        super().__init__()
-        self._compute_outer = outer
-        self._compute_inner = inner
-
-    def _outer(self, tolerance: float) -> Cover:
-        return tuple(self._compute_outer(tolerance))
-
-    def _inner(self, tolerance: float) -> Cover:
-        return tuple(self._compute_inner(tolerance))
+        cover = tuple(convexes)
+        super().__init__(lambda _: cover, lambda _: cover)
 
 
 class _Transformed(Pieces):
+    """Moved pieces; a further motion multiplies the matrices."""
+
     def __init__(self, base: Pieces, matrix: Array) -> None:
-        super().__init__()
-        self._base = base
-        self._matrix = frozen(matrix)
         linear = matrix[:3, :3]
-        self._scale = 1.0
-        if not is_rigid(linear):
-            self._scale = float(np.linalg.norm(linear, 2))
-        if not self._scale > 0.0:
+        scale = 1.0 if is_rigid(linear) else float(np.linalg.norm(linear, 2))
+        if not scale > 0.0:
             raise ValueError(f"pieces cannot be moved by a matrix that flattens them: {matrix.tolist()}")
+        self._base, self._matrix = base, frozen(matrix)
+
+        def outer(tolerance: float) -> Cover:
+            fine = tolerance / scale
+            return tuple(piece.transformed(matrix, fine) for piece in base.outer(fine))
+
+        def inner(tolerance: float) -> Cover:
+            fine = tolerance / scale
+            return tuple(piece.transformed(matrix, fine, inner=True) for piece in base.inner(fine))
+
+        super().__init__(outer, inner)
 
     def transformed(self, matrix: Array) -> Pieces:
         return self._base.transformed(matrix @ self._matrix)
 
-    def _outer(self, tolerance: float) -> Cover:
-        fine = tolerance / self._scale
-        return tuple(piece.transformed(self._matrix, fine) for piece in self._base.outer(fine))
 
-    def _inner(self, tolerance: float) -> Cover:
-        fine = tolerance / self._scale
-        return tuple(piece.transformed(self._matrix, fine, inner=True) for piece in self._base.inner(fine))
-
-
-class _Union(Pieces):
-    def __init__(self, parts: Sequence[Pieces]) -> None:
-        super().__init__()
-        self._parts = tuple(parts)
-
-    def _outer(self, tolerance: float) -> Cover:
-        return tuple(piece for part in self._parts for piece in part.outer(tolerance))
-
-    def _inner(self, tolerance: float) -> Cover:
-        return tuple(piece for part in self._parts for piece in part.inner(tolerance))
+def union(*pieces: Pieces) -> Pieces:
+    """Return the cover of the union."""
+    if len(pieces) == 1:
+        return pieces[0]
+    return Pieces(
+        lambda tolerance: tuple(piece for part in pieces for piece in part.outer(tolerance)),
+        lambda tolerance: tuple(piece for part in pieces for piece in part.inner(tolerance)),
+    )
 
 
-class _Difference(Pieces):
-    def __init__(self, solid: Pieces, cutter: Pieces) -> None:
-        super().__init__()
-        self._solid, self._cutter = solid, cutter
-
-    def _outer(self, tolerance: float) -> Cover:
-        around = [Facetted.around(piece, tolerance) for piece in self._solid.outer(tolerance)]
-        return _cut(around, [Facetted.within(piece, tolerance) for piece in self._cutter.inner(tolerance)])
-
-    def _inner(self, tolerance: float) -> Cover:
-        within = [Facetted.within(piece, tolerance) for piece in self._solid.inner(tolerance)]
-        return _cut(within, [Facetted.around(piece, tolerance) for piece in self._cutter.outer(tolerance)])
+def difference(solid: Pieces, cutter: Pieces) -> Pieces:
+    """Return the cover of a solid without a cutter; exact if the cutter's pieces are."""
+    return Pieces(
+        lambda tolerance: _cut(_outside(solid, tolerance), _inside(cutter, tolerance)),
+        lambda tolerance: _cut(_inside(solid, tolerance), _outside(cutter, tolerance)),
+    )
 
 
-class _Intersection(Pieces):
-    def __init__(self, first: Pieces, second: Pieces) -> None:
-        super().__init__()
-        self._first, self._second = first, second
+def intersection(first: Pieces, second: Pieces) -> Pieces:
+    """Return the cover of the intersection of two solids."""
 
-    def _outer(self, tolerance: float) -> Cover:
-        first, second = (
-            [Facetted.around(piece, tolerance) for piece in pieces.outer(tolerance)]
-            for pieces in (self._first, self._second)
-        )
-        return tuple(part.convex() for part in intersect(first, second))
+    def common(one: list[Facetted], two: list[Facetted]) -> Cover:
+        return tuple(part.convex() for part in intersect(one, two))
 
-    def _inner(self, tolerance: float) -> Cover:
-        first, second = (
-            [Facetted.within(piece, tolerance) for piece in pieces.inner(tolerance)]
-            for pieces in (self._first, self._second)
-        )
-        return tuple(part.convex() for part in intersect(first, second))
+    return Pieces(
+        lambda tolerance: common(_outside(first, tolerance), _outside(second, tolerance)),
+        lambda tolerance: common(_inside(first, tolerance), _inside(second, tolerance)),
+    )
+
+
+def _outside(pieces: Pieces, tolerance: float) -> list[Facetted]:
+    """Return the outer pieces, faceted on the outside."""
+    return [Facetted(piece, tolerance=tolerance) for piece in pieces.outer(tolerance)]
+
+
+def _inside(pieces: Pieces, tolerance: float) -> list[Facetted]:
+    """Return the inner pieces, faceted on the inside."""
+    return [Facetted(piece, tolerance=tolerance, inside=True) for piece in pieces.inner(tolerance)]
 
 
 def _cut(pieces: Sequence[Facetted], cutters: Sequence[Facetted]) -> Cover:
@@ -195,16 +161,49 @@ def _cut(pieces: Sequence[Facetted], cutters: Sequence[Facetted]) -> Cover:
     return tuple(rest)
 
 
-def union(*pieces: Pieces) -> Pieces:
-    """Return the cover of the union."""
-    return pieces[0] if len(pieces) == 1 else _Union(pieces)
+def budgeted(
+    solids: Sequence[Pieces],
+    *,
+    most_pieces: int = 64,
+    most_vertices: int = 64,
+    tolerance: float = TOLERANCE,
+) -> list[Cover]:
+    """Return convex pieces around each of several solids, within the common budget of a simulator.
 
+    Round pieces are faceted to the tolerance. Over the budget, the solids with the most pieces are faceted to
+    0.5 mm, then 1 mm. Then pieces are joined as long as their hull stays within about 1 mm of the solid.
+    Cavities are never closed.
 
-def difference(solid: Pieces, cutter: Pieces) -> Pieces:
-    """Return the cover of a solid without a cutter; exact if the cutter's pieces are."""
-    return _Difference(solid, cutter)
+    Args:
+        solids: The solids.
+        most_pieces: Largest number of pieces of all solids together.
+        most_vertices: Largest number of vertices of a hull.
+        tolerance: Largest distance of the pieces from round solids [m].
 
-
-def intersection(first: Pieces, second: Pieces) -> Pieces:
-    """Return the cover of the intersection of two solids."""
-    return _Intersection(first, second)
+    Raises:
+        ValueError: The solids need more pieces.
+    """
+    if most_pieces < 1 or most_vertices < 8:
+        raise ValueError(
+            f"a budget needs at least 1 piece and 8 vertices, got {most_pieces} and {most_vertices}"
+        )
+    covers = [solid.simplified(tolerance, most_vertices) for solid in solids]
+    fewest = sum(map(len, covers))
+    for limit in (coarse for coarse in _COARSER if coarse > tolerance):
+        for number in sorted(range(len(covers)), key=lambda number: (-len(covers[number]), number)):
+            if fewest <= most_pieces:
+                return covers
+            coarser = solids[number].simplified(limit, most_vertices)
+            if len(coarser) < len(covers[number]):
+                fewest -= len(covers[number]) - len(coarser)
+                covers[number] = coarser
+    if fewest <= most_pieces:
+        return covers
+    merged = condensed(covers, most_pieces, most_vertices, _MARGIN)
+    count = sum(map(len, merged))
+    if count > most_pieces:
+        raise ValueError(
+            f"the solid needs {fewest} convex pieces, {count} after joining those that seal no cavity; "
+            f"at most {most_pieces} are allowed: cut fewer or simpler holes, or make it of several parts"
+        )
+    return [tuple(group) for group in merged]

@@ -7,7 +7,7 @@ import numpy as np
 
 from artgen._arrays import Array, successors
 from artgen.colliders.convex import Convex
-from artgen.colliders.pieces import Bounded, Cover, Pieces
+from artgen.colliders.pieces import Cover, Pieces
 from artgen.colliders.polygon import convex_hull, signed_area
 from artgen.colliders.polytope import SLIVER, SNAP
 
@@ -54,7 +54,7 @@ def revolve_pieces(
             f"got {angle} rad and {mesh_segments} segments"
         )
     lathe = _Lathe(loops, start, min(angle, 2.0 * np.pi), mesh_segments, pose)
-    return Bounded(lathe.outer, lathe.inner)
+    return Pieces(lathe.outer, lathe.inner)
 
 
 class _Lathe:

@@ -31,16 +31,6 @@ class Facetted:
     tolerance: float = 0.0
     inside: bool = False
 
-    @classmethod
-    def around(cls, piece: Convex, tolerance: float) -> "Facetted":
-        """Facet a round piece on the outside, to the tolerance [m]."""
-        return cls(piece, None, tolerance)
-
-    @classmethod
-    def within(cls, piece: Convex, tolerance: float) -> "Facetted":
-        """Facet a round piece on the inside, to the tolerance [m]."""
-        return cls(piece, None, tolerance, inside=True)
-
     @cached_property
     def shape(self) -> Polytope:
         """The polytope."""
@@ -64,7 +54,8 @@ class Facetted:
     def simpler(self) -> list["Facetted"]:
         """Return pieces with few vertices around the piece."""
         assert self.kept is not None
-        return [Facetted.around(few, self.tolerance) for few in few_vertices(self.kept, _FEW, self.tolerance)]
+        few = few_vertices(self.kept, _FEW, self.tolerance)
+        return [Facetted(piece, tolerance=self.tolerance) for piece in few]
 
     def convex(self) -> Convex:
         """Return the piece."""

@@ -332,7 +332,7 @@ def _paint(solid: Shape, material: Material) -> Shape:
 
 def _bounding_collider(solid: Shape) -> Shape:
     around = around_hull(np.ascontiguousarray(solid.mesh.vertices))
-    return Shape(solid.manifold, colliders.Bounded(around.outer, solid.pieces.inner), solid.paints)
+    return Shape(solid.manifold, colliders.Pieces(around.outer, solid.pieces.inner), solid.paints)
 
 
 @records(_bounding_collider)

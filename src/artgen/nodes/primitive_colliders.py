@@ -10,7 +10,7 @@ import numpy as np
 from artgen import colliders
 from artgen._arrays import Array
 from artgen.asset.shape import Contour, Outline
-from artgen.colliders import Bounded, Convex, Pieces
+from artgen.colliders import Convex, Pieces
 from artgen.nodes.surfaces import lathe_steps, mitres
 
 _SOFT_EDGE = 0.012
@@ -50,7 +50,7 @@ def around_rounded_box(size: Array, bevel: float) -> Pieces:
             return (Convex.box(size - 2.0 * inset),)
         return (_chamfered(size, 0.0, bevel),)
 
-    return Bounded(outer, inner)
+    return Pieces(outer, inner)
 
 
 def _chamfered(size: Array, reach: float, bevel: float) -> Convex:
@@ -75,7 +75,7 @@ def around_cylinder(radius: float, length: float, sides: int, matrix: Array, bev
             return whole.outer(tolerance)
         return tuple(_rims(radius, length, matrix, bevel))
 
-    return Bounded(outer, lambda tolerance: shorter.inner(tolerance) + thinner.inner(tolerance))
+    return Pieces(outer, lambda tolerance: shorter.inner(tolerance) + thinner.inner(tolerance))
 
 
 def _rims(radius: float, length: float, matrix: Array, bevel: float) -> list[Convex]:
@@ -104,7 +104,7 @@ def _rims(radius: float, length: float, matrix: Array, bevel: float) -> list[Con
 def lazily(make: Callable[[], Pieces]) -> Pieces:
     """Return pieces that are computed on first access: many solids only serve to cut others."""
     made = functools.cache(make)
-    return Bounded(lambda tolerance: made().outer(tolerance), lambda tolerance: made().inner(tolerance))
+    return Pieces(lambda tolerance: made().outer(tolerance), lambda tolerance: made().inner(tolerance))
 
 
 def around_hull(vertices: Array) -> Pieces:
@@ -137,7 +137,7 @@ def around_extrusion(
         inset = [contour.points - bevel * mitres(contour) for contour in profile.contours]
         shorter = colliders.prism_pieces(borders, bevel - half, half - bevel, convex=profile.convex)
         thinner = colliders.prism_pieces(inset, -half, half)
-        return Bounded(whole.outer, lambda tolerance: shorter.inner(tolerance) + thinner.inner(tolerance))
+        return Pieces(whole.outer, lambda tolerance: shorter.inner(tolerance) + thinner.inner(tolerance))
 
     def rings(low: float, high: float) -> Callable[[Array], list[Array]]:
         def place(polygon: Array) -> list[Array]:
@@ -156,7 +156,7 @@ def around_extrusion(
     if bevel == 0.0:
         return whole
     shorter = around_sweep(profile, rings(bevel - half, half - bevel), closed=False)
-    return Bounded(whole.outer, shorter.inner)
+    return Pieces(whole.outer, shorter.inner)
 
 
 def around_sweep(profile: Outline, place: Callable[[Array], list[Array]], closed: bool) -> Pieces:
@@ -175,7 +175,7 @@ def around_sweep(profile: Outline, place: Callable[[Array], list[Array]], closed
         parts = [borders[0]] if simple else colliders.decompose_polygon(borders, tolerance, inner=True)
         return tuple(piece for chain in chains(parts) for piece in chain.inner(tolerance))
 
-    return Bounded(outer, inner)
+    return Pieces(outer, inner)
 
 
 def around_chain(rings: Sequence[Array], closed: bool = False) -> Pieces:

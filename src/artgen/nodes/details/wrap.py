@@ -6,7 +6,7 @@ import numpy as np
 
 from artgen._arrays import Array
 from artgen.asset.shape import Curve, Outline, Shape
-from artgen.colliders import Bounded
+from artgen.colliders import Pieces
 from artgen.graph import kernel
 from artgen.materials import Material
 from artgen.nodes import validators as inputs
@@ -40,7 +40,7 @@ def _wrap(profile: Outline, path: Curve, height: float, proud: float) -> Shape:
     vertices, normals = _bent(bent, line, radius, height)
     skin = Skin(vertices, normals, bent.uvs, bent.triangles, bent.targets)
     # pieces of visual details: none
-    return skin.shape(Bounded(around_hull(vertices).outer, lambda tolerance: ()))
+    return skin.shape(Pieces(around_hull(vertices).outer, lambda tolerance: ()))
 
 
 def _bent(flat: Skin, line: Array, radius: float, height: float) -> tuple[Array, Array]:
