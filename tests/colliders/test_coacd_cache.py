@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from artgen import _disk_cache as disk_cache
 from artgen.asset.collision import closed_mesh
 from artgen.colliders import coacd
 from artgen.colliders.coacd import canonical, coacd_pieces
@@ -31,7 +32,7 @@ def runs(monkeypatch):
     def run(vertices, triangles, settings):
         counted.append(settings)
         corners = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], float)
-        return [corners * len(counted), corners - 1.0]
+        return {"points": np.concatenate([corners * len(counted), corners - 1.0]), "counts": np.array([4, 4])}
 
     monkeypatch.setattr(coacd, "_run", run)
     return counted
@@ -141,13 +142,13 @@ def test_the_place_is_the_users(monkeypatch, tmp_path):
     monkeypatch.setenv("HOME", str(tmp_path))
     monkeypatch.delenv("ARTGEN_CACHE", raising=False)
     monkeypatch.delenv("XDG_CACHE_HOME", raising=False)
-    assert coacd.cache_directory() == tmp_path / ".cache" / "artgen"
+    assert disk_cache.cache_directory() == tmp_path / ".cache" / "artgen"
     monkeypatch.setenv("XDG_CACHE_HOME", "relative")
-    assert coacd.cache_directory() == tmp_path / ".cache" / "artgen"
+    assert disk_cache.cache_directory() == tmp_path / ".cache" / "artgen"
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "shared"))
-    assert coacd.cache_directory() == tmp_path / "shared" / "artgen"
+    assert disk_cache.cache_directory() == tmp_path / "shared" / "artgen"
     monkeypatch.setenv("ARTGEN_CACHE", str(tmp_path / "mine"))
-    assert coacd.cache_directory() == tmp_path / "mine"
+    assert disk_cache.cache_directory() == tmp_path / "mine"
 
     def homeless():
         raise RuntimeError
@@ -155,9 +156,9 @@ def test_the_place_is_the_users(monkeypatch, tmp_path):
     monkeypatch.delenv("ARTGEN_CACHE")
     monkeypatch.delenv("XDG_CACHE_HOME")
     monkeypatch.setattr(Path, "home", homeless)
-    assert coacd.cache_directory() is None
-    assert coacd.read_points("coacd", "key") is None
-    coacd.write_points("coacd", "key", [np.zeros((4, 3))])
+    assert disk_cache.cache_directory() is None
+    assert disk_cache.read("coacd", "key") is None
+    disk_cache.write("coacd", "key", b"content")
 
 
 def test_processes_and_threads_find_the_same_bytes(place):

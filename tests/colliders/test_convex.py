@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from artgen.colliders import Convex
+from artgen.colliders import TOLERANCE, Convex
 from colliders.covering import pose
 
 LENGTH = st.floats(0.001, 2.0)
@@ -51,7 +51,7 @@ def test_outer_polytope_contains_a_round_piece_within_the_tolerance(piece: Conve
 
 @pytest.mark.parametrize("piece", ROUND, ids=lambda piece: piece.kind)
 def test_inner_points_lie_on_or_in_a_round_piece(piece: Convex) -> None:
-    points = piece.inner_points(0.0002)
+    points = piece.inner_polytope(0.0002).points
     outside = piece.outer_polytope(1e-5)
     assert outside.contains(points, 1e-12)
     assert Convex.hull(points).volume > 0.93 * piece.volume
@@ -104,7 +104,7 @@ def test_rigid_motion_mirror_and_even_scale_keep_the_kind(piece: Convex) -> None
     assert moved.size == pytest.approx([2.0 * length for length in piece.size])
     assert moved.volume == pytest.approx(8.0 * piece.volume)
     assert np.linalg.det(moved.pose[:3, :3]) == pytest.approx(1.0)
-    inside = piece.inner_points() @ matrix[:3, :3].T + matrix[:3, 3]
+    inside = piece.inner_polytope(TOLERANCE).points @ matrix[:3, :3].T + matrix[:3, 3]
     assert moved.outer_polytope(1e-5).contains(inside, 1e-9)
 
 

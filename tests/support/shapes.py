@@ -51,7 +51,7 @@ def check_cover(shape: Shape, tolerance: float = TOLERANCE) -> None:
 
 
 def _within(piece: Convex) -> Manifold:
-    return Manifold.hull_points(np.ascontiguousarray(piece.inner_points(1e-6)))
+    return Manifold.hull_points(np.ascontiguousarray(piece.inner_polytope(1e-6).points))
 
 
 def united(solids: list[Manifold]) -> Manifold:

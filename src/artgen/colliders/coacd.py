@@ -1,20 +1,19 @@
 """Approximate convex pieces of a mesh of unknown construction: CoACD with a disk cache, or single hulls."""
 
 import hashlib
-import io
 import json
 import subprocess
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from contextlib import suppress
 from importlib import metadata
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from artgen import _disk_cache as disk_cache
 from artgen._arrays import Array
-from artgen._disk_cache import cache_directory
 from artgen.colliders.convex import TOLERANCE, Convex
 from artgen.colliders.enclose import Facets, enclosing
 
@@ -67,52 +66,9 @@ def _around(pieces: Sequence[Convex], most_vertices: int) -> Convex:
     return single_hull(np.concatenate([piece.outer_points() for piece in pieces]), most_vertices)
 
 
-__all__ = ["cache_directory", "digest", "read_points", "write_points"]
-
-_FORMAT = "artgen-pieces-1"
-
-
-def digest(vertices: Array, triangles: NDArray[np.int64], settings: Mapping[str, float | str]) -> str:
-    """Return a digest of the numbers of a mesh and of the settings of its decomposition."""
-    head = {"format": _FORMAT, "vertices": len(vertices), "triangles": len(triangles), **settings}
-    found = hashlib.sha256(json.dumps(head, sort_keys=True).encode())
-    found.update(np.ascontiguousarray(vertices, "<f8").tobytes())
-    found.update(np.ascontiguousarray(triangles, "<i8").tobytes())
-    return found.hexdigest()
-
-
-def read_points(kind: str, key: str) -> list[Array] | None:
-    """Return the cached points of pieces, each shape (n, 3) [m], or None."""
-    stored = disk_cache.unpacked(disk_cache.read(kind, f"{key}.npz")) or {}
-    if not {"points", "counts"} <= {*stored}:
-        return None
-    points, counts = stored["points"], stored["counts"]
-    sound = (
-        points.dtype == np.float64
-        and counts.dtype == np.int64
-        and points.shape == (counts.sum(), 3)
-        and counts.ndim == 1
-        and bool((counts > 0).all())
-        and bool(np.isfinite(points).all())
-    )
-    return np.split(points, np.cumsum(counts)[:-1]) if sound else None
-
-
-def write_points(kind: str, key: str, pieces: Sequence[Array]) -> None:
-    """Cache the points of pieces, each shape (n, 3) [m]; other processes see all of them or none."""
-    if not pieces:
-        return
-    counts = np.array([len(points) for points in pieces], np.int64)
-    with suppress(OSError):
-        content = disk_cache.packed({"points": np.concatenate(pieces).astype(np.float64), "counts": counts})
-        disk_cache.write(kind, f"{key}.npz", content)
-
-
-THRESHOLD = 0.05
-"""Default concavity of a piece in CoACD, relative to the size of the mesh."""
-
+_FORMAT = "artgen-pieces-1"  # of the files of the cache
 _SEED = 0
-_MOST_SAID = 200  # most characters of its output in a message
+_MOST_OUTPUT = 200  # most characters of its output in a message
 _DECIMALS = 9  # decimals of vertices for CoACD, equal to those of exported colliders [m]
 _MOST_SECONDS = 300.0  # a run of minutes never ends; usual runs take seconds
 # CoACD's own preprocessing replaces good meshes by coarse ones and sometimes ends the process: use the mesh
@@ -135,7 +91,7 @@ sys.stdout.buffer.write(found.getvalue())
 def coacd_pieces(
     vertices: Array,
     triangles: NDArray[np.int64],
-    threshold: float = THRESHOLD,
+    threshold: float = 0.05,
     *,
     most_pieces: int = 64,
     most_vertices: int = 64,
@@ -168,13 +124,26 @@ def coacd_pieces(
         "seed": _SEED,
     }
     vertices, triangles = canonical(vertices, triangles)
-    key = digest(vertices, triangles, {**settings, "attempts": " ".join(_ATTEMPTS), "version": _version()})
-    found = read_points("coacd", key)
+    head = {
+        **settings,
+        "format": _FORMAT,
+        "attempts": " ".join(_ATTEMPTS),
+        "version": _version(),
+        "vertices": len(vertices),
+        "triangles": len(triangles),
+    }
+    digest = hashlib.sha256(json.dumps(head, sort_keys=True).encode())
+    digest.update(np.ascontiguousarray(vertices, "<f8").tobytes())
+    digest.update(np.ascontiguousarray(triangles, "<i8").tobytes())
+    key = f"{digest.hexdigest()}.npz"
+    found = disk_cache.unpacked(disk_cache.read("coacd", key))
     if found is None:
         found = _run(vertices, triangles, settings)
-        write_points("coacd", key, found)
-    hulls = [_hull(points, most_vertices) for points in found]
-    return tuple(hull for hull in hulls if hull is not None)
+        with suppress(OSError):
+            disk_cache.write("coacd", key, disk_cache.packed(found))
+    hulls = np.split(found["points"], np.cumsum(found["counts"])[:-1])
+    pieces = [_hull(points, most_vertices) for points in hulls]
+    return tuple(piece for piece in pieces if piece is not None)
 
 
 def canonical(vertices: Array, triangles: NDArray[np.int64]) -> tuple[Array, NDArray[np.int64]]:
@@ -196,27 +165,29 @@ def _version() -> str:
         raise ImportError("decomposing a mesh needs CoACD: pip install coacd") from error
 
 
-def _run(vertices: Array, triangles: NDArray[np.int64], settings: dict[str, float | str]) -> list[Array]:
-    """Return the points of the hulls, equal in every process with any number of cores."""
-    given = io.BytesIO()
-    np.savez(given, vertices=vertices, triangles=triangles.astype(np.int32))
-    said = ""
+def _run(
+    vertices: Array, triangles: NDArray[np.int64], settings: dict[str, float | str]
+) -> dict[str, NDArray[Any]]:
+    """Return the points of the hulls and their counts, equal in every process with any number of cores."""
+    given = disk_cache.packed({"vertices": vertices, "triangles": triangles.astype(np.int32)})
     for attempt in _ATTEMPTS:
         arguments = json.dumps({**settings, "preprocess_mode": attempt})
         # P: a module `coacd` in this folder must not hide the package
         command = [sys.executable, "-P", "-c", _PROGRAM, arguments]
         try:
             done = subprocess.run(  # noqa: S603 - the program above
-                command, input=given.getvalue(), capture_output=True, check=True, timeout=_MOST_SECONDS
+                command, input=given, capture_output=True, check=True, timeout=_MOST_SECONDS
             )
         except subprocess.TimeoutExpired:
-            said = f"it took more than {_MOST_SECONDS:.0f} s"
+            reason = f"it took more than {_MOST_SECONDS:.0f} s"
         except subprocess.CalledProcessError as error:
-            said = " ".join(error.stderr.decode(errors="replace").split()) or f"exit code {error.returncode}"
+            output = " ".join(error.stderr.decode(errors="replace").split())
+            reason = output or f"exit code {error.returncode}"
         else:
-            with np.load(io.BytesIO(done.stdout), allow_pickle=False) as found:
-                return np.split(found["points"], np.cumsum(found["counts"])[:-1])
-    raise ValueError(f"CoACD fails on a mesh of {len(triangles)} triangles: {said[-_MOST_SAID:]}")
+            if (found := disk_cache.unpacked(done.stdout)) is not None:
+                return found
+            reason = "its output is damaged"
+    raise ValueError(f"CoACD fails on a mesh of {len(triangles)} triangles: {reason[-_MOST_OUTPUT:]}")
 
 
 def _hull(points: Array, most_vertices: int) -> Convex | None:

@@ -8,12 +8,6 @@ import numpy as np
 from manifold3d import Manifold
 
 from artgen._arrays import Array, FrozenArrays, cached, cached_property
-from artgen.colliders.approximate import (
-    circle_sides,
-    circumscribed_circle,
-    inscribed_circle,
-    sphere_points,
-)
 from artgen.colliders.polytope import Polytope, hull_triangles, is_rigid
 
 Kind = Literal["box", "cylinder", "sphere", "capsule", "hull"]
@@ -23,6 +17,8 @@ TOLERANCE = 0.00025
 
 _SQUARE = 1e-9  # relative error of angles and lengths within which a piece keeps its kind
 _MANY = 128  # above this number of vertices, faces of a hull are computed on first access
+_MOST_SIDES = 64  # most sides of a faceted circle
+_MOST_FREQUENCY = 8  # most divisions of an icosahedron's edge
 _NO_POINTS = np.empty((0, 3))
 _IDENTITY = np.eye(4)
 _NO_POINTS.setflags(write=False)
@@ -103,38 +99,24 @@ class Convex(FrozenArrays):
 
     def outer_polytope(self, tolerance: float) -> Polytope:
         """Return a polytope that contains the piece and exceeds it by at most the tolerance [m]."""
-        if self.kind in ("box", "hull"):
-            return self.faces
-        radius = self.size[0]
-        if self.kind == "cylinder":
-            sides = circle_sides(radius, tolerance)
-            return self._prism(circumscribed_circle(radius, sides))
-        return self._rounded(tolerance, inscribed=False)
+        return self._faceted(tolerance, inscribed=False)
 
     def inner_polytope(self, tolerance: float) -> Polytope:
         """Return a polytope inside the piece, smaller by at most the tolerance [m]."""
+        return self._faceted(tolerance, inscribed=True)
+
+    def _faceted(self, tolerance: float, *, inscribed: bool) -> Polytope:
         if self.kind in ("box", "hull"):
             return self.faces
-        radius = self.size[0]
+        radius, length = self.size[0], self.size[-1] if len(self.size) > 1 else 0.0
         if self.kind == "cylinder":
-            return self._prism(inscribed_circle(radius, circle_sides(radius, tolerance)))
-        return self._rounded(tolerance, inscribed=True)
-
-    def _prism(self, polygon: Array) -> Polytope:
-        half = self.size[1] / 2.0
-        return Polytope.prism(polygon, -half, half).transformed(self.pose)
-
-    def _rounded(self, tolerance: float, *, inscribed: bool) -> Polytope:
-        length = self.size[1] if self.kind == "capsule" else 0.0
-        return _ball(self.size[0], length, tolerance, inscribed=inscribed).transformed(self.pose)
+            polygon = _circle(radius, _sides(radius, tolerance), inscribed=inscribed)
+            return Polytope.prism(polygon, -length / 2.0, length / 2.0).transformed(self.pose)
+        return _ball(radius, length, tolerance, inscribed=inscribed).transformed(self.pose)
 
     def outer_points(self, tolerance: float = TOLERANCE) -> Array:
         """Return vertices of a polytope around the piece that exceeds it by at most the tolerance [m]."""
         return self.outer_polytope(tolerance).points
-
-    def inner_points(self, tolerance: float = TOLERANCE) -> Array:
-        """Return vertices of a polytope inside the piece, smaller by at most the tolerance [m]."""
-        return self.inner_polytope(tolerance).points
 
     def manifold(self, tolerance: float = TOLERANCE) -> Manifold:
         """Return the piece as a manifold; for a round piece, the polytope around it."""
@@ -224,10 +206,57 @@ class Convex(FrozenArrays):
         return Convex(self.kind, pose, self.size)
 
 
+def _sides(radius: float, tolerance: float) -> int:
+    """Return the number of sides, a multiple of 4, of a polygon around a circle within the tolerance [m]."""
+    ratio = radius / (radius + max(tolerance, 0.0))
+    angle = math.acos(min(ratio, 1.0))
+    sides = 4 * math.ceil(math.pi / max(angle, 1e-3) / 4.0 - 1e-9)
+    return min(max(sides, 8), _MOST_SIDES)
+
+
+def _circle(radius: float, sides: int, *, inscribed: bool) -> Array:
+    """Return a polygon inside a circle with a vertex at angle 0, or around it, shape (sides, 2) [m]."""
+    angle = (np.arange(sides) + (0.0 if inscribed else 0.5)) * (2.0 * np.pi / sides)
+    reach = radius if inscribed else radius / math.cos(math.pi / sides)
+    return np.column_stack((np.cos(angle), np.sin(angle))) * reach
+
+
+@cached(_MOST_FREQUENCY)
+def _geodesic(frequency: int) -> tuple[Array, float]:
+    """Return points of a subdivided icosahedron on the unit sphere and the distance of its nearest face."""
+    golden = (1.0 + math.sqrt(5.0)) / 2.0
+    corners = np.array([(0.0, s, t * golden) for s in (-1.0, 1.0) for t in (-1.0, 1.0)], dtype=np.float64)
+    corners = np.concatenate([np.roll(corners, shift, axis=1) for shift in range(3)])
+    mesh = Manifold.hull_points(corners).to_mesh64()
+    corners = np.array(mesh.vert_properties)[:, :3]
+    weights = np.array(
+        [(i, j, frequency - i - j) for i in range(frequency + 1) for j in range(frequency + 1 - i)],
+        dtype=np.float64,
+    )
+    points = (weights @ corners[np.asarray(mesh.tri_verts).astype(np.int64)]).reshape(-1, 3)
+    points /= np.sqrt(np.sum(points * points, axis=1))[:, None]
+    _, first = np.unique(np.rint(points * 1e9).astype(np.int64), axis=0, return_index=True)
+    points = points[np.sort(first)]
+    return points, float(Polytope.hull(points).planes[:, 3].min())
+
+
+def _sphere(radius: float, tolerance: float, *, inscribed: bool) -> Array:
+    """Return vertices of a polytope around (or inside) a sphere at the origin, shape (n, 3) [m].
+
+    The error stays below the tolerance [m], except where this would need more than a thousand faces.
+    """
+    for frequency in range(1, _MOST_FREQUENCY + 1):
+        points, nearest = _geodesic(frequency)
+        error = radius * ((1.0 - nearest) if inscribed else (1.0 / nearest - 1.0))
+        if error <= tolerance:
+            break
+    return points * (radius if inscribed else radius / nearest)
+
+
 @cached(64)  # knobs and screws of an asset are often equal
 def _ball(radius: float, length: float, tolerance: float, *, inscribed: bool) -> Polytope:
     """Return a polytope around or inside a ball at the origin, extended along z by a length [m]."""
-    points = sphere_points(radius, tolerance, inscribed=inscribed)
+    points = _sphere(radius, tolerance, inscribed=inscribed)
     if length:
         end = np.array([0.0, 0.0, length / 2.0])
         points = np.concatenate((points + end, points - end))

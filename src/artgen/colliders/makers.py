@@ -6,7 +6,6 @@ from collections.abc import Sequence
 import numpy as np
 
 from artgen._arrays import Array, successors
-from artgen.colliders.approximate import inscribed_points
 from artgen.colliders.convex import Convex
 from artgen.colliders.enclose import Facets, enclosing
 from artgen.colliders.pieces import Cover, Exact, Pieces
@@ -15,6 +14,7 @@ from artgen.colliders.polytope import SLIVER, Polytope
 
 _IDENTITY = np.eye(4)
 _MOST_PRISM_VERTICES = 64
+_MOST_INSCRIBED = 256  # most vertices of a thinned convex mesh
 _STRAIGHT = 1e-9  # rings whose points deviate less from straight lines form one prism [m]
 
 
@@ -40,7 +40,42 @@ def round_pieces(primitive: Convex, points: Array) -> Pieces:
 
 
 def _thinned_hull(solid: Convex, tolerance: float) -> Cover:
-    return (Convex.hull(inscribed_points(solid.points, tolerance)),)
+    return (Convex.hull(_inscribed_points(solid.points, tolerance)),)
+
+
+def _inscribed_points(points: Array, tolerance: float) -> Array:
+    """Return vertices of a convex mesh, shape (n, 3), whose hull is smaller by at most the tolerance [m].
+
+    Adds the vertices farthest outside, at most one per face and round, until all are near enough.
+    """
+    extreme = np.concatenate((points.argmin(axis=0), points.argmax(axis=0)))
+    chosen = sorted(set(extreme.tolist()))
+    while len(chosen) < min(len(points), _MOST_INSCRIBED):
+        try:
+            inside = Polytope.hull(points[chosen])
+        except ValueError:
+            chosen = _off_plane(points, chosen)
+            continue
+        heights = inside.planes[:, :3] @ points.T - inside.planes[:, 3:]
+        outside, face = heights.max(axis=0), heights.argmax(axis=0)
+        limit = max(tolerance, SLIVER, float(outside.max()) / 2.0)
+        if outside.max() <= max(tolerance, SLIVER):
+            break
+        order = np.argsort(-outside, kind="stable")
+        order = order[outside[order] >= limit]
+        _, first = np.unique(face[order], return_index=True)
+        chosen.extend(order[np.sort(first)].tolist()[: _MOST_INSCRIBED - len(chosen)])
+    thin: Array = points[np.sort(chosen)]
+    return thin
+
+
+def _off_plane(points: Array, chosen: list[int]) -> list[int]:
+    """Add the point farthest from the plane of the chosen points."""
+    centered = points[chosen] - points[chosen].mean(axis=0)
+    normal = np.linalg.svd(centered)[2][-1]
+    distance = np.abs((points - points[chosen].mean(axis=0)) @ normal)
+    distance[chosen] = -1.0
+    return [*chosen, int(np.argmax(distance))]
 
 
 def cylinder_pieces(radius: float, length: float, pose: Array = _IDENTITY, mesh_sides: int = 32) -> Pieces:
