@@ -4,7 +4,6 @@ Pieces follow from the construction of a solid, not from its mesh: primitives ar
 concatenates pieces, a difference splits them by the faces of the cutter's pieces.
 """
 
-from artgen._arrays import Array
 from artgen.colliders.convex import TOLERANCE, Convex, Kind
 from artgen.colliders.makers import (
     chain_pieces,
@@ -19,7 +18,6 @@ from artgen.colliders.revolve import revolve_pieces
 
 __all__ = [
     "TOLERANCE",
-    "Array",
     "Convex",
     "Exact",
     "Kind",

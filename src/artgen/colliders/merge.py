@@ -110,19 +110,12 @@ def _behind(shape: Polytope, other: Polytope, common: int) -> bool:
     return bool(other.heights(planes).max() <= _SAME)
 
 
-def condensed(
-    groups: Sequence[Sequence[Convex]], most_pieces: int, most_vertices: int, margin: float
-) -> list[list[Convex]]:
-    """Join pairs within each group, smallest added volume first, until all groups together meet the budget.
+class Condenser:
+    """Pieces of several groups that are joined step by step, smallest added volume first.
 
-    A pair is joined only if its hull is within about `margin` [m] of the group's pieces, so wider cavities
-    stay open. The result may still exceed the budget.
+    A pair of one group is joined only if its hull is within about `margin` [m] of the group's pieces, so wider
+    cavities stay open.
     """
-    return _Condenser(groups, most_vertices, margin).run(most_pieces)
-
-
-class _Condenser:
-    """Pieces that are joined step by step, with a queue of pairs."""
 
     def __init__(self, groups: Sequence[Sequence[Convex]], most_vertices: int, margin: float) -> None:
         self._most_vertices = most_vertices
@@ -137,7 +130,7 @@ class _Condenser:
                 self._add(number, piece)
 
     def run(self, most_pieces: int) -> list[list[Convex]]:
-        """Join pairs until the budget is met or no pair is left."""
+        """Join pairs until all groups together meet the budget or no pair is left; return the groups."""
         while len(self._alive) > most_pieces and self._queue:
             _, first, second, hull = heapq.heappop(self._queue)
             if first not in self._alive or second not in self._alive:

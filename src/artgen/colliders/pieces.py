@@ -7,7 +7,7 @@ import numpy as np
 from artgen._arrays import Array, frozen
 from artgen.colliders.convex import TOLERANCE, Convex
 from artgen.colliders.enclose import few_vertices
-from artgen.colliders.merge import condensed, joined
+from artgen.colliders.merge import Condenser, joined
 from artgen.colliders.polytope import is_rigid
 from artgen.colliders.split import Facetted, intersect, subtract
 
@@ -199,7 +199,7 @@ def budgeted(
                 covers[number] = coarser
     if fewest <= most_pieces:
         return covers
-    merged = condensed(covers, most_pieces, most_vertices, _MARGIN)
+    merged = Condenser(covers, most_vertices, _MARGIN).run(most_pieces)
     count = sum(map(len, merged))
     if count > most_pieces:
         raise ValueError(

@@ -94,9 +94,8 @@ def baked(recipe: Recipe, variant: int, size: int) -> Maps:
 def _kept(recipe: Recipe, variant: int, size: int) -> Maps:
     """Return a recipe's maps from disk, or compute and store them."""
     name = f"{recipe.name}_{variant}_{size}"
-    stored = disk_cache.unpacked(read(name, "npz")) or {}
-    sound = all(pixels.dtype == np.uint8 and pixels.shape[:2] == (size, size) for pixels in stored.values())
-    if sound and "roughness" in stored:
+    stored = disk_cache.unpacked(read(name, "npz"))
+    if stored is not None:
         kept: dict[str, Any] = {each.name: stored.get(each.name) for each in fields(Maps)}
         return Maps(**kept)
     made = bake(recipe, variant, size)

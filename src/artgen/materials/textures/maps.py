@@ -12,7 +12,7 @@ from artgen._arrays import cached
 from artgen.errors import ParameterError, nearest
 from artgen.materials.material import MATERIALS, Material
 from artgen.materials.textures.bake import MEMORY, Maps, Pixels, as_bytes, bake, baked, displayed, read, write
-from artgen.materials.textures.fields import RECIPES, Recipe
+from artgen.materials.textures.fields import RECIPES, Color, Recipe
 
 _SIGNATURE = b"\x89PNG\r\n\x1a\n"
 _GREY, _COLOR = 0, 2
@@ -100,7 +100,7 @@ def maps(material: Material, size: int) -> Maps:
     check_size(size)
     recipe = recipe_of(material)
     found = baked(recipe, material.variant % recipe.variants, size)
-    albedo = None if found.albedo is None else _tinted(found.albedo, _tint(material, recipe))
+    albedo = None if found.albedo is None else _tinted(found.albedo, material.base_color, recipe.base_color)
     mean = round(255 * material.specular_roughness)
     roughness = np.clip(found.roughness.astype(np.int16) - 128 + mean, 0, 255).astype(np.uint8)
     return Maps(albedo, roughness, found.metalness, found.normal)
@@ -116,22 +116,15 @@ def shifts_of(material: Material) -> tuple[bool, bool]:
     return recipe_of(material).shifts
 
 
-def _tint(material: Material, recipe: Recipe) -> tuple[float, float, float]:
-    """Return the factors of the linear albedo channels."""
-    red, green, blue = (
-        wanted / own for wanted, own in zip(material.base_color, recipe.base_color, strict=True)
-    )
-    return red, green, blue
-
-
-def _tinted(albedo: Pixels, tint: tuple[float, float, float]) -> Pixels:
-    if tint == (1.0, 1.0, 1.0):
+def _tinted(albedo: Pixels, color: Color, recipe_color: Color) -> Pixels:
+    """Return an albedo in another color; its channels are scaled as linear values."""
+    if color == recipe_color:
         return albedo
     code = np.arange(256) / 255.0
     linear = np.where(code <= 0.04045, code / 12.92, ((code + 0.055) / 1.055) ** 2.4)
     result = np.empty_like(albedo)
-    for channel, factor in enumerate(tint):
-        result[..., channel] = as_bytes(displayed(linear * factor))[albedo[..., channel]]
+    for channel, (wanted, own) in enumerate(zip(color, recipe_color, strict=True)):
+        result[..., channel] = as_bytes(displayed(linear * (wanted / own)))[albedo[..., channel]]
     return result
 
 
@@ -155,17 +148,17 @@ def encoded(material: Material, kind: Kind, size: int, form: Form) -> bytes:
             f"material {material.name!r} has no map {kind!r}.{nearest(kind, kinds(material))}"
         )
     name = f"{map_name(material, kind)}_{size}"
-    return MEMORY.get((recipe, name, form), lambda: _kept_file(material, kind, size, form, name), len)
 
+    def make() -> bytes:
+        kept = _is_kept(material, kind)
+        content = read(name, form) if kept else None
+        if content is None:
+            content = _file(_pixels(material, kind, size), kind, form)
+            if kept:
+                write(name, form, content)
+        return content
 
-def _kept_file(material: Material, kind: Kind, size: int, form: Form, name: str) -> bytes:
-    kept = _is_kept(material, kind)
-    content = read(name, form) if kept else None
-    if content is None:
-        content = _file(_pixels(material, kind, size), kind, form)
-        if kept:
-            write(name, form, content)
-    return content
+    return MEMORY.get((recipe, name, form), make, len)
 
 
 def _is_kept(material: Material, kind: Kind) -> bool:
@@ -177,7 +170,7 @@ def _is_kept(material: Material, kind: Kind) -> bool:
 
 
 @cached(64)
-def _lasting_colors(recipe: Recipe) -> frozenset[tuple[float, float, float]]:
+def _lasting_colors(recipe: Recipe) -> frozenset[Color]:
     listed = {made.base_color for made in MATERIALS.values() if made.texture == recipe.name}
     return frozenset({recipe.base_color, *listed})
 

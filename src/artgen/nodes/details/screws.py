@@ -4,9 +4,8 @@ import math
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
-from artgen._arrays import Array, cached
+from artgen._arrays import Array, Indices, cached
 from artgen.asset.shape import Contour, Outline, Shape
 from artgen.graph import kernel
 from artgen.materials import Material
@@ -39,13 +38,13 @@ _SLOT_REACH = {"pan": 0.62, "countersunk": 0.86, "cap": 0.8}  # width of a slot
 _DEPTH = {"pan": 0.36, "countersunk": 0.13, "cap": 0.5}  # inner radius of the recess
 
 
-def _reach(drive: str, head: str) -> float:
+def _reach(drive: Drive, head: Head) -> float:
     """Return the radius of a recess, relative to the radius of the head."""
     return (_SLOT_REACH if drive == "slot" else _REACH)[head]
 
 
 @cached(8)
-def _recess(drive: str) -> Array:
+def _recess(drive: Drive) -> Array:
     """Return the border of a recess within the unit circle, shape (n, 2)."""
     if drive == "slot":
         return np.array([[-1.0, -0.15], [1.0, -0.15], [1.0, 0.15], [-1.0, 0.15]])
@@ -69,13 +68,9 @@ def _recess(drive: str) -> Array:
     return np.concatenate(quarters)
 
 
-def _drive_outline(radius: float, drive: str) -> Outline:
-    return Outline((faceted(_recess(drive) * radius),))
-
-
 @kernel
 def _drive_recess(radius: float, drive: Drive) -> Outline:
-    return _drive_outline(inputs.positive("radius", radius), drive)
+    return Outline((faceted(_recess(drive) * inputs.positive("radius", radius)),))
 
 
 def drive_recess(radius: Scalar, drive: Drive) -> Profile:
@@ -91,30 +86,18 @@ def drive_recess(radius: Scalar, drive: Drive) -> Profile:
     return Profile.record(_drive_recess, radius=radius, drive=drive)
 
 
-def _head_skin(radius: float, drive: str, head: str, turn: float) -> Shape:
+def _head_skin(radius: float, drive: Drive, head: Head, turn: float) -> Shape:
     rows = np.array(_HEADS[head]) * [radius, radius, math.pi / 180.0]
     sides = 12 if drive == "pozidriv" or radius < 0.0015 else 16
     outer = circle_contour(1.0, sides)
     cosine, sine = math.cos(turn), math.sin(turn)
-    hole = moved_outline(
-        _drive_outline(_reach(drive, head) * radius, drive),
-        np.array([[cosine, -sine], [sine, cosine]]),
-        np.zeros(2),
-    ).contours[0]
+    recess = _drive_recess(_reach(drive, head) * radius, drive)
+    hole = moved_outline(recess, np.array([[cosine, -sine], [sine, cosine]]), np.zeros(2)).contours[0]
     inward = reversed_contour(hole)
-    sheets = Sheets()
-    rail = Rail.along(outer)
-    vertices = np.empty((len(rows), len(rail.vertex), 3))
-    vertices[..., :2] = rows[:, 0, None, None] * outer.points[rail.vertex]
-    vertices[..., 2] = rows[:, 1, None]
-    normals = np.empty_like(vertices)
-    normals[..., :2] = np.cos(rows[:, 2])[:, None, None] * rail.normals
-    normals[..., 2] = np.sin(rows[:, 2])[:, None]
-    uvs = np.empty((*vertices.shape[:2], 2))
-    uvs[..., 0], uvs[..., 1] = rail.distance * radius, rows[:, 1, None]
-    wall = sheets.grid(rail, vertices, normals, uvs)
     top, floor = rows[-1, 1], rows[-1, 1] - _DEPTH[head] * radius
-    pit = _pit(sheets, inward, floor, top)
+    sheets = Sheets()
+    wall = _wall(sheets, outer, rows, radius)
+    pit = _wall(sheets, inward, np.array([[1.0, floor, 0.0], [1.0, top, 0.0]]), 1.0)
     up = np.array([0.0, 0.0, 1.0])
     rings = [outer.points * rows[-1, 0], inward.points]
     flat = np.concatenate(rings)
@@ -129,17 +112,20 @@ def _head_skin(radius: float, drive: str, head: str, turn: float) -> Shape:
     return skin.shape(around_hull(skin.vertices))
 
 
-def _pit(sheets: Sheets, border: Contour, floor: float, top: float) -> NDArray[np.int64]:
-    """Add the walls of a recess with a clockwise border; return their vertices at floor and top."""
+def _wall(sheets: Sheets, border: Contour, rows: Array, scale: float) -> Indices:
+    """Add a wall with rows of radius, height and elevation of the normal [rad]; return its vertices by row.
+
+    The radii are factors of the border. The scale [m] of the border gives the distance along it.
+    """
     rail = Rail.along(border)
-    level = np.array([floor, top])
-    vertices = np.empty((2, len(rail.vertex), 3))
-    vertices[..., :2] = border.points[rail.vertex]
-    vertices[..., 2] = level[:, None]
-    normals = np.zeros_like(vertices)
-    normals[..., :2] = rail.normals
-    uvs = np.empty((2, len(rail.vertex), 2))
-    uvs[..., 0], uvs[..., 1] = rail.distance, level[:, None]
+    vertices = np.empty((len(rows), len(rail.vertex), 3))
+    vertices[..., :2] = rows[:, 0, None, None] * border.points[rail.vertex]
+    vertices[..., 2] = rows[:, 1, None]
+    normals = np.empty_like(vertices)
+    normals[..., :2] = np.cos(rows[:, 2])[:, None, None] * rail.normals
+    normals[..., 2] = np.sin(rows[:, 2])[:, None]
+    uvs = np.empty((*vertices.shape[:2], 2))
+    uvs[..., 0], uvs[..., 1] = rail.distance * scale, rows[:, 1, None]
     return sheets.grid(rail, vertices, normals, uvs)
 
 
