@@ -113,7 +113,7 @@ def _behind(shape: Polytope, other: Polytope, common: int) -> bool:
 class Condenser:
     """Pieces of several groups that are joined step by step, smallest added volume first.
 
-    A pair of one group is joined only if its hull is within about `margin` [m] of the group's pieces, so wider
+    A pair of one group is joined only if its hull is within about `margin` [m] of the group's pieces: wider
     cavities stay open.
     """
 

@@ -35,16 +35,10 @@ class _Coarse(Pieces):
     """Pieces that follow a solid up to a distance."""
 
     def __init__(self, base: Pieces, least: float) -> None:
-        super().__init__()
+        super().__init__(lambda tolerance: base.outer(max(tolerance, least)), base.inner)
         self._base, self._least = base, least
 
-    def _outer(self, tolerance: float) -> Cover:
-        return self._base.outer(max(tolerance, self._least))
-
-    def _inner(self, tolerance: float) -> Cover:
-        return self._base.inner(tolerance)
-
-    def _simplified(self, tolerance: float, most_vertices: int) -> Cover:
+    def simplified(self, tolerance: float, most_vertices: int = 64) -> Cover:
         return self._base.simplified(max(tolerance, self._least), most_vertices)
 
 
