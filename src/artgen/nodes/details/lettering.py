@@ -144,21 +144,19 @@ def logo(
     *,
     sign: Emblem = "none",
     tracking: float = 0.3,
-    capitals: bool = True,
 ) -> Profile:
-    """Make a word mark in spaced letters, centered on the origin; `BRANDS` lists invented names.
+    """Make a word mark in spaced capitals, centered on the origin; `BRANDS` lists invented names.
 
     Args:
         name: The brand; known while building.
         height: Height of the capital letters [m].
         sign: Emblem to the left of the name.
         tracking: Additional space between letters, in capital heights.
-        capitals: Whether to use capitals only.
 
     Examples:
         >>> details.logo("Norvik", 0.01, sign="peak")
     """
-    string = name.upper() if capitals else name
+    string = name.upper()
     word = lettering((string,), height, tracking=tracking)
     if sign == "none":
         return word

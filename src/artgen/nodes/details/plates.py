@@ -4,9 +4,9 @@ from collections.abc import Sequence
 
 from artgen.errors import BuildError
 from artgen.graph.node import authors_line
-from artgen.materials import MATERIALS, Material
+from artgen.materials import MATERIALS
 from artgen.nodes.body import detail, weld
-from artgen.nodes.details.lettering import Fineness, lettering, lettering_width
+from artgen.nodes.details.lettering import lettering, lettering_width
 from artgen.nodes.details.relief import FRONT, reading, relief
 from artgen.nodes.handles import Body, Profile, Scalar, Solid, VectorLike
 from artgen.nodes.profile import rectangle
@@ -27,22 +27,20 @@ def rating_plate(
     height: Scalar,
     lines: Sequence[str],
     *,
-    material: Material | None = None,
-    ink: Material | None = None,
     double_insulated: bool = True,
     at: VectorLike = (0.0, 0.0, 0.0),
     facing: VectorLike = FRONT,
     up: VectorLike | None = None,
     label: str = "rating_plate",
 ) -> Body:
-    """Make a visual plate with lines of small print, below 4000 triangles, without marks of authorities.
+    """Make a white visual plate with lines of black small print, without marks of authorities.
+
+    It has fewer than 4000 triangles.
 
     Args:
         width: Width of the plate [m].
         height: Height of the plate [m].
         lines: Lines from top to bottom, known while building; the first line is a third larger.
-        material: Material of the plate; by default white plastic.
-        ink: Material of the print; by default black.
         double_insulated: Whether the symbol of protection class II, a double square, is in the lower right
             corner.
         at: Center of the plate on the face [m].
@@ -65,15 +63,12 @@ def rating_plate(
             f"a rating plate has 1 to {_MOST_LETTERS} letters, got {letters}: beyond, print costs more "
             f"triangles than it shows\n  at {authors_line()}\n  Shorten its lines."
         )
-    paper = (
-        MATERIALS["abs"].with_(name="plate_white", base_color=(0.78, 0.78, 0.76), texture="", tile=None)
-        if material is None
-        else material
-    )
-    black = MATERIALS["black_abs"].with_(name="plate_ink", texture="", tile=None) if ink is None else ink
+    plain = {"texture": "", "tile": None}
+    white = MATERIALS["abs"].with_(name="plate_white", base_color=(0.78, 0.78, 0.76), **plain)
+    black = MATERIALS["black_abs"].with_(name="plate_ink", **plain)
 
-    def film(profile: Profile) -> Solid:
-        return relief(profile, at, facing=facing, up=up, proud=_PLATE + _FILM, sunk=0.0002)
+    def on_face(profile: Profile, proud: float) -> Solid:
+        return relief(profile, at, facing=facing, up=up, proud=proud, sunk=0.0002)
 
     rows = 1.33 * _LEADING + _LEADING * (len(shown) - 1) + 0.6  # size of the block, in capital heights
     square = 2.2 if double_insulated else 0.0
@@ -81,20 +76,17 @@ def rating_plate(
     last = lettering_width(shown[-1]) + square + 1.0 if len(shown) > 1 else 0.0
     size = min_(0.9 * height / rows, 0.9 * width / max(wide, last))
     left = -0.45 * width
-    coarse: Fineness = "coarse"
     top = 0.5 * (rows - 1.33 * _LEADING) * size
     # films next to each other need no union
-    films = [lettering(shown[:1], 1.33 * size, align="left", fineness=coarse).at(left, top)]
+    films = [lettering(shown[:1], 1.33 * size, align="left", fineness="coarse").at(left, top)]
     if len(shown) > 1:
-        block = lettering(shown[1:], size, align="left", leading=_LEADING, fineness=coarse)
+        block = lettering(shown[1:], size, align="left", leading=_LEADING, fineness="coarse")
         films.append(block.at(left, -0.5 * 1.33 * _LEADING * size))
     films.append(_frame(0.97 * width, height - 0.03 * width, 0.004 * width))
     if double_insulated:
         middle = (0.45 * width - size, -0.45 * height + 1.15 * size)
         films += [_frame(side * size, side * size, 0.22 * size).at(*middle) for side in (2.0, 1.1)]
-    plate = relief(
-        rectangle(width, height, radius=0.03 * min_(width, height)),
-        at, facing=facing, up=up, proud=_PLATE, sunk=0.0002,
-    )  # fmt: skip
+    plate = on_face(rectangle(width, height, radius=0.03 * min_(width, height)), _PLATE)
     turns = {"reads": reading(facing, up), "about": at}
-    return weld(detail(plate, label, paper), *(detail(film(each), label, black, **turns) for each in films))
+    prints = [detail(on_face(film, _PLATE + _FILM), label, black, **turns) for film in films]
+    return weld(detail(plate, label, white), *prints)

@@ -13,11 +13,9 @@ from artgen.nodes import validators as inputs
 from artgen.nodes.body import detail, weld
 from artgen.nodes.contours import circle_contour, faceted, moved_outline, reversed_contour
 from artgen.nodes.details.relief import FRONT, facing_frame, in_shade, relief
-from artgen.nodes.extrude import revolve
 from artgen.nodes.handles import Array3, Body, Profile, Scalar, Solid, VectorLike
 from artgen.nodes.primitive import dome
 from artgen.nodes.primitive_colliders import around_hull
-from artgen.nodes.profile import polygon
 from artgen.nodes.surfaces import Sheets, triangulated
 from artgen.nodes.unwrap import Rail
 
@@ -195,25 +193,15 @@ def screw(
     return weld(detail(solid, label, material), detail(dark, label, in_shade(material)))
 
 
-def rivet(
-    radius: Scalar,
-    at: VectorLike = (0.0, 0.0, 0.0),
-    *,
-    facing: VectorLike = FRONT,
-    style: Literal["dome", "blind"] = "dome",
-) -> Solid:
-    """Make the head of a rivet on a face.
+def rivet(radius: Scalar, at: VectorLike = (0.0, 0.0, 0.0), *, facing: VectorLike = FRONT) -> Solid:
+    """Make the head of a rivet on a face: a dome.
 
     Args:
         radius: Radius of the head [m].
         at: Center on the face [m].
         facing: Outward direction of the face.
-        style: A plain dome, or a blind rivet with the pit of its mandrel.
 
     Examples:
         >>> box(0.03, 0.002, 0.02) | details.rivet(0.004, (0, -0.001, 0))
     """
-    if style == "dome":
-        return dome(radius, height=0.55 * radius, axis=facing).at(at)
-    section = [(0, 0), (1, 0), (0.98, 0.12), (0.8, 0.3), (0.5, 0.4), (0.36, 0.36), (0.3, 0.16), (0, 0.16)]
-    return revolve(polygon(section).scale(radius), axis=facing).at(at)
+    return dome(radius, height=0.55 * radius, axis=facing).at(at)
