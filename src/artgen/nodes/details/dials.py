@@ -8,7 +8,7 @@ import numpy as np
 
 from artgen._arrays import Array, cached
 from artgen.asset.shape import Contour, Outline
-from artgen.graph import kernel
+from artgen.graph import records
 from artgen.nodes import text
 from artgen.nodes import validators as inputs
 from artgen.nodes.contours import arc_points, faceted, moved_outline
@@ -73,7 +73,6 @@ def _numbered(numbers: Sequence[str], angles: Array, radius: float, height: floa
     return made
 
 
-@kernel
 def _dial_scale(
     radius: float,
     ticks: int,
@@ -115,6 +114,7 @@ def _dial_scale(
     return Outline(tuple(contours))
 
 
+@records(_dial_scale)
 def dial_scale(
     radius: Scalar,
     ticks: int,
@@ -146,23 +146,8 @@ def dial_scale(
     Examples:
         >>> details.dial_scale(0.02, 11, major_every=5, numbers=("0", "5", "10"))
     """
-    numbers = tuple(numbers)
-    return Profile.record(
-        _dial_scale,
-        radius=radius,
-        ticks=ticks,
-        sweep=sweep,
-        start=start,
-        major_every=major_every,
-        length=length,
-        major_length=major_length,
-        width=width,
-        numbers=numbers,
-        number_height=number_height,
-    )
 
 
-@kernel
 def _dial_icons(
     names: tuple[str, ...],
     radius: float,
@@ -190,6 +175,7 @@ def _dial_icons(
     return Outline(tuple(contours))
 
 
+@records(_dial_icons)
 def dial_icons(
     names: Sequence[str],
     radius: Scalar,
@@ -213,13 +199,8 @@ def dial_icons(
     Examples:
         >>> details.dial_icons(("power", "fan", "light", "timer"), 0.02, 0.008)
     """
-    names = tuple(names)
-    return Profile.record(
-        _dial_icons, names=names, radius=radius, height=height, sweep=sweep, start=start, weight=weight
-    )
 
 
-@kernel
 def _dial_band(radius: float, width: float, end_width: float, sweep: float, start: float | None) -> Outline:
     inputs.positive("radius", radius)
     inputs.positive("width", width)
@@ -233,6 +214,7 @@ def _dial_band(radius: float, width: float, end_width: float, sweep: float, star
     return Outline((faceted(np.concatenate([inner, outer[::-1]])),))
 
 
+@records(_dial_band)
 def dial_band(
     radius: Scalar, width: Scalar, end_width: Scalar, *, sweep: Scalar = SWEEP, start: Scalar | None = None
 ) -> Profile:
@@ -248,9 +230,6 @@ def dial_band(
     Examples:
         >>> details.dial_band(0.02, 0.001, 0.005)
     """
-    return Profile.record(
-        _dial_band, radius=radius, width=width, end_width=end_width, sweep=sweep, start=start
-    )
 
 
 def pointer(

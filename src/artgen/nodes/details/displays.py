@@ -8,7 +8,7 @@ import numpy as np
 from artgen._arrays import Array
 from artgen.asset.shape import Contour, Outline
 from artgen.errors import BuildError, nearest
-from artgen.graph import kernel
+from artgen.graph import records
 from artgen.graph.node import authors_line
 from artgen.materials import MATERIALS, Material
 from artgen.nodes import validators as inputs
@@ -97,7 +97,6 @@ def _cells(string: str) -> tuple[list[tuple[str, float]], float]:
     return places, pen - _SPACE
 
 
-@kernel
 def _figures(string: str, height: float, lit: bool) -> Outline:
     places, width = _cells(string)
     contours: list[Contour] = []
@@ -117,9 +116,9 @@ def _figures(string: str, height: float, lit: bool) -> Outline:
     return moved_outline(Outline(tuple(contours), convex), matrix, matrix @ np.array([-width / 2.0, -0.5]))
 
 
+@records(_figures)
 def figures(string: str, height: Scalar, *, lit: bool) -> Profile:
     """Make the lit or the dark segments of figures such as `"12:30"` or `"-18°C"`, centered on the origin."""
-    return Profile.record(_figures, string=string, height=height, lit=lit)
 
 
 def _has_dark_segments(string: str) -> bool:

@@ -7,7 +7,7 @@ import numpy as np
 
 from artgen._arrays import cached
 from artgen.asset.shape import Contour, Outline
-from artgen.graph import kernel
+from artgen.graph import records
 from artgen.nodes import text
 from artgen.nodes import validators as inputs
 from artgen.nodes.contours import is_disjoint, moved_outline, outline_of, section
@@ -43,7 +43,6 @@ def _letter(character: str, fineness: str) -> tuple[tuple[Contour, ...], float]:
     return contours, advance
 
 
-@kernel
 def _lettering(
     lines: tuple[str, ...],
     height: float,
@@ -73,6 +72,7 @@ def _lettering(
     return moved_outline(Outline(tuple(rows)), np.eye(2) * height, np.zeros(2))
 
 
+@records(_lettering)
 def lettering(
     lines: Sequence[str],
     height: Scalar,
@@ -95,16 +95,6 @@ def lettering(
     Examples:
         >>> details.lettering(("Turn", "and push"), 0.005, align="left")
     """
-    lines = tuple(lines)
-    return Profile.record(
-        _lettering,
-        lines=lines,
-        height=height,
-        tracking=tracking,
-        leading=leading,
-        align=align,
-        fineness=fineness,
-    )
 
 
 def lettering_width(string: str, tracking: float = 0.0) -> float:
@@ -117,7 +107,6 @@ def lettering_width(string: str, tracking: float = 0.0) -> float:
     return text.text_width(string) + tracking * (len(string) - 1)
 
 
-@kernel
 def _emblem(name: Emblem, height: float) -> Outline:
     inputs.positive("height", height)
     if name == "none":
@@ -125,6 +114,7 @@ def _emblem(name: Emblem, height: float) -> Outline:
     return drawing(f"emblem-{name}", 1.9, height)
 
 
+@records(_emblem)
 def emblem(name: Emblem, height: Scalar) -> Profile:
     """Make the emblem of an invented brand.
 
@@ -135,7 +125,6 @@ def emblem(name: Emblem, height: Scalar) -> Profile:
     Examples:
         >>> details.emblem("leaf", 0.02)
     """
-    return Profile.record(_emblem, name=name, height=height)
 
 
 def logo(

@@ -13,7 +13,7 @@ from artgen import colliders
 from artgen._arrays import Array
 from artgen.asset.shape import ComposedShape, Contour, Curve, Outline, Shape
 from artgen.colliders.pieces import Pieces
-from artgen.graph import kernel
+from artgen.graph import records
 from artgen.nodes import validators as inputs
 from artgen.nodes.handles import ArrayN3, Path, PointsLike, Scalar, Solid
 from artgen.nodes.path import _polyline
@@ -39,7 +39,6 @@ def _loop(width: float, depth: float, radius: float, corner: float) -> Shape:
     return _sweep(_circle(radius), _polyline(tuple(corners), corner, closed=True))
 
 
-@kernel
 def _wire_rack(
     width: float,
     depth: float,
@@ -91,6 +90,7 @@ def _inset(place: float, across: float, corner: float, frame: float) -> float:
     return round(corner - math.sqrt(max(corner**2 - into**2, 0.0)), 9)
 
 
+@records(_wire_rack)
 def wire_rack(
     width: Scalar,
     depth: Scalar,
@@ -117,20 +117,8 @@ def wire_rack(
     Examples:
         >>> details.wire_rack(0.4, 0.3, supports=2)
     """
-    return Solid.record(
-        _wire_rack,
-        width=width,
-        depth=depth,
-        pitch=pitch,
-        wire=wire,
-        frame=frame,
-        corner=corner,
-        direction=direction,
-        supports=supports,
-    )
 
 
-@kernel
 def _bent_wires(path: Curve, radius: float, at: ArrayN3) -> Shape:
     inputs.positive("radius", radius)
     places = inputs.points("at", at, 3, 1)
@@ -156,6 +144,7 @@ def _moved_pieces(profile: Outline, path: Curve, places: Array) -> list[Pieces]:
     return [pieces.transformed(inputs.pose(np.eye(3), place)) for place in places]
 
 
+@records(_bent_wires)
 def bent_wires(path: Path, radius: Scalar, *, at: PointsLike) -> Solid:
     """Make equal thin wires at several places, with few faces, for racks with many wires.
 
@@ -170,4 +159,3 @@ def bent_wires(path: Path, radius: Scalar, *, at: PointsLike) -> Solid:
         >>> bend = polyline([(0, 0, 0), (0, 0, 0.05), (0, 0.1, 0.05), (0, 0.1, 0)], fillet=0.01)
         >>> details.bent_wires(bend, 0.002, at=row((0, 0, 0), (0.02, 0, 0), 8))
     """
-    return Solid.record(_bent_wires, path=path, radius=radius, at=at)

@@ -7,7 +7,7 @@ import numpy as np
 from artgen._arrays import Array, Indices, successors
 from artgen.asset.shape import Contour, Outline, Shape
 from artgen.colliders.triangles import cross
-from artgen.graph import kernel
+from artgen.graph import records
 from artgen.materials import Material
 from artgen.nodes import validators as inputs
 from artgen.nodes.body import detail
@@ -111,7 +111,6 @@ def _fitting(contours: Sequence[Contour], bevel: float) -> float:
     return 0.0
 
 
-@kernel
 def _relief(
     profile: Outline,
     at: Array3,
@@ -136,6 +135,7 @@ def _relief(
     return skin.shape(pieces).transformed(inputs.pose(turn, place + turn[:, 2] * (proud - sunk) / 2.0))
 
 
+@records(_relief)
 def relief(
     profile: Profile,
     at: VectorLike = (0.0, 0.0, 0.0),
@@ -162,22 +162,17 @@ def relief(
     Examples:
         >>> box(0.06, 0.004, 0.04) - details.relief(text("EXIT", 0.012), (0, -0.002, 0), sunk=0.001)
     """
-    return Solid.record(
-        _relief, profile=profile, at=at, facing=facing, up=up, proud=proud, sunk=sunk, bevel=bevel
-    )
 
 
-@kernel
 def _reading(facing: Array3, up: Array3 | None) -> Array3:
     return facing_frame(facing, up)[:, 0]
 
 
+@records(_reading)
 def reading(facing: VectorLike, up: VectorLike | None) -> Vector:
     """Return the direction of the lines of print on a face."""
-    return Vector.record(_reading, facing=facing, up=up)
 
 
-@kernel
 def _middle(profile: Outline, at: Array3, facing: Array3, up: Array3 | None) -> Array3:
     points = np.concatenate([contour.points for contour in profile.contours])
     low, high = points[:, 0].min(), points[:, 0].max()
@@ -187,13 +182,13 @@ def _middle(profile: Outline, at: Array3, facing: Array3, up: Array3 | None) -> 
     return np.asarray(at + facing_frame(facing, up)[:, 0] * middle)
 
 
+@records(_middle)
 def middle(profile: Profile, at: VectorLike, facing: VectorLike, up: VectorLike | None) -> Vector:
     """Return the point about which print is flipped if its body is mirrored.
 
     For a profile about its origin, such as a scale around a knob, this is `at`; for a profile next to its
     origin, such as a line of text, it is the center of the profile.
     """
-    return Vector.record(_middle, profile=profile, at=at, facing=facing, up=up)
 
 
 def printed(

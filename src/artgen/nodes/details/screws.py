@@ -7,7 +7,7 @@ import numpy as np
 
 from artgen._arrays import Array, Indices, cached
 from artgen.asset.shape import Contour, Outline, Shape
-from artgen.graph import kernel
+from artgen.graph import records
 from artgen.materials import Material
 from artgen.nodes import validators as inputs
 from artgen.nodes.body import detail, weld
@@ -66,11 +66,11 @@ def _recess(drive: Drive) -> Array:
     return np.concatenate(quarters)
 
 
-@kernel
 def _drive_recess(radius: float, drive: Drive) -> Outline:
     return Outline((faceted(_recess(drive) * inputs.positive("radius", radius)),))
 
 
+@records(_drive_recess)
 def drive_recess(radius: Scalar, drive: Drive) -> Profile:
     """Make the outline of the recess for a driver about the origin.
 
@@ -81,7 +81,6 @@ def drive_recess(radius: Scalar, drive: Drive) -> Profile:
     Examples:
         >>> circle(0.005) - details.drive_recess(0.003, "torx")
     """
-    return Profile.record(_drive_recess, radius=radius, drive=drive)
 
 
 def _head_skin(radius: float, drive: Drive, head: Head, turn: float) -> Shape:
@@ -127,13 +126,13 @@ def _wall(sheets: Sheets, border: Contour, rows: Array, scale: float) -> Indices
     return sheets.grid(rail, vertices, normals, uvs)
 
 
-@kernel
 def _screw_head(radius: float, at: Array3, facing: Array3, drive: Drive, head: Head, turn: float) -> Shape:
     inputs.positive("radius", radius)
     shape = _head_skin(radius, drive, head, inputs.finite("turn", turn, "rad"))
     return shape.transformed(inputs.pose(facing_frame(facing, None), inputs.vector("at", at)))
 
 
+@records(_screw_head)
 def screw_head(
     radius: Scalar,
     at: VectorLike = (0.0, 0.0, 0.0),
@@ -156,7 +155,6 @@ def screw_head(
     Examples:
         >>> details.screw_head(0.004, drive="hex", head="cap")
     """
-    return Solid.record(_screw_head, radius=radius, at=at, facing=facing, drive=drive, head=head, turn=turn)
 
 
 def screw(

@@ -4,7 +4,7 @@ import math
 from typing import Literal
 
 from artgen.asset.shape import Outline
-from artgen.graph import kernel
+from artgen.graph import records
 from artgen.nodes import validators as inputs
 from artgen.nodes.details.icons import drawing
 from artgen.nodes.handles import Profile, Scalar, Solid
@@ -17,14 +17,13 @@ Seal = Literal["bulb", "lip", "bulb_lip", "half_round"]
 """The cross-section of a gasket."""
 
 
-@kernel
 def _gasket_section(size: float, section: Seal) -> Outline:
     return drawing(f"gasket-{section}", 2.6, inputs.positive("size", size))
 
 
+@records(_gasket_section)
 def gasket_section(size: Scalar, section: Seal) -> Profile:
     """Make the cross-section of a gasket: the foot on y = 0, y outward from the face, a lip towards x > 0."""
-    return Profile.record(_gasket_section, size=size, section=section)
 
 
 def gasket(

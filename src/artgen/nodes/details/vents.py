@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from artgen._arrays import Array, successors
 from artgen.asset.shape import Contour, Outline
-from artgen.graph import kernel
+from artgen.graph import records
 from artgen.nodes import validators as inputs
 from artgen.nodes.contours import circle_contour, moved_outline, reversed_contour, section
 from artgen.nodes.handles import Profile, Scalar
@@ -48,7 +48,6 @@ def _inside(points: Array, rings: list[Array]) -> NDArray[np.bool_]:
     return inside
 
 
-@kernel
 def _perforation(
     outline: Outline, pitch: float, radius: float, pattern: Literal["square", "hex"], margin: float
 ) -> Outline:
@@ -85,6 +84,7 @@ def _too_many(count: float) -> str:
     )
 
 
+@records(_perforation)
 def perforation(
     outline: Profile,
     pitch: Scalar,
@@ -108,12 +108,8 @@ def perforation(
     Examples:
         >>> circle(0.03) - details.perforation(circle(0.03), 0.005, 0.0015)
     """
-    return Profile.record(
-        _perforation, outline=outline, pitch=pitch, radius=radius, pattern=pattern, margin=margin
-    )
 
 
-@kernel
 def _vent_slots(
     width: float, height: float, count: int, slot: float, direction: Literal["vertical", "horizontal"]
 ) -> Outline:
@@ -142,6 +138,7 @@ def _vent_slots(
     return Outline(contours, tuple(contour.points for contour in contours))
 
 
+@records(_vent_slots)
 def vent_slots(
     width: Scalar,
     height: Scalar,
@@ -164,6 +161,3 @@ def vent_slots(
     Examples:
         >>> rectangle(0.08, 0.04) - details.vent_slots(0.06, 0.02, 9)
     """
-    return Profile.record(
-        _vent_slots, width=width, height=height, count=count, slot=slot, direction=direction
-    )

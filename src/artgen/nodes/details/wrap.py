@@ -7,7 +7,7 @@ import numpy as np
 from artgen._arrays import Array
 from artgen.asset.shape import Curve, Outline, Shape
 from artgen.colliders import Pieces
-from artgen.graph import kernel
+from artgen.graph import records
 from artgen.materials import Material
 from artgen.nodes import validators as inputs
 from artgen.nodes.body import detail
@@ -20,7 +20,6 @@ from artgen.nodes.surfaces import Skin
 _STEP = 0.10  # angle that one straight side of the print may span [rad]
 
 
-@kernel
 def _wrap(profile: Outline, path: Curve, height: float, proud: float) -> Shape:
     inputs.positive("proud", proud)
     line = path.points[:, [0, 2]]
@@ -56,6 +55,7 @@ def _bent(flat: Skin, line: Array, radius: float, height: float) -> tuple[Array,
     return vertices, normals
 
 
+@records(_wrap)
 def wrap(profile: Profile, path: Path, height: Scalar, *, proud: Scalar = 0.0002) -> Solid:
     """Bend a profile onto a turned solid, readable from the front.
 
@@ -69,7 +69,6 @@ def wrap(profile: Profile, path: Path, height: Scalar, *, proud: Scalar = 0.0002
         >>> around = line((0.04, 0, 0), (0.04, 0, 0.1))
         >>> cylinder(0.04, 0.1).at(z=0.05) | details.wrap(text("MILK", 0.009), around, 0.05, proud=0.001)
     """
-    return Solid.record(_wrap, profile=profile, path=path, height=height, proud=proud)
 
 
 def wrapped(
