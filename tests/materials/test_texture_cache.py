@@ -122,7 +122,7 @@ def test_a_folder_that_cannot_be_written_is_one_error_with_the_fix(place, tmp_pa
     monkeypatch.setenv("ARTGEN_CACHE", str(tmp_path / "taken" / "deeper"))
     with pytest.raises(
         ExportError,
-        match=r"textures cannot be kept in .*taken/deeper: .*; set ARTGEN_CACHE to a folder that can be "
+        match=r"textures cannot be written to .*taken/deeper: .*; set ARTGEN_CACHE to a folder that can be "
         "written, or to 'off'",
     ):
         maps(material("oak"), SIZE)

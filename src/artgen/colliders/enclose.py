@@ -25,7 +25,7 @@ _MOST_HALVINGS = 3
 class Facets:
     """A convex solid as triangles, several of which may lie in one plane.
 
-    Fast to build for a thousand vertices, unlike a `Polytope`, which knows the faces of each vertex.
+    Fast to build for a thousand vertices, unlike a `Polytope`, which stores the faces of each vertex.
 
     Attributes:
         solid: The solid as a convex manifold.

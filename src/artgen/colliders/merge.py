@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from artgen._arrays import Array
 from artgen.colliders.convex import Convex
 from artgen.colliders.polytope import Polytope
-from artgen.colliders.split import Facetted, subtract
+from artgen.colliders.split import Faceted, subtract
 
 _SAME = 1e-7  # faces nearer than this are one face seen from both sides [m]
 _DIRECTION = np.array([0.5364, 0.6312, 0.5603])  # a direction that no construction prefers
@@ -159,14 +159,14 @@ class Condenser:
 
     def _covered(self, group: int, hull: Polytope) -> bool:
         """Tell whether a hull is within the margin of the group's solid."""
-        left = [Facetted(known=hull)]
+        left = [Faceted(polytope=hull)]
         for index, shape in enumerate(self._solid[group]):
             if not _overlap(shape.bounds, hull.bounds, self._margin):
                 continue
             key = (group, index)
             if key not in self._inflated:
                 self._inflated[key] = shape.inflated(self._margin)
-            left = subtract(left, [Facetted(known=self._inflated[key])])
+            left = subtract(left, [Faceted(polytope=self._inflated[key])])
             if not left:
                 return True
         return False

@@ -9,7 +9,7 @@ from artgen.colliders.convex import TOLERANCE, Convex
 from artgen.colliders.enclose import few_vertices
 from artgen.colliders.merge import Condenser, joined
 from artgen.colliders.polytope import is_rigid
-from artgen.colliders.split import Facetted, intersect, subtract
+from artgen.colliders.split import Faceted, intersect, subtract
 
 Cover = tuple[Convex, ...]
 
@@ -134,7 +134,7 @@ def difference(solid: Pieces, cutter: Pieces) -> Pieces:
 def intersection(first: Pieces, second: Pieces) -> Pieces:
     """Return the cover of the intersection of two solids."""
 
-    def common(one: list[Facetted], two: list[Facetted]) -> Cover:
+    def common(one: list[Faceted], two: list[Faceted]) -> Cover:
         return tuple(part.convex() for part in intersect(one, two))
 
     return Pieces(
@@ -143,17 +143,17 @@ def intersection(first: Pieces, second: Pieces) -> Pieces:
     )
 
 
-def _outside(pieces: Pieces, tolerance: float) -> list[Facetted]:
+def _outside(pieces: Pieces, tolerance: float) -> list[Faceted]:
     """Return the outer pieces, faceted on the outside."""
-    return [Facetted(piece, tolerance=tolerance) for piece in pieces.outer(tolerance)]
+    return [Faceted(piece, tolerance=tolerance) for piece in pieces.outer(tolerance)]
 
 
-def _inside(pieces: Pieces, tolerance: float) -> list[Facetted]:
+def _inside(pieces: Pieces, tolerance: float) -> list[Faceted]:
     """Return the inner pieces, faceted on the inside."""
-    return [Facetted(piece, tolerance=tolerance, inside=True) for piece in pieces.inner(tolerance)]
+    return [Faceted(piece, tolerance=tolerance, inside=True) for piece in pieces.inner(tolerance)]
 
 
-def _cut(pieces: Sequence[Facetted], cutters: Sequence[Facetted]) -> Cover:
+def _cut(pieces: Sequence[Faceted], cutters: Sequence[Faceted]) -> Cover:
     """Subtract the cutters; fragments that form a convex piece are joined again."""
     rest = [part.convex() for part in subtract(pieces, cutters)]
     if len(cutters) > 1 and len(rest) > len(pieces):

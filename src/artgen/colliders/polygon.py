@@ -121,14 +121,14 @@ def _thinned(contour: Array, tolerance: float, sign: float) -> Array:
         even = _even_steps(contour, order, tolerance)
         if even is not None:
             return even
-    kept = [0]
-    while kept[-1] < count:
-        here = end = kept[-1]
+    chosen = [0]
+    while chosen[-1] < count:
+        here = end = chosen[-1]
         end += 1
         while end < count and turning[order[end]] and _near_chord(contour[order[here : end + 2]], tolerance):
             end += 1
-        kept.append(end)
-    thin = contour[order[kept[:-1]]]
+        chosen.append(end)
+    thin = contour[order[chosen[:-1]]]
     return thin if len(thin) >= _LEAST_SIDES or len(thin) == count else contour
 
 

@@ -16,75 +16,75 @@ _PARALLEL = 1e-12  # 1 - cosine below which a plane is perpendicular to a cylind
 
 
 @dataclass(frozen=True, eq=False)
-class Facetted:
+class Faceted:
     """A piece with the polytope that replaces it in cuts, computed on first access.
 
     Attributes:
-        kept: The original piece, if it is known.
-        known: The polytope, if it is known.
+        source: The original piece, if it is known.
+        polytope: The polytope, if it is known.
         tolerance: Largest distance of the polytope from a round piece [m].
         inside: Whether the polytope is inside the piece instead of around it.
     """
 
-    kept: Convex | None = None
-    known: Polytope | None = None
+    source: Convex | None = None
+    polytope: Polytope | None = None
     tolerance: float = 0.0
     inside: bool = False
 
     @cached_property
     def shape(self) -> Polytope:
         """The polytope."""
-        if self.known is not None:
-            return self.known
-        assert self.kept is not None, "a piece needs a polytope or the solid for which it stands in"
+        if self.polytope is not None:
+            return self.polytope
+        assert self.source is not None, "either the original piece or the polytope is given"
         if self.inside:
-            return self.kept.inner_polytope(self.tolerance)
-        return self.kept.outer_polytope(self.tolerance)
+            return self.source.inner_polytope(self.tolerance)
+        return self.source.outer_polytope(self.tolerance)
 
     @cached_property
     def bounds(self) -> Array:
         """Corners of the bounding box, shape (2, 3) [m]."""
-        return self.shape.bounds if self.kept is None else self.kept.bounds()
+        return self.shape.bounds if self.source is None else self.source.bounds()
 
     @property
     def is_large(self) -> bool:
         """Whether a cut of the piece takes long; simpler pieces around it may replace it."""
-        return self.kept is not None and not self.inside and len(self.kept.points) > _MANY
+        return self.source is not None and not self.inside and len(self.source.points) > _MANY
 
-    def simpler(self) -> list["Facetted"]:
+    def simpler(self) -> list["Faceted"]:
         """Return pieces with few vertices around the piece."""
-        assert self.kept is not None
-        few = few_vertices(self.kept, _FEW, self.tolerance)
-        return [Facetted(piece, tolerance=self.tolerance) for piece in few]
+        assert self.source is not None
+        few = few_vertices(self.source, _FEW, self.tolerance)
+        return [Faceted(piece, tolerance=self.tolerance) for piece in few]
 
     def convex(self) -> Convex:
         """Return the piece."""
-        return self.kept or Convex.of(self.shape)
+        return self.source or Convex.of(self.shape)
 
 
-def subtract(pieces: Sequence[Facetted], cutters: Iterable[Facetted]) -> list[Facetted]:
+def subtract(pieces: Sequence[Faceted], cutters: Iterable[Faceted]) -> list[Faceted]:
     """Return the pieces without the cutters: cut pieces as few convex parts, the others unchanged."""
     rest = list(pieces)
     for cutter in cutters:
         touched = _near(rest, cutter.bounds)
         if not any(touched):
             continue
-        kept: list[Facetted] = []
+        remaining: list[Faceted] = []
         for near, piece in zip(touched, rest, strict=True):
             if not near:
-                kept.append(piece)
+                remaining.append(piece)
             elif piece.is_large:
-                kept.extend(subtract(piece.simpler(), [cutter]))
+                remaining.extend(subtract(piece.simpler(), [cutter]))
             else:
                 parts = _without(piece, cutter.shape)
-                kept.extend([piece] if parts is None else parts)
-        rest = kept
+                remaining.extend([piece] if parts is None else parts)
+        rest = remaining
     return rest
 
 
-def intersect(pieces: Sequence[Facetted], others: Sequence[Facetted]) -> list[Facetted]:
+def intersect(pieces: Sequence[Faceted], others: Sequence[Faceted]) -> list[Faceted]:
     """Return the intersections of each piece with each of the others."""
-    shared: list[Facetted] = []
+    shared: list[Faceted] = []
     for other in others:
         for near, piece in zip(_near(pieces, other.bounds), pieces, strict=True):
             if near:
@@ -94,7 +94,7 @@ def intersect(pieces: Sequence[Facetted], others: Sequence[Facetted]) -> list[Fa
     return shared
 
 
-def _near(pieces: Sequence[Facetted], bounds: Array) -> list[bool]:
+def _near(pieces: Sequence[Faceted], bounds: Array) -> list[bool]:
     """Tell which pieces have a bounding box that overlaps a given one."""
     if not pieces:
         return []
@@ -104,7 +104,7 @@ def _near(pieces: Sequence[Facetted], bounds: Array) -> list[bool]:
     return found
 
 
-def _without(piece: Facetted, cutter: Polytope) -> list[Facetted] | None:
+def _without(piece: Faceted, cutter: Polytope) -> list[Faceted] | None:
     """Return the parts of a piece outside a cutter, or None if they have no common volume.
 
     The plane with the largest remaining part cuts first: large parts are separated whole, and only the
@@ -112,7 +112,7 @@ def _without(piece: Facetted, cutter: Polytope) -> list[Facetted] | None:
     """
     if (cutter.heights(piece.shape.planes).min(axis=1) >= -SLIVER).any():
         return None
-    parts: list[Facetted] = []
+    parts: list[Faceted] = []
     rest, planes = piece, cutter.planes
     while len(planes):
         heights = rest.shape.heights(planes)
@@ -132,7 +132,7 @@ def _without(piece: Facetted, cutter: Polytope) -> list[Facetted] | None:
     return parts if rest.shape.width >= SLIVER else None
 
 
-def _common(piece: Facetted, other: Facetted) -> Facetted | None:
+def _common(piece: Faceted, other: Faceted) -> Faceted | None:
     """Return the intersection of two pieces; a piece inside the other is returned unchanged."""
     heights = piece.shape.heights(other.shape.planes)
     if (heights.min(axis=1) >= -SLIVER).any():
@@ -150,29 +150,29 @@ def _common(piece: Facetted, other: Facetted) -> Facetted | None:
     return rest if rest.shape.width >= SLIVER else None
 
 
-def _split(piece: Facetted, plane: Array) -> tuple[Facetted | None, Facetted | None]:
+def _split(piece: Faceted, plane: Array) -> tuple[Faceted | None, Faceted | None]:
     """Split a piece by a plane; a cut perpendicular to a cylinder's axis gives cylinders."""
     inside, outside = piece.shape.split(plane)
     if inside is piece.shape:
         return piece, None
     if outside is piece.shape:
         return None, piece
-    cylinder = piece.kept
+    cylinder = piece.source
     if cylinder is not None and cylinder.kind == "cylinder" and inside is not None and outside is not None:
         cosine = float(cylinder.pose[:3, 2] @ plane[:3])
         if 1.0 - abs(cosine) <= _PARALLEL:
             return _shortened(cylinder, inside), _shortened(cylinder, outside)
     return (
-        None if inside is None else Facetted(known=inside),
-        None if outside is None else Facetted(known=outside),
+        None if inside is None else Faceted(polytope=inside),
+        None if outside is None else Faceted(polytope=outside),
     )
 
 
-def _shortened(cylinder: Convex, shape: Polytope) -> Facetted:
+def _shortened(cylinder: Convex, shape: Polytope) -> Faceted:
     """Return the part of a cylinder between the ends of its faceted part."""
     axis = cylinder.pose[:3, 2]
     along = (shape.points - cylinder.pose[:3, 3]) @ axis
     lower, upper = float(along.min()), float(along.max())
     pose = cylinder.pose.copy()
     pose[:3, 3] += axis * (lower + upper) / 2.0
-    return Facetted(Convex("cylinder", pose, (cylinder.size[0], upper - lower)), shape)
+    return Faceted(Convex("cylinder", pose, (cylinder.size[0], upper - lower)), shape)

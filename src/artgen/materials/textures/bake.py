@@ -83,21 +83,21 @@ class Maps:
 
 
 def baked(recipe: Recipe, variant: int, size: int) -> Maps:
-    """Return a recipe's maps; maps of kept recipes are computed once for all processes."""
+    """Return a recipe's maps; maps of cached recipes are computed once for all processes."""
     return MEMORY.get(
         (recipe, variant, size),
-        lambda: _kept(recipe, variant, size) if recipe.kept else bake(recipe, variant, size),
+        lambda: _stored(recipe, variant, size) if recipe.cached else bake(recipe, variant, size),
         lambda made: sum(pixels.nbytes for pixels in made.arrays.values()),
     )
 
 
-def _kept(recipe: Recipe, variant: int, size: int) -> Maps:
+def _stored(recipe: Recipe, variant: int, size: int) -> Maps:
     """Return a recipe's maps from disk, or compute and store them."""
     name = f"{recipe.name}_{variant}_{size}"
     stored = disk_cache.unpacked(read(name, "npz"))
     if stored is not None:
-        kept: dict[str, Any] = {each.name: stored.get(each.name) for each in fields(Maps)}
-        return Maps(**kept)
+        found: dict[str, Any] = {each.name: stored.get(each.name) for each in fields(Maps)}
+        return Maps(**found)
     made = bake(recipe, variant, size)
     write(name, "npz", disk_cache.packed(made.arrays))
     return made
@@ -176,6 +176,6 @@ def write(name: str, suffix: str, content: bytes) -> None:
     except OSError as error:
         reason = error.strerror or str(error)
         raise ExportError(
-            f"textures cannot be kept in {disk_cache.cache_directory()}: {reason}; "
+            f"textures cannot be written to {disk_cache.cache_directory()}: {reason}; "
             "set ARTGEN_CACHE to a folder that can be written, or to 'off'"
         ) from error

@@ -56,7 +56,7 @@ class Recipe:
             baking a small tile.
         shifts: Whether the pattern of a part may begin anywhere across and along the grain; False if it has
             to meet the edges of parts.
-        kept: Whether its maps are cached on disk by a digest of this package's code; False for recipes in
+        cached: Whether its maps are cached on disk by a digest of this package's code; False for recipes in
             other code.
     """
 
@@ -67,7 +67,7 @@ class Recipe:
     variants: int = 1
     varying: tuple[Varying, ...] | None = None
     shifts: tuple[bool, bool] = (True, True)
-    kept: bool = False
+    cached: bool = False
 
 
 RECIPES: dict[str, Recipe] = {}
@@ -218,7 +218,7 @@ def recipe(
             albedo = None if drawn.albedo is None else with_mean(drawn.albedo, base_color)
             return replace(drawn, albedo=albedo, roughness=centered(drawn.roughness))
 
-        RECIPES[name] = Recipe(name, base_color, make, extent, variants, varying, shifts, kept=True)
+        RECIPES[name] = Recipe(name, base_color, make, extent, variants, varying, shifts, cached=True)
 
     return register
 

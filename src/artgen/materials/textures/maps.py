@@ -150,22 +150,22 @@ def encoded(material: Material, kind: Kind, size: int, form: Form) -> bytes:
     name = f"{map_name(material, kind)}_{size}"
 
     def make() -> bytes:
-        kept = _is_kept(material, kind)
-        content = read(name, form) if kept else None
+        on_disk = _is_cached(material, kind)
+        content = read(name, form) if on_disk else None
         if content is None:
             content = _file(_pixels(material, kind, size), kind, form)
-            if kept:
+            if on_disk:
                 write(name, form, content)
         return content
 
     return MEMORY.get((recipe, name, form), make, len)
 
 
-def _is_kept(material: Material, kind: Kind) -> bool:
+def _is_cached(material: Material, kind: Kind) -> bool:
     """Tell whether a file is cached on disk; maps in a color of one asset are not."""
     recipe = recipe_of(material)
-    if kind != "albedo" or not recipe.kept:
-        return recipe.kept
+    if kind != "albedo" or not recipe.cached:
+        return recipe.cached
     return material.base_color in _lasting_colors(recipe)
 
 

@@ -171,7 +171,7 @@ def _dial_icons(
             icon = icon_outline(name, height, weight)
             contours += moved_outline(icon, np.eye(2), radius * _direction(angle)).contours
     if not contours:
-        raise ValueError("the dial has no icons")
+        raise ValueError("the dial has no icons; name at least one")
     return Outline(tuple(contours))
 
 

@@ -152,10 +152,10 @@ def _drawn(command: str, here: Array, values: list[float]) -> Iterable[Array]:
 
 
 def _distinct(points: Array, *, closed: bool) -> Array:
-    kept = np.linalg.norm(np.diff(points, axis=0, prepend=points[:1] - 1.0), axis=1) > 1e-6
+    differs = np.linalg.norm(np.diff(points, axis=0, prepend=points[:1] - 1.0), axis=1) > 1e-6
     if closed and np.linalg.norm(points[-1] - points[0]) < 1e-6:
-        kept[-1] = False
-    distinct: Array = points[kept]
+        differs[-1] = False
+    distinct: Array = points[differs]
     return distinct
 
 

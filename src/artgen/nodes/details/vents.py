@@ -121,7 +121,9 @@ def _vent_slots(
     upright = direction == "vertical"
     across, along = (width, height) if upright else (height, width)
     if slot > along:
-        raise ValueError(f"a slot {slot * 1e3:.3g} mm wide is wider than long ({along * 1e3:.3g} mm)")
+        raise ValueError(
+            f"a slot {slot * 1e3:.3g} mm wide is wider than long ({along * 1e3:.3g} mm); use a thinner one"
+        )
     room = across - slot
     if (room < 0.0) if count == 1 else (room / (count - 1) <= slot * 1.02):
         raise ValueError(
