@@ -4,6 +4,7 @@ Pieces follow from the construction of a solid, not from its mesh: primitives ar
 concatenates pieces, a difference splits them by the faces of the cutter's pieces.
 """
 
+from artgen.colliders.budget import budgeted
 from artgen.colliders.convex import TOLERANCE, Convex, Kind
 from artgen.colliders.makers import (
     chain_pieces,
@@ -12,7 +13,7 @@ from artgen.colliders.makers import (
     prism_pieces,
     round_pieces,
 )
-from artgen.colliders.pieces import Exact, Pieces, budgeted, difference, intersection, union
+from artgen.colliders.pieces import Exact, Pieces, difference, intersection, union
 from artgen.colliders.polygon import decompose_polygon
 from artgen.colliders.revolve import revolve_pieces
 

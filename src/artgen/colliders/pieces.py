@@ -1,21 +1,18 @@
-"""Lazily evaluated convex covers of solids, combined like the solids, and their reduction to a budget."""
+"""Lazily evaluated convex covers of solids: combined like the solids."""
 
 from collections.abc import Callable, Sequence
 
 import numpy as np
 
 from artgen._arrays import Array, frozen
-from artgen.colliders.convex import TOLERANCE, Convex
+from artgen.colliders.convex import Convex
 from artgen.colliders.enclose import few_vertices
-from artgen.colliders.merge import Condenser, joined
 from artgen.colliders.polytope import is_rigid
-from artgen.colliders.split import Faceted, intersect, subtract
+from artgen.colliders.split import Faceted, intersect, joined, subtract
 
 Cover = tuple[Convex, ...]
 
 _MANY = 10**9  # more than the vertices of any piece
-_COARSER = (0.0005, 0.001)  # tolerances for solids that need too many pieces [m]
-_MARGIN = 0.001  # largest distance of joined pieces from the solid [m]
 
 
 class Pieces:
@@ -159,51 +156,3 @@ def _cut(pieces: Sequence[Faceted], cutters: Sequence[Faceted]) -> Cover:
     if len(cutters) > 1 and len(rest) > len(pieces):
         rest = joined(rest, _MANY)
     return tuple(rest)
-
-
-def budgeted(
-    solids: Sequence[Pieces],
-    *,
-    most_pieces: int = 64,
-    most_vertices: int = 64,
-    tolerance: float = TOLERANCE,
-) -> list[Cover]:
-    """Return convex pieces around each of several solids, within the common budget of a simulator.
-
-    Round pieces are faceted to the tolerance. Over the budget, the solids with the most pieces are faceted to
-    0.5 mm, then 1 mm. Then pieces are joined as long as their hull stays within about 1 mm of the solid.
-    Cavities are never closed.
-
-    Args:
-        solids: The solids.
-        most_pieces: Largest number of pieces of all solids together.
-        most_vertices: Largest number of vertices of a hull.
-        tolerance: Largest distance of the pieces from round solids [m].
-
-    Raises:
-        ValueError: The solids need more pieces.
-    """
-    if most_pieces < 1 or most_vertices < 8:
-        raise ValueError(
-            f"a budget needs at least 1 piece and 8 vertices, got {most_pieces} and {most_vertices}"
-        )
-    covers = [solid.simplified(tolerance, most_vertices) for solid in solids]
-    fewest = sum(map(len, covers))
-    for limit in (coarse for coarse in _COARSER if coarse > tolerance):
-        for number in sorted(range(len(covers)), key=lambda number: (-len(covers[number]), number)):
-            if fewest <= most_pieces:
-                return covers
-            coarser = solids[number].simplified(limit, most_vertices)
-            if len(coarser) < len(covers[number]):
-                fewest -= len(covers[number]) - len(coarser)
-                covers[number] = coarser
-    if fewest <= most_pieces:
-        return covers
-    merged = Condenser(covers, most_vertices, _MARGIN).run(most_pieces)
-    count = sum(map(len, merged))
-    if count > most_pieces:
-        raise ValueError(
-            f"the solid needs {fewest} convex pieces, {count} after joining those that seal no cavity; "
-            f"at most {most_pieces} are allowed: cut fewer or simpler holes, or make it of several parts"
-        )
-    return [tuple(group) for group in merged]

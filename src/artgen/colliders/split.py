@@ -1,17 +1,19 @@
-"""Exact differences and intersections of convex pieces."""
+"""Exact differences and intersections of convex pieces, and joining of pieces that form a convex one."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from artgen._arrays import Array, cached_property
+from artgen._arrays import Array, Mask, cached_property
 from artgen.colliders.convex import Convex
 from artgen.colliders.enclose import few_vertices
 from artgen.colliders.polytope import SLIVER, SNAP, Polytope
 
 _MANY = 128  # pieces with more vertices are enclosed in simpler ones before a cut
 _FEW = 64  # vertices of these simpler pieces
+_SAME = 1e-7  # faces nearer than this are one face seen from both sides [m]
+_DIRECTION = np.array([0.5364, 0.6312, 0.5603])  # a direction that no construction prefers
 _PARALLEL = 1e-12  # 1 - cosine below which a plane is perpendicular to a cylinder's axis
 
 
@@ -176,3 +178,98 @@ def _shortened(cylinder: Convex, shape: Polytope) -> Faceted:
     pose = cylinder.pose.copy()
     pose[:3, 3] += axis * (lower + upper) / 2.0
     return Faceted(Convex("cylinder", pose, (cylinder.size[0], upper - lower)), shape)
+
+
+def joined(pieces: Sequence[Convex], most_vertices: int) -> list[Convex]:
+    """Drop pieces inside others and join pairs whose hull adds no volume.
+
+    Two pieces with one common whole face, each behind the other faces of the other, form one convex solid;
+    the largest faces are tried first.
+    """
+    rest = _outermost(pieces)
+    while True:
+        taken: set[int] = set()
+        fresh: list[Convex] = []
+        for first, second in _meeting(rest, most_vertices):
+            if first in taken or second in taken:
+                continue
+            hull = hull_within(rest[first].faces, rest[second].faces, most_vertices)
+            if hull is not None:
+                taken.update((first, second))
+                fresh.append(Convex.of(hull))
+        if not fresh:
+            return rest
+        rest = [piece for index, piece in enumerate(rest) if index not in taken] + fresh
+
+
+def hull_within(first: Polytope, second: Polytope, most_vertices: int) -> Polytope | None:
+    """Return the hull of two pieces if it has few enough vertices."""
+    hull = Polytope.hull(np.concatenate((first.points, second.points)))
+    return hull if len(hull.points) <= most_vertices else None
+
+
+def _outermost(pieces: Sequence[Convex]) -> list[Convex]:
+    """Return the pieces that do not lie inside another piece; of equal pieces the first."""
+    if len(pieces) < 2:
+        return list(pieces)
+    boxes = np.array([piece.bounds() for piece in pieces])
+    above = (boxes[:, None, 0] >= boxes[None, :, 0] - _SAME).all(axis=2)
+    below = (boxes[:, None, 1] <= boxes[None, :, 1] + _SAME).all(axis=2)
+    within: Mask = np.logical_and(above, below)
+    np.fill_diagonal(within, False)
+    dropped: set[int] = set()
+    for small, large in np.argwhere(within).tolist():
+        if small in dropped or large in dropped or pieces[large].kind not in ("box", "hull"):
+            continue
+        if pieces[large].faces.contains(pieces[small].outer_points(), _SAME):
+            dropped.add(small)
+    return [piece for index, piece in enumerate(pieces) if index not in dropped]
+
+
+def _meeting(pieces: Sequence[Convex], most_vertices: int) -> list[tuple[int, int]]:
+    """Return the pairs that join without added volume, those with the largest common face first.
+
+    Hulls without known faces have far more vertices than a joined piece may have.
+    """
+    flat = [
+        index
+        for index, piece in enumerate(pieces)
+        if piece.kind == "box" or (piece.kind == "hull" and piece.polytope is not None)
+    ]
+    if len(flat) < 2:
+        return []
+    shapes = [pieces[index].faces for index in flat]
+    sizes = [len(shape.planes) for shape in shapes]
+    owner = np.repeat(np.arange(len(flat)), sizes)
+    face = np.concatenate([np.arange(size) for size in sizes])
+    means = np.concatenate([shape.face_means for shape in shapes])
+    spreads = np.concatenate([shape.face_spreads for shape in shapes])
+    normals = np.concatenate([shape.planes[:, :3] for shape in shapes])
+    along = means @ _DIRECTION
+    order = np.argsort(along, kind="stable")
+    along = along[order]
+    pairs: list[tuple[float, int, int]] = []
+    for shift in range(1, len(order)):
+        close = np.flatnonzero(along[shift:] - along[:-shift] <= _SAME)
+        if not len(close):
+            break
+        left, right = order[close], order[close + shift]
+        same = np.abs(means[left] - means[right]).max(axis=1) <= _SAME
+        same &= np.sum(normals[left] * normals[right], axis=1) <= -1.0 + _SAME
+        same &= np.abs(spreads[left] - spreads[right]) <= _SAME * (1.0 + spreads[left])
+        for one, two in zip(left[same].tolist(), right[same].tolist(), strict=True):
+            first, second = int(owner[one]), int(owner[two])
+            corners = 2 * np.count_nonzero(shapes[first].contact[:, face[one]])
+            if len(shapes[first].points) + len(shapes[second].points) - corners > most_vertices:
+                continue  # only edges of the common face may vanish
+            if _behind(shapes[first], shapes[second], face[one]) and _behind(
+                shapes[second], shapes[first], face[two]
+            ):
+                pairs.append((-float(spreads[one]), flat[min(first, second)], flat[max(first, second)]))
+    return [(first, second) for _, first, second in sorted(pairs)]
+
+
+def _behind(shape: Polytope, other: Polytope, common: int) -> bool:
+    """Tell whether another polytope lies behind all faces of a shape but the common one."""
+    planes = np.delete(shape.planes, common, axis=0)
+    return bool(other.heights(planes).max() <= _SAME)

@@ -1,0 +1,120 @@
+"""The final collider set of solids: few pieces with few vertices."""
+
+import heapq
+from collections.abc import Sequence
+
+from artgen._arrays import Array
+from artgen.colliders.convex import TOLERANCE, Convex
+from artgen.colliders.pieces import Cover, Pieces
+from artgen.colliders.polytope import Polytope
+from artgen.colliders.split import Faceted, hull_within, subtract
+
+_COARSER = (0.0005, 0.001)  # tolerances for solids that need too many pieces [m]
+_MARGIN = 0.001  # largest distance of joined pieces from the solid [m]
+
+
+def budgeted(solids: Sequence[Pieces], *, most_pieces: int = 64, most_vertices: int = 64) -> list[Cover]:
+    """Return convex pieces around each of several solids, within the common budget of a simulator.
+
+    Round pieces are faceted to 0.25 mm. Over the budget, the solids with the most pieces are faceted to
+    0.5 mm, then 1 mm. Then pieces are joined as long as their hull stays within about 1 mm of the solid.
+    Cavities are never closed.
+
+    Args:
+        solids: The solids.
+        most_pieces: Largest number of pieces of all solids together.
+        most_vertices: Largest number of vertices of a hull.
+
+    Raises:
+        ValueError: The solids need more pieces.
+    """
+    if most_pieces < 1 or most_vertices < 8:
+        raise ValueError(
+            f"a budget needs at least 1 piece and 8 vertices, got {most_pieces} and {most_vertices}"
+        )
+    covers = [solid.simplified(TOLERANCE, most_vertices) for solid in solids]
+    fewest = sum(map(len, covers))
+    for limit in _COARSER:
+        for number in sorted(range(len(covers)), key=lambda number: (-len(covers[number]), number)):
+            if fewest <= most_pieces:
+                return covers
+            coarser = solids[number].simplified(limit, most_vertices)
+            if len(coarser) < len(covers[number]):
+                fewest -= len(covers[number]) - len(coarser)
+                covers[number] = coarser
+    if fewest <= most_pieces:
+        return covers
+    merged = _Condenser(covers, most_vertices).run(most_pieces)
+    count = sum(map(len, merged))
+    if count > most_pieces:
+        raise ValueError(
+            f"the solid needs {fewest} convex pieces, {count} after joining those that seal no cavity; "
+            f"at most {most_pieces} are allowed: cut fewer or simpler holes, or make it of several parts"
+        )
+    return [tuple(group) for group in merged]
+
+
+class _Condenser:
+    """Pieces of several groups that are joined step by step, smallest added volume first.
+
+    A pair of one group is joined only if its hull is within about 1 mm of the group's pieces: wider cavities
+    stay open.
+    """
+
+    def __init__(self, groups: Sequence[Sequence[Convex]], most_vertices: int) -> None:
+        self._most_vertices = most_vertices
+        self._solid = [[piece.faces for piece in group] for group in groups]
+        self._inflated: dict[tuple[int, int], Polytope] = {}
+        self._alive: dict[int, tuple[int, Convex]] = {}
+        self._queue: list[tuple[float, int, int, Polytope]] = []
+        self._next = 0
+        for number, group in enumerate(groups):
+            for piece in group:
+                self._add(number, piece)
+
+    def run(self, most_pieces: int) -> list[list[Convex]]:
+        """Join pairs until all groups together meet the budget or no pair is left; return the groups."""
+        while len(self._alive) > most_pieces and self._queue:
+            _, first, second, hull = heapq.heappop(self._queue)
+            if first not in self._alive or second not in self._alive:
+                continue
+            group = self._alive[first][0]
+            if self._covered(group, hull):
+                del self._alive[first], self._alive[second]
+                self._add(group, Convex.of(hull))
+        result: list[list[Convex]] = [[] for _ in self._solid]
+        for group, piece in self._alive.values():
+            result[group].append(piece)
+        return result
+
+    def _add(self, group: int, piece: Convex) -> None:
+        """Add a piece, and the pairs with its neighbors to the queue."""
+        number, self._next = self._next, self._next + 1
+        box = piece.bounds()
+        for other, (its_group, neighbor) in self._alive.items():
+            if its_group != group or not _overlap(neighbor.bounds(), box):
+                continue
+            hull = hull_within(piece.faces, neighbor.faces, self._most_vertices)
+            if hull is not None:
+                added = hull.volume - piece.volume - neighbor.volume
+                heapq.heappush(self._queue, (added, other, number, hull))
+        self._alive[number] = (group, piece)
+
+    def _covered(self, group: int, hull: Polytope) -> bool:
+        """Tell whether a hull is within the margin of the group's solid."""
+        left = [Faceted(polytope=hull)]
+        for index, shape in enumerate(self._solid[group]):
+            if not _overlap(shape.bounds, hull.bounds):
+                continue
+            key = (group, index)
+            if key not in self._inflated:
+                self._inflated[key] = shape.inflated(_MARGIN)
+            left = subtract(left, [Faceted(polytope=self._inflated[key])])
+            if not left:
+                return True
+        return False
+
+
+def _overlap(first: Array, second: Array) -> bool:
+    """Tell whether two bounding boxes are within the margin of each other."""
+    return bool((first[0] <= second[1] + _MARGIN).all() and (second[0] <= first[1] + _MARGIN).all())
