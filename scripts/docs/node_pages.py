@@ -109,10 +109,7 @@ PAGES = (
         "Print, icons and displays",
         "Details that are only seen. Most are profiles; `details.printed`, `details.raised` and "
         "`details.engraved` put them on a face.",
-        tuple(
-            f"details.{name}"
-            for name in ("dials", "displays", "icons", "lettering", "plates", "relief", "wrap")
-        ),
+        tuple(f"details.{name}" for name in ("dials", "displays", "icons", "lettering", "plates", "relief")),
     ),
     NodePage(
         "hardware",

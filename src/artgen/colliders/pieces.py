@@ -1,4 +1,4 @@
-"""Lazily evaluated convex covers of solids: combined like the solids."""
+"""Convex covers of solids, evaluated on first access and combined like the solids."""
 
 from collections.abc import Callable, Sequence
 

@@ -10,7 +10,7 @@ Coating = Literal["none", "paint", "clearcoat", "paint_clearcoat"]
 
 @dataclass(frozen=True)
 class Substance:
-    """A substance of products."""
+    """A substance with its names in other vocabularies."""
 
     name: str  # common name
     code: str  # its Wikidata Q-code

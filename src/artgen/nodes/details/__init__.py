@@ -10,11 +10,10 @@ from artgen.nodes.details.icons import ICONS, icon
 from artgen.nodes.details.lettering import BRANDS, emblem, lettering, lettering_width, logo
 from artgen.nodes.details.plates import rating_plate
 from artgen.nodes.details.racks import bent_wires, wire_rack
-from artgen.nodes.details.relief import engraved, printed, raised, relief
+from artgen.nodes.details.relief import engraved, printed, raised, relief, wrap, wrapped
 from artgen.nodes.details.screws import drive_recess, rivet, screw, screw_head
 from artgen.nodes.details.seals import foot, gasket
 from artgen.nodes.details.vents import perforation, vent_slots
-from artgen.nodes.details.wrap import wrap, wrapped
 
 __all__ = [
     "BRANDS",
