@@ -85,16 +85,16 @@ def test_whatever_goes_wrong_is_told_and_the_server_lives(studio: Studio) -> Non
         raise ZeroDivisionError("of no one's")
 
     studio.requests.add("odd", fail)
-    until(lambda: "ZeroDivisionError: of no one's" in studio.session.fault, "it is told")
-    assert f"{__file__}:" in html.unescape(studio.panel.fault.content)
+    until(lambda: "ZeroDivisionError: of no one's" in studio.session.error, "it is told")
+    assert f"{__file__}:" in html.unescape(studio.panel.error.content)
     studio.requests.add("unknown", lambda: studio.session.set("depth", 1.0))
-    until(lambda: "has no parameter 'depth'" in html.unescape(studio.panel.fault.content), "it is told")
+    until(lambda: "has no parameter 'depth'" in html.unescape(studio.panel.error.content), "it is told")
     studio.requests.add("set width", lambda: studio.session.set("width", 0.7))
-    until(lambda: "0.2 to 0.6 m is allowed" in studio.panel.fault.content, "it is told")
-    assert studio.panel.fault.visible
+    until(lambda: "0.2 to 0.6 m is allowed" in studio.panel.error.content, "it is told")
+    assert studio.panel.error.visible
     studio.requests.add("set width", lambda: studio.session.set("width", 0.31))
     until(lambda: studio.session.asset.parameters["width"] == 0.31, "the next value is taken")
-    until(lambda: not studio.panel.fault.visible, "there is nothing to tell")
+    until(lambda: not studio.panel.error.visible, "there is nothing to tell")
 
 
 def test_the_certificate_comes_by_itself(studio: Studio) -> None:
@@ -107,8 +107,8 @@ def test_a_port_in_use_is_named_with_what_to_do(studio: Studio) -> None:
     with pytest.raises(ParameterError) as error:
         Studio(crate(), port=studio.port)
     assert str(error.value) == (
-        f"port {studio.port} of 127.0.0.1 is in use, perhaps by another studio: end what uses it, or take "
-        f"another one: --port {studio.port + 1}, or --port 0 for any that is free"
+        f"port {studio.port} of 127.0.0.1 is in use, perhaps by another studio: stop that program, or use "
+        f"--port {studio.port + 1}, or --port 0 for a free port"
     )
 
 
@@ -116,7 +116,7 @@ def test_a_port_in_use_is_named_with_what_to_do(studio: Studio) -> None:
     ("arguments", "told"),
     [
         (["--port", "70000"], "--port 70000 is not allowed: it must be in 0..65535"),
-        (["--host", "192.0.2.1"], "--host '192.0.2.1' is no address of this machine"),
+        (["--host", "192.0.2.1"], "--host '192.0.2.1' is not an address of this machine"),
         (["--set", "widht=0.3"], "has no parameter 'widht'. Did you mean 'width'?"),
         (["--seed", "-1"], "seed must be a whole number that is not negative, got -1"),
     ],

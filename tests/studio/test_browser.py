@@ -103,7 +103,7 @@ def test_a_slider_moves_a_joint_and_boxes_draw_over_it(browser: Browser, studio:
         closed = scene(tab)
         # the lid waits for the bolt, and says so
         turn(tab, "lid_hinge [rad]", "End")
-        tab.page.get_by_text("lid_hinge is held: lid_hinge waits for bolt_slide > 0.03").wait_for()
+        tab.page.get_by_text("lid_hinge is blocked: it needs bolt_slide > 0.03").wait_for()
         assert studio.session.q.get("lid_hinge", 0.0) == 0.0
         sent = studio.stage.sent
         turn(tab, "bolt_slide [m]", "End")
@@ -127,7 +127,7 @@ def test_a_slider_moves_a_joint_and_boxes_draw_over_it(browser: Browser, studio:
         until(lambda: studio.stage.by_label and studio.stage.sent > sent, "links get the colors of labels")
         assert not [problem for problem in tab.problems if problem.startswith("error")], tab.problems
         assert not [url for url in elsewhere if not url.startswith((home, "data:", "blob:"))]
-    assert not studio.session.fault
+    assert not studio.session.error
 
 
 def test_a_parameter_rebuilds_it_and_what_cannot_be_is_told(browser: Browser, studio: Studio) -> None:

@@ -206,7 +206,7 @@ def test_the_page_exports_below_the_given_folder_only(studio: Studio, tmp_path: 
         until(lambda: "is not allowed: give one below" in studio.panel.exported.content, "it is told")
     assert not [*(tmp_path / "elsewhere").iterdir()]
     assert [path.name for path in studio.out.iterdir()] == ["link"]
-    assert not studio.session.fault
+    assert not studio.session.error
 
 
 def test_the_page_exports_to_a_folder_below(studio: Studio) -> None:

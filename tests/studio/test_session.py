@@ -22,7 +22,7 @@ CRATE = Path(__file__).parent.parent / "support" / "crate.py"
 @pytest.fixture
 def session() -> Session:
     made = Session(str(CRATE), seed=1)
-    assert made.evaluate(), made.fault
+    assert made.evaluate(), made.error
     return made
 
 
@@ -30,7 +30,7 @@ def session() -> Session:
 def edited(tmp_path: Path) -> Session:
     """A session of a file that a test may edit."""
     made = Session(str(shutil.copy(CRATE, tmp_path / "mine.py")), seed=1)
-    assert made.evaluate(), made.fault
+    assert made.evaluate(), made.error
     return made
 
 
@@ -71,7 +71,7 @@ def test_a_choice_brings_the_parameters_of_what_is_chosen(session: Session) -> N
     assert session.evaluate()
     assert control(session, "handle.length").name == "handle.bar.length"
     session.set("handle", "knob")
-    assert session.evaluate(), session.fault
+    assert session.evaluate(), session.error
     assert control(session, "handle.across").value == session.asset.parameters["handle.across"]
     assert "handle.length" not in session.asset.parameters
     session.set("handle", "bar")  # what was set of it waited
@@ -106,12 +106,12 @@ def test_a_value_that_cannot_be_leaves_the_last_asset(session: Session, width: f
     before = session.asset
     session.set("width", width)
     assert not session.evaluate()
-    assert session.fault.startswith(reason)
+    assert session.error.startswith(reason)
     assert session.asset is before
     assert "width" not in session.python()
     session.set("width", 0.35)
     assert session.evaluate()
-    assert not session.fault
+    assert not session.error
 
 
 def test_a_kernel_that_fails_is_told_with_the_authors_line(session: Session) -> None:
@@ -121,7 +121,7 @@ def test_a_kernel_that_fails_is_told_with_the_authors_line(session: Session) -> 
     line = 1 + CRATE.read_text().splitlines().index(
         '    return part(box(length, 0.02, 0.03), "handle", material("steel"))'
     )
-    assert f"crate.py:{line}" in session.fault
+    assert f"crate.py:{line}" in session.error
     assert session.asset is not None
 
 
@@ -132,14 +132,14 @@ def test_unknown_overrides_are_refused_at_once() -> None:
 
 def test_a_dependency_holds_a_joint_until_it_is_met(session: Session) -> None:
     assert session.move("lid_hinge", 0.8) == 0.0
-    assert session.held == "lid_hinge is held: lid_hinge waits for bolt_slide > 0.03"
+    assert session.blocked == "lid_hinge is blocked: it needs bolt_slide > 0.03"
     session.move("bolt_slide", 0.04)
-    assert session.held == ""
+    assert session.blocked == ""
     assert session.move("lid_hinge", 0.8) == 0.8
     assert session.asset.positions(session.q)["flag_slide"] == pytest.approx(0.016)
     # the bolt goes no farther back than the open lid lets it
     assert session.move("bolt_slide", 0.0) == pytest.approx(0.03, abs=1e-6)
-    assert session.held == "bolt_slide is held: then lid_hinge needs bolt_slide > 0.03"
+    assert session.blocked == "bolt_slide is blocked: lid_hinge needs bolt_slide > 0.03"
     assert not session.asset.blocked(session.q)
 
 
@@ -152,7 +152,7 @@ def test_joints_stay_where_they_are_when_a_parameter_changes(session: Session) -
     assert session.q["lid_hinge"] == 0.6
     lid = next(joint for joint in session.joints() if joint.name == "lid_hinge")
     assert (lid.value, lid.high, lid.unit) == (0.6, 0.6, "rad")
-    assert "waits for bolt_slide > 0.03" in lid.hint
+    assert "needs bolt_slide > 0.03" in lid.hint
     assert next(joint for joint in session.joints() if joint.name == "flag_slide").follows
 
 
@@ -236,7 +236,7 @@ def test_a_saved_file_is_loaded_again_and_keeps_what_is_set(edited: Session) -> 
     edit(edited, "limits=(0, swing)", "limits=(0, turn)")
     edited.set("swing", 1.1)
     assert edited.reload()
-    assert edited.evaluate(), edited.fault
+    assert edited.evaluate(), edited.error
     assert edited.overrides == {"width": 0.25}
 
 
@@ -255,13 +255,13 @@ def test_a_fault_in_the_file_is_told_with_its_line(edited: Session, old: str, ne
     number = 1 + next(index for index, each in enumerate(text.splitlines()) if old in each)
     edit(edited, old, new)
     assert not (edited.reload() and edited.evaluate())
-    assert reason in edited.fault
-    assert f"mine.py:{number}" in edited.fault
+    assert reason in edited.error
+    assert f"mine.py:{number}" in edited.error
     assert edited.asset is before
     edit(edited, new, old)
     assert edited.reload()
     assert edited.evaluate()
-    assert edited.fault == ""
+    assert edited.error == ""
 
 
 def test_an_asset_is_exported_as_it_is_shown(session: Session, tmp_path: Path) -> None:
@@ -270,9 +270,9 @@ def test_an_asset_is_exported_as_it_is_shown(session: Session, tmp_path: Path) -
     folder = session.export(tmp_path / "crate", ("urdf", "glb"))
     assert {path.suffix for path in folder.iterdir() if path.is_file()} == {".urdf", ".glb", ".json"}
     assert artgen.Asset.load(folder).parameters["width"] == 0.33
-    with pytest.raises(ParameterError, match="choose a format"):
+    with pytest.raises(ParameterError, match="no format is selected"):
         session.export(tmp_path / "crate", ())
-    with pytest.raises(ParameterError, match="give the folder"):
+    with pytest.raises(ParameterError, match="no folder is given"):
         session.export(" ", ("urdf",))
     (tmp_path / "other").mkdir()
     (tmp_path / "other" / "mine.txt").write_text("keep")

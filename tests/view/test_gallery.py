@@ -73,7 +73,7 @@ def test_filters_leave_what_is_like_that(tab: Tab) -> None:
     assert shown(tab) == ["plier_0"]
     tab.page.fill("#search", "no such thing")
     assert shown(tab) == []
-    assert tab.page.inner_text("#none") == "Nothing here is like that."
+    assert tab.page.inner_text("#none") == "No asset matches these filters."
     assert tab.page.inner_text("#count") == "0 of 3 assets"
 
 
@@ -161,7 +161,7 @@ def test_wrong_arguments_give_one_clear_error(artgen_command: Any, folder: Path,
     nothing = error("mine")
     assert nothing.startswith(f"error: {tmp_path / 'mine'} holds no exported asset; `artgen generate ")
     assert error(str(folder), "--out", "mine") == (
-        "error: mine holds something else than a gallery; choose another --out\n"
+        "error: mine holds files other than a gallery; choose another --out\n"
     )
     assert error(str(folder), "--texture-size", "7").startswith("error: textures have 256, ")
     assert [path.name for path in (tmp_path / "mine").iterdir()] == ["letter.txt"]

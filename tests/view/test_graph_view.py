@@ -172,7 +172,7 @@ def test_it_begins_with_the_functions_of_the_author(tab) -> None:
     assert "nodes" in page.inner_text("#facts")
     assert {"drawer.drawer", "boxes.drawer_box"} <= titles(tab)
     assert page.locator("#graph path.edge").count() > 5
-    assert page.inner_text("#details h2") == "Where the time went"
+    assert page.inner_text("#details h2") == "Computing time"
     assert inked(tab) > 0.05  # the whole asset
     assert tab.problems == []
 

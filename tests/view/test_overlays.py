@@ -61,7 +61,7 @@ def test_the_viewer_has_the_overlays_of_the_asset(asset: Asset) -> None:
     holds = [hold["name"] for link in data["links"] for hold in link["holds"]]
     assert holds == [each.name for each in asset.affordances]
     moving = [joint.name for joint in asset.joints if not joint.locked]
-    assert [joint["name"] for joint in data["joints"] if joint["sign"]] == moving
+    assert [joint["name"] for joint in data["joints"] if joint["symbol"]] == moving
 
 
 def test_a_label_has_the_same_color_in_every_asset_of_a_category() -> None:

@@ -194,7 +194,7 @@ def test_pictures_are_saved(red_cabinet, tmp_path) -> None:
         ({"size": 64.5}, "must be one or two whole numbers"),
         ({"size": True}, "must be one or two whole numbers"),
         ({"studio": "studo"}, "there is no studio 'studo'. Did you mean 'studio'?"),
-        ({"samples": 0}, "samples 0 must be a whole number from 1 on"),
+        ({"samples": 0}, "samples 0 must be a whole number of at least 1"),
         ({"textures": 100}, "textures have 256"),
         ({"textures": None}, "textures have 256.* not None"),
         ({"camera": 5}, "camera 5 must be a Camera, a View, or the name of a view"),

@@ -19,7 +19,7 @@ from artgen.nodes.primitive import box
 from artgen.nodes.vector import X, Y, Z
 from artgen.view import opened
 from artgen.view import sheet as sheets
-from artgen.view.sheet import save_sheet, sheet, shots, words
+from artgen.view.sheet import features, save_sheet, sheet, shots
 
 OAK = material("oak")
 DRAW = {"textures": 0, "samples": 1, "size": 48}
@@ -204,7 +204,7 @@ class TestSheet:
     def test_wrong_numbers_are_refused(self, red_cabinet, arguments) -> None:
         assets = arguments.pop("assets", [lambda: red_cabinet])
         with pytest.raises(
-            ParameterError, match="a sheet has at least 1 asset and 1 column, and 1 or 2 views"
+            ParameterError, match="a sheet needs at least 1 asset and 1 column, and 1 or 2 views"
         ):
             sheet(assets, **arguments)
 
@@ -221,7 +221,7 @@ def test_words_tell_size_and_structure() -> None:
     asset = replace(lone_lever.generate(), parameters=parameters)
     low, high = asset.bounds()
     size = " x ".join(f"{100 * length:.0f}" for length in high - low)
-    assert words(asset) == f"{size} cm, flat panel, oak, left"
+    assert features(asset) == f"{size} cm, flat panel, oak, left"
 
 
 def test_a_caption_that_is_too_long_says_so() -> None:

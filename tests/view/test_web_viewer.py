@@ -120,7 +120,7 @@ def positions(tab: Tab) -> dict[str, float]:
 
 
 def word(tab: Tab, joint: str) -> str:
-    return tab.page.inner_text(f"[data-row={joint}] .held")
+    return tab.page.inner_text(f"[data-row={joint}] .blocked")
 
 
 def world(tab: Tab, link: str) -> np.ndarray:
@@ -169,7 +169,7 @@ def test_what_follows_moves_along(tab: Tab, asset: Asset) -> None:
 def test_a_joint_that_may_not_move_yet_is_held_and_says_why(tab: Tab) -> None:
     drag(tab, "drawer_slide", 0.8)
     assert positions(tab)["drawer_slide"] == pytest.approx(0.01, abs=1e-6)
-    assert word(tab, "drawer_slide") == "held: needs door_hinge > 97.4° beyond 10.0 mm; door_hinge at 0.0°"
+    assert word(tab, "drawer_slide") == "blocked: needs door_hinge > 97.4° beyond 10.0 mm; door_hinge at 0.0°"
     assert float(tab.page.locator("[data-joint=drawer_slide]").input_value()) == pytest.approx(0.01, abs=1e-6)
     drag(tab, "door_hinge", 1.0)
     assert word(tab, "drawer_slide") == ""
@@ -177,13 +177,13 @@ def test_a_joint_that_may_not_move_yet_is_held_and_says_why(tab: Tab) -> None:
     assert positions(tab)["drawer_slide"] == pytest.approx(0.25)
     drag(tab, "door_hinge", 0.0)
     assert positions(tab)["door_hinge"] == pytest.approx(1.7, abs=1e-6)
-    assert word(tab, "door_hinge").startswith("held: drawer_slide needs door_hinge > 97.4°")
+    assert word(tab, "door_hinge").startswith("blocked: drawer_slide needs door_hinge > 97.4°")
 
 
 def test_playing_a_joint_opens_first_what_it_waits_for(tab: Tab) -> None:
     tab.page.evaluate(
         """() => { window.seen = []; const before = artgen.update.bind(artgen);
-        artgen.update = (held) => { seen.push(artgen.kinematics.positions(artgen.q)); before(held); }; }"""
+        artgen.update = (stop) => { seen.push(artgen.kinematics.positions(artgen.q)); before(stop); }; }"""
     )
     tab.page.click("[data-row=drawer_slide] .play")
     tab.page.wait_for_function("seen.some((q) => q.drawer_slide === 0.25)", timeout=60_000)
@@ -194,27 +194,27 @@ def test_playing_a_joint_opens_first_what_it_waits_for(tab: Tab) -> None:
     assert positions(tab)["drawer_slide"] == 0.0
 
 
-@pytest.mark.parametrize("sign", ["colliders", "joints", "grasps", "masses", "labels"])
-def test_an_overlay_is_shown_and_hidden_again(tab: Tab, sign: str) -> None:
+@pytest.mark.parametrize("symbol", ["colliders", "joints", "grasps", "masses", "labels"])
+def test_an_overlay_is_shown_and_hidden_again(tab: Tab, symbol: str) -> None:
     tab.page.click("#open")
     before = stage(tab)
-    tab.page.check(f"[data-sign={sign}]")
+    tab.page.check(f"[data-symbol={symbol}]")
     assert changed(before, stage(tab)) > 0.0002
-    if sign == "labels":
+    if symbol == "labels":
         assert tab.page.inner_text("#legend").split() == ["case", "dial", "door", "drawer"]
     else:
-        assert tab.page.evaluate(f"artgen.signs.groups.{sign}.visible")
-    tab.page.uncheck(f"[data-sign={sign}]")
+        assert tab.page.evaluate(f"artgen.symbols.groups.{symbol}.visible")
+    tab.page.uncheck(f"[data-symbol={symbol}]")
     assert changed(before, stage(tab)) < 0.0001
     assert tab.page.is_hidden("#legend")
 
 
 def test_signs_stand_where_the_asset_stands(tab: Tab, asset: Asset) -> None:
-    for sign in ("colliders", "joints", "masses"):
-        tab.page.check(f"[data-sign={sign}]")
+    for symbol in ("colliders", "joints", "masses"):
+        tab.page.check(f"[data-symbol={symbol}]")
     drag(tab, "door_hinge", 0.9)
     q = {"door_hinge": positions(tab)["door_hinge"]}
-    script = """(what) => artgen.signs.groups[what.group].children
+    script = """(what) => artgen.symbols.groups[what.group].children
         .find(({ userData }) => what.link ? userData.link === what.link
             : userData.joint.name === what.joint && Boolean(userData.turns) === what.turns).matrix.elements"""
     pose = asset.pose(q)["door"]
@@ -225,15 +225,15 @@ def test_signs_stand_where_the_asset_stands(tab: Tab, asset: Asset) -> None:
         assert np.abs(np.array(tab.page.evaluate(script, what)).reshape(4, 4).T - pose).max() < CLOSE
     still = tab.page.evaluate(script, {"group": "joints", "joint": "door_hinge", "turns": False})
     assert np.abs(np.array(still).reshape(4, 4).T - np.eye(4)).max() < CLOSE
-    center = tab.page.evaluate("artgen.signs.center().toArray()")
+    center = tab.page.evaluate("artgen.symbols.center().toArray()")
     moved = asset.pose(q)
     masses = [
         (link.mass_properties.mass, link.mass_properties.center, moved[link.name]) for link in asset.links
     ]
     expected = sum(mass * (pose[:3, :3] @ at + pose[:3, 3]) for mass, at, pose in masses) / asset.mass
     assert np.abs(np.array(center) - expected).max() < 1e-4
-    for sign in ("colliders", "joints", "masses"):
-        tab.page.uncheck(f"[data-sign={sign}]")
+    for symbol in ("colliders", "joints", "masses"):
+        tab.page.uncheck(f"[data-symbol={symbol}]")
 
 
 def test_the_exploded_view_moves_links_apart_and_back(tab: Tab, asset: Asset) -> None:
@@ -254,7 +254,7 @@ def test_the_certificate_shows_its_narrowest_pose_by_one_click(tab: Tab, asset: 
     worst = certificate.clearance
     assert worst is not None
     assert tab.page.evaluate("artgen.q") == pytest.approx(dict(worst.found_at))
-    assert tab.page.evaluate("artgen.lit") == list(worst.links)
+    assert tab.page.evaluate("artgen.highlighted") == list(worst.links)
     assert tab.page.inner_text("#tip") == str(worst)
     tab.page.click("#closed")
     assert tab.page.is_hidden("#tip")
@@ -278,7 +278,7 @@ def test_a_click_tells_of_the_part(tab: Tab) -> None:
     tab.page.mouse.click(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
     link, label, *_ = tab.page.inner_text("#tip").split(" · ")
     assert link == label == "door"
-    assert tab.page.evaluate("artgen.lit") == ["door"]
+    assert tab.page.evaluate("artgen.highlighted") == ["door"]
 
 
 def test_dragging_turns_the_camera_and_reset_brings_it_back(tab: Tab) -> None:
@@ -346,7 +346,7 @@ def test_a_collision_is_shown_where_it_is(browser: Browser, tmp_path: Path) -> N
         assert tab.page.inner_text("#verdict .badge") == "not proven"
         tab.page.click("#worst")
         assert tab.page.evaluate("artgen.q") == pytest.approx(dict(pair.witness.pose))
-        assert tab.page.evaluate("artgen.signs.place.position.toArray()") == pytest.approx(
+        assert tab.page.evaluate("artgen.symbols.place.position.toArray()") == pytest.approx(
             list(pair.witness.place)
         )
         assert tab.page.inner_text("#tip") == str(pair)

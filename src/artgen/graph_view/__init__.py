@@ -23,7 +23,7 @@ _ALL = 10**7  # most values in the cache: unlimited
 def graph_record(
     generator: Generator, seed: int, overrides: Mapping[str, Any], change: Mapping[str, Any]
 ) -> tuple[dict[str, Any], bytes]:
-    """Evaluate a graph and return the data of its page, and the meshes."""
+    """Evaluate the graph of a generator; return the data of its page, and the meshes as bytes."""
     asset, _ = generator.evaluate(seed, cache=Cache(), certify=False, overrides=overrides)
     cache = Cache(_ALL)
     values = generator.sample(seed, attempt=asset.attempt, overrides=overrides)
@@ -70,7 +70,7 @@ def graph_record(
 
 
 def _declared(name: str, values: Mapping[str, Any]) -> str:
-    """Return the declared name of a parameter with the drawn name `leaf.stile`: `leaf.panelled.stile`."""
+    """Return the declared name of a parameter: `leaf.panelled.stile` for the drawn name `leaf.stile`."""
     chooser, _, last = name.rpartition(".")
     return f"{_declared(chooser, values)}.{values[chooser].name}.{last}" if chooser else name
 
@@ -90,7 +90,7 @@ def _outcome(node: Node, value: Any, evaluation: Evaluation, geometry: Geometry)
 
 
 _SCRIPTS = (
-    *(f"view/web/{name}.js" for name in ("elements", "orbit", "signs")),
+    *(f"view/web/{name}.js" for name in ("elements", "orbit", "symbols")),
     *(f"graph_view/{name}.js" for name in ("visible", "drawing", "geometry", "details", "main")),
 )
 _EXPORT = "export const { layout, Graph } = dagre;"  # end of dagre as a module
@@ -137,6 +137,6 @@ def dagre_js() -> bytes:
         ) from error
     if _EXPORT not in script:
         raise RenderError(
-            "this version of Netron has another dagre; install the one that artgen[studio] asks for"
+            "this version of Netron has another dagre; install the version that artgen[studio] requires"
         )
     return script.replace(_EXPORT, "").encode()

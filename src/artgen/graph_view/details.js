@@ -1,7 +1,7 @@
-// The panel: what is known of the chosen node or function, or where the time went.
+// The panel: details of the selected node or function, or the times of all functions.
 
 const LISTED = 14; // rows of a list
-const STATES = { computed: "computed", cached: "from the cache", unused: "not needed: the other branch of a switch", given: "drawn" };
+const STATES = { computed: "computed", cached: "from the cache", unused: "not needed: in the other branch of a switch", given: "drawn" };
 
 class Details {
   constructor(panel, data, visible, page) {
@@ -38,7 +38,7 @@ class Details {
       element("h2", {}, node.op === "parameter" ? node.name : [node.op, node.name].filter(Boolean).join(" ")),
       this.picture(node.shape),
       this.table(rows),
-      element("pre", {}, node.source || "(the source is not at hand)"),
+      element("pre", {}, node.source || "(the source is not available)"),
       ...this.listed("Inputs", this.table(inputs), inputs.length),
       ...this.listed("Used by", this.links(into), into.length),
     );
@@ -55,19 +55,19 @@ class Details {
       this.picture([...new Set(leaving.flatMap((index) => this.nodes[index].shape))]),
       element("p", { className: "muted" }, `${inside.length} nodes, ${spent(ms)}: ${states.filter(([, count]) => count).map(([state, count]) => `${count} ${state}`).join(", ")}`),
       element("p", {}, element("button", { onclick: () => this.page.toggle(name) }, this.visible.opened.has(name) ? "Close" : "Open")),
-      ...this.listed("What it gives", this.links(leaving), leaving.length),
+      ...this.listed("Its results", this.links(leaving), leaving.length),
       ...this.listed("Its slowest nodes", this.slowest(inside), inside.length),
     );
   }
 
-  /** Shows where the time went. */
+  /** Shows the times of functions and nodes. */
   overview() {
     const groups = [...this.visible.groups].map(([name, inside]) => [name, inside.reduce((sum, index) => sum + this.nodes[index].ms, 0)]);
     groups.sort((a, b) => b[1] - a[1]);
     const most = groups[0][1];
     this.fill(
-      element("h2", {}, "Where the time went"),
-      element("p", { className: "muted" }, "Click a box to see its value and its geometry, double-click a function to open it. Arrows go from what is used to what uses it."),
+      element("h2", {}, "Computing time"),
+      element("p", { className: "muted" }, "Click a box to see its value and its geometry, double-click a function to open it. Arrows lead from an input to the nodes that use it."),
       this.picture(this.nodes.at(-1).shape),
       element("h3", {}, "Functions"),
       this.table(groups.slice(0, LISTED).map(([name, ms]) => [element("a", { onclick: () => this.page.chooseGroup(name) }, name), this.time(ms, most)]), true),
@@ -100,7 +100,7 @@ class Details {
     return element("table", { className: numbers ? "" : "keys" }, ...rows.map((row) => element("tr", {}, ...row.map(cell))));
   }
 
-  /** Returns the view with some items; nothing for a number. */
+  /** Returns the view of some items; nothing without items, as for numbers. */
   picture(items) {
     this.items = items;
     return items.length ? this.view : "";

@@ -1,7 +1,7 @@
-// The drawing: boxes and arrows, laid out by dagre in a worker, which can be dragged and zoomed.
+// The drawing: boxes and arrows that can be dragged and zoomed; dagre computes the layout in a worker.
 
 const NS = "http://www.w3.org/2000/svg";
-const MANY = 2500; // boxes, which take many seconds to lay out
+const MANY = 2500; // number of boxes whose layout takes many seconds
 const COLORS = {
   parameter: "#f2b544", Body: "#3f6fb5", Joint: "#c8483a", Solid: "#3c9a86", Profile: "#8d64b3", Path: "#a8763e",
   Points: "#a8763e", Vector: "#7f93a8", Frame: "#b6588b", Float: "#9aa0a6", Bool: "#9aa0a6",
@@ -19,11 +19,11 @@ function svg(tag, attributes = {}, ...children) {
 const cut = (text, longest) => (text.length <= longest ? text : `${text.slice(0, longest - 1)}…`);
 const spent = (ms) => (ms >= 100 ? `${Math.round(ms)} ms` : ms >= 0.1 ? `${ms.toFixed(1)} ms` : `${(1000 * ms).toFixed(0)} µs`);
 
-/** Lays out what it is sent; where the best way fails, which some frames do to it, the next best. */
+/** Computes layouts; some frames make the best algorithm fail, then the next one is tried. */
 function worker() {
   onmessage = ({ data: { boxes, arrows, space } }) => {
-    const ways = boxes.length > 300 ? ["longest-path"] : ["network-simplex", "longest-path"];
-    for (const [framed, ranker] of [true, false].flatMap((frames) => ways.map((way) => [frames, way]))) {
+    const rankers = boxes.length > 300 ? ["longest-path"] : ["network-simplex", "longest-path"];
+    for (const [framed, ranker] of [true, false].flatMap((frames) => rankers.map((ranker) => [frames, ranker]))) {
       const laid = structuredClone({ boxes: framed ? boxes : boxes.filter((box) => !box.frame), arrows });
       if (!framed) for (const box of laid.boxes) delete box.parent;
       try {
@@ -34,11 +34,11 @@ function worker() {
       postMessage(laid);
       return;
     }
-    throw new Error("dagre finds no layout");
+    throw new Error("dagre found no layout");
   };
 }
 
-/** Returns a smooth line past some points. */
+/** Returns a smooth line along some points. */
 function curve(points) {
   const at = ({ x, y }) => `${x.toFixed(1)} ${y.toFixed(1)}`;
   const middle = (a, b) => ({ x: (a.x + b.x) / 2, y: (a.y + b.y) / 2 });
@@ -59,7 +59,7 @@ class Drawing {
     this.drag();
   }
 
-  /** Lays the boxes out and draws them; resolves to whether nothing newer was asked for. */
+  /** Computes the layout of the boxes and draws them. */
   async draw(seen) {
     this.worker?.terminate();
     this.worker = new Worker(this.source);
@@ -76,7 +76,7 @@ class Drawing {
     this.show(laid);
   }
 
-  /** Returns the frame in which the box of a node stands, if more than one of its function is seen. */
+  /** Returns the frame of the box of a node, if several nodes of its function are visible. */
   parent(box, seen) {
     if (box.closed || !seen.framed) return undefined;
     this.siblings = this.siblingsOf === seen ? this.siblings : Map.groupBy(seen.boxes, (each) => each.group);
@@ -106,7 +106,7 @@ class Drawing {
     this.paper.append(...boxes.filter((box) => box.frame).map((box) => this.frame(box)));
     this.edges = arrows.map((arrow) => {
       const [from, to] = [this.boxes.get(arrow.v), this.boxes.get(arrow.w)];
-      if (from.x < to.x) { // else it is an arrow of a circle, between two functions that use each other
+      if (from.x < to.x) { // other arrows belong to circles of functions that use each other
         arrow.points.splice(0, 1, { x: from.x + from.width / 2, y: from.y });
         arrow.points.splice(-1, 1, { x: to.x - to.width / 2, y: to.y });
       }
@@ -141,13 +141,13 @@ class Drawing {
     const warm = Math.min(1, Math.sqrt(ms / this.slowest)) * (width - 12);
     if (warm > 2) made.append(svg("rect", { x: 6, y: height - 4, width: warm, height: 2.4, rx: 1, style: "fill:#e08a4b;stroke:none" }));
     texts.forEach((text, index) => made.append(svg("text", { x: 10, y: 15 + 14 * index, class: index ? "small" : "" }, text)));
-    made.append(svg("title", {}, box.closed ? `${box.group}: double-click opens it` : `${node.where}  ${node.source}`));
+    made.append(svg("title", {}, box.closed ? `${box.group}: double-click to open` : `${node.where}  ${node.source}`));
     made.addEventListener("click", () => this.dragged || this.pick.choose(box));
     made.addEventListener("dblclick", () => this.pick.open(box));
     return made;
   }
 
-  /** Marks the chosen box and the arrows at it, and lets fade what has nothing to do with it. */
+  /** Marks the selected box and its arrows, and fades unrelated boxes. */
   mark(chosen, related) {
     this.root.classList.toggle("chosen-one", chosen !== null);
     for (const made of this.root.querySelectorAll(".box")) {
@@ -167,7 +167,7 @@ class Drawing {
     this.place();
   }
 
-  /** Brings a box into the middle, large enough to be read. */
+  /** Centers a box at a readable size. */
   center(id) {
     const box = this.boxes.get(id);
     if (!box) return;

@@ -1,7 +1,7 @@
-// The geometry of a node in a small view, with the whole asset as a ghost around it.
+// The geometry of a node in a small view, within the faint whole asset.
 
-const GHOST = 0.07; // how much of it is seen
-const STEPS = 65535; // places along one side of a mesh
+const GHOST = 0.07; // opacity of the whole asset
+const STEPS = 65535; // positions along one side of a mesh
 const LINE = { axis: 0xc8483a, line: 0x8d64b3, points: 0xa8763e };
 
 class Geometry {
@@ -27,14 +27,14 @@ class Geometry {
     new ResizeObserver(() => this.resize()).observe(canvas);
   }
 
-  /** Shows the items of a node, and the camera comes as near as they need. */
+  /** Shows the items of a node, and adapts the distance of the camera. */
   show(items, ghosted) {
     this.ghost.visible = ghosted;
     this.shown.clear();
     this.shown.add(...this.made(items, false).children);
     this.resize();
     const box = new THREE.Box3();
-    const solid = this.shown.children.filter((each) => !each.userData.sign);
+    const solid = this.shown.children.filter((each) => !each.userData.symbol);
     solid.forEach((each) => box.expandByObject(each));
     const flat = box.getSize(new THREE.Vector3()).length() < 1e-4 * this.size;
     this.orbit.home.corners = this.corners(!solid.length || flat || ghosted ? this.all.clone().union(box) : box);
@@ -46,7 +46,7 @@ class Geometry {
     for (const number of items) {
       const item = this.items[number];
       if (item.mesh !== undefined) group.add(this.placed(item, ghost));
-      else if (!ghost) group.add(this.sign(item));
+      else if (!ghost) group.add(this.symbol(item));
     }
     return group;
   }
@@ -61,10 +61,10 @@ class Geometry {
     return mesh;
   }
 
-  /** Draws what has no surface; thin against the whole asset, or against itself. */
-  sign(item) {
+  /** Draws an item without a surface: a frame, an axis, points or a line. */
+  symbol(item) {
     const group = new THREE.Group();
-    group.userData.sign = !item.line;
+    group.userData.symbol = !item.line;
     const long = 0.12 * this.size;
     const rod = (from, to, radius, color) => group.add(bar(from, to, radius, ink(color)));
     if (item.frame) {
@@ -115,7 +115,7 @@ class Geometry {
   }
 }
 
-/** Reads the meshes: positions and normals of the vertices, and triangles, each from a multiple of 4 bytes on. */
+/** Reads the meshes: positions and normals of the vertices, and triangles, each at a multiple of 4 bytes. */
 function unpackedMeshes(headers, blob) {
   let at = 0;
   const take = (Kind, count) => {

@@ -1,6 +1,6 @@
-// Puts the page together: what is chosen, what is seen, and the buttons.
+// The page: it connects the selection, the visible part of the graph, and the buttons.
 
-const FEW = 60; // nodes, besides numbers, that are read without being put together by function
+const FEW = 60; // largest number of nodes, without numbers, that are not grouped by function
 
 class GraphPage {
   constructor(data, blob, dagre) {
@@ -12,7 +12,7 @@ class GraphPage {
       close: (name) => this.toggle(name),
     });
     this.details = new Details(document.getElementById("details"), data, this.visible, this);
-    this.group = null; // a function that was chosen
+    this.group = null; // the selected function
     const seen = data.nodes.filter((node) => !NUMBERS.includes(node.type));
     this.visible.grouped = document.getElementById("grouped").checked = seen.length > FEW;
     this.head();
@@ -22,13 +22,13 @@ class GraphPage {
     this.details.overview();
   }
 
-  /** Draws what is to be seen; `to` is the box to bring into the middle. */
+  /** Draws the visible boxes; `to` is the box to center. */
   async update({ fit = false, to = null, anyway = false } = {}) {
     const seen = { ...this.visible.look(), framed: this.visible.grouped };
     this.seen = seen;
     this.pressed();
     if (seen.boxes.length > MANY && !anyway) {
-      this.say(`${seen.boxes.length} boxes take a while to draw: close functions, hide types, or look around one node. `, () => this.update({ fit, to, anyway: true }));
+      this.say(`${seen.boxes.length} boxes take long to draw: close functions, hide types, or select a node and press Around. `, () => this.update({ fit, to, anyway: true }));
       return;
     }
     const late = setTimeout(() => this.say("Drawing ..."), 250);
@@ -60,7 +60,7 @@ class GraphPage {
     this.drawing.mark(this.box(), related);
   }
 
-  /** Returns the box of what is chosen. */
+  /** Returns the box of the selection. */
   box() {
     if (this.visible.chosen !== null) return this.seen.box[this.visible.chosen];
     return this.group === null ? null : `g${this.group}`;
@@ -76,7 +76,7 @@ class GraphPage {
     else this.update({ to: `n${index}` });
   }
 
-  /** Chooses a node wherever it is, and opens its function to show it. */
+  /** Selects a node and opens its function. */
   goto(index) {
     const node = this.nodes[index];
     this.choose(index);
@@ -131,7 +131,7 @@ class GraphPage {
       const dot = element("i", { className: "dot" });
       dot.style.background = COLORS[type] ?? colorOf(nodes[0]);
       const hidden = this.visible.hidden.has(type);
-      const button = element("button", { className: hidden ? "off" : "", title: `Show or hide nodes that give a ${type}` }, dot, `${type} ${nodes.length}`);
+      const button = element("button", { className: hidden ? "off" : "", title: `Show or hide nodes of type ${type}` }, dot, `${type} ${nodes.length}`);
       button.dataset.type = type;
       button.setAttribute("aria-pressed", String(!hidden));
       button.addEventListener("click", () => {
@@ -169,7 +169,7 @@ class GraphPage {
     });
   }
 
-  /** Chooses nothing. */
+  /** Clears the selection. */
   clear() {
     this.visible.chosen = this.group = null;
     this.details.overview();
@@ -178,7 +178,7 @@ class GraphPage {
     this.pressed();
   }
 
-  /** Shows on the buttons what is on and what can be pressed. */
+  /** Updates which buttons are active and enabled. */
   pressed() {
     const { scope, chosen, grouped } = this.visible;
     for (const button of document.getElementById("scope").children) {

@@ -1,4 +1,4 @@
-"""What the page shows of a node: the author's line, its value and inputs as text, and its geometry."""
+"""Content of the page for each node: the author's line, value and inputs as text, and geometry."""
 
 import ast
 import linecache

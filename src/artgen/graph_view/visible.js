@@ -1,31 +1,31 @@
-// Which boxes and arrows are seen: a function that is closed is one box. Arrows pass through geometry that is
-// hidden, but not through numbers: those go from everywhere to everywhere.
+// The visible boxes and arrows: a closed function is one box. Arrows pass through hidden geometry, but not through
+// hidden numbers, which would connect almost everything.
 
 const NUMBERS = ["Float", "Bool", "Vector"];
 
 class Visible {
   constructor(nodes) {
     this.nodes = nodes;
-    this.into = nodes.map(() => []); // by node, the nodes that use it
+    this.into = nodes.map(() => []); // for each node, the nodes that use it
     nodes.forEach((node, index) => node.from.forEach((child) => this.into[child].push(index)));
     this.groups = new Map();
     nodes.forEach((node, index) => {
       if (!this.groups.has(node.group)) this.groups.set(node.group, []);
       this.groups.get(node.group).push(index);
     });
-    this.opened = new Set(); // functions whose nodes are seen
-    this.left = { all: new Set(NUMBERS), around: new Set() }; // types that are hidden, in all and around a node
+    this.opened = new Set(); // functions whose nodes are visible
+    this.left = { all: new Set(NUMBERS), around: new Set() }; // hidden types, in the whole graph and around a node
     this.grouped = true;
     this.scope = "all";
     this.steps = 3;
-    this.chosen = null; // a node that was chosen
+    this.chosen = null; // the selected node
   }
 
   get hidden() {
     return this.left[this.scope === "all" ? "all" : "around"];
   }
 
-  /** Returns the nodes that can be reached from some, forwards or backwards, in so many steps. */
+  /** Returns the nodes that can be reached from some nodes within a number of steps. */
   reach(start, next, steps = Infinity) {
     const seen = new Set(start);
     let border = [...start];
@@ -53,7 +53,7 @@ class Visible {
     return found;
   }
 
-  /** Returns the boxes and the arrows between them, and for each node the box in which it is. */
+  /** Returns the boxes, the arrows between them, and the box of each node. */
   look() {
     const within = this.within();
     const box = this.nodes.map((node, index) => {
@@ -67,7 +67,7 @@ class Visible {
       boxes.get(id).nodes.push(index);
     });
     const arrows = new Map();
-    const sources = []; // by node, the boxes from which it comes
+    const sources = []; // for each node, the boxes that it depends on
     this.nodes.forEach((node, index) => {
       const before = new Set(within.has(index) ? node.from.flatMap((child) => [...sources[child]]) : []);
       if (box[index] === null) {

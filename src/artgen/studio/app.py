@@ -1,4 +1,4 @@
-"""The studio in the browser: a viser server; one worker handles the latest request of each kind."""
+"""The studio in the browser: a viser server; one thread handles the latest request of each kind."""
 
 import contextlib
 import errno
@@ -21,7 +21,7 @@ HOST, PORT = "127.0.0.1", 8080
 OUT = Path("out")
 
 _POLL = 0.1  # interval between checks for changed files, finished proofs and replaced objects [s]
-_CALM = 0.5  # time without changes before a proof begins [s]
+_PAUSE = 0.5  # time without changes before a proof begins [s]
 _PORTS = 65535
 _LIMIT = 600.0  # time limit of a proof [s]
 
@@ -134,20 +134,20 @@ class Studio:
                     self._evaluate()
             with self._reporting():
                 self._check_file()
-                self._check_proof(calm=not requests)
-                self.stage.tidy()
+                self._check_proof(idle=not requests)
+                self.stage.remove_replaced()
 
     @contextlib.contextmanager
     def _reporting(self) -> Iterator[None]:
-        """Show errors instead of ending."""
+        """Show errors in the panel instead of ending the thread."""
         try:
             yield
-        except Exception as error:  # noqa: BLE001 - the server lives on whatever happens
-            self.session.fault = message_of(error)
+        except Exception as error:  # noqa: BLE001 - no error may end the server
+            self.session.error = message_of(error)
             if not isinstance(error, ArtgenError):
                 place = traceback.extract_tb(error.__traceback__)[-1]
-                self.session.fault += f"\n  at {place.filename}:{place.lineno}"
-            self.panel.show_fault()
+                self.session.error += f"\n  at {place.filename}:{place.lineno}"
+            self.panel.show_error()
 
     def _evaluate(self) -> None:
         self._evaluated_at = time.monotonic()
@@ -156,31 +156,31 @@ class Studio:
         if self.session.evaluate():
             self.stage.show(self.session.asset, self.session.q)
             self.panel.show()
-            self.panel.show_proof("waiting for a moment of calm ...")
-        self.panel.show_fault()
+            self.panel.show_proof("the proof starts after a pause without changes ...")
+        self.panel.show_error()
 
     def _check_file(self) -> None:
         """Load the category again if its file was saved."""
         if self.session.saved():
             if not self.session.reload():
                 self._prover.cancel()
-            self.panel.show_fault()
+            self.panel.show_error()
 
-    def _check_proof(self, *, calm: bool) -> None:
+    def _check_proof(self, *, idle: bool) -> None:
         """Show the result of a proof, and start one after a while without changes."""
         ending = self._prover.poll()
         if ending is not None and ending.state == "done":
             self.session.certified(ending.value)
             self.panel.show_proof()
-            self.panel.show_fault()
+            self.panel.show_error()
         elif ending is not None:
             self.panel.show_proof(f"no certificate: {ending.reason}")
-        calm = calm and not self.session.stale and time.monotonic() - self._evaluated_at > _CALM
+        idle = idle and not self.session.stale and time.monotonic() - self._evaluated_at > _PAUSE
         task = self.session.task()
-        if calm and not self._proven and task is not None:
+        if idle and not self._proven and task is not None:
             self._proven = True
             self._prover.start(task)
-            self.panel.show_proof("being proven ...")
+            self.panel.show_proof("the proof is running ...")
 
 
 def _server(host: str, port: int) -> tuple[Any, str]:
@@ -194,7 +194,9 @@ def _server(host: str, port: int) -> tuple[Any, str]:
             f'the studio needs viser, which cannot be loaded ({error}): pip install "artgen[studio]"'
         ) from error
     if not 0 <= port <= _PORTS:
-        raise ParameterError(f"--port {port} is not allowed: it must be in 0..{_PORTS}; 0 takes any free one")
+        raise ParameterError(
+            f"--port {port} is not allowed: it must be in 0..{_PORTS}; 0 selects a free port"
+        )
     _check_free(host, port)
     guard = Guard(host)
     with _quiet(), guard.installing():
@@ -202,7 +204,7 @@ def _server(host: str, port: int) -> tuple[Any, str]:
     if not guard.installed:  # viser does not start its server as the guard expects
         _stop(server)
         raise RenderError(
-            f"viser {viser.__version__} cannot be guarded against other web pages: install another one, "
+            f"viser {viser.__version__} cannot be guarded against other web pages: install another version, "
             'such as pip install "viser==1.1.1"'
         )
     if port and server.get_port() != port:  # taken in the meantime
@@ -228,19 +230,19 @@ def _check_free(host: str, port: int) -> None:
             probe.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)  # as the server will
             probe.bind(place)
     except socket.gaierror as error:
-        raise ParameterError(f"--host {host!r} is no address of this machine: {error.strerror}") from None
+        raise ParameterError(f"--host {host!r} is not an address of this machine: {error.strerror}") from None
     except PermissionError:
         raise ParameterError(
-            f"--port {port} is not allowed for this user; take one from 1024 on, such as {PORT}"
+            f"--port {port} is not allowed for this user; use 1024 or higher, such as {PORT}"
         ) from None
     except OSError as error:
         if error.errno == errno.EADDRINUSE:
             raise ParameterError(_taken(host, port)) from None
-        raise ParameterError(f"--host {host!r} is no address of this machine: {error.strerror}") from None
+        raise ParameterError(f"--host {host!r} is not an address of this machine: {error.strerror}") from None
 
 
 def _taken(host: str, port: int) -> str:
     return (
-        f"port {port} of {host} is in use, perhaps by another studio: end what uses it, or take another one: "
-        f"--port {port + 1}, or --port 0 for any that is free"
+        f"port {port} of {host} is in use, perhaps by another studio: stop that program, or use "
+        f"--port {port + 1}, or --port 0 for a free port"
     )

@@ -25,7 +25,7 @@ _NUDGE = 1e-9  # distance beyond the threshold of a dependency [rad or m]
 
 @dataclass(frozen=True)
 class ParameterControl:
-    """One parameter in use."""
+    """Control of a parameter that the asset uses."""
 
     name: str  # full name with generators: `handle.lever_handle.length`
     short: str  # name in the parameters of an asset: `handle.length`
@@ -45,7 +45,7 @@ class ParameterControl:
 
     @property
     def shape(self) -> tuple[Any, ...]:
-        """All fields but the value: a user interface rebuilds a control when this changes."""
+        """All fields except the value; when they change, a user interface builds the control again."""
         return (self.name, self.kind, self.hint, self.low, self.high, self.options)
 
 
@@ -90,7 +90,7 @@ def _control(parameter: Parameter, short: str, value: Any, siblings: Mapping[str
 
 
 def _drawn(distribution: Distribution, siblings: Mapping[str, Any]) -> Distribution:
-    """Return the used case of a distribution."""
+    """Return the case of a conditional distribution that applies."""
     while isinstance(distribution, By):
         case = distribution.case(siblings.get(distribution.parameter))
         if case is None:
@@ -108,7 +108,7 @@ def _hint(distribution: Distribution, drawn: Distribution) -> str:
 
 
 def _options(parameter: Parameter, drawn: Distribution, value: Any) -> tuple[str, ...]:
-    """Return the names of the options of a menu: all allowed ones, or for materials all that may be drawn."""
+    """Return the options of a menu: all allowed names, or for materials all names in the distribution."""
     if is_variant(parameter.kind):
         return tuple(dict.fromkeys(option.name for option in parameter.variants))
     if typing.get_origin(parameter.kind) is Literal:
@@ -119,7 +119,7 @@ def _options(parameter: Parameter, drawn: Distribution, value: Any) -> tuple[str
     if parameter.kind not in (str, Material) or not drawn.discrete or len(drawn.support()) < 2:
         return (str(value),) if parameter.kind is Material else ()
     found = tuple(str(option) if isinstance(option, str) else shown(option) for option in drawn.support())
-    return found if value in found else (str(value), *found)  # a shade has its own name
+    return found if value in found else (str(value), *found)  # a material in its own shade has its own name
 
 
 def _range(
@@ -155,20 +155,20 @@ def read_value(control: ParameterControl, kind: Any, value: Any) -> Any:
 
 @dataclass(frozen=True)
 class JointControl:
-    """One joint that can move."""
+    """Control of a joint that can move."""
 
-    name: str  # its name
+    name: str  # name of the joint
     unit: str  # `rad` or `m`
     low: float  # lowest position, or the start of a slider
     high: float  # highest position
     value: float  # current position
     step: float  # step of a slider
-    hint: str  # its links, leader and dependency
+    hint: str  # links, leader and dependency
     follows: bool  # whether another joint moves it
 
     @property
     def shape(self) -> tuple[Any, ...]:
-        """All fields but the position: a user interface rebuilds a control when this changes."""
+        """All fields except the position; when they change, a user interface builds the control again."""
         return (self.name, self.low, self.high, self.hint, self.follows)
 
 
@@ -188,7 +188,7 @@ def joint_controls(asset: Asset, q: Mapping[str, float]) -> tuple[JointControl, 
         if joint.follows is not None:
             parts.append(f"follows {joint.follows.leader}")
         if joint.needs is not None:
-            parts.append(f"waits for {joint.needs}")
+            parts.append(f"needs {joint.needs}")
         value = min(max(positions[joint.name], low), high)
         step = _step(high - low)
         hint, follows = "; ".join(parts), joint.follows is not None
@@ -201,12 +201,12 @@ def joint_controls(asset: Asset, q: Mapping[str, float]) -> tuple[JointControl, 
 def moved_joint(
     asset: Asset, q: Mapping[str, float], joint: str, position: float
 ) -> tuple[dict[str, float], tuple[str, ...]]:
-    """Move a free joint from its position towards another one, until a dependency stops it."""
+    """Move a free joint until a dependency stops it; return all positions and the blocked joints."""
     start = asset.positions(q)[joint]
     limits = asset.joint(joint).limits
     end = position if limits is None else min(max(position, limits[0]), limits[1])
     reached = start
-    for place in _places(asset, joint, start, end):
+    for place in _stops(asset, joint, start, end):
         # a condition at the center of an interval holds up to the next threshold of a dependency
         blocked = asset.blocked({**q, joint: (reached + place) / 2.0})
         if blocked:
@@ -233,7 +233,7 @@ def allowed_positions(asset: Asset, q: Mapping[str, float]) -> dict[str, float]:
     return result
 
 
-def _places(asset: Asset, joint: str, start: float, end: float) -> Iterator[float]:
+def _stops(asset: Asset, joint: str, start: float, end: float) -> Iterator[float]:
     """Yield the thresholds of dependencies on the path of a joint in order, and the end of the path."""
     found = {end}
     for other in asset.joints:

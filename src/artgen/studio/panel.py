@@ -12,13 +12,13 @@ from artgen.errors import ArtgenError, ParameterError
 from artgen.export.layouts import DEFAULT_FORMATS, FORMATS
 from artgen.studio.controls import JointControl, ParameterControl
 from artgen.studio.session import Session, message_of
-from artgen.studio.signs import SIGNS
 from artgen.studio.stage import Viewport
+from artgen.studio.symbols import SYMBOLS
 from artgen.view import opened
 
 
 class Requests:
-    """Requests of browsers by name; the latest of a name replaces those before."""
+    """Requests of browsers by name; a new request replaces an earlier one of the same name."""
 
     def __init__(self) -> None:
         self._changed = threading.Condition()
@@ -36,7 +36,7 @@ class Requests:
             return name in self._waiting
 
     def take(self, seconds: float) -> list[Callable[[], None]]:
-        """Return the queued requests; without any, wait for the first one at most this long [s]."""
+        """Return the queued requests; if there are none, wait for at most this time [s]."""
         with self._changed:
             if not self._waiting:
                 self._changed.wait(seconds)
@@ -52,8 +52,8 @@ _BOX = (
     "margin:0.4em 0.4em 0.6em;padding:0.5em 0.7em;border-radius:4px;font-size:0.8em;overflow-wrap:anywhere;"
 )
 _COLORS = {
-    "fault": "#fde8e6;color:#8c1d13",
-    "held": "#fff4d6;color:#6b4e00",
+    "error": "#fde8e6;color:#8c1d13",
+    "blocked": "#fff4d6;color:#6b4e00",
     "plain": "#eef2f6;color:#23313f",
 }
 _Handles = dict[str, tuple[tuple[Any, ...], Any]]  # shape and handle of each control by name
@@ -64,7 +64,7 @@ class Panel:
 
     Attributes:
         status: Summary of the asset.
-        fault: Error of the last request.
+        error: Error of the last request.
         seed: Control of the seed.
         verdict: Result of the certificate.
         exported: Result of the last export.
@@ -98,7 +98,7 @@ class Panel:
         gui.set_panel_label("artgen studio")
         gui.main_panel.dock_right()
         self.status = gui.add_html("")
-        self.fault = gui.add_html("", visible=False)
+        self.error = gui.add_html("", visible=False)
         tabs = gui.add_tab_group()
         self._parameters = tabs.add_tab("Parameters")
         self._joints = tabs.add_tab("Joints")
@@ -109,12 +109,12 @@ class Panel:
             self._add_export()
         with self._parameters:
             self.seed = gui.add_number(
-                "seed", session.seed, min=0, step=1, hint="decides every draw", order=-2.0
+                "seed", session.seed, min=0, step=1, hint="determines all random values", order=-2.0
             )
             self._on_update(self.seed, "seed", lambda value: session.resample(int(value)))
             self._add_buttons("draw", {"resample": self._resample, "reset": session.reset}, order=-1.0)
         with self._joints:
-            self.held = gui.add_html("", visible=False)
+            self.blocked = gui.add_html("", visible=False)
             self._add_buttons(
                 "all", {"close": lambda: self._pose({}), "open": lambda: self._pose(opened(session.asset))}
             )
@@ -123,13 +123,13 @@ class Panel:
 
     def _add_buttons(self, name: str, actions: dict[str, Callable[[], None]], **options: Any) -> None:
         def press(event: Any) -> None:
-            if event.target.value in actions:  # a malformed message names another one
+            if event.target.value in actions:  # a malformed message may name another one
                 self._requests.add(name, actions[event.target.value])
 
         self._gui.add_button_group(name, tuple(actions), **options).on_click(press)
 
     def _on_update(self, handle: Any, name: str, act: Callable[[Any], None]) -> None:
-        """Queue a request for each value set by a user, not by this program."""
+        """Queue a request for each value that a user sets, but not for those that this program sets."""
 
         def changed(event: Any) -> None:
             if event.client is not None:
@@ -140,18 +140,16 @@ class Panel:
 
     def _add_view(self, *, rich_light: bool) -> None:
         gui, stage = self._gui, self._stage
-        for kind, title in SIGNS.items():
+        for kind, title in SYMBOLS.items():
             box = gui.add_checkbox(title, initial_value=False)
-            self._on_update(box, f"sign {kind}", partial(stage.signs.switch, kind))
+            self._on_update(box, f"symbol {kind}", partial(stage.symbols.switch, kind))
         labels = gui.add_checkbox("semantic colors", initial_value=False)
-        self._on_update(labels, "labels", lambda value: stage.dress(by_label=value))
+        self._on_update(labels, "labels", lambda value: stage.update_materials(by_label=value))
         maps = gui.add_dropdown(
-            "textures", _MAPS, initial_value="512", hint="texels on a side of the maps; 0 for colors alone"
+            "textures", _MAPS, initial_value="512", hint="texels per side of the maps; 0 for plain colors"
         )
-        self._on_update(maps, "textures", lambda value: stage.dress(textures=int(value)))
-        light = gui.add_checkbox(
-            "reflections and shadows", rich_light, hint="slow where the browser has no GPU"
-        )
+        self._on_update(maps, "textures", lambda value: stage.update_materials(textures=int(value)))
+        light = gui.add_checkbox("reflections and shadows", rich_light, hint="slow if the browser has no GPU")
         self._on_update(light, "light", lambda value: stage.light(rich=value))
 
     def _add_export(self) -> None:
@@ -170,7 +168,7 @@ class Panel:
         self.seed.value = self._session.seed
 
     def _move(self, joint: str, position: float) -> None:
-        if joint in self._session.asset.positions():  # it may not exist any more
+        if joint in self._session.asset.positions():  # a new asset may not have the joint
             self._session.move(joint, position)
             self._show_pose(joint)
 
@@ -178,10 +176,10 @@ class Panel:
         self._session.pose(q)
         self._show_pose(red=red)
 
-    def _show_pose(self, moving: str = "", red: Sequence[str] = ()) -> None:
+    def _show_pose(self, dragged: str = "", red: Sequence[str] = ()) -> None:
         self._stage.pose(self._session.q)
-        self._stage.dress(red=red)
-        self.show_positions(moving)
+        self._stage.update_materials(red=red)
+        self.show_positions(dragged)
 
     def _export(self) -> None:
         folder = self._folder.value.strip()
@@ -189,9 +187,9 @@ class Panel:
         try:
             path = self._session.export(self._below(folder) if folder else "", formats)
         except ArtgenError as error:
-            _tell(self.exported, message_of(error), "fault")
+            _show_text(self.exported, message_of(error), "error")
         else:
-            _tell(self.exported, f"written to {path.resolve()}", "plain")
+            _show_text(self.exported, f"written to {path.resolve()}", "plain")
 
     def _below(self, folder: str) -> Path:
         """Return a folder below `out`, with links resolved."""
@@ -234,7 +232,7 @@ class Panel:
         self._renew(self._controls, controls, self._add_parameter)
         for control in controls:
             handle = self._controls[control.name][1]
-            if _request(control.name) not in self._requests:  # a user has moved it in the meantime
+            if _request(control.name) not in self._requests:  # a user has not changed it since
                 handle.value = _displayed(control)
             handle.label = _label(control, is_set=self._session.is_set(control))
         for name in [name for name in self._folders if not any(_in_folder(each, name) for each in controls)]:
@@ -286,22 +284,22 @@ class Panel:
             self._on_update(handle, f"move {joint.name}", lambda value: self._move(joint.name, value))
         return handle
 
-    def show_positions(self, moving: str = "") -> None:
-        """Update the joints to the session; a joint held by a user only if it is blocked."""
+    def show_positions(self, dragged: str = "") -> None:
+        """Update the joints to the session; the joint that a user moves only if it is blocked."""
         for joint in self._session.joints():
-            if joint.name != moving or self._session.held:
+            if joint.name != dragged or self._session.blocked:
                 self._sliders[joint.name][1].value = _position(joint)
-        _tell(self.held, self._session.held, "held")
+        _show_text(self.blocked, self._session.blocked, "blocked")
 
-    def show_fault(self) -> None:
+    def show_error(self) -> None:
         """Show the error of the last request, or the summary of the asset."""
         session, shown = self._session, self._session.shown
-        _tell(self.fault, session.fault, "fault")
+        _show_text(self.error, session.error, "error")
         if shown is None:
             return
         asset = shown.asset
         parts = [f"{asset.name}: {len(asset.links)} links, {len(asset.joints)} joints"]
-        if session.certificate is not None:  # masses take a while: not while a slider is dragged
+        if session.certificate is not None:  # masses take too long while a slider is dragged
             parts[0] += f", {asset.mass:.3g} kg"
             parts.append("proven" if session.certificate.proven else "not proven")
         parts.append(f"{sum(shown.evaluation.runs.values())} nodes in {1e3 * shown.seconds:.0f} ms")
@@ -317,7 +315,7 @@ class Panel:
         if certificate is None:
             self.verdict.content = _text(state, "plain")
             return
-        self.verdict.content = _text(str(certificate), "plain" if certificate.proven else "fault")
+        self.verdict.content = _text(str(certificate), "plain" if certificate.proven else "error")
         with self._proof:
             for number, pair in enumerate(self._session.collisions[:_WITNESSES]):
                 assert pair.witness is not None
@@ -352,7 +350,7 @@ def _displayed(control: ParameterControl) -> Any:
 
 
 def _short(value: Any, step: float, low: float | None, high: float | None) -> Any:
-    """Return a number with the digits of its step, for a narrow box."""
+    """Return a number with the digits of its step, which fits a narrow box."""
     rounded = round(value, max(0, -math.floor(math.log10(step))))
     rounded = rounded if low is None else max(rounded, _as(value, low))
     return rounded if high is None else min(rounded, _as(value, high))
@@ -367,8 +365,8 @@ def _as(value: Any, number: float | None) -> Any:
     return None if number is None else type(value)(number)
 
 
-def _tell(box: Any, text: str, style: str) -> None:
-    """Show text in a box, which is hidden for an empty text."""
+def _show_text(box: Any, text: str, style: str) -> None:
+    """Show text in a box; hide the box if the text is empty."""
     box.content = _text(text, style) if text else ""
     box.visible = bool(text)
 

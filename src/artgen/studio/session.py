@@ -45,7 +45,7 @@ class Shown:
 class ProofTask:
     """The description of an asset for another process."""
 
-    reference: str  # category, as `artgen.catalog.find` takes it
+    reference: str  # argument for `artgen.catalog.find`
     revision: int  # number of reloads of its file
     seed: int  # seed
     attempts: int  # most draws
@@ -68,19 +68,19 @@ def prove(task: ProofTask) -> Certificate:
 class Session:
     """A category with a seed, overrides, and joint positions.
 
-    If a request fails, `fault` has the message, and the previous asset stays.
+    If a request fails, `error` has the message, and the previous asset stays.
 
     Attributes:
         category: Name of the category, or its file, as given by the user.
         generator: The category at its last load.
         path: The file that defines it.
         seed: Seed of the draws.
-        overrides: Values by name; those of unselected generators are kept for later.
+        overrides: Values by name; also those of generators that are not selected now.
         stale: Whether the asset has to be evaluated again.
         shown: The last generated asset; None before the first.
         q: Positions of the free joints that are not at rest [rad or m].
-        fault: Error of the last request; empty if it succeeded.
-        held: Reason why a joint stops; empty if it does not.
+        error: Error of the last request; empty if it succeeded.
+        blocked: Reason why a joint stops; empty if it does not.
         certificate: Certificate of the asset; None while it is unknown.
     """
 
@@ -101,8 +101,8 @@ class Session:
         self.stale = True
         self.shown: Shown | None = None
         self.q: dict[str, float] = {}
-        self.fault = ""
-        self.held = ""
+        self.error = ""
+        self.blocked = ""
         self.certificate: Certificate | None = None
         self._revision = 0
         self._saved_at = self._file_state()
@@ -117,7 +117,7 @@ class Session:
             ParameterError: No asset could be generated yet.
         """
         if self.shown is None:
-            raise ParameterError(self.fault or f"{self.category} is not evaluated yet")
+            raise ParameterError(self.error or f"{self.category} is not evaluated yet")
         return self.shown.asset
 
     # requests
@@ -148,17 +148,17 @@ class Session:
     def saved(self) -> bool:
         """Tell whether the file of the category was saved since the last call."""
         state = self._file_state()
-        if state is None or state == self._saved_at:  # editors replace a file: for a moment there is none
+        if state is None or state == self._saved_at:  # while an editor replaces the file, there is none
             return False
         self._saved_at = state
         return True
 
     def reload(self) -> bool:
-        """Load the category again after its file was saved; return whether that succeeded."""
+        """Load the category again after its file was saved; return True on success."""
         try:
             self.generator = load_file(self._reference(reloaded=True))
         except ArtgenError as error:
-            self.fault = message_of(error)
+            self.error = message_of(error)
             return False
         self._revision += 1
         known = self.generator.parameters()
@@ -187,10 +187,10 @@ class Session:
     # results
 
     def evaluate(self) -> bool:
-        """Generate the requested asset, using the cache; return whether that succeeded.
+        """Generate the requested asset, using the cache; return True on success.
 
-        A new seed is drawn as often as `generate` would. Later overrides are not drawn again, so that an
-        infeasible value is an error instead of another asset.
+        A new seed may need several draws, as in `generate`. An infeasible override of a shown asset is an
+        error instead of a new draw.
         """
         self.stale = False
         overrides = self._applicable()
@@ -199,19 +199,19 @@ class Session:
             asset, evaluation = self.generator.evaluate(
                 self.seed, cache=self._cache, attempts=self._attempts, certify=False, overrides=overrides
             )
-        except Exception as error:  # noqa: BLE001 - whatever an author's file raises is a message
-            self.fault = message_of(error)
+        except Exception as error:  # noqa: BLE001 - the file of an author may raise any exception
+            self.error = message_of(error)
             if isinstance(error, InfeasibleError) and self._attempts < _ATTEMPTS:
-                self.fault = self.fault.partition("; the last: ")[2] or self.fault
+                self.error = self.error.partition("; the last: ")[2] or self.error
             return False
-        self.fault = ""
+        self.error = ""
         self._attempts = asset.attempt + 1
         controls = parameters_in_use(self.generator, asset)
         seconds = time.perf_counter() - start
         self.shown = Shown(asset, evaluation, seconds, self.seed, overrides, controls)
         self.certificate = None
         self.q = allowed_positions(asset, self.q)
-        self.held = ""
+        self.blocked = ""
         return True
 
     def controls(self) -> tuple[ParameterControl, ...]:
@@ -231,26 +231,26 @@ class Session:
     def move(self, joint: str, position: float) -> float:
         """Move a free joint as far as dependencies allow, and return its position [rad or m].
 
-        `held` has the reason if it stops early.
+        `blocked` has the reason if it stops early.
         """
         self.q, blocked = moved_joint(self.asset, self.q, joint, position)
         reasons = []
         for name in blocked:
             needs = self.asset.joint(name).needs
-            reasons.append(f"{name} waits for {needs}" if name == joint else f"then {name} needs {needs}")
-        self.held = f"{joint} is held: {'; '.join(reasons)}" if reasons else ""
+            reasons.append(f"{'it' if name == joint else name} needs {needs}")
+        self.blocked = f"{joint} is blocked: {'; '.join(reasons)}" if reasons else ""
         return self.asset.positions(self.q)[joint]
 
     def pose(self, q: Mapping[str, float]) -> None:
         """Put the joints at given positions, such as those of a witness, regardless of dependencies."""
         self.q = {name: float(position) for name, position in q.items()}
-        self.held = ""
+        self.blocked = ""
 
     # the certificate
 
     def task(self) -> ProofTask | None:
         """Return the task for certifying the asset in another process; None without an asset."""
-        if self.shown is None or self.fault:
+        if self.shown is None or self.error:
             return None
         reference = self._reference(reloaded=self._revision > 0)
         attempts = self.shown.asset.attempt + 1
@@ -290,7 +290,7 @@ class Session:
             made = f"catalog.load_file({self.category!r}).generate({', '.join(arguments)})"
         else:
             made = f'artgen.generate("{self.generator.name}", {", ".join(arguments)})'
-        note = f"  # the draw {asset.attempt + 1} of that seed" if asset.attempt else ""
+        note = f"  # draw {asset.attempt + 1} of this seed" if asset.attempt else ""
         return "\n".join([*lines, f"asset = {made}{note}"])
 
     def export(self, folder: str | Path, formats: tuple[str, ...]) -> Path:
@@ -301,9 +301,9 @@ class Session:
             ExportError: The folder cannot be written, or holds other files.
         """
         if not str(folder).strip():
-            raise ParameterError("give the folder to export to")
+            raise ParameterError("no folder is given: enter a folder to export to")
         if not formats:
-            raise ParameterError("choose a format to export")
+            raise ParameterError("no format is selected: select at least one")
         return self.asset.export(folder, formats=formats)
 
     def _applicable(self) -> dict[str, Any]:

@@ -1,6 +1,6 @@
 """Scene in the browser: a frame for each link, moved by the joints, with the meshes below.
 
-Unchanged data are not sent again: a joint only sets poses, and a link with the same look stays.
+Unchanged data are not sent again: a joint only sets poses, and a link with the same surfaces stays.
 """
 
 import time
@@ -18,7 +18,7 @@ from artgen.export.glb.buffer import Buffer
 from artgen.export.glb.materials import Looks
 from artgen.export.glb.meshes import primitive
 from artgen.materials.textures import Kind
-from artgen.studio.signs import Color, Signs, place
+from artgen.studio.symbols import Color, Symbols, place
 from artgen.view.overlays import Rgb, label_colors
 
 Key = tuple[Any, ...]
@@ -26,15 +26,15 @@ Key = tuple[Any, ...]
 
 @dataclass(frozen=True, eq=False)
 class Placed:
-    """Look of a link and its place at rest."""
+    """Surfaces of a link and their place at rest."""
 
     link: Link  # the link, moved to the origin
     offset: Array  # its place, shape (3,) [m]
-    key: Key  # key of its look: equal keys have equal surfaces
+    key: Key  # equal keys mean equal surfaces
 
 
 def placed(link: Link) -> Placed:
-    """Return the look of a link and its place.
+    """Return the surfaces of a link and their place.
 
     A key holds its solids by identity: evaluation returns the same objects for unchanged parts, so that
     neither triangles nor hashes have to be computed.
@@ -74,7 +74,7 @@ def link_glb(link: Link, textures: int) -> bytes:
     looks = Looks(buffer, textures)
     primitives = []
     for surface in link.surfaces:
-        # without tangents, which take as long as the rest: browsers compute them
+        # without tangents: their computation takes as long as the rest, and browsers do it themselves
         maps: tuple[Kind, ...] = ("albedo",) if looks.maps(surface.material) else ()
         shown = primitive(buffer, surface, np.zeros(3), maps)
         primitives.append({**shown, "material": looks.number(surface.material)})
@@ -89,7 +89,7 @@ def link_glb(link: Link, textures: int) -> bytes:
     return buffer.glb(scene)
 
 
-_GHOST = 0.25  # delay before replaced objects are removed: browsers need time to read the new ones [s]
+_OVERLAP = 0.25  # time that replaced objects stay, until browsers have read the new ones [s]
 _REDS: tuple[Color, Color] = ((222, 36, 27), (255, 122, 92))  # colors of two colliding links
 _FLOOR = (0.02, 0.1, 0.5)  # sizes of the cells of the floor [m]
 _VIEW = (0.45, -0.82, 0.35)  # direction of the first view
@@ -102,7 +102,7 @@ class _Shown:
     """A link in the scene."""
 
     frame: Any  # node for its pose
-    looks: tuple[Any, ...] = ()  # key that determines the nodes
+    appearance: tuple[Any, ...] = ()  # key of the materials and surfaces of the nodes
     nodes: list[Any] = field(default_factory=list)  # visible nodes
     pose: Array = field(default_factory=lambda: np.full((4, 4), np.nan))  # place of the frame
 
@@ -111,7 +111,7 @@ class Viewport:
     """The scene of a viser server.
 
     Attributes:
-        signs: Symbols over the asset.
+        symbols: Symbols over the asset.
         sent: Number of links sent since the server started; measures the cost of a change.
         by_label: Whether links are colored by their semantic labels.
         textures: Texels per side of the material maps; 0 for colors only.
@@ -120,11 +120,11 @@ class Viewport:
     def __init__(self, server: Any) -> None:
         self._server = server
         self._links: dict[str, _Shown] = {}
-        self._ghosts: list[tuple[float, str, Any]] = []
+        self._replaced: list[tuple[float, str, Any]] = []
         self._number = 0
         self._asset: Asset | None = None
         self._placed: dict[str, Placed] = {}
-        self.signs = Signs(server.scene)
+        self.symbols = Symbols(server.scene)
         self.sent = 0
         self.by_label = False
         self.textures = 512
@@ -145,12 +145,12 @@ class Viewport:
         first = self._asset is None
         self._asset = asset
         self._placed = {link.name: placed(link) for link in asset.links}
-        self.signs.clear()
+        self.symbols.clear()
         for name in self._links.keys() - self._placed.keys():
             self._remove(name)
-        self.dress()
+        self.update_materials()
         self.pose(q)
-        self.signs.show(asset, q)
+        self.symbols.show(asset, q)
         if first:
             self._frame_camera(asset)
 
@@ -158,10 +158,10 @@ class Viewport:
         """Return the node for the pose of a link."""
         return self._links[link].frame
 
-    def dress(
+    def update_materials(
         self, *, red: Sequence[str] = (), by_label: bool | None = None, textures: int | None = None
     ) -> None:
-        """Update the materials of the links; two links may be red, and options stay without a new value."""
+        """Update the materials of the links; `red` names up to two links that are shown in red."""
         self.by_label = self.by_label if by_label is None else by_label
         self.textures = self.textures if textures is None else textures
         if self._asset is None:
@@ -175,16 +175,16 @@ class Viewport:
             shown, look = self._links[link.name], self._placed[link.name]
             plain = color is not None or self.by_label
             palette = tuple(colors.get(label) for label in link.labels)
-            looks = (look.key, color, palette, 0 if plain else self.textures)
-            if looks == shown.looks:
+            appearance = (look.key, color, palette, 0 if plain else self.textures)
+            if appearance == shown.appearance:
                 for node in shown.nodes:
                     if not np.array_equal(node.position, look.offset):
                         node.position = look.offset
                 continue
             nodes = self._plain(look, colors, color) if plain else [self._glb(look)]
-            end = time.monotonic() + _GHOST
-            self._ghosts += [(end, link.name, node) for node in shown.nodes]
-            shown.looks, shown.nodes = looks, nodes
+            end = time.monotonic() + _OVERLAP
+            self._replaced += [(end, link.name, node) for node in shown.nodes]
+            shown.appearance, shown.nodes = appearance, nodes
             self.sent += 1
 
     def _glb(self, look: Placed) -> Any:
@@ -206,21 +206,21 @@ class Viewport:
 
     def _name(self, link: str) -> str:
         self._number += 1
-        return f"/asset/{link}/looks_{self._number}"
+        return f"/asset/{link}/appearance_{self._number}"
 
-    def tidy(self, *, gone: str = "") -> None:
-        """Remove objects that were replaced a while ago, and replaced objects of removed links."""
+    def remove_replaced(self, *, of_link: str = "") -> None:
+        """Remove objects that were replaced some time ago, and those of a removed link."""
         now = time.monotonic()
         kept = []
-        for end, link, node in self._ghosts:
-            if end <= now or link == gone:
+        for end, link, node in self._replaced:
+            if end <= now or link == of_link:
                 node.remove()
             else:
                 kept.append((end, link, node))
-        self._ghosts = kept
+        self._replaced = kept
 
     def _remove(self, link: str) -> None:
-        self.tidy(gone=link)
+        self.remove_replaced(of_link=link)
         shown = self._links.pop(link)
         for node in (*shown.nodes, shown.frame):
             node.remove()
@@ -234,7 +234,7 @@ class Viewport:
             if not np.array_equal(shown.pose, matrix):
                 shown.pose = matrix
                 place(shown.frame, matrix)
-        self.signs.pose(q)
+        self.symbols.pose(q)
 
     def _frame_camera(self, asset: Asset) -> None:
         """Let new browsers start with the whole asset from the front, and set the floor."""

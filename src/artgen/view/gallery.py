@@ -12,21 +12,21 @@ from artgen.export.layouts.simready.thumbnail import thumbnail
 from artgen.view.page import page_html, write_file
 from artgen.view.picture import jpeg
 from artgen.view.rendering import close, render
-from artgen.view.sheet import shots, words
+from artgen.view.sheet import features, shots
 from artgen.view.viewer import page_of
 
 INDEX = "index.html"
 """File name of the gallery's page."""
 
-_MARK = '<meta name="generator" content="artgen gallery">'  # marks in the page the files that belong to it
+_MARK = '<meta name="generator" content="artgen gallery">'  # identifies an earlier gallery
 _SCRIPTS = ("view/web/elements.js", "view/web/gallery.js")
 _PICTURE = 288  # pixels per side
 _SAMPLES = 8  # quality of shadows and edges
-_QUALITY = 84  # of JPEG
+_QUALITY = 84  # quality of JPEG files
 
 
 def find_assets(directory: Path) -> list[Path]:
-    """Return the directories of exported assets in a folder, sorted; the folder itself may be one."""
+    """Return the sorted directories of all exported assets in a folder, which may be one itself."""
     found = sorted(
         path.parent
         for path in directory.rglob(ASSET_FILE)
@@ -48,7 +48,7 @@ def write_gallery(
     textures: int,
     progress: Callable[[int], None] | None = None,
 ) -> tuple[Path, list[str]]:
-    """Write a gallery."""
+    """Write a gallery; return its page, and a message for each asset that cannot be shown."""
     _check_target(target)
     drawn = _Pictures()
     entries, failed = [], []
@@ -70,7 +70,7 @@ def write_gallery(
         if progress is not None:
             progress(number + 1)
     if not entries:
-        raise AssetError(f"none of {len(assets)} assets can be shown; the first: {failed[0]}")
+        raise AssetError(f"{len(assets)} assets cannot be shown; the first: {failed[0]}")
     text = page_html("view/web/gallery", source.name, _SCRIPTS, entries)
     return write_file(target / INDEX, text.encode()), failed
 
@@ -95,7 +95,7 @@ class _Pictures:
             render(asset, q, camera=view, size=_PICTURE, textures=256, samples=_SAMPLES).color
             for q, view in shots(asset)[:2]
         ]
-        close()  # a gallery may be long, and no asset is drawn twice
+        close()  # no asset is drawn twice, so its memory can be freed
         return [jpeg(picture, _QUALITY) for picture in pictures]
 
 
@@ -106,7 +106,7 @@ def _entry(asset: Asset) -> dict[str, Any]:
         "name": asset.name,
         "category": asset.category,
         "seed": asset.seed,
-        "words": words(asset),
+        "features": features(asset),
         "mass": round(asset.mass, 4),
         "links": len(asset.links),
         "joints": [joint.kind for joint in asset.joints if not joint.locked],
@@ -116,14 +116,14 @@ def _entry(asset: Asset) -> dict[str, Any]:
 
 
 def _check_target(target: Path) -> None:
-    """Raise ExportError for a folder that holds anything but an earlier gallery."""
+    """Raise an ExportError if a folder holds files other than an earlier gallery."""
     try:
         names = {path.name for path in target.iterdir()} if target.exists() else set()
         known = INDEX in names and _MARK in (target / INDEX).read_text(encoding="utf-8")[:2000]
     except OSError as error:
         raise ExportError(f"cannot write to {target}: {error.strerror}") from error
     if names - {"assets"} and not known:
-        raise ExportError(f"{target} holds something else than a gallery; choose another --out")
+        raise ExportError(f"{target} holds files other than a gallery; choose another --out")
 
 
 def _make_folder(path: Path) -> None:

@@ -14,7 +14,7 @@ _NEEDED = (
 )
 
 
-_process: dict[str, int] = {}  # id of the drawing process; a forked process finds its parent's
+_process: dict[str, int] = {}  # id of the drawing process; in a forked process, that of its parent
 
 
 def claim_process() -> None:
@@ -49,7 +49,7 @@ def available() -> str:
     for name in _LIBRARIES:
         if _loads(name):
             return name
-    raise RenderError(f"no OpenGL without a window was found. {_NEEDED}")
+    raise RenderError(f"no library for OpenGL without a window was found. {_NEEDED}")
 
 
 def _loads(name: str) -> bool:

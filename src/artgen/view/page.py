@@ -25,7 +25,7 @@ class Page:
     """A page: a notebook shows it; otherwise save it and open it in a browser.
 
     Attributes:
-        name: Name of what it shows.
+        name: Name of the asset or graph.
         html: The page.
         height: Height of the notebook cell [pixels].
     """
@@ -99,7 +99,7 @@ def three_js() -> bytes:
     if not found or "GLTFLoader" not in script:
         raise AssetError(
             f"the viewer needs the three.js that comes with trimesh, and trimesh {version('trimesh')} has "
-            "another one; install the version of trimesh that artgen asks for"
+            "another one; install the version of trimesh that artgen requires"
         )
     return script.encode()
 

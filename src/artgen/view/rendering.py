@@ -102,7 +102,7 @@ def render(
         size: Width and height of the picture, or one number for both [pixels].
         studio: Surroundings: a seamless backdrop, a wall and a wooden floor, or none.
         textures: Texels per side of the material maps; 0 for plain colors.
-        samples: Number of samples of lamps and edges; few samples give steps in shadows.
+        samples: Number of samples of lamps and edges; with few samples, shadows have steps.
 
     Raises:
         AssetError: A joint or link is unknown, a position is beyond its limits, or nothing is visible.
@@ -115,11 +115,11 @@ def render(
     if textures != 0:
         check_size(textures)
     if type(samples) is not int or samples < 1:
-        raise ParameterError(f"samples {samples!r} must be a whole number from 1 on")
+        raise ParameterError(f"samples {samples!r} must be a whole number of at least 1")
     poses = asset.pose(q)
     taken = camera_of(camera, asset, _points(asset, poses), pixels[0] / pixels[1])
     try:
-        import mujoco  # noqa: F401 - whether it is there
+        import mujoco  # noqa: F401 - checks that it is installed
     except ImportError as error:
         raise RenderError(
             f'pictures are drawn by MuJoCo, which cannot be loaded ({error}): pip install "artgen[sim]"'
@@ -144,7 +144,7 @@ def close() -> None:
 
 
 def _renderer(asset: Asset, studio: Studio, textures: int, size: tuple[int, int]) -> "Renderer":
-    """Return the renderer of an asset, which is reused for further pictures."""
+    """Return the renderer of an asset; further pictures reuse it."""
     gl.claim_process()
     renderers = _kept.renderers
     key = (id(asset), studio, textures)
@@ -154,7 +154,7 @@ def _renderer(asset: Asset, studio: Studio, textures: int, size: tuple[int, int]
         while len(renderers) >= _MOST_SCENES:
             renderers.popitem(last=False)[1].close()
         renderers[key] = Renderer(RenderScene(asset, studio, textures), size)
-        # runs before MuJoCo's exit functions, which were registered earlier, remove the display
+        # exit functions run in reverse order: this one before those of MuJoCo, which close the display
         atexit.unregister(close)
         atexit.register(close)
     renderers.move_to_end(key)
@@ -164,7 +164,7 @@ def _renderer(asset: Asset, studio: Studio, textures: int, size: tuple[int, int]
 def _surfaces(
     asset: Asset, camera: Camera, poses: Mapping[str, Array], size: tuple[int, int]
 ) -> tuple[NDArray[np.int32], Array]:
-    """Return number and depth of the surface at each pixel's center: by OpenGL, or by rays."""
+    """Return number and depth of the surface at each pixel's center, by OpenGL or else by rays."""
     try:
         renderer = _renderer(asset, "none", 0, size)
     except RenderError:
@@ -186,7 +186,7 @@ def _points(asset: Asset, poses: Mapping[str, Array]) -> dict[str, Array]:
             points = np.concatenate([surface.mesh.vertices for surface in link.surfaces])
             found[link.name] = points @ poses[link.name][:3, :3].T + poses[link.name][:3, 3]
     if not found:
-        raise AssetError(f"asset {asset.name!r} has no surfaces to be seen")
+        raise AssetError(f"asset {asset.name!r} has no visible surfaces")
     return found
 
 

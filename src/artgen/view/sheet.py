@@ -50,13 +50,13 @@ def sheet(
 ) -> Pixels:
     """Return a page of pictures: a cell for each asset, closed, open and from behind, shape (h, w, 3).
 
-    Each asset fills its pictures, whose shape suits most of the first assets. It is seen from the side into
-    which it opens, and small and flat assets are seen from higher up.
+    Each asset fills its pictures, and the first assets determine their shape. The camera is on the side to
+    which an asset opens, and higher for small and flat assets.
     """
     if not assets or views not in (1, 2) or (columns is not None and columns < 1):
         raise ParameterError(
-            f"a sheet has at least 1 asset and 1 column, and 1 or 2 views; "
-            f"these are {len(assets)} assets, {columns} columns, {views} views"
+            f"a sheet needs at least 1 asset and 1 column, and 1 or 2 views, not "
+            f"{len(assets)} assets, {columns} columns and {views} views"
         )
     first = [make() for make in assets[:_MEASURED]]
     picture = (round(size * float(np.median([_aspect(asset) for asset in first]))), size)
@@ -67,8 +67,8 @@ def sheet(
             render(asset, q, camera=view, size=picture, textures=textures, samples=samples).color
             for q, view in shots(asset)[: views + 1]
         ]
-        close()  # a sheet may be long, and no asset is drawn twice
-        cells.append(_cell(asset, shown, words(asset)))
+        close()  # no asset is drawn twice, so its memory can be freed
+        cells.append(_cell(asset, shown, features(asset)))
         if progress is not None:
             progress(number + 1, len(assets))
     height, width, _ = cells[0].shape
@@ -91,10 +91,10 @@ def shots(asset: Asset) -> tuple[tuple[Mapping[str, float], View], ...]:
 
 
 def _side(asset: Asset, q: Mapping[str, float]) -> float:
-    """Return the side from which an open asset is seen, and the angle.
+    """Return the direction of the camera for an open asset, relative to `ASIDE`.
 
-    1 is the right side, for assets whose doors hinge mostly at the left; between doors at both sides, the
-    view is nearer to the center.
+    It is positive, from the right, if most doors have their hinges at the left; between doors at both sides
+    the camera is nearer to the center.
     """
     poses, right, doors = asset.pose(q), 0.0, 0.0
     for joint in map(asset.joint, q):
@@ -123,8 +123,8 @@ def _aspect(asset: Asset) -> float:
     return float(np.clip(np.mean(found), _NARROW, _WIDE))
 
 
-def words(asset: Asset) -> str:
-    """Return the features of an asset in a few words: its structural parameters and its size."""
+def features(asset: Asset) -> str:
+    """Return the main features of an asset as a short text: its size and its structural parameters."""
     found = [
         _SHADE.sub("", value)
         for name, value in asset.parameters.items()
@@ -172,7 +172,7 @@ def _cell(asset: Asset, shown: Sequence[Pixels], text: str) -> Pixels:
 
 
 def _wrapped(text: str, width: int) -> list[str]:
-    """Break a text into lines of at most a number of pixels, as many as a caption has."""
+    """Break a text into the lines of a caption, each of at most this width [pixels]."""
     font = _font(_TEXT, "Regular")
     lines = [""]
     for word in text.split():

@@ -52,7 +52,7 @@ def backdrop(asset: Asset, kind: str) -> Backdrop:
     low, high = asset.bounds()
     center = (low + high) / 2.0
     radius = float(np.linalg.norm(high - low)) / 2.0
-    floor = float(low[2]) - 1e-4 * radius  # no face of it coincides with the asset's
+    floor = float(low[2]) - 1e-4 * radius  # no face coincides with one of the asset
     meshes: list[tuple[Mesh, Material]] = []
     if kind == "studio":
         meshes = [(_cyclorama(center, radius, floor), _PAPER)]
@@ -118,8 +118,8 @@ def ribbon(profile: Array, normals: Array, middle: float, half: float) -> Mesh:
 def radiance(directions: Array) -> Array:
     """Return the brightness of the studio in unit directions, shape (n, 3) to (n,).
 
-    A light tent with a dark front at the camera: softboxes and strips give metal long soft highlights, the
-    gaps between them give contrast.
+    A light tent that is dark at the camera. Softboxes and strips make long soft highlights on metal, and the
+    gaps between them add contrast.
     """
     x, y, z = directions.T
     azimuth, elevation = np.arctan2(x, y), np.arcsin(np.clip(z, -1.0, 1.0))  # azimuth 0 is behind the asset

@@ -19,10 +19,10 @@ from artgen.view.overlays import collider_mesh, joint_symbol, label_colors
 from artgen.view.page import Page, page_html, three_js
 from artgen.view.sheet import shots
 
-_SCRIPTS = ("elements", "kinematics", "studio", "model", "signs", "orbit", "panel", "main")
+_SCRIPTS = ("elements", "kinematics", "studio", "model", "symbols", "orbit", "panel", "main")
 _DECIMALS = 5  # decimals of drawn points: 10 micrometres
 _GAP = 0.06  # free space between two boxes, as a share of the asset's size
-_FAR = 0.5  # share of its own length above which a slide comes out in its direction, unlike a bolt
+_FAR = 0.5  # share of its own length above which a slide moves out along its axis, unlike a bolt
 _SIDES = np.concatenate([np.eye(3), -np.eye(3)])
 
 
@@ -100,16 +100,16 @@ def _link(asset: Asset, link: Link, shift: Array) -> dict[str, Any]:
 def _joint(asset: Asset, joint: AssetJoint) -> dict[str, Any]:
     """Return the data of a joint for `asset.positions`, `asset.blocked` and `asset.pose`, and its symbol."""
     stops = opening(asset, joint) if joint in asset.free_joints else None
-    sign = None
+    drawn = None
     if not joint.locked:
         symbol = joint_symbol(asset, joint)
-        sign = {name: _drawn(getattr(symbol, name)) for name in ("axis", "range", "hand")}
+        drawn = {name: _drawn(getattr(symbol, name)) for name in ("axis", "range", "hand")}
     return {
         **joint.to_data(),
         "closed": joint.closed,
         "locked": joint.locked,
         "stops": None if stops is None else list(stops),
-        "sign": sign,
+        "symbol": drawn,
     }
 
 
@@ -118,7 +118,10 @@ def _certificate(asset: Asset) -> dict[str, Any] | None:
     certificate = _measured(asset)
     if certificate is None:
         return None
-    order = [*certificate.failures, *sorted((pair for pair in certificate.pairs if pair.clear), key=_room)]
+    order = [
+        *certificate.failures,
+        *sorted((pair for pair in certificate.pairs if pair.clear), key=_clearance),
+    ]
     return {
         "proven": certificate.proven,
         "tolerance": certificate.tolerance,
@@ -133,11 +136,11 @@ def _measured(asset: Asset) -> Certificate | None:
     certificate = asset.certificate
     if certificate is None or not certificate.proven or any(pair.found_at for pair in certificate.pairs):
         return certificate
-    # a copy: the asset keeps its own certificate
+    # a copy, so that the asset keeps its own certificate
     return replace(asset).certify(certificate.tolerance, measure=True)
 
 
-def _room(pair: PairResult) -> tuple[float, tuple[str, str]]:
+def _clearance(pair: PairResult) -> tuple[float, tuple[str, str]]:
     return float("inf") if pair.guaranteed is None else pair.guaranteed, pair.links
 
 
@@ -161,7 +164,7 @@ def _pair(asset: Asset, pair: PairResult) -> dict[str, Any]:
 
 
 def _allowed(asset: Asset, pose: Mapping[str, float]) -> dict[str, float]:
-    """Return a pose of several joints, with the others where the dependencies of these joints hold.
+    """Return a pose of several joints with positions of the other joints that satisfy the dependencies.
 
     For a drawer behind two doors, the nearest pose to one door does not include the other door, which has to
     be open.
@@ -186,14 +189,14 @@ def _middle(asset: Asset, name: str, interval: tuple[float, float]) -> float:
 
 
 def _drawn(points: Array) -> Any:
-    """Return points as lists, with the visible digits."""
+    """Return points as lists, rounded to visible digits."""
     return (np.round(points, _DECIMALS) + 0.0).tolist()
 
 
 def exploded(asset: Asset) -> dict[str, Array]:
     """Return the offset of each link in an exploded view, in asset coordinates at rest, shape (3,) [m].
 
-    Long slides move in their direction, all other links by the shortest way out of the box of their parent.
+    Long slides move along their axes, all other links by the shortest distance out of their parent's box.
     """
     low, high = asset.bounds()
     return _separated(asset, asset.links[0].name, _GAP * float(np.linalg.norm(high - low)))[1]
@@ -207,7 +210,7 @@ def _separated(asset: Asset, link: str, gap: float) -> tuple[Array, dict[str, Ar
         for parent, child, joints in asset.pairs()
         if parent == link
     ]
-    # on one side, outer children have to leave room for inner ones
+    # on each side, inner children are placed first
     children.sort(key=lambda each: round(float((each[0] @ each[1].T).max()), 6))
     boxes, shifts = [own], {link: np.zeros(3)}
     for side, box, inner in children:

@@ -1,4 +1,4 @@
-// What all pages need: elements, and the bytes that a page holds.
+// Used by all pages: elements, and the data inside a page.
 
 /** Returns an element with properties and children. */
 function element(tag, properties = {}, ...children) {

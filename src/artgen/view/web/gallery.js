@@ -9,7 +9,7 @@ function options(select, names, first) {
 const PROOFS = { true: ["good", "proven"], false: ["bad", "not proven"], null: ["", "not certified"] };
 
 function card(asset) {
-  const [state, words] = PROOFS[asset.proven];
+  const [state, verdict] = PROOFS[asset.proven];
   const pictures = element("div", { className: "picture" });
   pictures.append(element("img", { src: asset.closed, alt: asset.name, loading: "lazy" }));
   if (asset.open) pictures.append(element("img", { src: asset.open, alt: "", className: "open", loading: "lazy" }));
@@ -18,13 +18,13 @@ function card(asset) {
   const facts = `${count} joint${count === 1 ? "" : "s"} · ${mass}`;
   const made = element(
     "a",
-    { className: "card", href: asset.page, title: asset.words },
+    { className: "card", href: asset.page, title: asset.features },
     pictures,
     element(
       "div",
       { className: "text" },
-      element("b", {}, element("i", { className: state, title: words }), asset.name),
-      element("small", { className: "words" }, asset.words),
+      element("b", {}, element("i", { className: state, title: verdict }), asset.name),
+      element("small", { className: "features" }, asset.features),
       element("small", {}, facts),
     ),
   );
@@ -32,47 +32,47 @@ function card(asset) {
   return made;
 }
 
-/** Returns all that a search looks at. */
-function wordsOf({ name, words, parameters }) {
-  return [name, words, ...Object.values(parameters)].join(" ").toLowerCase();
+/** Returns the text of an asset for the search. */
+function searchText({ name, features, parameters }) {
+  return [name, features, ...Object.values(parameters)].join(" ").toLowerCase();
 }
 
 class Gallery {
   constructor(assets) {
-    this.assets = assets.map((asset) => ({ ...asset, card: card(asset), text: wordsOf(asset) }));
+    this.assets = assets.map((asset) => ({ ...asset, card: card(asset), text: searchText(asset) }));
     const unique = (values) => [...new Set(values)].sort();
     options(find("category"), unique(assets.map((asset) => asset.category)), "all categories");
     options(find("parameter"), unique(assets.flatMap((asset) => Object.keys(asset.parameters))), "any parameters");
-    find("parameter").addEventListener("change", () => this.ask());
+    find("parameter").addEventListener("change", () => this.showValues());
     find("filters").addEventListener("input", () => this.update());
     find("clear").addEventListener("click", () => this.clear());
     this.update();
   }
 
-  /** Asks for the values of the chosen parameter: from and to of numbers, else one that occurs. */
-  ask() {
+  /** Shows fields for the values of the selected parameter: a range for numbers, else a menu. */
+  showValues() {
     const name = find("parameter").value;
     const values = this.assets.filter((asset) => name in asset.parameters).map((asset) => asset.parameters[name]);
-    const asked = find("values");
-    if (!name) asked.replaceChildren();
+    const fields = find("values");
+    if (!name) fields.replaceChildren();
     else if (values.every((value) => typeof value === "number")) {
       const field = (id, value, label) => {
         const input = element("input", { id, type: "number", step: "any", placeholder: Number(value.toPrecision(4)) });
         input.setAttribute("aria-label", label);
         return input;
       };
-      asked.replaceChildren(field("from", Math.min(...values), "from"), "to", field("to", Math.max(...values), "to"));
+      fields.replaceChildren(field("from", Math.min(...values), "from"), "to", field("to", Math.max(...values), "to"));
     } else {
       const select = element("select", { id: "value" });
       options(select, [...new Set(values.map(String))].sort(), "any");
-      asked.replaceChildren(select);
+      fields.replaceChildren(select);
     }
     this.update();
   }
 
   matches(asset) {
-    const wanted = find("search").value.trim().toLowerCase().split(/\s+/);
-    if (!wanted.every((word) => asset.text.includes(word))) return false;
+    const searched = find("search").value.trim().toLowerCase().split(/\s+/);
+    if (!searched.every((word) => asset.text.includes(word))) return false;
     if (find("category").value && asset.category !== find("category").value) return false;
     if (find("joint").value && !asset.joints.includes(find("joint").value)) return false;
     const name = find("parameter").value;
@@ -96,7 +96,7 @@ class Gallery {
 
   clear() {
     for (const id of ["search", "category", "joint", "parameter"]) find(id).value = "";
-    this.ask();
+    this.showValues();
   }
 }
 

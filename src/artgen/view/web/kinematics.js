@@ -1,8 +1,8 @@
-// How joints move links: what asset.positions, asset.blocked and asset.pose do in Python, on the same data.
+// Kinematics of an asset: the same results as asset.positions, asset.blocked and asset.pose in Python.
 
-const LIMIT_SLACK = 1e-9; // a position may miss its limit by rounding [rad or m]
-const LOOKS = 96; // places on the way of a joint at which dependencies are asked
-const HALVINGS = 30; // with which the place is found where a dependency stops a joint
+const LIMIT_SLACK = 1e-9; // tolerance of a limit, for rounding errors [rad or m]
+const CHECKS = 96; // positions on the path of a joint at which dependencies are checked
+const HALVINGS = 30; // bisection steps to the position at which a dependency stops a joint
 
 /** Tells whether joint positions lie in a region of joint space. */
 function holds(condition, positions) {
@@ -12,7 +12,7 @@ function holds(condition, positions) {
   return condition.kind === "all" ? terms.every(Boolean) : terms.some(Boolean);
 }
 
-/** Tells whether a joint that needs others may stand at a position while they stand at theirs. */
+/** Tells whether a dependency allows a position of its joint, given all positions. */
 function allows(needs, position, positions) {
   const near = Math.abs(position) <= Math.max(needs.beyond ?? 0, 1e-9);
   const far = needs.until !== null && Math.abs(position) >= needs.until;
@@ -20,19 +20,19 @@ function allows(needs, position, positions) {
 }
 
 class Kinematics {
-  /** Takes the data of an asset. */
+  /** Stores the joints of an asset. */
   constructor(data) {
     this.base = data.links[0].name;
     this.joints = new Map(data.joints.map((joint) => [joint.name, joint]));
     this.free = data.joints.filter((joint) => !joint.follows && !joint.locked);
-    this.chains = new Map(); // the joints between a link and its parent, by the name of the link
+    this.chains = new Map(); // joints between a link and its parent, by name of the link
     for (const joint of data.joints) {
       if (!this.chains.has(joint.child)) this.chains.set(joint.child, []);
       this.chains.get(joint.child).push(joint);
     }
   }
 
-  /** Returns the position of every joint: those not given stand nearest to 0, coupled ones follow. */
+  /** Returns the position of every joint: the given one, else the nearest to 0; coupled joints follow. */
   positions(q = {}) {
     const result = {};
     const place = (joint) => {
@@ -56,7 +56,7 @@ class Kinematics {
     return Math.abs(inside - position) <= LIMIT_SLACK ? position : inside;
   }
 
-  /** Returns the joints that a dependency forbids to stand where `q` puts them. */
+  /** Returns the joints whose dependencies forbid their positions in `q`. */
   blocked(q = {}) {
     const positions = this.positions(q);
     return [...this.joints.values()].filter(
@@ -64,17 +64,17 @@ class Kinematics {
     );
   }
 
-  /** Returns how far a joint gets towards a position, and the joints that would then be blocked. */
-  reach(q, name, wanted) {
-    const target = this.within(name, wanted);
+  /** Returns the position that a joint reaches towards a target, and the joints that would be blocked beyond. */
+  reach(q, name, position) {
+    const target = this.within(name, position);
     const start = this.positions(q)[name];
-    const before = new Set(this.blocked(q)); // what is blocked already holds nothing up
+    const before = new Set(this.blocked(q)); // joints that are blocked at the start do not stop the motion
     const stopped = (share) =>
       this.blocked({ ...q, [name]: start + share * (target - start) }).filter((joint) => !before.has(joint));
-    for (let look = 1; look <= LOOKS; look += 1) {
-      let by = stopped(look / LOOKS);
+    for (let check = 1; check <= CHECKS; check += 1) {
+      let by = stopped(check / CHECKS);
       if (!by.length) continue;
-      let [low, high] = [(look - 1) / LOOKS, look / LOOKS];
+      let [low, high] = [(check - 1) / CHECKS, check / CHECKS];
       for (let halving = 0; halving < HALVINGS; halving += 1) {
         const middle = (low + high) / 2;
         const found = stopped(middle);
@@ -86,7 +86,7 @@ class Kinematics {
     return { position: target, by: [] };
   }
 
-  /** Returns how each link is displaced from rest, and the axis of each joint, as matrices by name. */
+  /** Returns the displacement from rest of each link, and of the axis of each joint, as matrices by name. */
   poses(q = {}) {
     const positions = this.positions(q);
     const links = { [this.base]: new THREE.Matrix4() };

@@ -1,17 +1,17 @@
-// Puts the viewer together, and keeps what it shows: positions of joints, what is apart, which signs are on.
+// The viewer: it connects its parts, and holds the positions of the joints and the display options.
 
-const LEAD = 0.75; // how long one joint moves when it is played [s]
+const LEAD = 0.75; // duration of the animation of one joint [s]
 
 class Viewer {
   constructor(data, nodes, stage) {
     this.data = data;
     this.kinematics = new Kinematics(data);
-    this.q = {}; // positions of free joints that were set [rad or m]
+    this.q = {}; // positions of the free joints that were moved [rad or m]
     this.apart = 0;
     this.colored = false;
-    this.veiled = false; // whether signs within the asset are shown
-    this.alone = false; // whether only what is lit is not looked through
-    this.lit = [];
+    this.translucent = false; // whether the asset is translucent, for symbols inside
+    this.alone = false; // whether all but the highlighted links are translucent
+    this.highlighted = [];
     this.playing = 0; // number of the last animation that was started
     this.stage = stage;
     const [low, high] = data.bounds.map(([x, y, z]) => new THREE.Vector3(x, z, -y));
@@ -19,7 +19,7 @@ class Viewer {
     this.studio = new Studio(canvas, low.distanceTo(high), low.clone().add(high).divideScalar(2));
     this.model = new Model(nodes, data);
     this.studio.scene.add(this.model.root);
-    this.signs = new Signs(data, this.model, this.studio.bare);
+    this.symbols = new Symbols(data, this.model, this.studio.withoutShadow);
     this.panel = new Panel(this, document.getElementById("panel"));
     this.fit();
     const corners = cornersOf(data.space);
@@ -32,28 +32,28 @@ class Viewer {
     this.update();
   }
 
-  /** Moves a joint as far as the others allow it, and says what held it. */
-  move(name, wanted) {
+  /** Moves a joint as far as the others allow; the panel shows the reason if it stops. */
+  move(name, target) {
     this.playing += 1;
-    const { position, by } = this.kinematics.reach(this.q, name, wanted);
+    const { position, by } = this.kinematics.reach(this.q, name, target);
     this.q = { ...this.q, [name]: position };
     const positions = this.kinematics.positions(this.q);
-    const why = by.map((joint) => {
-      const waits = joint.name === name ? "" : `${joint.name} `;
+    const reasons = by.map((joint) => {
+      const other = joint.name === name ? "" : `${joint.name} `;
       const where = conditionNames(joint.needs.condition).map((each) => `${each} at ${this.at(each, positions[each])}`);
-      return `held: ${waits}needs ${this.spelled(joint)}; ${where.join(", ")}`;
+      return `blocked: ${other}needs ${this.format(joint)}; ${where.join(", ")}`;
     });
-    this.update(why.length ? { name, why: why.join("; ") } : null);
+    this.update(reasons.length ? { name, reason: reasons.join("; ") } : null);
     return position;
   }
 
-  /** Spells a position of a joint. */
+  /** Returns a position of a joint as text. */
   at(name, position) {
-    return spelled(this.kinematics.joints.get(name).kind, position);
+    return format(this.kinematics.joints.get(name).kind, position);
   }
 
-  /** Spells what a joint needs, and from where to where it needs that. */
-  spelled({ name, needs }) {
+  /** Returns the dependency of a joint as text, with the range where it applies. */
+  format({ name, needs }) {
     const text = (condition) => {
       const { kind, joint, value, terms } = condition;
       if (joint) return `${joint} ${kind === "above" ? ">" : "<"} ${this.at(joint, value)}`;
@@ -64,7 +64,7 @@ class Viewer {
     return text(needs.condition) + beyond + until;
   }
 
-  /** Puts all joints to positions; those not given stand nearest to 0. */
+  /** Moves all joints to positions; joints without one move nearest to 0. */
   place(q) {
     this.playing += 1;
     this.q = { ...q };
@@ -72,7 +72,7 @@ class Viewer {
     this.update();
   }
 
-  /** Moves the joints from one stop to the next; on a slow machine too, every stop is seen. */
+  /** Animates the joints from one pose to the next; every pose is shown even on a slow machine. */
   play(stops) {
     this.playing += 1;
     const own = this.playing;
@@ -97,15 +97,15 @@ class Viewer {
     this.update();
   }
 
-  /** Switches a kind of sign, or the colors of labels. */
+  /** Shows or hides a kind of symbol, or the colors of labels. */
   show(kind, shown) {
     if (kind === "labels") this.colored = shown;
-    else this.signs.show(kind, shown);
+    else this.symbols.show(kind, shown);
     if (kind === "masses" || kind === "colliders") {
-      const boxes = [...document.querySelectorAll("[data-sign=masses], [data-sign=colliders]")];
-      this.veiled = boxes.some((box) => box.checked);
+      const boxes = [...document.querySelectorAll("[data-symbol=masses], [data-symbol=colliders]")];
+      this.translucent = boxes.some((box) => box.checked);
     }
-    this.dress();
+    this.updateMaterials();
     this.legend();
     this.update();
   }
@@ -114,23 +114,23 @@ class Viewer {
   inspect(pair) {
     this.place(pair.pose);
     this.light(pair.links, pair.text, true);
-    this.signs.mark(pair.place);
+    this.symbols.mark(pair.place);
     this.studio.redraw();
   }
 
-  /** Lights up links, and says something of them; alone, the others can be looked through. */
+  /** Highlights links and shows a text about them; with `alone`, the other links are translucent. */
   light(links, text, alone = false) {
-    this.lit = links;
+    this.highlighted = links;
     this.alone = alone;
-    this.dress();
+    this.updateMaterials();
     const tip = document.getElementById("tip");
     tip.textContent = text;
     tip.hidden = !text;
   }
 
-  dress() {
-    const { colored, veiled, alone, lit } = this;
-    this.model.dress({ colors: colored ? this.data.colors : null, veiled: veiled || alone, lit });
+  updateMaterials() {
+    const { colored, translucent, alone, highlighted } = this;
+    this.model.updateMaterials({ colors: colored ? this.data.colors : null, translucent: translucent || alone, highlighted });
     this.studio.redraw();
   }
 
@@ -148,7 +148,7 @@ class Viewer {
     );
   }
 
-  /** Tells of the part that was clicked. */
+  /** Highlights the clicked link and shows its properties. */
   pick(event) {
     if (this.orbit.moved) return;
     const box = this.studio.renderer.domElement.getBoundingClientRect();
@@ -159,7 +159,7 @@ class Viewer {
     const ray = new THREE.Raycaster();
     ray.setFromCamera(at, this.studio.camera);
     const [hit] = ray.intersectObjects([...this.model.meshes()], false);
-    this.signs.mark(null);
+    this.symbols.mark(null);
     if (!hit) {
       this.light([], "");
       return;
@@ -172,14 +172,14 @@ class Viewer {
     });
   }
 
-  /** Draws everything as it now stands. */
-  update(held = null) {
+  /** Moves everything to the current positions and draws it. */
+  update(blocked = null) {
     const positions = this.kinematics.positions(this.q);
     const poses = this.kinematics.poses(this.q);
     this.model.place(poses.links, this.apart);
-    this.signs.mark(null);
-    this.signs.follow(poses, positions);
-    this.panel.update(positions, held);
+    this.symbols.mark(null);
+    this.symbols.follow(poses, positions);
+    this.panel.update(positions, blocked);
     this.studio.redraw({ moved: true });
   }
 
@@ -189,12 +189,12 @@ class Viewer {
   }
 }
 
-/** Returns the joints that a condition speaks of. */
+/** Returns the names of the joints in a condition. */
 function conditionNames(condition) {
   return condition.joint ? [condition.joint] : [...new Set(condition.terms.flatMap(conditionNames))];
 }
 
-/** Returns the corners of a box of the asset in the scene, whose y is up. */
+/** Returns the corners of a box in scene coordinates, where y is up. */
 function cornersOf([low, high]) {
   return [0, 1, 2, 3, 4, 5, 6, 7].map((number) => {
     const [x, y, z] = [0, 1, 2].map((axis) => ((number >> axis) & 1 ? high : low)[axis]);
@@ -209,13 +209,13 @@ async function start() {
   const viewer = new Viewer(JSON.parse(data), nodes, document.getElementById("stage"));
   viewer.studio.draw();
   document.getElementById("message").hidden = true;
-  viewer.opened = performance.now(); // since the page was asked for [ms]
+  viewer.opened = performance.now(); // time since the page was requested [ms]
   window.artgen = viewer;
 }
 
-start().catch((fault) => {
+start().catch((error) => {
   const message = document.getElementById("message");
   message.className = "fault";
-  message.textContent = `This page cannot be shown: ${fault.message}. It needs a browser with WebGL, of 2023 or newer.`;
-  console.error(fault);
+  message.textContent = `This page cannot be shown: ${error.message}. It needs a browser with WebGL, from 2023 or later.`;
+  console.error(error);
 });

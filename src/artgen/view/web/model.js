@@ -1,6 +1,6 @@
-// The asset itself: its links as the GLB has them, each with a matrix of its own.
+// The asset: the links of the GLB, each with its own matrix.
 
-// Reflections on glass are as strong as on what is opaque: only what is behind shines through.
+// Reflections on glass are as strong as on opaque materials; only the light from behind is attenuated.
 const GLASS = `
 float shine = clamp(dot(totalSpecular, vec3(0.3333)), 0.0, 1.0);
 float cover = diffuseColor.a + (1.0 - diffuseColor.a) * shine;
@@ -10,10 +10,10 @@ gl_FragColor = vec4((totalDiffuse * diffuseColor.a + totalSpecular + totalEmissi
 const GLOWS = [[0.42, 0.09, 0.0], [0.0, 0.13, 0.45]]; // orange, blue
 
 class Model {
-  /** Takes the nodes of the links by name, and the data of the asset. */
+  /** Stores the nodes of the links by name, with the data of the asset. */
   constructor(nodes, data) {
     this.root = new THREE.Group();
-    this.root.rotation.x = -Math.PI / 2; // the asset's z is up, the scene's y
+    this.root.rotation.x = -Math.PI / 2; // z is up in the asset, y in the scene
     this.links = new Map();
     for (const link of data.links) {
       const node = nodes.get(link.name);
@@ -28,11 +28,11 @@ class Model {
         if (node.isMesh) link.meshes.push(prepared(node, name));
       });
     }
-    this.dresses = new Map(); // the materials that were made of others, by what was changed
+    this.materials = new Map(); // changed copies of materials, by their changes
     this.poses = {};
   }
 
-  /** Moves every link to its pose, and apart by a share of the exploded view. */
+  /** Moves every link to its pose, plus a share of its offset in the exploded view. */
   place(poses, apart) {
     for (const [name, link] of this.links) {
       const pose = poses[name].clone();
@@ -45,19 +45,18 @@ class Model {
   }
 
   /**
-   * Gives every surface its own material, or a plain one in the color of its label. The links in `lit` glow, each
-   * in a color of its own.
-   * What is veiled can be looked through: all but those.
+   * Gives every surface its own material, or a plain one in the color of its label. The links in `highlighted` glow,
+   * each in its own color, and stay opaque when the others are translucent.
    */
-  dress({ colors, veiled, lit }) {
+  updateMaterials({ colors, translucent, highlighted }) {
     for (const mesh of this.meshes()) {
       const { own, label, link } = mesh.userData;
       const color = colors && colors[label];
-      const glows = lit.indexOf(link) + 1;
-      const clear = veiled && !glows;
+      const glows = highlighted.indexOf(link) + 1;
+      const clear = translucent && !glows;
       const key = `${color ? label : own.uuid} ${clear} ${glows}`;
-      if (!this.dresses.has(key)) this.dresses.set(key, dressed(color ? flat(color) : own, clear, glows));
-      mesh.material = this.dresses.get(key);
+      if (!this.materials.has(key)) this.materials.set(key, changedMaterial(color ? flat(color) : own, clear, glows));
+      mesh.material = this.materials.get(key);
     }
   }
 
@@ -71,23 +70,23 @@ function flat(color) {
   return new THREE.MeshStandardMaterial({ color: shown, roughness: 0.75, metalness: 0, envMapIntensity: 0.6 });
 }
 
-function dressed(material, veiled, glows) {
-  if (!veiled && !glows) return material;
+function changedMaterial(material, translucent, glows) {
+  if (!translucent && !glows) return material;
   const result = material.clone();
   result.onBeforeCompile = material.onBeforeCompile;
-  if (veiled) Object.assign(result, { opacity: 0.25 * material.opacity, transparent: true, depthWrite: false });
+  if (translucent) Object.assign(result, { opacity: 0.25 * material.opacity, transparent: true, depthWrite: false });
   if (glows) result.emissive.setRGB(...GLOWS[(glows - 1) % GLOWS.length]);
   return result;
 }
 
-/** Returns the nodes of a GLB by their names in the file; GLTFLoader renames those that it finds twice. */
+/** Returns the nodes of a GLB by their names in the file; GLTFLoader renames duplicates. */
 async function nodesOf(glb) {
   const { parser } = await new THREE.GLTFLoader().parseAsync(glb, "");
   const nodes = parser.json.nodes.map(async ({ name }, number) => [name, await parser.getDependency("node", number)]);
   return new Map(await Promise.all(nodes));
 }
 
-/** Readies a surface: it casts shadows, and glass mirrors the studio. */
+/** Prepares a surface: opaque ones cast shadows, and glass mirrors the studio. */
 function prepared(mesh, link) {
   const { material } = mesh;
   Object.assign(mesh.userData, { link, label: mesh.geometry.userData.label, own: material });

@@ -1,13 +1,13 @@
-// The camera: dragging turns it about the asset, the right button or Shift moves it, the wheel brings it nearer.
+// The camera: dragging turns it about the asset, the right button or Shift pans it, the wheel changes its distance.
 
-const STEEPEST = 1.55; // how far above or below the horizon [rad]
+const STEEPEST = 1.55; // largest elevation above or below the horizon [rad]
 
 class Orbit {
-  /** Takes the studio and how one first looks at an asset: azimuth and elevation [rad], corners of a box. */
+  /** Sets the first view of a studio: azimuth and elevation [rad], and the corners of the visible box. */
   constructor(studio, canvas, { azimuth, elevation, corners }) {
     Object.assign(this, { studio, canvas, home: { azimuth, elevation, corners } });
     this.fingers = new Map();
-    this.moved = false; // whether the last press was more than a click
+    this.moved = false; // whether the pointer moved since the last press
     canvas.addEventListener("pointerdown", (event) => this.press(event));
     canvas.addEventListener("pointermove", (event) => this.drag(event));
     for (const name of ["pointerup", "pointercancel"]) {
@@ -18,7 +18,7 @@ class Orbit {
     this.reset();
   }
 
-  /** Looks at the asset as at first, from as near as all of it is seen. */
+  /** Returns to the first view, at the smallest distance that shows the whole box. */
   reset() {
     const { azimuth, elevation, corners } = this.home;
     Object.assign(this, { azimuth, elevation });

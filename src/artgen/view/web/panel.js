@@ -1,14 +1,13 @@
-// The panel beside the asset: sliders, switches and tables. It says what is wanted to the viewer, and shows what
-// the viewer tells it.
+// The panel beside the asset: sliders, checkboxes and tables. It passes requests to the viewer, and shows its state.
 
-const SIGNS = {
+const SYMBOLS = {
   colliders: "Colliders",
   joints: "Joint axes and limits",
   grasps: "Grasps and pushes",
   masses: "Centers of mass",
   labels: "Colors of labels",
 };
-const UNLIMITED = { revolute: Math.PI, prismatic: 0.2 }; // how far sliders go without limits [rad or m]
+const UNLIMITED = { revolute: Math.PI, prismatic: 0.2 }; // range of sliders of joints without limits [rad or m]
 
 function section(title, count, opened, ...children) {
   const head = element("summary", {}, `${title} `);
@@ -24,8 +23,8 @@ function kilograms(mass) {
   return mass < 1 ? `${(1000 * mass).toPrecision(3)} g` : `${mass.toPrecision(4)} kg`;
 }
 
-/** Spells a position of a joint as people read it. */
-function spelled(kind, position) {
+/** Returns a position of a joint in degrees or millimeters. */
+function format(kind, position) {
   const shown = kind === "revolute" ? THREE.MathUtils.radToDeg(position) : 1000 * position;
   return `${(Math.abs(shown) < 0.05 ? 0 : shown).toFixed(1)}${kind === "revolute" ? "°" : " mm"}`;
 }
@@ -37,7 +36,7 @@ function number(value) {
 class Panel {
   constructor(viewer, root) {
     this.viewer = viewer;
-    this.rows = new Map(); // slider, position and word of each joint
+    this.rows = new Map(); // slider, position and reason text of each joint
     this.pairs = [];
     const { data } = viewer;
     root.append(
@@ -64,12 +63,12 @@ class Panel {
 
   joint(joint) {
     const output = element("output");
-    const held = element("small", { className: "held" });
+    const blocked = element("small", { className: "blocked" });
     const title = `${joint.kind}, ${joint.parent} to ${joint.child}`;
     const head = element("header", {}, element("span", { className: "name", title }, joint.name), output);
     const row = element("div", { className: "joint" }, head);
     row.dataset.row = joint.name;
-    this.rows.set(joint.name, { output, held, slider: null });
+    this.rows.set(joint.name, { output, blocked, slider: null });
     if (joint.locked) row.append(element("small", {}, "locked"));
     if (joint.follows) row.append(element("small", {}, followed(joint.follows)));
     if (!joint.locked && !joint.follows) {
@@ -80,23 +79,23 @@ class Panel {
       slider.addEventListener("input", () => this.viewer.move(joint.name, slider.valueAsNumber));
       this.rows.get(joint.name).slider = slider;
       if (joint.stops) {
-        const action = `Open and close ${joint.name}, after what it waits for`;
+        const action = `Open and close ${joint.name}, after the joints that it needs`;
         const play = element("button", { className: "play", title: action }, "▶");
         play.addEventListener("click", () => this.viewer.play(joint.stops));
         head.append(play);
       }
       row.append(slider);
     }
-    row.append(held);
-    if (joint.needs) row.append(element("small", {}, `needs ${this.viewer.spelled(joint)}`));
+    row.append(blocked);
+    if (joint.needs) row.append(element("small", {}, `needs ${this.viewer.format(joint)}`));
     if (joint.driven) row.append(element("small", {}, `moved by ${joint.driven}`));
     return row;
   }
 
   switches() {
-    const checks = Object.entries(SIGNS).map(([kind, title]) => {
+    const checks = Object.entries(SYMBOLS).map(([kind, title]) => {
       const box = element("input", { type: "checkbox" });
-      box.dataset.sign = kind;
+      box.dataset.symbol = kind;
       box.addEventListener("change", () => this.viewer.show(kind, box.checked));
       return element("label", {}, box, title);
     });
@@ -111,7 +110,7 @@ class Panel {
     const { proven, tolerance, text, pairs, contacts } = certificate;
     const badge = element("span", { className: `badge ${proven ? "good" : "bad"}` }, proven ? "proven" : "not proven");
     const summary = element("p", { id: "verdict" }, badge, ` ${text.replace(/^(not )?proven[^:]*: /, "")}`);
-    if (tolerance) summary.append(`, ${(1000 * tolerance).toFixed(1)} mm to spare`);
+    if (tolerance) summary.append(`, ${(1000 * tolerance).toFixed(1)} mm clearance`);
     const found = [summary];
     if (pairs.length) {
       const title = proven ? "Show the narrowest pose" : "Show the worst pose";
@@ -120,14 +119,14 @@ class Panel {
       found.push(element("p", {}, worst), this.verdicts(pairs));
     }
     if (contacts.length) {
-      const words = contacts.map((contact) => element("p", { className: "muted" }, contact));
-      found.push(element("details", {}, element("summary", {}, `Contacts by design ${contacts.length}`), ...words));
+      const texts = contacts.map((contact) => element("p", { className: "muted" }, contact));
+      found.push(element("details", {}, element("summary", {}, `Contacts by design ${contacts.length}`), ...texts));
     }
     return found;
   }
 
   verdicts(pairs) {
-    const shown = table(pairs.map((pair) => [pair.links.join(" – "), room(pair)]));
+    const shown = table(pairs.map((pair) => [pair.links.join(" – "), clearance(pair)]));
     this.pairs = [...shown.rows];
     for (const [place, row] of this.pairs.entries()) {
       row.className = pairs[place].clear ? "pick" : "pick fault";
@@ -137,32 +136,32 @@ class Panel {
     return shown;
   }
 
-  /** Shows a pair of links of the certificate where they are nearest, or collide. */
+  /** Shows the nearest or a colliding pose of a pair of links of the certificate. */
   choose(place) {
     this.viewer.inspect(this.viewer.data.certificate.pairs[place]);
     for (const [other, row] of this.pairs.entries()) row.classList.toggle("chosen", other === place);
   }
 
-  /** Shows where the joints stand, and why one went no farther. */
-  update(positions, held) {
+  /** Shows the positions of the joints, and the reason why one stopped. */
+  update(positions, blocked) {
     for (const row of this.pairs) row.classList.remove("chosen");
-    for (const [name, { slider, output, held: word }] of this.rows) {
+    for (const [name, { slider, output, blocked: text }] of this.rows) {
       const joint = this.viewer.kinematics.joints.get(name);
-      output.textContent = spelled(joint.kind, positions[name]);
+      output.textContent = format(joint.kind, positions[name]);
       if (slider && slider.valueAsNumber !== positions[name]) slider.value = positions[name];
-      word.textContent = held?.name === name ? held.why : "";
+      text.textContent = blocked?.name === name ? blocked.reason : "";
     }
   }
 }
 
-/** Spells what a joint follows. */
+/** Returns the coupling of a joint as text. */
 function followed({ leader, ratio, offset }) {
   const added = offset ? ` ${offset < 0 ? "−" : "+"} ${number(Math.abs(offset))}` : "";
   return `follows ${number(ratio)} × ${leader}${added}`;
 }
 
-/** Spells how far two links are apart, or into each other, in the pose that is worst. */
-function room({ clear, guaranteed, depth }) {
+/** Returns the clearance of two links, or their penetration, in their worst pose as text. */
+function clearance({ clear, guaranteed, depth }) {
   if (depth !== null) return `${(1000 * depth).toFixed(2)} mm deep`;
   if (!clear) return "not proven";
   if (guaranteed === null) return "touch by design";

@@ -1,16 +1,15 @@
-// Where an asset stands: soft light from all around, a key light, its shadow on the ground, and colors as a
-// camera sees them.
+// The studio: soft light from all around, a key light, shadows on the ground, and tone mapping.
 
 const EXPOSURE = 0.82;
 const SHADOW_TEXELS = 1024;
 const SOFT_TEXELS = 256;
 
-// Where no graphics card draws, what moves is drawn with a quarter of the pixels, and with all once it rests.
+// Without a graphics card, motion is drawn with a quarter of the pixels, and the still picture with all.
 const SOFTWARE = /swiftshader|llvmpipe|softpipe|software|basic render/i;
 const COARSE = 0.5;
-const RESTS = 200; // after so long [ms]
+const RESTS = 200; // delay of the full picture [ms]
 
-// The Khronos neutral tone mapper keeps base colors as they are and only rolls off highlights.
+// The Khronos neutral tone mapper keeps base colors and only compresses highlights.
 const NEUTRAL = `
 vec3 CustomToneMapping(vec3 color) {
   const float START = 0.8 - 0.04, DESATURATION = 0.15;
@@ -39,7 +38,7 @@ void main() {
 }`;
 
 class Studio {
-  /** Sets up a scene on a canvas, for an asset of that size [m] whose middle stands at `middle` (y up). */
+  /** Sets up a scene on a canvas, for an asset of this size [m] with its center at `middle` (y up). */
   constructor(canvas, size, middle) {
     THREE.ShaderChunk.tonemapping_pars_fragment = THREE.ShaderChunk.tonemapping_pars_fragment.replace(
       "vec3 CustomToneMapping( vec3 color ) { return color; }",
@@ -60,7 +59,7 @@ class Studio {
     this.ground = ground(size, middle);
     this.soft = new SoftShadow(this.renderer, this.scene, size, middle);
     this.scene.add(this.key, this.key.target, this.ground, this.soft.plane);
-    this.bare = [this.ground, this.soft.plane]; // what throws no shadow
+    this.withoutShadow = [this.ground, this.soft.plane]; // nodes without shadow
     this.moved = true;
     this.slow = SOFTWARE.test(rendererName(this.renderer.getContext()));
     this.sharp = false; // whether all pixels are drawn
@@ -68,7 +67,7 @@ class Studio {
     this.waiting = false;
   }
 
-  /** Draws the scene once more, when the browser is ready for a picture. */
+  /** Draws the scene again with the next frame of the browser. */
   redraw({ moved = false } = {}) {
     this.moved ||= moved;
     this.sharp = false;
@@ -84,10 +83,10 @@ class Studio {
     if (this.slow) this.timer = setTimeout(() => this.paint(1), RESTS);
   }
 
-  /** Draws the scene with a share of the pixels across. */
+  /** Draws the scene with a share of the pixels in each direction. */
   paint(share) {
     if (this.moved) {
-      this.soft.draw(this.bare.filter((node) => node.visible));
+      this.soft.draw(this.withoutShadow.filter((node) => node.visible));
       this.renderer.shadowMap.needsUpdate = true;
       this.moved = false;
     }
@@ -107,8 +106,8 @@ class Studio {
   }
 }
 
-// The lamps around: azimuth (0 in front, a quarter turn is the right) and elevation of their middle, half their
-// width and height, how soft their edges are [degrees], and their brightness.
+// The lamps: azimuth (0 in front, 90 at the right) and elevation of their centers, half their width and height,
+// the width of their soft edges [degrees], and their brightness.
 const LAMPS = [
   { azimuth: -50, elevation: 42, width: 30, height: 24, edge: 10, light: 4.6 },
   { azimuth: 68, elevation: 25, width: 11, height: 38, edge: 7, light: 3.4 },
@@ -117,9 +116,9 @@ const LAMPS = [
   { azimuth: 160, elevation: 35, width: 40, height: 20, edge: 16, light: 1.8 },
 ];
 const SKY = { floor: 0.42, horizon: 0.38, top: 0.55 };
-const SKY_WIDTH = 256; // texels around; half as many from below to above
+const SKY_WIDTH = 256; // texels around; half as many in height
 
-/** Returns what the asset mirrors and is lit by: a bright room with soft lamps. */
+/** Returns the environment map: a bright room with soft lamps. */
 function surroundings(renderer) {
   const height = SKY_WIDTH / 2;
   const texels = new Uint16Array(4 * SKY_WIDTH * height).fill(THREE.DataUtils.toHalfFloat(1));
@@ -140,7 +139,7 @@ function surroundings(renderer) {
   return texture;
 }
 
-/** Returns how bright the surroundings are in a direction [degrees]. */
+/** Returns the brightness of the surroundings in a direction [degrees]. */
 function brightness(azimuth, elevation) {
   const { smoothstep, lerp } = THREE.MathUtils;
   let sum = elevation < 0
@@ -155,7 +154,7 @@ function brightness(azimuth, elevation) {
   return sum;
 }
 
-/** Returns what draws, a graphics card or a program. */
+/** Returns the name of the renderer: of a graphics card or of a program. */
 function rendererName(context) {
   const known = context.getExtension("WEBGL_debug_renderer_info");
   return known ? context.getParameter(known.UNMASKED_RENDERER_WEBGL) : "";
@@ -185,7 +184,7 @@ function ground(size, middle) {
   return plane;
 }
 
-/** The soft shadow under an asset: the ground is the darker the nearer something is above it. */
+/** The soft shadow under an asset: darker where an object above the ground is nearer. */
 class SoftShadow {
   constructor(renderer, scene, size, middle) {
     Object.assign(this, { renderer, scene });
@@ -212,14 +211,14 @@ class SoftShadow {
       map: this.target.texture, color: 0x000000, opacity: 0.5, transparent: true, depthWrite: false,
       toneMapped: false, side: THREE.BackSide,
     });
-    // what was seen from below is laid down mirrored, to be looked at from above
+    // the picture from below is mirrored, because it is seen from above
     this.plane = new THREE.Mesh(new THREE.PlaneGeometry(across, across), shown);
     this.plane.rotation.x = Math.PI / 2;
     this.plane.position.set(middle.x, -size * 0.0006, middle.z);
     this.plane.renderOrder = -1;
   }
 
-  /** Draws the shadow of what stands in the scene now, but for nodes that throw none. */
+  /** Draws the shadow of the scene without the given nodes. */
   draw(hidden) {
     const { renderer, scene } = this;
     const shown = hidden.filter((node) => node.visible);

@@ -12,7 +12,7 @@ from artgen.view.overlays import axis_poses, collider_mesh, joint_symbol
 
 Color = tuple[int, int, int]
 
-SIGNS = {
+SYMBOLS = {
     "colliders": "colliders",
     "joints": "joint axes and limits",
     "grasps": "grasp frames",
@@ -33,7 +33,7 @@ _SMOOTH = 0.985  # cosine of the angle between faces below which their common ed
 _FRAME = 0.04  # length of the axes of a grasp frame, as a share of the asset's size
 
 
-class Signs:
+class Symbols:
     """Symbols over an asset: colliders, joints, grasp frames, centers of mass."""
 
     def __init__(self, scene: Any) -> None:
@@ -46,7 +46,7 @@ class Signs:
 
     def clear(self) -> None:
         """Remove all symbols; the display options stay."""
-        for kind in SIGNS:
+        for kind in SYMBOLS:
             self._remove(kind)
 
     def show(self, asset: Asset, q: Mapping[str, float]) -> None:
