@@ -1,7 +1,7 @@
 """Behind closed doors: a refrigerator's drawers wait for its doors, and its certificate knows."""
 
 import artgen
-from artgen.validate.hands.force import hand_forces
+from artgen.validate.hands.motion import hand_forces
 
 fridge = artgen.generate("refrigerator", seed=3, layout="bottom_freezer", outer_drawers=1, crispers=1)
 door, drawer = fridge.joint("door_hinge"), fridge.joint("inner_drawer_slide_0")

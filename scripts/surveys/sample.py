@@ -98,7 +98,7 @@ def _checks(chosen: Sequence[tuple[str, Callable[[], CheckResult]]]) -> dict[str
 
 def _forces(asset: Asset) -> dict[str, float]:
     """Return the force with which a hand moves each joint [N]."""
-    from artgen.validate.hands.force import hand_forces
+    from artgen.validate.hands.motion import hand_forces
 
     return {name: _rounded(force) for name, force in hand_forces(asset).items()}
 

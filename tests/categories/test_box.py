@@ -12,7 +12,7 @@ from artgen import Asset, Cache
 from artgen.categories.box import box
 from artgen.categories.box.board import LAYER, THICK
 from artgen.errors import InfeasibleError
-from artgen.validate.hands.force import hand_forces
+from artgen.validate.hands.motion import hand_forces
 
 MAJOR = {"flap_front_hinge", "flap_back_hinge"}
 MINOR = {"flap_left_hinge", "flap_right_hinge"}

@@ -10,7 +10,7 @@ from manifold3d import Manifold, OpType
 
 from artgen import Asset, Cache, InfeasibleError
 from artgen.categories.cabinet import cabinet
-from artgen.validate.hands.force import hand_forces
+from artgen.validate.hands.motion import hand_forces
 
 
 def solid(asset: Asset, link: str, *labels: str, **q: float) -> Manifold:

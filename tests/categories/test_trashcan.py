@@ -9,7 +9,7 @@ from manifold3d import Manifold, OpType
 
 from artgen import Asset, Cache, InfeasibleError
 from artgen.categories.trashcan import trashcan
-from artgen.validate.hands.force import hand_forces
+from artgen.validate.hands.motion import hand_forces
 from artgen.validate.solids import check_solids
 from artgen.validate.tree import check_tree
 

@@ -18,11 +18,10 @@ from artgen.proof.certify import certify
 from artgen.proof.recheck import recheck
 from artgen.validate.behavior import check_behavior
 from artgen.validate.behavior.drive import Servo
-from artgen.validate.behavior.model import Simulation, fixed_model
-from artgen.validate.behavior.motion import JointMotion
+from artgen.validate.behavior.model import JointMotion, Simulation, fixed_model
 from artgen.validate.behavior.settle import start_poses
 from artgen.validate.hands import check_grasps
-from artgen.validate.hands.force import MOST_FORCE, hand_forces
+from artgen.validate.hands.motion import MOST_FORCE, hand_forces
 from artgen.validate.tree import check_tree
 from support.appliances import fridge, washer
 from support.proof_fridges import evaluated

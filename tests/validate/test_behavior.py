@@ -19,7 +19,7 @@ from artgen.asset import AssetCondition as Condition
 from artgen.asset.report import CheckResult, Finding
 from artgen.graph import evaluate
 from artgen.validate.behavior import check_behavior
-from artgen.validate.behavior.conditions import isolated, negation, state_for
+from artgen.validate.joints import isolated, negation, state_for
 
 OAK, STEEL = material("oak"), material("steel")
 

@@ -301,7 +301,7 @@ def test_a_joint_that_no_hand_moves_is_a_fault_unless_the_asset_has_no_hands_at_
     (found,) = faults(two.generate(certify=False))
     assert found == (
         "joint hinge: no grasp or push moves it; "
-        "give lid or what hangs on it a grasp or a push, or say what moves it: driven=..."
+        "give lid or a link behind it a grasp or a push, or name its actuator: driven=..."
     )
     by_motor = two.generate(driven="a motor", certify=False)
     assert not faults(by_motor)

@@ -1,44 +1,26 @@
-"""Check of solids and masses: closed surfaces, orientation, slivers, duplicates, plausible weight."""
+"""Check of solids: closed surfaces, orientation, slivers, duplicates, gaps, and weights of the materials."""
 
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
+from functools import partial
 from itertools import groupby
 
 import numpy as np
 from manifold3d import Manifold, OpType
+from scipy.cluster.hierarchy import DisjointSet
 from scipy.spatial import cKDTree
 
+from artgen._arrays import Array
 from artgen.asset import Asset, Link
 from artgen.asset.collision import link_parts
-from artgen.asset.report import CheckResult, Finding
+from artgen.asset.report import AGAIN, CheckResult, Finding, Severity
 from artgen.asset.shells import LinkShells, Shell, point_text, skins
 from artgen.errors import ArtgenError
 
-_CHECK = "solids"
-_ROUNDING = 1e-3  # relative tolerance; meshes in files are rounded to 0.1 micrometre
-
-
-def weight_findings(link: Link) -> Iterator[Finding]:
-    """Yield a mass outside the range of the densities of the link's materials.
-
-    If all solids of a link have the same density, the range is one value.
-    """
-    parts = link_parts(link)
-    if not parts:
-        return
-    volume = Manifold.batch_boolean([part.solid for part in parts], OpType.Add).volume()
-    labels = {part.label for part in parts}
-    densities = {part.material.density for part in parts}
-    densities |= {surface.material.density for surface in link.surfaces if surface.label in labels}
-    least, most = (density * volume for density in (min(densities), max(densities)))
-    mass = link.mass_properties.mass
-    if not least * (1.0 - _ROUNDING) <= mass <= most * (1.0 + _ROUNDING):
-        span = f"{least:.5g}" if least == most else f"{least:.5g} to {most:.5g}"
-        message = f"its mass is {mass:.5g} kg, but its solids of {1e6 * volume:.5g} cm^3 weigh {span} kg"
-        yield Finding(_CHECK, message, link.name, value=mass, unit="kg", hint="export the asset again")
-
-
 CHECK = "solids"
+
+JOINED = 0.5e-3
+"""Largest gap between connected solids of a link [m]."""
 
 THINNEST = 0.05e-3
 """Mean thickness below which a solid is a sliver [m]."""
@@ -46,10 +28,15 @@ THINNEST = 0.05e-3
 SMALLEST = 1e-11
 """Volume below which a solid is a sliver [m^3]."""
 
+_FAR = 10.0  # largest measured gap [m]
 _MANY_FLAT = 0.25  # share of flat triangles that clean booleans never exceed
 _SAME_PLACE = 1e-6  # distance between the centers of possible duplicates [m]
 _SAME_VOLUME = 1e-3  # relative volume difference of duplicates
 _INSIDE = 0.5  # winding number around a point: 1 inside, 0 outside
+_ROUNDING = 1e-3  # relative tolerance; meshes in files are rounded to 0.1 micrometre
+_FORMATS = "urdf or mjcf among the formats"
+
+_fault = partial(Finding, CHECK)
 
 
 def check_solids(asset: Asset) -> CheckResult:
@@ -61,28 +48,27 @@ def check_solids(asset: Asset) -> CheckResult:
             found = skins(link)
         except ArtgenError as error:
             absent += isinstance(error.__context__, FileNotFoundError)
-            hint = "export the asset again with urdf or mjcf among the formats"
-            findings.append(Finding(CHECK, f"its meshes cannot be read: {error}", link.name, hint=hint))
+            message = f"its meshes cannot be read: {error}"
+            findings.append(_fault(message, link.name, hint=f"{AGAIN} with {_FORMATS}"))
             continue
-        wrong = list(link_findings(link, found))
+        wrong = list(_link_findings(link, found))
         if not wrong:
             # labels whose meshes do not close, which the check of colliders reports
             with suppress(ArtgenError):
-                wrong = list(weight_findings(link))
+                wrong = list(_weight_findings(link))
         findings += wrong
         solids += sum(len(skin.shells) for skin in found)
         triangles += sum(skin.triangles for skin in found)
     if absent == len(asset.links):
-        return CheckResult(CHECK, skipped="no mesh files; export it with urdf or mjcf among the formats")
-    return CheckResult(
-        CHECK, tuple(findings), f"{len(asset.links)} links, {solids} solids, {triangles} triangles"
-    )
+        return CheckResult(CHECK, skipped=f"no mesh files; export it with {_FORMATS}")
+    detail = f"{len(asset.links)} links, {solids} solids, {triangles} triangles"
+    return CheckResult(CHECK, tuple(findings), detail)
 
 
-def link_findings(link: Link, found: Sequence[LinkShells]) -> Iterator[Finding]:
+def _link_findings(link: Link, found: Sequence[LinkShells]) -> Iterator[Finding]:
     """Yield the faults of the surfaces of a link."""
     if not found:
-        yield Finding(CHECK, "it has no surface", link.name, hint="give the link a solid")
+        yield _fault("it has no surface", link.name, hint="give the link a solid")
     for skin in found:
         yield from _surface_findings(link, skin)
     shells = [shell for skin in found if skin.closed for shell in skin.shells]
@@ -97,28 +83,41 @@ def _surface_findings(link: Link, skin: LinkShells) -> Iterator[Finding]:
     name = f"solid {skin.label!r}" if skin.label else "its mesh"
     at = f"first at {point_text(skin.place)}"
     if not skin.finite:
-        message = f"{name} has coordinates that are not finite"
-        yield Finding(CHECK, message, link.name, hint="look for a division by 0 in its measures")
+        message, hint = "has coordinates that are not finite", "look for a division by 0 in its measures"
+        yield _fault(f"{name} {message}", link.name, hint=hint)
         return
     if not skin.triangles:
-        yield Finding(CHECK, f"{name} has no triangles", link.name, hint="the boolean left nothing of it")
+        yield _fault(f"{name} has no triangles", link.name, hint="the boolean left nothing of it")
         return
-    if skin.open_edges:
-        message = f"{name} is not closed: {skin.open_edges} edges have a face on one side only, {at}"
-        yield _counted(message, link, skin.open_edges, "close the surface, or export the asset again")
-    if skin.turned_edges:
-        message = f"{name} has {skin.turned_edges} edges whose faces are wound against each other, {at}"
-        yield _counted(message, link, skin.turned_edges, "wind all triangles counter-clockwise from outside")
-    if skin.against:
-        message = f"{name} has {skin.against} triangles that lean away from their normals, {at}"
-        hint = "a corner was moved or a winding turned; normals stand within 60 degrees of their faces"
-        yield _counted(message, link, skin.against, hint)
-    if skin.doubled:
-        message = f"{name} has {skin.doubled} triangles that lie on others of the same winding"
-        yield _counted(message, link, skin.doubled, "a solid is there twice: remove one")
-    if skin.flat > _MANY_FLAT * skin.triangles:
-        message = f"{name} has {skin.flat} triangles without area of {skin.triangles}"
-        yield _counted(message, link, skin.flat, "cut it with fewer coplanar faces")
+    for count, message, hint in (
+        (
+            skin.open_edges,
+            f"is not closed: {skin.open_edges} edges have a face on one side only, {at}",
+            "close the surface, or export the asset again",
+        ),
+        (
+            skin.turned_edges,
+            f"has {skin.turned_edges} edges whose faces are wound against each other, {at}",
+            "wind all triangles counter-clockwise from outside",
+        ),
+        (
+            skin.against,
+            f"has {skin.against} triangles that lean away from their normals, {at}",
+            "a corner was moved or a winding turned; normals stand within 60 degrees of their faces",
+        ),
+        (
+            skin.doubled,
+            f"has {skin.doubled} triangles that lie on others of the same winding",
+            "a solid is there twice: remove one",
+        ),
+        (
+            skin.flat if skin.flat > _MANY_FLAT * skin.triangles else 0,
+            f"has {skin.flat} triangles without area of {skin.triangles}",
+            "cut it with fewer coplanar faces",
+        ),
+    ):
+        if count:
+            yield _fault(f"{name} {message}", link.name, value=float(count), hint=hint)
 
 
 def _orientation_findings(link: Link, shells: Sequence[Shell]) -> Iterator[Finding]:
@@ -128,37 +127,24 @@ def _orientation_findings(link: Link, shells: Sequence[Shell]) -> Iterator[Findi
             continue
         around = sum(other.winds_around(shell.points[0]) for other in shells if other is not shell)
         if around < _INSIDE:
-            yield Finding(
-                CHECK,
+            message = (
                 f"solid {shell.label!r} at {point_text(shell.center)} is turned inside out: "
-                f"its volume is {1e6 * shell.volume:.4g} cm^3",
-                link.name,
-                value=shell.volume,
-                unit="m^3",
-                hint="wind its triangles counter-clockwise seen from outside",
+                f"its volume is {1e6 * shell.volume:.4g} cm^3"
             )
+            hint = "wind its triangles counter-clockwise seen from outside"
+            yield _fault(message, link.name, value=shell.volume, unit="m^3", hint=hint)
 
 
 def _sliver_findings(link: Link, shell: Shell) -> Iterator[Finding]:
-    place = point_text(shell.bounds.mean(axis=0))
+    name = f"solid {shell.label!r} at {point_text(shell.bounds.mean(axis=0))}"
     if shell.thickness < THINNEST:
-        yield Finding(
-            CHECK,
-            f"solid {shell.label!r} at {place} is a sliver, {1e3 * shell.thickness:.4g} mm thick on average",
-            link.name,
-            value=shell.thickness,
-            unit="m",
-            hint=f"let solids overlap or keep apart, not graze; at least {1e3 * THINNEST:g} mm",
-        )
+        message = f"{name} is a sliver, {1e3 * shell.thickness:.4g} mm thick on average"
+        hint = f"let solids overlap or keep apart, not graze; at least {1e3 * THINNEST:g} mm"
+        yield _fault(message, link.name, value=shell.thickness, unit="m", hint=hint)
     elif abs(shell.volume) < SMALLEST:
-        yield Finding(
-            CHECK,
-            f"solid {shell.label!r} at {place} is a crumb of {1e9 * shell.volume:.4g} mm^3",
-            link.name,
-            value=shell.volume,
-            unit="m^3",
-            hint=f"cut deeper or leave it out; at least {1e9 * SMALLEST:g} mm^3",
-        )
+        message = f"{name} is a crumb of {1e9 * shell.volume:.4g} mm^3"
+        hint = f"cut deeper or leave it out; at least {1e9 * SMALLEST:g} mm^3"
+        yield _fault(message, link.name, value=shell.volume, unit="m^3", hint=hint)
 
 
 def _duplicate_findings(link: Link, shells: Sequence[Shell]) -> Iterator[Finding]:
@@ -173,15 +159,82 @@ def _duplicate_findings(link: Link, shells: Sequence[Shell]) -> Iterator[Finding
         difference = (a.manifold - b.manifold).volume() + (b.manifold - a.manifold).volume()
         if difference <= _SAME_VOLUME * a.volume:
             names = f"{a.label!r}" if a.label == b.label else f"{a.label!r} and {b.label!r}"
-            yield Finding(
-                CHECK,
-                f"solid {names} at {point_text(a.center)} is there twice, {1e6 * a.volume:.4g} cm^3 each",
-                link.name,
-                value=a.volume,
-                unit="m^3",
-                hint="weld it once",
+            message = (
+                f"solid {names} at {point_text(a.center)} is there twice, {1e6 * a.volume:.4g} cm^3 each"
             )
+            yield _fault(message, link.name, value=a.volume, unit="m^3", hint="weld it once")
 
 
-def _counted(message: str, link: Link, count: int, hint: str) -> Finding:
-    return Finding(CHECK, message, link.name, value=float(count), hint=hint)
+def _weight_findings(link: Link) -> Iterator[Finding]:
+    """Yield a mass outside the range of the densities of the link's materials."""
+    parts = link_parts(link)
+    if not parts:
+        return
+    volume = Manifold.batch_boolean([part.solid for part in parts], OpType.Add).volume()
+    labels = {part.label for part in parts}
+    densities = {part.material.density for part in parts}
+    densities |= {surface.material.density for surface in link.surfaces if surface.label in labels}
+    least, most = min(densities) * volume, max(densities) * volume
+    mass = link.mass_properties.mass
+    if not least * (1.0 - _ROUNDING) <= mass <= most * (1.0 + _ROUNDING):
+        span = f"{least:.5g}" if least == most else f"{least:.5g} to {most:.5g}"
+        message = f"its mass is {mass:.5g} kg, but its solids of {1e6 * volume:.5g} cm^3 weigh {span} kg"
+        yield _fault(message, link.name, value=mass, unit="kg", hint=AGAIN)
+
+
+def floating_findings(link: Link) -> Iterator[Finding]:
+    """Yield each group of solids of a link that is farther from the rest than `JOINED`."""
+    shells = [shell for skin in skins(link) for shell in skin.solids]
+    groups = _groups(shells)
+    largest = max(groups, key=lambda group: sum(shell.volume for shell in group), default=[])
+    for group in groups:
+        if group is largest:
+            continue
+        gap, part, other = _nearest(group, [shell for each in groups if each is not group for shell in each])
+        center = point_text(part.bounds.mean(axis=0))
+        several = f" with {len(group) - 1} more solids" if len(group) > 1 else ""
+        message = (
+            f"solid {part.label!r} at {center}{several} floats {1e3 * gap:.3g} mm away from {other.label!r}"
+        )
+        hint = link.separate or (
+            "let it overlap what carries it, make it a link of its own, or say why they "
+            "are apart with part(..., separate=...)"
+        )
+        severity: Severity = "note" if link.separate else "fault"
+        yield Finding("tree", message, link.name, value=gap, unit="m", hint=hint, severity=severity)
+
+
+def _groups(shells: Sequence[Shell]) -> list[list[Shell]]:
+    """Return the groups of connected solids."""
+    apart = _box_gaps(shells, shells)
+    first, second = np.nonzero(np.triu(apart <= JOINED, 1))
+    groups = DisjointSet(range(len(shells)))
+    # nearest boxes first: most overlap, and pairs that are already connected cost nothing
+    for index in np.argsort(apart[first, second], kind="stable"):
+        a, b = int(first[index]), int(second[index])
+        if not groups.connected(a, b):
+            gap = shells[a].manifold.min_gap(shells[b].manifold, 2.0 * JOINED)
+            if gap <= JOINED:
+                groups.merge(a, b)
+    return [[shells[number] for number in sorted(group)] for group in groups.subsets()]
+
+
+def _box_gaps(a: Sequence[Shell], b: Sequence[Shell]) -> Array:
+    """Return the distances between bounding boxes, shape (n, m) [m]."""
+    first, second = (np.array([shell.bounds for shell in shells]).reshape(-1, 2, 3) for shells in (a, b))
+    apart = np.maximum(first[:, None, 0] - second[None, :, 1], second[None, :, 0] - first[:, None, 1])
+    return np.asarray(np.linalg.norm(np.maximum(apart, 0.0), axis=2))
+
+
+def _nearest(group: Sequence[Shell], others: Sequence[Shell]) -> tuple[float, Shell, Shell]:
+    """Return the smallest gap between two groups of solids, and the two solids."""
+    apart = _box_gaps(group, others)
+    best = (_FAR, group[0], others[0])
+    for index in np.argsort(apart, axis=None, kind="stable"):
+        first, second = (int(number) for number in np.unravel_index(index, apart.shape))
+        if apart[first, second] >= best[0]:
+            break
+        gap = float(group[first].manifold.min_gap(others[second].manifold, best[0]))
+        if gap < best[0]:
+            best = (gap, group[first], others[second])
+    return best

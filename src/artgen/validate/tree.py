@@ -1,102 +1,21 @@
-"""Check of the tree of links: connected solids, joints and masses."""
+"""Check of the tree of links: connected solids, names, masses, and joints with their dependencies."""
 
+import math
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping
+from functools import partial
 
 import numpy as np
 
-from artgen._arrays import Array
 from artgen._names import is_identifier
-from artgen.asset import Asset, Grasp, Link
+from artgen.asset import Asset, AssetJoint, Grasp, Link
 from artgen.asset.collision import mesh_precision
+from artgen.asset.joint import DYNAMICS
 from artgen.asset.report import CheckResult, Finding
-from artgen.asset.shells import Shell, point_text, skins
 from artgen.errors import ArtgenError, nearest
-from artgen.validate.joints import joint_findings
-
-JOINED = 0.5e-3
-"""Largest gap between connected solids of a link [m]."""
-
-_FAR = 10.0  # largest measured gap [m]
-
-
-def floating_findings(link: Link) -> Iterator[Finding]:
-    """Yield each group of solids of a link that is farther from the rest than `JOINED`."""
-    shells = [shell for skin in skins(link) for shell in skin.solids]
-    groups = _groups(shells)
-    largest = max(groups, key=lambda group: sum(shells[number].volume for number in group), default=[])
-    for group in groups:
-        if group is largest:
-            continue
-        others = [number for number in range(len(shells)) if number not in set(group)]
-        gap, part, other = _nearest(
-            [shells[number] for number in group], [shells[number] for number in others]
-        )
-        center = point_text(part.bounds.mean(axis=0))
-        several = f" with {len(group) - 1} more solids" if len(group) > 1 else ""
-        yield Finding(
-            "tree",
-            f"solid {part.label!r} at {center}{several} floats {1e3 * gap:.3g} mm away from {other.label!r}",
-            link.name,
-            value=gap,
-            unit="m",
-            hint=link.separate
-            or "let it overlap what carries it, make it a link of its own, or say why they "
-            "are apart with part(..., separate=...)",
-            severity="note" if link.separate else "fault",
-        )
-
-
-def _groups(shells: Sequence[Shell]) -> list[list[int]]:
-    """Return the numbers of connected solids."""
-    count = len(shells)
-    group = list(range(count))
-
-    def leader(number: int) -> int:
-        while group[number] != number:
-            group[number] = group[group[number]]
-            number = group[number]
-        return number
-
-    apart = _box_gaps(shells, shells)
-    first, second = np.nonzero(np.triu(apart <= JOINED, 1))
-    # nearest boxes first: most overlap, and pairs that are already connected cost nothing
-    for index in np.argsort(apart[first, second], kind="stable"):
-        a, b = leader(int(first[index])), leader(int(second[index]))
-        if a != b and _joined(shells[first[index]], shells[second[index]]):
-            group[max(a, b)] = min(a, b)
-    result: dict[int, list[int]] = {}
-    for number in range(count):
-        result.setdefault(leader(number), []).append(number)
-    return list(result.values())
-
-
-def _box_gaps(a: Sequence[Shell], b: Sequence[Shell]) -> Array:
-    """Return the distances between bounding boxes, shape (n, m) [m]."""
-    if not a or not b:
-        return np.zeros((len(a), len(b)))
-    first, second = (np.array([shell.bounds for shell in shells]) for shells in (a, b))
-    apart = np.maximum(first[:, None, 0] - second[None, :, 1], second[None, :, 0] - first[:, None, 1])
-    return np.asarray(np.linalg.norm(np.maximum(apart, 0.0), axis=2))
-
-
-def _joined(a: Shell, b: Shell) -> bool:
-    return bool(a.manifold.min_gap(b.manifold, 2.0 * JOINED) <= JOINED)
-
-
-def _nearest(group: Sequence[Shell], others: Sequence[Shell]) -> tuple[float, Shell, Shell]:
-    """Return the smallest gap between two groups of solids, and the two solids."""
-    apart = _box_gaps(group, others)
-    best = (_FAR, group[0], others[0])
-    for index in np.argsort(apart, axis=None, kind="stable"):
-        first, second = (int(number) for number in np.unravel_index(index, apart.shape))
-        if apart[first, second] >= best[0]:
-            break
-        gap = float(group[first].manifold.min_gap(others[second].manifold, best[0]))
-        if gap < best[0]:
-            best = (gap, group[first], others[second])
-    return best
-
+from artgen.export.frames import leader_of
+from artgen.validate.joints import force_unit, is_possible, negation, place, unit
+from artgen.validate.solids import floating_findings
 
 CHECK = "tree"
 
@@ -104,16 +23,20 @@ LIGHTEST, HEAVIEST = 5.0, 20000.0
 """Range of plausible mean densities of a link: foam to tungsten [kg/m^3]."""
 
 _ROUNDING = 1e-9  # relative tolerance of moments of inertia
-_GRASP = 1e-6  # tolerance of a grasp's axes
+_EXACT = 1e-6  # tolerance of axes; relative for coupled ranges
+_LEAST_RANGE = 1e-6  # smaller ranges count as locked joints that are not declared so [rad or m]
+
+Interval = tuple[float, float]
+
+_fault = partial(Finding, CHECK)
 
 
 def check_tree(asset: Asset) -> CheckResult:
     """Check the tree of an asset: names, labels, joints, masses, and floating parts."""
     if not asset.links:
-        finding = Finding(CHECK, "the asset has no links", hint="generate it again")
-        return CheckResult(CHECK, (finding,))
+        return CheckResult(CHECK, (_fault("the asset has no links", hint="generate it again"),))
     findings = [*_structure_findings(asset), *_name_findings(asset), *_label_findings(asset)]
-    findings += joint_findings(asset)
+    findings += _joint_findings(asset)
     for link in asset.links:
         findings += _grasp_findings(link)
         try:
@@ -122,95 +45,83 @@ def check_tree(asset: Asset) -> CheckResult:
         except ArtgenError as error:
             # the check of solids reports missing files
             message = f"its connection and mass cannot be judged: {error}"
-            findings.append(Finding(CHECK, message, link.name, severity="note"))
+            findings.append(_fault(message, link.name, severity="note"))
     return CheckResult(CHECK, tuple(findings), f"{len(asset.links)} links, {len(asset.joints)} joints")
 
 
 def _structure_findings(asset: Asset) -> Iterator[Finding]:
     """Yield the faults of the tree of links, whose root is the first link."""
-    known = {link.name for link in asset.links}
-    position = {link.name: number for number, link in reversed(list(enumerate(asset.links)))}
+    names = [link.name for link in asset.links]
     parents: dict[str, str] = {}
     for joint in asset.joints:
-        ends = [end for end in (joint.parent, joint.child) if end not in known]
+        parent, child = joint.parent, joint.child
+        ends = [end for end in (parent, child) if end not in names]
         for end in ends:
-            message = f"it joins {end!r}, which is no link.{nearest(end, known)}"
-            yield Finding(CHECK, message, joint=joint.name, hint="name a link of the asset")
+            message = f"it joins {end!r}, which is no link.{nearest(end, names)}"
+            yield _fault(message, joint=joint.name, hint="name a link of the asset")
         if ends:
             continue
-        if joint.child in parents and parents[joint.child] != joint.parent:
-            message = f"it hangs on {parents[joint.child]!r} and on {joint.parent!r}; a link has one parent"
-            yield Finding(CHECK, message, joint.child, joint.name, hint="attach it once")
-        elif position[joint.parent] >= position[joint.child]:
-            message = (
-                f"its parent {joint.parent!r} does not come before it; the links go round or are in disorder"
-            )
-            yield Finding(CHECK, message, joint.child, joint.name, hint="list parents before their children")
-        parents.setdefault(joint.child, joint.parent)
-    root = asset.links[0].name
+        if parents.setdefault(child, parent) != parent:
+            message = f"it hangs on {parents[child]!r} and on {parent!r}; a link has one parent"
+            yield _fault(message, child, joint.name, hint="attach it once")
+        elif names.index(parent) >= names.index(child):
+            message = f"its parent {parent!r} does not come before it; the links go round or are in disorder"
+            yield _fault(message, child, joint.name, hint="list parents before their children")
+    root, *others = names
     if root in parents:
-        yield Finding(
-            CHECK, f"the base hangs on {parents[root]!r}", root, hint="list the link without a parent first"
+        yield _fault(
+            f"the base hangs on {parents[root]!r}", root, hint="list the link without a parent first"
         )
-    for link in asset.links[1:]:
-        if link.name not in parents:
+    for name in others:
+        if name not in parents:
             message = "no joint joins it to the others: the asset has more than one root"
-            yield Finding(CHECK, message, link.name, hint="attach it to a parent, or weld it")
+            yield _fault(message, name, hint="attach it to a parent, or weld it")
 
 
 def _name_findings(asset: Asset) -> Iterator[Finding]:
-    grasps = [hold.name for link in asset.links for hold in (*link.grasps, *link.pushes)]
-    kinds = {
-        "link": [link.name for link in asset.links],
-        "joint": [joint.name for joint in asset.joints],
-        "grasp": grasps,
-    }
-    for kind, names in kinds.items():
-        for name, count in Counter(names).items():
-            link, joint = name if kind == "link" else "", name if kind == "joint" else ""
-            if count > 1:
-                message = f"{count} {kind}s are named {name!r}"
-                yield Finding(CHECK, message, link, joint, float(count), hint="give each a name of its own")
-            if not is_identifier(name):
-                message = f"the {kind} name {name!r} is no identifier"
-                yield Finding(CHECK, message, link, joint, hint="use letters, digits and _")
+    names = [("link", link.name) for link in asset.links] + [("joint", joint.name) for joint in asset.joints]
+    names += [("grasp", hold.name) for link in asset.links for hold in (*link.grasps, *link.pushes)]
+    for (kind, name), count in Counter(names).items():
+        link, joint = (name if kind == each else "" for each in ("link", "joint"))
+        if count > 1:
+            message = f"{count} {kind}s are named {name!r}"
+            yield _fault(message, link, joint, float(count), hint="give each a name of its own")
+        if not is_identifier(name):
+            message = f"the {kind} name {name!r} is no identifier"
+            yield _fault(message, link, joint, hint="use letters, digits and _")
 
 
 def _label_findings(asset: Asset) -> Iterator[Finding]:
-    if not asset.labels:
-        return
-    for link in asset.links:
+    for link in asset.links if asset.labels else ():
         for label in link.labels:
             if label not in asset.labels:
                 message = f"its label {label!r} is not declared by category {asset.category!r}"
                 hint = f"declare it in @category(labels=...).{nearest(label, asset.labels)}"
-                yield Finding(CHECK, message, link.name, hint=hint)
+                yield _fault(message, link.name, hint=hint)
 
 
 def _grasp_findings(link: Link) -> Iterator[Finding]:
     for grasp in (*link.grasps, *link.pushes):
         turn = grasp.frame[:3, :3]
         error = float(np.abs(turn.T @ turn - np.eye(3)).max())
-        if not (error <= _GRASP and np.linalg.det(turn) > 0.0 and np.isfinite(grasp.frame).all()):
+        if not (error <= _EXACT and np.linalg.det(turn) > 0.0 and np.isfinite(grasp.frame).all()):
             message = f"the axes of grasp {grasp.name!r} are no rotation: they miss it by {error:.3g}"
-            yield Finding(
-                CHECK, message, link.name, value=error, hint="make the frame of unit axes at right angles"
-            )
+            hint = "make the frame of unit axes at right angles"
+            yield _fault(message, link.name, value=error, hint=hint)
         if isinstance(grasp, Grasp) and not grasp.width > 0.0:
             message = f"grasp {grasp.name!r} has width {grasp.width:.4g} m"
-            yield Finding(
-                CHECK, message, link.name, value=grasp.width, unit="m", hint="give the opening of the fingers"
-            )
+            hint = "give the opening of the fingers"
+            yield _fault(message, link.name, value=grasp.width, unit="m", hint=hint)
 
 
 def _mass_findings(link: Link) -> Iterator[Finding]:
     """Yield impossible mass, center or inertia for the bounds of a link."""
     properties = link.mass_properties
     mass, inertia = properties.mass, properties.inertia
-    finite = np.isfinite(mass) and np.isfinite(properties.center).all() and np.isfinite(inertia).all()
+    finite = np.isfinite([mass, *properties.center, *inertia.ravel()]).all()
     if not (finite and mass > 0.0):
         message = f"its mass is {mass:.4g} kg, or its center or inertia is not finite"
-        yield Finding(CHECK, message, link.name, value=mass, unit="kg", hint="give it a solid with a density")
+        yield _fault(message, link.name, value=mass, unit="kg", hint="give it a solid with a density")
         return
     low, high = link.bounds()
     yield from _density_findings(link, mass, float(np.prod(high - low)))
@@ -218,38 +129,229 @@ def _mass_findings(link: Link) -> Iterator[Finding]:
     if (properties.center < low - slack).any() or (properties.center > high + slack).any():
         center = ", ".join(f"{value:.4g}" for value in properties.center)
         message = f"its center of mass ({center}) m lies outside its bounding box"
-        yield Finding(CHECK, message, link.name, hint="derive it from the solids")
-    moments = np.linalg.eigvalsh(inertia)
-    shown = ", ".join(f"{moment:.4g}" for moment in moments)
+        yield _fault(message, link.name, hint="derive it from the solids")
+    moments = [float(moment) for moment in np.linalg.eigvalsh(inertia)]
     if moments[0] <= 0.0 or moments[0] + moments[1] < moments[2] * (1.0 - _ROUNDING):
-        message = f"its principal moments {shown} kg m^2 are not those of a body"
+        text = ", ".join(f"{moment:.4g}" for moment in moments)
+        message = f"its principal moments {text} kg m^2 are not those of a body"
         hint = "each must be positive and no larger than the sum of the others"
-        yield Finding(CHECK, message, link.name, value=float(moments[0]), unit="kg m^2", hint=hint)
+        yield _fault(message, link.name, value=moments[0], unit="kg m^2", hint=hint)
     largest = mass * float(np.sum((high - low) ** 2))
     if moments[2] > largest:
         message = f"its moment {moments[2]:.4g} kg m^2 exceeds what its mass and size allow, {largest:.4g}"
-        yield Finding(
-            CHECK,
-            message,
-            link.name,
-            value=float(moments[2]),
-            unit="kg m^2",
-            hint="derive it from the solids",
-        )
+        yield _fault(message, link.name, value=moments[2], unit="kg m^2", hint="derive it from the solids")
 
 
-def _density_findings(link: Link, mass: float, room: float) -> Iterator[Finding]:
+def _density_findings(link: Link, mass: float, box: float) -> Iterator[Finding]:
     """Yield implausible mean densities; of the bounding box if the solids are unknown."""
     volume = sum(piece.shape.manifold.volume() for piece in link.pieces if not piece.visual)
-    what, size, least = ("solids", volume, LIGHTEST) if volume > 0.0 else ("bounding box", room, 0.0)
+    name, size, least = ("solids", volume, LIGHTEST) if volume > 0.0 else ("bounding box", box, 0.0)
     density = mass / size if size > 0.0 else np.inf
     # overlapping solids count twice in the volume, which makes the density too low by at most half
     if not 0.5 * least <= density <= HEAVIEST:
-        yield Finding(
-            CHECK,
-            f"its mass of {mass:.4g} kg makes a density of {density:.4g} kg/m^3 of its {what}",
-            link.name,
-            value=float(density),
-            unit="kg/m^3",
-            hint=f"between {LIGHTEST:g} and {HEAVIEST:g} is plausible; check material and measures",
+        message = f"its mass of {mass:.4g} kg makes a density of {density:.4g} kg/m^3 of its {name}"
+        hint = f"between {LIGHTEST:g} and {HEAVIEST:g} is plausible; check material and measures"
+        yield _fault(message, link.name, value=float(density), unit="kg/m^3", hint=hint)
+
+
+def _joint_findings(asset: Asset) -> Iterator[Finding]:
+    """Yield the faults of joints: numbers, springs, pivots, couplings and dependencies."""
+    joints = {joint.name: joint for joint in asset.joints}
+    for joint in asset.joints:
+        yield from _number_findings(joint)
+        yield from _spring_findings(joint)
+        yield from _pivot_findings(asset, joint)
+    wrong = [finding for joint in asset.joints for finding in _leader_findings(joint, joints)]
+    yield from wrong
+    if not wrong:  # otherwise nothing is known about the positions of followers
+        for joint in asset.joints:
+            yield from _coupling_findings(joint, joints)
+        yield from _dependency_findings(asset)
+
+
+def _number_findings(joint: AssetJoint) -> Iterator[Finding]:
+    fault = partial(_fault, joint=joint.name)
+    size = float(np.linalg.norm(joint.axis))
+    if not abs(size - 1.0) <= _EXACT:
+        yield fault(f"its axis has length {size:.6g}", value=size, hint="give a unit vector")
+    if not np.isfinite(joint.pivot).all():
+        yield fault("its pivot is not finite", hint="look for a division by 0 in its place")
+    for name in DYNAMICS:
+        value = getattr(joint, name)
+        positive = name in ("effort", "velocity")
+        if not math.isfinite(value) or (name != "rest" and value < 0.0) or (positive and value == 0.0):
+            hint = "positive number; simulators refuse 0" if positive else "number that is not negative"
+            yield fault(f"its {name} is {value:.6g}", value=value, hint=f"give a {hint}")
+    if joint.limits is None:
+        return
+    low, high = joint.limits
+    span = f"its limits are {_limits(joint)} {unit(joint)}"
+    if not (math.isfinite(low) and math.isfinite(high)):
+        yield fault(f"{span}, which is not finite", hint="leave limits out (None) where there are none")
+    elif low > high:
+        message, hint = f"{span}: the lower one comes first", "swap them, or turn the axis"
+        yield fault(message, value=high - low, unit=unit(joint), hint=hint)
+    elif low < high and high - low < _LEAST_RANGE:
+        message, hint = (
+            f"{span}: it cannot move, but is not locked",
+            "lock it with equal limits, or give it a range",
         )
+        yield fault(message, value=high - low, unit=unit(joint), hint=hint)
+
+
+def _spring_findings(joint: AssetJoint) -> Iterator[Finding]:
+    """Yield springs under tension in the whole range; a spring stronger than the effort is a fault."""
+    if joint.stiffness <= 0.0 or joint.limits is None or joint.locked:
+        return
+    low, high = joint.limits
+    tension = joint.stiffness * max(low - joint.rest, joint.rest - high)
+    if not tension > 0.0:
+        return
+    message = (
+        f"its spring rests at {place(joint, joint.rest)}, beyond its limits {low:.4g} to {high:.4g}: "
+        f"{tension:.4g} {force_unit(joint)} hold it at that end"
+    )
+    finding = partial(_fault, joint=joint.name, value=tension, unit=force_unit(joint))
+    if tension > joint.effort:
+        message += f", more than its effort of {joint.effort:.4g} {force_unit(joint)}"
+        yield finding(message, hint="bring the rest nearer to the limits, or raise the effort")
+    else:
+        yield finding(message, severity="note")
+
+
+def _pivot_findings(asset: Asset, joint: AssetJoint) -> Iterator[Finding]:
+    """Yield axes farther from both links than the size of the links."""
+    if joint.kind != "revolute" or not np.isfinite(joint.pivot).all():
+        return
+    try:
+        boxes = [asset.link(name).bounds() for name in (joint.parent, joint.child)]
+    except ArtgenError:
+        return  # other findings report unknown links and missing files
+    sizes = [float(np.linalg.norm(high - low)) for low, high in boxes]
+    gaps = [
+        float(np.linalg.norm(np.cross((low + high) / 2.0 - joint.pivot, joint.axis))) - size / 2.0
+        for (low, high), size in zip(boxes, sizes, strict=True)
+    ]
+    if all(gap > size for gap, size in zip(gaps, sizes, strict=True)):
+        message = f"its axis passes {joint.child!r} and {joint.parent!r} at a distance of {min(gaps):.4g} m"
+        hint = "take the pivot from the geometry: solid.anchor(...)"
+        yield _fault(message, joint=joint.name, value=min(gaps), unit="m", hint=hint)
+
+
+def _leader_findings(joint: AssetJoint, joints: Mapping[str, AssetJoint]) -> Iterator[Finding]:
+    """Yield unknown leaders, and couplings in a circle."""
+    follower, seen = joint, {joint.name}
+    while follower.follows is not None:
+        leader = joints.get(follower.follows.leader)
+        if leader is None or leader is follower:
+            if follower is joint:
+                name = follower.follows.leader
+                message = f"it follows {name!r}, which is no other joint of the asset"
+                hint = f"attach that joint as well.{nearest(name, joints.keys() - {joint.name})}"
+                yield _fault(message, joint=joint.name, hint=hint)
+            return
+        if leader.name in seen:
+            yield _fault("its couplings go round in a circle", joint=joint.name, hint="let one joint lead")
+            return
+        follower = leader
+        seen.add(leader.name)
+
+
+def _coupling_findings(joint: AssetJoint, joints: Mapping[str, AssetJoint]) -> Iterator[Finding]:
+    """Yield limits that differ from the range to which the leader takes a joint."""
+    if joint.follows is None:
+        return
+    leader = joints[joint.follows.leader]
+    expected = leader.limits and sorted(
+        joint.follows.ratio * end + joint.follows.offset for end in leader.limits
+    )
+    if joint.limits and expected:
+        slack = _EXACT * max(1.0, *map(abs, expected))
+        same = np.allclose(joint.limits, expected, rtol=0.0, atol=slack)
+    else:
+        same = joint.limits is None and expected is None
+    if not same:
+        span = f"{expected[0]:.6g} to {expected[1]:.6g}" if expected else "none"
+        message = f"its limits {_limits(joint)} are not those to which {leader.name!r} takes it, {span}"
+        yield _fault(message, joint=joint.name, unit=unit(joint), hint="leave its limits to the coupling")
+
+
+def _limits(joint: AssetJoint) -> str:
+    return "none" if joint.limits is None else f"{joint.limits[0]:.6g} to {joint.limits[1]:.6g}"
+
+
+def _range(joint: AssetJoint) -> str:
+    return f"{joint.name} is {'unlimited' if joint.limits is None else _limits(joint)}"
+
+
+def _dependency_findings(asset: Asset) -> Iterator[Finding]:
+    """Yield dependencies that cannot be satisfied, and those that forbid nothing."""
+    ranges = {joint.name: joint.limits or (-math.inf, math.inf) for joint in asset.joints}
+    waiting: list[AssetJoint] = []
+    for joint in asset.joints:
+        if joint.needs is None:
+            continue
+        fault, condition = partial(_fault, joint=joint.name), joint.needs.condition
+        others = [name for name in ranges if name != joint.name]
+        unknown = [name for name in condition.joints() if name not in others]
+        for name in unknown:
+            message = f"it needs {name!r}, which is no other joint of the asset"
+            yield fault(message, hint=f"name another joint.{nearest(name, others)}")
+        if unknown:
+            continue
+        where = ", ".join(_range(asset.joint(name)) for name in condition.joints())
+        yield from _slack_findings(joint, ranges[joint.name])
+        if not is_possible(asset, condition, ranges):
+            message = f"it needs {condition}, which its joints never reach: {where}"
+            yield fault(message, hint="turn the comparison round, or move the threshold into the limits")
+        elif not is_possible(asset, negation(condition, 0.0), ranges):
+            message = f"it needs {condition}, which holds everywhere: {where}"
+            yield fault(message, hint="turn the comparison round, or leave needs out")
+        else:
+            waiting.append(joint)
+    for joint in _stuck(asset, waiting, ranges):
+        message = f"it needs {joint.needs}, but those joints wait for it in turn: none can ever leave 0"
+        yield _fault(message, joint=joint.name, hint="let one of them move freely")
+
+
+def _slack_findings(joint: AssetJoint, limits: Interval) -> Iterator[Finding]:
+    """Yield impossible ranges of a dependency."""
+    assert joint.needs is not None
+    low, high = joint.needs.beyond, joint.needs.until
+    first, last = low or 0.0, math.inf if high is None else high
+    bounds = f"it needs {joint.needs.condition} beyond {first:.6g} and until {last:.6g} {unit(joint)}"
+    if (low is not None and not low > 0.0) or not first < last:
+        hint = "give positive positions, beyond below until, or leave them out"
+        yield _fault(f"{bounds}, where nothing lies between", joint=joint.name, hint=hint)
+    elif low is not None and low >= max(map(abs, limits)):
+        hint = "leave needs out, or take a position within the limits"
+        yield _fault(f"{bounds}, which it never reaches: {_range(joint)}", joint=joint.name, hint=hint)
+
+
+def _stuck(asset: Asset, joints: list[AssetJoint], ranges: Mapping[str, Interval]) -> list[AssetJoint]:
+    """Return the joints that can never leave their closed position or slack, from all joints closed."""
+    waiting = joints
+    while True:
+        held: dict[str, Interval] = {}
+        for joint in waiting:
+            head, low, high = _slack(asset, joint)
+            before = held.get(head, ranges[head])
+            held[head] = (max(low, before[0]), min(high, before[1]))
+        stuck = [
+            joint
+            for joint in waiting
+            if joint.needs is not None and not is_possible(asset, joint.needs.condition, {**ranges, **held})
+        ]
+        if stuck == waiting:
+            return waiting
+        waiting = stuck
+
+
+def _slack(asset: Asset, joint: AssetJoint) -> tuple[str, float, float]:
+    """Return the leader of a joint, and its range without the dependency."""
+    head, ratio, offset = leader_of(asset, joint)
+    closed = asset.joint(head).closed
+    if joint.needs is None or joint.needs.beyond is None or not ratio:
+        return head, closed, closed
+    ends = [(side * joint.needs.beyond - offset) / ratio for side in (-1.0, 1.0)]
+    return head, min(*ends, closed), max(*ends, closed)

@@ -1,6 +1,7 @@
 """Check of the behavior of an asset in MuJoCo: it stays, moves, springs back and blocks as declared."""
 
 import math
+from collections.abc import Iterator
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -10,8 +11,15 @@ from artgen.asset import Asset
 from artgen.asset.files import main_files
 from artgen.asset.report import CheckResult, Finding
 from artgen.validate.behavior.dependencies import block
-from artgen.validate.behavior.drive import conditions, drive, release
-from artgen.validate.behavior.model import CHECK, Simulation, collected_warnings, fixed_model, standing_model
+from artgen.validate.behavior.drive import drive, release
+from artgen.validate.behavior.model import (
+    CHECK,
+    Simulation,
+    collected_warnings,
+    fixed_model,
+    joint_finding,
+    standing_model,
+)
 from artgen.validate.behavior.settle import Settled, settle
 
 
@@ -51,42 +59,31 @@ def _check(asset: Asset, directory: Path) -> CheckResult:
         except (KeyError, ValueError) as error:
             # MuJoCo names the faulty element; a joint or link that is missing in the file is a KeyError
             reason = " ".join(str(error.args[0] if error.args else error).split())
-            return CheckResult(
-                CHECK, (Finding(CHECK, f"MuJoCo cannot use {path.name}: {reason}", hint="export it again"),)
-            )
-        wrong = _disagreements(simulation)
+            finding = Finding(CHECK, f"MuJoCo cannot use {path.name}: {reason}", hint="export it again")
+            return CheckResult(CHECK, (finding,))
+        wrong = tuple(_disagreements(simulation))
         return CheckResult(CHECK, wrong) if wrong else _simulate(simulation, standing)
 
 
-def _disagreements(simulation: Simulation) -> tuple[Finding, ...]:
-    """Return the joints whose limits differ between the file and the asset."""
-    findings = []
-    model = simulation.model
+def _disagreements(simulation: Simulation) -> Iterator[Finding]:
+    """Yield the joints whose limits differ between the file and the asset."""
+    model, unlimited = simulation.model, (-math.inf, math.inf)
     for joint in simulation.asset.joints:
         if joint.locked:
             continue
         number = model.joint(joint.name).id
-        low, high = model.jnt_range[number] if model.jnt_limited[number] else (-math.inf, math.inf)
-        expected = joint.limits or (-math.inf, math.inf)
-        if not np.allclose((low, high), expected, rtol=1e-6, atol=1e-9):
-            findings.append(
-                Finding(
-                    CHECK,
-                    f"has the range {low:.6g} to {high:.6g} in the file, and {expected[0]:.6g} to "
-                    f"{expected[1]:.6g} in the asset",
-                    link=joint.child,
-                    joint=joint.name,
-                    hint="export it again",
-                )
-            )
-    return tuple(findings)
+        found = model.jnt_range[number] if model.jnt_limited[number] else unlimited
+        expected = joint.limits or unlimited
+        if not np.allclose(found, expected, rtol=1e-6, atol=1e-9):
+            spans = ["{:.6g} to {:.6g}".format(*limits) for limits in (found, expected)]
+            message = f"has the range {spans[0]} in the file, and {spans[1]} in the asset"
+            yield joint_finding(joint, message, "export it again")
 
 
 def _simulate(simulation: Simulation, standing: Simulation | None) -> CheckResult:
-    settled = settle(simulation) if standing is None else settle(standing, stands=True)
+    settled = settle(standing or simulation, stands=standing is not None)
     findings = list(settled.findings.values())
-    motions = list(simulation.motions.values())
-    for motion in motions:
+    for motion in simulation.motions.values():
         findings += drive(simulation, motion)
         findings += release(simulation, motion)
         findings += block(simulation, motion)
@@ -97,19 +94,13 @@ def _simulate(simulation: Simulation, standing: Simulation | None) -> CheckResul
 
 def _detail(simulation: Simulation, settled: Settled) -> str:
     motions = list(simulation.motions.values())
-    sprung = sum(motion.stiffness > 0.0 for motion in motions)
-    depend = sum(bool(conditions(motion)) for motion in motions)
-    coupled = sum(len(motion.members) - 1 for motion in motions)
+    counts = {
+        "sprung back": sum(motion.stiffness > 0.0 for motion in motions),
+        "pushed while blocked": sum(any(each.needs for each in motion.members) for motion in motions),
+        "couplings watched": sum(len(motion.members) - 1 for motion in motions),
+    }
     parts = [f"let go in {settled.poses} poses", f"{len(motions)} joints driven"]
-    parts += [
-        text
-        for number, text in (
-            (sprung, f"{sprung} sprung back"),
-            (depend, f"{depend} pushed while blocked"),
-            (coupled, f"{coupled} couplings watched"),
-        )
-        if number
-    ]
+    parts += [f"{count} {text}" for text, count in counts.items() if count]
     if settled.movers:
         parts.append(f"moved by gravity or springs: {', '.join(sorted(settled.movers))}")
     return "; ".join(parts)

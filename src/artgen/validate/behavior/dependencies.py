@@ -6,10 +6,9 @@ from dataclasses import dataclass
 
 from artgen.asset import AssetCondition, AssetDependency, AssetJoint
 from artgen.asset.report import Finding
-from artgen.validate.behavior.conditions import isolated, state_for
 from artgen.validate.behavior.drive import Held
-from artgen.validate.behavior.model import CHECK, Simulation, UnstableError
-from artgen.validate.behavior.motion import JointMotion, force, length, place, unit
+from artgen.validate.behavior.model import JointMotion, Simulation, UnstableError, joint_finding
+from artgen.validate.joints import force, isolated, length, place, state_for
 
 _PUSHES = {"revolute": 20.0, "prismatic": 50.0}  # pushing force [N m or N]
 _PUSH_TIME, _RAMP_TIME = 1.0, 0.25  # duration of a push, and of its growth [s]
@@ -41,15 +40,9 @@ def _block(
                 return [found]
     if tried:
         return []
-    return [
-        Finding(
-            CHECK,
-            f"needs {needs.condition}, which holds wherever the other joints stand",
-            link=joint.child,
-            joint=joint.name,
-            hint="leave the dependency out, or turn its comparison round",
-        )
-    ]
+    message = f"needs {needs.condition}, which holds wherever the other joints stand"
+    hint = "leave the dependency out, or turn its comparison round"
+    return [joint_finding(joint, message, hint)]
 
 
 def _ways(motion: JointMotion) -> list[int]:
@@ -197,34 +190,19 @@ class _Push:
         return min(play, self.needs.until - (self.needs.beyond or 0.0))
 
     def _fault(self, furthest: float) -> Finding:
-        simulation, joint = self.simulation, self.joint
-        touching = simulation.touching(self.motion)
-        message = f"{self._moves(furthest)}, though it needs {self.needs}"
-        message += f"; {touching[0]} touch, and give way" if touching else "; nothing touches it"
-        return Finding(
-            CHECK,
-            message,
-            link=joint.child,
-            joint=joint.name,
-            value=furthest,
-            unit=unit(joint),
-            pose=simulation.pose(),
-            hint="no file format knows dependencies: a part, such as a latch, has to stand in its way",
-        )
+        touching = self.simulation.touching(self.motion)
+        contact = f"{touching[0]} touch, and give way" if touching else "nothing touches it"
+        message = f"{self._moves(furthest)}, though it needs {self.needs}; {contact}"
+        hint = "no file format knows dependencies: a part, such as a latch, has to stand in its way"
+        return joint_finding(self.joint, message, hint, furthest, self.simulation.pose())
 
     def _note(self, furthest: float, along: list[str]) -> Finding:
         others = " and ".join(along)
-        return Finding(
-            CHECK,
-            f"is blocked only if somebody holds {others}: {self._moves(furthest)}, and takes {others} along",
-            link=self.joint.child,
-            joint=self.joint.name,
-            value=furthest,
-            unit=unit(self.joint),
-            pose=self.simulation.asset.positions(self.state),
-            hint=f"where they move together, {self.needs} does not hold and nothing is proven",
-            severity="note",
-        )
+        moves = f"{self._moves(furthest)}, and takes {others} along"
+        message = f"is blocked only if somebody holds {others}: {moves}"
+        hint = f"where they move together, {self.needs} does not hold and nothing is proven"
+        pose = self.simulation.asset.positions(self.state)
+        return joint_finding(self.joint, message, hint, furthest, pose, "note")
 
     def _moves(self, furthest: float) -> str:
         states = ", ".join(f"{name} at {position:.4g}" for name, position in self.state.items())

@@ -2,14 +2,11 @@
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
 
-from artgen.asset import AssetCondition
-from artgen.asset.report import Finding
-from artgen.validate.behavior.conditions import state_for
-from artgen.validate.behavior.model import CHECK, Simulation, UnstableError
-from artgen.validate.behavior.motion import JointMotion, force, length, place, unit
+from artgen.asset.report import Finding, Severity
+from artgen.validate.behavior.model import JointMotion, Simulation, UnstableError, joint_finding
 from artgen.validate.behavior.settle import REST_SPEED, REST_TIME, SETTLE_TIME
+from artgen.validate.joints import force, length, needed_conditions, place, state_for
 
 _TRAVEL_TIME = 1.5  # time for the whole range [s]
 _STUCK_TIME = 0.4  # time without progress at full force before giving up [s]
@@ -87,10 +84,9 @@ class Held:
     """Joints that are held where the conditions of another joint are satisfied."""
 
     def __init__(self, simulation: Simulation, q: Mapping[str, float]) -> None:
-        self._servos = [
-            (Servo(simulation, simulation.motions[name], simulation.motions[name].joint.effort), position)
-            for name, position in q.items()
-        ]
+        motions = [simulation.motions[name] for name in q]
+        servos = [Servo(simulation, motion, motion.joint.effort) for motion in motions]
+        self._servos = list(zip(servos, q.values(), strict=True))
 
     def step(self) -> None:
         """Set the forces of the next time step."""
@@ -100,35 +96,26 @@ class Held:
 
 def needed_state(simulation: Simulation, motion: JointMotion) -> dict[str, float] | None:
     """Find positions of other joints at which a joint may move; None if there are none."""
-    return state_for(simulation.asset, conditions(motion), ignore=motion.name)
-
-
-def conditions(motion: JointMotion) -> list[AssetCondition]:
-    """Return the conditions for the motion of a joint and its followers."""
-    return [member.needs.condition for member in motion.members if member.needs is not None]
+    conditions = needed_conditions(simulation.asset, motion.name)
+    return state_for(simulation.asset, conditions, ignore=motion.name)
 
 
 def drive(simulation: Simulation, motion: JointMotion) -> list[Finding]:
     """Drive a joint from its closed position to both ends by its own effort."""
     state = needed_state(simulation, motion)
     if state is None:
-        needs = " and ".join(str(condition) for condition in conditions(motion))
-        return [
-            _finding(
-                motion,
-                f"can never move: no position of the other joints satisfies {needs}",
-                "keep the condition within the limits of the joints that it names",
-            )
-        ]
+        needs = " and ".join(map(str, needed_conditions(simulation.asset, motion.name)))
+        message = f"can never move: no position of the other joints satisfies {needs}"
+        hint = "keep the condition within the limits of the joints that it names"
+        return [joint_finding(motion.joint, message, hint)]
     closed = motion.joint.closed
-    ends = sorted(motion.limits, key=lambda end: -abs(end - closed))
     findings: list[Finding] = []
     begin = True
-    for end in ends:
+    for end in sorted(motion.limits, key=lambda end: -abs(end - closed)):
         if begin:
             simulation.begin(state, f"{motion.name} is driven")
         try:
-            found = _Travel(simulation, motion, Held(simulation, state), end).run()
+            found = _travel(simulation, motion, Held(simulation, state), end)
         except UnstableError:
             break
         begin = found is not None
@@ -136,75 +123,54 @@ def drive(simulation: Simulation, motion: JointMotion) -> list[Finding]:
     return findings
 
 
-@dataclass
-class _Travel:
-    """Motion to one end."""
+def _travel(simulation: Simulation, motion: JointMotion, held: Held, end: float) -> Finding | None:
+    """Drive to one end; return the fault if the end is not reached."""
+    servo = Servo(simulation, motion, motion.joint.effort)
+    begun = simulation.position(motion)
+    speed = math.copysign(min(motion.range / _TRAVEL_TIME, motion.joint.velocity), end - begun)
+    best, stuck = abs(end - begun), 0.0
+    most = max(_MOST_TIME, 2.0 * motion.range / abs(speed))
+    for _ in range(round(most / simulation.step_time)):
+        left = abs(end - simulation.position(motion))
+        if left <= _REACHED * motion.range:
+            return None
+        if left < best - _PROGRESS * motion.range:
+            best, stuck = left, 0.0
+        elif abs(servo.force) >= 0.999 * servo.bound:
+            stuck += simulation.step_time
+        if stuck > _STUCK_TIME:
+            break
+        held.step()
+        servo.move(speed)
+        simulation.step()
+    return _travel_fault(simulation, motion, begun, end)
 
-    simulation: Simulation
-    motion: JointMotion
-    held: Held
-    end: float
 
-    def run(self) -> Finding | None:
-        """Drive to the end; return the fault if the end is not reached."""
-        simulation, motion = self.simulation, self.motion
-        joint = motion.joint
-        servo = Servo(simulation, motion, joint.effort)
-        begun = simulation.position(motion)
-        speed = math.copysign(min(motion.range / _TRAVEL_TIME, joint.velocity), self.end - begun)
-        best, stuck = abs(self.end - begun), 0.0
-        most = max(_MOST_TIME, 2.0 * motion.range / abs(speed))
-        for _ in range(round(most / simulation.step_time)):
-            left = abs(self.end - simulation.position(motion))
-            if left <= _REACHED * motion.range:
-                return None
-            if left < best - _PROGRESS * motion.range:
-                best, stuck = left, 0.0
-            elif abs(servo.force) >= 0.999 * servo.bound:
-                stuck += simulation.step_time
-            if stuck > _STUCK_TIME:
-                break
-            self.held.step()
-            servo.move(speed)
-            simulation.step()
-        return self._fault(begun)
-
-    def _fault(self, begun: float) -> Finding:
-        simulation, motion = self.simulation, self.motion
-        joint, here = motion.joint, simulation.position(motion)
-        beyond = (here - self.end) * math.copysign(1.0, self.end - begun)
-        if beyond > _REACHED * motion.range:
-            return self._overspeed(here, begun)
-        touching = simulation.touching(motion)
-        way = abs(here - begun) if abs(self.end - here) < abs(self.end - begun) else 0.0
-        message = (
-            f"driven with {force(joint, joint.effort)} from {place(joint, begun)} to "
-            f"{place(joint, self.end)}, it stops at {place(joint, here)}, "
-            f"after {100 * way / abs(self.end - begun):.3g} % of the way"
-        )
-        if touching:
-            message += f", where contact holds it: {'; '.join(touching)}"
-            hint = "make room between them, or say with needs= where other joints have to stand first"
-        else:
-            load = simulation.load(motion)
-            message += (
-                f", where gravity, springs and damping pull with {force(joint, load)} "
-                f"and friction holds with {force(joint, motion.friction)}"
-            )
-            hint = "give the joint more effort, or weaken its spring, friction or damping"
-        return _finding(motion, message, hint, value=here, pose=simulation.pose())
-
-    def _overspeed(self, here: float, begun: float) -> Finding:
-        joint = self.motion.joint
-        message = (
-            f"driven with {force(joint, joint.effort)} from {place(joint, begun)} to "
-            f"{place(joint, self.end)}, it flies through that limit to {place(joint, here)}"
-        )
+def _travel_fault(simulation: Simulation, motion: JointMotion, begun: float, end: float) -> Finding:
+    joint, here = motion.joint, simulation.position(motion)
+    message = (
+        f"driven with {force(joint, joint.effort)} from {place(joint, begun)} to {place(joint, end)}, it "
+    )
+    if (here - end) * math.copysign(1.0, end - begun) > _REACHED * motion.range:
+        message += f"flies through that limit to {place(joint, here)}"
         hint = (
             "give it a smaller effort=, about 60 N times the lever arm of a hand, or more armature: "
             "simulators yield where a force is large for what it moves"
         )
-        return _finding(self.motion, message, hint, value=here, pose=self.simulation.pose())
+        return joint_finding(joint, message, hint, here, simulation.pose())
+    way = abs(here - begun) if abs(end - here) < abs(end - begun) else 0.0
+    message += f"stops at {place(joint, here)}, after {100 * way / abs(end - begun):.3g} % of the way, where "
+    touching = simulation.touching(motion)
+    if touching:
+        message += f"contact holds it: {'; '.join(touching)}"
+        hint = "make room between them, or say with needs= where other joints have to stand first"
+    else:
+        message += (
+            f"gravity, springs and damping pull with {force(joint, simulation.load(motion))} "
+            f"and friction holds with {force(joint, motion.friction)}"
+        )
+        hint = "give the joint more effort, or weaken its spring, friction or damping"
+    return joint_finding(joint, message, hint, here, simulation.pose())
 
 
 def release(simulation: Simulation, motion: JointMotion) -> list[Finding]:
@@ -212,7 +178,8 @@ def release(simulation: Simulation, motion: JointMotion) -> list[Finding]:
     state = needed_state(simulation, motion)
     if motion.stiffness <= 0.0 or state is None:
         return []
-    low, high = motion.limits if motion.joint.limits is not None else _around(motion.rest)
+    quarter = math.pi / 2.0
+    low, high = motion.joint.limits or (motion.rest - quarter, motion.rest + quarter)
     target = min(max(motion.rest, low), high)
     width = max(_RETURNED * (high - low), motion.friction / motion.stiffness)
     findings = []
@@ -221,109 +188,61 @@ def release(simulation: Simulation, motion: JointMotion) -> list[Finding]:
             continue
         simulation.begin({**state, motion.name: end}, f"{motion.name} springs back")
         try:
-            found = _Return(simulation, motion, Held(simulation, state), end, target, width).run()
+            swing = _swing(simulation, motion, Held(simulation, state))
         except UnstableError:
             continue
-        findings += [found] if found is not None else []
+        moving = swing > _RETURNED * motion.range
+        if moving or abs(simulation.position(motion) - target) > width:
+            findings += _return_findings(simulation, motion, end, target, swing if moving else 0.0)
     return findings
 
 
-def _around(rest: float) -> tuple[float, float]:
-    return rest - math.pi / 2.0, rest + math.pi / 2.0
+def _swing(simulation: Simulation, motion: JointMotion, held: Held) -> float:
+    """Let a joint move until it is at rest; return its motion in the last half second [rad or m]."""
+    quiet, low, high = 0.0, math.inf, -math.inf
+    for _ in range(round(SETTLE_TIME / simulation.step_time)):
+        held.step()
+        simulation.step()
+        if simulation.data.time > SETTLE_TIME - 0.5:
+            here = simulation.position(motion)
+            low, high = min(low, here), max(high, here)
+        quiet = quiet + simulation.step_time if abs(simulation.speed(motion)) < REST_SPEED else 0.0
+        if quiet >= REST_TIME:
+            break
+    return high - low
 
 
-@dataclass
-class _Return:
-    """Return to the rest position of a spring."""
-
-    simulation: Simulation
-    motion: JointMotion
-    held: Held
-    end: float
-    target: float
-    width: float
-
-    def run(self) -> Finding | None:
-        """Release at the end of the range; return the contact that blocks the return."""
-        simulation, motion = self.simulation, self.motion
-        quiet, latest = 0.0, [math.inf, -math.inf]
-        for _ in range(round(SETTLE_TIME / simulation.step_time)):
-            self.held.step()
-            simulation.step()
-            if simulation.data.time > SETTLE_TIME - 0.5:
-                here = simulation.position(motion)
-                latest = [min(latest[0], here), max(latest[1], here)]
-            quiet = quiet + simulation.step_time if abs(simulation.speed(motion)) < REST_SPEED else 0.0
-            if quiet >= REST_TIME:
-                break
-        here = simulation.position(motion)
-        swing = latest[1] - latest[0]
-        if swing > _RETURNED * motion.range:
-            slow = motion.damping**2 > 4.0 * motion.stiffness * simulation.inertia(motion)
-            return self._finding(
-                here,
-                f"still moves by {length(motion.joint, swing)} in half a second, "
-                f"{SETTLE_TIME:g} s after it was let go",
-                "make the spring stiffer, or damp it less" if slow else "give it more damping",
-            )
-        if abs(here - self.target) <= self.width:
-            return None
-        return self._stopped(here)
-
-    def _stopped(self, here: float) -> Finding | None:
-        simulation, motion = self.simulation, self.motion
-        joint = motion.joint
-        missing = f"stands at {place(joint, here)} {SETTLE_TIME:g} s after its spring should have taken it "
-        missing += f"to {place(joint, self.target)}"
-        spring = motion.stiffness * (motion.rest - here)
-        weight = simulation.weight(motion)
-        carried = -weight * math.copysign(1.0, spring)
-        if abs(spring + weight) <= motion.friction and carried > 0.5 * abs(spring):
-            return None  # the spring balances the weight, like that of a door that stays in place
-        towards = math.copysign(1.0, spring) * (spring + weight)
-        if towards <= motion.friction + 0.02 * abs(spring) and abs(spring) > motion.friction:
-            finding = self._finding(
-                here,
-                f"{missing}: its weight pulls with {force(joint, weight)} against {force(joint, spring)} "
-                "of the spring",
-                "make the spring stiffer, if it is to lift the part",
-            )
-            return Finding(**{**vars(finding), "severity": "note"})
-        touching = simulation.touching(motion)
-        if touching:
-            return self._finding(here, f"{missing}: {touching[0]} hold it", "make room between them")
-        return self._finding(
-            here,
-            f"{missing}: {force(joint, spring)} of the spring against {force(joint, motion.friction)} "
-            f"of friction and {motion.joint.damping:.3g} of damping",
-            "make the spring stiffer, or lower friction or damping",
-        )
-
-    def _finding(self, here: float, message: str, hint: str) -> Finding:
-        return _finding(
-            self.motion,
-            f"let go at {place(self.motion.joint, self.end)}, it {message}",
-            hint,
-            value=here,
-            pose=self.simulation.pose(),
-        )
-
-
-def _finding(
-    motion: JointMotion,
-    message: str,
-    hint: str,
-    *,
-    value: float | None = None,
-    pose: Mapping[str, float] | None = None,
-) -> Finding:
-    return Finding(
-        CHECK,
-        message,
-        link=motion.joint.child,
-        joint=motion.name,
-        value=value,
-        unit="" if value is None else unit(motion.joint),
-        pose=pose or {},
-        hint=hint,
+def _return_findings(
+    simulation: Simulation, motion: JointMotion, end: float, target: float, swing: float
+) -> list[Finding]:
+    """Return the reason why a joint still swings, or has not returned to the target of its spring."""
+    joint, here = motion.joint, simulation.position(motion)
+    spring, weight = motion.stiffness * (motion.rest - here), simulation.weight(motion)
+    sense = math.copysign(1.0, spring)
+    if not swing and abs(spring + weight) <= motion.friction and -weight * sense > 0.5 * abs(spring):
+        return []  # the spring balances the weight, like that of a door that stays in place
+    missing = (
+        f"stands at {place(joint, here)} {SETTLE_TIME:g} s after its spring should have taken it "
+        f"to {place(joint, target)}: "
     )
+    severity: Severity = "fault"
+    if swing:
+        message = (
+            f"still moves by {length(joint, swing)} in half a second, {SETTLE_TIME:g} s after it was let go"
+        )
+        slow = motion.damping**2 > 4.0 * motion.stiffness * simulation.inertia(motion)
+        hint = "make the spring stiffer, or damp it less" if slow else "give it more damping"
+    elif sense * (spring + weight) <= motion.friction + 0.02 * abs(spring) and abs(spring) > motion.friction:
+        weights = f"{force(joint, weight)} against {force(joint, spring)} of the spring"
+        message = f"{missing}its weight pulls with {weights}"
+        hint, severity = "make the spring stiffer, if it is to lift the part", "note"
+    elif touching := simulation.touching(motion):
+        message, hint = f"{missing}{touching[0]} hold it", "make room between them"
+    else:
+        message = (
+            f"{missing}{force(joint, spring)} of the spring against {force(joint, motion.friction)} "
+            f"of friction and {joint.damping:.3g} of damping"
+        )
+        hint = "make the spring stiffer, or lower friction or damping"
+    message = f"let go at {place(joint, end)}, it {message}"
+    return [joint_finding(joint, message, hint, here, simulation.pose(), severity)]

@@ -1,18 +1,19 @@
-"""An exported asset in MuJoCo: loading, joints by name, couplings, contacts."""
+"""An exported asset in MuJoCo: loading, joints with their followers, couplings, contacts."""
 
-from collections.abc import Iterator, Mapping
+import math
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from artgen._arrays import Array, cached_property
-from artgen.asset import Asset, AssetCondition
-from artgen.asset.report import Finding
-from artgen.validate.behavior.motion import JointMotion, length, motions_of, unit
+from artgen._arrays import Array, Indices, cached_property
+from artgen.asset import Asset, AssetCondition, AssetJoint
+from artgen.asset.report import Finding, Severity
+from artgen.export.frames import coupling
+from artgen.validate.joints import length, unit
 
 
 @contextmanager
@@ -61,6 +62,105 @@ _COUPLING_SHARE = 0.01  # tolerance of a follower, as a share of its range
 _BRIEF = 0.05  # duration of impacts, during which the tolerance is larger [s]
 _BLOW = 5.0  # factor of the tolerance during impacts
 _FLOOR = "the floor"
+_TRAVEL = 1.0  # examined length of a slide without limits [m]
+
+
+def joint_finding(
+    joint: AssetJoint,
+    message: str,
+    hint: str = "",
+    value: float | None = None,
+    pose: Mapping[str, float] | None = None,
+    severity: Severity = "fault",
+) -> Finding:
+    """Return a finding about a joint; the value is a position of the joint [rad or m]."""
+    name = "" if value is None else unit(joint)
+    return Finding(CHECK, message, joint.child, joint.name, value, name, pose or {}, hint, severity)
+
+
+@dataclass(frozen=True, eq=False)
+class JointMotion:
+    """A free joint with its followers."""
+
+    joint: AssetJoint  # the free joint
+    members: tuple[AssetJoint, ...]  # the joint itself and those that follow it
+    ratios: Array  # motion of each member per motion of the joint, shape (n,)
+    offsets: Array  # position of each member while the joint is at 0, shape (n,)
+    positions: Indices  # indices of the members in MuJoCo's positions, shape (n,)
+    speeds: Indices  # indices of the members in MuJoCo's velocities and forces, shape (n,)
+    bodies: frozenset[int]  # MuJoCo's bodies that move with the joint
+
+    @property
+    def name(self) -> str:
+        """Name of the free joint."""
+        return self.joint.name
+
+    @cached_property
+    def at(self) -> int:
+        """Index of the free joint in MuJoCo's positions."""
+        return int(self.positions[0])
+
+    @cached_property
+    def dof(self) -> int:
+        """Index of the free joint in MuJoCo's velocities and forces."""
+        return int(self.speeds[0])
+
+    @property
+    def limits(self) -> tuple[float, float]:
+        """The examined range: without limits, a full turn or one metre [rad or m]."""
+        return self.joint.limits or (0.0, 2.0 * math.pi if self.joint.kind == "revolute" else _TRAVEL)
+
+    @cached_property
+    def range(self) -> float:
+        """Length of the examined range [rad or m]."""
+        return self.limits[1] - self.limits[0]
+
+    @cached_property
+    def friction(self) -> float:
+        """Dry friction of all members, felt at the joint [N m or N]."""
+        return float(np.abs(self.ratios) @ [member.friction for member in self.members])
+
+    @cached_property
+    def stiffness(self) -> float:
+        """Stiffness of all springs, felt at the joint [N m/rad or N/m]."""
+        return float(self.ratios**2 @ [member.stiffness for member in self.members])
+
+    @cached_property
+    def damping(self) -> float:
+        """Damping of all members, felt at the joint [N m s/rad or N s/m]."""
+        return float(self.ratios**2 @ [member.damping for member in self.members])
+
+    @cached_property
+    def rest(self) -> float:
+        """Rest position of the springs; valid only if there are springs [rad or m]."""
+        rests = np.array([member.rest for member in self.members]) - self.offsets
+        return float(self.ratios @ (rests * [member.stiffness for member in self.members])) / self.stiffness
+
+
+def motions_of(asset: Asset, model: Any) -> dict[str, JointMotion]:
+    """Return the free joints of an asset by name, with their indices in MuJoCo's model."""
+    for link in asset.links:
+        model.body(link.name)  # raises KeyError for a missing link
+    result = {}
+    for joint in asset.free_joints:
+        laws = [(other, coupling(asset, other)) for other in asset.joints]
+        led = [(other, law) for other, law in laws if law is not None and law.leader == joint.name]
+        members = (joint, *(other for other, _ in led))
+        found = [model.joint(member.name) for member in members]
+        bodies = {int(model.body(member.child).id) for member in members}
+        for body in range(model.nbody):  # parents come before their children
+            if int(model.body_parentid[body]) in bodies:
+                bodies.add(body)
+        result[joint.name] = JointMotion(
+            joint,
+            members,
+            np.array([1.0, *(law.ratio for _, law in led)]),
+            np.array([0.0, *(law.offset for _, law in led)]),
+            np.array([each.qposadr[0] for each in found]),
+            np.array([each.dofadr[0] for each in found]),
+            frozenset(bodies),
+        )
+    return result
 
 
 class UnstableError(Exception):
@@ -96,7 +196,15 @@ class Simulation:
         self._passive, self._bias = self.data.qfrc_passive, self.data.qfrc_bias
         self.applied = self.data.qfrc_applied
         self._warned = self.data.warning.number
-        self._followers = _Followers.of(self.motions)
+        self._places = {
+            joint.name: int(model.joint(joint.name).qposadr[0]) for joint in asset.joints if not joint.locked
+        }
+        self._labels = {
+            f"{link.name}_collider_{number}": collider.label
+            for link in asset.links
+            for number, collider in enumerate(link.colliders)
+        }
+        self._followers = _Followers(self.motions.values())
         self._watching = True
         self._noticed = 0
         self._findings: dict[tuple[str, str], Finding] = {}
@@ -110,8 +218,8 @@ class Simulation:
         self._watching = not jammed
         self._mujoco.mj_resetData(self.model, self.data)
         for name, position in self.asset.positions(q).items():
-            if not self.asset.joint(name).locked:
-                self.data.qpos[self.model.joint(name).qposadr[0]] = position
+            if name in self._places:
+                self.data.qpos[self._places[name]] = position
         self.doing = doing
         self._followers.lasting[:] = 0.0
         self._start = self.pose()
@@ -127,7 +235,7 @@ class Simulation:
         if len(self.warnings) > self._noticed or self._warned.any():
             self._notice_warnings()
         followers = self._followers
-        if followers.names and self._watching:
+        if followers.joints and self._watching:
             qpos = self._qpos
             off = np.abs(qpos[followers.at] - followers.ratios * qpos[followers.leaders] - followers.offsets)
             beyond = off > followers.allowed
@@ -155,12 +263,8 @@ class Simulation:
 
     def all_positions(self) -> dict[str, float]:
         """Return the positions of all joints [rad or m]."""
-        return {
-            joint.name: joint.closed
-            if joint.locked
-            else float(self.data.qpos[self.model.joint(joint.name).qposadr[0]])
-            for joint in self.asset.joints
-        }
+        locked = {joint.name: joint.closed for joint in self.asset.joints if joint.locked}
+        return locked | {name: float(self._qpos[place]) for name, place in self._places.items()}
 
     def holds(self, condition: AssetCondition) -> bool:
         """Tell whether the joint positions lie in a region."""
@@ -207,18 +311,10 @@ class Simulation:
 
     def geom(self, number: int) -> tuple[str, str]:
         """Return link and label of a collider; the label is empty if the file does not say it."""
-        name = self.model.geom(number).name
         body = int(self.model.geom_bodyid[number])
         if body == 0:
             return _FLOOR, ""
-        link = self.model.body(body).name
-        prefix = f"{link}_collider_"
-        index = name.removeprefix(prefix)
-        if name.startswith(prefix) and index.isdecimal():
-            colliders = self.asset.link(link).colliders
-            if int(index) < len(colliders):
-                return link, colliders[int(index)].label
-        return link, ""
+        return self.model.body(body).name, self._labels.get(self.model.geom(number).name, "")
 
     def depths(self) -> Array:
         """Return the depth of each contact, shape (n,) [m]."""
@@ -259,72 +355,46 @@ class Simulation:
         new, self._noticed = self.warnings[self._noticed :], len(self.warnings)
         for text in new:
             kind = text.split(" at DOF")[0].split(" Time =")[0]
-            self._findings.setdefault(
-                ("warning", kind),
-                Finding(
-                    CHECK,
-                    f"MuJoCo warns while {self.doing}: {text.strip()}",
-                    pose=self._start,
-                    hint="look for parts that overlap there, or for a mass or an armature that is too small",
-                ),
-            )
+            message = f"MuJoCo warns while {self.doing}: {text.strip()}"
+            hint = "look for parts that overlap there, or for a mass or an armature that is too small"
+            finding = Finding(CHECK, message, pose=self._start, hint=hint)
+            self._findings.setdefault(("warning", kind), finding)
         kinds = self._mujoco.mjtWarning
         bad = (kinds.mjWARN_BADQPOS, kinds.mjWARN_BADQVEL, kinds.mjWARN_BADQACC)
         if any(self._warned[int(kind)] for kind in bad):
             raise UnstableError
 
-    def _notice_couplings(self, off: Array, loose: NDArray[np.bool_]) -> None:
+    def _notice_couplings(self, off: Array, loose: Array) -> None:
         followers = self._followers
         for number in np.flatnonzero(loose):
-            name = followers.names[number]
-            joint = self.asset.joint(name)
+            joint = followers.joints[number]
             assert joint.follows is not None
             error = float(off[number])
-            share = _COUPLING_SHARE * error / float(followers.allowed[number])
-            self._findings["coupling", name] = Finding(
-                CHECK,
-                f"is {length(joint, error)} or {100 * share:.2g} % of its range off the position that "
-                f"{joint.follows.leader} gives it, while {self.doing}",
-                link=joint.child,
-                joint=name,
-                value=error,
-                unit=unit(joint),
-                pose=self.pose(),
-                hint="a coupling gives way where a part stands in its way, or where what it moves is much "
-                "heavier than what leads it; make room, or add armature to the leader",
+            share = 100.0 * _COUPLING_SHARE * error / float(followers.allowed[number])
+            message = (
+                f"is {length(joint, error)} or {share:.2g} % of its range off the position that "
+                f"{joint.follows.leader} gives it, while {self.doing}"
             )
+            hint = (
+                "a coupling gives way where a part stands in its way, or where what it moves is much "
+                "heavier than what leads it; make room, or add armature to the leader"
+            )
+            finding = joint_finding(joint, message, hint, error, self.pose())
+            self._findings["coupling", joint.name] = finding
 
 
-@dataclass
 class _Followers:
     """The coupled joints as arrays, one row each."""
 
-    names: list[str] = field(default_factory=list)
-    at: NDArray[np.int64] = field(default_factory=lambda: np.zeros(0, np.int64))
-    leaders: NDArray[np.int64] = field(default_factory=lambda: np.zeros(0, np.int64))
-    ratios: Array = field(default_factory=lambda: np.zeros(0))
-    offsets: Array = field(default_factory=lambda: np.zeros(0))
-    allowed: Array = field(default_factory=lambda: np.zeros(0))
-    worst: Array = field(default_factory=lambda: np.zeros(0))
-    lasting: Array = field(default_factory=lambda: np.zeros(0))
-
-    @staticmethod
-    def of(motions: Mapping[str, JointMotion]) -> "_Followers":
-        rows = [(motion, number) for motion in motions.values() for number in range(1, len(motion.members))]
-        if not rows:
-            return _Followers()
-        ratios = np.array([motion.ratios[number] for motion, number in rows])
-        ranges = np.array([motion.range for motion, _ in rows])
-        return _Followers(
-            [motion.members[number].name for motion, number in rows],
-            np.array([motion.positions[number] for motion, number in rows]),
-            np.array([motion.positions[0] for motion, _ in rows]),
-            ratios,
-            np.array([motion.offsets[number] for motion, number in rows]),
-            _COUPLING_SHARE * np.abs(ratios) * ranges,
-            np.zeros(len(rows)),
-            np.zeros(len(rows)),
-        )
+    def __init__(self, motions: Iterable[JointMotion]) -> None:
+        rows = [(motion, number) for motion in motions for number in range(1, len(motion.members))]
+        self.joints = [motion.members[number] for motion, number in rows]
+        self.at = np.array([motion.positions[number] for motion, number in rows], int)
+        self.leaders = np.array([motion.at for motion, _ in rows], int)
+        self.ratios = np.array([motion.ratios[number] for motion, number in rows])
+        self.offsets = np.array([motion.offsets[number] for motion, number in rows])
+        self.allowed = _COUPLING_SHARE * np.abs(self.ratios) * [motion.range for motion, _ in rows]
+        self.worst, self.lasting = np.zeros(len(rows)), np.zeros(len(rows))
 
 
 def piece(link: str, label: str) -> str:

@@ -2,15 +2,23 @@
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from contextlib import suppress
+from dataclasses import dataclass, field
 
 import numpy as np
 
 from artgen.asset import Asset, AssetCondition
-from artgen.asset.report import Finding
-from artgen.validate.behavior.conditions import state_for
-from artgen.validate.behavior.model import CHECK, Pieces, Simulation, UnstableError, piece
-from artgen.validate.behavior.motion import JointMotion, force, length, unit
+from artgen.asset.report import Finding, Severity
+from artgen.validate.behavior.model import (
+    CHECK,
+    JointMotion,
+    Pieces,
+    Simulation,
+    UnstableError,
+    joint_finding,
+    piece,
+)
+from artgen.validate.joints import force, length, state_for
 
 SETTLE_TIME = 5.0
 """Duration of the observation after the release [s]."""
@@ -31,17 +39,11 @@ _TILT = math.radians(2.0)  # drift of a base on the floor [m]
 
 @dataclass
 class Settled:
-    """Observations while an asset settles.
+    """Observations while an asset settles."""
 
-    Attributes:
-        findings: The worst finding of each kind and place.
-        movers: Names of the joints that gravity or a spring moves.
-        poses: Number of poses from which it was released.
-    """
-
-    findings: dict[tuple[str, ...], Finding] = field(default_factory=dict)
-    movers: set[str] = field(default_factory=set)
-    poses: int = 0
+    findings: dict[tuple[str, ...], Finding] = field(default_factory=dict)  # the worst of each kind and place
+    movers: set[str] = field(default_factory=set)  # joints that gravity or a spring moves
+    poses: int = 0  # number of poses from which it was released
 
     def add(self, finding: Finding, *kind: str) -> None:
         """Keep a finding if it is the worst of its kind and place."""
@@ -58,16 +60,13 @@ def settle(simulation: Simulation, *, stands: bool = False) -> Settled:
         stands: Whether its base stands free on a floor in the simulation.
     """
     result = Settled()
-    seen: list[dict[str, float]] = []
+    poses: list[dict[str, float]] = []
     for q in start_poses(simulation.asset, simulation.motions):
-        if q in seen:
-            continue
-        seen.append(q)
-        result.poses += 1
-        try:
-            _Run(simulation, q, stands, result).watch()
-        except UnstableError:
-            continue
+        if q not in poses:
+            poses.append(q)
+            with suppress(UnstableError):
+                _Run(simulation, q, stands, result).watch()
+    result.poses = len(poses)
     return result
 
 
@@ -78,12 +77,12 @@ def start_poses(asset: Asset, motions: Mapping[str, JointMotion]) -> Iterator[di
     racks halfway out over an open door.
     """
     for share in (0.0, 0.5, 1.0):
-        q = start_pose(asset, motions, share)
+        q = _start_pose(asset, motions, share, {})
         yield q
         stays = [motion for name, motion in motions.items() if q[name] == motion.joint.closed]
         freed = _freed(asset, stays) if share else {}
         if freed:
-            yield start_pose(asset, motions, share, freed)
+            yield _start_pose(asset, motions, share, freed)
 
 
 def _freed(asset: Asset, motions: Sequence[JointMotion]) -> dict[str, float]:
@@ -99,8 +98,8 @@ def _freed(asset: Asset, motions: Sequence[JointMotion]) -> dict[str, float]:
     return found
 
 
-def start_pose(
-    asset: Asset, motions: Mapping[str, JointMotion], share: float, given: Mapping[str, float] | None = None
+def _start_pose(
+    asset: Asset, motions: Mapping[str, JointMotion], share: float, given: Mapping[str, float]
 ) -> dict[str, float]:
     """Put each free joint at a share of its range from closed to open, except for blocked joints."""
     q = {}
@@ -109,7 +108,7 @@ def start_pose(
         closed = motion.joint.closed
         far = high if high - closed >= closed - low else low
         q[name] = {0.0: closed, 0.5: (low + high) / 2.0, 1.0: far}[share]
-    q |= given or {}
+    q |= given
     for _ in motions:
         blocked = set(asset.blocked(q))
         for name, motion in motions.items():
@@ -192,7 +191,7 @@ class _Run:
     def _judge(self, drift: _Drift, drifts: list[_Drift], *, carried: bool) -> None:
         """Record whether a joint moves without a cause."""
         simulation, motion = self.simulation, drift.motion
-        way = simulation.position(motion) - drift.start
+        way, allowed = simulation.position(motion) - drift.start, _DRIFTS[motion.joint.kind]
         if abs(way) > abs(drift.furthest):
             drift.furthest = way
         if drift.since is not None:
@@ -204,34 +203,29 @@ class _Run:
                 drift.causes |= self._directions(motion, pull)
         if drift.pushed and abs(simulation.speed(motion)) < _STILL:
             drift.pushed = []  # later motion has another cause
-        if abs(way) > _BEGUN * _DRIFTS[motion.joint.kind] and not drift.pushed and simulation.data.ncon:
+        if abs(way) > _BEGUN * allowed and not drift.pushed and simulation.data.ncon:
             moving = frozenset[int]().union(*(other.motion.bodies for other in drifts if other.causes))
             drift.pushed = simulation.touching(motion, moving - motion.bodies)
-        if abs(way) > _DRIFTS[motion.joint.kind] and int(math.copysign(1, way)) not in drift.causes:
+        if abs(way) > allowed and int(math.copysign(1, way)) not in drift.causes:
             drift.since = float(simulation.data.time)
             drift.touching = simulation.touching(motion)
 
     def _blame(self, drift: _Drift) -> None:
         joint = drift.motion.joint
-        finding = Finding(
-            CHECK,
-            f"moves by {length(joint, drift.furthest)} though nobody touches it: {drift.why}",
-            link=joint.child,
-            joint=joint.name,
-            value=drift.furthest,
-            unit=unit(joint),
-            pose=self.q,
-        )
+        message = f"moves by {length(joint, drift.furthest)} though nobody touches it: {drift.why}"
+        hint = ""
+        severity: Severity = "note" if drift.pushed else "fault"
         if drift.pushed:
-            message = f"is pushed by {length(joint, drift.furthest)} by what gravity or a spring moves"
-            finding = replace(finding, message=f"{message}: {drift.pushed[0]} touch", severity="note")
+            message = (
+                f"is pushed by {length(joint, drift.furthest)} by what gravity or a spring moves: "
+                f"{drift.pushed[0]} touch"
+            )
         elif drift.touching:
             hint = f"{drift.touching[0]} push each other apart: make room between them"
-            finding = replace(finding, hint=hint)
         elif drift.motion.friction:
             hint = "the file's friction creeps: write a harder solimpfriction and solreffriction"
-            finding = replace(finding, hint=hint)
-        self.result.add(finding, "drift", joint.name, finding.severity)
+        finding = joint_finding(joint, message, hint, drift.furthest, self.q, severity)
+        self.result.add(finding, "drift", joint.name, severity)
 
     def _judge_contacts(self) -> None:
         """Keep the deepest contacts that are too deep from the start or for longer than an impact."""
@@ -249,28 +243,22 @@ class _Run:
             if since > 0.0 and now - since < _IMPACT_TIME:
                 continue
             first, second = (piece(*each) for each in pieces)
-            finding = Finding(
-                CHECK,
-                f"{first} and {second} press {1e3 * depth:.3g} mm into each other after {now:.2g} s",
-                link=", ".join(link for link, _ in pieces),
-                value=depth,
-                unit="m",
-                pose=simulation.pose(),
-                hint="make room between them, or declare the contact with allow_contact and its depth",
-            )
+            message = f"{first} and {second} press {1e3 * depth:.3g} mm into each other after {now:.2g} s"
+            links = ", ".join(link for link, _ in pieces)
+            hint = "make room between them, or declare the contact with allow_contact and its depth"
+            finding = Finding(CHECK, message, links, "", depth, "m", simulation.pose(), hint)
             self.result.add(finding, "contact", first, second)
         self.deep = deep
 
     def _allowed(self, pieces: Pieces) -> float:
         """Return the allowed penetration of two pieces [m]."""
-        allowed = 0.0
-        for contact in self.simulation.asset.contacts:
-            named = tuple(zip(contact.links, contact.labels, strict=True))
-            if named not in (pieces, pieces[::-1]):
-                continue
-            if contact.when is None or self.simulation.holds(contact.when):
-                allowed = max(allowed, contact.depth)
-        return allowed
+        depths = (
+            contact.depth
+            for contact in self.simulation.asset.contacts
+            if tuple(zip(contact.links, contact.labels, strict=True)) in (pieces, pieces[::-1])
+            and (contact.when is None or self.simulation.holds(contact.when))
+        )
+        return max(depths, default=0.0)
 
     def _judge_tilt(self) -> None:
         simulation = self.simulation
@@ -279,13 +267,8 @@ class _Run:
         if upright >= math.cos(_TILT):
             return
         tilt = math.acos(max(-1.0, min(1.0, upright)))
-        finding = Finding(
-            CHECK,
-            f"tips over: after {simulation.data.time:.2g} s it leans by {math.degrees(tilt):.3g} degrees",
-            link=base,
-            value=tilt,
-            unit="rad",
-            pose=self.q,
-            hint="give it a wider or heavier base, or fix it to the world with base='fixed'",
-        )
+        degrees = f"{math.degrees(tilt):.3g} degrees"
+        message = f"tips over: after {simulation.data.time:.2g} s it leans by {degrees}"
+        hint = "give it a wider or heavier base, or fix it to the world with base='fixed'"
+        finding = Finding(CHECK, message, base, "", tilt, "rad", self.q, hint)
         self.result.add(finding, "tilt")

@@ -1,6 +1,7 @@
 """Check of grasps and pushes: a hand can approach, grasp, and move the joints."""
 
 from collections.abc import Collection, Iterator, Mapping
+from functools import partial
 
 import numpy as np
 
@@ -8,10 +9,17 @@ from artgen._arrays import Array
 from artgen.asset import Asset, AssetCondition
 from artgen.asset.affordance import GRIPPER, Affordance
 from artgen.asset.report import CheckResult, Finding
-from artgen.validate.hands.force import MOST_FORCE, hand_forces
-from artgen.validate.hands.motion import Reach, reach_of, tendency
-from artgen.validate.hands.space import HandSpace, Touch
-from artgen.validate.hands.states import Opened, openable, standing
+from artgen.validate.hands.motion import (
+    MOST_FORCE,
+    Opened,
+    Reach,
+    hand_forces,
+    openable,
+    reach_of,
+    standing,
+    tendency,
+)
+from artgen.validate.hands.space import HandSpace
 
 CHECK = "grasps"
 
@@ -52,12 +60,8 @@ def check_grasps(asset: Asset) -> CheckResult:
     free = [joint.name for joint in asset.free_joints if not joint.driven]
     found = asset.affordances
     if not found:
-        note = Finding(
-            CHECK,
-            f"no grasp or push moves {', '.join(free)}",
-            hint="give parts that hands move grasp=grasp_on(...) or push=push_on(...)",
-            severity="note",
-        )
+        hint = "give parts that hands move grasp=grasp_on(...) or push=push_on(...)"
+        note = Finding(CHECK, f"no grasp or push moves {', '.join(free)}", hint=hint, severity="note")
         return CheckResult(CHECK, (note,) if free else (), "no grasps, no pushes")
     space = HandSpace(asset)
     findings: list[Finding] = []
@@ -71,7 +75,10 @@ def check_grasps(asset: Asset) -> CheckResult:
         else:
             findings += _floor_findings(space, affordance, opened)
             findings += _motion_findings(space, affordance, opened, best)
-    findings = [each for each in findings if not _in_vain(each, best)]
+    # notes about a hand are irrelevant if another hand moves the joint all the way
+    findings = [
+        each for each in findings if each.severity == "fault" or best.get(each.joint, 0.0) < _NEARLY_ALL
+    ]
     findings += _joint_findings(asset, best, faulty)
     forces = hand_forces(asset)
     findings += _force_findings(asset, forces, faulty)
@@ -79,11 +86,6 @@ def check_grasps(asset: Asset) -> CheckResult:
     return CheckResult(
         CHECK, tuple(findings), f"{grasps} grasps, {len(found) - grasps} pushes{_most(forces)}"
     )
-
-
-def _in_vain(finding: Finding, best: Mapping[str, float]) -> bool:
-    """Tell whether a note about a hand is irrelevant: another hand moves the joint all the way."""
-    return finding.severity == "note" and best.get(finding.joint, 0.0) >= _NEARLY_ALL
 
 
 def _most(forces: Mapping[str, float]) -> str:
@@ -94,17 +96,15 @@ def _most(forces: Mapping[str, float]) -> str:
 def _force_findings(asset: Asset, forces: Mapping[str, float], faulty: Collection[str]) -> Iterator[Finding]:
     for name, force in forces.items():
         if force > MOST_FORCE and name not in faulty:
-            yield Finding(
-                CHECK,
+            message = (
                 f"a hand needs {force:.3g} N to move it against friction, springs and weight, more than "
-                f"{MOST_FORCE:.3g} N",
-                asset.joint(name).child,
-                name,
-                force,
-                "N",
-                hint="weaken friction or spring, balance the weight with a spring, or let the hand act "
-                "farther from the axis",
+                f"{MOST_FORCE:.3g} N"
             )
+            hint = (
+                "weaken friction or spring, balance the weight with a spring, or let the hand act "
+                "farther from the axis"
+            )
+            yield Finding(CHECK, message, asset.joint(name).child, name, force, "N", hint=hint)
 
 
 def _come(space: HandSpace, affordance: Affordance) -> tuple[Opened, list[Finding]]:
@@ -119,15 +119,17 @@ def _come(space: HandSpace, affordance: Affordance) -> tuple[Opened, list[Findin
             return {}, first
         opened[name] = where
         faults, struck = _faults(space, affordance, opened)
-    return opened, [_opened_note(affordance, opened)] if opened else []
+    message = f"{affordance.kind} {affordance.name}: a hand comes to it only where {_listed(opened)}"
+    note = Finding(CHECK, message, affordance.link, severity="note")
+    return opened, [note] if opened else []
 
 
 def _faults(space: HandSpace, affordance: Affordance, opened: Opened) -> Faults:
     pose = _pose(space.asset, affordance, opened)
     if pose is None:
         return [_fault(affordance, f"{_listed(opened)} cannot be", "come from another direction")], ""
-    kind = _grasp_faults if affordance.kind == "grasp" else _push_faults
-    return kind(space, affordance, pose)
+    faults = _grasp_faults if affordance.kind == "grasp" else _push_faults
+    return faults(space, affordance, pose)
 
 
 def _pose(asset: Asset, affordance: Affordance, opened: Opened) -> dict[str, Array] | None:
@@ -138,11 +140,6 @@ def _pose(asset: Asset, affordance: Affordance, opened: Opened) -> dict[str, Arr
     return asset.pose(q or {})
 
 
-def _opened_note(affordance: Affordance, opened: Opened) -> Finding:
-    text = f"{affordance.kind} {affordance.name}: a hand comes to it only where {_listed(opened)}"
-    return Finding(CHECK, text, affordance.link, severity="note")
-
-
 def _listed(opened: Opened) -> str:
     return " and ".join(str(condition) for condition in opened.values())
 
@@ -150,13 +147,8 @@ def _listed(opened: Opened) -> str:
 def _fault(
     affordance: Affordance, message: str, hint: str, value: float | None = None, joint: str = ""
 ) -> Finding:
-    text = f"{affordance.kind} {affordance.name}: {message}"
-    unit = "" if value is None else "m"
+    text, unit = f"{affordance.kind} {affordance.name}: {message}", "" if value is None else "m"
     return Finding(CHECK, text, affordance.link, joint, value, unit, hint=hint)
-
-
-def _struck(touch: Touch) -> str:
-    return f"{touch.link}/{touch.label}"
 
 
 def _mm(length: float) -> str:
@@ -173,7 +165,7 @@ def _grasp_faults(space: HandSpace, grasp: Affordance, pose: Mapping[str, Array]
     for name, box in GRIPPER.blocks(-half, half, COMES_FROM).items():
         touch = space.first_touch(box, frame, pose)
         if touch is not None:
-            message = f"on its way to the grasp the {name} strikes {_struck(touch)}"
+            message = f"on its way to the grasp the {name} strikes {touch}"
             hint = "move the frame, come from another direction, or make the width what the thing needs"
             return [_fault(grasp, message, hint)], touch.link
     between = GRIPPER.between(half)
@@ -185,7 +177,7 @@ def _grasp_faults(space: HandSpace, grasp: Affordance, pose: Mapping[str, Array]
     for touch, points in space.others_inside(between, frame, pose, grasp.link):
         ahead = max(float(points[:, 0].max()) - high, low - float(points[:, 0].min()))
         if ahead > -_PAD_GIVES / 10.0:
-            message = f"a closing finger touches {_struck(touch)} {_mm(max(ahead, 0.0))} before the link"
+            message = f"a closing finger touches {touch} {_mm(max(ahead, 0.0))} before the link"
             return [_fault(grasp, message, "move the frame away from it, or turn it", ahead)], touch.link
     return [*_width_faults(grasp, low, high), *_contact_faults(space, grasp, low, high)], ""
 
@@ -203,15 +195,11 @@ def _floor_findings(space: HandSpace, grasp: Affordance, opened: Opened) -> Iter
         corners = np.stack(np.meshgrid(*box.T), axis=-1).reshape(-1, 3)
         below = space.lowest - float((corners @ frame[2, :3]).min() + frame[2, 3])
         if below > _GRAZES:
-            yield Finding(
-                CHECK,
+            message = (
                 f"grasp {grasp.name}: the {name} reaches {_mm(below)} below the lowest point of the asset, "
-                "where the ground may be",
-                grasp.link,
-                value=below,
-                unit="m",
-                severity="note",
+                "where the ground may be"
             )
+            yield Finding(CHECK, message, grasp.link, value=below, unit="m", severity="note")
             return
 
 
@@ -230,9 +218,8 @@ def _width_faults(grasp: Affordance, low: float, high: float) -> Iterator[Findin
         yield _fault(grasp, message, f"make grasp_width {wanted:.4g}, or leave it out", grasp.width)
     if abs(middle) > _OFF_CENTRE + 1e-6:
         message = f"what is held is {_mm(abs(middle))} off the middle between the fingers"
-        yield _fault(
-            grasp, message, "move the frame along the closing direction, by at most 2 mm off", middle
-        )
+        hint = "move the frame along the closing direction, by at most 2 mm off"
+        yield _fault(grasp, message, hint, middle)
 
 
 def _contact_faults(space: HandSpace, grasp: Affordance, low: float, high: float) -> Iterator[Finding]:
@@ -247,9 +234,8 @@ def _contact_faults(space: HandSpace, grasp: Affordance, low: float, high: float
         across = float(patch[1, 0] - patch[0, 0])
         if min(along, across) < _HELD:
             message = f"of a pad only {_mm(max(along, 0.0))} by {_mm(across)} touch the link"
-            hint = (
-                f"move the frame along the approach or across; at least {_mm(_HELD)} have to be on each pad"
-            )
+            room = f"at least {_mm(_HELD)} have to be on each pad"
+            hint = f"move the frame along the approach or across; {room}"
             yield _fault(grasp, message, hint, min(along, across))
             return
         patches.append(patch)
@@ -280,9 +266,8 @@ def _push_faults(space: HandSpace, push: Affordance, pose: Mapping[str, Array]) 
     outside = max(float(patch[0].max()), float(-patch[1].min()))
     if outside > _OFF_SURFACE or float((patch[1] - patch[0]).min()) < _FOOTHOLD:
         message = f"the finger touches the link beside its point, {_mm(max(outside, 0.0))} off or at an edge"
-        return [
-            _fault(push, message, "put its origin into the middle of a face that looks at the finger")
-        ], ""
+        hint = "put its origin into the middle of a face that looks at the finger"
+        return [_fault(push, message, hint)], ""
     return [], ""
 
 
@@ -309,19 +294,14 @@ def _motion_findings(
 
 
 def _reach_finding(affordance: Affordance, joint: str, reach: Reach, *, first: bool) -> Finding:
-    assert reach.touch is not None
-    failed = first and reach.share < _LEAST_SHARE
-    return Finding(
-        CHECK,
+    message = (
         f"{affordance.kind} {affordance.name}: the hand moves the joint through {100 * reach.share:.0f} % of "
-        f"its range, then the {reach.part} strikes {_struck(reach.touch)}",
-        affordance.link,
-        joint,
-        reach.share,
-        pose=reach.pose,
-        hint="turn or move the frame so that the hand stays clear of it" if failed else "",
-        severity="fault" if failed else "note",
+        f"its range, then the {reach.part} strikes {reach.touch}"
     )
+    finding = partial(Finding, CHECK, message, affordance.link, joint, reach.share, pose=reach.pose)
+    if first and reach.share < _LEAST_SHARE:
+        return finding(hint="turn or move the frame so that the hand stays clear of it")
+    return finding(severity="note")
 
 
 def _joint_findings(asset: Asset, best: dict[str, float], faulty: Collection[str]) -> Iterator[Finding]:
@@ -331,10 +311,9 @@ def _joint_findings(asset: Asset, best: dict[str, float], faulty: Collection[str
             continue
         moving = [each.name for each in asset.affordances if name in each.joints]
         if not moving:
-            message = "no grasp or push moves it"
             child = asset.joint(name).child
-            hint = f"give {child} or what hangs on it a grasp or a push, or say what moves it: driven=..."
-            yield Finding(CHECK, message, joint=name, hint=hint)
+            hint = f"give {child} or a link behind it a grasp or a push, or name its actuator: driven=..."
+            yield Finding(CHECK, "no grasp or push moves it", joint=name, hint=hint)
         elif share < _LEAST_SHARE and name not in faulty:
             message = f"of {', '.join(moving)} none moves it through {100 * _LEAST_SHARE:.0f} % of its range"
             hint = "mend one of them, or add another"

@@ -1,38 +1,101 @@
-"""Range of a joint through which a hand that grasps or pushes a link can move before it strikes something."""
+"""Motion of joints by hands: positions of other joints, range of the motion, and force.
+
+Forces are computed without a simulator. A slow hand works against dry friction, springs and weight. Damping
+and inertia depend on its speed and are left out.
+"""
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
 
 from artgen._arrays import Array
-from artgen.asset import Asset
-from artgen.asset.affordance import GRIPPER, Affordance
+from artgen.asset import Asset, AssetCondition, AssetJoint
+from artgen.asset.affordance import GRIPPER, Affordance, moved_joints
+from artgen.export.frames import coupling, leader_of
 from artgen.validate.hands.space import HandSpace, Touch
-from artgen.validate.hands.states import Opened, standing
+from artgen.validate.joints import needed_conditions, state_for
 
-_STEPS = 16  # positions from rest to either end of a range at which the hand is tested
+MOST_FORCE = 60.0
+"""Largest force of a hand, a finger or a foot [N].
+
+Two rubber pads (friction 0.5) that a Franka hand closes with 70 N slip at about this force.
+"""
+
+Opened = Mapping[str, AssetCondition]
+"""Regions in which joints are open that were opened for the approach of a hand."""
+
+_WIDE = 0.98  # share of its range from which a joint counts as open
+_STEPS = 16  # number of parts of a range at whose ends a hand is tested
 _TURN = math.pi  # range of a joint without limits, in each direction [rad or m]
 _STEP = 1e-3  # share of the range over which the motion of a point is measured
 _BACK = 0.100  # length of the pushing finger [m]
 
+_GRAVITY = 9.81  # gravity [m/s^2]
+_FORCE_STEP = 1e-5  # step by which a joint is moved to measure lever arms [rad or m]
+_SHORTEST = 1e-4  # least lever arm of an effective hand [m/rad or m/m]
+# range of a joint without limits for forces, in each direction [rad or m]
+_FORCE_RANGE = {"revolute": math.pi, "prismatic": 0.5}
+
+
+def standing(asset: Asset, joint: str, opened: Opened) -> dict[str, float] | None:
+    """Return positions of the other joints at which a hand can move a joint; None if there are none.
+
+    Args:
+        asset: The asset.
+        joint: Name of a free joint; empty for none.
+        opened: Regions that have to be open in addition to the joint's own dependencies.
+    """
+    conditions = needed_conditions(asset, joint)
+    conditions += [condition for name, condition in opened.items() if name != joint]
+    return state_for(asset, conditions, ignore=joint, extreme=[each.name for each in asset.joints])
+
+
+def openable(asset: Asset, affordance: Affordance, struck: str) -> Iterator[tuple[str, AssetCondition]]:
+    """Yield joints whose opening may clear the path of a hand, with the regions in which they are open.
+
+    These are the joints that move the obstacle, and the joints behind the joint itself, such as the door of a
+    flap in its inner side. Joints that depend on the joint of the hand are excluded: they can be opened only
+    afterwards.
+
+    Args:
+        asset: The asset.
+        affordance: The grasp or push.
+        struck: The link that the hand strikes.
+    """
+    own, *others = affordance.joints or ("",)
+    for name in dict.fromkeys((*moved_joints(asset, struck), *others)):
+        joint = asset.joint(name)
+        if name == own or joint.driven or joint.limits is None or own in _awaited(asset, name):
+            continue
+        low, high = joint.limits
+        upward = high - joint.closed >= joint.closed - low
+        place = joint.closed + _WIDE * ((high if upward else low) - joint.closed)
+        yield name, AssetCondition("above" if upward else "below", name, place)
+
+
+def _awaited(asset: Asset, joint: str) -> set[str]:
+    """Return the free joints that a joint depends on, recursively."""
+    found: set[str] = set()
+    waiting = [joint]
+    while waiting:
+        conditions = needed_conditions(asset, waiting.pop())
+        names = {name for condition in conditions for name in condition.joints()}
+        new = {leader_of(asset, asset.joint(name))[0] for name in names} - found
+        waiting += sorted(new)
+        found |= new
+    return found
+
 
 @dataclass(frozen=True)
 class Reach:
-    """Range through which a hand moves a joint.
+    """Range through which a hand moves a joint."""
 
-    Attributes:
-        share: Share of the range, 0-1.
-        part: Striking part of the hand: a finger or the hand behind it.
-        touch: The obstacle.
-        pose: Joint positions at the contact [rad or m].
-    """
-
-    share: float
-    part: str = ""
-    touch: Touch | None = None
-    pose: Mapping[str, float] = field(default_factory=dict)
+    share: float  # share of the range, 0-1
+    part: str = ""  # striking part of the hand: a finger or the hand behind it
+    touch: Touch | None = None  # the obstacle
+    pose: Mapping[str, float] = field(default_factory=dict)  # joint positions at the contact [rad or m]
 
 
 def reach_of(space: HandSpace, affordance: Affordance, joint: str, opened: Opened) -> Reach:
@@ -48,7 +111,10 @@ def reach_of(space: HandSpace, affordance: Affordance, joint: str, opened: Opene
     held = standing(asset, joint, opened)
     if held is None:
         return Reach(0.0)
-    boxes = _closed_hand(space, affordance)
+    boxes: dict[str, Array] = {}  # of a gripper closed on its link
+    if affordance.kind == "grasp":
+        points = space.inside(GRIPPER.between(affordance.width / 2.0), affordance.frame, affordance.link)
+        boxes = GRIPPER.blocks(float(points[:, 0].min()), float(points[:, 0].max()))
     low, high = _range(asset, joint)
     closed = asset.joint(joint).closed
     free, struck = 0.0, Reach(1.0)
@@ -65,49 +131,124 @@ def reach_of(space: HandSpace, affordance: Affordance, joint: str, opened: Opene
     return Reach(min(free / (high - low), 1.0), struck.part, struck.touch, struck.pose)
 
 
+def _touches(
+    space: HandSpace, affordance: Affordance, boxes: Mapping[str, Array], q: Mapping[str, float]
+) -> Iterator[tuple[str, Touch]]:
+    pose = space.asset.pose(q)
+    frame = pose[affordance.link] @ affordance.frame
+    if not boxes and (touch := space.finger_touch(_BACK, frame, pose, affordance.link)):
+        yield "finger", touch
+    for name, corners in boxes.items():
+        if touch := space.first_touch(corners, frame, pose, affordance.link):
+            yield name, touch
+
+
 def tendency(asset: Asset, push: Affordance, joint: str) -> float:
     """Return the cosine between a push and the motion of its point when a joint leaves its closed position.
 
     If the joint can move in both directions, the better one counts.
     """
     closed = asset.joint(joint).closed
-    low, high = _range(asset, joint)
     rest, best = _point(asset, push, {joint: closed}), -1.0
-    for end in (low, high):
+    for end in _range(asset, joint):
         way = _point(asset, push, {joint: closed + _STEP * (end - closed)}) - rest
-        length = float(np.linalg.norm(way))
-        if length > 0.0:
-            best = max(best, float(way @ push.frame[:3, 2]) / length)
+        distance = float(np.linalg.norm(way))
+        if distance > 0.0:
+            best = max(best, float(way @ push.frame[:3, 2]) / distance)
     return best
 
 
 def _point(asset: Asset, push: Affordance, q: Mapping[str, float]) -> Array:
-    pose = asset.pose(q)[push.link]
-    return np.asarray(pose[:3, :3] @ push.frame[:3, 3] + pose[:3, 3])
+    return np.asarray((asset.pose(q)[push.link] @ push.frame)[:3, 3])
 
 
 def _range(asset: Asset, joint: str) -> tuple[float, float]:
     return asset.joint(joint).limits or (-_TURN, _TURN)
 
 
-def _closed_hand(space: HandSpace, affordance: Affordance) -> dict[str, Array]:
-    """Return the boxes of a gripper closed on its link as corners; none for a finger."""
-    if affordance.kind == "push":
-        return {}
-    points = space.inside(GRIPPER.between(affordance.width / 2.0), affordance.frame, affordance.link)
-    return GRIPPER.blocks(float(points[:, 0].min()), float(points[:, 0].max()))
+def hand_forces(asset: Asset) -> dict[str, float]:
+    """Return the force with which a hand starts each joint and moves it from end to end [N].
+
+    The grasp or push with the smallest force counts, separately for each direction. A direction in which no
+    hand can move the joint, such as the return of a button, is left to its spring. At each position, the hand
+    needs the force of friction, springs and weight divided by its lever arm.
+
+    Args:
+        asset: The asset, in memory or loaded.
+
+    Returns:
+        The force by name, for free joints that a grasp or push moves and no motor drives.
+    """
+    result = {}
+    for joint in asset.free_joints:
+        hands = [each for each in asset.affordances if joint.name in each.joints]
+        if joint.driven or not hands:
+            continue
+        places = _places(asset, joint)
+        forces = [
+            min(max(_force(hand, place, way) for place in places) for hand in hands) for way in (1.0, -1.0)
+        ]
+        reached = [force for force in forces if math.isfinite(force)]
+        if reached:
+            result[joint.name] = max(reached)
+    return result
 
 
-def _touches(
-    space: HandSpace, affordance: Affordance, boxes: Mapping[str, Array], q: Mapping[str, float]
-) -> Iterator[tuple[str, Touch]]:
-    pose = space.asset.pose(q)
-    frame = pose[affordance.link] @ affordance.frame
-    if not boxes:
-        touch = space.finger_touch(_BACK, frame, pose, affordance.link)
-        if touch is not None:
-            yield "finger", touch
-    for name, corners in boxes.items():
-        touch = space.first_touch(corners, frame, pose, affordance.link)
-        if touch is not None:
-            yield name, touch
+@dataclass(frozen=True)
+class _Place:
+    """A joint at one position of its range."""
+
+    load: float  # load of springs and weight towards larger positions [N m or N]
+    friction: float  # dry friction of the joint and its followers [N m or N]
+    before: Mapping[str, Array]  # displacements of links one step before the position
+    behind: Mapping[str, Array]  # the same one step behind it
+    apart: float  # motion of the joint between these poses [rad or m]
+
+
+def _places(asset: Asset, joint: AssetJoint) -> Sequence[_Place]:
+    """Return positions along the range of a joint; other joints stand where it may move."""
+    held = standing(asset, joint.name, {}) or {}
+    most = _FORCE_RANGE[joint.kind]
+    low, high = joint.limits or (-most, most)
+    members = [(joint, 1.0, 0.0)]  # the joint and its followers, with ratio and offset of each
+    for each in asset.joints:
+        law = coupling(asset, each)
+        if law is not None and law.leader == joint.name:
+            members.append((each, law.ratio, law.offset))
+    friction = sum(abs(ratio) * each.friction for each, ratio, _ in members)
+    step = min(_FORCE_STEP, 0.25 * (high - low))
+    places = []
+    for at in np.linspace(low + step, high - step, _STEPS + 1).tolist():
+        before, behind = (asset.pose({**held, joint.name: at + side * step}) for side in (-1.0, 1.0))
+        rise = (_potential(asset, behind) - _potential(asset, before)) / (2.0 * step)
+        springs = sum(
+            ratio * each.stiffness * (each.rest - ratio * at - offset) for each, ratio, offset in members
+        )
+        places.append(_Place(springs - rise, friction, before, behind, 2.0 * step))
+    return places
+
+
+def _potential(asset: Asset, pose: Mapping[str, Array]) -> float:
+    """Return the potential energy of the links [J]."""
+    heights = (pose[link.name][2] @ [*link.mass_properties.center, 1.0] for link in asset.links)
+    masses = (link.mass_properties.mass for link in asset.links)
+    return _GRAVITY * float(sum(mass * height for mass, height in zip(masses, heights, strict=True)))
+
+
+def _force(hand: Affordance, place: _Place, way: float) -> float:
+    """Return the force that a hand needs; infinite if it cannot move the joint that way [N].
+
+    A finger pushes along its frame. A gripper pulls along the motion of its link, or turns it by opposite
+    forces of its pads.
+    """
+    before, behind = (pose[hand.link] @ hand.frame for pose in (place.before, place.behind))
+    moved = behind[:3, 3] - before[:3, 3]
+    if hand.kind == "push":
+        arm = way * float(moved @ before[:3, 2])
+    else:
+        width = max(hand.width - 2.0 * GRIPPER.clearance, 0.0)
+        turned = behind[:3, 0] - before[:3, 0]  # cosine to the direction between the pads
+        arm = max(float(np.linalg.norm(moved)), float(np.linalg.norm(turned)) * width)
+    if arm < _SHORTEST * place.apart:
+        return math.inf
+    return max(place.friction - way * place.load, 0.0) * place.apart / arm

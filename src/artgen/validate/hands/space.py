@@ -19,15 +19,13 @@ _SLACK = 1e-5  # tolerance of contact along the path of a hand [m]
 
 @dataclass(frozen=True)
 class Touch:
-    """Contact of a hand.
+    """Contact of a hand."""
 
-    Attributes:
-        link: Name of the link.
-        label: Label of the solid.
-    """
+    link: str  # name of the link
+    label: str  # label of the solid
 
-    link: str
-    label: str
+    def __str__(self) -> str:
+        return f"{self.link}/{self.label}"
 
 
 class HandSpace:
@@ -51,11 +49,7 @@ class HandSpace:
         return min(float(boxes[:, 0, 2].min()) for boxes in self._boxes.values() if len(boxes))
 
     def first_touch(
-        self,
-        corners: Array,
-        frame: Array,
-        pose: Mapping[str, Array],
-        ignore: str = "",
+        self, corners: Array, frame: Array, pose: Mapping[str, Array], ignore: str = ""
     ) -> Touch | None:
         """Return a solid that a box overlaps; None if the box is free.
 
@@ -77,12 +71,7 @@ class HandSpace:
         return self._touch(_rod(radius, -back, -_SLACK), corners, frame, pose, ignore)
 
     def _touch(
-        self,
-        solid: Manifold,
-        corners: Array,
-        frame: Array,
-        pose: Mapping[str, Array],
-        ignore: str,
+        self, solid: Manifold, corners: Array, frame: Array, pose: Mapping[str, Array], ignore: str
     ) -> Touch | None:
         for link in self._parts:
             if link == ignore:
