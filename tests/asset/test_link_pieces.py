@@ -6,7 +6,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from artgen.asset import MOST_COLLIDERS, Grasp, Link, Piece, Shape, rotation
+from artgen.asset import Grasp, Link, Piece, Shape, rotation
+from artgen.asset.link import MOST_COLLIDERS
 from artgen.errors import AssetError
 from artgen.materials import Material
 

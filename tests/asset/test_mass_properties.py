@@ -8,8 +8,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from artgen.asset import MassProperties, Shape, polyhedron_moments, rotation
-from artgen.asset.mass import total
+from artgen.asset import Shape, rotation
+from artgen.asset.mass import MassProperties, polyhedron_moments, total
 from artgen.errors import AssetError
 
 BoxShape = Callable[..., Shape]

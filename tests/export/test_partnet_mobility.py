@@ -14,8 +14,9 @@ import pytest
 import trimesh
 
 import artgen
-from artgen.asset import Asset, JointKind
+from artgen.asset import Asset
 from artgen.asset import AssetCoupling as Coupling
+from artgen.asset.joint import JointKind
 from artgen.errors import ExportError
 from artgen.export import export
 from artgen.export.files import encode

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from artgen.asset import Contour
+from artgen.asset.shape import Contour
 from artgen.colliders import Exact
 from artgen.nodes import validators as inputs
 from artgen.nodes.contours import circle_contour, faceted, reversed_contour, rounded_polygon

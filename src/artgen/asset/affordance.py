@@ -8,25 +8,20 @@ import numpy as np
 from manifold3d import Manifold
 
 from artgen._arrays import Array, FrozenArrays
+from artgen.asset.joint import AssetJoint, joints_above
 from artgen.asset.manifolds import mesh_of
 from artgen.asset.record import Record
 
 if TYPE_CHECKING:
     from artgen.asset.asset import Asset
-    from artgen.asset.joint import AssetJoint
 
 
 @dataclass(frozen=True, eq=False)
 class Hold(FrozenArrays, Record):
-    """A frame at which a hand acts.
+    """A frame at which a hand acts."""
 
-    Attributes:
-        name: Identifier, unique on the asset.
-        frame: Pose in asset coordinates at rest, z along the approach of the hand, shape (4, 4) [m].
-    """
-
-    name: str
-    frame: Array
+    name: str  # identifier, unique on the asset
+    frame: Array  # pose in asset coordinates at rest, z along the approach of the hand, shape (4, 4) [m]
 
     def moved(self, matrix: Array) -> Self:
         """Return the frame carried along by a rigid motion or a reflection, shape (4, 4)."""
@@ -38,13 +33,9 @@ class Hold(FrozenArrays, Record):
 
 @dataclass(frozen=True, eq=False)
 class Grasp(Hold):
-    """A frame at which a hand grasps: a parallel gripper closes along x.
+    """A frame at which a hand grasps: a parallel gripper closes along x."""
 
-    Attributes:
-        width: Opening of the fingers [m].
-    """
-
-    width: float = 0.08
+    width: float = 0.08  # opening of the fingers [m]
 
 
 @dataclass(frozen=True, eq=False)
@@ -88,16 +79,13 @@ def affordances(asset: "Asset") -> tuple[Affordance, ...]:
 
 def moved_joints(asset: "Asset", link: str) -> tuple[str, ...]:
     """Return the free joints that move a link, the nearest first; a coupled joint stands for its leader."""
-    above = {child: (parent, joints) for parent, child, joints in asset.pairs()}
-    found: list[str] = []
-    while link in above:
-        link, joints = above[link]
-        found += [head(asset.joint(joint.name), asset).name for joint in reversed(joints) if not joint.locked]
+    above = (joint for joint in joints_above(asset.joints, link) if not joint.locked)
+    found = dict.fromkeys(head(joint, asset).name for joint in above)
     free = {joint.name for joint in asset.free_joints}
-    return tuple(name for name in dict.fromkeys(found) if name in free)
+    return tuple(name for name in found if name in free)
 
 
-def head(joint: "AssetJoint", asset: "Asset") -> "AssetJoint":
+def head(joint: AssetJoint, asset: "Asset") -> AssetJoint:
     """Return the leader at the head of a chain of couplings; the joint itself if it follows no other."""
     while joint.follows is not None:
         joint = asset.joint(joint.follows.leader)

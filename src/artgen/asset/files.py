@@ -66,9 +66,6 @@ def load(directory: str | Path) -> Asset:
 def main_files(directory: str | Path) -> dict[str, Path]:
     """Return the main file of each format of an export, which simulators open.
 
-    Args:
-        directory: The directory of the export.
-
     Raises:
         ExportError: There is no readable `asset.json`.
         AssetError: A path leaves the directory.
@@ -95,12 +92,8 @@ def previous_directory(directory: Path) -> Path:
 def mesh_names(names: Mapping[str, Sequence[str]], taken: Iterable[str] = ()) -> dict[str, tuple[str, ...]]:
     """Return a unique file name for each mesh of each link.
 
-    Names differ in more than case: some simulators search meshes by base name, and some file systems ignore
-    case.
-
-    Args:
-        names: Mesh names by link.
-        taken: File names that are in use.
+    Names differ in more than case, also from those that are taken: some simulators search meshes by base name,
+    and some file systems ignore case.
     """
     used = {name.lower() for name in taken}
     result = {}

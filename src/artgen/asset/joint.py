@@ -1,6 +1,6 @@
 """Joints of an asset: motion, dynamics, couplings, dependencies, and the contacts that they allow."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any, ClassVar, Literal
 
@@ -15,36 +15,24 @@ JointKind = Literal["revolute", "prismatic"]
 
 @dataclass(frozen=True)
 class AssetCoupling(Record):
-    """A joint that follows another: position = ratio * leader + offset.
+    """A joint that follows another: position = ratio * leader + offset."""
 
-    Attributes:
-        leader: Name of the joint that leads.
-        ratio: Transmission ratio [rad/rad, m/rad, rad/m or m/m].
-        offset: Position while the leader stands at 0 [rad or m].
-    """
-
-    leader: str
-    ratio: float
-    offset: float = 0.0
+    leader: str  # name of the joint that leads
+    ratio: float  # transmission ratio [rad/rad, m/rad, rad/m or m/m]
+    offset: float = 0.0  # position while the leader stands at 0 [rad or m]
 
 
 @dataclass(frozen=True)
 class AssetCondition(Record):
-    """A region of joint space.
-
-    Attributes:
-        kind: `above` and `below` compare one joint with `value`; `all` and `any` combine `terms`.
-        joint: Name of the compared joint.
-        value: Threshold [rad or m].
-        terms: The combined conditions.
-    """
+    """A region of joint space."""
 
     OPTIONAL: ClassVar = frozenset({"joint", "value", "terms"})
 
+    # `above` and `below` compare one joint with `value`; `all` and `any` combine `terms`
     kind: Literal["above", "below", "all", "any"]
-    joint: str = ""
-    value: float = 0.0
-    terms: tuple["AssetCondition", ...] = ()
+    joint: str = ""  # name of the compared joint
+    value: float = 0.0  # threshold [rad or m]
+    terms: tuple["AssetCondition", ...] = ()  # the combined conditions
 
     def holds(self, q: Mapping[str, float]) -> bool:
         """Tell whether joint positions `q` lie in the region; `q` has every joint of `joints()`."""
@@ -116,8 +104,7 @@ class AssetDependency(Record):
 
     def to_data(self) -> dict[str, Any]:
         """Return the dependency as JSON data; `beyond` is left out if it is None."""
-        data = super().to_data()
-        return data if self.beyond is not None else {name: data[name] for name in ("condition", "until")}
+        return {name: value for name, value in super().to_data().items() if (name, value) != ("beyond", None)}
 
 
 @dataclass(frozen=True, eq=False)
@@ -147,6 +134,7 @@ class AssetJoint(FrozenArrays, Record):
     """
 
     OPTIONAL: ClassVar = frozenset({"driven"})
+    FIRST: ClassVar = ("name", "kind", "parent", "child")
 
     name: str
     kind: JointKind
@@ -204,10 +192,6 @@ class AssetJoint(FrozenArrays, Record):
             needs = replace(needs, condition=needs.condition.renamed(names))
         return replace(self, name=names.get(self.name, self.name), follows=follows, needs=needs)
 
-    def to_data(self) -> dict[str, Any]:
-        """Return the joint as JSON data, the links that it joins in front."""
-        return dict.fromkeys(("name", "kind", "parent", "child")) | super().to_data()
-
 
 DYNAMICS = ("stiffness", "damping", "friction", "rest", "armature", "effort", "velocity")
 """Fields of a joint with one number each, in SI units."""
@@ -230,41 +214,42 @@ def positions_of_followers(joints: Mapping[str, AssetJoint], q: dict[str, float]
     """Return the given positions of free joints with the positions of coupled joints."""
     result = dict(q)
     for name in joints:
-        chain: list[str] = []
+        couplings: dict[str, AssetCoupling] = {}
         current = name
         while current not in result:
-            if current in chain:
+            if current in couplings:
                 raise AssetError(
-                    f"the couplings of joints {', '.join(sorted(chain))} form a circle; one must lead",
+                    f"the couplings of joints {', '.join(sorted(couplings))} form a circle; one must lead",
                     joint=current,
                 )
-            chain.append(current)
             follows = joints[current].follows
             assert follows is not None, f"joint {current} has no position"
-            current = follows.leader
-        for follower in reversed(chain):
-            coupling = joints[follower].follows
-            assert coupling is not None
+            couplings[current], current = follows, follows.leader
+        for follower, coupling in reversed(couplings.items()):
             result[follower] = coupling.ratio * result[coupling.leader] + coupling.offset
     return result
 
 
+def joints_above(joints: Iterable[AssetJoint], link: str) -> list[AssetJoint]:
+    """Return the joints between a link and the base, the nearest to the link first."""
+    found: list[AssetJoint] = []
+    while above := [joint for joint in joints if joint.child == link]:
+        found += reversed(above)
+        link = above[0].parent
+    return found
+
+
 @dataclass(frozen=True)
 class AllowedContact(Record):
-    """A contact that the category allows, between pieces of two links.
+    """A contact that the category allows, between pieces of two links."""
 
-    Attributes:
-        links: Names of the two links.
-        labels: Labels of the pieces on the first and on the second link.
-        depth: Largest allowed penetration [m].
-        reason: Reason that the author gives.
-        when: Condition on the joints under which the contact is allowed; None: always.
-    """
+    FIRST: ClassVar = ("links", "labels", "depth", "when")
 
-    links: tuple[str, str]
-    labels: tuple[str, str]
-    depth: float
-    reason: str
+    links: tuple[str, str]  # names of the two links
+    labels: tuple[str, str]  # labels of the pieces on the first and on the second link
+    depth: float  # largest allowed penetration [m]
+    reason: str  # reason that the author gives
+    # condition on the joints under which the contact is allowed; None: always
     when: AssetCondition | None = None
 
     def renamed(self, links: Mapping[str, str], joints: Mapping[str, str]) -> "AllowedContact":
@@ -278,7 +263,3 @@ class AllowedContact(Record):
         (a, b), (first, second) = self.links, self.labels
         where = "" if self.when is None else f" where {self.when}"
         return f"{a}/{first} may press {1e3 * self.depth:.3g} mm into {b}/{second}{where}: {self.reason}"
-
-    def to_data(self) -> dict[str, Any]:
-        """Return the contact as JSON data, the reason last."""
-        return dict.fromkeys(("links", "labels", "depth", "when")) | super().to_data()

@@ -31,13 +31,10 @@ class PrintDirection(FrozenArrays):
     direction: Array  # unit vector along the lines, shape (3,)
 
     def motion(self, matrix: Array) -> Array:
-        """Return the motion of print on a part that is moved or reflected, shape (4, 4).
+        """Return the motion of print on a part after a rigid motion or a reflection, shape (4, 4).
 
         Under a reflection, the print is also flipped about its center: it stays readable in the place of its
         mirror image.
-
-        Args:
-            matrix: Rigid motion or reflection of the part, shape (4, 4).
         """
         if np.linalg.det(matrix[:3, :3]) > 0.0:
             return matrix

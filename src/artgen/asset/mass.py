@@ -33,17 +33,11 @@ class Moments(FrozenArrays):
 
 @dataclass(frozen=True, eq=False)
 class MassProperties(FrozenArrays, Record):
-    """Mass, center of mass and inertia of a rigid body.
+    """Mass, center of mass and inertia of a rigid body."""
 
-    Attributes:
-        mass: Mass [kg].
-        center: Center of mass in asset coordinates at rest, shape (3,) [m].
-        inertia: About the center of mass, along the asset's axes, shape (3, 3) [kg m^2].
-    """
-
-    mass: float
-    center: Array
-    inertia: Array
+    mass: float  # mass [kg]
+    center: Array  # center of mass in asset coordinates at rest, shape (3,) [m]
+    inertia: Array  # about the center of mass, along the asset's axes, shape (3, 3) [kg m^2]
 
     def principal(self) -> tuple[Array, Array]:
         """Return the principal moments, shape (3,), and the rotation to the principal axes, shape (3, 3).
@@ -75,9 +69,7 @@ class MassProperties(FrozenArrays, Record):
 def polyhedron_moments(vertices: Array, triangles: NDArray[np.int64]) -> Moments:
     """Integrate over a closed polyhedron of density 1.
 
-    Args:
-        vertices: Shape (n, 3) [m].
-        triangles: Counter-clockwise seen from outside, shape (m, 3).
+    Its vertices have shape (n, 3) [m], its triangles, counter-clockwise seen from outside, shape (m, 3).
     """
     reference = 0.5 * (vertices.min(axis=0) + vertices.max(axis=0))
     corners = (vertices - reference)[triangles]

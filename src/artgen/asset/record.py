@@ -26,10 +26,12 @@ class Record:
     """
 
     OPTIONAL: ClassVar[frozenset[str]] = frozenset()  # fields that may be missing in data
+    FIRST: ClassVar[tuple[str, ...]] = ()  # fields that come first in data
 
     def to_data(self) -> dict[str, Any]:
         """Return the fields as JSON data."""
-        return {field.name: plain(getattr(self, field.name)) for field in fields(self)}
+        names = dict.fromkeys((*self.FIRST, *(field.name for field in fields(self))))
+        return {name: plain(getattr(self, name)) for name in names}
 
     @classmethod
     def from_data(cls, data: Mapping[str, Any]) -> Self:
@@ -86,20 +88,22 @@ def plain(value: Any) -> Any:
     return [plain(item) for item in value] if isinstance(value, list | tuple) else value
 
 
-def rounded(value: Any) -> Any:
-    """Round every number in a record or in JSON data to 12 significant digits.
+def rounded(value: Any, digits: int = DECIMALS) -> Any:
+    """Round every number in a record or in JSON data to significant digits.
 
-    Digits beyond depend on the math library of the machine.
+    Digits beyond 12 depend on the math library of the machine.
     """
     if isinstance(value, float):
-        return significant(value, DECIMALS)
+        return significant(value, digits)
     if isinstance(value, np.ndarray):
-        return np.array([significant(each, DECIMALS) for each in value.flat]).reshape(value.shape)
+        return np.array([significant(each, digits) for each in value.flat]).reshape(value.shape)
     if is_dataclass(value) and not isinstance(value, type):
-        return replace(value, **{each.name: rounded(getattr(value, each.name)) for each in fields(value)})
+        return replace(
+            value, **{each.name: rounded(getattr(value, each.name), digits) for each in fields(value)}
+        )
     if isinstance(value, dict):
-        return {key: rounded(item) for key, item in value.items()}
-    return type(value)(map(rounded, value)) if isinstance(value, list | tuple) else value
+        return {key: rounded(item, digits) for key, item in value.items()}
+    return type(value)(rounded(each, digits) for each in value) if isinstance(value, list | tuple) else value
 
 
 def rounded_coordinates(rows: Any) -> Any:

@@ -3,9 +3,9 @@
 import json
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any, Literal
+from typing import Any, ClassVar, Literal
 
-from artgen.asset.record import significant
+from artgen.asset.record import Record, rounded
 
 Severity = Literal["fault", "note"]
 
@@ -19,30 +19,20 @@ _DIGITS = 9  # significant digits of numbers in a report
 
 
 @dataclass(frozen=True)
-class Finding:
-    """One fault or note that a check reports.
+class Finding(Record):
+    """One fault or note that a check reports."""
 
-    Attributes:
-        check: Name of the check, such as `solids`.
-        message: The fault in one sentence, with the number.
-        link: Name of the faulty link, or of two links as `door, frame`.
-        joint: Name of the faulty joint.
-        value: The faulty number, in `unit`.
-        unit: Its SI unit, such as `m`.
-        pose: Joint positions of the fault [rad or m].
-        hint: Remedy.
-        severity: A `fault` fails the check; a `note` says what the check could not judge.
-    """
+    FIRST: ClassVar = ("check", "severity")
 
-    check: str
-    message: str
-    link: str = ""
-    joint: str = ""
-    value: float | None = None
-    unit: str = ""
-    pose: Mapping[str, float] = field(default_factory=dict)
-    hint: str = ""
-    severity: Severity = "fault"
+    check: str  # name of the check, such as `solids`
+    message: str  # the fault in one sentence, with the number
+    link: str = ""  # name of the faulty link, or of two links as `door, frame`
+    joint: str = ""  # name of the faulty joint
+    value: float | None = None  # the faulty number, in `unit`
+    unit: str = ""  # its SI unit, such as `m`
+    pose: Mapping[str, float] = field(default_factory=dict)  # joint positions of the fault [rad or m]
+    hint: str = ""  # remedy
+    severity: Severity = "fault"  # a `fault` fails the check; a `note` says what the check could not judge
 
     def __str__(self) -> str:
         """Return place, fault and remedy in one line."""
@@ -56,34 +46,18 @@ class Finding:
 
     def to_data(self) -> dict[str, Any]:
         """Return the finding as JSON data."""
-        return {
-            "check": self.check,
-            "severity": self.severity,
-            "message": self.message,
-            "link": self.link,
-            "joint": self.joint,
-            "value": None if self.value is None else significant(self.value, _DIGITS),
-            "unit": self.unit,
-            "pose": {name: significant(position, _DIGITS) for name, position in self.pose.items()},
-            "hint": self.hint,
-        }
+        data: dict[str, Any] = rounded(super().to_data(), _DIGITS)
+        return data
 
 
 @dataclass(frozen=True)
 class CheckResult:
-    """The result of one check of an asset.
+    """The result of one check of an asset."""
 
-    Attributes:
-        check: Name of the check.
-        findings: Its faults and notes.
-        detail: Number of checked items, such as `5 links, 31 solids`.
-        skipped: Reason why the check could not run; empty if it ran.
-    """
-
-    check: str
-    findings: tuple[Finding, ...] = ()
-    detail: str = ""
-    skipped: str = ""
+    check: str  # name of the check
+    findings: tuple[Finding, ...] = ()  # its faults and notes
+    detail: str = ""  # number of checked items, such as `5 links, 31 solids`
+    skipped: str = ""  # reason why the check could not run; empty if it ran
 
     @property
     def faults(self) -> tuple[Finding, ...]:

@@ -122,16 +122,10 @@ class Shape:
     ) -> "Shape":
         """Make a solid of triangles; vertices at one place are joined, whatever their normals.
 
-        Args:
-            vertices: Positions, shape (n, 3) [m].
-            normals: Unit normals, shape (n, 3).
-            uvs: Texture coordinates, shape (n, 2) [m].
-            triangles: Vertex indices, counter-clockwise seen from outside, shape (m, 3).
-            pieces: Convex pieces that cover the solid.
-            targets: For each vertex, the first vertex at the same point of the surface, shape (n,); by
-                default vertices at the same position are joined.
-            paints: Paint number of each vertex, shape (n,); all 0 by default.
-            paint_materials: Material of each paint number.
+        Vertices have positions, shape (n, 3) [m], unit normals, texture coordinates, shape (n, 2) [m], and
+        paint numbers, shape (n,), all 0 by default. Triangles are counter-clockwise seen from outside, shape
+        (m, 3). `targets` has the first vertex at the same point of the surface for each vertex, shape (n,);
+        by default vertices at the same position are joined.
 
         Raises:
             ValueError: The triangles do not close to a solid of positive volume.

@@ -1,6 +1,6 @@
 """Surfaces of triangles: connected shells with their faults, distances, and points spread over them."""
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from typing import TypeVar
 
@@ -13,8 +13,9 @@ from scipy.spatial import cKDTree
 from trimesh.triangles import closest_point
 
 from artgen._arrays import Array, FrozenArrays, Indices, cached_per_object, cached_property
-from artgen.asset import Link, Mesh, Moments, polyhedron_moments
+from artgen.asset import Link, Mesh
 from artgen.asset.manifolds import mesh_of
+from artgen.asset.mass import Moments, polyhedron_moments
 from artgen.colliders.triangles import across, cross
 
 Number = TypeVar("Number", np.float64, np.int64)
@@ -116,7 +117,6 @@ class LinkShells(FrozenArrays):
 
     label: str  # label of the piece; empty for a whole link
     shells: tuple[Shell, ...] = ()  # its connected parts
-    detail: bool | None = None  # whether the piece is only seen; None where the files do not tell
     finite: bool = True  # whether all coordinates are finite; nothing else is known if they are not
     open_edges: int = 0  # edges with a face on one side only
     turned_edges: int = 0  # edges whose faces are wound against each other
@@ -169,32 +169,22 @@ def skins(link: Link) -> tuple[LinkShells, ...]:
     """Return the surface of each piece of a link, or of the whole link if it was read from files."""
     if link.pieces:
         return tuple(
-            _skin(piece.shape.mesh, None, [piece.label], _WELD_MEMORY, number, detail=piece.visual)
+            _skin(piece.shape.mesh, [piece.label], _WELD_MEMORY, piece.label, number)
             for number, piece in enumerate(link.pieces)
         )
     if not link.surfaces:
         return ()
-    meshes = [surface.mesh for surface in link.surfaces]
-    labels = np.repeat(np.arange(len(meshes)), [len(mesh.triangles) for mesh in meshes])
-    names = [surface.label for surface in link.surfaces]
-    return (_skin(Mesh.concatenated(meshes), labels, names, _WELD_FILES),)
+    labels = [surface.label for surface in link.surfaces for _ in surface.mesh.triangles]
+    return (_skin(Mesh.concatenated([surface.mesh for surface in link.surfaces]), labels, _WELD_FILES),)
 
 
-def _skin(
-    mesh: Mesh,
-    labels: Indices | None,
-    names: list[str],
-    reach: float,
-    piece: int = 0,
-    *,
-    detail: bool | None = None,
-) -> LinkShells:
-    """Weld coincident corners, count the faults and split the surface into shells."""
-    label = names[0] if detail is not None else ""
+def _skin(mesh: Mesh, labels: Sequence[str], reach: float, label: str = "", piece: int = 0) -> LinkShells:
+    """Weld coincident corners, count the faults and split the surface into shells.
+
+    `labels` has the label of each triangle, or one for all.
+    """
     if not np.isfinite(mesh.vertices).all():
-        return LinkShells(label, detail=detail, finite=False, triangles=len(mesh.triangles))
-    if labels is None:
-        labels = np.zeros(len(mesh.triangles), np.int64)
+        return LinkShells(label, finite=False, triangles=len(mesh.triangles))
     points, number = _welded(mesh.vertices, reach)
     faces = number[mesh.triangles]
     proper = (faces[:, 0] != faces[:, 1]) & (faces[:, 1] != faces[:, 2]) & (faces[:, 2] != faces[:, 0])
@@ -204,25 +194,31 @@ def _skin(
     height = size / np.maximum(sides.max(axis=1), 1e-300)  # the least of each triangle
     cosine = np.einsum("ij,ikj->ik", products, mesh.normals[mesh.triangles]).min(axis=1)
     against = np.flatnonzero((cosine < _AGAINST * np.maximum(size, 1e-300)) & (height > _JUDGED))
-    faces, labels = faces[proper], labels[proper]
-    turned = np.argmin(faces, axis=1)[:, None] + np.arange(3)
-    _, first, _ = distinct_rows(np.take_along_axis(faces, turned % 3, axis=1))
-    doubled = len(faces) - len(first)
-    first.sort()
-    faces, labels = faces[first], labels[first]
+    chosen = np.flatnonzero(proper)
+    turned = np.argmin(faces[chosen], axis=1)[:, None] + np.arange(3)
+    _, first, _ = distinct_rows(np.take_along_axis(faces[chosen], turned % 3, axis=1))
+    doubled = len(chosen) - len(first)
+    chosen = chosen[np.sort(first)]
+    faces = faces[chosen]
     unpaired, twisted, neighbors = _edges(faces)
     faulty = np.concatenate([unpaired, twisted])
-    places = [*points[faulty[:1, 0]], *corners[against[:1], 0]]
+    places = [*points[faulty[:1, 0]], *corners[against[:1], 0], np.zeros(3)]
+    shells = []
+    group = _groups(len(faces), neighbors)
+    parts = np.split(np.argsort(group, kind="stable"), np.cumsum(np.bincount(group))[:-1])
+    for of_shell in parts if len(faces) else ():
+        used, triangles = np.unique(faces[of_shell], return_inverse=True)
+        name = labels[chosen[of_shell[0]]] if len(labels) > 1 else labels[0]
+        shells.append(Shell(name, piece, points[used], triangles.reshape(-1, 3)))
     return LinkShells(
         label,
-        tuple(_shells(points, faces, neighbors, labels, names, piece)),
-        detail,
+        tuple(shells),
         open_edges=len(unpaired),
         turned_edges=len(twisted),
         doubled=doubled,
         flat=int((height < _FLAT).sum()),
         against=len(against),
-        place=np.asarray(places[0]) if places else np.zeros(3),
+        place=places[0],
         triangles=len(mesh.triangles),
     )
 
@@ -238,10 +234,14 @@ def _welded(vertices: Array, reach: float) -> tuple[Array, Indices]:
     pairs = cKDTree(distinct).query_pairs(reach, output_type="ndarray")
     if not len(pairs):
         return distinct, number
-    graph = coo_array((np.ones(len(pairs)), pairs.T), shape=(len(distinct), len(distinct)))
-    _, group = connected_components(graph, directed=False)
-    _, first = np.unique(group, return_index=True)
-    return distinct[first], group.astype(np.int64)[number]
+    group = _groups(len(distinct), pairs)
+    return distinct[np.unique(group, return_index=True)[1]], group[number]
+
+
+def _groups(count: int, pairs: Indices) -> Indices:
+    """Return the number of the group of each of several things that pairs, shape (k, 2), connect."""
+    graph = coo_array((np.ones(len(pairs)), pairs.T), shape=(count, count))
+    return np.asarray(connected_components(graph, directed=False)[1], np.int64)
 
 
 def _edges(faces: Indices) -> tuple[Indices, Indices, Indices]:
@@ -259,20 +259,6 @@ def _edges(faces: Indices) -> tuple[Indices, Indices, Indices]:
     same = np.flatnonzero(edge[order][1:] == edge[order][:-1])
     single = unbalanced & (count % 2 == 1)
     return ends[single], ends[unbalanced & ~single], np.column_stack([face[same], face[same + 1]])
-
-
-def _shells(
-    points: Array, faces: Indices, neighbors: Indices, labels: Indices, names: list[str], piece: int
-) -> Iterator[Shell]:
-    if not len(faces):
-        return
-    graph = coo_array((np.ones(len(neighbors)), neighbors.T), shape=(len(faces), len(faces)))
-    count, group = connected_components(graph, directed=False)
-    order = np.argsort(group, kind="stable")
-    ends = np.cumsum(np.bincount(group, minlength=count))
-    for of_shell in np.split(order, ends[:-1]):
-        used, triangles = np.unique(faces[of_shell], return_inverse=True)
-        yield Shell(names[labels[of_shell[0]]], piece, points[used], triangles.reshape(-1, 3))
 
 
 _CHUNK = 128  # points compared with all triangles at once

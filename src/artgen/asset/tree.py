@@ -5,7 +5,7 @@ from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, replace
 
 from artgen._arrays import Array
-from artgen.asset.joint import AllowedContact, AssetJoint
+from artgen.asset.joint import AllowedContact, AssetJoint, joints_above
 from artgen.asset.link import Link
 from artgen.errors import AssetError, nearest
 
@@ -128,15 +128,7 @@ def check_contact(contact: AllowedContact, links: Collection[str], joints: Mappi
 
 def _moving(links: tuple[str, str], joints: Mapping[str, AssetJoint]) -> list[str]:
     """Return the joints on the path between two links, then the leaders of these joints."""
-    ways: list[list[str]] = []
-    for link in links:
-        way: list[str] = []
-        current = link
-        while above := [joint for joint in joints.values() if joint.child == current]:
-            way += [joint.name for joint in above]
-            current = above[0].parent
-        ways.append(way)
-    first, second = ways
+    first, second = ([joint.name for joint in joints_above(joints.values(), link)] for link in links)
     found = [name for name in first if name not in second] + [name for name in second if name not in first]
     for name in found:  # grows: leaders of leaders are appended
         follows = joints[name].follows

@@ -11,7 +11,8 @@ from dataclasses import dataclass
 from typing import Any, Literal, get_args
 
 from artgen._names import NAME_RULE, is_identifier
-from artgen.asset import Asset, Base
+from artgen.asset import Asset
+from artgen.asset.asset import Base
 from artgen.asset.certificate import MOST_TOLERANCE
 from artgen.errors import (
     ArtgenError,

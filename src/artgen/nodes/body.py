@@ -7,20 +7,9 @@ import numpy as np
 
 from artgen import asset as values
 from artgen._names import NAME_RULE, is_identifier
-from artgen.asset import (
-    AllowedContact,
-    Branch,
-    Grasp,
-    Link,
-    Piece,
-    PrintDirection,
-    Push,
-    Shape,
-    Tree,
-    rotation,
-)
+from artgen.asset import AllowedContact, Branch, Grasp, Link, Piece, Push, Shape, Tree, rotation
 from artgen.asset.affordance import GRIPPER, held
-from artgen.asset.link import MovedLink
+from artgen.asset.link import MovedLink, PrintDirection
 from artgen.asset.mass import total
 from artgen.errors import nearest
 from artgen.graph import kernel, records

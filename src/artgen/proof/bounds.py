@@ -137,14 +137,9 @@ def gap(first: Array, second: Array, path: Sequence[Motion], frame: int, normals
 def around_axis(points: Array, origin: Array, axis: Array) -> Array:
     """Return heights and distances of convex pieces about an axis, which rotation about it does not change.
 
-    Args:
-        points: Vertices, shape (N, V, 3) [m].
-        origin: A point on the axis, shape (3,) [m].
-        axis: Unit axis, shape (3,).
-
-    Returns:
-        Lowest and highest coordinate along the axis, a lower bound of the distance from the axis and the
-        largest distance, shape (N, 4) [m].
+    The pieces have vertices of shape (N, V, 3), the axis a point and a unit vector. The columns of the result,
+    shape (N, 4), are the lowest and highest coordinate along the axis, a lower bound of the distance from the
+    axis and the largest distance [m].
     """
     axis = np.broadcast_to(axis, (len(points), 3))
     relative = points - origin
@@ -181,16 +176,10 @@ def _nearest(arm: Array, axis: Array) -> Array:
 
 
 def axis_gap(first: Array, second: Array, shift: Array, half: Array) -> Array:
-    """Return a lower bound of the gap between pieces that rotate about one axis and slide along it.
+    """Return a lower bound of the gap between pieces that rotate about one axis and slide along it [m].
 
-    Args:
-        first: Result of `around_axis` for the pieces on link A, shape (N, 4) [m].
-        second: Result of `around_axis` for the pieces on link B about the same axis, shape (N, 4) [m].
-        shift: Center of the interval by which B slides along the axis, shape (N,) [m].
-        half: Half the length of that interval, shape (N,) [m].
-
-    Returns:
-        Shape (N,) [m].
+    The results of `around_axis` for the pieces on link A and link B have shape (N, 4). B slides along the axis
+    by an interval with the center `shift` and half the length `half`, shape (N,) [m].
     """
     gaps = (
         first[:, 2] - second[:, 3],

@@ -14,7 +14,7 @@ import numpy as np
 
 from artgen._arrays import Array
 from artgen.asset import Asset, AssetJoint
-from artgen.asset.joint import AllowedContact, AssetCondition
+from artgen.asset.joint import AllowedContact, AssetCondition, joints_above
 from artgen.errors import AssetError
 
 Interval = tuple[float, float]
@@ -64,9 +64,7 @@ class Space:
 
     def __init__(self, asset: Asset) -> None:
         self.asset = asset
-        self._chains: dict[str, tuple[AssetJoint, ...]] = {asset.links[0].name: ()}
-        for parent, child, joints in asset.pairs():
-            self._chains[child] = (*self._chains[parent], *joints)
+        self._chains = {link.name: joints_above(asset.joints, link.name)[::-1] for link in asset.links}
         self.followers: dict[str, Follower] = {}
         self.ranges: dict[str, Interval] = {}
         for joint in asset.joints:

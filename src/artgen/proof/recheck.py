@@ -193,12 +193,7 @@ def _limit(joint_path: JointPath, covers: list[tuple[Cover, list[int]]], row: Ar
 
 
 def uncovered(cells: Array, region: Array) -> Array | None:
-    """Return a part of a region that cells do not cover; None if they cover it.
-
-    Args:
-        cells: Lowest and highest coordinates of each cell, shape (n, d, 2).
-        region: Lowest and highest coordinates of the region, shape (d, 2).
-    """
+    """Return a part of a region, shape (d, 2), that cells, shape (n, d, 2), do not cover; None if they do."""
     todo = [(np.arange(len(cells)), region)]
     while todo:
         rows, part = todo.pop()

@@ -7,7 +7,8 @@ from numpy.typing import NDArray
 from pxr import Sdf, Vt
 
 from artgen._arrays import Array
-from artgen.asset import Affordance, Asset, Surface
+from artgen.asset import Asset, Surface
+from artgen.asset.affordance import Affordance
 from artgen.asset.surface import texture_coordinates
 from artgen.colliders import Convex
 from artgen.export.frames import local, translation
