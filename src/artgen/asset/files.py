@@ -92,8 +92,8 @@ def previous_directory(directory: Path) -> Path:
 def mesh_names(names: Mapping[str, Sequence[str]], taken: Iterable[str] = ()) -> dict[str, tuple[str, ...]]:
     """Return a unique file name for each mesh of each link.
 
-    Names differ in more than case, also from those that are taken: some simulators search meshes by base name,
-    and some file systems ignore case.
+    Names differ in more than case, also from names that are taken: some simulators search meshes by base
+    name, and some file systems ignore case.
     """
     used = {name.lower() for name in taken}
     result = {}

@@ -1,6 +1,6 @@
 """Joints of an asset: motion, dynamics, couplings, dependencies, and the contacts that they allow."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any, ClassVar, Literal
 
@@ -36,18 +36,24 @@ class AssetCondition(Record):
 
     def holds(self, q: Mapping[str, float]) -> bool:
         """Tell whether joint positions `q` lie in the region; `q` has every joint of `joints()`."""
-        if self.kind == "above":
-            return q[self.joint] > self.value
-        if self.kind == "below":
-            return q[self.joint] < self.value
-        results = (term.holds(q) for term in self.terms)
+        return self.combined(
+            lambda term: q[term.joint] > term.value if term.kind == "above" else q[term.joint] < term.value
+        )
+
+    def combined(self, holds: Callable[["AssetCondition"], bool]) -> bool:
+        """Tell whether the condition holds, from a function for its comparisons."""
+        if not self.terms:
+            return holds(self)
+        results = (term.combined(holds) for term in self.terms)
         return all(results) if self.kind == "all" else any(results)
+
+    def comparisons(self) -> "list[AssetCondition]":
+        """Return the comparisons in the condition, in order of appearance."""
+        return [each for term in self.terms for each in term.comparisons()] if self.terms else [self]
 
     def joints(self) -> tuple[str, ...]:
         """Return the names of the joints in the condition, in order of appearance."""
-        if self.joint:
-            return (self.joint,)
-        return tuple(dict.fromkeys(name for term in self.terms for name in term.joints()))
+        return tuple(dict.fromkeys(term.joint for term in self.comparisons()))
 
     def renamed(self, names: Mapping[str, str]) -> "AssetCondition":
         """Return the condition with joints renamed; names not in `names` stay."""

@@ -1,7 +1,7 @@
 """Value of a body: a link and the links joined to it, before the asset has a name and a seed."""
 
 from collections import Counter
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import dataclass, replace
 
 from artgen._arrays import Array
@@ -48,32 +48,25 @@ class Tree:
 
     def moved(self, matrix: Array) -> "Tree":
         """Return the tree after a rigid motion or a reflection, shape (4, 4)."""
-        return Tree(
-            self.link.moved(matrix),
-            tuple(
-                Branch(tuple(joint.moved(matrix) for joint in branch.joints), branch.tree.moved(matrix))
-                for branch in self.branches
-            ),
-            self.contacts,
-        )
+        branches = self._branches(lambda joint: joint.moved(matrix), lambda tree: tree.moved(matrix))
+        return Tree(self.link.moved(matrix), branches, self.contacts)
 
     def suffixed(self, suffix: str) -> "Tree":
         """Return the tree with a suffix on the names of all its links, joints, grasps and pushes."""
         return self._renamed({joint.name: joint.name + suffix for joint in self.joints()}, suffix)
 
-    def _renamed(self, joint_names: dict[str, str], suffix: str) -> "Tree":
+    def _renamed(self, names: dict[str, str], suffix: str) -> "Tree":
         link_names = {name: name + suffix for contact in self.contacts for name in contact.links}
-        return Tree(
-            self.link.renamed(suffix),
-            tuple(
-                Branch(
-                    tuple(joint.renamed(joint_names) for joint in branch.joints),
-                    branch.tree._renamed(joint_names, suffix),
-                )
-                for branch in self.branches
-            ),
-            tuple(contact.renamed(link_names, joint_names) for contact in self.contacts),
+        branches = self._branches(
+            lambda joint: joint.renamed(names), lambda tree: tree._renamed(names, suffix)
         )
+        contacts = tuple(contact.renamed(link_names, names) for contact in self.contacts)
+        return Tree(self.link.renamed(suffix), branches, contacts)
+
+    def _branches(
+        self, of_joint: Callable[[AssetJoint], AssetJoint], of_tree: Callable[["Tree"], "Tree"]
+    ) -> tuple[Branch, ...]:
+        return tuple(Branch(tuple(map(of_joint, each.joints)), of_tree(each.tree)) for each in self.branches)
 
     def checked(self) -> "Tree":
         """Return the tree if its names are unique.

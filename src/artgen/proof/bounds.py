@@ -137,9 +137,9 @@ def gap(first: Array, second: Array, path: Sequence[Motion], frame: int, normals
 def around_axis(points: Array, origin: Array, axis: Array) -> Array:
     """Return heights and distances of convex pieces about an axis, which rotation about it does not change.
 
-    The pieces have vertices of shape (N, V, 3), the axis a point and a unit vector. The columns of the result,
-    shape (N, 4), are the lowest and highest coordinate along the axis, a lower bound of the distance from the
-    axis and the largest distance [m].
+    The vertices have shape (N, V, 3); the axis is a unit vector through `origin`. The columns of the result,
+    shape (N, 4), are the lowest and highest coordinate along the axis, a lower bound of the distance from
+    the axis and the largest distance [m].
     """
     axis = np.broadcast_to(axis, (len(points), 3))
     relative = points - origin
@@ -178,8 +178,8 @@ def _nearest(arm: Array, axis: Array) -> Array:
 def axis_gap(first: Array, second: Array, shift: Array, half: Array) -> Array:
     """Return a lower bound of the gap between pieces that rotate about one axis and slide along it [m].
 
-    The results of `around_axis` for the pieces on link A and link B have shape (N, 4). B slides along the axis
-    by an interval with the center `shift` and half the length `half`, shape (N,) [m].
+    The pieces on link A and link B are described by results of `around_axis`, shape (N, 4). Link B slides
+    along the axis by an interval with the center `shift` and half the length `half`, shape (N,) [m].
     """
     gaps = (
         first[:, 2] - second[:, 3],

@@ -9,6 +9,7 @@ import itertools
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import partial
 
 import numpy as np
 
@@ -112,7 +113,11 @@ class Space:
         contacts = [each for each in self.asset.contacts if set(each.links) == {a, b}]
         boxes = [part for box in self.boxes(variables) for part in self._split(box, contacts)]
         allowed = tuple(
-            tuple(each for each in contacts if each.when is None or self._holds(each.when, box))
+            tuple(
+                each
+                for each in contacts
+                if each.when is None or each.when.combined(partial(self._holds, box))
+            )
             for box in boxes
         )
         arrays = tuple(np.array([box[name] for name in variables]).reshape(-1, 2) for box in boxes)
@@ -206,29 +211,25 @@ class Space:
     def _split(self, box: Box, contacts: Sequence[AllowedContact]) -> list[Box]:
         """Cut a box at the thresholds of the conditions of contacts."""
         boxes = [box]
-        for contact in contacts:
-            for term in _comparisons(contact.when):
-                where = self.followers[term.joint]
-                name = where.variable
-                if name not in box or self.asset.joint(name).limits is None:
-                    continue
-                value = (term.value - where.offset) / where.ratio
+        terms = [term for each in contacts if each.when is not None for term in each.when.comparisons()]
+        for term in terms:
+            follower = self.followers[term.joint]
+            name = follower.variable
+            if name in box and self.asset.joint(name).limits is not None:
+                value = (term.value - follower.offset) / follower.ratio
                 boxes = [part for each in boxes for part in _halves(each, name, value)]
         return boxes
 
-    def _holds(self, condition: AssetCondition, box: Box) -> bool:
-        """Tell whether a condition holds everywhere in a box."""
-        if condition.kind in ("all", "any"):
-            results = [self._holds(term, box) for term in condition.terms]
-            return all(results) if condition.kind == "all" else any(results)
-        where = self.followers[condition.joint]
-        if where.variable and self.asset.joint(where.variable).limits is None:
+    def _holds(self, box: Box, term: AssetCondition) -> bool:
+        """Tell whether a comparison holds everywhere in a box."""
+        follower = self.followers[term.joint]
+        if follower.variable and self.asset.joint(follower.variable).limits is None:
             return False  # it holds within one turn, but perhaps not in the next
-        interval = box.get(where.variable, self.ranges.get(where.variable, (0.0, 0.0)))
-        ends = [where.at(end) for end in interval]
-        if condition.kind == "above":
-            return min(ends) >= condition.value - _ROUNDING
-        return max(ends) <= condition.value + _ROUNDING
+        interval = box.get(follower.variable, self.ranges.get(follower.variable, (0.0, 0.0)))
+        ends = [follower.at(end) for end in interval]
+        if term.kind == "above":
+            return min(ends) >= term.value - _ROUNDING
+        return max(ends) <= term.value + _ROUNDING
 
 
 def _common(first: Box, second: Box) -> Box | None:
@@ -250,13 +251,6 @@ def _largest(boxes: Sequence[Box]) -> list[Box]:
         if not any(all(o[n][0] <= low and high <= o[n][1] for n, (low, high) in box.items()) for o in others):
             result.append(box)
     return result
-
-
-def _comparisons(condition: AssetCondition | None) -> list[AssetCondition]:
-    """Return the comparisons in a condition."""
-    if condition is None:
-        return []
-    return [each for term in condition.terms for each in _comparisons(term)] or [condition]
 
 
 def _halves(box: Box, name: str, value: float) -> list[Box]:

@@ -6,6 +6,7 @@ whole joint space; and that the pieces contain the solids.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -99,11 +100,11 @@ def _recheck_pair(
         or not _on_colliders(stored, pair, proof)
         or sum(tuple(item["links"]) == pair.links for item in proof["pairs"]) == 1
     )
-    for name, (cover, _) in zip(pair.links, covers, strict=True):
+    for name, cover in zip(pair.links, covers, strict=True):
         if cover.excess is None and solids:
             yield _fault("its solids stick out of the pieces of the proof", [name])
     least = max(tolerance, pair.guaranteed or 0.0) if solids else tolerance
-    wanted = least + sum(cover.excess or 0.0 for cover, _ in covers) - _ROUNDING
+    wanted = least + sum(cover.excess or 0.0 for cover in covers) - _ROUNDING
     table = np.array(stored["leaves"], float).reshape(-1, 8 + 2 * len(joint_path.variables))
     for row in table:
         apart = _gap(joint_path, covers, row)
@@ -114,7 +115,7 @@ def _recheck_pair(
             yield _fault(message, pair.links, value=apart, unit="m")
             return
     cells = np.concatenate((table[:, :4].reshape(-1, 2, 2), table[:, 8:].reshape(len(table), -1, 2)), axis=1)
-    pieces = np.array([[0, len(cover.points)] for cover, _ in covers], float)
+    pieces = np.array([[0, len(cover.points)] for cover in covers], float)
     for box in joint_path.boxes:
         missed = uncovered(cells, np.concatenate((pieces, box)))
         if missed is not None:
@@ -122,31 +123,28 @@ def _recheck_pair(
             yield _fault("the proof does not cover all of the joint space", pair.links, pose=pose)
 
 
-def _cover(asset: Asset, link: str, stored: Mapping[str, Any]) -> tuple[Cover, list[int]]:
-    """Return the pieces of a link and the order in which cells number them."""
-    body, order = asset.link(link), [int(index) for index in stored["order"]]
-    cover = stored_cover(body, stored)
+def _cover(asset: Asset, link: str, stored: Mapping[str, Any]) -> Cover:
+    """Return the pieces of a link in the order in which cells number them."""
+    cover, order = stored_cover(asset.link(link), stored), [int(index) for index in stored["order"]]
     if sorted(order) != list(range(len(cover.points))):
         raise ValueError(
             f"the order of the pieces of {link!r} is no permutation of its {len(cover.points)} pieces"
         )
-    return cover, order
+    points = tuple(cover.points[index] for index in order)
+    return replace(cover, points=points, labels=tuple(cover.labels[index] for index in order))
 
 
-def _gap(joint_path: JointPath, covers: list[tuple[Cover, list[int]]], row: Array) -> float:
+def _gap(joint_path: JointPath, covers: Sequence[Cover], row: Array) -> float:
     """Return the bound of a cell's gap [m]."""
     ranges, frame, normal = row[:4].astype(int), int(row[4]), row[5:8]
     low, high = row[8::2], row[9::2]
-    first, second = (
-        [cover.points[index] for index in order[start:stop]]
-        for (cover, order), start, stop in zip(covers, ranges[::2], ranges[1::2], strict=True)
-    )
+    first, second = covers[0].points[slice(*ranges[:2])], covers[1].points[slice(*ranges[2:])]
     if min(ranges) < 0 or (frame != AXIS_FRAME and not 0 <= frame <= len(joint_path.steps)):
-        raise ValueError(f"the leaf {row.tolist()} counts from below 0 or beyond the joints")
+        raise ValueError(f"the cell {row.tolist()} counts from below 0 or beyond the joints")
     path = []
     for joint, sign, follower in zip(joint_path.steps, joint_path.signs, joint_path.followers, strict=True):
         number = joint_path.variables.index(follower.variable) if follower.variable else 0
-        center = follower.ratio * (low[number] + high[number]) / 2.0 + follower.offset
+        center = follower.at((low[number] + high[number]) / 2.0)
         half = abs(follower.ratio) * (high[number] - low[number]) / 2.0
         axis = (sign * joint.axis)[None]
         path.append(Motion(joint.kind, joint.pivot[None], axis, np.array([center]), np.array([half])))
@@ -159,11 +157,14 @@ def _gap(joint_path: JointPath, covers: list[tuple[Cover, list[int]]], row: Arra
     return float(gap(a, b, path, frame, normal[None, None] / length)[0, 0])
 
 
-def _axis_gap(joint_path: JointPath, first: list[Array], second: list[Array], path: list[Motion]) -> float:
+def _axis_gap(
+    joint_path: JointPath, first: Sequence[Array], second: Sequence[Array], path: Sequence[Motion]
+) -> float:
+    """Return the bound of the gap of pieces whose joints all have the axis of the first joint [m]."""
     axis, origin = joint_path.steps[0].axis, joint_path.steps[0].pivot
-    for joint in joint_path.steps:  # all joints must have this axis
+    for joint in joint_path.steps:
         away = (joint.pivot - origin) if joint.kind == "revolute" else np.zeros(3)
-        if max(np.abs(np.cross(joint.axis, axis)).max(), np.abs(np.cross(away, axis)).max()) > _ROUNDING:
+        if np.abs(np.cross([joint.axis, away], axis)).max() > _ROUNDING:
             return -np.inf
     slides = [motion for motion in path if motion.kind == "prismatic"]
     shift = sum((float(motion.axis[0] @ axis) * motion.center for motion in slides), np.zeros(1))
@@ -172,22 +173,18 @@ def _axis_gap(joint_path: JointPath, first: list[Array], second: list[Array], pa
     return min(float(axis_gap(a, b, shift, half)[0]) for a in about[0] for b in about[1])
 
 
-def _limit(joint_path: JointPath, covers: list[tuple[Cover, list[int]]], row: Array, wanted: float) -> float:
+def _limit(joint_path: JointPath, covers: Sequence[Cover], row: Array, wanted: float) -> float:
     """Return the gap that a cell has to prove, negative for two pieces that may touch [m]."""
-    ranges = row[:4].astype(int)
+    ranges, cell = row[:4].astype(int), row[8:].reshape(-1, 2)
     if ranges[1] - ranges[0] != 1 or ranges[3] - ranges[2] != 1:
         return wanted
-    a, b = (cover.labels[order[start]] for (cover, order), start in zip(covers, ranges[::2], strict=True))
-    cell = row[8:].reshape(-1, 2)
-    inside = [
-        (box[:, 0] - _BEYOND <= cell[:, 0]).all() and (cell[:, 1] <= box[:, 1] + _BEYOND).all()
-        for box in joint_path.boxes
-    ]
+    labels = covers[0].labels[ranges[0]], covers[1].labels[ranges[2]]
     depths = [
         contact.depth
-        for within, allowed in zip(inside, joint_path.allowed, strict=True)
+        for box, allowed in zip(joint_path.boxes, joint_path.allowed, strict=True)
+        if (box[:, 0] - _BEYOND <= cell[:, 0]).all() and (cell[:, 1] <= box[:, 1] + _BEYOND).all()
         for contact in allowed
-        if within and allows(contact, joint_path.links, (a, b))
+        if allows(contact, joint_path.links, labels)
     ]
     return -max(depths) - _TOUCHING if depths else wanted
 
@@ -199,15 +196,13 @@ def uncovered(cells: Array, region: Array) -> Array | None:
         rows, part = todo.pop()
         low, high = cells[rows, :, 0], cells[rows, :, 1]
         flat = part[:, 0] == part[:, 1]
-        meets = np.where(
-            flat, (low <= part[:, 0]) & (high >= part[:, 1]), (low < part[:, 1]) & (high > part[:, 0])
-        )
-        rows = rows[meets.all(axis=1)]
-        if not len(rows):
+        within = (low <= part[:, 0]) & (high >= part[:, 1])
+        meets = np.where(flat, within, (low < part[:, 1]) & (high > part[:, 0])).all(axis=1)
+        if not meets.any():
             return part
-        low, high = cells[rows, :, 0], cells[rows, :, 1]
-        if ((low <= part[:, 0]) & (high >= part[:, 1])).all(axis=1).any():
+        if within.all(axis=1).any():
             continue
+        rows, low, high = rows[meets], low[meets], high[meets]
         inner = np.concatenate((low, high))
         candidate, dimension = np.nonzero((inner > part[:, 0]) & (inner < part[:, 1]))
         place = float(inner[candidate[0], dimension[0]])
