@@ -6,7 +6,7 @@ from typing import Annotated
 import typer
 
 from artgen.catalog import categories
-from artgen.commands.sheet import sheet
+from artgen.commands.pictures import sheet
 
 DOCS = Path(__file__).parents[1] / "docs"
 

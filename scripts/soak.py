@@ -22,7 +22,7 @@ from surveys.summary import shortened
 
 from artgen.catalog import categories as all_categories
 from artgen.catalog import find
-from artgen.commands.progress import rate_bar
+from artgen.commands.console import rate_bar
 from artgen.errors import ArtgenError
 from artgen.generator.overrides import spelled
 

@@ -22,7 +22,7 @@ from surveys.summary import Criterion, criteria, failures, figures, listed
 
 from artgen.catalog import categories as all_categories
 from artgen.catalog import find
-from artgen.commands.progress import progress_bar
+from artgen.commands.console import progress_bar
 
 _PAIRS = 8  # number of pairs that are shown
 _STATES = {True: "[green]yes[/]", False: "[bold red]no[/]", None: "[yellow]?[/]"}

@@ -7,7 +7,7 @@ import typer
 from typer.testing import CliRunner
 
 from artgen.cli import main
-from artgen.commands.colliders import colliders
+from artgen.commands.checks import colliders
 from artgen.errors import ExportError
 from support.trays import tray
 

@@ -9,7 +9,7 @@ import typer
 from typer.testing import CliRunner
 
 from artgen.asset.report import CheckResult, Finding
-from artgen.commands.validate import validate
+from artgen.commands.checks import validate
 from artgen.errors import ExportError, ParameterError
 from artgen.validate import Examination
 from artgen.validate.clients.run import Outcome
@@ -170,7 +170,7 @@ def asked(monkeypatch):
         answers["calls"].append((directory, [client.name for client in clients], by_name))
         return answers["outcomes"]
 
-    monkeypatch.setattr("artgen.commands.validate.run_clients", run_clients)
+    monkeypatch.setattr("artgen.commands.checks.run_clients", run_clients)
     return answers
 
 

@@ -125,7 +125,7 @@ def test_an_asset_that_cannot_be_read_fails_its_files_alone(suite, pytester):
 def test_a_directory_without_assets_is_wrong_use(suite, directory):
     done = suite("--artgen", directory)
     assert done.ret == pytest.ExitCode.USAGE_ERROR
-    done.stderr.fnmatch_lines(["ERROR: --artgen '*no exported asset is there; give a directory with*"])
+    done.stderr.fnmatch_lines(["ERROR: --artgen: *exported asset*"])
 
 
 def test_loading_the_plugin_loads_nothing_of_artgen():

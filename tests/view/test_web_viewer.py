@@ -409,7 +409,7 @@ def test_the_command_writes_a_page_and_opens_it(
     monkeypatch.setattr("webbrowser.open", lambda address: False)
     done = artgen_command("view", "stored", "--out", "other.html")
     assert done.code == 0
-    assert done.err == "note: no browser was found here; open other.html in one\n"
+    assert done.err == "note: there is no browser here; open other.html in one\n"
 
 
 @pytest.mark.parametrize(

@@ -63,6 +63,31 @@ def load(directory: str | Path) -> Asset:
         raise AssetError(f"{path} is damaged ({error!r}); export the asset again") from error
 
 
+def exports_in(directories: Iterable[Path]) -> list[Path]:
+    """Return the directories of exported assets: given ones, and those directly inside given directories.
+
+    Raises:
+        ExportError: A directory does not exist or holds no asset.
+    """
+    found: dict[str, Path] = {}
+    for directory in directories:
+        if not directory.is_dir():
+            raise ExportError(
+                f"there is no directory {str(directory)!r}; give one that holds an exported asset"
+            )
+        inside = sorted(path.parent for path in directory.glob(f"*/{ASSET_FILE}"))
+        inside = [path for path in inside if not path.name.startswith(".")]  # unfinished and replaced exports
+        if (directory / ASSET_FILE).is_file():
+            inside = [directory]
+        if not inside:
+            raise ExportError(
+                f"{str(directory)!r} holds no exported asset: no {ASSET_FILE} in it or in a directory in it"
+            )
+        for each in inside:
+            found.setdefault(os.path.realpath(each), each)
+    return list(found.values())
+
+
 def main_files(directory: str | Path) -> dict[str, Path]:
     """Return the main file of each format of an export, which simulators open.
 

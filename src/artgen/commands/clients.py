@@ -1,15 +1,13 @@
 """`artgen clients`: installed simulators, validators and converters, and installation of others."""
 
 import os
-import sys
 from pathlib import Path
 from typing import Annotated
 
 import typer
-from rich.console import Console
-from rich.table import Table
 from rich.text import Text
 
+from artgen.commands.console import FAULT, console, table
 from artgen.errors import ClientError
 from artgen.validate.clients.install import (
     OWN_PYTHON,
@@ -21,9 +19,6 @@ from artgen.validate.clients.install import (
 from artgen.validate.clients.install import install as install_environment
 from artgen.validate.clients.registry import ALL, CLIENTS, REQUIREMENTS, Client, chosen_clients
 
-_FAULT = 1  # exit code
-_PLAIN_WIDTH = 1000  # columns without a terminal: one line per row
-
 
 def clients(
     *,
@@ -31,12 +26,12 @@ def clients(
         str | None,
         typer.Option(
             metavar="NAMES",
-            help=f"Make the environments of these clients: {ALL!r}, or names separated by commas.",
+            help=f"Create the environments of these clients: {ALL!r}, or names separated by commas.",
         ),
     ] = None,
     python: Annotated[
         Path | None,
-        typer.Option(metavar="PROGRAM", help="The Python that they are made of; artgen's own by default."),
+        typer.Option(metavar="PROGRAM", help="Python program for the environments; artgen's own by default."),
     ] = None,
 ) -> None:
     """List the clients that read exports, or install them into their own environments.
@@ -46,19 +41,16 @@ def clients(
     if install is not None:
         _install(install, python)
         return
-    console = Console(width=None if sys.stdout.isatty() else _PLAIN_WIDTH, highlight=False, markup=False)
-    table = Table(box=None, pad_edge=False, header_style="bold")
-    for column in ("client", "reads", "layouts", "version", "where"):
-        table.add_column(column, overflow="fold")
+    result = table("client", "reads", "layouts", "version", "where")
     for client in CLIENTS.values():
         version, place = installed(client)
+        style = ""
         if not client.distribution:
-            place = "a program of the system, looked for when it is asked"
+            place = "a program of the system, searched when the client runs"
         elif not version:
-            place = f"absent: {how_to_get(client)}"
-        style = "yellow" if not version and client.distribution else ""
-        table.add_row(client.name, client.format, ", ".join(client.layouts), version, Text(place, style))
-    console.print(table)
+            place, style = f"absent: {how_to_get(client)}", "yellow"
+        result.add_row(client.name, client.format, ", ".join(client.layouts), version, Text(place, style))
+    console().print(result)
 
 
 def _install(names: str, python: Path | None) -> None:
@@ -79,9 +71,9 @@ def _install(names: str, python: Path | None) -> None:
     for client in found:
         if client.environment not in REQUIREMENTS and by_name:
             typer.echo(f"{client.name}: artgen cannot install it; {how_to_get(client)}", err=True)
-            raise typer.Exit(_FAULT)
+            raise typer.Exit(FAULT)
     if failed:
-        raise typer.Exit(_FAULT)
+        raise typer.Exit(FAULT)
 
 
 def _needs_one(client: Client, by_name: bool) -> bool:  # noqa: FBT001 - private

@@ -10,28 +10,12 @@ import typer
 from artgen.asset import Asset
 from artgen.asset.files import ASSET_FILE
 from artgen.catalog import find
-from artgen.commands.progress import progress_bar
+from artgen.commands.console import progress_bar
+from artgen.commands.options import Category, OpenBrowser, Overrides, Page, Seed, Source, TextureSize
 from artgen.errors import ParameterError
 from artgen.generator.overrides import parse_overrides
 
-SourceArgument = Annotated[
-    str,
-    typer.Argument(metavar="DIRECTORY|CATEGORY", help="An exported asset, a category, or a file with one."),
-]
-SourceSeed = Annotated[int, typer.Option(help="Of a category: decides every draw.")]
-SourceOverrides = Annotated[
-    list[str] | None,
-    typer.Option("--set", metavar="NAME=VALUE", help="Of a category: a value for a parameter."),
-]
-
-Category = Annotated[
-    str, typer.Argument(help="Name of a category, which `artgen list` shows, or a file that defines one.")
-]
-Seed = Annotated[int, typer.Option(help="Decides every draw.")]
-Overrides = Annotated[
-    list[str] | None,
-    typer.Option("--set", metavar="NAME=VALUE", help="A value for a parameter. May be given several times."),
-]
+_TEXELS = 512  # default texels per side of maps
 
 
 def asset_from(source: str, seed: int, overrides: list[str], *, certify: bool = False) -> Asset:
@@ -40,15 +24,13 @@ def asset_from(source: str, seed: int, overrides: list[str], *, certify: bool = 
     Args:
         source: Directory of an exported asset or its `asset.json`, a category, or a file with one.
         seed: Seed for a category.
-        overrides: The same: `NAME=VALUE`.
-        certify: The same: whether to prove it; one that is only to be seen needs no proof.
+        overrides: Overrides for a category: `NAME=VALUE`.
+        certify: Whether to certify an asset of a category.
 
     Raises:
         ParameterError: Overrides are given for an exported asset, or cannot be parsed.
         ArtgenError: There is no such asset or category, or it cannot be generated.
     """
-    from artgen.catalog import find
-
     directory = Path(source)
     if directory.is_dir() or directory.name == ASSET_FILE:
         if overrides:
@@ -57,49 +39,33 @@ def asset_from(source: str, seed: int, overrides: list[str], *, certify: bool = 
     return find(source).evaluate(seed, certify=certify, overrides=parse_overrides(overrides))[0]
 
 
-TEXELS = 512
-"""Default texels per side of maps."""
-
-
 def view(
-    source: SourceArgument,
+    source: Source,
     *,
-    seed: SourceSeed = 0,
-    overrides: SourceOverrides = None,
+    seed: Seed = 0,
+    overrides: Overrides = None,
     certify: Annotated[
-        bool, typer.Option(help="Of a category: prove it, and draw again what collides.")
+        bool, typer.Option(help="Prove an asset of a category, and draw again after a failed proof.")
     ] = True,
-    texture_size: Annotated[
-        int, typer.Option(metavar="TEXELS", help="Texels on a side of the maps; 0 for plain colors.")
-    ] = TEXELS,
-    out: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="HTML; ./<name of the asset>.html by default.")
-    ] = None,
-    opening: Annotated[bool, typer.Option("--open/--no-open", help="Open it in the browser.")] = True,
+    texture_size: TextureSize = _TEXELS,
+    out: Page = None,
+    opening: OpenBrowser = True,
 ) -> None:
     """Write an asset as a page with a slider for each joint, print its path, and open it in the browser.
 
     The page is one offline file.
     """
-    from artgen.materials.textures import check_size
-    from artgen.view.page import check_page
     from artgen.view.viewer import page_of
 
-    if texture_size != 0:
-        check_size(texture_size)
-    if out is not None:
-        check_page(out)
     asset = asset_from(source, seed, overrides or [], certify=certify)
-    path = page_of(asset, textures=texture_size).save(out or Path(f"{asset.name}.html"))
+    _show(page_of(asset, textures=texture_size).save(out or Path(f"{asset.name}.html")), opening)
+
+
+def _show(path: Path, opening: bool) -> None:  # noqa: FBT001 - private
+    """Print the path of a page, and open the page in the browser."""
     typer.echo(path)
-    if opening:
-        show_file(path)
-
-
-def show_file(path: Path) -> None:
-    """Open a file in the browser, or report that there is none."""
-    if not webbrowser.open(path.resolve().as_uri()):
-        typer.echo(f"note: no browser was found here; open {path} in one", err=True)
+    if opening and not webbrowser.open(path.resolve().as_uri()):
+        typer.echo(f"note: there is no browser here; open {path} in one", err=True)
 
 
 def gallery(
@@ -110,23 +76,18 @@ def gallery(
         ),
     ],
     *,
-    texture_size: Annotated[
-        int, typer.Option(metavar="TEXELS", help="Texels on a side of the maps; 0 for plain colors.")
-    ] = TEXELS // 2,
+    texture_size: TextureSize = _TEXELS // 2,
     out: Annotated[
-        Path | None, typer.Option(metavar="FOLDER", help="Where to; <DIRECTORY>_gallery by default.")
+        Path | None, typer.Option(metavar="FOLDER", help="Target; <DIRECTORY>_gallery by default.")
     ] = None,
-    opening: Annotated[bool, typer.Option("--open/--no-open", help="Open it in the browser.")] = True,
+    opening: OpenBrowser = True,
 ) -> None:
     """Write a page of all assets in a folder, with pictures and filters, and print its path.
 
-    Each picture leads to the viewer of its asset. With artgen[sim], pictures are drawn by MuJoCo.
+    Each picture links to the viewer of its asset. With artgen[sim], MuJoCo draws the pictures.
     """
-    from artgen.materials.textures import check_size
     from artgen.view.gallery import find_assets, write_gallery
 
-    if texture_size != 0:
-        check_size(texture_size)
     source = directory.resolve()
     found = find_assets(source)
     target = out or source.with_name(f"{source.name}_gallery")
@@ -141,9 +102,7 @@ def gallery(
         )
     for message in failed:
         typer.echo(f"warning: {' '.join(message.split())}", err=True)
-    typer.echo(path)
-    if opening:
-        show_file(path)
+    _show(path, opening)
 
 
 def graph(
@@ -155,33 +114,25 @@ def graph(
         list[str] | None,
         typer.Option(
             metavar="NAME=VALUE",
-            help="Evaluate, set this, and evaluate again: shows what came from the cache and what did not.",
+            help="Set this value, evaluate a second time, and show which nodes come from the cache.",
         ),
     ] = None,
-    out: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="HTML; ./<category>_<seed>_graph.html by default.")
-    ] = None,
-    opening: Annotated[bool, typer.Option("--open/--no-open", help="Open it in the browser.")] = True,
+    out: Page = None,
+    opening: OpenBrowser = True,
 ) -> None:
     """Write the node graph of a category as a page, print its path, and open it; needs artgen[studio].
 
     The page shows value, time, state, author's line and geometry of each node.
     """
     from artgen.graph_view import graph_page
-    from artgen.view.page import check_page
 
-    if out is not None:
-        check_page(out)
     page = graph_page(
         find(category),
         seed,
         overrides=parse_overrides(overrides or ()),
         change=parse_overrides(change or ()),
     )
-    path = page.save(out or Path(f"{page.name}.html"))
-    typer.echo(path)
-    if opening:
-        show_file(path)
+    _show(page.save(out or Path(f"{page.name}.html")), opening)
 
 
 def studio(
@@ -190,13 +141,13 @@ def studio(
     seed: Seed = 0,
     overrides: Overrides = None,
     host: Annotated[
-        str, typer.Option(help="Where to serve; 0.0.0.0 lets in other machines that have the token.")
+        str, typer.Option(help="Address of the server; 0.0.0.0 admits other machines that have the token.")
     ] = "127.0.0.1",
-    port: Annotated[int, typer.Option(help="Where to serve; 0 takes any that is free.")] = 8080,
-    out: Annotated[
-        Path, typer.Option(metavar="DIRECTORY", help="The page exports files below this folder only.")
-    ] = Path("out"),
-    opening: Annotated[bool, typer.Option("--open/--no-open", help="Open it in the browser.")] = True,
+    port: Annotated[int, typer.Option(help="Port of the server; 0 takes a free one.")] = 8080,
+    out: Annotated[Path, typer.Option(metavar="DIRECTORY", help="Folder for exports of the page.")] = Path(
+        "out"
+    ),
+    opening: OpenBrowser = True,
 ) -> None:
     """Edit the parameters and joints of a category in the browser; needs artgen[studio].
 

@@ -8,21 +8,18 @@ Every run of pytest loads `pytest_artgen`, which defines the option and loads th
 given.
 """
 
-from __future__ import annotations
-
 import os
+from collections.abc import Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import pytest
 
-if TYPE_CHECKING:  # pytest always loads plugins: load nothing else of artgen without `--artgen`
-    from collections.abc import Iterator
+from artgen.asset.files import exports_in
+from artgen.asset.report import CheckResult
+from artgen.errors import ExportError
+from artgen.validate import Examination
 
-    from artgen.asset.report import CheckResult
-    from artgen.validate import Examination
-
-_ASSET_FILE = "asset.json"
 _DIRECTORIES = pytest.StashKey[list[Path]]()
 
 
@@ -34,7 +31,10 @@ def pytest_configure(config: pytest.Config) -> None:
     """
     start = config.invocation_params.dir
     given = [Path(os.path.normpath(start / each)) for each in config.getoption("artgen")]
-    config.stash[_DIRECTORIES] = _exports_in(given)
+    try:
+        config.stash[_DIRECTORIES] = exports_in(given)
+    except ExportError as error:
+        raise pytest.UsageError(f"--artgen: {error}") from error
     if given and config.args_source is not pytest.Config.ArgsSource.ARGS:
         config.args = []
 
@@ -50,35 +50,11 @@ def pytest_collection_modifyitems(
         items.extend(session.genitems(collector))
 
 
-def _exports_in(directories: list[Path]) -> list[Path]:
-    found: dict[str, Path] = {}
-    for directory in directories:
-        inside = [directory]
-        if not (directory / _ASSET_FILE).is_file():
-            children = sorted(directory.iterdir()) if directory.is_dir() else []
-            # names of unfinished and replaced exports begin with a dot
-            inside = [
-                child
-                for child in children
-                if not child.name.startswith(".") and (child / _ASSET_FILE).is_file()
-            ]
-        if not inside:
-            raise pytest.UsageError(
-                f"--artgen {str(directory)!r}: no exported asset is there; give a directory with an "
-                "asset.json, or one that holds such directories"
-            )
-        for each in inside:
-            found.setdefault(os.path.realpath(each), each)
-    return list(found.values())
-
-
 class AssetDirectory(pytest.Collector):
     """An exported asset with its checks as tests."""
 
     def collect(self) -> Iterator[pytest.Item]:
         """Make a test of each check that applies to the export."""
-        from artgen.validate import Examination
-
         examination = Examination(self.path)
         for check in examination.checks:
             yield CheckItem.from_parent(self, name=check, examination=examination)

@@ -30,7 +30,7 @@ def test_the_list_says_where_each_client_is(artgen_command, made):
     assert list(rows) == list(CLIENTS)
     assert rows["yourdfpy"].rstrip().endswith("artgen's own")
     assert rows["drake_urdf"].rstrip().endswith("absent: artgen clients --install drake_urdf")
-    assert "looked for when it is asked" in rows["check_urdf"]
+    assert "searched when the client runs" in rows["check_urdf"]
 
 
 def test_named_clients_are_installed(artgen_command, made, tmp_path):

@@ -1,0 +1,209 @@
+"""Commands that check: `artgen certify`, `artgen validate` and `artgen colliders`."""
+
+import json
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Annotated
+
+import typer
+from rich.console import Console
+from rich.text import Text
+
+from artgen.asset import Asset
+from artgen.asset.files import exports_in
+from artgen.asset.report import CheckResult, Finding, Report
+from artgen.commands.console import FAULT, console, progress_bar, table
+from artgen.commands.options import Category, JsonOutput, Overrides, Seed, Tolerance
+from artgen.errors import ExportError
+from artgen.export.files import REPORT_FILE, replaced
+from artgen.generator.overrides import parse_overrides
+from artgen.range_proof import prove_range
+from artgen.validate import validate as run_checks
+from artgen.validate.clients.registry import ALL, chosen_clients
+from artgen.validate.clients.run import ClientReport, Outcome, run_clients
+
+_STYLES = {
+    "passed": "green",
+    "failed": "bold red",
+    "skipped": "yellow",
+    "fault": "bold red",
+    "note": "yellow",
+    "timed out": "bold red",
+    "absent": "yellow",
+    "nothing to read": "yellow",
+}
+
+
+def certify(
+    category: Category,
+    *,
+    samples: Annotated[int, typer.Option(metavar="NUMBER", help="Number of seeds.")] = 500,
+    corners: Annotated[
+        bool, typer.Option(help="Certify the corners of the parameter ranges as well, at most about 256.")
+    ] = True,
+    overrides: Overrides = None,
+    seed: Seed = 0,
+    tolerance: Tolerance = 0.0,
+    json_file: Annotated[
+        Path | None, typer.Option("--json", metavar="FILE", help="Write all results to a file as well.")
+    ] = None,
+) -> None:
+    """Prove samples and corners of a category free of collisions; exit code 1 if a proof fails."""
+    if json_file is not None and (json_file.is_dir() or not json_file.absolute().parent.is_dir()):
+        raise ExportError(f"cannot write {json_file}: give a file in a directory that exists")
+    with progress_bar() as bar:
+        task = bar.add_task(category, total=None)
+        proof = prove_range(
+            category,
+            samples,
+            corners=corners,
+            seed=seed,
+            overrides=parse_overrides(overrides or ()),
+            tolerance=tolerance,
+            progress=lambda done, total: bar.update(task, completed=done, total=total),
+        )
+    typer.echo(proof)
+    if json_file is not None:
+        try:
+            json_file.write_text(_json(proof.to_data()) + "\n", encoding="utf-8")
+        except OSError as error:
+            raise ExportError(f"cannot write {json_file}: {error.strerror}") from error
+    if not proof.sound:
+        raise typer.Exit(FAULT)
+
+
+def _json(data: object) -> str:
+    return json.dumps(data, indent=1, ensure_ascii=False, allow_nan=False)
+
+
+def colliders(
+    directory: Annotated[
+        Path,
+        typer.Argument(metavar="DIRECTORY", help="An exported asset, with urdf or mjcf among its formats."),
+    ],
+    *,
+    speed: Annotated[bool, typer.Option(help="Measure the speed of MuJoCo; needs artgen[sim].")] = True,
+    as_json: JsonOutput = False,
+) -> None:
+    """Compare the colliders of an exported asset with CoACD's and with convex hulls."""
+    from artgen.validate.collider_table import compare_colliders  # scipy and trimesh take half a second
+
+    asset = Asset.load(directory)
+    rows = compare_colliders(asset, speed=speed)
+    if as_json:
+        typer.echo(_json({"asset": asset.name, "colliders": [row.to_data() for row in rows]}))
+        return
+    result = table(
+        *("colliders", "pieces", "vertices", "volume error", "surface error", "interior kept"),
+        "MuJoCo steps/s",
+    )
+    for column in result.columns[1:]:
+        column.justify = "right"
+    for row in rows:
+        result.add_row(
+            f"{row.kind} (stored)" if row.stored else row.kind,
+            str(row.pieces),
+            str(row.vertices),
+            f"{row.volume_error:.2%}",
+            f"{1e3 * row.surface_error:.2f} mm",
+            f"{row.interior_kept:.2%}",
+            "-" if row.steps_per_second is None else f"{row.steps_per_second:.0f}",
+        )
+    console().print(result)
+
+
+def validate(
+    directories: Annotated[
+        list[Path],
+        typer.Argument(metavar="DIRECTORY...", help="Exported assets, or directories that contain some."),
+    ],
+    *,
+    behavior: Annotated[
+        bool, typer.Option(help="Simulate each asset in MuJoCo; takes seconds, needs artgen[sim].")
+    ] = True,
+    clients: Annotated[
+        str | None,
+        typer.Option(
+            metavar="NAMES",
+            help="Simulators, validators and converters that read each asset as well: names separated by "
+            f"commas, or {ALL!r} for those that are installed; `artgen clients` lists them.",
+        ),
+    ] = None,
+    as_json: JsonOutput = False,
+) -> None:
+    """Run all checks on exported assets, and write a report.json into each; exit code 1 for a fault."""
+    chosen, by_name = ((), False) if clients is None else chosen_clients(clients)
+    terminal = console()
+    reports: list[tuple[Path, Report]] = []
+    for directory in exports_in(directories):
+        report = run_checks(directory, behavior=behavior)
+        if chosen:
+            outcomes = run_clients(directory, chosen, by_name=by_name)
+            report = ClientReport(report.asset, report.results, tuple(outcomes))
+        reports.append((directory, report))
+        if not as_json:
+            _show(terminal, directory, report)
+        write_report(report, directory)
+    if as_json:
+        typer.echo(
+            _json([{"directory": str(directory), **report.to_data()} for directory, report in reports])
+        )
+    failed = [report.asset for _, report in reports if not report.passed]
+    if len(reports) > 1 and not as_json:
+        names = f": {', '.join(failed)}" if failed else ""
+        terminal.print(f"{len(failed)} of {len(reports)} assets failed{names}", soft_wrap=True)
+    if failed:
+        raise typer.Exit(FAULT)
+
+
+def write_report(report: Report, directory: Path) -> Path:
+    """Write a report as JSON into a directory, completely or not at all."""
+    target = directory / REPORT_FILE
+    with replaced(target) as file:
+        file.write_text(report.to_json(), encoding="utf-8", newline="\n")
+    return target
+
+
+def _show(terminal: Console, directory: Path, report: Report) -> None:
+    """Print a table of the checks, and one of the clients, with their findings below."""
+    terminal.print(Text.assemble((report.asset, "bold"), f" in {directory}"), soft_wrap=True)
+    checks = table("check", "result", "detail")
+    for result in report.results:
+        state = result.to_data()["state"]
+        checks.add_row(result.check, Text(state, _STYLES[state]), _detail(result))
+    terminal.print(checks)
+    _show_findings(terminal, [finding for result in report.results for finding in result.findings])
+    if isinstance(report, ClientReport):
+        terminal.print()
+        _show_clients(terminal, report.outcomes)
+    terminal.print()
+
+
+def _show_clients(terminal: Console, outcomes: Sequence[Outcome]) -> None:
+    clients = table("client", "version", "result", "first message")
+    for outcome in outcomes:
+        state = Text(outcome.state, "bold red" if outcome.fault else _STYLES[outcome.state])
+        clients.add_row(outcome.client, outcome.version, state, outcome.message)
+    terminal.print(clients)
+    _show_findings(terminal, [finding for outcome in outcomes for finding in outcome.findings[1:]])
+
+
+def _detail(result: CheckResult) -> str:
+    parts = [result.skipped or result.detail]
+    notes = len(result.findings) - len(result.faults)
+    for count, word in ((len(result.faults), "fault"), (notes, "note")):
+        if count:
+            parts.append(f"{count} {word}{'' if count == 1 else 's'}")
+    return "; ".join(part for part in parts if part)
+
+
+def _show_findings(terminal: Console, findings: Sequence[Finding]) -> None:
+    """Print each finding over several lines: fault and place, number and pose, hint."""
+    for finding in findings:
+        place = ", ".join(f"{kind} {name}" for kind in ("link", "joint") if (name := getattr(finding, kind)))
+        lines = [f"{place}: {finding.message}" if place else finding.message]
+        number = "" if finding.value is None else f"{finding.value:.6g} {finding.unit}".strip()
+        pose = ", ".join(f"{name}={position:.4g}" for name, position in finding.pose.items())
+        lines += [" at ".join(part for part in (number, pose) if part), finding.hint and f"-> {finding.hint}"]
+        text = Text.assemble((finding.severity, _STYLES[finding.severity]), f" {finding.check}: ")
+        terminal.print(text.append("\n    ".join(line for line in lines if line)), soft_wrap=True)

@@ -1,0 +1,144 @@
+"""Tables and progress bars of commands, and the run of commands that make many things."""
+
+import sys
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import typer
+from rich.console import Console
+from rich.progress import (
+    BarColumn,
+    MofNCompleteColumn,
+    Progress,
+    ProgressColumn,
+    Task,
+    TextColumn,
+    TimeRemainingColumn,
+)
+from rich.table import Table
+from rich.text import Text
+
+from artgen.dataset import Summary
+from artgen.dataset.places import GO_ON
+
+FAULT = 1
+"""Exit code of a command that found a fault."""
+
+INTERRUPTED = 130
+"""Exit code after Ctrl-C."""
+
+_PLAIN_WIDTH = 1000  # columns of tables in files and pipes: one line per row
+_SHOWN = 20  # most listed failures
+
+
+def console() -> Console:
+    """Return the console for tables, as wide as the terminal, or wide enough for a file."""
+    width = None if sys.stdout.isatty() else _PLAIN_WIDTH
+    return Console(width=width, highlight=False, markup=False)
+
+
+def table(*columns: str) -> Table:
+    """Return an empty table."""
+    result = Table(box=None, pad_edge=False, header_style="bold")
+    for column in columns:
+        result.add_column(column, overflow="fold")
+    return result
+
+
+def progress_bar() -> Progress:
+    """Return a progress bar on stderr, which appears on terminals only and is removed at the end."""
+    return _bar()
+
+
+def rate_bar() -> Progress:
+    """Return a progress bar with the rate per second; its tasks have a field `failed`."""
+    return _bar(_Rate(), TextColumn("[red]{task.fields[failed]}"))
+
+
+class _Rate(ProgressColumn):
+    """Steps per second."""
+
+    def render(self, task: Task) -> Text:
+        """Return the rate as text."""
+        speed = task.finished_speed or task.speed
+        return Text("" if speed is None else f"{speed:.1f}/s")
+
+
+def _bar(*columns: ProgressColumn) -> Progress:
+    console = Console(stderr=True)
+    return Progress(
+        TextColumn("{task.description}"),
+        BarColumn(),
+        MofNCompleteColumn(),
+        *columns,
+        TimeRemainingColumn(),
+        console=console,
+        transient=True,
+        disable=not console.is_terminal,
+    )
+
+
+@contextmanager
+def counting(
+    name: str, total: int | None = None
+) -> Iterator[tuple[Callable[[bool, int], None], Callable[..., None]]]:
+    """Show the progress of a run; after Ctrl-C, print that the run can be continued, and end the command.
+
+    Yields a function for each result, with its success and the number of steps, and the update of the bar.
+    """
+    try:
+        with rate_bar() as bar:
+            task, failed = bar.add_task(name, total=total, failed=""), 0
+
+            def step(succeeded: bool, steps: int) -> None:  # noqa: FBT001 - a callback
+                nonlocal failed
+                failed += not succeeded
+                bar.update(task, advance=steps, failed=f"{failed} failed" if failed else "")
+
+            yield step, partial(bar.update, task)
+    except KeyboardInterrupt:
+        typer.echo(f"interrupted; {GO_ON}", err=True)
+        raise typer.Exit(INTERRUPTED) from None
+
+
+def list_failures(failures: Sequence[str], rest: str = "") -> None:
+    """Print failures to stderr, the first ones if there are many."""
+    for failure in failures[:_SHOWN]:
+        typer.echo(failure, err=True)
+    if len(failures) > _SHOWN:
+        typer.echo(f"and {len(failures) - _SHOWN} more{rest}", err=True)
+
+
+Step = Callable[[dict[str, Any]], None]
+Begin = Callable[[int], None]
+
+
+def many(work: Callable[[Step, Begin], Summary], out: str, *, each: int = 1, what: str = "assets") -> None:
+    """Run the work on a dataset, show its progress, and list the failures.
+
+    Args:
+        work: Function that does the work; its arguments are a callback for each line of the manifest and a
+            callback for the number of missing lines.
+        out: Target folder.
+        each: Number of results per asset.
+        what: Plural noun for the results.
+
+    Raises:
+        Exit: An asset failed.
+    """
+    with counting(Path(out).name) as (step, update):
+        summary = work(
+            lambda record: step(record["state"] == "done", each), lambda left: update(total=each * left)
+        )
+    failures = [f"{record['name']}: {record['error']}" for record in summary.failed]
+    list_failures(failures, ": manifest.jsonl lists them")
+    made, existing = each * summary.made, each * summary.existing
+    rate = f", {summary.seconds / made:.2f} s each" if made else ""
+    before = f", {existing} were there" if existing else ""
+    failed = f", {len(failures)} cannot be made" if failures else ""
+    typer.echo(f"made {made} {what} in {summary.seconds:.0f} s{rate}{before}{failed}: {out}")
+    if failures:
+        raise typer.Exit(FAULT)

@@ -1,0 +1,144 @@
+"""Commands that draw: `artgen render`, a picture of an asset, and `artgen sheet`, many samples on a page."""
+
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any, Literal
+
+import typer
+
+from artgen.asset import Asset
+from artgen.catalog import find
+from artgen.commands.console import progress_bar
+from artgen.commands.options import Category, Overrides, Seed, Source, TextureSize
+from artgen.commands.view import asset_from
+from artgen.errors import ExportError, ParameterError
+from artgen.generator.overrides import parse_overrides
+
+if TYPE_CHECKING:
+    from artgen.view import Picture
+
+
+def render(
+    source: Source,
+    *,
+    seed: Seed = 0,
+    overrides: Overrides = None,
+    positions: Annotated[
+        list[str] | None,
+        typer.Option("--q", metavar="JOINT=VALUE", help="Position of a joint [rad or m]. Repeatable."),
+    ] = None,
+    opening: Annotated[
+        float, typer.Option("--open", metavar="0..1", help="Share of the joint ranges; --q overrides it.")
+    ] = 0.0,
+    view: Annotated[
+        str, typer.Option(help="front, three_quarter, back, side, top, ... or close-up:LINK.")
+    ] = "three_quarter",
+    size: Annotated[str, typer.Option(metavar="PIXELS", help="Width and height: 768, or 1280x720.")] = "768",
+    studio: Annotated[Literal["studio", "room", "none"], typer.Option(help="Surroundings.")] = "studio",
+    show: Annotated[
+        Literal["color", "links", "labels", "depth", "normals"], typer.Option(help="Quantity of the pixels.")
+    ] = "color",
+    texture_size: TextureSize = 512,
+    samples: Annotated[int, typer.Option(help="Samples per pixel, for shadows and edges.")] = 32,
+    out: Annotated[
+        Path | None, typer.Option(metavar="FILE", help="PNG or JPEG; ./<name of the asset>.png by default.")
+    ] = None,
+) -> None:
+    """Render a picture of an asset and print its path; needs artgen[sim]."""
+    from artgen.view import opened
+    from artgen.view.picture import check_suffix, save_image
+
+    if out is not None:
+        check_suffix(out)
+    pixels = _size(size)
+    asset = asset_from(source, seed, overrides or [])
+    q = opened(asset, opening) | _positions(positions or [])
+    picture = asset.render(q, camera=view, size=pixels, studio=studio, textures=texture_size, samples=samples)
+    typer.echo(save_image(_shown(picture, show), out or Path(f"{asset.name}.png")))
+
+
+def _positions(items: list[str]) -> dict[str, float]:
+    found = {}
+    for item in items:
+        name, _, value = item.partition("=")
+        try:
+            found[name.strip()] = float(value)
+        except ValueError:
+            raise ParameterError(f"--q {item!r} must be JOINT=NUMBER, such as door_hinge=0.8") from None
+    return found
+
+
+def _size(text: str) -> tuple[int, int]:
+    try:
+        numbers = [int(part) for part in text.lower().split("x")]
+    except ValueError:
+        numbers = []
+    if len(numbers) not in (1, 2):
+        raise ParameterError(f"--size {text!r} must be a number of pixels, or two such as 1280x720")
+    return numbers[0], numbers[-1]
+
+
+def _shown(picture: "Picture", what: str) -> Any:
+    """Return the channel of a picture as colors."""
+    import numpy as np
+
+    if what == "color":
+        return picture.color
+    if what == "normals":
+        return np.rint(127.5 + 127.5 * picture.normals).astype(np.uint8)
+    if what == "depth":
+        seen = np.isfinite(picture.depth)
+        near, far = (picture.depth[seen].min(), picture.depth[seen].max()) if seen.any() else (0.0, 1.0)
+        share = (far - np.where(seen, picture.depth, far)) / max(far - near, 1e-9)
+        grey = np.where(seen, np.rint(55.0 + 200.0 * share), 0.0).astype(np.uint8)
+        return np.repeat(grey[..., None], 3, axis=2)
+    found = picture.links if what == "links" else picture.labels
+    hue = np.arange(len(found.names)) * 0.381966
+    wheel = 0.5 + 0.5 * np.cos(2.0 * np.pi * (hue[:, None] + np.array([0.0, 1 / 3, 2 / 3])))
+    colors = np.rint(60.0 + 190.0 * wheel).astype(np.uint8)
+    colors[0] = 0
+    return colors[found.ids]
+
+
+def sheet(
+    category: Category,
+    *,
+    seeds: Annotated[int, typer.Option(metavar="NUMBER", help="Number of samples.")] = 12,
+    first_seed: Seed = 0,
+    overrides: Overrides = None,
+    views: Annotated[int, typer.Option(help="1 for the front, 2 for the back as well.")] = 2,
+    size: Annotated[int, typer.Option(metavar="PIXELS", help="Height of a picture.")] = 240,
+    columns: Annotated[
+        int | None, typer.Option(help="Samples side by side; by default as many as make a good page.")
+    ] = None,
+    out: Annotated[
+        Path | None, typer.Option(metavar="FILE", help="JPEG or PNG; ./<category>.jpg by default.")
+    ] = None,
+) -> None:
+    """Draw samples of a category, closed and open, on one page, and print its path; needs artgen[sim]."""
+    from artgen.view.picture import check_suffix
+    from artgen.view.sheet import save_sheet
+    from artgen.view.sheet import sheet as draw
+
+    if seeds < 1:
+        raise ParameterError(f"--seeds {seeds} must be at least 1")
+    found, values = find(category), parse_overrides(overrides or [])
+    path = Path(f"{found.name}.jpg") if out is None else out
+    check_suffix(path)
+    if not path.absolute().parent.is_dir():
+        raise ExportError(f"cannot write {path}: give a file in a directory that exists")
+
+    def sample(seed: int) -> Asset:
+        return found.evaluate(seed, certify=False, overrides=values)[0]
+
+    makers = [partial(sample, seed) for seed in range(first_seed, first_seed + seeds)]
+    with progress_bar() as bar:
+        task = bar.add_task(found.name, total=seeds)
+        pixels = draw(
+            makers,
+            views=views,
+            size=size,
+            columns=columns,
+            progress=lambda done, total: bar.update(task, completed=done, total=total),
+        )
+    typer.echo(save_sheet(pixels, path))
