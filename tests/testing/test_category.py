@@ -143,7 +143,7 @@ def test_an_authors_mistake_keeps_its_traceback_and_names_the_seed():
     ("arguments", "options", "message"),
     [
         (["dor"], {}, r"there is no category 'dor'\. Did you mean 'door'"),
-        ([3], {}, "check_category takes a generator or the name of a category, got 3"),
+        ([3], {}, "a generator or the name of a category is needed, got 3"),
         ([stand, []], {}, r"check_category\(stand\): seeds is empty, so nothing would be checked"),
         ([stand], {"checks": ["tre"]}, r"there is no check 'tre'\. Did you mean 'tree'"),
         ([stand], {"overrides": {"gpa": 0.1}}, "stand has no parameter 'gpa'. Did you mean 'gap'"),

@@ -192,7 +192,7 @@ def test_without_structural_ones_assets_come_from_several_seeds():
     ("wrong", "options", "message"),
     [
         ("dor", {}, r"there is no category 'dor'\. Did you mean 'door'\?"),
-        (max, {}, "strategies need a generator or the name of a category, got <built-in function max>"),
+        (max, {}, "a generator or the name of a category is needed, got <built-in function max>"),
         (door, {"overrides": {"widht": 1}}, "door has no parameter 'widht'. Did you mean 'width'"),
         (door, {"overrides": {"width": 9.0}}, "width = 9.0 is out of range: 0.3 to 2 m is allowed"),
     ],

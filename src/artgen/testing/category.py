@@ -41,9 +41,7 @@ def check_category(
         ParameterError: A category, check or override is unknown, or there are no seeds.
     """
     __tracebackhide__ = True
-    chosen = find(generator) if isinstance(generator, str) else generator
-    if not isinstance(chosen, Generator):
-        raise ParameterError(f"check_category takes a generator or the name of a category, got {generator!r}")
+    chosen = found_generator(generator)
     numbers = list(seeds)
     if not numbers:
         raise ParameterError(f"check_category({chosen.name}): seeds is empty, so nothing would be checked")
@@ -56,10 +54,22 @@ def check_category(
             error.add_note(f"while checking {chosen.name}, seed {seed}")
             raise
         if faults:
-            failures.append(_described(chosen, seed, parameters, faults))
+            failures.append(_described(seed, parameters, faults))
     if failures:
         summary = f"{chosen.name}: {len(failures)} of {len(numbers)} seeds fail"
         raise AssertionError("\n".join([summary, *failures]))
+
+
+def found_generator(generator: Generator | str) -> Generator:
+    """Return a generator, or the one of a name or file.
+
+    Raises:
+        ParameterError: There is no category of that name, or it is not a generator.
+    """
+    found = find(generator) if isinstance(generator, str) else generator
+    if not isinstance(found, Generator):
+        raise ParameterError(f"a generator or the name of a category is needed, got {generator!r}")
+    return found
 
 
 def _faults(
@@ -79,19 +89,20 @@ def _faults(
         asset = generated()
     except ParameterError:
         raise
-    except BuildError as error:
-        if error.__cause__ is None or isinstance(error.__cause__, ArtgenError):
-            return _drawn(generator, seed, overrides, error), [f"generate: {error}"]
-        raise error.__cause__ from None  # a mistake of the author: its traceback explains it best
     except ArtgenError as error:
-        return _drawn(generator, seed, overrides, error), [f"generate: {error}"]
-    faults = []
+        mistake = error.__cause__
+        if isinstance(error, BuildError) and not (mistake is None or isinstance(mistake, ArtgenError)):
+            raise mistake from None  # a mistake of the author: its traceback explains it best
+        # parameters of the first draw, unless no draw was feasible
+        infeasible = isinstance(error, InfeasibleError)
+        parameters = {} if infeasible else generator.sample(seed, overrides=overrides)
+        return parameters, [f"generate: {error}"]
+    faults = _round_trip(generator, asset, overrides)
     if generated(Cache()).to_json() != asset.to_json():
         faults.append(
             "same seed, same bytes: generated again, the asset is another; draw only from the signature, and "
             "use no time, process or set order"
         )
-    faults += _round_trip(generator, asset, overrides)
     try:
         report = validate(asset, behavior=behavior, checks=checks)
     except ParameterError:
@@ -101,15 +112,6 @@ def _faults(
     else:
         faults += [f"{fault.check}: {fault}" for fault in report.faults]
     return asset.parameters, faults
-
-
-def _drawn(
-    generator: Generator, seed: int, overrides: Mapping[str, Any], error: ArtgenError
-) -> Mapping[str, Any]:
-    """Return the first draw of the parameters; empty if no draw was feasible."""
-    if isinstance(error, InfeasibleError):
-        return {}
-    return _plain(generator.sample(seed, overrides=overrides))
 
 
 def _round_trip(generator: Generator, asset: Asset, overrides: Mapping[str, Any]) -> list[str]:
@@ -123,14 +125,9 @@ def _round_trip(generator: Generator, asset: Asset, overrides: Mapping[str, Any]
     return [] if same else ["graph round trip: the graph that was read back from JSON is another"]
 
 
-def _plain(values: Mapping[str, Any]) -> dict[str, Any]:
-    """Return values with generators and materials replaced by their names."""
-    return {name: getattr(value, "name", value) for name, value in values.items()}
-
-
-def _described(generator: Generator, seed: int, parameters: Mapping[str, Any], faults: list[str]) -> str:
+def _described(seed: int, parameters: Mapping[str, Any], faults: list[str]) -> str:
     lines = [f"seed {seed}:", *(f"  {fault}" for fault in faults)]
-    if parameters:
-        spelled = ", ".join(f"{name}={value!r}" for name, value in _plain(parameters).items())
-        lines.append(f"  with {spelled}")
+    if parameters:  # generators and materials by name
+        values = ", ".join(f"{name}={getattr(value, 'name', value)!r}" for name, value in parameters.items())
+        lines.append(f"  with {values}")
     return "\n".join(lines)

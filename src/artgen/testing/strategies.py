@@ -18,8 +18,7 @@ from hypothesis import reject
 from hypothesis import strategies as st
 
 from artgen.asset import Asset
-from artgen.catalog import find
-from artgen.errors import InfeasibleError, ParameterError
+from artgen.errors import InfeasibleError
 from artgen.generator import Generator, Parameter
 from artgen.generator.draw import Overrides, drawing_order
 from artgen.generator.parameter import Variant, is_variant
@@ -27,6 +26,7 @@ from artgen.materials import MATERIALS, Material
 from artgen.sampling import Distribution, Fixed
 from artgen.sampling.choices import By, Choice
 from artgen.sampling.distributions import LogUniform, Normal
+from artgen.testing.category import found_generator
 
 __all__ = ["assets", "parameters"]
 
@@ -55,7 +55,7 @@ def parameters(
         ParameterError: There is no category of that name, it is not a generator, or an override is unknown or
             not allowed.
     """
-    chosen = _generator(generator)
+    chosen = found_generator(generator)
     given = {name.replace("__", "."): value for name, value in (overrides or {}).items()}
     checked = Overrides(chosen, given)
 
@@ -89,7 +89,7 @@ def assets(
     Raises:
         ParameterError: As for `parameters`.
     """
-    chosen = _generator(generator)
+    chosen = found_generator(generator)
     seeds = st.just(0) if structural else st.integers(0, 2**32 - 1)
     wanted = parameters(chosen, structural=structural, hard_limits=hard_limits, overrides=overrides)
 
@@ -102,13 +102,6 @@ def assets(
     return st.builds(made, seeds, wanted)
 
 
-def _generator(generator: Generator | str) -> Generator:
-    chosen = find(generator) if isinstance(generator, str) else generator
-    if not isinstance(chosen, Generator):
-        raise ParameterError(f"strategies need a generator or the name of a category, got {generator!r}")
-    return chosen
-
-
 class _Drawing:
     """One draw of overrides.
 
@@ -117,12 +110,9 @@ class _Drawing:
     """
 
     def __init__(self, draw: st.DrawFn, overrides: Overrides, *, structural: bool, hard_limits: bool) -> None:
-        self._draw = draw
-        self._overrides = overrides
-        self._structural = structural
-        self._hard_limits = hard_limits
-        # drawn values by full name
-        self.result: dict[str, Any] = {}
+        self._draw, self._overrides = draw, overrides
+        self._structural, self._hard_limits = structural, hard_limits
+        self.result: dict[str, Any] = {}  # drawn values by full name
 
     def add(self, variant: Variant, prefix: str = "", *, used: bool = True) -> None:
         """Draw the parameters of a generator and of the generators that it selects, in dependence order."""
@@ -159,21 +149,21 @@ class _Drawing:
         within = distribution.within if own and self._hard_limits and not parameter.structural else None
         share = self._draw(_shares(distribution, within))
         while isinstance(distribution, By):
-            case = (
-                distribution.case(known[distribution.parameter]) if distribution.parameter in known else None
-            )
-            if case is None:
+            case = known.get(distribution.parameter, _UNKNOWN)
+            found = None if case is _UNKNOWN else distribution.case(case)
+            if found is None:
                 return  # the seed decides, or `generate` reports the error of the override
-            distribution = case
-        if within is not None and distribution.numeric:
-            value = _number(share, *within, _middle(distribution, *within))
-        else:
-            value = _placed(distribution, share)
-        known[name] = parameter.accept(value)
+            distribution = found
+        known[name] = value = parameter.accept(_placed(distribution, share, within))
         if used and not (isinstance(distribution, Fixed) and within is None):
-            self.result[parameter.name] = _spelled(known[name])
+            # a name is more readable than the value, if it is enough
+            named = isinstance(value, Variant) or (
+                isinstance(value, Material) and MATERIALS.get(value.name) == value
+            )
+            self.result[parameter.name] = value.name if named else value
 
 
+_UNKNOWN = object()
 _INSIDE = st.floats(-1.0, 1.0, allow_subnormal=False)
 # a quarter of the values lies at the ends
 _SHARES = st.one_of(_INSIDE, _INSIDE, _INSIDE, st.sampled_from([-1.0, 1.0]))
@@ -188,14 +178,18 @@ def _shares(distribution: Distribution, within: tuple[float, float] | None) -> s
     return st.integers(0, most - 1).map(lambda index: index / most)
 
 
-def _placed(distribution: Distribution, share: float) -> Any:
-    """Return the value of a distribution, which depends on no parameter, at a share of its range."""
-    if distribution.discrete:
+def _placed(distribution: Distribution, share: float, within: tuple[float, float] | None) -> Any:
+    """Return the value at a share of the way from the center of a range to an end: -1 and 1 are the ends."""
+    if distribution.discrete and not (within is not None and distribution.numeric):
         options = _options(distribution)
         # indices of `_shares` over as many options or more
         return options[min(int(abs(share) * len(options) + 1e-9), len(options) - 1)]
-    low, high = distribution.support()
-    return _number(share, low, high, _middle(distribution, low, high))
+    low, high = within or distribution.support()
+    if abs(share) == 1.0:
+        return high if share > 0.0 else low  # exactly, without rounding
+    middle = min(max(_middle(distribution, low, high), low), high)
+    number = middle + share * ((high - middle) if share > 0.0 else (middle - low))
+    return min(max(number, low), high)
 
 
 def _options(distribution: Distribution) -> list[Any]:
@@ -209,26 +203,9 @@ def _options(distribution: Distribution) -> list[Any]:
 def _middle(distribution: Distribution, low: float, high: float) -> float:
     """Return the center of a distribution between two ends."""
     if isinstance(distribution, Normal):
-        middle = distribution.mean
-    elif isinstance(distribution, Fixed):
-        middle = float(distribution.value)
-    elif isinstance(distribution, LogUniform) and low > 0.0:
-        middle = math.sqrt(low * high)
-    else:
-        middle = low + (high - low) / 2.0
-    return min(max(middle, low), high)
-
-
-def _number(share: float, low: float, high: float, middle: float) -> float:
-    """Return the number at a share of the way from the center to an end: -1 is `low`, 1 is `high`."""
-    if abs(share) == 1.0:
-        return high if share > 0.0 else low  # exactly, without rounding
-    number = middle + share * ((high - middle) if share > 0.0 else (middle - low))
-    return min(max(number, low), high)
-
-
-def _spelled(value: Any) -> Any:
-    """Return a readable override for a value: its name if a name is enough."""
-    if isinstance(value, Variant) or (isinstance(value, Material) and MATERIALS.get(value.name) == value):
-        return value.name
-    return value
+        return distribution.mean
+    if isinstance(distribution, Fixed):
+        return float(distribution.value)
+    if isinstance(distribution, LogUniform) and low > 0.0:
+        return math.sqrt(low * high)
+    return low + (high - low) / 2.0
