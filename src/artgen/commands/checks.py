@@ -8,6 +8,7 @@ from typing import Annotated
 import typer
 from rich.console import Console
 from rich.text import Text
+from typer import Argument, Option
 
 from artgen.asset import Asset
 from artgen.asset.files import exports_in
@@ -37,15 +38,15 @@ _STYLES = {
 def certify(
     category: Category,
     *,
-    samples: Annotated[int, typer.Option(metavar="NUMBER", help="Number of seeds.")] = 500,
+    samples: Annotated[int, Option(metavar="NUMBER", help="Number of seeds.")] = 500,
     corners: Annotated[
-        bool, typer.Option(help="Certify the corners of the parameter ranges as well, at most about 256.")
+        bool, Option(help="Certify the corners of the parameter ranges as well, at most about 256.")
     ] = True,
     overrides: Overrides = None,
     seed: Seed = 0,
     tolerance: Tolerance = 0.0,
     json_file: Annotated[
-        Path | None, typer.Option("--json", metavar="FILE", help="Write all results to a file as well.")
+        Path | None, Option("--json", metavar="FILE", help="Write all results to a file as well.")
     ] = None,
 ) -> None:
     """Prove samples and corners of a category free of collisions; exit code 1 if a proof fails."""
@@ -79,10 +80,10 @@ def _json(data: object) -> str:
 def colliders(
     directory: Annotated[
         Path,
-        typer.Argument(metavar="DIRECTORY", help="An exported asset, with urdf or mjcf among its formats."),
+        Argument(metavar="DIRECTORY", help="An exported asset, with urdf or mjcf among its formats."),
     ],
     *,
-    speed: Annotated[bool, typer.Option(help="Measure the speed of MuJoCo; needs artgen[sim].")] = True,
+    speed: Annotated[bool, Option(help="Measure the speed of MuJoCo; needs artgen[sim].")] = True,
     as_json: JsonOutput = False,
 ) -> None:
     """Compare the colliders of an exported asset with CoACD's and with convex hulls."""
@@ -115,15 +116,15 @@ def colliders(
 def validate(
     directories: Annotated[
         list[Path],
-        typer.Argument(metavar="DIRECTORY...", help="Exported assets, or directories that contain some."),
+        Argument(metavar="DIRECTORY...", help="Exported assets, or directories that contain some."),
     ],
     *,
     behavior: Annotated[
-        bool, typer.Option(help="Simulate each asset in MuJoCo; takes seconds, needs artgen[sim].")
+        bool, Option(help="Simulate each asset in MuJoCo; takes seconds, needs artgen[sim].")
     ] = True,
     clients: Annotated[
         str | None,
-        typer.Option(
+        Option(
             metavar="NAMES",
             help="Simulators, validators and converters that read each asset as well: names separated by "
             f"commas, or {ALL!r} for those that are installed; `artgen clients` lists them.",

@@ -6,6 +6,7 @@ from typing import Annotated
 
 import typer
 from rich.text import Text
+from typer import Option
 
 from artgen.commands.console import FAULT, console, table
 from artgen.errors import ClientError
@@ -24,14 +25,14 @@ def clients(
     *,
     install: Annotated[
         str | None,
-        typer.Option(
+        Option(
             metavar="NAMES",
             help=f"Create the environments of these clients: {ALL!r}, or names separated by commas.",
         ),
     ] = None,
     python: Annotated[
         Path | None,
-        typer.Option(metavar="PROGRAM", help="Python program for the environments; artgen's own by default."),
+        Option(metavar="PROGRAM", help="Python program for the environments; artgen's own by default."),
     ] = None,
 ) -> None:
     """List the clients that read exports, or install them into their own environments.

@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import Annotated
 
 import typer
+from typer import Argument, Option
 
 from artgen.commands.console import counting, list_failures, many
 from artgen.commands.options import Categories, Certify, Collisions, Jobs, Overrides, Seed, TextureSize
@@ -19,50 +20,50 @@ _RANGE = "LOW,HIGH"
 def images(
     categories: Categories,
     *,
-    out: Annotated[str, typer.Option(metavar="DIRECTORY", help="Target; also a URL that fsspec supports.")],
+    out: Annotated[str, Option(metavar="DIRECTORY", help="Target; also a URL that fsspec supports.")],
     assets: Annotated[
         int,
-        typer.Option(
+        Option(
             min=1, help="Number of assets, shared evenly among the categories; a larger one extends a set."
         ),
     ] = 250,
-    images_per_asset: Annotated[int, typer.Option(min=1, help="Number of pictures of each asset.")] = 12,
-    size: Annotated[int, typer.Option(metavar="PIXELS", help="Width and height of a picture.")] = 1024,
+    images_per_asset: Annotated[int, Option(min=1, help="Number of pictures of each asset.")] = 12,
+    size: Annotated[int, Option(metavar="PIXELS", help="Width and height of a picture.")] = 1024,
     seed: Seed = 0,
     overrides: Overrides = None,
     labels: Annotated[
         str,
-        typer.Option(
+        Option(
             metavar="NAMES",
-            help="Labels with masks: handle,door; body=door+glass merges several into one; "
-            "door:body=door+glass for one category only. All labels by default.",
+            help="Labels with masks: handle,door; body=door+glass merges several; door:body=door+glass for "
+            "one category only. All labels by default.",
         ),
     ] = "",
     random: Annotated[
         str,
-        typer.Option(
+        Option(
             metavar="NAMES", help=f"Properties to draw again for each picture: {', '.join(RANDOM)}, or all."
         ),
     ] = "",
-    depth: Annotated[bool, typer.Option("--depth", help="Write depths as PNG of 16 bits.")] = False,
-    normals: Annotated[bool, typer.Option("--normals", help="Write normals as PNG.")] = False,
+    depth: Annotated[bool, Option("--depth", help="Write depths as PNG of 16 bits.")] = False,
+    normals: Annotated[bool, Option("--normals", help="Write normals as PNG.")] = False,
     field_of_view: Annotated[
-        str, typer.Option(metavar=_RANGE, help="Range of the field of view [degrees].")
+        str, Option(metavar=_RANGE, help="Range of the field of view [degrees].")
     ] = "26,57",
     elevation: Annotated[
-        str, typer.Option(metavar=_RANGE, help="Range of the elevation of cameras [degrees].")
+        str, Option(metavar=_RANGE, help="Range of the elevation of cameras [degrees].")
     ] = "6,75",
     azimuth: Annotated[
-        float, typer.Option(metavar="DEGREES", help="Largest angle from the front; 180 is all around.")
+        float, Option(metavar="DEGREES", help="Largest angle from the front; 180 is all around.")
     ] = 180.0,
     margin: Annotated[
-        str, typer.Option(metavar=_RANGE, help="Share of the picture that stays free along its edges.")
+        str, Option(metavar=_RANGE, help="Share of the picture that stays free along its edges.")
     ] = "0.03,0.45",
-    samples: Annotated[int, typer.Option(min=1, help="Samples per pixel, for shadows and edges.")] = 4,
+    samples: Annotated[int, Option(min=1, help="Samples per pixel, for shadows and edges.")] = 4,
     texture_size: TextureSize = 512,
-    picture: Annotated[PictureFormat, typer.Option(help="File format of pictures.")] = "png",
+    picture: Annotated[PictureFormat, Option(help="File format of pictures.")] = "png",
     split: Annotated[
-        str, typer.Option(metavar="SHARES", help="Shares of assets for training, validation and test.")
+        str, Option(metavar="SHARES", help="Shares of assets for training, validation and test.")
     ] = "0.8,0.1,0.1",
     jobs: Jobs = None,
     certify: Certify = True,
@@ -129,22 +130,20 @@ def _angles(option: str, text: str) -> tuple[float, float]:
 
 def demos(
     task: Annotated[
-        str, typer.Argument(metavar="TASK", help="Name of a task, such as OpenDrawer; a wrong one lists all.")
+        str, Argument(metavar="TASK", help="Name of a task, such as OpenDrawer; a wrong one lists all.")
     ],
     *,
-    out: Annotated[
-        Path, typer.Option(metavar="DIRECTORY", help="Target; demo.hdf5 in it is complete or absent.")
-    ],
+    out: Annotated[Path, Option(metavar="DIRECTORY", help="Target; demo.hdf5 in it is complete or absent.")],
     count: Annotated[
-        int, typer.Option("--count", "-n", min=1, help="Number of demonstrations, each with another asset.")
+        int, Option("--count", "-n", min=1, help="Number of demonstrations, each with another asset.")
     ] = 100,
     seed: Seed = 0,
     image: Annotated[
-        int, typer.Option(metavar="PIXELS", help="Size of pictures in the observations; 0 for none.")
+        int, Option(metavar="PIXELS", help="Size of pictures in the observations; 0 for none.")
     ] = 0,
     noise: Annotated[
         float,
-        typer.Option(
+        Option(
             metavar="SPREAD",
             help="Random disturbance of the arm's motion, so that demonstrations include corrections; the "
             "written actions are those without it.",

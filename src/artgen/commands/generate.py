@@ -4,6 +4,7 @@ from pathlib import Path
 from typing import Annotated, Any, Literal
 
 import typer
+from typer import Argument, Option
 
 from artgen.asset import Asset
 from artgen.asset.collision import Collision
@@ -25,7 +26,7 @@ from artgen.dataset import Plan, TextureMode, generate_many
 from artgen.dataset.places import is_url
 from artgen.dataset.workers import EngineName
 from artgen.errors import ExportError
-from artgen.export import DEFAULT_FORMATS, FORMATS, TEXTURES
+from artgen.export import FORMATS, TEXTURES
 from artgen.export.files import chosen_formats, find_layout
 from artgen.export.precision import check_precision
 from artgen.generator.overrides import parse_overrides
@@ -33,12 +34,7 @@ from artgen.materials.textures import check_size
 
 _Formats = Annotated[
     str | None,
-    typer.Option(
-        "--format",
-        metavar="NAMES",
-        help=f"Formats to write, of {', '.join(FORMATS)}; by default those of {', '.join(DEFAULT_FORMATS)} "
-        "that the layout has.",
-    ),
+    Option("--format", metavar="NAMES", help=f"Formats, of {', '.join(FORMATS)}; by default the usual ones."),
 ]
 
 
@@ -47,13 +43,7 @@ def generate(
     *,
     count: Annotated[
         int | None,
-        typer.Option(
-            "--count",
-            "-n",
-            min=1,
-            help="Number of assets of a dataset in --out, shared evenly among the categories; a repeated "
-            "command continues an interrupted run. Without it, one asset is made.",
-        ),
+        Option("--count", "-n", min=1, help="Make a dataset of so many assets, or continue such a run."),
     ] = None,
     seed: Seed = 0,
     overrides: Overrides = None,
@@ -61,47 +51,31 @@ def generate(
     layout: Layout = "flat",
     out: Annotated[
         str | None,
-        typer.Option(
-            metavar="DIRECTORY",
-            help="Target; ./<name of the asset> by default. For a dataset also a URL that fsspec supports, "
-            "such as s3://bucket/doors.",
+        Option(
+            metavar="DIRECTORY", help="Target; for a dataset also a URL of fsspec, such as s3://bucket/doors."
         ),
     ] = None,
     jobs: Jobs = None,
-    engine: Annotated[
-        EngineName, typer.Option(help="Processes of this machine, or a Ray cluster.")
-    ] = "local",
+    engine: Annotated[EngineName, Option(help="Processes of this machine, or a Ray cluster.")] = "local",
     address: Annotated[
         str | None,
-        typer.Option(
-            metavar="HOST:PORT",
-            help="Address of the Ray cluster; by default that of RAY_ADDRESS, or a new one on this machine.",
-        ),
+        Option(metavar="HOST:PORT", help="Ray cluster; by default that of RAY_ADDRESS, or a new one here."),
     ] = None,
     base: Annotated[
-        Literal["fixed", "free"], typer.Option(help="Whether assets are fixed to the world.")
+        Literal["fixed", "free"], Option(help="Whether assets are fixed to the world.")
     ] = "fixed",
-    name: Annotated[str, typer.Option(help="Name of the asset; category and seed by default.")] = "",
+    name: Annotated[str, Option(help="Name of the asset; category and seed by default.")] = "",
     collision: Annotated[
-        Collision,
-        typer.Option(
-            help="Colliders: those known from the construction of solids, CoACD's, or convex hulls."
-        ),
+        Collision, Option(help="Colliders: from the construction of solids, of CoACD, or convex hulls.")
     ] = "exact",
     textures: Annotated[
         TextureMode | None,
-        typer.Option(
-            help="Maps: once for all assets of a dataset, with each asset, or none, so that plain colors "
-            "remain. By default shared in a dataset; at a URL, embedded."
-        ),
+        Option(help="Maps: shared by the assets of a dataset, embedded in each, or none: plain colors."),
     ] = None,
     texture_size: TextureSize = TEXTURES,
     mesh_precision: Annotated[
         float,
-        typer.Option(
-            metavar="METRES",
-            help="Largest distance of visible meshes from the solids: 0.0005 halves the files; 0 is exact.",
-        ),
+        Option(metavar="METRES", help="Precision of visible meshes: 0.0005 halves the files; 0 is exact."),
     ] = 0.0,
     certify: Certify = True,
     tolerance: Tolerance = 0.0,
@@ -179,7 +153,7 @@ def _print_main_files(directory: Path) -> None:
 def export(
     directory: Annotated[
         Path,
-        typer.Argument(
+        Argument(
             metavar="DIRECTORY",
             help="An exported asset in the layout flat or robocasa, with urdf or mjcf among its formats.",
         ),
@@ -190,7 +164,7 @@ def export(
     texture_size: TextureSize = TEXTURES,
     out: Annotated[
         Path | None,
-        typer.Option(metavar="DIRECTORY", help="Target; ./<name of the asset>_<layout> by default."),
+        Option(metavar="DIRECTORY", help="Target; ./<name of the asset>_<layout> by default."),
     ] = None,
 ) -> None:
     """Export an asset again in another layout, and print the paths of its main files."""

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Annotated
 
 import typer
+from typer import Argument, Option
 
 from artgen._names import NAME_RULE, is_identifier
 from artgen.catalog import categories
@@ -25,10 +26,10 @@ _FILES = {
 
 
 def new(
-    name: Annotated[str, typer.Argument(metavar="NAME", help="Of the category and its package: stapler.")],
+    name: Annotated[str, Argument(metavar="NAME", help="Of the category and its package: stapler.")],
     *,
     folder: Annotated[
-        Path, typer.Option("--dir", metavar="DIRECTORY", help="Where the folder of the package is made.")
+        Path, Option("--dir", metavar="DIRECTORY", help="Where the folder of the package is made.")
     ] = Path(),
 ) -> None:
     """Write a package with a starter category, its test, and its entry point."""

@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import typer
+from typer import Option
 
 from artgen.asset import Asset
 from artgen.catalog import find
@@ -25,23 +26,23 @@ def render(
     overrides: Overrides = None,
     positions: Annotated[
         list[str] | None,
-        typer.Option("--q", metavar="JOINT=VALUE", help="Position of a joint [rad or m]. Repeatable."),
+        Option("--q", metavar="JOINT=VALUE", help="Position of a joint [rad or m]. Repeatable."),
     ] = None,
     opening: Annotated[
-        float, typer.Option("--open", metavar="0..1", help="Share of the joint ranges; --q overrides it.")
+        float, Option("--open", metavar="0..1", help="Share of the joint ranges; --q overrides it.")
     ] = 0.0,
     view: Annotated[
-        str, typer.Option(help="front, three_quarter, back, side, top, ... or close-up:LINK.")
+        str, Option(help="front, three_quarter, back, side, top, ... or close-up:LINK.")
     ] = "three_quarter",
-    size: Annotated[str, typer.Option(metavar="PIXELS", help="Width and height: 768, or 1280x720.")] = "768",
-    studio: Annotated[Literal["studio", "room", "none"], typer.Option(help="Surroundings.")] = "studio",
+    size: Annotated[str, Option(metavar="PIXELS", help="Width and height: 768, or 1280x720.")] = "768",
+    studio: Annotated[Literal["studio", "room", "none"], Option(help="Surroundings.")] = "studio",
     show: Annotated[
-        Literal["color", "links", "labels", "depth", "normals"], typer.Option(help="Quantity of the pixels.")
+        Literal["color", "links", "labels", "depth", "normals"], Option(help="Quantity of the pixels.")
     ] = "color",
     texture_size: TextureSize = 512,
-    samples: Annotated[int, typer.Option(help="Samples per pixel, for shadows and edges.")] = 32,
+    samples: Annotated[int, Option(help="Samples per pixel, for shadows and edges.")] = 32,
     out: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="PNG or JPEG; ./<name of the asset>.png by default.")
+        Path | None, Option(metavar="FILE", help="PNG or JPEG; ./<name of the asset>.png by default.")
     ] = None,
 ) -> None:
     """Render a picture of an asset and print its path; needs artgen[sim]."""
@@ -103,16 +104,16 @@ def _shown(picture: "Picture", what: str) -> Any:
 def sheet(
     category: Category,
     *,
-    seeds: Annotated[int, typer.Option(metavar="NUMBER", help="Number of samples.")] = 12,
+    seeds: Annotated[int, Option(metavar="NUMBER", help="Number of samples.")] = 12,
     first_seed: Seed = 0,
     overrides: Overrides = None,
-    views: Annotated[int, typer.Option(help="1 for the front, 2 for the back as well.")] = 2,
-    size: Annotated[int, typer.Option(metavar="PIXELS", help="Height of a picture.")] = 240,
+    views: Annotated[int, Option(help="1 for the front, 2 for the back as well.")] = 2,
+    size: Annotated[int, Option(metavar="PIXELS", help="Height of a picture.")] = 240,
     columns: Annotated[
-        int | None, typer.Option(help="Samples side by side; by default as many as make a good page.")
+        int | None, Option(help="Samples side by side; by default as many as make a good page.")
     ] = None,
     out: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="JPEG or PNG; ./<category>.jpg by default.")
+        Path | None, Option(metavar="FILE", help="JPEG or PNG; ./<category>.jpg by default.")
     ] = None,
 ) -> None:
     """Draw samples of a category, closed and open, on one page, and print its path; needs artgen[sim]."""

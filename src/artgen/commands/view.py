@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Annotated
 
 import typer
+from typer import Argument, Option
 
 from artgen.asset import Asset
 from artgen.asset.files import ASSET_FILE
@@ -45,7 +46,7 @@ def view(
     seed: Seed = 0,
     overrides: Overrides = None,
     certify: Annotated[
-        bool, typer.Option(help="Prove an asset of a category, and draw again after a failed proof.")
+        bool, Option(help="Prove an asset of a category, and draw again after a failed proof.")
     ] = True,
     texture_size: TextureSize = _TEXELS,
     out: Page = None,
@@ -71,14 +72,14 @@ def _show(path: Path, opening: bool) -> None:  # noqa: FBT001 - private
 def gallery(
     directory: Annotated[
         Path,
-        typer.Argument(
+        Argument(
             metavar="DIRECTORY", help="A folder with exported assets, such as `artgen generate -n` makes."
         ),
     ],
     *,
     texture_size: TextureSize = _TEXELS // 2,
     out: Annotated[
-        Path | None, typer.Option(metavar="FOLDER", help="Target; <DIRECTORY>_gallery by default.")
+        Path | None, Option(metavar="FOLDER", help="Target; <DIRECTORY>_gallery by default.")
     ] = None,
     opening: OpenBrowser = True,
 ) -> None:
@@ -112,7 +113,7 @@ def graph(
     overrides: Overrides = None,
     change: Annotated[
         list[str] | None,
-        typer.Option(
+        Option(
             metavar="NAME=VALUE",
             help="Set this value, evaluate a second time, and show which nodes come from the cache.",
         ),
@@ -141,12 +142,10 @@ def studio(
     seed: Seed = 0,
     overrides: Overrides = None,
     host: Annotated[
-        str, typer.Option(help="Address of the server; 0.0.0.0 admits other machines that have the token.")
+        str, Option(help="Address of the server; 0.0.0.0 admits other machines that have the token.")
     ] = "127.0.0.1",
-    port: Annotated[int, typer.Option(help="Port of the server; 0 takes a free one.")] = 8080,
-    out: Annotated[Path, typer.Option(metavar="DIRECTORY", help="Folder for exports of the page.")] = Path(
-        "out"
-    ),
+    port: Annotated[int, Option(help="Port of the server; 0 takes a free one.")] = 8080,
+    out: Annotated[Path, Option(metavar="DIRECTORY", help="Folder for exports of the page.")] = Path("out"),
     opening: OpenBrowser = True,
 ) -> None:
     """Edit the parameters and joints of a category in the browser; needs artgen[studio].

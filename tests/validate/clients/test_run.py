@@ -400,7 +400,6 @@ def test_requests_hold_what_drivers_are_promised(fake, exported):
     (joint,) = request["joints"]
     assert (joint["name"], joint["kind"], joint["limits"]) == ("slide", "prismatic", [0.0, 0.2])
     assert (joint["follows"], joint["blocked"], joint["effort"]) == (None, False, 100.0)
-    assert joint["mass"] == pytest.approx(exported.asset.link("drawer").mass_properties.mass)
     assert request["poses"][0] == {"slide": 0.0}
     assert len({pose["slide"] for pose in request["poses"]}) == 5
     assert all(0.0 <= pose["slide"] <= 0.2 for pose in request["poses"])

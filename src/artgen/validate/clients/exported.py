@@ -68,31 +68,12 @@ class ClientExport:
         }
 
     def _joint(self, joint: AssetJoint) -> dict[str, Any]:
-        copied = (
-            "name",
-            "kind",
-            "damping",
-            "stiffness",
-            "rest",
-            "friction",
-            "armature",
-            "effort",
-            "velocity",
-        )
         return {
-            **{key: getattr(joint, key) for key in copied},
+            **{key: getattr(joint, key) for key in ("name", "kind", *DYNAMICS)},
             "limits": None if joint.limits is None else list(joint.limits),
             "follows": None if joint.follows is None else head(joint, self.asset).name,
             "blocked": self.is_blocked(joint),
-            "mass": self._moved_mass(joint),
         }
-
-    def _moved_mass(self, joint: AssetJoint) -> float:
-        moved = {joint.child}
-        for parent, child, _ in self.asset.pairs():  # parents come before their children
-            if parent in moved:
-                moved.add(child)
-        return float(sum(self.asset.link(name).mass_properties.mass for name in moved))
 
 
 def read_exported(directory: str | Path) -> ClientExport:

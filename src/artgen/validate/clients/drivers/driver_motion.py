@@ -1,6 +1,7 @@
 """Posing of joints, and driving of joints in a simulation by torques and forces."""
 
 import itertools
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -20,33 +21,19 @@ _SETTLE = 1.0  # time before anything is driven [s]
 
 
 class Simulation:
-    """Base class of the simulations of clients."""
+    """Base class of the simulations of clients, which define the methods that are only annotated here."""
 
+    place: Callable[[dict[str, float]], None]  # puts the joints to their positions [rad or m]
+    frames: Callable[[], dict[str, Any]]  # returns the frame of each link, shape (4, 4) [m]
+    positions: Callable[[], Any]  # returns the positions of all joints [rad or m]
+    # sets the torques and forces of joints until the next call; all others get 0 [N m or N]
+    push: Callable[[dict[str, float]], None]
+    step: Callable[[int], None]  # simulates a number of steps
     time_step = 0.002  # [s]
 
     def __init__(self, places: dict[str, int], degrees: dict[str, int]) -> None:
         self.places, self.degrees = places, degrees  # indices of joints among positions and among forces
         self.steps, self.finite = 0, True  # number of steps, and whether all positions were finite
-
-    def place(self, pose: dict[str, float]) -> None:
-        """Put the joints to their positions [rad or m]."""
-        raise NotImplementedError
-
-    def frames(self) -> dict[str, Any]:
-        """Return the frame of each link, shape (4, 4) [m]."""
-        raise NotImplementedError
-
-    def positions(self) -> Any:
-        """Return the positions of all joints [rad or m]."""
-        raise NotImplementedError
-
-    def push(self, forces: dict[str, float]) -> None:
-        """Set the torques and forces of joints until the next call; all others get 0 [N m or N]."""
-        raise NotImplementedError
-
-    def step(self, count: int) -> None:
-        """Simulate a number of steps."""
-        raise NotImplementedError
 
     def position(self, name: str) -> float:
         """Return the position of a joint [rad or m]."""

@@ -4,6 +4,7 @@ import warnings
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
 from driver_layouts import enabled
 from driver_motion import Simulation, pose_and_drive
 from driver_protocol import couplings_to_heads, finite_limits, frame_of, mass_properties, require, serve
@@ -24,17 +25,10 @@ def read(request: dict[str, Any]) -> dict[str, Any]:
     model = _load(request).finalize(device="cpu")
     degrees = _degrees(model, request)
     simulation = _Simulation(model, degrees)
-    bodies = simulation.bodies
-    masses, centers, inertias = (
-        values.numpy() for values in (model.body_mass, model.body_com, model.body_inertia)
-    )
-    links = {
-        name: mass_properties(masses[bodies[name]], centers[bodies[name]], inertias[bodies[name]])
-        for name in request["links"]
-        if name in bodies
-    }
+    masses = (values.numpy() for values in (model.body_mass, model.body_com, model.body_inertia))
+    bodies = dict(zip(map(_last, model.body_label), zip(*masses, strict=True), strict=True))
     return {
-        "links": links,
+        "links": {name: mass_properties(*bodies[name]) for name in request["links"] if name in bodies},
         "joints": _joints(model, request, degrees),
         "couplings": _couplings(model, degrees),
         **pose_and_drive(simulation, request),
@@ -102,22 +96,14 @@ def _split_names(text: str, names: list[str]) -> list[str]:
 
 
 def _joints(model: Any, request: dict[str, Any], degrees: dict[str, _Degree]) -> dict[str, Any]:
-    requested = {joint["name"]: joint for joint in request["joints"]}
-    found = {}
-    for name, degree in degrees.items():
-        found[name] = _joint(model, degree, request["format"])
-        if request["format"] == "usd" and _rests_beyond_limits(requested.get(name)):
+    found = {name: _joint(model, degree, request["format"]) for name, degree in degrees.items()}
+    for joint in request["joints"] if request["format"] == "usd" else ():
+        low, high = joint["limits"] or (-np.inf, np.inf)
+        if not low <= joint["rest"] <= high and joint["name"] in found:
             # Newton moves a drive's target beyond the limits to the center of the range, and has no other
             # spring in USD
-            found[name].pop("rest", None)
+            found[joint["name"]].pop("rest", None)
     return found
-
-
-def _rests_beyond_limits(joint: dict[str, Any] | None) -> bool:
-    if joint is None or joint["limits"] is None:
-        return False
-    low, high = joint["limits"]
-    return not low <= joint["rest"] <= high
 
 
 def _joint(model: Any, degree: _Degree, form: str) -> dict[str, Any]:

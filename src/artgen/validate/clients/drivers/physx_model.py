@@ -94,10 +94,10 @@ class _Simulation(Simulation):
         self._binding(quantity).write(np.ascontiguousarray(values[None], np.float32))
 
     def _links(self) -> dict[str, Any]:
-        masses, poses, inertias = (self._read(f"BODY_{name}") for name in ("MASS", "COM_POSE", "INERTIA"))
+        values = (self._read(f"BODY_{name}") for name in ("MASS", "COM_POSE", "INERTIA"))
         return {
-            name: mass_properties(masses[number], poses[number, :3], inertias[number].reshape(3, 3))
-            for name, number in self._bodies.items()
+            name: mass_properties(mass, pose[:3], inertia.reshape(3, 3))
+            for name, mass, pose, inertia in zip(self._bodies, *values, strict=True)
             if name in self._request["links"]
         }
 
@@ -165,15 +165,6 @@ class _Simulation(Simulation):
                 said.append(f"{name} does not follow {leader}: it is off by {error:.4g}")
         return said
 
-    def _put_back(self, start: Any) -> None:
-        """Reset blocked joints without springs: a lifted bucket keeps its lid from falling."""
-        positions = self.positions()
-        for joint in self._request["joints"]:
-            if joint["blocked"] and not joint["stiffness"] and joint["name"] in self.degrees:
-                number = self.degrees[joint["name"]]
-                positions[number] = start[number]
-        self._put(positions)
-
     def _make_weightless(self) -> None:
         weightless = self._binding("BODY_DISABLE_GRAVITY")
         weightless.write(np.ones(weightless.shape, np.uint8))
@@ -181,7 +172,12 @@ class _Simulation(Simulation):
     def _unreturned(self, start: Any) -> list[str]:
         """Return springs that do not return their joints although they exceed friction."""
         self._make_weightless()
-        self._put_back(start)
+        # reset blocked joints without springs: a lifted bucket keeps its lid from falling
+        names = [
+            each["name"] for each in self._request["joints"] if each["blocked"] and not each["stiffness"]
+        ]
+        at_start = {name: start[self.degrees[name]] for name in names if name in self.degrees}
+        self._put(self.in_order(at_start, self.positions()))
         seen = len(self._track)
         for _ in range(round(_RETURN / _LOOK)):
             self.advance(_LOOK)
