@@ -100,12 +100,7 @@ def faceted_shape(solid: Manifold, pieces: Pieces) -> Shape:
     target = np.full(len(places), -1)
     target[origin[::-1]] = np.arange(len(first))[::-1]
     return Shape.from_mesh(
-        kept[:, :3],
-        kept[:, 3:6],
-        kept[:, 6:8],
-        group.reshape(-1, 3),
-        pieces,
-        targets=target[origin],
+        kept[:, :3], kept[:, 3:6], kept[:, 6:8], group.reshape(-1, 3), pieces, targets=target[origin]
     )
 
 

@@ -35,13 +35,8 @@ __all__ = [
     "Points",
     "PointsLike",
     "Profile",
-    "Scalar",
-    "Solid",
-    "Span",
-    "Vector",
-    "VectorLike",
-    "offset_of",
 ]
+__all__ += ["Scalar", "Solid", "Span", "Vector", "VectorLike", "offset_of"]
 
 LITERAL_TYPES[Material] = LiteralType("material", Material.to_data, Material.from_data)
 
@@ -50,7 +45,9 @@ class Profile(Handle):
     """A region of the plane: x to the right, y up.
 
     Examples:
-        >>> (circle(0.05) | rectangle(0.2, 0.04)) - circle(0.02)
+        >>> flag = polygon([(0.01, 0), (0.1, 0.03), (0.01, 0.06)]).offset(0.004)
+        >>> pole = rectangle(0.2, 0.02).rotate(0.5).at(0, 0.1)
+        >>> (flag | flag.mirror() | pole) - circle(0.01).scale(2.0, 1.0)
     """
 
     __slots__ = ()
@@ -69,44 +66,23 @@ class Profile(Handle):
         return Profile.record("profile_difference", a=self, b=other)
 
     def at(self, x: Scalar, y: Scalar = 0.0) -> "Profile":
-        """Move by x and y [m].
-
-        Examples:
-            >>> rectangle(0.1, 0.05) | circle(0.03).at(0.05, 0.025)
-        """
+        """Move by x and y [m]."""
         return Profile.record("profile_translate", profile=self, x=x, y=y)
 
     def rotate(self, angle: Scalar) -> "Profile":
-        """Turn counter-clockwise about the origin by an angle [rad].
-
-        Examples:
-            >>> rectangle(0.2, 0.05).rotate(0.5)
-        """
+        """Turn counter-clockwise about the origin by an angle [rad]."""
         return Profile.record("profile_rotate", profile=self, angle=angle)
 
     def scale(self, x: Scalar, y: Scalar | None = None) -> "Profile":
-        """Scale about the origin; by `x` in both directions unless `y` is given.
-
-        Examples:
-            >>> circle(0.05).scale(2.0, 1.0)
-        """
+        """Scale about the origin; by `x` in both directions unless `y` is given."""
         return Profile.record("profile_scale", profile=self, x=x, y=x if y is None else y)
 
     def offset(self, distance: Scalar, *, join: Literal["round", "miter"] = "round") -> "Profile":
-        """Grow by a distance, or shrink by a negative one [m]; `join` is the shape of the corners.
-
-        Examples:
-            >>> polygon([(0, 0), (0.1, 0), (0.05, 0.08)]).offset(0.02)
-        """
+        """Grow by a distance, or shrink by a negative one [m]; `join` is the shape of the corners."""
         return Profile.record("offset", profile=self, distance=distance, join=join)
 
     def mirror(self, x: Scalar = 1.0, y: Scalar = 0.0) -> "Profile":
-        """Reflect in the line through the origin whose normal is (x, y).
-
-        Examples:
-            >>> flag = polygon([(0.01, 0), (0.1, 0.03), (0.01, 0.06)])
-            >>> flag | flag.mirror()
-        """
+        """Reflect in the line through the origin whose normal is (x, y)."""
         return Profile.record("profile_mirror", profile=self, x=x, y=y)
 
 
@@ -133,7 +109,11 @@ class Solid(Handle):
     """A solid in asset coordinates.
 
     Examples:
-        >>> (box(0.2, 0.1, 0.1) | sphere(0.08)) - cylinder(0.03, 0.3, axis=X)
+        >>> block = box(0.3, 0.2, 0.1) - cylinder(0.03, 0.3, axis=X)
+        >>> balls = array(sphere(0.02), at=block.bounds()) | sphere(0.05).at(block.centroid())
+        >>> post = cylinder(block.size().y / 4, block.volume() / block.area()).at(block.anchor(z=1))
+        >>> ear = box(0.02, 0.05, 0.1).scale(1.0, 1.0, 0.5).rotate(Y, 0.3).at(0.14, 0, 0.06)
+        >>> block | balls | post | ear | ear.mirror(X)
     """
 
     __slots__ = ()
@@ -164,37 +144,20 @@ class Solid(Handle):
         return Solid.record("split", solid=self, point=point, normal=normal)
 
     def at(self, x: "Scalar | VectorLike" = 0.0, y: Scalar = 0.0, z: Scalar = 0.0) -> "Solid":
-        """Move by a vector, or by x, y and z [m].
-
-        Examples:
-            >>> box(0.2, 0.2, 0.02) | cylinder(0.02, 0.1).at(0.05, 0, 0.06)
-        """
+        """Move by a vector, or by x, y and z [m]."""
         return Solid.record("translate", solid=self, offset=offset_of(x, y, z))
 
     def rotate(self, axis: VectorLike, angle: Scalar, *, about: VectorLike = (0.0, 0.0, 0.0)) -> "Solid":
-        """Turn about an axis through the point `about` by an angle [rad].
-
-        Examples:
-            >>> box(0.2, 0.05, 0.02).rotate(Y, -0.5, about=(-0.1, 0, 0)) | box(0.2, 0.1, 0.02)
-        """
+        """Turn about an axis through the point `about` by an angle [rad]."""
         return Solid.record("rotate", solid=self, axis=axis, angle=angle, about=about)
 
     def scale(self, x: Scalar, y: Scalar | None = None, z: Scalar | None = None) -> "Solid":
-        """Scale about the origin; by `x` in all directions unless the others are given.
-
-        Examples:
-            >>> cylinder(0.05, 0.1).scale(2.0, 1.0, 1.0)
-        """
+        """Scale about the origin; by `x` in all directions unless the others are given."""
         factors = (x, x if y is None else y, x if z is None else z)
         return Solid.record("scale", solid=self, factors=factors)
 
     def mirror(self, normal: VectorLike) -> "Solid":
-        """Reflect in the plane through the origin with that normal.
-
-        Examples:
-            >>> ear = box(0.02, 0.05, 0.1).at(0.09, 0, 0.04)
-            >>> box(0.2, 0.1, 0.02) | ear | ear.mirror(X)
-        """
+        """Reflect in the plane through the origin with that normal."""
         return Solid.record("mirror", solid=self, normal=normal)
 
     def align(self, to: VectorLike, *, x: Scalar = 0.0, y: Scalar = 0.0, z: Scalar = 0.0) -> "Solid":
@@ -215,58 +178,27 @@ class Solid(Handle):
         return Solid.record("paint", solid=self, material=material)
 
     def anchor(self, *, x: Scalar = 0.0, y: Scalar = 0.0, z: Scalar = 0.0) -> Vector:
-        """Return the point of the bounding box at (x, y, z), each from -1 (low) to 1 (high) [m].
-
-        Examples:
-            >>> block = box(0.3, 0.2, 0.1)
-            >>> block | sphere(0.03).at(block.anchor(x=1, y=-1, z=1))
-        """
+        """Return the point of the bounding box at (x, y, z), each from -1 (low) to 1 (high) [m]."""
         return Vector.record("anchor", solid=self, x=x, y=y, z=z)
 
     def size(self) -> Vector:
-        """Return the lengths of the bounding box [m].
-
-        Examples:
-            >>> block = box(0.3, 0.2, 0.1)
-            >>> block | cylinder(block.size().y / 2, 0.02).at(block.anchor(z=1))
-        """
+        """Return the lengths of the bounding box [m]."""
         return Vector.record("size", solid=self)
 
     def bounds(self) -> "Points":
-        """Return the two extreme corners of the bounding box, lowest first [m].
-
-        Examples:
-            >>> ramp = wedge(0.2, 0.3, 0.1)
-            >>> ramp | array(sphere(0.02), at=ramp.bounds())
-        """
+        """Return the two extreme corners of the bounding box, lowest first [m]."""
         return Points.record("bounds", solid=self)
 
     def centroid(self) -> Vector:
-        """Return the center of volume [m].
-
-        Examples:
-            >>> ramp = wedge(0.2, 0.3, 0.1)
-            >>> ramp | cylinder(0.01, 0.3, axis=X).at(ramp.centroid())
-        """
+        """Return the center of volume [m]."""
         return Vector.record("centroid", solid=self)
 
     def volume(self) -> Float:
-        """Return the volume [m^3].
-
-        Examples:
-            >>> block = box(0.3, 0.2, 0.1)
-            >>> same = sphere((0.2387 * block.volume()) ** (1 / 3))
-            >>> block | same.at(0.3)
-        """
+        """Return the volume [m^3]."""
         return Float.record("volume", solid=self)
 
     def area(self) -> Float:
-        """Return the area of the surface [m^2].
-
-        Examples:
-            >>> block = box(0.1, 0.1, 0.1)
-            >>> block | box(block.area() / 0.1, 0.1, 0.002).at(z=-0.05)
-        """
+        """Return the area of the surface [m^2]."""
         return Float.record("area", solid=self)
 
 
@@ -274,9 +206,11 @@ class Body(Handle):
     """A link with all links joined to it.
 
     Examples:
-        >>> lid = part(box(0.3, 0.2, 0.01), "lid", material("oak"))
-        >>> case = part(box(0.3, 0.2, 0.1).at(z=-0.057), "case", material("walnut"))
-        >>> case.attach(lid, Revolute("hinge", pivot=(0, 0.1, -0.006), axis=-X, limits=(0, 1.5)))
+        >>> arm = part(box(0.2, 0.05, 0.02), "arm", material("steel")).rotate(Y, -0.5).at(0.15)
+        >>> left, right = arm.mirror(X).suffixed("_left"), arm.suffixed("_right")
+        >>> post = part(cylinder(0.03, 0.3), "post", material("oak"))
+        >>> post = post.attach(left, Revolute("turn_left", axis=Z, limits=(0, 1)))
+        >>> post.attach(right, Revolute("turn_right", axis=Z, limits=(0, 1)))
     """
 
     __slots__ = ()
@@ -306,13 +240,7 @@ class Body(Handle):
         return Vector.record("center_of_mass", body=self)
 
     def attach(self, child: "Body", *joints: Any) -> "Body":
-        """Join a child by one joint, or by several that act in order, the first nearest to this body.
-
-        Examples:
-            >>> lid = part(box(0.3, 0.2, 0.01), "lid", material("oak"))
-            >>> case = part(box(0.3, 0.2, 0.1).at(z=-0.057), "case", material("walnut"))
-            >>> case.attach(lid, Revolute("hinge", pivot=(0, 0.1, -0.006), axis=-X, limits=(0, 1.5)))
-        """
+        """Join a child by one joint, or by several that act in order, the first nearest to this body."""
         return Body.record("attach", parent=self, child=child, joints=joints)
 
     def repeat(self, child: "Body", *joints: Any, at: PointsLike) -> "Body":
@@ -354,43 +282,19 @@ class Body(Handle):
         return Body.record("allow_contact", body=self, a=a, b=b, depth=depth, reason=reason, when=when)
 
     def at(self, x: "Scalar | VectorLike" = 0.0, y: Scalar = 0.0, z: Scalar = 0.0) -> "Body":
-        """Move by a vector, or by x, y and z [m].
-
-        Examples:
-            >>> foot = part(cylinder(0.02, 0.1), "foot", material("oak"))
-            >>> top = part(box(0.3, 0.2, 0.02).at(z=0.06), "top", material("oak"))
-            >>> weld(top, foot.at(0.1), foot.at(-0.1))
-        """
+        """Move by a vector, or by x, y and z [m]."""
         return Body.record("translate_body", body=self, offset=offset_of(x, y, z))
 
     def rotate(self, axis: VectorLike, angle: Scalar, *, about: VectorLike = (0.0, 0.0, 0.0)) -> "Body":
-        """Turn about an axis through the point `about` by an angle [rad].
-
-        Examples:
-            >>> part(box(0.2, 0.05, 0.02), "arm", material("steel")).rotate(Y, -0.5)
-        """
+        """Turn about an axis through the point `about` by an angle [rad]."""
         return Body.record("rotate_body", body=self, axis=axis, angle=angle, about=about)
 
     def mirror(self, normal: VectorLike) -> "Body":
-        """Reflect in the plane through the origin with that normal.
-
-        Examples:
-            >>> post = part(box(0.1, 0.02, 0.1), "post", material("oak"))
-            >>> arm = part(box(0.1, 0.02, 0.02).at(0.11), "arm", material("steel"))
-            >>> post.attach(arm, Revolute("turn", pivot=(0.06, 0, 0), axis=-Y, limits=(0, 1))).mirror(X)
-        """
+        """Reflect in the plane through the origin with that normal."""
         return Body.record("mirror_body", body=self, normal=normal)
 
     def suffixed(self, suffix: str) -> "Body":
-        """Add a suffix to the names of all its links, joints, grasps and pushes.
-
-        Examples:
-            >>> wheel = part(cylinder(0.05, 0.02, axis=Y), "wheel", material("rubber"))
-            >>> axle = part(cylinder(0.005, 0.1, axis=Y).at(y=0.08), "axle", material("steel"))
-            >>> left, right = wheel.suffixed("_left"), wheel.at(y=0.16).suffixed("_right")
-            >>> spin = Revolute("spin_left", axis=Y)
-            >>> axle.attach(left, spin).attach(right, Revolute("spin_right", axis=Y))
-        """
+        """Add a suffix to the names of all its links, joints, grasps and pushes."""
         return Body.record("suffix", body=self, suffix=suffix)
 
 

@@ -43,10 +43,7 @@ def _loft(profiles: tuple[Outline, ...], heights: tuple[float, ...], axis: Array
 
 @records(_loft)
 def loft(
-    profiles: Sequence[Profile],
-    heights: Sequence[Scalar],
-    *,
-    axis: VectorLike = (0.0, 0.0, 1.0),
+    profiles: Sequence[Profile], heights: Sequence[Scalar], *, axis: VectorLike = (0.0, 0.0, 1.0)
 ) -> Solid:
     """Join profiles at heights along an axis by straight sides.
 

@@ -215,12 +215,7 @@ def _frustum(bottom_radius: float, top_radius: float, length: float, axis: Array
 
 @records(_frustum)
 def frustum(
-    bottom_radius: Scalar,
-    top_radius: Scalar,
-    length: Scalar,
-    *,
-    axis: VectorLike = UP,
-    bevel: Scalar = 0.0,
+    bottom_radius: Scalar, top_radius: Scalar, length: Scalar, *, axis: VectorLike = UP, bevel: Scalar = 0.0
 ) -> Solid:
     """Make a truncated cone centered on the origin; a radius of 0 gives a pointed end.
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Annotated, Any, ClassVar
 
 import numpy as np
@@ -68,6 +68,35 @@ class Bool(Handle):
     __rand__, __ror__ = __and__, __or__
 
 
+def _arithmetic(
+    operation: str, doc: str
+) -> tuple[Callable[[Float, Scalar], Float], Callable[[Float, Scalar], Float]]:
+    """Return the methods of an operator with the handle on the left and on the right."""
+
+    def left(self: Float, other: Scalar) -> Float:
+        return Float.record(operation, a=self, b=other) if _is_scalar(other) else NotImplemented
+
+    def right(self: Float, other: Scalar) -> Float:
+        return Float.record(operation, a=other, b=self) if _is_scalar(other) else NotImplemented
+
+    left.__doc__ = right.__doc__ = doc
+    return left, right
+
+
+def _comparison(operation: str) -> Callable[[Float, Scalar], Bool]:
+    """Return the method of a comparison."""
+
+    def compare(self: Float, other: Scalar) -> Bool:
+        """Compare."""
+        return Bool.record(operation, a=self, b=other) if _is_scalar(other) else NotImplemented
+
+    return compare
+
+
+def _is_scalar(value: Any) -> bool:
+    return isinstance(value, (Float, *_NUMBERS))
+
+
 class Float(Handle):
     """A number.
 
@@ -85,60 +114,14 @@ class Float(Handle):
         """Accept a Float or a finite Python number."""
         return value.node if isinstance(value, Float) else _number(value)
 
-    def _with(self, name: str, a: Any, b: Any) -> Any:
-        """Record arithmetic, or return NotImplemented for other operands."""
-        for operand in (a, b):
-            if not isinstance(operand, (Float, *_NUMBERS)):
-                return NotImplemented
-        return (Bool if name in _COMPARISONS else Float).record(name, a=a, b=b)
-
-    def __add__(self, other: Scalar) -> Float:
-        """Add."""
-        return self._with("add", self, other)  # type: ignore[no-any-return]
-
-    def __radd__(self, other: Scalar) -> Float:
-        """Add."""
-        return self._with("add", other, self)  # type: ignore[no-any-return]
-
-    def __sub__(self, other: Scalar) -> Float:
-        """Subtract."""
-        return self._with("subtract", self, other)  # type: ignore[no-any-return]
-
-    def __rsub__(self, other: Scalar) -> Float:
-        """Subtract."""
-        return self._with("subtract", other, self)  # type: ignore[no-any-return]
-
-    def __mul__(self, other: Scalar) -> Float:
-        """Multiply."""
-        return self._with("multiply", self, other)  # type: ignore[no-any-return]
-
-    def __rmul__(self, other: Scalar) -> Float:
-        """Multiply."""
-        return self._with("multiply", other, self)  # type: ignore[no-any-return]
-
-    def __truediv__(self, other: Scalar) -> Float:
-        """Divide."""
-        return self._with("divide", self, other)  # type: ignore[no-any-return]
-
-    def __rtruediv__(self, other: Scalar) -> Float:
-        """Divide."""
-        return self._with("divide", other, self)  # type: ignore[no-any-return]
-
-    def __pow__(self, other: Scalar) -> Float:
-        """Raise to a power."""
-        return self._with("power", self, other)  # type: ignore[no-any-return]
-
-    def __rpow__(self, other: Scalar) -> Float:
-        """Raise to a power."""
-        return self._with("power", other, self)  # type: ignore[no-any-return]
-
-    def __mod__(self, other: Scalar) -> Float:
-        """Return the remainder, with the sign of the divisor."""
-        return self._with("modulo", self, other)  # type: ignore[no-any-return]
-
-    def __rmod__(self, other: Scalar) -> Float:
-        """Return the remainder, with the sign of the divisor."""
-        return self._with("modulo", other, self)  # type: ignore[no-any-return]
+    __add__, __radd__ = _arithmetic("add", "Add.")
+    __sub__, __rsub__ = _arithmetic("subtract", "Subtract.")
+    __mul__, __rmul__ = _arithmetic("multiply", "Multiply.")
+    __truediv__, __rtruediv__ = _arithmetic("divide", "Divide.")
+    __pow__, __rpow__ = _arithmetic("power", "Raise to a power.")
+    __mod__, __rmod__ = _arithmetic("modulo", "Return the remainder, with the sign of the divisor.")
+    __lt__, __gt__ = _comparison("less"), _comparison("greater")
+    __le__, __ge__ = _comparison("at_most"), _comparison("at_least")
 
     def __neg__(self) -> Float:
         """Negate."""
@@ -161,33 +144,15 @@ class Float(Handle):
             )
         return Float.record("round_", a=self)
 
-    def __lt__(self, other: Scalar) -> Bool:
-        """Compare."""
-        return self._with("less", self, other)  # type: ignore[no-any-return]
-
-    def __gt__(self, other: Scalar) -> Bool:
-        """Compare."""
-        return self._with("greater", self, other)  # type: ignore[no-any-return]
-
-    def __le__(self, other: Scalar) -> Bool:
-        """Compare."""
-        return self._with("at_most", self, other)  # type: ignore[no-any-return]
-
-    def __ge__(self, other: Scalar) -> Bool:
-        """Compare."""
-        return self._with("at_least", self, other)  # type: ignore[no-any-return]
-
-
-_COMPARISONS = ("less", "greater", "at_most", "at_least")
-
 
 class Vector(Handle):
     """A point or direction in space.
 
     Examples:
-        >>> block = box(0.3, 0.2, 0.1)
-        >>> corner = block.anchor(x=1, z=1)
-        >>> block | sphere(0.03).at(corner + (-0.05, 0, 0.02))
+        >>> tip = vector(0.15, 0.1, 0.0) + (0, 0, 0.02)
+        >>> up, shadow = 0.2 * tip.cross(Y).normalized(), tip.dot(X) * X
+        >>> tips = (tip, tip.rotate(Z, 1.0), up, shadow)
+        >>> union(torus(tip.norm(), 0.005), *(cylinder_between((0, 0, 0), each, 0.006) for each in tips))
     """
 
     __slots__ = ()
@@ -258,50 +223,23 @@ class Vector(Handle):
         return Vector.record("vector_scale", vector=self, factor=-1.0)
 
     def norm(self) -> Float:
-        """Return the length.
-
-        Examples:
-            >>> tip = vector(0.15, 0.1, 0.0)
-            >>> torus(tip.norm(), 0.01) | sphere(0.03).at(tip)
-        """
+        """Return the length."""
         return Float.record("norm", vector=self)
 
     def normalized(self) -> Vector:
-        """Return the vector of length one in the same direction.
-
-        Examples:
-            >>> tip = vector(0.2, 0.0, 0.2)
-            >>> cylinder_between((0, 0, 0), tip, 0.005) | sphere(0.02).at(0.1 * tip.normalized())
-        """
+        """Return the vector of length one in the same direction."""
         return Vector.record("normalize", vector=self)
 
     def dot(self, other: VectorLike) -> Float:
-        """Return the scalar product with another vector.
-
-        Examples:
-            >>> tip = vector(0.1, 0.0, 0.2)
-            >>> shadow = tip.dot(X) * X
-            >>> cylinder_between((0, 0, 0), tip, 0.01) | cylinder_between((0, 0, 0), shadow, 0.005)
-        """
+        """Return the scalar product with another vector."""
         return Float.record("dot", a=self, b=other)
 
     def cross(self, other: VectorLike) -> Vector:
-        """Return the vector product with another vector.
-
-        Examples:
-            >>> a, b = vector(0.2, 0.0, 0.0), vector(0.1, 0.15, 0.0)
-            >>> up = 0.2 * a.cross(b).normalized()
-            >>> union(*(cylinder_between((0, 0, 0), tip, 0.006) for tip in (a, b, up)))
-        """
+        """Return the vector product with another vector."""
         return Vector.record("cross", a=self, b=other)
 
     def rotate(self, axis: VectorLike, angle: Scalar) -> Vector:
-        """Turn about an axis through the origin by an angle [rad].
-
-        Examples:
-            >>> spoke = vector(0.1, 0.0, 0.0)
-            >>> union(*(sphere(0.03).at(spoke.rotate(Y, 1.257 * i)) for i in range(5)))
-        """
+        """Turn about an axis through the origin by an angle [rad]."""
         return Vector.record("vector_rotate", vector=self, axis=axis, angle=angle)
 
 
