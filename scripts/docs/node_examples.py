@@ -27,6 +27,8 @@ HANDLES = (
 )
 """The handles whose public methods are nodes."""
 
+_SHOWN_BY = {"Coupling": "Joint", "Condition": "Joint", "Dependency": "Joint"}  # a joint makes them
+
 _INNER = {"lift", "decode", "record", "parameter"}  # how handles work, not what authors write
 
 
@@ -85,10 +87,11 @@ def examples() -> dict[str, Example]:
     parser = doctest.DocTestParser()
     found = {}
     for name, made in nodes():
-        handle, _, method = name.rpartition(".")
         source = tuple(each.source.rstrip("\n") for each in parser.get_examples(made.__doc__ or ""))
-        if not source and handle in found and any(f".{method}(" in line for line in found[handle].source):
-            source = found[handle].source
+        handle, _, method = name.rpartition(".")
+        shown_by = found.get(handle or _SHOWN_BY.get(name, ""))
+        if not source and shown_by and (not handle or any(f".{method}(" in line for line in shown_by.source)):
+            source = shown_by.source
         if not source:
             raise LookupError(f"{made.__module__}.{made.__qualname__} has no example; add `Examples:` to it")
         found[name] = Example(name, made.__module__, source)

@@ -8,7 +8,7 @@ from artgen.graph.draw import table, to_mermaid
 from artgen.graph.evaluation import Cache, Evaluation, evaluate
 from artgen.graph.handle import LITERAL_TYPES, Handle, LiteralType, handle_of, records
 from artgen.graph.jsonfile import from_json, to_json
-from artgen.graph.kernel import OPERATIONS, Operation, kernel, operation
+from artgen.graph.kernel import OPERATIONS, Operation, define, kernel, operation
 from artgen.graph.node import PARAMETER, Node, topological
 from artgen.graph.source import to_python
 
@@ -78,6 +78,7 @@ __all__ = [
     "LiteralType",
     "Node",
     "Operation",
+    "define",
     "evaluate",
     "handle_of",
     "kernel",

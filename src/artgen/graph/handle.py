@@ -139,7 +139,7 @@ class Handle:
             "switch(condition, a, b).",
         )
 
-    def __float__(self) -> float:
+    def __float__(self) -> Any:
         """Raise BuildError: the number is not known."""
         self._refuse(
             "a handle used as a plain number, as float() or the functions of math do",
@@ -147,25 +147,11 @@ class Handle:
             "take handles.",
         )
 
-    def __int__(self) -> int:
-        """Raise BuildError: the number is not known."""
-        return int(self.__float__())
-
-    def __index__(self) -> int:
-        """Raise BuildError: the number is not known."""
-        return int(self.__float__())
-
     def __round__(self, digits: int | None = None) -> Any:
         """Raise BuildError: the number is not known."""
         return self.__float__()
 
-    def __floor__(self) -> Any:
-        """Raise BuildError: the number is not known."""
-        return self.__float__()
-
-    def __ceil__(self) -> float:
-        """Raise BuildError: the number is not known."""
-        return self.__float__()
+    __int__ = __index__ = __floor__ = __ceil__ = __float__
 
     def __repr__(self) -> str:
         """Return the type, the operation and its place."""
@@ -338,9 +324,12 @@ def is_sequence(value: Any) -> bool:
 
 
 def _lift_tuple(value: Any, members: tuple[Any, ...], what: str, where: str) -> Any:
+    several = len(members) == 2 and members[1] is Ellipsis
+    if several and isinstance(value, Handle):
+        value = (value,)
     if not is_sequence(value):
         return NotImplemented
-    if len(members) == 2 and members[1] is Ellipsis:
+    if several:
         return tuple(lift(item, members[0], what, where) for item in value)
     if len(value) != len(members):
         return NotImplemented

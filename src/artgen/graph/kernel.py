@@ -1,6 +1,7 @@
 """Registered operations: a constructor records an operation, its kernel computes the value."""
 
 import inspect
+import sys
 import types
 import typing
 from collections.abc import Callable, Mapping
@@ -92,6 +93,12 @@ def register(known: Operation) -> None:
         other = OPERATIONS[known.name].module
         raise GraphError(f"the operation {known.name!r} is defined twice, in {other} and {known.module}")
     OPERATIONS[known.name] = known
+
+
+def define(name: str, made: Callable[..., Any], spelling: str, result: Any, **inputs: Any) -> None:
+    """Register an operation of a handle that has a short kernel, with the types of its result and inputs."""
+    module = sys._getframe(1).f_globals["__name__"]  # kernels such as `abs` have another module
+    register(Operation(name, made, inputs, result, module, spelling))
 
 
 def types_of(made: Callable[..., Any], operation: str) -> tuple[dict[str, Any], Any]:

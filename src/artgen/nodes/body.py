@@ -5,9 +5,20 @@ from dataclasses import replace
 
 import numpy as np
 
-from artgen import asset as values
 from artgen._names import NAME_RULE, is_identifier
-from artgen.asset import AllowedContact, Branch, Grasp, Link, Piece, Push, Shape, Tree, rotation
+from artgen.asset import (
+    AllowedContact,
+    AssetCondition,
+    AssetJoint,
+    Branch,
+    Grasp,
+    Link,
+    Piece,
+    Push,
+    Shape,
+    Tree,
+    rotation,
+)
 from artgen.asset.affordance import GRIPPER, held
 from artgen.asset.link import MovedLink, PrintDirection
 from artgen.asset.mass import total
@@ -16,7 +27,7 @@ from artgen.graph import kernel, records
 from artgen.materials import Material
 from artgen.nodes.grasp_frames import Array4x4, Frame
 from artgen.nodes.handles import Array3, ArrayN3, Body, Scalar, Solid, VectorLike
-from artgen.nodes.validators import finite
+from artgen.nodes.validators import finite, pose
 from artgen.nodes.vector import unit
 
 
@@ -25,7 +36,6 @@ def _check_name(name: str, what: str) -> None:
         raise ValueError(f"{what} {name!r} is no identifier; use {NAME_RULE}")
 
 
-@kernel
 def _part(
     solid: Shape,
     label: str,
@@ -41,27 +51,23 @@ def _part(
     _check_name(link_name, "link name")
     if grasp_width is not None and grasp_width <= 0.0:
         raise ValueError(f"grasp_width must be positive, got {grasp_width:.6g} m")
-    grasps = tuple(
-        Grasp(
-            f"{link_name}_grasp{f'_{index}' if len(grasp) > 1 else ''}",
-            pose,
-            _opening(solid, pose) if grasp_width is None else grasp_width,
-        )
-        for index, pose in enumerate(grasp)
-    )
-    pushes = tuple(
-        Push(f"{link_name}_push_point{f'_{index}' if len(push) > 1 else ''}", pose)
-        for index, pose in enumerate(push)
-    )
+    widths = [_opening(solid, frame) if grasp_width is None else grasp_width for frame in grasp]
+    grasps = tuple(map(Grasp, _numbered(f"{link_name}_grasp", len(grasp)), grasp, widths))
+    pushes = tuple(map(Push, _numbered(f"{link_name}_push_point", len(push)), push))
     return Tree(Link(link_name, label, (Piece(label, material, solid),), grasps, separate, pushes))
 
 
-def _opening(solid: Shape, pose: Array4x4) -> float:
+def _numbered(name: str, count: int) -> list[str]:
+    return [f"{name}_{index}" for index in range(count)] if count > 1 else [name] * count
+
+
+def _opening(solid: Shape, frame: Array4x4) -> float:
     """Return the opening of the fingers around a solid; the full opening if there is none."""
-    reach = held([solid.manifold], pose)
+    reach = held([solid.manifold], frame)
     return GRIPPER.stroke if reach is None else GRIPPER.opening(reach[1] - reach[0])
 
 
+@records(_part)
 def part(
     solid: Solid,
     label: str,
@@ -92,19 +98,6 @@ def part(
     Examples:
         >>> part(box(0.3, 0.2, 0.018, bevel=0.002), "shelf", material("oak"))
     """
-    grasps = (grasp,) if isinstance(grasp, Frame) else grasp
-    pushes = (push,) if isinstance(push, Frame) else push
-    return Body.record(
-        _part,
-        solid=solid,
-        label=label,
-        material=material,
-        name=name,
-        grasp=grasps,
-        grasp_width=grasp_width,
-        separate=separate,
-        push=pushes,
-    )
 
 
 def _detail(solid: Shape, label: str, material: Material, reads: Array3 | None, about: Array3 | None) -> Tree:
@@ -173,7 +166,7 @@ def weld(*bodies: Body) -> Body:
 
 
 @kernel(spelling="{parent}.attach({child}, *{joints})")
-def _attach(parent: Tree, child: Tree, joints: tuple[values.AssetJoint, ...]) -> Tree:
+def _attach(parent: Tree, child: Tree, joints: tuple[AssetJoint, ...]) -> Tree:
     if not joints:
         raise ValueError("attach needs at least one joint; weld joins bodies rigidly")
     return replace(parent, branches=(*parent.branches, Branch(joints, child))).checked()
@@ -183,39 +176,31 @@ _NOWHERE = Link("nowhere", "nowhere")  # placeholder for the parent while a bran
 
 
 @kernel(spelling="{parent}.repeat({child}, *{joints}, at={at})")
-def _repeat(parent: Tree, child: Tree, joints: tuple[values.AssetJoint, ...], at: ArrayN3) -> Tree:
+def _repeat(parent: Tree, child: Tree, joints: tuple[AssetJoint, ...], at: ArrayN3) -> Tree:
     if not joints:
         raise ValueError("repeat needs at least one joint; array and weld join copies rigidly")
     branches = []
     for index, point in enumerate(at):
-        matrix = np.eye(4)
-        matrix[:3, 3] = point
-        copy = Tree(_NOWHERE, (Branch(joints, child),)).moved(matrix).suffixed(f"_{index}")
+        copy = Tree(_NOWHERE, (Branch(joints, child),)).moved(pose(np.eye(3), point)).suffixed(f"_{index}")
         branches.append(copy.branches[0])
     return replace(parent, branches=(*parent.branches, *branches)).checked()
 
 
 @kernel(spelling="{body}.at({offset})")
 def _translate_body(body: Tree, offset: Array3) -> Tree:
-    matrix = np.eye(4)
-    matrix[:3, 3] = offset
-    return body.moved(matrix)
+    return body.moved(pose(np.eye(3), offset))
 
 
 @kernel(spelling="{body}.rotate({axis}, {angle}, about={about})")
 def _rotate_body(body: Tree, axis: Array3, angle: float, about: Array3) -> Tree:
-    matrix = np.eye(4)
-    matrix[:3, :3] = rotation(unit(axis), angle)
-    matrix[:3, 3] = about - matrix[:3, :3] @ about
-    return body.moved(matrix)
+    turn = rotation(unit(axis), angle)
+    return body.moved(pose(turn, about - turn @ about))
 
 
 @kernel(spelling="{body}.mirror({normal})")
 def _mirror_body(body: Tree, normal: Array3) -> Tree:
     direction = unit(normal)
-    matrix = np.eye(4)
-    matrix[:3, :3] -= 2.0 * np.outer(direction, direction)
-    return body.moved(matrix)
+    return body.moved(pose(np.eye(3) - 2.0 * np.outer(direction, direction)))
 
 
 @kernel(spelling="{body}.suffixed({suffix})")
@@ -230,7 +215,7 @@ Place = tuple[str, str]
 
 @kernel
 def _allow_contact(
-    body: Tree, a: str, b: str, depth: float, reason: str, when: values.AssetCondition | None
+    body: Tree, a: str, b: str, depth: float, reason: str, when: AssetCondition | None
 ) -> Tree:
     if finite("depth", depth) < 0.0:
         raise ValueError(f"depth must not be negative, got {depth:.6g} m; 0 allows them to touch")

@@ -331,9 +331,6 @@ def bounding_collider(solid: Solid) -> Solid:
     Suitable for things with fine structure, such as slats, grilles and knurls. Solids that are united with it
     later have their own colliders.
 
-    Args:
-        solid: The solid.
-
     Examples:
         >>> slats = array(box(0.01, 0.1, 0.02), at=row((0, 0, 0), (0.02, 0, 0), 10))
         >>> bounding_collider(slats | box(0.2, 0.005, 0.02).at(0.09))
@@ -364,7 +361,6 @@ def array(solid: Solid, *, at: PointsLike) -> Solid:
     """Copy a solid to several places as one solid; touching and overlapping copies are united.
 
     Args:
-        solid: The solid.
         at: Offset of each copy [m].
 
     Examples:

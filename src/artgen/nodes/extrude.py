@@ -110,7 +110,6 @@ def extrude(
     the profile; it swaps the ends, which matters for taper and twist.
 
     Args:
-        profile: The profile.
         length: Length along the axis [m].
         axis: Direction of the axis.
         bevel: Radius of the rounded edges at both ends [m].

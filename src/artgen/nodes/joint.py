@@ -6,8 +6,8 @@ from typing import Any, ClassVar, Literal
 
 import numpy as np
 
-from artgen import asset as values
 from artgen._names import NAME_RULE, is_identifier
+from artgen.asset import AssetCondition, AssetCoupling, AssetDependency, AssetJoint
 from artgen.graph import Handle, kernel
 from artgen.nodes.handles import Array3, Float, Scalar, VectorLike
 from artgen.nodes.vector import unit
@@ -16,19 +16,10 @@ Kind = Literal["revolute", "prismatic"]
 
 
 class Condition(Handle):
-    """A region of joint space.
-
-    Examples:
-        >>> case = part(box(0.3, 0.1, 0.02), "case", material("walnut"))
-        >>> lever = part(box(0.1, 0.02, 0.01).at(-0.08, 0, 0.02), "lever", material("steel"))
-        >>> bolt = part(box(0.08, 0.02, 0.01).at(0.08, 0, 0.02), "bolt", material("brass"))
-        >>> turn = Revolute("turn", pivot=(-0.08, 0, 0), axis=Z, limits=(0, 1.2))
-        >>> needs = (turn > 1.0).until(0.04).beyond(0.01)
-        >>> case.attach(lever, turn).attach(bolt, Prismatic("slide", axis=X, limits=(0, 0.05), needs=needs))
-    """
+    """A region of joint space, such as `(turn > 1.0) & (slide < 0.02)`."""
 
     __slots__ = ()
-    value_type: ClassVar[Any] = values.AssetCondition
+    value_type: ClassVar[Any] = AssetCondition
 
     def __and__(self, other: "Condition") -> "Condition":
         """Intersect two regions."""
@@ -51,19 +42,10 @@ class Condition(Handle):
 
 
 class Dependency(Handle):
-    """Condition under which a joint may leave its closed position.
-
-    Examples:
-        >>> case = part(box(0.3, 0.1, 0.02), "case", material("walnut"))
-        >>> lever = part(box(0.1, 0.02, 0.01).at(-0.08, 0, 0.02), "lever", material("steel"))
-        >>> bolt = part(box(0.08, 0.02, 0.01).at(0.08, 0, 0.02), "bolt", material("brass"))
-        >>> turn = Revolute("turn", pivot=(-0.08, 0, 0), axis=Z, limits=(0, 1.2))
-        >>> needs = (turn > 1.0).until(0.04).beyond(0.01)
-        >>> case.attach(lever, turn).attach(bolt, Prismatic("slide", axis=X, limits=(0, 0.05), needs=needs))
-    """
+    """Condition under which a joint may leave its closed position, such as `(turn > 1.0).until(0.03)`."""
 
     __slots__ = ()
-    value_type: ClassVar[Any] = values.AssetDependency
+    value_type: ClassVar[Any] = AssetDependency
 
     def until(self, position: Scalar) -> "Dependency":
         """Limit the dependency to positions of the dependent joint below a value [rad or m]."""
@@ -82,45 +64,45 @@ class Dependency(Handle):
 
 
 @kernel
-def _joint_above(joint: str, position: float) -> values.AssetCondition:
-    return values.AssetCondition("above", joint, position)
+def _joint_above(joint: str, position: float) -> AssetCondition:
+    return AssetCondition("above", joint, position)
 
 
 @kernel
-def _joint_below(joint: str, position: float) -> values.AssetCondition:
-    return values.AssetCondition("below", joint, position)
+def _joint_below(joint: str, position: float) -> AssetCondition:
+    return AssetCondition("below", joint, position)
 
 
 @kernel(spelling="({a} & {b})")
-def _condition_all(a: values.AssetCondition, b: values.AssetCondition) -> values.AssetCondition:
-    return values.AssetCondition("all", terms=(a, b))
+def _condition_all(a: AssetCondition, b: AssetCondition) -> AssetCondition:
+    return AssetCondition("all", terms=(a, b))
 
 
 @kernel(spelling="({a} | {b})")
-def _condition_any(a: values.AssetCondition, b: values.AssetCondition) -> values.AssetCondition:
-    return values.AssetCondition("any", terms=(a, b))
+def _condition_any(a: AssetCondition, b: AssetCondition) -> AssetCondition:
+    return AssetCondition("any", terms=(a, b))
 
 
 @kernel
-def _dependency(condition: values.AssetCondition, until: float | None) -> values.AssetDependency:
-    return _checked(values.AssetDependency(condition, until))
+def _dependency(condition: AssetCondition, until: float | None) -> AssetDependency:
+    return _checked(AssetDependency(condition, until))
 
 
 @kernel(spelling="{needs}.until({position})")
-def _dependency_until(needs: values.AssetDependency, position: float) -> values.AssetDependency:
+def _dependency_until(needs: AssetDependency, position: float) -> AssetDependency:
     if needs.until is not None:
         raise ValueError(f"until is given twice: {needs.until:.6g} and {position:.6g}")
     return _checked(replace(needs, until=position))
 
 
 @kernel(spelling="{needs}.beyond({position})")
-def _dependency_beyond(needs: values.AssetDependency, position: float) -> values.AssetDependency:
+def _dependency_beyond(needs: AssetDependency, position: float) -> AssetDependency:
     if needs.beyond is not None:
         raise ValueError(f"beyond is given twice: {needs.beyond:.6g} and {position:.6g}")
     return _checked(replace(needs, beyond=position))
 
 
-def _checked(needs: values.AssetDependency) -> values.AssetDependency:
+def _checked(needs: AssetDependency) -> AssetDependency:
     """Return a dependency with checked positions."""
     if needs.until is not None and needs.until <= 0.0:
         raise ValueError(f"until must be positive, got {needs.until:.6g}: a joint needs nothing at 0")
@@ -176,18 +158,10 @@ class _Leader(Handle):
 
 
 class Coupling(_Leader):
-    """Law of a joint that follows another: `ratio * leader + offset`.
-
-    Examples:
-        >>> case = part(box(0.3, 0.1, 0.02), "case", material("walnut"))
-        >>> lever = part(box(0.1, 0.02, 0.01).at(-0.08, 0, 0.02), "lever", material("steel"))
-        >>> bolt = part(box(0.08, 0.02, 0.01).at(0.08, 0, 0.02), "bolt", material("brass"))
-        >>> turn = Revolute("turn", pivot=(-0.08, 0, 0), axis=Z, limits=(0, 1.2))
-        >>> case.attach(lever, turn).attach(bolt, Prismatic("slide", axis=X, follows=0.04 * turn + 0.005))
-    """
+    """Law of a joint that follows another: `ratio * leader + offset`, such as `0.04 * turn + 0.005`."""
 
     __slots__ = ()
-    value_type: ClassVar[Any] = values.AssetCoupling
+    value_type: ClassVar[Any] = AssetCoupling
 
     @classmethod
     def lift(cls, value: Any) -> Any:
@@ -202,12 +176,16 @@ class Joint(_Leader):
         >>> case = part(box(0.3, 0.1, 0.02), "case", material("walnut"))
         >>> lever = part(box(0.1, 0.02, 0.01).at(-0.08, 0, 0.02), "lever", material("steel"))
         >>> bolt = part(box(0.08, 0.02, 0.01).at(0.08, 0, 0.02), "bolt", material("brass"))
+        >>> dial = part(cylinder(0.02, 0.01).at(-0.08, 0, 0.032), "dial", material("copper"))
         >>> turn = Revolute("turn", pivot=(-0.08, 0, 0), axis=Z, limits=(0, 1.2))
-        >>> case.attach(lever, turn).attach(bolt, Prismatic("slide", axis=X, follows=0.04 * turn))
+        >>> needs = (turn > 1.0).until(0.04).beyond(0.01)
+        >>> slide = Prismatic("slide", axis=X, limits=(0, 0.05), needs=needs)
+        >>> follower = Revolute("dial_turn", pivot=(-0.08, 0, 0), axis=Z, follows=0.5 * turn + 0.1)
+        >>> case.attach(lever, turn).attach(bolt, slide).attach(dial, follower)
     """
 
     __slots__ = ()
-    value_type: ClassVar[Any] = values.AssetJoint
+    value_type: ClassVar[Any] = AssetJoint
 
     @property
     def name(self) -> str:
@@ -231,19 +209,19 @@ class Joint(_Leader):
 
 
 @kernel
-def _coupling(leader: str, ratio: float, offset: float) -> values.AssetCoupling:
+def _coupling(leader: str, ratio: float, offset: float) -> AssetCoupling:
     if ratio == 0.0:
         raise ValueError(f"a coupling to {leader!r} with ratio 0 would not move; lock the joint instead")
-    return values.AssetCoupling(leader, ratio, offset)
+    return AssetCoupling(leader, ratio, offset)
 
 
 @kernel(spelling="({coupling} + {by})")
-def _coupling_shift(coupling: values.AssetCoupling, by: float) -> values.AssetCoupling:
-    return values.AssetCoupling(coupling.leader, coupling.ratio, coupling.offset + by)
+def _coupling_shift(coupling: AssetCoupling, by: float) -> AssetCoupling:
+    return AssetCoupling(coupling.leader, coupling.ratio, coupling.offset + by)
 
 
 @kernel(spelling="({coupling} * {factor})")
-def _coupling_scale(coupling: values.AssetCoupling, factor: float) -> values.AssetCoupling:
+def _coupling_scale(coupling: AssetCoupling, factor: float) -> AssetCoupling:
     return _coupling(coupling.leader, coupling.ratio * factor, coupling.offset * factor)
 
 
@@ -261,10 +239,10 @@ def _joint(
     armature: float,
     effort: float,
     velocity: float,
-    follows: values.AssetCoupling | None,
-    needs: values.AssetDependency | None,
+    follows: AssetCoupling | None,
+    needs: AssetDependency | None,
     driven: str,
-) -> values.AssetJoint:
+) -> AssetJoint:
     if not is_identifier(name):
         raise ValueError(f"joint name {name!r} is no identifier; use {NAME_RULE}")
     if limits is not None and limits[0] > limits[1]:
@@ -292,7 +270,7 @@ def _joint(
     for field, number in (("effort", effort), ("velocity", velocity)):
         if number <= 0.0:
             raise ValueError(f"joint {name!r}: {field} {number:.6g} must be positive")
-    return values.AssetJoint(
+    return AssetJoint(
         name,
         kind,
         unit(np.asarray(axis)),

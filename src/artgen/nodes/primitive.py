@@ -62,9 +62,7 @@ UP = (0.0, 0.0, 1.0)
 
 
 def _box(x: float, y: float, z: float, bevel: float) -> Shape:
-    size = np.array(
-        [inputs.positive("size x", x), inputs.positive("size y", y), inputs.positive("size z", z)]
-    )
+    size = inputs.sizes("size", x, y, z)
     bevel = inputs.rounding("bevel", bevel, float(size.min()) / 2.0)
     if bevel == 0.0:
         return rounded_box(size, 0.0, 0).shape(Exact((Convex.box(size),)))
@@ -247,12 +245,7 @@ def sphere(radius: Scalar) -> Solid:
 
 
 def _ellipsoid(radius_x: float, radius_y: float, radius_z: float) -> Shape:
-    radii = np.array(
-        [
-            inputs.positive(f"radius {name}", r)
-            for name, r in (("x", radius_x), ("y", radius_y), ("z", radius_z))
-        ]
-    )
+    radii = inputs.sizes("radius", radius_x, radius_y, radius_z)
     skin = lathe([half_ellipse(1.0, 1.0, -0.5 * math.pi)], sides=sides_of(float(radii.max())))
     vertices = skin.vertices * radii
     normals = skin.normals / radii
@@ -384,7 +377,7 @@ def tube(
 
 
 def _wedge(x: float, y: float, z: float) -> Shape:
-    half = [inputs.positive(f"size {name}", size) / 2.0 for name, size in (("x", x), ("y", y), ("z", z))]
+    half = inputs.sizes("size", x, y, z) / 2.0
     ramp = faceted(np.array([[-half[1], -half[2]], [half[1], -half[2]], [half[1], half[2]]]))
     skin = extrusion([ramp], x).turned(inputs.frame((1.0, 0.0, 0.0)))
     return skin.shape(around_hull(skin.vertices))

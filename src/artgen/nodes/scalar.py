@@ -1,14 +1,12 @@
 """Numbers and truth values: arithmetic, functions, logic, choice between values, and requirements."""
 
 import math
-import operator
-from collections.abc import Callable
 from typing import Any, TypeVar, overload
 
 import numpy as np
 
 from artgen.errors import BuildError, InfeasibleError
-from artgen.graph import Handle, Operation, kernel, records
+from artgen.graph import Handle, Operation, define, kernel, records
 from artgen.graph.kernel import register
 from artgen.graph.node import authors_line
 from artgen.nodes.handles import (
@@ -26,20 +24,20 @@ from artgen.nodes.handles import (
     VectorLike,
 )
 
-_OPERATORS: tuple[tuple[str, str, Callable[..., Any], type, type], ...] = (
-    ("add", "+", operator.add, float, float),
-    ("subtract", "-", operator.sub, float, float),
-    ("multiply", "*", operator.mul, float, float),
-    ("less", "<", operator.lt, float, bool),
-    ("greater", ">", operator.gt, float, bool),
-    ("at_most", "<=", operator.le, float, bool),
-    ("at_least", ">=", operator.ge, float, bool),
-    ("and_", "&", operator.and_, bool, bool),
-    ("or_", "|", operator.or_, bool, bool),
-)
-for _name, _sign, _function, _input, _result in _OPERATORS:
-    _spelling = f"({{a}} {_sign} {{b}})"
-    register(Operation(_name, _function, {"a": _input, "b": _input}, _result, __name__, _spelling))
+define("add", lambda a, b: a + b, "({a} + {b})", float, a=float, b=float)
+define("subtract", lambda a, b: a - b, "({a} - {b})", float, a=float, b=float)
+define("multiply", lambda a, b: a * b, "({a} * {b})", float, a=float, b=float)
+define("negate", lambda a: -a, "(-{a})", float, a=float)
+define("absolute", abs, "abs({a})", float, a=float)
+define("floor", lambda a: float(math.floor(a)), "{a}.__floor__()", float, a=float)
+define("round_", lambda a: float(round(a)), "round({a})", float, a=float)
+define("less", lambda a, b: a < b, "({a} < {b})", bool, a=float, b=float)
+define("greater", lambda a, b: a > b, "({a} > {b})", bool, a=float, b=float)
+define("at_most", lambda a, b: a <= b, "({a} <= {b})", bool, a=float, b=float)
+define("at_least", lambda a, b: a >= b, "({a} >= {b})", bool, a=float, b=float)
+define("and_", lambda a, b: a and b, "({a} & {b})", bool, a=bool, b=bool)
+define("or_", lambda a, b: a or b, "({a} | {b})", bool, a=bool, b=bool)
+define("not_", lambda a: not a, "(~{a})", bool, a=bool)
 
 
 @kernel(spelling="({a} / {b})")
@@ -61,31 +59,6 @@ def _modulo(a: float, b: float) -> float:
     if b == 0.0:
         raise ValueError(f"remainder of {a:.6g} divided by zero")
     return a % b
-
-
-@kernel(spelling="(-{a})")
-def _negate(a: float) -> float:
-    return -a
-
-
-@kernel(spelling="abs({a})")
-def _absolute(a: float) -> float:
-    return abs(a)
-
-
-@kernel(spelling="(~{a})")
-def _not_(a: bool) -> bool:
-    return not a
-
-
-@kernel(spelling="{a}.__floor__()")
-def _floor(a: float) -> float:
-    return float(math.floor(a))
-
-
-@kernel(spelling="round({a})")
-def _round_(a: float) -> float:
-    return float(round(a))
 
 
 @records(min, of=float)

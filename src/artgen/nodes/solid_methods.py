@@ -6,7 +6,7 @@ import numpy as np
 
 from artgen._arrays import Array
 from artgen.asset.shape import Shape
-from artgen.graph import kernel
+from artgen.graph import define, kernel
 from artgen.nodes import validators as inputs
 from artgen.nodes.handles import Array3, ArrayN3
 
@@ -88,17 +88,6 @@ def _anchor(solid: Shape, x: float, y: float, z: float) -> Array3:
     return np.asarray(0.5 * (low + high) + 0.5 * where * (high - low))
 
 
-@kernel(spelling="{solid}.size()")
-def _size(solid: Shape) -> Array3:
-    low, high = solid.bounds()
-    return np.asarray(high - low)
-
-
-@kernel(spelling="{solid}.bounds()")
-def _bounds(solid: Shape) -> ArrayN3:
-    return solid.bounds()
-
-
 @kernel(spelling="{solid}.centroid()")
 def _centroid(solid: Shape) -> Array3:
     mesh = solid.mesh
@@ -108,11 +97,7 @@ def _centroid(solid: Shape) -> Array3:
     return np.asarray(origin + (volume[:, None] * (a + b + c)).sum(axis=0) / (4.0 * volume.sum()))
 
 
-@kernel(spelling="{solid}.volume()")
-def _volume(solid: Shape) -> float:
-    return float(solid.manifold.volume())
-
-
-@kernel(spelling="{solid}.area()")
-def _area(solid: Shape) -> float:
-    return float(solid.manifold.surface_area())
+define("bounds", lambda solid: solid.bounds(), "{solid}.bounds()", ArrayN3, solid=Shape)
+define("size", lambda solid: np.ptp(solid.bounds(), axis=0), "{solid}.size()", Array3, solid=Shape)
+define("volume", lambda solid: float(solid.manifold.volume()), "{solid}.volume()", float, solid=Shape)
+define("area", lambda solid: float(solid.manifold.surface_area()), "{solid}.area()", float, solid=Shape)

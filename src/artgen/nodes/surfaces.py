@@ -84,11 +84,7 @@ class Sheets:
     """A surface under construction: grids and caps, joined at equal places."""
 
     def __init__(self) -> None:
-        self._vertices: list[Array] = []
-        self._normals: list[Array] = []
-        self._uvs: list[Array] = []
-        self._triangles: list[Indices] = []
-        self._targets: list[Indices] = []
+        self._patches: list[tuple[Array, Array, Array, Indices, Indices]] = []
         self._count = 0
 
     def grid(
@@ -138,22 +134,12 @@ class Sheets:
 
     def _add(self, vertices: Array, normals: Array, uvs: Array, triangles: Indices, targets: Indices) -> None:
         flat = vertices.reshape(-1, 3)
-        self._vertices.append(flat)
-        self._normals.append(normals.reshape(-1, 3))
-        self._uvs.append(uvs.reshape(-1, 2))
-        self._triangles.append(triangles)
-        self._targets.append(targets)
+        self._patches.append((flat, normals.reshape(-1, 3), uvs.reshape(-1, 2), triangles, targets))
         self._count += len(flat)
 
     def skin(self) -> Skin:
         """Return the added patches as one surface."""
-        return Skin(
-            np.concatenate(self._vertices),
-            np.concatenate(self._normals),
-            np.concatenate(self._uvs),
-            np.concatenate(self._triangles),
-            np.concatenate(self._targets),
-        )
+        return Skin(*(np.concatenate(parts) for parts in zip(*self._patches, strict=True)))
 
 
 def triangulated(rings: Sequence[Array]) -> Indices:

@@ -19,6 +19,11 @@ def positive(name: str, value: float, unit: str = "m") -> float:
     return float(value)
 
 
+def sizes(name: str, *values: float) -> Array:
+    """Return the sizes along x, y and z, each finite and above zero, shape (3,) [m]."""
+    return np.array([positive(f"{name} {axis}", value) for axis, value in zip("xyz", values, strict=True)])
+
+
 def between(name: str, value: float, low: float, high: float, unit: str = "m") -> float:
     """Return a value within `low` and `high`, both allowed."""
     if not low <= value <= high:

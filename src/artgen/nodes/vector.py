@@ -3,7 +3,7 @@
 import numpy as np
 
 from artgen.asset import Curve, rotation
-from artgen.graph import kernel, records
+from artgen.graph import define, kernel, records
 from artgen.nodes.handles import Array3, ArrayN3, Float, Points, Scalar, Vector, VectorLike
 
 
@@ -39,34 +39,16 @@ def component(vector: VectorLike, index: int) -> Float:
     """Return the component of a vector along x (0), y (1) or z (2)."""
 
 
-@kernel(spelling="({a} + {b})")
-def _vector_add(a: Array3, b: Array3) -> Array3:
-    return a + b
-
-
-@kernel(spelling="({a} - {b})")
-def _vector_subtract(a: Array3, b: Array3) -> Array3:
-    return a - b
+define("vector_add", lambda a, b: a + b, "({a} + {b})", Array3, a=Array3, b=Array3)
+define("vector_subtract", lambda a, b: a - b, "({a} - {b})", Array3, a=Array3, b=Array3)
+define("dot", lambda a, b: float(a @ b), "{a}.dot({b})", float, a=Array3, b=Array3)
+define("cross", np.cross, "{a}.cross({b})", Array3, a=Array3, b=Array3)
+define("norm", lambda vector: float(np.linalg.norm(vector)), "{vector}.norm()", float, vector=Array3)
 
 
 @kernel(spelling="({vector} * {factor})")
 def _vector_scale(vector: Array3, factor: float) -> Array3:
     return vector * factor
-
-
-@kernel(spelling="{a}.dot({b})")
-def _dot(a: Array3, b: Array3) -> float:
-    return float(a @ b)
-
-
-@kernel(spelling="{a}.cross({b})")
-def _cross(a: Array3, b: Array3) -> Array3:
-    return np.cross(a, b)
-
-
-@kernel(spelling="{vector}.norm()")
-def _norm(vector: Array3) -> float:
-    return float(np.linalg.norm(vector))
 
 
 @kernel(name="normalize", spelling="{vector}.normalized()")
