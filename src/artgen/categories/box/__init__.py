@@ -113,7 +113,7 @@ def box(
         "style",
         wine=ag.choice("none", "red", "white", "rose", weights=(0.3, 0.36, 0.2, 0.14)),
         otherwise="none",
-        doc="what stands in the cells",
+        doc="contents of the cells",
     ),
     sides: Sides = ag.by(
         "style", mailer=ag.choice("over", "tucked", weights=(0.7, 0.3)), pizza="tucked", otherwise="over"
@@ -308,7 +308,7 @@ def box(
         unit="N m s/rad",
         doc="of a metre of crease",
     ),
-    rub: ag.Float = ag.uniform(0.25, 0.8, doc="of what slides, as a share of its weight"),
+    rub: ag.Float = ag.uniform(0.25, 0.8, doc="friction of sliding parts, as a share of their weight"),
     swing: ag.Float = ag.uniform(3.5, 4.62, "rad", doc="how far flaps open where they have room"),
     lid_open: ag.Float = ag.by(
         "style", wine=ag.uniform(2.2, 3.4), otherwise=ag.uniform(1.95, 2.85), unit="rad"
@@ -327,7 +327,7 @@ def box(
         tuck_end=ag.choice(False, True, weights=(0.7, 0.3)),
         tray=ag.choice(False, True),
         otherwise=False,
-        doc="an address, or what is inside",
+        doc="an address, or the contents",
     ),
     emblem: Literal["leaf", "hexagon", "waves", "peak", "sun", "diamond", "quarters", "ring"] = ag.choice(
         "leaf", "hexagon", "waves", "peak", "sun", "diamond", "quarters", "ring"

@@ -80,7 +80,7 @@ class Board:
         return upper.paint(self.outside) & lower.paint(self.inside)
 
     def _mitre(self) -> ag.Solid:
-        """Make what a crease takes of the sheet beside it."""
+        """Make the cutter for the part of a neighboring sheet that a crease needs."""
         t = self.thick
         wedge = ag.polygon(
             [(_GAP - 2.0 * t, 2.0 * t), (_GAP + 3.0 * t, -3.0 * t), (_GAP - 2.0 * t, -3.0 * t)]
@@ -100,7 +100,7 @@ class Mouth:
     grounded: bool = False  # whether the side `front` lies on the floor, on which its flap comes to lie
 
     def link(self, kind: str, side: str | None = None) -> str:
-        """Return the name of what is at a side, or of the one thing that there is."""
+        """Return the name of the part at a side, or of the only part of that kind."""
         return (kind if side is None else f"{kind}_{getattr(self, side)}") + self.suffix
 
     def hinge(self, kind: str, side: str | None = None) -> str:
@@ -123,8 +123,8 @@ class Crease:
     """Where a sheet is joined to a wall or to another sheet, in the frame of that one."""
 
     x: ag.Scalar  # middle of the crease, where both outer faces would meet [m]
-    y: ag.Scalar  # the same [m]
-    z: ag.Scalar = 0.0  # the same [m]
+    y: ag.Scalar  # middle of the crease along y [m]
+    z: ag.Scalar = 0.0  # middle of the crease along z [m]
     turn: float = 0.0  # about z, from the frame's y to the way of the sheet [rad]
     # whether the sheet hangs down at rest: it is joined to a sheet in the plane of the frame. Otherwise it
     # closes a box whose wall hangs down
@@ -132,7 +132,7 @@ class Crease:
     lean: ag.Scalar | None = None  # by how much more it is folded [rad]
 
     def place(self, thing: Thing) -> Thing:
-        """Move what was made in the crease's own frame to where it is at rest."""
+        """Move a part from the crease's own frame to its place at rest."""
         moved = thing
         if self.lean is not None:
             moved = moved.rotate(ag.X, -self.lean, about=(0.0, -FOLD, FOLD))
@@ -141,14 +141,14 @@ class Crease:
         return moved.rotate(ag.Z, self.turn).at(self.x, self.y, self.z)
 
     def beside(self, cutter: ag.Solid) -> ag.Solid:
-        """Move a cutter for the sheet to the edge of what it is joined to."""
+        """Move a cutter for the sheet to the edge of the neighboring wall or sheet."""
         mirrored = cutter.mirror((0.0, 1.0, 0.0))
         if not self.folded:  # the wall hangs down from the corner
             mirrored = mirrored.rotate(ag.X, math.pi / 2.0)
         return mirrored.rotate(ag.Z, self.turn).at(self.x, self.y, self.z)
 
     def bead(self, length: ag.Scalar, label: str, finish: ag.Material) -> ag.Body:
-        """Show the liner that runs through the crease, in the frame of what the sheet is joined to."""
+        """Show the liner that runs through the crease, in the frame of the neighboring wall or sheet."""
         bulge = ag.cylinder(_BEAD, length, axis=ag.X).at(0.0, FOLD if self.folded else -FOLD, FOLD)
         return ag.detail(bulge.rotate(ag.Z, self.turn).at(self.x, self.y, self.z), label, finish)
 
@@ -176,7 +176,7 @@ class Crease:
             rest=feel.rest,
             friction=ag.max_(friction, holding),
             damping=feel.damping * length,
-            armature=ag.max_(2e-5, 3e-4 * friction),  # contacts of what is lighter give way to a push
+            armature=ag.max_(2e-5, 3e-4 * friction),  # contacts of lighter parts give way to a push
             effort=0.01
             + length * (1.6 * feel.friction + 5.0 * feel.stiffness + 16.0 * reach**2)
             + 1.5 * holding,

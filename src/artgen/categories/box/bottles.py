@@ -73,7 +73,7 @@ class Bottles:
         bottle, low = self._bottle(), self.floor + 0.0006
         body = body.require(self.ceiling - low >= _TALL + _SPARE, _NO_ROOM)
         body = body.require(self.ceiling + self.higher - low <= _TALL + _DEEP, _TOO_DEEP)
-        effort = 1.03 * _GRAVITY * bottle.mass() + 0.3  # what it is lifted with pushes no flap open
+        effort = 1.03 * _GRAVITY * bottle.mass() + 0.3  # the lifting force pushes no flap open
         for number, (need, ceiling) in enumerate(zip(needs, ceilings, strict=True)):
             row, column = divmod(number, self.columns)
             x = self.cell * (column - (self.columns - 1) / 2.0)

@@ -26,7 +26,7 @@ _SIDES_MEET = (
 
 
 def open_ended_box(draft: Draft, *, taped: bool) -> ag.Body:
-    """Make a slotted box whose eight flaps are at its ends."""
+    """Make a slotted box with eight flaps at its ends."""
     board, wide, tall, long = draft.board, draft.depth, draft.height, draft.width
     tall = ag.require(tall, tall <= wide, _SIDES_MEET)
     left, right = (Top(board, wide, tall, long, draft.swing, taped, mouth=mouth) for mouth in (_LEFT, _RIGHT))
@@ -84,12 +84,12 @@ def _both_ends(cut: Callable[[ag.Solid], ag.Solid], tube: ag.Solid, long: ag.Sca
 
 
 def _turned(thing: Thing, long: ag.Scalar) -> Thing:
-    """Turn over what stands: its top is at the bottom, its front stays in front."""
+    """Turn an upright box over: its top is at the bottom, its front stays in front."""
     return thing.rotate(ag.Y, math.pi, about=(0.0, 0.0, long / 2.0))
 
 
 def _laid(body: ag.Body, long: ag.Scalar, tall: ag.Scalar) -> ag.Body:
-    """Lay down what stands: its top comes to the right, its front to the floor."""
+    """Lay down an upright box: its top comes to the right, its front to the floor."""
     return body.rotate(ag.Z, math.pi / 2.0).rotate(ag.Y, math.pi / 2.0).at(-long / 2.0, 0.0, tall / 2.0)
 
 

@@ -9,7 +9,7 @@ from artgen.categories.box.bottles import Bottles
 from artgen.categories.box.prints import TAPE, pull_tab
 
 _UPRIGHT = 1.60  # from here on a flap leaves the space over the box free [rad]
-_HANGING = 3.40  # from here on a flap is below what closes over the box [rad]
+_HANGING = 3.40  # from this angle on a flap is below the flaps that close over the box [rad]
 _LYING = 0.03  # from here on a flap on the floor lies, before it is all the way open [rad]
 _SHORT = 0.012  # of the pull tab of a flap that comes to lie on the floor [m]
 _MAJORS_MEET = (
@@ -23,7 +23,7 @@ _TAPE_WIDE = 0.048  # packing tape, half of it on either flap once it is slit [m
 class Top:
     """Four flaps of one length at the top of a box, its majors at the front and at the back."""
 
-    board: Board  # what it is cut from
+    board: Board  # the board of the box
     width: ag.Scalar  # of the box along x, outside [m]
     depth: ag.Scalar  # of the box along y, outside [m]
     height: ag.Scalar  # of the closed box [m]
@@ -31,7 +31,7 @@ class Top:
     taped: bool  # whether tape was slit along the seam
     ground: ag.Scalar = 0.0  # height above which flaps have room to hang down [m]
     beside: ag.Scalar = 0.0  # where minor flaps are pushed up, from their middle [m]
-    mouth: Mouth = TOP  # what its sides are called, and whether the one in front lies on the floor
+    mouth: Mouth = TOP  # names of its sides, and whether the front one lies on the floor
 
     @property
     def reach(self) -> ag.Scalar:

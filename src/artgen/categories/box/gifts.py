@@ -10,13 +10,13 @@ from artgen.categories.box.board import LAYER, Board, Crease, Feel, walls
 from artgen.categories.box.prints import pull_tab
 
 PLAY = 0.0012
-"""Between what slides on each other, at either side [m]."""
+"""Gap between sliding parts, at either side [m]."""
 
 _GRAVITY = 9.81  # [m/s2]
 
 
 def lift(name: str, moved: ag.Body, *, travel: ag.Scalar, rub: ag.Scalar) -> ag.Joint:
-    """Make the way of what is lifted off."""
+    """Make the joint of a lid that is lifted off."""
     weight = _GRAVITY * moved.mass()
     return ag.Prismatic(
         name,
@@ -133,7 +133,7 @@ class Gift:
         return made
 
     def _bow(self) -> ag.Body:
-        """Tie the bow on the lid: a knot to take hold of, two loops and two ends."""
+        """Tie the bow on the lid: a knot to grasp, two loops and two ends."""
         top = self.height + _RIBBON
         tall = 0.024
         knot = ag.box_between((-0.011, -0.0095, top - 0.001), (0.011, 0.0095, top + tall), bevel=0.006)
@@ -158,7 +158,7 @@ class Gift:
         at: tuple[ag.Scalar, ag.Scalar, ag.Scalar],
         height: ag.Scalar,
     ) -> list[ag.Body]:
-        """Make the foam that holds what is given, with a hollow for it; none in a box for anything."""
+        """Make the foam for the contents, with a hollow; None for a box without foam."""
         if self.hollow == "none":
             return []
         block = ag.box_between(

@@ -1,4 +1,4 @@
-"""How boxes are put together: walls, what closes them, what is inside, and what is printed on them."""
+"""Kinds of boxes: walls, closures, contents and prints put together."""
 
 from dataclasses import dataclass
 
@@ -41,13 +41,13 @@ _GRID = {2: (2, 1), 3: (3, 1), 6: (3, 2), 12: (4, 3)}  # cells along x and y
 class Draft:
     """What boxes of all kinds share."""
 
-    board: Board  # what they are cut from
+    board: Board  # the board
     width: ag.Scalar  # along x, outside [m]
     depth: ag.Scalar  # along y, outside [m]
     height: ag.Scalar  # closed [m]
     feel: Feel  # how creases resist
     swing: ag.Scalar  # how far flaps open where they have room [rad]
-    look: Look  # what is printed
+    look: Look  # the prints
 
     def flap_label(self, top: Top) -> dict[str, list[ag.Body]]:
         """Return the address on the front flap of a slotted top, in the frame of its sheet."""
@@ -187,7 +187,7 @@ def tray_box(draft: Draft, *, skirt: ag.Scalar, rub: ag.Scalar, strapping: ag.Ma
 
 
 def _base_label(draft: Draft, depth: ag.Scalar, *, low: ag.Scalar, high: ag.Scalar) -> list[ag.Body]:
-    """Return the label of what is inside, on the free part of a tray's front."""
+    """Return the label with the contents, on the free part of a tray's front."""
     if not draft.look.label:
         return []
     tall = ag.max_(high - low, 0.012)
@@ -218,7 +218,7 @@ def gift_box(
     gift = Gift(board, draft.width, draft.depth, top, satin, wide, hollow, foam(board.inside))
     match closure:
         case "flap":
-            # in the frame of the lid's sheet, whose free edge is in front
+            # in the frame of the lid's sheet; its free edge is in front
             mark = name_on_lid(draft.look, draft.width, draft.depth)
             foil = Ink(GOLD, ag.Z, (0.0, -1.0, 0.0)).put(mark, (0.0, 0.5 * draft.depth, 0.0))
             reach = (0.45 + 0.55 * skirt) * top

@@ -22,7 +22,7 @@ _TIP = 0.0004  # from its tip to the wall if it stands upright [m]
 _BESIDE = 0.0012  # from ears and side flaps to the walls [m]
 _UPRIGHT = 1.66  # from here on a lid leaves the space over the box free [rad]
 _AWAY = 2.0  # from here on its tuck does so as well [rad]
-_HANGING = 3.40  # from here on a dust flap is below what closes over it [rad]
+_HANGING = 3.40  # from this angle on a dust flap is below the lid that closes over it [rad]
 _NO_WINGS = (
     "the flaps at the sides of a lid have no room between its crease and its tuck: take a larger width or "
     "aspect, ears=False or sides=over"
@@ -31,9 +31,9 @@ _NO_WINGS = (
 
 @dataclass(frozen=True)
 class Lidded:
-    """A box whose lid hangs on its back wall."""
+    """A box with a lid that hangs on its back wall."""
 
-    board: Board  # what it is cut from
+    board: Board  # the board
     width: ag.Scalar  # along x, outside [m]
     depth: ag.Scalar  # along y, outside [m]
     height: ag.Scalar  # closed [m]
@@ -45,7 +45,7 @@ class Lidded:
     # where the second layer of the walls begins, into which ears go [m]; None at the floor
     lined: ag.Scalar | None = None
     grip: float = 0.006  # from the tuck to the tab that opens the lid [m]
-    mouth: Mouth = TOP  # what the sides are called
+    mouth: Mouth = TOP  # names of the sides
 
     @property
     def tuck(self) -> ag.Float:
@@ -191,7 +191,9 @@ class Lidded:
         sheet = self.board.sheet(
             ag.polygon([(-wide / 2.0, 0.0), (wide / 2.0, 0.0), (far, reach), (-far, reach)])
         )
-        below = ag.push_on(sheet, direction=ag.Z, at=(0.33 * wide, 0.48 * reach, 0.0))  # beside what is below
+        below = ag.push_on(
+            sheet, direction=ag.Z, at=(0.33 * wide, 0.48 * reach, 0.0)
+        )  # beside the layer below
         name = self.mouth.link("flap", side)
         if not self.lips:
             return ag.part(sheet, "flap_minor", self.board.outside, name=name, push=below)

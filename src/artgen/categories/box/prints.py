@@ -22,7 +22,7 @@ PAPER = ag.colored("abs", "white").with_(
 
 
 def pull_tab(tall: float = 0.021) -> ag.Solid:
-    """Make the end of a tape, folded on itself: it stands up at the edge of what it opens, and is pulled."""
+    """Make the folded end of a tape: it stands up at the edge of the flap, and a hand pulls it."""
     return ag.box_between((-0.014, -0.0007, -0.0006), (0.014, 0.0007, tall), bevel=0.0005)
 
 
@@ -153,7 +153,7 @@ class Look:
     emblem: Literal["leaf", "hexagon", "waves", "peak", "sun", "diamond", "quarters", "ring"]
     tint: str  # color of the ink on light board
     signs: Signs  # handling signs
-    label: bool  # whether there is a sticker with an address, or with what is inside
+    label: bool  # whether there is a sticker with an address or the contents
 
     def ink(self, finish: ag.Material) -> ag.Material:
         """Return the ink that shows on a finish."""
@@ -218,7 +218,7 @@ def shipping_print(
 
 
 def _lower(look: Look, face: _Face, row: tuple[str, ...]) -> list[ag.Profile]:
-    """Return what stands below the name: handling signs, lines to write on, or bands."""
+    """Return the print below the name: handling signs, lines to write on, or bands."""
     wide, tall = face.wide, face.tall
     if row:
         return [handling(row, ag.min_(ag.min_(0.085, 0.24 * tall), 0.80 * wide / (1.42 * len(row))))]
@@ -249,7 +249,7 @@ def side_label(
 
 
 def pizza_print(look: Look, width: ag.Scalar, depth: ag.Scalar) -> list[ag.Body]:
-    """Print the lid of a pizza box, in the frame of its sheet, whose crease is at the back."""
+    """Print the lid of a pizza box, in the frame of its sheet, with the crease at the back."""
     red, green = ink("red"), ink("forest")
     one, other = ((red, green), (green, red), (red, red), (ink("graphite"), ink("graphite")))[look.model % 4]
     up = (0.0, -1.0, 0.0)  # the reader stands at the free edge of the sheet

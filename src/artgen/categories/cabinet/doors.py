@@ -23,7 +23,7 @@ AXIS = (0.0045, -0.0115)
 
 _CUP = 0.0175  # radius of the standard cup [m]
 _CUP_AT = 0.0225  # from the edge of the door to its middle: 5 mm of wood are left [m]
-_FLANGE = 0.0014  # thickness of what lies on the door [m]
+_FLANGE = 0.0014  # thickness of parts on the door [m]
 
 
 def _everywhere(levels: Sequence[ag.Scalar]) -> list[ag.VectorLike]:
@@ -88,13 +88,13 @@ class Hanging:
     """The doors of a cabinet."""
 
     case: Carcass  # the carcass
-    hinge: HingeStyle  # what they hang on
+    hinge: HingeStyle  # kind of hinge
     doors: int  # 1 or 2
     thickness: ag.Scalar  # of a door [m]
     # where hinges are between the outermost ones, as shares of the way; 0 and 1 are these
     shares: Sequence[float]
-    above: ag.Scalar  # room over the doors beside what they need [m]
-    below: ag.Scalar  # the same under them [m]
+    above: ag.Scalar  # additional room over the doors [m]
+    below: ag.Scalar  # additional room under the doors [m]
     metal: ag.Material  # of butt hinges
 
     @property

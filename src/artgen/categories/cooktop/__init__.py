@@ -154,7 +154,7 @@ def cooktop(
         coil="none",
         radiant=ag.choice("none", "frame", "sides", weights=(0.3, 0.5, 0.2)),
         induction=ag.choice("none", "frame", "sides", weights=(0.5, 0.25, 0.25)),
-        doc="what guards the edge of glass",
+        doc="edge protection of the glass",
     ),
     metal: ag.Material = ag.shades(
         "stainless", "chrome", "aluminium", weights=(2, 1, 1), color=0.03, doc="of trims"

@@ -32,12 +32,12 @@ _SEAL = ag.material("rubber").with_(name="foam_seal", base_color=(0.05, 0.05, 0.
 class Case:
     """A plate over its case."""
 
-    kind: BurnerKind  # what heats
-    plan: Plan  # where things are on the plate
+    kind: BurnerKind  # kind of heat
+    plan: Plan  # positions of burners and dials on the plate
     height: ag.Scalar  # of the plate's upper face [m]
     finish: ag.Material  # of the plate
     metal: ag.Material  # of trims
-    trim: Trim  # what guards the edge of glass
+    trim: Trim  # edge protection of the glass
 
     @property
     def thick(self) -> float:
@@ -113,7 +113,7 @@ class Case:
         return []
 
     def case(self, lines: tuple[str, ...]) -> ag.Body:
-        """Make the case from the floor to the plate, with what is on it."""
+        """Make the case from the floor to the plate, with all parts on it."""
         plan = self.plan
         x, y = plan.width / 2 - _LAP, plan.depth / 2 - _LAP_BACK
         shell = ag.box_between((-x, -y, 0.0), (x, y, self.under + 0.0003))

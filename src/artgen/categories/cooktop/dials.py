@@ -29,7 +29,7 @@ _UNDER = 0.0005  # from the plate's underside down to the disc [m]
 _CLEAR = 0.0002  # between pin and disc when a dial is pushed in [m]
 _PIN = (0.0015, 0.0060, 0.0088)  # half its width, and where it begins and ends behind the axis [m]
 _NOTCH = 0.0020  # half the width of the notch [m]
-_FACE = -1.5707963267948966  # turns what looks to the front up [rad]
+_FACE = -1.5707963267948966  # turns the front face up [rad]
 
 Scale = Literal["numbers", "ticks", "band"]
 """What is printed around the dial of an electric burner."""
@@ -40,11 +40,11 @@ class DialLooks:
     """How dials look."""
 
     style: DialStyle  # their form
-    finish: ag.Material  # what they are made of
+    finish: ag.Material  # their material
     mark: ag.Material  # the color of their marks
     cap: ag.Material  # the metal of caps and bezels
-    ink: ag.Material  # what is printed on the plate
-    scale: Scale  # what is printed around them
+    ink: ag.Material  # print on the plate
+    scale: Scale  # print around the dials
 
 
 @dataclass(frozen=True)
@@ -58,7 +58,7 @@ class Push:
 def dial_on(
     plan: Plan, looks: DialLooks, *, top: ag.Scalar, lift: ag.Scalar = 0.0, name: str, label: str
 ) -> ag.Body:
-    """Make a dial about the z axis that looks up, its mark to the back."""
+    """Make a dial about the z axis that faces up, with its mark at the back."""
     one = dial(
         finish=looks.finish,
         style=looks.style,

@@ -46,7 +46,7 @@ class Console:
     travel: ag.Scalar  # of the buttons [m]
     force: ag.Scalar  # that presses them home [N]
     dial: DialStyle | str  # style of the cycle dial; `""` for none
-    show: str  # what the display shows; `""` for none
+    show: str  # text of the display; `""` for none
     color: Color  # of its figures
     middle: ag.Scalar  # where the middle of the buttons lies along x [m]
     aside: ag.Scalar  # where the middle of the display lies along x [m]
@@ -91,7 +91,7 @@ class Console:
         wide, tall = self.opening
         if not self.buttons and not wide:
             return [ag.board((-x, x), y, (-z, z), bevel=0.0015)]
-        end = -wide if wide else x  # of what is left of the opening
+        end = -wide if wide else x  # the remaining opening
         boards = []
         if wide:
             boards += [

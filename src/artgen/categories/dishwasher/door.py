@@ -122,12 +122,12 @@ HandleKind = Literal["bar", "pocket", "recessed"]
 """A bar before the front, a pocket in the upper edge, or a recess in the front with a blade in it."""
 
 SKIN = 0.018
-"""Thickness of the front with what is behind it [m]."""
+"""Thickness of the front with its core [m]."""
 
 PANEL = 480.0
 """What a console weighs with its electronics, by its volume [kg/m3]."""
 
-_EDGE = 0.004  # from the door to what is above it [m]
+_EDGE = 0.004  # gap between the door and the part above it [m]
 _GAP = 0.0018  # between console and front [m]
 _RIM = 0.034  # width of the upper rim of the dish [m]
 _RECESS = 0.0285  # depth of a recessed grip, which ends in the liner [m]
@@ -136,7 +136,7 @@ _POCKET = 0.030  # depth of a pocket [m]
 _BEFORE_POCKET = 0.0155  # of the door before a pocket: the lip that a hand pulls [m]
 _BEHIND_POCKET = 0.0376  # from the front to the back of a pocket [m]
 _GRAVITY = 9.81
-_HANDLE = 0.35  # what a handle weighs, about [kg]
+_HANDLE = 0.35  # approximate mass of a handle [kg]
 
 
 RECESS_HALF = _HALF_RECESS
@@ -175,7 +175,7 @@ class Front:
     finish: ag.Material  # of the front
     framed: bool  # whether a wooden front has a raised frame
     liner: ag.Material  # of the inside
-    maker: str  # whose name is on it; `""` for none
+    maker: str  # brand on it; `""` for none
     dispenser: Dispenser  # the dispenser inside
 
     @cached_property
@@ -248,7 +248,7 @@ class Front:
     def _around_grip(
         self, core: ag.Span, behind: ag.Span, level: ag.Scalar, top: ag.Scalar
     ) -> list[ag.Solid]:
-        """Make the liner's wall and its upper rim, with room for what is let into the front."""
+        """Make the liner's wall and its upper rim, with room for recesses of the front."""
         half, low, wide = self._half, self.space.door_bottom, 0.5 * self.length
         front, inner, dish = self.space.front, behind[1], behind[0]
         solids: list[ag.Solid] = []
@@ -359,7 +359,7 @@ class Front:
         """Make the joint of the door; springs carry its weight, friction holds it where it is left.
 
         The springs are linear and begin at the closed door, so that they lift most where its weight pulls
-        most: m g r sin(q) is met at the open end, and what is left in between is less than the friction.
+        most: m g r sin(q) is met at the open end, and the remainder in between is less than the friction.
         """
         space = self.space
         moment: ag.Scalar = _HANDLE * (self.handle_height - space.plinth)

@@ -233,13 +233,13 @@ class Racks:
     def slide(self, name: str, needs: ag.Condition | ag.Dependency) -> ag.Joint:
         """Make the joint by which a rack rolls out.
 
-        Its effort is what a hand gives without pushing the closed door open.
+        Its effort is the force of a hand that does not push the closed door open.
         """
         return rack_slide(name, travel=self.space.slide, friction=self.friction, damping=8.0, needs=needs)
 
     @cached_property
     def low_ends(self) -> tuple[ag.Scalar, ag.Scalar, ag.Scalar]:
-        """The lowest heights of the three racks, of what they bear too [m]."""
+        """The lowest heights of the three racks with their loads [m]."""
         return (self.space.treads, self.upper - _HANGS - _BLADE - 0.0060, self.tray_floor)
 
     def _arm(self, name: str, reach: ag.Scalar) -> ag.Body:

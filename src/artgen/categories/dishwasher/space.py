@@ -1,4 +1,4 @@
-"""Where things are in a dishwasher: the planes that door, tub and racks share, and what follows from them."""
+"""Space inside a dishwasher: the planes that door, tub and racks share, and derived measures."""
 
 from dataclasses import dataclass
 from typing import Literal

@@ -68,8 +68,10 @@ class Cabinet:
     kick: ag.Material  # finish of the kick plate
     worktop_finish: ag.Material  # finish of the worktop
     base_density: float  # of the base with pump, motor and ballast [kg/m3]
-    levels: tuple[ag.Scalar, ...]  # heights of the axles of the upper racks, whose rails are on the walls [m]
-    maker: str  # whose name is on the rating plate
+    levels: tuple[
+        ag.Scalar, ...
+    ]  # heights of the axles of the upper racks, which roll in rails on the walls [m]
+    maker: str  # brand on the rating plate
 
     def body(self) -> ag.Body:
         """Make all that stands still: the link `body`."""
@@ -125,7 +127,7 @@ class Cabinet:
         ]
 
     def _walls(self) -> list[ag.Body]:
-        """Make floor, ceiling, sides and back of the tub, whose fronts are the frame of its mouth."""
+        """Make floor, ceiling, sides and back of the tub; their fronts form the frame of the opening."""
         space = self.space
         wide, outer = space.inside, self._half - _SHEET
         low, high = space.floor, space.ceiling
@@ -262,7 +264,7 @@ class Cabinet:
         return [*bodies, ag.detail(nozzle, "tub", grey)]
 
     def _back(self) -> list[ag.Body]:
-        """Make the back panel above the recess, and in the recess what is joined to water and mains."""
+        """Make the back panel above the recess, and the connections for water and mains in the recess."""
         space, half, rear = self.space, self._half, self._rear
         zinc = filled(ag.material("zinc"), 700.0, "sheet")
         panel = ag.board(
@@ -301,5 +303,5 @@ class Cabinet:
 
 
 def kick_finish(front: ag.Material, build: Build) -> ag.Material:
-    """Return what the kick plate is made of: as the front, or black where the kitchen's plinth hides it."""
+    """Return the finish of the kick plate: that of the front, or black behind a kitchen plinth."""
     return ag.material("powder_coat_black") if build == "built_in" else front

@@ -102,7 +102,7 @@ def door(
     ),
     layout: Literal["single", "double"] = ag.choice("single", "double", weights=(0.82, 0.18)),
     hand: Hand = ag.choice("left", "right", doc="side of the hinges of the (active) leaf"),
-    opens: Opens = ag.choice("towards", "away", doc="seen by the viewer, who pulls or pushes"),
+    opens: Opens = ag.choice("towards", "away", doc="direction of opening, seen by the viewer"),
     stock: Literal["standard", "made_to_measure"] = ag.choice("standard", "made_to_measure"),
     width: ag.Float = ag.by(
         "stock",
@@ -165,7 +165,7 @@ def door(
     metal: ag.Material = ag.shades(
         *FINISHES, weights=FINISH_WEIGHTS, color=0.03, roughness=0.03, doc="of all hardware"
     ),
-    maker: str = ag.choice(*details.BRANDS, doc="whose name is on the lock"),
+    maker: str = ag.choice(*details.BRANDS, doc="brand on the lock"),
     letter_plate: bool = ag.by("use", interior=False, exterior=ag.choice(False, True)),
     number: str = ag.by(
         "use",
@@ -243,7 +243,9 @@ def door(
     ag.require(
         layout == "single" or frame != "arched", "two leaves have no arch: frame must be jambs or full"
     )
-    meeting = 1.25 * side_gap if layout == "double" else side_gap  # between the leaf and what its bolts enter
+    meeting = (
+        1.25 * side_gap if layout == "double" else side_gap
+    )  # gap between the leaf and the parts that its bolts enter
     arched = width * rise if frame == "arched" else None
     fittings = Fittings(metal, kick=kick_plate, sweep=sweep)
     if opener != "push_bar":  # which is on the outer face

@@ -17,7 +17,7 @@ from artgen.categories.shared.furniture.door_slab import Blank
 
 _ROD = 0.010  # width of the square bolt [m]
 _PLAY = 0.0004  # around the bolt in the leaf [m]
-_STEM = (0.006, 0.012)  # width and height of what joins the bolt and its slide [m]
+_STEM = (0.006, 0.012)  # width and height of the link between a bolt and its slide [m]
 _BELOW = 0.420  # the slide is this far below the top of the leaf, within reach [m]
 _GRASP = 0.012  # engagement in the head [m]
 _PLATE = (0.024, 0.0018, 0.075)  # of the cover around the slide [m]
@@ -114,7 +114,7 @@ class DoorSet:
     leaf: Callable[..., ag.Body]  # makes a leaf of a blank
     blank: Blank  # the measures of a leaf
     hanging: Hanging  # its hinges
-    lockset: Lockset  # what the (active) leaf has
+    lockset: Lockset  # the hardware of the (active) leaf
     needs: ag.Dependency | None  # where that leaf may open
 
     def single(self) -> ag.Body:
@@ -161,13 +161,13 @@ class DoorSet:
         return frame.attach(second_leaf.at(middle), second)
 
     def _fixed(self, lockset: Lockset) -> ag.Body:
-        """Make a leaf with everything that is fixed on it."""
+        """Make a leaf with all parts that are fixed on it."""
         cut = ag.union(*lockset.cuts) if lockset.cuts else None
         return ag.weld(self.leaf(blank=replace(self.blank, cut=cut)), self.hanging.on_leaf(), *lockset.fixed)
 
 
 def _moving(panel: ag.Body, lockset: Lockset) -> ag.Body:
-    """Attach what moves on a leaf."""
+    """Attach the moving parts of a leaf."""
     for body, joint in lockset.moving:
         panel = panel.attach(body, joint)
     return panel

@@ -148,7 +148,7 @@ _CASE_LENGTH = 0.085  # of a full case; half of it is behind the lock, and the f
 _CASE_TO_EDGE = 0.027  # from the lock to the end of its case: in front is the overlap of a second leaf [m]
 _END_GAP = 0.0015  # between the bar and its cases [m]
 _FULL = 0.2  # cases and bars are sheet metal around little: share of a full one's weight
-_BOTTOM = 0.002  # what the innermost position leaves to the rail [m]
+_BOTTOM = 0.002  # distance between the innermost position and the rail [m]
 
 
 def _bar_span(length: ag.Scalar) -> tuple[ag.Scalar, ag.Scalar]:

@@ -125,7 +125,7 @@ def fitted(
     number: ag.Scalar | None,
     looks_out: ag.Scalar | None,
 ) -> list[ag.Body]:
-    """Make everything that a leaf carries besides its lock."""
+    """Make all fixed parts of a leaf besides its lock."""
     bodies: list[ag.Body] = []
     if fittings.letters and letters is not None:
         bodies += letter_plate(fittings, face, letters)
@@ -151,11 +151,11 @@ class Row(NamedTuple):
 
     share: float  # its part of the height that the rails leave
     columns: int  # openings side by side
-    fill: Fill  # what fills them
+    fill: Fill  # their filling
 
 
 def framed(blank: Blank, stile: ag.Float, rows: Sequence[Row]) -> ag.Body:
-    """Make stiles and rails, fill what is between them, and fit what an entrance has."""
+    """Make stiles, rails and their filling, with the fittings of an entrance."""
     upright = blank.board(stile, blank.upright)
     beside = (blank.width - stile) / 2.0
     lock_stile = ag.part(
@@ -266,7 +266,7 @@ def plank_leaf(
 
 
 def _fitted(blank: Blank) -> list[ag.Body]:
-    """Make what an entrance has on a leaf that is even all over."""
+    """Make the fittings of an entrance on a flat leaf."""
     return fitted(
         blank.fittings,
         face=blank.thickness / 2.0,
@@ -364,7 +364,7 @@ def louver_leaf(
     ),
     stile: ag.Float = ag.uniform(0.106, 0.115, "m", within=(0.1, 0.16)),
 ) -> ag.Body:
-    """Make a louvred leaf: slats tilted by about 40 degrees that hide what is behind."""
+    """Make a louvred leaf: slats tilted by about 40 degrees that block the view."""
 
     def louver(opening: Opening, thickness: ag.Scalar) -> list[ag.Body]:
         return slats_in(opening, thickness, slats)

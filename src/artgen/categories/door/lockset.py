@@ -1,4 +1,4 @@
-"""Locksets: what a handle, its latch and a deadbolt put on a leaf, cut out of it, and need in the jamb."""
+"""Locksets: handle, latch and deadbolt, with their cutouts in the leaf and their parts in the jamb."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -42,12 +42,12 @@ _DRAWN = 0.02
 
 @dataclass(frozen=True)
 class Site:
-    """Where a lockset goes, on a leaf whose middle plane is y = 0 and whose lock edge is at the right."""
+    """Place of a lockset, on a leaf with its middle plane at y = 0 and its lock edge at the right."""
 
     spindle: ag.Vector  # where the spindle crosses the middle plane [m]
     backset: ag.Scalar  # from the spindle to the lock edge [m]
     thickness: ag.Scalar  # of the leaf [m]
-    gap: ag.Scalar  # between the leaf and what its bolts enter [m]
+    gap: ag.Scalar  # gap between the leaf and the parts that its bolts enter [m]
     finish: ag.Material  # metal of all that is seen
     mark: str = ""  # the name of its maker
 
@@ -67,12 +67,12 @@ class Roses:
 class Lockset:
     """Everything that a lock brings along."""
 
-    cuts: tuple[ag.Solid, ...] = ()  # what is taken out of the leaf
-    fixed: tuple[ag.Body, ...] = ()  # what is welded to the leaf
-    moving: tuple[tuple[ag.Body, ag.Joint], ...] = ()  # what moves on the leaf, with its joint
-    strikes: tuple[ag.Body, ...] = ()  # what is welded to the jamb
-    strike_cuts: tuple[ag.Solid, ...] = ()  # what is taken out of the jamb
-    free: tuple[ag.Condition, ...] = ()  # what has to hold before the closed leaf may open
+    cuts: tuple[ag.Solid, ...] = ()  # cutters of the leaf
+    fixed: tuple[ag.Body, ...] = ()  # parts welded to the leaf
+    moving: tuple[tuple[ag.Body, ag.Joint], ...] = ()  # moving parts of the leaf, with their joints
+    strikes: tuple[ag.Body, ...] = ()  # parts welded to the jamb
+    strike_cuts: tuple[ag.Solid, ...] = ()  # cutters of the jamb
+    free: tuple[ag.Condition, ...] = ()  # conditions under which the closed leaf may open
 
     def __add__(self, other: "Lockset") -> "Lockset":
         """Fit both."""

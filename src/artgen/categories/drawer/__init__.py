@@ -273,7 +273,7 @@ def drawer(
         file="steel",
         kitchen=ag.choice("ply", "white", "steel", weights=(0.25, 0.4, 0.35)),
         otherwise=ag.choice("ply", "white", "same", weights=(0.6, 0.2, 0.2)),
-        doc="of what the boxes behind the fronts are made",
+        doc="material of the boxes behind the fronts",
     ),
     runner: RunnerStyle = ag.by("kind", file="ball", otherwise=ag.choice("roller", "ball")),
     metal: ag.Material = _METAL,

@@ -215,7 +215,7 @@ class Rows:
         return found
 
     def rises(self, row: int) -> tuple[ag.Scalar, ag.Scalar]:
-        """Return what is free over the lower edge of a front, and under its upper one [m]."""
+        """Return the free heights over the lower edge of a front and under its upper edge [m]."""
         if self.inset:
             return 0.0, 0.0
         last = row == len(self.weights) - 1
@@ -262,10 +262,10 @@ class BoxLook:
     bottom: ag.Material  # of the bottom
     wall: ag.Scalar  # thickness of sides, back and inner front [m]
     floor: ag.Scalar  # thickness of the bottom [m]
-    runner: RunnerStyle  # on what they run
+    runner: RunnerStyle  # style of the runners
     tallest: ag.Scalar  # height of their sides at most [m]
     # whether runners, and rails behind grooves, have mass and collide; those of many drawers only are seen,
-    # since simulators look at all pairs of what is near
+    # since simulators test all pairs of close colliders
     solid: bool = True
 
 

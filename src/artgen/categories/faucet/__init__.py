@@ -185,7 +185,7 @@ def faucet(
     ),
     surface: ag.Material = ag.shades(*_DECKS, weights=_DECK_WEIGHTS, color=0.06, doc="of the deck or wall"),
     deck_margin: ag.Float = ag.uniform(
-        0.045, 0.075, "m", doc="of the deck around what stands on it", within=(0.035, 0.12)
+        0.045, 0.075, "m", doc="width of the deck around the parts on it", within=(0.035, 0.12)
     ),
     deck_thickness: ag.Float = ag.uniform(0.020, 0.030, "m", within=(0.020, 0.05)),
     swivel_friction: ag.Float = ag.uniform(

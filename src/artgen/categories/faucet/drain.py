@@ -48,7 +48,7 @@ class Drain:
     friction: ag.Scalar  # of the ball and the collar, at the lift rod [N]
 
     def on(self, body: ag.Body) -> ag.Body:
-        """Attach the drain, its plug and its rods to what has the slab."""
+        """Attach the drain, its plug and its rods to the body with the slab."""
         lift = self._lift()
         turn = ag.Revolute(
             "pivot_rod_turn",

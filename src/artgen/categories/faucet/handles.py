@@ -25,13 +25,13 @@ TURN = 0.9
 BONNET = 0.040
 """Height of the fixed part of a valve for one handle [m]."""
 
-_GAP = 0.0006  # between what stands and what turns [m]
+_GAP = 0.0006  # gap between fixed and turning parts [m]
 _RED = ag.material("enamel").with_(name="mark_red", base_color=(0.50, 0.02, 0.02), texture="")
 _BLUE = ag.material("enamel").with_(name="mark_blue", base_color=(0.02, 0.07, 0.40), texture="")
 
 
 def bonnet(finish: ag.Material, *, flange: bool = True) -> ag.Body:
-    """Make the fixed part of a valve for one handle, to be welded to what it stands on."""
+    """Make the fixed part of a valve for one handle, to be welded to its base."""
     metal = casting(finish, 0.5)
     neck = ag.frustum(0.0185, 0.0165, BONNET + 0.002, bevel=0.0008).align((0.0, 0.0, BONNET), z=1)
     bodies = [ag.part(neck, "valve", metal)]

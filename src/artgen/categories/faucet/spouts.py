@@ -11,7 +11,7 @@ SpoutStyle = Literal["gooseneck", "arc", "angular", "low", "beam"]
 """A swan's neck, a low arc, a bent square tube, one that hangs from a bar, or a straight one."""
 
 GAP = 0.0006
-"""Between a spout and what it turns on [m]."""
+"""Gap between a spout and its base [m]."""
 
 AERATOR = 0.015
 """Length of an aerator [m]."""
@@ -23,13 +23,13 @@ _FOOT = 0.024  # height of the hub of a spout [m]
 _BORE = 0.0084  # radius of the bore in which a hose slides [m]
 _LEAST = 0.0104  # radius of a spout with that bore [m]
 _HOSE = 0.0056  # radius of the hose [m]
-_DOCK = 0.010  # what remains of the hose in the spout when the head is out [m]
+_DOCK = 0.010  # length of the hose in the spout when the head is out [m]
 _SIDES = 12  # facets of hollow parts, under a smooth skin
 _MESH = ag.material("black_abs").with_(name="aerator_mesh", base_color=(0.10, 0.10, 0.10))
 
 
 def swivel(*, limit: ag.Scalar, friction: ag.Scalar, pivot: ag.Vector) -> ag.Joint:
-    """Make the joint of a spout, which looks to the front at 0."""
+    """Make the joint of a spout, which faces the front at 0."""
     return ag.Revolute(
         "spout_swivel",
         axis=ag.Z,
@@ -193,7 +193,7 @@ def pull_down_spout(
     fall: ag.Scalar,
     finish: ag.Material,
 ) -> ag.Body:
-    """Make a gooseneck whose end takes up the hose of a spray head: the link `spout`."""
+    """Make a gooseneck with room for the hose of a spray head in its end: the link `spout`."""
     metal = casting(finish, 0.32)
     radius = ag.require(
         radius, radius > _LEAST, f"the hose of a spray head is in its spout: girth over {_LEAST:g} m"

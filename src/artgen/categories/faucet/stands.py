@@ -36,7 +36,7 @@ def deck(*, width: ag.Scalar, depth: ag.Scalar, thick: ag.Scalar, finish: ag.Mat
 
 
 def _slab(finish: ag.Material) -> ag.Material:
-    """Return what a slab weighs of which this is seen."""
+    """Return the mass of a slab of which only a part is visible."""
     if finish.density < _SOLID:
         return finish
     return finish.with_(name=f"{finish.name}_on_board", density=_FOLDED)
@@ -180,7 +180,7 @@ _RISE = 0.22  # of a lever over the plane of its collar while it is closed [rad]
 class Board:
     """What a faucet is shown on."""
 
-    margin: ag.Scalar  # around what stands on it [m]
+    margin: ag.Scalar  # around the parts on it [m]
     thick: ag.Scalar  # its thickness [m]
     finish: ag.Material  # its material
     drain: ag.Scalar | None  # how far before the spout's axis its drain is [m]; none where it is a plain deck
@@ -191,7 +191,7 @@ class Board:
         return PADS + (self.thick if self.drain is None else HANGS + 0.012)
 
     def body(self, half: ag.Scalar, deep: ag.Scalar) -> ag.Body:
-        """Make a deck around what takes up half a width and half a depth [m]."""
+        """Make a deck around parts of a half width and a half depth [m]."""
         width = 2.0 * (half + self.margin)
         if self.drain is None:
             return deck(width=width, depth=2.0 * (deep + self.margin), thick=self.thick, finish=self.finish)
@@ -211,7 +211,7 @@ class Board:
 class Stand:
     """What stands still."""
 
-    body: ag.Body  # the board with what is fixed to it
+    body: ag.Body  # the board with its fixed parts
     foot: ag.Vector  # where the spout turns, on its axis
     over: ag.Scalar  # height of that over the deck, or over the bar before a wall [m]
     valves: list[ag.Vector] = field(

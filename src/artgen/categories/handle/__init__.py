@@ -111,7 +111,7 @@ def handle(
         color=0.05,
         doc="of the display stand",
     ),
-    maker: str = ag.choice(*details.BRANDS, doc="whose name is on the stand and on the latch"),
+    maker: str = ag.choice(*details.BRANDS, doc="brand on the stand and on the latch"),
     model: int = ag.count(101, 989, doc="number on the stand"),
 ) -> ag.Body:
     """Make a lever, knob or grip set on a stand: both sides, spindle, latch, lock."""

@@ -6,8 +6,8 @@ Links: `base`; `swivel`, `arm_lower`, `arm_upper` and `slider` where there are a
 `switch_slide`, `switch_rock`, `switch_turn` or `switch_pull`.
 
 Arms swing in the plane y = 0. At rest a lamp stands as in a shop: arms raised, the shade looking down.
-Springs and brakes are as strong as what they have to hold: they are derived from the mass and the reach of
-what is beyond them. Limits of arms follow from their lengths: a shade never gets below the hinge of the
+Springs and brakes carry their loads: their torques are derived from the mass and the reach of
+the parts beyond them. Limits of arms follow from their lengths: a shade never gets below the hinge of the
 lowest arm. Bases are as heavy as the lamp needs to stand in every pose.
 
 Sizes are those of shops: desk lamps with arms of 0.3-0.45 m, table lamps 0.35-0.7 m and floor lamps
@@ -58,7 +58,7 @@ Style = Literal["desk", "architect", "led_bar", "reading", "floor", "tripod", "a
 _POINTED = ("desk", "architect", "led_bar", "reading", "arc")  # those with a metal head on an arm
 _STALK = 0.060  # radius of the foot of a mushroom lamp [m]
 _COVERS = (
-    "what stands on the base would cover the switch in it: take a larger base_radius, a smaller body_radius "
+    "the body on the base would cover the switch in it: take a larger base_radius, a smaller body_radius "
     "or switch_on=cord"
 )
 _TOO_LOW = (

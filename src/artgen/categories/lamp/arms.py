@@ -1,4 +1,4 @@
-"""Arms of lamps: what turns on the base, the bars between the hinges, and joints that hold what they carry.
+"""Arms of lamps: swivels on the base, bars between the hinges, and joints that hold their loads.
 
 Hinges have their axis along y. Parts take turns in two lanes, so that nothing meets at a hinge however far
 it is turned: the inner lane is 10 mm wide about y = 0, the outer one a pair of plates or rods beside it.
@@ -13,7 +13,7 @@ ArmStyle = Literal["rods", "tube", "flat"]
 """Thin round bars, a round tube or square bars, or flat bars."""
 
 ARM_LABELS = ("swivel", "slider", "arm_lower", "arm_upper", "hinge", "spring")
-"""Labels of arms and of what they turn on."""
+"""Labels of arms and swivels."""
 
 GRAVITY = 9.81
 """[m/s2]."""
@@ -25,11 +25,11 @@ EYE = 0.0105
 """Radius of the round ends of arms about their hinges [m]."""
 
 TURRET = 0.0006
-"""Gap below what turns on the base [m]."""
+"""Gap below a part that turns on the base [m]."""
 
 _OUTER = 0.0075  # middle of the plates and rods of the outer lane [m]
 _PLATE = 0.004  # their thickness [m]
-_HOLDS = 1.3  # by how much a brake is stronger than what it has to hold
+_HOLDS = 1.3  # ratio of the torque of a brake to its load
 _SOFT = 0.2  # share of the friction by which a balancing spring varies over the range
 
 
@@ -78,7 +78,7 @@ def arm(
     outer: bool,
     spring: ag.Material | None = None,
 ) -> ag.Body:
-    """Make an arm, upward from its hinge at the origin; what it carries turns in the other lane."""
+    """Make an arm, upward from its hinge at the origin; its load turns in the other lane."""
     middle = ag.frame((0.0, 0.0, 0.5 * length), approach=ag.Y, closing=(1.0, 0.0, 0.0))
     bar = arm_bar(style, length, outer=outer)
     bodies = [ag.part(bar, label, finish, grasp=middle, separate=_PAIR if outer else "")]
@@ -116,7 +116,7 @@ def _springs(style: ArmStyle, length: ag.Scalar, metal: ag.Material, *, outer: b
 
 
 def turret(finish: ag.Material, *, height: ag.Scalar, outer: bool, radius: ag.Scalar = 0.024) -> ag.Body:
-    """Make what turns on a base: a disc with a post and an eye at a height, the link `swivel`.
+    """Make a swivel on a base: a disc with a post and an eye at a height, the link `swivel`.
 
     It stands on the plane z = 0, which is the top of the base, with a gap of 0.6 mm.
     """
@@ -157,7 +157,7 @@ class Load:
         self.high: ag.Scalar = 0.0
 
     def lever(self, weight: ag.Scalar, length: ag.Scalar, low: ag.Scalar, high: ag.Scalar) -> "Load":
-        """Add a weight [N] on a lever [m] whose angle from the vertical goes from low to high [rad].
+        """Add a weight [N] on a lever [m] that turns from a low to a high angle from the vertical [rad].
 
         Angles are within -pi/2 and pi, positive towards +x.
         """
@@ -229,7 +229,7 @@ def braked_hinge(
 def head_hinge(
     body: ag.Body, *, pivot: ag.VectorLike, limits: tuple[ag.Scalar, ag.Scalar], name: str = "shade_hinge"
 ) -> ag.Joint:
-    """Make the hinge of a shade, whose friction holds its weight in every direction."""
+    """Make the hinge of a shade; its friction holds the shade in every direction."""
     lever = (body.center_of_mass() - vector_of(pivot)).norm()
     load = Load().free(GRAVITY * body.mass(), lever)
     return braked_hinge(name, pivot=pivot, limits=limits, load=load, feel=4.0, reach=0.08, damping=0.01)
@@ -266,7 +266,7 @@ def collar(finish: ag.Material, *, bore: ag.Scalar, out: ag.Scalar, height: ag.S
 def collar_joints(load: ag.Body, *, travel: ag.Scalar, friction: ag.Scalar) -> tuple[ag.Joint, ag.Joint]:
     """Make the joints of a clamp on its pole: it slides up from its lowest place, and turns without limits.
 
-    The clamp bears 1.3 times what hangs on it, and a hand slides it with less than 60 N.
+    The clamp bears 1.3 times its load, and a hand slides it with less than 60 N.
     """
     grip = _HOLDS * GRAVITY * load.mass()
     slide = ag.Prismatic(

@@ -38,7 +38,7 @@ _TIPS = (
     "reach, arm_length, shade_radius or shade_height"
 )
 _CORE_SIDES = 32  # of that core: its frustums have 64 corners, as many as a collider may have
-_STEADY = 1.35  # by how much the base outweighs what would tip it
+_STEADY = 1.35  # safety factor of the base against tipping
 
 
 def base_edge(shape: BaseShape, radius: ag.Scalar) -> ag.Scalar:
@@ -49,7 +49,7 @@ def base_edge(shape: BaseShape, radius: ag.Scalar) -> ag.Scalar:
 def steady_height(
     shape: BaseShape, radius: ag.Scalar, density: float, *, least: ag.Scalar, of: Carried
 ) -> ag.Float:
-    """Return how high a base has to be to outweigh what it carries, with the arms stretched out."""
+    """Return the height of a base that outweighs its load, with the arms stretched out."""
     edge = 0.97 * base_edge(shape, radius)  # its pad is a little smaller
     tips = of.moment - of.body.mass() * edge
     high = ag.max_(least, _STEADY * tips / (edge * density * _AREA[shape] * radius * radius))
@@ -135,7 +135,7 @@ def hollow(finish: ag.Material) -> ag.Material:
 def tripod(
     *, spread: ag.Scalar, height: ag.Scalar, radius: ag.Scalar, finish: ag.Material, metal: ag.Material
 ) -> ag.Body:
-    """Make three slanted legs under a hub whose top is at a height; one leg points to the front."""
+    """Make three slanted legs under a hub with its top at a height; one leg points to the front."""
     top = 0.034
     disc = ag.cylinder(0.052, 0.030, bevel=0.004).at(0.0, 0.0, height - 0.015)
     bodies = [ag.part(disc, "pole", metal.with_(name=f"{metal.name}_hub", density=1500.0), name="base")]
@@ -219,7 +219,7 @@ def turned_body(
 ) -> ag.Body:
     """Make the turned or thrown body of a table lamp between two heights.
 
-    What is seen is a smooth skin; what weighs and collides is a core of frustums 2 mm below it, each of which
+    A smooth skin is visible; the mass and the colliders are a core of frustums 2 mm below it, each of which
     is one convex piece of few corners.
     """
     least = 0.020 if form == "stem" else 0.068  # the core of a lower one crosses itself

@@ -14,12 +14,12 @@ SwitchKind = Literal["button", "rocker", "dial"]
 """What a finger presses or turns."""
 
 SWITCH_LABELS = ("switch", "button", "rocker", "dial", "pull_chain", "cord", "print")
-"""Labels of switches, of what they are on and of their print."""
+"""Labels of switches, of their housings and of their print."""
 
 ROCK = 0.25
 """How far a rocker tilts either way [rad]."""
 
-_UP = -math.pi / 2.0  # turns what faces -y upward, about X
+_UP = -math.pi / 2.0  # turns the face at -y upward, about X
 _BUTTON = 0.017  # across a button [m]
 _ROCKER = (0.012, 0.021)  # width and length of a rocker [m]
 _PLAY = 0.0006  # around it [m]
@@ -27,10 +27,10 @@ _PLAY = 0.0006  # around it [m]
 
 @dataclass(frozen=True)
 class Switch:
-    """A switch in a face that looks up."""
+    """A switch in a face that points up."""
 
-    body: ag.Body  # what is seen around it, with the link that moves; to be welded to what has the face
-    hole: ag.Solid | None  # what has to be cut out of the face; None where nothing has to
+    body: ag.Body  # visible surround, with the moving link; to be welded to the body with the face
+    hole: ag.Solid | None  # cutter of the face; None without one
     half: float  # how far it reaches from its middle to the front and to the back [m]
 
 
@@ -125,7 +125,7 @@ _ALONE = 0.15  # farther back that a cord without one ends [m]
 class Cord:
     """Where a cord runs."""
 
-    finish: ag.Material  # what cord and case are made of
+    finish: ag.Material  # material of cord and case
     start: ag.Scalar  # where it leaves the base, along y [m]
     end: ag.Scalar  # where its switch lies [m]
     height: ag.Scalar  # of its outlet [m]

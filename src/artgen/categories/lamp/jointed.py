@@ -50,7 +50,7 @@ class ArmLooks:
     """How arms look and feel."""
 
     style: ArmStyle  # form of their bars
-    finish: ag.Material  # what they are made of
+    finish: ag.Material  # their material
     swivel_friction: ag.Scalar  # against turning on the base [N m]
 
     def turn(self) -> tuple[ag.Joint, ...]:

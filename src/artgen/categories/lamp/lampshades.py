@@ -23,7 +23,7 @@ _LAMP = ag.material("bulb").with_(density=420.0)  # an LED bulb weighs 60 g: thi
 
 
 def bulb() -> ag.Body:
-    """Make a bulb that stands upward in a socket whose mouth is the plane z = 0."""
+    """Make a bulb that stands upright in a socket with its mouth in the plane z = 0."""
     # a cone that meets the ball at a tangent
     neck = ag.frustum(0.0135, 0.02885, 0.0538).at(0.0, 0.0, 0.0269)
     ball = ag.sphere(BULB_RADIUS).at(0.0, 0.0, 0.062)
@@ -31,7 +31,7 @@ def bulb() -> ag.Body:
 
 
 def socket(finish: ag.Material, *, length: ag.Scalar = SOCKET) -> ag.Body:
-    """Make a socket with its mouth in the plane z = 0, from which it reaches down; it holds a bulb."""
+    """Make a socket that reaches down from its mouth in the plane z = 0, with a bulb in it."""
     sleeve = ag.cylinder(0.0160, length, bevel=0.0015).at(0.0, 0.0, -0.5 * length)
     mouth = ag.cylinder(SOCKET_RADIUS, 0.008, bevel=0.0012).at(0.0, 0.0, -0.004)
     groove = ag.cylinder(0.0162, 0.0012).at(0.0, 0.0, -0.011)
@@ -82,7 +82,7 @@ _ARCHED = 0.018  # how far a third of a dome's line bulges, as a share of the ra
 
 
 def spun(finish: ag.Material) -> ag.Material:
-    """Return a finish on spun aluminium, of which light metal shades are made."""
+    """Return a finish on spun aluminium, the material of light metal shades."""
     return finish.with_(name=f"{finish.name}_spun", density=2700.0)
 
 
@@ -374,7 +374,7 @@ def _band(low: Point, high: Point, thick: ag.Scalar) -> ag.Solid:
 def globe(radius: ag.Scalar, finish: ag.Material) -> ag.Body:
     """Make a globe of opal glass, closed: the link `shade` about the origin.
 
-    It weighs what a globe of 3 mm glass weighs.
+    Its mass is that of a globe of 3 mm glass.
     """
     hollow = finish.with_(name=f"{finish.name}_globe", density=230.0)  # 3 mm of 2500 kg/m3 at 0.1 m
     return ag.part(ag.sphere(radius), "shade", hollow)

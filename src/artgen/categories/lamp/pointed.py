@@ -27,7 +27,7 @@ _HANG = 0.024  # from the hinge of the shade to the top of its housing [m]
 _TUBE = 0.0105  # radius of the bow [m]
 _SWING = 0.6  # of the shade either way, where the bow lets it [rad]
 _LEAST_SWING = 0.1  # [rad]
-_OFF = 0.004  # what a shade keeps from the bow [m]
+_OFF = 0.004  # distance of a shade from the bow [m]
 _MEETS_BOW = "the shade meets the bow: take a larger reach, or a smaller shade_radius or shade_height"
 _TURN = 2.595  # of the ellipse that the bow follows, from its side on [rad]
 _STEPS = 9  # points on it
@@ -86,7 +86,7 @@ POLE = 0.0095
 
 
 def pointed(style: str, head: Head, looks: ArmLooks, sizes: ArmSizes) -> Carried:
-    """Make what moves on the base of a lamp with arms."""
+    """Make the moving parts on the base of a lamp with arms."""
     match style:
         case "desk":
             return one_arm(head, looks, length=sizes.length, lean=sizes.lean, tilt=sizes.tilt)

@@ -10,7 +10,7 @@ CHAIN_BALLS = 26
 """How many balls of a chain are seen."""
 
 _BALL = 0.0016  # radius of a ball: chains of lamps have 3.2 mm balls [m]
-_CORE = 0.0015  # radius of what stands for the chain [m]
+_CORE = 0.0015  # radius of the rod that replaces the chain [m]
 KNOB = (0.0052, 0.016)
 """Radius and height of its knob [m]."""
 
@@ -22,7 +22,7 @@ _IN_SPOUT = 0.012  # how much of the chain is left in the spout when it is pulle
 
 
 def spout_length(travel: ag.Scalar) -> ag.Scalar:
-    """Return how long the spout of a switch is from which a chain comes out by a travel [m]."""
+    """Return the length of the spout of a switch with a chain of a travel [m]."""
     return travel + _IN_SPOUT + 0.006
 
 
@@ -38,9 +38,9 @@ def spout(travel: ag.Scalar, finish: ag.Material) -> ag.Body:
 
 
 def pull_chain(travel: ag.Scalar, hang: ag.Scalar, *, finish: ag.Material, knob: ag.Material) -> ag.Body:
-    """Make a chain that hangs out of a spout whose mouth is the origin: the link `pull_chain`.
+    """Make a chain that hangs out of a spout with its mouth at the origin: the link `pull_chain`.
 
-    A thin rod stands for the chain, whose balls are only seen.
+    A thin rod collides in place of the chain; the balls of the chain are only visible.
     """
     above = travel + _IN_SPOUT
     rod = ag.capsule(_CORE, hang + above).at(0.0, 0.0, (above - hang) / 2.0)
@@ -79,9 +79,9 @@ _SEAT = 0.0027  # of the hub above the bar of a harp [m]
 _BOW = 0.042  # half of the width of a harp [m]
 _OUT = 0.046  # of the chain from the axis: a finger closes between it and the pole [m]
 _BELOW = 0.052  # of the middle of its knob under the shade, where a hand passes the rim [m]
-_OUTSIDE = 0.014  # of the same under the spout, at least: a knob is not drawn into it [m]
+_OUTSIDE = 0.014  # least free length of the chain under the spout: a knob is not drawn into it [m]
 _PULLED_INTO = (
-    "a pull chain would be pulled into what stands under it: take a larger height, or a smaller "
+    "a pull chain would be pulled into the part under it: take a larger height, or a smaller "
     "chain_travel, shade_radius, shade_height or body_radius"
 )
 _HANGS_LOW = (
@@ -99,8 +99,8 @@ class Chain:
 
     travel: ag.Scalar  # how far it is pulled [m]
     force: ag.Scalar  # of its spring when it is pulled out [N]
-    knob: ag.Material  # what its knob is made of
-    under: ag.Scalar  # height of what stands under it [m]
+    knob: ag.Material  # material of its knob
+    under: ag.Scalar  # height of the part under it [m]
 
 
 def harp_rise(height: ag.Scalar, kind: ShadeKind) -> ag.Float:
@@ -130,7 +130,7 @@ def shaded(
 ) -> ag.Body:
     """Put a socket with its bulb, a harp and a shade on a base.
 
-    The shade rests on the harp, on whose stud it turns; its weight and the finial hold it by friction.
+    The shade rests on the harp and turns on its stud; its weight and the finial hold it by friction.
     """
     top = mouth + harp_rise(height, shade.kind)
     bow = harp(
@@ -167,7 +167,7 @@ def _chained(chain: Chain, mouth: ag.Scalar, rim: ag.Scalar, metal: ag.Material)
 def globed(
     base: ag.Body, *, top: ag.Scalar, radius: ag.Scalar, glass: ag.Material, metal: ag.Material
 ) -> ag.Body:
-    """Put a globe of opal glass, which hides its bulb, on a base whose top is at a height."""
+    """Put a globe of opal glass with its bulb on a base with its top at a height."""
     opal = glass.with_(name=f"{glass.name}_globe", density=230.0)  # 3 mm of 2500 kg/m3 at 0.1 m
     cup = ag.tube(0.030, 0.026, 0.016, bevel=0.0012).at(0.0, 0.0, top + 0.008)
     floor = ag.cylinder(0.029, 0.004, bevel=0.0012).at(0.0, 0.0, top + 0.002)

@@ -26,10 +26,10 @@ class Case:
     space: Space  # its measures
     finish: ag.Material  # of the sheet around it
     inside: ag.Material  # of the cavity
-    stuffing: float  # what its walls weigh with transformer, magnetron and fan, by their volume [kg/m3]
+    stuffing: float  # density of its walls with transformer, magnetron and fan [kg/m3]
     slots: tuple[ag.Span, ...]  # heights of the slots of the latches, their lower and upper edges [m]
     vents: str  # which side the air comes in by: `left` or `right`
-    maker: str  # whose name is on the rating plate
+    maker: str  # brand on the rating plate
     watts: int  # on the rating plate [W]
 
     def body(self) -> ag.Body:
@@ -115,7 +115,7 @@ class Case:
         ]
 
     def _inside(self) -> list[ag.Body]:
-        """Make what is seen in the cavity: the cover of the wave guide, the lamp, the air holes."""
+        """Make the visible parts of the cavity: the cover of the wave guide, the lamp, the air holes."""
         space = self.space
         left, right = space.across
         front, back = space.mouth, space.back
@@ -349,7 +349,7 @@ class Turntable:
         )
 
     def shaft(self) -> ag.Body:
-        """Make what is seen of the motor's shaft and the groove in which the ring runs."""
+        """Make the visible shaft of the motor and the groove of the roller ring."""
         steel = ag.material("stainless")
         groove = ag.tube(_TRACK * self.radius + 0.012, _TRACK * self.radius - 0.012, 0.0004)
         pin = ag.cylinder(_SHAFT, 0.0010).at(0.0, 0.0, 0.0003)

@@ -27,7 +27,7 @@ _LAP = 0.0005
 _UNDER = 0.0003  # from the face that is seen to the boards under it [m]
 _FACE = 0.0165  # thickness of the face with the channels of keys [m]
 _DEEP = 0.0085  # of caps behind the face [m]
-_MARGIN = 0.0105  # from the edges of the panel to what is on it [m]
+_MARGIN = 0.0105  # from the edges of the panel to its controls [m]
 _BAND = 0.030  # of the finish at top and bottom of a banded front [m]
 _PITCH = 0.0200  # of rows of keys [m]
 _KEY = 0.0138  # height of a key [m]
@@ -41,7 +41,7 @@ _STARTS = ("timer", "stop", "start_pause")
 
 
 def key_names(count: int) -> tuple[str, ...]:
-    """Return what is on keys in rows of three: figures where there are enough, programs above or instead."""
+    """Return the print of keys in rows of three: figures if there are enough keys, and programs."""
     if count >= len(_DIGITS):
         return (*_PROGRAMS[: count - len(_DIGITS)], *_DIGITS)
     return (*_PROGRAMS[: count - len(_STARTS)], *_STARTS) if count else ()
@@ -61,16 +61,16 @@ class Panel:
     dials: int  # how many dials there are, one below the other
     dial: DialStyle  # their style
     radius: ag.Scalar  # of the dials [m]
-    knob: ag.Material  # what dials are made of
+    knob: ag.Material  # material of dials
     metal: ag.Material  # of caps of dials
     travel: ag.Scalar  # of keys [m]
     force: ag.Scalar  # that presses a key home [N]
     eject: bool  # whether a button opens the door
     eject_travel: ag.Scalar  # of that button [m]
     eject_force: ag.Scalar  # that presses it home [N]
-    show: str  # what the display shows; `""` for none
+    show: str  # text of the display; `""` for none
     color: Color  # of its figures
-    maker: str  # whose name is above the display; `""` for none
+    maker: str  # brand above the display; `""` for none
 
     @cached_property
     def _x(self) -> ag.Span:
@@ -82,12 +82,12 @@ class Panel:
 
     @cached_property
     def _wide(self) -> ag.Scalar:
-        """The width of what is on the panel [m]."""
+        """The width of the controls on the panel [m]."""
         return self._x[1] - self._x[0] - 2.0 * _MARGIN
 
     @cached_property
     def _ends(self) -> ag.Span:
-        """The lowest and highest of what is on the panel [m]."""
+        """The lowest and highest coordinate of the controls on the panel [m]."""
         low, high = self.space.tall
         edge = _BAND + 0.004 if self.face == "banded" else _MARGIN
         return (low + edge, high - edge)
@@ -145,7 +145,7 @@ class Panel:
 
     @property
     def room(self) -> ag.Scalar:
-        """How much higher than needed what is left for dials is; negative where they do not fit [m]."""
+        """Height that remains beside the dials; negative where they do not fit [m]."""
         return self._step - 2.0 * self.radius if self.dials else self._step
 
     @cached_property

@@ -104,7 +104,7 @@ class Latches:
         )
 
     def frees(self, button: ag.Joint) -> ag.Dependency:
-        """Return what the door needs until its hooks have passed the pawls."""
+        """Return the condition of the door until its hooks have passed the pawls."""
         lift = _BARB[0] - _PLAY + _SPARE
         passing = _HOOK[2] - _BEHIND + 0.004  # how far the barbs come forward below the pawls
         return (button > lift / _LIFT).until(passing / self.space.arm)
@@ -124,7 +124,7 @@ class Door:
     inside: ag.Material  # of its inside
     # from the edges of the door to its window, at the left, the right, below and above [m]
     border: tuple[ag.Scalar, ag.Scalar, ag.Scalar, ag.Scalar]
-    maker: str  # whose name is on it; `""` for none
+    maker: str  # brand on it; `""` for none
 
     @cached_property
     def _window(self) -> tuple[ag.Span, ag.Span]:

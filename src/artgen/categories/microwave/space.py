@@ -1,4 +1,4 @@
-"""Where things are in a microwave oven: the planes that door, panel, cavity and turntable share."""
+"""Space inside a microwave oven: the planes that door, panel, cavity and turntable share."""
 
 from dataclasses import dataclass
 
@@ -7,7 +7,7 @@ from artgen._arrays import cached_property
 from artgen.categories.shared.appliances.finish import ApplianceSpace
 
 SEAL = 0.0028
-"""Between the inside of the door and the cavity's frame, of which the choke leaves 2-3 mm [m]."""
+"""Gap between the inside of the door and the cavity's frame; the choke leaves 2-3 mm of it [m]."""
 
 GAP = 0.0024
 """Between door and control panel [m]."""

@@ -1,7 +1,7 @@
 """An oven, built into a kitchen cabinet or as a range with burners on top, with its racks.
 
 The door hangs at its lower edge. Springs carry it, and friction holds it where it is left, as for grilling.
-Links: `body`; `door`; `rack_0` (the lowest), ..., as many as there are, one of which may be a deep pan;
+Links: `body`; `door`; `rack_0` (the lowest), ...; one rack may be a deep pan;
 `dial`, or `dial_0`, ... from left to right; under the oven of a range the `drawer`; over gas burners
 `grate_0`, .... Joints: `door_hinge`, `rack_slide_0`, ..., `dial_turn` (numbered where there are several),
 `drawer_slide` and `grate_lift_0`, ....
@@ -126,7 +126,7 @@ def oven(
         built_in=ag.uniform(0.560, 0.620),
         range=ag.uniform(0.600, 0.650),
         unit="m",
-        doc="of everything, the handle included",
+        doc="overall depth, handle included",
         within=(0.55, 0.72),
     ),
     door_thickness: ag.Float = ag.uniform(0.038, 0.046, "m", within=(0.036, 0.055)),
@@ -194,7 +194,7 @@ def oven(
             6: ag.by("build", built_in="", range=ag.choice("", "12:30", weights=(0.7, 0.3))),
         },
         otherwise=ag.choice("", "12:30", "7:45", "18:05", weights=(0.3, 0.3, 0.2, 0.2)),
-        doc="what the display shows; none where it is empty",
+        doc="text of the display; empty for none",
     ),
     figures: Color = ag.choice("white", "red", "amber", "cyan", "green"),
     mirrored: bool = ag.choice(False, True, doc="whether the large burners are on the right"),

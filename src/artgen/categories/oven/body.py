@@ -1,4 +1,4 @@
-"""The cabinet of an oven: the enamelled cavity as boards, its sides and back, what is below the door."""
+"""The cabinet of an oven: the enamelled cavity as boards, its sides and back, the part below the door."""
 
 from dataclasses import dataclass
 
@@ -28,11 +28,11 @@ class Cabinet:
     space: Space  # its measures
     sides: ag.Material  # finish of its sides
     enamel: ag.Material  # of the cavity
-    wool: float  # what its walls weigh by their volume [kg/m3]
+    wool: float  # density of its walls [kg/m3]
     bay: bool  # whether there is a bay for a drawer below; else a panel closes it
-    finish: ag.Material  # of what is below the door
+    finish: ag.Material  # height of the part below the door
     convection: bool  # whether a fan is behind the back wall
-    maker: str  # whose name is on the rating plate
+    maker: str  # brand on the rating plate
     watts: int  # on the rating plate [W]
 
     def body(self) -> ag.Body:
@@ -47,7 +47,7 @@ class Cabinet:
 
     @cached_property
     def _high(self) -> ag.Scalar:
-        """The upper side of what is behind the panel [m]."""
+        """The upper side of the parts behind the panel [m]."""
         return self.space.panel_high - 0.0008
 
     @cached_property
@@ -79,7 +79,7 @@ class Cabinet:
         return [*bodies, *(ag.detail(each, "body", zinc) for each in (deck, back))]
 
     def _walls(self) -> list[ag.Body]:
-        """Make floor, ceiling, sides and back of the cavity, whose fronts are the frame of its mouth."""
+        """Make floor, ceiling, sides and back of the cavity; their fronts form the frame of the opening."""
         space, inside = self.space, self.space.inside
         outer, edge = space.side - _SHEET + LAP, inside + _FRAME
         front, back = space.mouth, space.back
@@ -96,7 +96,7 @@ class Cabinet:
                 for x in ((inside, edge - LAP), (LAP - edge, -inside))
             ),
         ]
-        # posts beside the frame, and what is over it behind the panel
+        # posts beside the frame, and the boards over it behind the panel
         frame = filled(ag.material("powder_coat_black"), self.wool, "frame")
         behind = (front + 0.0008, deep[1] - 2.0 * LAP)
         # the top of a range stands on them
@@ -114,7 +114,7 @@ class Cabinet:
         ]
 
     def _trim(self) -> list[ag.Body]:
-        """Make what is below the door of a built-in oven: a strip with slots for the air."""
+        """Make the strip below the door of a built-in oven, with slots for the air."""
         space, half = self.space, self.space.half
         front, top = space.front + 0.006, space.under_door
         strip = ag.board((-half, half), (front, front + 0.016), (0.0, top), bevel=0.0020)
@@ -130,7 +130,7 @@ class Cabinet:
         ]
 
     def _lower(self) -> list[ag.Body]:
-        """Make what is below the door of a range: feet, kick plate, and a panel where there is no drawer."""
+        """Make the base of a range below the door: feet, kick plate, and a panel where there is no drawer."""
         space, half = self.space, self.space.half
         front, low = space.mouth, FOOT
         kick = ag.board((0.004 - half, half - 0.004), (front + 0.020, front + 0.030), (0.010, low + 0.015))

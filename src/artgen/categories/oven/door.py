@@ -169,11 +169,11 @@ BEHIND = 0.0085
 """How far a handle reaches out beyond its middle, at most [m]."""
 
 _GRAVITY = 9.81
-_HANDLE = 0.45  # what a handle weighs, about [kg]
+_HANDLE = 0.45  # approximate mass of a handle [kg]
 _HALF = 0.016  # half the height of a handle, at most [m]
 _DOWN = 0.045  # from the upper edge of the door to the middle of its handle [m]
 _PANE = 0.004  # thickness of a pane [m]
-_FRONT, _CORE = 700.0, 430.0  # what front and core weigh by their volume [kg/m3]
+_FRONT, _CORE = 700.0, 430.0  # density of front and core [kg/m3]
 _BOX = (0.015, 0.026)  # depth and height of the bar of a box handle [m]
 
 
@@ -184,7 +184,7 @@ class Door:
     space: Space  # the measures of the oven
     window: Window  # of its front
     across: ag.Scalar  # width of the window, as a share of that of the cavity
-    tall: ag.Scalar  # height of the window, as a share of what there is room for
+    tall: ag.Scalar  # height of the window, as a share of the available room
     handle: HandleKind  # the kind of the handle
     bar: BarStyle  # style of a bar
     length: ag.Scalar  # of the handle [m]
@@ -193,7 +193,7 @@ class Door:
     finish: ag.Material  # of the front
     glass: ag.Material  # of a front of glass, and around a window
     metal: ag.Material  # of the handle
-    maker: str  # whose name is on it; `""` for none
+    maker: str  # brand on it; `""` for none
 
     @cached_property
     def _half(self) -> ag.Scalar:
@@ -302,7 +302,7 @@ class Door:
         return bodies
 
     def _inner_details(self) -> list[ag.Body]:
-        """Make what is seen on its inside: the frame of the inner pane, screws' covers, hinges."""
+        """Make the visible parts of its inside: the frame of the inner pane, covers of screws, hinges."""
         space, high = self.space, self.space.door[1]
         inner = space.inner
         bodies = []

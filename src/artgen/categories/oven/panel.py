@@ -33,12 +33,12 @@ class Panel:
     burners: int  # how many of them belong to burners
     style: DialStyle  # of the dials
     radius: ag.Scalar  # of the dials [m]
-    knob: ag.Material  # what dials are made of
+    knob: ag.Material  # material of dials
     metal: ag.Material  # of their caps
     friction: ag.Scalar  # that holds them [N m]
-    show: str  # what the display shows; `""` for none
+    show: str  # text of the display; `""` for none
     color: Color  # of its figures
-    maker: str  # whose name is on it; `""` for none
+    maker: str  # brand on it; `""` for none
 
     @cached_property
     def _level(self) -> ag.Scalar:
@@ -57,7 +57,7 @@ class Panel:
 
     @cached_property
     def _aside(self) -> ag.Scalar:
-        """Half of what the display takes with its touch keys, along x [m]."""
+        """Half the width of the display with its touch keys [m]."""
         if not self.show:
             return 0.0 * self.space.width
         return self._screen[0] / 2.0 + 0.012

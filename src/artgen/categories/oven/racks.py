@@ -12,7 +12,7 @@ from artgen.categories.oven.space import LEVELS, ROD, Build, Space
 from artgen.categories.shared.appliances.wire_baskets import rack_slide
 
 _INSIDE = 0.0002  # by which rods that collide are thinner than those that are seen [m]
-_WIRE = 0.0016  # radius of the wires of a rack, of which there are so many [m]
+_WIRE = 0.0016  # radius of the wires of a rack, by their number [m]
 _WIRES: dict[Build, int] = {"built_in": 22, "range": 27}
 _FROM_BELOW = math.pi / 8.0  # how far a hand leans that takes the highest rack: by one facet of its rod [rad]
 _CORNER = 0.014  # radius of the corners of a rack [m]
@@ -30,7 +30,7 @@ class Racks:
     """The racks of one oven."""
 
     space: Space  # its measures
-    chrome: ag.Material  # what wires are made of
+    chrome: ag.Material  # material of the wires
     enamel: ag.Material  # of pans
     friction: ag.Scalar  # of a rack on its rails [N]
 
@@ -111,7 +111,7 @@ class Racks:
         return body.at(0.0, space.rack_front + deep / 2.0, space.rack(level))
 
     def pan(self, name: str, level: int) -> ag.Body:
-        """Make a deep enamelled pan at a level, whose rim lies on the rails."""
+        """Make a deep enamelled pan at a level, with its rim on the rails."""
         space = self.space
         half, deep = space.rack_half, space.rack_depth
         rim = 0.016

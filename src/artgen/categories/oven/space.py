@@ -1,4 +1,4 @@
-"""Where things are in an oven: the planes that door, cavity, racks, panel and drawer share."""
+"""Space inside an oven: the planes that door, cavity, racks, panel and drawer share."""
 
 from dataclasses import dataclass
 from typing import Literal
@@ -35,7 +35,7 @@ SKIN = 0.014
 """Thickness of the fronts of door and drawer [m]."""
 
 _BELOW = 0.008  # from the axis of the door down to its lower edge [m]
-_UNDER = 0.0165  # from that axis down to what is below the door [m]
+_UNDER = 0.0165  # from that axis down to the part below the door [m]
 _FLOOR = 0.032  # from that axis up to the floor of the cavity [m]
 _OVER = 0.046  # from the ceiling of the cavity to the top of the door [m]
 _PLAY = 0.0008  # between a rack and the rails that carry it [m]
@@ -101,7 +101,7 @@ class Space(ApplianceSpace):
 
     @cached_property
     def under_door(self) -> ag.Scalar:
-        """The upper edge of what is below the door, past which its edge turns [m]."""
+        """The upper edge of the part below the door, which the edge of the door clears [m]."""
         return self.hinge_height - _UNDER
 
     @cached_property

@@ -46,12 +46,12 @@ class Top:
     """The top of a range."""
 
     space: Space  # the measures of the range
-    kind: BurnerKind  # what heats
+    kind: BurnerKind  # kind of heat
     burners: int  # how many burners there are
     mirrored: bool  # whether the large burners are on the right
     finish: ag.Material  # of a top of sheet, and of the edge of one of glass
     brass: bool  # whether gas burners are of brass
-    maker: str  # whose name is on glass; `""` for none
+    maker: str  # brand on the glass; `""` for none
     drawer: bool  # whether a drawer is below, and no panel of sheet
 
     @cached_property
@@ -107,7 +107,7 @@ class Top:
         return ag.weld(*bodies).at(0.0, self._y, 0.0)
 
     def _tray(self, low: ag.Scalar) -> list[ag.Body]:
-        """Make what carries the burners, as boards just under the surface; its front edge is hollow."""
+        """Make the boards that carry the burners, just under the surface; the front edge is hollow."""
         x, y = self.space.width / 2.0 - UNDER, self._plan.depth / 2.0 - UNDER
         z = (low + UNDER, self.space.height - UNDER)
         edge = -y + _LIP

@@ -46,7 +46,7 @@ from artgen.categories.pepper_grinder.works import (
 
 Build = Literal["wood", "lacquer", "steel", "clear"]
 
-_STRAIGHT = ("cylinder",)  # what a clear tube looks like
+_STRAIGHT = ("cylinder",)  # finish of a clear tube
 _RINGS = {"table": 9, "kitchen": 13, "restaurant": 19}
 
 
@@ -92,7 +92,7 @@ def pepper_grinder(
         barrel=ag.choice("disc", "crank", weights=(0.35, 0.65)),
         cylinder=ag.choice("disc", "ball", "crank", weights=(0.6, 0.2, 0.2)),
         otherwise=ag.choice("bulb", "ball", weights=(0.65, 0.35)),
-        doc="what turns: a head, or a crank on a cap",
+        doc="moving part: a head, or a crank on a cap",
     ),
     build: Build = ag.by(
         "style",
@@ -100,7 +100,7 @@ def pepper_grinder(
         hourglass=ag.choice("wood", "lacquer", "steel", weights=(0.36, 0.36, 0.28)),
         cone=ag.choice("wood", "lacquer", "steel", weights=(0.45, 0.25, 0.3)),
         otherwise=ag.choice("wood", "lacquer", weights=(0.56, 0.44)),
-        doc="what the body is made of; a clear one shows what is in it",
+        doc="material of the body; a clear one shows its contents",
     ),
     size: Literal["table", "kitchen", "restaurant"] = ag.by(
         "top",
@@ -130,7 +130,7 @@ def pepper_grinder(
         disc=ag.uniform(0.75, 1.5),
         crank=1.0,
         otherwise=ag.uniform(0.92, 1.12),
-        doc="over what its drawing has",
+        doc="addition to the drawn form",
         within=(0.6, 1.8),
     ),
     finish: ag.Material = ag.by(
@@ -167,7 +167,7 @@ def pepper_grinder(
         "top",
         disc=ag.choice("none", "letter", "word", weights=(0.45, 0.35, 0.2)),
         otherwise=ag.by("build", wood="none", otherwise=ag.choice("none", "word", weights=(0.7, 0.3))),
-        doc="how it says what is in it",
+        doc="mark of the contents",
     ),
     maker: str = ag.choice(*details.BRANDS),
 ) -> ag.Body:

@@ -9,9 +9,9 @@ from artgen.categories.shared.finish import known, weighing
 from artgen.categories.shared.vessels.turned import path_of
 
 Mark = Literal["none", "letter", "word"]
-"""How a mill says what is in it: not at all, by a letter on its head, or by a word around its body."""
+"""Mark of the contents of a mill: none, a letter on its head, or a word around its body."""
 
-_LIGHT = 0.22  # mean of the color from which dark print shows better
+_LIGHT = 0.22  # mean of a color from which dark print has more contrast
 _FOOT = {  # the run of the body that has the maker's name, and at which height: over the radius
     "classic": (0, 0.15),
     "baluster": (0, 0.15),
@@ -37,7 +37,7 @@ _WORD = {  # the run with the word, and at which share of the height
 
 
 def ink_on(finish: ag.Material) -> ag.Material:
-    """Return what print on a finish is made of: burnt into light wood, light on what is dark."""
+    """Return the material of print on a finish: burnt into light wood, light on dark materials."""
     mean = sum(finish.base_color) / 3.0
     return ag.colored("abs", "anthracite" if mean > _LIGHT else "silver")
 
@@ -55,7 +55,7 @@ def maker_mark(
 def word_mark(
     word: str, form: BodyForm, radius: ag.Scalar, height: ag.Scalar, finish: ag.Material
 ) -> ag.Body:
-    """Print what is in a mill around its body, or around its clear tube, of the radius of that."""
+    """Print the contents of a mill around its body, or around its clear tube."""
     run, share = _WORD[form]
     path = path_of(body_runs(form, radius, 0.0, height)[run])
     mark = details.lettering((word.upper(),), 0.15 * radius, tracking=0.3)
@@ -63,7 +63,7 @@ def word_mark(
 
 
 def letter_mark(word: str, radius: ag.Scalar, top: ag.Scalar, finish: ag.Material) -> ag.Body:
-    """Print the first letter of what is in a mill on its flat head, before the nut."""
+    """Print the first letter of the contents on the flat head of a mill, before the nut."""
     letter = ag.text(word[0].upper(), 0.24 * radius)
     at = (0.0, -0.56 * radius, top)
     return details.printed(letter, at, material=ink_on(finish), facing=ag.Z, up=(0.0, 1.0, 0.0))
@@ -104,7 +104,7 @@ STEELS = (
     *weighing(known("stainless", "brushed_aluminium", "copper", "satin_brass"), 760.0, "drawn"),
     *weighing(known("powder_coat_black", "powder_coat_graphite"), 760.0, "drawn"),
 )
-"""Drawn shells of 0.7 mm around a liner: what the whole weighs is spread over it."""
+"""Drawn shells of 0.7 mm around a liner: the mass of the whole is spread over the shell."""
 
 STEEL_WEIGHTS = (3.0, 1.0, 0.7, 0.5, 1.0, 0.6)
 """How often."""

@@ -99,7 +99,7 @@ def finial_of(style: Finial, metal: ag.Material, at: ag.Scalar) -> ag.Body:
 
 @dataclass(frozen=True)
 class HeadLooks:
-    """How what turns is made."""
+    """Dimensions and finish of the turning parts."""
 
     finish: ag.Material  # of a head, or of the knob of a crank
     metal: ag.Material  # of nut, crank and cap
@@ -125,7 +125,7 @@ def head(top: Top, radius: ag.Scalar, low: ag.Scalar, height: ag.Scalar, looks: 
 
 
 def head_turn(name: str, friction: ag.Scalar) -> ag.Joint:
-    """Make the joint of what grinds: it turns without end, against the peppercorns between the burrs."""
+    """Make the joint of the burr: it turns without end, against the peppercorns between the burrs."""
     return ag.Revolute(
         name,
         axis=ag.Z,

@@ -41,7 +41,7 @@ _SLEEVES = tuple(
     )
 )
 _ACCENTS = tuple(ag.colored("rubber", color) for color in ("red", "yellow", "orange", "light_grey", "blue"))
-_BRIGHT = 0.10  # mean of the color of a sleeve whose soft part is dark
+_BRIGHT = 0.10  # mean color of a sleeve with a dark soft part
 
 
 @ag.category(labels=("body", "jaw", "teeth", "edge", "pivot", "grip", "spring", "print"), joints=(1, 2))

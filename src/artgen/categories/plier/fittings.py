@@ -38,7 +38,7 @@ def jaw_face(forging: Forging, count: int, finish: ag.Material, *, phase: int) -
 
 
 def _between(forging: Forging, low: float, high: float, share: float) -> ag.Solid:
-    """Make the room between the sides of a jaw, for what lies on its face."""
+    """Make the room between the sides of a jaw, for the parts on its face."""
     sections = [ag.rectangle(0.02, share * forging.height(at)) for at in (low, high)]
     return ag.loft(sections, [forging.level(low), forging.level(high)], axis=ag.Y)
 
@@ -110,7 +110,7 @@ class Key(NamedTuple):
     def bolt(self, forging: Forging, finish: ag.Material) -> list[ag.Body]:
         """Make the bolt, fast in the plate of a half, with a nut beyond the plate of the other one."""
         top, bottom = forging.thick / 2.0, -forging.thick / 2.0
-        # at what angle its flats meet its round sides
+        # angle at which its flats meet its round sides
         reach = ag.sqrt(self.radius * self.radius - self.flats * self.flats)
         side = [(self.radius * math.cos(at), self.radius * math.sin(at)) for at in (-0.39, -0.13, 0.13, 0.39)]
         half = [(reach, -self.flats), *side, (reach, self.flats)]
@@ -246,7 +246,7 @@ class Make:
     forging: Forging  # the measures of their halves
     teeth: int  # teeth on the flat of a jaw; 0 for plain jaws
     steel: ag.Material  # of the halves
-    grip: Grip  # what is on their handles
+    grip: Grip  # sleeves of their handles
     sleeve: ag.Material  # its material
     inlay: ag.Material  # of its soft part
     width: ag.Scalar  # of the bars of the handles, in the plane of the tool [m]
@@ -255,12 +255,12 @@ class Make:
     key: Key | None  # the keyed bolt of slip-joint pliers; None for a rivet
 
     def lower(self) -> ag.Body:
-        """Make the half whose jaw is at the right, with its plate below: the link `body`."""
+        """Make the half with the right jaw and the lower plate: the link `body`."""
         pivot = [] if self.key else rivet(self.forging, _RIVET * self.forging.lap, self.steel)
         return ag.weld(self._half("body", over=False), *pivot)
 
     def upper(self) -> ag.Body:
-        """Make the half whose jaw is at the left, with its plate on top: the link `jaw`."""
+        """Make the half with the left jaw and the upper plate: the link `jaw`."""
         pivot = self.key.bolt(self.forging, self.steel) if self.key else []
         return ag.weld(self._half("jaw", over=True), *pivot).rotate(ag.Y, math.pi)
 
@@ -293,7 +293,7 @@ class Make:
 
     @cached_property
     def _forged(self) -> ag.Solid:
-        """What is the same in both halves."""
+        """The common measures of both halves."""
         return ag.union(self.forging.jaw_solid(), *self.forging.shoulders(), self._bar)
 
     @cached_property

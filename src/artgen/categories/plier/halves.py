@@ -88,7 +88,7 @@ HEADS: dict[Style, Head] = {
 class Forging:
     """The measures of both halves."""
 
-    style: Style  # what they are for
+    style: Style  # their kind
     length: ag.Float  # over all [m]
     slip: ag.Scalar  # how far the pivot of slip-joint pliers moves; 0 for others [m]
     spread: ag.Float  # half of the distance between the handles at their widest, closed [m]
@@ -141,7 +141,7 @@ class Forging:
 
     @property
     def _root(self) -> float:
-        """Angle at which the shoulder of the jaw begins, past what the other half sweeps [rad]."""
+        """Angle at which the shoulder of the jaw begins, past the sweep of the other half [rad]."""
         return math.radians(20.0 if self.style != "slip_joint" else 30.0)
 
     def level(self, share: float) -> ag.Float:
@@ -170,7 +170,7 @@ class Forging:
         return rows[-1][1]
 
     def jaw_solid(self) -> ag.Solid:
-        """Make the jaw in front of the lap, without what stands out of its face."""
+        """Make the jaw in front of the lap, without the parts on its face."""
         sections = [
             _jaw_section(width * self.lap, self._thinned(width), keen=self.keen)
             for _, width in self.head.outline
@@ -192,7 +192,7 @@ class Forging:
         return 0.34 * self.half_width(self.head.pipe[0])
 
     def shoulders(self) -> list[ag.Solid]:
-        """Make what joins jaw and handle to the lap at full thickness, outside of the other half's plate."""
+        """Make the full-thickness parts between the lap and jaw or handle, beside the other half's plate."""
         first, last = self._root, math.radians(90.0)
         outer = self.half_width(0.0)
         jaw = _arc(self.clear, first, last)
@@ -249,7 +249,7 @@ class Forging:
         top = -self.clear_below - 0.30 * self.lap
         left, right = self.neck
         start = (left + right) / 2.0
-        long = self.rear + top  # what is left below it
+        long = self.rear + top  # the remainder below it
         shares = (0.0, 0.10, 0.22, 0.36, 0.50, 0.64, 0.78, 0.90, 1.0)
         # how far it has gone from the neck to its widest: out in an S, and a little back at its end
         outs = (0.0, 0.16, 0.46, 0.74, 0.91, 1.0, 1.0, 0.94, 0.86)
@@ -273,7 +273,7 @@ class Forging:
 
 
 def _arc(radius: ag.Scalar, start: float, end: float) -> list[tuple[ag.Scalar, ag.Scalar]]:
-    """Return points whose chords stay outside of a radius, counter-clockwise [m]."""
+    """Return points with chords outside of a radius, counter-clockwise [m]."""
     step = (end - start) / _STEPS
     out = radius / math.cos(step / 2.0)
     return [

@@ -344,7 +344,7 @@ def refrigerator(
         bodies += rooms["freezer_door"].bodies
     body = ag.weld(block, *bodies)
 
-    # a door opens at least as far as what is behind it needs
+    # a door opens at least as far as the drawers behind it need
     swings: dict[str, ag.Joint] = {}
     for leaf in plan.leaves:
         behind = rooms[leaf.label]

@@ -78,7 +78,7 @@ class Cell:
 
 @dataclass(frozen=True)
 class Case:
-    """The measures of a cabinet that everything else refers to."""
+    """The measures of a cabinet that all parts refer to."""
 
     width: ag.Scalar  # overall [m]
     depth: ag.Scalar  # from the fronts of the doors to the back, without handles [m]
@@ -155,7 +155,7 @@ def cabinet(
 
 
 def _hollow(case: Case, whole: Cell) -> ag.Solid:
-    """Make what is cut out of the block for all cells together."""
+    """Make the cutter of the block for all cells together."""
     return ag.board((whole.left, whole.right), (case.mouth - 0.01, whole.rear), (whole.low, whole.high))
 
 
@@ -189,7 +189,7 @@ def _coves(case: Case, cell: Cell) -> list[ag.Solid]:
 
 
 def _machine_room(case: Case, low: Cell) -> ag.Solid:
-    """Make what is cut out of the block for the compressor."""
+    """Make the cutter of the block for the compressor."""
     deep = case.back - (low.rear - HUMP_DEEP) - 0.03
     high = low.low + HUMP_HIGH - 0.03 - (FOOT + 0.014)
     room = ag.box(case.width - 0.07, deep + 0.01, high)
@@ -250,7 +250,7 @@ def _kick_plate(case: Case, finish: ag.Material) -> list[ag.Body]:
 
 
 def _back(case: Case, low: Cell, kind: Back) -> list[ag.Body]:
-    """Make what is seen at the back: condenser or sheet, cord, rating plate."""
+    """Make the visible parts of the back: condenser or sheet, cord, rating plate."""
     outward = (0.0, 1.0, 0.0)
     bottom, top = low.low + HUMP_HIGH + 0.03, case.top - 0.10
     middle, high = (bottom + top) / 2, top - bottom

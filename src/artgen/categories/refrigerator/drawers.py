@@ -114,7 +114,7 @@ def inner_slide(
 class Front:
     """The front of a freezer drawer."""
 
-    cell: Cell  # what it closes
+    cell: Cell  # the closed cell
     left: ag.Scalar  # its left edge along x [m]
     right: ag.Scalar  # its right edge [m]
     low: ag.Scalar  # its lower edge [m]

@@ -176,18 +176,18 @@ class Furniture:
     shelves: int  # how many there are above the drawers
     kind: ShelfKind  # of the shelves
     trim: ag.Material  # of their strips, or wires
-    liner: ag.Material  # of the cell, and of what is fixed to its walls
+    liner: ag.Material  # the cell, and the parts fixed to its walls
     ice_box: bool = False  # whether there is one
     egg_tray: bool = False  # whether there is one
-    control: Literal["dial", "touch", "none"] = "none"  # what sets the temperature
-    show: str = ""  # what a display shows
+    control: Literal["dial", "touch", "none"] = "none"  # the temperature control
+    show: str = ""  # text of the display
 
 
 @dataclass(frozen=True)
 class Room:
     """A furnished cell."""
 
-    bodies: tuple[ag.Body, ...]  # what is to be welded to the cabinet
+    bodies: tuple[ag.Body, ...]  # parts to be welded to the cabinet
     slots: tuple[Slot, ...]  # the places of its drawers
     front: ag.Scalar  # the front of its drawers along y [m]
     ice: ag.Scalar  # underside of the floor of its ice box [m]

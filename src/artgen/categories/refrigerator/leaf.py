@@ -58,7 +58,7 @@ def hinge_bracket(
     plate = ag.box(wide, back + 0.012, thick, bevel=0.0005).at(
         way * (inset - wide / 2 - 0.002), (back - 0.010) / 2, 0.0
     )
-    pin = ag.cylinder(0.0055, thick + 0.0012, axis=ag.Z)  # what is seen of it between two fronts
+    pin = ag.cylinder(0.0055, thick + 0.0012, axis=ag.Z)  # visible thickness between two fronts
     return ag.weld(ag.detail(plate, "hinge", finish), ag.detail(pin, "hinge", finish))
 
 
@@ -73,7 +73,7 @@ def door_gasket(
 ) -> ag.Body:
     """Make the gasket of a door in the plane of X and Z about the origin; its foot is y = 0, it faces +y.
 
-    It fills the gap of a closed door but for what the caller leaves: 0.3-0.5 mm is not seen, and lets door
+    It fills the gap of a closed door up to a clearance of the caller: 0.3-0.5 mm is invisible, and lets door
     and cabinet be free of each other; or the gap is less, and `allow_contact` says so.
     """
     bodies = [ag.part(bar, label, rubber) for bar in _ring(width, height, deep, size, 0.45 * deep)]
@@ -86,7 +86,7 @@ def door_gasket(
 def _ring(
     width: ag.Scalar, height: ag.Scalar, deep: ag.Scalar, size: ag.Scalar, bevel: ag.Scalar
 ) -> list[ag.Solid]:
-    less = 0.0002  # uprights end inside of the level bars, a hair below their faces
+    less = 0.0002  # uprights end inside the level bars, just below their faces
     level = ag.box(width, deep, size, bevel=bevel)
     upright = ag.box(size - less, deep - less, height - size, bevel=bevel)
     return [
@@ -108,8 +108,8 @@ LINING_INSET = 0.004
 """By how much the lining is narrower than the skin at the edge with the hinges [m]."""
 
 _RIDGE_INSET = 0.055  # from the wall of the cell to the ridge near the hinges [m]
-_SWINGS_PAST = 0.005  # what the free ridge leaves to what it passes [m]
-_CLEARS = 0.004  # what an open door leaves to a drawer's way [m]
+_SWINGS_PAST = 0.005  # clearance between the free ridge and the parts that it passes [m]
+_CLEARS = 0.004  # clearance between an open door and a drawer [m]
 
 
 @dataclass(frozen=True)
@@ -119,12 +119,12 @@ class Leaf:
     label: str  # semantic label
     name: str  # name of the link
     case: Case  # the cabinet
-    cell: Cell  # what it closes
+    cell: Cell  # the closed cell
     left: ag.Scalar  # its edge with the hinges along x [m]
     right: ag.Scalar  # its free edge [m]
     low: ag.Scalar  # its lower edge [m]
     high: ag.Scalar  # its upper edge [m]
-    limit: ag.Scalar  # how far to the right what is on its inside may reach: a wall, or another door [m]
+    limit: ag.Scalar  # right limit of the parts on its inside: a wall, or another door [m]
     ridge: ag.Scalar | None  # how deep its ridges reach into the cell [m]; None for a flat inside
     bins: int  # how many bins hang between them
     mirrored: bool = False  # whether it hinges at the right: all measures then are those of the mirror image

@@ -18,7 +18,7 @@ _FLOOR = 0.030  # from the lower edge of the lowest front to the floor of its ce
 _HALF_WALL = 0.027  # half of the thickness of walls between cells [m]
 _UNDER_COVER = 0.003  # between a door and the cover of its hinge [m]
 _INSET = 0.001  # by how much doors are narrower than the cabinet, at either side [m]
-_PASSES = 0.003  # between what is on the insides of two doors that meet [m]
+_PASSES = 0.003  # gap between the inner parts of two doors that meet [m]
 _NO_LIGHT = (
     "freezer or refrigerator is narrower than the light in it: raise width, lower wall, or take a "
     "freezer_share of about 0.45"
@@ -60,7 +60,7 @@ class Divided:
     case: Case  # the cabinet
     share: ag.Scalar  # of the freezer, in the height or the width
     ridge: ag.Scalar  # how deep the bins of the refrigerator's doors reach into it [m]
-    freezer_ridge: ag.Scalar | None  # the same for the freezer's door; None for a flat inside
+    freezer_ridge: ag.Scalar | None  # inner parts of the freezer's door; None for a flat inside
     bins: int  # on each door of the refrigerator
     drawers: int  # freezer drawers with fronts of their own
 

@@ -54,7 +54,7 @@ def weighing(materials: Sequence[ag.Material], density: float, prefix: str) -> t
 
 
 def across(finish: ag.Material) -> ag.Material:
-    """Return a finish whose grain runs across the long side of a part."""
+    """Return a finish with its grain across the long side of a part."""
     if not finish.texture:
         return finish
     return finish.with_(name=f"{finish.name}_across", turned=not finish.turned)

@@ -190,18 +190,18 @@ def soap_dispenser(
         ),
         otherwise=ag.shades(*METALS, weights=METAL_WEIGHTS, color=0.03),
     ),
-    soap: ag.Material = ag.choice(*SOAPS, doc="what is in a clear bottle, or in the window of a box"),
+    soap: ag.Material = ag.choice(*SOAPS, doc="contents of a clear bottle, or of the window of a box"),
     fill: ag.Float = ag.uniform(
         0.45, 0.78, doc="to which share of its height a clear bottle is full", within=(0.2, 0.8)
     ),
-    wall: ag.Material = ag.shades(*TILES, color=0.03, doc="the tile behind what hangs on a wall"),
+    wall: ag.Material = ag.shades(*TILES, color=0.03, doc="the tile behind a wall dispenser"),
     content: Content = ag.choice("soap", "hand_wash", "lotion", "dish_soap", weights=(0.4, 0.25, 0.2, 0.15)),
     print_: Print = ag.by(
         "build",
         clear=ag.choice("none", "word", "icon", "label", weights=(0.35, 0.2, 0.1, 0.35)),
         plastic=ag.choice("none", "word", "icon", "label", weights=(0.2, 0.2, 0.2, 0.4)),
         otherwise=ag.choice("none", "word", "icon", weights=(0.5, 0.35, 0.15)),
-        doc="what is printed on a bottle, where it has no ribs",
+        doc="print on a bottle without ribs",
     ),
     maker: str = ag.choice(*details.BRANDS),
 ) -> ag.Body:
@@ -265,7 +265,7 @@ def soap_dispenser(
     if style == "bottle":
         return body
     out = ag.max_(width / 2.0 + 0.016, reach + 0.010)
-    # below what is printed, and below the level of the soap
+    # below the print, and below the level of the soap
     ring_at = TRAY + (0.13 if shape == "apothecary" else 0.22) * height
     hung = holder(width / 2.0, out, ring_at, ag.colored("powder_coat", "black") if not is_metal else pump)
     return ag.weld(body.at(0.0, 0.0, TRAY - 0.0002), ag.weld(hung, tile(0.11, wall)).at(0.0, out, 0.0))

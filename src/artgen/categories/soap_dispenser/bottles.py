@@ -69,7 +69,7 @@ _FORMS: dict[str, list[list[Drawn]]] = {
 
 _EDGE = 0.0035  # chamfer of the foot of a blown bottle [m]
 _BLOWN: dict[str, tuple[list[Drawn], float]] = {
-    # corners of the same in glass, above the foot, and the radius that rounds them; straight slopes need few
+    # corners of the glass form, above the foot, and the radius that rounds them; straight slopes need few
     # colliders
     "round": ([(1.0, 1.0, -0.14)], 0.0040),
     "apothecary": ([(1.0, 1.0, -0.60)], 0.0095),
@@ -77,7 +77,7 @@ _BLOWN: dict[str, tuple[list[Drawn], float]] = {
     "bell": ([(0.84, 1.0, -0.42)], 0.0090),
 }
 
-_WIDEST = 0.087  # of a blown bottle with bends, whose colliders follow it within a millimetre [m]
+_WIDEST = 0.087  # bends of a blown bottle; its colliders follow them within a millimetre [m]
 _TOO_WIDE = (
     "colliders do not follow the bends of so wide a bottle of glass: "
     f"take a width of {_WIDEST:g} at most, shape=cone or another build"
@@ -124,7 +124,7 @@ def outline(shape: Shape, sizes: Sizes, inset: ag.Scalar = 0.0) -> ag.Profile:
 
 
 def opaque(shape: Shape, sizes: Sizes, finish: ag.Material) -> ag.Body:
-    """Make a bottle that hides what is in it: the link `body`."""
+    """Make an opaque bottle: the link `body`."""
     height = sizes.height
     if shape in _FORMS:
         return turned(bottle_runs(shape, sizes), "body", finish, sides=24)  # bottles are wide
@@ -154,7 +154,7 @@ def _ribbed(sizes: Sizes, finish: ag.Material) -> ag.Body:
 
 
 def _oval(sizes: Sizes) -> ag.Solid:
-    """Make an oval bottle whose shoulders slope to the neck."""
+    """Make an oval bottle with shoulders that slope to the neck."""
     wide, deep, height = sizes.width / 2.0, sizes.width * sizes.depth / 2.0, sizes.height
     levels: list[tuple[float, ag.Scalar]] = [
         (0.95, 0.0),
@@ -210,7 +210,7 @@ def clear(
         vessel = ag.part(block - hollow.at(0.0, 0.0, (height - 0.004 + floor) / 2.0), "body", glass)
         content = ag.extrude(outline(shape, sizes, _GLASS + 0.0002), level - floor - 0.0002)
         content = content.at(0.0, 0.0, (level + floor + 0.0002) / 2.0)
-    # the first part gives the link its name; of what overlaps, the first part counts
+    # the first part gives the link its name; where parts overlap, the first part counts
     return ag.weld(vessel, inside, ag.part(content, "soap", soap))
 
 

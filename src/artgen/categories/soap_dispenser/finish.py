@@ -1,4 +1,4 @@
-"""What soap dispensers are made of, and what is in them.
+"""Materials of soap dispensers and soaps.
 
 Bottles that hide their content have the density of the whole: soap in four fifths of the space, and walls of
 5 mm of ceramic, 1.5 mm of plastic or 0.6 mm of steel.
@@ -77,7 +77,7 @@ METALS = weighing(
     3600.0,
     "plated",
 )
-"""Of metal pumps, whose inside is plastic."""
+"""Metal pumps with a plastic inside."""
 
 METAL_WEIGHTS = (2.4, 1.8, 1.6, 0.5, 1.8, 0.5)
 """How often."""
@@ -127,7 +127,7 @@ _LIGHT = 0.30
 
 
 def ink_on(finish: ag.Material) -> ag.Material:
-    """Return what print on a finish is made of."""
+    """Return the material of print on a finish."""
     mean = sum(finish.base_color) / 3.0
     if finish.transmission_weight > 0.5:
         return ag.colored("abs", "white" if mean < 0.6 else "anthracite")

@@ -46,7 +46,7 @@ class PumpLooks:
     finish: ag.Material  # of collar and nozzle
     stem: ag.Material  # of the stem
     ribbed: bool  # whether the collar has ribs for fingers
-    ink: ag.Material | None = None  # of what is printed on it; None prints nothing
+    ink: ag.Material | None = None  # print on it; None for none
 
 
 def collar(nozzle: Nozzle, low: ag.Scalar, looks: PumpLooks) -> ag.Body:
@@ -268,7 +268,7 @@ def pump_slide(
     damping: ag.Scalar,
     axis: tuple[float, float, float] = (0.0, 0.0, -1.0),
 ) -> ag.Joint:
-    """Make the joint of what is pressed against the spring of a pump."""
+    """Make the joint of the part that is pressed against the spring of a pump."""
     preload = 0.35 * force  # the spring of a lotion pump starts at a third of its force
     stiffness = (force - preload) / travel
     return ag.Prismatic(

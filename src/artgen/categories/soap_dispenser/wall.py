@@ -1,6 +1,6 @@
 """Soap dispensers on a wall: the tile that they hang on, a bottle in a holder, a box with a button or lever.
 
-The front of the tile is the plane y = 0 here; what hangs on it stands out to -y.
+The front of the tile is the plane y = 0; parts on it protrude to -y.
 """
 
 from typing import Literal

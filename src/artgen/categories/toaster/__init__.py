@@ -54,7 +54,7 @@ from artgen.categories.toaster.shell import Cuts, ShellLooks, back_print, shell,
 
 _QUARTER = math.pi / 2.0
 _NO_ROOM = "controls have no room: raise height or shoulder, or lower buttons"
-_ENDS_APART: tuple[BodyStyle, ...] = ("steel", "classic")  # whose ends are of another material
+_ENDS_APART: tuple[BodyStyle, ...] = ("steel", "classic")  # styles with ends of another material
 _FLAT_SIDES: tuple[BodyStyle, ...] = ("box", "steel")  # which may have controls
 
 
@@ -121,7 +121,7 @@ def toaster(
             ),
             2: "end",
         },
-        doc="the face with the controls, which looks to the front: a narrow end or a broad side",
+        doc="the front face with the controls: a narrow end or a broad side",
     ),
     layout: Layout = ag.by(
         "levers",

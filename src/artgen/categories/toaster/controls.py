@@ -37,7 +37,7 @@ _OVER = 0.012  # from the lower edge to a dial, room for its print [m]
 _UNDER = 0.014  # from the upper edge to the arm of a lever at rest [m]
 _FINGERS = 0.020  # around a dial, for fingers that turn it [m]
 _NEAREST = 0.045  # how far from the middle a lever stands at most that has controls beside it [m]
-_BESIDE = 0.045  # between the arm of a lever and what stands beside it [m]
+_BESIDE = 0.045  # gap between the arm of a lever and its neighbor [m]
 _ICONS = ("cross", "bagel", "defrost", "steam")  # cancel, one side only, frozen bread, reheat
 
 
@@ -53,7 +53,7 @@ class Site:
     deep: ag.Scalar  # how deep its opening is cut into the shell [m]
     layout: Layout  # how its controls are arranged
     levers: tuple[ag.Scalar, ...]  # where the arms of levers are, along x from its middle [m]
-    lean: int  # 1 where what stands beside a lever is right of it, -1 where it is left
+    lean: int  # 1 for a neighbor right of the lever, -1 for one left of it
 
     @cached_property
     def rest(self) -> ag.Scalar:
@@ -111,16 +111,16 @@ class PanelLooks:
     """What the panel and its controls are made of."""
 
     plate: ag.Material  # the panel
-    ink: ag.Material  # what is printed on it
+    ink: ag.Material  # print on it
     button: ag.Material  # the buttons
-    button_ink: ag.Material  # what is printed on them
+    button_ink: ag.Material  # print on them
     dial: ag.Material  # the dials
     mark: ag.Material  # the marks of dials
     metal: ag.Material  # caps of dials and plates around buttons
     shape: ButtonShape  # form of the buttons
     style: DialStyle  # form of the dials
-    scale: Scale  # what is printed around them
-    maker: str  # whose name is on the panel
+    scale: Scale  # print around them
+    maker: str  # brand on the panel
 
 
 @dataclass(frozen=True)
@@ -132,7 +132,7 @@ class Panel:
     knobs: int  # how many dials there are
     buttons: int  # how many buttons there are
     radius: ag.Scalar  # of the dials [m]
-    looks: PanelLooks  # what it is made of
+    looks: PanelLooks  # its material
 
     @cached_property
     def _aside(self) -> ag.Scalar:

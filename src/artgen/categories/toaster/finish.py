@@ -5,10 +5,10 @@ from typing import Any
 import artgen as ag
 from artgen.materials import COLORS
 
-_HEAVY = 2000.0  # [kg/m3]: what is heavier is metal
+_HEAVY = 2000.0  # density above which a material is a metal [kg/m3]
 _SHEET = 1900.0  # 0.6 mm of steel, drawn 2.5 mm thick [kg/m3]
 _LINED = 1.45  # weight of a wall of plastic with its ribs and a liner of tin, as a share of full plastic
-_HOLLOW = 560.0  # moulded or pressed ends with what is fixed behind them, drawn solid [kg/m3]
+_HOLLOW = 560.0  # density of moulded or pressed ends with the parts behind them, drawn solid [kg/m3]
 
 _STEELS = (
     ag.material("stainless"),

@@ -32,7 +32,7 @@ def _heating_wire() -> ag.Material:
 
 
 def chamber(plan: Plan) -> ag.Body:
-    """Make what is around the slots inside, to be welded to the shell."""
+    """Make the chamber around the slots inside, to be welded to the shell."""
     begin, end = plan.chamber
     middle, long = 0.5 * (begin + end), end - begin
     low, high = plan.floor + _CHAMBER_LOW, plan.top - 0.002  # into the sheet of the top
@@ -134,7 +134,7 @@ def lever_slide(name: str, *, travel: ag.Scalar, force: ag.Scalar, damping: ag.S
 def lever(
     style: LeverStyle, *, finish: ag.Material, accent: ag.Material, slim: bool, name: str = "lever"
 ) -> ag.Body:
-    """Make what a hand presses down, about the arm, in front of the panel."""
+    """Make the grip that a hand presses down, about the arm, in front of the panel."""
     bodies: list[ag.Body] = []
     share = 0.62 if slim else 1.0
     match style:
@@ -235,7 +235,7 @@ class Tray:
             self._deep = plan.length / 2 - begin - 0.004
         else:
             self._wide, self._out = end - begin - 0.008, plan.width / 2
-            self._middle = -0.5 * (begin + end)  # turned by a quarter, x is what -y was
+            self._middle = -0.5 * (begin + end)  # turned by a quarter: -y becomes x
             self._deep = plan.width / 2 + plan.span / 2 + 0.004
         self._low = plan.floor + _LIFT
 

@@ -31,13 +31,13 @@ def _round(sides: int) -> ag.Profile:
     return ag.polygon([(math.cos(angle), math.sin(angle)) for angle in angles])
 
 
-_COARSE = _round(40)  # for ends, whose corners all count
+_COARSE = _round(40)  # for ends, where each corner counts
 _ROUND = _round(200)  # sides that do not show on a bulging sleeve
 
 
 @dataclass(frozen=True)
 class Plan:
-    """The sizes from which all else follows, in metres."""
+    """The sizes that define all others [m]."""
 
     style: BodyStyle  # form of the body
     slots: int  # number of slots side by side
@@ -141,9 +141,9 @@ class Plan:
         return self._outline(self.width - 2 * self.inset, self.height - self.foot - 2 * self.inset, _ROUND)
 
     def hollow(self) -> ag.Profile:
-        """Return the outline of what is inside the sleeve; with few corners, few pieces are around it.
+        """Return the outline of the inside of the sleeve; few corners give few pieces around it.
 
-        Walls are thicker where the sleeve is round outside, which nobody sees.
+        Walls are thicker where the sleeve is round outside, which is invisible.
         """
         x, z = self.width / 2 - self.inset - SHEET, (self.height - self.foot) / 2 - self.inset - SHEET
         match self.style:

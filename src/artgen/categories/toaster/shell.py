@@ -9,7 +9,7 @@ from artgen.categories.shared.hardware.fixings import screws
 from artgen.categories.toaster.plan import Plan
 
 _STEPS = (0.0, 0.3, 0.65, 1.0)  # of a quarter turn over a rounded end
-_SEAM = 0.00003  # between the parts of a rounded end, whose meshes then share no corner [m]
+_SEAM = 0.00003  # gap between the parts of a rounded end, so that their meshes share no corner [m]
 _SURROUND = 0.0065  # width of the trim around the slots [m]
 
 
@@ -132,7 +132,7 @@ def _piping(plan: Plan) -> ag.Solid:
 
 
 def back_print(plan: Plan, lines: tuple[str, ...]) -> ag.Body:
-    """Make what the back shows: vents, screws and the rating plate with its lines; all only seen."""
+    """Make the visible parts of the back: vents, screws and the rating plate with its lines."""
     back, high = plan.length / 2, plan.height - plan.foot
     dark = ag.material("black_abs").with_(name="vent", base_color=(0.006, 0.006, 0.006), texture="")
     vents = details.vent_slots(0.5 * plan.width, 0.09 * high, 12, slot=0.0024)
@@ -152,7 +152,7 @@ def back_print(plan: Plan, lines: tuple[str, ...]) -> ag.Body:
 
 
 def underside(plan: Plan) -> ag.Body:
-    """Make what is only seen below: a dark base with a shadow line over it, hooks to wind the cord around."""
+    """Make the visible parts of the bottom: a dark base with a shadow line over it, hooks for the cord."""
     black = ag.material("black_abs").with_(name="base_black")
     dark = ag.box(plan.width - 0.030, plan.length - 0.018, 0.006, bevel=0.0012)
     neck = ag.box(0.030, 0.006, plan.foot - 0.004, bevel=0.0008).at(0.0, 0.0, plan.foot / 2)

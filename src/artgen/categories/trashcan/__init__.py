@@ -226,7 +226,7 @@ def trashcan(
         butterfly="loop",
         open=ag.by("skin", wicker="bail", otherwise="none"),
         otherwise="none",
-        doc="by what an inner bucket is carried; none has no bucket",
+        doc="carrier of the inner bucket; none for no bucket",
     ),
     bucket_finish: ag.Material = ag.shades(*BUCKETS, weights=BUCKET_WEIGHTS),
     bagged: bool = ag.by(

@@ -1,4 +1,4 @@
-"""Bins: the shells of round, square, rectangular and half-round containers, and what goes around them.
+"""Bins: the shells of round, square, rectangular and half-round containers, and the bands around them.
 
 A bin stands about the Z axis, its front towards -Y. Its plan is given at the rim; a tapered bin is smaller at
 its foot, in the same proportions.
@@ -19,16 +19,16 @@ Plan = Literal["round", "square", "rectangle", "half_round"]
 _BACK_CORNER = 0.022  # radius of the two corners of a half-round bin [m]
 _OVERLAP = 0.001  # of the two halves of a half-round bin [m]
 _LEAST_CORNER = 0.003  # [m]
-_NO_SIDES = "no room is left for what stands in a half-round bin: take a larger width or aspect"
+_NO_SIDES = "no room is left for the bucket in a half-round bin: take a larger width or aspect"
 
 SIDES = 16
-"""Facets of what collides of a round wall: off a circle of 160 mm by 3 mm; simulators pay for each."""
+"""Facets of the collider of a round wall: off a circle of 160 mm by 3 mm; each costs simulation time."""
 
 _FRONT = 7  # facets of the round front of a half-round bin
 _CORNER = 2  # facets of a corner
 
-_HAIR = 0.0003  # how deep its edges lie below what is seen [m]
-_THIN = 0.00005  # the same of its ends, on which things rest [m]
+_HAIR = 0.0003  # depth of its edges below the visible surface [m]
+_THIN = 0.00005  # depth of its ends, which carry loads, below the visible surface [m]
 
 
 @dataclass(frozen=True)
@@ -41,7 +41,7 @@ class Can:
     top: ag.Scalar  # height of the rim above the floor [m]
     foot: ag.Scalar = 0.005  # height of the lower edge of the wall above the floor [m]
     corner: ag.Scalar = 0.03  # radius of the corners at the rim, of a square or rectangular one [m]
-    sheet: ag.Scalar = 0.003  # thickness of what weighs and collides of the wall [m]
+    sheet: ag.Scalar = 0.003  # thickness of the wall that has mass and colliders [m]
     taper: ag.Scalar = 0.0  # share by which the foot is smaller than the rim
 
     @property
@@ -66,7 +66,7 @@ class Can:
         return ag.rectangle(across, along, radius=ag.max_(self.corner - inset, _LEAST_CORNER))
 
     def facets(self, inset: ag.Scalar) -> ag.Profile:
-        """Make the outline of few facets whose edges lie on the outline, moved inward [m]."""
+        """Make the outline of few facets with its edges on the outline, moved inward [m]."""
         x, y = self.width / 2.0 - inset, self.depth / 2.0 - inset
         if self.plan == "round":
             start = math.pi / SIDES
@@ -103,14 +103,14 @@ class Can:
     def block(
         self, low: ag.Scalar, high: ag.Scalar, *, inset: ag.Scalar = 0.0, bevel: ag.Scalar = 0.0
     ) -> ag.Solid:
-        """Make what fills the plan between two heights, moved inward [m]."""
+        """Make the filling of the plan between two heights, moved inward [m]."""
         if self.plan == "round" and _is_zero(self.taper):
             disc = ag.cylinder(self.width / 2.0 - inset, high - low, bevel=bevel)
             return disc.at(0.0, 0.0, (low + high) / 2.0)
         return self._drawn(self.outline(inset), low, high, bevel)
 
     def floor(self, low: ag.Scalar, high: ag.Scalar) -> ag.Solid:
-        """Make a floor between two heights, whose edge lies in the wall."""
+        """Make a floor between two heights, with its edge in the wall."""
         return self._drawn(self.facets(2.0 * _HAIR), low, high)
 
     def _drawn(
@@ -127,7 +127,7 @@ class Can:
     def shell(
         self, label: str, finish: ag.Material, *, name: str | None = None, holes: ag.Solid | None = None
     ) -> list[ag.Body]:
-        """Make the wall from the foot to the rim: what weighs and collides, and its skin."""
+        """Make the wall from the foot to the rim: a core with mass and colliders, and its skin."""
         seen = self.band(self.foot, self.top)
         ring = self.facets(_HAIR) - self.facets(_HAIR + self.sheet)
         solid = self._drawn(ring, self.foot + _THIN, self.top - _THIN)
@@ -145,7 +145,7 @@ class Can:
         beside: ag.Scalar = 0.0,
         behind: ag.Scalar = 0.0,
     ) -> "Can":
-        """Make what stands in it, with a gap all round."""
+        """Make the bucket in it, with a gap all round."""
         less = 2.0 * (self.wall + gap)
         share = self.scale_at(top)
         narrower = 1.0 - self.scale_at(foot) / share if not _is_zero(self.taper) else 0.0
@@ -228,7 +228,7 @@ def _arc(
 
 
 def _corner(x: ag.Scalar, y: ag.Scalar, radius: ag.Scalar, quarter: int) -> list[tuple[ag.Scalar, ag.Scalar]]:
-    """Return the edges of a rounded corner [m] that looks to a quarter of the plan, counted from +X, +Y."""
+    """Return the edges of a rounded corner in a quarter of the plan, counted from +X, +Y [m]."""
     right, behind = (1.0, -1.0, -1.0, 1.0)[quarter], (1.0, 1.0, -1.0, -1.0)[quarter]
     start = quarter * math.pi / 2.0
     return _arc(x - right * radius, y - behind * radius, radius, start, start + math.pi / 2.0, _CORNER)

@@ -16,7 +16,7 @@ _HOLLOW_LID = 310.0  # sheet of 0.4 mm over a thin liner, 3.7 kg/m2 for a lid 12
 
 
 def _sheet(made: ag.Material) -> ag.Material:
-    """Return a finish on sheet: the wall is built thicker than it is, and weighs what it does."""
+    """Return a finish on sheet: the wall is thicker than the real one, with the same mass."""
     return made.with_(name=f"{made.name}_sheet", density=made.density * _SHEET / WALL)
 
 
@@ -104,11 +104,11 @@ Sort = Literal["none", "recycling", "paper", "plastic", "glass", "food"]
 """What a bin is for, if it says so."""
 
 _INK = {"recycling": "", "paper": "PAPER", "plastic": "PLASTIC", "glass": "GLASS", "food": "FOOD WASTE"}
-_LIGHT = 0.25  # mean of the color from which dark print shows better
+_LIGHT = 0.25  # mean of a color from which dark print has more contrast
 
 
 def ink_on(finish: ag.Material, *, metal: bool = True) -> ag.Material:
-    """Return what print on a finish is made of: dark on light, light on dark, grey on metal."""
+    """Return the material of print on a finish: dark on light, light on dark, grey on metal."""
     mean = sum(finish.base_color) / 3.0
     if metal and finish.base_metalness > 0.5:
         return ag.colored("abs", "slate") if mean > _LIGHT else ag.colored("abs", "silver")
@@ -122,7 +122,7 @@ def maker_mark(can: Can, maker: str, *, z: ag.Scalar, finish: ag.Material) -> ag
 
 
 def sort_mark(can: Can, sort: Sort, *, z: ag.Scalar, finish: ag.Material) -> list[ag.Body]:
-    """Print the sign of what to throw in on the front; nothing where there is none."""
+    """Print the recycling sign on the front; None for no sign."""
     if sort == "none":
         return []
     ink = ink_on(finish, metal=False)

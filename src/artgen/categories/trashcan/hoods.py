@@ -176,7 +176,7 @@ class Flaps:
         )
 
     def clear(self, height: ag.Scalar, beside: ag.Scalar) -> ag.Float:
-        """Return the angle at which both flaps leave free what rises between them [rad]."""
+        """Return the angle at which both flaps clear the parts that rise between them [rad]."""
         del height  # it rises past the tips of the flaps
         return ag.atan2(self.reach, beside - _THICK)
 
@@ -188,9 +188,9 @@ _SHEET = 0.003  # thickness of the plate around a lid [m]
 _SKIN = 0.003  # how far hoods stand out around the rim, beside the gap [m]
 _OVER = 0.0026  # between the rim and the skirt around it [m]
 _SKIRT = 0.014  # how far the skirt reaches down over the rim [m]
-_ON = 0.0022  # between the rim and what rests on it [m]
+_ON = 0.0022  # gap between the rim and the part on it [m]
 _EDGE = 0.0030  # between a lid and the edge of its opening [m]
-_BALL_EDGE = 0.0052  # around a ball, whose colliders stand off by up to 2 mm [m]
+_BALL_EDGE = 0.0052  # gap around a ball; its colliders stand off by up to 2 mm [m]
 _EAR = 0.020  # how far the ears stand out, by which a hood is lifted [m]
 _WIDEST = 0.425  # round collar: a wider one collides as 64 pieces and not as 32 [m]
 _TOO_WIDE = "the collar of a round bin this wide would collide as too many pieces: take a smaller width"
@@ -202,7 +202,7 @@ class Hood:
     """A hood over the rim of a bin."""
 
     can: Can  # the bin
-    kind: Turning  # what turns in it
+    kind: Turning  # the turning part
     rise: ag.Scalar  # how high its slope is [m]
     lean: float  # share by which its top is smaller than its skirt
     finish: ag.Material  # its material
@@ -348,7 +348,7 @@ class Hood:
         )
 
     def lid(self, *, finish: ag.Material, dark: ag.Material) -> ag.Body:
-        """Make what turns in the hood: the link `lid`."""
+        """Make the turning part of the hood: the link `lid`."""
         if self.kind == "ball":
             return self._ball(finish, dark)
         across, along = self._opening

@@ -1,4 +1,4 @@
-"""How bins are put together: a stand, what covers it, what moves that, and what is inside."""
+"""Kinds of bins: stand, cover, mechanism and bucket put together."""
 
 from dataclasses import dataclass
 from typing import Literal
@@ -33,7 +33,7 @@ from artgen.categories.trashcan.shells import (
 )
 
 Carry = Literal["none", "loop", "bail"]
-"""By what an inner bucket is carried; none has no bucket."""
+"""Carrier of an inner bucket; none for no bucket."""
 
 THICK = 0.012
 """Thickness of lids [m]."""
@@ -44,12 +44,12 @@ _LOWER = 0.0003  # how much lower than the bin's rim that of a bucket is [m]
 _FREE = 0.0036  # between a bucket and the wall [m]
 _BUCKET = 0.0022  # thickness of its wall [m]
 _SPARE = 0.035  # angle by which lids open farther than buckets need [rad]
-_UPRIGHT = 1.53  # a lid that opens farther is out of the way of everything [rad]
+_UPRIGHT = 1.53  # angle from which on an open lid clears all parts [rad]
 _TONGUE = 0.060  # from the front edge of a lid to where the catch on it ends [m]
 _OVER = 0.03  # how far above the rim buckets come with their foot [m]
 _SHORT = 0.055  # height of a hinge block without a rod in it [m]
 _BEHIND = 0.005  # more room for a bucket in front and behind [m]
-_DAMPED = 0.08  # damping of a lid from which a damper sits beside its hinge [N m s/rad]
+_DAMPED = 0.08  # damping of a lid from which on a damper sits beside its hinge [N m s/rad]
 _STEEL = ag.material("steel")
 
 
@@ -71,7 +71,7 @@ class Foot:
     travel: ag.Scalar  # of the foot plate [m]
     width: ag.Scalar  # of the foot plate [m]
     preload: ag.Scalar  # force of its spring at the foot plate at rest [N]
-    force: ag.Scalar  # the same, pressed down [N]
+    force: ag.Scalar  # force at the end of the travel [N]
 
 
 @dataclass(frozen=True)
@@ -80,10 +80,10 @@ class Draft:
 
     can: Can  # the shell
     looks: Looks  # its materials
-    dress: Dress  # what goes around its wall
-    carry: Carry  # what the inner bucket is carried by
+    dress: Dress  # the bands around its wall
+    carry: Carry  # carrier of the inner bucket
     inner: ag.Material  # material of the bucket
-    maker: str  # whose name is on the lid
+    maker: str  # brand on the lid
     model: int  # its number
 
     def lift_out(
@@ -225,7 +225,7 @@ def butterfly_bin(draft: Draft, lid: Lid, foot: Foot | None) -> ag.Body:
 
 
 def pedal_bin(draft: Draft, lid: Lid, foot: Foot) -> ag.Body:
-    """Make a bin whose lid a pedal opens, through a rod behind the wall."""
+    """Make a bin with a lid that a pedal opens, through a rod behind the wall."""
     can, looks = draft.can, draft.looks
     hinge = Hinge(can, foot.crank + 0.007, 0.006)
     linkage = draft.linkage(
@@ -249,7 +249,7 @@ def pedal_bin(draft: Draft, lid: Lid, foot: Foot) -> ag.Body:
 
 
 def lift_bin(draft: Draft, lid: Lid, grip: Grip) -> ag.Body:
-    """Make a bin whose lid hands lift; it falls shut, or stays where it leans back."""
+    """Make a bin with a lid that a hand lifts; it falls shut, or stays open where it leans back."""
     can, looks = draft.can, draft.looks
     hinge = Hinge(can, 0.016, can.top - _SHORT)
     solids, holds = lid_grip(can, low=can.top + GAP, thick=THICK, style=grip, lid=lid.style)
@@ -263,7 +263,7 @@ def lift_bin(draft: Draft, lid: Lid, grip: Grip) -> ag.Body:
 
 
 def touch_bin(draft: Draft, lid: Lid) -> ag.Body:
-    """Make a bin whose lid springs open when its button is pressed."""
+    """Make a bin with a lid that springs open when its button is pressed."""
     can, looks = draft.can, draft.looks
     hinge, catch = Hinge(can, 0.016, can.top - _SHORT), Catch(can)
     body = stand(can, looks, floor=can.foot, dress=draft.dress, holes=catch.hole())

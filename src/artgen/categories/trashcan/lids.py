@@ -18,7 +18,7 @@ LidStyle = Literal["flat", "domed", "stepped"]
 """A slab with soft edges, a cushion, or a slab with a smaller one on it."""
 
 Grip = Literal["none", "lip", "bar", "knob"]
-"""By what a hand lifts a lid: nothing, a lip in front, a bar or a knob on it."""
+"""Grip of a lid: none, a lip in front, a bar or a knob on it."""
 
 GAP = 0.0023
 """Between the rim and the lid [m]."""
@@ -30,19 +30,19 @@ STEP = 0.006
 """How much higher the middle of a stepped lid is [m]."""
 
 SPARE = 0.004
-"""What an open lid keeps from what rises before it [m]."""
+"""Clearance between an open lid and the parts that rise before it [m]."""
 
 _HUB = 0.0062  # radius of the lid's hub [m]
 _HALF = 0.013  # half the length of the hub [m]
 _CHEEK = 0.0034  # thickness of the cheeks beside it [m]
 _ROUND = 0.0082  # radius of the cheeks about the pin [m]
-_SHELL = 0.4  # what a moulding of 1.3 mm walls weighs of a solid one
+_SHELL = 0.4  # mass of a moulding of 1.3 mm walls over that of a solid one
 _CUSHION = 90.0  # sheet of 0.4 mm around air, 2-3 kg/m2 where it is 25-35 mm high [kg/m3]
 _LEAST_ROUND = 0.012  # corner of a cushion [m]
 _SLOPE = 2.25  # how far a cushion leans inward over its rise, at most: its lower edge stays fit to round
 _BELOW = 0.006  # the axis under the rim [m]
 _SOFT = 0.0032  # bevel of a slab [m]
-_WITHIN = 0.0003  # how far facets lie below what is seen of them [m]
+_WITHIN = 0.0003  # depth of facets below the visible surface [m]
 _LIP = 0.020  # how far a lip stands out in front [m]
 
 
@@ -89,7 +89,7 @@ class Hinge:
         return ag.weld(*parts)
 
     def arm(self, low: ag.Scalar, thick: ag.Scalar) -> list[ag.Solid]:
-        """Make the hub of the lid and the arm from it to a lid whose underside is at a height."""
+        """Make the hub of the lid and the arm from it to a lid with its underside at a height."""
         y, z = self.axis
         hub = ag.cylinder(_HUB, 2.0 * _HALF, axis=ag.X, bevel=0.0008).at(0.0, y, z)
         top = low + 0.7 * thick
@@ -132,7 +132,7 @@ class Hinge:
         return self.axis[0] + 0.0083
 
     def clear(self, height: ag.Scalar, before: ag.Scalar) -> ag.Float:
-        """Return the angle at which the lid leaves free what rises from the bin [rad]."""
+        """Return the angle at which the lid clears the parts that rise from the bin [rad]."""
         return ag.atan2(height, self.behind + before - SPARE)
 
 
@@ -172,7 +172,7 @@ def lid_panel(
 
 
 def _faceted(seen: ag.Solid, met: ag.Solid, finish: ag.Material, plan: Plan) -> list[ag.Body]:
-    """Make one piece of a lid; of a round one what is seen is only that, and what is met has few facets.
+    """Make one piece of a lid; a round one has a skin without colliders over a core of few facets.
 
     A round slab of its own would collide as four pieces of many vertices, a cushion as eight; simulators find
     the contacts with the flat side of so wide a cylinder only roughly.
@@ -183,9 +183,9 @@ def _faceted(seen: ag.Solid, met: ag.Solid, finish: ag.Material, plan: Plan) -> 
 
 
 def _disc(radius: ag.Scalar, thick: ag.Scalar) -> ag.Solid:
-    """Make a disc of few facets within a slab whose underside is at z = 0.
+    """Make a disc of few facets within a slab with its underside at z = 0.
 
-    It is four quarters: what a lid falls on, such as a raised bucket, then meets it at points all around.
+    It has four quarters: a lid meets a raised bucket at points all around.
     """
     wide, high = radius - 0.8 * _SOFT, thick - 2.0 * _WITHIN
     quarter = ag.revolve(ag.rectangle(wide, high).at(wide / 2.0, thick / 2.0), angle=math.pi / 2.0, sides=32)
@@ -206,7 +206,7 @@ def _cap(radius: ag.Scalar, rise: ag.Scalar) -> ag.Solid:
 def lid_grip(
     can: Can, *, low: ag.Scalar, thick: ag.Scalar, style: Grip, lid: LidStyle
 ) -> tuple[list[ag.Solid], list[ag.Frame]]:
-    """Make what a hand lifts a lid by, to be part of it, and the frames at which it does."""
+    """Make the grip of a lid, to be part of it, and its grasp frames."""
     if style == "lip" or lid == "domed":
         wide = 0.34 * can.width
         lip = ag.box(wide, _LIP + 0.012, 0.008, bevel=0.003)
@@ -237,7 +237,7 @@ _PLAY = 0.0005  # between the foot and the bar above it [m]
 _CAP = (0.050, 0.013, 0.016)  # of the button [m]
 _PROUD = 0.009  # how far the button stands out [m]
 _TRAVEL = 0.0062  # of the button [m]
-_FREE = 0.0049  # of its travel, from which the foot passes [m]
+_FREE = 0.0049  # travel at which the foot passes [m]
 _FRICTION = 0.02  # of the hinge of a lid [N m]
 _GRAVITY = 9.81  # [m/s2]
 
@@ -265,7 +265,7 @@ class Catch:
         return tool.at(0.0, self.can.front, self._bar)
 
     def tongue(self, low: ag.Scalar) -> list[ag.Solid]:
-        """Make the tongue, to be welded to a lid whose underside is at a height."""
+        """Make the tongue, to be welded to a lid with its underside at a height."""
         y = self.can.front + _BEHIND
         blade = ag.box(_TONGUE, _THIN, low + 0.004 - self._foot, bevel=0.0008)
         foot = ag.box(_TONGUE - 0.001, _FOOT + 0.001, _THIN, bevel=0.0006)
@@ -296,7 +296,7 @@ class Catch:
         )
 
     def frees(self, press: ag.Joint) -> ag.Dependency:
-        """Return what the lid needs until its foot has passed the bar."""
+        """Return the condition of the lid until its foot has passed the bar."""
         # the foot has to rise by the heights of foot and bar, 3 mm to spare
         passed = (_THIN + 0.004 + 0.004) / (0.85 * self.can.depth)
         return (press > _FREE).until(passed)

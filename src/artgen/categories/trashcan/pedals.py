@@ -29,7 +29,7 @@ _ARM = 0.022  # width of the lever [m]
 
 
 def asin(value: ag.Scalar) -> ag.Float:
-    """Return the angle whose sine is a number [rad]."""
+    """Return the arc sine of a number [rad]."""
     return ag.atan2(value, ag.sqrt(1.0 - value * value))
 
 

@@ -49,7 +49,7 @@ def _loop(can: Can, finish: ag.Material) -> list[ag.Body]:
 
 
 def bail_play(can: Can, gap: ag.Scalar) -> ag.Scalar:
-    """Return how far a bail can turn before it strikes what is a gap above the rim, a little less [rad]."""
+    """Return the angle by which a bail turns before it strikes a part above the rim, slightly less [rad]."""
     return 0.9 * gap / (_REACH * can.depth / 2.0)
 
 
@@ -112,7 +112,7 @@ class Looks:
     lid: ag.Material  # of its lid or hood
     trim: ag.Material  # of rim, base and hinge
     bright: ag.Material  # of rings and pins
-    plastic: ag.Material  # of what is hidden, and of hinges
+    plastic: ag.Material  # hidden parts, and hinges
 
 
 def stand(

@@ -84,7 +84,7 @@ def window(
     opens: Literal["inwards", "outwards"] = ag.by(
         "style", casement=ag.choice("inwards", "outwards", weights=(0.6, 0.4)), otherwise="outwards"
     ),
-    hand: Literal["left", "right"] = ag.choice("left", "right", doc="side of the hinges, or of what slides"),
+    hand: Literal["left", "right"] = ag.choice("left", "right", doc="side of the hinges, or of the slider"),
     hands: Literal["same", "opposite"] = ag.by(
         "layout", single="same", otherwise=ag.choice("same", "opposite", weights=(0.3, 0.7))
     ),
@@ -213,7 +213,7 @@ def window(
     glazing = Glazing(glass, sheets, columns, rows, finish)
     hinged = style in ("casement", "awning")
     draft = Draft(wide, tall, section, glazing, finish, metal, lever_friction if hinged else lock_friction)
-    # simulators look at all pairs of what is near: hinges of many leaves only are seen
+    # simulators test all pairs of close colliders: hinges of many leaves have none
     few = {"single": 1, "pair": 2}.get(layout, 4) + 2 * (shutters != "none") < 4
     hung = Swing(
         swing,

@@ -68,7 +68,7 @@ def rebated_frame(
     soft = min(eased, 0.002)
     thick = deep - section.stop - 0.0004
     stop = ag.rectangle(STOP, thick, radius=soft).at(STOP / 2.0, -section.stop - thick / 2.0)
-    # a stop reaches 2 mm into what it stands on
+    # a stop reaches 2 mm into its base
     stands = Rect(-0.002, STOP, -section.stop - thick, -section.stop)
     seal = ag.rectangle(0.0045, SEALED - 0.0008, radius=0.001).at(-0.0028, (SEALED - 0.0008) / 2.0)
     for cell in places:

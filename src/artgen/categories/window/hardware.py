@@ -146,7 +146,7 @@ def window_lever(
 
 
 def _octagonal(wide: float, deep: float, tall: float, *, cut: float) -> ag.Solid:
-    """Make an upright bar about the origin whose edges are cut off."""
+    """Make an upright bar about the origin with cut edges."""
     x, y = wide / 2.0, deep / 2.0
     right = [(x, cut - y), (x, y - cut), (x - cut, y)]
     corners = [(x - cut, -y), *right, *((-a, -b) for a, b in [(x - cut, -y), *right])]
@@ -164,14 +164,14 @@ def bow_pull(*, length: ag.Scalar, girth: float, finish: ag.Material, name: str)
 
 
 def swings_out(arm: ag.Scalar, back: ag.Scalar, past: ag.Scalar) -> ag.Scalar:
-    """Return how far from the axis of a sash a corner comes before it has passed something beside it [m]."""
+    """Return the distance of a corner from the axis of a sash that clears a part beside it [m]."""
     return past * (back - past / 2.0) / arm
 
 
 class CamLock(NamedTuple):
     """Cams in the edge of a sash, which a lever slides behind keeps on the frame."""
 
-    rod: ag.Body  # what slides: the link `bolt`
+    rod: ag.Body  # the sliding part: the link `bolt`
     keeps: ag.Body  # to be welded to the frame
     slide: ag.Joint  # the joint of the rod
     passed: ag.Float | ag.Scalar  # angle of the pane at which the cams are out of the keeps' way [rad]

@@ -1,4 +1,4 @@
-"""Windows whose sashes hang in a rebated frame: casements and awnings; and what every window has.
+"""Casements and awnings, which hang in a rebated frame; and the common parts of all windows.
 
 All are drawn about the middle of their opening. Sashes open to -y, so that those that open inwards are
 mirrored.
@@ -31,14 +31,14 @@ from artgen.categories.window.plan import LIP, REBATE, SEALED, STOP, Section
 from artgen.categories.window.sashes import Glazing, lipped_sash
 
 _GRAVITY = 9.81  # [m/s^2]
-_HOLDS = 1.15  # friction of a stay that holds a sash anywhere, over what its weight asks for
-_LIFTS = 52.0  # what a hand lifts an awning with at most [N]
+_HOLDS = 1.15  # ratio of the friction of a stay to the load of a sash
+_LIFTS = 52.0  # largest force of a hand that lifts an awning [N]
 _LEVERS_MEET = (
     "the levers of two sashes that open towards each other would meet: take a smaller swing, a shorter "
     "lever_length, a larger width or hands=same"
 )
 _HINGED = 0.288  # side of a sash on which its two hinges have room [m]
-_LOCKED = 0.228  # the same of one whose hinges only are seen: its two keeps have room [m]
+_LOCKED = 0.228  # gap of a sash with hinges without colliders: its two keeps have room [m]
 _TOO_SHORT = (
     "a sash has no room for its hinges and for two keeps: raise height, or width of an awning, or upper of a "
     "cross"
@@ -63,7 +63,7 @@ class Draft:
     width: ag.Float  # of the opening in the frame [m]
     height: ag.Float  # [m]
     section: Section  # of the system
-    glazing: Glazing  # what fills the sashes
+    glazing: Glazing  # filling of the sashes
     finish: ag.Material  # of the frame
     metal: ag.Material  # of levers, locks and hinges
     friction: ag.Float  # of the gear or detent of a lock [N m; N for a latch]
@@ -79,9 +79,9 @@ class Swing:
     lever: LeverStyle  # style of the lever
     length: ag.Float  # of the lever [m]
     turn: float  # how far it turns [rad]
-    stay: Literal["friction", "none"]  # what holds an awning: a friction stay, or nothing
+    stay: Literal["friction", "none"]  # holder of an awning: a friction stay, or nothing
     # whether hinges and stops have mass and collide; those of many leaves only are seen, since simulators
-    # look at all pairs of what is near
+    # test all pairs of close colliders
     solid: bool
 
 
@@ -98,7 +98,7 @@ def casement(
         body = ag.weld(body, hung.at(cell.x, 0.0, cell.z))
     if inward:
         for left, right in pairwise(places[: len(hands)]):
-            if hands[left.column] < hands[right.column]:  # both hang on what is between them
+            if hands[left.column] < hands[right.column]:  # both hang on the post between them
                 pin = Pin.beside(left.width, draft.section).x
                 reach = left.width / 2.0 - _seen(draft.section, inward=True) / 2.0 - pin - swing.length
                 out = LEVER_OUT + draft.section.lip / 2.0
@@ -128,7 +128,7 @@ def _seen(section: Section, *, inward: bool) -> ag.Scalar:
 class _Hung:
     """A sash in an opening about the origin, with hinges at its left."""
 
-    draft: Draft  # what every window has
+    draft: Draft  # the common parts of all windows
     swing: Swing  # how it hangs
     width: ag.Scalar  # of the opening [m]
     height: ag.Scalar  # [m]
@@ -136,7 +136,7 @@ class _Hung:
     falls: bool = False  # whether its hinges are to be level
 
     def body(self) -> ag.Body:
-        """Make what belongs to the frame, with the sash on it."""
+        """Make the parts of the frame, with the sash on it."""
         draft, swing, section, metal = self.draft, self.swing, self.draft.section, self.draft.metal
         pin = Pin.beside(self.width, section)
         tall = ag.require(self.height, self.height > (_HINGED if swing.solid else _LOCKED), _TOO_SHORT)
@@ -151,7 +151,7 @@ class _Hung:
             solid=swing.solid,
         )
         face = -SEALED - section.lip if self.inward else section.depth
-        # in the middle of what the stop leaves of the lock stile
+        # in the middle of the free part of the lock stile
         at = (self.width / 2.0 - _seen(section, inward=self.inward) / 2.0, face, 0.0)
         rose, lever = window_lever(
             at, side=-1 if self.inward else 1, style=swing.lever, length=swing.length, finish=metal

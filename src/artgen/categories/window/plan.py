@@ -55,7 +55,7 @@ SECTIONS: dict[Kind, Section] = {
     "pvc": Section(0.060, 0.056, 0.054, 0.0160, 0.044, 0.0035),  # 70 mm five-chamber systems
     "aluminium": Section(0.048, 0.046, 0.046, 0.0120, 0.036, 0.0010),  # slim thermally broken ones
 }
-"""By what they are made of."""
+"""Their material."""
 
 STOP = 0.018
 """How far stops stand out into an opening [m]."""
@@ -124,7 +124,7 @@ _THINNER = 0.0001  # [m]
 
 
 def under(eased: float) -> float:
-    """Return how far boards lie under the surface of a ring whose edges are eased by a radius [m]."""
+    """Return the depth of boards under the surface of a ring with edges eased by a radius [m]."""
     return 0.3 * eased + 0.0002
 
 

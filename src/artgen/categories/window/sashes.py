@@ -9,7 +9,7 @@ from artgen.categories.window.hardware import BARREL, Pin, barrel_hinges, bow_pu
 from artgen.categories.window.plan import LIP, REBATE, SEALED, SEAM, Rect, Section, ring_of
 
 PANE = 0.012
-"""Thickness of an insulating glass as it is built [m]; it weighs what its panes do."""
+"""Thickness of an insulating glass as it is built, with the mass of its panes [m]."""
 
 _SHEET = 0.004  # thickness of a sheet of glass [m]
 
@@ -25,7 +25,7 @@ class Glazing:
     finish: ag.Material  # of the ring, the beads and the bars
 
     def within(self, width: ag.Scalar, height: ag.Scalar, thickness: ag.Scalar) -> list[ag.Body]:
-        """Fill a ring about the origin, whose middle plane is y = 0."""
+        """Fill a ring about the origin, with its middle plane at y = 0."""
         heavy = self.glass.density * _SHEET * self.sheets / PANE
         glass = self.glass.with_(name=f"{self.glass.name}_{self.sheets}_sheets", density=heavy)
         opening = Opening(width, height, [(0.0, 0.0, 0.0)], 1, self.finish, "pane")

@@ -1,4 +1,4 @@
-"""Windows whose sashes slide: past fixed ones, past each other to the side, or up and down.
+"""Windows with sliding sashes: past fixed ones, past each other to the side, or up and down.
 
 All are drawn about the middle of their opening, with their inside at +y.
 """
@@ -23,7 +23,7 @@ class SashLock(NamedTuple):
     """A cam on the lower meeting rail that turns under a keeper on the upper one."""
 
     base: ag.Body  # to be welded to the lower sash
-    cam: ag.Body  # what turns: the link `lock`
+    cam: ag.Body  # the turning part: the link `lock`
     keeper: ag.Body  # to be welded to the upper sash
     turn: ag.Joint  # the joint of the cam
     free: float  # where the cam has left the upper sash [rad]
@@ -85,7 +85,7 @@ def sash_lock(
 
 
 def sash_lifts(places: list[ag.Scalar], face: ag.Scalar, z: ag.Scalar, finish: ag.Material) -> ag.Body:
-    """Make hook lifts on the bottom rail of a sash whose face looks to +y."""
+    """Make hook lifts on the bottom rail of a sash with its face to +y."""
     plate = ag.box(0.054, 0.0035, 0.026, bevel=0.0014).at(0.0, face + 0.0012, z)
     hook = ag.box_between((-0.023, face + 0.001, z + 0.001), (0.023, face + 0.020, z + 0.0065), bevel=0.0022)
     lip = ag.box_between((-0.023, face + 0.016, z + 0.001), (0.023, face + 0.020, z + 0.0125), bevel=0.0018)
@@ -110,7 +110,7 @@ class Latch(NamedTuple):
     """A latch on the stile of a sliding sash that drops behind a keep on the frame."""
 
     case: ag.Body  # to be welded to the sash
-    slider: ag.Body  # what is lifted: the link `lock`
+    slider: ag.Body  # the lifted part: the link `lock`
     keep: ag.Body  # to be welded to the frame
     slide: ag.Joint  # the joint of the slider
     free: float  # height at which it clears the keep [m]
@@ -126,9 +126,9 @@ def sliding_latch(
     friction: ag.Scalar,
     finish: ag.Material,
 ) -> Latch:
-    """Make a latch on the face of a sash that looks to +y."""
+    """Make a latch on the face of a sash at +y."""
     x, face, z = at
-    tall, wide = 0.014, 0.010  # of the keep, and of what drops beside it [m]
+    tall, wide = 0.014, 0.010  # of the keep, and of the part that drops beside it [m]
     bottom = floor + 0.0015
     slider = ag.box_between(
         (x - wide / 2.0, face + 0.003, bottom), (x + wide / 2.0, face + 0.0105, z + 0.020), bevel=0.001
@@ -189,7 +189,7 @@ def _sliding_pair(draft: Draft, long: ag.Scalar, start: float, bar: ag.Scalar, d
     middle, inside = long / 2.0, tracks.inner + section.slide / 2.0
     # the fixed sash is screwed to the frame, half a millimetre into it
     still, wide = middle + face / 2.0 + _LET_IN, middle + face / 2.0 - start
-    stile = start + face / 2.0 + 0.004  # in the middle of what the strip at the jamb leaves of it
+    stile = start + face / 2.0 + 0.004  # in the middle of the part that the strip at the jamb leaves free
     floor = _STRIP - draft.height / 2.0
     pull = bow_pull(length=bar, girth=0.0052, finish=draft.metal, name="handle_front")
     level, lock = _level(bar, draft.height), floor + 0.048
@@ -227,7 +227,7 @@ def _level(bar: ag.Scalar, height: ag.Scalar) -> ag.Scalar:
 class _Passing:
     """Two sashes that pass each other, the inner one below the outer one, with a lock where they meet."""
 
-    draft: Draft  # what every window has
+    draft: Draft  # the common parts of all windows
 
     @property
     def face(self) -> float:
@@ -290,7 +290,7 @@ def double_hung(draft: Draft, *, lifts: int, drag: ag.Scalar) -> ag.Body:
     """Make two sashes that slide up and down, each balanced by springs, with a lock where they meet.
 
     Block-and-tackle and constant-force balances carry the weight of a sash at every height; brushes hold
-    what is left (ANSI/AAMA 902). A soft spring that is drawn far out has a nearly constant force.
+    the remainder (ANSI/AAMA 902). A soft spring that is drawn far out has a nearly constant force.
     """
     pair = _Passing(draft)
     places: list[ag.Scalar] = [0.0] if lifts == 1 else [-0.26 * pair.wide, 0.26 * pair.wide]
@@ -306,10 +306,12 @@ def double_hung(draft: Draft, *, lifts: int, drag: ag.Scalar) -> ag.Body:
 def sliding_both(draft: Draft, *, bar: ag.Scalar, drag: ag.Scalar) -> ag.Body:
     """Make two sashes that both slide, the inner one from the left, with a lock where they meet."""
     glazing = replace(draft.glazing, columns=draft.glazing.rows, rows=draft.glazing.columns)
-    # hung sashes laid on their side: what is below comes to the left
+    # hung sashes laid on their side: the lower one comes to the left
     pair = _Passing(replace(draft, width=draft.height, height=draft.width, glazing=glazing))
     pull = bow_pull(length=bar, girth=0.0052, finish=draft.metal, name="handle_front")
-    stile = pair.face / 2.0 + 0.004 - pair.tall / 2.0  # in the middle of what the strip at the jamb leaves
+    stile = (
+        pair.face / 2.0 + 0.004 - pair.tall / 2.0
+    )  # in the middle of the part that the strip at the jamb leaves free
     level = _level(bar, draft.height)
     pull = pull.rotate(ag.Z, math.pi).rotate(ag.Y, -math.pi / 2.0).at(-level, pair.inside, stile)
     body = tracked_frame(draft.height, draft.width, draft.section, draft.finish, head=_STRIP)

@@ -1,4 +1,4 @@
-"""Mains cords as they are seen: strain relief, cord and plug; rigid models of limp things are details."""
+"""Visible mains cords: strain relief, cord and plug, without colliders."""
 
 import math
 from collections.abc import Sequence
@@ -69,7 +69,7 @@ def _down(reach: ag.Scalar, fall: ag.Scalar) -> list[ag.VectorLike]:
 
 
 def _bend(fall: ag.Scalar) -> ag.Float:
-    """Return the radius of the bends of a cord that falls by so much [m]."""
+    """Return the radius of the bends of a cord over a height [m]."""
     return ag.min_(0.016, -0.45 * fall)
 
 

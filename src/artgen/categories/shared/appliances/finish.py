@@ -6,7 +6,7 @@ A category draws a look, and by it the finish of its front and the metal of its 
     finish: Material = fronts()
     metal: Material = grip_metals()
 
-Walls of appliances are sheet metal around foam, wool or air: `filled` gives them what they weigh.
+Walls of appliances are sheet metal around foam, wool or air: `filled` gives them their density.
 """
 
 from dataclasses import dataclass
@@ -21,9 +21,9 @@ from artgen.materials import COLORS
 class ApplianceSpace:
     """The measures that appliances share."""
 
-    width: ag.Float  # of everything [m]
-    height: ag.Float  # of everything but what stands on a range [m]
-    depth: ag.Float  # of everything, a handle included [m]
+    width: ag.Float  # overall width [m]
+    height: ag.Float  # overall height without parts on the top of a range [m]
+    depth: ag.Float  # overall depth, a handle included [m]
     projection: ag.Scalar  # of a handle before the door [m]
     thickness: ag.Float  # of the door [m]
 
@@ -44,12 +44,12 @@ class ApplianceSpace:
 
     @cached_property
     def rear(self) -> ag.Scalar:
-        """The back of everything, along y [m]."""
+        """The rearmost plane, along y [m]."""
         return self.depth / 2.0
 
 
 Look = Literal["stainless", "dark_steel", "white", "black", "pastel", "glass", "panel"]
-"""Families of finishes: what a shop sells as one line."""
+"""Families of finishes: product lines of a shop."""
 
 LOOKS: tuple[Look, ...] = get_args(Look)
 
@@ -139,7 +139,7 @@ def grip_metals(*looks: Look) -> Any:
 
 
 def cabinet_finish(look: Look, finish: ag.Material) -> ag.Material:
-    """Return what the sides of an appliance are made of whose front has a finish.
+    """Return the finish of the sides of an appliance for the finish of its front.
 
     Steel and panel fronts have cabinets of painted sheet; colored ones are of one color all around.
     """
@@ -156,7 +156,7 @@ def filled(finish: ag.Material, density: float, what: str = "filled") -> ag.Mate
 
 
 LINER = ag.material("glossy_plastic_white").with_(name="liner_white", specular_roughness=0.3)
-"""White polystyrene, of which refrigerators are lined [vacuum-formed HIPS sheet]."""
+"""White polystyrene of liners [vacuum-formed HIPS sheet]."""
 
 LINER_GREY = LINER.with_(name="liner_grey", base_color=(0.33, 0.34, 0.35), specular_roughness=0.4)
 """Grey lining, as behind steel fronts."""

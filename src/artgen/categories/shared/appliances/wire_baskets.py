@@ -127,7 +127,7 @@ class Basket:
             (x, 0.0, low),
             (x, 0.0, level),
         ]
-        # the rods across end at the mean height of the sloping rim, whose ends are a little off
+        # the rods across end at the mean height of the sloping rim; its ends are slightly off
         bent = [
             details.bent_wires(
                 ag.polyline(column, fillet=bend),

@@ -79,7 +79,7 @@ def button_press(
         rest=-preload / stiffness,
         damping=damping,
         friction=0.1,  # of the cap in its guide
-        armature=0.03,  # the slide of the switch; so light a thing would sink into its stop in MuJoCo
+        armature=0.03,  # the slide of the switch; a lighter part would sink into its stop in MuJoCo
         effort=effort,
     )
 

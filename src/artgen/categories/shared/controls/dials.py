@@ -19,7 +19,7 @@ GAP = 0.0006
 
 _FLUTES = 18
 _FLUTE = 0.055  # depth of a flute, as a share of the radius
-_CLEAR = 0.0012  # of the tips of fingers to what is behind them [m]
+_CLEAR = 0.0012  # distance of finger tips from the panel [m]
 
 
 def _fluted() -> ag.Profile:

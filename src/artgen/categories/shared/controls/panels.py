@@ -1,7 +1,7 @@
 """Control panels: a strip of black glass, a display, printed icons and lamps. All of it is only seen.
 
-Everything lies on the plane y = 0 and looks to -Y; move it to its face, or turn it there by `rotate`. Buttons
-and dials, which move, are joined at the same places, which `places` gives.
+All parts lie on the plane y = 0 and face -Y; move them to their face, or turn them there by `rotate`. Buttons
+and dials, which move, are attached at the same places, which `places` returns.
 """
 
 from collections.abc import Sequence
@@ -32,7 +32,7 @@ def ink_on(face: ag.Material) -> ag.Material:
 
 
 def places(count: int, pitch: ag.Scalar, *, middle: ag.Scalar = 0.0) -> list[ag.Scalar]:
-    """Return the middles of things in a row along x [m]."""
+    """Return the centers of a row of parts along x [m]."""
     return [middle + (index - (count - 1) / 2.0) * pitch for index in range(count)]
 
 
@@ -98,7 +98,7 @@ def lamp_row(
     color: Literal["white", "green", "blue", "amber", "red"] = "white",
     proud: ag.Scalar = PANE,
 ) -> ag.Body:
-    """Make a row of small lamps, one of which shines."""
+    """Make a row of small lamps; one of them is lit."""
     dark = ag.MATERIALS["abs"].with_(name="lamp_dark", base_color=(0.10, 0.10, 0.10), texture="", tile=None)
     groups = [
         ([place for index, place in enumerate(at) if (index == lit) == shines], each)

@@ -62,7 +62,7 @@ def gas_burner(
     edge = 1.34 * radius
     well = ag.revolve(ag.polygon([(0.0, -0.0004), (edge, -0.0004), (edge - 0.0015, 0.0009), (0.0, 0.0012)]))
     bodies = [ag.detail(well, "burner", ALUMINIUM)]
-    # a dark drum, seen between the teeth, weighs what cup, spreader and cap weigh; they are only seen
+    # a dark drum between the teeth has the mass of cup, spreader and cap, which are only visible
     heavy = _drum_density(spreader, cap)
     dark = _SOOT.with_(
         name=f"{_SOOT.name}_{size}_{spreader.name}",
@@ -97,7 +97,7 @@ def gas_burner(
 
 
 def _drum_density(spreader: ag.Material, cap: ag.Material) -> float:
-    """Return what the drum of a medium burner weighs by its volume, for what is seen around it [kg/m3].
+    """Return the density of the drum of a medium burner that gives it the mass of the visible parts [kg/m3].
 
     The shares are the volumes of spreader with cup and of the cap in that of the drum, which is 22 mm high.
     Other sizes weigh the same, as castings of larger ones are thinner: a top that is as heavy at its left as
@@ -194,7 +194,7 @@ def radiant_zone(radius: ag.Scalar, *, dual: bool) -> ag.Profile:
 
 
 def induction_zone(radius: ag.Scalar, *, style: str) -> ag.Profile:
-    """Make what is printed over an induction coil."""
+    """Make the print over an induction coil."""
     arm = ag.rectangle(0.030, 0.0011) | ag.rectangle(0.0011, 0.030)
     if style == "cross":
         gap = ag.rectangle(3.0 * radius, 0.55 * radius) | ag.rectangle(0.55 * radius, 3.0 * radius)
@@ -214,7 +214,7 @@ def induction_zone(radius: ag.Scalar, *, style: str) -> ag.Profile:
 
 
 def printed_zones(zones: Sequence[tuple[Place, ag.Profile]], top: ag.Scalar, ink: ag.Material) -> ag.Body:
-    """Print zones on a glass whose upper face is at a height, as one film."""
+    """Print zones on a glass with its upper face at a height, as one film."""
     place, film = zones[0]
     whole = film.at(place.x, place.y)
     for place, film in zones[1:]:
@@ -223,7 +223,7 @@ def printed_zones(zones: Sequence[tuple[Place, ag.Profile]], top: ag.Scalar, ink
 
 
 GrateStyle = Literal["continuous", "single", "diagonal"]
-"""One for each column of burners, one for each burner, or the same with fingers from the corners."""
+"""One grate per column of burners, one per burner, or one per column with fingers from the corners."""
 
 TOP = 0.043
 """How high above the plate the pots stand [m]."""
@@ -295,7 +295,7 @@ def grate(
     ends = [(x + way * wide, 0.5 * (front + back)) for way in (-1, 1)]
     sides = _bars((_WIDE, back - front), ends, top - 0.0002)
     inner = _fingers(burners, half, diagonal=style == "diagonal", top=top)
-    # legs under the corners, whose ends have rubber around them
+    # legs under the corners, with rubber around their ends
     corners = [ag.vector(x + i * wide, y, 0.0) for i in (-1, 1) for y in (front, back)]
     leg = ag.box_between((-0.0046, -0.0046, plate + _REST), (0.0046, 0.0046, top - 0.004), bevel=_SOFT)
     pad = ag.box_between((-0.0052, -0.0052, plate + _REST), (0.0052, 0.0052, plate + 0.006), bevel=0.0015)

@@ -41,7 +41,7 @@ COLUMNS: dict[tuple[int, int], tuple[int, ...]] = {
     (6, 2): (2, 2, 2),
 }
 
-# Their sizes in the same order, in a column from the front to the back.
+# Their sizes in the same order, from the front to the back of a column.
 _SIZES: dict[tuple[int, int], tuple[BurnerSize, ...]] = {
     (2, 1): ("large", "medium"),
     (3, 1): ("medium", "wok", "small"),

@@ -1,4 +1,4 @@
-"""Carcasses of furniture: boards, partitions, shelves on pins, worktops, and what they stand on.
+"""Carcasses of furniture: boards, partitions, shelves on pins, worktops, legs and plinths.
 
 A carcass stands about the z axis with its open front facing -y. Boards that meet keep a hair of a seam, and
 ends reach a hair into the faces that they abut.
@@ -178,7 +178,7 @@ class Carcass:
     def standing(
         self, stand: Stand, *, setback: ag.Scalar, leg: LegStyle, finish: ag.Material
     ) -> list[ag.Body]:
-        """Make what carries it."""
+        """Make its stand: plinth, legs or feet."""
         match stand:
             case "plinth":
                 return self.plinth(setback, self.finish)
@@ -246,7 +246,7 @@ class Carcass:
 
 
 def _leg(style: LegStyle, tall: ag.Scalar) -> tuple[list[ag.Solid], list[ag.Solid]]:
-    """Make the leg at the left of the front, its upper end at the origin, and what only is seen of it."""
+    """Make the left front leg with its upper end at the origin, and its parts without colliders."""
     plate = [ag.box(0.07, 0.07, 0.0024, bevel=0.0006).at(0.0, 0.0, tall - 0.002)]
     match style:
         case "square":

@@ -77,7 +77,7 @@ class Fittings:
     sweep: bool = False  # whether a brush seals the gap to the floor
 
     def bare(self) -> "Fittings":
-        """Return those of a leaf that nobody enters by."""
+        """Return the fittings of a leaf that is no entrance."""
         return Fittings(self.finish, kick=self.kick, sweep=self.sweep)
 
 
@@ -90,9 +90,9 @@ class Blank:
     top: ag.Float  # height of its top above the floor, of the crown of an arch [m]
     thickness: ag.Float  # [m]
     rise: ag.Float | None  # rise of an arched top over its ends [m]; None for a straight one
-    cut: ag.Solid | None  # what the hardware needs taken out of the lock stile; None for nothing
-    finish: ag.Material  # what the leaf is made of
-    fittings: Fittings  # what an entrance has besides its lock
+    cut: ag.Solid | None  # cutter of the hardware in the lock stile; None for none
+    finish: ag.Material  # material of the leaf
+    fittings: Fittings  # fittings of an entrance besides its lock
     reach: ag.Float  # height above the floor at which hands push it [m]
 
     @property
@@ -122,7 +122,7 @@ class Blank:
         return ag.frame(at, approach=(0.0, -1.0, 0.0), closing=(1.0, 0.0, 0.0))
 
     def carved(self, solid: ag.Solid) -> ag.Solid:
-        """Return a solid without what the hardware needs."""
+        """Return a solid without the cutouts of the hardware."""
         return solid if self.cut is None else solid - self.cut
 
     def board(self, x: ag.Scalar, z: ag.Scalar, bevel: ag.Scalar = EASED) -> ag.Solid:

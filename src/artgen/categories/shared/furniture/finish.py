@@ -78,7 +78,7 @@ STEELS = weighing([ag.colored("powder_coat", color) for color in _STEELS], 620.0
 """Painted sheet steel, folded."""
 
 WHITE_BOARD = ag.colored("lacquered_mdf", "cool_white").with_(name="melamine_inside", **_FOIL)
-"""White melamine, of which the insides of kitchen cabinets are."""
+"""White melamine of the insides of kitchen cabinets."""
 
 PLY = ag.material("plywood").with_(name="birch_ply", base_color=(0.70, 0.55, 0.37))
 """Birch plywood: backs, and the bottoms and sides of drawers."""
@@ -93,7 +93,7 @@ GREY_STEEL = ag.colored("powder_coat", "light_grey").with_(name="grey_steel_wall
 """Sides of drawers, folded of sheet steel and hollow."""
 
 CREAM_STEEL = ag.colored("powder_coat", "ivory").with_(name="cream_steel")
-"""Epoxy-coated steel, of which roller runners are."""
+"""Epoxy-coated steel of roller runners."""
 
 CLEAR_RUBBER = ag.material("polycarbonate").with_(name="clear_rubber", density=1150.0, friction=0.9)
 """Bumpers behind doors."""
@@ -161,7 +161,7 @@ def hardware() -> Any:
 
 
 def leg_finishes() -> Any:
-    """Draw what legs are made of by the parameter `leg`: wood, or the metal of a tube."""
+    """Draw the material of legs by the parameter `leg`: wood, or the metal of a tube."""
     metals = ("powder_coat_black", "satin_brass", "stainless")
     return ag.by(
         "leg",

@@ -17,7 +17,7 @@ class FrontLook:
     """How fronts look."""
 
     style: FrontStyle  # their build
-    finish: ag.Material  # what they are made of
+    finish: ag.Material  # their material
     rail: ag.Scalar  # width of stiles and rails [m]
     moulding: Sticking  # of the edge of the frame around a shaker panel
     slope: ag.Scalar  # width of the slope of a ramped front [m]

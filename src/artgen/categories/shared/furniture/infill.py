@@ -1,6 +1,6 @@
 """What fills the openings between the stiles and rails of a leaf: panels, panes and slats, with mouldings.
 
-Everything is made about the origin and copied to the openings, whose middle plane is y = 0.
+All parts are made about the origin and copied to the openings, in the middle plane y = 0.
 """
 
 import math
@@ -10,8 +10,8 @@ from typing import Literal, NamedTuple
 import artgen as ag
 
 _PANE = 0.005  # toughened glass [m]
-_BOARDS = 3  # of which the slats of a section are cut
-_CORE, _SLATS = 0.004, 0.009  # thickness of a board behind slats, and of one that weighs what they do [m]
+_BOARDS = 3  # board from which the slats of a section are cut
+_CORE, _SLATS = 0.004, 0.009  # thickness of a board behind slats, and of one with their mass [m]
 _BEVEL = 0.055  # width of the bevels of a fielded panel, moulding included [m]
 
 
@@ -29,7 +29,7 @@ class Opening(NamedTuple):
     height: ag.Scalar  # [m]
     centers: Sequence[ag.VectorLike]  # where their centers are [m]
     columns: int  # how many there are
-    finish: ag.Material  # what surrounds them
+    finish: ag.Material  # the surrounding frame
     label: str = "door"  # semantic label of the leaf
 
     def everywhere(self, solid: ag.Solid) -> ag.Solid:
@@ -38,7 +38,7 @@ class Opening(NamedTuple):
 
 
 Fill = Callable[[Opening, ag.Scalar], list[ag.Body]]
-"""Makes what fills the openings of a row in a leaf of some thickness [m]."""
+"""Makes the filling of the openings of a row in a leaf of some thickness [m]."""
 
 
 _SECTIONS: dict[str, tuple[tuple[float, float], ...]] = {
@@ -126,7 +126,7 @@ def panes_in(
 
 
 def slats_in(opening: Opening, thickness: ag.Scalar, slats: int, *, joined: bool = False) -> list[ag.Body]:
-    """Make slats of which each begins in height where the last one ends, so that nobody sees through."""
+    """Make overlapping slats: each begins at the height where the last one ends, which blocks the view."""
     pitch = opening.height / slats
     depth = thickness - 0.010
     rise = 0.98 * pitch

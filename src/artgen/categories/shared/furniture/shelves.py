@@ -19,7 +19,7 @@ _LIP_DEEP, _LIP_HIGH = 0.019, 0.009  # of the lip by which a drawer is drawn [m]
 
 
 ORIGIN: tuple[ag.VectorLike, ...] = ((0.0, 0.0, 0.0),)
-"""One thing, at the origin."""
+"""One part at the origin."""
 
 
 def glass_shelf(

@@ -39,7 +39,7 @@ def bent_bar(
     halves: bool,
     run: Callable[[ag.Vector, ag.Vector], ag.Solid] | None = None,
 ) -> list[ag.Solid]:
-    """Make a bar along axes: its straight runs, then its bends, each of which is nearly convex.
+    """Make a bar along axes: its straight runs, then its bends; each is nearly convex.
 
     The hull around a bend stands off its inner side by 0.3 of the radius there, or 0.08 if bends are halved.
     """
@@ -87,14 +87,14 @@ BAR_STYLES: tuple[BarStyle, ...] = ("round", "square", "bow", "strap", "pro", "a
 _SUNK = 0.0006  # how deep feet are let into the front [m]
 _ARCS = 6  # lengths of the curved blade
 _BITE = 0.0003  # how deep the boards of a lining reach into the walls of a cut [m]
-_FINGERS = 0.005  # between an open finger and what it closes on [m]
+_FINGERS = 0.005  # clearance between an open finger and the handle [m]
 
 
 @dataclass(frozen=True)
 class Grip:
     """A grip that is let into a front."""
 
-    cut: ag.Solid  # what to cut out of the front
+    cut: ag.Solid  # cutter of the front
     shell: ag.Body  # its lining, with the label `handle` and the grasp; to be welded to the front
 
     def at(self, x: ag.Scalar, y: ag.Scalar, z: ag.Scalar) -> "Grip":

@@ -100,7 +100,7 @@ def _bar(
     else:
         corners += [(0.002 - length, out, 0.0)]
     bar = ag.sweep(_section(section, girth), ag.polyline(corners, fillet=_BEND))
-    # the tip is rounded by what stands 2 mm out of its end, 0.2 mm smaller all round
+    # an end piece rounds the tip: it protrudes by 2 mm and is 0.2 mm smaller all round
     if section == "round":
         tip = ag.cylinder(girth - 0.0002, 0.004, axis=ag.Y if style == "bent" else ag.X, bevel=0.0018)
     else:

@@ -10,7 +10,7 @@ from artgen.categories.shared.finish import recess
 FootStyle = Literal["pad", "round", "levelling"]
 """A rubber pad, a rounded knob, or a disc on a screw by which an appliance is levelled."""
 
-_SUNK = 0.001  # how deep feet reach into what stands on them [m]
+_SUNK = 0.001  # depth of feet in the part above them [m]
 
 
 def feet(
@@ -22,7 +22,7 @@ def feet(
     finish: ag.Material | None = None,
     label: str = "foot",
 ) -> ag.Body:
-    """Make feet at places of the floor, z = 0; weld them to what stands `height` above it."""
+    """Make feet at places of the floor, z = 0; weld them to the part at the height `height`."""
     tall = height + _SUNK
     if style == "pad":  # a cylinder is one collider
         one = ag.cylinder(radius, tall, bevel=0.0009).at(0.0, 0.0, tall / 2)
@@ -73,7 +73,7 @@ FACING: dict[Way, tuple[float, float, float]] = {
 """Unit vectors of the ways."""
 
 _TURN = 0.5  # how far recesses are turned [rad]
-_FLOOR = {"pan": (0.54, 0.26), "countersunk": (0.60, 0.09)}  # reach and height of what is dark, in radii
+_FLOOR = {"pan": (0.54, 0.26), "countersunk": (0.60, 0.09)}  # reach and height of the dark part, in radii
 
 
 def screws(
@@ -86,7 +86,7 @@ def screws(
     head: Head = "countersunk",
     sunk: ag.Scalar = 0.0,
 ) -> list[ag.Body]:
-    """Make heads of screws on a face, each with a recess whose floor lies in the dark."""
+    """Make heads of screws on a face, each with a dark recess."""
     out = FACING[facing]
     seat = tuple(-sunk * each for each in out)
     reach, high = _FLOOR[head]

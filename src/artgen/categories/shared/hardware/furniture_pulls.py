@@ -100,7 +100,7 @@ def bar_pull(
 
 
 def _bow(length: ag.Scalar, out: ag.Scalar, girth: ag.Scalar, finish: ag.Material, name: str) -> ag.Body:
-    """Make an upright rod whose ends are bent to the face; straight rods within it are what collides."""
+    """Make an upright rod with ends bent to the face; straight rods within it are its colliders."""
     half, bend = length / 2 - girth, 0.010
     corners = [(0.0, _SUNK, -half), (0.0, -out, -half), (0.0, -out, half), (0.0, _SUNK, half)]
     skin = ag.sweep(ag.circle(girth), ag.polyline(corners, fillet=bend))
@@ -129,7 +129,7 @@ def cup_pull(
     a, b, c = width / 2, projection - bulge, height
     half = ag.board((-a - 0.01, a + 0.01), (-projection - 0.01, _SUNK), (0.0, c + 0.01))
     wall = (_egg(a, end, b, c, -bulge, 0.0) - _egg(a, end, b, c, -bulge, _SHEET)) & half
-    # what collides are flat pieces under that skin: two tabs at its ends, a low wall between them, a top
+    # the colliders are flat pieces under that skin: two tabs at its ends, a low wall between them, a top
     tab = ag.board((a - 0.0040, a - 0.0007), (-bulge - 0.004, _SUNK), (0.0004, 0.0075), bevel=0.0005)
     low, high = (0.0003, 0.0090)
     x = a - end
@@ -156,13 +156,13 @@ def cup_pull(
 
 
 def _egg(a: ag.Scalar, end: ag.Scalar, b: ag.Scalar, c: ag.Scalar, y: ag.Scalar, less: ag.Scalar) -> ag.Solid:
-    """Make the outside of a cup, or what is hollow in it, `less` smaller."""
+    """Make the outside of a cup, or the hollow in it, `less` smaller."""
     lobe = ag.ellipsoid(end - less, b - less, c - less)
     return ag.hull(lobe.at(end - a, y, 0.0), lobe.at(a - end, y, 0.0))
 
 
 GROOVE = 0.034
-"""Height of a groove pull, over a slab that is lower by so much [m]."""
+"""Height of a groove pull over its slab [m]."""
 
 
 @ag.generator

@@ -15,8 +15,8 @@ KNUCKLE_CLEARANCE = 0.001
 """Distance from the knuckles to the face of the leaf [m]."""
 
 _AXIAL_GAP = 0.0004  # between knuckles [m]
-_PLATE = 0.0026  # thickness of plates: what shows in the gap, and what is let into the wood [m]
-_FACE = 0.0008  # of which this much is only seen: it has the holes of the screws [m]
+_PLATE = 0.0026  # thickness of plates: the part in the gap, and the part let into the wood [m]
+_FACE = 0.0008  # thickness of the layer without colliders, with the holes of the screws [m]
 _SCREW = 0.0034  # radius of their heads [m]
 _CENTER = 0.00025  # plates stay away from the middle of the gap by this much [m]
 

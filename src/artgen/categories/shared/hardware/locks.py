@@ -32,11 +32,11 @@ DEADBOLT = Bolt(0.0145, 0.025)
 LATCH_HOLE = LATCH.height + 2 * PLAY
 """Height of the hole of a spindle that meets the pocket of a latch [m]."""
 
-_TAIL = 0.022  # what stays in the leaf behind the throw [m]
+_TAIL = 0.022  # length of the bolt in the leaf behind the throw [m]
 _OVERTRAVEL = 1.6  # a handle turns further than the latch needs: the pocket is that many throws deep
 _OPENING_PLAY = 0.0007  # a closed door rattles by this much [m]
 _EASY = 0.002  # play of the strike where nothing has to hold [m]
-_SKIN = 0.0008  # thickness of what is seen of a strike [m]
+_SKIN = 0.0008  # visible thickness of a strike [m]
 _SCREW = 0.0036  # radius of the heads of screws [m]
 _PROUD = 0.0003  # plates stand out of the wood by this much, so that they are seen [m]
 
@@ -82,7 +82,7 @@ def faceplate(
     width, height, thick = 0.0235, 0.057, 0.0024
     face, level = backset + _PROUD, section.height / 2 + 0.0095
     outline = ag.rectangle(width, height, radius=0.0045)
-    # 0.1 mm inside the walls of the pocket, whose faces would fight its own for a pixel
+    # 0.1 mm inside the walls of the pocket, so that no two faces coincide
     outline = outline - ag.rectangle(section.width + 1.5 * PLAY, section.height + 1.5 * PLAY)
     bodies = [
         ag.detail(_pierced(outline, level, thick).at(face - thick / 2, 0.0, 0.0), "faceplate", finish),
@@ -134,7 +134,7 @@ def strike_plate(
     face = backset + gap - _PROUD
     low, high = -thickness / 2 + 0.0005, section.width / 2 + 0.008
     hole = strike_pocket(backset=backset, gap=gap, throw=throw, bolt=section)
-    # what collides lies behind what is seen, which has the holes of the screws
+    # the collider lies behind the visible plate, which has the holes of the screws
     plate = ag.box(0.0018 - _SKIN, high - low, 0.060).align((face + _SKIN, low, 0.0), x=-1.0, y=-1.0)
     wide = section.width + _OPENING_PLAY + _EASY
     opening = ag.rectangle(wide, section.height + 2 * _EASY).at((_EASY - _OPENING_PLAY) / 2)
@@ -172,12 +172,12 @@ QUARTER = 1.57
 PIN_TRAVEL = 0.004
 """How far the pin of a privacy lock is pressed in [m]."""
 
-_BOLT_TAIL = 0.020  # what stays in the leaf when the bolt is thrown [m]
+_BOLT_TAIL = 0.020  # length of the thrown bolt in the leaf [m]
 _RECESSED = 0.0005  # a drawn bolt ends this far inside the lock edge [m]
 _ROSETTE = 0.0275  # radius of the covers [m]
 _ROSETTE_DEPTH = 0.009
-_FROM_BELOW = 0.9  # angle from which a hand comes to a button under a lever [rad]
-_GAP = 0.0005  # between a rosette and what turns on it [m]
+_FROM_BELOW = 0.9  # angle of approach of a hand to a button under a lever [rad]
+_GAP = 0.0005  # gap between a rosette and the part that turns on it [m]
 
 
 def deadbolt(*, backset: ag.Scalar, finish: ag.Material) -> ag.Body:

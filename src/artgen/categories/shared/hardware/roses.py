@@ -48,7 +48,7 @@ def key_cylinder(*, face: ag.Scalar, side: int, finish: ag.Material, below: ag.S
 
 
 Faces = Literal["both", "front", "back"]
-"""The faces of a leaf on which something sits; the front faces -y."""
+"""The faces of a leaf that carry a part; the front faces -y."""
 
 Fixing = Literal["hidden", "slot", "phillips"]
 """How a rose is held: by a set screw in its rim, or by two screws through its face."""

@@ -1,1 +1,1 @@
-"""Turned and blown bodies that hold something."""
+"""Turned and blown containers."""

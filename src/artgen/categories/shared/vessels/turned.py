@@ -1,7 +1,7 @@
-"""Turned and thrown things: what a lathe or a potter's wheel makes, closed or hollow.
+"""Turned and thrown bodies, closed or hollow, as from a lathe or a potter's wheel.
 
 What is seen is a smooth skin. What weighs and collides is a core of few facets that lies within it, nowhere
-deeper than a millimetre: a smooth solid would collide as hundreds of corners that nobody can tell apart.
+deeper than a millimetre: a smooth solid would have hundreds of collider vertices without any use.
 """
 
 import math
@@ -17,7 +17,7 @@ Run = Sequence[Point]
 """Points of an outline from the lower end up, smooth between; two make a straight run."""
 
 Drawn = tuple[float, float, float]
-"""A point of a form: radius over the thing's radius; share of the thing's height, and what is added to that,
+"""A point of a form: radius over the body's radius; share of the body's height, and an addition to it,
 over the radius, so that beads keep their shape on tall things and short ones."""
 
 SIDES = 20
@@ -39,17 +39,17 @@ def path_of(run: Run) -> Path:
 
 
 def drawn(form: Sequence[Sequence[Drawn]], radius: ag.Scalar, low: ag.Scalar, height: ag.Scalar) -> list[Run]:
-    """Return the outline of a thing from its drawing."""
+    """Return the outline of a body from its drawing."""
     return [[(r * radius, low + share * height + rest * radius) for r, share, rest in run] for run in form]
 
 
 def core(runs: Sequence[Run], *, sides: int = SIDES, within: ag.Scalar = _WITHIN) -> ag.Solid:
-    """Make the solid of few facets that lies within a turned thing."""
+    """Make the solid of few facets within a turned body."""
     return ag.revolve(ag.half_section([path_of(run) for run in runs], within=within), sides=sides)
 
 
 def skin(runs: Sequence[Run], *, bore: ag.Scalar = 0.0) -> ag.Solid:
-    """Make the smooth solid of a turned thing, to be a `detail` around its core."""
+    """Make the smooth solid of a turned body, to be a `detail` around its core."""
     return ag.revolve(ag.half_section([path_of(run) for run in runs], bore=bore), sides=_SMOOTH)
 
 
@@ -65,7 +65,7 @@ def turned(
     name: str | None = None,
     grasp: ag.Frame | Sequence[ag.Frame] = (),
 ) -> ag.Body:
-    """Make a closed turned thing about z."""
+    """Make a closed turned body about z."""
     body = core(runs, sides=sides)
     if hole is not None:
         body = ag.simplified_collider(body, spare) - hole
@@ -91,7 +91,7 @@ def blown(
     """
     vessel = ag.revolve(ag.half_section(path, wall=wall), sides=_GLASS_SIDES)
     upper = vessel.split(point=(0.0, 0.0, level), normal=ag.Z)
-    # a hair more, so that both have corners of their own
+    # slightly more, so that both have corners of their own
     lower = vessel.split(point=(0.0, 0.0, level + 0.0001), normal=-ag.Z)
     pane = ag.cylinder_between((0.0, 0.0, 0.0), (0.0, 0.0, 1.4 * wall), foot - 0.5 * wall)
     # where it is narrow 3 facets would be one collider, and stand off more
@@ -103,7 +103,7 @@ def blown(
 
 
 def filled(path: Path, *, wall: ag.Scalar, level: ag.Scalar) -> ag.Solid:
-    """Make what fills a blown vessel up to a height, a hair off its wall."""
+    """Make the contents of a blown vessel up to a height, just off its wall."""
     inside = ag.revolve(ag.half_section(path, inset=wall + 0.0002))
     kept = inside.split(point=(0.0, 0.0, level), normal=-ag.Z)
     return kept.split(point=(0.0, 0.0, 1.4 * wall + 0.0002), normal=ag.Z)
