@@ -109,7 +109,7 @@ def test_the_corners_of_a_narrow_pair_between_the_sides_would_meet() -> None:
     asset = cabinet.generate(1, **options, hinge="butt", width=0.46, on_collision="fail")
     assert asset.certificate is not None
     assert asset.certificate.proven
-    with pytest.raises(InfeasibleError, match="free corners of two doors that open together would meet"):
+    with pytest.raises(InfeasibleError, match="free corners of two doors that open together would collide"):
         cabinet.generate(1, **options, hinge="butt", width=0.44, attempts=1)
     # those before the carcass turn about axes within their thickness
     assert cabinet.generate(1, **options, hinge="concealed", width=0.44).certificate.proven  # type: ignore[union-attr]

@@ -45,7 +45,7 @@ def test_there_is_a_dial_for_each_burner_and_up_to_two_more(burners: int, rows: 
 
 
 def test_three_dials_more_than_burners_are_refused() -> None:
-    with pytest.raises(InfeasibleError, match="up to two dials more than burners"):
+    with pytest.raises(InfeasibleError, match="dials must be from the number of burners to two more"):
         made(0, burners=4, dials=7)
 
 

@@ -368,7 +368,7 @@ def test_a_pull_stays_on_its_leaf_and_below_a_deadbolt(*, bolted: bool, fits: fl
     assert asset.certificate is not None
     assert asset.certificate.proven
     low = given | {"height": 1.8} if not bolted else given
-    with pytest.raises(InfeasibleError, match="the pull is longer than there is room on the leaf"):
+    with pytest.raises(InfeasibleError, match="the pull is longer than the free part of the leaf"):
         door.generate(0, **low, attempts=1, **{"handle.length": too_long})
 
 

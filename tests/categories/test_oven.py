@@ -125,7 +125,7 @@ def test_a_drawer_that_would_come_to_the_handle_of_the_open_door_is_ruled_out() 
     asset = made(3, **given, drawer_travel=0.79)
     q = {joint: asset.joint(joint).limits[1] for joint in ("door_hinge", "drawer_slide")}  # type: ignore[index]
     assert 0.002 < between(asset, q, "door", "drawer") < 0.02
-    with pytest.raises(InfeasibleError, match="the handle of the open door would meet the drawer"):
+    with pytest.raises(InfeasibleError, match="the handle of the open door would strike the drawer"):
         made(3, **given, drawer_travel=0.82, attempts=1)
 
 
@@ -147,7 +147,9 @@ def test_racks_for_which_the_cavity_is_too_low_are_ruled_out(
     asset = made(3, **given, hinge_height=fits)
     for lower, upper in itertools.pairwise(names):
         assert between(asset, {}, lower, upper) > 0.001
-    with pytest.raises(InfeasibleError, match="racks would meet each other, or the heating element"):
+    with pytest.raises(
+        InfeasibleError, match="racks would collide with each other or with the heating element"
+    ):
         made(3, **given, hinge_height=meets, attempts=1)
 
 

@@ -93,7 +93,7 @@ def test_the_mill_is_as_heavy_as_its_wood() -> None:
 
 @pytest.mark.parametrize("top", ["bulb", "ball", "crank"])
 def test_a_letter_is_printed_on_a_flat_head_only(top: str) -> None:
-    with pytest.raises(InfeasibleError, match=f"mark=letter has top=disc only, not {top}"):
+    with pytest.raises(InfeasibleError, match=f"mark=letter needs the flat head of top=disc, not top={top}"):
         drawn(6, style="tower", build="wood", top=top, mark="letter")
     head = link(drawn(6, style="tower", build="wood", top="disc", mark="letter"), "top")
     assert "print" in head.labels

@@ -167,8 +167,8 @@ def test_every_grip_fits_every_layout(layout: str, grip: str) -> None:
 def test_doors_side_by_side_have_room_for_light_and_bins() -> None:
     narrow = {"layout": "side_by_side", "wall": 0.05, "certify": False}
     for width, share, words in (
-        (0.86, 0.2, "narrower than the light in it"),
-        (0.62, 0.55, "too narrow for bins"),
+        (0.86, 0.2, "is narrower than its light"),
+        (0.62, 0.55, "have no room between the ridges"),
     ):
         with pytest.raises(InfeasibleError, match=f"{words}.*: raise width, lower wall"):
             refrigerator.generate(3, **narrow, width=width, freezer_share=share, bin_depth=0.12)

@@ -140,7 +140,7 @@ def test_buttons_need_a_front_as_wide_as_they_stand() -> None:
 
 
 def test_controls_on_a_bulging_side_are_refused() -> None:
-    with pytest.raises(InfeasibleError, match="the sides of this body are not flat"):
+    with pytest.raises(InfeasibleError, match="the sides of this style are not flat: controls must be end"):
         made(0, style="retro", controls="side", levers=1)
-    with pytest.raises(InfeasibleError, match="two levers stand side by side on an end"):
+    with pytest.raises(InfeasibleError, match="two levers need the narrow end: controls must be end"):
         made(0, style="steel", slots=4, controls="side", levers=2)

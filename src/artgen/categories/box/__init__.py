@@ -341,12 +341,12 @@ def box(
     """Make a cardboard or gift box, closed: flaps, tucks, ears, lid, drawer, bottles."""
     if style == "half_slotted" or (style == "slotted" and mouth == "top"):
         free = width * (1.0 - aspect)  # between the minor flaps of the bottom
-        width = ag.require(width, free > 0.006, "flaps meet in a square box: lower aspect, to 0.96 at most")
+        width = ag.require(width, free > 0.006, "the flaps of a square box meet: aspect must be <= 0.96")
     least = _least_height(style)
-    height = ag.require(height, height >= least, f"flaps and print need room: height at least {least:g} m")
+    height = ag.require(height, height >= least, f"flaps and print need room: height must be >= {least:g} m")
     least = _LEAST_WIDTH.get(style, 0.0)
     width = ag.require(
-        width, width >= least, f"a strap, tucks and ears need room: width at least {least:g} m"
+        width, width >= least, f"strap, tucks and ears need room: width must be >= {least:g} m"
     )
     fresh = crease == "fresh"
     feel = Feel(stiffness if fresh else 0.0, springback if fresh else 0.0, friction, damping)

@@ -16,8 +16,8 @@ _BODY, _SHOULDER, _TALL = 0.192, 0.226, 0.300  # where body and shoulder end, an
 _GRAVITY = 9.81  # [m/s2]
 _SPARE = 0.0025  # over a bottle, at least [m]
 _DEEP = 0.1  # below a lid, at most: a hand reaches the neck, and the lift takes it out [m]
-_TOO_DEEP = "bottles of 0.3 m would stand too deep in the box to be lifted out: take a smaller height"
-_NO_ROOM = "bottles of 0.3 m would meet the lid over them: take a larger height or a thinner flute"
+_TOO_DEEP = "a hand cannot reach bottles of 0.3 m in so deep a box: lower height"
+_NO_ROOM = "bottles of 0.3 m would collide with the lid over them: raise height, or take a thinner flute"
 
 
 def _glass(name: str, color: tuple[float, float, float]) -> ag.Material:

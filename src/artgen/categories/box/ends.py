@@ -20,7 +20,7 @@ from artgen.categories.box.prints import Ink, address_label, shipping_print
 _LEFT = Mouth("lower", "upper", "back", "front", "_left", grounded=True)
 _RIGHT = Mouth("lower", "upper", "front", "back", "_right", grounded=True)
 _SIDES_MEET = (
-    "flaps at the sides of an open end, half the height long, would meet: take a smaller height, or a larger "
+    "the side flaps of an open end, half the height long, would collide: lower height, or raise "
     "width or aspect"
 )
 

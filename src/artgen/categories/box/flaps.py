@@ -13,7 +13,7 @@ _HANGING = 3.40  # from this angle on a flap is below the flaps that close over 
 _LYING = 0.03  # from here on a flap on the floor lies, before it is all the way open [rad]
 _SHORT = 0.012  # of the pull tab of a flap that comes to lie on the floor [m]
 _MAJORS_MEET = (
-    "flaps so short would meet as they open, for their board is thick: take a larger width or aspect, or a "
+    "the short flaps of thick board would collide as they open: raise width or aspect, or take a "
     "thinner flute"
 )
 _TAPE_WIDE = 0.048  # packing tape, half of it on either flap once it is slit [m]

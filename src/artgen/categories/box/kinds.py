@@ -32,8 +32,8 @@ from artgen.categories.box.prints import (
     wine_print,
 )
 
-_NO_DUST = "flaps under a lid need one that lies on the walls: take sides=over or dusted=False"
-_LOW_COVER = "the cover would hardly stand out of the tray it is in: take a larger height"
+_NO_DUST = "dust flaps need a lid that lies on the walls: take sides=over or dusted=False"
+_LOW_COVER = "the cover would protrude too little from its tray: raise height"
 _GRID = {2: (2, 1), 3: (3, 1), 6: (3, 2), 12: (4, 3)}  # cells along x and y
 
 

@@ -24,7 +24,7 @@ _UPRIGHT = 1.66  # from here on a lid leaves the space over the box free [rad]
 _AWAY = 2.0  # from here on its tuck does so as well [rad]
 _HANGING = 3.40  # from this angle on a dust flap is below the lid that closes over it [rad]
 _NO_WINGS = (
-    "the flaps at the sides of a lid have no room between its crease and its tuck: take a larger width or "
+    "the side flaps of a lid have no room between its crease and its tuck: raise width or "
     "aspect, ears=False or sides=over"
 )
 

@@ -35,7 +35,7 @@ from artgen.categories.shared.hardware.furniture_pulls import bar_pull, cup_pull
 _HANDLES = {"knob": knob_pull, "bar": bar_pull, "cup": cup_pull, "edge": edge_pull}
 _GLASS = known("glass", "frosted_glass", "tinted_glass")
 _CORNERS_MEET = (
-    "the free corners of two doors that open together would meet: take a larger width, a smaller "
+    "the free corners of two doors that open together would collide: raise width, lower "
     "door_thickness, hinge=concealed or doors=1"
 )
 _FINISH = boards("wood", "lacquer", "melamine", "decor")
@@ -181,11 +181,14 @@ def cabinet(
     hinge_damping: ag.Float = ag.uniform(0.2, 0.8, "N m s/rad"),
 ) -> ag.Body:
     """Make a base, wall or tall cabinet with its doors shut: hinges, shelves, pulls."""
-    ag.require(stand != "feet", "stand=feet is for chests: it must be plinth, legs or brackets")
+    ag.require(stand != "feet", "stand=feet is for drawers only: stand must be plinth, legs or brackets")
     require_suited(handle, "grip", grip, _HANDLES)
     if kind == "tall":
-        height = ag.require(height, height >= 1.0, "a tall cabinet is at least 1 m high: raise height")
-    ag.require(hinge == "concealed" or grip != "edge", "a door between the sides has no free edge")
+        height = ag.require(height, height >= 1.0, "height of a tall cabinet must be >= 1 m")
+    ag.require(
+        hinge == "concealed" or grip != "edge",
+        "a door between the sides has no free edge: grip must not be edge, or hinge must be concealed",
+    )
     slab = top_thickness if top == "worktop" else 0.0
     case = Carcass(
         width=width,

@@ -198,7 +198,7 @@ def cooktop(
 ) -> ag.Body:
     """Make a gas, coil, radiant or induction cooktop, off: dials that push and turn, grates."""
     extras = dials - burners
-    ag.require(0 <= extras <= 2, "there are up to two dials more than burners")
+    ag.require(0 <= extras <= 2, "dials must be from the number of burners to two more")
     gas = burner == "gas"
     plan = Plan(burners, rows, dials, dials_at, width, depth, dial_radius, dial_pitch, mirrored)
     case = Case(burner, plan, height, finish, metal, trim)
@@ -275,7 +275,7 @@ def cooktop(
         body = body.attach(knob.at(x, y, 0.0), turn)
     return body.require(
         plan.spaced > 2.0 * dial_radius + _BETWEEN,
-        "dials touch each other: raise dial_pitch, or lower dial_radius or dials",
+        "dials would touch each other: raise dial_pitch, or lower dial_radius or dials",
     )
 
 

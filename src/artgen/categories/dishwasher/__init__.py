@@ -198,7 +198,9 @@ def dishwasher(
     """Make a dishwasher: door, console, racks, spray arms, detergent flap."""
     if handle == "recessed":
         door_thickness = ag.require(
-            door_thickness, door_thickness > 0.051, "a recessed handle is deep: door_thickness over 0.051 m"
+            door_thickness,
+            door_thickness > 0.051,
+            "a recessed handle needs depth: door_thickness must be > 0.051 m",
         )
     worktop = build == "freestanding" and controls == "front" and handle != "pocket"
     slim = size == "slim"

@@ -241,7 +241,8 @@ def door(
     """Make a door of one or two leaves in its frame: hinges, handle, latch, locks."""
     require_suited(handle, "opener", opener, _HANDLES)
     ag.require(
-        layout == "single" or frame != "arched", "two leaves have no arch: frame must be jambs or full"
+        layout == "single" or frame != "arched",
+        "layout with two leaves has no arched frame: frame must be jambs or full",
     )
     meeting = (
         1.25 * side_gap if layout == "double" else side_gap
@@ -296,5 +297,8 @@ def door(
     needs = reduce(and_, lockset.free).until(clear) if lockset.free else None
     parts = DoorSet(surround, leaf, blank, hanging, lockset, needs)
     body = parts.single() if layout == "single" else parts.double(site, hand)
-    body = body.require(hanging.turns_within_gap(), "the far corner of the leaf would strike the jamb")
+    body = body.require(
+        hanging.turns_within_gap(),
+        "the far corner of the leaf would strike the jamb: raise side_gap, or lower thickness",
+    )
     return handed(body, hand, opens)

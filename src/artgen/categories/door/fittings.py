@@ -79,7 +79,7 @@ def pull_handle(
     The origin is in the middle of the grip's length, in the middle of the leaf.
     """
     length = ag.require(
-        length, length < room, "the pull is longer than there is room on the leaf: lower handle.length"
+        length, length < room, "the pull is longer than the free part of the leaf: lower handle.length"
     )
     bodies: list[ag.Body] = []
     makers = {"U": _bow, "T": _bar_on_posts, "Z": _offset_bar}

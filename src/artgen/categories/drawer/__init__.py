@@ -334,13 +334,13 @@ def drawer(
     """Make a chest, bedside table, filing cabinet or bank with its drawers shut."""
     require_suited(handle, "grip", grip, _HANDLES)
     ag.require(
-        style not in ("fielded", "glazed"), f"style={style} is for doors: no handle of a drawer meets it"
+        style not in ("fielded", "glazed"), f"style={style} is for doors: no handle of a drawer fits it"
     )
     slab = 0.0 if top == "flush" else top_thickness
     height = ag.require(
         height,
         height - stand_height - slab > _LEAST * rows,
-        f"drawers are {_LEAST:g} m high at least: raise height, or lower rows or stand_height",
+        f"each drawer must be >= {_LEAST:g} m high: raise height, or lower rows or stand_height",
     )
     case = Carcass(
         width=width,

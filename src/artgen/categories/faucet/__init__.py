@@ -199,11 +199,11 @@ def faucet(
     """Make a faucet, shut: spout, one or two handles, spray head, lift rod."""
     ag.require(
         (spout == "beam") == (style in ("single_hole", "vessel")),
-        f"spout={spout} does not go with style={style}: a beam is the spout of single_hole and vessel, and "
-        "these have no other one",
+        f"spout={spout} is not allowed with style={style}: single_hole and vessel have a beam, "
+        "other styles have none",
     )
-    ag.require(spout != "low" or style == "wall", f"spout=low hangs before a wall, not on style={style}")
-    ag.require(not rod or style != "wall", "a faucet on a wall has no lift rod: rod must be False")
+    ag.require(spout != "low" or style == "wall", f"spout=low is for style=wall, not for style={style}")
+    ag.require(not rod or style != "wall", "style=wall has no lift rod: rod must be False")
     # slabs on a wall are thinner than worktops
     thick = ag.min_(deck_thickness, 0.024) if style == "wall" else deck_thickness
     board = Board(deck_margin, thick, surface, reach if rod else None)
@@ -242,7 +242,7 @@ def faucet(
         )
         turned = turned.require(
             reach > lever_length + _PAST,
-            f"the spray head swings past the lever: reach over lever_length by {_PAST:g} m",
+            f"the spray head swings past the lever: reach must exceed lever_length by {_PAST:g} m",
         )
     else:
         fall = {"gooseneck": straight - 0.032, "arc": 0.6 * rise}.get(spout, rise - 0.032)

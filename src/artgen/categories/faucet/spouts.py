@@ -64,7 +64,7 @@ def _course(style: SpoutStyle, height: ag.Scalar, reach: ag.Scalar, fall: ag.Sca
             height = ag.require(
                 height,
                 height - low > 0.5 * reach,
-                "a gooseneck is higher than half of its reach: raise height, or lower reach",
+                "height of a gooseneck must exceed half of its reach: raise height, or lower reach",
             )
             return ag.polyline(
                 [(0.0, 0.0, low), (0.0, 0.0, height), (0.0, -reach, height), (0.0, -reach, fall)],
@@ -196,7 +196,7 @@ def pull_down_spout(
     """Make a gooseneck with room for the hose of a spray head in its end: the link `spout`."""
     metal = casting(finish, 0.32)
     radius = ag.require(
-        radius, radius > _LEAST, f"the hose of a spray head is in its spout: girth over {_LEAST:g} m"
+        radius, radius > _LEAST, f"the spout holds the hose of a spray head: girth must be > {_LEAST:g} m"
     )
     deep = travel + _DOCK + 0.006  # of the bore
     pipe = ag.sweep(ag.circle(radius), _course("gooseneck", height, reach, fall + deep))

@@ -58,11 +58,11 @@ Style = Literal["desk", "architect", "led_bar", "reading", "floor", "tripod", "a
 _POINTED = ("desk", "architect", "led_bar", "reading", "arc")  # those with a metal head on an arm
 _STALK = 0.060  # radius of the foot of a mushroom lamp [m]
 _COVERS = (
-    "the body on the base would cover the switch in it: take a larger base_radius, a smaller body_radius "
-    "or switch_on=cord"
+    "the body on the base would cover the switch in it: raise base_radius, lower body_radius, "
+    "or take switch_on=cord"
 )
 _TOO_LOW = (
-    "the arm would strike the base where its clamp is lowest: take a larger height, or a smaller travel or "
+    "the arm would strike the base at the lowest position of its clamp: raise height, or lower travel or "
     "arm_length"
 )
 _ON_CASE = 0.020  # of a dial above its case on the cord, and 3 mm [m]

@@ -30,12 +30,12 @@ _AREA = {
 _EDGE = {"round": 1.0, "square": 0.89, "hexagonal": math.cos(math.pi / 6.0)}  # nearest edge, over the radius
 _BELOW = 0.0020  # how far the core of a turned body lies below its skin [m]
 _SQUAT = (
-    "no room is left for the body of the lamp between its base and its shade or socket: take a larger "
-    "height, or a smaller shade_radius or shade_height"
+    "the body of the lamp has no room between its base and its shade or socket: raise height, or lower "
+    "shade_radius or shade_height"
 )
 _TIPS = (
-    "the lamp would tip unless its base were higher than wide: take a larger base_radius, or a smaller "
-    "reach, arm_length, shade_radius or shade_height"
+    "a base against tipping would be higher than wide: raise base_radius, or lower reach, arm_length, "
+    "shade_radius or shade_height"
 )
 _CORE_SIDES = 32  # of that core: its frustums have 64 corners, as many as a collider may have
 _STEADY = 1.35  # safety factor of the base against tipping

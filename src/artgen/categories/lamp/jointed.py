@@ -122,7 +122,11 @@ def one_arm(head: Head, looks: ArmLooks, *, length: ag.Scalar, lean: ag.Scalar, 
     far = ag.sin(lowest) * length
     moment = own * far / 2.0 + hung.mass() * (far + heavy)
     return Carried(
-        body.require(lowest - lean > 0.2, "the arm has no way forward"), 1.0 * moment, looks.turn()
+        body.require(
+            lowest - lean > 0.2, "the arm has no range forward: change height, arm_length or shade_radius"
+        ),
+        1.0 * moment,
+        looks.turn(),
     )
 
 
@@ -182,7 +186,12 @@ def two_arms(
     far = lower * math.sin(high)
     moment = (own * far / 2.0 + beyond * (far + upper / 2.0) + weight * (far + upper + heavy)) / GRAVITY
     return Carried(
-        body.require(bent - between > 0.1, "the upper arm has no way down"), 1.0 * moment, looks.turn()
+        body.require(
+            bent - between > 0.1,
+            "the upper arm has no range downward: change height, arm_length or shade_radius",
+        ),
+        1.0 * moment,
+        looks.turn(),
     )
 
 
@@ -220,7 +229,14 @@ def light_bar(looks: ArmLooks, *, length: ag.Scalar, bar: ag.Scalar, lean: ag.Sc
     body = turret(looks.finish, height=POST, outer=False).attach(chain, swing)
     far = length * math.sin(0.40)
     moment = (own * far / 2.0 + weight * (far + heavy)) / GRAVITY
-    return Carried(body.require(bent - between > 0.15, "the bar has no way down"), 1.0 * moment, looks.turn())
+    return Carried(
+        body.require(
+            bent - between > 0.15,
+            "the bar has no range downward: change height, arm_length or shade_radius",
+        ),
+        1.0 * moment,
+        looks.turn(),
+    )
 
 
 def _bar(finish: ag.Material, length: ag.Scalar) -> ag.Body:
@@ -277,7 +293,9 @@ def reading_arm(
         reach=length,
     )
     body = collar(looks.finish, bore=bore, out=out).attach(placed, hinge)
-    body = body.require(lean - low > 0.15, "the arm has no way up")
+    body = body.require(
+        lean - low > 0.15, "the arm has no range upward: change height, arm_length or shade_radius"
+    )
     moment = own * (out + length / 2.0) + hung.mass() * (out + length + heavy)
     joints = collar_joints(body, travel=travel, friction=looks.swivel_friction)
     return Carried(body, 1.0 * moment, joints, reach - length * math.cos(high))

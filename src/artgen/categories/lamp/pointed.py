@@ -28,7 +28,7 @@ _TUBE = 0.0105  # radius of the bow [m]
 _SWING = 0.6  # of the shade either way, where the bow lets it [rad]
 _LEAST_SWING = 0.1  # [rad]
 _OFF = 0.004  # distance of a shade from the bow [m]
-_MEETS_BOW = "the shade meets the bow: take a larger reach, or a smaller shade_radius or shade_height"
+_MEETS_BOW = "the shade would strike the bow: raise reach, or lower shade_radius or shade_height"
 _TURN = 2.595  # of the ellipse that the bow follows, from its side on [rad]
 _STEPS = 9  # points on it
 

@@ -81,12 +81,12 @@ _OUT = 0.046  # of the chain from the axis: a finger closes between it and the p
 _BELOW = 0.052  # of the middle of its knob under the shade, where a hand passes the rim [m]
 _OUTSIDE = 0.014  # least free length of the chain under the spout: a knob is not drawn into it [m]
 _PULLED_INTO = (
-    "a pull chain would be pulled into the part under it: take a larger height, or a smaller "
+    "a pull chain would be pulled into the part under it: raise height, or lower "
     "chain_travel, shade_radius, shade_height or body_radius"
 )
 _HANGS_LOW = (
-    "the shade hangs down to the floor, the base or the switch on the cord: take a larger height, or a "
-    "smaller shade_radius or shade_height"
+    "the shade would touch the floor, the base or the switch on the cord: raise height, or lower "
+    "shade_radius or shade_height"
 )
 
 BESIDE = _OUT - KNOB[0]

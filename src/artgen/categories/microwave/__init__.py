@@ -163,7 +163,9 @@ def microwave(
     signed: Literal["door", "panel"] = ag.choice("door", "panel", doc="where the maker's name is"),
 ) -> ag.Body:
     """Make a microwave oven, closed: door, latch, turntable, keys, dials."""
-    ag.require(key_shape != "round", "keys are wider than high: key_shape must be bar, square or pill")
+    ag.require(
+        key_shape != "round", "keys of this panel are wider than high: key_shape must be bar, square or pill"
+    )
     girth, projection = 0.0072, 0.034
     space = Space(
         width=width,
@@ -237,5 +239,5 @@ def microwave(
     body = body.attach(table.plate(), spin).attach(table.ring(), table.roll(spin))
     return front.joined(body).require(
         front.room >= 0.0,
-        "dials do not fit over keys and button: raise height, or lower keys, dials or dial_radius",
+        "dials have no room over keys and button: raise height, or lower keys, dials or dial_radius",
     )

@@ -53,11 +53,11 @@ _PAN = ag.colored("enamel", "anthracite").with_(
     name="pan_enamel", density=2200.0
 )  # of 0.6 mm, drawn 2.2 thick
 _RACKS_MEET = (
-    "racks would meet each other, or the heating element over them: the cavity is too low for so many, raise "
-    "height, lower hinge_height or panel, or take fewer racks or pan=False"
+    "racks would collide with each other or with the heating element: raise height, lower hinge_height, "
+    "panel or racks, or take pan=False"
 )
 _DRAWER_MEETS = (
-    "the handle of the open door would meet the drawer: lower drawer_travel or depth, or raise height"
+    "the handle of the open door would strike the drawer: lower drawer_travel or depth, or raise height"
 )
 _LEVELS = {1: (2,), 2: (1, 3), 3: (1, 2, 4)}  # at which racks are, by their number
 
@@ -213,12 +213,16 @@ def oven(
 ) -> ag.Body:
     """Make an oven or a range, closed: door, racks, drawer, dials."""
     girth = 0.0080
-    ag.require(not drawer or build == "range", "a drawer is below the door of a range: drawer must be False")
+    ag.require(
+        not drawer or build == "range", "only build=range has a drawer below the door: drawer must be False"
+    )
     if build == "range":
         hinge_height = ag.require(
-            hinge_height, hinge_height > 0.18, "there is a drawer below the door: hinge_height over 0.18 m"
+            hinge_height,
+            hinge_height > 0.18,
+            "the drawer below the door needs room: hinge_height must be > 0.18 m",
         )
-        height = ag.require(height, height >= 0.8, "a range stands on the floor: height at least 0.8 m")
+        height = ag.require(height, height >= 0.8, "height of a range must be >= 0.8 m")
     space = Space(
         build=build,
         width=width,

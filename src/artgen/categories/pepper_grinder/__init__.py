@@ -174,18 +174,20 @@ def pepper_grinder(
     """Make a pepper or salt mill: a head that turns, or a crank with its knob."""
     least = 0.91 if top == "ball" else 0.0
     head_height = ag.require(
-        head_height, head_height >= least, f"a ball is no lower: head_height at least {least:g}"
+        head_height, head_height >= least, f"head_height must be >= {least:g} (radii) with top=ball"
     )
     ag.require(
         mark != "letter" or top == "disc",
-        f"a letter is printed on a flat head: mark=letter has top=disc only, not {top}",
+        f"mark=letter needs the flat head of top=disc, not top={top}",
     )
-    ag.require(build != "clear" or style in _STRAIGHT, "a clear tube is straight: style must be cylinder")
+    ag.require(
+        build != "clear" or style in _STRAIGHT, "build=clear has a straight tube: style must be cylinder"
+    )
     radius = diameter / 2.0
     crown = head_height * HEAD_HEIGHT[top] * radius
     tall = height - crown  # of the body
     tall = ag.require(
-        tall, tall > 1.2 * radius, "there is no room for a body below: raise height, or lower head_height"
+        tall, tall > 1.2 * radius, "the body has no room below the head: raise height, or lower head_height"
     )
     if build == "clear":
         body = clear(radius, tall, finish, ends, content=content, rings=_RINGS[size])

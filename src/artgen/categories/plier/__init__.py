@@ -92,7 +92,7 @@ def plier(
     key = Key.of(length)
     least = PASSES + 0.01 if slip else 0.0
     opening = ag.require(
-        opening, opening >= least, f"the bolt passes its slot when they are open: opening at least {least:g}"
+        opening, opening >= least, f"the bolt slides at the open end only: opening must be >= {least:g} rad"
     )
     # fingers come between the handles of the smallest, too
     forging = Forging(style, length, key.way if slip else 0.0, ag.max_(spread * length, 0.0178))
@@ -128,6 +128,6 @@ def plier(
     nearer = key.way / 2.0 if slip else 0.0  # with the pivot in its second hole
     body = body.require(
         off_middle(forging, grips, handle_width) > nearer + 0.0002,
-        "thick handles touch each other below the joint: lower handle_width, or raise length or spread",
+        "thick handles would touch each other below the joint: lower handle_width, or raise length or spread",
     )
     return body.at(-make.middle(), (forging.rear - forging.jaw) / 2.0, make.rests())

@@ -297,7 +297,7 @@ def refrigerator(
     full = layout == "bottom_freezer" or (layout == "top_freezer" and freezer_drawers > 0)
     ag.require(
         shelf_kind == "glass" or shelves + freezer_shelves <= _WIRE_SHELVES,
-        f"wire shelves have many colliders: shelves and freezer_shelves must be {_WIRE_SHELVES} at most",
+        f"wire shelves have many colliders: shelves + freezer_shelves must be <= {_WIRE_SHELVES}",
     )
     boxed = ice_box and layout == "single"
     divided = Divided(case, freezer_share, bin_depth, None if full else 0.72 * bin_depth, bins, outer_drawers)
@@ -380,7 +380,9 @@ def refrigerator(
         opened = swings[leaf.name] > leaf.frees(flap_reach(plan.cold), plan.cold.right)
         swing_ = flap_swing(plan.cold, opened, front=cold.front, far=leaf.ridges[1], limit=flap_limit)
         body = body.attach(flap(plan.cold, low=cold.ice, front=cold.front, finish=FROSTED), swing_)
-    body = body.require(cold.spread > 0.085, "there is no room between so many shelves and drawers")
+    body = body.require(
+        cold.spread > 0.085, "shelves and drawers have no room: raise height, or take fewer of them"
+    )
     return body.mirror(ag.X) if hand == "right" and layout not in ("french", "side_by_side") else body
 
 

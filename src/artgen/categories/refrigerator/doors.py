@@ -85,7 +85,7 @@ _BOW = ((1.0, 0.010), (0.988, 0.0035), (0.97, 0.0008))  # the round edge of a bo
 _TRACKING = 0.3  # of the name on a door, in heights of its letters
 _BOWED = (0.9, 0.75, 0.5, 0.25, 0.0, -0.25, -0.5, -0.75, -0.9)
 _NO_ROOM = (
-    "a door is too narrow for bins between its ridges: raise width, lower wall or bin_depth, or take a "
+    "the bins have no room between the ridges of a door: raise width, lower wall or bin_depth, or take a "
     "freezer_share of about 0.45 where the freezer is beside"
 )
 

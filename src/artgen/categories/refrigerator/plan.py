@@ -20,7 +20,7 @@ _UNDER_COVER = 0.003  # between a door and the cover of its hinge [m]
 _INSET = 0.001  # by how much doors are narrower than the cabinet, at either side [m]
 _PASSES = 0.003  # gap between the inner parts of two doors that meet [m]
 _NO_LIGHT = (
-    "freezer or refrigerator is narrower than the light in it: raise width, lower wall, or take a "
+    "the freezer or the refrigerator is narrower than its light: raise width, lower wall, or take a "
     "freezer_share of about 0.45"
 )
 
@@ -135,7 +135,7 @@ class Divided:
         high = ag.require(
             high,
             lowest > HUMP_HIGH - 1.5 * _HALF_WALL,  # the top of the machine room is in the wall over it
-            "the machine room behind the lowest drawer is as high as that: raise freezer_share or height, "
+            "the lowest drawer would strike the machine room behind it: raise freezer_share or height, "
             "or lower outer_drawers or kick_height",
         )
         edges = [low + (high - low) * index / count for index in range(count + 1)]

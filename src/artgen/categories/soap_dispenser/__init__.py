@@ -227,7 +227,10 @@ def soap_dispenser(
         hinge = lever_hinge(box_depth, swing=swing, force=force, damping=0.0025 * damping)
         return body.attach(pressed, hinge)
 
-    ag.require(build != "clear" or shape in _CLEAR, f"no {shape} bottle is made of clear glass")
+    ag.require(
+        build != "clear" or shape in _CLEAR,
+        f"shape={shape} has no bottle of clear glass: shape must be {' or '.join(_CLEAR)}",
+    )
     ag.require(
         style != "holder" or shape in _HELD,
         f"the ring of style=holder fits round bottles with upright sides: shape={shape} must be "
@@ -235,7 +238,9 @@ def soap_dispenser(
     )
     least = 0.28 if style == "holder" else 0.0
     fill = ag.require(
-        fill, fill >= least, f"its holder grips a bottle where it is full: fill at least {least:g}"
+        fill,
+        fill >= least,
+        f"the holder grips the bottle below the level of the soap: fill must be >= {least:g}",
     )
     sizes = Sizes(width, depth, height)
     is_clear = build == "clear"

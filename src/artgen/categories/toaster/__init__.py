@@ -53,7 +53,7 @@ from artgen.categories.toaster.plan import BodyStyle, Plan
 from artgen.categories.toaster.shell import Cuts, ShellLooks, back_print, shell, underside
 
 _QUARTER = math.pi / 2.0
-_NO_ROOM = "controls have no room: raise height or shoulder, or lower buttons"
+_NO_ROOM = "the controls have no room: raise height or shoulder, or lower buttons"
 _ENDS_APART: tuple[BodyStyle, ...] = ("steel", "classic")  # styles with ends of another material
 _FLAT_SIDES: tuple[BodyStyle, ...] = ("box", "steel")  # which may have controls
 
@@ -224,13 +224,16 @@ def toaster(
     ),
 ) -> ag.Body:
     """Make a toaster with its levers up: carriages, buttons, knobs, crumb tray."""
-    ag.require(levers == 1 or controls == "end", "two levers stand side by side on an end")
-    ag.require(controls == "end" or style in _FLAT_SIDES, "the sides of this body are not flat")
-    ag.require(style != "retro" or tray == "back", "the sides of style=retro are round: tray must be back")
+    ag.require(levers == 1 or controls == "end", "two levers need the narrow end: controls must be end")
+    ag.require(
+        controls == "end" or style in _FLAT_SIDES,
+        "the sides of this style are not flat: controls must be end",
+    )
+    ag.require(style != "retro" or tray == "back", "style=retro has round sides: tray must be back")
     length = ag.require(
         length,
         length - slot_length >= 0.05,
-        "a slot is shorter than the body: length 0.05 m over slot_length",
+        "length must exceed slot_length by 0.05 m",
     )
     plan = Plan(
         style, slots, slot_size == "long", slot_width, slot_length, bridge, shoulder, length, height, foot

@@ -244,7 +244,7 @@ def trashcan(
     """Make a waste bin: lid, flaps or none, pedal, button, inner bucket."""
     ag.require(
         plan in _PLANS.get(style, ("round", "square", "rectangle", "half_round")),
-        f"a {style} bin is no {plan} one; choose plan= of {', '.join(_PLANS.get(style, ()))}",
+        f"plan={plan} is not allowed with style={style}: plan must be {' or '.join(_PLANS.get(style, ()))}",
     )
     across = width * 0.86 if plan == "rectangle" else width
     depth = across if plan == "round" else across * aspect
@@ -264,7 +264,8 @@ def trashcan(
         taper=taper if style in _TAPERED else 0.0,
     )
     ag.require(
-        style != "butterfly" or carry != "bail", "the flaps of a butterfly bin strike a bail: carry=loop"
+        style != "butterfly" or carry != "bail",
+        "the flaps of style=butterfly would strike a bail: carry must be loop",
     )
     plastic = _DARK if trim.base_metalness > 0.5 else trim
     shown = {"same": finish, "plastic": plastic, "steel": STEELS[0]}[lid_finish]

@@ -19,7 +19,7 @@ Plan = Literal["round", "square", "rectangle", "half_round"]
 _BACK_CORNER = 0.022  # radius of the two corners of a half-round bin [m]
 _OVERLAP = 0.001  # of the two halves of a half-round bin [m]
 _LEAST_CORNER = 0.003  # [m]
-_NO_SIDES = "no room is left for the bucket in a half-round bin: take a larger width or aspect"
+_NO_SIDES = "the bucket has no room in a half-round bin: raise width or aspect"
 
 SIDES = 16
 """Facets of the collider of a round wall: off a circle of 160 mm by 3 mm; each costs simulation time."""

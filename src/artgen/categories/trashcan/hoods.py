@@ -193,7 +193,7 @@ _EDGE = 0.0030  # between a lid and the edge of its opening [m]
 _BALL_EDGE = 0.0052  # gap around a ball; its colliders stand off by up to 2 mm [m]
 _EAR = 0.020  # how far the ears stand out, by which a hood is lifted [m]
 _WIDEST = 0.425  # round collar: a wider one collides as 64 pieces and not as 32 [m]
-_TOO_WIDE = "the collar of a round bin this wide would collide as too many pieces: take a smaller width"
+_TOO_WIDE = "the collar of so wide a round bin needs too many colliders: lower width"
 _GRAVITY = 9.81  # [m/s2]
 
 

@@ -180,7 +180,7 @@ def hooded_bin(draft: Draft, kind: Turning, *, opening: ag.Scalar, rise: ag.Scal
     body = body.attach(top, hood.lift(top, travel=0.4 * can.width))
     return body.require(
         hood.dip(opening) > can.foot + 0.01,
-        "the lid turns down to the floor of the bin: raise height, or lower width or aspect",
+        "the lid would turn down to the floor of the bin: raise height, or lower width or aspect",
     )
 
 

@@ -47,7 +47,10 @@ from artgen.categories.window.sashes import Glazing, Shutters, ShutterStyle
 from artgen.categories.window.slides import double_hung, sliding, sliding_both
 
 _GLASS = known("glass", "frosted_glass", "tinted_glass")
-_NO_ROOM = "a finger on the meeting rail finds no room before the next bar"
+_NO_ROOM = (
+    "a finger on the meeting rail has no room before the next bar: raise width or height, or lower columns "
+    "or rows"
+)
 _SHUTTERS = paints(520.0, "shutter_paint")
 
 
@@ -196,17 +199,20 @@ def window(
     drag: ag.Float = ag.uniform(9.0, 18.0, "N", doc="of rollers, balances and brushes"),
 ) -> ag.Body:
     """Make a casement, awning, sliding or double-hung window, shut and locked."""
-    ag.require(style == "casement" or opens == "outwards", f"style={style} has opens=outwards only")
+    ag.require(
+        style == "casement" or opens == "outwards",
+        f"opens={opens} is not allowed with style={style}: opens must be outwards",
+    )
     ag.require(
         shutters == "none" or (opens == "inwards" if style == "casement" else style != "awning"),
-        f"style={style} that opens {opens} would strike shutters={shutters}: they must be none",
+        f"style={style} with opens={opens} would strike shutters={shutters}: shutters must be none",
     )
-    ag.require(style != "sliding" or layout in ("pair", "row"), "style=sliding has layout=pair or row only")
+    ag.require(style != "sliding" or layout in ("pair", "row"), "layout of style=sliding must be pair or row")
     abreast = {"single": 1, "row": 4}.get(layout, 2)
     # a row of sashes needs room for the glass of each
     least = (abreast + 1) / 5.0 if style in ("casement", "sliding") else 0.0
     width = ag.require(
-        width, width >= least, f"layout={layout} has narrow sashes: width at least {least:g} m"
+        width, width >= least, f"layout={layout} has narrow sashes: width must be >= {least:g} m"
     )
     section = SECTIONS[kind]
     wide, tall = width - 2.0 * section.frame, height - SILL - 2.0 * section.frame

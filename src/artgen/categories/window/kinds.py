@@ -34,8 +34,8 @@ _GRAVITY = 9.81  # [m/s^2]
 _HOLDS = 1.15  # ratio of the friction of a stay to the load of a sash
 _LIFTS = 52.0  # largest force of a hand that lifts an awning [N]
 _LEVERS_MEET = (
-    "the levers of two sashes that open towards each other would meet: take a smaller swing, a shorter "
-    "lever_length, a larger width or hands=same"
+    "the levers of two sashes that open towards each other would collide: lower swing or lever_length, "
+    "raise width, or take hands=same"
 )
 _HINGED = 0.288  # side of a sash on which its two hinges have room [m]
 _LOCKED = 0.228  # gap of a sash with hinges without colliders: its two keeps have room [m]
@@ -44,15 +44,15 @@ _TOO_SHORT = (
     "cross"
 )
 _LEVER_LONG = (
-    "the end of a lever would strike the frame as its sash opens outwards: take a shorter lever_length, or "
-    "raise height, or width of an awning, or upper of a cross"
+    "the end of a lever would strike the frame as its sash opens outwards: lower lever_length, or raise "
+    "height, or width of an awning, or upper of a cross"
 )
 _LEVER_NEAR = (
-    "the lever of so narrow a sash would strike the frame as it opens outwards: raise width, or height of an "
+    "the lever of a narrow sash would strike the frame as it opens outwards: raise width, or height of an "
     "awning"
 )
 _LOCK_MEETS = (
-    "the lock of so narrow a sash would strike its keeps as it opens: raise width, or height of an awning"
+    "the lock of a narrow sash would strike its keeps as it opens: raise width, or height of an awning"
 )
 
 
@@ -170,7 +170,7 @@ class _Hung:
         body = body.require(lock.nears < lock.room - 0.0001, _LOCK_MEETS)
         return body.require(
             thick * thick / (2.0 * self.width) < REBATE - 0.001,
-            "the far edge of the sash would strike the frame",
+            "the far edge of the sash would strike the frame: raise width",
         )
 
     def _lever_passes(self, body: ag.Body, x: ag.Scalar, tall: ag.Scalar) -> ag.Body:

@@ -167,9 +167,7 @@ _BALANCE = 8.0  # stiffness of the springs of a hung sash [N/m]
 _LET_IN = 0.0005  # [m]
 _LOCK = 0.045  # how far a sash lock stands over the meeting rail [m]
 _ROOM = 0.006  # beyond the ends of a pull, for its flanges [m]
-_PULL_MEETS = (
-    "the pull has no room between its latch and the strip at the head: take a shorter bar or raise height"
-)
+_PULL_MEETS = "the pull has no room between its latch and the strip at the head: lower bar or raise height"
 _MEETING = 0.002  # from the middle of a window to the edges of two sashes that meet there [m]
 
 

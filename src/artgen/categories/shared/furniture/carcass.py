@@ -185,7 +185,7 @@ class Carcass:
             case "legs":
                 return self.legs(leg, finish)
             case "feet":
-                low = ag.require(self.low, self.low > 0.004, "feet are higher: stand_height over 0.004 m")
+                low = ag.require(self.low, self.low > 0.004, "stand_height of feet must be > 0.004 m")
                 return [corner_feet(self.width, self.rear - self.front, inset=0.03, radius=0.014, height=low)]
             case _:
                 x, y, z = self.right, self.behind, self.ceiling
@@ -197,9 +197,7 @@ class Carcass:
 
     def plinth(self, setback: ag.Scalar, finish: ag.Material) -> list[ag.Body]:
         """Make the board between the sides under the bottom board, and a stretcher at the back."""
-        low = ag.require(
-            self.low, self.low > 0.02, "a plinth is higher than its boards: stand_height over 0.02 m"
-        )
+        low = ag.require(self.low, self.low > 0.02, "stand_height of a plinth must be > 0.02 m")
         x = (-self.right - _BITE, self.right + _BITE)
         z = (_SEAM, low + 0.002)
         near = ag.board(x, (self.front + setback, self.front + setback + 0.016), z, bevel=EASE)
@@ -208,7 +206,7 @@ class Carcass:
 
     def legs(self, style: LegStyle, finish: ag.Material, *, inset: ag.Scalar = 0.045) -> list[ag.Body]:
         """Make four legs under the corners of the bottom board."""
-        low = ag.require(self.low, self.low > 0.05, "legs are higher: stand_height over 0.05 m")
+        low = ag.require(self.low, self.low > 0.05, "stand_height of legs must be > 0.05 m")
         core, skin = _leg(style, low + 0.0008)
         x, y = self.width / 2 - inset, (self.front + inset, self.rear - inset)
         corners = ((-1, 0), (1, 0), (-1, 1), (1, 1))

@@ -80,9 +80,7 @@ def bar_pull(
     girth: ag.Float = ag.uniform(0.0048, 0.0064, "m", doc="half of the thickness of the bar"),
 ) -> ag.Body:
     """Make a bar pull of furniture, 96-192 mm from post to post."""
-    length = ag.require(
-        length, length < room, "the bar is longer than its front has room: lower handle.length"
-    )
+    length = ag.require(length, length < room, "the bar is longer than its front: lower handle.length")
     if style == "bow":
         bow = _bow(length, projection, girth, finish, name)
         return bow.rotate(ag.Y, math.pi / 2) if level else bow
