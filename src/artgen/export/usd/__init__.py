@@ -7,8 +7,7 @@ from typing import Any
 import numpy as np
 from pxr import Sdf, Vt
 
-from artgen._arrays import Array
-from artgen.asset import Asset, Link
+from artgen.asset import Asset
 from artgen.export.frames import (
     INTERMEDIATE_INERTIA,
     INTERMEDIATE_MASS,
@@ -19,19 +18,12 @@ from artgen.export.frames import (
 )
 from artgen.export.hulls import hulls
 from artgen.export.losses import Written, look_rows, losses
-from artgen.export.maps import TEXTURE_DIRECTORY, MapFiles, map_files
-from artgen.export.usd.geometry import (
-    PART_LABEL,
-    write_holds,
-    write_hull,
-    write_label,
-    write_primitive,
-    write_surface,
-)
-from artgen.export.usd.joints import joint_losses, write_fixed_joint, write_joints
+from artgen.export.maps import TEXTURE_DIRECTORY, map_files
+from artgen.export.usd.geometry import PART_LABEL, write_content
+from artgen.export.usd.joints import joint_losses, write_joints
 from artgen.export.usd.layer import (
-    TYPES,
     Layers,
+    RuntimeRow,
     apply,
     binary,
     category_code,
@@ -39,13 +31,27 @@ from artgen.export.usd.layer import (
     new_layer,
     over,
     place,
-    quatf,
     text,
-    vec3,
     write,
 )
-from artgen.export.usd.materials import write_material
-from artgen.export.usd.runtimes import write_runtime_body, write_runtime_root
+from artgen.export.usd.materials import write_materials
+
+_BODY: RuntimeRow = ("physx", "PhysxRigidBodyAPI", {"physxRigidBody:angularDamping": 0.0})
+"""Only joints slow a body: by default, PhysX damps its rotation."""
+
+_ROOT: tuple[RuntimeRow, ...] = (
+    (
+        "physx",
+        "PhysxArticulationAPI",
+        {
+            "physxArticulation:enabledSelfCollisions": True,
+            # position iterations for couplings and heavy doors
+            "physxArticulation:solverPositionIterationCount": 32,
+        },
+    ),
+    ("newton", "NewtonArticulationRootAPI", {"newton:selfCollisionEnabled": True}),
+)
+"""The parts collide with each other, as in MJCF: a bolt and its strike interact by contact."""
 
 
 def write_usd(asset: Asset, textures: int = 0) -> Written:
@@ -81,101 +87,37 @@ def author(asset: Asset, layers: Layers, textures: int) -> Written:
     Returns:
         The map files, and the losses of USD.
     """
-    maps = map_files(asset, textures)
-    writer = _Writer(asset, layers, maps)
+    maps, segments = map_files(asset, textures), chain(asset)
+    frames = [base_frame(asset), *(segment.child for segment in segments)]
+    taken = {frame.name for frame in frames}
     with Sdf.ChangeBlock():
-        writer.write()
-    lost = joint_losses(asset, writer.segments, apart=layers.apart)
+        root = _write_root(layers, asset)
+        meshes = over(layers.geometry, root.path)
+        looks = write_materials(
+            layers, over(layers.looks, root.path), unused(layers.scope, taken), asset, maps
+        )
+        for frame in frames:
+            body = _write_body(layers, root, asset, frame)
+            if frame.link is not None:
+                prims = body, define(meshes, frame.name)
+                write_content(layers, prims, asset, frame.link, hulls(asset)[frame.name], looks)
+            place(body, frame.placement)
+        write_joints(layers, root, unused("joints", taken), asset, segments)
+    lost = joint_losses(asset, segments, apart=layers.apart)
     return Written(maps.files, (*lost, *losses(*look_rows(asset, textures))))
 
 
-class _Writer:
-    """The layers of one asset under construction."""
-
-    def __init__(self, asset: Asset, layers: Layers, maps: MapFiles) -> None:
-        # the asset
-        self.asset = asset
-        # the layers
-        self.layers = layers
-        # the maps of the materials
-        self.maps = maps
-        # joints with their frames
-        self.segments = chain(asset)
-        self._affordances = asset.affordances
-        taken = {segment.child.name for segment in self.segments} | {asset.links[0].name}
-        self._joints_name = unused("joints", taken)
-        self._looks_name = unused(layers.scope, taken)
-
-    def write(self) -> None:
-        """Author all layers."""
-        self._root = _root(self.asset, self.layers)
-        self._meshes = over(self.layers.geometry, self._root.path)
-        self._materials()
-        self._body(base_frame(self.asset))
-        for segment in self.segments:
-            self._body(segment.child)
-        self._joints()
-
-    def _materials(self) -> None:
-        looks = define(over(self.layers.looks, self._root.path), self._looks_name, "Scope")
-        seen = {surface.material.name for link in self.asset.links for surface in link.surfaces}
-        for material in self.asset.materials:
-            write_material(self.layers, looks, material, self.maps.of(material), seen=material.name in seen)
-
-    def _joints(self) -> None:
-        scope = define(self.layers.physical(self._root), self._joints_name, "Scope")
-        if self.asset.base == "fixed":
-            name = unused("root_joint", {joint.name for joint in self.asset.joints})
-            base = self._root.path.AppendChild(self.asset.links[0].name)
-            write_fixed_joint(scope, name, (None, base))
-        write_joints(self.layers, scope, self.asset, self.segments)
-
-    def _body(self, frame: LinkFrame) -> None:
-        link = frame.link
-        prim = define(self._root, frame.name, "Xform", [] if link is None else [PART_LABEL])
-        physics = self.layers.physical(prim)
-        apply(physics, "PhysicsRigidBodyAPI", "PhysicsMassAPI")
-        write_runtime_body(self.layers, prim)
-        if link is None:
-            _mass(physics, INTERMEDIATE_MASS, np.zeros(3), np.full(3, INTERMEDIATE_INERTIA), np.eye(3))
-        else:
-            if link is self.asset.links[0] and self.asset.base == "free":
-                # the root of a free articulation is undefined unless one body is marked
-                apply(physics, "PhysicsArticulationRootAPI")
-                write_runtime_root(self.layers, prim)
-            write_label(prim, "part", [link.label])
-            properties = link.mass_properties
-            moments, axes = properties.principal()
-            _mass(physics, properties.mass, properties.center - frame.origin, moments, axes)
-            self._content(prim, link, frame.origin)
-        place(prim, frame.placement)
-
-    def _content(self, prim: Sdf.PrimSpec, link: Link, origin: Array) -> None:
-        """Write surfaces, colliders and grasps of the links; meshes go to their own layer."""
-        looks = self._root.path.AppendChild(self._looks_name)
-        meshes = define(self._meshes, link.name)
-        define(prim, "visuals", "Scope")
-        visuals = define(meshes, "visuals")
-        for surface in link.surfaces:
-            write_surface(visuals, surface, origin, looks.AppendChild(surface.material.name))
-        collisions = define(prim, "collisions", "Scope"), define(meshes, "collisions")
-        of_link = hulls(self.asset)[link.name]
-        for number, collider in enumerate(link.colliders):
-            name = f"{collider.convex.kind}_{number}"
-            material = looks.AppendChild(collider.material.name)
-            if number in of_link:
-                write_hull(self.layers, collisions[1], name, of_link[number], material)
-            else:
-                write_primitive(self.layers, collisions[0], name, collider.convex, origin, material)
-        write_holds(prim, self.asset, [each for each in self._affordances if each.link == link.name])
-
-
-def _root(asset: Asset, layers: Layers) -> Sdf.PrimSpec:
-    schemas = ["SemanticsLabelsAPI:category", "SemanticsLabelsAPI:wikidata_qcode"]
-    prim = define(layers.structure, asset.name, "Xform", schemas)
+def _write_root(layers: Layers, asset: Asset) -> Sdf.PrimSpec:
+    labels = {"category": asset.category, "wikidata_qcode": category_code(asset.category)}
+    prim = define(
+        layers.structure,
+        asset.name,
+        "Xform",
+        {f"semantics:labels:{name}": [label] for name, label in labels.items()},
+        schemas=[f"SemanticsLabelsAPI:{name}" for name in labels],
+    )
     if asset.base == "fixed":
-        apply(layers.physical(prim), "PhysicsArticulationRootAPI")
-        write_runtime_root(layers, prim)
+        _write_articulation(layers, prim)
     prim.SetInfo("kind", "component")
     prim.SetInfo("assetInfo", {"name": asset.name, "version": asset.version})
     made = {
@@ -186,17 +128,33 @@ def _root(asset: Asset, layers: Layers) -> Sdf.PrimSpec:
         "version": asset.version,
     }
     prim.SetInfo("customData", {"artgen": _dictionary(made)})
-    write_label(prim, "category", [asset.category])
-    write_label(prim, "wikidata_qcode", [category_code(asset.category)])
     return prim
 
 
-def _mass(prim: Sdf.PrimSpec, mass: float, center: Array, moments: Array, axes: Array) -> None:
-    """Write all four mass properties: simulators derive missing ones from the colliders."""
-    write(prim, TYPES.Float, {"physics:mass": mass})
-    write(prim, TYPES.Point3f, {"physics:centerOfMass": vec3(center)})
-    write(prim, TYPES.Float3, {"physics:diagonalInertia": vec3(moments)})
-    write(prim, TYPES.Quatf, {"physics:principalAxes": quatf(axes)})
+def _write_body(layers: Layers, root: Sdf.PrimSpec, asset: Asset, frame: LinkFrame) -> Sdf.PrimSpec:
+    link = frame.link
+    prim = define(root, frame.name, "Xform", schemas=[] if link is None else [PART_LABEL])
+    physics = layers.physical(prim)
+    apply(physics, "PhysicsRigidBodyAPI", "PhysicsMassAPI")
+    layers.add_runtime(prim, [_BODY])
+    mass, center = INTERMEDIATE_MASS, np.zeros(3)
+    moments, axes = np.full(3, INTERMEDIATE_INERTIA), np.eye(3)
+    if link is not None:
+        if link is asset.links[0] and asset.base == "free":
+            # the root of a free articulation is undefined unless one body is marked
+            _write_articulation(layers, prim)
+        write(prim, {"semantics:labels:part": [link.label]})
+        mass, center = link.mass_properties.mass, link.mass_properties.center - frame.origin
+        moments, axes = link.mass_properties.principal()
+    # all four: simulators derive missing ones from the colliders
+    values = {"mass": mass, "centerOfMass": center, "diagonalInertia": moments, "principalAxes": axes}
+    write(physics, {f"physics:{name}": value for name, value in values.items()})
+    return prim
+
+
+def _write_articulation(layers: Layers, prim: Sdf.PrimSpec) -> None:
+    apply(layers.physical(prim), "PhysicsArticulationRootAPI")
+    layers.add_runtime(prim, _ROOT)
 
 
 def _dictionary(values: Mapping[str, Any]) -> dict[str, Any]:

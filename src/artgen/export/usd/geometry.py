@@ -1,213 +1,161 @@
 """Visual and collision geometry of a link and its grasp frames as USD prims."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 from pxr import Sdf, Vt
 
 from artgen._arrays import Array
-from artgen.asset import Asset, Surface
+from artgen.asset import Asset, Link, Surface
 from artgen.asset.affordance import Affordance
 from artgen.asset.surface import texture_coordinates
 from artgen.colliders import Convex
 from artgen.export.frames import local, translation
 from artgen.export.hulls import Hull
-from artgen.export.usd.layer import (
-    TYPES,
-    Layers,
-    apply,
-    define,
-    int_array,
-    place,
-    relate,
-    vec3,
-    vec3_array,
-    write,
-)
-from artgen.export.usd.runtimes import write_runtime_collider
-
-_THICKNESS = 0.002
-"""Width of the line between the fingers [m]."""
-
-
-def write_holds(prim: Sdf.PrimSpec, asset: Asset, found: Sequence[Affordance]) -> None:
-    """Add the grasps and pushes of a link, invisible to cameras.
-
-    Each is a frame with z along the approach; x of a grasp is the closing direction. Its custom data have the
-    kind, the opening of the fingers [m] and the joints that a hand moves, the nearest first.
-
-    Args:
-        prim: The prim of the link.
-        asset: The asset.
-        found: Affordances of the link.
-    """
-    for kind, scope_name in (("grasp", "grasps"), ("push", "pushes")):
-        of_kind = [each for each in found if each.kind == kind]
-        if of_kind:
-            scope = define(prim, scope_name, "Scope")
-            for affordance in of_kind:
-                _hold(scope, affordance, local(asset, affordance.link, affordance.frame))
-
-
-def _hold(scope: Sdf.PrimSpec, affordance: Affordance, pose: Array) -> None:
-    prim = define(scope, affordance.name, "Xform")
-    said = {"joints": Vt.StringArray(affordance.joints), "kind": affordance.kind}
-    if affordance.kind == "grasp":
-        said["width"] = affordance.width
-    prim.SetInfo("customData", {"artgen": said})
-    write(prim, TYPES.Token, {"purpose": "guide"}, uniform=True)
-    place(prim, pose)
-    if affordance.kind == "grasp":
-        _line(prim, affordance)
-
-
-def _line(prim: Sdf.PrimSpec, affordance: Affordance) -> None:
-    """Add the line between the fingers; SimReady identifies it by its name."""
-    line = define(prim, f"grasp_identifier_{affordance.name}", "BasisCurves")
-    # in single precision from here on: readers compute the extent of the written values
-    half, margin = np.float32(0.5 * affordance.width), np.float32(0.5) * np.float32(_THICKNESS)
-    ends = np.array([[-half, 0.0, 0.0], [half, 0.0, 0.0]], np.float32)
-    write(line, TYPES.Point3fArray, {"points": vec3_array(ends)})
-    write(line, TYPES.IntArray, {"curveVertexCounts": int_array(np.array([2]))})
-    write(line, TYPES.Token, {"type": "linear"}, uniform=True)
-    write(line, TYPES.FloatArray, {"widths": Vt.FloatArray([_THICKNESS])}, interpolation="constant")
-    write(line, TYPES.Float3Array, {"extent": vec3_array(ends + np.array([[-margin], [margin]]))})
-
+from artgen.export.usd.joints import STIFF
+from artgen.export.usd.layer import Layers, RuntimeRow, apply, define, place, write
 
 PART_LABEL = "SemanticsLabelsAPI:part"
 
-
-def write_surface(scope: Sdf.PrimSpec, surface: Surface, origin: Array, material: Sdf.Path) -> None:
-    """Add the mesh of a surface.
-
-    Args:
-        scope: The parent prim.
-        surface: The faces, in asset coordinates.
-        origin: The origin of the link's frame, shape (3,) [m].
-        material: The prim of its material.
-    """
-    prim = define(scope, surface.name, "Mesh", ["MaterialBindingAPI", PART_LABEL])
-    _label(prim, surface.label)
-    relate(prim, "material:binding", material)
-    mesh = surface.mesh
-    _mesh(prim, mesh.vertices - origin, mesh.triangles)
-    write(prim, TYPES.Normal3fArray, {"normals": vec3_array(mesh.normals)}, interpolation="vertex")
-    values, indices = _indexed(texture_coordinates(mesh, surface.material))
-    write(prim, TYPES.TexCoord2fArray, {"primvars:st": values}, interpolation="vertex")
-    write(prim, TYPES.IntArray, {"primvars:st:indices": indices})
-    # for viewers that do not read materials
-    color = Vt.Vec3fArray([vec3(surface.material.base_color)])
-    write(prim, TYPES.Color3fArray, {"primvars:displayColor": color}, interpolation="constant")
-    if surface.material.opacity < 1.0:
-        opacity = Vt.FloatArray([surface.material.opacity])
-        write(prim, TYPES.FloatArray, {"primvars:displayOpacity": opacity}, interpolation="constant")
-
-
-def write_hull(layers: Layers, scope: Sdf.PrimSpec, name: str, hull: Hull, material: Sdf.Path) -> None:
-    """Add a hull collider, invisible to cameras.
-
-    Args:
-        layers: Layers for its physics.
-        scope: The parent prim.
-        name: Its name.
-        hull: Its surface.
-        material: The prim of its material, for friction.
-    """
-    prim = define(scope, name, "Mesh")
-    _mesh(prim, hull.vertices, hull.triangles)
-    place(prim, translation(hull.middle))
-    write(prim, TYPES.Normal3fArray, {"normals": vec3_array(hull.normals)}, interpolation="uniform")
-    _collide(layers, prim, material, hull=True)
-
-
-def write_primitive(
-    layers: Layers, scope: Sdf.PrimSpec, name: str, convex: Convex, origin: Array, material: Sdf.Path
-) -> None:
-    """Add a box or round collider, invisible to cameras.
-
-    Args:
-        layers: Layers for its physics.
-        scope: The parent prim.
-        name: Its name.
-        convex: The piece, in asset coordinates.
-        origin: The origin of the link's frame, shape (3,) [m].
-        material: The prim of its material, for friction.
-    """
-    prim = define(scope, name, _PRIMITIVES[convex.kind])
-    _primitive(prim, convex, origin)
-    _collide(layers, prim, material, hull=False)
-
-
-def write_label(prim: Sdf.PrimSpec, taxonomy: str, labels: list[str]) -> None:
-    """Add the semantic labels of a prim that has `SemanticsLabelsAPI:<taxonomy>`."""
-    write(prim, TYPES.TokenArray, {f"semantics:labels:{taxonomy}": Vt.TokenArray(labels)})
-
-
+_THICKNESS = 0.002  # width of the line between the fingers [m]
+_CONTACT_IMPEDANCE = (0.95, 0.99, 0.0005, 0.5, 2.0)
 _PRIMITIVES = {"box": "Cube", "cylinder": "Cylinder", "sphere": "Sphere", "capsule": "Capsule"}
+_MUJOCO: RuntimeRow = (
+    "mujoco",
+    "MjcCollisionAPI",
+    {"mjc:solimp": _CONTACT_IMPEDANCE, "mjc:solref": STIFF},
+)
 
 
-def _label(prim: Sdf.PrimSpec, label: str) -> None:
-    write_label(prim, "part", [label])
+def write_content(
+    layers: Layers,
+    prims: tuple[Sdf.PrimSpec, Sdf.PrimSpec],
+    asset: Asset,
+    link: Link,
+    of_link: Mapping[int, Hull],
+    looks: Sdf.Path,
+) -> None:
+    """Add surfaces, colliders and grasps of a link.
+
+    Args:
+        layers: Layers for the physics of colliders.
+        prims: The prim of the link in the layer of the bodies, and in that of the meshes.
+        asset: The asset.
+        link: The link.
+        of_link: Its hulls by number of the collider.
+        looks: The scope of the materials.
+    """
+    body, meshes = prims
+    origin = asset.origin(link.name)
+    define(body, "visuals", "Scope")
+    visuals = define(meshes, "visuals")
+    for surface in link.surfaces:
+        _write_surface(visuals, surface, origin, looks.AppendChild(surface.material.name))
+    primitives, hulls = define(body, "collisions", "Scope"), define(meshes, "collisions")
+    for number, collider in enumerate(link.colliders):
+        name, convex = f"{collider.convex.kind}_{number}", collider.convex
+        if number in of_link:
+            prim = _define_hull(hulls, name, of_link[number])
+        else:
+            prim = _define_primitive(primitives, name, convex, translation(-origin) @ convex.pose)
+        write(prim, {"purpose": "guide"})  # invisible to cameras
+        physics = layers.physical(prim)
+        apply(physics, "PhysicsCollisionAPI", "MaterialBindingAPI")
+        if number in of_link:
+            apply(physics, "PhysicsMeshCollisionAPI")
+            write(physics, {"physics:approximation": "convexHull"})
+            layers.add_runtime(prim, [("newton", "NewtonMeshCollisionAPI", {})])
+        write(physics, {"material:binding:physics": looks.AppendChild(collider.material.name)})
+        layers.add_runtime(prim, [_MUJOCO])
+    for kind, scope_name in (("grasp", "grasps"), ("push", "pushes")):
+        found = [each for each in asset.affordances if each.link == link.name and each.kind == kind]
+        scope = define(body, scope_name, "Scope") if found else body
+        for affordance in found:
+            _write_hold(scope, affordance, local(asset, link.name, affordance.frame))
 
 
-def _collide(layers: Layers, prim: Sdf.PrimSpec, material: Sdf.Path, *, hull: bool) -> None:
-    write(prim, TYPES.Token, {"purpose": "guide"}, uniform=True)
-    physics = layers.physical(prim)
-    apply(physics, *(_HULL if hull else _COLLISION))
-    if hull:
-        write(physics, TYPES.Token, {"physics:approximation": "convexHull"}, uniform=True)
-    relate(physics, "material:binding:physics", material)
-    write_runtime_collider(layers, prim, hull=hull)
+def _write_hold(scope: Sdf.PrimSpec, affordance: Affordance, pose: Array) -> None:
+    """Add a grasp or push, invisible to cameras.
+
+    It is a frame with z along the approach; x of a grasp is the closing direction. Its custom data have the
+    kind, the opening of the fingers [m] and the joints that a hand moves, the nearest first.
+    """
+    prim = define(scope, affordance.name, "Xform", {"purpose": "guide"})
+    data = {"joints": Vt.StringArray(affordance.joints), "kind": affordance.kind}
+    place(prim, pose)
+    if affordance.kind == "grasp":
+        data["width"] = affordance.width
+        # single precision from here on: readers compute the extent of the written values
+        half, margin = np.float32(0.5 * affordance.width), np.float32(0.5) * np.float32(_THICKNESS)
+        ends = np.array([[-half, 0.0, 0.0], [half, 0.0, 0.0]], np.float32)
+        # SimReady identifies the line between the fingers by its name
+        values = {
+            "points": ends,
+            "curveVertexCounts": np.array([2]),
+            "type": "linear",
+            "extent": ends + np.array([[-margin], [margin]]),
+        }
+        line = define(prim, f"grasp_identifier_{affordance.name}", "BasisCurves", values)
+        write(line, {"widths": [_THICKNESS]}, interpolation="constant")
+    prim.SetInfo("customData", {"artgen": data})
 
 
-_COLLISION = ("PhysicsCollisionAPI", "MaterialBindingAPI")
+def _write_surface(scope: Sdf.PrimSpec, surface: Surface, origin: Array, material: Sdf.Path) -> None:
+    """Add the mesh of a surface."""
+    mesh, look = surface.mesh, surface.material
+    values = {"semantics:labels:part": [surface.label], "material:binding": material}
+    schemas = ["MaterialBindingAPI", PART_LABEL]
+    prim = define(scope, surface.name, "Mesh", values, schemas=schemas)
+    write(prim, _mesh(mesh.vertices - origin, mesh.triangles))
+    uvs, indices = _indexed(texture_coordinates(mesh, look))
+    write(prim, {"normals": mesh.normals, "primvars:st": uvs}, interpolation="vertex")
+    write(prim, {"primvars:st:indices": indices})
+    # for viewers that do not read materials
+    plain = {
+        "primvars:displayColor": np.array([look.base_color]),
+        "primvars:displayOpacity": [look.opacity] if look.opacity < 1.0 else None,
+    }
+    write(prim, plain, interpolation="constant")
 
-_HULL = (*_COLLISION, "PhysicsMeshCollisionAPI")
+
+def _define_hull(scope: Sdf.PrimSpec, name: str, hull: Hull) -> Sdf.PrimSpec:
+    prim = define(scope, name, "Mesh", _mesh(hull.vertices, hull.triangles))
+    place(prim, translation(hull.middle))
+    write(prim, {"normals": hull.normals}, interpolation="uniform")
+    return prim
 
 
-def _primitive(prim: Sdf.PrimSpec, convex: Convex, origin: Array) -> None:
-    size = convex.size
-    pose = translation(-origin) @ convex.pose
+def _define_primitive(scope: Sdf.PrimSpec, name: str, convex: Convex, pose: Array) -> Sdf.PrimSpec:
+    size, scale = convex.size, None
+    values: dict[str, Any]
     if convex.kind == "box":
         # a cube has a single size, so a box is a scaled unit cube; the body above it stays unscaled
-        write(prim, TYPES.Double, {"size": 1.0})
-        _extent(prim, np.array([[-0.5] * 3, [0.5] * 3]))
-        place(prim, pose, size)
-        return
-    write(prim, TYPES.Double, {"radius": size[0]})
-    half = np.full(3, size[0])
-    if convex.kind != "sphere":
-        write(prim, TYPES.Double, {"height": size[1]})
-        write(prim, TYPES.Token, {"axis": "Z"}, uniform=True)
-        half[2] = 0.5 * size[1] + (size[0] if convex.kind == "capsule" else 0.0)
-    _extent(prim, np.array([-half, half]))
-    place(prim, pose)
+        values, half, scale = {"size": 1.0}, np.full(3, 0.5), size
+    elif convex.kind == "sphere":
+        values, half = {"radius": size[0]}, np.full(3, size[0])
+    else:
+        values = {"radius": size[0], "height": size[1], "axis": "Z"}
+        half = np.array([size[0], size[0], 0.5 * size[1] + (size[0] if convex.kind == "capsule" else 0.0)])
+    prim = define(scope, name, _PRIMITIVES[convex.kind], {**values, "extent": np.array([-half, half])})
+    place(prim, pose, scale)
+    return prim
 
 
-def _mesh(prim: Sdf.PrimSpec, points: Array, triangles: NDArray[np.int64]) -> None:
-    corners = triangles.ravel()
-    write(prim, TYPES.Point3fArray, {"points": vec3_array(points)})
-    _extent(prim, np.array([points.min(axis=0), points.max(axis=0)]))
-    write(
-        prim,
-        TYPES.IntArray,
-        {
-            "faceVertexCounts": int_array(np.full(len(triangles), 3)),
-            "faceVertexIndices": int_array(corners),
-        },
-    )
-    write(prim, TYPES.Token, {"subdivisionScheme": "none"}, uniform=True)
+def _mesh(points: Array, triangles: NDArray[np.int64]) -> dict[str, Any]:
+    return {
+        "points": points,
+        "extent": np.array([points.min(axis=0), points.max(axis=0)]),
+        "faceVertexCounts": np.full(len(triangles), 3),
+        "faceVertexIndices": triangles.ravel(),
+        "subdivisionScheme": "none",
+    }
 
 
-def _extent(prim: Sdf.PrimSpec, corners: Array) -> None:
-    write(prim, TYPES.Float3Array, {"extent": vec3_array(corners)})
-
-
-def _indexed(uvs: Array) -> tuple[Vt.Vec2fArray, Vt.IntArray]:
-    """Return the distinct texture coordinates and the number of each vertex's own."""
+def _indexed(uvs: Array) -> tuple[NDArray[np.float32], NDArray[np.int64]]:
+    """Return the distinct texture coordinates in single precision and the number of each vertex's own."""
     single = np.ascontiguousarray(uvs, np.float32) + np.float32(0.0)
     # a pair of floats is one 64-bit key: sorting keys is many times faster than sorting rows
     keys, indices = np.unique(single.view(np.int64).ravel(), return_inverse=True)
-    values = keys.view(np.float32).reshape(-1, 2)
-    return Vt.Vec2fArray.FromNumpy(np.ascontiguousarray(values)), int_array(indices)
+    return np.ascontiguousarray(keys.view(np.float32).reshape(-1, 2)), indices

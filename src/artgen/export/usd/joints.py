@@ -1,70 +1,78 @@
 """Joints as USD prims: frames, limits, springs, friction and couplings.
 
-Plain UsdPhysics has frames, limits and drives. API schemas of simulators express friction, armature, largest
-speed and couplings, see `artgen.export.usd.runtimes`.
+Plain UsdPhysics has frames, limits and drives. API schemas of PhysX, Newton and MuJoCo express friction,
+armature, largest speed and couplings, without their packages; readers ignore unknown schemas. The numbers
+equal those of the MJCF.
 """
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from typing import Any
 
 import numpy as np
-from pxr import Gf, Sdf
+from pxr import Sdf
 
 from artgen._arrays import Array
 from artgen.asset import Asset, AssetJoint
-from artgen.export.frames import INTERMEDIATE_MASS, Segment
+from artgen.export.frames import INTERMEDIATE_MASS, Segment, unused
 from artgen.export.losses import Loss, losses, mechanism_rows
-from artgen.export.usd.layer import TYPES, Layers, define, quatf, relate, vec3, write
-from artgen.export.usd.runtimes import driven, instance_of, units_of, write_runtime_joint
+from artgen.export.usd.layer import Layers, RuntimeRow, define
 
-_IDENTITY = np.eye(4)
+# as in the MJCF, which gives the reasons
+STIFF = (0.005, 1.0)
+"""Time constant [s] and damping ratio of limits, contacts and couplings in MuJoCo."""
+
+_COUPLING_IMPEDANCE = (0.99, 0.9999, 0.0001, 0.5, 2.0)
+_FRICTION_IMPEDANCE = (0.9999, 0.9999, 0.001, 0.5, 2.0)
+
+_FAR = 2.0e5 * math.pi  # limits of a coupled joint without limits: a hundred thousand turns [rad or m]
+_TYPE_NAMES = {"revolute": "PhysicsRevoluteJoint", "prismatic": "PhysicsPrismaticJoint"}
 
 
-def write_fixed_joint(
-    scope: Sdf.PrimSpec, name: str, bodies: tuple[Sdf.Path | None, Sdf.Path], frame: Array = _IDENTITY
+def write_joints(
+    layers: Layers, root: Sdf.PrimSpec, name: str, asset: Asset, segments: Sequence[Segment]
 ) -> None:
-    """Join two bodies rigidly.
-
-    Args:
-        scope: The parent prim.
-        name: Its name.
-        bodies: Parent and child; None as the parent is the world.
-        frame: The child's frame in the parent's, shape (4, 4) [m].
-    """
-    prim = define(scope, name, "PhysicsFixedJoint")
-    parent, child = bodies
-    if parent is not None:
-        relate(prim, "physics:body0", parent)
-    relate(prim, "physics:body1", child)
-    _frames(prim, frame[:3, 3], frame[:3, :3], np.eye(3))
-
-
-def write_joints(layers: Layers, scope: Sdf.PrimSpec, asset: Asset, segments: Sequence[Segment]) -> None:
     """Add every joint.
 
     Args:
         layers: Layers for attributes of single simulators.
-        scope: The parent prim; the bodies are its siblings.
+        root: The prim of the asset, parent of the bodies.
+        name: Name of the scope of the joints.
         asset: The asset.
         segments: Its joints with their frames.
     """
-    root = scope.path.GetParentPath()
-    limits = _written_limits(asset)
-    positions = asset.positions()
+    scope = define(layers.physical(root), name, "Scope")
+    limits, positions = _written_limits(asset), asset.positions()
+    if asset.base == "fixed":
+        fixed = unused("root_joint", {joint.name for joint in asset.joints})
+        base = {"physics:body1": root.path.AppendChild(asset.links[0].name)}
+        define(scope, fixed, "PhysicsFixedJoint", {**base, **_frames(np.eye(4), np.eye(3), np.eye(3))})
     for segment in segments:
-        joint = segment.joint
-        bodies = root.AppendChild(segment.parent.name), root.AppendChild(segment.child.name)
+        joint, origin = segment.joint, segment.origin
+        bodies = {
+            "physics:body0": root.path.AppendChild(segment.parent.name),
+            "physics:body1": root.path.AppendChild(segment.child.name),
+        }
         if joint.locked:
-            write_fixed_joint(scope, joint.name, bodies, segment.origin)
+            values = {**bodies, **_frames(origin, origin[:3, :3], np.eye(3))}
+            define(scope, joint.name, "PhysicsFixedJoint", values)
             continue
-        prim = _joint(scope, segment, bodies)
-        bounds = limits[joint.name]
-        if bounds is not None:
-            lower, upper = (units_of(joint) * bound for bound in bounds)
-            write(prim, TYPES.Float, {"physics:lowerLimit": lower, "physics:upperLimit": upper})
-        if driven(joint):
-            _drive(prim, joint)
-        write_runtime_joint(layers, prim, asset, joint, positions[joint.name])
+        turn = _turn_from_x(joint.axis)
+        lower, upper = limits[joint.name] or (None, None)
+        values = {
+            **bodies,
+            **_frames(origin, turn, turn),
+            "physics:axis": "X",
+            "physics:lowerLimit": None if lower is None else lower * units_of(joint),
+            "physics:upperLimit": None if upper is None else upper * units_of(joint),
+            **_drive(joint),
+        }
+        schemas = [f"PhysicsDriveAPI:{_instance(joint)}"] if _driven(joint) else []
+        prim = define(scope, joint.name, _TYPE_NAMES[joint.kind], values, schemas=schemas)
+        layers.add_runtime(prim, _runtime_rows(joint, positions[joint.name], apart=layers.apart))
+        if joint.follows is not None:
+            leader = asset.joint(joint.follows.leader)
+            layers.add_runtime(prim, _coupling_rows(prim.path, joint, leader, apart=layers.apart))
 
 
 def joint_losses(asset: Asset, segments: Sequence[Segment], *, apart: bool = False) -> tuple[Loss, ...]:
@@ -82,6 +90,9 @@ def joint_losses(asset: Asset, segments: Sequence[Segment], *, apart: bool = Fal
     positions = asset.positions()
     own = "in the variants of the simulators only: " if apart else ""
     words = own + "PhysxJointAxisAPI, NewtonJointAPI and MjcJointAPI, which other readers do not know"
+    mimic = "PhysxMimicJointAPI, NewtonMimicAPI and MjcEqualityJointAPI"
+    if not apart:
+        mimic = "PhysxMimicJointAPI and NewtonMimicAPI, or MjcEqualityJointAPI between a rotation and a slide"
     return losses(
         (
             "several joints between two links",
@@ -105,7 +116,7 @@ def joint_losses(asset: Asset, segments: Sequence[Segment], *, apart: bool = Fal
             [joint.name for joint in movable if positions[joint.name] != 0.0],
             "bodies placed as the joint stands, and PhysicsJointStateAPI" + (" in PhysX's variant" * apart),
         ),
-        ("joint coupling", [joint.name for joint in followers], own + (_APART if apart else _TOGETHER)),
+        ("joint coupling", [joint.name for joint in followers], own + mimic),
         (
             "coupling without limits",
             [joint.name for joint in movable if joint.limits is None and limits[joint.name] is not None],
@@ -115,28 +126,117 @@ def joint_losses(asset: Asset, segments: Sequence[Segment], *, apart: bool = Fal
     )
 
 
-_TOGETHER = "PhysxMimicJointAPI and NewtonMimicAPI, or MjcEqualityJointAPI between a rotation and a slide"
-
-_APART = "PhysxMimicJointAPI, NewtonMimicAPI and MjcEqualityJointAPI"
-
-_FAR = 2.0e5 * math.pi
-"""Limits of a coupled joint without limits: a hundred thousand turns [rad or m]."""
+def units_of(joint: AssetJoint) -> float:
+    """Return USD units per SI unit of the joint's position: degrees, or metres."""
+    return 180.0 / math.pi if joint.kind == "revolute" else 1.0
 
 
-def _joint(scope: Sdf.PrimSpec, segment: Segment, bodies: tuple[Sdf.Path, Sdf.Path]) -> Sdf.PrimSpec:
-    """Add the prim of a joint with its frames; it moves along or about x of both."""
-    joint = segment.joint
-    schemas = [f"PhysicsDriveAPI:{instance_of(joint)}"] if driven(joint) else []
-    prim = define(scope, joint.name, _TYPE_NAMES[joint.kind], schemas)
-    relate(prim, "physics:body0", bodies[0])
-    relate(prim, "physics:body1", bodies[1])
-    write(prim, TYPES.Token, {"physics:axis": "X"}, uniform=True)
-    turn = _turn_from_x(joint.axis)
-    _frames(prim, segment.origin[:3, 3], turn, turn)
-    return prim
+def _instance(joint: AssetJoint) -> str:
+    """Return the instance name of the drive, axis and state of a joint's degree of freedom."""
+    return "angular" if joint.kind == "revolute" else "linear"
 
 
-_TYPE_NAMES = {"revolute": "PhysicsRevoluteJoint", "prismatic": "PhysicsPrismaticJoint"}
+def _driven(joint: AssetJoint) -> bool:
+    """Tell whether a joint has a drive: a coupled joint has one only for its own spring or damper."""
+    return joint.follows is None or joint.stiffness > 0.0 or joint.damping > 0.0
+
+
+def _frames(origin: Array, turn0: Array, turn1: Array) -> dict[str, Any]:
+    """Return the joint's frame in both bodies, at the origin of the child."""
+    return {
+        "physics:localPos0": origin[:3, 3],
+        "physics:localPos1": np.zeros(3),
+        "physics:localRot0": turn0,
+        "physics:localRot1": turn1,
+    }
+
+
+def _drive(joint: AssetJoint) -> dict[str, Any]:
+    """Return the joint's spring and damper as a drive, which actuators use as well."""
+    if not _driven(joint):
+        return {}
+    prefix, units = f"drive:{_instance(joint)}:physics:", units_of(joint)
+    return {
+        prefix + "type": "force",
+        prefix + "damping": joint.damping / units,
+        prefix + "stiffness": joint.stiffness / units,
+        prefix + "targetPosition": joint.rest * units,
+        prefix + "maxForce": joint.effort if _effort_holds(joint) else None,
+    }
+
+
+def _runtime_rows(joint: AssetJoint, position: float, *, apart: bool) -> Iterator[RuntimeRow]:
+    """Yield friction, armature, largest speed and initial position of a joint.
+
+    MuJoCo does not read drives, so its variant has the spring and the damper as MuJoCo attributes, and none
+    in the drive. Newton adds both, so without variants they are in the drive only.
+    """
+    instance, units = _instance(joint), units_of(joint)
+    # a coupled joint has its leader's speed: its own limit would fight the coupling
+    speed = joint.velocity * units if joint.follows is None else None
+    axis = f"physxJointAxis:{instance}:"
+    physx = {
+        axis + "armature": joint.armature,
+        axis + "dynamicFrictionEffort": joint.friction,
+        axis + "maxJointVelocity": speed,
+        axis + "staticFrictionEffort": joint.friction,
+    }
+    yield "physx", f"PhysxJointAxisAPI:{instance}", physx
+    if position != 0.0:  # PhysX assumes 0 by default, regardless of the bodies
+        state = {f"state:{instance}:physics:position": units * position}
+        yield "physx", f"PhysicsJointStateAPI:{instance}", state
+    newton = {"newton:armature": joint.armature, "newton:friction": joint.friction}
+    yield "newton", "NewtonJointAPI", {**newton, "newton:velocityLimit": speed}
+    mujoco: dict[str, Any] = {
+        "mjc:actuatorfrcrange:max": joint.effort,
+        "mjc:actuatorfrcrange:min": -joint.effort,
+        "mjc:armature": joint.armature,
+        "mjc:frictionloss": joint.friction,
+        "mjc:solimpfriction": _FRICTION_IMPEDANCE,
+        "mjc:solreffriction": STIFF,
+        "mjc:solreflimit": STIFF,
+    }
+    if apart:
+        undriven = {f"drive:{instance}:physics:{name}": 0.0 for name in ("damping", "stiffness")}
+        mujoco |= {
+            "mjc:damping": joint.damping,
+            "mjc:stiffness": joint.stiffness,
+            "mjc:springref": joint.rest * units if joint.stiffness else None,
+            "mjc:ref": position * units if position != 0.0 else None,
+            **(undriven if _driven(joint) else {}),
+        }
+    yield "mujoco", "MjcJointAPI", mujoco
+
+
+def _coupling_rows(
+    path: Sdf.Path, joint: AssetJoint, leader: AssetJoint, *, apart: bool
+) -> Iterator[RuntimeRow]:
+    """Yield the coupling of a joint for each simulator.
+
+    PhysX holds `position + gearing * leader + offset = 0` in degrees and metres, and does the same for
+    `NewtonMimicAPI`, `position = coef0 + coef1 * leader`. Newton reads coef1 in radians and metres. The two
+    agree on joints of one kind only. Between a rotation and a slide, MuJoCo's equality in radians and metres
+    is for Newton, because PhysX ignores it; if each simulator has its own layer, both are written.
+    """
+    assert joint.follows is not None
+    ratio, offset = joint.follows.ratio, joint.follows.offset
+    target = path.ReplaceName(leader.name)
+    if apart or joint.kind == leader.kind:
+        law = {"newton:mimicCoef0": offset * units_of(joint), "newton:mimicCoef1": ratio}
+        yield "newton", "NewtonMimicAPI", {"newton:mimicJoint": target, **law}
+    if apart or joint.kind != leader.kind:
+        # MuJoCo counts from the initial positions, in which the coupling holds; Newton counts from 0
+        law = {"mjc:coef0": 0.0 if apart else offset, "mjc:coef1": ratio}
+        solver = {"mjc:solimp": _COUPLING_IMPEDANCE, "mjc:solref": STIFF}
+        yield "mujoco", "MjcEqualityJointAPI", {"mjc:target": target, **law, **solver}
+    prefix = "physxMimicJoint:rotX:"  # PhysX requires the name of a rotation axis for slides as well
+    physx = {
+        prefix + "referenceJoint": target,
+        prefix + "referenceJointAxis": "rotX",
+        prefix + "gearing": -ratio * units_of(joint) / units_of(leader),
+        prefix + "offset": -offset * units_of(joint),
+    }
+    yield "physx", "PhysxMimicJointAPI:rotX", physx
 
 
 def _written_limits(asset: Asset) -> dict[str, tuple[float, float] | None]:
@@ -157,23 +257,6 @@ def _wide(asset: Asset, joint: AssetJoint) -> tuple[float, float]:
     return low, high
 
 
-def _frames(prim: Sdf.PrimSpec, position: Array, turn0: Array, turn1: Array) -> None:
-    """Write the joint's frame in both bodies, at the origin of the child."""
-    write(
-        prim,
-        TYPES.Point3f,
-        {"physics:localPos0": vec3(position), "physics:localPos1": Gf.Vec3f(0.0)},
-    )
-    write(
-        prim,
-        TYPES.Quatf,
-        {
-            "physics:localRot0": quatf(turn0),
-            "physics:localRot1": quatf(turn1),
-        },
-    )
-
-
 def _turn_from_x(axis: Array) -> Array:
     """Return a rotation that takes x to a unit axis, shape (3, 3)."""
     # the smallest rotation, after half a turn for an axis that points backwards, near which it loses digits
@@ -182,21 +265,6 @@ def _turn_from_x(axis: Array) -> Array:
     cross = np.array([[0.0, -y, -z], [y, 0.0, 0.0], [z, 0.0, 0.0]])
     turn: Array = np.eye(3) + cross + cross @ cross / (1.0 + x)
     return turn @ np.diag([sign, sign, 1.0])
-
-
-def _drive(prim: Sdf.PrimSpec, joint: AssetJoint) -> None:
-    """Write the joint's spring and damper as a drive, which actuators use as well."""
-    prefix = f"drive:{instance_of(joint)}:physics:"
-    units = units_of(joint)
-    write(prim, TYPES.Token, {prefix + "type": "force"}, uniform=True)
-    values = {
-        "damping": joint.damping / units,
-        "stiffness": joint.stiffness / units,
-        "targetPosition": joint.rest * units,
-    }
-    if _effort_holds(joint):
-        values["maxForce"] = joint.effort
-    write(prim, TYPES.Float, {prefix + name: values[name] for name in sorted(values)})
 
 
 def _effort_holds(joint: AssetJoint) -> bool:

@@ -5,7 +5,7 @@ and takes ten times as long. Tests run the validators of `pxr` on the result.
 """
 
 import tempfile
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Literal
@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pxr import Gf, Sdf, Vt
 
-from artgen._arrays import Array
+from artgen._arrays import Array, cached
 from artgen.asset.record import DECIMALS
 from artgen.errors import ExportError
 from artgen.export.frames import quaternion
@@ -42,16 +42,10 @@ def category_code(category: str) -> str:
     return CATEGORY_CODES.get(category, THING)
 
 
-TYPES = Sdf.ValueTypeNames
-
-# decimals of a quaternion: one more than of positions, because errors add up in a rotation
-_TURN_DECIMALS = 13
-
-_PLACED = Vt.TokenArray(["xformOp:translate", "xformOp:orient"])
-_PLACED_AND_SCALED = Vt.TokenArray([*_PLACED, "xformOp:scale"])
-
-
 Runtime = Literal["physx", "newton", "mujoco"]
+
+RuntimeRow = tuple[Runtime, str, Mapping[str, Any]]
+"""A simulator, an API schema that only it reads, and the attributes of the schema."""
 
 RUNTIMES: tuple[Runtime, ...] = ("physx", "newton", "mujoco")
 """Simulators with their own attributes in USD."""
@@ -91,9 +85,12 @@ class Layers:
         """Return the prim for the physics of a prim."""
         return prim if self.physics is None else over(self.physics, prim.path)
 
-    def runtime(self, name: Runtime, prim: Sdf.PrimSpec) -> Sdf.PrimSpec:
-        """Return the prim that holds the attributes for one simulator."""
-        return over(self.runtimes[name], prim.path) if self.runtimes else prim
+    def add_runtime(self, prim: Sdf.PrimSpec, rows: Iterable["RuntimeRow"]) -> None:
+        """Apply API schemas of single simulators to a prim, with their attributes."""
+        for name, schema, values in rows:
+            target = over(self.runtimes[name], prim.path) if self.runtimes else prim
+            apply(target, schema)
+            write(target, values)
 
 
 def new_layer(extension: str, default_prim: str) -> Sdf.Layer:
@@ -108,7 +105,12 @@ def new_layer(extension: str, default_prim: str) -> Sdf.Layer:
 
 
 def define(
-    parent: Sdf.PrimSpec | Sdf.Layer, name: str, type_name: str = "", schemas: Sequence[str] = ()
+    parent: Sdf.PrimSpec | Sdf.Layer,
+    name: str,
+    type_name: str = "",
+    values: Mapping[str, Any] | None = None,
+    *,
+    schemas: Sequence[str] = (),
 ) -> Sdf.PrimSpec:
     """Add a prim; a prim without a type only extends the definition of a stronger layer.
 
@@ -116,12 +118,14 @@ def define(
         parent: Parent prim or layer.
         name: Identifier, unique in the parent.
         type_name: Its schema.
+        values: Its properties, see `write`.
         schemas: The API schemas applied to it.
     """
     specifier = Sdf.SpecifierDef if type_name else Sdf.SpecifierOver
     prim = Sdf.PrimSpec(parent, name, specifier, type_name)
     if schemas:
         apply(prim, *schemas)
+    write(prim, values or {})
     return prim
 
 
@@ -136,41 +140,31 @@ def apply(prim: Sdf.PrimSpec, *schemas: str) -> None:
     prim.SetInfo("apiSchemas", Sdf.TokenListOp.Create(prependedItems=[*known, *schemas]))
 
 
-def write(
-    prim: Sdf.PrimSpec,
-    kind: Sdf.ValueTypeName,
-    values: Mapping[str, Any],
-    *,
-    uniform: bool = False,
-    interpolation: str = "",
-) -> None:
-    """Add attributes of one type to a prim.
+def write(prim: Sdf.PrimSpec, values: Mapping[str, Any], *, interpolation: str = "") -> None:
+    """Add properties to a prim.
 
     Args:
         prim: The prim.
-        kind: Type of the attributes.
-        values: Values by name.
-        uniform: Whether the schema declares them as uniform: constant in time.
+        values: Values by name; None adds nothing. A path is the target of a relationship, or the source of a
+            connection for inputs and outputs of shaders. Vectors, rotations and arrays are NumPy arrays.
         interpolation: Interpolation of the values on a mesh, for primvars and normals.
     """
-    variability = Sdf.VariabilityUniform if uniform else Sdf.VariabilityVarying
     for name, value in values.items():
+        if value is None:
+            continue
+        is_path = isinstance(value, Sdf.Path)
+        if is_path and not name.startswith(_OF_SHADERS):
+            relationship = Sdf.RelationshipSpec(prim, name, custom=False)
+            relationship.targetPathList.explicitItems = [value]
+            continue
+        kind, variability, convert = _declaration(name, type(value))
         spec = Sdf.AttributeSpec(prim, name, kind, variability)
-        spec.default = value
+        if is_path:
+            spec.connectionPathList.explicitItems = [value]
+        else:
+            spec.default = value if convert is None else convert(value)
         if interpolation:
             spec.SetInfo("interpolation", interpolation)
-
-
-def connect(prim: Sdf.PrimSpec, name: str, source: Sdf.Path, kind: Sdf.ValueTypeName = TYPES.Token) -> None:
-    """Add an attribute connected to another attribute."""
-    spec = Sdf.AttributeSpec(prim, name, kind)
-    spec.connectionPathList.explicitItems = [source]
-
-
-def relate(prim: Sdf.PrimSpec, name: str, target: Sdf.Path) -> None:
-    """Add a relationship to one prim."""
-    spec = Sdf.RelationshipSpec(prim, name, custom=False)
-    spec.targetPathList.explicitItems = [target]
 
 
 def place(prim: Sdf.PrimSpec, pose: Array, scale: Sequence[float] | None = None) -> None:
@@ -181,12 +175,13 @@ def place(prim: Sdf.PrimSpec, pose: Array, scale: Sequence[float] | None = None)
         pose: Rigid transform, shape (4, 4) [m].
         scale: Factors along its own axes, applied first; None leaves the prim unscaled.
     """
-    write(prim, TYPES.Double3, {"xformOp:translate": Gf.Vec3d(*_plain(np.round(pose[:3, 3], DECIMALS)))})
-    write(prim, TYPES.Quatd, {"xformOp:orient": Gf.Quatd(*_turn(pose))})
-    if scale is not None:
-        write(prim, TYPES.Double3, {"xformOp:scale": Gf.Vec3d(*_plain(scale))})
-    order = _PLACED if scale is None else _PLACED_AND_SCALED
-    write(prim, TYPES.TokenArray, {"xformOpOrder": order}, uniform=True)
+    values = {
+        "xformOp:translate": np.round(pose[:3, 3], DECIMALS),
+        "xformOp:orient": pose,
+        "xformOp:scale": scale,
+    }
+    order = [name for name, value in values.items() if value is not None]
+    write(prim, {**values, "xformOpOrder": order})
 
 
 def vec3(value: Array | Sequence[float]) -> Gf.Vec3f:
@@ -194,19 +189,99 @@ def vec3(value: Array | Sequence[float]) -> Gf.Vec3f:
     return Gf.Vec3f(*_plain(value))
 
 
-def vec3_array(values: Array | NDArray[np.float32]) -> Vt.Vec3fArray:
-    """Return vectors, shape (n, 3), in single precision."""
-    return Vt.Vec3fArray.FromNumpy(np.ascontiguousarray(values, np.float32) + np.float32(0.0))
-
-
-def int_array(values: NDArray[np.int64]) -> Vt.IntArray:
-    """Return integers, shape (n,)."""
-    return Vt.IntArray.FromNumpy(np.ascontiguousarray(values, np.int32))
-
-
 def quatf(rotation: Array) -> Gf.Quatf:
     """Return a rotation, shape (3, 3), as a quaternion in single precision."""
     return Gf.Quatf(*_turn(rotation))
+
+
+def _vec3_array(values: Array | NDArray[np.float32]) -> Vt.Vec3fArray:
+    return Vt.Vec3fArray.FromNumpy(np.ascontiguousarray(values, np.float32) + np.float32(0.0))
+
+
+def _int_array(values: NDArray[np.int64]) -> Vt.IntArray:
+    return Vt.IntArray.FromNumpy(np.ascontiguousarray(values, np.int32))
+
+
+def _plain(values: Array | Sequence[float]) -> list[float]:
+    """Return numbers without negative zeros."""
+    plain: list[float] = (np.asarray(values) + 0.0).tolist()
+    return plain
+
+
+def _turn(matrix: Array) -> list[float]:
+    """Return a rotation as a quaternion, rounded to the decimals in which machines agree."""
+    return _plain(np.round(quaternion(matrix), _TURN_DECIMALS))
+
+
+TYPES = Sdf.ValueTypeNames
+
+# decimals of a quaternion: one more than of positions, because errors add up in a rotation
+_TURN_DECIMALS = 13
+
+_OF_SHADERS = ("inputs:", "outputs:")
+_VARYING = (*_OF_SHADERS, "omni:", "semantics:")  # words of other attributes are constant in time
+
+_TYPES = {
+    "Asset": "inputs:file",
+    "Color3f": "inputs:diffuseColor inputs:emissiveColor inputs:base_color inputs:emission_color "
+    "inputs:transmission_color",
+    "Color3fArray": "primvars:displayColor",
+    "Double": "height radius size",
+    "Double3": "xformOp:scale xformOp:translate",
+    "Float2": "inputs:st inputs:texcoord",
+    "Float3": "inputs:geometry_normal inputs:in physics:diagonalInertia",
+    "Float3Array": "extent",
+    "Float4": "inputs:bias inputs:fallback inputs:scale",
+    "FloatArray": "primvars:displayOpacity widths",
+    "Int": "physxArticulation:solverPositionIterationCount",
+    "IntArray": "curveVertexCounts faceVertexCounts faceVertexIndices primvars:st:indices",
+    "Normal3f": "inputs:normal",
+    "Normal3fArray": "normals",
+    "Point3f": "physics:centerOfMass physics:localPos0 physics:localPos1",
+    "Point3fArray": "points",
+    "Quatd": "xformOp:orient",
+    "Quatf": "physics:localRot0 physics:localRot1 physics:principalAxes",
+    "String": "inputs:geomprop inputs:varname",
+    "TexCoord2fArray": "primvars:st",
+}
+"""Attributes by type, if their Python value does not tell it; other numbers are `Float`, texts `Token`."""
+
+_TYPE_OF = {name: kind for kind, names in _TYPES.items() for name in names.split()}
+
+_CONVERSIONS: Mapping[str, Callable[[Any], Any]] = {
+    "Asset": Sdf.AssetPath,
+    "Color3f": vec3,
+    "Color3fArray": _vec3_array,
+    "Double3": lambda value: Gf.Vec3d(*_plain(value)),
+    "DoubleArray": Vt.DoubleArray,
+    "Float3": vec3,
+    "Float3Array": _vec3_array,
+    "Float4": lambda value: Gf.Vec4f(*value),
+    "FloatArray": Vt.FloatArray,
+    "IntArray": _int_array,
+    "Normal3fArray": _vec3_array,
+    "Point3f": vec3,
+    "Point3fArray": _vec3_array,
+    "Quatd": lambda value: Gf.Quatd(*_turn(value)),
+    "Quatf": quatf,
+    "TexCoord2fArray": Vt.Vec2fArray.FromNumpy,
+    "TokenArray": Vt.TokenArray,
+}
+
+
+@cached(None)
+def _declaration(name: str, value: type) -> tuple[Sdf.ValueTypeName, Sdf.Variability, Any]:
+    """Return the type of an attribute, its variability, and the conversion of its values."""
+    kind, of_mujoco = _TYPE_OF.get(name), name.startswith("mjc:")
+    if kind is None and issubclass(value, int | float):
+        kind = "Bool" if value is bool else "Double" if of_mujoco else "Float"
+    elif kind is None and issubclass(value, list | tuple):
+        kind = "DoubleArray" if of_mujoco else "TokenArray"
+    elif kind is None:
+        kind = "Float" if name.startswith("inputs:") and value is Sdf.Path else "Token"
+    uniform = of_mujoco or (kind.startswith("Token") and not name.startswith(_VARYING))
+    variability = Sdf.VariabilityUniform if uniform else Sdf.VariabilityVarying
+    return getattr(TYPES, kind), variability, _CONVERSIONS.get(kind)
 
 
 def text(layer: Sdf.Layer) -> bytes:
@@ -226,14 +301,3 @@ def binary(layer: Sdf.Layer) -> bytes:
         if not layer.Export(str(path)):
             raise ExportError(f"cannot write the temporary file {path}; free some space or set TMPDIR")
         return path.read_bytes()
-
-
-def _plain(values: Array | Sequence[float]) -> list[float]:
-    """Return numbers without negative zeros."""
-    plain: list[float] = (np.asarray(values) + 0.0).tolist()
-    return plain
-
-
-def _turn(matrix: Array) -> list[float]:
-    """Return a rotation as a quaternion, rounded to the decimals in which machines agree."""
-    return _plain(np.round(quaternion(matrix), _TURN_DECIMALS))
