@@ -12,7 +12,7 @@ from artgen.asset.surface import texture_coordinates
 from artgen.catalog import find
 from artgen.errors import ParameterError
 from artgen.export import write_glb
-from artgen.export.glb.meshes import tangents
+from artgen.export.glb.surfaces import tangents
 from artgen.materials import Material, material
 from artgen.materials.textures import encoded
 from support.blocks import block

@@ -13,7 +13,7 @@ from artgen.asset import AssetDependency as Dependency
 from artgen.catalog import find
 from artgen.export import write_glb
 from artgen.export.frames import translation
-from artgen.export.glb.motion import opening
+from artgen.export.glb.animations import opening
 from support.gltf import Gltf, turned
 
 WIDEST = np.radians(30.0)

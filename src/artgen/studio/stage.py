@@ -15,9 +15,7 @@ from artgen.asset import Asset, Link
 from artgen.asset.link import MovedLink
 from artgen.asset.shape import ComposedShape, MovedShape, Shape
 from artgen.export.glb.buffer import Buffer
-from artgen.export.glb.materials import Looks
-from artgen.export.glb.meshes import primitive
-from artgen.materials.textures import Kind
+from artgen.export.glb.surfaces import Surfaces
 from artgen.studio.symbols import Color, Symbols, place
 from artgen.view.overlays import Rgb, label_colors
 
@@ -71,20 +69,16 @@ def _shape_key(shape: Shape) -> Key:
 def link_glb(link: Link, textures: int) -> bytes:
     """Return the visible surfaces of a link."""
     buffer = Buffer()
-    looks = Looks(buffer, textures)
-    primitives = []
-    for surface in link.surfaces:
-        # without tangents: their computation takes as long as the rest, and browsers do it themselves
-        maps: tuple[Kind, ...] = ("albedo",) if looks.maps(surface.material) else ()
-        shown = primitive(buffer, surface, np.zeros(3), maps)
-        primitives.append({**shown, "material": looks.number(surface.material)})
+    surfaces = Surfaces(buffer, textures)
+    # without tangents: their computation takes as long as the rest, and browsers do it themselves
+    primitives = [surfaces.primitive(surface, np.zeros(3), directions=False) for surface in link.surfaces]
     scene = {
         "asset": {"version": "2.0"},
         "scene": 0,
         "scenes": [{"nodes": [0]}],
         "nodes": [{"name": link.name, "mesh": 0}],
         "meshes": [{"primitives": primitives}],
-        **looks.to_data(),
+        **surfaces.to_data(),
     }
     return buffer.glb(scene)
 

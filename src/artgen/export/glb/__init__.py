@@ -11,7 +11,7 @@ from collections.abc import Collection, Sequence
 
 import numpy as np
 
-from artgen.asset import Asset, Link
+from artgen.asset import Asset
 from artgen.asset.record import rounded
 from artgen.export.frames import (
     LinkFrame,
@@ -25,8 +25,7 @@ from artgen.export.frames import (
 )
 from artgen.export.glb.animations import animations, local_motion
 from artgen.export.glb.buffer import Buffer, Json
-from artgen.export.glb.materials import Looks
-from artgen.export.glb.meshes import primitive
+from artgen.export.glb.surfaces import Surfaces
 from artgen.export.losses import Loss, Written, affordance_rows, look_rows, losses
 
 _UPRIGHT = [-math.sqrt(0.5), 0.0, 0.0, math.sqrt(0.5)]  # turns z up into y up
@@ -47,20 +46,22 @@ def write_glb(asset: Asset, textures: int = 0) -> Written:
         ParameterError: The size of maps is not allowed.
     """
     buffer = Buffer()
-    looks = Looks(buffer, textures)
+    surfaces = Surfaces(buffer, textures)
     segments = chain(asset)
     frames = [base_frame(asset), *(segment.child for segment in segments)]
     numbers = {frame.name: number for number, frame in enumerate(frames, _BASE)}
-    nodes = [_root(asset, segments, numbers), *(_node(frame) for frame in frames)]
+    nodes = [_root(asset, segments, numbers), *map(_node, frames)]
     for segment in segments:
-        _place(asset, segment, nodes[numbers[segment.child.name]])
-        parent = nodes[numbers[segment.parent.name]]
-        parent.setdefault("children", []).append(numbers[segment.child.name])
+        child = numbers[segment.child.name]
+        _place(asset, segment, nodes[child])
+        nodes[numbers[segment.parent.name]].setdefault("children", []).append(child)
     meshes: list[Json] = []
     for frame in frames:
         if frame.link is not None:
             nodes[numbers[frame.name]]["mesh"] = len(meshes)
-            meshes.append(_mesh(frame, frame.link, buffer, looks, numbers))
+            primitives = [surfaces.primitive(each, frame.origin) for each in frame.link.surfaces]
+            # readers rename a mesh with the name of a node
+            meshes.append({"name": unused(f"{frame.name}_mesh", numbers), "primitives": primitives})
     moved, held = animations(asset, segments, numbers, buffer)
     scene = {
         "asset": {"version": "2.0", "generator": f"artgen {asset.version}".strip()},
@@ -68,7 +69,7 @@ def write_glb(asset: Asset, textures: int = 0) -> Written:
         "scenes": [{"name": asset.name, "nodes": [_ROOT]}],
         "nodes": nodes,
         "meshes": meshes,
-        **looks.to_data(),
+        **surfaces.to_data(),
         **({"animations": moved} if moved else {}),
     }
     return Written({f"{asset.name}.glb": buffer.glb(scene)}, _losses(asset, textures, held))
@@ -136,15 +137,6 @@ def _place(asset: Asset, segment: Segment, node: Json) -> None:
         node["translation"] = rounded(move.tolist())
     if turn[3] != 1.0:
         node["rotation"] = rounded(turn.tolist())
-
-
-def _mesh(frame: LinkFrame, link: Link, buffer: Buffer, looks: Looks, taken: Collection[str]) -> Json:
-    """Return the mesh of a link; its name must differ from all names of nodes, or readers would rename it."""
-    primitives = []
-    for surface in link.surfaces:
-        shown = primitive(buffer, surface, frame.origin, looks.maps(surface.material))
-        primitives.append({**shown, "material": looks.number(surface.material)})
-    return {"name": unused(f"{link.name}_mesh", taken), "primitives": primitives}
 
 
 def _losses(asset: Asset, textures: int, held: Sequence[str]) -> tuple[Loss, ...]:
