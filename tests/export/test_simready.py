@@ -19,8 +19,8 @@ import artgen
 from artgen.asset import Asset
 from artgen.asset.files import main_files
 from artgen.export.files import encode
-from artgen.export.layouts.simready.thumbnail import NOTHING, rasterize, thumbnail, weights
 from artgen.export.mjcf import write_mjcf
+from artgen.export.thumbnail import NOTHING, rasterize, thumbnail, weights
 from support.textured import recipes, textured
 
 ASSETS = ("cabinet", "free_cabinet", "nested", "textured")

@@ -17,7 +17,8 @@ from artgen.asset.collision import Collision, collision_of, with_colliders
 from artgen.asset.files import ASSET_FILE, CERTIFICATE_FILE, previous_directory
 from artgen.asset.record import json_text
 from artgen.errors import AssetError, ExportError, nearest
-from artgen.export.layouts import FORMATS, LAYOUTS, TEXTURES, Layout
+from artgen.export.layouts import FORMATS, LAYOUTS, TEXTURES
+from artgen.export.losses import Layout
 from artgen.export.precision import with_precision
 from artgen.materials.textures import check_size
 from artgen.materials.textures.bake import Memory

@@ -8,7 +8,7 @@ from artgen.asset import Asset
 from artgen.asset.files import ASSET_FILE
 from artgen.asset.record import plain
 from artgen.errors import ArtgenError, AssetError, ExportError, RenderError
-from artgen.export.layouts.simready.thumbnail import thumbnail
+from artgen.export.thumbnail import thumbnail
 from artgen.view.page import page_html, write_file
 from artgen.view.picture import jpeg
 from artgen.view.rendering import close, render

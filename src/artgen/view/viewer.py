@@ -12,7 +12,7 @@ from artgen.asset.certificate import Certificate, PairResult
 from artgen.asset.record import plain
 from artgen.export import write_glb
 from artgen.export.frames import regions
-from artgen.export.glb.motion import opening
+from artgen.export.glb.animations import opening
 from artgen.materials.textures import check_size
 from artgen.view.camera import box_corners
 from artgen.view.overlays import collider_mesh, joint_symbol, label_colors

@@ -8,7 +8,6 @@ from artgen.asset import Asset
 from artgen.export.glb import write_glb
 from artgen.export.layouts.partnet import PARTNET_MOBILITY
 from artgen.export.layouts.robocasa import ROBOCASA
-from artgen.export.layouts.simready import SIMREADY
 from artgen.export.losses import Layout, Written
 from artgen.export.mjcf import write_mjcf
 from artgen.export.urdf import write_urdf
@@ -24,12 +23,17 @@ def write_usd(asset: Asset, textures: int) -> Written:
         return write(asset, textures)
 
 
+def _write_simready(asset: Asset, name: str, textures: int) -> Written:
+    del name  # USD is its only format
+    with OPENUSD:
+        from artgen.export.layouts.simready import write_simready
+
+        return write_simready(asset, textures)
+
+
 FORMATS: Mapping[str, Writer] = {
-    "urdf": write_urdf,
-    "mjcf": write_mjcf,
-    "usd": write_usd,
-    "glb": write_glb,
-}
+    "urdf": write_urdf, "mjcf": write_mjcf, "usd": write_usd, "glb": write_glb,
+}  # fmt: skip
 """Writers by format; each takes an asset and the number of texels per side of its maps."""
 
 DEFAULT_FORMATS = ("urdf", "mjcf", "usd")
@@ -38,14 +42,11 @@ DEFAULT_FORMATS = ("urdf", "mjcf", "usd")
 TEXTURES = 512
 """Default number of texels per side of maps."""
 
-
-SUFFIXES = {"urdf": ".urdf", "mjcf": ".xml", "usd": ".usda", "glb": ".glb"}
-"""Suffix of the main file of each format; its stem is the name of the asset."""
+_SUFFIXES = {"urdf": ".urdf", "mjcf": ".xml", "usd": ".usda", "glb": ".glb"}
 
 
-def write_flat(asset: Asset, name: str, textures: int) -> Written:
-    """Write one format of an asset; see `Layout.write`."""
-    return replace(FORMATS[name](asset, textures), main=asset.name + SUFFIXES[name])
+def _write_flat(asset: Asset, name: str, textures: int) -> Written:
+    return replace(FORMATS[name](asset, textures), main=asset.name + _SUFFIXES[name])
 
 
 FLAT = Layout(
@@ -53,13 +54,18 @@ FLAT = Layout(
     "one file for each format beside one folder of meshes",
     tuple(FORMATS),
     len(DEFAULT_FORMATS),
-    write_flat,
+    _write_flat,
 )
 
+SIMREADY = Layout(
+    "simready",
+    "USD for Isaac Sim and Omniverse, as NVIDIA's profile Robotics-Prop wants it",
+    ("usd",),
+    1,
+    _write_simready,
+)
 
 LAYOUTS: Mapping[str, Layout] = {
     layout.name: layout for layout in (FLAT, SIMREADY, PARTNET_MOBILITY, ROBOCASA)
 }
 """All layouts by name."""
-
-__all__ = ["LAYOUTS", "Layout"]

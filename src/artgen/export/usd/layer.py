@@ -47,9 +47,6 @@ Runtime = Literal["physx", "newton", "mujoco"]
 RuntimeRow = tuple[Runtime, str, Mapping[str, Any]]
 """A simulator, an API schema that only it reads, and the attributes of the schema."""
 
-RUNTIMES: tuple[Runtime, ...] = ("physx", "newton", "mujoco")
-"""Simulators with their own attributes in USD."""
-
 
 @dataclass(frozen=True, eq=False)
 class Layers:
