@@ -170,7 +170,9 @@ class Convex(FrozenArrays):
             return self._carried(matrix)
         determinant = np.linalg.det(linear)
         if not abs(determinant) > 0.0 or not np.isfinite(matrix).all():
-            raise ValueError(f"a piece cannot be moved by a matrix of determinant {determinant:.3g}")
+            raise ValueError(
+                f"a piece cannot be moved by a matrix of determinant {determinant:.3g}: it must be invertible"
+            )
         if self.kind == "hull":
             return Convex.of(self.faces.transformed(matrix))
         columns = linear @ self.pose[:3, :3]

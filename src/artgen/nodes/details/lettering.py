@@ -68,7 +68,7 @@ def _lettering(
             offset = np.array([place + shift, rise])
             rows += [Contour(one.points + offset, one.normals_in, one.normals_out) for one in contours]
     if not rows:
-        raise ValueError(f"the lines {lines!r} have nothing to show")
+        raise ValueError(f"the lines {lines!r} are empty; give at least one visible character")
     return moved_outline(Outline(tuple(rows)), np.eye(2) * height, np.zeros(2))
 
 
@@ -110,7 +110,7 @@ def lettering_width(string: str, tracking: float = 0.0) -> float:
 def _emblem(name: Emblem, height: float) -> Outline:
     inputs.positive("height", height)
     if name == "none":
-        raise ValueError("the emblem 'none' has nothing to show")
+        raise ValueError("the emblem 'none' is empty; choose another one")
     return drawing(f"emblem-{name}", 1.9, height)
 
 

@@ -60,8 +60,8 @@ def rating_plate(
     letters = sum(not character.isspace() for line in shown for character in line)
     if not shown or letters > _MOST_LETTERS:
         raise BuildError(
-            f"a rating plate has 1 to {_MOST_LETTERS} letters, got {letters}: beyond, print costs more "
-            f"triangles than it shows\n  at {authors_line()}\n  Shorten its lines."
+            f"a rating plate has 1 to {_MOST_LETTERS} letters, got {letters}; give it more or fewer\n"
+            f"  at {authors_line()}"
         )
     plain = {"texture": "", "tile": None}
     white = MATERIALS["abs"].with_(name="plate_white", base_color=(0.78, 0.78, 0.76), **plain)

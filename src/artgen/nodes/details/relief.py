@@ -311,7 +311,7 @@ def _wrap(profile: Outline, path: Curve, height: float, proud: float) -> Shape:
     if low < line[0, 1] or high > line[-1, 1]:
         raise ValueError(
             f"the print reaches from {low:.4g} to {high:.4g} m, the line only from {line[0, 1]:.4g} to "
-            f"{line[-1, 1]:.4g} m"
+            f"{line[-1, 1]:.4g} m; move the print or make it smaller"
         )
     radius = float(np.interp(height, line[:, 1], line[:, 0]))
     wide = float(np.abs(plan[:, 0]).max())
