@@ -1,8 +1,8 @@
 """The command line: lists categories, shows parameters, generates, proves and checks assets."""
 
 import sys
-from collections.abc import Callable, Mapping, Sequence
-from typing import Annotated, Any, NoReturn
+from collections.abc import Sequence
+from typing import Annotated, NoReturn
 
 import typer
 
@@ -103,24 +103,9 @@ def _kind(parameter: Parameter) -> str:
     return str(parameter.kind).removeprefix("typing.")
 
 
-_COMMANDS: Mapping[str, Callable[..., Any]] = {
-    "list": list_categories,
-    "show-params": show_params,
-    "certify": certify,
-    "validate": validate,
-    "clients": clients,
-    "colliders": colliders,
-    "demos": demos,
-    "export": export,
-    "gallery": gallery,
-    "generate": generate,
-    "graph": graph,
-    "images": images,
-    "new": new,
-    "render": render,
-    "sheet": sheet,
-    "studio": studio,
-    "view": view,
-}
-for _name, _command in _COMMANDS.items():
-    app.command(name=_name)(_command)
+app.command(name="list")(list_categories)
+for _command in (
+    *(show_params, certify, validate, clients, colliders, demos, export, gallery, generate, graph, images),
+    *(new, render, sheet, studio, view),
+):
+    app.command()(_command)

@@ -79,8 +79,7 @@ def _json(data: object) -> str:
 
 def colliders(
     directory: Annotated[
-        Path,
-        Argument(metavar="DIRECTORY", help="An exported asset, with urdf or mjcf among its formats."),
+        Path, Argument(metavar="DIRECTORY", help="An exported asset, with urdf or mjcf among its formats.")
     ],
     *,
     speed: Annotated[bool, Option(help="Measure the speed of MuJoCo; needs artgen[sim].")] = True,

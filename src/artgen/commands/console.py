@@ -21,8 +21,9 @@ from rich.progress import (
 from rich.table import Table
 from rich.text import Text
 
-from artgen.dataset import Summary
+from artgen.dataset import generate_many
 from artgen.dataset.places import GO_ON
+from artgen.dataset.plan import Draws
 
 FAULT = 1
 """Exit code of a command that found a fault."""
@@ -112,26 +113,26 @@ def list_failures(failures: Sequence[str], rest: str = "") -> None:
         typer.echo(f"and {len(failures) - _SHOWN} more{rest}", err=True)
 
 
-Step = Callable[[dict[str, Any]], None]
-Begin = Callable[[int], None]
-
-
-def many(work: Callable[[Step, Begin], Summary], out: str, *, each: int = 1, what: str = "assets") -> None:
-    """Run the work on a dataset, show its progress, and list the failures.
+def make_dataset(plan: Draws, out: str, *, each: int = 1, what: str = "assets", **options: Any) -> None:
+    """Make a dataset, show the progress, and list the failures.
 
     Args:
-        work: Function that does the work; its arguments are a callback for each line of the manifest and a
-            callback for the number of missing lines.
+        plan: Plan of the dataset.
         out: Target folder.
         each: Number of results per asset.
         what: Plural noun for the results.
+        options: Options of `generate_many`.
 
     Raises:
         Exit: An asset failed.
     """
     with counting(Path(out).name) as (step, update):
-        summary = work(
-            lambda record: step(record["state"] == "done", each), lambda left: update(total=each * left)
+        summary = generate_many(
+            plan,
+            out,
+            progress=lambda record: step(record["state"] == "done", each),
+            begin=lambda left: update(total=each * left),
+            **options,
         )
     failures = [f"{record['name']}: {record['error']}" for record in summary.failed]
     list_failures(failures, ": manifest.jsonl lists them")

@@ -7,9 +7,8 @@ from typing import Annotated
 import typer
 from typer import Argument, Option
 
-from artgen.commands.console import counting, list_failures, many
+from artgen.commands.console import counting, list_failures, make_dataset
 from artgen.commands.options import Categories, Certify, Collisions, Jobs, Overrides, Seed, TextureSize
-from artgen.dataset import generate_many
 from artgen.errors import ParameterError
 from artgen.images import ImagePlan
 from artgen.images.plan import RANDOM, PictureFormat
@@ -96,12 +95,7 @@ def images(
         picture=picture,
         split=_numbers("--split", split, 3),
     )
-    many(
-        lambda step, begin: generate_many(plan, out, jobs=jobs, progress=step, begin=begin),
-        out,
-        each=images_per_asset,
-        what="images",
-    )
+    make_dataset(plan, out, each=images_per_asset, what="images", jobs=jobs)
 
 
 def _names(text: str) -> tuple[str, ...]:

@@ -10,7 +10,7 @@ from artgen.asset import Asset
 from artgen.asset.collision import Collision
 from artgen.asset.files import main_files
 from artgen.catalog import find
-from artgen.commands.console import many
+from artgen.commands.console import make_dataset
 from artgen.commands.options import (
     Categories,
     Certify,
@@ -22,7 +22,7 @@ from artgen.commands.options import (
     TextureSize,
     Tolerance,
 )
-from artgen.dataset import Plan, TextureMode, generate_many
+from artgen.dataset import Plan, TextureMode
 from artgen.dataset.places import is_url
 from artgen.dataset.workers import EngineName
 from artgen.errors import ExportError
@@ -124,12 +124,7 @@ def generate(
         **drawn,
         **written,
     )
-    many(
-        lambda step, begin: generate_many(
-            plan, out, jobs=jobs, engine=engine, address=address, progress=step, begin=begin
-        ),
-        out,
-    )
+    make_dataset(plan, out, jobs=jobs, engine=engine, address=address)
 
 
 def _write(asset: Asset, out: str | None, *, collision: Collision, **options: Any) -> None:
@@ -163,8 +158,7 @@ def export(
     formats: _Formats = None,
     texture_size: TextureSize = TEXTURES,
     out: Annotated[
-        Path | None,
-        Option(metavar="DIRECTORY", help="Target; ./<name of the asset>_<layout> by default."),
+        Path | None, Option(metavar="DIRECTORY", help="Target; ./<name of the asset>_<layout> by default.")
     ] = None,
 ) -> None:
     """Export an asset again in another layout, and print the paths of its main files."""

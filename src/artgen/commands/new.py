@@ -26,23 +26,28 @@ _FILES = {
 
 
 def new(
-    name: Annotated[str, Argument(metavar="NAME", help="Of the category and its package: stapler.")],
+    name: Annotated[str, Argument(metavar="NAME", help="Name of the category and its package: stapler.")],
     *,
     folder: Annotated[
-        Path, Option("--dir", metavar="DIRECTORY", help="Where the folder of the package is made.")
+        Path, Option("--dir", metavar="DIRECTORY", help="Parent of the folder of the package.")
     ] = Path(),
 ) -> None:
     """Write a package with a starter category, its test, and its entry point."""
     _check_name(name)
-    target = folder / name
+    target, starter = folder / name, files("artgen") / "starter"
     if target.exists():
         raise ExportError(f"{target} exists; choose another name, or another place with --dir")
-    starter = files("artgen") / "starter"
     texts = {
-        path.format(name=name): (starter / file).read_text(encoding="utf-8").replace(_NAME, name)
+        path.format(name=name): (starter / file).read_text(encoding="utf-8").replace(_NAME, name).encode()
         for file, path in _FILES.items()
     }
-    _write(texts, target)
+    partial = target.with_name(f".{name}.partial")
+    try:
+        write_files(texts, partial)
+        partial.rename(target)
+    except OSError as error:
+        shutil.rmtree(partial, ignore_errors=True)
+        raise ExportError(f"cannot write {target}: {error.strerror or error}; nothing was written") from error
     module = target / "src" / f"{name}.py"
     typer.echo(f"{module}\n\nlook at it:    artgen view {module}\nprove it:      artgen certify {module}")
     typer.echo(f"bring it to `artgen list`:  pip install --editable {target}")
@@ -57,18 +62,7 @@ def _check_name(name: str) -> None:
     if name in categories():
         raise ParameterError(f"there is a category {name!r}; choose another name")
     if name in artgen.__all__:
-        raise ParameterError(f"{name!r} is a word of artgen, which categories import; choose another name")
+        raise ParameterError(f"{name!r} is a name of artgen's, which categories import; choose another name")
     module = importlib.util.find_spec(name)
     if module is not None and module.origin is not None:  # a plain folder has no loader
         raise ParameterError(f"there is a Python module {name!r}; choose another name")
-
-
-def _write(texts: dict[str, str], target: Path) -> None:
-    """Write all files, or nothing."""
-    partial = target.with_name(f".{target.name}.partial")
-    try:
-        write_files({path: text.encode() for path, text in texts.items()}, partial)
-        partial.rename(target)
-    except OSError as error:
-        shutil.rmtree(partial, ignore_errors=True)
-        raise ExportError(f"cannot write {target}: {error.strerror or error}; nothing was written") from error

@@ -17,8 +17,7 @@ Categories = Annotated[
     Argument(metavar="CATEGORY...", help="Names of categories, which `artgen list` shows, or files."),
 ]
 Source = Annotated[
-    str,
-    Argument(metavar="DIRECTORY|CATEGORY", help="An exported asset, a category, or a file with one."),
+    str, Argument(metavar="DIRECTORY|CATEGORY", help="An exported asset, a category, or a file with one.")
 ]
 Overrides = Annotated[
     list[str] | None,
@@ -35,8 +34,7 @@ Tolerance = Annotated[
     float, Option(metavar="METRES", help="Clearance between links that the proof requires.")
 ]
 Collisions = Annotated[
-    OnCollision,
-    Option("--on-collision", help="After a failed proof: draw again, fail, or keep the asset."),
+    OnCollision, Option("--on-collision", help="After a failed proof: draw again, fail, or keep the asset.")
 ]
 Layout = Annotated[str, Option(metavar="NAME", help=f"Layout of the files: {', '.join(LAYOUTS)}.")]
 

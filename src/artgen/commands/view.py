@@ -20,13 +20,7 @@ _TEXELS = 512  # default texels per side of maps
 
 
 def asset_from(source: str, seed: int, overrides: list[str], *, certify: bool = False) -> Asset:
-    """Load an exported asset, or generate one of a category.
-
-    Args:
-        source: Directory of an exported asset or its `asset.json`, a category, or a file with one.
-        seed: Seed for a category.
-        overrides: Overrides for a category: `NAME=VALUE`.
-        certify: Whether to certify an asset of a category.
+    """Load an exported asset, or generate one of a category with a seed and overrides.
 
     Raises:
         ParameterError: Overrides are given for an exported asset, or cannot be parsed.
@@ -128,10 +122,7 @@ def graph(
     from artgen.graph_view import graph_page
 
     page = graph_page(
-        find(category),
-        seed,
-        overrides=parse_overrides(overrides or ()),
-        change=parse_overrides(change or ()),
+        find(category), seed, overrides=parse_overrides(overrides or ()), change=parse_overrides(change or ())
     )
     _show(page.save(out or Path(f"{page.name}.html")), opening)
 

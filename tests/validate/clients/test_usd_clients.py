@@ -26,7 +26,7 @@ def driver(monkeypatch):
     monkeypatch.syspath_prepend(str(DRIVERS))
 
     def load(name):
-        for each in ("driver_protocol", "driver_layouts", "driver_motion", name):
+        for each in ("driver_protocol", "driver_motion", name):
             monkeypatch.delitem(sys.modules, each, raising=False)
         return importlib.import_module(name)
 
@@ -130,7 +130,7 @@ def packages(tmp_path_factory):
 
 
 def test_a_variant_is_enabled_where_there_are_some(driver, packages):
-    module = driver("driver_layouts")
+    module = driver("driver_protocol")
     for layout, directory in packages.items():
         request = read_exported(directory).request(CLIENTS["ovphysx"])
         with module.enabled(request, "PhysX") as file:

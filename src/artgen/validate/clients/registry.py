@@ -140,7 +140,7 @@ _OBTAIN = {
 _NEWTON = {
     r"NewtonWarning: (Roughness|Metallic) texture inputs are not yet supported; using scalar fallback\.": (
         "Newton draws roughness and metalness as one number each, and the asset has maps of them"
-    ),
+    )
 }
 _GENESIS = {
     r"\[W .*\] \[frontend_ir\.cpp:.*\] qd\.loop_config\(serialize=True\) does not have effect .*": (
@@ -154,7 +154,7 @@ _GENESIS = {
 _USDEX = {
     r"\[Warning\] \[usdex\.core\.deprecation\] .* was deprecated .*": (
         "the converter calls usd-exchange in a deprecated way"
-    ),
+    )
 }
 _DRAKE = r"WARNING:drake:.*: (warning|error): "
 _ROBOSUITE = r"\[robosuite WARNING\] "
@@ -163,7 +163,7 @@ _ADVICE = "advice on the installation of robosuite, for every model"
 MACHINE = {
     r"Warp CUDA warning: Could not find or load the NVIDIA CUDA driver\..*": (
         "Warp prints this on every machine without a GPU"
-    ),
+    )
 }
 """Messages of any client about the machine instead of the asset: patterns, and reasons."""
 
@@ -222,12 +222,12 @@ _UNAVOIDABLE: Mapping[str, Mapping[str, str]] = {
     "usd_validation": {
         r"MissingShaderIdInRegistry: shaderId 'ND_\w+' .*": (
             "PyPI's usd-core comes without MaterialX, whose nodes OpenPBR materials use"
-        ),
+        )
     },
     "simready_validate": {
         r"(WARNING:root:)?(DeprecationWarning: Use find\(\) instead|File .*, in validate_stage)": (
             "simready-validate calls its own engine in a deprecated way"
-        ),
+        )
     },
     "mujoco_usd_converter": {
         **_USDEX,

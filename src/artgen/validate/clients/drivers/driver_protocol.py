@@ -1,18 +1,23 @@
-"""Shared functions of drivers: requests, responses, and numbers in the form of a response."""
+"""Shared functions of drivers: requests, responses, layouts, and numbers in the form of a response."""
 
 import importlib.metadata
 import importlib.util
 import json
 import os
+import re
 import sys
-from collections.abc import Callable
+import tempfile
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-from driver_layouts import with_layout_names
+
+Read = Callable[[dict[str, Any]], dict[str, Any]]
 
 _MISSING = 3  # exit code of a driver whose client is not installed
+_NAMES = "artgen_names.json"  # names of numbered links and joints, signs of reversed joints, and the axes
 _UNLIMITED = 1e5  # limits from this number on count as none
 
 
@@ -27,12 +32,12 @@ def missing() -> None:
     sys.exit(_MISSING)
 
 
-def serve(read: Callable[[dict[str, Any]], dict[str, Any]]) -> None:
+def serve(read: Read) -> None:
     """Answer each request on the command line; add the version of the client's Python distribution."""
     paths = [Path(argument) for argument in sys.argv[1:]]
     for source, target in zip(paths[::2], paths[1::2], strict=True):
         request = json.loads(source.read_text(encoding="utf-8"))
-        answer = with_layout_names(read, request)
+        answer = _read_numbered(read, request) if request["layout"] == "partnet-mobility" else read(request)
         if request["distribution"]:
             answer["version"] = importlib.metadata.version(request["distribution"])
         sys.stdout.flush()
@@ -43,6 +48,56 @@ def serve(read: Callable[[dict[str, Any]], dict[str, Any]]) -> None:
 
 def _plain(value: Any) -> Any:
     return np.asarray(value, float).tolist()
+
+
+def _read_numbered(read: Read, request: dict[str, Any]) -> dict[str, Any]:
+    """Return a response with names from a driver that reads numbered links and joints."""
+    names = json.loads((Path(request["directory"]) / _NAMES).read_text(encoding="utf-8"))
+    links, joints = names["links"], names["joints"]
+    numbers = {name: number for number, name in links.items()}
+    joint_numbers = {item["name"]: number for number, item in joints.items()}
+    signs = {number: item["sign"] for number, item in joints.items()}
+
+    def numbered(joint: dict[str, Any]) -> dict[str, Any]:
+        number, follows = joint_numbers[joint["name"]], joint_numbers.get(joint["follows"])
+        limits, rest = reverse(number, joint["limits"]), signs[number] * joint["rest"]
+        return {**joint, "name": number, "follows": follows, "limits": limits, "rest": rest}
+
+    def reverse(number: str, limits: Any) -> Any:
+        return limits if limits is None or signs[number] > 0 else [-limits[1], -limits[0]]
+
+    poses = [{joint_numbers[name]: value for name, value in pose.items()} for pose in request["poses"]]
+    response = read(
+        {
+            **request,
+            "links": [numbers[name] for name in request["links"]],
+            "joints": [numbered(joint) for joint in request["joints"]],
+            "poses": [{number: signs[number] * value for number, value in pose.items()} for pose in poses],
+        }
+    )
+    axes = np.array(names["axes"], float).T
+    turn = transform(axes, np.zeros(3))
+    changes: dict[str, Callable[[Any], Any]] = {
+        "links": lambda found: {
+            links[number]: mass_properties(
+                link["mass"], axes @ np.array(link["center"], float), link["inertia"], axes
+            )
+            for number, link in found.items()
+        },
+        "joints": lambda found: {
+            joints[number]["name"]: {**joint, "limits": reverse(number, joint["limits"])}
+            for number, joint in found.items()
+        },
+        "poses": lambda found: [
+            {links[number]: turn @ np.asarray(frame) @ turn.T for number, frame in pose.items()}
+            for pose in found
+        ],
+        "moved": lambda found: {
+            joints[number]["name"]: reverse(number, span) for number, span in found.items()
+        },
+    }
+    response.pop("couplings", None)  # the URDF of this layout does not have all of them
+    return {key: changes.get(key, lambda same: same)(value) for key, value in response.items()}
 
 
 def transform(rotation: Any, position: Any) -> Any:
@@ -109,3 +164,36 @@ def ends(joint: dict[str, Any]) -> tuple[float, float]:
     """Return the two end positions for driving a joint [rad or m]."""
     low, high = joint["limits"] or (-1.0, 1.0)
     return float(low), float(high)
+
+
+# a layer above the asset's own, as in a scene that uses the asset; the units are the asset's
+_SCENE = """#usda 1.0
+(
+    {metadata}
+    subLayers = [@{file}@]
+)
+
+over "{asset}" (
+    variants = {{
+        string {runtime} = "Enabled"
+    }}
+)
+{{
+}}
+"""
+
+_METADATA = re.compile(r"^    ((?:defaultPrim|kilogramsPerUnit|metersPerUnit|upAxis) = .*)$", re.MULTILINE)
+
+
+@contextmanager
+def enabled(request: dict[str, Any], runtime: str) -> Iterator[str]:
+    """Give the path of a stage for a simulator; in the layout `simready`, its variant is enabled."""
+    if request["layout"] != "simready":
+        yield request["file"]
+        return
+    with tempfile.TemporaryDirectory() as folder:
+        scene, file = Path(folder) / "scene.usda", Path(request["file"])
+        metadata = "\n    ".join(_METADATA.findall(file.read_text(encoding="utf-8")))
+        text = _SCENE.format(asset=request["asset"], file=file.as_posix(), metadata=metadata, runtime=runtime)
+        scene.write_text(text, encoding="utf-8")
+        yield str(scene)

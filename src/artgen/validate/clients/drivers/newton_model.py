@@ -5,9 +5,16 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from driver_layouts import enabled
 from driver_motion import Simulation, pose_and_drive
-from driver_protocol import couplings_to_heads, finite_limits, frame_of, mass_properties, require, serve
+from driver_protocol import (
+    couplings_to_heads,
+    enabled,
+    finite_limits,
+    frame_of,
+    mass_properties,
+    require,
+    serve,
+)
 
 require("newton", "mujoco", "pxr")
 import warp

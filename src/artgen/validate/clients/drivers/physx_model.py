@@ -5,9 +5,8 @@ from functools import cache
 from typing import Any
 
 import numpy as np
-from driver_layouts import enabled
 from driver_motion import Simulation, drive_all
-from driver_protocol import finite_limits, frame_of, mass_properties, require, serve
+from driver_protocol import enabled, finite_limits, frame_of, mass_properties, require, serve
 
 require("ovphysx", "physx_usd_schemas", "newton_usd_schemas")
 import ovphysx
