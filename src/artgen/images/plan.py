@@ -15,7 +15,7 @@ from artgen.errors import ParameterError, RenderError, nearest
 from artgen.images.pictures import PARTS, pictures_of, write_coco
 from artgen.materials.textures import check_size
 from artgen.view import gl
-from artgen.view.rendering import checked_size
+from artgen.view.picture import checked_size
 
 PictureFormat = Literal["png", "jpg"]
 Range = tuple[float, float]

@@ -4,16 +4,18 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from io import BytesIO
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from artgen._arrays import Array, cached_property
-from artgen.errors import AssetError, ExportError, nearest
+from artgen.errors import AssetError, ExportError, ParameterError, nearest
 from artgen.view.camera import Camera
 
 Pixels = NDArray[np.uint8]
 
+_SIZES = (16, 4096)  # fewest and most pixels per side
 _SUFFIXES = {".png": "PNG", ".jpg": "JPEG", ".jpeg": "JPEG"}
 
 
@@ -124,3 +126,19 @@ def check_suffix(path: Path) -> None:
     """Raise an ExportError unless a file's name has the suffix of PNG or JPEG."""
     if path.suffix.lower() not in _SUFFIXES:
         raise ExportError(f"cannot write {path}: a picture's name ends in {', '.join(_SUFFIXES)}")
+
+
+def checked_size(size: Any) -> tuple[int, int]:
+    """Return the width and height of a picture."""
+    both = (size, size) if isinstance(size, int) and not isinstance(size, bool) else size
+    try:
+        width, height = both
+        allowed = all(int(each) == each and _SIZES[0] <= each <= _SIZES[1] for each in both)
+    except (TypeError, ValueError):
+        allowed = False
+    if not allowed:
+        raise ParameterError(
+            f"size {size!r} must be one or two whole numbers in {_SIZES[0]}..{_SIZES[1]}: width and height "
+            "[pixels]"
+        )
+    return int(width), int(height)

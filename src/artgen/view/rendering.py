@@ -22,7 +22,7 @@ from artgen.errors import AssetError, ParameterError, RenderError, nearest
 from artgen.materials.textures import check_size
 from artgen.view import gl
 from artgen.view.camera import Camera, View, camera_of
-from artgen.view.picture import Picture, Pixels
+from artgen.view.picture import Picture, Pixels, checked_size
 from artgen.view.scene import ASSET_GROUP, HALF, HIDDEN_GROUP, Drawn, RenderScene, Studio
 from artgen.view.studio import Backdrop, sphere_map_coordinates
 
@@ -68,8 +68,7 @@ def cast(meshes: Sequence[Mesh], origin: Array, directions: Array) -> Hits:
     return Hits(surfaces, distance, smooth, np.where(hit, triangle, -1).astype(np.int64), share)
 
 
-_SIZES = (16, 4096)  # fewest and most pixels per side
-_MOST_SCENES = 4  # scenes that stay in memory for the next picture
+_MOST_SCENES = 4  # most scenes that stay in memory for further pictures
 
 
 class _Kept(threading.local):
@@ -188,22 +187,6 @@ def _points(asset: Asset, poses: Mapping[str, Array]) -> dict[str, Array]:
     if not found:
         raise AssetError(f"asset {asset.name!r} has no visible surfaces")
     return found
-
-
-def checked_size(size: Any) -> tuple[int, int]:
-    """Return the width and height of a picture."""
-    both = (size, size) if isinstance(size, int) and not isinstance(size, bool) else size
-    try:
-        width, height = both
-        allowed = all(int(each) == each and _SIZES[0] <= each <= _SIZES[1] for each in both)
-    except (TypeError, ValueError):
-        allowed = False
-    if not allowed:
-        raise ParameterError(
-            f"size {size!r} must be one or two whole numbers in {_SIZES[0]}..{_SIZES[1]}: width and height "
-            "[pixels]"
-        )
-    return int(width), int(height)
 
 
 _KEY = np.array([-0.38, -0.85, 0.80]) / np.linalg.norm([-0.38, -0.85, 0.80])  # direction of the key light
