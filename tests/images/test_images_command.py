@@ -37,7 +37,7 @@ def test_what_is_refused(artgen_command, arguments: tuple[str, ...], told: str) 
 def test_without_opengl_nothing_is_written(artgen_command, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("MUJOCO_GL", "disable")
     done = artgen_command("images", "plier", "--assets", "1", "--out", "set")
-    assert (done.code, done.err) == (2, "error: MUJOCO_GL=disable forbids pictures; unset it\n")
+    assert (done.code, done.err) == (2, "error: MUJOCO_GL=disable disables pictures; unset it\n")
     assert not Path("set").exists()
 
 

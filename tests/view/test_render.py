@@ -237,7 +237,7 @@ def test_missing_libraries_are_named(monkeypatch) -> None:
     with pytest.raises(RenderError, match="MUJOCO_GL=osmesa, but its library cannot be loaded"):
         gl.available()
     monkeypatch.setenv("MUJOCO_GL", "disabled")
-    with pytest.raises(RenderError, match="forbids pictures; unset it"):
+    with pytest.raises(RenderError, match="disables pictures; unset it"):
         gl.available()
 
 

@@ -155,9 +155,9 @@ def _drop_faults_of_messages(loop: asyncio.AbstractEventLoop, context: dict[str,
         loop.default_exception_handler(context)
 
 
-def _same(given: str, wanted: str) -> bool:
+def _same(given: str, secret: str) -> bool:
     """Compare secrets in constant time."""
-    return secrets.compare_digest(given.encode(errors="replace"), wanted.encode())
+    return secrets.compare_digest(given.encode(errors="replace"), secret.encode())
 
 
 def _is_ip(name: str) -> bool:

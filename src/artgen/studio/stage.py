@@ -205,13 +205,13 @@ class Viewport:
     def remove_replaced(self, *, of_link: str = "") -> None:
         """Remove objects that were replaced some time ago, and those of a removed link."""
         now = time.monotonic()
-        kept = []
+        waiting = []
         for end, link, node in self._replaced:
             if end <= now or link == of_link:
                 node.remove()
             else:
-                kept.append((end, link, node))
-        self._replaced = kept
+                waiting.append((end, link, node))
+        self._replaced = waiting
 
     def _remove(self, link: str) -> None:
         self.remove_replaced(of_link=link)

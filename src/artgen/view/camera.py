@@ -155,7 +155,7 @@ class View:
         right, left = (x - horizontal * depth).max(), (-x - horizontal * depth).max()
         above, below = (y - vertical * depth).max(), (-y - vertical * depth).max()
         distance = max((right + left) / (2.0 * horizontal), (above + below) / (2.0 * vertical))
-        least = 1e-3 - depth.min()  # a single point fits from anywhere: stand in front of it
+        least = 1e-3 - depth.min()  # all points have to be in front of the camera, even a single one
         center = axes.T @ np.array([(right - left) / 2.0, (above - below) / 2.0, -max(distance, least)])
         middle = (depth.min() + depth.max()) / 2.0
         target = center + axes[2] * (middle + max(distance, least))

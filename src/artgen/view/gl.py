@@ -37,15 +37,15 @@ def available() -> str:
 
     The environment variable MUJOCO_GL decides; by default the first of EGL and OSMesa whose library loads.
     """
-    wanted = os.environ.get("MUJOCO_GL", "").lower().strip()
-    if wanted in ("disable", "disabled", "off", "false", "0"):
-        raise RenderError(f"MUJOCO_GL={wanted} forbids pictures; unset it")
-    if not sys.platform.startswith("linux") or wanted in ("glfw", "glx"):
+    chosen = os.environ.get("MUJOCO_GL", "").lower().strip()
+    if chosen in ("disable", "disabled", "off", "false", "0"):
+        raise RenderError(f"MUJOCO_GL={chosen} disables pictures; unset it")
+    if not sys.platform.startswith("linux") or chosen in ("glfw", "glx"):
         return "window"
-    if wanted in _LIBRARIES:
-        if not _loads(wanted):
-            raise RenderError(f"MUJOCO_GL={wanted}, but its library cannot be loaded. {_NEEDED}")
-        return wanted
+    if chosen in _LIBRARIES:
+        if not _loads(chosen):
+            raise RenderError(f"MUJOCO_GL={chosen}, but its library cannot be loaded. {_NEEDED}")
+        return chosen
     for name in _LIBRARIES:
         if _loads(name):
             return name

@@ -10,13 +10,13 @@ from artgen.errors import ParameterError
 from artgen.export.frames import leader_of, regions
 
 _WIDE = 1.2  # wider swings show more from the front if they are not fully open [rad]
-_SHARE = 0.45  # share of a wide swing about an upright axis: beyond, a door is seen edge on
-_UPRIGHT = 0.7  # vertical part of an axis above which a hinge is a door's and a slide a lift
-_LIFT = (0.1, 0.5)  # larger lifts are opened to this share only [m, share]
+_SHARE = 0.45  # opened share of a wide swing about an upright axis; beyond, a door shows only its edge
+_UPRIGHT = 0.7  # vertical part of the axis above which a hinge belongs to a door, and a slide is a lift
+_LIFT = (0.1, 0.5)  # smallest large lift, and its opened share [m, share]
 _TURN = 0.8  # opening of a joint without limits [rad or m]
 # size of a part, relative to the parts that it unlocks, above which it is a door or lid instead of a lock
 _DOOR = 0.4
-_TOP = 0.4  # pull of the highest of stacked drawers, so that all can be seen from above
+_TOP = 0.4  # opening of the highest of stacked drawers, so that all are visible from above
 _STACKED = 0.5  # share of the narrower of two drawers that lies above the other
 
 
@@ -24,8 +24,8 @@ def opened(asset: Asset, share: float = 1.0) -> dict[str, float]:
     """Return joint positions in which an asset is open [rad or m].
 
     Wide doors are opened by half, or as far as the parts behind them need; other joints are opened up to
-    their limits, lifts by half, and stacked drawers like stairs. Joints that only unlock others, such as
-    levers, stay at rest unless the others could not be open otherwise.
+    their limits, lifts by half, and upper drawers less than those below. Joints that only unlock others, such
+    as levers, stay at rest unless the others could not be open otherwise.
 
     Args:
         asset: The asset.
@@ -38,18 +38,18 @@ def opened(asset: Asset, share: float = 1.0) -> dict[str, float]:
         raise ParameterError(f"open {share!r} must be in 0..1")
     free = {joint.name: joint for joint in asset.free_joints}
     moved = {name: _moved(asset, name) for name in free}
-    keys = _keys(asset)
-    doors = {name for name, held in keys.items() if _is_door(asset, moved, name, held)}
-    leaders = {name for name in free if name not in keys or name in doors} or set(free)
+    locks = _locks(asset)
+    doors = {name for name, dependent in locks.items() if _is_door(asset, moved, name, dependent)}
+    leaders = {name for name in free if name not in locks or name in doors} or set(free)
     ends = {name: _end(joint) for name, joint in free.items()}
     ends |= _wide_enough(asset, ends, doors)
-    stairs = _stairs(asset, [joint for name, joint in free.items() if name in leaders])
+    shares = _drawer_shares(asset, [joint for name, joint in free.items() if name in leaders])
     q = {
-        name: joint.closed + share * stairs.get(name, 1.0) * (ends[name] - joint.closed) * (name in leaders)
+        name: joint.closed + share * shares.get(name, 1.0) * (ends[name] - joint.closed) * (name in leaders)
         for name, joint in free.items()
     }
     if asset.blocked(q):
-        q |= {name: ends[name] for name in keys if name not in doors}
+        q |= {name: ends[name] for name in locks if name not in doors}
     # blocked joints stay closed; others may depend on them, so repeat until nothing changes
     while blocked := [name for name in asset.blocked(q) if name in q and q[name] != free[name].closed]:
         q |= {name: free[name].closed for name in blocked}
@@ -62,26 +62,26 @@ def _end(joint: AssetJoint) -> float:
         return _TURN
     low, high = joint.limits
     end = high if high - joint.closed >= joint.closed - low else low
-    way = end - joint.closed
-    if joint.kind == "revolute" and abs(way) > _WIDE and _upright(joint):
-        way *= _SHARE
-    if joint.kind == "prismatic" and way * joint.axis[2] > _LIFT[0] * _UPRIGHT and _upright(joint):
-        way *= _LIFT[1]
-    return joint.closed + way
+    travel = end - joint.closed
+    if joint.kind == "revolute" and abs(travel) > _WIDE and _upright(joint):
+        travel *= _SHARE
+    if joint.kind == "prismatic" and travel * joint.axis[2] > _LIFT[0] * _UPRIGHT and _upright(joint):
+        travel *= _LIFT[1]
+    return joint.closed + travel
 
 
 def _upright(joint: AssetJoint) -> bool:
     return bool(abs(joint.axis[2]) > _UPRIGHT)
 
 
-def _keys(asset: Asset) -> dict[str, set[str]]:
+def _locks(asset: Asset) -> dict[str, set[str]]:
     """Return the free joints in conditions, each with the free joints that depend on it."""
     found: dict[str, set[str]] = {}
     for joint in asset.joints:
         for name in joint.needs.condition.joints() if joint.needs is not None else ():
-            key = leader_of(asset, asset.joint(name))[0]
-            if not asset.joint(key).locked:
-                found.setdefault(key, set()).add(leader_of(asset, joint)[0])
+            lock = leader_of(asset, asset.joint(name))[0]
+            if not asset.joint(lock).locked:
+                found.setdefault(lock, set()).add(leader_of(asset, joint)[0])
     return found
 
 
@@ -94,10 +94,12 @@ def _moved(asset: Asset, name: str) -> set[str]:
     return found
 
 
-def _is_door(asset: Asset, moved: Mapping[str, AbstractSet[str]], key: str, held: Iterable[str]) -> bool:
+def _is_door(
+    asset: Asset, moved: Mapping[str, AbstractSet[str]], lock: str, dependent: Iterable[str]
+) -> bool:
     """Tell whether a part that others depend on should be opened by itself, unlike a lock."""
-    size = _size(asset, moved[key])
-    return any(size >= _DOOR * _size(asset, moved[other]) for other in held if moved.get(other))
+    size = _size(asset, moved[lock])
+    return any(size >= _DOOR * _size(asset, moved[other]) for other in dependent if moved.get(other))
 
 
 def _size(asset: Asset, links: Iterable[str]) -> float:
@@ -110,11 +112,11 @@ def _wide_enough(asset: Asset, ends: Mapping[str, float], doors: AbstractSet[str
     found: dict[str, float] = {}
     for joint in asset.joints:
         if joint.needs is not None and joint.needs.until is None:
-            found |= _meeting(asset, joint.needs.condition, {**ends, **found}, doors)
+            found |= _satisfying(asset, joint.needs.condition, {**ends, **found}, doors)
     return found
 
 
-def _meeting(
+def _satisfying(
     asset: Asset, condition: AssetCondition, ends: Mapping[str, float], doors: AbstractSet[str]
 ) -> dict[str, float]:
     """Return positions of doors that satisfy a condition; empty if there are none."""
@@ -133,19 +135,19 @@ def _meeting(
     return {}
 
 
-def _stairs(asset: Asset, joints: Iterable[AssetJoint]) -> dict[str, float]:
+def _drawer_shares(asset: Asset, joints: Iterable[AssetJoint]) -> dict[str, float]:
     """Return the share of their range by which drawers above other drawers are pulled."""
     slides = [joint for joint in joints if joint.kind == "prismatic" and not _upright(joint)]
     slides.sort(key=lambda joint: float(asset.link(joint.child).bounds()[:, 2].mean()))
     level: dict[str, int] = {}
     for number, joint in enumerate(slides):
-        below = [level[other.name] for other in slides[:number] if _stands_on(asset, joint, other)]
+        below = [level[other.name] for other in slides[:number] if _is_above(asset, joint, other)]
         level[joint.name] = max(below) + 1 if below else 0
     highest = max(level.values(), default=0)
     return {name: 1.0 - (1.0 - _TOP) * number / highest for name, number in level.items() if number}
 
 
-def _stands_on(asset: Asset, upper: AssetJoint, lower: AssetJoint) -> bool:
+def _is_above(asset: Asset, upper: AssetJoint, lower: AssetJoint) -> bool:
     """Tell whether a drawer would be pulled over another one of the same piece of furniture."""
     if upper.parent != lower.parent or upper.axis @ lower.axis < _UPRIGHT:
         return False

@@ -87,8 +87,8 @@ def label_colors(asset: Asset) -> dict[str, Rgb]:
     for number, label in enumerate(dict.fromkeys(labels)):
         if number % len(_HUES) == 0:
             free = list(range(len(_HUES)))  # colors of a shade are assigned one after another
-        wanted = zlib.crc32(label.encode()) % len(_HUES)
-        hue = min(free, key=lambda index: (index - wanted) % len(_HUES))
+        first = zlib.crc32(label.encode()) % len(_HUES)
+        hue = min(free, key=lambda index: (index - first) % len(_HUES))
         free.remove(hue)
         result[label] = PALETTE[(number - number % len(_HUES) + hue) % len(PALETTE)]
     return result

@@ -321,8 +321,8 @@ class Renderer:
     def _focus_shadows(self, camera: Camera, size: tuple[int, int]) -> Array:
         """Adjust the sharpness of shadows to a close-up; return their center, shape (3,)."""
         place = self.scene.place
-        seen = math.dist(camera.position, camera.target) * math.tan(camera.field_of_view / 2.0)
-        reach = 2.0 * seen * math.hypot(1.0, size[0] / size[1])
+        half = math.dist(camera.position, camera.target) * math.tan(camera.field_of_view / 2.0)
+        reach = 2.0 * half * math.hypot(1.0, size[0] / size[1])
         near = reach < _SHADOW_REACH * place.radius
         self._context.shadowClip = reach if near else _SHADOW_REACH * place.radius
         return np.array(camera.target) if near else place.center

@@ -259,7 +259,7 @@ class RenderScene:
             )
 
     def placed(self, camera: Camera, poses: Mapping[str, Array]) -> tuple[Camera, list[Array]]:
-        """Pose the links as seen by a camera, which always stands at the studio's front."""
+        """Pose the links for a camera; return camera and poses in studio coordinates."""
         import mujoco
 
         studio = self.place.turned(camera)

@@ -18,22 +18,25 @@ from artgen.view.picture import Pixels, check_suffix, jpeg, save_image
 from artgen.view.rendering import close, render
 
 ASIDE = 0.5
-"""Largest angle from the front or back at which a sample is seen [rad]."""
+"""Largest angle of the camera from the front or back of a sample [rad]."""
 
-_SHADE = re.compile("_[0-9a-f]{6}$")  # suffix of the name of a material in its own shade
+_SHADE = re.compile("_[0-9a-f]{6}$")  # suffix of the name of a material whose shade was drawn
 _TITLE, _TEXT, _GAP = 15, 12, 12  # font sizes, and free space around an asset [pixels]
 _LINES = 2  # lines of a caption
 _INK, _GREY = (30, 30, 32), (110, 110, 114)
 _PAGE = 1.5  # width of a page relative to its height
 _BYTES = 350_000  # largest size of a sheet in the documentation [bytes]
-# heights of assets, and the elevations from which they are seen [m, rad]
+# heights of assets, and the elevations of their cameras [m, rad]
 _HEIGHTS, _ABOVE = (0.25, 2.0), (0.42, 0.2)
 # height relative to the longer side of flat assets, and their elevation
 _FLAT, _OVER = (0.08, 0.4), (0.85, 0.42)
-_UPRIGHT = 0.7  # vertical part of an axis above which a hinge is a door's
-_EVEN, _MIDDLE = 0.3, 0.5  # tolerance of equally large doors at both sides; then a smaller angle is enough
+_UPRIGHT = 0.7  # vertical part of an axis above which a hinge belongs to a door
+_EVEN, _MIDDLE = (
+    0.3,
+    0.5,
+)  # tolerance for equally large doors at both sides, and the share of the angle for these
 _MARGIN = 0.05  # free share of a picture along its edges
-_MEASURED = 12  # number of first assets that determine the shape of all pictures
+_MEASURED = 12  # number of assets that determine the shape of all pictures
 _NARROW, _WIDE = 0.5, 2.0  # smallest and largest ratio of width to height of pictures
 _QUALITIES = (90, 85, 80, 75, 70, 62, 54, 46, 38, 30, 22)
 
