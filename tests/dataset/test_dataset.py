@@ -100,7 +100,7 @@ def test_the_shares_of_a_split_are_met_on_average(folder: Path) -> None:
 
 def test_shares_that_are_not_one_are_refused(folder: Path) -> None:
     with pytest.raises(
-        ParameterError, match=r"the sum of the shares has to be 1, not 0\.9, and no share negative"
+        ParameterError, match=r"the sum of the shares is 0\.9; it must be 1, and no share negative"
     ):
         Dataset(folder).split(train=0.8, test=0.1)
 
@@ -118,5 +118,5 @@ def test_what_is_no_dataset_is_refused(tmp_path: Path) -> None:
 
 
 def test_a_format_that_was_not_written(folder: Path) -> None:
-    with pytest.raises(ExportError, match=r"has no 'usd'\. Allowed: mjcf"):
+    with pytest.raises(ExportError, match=r"has no files in the format 'usd'\. Allowed: mjcf"):
         Dataset(folder).files("usd")

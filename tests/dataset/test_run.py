@@ -137,7 +137,7 @@ def test_interrupted_with_the_keyboard(tmp_path: Path) -> None:
     os.killpg(run.pid, signal.SIGINT)
     _, told = run.communicate(timeout=60)
     assert run.returncode == 130
-    assert told == "interrupted; what is done stays, and the same command goes on from there\n"
+    assert told == "interrupted; finished work stays, and the same command continues the run\n"
     assert not (folder / ".staging").exists()
 
 
@@ -183,14 +183,16 @@ def test_two_runs_do_not_write_to_one_folder(undisturbed: Path) -> None:
 def test_another_plan_is_refused(undisturbed: Path) -> None:
     before = digests(undisturbed)
     other = Plan(CATEGORIES, 5, formats=("mjcf", "usd"), texture_size=256)
-    told = "holds a dataset with formats = mjcf, not mjcf,usd: go on with the same options, or choose another"
+    told = "holds a dataset with formats = mjcf, not mjcf,usd: use the same options, or choose another folder"
     with pytest.raises(ExportError, match=told):
         generate_many(other, undisturbed)
     assert digests(undisturbed) == before
 
 
 def test_a_dataset_does_not_shrink(undisturbed: Path) -> None:
-    told = "holds a dataset of 5 assets: ask for as many or for more, or choose another folder"
+    told = (
+        "holds a dataset of 5 assets, but only 4 are requested; request at least 5, or choose another folder"
+    )
     with pytest.raises(ExportError, match=told):
         generate_many(Plan(CATEGORIES, 4, formats=("mjcf",), texture_size=256), undisturbed)
 
@@ -249,10 +251,8 @@ def test_a_full_disk_ends_the_run_and_a_freed_one_lets_it_go_on(undisturbed: Pat
         f"mount -o remount,size=200m {disk} && {run} && cp -a {disk}/set {copy}",
         disk,
     )
-    told = (
-        "an asset cannot be written: No space left on device; what is done stays, and the same command goes"
-    )
-    assert f"error: {told} on from there\n" in done.stderr
+    told = "No space left on device; finished work stays, and the same command continues the run\n"
+    assert f"error: an asset cannot be written: {told}" in done.stderr
     assert "code 2\n" in done.stdout
     assert done.returncode == 0, done.stderr
     assert digests(copy) == digests(undisturbed)

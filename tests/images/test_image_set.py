@@ -160,7 +160,7 @@ def test_the_pictures_are_the_plans_whatever_interrupted_it(
     (folder / "train.json").unlink()
     assert generate_many(image_plan, folder, jobs=1).made == 1
     assert digests(folder) == digests(image_set)
-    with pytest.raises(ExportError, match="holds a dataset with images = 2, not 3: go on with the same"):
+    with pytest.raises(ExportError, match="holds a dataset with images = 2, not 3: use the same options"):
         generate_many(replace(image_plan, images=3), folder)
     with pytest.raises(ExportError, match="has format 'artgen-images-1', not 'artgen-dataset-1'"):
         Dataset(folder)

@@ -15,10 +15,10 @@ from artgen.images import ImagePlan
         (("door", "--labels", "handel"), "door: there is no label 'handel'. Did you mean 'handle'?"),
         (
             ("door", "--labels", "lamp:base"),
-            "the label 'lamp:base' is of 'lamp', but the plan has no images of it",
+            "the label 'lamp:base' is for 'lamp', which is not in the plan; its categories are door",
         ),
         (("door", "--labels", "handle,grip=handle"), "the label 'handle' of door is named twice; leave one"),
-        (("door", "--random", "flor"), "nothing called 'flor' can be random. Did you mean 'floor'?"),
+        (("door", "--random", "flor"), "no part of a picture is called 'flor'. Did you mean 'floor'?"),
         (("door", "--size", "8"), "size 8 must be one or two whole numbers in 16..4096"),
         (("door", "--split", "0.8,0.1,0.2"), "must be the shares of train, val, test with the sum 1"),
         (("door", "--elevation", "60,30"), "must lie in 0..1.5708, the lower number first"),

@@ -22,7 +22,7 @@ from rich.table import Table
 from rich.text import Text
 
 from artgen.dataset import generate_many
-from artgen.dataset.places import GO_ON
+from artgen.dataset.places import RESUME
 from artgen.dataset.plan import Draws
 
 FAULT = 1
@@ -101,7 +101,7 @@ def counting(
 
             yield step, partial(bar.update, task)
     except KeyboardInterrupt:
-        typer.echo(f"interrupted; {GO_ON}", err=True)
+        typer.echo(f"interrupted; {RESUME}", err=True)
         raise typer.Exit(INTERRUPTED) from None
 
 

@@ -32,7 +32,7 @@ LOCK_FILE = ".lock"
 STAGING = ".staging"
 TEXTURE_DIRECTORY = "textures"
 
-GO_ON = "what is done stays, and the same command goes on from there"  # ends messages about interrupted runs
+RESUME = "finished work stays, and the same command continues the run"  # ends messages about interruptions
 
 _INTERVAL = 30.0  # time between two writes of a growing object in a store [s]
 

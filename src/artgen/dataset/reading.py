@@ -86,7 +86,9 @@ class Dataset(Sequence[Asset]):
         """
         known = self.records[0]["files"] if self.records else {written: ""}
         if written not in known:
-            raise ExportError(f"{self.directory} has no {written!r}.{nearest(written, known)}")
+            raise ExportError(
+                f"{self.directory} has no files in the format {written!r}.{nearest(written, known)}"
+            )
         return [self._path(record) / record["files"][written] for record in self.records]
 
     def filter(
@@ -144,7 +146,7 @@ class Dataset(Sequence[Asset]):
         chosen = shares or _SHARES
         if any(share < 0.0 for share in chosen.values()) or abs(sum(chosen.values()) - 1.0) > 1e-9:
             raise ParameterError(
-                f"the sum of the shares has to be 1, not {sum(chosen.values()):g}, and no share negative"
+                f"the sum of the shares is {sum(chosen.values()):g}; it must be 1, and no share negative"
             )
         parts: dict[str, list[Mapping[str, Any]]] = {name: [] for name in chosen}
         for record in self.records:

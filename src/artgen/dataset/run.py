@@ -18,7 +18,7 @@ from typing import Any
 from artgen._names import inside
 from artgen.asset.files import ASSET_FILE
 from artgen.asset.record import json_text
-from artgen.dataset.places import GO_ON, PLAN_FILE, Place, is_url, place_of
+from artgen.dataset.places import PLAN_FILE, RESUME, Place, is_url, place_of
 from artgen.dataset.plan import Draws, Item, Plan
 from artgen.dataset.workers import Ending, EngineName, engine_of, run_job
 from artgen.errors import ArtgenError, ExportError, ParameterError
@@ -138,7 +138,7 @@ class Folder:
         if ending.state != "done":
             record = failure(ending.item, ending.reason, state="lost")
         elif record["state"] == "refused":
-            raise ExportError(f"an asset cannot be written: {record['error']}; {GO_ON}")
+            raise ExportError(f"an asset cannot be written: {record['error']}; {RESUME}")
         self.records[ending.item.name] = record
         self.place.append(MANIFEST_FILE, _line(record))
         return record
@@ -178,7 +178,7 @@ def _disk_errors(place: Place) -> Iterator[None]:
     except ExportError:
         raise
     except OSError as error:
-        raise ExportError(f"cannot write to {place}: {error.strerror or error}; {GO_ON}") from error
+        raise ExportError(f"cannot write to {place}: {error.strerror or error}; {RESUME}") from error
 
 
 def make(item: Item, *, plan: Draws, place: Place) -> Record:
@@ -244,8 +244,8 @@ def _earlier_plan(place: Place, plan: Draws) -> Draws | None:
         return None
     if data["version"] != __version__:
         raise ExportError(
-            f"{place} holds assets of artgen {data['version']}, and this is {__version__}: the same seeds "
-            "may give others; choose another folder"
+            f"{place} holds assets of artgen {data['version']}, but {__version__} is installed, which may "
+            "generate others from the same seeds; choose another folder"
         )
     try:
         before = type(plan).from_data(data["plan"])
@@ -253,20 +253,20 @@ def _earlier_plan(place: Place, plan: Draws) -> Draws | None:
         raise ExportError(f"{place}/{PLAN_FILE}: {error}") from error
     if before.count > plan.count:
         raise ExportError(
-            f"{place} holds a dataset of {before.count} assets: ask for as many or for more, or choose "
-            "another folder"
+            f"{place} holds a dataset of {before.count} assets, but only {plan.count} are requested; request "
+            f"at least {before.count}, or choose another folder"
         )
     old, new = before.to_data(), replace(plan, count=before.count).to_data()
     for name, value in old.items():
         if value != new[name]:
             raise ExportError(
-                f"{place} holds a dataset with {name} = {_shown(value)}, not {_shown(new[name])}: go on "
-                "with the same options, or choose another folder"
+                f"{place} holds a dataset with {name} = {_format(value)}, not {_format(new[name])}: use "
+                "the same options, or choose another folder"
             )
     return before
 
 
-def _shown(value: Any) -> str:
+def _format(value: Any) -> str:
     return ",".join(map(str, value)) or "none" if isinstance(value, list) else repr(value)
 
 

@@ -277,7 +277,7 @@ def _cannot_join(address: str, error: BaseException | str) -> str:
         return f"Ray cannot be started here: {reason}"
     return (
         f"there is no Ray cluster at {address!r}: {reason}; give the HOST:PORT of its head node, with "
-        "RAY_AUTH_MODE=token if it requires a token, or no address to start one here"
+        "RAY_AUTH_MODE=token if it requires a token, or give no address to start a cluster here"
     )
 
 

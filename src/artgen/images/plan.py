@@ -75,7 +75,7 @@ class ImagePlan(Draws):
         _check_whole("samples", self.samples, 1, 1024)
         for name in self.random:
             if name not in RANDOM:
-                raise ParameterError(f"nothing called {name!r} can be random.{nearest(str(name), RANDOM)}")
+                raise ParameterError(f"no part of a picture is called {name!r}.{nearest(str(name), RANDOM)}")
         _check_range("field_of_view", self.field_of_view, 0.1, 2.0)
         _check_range("elevation", self.elevation, 0.0, math.pi / 2)
         _check_range("azimuth", (0.0, self.azimuth), 0.0, math.pi)
@@ -103,7 +103,10 @@ class ImagePlan(Draws):
         for text in self.labels:
             owner, colon, rest = text.partition(":")
             if colon and owner.strip() not in known:
-                raise ParameterError(f"the label {text!r} is of {owner!r}, but the plan has no images of it")
+                raise ParameterError(
+                    f"the label {text!r} is for {owner!r}, which is not in the plan; its categories are "
+                    f"{', '.join(known)}"
+                )
             owners = [owner.strip()] if colon else list(known)
             new, equals, old = (rest if colon else text).partition("=")
             for label in map(str.strip, (old if equals else new).split("+")):
