@@ -3,9 +3,8 @@
 import functools
 import json
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, TextIO
+from typing import Any
 
 from artgen.dataset.workers import Ending, run_job, run_tasks
 from artgen.errors import ExportError
@@ -15,24 +14,6 @@ Task = Callable[..., dict[str, Any]]
 
 FIELDS = ("seed", "category", "state")
 """Fields of every line of a survey."""
-
-
-@dataclass
-class _Measuring:
-    """A `Job` that measures samples and adds a line of a file for each."""
-
-    task: Callable[[int], dict[str, Any]]
-    numbers: Iterable[int]
-    record_of: Callable[[Ending], dict[str, Any]]
-    lines: TextIO  # with line buffering
-
-    def left(self) -> Iterable[int]:
-        return self.numbers
-
-    def add(self, ending: Ending) -> dict[str, Any]:
-        record = self.record_of(ending)
-        self.lines.write(json.dumps(record, allow_nan=False) + "\n")
-        return record
 
 
 def measured(
@@ -46,9 +27,14 @@ def measured(
 ) -> Iterator[dict[str, Any]]:
     """Measure samples, add their lines to a file, and yield their records."""
     try:
-        with path.open("a", buffering=1, encoding="utf-8", newline="\n") as lines:
-            job = _Measuring(task, numbers, record_of, lines)
-            yield from run_job(job, functools.partial(run_tasks, jobs=jobs), limit=limit)
+        with path.open("a", buffering=1, encoding="utf-8", newline="\n") as lines:  # each line at once
+
+            def add(ending: Ending) -> dict[str, Any]:
+                record = record_of(ending)
+                lines.write(json.dumps(record, allow_nan=False) + "\n")
+                return record
+
+            yield from run_job(task, numbers, add, functools.partial(run_tasks, jobs=jobs), limit=limit)
     except OSError as error:
         raise ExportError(f"cannot write {path}: {error.strerror}") from error
 

@@ -43,8 +43,6 @@ def test_nothing_to_do_starts_nothing() -> None:
 class Doubling:
     """A job whose records are endings."""
 
-    task = staticmethod(double)
-
     def __init__(self) -> None:
         self.records: dict[int, Ending] = {}
 
@@ -77,7 +75,9 @@ def failing(times: int) -> Callable[..., Iterator[Ending]]:
 @pytest.mark.parametrize(("times", "state"), [(2, "done"), (3, "crashed")])
 def test_a_job_tries_again_where_a_process_ended(times: int, state: str) -> None:
     job = Doubling()
-    found = {each.item: each for each in run_job(job, failing(times), limit=1.0, tries=3)}
+    found = {
+        each.item: each for each in run_job(double, job.left(), job.add, failing(times), limit=1.0, tries=3)
+    }
     assert found == job.records
     assert {item: each.state for item, each in found.items()} == {0: "done", 1: state, 2: "failed", 3: "done"}
     assert found[2].reason == "ValueError: two is refused"
@@ -85,9 +85,9 @@ def test_a_job_tries_again_where_a_process_ended(times: int, state: str) -> None
 
 def test_an_interrupted_job_keeps_its_records_and_does_the_rest() -> None:
     job = Doubling()
-    for ending in run_job(job, failing(0), limit=1.0):
+    for ending in run_job(double, job.left(), job.add, failing(0), limit=1.0):
         if ending.item == 1:
             break
     assert job.left() == [2, 3]
-    assert [each.item for each in run_job(job, failing(0), limit=1.0)] == [2, 3]
-    assert list(run_job(job, failing(0), limit=1.0)) == []
+    assert [each.item for each in run_job(double, job.left(), job.add, failing(0), limit=1.0)] == [2, 3]
+    assert list(run_job(double, job.left(), job.add, failing(0), limit=1.0)) == []

@@ -96,7 +96,7 @@ def generate_many(
         if begin is not None:
             begin(len(folder.left()))
         made = 0
-        for record in run_job(folder, run, limit=limit, tries=_TRIES):
+        for record in run_job(folder.task, folder.left(), folder.add, run, limit=limit, tries=_TRIES):
             made += record["state"] == "done"
             if progress is not None:
                 progress(record)
@@ -105,7 +105,7 @@ def generate_many(
 
 
 class Folder:
-    """A place that a run fills; as a `Job`, its items are those of the plan without a record."""
+    """A place that a run fills."""
 
     def __init__(self, place: Place, plan: Draws) -> None:
         self.place, self.plan = place, plan.prepared(place)

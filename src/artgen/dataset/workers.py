@@ -18,7 +18,7 @@ from multiprocessing import resource_tracker
 from multiprocessing.connection import Connection, wait
 from multiprocessing.process import BaseProcess
 from types import ModuleType
-from typing import Any, Literal, Protocol, get_args
+from typing import Any, Literal, TypeVar, get_args
 
 from artgen.errors import ExportError, ParameterError
 from artgen.version import __version__
@@ -35,6 +35,7 @@ _POLL = 1.0  # interval between checks of time limits [s]
 _MEMORY = 128 * 2**20  # object store of a cluster that is started here [bytes]
 
 EngineName = Literal["local", "ray"]
+Record = TypeVar("Record")
 State = Literal["done", "failed", "timed out", "crashed"]
 
 
@@ -56,34 +57,28 @@ class Ending:
 Engine = Callable[..., Iterator[Ending]]  # runs a task for each item, with a time limit, as `run_tasks`
 
 
-class Job(Protocol):
-    """Interruptible work on many items; each item is recorded as soon as it is done."""
-
-    @property
-    def task(self) -> Callable[[Any], Any]:
-        """The function that runs in a worker process, on one item."""
-
-    def left(self) -> Iterable[Any]:
-        """Return the items without a record."""
-
-    def add(self, ending: Ending) -> Any:
-        """Record an item, and return the record."""
-
-
-def run_job(job: Job, engine: Engine, *, limit: float, tries: int = 1) -> Iterator[Any]:
-    """Process the remaining items of a job, and yield each record after it was added.
+def run_job(
+    task: Callable[[Any], Any],
+    items: Iterable[Any],
+    add: Callable[[Ending], Record],
+    engine: Engine,
+    *,
+    limit: float,
+    tries: int = 1,
+) -> Iterator[Record]:
+    """Run a task for each item in worker processes; record each ending at once, and yield the records.
 
     A task that ends its process, or takes longer than `limit` [s], runs up to `tries` times.
     """
-    left, tried = job.left(), Counter[Any]()
+    left, tried = items, Counter[Any]()
     while left:
         again = []
-        for ending in engine(job.task, left, limit=limit):
+        for ending in engine(task, left, limit=limit):
             tried[ending.item] += 1
             if ending.state in ("crashed", "timed out") and tried[ending.item] < tries:
                 again.append(ending.item)
             else:
-                yield job.add(ending)
+                yield add(ending)
         left = again
 
 

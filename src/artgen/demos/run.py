@@ -250,7 +250,7 @@ def make_demos(
 
 
 class Attempts:
-    """A folder with a file for each attempt of an unfinished run; as a `Job`, its items are the seeds."""
+    """A folder with a file for each attempt of an unfinished run."""
 
     def __init__(
         self, folder: Path, plan: Mapping[str, Any], seeds: range, task: Callable[[int], Demo]
@@ -291,7 +291,7 @@ class Attempts:
 
     def endings(self, jobs: int) -> Generator[Ending]:
         """Yield the endings of all attempts in the order of the seeds; missing ones are made."""
-        arriving = run_job(self, partial(run_tasks, jobs=jobs), limit=_LIMIT)
+        arriving = run_job(self.task, self.left(), self.add, partial(run_tasks, jobs=jobs), limit=_LIMIT)
         killed: dict[int, Ending] = {}
         for seed in self._seeds:
             while seed not in killed and not self._path(seed).exists():
