@@ -80,7 +80,7 @@ def test_cameras_stand_above_the_horizon_and_see_everything() -> None:
 def test_what_is_not_random_is_plain() -> None:
     draw = np.random.default_rng(0)
     around = random_surroundings(("light",), draw)
-    assert (around.floors, around.walls) == ((), ())
+    assert around == {"floor": (), "wall": ()}
     lit = [random_setting(around, ("light",), draw) for _ in range(2)]
     assert lit[0].light != lit[1].light
     assert lit[0].horizon == lit[1].zenith

@@ -6,7 +6,7 @@ row j spans i..i+1 and j..j+1, so its center lies at (i + 0.5, j + 0.5), as for 
 
 import colorsys
 import math
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 from dataclasses import asdict, dataclass, replace
 from typing import Any
 
@@ -18,6 +18,7 @@ from artgen.export.frames import Region, intersection, leader_of, regions
 from artgen.view.camera import Camera, View
 
 Color = tuple[float, float, float]  # red, green and blue, 0-1
+Surroundings = Mapping[str, tuple[str, ...]]  # materials of the floors and walls for the pictures of an asset
 
 # materials of random floors and walls
 FLOORS = ("oak", "walnut_flat_sawn", "pine", "marble", "granite", "black_granite", "linen", "canvas", "mdf")
@@ -160,19 +161,11 @@ class Setting:
     wall_distance: float  # distance from the center of the asset, relative to its radius
 
 
-@dataclass(frozen=True)
-class Surroundings:
-    """Materials of floors and walls for the pictures of one asset."""
-
-    floors: tuple[str, ...] = ()
-    walls: tuple[str, ...] = ()
-
-
 def random_surroundings(random: Collection[str], draw: np.random.Generator) -> Surroundings:
-    """Return three random floors and walls for the pictures of an asset, as far as they vary."""
+    """Return the materials of three random floors and walls for an asset, as far as they vary."""
     floors = tuple(str(each) for each in draw.choice(FLOORS, 3, replace=False))
     walls = tuple(str(each) for each in draw.choice(WALLS, 3, replace=False))
-    return Surroundings(floors if "floor" in random else (), walls if "backdrop" in random else ())
+    return {"floor": floors if "floor" in random else (), "wall": walls if "backdrop" in random else ()}
 
 
 def random_setting(around: Surroundings, random: Collection[str], draw: np.random.Generator) -> Setting:
@@ -180,15 +173,16 @@ def random_setting(around: Surroundings, random: Collection[str], draw: np.rando
     light = _random_light(draw) if "light" in random else Light()
     plain = "backdrop" not in random
     horizon, zenith = (_PLAIN_SKY,) * 2 if plain else (_random_color(draw), _random_color(draw))
-    wall = int(draw.integers(2 * len(around.walls))) if around.walls else -1  # half of the pictures have none
+    floors, walls = len(around["floor"]), len(around["wall"])
+    wall = int(draw.integers(2 * walls)) if walls else -1  # half of the pictures have none
     return Setting(
         light,
         horizon,
         zenith,
-        floor=int(draw.integers(len(around.floors))) if around.floors else -1,
+        floor=int(draw.integers(floors)) if floors else -1,
         floor_tint=_random_tint(draw),
         floor_turn=float(draw.uniform(-math.pi, math.pi)),
-        wall=wall if wall < len(around.walls) else -1,
+        wall=wall if wall < walls else -1,
         wall_tint=_random_tint(draw),
         wall_turn=float(draw.uniform(-0.7, 0.7)),
         wall_distance=float(draw.uniform(1.3, 4.0)),

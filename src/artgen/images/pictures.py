@@ -69,11 +69,8 @@ class ImageScene(RenderScene):
         lying, standing = np.array([0.0, 0.0, 1.0]), np.array([0.0, -1.0, 0.0])
         level = ribbon(np.array([[-wide, 0.0], [wide, 0.0]]), np.array([lying, lying]), 0.0, wide)
         upright = ribbon(np.array([[0.0, -wide], [0.0, wide]]), np.array([standing, standing]), 0.0, wide)
-        for kind, mesh, names in (
-            ("floor", level, self._around.floors),
-            ("wall", upright, self._around.walls),
-        ):
-            for number, name in enumerate(names):
+        for kind, mesh in (("floor", level), ("wall", upright)):
+            for number, name in enumerate(self._around[kind]):
                 # its own name separates its tint from that of the asset
                 made = replace(find_material(name), name=f"{kind}_{name}")
                 body = spec.worldbody.add_body(name=f"{kind}_{number}", mocap=True)
@@ -92,10 +89,9 @@ class ImageRenderer(Renderer):
         super().__init__(ImageScene(asset, around, textures, large=size >= _LARGE), (size, size))
         self._size_of_picture = (size, size)
         self._setting: Setting  # of the current picture
-        named = {"floor": around.floors, "wall": around.walls}
         self._boards = {
             kind: [self._board(f"{kind}_{number}") for number in range(len(names))]
-            for kind, names in named.items()
+            for kind, names in around.items()
         }
 
     def _board(self, name: str) -> tuple[int, int, int, Array]:
