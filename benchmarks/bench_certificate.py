@@ -1,4 +1,4 @@
-"""The certificate against random poses: time to the same confidence, and what each of them finds."""
+"""Compare the certificate with random poses: time to the same confidence, and faults found."""
 
 import math
 import random
@@ -53,12 +53,12 @@ is a refusal, too. Faults are those of `tests/support/mutations.py`, without pai
 
 @dataclass(frozen=True)
 class Timed:
-    """What both take on an asset.
+    """Times of both methods for one asset.
 
     Attributes:
-        pairs: Pairs of links that are checked.
-        certificate: What the certificate takes [s].
-        pose: What one pose takes [s].
+        pairs: Number of checked pairs of links.
+        certificate: Time of the certificate [s].
+        pose: Time of one pose [s].
     """
 
     pairs: int
@@ -89,7 +89,7 @@ def measure(*, quick: bool) -> Section:
 
 
 def thin_blade(share: float) -> Asset:
-    """Make an arm that passes a pin, and meets it on about that share of the range of its hinge."""
+    """Make an arm that collides with a pin in about the given share of the range of its hinge."""
     width = share * _RANGE * _RADIUS / 2.0
     metal = artgen.material("steel")
     plate = artgen.box(1.2, 1.2, 0.02)
@@ -103,7 +103,7 @@ def thin_blade(share: float) -> Asset:
 
 
 def blade_share(asset: Asset) -> float:
-    """Return on which share of the range of its hinge a thin blade meets its pin, by halving."""
+    """Return the share of the hinge range in which a thin blade hits its pin, by bisection."""
     links, pairs = convex_links(asset), moving_pairs(asset)
 
     def meets(angle: float) -> bool:
@@ -120,7 +120,7 @@ def blade_share(asset: Asset) -> float:
 
 
 def verdict(asset: Asset) -> str:
-    """Return what the certificate says: `proven`, `collision`, or `not proven` where it cannot tell."""
+    """Return the verdict of the certificate: `proven`, `collision`, or `not proven` if it is undecided."""
     certificate = asset.certify()
     if certificate.proven:
         return "proven"
@@ -128,7 +128,7 @@ def verdict(asset: Asset) -> str:
 
 
 def _collides(certificate: Certificate, pairs: Pairs) -> bool:
-    """Tell whether solids or colliders of some of the pairs are said to collide."""
+    """Tell whether the certificate reports a collision of solids or colliders for some pairs."""
     looked = {frozenset(pair) for pair in pairs}
     return any(
         "collision" in (pair.verdict, pair.colliders)
@@ -138,7 +138,7 @@ def _collides(certificate: Certificate, pairs: Pairs) -> bool:
 
 
 def poses_for(share: float) -> int:
-    """Return how many random poses find, as surely as `CONFIDENCE`, a collision on a share of the range."""
+    """Return the number of random poses that find a collision in a share of the range with `CONFIDENCE`."""
     return math.ceil(math.log(1.0 - CONFIDENCE) / math.log1p(-share))
 
 
@@ -147,7 +147,7 @@ def _evaluated(name: str) -> Asset:
 
 
 def _timed(make: Callable[[], Asset], runs: int, poses: int) -> Timed:
-    """Time certificate and poses in turn, each on an asset of its own, so that nothing is there already."""
+    """Time certificate and poses alternately, each with a new asset, so that no cache is warm."""
     asset = make()
     _prepared(asset)
     pairs = moving_pairs(asset)
@@ -181,7 +181,7 @@ def _prepared(asset: Asset) -> None:
 
 
 def _faults(name: str, most: int) -> dict[str, int]:
-    """Count how many faults of an asset are found: by the certificate, and of these by random poses."""
+    """Count the faults of an asset that the certificate finds, and those of them that random poses find."""
     chosen: Sequence[Mutant] = list(mutants(PROOF_ASSETS[name]()))
     if most < len(chosen):
         chosen = random.Random(name).sample(chosen, most)  # noqa: S311 - no secret
@@ -208,7 +208,7 @@ def _first_hit(asset: Asset, poses: int) -> int | None:
 
 
 def _targets(names: Sequence[str], runs: int) -> Table:
-    """Time the proofs of assets made for tests against what they are meant to take."""
+    """Time the proofs of test assets against their targets."""
 
     def certified(name: str, *, clearances: bool) -> float:
         asset = PROOF_ASSETS[name]()
@@ -284,7 +284,7 @@ def _time_table(timed: Mapping[str, Timed]) -> Table:
 
 
 def _chance(share: float, each: Timed) -> float:
-    """Return the chance that as many poses as fit into the time of the certificate find a collision."""
+    """Return the probability that random poses find a collision in the time of the certificate."""
     return -math.expm1(each.certificate / each.pose * math.log1p(-share))
 
 

@@ -1,4 +1,4 @@
-"""Colliders known from how solids were made, against CoACD's: time, pieces, hollows kept open, steps."""
+"""Compare colliders from the construction of solids with CoACD: time, pieces, open hollows, steps."""
 
 import statistics
 import subprocess
@@ -38,11 +38,11 @@ class Made:
     """An asset with colliders of one kind.
 
     Attributes:
-        seconds: What making them takes of the processor [s].
-        pieces: How many there are.
+        seconds: Processor time to make them [s].
+        pieces: Number of pieces.
         open: Share of the hollows that they leave open.
         covered: Share of the solids that they cover.
-        steps: Steps of MuJoCo in a second.
+        steps: Steps of MuJoCo per second.
     """
 
     seconds: float
@@ -74,7 +74,7 @@ def measure(*, quick: bool) -> Section:
 
 
 def _start() -> None:
-    """Start a process like those in which CoACD runs."""
+    """Start a process, as CoACD needs one."""
     subprocess.run([sys.executable, "-P", "-c", "import io, json, sys, coacd, numpy"], check=True)
 
 
@@ -116,7 +116,7 @@ def _made(asset: Asset, kind: str, start: float) -> Made:
 
 
 def _volumes(link: Link) -> tuple[float, float, float, float]:
-    """Return the hollow of a link, what of it is open, its solids, and what of them is covered [m^3]."""
+    """Return four volumes of a link: hollow, open part of the hollow, solids, covered part of them [m^3]."""
     solid = Manifold.batch_boolean([part.solid for part in link_parts(link)], OpType.Add)
     colliders = Manifold.batch_boolean([each.convex.manifold() for each in link.colliders], OpType.Add)
     hollow = solid.hull() - solid

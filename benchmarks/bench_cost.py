@@ -1,4 +1,4 @@
-"""Cost against how many joints, links and parts an asset has, and how many were made before it."""
+"""Cost by the number of joints, links and parts of an asset, and by the number of earlier assets."""
 
 import statistics
 import tempfile
@@ -29,11 +29,11 @@ median: the first one pays for what is imported with it.
 
 @dataclass(frozen=True)
 class Cost:
-    """What an asset took, and how much there is of it.
+    """Times and sizes of an asset.
 
     Attributes:
         counts: Joints, links, parts (solids), colliders.
-        seconds: Of each of `STAGES`, and `all` [s].
+        seconds: Time of each of `STAGES`, and of `all` [s].
     """
 
     counts: Mapping[str, int]
@@ -81,7 +81,7 @@ def _cost(name: str, seed: int, directory: Path) -> Cost:
 
 
 def _buckets(costs: Sequence[Cost]) -> dict[str, list[Cost]]:
-    """Take assets together by their number of joints."""
+    """Group assets by their number of joints."""
     found = {}
     for name, (low, high) in _BUCKETS.items():
         within = [cost for cost in costs if low <= cost.counts["joints"] <= high]
@@ -146,7 +146,7 @@ def _fit_table(fits: Mapping[str, Mapping[str, tuple[float, float]]]) -> Table:
 
 
 def _row_table(times: Sequence[float]) -> tuple[Table, str]:
-    """Compare assets of the same few seeds that are made one after another, each seed with itself."""
+    """Compare repeated assets of a few seeds, each seed with itself."""
     rounds = np.array(times).reshape(-1, _SEEDS)
     ratios = rounds / np.median(rounds, axis=0)
     first = float(ratios[0, 0])

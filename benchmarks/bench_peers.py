@@ -1,4 +1,4 @@
-"""Against scene-synthesizer: time, triangles, colors, links that are in each other, inertia."""
+"""Compare with scene-synthesizer: time, triangles, colors, penetrations of links, inertia."""
 
 import shutil
 import statistics
@@ -42,12 +42,12 @@ they come: scene-synthesizer takes a density as an argument, which changes the m
 
 @dataclass(frozen=True)
 class Measured:
-    """What was measured of an asset of one side.
+    """Measurements of an asset of one library.
 
     Attributes:
-        contents: What its URDF holds.
-        anywhere: Links in each other within the limits alone.
-        allowed: The same, at states that its dependencies allow.
+        contents: Contents of its URDF.
+        anywhere: Penetrations of links within the joint limits.
+        allowed: The same, in states that its dependencies allow.
     """
 
     contents: Contents
@@ -86,7 +86,7 @@ def measure(*, quick: bool) -> Section:
 
 
 def _times(other: Peer, name: str, seeds: Sequence[int], directory: Path) -> dict[str, float]:
-    """Return the medians over seeds of what both take, one after the other [s]."""
+    """Return the median times of both libraries over seeds, measured alternately [s]."""
     place = directory / "times" / name
     place.mkdir(parents=True)
 
@@ -130,7 +130,7 @@ def _measured(other: Peer, name: str, who: str, seed: int, states: int, director
 
 
 def _blocked(asset: Asset, q: Positions) -> bool:
-    """Tell whether a dependency forbids positions; a URDF rounds the limits that they are in."""
+    """Tell whether a dependency forbids positions; a URDF rounds the limits."""
     within = {}
     for name, position in q.items():
         low, high = asset.joint(name).limits or (position, position)
@@ -177,7 +177,7 @@ def _looks_table(found: Found) -> Table:
 
 
 def _inside(found: Found, name: str, who: str, states: str) -> tuple[float, float]:
-    """Return at which share of the states links are in each other [%], and how deep at most [mm]."""
+    """Return the share of states with a penetration of links [%], and the largest depth [mm]."""
     each = [getattr(of, states) for of in found[name, who]]
     deepest = max(one.deepest for one in each)
     return 100.0 * statistics.mean(one.share for one in each), round(1e3 * deepest, 6)

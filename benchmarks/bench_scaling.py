@@ -1,4 +1,4 @@
-"""Assets per second over processes, and the memory of a worker."""
+"""Assets per second by the number of processes, and the memory of a worker."""
 
 import hashlib
 import statistics

@@ -1,4 +1,4 @@
-"""Time every stage of every category, and say how much of evaluation is spent in compiled code."""
+"""Time every stage of every category, and measure the share of evaluation in compiled code."""
 
 import os
 import statistics
@@ -97,9 +97,9 @@ def stages(category: Generator, seed: int) -> dict[str, float]:
 
 
 def compiled_seconds(run: Callable[[], Any]) -> dict[str, float]:
-    """Time spent in calls into manifold3d and numpy while something runs [s].
+    """Time of calls of manifold3d and numpy while a function runs [s].
 
-    Operators on arrays are no calls, so numpy's figure is a lower bound.
+    Operators on arrays do not count as calls, so the number of numpy is a lower bound.
     """
     spent = {"manifold3d": 0.0, "numpy": 0.0}
     started: dict[Any, float] = {}
@@ -137,9 +137,9 @@ def compiled_seconds(run: Callable[[], Any]) -> dict[str, float]:
 
 
 def compiled_share(category: Generator, seed: int) -> dict[str, float]:
-    """Return the share of evaluation that is spent in calls into manifold3d and into numpy.
+    """Return the shares of evaluation in calls of manifold3d and of numpy.
 
-    Empty before Python 3.12, which cannot tell.
+    Empty before Python 3.12, which cannot measure it.
     """
     if sys.version_info < (3, 12):
         return {}
@@ -171,7 +171,7 @@ def _stage_table(found: Mapping[str, Mapping[str, float]], unit: float, seeds: i
 
 
 def _share_tables(shares: Mapping[str, Mapping[str, float]]) -> list[Table]:
-    """Return the table of what evaluation spends in compiled code, where Python tells."""
+    """Return the table of the shares of evaluation in compiled code, if Python can measure them."""
     packages = list(next(iter(shares.values())))
     if not packages:
         return []

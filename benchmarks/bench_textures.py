@@ -47,20 +47,20 @@ def measure(*, quick: bool) -> Section:
 
 
 def transform() -> float:
-    """Return how long a transform of 512 x 512 numbers takes, forth and back [s]."""
+    """Return the time of a transform of 512 x 512 numbers and its inverse [s]."""
     field = np.random.default_rng(0).standard_normal((512, 512))
     return min(seconds(lambda: np.fft.irfft2(np.fft.rfft2(field))) for _ in range(20))
 
 
 def write_files(material: Material, size: int, form: str) -> None:
-    """Make all files of a material that a format takes."""
+    """Make all files of a material for a format."""
     for kind in kinds(material):
         if kind not in {"roughness" if form == "jpg" else "orm", "metalness"}:
             encoded(material, kind, size, "jpg" if form == "jpg" else "png")
 
 
 def of_recipe(name: str, size: int) -> list[float]:
-    """Return how long a recipe takes: bake, PNG, JPEG, both warm [ms]."""
+    """Return the times of a recipe: bake, PNG, JPEG, both from the cache [ms]."""
     recipe = RECIPES[name]
     material = Material(name, recipe.base_color, texture=name)
     times = [min(seconds(partial(bake, recipe, 0, size)) for _ in range(2))]

@@ -1,4 +1,4 @@
-"""A thousand assets of all categories: time of the processor, memory of the workers, and disk."""
+"""A thousand assets of all categories: processor time, memory of the workers, and disk space."""
 
 import tempfile
 from typing import Any
@@ -77,7 +77,7 @@ def _memory(runs: dict[str, dict[str, Any]]) -> Table:
 
 
 def _resident(run: dict[str, Any], share: float) -> float | None:
-    """Return the largest in the quarter before that share of the assets was made [MB]."""
+    """Return the largest memory in the quarter before the given share of the assets was made [MB]."""
     low, high = (max(0.0, each) * run["made"] for each in (share - 0.25, share))
     found = [memory for made, memory in run["memory"] if low <= made <= high and memory]
     return max(found) / 1e6 if found else None

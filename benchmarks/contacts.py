@@ -1,4 +1,4 @@
-"""Collisions between links by python-fcl, at positions of joints that somebody else draws."""
+"""Collisions between links by python-fcl, at given positions of the joints."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -24,7 +24,7 @@ class Body:
     """A rigid piece of a link.
 
     Attributes:
-        geometry: What FCL collides.
+        geometry: Geometry of FCL.
         pose: From its frame to the link's, shape (4, 4) [m].
     """
 
@@ -52,7 +52,7 @@ class Links:
             self._managers[name] = manager
 
     def place(self, poses: Mapping[str, Array]) -> None:
-        """Put links where their frames are, shape (4, 4) each [m]."""
+        """Set the frames of links, shape (4, 4) each [m]."""
         for name, pose in poses.items():
             for each, own in self._objects.get(name, ()):
                 matrix = pose @ own
@@ -61,7 +61,7 @@ class Links:
                 self._managers[name].update()
 
     def collide(self, pairs: Pairs) -> list[tuple[str, str]]:
-        """Return which pairs of links touch or overlap; a pair is left at its first contact."""
+        """Return the pairs of links that touch or overlap; the check of a pair ends at its first contact."""
         found = []
         for first, second in pairs:
             data = fcl.CollisionData(request=fcl.CollisionRequest(num_max_contacts=1))
@@ -71,7 +71,7 @@ class Links:
         return found
 
     def depths(self, pairs: Pairs) -> dict[tuple[str, str], float]:
-        """Return how deep the links of each pair that touches are in each other at most [m]."""
+        """Return the largest penetration of each touching pair of links [m]."""
         found = {}
         for first, second in pairs:
             request = fcl.CollisionRequest(num_max_contacts=CONTACTS, enable_contact=True)
@@ -104,7 +104,7 @@ def convex_links(asset: Asset) -> Links:
 
 
 def surface_links(asset: Asset) -> Links:
-    """Return the colliders of an asset, those of a link as one surface: quicker, but hollow."""
+    """Return the colliders of an asset, those of a link as one surface: faster, but hollow."""
     return Links({link.name: [_surface(link)] for link in asset.links if link.colliders})
 
 
@@ -132,7 +132,7 @@ def random_positions(asset: Asset, count: int, seed: int = 0) -> list[dict[str, 
 
 
 def _body(convex: Convex) -> Body:
-    """Return a collider as FCL's own primitive where it is one."""
+    """Return a collider as a primitive of FCL if possible."""
     size = convex.size
     if convex.kind == "box":
         return Body(fcl.Box(*size), convex.pose)

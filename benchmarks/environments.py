@@ -1,9 +1,9 @@
-"""How many actions per second the manipulation tasks take, and how long their assets take to get ready.
+"""Measure actions per second of the manipulation tasks, and the setup times of their assets.
 
     python benchmarks/environments.py --assets 3 --actions 200
 
-One process acts at random; times are of the processor, so that other work on the machine matters little. A
-busy machine is slower all the same, as its caches are shared.
+One process acts at random. Times are processor times, so that other work on the machine matters little; but
+a busy machine is slower because its caches are shared.
 """
 
 import argparse
@@ -15,7 +15,7 @@ from artgen.envs import TASKS, ManipulationEnv
 
 
 def measured(task: str, assets: int, actions: int) -> tuple[float, float, float]:
-    """Return the time to make an asset ready, that of another reset and that of an action [s]."""
+    """Return the times of the first reset with an asset, of another reset, and of an action [s]."""
     env = ManipulationEnv(task, range(assets), shuffle=False)
     begin = time.process_time()
     for _ in range(assets):

@@ -1,4 +1,4 @@
-"""The machine and the versions that figures belong to."""
+"""The machine and the versions of packages of a measurement."""
 
 import os
 import platform
@@ -14,7 +14,7 @@ _PACKAGES = ("numpy", "scipy", "manifold3d", "python-fcl", "mujoco", "coacd")
 
 
 def machine(others: Mapping[str, str]) -> str:
-    """Name processor, cores, memory, system, Python and packages.
+    """Return processor, cores, memory, system, Python and packages as text.
 
     Args:
         others: Versions of packages of another environment, by name.
@@ -43,7 +43,7 @@ def _processor() -> str:
 
 
 def _memory() -> list[str]:
-    """Return the memory in words; empty where the system does not tell."""
+    """Return the memory as text; empty if the system does not report it."""
     try:
         size = os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE")
     except (AttributeError, ValueError, OSError):

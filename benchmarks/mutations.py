@@ -1,4 +1,4 @@
-"""Put one fault after another into assets, and print whether the proof finds what exact booleans find.
+"""Insert faults into assets one by one, and compare the proof with exact booleans.
 
 The long form of `tests/validate/test_mutations.py`. Exits with 1 if a mutant that collides is proven, or if
 more than 1 % are undecided.
@@ -39,7 +39,7 @@ def assets(names: list[str], seeds: int) -> dict[str, Asset]:
 
 
 def counted(outcome: Outcome) -> Counter[str]:
-    """Return which columns an outcome counts in."""
+    """Return the columns in which an outcome counts."""
     verdict = "proven" if outcome.proven else "undecided" if outcome.undecided else "collision"
     row = Counter({"mutants": 1, verdict: 1})
     row["overlap found"] += outcome.overlap is not None

@@ -1,4 +1,4 @@
-"""Make a dataset of all categories, and print what it took, what memory its workers had, and what it is.
+"""Make a dataset of all categories; print its times, the memory of its workers, and its sizes.
 
 It is started by benchmarks: `one_dataset.py DIRECTORY COUNT FORMATS MESH_PRECISION`.
 """
@@ -65,7 +65,7 @@ def main() -> None:
 
 
 def watched(directory: Path, memory: list[tuple[int, int]], through: threading.Event) -> None:
-    """Note, second by second, how many assets there are and the memory of the largest worker [bytes]."""
+    """Record the number of assets and the memory of the largest worker every second [bytes]."""
     manifest = directory / "manifest.jsonl"
     while not through.wait(1.0):
         workers = [resident(worker.pid) for worker in multiprocessing.active_children()]
@@ -74,7 +74,7 @@ def watched(directory: Path, memory: list[tuple[int, int]], through: threading.E
 
 
 def resident(process: int | None) -> int:
-    """Return the memory of a process [bytes]; 0 if it has ended, or where the system has no file for it."""
+    """Return the memory of a process [bytes]; 0 if it has ended, or if the system has no file for it."""
     try:
         lines = Path(f"/proc/{process}/status").read_text().splitlines()
     except OSError:
@@ -83,7 +83,7 @@ def resident(process: int | None) -> int:
 
 
 def sizes(directory: Path) -> dict[str, int]:
-    """Return the bytes of each kind of file; one that is linked to from many places counts once."""
+    """Return the bytes of each kind of file; a file with several hard links counts once."""
     found = {path.stat().st_ino: path for path in directory.rglob("*") if path.is_file()}
     counted: Counter[str] = Counter()
     for path in found.values():

@@ -1,7 +1,7 @@
-"""Make one asset after another in this process, and print of each what it took and how much memory there is.
+"""Make assets one after another in this process, and print the time and the memory of each.
 
-It is started by benchmarks: `one_process.py CATEGORY COUNT SEEDS DIRECTORY`. Where there are fewer seeds than
-assets, they come again and again, and each asset is made anew.
+It is started by benchmarks: `one_process.py CATEGORY COUNT SEEDS DIRECTORY`. If there are fewer seeds than
+assets, the seeds repeat, and each asset is made again.
 """
 
 import json
@@ -19,10 +19,9 @@ _STATUS = Path("/proc/self/status")
 
 
 def largest() -> int:
-    """Return the largest memory that this process had [bytes].
+    """Return the peak memory of this process [bytes].
 
-    Linux alone tells it in a file: what `getrusage` has there begins with that of the process that started
-    this one.
+    On Linux it is read from a file, because `getrusage` there includes the memory of the parent process.
     """
     if _STATUS.exists():
         words = next(line.split() for line in _STATUS.read_text().splitlines() if line.startswith("VmHWM"))
@@ -31,7 +30,7 @@ def largest() -> int:
 
 
 def main() -> None:
-    """Make the assets, and print a line of JSON for each: seconds, and the largest memory so far in bytes."""
+    """Make the assets, and print a line of JSON for each: seconds, and the peak memory in bytes."""
     import artgen
 
     category, directory = artgen.catalog.find(sys.argv[1]), Path(sys.argv[4])

@@ -1,4 +1,4 @@
-"""Make a dataset as `artgen generate` does, and print how long it took and the memory of the largest worker.
+"""Make a dataset as `artgen generate` does; print its time and the memory of the largest worker.
 
 It is started by benchmarks: `one_run.py DIRECTORY JOBS COUNT CATEGORY...`.
 """
@@ -13,7 +13,7 @@ from artgen.dataset import Plan, generate_many
 
 
 def main() -> None:
-    """Make the dataset, and print a line of JSON: seconds by the clock, and bytes."""
+    """Make the dataset, and print a line of JSON: wall-clock seconds, and bytes."""
     directory, jobs, count, *categories = sys.argv[1:]
     plan = Plan(tuple(categories), int(count), formats=("mjcf",), textures="none")
     summary = generate_many(plan, directory, jobs=int(jobs))

@@ -1,4 +1,4 @@
-"""The page of the documentation: each benchmark is a section, which is rewritten alone."""
+"""The page of the documentation: each benchmark rewrites its own section."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -17,9 +17,9 @@ _SECTION = "## "
 
 
 def write_section(path: Path, name: str, section: Section, order: Sequence[str]) -> None:
-    """Put a section into the page in its place; the others stay as they are.
+    """Write a section of the page; the other sections stay unchanged.
 
-    The page is replaced at once, so that an interrupted run leaves the old one.
+    The page is replaced atomically, so that an interrupted run leaves the old one.
 
     Args:
         path: The page; it is made if there is none.
@@ -50,7 +50,7 @@ def _lines(name: str, section: Section) -> list[str]:
 
 
 def _sections(path: Path) -> dict[str, str]:
-    """Return the sections of the page as they stand, by name."""
+    """Return the sections of the page by name."""
     if not path.is_file():
         return {}
     found: dict[str, list[str]] = {}

@@ -1,4 +1,4 @@
-"""scene-synthesizer in an environment of its own, which is made when it is first asked for."""
+"""scene-synthesizer in a separate environment, which is created on first use."""
 
 import json
 import os
@@ -19,10 +19,10 @@ _PROGRAM = Path(__file__).with_name("peer_worker.py")
 
 
 class Peer:
-    """A process that makes assets of the peer.
+    """A process that makes assets with scene-synthesizer.
 
     Attributes:
-        version: The peer's.
+        version: Version of scene-synthesizer.
     """
 
     def __init__(self, answers: IO[str], requests: IO[str]) -> None:
@@ -31,7 +31,7 @@ class Peer:
         self.version: str = self._answer()["version"]
 
     def make(self, kind: str, seed: int, path: Path) -> float:
-        """Make an asset of a class, write it as URDF, and return what that took of the processor [s].
+        """Make an asset of a class, write it as URDF, and return the processor time [s].
 
         Raises:
             ClientError: The peer fails.
@@ -60,7 +60,7 @@ def directory() -> Path:
 
 @contextmanager
 def peer() -> Iterator[Peer]:
-    """Start the peer, and end it at last.
+    """Start the process, and end it on exit.
 
     Raises:
         ClientError: Its environment cannot be made.

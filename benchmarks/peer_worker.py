@@ -1,7 +1,7 @@
-"""The program that makes scene-synthesizer's assets, in an environment where it is installed.
+"""The program that makes assets with scene-synthesizer, in an environment where it is installed.
 
 It prints the package's version, then for each line of JSON on stdin, `{"kind", "seed", "path"}`, makes that
-asset, writes it as URDF and prints what that took of the processor [s], or what went wrong.
+asset, writes it as URDF and prints the processor time [s] or the error.
 """
 
 import io
@@ -16,7 +16,7 @@ from scene_synthesizer import procedural_assets
 
 
 def made(kind: str, seed: int, path: str) -> dict[str, float]:
-    """Make an asset of a class, random where the class draws its own parameters, and write it."""
+    """Make an asset of a class, with random parameters if the class draws them, and write it."""
     start = time.process_time()
     maker = getattr(procedural_assets, kind)
     asset = maker.random(seed=seed) if hasattr(maker, "random") else maker()
@@ -27,7 +27,7 @@ def made(kind: str, seed: int, path: str) -> dict[str, float]:
 
 
 def main() -> None:
-    """Answer until stdin ends."""
+    """Answer requests until stdin ends."""
     answers = sys.stdout
     answers.write(json.dumps({"version": metadata.version("scene_synthesizer")}) + "\n")
     answers.flush()

@@ -11,7 +11,7 @@ def told_by(name: str, *arguments: str | int | Path) -> list[dict[str, Any]]:
     """Run a program of this folder and return what it prints, line by line.
 
     Raises:
-        CalledProcessError: It fails; what it says stands above.
+        CalledProcessError: It fails; its messages were printed.
     """
     command = [sys.executable, str(Path(__file__).with_name(name)), *map(str, arguments)]
     done = subprocess.run(command, stdout=subprocess.PIPE, text=True, check=True)  # noqa: S603 - ours

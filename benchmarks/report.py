@@ -1,4 +1,4 @@
-"""What a benchmark hands over: tables, what they compare, and what the numbers say."""
+"""The result of a benchmark: tables, the comparison, and findings."""
 
 import sys
 from collections.abc import Sequence
@@ -26,9 +26,9 @@ class Table:
     """Rows of one comparison.
 
     Attributes:
-        title: What is in it.
-        columns: Head of each column, with units; the first one names the row.
-        rows: Cells; a number is shown with three digits, None where nothing was measured.
+        title: Its title.
+        columns: Heading of each column, with units; the first one names the row.
+        rows: Cells; a number is shown with three digits, None if nothing was measured.
     """
 
     title: str
@@ -36,7 +36,7 @@ class Table:
     rows: Sequence[Sequence[Cell]]
 
     def __post_init__(self) -> None:
-        """Refuse rows that the columns do not fit.
+        """Check the number of cells of each row.
 
         Raises:
             ValueError: A row has more or fewer cells than there are columns.
@@ -55,9 +55,9 @@ class Section:
 
     Attributes:
         title: Its heading.
-        compared: What is compared with what, and how.
-        tables: What was measured.
-        findings: What the numbers say, made of them.
+        compared: Description of the comparison.
+        tables: The measurements.
+        findings: Conclusions, generated from the numbers.
         versions: Versions of packages of another environment, by name.
     """
 
@@ -69,7 +69,7 @@ class Section:
 
 
 def shown(cell: Cell) -> str:
-    """Spell a cell: a number with three digits, without powers of ten for those of everyday size."""
+    """Format a cell: a number with three digits, without powers of ten for common sizes."""
     if cell is None:
         return _NOTHING
     if isinstance(cell, bool):
@@ -82,12 +82,12 @@ def shown(cell: Cell) -> str:
 
 
 def flowing(text: str) -> str:
-    """Return text on one line, however its lines are broken."""
+    """Return text on one line, without its line breaks."""
     return " ".join(text.split())
 
 
 def span(values: Sequence[float]) -> str:
-    """Spell the smallest and the largest of some values."""
+    """Format the smallest and the largest of some values."""
     low, high = shown(min(values)), shown(max(values))
     return low if low == high else f"{low} to {high}"
 

@@ -1,10 +1,10 @@
-"""Run benchmarks, print what they find, and write it to docs/benchmarks.md. `make bench` runs all of them.
+"""Run benchmarks, print their results, and write them to docs/benchmarks.md. `make bench` runs all of them.
 
 python benchmarks/run.py peers
 python benchmarks/run.py stages textures --quick
 
-Each benchmark writes its own section of the page once it is through, so that an interrupted run leaves the
-others as they were. --quick measures next to nothing, to see that all works, and writes no page of itself.
+Each benchmark writes its own section of the page at its end, so that an interrupted run leaves the other
+sections unchanged. --quick measures very little, as a test of the programs, and writes no page by default.
 """
 
 import importlib
@@ -38,7 +38,7 @@ _WIDTH = 200  # columns where there is no terminal
 
 
 def measured(name: str, *, quick: bool) -> Section:
-    """Run a benchmark with an empty cache of its own, which goes afterwards."""
+    """Run a benchmark with a temporary cache."""
     with empty_cache():
         section: Section = importlib.import_module(BENCHMARKS[name]).measure(quick=quick)
     return section

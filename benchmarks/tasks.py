@@ -1,9 +1,9 @@
-"""How often the scripted policy and a random one succeed in the manipulation tasks, on unseen assets.
+"""Measure the success rates of the scripted and of a random policy in the tasks, on unseen assets.
 
     python benchmarks/tasks.py --assets 100 --jobs 2
     python benchmarks/tasks.py OpenDrawer PushDoor --assets 20
 
-Each asset is drawn from a seed of its own; one on which no place for the robot is found counts as a failure.
+Each asset has its own seed; an asset without a place for the robot counts as a failure.
 """
 
 import argparse
@@ -25,15 +25,15 @@ FIRST = 100_000  # seed of the first asset; nothing is trained or tuned on those
 
 @dataclass(frozen=True)
 class Outcome:
-    """What came of one asset.
+    """Result for one asset.
 
     Attributes:
-        seed: Of the asset.
+        seed: Seed of the asset.
         scripted: Whether the scripted policy succeeded.
-        drawn: Whether the random policy did.
-        seconds: How long the scripted policy took, in the time of the simulation [s].
-        setting_up: How long the asset, its model and the robot's place took [s].
-        failure: Why the scripted policy did not.
+        drawn: Whether the random policy succeeded.
+        seconds: Simulated time of the scripted policy [s].
+        setting_up: Time to make the asset, its model and the place of the robot [s].
+        failure: Reason for the failure of the scripted policy.
     """
 
     seed: int
@@ -49,7 +49,7 @@ def tried(name: str, seed: int, *, random: bool = True) -> Outcome:
 
     Args:
         name: Name of the task.
-        seed: Of the asset.
+        seed: Seed of the asset.
         random: Whether the random policy is tried as well.
     """
     env = ManipulationEnv(name, cache_size=1)
@@ -76,7 +76,7 @@ def _joints(env: ManipulationEnv) -> list[str]:
 
 
 def played(env: ManipulationEnv, act: Callable[[object], object]) -> tuple[bool, float]:
-    """Play an episode; returns whether it succeeded, and how long it took [s]."""
+    """Run an episode; return its success and its duration [s]."""
     observation: object = None
     while True:
         observation, _, terminated, truncated, info = env.step(act(observation))

@@ -1,4 +1,4 @@
-"""Time of the processor, taken in turn; and a fixed workload to compare machines with."""
+"""Processor times of alternating runs, and a fixed workload for comparing machines."""
 
 import gc
 import os
@@ -14,13 +14,13 @@ from manifold3d import Manifold
 
 
 def processor_seconds() -> float:
-    """Return what this process and its children, once they have ended, have taken of the processor [s]."""
+    """Return the processor time of this process and of its ended children [s]."""
     used = [resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)]
     return sum(each.ru_utime + each.ru_stime for each in used)
 
 
 def seconds(work: Callable[[], object]) -> float:
-    """Return what some work takes of the processor, in this process and its children [s]."""
+    """Return the processor time of some work, in this process and its children [s]."""
     gc.collect()
     start = processor_seconds()
     work()
@@ -46,7 +46,7 @@ def in_turn(works: Mapping[str, Callable[[], float]], runs: int) -> dict[str, fl
 
 
 def baseline() -> float:
-    """Return what a fixed workload takes: 20 booleans and 1000 products of small matrices [s]."""
+    """Return the time of a fixed workload: 20 booleans and 1000 products of small matrices [s]."""
     return statistics.median(seconds(_workload) for _ in range(5))
 
 
@@ -62,7 +62,7 @@ def _workload() -> None:
 
 @contextmanager
 def empty_cache() -> Iterator[Path]:
-    """Let artgen keep what it keeps on disk in an empty folder for a while."""
+    """Use an empty folder as the disk cache of artgen within a context."""
     before = os.environ.get("ARTGEN_CACHE")
     with tempfile.TemporaryDirectory() as directory:
         os.environ["ARTGEN_CACHE"] = directory

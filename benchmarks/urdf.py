@@ -1,4 +1,4 @@
-"""What a URDF holds, whoever wrote it: triangles, colors, inertia, and links that are in each other."""
+"""Contents of any URDF: triangles, colors, inertia, and penetrations of links."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -25,20 +25,20 @@ _IMAGES = (".png", ".jpg", ".jpeg")
 
 @dataclass(frozen=True)
 class Contents:
-    """What is in a URDF.
+    """Contents of a URDF.
 
     Attributes:
-        bodies: Links of which something is seen; the others are frames.
-        joints: How many joints that move.
-        vertices: Of what is seen.
-        faces: Triangles of what is seen.
-        colors: Different ones.
-        maps: Images beside it.
-        colliders: How many pieces collide.
-        mass: Of the whole [kg].
+        bodies: Links with visible surfaces; the others are frames.
+        joints: Number of movable joints.
+        vertices: Vertices of the visible surfaces.
+        faces: Triangles of the visible surfaces.
+        colors: Number of different colors.
+        maps: Number of image files next to it.
+        colliders: Number of colliders.
+        mass: Total mass [kg].
         massive: Bodies with a mass.
         triangular: Bodies whose tensor of inertia is positive and keeps the triangle inequality.
-        fitting: Of those, the ones whose mass, within the size of the body, can have such a tensor.
+        fitting: Those of them whose mass and size allow such a tensor.
     """
 
     bodies: int
@@ -56,11 +56,11 @@ class Contents:
 
 @dataclass(frozen=True)
 class Penetration:
-    """How links are in each other.
+    """Penetrations of links.
 
     Attributes:
-        share: Of the states, those at which a pair of links is in each other by more than `TOUCHING`.
-        deepest: How deep at most [m].
+        share: Share of the states with a penetration deeper than `TOUCHING`.
+        deepest: Largest depth [m].
     """
 
     share: float
@@ -73,7 +73,7 @@ def read(path: Path) -> Any:
 
 
 def contents(path: Path) -> Contents:
-    """Count what is in a URDF and beside it."""
+    """Count the contents of a URDF and the files next to it."""
     robot = read(path).robot
     seen = {
         link.name: [_mesh(each.geometry, each.origin, path) for each in link.visuals] for link in robot.links
@@ -102,10 +102,10 @@ def contents(path: Path) -> Contents:
 def penetration(
     path: Path, states: int, forbidden: Callable[[Positions], bool] = lambda _: False, seed: int = 0
 ) -> Penetration:
-    """Put the joints anywhere in their limits, and look how deep colliders of links are in each other.
+    """Draw joint positions within the limits, and measure the penetrations of colliders.
 
-    Boxes, cylinders, spheres and convex meshes are solid; of other meshes the surface collides, so that what
-    is wholly inside them does not count.
+    Boxes, cylinders, spheres and convex meshes are solid. Other meshes collide with their surface only, so
+    that objects wholly inside them do not count.
 
     Args:
         path: The URDF.
@@ -140,7 +140,7 @@ def _limits(joint: Any) -> tuple[float, float]:
 
 
 def _moving_pairs(robot: Any, names: list[str]) -> list[tuple[str, str]]:
-    """Return the pairs of links that no chain of fixed joints holds together."""
+    """Return the pairs of links that are not connected by fixed joints."""
     group = {link.name: link.name for link in robot.links}
     for joint in robot.joints:
         if joint.type == "fixed":
@@ -167,7 +167,7 @@ def _mesh(geometry: Any, origin: Array | None, path: Path) -> Any:
 
 
 def _body(collision: Any, path: Path) -> Body:
-    """Return what a shape collides as."""
+    """Return the collision geometry of a shape."""
     geometry, pose = collision.geometry, np.eye(4) if collision.origin is None else collision.origin
     if geometry.box is not None:
         return Body(fcl.Box(*map(float, geometry.box.size)), pose)
@@ -184,7 +184,7 @@ def _body(collision: Any, path: Path) -> Body:
 
 
 def _inertia(inertial: Any, meshes: list[Any]) -> tuple[bool, bool, bool]:
-    """Tell whether a body has a mass, a tensor that a body can have, and one that this very body can have."""
+    """Tell whether a body has a mass, a valid inertia tensor, and one that fits its size."""
     if inertial is None or not inertial.mass or inertial.mass <= 0.0 or inertial.inertia is None:
         return False, False, False
     moments = np.linalg.eigvalsh(np.asarray(inertial.inertia, np.float64))

@@ -73,7 +73,7 @@ def _arrows() -> list[str]:
 
 
 def _reached(imported: dict[str, set[str]], start: str) -> set[str]:
-    """Return the packages that one imports, also through others."""
+    """Return the packages that a package imports, directly or indirectly."""
     found: set[str] = set()
     waiting = [start]
     while waiting:
@@ -84,7 +84,7 @@ def _reached(imported: dict[str, set[str]], start: str) -> set[str]:
 
 
 def _check(name: str) -> None:
-    """Raise a LookupError where there is no module, class or function of that dotted name."""
+    """Raise a LookupError if there is no module, class or function of a dotted name."""
     parts = name.split(".")
     for end in range(len(parts), 0, -1):
         with suppress(ImportError):

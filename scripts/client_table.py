@@ -1,7 +1,7 @@
-"""Let every client read many seeds of every category in every layout, and write the table of docs/clients.md.
+"""Load many seeds of every category in every layout in every client, and write the table of docs/clients.md.
 
-What was exported and read stays in the work folder, so that an interrupted run goes on where it stopped; it
-is thrown away when the source of artgen changes. `make clients` installs the clients, `make client-table`
+Exports and answers stay in the work folder, so that an interrupted run continues; they are deleted when the
+source of artgen changes. `make clients` installs the clients, `make client-table`
 runs this.
 """
 
@@ -114,7 +114,7 @@ class Task:
 
     @property
     def file(self) -> str:
-        """Name of the file that keeps what the client said."""
+        """Name of the file with the answers of the client."""
         return f"{self.client.name}.{self.category}.{self.layout}.json"
 
 
@@ -125,9 +125,7 @@ def main(
     ] = 5,
     clients: Annotated[str, typer.Option(help="Names separated by commas.")] = "all",
     only: Annotated[str, typer.Option(help="Categories separated by commas; all by default.")] = "",
-    work: Annotated[Path, typer.Option(help="Where exports and answers are kept.")] = Path(
-        "out/client_table"
-    ),
+    work: Annotated[Path, typer.Option(help="Folder for exports and answers.")] = Path("out/client_table"),
     jobs: Annotated[int, typer.Option(help="How many clients run at a time.")] = max(
         1, (os.cpu_count() or 2) // 2
     ),
@@ -178,7 +176,7 @@ def _fresh(work: Path) -> Path:
 
 
 def _exports(work: Path, category: str, layout: str, seeds: int) -> Iterator[Path]:
-    """Yield the exports of a category in a layout, made where they are not there yet."""
+    """Yield the exports of a category in a layout; missing ones are made."""
     for seed in range(seeds):
         target = work / "exports" / layout / f"{category}_{seed}"
         if not (target / "asset.json").is_file():
@@ -191,7 +189,7 @@ def _exports(work: Path, category: str, layout: str, seeds: int) -> Iterator[Pat
 
 
 def _results(work: Path, read: Mapping[Task, Sequence[Path]], jobs: int) -> dict[Task, list[dict[str, Any]]]:
-    """Return what each client said of each export; answers of earlier runs are taken as they are."""
+    """Return the answer of each client to each export; answers of earlier runs are reused."""
 
     def run(task: Task) -> list[dict[str, Any]]:
         directories = read[task]
@@ -222,7 +220,7 @@ def _results(work: Path, read: Mapping[Task, Sequence[Path]], jobs: int) -> dict
 
 
 def _kept(path: Path, directories: Sequence[Path]) -> list[dict[str, Any]] | None:
-    """Return the answers of an earlier run; None if there are none, or a client was not content."""
+    """Return the answers of an earlier run; None if there are none, or a client reported a fault."""
     try:
         kept = json.loads(path.read_text(encoding="utf-8"))
     except (OSError, ValueError):
@@ -292,7 +290,7 @@ def _tolerances(results: dict[Task, list[dict[str, Any]]]) -> Iterator[str]:
 
 
 def _tolerated(results: dict[Task, list[dict[str, Any]]]) -> Iterator[str]:
-    """Yield the messages that no asset can avoid, as far as they came up."""
+    """Yield the messages that no asset can avoid and that occurred."""
     rows: dict[tuple[str, str], str] = {}
     for task, found in results.items():
         for each in found:

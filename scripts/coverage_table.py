@@ -1,4 +1,4 @@
-"""Write docs/coverage.md: what 500 seeds of every category draw. `make coverage-table` runs this."""
+"""Write docs/coverage.md: the draws of 500 seeds of every category. `make coverage-table` runs this."""
 
 from pathlib import Path
 from typing import Annotated

@@ -1,4 +1,4 @@
-"""Make a door and a handle, let other people's readers judge the files, and open the door in MuJoCo."""
+"""Make a door and a handle, load the files with independent readers, and open the door in MuJoCo."""
 
 import math
 import sys
@@ -70,7 +70,7 @@ def open_door(stem: Path) -> list[float]:
     """Pull at the closed door, then turn the handle and pull again.
 
     Returns:
-        The door's angle after each [rad].
+        The angles of the door after each pull [rad].
     """
     model = mujoco.MjModel.from_xml_path(str(stem.with_suffix(".xml")))
     data = mujoco.MjData(model)

@@ -1,4 +1,4 @@
-"""What a row of the table of concepts is: one thing that an asset has, and how each format says it."""
+"""A row of the table of concepts: a property of an asset, and its form in each file format."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -9,11 +9,11 @@ FORMAT_TITLES: Mapping[str, str] = {"urdf": "URDF", "mjcf": "MJCF", "usd": "USD"
 
 @dataclass(frozen=True)
 class Cell:
-    """How one format says a concept.
+    """The form of a concept in one file format.
 
     Attributes:
-        text: The words of the format in backticks, with their unit where it differs from the asset's.
-        losses: Features under which the writer reports what it cannot say; none if it says all.
+        text: The terms of the format in backticks, with their unit if it differs from that of the asset.
+        losses: Features that the writer reports as losses; none if it writes all.
     """
 
     text: str
@@ -22,13 +22,13 @@ class Cell:
 
 @dataclass(frozen=True)
 class Concept:
-    """One thing that an asset is or has.
+    """A property of an asset.
 
     Attributes:
-        name: What it is called.
+        name: Name of the concept.
         unit: Its unit in artgen; empty if it has none.
-        field: Where it stands in asset.json; `[]` stands for each item of a list.
-        cells: How each format says it, by the name of the format.
+        field: Its place in asset.json; `[]` means each item of a list.
+        cells: Its form in each format, by the name of the format.
     """
 
     name: str

@@ -1,7 +1,7 @@
-"""How each concept of an asset is written in each format: the source of docs/concept_mapping.md.
+"""The form of each concept of an asset in each file format: the source of docs/concept_mapping.md.
 
-The tests hold this table against the writers: every word in backticks stands in a file that the format wrote,
-and every loss that a writer reports stands in its column.
+The tests compare this table with the writers: every term in backticks occurs in a written file, and every
+loss that a writer reports is in its column.
 """
 
 from concepts.concept import Concept, row

@@ -1,4 +1,4 @@
-"""The pages of the categories: what varies, what moves, and where the sizes come from."""
+"""The pages of the categories: parameters, joints, and sources of the sizes."""
 
 import importlib
 import json
@@ -31,16 +31,16 @@ _FREE = 1e-9
 
 @dataclass
 class Row:
-    """A joint of a category, or several that differ in their number.
+    """A joint of a category, or several joints whose names differ by a number.
 
     Attributes:
         kind: Revolute or prismatic.
-        seeds: How many of the seeds have it.
-        most: How many of them an asset has at most.
+        seeds: Number of seeds that have it.
+        most: Largest number of them in an asset.
         low: Lowest position over all [rad or m]; None for one without limits.
         high: Highest position.
         follows: Whether it is coupled to another joint.
-        waits: Whether it waits for another joint.
+        waits: Whether it depends on another joint.
     """
 
     kind: str
@@ -65,7 +65,7 @@ class Row:
 
 
 def rows(category: str, seeds: int, digest: str) -> dict[str, Row]:
-    """Return the joints of a category by name, `<n>` in the place of numbers; kept by `digest`."""
+    """Return the joints of a category by name, with `<n>` for numbers; cached by `digest`."""
     key = f"{category}_{seeds}_{digest}"
     kept = disk_cache.read("docs_joints", key)
     if kept is not None:
@@ -89,7 +89,7 @@ def title_of(category: str) -> str:
 
 
 def paragraphs(category: str) -> tuple[str, list[str], list[str]]:
-    """Return the first line of a category's docstring, what it is, and what its numbers are taken from."""
+    """Return the first line of a category's docstring, its description, and the source of its numbers."""
     text = importlib.import_module(find(category).function.__module__).__doc__ or ""
     first, *rest = (paragraph.replace("\n", " ") for paragraph in text.strip().split("\n\n"))
     about: list[str] = []
@@ -183,7 +183,7 @@ def _short(number: float) -> str:
 
 
 def described(distribution: Distribution) -> str:
-    """Describe in words how a parameter is drawn, for a cell of a table."""
+    """Describe the distribution of a parameter for a cell of a table."""
     if isinstance(distribution, By):
         cases = [f"<li>{_case(key)}: {described(case)}</li>" for key, case in distribution.cases]
         return f"by `{distribution.parameter}`<ul>{''.join(cases)}</ul>"
@@ -225,7 +225,7 @@ def _case(key: object) -> str:
 
 
 def escaped_text(text: str) -> str:
-    """Return a paragraph of a docstring as Markdown: what looks like a tag stays text."""
+    """Return a paragraph of a docstring as Markdown; text that looks like a tag is escaped."""
     parts = re.split(r"(`[^`]*`)", text)
     return "".join(each if each.startswith("`") else each.replace("<", "&lt;") for each in parts)
 
