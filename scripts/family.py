@@ -27,7 +27,7 @@ def main(
     out: Annotated[Path, typer.Option(help="JPEG or PNG.")] = DOCS / "family.jpg",
     only: Annotated[str, typer.Option(help="Names of categories, with commas; all by default.")] = "",
 ) -> None:
-    """Draw the picture with the best renderer that there is, and print its path."""
+    """Draw the picture with the best installed renderer, and print its path."""
     names = only.split(",") if only else categories()
     cells = [_cell(find(name).generate(SEEDS.get(name, 0), certify=False), name) for name in names]
     columns = min(_COLUMNS, len(cells))

@@ -29,12 +29,12 @@ class Shot:
     """A picture.
 
     Attributes:
-        category: What is drawn.
-        seed: Which of its assets.
-        parameters: What of it is not left to the seed.
-        view: From where it is seen.
-        studio: What is around it.
-        opened: How far each free joint is moved by name, as a share of its range; others stand closed.
+        category: Category of the asset.
+        seed: Seed of the asset.
+        parameters: Overrides of its parameters.
+        view: Viewing direction.
+        studio: Its surroundings.
+        opened: Position of free joints by name, as a share of the range; others are closed.
         shape: Width and height as shares of the larger one.
     """
 
@@ -87,7 +87,7 @@ SHOTS = {
 
 
 def draw(shot: Shot, size: int, samples: int, textures: int) -> Image.Image:
-    """Return a picture whose longer side has that many pixels."""
+    """Return a picture with the given number of pixels along its longer side."""
     asset = artgen.generate(shot.category, shot.seed, **shot.parameters)
     q = {}
     for name, share in shot.opened.items():
@@ -108,7 +108,7 @@ def draw(shot: Shot, size: int, samples: int, textures: int) -> Image.Image:
 
 
 def main() -> int:
-    """Draw the pictures; 1 means that one was asked for that does not exist."""
+    """Draw the pictures; exit code 1 if a requested picture does not exist."""
     parser = argparse.ArgumentParser(description="Draw the pictures of the documentation.")
     parser.add_argument("--out", type=Path, default=Path("docs/pictures"))
     parser.add_argument("--only", nargs="*", default=sorted(SHOTS), help="names of pictures")

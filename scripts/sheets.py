@@ -18,7 +18,7 @@ def main(
     first_seed: Annotated[int, typer.Option(min=0, help="The first of their seeds.")] = 0,
     out: Annotated[Path, typer.Option(help="Directory.")] = DOCS,
 ) -> None:
-    """Draw a sheet of each category with the best renderer that there is."""
+    """Draw a sheet of each category with the best installed renderer."""
     for name in names or categories():
         sheet(name, seeds=seeds, first_seed=first_seed, out=out / f"{name}.jpg")
 

@@ -1,4 +1,4 @@
-"""The gallery: a viewer for one seed of each category, and the page that leads there."""
+"""The gallery: a viewer for one seed of each category, and the page with the links."""
 
 import io
 from functools import lru_cache
@@ -20,7 +20,7 @@ _SIZE = 320  # of a thumbnail [pixels]
 
 
 def shown() -> tuple[str, ...]:
-    """Return the names of artgen's own categories; packages may have brought others."""
+    """Return the names of the categories of artgen, without those of other packages."""
     return tuple(
         name for name in categories() if find(name).function.__module__ == f"artgen.categories.{name}"
     )
@@ -42,7 +42,7 @@ def _asset(category: str) -> Asset:
 
 
 def viewer(category: str, digest: str) -> bytes:
-    """Return the viewer of one seed of a category; kept by `digest`."""
+    """Return the viewer of one seed of a category; cached by `digest`."""
     key = f"{category}_{digest}.html"
     kept = disk_cache.read("docs_viewers", key)
     if kept is None:
@@ -52,7 +52,7 @@ def viewer(category: str, digest: str) -> bytes:
 
 
 def thumbnail(category: str, digest: str) -> bytes:
-    """Return a picture of the same seed, partly open; kept by `digest`."""
+    """Return a picture of the same seed, partly open; cached by `digest`."""
     key = f"{category}_{digest}.webp"
     kept = disk_cache.read("docs_viewers", key)
     if kept is None:

@@ -1,6 +1,6 @@
-"""Hook of MkDocs: makes the pages, pictures and viewers that are not written by hand.
+"""Hook of MkDocs: makes the generated pages, pictures and viewers.
 
-`ARTGEN_DOCS=quick` draws no pictures and makes no viewers, for a look at the text or a test of the links.
+`ARTGEN_DOCS=quick` makes no pictures and no viewers, for reading the text or testing the links.
 """
 
 import hashlib
@@ -29,7 +29,7 @@ QUICK = os.environ.get("ARTGEN_DOCS") == "quick"
 
 
 def on_config(config: MkDocsConfig) -> MkDocsConfig:
-    """Put the pages that are made here into the navigation, where it names their folders."""
+    """Insert the generated pages into the navigation, in place of their folders."""
     listed = {
         f"{node_pages.FOLDER}/": ["index", *(page.name for page in node_pages.PAGES)],
         f"{category_pages.FOLDER}/": ["index", *gallery_page.shown()],
@@ -49,10 +49,10 @@ def _expanded(nav: Any, listed: dict[str, list[str]]) -> Any:
 
 
 def on_files(files: Files, *, config: MkDocsConfig) -> Files:
-    """Add what is made here to the files of the site.
+    """Add the generated files to the site.
 
     Raises:
-        PluginError: Something cannot be made; MkDocs ends with its message.
+        PluginError: A file cannot be made; MkDocs ends with the message.
     """
     try:
         return _with_made(files, config)
@@ -87,7 +87,7 @@ def _with_made(files: Files, config: MkDocsConfig) -> Files:
 
 
 def source_digest() -> str:
-    """Return what changes with the sources of artgen."""
+    """Return a digest of the sources of artgen."""
     content = hashlib.blake2b(digest_size=10)
     for path in sorted((ROOT / "src").rglob("*")):
         if path.is_file() and path.suffix != ".pyc":
@@ -96,7 +96,7 @@ def source_digest() -> str:
 
 
 def _blank() -> bytes:
-    """Return a picture of nothing."""
+    """Return an empty picture."""
     file = io.BytesIO()
     Image.new("RGB", (1, 1), "white").save(file, "WEBP")
     return file.getvalue()

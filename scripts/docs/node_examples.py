@@ -1,4 +1,4 @@
-"""The nodes that the documentation shows, by page, and the example in each one's docstring."""
+"""The nodes in the documentation, by page, and the examples in their docstrings."""
 
 import doctest
 import inspect
@@ -34,10 +34,10 @@ _INNER = {"lift", "decode", "record", "parameter"}  # how handles work, not what
 
 @dataclass(frozen=True)
 class Example:
-    """A node and how to use it.
+    """A node and its example.
 
     Attributes:
-        name: As authors write it after `artgen.`, such as `box`, `details.icon` or `Solid.at`.
+        name: Name after `artgen.`, such as `box`, `details.icon` or `Solid.at`.
         home: The module that defines it.
         source: Lines of the example, the last one an expression.
     """
@@ -48,12 +48,12 @@ class Example:
 
     @property
     def address(self) -> str:
-        """The full dotted name: of the root where it is there, else of the module that defines it."""
+        """The full dotted name: in the root package if possible, else in the module that defines it."""
         root = "artgen" if hasattr(artgen, self.name.split(".")[0]) else self.home
         return f"{root}.{self.name}"
 
     def run(self) -> Any:
-        """Return the handle that the example gives."""
+        """Return the handle that the example returns."""
         names = {name: getattr(artgen, name) for name in artgen.__all__}
         *before, last = self.source
         for line in before:
@@ -82,7 +82,7 @@ def examples() -> dict[str, Example]:
     """Return the example of every node, by name; a handle's example may also be that of its methods.
 
     Raises:
-        LookupError: A node has none.
+        LookupError: A node has no example.
     """
     parser = doctest.DocTestParser()
     found = {}

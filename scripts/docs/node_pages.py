@@ -1,4 +1,4 @@
-"""The pages of the nodes: each with its docstring, its example and a picture of what that gives."""
+"""The pages of the nodes: docstring, example and picture of each."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
@@ -10,13 +10,13 @@ FOLDER = "nodes"
 
 @dataclass(frozen=True)
 class NodePage:
-    """What a page shows.
+    """The content of a page.
 
     Attributes:
-        name: Of its file.
+        name: Name of its file.
         title: Its heading.
-        intro: What its nodes are for.
-        modules: Below `artgen.nodes`; all that they define is shown.
+        intro: Purpose of its nodes.
+        modules: Modules below `artgen.nodes`; all their nodes are shown.
         handles: Handles that are shown with their methods.
     """
 

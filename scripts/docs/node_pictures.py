@@ -1,4 +1,4 @@
-"""Pictures of what the examples of nodes give: 320 pixels, kept by the content of what is drawn."""
+"""Pictures of the examples of nodes: 320 pixels, cached by their content."""
 
 import hashlib
 import io
@@ -33,7 +33,7 @@ def picture(made: Handle) -> bytes:
     """Return a picture of a handle as WebP; of a body that moves, closed and open.
 
     Raises:
-        TypeError: It is nothing that can be drawn.
+        TypeError: The handle cannot be drawn.
         RenderError: MuJoCo's renderer is missing.
     """
     asset = _asset(_body(made))
@@ -56,7 +56,7 @@ def picture(made: Handle) -> bytes:
 
 
 def _body(made: Handle) -> Body:
-    """Return the body that stands for a handle in a picture."""
+    """Return the body that shows a handle in a picture."""
     if isinstance(made, Body):
         return _with_hands(made)
     if isinstance(made, Solid):
@@ -73,7 +73,7 @@ def _body(made: Handle) -> Body:
 
 
 def _with_hands(body: Body) -> Body:
-    """Add an arrow where hands grasp or push the base of a body."""
+    """Add an arrow at each grasp or push of the base of a body."""
     link = evaluate(body).value.link
     low, high = _asset(body).bounds()
     length, radius = np.array(_ARROW) * float((high - low).max())
@@ -91,7 +91,7 @@ def _asset(body: Body) -> Asset:
 
 
 def _key(asset: Asset, view: View, poses: list[Mapping[str, float]]) -> str:
-    """Return what a picture is kept under: it changes with all that is seen."""
+    """Return the cache key of a picture, which depends on all visible content."""
     content = hashlib.blake2b(digest_size=16)
     content.update(repr((_VERSION, SIZE, view, poses, list(asset.joints))).encode())
     for link in asset.links:

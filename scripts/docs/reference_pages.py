@@ -1,4 +1,4 @@
-"""The pages of the API reference: what is public and no node."""
+"""The pages of the API reference: public classes and functions other than nodes."""
 
 from collections.abc import Mapping
 

@@ -42,8 +42,8 @@ def render_mitsuba(
 ) -> NDArray[np.uint8]:
     """Return a path-traced picture of an asset, sRGB, shape (h, w, 3).
 
-    It is vectorised by LLVM where a library that works is installed (`apt install libllvm19`, or
-    `DRJIT_LIBLLVM_PATH`), and denoised where the package `oidn` is. Two pictures differ by noise.
+    LLVM vectorizes the rendering if a suitable library is installed (`apt install libllvm19`, or
+    `DRJIT_LIBLLVM_PATH`); the package `oidn` removes noise if it is installed. Two pictures differ by noise.
 
     Args:
         asset: What to draw.
@@ -79,7 +79,7 @@ def render_mitsuba(
 
 
 def load_mitsuba() -> Any:
-    """Return the package mitsuba with the fastest variant chosen that works here.
+    """Return the package mitsuba with the fastest variant that works on this machine.
 
     Raises:
         RenderError: It is not installed.
@@ -102,7 +102,7 @@ def load_mitsuba() -> Any:
 def usable_llvm() -> str:
     """Return the path of an LLVM library that Mitsuba can use, the newest one; empty if there is none.
 
-    `DRJIT_LIBLLVM_PATH` is believed unless its name tells that it is too old.
+    `DRJIT_LIBLLVM_PATH` is used unless its name shows that it is too old.
     """
     given = os.environ.get("DRJIT_LIBLLVM_PATH")
     if given:
@@ -120,7 +120,7 @@ def usable_llvm() -> str:
 
 
 def _llvm_version(path: Path) -> int:
-    """Return the major version that a library's name or folder tells; a high number where they do not."""
+    """Return the major version in the name or folder of a library; a high number if there is none."""
     numbers = re.findall(r"(?:LLVM|llvm|so)[-.@](\d+)", str(path.resolve()))
     return int(numbers[-1]) if numbers else 999
 
@@ -188,7 +188,7 @@ def _sensor(mitsuba: Any, camera: Camera, width: int, height: int) -> dict[str, 
 
 
 def _meshes(mitsuba: Any, surfaces: list[tuple[Mesh, Material]], textures: int) -> dict[str, Any]:
-    """Return the surfaces as Mitsuba's meshes by name."""
+    """Return the surfaces as meshes of Mitsuba by name."""
     known: dict[Material, Any] = {}
     result = {}
     for number, (mesh, material) in enumerate(surfaces):

@@ -1,4 +1,4 @@
-"""From radiance to a picture: noise removed, highlights rolled off, displayed as sRGB."""
+"""From radiance to an sRGB picture: noise removal and tone mapping."""
 
 import importlib
 from typing import Any
@@ -18,8 +18,8 @@ _TOE = 0.02  # radiance below which blacks are deepened
 def tone_mapped(radiance: Array) -> Array:
     """Return display-linear colors in 0..1, shape (h, w, 3).
 
-    Ordinary colors stay as they are, as a product's must; brighter ones roll off towards white: the curve
-    that Khronos published as PBR Neutral, on the brightest channel so that hues do not turn.
+    Ordinary colors stay unchanged; brighter ones approach white. The curve is PBR Neutral of Khronos, applied
+    to the brightest channel, so that hues do not change.
     """
     light = np.maximum(np.nan_to_num(radiance, posinf=0.0), 0.0).astype(np.float64)
     light *= light / (light + _TOE) * (1.0 + _TOE)
@@ -37,7 +37,7 @@ def displayed(linear: Array) -> NDArray[np.uint8]:
 
 
 def denoised(color: Array, albedo: Array, normals: Array) -> Array:
-    """Return a picture without noise, by Intel's Open Image Denoise where the package `oidn` is there.
+    """Return a picture without noise, by Intel Open Image Denoise if the package `oidn` is installed.
 
     Args:
         color: Display-linear colors in 0..1, shape (h, w, 3).

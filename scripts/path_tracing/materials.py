@@ -16,7 +16,7 @@ _GLOW = 6.0  # radiance of an emission of 1, where white paper has about 1
 
 
 def scattering(mitsuba: Any, material: Material, size: int) -> Data:
-    """Return a material as a dictionary that `mitsuba.load_dict` takes.
+    """Return a material as a dictionary for `mitsuba.load_dict`.
 
     Args:
         mitsuba: The package, with a variant chosen.
@@ -38,7 +38,7 @@ def scattering(mitsuba: Any, material: Material, size: int) -> Data:
 
 
 def radiance(material: Material) -> list[float]:
-    """Return what a surface of the material emits; all zero where it does not glow."""
+    """Return the emission of a material; zero if it does not glow."""
     return [_GLOW * channel for channel in material.emission]
 
 

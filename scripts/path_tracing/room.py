@@ -24,7 +24,7 @@ _NEAREST_LAMP = 0.9  # scale that the lamps of a room are never smaller than [m]
 
 
 def room(rig: Rig) -> Surroundings:
-    """Return a wall behind the asset and the floor that both stand on."""
+    """Return a wall behind the asset, and the floor."""
     rig = _square(rig)
     back = float(rig.back[1])
     near = float(rig.center[1] + back * rig.depth)
@@ -57,13 +57,13 @@ def doorway(rig: Rig, frame: Array) -> Surroundings:
 
 
 def _square(rig: Rig) -> Rig:
-    """Return a frame whose back is the wall's normal, so that the room does not turn with the camera."""
+    """Return a frame along the normal of the wall, so that the room does not rotate with the camera."""
     back = np.array([0.0, 1.0 if rig.back[1] >= 0.0 else -1.0, 0.0])
     return replace(rig, back=back, scale=max(rig.scale, _NEAREST_LAMP), side=1.0)
 
 
 def _lamps(rig: Rig) -> dict[str, dict[str, object]]:
-    """Return a window of two sashes at the left, the glimmer of another room, and what the ceiling sheds."""
+    """Return the lights: a window with two sashes at the left, weak light of another room, and the ceiling."""
     sashes = {
         f"window_{side}": rig.softbox(
             rig.around(-58 + 15 * side, 24, 2.7), (0.33, 1.0), (16.0, 16.3, 16.8), edge=0.06
@@ -78,7 +78,7 @@ def _lamps(rig: Rig) -> dict[str, dict[str, object]]:
 
 
 def _hole(frame: Array) -> CrossSection:
-    """Return the outline of what stands in a wall, a little smaller than it, down through the floor."""
+    """Return the outline of an asset in a wall, slightly smaller than the asset, down through the floor."""
     outline = Manifold.hull_points(
         np.concatenate([frame * [1, 0, 1], frame * [1, 0, 1] + [0.0, 1.0, 0.0]])
     ).rotate([-90.0, 0.0, 0.0])
@@ -106,7 +106,7 @@ def _wall(
 
 
 def _floor(rig: Rig) -> list[tuple[Mesh, Material]]:
-    """Return boards along y in three shades over a dark ground that shows between them."""
+    """Return boards along y in three shades over a dark ground, which is visible between them."""
     stream = np.random.default_rng(7)
     wide, joint = _PLANK
     corners: list[list[Array]] = [[], [], []]
@@ -133,7 +133,7 @@ def _floor(rig: Rig) -> list[tuple[Mesh, Material]]:
 
 
 def _boards(corners: list[Array], height: float) -> Mesh:
-    """Return level rectangles, each with a place of its own on the map."""
+    """Return horizontal rectangles, each with its own region of the map."""
     stream = np.random.default_rng(11)
     flat = np.concatenate(corners)
     shifts = np.repeat(stream.uniform(0.0, 5.0, (len(corners), 2)), 4, axis=0)

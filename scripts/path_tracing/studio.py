@@ -1,4 +1,4 @@
-"""What surrounds an asset in a picture: a photographer's studio, a room, a wall that it is built into."""
+"""Surroundings of an asset in a picture: a photo studio, a room, or a wall around a built-in asset."""
 
 import math
 from dataclasses import dataclass
@@ -19,7 +19,7 @@ _PAPER = Material("backdrop", (0.62, 0.615, 0.605), specular_roughness=0.95)
 
 @dataclass(frozen=True, eq=False)
 class Surroundings:
-    """What surrounds an asset.
+    """Surroundings of an asset.
 
     Attributes:
         lights: Mitsuba's dictionaries of lamps and of the sky by name.
@@ -32,7 +32,7 @@ class Surroundings:
 
 @dataclass(frozen=True, eq=False)
 class Rig:
-    """The frame that a studio is set up in: it turns with the camera, so that every view is lit well.
+    """The frame of a studio, which rotates with the camera, so that every view is well lit.
 
     Attributes:
         mitsuba: The package, with a variant chosen.
@@ -41,7 +41,7 @@ class Rig:
         scale: Half the diagonal of the asset [m].
         depth: Half the extent of the asset along y [m].
         back: Horizontal unit vector from the eye to the asset, shape (3,).
-        side: 1 where degrees around the asset count to the right of the eye, -1 where to the left.
+        side: 1 if angles around the asset count to the right of the eye, -1 if to the left.
     """
 
     mitsuba: Any
@@ -58,7 +58,7 @@ class Rig:
         return np.array([self.back[1], -self.back[0], 0.0])
 
     def around(self, azimuth: float, elevation: float, distance: float) -> Array:
-        """Return a place around the asset: degrees to its side of the eye and up, distance in scales [m]."""
+        """Return a point around the asset from azimuth and elevation [degrees] and distance [scales], in [m]."""
         turn, rise = self.side * math.radians(azimuth), math.radians(elevation)
         ahead = math.sin(turn) * self.right - math.cos(turn) * self.back
         way = math.cos(rise) * ahead + math.sin(rise) * np.array([0.0, 0.0, 1.0])
@@ -67,7 +67,7 @@ class Rig:
     def softbox(
         self, place: Array, half: tuple[float, float], color: tuple[float, float, float], *, edge: float = 0.5
     ) -> Data:
-        """Return a lamp that faces the asset, half as wide and high as that [scales], fading at its edge."""
+        """Return a lamp that faces the asset, with half width and half height [scales], fading at its edge."""
         transform = self.mitsuba.ScalarTransform4f
         away = self.center - place
         up = [0.0, 0.0, 1.0] if abs(away[2]) < 0.95 * np.linalg.norm(away) else self.back.tolist()
@@ -130,7 +130,7 @@ def backdrop(rig: Rig) -> Surroundings:
 
 
 def _faded(color: tuple[float, float, float], edge: float) -> NDArray[np.float32]:
-    """Return a lamp's picture: full in the middle, fading over that share of its half width, (n, n, 3)."""
+    """Return the texture of a lamp: full in the middle, fading over a share of its half width, (n, n, 3)."""
     across = np.linspace(-1.0, 1.0, 64)
     share = np.clip((1.0 - np.abs(across)) / edge, 0.0, 1.0)
     fade = share * share * (3.0 - 2.0 * share)
