@@ -10,7 +10,7 @@ from pathlib import Path
 
 from contacts import Links, Pairs, convex_links, moving_pairs, random_positions, surface_links
 from report import Section, Table, shown, span
-from timing import baseline, in_turn, seconds
+from timing import alternating, baseline, seconds
 
 sys.path.append(str(Path(__file__).parents[1] / "tests"))
 
@@ -171,7 +171,7 @@ def _timed(make: Callable[[], Asset], runs: int, poses: int) -> Timed:
         "convex": partial(sampled, convex_links(asset)),
         "surface": partial(sampled, surface_links(asset)),
     }
-    found = in_turn(works, runs + 1)
+    found = alternating(works, runs + 1)
     return Timed(len(pairs), found["certificate"], min(found["convex"], found["surface"]))
 
 
@@ -219,7 +219,7 @@ def _targets(names: Sequence[str], runs: int) -> Table:
     rows = []
     for name in names:
         certified(name, clearances=False)  # imports are no part of the figures
-        found = in_turn(
+        found = alternating(
             {
                 "prove": partial(certified, name, clearances=False),
                 "measure": partial(certified, name, clearances=True),

@@ -105,11 +105,11 @@ def _made(asset: Asset, kind: str, start: float) -> Made:
     with tempfile.TemporaryDirectory() as directory:
         made.export(Path(directory) / "asset", formats=("mjcf",), textures=0)
         factor = speed(made, Path(directory) / "asset" / f"{made.name}.xml", {})
-    hollow, kept, solid, covered = (sum(each) for each in zip(*map(_volumes, made.links), strict=True))
+    hollow, open_, solid, covered = (sum(each) for each in zip(*map(_volumes, made.links), strict=True))
     return Made(
         times["made"] - start * decomposed,
         sum(len(link.colliders) for link in made.links),
-        kept / hollow,
+        open_ / hollow,
         covered / solid,
         factor / STEP,
     )

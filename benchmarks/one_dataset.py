@@ -51,7 +51,7 @@ def main() -> None:
     finally:
         through.set()
         watch.join()
-    told = {
+    result = {
         "made": summary.made,
         "failed": len(summary.failed),
         "jobs": cores(),
@@ -61,7 +61,7 @@ def main() -> None:
         "memory": memory,
         "bytes": sizes(Path(directory)),
     }
-    sys.stdout.write(json.dumps(told) + "\n")
+    sys.stdout.write(json.dumps(result) + "\n")
 
 
 def watched(directory: Path, memory: list[tuple[int, int]], through: threading.Event) -> None:

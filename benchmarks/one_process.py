@@ -24,8 +24,8 @@ def largest() -> int:
     On Linux it is read from a file, because `getrusage` there includes the memory of the parent process.
     """
     if _STATUS.exists():
-        words = next(line.split() for line in _STATUS.read_text().splitlines() if line.startswith("VmHWM"))
-        return UNIT * int(words[1])
+        fields = next(line.split() for line in _STATUS.read_text().splitlines() if line.startswith("VmHWM"))
+        return UNIT * int(fields[1])
     return UNIT * resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
 
 

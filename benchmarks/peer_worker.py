@@ -35,7 +35,7 @@ def main() -> None:
         with redirect_stdout(io.StringIO()):
             try:
                 answer: dict[str, object] = {**made(**json.loads(line))}
-            except Exception as error:  # noqa: BLE001 - whatever the peer raises is told
+            except Exception as error:  # noqa: BLE001 - any error of the peer is an answer
                 answer = {"error": f"{type(error).__name__}: {error}"}
         answers.write(json.dumps(answer) + "\n")
         answers.flush()

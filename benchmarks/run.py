@@ -47,15 +47,15 @@ def measured(name: str, *, quick: bool) -> Section:
 def main(
     names: Annotated[
         list[str] | None,
-        typer.Argument(metavar="[NAME]...", help=f"Of {', '.join(BENCHMARKS)}; all by default."),
+        typer.Argument(metavar="[NAME]...", help=f"Any of {', '.join(BENCHMARKS)}; all by default."),
     ] = None,
     *,
     quick: Annotated[
-        bool, typer.Option("--quick", help="Measure next to nothing, to see that it works.")
+        bool, typer.Option("--quick", help="Measure very little, as a test of the programs.")
     ] = False,
     page: Annotated[
         Path | None,
-        typer.Option(help="The page that is written; docs/benchmarks.md by default, none with --quick."),
+        typer.Option(help="The page to write; docs/benchmarks.md by default, none with --quick."),
     ] = None,
 ) -> None:
     """Run benchmarks and print their tables; exit code 1 if one of them cannot be run."""

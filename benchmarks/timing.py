@@ -36,7 +36,7 @@ def timed(times: dict[str, float], stage: str) -> Iterator[None]:
     times[stage] = processor_seconds() - start
 
 
-def in_turn(works: Mapping[str, Callable[[], float]], runs: int) -> dict[str, float]:
+def alternating(works: Mapping[str, Callable[[], float]], runs: int) -> dict[str, float]:
     """Return the median of what some measurements return, one after another, so many rounds."""
     found: dict[str, list[float]] = {name: [] for name in works}
     for _ in range(runs):

@@ -119,17 +119,17 @@ class Task:
 
 
 def main(
-    seeds: Annotated[int, typer.Option(help="How many seeds of each category, from 0.")] = 20,
+    seeds: Annotated[int, typer.Option(help="Number of seeds of each category, from 0.")] = 20,
     slow_seeds: Annotated[
-        int, typer.Option(help=f"How many of them {', '.join(SLOW)} read, which compile for each asset.")
+        int, typer.Option(help=f"Number of seeds for {', '.join(SLOW)}, which compile for each asset.")
     ] = 5,
     clients: Annotated[str, typer.Option(help="Names separated by commas.")] = "all",
     only: Annotated[str, typer.Option(help="Categories separated by commas; all by default.")] = "",
     work: Annotated[Path, typer.Option(help="Folder for exports and answers.")] = Path("out/client_table"),
-    jobs: Annotated[int, typer.Option(help="How many clients run at a time.")] = max(
+    jobs: Annotated[int, typer.Option(help="Number of clients that run at a time.")] = max(
         1, (os.cpu_count() or 2) // 2
     ),
-    out: Annotated[Path, typer.Option(help="What is written.")] = ROOT / "docs" / "clients.md",
+    out: Annotated[Path, typer.Option(help="The page to write.")] = ROOT / "docs" / "clients.md",
 ) -> None:
     """Write the table; exit code 1 if a client found a fault."""
     chosen, _ = chosen_clients(clients)
@@ -203,9 +203,9 @@ def _results(work: Path, read: Mapping[Task, Sequence[Path]], jobs: int) -> dict
     with ThreadPoolExecutor(jobs) as pool:
         running = {}
         for task, directories in read.items():
-            kept = _kept(work / "answers" / task.file, directories)
-            if kept is not None:
-                results[task] = kept
+            earlier = _earlier_answers(work / "answers" / task.file, directories)
+            if earlier is not None:
+                results[task] = earlier
             else:
                 running[pool.submit(run, task)] = task
         for future in as_completed(running):
@@ -214,19 +214,19 @@ def _results(work: Path, read: Mapping[Task, Sequence[Path]], jobs: int) -> dict
             states = Counter(each["state"] for each in results[task])
             if not states["absent"]:  # it may be there next time
                 (work / "answers" / task.file).write_text(json.dumps(results[task]), encoding="utf-8")
-            told = ", ".join(f"{count} {state}" for state, count in sorted(states.items()))
-            typer.echo(f"{task.client.name} {task.category} {task.layout}: {told}", err=True)
+            counts = ", ".join(f"{count} {state}" for state, count in sorted(states.items()))
+            typer.echo(f"{task.client.name} {task.category} {task.layout}: {counts}", err=True)
     return {task: results[task] for task in read}
 
 
-def _kept(path: Path, directories: Sequence[Path]) -> list[dict[str, Any]] | None:
+def _earlier_answers(path: Path, directories: Sequence[Path]) -> list[dict[str, Any]] | None:
     """Return the answers of an earlier run; None if there are none, or a client reported a fault."""
     try:
-        kept = json.loads(path.read_text(encoding="utf-8"))
+        earlier = json.loads(path.read_text(encoding="utf-8"))
     except (OSError, ValueError):
         return None
-    same = [each["asset"] for each in kept] == [directory.name for directory in directories]
-    return kept if same and all(each["state"] == "passed" for each in kept) else None
+    same = [each["asset"] for each in earlier] == [directory.name for directory in directories]
+    return earlier if same and all(each["state"] == "passed" for each in earlier) else None
 
 
 def _page(results: dict[Task, list[dict[str, Any]]], named: Sequence[str], seeds: int) -> Iterator[str]:
@@ -285,8 +285,8 @@ def _tolerances(results: dict[Task, list[dict[str, Any]]]) -> Iterator[str]:
     yield "| --- | --- | --- | --- |"
     for client in dict.fromkeys(task.client for task in results):
         if client.reports:
-            told = ", ".join(client.reports)
-            yield (f"| {client.name} | {told} | {client.tolerances[0]:g} | {client.tolerances[1]:g} |")
+            reports = ", ".join(client.reports)
+            yield (f"| {client.name} | {reports} | {client.tolerances[0]:g} | {client.tolerances[1]:g} |")
 
 
 def _tolerated(results: dict[Task, list[dict[str, Any]]]) -> Iterator[str]:
@@ -322,7 +322,7 @@ def _not_run(results: dict[Task, list[dict[str, Any]]]) -> Iterator[str]:
         yield f"- {client.name}: {escaped(message)}"
     for client in CLIENTS.values():
         if client not in absent and not any(task.client is client for task in results):
-            yield f"- {client.name}: it was not asked for"
+            yield f"- {client.name}: it was not requested"
     for name, reason in ELSEWHERE:
         yield f"- {name}: {reason}"
 

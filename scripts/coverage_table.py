@@ -13,8 +13,8 @@ PAGE = Path(__file__).parents[1] / "docs" / "coverage.md"
 
 
 def main(
-    seeds: Annotated[int, typer.Option(min=1, help="How many seeds of each category, from 0.")] = 500,
-    out: Annotated[Path, typer.Option(help="What is written.")] = PAGE,
+    seeds: Annotated[int, typer.Option(min=1, help="Number of seeds of each category, from 0.")] = 500,
+    out: Annotated[Path, typer.Option(help="The page to write.")] = PAGE,
 ) -> None:
     """Write the page; exit code 1 if an option never occurs or a range is not filled."""
     found = [coverage(find(name), seeds) for name in categories()]

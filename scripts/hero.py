@@ -114,7 +114,7 @@ def main() -> int:
     parser.add_argument("--only", nargs="*", default=sorted(SHOTS), help="names of pictures")
     parser.add_argument("--size", type=int, default=1024, help="pixels of the longer side")
     parser.add_argument("--samples", type=int, default=64, help="paths per pixel")
-    parser.add_argument("--textures", type=int, default=1024, help="texels on a side of the maps")
+    parser.add_argument("--textures", type=int, default=1024, help="texels per side of the maps")
     parser.add_argument("--format", choices=("jpg", "png"), default="jpg")
     options = parser.parse_args()
     unknown = [name for name in options.only if name not in SHOTS]

@@ -14,7 +14,7 @@ DOCS = Path(__file__).parents[1] / "docs"
 def main(
     names: Annotated[list[str] | None, typer.Argument(help="Categories; all by default.")] = None,
     *,
-    seeds: Annotated[int, typer.Option(min=1, help="How many samples.")] = 12,
+    seeds: Annotated[int, typer.Option(min=1, help="Number of samples.")] = 12,
     first_seed: Annotated[int, typer.Option(min=0, help="The first of their seeds.")] = 0,
     out: Annotated[Path, typer.Option(help="Directory.")] = DOCS,
 ) -> None:

@@ -39,7 +39,9 @@ def main(
     fresh: Annotated[bool, typer.Option("--fresh", help="Delete earlier measurements first.")] = False,
     alike: Annotated[
         int,
-        typer.Option(min=0, help="Show the most similar ones of so many seeds, and measure nothing else."),
+        typer.Option(
+            min=0, help="Show the most similar samples of this number of seeds, and measure nothing else."
+        ),
     ] = 0,
     out: Annotated[
         Path | None, typer.Option(help="The file of records; by default out/survey/<category>.jsonl.")
@@ -75,23 +77,23 @@ def main(
         found[name] = records
         if page is not None:  # after each category, for an interrupted run
             page.write_text(soak_page(found), encoding="utf-8")
-        asked = criteria(records)
-        _show(console, name, asked)
+        results = criteria(records)
+        _show(console, name, results)
         for quantity, text in figures(records).items():
             console.print(f"{quantity}: {text}", markup=False, soft_wrap=True)
         for failure in failures(records):
             console.print(str(failure), markup=False, soft_wrap=True)
         console.print()
-        met &= all(each.passed is not False for each in asked)
+        met &= all(each.passed is not False for each in results)
     if not met:
         raise typer.Exit(1)
 
 
-def _show(console: Console, name: str, asked: list[Criterion]) -> None:
+def _show(console: Console, name: str, results: list[Criterion]) -> None:
     table = Table(title=name, title_justify="left", box=None, pad_edge=False, header_style="bold")
-    for column in ("asked", "found", "met", "seeds that do not"):
+    for column in ("criterion", "found", "met", "seeds that do not"):
         table.add_column(column)
-    for each in asked:
+    for each in results:
         table.add_row(each.name, each.found, _STATES[each.passed], listed(each.seeds) if each.seeds else "")
     console.print(table)
 

@@ -24,7 +24,7 @@ DIGITS = 16
 def main(
     names: Annotated[list[str] | None, typer.Argument(metavar="[CATEGORY]...")] = None,
     *,
-    write: Annotated[bool, typer.Option(help="Record what is found instead of comparing it.")] = False,
+    write: Annotated[bool, typer.Option(help="Record the hashes instead of comparing them.")] = False,
 ) -> None:
     """Generate, certify and write assets, and say which of their files differ from the record."""
     known = json.loads(RECORD.read_text(encoding="utf-8")) if RECORD.exists() else {}

@@ -67,9 +67,9 @@ class Row:
 def rows(category: str, seeds: int, digest: str) -> dict[str, Row]:
     """Return the joints of a category by name, with `<n>` for numbers; cached by `digest`."""
     key = f"{category}_{seeds}_{digest}"
-    kept = disk_cache.read("docs_joints", key)
-    if kept is not None:
-        return {name: Row(**row) for name, row in json.loads(kept).items()}
+    cached = disk_cache.read("docs_joints", key)
+    if cached is not None:
+        return {name: Row(**row) for name, row in json.loads(cached).items()}
     found: dict[str, Row] = {}
     for seed in range(seeds):
         groups: dict[str, list[AssetJoint]] = {}

@@ -44,18 +44,18 @@ def _asset(category: str) -> Asset:
 def viewer(category: str, digest: str) -> bytes:
     """Return the viewer of one seed of a category; cached by `digest`."""
     key = f"{category}_{digest}.html"
-    kept = disk_cache.read("docs_viewers", key)
-    if kept is None:
-        kept = page_of(_asset(category), textures=_TEXTURES).html.encode()
-        disk_cache.write("docs_viewers", key, kept)
-    return kept
+    cached = disk_cache.read("docs_viewers", key)
+    if cached is None:
+        cached = page_of(_asset(category), textures=_TEXTURES).html.encode()
+        disk_cache.write("docs_viewers", key, cached)
+    return cached
 
 
 def thumbnail(category: str, digest: str) -> bytes:
     """Return a picture of the same seed, partly open; cached by `digest`."""
     key = f"{category}_{digest}.webp"
-    kept = disk_cache.read("docs_viewers", key)
-    if kept is None:
+    cached = disk_cache.read("docs_viewers", key)
+    if cached is None:
         asset = _asset(category)
         (_, view), (q, _), *_ = shots(asset)
         ajar = {joint: _OPEN * position for joint, position in q.items()}
@@ -63,9 +63,9 @@ def thumbnail(category: str, digest: str) -> bytes:
         close()
         file = io.BytesIO()
         Image.fromarray(pixels).save(file, "WEBP", quality=84, method=6)
-        kept = file.getvalue()
-        disk_cache.write("docs_viewers", key, kept)
-    return kept
+        cached = file.getvalue()
+        disk_cache.write("docs_viewers", key, cached)
+    return cached
 
 
 def written() -> str:

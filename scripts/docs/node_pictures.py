@@ -42,9 +42,9 @@ def picture(made: Handle) -> bytes:
     view = _FACE if isinstance(made, Profile | Path) or size[1] < _FLAT * size[2] else _SOLID
     poses = [{}, opened(asset, _OPEN)] if asset.joints else [{}]
     key = _key(asset, view, poses)
-    kept = disk_cache.read("docs_pictures", key)
-    if kept is not None:
-        return kept
+    cached = disk_cache.read("docs_pictures", key)
+    if cached is not None:
+        return cached
     pixels = [
         render(asset, q, camera=view, size=SIZE, studio="none", textures=0, samples=4).color for q in poses
     ]

@@ -63,7 +63,7 @@ def _square(rig: Rig) -> Rig:
 
 
 def _lamps(rig: Rig) -> dict[str, dict[str, object]]:
-    """Return the lights: a window with two sashes at the left, weak light of another room, and the ceiling."""
+    """Return the lights: a window with two sashes at the left, weak light of another room, the ceiling."""
     sashes = {
         f"window_{side}": rig.softbox(
             rig.around(-58 + 15 * side, 24, 2.7), (0.33, 1.0), (16.0, 16.3, 16.8), edge=0.06

@@ -58,16 +58,16 @@ class Rig:
         return np.array([self.back[1], -self.back[0], 0.0])
 
     def around(self, azimuth: float, elevation: float, distance: float) -> Array:
-        """Return a point around the asset from azimuth and elevation [degrees] and distance [scales], in [m]."""
+        """Return a point around the asset [m], by azimuth and elevation [degrees] and distance [scales]."""
         turn, rise = self.side * math.radians(azimuth), math.radians(elevation)
         ahead = math.sin(turn) * self.right - math.cos(turn) * self.back
-        way = math.cos(rise) * ahead + math.sin(rise) * np.array([0.0, 0.0, 1.0])
-        return np.asarray(self.center + distance * self.scale * way)
+        direction = math.cos(rise) * ahead + math.sin(rise) * np.array([0.0, 0.0, 1.0])
+        return np.asarray(self.center + distance * self.scale * direction)
 
     def softbox(
         self, place: Array, half: tuple[float, float], color: tuple[float, float, float], *, edge: float = 0.5
     ) -> Data:
-        """Return a lamp that faces the asset, with half width and half height [scales], fading at its edge."""
+        """Return a lamp that faces the asset and fades at its edge; `half` is half its size [scales]."""
         transform = self.mitsuba.ScalarTransform4f
         away = self.center - place
         up = [0.0, 0.0, 1.0] if abs(away[2]) < 0.95 * np.linalg.norm(away) else self.back.tolist()

@@ -36,11 +36,11 @@ class Extreme:
 
     def command(self, out: Path, *, on_collision: str) -> str:
         """Return the shell command that makes it."""
-        words = ["artgen", "generate", self.category, "--seed", str(self.seed)]
+        command = ["artgen", "generate", self.category, "--seed", str(self.seed)]
         for each in spelled(self.overrides):
-            words += ["--set", each]
-        words += ["--textures", "none", "--on-collision", on_collision, "--out", str(out)]
-        return shlex.join(words)
+            command += ["--set", each]
+        command += ["--textures", "none", "--on-collision", on_collision, "--out", str(out)]
+        return shlex.join(command)
 
 
 def category_of(number: int) -> str:

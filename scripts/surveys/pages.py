@@ -35,14 +35,16 @@ def soak_page(records: Mapping[str, Sequence[Record]]) -> str:
 
 
 def _row_of_survey(name: str, records: Sequence[Record]) -> str:
-    asked = criteria(records)
-    met = sum(each.passed is True for each in asked)
-    wrong = "; ".join(f"{each.name} ({each.found})" for each in asked if each.passed is not True)
-    return f"| [`{name}`](#{name}) | {len(records)} | {met} of {len(asked)} | {escaped(wrong) or 'nothing'} |"
+    results = criteria(records)
+    met = sum(each.passed is True for each in results)
+    wrong = "; ".join(f"{each.name} ({each.found})" for each in results if each.passed is not True)
+    return (
+        f"| [`{name}`](#{name}) | {len(records)} | {met} of {len(results)} | {escaped(wrong) or 'nothing'} |"
+    )
 
 
 def _survey_of(name: str, records: Sequence[Record]) -> Iterator[str]:
-    yield from ("", f"## {name}", "", "| asked | found | met |", "| --- | --- | --- |")
+    yield from ("", f"## {name}", "", "| criterion | found | met |", "| --- | --- | --- |")
     yield from map(_row_of_criterion, criteria(records))
     yield from ("", "| measured | of all samples |", "| --- | --- |")
     yield from (f"| {what} | {escaped(text)} |" for what, text in figures(records).items())

@@ -33,7 +33,7 @@ class Product:
         """Return the deviations of an asset from such products."""
         size = size_of(asset)
         both = (size, size[[1, 0, 2]]) if self.turns else (size,)
-        ways = [
+        deviations = [
             [
                 f"{name} {length:.3f} m, {least:g} to {most:g} m are sold"
                 for name, length, (least, most) in zip(
@@ -45,7 +45,7 @@ class Product:
         ]
         least, most = self.mass
         heavy = [] if least <= asset.mass <= most else [f"mass {asset.mass:.2f} kg, {least:g} to {most:g} kg"]
-        return [*min(ways, key=len), *heavy]
+        return [*min(deviations, key=len), *heavy]
 
 
 PRODUCTS: Mapping[str, tuple[Product, ...]] = {
@@ -143,5 +143,5 @@ def size_of(asset: Asset) -> NDArray[np.float64]:
 
 def misfits(asset: Asset) -> list[str]:
     """Return the deviations of an asset from the most similar product of its category."""
-    ways = [product.misfits(asset) for product in PRODUCTS.get(asset.category, ())]
-    return min(ways, key=len, default=[])
+    deviations = [product.misfits(asset) for product in PRODUCTS.get(asset.category, ())]
+    return min(deviations, key=len, default=[])

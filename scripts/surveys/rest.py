@@ -101,8 +101,8 @@ def _judged(asset: Asset, model: Any, course: _Course) -> Iterator[Oddity]:
         if joint.limits is None:
             continue
         low, high = joint.limits
-        way = course.positions[:, found.qposadr[0]]
-        beyond = max(low - float(way.min()), float(way.max()) - high)
+        path = course.positions[:, found.qposadr[0]]
+        beyond = max(low - float(path.min()), float(path.max()) - high)
         if beyond > max(BEYOND[joint.kind], _give(model.jnt_solref[found.id], fastest)):
             yield "limits", f"joint {joint.name}: goes {beyond:.3g} {turns} beyond its limits"
 

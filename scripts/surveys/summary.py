@@ -187,14 +187,14 @@ def _each(
     least: bool = False,
 ) -> Criterion:
     """Return a criterion with an upper or lower limit for a number of each sample."""
-    words = f"{name}: at {'least' if least else 'most'} {limit:g}"
+    criterion = f"{name}: at {'least' if least else 'most'} {limit:g}"
     if not records:
-        return Criterion(words, "not measured", None)
+        return Criterion(criterion, "not measured", None)
     values = {record["seed"]: value(record) for record in records}
     beyond = tuple(seed for seed, each in values.items() if (each < limit if least else each > limit))
     worst = min(values.values()) if least else max(values.values())
     return Criterion(
-        words, f"{worst:.3g}, median {statistics.median(values.values()):.3g}", not beyond, beyond
+        criterion, f"{worst:.3g}, median {statistics.median(values.values()):.3g}", not beyond, beyond
     )
 
 
