@@ -28,11 +28,27 @@ STEPS_OF_TORQUES = 4  # physics steps with the same torques of the arm
 SHUT = 0.001  # smaller openings of each finger mean that the hand squeezes [m]
 CAMERAS = {"front": "scene_front", "hand": f"{PREFIX}eye_in_hand"}  # next to the robot, and on its hand
 
-_FLOOR, _TABLE, _LIGHT = "scene_floor", "scene_table", "scene_light"
-_AMBIENT, _HEADLIGHT, _LAMP = 0.28, 0.3, 0.5  # ambient light, light from the camera and from above
-_LIGHT_DIRECTION = (0.3, 0.5, -1.0)
+_FLOOR, _TABLE = "scene_floor", "scene_table"
 _DEEP = 0.02  # least height of the pedestal [m]
 _VISUAL_GROUP, _GROUPS = 2, 6  # geom group of visual surfaces, and number of groups
+
+
+# the surroundings of asset and robot; a fixed asset needs no floor, so that only the robot touches it
+_SCENE = f"""<mujoco>
+  <option timestep="{TIME_STEP}" integrator="implicitfast"/>
+  <visual>
+    <headlight ambient="0.28 0.28 0.28" diffuse="0.3 0.3 0.3"/>
+    <quality shadowsize="4096"/>
+  </visual>
+  <worldbody>
+    <geom name="{_FLOOR}" type="plane" size="0 0 0.05" pos="0 0 -1" rgba="0.72 0.71 0.69 1" group="2"
+      contype="{{floor_bits}}" conaffinity="{ROBOT_BIT}" castshadow="false"/>
+    <geom name="{_TABLE}" type="box" size="0.1 0.1 0.1" pos="0 0 -1" rgba="0.62 0.52 0.42 1" group="2"
+      contype="0" conaffinity="{ROBOT_BIT}"/>
+    <camera name="{CAMERAS["front"]}" fovy="45"/>
+    <light name="scene_light" type="directional" dir="0.3 0.5 -1" pos="0 0 4" diffuse="0.5 0.5 0.5"/>
+  </worldbody>
+</mujoco>"""
 
 
 class TaskScene:
@@ -179,48 +195,14 @@ def compiled(asset: Asset, *, visual: bool = False, textures: int = 0) -> Any:
         _strip(root)
     named = {element.get("file") for element in root.iter()}
     files = {path: content for path, content in meshes.files.items() if path in named}
+    scene = _SCENE.format(floor_bits=ASSET_BIT if asset.base == "free" else 0)
+    root.extend(ET.fromstring(scene))  # noqa: S314 - the text of this file
     spec = mujoco.MjSpec.from_string(document(root).decode(), assets=files)
-    spec.option.timestep = TIME_STEP
-    spec.option.integrator = mujoco.mjtIntegrator.mjINT_IMPLICITFAST
-    world = spec.worldbody
-    world.add_geom(
-        name=_FLOOR,
-        type=mujoco.mjtGeom.mjGEOM_PLANE,
-        size=(0.0, 0.0, 0.05),
-        pos=(0.0, 0.0, -1.0),  # anywhere but the origin, where the camera would stay
-        rgba=(0.72, 0.71, 0.69, 1.0),
-        group=2,
-        # a fixed asset needs no floor: only the robot touches it
-        contype=ASSET_BIT if asset.base == "free" else 0,
-        conaffinity=ROBOT_BIT,
-        castshadow=False,
-    )
-    world.add_geom(
-        name=_TABLE,
-        type=mujoco.mjtGeom.mjGEOM_BOX,
-        size=(0.1, 0.1, 0.1),
-        pos=(0.0, 0.0, -1.0),
-        rgba=(0.62, 0.52, 0.42, 1.0),
-        group=2,
-        contype=0,
-        conaffinity=ROBOT_BIT,
-    )
     for first, second in apart(asset):
         spec.add_exclude(bodyname1=first, bodyname2=second)
     with warnings.catch_warnings():  # the robot's files are on disk, those of the asset in memory
         warnings.filterwarnings("ignore", message="Attaching a child without asset dict")
-        spec.attach(panda(visual=visual), frame=world.add_frame(), prefix=PREFIX)
-    world.add_camera(name=CAMERAS["front"], fovy=45.0)
-    world.add_light(
-        name=_LIGHT,
-        type=mujoco.mjtLightType.mjLIGHT_DIRECTIONAL,
-        dir=_LIGHT_DIRECTION,
-        pos=(0.0, 0.0, 4.0),
-        diffuse=[_LAMP] * 3,
-    )
-    spec.visual.headlight.ambient[:] = _AMBIENT
-    spec.visual.headlight.diffuse[:] = _HEADLIGHT
-    spec.visual.quality.shadowsize = 4096
+        spec.attach(panda(visual=visual), frame=spec.worldbody.add_frame(), prefix=PREFIX)
     return spec.compile()
 
 
