@@ -78,18 +78,18 @@ class Dataset(Sequence[Asset]):
         """Return the directory of each asset; all are fetched from a URL."""
         return [self._path(record) for record in self.records]
 
-    def files(self, written: str) -> list[Path]:
+    def files(self, file_format: str) -> list[Path]:
         """Return the main file of each asset in a format: `urdf`, `mjcf`, `usd` or `glb`.
 
         Raises:
             ExportError: The assets were not written in that format.
         """
-        known = self.records[0]["files"] if self.records else {written: ""}
-        if written not in known:
+        known = self.records[0]["files"] if self.records else {file_format: ""}
+        if file_format not in known:
             raise ExportError(
-                f"{self.directory} has no files in the format {written!r}.{nearest(written, known)}"
+                f"{self.directory} has no files in the format {file_format!r}.{nearest(file_format, known)}"
             )
-        return [self._path(record) / record["files"][written] for record in self.records]
+        return [self._path(record) / record["files"][file_format] for record in self.records]
 
     def filter(
         self,

@@ -210,87 +210,37 @@ def _from_within(asset: Asset, grasp: Affordance, ajar: Array, beside: float) ->
     return Contact("push", link.name, frame, through=(lifted(ajar @ frame, -0.25),))
 
 
-_TASKS = (
-    Task(
-        "PushDoor",
-        "door",
-        10.0,
-        "Turn the lever until the latch is free, by 0.3 rad or more, then push the leaf open by 0.3 rad.",
-        push_door,
-        {"opener": "lever", "layout": "single"},
-    ),
-    Task(
-        "PushToasterLever",
-        "toaster",
-        8.0,
-        "Push a lever of the toaster down.",
-        one_joint("lever", "push", "prismatic", 0.9),
-    ),
-    Task(
-        "OpenFridge",
-        "refrigerator",
-        10.0,
-        "Open a door of the refrigerator to 9 degrees and more.",
-        one_joint("door", "grasp", "revolute", at_least=0.16),
-    ),
-    Task(
-        "OpenDrawer",
-        "drawer",
-        10.0,
-        "Pull a drawer open by half its way.",
-        one_joint("drawer", "grasp", "prismatic", 0.5),
-    ),
-    Task(
-        "OpenDishwasher",
-        "dishwasher",
-        30.0,
-        "Open the door of the dishwasher, then pull a rack out by half its way.",
-        open_dishwasher,
-        {"racks": choice(2, 3)},
-    ),
-    Task(
-        "PressMicrowaveButton",
-        "microwave",
-        5.0,
-        "Press a key or button of the microwave oven.",
-        one_joint("", "push", "prismatic", 0.8, back=FAR_BACK),
-        {"controls": choice("keypad", "mixed")},
-        raised=True,
-    ),
-    Task(
-        "TurnFaucet",
-        "faucet",
-        6.0,
-        "Open the faucet by four fifths of the range of its handle.",
-        one_joint("handle", "grasp", "revolute", 0.8, back=FAR_BACK),
-    ),
-    Task(
-        "OpenTrashcan",
-        "trashcan",
-        8.0,
-        "Press the pedal that lifts the lid.",
-        one_joint("pedal", "push", "revolute", 0.8),
-        {"style": "pedal"},
-    ),
-    Task(
-        "OpenMicrowave",
-        "microwave",
-        10.0,
-        "Open the door of the microwave oven by 0.4 rad.",
-        one_joint("door", "grasp", "revolute", at_least=0.4),
-        {"handle": choice("bar", "pocket")},
-        raised=True,
-    ),
-    Task(
-        "OpenCabinet",
-        "cabinet",
-        10.0,
-        "Open a door of the cabinet by 0.4 rad.",
-        one_joint("door", "grasp", "revolute", at_least=0.4),
-    ),
-)
-
-TASKS = {task.name: task for task in _TASKS}
+_DOCS = {
+    "PushDoor": "Turn the lever by at least 0.3 rad to free the latch, then push the leaf open by 0.3 rad.",
+    "PushToasterLever": "Push a lever of the toaster down.",
+    "OpenFridge": "Open a door of the refrigerator to 9 degrees and more.",
+    "OpenDrawer": "Pull a drawer open by half its way.",
+    "OpenDishwasher": "Open the door of the dishwasher, then pull a rack out by half its way.",
+    "PressMicrowaveButton": "Press a key or button of the microwave oven.",
+    "TurnFaucet": "Open the faucet by four fifths of the range of its handle.",
+    "OpenTrashcan": "Press the pedal that lifts the lid.",
+    "OpenMicrowave": "Open the door of the microwave oven by 0.4 rad.",
+    "OpenCabinet": "Open a door of the cabinet by 0.4 rad.",
+}
+_press_key = one_joint("", "push", "prismatic", 0.8, back=FAR_BACK)
+_KEYS, _GRIPS = {"controls": choice("keypad", "mixed")}, {"handle": choice("bar", "pocket")}
+_Row = tuple[str, float, Chooser, Mapping[str, Any], bool]
+_ROWS: dict[str, _Row] = {  # category, time limit [s], stages, overrides, raised
+    "PushDoor": ("door", 10.0, push_door, {"opener": "lever", "layout": "single"}, False),
+    "PushToasterLever": ("toaster", 8.0, one_joint("lever", "push", "prismatic", 0.9), {}, False),
+    "OpenFridge": ("refrigerator", 10.0, one_joint("door", "grasp", "revolute", at_least=0.16), {}, False),
+    "OpenDrawer": ("drawer", 10.0, one_joint("drawer", "grasp", "prismatic", 0.5), {}, False),
+    "OpenDishwasher": ("dishwasher", 30.0, open_dishwasher, {"racks": choice(2, 3)}, False),
+    "PressMicrowaveButton": ("microwave", 5.0, _press_key, _KEYS, True),
+    "TurnFaucet": ("faucet", 6.0, one_joint("handle", "grasp", "revolute", 0.8, back=FAR_BACK), {}, False),
+    "OpenTrashcan": ("trashcan", 8.0, one_joint("pedal", "push", "revolute", 0.8), {"style": "pedal"}, False),
+    "OpenMicrowave": ("microwave", 10.0, one_joint("door", "grasp", "revolute", at_least=0.4), _GRIPS, True),
+    "OpenCabinet": ("cabinet", 10.0, one_joint("door", "grasp", "revolute", at_least=0.4), {}, False),
+}
+TASKS = {
+    name: Task(name, category, seconds, _DOCS[name], choose, overrides, raised)
+    for name, (category, seconds, choose, overrides, raised) in _ROWS.items()
+}
 
 
 def find_task(name: str) -> Task:
