@@ -1,4 +1,4 @@
-"""A store of objects that tests and their processes know."""
+"""An object store for tests and their processes."""
 
 import os
 from collections.abc import Iterator
@@ -9,7 +9,7 @@ import pytest
 
 @pytest.fixture(scope="module")
 def bucket(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
-    """Give a folder whose URL is `bucket://` and its path, here and in processes that are started."""
+    """Yield a folder whose URL is `bucket://` and its path, in this process and in started ones."""
     fsspec = pytest.importorskip("fsspec")
     from support import bucket
 

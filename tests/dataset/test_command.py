@@ -1,4 +1,4 @@
-"""`artgen generate -n`: what it prints, and what it refuses."""
+"""`artgen generate -n`: output and errors."""
 
 import pytest
 
@@ -14,7 +14,7 @@ def test_a_dataset_from_the_command_line(artgen_command) -> None:  # type: ignor
     assert again.out == "made 0 assets in 0 s, 2 were there: set\n"
 
 
-def test_what_cannot_be_made_is_the_exit_code(artgen_command) -> None:  # type: ignore[no-untyped-def]
+def test_exit_code_reports_failed_assets(artgen_command) -> None:  # type: ignore[no-untyped-def]
     options = ("--format", "mjcf", "--textures", "none", "--tolerance", "0.01", "--on-collision", "fail")
     done = artgen_command("generate", "cabinet", "-n", "1", *options, "--out", "set")
     assert done.code == 1
@@ -24,7 +24,7 @@ def test_what_cannot_be_made_is_the_exit_code(artgen_command) -> None:  # type: 
 
 
 @pytest.mark.parametrize(
-    ("arguments", "told"),
+    ("arguments", "message"),
     [
         (("door", "lamp"), "one asset is of one category, not door, lamp; say with -n how many"),
         (("door", "-n", "2"), "-n makes a dataset: say with --out DIRECTORY where to"),
@@ -33,8 +33,8 @@ def test_what_cannot_be_made_is_the_exit_code(artgen_command) -> None:  # type: 
         (("dor", "-n", "2", "--out", "x"), "there is no category 'dor'. Did you mean 'door'?"),
     ],
 )
-def test_what_is_refused(artgen_command, arguments: tuple[str, ...], told: str) -> None:  # type: ignore[no-untyped-def]
+def test_what_is_refused(artgen_command, arguments: tuple[str, ...], message: str) -> None:  # type: ignore[no-untyped-def]
     done = artgen_command("generate", *arguments)
     assert done.code == 2
-    assert told in done.err
+    assert message in done.err
     assert done.err.count("\n") == 1

@@ -32,7 +32,7 @@ def record(category: str, seed: int, **more: Any) -> dict[str, Any]:
 
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
-    """A manifest of 40 assets, and of one that cannot be made."""
+    """A manifest of 40 assets and one failed asset."""
     with Folder.opened(Disk(tmp_path / "set"), Plan(("box", "drawer"), 41)):
         pass
     lines = [record(category, seed) for seed in range(20) for category in ("box", "drawer")]
@@ -42,7 +42,7 @@ def folder(tmp_path: Path) -> Path:
     return tmp_path / "set"
 
 
-def test_only_what_was_made_is_in_it(folder: Path) -> None:
+def test_a_dataset_has_the_finished_assets_only(folder: Path) -> None:
     found = Dataset(folder)
     assert len(found) == 40
     assert repr(found) == f"<40 assets of box, drawer in {folder}>"
@@ -66,17 +66,17 @@ def test_filters(folder: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("condition", "told"),
+    ("condition", "message"),
     [
         ({"category": "bocks"}, r"no asset here has the category 'bocks'\. Did you mean 'box'\?"),
         ({"joint": "ball"}, r"no asset here has the kind of joint 'ball'\. Allowed: prismatic, revolute"),
         ({"widht": 1.0}, r"no asset here has the parameter 'widht'\. Did you mean 'width'\?"),
     ],
 )
-def test_a_filter_that_nothing_could_meet_is_a_mistake(
-    folder: Path, condition: dict[str, Any], told: str
+def test_a_filter_with_an_unknown_name_is_an_error(
+    folder: Path, condition: dict[str, Any], message: str
 ) -> None:
-    with pytest.raises(ParameterError, match=told):
+    with pytest.raises(ParameterError, match=message):
         Dataset(folder).filter(**condition)
 
 
@@ -98,7 +98,7 @@ def test_the_shares_of_a_split_are_met_on_average(folder: Path) -> None:
     assert sizes == pytest.approx({"train": 1600, "val": 200, "test": 200}, abs=60)
 
 
-def test_shares_that_are_not_one_are_refused(folder: Path) -> None:
+def test_shares_must_have_the_sum_one(folder: Path) -> None:
     with pytest.raises(
         ParameterError, match=r"the sum of the shares is 0\.9; it must be 1, and no share negative"
     ):
@@ -117,6 +117,6 @@ def test_what_is_no_dataset_is_refused(tmp_path: Path) -> None:
         Dataset(tmp_path)
 
 
-def test_a_format_that_was_not_written(folder: Path) -> None:
+def test_a_format_without_files_is_an_error(folder: Path) -> None:
     with pytest.raises(ExportError, match=r"has no files in the format 'usd'\. Allowed: mjcf"):
         Dataset(folder).files("usd")

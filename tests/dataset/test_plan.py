@@ -1,4 +1,4 @@
-"""Plans: what is refused before anything is written, and the order of the assets."""
+"""Plans: errors before anything is written, and the order of the assets."""
 
 import pytest
 
@@ -6,7 +6,7 @@ from artgen.dataset import Item, Plan
 from artgen.errors import ExportError, ParameterError
 
 
-def test_categories_take_turns_and_longer_plans_begin_like_shorter_ones() -> None:
+def test_categories_alternate_and_longer_plans_begin_like_shorter_ones() -> None:
     long, short = Plan(("lamp", "door"), 5, seed=7), Plan(("lamp", "door"), 3, seed=7)
     assert [item.name for item in long.items()] == ["lamp_7", "door_7", "lamp_8", "door_8", "lamp_9"]
     assert list(short.items()) == list(long.items())[:3]
@@ -23,14 +23,14 @@ def test_formats_are_those_of_the_layout() -> None:
     assert Plan(("door",), 1).formats == ("urdf", "mjcf", "usd")
 
 
-def test_overrides_for_one_category_go_before_those_for_all() -> None:
+def test_overrides_for_one_category_replace_those_for_all() -> None:
     plan = Plan(("door", "window"), 2, overrides=("width=0.9", "window:width=0.8"))
     assert plan.overrides_of("door") == {"width": 0.9}
     assert plan.overrides_of("window") == {"width": 0.8}
 
 
 @pytest.mark.parametrize(
-    ("options", "told"),
+    ("options", "message"),
     [
         ({"categories": ()}, "a dataset needs at least one category"),
         ({"categories": ("door", "dor")}, r"there is no category 'dor'\. Did you mean 'door'\?"),
@@ -46,8 +46,8 @@ def test_overrides_for_one_category_go_before_those_for_all() -> None:
         ),
     ],
 )
-def test_what_no_run_could_do_is_refused(options: dict[str, object], told: str) -> None:
-    with pytest.raises(ParameterError, match=told):
+def test_impossible_plans_are_errors(options: dict[str, object], message: str) -> None:
+    with pytest.raises(ParameterError, match=message):
         Plan(**{"categories": ("door",), "count": 1, **options})  # type: ignore[arg-type]
 
 

@@ -1,4 +1,4 @@
-"""Runs on a Ray cluster: the endings and the bytes of processes of this machine, whatever dies."""
+"""Runs on a Ray cluster: the same endings and bytes as with local processes."""
 
 import os
 import shutil
@@ -27,27 +27,29 @@ PLAN = Plan(("drawer", "cabinet"), 4, formats=("mjcf",), textures="none", certif
 
 @pytest.fixture(scope="module", autouse=True)
 def _own_home(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
-    """Keep the token that Ray writes for its clusters away from the user's."""
+    """Use another home directory, because Ray writes a token for its clusters there."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("HOME", str(tmp_path_factory.mktemp("home")))
         yield
 
 
-def test_an_address_without_a_cluster_is_told_at_once(
+def test_an_address_without_a_cluster_is_an_error_at_once(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    told = r"there is no Ray cluster at '127\.0\.0\.1:9': Connection refused; give the HOST:PORT of its head"
+    message = (
+        r"there is no Ray cluster at '127\.0\.0\.1:9': Connection refused; give the HOST:PORT of its head"
+    )
     start = time.monotonic()
-    with pytest.raises(ExportError, match=told):
+    with pytest.raises(ExportError, match=message):
         generate_many(PLAN, tmp_path / "set", engine="ray", address="127.0.0.1:9")
     monkeypatch.setenv("RAY_ADDRESS", "127.0.0.1:9")
-    with pytest.raises(ExportError, match=told):
+    with pytest.raises(ExportError, match=message):
         generate_many(PLAN, tmp_path / "set", engine="ray")
     assert time.monotonic() - start < 10.0
     assert not (tmp_path / "set").exists()
 
 
-def test_an_address_of_something_else_is_told_at_once(tmp_path: Path) -> None:
+def test_an_address_of_another_service_is_an_error_at_once(tmp_path: Path) -> None:
     class Page(BaseHTTPRequestHandler):
         def log_message(self, *_: object) -> None:
             pass
@@ -63,13 +65,13 @@ def test_an_address_of_something_else_is_told_at_once(tmp_path: Path) -> None:
     assert time.monotonic() - start < 10.0
 
 
-def test_without_ray_it_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_missing_ray_is_an_error(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "ray", None)
     with pytest.raises(ExportError, match=r"the engine ray needs Ray: pip install 'artgen\[ray\]'"):
         generate_many(PLAN, tmp_path / "set", engine="ray")
 
 
-def test_engines_that_there_are_not(tmp_path: Path) -> None:
+def test_unknown_engines_are_errors(tmp_path: Path) -> None:
     with pytest.raises(ParameterError, match="the engine is local or ray, not 'slurm'"):
         generate_many(PLAN, tmp_path / "set", engine="slurm")  # type: ignore[arg-type]
     with pytest.raises(
@@ -120,8 +122,8 @@ def working() -> list[int]:
     """Return the processes of this cluster that work on a task."""
     program = shutil.which("ps") or pytest.skip("needs ps")
     listing = [program, "-eo", "pid=,ppid=,args="]
-    told = subprocess.run(listing, check=True, capture_output=True, text=True).stdout
-    rows = [line.split(maxsplit=2) for line in told.splitlines()]
+    output = subprocess.run(listing, check=True, capture_output=True, text=True).stdout
+    rows = [line.split(maxsplit=2) for line in output.splitlines()]
     ours = {int(pid) for pid, parent, _ in rows if int(parent) == os.getpid()}
     return [
         int(pid) for pid, parent, name in rows if int(parent) in ours and name.startswith("ray::_remote_work")
@@ -156,7 +158,7 @@ def test_workers_write_to_a_url(run: Any, bucket: Path, tmp_path: Path) -> None:
 
 
 def test_a_cluster_is_joined_and_left(run: Any, tmp_path: Path) -> None:
-    """In a process of its own, as that of the tests has started the cluster."""
+    """In a separate process, because the process of the tests has started the cluster."""
     address = ray.get_runtime_context().gcs_address
     workers._check_head_node(address)
     arguments = ["drawer", "-n", "1", "--format", "mjcf", "--textures", "none", "--no-certify"]

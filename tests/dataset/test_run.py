@@ -1,4 +1,4 @@
-"""Runs: the same bytes whatever interrupts them, and a clear word where something does."""
+"""Runs: the same bytes after any interruption, and clear errors."""
 
 import json
 import multiprocessing
@@ -40,14 +40,14 @@ def command(folder: Path, count: int = PLAN.count, *more: str) -> list[str]:
 
 @pytest.fixture(scope="module")
 def undisturbed(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A dataset that one process made at a stretch."""
+    """A dataset of one process without interruption."""
     folder = tmp_path_factory.mktemp("dataset") / "undisturbed"
     summary = generate_many(PLAN, folder, jobs=1)
     assert (summary.made, summary.existing, summary.failed) == (5, 0, ())
     return folder
 
 
-def test_the_manifest_says_what_there_is(undisturbed: Path) -> None:
+def test_the_manifest_lists_the_assets(undisturbed: Path) -> None:
     found = lines(undisturbed)
     assert [each["name"] for each in found] == [item.name for item in PLAN.items()]
     for each in found:
@@ -60,7 +60,7 @@ def test_the_manifest_says_what_there_is(undisturbed: Path) -> None:
         assert (undisturbed / each["path"] / each["files"]["mjcf"]).is_file()
 
 
-def test_maps_are_kept_once(undisturbed: Path) -> None:
+def test_maps_are_stored_once(undisturbed: Path) -> None:
     maps = [
         path
         for path in undisturbed.rglob("*.png")
@@ -101,7 +101,7 @@ def test_a_killed_worker_is_replaced(undisturbed: Path, tmp_path: Path) -> None:
     assert digests(tmp_path / "killed") == digests(undisturbed)
 
 
-def test_a_killed_run_goes_on(undisturbed: Path, tmp_path: Path) -> None:
+def test_a_killed_run_continues(undisturbed: Path, tmp_path: Path) -> None:
     folder = tmp_path / "killed"
     run = subprocess.Popen(command(folder), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     deadline = time.monotonic() + 120.0
@@ -123,7 +123,7 @@ def test_a_killed_run_goes_on(undisturbed: Path, tmp_path: Path) -> None:
 
 def test_interrupted_with_the_keyboard(tmp_path: Path) -> None:
     folder = tmp_path / "stopped"
-    # whoever runs the tests may have told its processes to ignore Ctrl-C
+    # whoever runs the tests may have message its processes to ignore Ctrl-C
     program = (
         "import signal, artgen.cli\n"
         "signal.signal(signal.SIGINT, signal.default_int_handler)\n"
@@ -135,13 +135,13 @@ def test_interrupted_with_the_keyboard(tmp_path: Path) -> None:
         assert run.poll() is None
         time.sleep(0.01)
     os.killpg(run.pid, signal.SIGINT)
-    _, told = run.communicate(timeout=60)
+    _, message = run.communicate(timeout=60)
     assert run.returncode == 130
-    assert told == "interrupted; finished work stays, and the same command continues the run\n"
+    assert message == "interrupted; finished work stays, and the same command continues the run\n"
     assert not (folder / ".staging").exists()
 
 
-def test_what_cannot_be_made_is_listed_and_the_others_are_made(tmp_path: Path) -> None:
+def test_failed_assets_are_listed_and_the_others_are_made(tmp_path: Path) -> None:
     options: dict[str, Any] = {"tolerance": 5e-4, "on_collision": "fail"}
     plan = Plan(CATEGORIES, 4, formats=("mjcf",), textures="none", **options)
     impossible = {}
@@ -161,7 +161,7 @@ def test_what_cannot_be_made_is_listed_and_the_others_are_made(tmp_path: Path) -
     assert (again.made, again.failed) == (0, summary.failed)
 
 
-def test_a_fault_of_artgen_is_on_record(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_an_unexpected_exception_is_recorded(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     def broken(*_: object) -> None:
         raise ZeroDivisionError("division by zero")
 
@@ -183,28 +183,32 @@ def test_two_runs_do_not_write_to_one_folder(undisturbed: Path) -> None:
 def test_another_plan_is_refused(undisturbed: Path) -> None:
     before = digests(undisturbed)
     other = Plan(CATEGORIES, 5, formats=("mjcf", "usd"), texture_size=256)
-    told = "holds a dataset with formats = mjcf, not mjcf,usd: use the same options, or choose another folder"
-    with pytest.raises(ExportError, match=told):
+    message = (
+        "holds a dataset with formats = mjcf, not mjcf,usd: use the same options, or choose another folder"
+    )
+    with pytest.raises(ExportError, match=message):
         generate_many(other, undisturbed)
     assert digests(undisturbed) == before
 
 
 def test_a_dataset_does_not_shrink(undisturbed: Path) -> None:
-    told = (
+    message = (
         "holds a dataset of 5 assets, but only 4 are requested; request at least 5, or choose another folder"
     )
-    with pytest.raises(ExportError, match=told):
+    with pytest.raises(ExportError, match=message):
         generate_many(Plan(CATEGORIES, 4, formats=("mjcf",), texture_size=256), undisturbed)
 
 
-def test_a_folder_of_other_things_is_refused(tmp_path: Path) -> None:
+def test_a_folder_with_other_files_is_an_error(tmp_path: Path) -> None:
     (tmp_path / "thesis.tex").write_text("years of work")
     with pytest.raises(ExportError, match=r"it holds 'thesis\.tex' and no dataset; choose another folder"):
         generate_many(PLAN, tmp_path)
     assert [path.name for path in tmp_path.iterdir()] == ["thesis.tex"]
 
 
-def test_a_damaged_manifest_is_made_anew(undisturbed: Path, tmp_path: Path) -> None:
+def test_a_missing_manifest_is_made_again_and_a_damaged_one_is_an_error(
+    undisturbed: Path, tmp_path: Path
+) -> None:
     folder = shutil.copytree(undisturbed, tmp_path / "copy")
     (folder / MANIFEST_FILE).unlink()
     assert generate_many(PLAN, folder).made == 0
@@ -219,7 +223,7 @@ def test_a_damaged_manifest_is_made_anew(undisturbed: Path, tmp_path: Path) -> N
 def test_the_clock_does_not_matter(
     undisturbed: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """An hour back in the middle of the run: nothing waits, and nothing of the time is in the files."""
+    """The clock is set back by an hour during the run: no waiting, and no times in the files."""
     real = time.time
 
     def back(_: dict[str, Any]) -> None:
@@ -231,7 +235,7 @@ def test_the_clock_does_not_matter(
 
 
 def mounted(script: str, folder: Path) -> subprocess.CompletedProcess[str]:
-    """Run a script that may mount what it likes at a folder, where the system lets us; else skip."""
+    """Run a script that may mount file systems at a folder; skip if the system does not allow it."""
     if not sys.platform.startswith("linux") or shutil.which("unshare") is None:
         pytest.skip("needs Linux's namespaces")
     inside = ["unshare", "--map-root-user", "--mount", "sh", "-c"]
@@ -242,7 +246,7 @@ def mounted(script: str, folder: Path) -> subprocess.CompletedProcess[str]:
     return subprocess.run([*inside, script], capture_output=True, text=True, check=False)
 
 
-def test_a_full_disk_ends_the_run_and_a_freed_one_lets_it_go_on(undisturbed: Path, tmp_path: Path) -> None:
+def test_a_run_ends_at_a_full_disk_and_continues_later(undisturbed: Path, tmp_path: Path) -> None:
     disk, copy = tmp_path / "disk", tmp_path / "copy"
     disk.mkdir()
     run = " ".join(command(disk / "set"))
@@ -251,8 +255,8 @@ def test_a_full_disk_ends_the_run_and_a_freed_one_lets_it_go_on(undisturbed: Pat
         f"mount -o remount,size=200m {disk} && {run} && cp -a {disk}/set {copy}",
         disk,
     )
-    told = "No space left on device; finished work stays, and the same command continues the run\n"
-    assert f"error: an asset cannot be written: {told}" in done.stderr
+    message = "No space left on device; finished work stays, and the same command continues the run\n"
+    assert f"error: an asset cannot be written: {message}" in done.stderr
     assert "code 2\n" in done.stdout
     assert done.returncode == 0, done.stderr
     assert digests(copy) == digests(undisturbed)

@@ -1,4 +1,4 @@
-"""Streams: the same assets again, shared among the workers of a loader."""
+"""Streams: reproducible assets, divided among the workers of a loader."""
 
 import pickle
 import sys
@@ -16,7 +16,7 @@ def names(stream: Stream, count: int) -> list[str]:
     return [asset.name for asset in islice(stream, count)]
 
 
-def test_categories_take_turns_and_begin_anew() -> None:
+def test_categories_alternate_and_each_iteration_begins_again() -> None:
     stream = artgen.stream(["drawer", "cabinet"], seed=3, certify=False)
     assert names(stream, 3) == ["drawer_3", "cabinet_3", "drawer_4"]
     again = pickle.loads(pickle.dumps(stream))  # noqa: S301 - our own
@@ -29,7 +29,7 @@ def test_distributions_are_drawn_from() -> None:
 
 
 def test_workers_of_a_loader_share_the_seeds(monkeypatch: pytest.MonkeyPatch) -> None:
-    """As in each worker of PyTorch, which is not among what tests need."""
+    """As in each worker of PyTorch, which the tests do not need."""
     torch = {name: ModuleType(name) for name in ("torch", "torch.utils", "torch.utils.data")}
     for name, module in torch.items():
         monkeypatch.setitem(sys.modules, name, module)
@@ -42,7 +42,7 @@ def test_workers_of_a_loader_share_the_seeds(monkeypatch: pytest.MonkeyPatch) ->
     assert found == [["drawer_0", "drawer_2"], ["drawer_1", "drawer_3"]]
 
 
-def test_what_is_infeasible_is_left_out(
+def test_infeasible_assets_are_omitted(
     monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
     drawer = artgen.catalog.find("drawer")
@@ -59,7 +59,7 @@ def test_what_is_infeasible_is_left_out(
 
 
 @pytest.mark.parametrize(
-    ("options", "told"),
+    ("options", "message"),
     [
         ({"categories": "drawr"}, "there is no category 'drawr'"),
         ({"categories": ()}, "a stream needs at least one category"),
@@ -67,6 +67,6 @@ def test_what_is_infeasible_is_left_out(
         ({"categories": "drawer", "widht": 1.0}, "Did you mean 'width'"),
     ],
 )
-def test_mistakes_are_told_before_the_first_asset(options: dict[str, object], told: str) -> None:
-    with pytest.raises(ParameterError, match=told):
+def test_mistakes_are_errors_before_the_first_asset(options: dict[str, object], message: str) -> None:
+    with pytest.raises(ParameterError, match=message):
         artgen.stream(**options)  # type: ignore[arg-type]

@@ -1,4 +1,4 @@
-"""Datasets at URLs: the same bytes as in a folder, and nothing that a store of objects cannot do."""
+"""Datasets at URLs: the same bytes as in a folder, with the operations of object stores only."""
 
 import pickle
 import shutil
@@ -33,7 +33,7 @@ def command(url: str) -> list[str]:
 
 @pytest.fixture(scope="module")
 def undisturbed(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
-    """What lies in a folder with maps of its own for each asset, but for the lock, which disks keep."""
+    """Digests of a folder with embedded maps, without the lock, which remains on disks."""
     folder = tmp_path_factory.mktemp("dataset")
     generate_many(replace(PLAN, textures="embedded"), folder, jobs=1)
     found = digests(folder)
@@ -53,7 +53,7 @@ def test_the_same_bytes_as_in_a_folder(undisturbed: dict[str, str], filled: Path
     assert generate_many(PLAN, f"bucket://{filled}").existing == 4
 
 
-def test_a_killed_run_goes_on(undisturbed: dict[str, str], bucket: Path) -> None:
+def test_a_killed_run_continues(undisturbed: dict[str, str], bucket: Path) -> None:
     folder = bucket / "killed"
     run = subprocess.Popen(
         command(f"bucket://{folder}"), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
@@ -66,13 +66,13 @@ def test_a_killed_run_goes_on(undisturbed: dict[str, str], bucket: Path) -> None
     run.send_signal(signal.SIGKILL)
     run.wait()
     again = subprocess.run(command(f"bucket://{folder}"), check=False, capture_output=True, text=True)
-    told = (
+    message = (
         f"; wait until it is done, or choose another place; if it was killed, remove bucket://{folder}/.lock "
         "and run the same command again\n"
     )
     assert again.returncode == 2
     assert again.stderr.startswith(f"error: another run (process {run.pid} on ")
-    assert again.stderr.endswith(told)
+    assert again.stderr.endswith(message)
     (folder / LOCK_FILE).unlink()
     done = subprocess.run(command(f"bucket://{folder}"), check=True, capture_output=True, text=True)
     assert " were there: bucket://" in done.stdout
@@ -96,18 +96,18 @@ def test_a_damaged_record_is_named(filled: Path, bucket: Path) -> None:
     folder = shutil.copytree(filled, bucket / "damaged")
     (folder / MANIFEST_FILE).unlink()
     (folder / "drawer/drawer_1/asset.json").write_text('{"name": "dra')
-    told = r"drawer_1/asset\.json is damaged: .*; remove bucket://.*/drawer/drawer_1, and the same command"
-    with pytest.raises(ExportError, match=told):
+    message = r"drawer_1/asset\.json is damaged: .*; remove bucket://.*/drawer/drawer_1, and the same command"
+    with pytest.raises(ExportError, match=message):
         generate_many(PLAN, f"bucket://{folder}")
     assert not (folder / LOCK_FILE).exists()
 
 
-def test_a_store_with_folders_gets_them(undisturbed: dict[str, str], tmp_path: Path) -> None:
+def test_folders_are_created_in_stores_with_folders(undisturbed: dict[str, str], tmp_path: Path) -> None:
     generate_many(PLAN, f"local://{tmp_path}/set", jobs=1)
     assert digests(tmp_path / "set") == undisturbed
 
 
-def test_the_manifest_is_written_from_time_to_time(bucket: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_manifest_is_written_at_intervals(bucket: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(places, "_INTERVAL", 0.05)
     store = Store(f"bucket://{bucket}/lines")
     store.write("lines", b"first\n")
@@ -131,7 +131,7 @@ def test_two_runs_do_not_write_to_one_url(bucket: Path) -> None:
     assert not (bucket / "held" / LOCK_FILE).exists()
 
 
-def test_a_store_that_overwrites_tells_the_first_of_two_runs(
+def test_the_first_of_two_runs_fails_in_a_store_that_overwrites(
     bucket: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Without exclusive creation, the last owner to write is the owner."""
@@ -147,7 +147,7 @@ def test_a_store_that_overwrites_tells_the_first_of_two_runs(
     assert (bucket / "raced" / LOCK_FILE).exists()
 
 
-def test_what_a_url_cannot_hold_is_refused(bucket: Path) -> None:
+def test_unsuitable_urls_are_errors(bucket: Path) -> None:
     with pytest.raises(
         ExportError, match=r"by links, and bucket:.* has no links; choose the textures 'embedd"
     ):
@@ -162,13 +162,13 @@ def test_what_a_url_cannot_hold_is_refused(bucket: Path) -> None:
 
 
 def test_a_store_of_one_process_is_refused() -> None:
-    told = r"process \d+ on .* does not see memory://set; choose a folder or URL that all processes share"
-    with pytest.raises(ExportError, match=told):
+    message = r"process \d+ on .* does not see memory://set; choose a folder or URL that all processes share"
+    with pytest.raises(ExportError, match=message):
         generate_many(replace(PLAN, count=1, textures="none"), "memory://set", jobs=1)
 
 
 @pytest.mark.parametrize(
-    ("url", "told"),
+    ("url", "message"),
     [
         ("what://set", "what://set cannot be opened: Protocol not known: what"),
         (
@@ -177,8 +177,8 @@ def test_a_store_of_one_process_is_refused() -> None:
         ),
     ],
 )
-def test_urls_that_nothing_knows(url: str, told: str) -> None:
-    with pytest.raises(ExportError, match=told):
+def test_unknown_urls_are_errors(url: str, message: str) -> None:
+    with pytest.raises(ExportError, match=message):
         generate_many(PLAN, url)
 
 
@@ -188,7 +188,7 @@ def test_the_url_of_a_file_is_a_folder(tmp_path: Path) -> None:
     assert place_of(folder.as_uri()).links
 
 
-def test_without_fsspec_it_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_missing_fsspec_is_an_error(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "fsspec.core", None)
     with pytest.raises(ExportError, match=r"s3://x needs fsspec: pip install 'artgen\[url\]'"):
         place_of("s3://x")
@@ -207,7 +207,7 @@ def test_datasets_are_read_from_urls(filled: Path) -> None:
     assert surface.vertices.tobytes() == here[0].links[0].surfaces[0].mesh.vertices.tobytes()
 
 
-def test_an_asset_that_is_gone_is_named(filled: Path, bucket: Path) -> None:
+def test_a_removed_asset_is_an_error(filled: Path, bucket: Path) -> None:
     found = Dataset(f"bucket://{shutil.copytree(filled, bucket / 'gone')}")
     shutil.rmtree(bucket / "gone/cabinet/cabinet_0")
     with pytest.raises(
@@ -221,7 +221,7 @@ def test_what_is_no_dataset_is_refused(bucket: Path) -> None:
         Dataset(f"bucket://{bucket}/nothing")
 
 
-def test_one_asset_is_for_a_disk(artgen_command) -> None:  # type: ignore[no-untyped-def]
+def test_a_single_asset_needs_a_disk(artgen_command) -> None:  # type: ignore[no-untyped-def]
     done = artgen_command("generate", "drawer", "--out", "s3://bucket/drawer")
     assert done.code == 2
     assert "one asset is written to a directory, not to s3://bucket/drawer; say with -n how many" in done.err

@@ -1,4 +1,4 @@
-"""Tasks in processes: what raises, hangs or dies is told, and the others go on."""
+"""Tasks in processes: exceptions, time limits and ended processes do not stop the others."""
 
 import os
 import time
@@ -36,7 +36,7 @@ def test_every_item_has_an_ending() -> None:
     assert endings[3].message == "it took more than 3 s"
 
 
-def test_nothing_to_do_starts_nothing() -> None:
+def test_no_items_start_no_process() -> None:
     assert list(run_tasks(double, [], jobs=2, limit=1.0)) == []
 
 
@@ -73,7 +73,7 @@ def failing(times: int) -> Callable[..., Iterator[Ending]]:
 
 
 @pytest.mark.parametrize(("times", "state"), [(2, "done"), (3, "crashed")])
-def test_a_job_tries_again_where_a_process_ended(times: int, state: str) -> None:
+def test_a_job_tries_again_after_the_end_of_a_process(times: int, state: str) -> None:
     job = Doubling()
     found = {
         each.item: each for each in run_job(double, job.left(), job.add, failing(times), limit=1.0, tries=3)
@@ -83,7 +83,7 @@ def test_a_job_tries_again_where_a_process_ended(times: int, state: str) -> None
     assert found[2].reason == "ValueError: two is refused"
 
 
-def test_an_interrupted_job_keeps_its_records_and_does_the_rest() -> None:
+def test_an_interrupted_job_continues_with_the_remaining_items() -> None:
     job = Doubling()
     for ending in run_job(double, job.left(), job.add, failing(0), limit=1.0):
         if ending.item == 1:

@@ -1,4 +1,4 @@
-"""Demonstrations lie in the file as robomimic reads them."""
+"""The file of demonstrations has the layout of robomimic."""
 
 import json
 
@@ -58,7 +58,7 @@ def test_the_same_demonstrations_give_the_same_bytes(tmp_path):
     assert first.read_bytes() == second.read_bytes()
 
 
-def test_a_file_tells_whose_it_is(tmp_path):
+def test_only_files_with_demonstrations_are_replaceable(tmp_path):
     assert is_replaceable(written(tmp_path / "ours.hdf5", [demo(1)]))
     (tmp_path / "text.hdf5").write_text("notes")
     with h5py.File(tmp_path / "other.hdf5", "w") as file:

@@ -1,4 +1,4 @@
-"""Demonstrations are made of successes, in the order of their seeds, complete or not at all."""
+"""Demonstrations are successful attempts in the order of their seeds; the file is complete or absent."""
 
 import itertools
 import json
@@ -49,7 +49,7 @@ def test_a_demonstration_ends_in_success_and_repeats_with_its_seed():
         np.testing.assert_array_equal(getattr(first, key), getattr(again, key))
 
 
-def test_noise_disturbs_the_arm_and_not_what_is_wanted_and_what_was_done_can_be_played_back():
+def test_noise_disturbs_the_applied_actions_which_can_be_replayed():
     demo = record("OpenDrawer", 3, noise=0.1)
     moved = (demo.applied - demo.actions)[:, :6]
     assert 0.03 < moved.std() < 0.15
@@ -65,10 +65,10 @@ def test_noise_disturbs_the_arm_and_not_what_is_wanted_and_what_was_done_can_be_
     env.close()
 
 
-def test_the_file_holds_what_each_seed_gives_whichever_process_made_it(tmp_path):
-    told = []
-    done = make_demos("OpenDrawer", 2, tmp_path / "demos", jobs=2, progress=told.append)
-    assert (done.demos, told.count(True), told.count(False)) == (2, 2, len(done.failed))
+def test_the_file_depends_on_the_seeds_and_not_on_the_processes(tmp_path):
+    results = []
+    done = make_demos("OpenDrawer", 2, tmp_path / "demos", jobs=2, progress=results.append)
+    assert (done.demos, results.count(True), results.count(False)) == (2, 2, len(done.failed))
     with h5py.File(done.file, "r") as file:
         data = file["data"]
         assert json.loads(data.attrs["env_args"])["env_name"] == "artgen/OpenDrawer-v0"
@@ -81,7 +81,7 @@ def test_the_file_holds_what_each_seed_gives_whichever_process_made_it(tmp_path)
             np.testing.assert_array_equal(data[name]["states"][:], again.states)
 
 
-def test_an_interrupted_run_goes_on_and_writes_the_same(tmp_path):
+def test_an_interrupted_run_continues_and_writes_the_same_bytes(tmp_path):
     whole = make_demos("OpenDrawer", 3, tmp_path / "whole", jobs=2).file
 
     def stop(succeeded):
@@ -105,7 +105,7 @@ def test_an_interrupted_run_goes_on_and_writes_the_same(tmp_path):
     assert [path.name for path in folder.iterdir() if path.name != ".lock"] == ["demo.hdf5"]
 
 
-def test_what_another_plan_has_made_is_not_taken(tmp_path):
+def test_attempts_of_another_plan_are_not_used(tmp_path):
     ending = Ending(3, "done", record("OpenDrawer", 3))
     failed = [Ending(4, "failed", message="no such thing"), Ending(5, "crashed", message="code -9")]
 
@@ -139,7 +139,7 @@ def test_what_another_plan_has_made_is_not_taken(tmp_path):
         ({"image": 5000}, ParameterError, "the size of an image is 5000; it can be 0 to 4096"),
     ],
 )
-def test_bad_use_is_one_clear_error_and_leaves_nothing(wrong, error, message, tmp_path):
+def test_wrong_arguments_are_one_error_and_write_nothing(wrong, error, message, tmp_path):
     with pytest.raises(error, match=message):
         make_demos(**{"task": "OpenDrawer", "count": 1, "out": tmp_path / "new", **wrong})
     assert not (tmp_path / "new").exists()
@@ -150,8 +150,8 @@ def test_too_many_failures_leave_nothing(tmp_path, monkeypatch):
         return (Ending(item, "failed", message="Traceback\nEnvError: no drawer") for item in items)
 
     monkeypatch.setattr("artgen.demos.run.run_tasks", fail)
-    told = "succeeded in 0 of 12 attempts, too few for 1 demonstrations; nothing .*: EnvError: no drawer"
-    with pytest.raises(CheckError, match=told):
+    message = "succeeded in 0 of 12 attempts, too few for 1 demonstrations; nothing .*: EnvError: no drawer"
+    with pytest.raises(CheckError, match=message):
         make_demos("OpenDrawer", 1, tmp_path)
     assert [path.name for path in tmp_path.iterdir()] == [".lock"]
 
@@ -162,14 +162,14 @@ def test_two_runs_do_not_write_to_one_folder(tmp_path):
     assert [path.name for path in tmp_path.iterdir()] == [".lock"]
 
 
-def test_what_is_not_artgens_stays(tmp_path):
+def test_a_file_of_another_program_stays(tmp_path):
     (tmp_path / "demo.hdf5").write_text("mine")
     with pytest.raises(ExportError, match="holds no demonstrations of artgen; choose another directory"):
         make_demos("OpenDrawer", 1, tmp_path)
     assert (tmp_path / "demo.hdf5").read_text() == "mine"
 
 
-def test_a_wrong_task_is_one_line_of_the_command(tmp_path):
+def test_the_command_reports_a_wrong_task_in_one_line(tmp_path):
     done = subprocess.run(
         [sys.executable, "-m", "artgen", "demos", "OpenDoors", "--out", str(tmp_path / "new")],
         capture_output=True,

@@ -1,4 +1,4 @@
-"""Environments: Gymnasium's own check, seeds that reproduce, episodes that end as they should."""
+"""Environments: the check of Gymnasium, reproducible seeds, and ends of episodes."""
 
 import subprocess
 import sys
@@ -23,14 +23,14 @@ def made(**options):
 
 
 def rolled(env, seed, steps=15):
-    """Return all that an environment tells in an episode of random actions."""
+    """Return all observations and rewards of an episode with random actions."""
     observation, info = env.reset(seed=seed)
     rng = np.random.default_rng(seed)
-    told = [observation]
+    seen = [observation]
     for _ in range(steps):
         observation, reward, *_ = env.step(rng.uniform(-1.0, 1.0, 7).astype(np.float32))
-        told += [observation, [reward]]
-    return info["seed"], np.concatenate(told)
+        seen += [observation, [reward]]
+    return info["seed"], np.concatenate(seen)
 
 
 def test_every_task_is_registered():
@@ -41,11 +41,11 @@ def test_every_task_is_registered():
 
 
 @pytest.mark.filterwarnings("ignore::UserWarning")  # that no environment of the registry was checked
-def test_gymnasium_finds_nothing_amiss():
+def test_the_environment_passes_the_checks_of_gymnasium():
     check_env(made(), skip_render_check=True)
 
 
-def test_a_seed_gives_the_same_episode_whatever_came_before():
+def test_a_seed_gives_the_same_episode_after_any_history():
     env, other = made(), made(cache_size=1)
     name, first = rolled(env, 7)
     for seed in (1, 2, 3):  # so that other assets are made, and of one environment each model anew
@@ -71,7 +71,7 @@ def test_resets_draw_other_assets_and_postures():
     assert len(np.unique(np.round(postures, 6), axis=0)) == 12
 
 
-def test_assets_come_in_turn_or_by_number():
+def test_assets_are_taken_in_order_or_by_number():
     env = made(shuffle=False, assets=range(10, 13))
     assert [env.reset()[1]["seed"] for _ in range(4)] == [10, 11, 12, 10]
     assert [env.reset(seed=1)[1]["seed"], env.reset()[1]["seed"]] == [11, 12]
@@ -109,7 +109,7 @@ def test_time_runs_out_without_success():
     assert [truncated for _, truncated in ended] == [False] * 79 + [True]
 
 
-def test_an_episode_may_go_on_after_success():
+def test_an_episode_can_continue_after_success():
     env = made(terminate_on_success=False)
     env.reset(seed=0)
     rewards = []
@@ -138,7 +138,7 @@ def test_stages_are_reached_in_their_order():
     assert not terminated
 
 
-def test_the_state_tells_the_way_to_the_handle():
+def test_the_state_contains_the_vector_to_the_handle():
     env = made()
     env.reset(seed=0)
     state = env.state()
@@ -172,7 +172,7 @@ def test_pictures_are_observed(gl):
     assert env.observation_space.contains(observation)
     front, hand = observation["rgb"], observation["hand_rgb"]
     for picture in (front, hand):
-        assert picture.std() > 10.0, "something is seen"
+        assert picture.std() > 10.0, "the picture is not uniform"
     for _ in range(8):
         observation, *_ = env.step(np.array([0, 0, 1, 0, 0, 0, 0], np.float32))
     assert np.abs(observation["rgb"].astype(int) - front).max() > 50, "the arm has moved"
@@ -230,7 +230,7 @@ def test_bad_calls_are_one_clear_error():
         env.picture()
 
 
-def test_assets_that_lack_the_part_are_passed_over():
+def test_assets_without_the_part_are_skipped():
     good = PULL.generate(0)
     bare = replace(good, name="bare", links=tuple(replace(link, grasps=()) for link in good.links))
     env = made(assets=[bare, good], shuffle=False)

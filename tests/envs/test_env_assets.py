@@ -1,4 +1,4 @@
-"""Where the assets of a task come from: folders, lists, seeds; and what is said if they do not fit."""
+"""Sources of the assets of a task: folders, lists, seeds; and errors for unsuitable ones."""
 
 import numpy as np
 import pytest
@@ -18,14 +18,14 @@ def folder(tmp_path_factory):
     return place
 
 
-def test_of_a_folder_those_of_the_category_are_taken(folder):
+def test_the_assets_of_the_category_are_used_from_a_folder(folder):
     for source in (folder, str(folder), Dataset(folder)):
         assets = Assets(PULL, source)
         assert list(assets.keys) == [0, 1]
         assert [assets.load(key).category for key in assets.keys] == ["drawer", "drawer"]
 
 
-def test_a_range_is_of_seeds():
+def test_a_range_contains_seeds():
     assets = Assets(PULL, range(4, 10, 2))
     assert assets.load(6).seed == 6
     assert {assets.draw(np.random.default_rng(number)) for number in range(50)} == {4, 6, 8}
@@ -33,19 +33,19 @@ def test_a_range_is_of_seeds():
         assets.load(5)
 
 
-def test_without_assets_every_seed_may_be_drawn():
+def test_without_assets_any_seed_can_be_drawn():
     assets = Assets(PULL)
     rng = np.random.default_rng(0)
     assert len({assets.draw(rng) for _ in range(50)}) == 50
     assert assets.load(1_234_567).seed == 1_234_567
 
 
-def test_listed_assets_are_taken_as_they_are():
+def test_listed_assets_are_used_unchanged():
     asset = PULL.generate(3)
     assert Assets(PULL, [asset]).load(0) is asset
 
 
-def test_equal_assets_are_made_ready_once():
+def test_equal_assets_have_one_cache_entry():
     first, second = Assets(PULL, range(5)), Assets(PULL, range(3, 9))
     assert first.identity(3) == second.identity(3)
     asset, other = PULL.generate(3), PULL.generate(3)
@@ -83,6 +83,6 @@ def test_assets_of_another_category_are_refused():
 
 
 @pytest.mark.parametrize("source", [[7], ["drawer_0"], 7])
-def test_what_is_no_asset_is_refused(source):
+def test_other_values_than_assets_are_errors(source):
     with pytest.raises(EnvError, match="give a folder, assets, a range of seeds, or None"):
         Assets(PULL, source)

@@ -1,4 +1,4 @@
-"""The arm: robosuite's law of control, and hands that go where they are told to."""
+"""The arm: robosuite's law of control, and hands that go where they are message to."""
 
 import logging
 import os
@@ -44,7 +44,7 @@ def at_home(arm, speeds=None):
 
 
 def theirs(model, data):
-    """Return robosuite's own controller; it reads the state by calls that MuJoCo 4 knows no more."""
+    """Return the controller of robosuite; its way to read the state is adapted to MuJoCo 4."""
     logging.disable(logging.WARNING)
     try:
         with warnings.catch_warnings():
@@ -129,7 +129,7 @@ def go(arm, control, action, steps):
             mujoco.mj_forward(model, data)
 
 
-def test_the_arm_stays_where_it_is_without_an_action(arm):
+def test_the_arm_does_not_move_without_an_action(arm):
     control = at_home(arm)
     before = arm[1].site_xpos[control.tip].copy()
     go(arm, control, np.zeros(6), 40)
@@ -138,7 +138,7 @@ def test_the_arm_stays_where_it_is_without_an_action(arm):
 
 
 @pytest.mark.parametrize("axis", [0, 1, 2])
-def test_the_tip_goes_along_the_axes_of_the_world(arm, axis):
+def test_the_tip_moves_along_the_axes_of_the_world(arm, axis):
     control = at_home(arm)
     before = arm[1].site_xpos[control.tip].copy()
     go(arm, control, np.eye(6)[axis], 10)
@@ -158,7 +158,7 @@ def test_the_tip_turns_about_the_axes_of_the_world(arm, axis):
     np.testing.assert_allclose(turn, rotation(np.eye(3)[axis], angle), atol=0.08)
 
 
-def test_the_parts_of_the_arm_leave_each_other_alone(arm):
+def test_the_parts_of_the_arm_do_not_collide_with_each_other(arm):
     model, data = arm
     at_home(arm)
     data.qpos[:7] = [0.0, -1.7, 0.0, -3.0, 0.0, 0.0, 0.0]  # folded into itself

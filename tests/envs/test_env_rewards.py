@@ -1,4 +1,4 @@
-"""Rewards: success is worth more than anything before it, and going on never costs."""
+"""Rewards: success is worth more than all earlier rewards, and progress never costs."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""The scene: the asset as it is exported, a robot that stands where it should, and who may touch whom."""
+"""The scene: the exported asset, the place of the robot, and the allowed contacts."""
 
 import mujoco
 import numpy as np
@@ -15,7 +15,7 @@ STILL = np.zeros(7)
 
 
 def aside(asset, joint, at=(0.0, -2.0, 0.0), start=None):
-    """Return a task about a joint, with a robot that stands too far away to touch anything."""
+    """Return a target for a joint, with a robot too far away to touch anything."""
     frame = np.eye(4)
     base = np.eye(4)
     base[:3, 3] = at
@@ -63,7 +63,7 @@ def test_the_asset_is_the_one_that_is_exported(drawer, scene, tmp_path):
             np.testing.assert_allclose(getattr(ours, name), getattr(theirs, name), atol=1e-11, err_msg=name)
 
 
-def test_what_is_seen_changes_nothing(drawer, scene):
+def test_visual_surfaces_do_not_change_the_physics(drawer, scene):
     seen = TaskScene(drawer, compiled(drawer, visual=True))
     assert seen.model.ngeom > scene.model.ngeom
     assert seen.model.nmesh > scene.model.nmesh
@@ -85,7 +85,7 @@ def test_an_action_takes_a_twentieth_of_a_second(drawer, scene):
 
 
 @pytest.mark.parametrize("height", [0.4, 0.0, -0.3])
-def test_the_robot_stands_on_the_floor_where_the_task_says(drawer, scene, height):
+def test_the_robot_is_on_the_floor_at_the_place_of_the_task(drawer, scene, height):
     target = aside(drawer, drawer.joints[0].name, (0.3, -2.0, height))
     scene.place(target, HOME)
     model, data = scene.model, scene.data
@@ -96,7 +96,7 @@ def test_the_robot_stands_on_the_floor_where_the_task_says(drawer, scene, height
     low = data.geom("robot_pedestal").xpos[2] - pedestal.size[2]
     assert low == pytest.approx(floor, abs=0.03)
     np.testing.assert_allclose(data.qpos[scene.control.at], HOME)
-    assert not data.ncon, "a robot and furniture that stand there touch nothing"
+    assert not data.ncon, "robot and furniture touch nothing"
 
 
 def test_the_arm_begins_within_its_limits(drawer, scene):
@@ -104,12 +104,12 @@ def test_the_arm_begins_within_its_limits(drawer, scene):
     np.testing.assert_array_equal(scene.data.qpos[scene.control.at], LIMITS[:, 1])
 
 
-def test_links_and_joints_are_where_the_asset_says(door):
+def test_links_and_joints_agree_with_the_asset(door):
     asset = door.asset
     q = {"lever": 0.6, "hinge": 0.9}
     door.place(aside(asset, "hinge", start=q), HOME)
     assert {name: door.q(name) for name in q} == q
-    assert door.q("bolt_slide") == pytest.approx(0.019 * 0.6), "what follows is set with its leader"
+    assert door.q("bolt_slide") == pytest.approx(0.019 * 0.6), "followers are set with their leader"
     for link, pose in asset.pose(q).items():
         np.testing.assert_allclose(door.pose(link), pose, atol=1e-9, err_msg=link)
     point, step = np.array([0.7, 0.1, 1.0]), 1e-6
@@ -121,11 +121,11 @@ def test_links_and_joints_are_where_the_asset_says(door):
     np.testing.assert_allclose(door.motion("hinge", point), (moved[1] - moved[0])[:3] / step, atol=1e-5)
 
 
-def test_only_what_holds_a_dependency_may_touch(door):
+def test_only_links_that_hold_a_dependency_can_touch(door):
     free = {frozenset(pair) for pair in apart(door.asset)}
     assert frozenset(("frame", "bolt")) not in free, "the bolt holds the leaf"
     assert {frozenset(("frame", "leaf")), frozenset(("leaf", "handle")), frozenset(("leaf", "bolt"))} <= free
-    assert len(apart(bearing_door(rule=False))) == 6, "without a rule, nothing has to be held"
+    assert len(apart(bearing_door(rule=False))) == 6, "without a dependency, all links are excluded"
 
 
 @pytest.mark.parametrize(("lever", "opens"), [(0.0, False), (0.3, False), (0.8, True)])

@@ -1,4 +1,4 @@
-"""Tasks: what they ask of an asset, and that a Panda reaches all of it."""
+"""Tasks: their parts on assets, and reachability for a Panda."""
 
 import numpy as np
 import pytest
@@ -26,7 +26,7 @@ def assets():
 
 
 @pytest.mark.parametrize("name", TASKS)
-def test_every_task_finds_what_it_is_about_on_its_assets(name, assets):
+def test_every_task_finds_its_parts_on_its_assets(name, assets):
     task, asset = TASKS[name], assets(name)
     stages = next(iter(task.choose(asset, np.random.default_rng(0))))
     assert asset.category == task.category
@@ -41,7 +41,9 @@ def test_every_task_finds_what_it_is_about_on_its_assets(name, assets):
         assert stage.affordance in asset.affordances
         assert stage.joint in stage.affordance.joints
         q[stage.joint] = stage.goal
-    assert not asset.blocked({name: q[name] for name in free}), "the goals of the stages fit together"
+    assert not asset.blocked({name: q[name] for name in free}), (
+        "the goals of all stages are possible together"
+    )
 
 
 def test_the_lever_of_a_door_is_turned_until_the_latch_is_free(assets):
@@ -54,21 +56,21 @@ def test_the_lever_of_a_door_is_turned_until_the_latch_is_free(assets):
 
 
 @pytest.mark.parametrize("name", ["OpenDrawer", "OpenTrashcan", "OpenMicrowave"])
-def test_the_robot_begins_where_its_hand_is_said_to_be_and_looks_at_what_it_takes(name, assets):
+def test_the_robot_begins_at_the_pose_of_its_hand_in_front_of_the_contact(name, assets):
     asset = assets(name)
     target = TASKS[name].target(asset, np.random.default_rng(1))
     assert (target.arm > LIMITS[:, 0]).all()
     assert (target.arm < LIMITS[:, 1]).all()
     assert np.allclose(target.base @ frames(target.arm[None])[0, 7], target.hand, atol=1e-9)
-    assert np.allclose(target.base[2, :3], [0, 0, 1]), "it stands upright"
-    assert (target.base[2, 3] < 0.0) == TASKS[name].raised, "and lower than a table"
+    assert np.allclose(target.base[2, :3], [0, 0, 1]), "the base is upright"
+    assert (target.base[2, 3] < 0.0) == TASKS[name].raised, "the base is below the table"
     contact = target.moves[0].contact
     begin = lifted(contact.frame, -contact.back)
     assert np.linalg.norm(target.hand[:3, 3] - begin[:3, 3]) < 0.15
     assert target.hand[:3, 2] @ contact.frame[:3, 2] > 0.99
     low, high = asset.bounds()[:, :2]
     there = target.base[:2, 3]
-    assert ((there < low) | (there > high)).any(), "it stands beside the asset"
+    assert ((there < low) | (there > high)).any(), "the base is next to the asset"
 
 
 def test_the_same_draw_gives_the_same_target(assets):
@@ -86,14 +88,14 @@ def test_a_push_is_made_with_the_ends_of_the_fingers(assets):
     assert np.allclose(ends, stage.affordance.frame)
 
 
-def test_an_asset_without_the_part_is_refused_with_what_it_has(assets):
+def test_the_error_for_a_missing_part_lists_the_existing_ones(assets):
     with pytest.raises(EnvError, match=r"'drawer_4' of category 'drawer' has no pedal that a hand can push"):
         TASKS["OpenTrashcan"].target(assets("OpenDrawer"), np.random.default_rng(0))
     with pytest.raises(EnvError, match=r"it has these grasps and pushes: drawer_handle_grasp_0"):
         found(assets("OpenDrawer"), "pedal", "push", "revolute")
 
 
-def test_a_lever_without_a_door_is_nothing_to_push():
+def test_a_lever_without_a_door_is_an_error():
     lever = artgen.generate("handle", 0, certify=False)
     with pytest.raises(
         EnvError, match=r"has nothing for PushDoor: Turn the lever .* Take assets that the task"
@@ -101,7 +103,7 @@ def test_a_lever_without_a_door_is_nothing_to_push():
         TASKS["PushDoor"].target(lever, np.random.default_rng(0))
 
 
-def test_progress_and_goal_of_a_stage_that_goes_down(assets):
+def test_progress_and_goal_of_a_stage_towards_smaller_positions(assets):
     affordance = assets("OpenDrawer").affordances[0]
     stage = Stage("slide", 0.4, 0.1, affordance)
     assert [stage.progress(q) for q in (0.5, 0.4, 0.25, 0.1, 0.0)] == pytest.approx([0, 0, 0.5, 1, 1])

@@ -1,4 +1,4 @@
-"""The scripted policy does its tasks, chance does not, and a door stays shut until its lever is turned."""
+"""The scripted policy succeeds, a random one fails, and a door is shut until its lever is turned."""
 
 from dataclasses import replace
 
@@ -18,7 +18,7 @@ def played(env, act):
             return info
 
 
-def test_the_scripted_policy_succeeds_where_chance_does_not():
+def test_the_scripted_policy_succeeds_and_a_random_one_fails():
     env = ManipulationEnv("OpenDrawer", range(SEED, SEED + 1))
     env.reset(seed=0)
     policy = ScriptedPolicy(env)
@@ -27,7 +27,7 @@ def test_the_scripted_policy_succeeds_where_chance_does_not():
     rng = np.random.default_rng(0)
     assert not played(env, lambda: rng.uniform(-1.0, 1.0, 7))["success"]
     env.reset(seed=1)
-    assert played(env, policy.action)["success"], "it begins anew with the episode"
+    assert played(env, policy.action)["success"], "it begins again with the episode"
     env.close()
 
 
@@ -40,7 +40,7 @@ def test_the_policy_turns_a_lever_and_keeps_it_while_it_pushes_the_door():
     env.close()
 
 
-def test_the_policy_lets_go_and_says_when_it_is_done():
+def test_the_policy_releases_the_handle_and_reports_its_end():
     env = ManipulationEnv("OpenDrawer", range(SEED, SEED + 1), terminate_on_success=False)
     env.reset(seed=0)
     policy = ScriptedPolicy(env)

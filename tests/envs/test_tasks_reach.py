@@ -1,4 +1,4 @@
-"""What decides where a robot stands: kinematics of the arm, and what it would strike."""
+"""Placing of the robot: kinematics of the arm, and collisions."""
 
 from itertools import pairwise
 
@@ -35,7 +35,7 @@ def test_kinematics_are_those_of_the_model(postures):
     assert BALL_JOINTS.max() < 7
 
 
-def test_inverse_kinematics_come_to_poses_near_by_within_the_limits(postures):
+def test_inverse_kinematics_reach_nearby_poses_within_the_limits(postures):
     rng = np.random.default_rng(0)
     tips = frames(np.clip(postures + rng.uniform(-0.2, 0.2, postures.shape), *LIMITS.T))[:, 7]
     angles, miss = reach(postures, tips, 40)
@@ -44,7 +44,7 @@ def test_inverse_kinematics_come_to_poses_near_by_within_the_limits(postures):
     assert np.allclose(frames(angles[miss < 2e-3])[:, 7, :3, 3], tips[miss < 2e-3, :3, 3], atol=2e-3)
 
 
-def test_the_way_between_poses_is_straight_and_even():
+def test_the_path_between_poses_is_straight_and_even():
     first, second = np.eye(4), np.eye(4)
     second[:3, :3] = of.rotation(np.array([0.0, 0.6, 0.8]), 2.0)
     second[:3, 3] = [0.3, 0.0, 0.0]
@@ -64,7 +64,7 @@ def test_the_vector_of_half_a_turn(axis):
 def plank():
     @artgen.generator
     def plank() -> artgen.Body:
-        """A thin plank that lies across."""
+        """A thin plank along x."""
         return artgen.part(artgen.box(1.0, 0.01, 0.2).at(z=0.1), "plank", artgen.material("oak"))
 
     return Obstacles(plank.generate(0))
@@ -92,16 +92,16 @@ def posed(x, y, z, turn=0.0):
         (posed(0.57, 0.08, 0.1, np.pi / 4), False),  # the boxes around both overlap, they do not
     ],
 )
-def test_what_a_box_strikes(plank, frame, touches):
+def test_overlap_of_a_box_with_the_asset(plank, frame, touches):
     assert plank.touch(BOX, frame, plank.asset.pose()) is touches
 
 
-def test_how_deep_points_are(plank):
+def test_depth_of_points(plank):
     points = np.array([[0.0, 0.0, 0.1], [0.0, 0.1, 0.1], [0.6, 0.0, 0.1]])
     assert plank.depth(points, plank.asset.pose()) == pytest.approx([0.005, -0.095, -0.1])
 
 
-def test_a_table_is_an_obstacle_below_what_stands_on_it(plank):
+def test_a_table_is_an_obstacle_below_the_asset(plank):
     raised = Obstacles(plank.asset, raised=True)
     below, pose = np.array([[0.0, 0.0, -0.3]]), plank.asset.pose()
     assert raised.depth(below, pose)[0] > 0.0 > plank.depth(below, pose)[0]

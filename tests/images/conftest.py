@@ -1,4 +1,4 @@
-"""A small set of images that many tests look at."""
+"""A small set of images for many tests."""
 
 from pathlib import Path
 
@@ -29,7 +29,7 @@ def image_plan() -> ImagePlan:
 
 @pytest.fixture(scope="session")
 def opengl() -> None:
-    """Skip where no pictures can be drawn."""
+    """Skip the tests if pictures cannot be drawn."""
     pytest.importorskip("mujoco", reason="needs MuJoCo: artgen[images]")
     pytest.importorskip("pycocotools", reason="needs pycocotools: artgen[images]")
     try:

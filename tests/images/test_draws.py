@@ -1,4 +1,4 @@
-"""What is drawn for a picture: poses that an asset can take, cameras that see it, parts of a split."""
+"""Random draws of pictures: possible poses, cameras that see the asset, parts of a split."""
 
 import math
 
@@ -23,7 +23,7 @@ def dishwasher() -> artgen.Asset:
     return artgen.generate("dishwasher", seed=3, certify=False)
 
 
-def test_poses_meet_what_joints_need_and_yet_racks_come_out(dishwasher: artgen.Asset) -> None:
+def test_poses_satisfy_dependencies_and_move_racks(dishwasher: artgen.Asset) -> None:
     draw = np.random.default_rng(0)
     poses = [random_positions(dishwasher, draw) for _ in range(60)]
     needing = [joint.name for joint in dishwasher.joints if joint.needs is not None]
@@ -37,7 +37,7 @@ def test_poses_meet_what_joints_need_and_yet_racks_come_out(dishwasher: artgen.A
     assert poses[0] != poses[1]
 
 
-def test_followers_go_with_their_leaders() -> None:
+def test_followers_move_with_their_leaders() -> None:
     bin_ = artgen.generate("trashcan", seed=0, certify=False, style="pedal")
     draw = np.random.default_rng(1)
     followers = [joint for joint in bin_.joints if joint.follows is not None]
@@ -50,7 +50,7 @@ def test_followers_go_with_their_leaders() -> None:
             assert positions[joint.name] == pytest.approx(law.ratio * positions[law.leader] + law.offset)
 
 
-def test_cameras_stand_above_the_horizon_and_see_everything() -> None:
+def test_cameras_are_above_the_horizon_and_see_all_points() -> None:
     points = np.random.default_rng(5).uniform((-0.4, -0.3, 0.0), (0.4, 0.3, 1.2), (500, 3))
     draw = np.random.default_rng(6)
     shares = []
@@ -77,7 +77,7 @@ def test_cameras_stand_above_the_horizon_and_see_everything() -> None:
     assert max(shares) > 0.85  # and nearer
 
 
-def test_what_is_not_random_is_plain() -> None:
+def test_parts_that_do_not_vary_are_plain() -> None:
     draw = np.random.default_rng(0)
     around = random_surroundings(("light",), draw)
     assert around == {"floor": (), "wall": ()}
@@ -100,7 +100,7 @@ def test_a_split_has_its_shares_and_a_longer_one_begins_with_it(count: int) -> N
     assert list(split_of(7, count + 13, shares).items())[:count] == list(found.items())
 
 
-def test_labels_can_be_chosen_and_put_together() -> None:
+def test_labels_can_be_chosen_and_joined() -> None:
     texts = ("handle", "door:body=door+glass", "cabinet:front=door")
     plan = ImagePlan(("door", "cabinet"), 2, labels=texts)
     found = plan.mask_names()

@@ -1,4 +1,4 @@
-"""Sets of images: what COCO says of a picture is what independent rays find in the exported asset."""
+"""Sets of images: the COCO annotations agree with independent rays against the exported asset."""
 
 import json
 import shutil
@@ -62,7 +62,7 @@ def parts_of(part: Any, image: dict[str, Any]) -> list[tuple[dict[str, Any], str
     return [(each, part.cats[each["category_id"]]["name"], part.annToMask(each) > 0) for each in found]
 
 
-def test_every_picture_is_listed_once_and_lies_there(coco, image_set: Path, image_plan: ImagePlan) -> None:
+def test_every_picture_is_listed_once_and_exists(coco, image_set: Path, image_plan: ImagePlan) -> None:
     listed = [image for _, image in images(coco)]
     assert len({image["id"] for image in listed}) == len({image["file_name"] for image in listed}) == 10
     for image in listed:
@@ -79,7 +79,7 @@ def test_no_asset_and_no_seed_is_in_two_parts(coco) -> None:
     assert set.union(*seeds.values()) == {0, 1, 2}
 
 
-def test_masks_are_of_one_part_of_one_link_and_do_not_overlap(coco, assets) -> None:
+def test_a_mask_shows_one_part_of_one_link_and_masks_do_not_overlap(coco, assets) -> None:
     for part, image in images(coco):
         found = parts_of(part, image)
         assert found
@@ -105,11 +105,11 @@ def test_a_thousand_random_pixels_agree_with_rays_against_the_export(coco, solid
         pixels = np.vstack([np.column_stack([columns[some], rows[some]]), draw.integers(192, size=(20, 2))])
         depths = image["depth_scale"] * np.array(Image.open(image_set / image["depth_file"]), float)
         rays, far = solids[image["asset"]].seen(image, pixels + 0.5)
-        for (x, y), told, depth in zip(pixels, rays, far, strict=True):
+        for (x, y), message, depth in zip(pixels, rays, far, strict=True):
             shown = [(each["link"], label) for each, label, mask in found if mask[y, x]] or [("", "")]
             checked += 1
-            if shown[0] == told:
-                assert depths[y, x] == pytest.approx(depth if told[0] else 0.0, abs=2e-4)
+            if shown[0] == message:
+                assert depths[y, x] == pytest.approx(depth if message[0] else 0.0, abs=2e-4)
                 continue
             doubtful += 1  # an edge that runs through the middle of the pixel
             around = np.array([x, y]) + 0.5 + draw.uniform(-0.05, 0.05, (32, 2))
@@ -118,7 +118,7 @@ def test_a_thousand_random_pixels_agree_with_rays_against_the_export(coco, solid
     assert doubtful <= 5
 
 
-def test_joints_are_told_in_the_coordinates_of_the_camera(coco, assets, solids) -> None:
+def test_joints_are_in_camera_coordinates(coco, assets, solids) -> None:
     moved = 0
     for part, image in images(coco):
         frames = solids[image["asset"]].urdf
@@ -151,7 +151,7 @@ def test_normals_face_the_camera(coco, image_set: Path) -> None:
         assert (away < 0.1).mean() > 0.98  # smooth normals turn away a little at outlines
 
 
-def test_the_pictures_are_the_plans_whatever_interrupted_it(
+def test_an_interrupted_set_gets_the_same_pictures(
     image_set: Path, image_plan: ImagePlan, tmp_path: Path
 ) -> None:
     folder = tmp_path / "set"
@@ -166,7 +166,7 @@ def test_the_pictures_are_the_plans_whatever_interrupted_it(
         Dataset(folder)
 
 
-def test_the_record_of_an_asset_is_beside_its_pictures(image_set: Path, assets) -> None:
+def test_the_record_of_an_asset_is_next_to_its_pictures(image_set: Path, assets) -> None:
     for name, asset in assets.items():
         data = json.loads((image_set / asset.category / name / "asset.json").read_text())
         assert data["parameters"] == json.loads(json.dumps(rounded(asset.parameters)))

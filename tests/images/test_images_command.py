@@ -1,4 +1,4 @@
-"""`artgen images`: what it prints, and what it refuses, before anything is written."""
+"""`artgen images`: errors before anything is written."""
 
 from pathlib import Path
 
@@ -9,7 +9,7 @@ from artgen.images import ImagePlan
 
 
 @pytest.mark.parametrize(
-    ("arguments", "told"),
+    ("arguments", "message"),
     [
         (("dor",), "there is no category 'dor'. Did you mean 'door'?"),
         (("door", "--labels", "handel"), "door: there is no label 'handel'. Did you mean 'handle'?"),
@@ -26,10 +26,10 @@ from artgen.images import ImagePlan
         (("door", "--assets", "0"), "Input should be greater than or equal to 1"),
     ],
 )
-def test_what_is_refused(artgen_command, arguments: tuple[str, ...], told: str) -> None:
+def test_what_is_refused(artgen_command, arguments: tuple[str, ...], message: str) -> None:
     done = artgen_command("images", *arguments, "--out", "set")
     assert done.code == 2
-    assert told in done.err
+    assert message in done.err
     assert done.err.count("\n") == 1
     assert not Path("set").exists()
 
@@ -41,14 +41,14 @@ def test_without_opengl_nothing_is_written(artgen_command, monkeypatch: pytest.M
     assert not Path("set").exists()
 
 
-def test_a_package_that_is_missing_is_named(artgen_command, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_missing_package_is_an_error(artgen_command, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(plans, "find_spec", lambda name: None if name == "pycocotools" else name)
     done = artgen_command("images", "plier", "--assets", "1", "--out", "set")
     expected = 'error: pycocotools, which encodes masks, is not installed: pip install "artgen[images]"\n'
     assert (done.code, done.err) == (2, expected)
 
 
-def test_a_folder_of_other_things_stays_as_it_is(artgen_command, opengl: None) -> None:
+def test_a_folder_with_other_files_stays_unchanged(artgen_command, opengl: None) -> None:
     Path("set").mkdir()
     Path("set/notes.txt").write_text("mine")
     done = artgen_command("images", "plier", "--assets", "1", "--out", "set")

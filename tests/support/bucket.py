@@ -1,4 +1,4 @@
-"""A store of objects below a folder, for tests: it knows no renaming and no links."""
+"""An object store below a folder, for tests, without renaming and links."""
 
 from pathlib import Path
 from typing import Any, NoReturn
@@ -9,7 +9,7 @@ PROTOCOL = "bucket"
 
 
 class BucketFileSystem(LocalFileSystem):
-    """What lies at `bucket:///tmp/x` is kept in `/tmp/x`."""
+    """Stores `bucket:///tmp/x` in `/tmp/x`."""
 
     protocol = PROTOCOL
 
@@ -17,13 +17,13 @@ class BucketFileSystem(LocalFileSystem):
         super().__init__(**{**options, "auto_mkdir": True})
 
     def _refuse(self, *_: Any, **__: Any) -> NoReturn:
-        raise NotImplementedError("a store of objects has no such thing")
+        raise NotImplementedError("an object store has no such operation")
 
     mv = mv_file = move = rename = link = symlink = _refuse
 
 
 def register(folder: Path) -> None:
-    """Write into a folder what makes fsspec know such stores, in each process that has it on its path."""
+    """Write the entry point of this store into a folder, for each process with the folder on its path."""
     about = folder / "bucket_of_tests-1.dist-info"
     about.mkdir()
     (about / "METADATA").write_text("Metadata-Version: 2.1\nName: bucket-of-tests\nVersion: 1\n")

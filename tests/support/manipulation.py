@@ -1,4 +1,4 @@
-"""A small task for the tests of environments: pull a drawer, from a robot that stands right before it."""
+"""A small task for the tests of environments: pull a drawer, with the robot in front of it."""
 
 from dataclasses import dataclass
 
@@ -19,7 +19,7 @@ def _nothing(asset, rng):
 
 @dataclass(frozen=True, eq=False)
 class Pull(Task):
-    """Pull the first drawer open by half its way, with the hand 8 cm before its handle at first."""
+    """Pull the first drawer open by half its way; the hand begins 8 cm in front of the handle."""
 
     name: str = "Pull"
     category: str = "drawer"
@@ -53,7 +53,7 @@ PULL = Pull()
 
 
 def pull(env):
-    """Yield the actions that take hold of the handle and pull, as seen from where the hand is."""
+    """Yield the actions that grasp the handle and pull, from the current pose of the hand."""
     for number in range(200):
         ahead = env.unwrapped.target.stages[0].affordance.frame
         way = env.unwrapped._handle[:3, 3] - env.tip()[:3, 3]
