@@ -35,7 +35,7 @@ def test_overrides_for_one_category_replace_those_for_all() -> None:
         ({"categories": ()}, "a dataset needs at least one category"),
         ({"categories": ("door", "dor")}, r"there is no category 'dor'\. Did you mean 'door'\?"),
         ({"categories": ("door", "door")}, "the category 'door' is named twice; leave one of them out"),
-        ({"count": 0}, "a dataset holds at least one asset, not 0"),
+        ({"count": 0}, "count is a whole number from 1 to 1000000000, not 0"),
         ({"texture_size": 300}, "textures have 256, 512, 1024, 2048 texels on a side, not 300"),
         ({"textures": "jpg"}, "textures are shared, embedded or none, not 'jpg'"),
         ({"overrides": ("widht=0.9",)}, r"no parameter 'widht'\. Did you mean 'width'\?"),

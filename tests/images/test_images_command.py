@@ -21,7 +21,7 @@ from artgen.images import ImagePlan
         (("door", "--random", "flor"), "no part of a picture is called 'flor'. Did you mean 'floor'?"),
         (("door", "--size", "8"), "size 8 must be one or two whole numbers in 16..4096"),
         (("door", "--split", "0.8,0.1,0.2"), "must be the shares of train, val, test with the sum 1"),
-        (("door", "--elevation", "60,30"), "must lie in 0..1.5708, the lower number first"),
+        (("door", "--elevation", "60,30"), "must be within 0..1.5708, the lower number first"),
         (("door", "--margin", "a,b"), "--margin 'a,b' must be 2 numbers with commas between them"),
         (("door", "--assets", "0"), "Input should be greater than or equal to 1"),
     ],

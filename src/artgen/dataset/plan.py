@@ -65,8 +65,7 @@ class Draws(ABC):
         twice = next((name for name in self.categories if self.categories.count(name) > 1), None)
         if twice is not None:
             raise ParameterError(f"the category {twice!r} is named twice; leave one of them out")
-        if self.count < 1:
-            raise ParameterError(f"a dataset holds at least one asset, not {self.count}")
+        check_whole("count", self.count, 1, 10**9)
         for name in self.categories:
             if is_file(name):  # part of asset names; other machines may not have the file
                 raise ParameterError(
@@ -146,7 +145,7 @@ class Draws(ABC):
         try:
             return cls(**given)
         except TypeError as error:
-            raise ParameterError(f"not a plan of a dataset: {error}") from error
+            raise ParameterError(f"this is no plan of a dataset: {error}") from error
 
 
 @dataclass(frozen=True)
@@ -229,6 +228,12 @@ class Plan(Draws):
                 "'none'"
             )
         return replace(self, textures=self.textures or ("shared" if place.links else "embedded"))
+
+
+def check_whole(name: str, value: Any, low: int, high: int) -> None:
+    """Raise ParameterError for an option that is no whole number in a range."""
+    if isinstance(value, bool) or not isinstance(value, int) or not low <= value <= high:
+        raise ParameterError(f"{name} is a whole number from {low} to {high}, not {value!r}")
 
 
 def row_of(record: Mapping[str, Any]) -> dict[str, Any]:

@@ -19,7 +19,7 @@ from artgen._names import inside
 from artgen.asset.files import ASSET_FILE
 from artgen.asset.record import json_text
 from artgen.dataset.places import PLAN_FILE, RESUME, Place, is_url, place_of
-from artgen.dataset.plan import Draws, Item, Plan
+from artgen.dataset.plan import Draws, Item, Plan, check_whole
 from artgen.dataset.workers import Ending, EngineName, engine_of, run_job
 from artgen.errors import ArtgenError, ExportError, ParameterError
 from artgen.version import __version__
@@ -86,8 +86,8 @@ def generate_many(
             there is no such cluster; finished assets stay.
         RenderError: MuJoCo, OpenGL or a package for pictures is missing; nothing was written.
     """
-    if jobs is not None and jobs < 1:
-        raise ParameterError(f"jobs is {jobs}; at least one process is needed")
+    if jobs is not None:
+        check_whole("jobs", jobs, 1, 10**6)
     start = time.monotonic()
     limit = plan.time_limit if limit is None else limit
     place = place_of(directory if is_url(directory) else Path(directory).absolute())

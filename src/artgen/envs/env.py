@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from artgen._arrays import Array
 from artgen.asset import Asset
+from artgen.dataset.plan import check_whole
 from artgen.envs.motion import Stage, Target, tip_of
 from artgen.envs.robot import OPENING
 from artgen.envs.scene import CAMERAS, STEPS, TIME_STEP, Pictures, TaskScene
@@ -86,9 +87,9 @@ class ManipulationEnv(gymnasium.Env[Any, NDArray[np.float32]]):
             raise ParameterError(f"there are no observations {obs!r}.{nearest(str(obs), _OBSERVATIONS)}")
         if render_mode not in (None, *self.metadata["render_modes"]):
             raise ParameterError(f"there is no render_mode {render_mode!r}; take 'rgb_array' or None")
-        _check_whole("size", size, 16, 4096)
-        _check_whole("cache_size", cache_size, 1, 10**6)
-        _check_whole("layouts_per_asset", layouts_per_asset, 1, 10**6)
+        check_whole("size", size, 16, 4096)
+        check_whole("cache_size", cache_size, 1, 10**6)
+        check_whole("layouts_per_asset", layouts_per_asset, 1, 10**6)
         self.assets = Assets(self.task, assets)
         self.render_mode = render_mode
         self.steps = round(self.task.seconds * RATE)
@@ -339,11 +340,6 @@ class ManipulationEnv(gymnasium.Env[Any, NDArray[np.float32]]):
             "asset": self.asset.name,
             "seed": self.asset.seed,
         }
-
-
-def _check_whole(name: str, value: Any, low: int, high: int) -> None:
-    if not isinstance(value, int) or not low <= value <= high:
-        raise ParameterError(f"{name} is a whole number from {low} to {high}, not {value!r}")
 
 
 def _numbers(count: int) -> spaces.Space[Any]:

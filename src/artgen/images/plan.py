@@ -10,7 +10,7 @@ from typing import Any, ClassVar, Literal, Self, get_args
 
 from artgen.catalog import find
 from artgen.dataset.places import Place
-from artgen.dataset.plan import Draws, Item
+from artgen.dataset.plan import Draws, Item, check_whole
 from artgen.errors import ParameterError, RenderError, nearest
 from artgen.images.pictures import PARTS, pictures_of, write_coco
 from artgen.materials.textures import check_size
@@ -70,9 +70,9 @@ class ImagePlan(Draws):
         Raises:
             ParameterError: A category, label, number or override is unknown or not allowed.
         """
-        _check_whole("images", self.images, 1, 100_000)
+        check_whole("images", self.images, 1, 100_000)
         checked_size(self.size)
-        _check_whole("samples", self.samples, 1, 1024)
+        check_whole("samples", self.samples, 1, 1024)
         for name in self.random:
             if name not in RANDOM:
                 raise ParameterError(f"no part of a picture is called {name!r}.{nearest(str(name), RANDOM)}")
@@ -167,13 +167,8 @@ class ImagePlan(Draws):
         return super().to_data() | {"random": sorted(self.random)}
 
 
-def _check_whole(name: str, value: Any, least: int, most: int) -> None:
-    if isinstance(value, bool) or not isinstance(value, int) or not least <= value <= most:
-        raise ParameterError(f"{name} {value!r} must be a whole number in {least}..{most}")
-
-
 def _check_range(name: str, value: Any, least: float, most: float) -> None:
     fine = isinstance(value, tuple) and len(value) == 2 and all(isinstance(each, Real) for each in value)
     if not fine or not least <= value[0] <= value[1] <= most:
         shown = value[1] if name == "azimuth" and fine else value
-        raise ParameterError(f"{name} {shown!r} must lie in {least:g}..{most:g}, the lower number first")
+        raise ParameterError(f"{name} {shown!r} must be within {least:g}..{most:g}, the lower number first")
