@@ -44,7 +44,7 @@ class Item:
 
 
 @dataclass(frozen=True)
-class Draws(ABC):
+class BasePlan(ABC):
     """The assets of a folder and how they are drawn; subclasses define the files that are written."""
 
     FORMAT: ClassVar[str]  # format in the plan file of such folders
@@ -149,7 +149,7 @@ class Draws(ABC):
 
 
 @dataclass(frozen=True)
-class Plan(Draws):
+class Plan(BasePlan):
     """The content of a dataset; two runs with equal plans write the same bytes.
 
     Attributes:

@@ -19,7 +19,7 @@ from artgen._names import inside
 from artgen.asset.files import ASSET_FILE
 from artgen.asset.record import json_text
 from artgen.dataset.places import PLAN_FILE, RESUME, Place, is_url, place_of
-from artgen.dataset.plan import Draws, Item, Plan, check_whole
+from artgen.dataset.plan import BasePlan, Item, Plan, check_whole
 from artgen.dataset.workers import Ending, EngineName, engine_of, run_job
 from artgen.errors import ArtgenError, ExportError, ParameterError
 from artgen.version import __version__
@@ -51,7 +51,7 @@ class Summary:
 
 
 def generate_many(
-    plan: Draws,
+    plan: BasePlan,
     directory: str | Path,
     *,
     jobs: int | None = None,
@@ -107,14 +107,14 @@ def generate_many(
 class Folder:
     """A place that a run fills."""
 
-    def __init__(self, place: Place, plan: Draws) -> None:
+    def __init__(self, place: Place, plan: BasePlan) -> None:
         self.place, self.plan = place, plan.prepared(place)
         self.records: dict[str, Record] = {}  # manifest line of each finished or failed asset, by name
         self.task: Callable[[Item], Record] = partial(make, plan=self.plan, place=place)
 
     @staticmethod
     @contextmanager
-    def opened(place: Place, plan: Draws) -> Iterator["Folder"]:
+    def opened(place: Place, plan: BasePlan) -> Iterator["Folder"]:
         """Open a place for one run; create it if necessary, and repair the remains of a killed run."""
         folder = Folder(place, plan)
         with _disk_errors(place):
@@ -181,7 +181,7 @@ def _disk_errors(place: Place) -> Iterator[None]:
         raise ExportError(f"cannot write to {place}: {error.strerror or error}; {RESUME}") from error
 
 
-def make(item: Item, *, plan: Draws, place: Place) -> Record:
+def make(item: Item, *, plan: BasePlan, place: Place) -> Record:
     """Make the files of an item, put them in its directory, and return its line of the manifest."""
     try:
         files = plan.files(item)
@@ -237,7 +237,7 @@ def stored_plan(place: Place, form: str = Plan.FORMAT) -> dict[str, Any] | None:
     return dict(data)
 
 
-def _earlier_plan(place: Place, plan: Draws) -> Draws | None:
+def _earlier_plan(place: Place, plan: BasePlan) -> BasePlan | None:
     """Return the plan of the dataset in a place, which may differ only in a smaller count; None if none."""
     data = stored_plan(place, plan.FORMAT)
     if data is None:

@@ -10,7 +10,7 @@ from typing import Any, ClassVar, Literal, Self, get_args
 
 from artgen.catalog import find
 from artgen.dataset.places import Place
-from artgen.dataset.plan import Draws, Item, check_whole
+from artgen.dataset.plan import BasePlan, Item, check_whole
 from artgen.errors import ParameterError, RenderError, nearest
 from artgen.images.pictures import PARTS, pictures_of, write_coco
 from artgen.materials.textures import check_size
@@ -24,7 +24,7 @@ RANDOM = ("backdrop", "floor", "light")  # parts of a picture that can vary
 
 
 @dataclass(frozen=True)
-class ImagePlan(Draws):
+class ImagePlan(BasePlan):
     """The content of a set of images; two runs with equal plans write the same numbers.
 
     The bytes of the pictures are equal on one machine; other graphics drivers may color edges differently.
