@@ -1,4 +1,4 @@
-"""Path-traced pictures: what they show, where maps lie, and what is said when they cannot be drawn."""
+"""Path-traced pictures: content, texture maps, and errors."""
 
 import importlib.util
 import math
@@ -28,7 +28,7 @@ FRONT = View(0.0, 0.1)
 
 @pytest.fixture(autouse=True)
 def _scalar() -> None:
-    """Draw without LLVM, which compiles for longer than small pictures take."""
+    """Draw without LLVM, whose compilation takes longer than small pictures."""
     if importlib.util.find_spec("mitsuba") is not None:
         import mitsuba
 
@@ -48,7 +48,7 @@ def block():
 
 
 def behind(pane):
-    """Return a red block 0.1 m behind a pane that covers all of it."""
+    """Return a red block 0.1 m behind a pane that covers it completely."""
     body = part(box(0.3, 0.1, 0.3).at(0.0, 0.3, 0.15), "block", RED)
     leaf = part(box(0.5, 0.01, 0.5).at(0.0, 0.0, 0.25), "pane", pane)
     return evaluated(
@@ -57,7 +57,7 @@ def behind(pane):
 
 
 @needs_mitsuba
-def test_the_asset_is_in_the_middle_before_a_neutral_backdrop() -> None:
+def test_the_asset_is_in_the_middle_of_a_neutral_backdrop() -> None:
     picture = drawn(block(), size=(96, 64))
     assert picture.shape == (64, 96, 3)
     mask = redness(picture) > 40
@@ -71,7 +71,7 @@ def test_the_asset_is_in_the_middle_before_a_neutral_backdrop() -> None:
 
 @needs_mitsuba
 @pytest.mark.skipif(not usable_llvm(), reason="no LLVM library from version 16 on: apt install libllvm19")
-def test_llvm_draws_what_scalar_code_draws(monkeypatch) -> None:
+def test_llvm_and_scalar_code_draw_the_same(monkeypatch) -> None:
     import mitsuba
 
     plain = drawn(block(), size=24)
@@ -98,14 +98,14 @@ def test_joint_positions_move_links() -> None:
 
 
 @needs_mitsuba
-def test_what_glows_is_brighter_than_paper() -> None:
+def test_emission_is_brighter_than_paper() -> None:
     lamp = RED.with_(name="lamp", base_color=(0.01, 0.01, 0.01), emission=(0.1, 1.0, 0.1))
     picture = drawn(evaluated(part(box(0.3, 0.3, 0.3).at(z=0.15), "lamp", lamp), "lamp"))
     assert picture[32, 32, 1] > 240
 
 
 @needs_mitsuba
-def test_maps_lie_where_the_texture_coordinates_say() -> None:
+def test_maps_follow_the_texture_coordinates() -> None:
     with recipes():
         asset = evaluated(part(box(0.5, 0.05, 0.5).at(z=0.25), "board", BOARD), "board")
         (surface,) = asset.links[0].surfaces
@@ -152,20 +152,20 @@ def test_rooms_have_a_wall_that_does_not_hide_the_asset(studio, azimuth) -> None
         ({"textures": 300}, "not 300"),
     ],
 )
-def test_impossible_pictures_are_refused(options, message) -> None:
+def test_impossible_pictures_are_errors(options, message) -> None:
     with pytest.raises(ParameterError, match=message):
         render_mitsuba(block(), **options)
 
 
 @needs_mitsuba
-def test_unknown_joints_and_views_are_refused() -> None:
+def test_unknown_joints_and_views_are_errors() -> None:
     with pytest.raises(AssetError, match="no joint 'swimg'"):
         render_mitsuba(behind(CLEAR), {"swimg": 0.0})
     with pytest.raises(ParameterError, match="no view 'frnt'"):
         render_mitsuba(block(), camera="frnt")
 
 
-def test_a_missing_package_is_named_with_its_extra(monkeypatch) -> None:
+def test_the_error_for_a_missing_package_names_its_extra(monkeypatch) -> None:
     monkeypatch.setitem(sys.modules, "mitsuba", None)
     with pytest.raises(RenderError, match=r'mitsuba, which is not installed; pip install "artgen\[render\]"'):
         render_mitsuba(block())
@@ -183,7 +183,7 @@ def test_an_llvm_that_aborts_is_never_chosen(monkeypatch, tmp_path) -> None:
     assert "LLVM-15" not in usable_llvm()
 
 
-def test_a_picture_without_the_denoiser_stays_as_it_is(monkeypatch) -> None:
+def test_a_picture_without_the_denoiser_is_unchanged(monkeypatch) -> None:
     monkeypatch.setitem(sys.modules, "oidn", None)
     pixels = np.random.default_rng(0).random((8, 8, 3)).astype(np.float32)
     assert denoised(pixels, pixels, pixels) is pixels

@@ -1,4 +1,4 @@
-"""Which samples look alike."""
+"""Similar samples."""
 
 import numpy as np
 import pytest
@@ -30,7 +30,7 @@ def test_others_look_different_in_the_same_measure_both_ways(looks) -> None:
         assert difference(looks[other], looks[one]) == pytest.approx(apart)
 
 
-def test_a_little_wider_is_no_other_product() -> None:
+def test_a_slightly_wider_sample_is_the_same_product() -> None:
     category = find("handle")
     given = {"kind": "lever", "rose_style": "round", "lock": "none", "handle__style": "straight"}
     one, other = (
@@ -45,7 +45,7 @@ def test_color_alone_makes_a_difference() -> None:
     assert difference(one, other) > SAME
 
 
-def test_a_sample_that_cannot_be_made_is_left_out() -> None:
+def test_a_failed_sample_is_omitted() -> None:
     @generator
     def lucky(*, lucky: bool = choice(False, True)) -> Body:
         return part(box(0.1, 0.1, 0.1 if lucky else -0.1), "block", material("oak"))

@@ -1,4 +1,4 @@
-"""What draws cover: options, ranges and their parts, and the page that tells."""
+"""Coverage by draws: options, ranges and their parts, and the page."""
 
 import subprocess
 import sys
@@ -46,7 +46,7 @@ def thing(
     return part(knob(), "knob", material("oak"))
 
 
-def test_options_are_counted_and_the_missing_named() -> None:
+def test_options_are_counted_and_missing_ones_listed() -> None:
     found = coverage(thing, 200)
     styles = found.options["style"].counts
     assert set(styles) == {"round", "square"}  # what has no weight cannot be drawn
@@ -89,7 +89,7 @@ def test_many_whole_numbers_are_a_range() -> None:
     assert (spread.low, spread.high, spread.hit) == (100, 999, BINS)
 
 
-def test_a_range_that_is_not_filled_is_told() -> None:
+def test_a_range_that_is_not_filled_is_listed() -> None:
     @generator
     def crowded(*, width: Float = loguniform(0.001, 1000.0, "m")) -> Body:
         return part(box(width, 1, 1), "block", material("oak"))
@@ -110,7 +110,7 @@ def test_few_draws_have_to_reach_fewer_parts() -> None:
     assert 5 <= demanded(20) <= 7
 
 
-def test_the_page_has_a_row_for_all_that_varies() -> None:
+def test_the_page_has_a_row_for_each_varying_parameter() -> None:
     found = coverage(thing, 50)
     page = coverage_page([found])
     assert "## thing" in page

@@ -1,4 +1,4 @@
-"""Samples at the ends of ranges: what is drawn, and that the command which is shown makes the same."""
+"""Samples at the ends of ranges: draws, and commands that reproduce them."""
 
 import math
 import shlex
@@ -30,7 +30,7 @@ def options(command: str) -> dict[str, list[str]]:
     return found
 
 
-def test_seed_and_number_decide_a_sample() -> None:
+def test_a_sample_depends_on_seed_and_number() -> None:
     drawn = [draw_extreme(3, number) for number in range(6)]
     assert drawn == [draw_extreme(3, number) for number in range(6)]
     others = [draw_extreme(4, number) for number in range(6)]
@@ -73,8 +73,8 @@ def test_a_number_has_the_ends_of_the_option_that_was_chosen() -> None:
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_overrides_are_taken_as_they_were_drawn(name: str) -> None:
-    """They are parameters in use, so that none of them is without effect, and each is at an end."""
+def test_overrides_are_used_as_drawn(name: str) -> None:
+    """Only parameters in use are drawn, so that each has an effect, and each is at an end."""
     category = find(name)
     shares = []
     for number in range(NAMES.index(name), 6 * len(NAMES), len(NAMES)):
@@ -92,8 +92,8 @@ def test_overrides_are_taken_as_they_were_drawn(name: str) -> None:
     assert min(shares) < 0.25 < max(shares)
 
 
-def test_ends_beyond_what_is_drawn_are_met() -> None:
-    """Hard limits are wider than distributions; the usual draws never come there."""
+def test_ends_beyond_the_distributions_are_sampled() -> None:
+    """Hard limits are wider than distributions; ordinary draws never reach them."""
     number = NAMES.index("plier")
     lengths = {draw_extreme(0, number + turn * len(NAMES)).overrides.get("length") for turn in range(60)}
     assert {0.12, 0.26} <= lengths
@@ -101,7 +101,7 @@ def test_ends_beyond_what_is_drawn_are_met() -> None:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_commands_give_the_same_overrides(name: str) -> None:
-    """Of every kind of parameter: text that looks like a number, empty text, names, whole numbers."""
+    """For every kind of parameter: text that looks like a number, empty text, names, whole numbers."""
     for number in range(NAMES.index(name), 6 * len(NAMES), len(NAMES)):
         extreme = draw_extreme(2, number)
         found = options(extreme.command(Path("out/it's here"), on_collision="fail"))

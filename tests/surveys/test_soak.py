@@ -1,4 +1,4 @@
-"""The soak: runs that go on where they stopped, what counts as odd, and what reproduces it."""
+"""The soak: interrupted runs, anomalies, and commands that reproduce them."""
 
 import json
 import os
@@ -34,7 +34,7 @@ OAK, STEEL = material("oak"), material("steel")
 
 
 def counted(number: int, *, run: int, folder: Path) -> dict[str, Any]:
-    """Stand in for `measure_extreme`, which takes long."""
+    """Replace `measure_extreme`, which is slow."""
     if number == 1:
         raise ValueError("no such sample")
     if number == 2:
@@ -50,14 +50,14 @@ def counted(number: int, *, run: int, folder: Path) -> dict[str, Any]:
 
 
 def slow(number: int, *, run: int, folder: Path) -> dict[str, Any]:
-    """Stand in for `measure_extreme`, with a file that is left where a process is ended."""
+    """Replace `measure_extreme`, with a file that stays when a process is killed."""
     (folder / "left").write_text(str(number))
     time.sleep(0.0 if number == 0 else 60.0)
     return counted(number, run=run, folder=folder)
 
 
 def brief(number: int, *, run: int, folder: Path) -> dict[str, Any]:
-    """Stand in for `measure_extreme`, and tell which process measured."""
+    """Replace `measure_extreme`, and record the process."""
     time.sleep(0.05)
     return {
         "run": run,
@@ -70,7 +70,7 @@ def brief(number: int, *, run: int, folder: Path) -> dict[str, Any]:
 
 
 def run_of(path: Path, samples: int, task: Any = counted, names: Any = NAMES, **options: Any) -> None:
-    """Run until so many samples are done: the time is over as soon as one more would begin."""
+    """Run until a number of samples is done: the time is over when the next one would begin."""
     done: list[Any] = []
 
     def stop(record: Any) -> None:
@@ -97,7 +97,7 @@ def slide(**options: Any) -> Body:
     return base.attach(block, Prismatic("slide", **{"axis": -Z, "limits": (0.0, 7.8)} | options))
 
 
-def test_a_run_is_over_in_time_and_goes_on_where_it_stopped(tmp_path: Path) -> None:
+def test_a_run_ends_in_time_and_continues_later(tmp_path: Path) -> None:
     path = tmp_path / "soak.jsonl"
     soak(path, run=0, names=NAMES, seconds=0.0, task=counted)
     assert read_records(path) == []
@@ -169,7 +169,7 @@ def test_a_killed_worker_is_replaced_and_its_sample_listed(tmp_path: Path) -> No
     assert killed not in {each.get("process") for each in done[3:]}
 
 
-def test_a_killed_run_goes_on_and_loses_nothing(tmp_path: Path) -> None:
+def test_a_killed_run_continues_without_loss(tmp_path: Path) -> None:
     path = tmp_path / "soak.jsonl"
     program = (
         "from pathlib import Path\n"
@@ -224,7 +224,7 @@ def test_two_runs_do_not_write_to_one_file(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("text", ["{}\n", '{"seed": 1, "category": "door", "state": "done"}\n'])
-def test_another_file_is_refused(tmp_path: Path, text: str) -> None:
+def test_another_file_is_an_error(tmp_path: Path, text: str) -> None:
     path = tmp_path / "survey.jsonl"
     path.write_text(text)
     with pytest.raises(ExportError, match=r"line 1 is no record of a soak; give another --out"):
@@ -240,7 +240,7 @@ def record() -> dict[str, Any]:
 class TestSample:
     NUMBER = NAMES.index("drawer") + 2 * len(NAMES)
 
-    def test_a_record_tells_which_sample_it_is(self, record) -> None:
+    def test_a_record_names_its_sample(self, record) -> None:
         assert json.loads(json.dumps(record, allow_nan=False)) == record
         drawn = draw_extreme(0, self.NUMBER)
         assert (record["category"], record["seed"]) == ("drawer", drawn.seed)
@@ -256,7 +256,7 @@ class TestSample:
         assert (found["state"], found["anomalies"]) == ("ruled out", [])
         assert "handle=bar_pull belongs to grip=bar, not to grip=knob: set grip as well" in found["message"]
 
-    def test_whatever_else_is_raised_is_an_anomaly(self, monkeypatch) -> None:
+    def test_other_exceptions_are_anomalies(self, monkeypatch) -> None:
         changed = replace(draw_extreme(0, self.NUMBER), overrides={"width": 99.0})
         monkeypatch.setattr(extreme_sample, "draw_extreme", lambda run, number: changed)
         found = measure_extreme(self.NUMBER, run=0)
@@ -264,7 +264,7 @@ class TestSample:
         assert [each["kind"] for each in found["anomalies"]] == ["error"]
         assert found["anomalies"][0]["message"].startswith("ParameterError: width = 99.0 is out of range")
 
-    def test_what_collides_is_an_anomaly_and_is_not_let_go(self) -> None:
+    def test_a_collision_is_an_anomaly_and_is_not_simulated(self) -> None:
         asset = find("drawer").generate(3)
         base, first = asset.links[0], asset.links[1]
         broken = replace(asset, links=(replace(base, pieces=(*base.pieces, *first.pieces)), *asset.links[1:]))
@@ -275,10 +275,10 @@ class TestSample:
 
 
 class TestRest:
-    def test_what_rests_is_not_odd(self, tmp_path) -> None:
+    def test_an_asset_at_rest_has_no_anomaly(self, tmp_path) -> None:
         assert odd(made(slide(friction=200.0)), tmp_path) == {}
 
-    def test_what_falls_far_is_too_fast(self, tmp_path) -> None:
+    def test_a_long_fall_is_too_fast(self, tmp_path) -> None:
         found = odd(made(slide()), tmp_path)
         assert set(found) == {"speed"}  # it falls as far as it should, and no energy comes of it
         assert found["speed"].startswith("joint slide: moves at 9.")
@@ -339,7 +339,7 @@ class TestCommands:
             "anomalies": [{"kind": kind, "message": "bad"}],
         }
 
-    def test_each_kind_is_shown_by_a_command_that_tells_it(self) -> None:
+    def test_a_command_reproduces_each_kind(self) -> None:
         number = NAMES.index("plier")
         for kind in ("error", "not proven"):
             words = shlex.split(again(self.record(kind), kind))
@@ -350,7 +350,7 @@ class TestCommands:
         assert checked.endswith(f" && artgen validate out/again/plier_0_{number}")
         assert again(self.record("speed"), "speed") == f"python scripts/soak.py --seed 0 --sample {number}"
 
-    def test_a_command_makes_the_very_sample(self, tmp_path, monkeypatch) -> None:
+    def test_a_command_makes_the_same_sample(self, tmp_path, monkeypatch) -> None:
         monkeypatch.chdir(tmp_path)
         record = self.record("tree")
         made_, _ = again(record, "tree").split(" && ")
@@ -386,7 +386,7 @@ def script(*arguments: str) -> list[str]:
     return [sys.executable, "-c", program, *arguments]
 
 
-def test_ctrl_c_shows_what_was_found(tmp_path: Path) -> None:
+def test_ctrl_c_shows_the_results(tmp_path: Path) -> None:
     out = tmp_path / "deep" / "soak.jsonl"
     run = subprocess.Popen(
         script("plier", "--minutes", "10", "--out", str(out)),

@@ -1,4 +1,4 @@
-"""The survey of a category: what is measured of a sample, what is kept, and what is asked."""
+"""The survey of a category: measurements, records and criteria."""
 
 import json
 import os
@@ -37,7 +37,7 @@ def record() -> dict[str, Any]:
 
 
 def counted(seed: int, *, category: str, fast: bool) -> dict[str, Any]:
-    """Stand in for `measure`."""
+    """Replace `measure`."""
     if seed == 2:
         raise ValueError("no such sample")
     if seed == 3:
@@ -45,7 +45,7 @@ def counted(seed: int, *, category: str, fast: bool) -> dict[str, Any]:
     return {"category": category, "seed": seed, "state": "done", "process": os.getpid()}
 
 
-def test_a_record_tells_what_the_asset_is(record, handle) -> None:
+def test_a_record_describes_the_asset(record, handle) -> None:
     assert json.loads(json.dumps(record, allow_nan=False)) == record
     low, high = handle.bounds()
     assert record["size"] == pytest.approx(list(high - low), abs=1e-3)
@@ -59,14 +59,14 @@ def test_a_record_tells_what_the_asset_is(record, handle) -> None:
     assert all(speed > 1.0 for speed in record["speed"].values())
 
 
-def test_a_fast_record_leaves_out_what_simulators_tell(record) -> None:
+def test_a_fast_record_has_no_results_of_simulators(record) -> None:
     fast = measure(4, category="handle", fast=True)
     assert set(fast["checks"]) == {"solids", "tree", "colliders"}
     assert not {"speed", "forces"} & set(fast)
     assert fast["size"] == record["size"]
 
 
-def test_redraws_are_told_apart(monkeypatch) -> None:
+def test_redraws_are_counted_by_cause(monkeypatch) -> None:
     def draws(seed, attempt):
         return {"attempt": attempt}
 
@@ -96,7 +96,7 @@ def test_a_check_that_raises_is_a_fault() -> None:
     assert "no mesh" in found["solids"]["faults"][0]
 
 
-def test_a_run_goes_on_where_it_stopped(tmp_path) -> None:
+def test_an_interrupted_run_continues(tmp_path) -> None:
     path = tmp_path / "thing.jsonl"
     first = survey("thing", range(5), path, task=counted, limit=30.0)
     assert [each["seed"] for each in first] == [0, 1, 2, 3, 4]
@@ -111,7 +111,7 @@ def test_a_run_goes_on_where_it_stopped(tmp_path) -> None:
     assert len(read_records(path)) == 8
 
 
-def test_a_fast_line_is_measured_again_where_more_is_asked(tmp_path) -> None:
+def test_a_fast_line_is_measured_again_for_a_full_survey(tmp_path) -> None:
     path = tmp_path / "thing.jsonl"
     survey("thing", [0], path, fast=True, task=counted)
     survey("thing", [0], path, fast=False, task=counted)
@@ -130,7 +130,7 @@ def test_a_line_that_was_cut_off_is_measured_again(tmp_path) -> None:
 
 
 @pytest.mark.parametrize("text", ["{}\n", "[1]\n", "seeds\n", '{"seed": 1}\n{"seed": 2}\n'])
-def test_another_file_is_refused(tmp_path, text) -> None:
+def test_another_file_is_an_error(tmp_path, text) -> None:
     path = tmp_path / "other.jsonl"
     path.write_text(text)
     with pytest.raises(ExportError, match=r"line 1 is no record of a survey; give another --out"):
@@ -141,7 +141,7 @@ def test_another_file_is_refused(tmp_path, text) -> None:
 class TestCriteria:
     @pytest.fixture
     def record(self, record) -> dict[str, Any]:
-        """Return the record of a fast machine: how fast this one is says nothing of the criteria."""
+        """Return the record of a fast machine, because the speed of this one does not matter."""
         return {**record, "seconds": 0.05, "speed": dict.fromkeys(record["speed"], 100.0)}
 
     def changed(self, record, **fields) -> dict[str, Any]:
@@ -191,13 +191,13 @@ class TestCriteria:
         assert self.unmet([lost]) == {"every seed gives an asset": (9,)}
         assert figures([lost]) == {}
 
-    def test_forces_at_copies_of_a_joint_are_told_together(self, record) -> None:
+    def test_forces_at_copies_of_a_joint_are_joined(self, record) -> None:
         forces = {"button_slide_0": 2.0, "button_slide_12": 4.0, "door_hinge_left": 9.0}
         found = figures([self.changed(record, forces=forces)])
         assert found["force at button_slide [N]"].startswith("2 to 4")
         assert "force at door_hinge_left [N]" in found
 
-    def test_what_was_not_measured_is_neither_met_nor_missed(self) -> None:
+    def test_unmeasured_criteria_are_neither_met_nor_missed(self) -> None:
         fast = measure(5, category="handle", fast=True)
         states = {each.name: each.passed for each in criteria([fast])}
         assert states["behavior: no faults"] is None
@@ -237,7 +237,7 @@ def test_the_script_measures_and_judges(tmp_path) -> None:
     assert page.read_text() == soak_page({"handle": records})
 
 
-def test_the_page_tells_what_is_not_met_and_by_which_seeds(record) -> None:
+def test_the_page_lists_unmet_criteria_with_their_seeds(record) -> None:
     record = {**record, "seconds": 0.05}
     heavy = {**record, "seed": 7, "misfits": ["mass 99 kg, 1 to 2 kg | sold"]}
     lines = soak_page({"handle": [record, heavy], "lamp": [record]}).splitlines()
@@ -258,13 +258,13 @@ class TestProducts:
     def test_every_category_has_some(self) -> None:
         assert set(categories()) <= set(PRODUCTS)
 
-    def test_ranges_are_the_right_way_round(self) -> None:
+    def test_ranges_are_in_order(self) -> None:
         for products in PRODUCTS.values():
             for product in products:
                 for low, high in (product.width, product.depth, product.height, product.mass):
                     assert 0.0 < low < high
 
-    def test_what_is_not_sold_is_told_with_its_number(self, handle) -> None:
+    def test_unusual_sizes_are_listed_with_their_number(self, handle) -> None:
         product = Product("small", (0.1, 0.2), (0.1, 0.2), (0.28, 0.3), (0.1, 1.0))
         told = product.misfits(handle)
         assert told[0] == "width 0.250 m, 0.1 to 0.2 m are sold"
@@ -272,7 +272,7 @@ class TestProducts:
         assert misfits(handle) == []
         assert misfits(replace(handle, category="unknown")) == []
 
-    def test_what_is_only_seen_has_no_size(self) -> None:
+    def test_visual_details_have_no_size(self) -> None:
         whole = part(box(0.2, 0.1, 0.1), "base", material("oak"))
 
         @generator
@@ -283,7 +283,7 @@ class TestProducts:
         assert np.ptp(asset.bounds(), axis=0) == pytest.approx([0.5, 0.1, 0.1])
         assert size_of(asset) == pytest.approx([0.2, 0.1, 0.1])
 
-    def test_some_stand_either_way(self, handle) -> None:
+    def test_some_products_have_two_orientations(self, handle) -> None:
         width, depth, height = size_of(handle)
         assert width > depth + 0.02
         spans = [(length - 0.001, length + 0.001) for length in (depth, width, height)]
