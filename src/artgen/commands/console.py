@@ -23,7 +23,7 @@ from rich.text import Text
 
 from artgen.dataset import generate_many
 from artgen.dataset.places import RESUME
-from artgen.dataset.plan import Draws
+from artgen.dataset.plan import BasePlan
 
 FAULT = 1
 """Exit code of a command that found a fault."""
@@ -113,7 +113,7 @@ def list_failures(failures: Sequence[str], rest: str = "") -> None:
         typer.echo(f"and {len(failures) - _SHOWN} more{rest}", err=True)
 
 
-def make_dataset(plan: Draws, out: str, *, each: int = 1, what: str = "assets", **options: Any) -> None:
+def make_dataset(plan: BasePlan, out: str, *, each: int = 1, what: str = "assets", **options: Any) -> None:
     """Make a dataset, show the progress, and list the failures.
 
     Args:
