@@ -103,7 +103,7 @@ def test_locked_joint_holds_its_link_displaced(bin_: Asset) -> None:
 @pytest.mark.parametrize(
     ("q", "message"),
     [
-        ({"pedal": 0.26}, r"joint 'pedal' cannot stand at 0\.26; its limits are 0 to 0\.25"),
+        ({"pedal": 0.26}, r"joint 'pedal' cannot be at 0\.26; its limits are 0 to 0\.25"),
         ({"lid": 0.5}, "joint 'lid' follows 'pedal'; set 'pedal' instead"),
         ({"pedl": 0.1}, r"asset 'bin_1' has no joint 'pedl'\. Did you mean 'pedal'\?"),
     ],
@@ -193,5 +193,5 @@ def test_names_are_unique_in_a_tree(box_link: BoxLink) -> None:
 @pytest.mark.parametrize("position", ["0.3", None, True])
 def test_a_position_that_is_no_number_is_refused(position: Any) -> None:
     asset = find("handle").generate(0, certify=False)
-    with pytest.raises(AssetError, match=r"joint 'handle_turn' cannot stand at .*; give a number"):
+    with pytest.raises(AssetError, match=r"joint 'handle_turn' cannot be at .*; give a number"):
         asset.pose({"handle_turn": position})

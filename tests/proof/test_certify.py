@@ -363,7 +363,7 @@ def test_clearance_is_the_distance_at_one_pose() -> None:
     assert asset.clearance({"slide": 0.0995})["body", "drawer"] == pytest.approx(0.0005, abs=1e-9)
     assert asset.clearance({"slide": 0.11})["body", "drawer"] == pytest.approx(-np.cbrt(0.02 * 0.01 * 0.1))
     with pytest.raises(
-        artgen.errors.AssetError, match=r"joint 'slide' cannot stand at 1; its limits are 0 to 0\.3"
+        artgen.errors.AssetError, match=r"joint 'slide' cannot be at 1; its limits are 0 to 0\.3"
     ):
         asset.clearance({"slide": 1.0})
 

@@ -110,7 +110,7 @@ def test_coupled_joints_become_their_leader() -> None:
     space = Space(changed(star(), **follows))
     joint_path = space.joint_path("b", "d")
     assert joint_path.variables == ("a", "c")
-    assert [follower.variable for follower in joint_path.followers] == ["a", "c", "a"]
+    assert [follower.leader for follower in joint_path.followers] == ["a", "c", "a"]
     assert joint_path.followers[2].ratio == pytest.approx(-0.2)
     assert joint_path.followers[2].offset == pytest.approx(-0.01)
     assert joint_path.signs == (-1, 1, 1)
@@ -120,10 +120,10 @@ def test_unlimited_joints_make_a_full_turn_and_what_follows_them_may_be_anywhere
     endless = {"a": {"limits": None}, "b": {"follows": Coupling("a", 2.0), "limits": None}}
     space = Space(changed(star(), **endless))
     assert space.ranges["a"] == FULL_TURN
-    assert space.followers["b"].variable == "a"  # two turns for one: nothing is lost
+    assert space.followers["b"].leader == "a"  # two turns for one: nothing is lost
     odd = {"a": {"limits": None}, "b": {"follows": Coupling("a", 0.5), "limits": None}}
     space = Space(changed(star(), **odd))
-    assert (space.followers["b"].variable, space.ranges["b"]) == ("b", FULL_TURN)
+    assert (space.followers["b"].leader, space.ranges["b"]) == ("b", FULL_TURN)
     sliding = {"a": {"limits": None}, "d": {"follows": Coupling("a", 0.01), "limits": None}}
     assert Space(changed(star(), **sliding)).ranges["d"] == FULL_SLIDE
 

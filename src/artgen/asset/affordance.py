@@ -71,8 +71,8 @@ def affordances(asset: "Asset") -> tuple[Affordance, ...]:
     for link in asset.links:
         joints = moved_joints(asset, link.name)
         for hold in (*link.grasps, *link.pushes):
-            width = hold.width if isinstance(hold, Grasp) else 0.0
             kind: Literal["grasp", "push"] = "grasp" if isinstance(hold, Grasp) else "push"
+            width = hold.width if isinstance(hold, Grasp) else 0.0
             result.append(Affordance(hold.name, kind, link.name, hold.frame, width, joints))
     return tuple(result)
 

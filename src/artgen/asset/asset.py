@@ -9,7 +9,7 @@ import numpy as np
 from artgen._arrays import Array, cached_property
 from artgen.asset.affordance import Affordance, affordance_data, affordances
 from artgen.asset.certificate import Certificate
-from artgen.asset.joint import AllowedContact, AssetJoint, is_number, positions_of_followers
+from artgen.asset.joint import AllowedContact, AssetJoint, is_number, joints_above, positions_of_followers
 from artgen.asset.link import Link, RoundedLink
 from artgen.asset.mass import MassProperties, total
 from artgen.asset.record import json_text, plain, rounded
@@ -44,8 +44,8 @@ def _with_followed_limits(joint: AssetJoint, joints: Mapping[str, AssetJoint]) -
     leader = _with_followed_limits(joints[joint.follows.leader], joints)
     if leader.limits is None:
         return replace(joint, limits=None)
-    ends = sorted(joint.follows.ratio * end + joint.follows.offset for end in leader.limits)
-    return replace(joint, limits=(ends[0], ends[1]))
+    low, high = sorted(map(joint.follows.at, leader.limits))
+    return replace(joint, limits=(low, high))
 
 
 Base = Literal["fixed", "free"]
@@ -111,15 +111,12 @@ class Asset:
         return Asset(name, category, links, ranged, contacts=contacts, **fields)
 
     def __copy__(self) -> "Asset":
-        """Return the asset itself: it never changes."""
-        return self
+        return self  # it never changes
 
     def __deepcopy__(self, memo: dict[int, Any]) -> "Asset":
-        """Return the asset itself: it never changes."""
         return self
 
     def __repr__(self) -> str:
-        """Return its name, size and the state of its certificate."""
         certificate = self.certificate
         state = "not certified" if certificate is None else "proven" if certificate.proven else "not proven"
         return f"<Asset {self.name}: {len(self.links)} links, {len(self.joints)} joints, {state}>"
@@ -179,7 +176,7 @@ class Asset:
     def positions(self, q: Mapping[str, float] | None = None) -> dict[str, float]:
         """Return the positions of all joints for the given positions of some.
 
-        Other joints stand at the position nearest to 0 within their limits; coupled joints follow.
+        Other joints have the position nearest to 0 within their limits; coupled joints follow.
 
         Args:
             q: Positions by joint name [rad or m].
@@ -198,14 +195,12 @@ class Asset:
                     f"joint {name!r} follows {joint.follows.leader!r}; set {joint.follows.leader!r} instead"
                 )
             if not is_number(position):
-                raise AssetError(f"joint {name!r} cannot stand at {position!r}; give a number [rad or m]")
-            if joint.limits is not None:
-                low, high = joint.limits
-                if not low - _LIMIT_SLACK <= position <= high + _LIMIT_SLACK:
-                    raise AssetError(
-                        f"joint {name!r} cannot stand at {position:.6g}; "
-                        f"its limits are {low:.6g} to {high:.6g}"
-                    )
+                raise AssetError(f"joint {name!r} cannot be at {position!r}; give a number [rad or m]")
+            low, high = joint.limits or (-np.inf, np.inf)
+            if not low - _LIMIT_SLACK <= position <= high + _LIMIT_SLACK:
+                raise AssetError(
+                    f"joint {name!r} cannot be at {position:.6g}; its limits are {low:.6g} to {high:.6g}"
+                )
             result[name] = float(position)
         result = positions_of_followers(self._joints, result)
         return {joint.name: result[joint.name] for joint in self.joints}
@@ -234,11 +229,9 @@ class Asset:
         """
         positions = self.positions(q)
         result = {self.links[0].name: np.eye(4)}
-        for parent, child, joints in self.pairs():
-            transform = result[parent]
-            for joint in joints:
-                transform = transform @ joint.motion(positions[joint.name])
-            result[child] = transform
+        for joint in self.joints:  # several joints of one link act in order
+            before = result.get(joint.child, result[joint.parent])
+            result[joint.child] = before @ joint.motion(positions[joint.name])
         return result
 
     def pairs(self) -> list[tuple[str, str, tuple[AssetJoint, ...]]]:
@@ -254,9 +247,8 @@ class Asset:
         The base has the asset's frame. The origin of any other link lies on its nearest joint. At rest all
         frames are parallel to the asset's axes.
         """
-        name = self.link(link).name
-        pivots = [joint.pivot for joint in self.joints if joint.child == name]
-        return pivots[-1] if pivots else np.zeros(3)
+        above = joints_above(self.joints, self.link(link).name)
+        return above[0].pivot if above else np.zeros(3)
 
     @property
     def mass(self) -> float:
@@ -301,20 +293,10 @@ class Asset:
         """
         if all(link.rounded for link in self.links):
             return self
-        joints = tuple(map(rounded, self.joints))
-        # the origin of a link lies on its last joint; the base has the asset's frame
-        origins = {self.links[0].name: np.zeros(3), **{joint.child: joint.pivot for joint in joints}}
-        links = [
-            link
-            if link.rounded
-            else RoundedLink.of(
-                link, origin=origins[link.name], grasps=rounded(link.grasps), pushes=rounded(link.pushes)
-            )
-            for link in self.links
-        ]
-        parameters, contacts = rounded(self.parameters), rounded(self.contacts)
-        result = replace(self, links=tuple(links), joints=joints, parameters=parameters, contacts=contacts)
-        return remember(result, self.certificate)
+        joints, contacts = tuple(map(rounded, self.joints)), rounded(self.contacts)
+        result = replace(self, joints=joints, parameters=rounded(self.parameters), contacts=contacts)
+        links = [RoundedLink.at(link, result.origin(link.name)) for link in self.links]
+        return remember(replace(result, links=tuple(links)), self.certificate)
 
     def to_data(self) -> dict[str, Any]:
         """Return everything but the triangles as JSON data, with as many digits as `rounded` keeps."""

@@ -88,7 +88,6 @@ class PairResult(Record):
         return self.verdict == "proven" and self.colliders == "proven"
 
     def __str__(self) -> str:
-        """Return the verdict in one line."""
         names = f"{self.links[0]} and {self.links[1]}"
         if self.clear:
             if self.guaranteed is None:
@@ -149,7 +148,6 @@ class Certificate(Record):
         return min(known)[2] if self.proven and known else None
 
     def __str__(self) -> str:
-        """Return the verdict in one line, and one more line for each failure and each allowed contact."""
         if not self.pairs:
             return "nothing moves: there is nothing to prove"
         count, failed = len(self.pairs), len(self.failures)

@@ -37,7 +37,11 @@ def closed_mesh(solid: Manifold) -> tuple[Array, Indices]:
 
 def connected_parts(solid: Manifold) -> list[Manifold]:
     """Return the connected parts of a solid with their hollows, the smallest first, without crumbs."""
-    shells = sorted(solid.decompose(), key=_rank)
+
+    def rank(shell: Manifold) -> tuple[float, ...]:
+        return (round(shell.volume(), 15), *(round(number, 9) for number in shell.bounding_box()))
+
+    shells = sorted(solid.decompose(), key=rank)
     parts = [shell for shell in shells if shell.volume() > _DUST]
     for wall in (shell for shell in shells if shell.volume() < -_DUST):  # hollows: turned inside out
         around = next((number for number, part in enumerate(parts) if _inside(wall, part)), None)
@@ -46,10 +50,6 @@ def connected_parts(solid: Manifold) -> list[Manifold]:
             hollow = Manifold(Mesh64(np.array(vertices), triangles[:, ::-1].astype(np.uint64)))
             parts[around] -= hollow
     return parts
-
-
-def _rank(shell: Manifold) -> tuple[float, ...]:
-    return (round(shell.volume(), 15), *(round(number, 9) for number in shell.bounding_box()))
 
 
 def _inside(inner: Manifold, outer: Manifold) -> bool:
@@ -160,10 +160,6 @@ def with_colliders(asset: Asset, kind: Collision | str) -> Asset:
 
     The returned asset has no certificate: a certificate holds for the colliders that it was proven on.
 
-    Args:
-        asset: The asset.
-        kind: One of `COLLISIONS`.
-
     Raises:
         ExportError: The kind is unknown, or CoACD is not installed or fails.
         AssetError: The asset was read from files, which have no solids.
@@ -232,27 +228,19 @@ def _decomposed(solid: Manifold) -> tuple[Convex, ...]:
 
 def _hulls(parts: Sequence[SolidPart]) -> tuple[Collider, ...]:
     """Return one hull around each connected part of the solids."""
-    convexes, owners, volumes = [], [], []
-    for part in parts:
-        for connected in connected_parts(part.solid):
-            convexes.append(single_hull(closed_mesh(connected)[0], _MOST_VERTICES))
-            owners.append(part)
-            volumes.append(connected.volume())
+    found = [(part, solid) for part in parts for solid in connected_parts(part.solid)]
+    convexes = [single_hull(closed_mesh(solid)[0], _MOST_VERTICES) for _, solid in found]
     result = []
     for convex, group in fewest(convexes, MOST_COLLIDERS, _MOST_VERTICES):
-        owner = owners[max(group, key=lambda number: (volumes[number], -number))]
+        owner, _ = max((found[number] for number in sorted(group)), key=lambda each: each[1].volume())
         result.append(Collider(convex, owner.label, owner.material))
     return tuple(result)
 
 
 def _named(convex: Convex, parts: Sequence[SolidPart]) -> Collider:
     """Give a piece the label and the material of the solid that fills most of it."""
-    manifold, bounds = convex.manifold(), convex.bounds()
-    filled = [
-        (manifold ^ part.solid).volume() if boxes_overlap(bounds, box_of(part.solid)) else 0.0
-        for part in parts
-    ]
-    part = parts[int(np.argmax(filled))]
+    manifold = convex.manifold()
+    part = max(parts, key=lambda part: (manifold ^ part.solid).volume())
     return Collider(convex, part.label, part.material)
 
 

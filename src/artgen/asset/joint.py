@@ -21,6 +21,10 @@ class AssetCoupling(Record):
     ratio: float  # transmission ratio [rad/rad, m/rad, rad/m or m/m]
     offset: float = 0.0  # position while the leader stands at 0 [rad or m]
 
+    def at(self, position: float) -> float:
+        """Return the position of the joint while the leader is at a position [rad or m]."""
+        return self.ratio * position + self.offset
+
 
 @dataclass(frozen=True)
 class AssetCondition(Record):
@@ -57,14 +61,10 @@ class AssetCondition(Record):
 
     def renamed(self, names: Mapping[str, str]) -> "AssetCondition":
         """Return the condition with joints renamed; names not in `names` stay."""
-        return replace(
-            self,
-            joint=names.get(self.joint, self.joint),
-            terms=tuple(term.renamed(names) for term in self.terms),
-        )
+        terms = tuple(term.renamed(names) for term in self.terms)
+        return replace(self, joint=names.get(self.joint, self.joint), terms=terms)
 
     def __str__(self) -> str:
-        """Return the condition in the syntax of the language."""
         if self.kind in ("above", "below"):
             return f"{self.joint} {'>' if self.kind == 'above' else '<'} {self.value:.6g}"
         sign = " & " if self.kind == "all" else " | "
@@ -101,7 +101,6 @@ class AssetDependency(Record):
         return near or far or self.condition.holds(q)
 
     def __str__(self) -> str:
-        """Return the dependency in the syntax of the language."""
         if self.until is None and self.beyond is None:
             return str(self.condition)
         beyond = "" if self.beyond is None else f".beyond({self.beyond:.6g})"
@@ -168,9 +167,8 @@ class AssetJoint(FrozenArrays, Record):
     @property
     def closed(self) -> float:
         """The position nearest to 0 within the limits."""
-        if self.limits is None:
-            return 0.0
-        return min(max(0.0, self.limits[0]), self.limits[1])
+        low, high = self.limits or (0.0, 0.0)
+        return min(max(0.0, low), high)
 
     def motion(self, position: float) -> Array:
         """Return the displacement of the child at a position, shape (4, 4), in asset coordinates at rest."""
@@ -232,7 +230,7 @@ def positions_of_followers(joints: Mapping[str, AssetJoint], q: dict[str, float]
             assert follows is not None, f"joint {current} has no position"
             couplings[current], current = follows, follows.leader
         for follower, coupling in reversed(couplings.items()):
-            result[follower] = coupling.ratio * result[coupling.leader] + coupling.offset
+            result[follower] = coupling.at(result[coupling.leader])
     return result
 
 
@@ -265,7 +263,6 @@ class AllowedContact(Record):
         return replace(self, links=(first, second), when=when)
 
     def __str__(self) -> str:
-        """Describe the pieces, the depth, the condition and the reason."""
         (a, b), (first, second) = self.links, self.labels
         where = "" if self.when is None else f" where {self.when}"
         return f"{a}/{first} may press {1e3 * self.depth:.3g} mm into {b}/{second}{where}: {self.reason}"

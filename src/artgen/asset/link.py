@@ -347,6 +347,12 @@ class RoundedLink(DerivedLink):
 
     origin: Array = field(kw_only=True)  # of its frame in asset coordinates at rest, shape (3,) [m]
 
+    @staticmethod
+    def at(link: Link, origin: Array) -> "RoundedLink":
+        """Return a link with the origin of its frame, shape (3,) [m], rounded."""
+        holds = {"grasps": rounded(link.grasps), "pushes": rounded(link.pushes)}
+        return RoundedLink.of(link, origin=origin, **holds)
+
     @cached_property
     def mass_properties(self) -> MassProperties:
         """Mass, center and inertia of the source, rounded."""

@@ -31,16 +31,9 @@ def mesh_of(solid: Manifold) -> tuple[Array, Indices]:
 
 def moved_manifold(manifold: Manifold, matrix: Array) -> Manifold:
     """Return a manifold moved by an affine matrix, shape (4, 4)."""
-    if np.linalg.det(matrix[:3, :3]) < 0.0:
-        return _reflected(manifold, matrix)
-    return manifold.transform(np.ascontiguousarray(matrix[:3]))
-
-
-def _reflected(manifold: Manifold, matrix: Array) -> Manifold:
-    """Return a manifold after a reflection, shape (4, 4).
-
-    The transform of manifold3d flips the triangles but not the order of the normals at their corners.
-    """
+    if np.linalg.det(matrix[:3, :3]) >= 0.0:
+        return manifold.transform(np.ascontiguousarray(matrix[:3]))
+    # for a reflection, manifold3d flips the triangles but not the order of the normals at their corners
     raw = manifold.to_mesh64()
     properties = np.array(raw.vert_properties)
     properties[:, :3] = properties[:, :3] @ matrix[:3, :3].T + matrix[:3, 3]

@@ -80,23 +80,16 @@ def polyhedron_moments(vertices: Array, triangles: NDArray[np.int64]) -> Moments
     first = _sum(six_volumes[:, None] * total) / 24.0
     products = sum(corner[:, :, None] * corner[:, None, :] for corner in (a, b, c, total))
     second = _sum(six_volumes[:, None, None] * products)
-    return _shifted(Moments(volume, first, second / 120.0), reference)
+    # about the asset's origin
+    crossed = np.outer(first, reference)
+    second = second / 120.0 + crossed + crossed.T + volume * np.outer(reference, reference)
+    return Moments(volume, first + volume * reference, second)
 
 
 def _sum(terms: Array) -> Array:
     """Add along the first axis; terms are sorted, so that the order of triangles does not change the sum."""
     result: Array = np.sort(terms, axis=0).sum(axis=0)
     return result
-
-
-def _shifted(moments: Moments, origin: Array) -> Moments:
-    """Return moments about `origin` as moments about the asset's origin."""
-    cross = np.outer(moments.first, origin)
-    return Moments(
-        moments.zeroth,
-        moments.first + moments.zeroth * origin,
-        moments.second + cross + cross.T + moments.zeroth * np.outer(origin, origin),
-    )
 
 
 def total(moments: Iterable[Moments]) -> MassProperties:

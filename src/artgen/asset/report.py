@@ -35,10 +35,8 @@ class Finding(Record):
     severity: Severity = "fault"  # a `fault` fails the check; a `note` says what the check could not judge
 
     def __str__(self) -> str:
-        """Return place, fault and remedy in one line."""
-        place = ", ".join(
-            f"{kind} {name}" for kind, name in (("link", self.link), ("joint", self.joint)) if name
-        )
+        names = {"link": self.link, "joint": self.joint}
+        place = ", ".join(f"{kind} {name}" for kind, name in names.items() if name)
         pose = ", ".join(f"{name}={position:.4g}" for name, position in self.pose.items())
         text = f"{place}: {self.message}" if place else self.message
         text += f" (at {pose})" if pose else ""
@@ -93,23 +91,18 @@ class Report:
         return not self.faults
 
     def __str__(self) -> str:
-        """Return one line for each check and one for each finding."""
         lines = []
         for result in self.results:
             data = result.to_data()
-            lines.append(
-                f"{result.check}: {data['state']}" + (f" ({data['detail']})" if data["detail"] else "")
-            )
+            detail = f" ({data['detail']})" if data["detail"] else ""
+            lines += [f"{result.check}: {data['state']}{detail}"]
             lines += [f"  {finding.severity}: {finding}" for finding in result.findings]
         return "\n".join(lines)
 
     def to_data(self) -> dict[str, Any]:
         """Return the report as JSON data."""
-        return {
-            "asset": self.asset,
-            "passed": self.passed,
-            "results": [result.to_data() for result in self.results],
-        }
+        results = [result.to_data() for result in self.results]
+        return {"asset": self.asset, "passed": self.passed, "results": results}
 
     def to_json(self) -> str:
         """Return the report as JSON text."""

@@ -9,6 +9,12 @@ from artgen.asset.joint import AllowedContact, AssetJoint, joints_above
 from artgen.asset.link import Link
 from artgen.errors import AssetError, nearest
 
+_REMEDIES = {  # for names that are used twice
+    "link": "give one part(...) another label, or the same label and a name of its own (name=...)",
+    "joint": "give one joint another name",
+    "grasp": "give one of the parts that carry it a name of its own (name=...)",
+}
+
 
 @dataclass(frozen=True, eq=False)
 class Branch:
@@ -75,20 +81,15 @@ class Tree:
             ValueError: Two links, joints, or grasps and pushes share a name.
         """
         links = list(self.links())
-        names = {
+        kinds = {
             "link": [link.name for link in links],
             "joint": [joint.name for joint in self.joints()],
             "grasp": [hold.name for link in links for hold in (*link.grasps, *link.pushes)],
         }
-        remedy = {
-            "link": "give one part(...) another label, or the same label and a name of its own (name=...)",
-            "joint": "give one joint another name",
-            "grasp": "give one of the parts that carry it a name of its own (name=...)",
-        }
-        for what, found in names.items():
-            twice = [name for name, count in Counter(found).items() if count > 1]
+        for kind, names in kinds.items():
+            twice = [name for name, count in Counter(names).items() if count > 1]
             if twice:
-                raise ValueError(f"the {what} name {twice[0]!r} is used twice; {remedy[what]}")
+                raise ValueError(f"the {kind} name {twice[0]!r} is used twice; {_REMEDIES[kind]}")
         return self
 
 

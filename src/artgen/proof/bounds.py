@@ -36,7 +36,6 @@ class Motion:
     half: Array  # half the length of the interval, not negative, shape (N,) [rad or m]
 
     def __getitem__(self, rows: Indices) -> "Motion":
-        """Return the motion of several items."""
         columns = (self.origin, self.axis, self.center, self.half)
         return Motion(self.kind, *(column[rows] for column in columns))
 

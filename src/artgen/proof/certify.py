@@ -56,11 +56,7 @@ def certify(
     are too coarse for a proof, the solids are proven on finer pieces, and the failure is reported for the
     colliders only.
 
-    Args:
-        asset: The asset.
-        tolerance: Clearance to prove [m].
-        measure: Whether to bracket each pair's smallest clearance, within a fifth and up to 10 mm.
-        only: Selects the pairs to examine; all by default.
+    The arguments are those of `Asset.certify`; `only` selects the pairs to examine.
 
     Raises:
         AssetError: The asset has no links, a joint has no usable range, or a joint can never move.

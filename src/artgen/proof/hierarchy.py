@@ -102,9 +102,10 @@ class Hierarchy:
         found: Array = self._points[self._start[nodes][:, None] + offset]
         return found
 
-    def expanded(self, nodes: Indices) -> tuple[Indices, Indices]:
-        """Return the children of each node (a piece: itself) with the rows of their parents."""
-        table = self._child[nodes]
+    def expanded(self, nodes: Indices, chosen: Mask) -> tuple[Indices, Indices]:
+        """Replace chosen nodes by their children (a piece: itself); return the rows of the parents too."""
+        table = np.where(chosen[:, None], self._child[nodes], -1)
+        table[~chosen, 0] = nodes[~chosen]
         rows, columns = np.nonzero(table >= 0)
         return rows, table[rows, columns]
 

@@ -70,7 +70,7 @@ class JointTable:
         """Collect the numbers of several joint paths."""
         signs = np.array([path.signs for path in joint_paths], float)
         numbers = [
-            [path.variables.index(each.variable) if each.variable else NONE for each in path.followers]
+            [path.variables.index(each.leader) if each.leader else NONE for each in path.followers]
             for path in joint_paths
         ]
         return JointTable(
@@ -184,8 +184,8 @@ def starting_cells(joint_path: JointPath) -> list[tuple[int, Array]]:
         parts = np.ones(len(box), np.int64)
         if len(joint_path.steps) > 2:
             for joint, follower in zip(joint_path.steps, joint_path.followers, strict=True):
-                if joint.kind == "revolute" and follower.variable:
-                    number = joint_path.variables.index(follower.variable)
+                if joint.kind == "revolute" and follower.leader:
+                    number = joint_path.variables.index(follower.leader)
                     width = abs(follower.ratio) * (box[number, 1] - box[number, 0])
                     parts[number] = max(parts[number], int(np.ceil(width / _WIDEST_START)))
         grown = box + (-BEYOND, BEYOND)

@@ -94,7 +94,7 @@ def displacement(joint_path: JointPath, positions: Array) -> Array:
     matrix = np.eye(4)
     values = dict(zip(joint_path.variables, positions.tolist(), strict=True))
     for joint, sign, follower in zip(joint_path.steps, joint_path.signs, joint_path.followers, strict=True):
-        matrix = matrix @ joint.motion(sign * follower.at(values.get(follower.variable, 0.0)))
+        matrix = matrix @ joint.motion(sign * follower.at(values.get(follower.leader, 0.0)))
     return matrix
 
 

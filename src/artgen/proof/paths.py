@@ -15,7 +15,7 @@ import numpy as np
 
 from artgen._arrays import Array
 from artgen.asset import Asset, AssetJoint
-from artgen.asset.joint import AllowedContact, AssetCondition, joints_above
+from artgen.asset.joint import AllowedContact, AssetCondition, AssetCoupling, joints_above
 from artgen.errors import AssetError
 
 Interval = tuple[float, float]
@@ -32,19 +32,6 @@ _MOST_BOXES = 128  # dependencies that would cut a space into more boxes are lef
 _ROUNDING = 1e-12  # tolerance of a box that was cut at a threshold [rad or m]
 
 
-@dataclass(frozen=True)
-class Follower:
-    """Position of a joint as a function of a free joint: ratio * position(variable) + offset."""
-
-    variable: str  # name of the free joint; empty for a joint that stands still
-    ratio: float  # transmission ratio [rad/rad, m/rad, rad/m or m/m]
-    offset: float  # position while the variable is 0 [rad or m]
-
-    def at(self, position: float) -> float:
-        """Return the position of the joint while the variable stands at a position [rad or m]."""
-        return self.ratio * position + self.offset
-
-
 @dataclass(frozen=True, eq=False)
 class JointPath:
     """The joints between two links."""
@@ -52,7 +39,8 @@ class JointPath:
     links: tuple[str, str]  # names of the links, A and B
     steps: tuple[AssetJoint, ...]  # the joints on the path from A to B
     signs: tuple[int, ...]  # 1 for a joint that leads away from the root, -1 for one that leads towards it
-    followers: tuple[Follower, ...]  # the position of each joint as a function of a variable
+    # position of each joint as a function of a variable, its leader; empty for a joint that stands still
+    followers: tuple[AssetCoupling, ...]
     variables: tuple[str, ...]  # names of the free joints that move them
     # joint space: lowest and highest position of each variable, each shape (v, 2) [rad or m]
     boxes: tuple[Array, ...]
@@ -66,7 +54,7 @@ class Space:
     def __init__(self, asset: Asset) -> None:
         self.asset = asset
         self._chains = {link.name: joints_above(asset.joints, link.name)[::-1] for link in asset.links}
-        self.followers: dict[str, Follower] = {}
+        self.followers: dict[str, AssetCoupling] = {}
         self.ranges: dict[str, Interval] = {}
         for joint in asset.joints:
             self._resolve(joint)
@@ -89,7 +77,7 @@ class Space:
             spans = []
             for name in joint.needs.condition.joints():
                 follower = self.followers[name]
-                low, high = sorted(map(follower.at, self.ranges.get(follower.variable, (0.0, 0.0))))
+                low, high = sorted(map(follower.at, self.ranges.get(follower.leader, (0.0, 0.0))))
                 spans.append(f"{name} stands within {low:.6g} to {high:.6g}")
             raise AssetError(
                 f"joint {joint.name!r} needs {joint.needs.condition}, but {', '.join(spans)}: it could never "
@@ -109,7 +97,7 @@ class Space:
         steps = (*reversed(up[shared:]), *down[shared:])
         signs = (-1,) * (len(up) - shared) + (1,) * (len(down) - shared)
         followers = tuple(self.followers[joint.name] for joint in steps)
-        variables = tuple(dict.fromkeys(each.variable for each in followers if each.variable))
+        variables = tuple(dict.fromkeys(each.leader for each in followers if each.leader))
         contacts = [each for each in self.asset.contacts if set(each.links) == {a, b}]
         boxes = [part for box in self.boxes(variables) for part in self._split(box, contacts)]
         allowed = tuple(
@@ -132,8 +120,8 @@ class Space:
         needed = list(variables)
         for variable in needed:  # grows: the variables that joints depend on are appended
             for joint in self.asset.joints:
-                if joint.needs is not None and self.followers[joint.name].variable == variable:
-                    needs = (self.followers[name].variable for name in joint.needs.condition.joints())
+                if joint.needs is not None and self.followers[joint.name].leader == variable:
+                    needs = (self.followers[name].leader for name in joint.needs.condition.joints())
                     needed += [name for name in dict.fromkeys(needs) if name and name not in needed]
         boxes: list[Box] = [{name: self.ranges[name] for name in needed}]
         for joint in self.asset.joints:
@@ -153,14 +141,14 @@ class Space:
             leader = self.asset.joint(leader.follows.leader)
         if leader.locked:
             assert leader.limits is not None
-            self.followers[joint.name] = Follower("", 0.0, ratio * leader.limits[0] + offset)
+            self.followers[joint.name] = AssetCoupling("", 0.0, ratio * leader.limits[0] + offset)
             return
         turns = leader.kind == joint.kind == "revolute" and ratio == round(ratio)
         if leader.limits is None and joint is not leader and not turns:
             # over several turns of the leader, the follower may stand anywhere
             leader, ratio, offset = joint, 1.0, 0.0
         full = FULL_TURN if leader.kind == "revolute" else FULL_SLIDE
-        self.followers[joint.name] = Follower(leader.name, ratio, offset)
+        self.followers[joint.name] = AssetCoupling(leader.name, ratio, offset)
         self.ranges[leader.name] = full if leader.limits is None else leader.limits
 
     def _clauses(self, joint: AssetJoint, variables: Sequence[str]) -> list[Box] | None:
@@ -183,9 +171,9 @@ class Space:
     def _where(self, joint: str, low: float, high: float) -> Box | None:
         """Return the positions of a joint within an interval; None if there are none."""
         follower = self.followers[joint]
-        if not follower.variable:
+        if not follower.leader:
             return {} if low <= follower.offset <= high else None
-        name, limits = follower.variable, self.ranges[follower.variable]
+        name, limits = follower.leader, self.ranges[follower.leader]
         if self.asset.joint(name).limits is None:
             return {}  # positions of unlimited joints are known up to full turns only
         ends = sorted((end - follower.offset) / follower.ratio for end in (low, high))
@@ -214,7 +202,7 @@ class Space:
         terms = [term for each in contacts if each.when is not None for term in each.when.comparisons()]
         for term in terms:
             follower = self.followers[term.joint]
-            name = follower.variable
+            name = follower.leader
             if name in box and self.asset.joint(name).limits is not None:
                 value = (term.value - follower.offset) / follower.ratio
                 boxes = [part for each in boxes for part in _halves(each, name, value)]
@@ -223,9 +211,9 @@ class Space:
     def _holds(self, box: Box, term: AssetCondition) -> bool:
         """Tell whether a comparison holds everywhere in a box."""
         follower = self.followers[term.joint]
-        if follower.variable and self.asset.joint(follower.variable).limits is None:
+        if follower.leader and self.asset.joint(follower.leader).limits is None:
             return False  # it holds within one turn, but perhaps not in the next
-        interval = box.get(follower.variable, self.ranges.get(follower.variable, (0.0, 0.0)))
+        interval = box.get(follower.leader, self.ranges.get(follower.leader, (0.0, 0.0)))
         ends = [follower.at(end) for end in interval]
         if term.kind == "above":
             return min(ends) >= term.value - _ROUNDING

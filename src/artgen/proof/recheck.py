@@ -143,7 +143,7 @@ def _gap(joint_path: JointPath, covers: Sequence[Cover], row: Array) -> float:
         raise ValueError(f"the cell {row.tolist()} counts from below 0 or beyond the joints")
     path = []
     for joint, sign, follower in zip(joint_path.steps, joint_path.signs, joint_path.followers, strict=True):
-        number = joint_path.variables.index(follower.variable) if follower.variable else 0
+        number = joint_path.variables.index(follower.leader) if follower.leader else 0
         center = follower.at((low[number] + high[number]) / 2.0)
         half = abs(follower.ratio) * (high[number] - low[number]) / 2.0
         axis = (sign * joint.axis)[None]

@@ -325,9 +325,9 @@ class Search:
             result += _halved(cells[halve], ahead.dimension(table, table_rows, halve, reach))
         if divide.any():
             chosen, limit = cells[divide], 0.5 * larger[divide]
-            rows, first = _expanded(nodes, chosen.first, sizes[0, divide] >= limit)
+            rows, first = nodes.expanded(chosen.first, sizes[0, divide] >= limit)
             chosen = replace(chosen[rows], first=first)
-            rows, second = _expanded(nodes, chosen.second, sizes[1, divide][rows] >= limit[rows])
+            rows, second = nodes.expanded(chosen.second, sizes[1, divide][rows] >= limit[rows])
             result.append(replace(chosen[rows], second=second))
         return result
 
@@ -339,13 +339,3 @@ def _halved(cells: ProofCells, variable: Indices) -> list[ProofCells]:
     low, high = cells.low.copy(), cells.high.copy()
     low[rows, variable] = high[rows, variable] = middle
     return [replace(cells, high=high), replace(cells, low=low)]
-
-
-def _expanded(nodes: Hierarchy, chosen: Indices, wanted: Mask) -> tuple[Indices, Indices]:
-    """Replace nodes by their children; return the rows of the parents and the nodes."""
-    rows, within = nodes.expanded(chosen)
-    first = np.ones(len(rows), bool)
-    first[1:] = rows[1:] != rows[:-1]
-    kept = wanted[rows] | first
-    rows, within = rows[kept], within[kept]
-    return rows, np.where(wanted[rows], within, chosen[rows])
