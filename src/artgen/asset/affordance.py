@@ -147,8 +147,7 @@ class Gripper:
         }
 
 
-GRIPPER = Gripper()
-"""The gripper for which grasps are made."""
+GRIPPER = Gripper()  # the gripper for which grasps are made
 
 
 def block(corners: Array, frame: Array) -> Manifold:

@@ -174,15 +174,9 @@ class Asset:
         return affordances(self)
 
     def positions(self, q: Mapping[str, float] | None = None) -> dict[str, float]:
-        """Return the positions of all joints for the given positions of some.
+        """Return the positions of all joints for the given positions of some, by name [rad or m].
 
         Other joints have the position nearest to 0 within their limits; coupled joints follow.
-
-        Args:
-            q: Positions by joint name [rad or m].
-
-        Returns:
-            The position of every joint [rad or m].
 
         Raises:
             AssetError: A joint is unknown, coupled to another, or beyond its limits.
@@ -321,11 +315,8 @@ class Asset:
         return json_text(self.to_data())
 
 
-PLAIN = ("name", "category", "seed", "attempt", "version", "base")
-"""Fields that files store as they are."""
-
-FORMAT = "artgen-asset-1"
-"""Format of `asset.json` that this version reads and writes."""
+PLAIN = ("name", "category", "seed", "attempt", "version", "base")  # fields that files store as they are
+FORMAT = "artgen-asset-1"  # format of `asset.json` that this version reads and writes
 
 
 def remember(asset: Asset, certificate: Certificate | None) -> Asset:

@@ -7,14 +7,9 @@ from typing import Any, ClassVar, Literal
 from artgen.asset.joint import AllowedContact
 from artgen.asset.record import Record, plain
 
-PROOF_FORMAT = "artgen-certificate-1"
-"""Format of the proofs that this version can verify."""
-
-AXIS_FRAME = -2
-"""Frame number of a cell that heights and radii about a common axis prove, instead of a plane."""
-
-MOST_TOLERANCE = 0.1
-"""Largest clearance that `certify` accepts [m]."""
+PROOF_FORMAT = "artgen-certificate-1"  # format of the proofs that this version can verify
+AXIS_FRAME = -2  # frame number of a cell that heights and radii about a common axis prove, instead of a plane
+MOST_TOLERANCE = 0.1  # largest clearance that `certify` accepts [m]
 
 Verdict = Literal["proven", "collision", "not proven"]
 Region = Mapping[str, tuple[float, float]]

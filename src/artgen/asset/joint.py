@@ -210,8 +210,7 @@ def rotation(axis: Array, angle: float) -> Array:
     """Return the rotation about a unit axis, shape (3, 3) (Rodrigues' formula)."""
     x, y, z = axis
     cross = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
-    result: Array = np.eye(3) + np.sin(angle) * cross + (1.0 - np.cos(angle)) * (cross @ cross)
-    return result
+    return np.asarray(np.eye(3) + np.sin(angle) * cross + (1.0 - np.cos(angle)) * (cross @ cross))
 
 
 def positions_of_followers(joints: Mapping[str, AssetJoint], q: dict[str, float]) -> dict[str, float]:

@@ -19,8 +19,7 @@ from artgen.colliders import Convex, budgeted
 from artgen.errors import AssetError
 from artgen.materials import Material
 
-MOST_COLLIDERS = 64
-"""Most convex pieces of one link; a common limit of GPU simulators."""
+MOST_COLLIDERS = 64  # most convex pieces of one link; a common limit of GPU simulators
 
 
 @dataclass(frozen=True, eq=False)
@@ -378,10 +377,7 @@ class RoundedLink(DerivedLink):
         return tuple(result)
 
 
-@cached(256)
-def _rounded_material(material: Material) -> Material:
-    result: Material = rounded(material)
-    return result
+_rounded_material: Callable[[Material], Material] = cached(256)(rounded)
 
 
 def _rounded_convex(convex: Convex) -> Convex:

@@ -7,12 +7,8 @@ from numpy.typing import ArrayLike
 from artgen._arrays import Array, Indices, cached
 from artgen.colliders.triangles import cross
 
-PROPERTIES = 6
-"""Vertex property channels of every manifold: nx ny nz u v paint."""
-
-TURNED_OVER = np.array([-1.0, 1.0])
-"""Factors of texture coordinates under a reflection, which keep maps unmirrored."""
-
+PROPERTIES = 6  # vertex property channels of every manifold: nx ny nz u v paint
+TURNED_OVER = np.array([-1.0, 1.0])  # factors of texture coordinates in a reflection: maps stay unmirrored
 _COINCIDENT = 1e-9  # vertices closer than this are one point of the surface [m]
 _SMALL = 600  # most triangles of a surface whose connectivity is cached
 _HAS_NORMALS = 2  # bit of a mesh run: the first three channels are normals, which turn with the solid

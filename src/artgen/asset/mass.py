@@ -88,8 +88,7 @@ def polyhedron_moments(vertices: Array, triangles: NDArray[np.int64]) -> Moments
 
 def _sum(terms: Array) -> Array:
     """Add along the first axis; terms are sorted, so that the order of triangles does not change the sum."""
-    result: Array = np.sort(terms, axis=0).sum(axis=0)
-    return result
+    return np.asarray(np.sort(terms, axis=0).sum(axis=0))
 
 
 def total(moments: Iterable[Moments]) -> MassProperties:

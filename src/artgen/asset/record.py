@@ -10,11 +10,8 @@ import numpy as np
 
 from artgen._arrays import cached
 
-DECIMALS = 12
-"""Decimals of coordinates of colliders [m]; other numbers have as many significant digits."""
-
+DECIMALS = 12  # decimals of coordinates of colliders [m]; other numbers have as many significant digits
 _EXPANDED = 3  # levels that always have a line per item; the next level has if items are not plain values
-
 _ENCODER = json.JSONEncoder(ensure_ascii=False, allow_nan=False)
 
 

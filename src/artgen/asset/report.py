@@ -9,9 +9,7 @@ from artgen.asset.record import Record, rounded
 
 Severity = Literal["fault", "note"]
 
-AGAIN = "export the asset again"
-"""The hint where a file is not as artgen writes it."""
-
+AGAIN = "export the asset again"  # the hint where a file is not as artgen writes it
 CHANGED = f"the file was changed, or is of another asset: {AGAIN}"
 """The hint where a file does not say what the asset is."""
 

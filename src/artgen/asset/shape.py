@@ -55,8 +55,7 @@ class Curve(FrozenArrays):
     tangents: Array | None = None  # unit tangents at the samples, shape (n, 3); None if they are not known
 
 
-GRAIN = 1e12
-"""Steps per metre to which coordinates are rounded: machines and versions of NumPy differ beyond."""
+GRAIN = 1e12  # steps per metre to which coordinates are rounded: machines and versions of NumPy differ beyond
 _NEEDLE = 1e-9  # height below which a triangle is degenerate [m]
 _RIGID = 1e-12  # largest deviation of a rotation from orthogonality
 

@@ -106,10 +106,6 @@ class Shell(FrozenArrays):
             wall -= Manifold(Mesh64(np.array(hollow.points), turned))
         return wall
 
-    def winds_around(self, point: Array) -> float:
-        """Return how many times the shell encloses a point, shape (3,): 1 inside, 0 outside."""
-        return winding_number(self.corners, point)
-
 
 @dataclass(frozen=True, eq=False)
 class LinkShells(FrozenArrays):
@@ -133,30 +129,22 @@ class LinkShells(FrozenArrays):
             return ()
         outer = [shell for shell in self.shells if shell.volume > 0.0]
         hollows: list[list[Shell]] = [[] for _ in outer]
-        for shell in self.shells:
-            if shell.volume < 0.0 and (owner := _owner(shell, outer)) is not None:
-                hollows[owner].append(shell)
-        return tuple(
-            replace(shell, hollows=tuple(inside)) for shell, inside in zip(outer, hollows, strict=True)
-        )
+        for wall in (shell for shell in self.shells if shell.volume < 0.0):
+            # the smallest shell whose box contains the box of the wall
+            around = [
+                (shell.volume, number)
+                for number, shell in enumerate(outer)
+                if (shell.bounds[0] <= wall.bounds[0]).all() and (wall.bounds[1] <= shell.bounds[1]).all()
+                if shell.volume > -wall.volume
+            ]
+            if around:
+                hollows[min(around)[1]].append(wall)
+        return tuple(replace(shell, hollows=tuple(each)) for shell, each in zip(outer, hollows, strict=True))
 
     @property
     def closed(self) -> bool:
         """Whether every edge has a face on either side, wound alike."""
         return self.finite and not self.open_edges and not self.turned_edges
-
-
-def _owner(hollow: Shell, outer: Sequence[Shell]) -> int | None:
-    """Return the number of the smallest shell whose box contains the box of a hollow; None without one."""
-    low, high = hollow.bounds
-    around = [
-        (shell.volume, number)
-        for number, shell in enumerate(outer)
-        if (shell.bounds[0] <= low).all()
-        and (high <= shell.bounds[1]).all()
-        and shell.volume > -hollow.volume
-    ]
-    return min(around)[1] if around else None
 
 
 _FLAT = 1e-8  # height below which a triangle is flat [m]

@@ -19,15 +19,9 @@ from artgen.materials.textures import shifts_of, tile_of
 Corners = NDArray[np.int64]
 """Corner indices of triangles, shape (3, m): NumPy sums and compares rows much faster than columns."""
 
-POSITION_DECIMALS = 7
-"""Decimals of the vertices of surfaces in files, in the frame of their link: 0.1 micrometre."""
-
-NORMAL_DECIMALS = 5
-"""Decimals of the normals of surfaces in files."""
-
-UV_DECIMALS = 6
-"""Decimals of the texture coordinates of surfaces in files, in repeats of the maps."""
-
+POSITION_DECIMALS = 7  # decimals of vertices in files, in the frame of their link: 0.1 micrometre
+NORMAL_DECIMALS = 5  # decimals of the normals of surfaces in files
+UV_DECIMALS = 6  # decimals of the texture coordinates of surfaces in files, in repeats of the maps
 _SAME = 1e-6  # tolerance of position [m], normal and texture coordinates [m] of equal vertices
 _ROUNDS = 8  # tries for each needle: its neighbors may have to be removed first
 _SHIFTS = 64  # possible texture offsets in a tile, in each direction

@@ -19,9 +19,7 @@ from artgen._arrays import Array, Indices
 from artgen.asset.joint import JointKind
 from artgen.colliders.triangles import cross
 
-WIDEST = 1.2
-"""Half interval up to which the ends and the crossing of the tangents enclose an arc [rad]."""
-
+WIDEST = 1.2  # half interval up to which the ends and the crossing of the tangents enclose an arc [rad]
 _OCTAGON = 8
 
 

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from artgen._arrays import Array
-from artgen.asset import Asset, Link
+from artgen.asset import Asset
 from artgen.asset.certificate import (
     MOST_TOLERANCE,
     PROOF_FORMAT,
@@ -72,14 +72,13 @@ def certify(
     if only is None:  # dependencies may block a joint in part of its range
         space.check()
     joint_paths = [joint_path for joint_path in space.joint_paths() if only is None or only(joint_path)]
-    links = {link.name: link for link in asset.links}
-    on_colliders = _searched(links, collider_cover, joint_paths, tolerance, measure=measure)
+    on_colliders = _searched(asset, collider_cover, joint_paths, tolerance, measure=measure)
     doubtful = [each.joint_path for each in on_colliders if not each.settled]
     on_solids = {each.joint_path.links: each for each in on_colliders}
     if all(link.pieces for link in asset.links):
-        finer = _searched(links, fine_cover, doubtful, tolerance, measure=measure)
+        finer = _searched(asset, fine_cover, doubtful, tolerance, measure=measure)
         on_solids |= {each.joint_path.links: each for each in finer}
-    pairs = [_pair_result(asset, links, each, on_solids[each.joint_path.links]) for each in on_colliders]
+    pairs = [_pair_result(asset, each, on_solids[each.joint_path.links]) for each in on_colliders]
     proven = [on_solids[pair.links] for pair in pairs if pair.verdict == "proven"]
     proven += [each for each in on_colliders if each.outcome.proven and each not in proven]
     return Certificate(float(tolerance), tuple(pairs), asset.contacts, _proof_data(proven))
@@ -128,7 +127,7 @@ class _PairSearch:
 
 
 def _searched(
-    links: Mapping[str, Link],
+    asset: Asset,
     cover: Callable[..., Cover],
     joint_paths: Sequence[JointPath],
     tolerance: float,
@@ -139,7 +138,7 @@ def _searched(
     if not joint_paths:
         return []
     names = list(dict.fromkeys(name for joint_path in joint_paths for name in joint_path.links))
-    covers = {name: cover(links[name]) for name in names}
+    covers = {name: cover(asset.link(name)) for name in names}
     nodes = Hierarchy([covers[name].points for name in names])
 
     def confirm(number: int, first: int, second: int, positions: Array, depth: float) -> str:
@@ -147,7 +146,7 @@ def _searched(
         a, b = nodes.hull(first), nodes.hull(second).transform(displacement(joint_path, positions)[:3])
         if (a ^ b).volume() <= 0.0 or penetration(a, b) <= depth + PRESSED:
             return ""
-        overlap = link_overlap(links, joint_path, positions)
+        overlap = link_overlap(asset, joint_path, positions)
         return "pieces" if overlap is None else "solids"
 
     def allowed_depth(number: int, box: int, first: int, second: int) -> float:
@@ -175,9 +174,7 @@ def _searched(
     ]
 
 
-def _pair_result(
-    asset: Asset, links: Mapping[str, Link], on_colliders: _PairSearch, on_solids: _PairSearch
-) -> PairResult:
+def _pair_result(asset: Asset, on_colliders: _PairSearch, on_solids: _PairSearch) -> PairResult:
     """Return the result of the proof for a pair; both searches are one if colliders represent the solids."""
     joint_path, outcome = on_colliders.joint_path, on_solids.outcome
     verdict, colliders = (
@@ -186,7 +183,7 @@ def _pair_result(
     )
     witness = None
     if verdict != "proven" or colliders != "proven":
-        witness = _witness(asset, links, on_solids if outcome.hit is not None else on_colliders)
+        witness = _witness(asset, on_solids if outcome.hit is not None else on_colliders)
     opened = on_solids if outcome.open else on_colliders
     guaranteed, found, found_at = None, None, {}
     if verdict == "proven":
@@ -213,7 +210,7 @@ def _verdict(proven: bool, hit: object) -> Verdict:  # noqa: FBT001 - a private 
     return "collision" if hit is not None else "proven" if proven else "not proven"
 
 
-def _witness(asset: Asset, links: Mapping[str, Link], search: _PairSearch) -> Witness | None:
+def _witness(asset: Asset, search: _PairSearch) -> Witness | None:
     """Describe the overlap that a search found; None if it found no overlap."""
     joint_path, hit = search.joint_path, search.outcome.hit
     found = hit or search.outcome.collider_hit
@@ -227,11 +224,11 @@ def _witness(asset: Asset, links: Mapping[str, Link], search: _PairSearch) -> Wi
 
     def touch(at: Array) -> bool:
         if hit is not None:
-            return link_overlap(links, joint_path, at) is not None
+            return link_overlap(asset, joint_path, at) is not None
         return bool((a ^ moved(at)).volume() > 0.0)
 
     b = moved(positions)
-    overlap = link_overlap(links, joint_path, positions)
+    overlap = link_overlap(asset, joint_path, positions)
     if hit is None or overlap is None:
         common = a ^ b
         overlap = Overlap(common.volume(), box_of(common).mean(axis=0), search.labels(first, second))

@@ -158,9 +158,7 @@ def _with_margin(piece: Polytope, margin: float) -> tuple[Array, float]:
     return (piece.points[:, None] + margin * _AROUND).reshape(-1, 3), margin
 
 
-FINE = 2e-5
-"""Largest distance between a round piece and the polytope around it [m]."""
-
+FINE = 2e-5  # largest distance between a round piece and the polytope around it [m]
 _FILE_DECIMALS = 5e-8  # half the last digit of a mesh file [m]
 _SINGLE = 2.0**-24  # relative error of single precision, in which USD keeps points
 

@@ -99,8 +99,7 @@ class Hierarchy:
         """Return the vertices of nodes, the last vertex repeated to equal counts, shape (N, V, 3) [m]."""
         count = self.count[nodes]
         offset = np.minimum(np.arange(count.max()), count[:, None] - 1)
-        found: Array = self._points[self._start[nodes][:, None] + offset]
-        return found
+        return np.asarray(self._points[self._start[nodes][:, None] + offset])
 
     def expanded(self, nodes: Indices, chosen: Mask) -> tuple[Indices, Indices]:
         """Replace chosen nodes by their children (a piece: itself); return the rows of the parents too."""

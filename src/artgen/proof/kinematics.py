@@ -12,12 +12,8 @@ from artgen.colliders.triangles import cross
 from artgen.proof.bounds import Motion
 from artgen.proof.paths import JointPath
 
-NONE = -1
-"""Frame of a cell without a plane, and variable of a joint that stands still."""
-
-BEYOND = 1e-9
-"""Distance by which the proof extends beyond each end of a range, for rounded limits [rad or m]."""
-
+NONE = -1  # frame of a cell without a plane, and variable of a joint that stands still
+BEYOND = 1e-9  # distance by which the proof extends beyond each end of a range, for rounded limits [rad or m]
 _WIDEST_START = 1.6  # widest starting cell where arcs have to be enclosed [rad]
 _ROUNDING = 1e-9  # tolerance of points on an axis [m]
 
@@ -128,8 +124,7 @@ class Frames:
         """Return directions of frame 0 in another frame, for some cells, shape (n, 3)."""
         if frame == 0:
             return directions
-        result: Array = np.matmul(directions[:, None, :], self.rotations[frame][rows])[:, 0, :]
-        return result
+        return np.asarray(np.matmul(directions[:, None, :], self.rotations[frame][rows])[:, 0, :])
 
 
 def frames(path: Sequence[Motion]) -> Frames:
@@ -157,8 +152,7 @@ def _rotations(axis: Array, angle: Array) -> Array:
     matrix[:, 0, 1], matrix[:, 0, 2], matrix[:, 1, 2] = -z, y, -x
     matrix -= matrix.transpose(0, 2, 1).copy()
     sine, cosine = np.sin(angle)[:, None, None], np.cos(angle)[:, None, None]
-    result: Array = np.eye(3) + sine * matrix + (1.0 - cosine) * np.matmul(matrix, matrix)
-    return result
+    return np.asarray(np.eye(3) + sine * matrix + (1.0 - cosine) * np.matmul(matrix, matrix))
 
 
 def is_coaxial(joint_path: JointPath) -> bool:
@@ -169,12 +163,6 @@ def is_coaxial(joint_path: JointPath) -> bool:
     off = [joint.axis for joint in joint_path.steps]
     off += [joint.pivot - first.pivot for joint in joint_path.steps if joint.kind == "revolute"]
     return bool(np.abs(np.cross(off, first.axis)).max() <= _ROUNDING)
-
-
-def nearest_zero(box: Array) -> Array:
-    """Return the point of a box, shape (v, 2), nearest to 0, shape (v,)."""
-    nearest: Array = np.clip(0.0, box[:, 0], box[:, 1])
-    return nearest
 
 
 def starting_cells(joint_path: JointPath) -> list[tuple[int, Array]]:

@@ -90,22 +90,20 @@ def clearance(asset: Asset, q: Mapping[str, float] | None = None) -> dict[tuple[
 
     Returns:
         The distance by the names of the two links, for links that can move against each other, without pieces
-        that may touch [m]. For two links that overlap, minus the cube root of the common volume, as a measure
-        of the overlap.
+        that may touch [m]. For two links that overlap, minus the cube root of the common volume.
 
     Raises:
         AssetError: A joint is unknown, coupled to another, or beyond its limits.
     """
     poses, positions = asset.pose(q), asset.positions(q)
-    links = {link.name: link for link in asset.links}
     result: dict[tuple[str, str], float] = {}
     for joint_path in Space(asset).joint_paths():
         at = np.array([positions[name] for name in joint_path.variables])
         a, b = joint_path.links
-        if overlap := link_overlap(links, joint_path, at):
+        if overlap := link_overlap(asset, joint_path, at):
             result[a, b] = -float(np.cbrt(overlap.volume))
         else:
-            result[a, b] = _distance(links[a], links[b], np.linalg.inv(poses[a]) @ poses[b])
+            result[a, b] = _distance(asset.link(a), asset.link(b), np.linalg.inv(poses[a]) @ poses[b])
     return result
 
 

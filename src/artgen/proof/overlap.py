@@ -1,25 +1,21 @@
 """Exact overlap of two links at one pose, and their first contact."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
 from manifold3d import Manifold
 
 from artgen._arrays import Array, cached_per_object
-from artgen.asset import Link
+from artgen.asset import Asset, Link
 from artgen.asset.collision import link_parts
 from artgen.asset.joint import AllowedContact
 from artgen.asset.manifolds import box_of, mesh_of
 from artgen.colliders.triangles import cross
 from artgen.proof.paths import JointPath
 
-LEAST_VOLUME = 1e-13
-"""Volume above which two solids count as overlapping [m^3]."""
-
-PRESSED = 1e-5
-"""Depth beyond the allowed depth above which pieces count as overlapping [m]."""
-
+LEAST_VOLUME = 1e-13  # volume above which two solids count as overlapping [m^3]
+PRESSED = 1e-5  # depth beyond the allowed depth above which pieces count as overlapping [m]
 _MARCH = 48  # steps of the search for a first contact on the line from rest
 _BISECTIONS = 16
 _PARALLEL = 1e-6  # length of the cross product of unit vectors that count as parallel
@@ -35,13 +31,14 @@ class Overlap:
     labels: tuple[str, str]  # labels of the two solids of that part
 
 
-def link_overlap(links: Mapping[str, Link], joint_path: JointPath, positions: Array) -> Overlap | None:
+def link_overlap(asset: Asset, joint_path: JointPath, positions: Array) -> Overlap | None:
     """Return the overlap of the exact solids of two links beyond allowed contacts, or None."""
-    (a, b), matrix = joint_path.links, displacement(joint_path, positions)
+    a, b = (asset.link(name) for name in joint_path.links)
+    matrix = displacement(joint_path, positions)
     allowed = allowed_at(joint_path, positions)
-    low, high = _boxes(links[a]).swapaxes(0, 1)
-    first, volume, largest, result = link_parts(links[a]), 0.0, 0.0, None
-    for part, box in zip(link_parts(links[b]), _boxes(links[b]), strict=True):
+    low, high = _boxes(a).swapaxes(0, 1)
+    first, volume, largest, result = link_parts(a), 0.0, 0.0, None
+    for part, box in zip(link_parts(b), _boxes(b), strict=True):
         center, half = box.mean(axis=0), (box[1] - box[0]) / 2.0
         middle, reach = matrix[:3, :3] @ center + matrix[:3, 3], np.abs(matrix[:3, :3]) @ half
         near = np.flatnonzero((low < middle + reach).all(axis=1) & (high > middle - reach).all(axis=1))
@@ -145,5 +142,4 @@ def _width(solid: Manifold) -> float:
 def _unit(vectors: Array, shortest: float = 0.0) -> Array:
     """Return the directions of the vectors that are longer than the shortest one."""
     length = np.sqrt(np.sum(vectors * vectors, axis=1))
-    chosen: Array = vectors[length > shortest] / length[length > shortest][:, None]
-    return chosen
+    return np.asarray(vectors[length > shortest] / length[length > shortest][:, None])

@@ -21,12 +21,8 @@ from artgen.errors import AssetError
 Interval = tuple[float, float]
 Box = Mapping[str, Interval]
 
-FULL_TURN = (-math.pi, math.pi)
-"""Range in which an unlimited rotation is proven [rad]."""
-
-FULL_SLIDE = (-1000.0, 1000.0)
-"""Range in which an unlimited slide is proven, the same as its limits in URDF [m]."""
-
+FULL_TURN = (-math.pi, math.pi)  # range in which an unlimited rotation is proven [rad]
+FULL_SLIDE = (-1000.0, 1000.0)  # the same for an unlimited slide, as its limits in URDF [m]
 _CLOSED = 1e-9  # tolerance of a closed position [rad or m]
 _MOST_BOXES = 128  # dependencies that would cut a space into more boxes are left out
 _ROUNDING = 1e-12  # tolerance of a box that was cut at a threshold [rad or m]

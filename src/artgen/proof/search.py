@@ -18,14 +18,12 @@ from artgen.asset.certificate import AXIS_FRAME
 from artgen.asset.joint import JointKind
 from artgen.proof.bounds import Motion
 from artgen.proof.hierarchy import Hierarchy
-from artgen.proof.kinematics import NONE, Frames, JointTable, ProofCells, frames, nearest_zero, starting_cells
+from artgen.proof.kinematics import NONE, Frames, JointTable, ProofCells, frames, starting_cells
 from artgen.proof.overlap import PRESSED
 from artgen.proof.paths import JointPath
 from artgen.proof.separation import GRAIN, Ahead, Coaxial, Confirm, Depths, Planes, SearchOutcome, Witnesses
 
-MARGIN = 1e-8
-"""Margin of a bound over its threshold; float64 has errors of 1e-14 at one metre [m]."""
-
+MARGIN = 1e-8  # margin of a bound over its threshold; float64 has errors of 1e-14 at one metre [m]
 _CAP = 0.010  # clearances beyond this are not measured [m]
 _SHARE = 0.8  # the guaranteed clearance is at least this share of the one found
 _CLOSE = 5e-5  # pieces nearer than this, beyond the tolerance, at the center of a cell are given up [m]
@@ -120,7 +118,7 @@ class Search:
     def _measure_near_rest(self, number: int) -> None:
         """Measure the distance of links near rest, which leaves less to measure later."""
         nodes = self.nodes
-        corners = [nearest_zero(box) for box in self.joint_paths[number].boxes]
+        corners = [np.clip(0.0, *box.T) for box in self.joint_paths[number].boxes]
         box = int(np.argmin([np.abs(corner).sum() for corner in corners]))
         at = np.pad(corners[box], (0, self._most - len(corners[box])))[None]
         table = self._tables[self._table[number]]

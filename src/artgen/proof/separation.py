@@ -106,9 +106,7 @@ class Witnesses:
         self.done[number] = outcome.hit is not None or outcome.collider_hit is not None
 
 
-GRAIN = 1e9
-"""Steps per metre in which gaps are compared, so that all machines break ties alike."""
-
+GRAIN = 1e9  # steps per metre in which gaps are compared, so that all machines break ties alike
 _UNIT = 0.99  # smallest squared length of a normal
 _HARDLY = 0.02  # variables that move the pieces by less than this share of the largest motion are not split
 
@@ -180,8 +178,7 @@ class Ahead:
                 gain[lines, variable] = gap(*pieces, held, int(frame), normals)[:, 0] - before
         score = np.where(frames[:, None] < 0, reach, gain + 1e-3 * reach)
         score[reach < _HARDLY * reach.max(axis=1, keepdims=True)] = -np.inf
-        choice: Indices = np.round(score * GRAIN).argmax(axis=1)
-        return choice
+        return np.asarray(np.round(score * GRAIN).argmax(axis=1))
 
 
 class Coaxial:

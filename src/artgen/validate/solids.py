@@ -14,7 +14,7 @@ from artgen._arrays import Array
 from artgen.asset import Asset, Link
 from artgen.asset.collision import link_parts
 from artgen.asset.report import AGAIN, CheckResult, Finding, Severity
-from artgen.asset.shells import LinkShells, Shell, point_text, skins
+from artgen.asset.shells import LinkShells, Shell, point_text, skins, winding_number
 from artgen.errors import ArtgenError
 
 CHECK = "solids"
@@ -125,7 +125,7 @@ def _orientation_findings(link: Link, shells: Sequence[Shell]) -> Iterator[Findi
     for shell in shells:
         if shell.volume > 0.0 or not shell.area:
             continue
-        around = sum(other.winds_around(shell.points[0]) for other in shells if other is not shell)
+        around = sum(winding_number(other.corners, shell.points[0]) for other in shells if other is not shell)
         if around < _INSIDE:
             message = (
                 f"solid {shell.label!r} at {point_text(shell.center)} is turned inside out: "
