@@ -85,9 +85,8 @@ def mesh_precision(*links: Link) -> float:
 
 def is_detail(details: Sequence[Mapping[str, Any]], label: str, bounds: Array) -> bool:
     """Tell whether the data of visual details list one with a label and a bounding box, shape (2, 3)."""
-    return any(
-        each["label"] == label and np.abs(each["bounds"] - bounds).max() <= _ONE_BOX for each in details
-    )
+    boxes = (each["bounds"] for each in details if each["label"] == label)
+    return any(np.abs(box - bounds).max() <= _ONE_BOX for box in boxes)
 
 
 @cached_per_object

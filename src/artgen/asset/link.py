@@ -279,9 +279,8 @@ class DerivedLink(Link):
     @classmethod
     def of(cls, link: Link, **changes: Any) -> Self:
         """Return the link derived from another, with changed fields."""
-        return cls(
-            **{each.name: getattr(link, each.name) for each in fields(Link)} | {"source": link} | changes
-        )
+        values = {each.name: getattr(link, each.name) for each in fields(Link)}
+        return cls(**values | {"source": link} | changes)
 
     labels = cached_property(attrgetter("source.labels"))
     mass_properties = cached_property(attrgetter("source.mass_properties"))

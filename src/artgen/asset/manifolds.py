@@ -99,9 +99,8 @@ def groups(faces: Indices) -> list[Indices]:
     order = np.argsort(faces.ravel(), kind="stable")
     ends = np.cumsum(np.bincount(faces.ravel(), minlength=count))
     following = faces[:, [1, 2, 0]].ravel()[order]
-    sides = csr_array(
-        (np.ones(len(order), np.int8), following, np.append(0, ends)), shape=(count, count), copy=False
-    )
+    columns = np.ones(len(order), np.int8), following, np.append(0, ends)
+    sides = csr_array(columns, shape=(count, count), copy=False)
     _, part = connected_components(sides, directed=False)
     used = np.flatnonzero(np.diff(ends, prepend=0))
     part = part[used]

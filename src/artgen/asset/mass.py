@@ -55,9 +55,8 @@ class MassProperties(FrozenArrays, Record):
     def moved(self, matrix: Array) -> "MassProperties":
         """Return the properties after a rigid motion or a reflection, shape (4, 4)."""
         rotation = matrix[:3, :3]
-        return MassProperties(
-            self.mass, rotation @ self.center + matrix[:3, 3], rotation @ self.inertia @ rotation.T
-        )
+        center = rotation @ self.center + matrix[:3, 3]
+        return MassProperties(self.mass, center, rotation @ self.inertia @ rotation.T)
 
     def moments(self) -> Moments:
         """Return the moments about the asset's origin."""

@@ -95,9 +95,8 @@ def rounded(value: Any, digits: int = DECIMALS) -> Any:
     if isinstance(value, np.ndarray):
         return np.array([significant(each, digits) for each in value.flat]).reshape(value.shape)
     if is_dataclass(value) and not isinstance(value, type):
-        return replace(
-            value, **{each.name: rounded(getattr(value, each.name), digits) for each in fields(value)}
-        )
+        values = {each.name: rounded(getattr(value, each.name), digits) for each in fields(value)}
+        return replace(value, **values)
     if isinstance(value, dict):
         return {key: rounded(item, digits) for key, item in value.items()}
     return type(value)(rounded(each, digits) for each in value) if isinstance(value, list | tuple) else value

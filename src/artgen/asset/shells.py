@@ -323,10 +323,8 @@ class TriangleSet(FrozenArrays):
         """Return an upper bound of the distance of each point, mostly tight, shape (n,) [m]."""
         tree, owners = self._tree
         samples = tree.query(points, k=np.arange(1, min(_TRIED, tree.n) + 1))[1].T
-        distances = [
-            np.linalg.norm(_closest(self.corners[owners[each]], points) - points, axis=1) for each in samples
-        ]
-        return np.asarray(np.min(distances, axis=0))
+        nearest = [_closest(self.corners[owners[each]], points) for each in samples]
+        return np.asarray(np.min([np.linalg.norm(each - points, axis=1) for each in nearest], axis=0))
 
     def _distances(self, points: Array, bound: Array) -> Array:
         """Return the distance of each point to the surface, shape (n,) [m]; `bound` is never exceeded."""

@@ -238,9 +238,8 @@ def _ordered(corners: Corners, count: int) -> Corners:
         turned = np.where((a < b) & (a < c), (a, b, c), np.where((b < c) & (b < a), (b, c, a), (c, a, b)))
         return turned[:, np.lexsort(turned[::-1])]
     # one number for each rotation of a triangle: the smallest begins with the smallest corner
-    least = np.minimum(
-        np.minimum((a * count + b) * count + c, (b * count + c) * count + a), (c * count + a) * count + b
-    )
+    turns = ((a, b, c), (b, c, a), (c, a, b))
+    least = np.minimum.reduce([(one * count + two) * count + three for one, two, three in turns])
     ahead, last = np.divmod(np.sort(least), count)
     return np.stack([*np.divmod(ahead, count), last])
 
@@ -363,6 +362,5 @@ def lies_within(distance: float, points: Array, mesh: Mesh) -> bool:
     faces.addSubModel(mesh.vertices, mesh.triangles)
     faces.endModel()
     surface, ball = fcl.CollisionObject(faces), fcl.Sphere(_POINT)
-    return all(
-        fcl.distance(fcl.CollisionObject(ball, fcl.Transform(point)), surface) <= distance for point in far
-    )
+    balls = (fcl.CollisionObject(ball, fcl.Transform(point)) for point in far)
+    return all(fcl.distance(each, surface) <= distance for each in balls)

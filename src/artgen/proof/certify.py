@@ -119,11 +119,14 @@ class _PairSearch:
 
     def labels(self, first: int, second: int) -> tuple[str, str]:
         """Return the labels of two pieces; of boxes, the labels of their first pieces."""
-        a, b = (
-            self.covers[link].labels[self.nodes.orders[list(self.covers).index(link)][self.nodes.first[node]]]
-            for link, node in zip(self.joint_path.links, (first, second), strict=True)
-        )
-        return a, b
+        return _labels(self.joint_path, self.covers, self.nodes, first, second)
+
+
+def _labels(
+    joint_path: JointPath, covers: Mapping[str, Cover], nodes: Hierarchy, first: int, second: int
+) -> tuple[str, str]:
+    a, b = (covers[link].labels for link in joint_path.links)
+    return a[nodes.first_piece[first]], b[nodes.first_piece[second]]
 
 
 def _searched(
@@ -153,20 +156,15 @@ def _searched(
         joint_path = joint_paths[number]
         if not joint_path.allowed[box]:
             return math.nan
-        a, b = (
-            covers[link].labels[nodes.piece[node]]
-            for link, node in zip(joint_path.links, (first, second), strict=True)
-        )
-        found = [each.depth for each in joint_path.allowed[box] if allows(each, joint_path.links, (a, b))]
+        labels = _labels(joint_path, covers, nodes, first, second)
+        found = [each.depth for each in joint_path.allowed[box] if allows(each, joint_path.links, labels)]
         return max(found, default=math.nan)
 
-    least = np.array(
-        [sum(covers[name].excess or 0.0 for name in joint_path.links) for joint_path in joint_paths]
-    )
-    trees = [(names.index(a), names.index(b)) for a, b in (joint_path.links for joint_path in joint_paths)]
-    search = Search(
-        nodes, joint_paths, trees, confirm, allowed_depth, least + float(tolerance), least, measure
-    )
+    pairs = [joint_path.links for joint_path in joint_paths]
+    least = np.array([sum(covers[name].excess or 0.0 for name in links) for links in pairs])
+    trees = [(names.index(a), names.index(b)) for a, b in pairs]
+    tolerances = least + float(tolerance)
+    search = Search(nodes, joint_paths, trees, confirm, allowed_depth, tolerances, least, measure)
     closed = search.run()
     return [
         _PairSearch(joint_path, outcome, nodes, covers, cells)
@@ -177,10 +175,9 @@ def _searched(
 def _pair_result(asset: Asset, on_colliders: _PairSearch, on_solids: _PairSearch) -> PairResult:
     """Return the result of the proof for a pair; both searches are one if colliders represent the solids."""
     joint_path, outcome = on_colliders.joint_path, on_solids.outcome
-    verdict, colliders = (
-        _verdict(outcome.proven and on_solids.contained, outcome.hit),
-        _verdict(on_colliders.outcome.proven, on_colliders.outcome.hit or on_colliders.outcome.collider_hit),
-    )
+    hit = on_colliders.outcome.hit or on_colliders.outcome.collider_hit
+    verdict = _verdict(outcome.proven and on_solids.contained, outcome.hit)
+    colliders = _verdict(on_colliders.outcome.proven, hit)
     witness = None
     if verdict != "proven" or colliders != "proven":
         witness = _witness(asset, on_solids if outcome.hit is not None else on_colliders)

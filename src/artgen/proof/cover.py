@@ -101,9 +101,9 @@ class _Grown:
     def contain(self, label: str, solid: Shape) -> bool:
         """Tell whether the pieces contain a solid."""
         whole = self.pieces.around(label, solid, self.length)[:_MOST_WHOLE].tolist()
-        return any(self._cover(solid.manifold, [index]) for index in whole) or self._cover(
-            solid.manifold, self.pieces.near(label, solid, _FARTHEST * self.length).tolist()
-        )
+        if any(self._cover(solid.manifold, [index]) for index in whole):
+            return True
+        return self._cover(solid.manifold, self.pieces.near(label, solid, _FARTHEST * self.length).tolist())
 
     def _cover(self, solid: Manifold, chosen: Sequence[int]) -> bool:
         """Tell whether the pieces cover a solid, by subtracting them."""

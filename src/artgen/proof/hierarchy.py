@@ -28,7 +28,6 @@ class _Node:
     last: int  # end of the range
     vertices: Array  # vertices, shape (v, 3) [m]
     children: tuple[int, ...]  # numbers of the child nodes; none for a piece
-    piece: int  # number of the piece in the link; -1 for a box
 
 
 class Hierarchy:
@@ -38,20 +37,24 @@ class Hierarchy:
         self._nodes: list[_Node] = []
         # for each link, its pieces in the order of the ranges of nodes
         self.orders: list[tuple[int, ...]] = []
-        roots, sizes = [], []
+        roots: list[int] = []
+        sizes: list[int] = []
+        first_pieces: list[int] = []
         for pieces in links:
             low, high = (np.array([end(points, axis=0) for points in pieces]) for end in (np.min, np.max))
             order: list[int] = []
             roots.append(self._grow(pieces, np.arange(len(pieces)), low, high, order))
             self.orders.append(tuple(order))
+            first_pieces += [order[node.first] for node in self._nodes[len(first_pieces) :]]
             sizes.append(len(self._nodes))
         nodes = self._nodes
         self.roots: Indices = np.array(roots)  # root of each link's tree, shape (links,)
         # first piece and end of each node's range in its link's order, shape (nodes,)
         self.first: Indices = np.array([node.first for node in nodes])
         self.last: Indices = np.array([node.last for node in nodes])
-        self.piece: Indices = np.array([node.piece for node in nodes])  # -1 for boxes, shape (nodes,)
-        self.leaf: Mask = self.piece >= 0  # whether the node is a piece, shape (nodes,)
+        self.first_piece: Indices = np.array(first_pieces)  # first piece of each range, shape (nodes,)
+        # whether the node is a piece, shape (nodes,)
+        self.leaf: Mask = np.array([not node.children for node in nodes])
         self.count: Indices = np.array([len(node.vertices) for node in nodes])  # vertices, shape (nodes,)
         # number of the link of each node, shape (nodes,)
         self.tree: Indices = np.searchsorted(sizes, np.arange(len(nodes)), side="right")
@@ -83,16 +86,16 @@ class Hierarchy:
         if len(chosen) == 1:
             piece = int(chosen[0])
             order.append(piece)
-            self._nodes.append(_Node(first, first + 1, pieces[piece], (), piece))
+            self._nodes.append(_Node(first, first + 1, pieces[piece], ()))
             if len(pieces[piece]) > _MANY:  # usually the box of the children is good enough
                 corners = low[piece] + _CORNERS * (high[piece] - low[piece])
-                self._nodes.append(_Node(first, first + 1, corners, (len(self._nodes) - 1,), -1))
+                self._nodes.append(_Node(first, first + 1, corners, (len(self._nodes) - 1,)))
             return len(self._nodes) - 1
         groups = [part for half in _halves(chosen, low, high) for part in _halves(half, low, high)]
         children = tuple(self._grow(pieces, group, low, high, order) for group in groups)
         lowest, highest = low[chosen].min(axis=0), high[chosen].max(axis=0)
         corners = lowest + _CORNERS * (highest - lowest)
-        self._nodes.append(_Node(first, len(order), corners, children, -1))
+        self._nodes.append(_Node(first, len(order), corners, children))
         return len(self._nodes) - 1
 
     def points(self, nodes: Indices) -> Array:

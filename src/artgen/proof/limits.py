@@ -75,10 +75,8 @@ def _is_safe(asset: Asset, joint: str, limits: tuple[float, float]) -> bool:
 
 
 def _narrowed(asset: Asset, limits: Mapping[str, tuple[float, float]]) -> Asset:
-    joints = tuple(
-        replace(joint, limits=limits[joint.name]) if joint.name in limits else joint for joint in asset.joints
-    )
-    return replace(asset, joints=joints)
+    joints = [replace(joint, limits=limits.get(joint.name, joint.limits)) for joint in asset.joints]
+    return replace(asset, joints=tuple(joints))
 
 
 def clearance(asset: Asset, q: Mapping[str, float] | None = None) -> dict[tuple[str, str], float]:
