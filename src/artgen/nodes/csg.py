@@ -3,7 +3,7 @@
 Surfaces keep their normals, texture coordinates and paint; a cut face has those of the cutting solid.
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -19,7 +19,7 @@ from artgen.colliders.pieces import Cover
 from artgen.colliders.triangles import cross, hull_of, triangles_of
 from artgen.graph import kernel, records
 from artgen.materials import Material
-from artgen.nodes import validators as inputs
+from artgen.nodes import validators as check
 from artgen.nodes.contours import CREASE
 from artgen.nodes.handles import Array3, ArrayN3, PointsLike, Scalar, Solid, VectorLike
 from artgen.nodes.primitive_colliders import around_hull
@@ -63,14 +63,6 @@ def simplified_collider(solid: Solid, within: Scalar = MOST) -> Solid:
     Examples:
         >>> simplified_collider(tube(0.1, 0.098, 0.2))
     """
-
-
-def with_properties(manifold: Manifold, change: Callable[[Array], None]) -> Manifold:
-    """Return the manifold after `change` wrote to its vertices: x y z and the channels, shape (n, 9)."""
-    raw = manifold.to_mesh64()
-    table = np.array(raw.vert_properties)
-    change(table)
-    return manifold_of(table, raw.tri_verts, raw.merge_from_vert, raw.merge_to_vert)
 
 
 def faceted_shape(solid: Manifold, pieces: Pieces) -> Shape:
@@ -199,18 +191,18 @@ def half_space(shape: Shape, point: Array, normal: Array) -> Shape:
     low, high = shape.bounds()
     middle = 0.5 * (low + high)
     reach = 1.1 * float(np.linalg.norm(high - low)) + abs(float((middle - point) @ normal))
-    turn = inputs.frame(normal)
+    turn = check.frame(normal)
     size = np.array([2.0 * reach, 2.0 * reach, reach])
     foot = middle - normal * float((middle - point) @ normal)
-    matrix = inputs.pose(turn, foot - normal * (reach / 2.0))
+    matrix = check.pose(turn, foot - normal * (reach / 2.0))
     box = rounded_box(size, 0.0, 0).shape(Exact((Convex.box(size),)))
     return box.transformed(matrix)
 
 
 @kernel(spelling="{solid}.split(point={point}, normal={normal})")
 def _split(solid: Shape, point: Array3, normal: Array3) -> Shape:
-    across = inputs.direction("normal", normal)
-    place = inputs.vector("point", point)
+    across = check.direction("normal", normal)
+    place = check.vector("point", point)
     behind = half_space(solid, place, -across)
     return _combined(
         solid.manifold ^ behind.manifold,
@@ -221,7 +213,7 @@ def _split(solid: Shape, point: Array3, normal: Array3) -> Shape:
 
 
 def _shell(solid: Shape, thickness: float, open: Array3 | None) -> Shape:
-    inputs.positive("thickness", thickness)
+    check.positive("thickness", thickness)
     around = solid.manifold.hull()
     filled = solid.manifold.volume() / around.volume()
     if filled < _FULL:
@@ -231,7 +223,7 @@ def _shell(solid: Shape, thickness: float, open: Array3 | None) -> Shape:
         )
     inner = _inset(around, thickness)
     if open is not None:
-        out = inputs.direction("open", open)
+        out = check.direction("open", open)
         # far enough that rounded edges of the cavity end outside the solid
         inner = np.concatenate([inner, inner + out * (thickness + float(np.ptp(solid.mesh.vertices @ out)))])
     cavity = faceted_shape(hull_of(inner), around_hull(inner))
@@ -311,12 +303,11 @@ def shell(solid: Solid, thickness: Scalar, *, open: VectorLike | None = None) ->
 
 @kernel(spelling="{solid}.paint({material})")
 def _paint(solid: Shape, material: Material) -> Shape:
-    number = material.number
-
-    def mark(table: Array) -> None:
-        table[:, _PAINT] = number
-
-    return Shape(with_properties(solid.manifold, mark), solid.pieces, {number: material}).checked()
+    raw = solid.manifold.to_mesh64()
+    table = np.array(raw.vert_properties)  # x y z and the channels of each vertex, shape (n, 9)
+    table[:, _PAINT] = material.number
+    painted = manifold_of(table, raw.tri_verts, raw.merge_from_vert, raw.merge_to_vert)
+    return Shape(painted, solid.pieces, {material.number: material}).checked()
 
 
 def _bounding_collider(solid: Shape) -> Shape:
@@ -338,8 +329,8 @@ def bounding_collider(solid: Solid) -> Solid:
 
 
 def _array(solid: Shape, at: ArrayN3) -> Shape:
-    places = inputs.points("at", at, 3, 1)
-    copies = [solid.transformed(inputs.pose(np.eye(3), place)) for place in places]
+    places = check.points("at", at, 3, 1)
+    copies = [solid.transformed(check.pose(np.eye(3), place)) for place in places]
     if len(copies) == 1:
         return copies[0].checked()
     low, high = solid.bounds()

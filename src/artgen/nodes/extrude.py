@@ -8,7 +8,7 @@ import numpy as np
 from artgen._arrays import Array, successors
 from artgen.asset.shape import Contour, Curve, Outline, Shape
 from artgen.graph import records
-from artgen.nodes import validators as inputs
+from artgen.nodes import validators as check
 from artgen.nodes.contours import (
     estimated,
     faceted,
@@ -22,31 +22,30 @@ from artgen.nodes.handles import Array3, Path, Profile, Scalar, Solid, VectorLik
 from artgen.nodes.primitive_colliders import around_extrusion, around_lathe, moved
 from artgen.nodes.surfaces import extrusion, lathe, mitres
 
-_ON_AXIS = 1e-7  # points nearer to the axis than this lie on it [m]
+_AT_AXIS = 1e-7  # points of a profile nearer to the axis than this lie on it [m]
 _FEWEST, _MOST = 3, 128  # sides of a full turn
 
 
 def _revolve(profile: Outline, angle: float, axis: Array3, sides: int = 0) -> Shape:
-    inputs.between("angle", angle, 0.001, math.tau + 1e-9, "rad")
+    check.between("angle", angle, 0.001, math.tau + 1e-9, "rad")
     if sides != 0 and not _FEWEST <= sides <= _MOST:
         raise ValueError(
             f"a lathe makes {_FEWEST} to {_MOST} sides, or 0 for as many as look round; got {sides}"
         )
     least = min(float(contour.points[:, 0].min()) for contour in profile.contours)
-    if least < -_ON_AXIS:
+    if least < -_AT_AXIS:
         raise ValueError(
             f"the profile reaches x = {least:g} m; all of it must be at x >= 0, which is the radius "
             "(profile.at(x, y) moves it)"
         )
-    contours = []
-    for contour in profile.contours:
-        points = contour.points.copy()
-        points[points[:, 0] < _ON_AXIS, 0] = 0.0
-        contours.append(Contour(points, contour.normals_in, contour.normals_out))
-    turn = inputs.frame(axis)
+    contours = [
+        Contour(_on_axis(each.points, _AT_AXIS), each.normals_in, each.normals_out)
+        for each in profile.contours
+    ]
+    turn = check.frame(axis)
     pieces = around_lathe(contours, angle, sides or None)
     skin = lathe(contours, angle=angle, sides=sides or None)
-    return skin.turned(turn).shape(moved(pieces, inputs.pose(turn)))
+    return skin.turned(turn).shape(moved(pieces, check.pose(turn)))
 
 
 @records(_revolve)
@@ -74,12 +73,12 @@ _TWIST_STEP = math.pi / 32.0
 def _extrude(
     profile: Outline, length: float, axis: Array3, bevel: float, taper: float, twist: float
 ) -> Shape:
-    inputs.positive("length", length)
-    bevel = inputs.rounding("bevel", bevel, length / 2.0 * 0.999)
-    inputs.between("taper", taper, -10.0, 0.99, "")
-    inputs.between("twist", twist, -100.0, 100.0, "rad")
-    turn = inputs.frame(axis)
-    if inputs.frame_is_mirrored(turn):
+    check.positive("length", length)
+    bevel = check.rounding("bevel", bevel, length / 2.0 * 0.999)
+    check.between("taper", taper, -10.0, 0.99, "")
+    check.between("twist", twist, -100.0, 100.0, "rad")
+    turn = check.frame(axis)
+    if check.frame_is_mirrored(turn):
         profile = moved_outline(profile, np.diag([1.0, -1.0]), np.zeros(2))
     if bevel > 0.0:
         _check_bevel(profile.contours, bevel)
@@ -90,7 +89,7 @@ def _extrude(
     scales = (1.0, 1.0 - taper)
     skin = extrusion(contours, length, bevel=bevel, stations=stations, warp=warp, scales=scales).turned(turn)
     pieces = around_extrusion(profile, length, bevel=bevel, taper=taper, twist=twist, stations=stations)
-    return skin.shape(moved(pieces, inputs.pose(turn)))
+    return skin.shape(moved(pieces, check.pose(turn)))
 
 
 @records(_extrude)
@@ -166,7 +165,7 @@ def _warp(length: float, taper: float, twist: float) -> Callable[[Array, Array],
     return warp
 
 
-_ON_AXIS = 1e-6  # points nearer to the axis than this lie on it [m]
+_ON_AXIS = 1e-6  # points of a line nearer to the axis than this lie on it [m]
 _FLAT = 0.01  # largest deviation of a line from the plane of a half section [m]
 
 
@@ -181,22 +180,22 @@ def _half_section(
     line = path.points[:, [0, 2]]
     if line[:, 0].min() < -_ON_AXIS:
         raise ValueError(f"the line reaches x = {line[:, 0].min():g} m; x is the radius, so it starts at 0")
-    if inputs.between("within", within, 0.0, 0.01) > 0.0:
+    if check.between("within", within, 0.0, 0.01) > 0.0:
         low, high = line[:, 1].min(), line[:, 1].max()
         apart = np.append(True, np.linalg.norm(np.diff(line, axis=0), axis=1) > _ON_AXIS)
         line = _chords(line[apart], 0.5 * within)
         path = Curve(np.column_stack([line[:, 0], np.zeros(len(line)), line[:, 1]]))
         inset = inset + 0.5 * within
     outward, corners = _normals(path, line)
-    outer = _on_axis(line - inputs.finite("inset", inset) * corners)
+    outer = _on_axis(line - check.finite("inset", inset) * corners)
     if within > 0.0:  # slanted ends move along their normals, off the heights at which the line ends
         outer[:, 1] = np.clip(outer[:, 1], low, high)
         ends = [end for end in (0, -1) if outer[end, 0] > 0.0]
         outer[ends, 1] = line[ends, 1]
     if wall is None:
-        made = _solid(outer, outward, inputs.between("bore", bore, 0.0, float(outer[:, 0].max())))
+        made = _solid(outer, outward, check.between("bore", bore, 0.0, float(outer[:, 0].max())))
     else:
-        inner = _on_axis(line - (inset + inputs.positive("wall", wall)) * corners)
+        inner = _on_axis(line - (inset + check.positive("wall", wall)) * corners)
         made = _shell(outer, inner, outward, smooth=path.tangents is not None)
     made = without_repeats(made if within == 0.0 else faceted(made.points))
     if not is_disjoint([made.points]):
@@ -283,9 +282,9 @@ def _normals(path: Curve, line: Array) -> tuple[Array, Array]:
     return mitred / np.linalg.norm(mitred, axis=1, keepdims=True), mitred
 
 
-def _on_axis(points: Array) -> Array:
+def _on_axis(points: Array, near: float = _ON_AXIS) -> Array:
     points = points.copy()
-    points[points[:, 0] < _ON_AXIS, 0] = 0.0
+    points[points[:, 0] < near, 0] = 0.0
     return points
 
 

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from artgen._arrays import Array, predecessors, successors
 from artgen.asset.shape import Contour, Outline, Shape
 from artgen.graph import records
-from artgen.nodes import validators as inputs
+from artgen.nodes import validators as check
 from artgen.nodes.contours import CREASE, moved_outline
 from artgen.nodes.handles import Array3, Profile, Scalar, Solid, VectorLike
 from artgen.nodes.primitive_colliders import around_chain
@@ -28,8 +28,8 @@ def _loft(profiles: tuple[Outline, ...], heights: tuple[float, ...], axis: Array
     levels = np.array(heights)
     if not (np.isfinite(levels).all() and (np.diff(levels) > 1e-9).all()):
         raise ValueError(f"the heights of a loft must ascend, got {', '.join(f'{h:g}' for h in heights)} m")
-    turn = inputs.frame(axis)
-    if inputs.frame_is_mirrored(turn):
+    turn = check.frame(axis)
+    if check.frame_is_mirrored(turn):
         profiles = tuple(moved_outline(each, np.diag([1.0, -1.0]), np.zeros(2)) for each in profiles)
     contours = _matched([_border(at, outline) for at, outline in enumerate(profiles)])
     rings = np.stack(
@@ -137,7 +137,7 @@ def _skin(contours: Sequence[Contour], rings: Array) -> Skin:
     travelled = np.concatenate([[0.0], np.cumsum(length)])
     level, normals, strips = [0], [below[0]], []
     for at in range(1, len(rings)):
-        strips.append((len(level) - 1, len(level)))
+        strips.append(len(level) - 1)
         level.append(at)
         arriving = above[at - 1]
         if at == len(rings) - 1:

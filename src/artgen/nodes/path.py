@@ -8,7 +8,7 @@ import numpy as np
 from artgen._arrays import Array, predecessors, successors
 from artgen.asset.shape import Curve
 from artgen.graph import records
-from artgen.nodes import validators as inputs
+from artgen.nodes import validators as check
 from artgen.nodes.handles import Array3, Path, Scalar, VectorLike
 from artgen.nodes.surfaces import CHORD, arc_steps
 
@@ -20,7 +20,7 @@ def _unit_rows(vectors: Array) -> Array:
 
 
 def _line(start: Array3, end: Array3) -> Curve:
-    points = np.stack([inputs.vector("start", start), inputs.vector("end", end)])
+    points = np.stack([check.vector("start", start), check.vector("end", end)])
     along = points[1] - points[0]
     length = float(np.linalg.norm(along))
     if length < 1e-9:
@@ -38,8 +38,8 @@ def line(start: VectorLike, end: VectorLike) -> Path:
 
 
 def _polyline(points: tuple[Array3, ...], fillet: float, closed: bool) -> Curve:
-    corners = inputs.points("the polyline", points or np.zeros((0, 3)), 3, 3 if closed else 2)
-    fillet = inputs.rounding("fillet", fillet, math.inf)
+    corners = check.points("the polyline", points or np.zeros((0, 3)), 3, 3 if closed else 2)
+    fillet = check.rounding("fillet", fillet, math.inf)
     following = successors(corners)
     length = np.linalg.norm(following - corners, axis=1)
     sides = len(corners) if closed else len(corners) - 1
@@ -108,17 +108,17 @@ def polyline(points: Sequence[VectorLike], *, fillet: Scalar = 0.0, closed: bool
 
 
 def _arc(center: Array3, radius: float, start: float, sweep: float, axis: Array3) -> Curve:
-    inputs.positive("radius", radius)
-    inputs.finite("start", start, "rad")
+    check.positive("radius", radius)
+    check.finite("start", start, "rad")
     if not 1e-3 <= abs(sweep) <= math.tau + 1e-9:
         raise ValueError(f"sweep must be within 0.001 and 2 pi either way, got {sweep:g} rad")
-    turn = inputs.frame(axis)
+    turn = check.frame(axis)
     closed = abs(sweep) >= math.tau - 1e-9
     steps = max(2, arc_steps(radius, sweep))
     angle = start + sweep * np.arange(steps if closed else steps + 1) / steps
     zero = np.zeros(len(angle))
     points = (
-        inputs.vector("center", center)
+        check.vector("center", center)
         + radius * np.column_stack([np.cos(angle), np.sin(angle), zero]) @ turn.T
     )
     sign = math.copysign(1.0, sweep)
@@ -175,7 +175,7 @@ def _steps_of(controls: Array) -> int:
 
 
 def _bezier(points: tuple[Array3, ...]) -> Curve:
-    controls = inputs.points("the curve", points or np.zeros((0, 3)), 3, 3)
+    controls = check.points("the curve", points or np.zeros((0, 3)), 3, 3)
     steps = _steps_of(controls)
     t = (np.arange(steps + 1) / steps)[:, None]
 
@@ -202,7 +202,7 @@ def bezier(points: Sequence[VectorLike]) -> Path:
 
 
 def _spline(points: tuple[Array3, ...], closed: bool) -> Curve:
-    through = inputs.points("the spline", points or np.zeros((0, 3)), 3, 3 if closed else 2)
+    through = check.points("the spline", points or np.zeros((0, 3)), 3, 3 if closed else 2)
     gap = np.linalg.norm(successors(through) - through, axis=1)
     count = len(through)
     segments = count if closed else count - 1
@@ -253,10 +253,10 @@ def spline(points: Sequence[VectorLike], *, closed: bool = False) -> Path:
 
 
 def _helix(radius: float, pitch: float, turns: float, axis: Array3) -> Curve:
-    inputs.positive("radius", radius)
-    inputs.positive("pitch", pitch)
-    inputs.between("turns", turns, 0.01, 100.0, "")
-    turn = inputs.frame(axis)
+    check.positive("radius", radius)
+    check.positive("pitch", pitch)
+    check.between("turns", turns, 0.01, 100.0, "")
+    turn = check.frame(axis)
     steps = max(4, math.ceil(turns * arc_steps(radius, math.tau)))
     angle = math.tau * turns * np.arange(steps + 1) / steps
     rise = pitch * angle / math.tau

@@ -8,7 +8,7 @@ from artgen._arrays import Array
 from artgen.asset.shape import Contour, Shape
 from artgen.colliders import Convex, Exact
 from artgen.graph import records
-from artgen.nodes import validators as inputs
+from artgen.nodes import validators as check
 from artgen.nodes.contours import arc_points, circle_contour, faceted, rounded_polygon
 from artgen.nodes.handles import Array3, Scalar, Solid, Span, VectorLike
 from artgen.nodes.primitive_colliders import (
@@ -62,8 +62,8 @@ UP = (0.0, 0.0, 1.0)
 
 
 def _box(x: float, y: float, z: float, bevel: float) -> Shape:
-    size = inputs.sizes("size", x, y, z)
-    bevel = inputs.rounding("bevel", bevel, float(size.min()) / 2.0)
+    size = check.sizes("size", x, y, z)
+    bevel = check.rounding("bevel", bevel, float(size.min()) / 2.0)
     if bevel == 0.0:
         return rounded_box(size, 0.0, 0).shape(Exact((Convex.box(size),)))
     steps = max(1, bevel_steps(bevel) // 2)
@@ -86,12 +86,12 @@ def box(x: Scalar, y: Scalar, z: Scalar, *, bevel: Scalar = 0.0) -> Solid:
 
 
 def _box_between(low: Array3, high: Array3, bevel: float) -> Shape:
-    size = inputs.vector("high", high) - inputs.vector("low", low)
+    size = check.vector("high", high) - check.vector("low", low)
     for name, length in zip("xyz", size, strict=True):
         if length <= 0.0:
             raise ValueError(f"the corners are {length:.6g} m apart along {name}: the lowest one comes first")
     return _box(float(size[0]), float(size[1]), float(size[2]), bevel).transformed(
-        inputs.pose(np.eye(3), 0.5 * (low + high))
+        check.pose(np.eye(3), 0.5 * (low + high))
     )
 
 
@@ -126,12 +126,12 @@ def board(x: Span, y: Span, z: Span, *, bevel: Scalar = 0.0) -> Solid:
 
 
 def _cylinder(radius: float, length: float, axis: Array3, bevel: float) -> Shape:
-    inputs.positive("radius", radius)
-    inputs.positive("length", length)
-    bevel = inputs.rounding("bevel", bevel, min(radius, length / 2.0) * 0.999)
-    turn = inputs.frame(axis)
+    check.positive("radius", radius)
+    check.positive("length", length)
+    bevel = check.rounding("bevel", bevel, min(radius, length / 2.0) * 0.999)
+    turn = check.frame(axis)
     skin = lathe([axial(radius, length / 2.0, bevel)]).turned(turn)
-    pieces = around_cylinder(radius, length, sides_of(radius), inputs.pose(turn), bevel)
+    pieces = around_cylinder(radius, length, sides_of(radius), check.pose(turn), bevel)
     return skin.shape(pieces)
 
 
@@ -151,12 +151,12 @@ def cylinder(radius: Scalar, length: Scalar, *, axis: VectorLike = UP, bevel: Sc
 
 
 def _cylinder_between(start: Array3, end: Array3, radius: float, bevel: float) -> Shape:
-    along = inputs.vector("end", end) - inputs.vector("start", start)
+    along = check.vector("end", end) - check.vector("start", start)
     length = math.hypot(*along)
     if length <= 0.0:
         raise ValueError("start and end are the same point; a cylinder between two points has a length")
     made = _cylinder(radius, length, along, bevel)
-    return made.transformed(inputs.pose(np.eye(3), 0.5 * (start + end)))
+    return made.transformed(check.pose(np.eye(3), 0.5 * (start + end)))
 
 
 @records(_cylinder_between)
@@ -175,13 +175,13 @@ def cylinder_between(start: VectorLike, end: VectorLike, radius: Scalar, *, beve
 
 
 def _bore(radius: float, length: float, axis: Array3) -> Shape:
-    inputs.positive("radius", radius)
-    inputs.positive("length", length)
-    turn = inputs.frame(axis)
+    check.positive("radius", radius)
+    check.positive("length", length)
+    turn = check.frame(axis)
     sides = sides_of(radius)
     outside = radius / math.cos(math.pi / sides)
     skin = lathe([axial(outside, length / 2.0, 0.0)], sides=sides).turned(turn)
-    return skin.shape(around_cylinder(outside, length, sides, inputs.pose(turn)))
+    return skin.shape(around_cylinder(outside, length, sides, check.pose(turn)))
 
 
 @records(_bore)
@@ -201,14 +201,14 @@ def bore(radius: Scalar, length: Scalar, *, axis: VectorLike = UP) -> Solid:
 
 
 def _frustum(bottom_radius: float, top_radius: float, length: float, axis: Array3, bevel: float) -> Shape:
-    inputs.between("bottom radius", bottom_radius, 0.0, math.inf)
-    inputs.between("top radius", top_radius, 0.0, math.inf)
-    inputs.positive("the larger radius", max(bottom_radius, top_radius))
-    inputs.positive("length", length)
-    bevel = inputs.rounding("bevel", bevel, math.inf)
-    turn = inputs.frame(axis)
+    check.between("bottom radius", bottom_radius, 0.0, math.inf)
+    check.between("top radius", top_radius, 0.0, math.inf)
+    check.positive("the larger radius", max(bottom_radius, top_radius))
+    check.positive("length", length)
+    bevel = check.rounding("bevel", bevel, math.inf)
+    turn = check.frame(axis)
     contour = axial(bottom_radius, length / 2.0, bevel, top_radius)
-    return lathe([contour]).turned(turn).shape(moved(around_lathe([contour]), inputs.pose(turn)))
+    return lathe([contour]).turned(turn).shape(moved(around_lathe([contour]), check.pose(turn)))
 
 
 @records(_frustum)
@@ -230,7 +230,7 @@ def frustum(
 
 
 def _sphere(radius: float) -> Shape:
-    inputs.positive("radius", radius)
+    check.positive("radius", radius)
     skin = lathe([half_ellipse(radius, radius, -0.5 * math.pi)])
     return skin.shape(around_round(Convex.sphere(radius), skin.vertices))
 
@@ -245,7 +245,7 @@ def sphere(radius: Scalar) -> Solid:
 
 
 def _ellipsoid(radius_x: float, radius_y: float, radius_z: float) -> Shape:
-    radii = inputs.sizes("radius", radius_x, radius_y, radius_z)
+    radii = check.sizes("radius", radius_x, radius_y, radius_z)
     skin = lathe([half_ellipse(1.0, 1.0, -0.5 * math.pi)], sides=sides_of(float(radii.max())))
     vertices = skin.vertices * radii
     normals = skin.normals / radii
@@ -272,9 +272,9 @@ def ellipsoid(radius_x: Scalar, radius_y: Scalar, radius_z: Scalar) -> Solid:
 
 
 def _dome(radius: float, height: float | None, axis: Array3) -> Shape:
-    inputs.positive("radius", radius)
-    rise = radius if height is None else inputs.positive("height", height)
-    turn = inputs.frame(axis)
+    check.positive("radius", radius)
+    rise = radius if height is None else check.positive("height", height)
+    turn = check.frame(axis)
     skin = lathe([half_ellipse(radius, rise, 0.0)]).turned(turn)
     return skin.shape(around_hull(skin.vertices))
 
@@ -294,18 +294,18 @@ def dome(radius: Scalar, *, height: Scalar | None = None, axis: VectorLike = UP)
 
 
 def _capsule(radius: float, length: float, axis: Array3) -> Shape:
-    inputs.positive("radius", radius)
-    inputs.between("length", length, 2.0 * radius, math.inf)
+    check.positive("radius", radius)
+    check.between("length", length, 2.0 * radius, math.inf)
     half = length / 2.0 - radius
     if half < 1e-9:
         return _sphere(radius)
-    turn = inputs.frame(axis)
+    turn = check.frame(axis)
     steps = max(2, sides_of(radius) // 4)
     low, low_out = arc_points(np.array([0.0, -half]), radius, -0.5 * math.pi, 0.5 * math.pi, steps)
     high, high_out = arc_points(np.array([0.0, half]), radius, 0.0, 0.5 * math.pi, steps)
     contour = onto_axis(np.concatenate([low, high]), np.concatenate([low_out, high_out]))
     skin = lathe([contour]).turned(turn)
-    return skin.shape(around_round(Convex.capsule(radius, 2.0 * half, inputs.pose(turn)), skin.vertices))
+    return skin.shape(around_round(Convex.capsule(radius, 2.0 * half, check.pose(turn)), skin.vertices))
 
 
 @records(_capsule)
@@ -323,12 +323,12 @@ def capsule(radius: Scalar, length: Scalar, *, axis: VectorLike = UP) -> Solid:
 
 
 def _torus(major: float, minor: float, axis: Array3) -> Shape:
-    inputs.positive("major radius", major)
-    inputs.between("minor radius", minor, 1e-6, major * 0.999)
-    turn = inputs.frame(axis)
+    check.positive("major radius", major)
+    check.between("minor radius", minor, 1e-6, major * 0.999)
+    turn = check.frame(axis)
     circle = circle_contour(minor)
     contour = Contour(circle.points + np.array([major, 0.0]), circle.normals_in, circle.normals_out)
-    return lathe([contour]).turned(turn).shape(moved(around_lathe([contour]), inputs.pose(turn)))
+    return lathe([contour]).turned(turn).shape(moved(around_lathe([contour]), check.pose(turn)))
 
 
 @records(_torus)
@@ -346,16 +346,16 @@ def torus(major: Scalar, minor: Scalar, *, axis: VectorLike = UP) -> Solid:
 
 
 def _tube(outer: float, inner: float, length: float, axis: Array3, bevel: float) -> Shape:
-    inputs.positive("inner radius", inner)
+    check.positive("inner radius", inner)
     if not outer > inner:
         raise ValueError(f"the outer radius {outer:g} m must exceed the inner radius {inner:g} m")
-    inputs.positive("length", length)
-    bevel = inputs.rounding("bevel", bevel, min(outer - inner, length) / 2.0 * 0.999)
-    turn = inputs.frame(axis)
+    check.positive("length", length)
+    bevel = check.rounding("bevel", bevel, min(outer - inner, length) / 2.0 * 0.999)
+    turn = check.frame(axis)
     half = length / 2.0
     corners = np.array([[inner, -half], [outer, -half], [outer, half], [inner, half]])
     contour = rounded_polygon(corners, [bevel] * 4) if bevel > 0.0 else faceted(corners)
-    return lathe([contour]).turned(turn).shape(moved(around_lathe([contour]), inputs.pose(turn)))
+    return lathe([contour]).turned(turn).shape(moved(around_lathe([contour]), check.pose(turn)))
 
 
 @records(_tube)
@@ -377,9 +377,9 @@ def tube(
 
 
 def _wedge(x: float, y: float, z: float) -> Shape:
-    half = inputs.sizes("size", x, y, z) / 2.0
+    half = check.sizes("size", x, y, z) / 2.0
     ramp = faceted(np.array([[-half[1], -half[2]], [half[1], -half[2]], [half[1], half[2]]]))
-    skin = extrusion([ramp], x).turned(inputs.frame((1.0, 0.0, 0.0)))
+    skin = extrusion([ramp], x).turned(check.frame((1.0, 0.0, 0.0)))
     return skin.shape(around_hull(skin.vertices))
 
 

@@ -13,7 +13,7 @@ from manifold3d import CrossSection, JoinType
 from artgen._arrays import successors
 from artgen.asset.shape import Contour, Outline
 from artgen.graph import kernel, records
-from artgen.nodes import validators as inputs
+from artgen.nodes import validators as check
 from artgen.nodes.contours import (
     arc_points,
     circle_contour,
@@ -37,9 +37,9 @@ def _convex(contour: Contour) -> Outline:
 
 
 def _rectangle(width: float, height: float, radius: float) -> Outline:
-    inputs.positive("width", width)
-    inputs.positive("height", height)
-    radius = inputs.rounding("radius", radius, min(width, height) / 2.0)
+    check.positive("width", width)
+    check.positive("height", height)
+    radius = check.rounding("radius", radius, min(width, height) / 2.0)
     x, y = width / 2.0, height / 2.0
     corners = np.array([[-x, -y], [x, -y], [x, y], [-x, y]])
     return _convex(rounded_polygon(corners, [radius] * 4) if radius > 0.0 else faceted(corners))
@@ -60,7 +60,7 @@ def rectangle(width: Scalar, height: Scalar, *, radius: Scalar = 0.0) -> Profile
 
 
 def _circle(radius: float) -> Outline:
-    return _convex(circle_contour(inputs.positive("radius", radius)))
+    return _convex(circle_contour(check.positive("radius", radius)))
 
 
 @records(_circle)
@@ -73,8 +73,8 @@ def circle(radius: Scalar) -> Profile:
 
 
 def _ellipse(radius_x: float, radius_y: float) -> Outline:
-    inputs.positive("radius x", radius_x)
-    inputs.positive("radius y", radius_y)
+    check.positive("radius x", radius_x)
+    check.positive("radius y", radius_y)
     return _convex(ellipse_contour(radius_x, radius_y))
 
 
@@ -92,8 +92,8 @@ def ellipse(radius_x: Scalar, radius_y: Scalar) -> Profile:
 
 
 def _polygon(points: tuple[tuple[float, float], ...], radius: float) -> Outline:
-    corners = inputs.points("the polygon", points or np.zeros((0, 2)), 2, 3)
-    radius = inputs.rounding("radius", radius, math.inf)
+    corners = check.points("the polygon", points or np.zeros((0, 2)), 2, 3)
+    radius = check.rounding("radius", radius, math.inf)
     following = successors(corners)
     short = np.linalg.norm(following - corners, axis=1) < 1e-7
     if short.any():
@@ -129,7 +129,7 @@ def polygon(points: Sequence[tuple[Scalar, Scalar]], *, radius: Scalar = 0.0) ->
 def _regular_polygon(sides: int, radius: float) -> Outline:
     if sides < 3:
         raise ValueError(f"a regular polygon has at least 3 sides, got {sides}")
-    inputs.positive("radius", radius)
+    check.positive("radius", radius)
     angle = math.pi * (1.5 + (2.0 * np.arange(sides) + 1.0) / sides)
     return _convex(faceted(radius * np.column_stack([np.cos(angle), np.sin(angle)])))
 
@@ -148,8 +148,8 @@ def regular_polygon(sides: int, radius: Scalar) -> Profile:
 
 
 def _slot(length: float, width: float) -> Outline:
-    inputs.positive("width", width)
-    inputs.between("length", length, width, math.inf)
+    check.positive("width", width)
+    check.between("length", length, width, math.inf)
     half, radius = (length - width) / 2.0, width / 2.0
     steps = arc_steps(radius, math.pi)
     right, right_outward = arc_points(np.array([half, 0.0]), radius, -0.5 * math.pi, math.pi, steps)
@@ -172,7 +172,7 @@ def slot(length: Scalar, width: Scalar) -> Profile:
 
 
 def _ring(outer: float, inner: float) -> Outline:
-    inputs.positive("inner radius", inner)
+    check.positive("inner radius", inner)
     if not outer > inner:
         raise ValueError(f"the outer radius {outer:g} m must exceed the inner radius {inner:g} m")
     sides = sides_of(outer)
@@ -194,10 +194,10 @@ def ring(outer: Scalar, inner: Scalar) -> Profile:
 
 
 def _bow(radius: float, width: float, start: float, sweep: float) -> Outline:
-    inputs.positive("radius", radius)
-    inputs.between("width", width, 1e-6, 2.0 * radius * (1.0 - 1e-6))
-    inputs.finite("start", start, "rad")
-    inputs.between("sweep", sweep, 1e-3, math.tau * 0.999, "rad")
+    check.positive("radius", radius)
+    check.between("width", width, 1e-6, 2.0 * radius * (1.0 - 1e-6))
+    check.finite("start", start, "rad")
+    check.between("sweep", sweep, 1e-3, math.tau * 0.999, "rad")
     outer, inner = radius + width / 2.0, radius - width / 2.0
     steps = arc_steps(outer, sweep)
     there, outward = arc_points(np.zeros(2), outer, start, sweep, steps)
@@ -229,7 +229,7 @@ def bow(radius: Scalar, width: Scalar, *, start: Scalar = 0.0, sweep: Scalar = m
 
 @kernel(spelling="{profile}.offset({distance}, join={join})")
 def _offset(profile: Outline, distance: float, join: Literal["round", "miter"]) -> Outline:
-    inputs.finite("distance", distance)
+    check.finite("distance", distance)
     if abs(distance) < 1e-9:
         return profile
     kind = JoinType.Round if join == "round" else JoinType.Miter
@@ -282,25 +282,25 @@ def _profile_intersection(a: Outline, b: Outline) -> Outline:
 
 @kernel(spelling="{profile}.at({x}, {y})")
 def _profile_translate(profile: Outline, x: float, y: float) -> Outline:
-    offset = np.array([inputs.finite("x", x), inputs.finite("y", y)])
+    offset = np.array([check.finite("x", x), check.finite("y", y)])
     return moved_outline(profile, np.eye(2), offset)
 
 
 @kernel(spelling="{profile}.rotate({angle})")
 def _profile_rotate(profile: Outline, angle: float) -> Outline:
-    cosine, sine = math.cos(inputs.finite("angle", angle, "rad")), math.sin(angle)
+    cosine, sine = math.cos(check.finite("angle", angle, "rad")), math.sin(angle)
     return moved_outline(profile, np.array([[cosine, -sine], [sine, cosine]]), np.zeros(2))
 
 
 @kernel(spelling="{profile}.scale({x}, {y})")
 def _profile_scale(profile: Outline, x: float, y: float) -> Outline:
-    scale = np.diag([inputs.finite("scale x", x, ""), inputs.finite("scale y", y, "")])
+    scale = np.diag([check.finite("scale x", x, ""), check.finite("scale y", y, "")])
     return moved_outline(profile, scale, np.zeros(2))
 
 
 @kernel(spelling="{profile}.mirror({x}, {y})")
 def _profile_mirror(profile: Outline, x: float, y: float) -> Outline:
-    normal = np.array([inputs.finite("x", x, ""), inputs.finite("y", y, "")])
+    normal = np.array([check.finite("x", x, ""), check.finite("y", y, "")])
     length = float(np.hypot(x, y))
     if length < 1e-12:
         raise ValueError("the normal of the mirror must have a direction, got (0, 0)")

@@ -7,7 +7,7 @@ import numpy as np
 from artgen._arrays import Array
 from artgen.asset.shape import Shape
 from artgen.graph import define, kernel
-from artgen.nodes import validators as inputs
+from artgen.nodes import validators as check
 from artgen.nodes.handles import Array3, ArrayN3
 
 
@@ -16,8 +16,8 @@ def rotation_about(axis: Array, angle: float) -> Array:
 
     Quarter turns about an asset axis are exact.
     """
-    x, y, z = inputs.direction("axis", axis)
-    cosine, sine = math.cos(inputs.finite("angle", angle, "rad")), math.sin(angle)
+    x, y, z = check.direction("axis", axis)
+    cosine, sine = math.cos(check.finite("angle", angle, "rad")), math.sin(angle)
     cosine, sine = (round(value) if abs(value - round(value)) < 1e-15 else value for value in (cosine, sine))
     skew = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
     along = np.outer([x, y, z], [x, y, z])
@@ -26,24 +26,24 @@ def rotation_about(axis: Array, angle: float) -> Array:
 
 def moved(shape: Shape, linear: Array, offset: Array) -> Shape:
     """Return the shape with each point p at linear @ p + offset, checked."""
-    return shape.transformed(inputs.pose(linear, offset)).checked()
+    return shape.transformed(check.pose(linear, offset)).checked()
 
 
 @kernel(spelling="{solid}.at({offset})")
 def _translate(solid: Shape, offset: Array3) -> Shape:
-    return moved(solid, np.eye(3), inputs.vector("offset", offset))
+    return moved(solid, np.eye(3), check.vector("offset", offset))
 
 
 @kernel(spelling="{solid}.rotate({axis}, {angle}, about={about})")
 def _rotate(solid: Shape, axis: Array3, angle: float, about: Array3) -> Shape:
     turn = rotation_about(axis, angle)
-    center = inputs.vector("about", about)
+    center = check.vector("about", about)
     return moved(solid, turn, center - turn @ center)
 
 
 @kernel
 def _scale(solid: Shape, factors: Array3) -> Shape:
-    values = inputs.vector("factors", factors)
+    values = check.vector("factors", factors)
     if (values <= 0.0).any():
         raise ValueError(
             f"scale factors must be positive, got ({', '.join(f'{x:g}' for x in values)}); "
@@ -72,18 +72,18 @@ def _with_scaled_uvs(scaled: Shape, solid: Shape, factors: Array) -> Shape:
 
 @kernel(spelling="{solid}.mirror({normal})")
 def _mirror(solid: Shape, normal: Array3) -> Shape:
-    across = inputs.direction("normal", normal)
+    across = check.direction("normal", normal)
     return moved(solid, np.eye(3) - 2.0 * np.outer(across, across), np.zeros(3))
 
 
 @kernel(spelling="{solid}.align({to}, x={x}, y={y}, z={z})")
 def _align(solid: Shape, to: Array3, x: float, y: float, z: float) -> Shape:
-    return moved(solid, np.eye(3), inputs.vector("to", to) - _anchor(solid, x, y, z))
+    return moved(solid, np.eye(3), check.vector("to", to) - _anchor(solid, x, y, z))
 
 
 @kernel(spelling="{solid}.anchor(x={x}, y={y}, z={z})")
 def _anchor(solid: Shape, x: float, y: float, z: float) -> Array3:
-    where = inputs.vector("the anchor", (x, y, z))
+    where = check.vector("the anchor", (x, y, z))
     low, high = solid.bounds()
     return np.asarray(0.5 * (low + high) + 0.5 * where * (high - low))
 

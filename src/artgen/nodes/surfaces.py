@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from artgen._arrays import Array, FrozenArrays, Indices, cached, predecessors, successors
 from artgen.asset.shape import GRAIN, Contour, Shape
 from artgen.colliders import Pieces
-from artgen.nodes import validators as inputs
+from artgen.nodes import validators as check
 from artgen.nodes.unwrap import (
     Rail,
     cap_uvs,
@@ -70,7 +70,7 @@ class Skin(FrozenArrays):
         """
         if np.array_equal(rotation, np.eye(3)):
             return self
-        uvs = 0.0 - self.uvs if inputs.frame_is_mirrored(rotation) else self.uvs
+        uvs = 0.0 - self.uvs if check.frame_is_mirrored(rotation) else self.uvs
         return Skin(self.vertices @ rotation.T, self.normals @ rotation.T, uvs, self.triangles, self.targets)
 
     def shape(self, pieces: Pieces) -> Shape:
@@ -99,31 +99,20 @@ class Sheets:
         poles: NDArray[np.bool_] | None = None,
         flipped: bool = False,
     ) -> Indices:
-        """Add the side surface of a contour."""
+        """Add the side surface of a contour, between each row in `strips` and the next; by default all."""
         rows, columns = vertices.shape[:2]
-        lower = np.arange(rows - 1) if strips is None else strips[:, 0]
-        upper = lower + 1 if strips is None else strips[:, 1]
-        first = rail.start  # at the seam and at corners, the leaving column represents both
         index = np.arange(rows) if places is None else places
-        place: Indices = index[:, None] * columns + first[None, :]
+        # at the seam and at corners, the leaving column represents both
+        place: Indices = index[:, None] * columns + rail.start
         if poles is not None:
-            place = np.where(poles[None, :], first[None, :], place)
+            place = np.where(poles, rail.start, place)
         place += self._count
-        base = self._count
-        corner = [
-            base + row[:, None] * columns + column[None, :]
-            for row, column in (
-                (lower, rail.start),
-                (lower, rail.end),
-                (upper, rail.end),
-                (upper, rail.start),
-            )
-        ]
+        lower = np.arange(rows - 1) if strips is None else strips
+        low, high = (self._count + row[:, None] * columns for row in (lower, lower + 1))
+        corner = [low + rail.start, low + rail.end, high + rail.end, high + rail.start]
         if flipped:
             corner = [corner[0], corner[3], corner[2], corner[1]]
-        quads = np.stack([corner[0], corner[1], corner[2], corner[0], corner[2], corner[3]], axis=-1).reshape(
-            -1, 3
-        )
+        quads = np.stack([corner[at] for at in (0, 1, 2, 0, 2, 3)], axis=-1).reshape(-1, 3)
         self._add(vertices, normals, uvs, quads, place[:, rail.vertex].ravel())
         return place
 

@@ -198,8 +198,7 @@ def _swept_skin(contours: Sequence[Contour], stations: _Stations, closed: bool) 
         # at a mitre, the outside extends farther along its segment than the path, the inside less far
         beyond = np.einsum("sci,si->sc", vertices - stations.points[station][:, None], ahead)
         uvs = wall_uvs(rail.distance, stations.distance[station][:, None] + beyond, lying=False)
-        rows = np.column_stack([strips, strips + 1])
-        places.append(sheets.grid(rail, vertices, normals, uvs, strips=rows, places=first_row))
+        places.append(sheets.grid(rail, vertices, normals, uvs, strips=strips, places=first_row))
     if not closed:
         rings = [contour.points for contour in contours]
         flat = np.concatenate(rings)

@@ -12,7 +12,7 @@ import numpy as np
 from artgen._arrays import Array, cached
 from artgen.asset.shape import Contour, Outline
 from artgen.graph import records
-from artgen.nodes import validators as inputs
+from artgen.nodes import validators as check
 from artgen.nodes.contours import is_disjoint, moved_outline, outline_of, section
 from artgen.nodes.handles import Profile, Scalar
 
@@ -127,7 +127,7 @@ def _borders(drawing: Sequence[tuple[str, tuple[Any, ...]]]) -> Iterator[list[Ar
 
 
 def _text(string: str, height: float, align: Literal["left", "center", "right"]) -> Outline:
-    inputs.positive("height", height)
+    check.positive("height", height)
     contours: list[Contour] = []
     pen = 0.0
     for character in string:
