@@ -86,7 +86,7 @@ def test_a_geometry_kernels_error_names_the_line():
 
 def test_a_result_that_is_not_finite_is_an_error():
     big = Float.parameter("a") * 1e300  # marker: overflow
-    with pytest.raises(EvaluationError, match="multiply gives inf, which is no finite number") as caught:
+    with pytest.raises(EvaluationError, match="multiply gives inf, which is not a finite number") as caught:
         evaluate(big, {"a": 1e300})
     assert place_of(__file__, "marker: overflow") in str(caught.value)
     far = vector(1e300) * Float.parameter("a")
@@ -133,7 +133,7 @@ def test_a_parameter_of_the_wrong_type_is_refused(handle, value):
 
 
 def test_a_parameter_that_is_not_finite_is_refused():
-    with pytest.raises(BuildError, match="nan is no finite number"):
+    with pytest.raises(BuildError, match="nan is not a finite number"):
         evaluate(Float.parameter("a"), {"a": float("nan")})
 
 

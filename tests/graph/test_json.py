@@ -98,7 +98,7 @@ MALFORMED = {
         wrap(node("sphere", radius=1.0, radios=2.0)),
         r"node 0 .*: sphere has no input 'radios'\. Did you mean 'radius'\?",
     ),
-    "an input too few": (wrap(node("sphere")), "sphere misses its input 'radius'"),
+    "an input too few": (wrap(node("sphere")), "sphere needs the input 'radius'"),
     "the wrong type": (wrap(node("sphere", radius="big")), r"radius=\.\.\.\) needs a Float, got 'big'"),
     "a truth value for a number": (wrap(node("sphere", radius=True)), "needs a Float, got True"),
     "a node of the wrong type": (
@@ -107,15 +107,21 @@ MALFORMED = {
     ),
     "not a number": (
         '{"artgen_graph": 1, "nodes": [{"op": "sphere", "inputs": {"radius": NaN}}]}',
-        "no finite number",
+        "not a finite number",
     ),
     "a node that refers to itself": (wrap(node("sqrt", a={"$": 0})), "the graph has a cycle"),
     "a cycle": (
         wrap(node("sqrt", a={"$": 1}), node("sqrt", a={"$": 0})),
         "node 0 .* refers to node 1, .* cycle",
     ),
-    "a reference to nothing": (wrap(node("sqrt", a={"$": -1})), "refers to -1, which is no node's number"),
-    "a reference by name": (wrap(node("sqrt", a={"$": "x"})), "refers to 'x', which is no node's number"),
+    "a reference to nothing": (
+        wrap(node("sqrt", a={"$": -1})),
+        "refers to -1, which is not the number of a node",
+    ),
+    "a reference by name": (
+        wrap(node("sqrt", a={"$": "x"})),
+        "refers to 'x', which is not the number of a node",
+    ),
     "an unknown literal": (wrap(node("sqrt", a={"$code": "1+1"})), "has the unknown literal"),
     "a bad material": (
         wrap(

@@ -134,5 +134,5 @@ def test_parameters_of_sub_generators_keep_their_dots():
 
 @pytest.mark.parametrize("name", ["my door", "class", "", "1a"])
 def test_the_function_needs_a_legal_name(name):
-    with pytest.raises(GraphError, match="is no name of a Python function"):
+    with pytest.raises(GraphError, match="is not a name for a Python function"):
         Graph(Float.parameter("a")).to_python(name)

@@ -109,7 +109,7 @@ def test_require_on_what_is_known_while_building():
 
 def test_a_requirement_that_nothing_reaches_is_refused():
     with pytest.raises(
-        BuildError, match=r"reached by nothing\n  at .*\n  Attach it to a value: return body\.require"
+        BuildError, match=r"no value carries it\n  at .*\n  Attach it to a value: return body\.require"
     ):
         require(A > 1.0, "no")
 

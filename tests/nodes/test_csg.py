@@ -157,10 +157,10 @@ def test_a_shell_needs_a_convex_solid_with_room():
 @pytest.mark.parametrize(
     ("make", "message"),
     [
-        (lambda: box(0.1, 0.1, 0.1) - box(0.2, 0.2, 0.2), "difference is empty: the second solid swallows"),
+        (lambda: box(0.1, 0.1, 0.1) - box(0.2, 0.2, 0.2), "difference is empty: the second solid contains"),
         (
             lambda: box(0.1, 0.1, 0.1) & box(0.1, 0.1, 0.1).at(1),
-            "intersection is empty: the solids do not meet",
+            "intersection is empty: the solids do not overlap",
         ),
         (lambda: box(0.1, 0.1, 0.1).split(point=(0, 0, 1), normal=(0, 0, 1)), "whole solid lies behind"),
         (csg.union, "a union needs at least one solid, got none"),

@@ -66,7 +66,7 @@ def cap_top(solid) -> float:
 @pytest.mark.parametrize("make", [grasp_on, push_on])
 def test_a_point_beside_the_solid_is_refused(make):
     with pytest.raises(
-        EvaluationError, match=r"nothing of the solid at \(1, 0, 0\) m; give another point: at="
+        EvaluationError, match=r"no part of the solid at \(1, 0, 0\) m; give another point: at="
     ):
         frame_of(make(sphere(0.02), at=(1, 0, 0)))
 

@@ -98,5 +98,5 @@ def test_a_line_that_makes_no_half_section_is_refused(path, wall, message):
 
 def test_a_lathe_refuses_two_sides():
     profile = half_section(line((0.2, 0.0, 0.0), (0.1, 0.0, 0.3)))
-    with pytest.raises(EvaluationError, match="3 to 128 sides, or 0 for as many as look round; got 2"):
+    with pytest.raises(EvaluationError, match="3 to 128 sides, or 0 for a number that looks round; got 2"):
         value(revolve(profile, sides=2))

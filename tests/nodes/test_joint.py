@@ -82,16 +82,19 @@ def test_limits_have_no_sentinels():
             {"follows": Revolute("knob", axis=Z), "limits": (0.0, 1.0)},
             "joint 'turn' follows 'knob', which gives it its range; leave its limits out",
         ),
-        ({"follows": 0.0 * Revolute("knob", axis=Z)}, "a coupling to 'knob' with ratio 0 would not move"),
+        (
+            {"follows": 0.0 * Revolute("knob", axis=Z)},
+            "a coupling to 'knob' with ratio 0 does not move the joint",
+        ),
         ({"needs": (KNOB > 0.5).until(0.0)}, "until must be positive, got 0"),
-        ({"needs": (KNOB > 0.5).beyond(0.0)}, "beyond must be positive, got 0: leave it out where"),
+        ({"needs": (KNOB > 0.5).beyond(0.0)}, "beyond must be positive, got 0: leave it out if"),
         ({"needs": (KNOB > 0.5).beyond(0.2).until(0.1)}, "beyond 0.2 must be below until 0.1"),
         ({"needs": (KNOB > 0.5).until(0.1).beyond(0.2)}, "beyond 0.2 must be below until 0.1"),
         ({"needs": (KNOB > 0.5).until(0.1).until(0.2)}, "until is given twice: 0.1 and 0.2"),
         ({"needs": (KNOB > 0.5).beyond(0.1).beyond(0.2)}, "beyond is given twice: 0.1 and 0.2"),
         (
             {"needs": (KNOB > 0.5).beyond(0.4), "limits": (-0.3, 0.4)},
-            "joint 'turn' has limits -0.3 to 0.4: it never needs anything beyond 0.4",
+            "joint 'turn' has limits -0.3 to 0.4: it never moves beyond 0.4",
         ),
     ],
 )

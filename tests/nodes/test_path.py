@@ -100,7 +100,7 @@ def test_a_helix_climbs_by_its_pitch():
             lambda: path._polyline(CORNERS, 0.2, False),
             "fillets at points 0 and 1 .* use a smaller fillet than 0.2 m",
         ),
-        (lambda: path._polyline((X, Y, Y), 0.0, False), "points 1 and 2 of the polyline are one point"),
+        (lambda: path._polyline((X, Y, Y), 0.0, False), "points 1 and 2 of the polyline are the same point"),
         (lambda: path._polyline((Z * 0, X, Z * 0), 0.01, False), "turns back on itself at point 1"),
         (lambda: path._arc(X, 0.1, 0.0, 9.0, Z), "sweep must be within 0.001 and 2 pi"),
         (lambda: path._arc(X, 0.1, 0.0, 1.0, Z * 0), "axis must have a direction"),

@@ -133,7 +133,7 @@ def test_transforms_keep_outsides_outside(angle, x, y, dx, across):
         (lambda: profile._polygon(((0, 0), (1, 0)), 0.0), "needs at least 3 points, got 2"),
         (lambda: profile._polygon(((0, 0), (1, 1), (1, 0), (0, 1)), 0.0), "has no area|cross each other"),
         (lambda: profile._polygon(((0, 0), (2, 1), (2, 0), (0, 1.5)), 0.0), "cross each other"),
-        (lambda: profile._polygon(((0, 0), (1, 0), (1, 0), (0, 1)), 0.0), "points 1 and 2 .* are one point"),
+        (lambda: profile._polygon(((0, 0), (1, 0), (1, 0), (0, 1)), 0.0), "points 1 and 2 .* the same point"),
         (lambda: profile._polygon(((0, 0), (1, 0), (0, 1)), 0.9), "use a smaller radius"),
         (lambda: profile._regular_polygon(2, 0.1), "at least 3 sides, got 2"),
         (lambda: profile._slot(0.01, 0.02), "length must be within 0.02"),

@@ -178,7 +178,7 @@ def _run(node: Node, known: Operation, values: Mapping[str, Any]) -> Any:
         reason = str(error) or type(error).__name__
         raise EvaluationError(f"{node.op} failed: {reason}\n  at {node.where}") from error
     if isinstance(value, float) and not math.isfinite(value):
-        raise EvaluationError(f"{node.op} gives {value}, which is no finite number\n  at {node.where}")
+        raise EvaluationError(f"{node.op} gives {value}, which is not a finite number\n  at {node.where}")
     if isinstance(value, np.ndarray):
         if not np.isfinite(value).all():
             raise EvaluationError(f"{node.op} gives {value}, which is not finite\n  at {node.where}")

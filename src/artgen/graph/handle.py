@@ -287,7 +287,7 @@ def _refuse_inputs(known: Operation, inputs: Mapping[str, Any], where: str) -> N
                 f"{known.name} has no input {name!r}.{nearest(name, known.inputs)}\n  at {where}"
             )
     missing = next(name for name in known.inputs if name not in inputs)
-    raise BuildError(f"{known.name} misses its input {missing!r}\n  at {where}")
+    raise BuildError(f"{known.name} needs the input {missing!r}\n  at {where}")
 
 
 def _refuse_value(value: Any, hint: Any, what: str, where: str) -> NoReturn:

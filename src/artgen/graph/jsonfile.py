@@ -86,7 +86,7 @@ def _read_value(value: Any, index: int, handles: list[Handle], place: str) -> An
     if set(value) == {"$"}:
         target = value["$"]
         if not isinstance(target, int) or isinstance(target, bool) or target < 0:
-            raise GraphError(f"{place} refers to {target!r}, which is no node's number")
+            raise GraphError(f"{place} refers to {target!r}, which is not the number of a node")
         if target >= index:
             raise GraphError(
                 f"{place} refers to node {target}, which does not come before it: the graph has a cycle"

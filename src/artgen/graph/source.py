@@ -22,7 +22,7 @@ def to_python(handle: Handle, name: str = "build") -> str:
     Executing the source and calling the function returns a handle whose node has the same key.
     """
     if not name.isidentifier() or keyword.iskeyword(name):
-        raise GraphError(f"{name!r} is no name of a Python function")
+        raise GraphError(f"{name!r} is not a name for a Python function")
     writer = _Writer(handle)
     result = writer.expression(handle.node)
     kind = type(handle_of(handle.node)).__name__

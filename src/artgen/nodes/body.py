@@ -125,7 +125,7 @@ def detail(
     Args:
         solid: The solid in asset coordinates.
         label: Semantic label.
-        material: What it is made of.
+        material: Its material.
         reads: Direction of the lines of print, which stays readable if the body is mirrored.
         about: Center of the print [m]; by default the center of its bounding box.
 

@@ -111,10 +111,10 @@ def _paints(shapes: Sequence[Shape]) -> Mapping[int, Material]:
     return merged
 
 
-def _combined(manifold: Manifold, pieces: colliders.Pieces, shapes: Sequence[Shape], what: str) -> Shape:
-    """Return a checked result; `what` is the message for an empty result."""
+def _combined(manifold: Manifold, pieces: colliders.Pieces, shapes: Sequence[Shape], empty: str) -> Shape:
+    """Return a checked result; `empty` is the message for an empty result."""
     if manifold.is_empty():
-        raise ValueError(what)
+        raise ValueError(empty)
     return Shape(manifold, pieces, _paints(shapes)).checked()
 
 
@@ -152,7 +152,7 @@ def _difference(a: Shape, b: Shape) -> Shape:
         a.manifold - b.manifold,
         colliders.difference(a.pieces, b.pieces),
         (a, b),
-        "the difference is empty: the second solid swallows the first",
+        "the difference is empty: the second solid contains the first",
     )
 
 
@@ -162,7 +162,7 @@ def _intersection(a: Shape, b: Shape) -> Shape:
         a.manifold ^ b.manifold,
         colliders.intersection(a.pieces, b.pieces),
         (a, b),
-        "the intersection is empty: the solids do not meet",
+        "the intersection is empty: the solids do not overlap",
     )
 
 

@@ -30,7 +30,7 @@ def _revolve(profile: Outline, angle: float, axis: Array3, sides: int = 0) -> Sh
     check.between("angle", angle, 0.001, math.tau + 1e-9, "rad")
     if sides != 0 and not _FEWEST <= sides <= _MOST:
         raise ValueError(
-            f"a lathe makes {_FEWEST} to {_MOST} sides, or 0 for as many as look round; got {sides}"
+            f"a lathe makes {_FEWEST} to {_MOST} sides, or 0 for a number that looks round; got {sides}"
         )
     least = min(float(contour.points[:, 0].min()) for contour in profile.contours)
     if least < -_AT_AXIS:

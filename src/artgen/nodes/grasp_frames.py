@@ -38,7 +38,7 @@ def _posed(at: Array3, approach: Array3, closing: Array3) -> Array4x4:
     if not np.linalg.norm(sideways) > _PARALLEL * np.linalg.norm(closing):
         raise ValueError(
             f"closing {_text(closing)} must lie across the approach {_text(approach)}; fingers cannot close "
-            "along the way of the hand"
+            "in the direction of the approach"
         )
     x = unit(sideways)
     result = np.eye(4)
@@ -73,7 +73,7 @@ def _grasp_on(
     column = np.array([[-half, -GRIPPER.wide / 2.0, -_FAR], [half, GRIPPER.wide / 2.0, _FAR]])
     points = clipped([solid.manifold], block(column, result), result)
     if not len(points):
-        raise ValueError(f"there is nothing of the solid at {_text(middle)} m; give another point: at=...")
+        raise ValueError(f"there is no part of the solid at {_text(middle)} m; give another point: at=...")
     front, back = float(points[:, 2].min()), float(points[:, 2].max())
     reach = min((back - front) / 2.0 + GRIPPER.tip, _DEEPEST) if depth is None else depth
     result[:3, 3] += result[:3, 2] * (front + reach - GRIPPER.tip)
@@ -122,7 +122,7 @@ def _push_on(solid: Shape, direction: Array3, at: Array3 | None) -> Array4x4:
     column = np.array([[-_RAY, -_RAY, -_FAR], [_RAY, _RAY, _FAR]])
     points = clipped([solid.manifold], block(column, result), result)
     if not len(points):
-        raise ValueError(f"there is nothing of the solid at {_text(middle)} m; give another point: at=...")
+        raise ValueError(f"there is no part of the solid at {_text(middle)} m; give another point: at=...")
     result[:3, 3] = np.round(result[:3, 3] + axis * points[:, 2].min(), _ROUNDED)
     return result
 

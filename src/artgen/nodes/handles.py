@@ -277,7 +277,7 @@ class Body(Handle):
         if not str(reason or "").strip():
             raise BuildError(
                 f"allow_contact({a!r}, {b!r}) gives no reason\n  at {authors_line()}\n"
-                '  Say why they may touch, for those who read the certificate: reason="the gasket seals"'
+                '  Give the reason, which the certificate lists: reason="the gasket seals"'
             )
         return Body.record("allow_contact", body=self, a=a, b=b, depth=depth, reason=reason, when=when)
 

@@ -105,22 +105,22 @@ def _dependency_beyond(needs: AssetDependency, position: float) -> AssetDependen
 def _checked(needs: AssetDependency) -> AssetDependency:
     """Return a dependency with checked positions."""
     if needs.until is not None and needs.until <= 0.0:
-        raise ValueError(f"until must be positive, got {needs.until:.6g}: a joint needs nothing at 0")
+        raise ValueError(f"until must be positive, got {needs.until:.6g}: no condition applies at position 0")
     if needs.beyond is not None and needs.beyond <= 0.0:
         raise ValueError(
-            f"beyond must be positive, got {needs.beyond:.6g}: leave it out where the condition is needed "
-            "from 0 on"
+            f"beyond must be positive, got {needs.beyond:.6g}: leave it out if the condition applies "
+            "from position 0"
         )
     if needs.until is not None and needs.beyond is not None and needs.until <= needs.beyond:
         raise ValueError(
-            f"beyond {needs.beyond:.6g} must be below until {needs.until:.6g}: the condition is needed "
+            f"beyond {needs.beyond:.6g} must be below until {needs.until:.6g}: the condition applies "
             "between them"
         )
     return needs
 
 
 class _Leader(Handle):
-    """Arithmetic that makes the coupling of a follower."""
+    """Arithmetic of joints and couplings; it makes couplings for followers."""
 
     __slots__ = ()
 
@@ -211,7 +211,9 @@ class Joint(_Leader):
 @kernel
 def _coupling(leader: str, ratio: float, offset: float) -> AssetCoupling:
     if ratio == 0.0:
-        raise ValueError(f"a coupling to {leader!r} with ratio 0 would not move; lock the joint instead")
+        raise ValueError(
+            f"a coupling to {leader!r} with ratio 0 does not move the joint; lock the joint instead"
+        )
     return AssetCoupling(leader, ratio, offset)
 
 
@@ -256,7 +258,7 @@ def _joint(
     beyond = None if needs is None else needs.beyond
     if limits is not None and beyond is not None and beyond >= max(map(abs, limits)):
         raise ValueError(
-            f"joint {name!r} has limits {limits[0]:.6g} to {limits[1]:.6g}: it never needs anything beyond "
+            f"joint {name!r} has limits {limits[0]:.6g} to {limits[1]:.6g}: it never moves beyond "
             f"{beyond:.6g}; leave needs out, or take a position within the limits"
         )
     for field, number in (

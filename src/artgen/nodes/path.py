@@ -24,7 +24,7 @@ def _line(start: Array3, end: Array3) -> Curve:
     along = points[1] - points[0]
     length = float(np.linalg.norm(along))
     if length < 1e-9:
-        raise ValueError("a line needs two different points, its start and end are one")
+        raise ValueError("a line needs two different points; its start and end are the same point")
     return Curve(points, tangents=np.stack([along / length] * 2))
 
 
@@ -45,7 +45,7 @@ def _polyline(points: tuple[Array3, ...], fillet: float, closed: bool) -> Curve:
     sides = len(corners) if closed else len(corners) - 1
     if length[:sides].min() < 1e-9:
         at = int(np.argmin(length[:sides]))
-        raise ValueError(f"points {at} and {(at + 1) % len(corners)} of the polyline are one point")
+        raise ValueError(f"points {at} and {(at + 1) % len(corners)} of the polyline are the same point")
     if fillet == 0.0:
         return Curve(corners, closed)
     return _filleted(corners, _unit_rows(following - corners), length, fillet, closed)
@@ -188,7 +188,7 @@ def _bezier(points: tuple[Array3, ...]) -> Curve:
 
     tangents = value(np.diff(controls, axis=0))
     if np.linalg.norm(tangents, axis=1).min() < 1e-12:
-        raise ValueError("the curve stands still somewhere; move its control points apart")
+        raise ValueError("the curve has no direction at one of its points; move its control points apart")
     return Curve(value(controls), False, _unit_rows(tangents))
 
 
@@ -208,7 +208,7 @@ def _spline(points: tuple[Array3, ...], closed: bool) -> Curve:
     segments = count if closed else count - 1
     if gap[:segments].min() < 1e-9:
         at = int(np.argmin(gap[:segments]))
-        raise ValueError(f"points {at} and {(at + 1) % count} of the spline are one point")
+        raise ValueError(f"points {at} and {(at + 1) % count} of the spline are the same point")
     slopes = _centripetal_slopes(through, closed)
     samples, tangents = [], []
     for i in range(segments):

@@ -154,7 +154,7 @@ def _cylinder_between(start: Array3, end: Array3, radius: float, bevel: float) -
     along = check.vector("end", end) - check.vector("start", start)
     length = math.hypot(*along)
     if length <= 0.0:
-        raise ValueError("start and end are the same point; a cylinder between two points has a length")
+        raise ValueError("start and end are the same point; a cylinder needs two different points")
     made = _cylinder(radius, length, along, bevel)
     return made.transformed(check.pose(np.eye(3), 0.5 * (start + end)))
 

@@ -98,7 +98,7 @@ def _polygon(points: tuple[tuple[float, float], ...], radius: float) -> Outline:
     short = np.linalg.norm(following - corners, axis=1) < 1e-7
     if short.any():
         at = int(np.flatnonzero(short)[0])
-        raise ValueError(f"points {at} and {(at + 1) % len(corners)} of the polygon are one point")
+        raise ValueError(f"points {at} and {(at + 1) % len(corners)} of the polygon are the same point")
     area = signed_area(corners)
     if abs(area) < 1e-12:
         raise ValueError("the polygon has no area; its points lie on one line")
@@ -139,7 +139,7 @@ def regular_polygon(sides: int, radius: Scalar) -> Profile:
     """Make a regular polygon about the origin, one side at the bottom.
 
     Args:
-        sides: How many sides.
+        sides: Number of sides.
         radius: Distance of the corners from the origin [m].
 
     Examples:

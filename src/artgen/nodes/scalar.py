@@ -251,7 +251,7 @@ def require(value: Any, condition: Any, message: str = "") -> Any:
         )
     if isinstance(value, Handle):
         raise BuildError(
-            f"require(condition, message) with a {type(value).__name__} would be reached by nothing\n"
+            f"require(condition, message) with a {type(value).__name__} has no effect: no value carries it\n"
             f"  at {authors_line()}\n  Attach it to a value: return body.require(condition, message)"
         )
     if not isinstance(value, bool | np.bool_):

@@ -30,7 +30,7 @@ def _number(value: Any) -> Any:
         return NotImplemented
     number = float(value)
     if not math.isfinite(number):
-        raise BuildError(f"{number} is no finite number\n  at {authors_line()}")
+        raise BuildError(f"{number} is not a finite number\n  at {authors_line()}")
     return number
 
 

@@ -25,7 +25,7 @@ def rotation_about(axis: Array, angle: float) -> Array:
 
 
 def moved(shape: Shape, linear: Array, offset: Array) -> Shape:
-    """Return the shape with each point p at linear @ p + offset, checked."""
+    """Return the checked shape with each point p at linear @ p + offset."""
     return shape.transformed(check.pose(linear, offset)).checked()
 
 

@@ -1,7 +1,7 @@
 """Meshes of solids from their curves: numpy arrays with analytic normals and texture coordinates in metres.
 
 A side surface is a grid: columns run along a contour (a `Rail`), rows across it. Vertices are doubled at
-discontinuities of normals or texture coordinates; `targets` tells which of them are one point of the surface.
+discontinuities of normals or texture coordinates; `targets` names the vertices at the same point.
 """
 
 import math
@@ -64,7 +64,7 @@ class Skin(FrozenArrays):
     targets: Indices  # for each vertex, the first vertex at the same point of the surface, shape (n,)
 
     def turned(self, rotation: Array) -> "Skin":
-        """Return the surface rotated by a rotation of `inputs.frame`, shape (3, 3).
+        """Return the surface rotated by a rotation of `validators.frame`, shape (3, 3).
 
         If that turns the profile's y downward, the texture is rotated to stay upright.
         """
@@ -257,7 +257,7 @@ def lathe_steps(contours: Sequence[Contour], angle: float, sides: int | None = N
 
 
 def _level_sides(contour: Contour) -> NDArray[np.bool_]:
-    """Return which sides of a contour in (r, z) are flat discs or rings, shape (n,)."""
+    """Return whether each side of a contour in (r, z) is a flat disc or ring, shape (n,)."""
     following = successors(contour.normals_in)
     return (np.abs(contour.normals_out[:, 1]) > 1.0 - 1e-12) & (np.abs(following[:, 1]) > 1.0 - 1e-12)
 
@@ -340,7 +340,7 @@ def rounded_box(size: Array, bevel: float, steps: int) -> Skin:
 
 @cached(128)
 def _layout(count: int, grains: tuple[int, ...]) -> tuple[Indices, Indices, Array]:
-    """Return which coordinates are u and v of each vertex, and the direction of u, all shape (count,)."""
+    """Return the coordinates that are u and v of each vertex, and the sign of u, each shape (count,)."""
     sides = [
         (3 - axis - grain, grain, side if (axis - grain) % 3 == 1 else -side)  # u is v x normal
         for axis, grain in enumerate(grains)
