@@ -22,7 +22,7 @@ from surveys.summary import shortened
 
 from artgen.catalog import categories as all_categories
 from artgen.catalog import find
-from artgen.commands.console import rate_bar
+from artgen.commands.console import progress
 from artgen.errors import ArtgenError
 from artgen.generator.overrides import spelled
 
@@ -53,14 +53,13 @@ def main(
     out.parent.mkdir(parents=True, exist_ok=True)
     interrupted = False
     try:
-        with rate_bar() as bar:
-            task = bar.add_task(out.name, total=None, failed="")
+        with progress(out.name) as update:
             odd = 0
 
             def step(record: Record) -> None:
                 nonlocal odd
                 odd += bool(record["anomalies"])
-                bar.update(task, advance=1, failed=f"{odd} with anomalies" if odd else "")
+                update(advance=1, failed=f"{odd} with anomalies" if odd else "")
 
             soak(
                 out,

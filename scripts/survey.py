@@ -9,6 +9,7 @@ Measurements stay in the file, so that an interrupted survey continues; after a 
 """
 
 import sys
+from functools import partial
 from pathlib import Path
 from typing import Annotated
 
@@ -22,7 +23,7 @@ from surveys.summary import Criterion, criteria, failures, figures, listed
 
 from artgen.catalog import categories as all_categories
 from artgen.catalog import find
-from artgen.commands.console import progress_bar
+from artgen.commands.console import progress
 
 _PAIRS = 8  # number of pairs that are shown
 _STATES = {True: "[green]yes[/]", False: "[bold red]no[/]", None: "[yellow]?[/]"}
@@ -63,8 +64,7 @@ def main(
         find(name)
         if fresh:
             path.unlink(missing_ok=True)
-        with progress_bar() as bar:
-            task = bar.add_task(name, total=seeds)
+        with progress(name, seeds) as update:
             records = survey(
                 name,
                 range(first_seed, first_seed + seeds),
@@ -72,7 +72,7 @@ def main(
                 fast=fast,
                 jobs=jobs,
                 limit=limit,
-                progress=lambda bar=bar, task=task: bar.advance(task),  # type: ignore[misc]
+                progress=partial(update, advance=1),
             )
         found[name] = records
         if page is not None:  # after each category, for an interrupted run

@@ -1,6 +1,4 @@
-"""What pytest loads of artgen in every run: the option; the rest, and artgen itself, only if it is given."""
-
-from __future__ import annotations
+"""Pytest plugin that defines the option `--artgen`, and loads artgen only if the option is given."""
 
 import pytest
 
@@ -17,7 +15,7 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    """Load what collects the assets, if there are any to collect."""
+    """Load the plugin that collects exported assets, if the option is given."""
     if config.getoption("artgen"):
         from artgen.testing import pytest_plugin
 

@@ -1,1 +1,1 @@
-"""Commands of the command line, one module each; `artgen.cli` registers them."""
+"""Commands of the command line; `artgen.cli` registers them."""

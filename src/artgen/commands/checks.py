@@ -13,7 +13,7 @@ from typer import Argument, Option
 from artgen.asset import Asset
 from artgen.asset.files import exports_in
 from artgen.asset.report import CheckResult, Finding, Report
-from artgen.commands.console import FAULT, console, progress_bar, table
+from artgen.commands.console import FAULT, console, progress, table
 from artgen.commands.options import Category, JsonOutput, Overrides, Seed, Tolerance
 from artgen.errors import ExportError
 from artgen.export.files import REPORT_FILE, replaced
@@ -21,7 +21,7 @@ from artgen.generator.overrides import parse_overrides
 from artgen.range_proof import prove_range
 from artgen.validate import validate as run_checks
 from artgen.validate.clients.registry import ALL, chosen_clients
-from artgen.validate.clients.run import ClientReport, Outcome, run_clients
+from artgen.validate.clients.run import ClientReport, run_clients
 
 _STYLES = {
     "passed": "green",
@@ -39,21 +39,16 @@ def certify(
     category: Category,
     *,
     samples: Annotated[int, Option(metavar="NUMBER", help="Number of seeds.")] = 500,
-    corners: Annotated[
-        bool, Option(help="Certify the corners of the parameter ranges as well, at most about 256.")
-    ] = True,
+    corners: Annotated[bool, Option(help="Certify the corners of the parameter ranges as well.")] = True,
     overrides: Overrides = None,
     seed: Seed = 0,
     tolerance: Tolerance = 0.0,
-    json_file: Annotated[
-        Path | None, Option("--json", metavar="FILE", help="Write all results to a file as well.")
-    ] = None,
+    json_file: Annotated[Path | None, Option("--json", metavar="FILE", help="File for all results.")] = None,
 ) -> None:
     """Prove samples and corners of a category free of collisions; exit code 1 if a proof fails."""
     if json_file is not None and (json_file.is_dir() or not json_file.absolute().parent.is_dir()):
         raise ExportError(f"cannot write {json_file}: give a file in a directory that exists")
-    with progress_bar() as bar:
-        task = bar.add_task(category, total=None)
+    with progress(category) as update:
         proof = prove_range(
             category,
             samples,
@@ -61,7 +56,7 @@ def certify(
             seed=seed,
             overrides=parse_overrides(overrides or ()),
             tolerance=tolerance,
-            progress=lambda done, total: bar.update(task, completed=done, total=total),
+            progress=lambda done, total: update(completed=done, total=total),
         )
     typer.echo(proof)
     if json_file is not None:
@@ -78,9 +73,7 @@ def _json(data: object) -> str:
 
 
 def colliders(
-    directory: Annotated[
-        Path, Argument(metavar="DIRECTORY", help="An exported asset, with urdf or mjcf among its formats.")
-    ],
+    directory: Annotated[Path, Argument(help="An exported asset, with urdf or mjcf among its formats.")],
     *,
     speed: Annotated[bool, Option(help="Measure the speed of MuJoCo; needs artgen[sim].")] = True,
     as_json: JsonOutput = False,
@@ -118,15 +111,12 @@ def validate(
         Argument(metavar="DIRECTORY...", help="Exported assets, or directories that contain some."),
     ],
     *,
-    behavior: Annotated[
-        bool, Option(help="Simulate each asset in MuJoCo; takes seconds, needs artgen[sim].")
-    ] = True,
+    behavior: Annotated[bool, Option(help="Simulate in MuJoCo, seconds each; needs artgen[sim].")] = True,
     clients: Annotated[
         str | None,
         Option(
             metavar="NAMES",
-            help="Simulators, validators and converters that read each asset as well: names separated by "
-            f"commas, or {ALL!r} for those that are installed; `artgen clients` lists them.",
+            help=f"Clients that read each asset: names separated by commas, or {ALL!r} installed ones.",
         ),
     ] = None,
     as_json: JsonOutput = False,
@@ -174,18 +164,14 @@ def _show(terminal: Console, directory: Path, report: Report) -> None:
     terminal.print(checks)
     _show_findings(terminal, [finding for result in report.results for finding in result.findings])
     if isinstance(report, ClientReport):
+        clients = table("client", "version", "result", "first message")
+        for outcome in report.outcomes:
+            style = "bold red" if outcome.fault else _STYLES[outcome.state]
+            clients.add_row(outcome.client, outcome.version, Text(outcome.state, style), outcome.message)
         terminal.print()
-        _show_clients(terminal, report.outcomes)
+        terminal.print(clients)
+        _show_findings(terminal, [finding for each in report.outcomes for finding in each.findings[1:]])
     terminal.print()
-
-
-def _show_clients(terminal: Console, outcomes: Sequence[Outcome]) -> None:
-    clients = table("client", "version", "result", "first message")
-    for outcome in outcomes:
-        state = Text(outcome.state, "bold red" if outcome.fault else _STYLES[outcome.state])
-        clients.add_row(outcome.client, outcome.version, state, outcome.message)
-    terminal.print(clients)
-    _show_findings(terminal, [finding for outcome in outcomes for finding in outcome.findings[1:]])
 
 
 def _detail(result: CheckResult) -> str:
@@ -198,12 +184,6 @@ def _detail(result: CheckResult) -> str:
 
 
 def _show_findings(terminal: Console, findings: Sequence[Finding]) -> None:
-    """Print each finding over several lines: fault and place, number and pose, hint."""
     for finding in findings:
-        place = ", ".join(f"{kind} {name}" for kind in ("link", "joint") if (name := getattr(finding, kind)))
-        lines = [f"{place}: {finding.message}" if place else finding.message]
-        number = "" if finding.value is None else f"{finding.value:.6g} {finding.unit}".strip()
-        pose = ", ".join(f"{name}={position:.4g}" for name, position in finding.pose.items())
-        lines += [" at ".join(part for part in (number, pose) if part), finding.hint and f"-> {finding.hint}"]
-        text = Text.assemble((finding.severity, _STYLES[finding.severity]), f" {finding.check}: ")
-        terminal.print(text.append("\n    ".join(line for line in lines if line)), soft_wrap=True)
+        text = Text.assemble((finding.severity, _STYLES[finding.severity]), f" {finding.check}: {finding}")
+        terminal.print(text, soft_wrap=True)

@@ -25,14 +25,10 @@ def clients(
     *,
     install: Annotated[
         str | None,
-        Option(
-            metavar="NAMES",
-            help=f"Create the environments of these clients: {ALL!r}, or names separated by commas.",
-        ),
+        Option(metavar="NAMES", help=f"Clients to install: {ALL!r}, or names separated by commas."),
     ] = None,
     python: Annotated[
-        Path | None,
-        Option(metavar="PROGRAM", help="Python program for the environments; artgen's own by default."),
+        Path | None, Option(help="Python program for the environments; artgen's own by default.")
     ] = None,
 ) -> None:
     """List the clients that read exports, or install them into their own environments.

@@ -49,14 +49,20 @@ def table(*columns: str) -> Table:
     return result
 
 
-def progress_bar() -> Progress:
-    """Return a progress bar on stderr, which appears on terminals only and is removed at the end."""
-    return _bar()
-
-
-def rate_bar() -> Progress:
-    """Return a progress bar with the rate per second; its tasks have a field `failed`."""
-    return _bar(_Rate(), TextColumn("[red]{task.fields[failed]}"))
+@contextmanager
+def progress(name: str, total: int | None = None) -> Iterator[Callable[..., None]]:
+    """Show a progress bar on stderr, on terminals only, until the end; yield the function that updates it."""
+    console = Console(stderr=True)
+    columns = (
+        TextColumn("{task.description}"),
+        BarColumn(),
+        MofNCompleteColumn(),
+        _Rate(),
+        TextColumn("[red]{task.fields[failed]}"),
+        TimeRemainingColumn(),
+    )
+    with Progress(*columns, console=console, transient=True, disable=not console.is_terminal) as bar:
+        yield partial(bar.update, bar.add_task(name, total=total, failed=""))
 
 
 class _Rate(ProgressColumn):
@@ -68,20 +74,6 @@ class _Rate(ProgressColumn):
         return Text("" if speed is None else f"{speed:.1f}/s")
 
 
-def _bar(*columns: ProgressColumn) -> Progress:
-    console = Console(stderr=True)
-    return Progress(
-        TextColumn("{task.description}"),
-        BarColumn(),
-        MofNCompleteColumn(),
-        *columns,
-        TimeRemainingColumn(),
-        console=console,
-        transient=True,
-        disable=not console.is_terminal,
-    )
-
-
 @contextmanager
 def counting(
     name: str, total: int | None = None
@@ -91,15 +83,15 @@ def counting(
     Yields a function for each result, with its success and the number of steps, and the update of the bar.
     """
     try:
-        with rate_bar() as bar:
-            task, failed = bar.add_task(name, total=total, failed=""), 0
+        with progress(name, total) as update:
+            failed = 0
 
             def step(succeeded: bool, steps: int) -> None:  # noqa: FBT001 - a callback
                 nonlocal failed
                 failed += not succeeded
-                bar.update(task, advance=steps, failed=f"{failed} failed" if failed else "")
+                update(advance=steps, failed=f"{failed} failed" if failed else "")
 
-            yield step, partial(bar.update, task)
+            yield step, update
     except KeyboardInterrupt:
         typer.echo(f"interrupted; {RESUME}", err=True)
         raise typer.Exit(INTERRUPTED) from None

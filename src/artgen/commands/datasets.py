@@ -21,10 +21,7 @@ def images(
     *,
     out: Annotated[str, Option(metavar="DIRECTORY", help="Target; also a URL that fsspec supports.")],
     assets: Annotated[
-        int,
-        Option(
-            min=1, help="Number of assets, shared evenly among the categories; a larger one extends a set."
-        ),
+        int, Option(min=1, help="Number of assets, shared by the categories; a larger one extends a set.")
     ] = 250,
     images_per_asset: Annotated[int, Option(min=1, help="Number of pictures of each asset.")] = 12,
     size: Annotated[int, Option(metavar="PIXELS", help="Width and height of a picture.")] = 1024,
@@ -39,31 +36,18 @@ def images(
         ),
     ] = "",
     random: Annotated[
-        str,
-        Option(
-            metavar="NAMES", help=f"Properties to draw again for each picture: {', '.join(RANDOM)}, or all."
-        ),
+        str, Option(metavar="NAMES", help=f"Drawn again for each picture: {', '.join(RANDOM)}, or all.")
     ] = "",
     depth: Annotated[bool, Option("--depth", help="Write depths as PNG of 16 bits.")] = False,
     normals: Annotated[bool, Option("--normals", help="Write normals as PNG.")] = False,
-    field_of_view: Annotated[
-        str, Option(metavar=_RANGE, help="Range of the field of view [degrees].")
-    ] = "26,57",
-    elevation: Annotated[
-        str, Option(metavar=_RANGE, help="Range of the elevation of cameras [degrees].")
-    ] = "6,75",
-    azimuth: Annotated[
-        float, Option(metavar="DEGREES", help="Largest angle from the front; 180 is all around.")
-    ] = 180.0,
-    margin: Annotated[
-        str, Option(metavar=_RANGE, help="Share of the picture that stays free along its edges.")
-    ] = "0.03,0.45",
+    field_of_view: Annotated[str, Option(metavar=_RANGE, help="Field of view [degrees].")] = "26,57",
+    elevation: Annotated[str, Option(metavar=_RANGE, help="Elevation of cameras [degrees].")] = "6,75",
+    azimuth: Annotated[float, Option(metavar="DEGREES", help="Largest angle from the front.")] = 180.0,
+    margin: Annotated[str, Option(metavar=_RANGE, help="Free share along the edges.")] = "0.03,0.45",
     samples: Annotated[int, Option(min=1, help="Samples per pixel, for shadows and edges.")] = 4,
     texture_size: TextureSize = 512,
     picture: Annotated[PictureFormat, Option(help="File format of pictures.")] = "png",
-    split: Annotated[
-        str, Option(metavar="SHARES", help="Shares of assets for training, validation and test.")
-    ] = "0.8,0.1,0.1",
+    split: Annotated[str, Option(metavar="SHARES", help="Training, validation and test.")] = "0.8,0.1,0.1",
     jobs: Jobs = None,
     certify: Certify = True,
     on_collision: Collisions = "redraw",
@@ -123,18 +107,12 @@ def _angles(option: str, text: str) -> tuple[float, float]:
 
 
 def demos(
-    task: Annotated[
-        str, Argument(metavar="TASK", help="Name of a task, such as OpenDrawer; a wrong one lists all.")
-    ],
+    task: Annotated[str, Argument(help="Name of a task, such as OpenDrawer; a wrong one lists all.")],
     *,
     out: Annotated[Path, Option(metavar="DIRECTORY", help="Target; demo.hdf5 in it is complete or absent.")],
-    count: Annotated[
-        int, Option("--count", "-n", min=1, help="Number of demonstrations, each with another asset.")
-    ] = 100,
+    count: Annotated[int, Option("--count", "-n", min=1, help="Number of demonstrations.")] = 100,
     seed: Seed = 0,
-    image: Annotated[
-        int, Option(metavar="PIXELS", help="Size of pictures in the observations; 0 for none.")
-    ] = 0,
+    image: Annotated[int, Option(metavar="PIXELS", help="Size of pictures in observations; 0 for none.")] = 0,
     noise: Annotated[
         float,
         Option(

@@ -34,7 +34,9 @@ from artgen.materials.textures import check_size
 
 _Formats = Annotated[
     str | None,
-    Option("--format", metavar="NAMES", help=f"Formats, of {', '.join(FORMATS)}; by default the usual ones."),
+    Option(
+        "--format", metavar="NAMES", help=f"Formats, of {', '.join(FORMATS)}; by default those of the layout."
+    ),
 ]
 
 
@@ -43,7 +45,9 @@ def generate(
     *,
     count: Annotated[
         int | None,
-        Option("--count", "-n", min=1, help="Make a dataset of so many assets, or continue such a run."),
+        Option(
+            "--count", "-n", min=1, help="Number of assets of a dataset, shared evenly by the categories."
+        ),
     ] = None,
     seed: Seed = 0,
     overrides: Overrides = None,
@@ -52,7 +56,8 @@ def generate(
     out: Annotated[
         str | None,
         Option(
-            metavar="DIRECTORY", help="Target; for a dataset also a URL of fsspec, such as s3://bucket/doors."
+            metavar="DIRECTORY",
+            help="Target; ./<name of the asset> by default. For a dataset also a URL: s3://bucket/doors.",
         ),
     ] = None,
     jobs: Jobs = None,
@@ -61,16 +66,15 @@ def generate(
         str | None,
         Option(metavar="HOST:PORT", help="Ray cluster; by default that of RAY_ADDRESS, or a new one here."),
     ] = None,
-    base: Annotated[
-        Literal["fixed", "free"], Option(help="Whether assets are fixed to the world.")
-    ] = "fixed",
+    base: Annotated[Literal["fixed", "free"], Option(help="Fixed to the world, or free.")] = "fixed",
     name: Annotated[str, Option(help="Name of the asset; category and seed by default.")] = "",
-    collision: Annotated[
-        Collision, Option(help="Colliders: from the construction of solids, of CoACD, or convex hulls.")
-    ] = "exact",
+    collision: Annotated[Collision, Option(help="Exact colliders, CoACD's, or convex hulls.")] = "exact",
     textures: Annotated[
         TextureMode | None,
-        Option(help="Maps: shared by the assets of a dataset, embedded in each, or none: plain colors."),
+        Option(
+            help="Maps: shared by the assets of a dataset, embedded in each, or none: plain colors. The "
+            "default is shared in a folder, embedded at a URL."
+        ),
     ] = None,
     texture_size: TextureSize = TEXTURES,
     mesh_precision: Annotated[
@@ -147,19 +151,13 @@ def _print_main_files(directory: Path) -> None:
 
 def export(
     directory: Annotated[
-        Path,
-        Argument(
-            metavar="DIRECTORY",
-            help="An exported asset in the layout flat or robocasa, with urdf or mjcf among its formats.",
-        ),
+        Path, Argument(help="An exported asset in the layout flat or robocasa, with urdf or mjcf.")
     ],
     *,
     layout: Layout = "flat",
     formats: _Formats = None,
     texture_size: TextureSize = TEXTURES,
-    out: Annotated[
-        Path | None, Option(metavar="DIRECTORY", help="Target; ./<name of the asset>_<layout> by default.")
-    ] = None,
+    out: Annotated[Path | None, Option(help="Target; ./<name of the asset>_<layout> by default.")] = None,
 ) -> None:
     """Export an asset again in another layout, and print the paths of its main files."""
     chosen = _chosen_formats(layout, formats)

@@ -28,9 +28,7 @@ _FILES = {
 def new(
     name: Annotated[str, Argument(metavar="NAME", help="Name of the category and its package: stapler.")],
     *,
-    folder: Annotated[
-        Path, Option("--dir", metavar="DIRECTORY", help="Parent of the folder of the package.")
-    ] = Path(),
+    folder: Annotated[Path, Option("--dir", help="Parent of the folder of the package.")] = Path(),
 ) -> None:
     """Write a package with a starter category, its test, and its entry point."""
     _check_name(name)

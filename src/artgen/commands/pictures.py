@@ -9,7 +9,7 @@ from typer import Option
 
 from artgen.asset import Asset
 from artgen.catalog import find
-from artgen.commands.console import progress_bar
+from artgen.commands.console import progress
 from artgen.commands.options import Category, Overrides, Seed, Source, TextureSize
 from artgen.commands.view import asset_from
 from artgen.errors import ExportError, ParameterError
@@ -17,6 +17,8 @@ from artgen.generator.overrides import parse_overrides
 
 if TYPE_CHECKING:
     from artgen.view import Picture
+
+_File = Annotated[Path | None, Option(metavar="FILE", help="PNG or JPEG; by default in this folder.")]
 
 
 def render(
@@ -29,7 +31,7 @@ def render(
         Option("--q", metavar="JOINT=VALUE", help="Position of a joint [rad or m]. Repeatable."),
     ] = None,
     opening: Annotated[
-        float, Option("--open", metavar="0..1", help="Share of the joint ranges; --q overrides it.")
+        float, Option("--open", metavar="0..1", help="Share of the ranges; --q overrides it.")
     ] = 0.0,
     view: Annotated[
         str, Option(help="front, three_quarter, back, side, top, ... or close-up:LINK.")
@@ -41,9 +43,7 @@ def render(
     ] = "color",
     texture_size: TextureSize = 512,
     samples: Annotated[int, Option(help="Samples per pixel, for shadows and edges.")] = 32,
-    out: Annotated[
-        Path | None, Option(metavar="FILE", help="PNG or JPEG; ./<name of the asset>.png by default.")
-    ] = None,
+    out: _File = None,
 ) -> None:
     """Render a picture of an asset and print its path; needs artgen[sim]."""
     from artgen.view import opened
@@ -110,11 +110,9 @@ def sheet(
     views: Annotated[int, Option(help="1 for the front, 2 for the back as well.")] = 2,
     size: Annotated[int, Option(metavar="PIXELS", help="Height of a picture.")] = 240,
     columns: Annotated[
-        int | None, Option(help="Samples side by side; by default as many as make a good page.")
+        int | None, Option(help="Samples side by side; by default chosen for the page.")
     ] = None,
-    out: Annotated[
-        Path | None, Option(metavar="FILE", help="JPEG or PNG; ./<category>.jpg by default.")
-    ] = None,
+    out: _File = None,
 ) -> None:
     """Draw samples of a category, closed and open, on one page, and print its path; needs artgen[sim]."""
     from artgen.view.picture import check_suffix
@@ -133,13 +131,12 @@ def sheet(
         return found.evaluate(seed, certify=False, overrides=values)[0]
 
     makers = [partial(sample, seed) for seed in range(first_seed, first_seed + seeds)]
-    with progress_bar() as bar:
-        task = bar.add_task(found.name, total=seeds)
+    with progress(found.name, seeds) as update:
         pixels = draw(
             makers,
             views=views,
             size=size,
             columns=columns,
-            progress=lambda done, total: bar.update(task, completed=done, total=total),
+            progress=lambda done, total: update(completed=done, total=total),
         )
     typer.echo(save_sheet(pixels, path))

@@ -11,7 +11,7 @@ from typer import Argument, Option
 from artgen.asset import Asset
 from artgen.asset.files import ASSET_FILE
 from artgen.catalog import find
-from artgen.commands.console import progress_bar
+from artgen.commands.console import progress
 from artgen.commands.options import Category, OpenBrowser, Overrides, Page, Seed, Source, TextureSize
 from artgen.errors import ParameterError
 from artgen.generator.overrides import parse_overrides
@@ -39,9 +39,7 @@ def view(
     *,
     seed: Seed = 0,
     overrides: Overrides = None,
-    certify: Annotated[
-        bool, Option(help="Prove an asset of a category, and draw again after a failed proof.")
-    ] = True,
+    certify: Annotated[bool, Option(help="Prove an asset of a category, or draw again.")] = True,
     texture_size: TextureSize = _TEXELS,
     out: Page = None,
     opening: OpenBrowser = True,
@@ -65,16 +63,11 @@ def _show(path: Path, opening: bool) -> None:  # noqa: FBT001 - private
 
 def gallery(
     directory: Annotated[
-        Path,
-        Argument(
-            metavar="DIRECTORY", help="A folder with exported assets, such as `artgen generate -n` makes."
-        ),
+        Path, Argument(help="A folder with exported assets, such as `artgen generate -n` makes.")
     ],
     *,
     texture_size: TextureSize = _TEXELS // 2,
-    out: Annotated[
-        Path | None, Option(metavar="FOLDER", help="Target; <DIRECTORY>_gallery by default.")
-    ] = None,
+    out: Annotated[Path | None, Option(help="Target; <DIRECTORY>_gallery by default.")] = None,
     opening: OpenBrowser = True,
 ) -> None:
     """Write a page of all assets in a folder, with pictures and filters, and print its path.
@@ -86,14 +79,9 @@ def gallery(
     source = directory.resolve()
     found = find_assets(source)
     target = out or source.with_name(f"{source.name}_gallery")
-    with progress_bar() as bar:
-        task = bar.add_task(source.name, total=len(found))
+    with progress(source.name, len(found)) as update:
         path, failed = write_gallery(
-            found,
-            source,
-            target,
-            textures=texture_size,
-            progress=lambda done: bar.update(task, completed=done),
+            found, source, target, textures=texture_size, progress=lambda done: update(completed=done)
         )
     for message in failed:
         typer.echo(f"warning: {' '.join(message.split())}", err=True)

@@ -16,7 +16,6 @@ from typing import Any
 import pytest
 
 from artgen.asset.files import exports_in
-from artgen.asset.report import CheckResult
 from artgen.errors import ExportError
 from artgen.validate import Examination
 
@@ -84,7 +83,9 @@ class CheckItem(pytest.Item):
         if notes:
             self.add_report_section("call", "notes", "\n".join(notes))
         if result.faults:
-            raise FaultsFoundError(_described(self._examination.name, result))
+            count = f"{len(result.faults)} fault{'' if len(result.faults) == 1 else 's'}"
+            lines = [f"{self._examination.name} fails the check {result.check!r}: {count}"]
+            raise FaultsFoundError("\n".join([*lines, *(f"  {fault}" for fault in result.faults)]))
 
     def repr_failure(self, excinfo: pytest.ExceptionInfo[BaseException], style: Any = None) -> Any:
         """Show only the faults; for an unexpected exception, also its traceback."""
@@ -95,9 +96,3 @@ class CheckItem(pytest.Item):
     def reportinfo(self) -> tuple[os.PathLike[str], int | None, str]:
         """Return the headline of a failure."""
         return self.path, None, f"{self._examination.name}: {self.name}"
-
-
-def _described(asset: str, result: CheckResult) -> str:
-    count = len(result.faults)
-    lines = [f"{asset} fails the check {result.check!r}: {count} fault{'' if count == 1 else 's'}"]
-    return "\n".join([*lines, *(f"  {fault}" for fault in result.faults)])

@@ -69,29 +69,23 @@ def parameters(
 
 
 def assets(
-    generator: Generator | str,
-    *,
-    structural: bool = True,
-    hard_limits: bool = False,
-    overrides: Mapping[str, Any] | None = None,
-    certify: bool = False,
+    generator: Generator | str, *, structural: bool = True, certify: bool = False, **options: Any
 ) -> st.SearchStrategy[Asset]:
     """Return a strategy of assets of a generator; infeasible samples are rejected.
 
     Args:
         generator: A generator, or the name of a category.
         structural: As for `parameters`.
-        hard_limits: As for `parameters`.
-        overrides: As for `parameters`.
         certify: Whether to certify each asset; an asset with colliding parts is kept, with a certificate that
             says so.
+        options: Other options of `parameters`.
 
     Raises:
         ParameterError: As for `parameters`.
     """
     chosen = found_generator(generator)
     seeds = st.just(0) if structural else st.integers(0, 2**32 - 1)
-    wanted = parameters(chosen, structural=structural, hard_limits=hard_limits, overrides=overrides)
+    wanted = parameters(chosen, structural=structural, **options)
 
     def made(seed: int, values: dict[str, Any]) -> Asset:
         try:

@@ -77,7 +77,12 @@ class ClientExport:
 
 
 def read_exported(directory: str | Path) -> ClientExport:
-    """Read an export."""
+    """Read an export.
+
+    Raises:
+        ExportError: There is no readable `asset.json`.
+        AssetError: The file has another format, or names that artgen does not write.
+    """
     folder = Path(directory)
     asset = Asset.load(folder)
     layout = json.loads((folder / ASSET_FILE).read_text(encoding="utf-8")).get("layout", "flat")

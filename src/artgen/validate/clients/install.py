@@ -28,7 +28,11 @@ _SHOWN = 300  # most characters of pip's error message
 
 
 def environments_directory() -> Path:
-    """Return the folder of the clients' environments: `$ARTGEN_CLIENTS`, or `clients` in artgen's cache."""
+    """Return the folder of the clients' environments: `$ARTGEN_CLIENTS`, or `clients` in artgen's cache.
+
+    Raises:
+        ClientError: The variable is not set and the cache is off.
+    """
     if chosen := os.environ.get(VARIABLE):
         return Path(chosen)
     cache = cache_directory()

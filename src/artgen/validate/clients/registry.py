@@ -116,19 +116,16 @@ _TABLE: tuple[tuple[str, Format, str, str, str, tuple[str, ...], tuple[str, ...]
 
 _SINGLE = (1e-5, 1e-5)  # single precision
 _DIGITS = (3e-6, 1e-6)  # single precision: seven digits of metres and of sums of a few numbers
-_TOLERANCES = {
-    **dict.fromkeys(("sapien", "mani_skill", "mjx", "mujoco_warp"), _SINGLE),
-    **dict.fromkeys(("ovphysx", "newton_usd", "newton_mjcf", "newton_urdf"), _DIGITS),
-    **dict.fromkeys(("genesis_mjcf", "genesis_urdf"), _DIGITS),
-}
 
-_SECONDS = {
-    **dict.fromkeys(("sapien", "mani_skill"), 300.0),
-    # their first run on a machine compiles kernels; MJX compiles each model
-    **dict.fromkeys(("newton_usd", "newton_mjcf", "newton_urdf"), 300.0),
-    **dict.fromkeys(("mjx", "mujoco_warp"), 600.0),
-    **dict.fromkeys(("genesis_mjcf", "genesis_urdf"), 900.0),
-    "ovphysx": 300.0,  # dials that must be pushed before they turn are driven in many poses
+# tolerances and time limit for one asset [s] by driver
+_LIMITS = {
+    "sapien_model": (_SINGLE, 300.0),
+    "mani_skill_model": (_SINGLE, 300.0),
+    "mjx_model": (_SINGLE, 600.0),  # it compiles each model
+    "mujoco_warp_model": (_SINGLE, 600.0),  # the first run on a machine compiles kernels
+    "physx_model": (_DIGITS, 300.0),  # dials that must be pushed before they turn are driven in many poses
+    "newton_model": (_DIGITS, 300.0),  # the first run on a machine compiles kernels
+    "genesis_model": (_DIGITS, 900.0),  # the same, for seven minutes
 }
 
 _OBTAIN = {
@@ -137,28 +134,7 @@ _OBTAIN = {
     "in ARTGEN_NODE_MODULES",
 }
 
-_NEWTON = {
-    r"NewtonWarning: (Roughness|Metallic) texture inputs are not yet supported; using scalar fallback\.": (
-        "Newton draws roughness and metalness as one number each, and the asset has maps of them"
-    )
-}
-_GENESIS = {
-    r"\[W .*\] \[frontend_ir\.cpp:.*\] qd\.loop_config\(serialize=True\) does not have effect .*": (
-        "Genesis prints this about its own kernels while it compiles them"
-    ),
-    r"\[Genesis\] \[.*\] \[WARNING\] Link '.*' has dubious inertia \[.*\] compared to the estimate from "
-    r"geometry \[.*\]\.": (
-        "Genesis compares principal moments, as MuJoCo sorts them, with those about the link's axes"
-    ),
-}
-_USDEX = {
-    r"\[Warning\] \[usdex\.core\.deprecation\] .* was deprecated .*": (
-        "the converter calls usd-exchange in a deprecated way"
-    )
-}
 _DRAKE = r"WARNING:drake:.*: (warning|error): "
-_ROBOSUITE = r"\[robosuite WARNING\] "
-_ADVICE = "advice on the installation of robosuite, for every model"
 
 MACHINE = {
     r"Warp CUDA warning: Could not find or load the NVIDIA CUDA driver\..*": (
@@ -167,7 +143,8 @@ MACHINE = {
 }
 """Messages of any client about the machine instead of the asset: patterns, and reasons."""
 
-_UNAVOIDABLE: Mapping[str, Mapping[str, str]] = {
+# by client, or by driver for several clients
+_UNAVOIDABLE: Mapping[str, dict[str, str]] = {
     "pybullet": {"pybullet build time: .*": "it prints this at every import"},
     "drake_urdf": {
         rf"{_DRAKE}A joint has specified a non-zero value for the 'friction' attribute of a "
@@ -188,11 +165,9 @@ _UNAVOIDABLE: Mapping[str, Mapping[str, str]] = {
         rf"{_DRAKE}The texture element is not supported, .*": "Drake's MJCF reader supports no textures",
     },
     "robosuite": {
-        rf"{_ROBOSUITE}No private macro file found!.*": _ADVICE,
-        rf"{_ROBOSUITE}It is recommended to use a private macro file.*": _ADVICE,
-        rf"{_ROBOSUITE}To setup, run: python .*setup_macros\.py.*": _ADVICE,
-        rf"{_ROBOSUITE}Could not import robosuite_models\..*": _ADVICE,
-        rf"{_ROBOSUITE}Could not load the mink-based whole-body IK\..*": _ADVICE,
+        r"\[robosuite WARNING\] (No private macro file found!|It is recommended to use a private macro file|"
+        r"To setup, run: python .*setup_macros\.py|Could not import robosuite_models\.|Could not load the "
+        r"mink-based whole-body IK\.).*": "advice on the installation of robosuite, for every model",
     },
     "mjx": {r"Failed to import (warp|mujoco_warp): .*": "MJX prints this if the optional Warp is missing"},
     "ovphysx": {
@@ -208,12 +183,22 @@ _UNAVOIDABLE: Mapping[str, Mapping[str, str]] = {
             "it follows the message about an oblong shape"
         ),
     },
-    "newton_usd": _NEWTON,
-    "newton_mjcf": _NEWTON,
-    "newton_urdf": _NEWTON,
-    "genesis_mjcf": _GENESIS,
+    "newton_model": {
+        r"NewtonWarning: (Roughness|Metallic) texture inputs are not yet supported; using scalar "
+        r"fallback\.": (
+            "Newton draws roughness and metalness as one number each, and the asset has maps of them"
+        )
+    },
+    "genesis_model": {
+        r"\[W .*\] \[frontend_ir\.cpp:.*\] qd\.loop_config\(serialize=True\) does not have effect .*": (
+            "Genesis prints this about its own kernels while it compiles them"
+        ),
+        r"\[Genesis\] \[.*\] \[WARNING\] Link '.*' has dubious inertia \[.*\] compared to the estimate from "
+        r"geometry \[.*\]\.": (
+            "Genesis compares principal moments, as MuJoCo sorts them, with those about the link's axes"
+        ),
+    },
     "genesis_urdf": {
-        **_GENESIS,
         r"\[Genesis\] \[.*\] \[WARNING\] Filtered out geometry pairs causing self-collision for the neutral "
         r"configuration \(qpos0\): .*\. Consider tuning Morph option .*\.": (
             "Genesis searches for overlapping parts with voxels wider than the gap between the jaws of pliers"
@@ -229,33 +214,44 @@ _UNAVOIDABLE: Mapping[str, Mapping[str, str]] = {
             "simready-validate calls its own engine in a deprecated way"
         )
     },
+    "converters": {
+        r"\[Warning\] \[usdex\.core\.deprecation\] .* was deprecated .*": (
+            "the converter calls usd-exchange in a deprecated way"
+        )
+    },
     "mujoco_usd_converter": {
-        **_USDEX,
         r"\[Warning\] \[mujoco_usd_converter\._impl\.material\.convert_material\] Unsupported texture layers "
         r"for material '.*'": (
             "the material has maps, but none of color, and the converter supports maps of color only"
         ),
     },
-    "urdf_usd_converter": _USDEX,
 }
 
-CLIENTS: Mapping[str, Client] = {
-    row[0]: Client(
+
+def _client(row: tuple[str, Format, str, str, str, tuple[str, ...], tuple[str, ...]]) -> Client:
+    name, driver = row[0], row[4]
+    tolerances, seconds = _LIMITS.get(driver, ((1e-6, 1e-6), 120.0))
+    return Client(
         *row,
-        tolerances=_TOLERANCES.get(row[0], (1e-6, 1e-6)),
-        seconds=_SECONDS.get(row[0], 120.0),
-        unavoidable=tuple(_UNAVOIDABLE.get(row[0], {}).items()),
-        obtain=_OBTAIN.get(row[0], ""),
-        omits=("joints.kind",) if row[0] == "ovphysx" else (),  # a wrong kind shows in the poses
-        misplaces=row[0] == "drake_mjcf",  # it turns such a body about the origin of its parent
+        tolerances=tolerances,
+        seconds=seconds,
+        unavoidable=tuple((_UNAVOIDABLE.get(driver, {}) | _UNAVOIDABLE.get(name, {})).items()),
+        obtain=_OBTAIN.get(name, ""),
+        omits=("joints.kind",) if name == "ovphysx" else (),  # a wrong kind shows in the poses
+        misplaces=name == "drake_mjcf",  # it turns such a body about the origin of its parent
     )
-    for row in _TABLE
-}
+
+
+CLIENTS: Mapping[str, Client] = {row[0]: _client(row) for row in _TABLE}
 """Every client by its name."""
 
 
 def chosen_clients(names: str) -> tuple[Sequence[Client], bool]:
-    """Return the clients in a text such as `all` or `pybullet,drake_urdf`, each once, and whether by name."""
+    """Return the clients in a text such as `all` or `pybullet,drake_urdf`, each once, and whether by name.
+
+    Raises:
+        ParameterError: The text is empty, or a client does not exist.
+    """
     words = list(dict.fromkeys(word for part in names.split(",") if (word := part.strip())))
     if not words:
         raise ParameterError(f"{names!r} names no client; give {ALL!r} or some of: {', '.join(CLIENTS)}")

@@ -291,18 +291,14 @@ def _nothing_to_read(client: Client, exported: ClientExport) -> Outcome:
 def _run_on(client: Client, exports: Sequence[ClientExport]) -> list[Outcome]:
     for program in interpreters(client) if exports else ():
         session = _session(client, program, exports)
-        if session.finished.code == _ABSENT and not any(session.answers) and not session.messages:
+        ending = session.finished.ending
+        if session.finished.code == _ABSENT and not any(session.answers) and not session.faults:
             continue  # an existing client that exits this way prints the reason
-        if len(exports) == 1:
-            return [_outcome(client, exports[0], session)]
-        if session.messages or session.finished.ending or None in session.answers:
+        if len(exports) > 1 and (session.faults or ending or None in session.answers):
             half = len(exports) // 2
             return _run_on(client, exports[:half]) + _run_on(client, exports[half:])
-        finished = replace(session.finished, seconds=session.finished.seconds / len(exports))
-        return [
-            _outcome(client, each, replace(session, finished=finished, answers=[answer]))
-            for each, answer in zip(exports, session.answers, strict=True)
-        ]
+        pairs = zip(exports, session.answers, strict=True)
+        return [_outcome(client, exported, session, answer) for exported, answer in pairs]
     finding = Finding(client.name, "it is not installed", hint=how_to_get(client), severity="note")
     return [Outcome(client.name, client.format, "", "absent", (finding,)) for _ in exports]
 
@@ -312,14 +308,18 @@ class _Session:
     """One process of a client."""
 
     finished: Finished
-    # answer to each request; None if it is missing, a text if it cannot be read
-    answers: Sequence[Mapping[str, Any] | str | None]
-    messages: tuple[str, ...]  # messages that are faults
+    answers: Sequence[bytes | None]  # response to each request; None if it is missing
+    faults: tuple[str, ...]  # messages that are faults
     tolerated: tuple[Tolerated, ...]  # messages that are not faults
 
 
 def _session(client: Client, program: Path, exports: Sequence[ClientExport]) -> _Session:
     """Let the driver of a client answer one request per export."""
+    environment = {**os.environ, "PYTHONUNBUFFERED": "1", "PYTHONUTF8": "1"}
+    for variable in ("PYTHONHOME", "PYTHONWARNINGS", "PYTHONSTARTUP"):
+        environment.pop(variable, None)
+    if program != OWN_PYTHON:
+        environment.pop("PYTHONPATH", None)  # it leads to artgen's own packages
     with tempfile.TemporaryDirectory(prefix="artgen_client_") as name:
         folder = Path(name)
         work = folder / "work"
@@ -332,37 +332,16 @@ def _session(client: Client, program: Path, exports: Sequence[ClientExport]) -> 
         alarm, driver = str(int(seconds + _AFTER)), DRIVERS / f"{client.driver}.py"
         command: list[str | Path] = [program, "-B", "-c", _START, alarm, driver, *files]
         try:
-            finished = run_process(command, work, _environment(program), seconds)
+            finished = run_process(command, work, environment, seconds)
         except OSError as error:
             finished = Finished(1, f"{program} cannot be started: {error.strerror}", 0.0, timed_out=False)
-        answers = [_answer(response) for response in files[1::2]]
+        answers = [response.read_bytes() if response.exists() else None for response in files[1::2]]
     return _Session(finished, answers, *sorted_messages(client, joined_lines(finished.output)))
 
 
-def _environment(program: Path) -> dict[str, str]:
-    """Return the environment variables of a driver, without variables for artgen's own packages."""
-    result = {**os.environ, "PYTHONUNBUFFERED": "1", "PYTHONUTF8": "1"}
-    removed = {"PYTHONHOME", "PYTHONWARNINGS", "PYTHONSTARTUP"}
-    if program != OWN_PYTHON:
-        removed.add("PYTHONPATH")
-    return {name: value for name, value in result.items() if name not in removed}
-
-
-def _answer(path: Path) -> Mapping[str, Any] | str | None:
-    """Read a response: None if it is missing, the error if it is damaged."""
-    try:
-        data = json.loads(path.read_text(encoding="utf-8"))
-    except FileNotFoundError:
-        return None
-    except (OSError, ValueError, RecursionError) as error:
-        return f"its answer is damaged: {error}"
-    return data if isinstance(data, dict) else f"its answer is damaged: it is a {type(data).__name__}"
-
-
-def _outcome(client: Client, exported: ClientExport, session: _Session) -> Outcome:
-    """Judge the answer of a client to one request."""
-    answer, finished = session.answers[0], session.finished
-    messages, tolerated = session.messages, session.tolerated
+def _outcome(client: Client, exported: ClientExport, session: _Session, answer: bytes | None) -> Outcome:
+    """Return the outcome of a client's answer to one request."""
+    finished, messages, tolerated = session.finished, session.faults, session.tolerated
     findings: list[Finding] = []
     version, note = "", ""
     if finished.ending:
@@ -370,15 +349,16 @@ def _outcome(client: Client, exported: ClientExport, session: _Session) -> Outco
         findings.append(Finding(client.name, f"{finished.ending}{last}"))
     elif answer is None:
         findings.append(Finding(client.name, "it gave no answer"))
-    if isinstance(answer, str):
-        findings.append(Finding(client.name, answer))
-    elif answer is not None:
+    if answer is not None:
         try:
-            version, note = str(answer.get("version", "")), str(answer.get("note", ""))
-            said = [" ".join(str(text).split()) for text in answer.get("said", ())]
+            data = json.loads(answer)
+            if not isinstance(data, dict):
+                raise TypeError(f"it is a {type(data).__name__}")  # noqa: TRY301 - one message for all damage
+            version, note = str(data.get("version", "")), str(data.get("note", ""))
+            said = [" ".join(str(text).split()) for text in data.get("said", ())]
             faults, more = sorted_messages(client, said)
             messages, tolerated = (*messages, *faults), (*tolerated, *more)
-            findings += differences(client, exported, answer)
+            findings += differences(client, exported, data)
         except Exception as error:  # noqa: BLE001 - a damaged answer may hold anything
             findings.append(Finding(client.name, f"its answer is damaged: {type(error).__name__}: {error}"))
     if finished.ending:
@@ -386,10 +366,8 @@ def _outcome(client: Client, exported: ClientExport, session: _Session) -> Outco
         messages = tuple(text for text in messages[:-1] if not text.startswith("Traceback "))
     distinct = list(dict.fromkeys(messages))
     findings += [Finding(client.name, f"it reports: {text}") for text in distinct[:_SHOWN]]
-    if (more_messages := len(distinct) - _SHOWN) > 0:
-        message = f"it reports {more_messages} more messages"
-        findings.append(Finding(client.name, message, value=float(more_messages)))
+    if (rest := len(distinct) - _SHOWN) > 0:
+        findings.append(Finding(client.name, f"it reports {rest} more messages", value=float(rest)))
     state: State = "timed out" if finished.timed_out else "failed" if findings else "passed"
-    return Outcome(
-        client.name, client.format, version, state, tuple(findings), note, finished.seconds, tolerated
-    )
+    seconds = finished.seconds / len(session.answers)
+    return Outcome(client.name, client.format, version, state, tuple(findings), note, seconds, tolerated)

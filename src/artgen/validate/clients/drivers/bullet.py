@@ -14,8 +14,7 @@ _STEP = 1.0 / 240.0  # time step [s]
 _KINDS = {0: "revolute", 1: "prismatic"}
 
 
-def read(request: dict[str, Any]) -> dict[str, Any]:
-    """Return the response to a request."""
+def _read(request: dict[str, Any]) -> dict[str, Any]:
     client = bullet.connect(bullet.DIRECT)
     try:
         fixed = request["base"] == "fixed"
@@ -109,4 +108,4 @@ def _simulate(body: int, joints: dict[str, Any], request: dict[str, Any]) -> dic
 
 
 if __name__ == "__main__":
-    serve(read)
+    serve(_read)

@@ -13,8 +13,7 @@ from driver_protocol import missing, serve
 _BESIDE = Path(sys.prefix) / "bin"  # programs of Python's packages
 
 
-def read(request: dict[str, Any]) -> dict[str, Any]:
-    """Return the response to a request."""
+def _read(request: dict[str, Any]) -> dict[str, Any]:
     program = shutil.which("check_urdf", path=str(_BESIDE)) or shutil.which("check_urdf")
     if program is None:
         missing()
@@ -38,4 +37,4 @@ def _version(program: str) -> str:
 
 
 if __name__ == "__main__":
-    serve(read)
+    serve(_read)

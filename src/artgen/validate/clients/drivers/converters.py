@@ -12,16 +12,15 @@ import usdex.core
 from pxr import Gf, Usd, UsdPhysics
 
 
-def read(request: dict[str, Any]) -> dict[str, Any]:
-    """Return the response to a request."""
+def _read(request: dict[str, Any]) -> dict[str, Any]:
     usdex.core.activateDiagnosticsDelegate()
     usdex.core.setDiagnosticsLevel(usdex.core.DiagnosticsLevel.eWarning)  # its progress is no message
     with tempfile.TemporaryDirectory() as directory:
         path = import_module(request["client"]).Converter().convert(request["file"], directory)
-        return _read(Usd.Stage.Open(path.path), request)
+        return _read_stage(Usd.Stage.Open(path.path), request)
 
 
-def _read(stage: Any, request: dict[str, Any]) -> dict[str, Any]:
+def _read_stage(stage: Any, request: dict[str, Any]) -> dict[str, Any]:
     prims = list(stage.Traverse())
     bodies = {prim.GetName(): prim for prim in prims if prim.HasAPI(UsdPhysics.RigidBodyAPI)}
     joints = {
@@ -83,7 +82,7 @@ def _unit(prim: Any) -> float:
 
 
 def _arm(prim: Any) -> tuple[str, str, str, Any, Any, int]:
-    """Return a joint's name, its bodies, its frames in them and its axis; a slide's is counted from 3."""
+    """Return a joint's name, its bodies, its frames in them, and its axis; axes of slides start at 3."""
     joint = UsdPhysics.Joint(prim)
     bodies = (relation.GetTargets() for relation in (joint.GetBody0Rel(), joint.GetBody1Rel()))
     parent, child = (paths[0].name if paths else "" for paths in bodies)
@@ -128,4 +127,4 @@ def _frame(position: Any, quaternion: Any) -> Any:
 
 
 if __name__ == "__main__":
-    serve(read)
+    serve(_read)

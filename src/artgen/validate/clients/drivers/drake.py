@@ -19,8 +19,7 @@ _PARTS = 20  # samples between two positions
 _KINDS = {"RevoluteJoint": "revolute", "PrismaticJoint": "prismatic"}
 
 
-def read(request: dict[str, Any]) -> dict[str, Any]:
-    """Return the response to a request."""
+def _read(request: dict[str, Any]) -> dict[str, Any]:
     diagram, plant, instance = _plant(request)
     # in URDF, a pair of links with several joints has intermediate bodies, which are not requested
     bodies = {name: plant.GetBodyByName(name, instance) for name in request["links"]}
@@ -127,4 +126,4 @@ def _simulate(request: dict[str, Any]) -> dict[str, Any]:
 
 
 if __name__ == "__main__":
-    serve(read)
+    serve(_read)

@@ -40,7 +40,7 @@ class Simulation:
         return float(self.positions()[self.places[name]])
 
     def advance(self, seconds: float) -> None:
-        """Simulate."""
+        """Simulate for a time."""
         count = max(1, round(seconds / self.time_step))
         self.step(count)
         self.steps += count

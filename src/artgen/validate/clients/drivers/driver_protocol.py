@@ -138,7 +138,7 @@ def mass_properties(mass: Any, center: Any, inertia: Any, axes: Any = None) -> d
 
 
 def finite_limits(low: Any, high: Any) -> list[Any] | None:
-    """Return the limits of a joint; None if they are infinite or so large that they mean none."""
+    """Return the limits of a joint; None if they are infinite or larger than any real limit."""
     return [low, high] if abs(low) < _UNLIMITED and abs(high) < _UNLIMITED else None
 
 
@@ -187,7 +187,7 @@ _METADATA = re.compile(r"^    ((?:defaultPrim|kilogramsPerUnit|metersPerUnit|upA
 
 @contextmanager
 def enabled(request: dict[str, Any], runtime: str) -> Iterator[str]:
-    """Give the path of a stage for a simulator; in the layout `simready`, its variant is enabled."""
+    """Yield the path of a stage; in the layout `simready`, the variant of a simulator is enabled."""
     if request["layout"] != "simready":
         yield request["file"]
         return

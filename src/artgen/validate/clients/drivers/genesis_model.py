@@ -11,8 +11,7 @@ from driver_protocol import finite_limits, frame_of, mass_properties, require, s
 require("genesis", "torch")
 
 
-def read(request: dict[str, Any]) -> dict[str, Any]:
-    """Return the response to a request."""
+def _read(request: dict[str, Any]) -> dict[str, Any]:
     genesis = _genesis()
     options = genesis.options.SimOptions(dt=Simulation.time_step)
     scene = genesis.Scene(show_viewer=False, sim_options=options)
@@ -116,4 +115,4 @@ def _numbers(tensor: Any) -> Any:
 
 
 if __name__ == "__main__":
-    serve(read)
+    serve(_read)

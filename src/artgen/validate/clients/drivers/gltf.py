@@ -20,8 +20,7 @@ validateBytes(new Uint8Array(readFileSync(process.argv[2])), { maxIssues: 100 })
 _SEVERE = 1  # severities: 0 error, 1 warning, 2 information, 3 hint
 
 
-def read(request: dict[str, Any]) -> dict[str, Any]:
-    """Return the response to a request."""
+def _read(request: dict[str, Any]) -> dict[str, Any]:
     node, modules = shutil.which("node"), _modules()
     if node is None or modules is None:
         missing()
@@ -57,4 +56,4 @@ def _modules() -> Path | None:
 
 
 if __name__ == "__main__":
-    serve(read)
+    serve(_read)

@@ -20,8 +20,7 @@ _MODELS = "maniskill.json"  # ManiSkill's table of models
 _URDF = "mobility_cvx.urdf"  # the file that it opens
 
 
-def read(request: dict[str, Any]) -> dict[str, Any]:
-    """Return the response to a request."""
+def _read(request: dict[str, Any]) -> dict[str, Any]:
     inner = new_scene()
     device = torch.device("cpu")
     backend = BackendInfo(device, sapien.Device("cpu"), "physx_cpu", None, "none")
@@ -67,4 +66,4 @@ def _handles(builder: Any) -> int:
 
 
 if __name__ == "__main__":
-    serve(read)
+    serve(_read)

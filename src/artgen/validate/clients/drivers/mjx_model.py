@@ -20,8 +20,7 @@ _STEPS = 20
 _CONTACTS = 1024  # room for contacts, and four times as much for constraints
 
 
-def read(request: dict[str, Any]) -> dict[str, Any]:
-    """Return the response to a request."""
+def _read(request: dict[str, Any]) -> dict[str, Any]:
     model = mujoco.MjModel.from_xml_path(request["file"])
     try:
         mjx.put_model(model)
@@ -65,4 +64,4 @@ def _stepped(model: Any, data: Any) -> Any:
 
 
 if __name__ == "__main__":
-    serve(read)
+    serve(_read)

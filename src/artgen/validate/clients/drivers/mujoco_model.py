@@ -13,8 +13,7 @@ import mujoco
 _KINDS = {2: "prismatic", 3: "revolute"}  # values of mjtJoint with one degree of freedom
 
 
-def read(request: dict[str, Any]) -> dict[str, Any]:
-    """Return the response to a request."""
+def _read(request: dict[str, Any]) -> dict[str, Any]:
     spec = mujoco.MjSpec.from_file(request["file"])
     if request["format"] == "urdf":
         spec.compiler.fusestatic = False  # keeps links of fixed joints separate
@@ -135,4 +134,4 @@ def warnings_of(data: Any) -> list[str]:
 
 
 if __name__ == "__main__":
-    serve(read)
+    serve(_read)

@@ -17,8 +17,7 @@ _STEPS = 200
 _CONTACTS = 1024  # room for contacts, and four times as much for constraints
 
 
-def read(request: dict[str, Any]) -> dict[str, Any]:
-    """Return the response to a request."""
+def _read(request: dict[str, Any]) -> dict[str, Any]:
     model = mujoco.MjModel.from_xml_path(request["file"])
     with warp.ScopedDevice("cpu"):
         converted = mujoco_warp.put_model(model)
@@ -50,4 +49,4 @@ def _data(model: Any, qpos: Any) -> Any:
 
 
 if __name__ == "__main__":
-    serve(read)
+    serve(_read)

@@ -27,8 +27,7 @@ import newton
 _UNLIMITED = 1e5  # larger efforts and speeds count as none
 
 
-def read(request: dict[str, Any]) -> dict[str, Any]:
-    """Return the response to a request."""
+def _read(request: dict[str, Any]) -> dict[str, Any]:
     model = _load(request).finalize(device="cpu")
     degrees = _degrees(model, request)
     simulation = _Simulation(model, degrees)
@@ -201,4 +200,4 @@ def _last(label: str) -> str:
 
 
 if __name__ == "__main__":
-    serve(read)
+    serve(_read)

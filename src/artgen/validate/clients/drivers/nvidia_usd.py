@@ -11,8 +11,7 @@ _SEVERE = ("ERROR", "FAILURE", "WARNING")
 _PROFILE, _VERSION = "Robotics-Prop", "4.0.0"  # NVIDIA's profile of props for robotics
 
 
-def read(request: dict[str, Any]) -> dict[str, Any]:
-    """Return the response to a request."""
+def _read(request: dict[str, Any]) -> dict[str, Any]:
     drivers = {"omniverse_asset_validator": _read_by_omniverse, "simready_validate": _read_by_simready}
     return drivers[request["client"]](request)
 
@@ -93,4 +92,4 @@ def _place(issue: Any) -> str:
 
 
 if __name__ == "__main__":
-    serve(read)
+    serve(_read)

@@ -21,8 +21,7 @@ _FOLLOWED = 0.01  # largest lag of a driven coupled joint, as a share of the ran
 _UNLIMITED = 1e5  # larger efforts and speeds count as none
 
 
-def read(request: dict[str, Any]) -> dict[str, Any]:
-    """Return the response to a request."""
+def _read(request: dict[str, Any]) -> dict[str, Any]:
     physics = _physics()
     stage = ovstage.Stage(request["asset"])
     with enabled(request, "PhysX") as file:
@@ -198,4 +197,4 @@ class _Simulation(Simulation):
 if __name__ == "__main__":
     # the bindings are deprecated in favor of sessions, which do not report gains
     warnings.filterwarnings("ignore", message=".*tensor bindings are deprecated", category=DeprecationWarning)
-    serve(read)
+    serve(_read)

@@ -11,8 +11,7 @@ require("pinocchio")
 import pinocchio
 
 
-def read(request: dict[str, Any]) -> dict[str, Any]:
-    """Return the response to a request."""
+def _read(request: dict[str, Any]) -> dict[str, Any]:
     path = request["file"]
     # a joint with six degrees of freedom at the base separates its mass from the world's
     model = pinocchio.buildModelFromUrdf(path, pinocchio.JointModelFreeFlyer())
@@ -85,4 +84,4 @@ def _poses(model: Any, request: dict[str, Any]) -> list[dict[str, Any]]:
 
 
 if __name__ == "__main__":
-    serve(read)
+    serve(_read)

@@ -20,8 +20,7 @@ _STEPS = 1000
 _CORNERS = ("p0", "px", "py", "pz")
 
 
-def read(request: dict[str, Any]) -> dict[str, Any]:
-    """Return the response to a request."""
+def _read(request: dict[str, Any]) -> dict[str, Any]:
     objects = [_object(request, name) for name in _NAMES]
     model = _model(request, objects)
     data = mujoco.MjData(model)
@@ -108,4 +107,4 @@ def _misread(request: dict[str, Any]) -> list[str]:
 
 
 if __name__ == "__main__":
-    serve(read)
+    serve(_read)

@@ -15,8 +15,7 @@ _TURN = 1.0  # time of a joint from one end to the other [s]
 _STEP = 1.0 / 240.0  # [s]
 
 
-def read(request: dict[str, Any]) -> dict[str, Any]:
-    """Return the response to a request."""
+def _read(request: dict[str, Any]) -> dict[str, Any]:
     if request["layout"] == "flat":
         skip_visuals()
     scene = new_scene()
@@ -160,4 +159,4 @@ def _simulate(
 
 
 if __name__ == "__main__":
-    serve(read)
+    serve(_read)

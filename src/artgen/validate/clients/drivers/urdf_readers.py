@@ -7,8 +7,7 @@ import numpy as np
 from driver_protocol import in_base, mass_properties, require, serve
 
 
-def read(request: dict[str, Any]) -> dict[str, Any]:
-    """Return the response to a request."""
+def _read(request: dict[str, Any]) -> dict[str, Any]:
     require(request["client"])
     return {"yourdfpy": _read_by_yourdfpy, "urchin": _read_by_urchin}[request["client"]](request)
 
@@ -70,4 +69,4 @@ def _joint(joint: Any, kind: str) -> dict[str, Any]:
 
 
 if __name__ == "__main__":
-    serve(read)
+    serve(_read)

@@ -9,8 +9,7 @@ require("pxr")
 from pxr import Usd, UsdValidation
 
 
-def read(request: dict[str, Any]) -> dict[str, Any]:
-    """Return the response to a request."""
+def _read(request: dict[str, Any]) -> dict[str, Any]:
     validators = UsdValidation.ValidationRegistry().GetOrLoadAllValidators()
     context = UsdValidation.ValidationContext(validators)
     stage = Usd.Stage.Open(request["file"])
@@ -44,4 +43,4 @@ def _variants(stage: Any) -> Iterator[str]:
 
 
 if __name__ == "__main__":
-    serve(read)
+    serve(_read)
