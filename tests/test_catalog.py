@@ -110,7 +110,7 @@ def test_a_package_cannot_take_the_name_of_a_category_of_artgen(tmp_path: Path) 
     done = run_with_plugin(tmp_path, "from artgen.cli import main; main(['show-params', 'door'])")
     assert "opener" in done.stdout, done.stderr  # artgen's own
     done = run_with_plugin(tmp_path, "from artgen.cli import main; main(['list'])")
-    assert "'door' is a category of artgen; rename the one at" in done.stderr
+    assert "'door' is a category of artgen; rename the category at" in done.stderr
     assert f"{tmp_path / 'shop_stools.py'}:4" in done.stderr
     assert "A stool." not in done.stdout
 

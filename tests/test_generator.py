@@ -231,7 +231,7 @@ def test_a_chosen_generator_can_be_asked_for_and_compared():
 def test_a_direct_call_hides_no_draw():
     with pytest.raises(BuildError) as caught:
         knob(thickness=0.1)
-    assert "knob(...) draws 'radius', which nothing gives it here" in str(caught.value)
+    assert "knob(...) needs a value for 'radius', which it would draw" in str(caught.value)
     assert "make the generator a parameter: knob: Generator = one_of(knob)" in str(caught.value)
     assert isinstance(knob(thickness=0.1, radius=0.02), Body)
 

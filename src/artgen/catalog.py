@@ -43,8 +43,8 @@ def broken() -> Mapping[str, str]:
             point.load()
             _refuse_own_names()
         except (Exception, SystemExit) as error:  # noqa: BLE001 - whatever a package raises, others go on
-            told = _told(_culprit(error), error)
-            messages[point.name] = f"the categories in {point.value!r}{package} cannot be imported: {told}"
+            reason = _describe(_culprit(error), error)
+            messages[point.name] = f"the categories in {point.value!r}{package} cannot be imported: {reason}"
     return MappingProxyType(messages)
 
 
@@ -63,7 +63,7 @@ def _refuse_own_names() -> None:
     for name in sorted(_own() & set(CATEGORIES)):
         if CATEGORIES[name].function.__module__ != f"artgen.categories.{name}":
             other = CATEGORIES.pop(name)
-            raise BuildError(f"{name!r} is a category of artgen; rename the one\n  at {other.where}")
+            raise BuildError(f"{name!r} is a category of artgen; rename the category\n  at {other.where}")
 
 
 def categories() -> tuple[str, ...]:
@@ -160,13 +160,13 @@ def _run(file: Path) -> dict[str, Generator]:
             del sys.modules[name]
         else:
             sys.modules[name] = before
-        raise BuildError(_told(path, error)) from error
+        raise BuildError(_describe(path, error)) from error
     finally:
         sys.path.remove(str(file.parent))
     return found
 
 
-def _told(path: str, error: BaseException) -> str:
+def _describe(path: str, error: BaseException) -> str:
     """Format an error in a file, with the faulty line of the file."""
     if isinstance(error, ArtgenError) and f"{path}:" in str(error):
         return str(error)

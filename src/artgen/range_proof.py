@@ -6,6 +6,7 @@ from typing import Any, Literal
 
 from artgen.asset import Asset
 from artgen.asset.certificate import PairResult
+from artgen.asset.record import Record
 from artgen.catalog import find
 from artgen.errors import AssetError, BuildError, EvaluationError, InfeasibleError, ParameterError
 from artgen.generator import Generator
@@ -33,7 +34,7 @@ _MOST_MEASURED = 16  # assets whose clearance is measured to find the smallest
 
 
 @dataclass(frozen=True)
-class Failure:
+class Failure(Record):
     """A sample or corner that is not proven free of collisions.
 
     Attributes:
@@ -48,18 +49,9 @@ class Failure:
     message: str
     parameters: Mapping[str, Any]
 
-    def to_data(self) -> dict[str, Any]:
-        """Return the failure as JSON data."""
-        return {
-            "outcome": self.outcome,
-            "origin": self.origin,
-            "message": self.message,
-            "parameters": dict(self.parameters),
-        }
-
 
 @dataclass(frozen=True)
-class SmallestClearance:
+class SmallestClearance(Record):
     """The smallest clearance between two links in proven samples and corners.
 
     Attributes:
@@ -80,21 +72,9 @@ class SmallestClearance:
     origin: str
     parameters: Mapping[str, Any]
 
-    def to_data(self) -> dict[str, Any]:
-        """Return the clearance as JSON data."""
-        return {
-            "bound": self.bound,
-            "guaranteed": self.guaranteed,
-            "found": self.found,
-            "links": list(self.links),
-            "positions": dict(self.positions),
-            "origin": self.origin,
-            "parameters": dict(self.parameters),
-        }
-
 
 @dataclass(frozen=True)
-class RangeProof:
+class RangeProof(Record):
     """Certificates of samples and corners of the parameter ranges of a category.
 
     Attributes:
@@ -141,19 +121,7 @@ class RangeProof:
 
     def to_data(self) -> dict[str, Any]:
         """Return the range proof as JSON data."""
-        return {
-            "category": self.category,
-            "seed": self.seed,
-            "tolerance": self.tolerance,
-            "overrides": dict(self.overrides),
-            "samples": self.samples,
-            "corners": self.corners,
-            "tried": self.tried,
-            "counts": dict(self.counts),
-            "fraction": self.fraction,
-            "clearance": None if self.clearance is None else self.clearance.to_data(),
-            "failures": [failure.to_data() for failure in self.failures],
-        }
+        return {**super().to_data(), "tried": self.tried, "fraction": self.fraction}
 
     def __str__(self) -> str:
         """Summarize the proof: the smallest clearance with its sample, and the failures."""
@@ -184,10 +152,10 @@ class RangeProof:
         lines: list[str] = []
         # most failures have one cause
         first = {failure.message: failure for failure in reversed(self.failures)}
-        told = sorted(first.values(), key=self.failures.index)
-        for failure in told:
+        shown_failures = sorted(first.values(), key=self.failures.index)
+        for failure in shown_failures:
             lines += [f"{failure.origin}: {failure.message}", f"  {_listed(failure.parameters)}"]
-        more = self.feasible - self.counts["proven"] - len(told)
+        more = self.feasible - self.counts["proven"] - len(shown_failures)
         return [*lines, f"and {more} more that are not proven"] if more else lines
 
 

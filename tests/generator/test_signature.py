@@ -188,9 +188,7 @@ def test_a_category_enters_the_catalog(catalog):
 
 
 def test_a_category_needs_no_inputs_and_returns_a_body(catalog):
-    with pytest.raises(
-        BuildError, match=r"made\(x: ...\): nobody gives a category its inputs; give it a distribution"
-    ):
+    with pytest.raises(BuildError, match=r"made\(x: ...\): a category has no inputs; give it a distribution"):
         category(labels=())(declared(Float))
 
     def solid() -> Solid:

@@ -60,7 +60,7 @@ def category(
     """
     if joints is not None and not 0 <= joints[0] <= joints[1]:
         raise BuildError(
-            f"joints={joints}: a category says the least and the most of its joints, the least first\n"
+            f"joints={joints} is not allowed: give the minimum and the maximum joint count, the minimum first\n"
             f"  at {authors_line()}"
         )
 
@@ -69,8 +69,8 @@ def category(
         for name in made.signature.parameters:
             if name not in made.own:
                 raise BuildError(
-                    f"{made.name}({name}: ...): nobody gives a category its inputs; give it a distribution "
-                    f"or a plain value\n  at {made.where}"
+                    f"{made.name}({name}: ...): a category has no inputs; give it a distribution or a "
+                    f"plain value\n  at {made.where}"
                 )
         returned = typing.get_type_hints(function).get("return", Body)
         if returned is not Body:

@@ -72,7 +72,7 @@ SHARED = Cache()
 
 
 @atexit.register
-def _let_go() -> None:
+def _release() -> None:
     """Release all solids before manifold3d is unloaded.
 
     If torch is loaded, modules outlive the interpreter, and manifold3d would report a leak for each cached
@@ -228,7 +228,7 @@ class Generator(Variant):
             if isinstance(parameter.distribution, Fixed):
                 return parameter.distribution.value
             raise BuildError(
-                f"{self.name}(...) draws {parameter.name!r}, which nothing gives it here\n"
+                f"{self.name}(...) needs a value for {parameter.name!r}, which it would draw\n"
                 f"  defined at {self.where}\n"
                 f"  Pass {parameter.name}=..., or make the generator a parameter: "
                 f"{self.name}: Generator = one_of({self.name})"
