@@ -60,7 +60,7 @@ def category(
     """
     if joints is not None and not 0 <= joints[0] <= joints[1]:
         raise BuildError(
-            f"joints={joints} is not allowed: give the minimum and the maximum joint count, the minimum first\n"
+            f"joints={joints} is not allowed: give the least and the largest joint count, in this order\n"
             f"  at {authors_line()}"
         )
 
