@@ -203,7 +203,7 @@ def test_the_page_exports_below_the_given_folder_only(studio: Studio, tmp_path: 
     with opened(studio) as client:
         client.send(update(studio.panel._folder, folder.format(tmp=tmp_path)))
         client.send(update(button(studio, "export"), value=True))
-        until(lambda: "is not allowed: give one below" in studio.panel.exported.content, "it is told")
+        until(lambda: "is not allowed: give a folder below" in studio.panel.exported.content, "it is told")
     assert not [*(tmp_path / "elsewhere").iterdir()]
     assert [path.name for path in studio.out.iterdir()] == ["link"]
     assert not studio.session.error

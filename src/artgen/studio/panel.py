@@ -199,7 +199,7 @@ class Panel:
             path = None
         if path is None or not path.is_relative_to(self._out):
             raise ParameterError(
-                f"folder {folder!r} is not allowed: give one below {self._out}, "
+                f"folder {folder!r} is not allowed: give a folder below {self._out}, "
                 "or start the studio with another --out"
             )
         return path

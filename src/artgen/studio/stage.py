@@ -231,7 +231,7 @@ class Viewport:
         self.symbols.pose(q)
 
     def _frame_camera(self, asset: Asset) -> None:
-        """Let new browsers start with the whole asset from the front, and set the floor."""
+        """Set the first view of new browsers to the whole asset from the front, and add the floor."""
         low, high = asset.bounds()
         size = float(np.linalg.norm(high - low))
         middle = (low + high) / 2.0

@@ -26,7 +26,11 @@ _QUALITY = 84  # quality of JPEG files
 
 
 def find_assets(directory: Path) -> list[Path]:
-    """Return the sorted directories of all exported assets in a folder, which may be one itself."""
+    """Return the sorted directories of all exported assets in a folder, which may be one itself.
+
+    Raises:
+        ExportError: There is no exported asset.
+    """
     found = sorted(
         path.parent
         for path in directory.rglob(ASSET_FILE)
@@ -48,7 +52,19 @@ def write_gallery(
     textures: int,
     progress: Callable[[int], None] | None = None,
 ) -> tuple[Path, list[str]]:
-    """Write a gallery; return its page, and a message for each asset that cannot be shown."""
+    """Write a gallery; return its page, and a message for each asset that cannot be shown.
+
+    Args:
+        assets: Directories of exported assets below `source`.
+        source: Folder of all assets; its name is the title.
+        target: Folder of the gallery.
+        textures: Texels per side of the material maps; 0 for plain colors.
+        progress: Receives the number of finished assets.
+
+    Raises:
+        AssetError: No asset can be shown.
+        ExportError: The folder holds other files, or cannot be written.
+    """
     _check_target(target)
     drawn = _Pictures()
     entries, failed = [], []

@@ -57,7 +57,7 @@ def opened(asset: Asset, share: float = 1.0) -> dict[str, float]:
 
 
 def _end(joint: AssetJoint) -> float:
-    """Return the open position of a joint by itself."""
+    """Return the open position of a joint, regardless of other joints."""
     if joint.limits is None:
         return _TURN
     low, high = joint.limits
@@ -148,7 +148,7 @@ def _drawer_shares(asset: Asset, joints: Iterable[AssetJoint]) -> dict[str, floa
 
 
 def _is_above(asset: Asset, upper: AssetJoint, lower: AssetJoint) -> bool:
-    """Tell whether a drawer would be pulled over another one of the same piece of furniture."""
+    """Tell whether an open drawer would cover another one of the same piece of furniture."""
     if upper.parent != lower.parent or upper.axis @ lower.axis < _UPRIGHT:
         return False
     above, below = asset.link(upper.child).bounds(), asset.link(lower.child).bounds()

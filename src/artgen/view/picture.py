@@ -110,7 +110,11 @@ def jpeg(pixels: Pixels, quality: int) -> bytes:
 
 
 def save_image(pixels: Pixels, path: str | Path) -> Path:
-    """Write sRGB pixels, shape (height, width, 3), to a PNG or JPEG file."""
+    """Write sRGB pixels, shape (height, width, 3), to a PNG or JPEG file.
+
+    Raises:
+        ExportError: The name has another suffix, or the file cannot be written.
+    """
     from PIL import Image
 
     path = Path(path)
@@ -129,7 +133,11 @@ def check_suffix(path: Path) -> None:
 
 
 def checked_size(size: Any) -> tuple[int, int]:
-    """Return the width and height of a picture."""
+    """Return the width and height of a picture.
+
+    Raises:
+        ParameterError: The size is not allowed.
+    """
     both = (size, size) if isinstance(size, int) and not isinstance(size, bool) else size
     try:
         width, height = both

@@ -40,7 +40,11 @@ class Hits:
 
 
 def cast(meshes: Sequence[Mesh], origin: Array, directions: Array) -> Hits:
-    """Return the first hits of rays from one point."""
+    """Return the first hits of rays from one point, with directions of shape (..., 3).
+
+    Raises:
+        RenderError: Embree is not installed.
+    """
     try:
         from embreex.mesh_construction import TriangleMesh
         from embreex.rtcore_scene import EmbreeScene

@@ -55,6 +55,19 @@ def sheet(
 
     Each asset fills its pictures, and the first assets determine their shape. The camera is on the side to
     which an asset opens, and higher for small and flat assets.
+
+    Args:
+        assets: A function for each asset, which generates it.
+        views: 1 for pictures from the front, 2 for one from behind as well.
+        size: Height of a picture [pixels].
+        columns: Number of cells side by side; by default as many as make a good page.
+        textures: Texels per side of the material maps; 0 for plain colors.
+        samples: Number of samples of lamps and edges.
+        progress: Receives the number of finished assets, and of all.
+
+    Raises:
+        ParameterError: There are no assets, or another argument is not allowed.
+        RenderError: MuJoCo or OpenGL is missing.
     """
     if not assets or views not in (1, 2) or (columns is not None and columns < 1):
         raise ParameterError(
