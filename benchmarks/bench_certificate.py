@@ -242,7 +242,7 @@ def _targets(names: Sequence[str], runs: int) -> Table:
             )
         )
     return Table(
-        "Assets made for tests: what a proof takes, of what it is meant to take",
+        "Test assets: time of a proof, and its target",
         (
             "asset",
             "links",
@@ -290,7 +290,7 @@ def _chance(share: float, each: Timed) -> float:
 
 def _thin_table(thin: Mapping[float, Timed], verdicts: Mapping[float, str]) -> Table:
     return Table(
-        "A thin blade: what is found in the time of the certificate",
+        "A thin blade: collisions found in the time of the certificate",
         (
             "share of the range",
             "verdict of the certificate",
@@ -315,7 +315,7 @@ def _thin_table(thin: Mapping[float, Timed], verdicts: Mapping[float, str]) -> T
 
 def _fault_table(faulty: Mapping[str, Mapping[str, int]]) -> Table:
     return Table(
-        "Faults put into assets: how many are found",
+        "Faults inserted into assets, and how many are found",
         (
             "asset",
             "faults",
@@ -340,7 +340,7 @@ def _findings(
         said.append(
             f"To exclude collisions on {share:g} of the ranges with {CONFIDENCE:.0%}, sampling takes "
             f"{span(list(ratios.values()))} times as long as the certificate, which excludes all of them"
-            + (f"; sampling is the quicker one at {', '.join(quicker)}." if quicker else ".")
+            + (f"; sampling is faster for {', '.join(quicker)}." if quicker else ".")
         )
     thinnest = min(thin)
     refused = sum(each != "proven" for each in verdicts.values())

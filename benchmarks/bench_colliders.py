@@ -194,6 +194,6 @@ def _findings(whole: Mapping[str, float], found: Found) -> list[str]:
         ),
         (
             f"With colliders by construction, MuJoCo makes {span(list(steps.values()))} times as many steps "
-            "a second" + (f"; with CoACD's it is the quicker one at {', '.join(behind)}." if behind else ".")
+            "a second" + (f"; with CoACD it is faster for {', '.join(behind)}." if behind else ".")
         ),
     ]

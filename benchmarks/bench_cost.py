@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from program import told_by
+from program import output_of
 from report import Cell, Section, Table, shown
 from timing import timed
 
@@ -49,7 +49,7 @@ def measure(*, quick: bool) -> Section:
         for name in names:
             _cost(name, 1000, Path(directory))  # imports and first calls are no part of the figures
             costs += [_cost(name, seed, Path(directory)) for seed in seeds]
-        row = told_by("one_process.py", "drawer", _SEEDS * (2 if quick else 12), _SEEDS, directory)
+        row = output_of("one_process.py", "drawer", _SEEDS * (2 if quick else 12), _SEEDS, directory)
     buckets = _buckets(costs)
     row_table, drift = _row_table([each["seconds"] for each in row])
     fits = _fits(costs)

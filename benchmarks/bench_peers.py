@@ -239,7 +239,7 @@ def _findings(times: Mapping[str, dict[str, float]], found: Found, names: Sequen
     }
     return [
         f"The same work takes scene-synthesizer {span(same)} times as long as artgen"
-        + (f"; scene-synthesizer is the quicker one at {', '.join(quicker)}." if quicker else "."),
+        + (f"; scene-synthesizer is faster for {', '.join(quicker)}." if quicker else "."),
         (
             f"Certificate, maps and all formats included, artgen takes {span(everything)} times as long as "
             "scene-synthesizer takes for its URDF."

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from program import told_by
+from program import output_of
 from report import Section, Table, shown
 
 from artgen.dataset.workers import cores
@@ -34,11 +34,11 @@ def measure(*, quick: bool) -> Section:
     for _ in range(rounds):
         for number in jobs:
             with tempfile.TemporaryDirectory() as directory:
-                runs[number] += told_by("one_run.py", directory, number, count, *CATEGORIES)
+                runs[number] += output_of("one_run.py", directory, number, count, *CATEGORIES)
                 digests.add(digest(Path(directory)))
     with tempfile.TemporaryDirectory() as directory:
         number = 3 if quick else 60
-        row = told_by("one_process.py", "drawer", number, number, directory)
+        row = output_of("one_process.py", "drawer", number, number, directory)
     rates = {
         number: statistics.median(each["made"] / each["seconds"] for each in of)
         for number, of in runs.items()

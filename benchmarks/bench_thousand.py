@@ -4,7 +4,7 @@ import tempfile
 from typing import Any
 
 from one_dataset import KINDS
-from program import told_by
+from program import output_of
 from report import Section, Table, shown
 from timing import baseline
 
@@ -33,7 +33,7 @@ def measure(*, quick: bool) -> Section:
     for name, (formats, precision) in _RUNS.items():
         before = baseline()
         with tempfile.TemporaryDirectory() as directory:
-            (runs[name],) = told_by("one_dataset.py", directory, count, formats, precision)
+            (runs[name],) = output_of("one_dataset.py", directory, count, formats, precision)
         runs[name]["workload"] = 0.5 * (before + baseline())
     return Section(
         "a thousand assets",

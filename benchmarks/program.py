@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 
-def told_by(name: str, *arguments: str | int | Path) -> list[dict[str, Any]]:
+def output_of(name: str, *arguments: str | int | Path) -> list[dict[str, Any]]:
     """Run a program of this folder and return what it prints, line by line.
 
     Raises:

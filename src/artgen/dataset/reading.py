@@ -112,12 +112,17 @@ class Dataset(Sequence[Asset]):
             ParameterError: No asset here has such a category, joint or parameter.
         """
         wanted = None if category is None else {category} if isinstance(category, str) else set(category)
-        self._refuse_unknown("category", wanted or (), (record["category"] for record in self.records))
-        kinds = {kind for record in self.records for kind in record["joints"].values()}
-        self._refuse_unknown("kind of joint", () if joint is None else (joint,), kinds)
-        known = {name for record in self.records for name in record["parameters"]}
         dotted = {name.replace("__", "."): value for name, value in parameters.items()}
-        self._refuse_unknown("parameter", dotted, known)
+        kinds = {kind for record in self.records for kind in record["joints"].values()}
+        drawn_names = {name for record in self.records for name in record["parameters"]}
+        for noun, names, known in (
+            ("category", wanted or (), {record["category"] for record in self.records}),
+            ("kind of joint", () if joint is None else (joint,), kinds),
+            ("parameter", dotted, drawn_names),
+        ):
+            for name in names:
+                if name not in known:
+                    raise ParameterError(f"no asset here has the {noun} {name!r}.{nearest(name, known)}")
 
         def meets(record: Mapping[str, Any]) -> bool:
             drawn = record["parameters"]
@@ -173,12 +178,6 @@ class Dataset(Sequence[Asset]):
 
     def _path(self, record: Mapping[str, Any]) -> Path:
         return self._place.local(str(record["path"]))
-
-    def _refuse_unknown(self, kind: str, names: Iterable[str], known: Iterable[str]) -> None:
-        allowed = set(known)
-        for name in names:
-            if name not in allowed:
-                raise ParameterError(f"no asset here has the {kind} {name!r}.{nearest(name, allowed)}")
 
 
 def _matches(drawn: Any, wanted: Any) -> bool:
