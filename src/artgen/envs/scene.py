@@ -32,8 +32,8 @@ _FLOOR, _TABLE = "scene_floor", "scene_table"
 _DEEP = 0.02  # least height of the pedestal [m]
 _VISUAL_GROUP, _GROUPS = 2, 6  # geom group of visual surfaces, and number of groups
 
-
-# the surroundings of asset and robot; a fixed asset needs no floor, so that only the robot touches it
+# the surroundings of asset and robot; a fixed asset needs no floor, so that only the robot touches it. Floor
+# and table are not at the origin, because MuJoCo would ignore later changes of their positions
 _SCENE = f"""<mujoco>
   <option timestep="{TIME_STEP}" integrator="implicitfast"/>
   <visual>
