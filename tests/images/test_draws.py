@@ -53,16 +53,10 @@ def test_followers_move_with_their_leaders() -> None:
 def test_cameras_are_above_the_horizon_and_see_all_points() -> None:
     points = np.random.default_rng(5).uniform((-0.4, -0.3, 0.0), (0.4, 0.3, 1.2), (500, 3))
     draw = np.random.default_rng(6)
+    plan = ImagePlan(("plier",), 1, field_of_view=(0.5, 1.0), elevation=(0.2, 1.2), margin=(0.05, 0.4))
     shares = []
     for _ in range(50):
-        camera = random_camera(
-            points,
-            draw,
-            field_of_view=(0.5, 1.0),
-            elevation=(0.2, 1.2),
-            azimuth=math.pi,
-            margin=(0.05, 0.4),
-        )
+        camera = random_camera(points, plan, draw)
         seen = camera.pixels(points, (100, 100))
         assert seen.min() >= -2.0
         assert seen.max() <= 102.0

@@ -8,7 +8,7 @@ import colorsys
 import math
 from collections.abc import Collection, Mapping
 from dataclasses import asdict, dataclass, replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -16,6 +16,9 @@ from artgen._arrays import Array
 from artgen.asset import Asset
 from artgen.export.frames import Region, intersection, leader_of, regions
 from artgen.view.camera import Camera, View
+
+if TYPE_CHECKING:
+    from artgen.images.plan import ImagePlan
 
 Color = tuple[float, float, float]  # red, green and blue, 0-1
 Surroundings = Mapping[str, tuple[str, ...]]  # materials of the floors and walls for the pictures of an asset
@@ -74,24 +77,14 @@ def _freeing(asset: Asset, name: str, limits: Region, draw: np.random.Generator)
     return {each: float(draw.uniform(low, high)) for each, (low, high) in box.items()}
 
 
-def random_camera(
-    points: Array,
-    draw: np.random.Generator,
-    *,
-    field_of_view: tuple[float, float],
-    elevation: tuple[float, float],
-    azimuth: float,
-    margin: tuple[float, float],
-) -> Camera:
+def random_camera(points: Array, plan: "ImagePlan", draw: np.random.Generator) -> Camera:
     """Return a camera with all points in its square picture, slightly off center."""
-    height = draw.uniform(math.sin(elevation[0]), math.sin(elevation[1]))
-    view = View(
-        float(draw.uniform(-azimuth, azimuth)),
-        math.asin(height),
-        float(draw.uniform(*field_of_view)),
-        float(draw.uniform(*margin)),
-    )
-    camera = view.camera(points)
+    low, high = (math.sin(angle) for angle in plan.elevation)
+    elevation = math.asin(draw.uniform(low, high))
+    azimuth = float(draw.uniform(-plan.azimuth, plan.azimuth))
+    camera = View(
+        azimuth, elevation, float(draw.uniform(*plan.field_of_view)), float(draw.uniform(*plan.margin))
+    ).camera(points)
     seen = camera.pixels(points, (1, 1))  # in fractions of the picture
     free = np.clip(np.minimum(seen.min(axis=0), 1.0 - seen.max(axis=0)), 0.0, 1.0)
     across, up = draw.uniform(-_ASIDE, _ASIDE, 2) * free

@@ -210,14 +210,7 @@ def pictures_of(item: Item, plan: "ImagePlan") -> dict[str, bytes]:
                     for surface in link.surfaces
                 ]
             )
-            camera = random_camera(
-                points,
-                draw,
-                field_of_view=plan.field_of_view,
-                elevation=plan.elevation,
-                azimuth=plan.azimuth,
-                margin=plan.margin,
-            )
+            camera = random_camera(points, plan, draw)
             shot = Shot(f"{number:02d}", q, poses, camera, random_setting(around, plan.random, draw))
             color, surfaces, depth = renderer.take(shot, points, plan.samples)
             written, data = _annotated(asset, item, plan, shot, surfaces, depth)
