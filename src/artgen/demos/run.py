@@ -258,7 +258,8 @@ class Attempts:
         self.task, self._seeds, self._folder = task, seeds, Disk(folder)
         text = json.dumps(dict(plan), sort_keys=True).encode()
         if self._folder.read(_PLAN) != text:  # attempts of another plan
-            self.remove()
+            if folder.exists():
+                shutil.rmtree(folder)
             self._folder.write(_PLAN, text)
 
     def left(self) -> list[int]:
