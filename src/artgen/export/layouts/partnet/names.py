@@ -25,38 +25,25 @@ UPRIGHT = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]])
 
 _HANDLE = "handle"  # substring that loaders search in the names of visuals
 _DOORS = ("door", "freezer_door", "pane")  # a refrigerator or an oven has a `door`, a door a `rotation_door`
-_WORDS: Mapping[tuple[str, str], str] = {
-    ("box", "flap_major"): "rotation_lid",
-    ("box", "flap_minor"): "rotation_lid",
-    ("dishwasher", "rack"): "shelf",
-    ("faucet", "handle"): "switch",
-    ("lamp", "arm_lower"): "rotation_bar",
-    ("lamp", "arm_upper"): "rotation_bar",
-    ("lamp", "rocker"): "switch",
-    ("lamp", "dial"): "knob",
-    ("microwave", "dial"): "knob",
-    ("microwave", "plate"): "rotation_tray",
-    ("oven", "dial"): "knob",
-    ("oven", "rack"): "translation_tray",
-    ("plier", "jaw"): "leg",
-    ("refrigerator", "inner_drawer"): "drawer",
-    ("refrigerator", "outer_drawer"): "drawer",
-    ("soap_dispenser", "nozzle"): "pressing_lid",
-    ("toaster", "crumb_tray"): "translation_tray",
-    ("toaster", "lever"): "slider",
-    ("trashcan", "bucket"): "container",
-    ("trashcan", "pedal"): "foot_pad",
+_WORDS: Mapping[str, Mapping[str, str]] = {
+    "box": {"flap_major": "rotation_lid", "flap_minor": "rotation_lid"},
+    "dishwasher": {"rack": "shelf"},
+    "faucet": {"handle": "switch"},
+    "lamp": {"arm_lower": "rotation_bar", "arm_upper": "rotation_bar", "rocker": "switch", "dial": "knob"},
+    "microwave": {"dial": "knob", "plate": "rotation_tray"},
+    "oven": {"dial": "knob", "rack": "translation_tray"},
+    "plier": {"jaw": "leg"},
+    "refrigerator": {"inner_drawer": "drawer", "outer_drawer": "drawer"},
+    "soap_dispenser": {"nozzle": "pressing_lid"},
+    "toaster": {"crumb_tray": "translation_tray", "lever": "slider"},
+    "trashcan": {"bucket": "container", "pedal": "foot_pad"},
 }
 """Words of the dataset for moving links, by category and label, where they differ from artgen's labels."""
 
 _BASES: Mapping[str, str] = {
-    "box": "box_body",
-    "cabinet": "furniture_body",
-    "drawer": "furniture_body",
-    "faucet": "faucet_base",
-    "plier": "leg",
-    "soap_dispenser": "dispenser_body",
-}
+    "box": "box_body", "cabinet": "furniture_body", "drawer": "furniture_body", "faucet": "faucet_base",
+    "plier": "leg", "soap_dispenser": "dispenser_body",
+}  # fmt: skip
 """Words of the dataset for bases, by category, where they differ from the category and artgen's label."""
 
 _TURNS_OR_SLIDES = {"cabinet": "door", "door": "door", "window": "window"}
@@ -81,7 +68,7 @@ class Step:
     name: str  # name of the joint
     parent: str  # name of the body nearer to the base
     child: str  # name of the moving body
-    sign: int  # 1 for a joint that is reversed so that its lower limit is the closed end, else 1
+    sign: int  # -1 for a joint that is reversed so that its lower limit is the closed end, else 1
     segment: Segment  # joint with its frames, in artgen's names and coordinates
 
     @property
@@ -159,12 +146,10 @@ def naming(asset: Asset) -> Naming:
     return Naming(links, steps, _parts(asset, [*moving, base]), _couplings(asset, steps))
 
 
-def closed_end_first(joint: AssetJoint) -> int:
+def _closed_end_first(joint: AssetJoint) -> int:
     """Return -1 for a joint that must be reversed to be closed at its lower limit, else 1."""
-    if joint.limits is None or joint.locked:
-        return 1
-    low, high = joint.limits
-    return -1 if joint.closed == high and joint.closed != low else 1
+    low, high = joint.limits or (0.0, 0.0)
+    return -1 if low != high and joint.closed == high else 1
 
 
 def kind_of(joints: Sequence[AssetJoint], base: str = "fixed") -> str:
@@ -189,7 +174,7 @@ def semantic(asset: Asset, link: Link, joints: Sequence[AssetJoint]) -> str:
         if what is not None:
             return f"translation_{what}" if slides else f"rotation_{what}"
         return "translation_door" if slides else "door"
-    return _WORDS.get((asset.category, label), label)
+    return _WORDS.get(asset.category, {}).get(label, label)
 
 
 def _steps(asset: Asset, links: Mapping[str, int]) -> tuple[Step, ...]:
@@ -208,7 +193,7 @@ def _steps(asset: Asset, links: Mapping[str, int]) -> tuple[Step, ...]:
                 body += "_"
             helpers[child.name] = body
         parent = helpers.get(segment.parent.name) or f"link_{links[segment.parent.name]}"
-        result.append(Step(name, parent, body, closed_end_first(segment.joint), segment))
+        result.append(Step(name, parent, body, _closed_end_first(segment.joint), segment))
     return tuple(result)
 
 
@@ -253,15 +238,13 @@ def _held_label(asset: Asset, link: Link) -> str:
         return ""
     if apart and len(labels) > 1:
         labels.pop(link.label, None)
-    meshes = {
-        label: [surface.mesh for surface in link.surfaces if surface.label == label] for label in labels
-    }
 
     def distance(label: str) -> float:
+        meshes = [surface.mesh for surface in link.surfaces if surface.label == label]
         if points:
-            return round(min(_distance(mesh, point) for mesh in meshes[label] for point in points), 6)
+            return round(min(_distance(mesh, point) for mesh in meshes for point in points), 6)
         # readers aim at the center of the box; a pane of glass is near every lever, but its center is not
-        corners = np.concatenate([mesh.vertices for mesh in meshes[label]])
+        corners = np.concatenate([mesh.vertices for mesh in meshes])
         middle = (corners.min(axis=0) + corners.max(axis=0)) / 2.0
         return round(min(float(np.linalg.norm(middle - point)) for point in apart), 6)
 
@@ -278,17 +261,8 @@ def _borrowed(asset: Asset, link: Link) -> list[Array]:
 
 def _distance(mesh: Mesh, point: Array) -> float:
     """Return the distance of a point, shape (3,), from the faces of a mesh [m]."""
-    corners = mesh.vertices[mesh.triangles] - point
-    ends = np.roll(corners, -1, axis=1)
-    sides = ends - corners
-    squares = (sides**2).sum(axis=2)
-    share = -(corners * sides).sum(axis=2) / np.where(squares > 0.0, squares, 1.0)
-    nearest = corners + np.clip(share, 0.0, 1.0)[..., None] * sides
-    to_sides = np.sqrt((nearest**2).sum(axis=2)).min(axis=1)
-    normals = np.cross(sides[:, 0], sides[:, 1])
-    lengths = np.sqrt((normals**2).sum(axis=1))
-    normals /= np.where(lengths > 0.0, lengths, 1.0)[:, None]
-    heights = np.abs((corners[:, 0] * normals).sum(axis=1))
-    # the foot of the perpendicular is on the face if the point is on the inner side of all three sides
-    above = ((np.cross(sides, -corners) * normals[:, None]).sum(axis=2) >= 0.0).all(axis=1) & (lengths > 0.0)
-    return float(np.where(above, heights, to_sides).min())
+    from trimesh.triangles import closest_point
+
+    corners = mesh.vertices[mesh.triangles]
+    nearest = closest_point(corners, np.broadcast_to(point, (len(corners), 3)))  # type: ignore[no-untyped-call]
+    return float(np.linalg.norm(nearest - point, axis=1).min())

@@ -1,7 +1,7 @@
 """Tables of the PartNet-Mobility layout: names of parts, their motion, their files."""
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -13,14 +13,9 @@ from artgen.export.layouts.partnet.names import NAMES_FILE, UPRIGHT, Naming, kin
 from artgen.export.meshes import mesh_name
 
 CATEGORIES: Mapping[str, str] = {
-    "cabinet": "StorageFurniture",
-    "drawer": "StorageFurniture",
-    "plier": "Pliers",
-    "soap_dispenser": "Dispenser",
-    "trash": "TrashCan",
-    "trash_can": "TrashCan",
-    "trashcan": "TrashCan",
-}
+    "cabinet": "StorageFurniture", "drawer": "StorageFurniture", "plier": "Pliers",
+    "soap_dispenser": "Dispenser", "trash": "TrashCan", "trash_can": "TrashCan", "trashcan": "TrashCan",
+}  # fmt: skip
 """Categories of the dataset whose names differ from artgen's in camel case."""
 
 # rotation from asset to `base`: the front towards -x
@@ -37,17 +32,34 @@ def tables(asset: Asset, named: Naming, surfaces: Mapping[str, Sequence[str]]) -
     """
     base, *moving = asset.links
     links = (*moving, base)
-    lines = [" ".join(row) for row in _semantics(asset, named, links)]
+    camel = "".join(word.capitalize() for word in asset.category.split("_"))
+    category = CATEGORIES.get(asset.category, camel)
+    semantics = [_semantics(asset, named, link) for link in links]
     data = {
-        "meta.json": _meta(asset),
+        "meta.json": {
+            "user_id": "artgen",
+            "model_cat": category,
+            "model_id": asset.name,
+            "version": asset.version,
+            "anno_id": "" if asset.seed is None else str(asset.seed),
+            "time_in_sec": "0",
+        },
         "bounding_box.json": _box(asset.bounds() @ UPRIGHT.T),
         "mobility_v2.json": [_mobility(asset, named, link) for link in links],
-        "result.json": [_hierarchy(asset, named, links, surfaces)],
-        "maniskill.json": _maniskill(asset, named, links),
+        # the tree of parts with the stems of their files in `textured_objs`
+        "result.json": [
+            {
+                "text": category,
+                "name": category,
+                "id": 0,
+                "children": [part for link in links for part in _parts(named, link, surfaces[link.name])],
+            }
+        ],
+        "maniskill.json": _maniskill(asset, named, semantics),
         NAMES_FILE: named.to_data(),
     }
     return {
-        "semantics.txt": "".join(f"{line}\n" for line in lines).encode(),
+        "semantics.txt": "".join(" ".join(row) + "\n" for row in semantics).encode(),
         **{name: json_text(rounded(content)).encode() for name, content in data.items()},
     }
 
@@ -56,25 +68,10 @@ def _joints(named: Naming, link: Link) -> list[AssetJoint]:
     return [step.segment.joint for step in named.of_link(link.name)]
 
 
-def _semantics(asset: Asset, named: Naming, links: Sequence[Link]) -> list[list[str]]:
-    result = []
-    for link in links:
-        joints = _joints(named, link)
-        row = [named.body(link.name), kind_of(joints, asset.base), semantic(asset, link, joints)]
-        result.append([word.replace(" ", "_") for word in row])
-    return result
-
-
-def _meta(asset: Asset) -> dict[str, str]:
-    camel = "".join(word.capitalize() for word in asset.category.split("_"))
-    return {
-        "user_id": "artgen",
-        "model_cat": CATEGORIES.get(asset.category, camel),
-        "model_id": asset.name,
-        "version": asset.version,
-        "anno_id": "" if asset.seed is None else str(asset.seed),
-        "time_in_sec": "0",
-    }
+def _semantics(asset: Asset, named: Naming, link: Link) -> list[str]:
+    joints = _joints(named, link)
+    row = [named.body(link.name), kind_of(joints, asset.base), semantic(asset, link, joints)]
+    return [word.replace(" ", "_") for word in row]
 
 
 def _box(corners: Array) -> dict[str, list[float]]:
@@ -88,13 +85,12 @@ def _mobility(asset: Asset, named: Naming, link: Link) -> dict[str, Any]:
     joints = _joints(named, link)
     kind = kind_of(joints, asset.base)
     moved = {"slider+": "slider", "static": "fixed" if joints else "static"}.get(kind, kind)
-    parts = [{"id": part.number, "name": part.name, "children": []} for part in named.parts[link.name]]
     return {
         "id": named.links[link.name],
         "parent": named.links[joints[0].parent] if joints else -1,
         "joint": moved,
         "name": semantic(asset, link, joints),
-        "parts": parts,
+        "parts": [{"id": part.number, "name": part.name, "children": []} for part in named.parts[link.name]],
         "jointData": _joint_data(named, link, kind),
     }
 
@@ -103,44 +99,37 @@ def _joint_data(named: Naming, link: Link, kind: str) -> dict[str, Any]:
     steps = [step for step in named.of_link(link.name) if not step.segment.joint.locked]
     if not steps:
         return {}
-    slides = [step for step in steps if step.segment.joint.kind == "prismatic"]
-    turns = [step for step in steps if step.segment.joint.kind == "revolute"]
-    step = slides[-1] if kind == "slider+" else steps[-1]
-    degrees = math.degrees(1.0) if step.segment.joint.kind == "revolute" else 1.0
+    slides, turns = (
+        [step for step in steps if step.segment.joint.kind == each] for each in ("prismatic", "revolute")
+    )
+    both = kind == "slider+"
+    step = slides[-1] if both else steps[-1]
+    degrees = math.degrees(1.0) if step in turns else 1.0
     low, high = step.limits or (0.0, 0.0)
-    limit: dict[str, Any] = {
+    limit = {
         "a": low * degrees,
         "b": high * degrees,
         "noLimit": step.limits is None,
-        "rotates": kind == "slider+",
-        "noRotationLimit": kind == "slider+" and turns[-1].limits is None,
-        "rotationLimit": 0.0,
+        "rotates": both,
+        "noRotationLimit": both and turns[-1].limits is None,
+        "rotationLimit": math.degrees(max(map(abs, turns[-1].limits or (0.0,)))) if both else 0.0,
     }
-    if kind == "slider+":
-        limit["rotationLimit"] = math.degrees(max(map(abs, turns[-1].limits or (0.0,))))
     origin = np.round(UPRIGHT @ step.segment.joint.pivot, 12) + 0.0
     direction = np.round(step.axis, 12) + 0.0
     return {"axis": {"origin": origin.tolist(), "direction": direction.tolist()}, "limit": limit}
 
 
-def _hierarchy(
-    asset: Asset, named: Naming, links: Sequence[Link], surfaces: Mapping[str, Sequence[str]]
-) -> dict[str, Any]:
-    """Return the tree of parts with the stems of their files in `textured_objs`."""
-    leaves = []
-    for link in links:
-        for part in named.parts[link.name]:
-            files = zip(link.surfaces, surfaces[link.name], strict=True)
-            stems = [mesh_name(path) for surface, path in files if surface.label == part.label]
-            leaves.append({"text": part.name, "name": part.name, "id": part.number, "objs": stems})
-    category = _meta(asset)["model_cat"]
-    return {"text": category, "name": category, "id": 0, "children": leaves}
+def _parts(named: Naming, link: Link, paths: Sequence[str]) -> Iterator[dict[str, Any]]:
+    for part in named.parts[link.name]:
+        files = zip(link.surfaces, paths, strict=True)
+        stems = [mesh_name(path) for surface, path in files if surface.label == part.label]
+        yield {"text": part.name, "name": part.name, "id": part.number, "objs": stems}
 
 
-def _maniskill(asset: Asset, named: Naming, links: Sequence[Link]) -> dict[str, Any]:
+def _maniskill(asset: Asset, named: Naming, semantics: Sequence[Sequence[str]]) -> dict[str, Any]:
     """Return the entry of a model in ManiSkill's `info_..._train.json`, with lengths in metres."""
     box = _box(asset.bounds() @ _FRONT.T)
-    moved = [link for link in links if kind_of(_joints(named, link)) not in ("static", "free")]
+    moved = [link for link in asset.links if kind_of(_joints(named, link)) not in ("static", "free")]
     held = [link for link in moved if any("handle" in part.name for part in named.parts[link.name])]
     return {
         "partnet_mobility_id": asset.name,
@@ -148,5 +137,5 @@ def _maniskill(asset: Asset, named: Naming, links: Sequence[Link]) -> dict[str, 
         "num_target_links": len(held),
         "bbox": box,
         "offset": [-value + 0.0 for value in box["min"]],
-        "semantics": _semantics(asset, named, links),
+        "semantics": semantics,
     }
