@@ -6,7 +6,7 @@ import os
 import shutil
 import zlib
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from contextlib import contextmanager, suppress
+from contextlib import ExitStack, contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
@@ -23,6 +23,11 @@ from artgen.export.precision import with_precision
 from artgen.materials.textures import check_size
 from artgen.materials.textures.bake import Memory
 
+REPORT_FILE = "report.json"
+"""Report of `artgen validate` in an export directory; a new export removes it."""
+
+_OWN_FILES = (ASSET_FILE, CERTIFICATE_FILE, REPORT_FILE)
+_NAME = 24  # characters of a digest in the name of a stored file
 _PNG = b"\x89PNG\r\n\x1a\n"
 
 _MEMORY = Memory(64 * 2**20)
@@ -41,16 +46,13 @@ def digest(content: bytes) -> str:
     """
     if not content.startswith(_PNG):
         return hashlib.sha256(content).hexdigest()
-    return _MEMORY.get(content, lambda: _of_texels(content), lambda _: len(content))
+    return _MEMORY.get(
+        content, lambda: hashlib.sha256(_unpacked(content)).hexdigest(), lambda _: len(content)
+    )
 
 
-def _of_texels(content: bytes) -> str:
-    unpacked = _unpacked(content)
-    return hashlib.sha256(content if unpacked is None else unpacked).hexdigest()
-
-
-def _unpacked(content: bytes) -> bytes | None:
-    """Return the chunks of a PNG file with unpacked pixels; None if it is damaged."""
+def _unpacked(content: bytes) -> bytes:
+    """Return the chunks of a PNG file with unpacked pixels; a damaged file is returned as it is."""
     head, packed, place = b"", b"", len(_PNG)
     while place + 12 <= len(content):
         length = int.from_bytes(content[place : place + 4], "big")
@@ -63,14 +65,7 @@ def _unpacked(content: bytes) -> bytes | None:
     try:
         return head + zlib.decompress(packed)
     except zlib.error:
-        return None
-
-
-REPORT_FILE = "report.json"
-"""Report of `artgen validate` in an export directory; a new export removes it."""
-
-_NAME = 24  # characters of a digest in the name of a stored file
-_OWN_FILES = (ASSET_FILE, CERTIFICATE_FILE, REPORT_FILE)
+        return content
 
 
 def export(
@@ -160,12 +155,8 @@ def encode(
             "losses": [loss.to_data() for loss in written.losses],
         }
     data = asset.to_data()
-    data |= {
-        "collision": collision_of(data["links"]),
-        "layout": layout,
-        "formats": record,
-        "digests": digests(files),
-    }
+    collisions = collision_of(data["links"])
+    data |= {"collision": collisions, "layout": layout, "formats": record, "digests": digests(files)}
     files[ASSET_FILE] = json_text(data).encode()
     if asset.certificate is not None and asset.certificate.leaves is not None:
         files[CERTIFICATE_FILE] = json_text(asset.certificate.leaves).encode()
@@ -188,20 +179,28 @@ def write_files(files: Mapping[str, bytes], directory: Path, store: Path | None 
 def replaced(path: Path) -> Iterator[Path]:
     """Yield a temporary path that replaces the file once it is complete; an error leaves nothing behind."""
     partial = path.with_name(f".{path.name}.partial")
+    try:
+        with _new_parents(path), ExitStack() as cleanup:
+            cleanup.callback(partial.unlink, missing_ok=True)
+            yield partial
+            partial.replace(path)
+    except ExportError:
+        raise
+    except OSError as error:
+        raise ExportError(f"cannot write {path}: {error.strerror or error}; nothing was changed") from error
+
+
+@contextmanager
+def _new_parents(path: Path) -> Iterator[None]:
+    """Create the parents of a path; an error removes the new ones."""
     missing = [parent for parent in path.parents if not parent.exists()]
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
-        yield partial
-        partial.replace(path)
-    except BaseException as error:
-        with suppress(OSError):
-            partial.unlink(missing_ok=True)
-            for parent in missing:  # innermost first
+        yield
+    except BaseException:
+        for parent in missing:  # innermost first
+            with suppress(OSError):
                 parent.rmdir()
-        if isinstance(error, OSError) and not isinstance(error, ExportError):
-            raise ExportError(
-                f"cannot write {path}: {error.strerror or error}; nothing was changed"
-            ) from error
         raise
 
 
@@ -246,17 +245,15 @@ def _foreign_files(target: Path, files: Iterable[str]) -> list[str]:
     """Return the files in a directory that artgen did not write, if an export may replace the others."""
     try:
         _recover(target)
-        if target.exists() and not target.is_dir():
-            found = None
-        else:
-            found = sorted(
-                path.relative_to(target).as_posix()
-                for path in target.rglob("*")
-                if path.is_symlink() or not path.is_dir()
-            )
+        is_file = target.exists() and not target.is_dir()
+        found = sorted(
+            path.relative_to(target).as_posix()
+            for path in target.rglob("*")
+            if path.is_symlink() or not path.is_dir()
+        )
     except OSError as error:
         raise ExportError(f"cannot export to {target}: {error.strerror or error}") from error
-    if found is None:
+    if is_file:
         raise ExportError(f"cannot export to {target}: it is a file; choose another directory")
     if not found:
         return []
@@ -296,25 +293,21 @@ def _replace(target: Path, files: Mapping[str, bytes], kept: Sequence[str]) -> N
             f"a directory in it, such as {target / 'asset'}"
         )
     partial, previous = target.parent / f".{target.name}.partial", previous_directory(target)
-    missing = [parent for parent in target.parents if not parent.exists()]
-    try:
-        target.parent.mkdir(parents=True, exist_ok=True)
-        if partial.exists():
-            shutil.rmtree(partial)  # left by a killed process
-        write_files(files, partial)
-        for path in kept:
-            (partial / path).parent.mkdir(parents=True, exist_ok=True)
-            shutil.copy2(target / path, partial / path, follow_symlinks=False)
-        if target.exists():
-            target.rename(previous)
-        partial.rename(target)
-    except BaseException:
-        _recover(target)
-        shutil.rmtree(partial, ignore_errors=True)
-        for parent in missing:  # innermost first
-            with suppress(OSError):
-                parent.rmdir()
-        raise
+    with _new_parents(target):
+        try:
+            if partial.exists():
+                shutil.rmtree(partial)  # left by a killed process
+            write_files(files, partial)
+            for path in kept:
+                (partial / path).parent.mkdir(parents=True, exist_ok=True)
+                shutil.copy2(target / path, partial / path, follow_symlinks=False)
+            if target.exists():
+                target.rename(previous)
+            partial.rename(target)
+        except BaseException:
+            _recover(target)
+            shutil.rmtree(partial, ignore_errors=True)
+            raise
     shutil.rmtree(previous, ignore_errors=True)
 
 

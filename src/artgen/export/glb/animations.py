@@ -3,11 +3,12 @@
 import itertools
 import math
 from collections.abc import Iterable, Mapping, Sequence
+from contextlib import suppress
 
 import numpy as np
 
 from artgen._arrays import Array
-from artgen.asset import Asset, AssetCondition, AssetJoint
+from artgen.asset import Asset, AssetJoint
 from artgen.export.frames import BORDER, Region, Segment, coupling, leader_of, regions
 from artgen.export.glb.buffer import Buffer, Json
 
@@ -16,14 +17,16 @@ Stop = Mapping[str, float]
 
 _TRAVEL = {"revolute": math.tau, "prismatic": 0.2}  # range of joints without limits [rad or m]
 _CHECKS = 8  # checked positions between two stops
-
-
 _OPENS = 1.0  # duration of the opening of a joint [s]
 _PREPARES = 0.5  # duration of the motion of a joint that it depends on [s]
 _PAUSES = 0.2  # pause between two motions [s]
 _FASTEST = math.pi  # mean speed of a rotation [rad/s]
 _FEWEST_STEPS = 8  # keys of a motion; readers interpolate linearly between them
 _WIDEST_STEP = math.radians(25.0)
+
+
+class _NoWayError(Exception):
+    """A dependency cannot be satisfied."""
 
 
 def animations(
@@ -133,10 +136,6 @@ def _channels(
     return {"channels": channels, "samplers": samplers}
 
 
-class _NoWayError(Exception):
-    """A dependency cannot be satisfied."""
-
-
 def opening(asset: Asset, joint: AssetJoint) -> tuple[Stop, ...] | None:
     """Return stops of a free joint from rest to its limits and back to rest.
 
@@ -144,18 +143,16 @@ def opening(asset: Asset, joint: AssetJoint) -> tuple[Stop, ...] | None:
     the joint itself to its upper and to its lower limit, unless it rests there; then all joints return. A
     joint without limits makes a full turn.
     """
-    planner = _Planner(asset)
+    stops: list[Stop] = [{each.name: each.closed for each in asset.free_joints}]
     try:
-        planner.allow(joint.name)
-        before = len(planner.stops)
-        for end in _ends(joint):
-            planner.move(joint.name, end)
+        stops = _cleared(asset, joint.name, stops)
     except _NoWayError:
         return None
-    stops = planner.stops
-    if before > 1 or not _comes_round(asset, joint):
-        planner.move(joint.name, joint.closed)
-        stops += reversed(stops[: before - 1])
+    prepared = stops[:-1]
+    for end in _ends(joint):
+        stops = _moved(stops, joint.name, end)
+    if prepared or not _comes_round(asset, joint):
+        stops = [*_moved(stops, joint.name, joint.closed), *reversed(prepared)]
     return tuple(stops) if _allowed(asset, stops) else None
 
 
@@ -185,48 +182,32 @@ def _allowed(asset: Asset, stops: Iterable[Stop]) -> bool:
     )
 
 
-class _Planner:
-    """Moves free joints one after another."""
-
-    def __init__(self, asset: Asset) -> None:
-        # positions after each move, starting at rest
-        self.stops: list[Stop] = [{joint.name: joint.closed for joint in asset.free_joints}]
-        self._asset = asset
-        self._waiting: list[str] = []
-
-    def move(self, name: str, position: float) -> None:
-        """Move a joint with satisfied dependencies."""
-        self.stops.append({**self.stops[-1], name: position})
-
-    def allow(self, name: str) -> None:
-        """Move other joints until a joint and its followers may move."""
-        if name in self._waiting:
-            raise _NoWayError
-        self._waiting.append(name)
-        for joint in self._asset.joints:
-            if joint.needs is not None and leader_of(self._asset, joint)[0] == name:
-                self._meet(joint.needs.condition)
-        self._waiting.pop()
-
-    def _meet(self, condition: AssetCondition) -> None:
-        start = len(self.stops)
-        waiting = list(self._waiting)
-        for region in regions(self._asset, condition):
-            try:
-                self._enter(region)
-            except _NoWayError:
-                del self.stops[start:]
-                self._waiting = list(waiting)
-            else:
-                return
+def _cleared(asset: Asset, name: str, stops: list[Stop], waiting: tuple[str, ...] = ()) -> list[Stop]:
+    """Return stops with the moves of other joints after which a joint and its followers may move."""
+    if name in waiting:
         raise _NoWayError
+    for joint in asset.joints:
+        if joint.needs is not None and leader_of(asset, joint)[0] == name:
+            for region in regions(asset, joint.needs.condition):
+                with suppress(_NoWayError):
+                    stops = _inside(asset, region, stops, (*waiting, name))
+                    break
+            else:
+                raise _NoWayError
+    return stops
 
-    def _enter(self, region: Region) -> None:
-        for name, (low, high) in region.items():
-            if not low < self.stops[-1][name] < high:
-                position = _within(self._asset.joint(name), low, high)
-                self.allow(name)
-                self.move(name, position)
+
+def _inside(asset: Asset, region: Region, stops: list[Stop], waiting: tuple[str, ...]) -> list[Stop]:
+    """Return stops with the moves of joints into a region."""
+    for name, (low, high) in region.items():
+        if not low < stops[-1][name] < high:
+            position = _within(asset.joint(name), low, high)
+            stops = _moved(_cleared(asset, name, stops, waiting), name, position)
+    return stops
+
+
+def _moved(stops: list[Stop], name: str, position: float) -> list[Stop]:
+    return [*stops, {**stops[-1], name: position}]
 
 
 def _within(joint: AssetJoint, low: float, high: float) -> float:

@@ -23,18 +23,11 @@ THING = "Q223557"
 """Code of a physical object, for categories without their own code."""
 
 CATEGORY_CODES = {
-    "box": "Q188075",
-    "dishwasher": "Q186263",
-    "door": "Q36794",
-    "lamp": "Q1138737",
-    "microwave": "Q127956",
-    "oven": "Q36539",
-    "refrigerator": "Q37828",
-    "toaster": "Q14890",
-    "trashcan": "Q216530",  # Wikidata: waste container
-    "window": "Q35473",
-}
-"""Wikidata codes by category; each was looked up."""
+    "box": "Q188075", "dishwasher": "Q186263", "door": "Q36794", "lamp": "Q1138737",
+    "microwave": "Q127956", "oven": "Q36539", "refrigerator": "Q37828", "toaster": "Q14890",
+    "trashcan": "Q216530", "window": "Q35473",
+}  # fmt: skip
+"""Wikidata codes by category; each was looked up. The code of `trashcan` is that of a waste container."""
 
 
 def category_code(category: str) -> str:
