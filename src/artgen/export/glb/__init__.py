@@ -77,20 +77,10 @@ def write_glb(asset: Asset, textures: int = 0) -> Written:
 
 def _root(asset: Asset, segments: Sequence[Segment], taken: Collection[str]) -> Json:
     """Return the root node, which turns the asset upright and has its metadata."""
-    data = {
-        "name": asset.name,
-        "category": asset.category,
-        "seed": asset.seed,
-        "version": asset.version,
-        "base": asset.base,
-        "joints": [_joint(asset, segment) for segment in segments],
-    }
-    return {
-        "name": unused(asset.name, taken),
-        "rotation": _UPRIGHT,
-        "children": [_BASE],
-        "extras": {"artgen": rounded(data)},
-    }
+    data: Json = {name: getattr(asset, name) for name in ("name", "category", "seed", "version", "base")}
+    data["joints"] = [_joint(asset, segment) for segment in segments]
+    node = {"name": unused(asset.name, taken), "rotation": _UPRIGHT, "children": [_BASE]}
+    return {**node, "extras": {"artgen": rounded(data)}}
 
 
 def _joint(asset: Asset, segment: Segment) -> Json:

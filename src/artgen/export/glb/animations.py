@@ -43,15 +43,35 @@ def animations(
     Returns:
         The animations as JSON data, and the joints that dependencies keep at rest.
     """
-    result, held = [], []
+    laws = [(each, *leader_of(asset, each.joint)) for each in segments if not each.joint.locked]
+    result: list[Json] = []
+    held = []
     for joint in asset.free_joints:
         stops = opening(asset, joint)
         if stops is None:
             held.append(joint.name)
             continue
-        moving = _moving(asset, segments, stops)
-        times, positions = _keys(joint.name, stops, _turns(asset, moving))
-        result.append({"name": joint.name, **_channels(asset, moving, nodes, buffer, (times, positions))})
+        moved = {name for name in stops[0] if len({stop[name] for stop in stops}) > 1}
+        moving = [law for law in laws if law[1] in moved]
+        turns: dict[str, float] = {}  # largest rotation of any joint per motion of each free joint
+        for segment, leader, ratio, _ in moving:
+            if segment.joint.kind == "revolute":
+                turns[leader] = max(turns.get(leader, 0.0), abs(ratio))
+        keys, positions = _keys(joint.name, stops, turns)
+        times = buffer.array("times", keys)
+        channels: list[Json] = []
+        samplers: list[Json] = []
+        for segment, leader, ratio, offset in moving:
+            moves, rotations = local_motion(segment, ratio * positions[leader] + offset)
+            slides = segment.joint.kind == "prismatic"
+            output = buffer.array("moves", moves) if slides else buffer.array("rotations", rotations)
+            target = {
+                "node": nodes[segment.child.name],
+                "path": "translation" if slides else "rotation",
+            }
+            channels.append({"sampler": len(samplers), "target": target})
+            samplers.append({"input": times, "output": output})
+        result.append({"name": joint.name, "channels": channels, "samplers": samplers})
     return result, held
 
 
@@ -68,26 +88,6 @@ def local_motion(segment: Segment, positions: Array) -> tuple[Array, Array]:
         return origin + positions[:, None] * joint.axis, still
     half = positions[:, None] / 2.0
     return np.tile(origin, (len(positions), 1)), np.hstack([np.sin(half) * joint.axis, np.cos(half)])
-
-
-def _moving(asset: Asset, segments: Sequence[Segment], stops: Sequence[Stop]) -> list[Segment]:
-    """Return the segments with joints that move between stops."""
-    moved = {name for name in stops[0] if len({stop[name] for stop in stops}) > 1}
-    return [
-        segment
-        for segment in segments
-        if not segment.joint.locked and leader_of(asset, segment.joint)[0] in moved
-    ]
-
-
-def _turns(asset: Asset, moving: Sequence[Segment]) -> dict[str, float]:
-    """Return the largest rotation of any joint per motion of each free joint, by name."""
-    result: dict[str, float] = {}
-    for segment in moving:
-        if segment.joint.kind == "revolute":
-            name, ratio, _ = leader_of(asset, segment.joint)
-            result[name] = max(result.get(name, 0.0), abs(ratio))
-    return result
 
 
 def _keys(joint: str, stops: Sequence[Stop], turns: Mapping[str, float]) -> tuple[Array, dict[str, Array]]:
@@ -110,30 +110,6 @@ def _keys(joint: str, stops: Sequence[Stop], turns: Mapping[str, float]) -> tupl
         name: column[first] + share * (column[first + 1] - column[first]) for name, column in table.items()
     }
     return np.concatenate(times), positions
-
-
-def _channels(
-    asset: Asset,
-    moving: Sequence[Segment],
-    nodes: Mapping[str, int],
-    buffer: Buffer,
-    keys: tuple[Array, Mapping[str, Array]],
-) -> Json:
-    """Return the channels and samplers of an animation, one of each per moving node."""
-    channels: list[Json] = []
-    samplers: list[Json] = []
-    times = buffer.array("times", keys[0])
-    for segment in moving:
-        leader, ratio, offset = leader_of(asset, segment.joint)
-        moves, rotations = local_motion(segment, ratio * keys[1][leader] + offset)
-        slides = segment.joint.kind == "prismatic"
-        output = buffer.array("moves", moves) if slides else buffer.array("rotations", rotations)
-        path = "translation" if slides else "rotation"
-        channels.append(
-            {"sampler": len(samplers), "target": {"node": nodes[segment.child.name], "path": path}}
-        )
-        samplers.append({"input": times, "output": output})
-    return {"channels": channels, "samplers": samplers}
 
 
 def opening(asset: Asset, joint: AssetJoint) -> tuple[Stop, ...] | None:

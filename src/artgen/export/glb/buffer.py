@@ -62,8 +62,8 @@ class Buffer:
             "type": type_,
         }
         if content in _BOUNDED:
-            accessor["min"] = _row(numbers.min(axis=0))
-            accessor["max"] = _row(numbers.max(axis=0))
+            accessor["min"] = np.atleast_1d(numbers.min(axis=0)).tolist()
+            accessor["max"] = np.atleast_1d(numbers.max(axis=0)).tolist()
         self._append(view, numbers.tobytes())
         self.accessors.append(accessor)
         return len(self.accessors) - 1
@@ -74,28 +74,25 @@ class Buffer:
 
     def image(self, content: bytes) -> int:
         """Add an image file; return the number of its buffer view."""
-        view = self._new_view()
-        self._append(view, content)
-        return view
+        return self._append(self._new_view(), content)
 
     def _view(self, content: Content) -> int:
         if content not in self._numbers:
-            self._numbers[content] = view = self._new_view()
             type_, _, _, target = _LAYOUT[content]
-            if target == _VERTICES:  # views with several accessors must have the length of a row
-                self._views[view]["byteStride"] = 4 * int(type_.removeprefix("VEC"))
-            if target:
-                self._views[view]["target"] = target
+            # views with several accessors must have the length of a row
+            stride = {"byteStride": 4 * int(type_.removeprefix("VEC"))} if target == _VERTICES else {}
+            self._numbers[content] = self._new_view(**stride, **({"target": target} if target else {}))
         return self._numbers[content]
 
-    def _new_view(self) -> int:
-        self._views.append({"buffer": 0, "byteOffset": 0, "byteLength": 0})
+    def _new_view(self, **properties: int) -> int:
+        self._views.append({"buffer": 0, "byteOffset": 0, "byteLength": 0, **properties})
         self._chunks.append([])
         return len(self._views) - 1
 
-    def _append(self, view: int, content: bytes) -> None:
+    def _append(self, view: int, content: bytes) -> int:
         self._chunks[view].append(content)
         self._views[view]["byteLength"] += len(content)
+        return view
 
     def glb(self, scene: Json) -> bytes:
         """Return the GLB file of this buffer and of a scene without the data about the buffer."""
@@ -105,25 +102,13 @@ class Buffer:
             padding = -view["byteLength"] % 4
             chunks += [*of_view, b"\0" * padding]
             length += view["byteLength"] + padding
-        scene = {
-            **scene,
+        binary = {
             "accessors": self.accessors,
             "bufferViews": self._views,
             "buffers": [{"byteLength": length}],
         }
-        text = json.dumps(scene, separators=(",", ":"), allow_nan=False).encode()
+        text = json.dumps({**scene, **binary}, separators=(",", ":"), allow_nan=False).encode()
         text += b" " * (-len(text) % 4)
-        return b"".join(
-            (
-                struct.pack("<4sII", b"glTF", 2, 28 + len(text) + length),
-                struct.pack("<I4s", len(text), b"JSON"),
-                text,
-                struct.pack("<I4s", length, b"BIN\0"),
-                *chunks,
-            )
-        )
-
-
-def _row(value: Any) -> list[float]:
-    """Return one row of an array as JSON data."""
-    return [float(number) for number in np.atleast_1d(value)]
+        header = struct.pack("<4sII", b"glTF", 2, 28 + len(text) + length)
+        heads = struct.pack("<I4s", len(text), b"JSON"), struct.pack("<I4s", length, b"BIN\0")
+        return b"".join((header, heads[0], text, heads[1], *chunks))

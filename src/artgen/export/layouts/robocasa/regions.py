@@ -5,7 +5,8 @@ sides, except above, while every joint is closed. It is usable if some of it is 
 the end of its range.
 """
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
+from itertools import product
 
 import numpy as np
 from numpy.typing import NDArray
@@ -31,7 +32,10 @@ def interiors(asset: Asset) -> list[Array]:
     free = ~occupied & _surrounded(occupied)
     if not free.any():
         return []
-    opened = {joint.name: _far(joint.limits, joint.closed) for joint in asset.free_joints}
+    opened = {
+        joint.name: max(joint.limits or (joint.closed,), key=lambda end: abs(end - joint.closed))
+        for joint in asset.free_joints
+    }
     open_to_air = ~_surrounded(grid.occupied(asset, opened), top=True)
     found: list[Array] = []
     for _ in range(_MOST):
@@ -39,18 +43,11 @@ def interiors(asset: Asset) -> list[Array]:
         size = grid.step * (box[1] - box[0])
         if size.min() < _LEAST:
             break
-        cells = tuple(slice(low, high) for low, high in box.T)
+        cells = _cells(box)
         free[cells] = False
         if open_to_air[cells].any():
             found.append(np.round(grid.origin + grid.step * box, _DECIMALS) + 0.0)
     return sorted(found, key=lambda box: -round(float(np.prod(box[1] - box[0])), _DECIMALS))
-
-
-def _far(limits: tuple[float, float] | None, closed: float) -> float:
-    """Return the end of a range that is farther from the closed position."""
-    if limits is None:
-        return closed
-    return max(limits, key=lambda end: abs(end - closed))
 
 
 class _Grid:
@@ -76,12 +73,11 @@ class _Grid:
 
     def _fill(self, cells: Cells, points: Array, normals: Array, distances: Array) -> None:
         """Mark the cells that a convex piece may reach, and a few more at its edges."""
-        first = np.floor((points.min(axis=0) - self.origin) / self.step).astype(int)
-        last = np.floor((points.max(axis=0) - self.origin) / self.step).astype(int) + 1
-        first, last = np.clip(first, 0, self.shape), np.clip(last, 0, self.shape)
+        box = np.floor((np.array([points.min(axis=0), points.max(axis=0)]) - self.origin) / self.step)
+        first, last = box = np.clip(box.astype(int) + [[0], [1]], 0, self.shape)
         if (first >= last).any():
             return
-        part = cells[tuple(slice(low, high) for low, high in zip(first, last, strict=True))]
+        part = cells[_cells(box)]
         axes = [
             self.origin[axis] + self.step * (np.arange(first[axis], last[axis]) + 0.5) for axis in range(3)
         ]
@@ -96,15 +92,12 @@ class _Grid:
 def _surrounded(occupied: Cells, *, top: bool = False) -> Cells:
     """Return the cells with occupied cells on all six sides, or on five sides if the top may be open."""
     result = np.ones_like(occupied)
-    for axis, backwards in _sides(top=top):
-        view = np.flip(occupied, axis) if backwards else occupied
-        seen = np.logical_or.accumulate(view, axis=axis)
-        result &= np.flip(seen, axis) if backwards else seen
+    for axis, above in product(range(3), (False, True)):
+        if top or (axis, above) != (2, True):
+            view = np.flip(occupied, axis) if above else occupied
+            seen = np.logical_or.accumulate(view, axis=axis)
+            result &= np.flip(seen, axis) if above else seen
     return result
-
-
-def _sides(*, top: bool) -> Iterable[tuple[int, bool]]:
-    return ((axis, back) for axis in range(3) for back in (False, True) if top or (axis, back) != (2, True))
 
 
 def _grown(free: Cells) -> NDArray[np.int64]:
@@ -119,12 +112,15 @@ def _grown(free: Cells) -> NDArray[np.int64]:
     growing = bool(free[seed])
     while growing:
         growing = False
-        for axis in range(3):
-            for end, sign in ((0, -1), (1, 1)):
-                slab = box.copy()
-                slab[1 - end, axis] = box[end, axis]
-                slab[end, axis] += sign
-                if free[tuple(slice(low, high) for low, high in slab.T)].all():
-                    box[end, axis] += sign
-                    growing = True
+        for axis, (end, sign) in product(range(3), ((0, -1), (1, 1))):
+            slab = box.copy()
+            slab[1 - end, axis] = box[end, axis]
+            slab[end, axis] += sign
+            if free[_cells(slab)].all():
+                box[end, axis] += sign
+                growing = True
     return box if free[seed] else np.zeros((2, 3), dtype=np.int64)
+
+
+def _cells(box: NDArray[np.int64]) -> tuple[slice, ...]:
+    return tuple(slice(low, high) for low, high in box.T)
