@@ -1,8 +1,8 @@
 """Frames of links and joints for all writers; only this module computes with pivots and origins.
 
 A link's frame has its origin at `asset.origin(link)` and is parallel to the asset's axes when every joint
-stands at 0. Formats with one joint between two bodies get an intermediate body after each joint but the last
-of a pair.
+is at 0. At `asset.positions()`, every joint is as near to 0 as its limits allow. Formats with one joint
+between two bodies get an intermediate body after each joint but the last of a pair.
 """
 
 import math
@@ -27,73 +27,44 @@ INTERMEDIATE_INERTIA = 1e-9
 
 @dataclass(frozen=True, eq=False)
 class LinkFrame(FrozenArrays):
-    """The frame of a body.
+    """The frame of a body."""
 
-    Attributes:
-        name: Name of the link, or of a body between two joints.
-        origin: Origin with every joint at 0, in asset coordinates, shape (3,) [m]; its axes are then the
-            asset's.
-        placement: Frame in asset coordinates at `asset.positions()`, where every joint is as near to 0 as its
-            limits allow, shape (4, 4) [m].
-        link: The link; None for a body between two joints.
-    """
-
-    name: str
+    name: str  # name of the link, or of a body between two joints
+    # origin with every joint at 0, in asset coordinates, shape (3,) [m]; its axes are then the asset's
     origin: Array
-    placement: Array
-    link: Link | None
+    placement: Array  # frame in asset coordinates at `asset.positions()`, shape (4, 4) [m]
+    link: Link | None  # None for a body between two joints
 
 
 @dataclass(frozen=True, eq=False)
 class Segment(FrozenArrays):
-    """One joint between two frames; the origin of the child frame is the joint's pivot.
+    """One joint between two frames; the origin of the child frame is the joint's pivot."""
 
-    Attributes:
-        parent: Frame of the body nearer to the base.
-        child: Frame of the moving body.
-        joint: The joint; its axis is the same in asset, parent and child coordinates.
-        origin: The child frame in the parent's with the joint at 0, or at its position if it is locked, shape
-            (4, 4) [m].
-    """
-
-    parent: LinkFrame
-    child: LinkFrame
-    joint: AssetJoint
+    parent: LinkFrame  # frame of the body nearer to the base
+    child: LinkFrame  # frame of the moving body
+    joint: AssetJoint  # its axis is the same in asset, parent and child coordinates
+    # child frame in the parent's with the joint at 0, or at its position if it is locked, shape (4, 4) [m]
     origin: Array
 
 
 @dataclass(frozen=True, eq=False)
 class BodyJoint(FrozenArrays):
-    """A joint in the frame of the body that it moves, for bodies with several joints.
-
-    Attributes:
-        joint: The joint.
-        axis: Unit vector in the body's frame, shape (3,).
-        pivot: A point on the axis in the body's frame, shape (3,) [m].
-        position: Position of the joint in the written placement [rad or m].
-    """
+    """A joint in the frame of the body that it moves, for bodies with several joints."""
 
     joint: AssetJoint
-    axis: Array
-    pivot: Array
-    position: float
+    axis: Array  # unit vector in the body's frame, shape (3,)
+    pivot: Array  # point on the axis in the body's frame, shape (3,) [m]
+    position: float  # position of the joint in the written placement [rad or m]
 
 
 @dataclass(frozen=True, eq=False)
 class BodyFrame(FrozenArrays):
-    """A body with all joints to its parent.
-
-    Attributes:
-        link: The link.
-        parent: Name of the parent link; empty for the base.
-        placement: Frame in the parent's frame at `asset.positions()`, shape (4, 4) [m].
-        joints: The joints that can move, the first nearest to the parent.
-    """
+    """A body with all joints to its parent."""
 
     link: Link
-    parent: str
-    placement: Array
-    joints: tuple[BodyJoint, ...]
+    parent: str  # name of the parent link; empty for the base
+    placement: Array  # frame in the parent's frame at `asset.positions()`, shape (4, 4) [m]
+    joints: tuple[BodyJoint, ...]  # joints that can move, the first nearest to the parent
 
 
 def translation(offset: Array) -> Array:

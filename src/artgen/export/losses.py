@@ -89,8 +89,8 @@ class Layout:
     Attributes:
         name: Its name, such as `partnet-mobility`.
         summary: Its readers, in one line.
-        formats: Its formats, the default ones first.
-        default: Number of default formats.
+        formats: Its formats.
+        default_formats: The formats that are written by default.
         write: Function that writes one format of an asset with a number of texels per side of its maps; paths
             of files are relative to the directory of the export.
     """
@@ -98,10 +98,5 @@ class Layout:
     name: str
     summary: str
     formats: tuple[str, ...]
-    default: int
+    default_formats: tuple[str, ...]
     write: Callable[[Asset, str, int], Written]
-
-    @property
-    def default_formats(self) -> tuple[str, ...]:
-        """The default formats."""
-        return self.formats[: self.default]

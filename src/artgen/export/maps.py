@@ -49,14 +49,10 @@ _KINDS: tuple[Kind, ...] = ("albedo", "roughness", "metalness", "normal")
 
 @dataclass(frozen=True)
 class MapFiles:
-    """The image files of an asset's maps.
+    """The image files of an asset's maps."""
 
-    Attributes:
-        files: Content by path relative to the asset's directory.
-        names: File name of each map, by name of the material and kind.
-    """
-
-    files: Mapping[str, bytes] = field(default_factory=dict)
+    files: Mapping[str, bytes] = field(default_factory=dict)  # content by path in the asset's directory
+    # file name of each map, by name of the material and kind
     names: Mapping[str, Mapping[Kind, str]] = field(default_factory=dict)
 
     def of(self, material: Material) -> Mapping[Kind, str]:

@@ -19,21 +19,14 @@ from artgen.materials.textures import Kind, displayed
 
 @dataclass(frozen=True)
 class MeshFiles(FrozenArrays):
-    """The mesh files of an asset, by path relative to its directory.
+    """The mesh files of an asset, by path relative to its directory."""
 
-    Attributes:
-        files: Content by path, maps included.
-        surfaces: Path of each surface, by link, in the link's order.
-        colliders: Path of each hull collider, in its own frame, by link and number of the collider.
-        middles: Origin of that frame, shape (3,) [m].
-        maps: Maps of the materials, in `textures/` next to the surfaces.
-    """
-
-    files: Mapping[str, bytes]
-    surfaces: Mapping[str, Sequence[str]]
+    files: Mapping[str, bytes]  # content by path, maps included
+    surfaces: Mapping[str, Sequence[str]]  # path of each surface, by link, in the link's order
+    # path of each hull collider, in its own frame, by link and number of the collider
     colliders: Mapping[str, Mapping[int, str]]
-    middles: Mapping[str, Mapping[int, Array]]
-    maps: MapFiles
+    middles: Mapping[str, Mapping[int, Array]]  # origin of that frame, shape (3,) [m]
+    maps: MapFiles  # maps of the materials, in `textures/` next to the surfaces
 
 
 @cached(1)  # two formats of one asset are written in sequence

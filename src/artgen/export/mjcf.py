@@ -17,16 +17,7 @@ from artgen._arrays import Array
 from artgen.asset import Asset, Link
 from artgen.asset.affordance import Grasp
 from artgen.colliders import Convex
-from artgen.export.frames import (
-    BodyFrame,
-    BodyJoint,
-    bodies,
-    coupling,
-    local,
-    mass_in_frame,
-    quaternion,
-    translation,
-)
+from artgen.export import frames
 from artgen.export.losses import Loss, Written, look_rows, losses, mechanism_rows, seen_materials
 from artgen.export.maps import TEXTURE_DIRECTORY, MapFiles, highlight
 from artgen.export.meshes import MeshFiles, display_color, mesh_files, mesh_name
@@ -82,7 +73,7 @@ def mjcf_tree(asset: Asset, meshes: MeshFiles) -> ET.Element:
     _add_assets(root, asset, meshes)
     world = add(root, "worldbody")
     elements: dict[str, ET.Element] = {}
-    for frame in bodies(asset):
+    for frame in frames.bodies(asset):
         parent = elements[frame.parent] if frame.parent else world
         elements[frame.link.name] = _add_body(parent, asset, frame, meshes)
     _add_couplings(root, asset)
@@ -159,14 +150,14 @@ def _add_material(
         add(element, "layer", role=role, texture=texture)
 
 
-def _add_body(parent: ET.Element, asset: Asset, frame: BodyFrame, meshes: MeshFiles) -> ET.Element:
+def _add_body(parent: ET.Element, asset: Asset, frame: frames.BodyFrame, meshes: MeshFiles) -> ET.Element:
     link = frame.link
     body = add(parent, "body", name=link.name, **_placed(frame.placement))
     if not frame.parent:
         body.set("childclass", asset.name)
         if asset.base == "free":
             add(body, "freejoint", name=f"{asset.name}_free")
-    mass, center, inertia = mass_in_frame(asset, link)
+    mass, center, inertia = frames.mass_in_frame(asset, link)
     six = inertia[[0, 1, 2, 0, 0, 1], [0, 1, 2, 1, 2, 2]]
     add(body, "inertial", pos=center, mass=mass, fullinertia=six)
     for joint in frame.joints:
@@ -178,7 +169,7 @@ def _add_body(parent: ET.Element, asset: Asset, frame: BodyFrame, meshes: MeshFi
     for hold in (*link.grasps, *link.pushes):
         # the site keeps the width if `<custom>` is dropped
         width = hold.width if isinstance(hold, Grasp) else None
-        add(body, "site", name=hold.name, **_placed(local(asset, link.name, hold.frame)), user=width)
+        add(body, "site", name=hold.name, **_placed(frames.local(asset, link.name, hold.frame)), user=width)
     return body
 
 
@@ -193,10 +184,10 @@ def _add_colliders(body: ET.Element, asset: Asset, link: Link, meshes: MeshFiles
         convex = collider.convex
         if convex.kind == "hull":
             mesh = mesh_name(meshes.colliders[link.name][number])
-            pose = translation(meshes.middles[link.name][number])
+            pose = frames.translation(meshes.middles[link.name][number])
             add(body, "geom", geom, type="mesh", mesh=mesh, **_placed(pose))
         else:
-            pose = local(asset, link.name, convex.pose)
+            pose = frames.local(asset, link.name, convex.pose)
             add(body, "geom", geom, type=convex.kind, size=_half_sizes(convex), **_placed(pose))
 
 
@@ -205,7 +196,7 @@ def _half_sizes(convex: Convex) -> list[float]:
     return [*convex.size[:whole], *(length / 2 for length in convex.size[whole:])]
 
 
-def _add_joint(body: ET.Element, placed: BodyJoint) -> None:
+def _add_joint(body: ET.Element, placed: frames.BodyJoint) -> None:
     joint, turns = placed.joint, placed.joint.kind == "revolute"
     add(
         body,
@@ -227,7 +218,7 @@ def _add_joint(body: ET.Element, placed: BodyJoint) -> None:
 
 
 def _add_couplings(root: ET.Element, asset: Asset) -> None:
-    found = [(joint.name, coupling(asset, joint)) for joint in asset.joints if not joint.locked]
+    found = [(joint.name, frames.coupling(asset, joint)) for joint in asset.joints if not joint.locked]
     follows = [(name, law) for name, law in found if law is not None]
     equality = add(root, "equality") if follows else root
     for name, law in follows:
@@ -251,5 +242,5 @@ def _add_custom(root: ET.Element, asset: Asset) -> None:
 
 def _placed(matrix: Array) -> dict[str, Array | None]:
     """Return position and orientation; None for default values."""
-    position, turn = np.round(matrix[:3, 3], 12), np.round(quaternion(matrix), 12)
+    position, turn = np.round(matrix[:3, 3], 12), np.round(frames.quaternion(matrix), 12)
     return {"pos": position if position.any() else None, "quat": turn if turn[1:].any() else None}

@@ -13,19 +13,7 @@ import numpy as np
 from artgen._arrays import Array
 from artgen.asset import Asset, AssetJoint, Link
 from artgen.colliders import Convex
-from artgen.export.frames import (
-    FAR,
-    INTERMEDIATE_INERTIA,
-    INTERMEDIATE_MASS,
-    Segment,
-    base_frame,
-    chain,
-    coupling,
-    joint_type,
-    local,
-    mass_in_frame,
-    translation,
-)
+from artgen.export import frames
 from artgen.export.losses import Loss, Row, Written, affordance_rows, look_rows, losses, mechanism_rows
 from artgen.export.meshes import MeshFiles, display_color, mesh_files, mesh_name
 from artgen.export.text import add, digits, document
@@ -52,7 +40,7 @@ def write_urdf(asset: Asset, textures: int = 0) -> Written:
         The URDF, mesh and map files, and the losses of URDF.
     """
     meshes = mesh_files(asset, textures)
-    segments = chain(asset)
+    segments = frames.chain(asset)
     # no color beside a color map: PyBullet multiplies the map with it, SAPIEN shows it instead of the map
     mapped = [material.name for material in asset.materials if "albedo" in meshes.maps.of(material)]
     robot = ET.Element("robot", name=asset.name)
@@ -61,9 +49,9 @@ def write_urdf(asset: Asset, textures: int = 0) -> Written:
             color = [*display_color(material.base_color), material.opacity]
             add(add(robot, "material", name=material.name), "color", rgba=color)
     # links in the order of the joints, because some readers number both together
-    for frame in (base_frame(asset), *(segment.child for segment in segments)):
+    for frame in (frames.base_frame(asset), *(segment.child for segment in segments)):
         if frame.link is None:
-            add_small_link(robot, frame.name, INTERMEDIATE_MASS, INTERMEDIATE_INERTIA)
+            add_small_link(robot, frame.name, frames.INTERMEDIATE_MASS, frames.INTERMEDIATE_INERTIA)
         else:
             _add_link(robot, asset, frame.link, meshes, mapped)
     # a fixed link marks each grasp and push, because it is a named frame in URDF
@@ -75,7 +63,7 @@ def write_urdf(asset: Asset, textures: int = 0) -> Written:
             name += "_"
         taken |= {name, f"{name}_mount"}
         add_small_link(robot, name, MARKER_MASS, MARKER_INERTIA)
-        placed = local(asset, affordance.link, affordance.frame)
+        placed = frames.local(asset, affordance.link, affordance.frame)
         marks.append((f"{name}_mount", affordance.link, name, placed))
     for segment in segments:
         _add_joint(robot, asset, segment)
@@ -92,7 +80,7 @@ def _add_link(
     robot: ET.Element, asset: Asset, link: Link, meshes: MeshFiles, mapped: Collection[str]
 ) -> None:
     element = add(robot, "link", name=link.name)
-    add_inertial(element, *mass_in_frame(asset, link))
+    add_inertial(element, *frames.mass_in_frame(asset, link))
     for surface, path in zip(link.surfaces, meshes.surfaces[link.name], strict=True):
         visual = add(element, "visual", name=mesh_name(path))
         add_geometry(visual, path)
@@ -104,26 +92,26 @@ def _add_link(
         if collider.convex.kind == "hull":
             collision = add(element, "collision", name=name)
             add_geometry(collision, meshes.colliders[link.name][number])
-            add_origin(collision, translation(meshes.middles[link.name][number]))
+            add_origin(collision, frames.translation(meshes.middles[link.name][number]))
             continue
         for suffix, piece in primitives(collider.convex):
             collision = add(element, "collision", name=name + suffix)
             add_geometry(collision, piece)
-            add_origin(collision, local(asset, link.name, piece.pose))
+            add_origin(collision, frames.local(asset, link.name, piece.pose))
 
 
-def _add_joint(robot: ET.Element, asset: Asset, segment: Segment) -> None:
-    joint, kind = segment.joint, joint_type(segment.joint)
+def _add_joint(robot: ET.Element, asset: Asset, segment: frames.Segment) -> None:
+    joint, kind = segment.joint, frames.joint_type(segment.joint)
     element = _add_connection(
         robot, kind, joint.name, segment.parent.name, segment.child.name, segment.origin
     )
     if joint.locked:
         return
     add(element, "axis", xyz=lengths(joint.axis))
-    lower, upper = (None, None) if kind == "continuous" else joint.limits or (-FAR, FAR)
+    lower, upper = (None, None) if kind == "continuous" else joint.limits or (-frames.FAR, frames.FAR)
     add(element, "limit", effort=joint.effort, velocity=joint.velocity, lower=lower, upper=upper)
     add(element, "dynamics", damping=joint.damping, friction=joint.friction)
-    follows = coupling(asset, joint)
+    follows = frames.coupling(asset, joint)
     if follows is not None:
         add(element, "mimic", joint=follows.leader, multiplier=follows.ratio, offset=follows.offset)
 
@@ -146,7 +134,7 @@ def add_small_link(robot: ET.Element, name: str, mass: float, moment: float) -> 
 def add_inertial(link: ET.Element, mass: float, center: Array, inertia: Array) -> None:
     """Add mass [kg], center of mass, shape (3,) [m], and inertia about it, shape (3, 3) [kg m^2]."""
     element = add(link, "inertial")
-    add_origin(element, translation(center))
+    add_origin(element, frames.translation(center))
     add(element, "mass", value=mass)
     axes = ((0, "x"), (1, "y"), (2, "z"))
     add(element, "inertia", {f"i{a}{b}": inertia[i, j] for i, a in axes for j, b in axes if i <= j})
@@ -191,7 +179,9 @@ def primitives(convex: Convex) -> list[tuple[str, Convex]]:
     if convex.kind != "capsule":
         return [("", convex)]
     radius, length = convex.size
-    ends = [convex.pose @ translation(np.array([0.0, 0.0, end])) for end in (-length / 2.0, length / 2.0)]
+    ends = [
+        convex.pose @ frames.translation(np.array([0.0, 0.0, end])) for end in (-length / 2.0, length / 2.0)
+    ]
     balls = [(f"_end_{number}", Convex("sphere", end, (radius,))) for number, end in enumerate(ends)]
     return [("", Convex("cylinder", convex.pose, convex.size)), *balls]
 
@@ -241,9 +231,9 @@ def motion_rows(asset: Asset, inserted: Iterable[str]) -> Iterator[Row]:
     yield "joint spring", [joint.name for joint in moving if joint.stiffness > 0.0], instead
     yield "joint armature", [joint.name for joint in moving if joint.armature > 0.0], "nothing"
     endless = [joint.name for joint in moving if joint.kind == "prismatic" and joint.limits is None]
-    yield "unlimited slide", endless, f"limits of -{FAR:g} m and {FAR:g} m"
+    yield "unlimited slide", endless, f"limits of -{frames.FAR:g} m and {frames.FAR:g} m"
     yield from mechanism_rows(asset)
-    instead = f"a link of {INTERMEDIATE_MASS:g} kg after each joint but the last"
+    instead = f"a link of {frames.INTERMEDIATE_MASS:g} kg after each joint but the last"
     yield "several joints between two links", inserted, instead
 
 

@@ -13,16 +13,7 @@ import numpy as np
 
 from artgen.asset import Asset
 from artgen.asset.record import rounded
-from artgen.export.frames import (
-    LinkFrame,
-    Segment,
-    base_frame,
-    chain,
-    coupling,
-    joint_type,
-    quaternion,
-    unused,
-)
+from artgen.export import frames
 from artgen.export.glb.animations import animations, local_motion
 from artgen.export.glb.buffer import Buffer, Json
 from artgen.export.glb.surfaces import Surfaces
@@ -47,21 +38,21 @@ def write_glb(asset: Asset, textures: int = 0) -> Written:
     """
     buffer = Buffer()
     surfaces = Surfaces(buffer, textures)
-    segments = chain(asset)
-    frames = [base_frame(asset), *(segment.child for segment in segments)]
-    numbers = {frame.name: number for number, frame in enumerate(frames, _BASE)}
-    nodes = [_root(asset, segments, numbers), *map(_node, frames)]
+    segments = frames.chain(asset)
+    bodies = [frames.base_frame(asset), *(segment.child for segment in segments)]
+    numbers = {frame.name: number for number, frame in enumerate(bodies, _BASE)}
+    nodes = [_root(asset, segments, numbers), *map(_node, bodies)]
     for segment in segments:
         child = numbers[segment.child.name]
         _place(asset, segment, nodes[child])
         nodes[numbers[segment.parent.name]].setdefault("children", []).append(child)
     meshes: list[Json] = []
-    for frame in frames:
+    for frame in bodies:
         if frame.link is not None:
             nodes[numbers[frame.name]]["mesh"] = len(meshes)
             primitives = [surfaces.primitive(each, frame.origin) for each in frame.link.surfaces]
             # readers rename a mesh with the name of a node
-            meshes.append({"name": unused(f"{frame.name}_mesh", numbers), "primitives": primitives})
+            meshes.append({"name": frames.unused(f"{frame.name}_mesh", numbers), "primitives": primitives})
     moved, held = animations(asset, segments, numbers, buffer)
     scene = {
         "asset": {"version": "2.0", "generator": f"artgen {asset.version}".strip()},
@@ -75,24 +66,24 @@ def write_glb(asset: Asset, textures: int = 0) -> Written:
     return Written({f"{asset.name}.glb": buffer.glb(scene)}, _losses(asset, textures, held))
 
 
-def _root(asset: Asset, segments: Sequence[Segment], taken: Collection[str]) -> Json:
+def _root(asset: Asset, segments: Sequence[frames.Segment], taken: Collection[str]) -> Json:
     """Return the root node, which turns the asset upright and has its metadata."""
     data: Json = {name: getattr(asset, name) for name in ("name", "category", "seed", "version", "base")}
     data["joints"] = [_joint(asset, segment) for segment in segments]
-    node = {"name": unused(asset.name, taken), "rotation": _UPRIGHT, "children": [_BASE]}
+    node = {"name": frames.unused(asset.name, taken), "rotation": _UPRIGHT, "children": [_BASE]}
     return {**node, "extras": {"artgen": rounded(data)}}
 
 
-def _joint(asset: Asset, segment: Segment) -> Json:
+def _joint(asset: Asset, segment: frames.Segment) -> Json:
     """Return the data of a joint for a viewer with sliders."""
-    joint, follows = segment.joint, coupling(asset, segment.joint)
+    joint, follows = segment.joint, frames.coupling(asset, segment.joint)
     lower, upper = joint.limits or (None, None)
     mimic = None
     if follows is not None:
         mimic = {"joint": follows.leader, "multiplier": follows.ratio, "offset": follows.offset}
     return {
         "name": joint.name,
-        "type": joint_type(joint),
+        "type": frames.joint_type(joint),
         "parent": joint.parent,
         "child": joint.child,
         "node": segment.child.name,
@@ -106,7 +97,7 @@ def _joint(asset: Asset, segment: Segment) -> Json:
     }
 
 
-def _node(frame: LinkFrame) -> Json:
+def _node(frame: frames.LinkFrame) -> Json:
     """Return the node of a frame, without its placement in its parent."""
     node: Json = {"name": frame.name}
     if frame.link is not None:
@@ -114,11 +105,11 @@ def _node(frame: LinkFrame) -> Json:
     return node
 
 
-def _place(asset: Asset, segment: Segment, node: Json) -> None:
+def _place(asset: Asset, segment: frames.Segment, node: Json) -> None:
     """Place the node of a segment's child at the initial positions."""
     joint = segment.joint
     if joint.locked:
-        w, x, y, z = quaternion(segment.origin)
+        w, x, y, z = frames.quaternion(segment.origin)
         move, turn = segment.origin[:3, 3], np.array([x, y, z, w])
     else:
         moves, turns = local_motion(segment, np.array([asset.positions()[joint.name]]))

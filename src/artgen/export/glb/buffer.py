@@ -34,14 +34,10 @@ _DECIMALS = 7  # 0.1 micrometre: machines differ in the digits beyond
 
 
 class Buffer:
-    """The buffer of a GLB file.
-
-    Attributes:
-        accessors: Descriptions of the arrays in the JSON part.
-    """
+    """The buffer of a GLB file."""
 
     def __init__(self) -> None:
-        self.accessors: list[Json] = []
+        self.accessors: list[Json] = []  # descriptions of the arrays in the JSON part
         self._views: list[Json] = []
         self._chunks: list[list[bytes]] = []
         self._numbers: dict[Content, int] = {}

@@ -53,7 +53,7 @@ FLAT = Layout(
     "flat",
     "one file for each format beside one folder of meshes",
     tuple(FORMATS),
-    len(DEFAULT_FORMATS),
+    DEFAULT_FORMATS,
     _write_flat,
 )
 
@@ -61,7 +61,7 @@ SIMREADY = Layout(
     "simready",
     "USD for Isaac Sim and Omniverse, as NVIDIA's profile Robotics-Prop wants it",
     ("usd",),
-    1,
+    ("usd",),
     _write_simready,
 )
 

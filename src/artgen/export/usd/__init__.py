@@ -8,19 +8,12 @@ import numpy as np
 from pxr import Sdf, Vt
 
 from artgen.asset import Asset
-from artgen.export.frames import (
-    INTERMEDIATE_INERTIA,
-    INTERMEDIATE_MASS,
-    LinkFrame,
-    base_frame,
-    chain,
-    unused,
-)
+from artgen.export import frames
 from artgen.export.hulls import hulls
 from artgen.export.losses import Written, look_rows, losses
 from artgen.export.maps import TEXTURE_DIRECTORY, map_files
 from artgen.export.usd.geometry import PART_LABEL, write_content
-from artgen.export.usd.joints import joint_losses, write_joints
+from artgen.export.usd.joints import joint_rows, write_joints
 from artgen.export.usd.layer import (
     Layers,
     RuntimeRow,
@@ -87,24 +80,24 @@ def author(asset: Asset, layers: Layers, textures: int) -> Written:
     Returns:
         The map files, and the losses of USD.
     """
-    maps, segments = map_files(asset, textures), chain(asset)
-    frames = [base_frame(asset), *(segment.child for segment in segments)]
-    taken = {frame.name for frame in frames}
+    maps, segments = map_files(asset, textures), frames.chain(asset)
+    bodies = [frames.base_frame(asset), *(segment.child for segment in segments)]
+    taken = {frame.name for frame in bodies}
     with Sdf.ChangeBlock():
         root = _write_root(layers, asset)
         meshes = over(layers.geometry, root.path)
         looks = write_materials(
-            layers, over(layers.looks, root.path), unused(layers.scope, taken), asset, maps
+            layers, over(layers.looks, root.path), frames.unused(layers.scope, taken), asset, maps
         )
-        for frame in frames:
+        for frame in bodies:
             body = _write_body(layers, root, asset, frame)
             if frame.link is not None:
                 prims = body, define(meshes, frame.name)
                 write_content(layers, prims, asset, frame.link, hulls(asset)[frame.name], looks)
             place(body, frame.placement)
-        write_joints(layers, root, unused("joints", taken), asset, segments)
-    lost = joint_losses(asset, segments, apart=layers.apart)
-    return Written(maps.files, (*lost, *losses(*look_rows(asset, textures))))
+        write_joints(layers, root, frames.unused("joints", taken), asset, segments)
+    rows = joint_rows(asset, segments, apart=layers.apart)
+    return Written(maps.files, losses(*rows, *look_rows(asset, textures)))
 
 
 def _write_root(layers: Layers, asset: Asset) -> Sdf.PrimSpec:
@@ -131,14 +124,14 @@ def _write_root(layers: Layers, asset: Asset) -> Sdf.PrimSpec:
     return prim
 
 
-def _write_body(layers: Layers, root: Sdf.PrimSpec, asset: Asset, frame: LinkFrame) -> Sdf.PrimSpec:
+def _write_body(layers: Layers, root: Sdf.PrimSpec, asset: Asset, frame: frames.LinkFrame) -> Sdf.PrimSpec:
     link = frame.link
     prim = define(root, frame.name, "Xform", schemas=[] if link is None else [PART_LABEL])
     physics = layers.physical(prim)
     apply(physics, "PhysicsRigidBodyAPI", "PhysicsMassAPI")
     layers.add_runtime(prim, [_BODY])
-    mass, center = INTERMEDIATE_MASS, np.zeros(3)
-    moments, axes = np.full(3, INTERMEDIATE_INERTIA), np.eye(3)
+    mass, center = frames.INTERMEDIATE_MASS, np.zeros(3)
+    moments, axes = np.full(3, frames.INTERMEDIATE_INERTIA), np.eye(3)
     if link is not None:
         if link is asset.links[0] and asset.base == "free":
             # the root of a free articulation is undefined unless one body is marked

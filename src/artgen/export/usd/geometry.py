@@ -15,18 +15,13 @@ from artgen.colliders import Convex
 from artgen.export.frames import local, translation
 from artgen.export.hulls import Hull
 from artgen.export.usd.joints import STIFF
-from artgen.export.usd.layer import Layers, RuntimeRow, apply, define, place, write
+from artgen.export.usd.layer import Layers, apply, define, place, write
 
 PART_LABEL = "SemanticsLabelsAPI:part"
 
 _THICKNESS = 0.002  # width of the line between the fingers [m]
-_CONTACT_IMPEDANCE = (0.95, 0.99, 0.0005, 0.5, 2.0)
 _PRIMITIVES = {"box": "Cube", "cylinder": "Cylinder", "sphere": "Sphere", "capsule": "Capsule"}
-_MUJOCO: RuntimeRow = (
-    "mujoco",
-    "MjcCollisionAPI",
-    {"mjc:solimp": _CONTACT_IMPEDANCE, "mjc:solref": STIFF},
-)
+_CONTACTS = {"mjc:solimp": (0.95, 0.99, 0.0005, 0.5, 2.0), "mjc:solref": STIFF}
 
 
 def write_content(
@@ -68,7 +63,7 @@ def write_content(
             write(physics, {"physics:approximation": "convexHull"})
             layers.add_runtime(prim, [("newton", "NewtonMeshCollisionAPI", {})])
         write(physics, {"material:binding:physics": looks.AppendChild(collider.material.name)})
-        layers.add_runtime(prim, [_MUJOCO])
+        layers.add_runtime(prim, [("mujoco", "MjcCollisionAPI", _CONTACTS)])
     for kind, scope_name in (("grasp", "grasps"), ("push", "pushes")):
         found = [each for each in asset.affordances if each.link == link.name and each.kind == kind]
         scope = define(body, scope_name, "Scope") if found else body

@@ -15,7 +15,7 @@ from pxr import Sdf
 from artgen._arrays import Array
 from artgen.asset import Asset, AssetJoint
 from artgen.export.frames import INTERMEDIATE_MASS, Segment, unused
-from artgen.export.losses import Loss, losses, mechanism_rows
+from artgen.export.losses import Row, mechanism_rows
 from artgen.export.usd.layer import Layers, RuntimeRow, define
 
 # as in the MJCF, which gives the reasons
@@ -75,8 +75,8 @@ def write_joints(
             layers.add_runtime(prim, _coupling_rows(prim.path, joint, leader, apart=layers.apart))
 
 
-def joint_losses(asset: Asset, segments: Sequence[Segment], *, apart: bool = False) -> tuple[Loss, ...]:
-    """Return the losses of plain UsdPhysics.
+def joint_rows(asset: Asset, segments: Sequence[Segment], *, apart: bool = False) -> Iterator[Row]:
+    """Yield the losses of plain UsdPhysics.
 
     Args:
         asset: The asset.
@@ -85,45 +85,29 @@ def joint_losses(asset: Asset, segments: Sequence[Segment], *, apart: bool = Fal
     """
     movable = [joint for joint in asset.joints if not joint.locked]
     leading = [joint for joint in movable if joint.follows is None]
-    followers = [joint for joint in movable if joint.follows is not None]
-    limits = _written_limits(asset)
-    positions = asset.positions()
+    limits, positions = _written_limits(asset), asset.positions()
+    inserted = [segment.child.name for segment in segments if segment.child.link is None]
+    instead = f"a body of {INTERMEDIATE_MASS:g} kg after each joint but the last"
+    yield "several joints between two links", inserted, instead
     own = "in the variants of the simulators only: " if apart else ""
-    words = own + "PhysxJointAxisAPI, NewtonJointAPI and MjcJointAPI, which other readers do not know"
-    mimic = "PhysxMimicJointAPI, NewtonMimicAPI and MjcEqualityJointAPI"
-    if not apart:
-        mimic = "PhysxMimicJointAPI and NewtonMimicAPI, or MjcEqualityJointAPI between a rotation and a slide"
-    return losses(
-        (
-            "several joints between two links",
-            [segment.child.name for segment in segments if segment.child.link is None],
-            f"a body of {INTERMEDIATE_MASS:g} kg after each joint but the last",
-        ),
-        ("joint friction", [joint.name for joint in movable if joint.friction > 0.0], words),
-        ("joint armature", [joint.name for joint in movable if joint.armature > 0.0], words),
-        (
-            "joint velocity limit",
-            [joint.name for joint in leading],
-            own + "PhysxJointAxisAPI and NewtonJointAPI, which other readers do not know",
-        ),
-        (
-            "joint effort",
-            [joint.name for joint in leading if not _effort_holds(joint)],
-            "no maxForce on the drive, which is a spring and a damper that it would weaken",
-        ),
-        (
-            "joint that does not stand at 0",
-            [joint.name for joint in movable if positions[joint.name] != 0.0],
-            "bodies placed as the joint stands, and PhysicsJointStateAPI" + (" in PhysX's variant" * apart),
-        ),
-        ("joint coupling", [joint.name for joint in followers], own + mimic),
-        (
-            "coupling without limits",
-            [joint.name for joint in movable if joint.limits is None and limits[joint.name] is not None],
-            "limits a hundred thousand turns away, since PhysX couples joints with limits only",
-        ),
-        *mechanism_rows(asset),
-    )
+    instead = own + "PhysxJointAxisAPI, NewtonJointAPI and MjcJointAPI, which other readers do not know"
+    yield "joint friction", [joint.name for joint in movable if joint.friction > 0.0], instead
+    yield "joint armature", [joint.name for joint in movable if joint.armature > 0.0], instead
+    instead = own + "PhysxJointAxisAPI and NewtonJointAPI, which other readers do not know"
+    yield "joint velocity limit", [joint.name for joint in leading], instead
+    instead = "no maxForce on the drive, which is a spring and a damper that it would weaken"
+    yield "joint effort", [joint.name for joint in leading if not _effort_holds(joint)], instead
+    moved = [joint.name for joint in movable if positions[joint.name] != 0.0]
+    instead = "bodies placed as the joint stands, and PhysicsJointStateAPI"
+    yield "joint that does not stand at 0", moved, instead + " in PhysX's variant" * apart
+    instead = "PhysxMimicJointAPI and NewtonMimicAPI, or MjcEqualityJointAPI between a rotation and a slide"
+    if apart:
+        instead = own + "PhysxMimicJointAPI, NewtonMimicAPI and MjcEqualityJointAPI"
+    yield "joint coupling", [joint.name for joint in movable if joint.follows is not None], instead
+    endless = [joint.name for joint in movable if joint.limits is None and limits[joint.name] is not None]
+    instead = "limits a hundred thousand turns away, since PhysX couples joints with limits only"
+    yield "coupling without limits", endless, instead
+    yield from mechanism_rows(asset)
 
 
 def units_of(joint: AssetJoint) -> float:

@@ -43,28 +43,17 @@ RuntimeRow = tuple[Runtime, str, Mapping[str, Any]]
 
 @dataclass(frozen=True, eq=False)
 class Layers:
-    """Layers of an asset, each for one concern.
+    """Layers of an asset, each for one concern."""
 
-    Attributes:
-        structure: Bodies with their poses and labels, and grasp frames.
-        geometry: Meshes.
-        looks: Materials.
-        physics: Physics for every simulator; None writes it to the prims themselves.
-        runtimes: Attributes of single simulators, by simulator; empty writes them to the prims as well, so
-            that every simulator has to ignore those of the others.
-        scope: Name of the scope of the materials.
-        maps: Path of the material maps, relative to the layer of the materials.
-        openpbr: Whether materials are written as OpenPBR networks as well.
-    """
-
-    structure: Sdf.Layer
-    geometry: Sdf.Layer
-    looks: Sdf.Layer
-    physics: Sdf.Layer | None = None
+    structure: Sdf.Layer  # bodies with their poses and labels, and grasp frames
+    geometry: Sdf.Layer  # meshes
+    looks: Sdf.Layer  # materials
+    physics: Sdf.Layer | None = None  # physics for every simulator; None writes it to the prims themselves
+    # attributes of single simulators; empty writes them to the prims, so that each must ignore the others'
     runtimes: Mapping[Runtime, Sdf.Layer] = field(default_factory=dict)
-    scope: str = "looks"
-    maps: str = ""
-    openpbr: bool = False
+    scope: str = "looks"  # name of the scope of the materials
+    maps: str = ""  # path of the material maps, relative to the layer of the materials
+    openpbr: bool = False  # whether materials are written as OpenPBR networks as well
 
     @property
     def apart(self) -> bool:

@@ -8,11 +8,13 @@ The dataset has no couplings. SAPIEN 3.0 reads a coupling between two joints of 
 direction, which blocks both, so those are only in the table of names.
 """
 
+from collections.abc import Iterator
+
 from artgen.asset import Asset, AssetJoint
 from artgen.export.layouts.partnet.names import NAMES_FILE, ROOT, UPRIGHT, Naming, naming
 from artgen.export.layouts.partnet.tables import tables
 from artgen.export.layouts.partnet.urdf import urdf_text
-from artgen.export.losses import Layout, Loss, Written, affordance_rows, look_rows, losses
+from artgen.export.losses import Layout, Row, Written, affordance_rows, look_rows, losses
 from artgen.export.meshes import arranged_files
 from artgen.export.urdf import MARKER_MASS, material_rows, motion_rows
 
@@ -36,42 +38,28 @@ def write_partnet(asset: Asset, name: str, textures: int) -> Written:
     meshes = arranged_files(asset, textures, (VISUALS, COLLIDERS), "materials.mtl", UPRIGHT)
     text = urdf_text(asset, named, meshes)
     files = {MAIN: text, TWIN: text, **tables(asset, named, meshes.surfaces), **meshes.files}
-    return Written(files, _losses(asset, named, textures), main=MAIN)
+    return Written(files, losses(*_rows(asset, named), *look_rows(asset, textures)), main=MAIN)
 
 
-def _losses(asset: Asset, named: Naming, textures: int) -> tuple[Loss, ...]:
+def _rows(asset: Asset, named: Naming) -> Iterator[Row]:
     joints = {step.segment.joint.name: step for step in named.steps}
     names = [f"{link} = {named.body(link)}" for link in named.links]
     names += [f"{joint} = {step.name}" for joint, step in joints.items()]
+    instead = f"numbers, for loaders look for them; {NAMES_FILE} has the names, semantics.txt the labels"
+    yield "names of links and joints", names, instead
+    reversed_joints = [name for name, step in joints.items() if step.sign < 0]
+    instead = "the opposite axis, so that the lower limit is the closed end"
+    yield "direction of a joint", reversed_joints, instead
     between = [name for name, step in joints.items() if not _closes_at_an_end(step.segment.joint)]
+    yield "closed position", between, "limits on both sides of it: it is not the lower one"
     siblings = [item.follower.segment.joint.name for item in named.couplings if item.siblings]
-    return losses(
-        (
-            "names of links and joints",
-            names,
-            f"numbers, for loaders look for them; {NAMES_FILE} has the names, semantics.txt the labels",
-        ),
-        (
-            "direction of a joint",
-            [name for name, step in joints.items() if step.sign < 0],
-            "the opposite axis, so that the lower limit is the closed end",
-        ),
-        ("closed position", between, "limits on both sides of it: it is not the lower one"),
-        (
-            "joint coupling",
-            siblings,
-            f"nothing: SAPIEN turns it round where both joints start from one body; it is in {NAMES_FILE}",
-        ),
-        ("body without geometry", [ROOT], f"a link of {MARKER_MASS:g} kg that turns the asset upright"),
-        *motion_rows(asset, [step.child for step in named.steps if step.segment.child.link is None]),
-        *affordance_rows(
-            asset,
-            "the visual there has handle in its name; the frames are in asset.json",
-            "nothing; the frames are in asset.json",
-        ),
-        *material_rows(asset),
-        *look_rows(asset, textures),
-    )
+    instead = f"nothing: SAPIEN turns it round where both joints start from one body; it is in {NAMES_FILE}"
+    yield "joint coupling", siblings, instead
+    yield "body without geometry", [ROOT], f"a link of {MARKER_MASS:g} kg that turns the asset upright"
+    yield from motion_rows(asset, [step.child for step in named.steps if step.segment.child.link is None])
+    instead = "the visual there has handle in its name; the frames are in asset.json"
+    yield from affordance_rows(asset, instead, "nothing; the frames are in asset.json")
+    yield from material_rows(asset)
 
 
 def _closes_at_an_end(joint: AssetJoint) -> bool:
@@ -83,6 +71,6 @@ PARTNET_MOBILITY = Layout(
     "partnet-mobility",
     "as the PartNet-Mobility dataset, for SAPIEN, ManiSkill and loaders of GAPartNet's kind",
     ("urdf",),
-    1,
+    ("urdf",),
     write_partnet,
 )

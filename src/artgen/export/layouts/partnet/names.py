@@ -102,19 +102,12 @@ class Coupled:
 
 @dataclass(frozen=True, eq=False)
 class Naming:
-    """The names of an asset's links, joints and parts in the dataset.
+    """The names of an asset's links, joints and parts in the dataset."""
 
-    Attributes:
-        links: Number of each link.
-        steps: The joints, parents before children.
-        parts: The parts of each link.
-        couplings: Joints that follow others.
-    """
-
-    links: Mapping[str, int]
-    steps: tuple[Step, ...]
-    parts: Mapping[str, tuple[Part, ...]]
-    couplings: tuple[Coupled, ...]
+    links: Mapping[str, int]  # number of each link
+    steps: tuple[Step, ...]  # the joints, parents before children
+    parts: Mapping[str, tuple[Part, ...]]  # the parts of each link
+    couplings: tuple[Coupled, ...]  # joints that follow others
 
     def body(self, link: str) -> str:
         """Return the name of a link's body."""

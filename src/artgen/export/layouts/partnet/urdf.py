@@ -11,28 +11,10 @@ import numpy as np
 
 from artgen._arrays import Array
 from artgen.asset import Asset, Link
-from artgen.export.frames import (
-    FAR,
-    INTERMEDIATE_INERTIA,
-    INTERMEDIATE_MASS,
-    joint_type,
-    mass_in_frame,
-    translation,
-)
+from artgen.export import frames, urdf
 from artgen.export.layouts.partnet.names import ROOT, UPRIGHT, Naming, Step
 from artgen.export.meshes import MeshFiles
 from artgen.export.text import add, document
-from artgen.export.urdf import (
-    MARKER_INERTIA,
-    MARKER_MASS,
-    add_geometry,
-    add_inertial,
-    add_origin,
-    add_small_link,
-    add_spring,
-    lengths,
-    primitives,
-)
 
 _TURN = {"rpy": "1.570796326794897 0 -1.570796326794897", "xyz": "0 0 0"}  # y up to z up, front towards -x
 
@@ -40,7 +22,7 @@ _TURN = {"rpy": "1.570796326794897 0 -1.570796326794897", "xyz": "0 0 0"}  # y u
 def urdf_text(asset: Asset, named: Naming, meshes: MeshFiles) -> bytes:
     """Return the URDF of an asset as XML text."""
     robot = ET.Element("robot", name=f"partnet_{asset.name}")
-    add_small_link(robot, ROOT, MARKER_MASS, MARKER_INERTIA)
+    urdf.add_small_link(robot, ROOT, urdf.MARKER_MASS, urdf.MARKER_INERTIA)
     base, *moving = asset.links
     for link in (*moving, base):
         _add_link(robot, asset, named, link, meshes)
@@ -57,33 +39,33 @@ def urdf_text(asset: Asset, named: Naming, meshes: MeshFiles) -> bytes:
     add(upright, "parent", link=ROOT)
     for step in named.steps:
         joint = step.segment.joint
-        add_spring(robot, step.name, joint, step.sign * joint.rest)
+        urdf.add_spring(robot, step.name, joint, step.sign * joint.rest)
     return document(robot, "  ")
 
 
 def _add_link(robot: ET.Element, asset: Asset, named: Naming, link: Link, meshes: MeshFiles) -> None:
     for step in named.of_link(link.name)[:-1]:
-        add_small_link(robot, step.child, INTERMEDIATE_MASS, INTERMEDIATE_INERTIA)
+        urdf.add_small_link(robot, step.child, frames.INTERMEDIATE_MASS, frames.INTERMEDIATE_INERTIA)
     element = add(robot, "link", name=named.body(link.name))
-    mass, center, inertia = mass_in_frame(asset, link)
-    add_inertial(element, mass, UPRIGHT @ center, UPRIGHT @ inertia @ UPRIGHT.T)
-    origin = translation(-(UPRIGHT @ asset.origin(link.name)))
+    mass, center, inertia = frames.mass_in_frame(asset, link)
+    urdf.add_inertial(element, mass, UPRIGHT @ center, UPRIGHT @ inertia @ UPRIGHT.T)
+    origin = frames.translation(-(UPRIGHT @ asset.origin(link.name)))
     names = {part.label: f"{part.name}-{part.number}" for part in named.parts[link.name]}
     for surface, path in zip(link.surfaces, meshes.surfaces[link.name], strict=True):
         visual = add(element, "visual", name=names[surface.label])
-        add_origin(visual, origin)
-        add_geometry(visual, path)
+        urdf.add_origin(visual, origin)
+        urdf.add_geometry(visual, path)
     for number, collider in enumerate(link.colliders):
         name = f"{named.body(link.name)}_collider_{number}"
         if collider.convex.kind == "hull":
             collision = add(element, "collision", name=name)
-            add_origin(collision, origin @ translation(meshes.middles[link.name][number]))
-            add_geometry(collision, meshes.colliders[link.name][number])
+            urdf.add_origin(collision, origin @ frames.translation(meshes.middles[link.name][number]))
+            urdf.add_geometry(collision, meshes.colliders[link.name][number])
             continue
-        for suffix, piece in primitives(collider.convex):
+        for suffix, piece in urdf.primitives(collider.convex):
             collision = add(element, "collision", name=name + suffix)
-            add_origin(collision, origin @ _upright(piece.pose))
-            add_geometry(collision, piece)
+            urdf.add_origin(collision, origin @ _upright(piece.pose))
+            urdf.add_geometry(collision, piece)
 
 
 def _upright(pose: Array) -> Array:
@@ -96,18 +78,18 @@ def _upright(pose: Array) -> Array:
 
 def _add_joint(robot: ET.Element, named: Naming, step: Step) -> None:
     joint = step.segment.joint
-    kind = joint_type(joint)
+    kind = frames.joint_type(joint)
     element = add(robot, "joint", name=step.name, type=kind)
     frame = _upright(step.segment.origin)
     frame[:3, :3] = frame[:3, :3] @ UPRIGHT.T
-    add_origin(element, frame)
+    urdf.add_origin(element, frame)
     if kind != "fixed":
-        add(element, "axis", xyz=lengths(step.axis))
+        add(element, "axis", xyz=urdf.lengths(step.axis))
     add(element, "child", link=step.child)
     add(element, "parent", link=step.parent)
     if kind == "fixed":
         return
-    lower, upper = (None, None) if kind == "continuous" else step.limits or (-FAR, FAR)
+    lower, upper = (None, None) if kind == "continuous" else step.limits or (-frames.FAR, frames.FAR)
     add(element, "limit", lower=lower, upper=upper, effort=joint.effort, velocity=joint.velocity)
     add(element, "dynamics", damping=joint.damping, friction=joint.friction)
     for item in named.couplings:

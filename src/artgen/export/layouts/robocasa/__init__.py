@@ -145,7 +145,7 @@ ROBOCASA = Layout(
     "robocasa",
     "model.xml of an object or fixture, for robosuite and RoboCasa",
     ("mjcf",),
-    1,
+    ("mjcf",),
     write_robocasa,
 )
 """One MJCF object in a directory of its own."""
