@@ -56,7 +56,7 @@ def test_formats_are_chosen(artgen_command, exported, tmp_path):
         (["--layout", "simredy"], "there is no layout 'simredy'. Did you mean 'simready'?"),
         (["--format", "usdz"], "there is no format 'usdz'. Did you mean 'usd'?"),
         (["--layout", "simready", "--format", "urdf"], "the layout 'simready' has no 'urdf'; it holds usd"),
-        (["--format", ","], "names no format; choose of urdf, mjcf, usd, glb"),
+        (["--format", ","], "names no format; choose from urdf, mjcf, usd, glb"),
         (["--texture-size", "300"], "300"),
     ],
 )

@@ -71,7 +71,7 @@ def test_the_starter_is_sound_at_its_corners(artgen_command, tmp_path: Path) -> 
         ("Stapler", "'Stapler' cannot name a category"),
         ("s" * 300, f"{'s' * 300!r} cannot name a category; use small"),
         ("class", "'class' cannot name a category"),
-        ("uniform", "'uniform' is a name of artgen's, which categories import"),
+        ("uniform", "'uniform' is a name of artgen that categories import"),
         ("json", "there is a Python module 'json'; choose another name"),
         ("../stapler", "'../stapler' cannot name a category"),
     ],

@@ -26,8 +26,8 @@ def test_exit_code_reports_failed_assets(artgen_command) -> None:  # type: ignor
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (("door", "lamp"), "one asset is of one category, not door, lamp; say with -n how many"),
-        (("door", "-n", "2"), "-n makes a dataset: say with --out DIRECTORY where to"),
+        (("door", "lamp"), "one asset is of one category, not door, lamp; give a number of assets with -n"),
+        (("door", "-n", "2"), "-n makes a dataset: give its folder with --out DIRECTORY"),
         (("door", "-n", "2", "--out", "x", "--name", "x"), "--name is for one asset; those of a dataset are"),
         (("door", "-n", "0", "--out", "x"), "Input should be greater than or equal to 1"),
         (("dor", "-n", "2", "--out", "x"), "there is no category 'dor'. Did you mean 'door'?"),

@@ -224,4 +224,7 @@ def test_what_is_no_dataset_is_refused(bucket: Path) -> None:
 def test_a_single_asset_needs_a_disk(artgen_command) -> None:  # type: ignore[no-untyped-def]
     done = artgen_command("generate", "drawer", "--out", "s3://bucket/drawer")
     assert done.code == 2
-    assert "one asset is written to a directory, not to s3://bucket/drawer; say with -n how many" in done.err
+    assert (
+        "one asset is written to a directory, not to s3://bucket/drawer; give a number of assets with -n"
+        in done.err
+    )

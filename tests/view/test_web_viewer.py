@@ -425,7 +425,10 @@ def test_the_command_writes_a_page_and_opens_it(
             ("plier", "--texture-size", "3"),
             "error: textures have 256, 512, 1024, 2048 texels on a side, not 3\n",
         ),
-        ((".", "--set", "length=1"), "error: --set is for categories; . is an exported asset\n"),
+        (
+            (".", "--set", "length=1"),
+            "error: --set is for categories, but . is an exported asset; leave --set out\n",
+        ),
     ],
 )
 def test_wrong_arguments_give_one_clear_error(artgen_command: Any, arguments: Any, message: str) -> None:

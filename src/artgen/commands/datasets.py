@@ -43,7 +43,7 @@ def images(
     field_of_view: Annotated[str, Option(metavar=_RANGE, help="Field of view [degrees].")] = "26,57",
     elevation: Annotated[str, Option(metavar=_RANGE, help="Elevation of cameras [degrees].")] = "6,75",
     azimuth: Annotated[float, Option(metavar="DEGREES", help="Largest angle from the front.")] = 180.0,
-    margin: Annotated[str, Option(metavar=_RANGE, help="Free share along the edges.")] = "0.03,0.45",
+    margin: Annotated[str, Option(metavar=_RANGE, help="Empty share at each edge.")] = "0.03,0.45",
     samples: Annotated[int, Option(min=1, help="Samples per pixel, for shadows and edges.")] = 4,
     texture_size: TextureSize = 512,
     picture: Annotated[PictureFormat, Option(help="File format of pictures.")] = "png",
@@ -107,7 +107,7 @@ def _angles(option: str, text: str) -> tuple[float, float]:
 
 
 def demos(
-    task: Annotated[str, Argument(help="Name of a task, such as OpenDrawer; a wrong one lists all.")],
+    task: Annotated[str, Argument(help="Name of a task, such as OpenDrawer.")],
     *,
     out: Annotated[Path, Option(metavar="DIRECTORY", help="Target; demo.hdf5 in it is complete or absent.")],
     count: Annotated[int, Option("--count", "-n", min=1, help="Number of demonstrations.")] = 100,

@@ -104,11 +104,11 @@ def generate(
     if count is None:
         if out is not None and is_url(out):
             raise typer.BadParameter(
-                f"one asset is written to a directory, not to {out}; say with -n how many"
+                f"one asset is written to a directory, not to {out}; give a number of assets with -n"
             )
         if len(categories) > 1:
             raise typer.BadParameter(
-                f"one asset is of one category, not {', '.join(categories)}; say with -n how many"
+                f"one asset is of one category, not {', '.join(categories)}; give a number of assets with -n"
             )
         values = parse_overrides(overrides or ())
         asset, _ = find(categories[0]).evaluate(seed, name=name, overrides=values, **drawn)
@@ -117,7 +117,7 @@ def generate(
     if name:
         raise typer.BadParameter("--name is for one asset; those of a dataset are named by category and seed")
     if out is None:
-        raise typer.BadParameter("-n makes a dataset: say with --out DIRECTORY where to")
+        raise typer.BadParameter("-n makes a dataset: give its folder with --out DIRECTORY")
     plan = Plan(
         tuple(categories),
         count,
@@ -177,5 +177,5 @@ def _chosen_formats(layout: str, formats: str | None) -> tuple[str, ...]:
     chosen = None if formats is None else [item.strip() for item in formats.split(",") if item.strip()]
     if chosen is not None and not chosen:
         names = ", ".join(found.formats)
-        raise typer.BadParameter(f"--format {formats!r} names no format; choose of {names}")
+        raise typer.BadParameter(f"--format {formats!r} names no format; choose from {names}")
     return chosen_formats(found, chosen)

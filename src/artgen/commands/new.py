@@ -48,7 +48,7 @@ def new(
         raise ExportError(f"cannot write {target}: {error.strerror or error}; nothing was written") from error
     module = target / "src" / f"{name}.py"
     typer.echo(f"{module}\n\nlook at it:    artgen view {module}\nprove it:      artgen certify {module}")
-    typer.echo(f"bring it to `artgen list`:  pip install --editable {target}")
+    typer.echo(f"add it to `artgen list`:  pip install --editable {target}")
 
 
 def _check_name(name: str) -> None:
@@ -60,7 +60,7 @@ def _check_name(name: str) -> None:
     if name in categories():
         raise ParameterError(f"there is a category {name!r}; choose another name")
     if name in artgen.__all__:
-        raise ParameterError(f"{name!r} is a name of artgen's, which categories import; choose another name")
+        raise ParameterError(f"{name!r} is a name of artgen that categories import; choose another name")
     module = importlib.util.find_spec(name)
     if module is not None and module.origin is not None:  # a plain folder has no loader
         raise ParameterError(f"there is a Python module {name!r}; choose another name")

@@ -39,7 +39,7 @@ def render(
     size: Annotated[str, Option(metavar="PIXELS", help="Width and height: 768, or 1280x720.")] = "768",
     studio: Annotated[Literal["studio", "room", "none"], Option(help="Surroundings.")] = "studio",
     show: Annotated[
-        Literal["color", "links", "labels", "depth", "normals"], Option(help="Quantity of the pixels.")
+        Literal["color", "links", "labels", "depth", "normals"], Option(help="Content of the picture.")
     ] = "color",
     texture_size: TextureSize = 512,
     samples: Annotated[int, Option(help="Samples per pixel, for shadows and edges.")] = 32,

@@ -29,7 +29,9 @@ def asset_from(source: str, seed: int, overrides: list[str], *, certify: bool = 
     directory = Path(source)
     if directory.is_dir() or directory.name == ASSET_FILE:
         if overrides:
-            raise ParameterError(f"--set is for categories; {source} is an exported asset")
+            raise ParameterError(
+                f"--set is for categories, but {source} is an exported asset; leave --set out"
+            )
         return Asset.load(directory)
     return find(source).evaluate(seed, certify=certify, overrides=parse_overrides(overrides))[0]
 

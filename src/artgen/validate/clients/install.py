@@ -38,7 +38,7 @@ def environments_directory() -> Path:
     cache = cache_directory()
     if cache is None:
         raise ClientError(
-            f"there is no folder for the environments of clients, as the cache is off; name one in {VARIABLE}"
+            f"the environments of clients have no folder, because the cache is off; name one in {VARIABLE}"
         )
     return cache / "clients"
 

@@ -57,7 +57,7 @@ class _Simulation(Simulation):
         if position.count != 1:
             raise RuntimeError(f"PhysX finds {position.count} articulations in the file, not one")
         if position.is_fixed_base != (request["base"] == "fixed"):
-            raise RuntimeError(f"PhysX takes the base for {'fixed' if position.is_fixed_base else 'free'}")
+            raise RuntimeError(f"PhysX reads the base as {'fixed' if position.is_fixed_base else 'free'}")
         degrees = {name: number for number, name in enumerate(position.dof_names)}  # breadth first
         super().__init__(degrees, degrees)
         self._bodies = {name: number for number, name in enumerate(position.body_names)}
@@ -190,7 +190,7 @@ class _Simulation(Simulation):
             # without damping it oscillates forever
             away = float(np.abs(track[:, self.degrees[name]] - rest).min())
             if pull > 2.0 * joint["friction"] and not away <= _RETURNED * span:
-                said.append(f"the spring of {name} leaves it {away:.4g} away from where it should rest")
+                said.append(f"the spring of {name} leaves it {away:.4g} away from its rest position")
         return said
 
 
