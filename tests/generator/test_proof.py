@@ -207,5 +207,5 @@ def test_a_joint_that_could_never_move_is_refused_with_the_authors_line():
     with pytest.raises(AssetError) as caught:
         oven.generate(0)
     text = str(caught.value)
-    assert text.startswith("joint 'slide' needs hinge > 2, but hinge stands within 0 to 1.5: it could never")
+    assert text.startswith("joint 'slide' needs hinge > 2, but hinge ranges from 0 to 1.5: it could never")
     assert text.endswith(f"test_proof.py:{line}")

@@ -334,8 +334,8 @@ def test_a_reversed_dependency_is_refused_with_its_numbers() -> None:
     slide = Prismatic("slide", axis=Y, limits=(0, 0.2), needs=hinge < -0.5)
     asset = evaluated(body.attach(door, hinge).attach(rack, slide), "oven")
     message = (
-        r"joint 'slide' needs hinge < -0.5, but hinge stands within 0 to 1.5: it could never move; turn the "
-        r"comparison round or correct its value"
+        r"joint 'slide' needs hinge < -0.5, but hinge ranges from 0 to 1.5: it could never move; reverse the "
+        r"comparison or correct its value"
     )
     with pytest.raises(artgen.errors.AssetError, match=message):
         asset.certify()

@@ -155,7 +155,7 @@ def test_pieces_do_not_pass_for_solids_of_another_label() -> None:
     }
     pair = replace(certificate.pairs[0], verdict="proven", witness=None)
     found = recheck(asset, replace(certificate, pairs=(pair,), leaves=proof))
-    assert any("stick out of the pieces" in finding.message for finding in found)
+    assert any("extend beyond the pieces" in finding.message for finding in found)
 
 
 def test_colliders_with_another_label_than_their_solids_prove_nothing_of_these() -> None:

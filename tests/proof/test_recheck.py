@@ -160,7 +160,7 @@ def test_a_pair_that_the_certificate_leaves_out_is_named(door: Asset) -> None:
     shorter = Certificate(0.0, certificate.pairs[1:], (), certificate.leaves)
     (finding,) = recheck(door, shorter)
     assert finding.link == "frame, leaf"
-    assert finding.message == "the certificate says nothing of this pair, which can move"
+    assert finding.message == "the certificate has no result for this pair, which can move"
 
 
 @settings(max_examples=60, deadline=None)

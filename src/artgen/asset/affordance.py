@@ -78,7 +78,7 @@ def affordances(asset: "Asset") -> tuple[Affordance, ...]:
 
 
 def moved_joints(asset: "Asset", link: str) -> tuple[str, ...]:
-    """Return the free joints that move a link, the nearest first; a coupled joint stands for its leader."""
+    """Return the free joints that move a link, the nearest first; coupled joints count as their leaders."""
     above = (joint for joint in joints_above(asset.joints, link) if not joint.locked)
     found = dict.fromkeys(head(joint, asset).name for joint in above)
     free = {joint.name for joint in asset.free_joints}

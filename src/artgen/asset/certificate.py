@@ -89,12 +89,12 @@ class PairResult(Record):
                 return f"{names}: proven to touch only as their allowed contacts permit"
             return f"{names}: proven apart, at least {_mm(self.guaranteed)}"
         if self.witness is not None:
-            what = "collide" if self.verdict == "collision" else "collide in their colliders only"
+            verb = "collide" if self.verdict == "collision" else "collide in their colliders only"
             witness = self.witness
             first, second = witness.labels
             x, y, z = witness.place
             return (
-                f"{names} {what} at {_pose(witness.pose)}: {first} presses {_mm(witness.depth)} into "
+                f"{names} {verb} at {_pose(witness.pose)}: {first} presses {_mm(witness.depth)} into "
                 f"{second} at ({x:.3f}, {y:.3f}, {z:.3f}) m; first contact at {_pose(witness.first_contact)}"
             )
         place = ""
@@ -114,7 +114,7 @@ class Certificate(Record):
         tolerance: Required clearance [m].
         pairs: Result of each pair.
         contacts: Contacts that the category allows.
-        leaves: The proof, which `artgen.proof.recheck` verifies; None if it was not kept.
+        leaves: The proof, which `artgen.proof.recheck` verifies; None if it was not stored.
     """
 
     OPTIONAL: ClassVar = frozenset({"leaves"})

@@ -19,7 +19,7 @@ class AssetCoupling(Record):
 
     leader: str  # name of the joint that leads
     ratio: float  # transmission ratio [rad/rad, m/rad, rad/m or m/m]
-    offset: float = 0.0  # position while the leader stands at 0 [rad or m]
+    offset: float = 0.0  # position while the leader is at 0 [rad or m]
 
     def at(self, position: float) -> float:
         """Return the position of the joint while the leader is at a position [rad or m]."""
@@ -95,7 +95,7 @@ class AssetDependency(Record):
     beyond: float | None = None
 
     def allows(self, position: float, q: Mapping[str, float]) -> bool:
-        """Tell whether the joint may stand at `position` while the other joints stand at `q`."""
+        """Tell whether the joint may be at `position` while the other joints are at `q`."""
         near = abs(position) <= max(self.beyond or 0.0, 1e-9)
         far = self.until is not None and abs(position) >= self.until
         return near or far or self.condition.holds(q)

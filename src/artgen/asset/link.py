@@ -49,7 +49,7 @@ class PrintDirection(FrozenArrays):
 
 @dataclass(frozen=True, eq=False)
 class Piece:
-    """A labelled solid of one material."""
+    """A labeled solid of one material."""
 
     label: str  # semantic label
     material: Material  # material of the solid
@@ -272,7 +272,7 @@ class MovedPieces(Sequence[Piece]):
 
 @dataclass(frozen=True, eq=False)
 class DerivedLink(Link):
-    """A link with the values of another link, of which subclasses change some."""
+    """A link with the values of another link; subclasses change some of them."""
 
     source: Link = field(kw_only=True)  # the link before
 

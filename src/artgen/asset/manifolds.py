@@ -133,6 +133,6 @@ def _connect(triangles: Indices, targets: Indices) -> tuple[Indices, Indices, In
         raise ValueError("the surface is not a closed manifold: an edge belongs to one face only")
     used = np.zeros(len(targets), bool)
     used[triangles] = True
-    kept, number = np.flatnonzero(used), np.cumsum(used) - 1
-    _, first, group = np.unique(targets[kept], return_index=True, return_inverse=True)
-    return kept, number[triangles], first[group.ravel()]
+    rows, number = np.flatnonzero(used), np.cumsum(used) - 1
+    _, first, group = np.unique(targets[rows], return_index=True, return_inverse=True)
+    return rows, number[triangles], first[group.ravel()]

@@ -11,7 +11,7 @@ Severity = Literal["fault", "note"]
 
 AGAIN = "export the asset again"  # the hint where a file is not as artgen writes it
 CHANGED = f"the file was changed, or is of another asset: {AGAIN}"
-"""The hint where a file does not say what the asset is."""
+"""The hint where a file contradicts the asset."""
 
 _DIGITS = 9  # significant digits of numbers in a report
 
@@ -30,7 +30,9 @@ class Finding(Record):
     unit: str = ""  # its SI unit, such as `m`
     pose: Mapping[str, float] = field(default_factory=dict)  # joint positions of the fault [rad or m]
     hint: str = ""  # remedy
-    severity: Severity = "fault"  # a `fault` fails the check; a `note` says what the check could not judge
+    severity: Severity = (
+        "fault"  # a `fault` fails the check; a `note` is about something that the check could not judge
+    )
 
     def __str__(self) -> str:
         names = {"link": self.link, "joint": self.joint}

@@ -130,15 +130,15 @@ class Shape:
             ValueError: The triangles do not close to a solid of positive volume.
         """
         targets = coincident(vertices) if targets is None else targets
-        kept, faces, points = connected(triangles, targets)
-        table = np.zeros((len(kept), 3 + PROPERTIES))
-        table[:, :3] = vertices[targets[kept]]
-        table[:, 3:6] = normals[kept]
-        table[:, 6:8] = uvs[kept]
+        rows, faces, points = connected(triangles, targets)
+        table = np.zeros((len(rows), 3 + PROPERTIES))
+        table[:, :3] = vertices[targets[rows]]
+        table[:, 3:6] = normals[rows]
+        table[:, 6:8] = uvs[rows]
         np.rint(table * GRAIN, out=table)
         table /= GRAIN
         if paints is not None:
-            table[:, 8] = paints[kept]
+            table[:, 8] = paints[rows]
         shape = _MeshShape(pieces, paint_materials or {}, _table=table, _triangles=faces, _targets=points)
         if not _has_needles(table[:, :3], faces):
             return shape

@@ -325,7 +325,7 @@ def coarser(shape: Shape, precision: float) -> Mesh:
 
     Remaining vertices keep their texture coordinates and paint. Normals are computed again: normals of a
     removed round edge would shade the faces next to it. Features thinner than the precision, such as print,
-    are kept to a share of it.
+    keep to a share of it.
     """
     mesh = shape.mesh  # its order decides which vertices are removed
     same = Shape.from_mesh(

@@ -12,7 +12,7 @@ from artgen.colliders.triangles import cross
 from artgen.proof.bounds import Motion
 from artgen.proof.paths import JointPath
 
-NONE = -1  # frame of a cell without a plane, and variable of a joint that stands still
+NONE = -1  # frame of a cell without a plane, and variable of a joint that never moves
 BEYOND = 1e-9  # distance by which the proof extends beyond each end of a range, for rounded limits [rad or m]
 _WIDEST_START = 1.6  # widest starting cell where arcs have to be enclosed [rad]
 _ROUNDING = 1e-9  # tolerance of points on an axis [m]
@@ -57,7 +57,7 @@ class JointTable:
     origin: Array  # pivots, shape (paths, m, 3) [m]
     axis: Array  # axes, reversed for joints that are crossed towards the root, shape (paths, m, 3)
     away: Mask  # whether the joint leads away from the root, shape (paths, m)
-    variable: Indices  # number of the variable, shape (paths, m); -1 for a joint that stands still
+    variable: Indices  # number of the variable, shape (paths, m); -1 for a joint that never moves
     ratio: Array  # ratio of position to variable, shape (paths, m)
     offset: Array  # position while the variable is 0, shape (paths, m) [rad or m]
 

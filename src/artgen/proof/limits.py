@@ -22,7 +22,7 @@ _FARTHEST = 10.0  # largest measured clearance [m]
 def safe_limits(asset: Asset) -> dict[str, tuple[float, float]]:
     """Return for each free joint the largest range around rest in which no pair that it moves collides.
 
-    The other joints have their whole ranges. If no range is safe then, they stand at rest, so that a joint
+    The other joints have their whole ranges. If no range is safe then, they are at rest, so that a joint
     that causes no collision keeps its limits. Ends are found by bisection and proven, to 1/512 of the range.
 
     Returns:

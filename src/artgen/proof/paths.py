@@ -1,8 +1,8 @@
 """Joint paths: the joints between pairs of links, and the space of their positions.
 
-Coupled joints are replaced by their leaders; locked joints stand still. Dependencies cut the joint space of a
-pair into boxes. Dependencies that would cut it into very many boxes are left out, which can only enlarge the
-space.
+Coupled joints are replaced by their leaders; locked joints have one position. Dependencies cut the joint
+space of a pair into boxes. Dependencies that would cut it into very many boxes are left out, which can only
+enlarge the space.
 """
 
 import itertools
@@ -35,7 +35,7 @@ class JointPath:
     links: tuple[str, str]  # names of the links, A and B
     steps: tuple[AssetJoint, ...]  # the joints on the path from A to B
     signs: tuple[int, ...]  # 1 for a joint that leads away from the root, -1 for one that leads towards it
-    # position of each joint as a function of a variable, its leader; empty for a joint that stands still
+    # position of each joint as a function of a variable, its leader; no leader for a joint that never moves
     followers: tuple[AssetCoupling, ...]
     variables: tuple[str, ...]  # names of the free joints that move them
     # joint space: lowest and highest position of each variable, each shape (v, 2) [rad or m]
@@ -74,10 +74,10 @@ class Space:
             for name in joint.needs.condition.joints():
                 follower = self.followers[name]
                 low, high = sorted(map(follower.at, self.ranges.get(follower.leader, (0.0, 0.0))))
-                spans.append(f"{name} stands within {low:.6g} to {high:.6g}")
+                spans.append(f"{name} ranges from {low:.6g} to {high:.6g}")
             raise AssetError(
                 f"joint {joint.name!r} needs {joint.needs.condition}, but {', '.join(spans)}: it could never "
-                "move; turn the comparison round or correct its value",
+                "move; reverse the comparison or correct its value",
                 joint=joint.name,
             )
         if not self.boxes(list(self.ranges)):
@@ -141,14 +141,14 @@ class Space:
             return
         turns = leader.kind == joint.kind == "revolute" and ratio == round(ratio)
         if leader.limits is None and joint is not leader and not turns:
-            # over several turns of the leader, the follower may stand anywhere
+            # over several turns of the leader, the follower may be anywhere
             leader, ratio, offset = joint, 1.0, 0.0
         full = FULL_TURN if leader.kind == "revolute" else FULL_SLIDE
         self.followers[joint.name] = AssetCoupling(leader.name, ratio, offset)
         self.ranges[leader.name] = full if leader.limits is None else leader.limits
 
     def _clauses(self, joint: AssetJoint, variables: Sequence[str]) -> list[Box] | None:
-        """Return boxes of which a joint's dependency requires one; None if it requires nothing."""
+        """Return boxes one of which the dependency of a joint requires; None if it requires nothing."""
         if joint.needs is None:
             return None
         free = joint.needs.beyond or _CLOSED

@@ -39,7 +39,7 @@ def recheck(asset: Asset, certificate: Certificate) -> list[Finding]:
     joint_paths = {joint_path.links: joint_path for joint_path in space.joint_paths()}
     stated = {pair.links for pair in certificate.pairs}
     findings = [
-        _fault("the certificate says nothing of this pair, which can move", links)
+        _fault("the certificate has no result for this pair, which can move", links)
         for links in joint_paths
         if links not in stated
     ]
@@ -102,7 +102,7 @@ def _recheck_pair(
     )
     for name, cover in zip(pair.links, covers, strict=True):
         if cover.excess is None and solids:
-            yield _fault("its solids stick out of the pieces of the proof", [name])
+            yield _fault("its solids extend beyond the pieces of the proof", [name])
     least = max(tolerance, pair.guaranteed or 0.0) if solids else tolerance
     wanted = least + sum(cover.excess or 0.0 for cover in covers) - _ROUNDING
     table = np.array(stored["leaves"], float).reshape(-1, 8 + 2 * len(joint_path.variables))

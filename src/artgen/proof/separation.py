@@ -14,7 +14,7 @@ from artgen.proof.kinematics import NONE, JointTable, ProofCells, is_coaxial
 from artgen.proof.paths import JointPath
 
 Confirm = Callable[[int, int, int, Array, float], str]
-"""Function that says what overlaps: `solids`, `pieces` or an empty text.
+"""Function that names the overlapping objects: `solids`, `pieces` or an empty text.
 
 Its arguments are the number of the joint path, a piece of each link, the positions of the variables and an
 allowed depth [m].
