@@ -11,7 +11,7 @@ ends and the crossing of their tangents. A bound above zero therefore proves tha
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -34,12 +34,12 @@ class Motion:
     half: Array  # half the length of the interval, not negative, shape (N,) [rad or m]
 
     def __getitem__(self, rows: Indices) -> "Motion":
-        columns = (self.origin, self.axis, self.center, self.half)
-        return Motion(self.kind, *(column[rows] for column in columns))
+        origin, axis = self.origin[rows], self.axis[rows]
+        return Motion(self.kind, origin, axis, self.center[rows], self.half[rows])
 
     def reversed(self) -> "Motion":
         """Return the motion seen from the other side."""
-        return replace(self, axis=-self.axis)
+        return Motion(self.kind, self.origin, -self.axis, self.center, self.half)
 
 
 def _about(motion: Motion, points: Array) -> tuple[Array, Array, Array]:

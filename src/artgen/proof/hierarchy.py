@@ -15,6 +15,7 @@ from artgen.colliders.triangles import cross, hull_of
 _FAN = 4  # most children of a box
 _MANY = 12  # vertices used for a first look at a piece in a box
 _CORNERS = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)])
+_SQUARE = np.eye(3)
 _NORMAL_DECIMALS = 9
 _PARALLEL = 0.999  # cosine above which directions count as parallel
 _TOUCHING = 1e-9  # nodes nearer than this have no direction between them [m]
@@ -113,7 +114,7 @@ class Hierarchy:
 
     def main_axes(self, nodes: Indices) -> Array:
         """Return three directions across faces of each node, shape (N, 3, 3)."""
-        result = np.tile(np.eye(3), (len(nodes), 1, 1))
+        result = np.broadcast_to(_SQUARE, (len(nodes), 3, 3)).copy()
         for row in np.flatnonzero(self.leaf[nodes]):
             node = int(nodes[row])
             if node not in self._main:

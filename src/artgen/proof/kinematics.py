@@ -45,8 +45,8 @@ class ProofCells:
 
     def numbers(self, row: int) -> tuple[int, int, int, int]:
         """Return the joint path, the box and the nodes of a cell."""
-        a, b, c, d = (int(each[row]) for each in (self.joint_path, self.box, self.first, self.second))
-        return a, b, c, d
+        joint_path, box = int(self.joint_path[row]), int(self.box[row])
+        return joint_path, box, int(self.first[row]), int(self.second[row])
 
 
 @dataclass(eq=False)

@@ -277,11 +277,13 @@ class Search:
         tolerance, least = self.tolerances[cells.joint_path], self.least[cells.joint_path]
         close = self._are_pieces(cells) & (threshold > 0.0) & (distance > 0.0) & (distance < tolerance)
         refuted = np.flatnonzero(close & (tolerance > least))
+        if not len(refuted):
+            return False
         numbers, first = np.unique(cells.joint_path[refuted], return_index=True)
         rows = np.sort(refuted[first])
         self._give_up(cells[rows], distance[rows])
         self.tolerances[numbers] = self.least[numbers]
-        return bool(len(refuted))
+        return True
 
     def _hopeless(self, cells: ProofCells, distance: Array, threshold: Array, total: Array) -> Mask:
         """Tell which cells to give up: pieces that hardly move, or that are too close in a small cell.
