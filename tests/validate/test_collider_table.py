@@ -9,10 +9,10 @@ import artgen
 from artgen import box, part
 from artgen.asset import Asset
 from artgen.asset.collision import link_parts, made_colliders
+from artgen.commands import colliders as collider_table
+from artgen.commands.colliders import compare_colliders, steps_per_second
 from artgen.errors import AssetError
-from artgen.validate import collider_table
-from artgen.validate.collider_table import compare_colliders, steps_per_second
-from artgen.validate.fidelity import fidelity
+from artgen.validate.colliders import fidelity
 from support.trays import STEEL, tray
 
 pytest.importorskip("coacd")

@@ -8,7 +8,7 @@ from trimesh.triangles import closest_point
 import artgen
 from artgen.asset.shells import TriangleSet, winding_number
 from artgen.colliders import Convex
-from artgen.validate.fidelity import fidelity
+from artgen.validate.colliders import fidelity
 
 
 def placed(*center):

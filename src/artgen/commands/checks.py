@@ -79,7 +79,7 @@ def colliders(
     as_json: JsonOutput = False,
 ) -> None:
     """Compare the colliders of an exported asset with CoACD's and with convex hulls."""
-    from artgen.validate.collider_table import compare_colliders  # scipy and trimesh take half a second
+    from artgen.validate.colliders import compare_colliders  # scipy and trimesh take half a second
 
     asset = Asset.load(directory)
     rows = compare_colliders(asset, speed=speed)

@@ -2,6 +2,7 @@
 
 import tempfile
 from collections.abc import Callable, Collection
+from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -18,6 +19,7 @@ if TYPE_CHECKING:
 CHECKS = ("files", "solids", "tree", "colliders", *FORMAT_CHECKS, "certificate", "grasps", "behavior")
 """Names of the checks, in the order in which they run."""
 
+_MODULES = {"certificate": "certified", "grasps": "hands"}  # of other names than the check
 _MESH_CHECKS = ("solids", "colliders", "grasps")
 
 
@@ -64,8 +66,8 @@ class Examination:
     def result(self, check: str) -> CheckResult:
         """Return the result of a check; it runs on first request."""
         if check not in self._results:
-            reason = self._why_not(check)
-            self._results[check] = CheckResult(check, skipped=reason) if reason else self._run(check)
+            skipped = CheckResult(check, skipped=self._why_not(check))
+            self._results[check] = skipped if skipped.skipped else guarded(check, lambda: self._run(check))
         return self._results[check]
 
     def _why_not(self, check: str) -> str:
@@ -84,36 +86,16 @@ class Examination:
         return "the export has no mjcf" if check == "behavior" and "mjcf" not in formats else ""
 
     def _run(self, check: str) -> CheckResult:
-        return guarded(check, lambda: self._runner(check))
-
-    def _runner(self, check: str) -> CheckResult:
         asset = self._exported.asset
         assert asset is not None
         if check in FORMAT_CHECKS:
             return self._formats.result(check)
-        if check == "solids":
-            from artgen.validate.solids import check_solids
-
-            return check_solids(asset)
-        if check == "tree":
-            from artgen.validate.tree import check_tree
-
-            return check_tree(asset)
-        if check == "colliders":
-            from artgen.validate.colliders import check_colliders
-
-            return check_colliders(asset)
+        # each check imports its packages on first use
+        module = import_module(f"artgen.validate.{_MODULES.get(check, check)}")
+        run: Callable[..., CheckResult] = getattr(module, f"check_{check}")
         if check == "certificate":
-            from artgen.validate.certified import check_certificate
-
-            return check_certificate(asset, meshes=self._exported.meshes)
-        if check == "grasps":
-            from artgen.validate.hands import check_grasps
-
-            return check_grasps(asset)
-        from artgen.validate.behavior import check_behavior
-
-        return check_behavior(asset, self.directory)
+            return run(asset, meshes=self._exported.meshes)
+        return run(asset, self.directory) if check == "behavior" else run(asset)
 
     @cached_property
     def _mesh_precision(self) -> float:
@@ -137,9 +119,5 @@ def guarded(check: str, run: Callable[[], CheckResult]) -> CheckResult:
         return run()
     except Exception as error:  # noqa: BLE001 - a damaged file may make a check raise anything
         reason = str(error) if isinstance(error, ArtgenError) else f"{type(error).__name__}: {error}"
-        finding = Finding(
-            check,
-            f"the check could not run: {reason}",
-            hint="mend what the other checks find, or export again",
-        )
-        return CheckResult(check, (finding,))
+        hint = "mend what the other checks find, or export again"
+        return CheckResult(check, (Finding(check, f"the check could not run: {reason}", hint=hint),))

@@ -1,6 +1,6 @@
 """Check of the certificate of an exported asset: it exists, proves all pairs, and its proof is valid."""
 
-from collections.abc import Iterator
+from functools import partial
 
 from artgen.asset import Asset
 from artgen.asset.certificate import Certificate, PairResult, spelled_region
@@ -18,18 +18,7 @@ _MEND_AT_REST = (
 )
 _MEND_OPEN = "give the two pieces more clearance there, or shorten the limits to asset.safe_limits()"
 
-_NO_MESHES = Finding(
-    _CHECK,
-    "the proof is not verified: the export has no meshes to compare its pieces with",
-    hint="export with urdf or mjcf as well",
-    severity="note",
-)
-_COARSE = Finding(
-    _CHECK,
-    "the proof is not verified: an export with a mesh precision does not keep it",
-    hint="export with mesh_precision=0 as well",
-    severity="note",
-)
+_fault = partial(Finding, _CHECK)
 
 
 def check_certificate(asset: Asset, *, meshes: bool = True) -> CheckResult:
@@ -40,23 +29,25 @@ def check_certificate(asset: Asset, *, meshes: bool = True) -> CheckResult:
     certificate = asset.certificate
     if certificate is None:
         message = "there is no certificate: nothing is proven about collisions between its links"
-        return CheckResult(_CHECK, (Finding(_CHECK, message, hint=_CERTIFY),))
-    findings = [
-        *(_pair_finding(asset, pair) for pair in certificate.failures),
-        *_undeclared_contacts(asset, certificate),
-        *_verified(asset, certificate, meshes=meshes),
-    ]
-    return CheckResult(_CHECK, tuple(findings), _detail(certificate))
-
-
-def _verified(asset: Asset, certificate: Certificate, *, meshes: bool) -> list[Finding]:
+        return CheckResult(_CHECK, (_fault(message, hint=_CERTIFY),))
+    findings = [_pair_finding(asset, pair) for pair in certificate.failures]
+    for contact in certificate.contacts:
+        if contact not in asset.contacts:
+            message = f"the certificate allows a contact that the asset does not declare: {contact}"
+            link, hint = ", ".join(contact.links), "certify the asset again"
+            findings.append(_fault(message, link, value=contact.depth, unit="m", hint=hint))
     if mesh_precision(*asset.links):
-        return [_COARSE]
-    if not meshes:
-        return [_NO_MESHES]
-    from artgen.proof.recheck import recheck
+        message = "an export with a mesh precision does not keep it"
+        hint = "export with mesh_precision=0 as well"
+    elif not meshes:
+        message = "the export has no meshes to compare its pieces with"
+        hint = "export with urdf or mjcf as well"
+    else:
+        from artgen.proof.recheck import recheck
 
-    return recheck(asset, certificate)
+        return CheckResult(_CHECK, (*findings, *recheck(asset, certificate)), _detail(certificate))
+    findings.append(_fault(f"the proof is not verified: {message}", hint=hint, severity="note"))
+    return CheckResult(_CHECK, tuple(findings), _detail(certificate))
 
 
 def _detail(certificate: Certificate) -> str:
@@ -72,59 +63,30 @@ def _detail(certificate: Certificate) -> str:
 
 
 def _pair_finding(asset: Asset, pair: PairResult) -> Finding:
-    return _collision(asset, pair) if pair.witness is not None else _open(pair)
-
-
-def _collision(asset: Asset, pair: PairResult) -> Finding:
-    witness = pair.witness
-    assert witness is not None
-    what = "they collide" if pair.verdict == "collision" else "only their colliders collide, not their solids"
+    """Return the collision of a pair, or the region in which it is not proven."""
+    link, witness = ", ".join(pair.links), pair.witness
+    if witness is None:
+        which = "not proven" if pair.verdict != "proven" else "not proven for their colliders"
+        message = f"{which} in {100 * pair.open_fraction:.3g} % of their joint space"
+        pose: dict[str, float] = {}
+        if pair.open_cells:
+            cell = pair.open_cells[0]
+            first, second = cell.labels
+            where = f"where {first} is {1e3 * cell.distance:.3f} mm from {second}"
+            message += f", such as {spelled_region(cell.region)}, {where}"
+            pose = {name: (low + high) / 2 for name, (low, high) in cell.region.items()}
+        return _fault(message, link, value=pair.open_fraction, pose=pose, hint=_MEND_OPEN)
     first, second = witness.labels
     x, y, z = witness.place
     contact = ", ".join(f"{name}={position:.4g}" for name, position in witness.first_contact.items())
     at_rest = all(
         abs(position - asset.joint(name).closed) < 1e-9 for name, position in witness.first_contact.items()
     )
-    return Finding(
-        _CHECK,
-        f"{what}: {first} presses {1e3 * witness.depth:.3f} mm into {second} "
-        f"at ({x:.3f}, {y:.3f}, {z:.3f}) m; first contact at {'rest' if at_rest else contact}",
-        link=", ".join(pair.links),
-        value=witness.depth,
-        unit="m",
-        pose=witness.pose,
-        hint=_MEND_AT_REST if at_rest else _MEND,
+    both = pair.verdict == "collision"
+    message = (
+        f"{'they collide' if both else 'only their colliders collide, not their solids'}: "
+        f"{first} presses {1e3 * witness.depth:.3f} mm into {second} "
+        f"at ({x:.3f}, {y:.3f}, {z:.3f}) m; first contact at {'rest' if at_rest else contact}"
     )
-
-
-def _open(pair: PairResult) -> Finding:
-    which = "not proven" if pair.verdict != "proven" else "not proven for their colliders"
-    message = f"{which} in {100 * pair.open_fraction:.3g} % of their joint space"
-    pose: dict[str, float] = {}
-    if pair.open_cells:
-        cell = pair.open_cells[0]
-        first, second = cell.labels
-        where = f"where {first} is {1e3 * cell.distance:.3f} mm from {second}"
-        message += f", such as {spelled_region(cell.region)}, {where}"
-        pose = {name: (low + high) / 2 for name, (low, high) in cell.region.items()}
-    return Finding(
-        _CHECK,
-        message,
-        link=", ".join(pair.links),
-        value=pair.open_fraction,
-        pose=pose,
-        hint=_MEND_OPEN,
-    )
-
-
-def _undeclared_contacts(asset: Asset, certificate: Certificate) -> Iterator[Finding]:
-    for contact in certificate.contacts:
-        if contact not in asset.contacts:
-            yield Finding(
-                _CHECK,
-                f"the certificate allows a contact that the asset does not declare: {contact}",
-                link=", ".join(contact.links),
-                value=contact.depth,
-                unit="m",
-                hint="certify the asset again",
-            )
+    hint = _MEND_AT_REST if at_rest else _MEND
+    return _fault(message, link, value=witness.depth, unit="m", pose=witness.pose, hint=hint)

@@ -1,6 +1,10 @@
-"""Check of colliders: simulators accept them, and they contain the solids closely."""
+"""Check of colliders: simulators accept them, and they represent the solids closely; comparison of kinds."""
 
-from collections.abc import Iterator, Sequence
+import time
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import partial
+from typing import Any
 
 import numpy as np
 from manifold3d import Manifold, OpType
@@ -8,12 +12,23 @@ from scipy.spatial import ConvexHull, QhullError
 
 from artgen._arrays import Array
 from artgen.asset import Asset, Link
-from artgen.asset.collision import is_detail
+from artgen.asset.collision import (
+    COLLISIONS,
+    collision_of,
+    is_detail,
+    link_parts,
+    made_colliders,
+    replace_colliders,
+)
 from artgen.asset.link import MOST_COLLIDERS
-from artgen.asset.report import CheckResult, Finding, Severity
-from artgen.asset.shells import point_text, skins
+from artgen.asset.record import significant
+from artgen.asset.report import CheckResult, Finding
+from artgen.asset.shells import TriangleSet, distinct_rows, point_text, skins
+from artgen.colliders import Convex
+from artgen.colliders.polytope import Polytope
+from artgen.colliders.triangles import hull_of
 from artgen.errors import ArtgenError, AssetError
-from artgen.validate.fidelity import Fidelity, fidelity
+from artgen.export.mjcf import write_mjcf
 
 CHECK = "colliders"
 
@@ -35,8 +50,37 @@ ADDED = 0.03
 KEPT = 0.8
 """Share of the empty volume inside a link's convex hull that colliders must keep empty."""
 
+_FINE = 2.0e-5  # tolerance of the facets of round pieces [m]
+_SPREAD = 300  # points on the surfaces of a difference, in addition to its corners
+_DOUBTED = 1.0e-5  # tolerance of points of a difference on the solids [m]
+_EMPTY = 0.03  # share of a hull's volume; smaller differences are rounded edges, not empty space
+_SETTLE = 1.0  # simulated time before the speed is measured [s]
+_TIMED = 0.3  # least measured wall-clock time [s]
+_BATCH = 50  # steps between two readings of the clock
+_DIGITS = 6  # significant digits of numbers in the data
 _RIGID = 1e-9  # tolerance of a pose's axes
 _INSIDE = 1e-7  # tolerance of vertices inside the hull of the others [m]
+
+
+_fault = partial(Finding, CHECK)
+
+
+@dataclass(frozen=True)
+class Fidelity:
+    """Differences between convex pieces and their solid."""
+
+    volume_error: float  # volume that only one of them has, as a share of the solid's
+    # largest distance between the surfaces of pieces and solid, measured at corners and at several hundred
+    # points between them [m]
+    surface_error: float
+    # share of the empty volume inside the solid's convex hull that the pieces leave empty
+    interior_kept: float
+    pieces: int  # number of pieces
+    vertices: int  # number of their corners; a round piece has none
+    added: float = 0.0  # volume that the pieces add, as a share of the solid's
+    sticks_out: float = 0.0  # largest distance of the solid outside the pieces [m]
+    place: tuple[float, ...] = (0.0, 0.0, 0.0)  # place of that distance [m]
+    surface_place: tuple[float, ...] = (0.0, 0.0, 0.0)  # place of the largest difference of the surfaces [m]
 
 
 def check_colliders(asset: Asset) -> CheckResult:
@@ -49,14 +93,10 @@ def check_colliders(asset: Asset) -> CheckResult:
         if found:
             continue
         try:
-            solid = solid_of(link)
+            solid = _solid_of(link)
         except ArtgenError as error:
             message = f"its colliders cannot be compared: {error}"
-            findings.append(Finding(CHECK, message, link.name, severity="note"))
-            continue
-        if solid.is_empty():
-            message = "its colliders cannot be compared: no surface of it closes"
-            findings.append(Finding(CHECK, message, link.name, severity="note"))
+            findings.append(_fault(message, link.name, severity="note"))
             continue
         result = fidelity(solid, [collider.convex for collider in link.colliders])
         measured.append((solid.volume(), result))
@@ -64,8 +104,8 @@ def check_colliders(asset: Asset) -> CheckResult:
     return CheckResult(CHECK, tuple(findings), _detail(asset, measured))
 
 
-def solid_of(link: Link) -> Manifold:
-    """Return the union of a link's solids without visual details; empty if no surface closes.
+def _solid_of(link: Link) -> Manifold:
+    """Return the union of a link's solids without visual details.
 
     For a link that was read from files, the closed parts of its meshes, without those that the file records
     as visual details or whose label no collider has.
@@ -85,20 +125,21 @@ def solid_of(link: Link) -> Manifold:
             for shell in skin.solids
             if shell.label in covered and not is_detail(details, shell.label, shell.bounds)
         ]
-    return Manifold.batch_boolean(parts, OpType.Add)
+    solid = Manifold.batch_boolean(parts, OpType.Add)
+    if solid.is_empty():
+        raise AssetError("no surface of it closes")
+    return solid
 
 
 def _budget_findings(link: Link) -> Iterator[Finding]:
     count = len(link.colliders)
     if not count:
-        yield Finding(
-            CHECK, "it has no colliders", link.name, value=0.0, hint="give it a solid that is not a detail"
-        )
+        hint = "give it a solid that is not a detail"
+        yield _fault("it has no colliders", link.name, value=0.0, hint=hint)
     elif count > MOST_COLLIDERS:
         message = f"it has {count} colliders; GPU simulators take at most {MOST_COLLIDERS}"
-        yield Finding(
-            CHECK, message, link.name, value=float(count), hint="join small solids or make them details"
-        )
+        hint = "join small solids or make them details"
+        yield _fault(message, link.name, value=float(count), hint=hint)
 
 
 def _piece_findings(link: Link) -> Iterator[Finding]:
@@ -118,9 +159,8 @@ def _piece_findings(link: Link) -> Iterator[Finding]:
             value = float(min(convex.size))
             message = "" if value > 0.0 else f"{name} has a length of {value:.4g} m"
         if message:
-            yield Finding(
-                CHECK, message, link.name, value=value, hint="rebuild it from the solid's own pieces"
-            )
+            hint = "rebuild it from the solid's own pieces"
+            yield _fault(message, link.name, value=value, hint=hint)
 
 
 def _hull_fault(name: str, points: Array) -> tuple[str, float | None]:
@@ -133,48 +173,33 @@ def _hull_fault(name: str, points: Array) -> tuple[str, float | None]:
         return f"{name} is flat: its vertices lie in one plane", 0.0
     depth = -(hull.equations[:, :3] @ points.T + hull.equations[:, 3:]).max(axis=0)
     if depth.max() > _INSIDE:
-        inside = float(depth.max())
-        return (
-            f"{name} is not convex: a vertex lies {1e3 * inside:.4g} mm inside the hull of the others",
-            inside,
-        )
+        inside = f"{1e3 * depth.max():.4g} mm inside the hull of the others"
+        return f"{name} is not convex: a vertex lies {inside}", float(depth.max())
     return "", None
 
 
 def _fidelity_findings(link: Link, found: Fidelity) -> Iterator[Finding]:
-    exact = _kind(link) == "exact"
-    severity: Severity = "fault" if exact else "note"
-    hint = (
-        "make each solid of convex primitives, so that its pieces are known"
-        if exact
-        else "by choice of colliders"
-    )
+    # known only for a link in memory, or in the data of a file
+    kind = getattr(link, "collision", None) or ("exact" if link.pieces else link.to_data().get("collision"))
+    fault = partial(_fault, link=link.name, hint="by choice of colliders", severity="note")
+    if kind in (None, "exact"):
+        hint = "make each solid of convex primitives, so that its pieces are known"
+        fault = partial(_fault, link=link.name, hint=hint)
     if found.sticks_out > STICKS_OUT:
         place = point_text(found.place)
         message = f"its solid sticks out of its colliders by {1e3 * found.sticks_out:.3g} mm at {place}"
-        yield Finding(
-            CHECK, message, link.name, value=found.sticks_out, unit="m", hint=hint, severity=severity
-        )
+        yield fault(message, value=found.sticks_out, unit="m")
     allowed = STANDS_OFF if found.added <= ADDED else STANDS_OFF_MUCH
     if found.surface_error > max(allowed, found.sticks_out):
         message = (
             f"its colliders add {100.0 * found.added:.3g} % of volume and stand off the surface by "
             f"{1e3 * found.surface_error:.3g} mm at {point_text(found.surface_place)}"
         )
-        yield Finding(
-            CHECK, message, link.name, value=found.surface_error, unit="m", hint=hint, severity=severity
-        )
+        yield fault(message, value=found.surface_error, unit="m")
     if found.interior_kept < KEPT:
-        message = (
-            f"its colliders leave only {100.0 * found.interior_kept:.3g} % of the space in its hollows empty"
-        )
-        yield Finding(CHECK, message, link.name, value=found.interior_kept, hint=hint, severity=severity)
-
-
-def _kind(link: Link) -> str:
-    """Return the kind of the colliders of a link."""
-    known = getattr(link, "collision", None)
-    return str(known or ("exact" if link.pieces else link.to_data().get("collision", "exact")))
+        share = f"{100.0 * found.interior_kept:.3g} %"
+        message = f"its colliders leave only {share} of the space in its hollows empty"
+        yield fault(message, value=found.interior_kept)
 
 
 def _detail(asset: Asset, measured: Sequence[tuple[float, Fidelity]]) -> str:
@@ -188,3 +213,188 @@ def _detail(asset: Asset, measured: Sequence[tuple[float, Fidelity]]) -> str:
     kept = min(found.interior_kept for _, found in measured)
     text += f", volume +{100.0 * added:.2g} %, farthest {1e3 * farthest:.2g} mm"
     return f"{text}, hollows kept {100.0 * kept:.3g} %"
+
+
+def fidelity(solid: Manifold, convexes: Sequence[Convex]) -> Fidelity:
+    """Compare convex pieces with their solid."""
+    polytopes = [convex.outer_polytope(_FINE) for convex in convexes]
+    cover = Manifold.batch_boolean([hull_of(polytope.points) for polytope in polytopes], OpType.Add)
+    excess, missing = cover - solid, solid - cover
+    volume, hull, faces = solid.volume(), solid.hull(), TriangleSet.of(solid)
+    outside, place = _sticking_out(missing, polytopes, faces)
+    error, surface_place = outside, place
+    if not excess.is_empty():
+        # films along shared faces exceed the solid by rounding only
+        points = TriangleSet.of(excess).spread(_SPREAD)
+        points = points[_outside(polytopes, points) < _DOUBTED]
+        apart, at = faces.farthest(points, outside=True) if len(points) else (0.0, place)
+        if apart > error:
+            error, surface_place = apart, at
+    empty = hull.volume() - volume
+    kept = (hull - cover).volume() - missing.volume()
+    return Fidelity(
+        volume_error=(excess.volume() + missing.volume()) / volume,
+        surface_error=error,
+        interior_kept=min(max(kept / empty, 0.0), 1.0) if empty > _EMPTY * hull.volume() else 1.0,
+        pieces=len(convexes),
+        vertices=sum(len(convex.faces.points) for convex in convexes if convex.kind in {"box", "hull"}),
+        added=excess.volume() / volume,
+        sticks_out=outside,
+        place=tuple(place.tolist()),
+        surface_place=tuple(surface_place.tolist()),
+    )
+
+
+def _sticking_out(
+    missing: Manifold, polytopes: Sequence[Polytope], faces: TriangleSet
+) -> tuple[float, Array]:
+    """Return the largest distance of a solid outside its pieces, and its place.
+
+    Distances are measured along face normals; films between pieces with a common face do not count.
+    """
+    if missing.is_empty():
+        return 0.0, np.zeros(3)
+    points, _, _ = distinct_rows(np.round(TriangleSet.of(missing).spread(_SPREAD), 8))
+    outside = _outside(polytopes, points)
+    worst = int(np.argmax(outside))
+    # where many faces coincide, manifold3d may add volume to a difference that is in neither solid
+    while outside[worst] > _DOUBTED and faces.farthest(points[[worst]], outside=True)[0] > _DOUBTED:
+        outside[worst] = 0.0
+        worst = int(np.argmax(outside))
+    return max(float(outside[worst]), 0.0), points[worst]
+
+
+def _outside(polytopes: Sequence[Polytope], points: Array) -> Array:
+    """Return the height of points above the faces of the nearest polytope, shape (n,) [m]."""
+    outside = np.full(len(points), np.inf)
+    for polytope in polytopes:
+        near = np.flatnonzero(_least_height(polytope, points) < outside)
+        if len(near):
+            height = (polytope.planes[:, :3] @ points[near].T - polytope.planes[:, 3:]).max(axis=0)
+            outside[near] = np.minimum(outside[near], height)
+    return outside
+
+
+def _least_height(polytope: Polytope, points: Array) -> Array:
+    """Return a lower bound of the height above faces for points outside a polytope, shape (n,) [m].
+
+    A ray from the center to a point leaves the polytope within the circumscribed ball, through a face that is
+    no nearer to the center than the inscribed ball. The bound is at most 0 for points inside.
+    """
+    middle = polytope.points.mean(axis=0)
+    within = (polytope.planes[:, 3] - polytope.planes[:, :3] @ middle).min()
+    around = np.linalg.norm(polytope.points - middle, axis=1).max()
+    return np.asarray(within * (np.linalg.norm(points - middle, axis=1) / around - 1.0))
+
+
+@dataclass(frozen=True)
+class ColliderRow:
+    """Colliders of one kind."""
+
+    kind: str  # `exact`, `coacd` or `hull`
+    # whether the asset has these colliders; the others were made for the comparison
+    stored: bool
+    links: Mapping[str, Fidelity]  # difference between colliders and solids, by link name
+    volume_error: float  # volume in colliders or solids only, as a share of the volume of the solids
+    surface_error: float  # largest distance between the surfaces of solids and colliders of a link [m]
+    interior_kept: float  # share of the empty volume inside the convex hulls of the links that stays empty
+    # MuJoCo steps per second of wall-clock time at the file's time step, with the asset at rest; None without
+    # MuJoCo
+    steps_per_second: float | None = None
+
+    @property
+    def pieces(self) -> int:
+        """Number of colliders."""
+        return sum(link.pieces for link in self.links.values())
+
+    @property
+    def vertices(self) -> int:
+        """Number of their corners; round colliders have none."""
+        return sum(link.vertices for link in self.links.values())
+
+    def to_data(self) -> dict[str, Any]:
+        """Return the row as JSON data, with the same numbers for each link."""
+        speed = self.steps_per_second
+        return {
+            "kind": self.kind,
+            "stored": self.stored,
+            **_numbers(self),
+            "steps_per_second": None if speed is None else round(speed),
+            "links": {name: _numbers(link) for name, link in self.links.items()},
+        }
+
+
+def _numbers(measured: ColliderRow | Fidelity) -> dict[str, float]:
+    shares = ("volume_error", "surface_error", "interior_kept")
+    return {
+        "pieces": measured.pieces,
+        "vertices": measured.vertices,
+        **{name: significant(getattr(measured, name), _DIGITS) for name in shares},
+    }
+
+
+def compare_colliders(asset: Asset, *, speed: bool = True) -> tuple[ColliderRow, ...]:
+    """Compare the colliders of an asset with CoACD's and with plain convex hulls.
+
+    They are compared with the solids, or for an asset that was read from files with the closed parts of its
+    visible meshes. Exact colliders are known at construction only, so they are compared only if the asset has
+    them.
+    """
+    parts = {link.name: link_parts(link) for link in asset.links}
+    solids = {
+        name: Manifold.batch_boolean([part.solid for part in of_link], OpType.Add)
+        for name, of_link in parts.items()
+    }
+    volumes = {name: solid.volume() for name, solid in solids.items()}
+    empty = {name: max(solid.hull().volume() - volumes[name], 0.0) for name, solid in solids.items()}
+    stored = collision_of([link.to_data() for link in asset.links])
+    rows = []
+    for kind in (stored, *(kind for kind in COLLISIONS if kind not in ("exact", stored))):
+        variant = asset
+        if kind != stored:
+            made = {name: made_colliders(of_link, kind) for name, of_link in parts.items()}
+            variant = replace_colliders(asset, made, kind)
+        found = {
+            link.name: fidelity(solids[link.name], [collider.convex for collider in link.colliders])
+            for link in variant.links
+        }
+        rows.append(
+            ColliderRow(
+                kind,
+                kind == stored,
+                found,
+                _mean({name: item.volume_error for name, item in found.items()}, volumes),
+                max(item.surface_error for item in found.values()),
+                _mean({name: item.interior_kept for name, item in found.items()}, empty),
+                steps_per_second(variant) if speed else None,
+            )
+        )
+    return tuple(rows)
+
+
+def _mean(values: Mapping[str, float], weights: Mapping[str, float]) -> float:
+    """Return the mean of the values of the links; 1 if all weights are 0, as nothing was lost."""
+    total = sum(weights.values())
+    return sum(values[name] * weight for name, weight in weights.items()) / total if total else 1.0
+
+
+def steps_per_second(asset: Asset) -> float | None:
+    """Return MuJoCo's steps per second of wall-clock time, or None if it is not installed.
+
+    The asset first moves from its initial state for one second. The number depends on the machine and its
+    load.
+    """
+    try:
+        import mujoco
+    except ImportError:
+        return None
+    files = dict(write_mjcf(asset).files)
+    text = files.pop(f"{asset.name}.xml").decode()
+    model = mujoco.MjModel.from_xml_string(text, files)
+    data = mujoco.MjData(model)
+    mujoco.mj_step(model, data, nstep=max(round(_SETTLE / model.opt.timestep), 1))
+    steps, start = 0, time.perf_counter()
+    while (elapsed := time.perf_counter() - start) < _TIMED:
+        mujoco.mj_step(model, data, nstep=_BATCH)
+        steps += _BATCH
+    return steps / elapsed

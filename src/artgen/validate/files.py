@@ -4,6 +4,8 @@ import json
 import struct
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, field
+from functools import partial
+from io import BytesIO
 from pathlib import Path, PurePosixPath
 from typing import Any
 
@@ -14,55 +16,22 @@ from artgen.errors import ExportError, nearest
 from artgen.export.files import REPORT_FILE, digest
 from artgen.export.layouts import DEFAULT_FORMATS, LAYOUTS
 
+Formats = Mapping[str, tuple[str, ...]]
+"""Files of each format."""
+
+FORMAT_CHECKS = DEFAULT_FORMATS
+"""Checks that read back the main file of one format each."""
+
 _TEXTS = {".urdf", ".xml", ".usda", ".obj", ".mtl", ".json", ".txt"}
 _LOOKS = {".png", ".jpg", ".mtl"}
-_GLB_CHUNKS = (b"JSON", b"BIN\0")
+_GLB_CHUNKS = [b"JSON", b"BIN\0"]
+_LISTED = 3  # most files in one message
 
-
-@dataclass(frozen=True)
-class Contents:
-    """The contents of the files of an export.
-
-    Attributes:
-        found: Content of each readable file, by path.
-        faults: Fault of each damaged file, by path; the text begins with the path.
-        changes: Finding for each file that was changed after the export, by path.
-    """
-
-    found: dict[str, bytes] = field(default_factory=dict)
-    faults: dict[str, str] = field(default_factory=dict)
-    changes: dict[str, Finding] = field(default_factory=dict)
-
-
-def read_contents(
-    directory: Path,
-    formats: Mapping[str, tuple[str, ...]],
-    digests: Mapping[str, str],
-    mains: Collection[str] = (),
-) -> Contents:
-    """Read every listed file once.
-
-    Args:
-        directory: The directory of the export.
-        formats: The files of each format.
-        digests: Digests of the files at the time of the export.
-        mains: Files that other checks compare with the asset.
-    """
-    result = Contents()
-    for path in dict.fromkeys(path for files in formats.values() for path in files):
-        fault, content = _read(directory, path)
-        fault = fault or _fault_of(path, content)
-        if fault:
-            result.faults[path] = fault
-        else:
-            result.found[path] = content
-            if path in digests and digest(content) != digests[path]:
-                result.changes[path] = _changed(path, compared=path in mains)
-    return result
+_fault = partial(Finding, "files", hint=AGAIN)
 
 
 def _read(directory: Path, path: str) -> tuple[str, bytes]:
-    """Return the fault and the content of a file."""
+    """Return the fault and the content of a file; the fault is empty if there is none."""
     try:
         # a link out of the export breaks when the directory is copied
         if not (directory / path).resolve().is_relative_to(directory.resolve()):
@@ -72,14 +41,20 @@ def _read(directory: Path, path: str) -> tuple[str, bytes]:
         return f"{path} is missing", b""
     except OSError as error:
         return f"{path} cannot be read ({error.strerror})", b""
-    return ("" if content else f"{path} is empty"), content
+    return _fault_of(path, content) if content else f"{path} is empty", content
 
 
 def _fault_of(path: str, content: bytes) -> str:
     """Return the fault of a content; empty if there is none."""
+    from PIL import Image
+
     suffix = PurePosixPath(path).suffix.lower()
     if suffix == ".png":
-        return _fault_of_image(path, content)
+        try:
+            with Image.open(BytesIO(content)) as image:
+                image.load()
+        except (OSError, SyntaxError, ValueError):  # errors of Pillow for damaged PNG
+            return f"{path} is not a readable image"
     if suffix == ".glb":
         return _fault_of_glb(path, content)
     if suffix in _TEXTS:
@@ -87,19 +62,6 @@ def _fault_of(path: str, content: bytes) -> str:
             content.decode("utf-8")
         except UnicodeDecodeError as error:
             return f"{path} is not UTF-8 text: byte {error.start} is {content[error.start]:#04x}"
-    return ""
-
-
-def _fault_of_image(path: str, content: bytes) -> str:
-    from io import BytesIO
-
-    from PIL import Image
-
-    try:
-        with Image.open(BytesIO(content)) as image:
-            image.load()
-    except (OSError, SyntaxError, ValueError):  # errors of Pillow for damaged PNG
-        return f"{path} is not a readable image"
     return ""
 
 
@@ -121,47 +83,18 @@ def _fault_of_glb(path: str, content: bytes) -> str:
                 return f"{path} has JSON that cannot be read: {error}"
         kinds.append(kind)
         place += 8 + size
-    if place != length or not kinds or tuple(kinds) != _GLB_CHUNKS[: len(kinds)]:
+    if place != length or not kinds or kinds != _GLB_CHUNKS[: len(kinds)]:
         return f"{path} has chunks that do not fill it"
     return ""
 
 
-def _changed(path: str, *, compared: bool) -> Finding:
-    """Return the finding for a changed file.
-
-    Textures may be replaced, and other checks compare main files: these changes are notes. Changes of meshes,
-    tables and layers are faults.
-    """
-    looks = PurePosixPath(path).suffix.lower() in _LOOKS
-    message = f"{path} was changed after the export: its digest is not the one in {ASSET_FILE}"
-    if looks or compared:
-        hint = "keep it if the change was intended; otherwise export the asset again"
-        return Finding("files", message, hint=hint, severity="note")
-    hint = "export the asset again; keep files of your own in another directory"
-    return Finding("files", message, hint=hint)
-
-
-FORMAT_CHECKS = DEFAULT_FORMATS
-"""Checks that read back the main file of one format each."""
-
-_SHOWN = 3  # most files in one message
-
-
 @dataclass(frozen=True)
 class Exported:
-    """An export and the result of its check `files`.
+    """An export and the result of its check `files`."""
 
-    Attributes:
-        directory: Directory of the export.
-        result: Result of the check `files`.
-        asset: The asset; None if it cannot be read.
-        formats: Files of each format, by name of the format.
-    """
-
-    directory: Path
-    result: CheckResult
-    asset: Asset | None = None
-    formats: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    result: CheckResult  # result of the check `files`
+    asset: Asset | None = None  # None if it cannot be read
+    formats: Formats = field(default_factory=dict)  # files of each format
 
     @property
     def meshes(self) -> bool:
@@ -187,123 +120,101 @@ def read_export(directory: str | Path) -> Exported:
         certified = data.get("certificate") is not None and not coarse  # coarse exports have no proof
         digests = dict(data.get("digests", {}))
     except (OSError, ValueError, LookupError, TypeError, AttributeError) as error:
-        return _unreadable(directory, error)
+        return Exported(CheckResult("files", (_unreadable(ASSET_FILE, error),)))
+    findings = list(_certificate_findings(directory)) if certified else []
     try:
         asset = Asset.load(directory)
     except Exception as error:  # noqa: BLE001 - a damaged file may raise anything
-        damaged = _unreadable(directory, error, formats)
-        certificate = _wrong_certificate(directory, certified=certified)
-        result = CheckResult("files", (*certificate, *damaged.result.findings))
-        return Exported(directory, result, formats=formats)
-    compared = {data["formats"][name].get("main") for name in FORMAT_CHECKS if name in formats}
-    contents = read_contents(directory, formats, digests, compared)
-    findings = (
-        *_layout_findings(data, formats),
-        *_digest_findings(formats, digests, contents.found),
-        *_wrong_certificate(directory, certified=certified),
-        *_file_findings(contents, formats),
-        *_stray(directory, formats),
-    )
-    listed = {path for files in formats.values() for path in files}
-    detail = f"{len(listed) + 1 + certified} files: {', '.join(formats) or 'no format'}"
-    return Exported(directory, CheckResult("files", findings, detail), asset, formats)
-
-
-def _unreadable(
-    directory: Path, error: Exception, formats: Mapping[str, tuple[str, ...]] | None = None
-) -> Exported:
-    finding = Finding("files", f"{ASSET_FILE} cannot be read: {_reason(error)}", hint=AGAIN)
-    return Exported(directory, CheckResult("files", (finding,)), formats=formats or {})
-
-
-def _reason(error: Exception) -> str:
-    return str(error) if isinstance(error, OSError | ValueError) else f"{type(error).__name__}: {error}"
-
-
-def _wrong_certificate(directory: Path, *, certified: bool) -> Iterator[Finding]:
-    path = directory / CERTIFICATE_FILE
-    if not certified:
-        return
-    again = "certify the asset and export it again"
-    try:
-        json.loads(path.read_text(encoding="utf-8"))
-    except FileNotFoundError:
-        yield Finding("files", f"{CERTIFICATE_FILE} with the proof is missing", hint=again)
-    except (OSError, ValueError) as error:
-        yield Finding("files", f"{CERTIFICATE_FILE} cannot be read: {_reason(error)}", hint=again)
-
-
-def _file_findings(contents: Contents, formats: Mapping[str, tuple[str, ...]]) -> Iterator[Finding]:
-    users = users_of(formats)
-    for path in users:
-        if path in contents.faults:
-            names = users[path]
-            text = contents.faults[path]
-            if not text.startswith(ASSET_FILE):
-                text += f", which {' and '.join(names)} need{'s' * (len(names) == 1)}"
-            yield Finding("files", text, hint=AGAIN)
-        elif path in contents.changes:
-            yield contents.changes[path]
-
-
-def users_of(formats: Mapping[str, tuple[str, ...]]) -> dict[str, list[str]]:
-    """Return the formats of each listed file."""
-    users: dict[str, list[str]] = {}
+        result = CheckResult("files", (*findings, _unreadable(ASSET_FILE, error)))
+        return Exported(result, formats=formats)
+    users: dict[str, list[str]] = {}  # formats of each file
     for name, files in formats.items():
         for path in files:
             users.setdefault(path, []).append(name)
-    return users
+    read = {path: _read(directory, path) for path in users}
+    sound = {path: content for path, (fault, content) in read.items() if not fault}
+    findings[:0] = [*_layout_findings(data, formats), *_digest_findings(users, digests, sound)]
+    compared = {data["formats"][name].get("main") for name in FORMAT_CHECKS if name in formats}
+    for path, names in users.items():
+        if path not in sound:
+            needs = f"{' and '.join(names)} need{'s' * (len(names) == 1)}"
+            findings.append(_fault(f"{read[path][0]}, which {needs}"))
+        elif path in digests and digest(sound[path]) != digests[path]:
+            findings.append(_changed(path, compared=path in compared))
+    findings += _stray(directory, users)
+    detail = f"{len(users) + 1 + certified} files: {', '.join(formats) or 'no format'}"
+    return Exported(CheckResult("files", tuple(findings), detail), asset, formats)
 
 
-def _layout_findings(data: Mapping[str, Any], formats: Mapping[str, tuple[str, ...]]) -> Iterator[Finding]:
+def _unreadable(file: str, error: Exception, hint: str = AGAIN) -> Finding:
+    reason = str(error) if isinstance(error, OSError | ValueError) else f"{type(error).__name__}: {error}"
+    return Finding("files", f"{file} cannot be read: {reason}", hint=hint)
+
+
+def _certificate_findings(directory: Path) -> Iterator[Finding]:
+    hint = "certify the asset and export it again"
+    try:
+        json.loads((directory / CERTIFICATE_FILE).read_text(encoding="utf-8"))
+    except FileNotFoundError:
+        yield Finding("files", f"{CERTIFICATE_FILE} with the proof is missing", hint=hint)
+    except (OSError, ValueError) as error:
+        yield _unreadable(CERTIFICATE_FILE, error, hint)
+
+
+def _changed(path: str, *, compared: bool) -> Finding:
+    """Return the finding for a changed file.
+
+    Textures may be replaced, and other checks compare main files: these changes are notes. Changes of meshes,
+    tables and layers are faults.
+    """
+    message = f"{path} was changed after the export: its digest is not the one in {ASSET_FILE}"
+    if compared or PurePosixPath(path).suffix.lower() in _LOOKS:
+        hint = "keep it if the change was intended; otherwise export the asset again"
+        return Finding("files", message, hint=hint, severity="note")
+    hint = "export the asset again; keep files of your own in another directory"
+    return Finding("files", message, hint=hint)
+
+
+def _layout_findings(data: Mapping[str, Any], formats: Formats) -> Iterator[Finding]:
     """Yield an unknown layout, formats that the layout does not have, and missing main files."""
     name = str(data.get("layout", "flat"))
     if name not in LAYOUTS:
-        message = f"{ASSET_FILE} has the unknown layout {name!r}.{nearest(name, LAYOUTS)}"
-        yield Finding("files", message, hint=AGAIN)
+        yield _fault(f"{ASSET_FILE} has the unknown layout {name!r}.{nearest(name, LAYOUTS)}")
     elif foreign := [each for each in formats if each not in LAYOUTS[name].formats]:
-        message = f"{ASSET_FILE} has the layout {name!r}, which has no {', '.join(foreign)}"
-        yield Finding("files", message, hint=AGAIN)
+        yield _fault(f"{ASSET_FILE} has the layout {name!r}, which has no {', '.join(foreign)}")
     if not formats:
-        yield Finding("files", f"{ASSET_FILE} lists no format, so nothing can be read", hint=AGAIN)
+        yield _fault(f"{ASSET_FILE} lists no format, so nothing can be read")
     for form, files in formats.items():
         main = data["formats"][form].get("main")
         if main not in files:
-            message = f"the main file of {form} is {main!r}, which {ASSET_FILE} does not list"
-            yield Finding("files", message, hint=AGAIN)
+            yield _fault(f"the main file of {form} is {main!r}, which {ASSET_FILE} does not list")
 
 
 def _digest_findings(
-    formats: Mapping[str, tuple[str, ...]], digests: Mapping[str, str], existing: Collection[str]
+    listed: Collection[str], digests: Mapping[str, str], sound: Collection[str]
 ) -> Iterator[Finding]:
     """Yield files without a digest, and digests of files that are not listed."""
-    listed = {path for files in formats.values() for path in files}
-    for paths, says in (
-        (set(existing) - set(digests), "has no digest of {}, so changes cannot be noticed"),
-        (set(digests) - listed, "has a digest of {}, which no format lists"),
+    for paths, text in (
+        (set(sound) - set(digests), "has no digest of {}, so changes cannot be noticed"),
+        (set(digests) - set(listed), "has a digest of {}, which no format lists"),
     ):
         if paths:
-            named = ", ".join(sorted(paths)[:_SHOWN])
-            named += f" and {len(paths) - _SHOWN} more" if len(paths) > _SHOWN else ""
-            message = f"{ASSET_FILE} {says.format(named)}"
-            yield Finding("files", message, value=float(len(paths)), hint=AGAIN)
+            named = ", ".join(sorted(paths)[:_LISTED])
+            named += f" and {len(paths) - _LISTED} more" if len(paths) > _LISTED else ""
+            yield _fault(f"{ASSET_FILE} {text.format(named)}", value=float(len(paths)))
 
 
-def _stray(directory: Path, formats: Mapping[str, tuple[str, ...]]) -> Iterator[Finding]:
+def _stray(directory: Path, listed: Collection[str]) -> Iterator[Finding]:
     """Yield files that artgen did not write: faults next to its meshes, notes elsewhere."""
-    listed = {path for files in formats.values() for path in files}
+    known = {*listed, ASSET_FILE, CERTIFICATE_FILE, REPORT_FILE}
     folders = {PurePosixPath(path).parent.as_posix() for path in listed} - {"."}
     for path in sorted(directory.rglob("*")):
         place = path.relative_to(directory)
-        name = place.as_posix()
-        if (path.is_dir() and not path.is_symlink()) or name in listed:
+        if (path.is_dir() and not path.is_symlink()) or place.as_posix() in known:
             continue
-        if name in (ASSET_FILE, CERTIFICATE_FILE, REPORT_FILE):
-            continue
-        ours = place.parent.as_posix() in folders
-        yield Finding(
-            "files",
-            f"{name} is not listed in {ASSET_FILE}",
-            hint="move it away: simulators that search meshes by name may load it" if ours else "",
-            severity="fault" if ours else "note",
-        )
+        message = f"{place.as_posix()} is not listed in {ASSET_FILE}"
+        if place.parent.as_posix() in folders:
+            hint = "move it away: simulators that search meshes by name may load it"
+            yield Finding("files", message, hint=hint)
+        else:
+            yield Finding("files", message, severity="note")

@@ -19,7 +19,7 @@ from artgen.asset.report import Finding
 from artgen.errors import ExportError
 from artgen.validate.clients.registry import Client
 from artgen.validate.readback.compare import Comparison, Expected
-from artgen.validate.readback.reading import Inertial, Reading, Said
+from artgen.validate.readback.reading import UNLIMITED, Inertial, Reading, ReadJoint, Said
 
 _POSES = 4  # number of random poses, in addition to the rest pose
 
@@ -164,14 +164,14 @@ def _reading(
             )
             for name, read in links.items()
         },
-        kinds={name: read.get("kind", kinds.get(name, "")) for name, read in joints.items()},
-        limits={
-            name: None if read["limits"] is None else tuple(_array(read["limits"], 2).tolist())
-            for name, read in joints.items()
-            if "limits" in read
-        },
-        dynamics={
-            name: tuple(Said(field, float(read[field]), client.name) for field in DYNAMICS if field in read)
+        joints={
+            name: ReadJoint(
+                read.get("kind", kinds.get(name, "")),
+                limits=tuple(_array(read["limits"] or UNLIMITED, 2).tolist()) if "limits" in read else None,
+                dynamics=tuple(
+                    Said(field, float(read[field]), client.name) for field in DYNAMICS if field in read
+                ),
+            )
             for name, read in joints.items()
         },
         couplings={

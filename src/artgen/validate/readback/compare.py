@@ -1,7 +1,8 @@
 """Differences between an asset and the values that a reader found in a file or a simulator."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -10,10 +11,13 @@ from artgen._arrays import Array, cached_property
 from artgen.asset import Asset, AssetJoint, Link
 from artgen.asset.joint import DYNAMICS
 from artgen.asset.report import CHANGED, Finding
+from artgen.colliders import Convex
 from artgen.errors import ArtgenError
-from artgen.export.frames import FAR, local
-from artgen.validate.readback.pieces import ReadCollider, expected_pieces, piece_findings
-from artgen.validate.readback.reading import Faces, Reading
+from artgen.export.frames import FAR, local, translation
+from artgen.export.hulls import hulls
+from artgen.export.urdf import primitives
+from artgen.validate.joints import unit
+from artgen.validate.readback.reading import UNLIMITED, Faces, Law, ReadCollider, Reading, ReadJoint
 
 EXACT = 1e-6
 """Tolerance of numbers [m, rad]; relative for masses, moments and gains."""
@@ -29,6 +33,10 @@ _STATED = {
     "mjcf": ("damping", "friction", "effort", "stiffness", "armature"),
     "usd": ("damping", "friction", "stiffness", "armature"),
 }  # fmt: skip
+_APART = 5e-6  # tolerance of bounds of colliders: some formats have single precision [m]
+_VOLUME = 1e-3  # relative, for the same reason: pieces are thin
+_INSIDE = 1e-6  # tolerance of vertices inside the hull of the others [m]
+_SHOWN = 3  # most colliders of a link in findings
 _UNITS = {
     "stiffness": ("N m/rad", "N/m"),
     "damping": ("N m s/rad", "N s/m"),
@@ -72,30 +80,29 @@ class Expected:
     @cached_property
     def pieces(self) -> dict[str, tuple[ReadCollider, ...]]:
         """The colliders of each link."""
-        return expected_pieces(self.asset, capsules=True)
+        return _expected_pieces(self.asset, capsules=True)
 
     @cached_property
     def pieces_without_capsules(self) -> dict[str, tuple[ReadCollider, ...]]:
         """The same, with a cylinder and two balls for each capsule."""
         if all(item.convex.kind != "capsule" for link in self.asset.links for item in link.colliders):
             return self.pieces
-        return expected_pieces(self.asset, capsules=False)
+        return _expected_pieces(self.asset, capsules=False)
 
     @cached_property
     def faces(self) -> dict[str, tuple[Faces, ...]] | None:
         """The visible faces of each link; None if they cannot be read, which the check of solids reports."""
+        result = {}
         try:
-            return {
-                link.name: tuple(
-                    Faces.of(
-                        each.name, each.mesh.vertices - self.asset.origin(link.name), each.mesh.triangles
-                    )
+            for link in self.asset.links:
+                origin = self.asset.origin(link.name)
+                result[link.name] = tuple(
+                    Faces.of(each.name, each.mesh.vertices - origin, each.mesh.triangles)
                     for each in link.surfaces
                 )
-                for link in self.asset.links
-            }
         except (ArtgenError, ValueError):
             return None
+        return result
 
     @cached_property
     def poses(self) -> list[tuple[dict[str, float], dict[str, float], dict[str, Array]]]:
@@ -104,15 +111,36 @@ class Expected:
         return [(q, self.asset.positions(q), expected_frames(self.asset, q)) for q in drawn]
 
 
-def moments_fault(moments: Any) -> str:
-    """Return why principal moments, shape (3,) [kg m^2], are impossible; empty if they are possible."""
-    low, middle, high = sorted(moments)
-    shown = ", ".join(f"{moment:.4g}" for moment in (low, middle, high))
+def _expected_pieces(asset: Asset, *, capsules: bool) -> dict[str, tuple[ReadCollider, ...]]:
+    """Return the colliders that a file should have; without capsules, a cylinder between two balls each."""
+    made = hulls(asset)
+    result = {}
+    for link in asset.links:
+        away = translation(-asset.origin(link.name))
+        pieces: list[ReadCollider] = []
+        for number, collider in enumerate(link.colliders):
+            convex, friction = collider.convex, collider.material.friction
+            name = f"{number} ({convex.kind} of {collider.label!r})"
+            if convex.kind == "hull":
+                hull = made[link.name][number]
+                pieces.append(ReadCollider.mesh(name, hull.placed, hull.triangles, friction))
+                continue
+            placed = Convex(convex.kind, away @ convex.pose, convex.size)
+            split = [placed] if capsules else [piece for _, piece in primitives(placed)]
+            pieces += [ReadCollider.primitive(name, each, friction) for each in split]
+        result[link.name] = tuple(pieces)
+    return result
+
+
+def _moments_fault(inertia: Array) -> str:
+    """Return why an inertia, shape (3, 3) [kg m^2], is impossible; empty if it is possible."""
+    if not np.isfinite(inertia).all():
+        return ""
+    low, middle, high = np.linalg.eigvalsh(inertia)
+    text = f"; its principal moments {low:.4g}, {middle:.4g}, {high:.4g} kg m^2"
     if not low > 0.0:
-        return f"its principal moments {shown} kg m^2 are not all positive"
-    if low + middle < high * (1.0 - _ROUNDING):
-        return f"its principal moments {shown} kg m^2 violate the triangle inequality"
-    return ""
+        return f"{text} are not all positive"
+    return f"{text} violate the triangle inequality" if low + middle < high * (1.0 - _ROUNDING) else ""
 
 
 @dataclass(frozen=True, eq=False)
@@ -133,12 +161,12 @@ class Comparison:
         pieces = self.expected.pieces_without_capsules if self.form == "urdf" else self.expected.pieces
         yield from self._whole()
         for link in asset.links if "links" in reading.told else ():
+            name = link.name
             yield from self._mass(link)
-            if link.name in reading.colliders:
-                found = reading.colliders[link.name]
-                yield from piece_findings(self.check, link, reading.file, pieces[link.name], found)
-            if link.name in reading.faces and self.expected.faces is not None:
-                yield from self._faces(link, self.expected.faces[link.name], reading.faces[link.name])
+            if name in reading.colliders:
+                yield from self._colliders(name, pieces[name], reading.colliders[name])
+            if name in reading.faces and self.expected.faces is not None:
+                yield from self._faces(name, self.expected.faces[name], reading.faces[name])
         if "joints" in reading.told:
             yield from self._joints()
         if "couplings" in reading.told:
@@ -189,67 +217,96 @@ class Comparison:
             scale = max(float(np.abs(wanted.inertia).max()), 1e-9)
             error = float(np.abs(found.inertia - wanted.inertia).max()) / scale
             if not error <= 2.0 * self.relative:
-                finite = np.isfinite(found.inertia).all()
-                fault = moments_fault(np.linalg.eigvalsh(found.inertia)) if finite else ""
                 message = f"its inertia differs by {100.0 * error:.4g} % in {file}"
-                yield self._fault(f"{message}; {fault}" if fault else message, link=name, value=error)
+                yield self._fault(message + _moments_fault(found.inertia), link=name, value=error)
 
-    def _faces(self, link: Link, wanted: tuple[Faces, ...], found: tuple[Faces, ...]) -> Iterator[Finding]:
+    def _colliders(
+        self, link: str, wanted: Sequence[ReadCollider], found: Sequence[ReadCollider]
+    ) -> Iterator[Finding]:
+        """Compare the colliders of a link, paired so that they differ least."""
+        from scipy.optimize import linear_sum_assignment
+
+        file, count = self.reading.file, len(found)
+        complaints: list[tuple[str, float | None]] = [
+            (f"its collider {piece.name} {piece.flaw} in {file}", None) for piece in found if piece.flaw
+        ]
+        first, second = (
+            np.array([[*piece.bounds.ravel(), *piece.middle] for piece in pieces]).reshape(-1, 9)
+            for pieces in (wanted, found)
+        )
+        away = np.nan_to_num(np.abs(first[:, None] - second[None]).max(axis=2), nan=1e9, posinf=1e9)
+        pairs = list(zip(*linear_sum_assignment(away), strict=True))
+        if count != len(wanted):
+            message = f"it has {count} colliders in {file}, not {len(wanted)}"
+            same = [pair for pair in pairs if away[pair] <= _APART]
+            for text, pieces, known in (
+                ("without", wanted, {row for row, _ in same}),
+                ("but also", found, {column for _, column in same}),
+            ):
+                names = [piece.name for number, piece in enumerate(pieces) if number not in known]
+                message += f", {text} {', '.join(names[:_SHOWN])}" if names else ""
+            yield self._fault(message, link=link, value=float(count))
+        else:
+            for pair in pairs:
+                piece = found[pair[1]]
+                if not piece.flaw:
+                    complaints += _collider_differences(wanted[pair[0]], piece, float(away[pair]), file)
+        for message, value in complaints[:_SHOWN]:
+            yield self._fault(message, link=link, value=value)
+        if len(complaints) > _SHOWN:
+            message = f"{len(complaints) - _SHOWN} more of its colliders differ in {file}"
+            yield self._fault(message, link=link, value=float(len(complaints)))
+
+    def _faces(self, link: str, wanted: Sequence[Faces], found: Sequence[Faces]) -> Iterator[Finding]:
         """Compare the meshes of a link: each has to have its triangles in the place of the asset's."""
         remaining, file = list(found), self.reading.file
-        for faces in wanted:
-            if not remaining:
-                break
+        for faces in wanted[: len(found)]:
             # two meshes of one part may have the same bounds, such as the faces and the edges of a board
             nearest = min(
                 remaining, key=lambda each: (max(_apart(faces, each), _FACES), abs(faces.count - each.count))
             )
             remaining.remove(nearest)
             away = _apart(faces, nearest)
+            name = f"its visible faces {nearest.name}"
             if not away <= _FACES:
-                message = f"its visible faces {nearest.name} are off by {1e3 * away:.4g} mm in {file}"
-                yield self._fault(message, link=link.name, value=away, unit="m")
+                message = f"{name} are off by {1e3 * away:.4g} mm in {file}"
+                yield self._fault(message, link=link, value=away, unit="m")
             elif nearest.count != faces.count:
-                counts = f"{nearest.count} triangles in {file}, not {faces.count}"
-                message = f"its visible faces {nearest.name} have {counts}"
-                yield self._fault(message, link=link.name, value=float(nearest.count))
+                message = f"{name} have {nearest.count} triangles in {file}, not {faces.count}"
+                yield self._fault(message, link=link, value=float(nearest.count))
         if len(found) != len(wanted):
             message = f"it has {len(found)} meshes of visible faces in {file}, not {len(wanted)}"
-            yield self._fault(message, link=link.name, value=float(len(found)))
+            yield self._fault(message, link=link, value=float(len(found)))
 
     def _joints(self) -> Iterator[Finding]:
-        reading = self.reading
+        file, read = self.reading.file, self.reading.joints
         moving = {joint.name: joint for joint in self.expected.asset.joints if not joint.locked}
-        for name in reading.kinds.keys() - moving.keys():
-            message = f"it can move in {reading.file}, but is not a moving joint of the asset"
+        for name in read.keys() - moving.keys():
+            message = f"it can move in {file}, but is not a moving joint of the asset"
             yield self._fault(message, joint=name)
         for name, joint in moving.items():
-            kind = reading.kinds.get(name)
-            if kind is None:
-                yield self._fault(f"{reading.file} has no such joint that can move", joint=name)
+            found = read.get(name)
+            if found is None:
+                yield self._fault(f"{file} has no such joint that can move", joint=name)
                 continue
-            yield from self._ends(joint)
-            if kind != joint.kind:
-                yield self._fault(f"it is {kind} in {reading.file}, not {joint.kind}", joint=name)
+            yield from self._ends(joint, found.ends)
+            if found.kind != joint.kind:
+                yield self._fault(f"it is {found.kind} in {file}, not {joint.kind}", joint=name)
                 continue
-            if name in reading.axes:
-                error = float(np.abs(reading.axes[name] - joint.axis).max())
+            if found.axis is not None:
+                error = float(np.abs(found.axis - joint.axis).max())
                 if not error <= self.length:
-                    message = f"its axis differs by {error:.4g} in {reading.file}"
-                    yield self._fault(message, joint=name, value=error)
-            if name in reading.limits:
-                yield from self._limits(joint, reading.limits[name])
-            yield from self._dynamics(joint)
+                    yield self._fault(f"its axis differs by {error:.4g} in {file}", joint=name, value=error)
+            yield from self._limits(joint, found.limits)
+            yield from self._dynamics(joint, found)
 
-    def _ends(self, joint: AssetJoint) -> Iterator[Finding]:
+    def _ends(self, joint: AssetJoint, found: tuple[str, str] | None) -> Iterator[Finding]:
         """Compare the links of a joint; between several joints of two links are bodies without a name."""
-        asset = self.expected.asset
-        links = {link.name for link in asset.links}
-        alone = sum((each.parent, each.child) == (joint.parent, joint.child) for each in asset.joints) == 1
-        found, wanted = self.reading.ends.get(joint.name), (joint.parent, joint.child)
+        asset, wanted = self.expected.asset, (joint.parent, joint.child)
         if found is None or found == wanted:
             return
-        strange = any(end in links and end not in wanted for end in found)
+        alone = sum((each.parent, each.child) == wanted for each in asset.joints) == 1
+        strange = {*found} & {link.name for link in asset.links} - {*wanted}
         if alone or strange or found[0] == joint.child or found[1] == joint.parent:
             message = (
                 f"it joins {found[1]!r} to {found[0]!r} in {self.reading.file}, "
@@ -258,54 +315,49 @@ class Comparison:
             yield self._fault(message, joint=joint.name)
 
     def _limits(self, joint: AssetJoint, found: tuple[float, float] | None) -> Iterator[Finding]:
-        wanted = joint.limits
-        if self.form == "urdf" and joint.kind == "prismatic" and wanted is None:
+        wanted = joint.limits or UNLIMITED
+        if self.form == "urdf" and joint.kind == "prismatic" and joint.limits is None:
             wanted = (-FAR, FAR)  # URDF requires limits of a prismatic joint
-        error = None
-        same = found is None and wanted is None
-        if found is not None and wanted is not None:
-            error = float(np.abs(np.subtract(found, wanted)).max())
-            same = error <= self.length * max(1.0, *map(abs, wanted))
-        if not same:
-            unit = "rad" if joint.kind == "revolute" else "m"
-            said, right = (
-                "none" if limits is None else f"{limits[0]:.7g} to {limits[1]:.7g} {unit}"
-                for limits in (found, wanted)
-            )
-            message = f"its limits are {said} in {self.reading.file}, not {right}"
-            yield self._fault(message, joint=joint.name, value=error, unit=unit)
-
-    def _dynamics(self, joint: AssetJoint) -> Iterator[Finding]:
-        """Compare springs, dampers, friction, effort and speed."""
-        said, file = self.reading.dynamics.get(joint.name), self.reading.file
-        if said is None:
+        if found is None or found == wanted:
             return
-        missing = set(_STATED.get(self.check, ())) - {item.field for item in said}
+        error = float(np.abs(np.subtract(found, wanted)).max())
+        if not error <= self.length * max(1.0, *map(abs, wanted)) or np.isinf(error):
+            texts = [
+                f"{low:.7g} to {high:.7g} {unit(joint)}" if np.isfinite([low, high]).any() else "none"
+                for low, high in (found, wanted)
+            ]
+            message = f"its limits are {texts[0]} in {self.reading.file}, not {texts[1]}"
+            value = error if np.isfinite(error) else None
+            yield self._fault(message, joint=joint.name, value=value, unit=unit(joint))
+
+    def _dynamics(self, joint: AssetJoint, found: ReadJoint) -> Iterator[Finding]:
+        """Compare springs, dampers, friction, effort and speed."""
+        file = self.reading.file
+        if found.dynamics is None:
+            return
+        missing = set(_STATED.get(self.check, ())) - {item.field for item in found.dynamics}
         for field in DYNAMICS:
             wanted = float(getattr(joint, field))
-            unit = _UNITS[field][joint.kind == "prismatic"]
+            name = _UNITS[field][joint.kind == "prismatic"]
+            fault = partial(self._fault, joint=joint.name, unit=name)
             if field in missing and wanted != 0.0:
-                message = f"{file} does not say its {field}, which is {wanted:.7g} {unit}"
-                yield self._fault(message, joint=joint.name, value=0.0, unit=unit)
+                yield fault(f"{file} does not say its {field}, which is {wanted:.7g} {name}", value=0.0)
             slack = self.relative * max(abs(wanted), 1e-3)
             if field == "rest":
                 if not joint.stiffness:
                     continue  # without a spring, its rest position has no effect
                 slack = self.length * max(1.0, abs(wanted))
-            for item in said:
+            for item in found.dynamics:
                 if item.field == field and not abs(item.value - wanted) <= slack:
-                    message = (
-                        f"its {field} is {item.value:.7g} {unit} in {file} ({item.source}), not "
-                        f"{wanted:.7g} {unit}"
-                    )
-                    yield self._fault(message, joint=joint.name, value=item.value, unit=unit)
+                    text = f"its {field} is {item.value:.7g} {name} in {file} ({item.source})"
+                    yield fault(f"{text}, not {wanted:.7g} {name}", value=item.value)
 
     def _couplings(self) -> Iterator[Finding]:
         asset, reading = self.expected.asset, self.reading
         following = {joint.name for joint in asset.joints if joint.follows is not None and not joint.locked}
-        told = {reading.file: reading.couplings}
-        told |= {f"{reading.file} (for {name})": laws for name, laws in reading.more_couplings.items()}
-        for file, laws in told.items():
+        read = {reading.file: reading.couplings}
+        read |= {f"{reading.file} (for {name})": laws for name, laws in reading.more_couplings.items()}
+        for file, laws in read.items():
             for name in sorted(following - laws.keys()):
                 yield self._fault(f"it follows another joint, but not in {file}", joint=name)
             for name in sorted(laws.keys() - following):
@@ -314,9 +366,9 @@ class Comparison:
             for name in sorted(following & laws.keys()):
                 yield from self._law(name, laws[name], file)
 
-    def _law(self, name: str, found: tuple[str, float, float], file: str) -> Iterator[Finding]:
+    def _law(self, name: str, found: Law, file: str) -> Iterator[Finding]:
         leader, ratio, offset = found
-        wanted = law_to(self.expected.asset, name, leader)
+        wanted = _law_to(self.expected.asset, name, leader)
         if wanted is None:
             yield self._fault(f"it follows {leader!r} in {file}, which does not lead it", joint=name)
         elif not np.allclose((ratio, offset), wanted, rtol=self.relative, atol=self.length):
@@ -346,11 +398,10 @@ class Comparison:
         tolerance = self.length if reading.partial else 2.0 * self.length
         worst: dict[str, tuple[float, dict[str, float]]] = {}
         lost: set[str] = set()
+        known = self._must if reading.partial else self._must & reading.inertials.keys()
         for q, positions, wanted in poses:
             found = reading.frames(positions)
-            lost |= (
-                self._must & (wanted.keys() if reading.partial else reading.inertials.keys()) - found.keys()
-            )
+            lost |= known - found.keys()
             for name in found.keys() - reading.misplaced:
                 error = float(np.abs(found[name] - wanted[name]).max())
                 if not error <= worst.get(name, (tolerance, {}))[0]:
@@ -364,23 +415,39 @@ class Comparison:
         for name, frame in reading.standing.items():
             error = float(np.abs(frame - poses[0][2][name]).max())
             if not error <= tolerance:
-                message = (
-                    f"its body stands {error:.4g} (m or radians) off in {reading.file}, "
-                    "wherever its joints lead"
-                )
-                yield self._fault(message, link=name, value=error)
+                off = f"stands {error:.4g} (m or radians) off in {reading.file}"
+                yield self._fault(f"its body {off}, wherever its joints lead", link=name, value=error)
+
+
+def _collider_differences(
+    wanted: ReadCollider, found: ReadCollider, away: float, file: str
+) -> Iterator[tuple[str, float | None]]:
+    name = f"its collider {found.name}"
+    volumes = f"{1e6 * found.volume:.5g} cm^3 in {file}, not {1e6 * wanted.volume:.5g} cm^3"
+    same_volume = abs(found.volume - wanted.volume) <= _VOLUME * wanted.volume
+    depth = found.concavity() if len(found.vertices) and not (away <= _APART and same_volume) else 0.0
+    if depth > _INSIDE:
+        yield f"{name} is not convex in {file}: a vertex lies {1e3 * depth:.4g} mm inside its hull", depth
+    elif not away <= _APART:
+        yield f"{name} is off by {1e3 * away:.4g} mm and has {volumes}", away
+    elif not same_volume:
+        yield f"{name} has {volumes}", found.volume
+    if found.friction is None or wanted.friction is None:
+        return
+    if not abs(found.friction - wanted.friction) <= EXACT:
+        yield f"{name} has friction {found.friction:.4g} in {file}, not {wanted.friction:.4g}", found.friction
 
 
 def _apart(first: Faces, second: Faces) -> float:
     return float(np.nan_to_num(np.abs(first.bounds - second.bounds).max(), nan=1e9))
 
 
-def law_to(asset: Asset, name: str, leader: str) -> tuple[float, float] | None:
+def _law_to(asset: Asset, name: str, leader: str) -> tuple[float, float] | None:
     """Return ratio and offset of a joint to a leader along its chain; None if that does not lead it."""
     if name == leader:
         return 1.0, 0.0
     follows = asset.joint(name).follows
-    above = None if follows is None else law_to(asset, follows.leader, leader)
+    above = None if follows is None else _law_to(asset, follows.leader, leader)
     if follows is None or above is None:
         return None
     return follows.ratio * above[0], follows.ratio * above[1] + follows.offset

@@ -1,22 +1,30 @@
 """Reading an exported MJCF with MuJoCo, and faults that MuJoCo accepts silently."""
 
 from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation
 
-from artgen._arrays import Array
+from artgen._arrays import Array, Indices
 from artgen.asset import Asset
 from artgen.asset.report import AGAIN, Finding
 from artgen.colliders import Convex
 from artgen.colliders.convex import Kind
-from artgen.validate.readback.pieces import ReadCollider
-from artgen.validate.readback.reading import Faces, Inertial, Reading, Said, listening
+from artgen.validate.behavior.model import collected_warnings
+from artgen.validate.readback.reading import (
+    UNLIMITED,
+    Faces,
+    Inertial,
+    ReadCollider,
+    Reading,
+    ReadJoint,
+    Said,
+    listening,
+)
 
-_CHECK = "mjcf"
 _KINDS = {2: "prismatic", 3: "revolute"}  # values of mjtJoint with one degree of freedom
 _FREE, _BALL = 0, 1  # other values of mjtJoint
 _SHAPES: dict[int, Kind] = {2: "sphere", 3: "capsule", 5: "cylinder", 6: "box"}  # values of mjtGeom
@@ -26,6 +34,17 @@ _ACTING = ("actuator", "tendon", "deformable", "extension", "include")  # they m
 _PLAIN = {"contype": 1.0, "conaffinity": 1.0, "condim": 3.0, "margin": 0.0, "gap": 0.0}
 _SOFTEST, _LEAST_IMPEDANCE = 0.02, 0.9  # default time constant [s] and impedance of MuJoCo
 _SHOWN = 2  # most findings about the colliders of one link
+# for each field of a joint's dynamics: the name in the file, the array of MuJoCo's model and its index
+_DYNAMICS = (
+    ("stiffness", "stiffness", "jnt_stiffness", "joint"),
+    ("rest", "springref", "qpos_spring", "position"),
+    ("damping", "damping", "dof_damping", "freedom"),
+    ("friction", "frictionloss", "dof_frictionloss", "freedom"),
+    ("armature", "armature", "dof_armature", "freedom"),
+)
+
+_fault = partial(Finding, "mjcf", hint=AGAIN)
+_foreign = partial(Finding, "mjcf", hint=_SCENE)
 
 
 def element_findings(path: Path) -> Iterator[Finding]:
@@ -35,26 +54,23 @@ def element_findings(path: Path) -> Iterator[Finding]:
     root, file = etree.parse(path).getroot(), path.name
     for exclude in root.iterfind("contact/exclude"):
         message = f"{file} excludes their contacts, which hides parts that penetrate each other"
-        pair = f"{exclude.get('body1')}, {exclude.get('body2')}"
-        yield Finding(_CHECK, message, pair, hint="remove <exclude>")
+        yield _fault(message, f"{exclude.get('body1')}, {exclude.get('body2')}", hint="remove <exclude>")
     for option in root.iterfind("option"):
         settings = {name: option.get(name) for name in ("gravity", "density", "wind") if option.get(name)}
         settings |= {name: value for flag in option.iterfind("flag") for name, value in flag.items()}
         for name, value in settings.items():
-            yield Finding(_CHECK, f"{file} sets {name} to {value}, which belongs to the scene", hint=_SCENE)
+            yield _foreign(f"{file} sets {name} to {value}, which belongs to the scene")
     for body in root.iterfind("worldbody//body[@gravcomp]"):
         message = f"{file} compensates the share {body.get('gravcomp')} of its weight (gravcomp)"
-        yield Finding(_CHECK, message, body.get("name", ""), hint="remove gravcomp")
+        yield _fault(message, body.get("name", ""), hint="remove gravcomp")
     for tag in _ACTING:
         if root.find(f".//{tag}") is not None:
-            yield Finding(_CHECK, f"{file} has <{tag}>, which does not belong to an asset", hint=_SCENE)
+            yield _foreign(f"{file} has <{tag}>, which does not belong to an asset")
     for equality in root.iterfind("equality/*"):
         if equality.tag != "joint":
-            message = f"{file} has the equality <{equality.tag}>, which holds links together"
-            yield Finding(_CHECK, message, hint=_SCENE)
+            yield _foreign(f"{file} has the equality <{equality.tag}>, which holds links together")
         elif not equality.get("joint2"):
-            message = f"an equality of {file} holds it in place"
-            yield Finding(_CHECK, message, joint=equality.get("joint1", ""), hint=_SCENE)
+            yield _foreign(f"an equality of {file} holds it in place", joint=equality.get("joint1", ""))
 
 
 def _model_findings(model: Any, asset: Asset, file: str) -> Iterator[Finding]:
@@ -70,15 +86,16 @@ def _model_findings(model: Any, asset: Asset, file: str) -> Iterator[Finding]:
         for joint in range(first, first + model.body_jntnum[body]):
             kind = int(model.jnt_type[joint])
             if kind == _BALL or (kind == _FREE and not _carries(model, body, asset.links[0].name)):
-                what = "as a ball" if kind == _BALL else "freely"
-                yield Finding(_CHECK, f"the body {name!r} moves {what} in {file}", hint=_SCENE)
+                yield _foreign(
+                    f"the body {name!r} moves {'as a ball' if kind == _BALL else 'freely'} in {file}"
+                )
             elif kind != _FREE and _is_soft(model.jnt_solref[joint], model.jnt_solimp[joint]):
                 message = f"its limits are softer than MuJoCo's default in {file}"
-                yield Finding(_CHECK, message, joint=model.joint(joint).name, hint=AGAIN)
+                yield _fault(message, joint=model.joint(joint).name)
     for number in np.flatnonzero(model.eq_type == mujoco.mjtEq.mjEQ_JOINT):
         if np.abs(model.eq_data[number, 2:5]).max() > 0.0:
-            message = f"its coupling has terms of higher order in {file}"
-            yield Finding(_CHECK, message, joint=model.joint(int(model.eq_obj1id[number])).name, hint=AGAIN)
+            follower = model.joint(int(model.eq_obj1id[number])).name
+            yield _fault(f"its coupling has terms of higher order in {file}", joint=follower)
 
 
 def _geom_findings(model: Any, body: int, link: str, file: str) -> Iterator[Finding]:
@@ -87,16 +104,15 @@ def _geom_findings(model: Any, body: int, link: str, file: str) -> Iterator[Find
         if not link:
             where = model.body(body).name
             message = f"its body {where!r} is not a link of the asset and collides, by the geom {name!r}"
-            yield Finding(_CHECK, message, hint=_SCENE)
+            yield _foreign(message)
             continue
         for key, wanted in _PLAIN.items():
             value = float(getattr(model, f"geom_{key}")[geom])
             if value != wanted:
                 message = f"its collider {name} has {key} {value:.4g} in {file}, not {wanted:g}"
-                yield Finding(_CHECK, message, link, value=value, hint=AGAIN)
+                yield _fault(message, link, value=value)
         if _is_soft(model.geom_solref[geom], model.geom_solimp[geom]):
-            message = f"its collider {name} is softer than MuJoCo's default in {file}"
-            yield Finding(_CHECK, message, link, hint=AGAIN)
+            yield _fault(f"its collider {name} is softer than MuJoCo's default in {file}", link)
 
 
 def _carries(model: Any, body: int, base: str) -> bool:
@@ -118,12 +134,13 @@ def read(asset: Asset, path: Path) -> Reading:
 
     # MuJoCo caches meshes and does not notice a file that changed within the same second
     mujoco.mj_clearCache(mujoco.mj_getCache())
-    with listening() as said, _warnings(mujoco, said):
+    with listening() as said, collected_warnings() as warned:
         model = mujoco.MjModel.from_xml_path(str(path))
         tried = mujoco.MjData(model)
         for _ in range(2):
             mujoco.mj_step(model, tried)
-        said += [f"MuJoCo warns while stepping ({each.number})" for each in tried.warning if each.number]
+        numbers = [each.number for each in tried.warning if each.number]
+        said.extend((*warned, *(f"MuJoCo warns while stepping ({number})" for number in numbers)))
     names = {model.body(number).name for number in range(1, model.nbody)}
     links = [link.name for link in asset.links if link.name in names]
     data = mujoco.MjData(model)
@@ -144,11 +161,7 @@ def read(asset: Asset, path: Path) -> Reading:
         inertials={name: _inertial(model.body(name)) for name in links},
         mass=float(model.body_mass.sum()),
         base=_base(model, asset),
-        kinds={model.joint(number).name: _KINDS[model.jnt_type[number]] for number in joints},
-        ends={model.joint(number).name: _ends(model, number) for number in joints},
-        limits={model.joint(number).name: _limits(model, number) for number in joints},
-        axes=dict(_axes(model, joints)),
-        dynamics={model.joint(number).name: tuple(_dynamics(model, number)) for number in joints},
+        joints={model.joint(number).name: _joint(model, number) for number in joints},
         couplings=dict(_couplings(model)),
         colliders={name: tuple(_colliders(model, body)) for name, body in bodies.items()},
         faces={name: tuple(_faces(model, body)) for name, body in bodies.items()},
@@ -158,26 +171,10 @@ def read(asset: Asset, path: Path) -> Reading:
     )
 
 
-@contextmanager
-def _warnings(mujoco: Any, said: list[str]) -> Iterator[None]:
-    """Collect the warnings of MuJoCo, which it would print and write to a file."""
-    before = mujoco.get_mju_user_warning()
-    mujoco.set_mju_user_warning(said.append)
-    try:
-        yield
-    finally:
-        mujoco.set_mju_user_warning(before)
-
-
 def _pose(position: Array, quaternion: Array) -> Array:
     """Return a position and a quaternion (w, x, y, z) as a transform, shape (4, 4)."""
-    w, x, y, z = quaternion
     result = np.eye(4)
-    result[:3, :3] = [
-        [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
-        [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
-        [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
-    ]
+    result[:3, :3] = Rotation.from_quat(quaternion, scalar_first=True).as_matrix()
     result[:3, 3] = position
     return result
 
@@ -188,40 +185,32 @@ def _base(model: Any, asset: Asset) -> str:
     return "free" if any(_carries(model, body, asset.links[0].name) for body in free) else "fixed"
 
 
-def _ends(model: Any, joint: int) -> tuple[str, str]:
-    body = model.jnt_bodyid[joint]
-    return model.body(model.body_parentid[body]).name, model.body(body).name
-
-
-def _limits(model: Any, joint: int) -> tuple[float, float] | None:
-    low, high = model.jnt_range[joint]
-    return (float(low), float(high)) if model.jnt_limited[joint] else None
-
-
 def _inertial(body: Any) -> Inertial:
     pose = _pose(body.ipos, body.iquat)
     turn = pose[:3, :3]
     return Inertial(float(body.mass[0]), pose[:3, 3], turn @ np.diag(body.inertia) @ turn.T)
 
 
-def _axes(model: Any, joints: list[int]) -> Iterator[tuple[str, Array]]:
-    """Yield the axis of the last joint of each body; earlier joints turn with the body."""
-    for number in joints:
-        body = model.jnt_bodyid[number]
-        if number == model.body_jntadr[body] + model.body_jntnum[body] - 1:
-            yield model.joint(number).name, np.array(model.jnt_axis[number])
-
-
-def _dynamics(model: Any, joint: int) -> Iterator[Said]:
-    freedom = model.jnt_dofadr[joint]
-    yield Said("stiffness", float(model.jnt_stiffness[joint]), "stiffness")
-    yield Said("rest", float(model.qpos_spring[model.jnt_qposadr[joint]]), "springref")
-    yield Said("damping", float(model.dof_damping[freedom]), "damping")
-    yield Said("friction", float(model.dof_frictionloss[freedom]), "frictionloss")
-    yield Said("armature", float(model.dof_armature[freedom]), "armature")
-    low, high = model.jnt_actfrcrange[joint]
-    yield Said(
-        "effort", float(min(-low, high)) if model.jnt_actfrclimited[joint] else np.inf, "actuatorfrcrange"
+def _joint(model: Any, number: int) -> ReadJoint:
+    body = model.jnt_bodyid[number]
+    low, high = model.jnt_range[number] if model.jnt_limited[number] else UNLIMITED
+    index = {"joint": number, "position": model.jnt_qposadr[number], "freedom": model.jnt_dofadr[number]}
+    least, most = model.jnt_actfrcrange[number]
+    effort = float(min(-least, most)) if model.jnt_actfrclimited[number] else np.inf
+    # earlier joints of a body turn with it: their axes in the model are not those of the asset
+    last = number == model.body_jntadr[body] + model.body_jntnum[body] - 1
+    return ReadJoint(
+        _KINDS[model.jnt_type[number]],
+        (model.body(model.body_parentid[body]).name, model.body(body).name),
+        (float(low), float(high)),
+        np.array(model.jnt_axis[number]) if last else None,
+        (
+            *(
+                Said(field, float(getattr(model, array)[index[of]]), name)
+                for field, name, array, of in _DYNAMICS
+            ),
+            Said("effort", effort, "actuatorfrcrange"),
+        ),
     )
 
 
@@ -250,7 +239,7 @@ def _geoms(model: Any, body: int, *, colliding: bool) -> Iterator[int]:
             yield number
 
 
-def _placed_mesh(model: Any, geom: int) -> tuple[Array, NDArray[np.int64]]:
+def _placed_mesh(model: Any, geom: int) -> tuple[Array, Indices]:
     """Return the vertices of a mesh geom in its body's frame, and its triangles."""
     mesh = model.geom_dataid[geom]
     vertices, faces = model.mesh_vertadr[mesh], model.mesh_faceadr[mesh]

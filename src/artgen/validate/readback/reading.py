@@ -1,4 +1,4 @@
-"""Values that a reader found in an exported file."""
+"""Values that a reader found in an exported file, and the messages of the reader."""
 
 import logging
 import warnings
@@ -10,7 +10,10 @@ import numpy as np
 
 from artgen._arrays import Array, Indices
 from artgen.asset.report import Finding
-from artgen.validate.readback.pieces import ReadCollider
+from artgen.colliders import Convex
+
+MOST_VERTICES = 64
+"""Vertices that a collider may have; the budget of GPU simulators."""
 
 Frames = Callable[[Mapping[str, float]], Mapping[str, Array]]
 Law = tuple[str, float, float]
@@ -50,55 +53,113 @@ class Faces:
 
 
 @dataclass(frozen=True, eq=False)
+class ReadJoint:
+    """A joint that can move, as a file has it."""
+
+    kind: str  # `revolute` or `prismatic`
+    ends: tuple[str, str] | None = None  # parent and child
+    limits: tuple[float, float] | None = None  # lowest and highest position, may be infinite [rad or m]
+    axis: Array | None = None  # in the frame of the child, shape (3,)
+    dynamics: tuple[Said, ...] | None = None  # springs, dampers, friction and so on
+
+
+UNLIMITED = (-np.inf, np.inf)
+"""Limits of a joint without limits [rad or m]."""
+
+
+@dataclass(frozen=True, eq=False)
+class ReadCollider:
+    """A collider, in the frame of its link."""
+
+    name: str  # name in the file
+    bounds: Array  # corners of the bounding box, shape (2, 3) [m]
+    middle: Array  # mean of its vertices, or center of a primitive, shape (3,) [m]
+    volume: float  # [m^3]
+    friction: float | None = None  # coefficient of sliding friction; None if the file has none
+    vertices: Array = field(
+        default_factory=lambda: np.zeros((0, 3))
+    )  # of a mesh, each once, shape (n, 3) [m]
+    flaw: str = ""  # fault that a simulator would refuse or silently change, with the number
+
+    @staticmethod
+    def primitive(name: str, convex: Convex, friction: float | None = None, flaw: str = "") -> "ReadCollider":
+        """Return the collider of a box or a round piece."""
+        return ReadCollider(name, convex.bounds(), convex.pose[:3, 3], convex.volume, friction, flaw=flaw)
+
+    @staticmethod
+    def mesh(
+        name: str, vertices: Array, triangles: Indices, friction: float | None = None, flaw: str = ""
+    ) -> "ReadCollider":
+        """Return the collider of a mesh; vertices at one place are one."""
+        open_edges = _open_edges(triangles)
+        if open_edges or len(vertices) > MOST_VERTICES:
+            vertices, numbers = np.unique(vertices, axis=0, return_inverse=True)
+            triangles = numbers.reshape(-1)[triangles]
+            open_edges = _open_edges(triangles)
+        volume = _volume(vertices, triangles)
+        if not np.isfinite(vertices).all():
+            flaw = flaw or "has coordinates that are not finite"
+        elif open_edges:
+            flaw = flaw or f"is open: {open_edges} edges have a face on one side only"
+        elif volume <= 0.0:
+            flaw = flaw or f"is inside out: its volume is {1e6 * volume:.4g} cm^3"
+        elif len(vertices) > MOST_VERTICES:
+            flaw = flaw or f"has {len(vertices)} vertices; GPU simulators take at most {MOST_VERTICES}"
+        bounds = np.array([vertices.min(axis=0), vertices.max(axis=0)])
+        return ReadCollider(name, bounds, vertices.mean(axis=0), volume, friction, vertices, flaw)
+
+    def concavity(self) -> float:
+        """Return how far a vertex lies inside the hull of the others [m]."""
+        from scipy.spatial import ConvexHull, QhullError
+
+        try:
+            planes = ConvexHull(self.vertices).equations
+        except (QhullError, ValueError, IndexError):
+            return 0.0
+        return float(-(planes[:, :3] @ self.vertices.T + planes[:, 3:]).max(axis=0).min())
+
+
+def _volume(vertices: Array, triangles: Indices) -> float:
+    """Return the volume inside closed triangles, shape (m, 3) [m^3]."""
+    a, b, c = (vertices - vertices.mean(axis=0))[triangles.T]
+    return float(np.einsum("ij,ij->i", a, np.cross(b, c)).sum() / 6.0)
+
+
+def _open_edges(triangles: Indices) -> int:
+    """Return the number of edges that do not have one triangle on either side."""
+    if not len(triangles):
+        return 1
+    most = int(triangles.max()) + 1
+    first, second = triangles.ravel(), triangles[:, [1, 2, 0]].ravel()
+    forth, back = np.sort(first * most + second), np.sort(second * most + first)
+    return int((forth[1:] == forth[:-1]).sum()) + len(np.setdiff1d(forth, back))
+
+
+@dataclass(frozen=True, eq=False)
 class Reading:
-    """Values that one reader found in an exported asset.
+    """Values that one reader found in an exported asset; None if they were not read."""
 
-    Attributes:
-        file: Name of the file.
-        frames: Function from the positions of all joints to the frame of each link, shape (4, 4).
-        told: The parts that were read, of `links`, `joints`, `couplings` and `poses`.
-        partial: Whether the reader may leave out links that no joint moves.
-        misplaced: Names of links whose frames are not compared.
-        standing: Frames of links as the file places them, independent of its joints, shape (4, 4).
-        inertials: Mass properties of each link.
-        mass: Mass of everything in the file; None if unknown [kg].
-        base: `fixed` or `free`; empty if the format cannot say it.
-        kinds: `revolute` or `prismatic` for each joint that can move.
-        ends: Names of parent and child of each joint that can move.
-        limits: Lowest and highest position of each joint that can move; None is unlimited [rad or m].
-        axes: Axis of joints in the frame of the child, shape (3,).
-        dynamics: Springs, dampers, friction and so on of each joint.
-        couplings: Law of each joint that follows.
-        more_couplings: Laws that the file repeats for single simulators, by simulator.
-        colliders: Colliders of each link.
-        faces: Visible meshes of each link.
-        holds: Link of each grasp and push, and the frame in the link's frame, shape (4, 4) [m]; None if the
-            layout has no such frames.
-        findings: Faults of the file that do not depend on the asset.
-        said: Complaints of the reader.
-    """
-
-    file: str
-    frames: Frames
+    file: str  # name of the file
+    frames: Frames  # function from the positions of all joints to the frame of each link, shape (4, 4)
+    # the parts that were read, of `links`, `joints`, `couplings` and `poses`
     told: frozenset[str] = frozenset({"links", "joints", "couplings", "poses"})
-    partial: bool = False
-    misplaced: frozenset[str] = frozenset()
+    partial: bool = False  # whether the reader may leave out links that no joint moves
+    misplaced: frozenset[str] = frozenset()  # links whose frames are not compared
+    # frames of links as the file places them, independent of its joints, shape (4, 4)
     standing: Mapping[str, Array] = field(default_factory=dict)
-    inertials: Mapping[str, Inertial] = field(default_factory=dict)
-    mass: float | None = None
-    base: str = ""
-    kinds: Mapping[str, str] = field(default_factory=dict)
-    ends: Mapping[str, tuple[str, str]] = field(default_factory=dict)
-    limits: Mapping[str, tuple[float, float] | None] = field(default_factory=dict)
-    axes: Mapping[str, Array] = field(default_factory=dict)
-    dynamics: Mapping[str, tuple[Said, ...]] = field(default_factory=dict)
-    couplings: Mapping[str, Law] = field(default_factory=dict)
+    inertials: Mapping[str, Inertial] = field(default_factory=dict)  # mass properties of each link
+    mass: float | None = None  # mass of everything in the file [kg]
+    base: str = ""  # `fixed` or `free`; empty if the format cannot say it
+    joints: Mapping[str, ReadJoint] = field(default_factory=dict)  # the joints that can move
+    couplings: Mapping[str, Law] = field(default_factory=dict)  # law of each joint that follows
+    # laws that the file repeats for single simulators, by simulator
     more_couplings: Mapping[str, Mapping[str, Law]] = field(default_factory=dict)
-    colliders: Mapping[str, tuple[ReadCollider, ...]] = field(default_factory=dict)
-    faces: Mapping[str, tuple[Faces, ...]] = field(default_factory=dict)
+    colliders: Mapping[str, tuple[ReadCollider, ...]] = field(default_factory=dict)  # of each link
+    faces: Mapping[str, tuple[Faces, ...]] = field(default_factory=dict)  # visible meshes of each link
+    # link of each grasp and push, and the frame in the link's frame, shape (4, 4)
     holds: Mapping[str, tuple[str, Array]] | None = field(default_factory=dict)
-    findings: tuple[Finding, ...] = ()
-    said: tuple[str, ...] = ()
+    findings: tuple[Finding, ...] = ()  # faults of the file that do not depend on the asset
+    said: tuple[str, ...] = ()  # complaints of the reader
 
 
 @contextmanager
