@@ -17,8 +17,7 @@ from artgen.asset.report import CheckResult, Finding, Report
 from artgen.commands.checks import write_report
 from artgen.errors import AssetError, ExportError, ParameterError
 from artgen.validate import CHECKS, Examination, tree, validate
-from artgen.validate.certified import check_certificate
-from artgen.validate.files import read_export
+from artgen.validate.files import check_certificate, read_export
 from support.exports import edit_json, edit_text, stand
 
 

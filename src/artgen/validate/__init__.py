@@ -13,13 +13,13 @@ from artgen.errors import ArtgenError, ParameterError, nearest
 from artgen.validate.files import FORMAT_CHECKS, Exported, read_export
 
 if TYPE_CHECKING:
-    from artgen.validate.readback import FormatChecks
+    from artgen.validate.readback.compare import Expected
 
 
 CHECKS = ("files", "solids", "tree", "colliders", *FORMAT_CHECKS, "certificate", "grasps", "behavior")
 """Names of the checks, in the order in which they run."""
 
-_MODULES = {"certificate": "certified", "grasps": "hands"}  # of other names than the check
+_MODULES = {"certificate": "files", "grasps": "hands"}  # of other names than the check
 _MESH_CHECKS = ("solids", "colliders", "grasps")
 
 
@@ -89,7 +89,9 @@ class Examination:
         asset = self._exported.asset
         assert asset is not None
         if check in FORMAT_CHECKS:
-            return self._formats.result(check)
+            from artgen.validate.readback import check_format
+
+            return check_format(check, self._expected, self.directory)
         # each check imports its packages on first use
         module = import_module(f"artgen.validate.{_MODULES.get(check, check)}")
         run: Callable[..., CheckResult] = getattr(module, f"check_{check}")
@@ -105,12 +107,11 @@ class Examination:
         return mesh_precision(*asset.links) if asset is not None else 0.0
 
     @cached_property
-    def _formats(self) -> "FormatChecks":
-        from artgen.validate.readback import FormatChecks
+    def _expected(self) -> "Expected":
+        from artgen.validate.readback.compare import Expected
 
-        asset = self._exported.asset
-        assert asset is not None
-        return FormatChecks(asset, self.directory)
+        assert self._exported.asset is not None
+        return Expected(self._exported.asset)
 
 
 def guarded(check: str, run: Callable[[], CheckResult]) -> CheckResult:

@@ -261,14 +261,10 @@ class Simulation:
         """Return the positions of the free joints [rad or m]."""
         return {name: self.position(motion) for name, motion in self.motions.items()}
 
-    def all_positions(self) -> dict[str, float]:
-        """Return the positions of all joints [rad or m]."""
-        locked = {joint.name: joint.closed for joint in self.asset.joints if joint.locked}
-        return locked | {name: float(self._qpos[place]) for name, place in self._places.items()}
-
     def holds(self, condition: AssetCondition) -> bool:
         """Tell whether the joint positions lie in a region."""
-        return condition.holds(self.all_positions())
+        locked = {joint.name: joint.closed for joint in self.asset.joints if joint.locked}
+        return condition.holds({name: float(self._qpos[at]) for name, at in self._places.items()} | locked)
 
     def load(self, motion: JointMotion) -> float:
         """Return the force of gravity, springs and damping at a free joint, without friction [N m or N]."""
@@ -293,37 +289,34 @@ class Simulation:
         full, columns = np.zeros((self.model.nv, self.model.nv)), self._columns
         self._mujoco.mj_fullM(self.model, self.data, full)
         index = list(self.motions).index(motion.name)
-        alone = np.zeros(columns.shape[1])
-        alone[index] = 1.0
+        alone = np.eye(columns.shape[1])[index]
         return 1.0 / float(np.linalg.solve(columns.T @ full @ columns, alone)[index])
 
     @cached_property
     def _columns(self) -> Array:
         """Motion by each free joint, and by each other degree of freedom, shape (nv, n)."""
-        free = list(self.motions.values())
-        moved = {int(dof) for motion in free for dof in motion.speeds}
+        moved = {int(dof) for motion in self.motions.values() for dof in motion.speeds}
+        columns = []
+        for motion in self.motions.values():
+            columns.append(np.zeros(self.model.nv))
+            columns[-1][motion.speeds] = motion.ratios
         fixed = [dof for dof in range(self.model.nv) if dof not in moved]
-        columns = np.zeros((self.model.nv, len(free) + len(fixed)))
-        for number, each in enumerate(free):
-            columns[each.speeds, number] = each.ratios
-        columns[fixed, np.arange(len(free), columns.shape[1])] = 1.0
-        return columns
-
-    def geom(self, number: int) -> tuple[str, str]:
-        """Return link and label of a collider; the label is empty if the file does not say it."""
-        body = int(self.model.geom_bodyid[number])
-        if body == 0:
-            return _FLOOR, ""
-        return self.model.body(body).name, self._labels.get(self.model.geom(number).name, "")
+        return np.column_stack([*columns, *np.eye(self.model.nv)[fixed]])
 
     def depths(self) -> Array:
         """Return the depth of each contact, shape (n,) [m]."""
         return -np.asarray(self.data.contact.dist) if self.data.ncon else np.zeros(0)
 
     def contact(self, number: int) -> Pieces:
-        """Return link and label of the two pieces of a contact."""
-        first, second = self.data.contact[number].geom
-        return self.geom(int(first)), self.geom(int(second))
+        """Return link and label of the two pieces of a contact; unknown labels are empty."""
+        first, second = (self._piece(int(geom)) for geom in self.data.contact[number].geom)
+        return first, second
+
+    def _piece(self, geom: int) -> tuple[str, str]:
+        body = int(self.model.geom_bodyid[geom])
+        if body == 0:
+            return _FLOOR, ""
+        return self.model.body(body).name, self._labels.get(self.model.geom(geom).name, "")
 
     def touching(self, motion: JointMotion, others: frozenset[int] | None = None) -> list[str]:
         """Return the names of the links that press on the links of a joint, the strongest contact first.

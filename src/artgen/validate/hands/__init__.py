@@ -11,6 +11,7 @@ from artgen.asset.affordance import GRIPPER, Affordance
 from artgen.asset.report import CheckResult, Finding
 from artgen.validate.hands.motion import (
     MOST_FORCE,
+    HandSpace,
     Opened,
     Reach,
     hand_forces,
@@ -19,7 +20,6 @@ from artgen.validate.hands.motion import (
     standing,
     tendency,
 )
-from artgen.validate.hands.space import HandSpace
 
 CHECK = "grasps"
 

@@ -1,4 +1,4 @@
-"""Motion of joints by hands: positions of other joints, range of the motion, and force.
+"""Hands in motion: contact with solids, positions of other joints, range of a motion, and force.
 
 Forces are computed without a simulator. A slow hand works against dry friction, springs and weight. Damping
 and inertia depend on its speed and are left out.
@@ -9,12 +9,14 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
+from manifold3d import Manifold
 
 from artgen._arrays import Array
 from artgen.asset import Asset, AssetCondition, AssetJoint
-from artgen.asset.affordance import GRIPPER, Affordance, moved_joints
+from artgen.asset.affordance import GRIPPER, Affordance, block, clipped, moved_joints
+from artgen.asset.collision import SolidPart, link_parts
 from artgen.export.frames import coupling, leader_of
-from artgen.validate.hands.space import HandSpace, Touch
+from artgen.proof.overlap import LEAST_VOLUME
 from artgen.validate.joints import needed_conditions, state_for
 
 MOST_FORCE = 60.0
@@ -26,6 +28,9 @@ Two rubber pads (friction 0.5) that a Franka hand closes with 70 N slip at about
 Opened = Mapping[str, AssetCondition]
 """Regions in which joints are open that were opened for the approach of a hand."""
 
+_BEHIND = 0.020  # search depth for the surface behind the point of a push [m]
+_SEGMENTS = 32  # sides of the polygon around a finger
+_SLACK = 1e-5  # tolerance of contact along the path of a hand [m]
 _WIDE = 0.98  # share of its range from which a joint counts as open
 _STEPS = 16  # number of parts of a range at whose ends a hand is tested
 _TURN = math.pi  # range of a joint without limits, in each direction [rad or m]
@@ -37,6 +42,131 @@ _FORCE_STEP = 1e-5  # step by which a joint is moved to measure lever arms [rad 
 _SHORTEST = 1e-4  # least lever arm of an effective hand [m/rad or m/m]
 # range of a joint without limits for forces, in each direction [rad or m]
 _FORCE_RANGE = {"revolute": math.pi, "prismatic": 0.5}
+
+
+@dataclass(frozen=True)
+class Touch:
+    """Contact of a hand."""
+
+    link: str  # name of the link
+    label: str  # label of the solid
+
+    def __str__(self) -> str:
+        return f"{self.link}/{self.label}"
+
+
+class HandSpace:
+    """Solids of an asset as obstacles of hands, without visual details.
+
+    Methods take a box as opposite corners in a frame, shape (2, 3) [m]; a frame in asset coordinates, shape
+    (4, 4) [m]; and the displacement of each link from rest, shape (4, 4) each.
+
+    Args:
+        asset: The asset, in memory or loaded.
+    """
+
+    def __init__(self, asset: Asset) -> None:
+        self.asset = asset
+        self._parts = {link.name: link_parts(link) for link in asset.links}
+        self._boxes = {
+            name: np.array([part.solid.bounding_box() for part in parts]).reshape(-1, 2, 3)
+            for name, parts in self._parts.items()
+        }
+
+    @property
+    def lowest(self) -> float:
+        """Height of the lowest solid at rest [m]."""
+        return min(float(boxes[:, 0, 2].min()) for boxes in self._boxes.values() if len(boxes))
+
+    def first_touch(
+        self, corners: Array, frame: Array, pose: Mapping[str, Array], ignore: str = ""
+    ) -> Touch | None:
+        """Return a solid that a box overlaps, except for those of a link; None if the box is free."""
+        shrunk = np.array([corners[0] + _SLACK, corners[1] - _SLACK])
+        return self._touch(block(shrunk, np.eye(4)), shrunk, frame, pose, ignore)
+
+    def finger_touch(self, back: float, frame: Array, pose: Mapping[str, Array], ignore: str) -> Touch | None:
+        """Return a solid that a finger with its tip at the origin overlaps; None if the finger is free."""
+        rod, corners = _rod(GRIPPER.finger / 2.0 - _SLACK, -back, -_SLACK)
+        return self._touch(rod, corners, frame, pose, ignore)
+
+    def _touch(
+        self, solid: Manifold, corners: Array, frame: Array, pose: Mapping[str, Array], ignore: str
+    ) -> Touch | None:
+        for link, local, near in self._all_near(corners, frame, pose, ignore):
+            moved = solid.transform(local[:3])
+            for part in near:
+                if (part.solid ^ moved).volume() > LEAST_VOLUME:
+                    return Touch(link, part.label)
+        return None
+
+    def _all_near(
+        self, corners: Array, frame: Array, pose: Mapping[str, Array], ignore: str = ""
+    ) -> Iterator[tuple[str, Array, list[SolidPart]]]:
+        """Yield each link near a box, with the frame in the link's coordinates and the parts near the box."""
+        for link in self._parts:
+            if link == ignore:
+                continue
+            local = np.linalg.inv(pose[link]) @ frame
+            if near := self._near(link, corners, local):
+                yield link, local, near
+
+    def _near(self, link: str, corners: Array, frame: Array) -> list[SolidPart]:
+        """Return the parts of a link whose bounding boxes overlap a box, in both coordinate systems."""
+        turn, half = frame[:3, :3], (corners[1] - corners[0]) / 2.0
+        middle = turn @ corners.mean(axis=0) + frame[:3, 3]
+        boxes = self._boxes[link]
+        apart, halves = boxes.mean(axis=1) - middle, (boxes[:, 1] - boxes[:, 0]) / 2.0
+        close = (np.abs(apart) < halves + np.abs(turn) @ half).all(axis=1)
+        if not close.any():
+            return []
+        close &= (np.abs(apart @ turn) < halves @ np.abs(turn) + half).all(axis=1)
+        return [self._parts[link][index] for index in np.flatnonzero(close)]
+
+    def inside(self, corners: Array, frame: Array, link: str) -> Array:
+        """Return the corners of a link's solids at rest inside a box, in the frame, shape (n, 3) [m]."""
+        near = self._near(link, corners, frame)
+        return clipped([part.solid for part in near], block(corners, frame), frame)
+
+    def others_inside(
+        self, corners: Array, frame: Array, pose: Mapping[str, Array], link: str
+    ) -> Iterator[tuple[Touch, Array]]:
+        """Yield for all links but one the corners of solids inside a box, in its frame, shape (n, 3) [m]."""
+        for other, local, parts in self._all_near(corners, frame, pose, link):
+            for part in parts:
+                points = clipped([part.solid], block(corners, local), local)
+                if len(points):
+                    yield Touch(other, part.label), points
+
+    def finger_depths(self, frame: Array, pose: Mapping[str, Array], back: float) -> dict[str, float]:
+        """Return the depth at which a finger that comes along z first touches each link [m]."""
+        rod, corners = _rod(GRIPPER.finger / 2.0, -back, _BEHIND)
+        found = {}
+        for link, local, near in self._all_near(corners, frame, pose):
+            points = clipped((part.solid for part in near), rod.transform(local[:3]), local)
+            if len(points):
+                found[link] = float(points[:, 2].min())
+        return found
+
+    def finger_patch(self, frame: Array, depth: float, gives: float, link: str) -> Array:
+        """Return the bounding rectangle of the contact of a finger with a link, in x and y, shape (2, 2) [m].
+
+        Args:
+            frame: Frame of the push, shape (4, 4).
+            depth: Depth of the first contact along z [m].
+            gives: Compliance of the finger tip [m].
+            link: Name of the link.
+        """
+        rod, corners = _rod(GRIPPER.finger / 2.0, depth - gives, depth + gives)
+        near = self._near(link, corners, frame)
+        points = clipped((part.solid for part in near), rod.transform(frame[:3]), frame)[:, :2]
+        return np.array([points.min(axis=0), points.max(axis=0)])
+
+
+def _rod(radius: float, low: float, high: float) -> tuple[Manifold, Array]:
+    """Return a polygonal rod along z between two heights [m], and the corners of its box."""
+    rod = Manifold.cylinder(high - low, radius, radius, _SEGMENTS).translate((0.0, 0.0, low))
+    return rod, np.array([[-radius, -radius, low], [radius, radius, high]])
 
 
 def standing(asset: Asset, joint: str, opened: Opened) -> dict[str, float] | None:

@@ -17,35 +17,10 @@ from artgen.validate.readback.reading import Reading
 _SHOWN = 5  # most complaints of one reader in a report
 
 
-class FormatChecks:
-    """Checks of the formats of one export; each file is read on first request.
-
-    yourdfpy reads URDF, MuJoCo reads MJCF if it is installed, OpenUSD reads and validates USD.
-
-    Args:
-        asset: The asset that the files should describe.
-        directory: The directory of the export.
-    """
-
-    def __init__(self, asset: Asset, directory: str | Path) -> None:
-        self._expected = Expected(asset)
-        self._files = {name: path for name, path in main_files(directory).items() if path.exists()}
-
-    @property
-    def checks(self) -> tuple[str, ...]:
-        """The existing formats of `urdf`, `mjcf` and `usd`."""
-        return tuple(check for check in DEFAULT_FORMATS if check in self._files)
-
-    def result(self, check: str) -> CheckResult:
-        """Compare the main file of a format with the asset."""
-        if check not in self._files:
-            finding = Finding(check, "its main file is missing", hint=CHANGED)
-            return CheckResult(check, (finding,))
-        return _checked(check, self._expected, self._files[check])
-
-
 def check_formats(asset: Asset, directory: str | Path) -> tuple[CheckResult, ...]:
     """Read each exported file with an independent reader and compare it with the asset.
+
+    yourdfpy reads URDF, MuJoCo reads MJCF if it is installed, OpenUSD reads and validates USD.
 
     Args:
         asset: The asset that the files should describe.
@@ -54,11 +29,16 @@ def check_formats(asset: Asset, directory: str | Path) -> tuple[CheckResult, ...
     Returns:
         One result for each existing format of `urdf`, `mjcf` and `usd`.
     """
-    checks = FormatChecks(asset, directory)
-    return tuple(checks.result(check) for check in checks.checks)
+    expected, files = Expected(asset), main_files(directory)
+    checks = [check for check in DEFAULT_FORMATS if check in files and files[check].exists()]
+    return tuple(check_format(check, expected, directory) for check in checks)
 
 
-def _checked(check: str, expected: Expected, path: Path) -> CheckResult:
+def check_format(check: str, expected: Expected, directory: str | Path) -> CheckResult:
+    """Compare the main file of one format with the asset; see `check_formats`."""
+    path = main_files(directory).get(check)
+    if path is None or not path.exists():
+        return CheckResult(check, (Finding(check, "its main file is missing", hint=CHANGED),))
     asset = expected.asset
     found: list[Finding] = []
     try:

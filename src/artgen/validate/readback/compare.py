@@ -57,14 +57,6 @@ def expected_frames(asset: Asset, q: Mapping[str, float]) -> dict[str, Array]:
     return result
 
 
-def sampled_positions(asset: Asset, count: int) -> list[dict[str, float]]:
-    """Return the rest pose and a number of random poses of the free joints."""
-    draw = np.random.default_rng(0)
-    spans = {joint.name: joint.limits or (-np.pi, np.pi) for joint in asset.free_joints}
-    drawn = [{name: float(draw.uniform(*span)) for name, span in spans.items()} for _ in range(count)]
-    return [{}, *drawn]
-
-
 class Expected:
     """Expected values of the files of an asset, computed once for all formats.
 
@@ -85,8 +77,6 @@ class Expected:
     @cached_property
     def pieces_without_capsules(self) -> dict[str, tuple[ReadCollider, ...]]:
         """The same, with a cylinder and two balls for each capsule."""
-        if all(item.convex.kind != "capsule" for link in self.asset.links for item in link.colliders):
-            return self.pieces
         return _expected_pieces(self.asset, capsules=False)
 
     @cached_property
@@ -106,9 +96,13 @@ class Expected:
 
     @cached_property
     def poses(self) -> list[tuple[dict[str, float], dict[str, float], dict[str, Array]]]:
-        """Positions of the free joints, positions of all joints, and the frames of the links."""
-        drawn = sampled_positions(self.asset, self._count)
-        return [(q, self.asset.positions(q), expected_frames(self.asset, q)) for q in drawn]
+        """Positions of free joints, positions of all joints, and frames of links: at rest, then random."""
+        draw = np.random.default_rng(0)
+        spans = {joint.name: joint.limits or (-np.pi, np.pi) for joint in self.asset.free_joints}
+        drawn = [
+            {name: float(draw.uniform(*span)) for name, span in spans.items()} for _ in range(self._count)
+        ]
+        return [(q, self.asset.positions(q), expected_frames(self.asset, q)) for q in ({}, *drawn)]
 
 
 def _expected_pieces(asset: Asset, *, capsules: bool) -> dict[str, tuple[ReadCollider, ...]]:
@@ -204,21 +198,20 @@ class Comparison:
             if name in self._must:
                 yield self._fault(f"{file} has no such link with a mass", link=name)
             return
+        fault = partial(self._fault, link=name)
         if not abs(found.mass - wanted.mass) <= self.relative * wanted.mass:
             message = f"its mass is {found.mass:.7g} kg in {file}, not {wanted.mass:.7g} kg"
-            yield self._fault(message, link=name, value=found.mass, unit="kg")
+            yield fault(message, value=found.mass, unit="kg")
         if found.center is not None:
-            center = wanted.center - self.expected.asset.origin(name)
-            away = float(np.abs(found.center - center).max())
+            away = _error(found.center, wanted.center - self.expected.asset.origin(name))
             if not away <= self.length:
-                message = f"its center of mass is {1e3 * away:.4g} mm away in {file}"
-                yield self._fault(message, link=name, value=away, unit="m")
+                yield fault(f"its center of mass is {1e3 * away:.4g} mm away in {file}", value=away, unit="m")
         if found.inertia is not None:
             scale = max(float(np.abs(wanted.inertia).max()), 1e-9)
-            error = float(np.abs(found.inertia - wanted.inertia).max()) / scale
+            error = _error(found.inertia, wanted.inertia) / scale
             if not error <= 2.0 * self.relative:
                 message = f"its inertia differs by {100.0 * error:.4g} % in {file}"
-                yield self._fault(message + _moments_fault(found.inertia), link=name, value=error)
+                yield fault(message + _moments_fault(found.inertia), value=error)
 
     def _colliders(
         self, link: str, wanted: Sequence[ReadCollider], found: Sequence[ReadCollider]
@@ -294,7 +287,7 @@ class Comparison:
                 yield self._fault(f"it is {found.kind} in {file}, not {joint.kind}", joint=name)
                 continue
             if found.axis is not None:
-                error = float(np.abs(found.axis - joint.axis).max())
+                error = _error(found.axis, joint.axis)
                 if not error <= self.length:
                     yield self._fault(f"its axis differs by {error:.4g} in {file}", joint=name, value=error)
             yield from self._limits(joint, found.limits)
@@ -320,7 +313,7 @@ class Comparison:
             wanted = (-FAR, FAR)  # URDF requires limits of a prismatic joint
         if found is None or found == wanted:
             return
-        error = float(np.abs(np.subtract(found, wanted)).max())
+        error = _error(found, wanted)
         if not error <= self.length * max(1.0, *map(abs, wanted)) or np.isinf(error):
             texts = [
                 f"{low:.7g} to {high:.7g} {unit(joint)}" if np.isfinite([low, high]).any() else "none"
@@ -387,7 +380,7 @@ class Comparison:
                 yield self._fault(f"{file} has no frame of the {hold.kind} {hold.name!r}", link=hold.link)
                 continue
             link, frame = self.reading.holds[hold.name]
-            away = float(np.abs(frame - local(asset, hold.link, hold.frame)).max())
+            away = _error(frame, local(asset, hold.link, hold.frame))
             if link != hold.link or not away <= 2.0 * self.length:
                 off = f"is off by {away:.4g} (m or radians) on {link!r} in {file}"
                 yield self._fault(f"its {hold.kind} {hold.name!r} {off}", link=hold.link, value=away)
@@ -403,7 +396,7 @@ class Comparison:
             found = reading.frames(positions)
             lost |= known - found.keys()
             for name in found.keys() - reading.misplaced:
-                error = float(np.abs(found[name] - wanted[name]).max())
+                error = _error(found[name], wanted[name])
                 if not error <= worst.get(name, (tolerance, {}))[0]:
                     worst[name] = (error, q)
         for name in sorted(worst):
@@ -413,7 +406,7 @@ class Comparison:
         for name in sorted(lost):
             yield self._fault(f"no joints lead to it from the base in {reading.file}", link=name)
         for name, frame in reading.standing.items():
-            error = float(np.abs(frame - poses[0][2][name]).max())
+            error = _error(frame, poses[0][2][name])
             if not error <= tolerance:
                 off = f"stands {error:.4g} (m or radians) off in {reading.file}"
                 yield self._fault(f"its body {off}, wherever its joints lead", link=name, value=error)
@@ -438,8 +431,13 @@ def _collider_differences(
         yield f"{name} has friction {found.friction:.4g} in {file}, not {wanted.friction:.4g}", found.friction
 
 
+def _error(found: Any, wanted: Any) -> float:
+    """Return the largest difference of two arrays."""
+    return float(np.abs(np.subtract(found, wanted)).max())
+
+
 def _apart(first: Faces, second: Faces) -> float:
-    return float(np.nan_to_num(np.abs(first.bounds - second.bounds).max(), nan=1e9))
+    return float(np.nan_to_num(_error(first.bounds, second.bounds), nan=1e9))
 
 
 def _law_to(asset: Asset, name: str, leader: str) -> tuple[float, float] | None:
