@@ -52,7 +52,7 @@ def judged(monkeypatch):
     results = {}
 
     def result(self, check):
-        skipped = "not asked for" if check == "behavior" and not self._behavior else ""
+        skipped = "not requested" if check == "behavior" and not self._behavior else ""
         return results.get(check, CheckResult(check, detail=f"all of {check}", skipped=skipped))
 
     monkeypatch.setattr(Examination, "result", result)

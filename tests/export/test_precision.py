@@ -112,7 +112,7 @@ def test_what_was_proven_is_kept_without_its_proof(tmp_path: Path) -> None:
     assert report.passed
     skipped = {each.check: each.skipped for each in report.results if each.skipped}
     why = "its meshes, precise to 1 mm, are not those of the solids"
-    assert skipped == {"solids": why, "colliders": why, "grasps": why, "behavior": "not asked for"}
+    assert skipped == {"solids": why, "colliders": why, "grasps": why, "behavior": "not requested"}
     (note,) = next(each for each in report.results if each.check == "certificate").findings
     assert note.severity == "note"
     assert str(note) == (

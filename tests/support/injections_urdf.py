@@ -85,14 +85,14 @@ def urdf_no_velocity(export: Export) -> None:
         named(root, "joint", export.joint.name).find("limit").set("velocity", "0")
 
 
-@fault("urdf", r"does not say its friction, which is [\d.]+ N", "rubbing")
+@fault("urdf", r"does not state its friction, which is [\d.]+ N", "rubbing")
 def urdf_no_friction(export: Export) -> None:
     with export.xml("urdf") as root:
         joint = named(root, "joint", export.rubbing.name)
         joint.remove(joint.find("dynamics"))
 
 
-@fault("urdf", r"does not say its stiffness, which is [\d.]+ N", "sprung")
+@fault("urdf", r"does not state its stiffness, which is [\d.]+ N", "sprung")
 def urdf_no_spring(export: Export) -> None:
     with export.xml("urdf") as root:
         for spring in root.findall("gazebo"):

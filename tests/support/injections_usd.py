@@ -201,7 +201,7 @@ def usd_bodies_swapped(export: Export) -> None:
         paths[0].explicitItems, paths[1].explicitItems = second, first
 
 
-@fault("usd", r"does not say its damping, which is [\d.]+ N", "joint")
+@fault("usd", r"does not state its damping, which is [\d.]+ N", "joint")
 def usd_no_drive(export: Export) -> None:
     with export.layer() as layer:
         joint = export.prim(layer, damped(export))

@@ -186,7 +186,7 @@ def test_a_thing_on_the_way_is_named() -> None:
     (found,) = faults(slider(post=post))
     assert found == (
         "link bar: grasp bar_grasp: on its way to the grasp the hand strikes post/post; move the frame, come "
-        "from another direction, or make the width what the thing needs"
+        "from another direction, or make the width that of the object"
     )
 
 
@@ -201,7 +201,7 @@ def test_a_thing_that_fingers_touch_first_is_named() -> None:
 def test_a_thing_too_thick_is_refused_with_its_thickness() -> None:
     found = faults(slider(thick=0.076))
     assert found[0].startswith(
-        "link bar: grasp bar_grasp: what is held is 76 mm thick, too thick for a gripper of 80 mm; grip it "
+        "link bar: grasp bar_grasp: the held object is 76 mm thick; the gripper opens to 80 mm; grip it "
         "where it is thinner"
     )
     assert "its width is 110 mm, and the gripper opens to 80 mm" in faults(slider(thick=0.1))[0]
@@ -230,7 +230,7 @@ def test_faces_that_do_not_look_at_each_other_are_refused() -> None:
         return wall.attach(moving, Prismatic("slide", axis=-Y, limits=(0, 0.1)))
 
     (found,) = faults(skew.generate(certify=False))
-    assert "apart sideways: it turns out of them; close on faces that look at each other" in found
+    assert "apart sideways: it rotates out of the grasp; close on faces that are opposite each other" in found
 
 
 def test_a_hand_that_is_stopped_on_its_way_is_told_and_one_that_cannot_move_is_refused() -> None:
@@ -263,7 +263,9 @@ def test_a_push_moves_a_joint_only_where_that_can_go() -> None:
     assert faults(slider(push=push_at(), axis=Y, limits=(0, 0.05))) == []
     assert faults(slider(push=push_at(), limits=(-0.05, 0.05))) == []
     (found,) = (each for each in faults(slider(push=push_at())) if "push bar" in each)
-    assert "joint slide: push bar_push_point: it pushes to where the joint cannot go; turn the push" in found
+    assert (
+        "joint slide: push bar_push_point: it pushes against the limit of the joint; turn the push" in found
+    )
     slanting = faults(slider(push=push_at(), axis=(1.0, 0.3, 0.0), limits=(0, 0.05)))
     assert "only 0.29 of its force moves the joint" in slanting[0]
 
@@ -327,7 +329,7 @@ def test_validate_runs_the_check_on_the_files(tmp_path: Path) -> None:
     (result,) = validate(asset.export(tmp_path / "bar", formats=("mjcf",)), checks=["grasps"]).results
     (fault,) = result.faults
     assert (fault.check, fault.link) == ("grasps", "bar")
-    assert fault.message == "grasp bar_grasp: what is held is 4 mm off the middle between the fingers"
+    assert fault.message == "grasp bar_grasp: the held object is 4 mm off the middle between the fingers"
     (skipped,) = validate(asset.export(tmp_path / "usd", formats=("usd",)), checks=["grasps"]).results
     assert skipped.skipped
 

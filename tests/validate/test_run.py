@@ -269,7 +269,7 @@ def test_what_was_not_exported_is_not_checked(made, tmp_path):
 def test_the_simulation_can_be_left_out(exported, monkeypatch):
     monkeypatch.setitem(sys.modules, "artgen.validate.behavior", None)  # importing it would raise
     (result,) = validate(exported, behavior=False, checks=["behavior"]).results
-    assert result.skipped == "not asked for"
+    assert result.skipped == "not requested"
     (result,) = validate(exported, checks=["behavior"]).results
     assert result.faults
 

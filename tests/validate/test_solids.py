@@ -68,7 +68,7 @@ def test_a_solid_that_is_there_twice_is_found(door):
     frame = door.links[0].pieces[0]
     finding = check_solids(with_shapes(door, frame.shape)).findings[0]
     assert finding.message.startswith("solid 'frame' and 'extra' at (")
-    assert "is there twice" in finding.message
+    assert "exists twice" in finding.message
 
 
 def test_solids_with_one_center_and_volume_are_not_one():

@@ -14,7 +14,7 @@ from support.blocks import STEEL, block, with_shapes
 from support.proof_fridges import evaluated
 
 NEVER = "which its joints never reach"
-NO_BODY = "kg m^2 are not those of a body"
+NO_BODY = "kg m^2 are impossible for a rigid body"
 
 
 @artgen.generator
@@ -81,7 +81,7 @@ def test_two_roots_and_a_cycle_are_found(asset):
 
 def test_a_joint_to_nowhere_and_a_second_parent_are_found(asset):
     found = [finding.message for finding in check_tree(changed(asset, "turn", child="handel")).faults]
-    assert found[0] == "it joins 'handel', which is no link. Did you mean 'handle'?"
+    assert found[0] == "it joins 'handel', which is not a link. Did you mean 'handle'?"
     again = replace(asset.joint("flap"), name="flap_again", parent="body", follows=None)
     found = [finding.message for finding in check_tree(replace(asset, joints=(*asset.joints, again))).faults]
     assert found == ["it hangs on 'tray' and on 'body'; a link has one parent"]
@@ -95,7 +95,7 @@ def test_names_used_twice_or_no_identifiers_are_found(asset):
         replace(joint, name="the turn") if joint.name == "turn" else
         replace(joint, needs=None) if joint.name == "hinge" else joint for joint in asset.joints
     )))  # fmt: skip
-    assert (found.joint, found.message) == ("the turn", "the joint name 'the turn' is no identifier")
+    assert (found.joint, found.message) == ("the turn", "the joint name 'the turn' is not an identifier")
 
 
 def test_labels_that_are_not_declared_are_found(asset):
@@ -111,7 +111,7 @@ def test_labels_that_are_not_declared_are_found(asset):
     [
         ({"axis": np.array([0.0, 0.0, 2.0])}, "its axis has length 2"),
         ({"pivot": np.array([0.0, np.nan, 0.0])}, "its pivot is not finite"),
-        ({"limits": (1.0, 0.5)}, "its limits are 1 to 0.5 rad: the lower one comes first"),
+        ({"limits": (1.0, 0.5)}, "its limits are 1 to 0.5 rad: the lower limit comes first"),
         ({"limits": (0.0, np.inf)}, "its limits are 0 to inf rad, which is not finite"),
         ({"limits": (0.0, 1e-8)}, "its limits are 0 to 1e-08 rad: it cannot move, but is not locked"),
         ({"damping": -1.0}, "its damping is -1"),
@@ -149,7 +149,7 @@ def test_a_coupled_range_that_its_leader_does_not_give_is_found(asset):
     assert found.joint == "flap"
     assert found.message == ("its limits 0 to 0.5 are not those to which 'slide' takes it, 0 to 0.6")
     circle = changed(asset, "slide", follows=replace(asset.joint("flap").follows, leader="flap"))
-    assert {f.message for f in check_tree(circle).faults} >= {"its couplings go round in a circle"}
+    assert {f.message for f in check_tree(circle).faults} >= {"its couplings form a circle"}
 
 
 @pytest.mark.parametrize(
@@ -164,8 +164,8 @@ def test_a_coupled_range_that_its_leader_does_not_give_is_found(asset):
             f"it needs turn > 0.8, {NEVER}: turn is 0 to 0.8",
         ),
         (Condition("below", "turn", 0.9), "it needs turn < 0.9, which holds everywhere: turn is 0 to 0.8"),
-        (Condition("above", "knob", 0.5), "it needs 'knob', which is no other joint of the asset"),
-        (Condition("above", "hinge", 0.5), "it needs 'hinge', which is no other joint of the asset"),
+        (Condition("above", "knob", 0.5), "it needs 'knob', which is not another joint of the asset"),
+        (Condition("above", "hinge", 0.5), "it needs 'hinge', which is not another joint of the asset"),
         (
             Condition("all", terms=(Condition("above", "turn", 0.6), Condition("below", "turn", 0.4))),
             "it needs (turn > 0.6) & (turn < 0.4), which its joints never reach: turn is 0 to 0.8",
@@ -219,9 +219,7 @@ def test_joints_that_wait_for_each_other_are_found(asset):
     stuck = changed(asset, "turn", needs=Dependency(Condition("above", "hinge", 0.3)))
     messages = {finding.joint: finding.message for finding in check_tree(stuck).faults}
     assert set(messages) == {"turn", "hinge", "slide"}
-    assert messages["turn"] == (
-        "it needs hinge > 0.3, but those joints wait for it in turn: none can ever leave 0"
-    )
+    assert messages["turn"] == ("it needs hinge > 0.3, but those joints depend on it as well: all stay at 0")
 
 
 @pytest.mark.parametrize("visual", [False, True])
@@ -319,6 +317,6 @@ def test_grasps_that_are_no_frames_are_found(asset):
     grasp = Grasp("edge", np.diag([1.0, 1.0, -1.0, 1.0]), 0.0)
     found = check_tree(replace(asset, links=(replace(base, grasps=(grasp,)), *others))).faults
     assert [finding.message for finding in found] == [
-        "the axes of grasp 'edge' are no rotation: they miss it by 0",
+        "the axes of grasp 'edge' are not a rotation: they are off by 0",
         "grasp 'edge' has width 0 m",
     ]

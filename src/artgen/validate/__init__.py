@@ -82,7 +82,7 @@ class Examination:
         if check in _MESH_CHECKS and (precision := self._mesh_precision):
             return f"its meshes, precise to {1e3 * precision:g} mm, are not those of the solids"
         if check == "behavior" and not self._behavior:
-            return "not asked for"
+            return "not requested"
         return "the export has no mjcf" if check == "behavior" and "mjcf" not in formats else ""
 
     def _run(self, check: str) -> CheckResult:

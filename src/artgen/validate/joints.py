@@ -63,11 +63,8 @@ def state_for(
 ) -> dict[str, float] | None:
     """Find positions of free joints in which conditions hold and no other joint is blocked.
 
-    Args:
-        asset: The asset.
-        conditions: The conditions.
-        ignore: Name of a free joint that may stand anywhere.
-        extreme: Names of joints that stand at the far end of a region, not in its center.
+    The joint `ignore` may stand anywhere. Joints in `extreme` stand at the far end of a region, others in its
+    center.
 
     Returns:
         Positions of the joints that the conditions concern [rad or m]; None if there are none.

@@ -35,6 +35,26 @@ _SAME_VOLUME = 1e-3  # relative volume difference of duplicates
 _INSIDE = 0.5  # winding number around a point: 1 inside, 0 outside
 _ROUNDING = 1e-3  # relative tolerance; meshes in files are rounded to 0.1 micrometre
 _FORMATS = "urdf or mjcf among the formats"
+# faults of a surface by the field that counts them: message and remedy
+_FLAWS = {
+    "open_edges": (
+        "is not closed: {} edges have a face on one side only, {at}",
+        "close the surface, or export the asset again",
+    ),
+    "turned_edges": (
+        "has {} edges whose faces are wound against each other, {at}",
+        "wind all triangles counter-clockwise from outside",
+    ),
+    "against": (
+        "has {} triangles that lean away from their normals, {at}",
+        "a corner was moved or a winding turned; normals stand within 60 degrees of their faces",
+    ),
+    "doubled": (
+        "has {} triangles that lie on others of the same winding",
+        "remove the second copy of the solid",
+    ),
+    "flat": ("has {} triangles without area of {triangles}", "cut it with fewer coplanar faces"),
+}
 
 _fault = partial(Finding, CHECK)
 
@@ -89,35 +109,11 @@ def _surface_findings(link: Link, skin: LinkShells) -> Iterator[Finding]:
     if not skin.triangles:
         yield _fault(f"{name} has no triangles", link.name, hint="the boolean left nothing of it")
         return
-    for count, message, hint in (
-        (
-            skin.open_edges,
-            f"is not closed: {skin.open_edges} edges have a face on one side only, {at}",
-            "close the surface, or export the asset again",
-        ),
-        (
-            skin.turned_edges,
-            f"has {skin.turned_edges} edges whose faces are wound against each other, {at}",
-            "wind all triangles counter-clockwise from outside",
-        ),
-        (
-            skin.against,
-            f"has {skin.against} triangles that lean away from their normals, {at}",
-            "a corner was moved or a winding turned; normals stand within 60 degrees of their faces",
-        ),
-        (
-            skin.doubled,
-            f"has {skin.doubled} triangles that lie on others of the same winding",
-            "a solid is there twice: remove one",
-        ),
-        (
-            skin.flat if skin.flat > _MANY_FLAT * skin.triangles else 0,
-            f"has {skin.flat} triangles without area of {skin.triangles}",
-            "cut it with fewer coplanar faces",
-        ),
-    ):
-        if count:
-            yield _fault(f"{name} {message}", link.name, value=float(count), hint=hint)
+    for field, (message, hint) in _FLAWS.items():
+        count = getattr(skin, field)
+        if count > (_MANY_FLAT * skin.triangles if field == "flat" else 0):
+            text = message.format(count, at=at, triangles=skin.triangles)
+            yield _fault(f"{name} {text}", link.name, value=float(count), hint=hint)
 
 
 def _orientation_findings(link: Link, shells: Sequence[Shell]) -> Iterator[Finding]:
@@ -159,9 +155,7 @@ def _duplicate_findings(link: Link, shells: Sequence[Shell]) -> Iterator[Finding
         difference = (a.manifold - b.manifold).volume() + (b.manifold - a.manifold).volume()
         if difference <= _SAME_VOLUME * a.volume:
             names = f"{a.label!r}" if a.label == b.label else f"{a.label!r} and {b.label!r}"
-            message = (
-                f"solid {names} at {point_text(a.center)} is there twice, {1e6 * a.volume:.4g} cm^3 each"
-            )
+            message = f"solid {names} at {point_text(a.center)} exists twice, {1e6 * a.volume:.4g} cm^3 each"
             yield _fault(message, link.name, value=a.volume, unit="m^3", hint="weld it once")
 
 

@@ -57,7 +57,7 @@ def _structure_findings(asset: Asset) -> Iterator[Finding]:
         parent, child = joint.parent, joint.child
         ends = [end for end in (parent, child) if end not in names]
         for end in ends:
-            message = f"it joins {end!r}, which is no link.{nearest(end, names)}"
+            message = f"it joins {end!r}, which is not a link.{nearest(end, names)}"
             yield _fault(message, joint=joint.name, hint="name a link of the asset")
         if ends:
             continue
@@ -65,7 +65,9 @@ def _structure_findings(asset: Asset) -> Iterator[Finding]:
             message = f"it hangs on {parents[child]!r} and on {parent!r}; a link has one parent"
             yield _fault(message, child, joint.name, hint="attach it once")
         elif names.index(parent) >= names.index(child):
-            message = f"its parent {parent!r} does not come before it; the links go round or are in disorder"
+            message = (
+                f"its parent {parent!r} does not come before it: links form a circle or are out of order"
+            )
             yield _fault(message, child, joint.name, hint="list parents before their children")
     root, *others = names
     if root in parents:
@@ -87,7 +89,7 @@ def _name_findings(asset: Asset) -> Iterator[Finding]:
             message = f"{count} {kind}s are named {name!r}"
             yield _fault(message, link, joint, float(count), hint="give each a name of its own")
         if not is_identifier(name):
-            message = f"the {kind} name {name!r} is no identifier"
+            message = f"the {kind} name {name!r} is not an identifier"
             yield _fault(message, link, joint, hint="use letters, digits and _")
 
 
@@ -105,7 +107,7 @@ def _grasp_findings(link: Link) -> Iterator[Finding]:
         turn = grasp.frame[:3, :3]
         error = float(np.abs(turn.T @ turn - np.eye(3)).max())
         if not (error <= _EXACT and np.linalg.det(turn) > 0.0 and np.isfinite(grasp.frame).all()):
-            message = f"the axes of grasp {grasp.name!r} are no rotation: they miss it by {error:.3g}"
+            message = f"the axes of grasp {grasp.name!r} are not a rotation: they are off by {error:.3g}"
             hint = "make the frame of unit axes at right angles"
             yield _fault(message, link.name, value=error, hint=hint)
         if isinstance(grasp, Grasp) and not grasp.width > 0.0:
@@ -133,7 +135,7 @@ def _mass_findings(link: Link) -> Iterator[Finding]:
     moments = [float(moment) for moment in np.linalg.eigvalsh(inertia)]
     if moments[0] <= 0.0 or moments[0] + moments[1] < moments[2] * (1.0 - _ROUNDING):
         text = ", ".join(f"{moment:.4g}" for moment in moments)
-        message = f"its principal moments {text} kg m^2 are not those of a body"
+        message = f"its principal moments {text} kg m^2 are impossible for a rigid body"
         hint = "each must be positive and no larger than the sum of the others"
         yield _fault(message, link.name, value=moments[0], unit="kg m^2", hint=hint)
     largest = mass * float(np.sum((high - low) ** 2))
@@ -189,7 +191,7 @@ def _number_findings(joint: AssetJoint) -> Iterator[Finding]:
     if not (math.isfinite(low) and math.isfinite(high)):
         yield fault(f"{span}, which is not finite", hint="leave limits out (None) where there are none")
     elif low > high:
-        message, hint = f"{span}: the lower one comes first", "swap them, or turn the axis"
+        message, hint = f"{span}: the lower limit comes first", "swap them, or turn the axis"
         yield fault(message, value=high - low, unit=unit(joint), hint=hint)
     elif low < high and high - low < _LEAST_RANGE:
         message, hint = (
@@ -246,12 +248,12 @@ def _leader_findings(joint: AssetJoint, joints: Mapping[str, AssetJoint]) -> Ite
         if leader is None or leader is follower:
             if follower is joint:
                 name = follower.follows.leader
-                message = f"it follows {name!r}, which is no other joint of the asset"
+                message = f"it follows {name!r}, which is not another joint of the asset"
                 hint = f"attach that joint as well.{nearest(name, joints.keys() - {joint.name})}"
                 yield _fault(message, joint=joint.name, hint=hint)
             return
         if leader.name in seen:
-            yield _fault("its couplings go round in a circle", joint=joint.name, hint="let one joint lead")
+            yield _fault("its couplings form a circle", joint=joint.name, hint="let one joint lead")
             return
         follower = leader
         seen.add(leader.name)
@@ -295,7 +297,7 @@ def _dependency_findings(asset: Asset) -> Iterator[Finding]:
         others = [name for name in ranges if name != joint.name]
         unknown = [name for name in condition.joints() if name not in others]
         for name in unknown:
-            message = f"it needs {name!r}, which is no other joint of the asset"
+            message = f"it needs {name!r}, which is not another joint of the asset"
             yield fault(message, hint=f"name another joint.{nearest(name, others)}")
         if unknown:
             continue
@@ -303,14 +305,14 @@ def _dependency_findings(asset: Asset) -> Iterator[Finding]:
         yield from _slack_findings(joint, ranges[joint.name])
         if not is_possible(asset, condition, ranges):
             message = f"it needs {condition}, which its joints never reach: {where}"
-            yield fault(message, hint="turn the comparison round, or move the threshold into the limits")
+            yield fault(message, hint="reverse the comparison, or move the threshold into the limits")
         elif not is_possible(asset, negation(condition, 0.0), ranges):
             message = f"it needs {condition}, which holds everywhere: {where}"
-            yield fault(message, hint="turn the comparison round, or leave needs out")
+            yield fault(message, hint="reverse the comparison, or leave needs out")
         else:
             waiting.append(joint)
     for joint in _stuck(asset, waiting, ranges):
-        message = f"it needs {joint.needs}, but those joints wait for it in turn: none can ever leave 0"
+        message = f"it needs {joint.needs}, but those joints depend on it as well: all stay at 0"
         yield _fault(message, joint=joint.name, hint="let one of them move freely")
 
 
@@ -322,7 +324,7 @@ def _slack_findings(joint: AssetJoint, limits: Interval) -> Iterator[Finding]:
     bounds = f"it needs {joint.needs.condition} beyond {first:.6g} and until {last:.6g} {unit(joint)}"
     if (low is not None and not low > 0.0) or not first < last:
         hint = "give positive positions, beyond below until, or leave them out"
-        yield _fault(f"{bounds}, where nothing lies between", joint=joint.name, hint=hint)
+        yield _fault(f"{bounds}, which is empty", joint=joint.name, hint=hint)
     elif low is not None and low >= max(map(abs, limits)):
         hint = "leave needs out, or take a position within the limits"
         yield _fault(f"{bounds}, which it never reaches: {_range(joint)}", joint=joint.name, hint=hint)

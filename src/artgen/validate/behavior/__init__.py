@@ -29,11 +29,7 @@ def check_behavior(asset: Asset, directory: str | Path | None = None) -> CheckRe
     The asset is released when it is closed, halfway open and open. Each free joint is driven from end to end
     by its own effort. Joints with springs are released at both ends. Joints with dependencies are pushed
     while their condition does not hold. A free base stands on a floor while it settles, and is fixed while
-    joints move.
-
-    Args:
-        asset: The asset.
-        directory: Directory of the export; None exports to a temporary directory.
+    joints move. Without the directory of an export, the asset is exported to a temporary directory.
 
     Returns:
         The findings; skipped if MuJoCo is not installed or the directory has no MJCF.

@@ -41,7 +41,7 @@ def _block(
     if tried:
         return []
     message = f"needs {needs.condition}, which holds wherever the other joints stand"
-    hint = "leave the dependency out, or turn its comparison round"
+    hint = "leave the dependency out, or reverse its comparison"
     return [joint_finding(joint, message, hint)]
 
 
@@ -199,7 +199,7 @@ class _Push:
     def _note(self, furthest: float, along: list[str]) -> Finding:
         others = " and ".join(along)
         moves = f"{self._moves(furthest)}, and takes {others} along"
-        message = f"is blocked only if somebody holds {others}: {moves}"
+        message = f"is blocked only while a hand holds {others}: {moves}"
         hint = f"where they move together, {self.needs} does not hold and nothing is proven"
         pose = self.simulation.asset.positions(self.state)
         return joint_finding(self.joint, message, hint, furthest, pose, "note")

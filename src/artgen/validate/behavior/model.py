@@ -319,11 +319,9 @@ class Simulation:
         return self.model.body(body).name, self._labels.get(self.model.geom(geom).name, "")
 
     def touching(self, motion: JointMotion, others: frozenset[int] | None = None) -> list[str]:
-        """Return the names of the links that press on the links of a joint, the strongest contact first.
+        """Return the pieces that press on the links of a joint, the strongest contact first.
 
-        Args:
-            motion: The joint.
-            others: Only contacts with these bodies; all if None.
+        With `others`, only contacts with these bodies count.
         """
         forces: dict[str, float] = {}
         for number in range(self.data.ncon):

@@ -53,12 +53,7 @@ class Settled:
 
 
 def settle(simulation: Simulation, *, stands: bool = False) -> Settled:
-    """Release an asset when it is closed, halfway open and open, and observe it.
-
-    Args:
-        simulation: The asset.
-        stands: Whether its base stands free on a floor in the simulation.
-    """
+    """Release an asset when it is closed, halfway open and open; `stands` if its base is free on a floor."""
     result = Settled()
     poses: list[dict[str, float]] = []
     for q in start_poses(simulation.asset, simulation.motions):
@@ -212,7 +207,7 @@ class _Run:
 
     def _blame(self, drift: _Drift) -> None:
         joint = drift.motion.joint
-        message = f"moves by {length(joint, drift.furthest)} though nobody touches it: {drift.why}"
+        message = f"moves by {length(joint, drift.furthest)} without a cause: {drift.why}"
         hint = ""
         severity: Severity = "note" if drift.pushed else "fault"
         if drift.pushed:

@@ -166,12 +166,12 @@ def _grasp_faults(space: HandSpace, grasp: Affordance, pose: Mapping[str, Array]
         touch = space.first_touch(box, frame, pose)
         if touch is not None:
             message = f"on its way to the grasp the {name} strikes {touch}"
-            hint = "move the frame, come from another direction, or make the width what the thing needs"
+            hint = "move the frame, come from another direction, or make the width that of the object"
             return [_fault(grasp, message, hint)], touch.link
     between = GRIPPER.between(half)
     own = space.inside(between, grasp.frame, grasp.link)
     if not len(own):
-        hint = "put its origin into the middle of what is held"
+        hint = "put its origin into the middle of the held object"
         return [_fault(grasp, f"the fingers close on nothing of link {grasp.link}", hint)], ""
     low, high = float(own[:, 0].min()), float(own[:, 0].max())
     for touch, points in space.others_inside(between, frame, pose, grasp.link):
@@ -207,17 +207,17 @@ def _width_faults(grasp: Affordance, low: float, high: float) -> Iterator[Findin
     thickness, middle = high - low, (high + low) / 2.0
     room = (grasp.width - thickness) / 2.0
     if thickness + 2.0 * _LEAST_ROOM > GRIPPER.stroke + 1e-6:
-        message = f"what is held is {_mm(thickness)} thick, too thick for a gripper of {_mm(GRIPPER.stroke)}"
+        message = f"the held object is {_mm(thickness)} thick; the gripper opens to {_mm(GRIPPER.stroke)}"
         yield _fault(grasp, message, "grip it where it is thinner, or along another direction", thickness)
     elif not _LEAST_ROOM - 1e-6 <= room <= _MOST_ROOM + 1e-6:
         message = (
-            f"its width of {_mm(grasp.width)} leaves each finger {_mm(room)} beside what is held, "
+            f"its width of {_mm(grasp.width)} leaves each finger {_mm(room)} beside the held object, "
             f"{_mm(thickness)} thick; {_mm(_LEAST_ROOM)} to {_mm(_MOST_ROOM)} are right"
         )
         wanted = GRIPPER.opening(thickness)
         yield _fault(grasp, message, f"make grasp_width {wanted:.4g}, or leave it out", grasp.width)
     if abs(middle) > _OFF_CENTRE + 1e-6:
-        message = f"what is held is {_mm(abs(middle))} off the middle between the fingers"
+        message = f"the held object is {_mm(abs(middle))} off the middle between the fingers"
         hint = "move the frame along the closing direction, by at most 2 mm off"
         yield _fault(grasp, message, hint, middle)
 
@@ -243,8 +243,9 @@ def _contact_faults(space: HandSpace, grasp: Affordance, low: float, high: float
     gap = np.maximum(np.maximum(first[0] - second[1], second[0] - first[1]), 0.0)
     slope = float(np.linalg.norm(gap)) / max(high - low, 1e-9)
     if slope > _FRICTION:
-        message = f"the pads touch it {_mm(float(np.linalg.norm(gap)))} apart sideways: it turns out of them"
-        yield _fault(grasp, message, f"close on faces that look at each other (slope {slope:.2g} > 0.5)")
+        apart = _mm(float(np.linalg.norm(gap)))
+        message = f"the pads touch it {apart} apart sideways: it rotates out of the grasp"
+        yield _fault(grasp, message, f"close on faces that are opposite each other (slope {slope:.2g} > 0.5)")
 
 
 def _push_faults(space: HandSpace, push: Affordance, pose: Mapping[str, Array]) -> Faults:
@@ -266,7 +267,7 @@ def _push_faults(space: HandSpace, push: Affordance, pose: Mapping[str, Array]) 
     outside = max(float(patch[0].max()), float(-patch[1].min()))
     if outside > _OFF_SURFACE or float((patch[1] - patch[0]).min()) < _FOOTHOLD:
         message = f"the finger touches the link beside its point, {_mm(max(outside, 0.0))} off or at an edge"
-        hint = "put its origin into the middle of a face that looks at the finger"
+        hint = "put its origin into the middle of a face that is opposite the finger"
         return [_fault(push, message, hint)], ""
     return [], ""
 
@@ -281,10 +282,10 @@ def _motion_findings(
             along = tendency(asset, affordance, name)
             if along < _ALONG:
                 if not number:
-                    message = "it pushes to where the joint cannot go"
+                    message = "it pushes against the limit of the joint"
                     if along > 0.0:
                         message = f"only {along:.2g} of its force moves the joint"
-                    hint = "turn the push towards the way that the joint opens"
+                    hint = "turn the push towards the opening direction of the joint"
                     yield _fault(affordance, message, hint, joint=name)
                 continue
         reach = reach_of(space, affordance, name, opened)

@@ -60,9 +60,6 @@ class HandSpace:
 
     Methods take a box as opposite corners in a frame, shape (2, 3) [m]; a frame in asset coordinates, shape
     (4, 4) [m]; and the displacement of each link from rest, shape (4, 4) each.
-
-    Args:
-        asset: The asset, in memory or loaded.
     """
 
     def __init__(self, asset: Asset) -> None:
@@ -151,11 +148,7 @@ class HandSpace:
     def finger_patch(self, frame: Array, depth: float, gives: float, link: str) -> Array:
         """Return the bounding rectangle of the contact of a finger with a link, in x and y, shape (2, 2) [m].
 
-        Args:
-            frame: Frame of the push, shape (4, 4).
-            depth: Depth of the first contact along z [m].
-            gives: Compliance of the finger tip [m].
-            link: Name of the link.
+        The finger gives way by `gives` around the depth of the first contact along z [m].
         """
         rod, corners = _rod(GRIPPER.finger / 2.0, depth - gives, depth + gives)
         near = self._near(link, corners, frame)
@@ -170,12 +163,9 @@ def _rod(radius: float, low: float, high: float) -> tuple[Manifold, Array]:
 
 
 def standing(asset: Asset, joint: str, opened: Opened) -> dict[str, float] | None:
-    """Return positions of the other joints at which a hand can move a joint; None if there are none.
+    """Return positions of the other joints at which a hand can move a free joint; None if there are none.
 
-    Args:
-        asset: The asset.
-        joint: Name of a free joint; empty for none.
-        opened: Regions that have to be open in addition to the joint's own dependencies.
+    The name of the joint may be empty. `opened` has to be open in addition to the joint's own dependencies.
     """
     conditions = needed_conditions(asset, joint)
     conditions += [condition for name, condition in opened.items() if name != joint]
@@ -183,16 +173,11 @@ def standing(asset: Asset, joint: str, opened: Opened) -> dict[str, float] | Non
 
 
 def openable(asset: Asset, affordance: Affordance, struck: str) -> Iterator[tuple[str, AssetCondition]]:
-    """Yield joints whose opening may clear the path of a hand, with the regions in which they are open.
+    """Yield joints whose opening may clear the path of a hand from a link, with the regions of open joints.
 
     These are the joints that move the obstacle, and the joints behind the joint itself, such as the door of a
     flap in its inner side. Joints that depend on the joint of the hand are excluded: they can be opened only
     afterwards.
-
-    Args:
-        asset: The asset.
-        affordance: The grasp or push.
-        struck: The link that the hand strikes.
     """
     own, *others = affordance.joints or ("",)
     for name in dict.fromkeys((*moved_joints(asset, struck), *others)):
@@ -229,14 +214,7 @@ class Reach:
 
 
 def reach_of(space: HandSpace, affordance: Affordance, joint: str, opened: Opened) -> Reach:
-    """Return how far a hand moves a joint while the other joints stand where it is free to move.
-
-    Args:
-        space: The solids.
-        affordance: The grasp or push; the hand moves with the link.
-        joint: Name of a free joint.
-        opened: Joints that were opened for the approach.
-    """
+    """Return how far a hand moves a free joint while the other joints stand where it is free to move."""
     asset = space.asset
     held = standing(asset, joint, opened)
     if held is None:

@@ -58,12 +58,7 @@ def expected_frames(asset: Asset, q: Mapping[str, float]) -> dict[str, Array]:
 
 
 class Expected:
-    """Expected values of the files of an asset, computed once for all formats.
-
-    Args:
-        asset: The asset.
-        poses: Number of random poses.
-    """
+    """Expected values of the files of an asset, computed once for all formats."""
 
     def __init__(self, asset: Asset, poses: int = POSES) -> None:
         self.asset = asset
@@ -334,7 +329,7 @@ class Comparison:
             name = _UNITS[field][joint.kind == "prismatic"]
             fault = partial(self._fault, joint=joint.name, unit=name)
             if field in missing and wanted != 0.0:
-                yield fault(f"{file} does not say its {field}, which is {wanted:.7g} {name}", value=0.0)
+                yield fault(f"{file} does not state its {field}, which is {wanted:.7g} {name}", value=0.0)
             slack = self.relative * max(abs(wanted), 1e-3)
             if field == "rest":
                 if not joint.stiffness:

@@ -58,12 +58,6 @@ _UNREACHABLE = 1e5  # larger limits count as none; some simulators want limits o
 _fault = partial(Finding, "usd", hint=AGAIN)
 
 
-def element_findings(path: Path) -> Iterator[Finding]:
-    """Yield nothing: the faults of a stage are found when it is read."""
-    del path
-    yield from ()
-
-
 def _placed(prim: Any) -> Array:
     """Return the transform of a prim to the world, shape (4, 4)."""
     matrix = UsdGeom.Xformable(prim).ComputeLocalToWorldTransform(Usd.TimeCode.Default())
