@@ -419,7 +419,7 @@ def test_what_moves_along_with_what_it_needs_is_a_note():
 
 
 def test_a_spring_at_ease_elsewhere_does_not_hold_what_blocks():
-    """The door before a drawer springs half open, as a flap of a new box: closed, somebody holds it."""
+    """The door before a drawer springs half open, as a flap of a new box: closed, a hand holds it."""
     first = Revolute(
         "first",
         axis=-Z,

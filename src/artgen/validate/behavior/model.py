@@ -89,6 +89,13 @@ class JointMotion:
     positions: Indices  # indices of the members in MuJoCo's positions, shape (n,)
     speeds: Indices  # indices of the members in MuJoCo's velocities and forces, shape (n,)
     bodies: frozenset[int]  # MuJoCo's bodies that move with the joint
+    friction: float  # dry friction of all members, felt at the joint [N m or N]
+    stiffness: float  # stiffness of all springs, felt at the joint [N m/rad or N/m]
+    damping: float  # damping of all members, felt at the joint [N m s/rad or N s/m]
+    rest: float  # rest position of the springs, if there are springs [rad or m]
+    limits: tuple[float, float]  # examined range: without limits, a full turn or one metre [rad or m]
+    at: int  # index of the free joint in MuJoCo's positions
+    dof: int  # index of the free joint in MuJoCo's velocities and forces
 
     @property
     def name(self) -> str:
@@ -96,45 +103,9 @@ class JointMotion:
         return self.joint.name
 
     @cached_property
-    def at(self) -> int:
-        """Index of the free joint in MuJoCo's positions."""
-        return int(self.positions[0])
-
-    @cached_property
-    def dof(self) -> int:
-        """Index of the free joint in MuJoCo's velocities and forces."""
-        return int(self.speeds[0])
-
-    @property
-    def limits(self) -> tuple[float, float]:
-        """The examined range: without limits, a full turn or one metre [rad or m]."""
-        return self.joint.limits or (0.0, 2.0 * math.pi if self.joint.kind == "revolute" else _TRAVEL)
-
-    @cached_property
     def range(self) -> float:
         """Length of the examined range [rad or m]."""
         return self.limits[1] - self.limits[0]
-
-    @cached_property
-    def friction(self) -> float:
-        """Dry friction of all members, felt at the joint [N m or N]."""
-        return float(np.abs(self.ratios) @ [member.friction for member in self.members])
-
-    @cached_property
-    def stiffness(self) -> float:
-        """Stiffness of all springs, felt at the joint [N m/rad or N/m]."""
-        return float(self.ratios**2 @ [member.stiffness for member in self.members])
-
-    @cached_property
-    def damping(self) -> float:
-        """Damping of all members, felt at the joint [N m s/rad or N s/m]."""
-        return float(self.ratios**2 @ [member.damping for member in self.members])
-
-    @cached_property
-    def rest(self) -> float:
-        """Rest position of the springs; valid only if there are springs [rad or m]."""
-        rests = np.array([member.rest for member in self.members]) - self.offsets
-        return float(self.ratios @ (rests * [member.stiffness for member in self.members])) / self.stiffness
 
 
 def motions_of(asset: Asset, model: Any) -> dict[str, JointMotion]:
@@ -146,6 +117,12 @@ def motions_of(asset: Asset, model: Any) -> dict[str, JointMotion]:
         laws = [(other, coupling(asset, other)) for other in asset.joints]
         led = [(other, law) for other, law in laws if law is not None and law.leader == joint.name]
         members = (joint, *(other for other, _ in led))
+        ratios = np.array([1.0, *(law.ratio for _, law in led)])
+        offsets = np.array([0.0, *(law.offset for _, law in led)])
+        friction, damping, springs, rests = np.array(
+            [(each.friction, each.damping, each.stiffness, each.rest) for each in members]
+        ).T
+        stiffness = float(ratios**2 @ springs)
         found = [model.joint(member.name) for member in members]
         bodies = {int(model.body(member.child).id) for member in members}
         for body in range(model.nbody):  # parents come before their children
@@ -154,11 +131,18 @@ def motions_of(asset: Asset, model: Any) -> dict[str, JointMotion]:
         result[joint.name] = JointMotion(
             joint,
             members,
-            np.array([1.0, *(law.ratio for _, law in led)]),
-            np.array([0.0, *(law.offset for _, law in led)]),
-            np.array([each.qposadr[0] for each in found]),
-            np.array([each.dofadr[0] for each in found]),
-            frozenset(bodies),
+            ratios,
+            offsets,
+            positions=np.array([each.qposadr[0] for each in found]),
+            speeds=np.array([each.dofadr[0] for each in found]),
+            bodies=frozenset(bodies),
+            friction=float(np.abs(ratios) @ friction),
+            stiffness=stiffness,
+            damping=float(ratios**2 @ damping),
+            rest=float(ratios @ (springs * (rests - offsets))) / stiffness if stiffness else 0.0,
+            limits=joint.limits or (0.0, 2.0 * math.pi if joint.kind == "revolute" else _TRAVEL),
+            at=int(found[0].qposadr[0]),
+            dof=int(found[0].dofadr[0]),
         )
     return result
 
