@@ -248,7 +248,7 @@ def face_findings(wanted, found):
     expected = Expected(artgen.generator(lambda: board).generate(name="board", certify=False))
     vars(expected)["faces"] = {"board": wanted}
     links = frozenset({"links"})
-    reading = Reading("board.xml", lambda _: {}, told=links, faces={"board": found}, partial=True)
+    reading = Reading("board.xml", lambda _: {}, parts=links, faces={"board": found}, partial=True)
     found = Comparison("mjcf", expected, reading, "mjcf").differences()
     return [finding for finding in found if "faces" in finding.message]
 

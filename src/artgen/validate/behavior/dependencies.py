@@ -29,28 +29,26 @@ def block(simulation: Simulation, motion: JointMotion) -> list[Finding]:
 def _block(
     simulation: Simulation, motion: JointMotion, joint: AssetJoint, needs: AssetDependency
 ) -> list[Finding]:
-    tried = [
-        _Push(simulation, motion, joint, needs, state, broken)
-        for state, broken in _states(simulation, motion, needs.condition)
-    ]
-    for push in tried:
-        for way in _ways(motion):
-            found = push.run(way)
+    states = list(_states(simulation, motion, needs.condition))
+    for state, broken in states:
+        push = _Push(simulation, motion, joint, needs, state, broken)
+        for sign in _directions(motion):
+            found = push.run(sign)
             if found is not None:
                 return [found]
-    if tried:
+    if states:
         return []
     message = f"needs {needs.condition}, which holds wherever the other joints stand"
     hint = "leave the dependency out, or reverse its comparison"
     return [joint_finding(joint, message, hint)]
 
 
-def _ways(motion: JointMotion) -> list[int]:
+def _directions(motion: JointMotion) -> list[int]:
     """Return the directions in which a joint can leave its closed position."""
     closed, limits = motion.joint.closed, motion.joint.limits
     if limits is None:
         return [1, -1]
-    return [way for way, room in ((1, limits[1] - closed), (-1, closed - limits[0])) if room > 1e-9]
+    return [sign for sign, room in ((1, limits[1] - closed), (-1, closed - limits[0])) if room > 1e-9]
 
 
 def _states(
@@ -86,18 +84,19 @@ class _Push:
     # joints for which the condition fails; nothing but the asset itself holds them
     broken: frozenset[str]
 
-    def run(self, way: int) -> Finding | None:
+    def run(self, sign: int) -> Finding | None:
         """Push in one direction; return the motion of the joint if it is too large."""
         allowed = self._play()
-        # parts with springs have to hold by themselves; a part without a spring that gives way is only a note
+        # parts with springs have to hold by themselves; a part without a spring that yields is only a note
         loose = self._loose()
         try:
-            furthest = self._pushed(way, {})
+            furthest = self._pushed(sign, {})
             if furthest <= allowed:
                 return None
             finding = self._fault(furthest)
-            along = [name for name, start in loose.items() if self._has_moved(name, start)]
-            if along and self._pushed(way, loose) <= allowed:
+            motions = self.simulation.motions
+            along = [name for name, start in loose.items() if self._has_moved(motions[name], start)]
+            if along and self._pushed(sign, loose) <= allowed:
                 return self._note(furthest, along)
         except UnstableError:
             return None
@@ -113,10 +112,7 @@ class _Push:
         }
 
     def _returns(self, motion: JointMotion, position: float) -> bool:
-        """Tell whether a spring returns a joint to a position from its whole range, like that of a latch.
-
-        A spring that only balances the weight of a door does not.
-        """
+        """Tell whether a spring returns a joint from its whole range; one that balances a weight does not."""
         if motion.stiffness == 0.0:
             return False
         low, high = motion.limits
@@ -134,34 +130,32 @@ class _Push:
     def _breaks(self, motion: JointMotion) -> bool:
         return bool(self.broken & {member.name for member in motion.members})
 
-    def _has_moved(self, name: str, start: float) -> bool:
-        motion = self.simulation.motions[name]
-        return abs(self.simulation.position(motion) - start) > min(
-            _PLAYS[motion.joint.kind], 0.01 * motion.range
-        )
+    def _has_moved(self, motion: JointMotion, start: float) -> bool:
+        distance = abs(self.simulation.position(motion) - start)
+        return distance > min(_PLAYS[motion.joint.kind], 0.01 * motion.range)
 
-    def _pushed(self, way: int, loose: Mapping[str, float]) -> float:
+    def _pushed(self, sign: int, loose: Mapping[str, float]) -> float:
         """Return the largest motion of the joint [rad or m]."""
         simulation, motions = self.simulation, self.simulation.motions
-        begun = {**self.state, **self._end_of_slack(way)}
+        begun = {**self.state, **self._end_of_slack(sign)}
         simulation.begin(begun, f"{self.joint.name} is pushed", jammed=True)
-        kept = {name: at for name, at in self.state.items() if not self._breaks(motions[name])}
-        held = Held(simulation, {**kept, **loose})
+        fixed = {name: at for name, at in self.state.items() if not self._breaks(motions[name])}
+        held = Held(simulation, {**fixed, **loose})
         at = simulation.model.joint(self.joint.name).qposadr[0]
         start, furthest = float(simulation.data.qpos[at]), 0.0
         # at the end of its slack, a joint may first fall back while the force grows
-        sense = math.copysign(way, way * float(self.motion.ratios[self.motion.members.index(self.joint)]))
+        sense = math.copysign(1.0, sign * float(self.motion.ratios[self.motion.members.index(self.joint)]))
         low, high = self.joint.limits or (-math.inf, math.inf)
         for _ in range(round(_PUSH_TIME / simulation.step_time)):
             held.step()
             grown = min(1.0, float(simulation.data.time) / _RAMP_TIME)
-            simulation.applied[self.motion.dof] = way * grown * self._force
+            simulation.applied[self.motion.dof] = sign * grown * self._force
             simulation.step()
             position = min(max(float(simulation.data.qpos[at]), low), high)
             furthest = max(furthest, sense * (position - start))
         return furthest
 
-    def _end_of_slack(self, way: int) -> dict[str, float]:
+    def _end_of_slack(self, sign: int) -> dict[str, float]:
         """Return the start of the push: the end of the free joint's slack, if it has some [rad or m]."""
         motion, slack = self.motion, self.needs.beyond
         if slack is None:
@@ -169,9 +163,9 @@ class _Push:
         number = motion.members.index(self.joint)
         ratio, offset = float(motion.ratios[number]), float(motion.offsets[number])
         closed = motion.joint.closed
-        ends = [way * ((side * slack - offset) / ratio - closed) for side in (-1.0, 1.0)]
+        ends = [sign * ((side * slack - offset) / ratio - closed) for side in (-1.0, 1.0)]
         low, high = motion.joint.limits or (-math.inf, math.inf)
-        end = closed + way * min((end for end in ends if end > 0.0), default=0.0)
+        end = closed + sign * min((end for end in ends if end > 0.0), default=0.0)
         return {motion.name: min(max(end, low), high)}
 
     @property

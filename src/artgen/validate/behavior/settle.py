@@ -148,16 +148,16 @@ class _Run:
         simulation = self.simulation
         simulation.begin(self.q, "it settles")
         drifts = [self._drift(motion) for motion in simulation.motions.values()]
-        self._judge_contacts()
+        self._report_contacts()
         quiet = 0.0
         for _ in range(round(SETTLE_TIME / simulation.step_time)):
             simulation.step()
-            self._judge_contacts()
+            self._report_contacts()
             if self.stands:
-                self._judge_tilt()
+                self._report_tilt()
             moved = any(drift.causes for drift in drifts)
             for drift in drifts:
-                self._judge(drift, drifts, carried=moved)
+                self._follow_drift(drift, drifts, carried=moved)
             speeds = simulation.data.qvel
             still = not speeds.size or np.abs(speeds).max() < REST_SPEED
             quiet = quiet + simulation.step_time if still else 0.0
@@ -166,7 +166,7 @@ class _Run:
         self.result.movers |= {drift.motion.name for drift in drifts if drift.moved and drift.since is None}
         for drift in drifts:
             if drift.since is not None:
-                self._blame(drift)
+                self._report_drift(drift)
 
     def _drift(self, motion: JointMotion) -> _Drift:
         load = self.simulation.load(motion)
@@ -183,7 +183,7 @@ class _Run:
         way = 0.5 * excess / self.simulation.inertia(motion) * SETTLE_TIME**2
         return {int(math.copysign(1, load))} if way > _DRIFTS[motion.joint.kind] else set()
 
-    def _judge(self, drift: _Drift, drifts: list[_Drift], *, carried: bool) -> None:
+    def _follow_drift(self, drift: _Drift, drifts: list[_Drift], *, carried: bool) -> None:
         """Record whether a joint moves without a cause."""
         simulation, motion = self.simulation, drift.motion
         way, allowed = simulation.position(motion) - drift.start, _DRIFTS[motion.joint.kind]
@@ -205,7 +205,7 @@ class _Run:
             drift.since = float(simulation.data.time)
             drift.touching = simulation.touching(motion)
 
-    def _blame(self, drift: _Drift) -> None:
+    def _report_drift(self, drift: _Drift) -> None:
         joint = drift.motion.joint
         message = f"moves by {length(joint, drift.furthest)} without a cause: {drift.why}"
         hint = ""
@@ -222,7 +222,7 @@ class _Run:
         finding = joint_finding(joint, message, hint, drift.furthest, self.q, severity)
         self.result.add(finding, "drift", joint.name, severity)
 
-    def _judge_contacts(self) -> None:
+    def _report_contacts(self) -> None:
         """Keep the deepest contacts that are too deep from the start or for longer than an impact."""
         simulation = self.simulation
         depths = simulation.depths()
@@ -255,7 +255,7 @@ class _Run:
         )
         return max(depths, default=0.0)
 
-    def _judge_tilt(self) -> None:
+    def _report_tilt(self) -> None:
         simulation = self.simulation
         base = simulation.asset.links[0].name
         upright = float(simulation.data.body(base).xmat[8])

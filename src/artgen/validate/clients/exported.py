@@ -19,7 +19,7 @@ from artgen.asset.report import Finding
 from artgen.errors import ExportError
 from artgen.validate.clients.registry import Client
 from artgen.validate.readback.compare import Comparison, Expected
-from artgen.validate.readback.reading import UNLIMITED, Inertial, Reading, ReadJoint, Said
+from artgen.validate.readback.reading import UNLIMITED, Inertial, Reading, ReadJoint, Stated
 
 _POSES = 4  # number of random poses, in addition to the rest pose
 
@@ -153,7 +153,7 @@ def _reading(
     return Reading(
         exported.mains[client.format].name if client.format in exported.mains else client.name,
         lambda _: {name: _array(frame, 4, 4) for name, frame in next(poses).items()},
-        told=parts,
+        parts=parts,
         partial=True,
         misplaced=moved_by_several(asset) if client.misplaces else frozenset(),
         inertials={
@@ -169,7 +169,7 @@ def _reading(
                 read.get("kind", kinds.get(name, "")),
                 limits=tuple(_array(read["limits"] or UNLIMITED, 2).tolist()) if "limits" in read else None,
                 dynamics=tuple(
-                    Said(field, float(read[field]), client.name) for field in DYNAMICS if field in read
+                    Stated(field, float(read[field]), client.name) for field in DYNAMICS if field in read
                 ),
             )
             for name, read in joints.items()

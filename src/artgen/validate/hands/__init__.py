@@ -16,8 +16,8 @@ from artgen.validate.hands.motion import (
     Reach,
     hand_forces,
     openable,
+    positions_to_move,
     reach_of,
-    standing,
     tendency,
 )
 
@@ -68,7 +68,7 @@ def check_grasps(asset: Asset) -> CheckResult:
     best = dict.fromkeys((joint.name for joint in asset.free_joints), 0.0)
     faulty: set[str] = set()
     for affordance in found:
-        opened, faults = _come(space, affordance)
+        opened, faults = _approach(space, affordance)
         findings += faults
         if any(each.severity == "fault" for each in faults):
             faulty |= set(affordance.joints)
@@ -107,7 +107,7 @@ def _force_findings(asset: Asset, forces: Mapping[str, float], faulty: Collectio
             yield Finding(CHECK, message, asset.joint(name).child, name, force, "N", hint=hint)
 
 
-def _come(space: HandSpace, affordance: Affordance) -> tuple[Opened, list[Finding]]:
+def _approach(space: HandSpace, affordance: Affordance) -> tuple[Opened, list[Finding]]:
     """Approach with a hand where its joint may move, and open obstacles if possible."""
     opened: dict[str, AssetCondition] = {}
     faults, struck = _faults(space, affordance, opened)
@@ -134,7 +134,7 @@ def _faults(space: HandSpace, affordance: Affordance, opened: Opened) -> Faults:
 
 def _pose(asset: Asset, affordance: Affordance, opened: Opened) -> dict[str, Array] | None:
     """Return the displacements of links during the approach; None without a valid position."""
-    q = standing(asset, affordance.joints[0] if affordance.joints else "", opened)
+    q = positions_to_move(asset, affordance.joints[0] if affordance.joints else "", opened)
     if q is None and opened:
         return None
     return asset.pose(q or {})

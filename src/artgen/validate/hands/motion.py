@@ -162,7 +162,7 @@ def _rod(radius: float, low: float, high: float) -> tuple[Manifold, Array]:
     return rod, np.array([[-radius, -radius, low], [radius, radius, high]])
 
 
-def standing(asset: Asset, joint: str, opened: Opened) -> dict[str, float] | None:
+def positions_to_move(asset: Asset, joint: str, opened: Opened) -> dict[str, float] | None:
     """Return positions of the other joints at which a hand can move a free joint; None if there are none.
 
     The name of the joint may be empty. `opened` has to be open in addition to the joint's own dependencies.
@@ -216,7 +216,7 @@ class Reach:
 def reach_of(space: HandSpace, affordance: Affordance, joint: str, opened: Opened) -> Reach:
     """Return how far a hand moves a free joint while the other joints stand where it is free to move."""
     asset = space.asset
-    held = standing(asset, joint, opened)
+    held = positions_to_move(asset, joint, opened)
     if held is None:
         return Reach(0.0)
     boxes: dict[str, Array] = {}  # of a gripper closed on its link
@@ -315,7 +315,7 @@ class _Place:
 
 def _places(asset: Asset, joint: AssetJoint) -> Sequence[_Place]:
     """Return positions along the range of a joint; other joints stand where it may move."""
-    held = standing(asset, joint.name, {}) or {}
+    held = positions_to_move(asset, joint.name, {}) or {}
     most = _FORCE_RANGE[joint.kind]
     low, high = joint.limits or (-most, most)
     members = [(joint, 1.0, 0.0)]  # the joint and its followers, with ratio and offset of each

@@ -71,9 +71,9 @@ def _unreadable(check: str, asset: Asset, error: Exception) -> Finding:
 
 
 def _complaints(check: str, reading: Reading) -> Iterator[Finding]:
-    said = list(dict.fromkeys(" ".join(text.split()) for text in reading.said))
-    for text in said[:_SHOWN]:
+    texts = list(dict.fromkeys(" ".join(text.split()) for text in reading.complaints))
+    for text in texts[:_SHOWN]:
         yield Finding(check, f"its reader complains: {text}", hint=CHANGED)
-    if len(said) > _SHOWN:
-        message = f"its reader has {len(said) - _SHOWN} more complaints"
-        yield Finding(check, message, value=float(len(said)), hint=CHANGED)
+    if len(texts) > _SHOWN:
+        message = f"its reader has {len(texts) - _SHOWN} more complaints"
+        yield Finding(check, message, value=float(len(texts)), hint=CHANGED)

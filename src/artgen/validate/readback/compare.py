@@ -149,19 +149,19 @@ class Comparison:
         asset, reading = self.expected.asset, self.reading
         pieces = self.expected.pieces_without_capsules if self.form == "urdf" else self.expected.pieces
         yield from self._whole()
-        for link in asset.links if "links" in reading.told else ():
+        for link in asset.links if "links" in reading.parts else ():
             name = link.name
             yield from self._mass(link)
             if name in reading.colliders:
                 yield from self._colliders(name, pieces[name], reading.colliders[name])
             if name in reading.faces and self.expected.faces is not None:
                 yield from self._faces(name, self.expected.faces[name], reading.faces[name])
-        if "joints" in reading.told:
+        if "joints" in reading.parts:
             yield from self._joints()
-        if "couplings" in reading.told:
+        if "couplings" in reading.parts:
             yield from self._couplings()
         yield from self._holds()
-        if "poses" in reading.told:
+        if "poses" in reading.parts:
             yield from self._poses()
 
     def _fault(self, message: str, **where: Any) -> Finding:
@@ -400,7 +400,7 @@ class Comparison:
             yield self._fault(message, link=name, value=error, pose=q)
         for name in sorted(lost):
             yield self._fault(f"no joints lead to it from the base in {reading.file}", link=name)
-        for name, frame in reading.standing.items():
+        for name, frame in reading.placements.items():
             error = _error(frame, poses[0][2][name])
             if not error <= tolerance:
                 off = f"stands {error:.4g} (m or radians) off in {reading.file}"

@@ -21,8 +21,8 @@ from artgen.validate.readback.reading import (
     ReadCollider,
     Reading,
     ReadJoint,
-    Said,
-    listening,
+    Stated,
+    collected_messages,
 )
 
 _KINDS = {2: "prismatic", 3: "revolute"}  # values of mjtJoint with one degree of freedom
@@ -134,13 +134,13 @@ def read(asset: Asset, path: Path) -> Reading:
 
     # MuJoCo caches meshes and does not notice a file that changed within the same second
     mujoco.mj_clearCache(mujoco.mj_getCache())
-    with listening() as said, collected_warnings() as warned:
+    with collected_messages() as messages, collected_warnings() as warned:
         model = mujoco.MjModel.from_xml_path(str(path))
         tried = mujoco.MjData(model)
         for _ in range(2):
             mujoco.mj_step(model, tried)
         numbers = [each.number for each in tried.warning if each.number]
-        said.extend((*warned, *(f"MuJoCo warns while stepping ({number})" for number in numbers)))
+        messages.extend((*warned, *(f"MuJoCo warns while stepping ({number})" for number in numbers)))
     names = {model.body(number).name for number in range(1, model.nbody)}
     links = [link.name for link in asset.links if link.name in names]
     data = mujoco.MjData(model)
@@ -167,7 +167,7 @@ def read(asset: Asset, path: Path) -> Reading:
         faces={name: tuple(_faces(model, body)) for name, body in bodies.items()},
         holds=_holds(asset, model),
         findings=tuple(_model_findings(model, asset, path.name)),
-        said=tuple(said),
+        complaints=tuple(messages),
     )
 
 
@@ -206,10 +206,10 @@ def _joint(model: Any, number: int) -> ReadJoint:
         np.array(model.jnt_axis[number]) if last else None,
         (
             *(
-                Said(field, float(getattr(model, array)[index[of]]), name)
+                Stated(field, float(getattr(model, array)[index[of]]), name)
                 for field, name, array, of in _DYNAMICS
             ),
-            Said("effort", effort, "actuatorfrcrange"),
+            Stated("effort", effort, "actuatorfrcrange"),
         ),
     )
 

@@ -30,7 +30,7 @@ class Inertial:
 
 
 @dataclass(frozen=True)
-class Said:
+class Stated:
     """One number of a joint's dynamics that a file states."""
 
     field: str  # one of `artgen.asset.joint.DYNAMICS`
@@ -60,7 +60,7 @@ class ReadJoint:
     ends: tuple[str, str] | None = None  # parent and child
     limits: tuple[float, float] | None = None  # lowest and highest position, may be infinite [rad or m]
     axis: Array | None = None  # in the frame of the child, shape (3,)
-    dynamics: tuple[Said, ...] | None = None  # springs, dampers, friction and so on
+    dynamics: tuple[Stated, ...] | None = None  # springs, dampers, friction and so on
 
 
 UNLIMITED = (-np.inf, np.inf)
@@ -142,11 +142,11 @@ class Reading:
     file: str  # name of the file
     frames: Frames  # function from the positions of all joints to the frame of each link, shape (4, 4)
     # the parts that were read, of `links`, `joints`, `couplings` and `poses`
-    told: frozenset[str] = frozenset({"links", "joints", "couplings", "poses"})
+    parts: frozenset[str] = frozenset({"links", "joints", "couplings", "poses"})
     partial: bool = False  # whether the reader may leave out links that no joint moves
     misplaced: frozenset[str] = frozenset()  # links whose frames are not compared
     # frames of links as the file places them, independent of its joints, shape (4, 4)
-    standing: Mapping[str, Array] = field(default_factory=dict)
+    placements: Mapping[str, Array] = field(default_factory=dict)
     inertials: Mapping[str, Inertial] = field(default_factory=dict)  # mass properties of each link
     mass: float | None = None  # mass of everything in the file [kg]
     base: str = ""  # `fixed` or `free`; empty if the format cannot say it
@@ -159,15 +159,15 @@ class Reading:
     # link of each grasp and push, and the frame in the link's frame, shape (4, 4)
     holds: Mapping[str, tuple[str, Array]] | None = field(default_factory=dict)
     findings: tuple[Finding, ...] = ()  # faults of the file that do not depend on the asset
-    said: tuple[str, ...] = ()  # complaints of the reader
+    complaints: tuple[str, ...] = ()  # messages of the reader
 
 
 @contextmanager
-def listening() -> Iterator[list[str]]:
+def collected_messages() -> Iterator[list[str]]:
     """Collect log messages and warnings instead of showing them."""
-    said: list[str] = []
+    messages: list[str] = []
     handler = logging.Handler(logging.WARNING)
-    handler.emit = lambda record: said.append(record.getMessage())  # type: ignore[method-assign]
+    handler.emit = lambda record: messages.append(record.getMessage())  # type: ignore[method-assign]
     root = logging.getLogger()
     before = root.handlers[:]
     root.handlers[:] = [handler]
@@ -176,7 +176,7 @@ def listening() -> Iterator[list[str]]:
             warnings.simplefilter("always")
             # yourdfpy calls a deprecated function of trimesh for every file
             warnings.filterwarnings("ignore", message=".*Scene.dump", category=DeprecationWarning)
-            yield said
-        said += [str(item.message) for item in caught]
+            yield messages
+        messages += [str(item.message) for item in caught]
     finally:
         root.handlers[:] = before

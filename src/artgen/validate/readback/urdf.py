@@ -25,8 +25,8 @@ from artgen.validate.readback.reading import (
     ReadCollider,
     Reading,
     ReadJoint,
-    Said,
-    listening,
+    Stated,
+    collected_messages,
 )
 
 _UP = np.array([0.0, 0.0, 1.0, 0.0])
@@ -160,8 +160,8 @@ def _translated(reading: Reading, names: _Names, base: str) -> Reading:
         first, second = (names.links.get(end, end) for end in joint.ends)
         low, high = (sign * limit for limit in joint.limits[::sign])
         dynamics = tuple(
-            replace(said, value=sign * said.value) if said.field == "rest" else said
-            for said in joint.dynamics or ()
+            replace(item, value=sign * item.value) if item.field == "rest" else item
+            for item in joint.dynamics or ()
         )
         axis = sign * (back @ joint.axis)
         joints[translation] = ReadJoint(joint.kind, (first, second), (low, high), axis, dynamics)
@@ -212,16 +212,16 @@ def read(asset: Asset, path: Path) -> Reading:
 
     names = _read_names(path)
     bodies = {} if names is None else {link: body for body, link in names.links.items()}
-    with listening() as said:
+    with collected_messages() as messages:
         robot = yourdfpy.URDF.load(str(path))
         if not robot.validate():
-            said.append("yourdfpy finds it invalid")
+            messages.append("yourdfpy finds it invalid")
         own = {link.name: bodies.get(link.name, link.name) for link in asset.links}
         links = {name: robot.link_map[body] for name, body in own.items() if body in robot.link_map}
         colliders = {name: tuple(_colliders(link, path.parent)) for name, link in links.items()}
 
     def frames(positions: Mapping[str, float]) -> dict[str, Array]:
-        with listening():  # yourdfpy repeats its warnings
+        with collected_messages():  # yourdfpy repeats its warnings
             robot.update_cfg(
                 {name: positions[name] for name in robot.actuated_joint_names if name in positions}
             )
@@ -260,7 +260,7 @@ def read(asset: Asset, path: Path) -> Reading:
         colliders=colliders,
         faces=_faces(robot, links),
         holds=_holds(asset, robot),
-        said=tuple(said),
+        complaints=tuple(messages),
     )
     return reading if names is None else _translated(reading, names, asset.links[0].name)
 
@@ -276,12 +276,12 @@ def _inertial(link: Any) -> Inertial:
     return Inertial(float(inertial.mass), origin[:3, 3], turn @ np.asarray(inertial.inertia) @ turn.T)
 
 
-def _dynamics(joint: Any, spring: Mapping[str, float]) -> Iterator[Said]:
+def _dynamics(joint: Any, spring: Mapping[str, float]) -> Iterator[Stated]:
     for part, fields in ((joint.limit, ("effort", "velocity")), (joint.dynamics, ("damping", "friction"))):
         for field in fields if part is not None else ():
-            yield Said(field, _or(getattr(part, field), 0.0), field)
+            yield Stated(field, _or(getattr(part, field), 0.0), field)
     for tag, value in spring.items():
-        yield Said(_SPRING[tag], value, tag)
+        yield Stated(_SPRING[tag], value, tag)
 
 
 def _colliders(link: Any, directory: Path) -> Iterator[ReadCollider]:

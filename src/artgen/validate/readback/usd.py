@@ -25,8 +25,8 @@ from artgen.validate.readback.reading import (
     ReadCollider,
     Reading,
     ReadJoint,
-    Said,
-    listening,
+    Stated,
+    collected_messages,
 )
 
 _ENABLED = "Enabled"
@@ -241,7 +241,7 @@ def _pose(position: Any, rotation: Any) -> Array:
     return result
 
 
-def _dynamics(arm: _Arm) -> Iterator[Said]:
+def _dynamics(arm: _Arm) -> Iterator[Stated]:
     """Yield the dynamics of a joint in UsdPhysics and in the schemas of simulators; missing values are 0."""
     prim, unit = arm.prim, arm.unit
     instance = "angular" if arm.kind == "revolute" else "linear"
@@ -252,9 +252,9 @@ def _dynamics(arm: _Arm) -> Iterator[Said]:
         for field in ("stiffness", "damping"):
             of_mujoco = _number(prim, f"mjc:{field}")
             name = f"mjc:{field}" if of_mujoco else f"{drive}{field}"
-            yield Said(field, _number(prim, f"{drive}{field}") / unit + of_mujoco, name)
+            yield Stated(field, _number(prim, f"{drive}{field}") / unit + of_mujoco, name)
         name = "mjc:springref" if _number(prim, "mjc:stiffness") else f"{drive}targetPosition"
-        yield Said("rest", _number(prim, name) * unit, name)
+        yield Stated("rest", _number(prim, name) * unit, name)
     for schema, field, name in (
         ("NewtonJointAPI", "friction", "newton:friction"),
         ("NewtonJointAPI", "armature", "newton:armature"),
@@ -265,7 +265,7 @@ def _dynamics(arm: _Arm) -> Iterator[Said]:
         ("MjcJointAPI", "armature", "mjc:armature"),
     ):
         if schema in schemas:
-            yield Said(field, _number(prim, name), name)
+            yield Stated(field, _number(prim, name), name)
     for field, name, factor in (
         ("effort", f"{drive}maxForce", 1.0),
         ("effort", "mjc:actuatorfrcrange:max", 1.0),
@@ -275,7 +275,7 @@ def _dynamics(arm: _Arm) -> Iterator[Said]:
     ):
         value = _get(prim, name)
         if value is not None and np.isfinite(value):
-            yield Said(field, factor * float(value), name)
+            yield Stated(field, factor * float(value), name)
 
 
 def _applied(prim: Any) -> list[str]:
@@ -374,19 +374,19 @@ def _laws(stage: Any, asset: Asset, variant: str) -> dict[str, dict[str, Law]]:
 
 def read(asset: Asset, path: Path) -> Reading:
     """Read a stage, and run OpenUSD's validators on it."""
-    with listening() as said:
+    with collected_messages() as messages:
         diagnostics = UsdUtils.CoalescingDiagnosticDelegate()
         stage = Usd.Stage.Open(str(path))
         stage.Reload()  # open layers would hide newer files
         laws: dict[str, dict[str, Law]] = {}
-        dynamics: dict[str, dict[Said, None]] = {}  # an ordered set
+        dynamics: dict[str, dict[Stated, None]] = {}  # an ordered set
         for variant in _variants(stage):
-            said.extend(_validated(stage))
+            messages.extend(_validated(stage))
             laws |= _laws(stage, asset, variant)
             for arm in _arms(stage):
                 if arm.kind:
                     dynamics.setdefault(arm.name, {}).update(dict.fromkeys(_dynamics(arm)))
-        said.extend(item.commentary for item in diagnostics.TakeUncoalescedDiagnostics())
+        messages.extend(item.commentary for item in diagnostics.TakeUncoalescedDiagnostics())
         del diagnostics  # OpenUSD prints again
     bodies = {prim.GetName(): prim for prim in stage.Traverse() if prim.HasAPI(UsdPhysics.RigidBodyAPI)}
     arms = list(_arms(stage))
@@ -398,7 +398,7 @@ def read(asset: Asset, path: Path) -> Reading:
     return Reading(
         path.name,
         lambda positions: _frames(joined, base, start, links, positions),
-        standing={name: _placed(bodies[name]) for name in links},
+        placements={name: _placed(bodies[name]) for name in links},
         inertials={
             name: _inertial(bodies[name])
             for name in links
@@ -430,7 +430,7 @@ def read(asset: Asset, path: Path) -> Reading:
         faces={name: tuple(_faces(bodies[name])) for name in links},
         holds=_holds(asset, bodies),
         findings=tuple(_stage_findings(stage, asset)),
-        said=tuple(said),
+        complaints=tuple(messages),
     )
 
 
@@ -441,8 +441,8 @@ def _validated(stage: Any) -> list[str]:
     """
     registry = UsdValidation.ValidationRegistry()
     context = UsdValidation.ValidationContext(registry.GetOrLoadAllValidators())
-    said = [f"{error.GetName()}: {error.GetMessage()}" for error in context.Validate(stage)]
-    return [text for text in said if not _MATERIAL_X.match(text)]
+    messages = [f"{error.GetName()}: {error.GetMessage()}" for error in context.Validate(stage)]
+    return [text for text in messages if not _MATERIAL_X.match(text)]
 
 
 def _frames(
@@ -499,9 +499,9 @@ def _piece(prim: Any, matrix: Array) -> ReadCollider:
 
 
 def _approximation_flaw(prim: Any) -> str:
-    how = UsdPhysics.MeshCollisionAPI(prim).GetApproximationAttr()
-    said = how.Get() if prim.HasAPI(UsdPhysics.MeshCollisionAPI) and how.HasAuthoredValue() else "none"
-    return "" if said == "convexHull" else f"has the approximation {said!r}, not 'convexHull'"
+    applied = prim.HasAPI(UsdPhysics.MeshCollisionAPI)
+    name = _get(prim, "physics:approximation", "none") if applied else "none"
+    return "" if name == "convexHull" else f"has the approximation {name!r}, not 'convexHull'"
 
 
 def _friction(prim: Any) -> float:
