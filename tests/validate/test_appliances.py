@@ -135,7 +135,7 @@ def test_parts_that_free_each_other_within_their_slack_are_not_stuck(cold: Asset
 def test_a_refrigerator_behaves(cold: Asset) -> None:
     result = check_behavior(cold)
     assert not result.findings
-    assert result.detail == "let go in 4 poses; 3 joints driven; 2 pushed while blocked"
+    assert result.detail == "released in 4 poses; 3 joints driven; 2 pushed while blocked"
 
 
 def test_a_drawer_that_nothing_stops_beyond_its_slack_is_a_fault() -> None:
@@ -222,7 +222,7 @@ def test_hands_take_what_lies_behind_a_door_when_that_is_open(cold: Asset, wet: 
 def test_what_is_hidden_without_a_dependency_is_taken_after_opening_the_door() -> None:
     notes = check_grasps(evaluated(fridge(needs=False), "fridge")).findings
     assert {note.severity for note in notes} == {"note"}
-    assert notes[0].message == ("grasp inner_drawer_0_grasp: a hand comes to it only where door_hinge > 1.96")
+    assert notes[0].message == ("grasp inner_drawer_0_grasp: a hand reaches it only where door_hinge > 1.96")
 
 
 def test_a_door_that_needs_the_hidden_thing_does_not_open_for_the_hand() -> None:

@@ -98,7 +98,7 @@ def bolted(*, blocks: bool = True, needs: Callable[..., Any] | None = None, **op
 
 def test_a_drawer_that_runs_gives_no_finding():
     result = checked(shell().attach(part(drawer(), "drawer", OAK), slide()))
-    assert result == CheckResult("behavior", (), "let go in 3 poses; 1 joints driven")
+    assert result == CheckResult("behavior", (), "released in 3 poses; 1 joints driven")
 
 
 def test_a_lid_with_a_spring_gives_no_finding():
@@ -305,7 +305,7 @@ def test_a_joint_that_has_an_offset_range_is_driven_to_both_ends():
 def test_a_spring_that_is_not_damped_swings():
     faults = checked(door(stiffness=4.0, rest=0.5, friction=0.0, damping=0.0)).findings
     assert [fault.message.split(" by ")[0] for fault in faults] == [
-        f"let go at {end} rad, it still moves" for end in (0, 1)
+        f"released at {end} rad, it still moves" for end in (0, 1)
     ]
     assert {fault.hint for fault in faults} == {"give it more damping"}
 
@@ -316,7 +316,7 @@ def test_a_spring_that_something_stops_does_not_return():
     leaf = part(box(0.5, 0.03, 0.8).at(0.31, 0.0, 0.45), "leaf", OAK)
     turn = Revolute("turn", axis=Z, limits=(-0.8, 0.8), stiffness=4.0, rest=0.5, damping=1.0, effort=5.0)
     result = checked(body.attach(leaf, turn))
-    found = [finding for finding in result.faults if "let go at -0.8 rad" in finding.message]
+    found = [finding for finding in result.faults if "released at -0.8 rad" in finding.message]
     assert len(found) == 1
     assert (
         "after its spring should have taken it to 0.5 rad: post/stop and leaf/leaf hold it"
@@ -330,11 +330,11 @@ def test_friction_may_keep_a_spring_from_its_rest_by_its_width():
 
 def test_a_spring_that_is_too_slow_does_not_return():
     faults = checked(door(stiffness=0.5, rest=0.5, friction=0.0, damping=2.0)).findings
-    assert ["in half a second, 5 s after it was let go" in fault.message for fault in faults] == [True, True]
+    assert ["in half a second, 5 s after its release" in fault.message for fault in faults] == [True, True]
     assert {fault.hint for fault in faults} == {"make the spring stiffer, or damp it less"}
     faults = checked(door(stiffness=0.5, rest=0.5, friction=0.0, damping=20.0)).findings
     assert [fault.message.split(":")[0] for fault in faults] == [
-        f"let go at {end} rad, it stands at {at} rad 5 s after its spring should have taken it to 0.5 rad"
+        f"released at {end} rad, it stands at {at} rad 5 s after its spring should have taken it to 0.5 rad"
         for end, at in (("0", "0.05828"), ("1", "0.9417"))
     ]
 
@@ -586,7 +586,7 @@ def test_the_same_asset_gives_the_same_result():
 
 
 def test_an_asset_without_joints_is_only_loaded():
-    assert checked(shell()) == CheckResult("behavior", (), "let go in 1 poses; 0 joints driven")
+    assert checked(shell()) == CheckResult("behavior", (), "released in 1 poses; 0 joints driven")
 
 
 @pytest.mark.parametrize("friction", [3.0, 8.0])

@@ -214,7 +214,7 @@ def test_fingers_that_close_on_nothing_are_refused() -> None:
 
 def test_a_thing_held_by_the_last_bit_of_the_pads_is_refused() -> None:
     (found,) = faults(slider(grasp=frame((0, -0.018, 0))))
-    assert "of a pad only 1 mm by 20 mm touch the link; move the frame along the approach or across" in found
+    assert "only 1 mm by 20 mm of a pad touch the link; move the frame along the approach or across" in found
 
 
 def test_faces_that_do_not_look_at_each_other_are_refused() -> None:
@@ -252,7 +252,9 @@ def test_a_hand_that_can_hardly_move_is_a_fault_with_the_share_and_the_joint() -
         "link bar, joint slide: grasp bar_grasp: the hand moves the joint through 6 % of its range, then the "
         "hand strikes post/post (at slide=0.025); turn or move the frame"
     )
-    assert found[1].startswith("joint slide: of bar_grasp none moves it through 20 % of its range; mend one")
+    assert found[1].startswith(
+        "joint slide: no hand at bar_grasp moves it through 20 % of its range; correct one"
+    )
 
 
 def push_at(y: float = -0.01, **options):

@@ -80,7 +80,7 @@ def test_solids_with_one_center_and_volume_are_not_one():
     ("size", "message"),
     [
         ((0.02, 0.02, 0.00003), "is a sliver, 0.0299"),
-        ((0.0002, 0.0002, 0.0002), "is a crumb of 0.008 mm^3"),
+        ((0.0002, 0.0002, 0.0002), "is a particle of 0.008 mm^3"),
         ((0.02, 0.02, 0.00006), None),
         ((0.0003, 0.0003, 0.0003), None),
     ],

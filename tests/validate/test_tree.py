@@ -84,7 +84,7 @@ def test_a_joint_to_nowhere_and_a_second_parent_are_found(asset):
     assert found[0] == "it joins 'handel', which is not a link. Did you mean 'handle'?"
     again = replace(asset.joint("flap"), name="flap_again", parent="body", follows=None)
     found = [finding.message for finding in check_tree(replace(asset, joints=(*asset.joints, again))).faults]
-    assert found == ["it hangs on 'tray' and on 'body'; a link has one parent"]
+    assert found == ["its parents are 'tray' and 'body'; a link has one parent"]
 
 
 def test_names_used_twice_or_no_identifiers_are_found(asset):

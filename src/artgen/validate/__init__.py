@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from artgen._arrays import cached_property
 from artgen.asset import Asset
+from artgen.asset.collision import mesh_precision
 from artgen.asset.report import CheckResult, Finding, Report
 from artgen.errors import ArtgenError, ParameterError, nearest
 from artgen.validate.files import FORMAT_CHECKS, Exported, read_export
@@ -79,7 +80,7 @@ class Examination:
             return f"the export has no {check}"
         if check in _MESH_CHECKS and not self._exported.meshes:
             return "the export has no meshes to read back: those of urdf and mjcf in the layout flat have"
-        if check in _MESH_CHECKS and (precision := self._mesh_precision):
+        if check in _MESH_CHECKS and (precision := mesh_precision(*self._exported.asset.links)):
             return f"its meshes, precise to {1e3 * precision:g} mm, are not those of the solids"
         if check == "behavior" and not self._behavior:
             return "not requested"
@@ -100,13 +101,6 @@ class Examination:
         return run(asset, self.directory) if check == "behavior" else run(asset)
 
     @cached_property
-    def _mesh_precision(self) -> float:
-        from artgen.asset.collision import mesh_precision
-
-        asset = self._exported.asset
-        return mesh_precision(*asset.links) if asset is not None else 0.0
-
-    @cached_property
     def _expected(self) -> "Expected":
         from artgen.validate.readback.compare import Expected
 
@@ -120,5 +114,5 @@ def guarded(check: str, run: Callable[[], CheckResult]) -> CheckResult:
         return run()
     except Exception as error:  # noqa: BLE001 - a damaged file may make a check raise anything
         reason = str(error) if isinstance(error, ArtgenError) else f"{type(error).__name__}: {error}"
-        hint = "mend what the other checks find, or export again"
+        hint = "correct the faults of the other checks, or export the asset again"
         return CheckResult(check, (Finding(check, f"the check could not run: {reason}", hint=hint),))

@@ -138,7 +138,7 @@ def _sliver_findings(link: Link, shell: Shell) -> Iterator[Finding]:
         hint = f"let solids overlap or keep apart, not graze; at least {1e3 * THINNEST:g} mm"
         yield _fault(message, link.name, value=shell.thickness, unit="m", hint=hint)
     elif abs(shell.volume) < SMALLEST:
-        message = f"{name} is a crumb of {1e9 * shell.volume:.4g} mm^3"
+        message = f"{name} is a particle of {1e9 * shell.volume:.4g} mm^3"
         hint = f"cut deeper or leave it out; at least {1e9 * SMALLEST:g} mm^3"
         yield _fault(message, link.name, value=shell.volume, unit="m^3", hint=hint)
 

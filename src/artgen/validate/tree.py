@@ -62,7 +62,7 @@ def _structure_findings(asset: Asset) -> Iterator[Finding]:
         if ends:
             continue
         if parents.setdefault(child, parent) != parent:
-            message = f"it hangs on {parents[child]!r} and on {parent!r}; a link has one parent"
+            message = f"its parents are {parents[child]!r} and {parent!r}; a link has one parent"
             yield _fault(message, child, joint.name, hint="attach it once")
         elif names.index(parent) >= names.index(child):
             message = (
@@ -72,7 +72,7 @@ def _structure_findings(asset: Asset) -> Iterator[Finding]:
     root, *others = names
     if root in parents:
         yield _fault(
-            f"the base hangs on {parents[root]!r}", root, hint="list the link without a parent first"
+            f"the base has the parent {parents[root]!r}", root, hint="list the link without a parent first"
         )
     for name in others:
         if name not in parents:

@@ -228,7 +228,7 @@ def _return_findings(
     severity: Severity = "fault"
     if swing:
         message = (
-            f"still moves by {length(joint, swing)} in half a second, {SETTLE_TIME:g} s after it was let go"
+            f"still moves by {length(joint, swing)} in half a second, {SETTLE_TIME:g} s after its release"
         )
         slow = motion.damping**2 > 4.0 * motion.stiffness * simulation.inertia(motion)
         hint = "make the spring stiffer, or damp it less" if slow else "give it more damping"
@@ -244,5 +244,5 @@ def _return_findings(
             f"of friction and {joint.damping:.3g} of damping"
         )
         hint = "make the spring stiffer, or lower friction or damping"
-    message = f"let go at {place(joint, end)}, it {message}"
+    message = f"released at {place(joint, end)}, it {message}"
     return [joint_finding(joint, message, hint, here, simulation.pose(), severity)]

@@ -119,7 +119,7 @@ def _approach(space: HandSpace, affordance: Affordance) -> tuple[Opened, list[Fi
             return {}, first
         opened[name] = where
         faults, struck = _faults(space, affordance, opened)
-    message = f"{affordance.kind} {affordance.name}: a hand comes to it only where {_listed(opened)}"
+    message = f"{affordance.kind} {affordance.name}: a hand reaches it only where {_listed(opened)}"
     note = Finding(CHECK, message, affordance.link, severity="note")
     return opened, [note] if opened else []
 
@@ -233,8 +233,8 @@ def _contact_faults(space: HandSpace, grasp: Affordance, low: float, high: float
         along = float(patch[1, 1]) - max(float(patch[0, 1]), -GRIPPER.pad / 2.0)
         across = float(patch[1, 0] - patch[0, 0])
         if min(along, across) < _HELD:
-            message = f"of a pad only {_mm(max(along, 0.0))} by {_mm(across)} touch the link"
-            room = f"at least {_mm(_HELD)} have to be on each pad"
+            message = f"only {_mm(max(along, 0.0))} by {_mm(across)} of a pad touch the link"
+            room = f"each pad needs at least {_mm(_HELD)}"
             hint = f"move the frame along the approach or across; {room}"
             yield _fault(grasp, message, hint, min(along, across))
             return
@@ -316,6 +316,8 @@ def _joint_findings(asset: Asset, best: dict[str, float], faulty: Collection[str
             hint = f"give {child} or a link behind it a grasp or a push, or name its actuator: driven=..."
             yield Finding(CHECK, "no grasp or push moves it", joint=name, hint=hint)
         elif share < _LEAST_SHARE and name not in faulty:
-            message = f"of {', '.join(moving)} none moves it through {100 * _LEAST_SHARE:.0f} % of its range"
-            hint = "mend one of them, or add another"
+            message = (
+                f"no hand at {', '.join(moving)} moves it through {100 * _LEAST_SHARE:.0f} % of its range"
+            )
+            hint = "correct one of them, or add another"
             yield Finding(CHECK, message, joint=name, value=share, hint=hint)
