@@ -9,10 +9,9 @@ import artgen
 from artgen import box, part
 from artgen.asset import Asset
 from artgen.asset.collision import link_parts, made_colliders
-from artgen.commands import colliders as collider_table
-from artgen.commands.colliders import compare_colliders, steps_per_second
 from artgen.errors import AssetError
-from artgen.validate.colliders import fidelity
+from artgen.validate import colliders as collider_table
+from artgen.validate.colliders import compare_colliders, fidelity, steps_per_second
 from support.trays import STEEL, tray
 
 pytest.importorskip("coacd")
