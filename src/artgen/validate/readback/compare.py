@@ -72,6 +72,8 @@ class Expected:
     @cached_property
     def pieces_without_capsules(self) -> dict[str, tuple[ReadCollider, ...]]:
         """The same, with a cylinder and two balls for each capsule."""
+        if all(item.convex.kind != "capsule" for link in self.asset.links for item in link.colliders):
+            return self.pieces
         return _expected_pieces(self.asset, capsules=False)
 
     @cached_property
@@ -289,7 +291,7 @@ class Comparison:
             yield from self._dynamics(joint, found)
 
     def _ends(self, joint: AssetJoint, found: tuple[str, str] | None) -> Iterator[Finding]:
-        """Compare the links of a joint; between several joints of two links are bodies without a name."""
+        """Compare the links of a joint; a body between two joints of one pair of links is not a link."""
         asset, wanted = self.expected.asset, (joint.parent, joint.child)
         if found is None or found == wanted:
             return
