@@ -29,11 +29,6 @@ def faceted(points: Array) -> Contour:
     return Contour(points, predecessors(normals), normals)
 
 
-def smooth(points: Array, normals: Array) -> Contour:
-    """Return a contour that is smooth at each of its points, both shape (n, 2)."""
-    return Contour(points, normals, normals)
-
-
 def estimated(points: Array) -> Contour:
     """Return a contour of points, shape (n, 2): turns below `CREASE` are smooth, larger turns are corners.
 
@@ -70,7 +65,7 @@ def arc_points(center: Array, radius: float, start: float, sweep: float, steps: 
 def circle_contour(radius: float, sides: int | None = None) -> Contour:
     """Return a circle about the origin, its points on the radius [m]."""
     points, outward = arc_points(np.zeros(2), radius, 0.0, math.tau, sides or sides_of(radius))
-    return smooth(points[:-1], outward[:-1])
+    return Contour(points[:-1], outward[:-1], outward[:-1])
 
 
 def ellipse_contour(radius_x: float, radius_y: float) -> Contour:
@@ -85,7 +80,7 @@ def ellipse_contour(radius_x: float, radius_y: float) -> Contour:
     unit[np.abs(unit) < 1e-15] = 0.0
     normals = unit / np.array([radius_x, radius_y])
     normals /= np.linalg.norm(normals, axis=1, keepdims=True)
-    return smooth(unit * np.array([radius_x, radius_y]), normals)
+    return Contour(unit * np.array([radius_x, radius_y]), normals, normals)
 
 
 def rounded_polygon(corners: Array, radii: Sequence[float] | Array) -> Contour:

@@ -261,18 +261,7 @@ def _joint(
             f"joint {name!r} has limits {limits[0]:.6g} to {limits[1]:.6g}: it never moves beyond "
             f"{beyond:.6g}; leave needs out, or take a position within the limits"
         )
-    for field, number in (
-        ("stiffness", stiffness),
-        ("damping", damping),
-        ("friction", friction),
-        ("armature", armature),
-    ):
-        if number < 0.0:
-            raise ValueError(f"joint {name!r}: {field} {number:.6g} must not be negative")
-    for field, number in (("effort", effort), ("velocity", velocity)):
-        if number <= 0.0:
-            raise ValueError(f"joint {name!r}: {field} {number:.6g} must be positive")
-    return AssetJoint(
+    made = AssetJoint(
         name,
         kind,
         unit(np.asarray(axis)),
@@ -289,6 +278,13 @@ def _joint(
         needs=needs,
         driven=driven,
     )
+    for field in ("stiffness", "damping", "friction", "armature"):
+        if getattr(made, field) < 0.0:
+            raise ValueError(f"joint {name!r}: {field} {getattr(made, field):.6g} must not be negative")
+    for field in ("effort", "velocity"):
+        if getattr(made, field) <= 0.0:
+            raise ValueError(f"joint {name!r}: {field} {getattr(made, field):.6g} must be positive")
+    return made
 
 
 class _Axial(Joint):

@@ -9,17 +9,14 @@ from artgen.errors import BuildError, InfeasibleError
 from artgen.graph import Handle, Operation, define, kernel, records
 from artgen.graph.kernel import register
 from artgen.graph.node import authors_line
-from artgen.nodes.handles import (
-    Body,
+from artgen.nodes.handles import Body, Path, Profile, Solid
+from artgen.nodes.scalar_handles import (
     Bool,
     Condition_,
     Float,
-    Path,
     Points,
     PointsLike,
-    Profile,
     Scalar,
-    Solid,
     Vector,
     VectorLike,
 )
