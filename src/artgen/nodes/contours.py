@@ -146,8 +146,7 @@ def section(contours: Sequence[Contour]) -> CrossSection:
     return CrossSection([contour.points for contour in contours], FillRule.Positive)
 
 
-_ROUNDED = 1e-8
-"""Displacement of borders by rounding in booleans [m]."""
+_ROUNDED = 1e-8  # displacement of borders by rounding in booleans [m]
 
 
 def is_disjoint(rings: Sequence[Array]) -> bool:

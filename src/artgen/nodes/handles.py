@@ -90,18 +90,14 @@ class Path(Handle):
     """A line in space.
 
     Examples:
-        >>> spline([(0, 0, 0), (0.1, 0, 0.05), (0.2, 0, 0)])
+        >>> array(sphere(0.01), at=spline([(0, 0, 0), (0.1, 0, 0.05), (0.2, 0, 0)]).points(9))
     """
 
     __slots__ = ()
     value_type: ClassVar[Any] = Curve
 
     def points(self, count: int) -> Points:
-        """Return evenly spaced points, both ends included [m]; a single point lies in the middle.
-
-        Examples:
-            >>> array(sphere(0.01), at=arc((0, 0, 0), 0.1, axis=Y).points(9))
-        """
+        """Return evenly spaced points, both ends included [m]; a single point lies in the middle."""
         return Points.record("along", path=self, count=count)
 
 
@@ -111,9 +107,10 @@ class Solid(Handle):
     Examples:
         >>> block = box(0.3, 0.2, 0.1) - cylinder(0.03, 0.3, axis=X)
         >>> balls = array(sphere(0.02), at=block.bounds()) | sphere(0.05).at(block.centroid())
-        >>> post = cylinder(block.size().y / 4, block.volume() / block.area()).at(block.anchor(z=1))
+        >>> post = cylinder(block.size().y / 4, block.volume() / block.area()).at(block.anchor(x=-1, z=1))
         >>> ear = box(0.02, 0.05, 0.1).scale(1.0, 1.0, 0.5).rotate(Y, 0.3).at(0.14, 0, 0.06)
-        >>> block | balls | post | ear | ear.mirror(X)
+        >>> cap = sphere(0.05).split(point=(0, 0, 0.02), normal=Z).paint(material("copper"))
+        >>> block | balls | post | ear | ear.mirror(X) | cap.align(block.anchor(z=1), z=-1)
     """
 
     __slots__ = ()
@@ -137,9 +134,6 @@ class Solid(Handle):
         Args:
             point: A point on the plane [m].
             normal: Normal of the plane, towards the remaining part.
-
-        Examples:
-            >>> sphere(0.1).split(point=(0, 0, 0.03), normal=-Z)
         """
         return Solid.record("split", solid=self, point=point, normal=normal)
 
@@ -161,20 +155,11 @@ class Solid(Handle):
         return Solid.record("mirror", solid=self, normal=normal)
 
     def align(self, to: VectorLike, *, x: Scalar = 0.0, y: Scalar = 0.0, z: Scalar = 0.0) -> "Solid":
-        """Move so that the anchor (x, y, z), each in -1..1, of the bounding box comes to a point [m].
-
-        Examples:
-            >>> top = box(0.3, 0.2, 0.02)
-            >>> top | cylinder(0.015, 0.2).align(top.anchor(z=-1), z=1)
-        """
+        """Move so that the anchor (x, y, z), each in -1..1, of the bounding box comes to a point [m]."""
         return Solid.record("align", solid=self, to=to, x=x, y=y, z=z)
 
     def paint(self, material: Material) -> "Solid":
-        """Give all faces their own material, which stays on them through booleans.
-
-        Examples:
-            >>> box(0.2, 0.1, 0.05) - cylinder(0.03, 0.1).paint(material("copper"))
-        """
+        """Give all faces their own material, which stays on them through booleans."""
         return Solid.record("paint", solid=self, material=material)
 
     def anchor(self, *, x: Scalar = 0.0, y: Scalar = 0.0, z: Scalar = 0.0) -> Vector:
@@ -209,34 +194,20 @@ class Body(Handle):
         >>> arm = part(box(0.2, 0.05, 0.02), "arm", material("steel")).rotate(Y, -0.5).at(0.15)
         >>> left, right = arm.mirror(X).suffixed("_left"), arm.suffixed("_right")
         >>> post = part(cylinder(0.03, 0.3), "post", material("oak"))
-        >>> post = post.attach(left, Revolute("turn_left", axis=Z, limits=(0, 1)))
-        >>> post.attach(right, Revolute("turn_right", axis=Z, limits=(0, 1)))
+        >>> mark = detail(torus(0.031, 0.002).at(post.center_of_mass()), "mark", material("brass"))
+        >>> post = weld(post, mark).attach(left, Revolute("turn_left", axis=Z, limits=(0, 1)))
+        >>> post.attach(right, Revolute("turn_right", axis=Z, limits=(0, 1), friction=0.1 * right.mass()))
     """
 
     __slots__ = ()
     value_type: ClassVar[Any] = Tree
 
     def mass(self) -> Float:
-        """Return the mass with all links joined to this one [kg].
-
-        Examples:
-            >>> lid = part(box(0.3, 0.2, 0.01), "lid", material("oak"))
-            >>> case = part(box(0.3, 0.2, 0.1).at(z=-0.057), "case", material("walnut"))
-            >>> hold = 9.81 * 0.1 * lid.mass()
-            >>> hinge = Revolute("hinge", pivot=(0, 0.1, -0.006), axis=-X, limits=(0, 1.5), friction=hold)
-            >>> case.attach(lid, hinge)
-        """
+        """Return the mass with all links joined to this one [kg]."""
         return Float.record("mass", body=self)
 
     def center_of_mass(self) -> Vector:
-        """Return the center of mass with all links joined to this one, at rest [m].
-
-        Examples:
-            >>> grip = part(cylinder(0.015, 0.3, axis=X), "handle", material("oak"))
-            >>> tool = weld(grip, part(box(0.03, 0.04, 0.1).at(0.15), "head", material("steel")))
-            >>> mark = torus(0.03, 0.003, axis=X).at(tool.center_of_mass())
-            >>> weld(tool, detail(mark, "balance", material("brass")))
-        """
+        """Return the center of mass with all links joined to this one, at rest [m]."""
         return Vector.record("center_of_mass", body=self)
 
     def attach(self, child: "Body", *joints: Any) -> "Body":

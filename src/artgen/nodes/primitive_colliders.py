@@ -13,17 +13,10 @@ from artgen.asset.shape import Contour, Outline
 from artgen.colliders import Convex, Pieces
 from artgen.nodes.surfaces import lathe_steps, mitres
 
-_SOFT_EDGE = 0.012
-"""Larger bevels show in the collider of a box; with smaller bevels it is a plain box [m]."""
-
-_FAR = 0.001
-"""Largest distance of a collider from a rounded edge, unless it adds little volume [m]."""
-
-_LITTLE = 0.025
-"""Share of a solid's volume that colliders of rounded edges may add at any distance."""
-
-_SIDES = 24
-"""Sides of the chamfers around the rounded rims of a cylinder."""
+_SOFT_EDGE = 0.012  # larger bevels show in the collider of a box; with smaller bevels it is a plain box [m]
+_FAR = 0.001  # largest distance of a collider from a rounded edge, unless it adds little volume [m]
+_LITTLE = 0.025  # share of a solid's volume that colliders of rounded edges may add at any distance
+_SIDES = 24  # sides of the chamfers around the rounded rims of a cylinder
 
 _CHAMFERED = 0.0007
 """Largest distance of a single chamfer from a rounded rim; beyond, there are two chamfers [m]."""

@@ -16,9 +16,7 @@ from artgen.nodes import validators as check
 from artgen.nodes.contours import is_disjoint, moved_outline, outline_of, section
 from artgen.nodes.handles import Profile, Scalar
 
-_SMOOTH = 0.94
-"""Cosine of the turn (20 degrees) below which curves of a letter join smoothly."""
-
+_SMOOTH = 0.94  # cosine of the turn (20 degrees) below which curves of a letter join smoothly
 _READING = Lock()  # fontTools reads a font lazily
 _STEP = 0.45  # largest turn of a curve per side [rad]
 
