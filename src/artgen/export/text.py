@@ -1,4 +1,4 @@
-"""Numbers as text: tables of an OBJ file, fast, and elements of XML."""
+"""Numbers as text: fast tables for OBJ files, and XML elements."""
 
 import xml.etree.ElementTree as ET
 from collections.abc import Iterable, Mapping, Sequence

@@ -70,7 +70,7 @@ def weights(corners: Array, column: Array, row: Array) -> Array:
 
 
 def _ranges(first: Indices, last: Indices) -> tuple[Indices, Indices]:
-    """Return the integers of many ranges, and before them the number of the range of each."""
+    """Return for every integer of many ranges the number of its range, and the integer."""
     count = np.maximum(last - first + 1, 0)
     number = np.repeat(np.arange(len(count)), count)
     return number, np.arange(len(number)) + (first - np.cumsum(count) + count)[number]

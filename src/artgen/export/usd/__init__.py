@@ -32,16 +32,12 @@ from artgen.export.usd.materials import write_materials
 _BODY: RuntimeRow = ("physx", "PhysxRigidBodyAPI", {"physxRigidBody:angularDamping": 0.0})
 """Only joints slow a body: by default, PhysX damps its rotation."""
 
+_PHYSX = {
+    "physxArticulation:enabledSelfCollisions": True,
+    "physxArticulation:solverPositionIterationCount": 32,  # for couplings and heavy doors
+}
 _ROOT: tuple[RuntimeRow, ...] = (
-    (
-        "physx",
-        "PhysxArticulationAPI",
-        {
-            "physxArticulation:enabledSelfCollisions": True,
-            # position iterations for couplings and heavy doors
-            "physxArticulation:solverPositionIterationCount": 32,
-        },
-    ),
+    ("physx", "PhysxArticulationAPI", _PHYSX),
     ("newton", "NewtonArticulationRootAPI", {"newton:selfCollisionEnabled": True}),
 )
 """The parts collide with each other, as in MJCF: a bolt and its strike interact by contact."""

@@ -227,25 +227,23 @@ _TYPES = {
 
 _TYPE_OF = {name: kind for kind, names in _TYPES.items() for name in names.split()}
 
-_CONVERSIONS: Mapping[str, Callable[[Any], Any]] = {
-    "Asset": Sdf.AssetPath,
-    "Color3f": vec3,
-    "Color3fArray": _vec3_array,
-    "Double3": lambda value: Gf.Vec3d(*_plain(value)),
-    "DoubleArray": Vt.DoubleArray,
-    "Float3": vec3,
-    "Float3Array": _vec3_array,
-    "Float4": lambda value: Gf.Vec4f(*value),
-    "FloatArray": Vt.FloatArray,
-    "IntArray": _int_array,
-    "Normal3fArray": _vec3_array,
-    "Point3f": vec3,
-    "Point3fArray": _vec3_array,
-    "Quatd": lambda value: Gf.Quatd(*_turn(value)),
-    "Quatf": quatf,
-    "TexCoord2fArray": Vt.Vec2fArray.FromNumpy,
-    "TokenArray": Vt.TokenArray,
+_CONVERTED: Mapping[Callable[[Any], Any], str] = {
+    Sdf.AssetPath: "Asset",
+    vec3: "Color3f Float3 Point3f",
+    _vec3_array: "Color3fArray Float3Array Normal3fArray Point3fArray",
+    lambda value: Gf.Vec3d(*_plain(value)): "Double3",
+    lambda value: Gf.Vec4f(*value): "Float4",
+    lambda value: Gf.Quatd(*_turn(value)): "Quatd",
+    quatf: "Quatf",
+    Vt.DoubleArray: "DoubleArray",
+    Vt.FloatArray: "FloatArray",
+    _int_array: "IntArray",
+    Vt.Vec2fArray.FromNumpy: "TexCoord2fArray",
+    Vt.TokenArray: "TokenArray",
 }
+"""Types by the function that converts their values; values of other types stay as they are."""
+
+_CONVERSIONS = {kind: convert for convert, kinds in _CONVERTED.items() for kind in kinds.split()}
 
 
 @cached(None)

@@ -35,7 +35,7 @@ _CLASSES = {
         "type": "box", "group": "1", "contype": "0", "conaffinity": "0", "mass": "0", "rgba": "0 1 0 0",
     },
 }  # fmt: skip
-_UNSEEN = {"size": "0.005", "rgba": "0 0 0 0"}
+_UNSEEN: dict[str, str] = {"size": "0.005", "rgba": "0 0 0 0"}
 _CORNERS = {"p0": (0, 0, 0), "px": (1, 0, 0), "py": (0, 1, 0), "pz": (0, 0, 1)}
 
 
@@ -114,19 +114,11 @@ def _wrap(root: ET.Element, asset: Asset) -> None:
         box_of_link = _box(link.bounds() - asset.origin(link.name))
         site = {"name": f"reg_{link.name}", **box_of_link, "type": "box", "group": "4", "rgba": "0 1 0 0"}
         add(bodies[link.name], "site", site)
-    for name, position in _extent(box).items():
-        add(outer, "site", name=f"{name}_site", pos=position, **_UNSEEN)
-
-
-def _extent(box: Array) -> dict[str, Array]:
-    """Return the positions of the sites that give robosuite the size, relative to the origin."""
-    low, high = box[:, 2]
-    radii = np.abs(box[:, :2]).max(axis=0)
-    return {
-        "bottom": np.array([0.0, 0.0, low]),
-        "top": np.array([0.0, 0.0, high]),
-        "horizontal_radius": np.array([*radii, (low + high) / 2.0]),
-    }
+    # robosuite reads the size from these sites
+    (low, high), radii = box[:, 2], np.abs(box[:, :2]).max(axis=0)
+    sizes = {"bottom": (0.0, 0.0, low), "top": (0.0, 0.0, high)}
+    for name, place in (sizes | {"horizontal_radius": (*radii, (low + high) / 2.0)}).items():
+        add(outer, "site", name=f"{name}_site", pos=place, **_UNSEEN)
 
 
 def _box(corners: Array) -> dict[str, Array]:
@@ -148,4 +140,4 @@ ROBOCASA = Layout(
     ("mjcf",),
     write_robocasa,
 )
-"""One MJCF object in a directory of its own."""
+"""One MJCF object in its own directory."""
