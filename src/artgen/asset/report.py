@@ -10,9 +10,7 @@ from artgen.asset.record import Record, rounded
 Severity = Literal["fault", "note"]
 
 AGAIN = "export the asset again"  # the hint where a file is not as artgen writes it
-CHANGED = f"the file was changed, or is of another asset: {AGAIN}"
-"""The hint where a file contradicts the asset."""
-
+CHANGED = f"the file was changed, or is of another asset: {AGAIN}"  # the hint where it contradicts the asset
 _DIGITS = 9  # significant digits of numbers in a report
 
 

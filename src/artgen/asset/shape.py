@@ -8,18 +8,8 @@ import numpy as np
 from manifold3d import Error, Manifold
 
 from artgen._arrays import Array, FrozenArrays, Indices, cached_property, frozen
-from artgen.asset.manifolds import (
-    PROPERTIES,
-    TURNED_OVER,
-    box_of,
-    coincident,
-    connected,
-    groups,
-    manifold_of,
-    mended,
-    mesh_of,
-    moved_manifold,
-)
+from artgen.asset import manifolds
+from artgen.asset.manifolds import PROPERTIES, TURNED_OVER, box_of, mesh_of
 from artgen.colliders import Pieces, union
 from artgen.colliders.triangles import cross
 from artgen.materials import Material
@@ -129,8 +119,8 @@ class Shape:
         Raises:
             ValueError: The triangles do not close to a solid of positive volume.
         """
-        targets = coincident(vertices) if targets is None else targets
-        rows, faces, points = connected(triangles, targets)
+        targets = manifolds.coincident(vertices) if targets is None else targets
+        rows, faces, points = manifolds.connected(triangles, targets)
         table = np.zeros((len(rows), 3 + PROPERTIES))
         table[:, :3] = vertices[targets[rows]]
         table[:, 3:6] = normals[rows]
@@ -168,7 +158,7 @@ class Shape:
         """The triangles of the surface, in an order that does not depend on caches."""
         raw = self.manifold.to_mesh64()
         triangles = np.asarray(raw.tri_verts).astype(np.int64)
-        return _mesh(mended(np.asarray(raw.vert_properties), triangles), triangles)
+        return _mesh(manifolds.mended(np.asarray(raw.vert_properties), triangles), triangles)
 
     @property
     def vertices(self) -> Array:
@@ -185,7 +175,7 @@ class Shape:
         linear = matrix[:3, :3]
         if np.abs(linear @ linear.T - np.eye(3)).max() < _RIGID:
             return MovedShape(self, matrix)
-        moved = moved_manifold(self.manifold, matrix)
+        moved = manifolds.moved_manifold(self.manifold, matrix)
         return Shape(moved, self.pieces.transformed(matrix), self.paints).checked()
 
 
@@ -218,7 +208,7 @@ class MovedShape(_LazyShape):
     @cached_property
     def manifold(self) -> Manifold:
         """The watertight surface, with the channels of `PROPERTIES`."""
-        return moved_manifold(self.source.manifold, self.matrix)
+        return manifolds.moved_manifold(self.source.manifold, self.matrix)
 
     def bounds(self) -> Array:
         """Return the corners of the bounding box, shape (2, 3) [m]."""
@@ -261,7 +251,9 @@ class _MeshShape(_LazyShape):
     @cached_property
     def manifold(self) -> Manifold:
         merged = np.flatnonzero(self._targets != np.arange(len(self._targets)))
-        shape = Shape(manifold_of(self._table, self._triangles, merged, self._targets[merged]), self.pieces)
+        shape = Shape(
+            manifolds.manifold_of(self._table, self._triangles, merged, self._targets[merged]), self.pieces
+        )
         return shape.checked().manifold
 
     def bounds(self) -> Array:
@@ -277,7 +269,7 @@ class _MeshShape(_LazyShape):
 
     @cached_property
     def parts(self) -> tuple[Array, ...]:
-        return tuple(self._table[of_part, :3] for of_part in groups(self._targets[self._triangles]))
+        return tuple(self._table[of_part, :3] for of_part in manifolds.groups(self._targets[self._triangles]))
 
 
 class ComposedShape(_LazyShape):

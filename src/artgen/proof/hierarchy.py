@@ -38,8 +38,7 @@ class Hierarchy:
         self._nodes: list[_Node] = []
         # for each link, its pieces in the order of the ranges of nodes
         self.orders: list[tuple[int, ...]] = []
-        roots: list[int] = []
-        sizes: list[int] = []
+        roots, sizes = [], []
         first_pieces: list[int] = []
         for pieces in links:
             low, high = (np.array([end(points, axis=0) for points in pieces]) for end in (np.min, np.max))

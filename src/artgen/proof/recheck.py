@@ -21,11 +21,9 @@ from artgen.proof.cover import Cover, stored_cover
 from artgen.proof.overlap import allows
 from artgen.proof.paths import JointPath, Space
 
-_CHECK = "certificate"
 _BEYOND = 2e-9  # distance by which cells may extend beyond the ends of a range [rad or m]
 _TOUCHING = 2e-8  # tolerance of the allowed depth of pieces in contact [m]
 _ROUNDING = 1e-9  # rounding of numbers in files [m]
-_HINT = "certify the asset again and export it"
 
 
 def recheck(asset: Asset, certificate: Certificate) -> list[Finding]:
@@ -65,7 +63,8 @@ def recheck(asset: Asset, certificate: Certificate) -> list[Finding]:
 
 
 def _fault(message: str, links: Sequence[str] = (), **details: Any) -> Finding:
-    return Finding(_CHECK, message, link=", ".join(links), hint=_HINT, **details)
+    hint = "certify the asset again and export it"
+    return Finding("certificate", message, link=", ".join(links), hint=hint, **details)
 
 
 def _stored(pair: PairResult, proof: Mapping[str, Any]) -> Iterator[Mapping[str, Any] | None]:

@@ -14,10 +14,9 @@ from artgen.proof.kinematics import NONE, JointTable, ProofCells, is_coaxial
 from artgen.proof.paths import JointPath
 
 Confirm = Callable[[int, int, int, Array, float], str]
-"""Function that names the overlapping objects: `solids`, `pieces` or an empty text.
+"""Function that returns `solids`, `pieces` or an empty text: the objects that overlap at a pose.
 
-Its arguments are the number of the joint path, a piece of each link, the positions of the variables and an
-allowed depth [m].
+It takes the number of the joint path, a piece of each link, the positions and an allowed depth [m].
 """
 
 Depths = Callable[[int, int, int, int], float]
