@@ -1,24 +1,26 @@
-"""A cardboard box: slotted, half-slotted, mailer, pizza, tuck-end or wine box, tray with a lid or gift box.
+"""A cardboard box: slotted, half-slotted, mailer, pizza, tuck-end, wine, tray with a lid, or gift box.
 
-Links: `box`; the flaps of slotted tops `flap_front`, `flap_back` (major), `flap_left`, `flap_right` (minor,
-below them); the `sleeve` of a half-slotted cover, which lifts off its tray; the `lid` of a mailer, a pizza or
-a tall wine box with `tuck_front`, `tuck_left`, `tuck_right` and the ears `ear_left`, `ear_right` of the tuck;
-the `lid` of a tray or a gift box, or the `drawer` of one; `bottle_0`, ... in the cells of a wine box.
-Slotted boxes that lie open at both ends, of four flaps each: `flap_upper_left`, `flap_lower_left` (major),
-`flap_front_left`, `flap_back_left` and so on at the right. The ends of a tuck-end box have `lid_left`,
-`tuck_lower_left`, the ears `ear_front_left`, `ear_back_left`, the dust flaps `flap_front_left`,
-`flap_back_left` under the lid and on them the lips `lip_front_left`, `lip_back_left`: sixteen in all.
-Joints: the name of a flap or a hinged lid with `_hinge`, before the end's name; `lid_lift`, `sleeve_lift`,
-`drawer_slide`, `bottle_lift_0`, ...
+Links: `box`. Slotted tops have `flap_front`, `flap_back` (major) and `flap_left`, `flap_right` (minor, below
+them). A half-slotted cover is the `sleeve`, which lifts off its tray. A mailer, a pizza box or a tall wine
+box has a `lid` with `tuck_front`, `tuck_left`, `tuck_right` and the ears `ear_left`, `ear_right` of the tuck.
+A tray or a gift box has a `lid` or a `drawer`. Bottles of a wine box are `bottle_0`, ....
+A slotted box that opens at both ends has four flaps at each end: `flap_upper_left`, `flap_lower_left`
+(major), `flap_front_left`, `flap_back_left` (minor), and the same with `_right`. Each end of a tuck-end box
+has `lid_left`, `tuck_lower_left`, the ears `ear_front_left`, `ear_back_left`, the dust flaps
+`flap_front_left`, `flap_back_left` under the lid and the lips `lip_front_left`, `lip_back_left` of these:
+sixteen links in all.
+Joints: the name of a flap or a hinged lid with `_hinge` (before the suffix of an end); `lid_lift`,
+`sleeve_lift`, `drawer_slide`, `bottle_lift_0`, ....
 
-The order in which a box is closed is its dependencies: minor flaps fold in while the major ones stand up or
-hang down, and hang down themselves where they are free; tucks, ears and dust flaps move once their lid is up;
-a bottle comes out where the flaps over it are open. The lower flap of an end comes to lie on the floor.
+Dependencies of the joints encode the order of closing. Minor flaps fold in only while the major flaps are
+open or hang down; they hang down only if there is free space. Tucks, ears and dust flaps move after the lid
+is open. A bottle lifts out after the flaps above it are open. The lower flap of an end rests on the floor
+when open.
 
-Constructions are those of FEFCO's code: 0201 slotted, 0200 half-slotted on a tray, 0427 mailer, 0426 pizza
-box, 0211 with tucked ends, 0215 tall carton, 0320 tray with a lid. How creases resist is estimated, for each
-metre: a board of 0.7 kg/m2 weighs 0.14 N m at the crease of a flap of 0.2 m, which a crease that was worked
-holds (0.2-0.6 N m); fresh ones hold less and spring back to 30-60 degrees, a few newtons at the edge.
+Constructions follow the FEFCO code: 0201 slotted, 0200 half-slotted on a tray, 0427 mailer, 0426 pizza box,
+0211 with tucked ends, 0215 tall carton, 0320 tray with a lid. The resistance of creases is an estimate per
+meter of length: the weight of a flap 0.2 m long of 0.7 kg/m2 board loads its crease with 0.14 N m; a worked
+crease holds this load (0.2-0.6 N m); a fresh crease holds less and springs back to 30-60 degrees.
 """
 
 from typing import Literal
@@ -52,7 +54,7 @@ from artgen.categories.box.prints import Look, Signs
 
 Style = Literal["slotted", "half_slotted", "mailer", "pizza", "tuck_end", "wine", "tray", "gift"]
 
-_LEAST_WIDTH: dict[Style, float] = {"tray": 0.14, "mailer": 0.15}  # [m]
+_LEAST_WIDTH: dict[Style, float] = {"tray": 0.14, "mailer": 0.15}  # least width of boxes of these styles [m]
 
 
 @ag.category(
@@ -93,7 +95,7 @@ def box(
         slotted=ag.choice("ends", "top", weights=(0.26, 0.74)),
         tuck_end="ends",
         otherwise="top",
-        doc="where it opens; one with open ends lies",
+        doc="position of the opening; a box with open ends lies on its side",
     ),
     size: Literal["small", "medium", "large"] = ag.by(
         "style",
@@ -107,13 +109,13 @@ def box(
         "style",
         wine=ag.choice(2, 3, 6, 12, weights=(0.25, 0.2, 0.35, 0.2)),
         otherwise=0,
-        doc="cells for them",
+        doc="number of cells for bottles",
     ),
     wine: Literal["none", "red", "white", "rose"] = ag.by(
         "style",
         wine=ag.choice("none", "red", "white", "rose", weights=(0.3, 0.36, 0.2, 0.14)),
         otherwise="none",
-        doc="contents of the cells",
+        doc="contents of the cells of a wine box",
     ),
     sides: Sides = ag.by(
         "style", mailer=ag.choice("over", "tucked", weights=(0.7, 0.3)), pizza="tucked", otherwise="over"
@@ -124,7 +126,7 @@ def box(
         pizza=ag.choice(True, False, weights=(0.4, 0.6)),
         tuck_end=ag.choice(True, False, weights=(0.6, 0.4)),
         otherwise=False,
-        doc="whether the tuck is locked by ears at its ends",
+        doc="whether ears at the ends of the tuck lock it",
     ),
     dusted: bool = ag.by(
         "sides",
@@ -159,7 +161,7 @@ def box(
         otherwise=ag.uniform(0.086, 0.093),
         unit="m",
         within=(0.08, 0.80),
-        doc="along the front; of a cell in a wine box",
+        doc="width of the front; in a wine box, width of a cell",
     ),
     aspect: ag.Float = ag.by(
         "style",
@@ -170,7 +172,7 @@ def box(
         tray=ag.uniform(0.60, 0.74),
         gift=ag.uniform(0.66, 1.0),
         otherwise=1.0,
-        doc="depth over width",
+        doc="depth as a share of the width",
         within=(0.5, 1.0),
     ),
     height: ag.Float = ag.by(
@@ -204,7 +206,7 @@ def box(
         otherwise=ag.uniform(0.075, 0.14),
         unit="m",
         within=(0.04, 0.80),
-        doc="closed",
+        doc="height of the closed box",
     ),
     flute: Flute = ag.by(
         "style",
@@ -219,7 +221,7 @@ def box(
         tray=ag.choice("b", "c", weights=(0.7, 0.3)),
         gift="grey",
         otherwise="b",
-        doc="of the board: 3 to 6.8 mm thick",
+        doc="flute of the board, which is 3 to 6.8 mm thick",
     ),
     skirt: ag.Float = ag.by(
         "style",
@@ -227,7 +229,7 @@ def box(
         gift=ag.uniform(0.28, 0.75),
         otherwise=0.5,
         within=(0.2, 0.95),
-        doc="how far a lid or a front flap reaches down, as a share of the height",
+        doc="reach of a lid or a front flap downward, as a share of the height",
     ),
     outside: ag.Material = ag.by(
         "style",
@@ -244,7 +246,7 @@ def box(
         gift=ag.shades(*LININGS, color=0.04),
         mailer=ag.shades(*KRAFT[:2], WHITE, *PRINTS, weights=(5, 3, 4, *COLORFUL), color=0.04),
         otherwise=ag.shades(*KRAFT, weights=(4, 2, 1), color=0.05),
-        doc="the inner face",
+        doc="material of the inner faces",
     ),
     taped: bool = ag.by(
         "style",
@@ -252,7 +254,7 @@ def box(
         half_slotted=ag.choice(True, False),
         wine=ag.choice(True, False),
         otherwise=False,
-        doc="tape along the seam, slit open",
+        doc="whether slit tape lies along the seam",
     ),
     holes: bool = ag.by(
         "style",
@@ -268,21 +270,21 @@ def box(
         ),
         half_slotted=ag.choice(False, True),
         otherwise=False,
-        doc="hand holes",
+        doc="whether the sides have hand holes",
     ),
     ribbon: ag.Material = ag.by("style", gift=ag.shades(*RIBBONS, color=0.05), otherwise=RIBBONS[0]),
     ribbon_width: ag.Float = ag.uniform(0.014, 0.026, "m"),
     crossed: bool = ag.by(
-        "style", gift=ag.choice(False, True), otherwise=False, doc="ribbon both ways around a gift box"
+        "style", gift=ag.choice(False, True), otherwise=False, doc="whether two ribbons cross on a gift box"
     ),
     hollow: Hollow = ag.by(
         "closure",
         lift="none",
         otherwise=ag.choice("none", "square", "round", weights=(0.3, 0.4, 0.3)),
-        doc="in the foam of a gift box, if there is some",
+        doc="shape of the hollow in the foam of a gift box",
     ),
     rounded: bool = ag.by(
-        "closure", flap=ag.choice(False, True), otherwise=False, doc="corners of a magnetic flap"
+        "closure", flap=ag.choice(False, True), otherwise=False, doc="whether a magnetic flap has cut corners"
     ),
     strap: ag.Material = ag.by("style", tray=ag.shades(*STRAPS, color=0.05), otherwise=STRAPS[0]),
     crease: Literal["fresh", "worked"] = ag.by(
@@ -290,26 +292,26 @@ def box(
         slotted=ag.choice("fresh", "worked", weights=(0.4, 0.6)),
         half_slotted=ag.choice("fresh", "worked", weights=(0.4, 0.6)),
         otherwise="worked",
-        doc="whether major flaps spring up again",
+        doc="whether major flaps spring open",
     ),
-    springback: ag.Float = ag.uniform(0.52, 1.05, "rad", doc="where fresh flaps come to rest"),
-    stiffness: ag.Float = ag.uniform(0.4, 1.2, "N m/rad", doc="of a metre of fresh crease"),
+    springback: ag.Float = ag.uniform(0.52, 1.05, "rad", doc="rest angle of fresh flaps"),
+    stiffness: ag.Float = ag.uniform(0.4, 1.2, "N m/rad", doc="stiffness of a meter of fresh crease"),
     friction: ag.Float = ag.by(
         "crease",
         fresh=ag.uniform(0.06, 0.16),
         worked=ag.uniform(0.2, 0.6),
         unit="N m",
-        doc="of a metre of crease",
+        doc="friction of a meter of crease",
     ),
     damping: ag.Float = ag.by(
         "crease",
         fresh=ag.uniform(0.03, 0.06),
         worked=ag.uniform(0.02, 0.05),
         unit="N m s/rad",
-        doc="of a metre of crease",
+        doc="damping of a meter of crease",
     ),
     rub: ag.Float = ag.uniform(0.25, 0.8, doc="friction of sliding parts, as a share of their weight"),
-    swing: ag.Float = ag.uniform(3.5, 4.62, "rad", doc="how far flaps open where they have room"),
+    swing: ag.Float = ag.uniform(3.5, 4.62, "rad", doc="opening angle of flaps in free space"),
     lid_open: ag.Float = ag.by(
         "style", wine=ag.uniform(2.2, 3.4), otherwise=ag.uniform(1.95, 2.85), unit="rad"
     ),
@@ -327,20 +329,20 @@ def box(
         tuck_end=ag.choice(False, True, weights=(0.7, 0.3)),
         tray=ag.choice(False, True),
         otherwise=False,
-        doc="an address, or the contents",
+        doc="whether a label shows an address or the contents",
     ),
     emblem: Literal["leaf", "hexagon", "waves", "peak", "sun", "diamond", "quarters", "ring"] = ag.choice(
         "leaf", "hexagon", "waves", "peak", "sun", "diamond", "quarters", "ring"
     ),
     tint: Literal["graphite", "brown", "blue", "red", "forest"] = ag.choice(
-        "graphite", "brown", "blue", "red", "forest", weights=(0.45, 0.2, 0.12, 0.12, 0.11), doc="of the ink"
+        "graphite", "brown", "blue", "red", "forest", weights=(0.45, 0.2, 0.12, 0.12, 0.11), doc="ink color"
     ),
     maker: str = ag.choice(*details.BRANDS),
     model: int = ag.count(100, 989),
 ) -> ag.Body:
     """Make a cardboard or gift box, closed: flaps, tucks, ears, lid, drawer, bottles."""
     if style == "half_slotted" or (style == "slotted" and mouth == "top"):
-        free = width * (1.0 - aspect)  # between the minor flaps of the bottom
+        free = width * (1.0 - aspect)  # free space between the minor flaps of the bottom
         width = ag.require(width, free > 0.006, "the flaps of a square box meet: aspect must be <= 0.96")
     least = _least_height(style)
     height = ag.require(height, height >= least, f"flaps and print need room: height must be >= {least:g} m")
@@ -393,7 +395,7 @@ def box(
 
 
 def _least_height(style: Style) -> float:
-    """Return how high a box has to be for flaps at its ends, or for print below those at its top [m]."""
+    """Return the least height of a box with space for the flaps of its ends or for print on its front [m]."""
     if style == "tuck_end":
         return 0.1
     return 0.06 if style == "slotted" else 0.0

@@ -8,7 +8,7 @@ import artgen as ag
 from artgen.categories.box.prints import seam
 
 Flute = Literal["b", "c", "eb", "bc", "grey"]
-"""B and C flute, the double walls EB and BC, and the solid greyboard of set-up boxes."""
+"""B and C flute, the double walls EB and BC, and the solid grayboard of set-up boxes."""
 
 THICK: dict[Flute, float] = {"b": 0.003, "c": 0.004, "eb": 0.005, "bc": 0.0068, "grey": 0.003}
 """Thickness of boards (FEFCO: B 2.5-3.1, C 3.6-4.4, EB 4.1-5.0, BC 6.1-7.0 mm) [m]."""
@@ -17,45 +17,45 @@ LAYER = 0.0009
 """Air between two sheets that lie on each other [m]."""
 
 SLIT = 0.0025
-"""Between the free edges of flaps, and beside those that fold between walls [m]."""
+"""Gap between the free edges of flaps, and between walls and the flaps that fold between them [m]."""
 
 FOLD = 0.0003
-"""How far the axis of a crease lies outside of both faces: the liner stretches around the bend [m]."""
+"""Distance of a crease axis outside both outer faces: the liner stretches around the bend [m]."""
 
-_GAP = 0.0002  # from the corner to where each sheet ends, on its face [m]
-_BEAD = 0.00045  # radius of the liner's bulge about the axis, within that of the sheets' edges [m]
+_GAP = 0.0002  # gap from a corner to the end of each sheet, along its face [m]
+_BEAD = 0.00045  # radius of the bulge of the liner about the axis, less than that of the edges of sheets [m]
 _WAVES: dict[Flute, int] = {"b": 1, "c": 1, "eb": 2, "bc": 2, "grey": 1}
-_FAR = 2.5  # beyond any sheet [m]
+_FAR = 2.5  # length greater than any sheet [m]
 
 Thing = TypeVar("Thing", ag.Solid, ag.Body)
 
 
 @dataclass(frozen=True)
 class Feel:
-    """How a crease resists, for each metre of its length."""
+    """Resistance of a crease, per meter of its length."""
 
-    stiffness: ag.Scalar  # of the spring towards `rest` [N m/rad per m]
-    rest: ag.Scalar  # how far a flap of a new box springs open again [rad]
-    friction: ag.Scalar  # moment of a bent crease, which holds flaps in place [N m per m]
-    damping: ag.Scalar  # [N m s/rad per m]
+    stiffness: ag.Scalar  # stiffness of the spring that pulls to `rest` [N m/rad per m]
+    rest: ag.Scalar  # angle to which a flap of a new box springs open [rad]
+    friction: ag.Scalar  # friction moment of a bent crease, which holds flaps in place [N m per m]
+    damping: ag.Scalar  # damping [N m s/rad per m]
 
 
 @dataclass(frozen=True)
 class Board:
-    """What a box is cut from."""
+    """Corrugated board of a box."""
 
-    flute: Flute  # its kind
+    flute: Flute  # kind of flute
     outside: ag.Material  # liner of the outer face
     inside: ag.Material  # liner of the inner face
 
     @property
     def thick(self) -> float:
-        """Its thickness [m]."""
+        """Thickness of the board [m]."""
         return THICK[self.flute]
 
     @property
     def edge(self) -> ag.Material:
-        """What a cut shows: liners and the wave between them, or the wrap of greyboard."""
+        """Material of cut edges: liners with the wave between them, or the wrap of grayboard."""
         if self.flute == "grey":
             return self.outside
         tile = (self.thick / _WAVES[self.flute], 0.064)
@@ -68,19 +68,19 @@ class Board:
         return cut if relief is None else cut - self._mitre().at(0.0, relief, 0.0)
 
     def creased(self, solid: ag.Solid, *creases: "Crease") -> ag.Solid:
-        """Mitre the edges of a sheet, or of a wall, to which others are joined by creases."""
+        """Miter the edges at which creases join a sheet or a wall to others."""
         for crease in creases:
             solid = solid - crease.beside(self._mitre())
         return solid
 
     def _slab(self) -> ag.Solid:
-        """Make the board without end, a little longer along x, along which its texture runs."""
+        """Make an endless board: the texture runs along x, the longer side."""
         upper = ag.box_between((-_FAR - 0.1, -_FAR, -2.0 * self.thick), (_FAR + 0.1, _FAR, 0.0))
         lower = ag.box_between((-_FAR - 0.1, -_FAR, -self.thick), (_FAR + 0.1, _FAR, self.thick))
         return upper.paint(self.outside) & lower.paint(self.inside)
 
     def _mitre(self) -> ag.Solid:
-        """Make the cutter for the part of a neighboring sheet that a crease needs."""
+        """Make the cutter that frees the space of a crease in a neighboring sheet."""
         t = self.thick
         wedge = ag.polygon(
             [(_GAP - 2.0 * t, 2.0 * t), (_GAP + 3.0 * t, -3.0 * t), (_GAP - 2.0 * t, -3.0 * t)]
@@ -90,46 +90,46 @@ class Board:
 
 @dataclass(frozen=True)
 class Mouth:
-    """What the sides of an opening are called where they are in the asset; those of a top, by default."""
+    """Names of the sides of an opening in the frame of the asset; the default is an opening at the top."""
 
-    front: str = "front"  # the side at -y where the opening is at the top
-    back: str = "back"  # that at +y
-    left: str = "left"  # that at -x
-    right: str = "right"  # that at +x
-    suffix: str = ""  # at the end of all names
-    grounded: bool = False  # whether the side `front` lies on the floor, on which its flap comes to lie
+    front: str = "front"  # name of the side at -y of an opening at the top
+    back: str = "back"  # name of the side at +y
+    left: str = "left"  # name of the side at -x
+    right: str = "right"  # name of the side at +x
+    suffix: str = ""  # suffix of all names
+    grounded: bool = False  # whether the flap of the side `front` opens down to the floor
 
     def link(self, kind: str, side: str | None = None) -> str:
-        """Return the name of the part at a side, or of the only part of that kind."""
+        """Return the name of the part of a kind at a side, or of the only part of that kind."""
         return (kind if side is None else f"{kind}_{getattr(self, side)}") + self.suffix
 
     def hinge(self, kind: str, side: str | None = None) -> str:
-        """Return the name of its joint."""
+        """Return the name of the joint of such a part."""
         return (f"{kind}_hinge" if side is None else f"{kind}_{getattr(self, side)}_hinge") + self.suffix
 
 
 TOP = Mouth()
-"""The opening of a box that stands."""
+"""The opening at the top of an upright box."""
 
 
 def tongue(half: ag.Scalar, reach: ag.Scalar, *, shoulder: ag.Scalar, tip: ag.Scalar) -> ag.Profile:
-    """Make the outline of a flap that narrows from a shoulder on to its tip."""
+    """Make the outline of a flap that narrows from its shoulder to its tip."""
     corners = [(half, 0.0), (half, shoulder), (tip, reach)]
     return ag.polygon([*corners, *((-x, y) for x, y in reversed(corners))])
 
 
 @dataclass(frozen=True)
 class Crease:
-    """Where a sheet is joined to a wall or to another sheet, in the frame of that one."""
+    """Position of the crease between a sheet and its neighbor, in the neighbor's frame."""
 
-    x: ag.Scalar  # middle of the crease, where both outer faces would meet [m]
+    x: ag.Scalar  # middle of the crease along x, at the intersection of both outer faces [m]
     y: ag.Scalar  # middle of the crease along y [m]
     z: ag.Scalar = 0.0  # middle of the crease along z [m]
-    turn: float = 0.0  # about z, from the frame's y to the way of the sheet [rad]
-    # whether the sheet hangs down at rest: it is joined to a sheet in the plane of the frame. Otherwise it
-    # closes a box whose wall hangs down
+    turn: float = 0.0  # angle about z from the frame's y axis to the direction of the sheet [rad]
+    # whether the sheet hangs down at rest, as it is joined to a sheet in the plane of the frame; otherwise it
+    # closes a box whose wall is below the crease
     folded: bool = False
-    lean: ag.Scalar | None = None  # by how much more it is folded [rad]
+    lean: ag.Scalar | None = None  # additional fold angle [rad]
 
     def place(self, thing: Thing) -> Thing:
         """Move a part from the crease's own frame to its place at rest."""
@@ -143,12 +143,12 @@ class Crease:
     def beside(self, cutter: ag.Solid) -> ag.Solid:
         """Move a cutter for the sheet to the edge of the neighboring wall or sheet."""
         mirrored = cutter.mirror((0.0, 1.0, 0.0))
-        if not self.folded:  # the wall hangs down from the corner
+        if not self.folded:  # the wall goes down from the corner
             mirrored = mirrored.rotate(ag.X, math.pi / 2.0)
         return mirrored.rotate(ag.Z, self.turn).at(self.x, self.y, self.z)
 
     def bead(self, length: ag.Scalar, label: str, finish: ag.Material) -> ag.Body:
-        """Show the liner that runs through the crease, in the frame of the neighboring wall or sheet."""
+        """Make the liner that runs through the crease, in the frame of the neighboring wall or sheet."""
         bulge = ag.cylinder(_BEAD, length, axis=ag.X).at(0.0, FOLD if self.folded else -FOLD, FOLD)
         return ag.detail(bulge.rotate(ag.Z, self.turn).at(self.x, self.y, self.z), label, finish)
 
@@ -163,7 +163,7 @@ class Crease:
         needs: ag.Condition | ag.Dependency | None = None,
         holding: ag.Scalar = 0.0,
     ) -> ag.Joint:
-        """Make the hinge that a crease is."""
+        """Make the hinge joint of a crease."""
         cosine, sine = math.cos(self.turn), math.sin(self.turn)
         across, up = (FOLD, FOLD) if self.folded else (-FOLD, FOLD)
         friction = feel.friction * length
@@ -176,7 +176,7 @@ class Crease:
             rest=feel.rest,
             friction=ag.max_(friction, holding),
             damping=feel.damping * length,
-            armature=ag.max_(2e-5, 3e-4 * friction),  # contacts of lighter parts give way to a push
+            armature=ag.max_(2e-5, 3e-4 * friction),  # contacts of lighter parts yield to a push
             effort=0.01
             + length * (1.6 * feel.friction + 5.0 * feel.stiffness + 16.0 * reach**2)
             + 1.5 * holding,
@@ -185,9 +185,9 @@ class Crease:
         )
 
 
-_ROUND = 0.0018  # radius of upright edges, where the liner is scored [m]
-_HOLE = (0.082, 0.030)  # of hand holes [m]
-_RIM = 0.010  # of board around them, at least [m]
+_ROUND = 0.0018  # radius of upright edges at the scored liner [m]
+_HOLE = (0.082, 0.030)  # width and height of hand holes [m]
+_RIM = 0.010  # least width of board around hand holes [m]
 _NO_RIM = (
     "hand holes need a centimetre of board around them: take a larger width, aspect or height, or holes=False"
 )
@@ -202,7 +202,7 @@ def walls(
     base: ag.Scalar = 0.0,
     floor: bool = True,
 ) -> ag.Solid:
-    """Make four walls, and the floor between them."""
+    """Make four walls and the floor between them."""
     t = board.thick
     shell = ag.box_between(
         (-width / 2.0, -depth / 2.0, base), (width / 2.0, depth / 2.0, height + 0.004), bevel=_ROUND
@@ -216,7 +216,7 @@ def walls(
 
 
 def bottom_flaps(board: Board, width: ag.Scalar, depth: ag.Scalar, *, label: str = "box") -> ag.Body:
-    """Make the minor flaps of the bottom, which lie inside on the major ones, and the seam between those."""
+    """Make the minor flaps of the bottom, inside on the major flaps, and the seam of the major flaps."""
     t = board.thick
     reach, half = depth / 2.0 - SLIT / 2.0, depth / 2.0 - t - SLIT
     near = width / 2.0 - t - 0.0004
@@ -240,7 +240,7 @@ def hand_holes(
     depth: ag.Scalar,
     span: tuple[ag.Scalar, ag.Scalar],
 ) -> ag.Solid:
-    """Cut a hand hole into each wall at a side, square: see `hole_corners`."""
+    """Cut a square hand hole into each side wall; `hole_corners` fills its corners."""
     wide, tall = _HOLE
     beside, (low, high) = depth / 2.0 - board.thick - _RIM, span
     over = tall / 2.0 + _RIM
@@ -253,9 +253,9 @@ def hand_holes(
 
 
 def hole_corners(width: ag.Scalar, height: ag.Scalar, board: Board, *, label: str = "box") -> list[ag.Body]:
-    """Show the slanted corners of hand holes; the walls collide without them, which are few boxes then."""
+    """Make the slanted corners of hand holes, visual only, so that a wall needs few collision boxes."""
     x, y = _HOLE[0] / 2.0, _HOLE[1] / 2.0
-    over = 0.0003  # into the wall
+    over = 0.0003  # overlap with the wall
     corner = ag.polygon([(x, 0.4 * y), (x + over, 0.4 * y), (x + over, y + over), (x - 0.6 * y, y + over),
                       (x - 0.6 * y, y)])  # fmt: skip
     upper = corner | corner.mirror(1.0, 0.0)
@@ -275,7 +275,7 @@ def cells(
     high: ag.Scalar,
     finish: ag.Material | None = None,
 ) -> ag.Body | None:
-    """Make the dividers of a box for bottles, slotted into each other; none for a single cell."""
+    """Make the interlocking dividers of a box for bottles; none for a single cell."""
     thick = 0.6 * board.thick
     boards = []
     for number in range(1, columns):

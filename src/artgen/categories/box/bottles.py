@@ -1,4 +1,4 @@
-"""Bottles that stand in the cells of a wine box and are lifted out by their necks."""
+"""Bottles in the cells of a wine box, which a hand lifts out by their necks."""
 
 import functools
 import operator
@@ -10,12 +10,12 @@ import artgen as ag
 
 Wine = Literal["red", "white", "rose"]
 
-_FULL = 1450.0  # kg/m3: 0.5 kg of glass and 0.75 l in it, 1.25 kg on the 0.86 l of its facets
-_RADIUS, _NECK = 0.0372, 0.0142  # of a Bordeaux bottle [m]
-_BODY, _SHOULDER, _TALL = 0.192, 0.226, 0.300  # where body and shoulder end, and the top [m]
-_GRAVITY = 9.81  # [m/s2]
-_SPARE = 0.0025  # over a bottle, at least [m]
-_DEEP = 0.1  # below a lid, at most: a hand reaches the neck, and the lift takes it out [m]
+_FULL = 1450.0  # 0.5 kg of glass and 0.75 l of wine: 1.25 kg in the 0.86 l of the facets [kg/m3]
+_RADIUS, _NECK = 0.0372, 0.0142  # radii of the body and the neck of a Bordeaux bottle [m]
+_BODY, _SHOULDER, _TALL = 0.192, 0.226, 0.300  # heights of the ends of body and shoulder, and of the top [m]
+_GRAVITY = 9.81  # gravity [m/s2]
+_SPARE = 0.0025  # least gap above a bottle [m]
+_DEEP = 0.1  # largest gap below a lid: a hand reaches the neck, and the lift takes the bottle out [m]
 _TOO_DEEP = "a hand cannot reach bottles of 0.3 m in so deep a box: lower height"
 _NO_ROOM = "bottles of 0.3 m would collide with the lid over them: raise height, or take a thinner flute"
 
@@ -38,23 +38,24 @@ _FOIL = {
 
 @dataclass(frozen=True)
 class Bottles:
-    """What stands in the cells."""
+    """Bottles of a wine box."""
 
-    wine: Wine  # which
-    columns: int  # cells along x
-    rows: int  # cells along y
-    cell: ag.Scalar  # their side [m]
-    floor: ag.Scalar  # on which they stand [m]
-    ceiling: ag.Scalar  # lower face of the lid, or of the minor flaps over some of them [m]
-    higher: ag.Scalar = 0.0  # how much higher the major flaps are over the others [m]
+    wine: Wine  # kind of wine
+    columns: int  # number of cells along x
+    rows: int  # number of cells along y
+    cell: ag.Scalar  # side length of a cell [m]
+    floor: ag.Scalar  # height of the surface below the bottles [m]
+    # height of the lower face of the lid, or of the minor flaps above some of the bottles [m]
+    ceiling: ag.Scalar
+    higher: ag.Scalar = 0.0  # height of the major flaps above the minor ones [m]
 
     def under(self, lid: ag.Joint, angle: float, body: ag.Body) -> ag.Body:
-        """Put a bottle into each cell, to be lifted out where a lid is open beyond an angle [rad]."""
+        """Put a bottle into each cell; its lift is free while the lid is open beyond an angle [rad]."""
         needs = [lid > angle] * (self.columns * self.rows)
         return self._put(body, needs, [self.ceiling] * len(needs))
 
     def below(self, flaps: Sequence[ag.Joint], angle: float, body: ag.Body) -> ag.Body:
-        """Put a bottle into each cell, to be lifted out where the flaps over it are open beyond an angle."""
+        """Put a bottle into each cell; its lift is free while the flaps above it are open beyond an angle."""
         needs, ceilings = [], []
         for row in range(self.rows):
             for column in range(self.columns):
@@ -73,7 +74,7 @@ class Bottles:
         bottle, low = self._bottle(), self.floor + 0.0006
         body = body.require(self.ceiling - low >= _TALL + _SPARE, _NO_ROOM)
         body = body.require(self.ceiling + self.higher - low <= _TALL + _DEEP, _TOO_DEEP)
-        effort = 1.03 * _GRAVITY * bottle.mass() + 0.3  # the lifting force pushes no flap open
+        effort = 1.03 * _GRAVITY * bottle.mass() + 0.3  # the lifting force opens no flap
         for number, (need, ceiling) in enumerate(zip(needs, ceilings, strict=True)):
             row, column = divmod(number, self.columns)
             x = self.cell * (column - (self.columns - 1) / 2.0)
@@ -92,15 +93,15 @@ class Bottles:
         return body
 
     def _bottle(self) -> ag.Body:
-        """Make a bottle that stands on the origin."""
+        """Make a bottle with its bottom at the origin."""
         glass, foil = _GLASS[self.wine], _FOIL[self.wine].with_(name=f"{self.wine}_foil", texture="")
         body = ag.cylinder_between((0.0, 0.0, 0.0), (0.0, 0.0, _BODY), _RADIUS, bevel=0.004)
         shoulder = ag.frustum(_RADIUS, _NECK + 0.003, _SHOULDER - _BODY + 0.004).at(
             0.0, 0.0, (_SHOULDER + _BODY) / 2.0 - 0.003
         )
         neck = ag.cylinder_between((0.0, 0.0, _SHOULDER - 0.004), (0.0, 0.0, _TALL), _NECK, bevel=0.001)
-        across = ag.X if self.rows == 1 else ag.Y  # a lid stands behind a single row
-        # few facets carry the weight and collide, just under the round skin
+        across = ag.X if self.rows == 1 else ag.Y  # an open lid is behind a single row
+        # a hull of few facets just under the round surface carries the weight and collides
         core = ag.extrude(ag.regular_polygon(12, _RADIUS - 0.0001), _BODY).at(0.0, 0.0, _BODY / 2.0)
         stem = ag.extrude(ag.regular_polygon(12, _NECK - 0.0001), _TALL - _BODY + 0.01)
         stem = stem.at(0.0, 0.0, (_TALL + _BODY - 0.01) / 2.0)

@@ -1,8 +1,8 @@
-"""Boxes that lie on a side and open at both ends: with slotted flaps, or with lids that are tucked in.
+"""Boxes that lie on a side and open at both ends, with slotted flaps or tucked lids.
 
-Each end is made as the top of a box that stands on its other end. It is closed there, turned over, closed
-again, and laid down: the front of either top is on the floor then, its back is at the top, its left and its
-right are the front and the back of the box.
+Each end is made as the top of an upright box: the first end is closed, the box is turned over, the second end
+is closed, and the box is laid down. The front of each top is then on the floor, its back at the top, and its
+left and right sides are the front and the back of the box.
 """
 
 import math
@@ -16,7 +16,7 @@ from artgen.categories.box.kinds import Draft
 from artgen.categories.box.lids import Lidded
 from artgen.categories.box.prints import Ink, address_label, shipping_print
 
-# the end at the left is closed first and turned over then, which swaps its left and its right
+# the left end is closed first and then turned over, which swaps its left and right
 _LEFT = Mouth("lower", "upper", "back", "front", "_left", grounded=True)
 _RIGHT = Mouth("lower", "upper", "front", "back", "_right", grounded=True)
 _SIDES_MEET = (
@@ -26,7 +26,7 @@ _SIDES_MEET = (
 
 
 def open_ended_box(draft: Draft, *, taped: bool) -> ag.Body:
-    """Make a slotted box with eight flaps at its ends."""
+    """Make a slotted box with four flaps at each end."""
     board, wide, tall, long = draft.board, draft.depth, draft.height, draft.width
     tall = ag.require(tall, tall <= wide, _SIDES_MEET)
     left, right = (Top(board, wide, tall, long, draft.swing, taped, mouth=mouth) for mouth in (_LEFT, _RIGHT))
@@ -41,7 +41,7 @@ def open_ended_box(draft: Draft, *, taped: bool) -> ag.Body:
 
 
 def tuck_end_box(draft: Draft, *, ears: bool, lips: bool, opening: ag.Scalar) -> ag.Body:
-    """Make a carton with a lid at either end, which hangs at the top, and flaps under it at its sides."""
+    """Make a carton with a lid at each end, hinged at the upper edge, with side flaps under the lid."""
     board, wide, tall, long = draft.board, draft.depth, draft.height, draft.width
     left = Lidded(
         board,
@@ -72,24 +72,24 @@ def tuck_end_box(draft: Draft, *, ears: bool, lips: bool, opening: ag.Scalar) ->
 
 
 def _tube(draft: Draft) -> ag.Solid:
-    """Make the four walls of a box without ends, upright."""
+    """Make the four walls of an upright box without ends."""
     wide, tall = draft.depth, draft.height
     tube = walls(draft.board, wide, tall, draft.width, base=-0.004, floor=False)
     return tube - ag.box_between((-wide, -tall, -0.01), (wide, tall, 0.0)).paint(draft.board.edge)
 
 
 def _both_ends(cut: Callable[[ag.Solid], ag.Solid], tube: ag.Solid, long: ag.Scalar) -> ag.Solid:
-    """Cut both ends of a tube as its top is cut."""
+    """Cut both ends of a tube in the same way as its top."""
     return cut(_turned(cut(tube), long))
 
 
 def _turned(thing: Thing, long: ag.Scalar) -> Thing:
-    """Turn an upright box over: its top is at the bottom, its front stays in front."""
+    """Turn an upright box over about x: the top goes to the bottom, the front stays in front."""
     return thing.rotate(ag.Y, math.pi, about=(0.0, 0.0, long / 2.0))
 
 
 def _laid(body: ag.Body, long: ag.Scalar, tall: ag.Scalar) -> ag.Body:
-    """Lay down an upright box: its top comes to the right, its front to the floor."""
+    """Lay an upright box down: the top goes to the right, the front to the floor."""
     return body.rotate(ag.Z, math.pi / 2.0).rotate(ag.Y, math.pi / 2.0).at(-long / 2.0, 0.0, tall / 2.0)
 
 
@@ -100,7 +100,7 @@ def _on_top(draft: Draft) -> ag.Body:
 
 
 def _label(draft: Draft) -> list[ag.Body]:
-    """Return the address on the upper wall, in front of the name, if there is one."""
+    """Return the address label on the upper wall, in front of the name, or nothing."""
     if not draft.look.label:
         return []
     at = (-0.27 * draft.width, -0.30 * draft.depth, draft.height)

@@ -1,10 +1,10 @@
-"""What boxes are made of: kraft and white liners, prints in color, wrapping papers, ribbons and inks."""
+"""Materials of boxes: kraft and white liners, prints in color, wrapping papers, ribbons and inks."""
 
 import artgen as ag
 from artgen.materials import COLORS
 
 _KRAFT = ag.material("cardboard")
-_GREYBOARD = 620.0  # solid board of set-up boxes, with its wrap [kg/m3]
+_GREYBOARD = 620.0  # density of the solid board of set-up boxes with its wrap [kg/m3]
 
 
 def _liner(name: str, color: tuple[float, float, float], roughness: float = 0.7) -> ag.Material:
@@ -27,10 +27,10 @@ def _wrap(name: str, color: tuple[float, float, float], texture: str = "", rough
 
 
 KRAFT = (_KRAFT, _liner("light_kraft", (0.56, 0.41, 0.25)), _liner("dark_kraft", (0.36, 0.235, 0.125)))
-"""Brown boards."""
+"""Brown liners."""
 
 WHITE = _liner("white_liner", (0.76, 0.745, 0.71))
-"""Bleached liner."""
+"""Bleached white liner."""
 
 PRINTS = tuple(
     map(
@@ -50,10 +50,10 @@ PRINTS = tuple(
         ),
     )
 )
-"""Boards that are printed all over, of mailers and shoe boxes."""
+"""Fully printed boards of mailers and shoe boxes."""
 
 COLORFUL = (0.8,) * len(PRINTS)
-"""How often each of them is sold."""
+"""Weights of `PRINTS` in a random choice."""
 
 WRAPS = (
     _wrap("wrap_black", COLORS["black"], rough=0.35),
@@ -70,7 +70,7 @@ WRAPS = (
     _wrap("wrap_taupe", COLORS["taupe"], "linen"),
     _wrap("wrap_mint", COLORS["mint"]),
 )
-"""Papers that set-up boxes are wrapped in."""
+"""Wrapping papers of set-up boxes."""
 
 LININGS = (
     _wrap("lining_white", COLORS["white"]),
@@ -78,7 +78,7 @@ LININGS = (
     _wrap("lining_cream", COLORS["cream"]),
     _wrap("lining_grey", COLORS["light_grey"]),
 )
-"""What set-up boxes are lined with."""
+"""Linings of set-up boxes."""
 
 
 def _satin(color: str) -> ag.Material:
@@ -113,20 +113,20 @@ STRAPS = (
 """Webbing and leather of straps."""
 
 GOLD = ag.material("satin_brass").with_(name="gold_foil", specular_roughness=0.25)
-"""Hot foil."""
+"""Gold hot-stamping foil."""
 
 
 def ink(name: str) -> ag.Material:
-    """Return a printing ink of a color of the table."""
+    """Return a printing ink in a named color."""
     return ag.colored("abs", name).with_(name=f"ink_{name}", texture="", specular_roughness=0.6)
 
 
 def contrast(finish: ag.Material) -> ag.Material:
-    """Return the ink or foil that shows on a finish."""
+    """Return the ink or foil with good contrast on a finish."""
     mean = sum(finish.base_color) / 3.0
     return ink("graphite") if mean > 0.2 else ink("white")
 
 
 def foam(lining: ag.Material) -> ag.Material:
-    """Return the foam of inserts under a lining's color."""
+    """Return the foam of inserts in the color of a lining."""
     return ag.material("foam").with_(name="insert_foam", base_color=lining.base_color)

@@ -1,4 +1,4 @@
-"""Slotted tops: four flaps at the walls, the minor ones below the major ones, which meet in the middle."""
+"""Slotted tops: four flaps at the walls; the major flaps meet in the middle above the minor ones."""
 
 import math
 from dataclasses import dataclass
@@ -8,55 +8,56 @@ from artgen.categories.box.board import FOLD, LAYER, SLIT, TOP, Board, Crease, F
 from artgen.categories.box.bottles import Bottles
 from artgen.categories.box.prints import TAPE, pull_tab
 
-_UPRIGHT = 1.60  # from here on a flap leaves the space over the box free [rad]
-_HANGING = 3.40  # from this angle on a flap is below the flaps that close over the box [rad]
-_LYING = 0.03  # from here on a flap on the floor lies, before it is all the way open [rad]
-_SHORT = 0.012  # of the pull tab of a flap that comes to lie on the floor [m]
+_UPRIGHT = 1.60  # least angle of a flap that leaves the space above the box free [rad]
+_HANGING = 3.40  # least angle of a flap that is below the flaps that close over the box [rad]
+_LYING = 0.03  # angle before the open end at which a flap already lies on the floor [rad]
+_SHORT = 0.012  # height of the pull tab of a flap that opens to the floor [m]
 _MAJORS_MEET = (
     "the short flaps of thick board would collide as they open: raise width or aspect, or take a "
     "thinner flute"
 )
-_TAPE_WIDE = 0.048  # packing tape, half of it on either flap once it is slit [m]
+_TAPE_WIDE = 0.048  # width of packing tape, half of it on each flap after it is slit [m]
 
 
 @dataclass(frozen=True)
 class Top:
-    """Four flaps of one length at the top of a box, its majors at the front and at the back."""
+    """Four flaps of equal length at the top of a box, the major ones at the front and the back."""
 
-    board: Board  # the board of the box
-    width: ag.Scalar  # of the box along x, outside [m]
-    depth: ag.Scalar  # of the box along y, outside [m]
-    height: ag.Scalar  # of the closed box [m]
-    swing: ag.Scalar  # how far flaps open if nothing stops them [rad]
-    taped: bool  # whether tape was slit along the seam
-    ground: ag.Scalar = 0.0  # height above which flaps have room to hang down [m]
-    beside: ag.Scalar = 0.0  # where minor flaps are pushed up, from their middle [m]
-    mouth: Mouth = TOP  # names of its sides, and whether the front one lies on the floor
+    board: Board  # board of the box
+    width: ag.Scalar  # outer width of the box along x [m]
+    depth: ag.Scalar  # outer depth of the box along y [m]
+    height: ag.Scalar  # height of the closed box [m]
+    swing: ag.Scalar  # opening angle of flaps without obstacles [rad]
+    taped: bool  # whether slit tape lies along the seam
+    ground: ag.Scalar = 0.0  # least height at which flaps can hang down freely [m]
+    # distance from the middle of a minor flap to the point at which a hand pushes it up [m]
+    beside: ag.Scalar = 0.0
+    mouth: Mouth = TOP  # names of the sides, and whether the front flap opens to the floor
 
     @property
     def reach(self) -> ag.Scalar:
-        """From a crease to the free edge of its flap [m]."""
+        """Length of a flap from its crease to its free edge [m]."""
         return self.depth / 2.0 - SLIT / 2.0
 
     @property
     def low(self) -> ag.Scalar:
-        """Height of the walls with minor flaps, which lie one layer lower [m]."""
+        """Height of the walls with minor flaps, one layer lower [m]."""
         return self.height - self.board.thick - LAYER
 
     @property
     def opening(self) -> ag.Float:
-        """How far flaps open: neither down to the floor nor until their tabs meet the walls [rad]."""
+        """Opening angle of flaps: they stop before the floor and before their tabs meet the walls [rad]."""
         down = math.pi + 0.9 * (self.low - self.ground) / self.reach
         return ag.min_(ag.min_(self.swing, down), 1.5 * math.pi - 0.028 / self.reach)
 
     @property
     def _shy(self) -> ag.Scalar:
-        """How far a flap that comes to lie on the floor stays off it, for its tab is below it [rad]."""
+        """Angle by which a flap stays above the floor because of the tab below it [rad]."""
         return (_SHORT + 0.0015) / self.reach
 
     @property
     def _taper(self) -> ag.Scalar:
-        """By how much minor flaps are narrower at either side of their tips: they clear such a flap [m]."""
+        """Narrowing of a minor flap at each side of its tip, to clear a flap on the floor [m]."""
         return 1.15 * (self._shy + _LYING) * self.reach if self.mouth.grounded else 0.0
 
     def majors(self) -> dict[str, Crease]:
@@ -67,14 +68,14 @@ class Top:
         }
 
     def minors(self) -> dict[str, Crease]:
-        """Return the creases of the walls at the sides."""
+        """Return the creases of the side walls."""
         return {
             "left": Crease(-self.width / 2.0, 0.0, self.low, turn=-math.pi / 2.0),
             "right": Crease(self.width / 2.0, 0.0, self.low, turn=math.pi / 2.0),
         }
 
     def creased(self, walls: ag.Solid) -> ag.Solid:
-        """Cut the tops of walls that end at the height of the box for their creases."""
+        """Cut the upper edges of walls of full height for their creases."""
         t = self.board.thick
         lowered = walls
         for side in (-1.0, 1.0):
@@ -95,7 +96,7 @@ class Top:
         """Join the four flaps to a box."""
         turns: list[ag.Joint] = []
         marks = printed or {}
-        thick, free = self.board.thick + FOLD, SLIT / 2.0 - 0.0002  # the lower edge swings out by less
+        thick, free = self.board.thick + FOLD, SLIT / 2.0 - 0.0002  # the lower edge swings out less
         body = body.require(self.reach >= (thick**2 - free**2) / (2.0 * free), _MAJORS_MEET)
         for side, crease in self.majors().items():
             lying = self.mouth.grounded and side == "front"
@@ -132,7 +133,7 @@ class Top:
     def _major(self, side: str, marks: list[ag.Body]) -> ag.Body:
         wide = self.width - 0.003
         sheet = self.board.sheet(ag.rectangle(wide, self.reach).at(0.0, self.reach / 2.0))
-        aside = 0.2 * self.width  # each to its own right: a hand has room beside the other one
+        aside = 0.2 * self.width  # each tab to the right of its flap: a hand has space beside the other tab
         tall = _SHORT if self.mouth.grounded and side == "front" else 0.021
         tab = pull_tab(tall).at(aside, self.reach - 0.0035, 0.0)
         hold = ag.grasp_on(tab, approach=-ag.Z, closing=(0.0, 1.0, 0.0), depth=0.76 * tall)
@@ -158,7 +159,7 @@ class Top:
         return ag.part(sheet, "flap_minor", self.board.outside, name=name, push=below)
 
     def tape_ends(self) -> list[ag.Body]:
-        """Make the ends of the tape, which go down the walls at the sides, if there is tape."""
+        """Make the ends of the tape on the side walls, or nothing without tape."""
         if not self.taped:
             return []
         ends = []

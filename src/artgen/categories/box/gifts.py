@@ -1,4 +1,4 @@
-"""Boxes with a loose lid or a drawer: trays with a lid, gift boxes, their foam and ribbons."""
+"""Boxes with a loose lid or a drawer: trays with a lid, and gift boxes with foam and ribbons."""
 
 import math
 from dataclasses import dataclass
@@ -10,32 +10,32 @@ from artgen.categories.box.board import LAYER, Board, Crease, Feel, walls
 from artgen.categories.box.prints import pull_tab
 
 PLAY = 0.0012
-"""Gap between sliding parts, at either side [m]."""
+"""Gap between sliding parts, at each side [m]."""
 
-_GRAVITY = 9.81  # [m/s2]
+_GRAVITY = 9.81  # gravity [m/s2]
 
 
 def lift(name: str, moved: ag.Body, *, travel: ag.Scalar, rub: ag.Scalar) -> ag.Joint:
-    """Make the joint of a lid that is lifted off."""
+    """Make the joint of a loose lid."""
     weight = _GRAVITY * moved.mass()
     return ag.Prismatic(
         name,
         axis=ag.Z,
         limits=(0.0, travel),
         friction=rub * weight,
-        damping=4.0,  # air that is drawn in through the slit
+        damping=4.0,  # air drawn in through the gap
         effort=4.0 * weight + 4.0,
         velocity=1.0,
     )
 
 
 def cap(board: Board, width: ag.Scalar, depth: ag.Scalar, *, top: ag.Scalar, skirt: ag.Scalar) -> ag.Solid:
-    """Make a tray upside down, as a lid."""
+    """Make an upside-down tray as a lid."""
     return walls(board, width, depth, skirt).rotate(ag.X, math.pi).at(0.0, 0.0, top)
 
 
 def strap(at: ag.Scalar, finish: ag.Material) -> ag.Body:
-    """Rivet a strap of webbing onto a lid, to lift it by: a flat arch along x."""
+    """Make a riveted strap of webbing on a lid as its handle: a flat arch along x."""
     outline = ag.polygon(
         [(-0.064, 0.0), (-0.049, 0.0), (-0.037, 0.020), (0.037, 0.020), (0.049, 0.0), (0.064, 0.0),
          (0.064, 0.0026), (0.0505, 0.0026), (0.0385, 0.0226),
@@ -63,10 +63,10 @@ def drawer_case(board: Board, width: ag.Scalar, depth: ag.Scalar, height: ag.Sca
 
 
 Closure = Literal["lift", "flap", "drawer"]
-"""How a gift box closes: a lid over it, a lid on its back with a flap over the front, or a sleeve."""
+"""Closures: a loose lid, a hinged lid with a flap over the front, or a sleeve with a drawer."""
 
 Hollow = Literal["none", "square", "round"]
-"""The form of the hollow in the foam inside, if there is foam."""
+"""Shape of the hollow in the foam, if there is foam."""
 
 _RIBBON = 0.0005  # thickness of satin ribbon on a face [m]
 
@@ -75,23 +75,23 @@ _RIBBON = 0.0005  # thickness of satin ribbon on a face [m]
 class Gift:
     """A gift box."""
 
-    board: Board  # greyboard, wrapped
-    width: ag.Scalar  # along x, outside [m]
-    depth: ag.Scalar  # along y, outside [m]
-    height: ag.Scalar  # closed [m]
-    satin: ag.Material  # the ribbon
-    wide: ag.Scalar  # its width [m]
-    hollow: Hollow  # of the foam inside a box with a flap or a drawer
-    foam: ag.Material  # that foam
+    board: Board  # wrapped grayboard
+    width: ag.Scalar  # outer width along x [m]
+    depth: ag.Scalar  # outer depth along y [m]
+    height: ag.Scalar  # height of the closed box [m]
+    satin: ag.Material  # material of the ribbon
+    wide: ag.Scalar  # width of the ribbon [m]
+    hollow: Hollow  # hollow in the foam inside a box with a flap or a drawer
+    foam: ag.Material  # material of the foam
 
     def lifted(self, skirt: ag.Scalar, rub: ag.Scalar, *, crossed: bool, printed: list[ag.Body]) -> ag.Body:
-        """Make a base with a lid over it, which a ribbon with a bow goes around."""
+        """Make a base with a loose lid, and a ribbon with a bow around both."""
         inset = 2.0 * (self.board.thick + PLAY)
         wide, deep = self.width - inset, self.depth - inset
         base_top = self.height - self.board.thick - LAYER
         base = ag.part(walls(self.board, wide, deep, base_top), "box", self.board.outside)
         foot = self.height - skirt
-        seen = ag.max_(foot - 0.004, 0.0015)  # of the base, below the lid
+        seen = ag.max_(foot - 0.004, 0.0015)  # visible height of the base, below the lid [m]
         body = ag.weld(base, *self._bands(wide, deep, 0.0, seen, crossed=crossed, over=False))
         lid = ag.weld(
             ag.part(
@@ -115,7 +115,7 @@ class Gift:
         crossed: bool,
         over: bool,
     ) -> list[ag.Body]:
-        """Make ribbon on the walls of one piece, and over its top."""
+        """Make the ribbon on the walls and the top of one part."""
         half, out = self.wide / 2.0, _RIBBON
         made = []
         ways = ("y", "x") if crossed else ("y",)
@@ -133,7 +133,7 @@ class Gift:
         return made
 
     def _bow(self) -> ag.Body:
-        """Tie the bow on the lid: a knot to grasp, two loops and two ends."""
+        """Make the bow on the lid: a knot to grasp, two loops and two ends."""
         top = self.height + _RIBBON
         tall = 0.024
         knot = ag.box_between((-0.011, -0.0095, top - 0.001), (0.011, 0.0095, top + tall), bevel=0.006)
@@ -158,7 +158,7 @@ class Gift:
         at: tuple[ag.Scalar, ag.Scalar, ag.Scalar],
         height: ag.Scalar,
     ) -> list[ag.Body]:
-        """Make the foam for the contents, with a hollow; None for a box without foam."""
+        """Make the foam for the contents, with a hollow; return None for a box without foam."""
         if self.hollow == "none":
             return []
         block = ag.box_between(
@@ -176,7 +176,7 @@ class Gift:
     def flapped(
         self, feel: Feel, *, opening: ag.Scalar, reach: ag.Scalar, rounded: bool, printed: list[ag.Body]
     ) -> ag.Body:
-        """Make a base whose lid hangs at the back and ends in a flap over the front."""
+        """Make a base with a lid that is hinged at the back and ends in a flap over the front."""
         board, t = self.board, self.board.thick
         long = self.depth + t + 0.0008
         hinge = Crease(0.0, self.depth / 2.0, self.height, turn=math.pi)
@@ -192,7 +192,7 @@ class Gift:
         )
         outline = ag.rectangle(self.width + 0.004, reach).at(0.0, reach / 2.0)
         if rounded:
-            radius = ag.min_(0.36 * reach, 0.46 * self.width)  # half a circle on a narrow flap, at most
+            radius = ag.min_(0.36 * reach, 0.46 * self.width)  # at most half a circle, on a narrow flap
             tongue = ag.rectangle(self.width + 0.004, 0.8 * reach, radius=radius)
             outline = tongue.at(0.0, 0.6 * reach) | ag.rectangle(self.width + 0.004, 0.5 * reach).at(
                 0.0, 0.25 * reach
@@ -217,7 +217,7 @@ class Gift:
         return body.attach(hinge.place(lid.attach(front.place(cover), turn)), swing)
 
     def drawn(self, friction: ag.Scalar, *, printed: list[ag.Body]) -> ag.Body:
-        """Make a sleeve with a drawer, which a ribbon pulls out."""
+        """Make a sleeve with a drawer that has a ribbon as its pull."""
         board, t = self.board, self.board.thick
         case = ag.part(drawer_case(board, self.width, self.depth, self.height), "box", board.outside)
         wide, tall = self.width - 2.0 * (t + PLAY), self.height - 2.0 * (t + PLAY)

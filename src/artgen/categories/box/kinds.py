@@ -1,4 +1,4 @@
-"""Kinds of boxes: walls, closures, contents and prints put together."""
+"""Kinds of boxes, each assembled from walls, closures, contents and prints."""
 
 from dataclasses import dataclass
 
@@ -34,23 +34,23 @@ from artgen.categories.box.prints import (
 
 _NO_DUST = "dust flaps need a lid that lies on the walls: take sides=over or dusted=False"
 _LOW_COVER = "the cover would protrude too little from its tray: raise height"
-_GRID = {2: (2, 1), 3: (3, 1), 6: (3, 2), 12: (4, 3)}  # cells along x and y
+_GRID = {2: (2, 1), 3: (3, 1), 6: (3, 2), 12: (4, 3)}  # numbers of cells along x and y, by their product
 
 
 @dataclass(frozen=True)
 class Draft:
-    """What boxes of all kinds share."""
+    """Common data of boxes of all kinds."""
 
-    board: Board  # the board
-    width: ag.Scalar  # along x, outside [m]
-    depth: ag.Scalar  # along y, outside [m]
-    height: ag.Scalar  # closed [m]
-    feel: Feel  # how creases resist
-    swing: ag.Scalar  # how far flaps open where they have room [rad]
-    look: Look  # the prints
+    board: Board  # board of the box
+    width: ag.Scalar  # outer width along x [m]
+    depth: ag.Scalar  # outer depth along y [m]
+    height: ag.Scalar  # height of the closed box [m]
+    feel: Feel  # resistance of creases
+    swing: ag.Scalar  # opening angle of flaps without obstacles [rad]
+    look: Look  # prints of the box
 
     def flap_label(self, top: Top) -> dict[str, list[ag.Body]]:
-        """Return the address on the front flap of a slotted top, in the frame of its sheet."""
+        """Return the address label on the front flap of a slotted top, in the frame of its sheet."""
         if not self.look.label:
             return {}
         size = ag.min_(0.10, 0.8 * top.reach)
@@ -78,7 +78,7 @@ def slotted_box(draft: Draft, *, taped: bool, holes: bool) -> ag.Body:
 
 
 def half_slotted_box(draft: Draft, *, taped: bool, holes: bool, rub: ag.Scalar) -> ag.Body:
-    """Make a cover without a bottom, with four flaps at its top, that stands in a shallow tray."""
+    """Make a cover without a bottom in a shallow tray, with four flaps at its top."""
     board, wider = draft.board, 2.0 * (draft.board.thick + PLAY)
     rim = 0.05 + 0.11 * draft.height
     foot = board.thick + LAYER
@@ -130,14 +130,14 @@ def lidded_box(
 
 
 def wine_box(draft: Draft, *, bottles: int, wine: Wine | None, opening: ag.Scalar, taped: bool) -> ag.Body:
-    """Make a box for bottles: a tall carton with a tucked lid for a few, a slotted box for more."""
+    """Make a box for bottles: a tall carton with a tucked lid for a few bottles, a slotted box for more."""
     board, (columns, rows) = draft.board, _GRID[bottles]
     t = board.thick
     inner = (draft.width * columns, draft.width * rows)
     width = inner[0] + 2.0 * t
     depth = inner[1] + (4.0 if rows == 1 else 2.0) * t
     marks = wine_print(draft.look, width, depth, draft.height, bottles=bottles, finish=board.outside)
-    dust = 0.66 * draft.width if wine is None else None  # a hand would not find room under them
+    dust = 0.66 * draft.width if wine is None else None  # no space for a hand under dust flaps with bottles
     plan = Lidded(board, width, depth, draft.height, "over", False, dust, opening)
     low = 2.0 * t - 0.0002 if rows > 1 else t - 0.0002
     high = 0.60 * draft.height
@@ -167,7 +167,7 @@ def wine_box(draft: Draft, *, bottles: int, wine: Wine | None, opening: ag.Scala
 
 
 def tray_box(draft: Draft, *, skirt: ag.Scalar, rub: ag.Scalar, strapping: ag.Material) -> ag.Body:
-    """Make a tray with a lid over it, which a strap lifts."""
+    """Make a tray with a lid over it; a strap on the lid is its handle."""
     board, inset = draft.board, 2.0 * (draft.board.thick + PLAY)
     width, depth, top = draft.width, draft.depth, draft.height
     deep = ag.max_(skirt * top, 0.035)
@@ -187,7 +187,7 @@ def tray_box(draft: Draft, *, skirt: ag.Scalar, rub: ag.Scalar, strapping: ag.Ma
 
 
 def _base_label(draft: Draft, depth: ag.Scalar, *, low: ag.Scalar, high: ag.Scalar) -> list[ag.Body]:
-    """Return the label with the contents, on the free part of a tray's front."""
+    """Return the label with the contents, on the free part of the front of a tray."""
     if not draft.look.label:
         return []
     tall = ag.max_(high - low, 0.012)
@@ -218,7 +218,7 @@ def gift_box(
     gift = Gift(board, draft.width, draft.depth, top, satin, wide, hollow, foam(board.inside))
     match closure:
         case "flap":
-            # in the frame of the lid's sheet; its free edge is in front
+            # in the frame of the lid's sheet, with the free edge in front
             mark = name_on_lid(draft.look, draft.width, draft.depth)
             foil = Ink(GOLD, ag.Z, (0.0, -1.0, 0.0)).put(mark, (0.0, 0.5 * draft.depth, 0.0))
             reach = (0.45 + 0.55 * skirt) * top

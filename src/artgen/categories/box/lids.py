@@ -1,7 +1,7 @@
-"""Lids on a crease at the back: tucked in at the front with a flap, locked by ears or by flaps at the sides.
+"""Lids hinged at the back: a flap tucks in at the front, ears or side flaps lock it.
 
-A tuck swings out as the lid rises, by its reach squared over twice the depth of the lid. It therefore leans
-in a little, and so does the inner layer of the rolled front wall, which holds its tip.
+When the lid rises, the tuck swings out by its reach squared over twice the depth of the lid. Therefore the
+tuck leans inward a little, as does the inner layer of the rolled front wall, which holds its tip.
 """
 
 import math
@@ -14,15 +14,15 @@ from artgen.categories.box.bottles import Bottles
 from artgen.categories.box.prints import TAPE, pull_tab
 
 Sides = Literal["over", "tucked"]
-"""Whether a lid lies on the walls at its sides, or goes between them with a flap at either side."""
+"""Whether the sides of a lid lie on the walls, or each has a flap that goes between the walls."""
 
-_SLACK = 0.020  # by which a tuck can be turned with its lid closed [rad]
-_PLAY = 0.043  # by how much more until it touches the wall [rad]
-_TIP = 0.0004  # from its tip to the wall if it stands upright [m]
-_BESIDE = 0.0012  # from ears and side flaps to the walls [m]
-_UPRIGHT = 1.66  # from here on a lid leaves the space over the box free [rad]
-_AWAY = 2.0  # from here on its tuck does so as well [rad]
-_HANGING = 3.40  # from this angle on a dust flap is below the lid that closes over it [rad]
+_SLACK = 0.020  # play of the tuck while its lid is closed [rad]
+_PLAY = 0.043  # additional angle until the tuck touches the wall [rad]
+_TIP = 0.0004  # gap from the tip of an upright tuck to the wall [m]
+_BESIDE = 0.0012  # gap from ears and side flaps to the walls [m]
+_UPRIGHT = 1.66  # least angle of a lid that leaves the space above the box free [rad]
+_AWAY = 2.0  # least angle of a lid whose tuck leaves this space free as well [rad]
+_HANGING = 3.40  # least angle of a dust flap that is below the lid that closes over it [rad]
 _NO_WINGS = (
     "the side flaps of a lid have no room between its crease and its tuck: raise width or "
     "aspect, ears=False or sides=over"
@@ -31,20 +31,20 @@ _NO_WINGS = (
 
 @dataclass(frozen=True)
 class Lidded:
-    """A box with a lid that hangs on its back wall."""
+    """A box with a lid hinged at its back wall."""
 
-    board: Board  # the board
-    width: ag.Scalar  # along x, outside [m]
-    depth: ag.Scalar  # along y, outside [m]
-    height: ag.Scalar  # closed [m]
-    sides: Sides  # how the lid meets the walls at the sides
+    board: Board  # board of the box
+    width: ag.Scalar  # outer width along x [m]
+    depth: ag.Scalar  # outer depth along y [m]
+    height: ag.Scalar  # height of the closed box [m]
+    sides: Sides  # position of the sides of the lid
     ears: bool  # whether the tuck has ears, which go in beside the walls
-    dust: ag.Scalar | None  # reach of flaps at the walls under the lid [m]; None where there are none
-    opening: ag.Scalar  # how far the lid opens [rad]
+    dust: ag.Scalar | None  # reach of the dust flaps at the walls under the lid; None for none [m]
+    opening: ag.Scalar  # opening angle of the lid [rad]
     lips: bool = False  # whether flaps under the lid end in lips, which are folded down
-    # where the second layer of the walls begins, into which ears go [m]; None at the floor
+    # start of the second layer of the walls, which holds the ears; None for the floor [m]
     lined: ag.Scalar | None = None
-    grip: float = 0.006  # from the tuck to the tab that opens the lid [m]
+    grip: float = 0.006  # distance from the tuck to the tab that opens the lid [m]
     mouth: Mouth = TOP  # names of the sides
 
     @property
@@ -54,37 +54,37 @@ class Lidded:
 
     @property
     def gap(self) -> ag.Float:
-        """From the front edge of the lid to the wall: the tip of the tuck swings out by that much [m]."""
+        """Gap from the front edge of the lid to the wall, for the outward swing of the tuck [m]."""
         swing = self.tuck / (2.0 * (self.depth - 2.0 * self.board.thick - 0.003))
         return ag.max_(0.0015, 2.0 * _TIP + self.tuck * (swing - _PLAY))
 
     @property
     def reach(self) -> ag.Scalar:
-        """From the crease of the lid to that of its tuck [m]."""
+        """Distance from the crease of the lid to the crease of its tuck [m]."""
         return self.depth - 2.0 * self.board.thick - self.gap
 
     @property
     def low(self) -> ag.Scalar:
-        """Height of the walls at the sides [m]."""
+        """Height of the side walls [m]."""
         return self.height if self.sides == "tucked" else self.height - self.board.thick - LAYER
 
     @property
     def inner(self) -> ag.Scalar:
-        """Half of the width between the walls at the sides [m]."""
+        """Half of the width between the side walls [m]."""
         return self.width / 2.0 - (2.0 if self.ears else 1.0) * self.board.thick
 
     @property
     def half(self) -> ag.Scalar:
-        """Half of the lid's width [m]."""
+        """Half of the width of the lid [m]."""
         return self.inner - _BESIDE if self.sides == "tucked" else self.width / 2.0 - 0.0012
 
     @property
     def hinge(self) -> Crease:
-        """The crease at the back."""
+        """Return the crease at the back."""
         return Crease(0.0, self.depth / 2.0, self.height, turn=math.pi)
 
     def dust_creases(self) -> dict[str, Crease]:
-        """Return the creases of the dust flaps, if there are some."""
+        """Return the creases of the dust flaps, or none."""
         if self.dust is None:
             return {}
         return {
@@ -94,7 +94,7 @@ class Lidded:
 
     @property
     def _dust_ends(self) -> tuple[ag.Scalar, ag.Scalar]:
-        """Where dust flaps begin and end along y: behind the tuck and its ears, before the back wall [m]."""
+        """Ends of the dust flaps along y: behind the tuck and its ears, in front of the back wall [m]."""
         front = 3.0 * self.board.thick + self.gap + 0.003 + 0.07 * self.tuck
         if self.ears:
             front = front + self.ear + 0.004
@@ -106,7 +106,7 @@ class Lidded:
         return (start + end) / 2.0
 
     def creased(self, walls: ag.Solid) -> ag.Solid:
-        """Cut the tops of walls that end at the height of the box to where the lid wants them."""
+        """Cut the upper edges of walls of full height to the height of the lid."""
         t, lowered = self.board.thick, walls
         if self.sides == "over":
             for side in (-1.0, 1.0):
@@ -116,7 +116,7 @@ class Lidded:
         return self.board.creased(lowered, self.hinge, *self.dust_creases().values())
 
     def rims(self, label: str = "box") -> list[ag.Body]:
-        """Make the lip of the front wall, and the second layer of the walls where ears go in."""
+        """Make the lip of the front wall, and the second layer of the walls that holds the ears."""
         t, front, half = self.board.thick, -self.depth / 2.0, self.inner - 0.0003
         layer, tip = front + 2.0 * t, self.height - self.tuck
         wedge = ag.polygon(
@@ -150,9 +150,9 @@ class Lidded:
         swing: ag.Scalar,
         bottles: Bottles | None = None,
     ) -> ag.Body:
-        """Join the lid and all that hangs on it."""
+        """Join the lid with all its flaps."""
         weight = 9.81 * 1.2 * self.board.outside.density * self.board.thick * 2.0 * self.half * self.reach
-        # a fresh crease is no free spring: it takes the swing out of a lid, which otherwise slams shut
+        # the damping of a fresh crease takes energy out of a lid, which otherwise slams shut
         mass, length = weight / 9.81, 2.0 * self.half
         calm = 2.0 * ag.sqrt(feel.stiffness * length * 0.45 * mass * self.reach**2) / length
         turn = self.hinge.joint(
@@ -161,7 +161,7 @@ class Lidded:
             length=2.0 * self.half,
             reach=self.reach,
             opening=self.opening,
-            holding=weight * 0.62 * self.reach,  # a lid stays up, with its flaps out
+            holding=weight * 0.62 * self.reach,  # an open lid with its flaps out stays up
         )
         body = ag.weld(body, self.hinge.bead(2.0 * self.half, "box", self.board.outside))
         resting = Feel(0.0, 0.0, feel.friction, feel.damping)
@@ -186,7 +186,7 @@ class Lidded:
         return body
 
     def _dust_flap(self, side: str, wide: ag.Scalar, reach: ag.Scalar, feel: Feel) -> ag.Body:
-        """Make a flap under the lid, with its lip if it has one, in its own frame."""
+        """Make a flap under the lid, with or without a lip, in its own frame."""
         far = wide / 2.0 - 0.006
         sheet = self.board.sheet(
             ag.polygon([(-wide / 2.0, 0.0), (wide / 2.0, 0.0), (far, reach), (-far, reach)])
@@ -215,12 +215,12 @@ class Lidded:
         front = Crease(0.0, self.reach, folded=True, lean=_PLAY - _TIP / self.tuck + _SLACK)
         sides = self._side_creases()
         sheet = self.board.sheet(ag.rectangle(2.0 * self.half, self.reach).at(0.0, self.reach / 2.0))
-        if sides:  # they narrow to a tip
+        if sides:  # side flaps narrow to a tip
             long = self._wing_end - self._wing_start
             sheet = sheet.require(long >= 0.6 * self._wing_reach + 0.006, _NO_WINGS)
         sheet = self.board.creased(sheet, front, *sides.values())
         tab, across = pull_tab(), ag.Y
-        if self._sealed:  # near the floor a hand has room beside the tab
+        if self._sealed:  # near the floor a hand has space beside the tab
             tab, across = tab.rotate(ag.Z, math.pi / 2.0), ag.X
         tab = tab.at(0.0, self.reach - self.grip, 0.0)
         hold = ag.grasp_on(tab, approach=-ag.Z, closing=across, depth=0.016)
@@ -254,11 +254,11 @@ class Lidded:
 
     @property
     def _sealed(self) -> bool:
-        """Whether tape goes over the edge of the lid, so that its tab is not at that edge."""
+        """Whether tape goes over the edge of the lid, so that the tab is elsewhere."""
         return self.grip > 0.01
 
     def _seal(self) -> list[ag.Body]:
-        """Make the tape that was slit at the edge of the lid, if there is some."""
+        """Make the slit tape at the edge of the lid, or nothing."""
         if not self._sealed:
             return []
         low, high = (-0.024, self.reach - self.grip - 0.012, -0.0001), (0.024, self.reach - 0.0005, 0.00012)
@@ -266,7 +266,7 @@ class Lidded:
 
     @property
     def ear(self) -> ag.Float:
-        """Reach of an ear from the tuck backward [m]."""
+        """Reach of an ear backward from the tuck [m]."""
         return ag.min_(0.056, ag.max_(0.24 * self.reach, 0.034))
 
     @property
@@ -321,7 +321,7 @@ class Lidded:
         return ag.max_(ag.atan2(self.tuck + 0.012, self.reach - self.ear), self._clear)
 
     def _side_creases(self) -> dict[str, Crease]:
-        """Return the creases of the flaps at the sides of the lid, if it has some."""
+        """Return the creases of the side flaps of the lid, or none."""
         if self.sides == "over":
             return {}
         middle = (self._wing_start + self._wing_end) / 2.0
@@ -332,22 +332,22 @@ class Lidded:
 
     @property
     def _wing_start(self) -> ag.Scalar:
-        """Where flaps at the sides begin, from the crease of the lid [m]."""
+        """Distance from the crease of the lid to the start of the side flaps [m]."""
         return 0.30 * self.reach
 
     @property
     def _wing_end(self) -> ag.Scalar:
-        """Where they end, behind the tuck and its ears [m]."""
+        """Distance to the end of the side flaps, behind the tuck and its ears [m]."""
         ears = self.ear + 0.004 if self.ears else 0.0
         return self.reach - ears - 0.014 - 0.05 * self.tuck - self.board.thick
 
     @property
     def _wing_reach(self) -> ag.Scalar:
-        """How far down they go [m]."""
+        """Reach of the side flaps downward [m]."""
         return 0.8 * self.tuck
 
     def _wing(self, side: str) -> ag.Body:
-        """Make a flap at a side of the lid, in its own frame."""
+        """Make a side flap of the lid, in its own frame."""
         half, deep = (self._wing_end - self._wing_start) / 2.0, self._wing_reach
         outline = tongue(half, deep, shoulder=0.5 * deep, tip=half - 0.3 * deep)
         sheet = self.board.sheet(outline)
@@ -367,5 +367,5 @@ class Lidded:
 
 
 def _span(side: float, near: ag.Scalar, far: ag.Scalar) -> tuple[ag.Scalar, ag.Scalar]:
-    """Return a span at one side of the middle, least first."""
+    """Return a span at one side of the middle, in ascending order."""
     return (near, far) if side > 0.0 else (-far, -near)

@@ -8,7 +8,7 @@ from artgen import details
 from artgen.categories.box.finish import GOLD, contrast, ink
 from artgen.categories.shared import recycling
 
-_FILM = 0.00012  # by which print and labels stand out [m]
+_FILM = 0.00012  # height of print and labels above the surface [m]
 
 TAPE = ag.material("polypropylene").with_(
     name="packing_tape", base_color=(0.34, 0.19, 0.075), specular_roughness=0.22, coat_weight=0.4
@@ -18,16 +18,16 @@ TAPE = ag.material("polypropylene").with_(
 PAPER = ag.colored("abs", "white").with_(
     name="label_paper", texture="", specular_roughness=0.6, density=800.0
 )
-"""Stickers."""
+"""Paper of stickers."""
 
 
 def pull_tab(tall: float = 0.021) -> ag.Solid:
-    """Make the folded end of a tape: it stands up at the edge of the flap, and a hand pulls it."""
+    """Make the upright folded end of a tape at the edge of a flap, for a hand to pull."""
     return ag.box_between((-0.014, -0.0007, -0.0006), (0.014, 0.0007, tall), bevel=0.0005)
 
 
 def arrows(size: ag.Scalar) -> ag.Profile:
-    """Make the sign for this side up: two arrows on a bar."""
+    """Make the sign "this side up": two arrows on a bar."""
     arrow = ag.polygon(
         [(-0.07, -0.30), (0.07, -0.30), (0.07, 0.16), (0.19, 0.16), (0.0, 0.48), (-0.19, 0.16), (-0.07, 0.16)]
     )
@@ -36,7 +36,7 @@ def arrows(size: ag.Scalar) -> ag.Profile:
 
 
 def fragile(size: ag.Scalar) -> ag.Profile:
-    """Make the sign for fragile goods: a glass with a crack."""
+    """Make the sign "fragile": a glass with a crack."""
     bowl = ag.polygon(
         [(-0.26, 0.48), (0.26, 0.48), (0.24, 0.12), (0.13, -0.04),
          (0.045, -0.09), (-0.045, -0.09), (-0.13, -0.04), (-0.24, 0.12)]
@@ -50,7 +50,7 @@ def fragile(size: ag.Scalar) -> ag.Profile:
 
 
 def umbrella(size: ag.Scalar) -> ag.Profile:
-    """Make the sign for keeping dry: an umbrella."""
+    """Make the sign "keep dry": an umbrella."""
     dome = ag.circle(0.46) & ag.rectangle(1.0, 0.5).at(0.0, 0.25)
     scallops = [ag.circle(0.155).at(x, 0.0) for x in (-0.307, 0.0, 0.307)]
     for each in scallops:
@@ -61,7 +61,7 @@ def umbrella(size: ag.Scalar) -> ag.Profile:
 
 
 def barcode(width: ag.Scalar, height: ag.Scalar, seed: int) -> ag.Profile:
-    """Make bars of a code, as wide and as far apart as a number says."""
+    """Make the bars of a barcode; the digits of a number give widths and gaps."""
     bars: ag.Profile | None = None
     place, state = 0.0, seed * 2654435761 % 2**32
     while place < 0.97:
@@ -76,21 +76,22 @@ def barcode(width: ag.Scalar, height: ag.Scalar, seed: int) -> ag.Profile:
 
 @dataclass(frozen=True)
 class Ink:
-    """A printer of one color on one face."""
+    """A printer with one ink on one face."""
 
     material: ag.Material  # the ink
-    facing: ag.VectorLike = (0.0, -1.0, 0.0)  # out of the face
-    up: ag.VectorLike | None = None  # upward for the reader; None is up, or to the back on a top
+    facing: ag.VectorLike = (0.0, -1.0, 0.0)  # direction out of the face
+    # upward direction for the reader; None for up, or for the back on a top face
+    up: ag.VectorLike | None = None
 
     def put(self, profile: ag.Profile, at: ag.VectorLike) -> ag.Body:
-        """Print a profile about a point of the face."""
+        """Print a profile at a point of the face."""
         return details.printed(
             profile, at, material=self.material, facing=self.facing, up=self.up, proud=_FILM
         )
 
 
 def handling(signs: tuple[str, ...], size: ag.Scalar) -> ag.Profile:
-    """Set handling signs in a row about the origin."""
+    """Place handling signs in a row about the origin."""
     made = {"up": arrows, "fragile": fragile, "dry": umbrella, "recycle": recycling}
     row: ag.Profile | None = None
     for number, sign in enumerate(signs):
@@ -102,7 +103,7 @@ def handling(signs: tuple[str, ...], size: ag.Scalar) -> ag.Profile:
 
 
 def address_label(at: ag.VectorLike, *, facing: ag.VectorLike, size: ag.Scalar, number: int) -> list[ag.Body]:
-    """Stick the label of a parcel service on a face: lines of an address and a code below them."""
+    """Make the label of a parcel service on a face: lines of an address above a barcode."""
     black = ag.colored("abs", "graphite").with_(name="label_ink", texture="")
     paper = details.printed(
         ag.rectangle(size, 0.66 * size, radius=0.002),
@@ -125,13 +126,13 @@ def address_label(at: ag.VectorLike, *, facing: ag.VectorLike, size: ag.Scalar, 
 
 
 def seam(start: ag.VectorLike, end: ag.VectorLike) -> ag.Body:
-    """Make the dark line where two sheets meet."""
+    """Make the dark line between two sheets."""
     dark = ag.material("cardboard_edge").with_(name="seam_shade", base_color=(0.06, 0.04, 0.025), texture="")
     return ag.detail(ag.box_between(start, end), "box", dark)
 
 
 Signs = Literal["none", "up", "pair", "full"]
-"""Which handling signs a box has."""
+"""Handling signs of a box."""
 
 _ROWS: dict[str, tuple[str, ...]] = {
     "up": ("up",),
@@ -145,18 +146,18 @@ _FRONT = (0.0, -1.0, 0.0)
 
 @dataclass(frozen=True)
 class Look:
-    """What is printed."""
+    """Prints of a box."""
 
-    maker: str  # the brand
-    model: int  # a number
-    # sign beside the brand
+    maker: str  # brand name
+    model: int  # model number
+    # sign beside the brand name
     emblem: Literal["leaf", "hexagon", "waves", "peak", "sun", "diamond", "quarters", "ring"]
     tint: str  # color of the ink on light board
     signs: Signs  # handling signs
     label: bool  # whether there is a sticker with an address or the contents
 
     def ink(self, finish: ag.Material) -> ag.Material:
-        """Return the ink that shows on a finish."""
+        """Return the ink with good contrast on a finish."""
         light = sum(finish.base_color) / 3.0 > 0.2
         return ink(self.tint) if light else contrast(finish)
 
@@ -174,14 +175,14 @@ class Look:
 class _Face:
     """A wall to print on."""
 
-    facing: tuple[float, float, float]  # out of it
-    wide: ag.Scalar  # its width [m]
-    out: ag.Scalar  # from the middle of the box [m]
-    low: ag.Scalar  # where its free part begins [m]
-    tall: ag.Scalar  # of that part [m]
+    facing: tuple[float, float, float]  # direction out of the wall
+    wide: ag.Scalar  # width of the wall [m]
+    out: ag.Scalar  # distance from the middle of the box [m]
+    low: ag.Scalar  # height of the start of the free part [m]
+    tall: ag.Scalar  # height of the free part [m]
 
     def at(self, share: float, aside: ag.Scalar = 0.0) -> tuple[ag.Scalar, ag.Scalar, ag.Scalar]:
-        """Return the point at a share of the height, aside to the reader's right [m]."""
+        """Return the point at a share of the height, shifted to the reader's right [m]."""
         x, y, _ = self.facing
         return (self.out * x - aside * y, self.out * y + aside * x, self.low + share * self.tall)
 
@@ -196,7 +197,7 @@ def shipping_print(
     finish: ag.Material,
     sides: bool = True,
 ) -> list[ag.Body]:
-    """Print a shipping box on its walls."""
+    """Print the walls of a shipping box."""
     tall, color, made = high - low, look.ink(finish), []
     row = _ROWS.get(look.signs, ())
     for facing in (_FRONT, _BACK):
@@ -223,7 +224,7 @@ def _lower(look: Look, face: _Face, row: tuple[str, ...]) -> list[ag.Profile]:
     if row:
         return [handling(row, ag.min_(ag.min_(0.085, 0.24 * tall), 0.80 * wide / (1.42 * len(row))))]
     match look.model % 3:
-        case 0:  # of boxes for moving house
+        case 0:  # for moving boxes
             size = ag.min_(ag.min_(0.020, 0.07 * tall), 0.030 * wide)
             words = details.lettering(
                 ("CONTENTS", "ROOM"), size, leading=2.6, align="left", fineness="coarse"
@@ -243,7 +244,7 @@ def _lower(look: Look, face: _Face, row: tuple[str, ...]) -> list[ag.Profile]:
 def side_label(
     look: Look, width: ag.Scalar, depth: ag.Scalar, *, height: ag.Scalar, tall: ag.Scalar
 ) -> list[ag.Body]:
-    """Stick a label on the front."""
+    """Make a label on the front."""
     size = ag.min_(ag.min_(0.105, 1.2 * tall), 0.5 * width)
     return address_label((-0.24 * width, -depth / 2.0, height), facing=_FRONT, size=size, number=look.model)
 
@@ -252,7 +253,7 @@ def pizza_print(look: Look, width: ag.Scalar, depth: ag.Scalar) -> list[ag.Body]
     """Print the lid of a pizza box, in the frame of its sheet, with the crease at the back."""
     red, green = ink("red"), ink("forest")
     one, other = ((red, green), (green, red), (red, red), (ink("graphite"), ink("graphite")))[look.model % 4]
-    up = (0.0, -1.0, 0.0)  # the reader stands at the free edge of the sheet
+    up = (0.0, -1.0, 0.0)  # up for a reader at the free edge of the sheet
     first, second = Ink(one, ag.Z, up), Ink(other, ag.Z, up)
     name = second.put(look.mark(0.5 * depth, 0.034 * depth), (0.0, 0.90 * depth, 0.0))
     pattern = look.model // 4 % 3
@@ -305,7 +306,7 @@ def _checks(width: ag.Scalar) -> ag.Profile:
 def mailer_print(
     look: Look, width: ag.Scalar, depth: ag.Scalar, *, finish: ag.Material, inner: ag.Material, thick: float
 ) -> list[ag.Body]:
-    """Print the lid of a mailer outside and inside, in the frame of its sheet."""
+    """Print the outside and the inside of a mailer lid, in the frame of its sheet."""
     up = (0.0, -1.0, 0.0)
     outer = Ink(look.ink(finish), ag.Z, up)
     made = [outer.put(look.mark(0.62 * width, 0.085 * depth), (0.0, 0.5 * depth, 0.0))]
@@ -328,7 +329,7 @@ def mailer_print(
         for number in range(1, 9):
             field = field | dots.at((0.1 * number - 0.40) * width, 0.0)
         made += [outer.put(field, (0.0, share * depth, 0.0)) for share in (0.22, 0.78)]
-    # read in the open lid: up is the free edge
+    # for a reader of the open lid, up is the free edge
     inside = Ink(look.ink(inner), (0.0, 0.0, -1.0), (0.0, 1.0, 0.0))
     words = ("HELLO!", "THANK YOU", "ENJOY", "MADE FOR YOU")[look.model % 4]
     made.append(
@@ -370,10 +371,10 @@ def wine_print(
 
 
 def name_on_lid(look: Look, width: ag.Scalar, depth: ag.Scalar) -> ag.Profile:
-    """Make the small name that is stamped on a gift box."""
+    """Make the small stamped name on a gift box."""
     return look.mark(0.42 * width, 0.045 * depth, sign=False, tracking=0.35)
 
 
 def vents(radius: ag.Scalar) -> ag.Profile:
-    """Make a vent hole of eight sides."""
+    """Make an octagonal vent hole."""
     return ag.regular_polygon(8, radius)

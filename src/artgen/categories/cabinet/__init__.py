@@ -1,16 +1,16 @@
 """A cabinet: a carcass of boards with shelves behind one door or a pair.
 
-The front faces -y. Doors that hang on concealed hinges lie on the edges of the carcass; those on butt hinges
-stand between its sides, flush with them. A pair meets with a reveal of 3 mm.
+The front faces -y. Doors on concealed hinges lie on the edges of the carcass; doors on butt hinges are
+between its sides, flush with them. The doors of a pair have a gap of 3 mm between them.
 
-Links: `body`; `door`, or `door_left` and `door_right`. Joints: `door_hinge`, with the same endings.
+Links: `body`; `door`, or `door_left` and `door_right`. Joints: `door_hinge`, with the same suffixes.
 
-A wall cabinet stands on the ground as all assets do. Hinges close by themselves in the last degrees on real
-cabinets; here their snap is the friction that holds a door where it is left.
+A wall cabinet is on the ground, as all assets are. Hinges of real cabinets close by themselves in the last
+degrees; here friction represents this snap and holds a door at any angle.
 
-Sizes are those of kitchens and storage furniture (DIN EN 1116, IKEA METOD and BESTA): 30-60 cm wide with one
-door and up to 120 cm with two; base cabinets 56-60 cm deep and 80-92 cm high with their worktop, wall ones
-30-38 cm deep, tall ones up to 210 cm high.
+Sizes are those of kitchen and storage furniture (DIN EN 1116, IKEA METOD and BESTA): width 30-60 cm with one
+door and up to 120 cm with two; base cabinets 56-60 cm deep and 80-92 cm high with a worktop, wall cabinets
+30-38 cm deep, tall cabinets up to 210 cm high.
 """
 
 from functools import partial
@@ -62,7 +62,7 @@ def cabinet(
             "flat", "shaker", "ramped", "fielded", "glazed", weights=(0.2, 0.3, 0.2, 0.08, 0.22)
         ),
         otherwise=ag.choice("flat", "shaker", weights=(0.85, 0.15)),
-        doc="of the doors",
+        doc="style of the doors",
     ),
     doors: int = ag.choice(1, 2),
     grip: Literal["knob", "bar", "cup", "edge"] = ag.by(
@@ -73,7 +73,7 @@ def cabinet(
     hinge: HingeStyle = ag.by(
         "grip", edge="concealed", otherwise=ag.choice("concealed", "butt", weights=(0.62, 0.38))
     ),
-    hand: Literal["left", "right"] = ag.choice("left", "right", doc="side of the hinges of one door"),
+    hand: Literal["left", "right"] = ag.choice("left", "right", doc="hinge side of a single door"),
     stand: Stand = ag.by(
         "kind",
         base=ag.choice("plinth", "legs", weights=(0.65, 0.35)),
@@ -85,7 +85,7 @@ def cabinet(
         base=ag.choice(0, 1, 2, weights=(0.2, 0.5, 0.3)),
         wall=ag.choice(1, 2, 3, weights=(0.4, 0.45, 0.15)),
         tall=ag.choice(3, 4, 5),
-        doc="behind the doors, without the bottom",
+        doc="number of shelves behind the doors, without the bottom",
     ),
     shelf_kind: Literal["board", "glass"] = ag.by(
         "style", glazed=ag.choice("board", "glass"), otherwise="board"
@@ -107,7 +107,7 @@ def cabinet(
         wall=ag.uniform(0.29, 0.36),
         tall=ag.by("stand", plinth=ag.uniform(0.36, 0.56), otherwise=ag.uniform(0.36, 0.48)),
         unit="m",
-        doc="of the carcass",
+        doc="width of the carcass",
         within=(0.25, 0.65),
     ),
     height: ag.Float = ag.by(
@@ -116,7 +116,7 @@ def cabinet(
         wall=ag.uniform(0.60, 0.92),
         tall=ag.uniform(1.60, 2.10),
         unit="m",
-        doc="over all",
+        doc="overall height",
         within=(0.55, 2.2),
     ),
     stand_height: ag.Float = ag.by(
@@ -127,15 +127,17 @@ def cabinet(
         unit="m",
         within=(0.0, 0.3),
     ),
-    setback: ag.Float = ag.uniform(0.030, 0.060, "m", doc="of a plinth"),
-    thickness: ag.Float = ag.uniform(0.016, 0.019, "m", doc="of the boards"),
+    setback: ag.Float = ag.uniform(0.030, 0.060, "m", doc="setback of a plinth"),
+    thickness: ag.Float = ag.uniform(0.016, 0.019, "m", doc="thickness of the boards"),
     door_thickness: ag.Float = ag.uniform(0.018, 0.021, "m", within=(0.016, 0.024)),
     rail: ag.Float = ag.uniform(0.052, 0.068, "m", doc="width of the stiles and rails of framed doors"),
     slope: ag.Float = ag.uniform(0.014, 0.026, "m", doc="width of the slope of ramped doors"),
     moulding: Literal["square", "ovolo", "ogee"] = ag.choice(
         "square", "ovolo", "ogee", weights=(0.6, 0.22, 0.18)
     ),
-    panes: int = ag.choice(1, 2, 3, weights=(0.55, 0.25, 0.2), doc="of a glazed door above each other"),
+    panes: int = ag.choice(
+        1, 2, 3, weights=(0.55, 0.25, 0.2), doc="number of panes in a column of a glazed door"
+    ),
     leg: LegStyle = ag.choice("tapered", "splayed", "square", "turned", "metal"),
     top: Literal["worktop", "flush"] = ag.by(
         "kind",
@@ -146,8 +148,8 @@ def cabinet(
         ),
         otherwise="flush",
     ),
-    top_thickness: ag.Float = ag.uniform(0.018, 0.038, "m", doc="of a worktop"),
-    overhang: ag.Float = ag.uniform(0.004, 0.018, "m", doc="of a worktop over the doors"),
+    top_thickness: ag.Float = ag.uniform(0.018, 0.038, "m", doc="thickness of a worktop"),
+    overhang: ag.Float = ag.uniform(0.004, 0.018, "m", doc="overhang of a worktop beyond the doors"),
     finish: ag.Material = _FINISH,
     shell: Literal["same", "white"] = ag.by(
         "hinge",
@@ -156,7 +158,7 @@ def cabinet(
             "stand",
             plinth=ag.choice("same", "white", weights=(0.7, 0.3)),
             brackets=ag.choice("same", "white", weights=(0.75, 0.25)),
-            otherwise="same",  # kitchens have white carcasses, furniture has not
+            otherwise="same",  # kitchens often have white carcasses, furniture does not
         ),
         doc="finish of the carcass",
     ),
@@ -164,19 +166,19 @@ def cabinet(
         "look",
         wood=ag.choice("same", "white", weights=(0.85, 0.15)),
         otherwise=ag.choice("same", "white"),
-        doc="of back and shelves",
+        doc="finish of back and shelves",
     ),
     worktop: ag.Material = _WORKTOP,
     leg_finish: ag.Material = _LEG,
     glass: ag.Material = ag.choice(*_GLASS, weights=(0.65, 0.25, 0.1)),
     metal: ag.Material = _METAL,
     handle: ag.Generator = ag.by("grip", _HANDLES),
-    hinges: int = ag.by("kind", tall=ag.choice(3, 4), otherwise=2, doc="of a door"),
+    hinges: int = ag.by("kind", tall=ag.choice(3, 4), otherwise=2, doc="number of hinges of a door"),
     swing: ag.Float = ag.by(
         "hinge", concealed=ag.uniform(1.6, 2.2), butt=ag.uniform(1.6, 2.3), unit="rad", within=(0.5, 2.35)
     ),
     pull: ag.Float = ag.uniform(
-        5.0, 9.0, "N", doc="at the free edge of a door, against the snap of its hinges"
+        5.0, 9.0, "N", doc="pull at the free edge of a door against the snap of its hinges"
     ),
     hinge_damping: ag.Float = ag.uniform(0.2, 0.8, "N m s/rad"),
 ) -> ag.Body:
@@ -214,7 +216,7 @@ def cabinet(
     )
     body = ag.weld(*case.bodies(), *case.standing(stand, setback=setback, leg=leg, finish=leg_finish))
     if top == "worktop":
-        # fingers come to an edge pull before the worktop
+        # space for fingers between an edge pull and the worktop
         before = case.front - hanging.face + (0.0 if on_top else overhang)
         body = ag.weld(body, case.worktop(top_thickness, worktop, before=before, beside=0.0))
     behind = 0.020 + (door_thickness if hanging.inset else 0.0)
@@ -231,7 +233,7 @@ def cabinet(
         ),
     )
 
-    rail = ag.min_(rail, 0.27 * hanging.width)  # stiles of a narrow door leave room for its panel
+    rail = ag.min_(rail, 0.27 * hanging.width)  # stiles of a narrow door leave space for its panel
     look_ = FrontLook(style, finish, rail, moulding, slope, glass, (1, panes))
     hung = partial(hanging.joint, limit=swing, friction=pull * hanging.width, damping=hinge_damping)
     if doors == 1:
@@ -249,7 +251,7 @@ def cabinet(
 
 
 def _shares(hinges: int, shelves: int) -> list[float]:
-    """Return where the hinges of a door are between its outermost ones, beside the shelves."""
+    """Return the positions of the hinges between the outermost ones, clear of the shelves."""
     shares = [index / (hinges - 1) for index in range(hinges)]
     taken = [(at + 1) / (shelves + 1) for at in range(shelves)]
     return [
@@ -267,8 +269,8 @@ def _handled(
     rail: ag.Scalar,
     name: str,
 ) -> ag.Body:
-    """Make the handle of a door in place: near its free edge, where the hand is."""
-    # a bar stands 0.155 m from the end of a door; on a tall one it is near the middle
+    """Make the handle of a door near its free edge, at the height of a hand."""
+    # a bar is 0.155 m from the end of a door; on a tall door it is near the middle
     placed: dict[str, Any] = {}
     if grip == "bar":
         placed = {"level": False, "room": 0.92 if kind == "tall" else 0.31}
@@ -282,7 +284,7 @@ def _handled(
             return pull.mirror(ag.Z).at((left + right) / 2, face, low)
         return pull.at((left + right) / 2, face, high)
     beside = ag.max_(0.5 * rail, 0.030)
-    # from the end of the door; a cup lies on the rail
+    # distance from the end of the door; a cup lies on the rail
     reach = {"knob": 0.055, "bar": 0.155, "cup": 0.014 if kind == "wall" else 0.048}[grip]
     level = low + reach if kind == "wall" else high - reach if kind == "base" else ag.min_(high - 0.5, 1.02)
     return pull.at(right - (0.052 if grip == "cup" else beside), face, level)

@@ -1,6 +1,6 @@
-"""How doors of cabinets hang: before the carcass on concealed hinges, or between its sides on butt hinges.
+"""Doors of cabinets: in front of the carcass on concealed hinges, or between its sides on butt hinges.
 
-Every door is made with its hinges at the left; a door at the right is its mirror image in x = 0.
+Every door is made with its hinges at the left; a door hinged at the right is its mirror image in x = 0.
 """
 
 from collections.abc import Callable, Sequence
@@ -16,14 +16,14 @@ from artgen.categories.shared.hardware.fixings import screws
 from artgen.categories.shared.hardware.hinge import hinge_frame, hinge_leaf, hinge_offset
 
 DOOR_GAP = 0.002
-"""Between the back of a closed door and the carcass [m]."""
+"""Gap between the back of a closed door and the carcass [m]."""
 
 AXIS = (0.0045, -0.0115)
-"""The axis of the turn, x and y [m]."""
+"""Position of the hinge axis, x and y [m]."""
 
 _CUP = 0.0175  # radius of the standard cup [m]
-_CUP_AT = 0.0225  # from the edge of the door to its middle: 5 mm of wood are left [m]
-_FLANGE = 0.0014  # thickness of parts on the door [m]
+_CUP_AT = 0.0225  # distance from the edge of the door to the middle of a cup, which leaves 5 mm of wood [m]
+_FLANGE = 0.0014  # thickness of the flanges on the door [m]
 
 
 def _everywhere(levels: Sequence[ag.Scalar]) -> list[ag.VectorLike]:
@@ -31,7 +31,7 @@ def _everywhere(levels: Sequence[ag.Scalar]) -> list[ag.VectorLike]:
 
 
 def cup_hinges_on_door(levels: Sequence[ag.Scalar], *, finish: ag.Material) -> list[ag.Body]:
-    """Make the cups with their flanges, which only are seen."""
+    """Make the cups with their flanges, visual only."""
     at = _everywhere(levels)
     wing = ag.rectangle(0.013, 0.062, radius=0.005).at(_CUP_AT + 0.008, 0.0)
     plate = ag.circle(_CUP + 0.0015).at(_CUP_AT, 0.0) | wing
@@ -72,59 +72,59 @@ def cup_hinges_on_side(
 
 
 HingeStyle = Literal["concealed", "butt"]
-"""Cups in the back of a door that lies on the carcass; knuckles before one that stands between its sides."""
+"""Cups in the back of a door in front of the carcass, or knuckles in front of a door between the sides."""
 
 REVEAL = 0.003
-"""Between the doors of a pair, and around a door that stands between the sides [m]."""
+"""Gap between the doors of a pair, and around a door between the sides [m]."""
 
-_MARGIN = 0.0015  # from the edges of an overlaid door to the outlines of the carcass [m]
-_END = 0.085  # from the ends of a door to the middles of its outer hinges [m]
-_KNUCKLE, _TALL = 0.004, 0.056  # radius of the knuckles of butt hinges, and their height [m]
-_HAND = 60.0  # the most that a hand pulls with [N]
+_MARGIN = 0.0015  # distance from the edges of an overlaid door to the outlines of the carcass [m]
+_END = 0.085  # distance from the ends of a door to the middles of its outer hinges [m]
+_KNUCKLE, _TALL = 0.004, 0.056  # radius and height of the knuckles of butt hinges [m]
+_HAND = 60.0  # largest pull of a hand [N]
 
 
 @dataclass(frozen=True)
 class Hanging:
     """The doors of a cabinet."""
 
-    case: Carcass  # the carcass
+    case: Carcass  # carcass
     hinge: HingeStyle  # kind of hinge
-    doors: int  # 1 or 2
-    thickness: ag.Scalar  # of a door [m]
-    # where hinges are between the outermost ones, as shares of the way; 0 and 1 are these
+    doors: int  # number of doors, 1 or 2
+    thickness: ag.Scalar  # thickness of a door [m]
+    # positions of the inner hinges between the outermost ones, as shares from 0 to 1
     shares: Sequence[float]
-    above: ag.Scalar  # additional room over the doors [m]
-    below: ag.Scalar  # additional room under the doors [m]
-    metal: ag.Material  # of butt hinges
+    above: ag.Scalar  # additional space above the doors [m]
+    below: ag.Scalar  # additional space below the doors [m]
+    metal: ag.Material  # metal of butt hinges
 
     @property
     def inset(self) -> bool:
-        """Whether doors stand between the sides."""
+        """Whether the doors are between the sides of the carcass."""
         return self.hinge == "butt"
 
     @property
     def left(self) -> ag.Scalar:
-        """The edge at the hinges of the door at the left, or of the only one, along x [m]."""
+        """Position of the hinge edge of the left or only door along x [m]."""
         return REVEAL - self.case.right if self.inset else _MARGIN - self.case.width / 2
 
     @property
     def width(self) -> ag.Scalar:
-        """Of a door [m]."""
+        """Width of a door [m]."""
         return (-2 * self.left - (self.doors - 1) * REVEAL) / self.doors
 
     @property
     def low(self) -> ag.Scalar:
-        """The lower edge of a door [m]."""
+        """Height of the lower edge of a door [m]."""
         return self.below + (self.case.floor + REVEAL if self.inset else self.case.low + _MARGIN)
 
     @property
     def high(self) -> ag.Scalar:
-        """The upper edge of a door [m]."""
+        """Height of the upper edge of a door [m]."""
         return (self.case.ceiling - REVEAL if self.inset else self.case.high - _MARGIN) - self.above
 
     @property
     def face(self) -> ag.Scalar:
-        """The face of a shut door along y [m]."""
+        """Position of the face of a shut door along y [m]."""
         return self.case.front if self.inset else self.case.front - DOOR_GAP - self.thickness
 
     @property
@@ -134,7 +134,7 @@ class Hanging:
         return [self.low + _END + share * way for share in self.shares]
 
     def pair_turns(self) -> ag.Bool | bool:
-        """Tell whether the far corners of a pair between the sides pass each other when both open."""
+        """Return whether the far corners of an inset pair clear each other when both doors open."""
         deep = hinge_offset(_KNUCKLE) + self.thickness
         return deep * deep / (2 * self.width + REVEAL) < REVEAL / 2 - 0.0002
 
@@ -171,7 +171,7 @@ class Hanging:
         return half.at(self.left - REVEAL / 2, self.face - hinge_offset(_KNUCKLE), 0.0)
 
     def _bumpers(self, back: ag.Scalar) -> ag.Body:
-        """Make the drops of rubber behind the free corners, which keep a door off the carcass."""
+        """Make the rubber bumpers behind the free corners, which keep a door off the carcass."""
         drop = ag.dome(0.0042, height=0.0014, axis=(0.0, 1.0, 0.0))
         x = self.left + self.width - 0.010
         at: list[ag.VectorLike] = [(x, back - 0.0001, z) for z in (self.low + 0.010, self.high - 0.010)]

@@ -1,13 +1,13 @@
-"""A cooktop: gas burners under cast grates, radiant or induction zones under glass, or coils; and its dials.
+"""A cooktop: gas burners under cast grates, radiant or induction zones under glass, or coils, with dials.
 
-It stands as it is delivered: the case that is sunk into a worktop is on the floor, the plate on top of it.
-Links: `body`; `burner_dial_0` and on, one for each burner, in the order of the burners' columns from left to
-right; `timer_dial` and `fan_dial` where there are more dials than burners; `grate_0` and on over gas burners.
-Joints: `burner_dial_turn_0`, ..., `timer_dial_turn`, `fan_dial_turn`, `grate_lift_0`, ....
+It is shown as delivered: the case that fits into a worktop is on the floor, the plate on top of it. Links:
+`body`; `burner_dial_0`, ..., one for each burner, in the order of the columns of burners from left to right;
+`timer_dial` and `fan_dial` if there are more dials than burners; `grate_0`, ... over gas burners. Joints:
+`burner_dial_turn_0`, ..., `timer_dial_turn`, `fan_dial_turn`, `grate_lift_0`, ....
 
-A gas dial has two joints: `burner_dial_push_0` against the spring of its tap, and then `burner_dial_turn_0`.
-It turns only while it is pushed in, since a disc on its stem has to pass under a pin. Once it is turned the
-pin keeps it in; at off it comes out again by itself. The dials of electric burners turn freely.
+A gas dial has two joints: `burner_dial_push_0` against the spring of its tap, then `burner_dial_turn_0`. It
+turns only while it is pushed in, because a disc on its stem must pass under a pin. A turned dial stays in
+under the pin; at off the spring pushes it out. The dials of electric burners turn freely.
 
 Sizes are those of shops: plates 0.56-0.92 m wide for cut-outs of 0.49 m, 0.50-0.56 m deep; data sheets give
 8-9 kg for four radiant zones, 9-12 kg for induction, 9-19 kg for gas with cast grates, 7-13 kg for coils.
@@ -56,8 +56,8 @@ _GLASS = (
     ag.material("black_glass").with_(name="white_glass", base_color=(0.72, 0.72, 0.70)),
 )
 _SILVER, _WHITE = ag.colored("abs", "silver"), ag.colored("abs", "white")
-_BETWEEN = 0.002  # two dials [m]
-_EXTRAS = ("timer", "fan")  # beside the burners' dials, with these icons
+_BETWEEN = 0.002  # least gap between two dials [m]
+_EXTRAS = ("timer", "fan")  # functions and icons of the dials in addition to those of the burners
 
 
 @ag.category(
@@ -80,7 +80,7 @@ def cooktop(
         "burners",
         {2: 1, 3: ag.choice(1, 2, weights=(0.4, 0.6)), 4: ag.choice(1, 2, weights=(0.15, 0.85))},
         otherwise=2,
-        doc="of five, the one between two rows is a wok's",
+        doc="number of burners; the fifth, between two rows, is a wok burner",
     ),
     dials_at: DialSide = ag.by(
         "burners",
@@ -96,7 +96,7 @@ def cooktop(
             5: ag.choice(5, 6, 7, weights=(0.6, 0.25, 0.15)),
             6: ag.choice(6, 7, 8, weights=(0.45, 0.25, 0.3)),
         },
-        doc="one for each burner, then one for a timer, then one for the fan of a hood",
+        doc="number of dials: one for each burner, then a timer, then the fan of a hood",
     ),
     mirrored: bool = ag.choice(False, True, doc="whether the large burners are on the right"),
     width: ag.Float = ag.by(
@@ -118,19 +118,19 @@ def cooktop(
         coil=ag.uniform(0.065, 0.095),
         otherwise=ag.uniform(0.046, 0.066),
         unit="m",
-        doc="of the plate over the bottom of the case",
+        doc="height of the plate above the bottom of the case",
         within=(0.04, 0.12),
     ),
     dial_radius: ag.Float = ag.by(
         "dials_at",
         front=ag.uniform(0.017, 0.025),
         back=ag.uniform(0.017, 0.025),
-        otherwise=ag.uniform(0.016, 0.020),  # where there is less room for a row of them
+        otherwise=ag.uniform(0.016, 0.020),  # smaller for a row with less space
         unit="m",
         within=(0.014, 0.028),
     ),
     dial_pitch: ag.Float = ag.uniform(
-        0.070, 0.088, "m", doc="between dials, where there is room for it", within=(0.055, 0.12)
+        0.070, 0.088, "m", doc="distance between dials, if there is space for it", within=(0.055, 0.12)
     ),
     finish: ag.Material = ag.by(
         "burner",
@@ -157,14 +157,16 @@ def cooktop(
         doc="edge protection of the glass",
     ),
     metal: ag.Material = ag.shades(
-        "stainless", "chrome", "aluminium", weights=(2, 1, 1), color=0.03, doc="of trims"
+        "stainless", "chrome", "aluminium", weights=(2, 1, 1), color=0.03, doc="metal of trims"
     ),
     grate: GrateStyle = ag.choice("continuous", "single", "diagonal", weights=(0.5, 0.25, 0.25)),
-    iron: ag.Material = ag.shades("cast_iron", color=0.1, roughness=0.05, doc="of the grates"),
+    iron: ag.Material = ag.shades("cast_iron", color=0.1, roughness=0.05, doc="material of the grates"),
     brass: bool = ag.choice(False, True, weights=(0.75, 0.25), doc="whether gas burners are of brass"),
-    bowl: Literal["chrome", "black"] = ag.choice("chrome", "black", weights=(0.7, 0.3), doc="under coils"),
+    bowl: Literal["chrome", "black"] = ag.choice(
+        "chrome", "black", weights=(0.7, 0.3), doc="finish of the bowls under coils"
+    ),
     zone_print: Literal["cross", "corners", "dots"] = ag.choice(
-        "cross", "corners", "dots", doc="of induction"
+        "cross", "corners", "dots", doc="marks of induction zones"
     ),
     dial_style: DialStyle = ag.choice("round", "fluted", "bar", "skirted", "capped"),
     dial_finish: ag.Material = ag.by(
@@ -181,14 +183,16 @@ def cooktop(
         otherwise=ag.shades("black_abs", "stainless", _SILVER, weights=(2, 1.5, 1), color=0.05),
     ),
     scale: Scale = ag.choice(
-        "numbers", "ticks", "band", weights=(0.5, 0.2, 0.3), doc="around electric dials"
+        "numbers", "ticks", "band", weights=(0.5, 0.2, 0.3), doc="print around electric dials"
     ),
     dial_friction: ag.Float = ag.uniform(
-        0.05, 0.09, "N m", doc="of switches with detents, or of greased taps"
+        0.05, 0.09, "N m", doc="friction of detent switches or greased taps"
     ),
-    push_travel: ag.Float = ag.uniform(0.003, 0.004, "m", doc="of gas dials", within=(0.0025, 0.005)),
+    push_travel: ag.Float = ag.uniform(
+        0.003, 0.004, "m", doc="push travel of gas dials", within=(0.0025, 0.005)
+    ),
     push_force: ag.Float = ag.uniform(
-        8.0, 14.0, "N", doc="of the spring of a gas tap pushed in", within=(6, 20)
+        8.0, 14.0, "N", doc="spring force of a gas tap pushed in", within=(6, 20)
     ),
     maker: str = ag.choice(*details.BRANDS),
     watts: int = ag.by(
@@ -196,7 +200,7 @@ def cooktop(
         {2: 3500, 3: ag.choice(5400, 5800), 4: ag.choice(6600, 7200), 5: 7800, 6: ag.choice(8900, 9400)},
     ),
 ) -> ag.Body:
-    """Make a gas, coil, radiant or induction cooktop, off: dials that push and turn, grates."""
+    """Make a gas, coil, radiant or induction cooktop, turned off: dials that push and turn, grates."""
     extras = dials - burners
     ag.require(0 <= extras <= 2, "dials must be from the number of burners to two more")
     gas = burner == "gas"
@@ -227,7 +231,7 @@ def cooktop(
             cap = ag.material("enamel_black").with_(
                 name="cap_enamel",
                 specular_roughness=0.5,
-                density=4000.0,  # a pressed cap
+                density=4000.0,  # density of a pressed cap
             )
             metals = BRASS if brass else ALUMINIUM
             kinds = {place.size: gas_burner(place.size, spreader=metals, cap=cap) for place in plan.places}
@@ -280,16 +284,16 @@ def cooktop(
 
 
 def _light(finish: ag.Material) -> ag.Material:
-    """Return the material of a hollow dial: a moulding, or a cap of sheet on one."""
+    """Return the material of a hollow dial: a molding, or a sheet cap on a molding."""
     return casting(finish, 0.25 if finish.base_metalness > 0.5 else 0.7)
 
 
 def _coil_radius(plan: Plan, size: BurnerSize) -> float:
-    """Return the radius of a coil: 8 inches only where two rows have the whole depth, or one has room [m]."""
+    """Return the radius of a coil: 8 inches only if the plate has space for it [m]."""
     roomy = plan.side in ("left", "right") if plan.rows > 1 else plan.burners == 2
     return COIL_RADIUS[size if roomy else "small"]
 
 
 def _zone(place: Place) -> ag.Float:
-    """Return the radius of a zone, clear of its neighbors [m]."""
+    """Return the radius of a zone with a gap to its neighbors [m]."""
     return ag.min_(ZONE_RADIUS[place.size], 0.95 * place.reach)

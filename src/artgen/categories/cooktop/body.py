@@ -1,4 +1,4 @@
-"""The plate of a cooktop and the case below it, which is sunk into a worktop."""
+"""The plate of a cooktop and the case below it, which fits into a worktop."""
 
 from dataclasses import dataclass
 from typing import Literal
@@ -11,18 +11,19 @@ from artgen.categories.shared.cooktops.burners import BOWL, coil_hole
 from artgen.categories.shared.cooktops.plan import BurnerKind, Plan
 
 Trim = Literal["none", "frame", "sides"]
-"""What guards the edge of a glass plate: nothing, a frame of steel, or bars at its left and right."""
+"""Edge protection of a glass plate: none, a steel frame, or bars at its left and right."""
 
 THICK: dict[BurnerKind, float] = {"gas": 0.007, "radiant": 0.0045, "coil": 0.014, "induction": 0.0045}
-"""How thick a plate is drawn; a pressed one is of sheet and hollow below [m]."""
+"""Thickness of the modeled plate; a real pressed plate is of sheet and hollow below [m]."""
 
-_LAP = 0.016  # how far the plate laps over the worktop at the sides [m]
+_LAP = 0.016  # overlap of the plate with the worktop at the sides [m]
 _LAP_BACK = 0.012
-_WALL = 0.003  # of the hollow case of a gas cooktop [m]
-_SHEET = {"gas": 1100.0, "coil": 600.0}  # pressed sheet of 0.8-1.0 mm, drawn so thick [kg/m3]
-_GLASS = 2050.0  # 6 mm of tempered glass, drawn 7 mm thick [kg/m3]
+_WALL = 0.003  # wall thickness of the hollow case of a gas cooktop [m]
+# density of the modeled plate for pressed sheet of 0.8-1.0 mm [kg/m3]
+_SHEET = {"gas": 1100.0, "coil": 600.0}
+_GLASS = 2050.0  # density for 6 mm of tempered glass, modeled 7 mm thick [kg/m3]
 _CASE = {"gas": 1250.0, "radiant": 230.0, "coil": 210.0, "induction": 290.0}
-"""What cases weigh by their volume: walls of 0.8 mm sheet, heaters in wool, coils with their electronics."""
+"""Density of cases: walls of 0.8 mm sheet, heaters in wool, or coils with their electronics."""
 
 _GALVANISED = ag.material("zinc").with_(name="galvanised_sheet", base_color=(0.50, 0.51, 0.52), texture="")
 _SEAL = ag.material("rubber").with_(name="foam_seal", base_color=(0.05, 0.05, 0.05), density=120.0)
@@ -30,13 +31,13 @@ _SEAL = ag.material("rubber").with_(name="foam_seal", base_color=(0.05, 0.05, 0.
 
 @dataclass(frozen=True)
 class Case:
-    """A plate over its case."""
+    """A plate and the case below it."""
 
-    kind: BurnerKind  # kind of heat
+    kind: BurnerKind  # kind of burners
     plan: Plan  # positions of burners and dials on the plate
-    height: ag.Scalar  # of the plate's upper face [m]
-    finish: ag.Material  # of the plate
-    metal: ag.Material  # of trims
+    height: ag.Scalar  # height of the plate's upper face [m]
+    finish: ag.Material  # finish of the plate
+    metal: ag.Material  # metal of trims
     trim: Trim  # edge protection of the glass
 
     @property
@@ -59,7 +60,7 @@ class Case:
             density = _GLASS if self.kind == "gas" else None
         finish = self.finish if density is None else filled(self.finish, density, "sheet")
         if coils:
-            # the layer with the holes for the bowls lies on one without
+            # the layer with the holes for the bowls lies on a layer without holes
             layer = self.thick - BOWL
             open_: ag.Profile = outline
             for x, y, radius in coils:
@@ -82,7 +83,7 @@ class Case:
         return ag.weld(plate, *self._trims(), *([] if glass else [self._border(0.010)]))
 
     def _border(self, wide: float) -> ag.Body:
-        """Make the raised border of a pressed plate, of some width [m]; only seen."""
+        """Make the raised border of a pressed plate of some width [m], visual only."""
         plan = self.plan
         around = ag.rectangle(plan.width - 0.003, plan.depth - 0.003, radius=0.0125)
         within = ag.rectangle(plan.width - 2.0 * wide, plan.depth - 2.0 * wide, radius=0.008)
@@ -113,7 +114,7 @@ class Case:
         return []
 
     def case(self, lines: tuple[str, ...]) -> ag.Body:
-        """Make the case from the floor to the plate, with all parts on it."""
+        """Make the case from the floor to the plate, with all its parts."""
         plan = self.plan
         x, y = plan.width / 2 - _LAP, plan.depth / 2 - _LAP_BACK
         shell = ag.box_between((-x, -y, 0.0), (x, y, self.under + 0.0003))
@@ -127,7 +128,7 @@ class Case:
             0.002,
         ).at(0.0, 0.0, self.under - 0.0007)
         bodies = [ag.part(shell, "body", sheet), ag.detail(seam, "seal", _SEAL)]
-        if self.kind == "induction":  # the fan takes its air in front and blows it out at the back
+        if self.kind == "induction":  # the fan takes in air in front and blows it out at the back
             for face in (-1, 1):
                 slots = details.vent_slots(0.7 * plan.width, 0.016, 44, slot=0.003)
                 bodies.append(
@@ -161,7 +162,7 @@ class Case:
         return ag.weld(*bodies)
 
     def maker(self, name: str, ink: ag.Material) -> ag.Body:
-        """Print the maker's name at the middle of the edge that is free of dials."""
+        """Print the maker's name at the middle of the edge without dials."""
         plan = self.plan
         _, _, front, back = plan.field
         y = back - 0.004 if plan.side == "front" else front + 0.001

@@ -1,8 +1,8 @@
-"""The dials of a cooktop: on rotary switches, or on gas taps that have to be pushed in before they turn.
+"""The dials of a cooktop: on rotary switches, or on gas taps that turn only after a push.
 
-The stem of a gas tap has a disc under the plate, with a notch in which a pin of the plate stands while the
-gas is off. Pushed in, the disc passes under the pin and turns; the pin then keeps it down, so that the dial
-stays in as long as the gas is on, and comes out again at the notch.
+The stem of a gas tap has a disc under the plate. While the gas is off, a pin of the plate is in a notch of
+the disc. Pushed in, the disc passes under the pin and turns; the pin then holds the dial in as long as the
+gas is on, and the dial comes out again at the notch.
 """
 
 from dataclasses import dataclass
@@ -14,51 +14,52 @@ from artgen.categories.shared.controls.dials import DialStyle, dial, dial_print
 from artgen.categories.shared.cooktops.plan import SIGN, Plan
 
 SWEEP = 4.7
-"""How far a dial turns from off [rad]."""
+"""Turn of a dial from off to its end [rad]."""
 
 HOLE = 0.011
 """Width of the square hole in the plate for the stem of a tap [m]."""
 
 ROOM = 0.012
-"""How far a tap reaches down from the plate's underside [m]."""
+"""Length of a tap below the plate's underside [m]."""
 
 _STEM = 0.0042  # radius of the stem [m]
 _DISC = 0.0100  # half the width of the disc under the plate [m]
 _DISC_THICK = 0.003
-_UNDER = 0.0005  # from the plate's underside down to the disc [m]
-_CLEAR = 0.0002  # between pin and disc when a dial is pushed in [m]
-_PIN = (0.0015, 0.0060, 0.0088)  # half its width, and where it begins and ends behind the axis [m]
+_UNDER = 0.0005  # gap from the plate's underside to the disc [m]
+_CLEAR = 0.0002  # gap between pin and disc while a dial is pushed in [m]
+# half the width of the pin, and the distances of its start and end behind the axis [m]
+_PIN = (0.0015, 0.0060, 0.0088)
 _NOTCH = 0.0020  # half the width of the notch [m]
-_FACE = -1.5707963267948966  # turns the front face up [rad]
+_FACE = -1.5707963267948966  # rotation that turns the front face up [rad]
 
 Scale = Literal["numbers", "ticks", "band"]
-"""What is printed around the dial of an electric burner."""
+"""Print around the dial of an electric burner."""
 
 
 @dataclass(frozen=True)
 class DialLooks:
-    """How dials look."""
+    """Finish and print of dials."""
 
-    style: DialStyle  # their form
-    finish: ag.Material  # their material
-    mark: ag.Material  # the color of their marks
-    cap: ag.Material  # the metal of caps and bezels
-    ink: ag.Material  # print on the plate
+    style: DialStyle  # shape of the dials
+    finish: ag.Material  # material of the dials
+    mark: ag.Material  # material of their marks
+    cap: ag.Material  # metal of caps and bezels
+    ink: ag.Material  # material of print on the plate
     scale: Scale  # print around the dials
 
 
 @dataclass(frozen=True)
 class Push:
-    """How a gas dial is pushed in."""
+    """Push of a gas dial."""
 
-    travel: ag.Scalar  # how far [m]
-    force: ag.Scalar  # of its spring when it is pushed in [N]
+    travel: ag.Scalar  # travel of the push [m]
+    force: ag.Scalar  # spring force at the end of the push [N]
 
 
 def dial_on(
     plan: Plan, looks: DialLooks, *, top: ag.Scalar, lift: ag.Scalar = 0.0, name: str, label: str
 ) -> ag.Body:
-    """Make a dial about the z axis that faces up, with its mark at the back."""
+    """Make an upward-facing dial about the z axis, with its mark at the back."""
     one = dial(
         finish=looks.finish,
         style=looks.style,
@@ -81,7 +82,7 @@ def electric_turn(name: str, *, friction: ag.Scalar, pivot: ag.VectorLike = (0.0
         limits=(0.0, SWEEP),
         friction=friction,
         damping=0.003,
-        armature=0.00002,  # the shaft and the contacts
+        armature=0.00002,  # inertia of the shaft and the contacts
         effort=0.6,  # two fingers at a radius of 15-20 mm, 20 N each
     )
 
@@ -103,10 +104,10 @@ def tap_dial(plan: Plan, looks: DialLooks, push: Push, *, top: ag.Scalar, thick:
 
 
 def tap_joints(push: Push, *, friction: ag.Scalar) -> tuple[ag.Joint, ag.Joint]:
-    """Make the joints of a gas dial: the push, then the turn, anti-clockwise from off, which needs it.
+    """Make the joints of a gas dial: the push, then the turn, which goes anti-clockwise from off.
 
-    The spring is as strong as taps have it, 2.5 N at rest and 8-14 N pushed in [EN 1106: a tap opens at
-    no more than 0.4 N m and 20 N].
+    The spring force is that of real taps, 2.5 N at rest and 8-14 N pushed in [EN 1106: a tap opens at no more
+    than 0.4 N m and 20 N].
     """
     preload = 2.5
     stiffness = (push.force - preload) / push.travel
@@ -116,16 +117,17 @@ def tap_joints(push: Push, *, friction: ag.Scalar) -> tuple[ag.Joint, ag.Joint]:
         limits=(0.0, push.travel),
         stiffness=stiffness,
         rest=-preload / stiffness,
-        damping=20.0,  # of grease: with less the disc strikes the plate on its way out, and turns
+        damping=20.0,  # damping of grease: with less, the disc strikes the plate on its way out, and turns
         friction=0.4,
-        armature=0.05,  # spindle and spring; without it solvers let so light a part through its limit
+        # inertia of spindle and spring: with less, solvers push the light part through its limit
+        armature=0.05,
         effort=30.0,
     )
     turn = ag.Revolute(
         "burner_dial_turn",
         axis=ag.Z,
         limits=(0.0, SWEEP),
-        friction=friction,  # of the greased cone
+        friction=friction,  # friction of the greased cone
         damping=0.004,
         armature=0.00002,
         effort=0.4,
@@ -135,7 +137,7 @@ def tap_joints(push: Push, *, friction: ag.Scalar) -> tuple[ag.Joint, ag.Joint]:
 
 
 def tap_pin(push: Push, *, top: ag.Scalar, thick: ag.Scalar) -> ag.Solid:
-    """Make the pin of a tap that hangs from the plate into the notch of the disc, about the z axis."""
+    """Make the pin that goes from the plate into the notch of the disc, about the z axis."""
     half, near, far = _PIN
     high = top - thick + 0.0005
     low = top - thick - _UNDER - push.travel + _CLEAR
@@ -143,12 +145,12 @@ def tap_pin(push: Push, *, top: ag.Scalar, thick: ag.Scalar) -> ag.Solid:
 
 
 def tap_hole(top: ag.Scalar) -> ag.Solid:
-    """Make the tool that cuts the hole of a stem into the plate, about the z axis."""
+    """Make the cutter for the hole of a stem in the plate, about the z axis."""
     return ag.box(HOLE, HOLE, 0.05).at(0.0, 0.0, top)
 
 
 def bezels(plan: Plan, looks: DialLooks, *, top: ag.Scalar) -> ag.Body:
-    """Make the flat rings around the dials of gas taps; only seen."""
+    """Make the flat rings around the dials of gas taps, visual only."""
     flat = details.relief(
         ag.ring(plan.radius + 0.0022, 0.0078), (0.0, 0.0, top), facing=ag.Z, proud=0.0004, bevel=0.0002
     )
@@ -157,7 +159,7 @@ def bezels(plan: Plan, looks: DialLooks, *, top: ag.Scalar) -> ag.Body:
 
 
 def signs(plan: Plan, looks: DialLooks, *, top: ag.Scalar, extras: tuple[str, ...]) -> ag.Body:
-    """Print the sign beside each dial: the burners as small rings with its own one filled, or an icon."""
+    """Print a sign beside each dial: rings for all burners with the dial's own one filled, or an icon."""
     left, right, front, back = plan.field
     middle = (0.5 * (left + right), 0.5 * (front + back))
     flat = plan.rows == 1
@@ -196,7 +198,7 @@ def scales(plan: Plan, looks: DialLooks, *, top: ag.Scalar, gas: bool) -> ag.Bod
             bodies.append(_flames(radius, looks.ink).at(at))
             continue
         style: Scale = looks.scale if number < plan.burners else "ticks"
-        # nine steps; off, where the mark stands at rest, is free
+        # nine steps; the space at off, the mark's position at rest, is free
         one = dial_print(
             radius,
             ink=looks.ink,

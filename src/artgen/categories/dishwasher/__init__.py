@@ -1,17 +1,17 @@
 """A dishwasher, slim or full width, for a kitchen front or on its own, with its racks and spray arms.
 
-The door hangs at its lower edge and is held by springs; racks roll out over it. Links: `body`; `door`, with
-`button_0`, ... and `knob` on its console and the `detergent_flap` inside; `rack_0` (lower), `rack_1` (upper)
-and `rack_2` (a tray for cutlery), as many as there are; `spray_arm_0` on the tub's floor and `spray_arm_1`
-under the upper rack. Joints: `door_hinge`, `button_slide_0`, ..., `knob_turn`, `detergent_flap_slide`,
-`rack_slide_0`, ... and `spray_arm_spin_0`, ....
+The door is hinged at its lower edge and balanced by springs; racks roll out over the open door. Links:
+`body`; `door`, with `button_0`, ... and `knob` on its console and the `detergent_flap` inside; `rack_0`
+(lower), `rack_1` (upper) and `rack_2` (a tray for cutlery), if present; `spray_arm_0` on the tub's floor and
+`spray_arm_1` under the upper rack. Joints: `door_hinge`, `button_slide_0`, ..., `knob_turn`,
+`detergent_flap_slide`, `rack_slide_0`, ... and `spray_arm_spin_0`, ....
 
-Racks roll out once the door is open so far that it has left their way, which is computed from their heights
-and from how far they come; behind the closed door they have the play up to it. The tab of the detergent
-flap stands above the rim of the lower rack: it slides only while the door is open.
+A rack rolls out after the door is open beyond the angle that clears the rack's path; this angle is computed
+from the height and travel of the rack. Behind the closed door a rack has a small play. The tab of the
+detergent flap is above the rim of the lower rack: the flap slides only while the door is open.
 
-Sizes are those of EN 50242 machines: 60 cm niches take 595-600 mm, 45 cm ones 445-450 mm, both 815-875 mm
-high with levelling feet; ASSE and makers' data sheets give 35-55 kg, 30-45 kg for slim ones.
+Sizes are those of EN 50242 machines: 595-600 mm wide for 60 cm niches, 445-450 mm for 45 cm niches, both
+815-875 mm high with leveling feet; ASSE and makers' data sheets give 35-55 kg, 30-45 kg for slim machines.
 """
 
 from typing import Literal
@@ -46,7 +46,7 @@ _WIRES = (
     ag.colored("powder_coat", "sky"),
 )
 _WORKTOPS = {"stainless": "light_grey", "dark_steel": "graphite", "white": "white", "black": "anthracite"}
-_CONSOLES = {  # of plastic in the tone of the front; those of other looks are of its finish
+_CONSOLES = {  # plastic consoles match the tone of the front; other consoles have its finish
     "stainless": ag.colored("abs", "silver"),
     "dark_steel": ag.colored("abs", "anthracite"),
     "panel": ag.material("black_abs"),
@@ -72,12 +72,12 @@ _PLASTICS = (
 def dishwasher(
     *,
     build: Build = ag.choice("built_in", "freestanding", weights=(0.62, 0.38)),
-    size: Size = ag.choice("full", "slim", weights=(0.66, 0.34), doc="60 or 45 cm wide"),
+    size: Size = ag.choice("full", "slim", weights=(0.66, 0.34), doc="width of the machine: 60 or 45 cm"),
     controls: Controls = ag.by(
         "build",
         built_in=ag.choice("front", "top", weights=(0.5, 0.5)),
         freestanding="front",
-        doc="in front, or on the upper edge of the door",
+        doc="position of the console: in front, or on the upper edge of the door",
     ),
     look: Look = ag.by(
         "build",
@@ -113,7 +113,7 @@ def dishwasher(
         "size",
         full=ag.choice(2, 3, weights=(0.45, 0.55)),
         slim=ag.choice(1, 2, 3, weights=(0.2, 0.5, 0.3)),
-        doc="the third is a tray for cutlery; one alone is that of a glass washer",
+        doc="number of racks; the third is a cutlery tray; a single rack is that of a glass washer",
     ),
     width: ag.Float = ag.by(
         "size", full=ag.uniform(0.595, 0.599), slim=ag.uniform(0.446, 0.450), unit="m", within=(0.44, 0.62)
@@ -138,12 +138,12 @@ def dishwasher(
         0.095, 0.120, "m", doc="height of the hinge above the floor", within=(0.09, 0.15)
     ),
     swing: ag.Float = ag.uniform(1.54, 1.57, "rad", within=(1.50, 1.5707)),
-    clearance: ag.Float = ag.uniform(0.0022, 0.0030, "m", doc="of the lower rack over the open door"),
+    clearance: ag.Float = ag.uniform(0.0022, 0.0030, "m", doc="gap between the lower rack and the open door"),
     travel: ag.Float = ag.uniform(
-        0.74, 0.88, doc="of the racks, as a share of their depth", within=(0.3, 0.92)
+        0.74, 0.88, doc="travel of the racks, as a share of their depth", within=(0.3, 0.92)
     ),
     upper_level: ag.Float = ag.uniform(
-        0.44, 0.50, doc="of the upper rack, as a share of the room over the lower"
+        0.44, 0.50, doc="height of the upper rack, as a share of the space above the lower rack"
     ),
     finish: ag.Material = _FINISH,
     metal: ag.Material = _METAL,
@@ -154,7 +154,7 @@ def dishwasher(
         otherwise=ag.choice("round", "square", "bow", "strap", "pro", "arched"),
     ),
     framed: bool = ag.by(
-        "look", panel=ag.choice(False, True), otherwise=False, doc="whether a front has a frame"
+        "look", panel=ag.choice(False, True), otherwise=False, doc="whether a wooden front has a frame"
     ),
     tub: Literal["steel", "plastic"] = ag.by(
         "look",
@@ -190,10 +190,14 @@ def dishwasher(
     wire: ag.Material = ag.shades(*_WIRES, weights=(3, 2, 1.5, 0.7), color=0.05),
     plastic: ag.Material = ag.shades(*_PLASTICS, weights=(2, 2, 1.5, 0.6), color=0.05),
     grip: Grip = ag.choice("bar", "plate"),
-    shelves: bool = ag.choice(True, False, weights=(0.65, 0.35), doc="cup shelves in the upper rack"),
-    ballast: Literal["steel", "concrete"] = ag.choice("steel", "concrete", doc="in the base"),
+    shelves: bool = ag.choice(
+        True, False, weights=(0.65, 0.35), doc="whether the upper rack has cup shelves"
+    ),
+    ballast: Literal["steel", "concrete"] = ag.choice(
+        "steel", "concrete", doc="material of the ballast in the base"
+    ),
     rack_friction: ag.Float = ag.uniform(3.0, 8.0, "N"),
-    pull: ag.Float = ag.uniform(17.0, 24.0, "N", doc="at the handle, to begin to open the door"),
+    pull: ag.Float = ag.uniform(17.0, 24.0, "N", doc="force at the handle that opens the door"),
 ) -> ag.Body:
     """Make a dishwasher: door, console, racks, spray arms, detergent flap."""
     if handle == "recessed":

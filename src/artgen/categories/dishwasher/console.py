@@ -1,7 +1,7 @@
 """The console of a dishwasher: buttons, a dial, a display, icons and the maker's name.
 
-It is drawn about the origin on the plane y = 0 and looks to -Y; the console on the upper edge of a door is
-turned over.
+The console is modeled about the origin on the plane y = 0 and faces -y; a console on the upper edge of a door
+is then turned over.
 """
 
 from dataclasses import dataclass
@@ -23,43 +23,43 @@ from artgen.categories.shared.controls.panels import (
 from artgen.nodes.details.displays import Color
 
 ICONS = ("power", "wash", "timer", "leaf", "cup", "rinse", "drop", "start_pause")
-"""What the buttons do: the first and the last ones are there on every machine."""
+"""Icons of the buttons; every machine has the first and the last icon."""
 
 LAP = 0.0005
-"""By which boards reach into each other, so that they have no corners in common [m]."""
+"""Overlap of boards, so that they share no corners [m]."""
 
-_DEEP = 0.009  # of caps behind the face [m]
-_ROOM = 0.0025  # behind a cap that is pressed home [m]
+_DEEP = 0.009  # depth of caps behind the face [m]
+_ROOM = 0.0025  # space behind a cap that is pressed home [m]
 
 
 @dataclass(frozen=True)
 class Console:
-    """What is on a console."""
+    """Layout and finish of a console."""
 
-    width: ag.Scalar  # of its face [m]
-    height: ag.Scalar  # of its face [m]
-    finish: ag.Material  # of the face
-    pane: bool  # whether a pane of black glass lies on it
-    buttons: int  # how many there are
-    shape: ButtonShape  # of their caps
+    width: ag.Scalar  # width of the face [m]
+    height: ag.Scalar  # height of the face [m]
+    finish: ag.Material  # finish of the face
+    pane: bool  # whether a pane of black glass covers the face
+    buttons: int  # number of buttons
+    shape: ButtonShape  # shape of the caps
     cap: ag.Material  # finish of the caps
-    travel: ag.Scalar  # of the buttons [m]
-    force: ag.Scalar  # that presses them home [N]
+    travel: ag.Scalar  # travel of the buttons [m]
+    force: ag.Scalar  # force that presses the buttons home [N]
     dial: DialStyle | str  # style of the cycle dial; `""` for none
     show: str  # text of the display; `""` for none
-    color: Color  # of its figures
-    middle: ag.Scalar  # where the middle of the buttons lies along x [m]
-    aside: ag.Scalar  # where the middle of the display lies along x [m]
-    far: ag.Scalar  # where the dial is along x [m]
-    upper: bool = False  # whether it lies on the upper edge of the door, where there is little room for print
-    # half the length and half the height of the opening for a recessed grip in its middle; both 0 where
-    # there is no grip [m]
+    color: Color  # color of the figures of the display
+    middle: ag.Scalar  # middle of the buttons along x [m]
+    aside: ag.Scalar  # middle of the display along x [m]
+    far: ag.Scalar  # position of the dial along x [m]
+    upper: bool = False  # whether the console is on the upper edge of the door, with little space for print
+    # half the length and half the height of the opening for a recessed grip in the middle [m]; both are 0
+    # without a grip
     opening: tuple[float, float] = (0.0, 0.0)
     thickness: float = 0.018  # of the console's boards [m]
 
     @cached_property
     def pitch(self) -> float:
-        """Distance between buttons: a finger of 18 mm has to leave the neighbors alone [m]."""
+        """Distance between buttons: a finger 18 mm wide does not touch the neighbors [m]."""
         return 0.0205
 
     @cached_property
@@ -80,18 +80,18 @@ class Console:
 
     @cached_property
     def _names(self) -> tuple[str, ...]:
-        """The icons of the buttons, or of the touch keys where there are none."""
+        """Return the icons of the buttons, or of the touch keys of a console without buttons."""
         count = self.buttons or 5
         return (*ICONS[: count - 1], ICONS[-1]) if count > 1 else ICONS[:1]
 
     def boards(self) -> list[ag.Solid]:
-        """Make the boards of the face, around the channel in which the buttons move."""
+        """Make the boards of the face, around the channel of the buttons."""
         x, z = 0.5 * self.width, 0.5 * self.height
         y: ag.Span = (0.0, self.thickness)
         wide, tall = self.opening
         if not self.buttons and not wide:
             return [ag.board((-x, x), y, (-z, z), bevel=0.0015)]
-        end = -wide if wide else x  # the remaining opening
+        end = -wide if wide else x  # end of the remaining opening
         boards = []
         if wide:
             boards += [
@@ -119,7 +119,7 @@ class Console:
         return (self.middle - half, self.middle + half)
 
     def printed(self) -> ag.Body:
-        """Make the pane, the strip around the buttons, display, icons and lamps, which are only seen."""
+        """Make the pane, the strip around the buttons, display, icons and lamps, visual only."""
         face, bodies = self._face, []
         ink = ink_on(face)
         holes = None
@@ -161,7 +161,7 @@ class Console:
         return ag.weld(*bodies)
 
     def joined(self, body: ag.Body) -> ag.Body:
-        """Join buttons and dial to a body on which the console is."""
+        """Attach the buttons and the dial to a body with the console."""
         ink = ink_on(self.cap)
         for index, place in enumerate(self._at):
             cap = push_button(

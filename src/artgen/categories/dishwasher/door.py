@@ -20,11 +20,11 @@ from artgen.categories.shared.hardware.bar_handles import (
 )
 
 FLAP_TRAVEL = 0.036
-"""How far the detergent flap slides [m]."""
+"""Travel of the detergent flap [m]."""
 
-_TAB = 0.011  # how far the tab of the flap stands out of the rim of the liner [m]
-_ABOVE = 0.0032  # from the lower rack up to the tab, which would strike it [m]
-_FACE = 0.002  # the dispenser lies behind the rim of the liner by this much [m]
+_TAB = 0.011  # height of the tab of the flap above the rim of the liner [m]
+_ABOVE = 0.0032  # gap between the lower rack and the tab above it [m]
+_FACE = 0.002  # depth of the dispenser behind the rim of the liner [m]
 _PLATE = 0.0034  # thickness of the flap [m]
 
 
@@ -32,12 +32,12 @@ _PLATE = 0.0034  # thickness of the flap [m]
 class Dispenser:
     """A dispenser on the liner of the door."""
 
-    space: Space  # the measures of the machine
+    space: Space  # dimensions of the machine
     rim: ag.Scalar  # height of the front rim of the lower rack [m]
-    beside: ag.Scalar  # how far it is to the right of the middle [m]
+    beside: ag.Scalar  # distance to the right of the middle [m]
 
     def housing(self) -> list[ag.Body]:
-        """Make the housing on which the flap slides, with the cap of the rinse aid."""
+        """Make the housing of the flap, with the cap of the rinse aid."""
         space = self.space
         face, floor = space.inner - _FACE, space.inner - DISH
         x, low, high = self.beside, self.rim - 0.042, self.rim + 0.075
@@ -77,7 +77,7 @@ class Dispenser:
         ]
 
     def flap(self) -> ag.Body:
-        """Make the detergent flap: a plate with a tab, by which fingers slide it."""
+        """Make the detergent flap: a plate with a tab for fingers."""
         space = self.space
         near = space.inner - _FACE + 0.0006
         x, low = self.beside - 0.014, self.rim + _ABOVE
@@ -95,8 +95,8 @@ class Dispenser:
         )
 
     def slide(self, needs: ag.Condition | ag.Dependency) -> ag.Joint:
-        """Make the joint of the flap, which a spring shuts."""
-        preload, force = 1.2, 4.0  # a thumb slides it
+        """Make the joint of the flap; a spring closes it."""
+        preload, force = 1.2, 4.0  # force of a thumb
         stiffness = (force - preload) / FLAP_TRAVEL
         return ag.Prismatic(
             "detergent_flap_slide",
@@ -114,27 +114,27 @@ class Dispenser:
 
     @cached_property
     def slack(self) -> float:
-        """How far the flap moves until its tab strikes the lower rack [m]."""
+        """Return the travel of the flap until its tab strikes the lower rack [m]."""
         return _ABOVE - 0.0006
 
 
 HandleKind = Literal["bar", "pocket", "recessed"]
-"""A bar before the front, a pocket in the upper edge, or a recess in the front with a blade in it."""
+"""A bar in front of the door, a pocket in the upper edge, or a recess in the front with a blade in it."""
 
 SKIN = 0.018
 """Thickness of the front with its core [m]."""
 
 PANEL = 480.0
-"""What a console weighs with its electronics, by its volume [kg/m3]."""
+"""Density of a console with its electronics [kg/m3]."""
 
 _EDGE = 0.004  # gap between the door and the part above it [m]
 _GAP = 0.0018  # between console and front [m]
 _RIM = 0.034  # width of the upper rim of the dish [m]
-_RECESS = 0.0285  # depth of a recessed grip, which ends in the liner [m]
+_RECESS = 0.0285  # depth of a recessed grip, whose back is in the liner [m]
 _HALF_RECESS = 0.037  # half the height of a recessed grip [m]
 _POCKET = 0.030  # depth of a pocket [m]
-_BEFORE_POCKET = 0.0155  # of the door before a pocket: the lip that a hand pulls [m]
-_BEHIND_POCKET = 0.0376  # from the front to the back of a pocket [m]
+_BEFORE_POCKET = 0.0155  # thickness of the door before a pocket: the lip for the fingers [m]
+_BEHIND_POCKET = 0.0376  # distance from the front to the back of a pocket [m]
 _GRAVITY = 9.81
 _HANDLE = 0.35  # approximate mass of a handle [kg]
 
@@ -159,28 +159,28 @@ def _frame_of(half: ag.Scalar, y: ag.Span, z: ag.Span, wide: ag.Scalar, opening:
 
 @dataclass(frozen=True)
 class Front:
-    """How a door looks."""
+    """Layout and finish of a door."""
 
-    space: Space  # the measures of the machine
-    worktop: bool  # whether a worktop lies over its upper edge
-    controls: Controls  # where its console is
+    space: Space  # dimensions of the machine
+    worktop: bool  # whether a worktop is above the upper edge
+    controls: Controls  # position of the console
     console: Console  # the console
-    high: ag.Scalar  # height of a console in front [m]
-    handle: HandleKind  # the kind of the handle
+    high: ag.Scalar  # height of a console in the front [m]
+    handle: HandleKind  # kind of handle
     bar: BarStyle  # style of a bar
-    length: ag.Scalar  # of the handle [m]
-    projection: ag.Scalar  # from the front to the middle of a bar [m]
+    length: ag.Scalar  # length of the handle [m]
+    projection: ag.Scalar  # distance from the front to the middle of a bar [m]
     girth: ag.Scalar  # half the thickness of a bar [m]
-    metal: ag.Material  # of the handle
-    finish: ag.Material  # of the front
+    metal: ag.Material  # metal of the handle
+    finish: ag.Material  # finish of the front
     framed: bool  # whether a wooden front has a raised frame
-    liner: ag.Material  # of the inside
-    maker: str  # brand on it; `""` for none
-    dispenser: Dispenser  # the dispenser inside
+    liner: ag.Material  # material of the inside
+    maker: str  # brand name; `""` for none
+    dispenser: Dispenser  # dispenser on the inside
 
     @cached_property
     def top(self) -> ag.Float:
-        """The height of its upper edge [m]."""
+        """Height of the upper edge of the door [m]."""
         return self.space.height - (0.030 + _EDGE if self.worktop else _EDGE)
 
     @cached_property
@@ -193,7 +193,7 @@ class Front:
 
     @cached_property
     def handle_height(self) -> ag.Scalar:
-        """The height at which a hand pulls it [m]."""
+        """Height at which a hand pulls the door [m]."""
         if self.handle == "pocket":
             return self.top - 0.013
         if self.handle == "bar":
@@ -202,13 +202,13 @@ class Front:
 
     @cached_property
     def _grip(self) -> Grip | None:
-        """The grip that is let into it, in its place."""
+        """Return the recessed or pocket grip in its place."""
         space = self.space
         if self.handle == "pocket":
             grip = pocket_grip(self.length, finish=self._lining, lip=_BEFORE_POCKET, gap=0.022, deep=_POCKET)
             turned = Grip(
                 grip.cut.rotate(ag.Y, -math.pi / 2.0), grip.shell.rotate(ag.Y, -math.pi / 2.0)
-            )  # the free edge of a door at the right becomes the upper one
+            )  # the free edge of a door hinged at the left becomes the upper edge
             return turned.at(0.0, space.front, self.top)
         if self.handle == "recessed":
             grip = recessed_grip(
@@ -223,7 +223,7 @@ class Front:
 
     @cached_property
     def _boards(self) -> list[tuple[ag.Solid, ag.Material]]:
-        """The boards of the front and the liner with their materials, around the grip."""
+        """Return the boards of the front and the liner with their materials, around the grip."""
         space, half, low = self.space, self._half, self.space.door_bottom
         front, inner, dish = space.front, space.inner, space.inner - DISH
         wooden = self.finish.name.startswith(("oak", "walnut", "ash", "lacquered"))
@@ -248,7 +248,7 @@ class Front:
     def _around_grip(
         self, core: ag.Span, behind: ag.Span, level: ag.Scalar, top: ag.Scalar
     ) -> list[ag.Solid]:
-        """Make the liner's wall and its upper rim, with room for recesses of the front."""
+        """Make the liner's wall and upper rim, with space for recesses of the front."""
         half, low, wide = self._half, self.space.door_bottom, 0.5 * self.length
         front, inner, dish = self.space.front, behind[1], behind[0]
         solids: list[ag.Solid] = []
@@ -281,7 +281,7 @@ class Front:
         return solids
 
     def _console_at(self, body: ag.Body) -> ag.Body:
-        """Move the console to its place, turned over where it lies on the upper edge."""
+        """Move the console to its place, turned over on the upper edge."""
         space = self.space
         if self.controls == "front":
             return body.at(0.0, space.front, self.top - self.high / 2.0)
@@ -356,10 +356,10 @@ class Front:
         return bodies
 
     def hinge(self, pull: ag.Scalar) -> ag.Joint:
-        """Make the joint of the door; springs carry its weight, friction holds it where it is left.
+        """Make the joint of the door; springs carry its weight, and friction holds it at any angle.
 
-        The springs are linear and begin at the closed door, so that they lift most where its weight pulls
-        most: m g r sin(q) is met at the open end, and the remainder in between is less than the friction.
+        The spring torque is linear, and is greatest at the open end, as is the torque of the weight m g r
+        sin(q). Both are equal at the open end; the difference in between is less than the friction.
         """
         space = self.space
         moment: ag.Scalar = _HANDLE * (self.handle_height - space.plinth)
@@ -375,6 +375,6 @@ class Front:
             stiffness=_GRAVITY * moment * ag.sin(space.swing) / space.swing,
             friction=pull * (self.handle_height - space.plinth),
             damping=2.0,
-            effort=40.0,  # 60 N at the handle
+            effort=40.0,  # force of 60 N at the handle
             velocity=4.0,
         )

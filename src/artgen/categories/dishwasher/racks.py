@@ -1,4 +1,4 @@
-"""What is inside a dishwasher: racks with their fittings, and spray arms."""
+"""Interior of a dishwasher: racks with their fittings, and spray arms."""
 
 from dataclasses import dataclass
 
@@ -17,22 +17,22 @@ FRONT_RIM = 0.105
 _BACK_RIM = 0.135
 _UPPER_RIM = 0.085
 _TRAY = 0.036  # height of the cutlery tray [m]
-_BESIDE = 0.020  # from the wires of a rack to the wall of the tub [m]
+_BESIDE = 0.020  # gap between the wires of a rack and the wall of the tub [m]
 _BLADE = 0.011  # thickness of a spray arm [m]
-_HANGS = 0.014  # from the floor of the upper rack down to the spray arm under it [m]
+_HANGS = 0.014  # distance from the floor of the upper rack to the spray arm under it [m]
 
 
 @dataclass(frozen=True)
 class Racks:
     """The racks of one machine."""
 
-    space: Space  # its measures
-    size: Size  # 60 or 45 cm wide: decides how many wires and tines there are
+    space: Space  # dimensions of the machine
+    size: Size  # 60 or 45 cm wide: decides the number of wires and tines
     wire: ag.Material  # coating of the wires
-    plastic: ag.Material  # of grips, rollers, basket and tray
+    plastic: ag.Material  # plastic of grips, rollers, basket and tray
     grip: Grip  # style of the grips
-    friction: ag.Scalar  # of a rack on its rollers [N]
-    basket: bool  # whether a cutlery basket stands in the lower rack
+    friction: ag.Scalar  # friction of a rack on its rollers [N]
+    basket: bool  # whether the lower rack has a cutlery basket
     shelves: bool  # whether the upper rack has cup shelves
     upper: ag.Scalar  # height of the floor of the upper rack [m]
 
@@ -101,7 +101,7 @@ class Racks:
         )
 
     def lower(self, name: str) -> ag.Body:
-        """Make the lower rack: rows of tines for plates, rollers, and maybe a cutlery basket."""
+        """Make the lower rack: rows of tines for plates, rollers, and an optional cutlery basket."""
         basket = self._basket(FRONT_RIM, _BACK_RIM, 13)
         depth, space = self.space.rack_depth, self.space
         bodies = [
@@ -112,7 +112,7 @@ class Racks:
             self._wheels(ROLLER - UNDER, ROLLER, (-0.36, 0.0, 0.36), rise=0.006),
         ]
         wide = self._width - 0.075
-        room = 0.115 if self.basket else 0.0  # for the basket, at the front
+        room = 0.115 if self.basket else 0.0  # space for the basket, at the front
         count = 17 if self.size == "full" else 12
         start = room - 0.42 * depth
         pitch = wide / (count - 1)
@@ -208,7 +208,7 @@ class Racks:
         return bodies
 
     def tray(self, name: str) -> ag.Body:
-        """Make the cutlery tray under the ceiling: a shallow wire tray with ribs of plastic."""
+        """Make the cutlery tray under the ceiling: a shallow wire tray with plastic ribs."""
         basket = self._basket(_TRAY, _TRAY, 9, band=0.55)
         depth = self.space.rack_depth
         bodies = [
@@ -231,19 +231,19 @@ class Racks:
         return ag.weld(*bodies).at(0.0, self.space.rack_middle, self.tray_floor)
 
     def slide(self, name: str, needs: ag.Condition | ag.Dependency) -> ag.Joint:
-        """Make the joint by which a rack rolls out.
+        """Make the joint of a rack, which rolls out.
 
-        Its effort is the force of a hand that does not push the closed door open.
+        Its effort is the force of a hand, too small to push the closed door open.
         """
         return rack_slide(name, travel=self.space.slide, friction=self.friction, damping=8.0, needs=needs)
 
     @cached_property
     def low_ends(self) -> tuple[ag.Scalar, ag.Scalar, ag.Scalar]:
-        """The lowest heights of the three racks with their loads [m]."""
+        """Return the lowest heights of the three racks with their loads [m]."""
         return (self.space.treads, self.upper - _HANGS - _BLADE - 0.0060, self.tray_floor)
 
     def _arm(self, name: str, reach: ag.Scalar) -> ag.Body:
-        """Make a spray arm about the origin, its upper side on z = 0."""
+        """Make a spray arm about the origin, with its upper side on z = 0."""
         grey = ag.colored("polypropylene", "grey").with_(name="spray_arm_grey")
         half: ag.Scalar = 1.0 * reach
         outline = ag.polygon(
@@ -273,13 +273,13 @@ class Racks:
         )
 
     def lower_arm(self, name: str) -> ag.Body:
-        """Make the spray arm under the lower rack, as it lies at rest, a little askew."""
+        """Make the spray arm under the lower rack, turned by a small angle at rest."""
         z = self.floor - 0.009
         arm = self._arm(name, self.space.reach_of_arms).rotate(ag.Z, 0.35)
         return arm.at(0.0, self.space.rack_middle, z)
 
     def post(self) -> ag.Body:
-        """Make the post on which the lower spray arm turns, to be welded to the tub."""
+        """Make the post of the lower spray arm, which is welded to the tub."""
         top = self.floor - 0.009 - _BLADE - 0.0045
         low = self.space.floor - 0.001
         y = self.space.rack_middle
@@ -292,13 +292,13 @@ class Racks:
         return arm.at(0.0, self.space.rack_middle, self.upper - _HANGS - 0.0005)
 
     def spin(self, name: str) -> ag.Joint:
-        """Make the joint of a spray arm, which the water turns."""
+        """Make the joint of a spray arm, which is driven by water."""
         return ag.Revolute(
             name,
             axis=ag.Z,
             pivot=(0.0, self.space.rack_middle, 0.0),
             friction=0.004,
             damping=0.002,
-            effort=0.1,  # jets of 0.3 bar at the ends of the arm
+            effort=0.1,  # torque of jets at 0.3 bar at the ends of the arm
             driven="water",
         )

@@ -1,4 +1,4 @@
-"""Space inside a dishwasher: the planes that door, tub and racks share, and derived measures."""
+"""Dimensions of a dishwasher: the planes that door, tub and racks share, and derived lengths."""
 
 from dataclasses import dataclass
 from typing import Literal
@@ -8,43 +8,43 @@ from artgen._arrays import cached_property
 from artgen.categories.shared.appliances.finish import ApplianceSpace
 
 Build = Literal["built_in", "freestanding"]
-"""For a kitchen front, with bare sheet sides, or with painted sides and a worktop."""
+"""Built-in with bare sheet sides, or freestanding with painted sides and a worktop."""
 
 Controls = Literal["front", "top"]
-"""Whether the console faces the user or lies hidden on the upper edge of the door."""
+"""Position of the console: in the front, or hidden on the upper edge of the door."""
 
 Size = Literal["full", "slim"]
-"""60 or 45 cm wide."""
+"""Width of the machine: 60 or 45 cm."""
 
 SEAL = 0.006
-"""Between the inside of the door and the tub, where the gasket is [m]."""
+"""Gap between the inside of the door and the tub, for the gasket [m]."""
 
 DISH = 0.022
-"""How deep the middle of the door's liner lies behind its rim, for the grips of racks [m]."""
+"""Depth of the middle of the door's liner behind its rim, for the grips of racks [m]."""
 
 REACH = 0.005
-"""From the rim of the liner to the front of the racks [m]."""
+"""Gap from the rim of the liner to the front of the racks [m]."""
 
 ROLLER = 0.0155
 """Radius of the rollers of the lower rack [m]."""
 
 UNDER = 0.020
-"""From the treads of these rollers up to the wires of the lower rack [m]."""
+"""Distance from the treads of these rollers up to the wires of the lower rack [m]."""
 
-_LEAST = 0.0008  # between the lower rack and the door at the angle at which the rack may move [m]
-_FLOOR = 0.047  # from the treads of the lower rack down to the floor of the tub [m]
+_LEAST = 0.0008  # least gap between the lower rack and the door at the angle at which the rack may move [m]
+_FLOOR = 0.047  # distance from the treads of the lower rack down to the floor of the tub [m]
 
 
 @dataclass(frozen=True, kw_only=True)
 class Space(ApplianceSpace):
-    """The measures of a dishwasher."""
+    """Dimensions of a dishwasher."""
 
     plinth: ag.Float  # height of the hinge above the floor [m]
     wall: ag.Scalar  # thickness of a side wall, panel and tub together [m]
-    roof: ag.Scalar  # from the ceiling of the tub to the very top [m]
-    swing: ag.Float  # how far the door opens [rad]
-    clearance: ag.Float  # of the lower rack over the open door [m]
-    travel: ag.Float  # how far racks roll out, as a share of their depth
+    roof: ag.Scalar  # distance from the ceiling of the tub to the top [m]
+    swing: ag.Float  # opening angle of the door [rad]
+    clearance: ag.Float  # gap between the lower rack and the open door [m]
+    travel: ag.Float  # travel of the racks, as a share of their depth
 
     @cached_property
     def mouth(self) -> ag.Scalar:
@@ -68,7 +68,7 @@ class Space(ApplianceSpace):
 
     @cached_property
     def arm(self) -> ag.Float:
-        """From the hinge's axis back to the rim of the liner [m]."""
+        """Distance from the hinge's axis back to the rim of the liner [m]."""
         return 0.6 * self.thickness
 
     @cached_property
@@ -78,12 +78,12 @@ class Space(ApplianceSpace):
 
     @cached_property
     def door_bottom(self) -> ag.Float:
-        """The lower edge of the door: so little below the hinge that it turns past the tub [m]."""
+        """Lower edge of the door: just below the hinge, so that it turns past the tub [m]."""
         return self.plinth - 0.010
 
     @cached_property
     def rack_depth(self) -> ag.Scalar:
-        """Of the racks, without their grips [m]."""
+        """Depth of the racks, without their grips [m]."""
         return self.back - 0.016 - self.rack_front
 
     @cached_property
@@ -98,20 +98,20 @@ class Space(ApplianceSpace):
 
     @cached_property
     def slide(self) -> ag.Scalar:
-        """How far racks roll out [m]."""
+        """Travel of the racks [m]."""
         return self.travel * self.rack_depth
 
     @cached_property
     def over(self) -> ag.Scalar:
-        """How far the lower rack reaches out before the hinge [m]."""
+        """Reach of the extended lower rack in front of the hinge [m]."""
         return self.slide - self.arm - REACH
 
     @cached_property
     def treads(self) -> ag.Scalar:
-        """The height on which the lower rack rolls.
+        """Height at which the lower rack rolls.
 
-        Over the open door, which rises a little to its end where it opens by less than a right angle, the
-        rack keeps its clearance where it reaches farthest [m].
+        A door that opens by less than a right angle rises a little to its end; the rack keeps its clearance
+        above the door at its farthest reach [m].
         """
         rise = (self.arm + self.clearance + self.over * ag.cos(self.swing)) / ag.sin(self.swing)
         return self.plinth + rise
@@ -127,11 +127,11 @@ class Space(ApplianceSpace):
         return ag.min_(self.inside - 0.040, (self.back - self.mouth) / 2.0 - 0.030)
 
     def angle_over(self, low: ag.Scalar, ahead: ag.Scalar = 0.0) -> ag.Scalar:
-        """Return the angle at which the open door clears the way of a rack [rad].
+        """Return the angle of the open door that clears the path of a rack [rad].
 
-        The farthest point that the rack comes to lies before the hinge and above it, in the direction
-        `steep` seen from it; the liner clears the point where it leans farther out than that by the angle
-        under which its distance from the hinge's axis is seen.
+        The farthest point that the rack reaches is in front of the hinge and above it, in the direction
+        `steep` as seen from the hinge; the liner clears this point if it leans beyond it by the angle that
+        its distance from the hinge's axis subtends at that point.
         """
         across, up = self.over + ahead, low - self.plinth
         far = ag.sqrt(across * across + up * up)

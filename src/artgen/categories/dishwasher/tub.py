@@ -1,4 +1,4 @@
-"""The cabinet of a dishwasher: the tub as a cavity of boards, its sides, base, top and back."""
+"""The cabinet of a dishwasher: the tub as a cavity of boards, with sides, base, top and back."""
 
 from dataclasses import dataclass
 
@@ -9,7 +9,7 @@ from artgen.categories.dishwasher.space import Build, Space
 from artgen.categories.shared.appliances.cords import cord_stub
 from artgen.categories.shared.appliances.finish import DARK, filled
 
-_PITCH = 0.006  # of the ribs of a drain hose [m]
+_PITCH = 0.006  # pitch of the ribs of a drain hose [m]
 _RIBS = 3
 
 
@@ -49,32 +49,32 @@ def inlet_hose(
     )
 
 
-_SHEET = 0.004  # thickness that stands for the sheet of side panels [m]
-_FEET = 0.022  # from the floor to the base [m]
+_SHEET = 0.004  # modeled thickness of the sheet of side panels [m]
+_FEET = 0.022  # height of the base above the floor [m]
 _RAIL = 0.0012  # play of rollers in their rails [m]
-_BACK = 0.030  # how deep the recess for hoses is at the back [m]
-_SERVICES = 0.26  # how high it is [m]
+_BACK = 0.030  # depth of the recess for hoses at the back [m]
+_SERVICES = 0.26  # height of this recess [m]
 
 
 @dataclass(frozen=True)
 class Cabinet:
-    """How a cabinet looks."""
+    """Dimensions and finish of a cabinet."""
 
-    space: Space  # its measures
-    build: Build  # for a kitchen front or on its own
+    space: Space  # dimensions of the machine
+    build: Build  # built-in or freestanding
     worktop: bool  # whether it has a worktop
-    sides: ag.Material  # finish of its sides and top
+    sides: ag.Material  # finish of the sides and the top
     tub: ag.Material  # finish of the tub's inside
     kick: ag.Material  # finish of the kick plate
     worktop_finish: ag.Material  # finish of the worktop
-    base_density: float  # of the base with pump, motor and ballast [kg/m3]
+    base_density: float  # density of the base with pump, motor and ballast [kg/m3]
     levels: tuple[
         ag.Scalar, ...
     ]  # heights of the axles of the upper racks, which roll in rails on the walls [m]
     maker: str  # brand on the rating plate
 
     def body(self) -> ag.Body:
-        """Make all that stands still: the link `body`."""
+        """Make all fixed parts: the link `body`."""
         return ag.weld(
             *self._base(),
             *self._walls(),
@@ -118,7 +118,7 @@ class Cabinet:
         slots = details.vent_slots(0.24, 0.012, 14, slot=0.0036)
         vent = details.relief(
             slots, (0.0, front - 0.0125, 0.045), proud=0.0003, sunk=0.0003
-        )  # the base breathes through it
+        )  # vents of the base
         return [
             ag.part(pan, "body", ballast),
             ag.part(kick, "kick_plate", filled(self.kick, 900.0)),
@@ -127,7 +127,7 @@ class Cabinet:
         ]
 
     def _walls(self) -> list[ag.Body]:
-        """Make floor, ceiling, sides and back of the tub; their fronts form the frame of the opening."""
+        """Make floor, ceiling, sides and back of the tub; their front edges frame the opening."""
         space = self.space
         wide, outer = space.inside, self._half - _SHEET
         low, high = space.floor, space.ceiling
@@ -159,7 +159,7 @@ class Cabinet:
         ]
 
     def _sides(self) -> list[ag.Body]:
-        """Make the outer panels: painted ones, or galvanised frames around the insulated tub."""
+        """Make the outer panels: painted ones, or galvanized frames around the insulated tub."""
         space, half = self.space, self._half
         bodies: list[ag.Body] = []
         front, rear = space.mouth + 0.0006, self._rear
@@ -178,7 +178,7 @@ class Cabinet:
         return bodies
 
     def _felt(self, side: int, top: ag.Scalar) -> list[ag.Body]:
-        """Make the insulation that shows between the posts of a built-in machine."""
+        """Make the visible insulation between the posts of a built-in machine."""
         space = self.space
         low = space.floor + 0.02
         tall, long = top - low - 0.03, self._rear - space.mouth - 0.11
@@ -214,7 +214,7 @@ class Cabinet:
         return [ag.part(deck, "body", filled(self.sides, 300.0, "deck"))]
 
     def _rails(self) -> list[ag.Body]:
-        """Make the ledges on which the lower rack rolls, and the channels of the upper ones."""
+        """Make the ledges of the lower rack, and the channels of the upper racks."""
         space = self.space
         bodies: list[ag.Body] = []
         front, back = space.mouth + 0.004, space.back - 0.006
@@ -235,7 +235,7 @@ class Cabinet:
         return bodies
 
     def _inside(self) -> list[ag.Body]:
-        """Make sump, filter, feed pipe and embossed walls, which are only seen."""
+        """Make sump, filter, feed pipe and embossed walls, visual only."""
         space = self.space
         middle, low = space.rack_middle, space.floor
         steel = ag.material("stainless")
@@ -254,7 +254,7 @@ class Cabinet:
             (-0.016, 0.016), (space.back - 0.009, space.back + 0.001), (low, space.ceiling - 0.06)
         )
         bodies.append(ag.detail(pipe, "tub", grey))
-        rib = ag.box(0.006, 0.004, 0.55 * (space.ceiling - low), bevel=0.0019)  # they stiffen the sheet
+        rib = ag.box(0.006, 0.004, 0.55 * (space.ceiling - low), bevel=0.0019)  # ribs stiffen the sheet
         at: list[ag.VectorLike] = [
             (share * space.inside, space.back, (low + space.ceiling) / 2.0)
             for share in (-0.68, -0.42, 0.42, 0.68)

@@ -1,16 +1,15 @@
-"""A hinged door in its frame, with hardware that works: the latch holds it until the handle is turned.
+"""A hinged door in its frame, with working hardware: the latch holds the door until the handle is turned.
 
-The door is built once: hinges at the left, opening towards the viewer (-y). Other hands and doors that open
-away are mirror images.
+The door is built once: hinges at the left, opening towards the viewer (-y). Doors with the other hand or that
+open away are mirror images.
 
-Links: `frame`; `door`, or `door_left` and `door_right`; `handle` and `latch`, `lock` and `deadbolt` where
-there are such; `flush_bolt` in the inactive leaf of a double door. Joints: `door_hinge` (with `_left` and
-`_right` for two leaves), `handle_turn` or `handle_push`, `latch_slide`, `lock_turn`, `deadbolt_slide`,
-`flush_bolt_slide`.
+Links: `frame`; `door`, or `door_left` and `door_right`; `handle`, `latch`, `lock` and `deadbolt` if present;
+`flush_bolt` in the inactive leaf of a double door. Joints: `door_hinge` (with `_left` and `_right` for two
+leaves), `handle_turn` or `handle_push`, `latch_slide`, `lock_turn`, `deadbolt_slide`, `flush_bolt_slide`.
 
-What is only seen, such as screws, print, mouldings and seals, has neither mass nor collider. An entrance may
-have a letter plate, the number of the house, a viewer and a kick plate on its outer face, from which it opens
-away, and a brush under its inner one.
+Visual parts such as screws, print, moldings and seals have neither mass nor collider. An entrance may have a
+letter plate, a house number, a viewer and a kick plate on its outer face, and a brush under its inner face;
+it opens inward.
 
 Sizes are those of residential doors: leaves 24-42 in wide (28, 30, 32 and 36 in are stock), 6 ft 6 in to 8 ft
 high, 1 3/8 to 1 3/4 in thick (ANSI/SDI A250.8, WDMA I.S. 1A); clearances 3 mm at the sides, 10-19 mm at the
@@ -65,11 +64,11 @@ _HANDLES = {
     "pull": pull_handle,
     "none": finger_plate,
 }
-_ABOVE = 0.42  # of the place where hands push a leaf over its handle, past a deadbolt [m]
-_PAINTS = paints(480.0, "paint")  # over light softwood
-_SOLID_PAINTS = paints(660.0, "exterior_paint")  # over hardwood
+_ABOVE = 0.42  # distance from the handle up to the push point of a leaf, past a deadbolt [m]
+_PAINTS = paints(480.0, "paint")  # paint over light softwood
+_SOLID_PAINTS = paints(660.0, "exterior_paint")  # paint over hardwood
 _WOODS = known("oak", "oak_flat_sawn", "walnut", "mahogany", "ash", "mahogany_flat_sawn")
-_VENEERS = weighing(  # on light softwood
+_VENEERS = weighing(  # veneers on light softwood
     known(
         "oak",
         "oak_flat_sawn",
@@ -98,11 +97,11 @@ def door(
         "interior",
         "exterior",
         weights=(0.62, 0.38),
-        doc="rooms have hollow or light leaves, entrances solid ones",
+        doc="construction of the leaf: hollow or light for rooms, solid for entrances",
     ),
     layout: Literal["single", "double"] = ag.choice("single", "double", weights=(0.82, 0.18)),
-    hand: Hand = ag.choice("left", "right", doc="side of the hinges of the (active) leaf"),
-    opens: Opens = ag.choice("towards", "away", doc="direction of opening, seen by the viewer"),
+    hand: Hand = ag.choice("left", "right", doc="hinge side of the (active) leaf"),
+    opens: Opens = ag.choice("towards", "away", doc="direction of opening as seen by the viewer"),
     stock: Literal["standard", "made_to_measure"] = ag.choice("standard", "made_to_measure"),
     width: ag.Float = ag.by(
         "stock",
@@ -113,7 +112,7 @@ def door(
         ),
         made_to_measure=ag.by("use", interior=ag.uniform(0.64, 0.90), exterior=ag.uniform(0.80, 0.93)),
         unit="m",
-        doc="of one leaf",
+        doc="width of one leaf",
         within=(0.60, 1.25),
     ),
     height: ag.Float = ag.by(
@@ -121,7 +120,7 @@ def door(
         standard=ag.choice(1.981, 2.032, 2.134, 2.438),  # 78, 80, 84, 96 in
         made_to_measure=ag.uniform(1.98, 2.44),
         unit="m",
-        doc="of a leaf",
+        doc="height of a leaf",
         within=(1.8, 2.7),
     ),
     thickness: ag.Float = ag.by(  # 1 3/8 and 1 3/4 in
@@ -141,7 +140,7 @@ def door(
     ),
     casing: ag.Float = ag.uniform(0.055, 0.090, "m"),
     trim: Trim = ag.choice("ogee", "flat", "stepped", "bevelled", weights=(0.4, 0.25, 0.2, 0.15)),
-    rise: ag.Float = ag.uniform(0.10, 0.20, doc="of an arch, as a share of the leaf's width"),
+    rise: ag.Float = ag.uniform(0.10, 0.20, doc="rise of an arch, as a share of the leaf's width"),
     leaf: ag.Generator = ag.by(
         "use",
         interior=ag.one_of(flush_leaf, panel_leaf, louver_leaf, plank_leaf, weights=(0.3, 0.42, 0.16, 0.12)),
@@ -155,15 +154,17 @@ def door(
         exterior=ag.shades(*_WOODS, *_SOLID_PAINTS, weights=_EXTERIOR, color=0.07, roughness=0.04),
     ),
     frame_finish: Literal["same", "white"] = ag.choice("same", "white", weights=(0.7, 0.3)),
-    frame_paint: ag.Material = ag.shades(_PAINTS[0], color=0.03, roughness=0.05, doc="of a white frame"),
+    frame_paint: ag.Material = ag.shades(
+        _PAINTS[0], color=0.03, roughness=0.05, doc="paint of a white frame"
+    ),
     sill: ag.Material = ag.by(
         "use",
         interior=ag.shades("aluminium", *_VENEERS[:1], "brass", weights=(0.6, 0.25, 0.15)),
         exterior=ag.shades("aluminium", "aged_bronze", weights=(0.8, 0.2)),
-        doc="of the threshold",
+        doc="material of the threshold",
     ),
     metal: ag.Material = ag.shades(
-        *FINISHES, weights=FINISH_WEIGHTS, color=0.03, roughness=0.03, doc="of all hardware"
+        *FINISHES, weights=FINISH_WEIGHTS, color=0.03, roughness=0.03, doc="finish of all hardware"
     ),
     maker: str = ag.choice(*details.BRANDS, doc="brand on the lock"),
     letter_plate: bool = ag.by("use", interior=False, exterior=ag.choice(False, True)),
@@ -171,7 +172,7 @@ def door(
         "use",
         interior="",
         exterior=ag.choice("", "3", "8", "12", "27", "46", "51", "109", weights=(5, 1, 1, 1, 1, 1, 1, 1)),
-        doc="of the house",
+        doc="number of the house",
     ),
     viewer: bool = ag.by("use", interior=False, exterior=ag.choice(False, True, weights=(0.4, 0.6))),
     kick_plate: bool = ag.by("use", interior=False, exterior=ag.choice(False, True, weights=(0.75, 0.25))),
@@ -191,18 +192,22 @@ def door(
         ),
     ),
     handle: ag.Generator = ag.by("opener", _HANDLES),
-    handle_height: ag.Float = ag.uniform(0.86, 1.12, "m", doc="above the floor", within=(0.7, 1.4)),
+    handle_height: ag.Float = ag.uniform(
+        0.86, 1.12, "m", doc="height of the handle above the floor", within=(0.7, 1.4)
+    ),
     handle_range: ag.Float = ag.by(
         "opener",
         lever=ag.uniform(0.60, 1.05),
         knob=ag.uniform(0.72, 0.85),
         push_bar=ag.uniform(0.012, 0.018),
         otherwise=0.8,
-        doc="how far it moves; rad, or m for a push bar",
+        doc="travel of the handle [rad], or of a push bar [m]",
     ),
     spring: ag.Float = ag.uniform(1.1, 1.5, "N m", doc="torque that turns a handle fully"),
-    backset: ag.Float = ag.uniform(0.060, 0.070, "m", doc="lock edge to spindle", within=(0.055, 0.09)),
-    throw: ag.Float = ag.uniform(0.010, 0.012, "m", doc="of the latch", within=(0.009, 0.014)),
+    backset: ag.Float = ag.uniform(
+        0.060, 0.070, "m", doc="distance from the lock edge to the spindle", within=(0.055, 0.09)
+    ),
+    throw: ag.Float = ag.uniform(0.010, 0.012, "m", doc="travel of the latch", within=(0.009, 0.014)),
     rose: Literal["round", "square", "plate"] = ag.choice(
         "round", "square", "plate", weights=(0.5, 0.3, 0.2)
     ),
@@ -218,10 +223,10 @@ def door(
         "rose",
         plate=ag.choice("slot", "phillips"),
         otherwise=ag.choice("hidden", "slot", "phillips", weights=(0.4, 0.3, 0.3)),
-        doc="how roses are held: out of sight, or by two screws",
+        doc="fixing of roses: hidden, or with two screws",
     ),
     keyed: bool = ag.by(
-        "rose", plate=ag.choice(False, True), otherwise=False, doc="a key cylinder in the plate"
+        "rose", plate=ag.choice(False, True), otherwise=False, doc="whether a plate has a key cylinder"
     ),
     bolted: bool = ag.by(
         "opener",
@@ -235,7 +240,9 @@ def door(
     hinge_height: ag.Float = ag.uniform(0.085, 0.102, "m"),
     hinge_radius: ag.Float = ag.uniform(0.005, 0.006, "m", within=(0.004, 0.008)),
     swing: ag.Float = ag.uniform(1.4, 2.0, "rad", within=(0.5, 2.0)),
-    hinge_friction: ag.Float = ag.uniform(0.6, 1.5, "N m", doc="keeps an open door where it is left"),
+    hinge_friction: ag.Float = ag.uniform(
+        0.6, 1.5, "N m", doc="friction that holds an open door at any angle"
+    ),
     hinge_damping: ag.Float = ag.uniform(0.5, 2.0, "N m s/rad"),
 ) -> ag.Body:
     """Make a door of one or two leaves in its frame: hinges, handle, latch, locks."""
@@ -249,13 +256,14 @@ def door(
     )  # gap between the leaf and the parts that its bolts enter
     arched = width * rise if frame == "arched" else None
     fittings = Fittings(metal, kick=kick_plate, sweep=sweep)
-    if opener != "push_bar":  # which is on the outer face
+    if opener != "push_bar":  # a push bar is on the outer face
         fittings = replace(fittings, letters=letter_plate, number=number, viewer=viewer)
     reach = handle_height + _ABOVE
     blank = Blank(width, floor_gap, floor_gap + height, thickness, arched, None, finish, fittings, reach)
     spindle = ag.vector(width / 2.0 - backset, 0.0, handle_height)
     site = Site(spindle, backset, thickness, meeting, metal, maker)
-    above = 0.30 if opener in ("pull", "none") else 0.15  # a bolt: past the end of a pull, or of a long plate
+    # a bolt is above the end of a pull or of a long plate
+    above = 0.30 if opener in ("pull", "none") else 0.15
     match opener:
         case "lever" | "knob":
             lockset = turning_handle(
@@ -273,7 +281,7 @@ def door(
             over = ag.min_(over, above - 0.03) if bolted else over
             room = 2.0 * ag.min_(
                 over, handle_height - floor_gap
-            )  # for a pull, on the leaf and below its bolt
+            )  # position of a pull on the leaf, below its bolt
             lockset = rigid_handle(site, partial(handle, room=room) if handle == pull_handle else handle)
     if bolted:
         lockset = lockset + dead_lock(replace(site, spindle=spindle + (0.0, 0.0, above)))
@@ -292,7 +300,7 @@ def door(
         casing=casing,
         trim=trim,
     )
-    # a bolt is out of the way when it has passed the casing in front of the jamb, 2 mm to spare
+    # a bolt is out of the way after it has passed the casing in front of the jamb, with 2 mm to spare
     clear = 1.03 * (thickness / 2.0 + 0.015 + DEADBOLT.width / 2.0 + 0.002) / (width + side_gap / 2.0)
     needs = reduce(and_, lockset.free).until(clear) if lockset.free else None
     parts = DoorSet(surround, leaf, blank, hanging, lockset, needs)

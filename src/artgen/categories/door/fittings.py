@@ -12,7 +12,7 @@ from artgen.categories.shared.hardware.fixings import Way, screws
 from artgen.categories.shared.hardware.roses import SIDES, Faces
 
 ASTRAGAL_GAP = 0.002
-"""Between the active leaf and the strip behind it [m]."""
+"""Gap between the active leaf and the strip behind it [m]."""
 
 
 @ag.generator
@@ -22,9 +22,9 @@ def finger_plate(
     finish: ag.Material,
     height: ag.Float = ag.uniform(0.28, 0.38, "m"),
 ) -> ag.Body:
-    """Make the plates on both faces of a leaf without a handle, where hands push it; weld them to it.
+    """Make the push plates on both faces of a leaf without a handle; weld them to it.
 
-    They say which face to push, and which to pull (the front, to which the leaf opens).
+    They show which face to push, and which to pull (the front, to which the leaf opens).
     """
     plate = ag.extrude(ag.rectangle(0.075, height, radius=0.004), 0.0016, axis=ag.Y, bevel=0.0006)
     face = thickness / 2.0 + 0.0012
@@ -47,7 +47,7 @@ def finger_plate(
 
 
 def astragal(blank: Blank, gap: ag.Scalar) -> ag.Body:
-    """Make the strip on the back of the inactive leaf that the active one closes against."""
+    """Make the strip on the back of the inactive leaf, against which the active leaf closes."""
     wide, deep = 0.040, 0.012
     strip = ag.box(wide, deep - ASTRAGAL_GAP, blank.upright - 0.06, bevel=0.002)
     foot = ag.box(wide / 2.0 - gap / 2.0 - 0.002, ASTRAGAL_GAP + 0.002, blank.upright - 0.07)
@@ -58,7 +58,7 @@ def astragal(blank: Blank, gap: ag.Scalar) -> ag.Body:
     return ag.weld(ag.part(strip, "door", blank.finish), ag.part(foot, "door", blank.finish))
 
 
-_SUNK = 0.0005  # how deep feet are let into the leaf [m]
+_SUNK = 0.0005  # depth of the feet in the leaf [m]
 _BOW = 0.022  # radius of the bends of a bow [m]
 
 
@@ -71,12 +71,14 @@ def pull_handle(
     room: ag.Scalar = ag.given(2.7),
     style: Literal["U", "T", "Z"] = ag.choice("U", "T", "Z"),
     length: ag.Float = ag.uniform(0.22, 0.45, "m", doc="overall length of the grip", within=(0.10, 1.8)),
-    projection: ag.Float = ag.uniform(0.045, 0.065, "m", doc="face of the leaf to the middle of the grip"),
+    projection: ag.Float = ag.uniform(
+        0.045, 0.065, "m", doc="distance from the face of the leaf to the middle of the grip"
+    ),
     girth: ag.Float = ag.uniform(0.009, 0.0125, "m", doc="radius of the bar"),
 ) -> ag.Body:
-    """Make an upright pull on the faces of a leaf, to be welded to it; it has the label `handle`.
+    """Make an upright pull on the faces of a leaf, which is welded to it, with the label `handle`.
 
-    The origin is in the middle of the grip's length, in the middle of the leaf.
+    The origin is at half the length of the grip, in the middle plane of the leaf.
     """
     length = ag.require(
         length, length < room, "the pull is longer than the free part of the leaf: lower handle.length"
@@ -87,13 +89,13 @@ def pull_handle(
     back = ag.union(*makers[style](foot, reach, length, girth))
     for side in SIDES[faces]:
         out = side * reach
-        # hands pull it in front; at the back, behind the jamb, they push it
+        # hands pull in front; at the back, behind the jamb, they push
         press = ag.frame((0.0, out + side * girth, 0.0), approach=(0.0, -side, 0.0))
         grasp = ag.frame((0.0, out, 0.0), approach=(0.0, -side, 0.0), closing=(1.0, 0.0, 0.0))
         name = "handle_front" if side < 0 else "handle_back"
         bodies.append(
             ag.part(
-                back if side > 0 else back.rotate(ag.X, math.pi),  # upper and lower half are alike
+                back if side > 0 else back.rotate(ag.X, math.pi),  # the upper and lower halves are alike
                 "handle",
                 casting(finish),
                 name=name,
@@ -137,23 +139,24 @@ def _offset_bar(foot: ag.Scalar, out: ag.Scalar, length: ag.Scalar, girth: ag.Sc
     return [bar, *arms, *_feet(foot, aside, half, girth)]
 
 
-_CHANNEL_DEPTH = 0.028  # how far the flanges of the rail stand out of the leaf [m]
+_CHANNEL_DEPTH = 0.028  # height of the flanges of the rail above the leaf [m]
 _SHEET = 0.0028  # thickness of the rail [m]
 _BAR_HEIGHT = 0.046
-_BAR_REACH = 0.048  # face of the leaf to the front of the bar at rest [m]
-_PLAY = 0.0008  # between the bar and the flanges above and below it [m]
+_BAR_REACH = 0.048  # distance from the face of the leaf to the front of the bar at rest [m]
+_PLAY = 0.0008  # gap between the bar and the flanges above and below it [m]
 _CASE_DEPTH = 0.052
 _CASE_HEIGHT = 0.070
-_CASE_LENGTH = 0.085  # of a full case; half of it is behind the lock, and the far one is half as long [m]
-_CASE_TO_EDGE = 0.027  # from the lock to the end of its case: in front is the overlap of a second leaf [m]
+_CASE_LENGTH = 0.085  # length of a full case: half of it is behind the lock; the far case is half as long [m]
+# distance from the lock to the end of its case, behind the overlap of a second leaf [m]
+_CASE_TO_EDGE = 0.027
 _END_GAP = 0.0015  # between the bar and its cases [m]
-_FULL = 0.2  # cases and bars are sheet metal around little: share of a full one's weight
-_BOTTOM = 0.002  # distance between the innermost position and the rail [m]
+_FULL = 0.2  # density of hollow cases and bars of sheet metal, as a share of that of solid ones
+_BOTTOM = 0.002  # gap between the bar at its innermost position and the rail [m]
 
 
 def _bar_span(length: ag.Scalar) -> tuple[ag.Scalar, ag.Scalar]:
-    """Return the middle and the length of the touch bar along X."""
-    near = _CASE_LENGTH / 2 + _END_GAP  # the case over the lock is centered on its axis
+    """Return the middle and the length of the touch bar along x."""
+    near = _CASE_LENGTH / 2 + _END_GAP  # the case over the lock is centered on the axis of the lock
     far = length - _CASE_LENGTH - _END_GAP
     return -(near + far) / 2, far - near
 
@@ -168,7 +171,7 @@ def push_slide(
     damping: ag.Scalar = 40.0,
     friction: ag.Scalar = 1.0,
 ) -> ag.Joint:
-    """Make the joint of a push bar that a spring returns; positive moves it towards the leaf."""
+    """Make the joint of a push bar with its spring; positive moves it towards the leaf."""
     stiffness = (force - preload) / travel
     return ag.Prismatic(
         name,
@@ -186,7 +189,7 @@ def push_slide(
 def push_bar(
     *, thickness: ag.Float, length: ag.Float, travel: ag.Float, finish: ag.Material, side: int = ag.given(1)
 ) -> ag.Body:
-    """Make the touch bar, the link `handle`; attach it with `push_slide`; weld `push_bar_case` on."""
+    """Make the touch bar, the link `handle`, for `push_slide` and for a `push_bar_case` on the leaf."""
     middle, span = _bar_span(length)
     back = thickness / 2 + _SHEET + _BOTTOM + travel
     front = thickness / 2 + _BAR_REACH
@@ -198,7 +201,7 @@ def push_bar(
 
 
 def push_bar_case(*, thickness: ag.Scalar, length: ag.Scalar, finish: ag.Material, side: int = 1) -> ag.Body:
-    """Make the rail and the cases of a push bar, to be welded to the leaf; it has the label `rose`."""
+    """Make the rail and the cases of a push bar, which are welded to the leaf, with the label `rose`."""
     face = thickness / 2 - 0.0005
     middle, span = _bar_span(length)
     inner = _BAR_HEIGHT / 2 + _PLAY

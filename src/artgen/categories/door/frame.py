@@ -12,23 +12,23 @@ from artgen.categories.shared.hardware.hinge import hinge_frame, hinge_leaf, hin
 JAMB = 0.034
 """Thickness of jambs and head [m]."""
 
-_TIMBER = 0.075  # face of a solid timber frame [m]
-_STOP = (0.012, 0.030)  # how far a stop stands out, and how deep it is [m]
+_TIMBER = 0.075  # width of the face of a solid timber frame [m]
+_STOP = (0.012, 0.030)  # height and depth of a stop [m]
 STOP_GAP = 0.002
 """Gap between the closed leaf and the stops [m]; a seal fills it."""
 
-_REVEAL = 0.0095  # casings leave so much of the front of the jamb bare: the hinges swing there [m]
-_ARCH_STOPS = 12  # lengths of the stop under an arch
-_SILL_PLAY = 0.004  # between threshold and leaf [m]
+_REVEAL = 0.0095  # bare width of the front of the jamb beside the casing, for the hinges [m]
+_ARCH_STOPS = 12  # number of straight lengths of the stop under an arch
+_SILL_PLAY = 0.004  # gap between threshold and leaf [m]
 
 FrameKind = Literal["jambs", "full", "arched"]
 
 Trim = Literal["ogee", "flat", "stepped", "bevelled"]
-"""The section of a casing."""
+"""Section of a casing."""
 
 _TRIMS: dict[str, tuple[tuple[float, float], ...]] = {
-    # shares of the width, and heights [m], from the outer edge to the inner one; 15 mm is the most, so that
-    # bolts pass in front
+    # shares of the width, and heights [m], from the outer edge to the inner edge; at most 15 mm high, for the
+    # bolts to pass in front
     "ogee": (
         (1.0, 0.0132), (0.985, 0.0146), (0.965, 0.015), (0.86, 0.015), (0.84, 0.0147), (0.825, 0.0137),
         (0.80, 0.0126), (0.76, 0.0118), (0.72, 0.0114), (0.62, 0.0107), (0.40, 0.0096), (0.33, 0.0093),
@@ -52,14 +52,14 @@ _TRIMS: dict[str, tuple[tuple[float, float], ...]] = {
 
 @dataclass(frozen=True)
 class Doorway:
-    """The clear opening that a frame leaves for its leaves."""
+    """Clear opening of a frame."""
 
-    width: ag.Float  # between the jambs [m]
-    height: ag.Float  # under the head, at the crown of an arch [m]
-    thickness: ag.Float  # of the leaf [m]
-    depth: ag.Float  # of the jambs, front to back [m]
-    arch: Arch | None  # the arch of the head; None for a straight one
-    floor_gap: ag.Float  # under the leaf [m]
+    width: ag.Float  # width between the jambs [m]
+    height: ag.Float  # height under the head, at the crown of an arch [m]
+    thickness: ag.Float  # thickness of the leaf [m]
+    depth: ag.Float  # depth of the jambs, front to back [m]
+    arch: Arch | None  # arch of the head; None for a straight head
+    floor_gap: ag.Float  # gap under the leaf [m]
 
     @property
     def straight(self) -> ag.Scalar:
@@ -68,7 +68,7 @@ class Doorway:
 
     @property
     def middle(self) -> ag.Float:
-        """Where the middle of the jambs is along Y [m]."""
+        """Position of the middle of the jambs along y [m]."""
         return (self.depth - self.thickness) / 2.0
 
 
@@ -113,21 +113,21 @@ def _head(doorway: Doorway, wide: float) -> ag.Solid:
     if doorway.arch is None:
         head = ag.box(doorway.width + 2.0 * wide, doorway.depth, wide, bevel=0.0015)
         return head.at(0.0, doorway.middle, doorway.height + wide / 2.0)
-    # its ends lie within the jambs, which reach up to its outer corners
+    # the ends of the head are within the jambs, which reach up to its outer corners
     arch = doorway.arch
     (band,) = arch.bands(wide, beyond=(arch.outset(wide).angle - arch.angle) * arch.radius)
     return ag.extrude(band, doorway.depth, axis=ag.Y, bevel=0.0015).at(0.0, doorway.middle, 0.0)
 
 
 def _stops(doorway: Doorway) -> list[ag.Solid]:
-    """Make the strips behind the leaf that it closes against."""
+    """Make the stops behind the leaf."""
     out, deep = _STOP
     middle = doorway.thickness / 2.0 + STOP_GAP + deep / 2.0
     side = ag.box(out, deep, doorway.straight, bevel=0.0025)
     beside = (doorway.width - out) / 2.0
     sides = [side.at(x, middle, doorway.straight / 2.0) for x in (-beside, beside)]
     if doorway.arch is not None:
-        # in lengths that collide as their hulls, half a millimetre into the doorway
+        # in convex lengths, half a millimeter into the doorway
         bands = doorway.arch.outset(-out).bands(out, count=_ARCH_STOPS, beyond=out)
         strips = [ag.bounding_collider(ag.extrude(band, deep, axis=ag.Y, bevel=0.001)) for band in bands]
         return [*sides, *(strip.at(0.0, middle, 0.0) for strip in strips)]
@@ -137,7 +137,7 @@ def _stops(doorway: Doorway) -> list[ag.Solid]:
 
 
 def _seals(doorway: Doorway) -> ag.Solid:
-    """Make the strips of rubber on the sides of the stops that the leaf touches."""
+    """Make the rubber seals on the sides of the stops, which the leaf touches."""
     tall = doorway.straight - _STOP[0]
     side = ag.box(0.007, STOP_GAP - 0.0003, tall, bevel=0.0005)
     middle = (doorway.thickness + STOP_GAP) / 2.0 + 0.0002
@@ -146,7 +146,7 @@ def _seals(doorway: Doorway) -> ag.Solid:
 
 
 def _threshold(doorway: Doorway, sill: ag.Material) -> list[ag.Body]:
-    """Make the plate on the floor; one of metal has ribs that feet do not slip on."""
+    """Make the plate on the floor; a metal plate has ribs against slipping."""
     thick = doorway.floor_gap - _SILL_PLAY
     plate = ag.box(doorway.width, doorway.depth, thick, bevel=ag.min_(0.0022, 0.4 * thick))
     bodies = [ag.part(plate.at(0.0, doorway.middle, thick / 2.0), "threshold", sill)]
@@ -158,34 +158,34 @@ def _threshold(doorway: Doorway, sill: ag.Material) -> list[ag.Body]:
 
 
 def _casing(doorway: Doorway, width: ag.Scalar, trim: Trim) -> ag.Solid:
-    """Make the moulded trim of the front, mitred at its corners, its back at y = 0."""
+    """Make the molded trim of the front, mitered at its corners, its back at y = 0."""
     corners = [(share * width, high) for share, high in _TRIMS[trim]]
-    # united with its back: a union is smooth where corners are blunt
+    # union with its back: a union is smooth at obtuse corners
     back = ag.rectangle(width, 0.004).at(width / 2.0, 0.002)
     section = ag.polygon([(0.0, 0.0), (width, 0.0), *corners]) | back
     x, z = doorway.width / 2.0 + _REVEAL, doorway.height + _REVEAL
-    # swept on the floor, up the left leg and down the right one, then stood up: up becomes the front
+    # swept on the floor, up the left leg and down the right leg, then rotated upright: up becomes the front
     course = ag.polyline([(-x, 0.0, 0.0), (-x, z, 0.0), (x, z, 0.0), (x, 0.0, 0.0)])
     return ag.sweep(section, course).rotate(ag.X, math.pi / 2.0)
 
 
-_TOP = 0.19  # from the top of the leaf to the middle of the upper hinge [m]
-_BOTTOM = 0.28  # from the bottom of the leaf to the middle of the lower hinge [m]
+_TOP = 0.19  # distance from the top of the leaf to the middle of the upper hinge [m]
+_BOTTOM = 0.28  # distance from the bottom of the leaf to the middle of the lower hinge [m]
 
 
 @dataclass(frozen=True)
 class Hanging:
-    """Butt hinges at the left of a leaf, which is centered in x."""
+    """Butt hinges at the left of a leaf that is centered in x."""
 
-    blank: Blank  # the leaf
-    count: int  # 2 or 3 hinges
-    gap: ag.Float  # between the leaf and the jamb [m]
-    height: ag.Float  # of a hinge [m]
-    radius: ag.Float  # of its knuckles [m]
-    finish: ag.Material  # its metal
-    swing: ag.Float  # how far the leaf opens [rad]
-    friction: ag.Float  # of all hinges together [N m]
-    damping: ag.Float  # of all hinges together [N m s/rad]
+    blank: Blank  # leaf
+    count: int  # number of hinges, 2 or 3
+    gap: ag.Float  # gap between the leaf and the jamb [m]
+    height: ag.Float  # height of a hinge [m]
+    radius: ag.Float  # radius of the knuckles [m]
+    finish: ag.Material  # metal of the hinges
+    swing: ag.Float  # opening angle of the leaf [rad]
+    friction: ag.Float  # friction of all hinges together [N m]
+    damping: ag.Float  # damping of all hinges together [N m s/rad]
 
     def _half(self, make: Callable[..., ag.Body]) -> ag.Body:
         low, high = self.blank.bottom + _BOTTOM, self.blank.straight - _TOP
@@ -198,16 +198,16 @@ class Hanging:
         )
 
     def on_leaf(self) -> ag.Body:
-        """Make the halves to weld to the leaf."""
+        """Make the halves of the hinges on the leaf."""
         return self._half(hinge_leaf)
 
     def on_frame(self) -> ag.Body:
-        """Make the halves to weld to the jamb."""
+        """Make the halves of the hinges on the jamb."""
         return self._half(hinge_frame)
 
     @property
     def _depth(self) -> ag.Float:
-        """How far the plates reach along the edge: they stop 6 mm before its back [m]."""
+        """Depth of the plates along the edge: they end 6 mm before its back [m]."""
         return self.blank.thickness - 0.006
 
     def joint(
@@ -237,6 +237,6 @@ class Hanging:
         )
 
     def turns_within_gap(self) -> ag.Bool:
-        """Tell whether the far corner of the leaf, which swings out of the closed width, clears the jamb."""
+        """Return whether the swinging far corner of the leaf clears the jamb."""
         thick = hinge_offset(self.radius) + self.blank.thickness
         return thick * thick / (2.0 * self.blank.width) < self.gap - 0.0004

@@ -1,7 +1,7 @@
-"""Door leaves: flush, boarded, panelled, glazed, louvred and half glazed.
+"""Door leaves: flush, boarded, paneled, glazed, louvered and half glazed.
 
-A leaf stands in the X-Z plane, in place above the floor: it is centered in x, its faces are at
-y = -thickness / 2 and y = thickness / 2, its lock edge is at x = width / 2.
+A leaf is in the x-z plane, in place above the floor: it is centered in x, its faces are at y = -thickness / 2
+and y = thickness / 2, its lock edge is at x = width / 2.
 """
 
 from collections.abc import Sequence
@@ -49,7 +49,7 @@ def letter_plate(fittings: Fittings, face: ag.Scalar, height: ag.Scalar) -> list
 
 
 def house_number(fittings: Fittings, face: ag.Scalar, height: ag.Scalar, tall: ag.Scalar) -> ag.Body:
-    """Make the number of the house, cast figures on the outer face."""
+    """Make the house number of cast figures on the outer face."""
     return details.raised(
         ag.text(fittings.number, tall),
         (0.0, face, height),
@@ -62,7 +62,7 @@ def house_number(fittings: Fittings, face: ag.Scalar, height: ag.Scalar, tall: a
 
 
 def viewer(fittings: Fittings, face: ag.Scalar, height: ag.Scalar) -> list[ag.Body]:
-    """Make a door viewer: a lens in a sleeve that shows on both faces."""
+    """Make a door viewer: a lens in a sleeve through the leaf."""
     bodies: list[ag.Body] = []
     lens = fittings.finish.with_(
         name=f"{fittings.finish.name}_lens",
@@ -97,7 +97,7 @@ def kick_plate(fittings: Fittings, face: ag.Scalar, width: ag.Scalar, bottom: ag
 
 
 def sweep_seal(face: ag.Scalar, width: ag.Scalar, bottom: ag.Scalar) -> list[ag.Body]:
-    """Make the brush in its rail that closes the gap to the floor, on the inner face (-y)."""
+    """Make the brush and its rail on the inner face (-y), which close the gap to the floor."""
     finish, brush = (
         ag.material("aluminium"),
         ag.material("rubber").with_(name="bristles", base_color=(0.02, 0.02, 0.02)),
@@ -140,18 +140,18 @@ def fitted(
     return bodies
 
 
-_TOP_RAIL = 0.115  # [m]
-_BOTTOM_RAIL = 0.200  # the kick rail is the widest [m]
-_LOCK_RAIL = 0.120  # between rows [m]
-_MULLION = 0.085  # between columns [m]
+_TOP_RAIL = 0.115  # height of the top rail [m]
+_BOTTOM_RAIL = 0.200  # height of the kick rail, the highest rail [m]
+_LOCK_RAIL = 0.120  # height of the rails between rows [m]
+_MULLION = 0.085  # width of the mullions between columns [m]
 
 
 class Row(NamedTuple):
     """A row of openings between two rails."""
 
-    share: float  # its part of the height that the rails leave
-    columns: int  # openings side by side
-    fill: Fill  # their filling
+    share: float  # share of the height between the rails
+    columns: int  # number of openings side by side
+    fill: Fill  # filling of the openings
 
 
 def framed(blank: Blank, stile: ag.Float, rows: Sequence[Row]) -> ag.Body:
@@ -178,7 +178,7 @@ def framed(blank: Blank, stile: ag.Float, rows: Sequence[Row]) -> ag.Body:
         boards += mullions
         fillings += row.fill(opening, blank.thickness)
         if index == 1 and row.columns == 2:
-            looks_out = level + 0.80 * tall  # in the mullion
+            looks_out = level + 0.80 * tall  # height of the viewer in the mullion
         level = level + tall
     top = blank.straight - _TOP_RAIL / 2.0
     boards.append(blank.board(inner, _TOP_RAIL).at(0.0, 0.0, top))
@@ -208,7 +208,7 @@ def _columns(
 
 
 _GLASS = known("glass", "frosted_glass", "tinted_glass")
-_LOCK_STRIP = 0.120  # from the lock edge to an upright inlay, which the lock must not reach [m]
+_LOCK_STRIP = 0.120  # distance from the lock edge to an upright inlay, clear of the lock [m]
 _GLASS_WEIGHTS = (0.6, 0.3, 0.1)[: len(_GLASS)]
 
 
@@ -230,7 +230,7 @@ def flush_leaf(
     body = ag.weld(ag.part(blank.carved(slab), "door", core, push=blank.push), *_fitted(blank))
     if not inlays:
         return body
-    # across, up to one that runs upright beside the lock
+    # horizontal inlays end at an upright inlay beside the lock
     long, out = blank.width - _LOCK_STRIP, blank.thickness / 2.0
     strip, line = ag.box(long, 0.0008, 0.008), ag.box(0.008, 0.0008, blank.upright - 0.004)
     levels = [blank.bottom + blank.upright * (at + 0.75) / (inlays + 0.5) for at in range(inlays)]
@@ -246,16 +246,16 @@ def plank_leaf(
     blank: Blank,
     boards: int = ag.count(4, 7, weights=(1, 3, 3, 1)),
     joint: ag.Float = ag.uniform(
-        0.0025, 0.0045, "m", doc="radius of the edges, which makes the V between boards"
+        0.0025, 0.0045, "m", doc="radius of the edges, which form the V between boards"
     ),
 ) -> ag.Body:
-    """Make a boarded leaf: upright boards, tongued together, with a V in every joint."""
+    """Make a boarded leaf: upright tongue-and-groove boards with a V at every joint."""
     wide = blank.width / boards
     board = blank.board(wide, blank.upright, joint)
     bodies: list[ag.Body] = []
     for index in range(boards):
         placed = board.at((index - (boards - 1) / 2.0) * wide, 0.0, blank.waist)
-        if index == boards - 1:  # at the lock
+        if index == boards - 1:  # beside the lock
             bodies.append(ag.part(blank.carved(placed), "door", blank.finish, push=blank.push))
         else:
             bodies.append(ag.part(placed, "door", blank.finish))
@@ -288,23 +288,25 @@ _ROWS: dict[int, tuple[tuple[float, int], ...]] = {
     7: ((0.34, 2), (0.43, 2), (0.23, 3)),
     8: ((0.25, 2),) * 4,
 }
-"""Rows of panels from the bottom up, with their share of the height and their columns."""
+"""Rows of panels from the bottom up: the share of the height and the number of columns of each row."""
 
 
 @ag.generator
 def panel_leaf(
     *,
     blank: Blank,
-    panels: int = ag.count(1, 8, weights=(1, 3, 1, 3, 2, 4, 1, 1), doc="6 is the colonial door"),
+    panels: int = ag.count(
+        1, 8, weights=(1, 3, 1, 3, 2, 4, 1, 1), doc="number of panels; 6 is the colonial door"
+    ),
     relief: Relief = ag.choice("raised", "recessed"),
     sticking: Sticking = ag.by(
         "relief",
         raised=ag.choice("ogee", "ovolo"),
         recessed=ag.choice("ogee", "ovolo", "square", weights=(0.25, 0.25, 0.5)),
-        doc="the moulding around the panels; square is the shaker door",
+        doc="molding around the panels; square is the shaker door",
     ),
     stile: ag.Float = ag.uniform(0.106, 0.115, "m", within=(0.1, 0.16)),
-    moulding: ag.Float = ag.uniform(0.010, 0.016, "m", doc="how far the sticking reaches into a panel"),
+    moulding: ag.Float = ag.uniform(0.010, 0.016, "m", doc="reach of the molding into a panel"),
 ) -> ag.Body:
     """Make a leaf of stiles and rails with panels between them."""
 
@@ -320,7 +322,7 @@ def glazed_leaf(
     *,
     blank: Blank,
     columns: int = ag.choice(1, 2, 3, weights=(0.4, 0.3, 0.3)),
-    lights: int = ag.choice(1, 4, 5, weights=(0.4, 0.3, 0.3), doc="panes above each other"),
+    lights: int = ag.choice(1, 4, 5, weights=(0.4, 0.3, 0.3), doc="number of panes, one above the other"),
     glass: ag.Material = ag.choice(*_GLASS, weights=_GLASS_WEIGHTS),
     stile: ag.Float = ag.uniform(0.106, 0.115, "m", within=(0.1, 0.16)),
 ) -> ag.Body:
@@ -358,13 +360,17 @@ def louver_leaf(
     *,
     blank: Blank,
     below: Literal["louver", "panel"] = ag.choice("louver", "panel"),
-    # each slat is a collider: two sections and a leaf's hardware stay below 64
+    # each slat is a collider: two sections and the hardware of a leaf stay below 64
     slats: int = ag.by(
-        "below", louver=ag.count(9, 10), panel=ag.count(15, 18), doc="in one section", within=(6, 24)
+        "below",
+        louver=ag.count(9, 10),
+        panel=ag.count(15, 18),
+        doc="number of slats of a section",
+        within=(6, 24),
     ),
     stile: ag.Float = ag.uniform(0.106, 0.115, "m", within=(0.1, 0.16)),
 ) -> ag.Body:
-    """Make a louvred leaf: slats tilted by about 40 degrees that block the view."""
+    """Make a louvered leaf: slats tilted by about 40 degrees, which block the view."""
 
     def louver(opening: Opening, thickness: ag.Scalar) -> list[ag.Body]:
         return slats_in(opening, thickness, slats)

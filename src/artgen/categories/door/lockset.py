@@ -31,41 +31,41 @@ from artgen.categories.shared.hardware.roses import Fixing, rose, spindle_hole
 HandleKind = Literal["lever", "knob", "push_bar", "pull", "none"]
 
 _RELEASE = 0.85
-"""The share of its range after which a handle has drawn its latch."""
+"""Share of the range of a handle at which its latch is fully drawn."""
 
 _PLATE = 0.22
 """Height of long plates [m]."""
 
 _DRAWN = 0.02
-"""A deadbolt is inside its leaf while its turn stands below this angle [rad]."""
+"""Angle of its turn below which a deadbolt is inside its leaf [rad]."""
 
 
 @dataclass(frozen=True)
 class Site:
-    """Place of a lockset, on a leaf with its middle plane at y = 0 and its lock edge at the right."""
+    """Position of a lockset on a leaf with its middle plane at y = 0 and its lock edge at the right."""
 
-    spindle: ag.Vector  # where the spindle crosses the middle plane [m]
-    backset: ag.Scalar  # from the spindle to the lock edge [m]
-    thickness: ag.Scalar  # of the leaf [m]
+    spindle: ag.Vector  # intersection of the spindle and the middle plane [m]
+    backset: ag.Scalar  # distance from the spindle to the lock edge [m]
+    thickness: ag.Scalar  # thickness of the leaf [m]
     gap: ag.Scalar  # gap between the leaf and the parts that its bolts enter [m]
-    finish: ag.Material  # metal of all that is seen
-    mark: str = ""  # the name of its maker
+    finish: ag.Material  # metal of all visible parts
+    mark: str = ""  # name of the maker
 
 
 @dataclass(frozen=True)
 class Roses:
-    """The covers of the hole that the spindle of a handle passes."""
+    """Covers of the hole for the spindle of a handle."""
 
     style: Literal["round", "square", "plate"]  # round or square roses, or long plates
     across: ag.Scalar  # width of a rose [m]
-    depth: ag.Scalar  # how far it stands out of the leaf [m]
-    fixing: Fixing = "hidden"  # how a rose is held
+    depth: ag.Scalar  # height of a rose above the leaf [m]
+    fixing: Fixing = "hidden"  # fixing of a rose
     keyed: bool = False  # whether a plate has a key cylinder
 
 
 @dataclass(frozen=True)
 class Lockset:
-    """Everything that a lock brings along."""
+    """Parts of a lock, and the cutters for them."""
 
     cuts: tuple[ag.Solid, ...] = ()  # cutters of the leaf
     fixed: tuple[ag.Body, ...] = ()  # parts welded to the leaf
@@ -75,7 +75,7 @@ class Lockset:
     free: tuple[ag.Condition, ...] = ()  # conditions under which the closed leaf may open
 
     def __add__(self, other: "Lockset") -> "Lockset":
-        """Fit both."""
+        """Combine the parts of both."""
         return Lockset(
             self.cuts + other.cuts,
             self.fixed + other.fixed,
@@ -89,7 +89,7 @@ class Lockset:
 def latch(
     site: Site, leader: ag.Joint, *, throw: ag.Scalar, release: ag.Scalar, through: bool = False
 ) -> Lockset:
-    """Fit a latch that a handle draws."""
+    """Make a latch that a handle draws."""
     at, backset, finish = site.spindle, site.backset, site.finish
     strike = strike_plate(backset=backset, gap=site.gap, throw=throw, thickness=site.thickness, finish=finish)
     return Lockset(
@@ -116,7 +116,7 @@ def turning_handle(
     throw: ag.Scalar,
     roses: Roses,
 ) -> Lockset:
-    """Fit a lever or knob on its roses, with the latch that it draws."""
+    """Make a lever or knob on its roses, with the latch that it draws."""
     at, thickness, finish = site.spindle, site.thickness, site.finish
     turn = spring_turn(limit=limit, pivot=at, preload=0.55 * torque, torque=torque)
     covers = rose(
@@ -141,7 +141,7 @@ def turning_handle(
 def pushed_handle(
     site: Site, bar: Callable[..., ag.Body], *, width: ag.Scalar, travel: ag.Scalar, throw: ag.Scalar
 ) -> Lockset:
-    """Fit a push bar on the face to which the door does not open, a pull on the other, and the latch."""
+    """Make a push bar on the face away from the opening side, a pull on the other face, and the latch."""
     at, thickness, finish = site.spindle, site.thickness, site.finish
     length = width - 0.15
     push = push_slide(travel=travel)
@@ -162,7 +162,7 @@ def pushed_handle(
 
 
 def rigid_handle(site: Site, handle: Callable[..., ag.Body]) -> Lockset:
-    """Fit a pull or finger plates, and the roller that snaps into the jamb instead of a latch."""
+    """Make a pull or finger plates, with a roller catch in the jamb instead of a latch."""
     at, backset, finish = site.spindle, site.backset, site.finish
     plate = ag.box(0.0008, 0.0235, 0.057, bevel=0.0002).at(backset, 0.0, 0.0)
     roller = ag.cylinder(0.006, 0.014, bevel=0.001).at(backset - 0.0045, 0.0, 0.0)
@@ -171,7 +171,7 @@ def rigid_handle(site: Site, handle: Callable[..., ag.Body]) -> Lockset:
 
 
 def dead_lock(site: Site) -> Lockset:
-    """Fit a deadbolt with a thumb turn in front and a key cylinder at the back."""
+    """Make a deadbolt with a thumb turn in front and a key cylinder at the back."""
     at, backset, thickness, finish = site.spindle, site.backset, site.thickness, site.finish
     turn = thumb_turn_joint(pivot=at)
     strike = strike_plate(

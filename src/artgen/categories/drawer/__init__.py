@@ -1,16 +1,16 @@
-"""A piece of furniture with drawers: a chest, a bedside table, a filing cabinet or a bank of a kitchen.
+"""A piece of furniture with drawers: a chest, a bedside table, a filing cabinet or a kitchen drawer unit.
 
-The front faces -y. Fronts lie on the edges of the carcass, or stand between its boards, flush with them.
-Every drawer is a box of boards on a pair of runners, with 12.5 mm of play at each side, as runners are made.
+The front faces -y. Fronts lie on the edges of the carcass, or are between its boards, flush with them. Every
+drawer is a box of boards on a pair of runners with a standard play of 12.5 mm at each side.
 
 Links: `body` and `drawer_<n>`, row by row from the top left. Joints: `drawer_slide_<n>`.
 
-Drawers stay where they are left: runners hold with their friction, 5-10 N. They come out by up to three
-quarters of their depth, as far as simple runners let them.
+The friction of the runners, 5-10 N, holds a drawer at any position. Drawers come out by up to three quarters
+of their depth, as on simple runners.
 
-Sizes are those of furniture (IKEA MALM, HEMNES and MAXIMERA, Bisley and HON catalogues): chests 0.6-1.4 m
-wide and 0.7-1.3 m high, bedside tables 0.4-0.55 m wide, filing cabinets 0.4-0.47 m wide with drawers of
-0.28-0.32 m for hanging files, kitchen banks 0.4-1.4 m wide and 0.82-0.92 m high with their worktop.
+Sizes are those of furniture (IKEA MALM, HEMNES and MAXIMERA, Bisley and HON catalogs): chests 0.6-1.4 m wide
+and 0.7-1.3 m high, bedside tables 0.4-0.55 m wide, filing cabinets 0.4-0.47 m wide with drawers 0.28-0.32 m
+high for hanging files, kitchen units 0.4-1.4 m wide and 0.82-0.92 m high with a worktop.
 """
 
 from functools import reduce
@@ -52,10 +52,10 @@ from artgen.categories.shared.hardware.furniture_pulls import bar_pull, cup_pull
 _FINISH, _ACCENT = boards("wood", "lacquer", "melamine", "decor", "steel"), accents()
 _WORKTOP, _LEG, _METAL = worktops(), leg_finishes(), hardware()
 _HANDLES = {"knob": knob_pull, "bar": bar_pull, "cup": cup_pull, "groove": groove_pull}
-_LEAST = 0.09  # from one drawer to the next [m]
+_LEAST = 0.09  # least distance between neighboring drawers [m]
 _FRAMED = ag.choice("flat", "beaded", "shaker", "ramped", weights=(0.4, 0.15, 0.25, 0.2))
 _MOUNTED = ag.choice("overlay", "inset", weights=(0.55, 0.45))
-_SLABS = ag.choice("flat", "beaded", weights=(0.7, 0.3))  # many framed fronts would be too many colliders
+_SLABS = ag.choice("flat", "beaded", weights=(0.7, 0.3))  # many framed fronts would need too many colliders
 
 
 @ag.category(
@@ -104,11 +104,11 @@ def drawer(
         otherwise=ag.by(
             "kind",
             kitchen=ag.choice("overlay", "inset", weights=(0.85, 0.15)),
-            # the 15 drawers of a chest for herbs, cards or tools have a frame around each
+            # each of the 15 drawers of a chest for herbs, cards or tools has a frame around it
             chest=ag.by("rows", {5: ag.by("columns", {3: "inset"}, otherwise=_MOUNTED)}, otherwise=_MOUNTED),
             otherwise=_MOUNTED,
         ),
-        doc="fronts lie on the carcass or stand between its boards",
+        doc="mounting of the fronts: on the carcass or between its boards",
     ),
     style: FrontStyle = ag.by(
         "look",
@@ -121,7 +121,7 @@ def drawer(
                 {1: _FRAMED, 2: ag.by("rows", {2: _FRAMED, 3: _FRAMED}, otherwise=_SLABS), 3: _SLABS},
             ),
         ),
-        doc="of the fronts",
+        doc="style of the fronts",
     ),
     niche: bool = ag.by(
         "kind",
@@ -131,7 +131,7 @@ def drawer(
             otherwise=False,
         ),
         otherwise=False,
-        doc="an open compartment under the drawers",
+        doc="whether there is an open compartment under the drawers",
     ),
     stand: Literal["plinth", "legs", "feet"] = ag.by(
         "kind",
@@ -164,7 +164,7 @@ def drawer(
         file=ag.uniform(0.50, 0.58),
         kitchen=ag.uniform(0.51, 0.56),
         unit="m",
-        doc="of the carcass",
+        doc="width of the carcass",
         within=(0.33, 0.62),
     ),
     height: ag.Float = ag.by(
@@ -183,7 +183,7 @@ def drawer(
         file=ag.by("rows", {2: ag.uniform(0.66, 0.73), 3: ag.uniform(0.95, 1.04), 4: ag.uniform(1.24, 1.30)}),
         kitchen=ag.uniform(0.82, 0.92),
         unit="m",
-        doc="over all",
+        doc="overall height",
         within=(0.38, 1.4),
     ),
     stand_height: ag.Float = ag.by(
@@ -209,23 +209,27 @@ def drawer(
         ),
         chest=ag.uniform(0.72, 1.0),
         otherwise=1.0,
-        doc="height of the top row, as a share of the second one's",
+        doc="height of the top row, as a share of that of the second row",
     ),
     growth: ag.Float = ag.by(
         "kind",
         chest=ag.uniform(1.0, 1.14),
         otherwise=1.0,
-        doc="how much higher each further row is than the last",
+        doc="additional height of each further row",
     ),
     setback: ag.Float = ag.by(
-        "kind", kitchen=ag.uniform(0.04, 0.06), otherwise=ag.uniform(0.004, 0.03), unit="m", doc="of a plinth"
+        "kind",
+        kitchen=ag.uniform(0.04, 0.06),
+        otherwise=ag.uniform(0.004, 0.03),
+        unit="m",
+        doc="setback of a plinth",
     ),
     thickness: ag.Float = ag.by(
         "look",
         steel=ag.uniform(0.012, 0.015),
         otherwise=ag.uniform(0.016, 0.020),
         unit="m",
-        doc="of the boards",
+        doc="thickness of the boards",
     ),
     front_thickness: ag.Float = ag.by(
         "grip",
@@ -244,7 +248,7 @@ def drawer(
         "top", worktop=ag.uniform(0.018, 0.038), otherwise=ag.uniform(0.014, 0.024), unit="m"
     ),
     overhang: ag.Float = ag.uniform(
-        0.004, 0.016, "m", doc="of a top over the fronts, and over the sides of furniture"
+        0.004, 0.016, "m", doc="overhang of a top beyond the fronts, and beyond the sides of furniture"
     ),
     finish: ag.Material = _FINISH,
     fronts: Literal["same", "painted", "wood"] = ag.by(
@@ -273,7 +277,7 @@ def drawer(
         file="steel",
         kitchen=ag.choice("ply", "white", "steel", weights=(0.25, 0.4, 0.35)),
         otherwise=ag.choice("ply", "white", "same", weights=(0.6, 0.2, 0.2)),
-        doc="material of the boxes behind the fronts",
+        doc="material of the drawer boxes",
     ),
     runner: RunnerStyle = ag.by("kind", file="ball", otherwise=ag.choice("roller", "ball")),
     metal: ag.Material = _METAL,
@@ -304,34 +308,37 @@ def drawer(
         "kind",
         chest=ag.by("columns", {1: ag.choice(1, 2, weights=(0.25, 0.75))}, otherwise=1),
         otherwise=1,
-        doc="on a drawer",
+        doc="number of handles on a drawer",
     ),
     handle_level: ag.Float = ag.by(
         "kind",
         file=ag.uniform(0.55, 0.68),
         kitchen=ag.uniform(0.55, 0.78),
         otherwise=ag.uniform(0.48, 0.60),
-        doc="height of handles as a share of the front",
+        doc="height of handles, as a share of that of the front",
     ),
     first_index: int = ag.by(
-        "kind", file=ag.count(0, 7), otherwise=0, doc="which card is in the first label holder"
+        "kind", file=ag.count(0, 7), otherwise=0, doc="index of the card in the first label holder"
     ),
     locked: bool = ag.by(
-        "kind", file=ag.choice(True, False, weights=(0.8, 0.2)), otherwise=False, doc="with a lock"
+        "kind",
+        file=ag.choice(True, False, weights=(0.8, 0.2)),
+        otherwise=False,
+        doc="whether there is a lock",
     ),
     slide_share: ag.Float = ag.uniform(
-        0.60, 0.75, doc="how much of its depth a drawer comes out", within=(0.2, 0.8)
+        0.60, 0.75, doc="travel of a drawer, as a share of its depth", within=(0.2, 0.8)
     ),
     slide_friction: ag.Float = ag.by(
         "runner",
         roller=ag.uniform(6.0, 10.0),
         ball=ag.uniform(5.0, 8.0),
         unit="N",
-        doc="of a pair of runners",
+        doc="friction of a pair of runners",
     ),
     slide_damping: ag.Float = ag.uniform(4.0, 12.0, "N s/m"),
 ) -> ag.Body:
-    """Make a chest, bedside table, filing cabinet or bank with its drawers shut."""
+    """Make a chest, bedside table, filing cabinet or kitchen drawer unit, with its drawers shut."""
     require_suited(handle, "grip", grip, _HANDLES)
     ag.require(
         style not in ("fielded", "glazed"), f"style={style} is for doors: no handle of a drawer fits it"
@@ -381,7 +388,7 @@ def drawer(
             body, case.worktop(slab, worktop if top == "worktop" else finish, before=before, beside=beside)
         )
 
-    # between the rails of the lowest front is room for a hand
+    # space for a hand between the rails of the lowest front
     slim = reduce(ag.min_, (0.25 * (high - low) for low, high in bays.spans), rail)
     look_ = FrontLook(style, dress, slim, "square", slope, ag.material("glass"))
     for row, (low, high) in enumerate(bays.spans):

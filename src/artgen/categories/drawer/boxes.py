@@ -16,18 +16,18 @@ from artgen.categories.shared.hardware.furniture_pulls import GROOVE
 from artgen.categories.shared.hardware.roses import plug
 
 SIDE_PLAY = 0.0125
-"""From the side of a drawer to the face beside it [m]."""
+"""Gap between the side of a drawer and the face beside it [m]."""
 
 RunnerStyle = Literal["roller", "ball"]
-"""Coated angles with rollers, or telescopes with balls."""
+"""Coated angles with rollers, or ball-bearing telescopic runners."""
 
-_MEMBER = 0.0052  # thickness of either member: 2.1 mm are left between them [m]
+_MEMBER = 0.0052  # thickness of each member; a gap of 2.1 mm is between them [m]
 
 _RUNNER_HEIGHT: dict[RunnerStyle, float] = {"roller": 0.030, "ball": 0.042}
 
 
 def steel_of(style: RunnerStyle) -> ag.Material:
-    """Return the steel of runners."""
+    """Return the steel of runners of a style."""
     return CREAM_STEEL if style == "roller" else ZINC
 
 
@@ -39,7 +39,7 @@ def fixed_member(
     rail = ag.board(
         (face - _MEMBER, face + 0.0003), (front, front + length), (z - high / 2, z + high / 2), bevel=0.0008
     )
-    # lips fold over the drawer's member
+    # lips wrap around the drawer's member
     lip = ag.board(
         (face - _MEMBER - 0.0018, face - _MEMBER + 0.0005),
         (front + 0.001, front + length - 0.001),
@@ -76,9 +76,9 @@ def _steel(rail: ag.Solid, steel: ag.Material, *, solid: bool) -> ag.Body:
 
 
 INDEXES = ("A-F", "G-K", "L-R", "S-Z", "2021", "2022", "2023", "2024")
-"""What is written on the cards."""
+"""Texts of the cards."""
 
-_WIDE, _HIGH = 0.078, 0.030  # of a label holder [m]
+_WIDE, _HIGH = 0.078, 0.030  # width and height of a label holder [m]
 
 
 def label_holder(*, z: ag.Scalar, finish: ag.Material, index: str) -> list[ag.Body]:
@@ -98,7 +98,7 @@ def label_holder(*, z: ag.Scalar, finish: ag.Material, index: str) -> list[ag.Bo
 
 
 def lock(*, x: ag.Scalar, z: ag.Scalar, finish: ag.Material) -> list[ag.Body]:
-    """Make the cylinder of a lock, which only is seen."""
+    """Make the cylinder of a lock, visual only."""
     collar = ag.extrude(ag.ring(0.0115, 0.0070), 0.0030, axis=ag.Y, bevel=0.0009)
     return [
         ag.detail(collar.at(x, -0.0011, z), "lock", finish),
@@ -107,89 +107,89 @@ def lock(*, x: ag.Scalar, z: ag.Scalar, finish: ag.Material) -> list[ag.Body]:
 
 
 Mounting = Literal["overlay", "inset"]
-"""Whether fronts lie on the edges of the carcass or stand between them."""
+"""Position of fronts: on the edges of the carcass or between them."""
 
 GAP = 0.003
-"""Between two fronts, or around one that stands between boards [m]."""
+"""Gap between two fronts, or around a front between boards [m]."""
 
-_SHADOW = 0.020  # the gap over a groove into which fingers reach from above [m]
-_BEHIND = 0.002  # from an overlaid front to the carcass [m]
-_MARGIN = 0.0015  # from overlaid fronts to the outlines of the carcass [m]
-_FLOOR = 0.014  # under the box of a drawer [m]
-_OVER = 0.016  # over it [m]
-_REAR = 0.018  # behind it [m]
-_BITE = 0.0003  # how far boards reach into each other [m]
-_HAND = 60.0  # the most that a hand pulls with [N]
+_SHADOW = 0.020  # gap above a groove for fingers from above [m]
+_BEHIND = 0.002  # gap between an overlaid front and the carcass [m]
+_MARGIN = 0.0015  # distance from overlaid fronts to the outlines of the carcass [m]
+_FLOOR = 0.014  # space under the box of a drawer [m]
+_OVER = 0.016  # space above the box [m]
+_REAR = 0.018  # space behind the box [m]
+_BITE = 0.0003  # overlap of joined boards [m]
+_HAND = 60.0  # largest pull of a hand [N]
 
 
 @dataclass(frozen=True)
 class Rows:
-    """Where drawers are in a carcass."""
+    """Positions of the drawers in a carcass."""
 
-    case: Carcass  # the carcass
-    mounting: Mounting  # how fronts are mounted
-    columns: int  # drawers side by side
-    weights: Sequence[ag.Scalar]  # how high the rows are in proportion, from the top
+    case: Carcass  # carcass
+    mounting: Mounting  # mounting of the fronts
+    columns: int  # number of drawers side by side
+    weights: Sequence[ag.Scalar]  # relative heights of the rows, from the top
     thick: ag.Scalar  # thickness of fronts [m]
     groove: bool = False  # whether fronts have a groove along their upper edges
-    # where the lowest row begins, over the floor [m]; by default at the bottom of the carcass
+    # height of the lower end of the lowest row above the floor [m]; by default the bottom of the carcass
     low: ag.Scalar | None = None
 
     @property
     def inset(self) -> bool:
-        """Whether fronts stand between the boards."""
+        """Whether fronts are between the boards."""
         return self.mounting == "inset"
 
     @cached_property
     def face(self) -> ag.Scalar:
-        """The faces of shut drawers along y [m]."""
+        """Position of the faces of shut drawers along y [m]."""
         return self.case.front if self.inset else self.case.front - _BEHIND - self.thick
 
     @property
     def apart(self) -> ag.Scalar:
-        """From one front to the next one above it [m]."""
+        """Distance from a front to the front above it [m]."""
         if self.inset:
-            return self.case.thick + 2 * GAP  # a rail between them
+            return self.case.thick + 2 * GAP  # with a rail between them
         return _SHADOW if self.groove else GAP
 
     @cached_property
     def bottom(self) -> ag.Scalar:
-        """The lower edge of the lowest fronts [m]."""
+        """Height of the lower edge of the lowest fronts [m]."""
         if self.inset:
             return (self.case.floor if self.low is None else self.low) + GAP
         return (self.case.low + _MARGIN) if self.low is None else self.low - self.case.thick / 2
 
     @cached_property
     def top(self) -> ag.Scalar:
-        """The upper edge of the highest fronts [m]."""
+        """Height of the upper edge of the highest fronts [m]."""
         if self.inset:
             return self.case.ceiling - GAP
         return self.case.high - (_SHADOW if self.groove else _MARGIN)
 
     @cached_property
     def cell(self) -> ag.Scalar:
-        """The width between the boards beside a drawer [m]."""
+        """Width between the boards beside a drawer [m]."""
         return (2 * self.case.right - (self.columns - 1) * self.case.thick) / self.columns
 
     @cached_property
     def middles(self) -> list[ag.Scalar]:
-        """The middles of the columns along x [m]."""
+        """Middles of the columns along x [m]."""
         pitch = self.cell + self.case.thick
         return [(at - (self.columns - 1) / 2) * pitch for at in range(self.columns)]
 
     @cached_property
     def width(self) -> ag.Scalar:
-        """Of a front [m]; those of a row are alike, so that outer ones may end before the outline."""
+        """Width of a front, the same for all in a row; outer fronts may end before the outline [m]."""
         return self.cell - 2 * GAP if self.inset else self.cell + self.case.thick - GAP
 
     @cached_property
     def begin(self) -> ag.Scalar:
-        """The fronts of boxes along y [m]."""
+        """Position of the fronts of boxes along y [m]."""
         return self.face + self.thick - _BITE
 
     @cached_property
     def deep(self) -> ag.Scalar:
-        """The depth of boxes [m]."""
+        """Depth of boxes [m]."""
         return self.case.behind - _REAR - self.begin
 
     def outer(self, column: int) -> tuple[ag.Scalar, ag.Scalar]:
@@ -203,7 +203,7 @@ class Rows:
 
     @cached_property
     def spans(self) -> list[tuple[ag.Scalar, ag.Scalar]]:
-        """The lower and upper edges of the fronts of each row, from the top [m]."""
+        """Heights of the lower and upper edges of the fronts of each row, from the top [m]."""
         whole: ag.Scalar = self.weights[0]
         for weight in self.weights[1:]:
             whole = whole + weight
@@ -215,7 +215,7 @@ class Rows:
         return found
 
     def rises(self, row: int) -> tuple[ag.Scalar, ag.Scalar]:
-        """Return the free heights over the lower edge of a front and under its upper edge [m]."""
+        """Return the free heights above the lower edge of a front and below its upper edge [m]."""
         if self.inset:
             return 0.0, 0.0
         last = row == len(self.weights) - 1
@@ -256,16 +256,16 @@ class Rows:
 
 @dataclass(frozen=True)
 class BoxLook:
-    """How the boxes of drawers look."""
+    """Finish and dimensions of drawer boxes."""
 
-    sides: ag.Material  # of sides, back and inner front
-    bottom: ag.Material  # of the bottom
+    sides: ag.Material  # material of sides, back and inner front
+    bottom: ag.Material  # material of the bottom
     wall: ag.Scalar  # thickness of sides, back and inner front [m]
     floor: ag.Scalar  # thickness of the bottom [m]
     runner: RunnerStyle  # style of the runners
-    tallest: ag.Scalar  # height of their sides at most [m]
-    # whether runners, and rails behind grooves, have mass and collide; those of many drawers only are seen,
-    # since simulators test all pairs of close colliders
+    tallest: ag.Scalar  # largest height of the sides [m]
+    # whether runners, and rails behind grooves, have mass and collide; with many drawers they are visual
+    # only, because simulators test all pairs of close colliders
     solid: bool = True
 
 
@@ -276,7 +276,7 @@ def drawer(
     low, high = rows.spans[row]
     left, right = rows.outer(column)
     aside = (left + right) / 2 - rows.middles[column]
-    slab = high - low - GROOVE + 0.0004 if rows.groove else high - low  # under its edge
+    slab = high - low - GROOVE + 0.0004 if rows.groove else high - low  # below the edge of the groove
     middle = (aside, rows.face + rows.thick / 2, slab / 2)
     return ag.weld(
         box,
@@ -286,7 +286,7 @@ def drawer(
 
 
 def _sizes(rows: Rows, row: int, look: BoxLook) -> tuple[ag.Scalar, ag.Scalar, ag.Scalar]:
-    """Return where the box of a drawer begins over its front, its height, and the middle of its runners."""
+    """Return the start of a box above its front's lower edge, its height, and the middle of its runners."""
     low, high = rows.spans[row]
     floor, over = rows.rises(row)
     base = floor + _FLOOR
@@ -295,7 +295,7 @@ def _sizes(rows: Rows, row: int, look: BoxLook) -> tuple[ag.Scalar, ag.Scalar, a
 
 
 def drawer_box(rows: Rows, row: int, look: BoxLook) -> ag.Body:
-    """Make the box of the drawers of a row with the moving members of its runners: the link `drawer`."""
+    """Make the box of the drawers of a row with its runner members: the link `drawer`."""
     base, tall, z = _sizes(rows, row, look)
     begin, wide, deep = rows.begin, rows.cell - 2 * SIDE_PLAY, rows.deep
     boards = open_box(wide, deep, tall, wall=look.wall, front=look.wall, floor=look.floor)
@@ -331,14 +331,14 @@ def fixed_members(rows: Rows, look: BoxLook) -> list[ag.Body]:
 
 
 def travel(rows: Rows, share: ag.Scalar) -> ag.Scalar:
-    """Return how far drawers come out [m]."""
+    """Return the travel of drawers [m]."""
     return share * rows.deep
 
 
 def slide(
     rows: Rows, row: int, column: int, *, share: ag.Scalar, friction: ag.Scalar, damping: ag.Scalar
 ) -> ag.Joint:
-    """Make the slide of a drawer, to be suffixed with it."""
+    """Make the slide of a drawer, with its indices as suffix."""
     low, high = rows.spans[row]
     return ag.Prismatic(
         f"drawer_slide_{row * rows.columns + column}",

@@ -1,17 +1,17 @@
-"""A faucet on a sample deck or before a wall board, as in a shop: its spout turns, its handles open.
+"""A faucet on a sample deck or in front of a wall board, as in a shop: its spout turns, its handles open.
 
 Links: `deck`, with the body; `spout`; `handle` of a mixer, or `handle_left` (hot) and `handle_right` (cold);
 `spray_head` on its hose; `lift_rod`, `pivot_rod` and `plug` of a pop-up drain. Joints: `spout_swivel`;
 `handle_turn` and `handle_lift`, both between the same links, or `handle_turn_left` and `handle_turn_right`;
 `spray_head_slide`; `lift_rod_slide`, and `pivot_rod_turn` and `plug_slide`, which follow it.
 
-A single lever turns to both sides for hot and cold and is lifted to open. Handles of two are shut at 0; they
-turn by a quarter, levers to the front. A spray head is drawn back by the weight on its hose. A lift
-rod comes with its drain, in a piece of a vanity top on a stand: lifted, it turns the pivot rod under the
+A single lever turns to both sides for hot and cold and is lifted to open. A pair of handles is shut at 0 and
+turns by a quarter; levers then point to the front. The weight on its hose draws a spray head back. A lift rod
+comes with its drain, in a piece of a vanity top on a stand: lifted, the rod turns the pivot rod under the
 slab, which lowers the plug.
 
-Sizes are those of shops: valves 0.2 m apart (8 inches, ASME A112.18.1), spouts that reach 0.10-0.25 m and end
-0.08-0.30 m over the deck, aerators M22 and M24, ceramic discs that turn at 0.3-0.8 N m.
+Sizes are those of shops: valves 0.2 m apart (8 inches, ASME A112.18.1), spouts with a reach of 0.10-0.25 m
+and an outlet 0.08-0.30 m above the deck, aerators M22 and M24, ceramic discs with 0.3-0.8 N m of friction.
 """
 
 from typing import Literal
@@ -59,7 +59,7 @@ _METALS = {
     "stainless": 1.0,
 }
 _DECKS: dict[ag.Material | str, float] = {
-    casting(ag.material("stainless_blasted"), 0.14): 0.6,  # a sheet around a board
+    casting(ag.material("stainless_blasted"), 0.14): 0.6,  # density for a sheet around a board
     "green_marble": 0.5,
     "marble": 1.2,
     "oak": 1.0,
@@ -67,7 +67,7 @@ _DECKS: dict[ag.Material | str, float] = {
     "granite": 1.0,
     "walnut": 1.0,
 }
-_PAST = 0.045  # from the end of a lever to the middle of a spray head [m]
+_PAST = 0.045  # distance from the end of a lever to the middle of a spray head [m]
 _METAL_WEIGHTS, _DECK_WEIGHTS = tuple(_METALS.values()), tuple(_DECKS.values())
 
 
@@ -115,7 +115,7 @@ def faucet(
         gooseneck=ag.uniform(0.32, 0.44),
         pull_down=ag.uniform(0.40, 0.45),
         unit="m",
-        doc="of the spout over the deck, or over the bar before a wall; of the column under a straight spout",
+        doc="height of the spout above the deck or wall bar, or of the column under a straight spout",
         within=(0.05, 0.45),
     ),
     reach: ag.Float = ag.by(
@@ -127,7 +127,7 @@ def faucet(
         wall=ag.uniform(0.15, 0.22),
         otherwise=ag.uniform(0.18, 0.22),
         unit="m",
-        doc="of the spout from its axis",
+        doc="reach of the spout from its axis",
         within=(0.08, 0.26),
     ),
     girth: ag.Float = ag.by(
@@ -140,7 +140,7 @@ def faucet(
         within=(0.009, 0.016),
     ),
     body_radius: ag.Float = ag.uniform(
-        0.0215, 0.0265, "m", doc="of the column of a mixer", within=(0.02, 0.03)
+        0.0215, 0.0265, "m", doc="radius of the column of a mixer", within=(0.02, 0.03)
     ),
     square: bool = ag.choice(False, True, doc="whether a straight spout is flat"),
     swivel_limit: ag.Float = ag.by(
@@ -149,15 +149,15 @@ def faucet(
         wall=ag.uniform(1.57, 1.75),  # clear of the wall
         otherwise=ag.uniform(1.57, 3.14),
         unit="rad",
-        doc="of the spout to either side",
+        doc="turn of the spout to each side",
         within=(0.5, 3.14),
     ),
     handle: HandleStyle = ag.choice(
-        "lever", "blade", "cross", "knob", weights=(0.35, 0.25, 0.25, 0.15), doc="of two"
+        "lever", "blade", "cross", "knob", weights=(0.35, 0.25, 0.25, 0.15), doc="style of a pair of handles"
     ),
-    lever: LeverStyle = ag.choice("rod", "blade", "paddle", doc="of a mixer"),
+    lever: LeverStyle = ag.choice("rod", "blade", "paddle", doc="lever style of a mixer"),
     handle_length: ag.Float = ag.uniform(
-        0.058, 0.076, "m", doc="of two, from the axis", within=(0.045, 0.09)
+        0.058, 0.076, "m", doc="length of a pair of handles, from the axis", within=(0.045, 0.09)
     ),
     lever_length: ag.Float = ag.by(
         "style",
@@ -165,35 +165,41 @@ def faucet(
         vessel=ag.uniform(0.078, 0.100),
         otherwise=ag.uniform(0.085, 0.115),
         unit="m",
-        doc="of a mixer, from the axis",
+        doc="length of the lever of a mixer, from the axis",
         within=(0.07, 0.14),
     ),
     side: Literal["left", "right"] = ag.choice(
-        "right", "left", weights=(0.8, 0.2), doc="of the lever under a tall spout"
+        "right", "left", weights=(0.8, 0.2), doc="side of the lever under a tall spout"
     ),
-    lift: ag.Float = ag.uniform(0.42, 0.50, "rad", doc="of a lever", within=(0.3, 0.55)),
+    lift: ag.Float = ag.uniform(0.42, 0.50, "rad", doc="angle of the lifted lever", within=(0.3, 0.55)),
     rod: bool = ag.by(
         "style",
         widespread=ag.choice(True, False),
         single_hole=ag.choice(True, False),
         otherwise=False,
-        doc="whether it has a pop-up drain, which a rod shuts",
+        doc="whether there is a pop-up drain with a lift rod",
     ),
     finish: ag.Material = ag.shades(*_METALS, weights=_METAL_WEIGHTS, color=0.03, roughness=0.03),
     accent: Literal["same", "ceramic"] = ag.choice(
-        "same", "ceramic", weights=(0.6, 0.4), doc="buttons of two handles"
+        "same", "ceramic", weights=(0.6, 0.4), doc="material of the buttons on a pair of handles"
     ),
-    surface: ag.Material = ag.shades(*_DECKS, weights=_DECK_WEIGHTS, color=0.06, doc="of the deck or wall"),
+    surface: ag.Material = ag.shades(
+        *_DECKS, weights=_DECK_WEIGHTS, color=0.06, doc="surface of the deck or wall"
+    ),
     deck_margin: ag.Float = ag.uniform(
         0.045, 0.075, "m", doc="width of the deck around the parts on it", within=(0.035, 0.12)
     ),
     deck_thickness: ag.Float = ag.uniform(0.020, 0.030, "m", within=(0.020, 0.05)),
     swivel_friction: ag.Float = ag.uniform(
-        0.6, 1.4, "N m", doc="of the seals of the spout", within=(0.2, 4.0)
+        0.6, 1.4, "N m", doc="friction of the seals of the spout", within=(0.2, 4.0)
     ),
-    handle_friction: ag.Float = ag.uniform(0.35, 0.75, "N m", doc="of ceramic discs", within=(0.1, 2.0)),
-    head_travel: ag.Float = ag.uniform(0.050, 0.075, "m", doc="of a spray head", within=(0.03, 0.09)),
-    head_force: ag.Float = ag.uniform(9.0, 14.0, "N", doc="by which it is drawn back", within=(5.0, 30.0)),
+    handle_friction: ag.Float = ag.uniform(
+        0.35, 0.75, "N m", doc="friction of the ceramic discs", within=(0.1, 2.0)
+    ),
+    head_travel: ag.Float = ag.uniform(0.050, 0.075, "m", doc="travel of a spray head", within=(0.03, 0.09)),
+    head_force: ag.Float = ag.uniform(
+        9.0, 14.0, "N", doc="force that draws the spray head back", within=(5.0, 30.0)
+    ),
     rod_friction: ag.Float = ag.uniform(5.0, 9.0, "N"),
 ) -> ag.Body:
     """Make a faucet, shut: spout, one or two handles, spray head, lift rod."""
@@ -223,8 +229,8 @@ def faucet(
         case _:
             stand = sided_column(board, radius=body_radius, lever=arm, finish=finish)
 
-    rise = height - stand.over - girth  # of the middle of the tube over the foot of a spout
-    straight = rise - 0.5 * reach  # where the arc of a swan's neck ends
+    rise = height - stand.over - girth  # height of the middle of the tube above the foot of a spout
+    straight = rise - 0.5 * reach  # height of the start of the arc of a gooseneck
     if spout == "beam":
         turned = beam_spout(
             hub=body_radius, tall=ring, reach=reach, radius=girth, square=square, finish=finish
@@ -232,7 +238,7 @@ def faucet(
     elif spout == "low":
         turned = hanging_spout(reach=reach, radius=girth, finish=finish)
     elif style == "pull_down":
-        fall = straight - head_travel - 0.017  # over which the hose slides in a straight leg
+        fall = straight - head_travel - 0.017  # length of the straight leg for the hose
         end = ag.vector(0.0, -reach, fall)
         turned = pull_down_spout(
             height=rise, reach=reach, radius=girth, travel=head_travel, fall=fall, finish=finish

@@ -1,8 +1,8 @@
-"""The pop-up drain of a basin: a plug that a rod behind the spout lowers, through a strap and a pivot rod.
+"""The pop-up drain of a basin: a rod behind the spout lowers a plug, through a strap and a pivot rod.
 
-It hangs in a slab whose upper face is z = `top`. The pivot rod turns about a ball in the rear of the drain
-pipe: its outer end, in the strap under the lift rod, goes up by as much as that is lifted, and its inner end,
-in the eye of the plug, goes down by the share of its arms.
+The drain is in a slab whose upper face is z = `top`. The pivot rod turns about a ball in the rear of the
+drain pipe. Its outer end is in the strap under the lift rod and rises with it; its inner end is in the eye of
+the plug and moves down in proportion to the lengths of the arms.
 """
 
 from dataclasses import dataclass
@@ -11,41 +11,41 @@ import artgen as ag
 from artgen.categories.shared.finish import casting
 
 ROD_TRAVEL = 0.028
-"""How far the rod of a drain is lifted [m]."""
+"""Travel of the lift rod [m]."""
 
 FLANGE = 0.032
 """Radius of the flange in the slab [m]."""
 
 HOLE = 0.0395
-"""Width of the square hole under it [m]."""
+"""Width of the square hole under the flange [m]."""
 
 HANGS = 0.165
-"""How far the pipe reaches down from the top of the slab [m]."""
+"""Length of the pipe below the top of the slab [m]."""
 
-_PIPE = (0.0162, 0.0186)  # inner and outer radius: the 1 1/4 inch of a tailpiece [m]
-_PLUG = 0.0205  # radius of its cap [m]
-_SHUT = 0.0012  # from its shut cap to the seat [m]
-_BALL = 0.022  # from the middle of the pipe to the ball: the inner arm [m]
-_ARM = 0.095  # from the ball to the strap [m]
-_DOWN = 0.120  # of the ball under the top of the slab [m]
+_PIPE = (0.0162, 0.0186)  # inner and outer radius of the 1 1/4 inch tailpiece [m]
+_PLUG = 0.0205  # radius of the cap of the plug [m]
+_SHUT = 0.0012  # gap between the shut cap and the seat [m]
+_BALL = 0.022  # inner arm of the pivot rod: distance from the middle of the pipe to the ball [m]
+_ARM = 0.095  # outer arm: distance from the ball to the strap [m]
+_DOWN = 0.120  # depth of the ball below the top of the slab [m]
 _ROD = 0.0030  # radius of the lift rod [m]
 _PIVOT = 0.0020  # radius of the pivot rod [m]
 _GUIDE = 0.012  # height of the collar that the lift rod passes [m]
-_STANDS = 0.038  # how high its knob stands over the collar [m]
-_PLAY = 0.0005  # around it [m]
-_TILT = 0.5 * ROD_TRAVEL / _ARM  # of the pivot rod at either end of its way [rad]
+_STANDS = 0.038  # height of the knob above the collar [m]
+_PLAY = 0.0005  # gap around the lift rod [m]
+_TILT = 0.5 * ROD_TRAVEL / _ARM  # tilt of the pivot rod at each end of its range [rad]
 
 
 @dataclass(frozen=True)
 class Drain:
     """A pop-up drain."""
 
-    at: ag.Scalar  # its middle along y [m]
-    rod: ag.Scalar  # the lift rod along y [m]
+    at: ag.Scalar  # middle of the drain along y [m]
+    rod: ag.Scalar  # position of the lift rod along y [m]
     top: ag.Scalar  # height of the slab [m]
     thick: ag.Scalar  # thickness of the slab [m]
-    finish: ag.Material  # its metal
-    friction: ag.Scalar  # of the ball and the collar, at the lift rod [N]
+    finish: ag.Material  # metal of the drain
+    friction: ag.Scalar  # friction of the ball and the collar, measured at the lift rod [N]
 
     def on(self, body: ag.Body) -> ag.Body:
         """Attach the drain, its plug and its rods to the body with the slab."""
@@ -119,7 +119,7 @@ class Drain:
         )
 
     def _plug(self) -> ag.Body:
-        """Make the plug as it stands open: its cap, and a stem with an eye for the pivot rod."""
+        """Make the open plug: its cap, and a stem with an eye for the pivot rod."""
         rise = ROD_TRAVEL * _BALL / _ARM
         low = _SHUT + 0.0008 + rise
         core = ag.extrude(ag.regular_polygon(16, _PLUG - 0.0004), 0.0026).at(0.0, 0.0, low + 0.0015)
@@ -154,7 +154,7 @@ class Drain:
         )
 
     def _pivot_rod(self) -> ag.Body:
-        """Make the rod through the ball, its outer end down while the plug is open."""
+        """Make the rod through the ball, with its outer end down: the plug is open."""
         rod = ag.cylinder_between((0.0, -_BALL - 0.006, 0.0), (0.0, _ARM + 0.014, 0.0), _PIVOT)
         ball = ag.sphere(0.0046)
         place = ag.vector(0.0, self.at + _BALL, self.top - _DOWN)
@@ -168,7 +168,7 @@ class Drain:
         """Make the rod with its knob, and the bent strap that a thumbscrew clamps to its lower end."""
         at, top = self.rod, self.top
         high = top + _GUIDE + _STANDS
-        under = top - self.thick - ROD_TRAVEL - 0.006  # where the strap begins
+        under = top - self.thick - ROD_TRAVEL - 0.006  # height of the upper end of the strap
         rod = ag.cylinder_between((0.0, at, under - 0.020), (0.0, at, high), _ROD)
         knob: ag.Solid = ag.sphere(0.0068).at(0.0, at, high)
         metal = casting(self.finish, 0.9)

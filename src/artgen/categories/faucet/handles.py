@@ -1,6 +1,6 @@
-"""Valves of faucets with their handles: quarter turns for hot and cold, and single levers for both.
+"""Valves of faucets with their handles: quarter-turn handles for hot and cold, and single levers for both.
 
-Each is made about the z axis with its foot on z = 0; a single lever can be turned to any side.
+Each is modeled about the z axis with its foot on z = 0; a single lever can be turned to any side.
 """
 
 import math
@@ -11,16 +11,16 @@ from artgen import details
 from artgen.categories.shared.finish import casting
 
 HandleStyle = Literal["lever", "blade", "cross", "knob"]
-"""A round lever, a flat one, a cross with balls, or a fluted knob."""
+"""A round lever, a flat lever, a cross with balls, or a fluted knob."""
 
 LeverStyle = Literal["rod", "blade", "paddle"]
-"""The lever of a mixer: a round rod, a flat bar, or a blade that widens."""
+"""The lever of a mixer: a round rod, a flat bar, or a widening blade."""
 
 QUARTER = 1.57
-"""How far a ceramic disc turns from closed to open [rad]."""
+"""Turn of a ceramic disc from closed to open [rad]."""
 
 TURN = 0.9
-"""How far a single lever turns to either side, to hot and to cold [rad]."""
+"""Turn of a single lever to each side, to hot and to cold [rad]."""
 
 BONNET = 0.040
 """Height of the fixed part of a valve for one handle [m]."""
@@ -53,7 +53,7 @@ def bonnet(finish: ag.Material, *, flange: bool = True) -> ag.Body:
 
 
 def _rod(length: ag.Scalar, thick: ag.Scalar) -> ag.Solid:
-    """Make a round bar along x from the origin that tapers a little and has a round end."""
+    """Make a slightly tapered round bar along x from the origin, with a round end."""
     outline = ag.spline(
         [
             (0.80 * thick, 0.0, 0.0),
@@ -76,7 +76,7 @@ def turning_handle(
     name: str,
     from_tip: bool = False,
 ) -> ag.Body:
-    """Make a handle for one valve, closed: a lever points to -x on the hot side, to x on the cold one."""
+    """Make a closed handle for one valve: a lever points to -x on the hot side, to x on the cold side."""
     low = BONNET + _GAP
     metal = casting(finish, 0.6)
     side = -1 if hot else 1
@@ -146,7 +146,7 @@ def _lobed() -> ag.Profile:
 def quarter_turn(
     name: str, *, hot: bool, friction: ag.Scalar, pivot: ag.VectorLike = (0.0, 0.0, 0.0)
 ) -> ag.Joint:
-    """Make the joint of a handle; positive opens it, and brings a lever to the front."""
+    """Make the joint of a handle; positive opens it and moves a lever to the front."""
     return ag.Revolute(
         name,
         axis=ag.Z if hot else -ag.Z,
@@ -154,7 +154,7 @@ def quarter_turn(
         limits=(0.0, QUARTER),
         friction=friction,
         damping=0.03,
-        armature=0.0002,  # spindle and disc
+        armature=0.0002,  # inertia of the spindle and the disc
         effort=4.0,
     )
 
@@ -169,15 +169,15 @@ def mixer(
     lift: ag.Scalar,
     friction: ag.Scalar,
 ) -> ag.Body:
-    """Make the top of a mixer with its lever: the seat, and on it the link `handle` on its two joints.
+    """Make the top of a mixer with its lever: the seat, and the link `handle` with its two joints.
 
-    The lever sits on a ball, so that it can tilt and turn in a collar with an even gap. It points to the
-    front; `handle_turn` turns it to either side for hot and cold, `handle_lift` lifts it to open.
+    The lever is on a ball, so that it can tilt and turn in a collar with an even gap. It points to the front;
+    `handle_turn` turns it to each side for hot and cold, `handle_lift` lifts it to open.
     """
     ball = radius - 0.0026
     middle = ball + _GAP
     metal = casting(finish, 0.35)
-    # the collar is only seen, the ball stands over the plane of the seat
+    # the collar is visual only; the ball rises above the plane of the seat
     collar = ag.revolve(
         ag.polygon(
             [

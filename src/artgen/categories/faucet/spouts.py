@@ -1,4 +1,4 @@
-"""Spouts of faucets: they turn about the z axis over the plane z = 0, on which their foot ends."""
+"""Spouts of faucets: they turn about the z axis above the plane z = 0, the lower end of their foot."""
 
 import math
 from typing import Literal
@@ -8,7 +8,7 @@ from artgen.categories.shared.finish import casting
 from artgen.nodes.handles import Path
 
 SpoutStyle = Literal["gooseneck", "arc", "angular", "low", "beam"]
-"""A swan's neck, a low arc, a bent square tube, one that hangs from a bar, or a straight one."""
+"""A gooseneck, a low arc, a bent square tube, a spout below a bar, or a straight spout."""
 
 GAP = 0.0006
 """Gap between a spout and its base [m]."""
@@ -20,16 +20,16 @@ HEAD = 0.085
 """Length of a spray head [m]."""
 
 _FOOT = 0.024  # height of the hub of a spout [m]
-_BORE = 0.0084  # radius of the bore in which a hose slides [m]
-_LEAST = 0.0104  # radius of a spout with that bore [m]
+_BORE = 0.0084  # radius of the bore for a hose [m]
+_LEAST = 0.0104  # least radius of a spout with that bore [m]
 _HOSE = 0.0056  # radius of the hose [m]
-_DOCK = 0.010  # length of the hose in the spout when the head is out [m]
-_SIDES = 12  # facets of hollow parts, under a smooth skin
+_DOCK = 0.010  # length of the hose inside the spout while the head is out [m]
+_SIDES = 12  # number of facets of hollow colliders under a smooth surface
 _MESH = ag.material("black_abs").with_(name="aerator_mesh", base_color=(0.10, 0.10, 0.10))
 
 
 def swivel(*, limit: ag.Scalar, friction: ag.Scalar, pivot: ag.Vector) -> ag.Joint:
-    """Make the joint of a spout, which faces the front at 0."""
+    """Make the joint of a spout, which points to the front at 0."""
     return ag.Revolute(
         "spout_swivel",
         axis=ag.Z,
@@ -43,7 +43,7 @@ def swivel(*, limit: ag.Scalar, friction: ag.Scalar, pivot: ag.Vector) -> ag.Joi
 
 
 def aerator(radius: ag.Scalar, finish: ag.Material) -> ag.Body:
-    """Make an aerator that hangs from the origin down, with its sieve."""
+    """Make an aerator with its sieve, from the origin down."""
     ring_ = ag.cylinder(radius, AERATOR, bevel=0.0014).align((0.0, 0.0, 0.001), z=1)
     sieve = ag.cylinder(0.74 * radius, 0.0008).at(0.0, 0.0, 0.001 - AERATOR)
     holes = ag.cylinder(0.50 * radius, 0.0010).at(0.0, 0.0, 0.0009 - AERATOR)
@@ -57,7 +57,7 @@ def aerator(radius: ag.Scalar, finish: ag.Material) -> ag.Body:
 
 
 def _course(style: SpoutStyle, height: ag.Scalar, reach: ag.Scalar, fall: ag.Scalar) -> Path:
-    """Return the middle line of a spout from its foot to its end, which points down."""
+    """Return the center line of a spout from its foot to its end, which points down."""
     low = 0.004
     match style:
         case "gooseneck":
@@ -99,7 +99,7 @@ def rising_spout(
     radius: ag.Scalar,
     finish: ag.Material,
 ) -> ag.Body:
-    """Make a spout that rises from its foot: the link `spout`."""
+    """Make a spout that goes up from its foot: the link `spout`."""
     section: ag.Profile = ag.circle(radius)
     if style == "angular":
         section = ag.rectangle(1.8 * radius, 1.8 * radius, radius=0.3 * radius)
@@ -117,7 +117,7 @@ def rising_spout(
 
 
 def hanging_spout(*, reach: ag.Scalar, radius: ag.Scalar, finish: ag.Material) -> ag.Body:
-    """Make a spout that hangs from a foot above it, runs forward and a little up: the link `spout`."""
+    """Make a spout below its foot that goes forward and a little up: the link `spout`."""
     low, fall = -0.050, -0.062
     course = ag.polyline(
         [(0.0, 0.0, -0.004), (0.0, 0.0, low), (0.0, -reach, -0.028), (0.0, -reach, fall)],
@@ -137,13 +137,13 @@ def hanging_spout(*, reach: ag.Scalar, radius: ag.Scalar, finish: ag.Material) -
 def beam_spout(
     *, hub: ag.Scalar, tall: ag.Scalar, reach: ag.Scalar, radius: ag.Scalar, square: bool, finish: ag.Material
 ) -> ag.Body:
-    """Make a spout that leaves a ring about a column: the link `spout`.
+    """Make a straight spout from a ring about a column: the link `spout`.
 
-    The ring has few facets under a smooth skin, which is only seen.
+    The ring has few facets under a smooth surface, which is visual only.
     """
     metal = casting(finish, 0.35)
     core = core_radius(hub)
-    inner = (core + 0.0004) * 1.04  # so that its facets clear the core
+    inner = (core + 0.0004) * 1.04  # the facets clear the core
     low, high = GAP, tall - 2.0 * GAP
     wall = ag.revolve(
         ag.rectangle(hub - 0.0006 - inner, high - low).at(0.5 * (hub - 0.0006 + inner), 0.5 * (low + high)),
@@ -193,15 +193,15 @@ def pull_down_spout(
     fall: ag.Scalar,
     finish: ag.Material,
 ) -> ag.Body:
-    """Make a gooseneck with room for the hose of a spray head in its end: the link `spout`."""
+    """Make a gooseneck with space for the hose of a spray head in its end: the link `spout`."""
     metal = casting(finish, 0.32)
     radius = ag.require(
         radius, radius > _LEAST, f"the spout holds the hose of a spray head: girth must be > {_LEAST:g} m"
     )
-    deep = travel + _DOCK + 0.006  # of the bore
+    deep = travel + _DOCK + 0.006  # depth of the bore
     pipe = ag.sweep(ag.circle(radius), _course("gooseneck", height, reach, fall + deep))
     hub = ag.frustum(radius + 0.0065, radius + 0.0035, _FOOT, bevel=0.0015).align((0.0, 0.0, GAP), z=-1)
-    # facets inside of the smooth skin
+    # facets inside the smooth surface
     out, inner = radius - 0.0006, _BORE / 0.966
     leg = ag.revolve(
         ag.rectangle(out - inner, deep + 0.0005).at(0.5 * (out + inner), 0.5 * deep), sides=_SIDES
@@ -218,7 +218,7 @@ def pull_down_spout(
 
 
 def spray_head(*, radius: ag.Scalar, travel: ag.Scalar, finish: ag.Material) -> ag.Body:
-    """Make a spray head that hangs from the origin, with the hose above it: the link `spray_head`."""
+    """Make a spray head below the origin, with the hose above it: the link `spray_head`."""
     low = -HEAD - GAP
     wide = radius + 0.0045
     grip = ag.frustum(wide, radius + 0.0004, 0.75 * HEAD, bevel=0.001).align((0.0, 0.0, -GAP), z=1)
@@ -247,9 +247,9 @@ def spray_head(*, radius: ag.Scalar, travel: ag.Scalar, finish: ag.Material) -> 
 
 
 def pull_out(*, travel: ag.Scalar, force: ag.Scalar, pivot: ag.Vector) -> ag.Joint:
-    """Make the joint of a spray head, which the weight on its hose draws back.
+    """Make the joint of a spray head; the weight on its hose draws it back.
 
-    A weight of 0.5-0.8 kg hangs on the hose under the sink; friction in the bend takes part of it.
+    A weight of 0.5-0.8 kg is on the hose under the sink; friction in the bend takes part of its force.
     """
     preload = 0.75 * force
     stiffness = (force - preload) / travel
@@ -262,6 +262,6 @@ def pull_out(*, travel: ag.Scalar, force: ag.Scalar, pivot: ag.Vector) -> ag.Joi
         rest=-preload / stiffness,
         friction=1.0,
         damping=12.0,
-        armature=0.5,  # the weight on the hose
+        armature=0.5,  # inertia of the weight on the hose
         effort=40.0,
     )

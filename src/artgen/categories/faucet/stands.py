@@ -1,6 +1,6 @@
-"""How faucets are fixed: on a deck with two valves, with a bridge, on one column; or before a wall.
+"""Mounts of faucets: on a deck with two valves, with a bridge, on one column, or in front of a wall.
 
-A stand gives where the spout turns, and where the valves of two handles are.
+A stand gives the position of the spout's axis, and those of the valves of two handles.
 """
 
 import math
@@ -22,21 +22,22 @@ BAR = 0.0125
 """Radius of the bar between two valves [m]."""
 
 BEHIND = 0.062
-"""From a wall to the bar before it [m]."""
+"""Distance from a wall to the bar in front of it [m]."""
 
-_SOLID, _FOLDED = 5000.0, 1500.0  # a slab of metal is 1.5 mm of sheet folded around a board [kg/m^3]
+# density of solid metal, and of 1.5 mm of sheet folded around a board [kg/m^3]
+_SOLID, _FOLDED = 5000.0, 1500.0
 _ROSE = 0.030  # radius of the flanges on a wall [m]
 
 
 def deck(*, width: ag.Scalar, depth: ag.Scalar, thick: ag.Scalar, finish: ag.Material) -> ag.Body:
-    """Make a sample deck on pads, its upper face at `PADS + thick`."""
+    """Make a sample deck on pads, with its upper face at `PADS + thick`."""
     slab = ag.box(width, depth, thick, bevel=0.003).at(0.0, 0.0, PADS + thick / 2)
     pads = corner_feet(width, depth, inset=0.016, radius=0.008, height=PADS)
     return ag.weld(ag.part(slab, "deck", _slab(finish)), pads)
 
 
 def _slab(finish: ag.Material) -> ag.Material:
-    """Return the mass of a slab of which only a part is visible."""
+    """Return the material of a slab with the weight of the whole deck."""
     if finish.density < _SOLID:
         return finish
     return finish.with_(name=f"{finish.name}_on_board", density=_FOLDED)
@@ -83,7 +84,7 @@ def raised_deck(
 def wall_board(
     *, width: ag.Scalar, height: ag.Scalar, thick: ag.Scalar, finish: ag.Material, metal: ag.Material
 ) -> ag.Body:
-    """Make a board that stands for a wall, its face on y = 0, on a foot of steel before it."""
+    """Make a wall board, with its face on y = 0, on a steel foot in front of it."""
     panel = ag.box_between((-0.5 * width, 0.0, PADS + 0.004), (0.5 * width, thick, height), bevel=0.003)
     foot = ag.box_between(
         (-0.42 * width, -0.19, PADS), (0.42 * width, thick + 0.03, PADS + 0.008), bevel=0.002
@@ -101,7 +102,7 @@ def wall_board(
 
 
 def column(*, radius: ag.Scalar, height: ag.Scalar, finish: ag.Material) -> ag.Body:
-    """Make a round column with its flange, on z = 0."""
+    """Make a round column with its flange, from z = 0 up."""
     metal = casting(finish, 0.3)
     shaft = ag.cylinder(radius, height + 0.0004, bevel=0.0006).align((0.0, 0.0, height), z=1)
     flange = ag.frustum(radius + 0.0065, radius + 0.0045, 0.0065, bevel=0.0015).align(
@@ -111,7 +112,7 @@ def column(*, radius: ag.Scalar, height: ag.Scalar, finish: ag.Material) -> ag.B
 
 
 def pedestal(*, radius: ag.Scalar, height: ag.Scalar, finish: ag.Material) -> ag.Body:
-    """Make the foot of a spout between two handles: a flange and a short column, on z = 0."""
+    """Make the foot of a spout between two handles: a flange and a short column, from z = 0 up."""
     metal = casting(finish, 0.45)
     shaft = ag.frustum(radius + 0.0085, radius + 0.0065, height, bevel=0.0008).align((0.0, 0.0, height), z=1)
     flange = ag.frustum(radius + 0.0165, radius + 0.0135, 0.008, bevel=0.0015).align(
@@ -121,9 +122,9 @@ def pedestal(*, radius: ag.Scalar, height: ag.Scalar, finish: ag.Material) -> ag
 
 
 def bar(*, half: ag.Scalar, finish: ag.Material, below: bool = False) -> ag.Body:
-    """Make the bar that joins two valves, along x at the origin, with the boss of the spout in its middle.
+    """Make the bar between two valves, along x at the origin, with the boss of the spout in its middle.
 
-    The valves' axes are at `half` to either side; the boss reaches 22 mm up, and the sockets of valves 15 mm.
+    The axes of the valves are at `half` to each side; the boss rises 22 mm, and the sockets of valves 15 mm.
     """
     metal = casting(finish, 0.35)
     long = ag.cylinder(BAR, 2.0 * half, axis=ag.X)
@@ -141,7 +142,7 @@ def bar(*, half: ag.Scalar, finish: ag.Material, below: bool = False) -> ag.Body
 
 
 def risers(*, half: ag.Scalar, height: ag.Scalar, finish: ag.Material) -> ag.Body:
-    """Make the two columns that carry a bar at a height over a deck on z = 0."""
+    """Make the two columns that carry a bar above a deck at z = 0."""
     metal = casting(finish, 0.35)
     shaft = ag.cylinder(0.0125, height).at(0.0, 0.0, 0.5 * height)
     flange = ag.frustum(0.0265, 0.0235, 0.009, bevel=0.0015).align((0.0, 0.0, -0.0004), z=-1)
@@ -152,7 +153,7 @@ def risers(*, half: ag.Scalar, height: ag.Scalar, finish: ag.Material) -> ag.Bod
 
 
 def elbows(*, half: ag.Scalar, finish: ag.Material) -> ag.Body:
-    """Make the two arms that carry a bar before a wall on y = 0: the bar is at y = -62 mm, on z = 0."""
+    """Make the two arms that carry a bar in front of a wall at y = 0: the bar is at y = -62 mm, z = 0."""
     metal = casting(finish, 0.35)
     arm = ag.cylinder_between((0.0, 0.0005, 0.0), (0.0, -BEHIND, 0.0), 0.0125)
     rose = ag.frustum(_ROSE, _ROSE - 0.005, 0.011, axis=-ag.Y, bevel=0.0018).at(0.0, -0.0053, 0.0)
@@ -162,32 +163,32 @@ def elbows(*, half: ag.Scalar, finish: ag.Material) -> ag.Body:
 
 
 ROD_AT = 0.053
-"""The rod of a drain behind the axis of the spout [m]."""
+"""Distance of the rod of a drain behind the axis of the spout [m]."""
 
-_HALF = 0.1016  # half the distance of two valves: 8 inches [m]
+_HALF = 0.1016  # half the distance between two valves, 8 inches [m]
 _FLANGE = 0.0265  # radius of the flange of a valve [m]
 _PEDESTAL = 0.018  # height of the foot of a spout between two valves [m]
-_RISERS = 0.050  # height of the bar of a bridge over the deck [m]
-_RAISED = 0.022  # the boss of a spout over the axis of a bar [m]
-_SOCKET = 0.015  # the socket of a valve over it [m]
+_RISERS = 0.050  # height of the bar of a bridge above the deck [m]
+_RAISED = 0.022  # height of the boss of a spout above the axis of a bar [m]
+_SOCKET = 0.015  # height of the socket of a valve above the axis of a bar [m]
 _COLUMN = 0.125  # height of the column under a tall spout [m]
-_LEVER = 0.068  # height of the mixer at its side [m]
+_LEVER = 0.068  # height of the mixer at the side of a column [m]
 _SIDE = 0.0185  # radius of that mixer [m]
-_RISE = 0.22  # of a lever over the plane of its collar while it is closed [rad]
+_RISE = 0.22  # angle of a closed lever above the plane of its collar [rad]
 
 
 @dataclass(frozen=True)
 class Board:
-    """What a faucet is shown on."""
+    """Display board of a faucet."""
 
-    margin: ag.Scalar  # around the parts on it [m]
-    thick: ag.Scalar  # its thickness [m]
-    finish: ag.Material  # its material
-    drain: ag.Scalar | None  # how far before the spout's axis its drain is [m]; none where it is a plain deck
+    margin: ag.Scalar  # margin around the parts on the board [m]
+    thick: ag.Scalar  # thickness of the board [m]
+    finish: ag.Material  # material of the board
+    drain: ag.Scalar | None  # distance of a drain in front of the spout's axis; None for a plain deck [m]
 
     @property
     def top(self) -> ag.Scalar:
-        """Height of its upper face, where it is a deck [m]."""
+        """Height of the upper face of a deck [m]."""
         return PADS + (self.thick if self.drain is None else HANGS + 0.012)
 
     def body(self, half: ag.Scalar, deep: ag.Scalar) -> ag.Body:
@@ -209,15 +210,15 @@ class Board:
 
 @dataclass(frozen=True)
 class Stand:
-    """What stands still."""
+    """Fixed parts of a faucet."""
 
-    body: ag.Body  # the board with its fixed parts
-    foot: ag.Vector  # where the spout turns, on its axis
-    over: ag.Scalar  # height of that over the deck, or over the bar before a wall [m]
+    body: ag.Body  # board with the fixed parts on it
+    foot: ag.Vector  # foot of the spout, on its axis
+    over: ag.Scalar  # height of the foot above the deck, or above the bar in front of a wall [m]
     valves: list[ag.Vector] = field(
         default_factory=list
-    )  # where the valves of two handles stand: hot and cold
-    least: float = 0.0  # how high the end of the spout is over its foot, to pass the handles [m]
+    )  # positions of the valves of two handles: hot and cold
+    least: float = 0.0  # least height of the end of the spout above its foot, to clear the handles [m]
     flanges: bool = False  # whether the valves cover holes of their own
 
 
@@ -225,11 +226,11 @@ class Stand:
 class Lever:
     """The lever of a mixer."""
 
-    style: LeverStyle  # its form
-    length: ag.Scalar  # from its axis to its tip [m]
-    lift: ag.Scalar  # how far it is lifted [rad]
-    friction: ag.Scalar  # of the cartridge [N m]
-    side: Literal["left", "right"]  # at which side of a column it is
+    style: LeverStyle  # shape of the lever
+    length: ag.Scalar  # length from the axis to the tip [m]
+    lift: ag.Scalar  # angle of the lifted lever [rad]
+    friction: ag.Scalar  # friction of the cartridge [N m]
+    side: Literal["left", "right"]  # side of the lever on a column
 
     def mixer(self, radius: ag.Scalar, finish: ag.Material) -> ag.Body:
         """Make the mixer about the z axis, in a collar of some radius [m]."""
@@ -245,7 +246,7 @@ class Lever:
 
 
 def widespread(board: Board, *, girth: ag.Scalar, finish: ag.Material) -> Stand:
-    """Make a deck with a pedestal for a spout, and places for valves at its sides."""
+    """Make a deck with a pedestal for a spout, and positions of valves at its sides."""
     foot = pedestal(radius=girth, height=_PEDESTAL, finish=finish).at(0.0, 0.0, board.top)
     return Stand(
         ag.weld(board.body(_HALF + _FLANGE, _FLANGE), foot),
@@ -270,9 +271,9 @@ def bridge(board: Board, *, finish: ag.Material) -> Stand:
 
 
 def before_wall(board: Board, *, finish: ag.Material, hangs: bool) -> Stand:
-    """Make a board that stands for a wall, with a bar before it.
+    """Make a wall board with a bar in front of it.
 
-    It ends where a hand that turns the handles would strike it.
+    The board ends clear of a hand that turns the handles.
     """
     level = 0.20 if hangs else 0.15
     body = ag.weld(
@@ -307,7 +308,7 @@ def topped_column(
 
 
 def sided_column(board: Board, *, radius: ag.Scalar, lever: Lever, finish: ag.Material) -> Stand:
-    """Make a column for a tall spout with the mixer lying at its side, its lever upright."""
+    """Make a column for a tall spout with a mixer at its side, its lever upright."""
     out = radius + 0.012
     boss = ag.cylinder_between((0.5 * radius, 0.0, 0.0), (out, 0.0, 0.0), _SIDE, bevel=0.0006)
     lying = lever.mixer(_SIDE, finish).rotate(ag.Y, 0.5 * math.pi).rotate(ag.X, -0.5 * math.pi)

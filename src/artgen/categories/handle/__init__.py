@@ -1,11 +1,11 @@
-"""A door handle as a shop shows it: a lever, a knob or a grip set on a piece of door leaf, with its latch.
+"""A door handle as displayed in a shop: a lever, knob or grip set on a piece of door leaf, with its latch.
 
-Links: `base` (a piece of door leaf on a foot, with roses and faceplate), `handle`, `latch`; `lock` where
-there is one; `thumb_latch` on a grip set. Joints: `handle_turn`, against a spring; `latch_slide` and
-`thumb_press`, which follow it; `lock_turn` or `lock_push`.
+Links: `base` (a piece of door leaf on a foot, with roses and faceplate), `handle`, `latch`; `lock` if there
+is one; `thumb_latch` on a grip set. Joints: `handle_turn`, against a spring; `latch_slide` and `thumb_press`,
+which follow it; `lock_turn` or `lock_push`.
 
 The lock is the privacy lock of a bathroom door: in the middle of a knob, or in the rose below a lever. A grip
-set has its lever or knob, and its lock, inside, which is the back.
+set has its lever or knob, and its lock, on the inside (the back).
 
 Sizes are those of EN 12209 and EN 1906 locks and furniture and of bored locks after ANSI/BHMA A156.2.
 """
@@ -29,8 +29,8 @@ from artgen.categories.shared.hardware.roses import PIN_BELOW, Faces, Fixing, ro
 
 _HANDLES = {"lever": lever_handle, "knob": knob_handle}
 _FOOT = 0.020  # thickness of the stand's foot [m]
-_DEEP = 0.15  # of the foot, front to back [m]
-_WIDTH = 0.20  # of the piece of door leaf [m]
+_DEEP = 0.15  # depth of the foot, front to back [m]
+_WIDTH = 0.20  # width of the piece of door leaf [m]
 _LEAVES = (
     *known(
         "oak",
@@ -49,7 +49,7 @@ _LEAF_WEIGHTS = tuple(
     3.0 if leaf.name == "paint_white" else 0.6 if leaf.name.startswith("paint_") else 1.2 for leaf in _LEAVES
 )
 _FEET = (
-    ag.material("black_abs").with_(name="stand", density=1800.0),  # weighted with stone powder
+    ag.material("black_abs").with_(name="stand", density=1800.0),  # density with stone powder as ballast
     *known("walnut", "oak", "granite", "black_granite", "aluminium"),
 )
 _FOOT_WEIGHTS = (4.0, *(1.0,) * (len(_FEET) - 1))
@@ -70,46 +70,48 @@ def handle(
     ),
     rose_across: ag.Float = ag.by(
         "rose_style",
-        # EN 1906 roses are 50-55 mm, those of bored American locks 65-80 mm
+        # EN 1906 roses are 50-55 mm wide, those of bored American locks 65-80 mm
         round=ag.uniform(0.050, 0.080, "m"),
         square=ag.uniform(0.050, 0.065, "m"),
         plate=ag.uniform(0.040, 0.050, "m"),
         within=(0.04, 0.1),
         doc="diameter or width of the rose or plate",
     ),
-    plate_height: ag.Float = ag.uniform(0.19, 0.22, "m", doc="of a long plate", within=(0.12, 0.24)),
+    plate_height: ag.Float = ag.uniform(0.19, 0.22, "m", doc="height of a long plate", within=(0.12, 0.24)),
     rose_depth: ag.Float = ag.uniform(
-        0.007, 0.010, "m", doc="how far the rose stands out", within=(0.007, 0.014)
+        0.007, 0.010, "m", doc="height of the rose above the leaf", within=(0.007, 0.014)
     ),
     lock: Literal["none", "turn", "push"] = ag.choice("none", "turn", "push"),
-    turn: ag.Float = ag.uniform(0.6, 0.9, "rad", doc="how far the handle turns", within=(0.4, 1.2)),
+    turn: ag.Float = ag.uniform(0.6, 0.9, "rad", doc="range of the handle", within=(0.4, 1.2)),
     release: ag.Float = ag.uniform(
-        0.82, 0.9, doc="share of the turn that frees the latch", within=(0.7, 1.0)
+        0.82, 0.9, doc="share of the turn at which the latch is free", within=(0.7, 1.0)
     ),
     throw: ag.Float = ag.uniform(
-        0.010, 0.0127, "m", doc="how far the latch stands out", within=(0.006, 0.015)
+        0.010, 0.0127, "m", doc="length of the latch outside the leaf", within=(0.006, 0.015)
     ),
-    backset: ag.Float = ag.uniform(0.060, 0.070, "m", doc="lock edge to spindle", within=(0.05, 0.13)),
+    backset: ag.Float = ag.uniform(
+        0.060, 0.070, "m", doc="distance from lock edge to spindle", within=(0.05, 0.13)
+    ),
     thickness: ag.Float = ag.uniform(0.035, 0.045, "m", doc="thickness of the leaf", within=(0.032, 0.06)),
     preload: ag.Float = ag.uniform(0.6, 0.9, "N m", doc="torque of the spring at rest", within=(0.3, 2.0)),
     torque_ratio: ag.Float = ag.uniform(
         1.5, 2.0, doc="torque at the full turn over that at rest", within=(1.05, 4)
     ),
-    damping: ag.Float = ag.uniform(0.05, 0.08, "N m s/rad", doc="of the handle"),
+    damping: ag.Float = ag.uniform(0.05, 0.08, "N m s/rad", doc="damping of the handle"),
     hand: Literal["left", "right"] = ag.choice("left", "right"),
     finish: ag.Material = ag.shades(*FINISHES, weights=FINISH_WEIGHTS, color=0.03, roughness=0.03),
     fixing: Fixing = ag.by(
         "rose_style",
         plate=ag.choice("slot", "phillips"),
         otherwise=ag.choice("hidden", "slot", "phillips", weights=(0.4, 0.3, 0.3)),
-        doc="how roses are held: out of sight, or by two screws",
+        doc="fixing of roses: hidden, or with two screws",
     ),
     leaf: ag.Material = ag.shades(*_LEAVES, weights=_LEAF_WEIGHTS),
     foot: ag.Material = ag.shades(
         *_FEET,
         weights=_FOOT_WEIGHTS,
         color=0.05,
-        doc="of the display stand",
+        doc="finish of the display stand",
     ),
     maker: str = ag.choice(*details.BRANDS, doc="brand on the stand and on the latch"),
     model: int = ag.count(101, 989, doc="number on the stand"),
@@ -120,11 +122,11 @@ def handle(
     faces: Faces = "back" if is_set else "both"
     side = 1 if is_set else -1  # the face with the lock
     common = {"thickness": thickness, "rose_depth": rose_depth, "finish": finish, "faces": faces}
-    pinned = lock if inside == "lever" else "none"  # a knob has the lock in itself
-    # the pin of a lock needs a rose that reaches 3 mm past it
+    pinned = lock if inside == "lever" else "none"  # a knob contains the lock
+    # the pin of a lock needs a rose with a margin of 3 mm beyond it
     across = ag.max_(rose_across, 0.062) if pinned != "none" and rose_style != "plate" else rose_across
 
-    # all is built about the spindle, and moved onto its stand at the end
+    # all parts are built about the spindle, and moved onto the stand at the end
     height = 0.35 if is_set else 0.145
     base = ag.weld(
         _stand(thickness, backset, throw, low=-height, high=0.125, wood=leaf, foot=foot, metal=finish),

@@ -7,16 +7,16 @@ from artgen.categories.shared.finish import casting
 from artgen.categories.shared.hardware.roses import plug
 
 THUMB_RANGE = 0.28
-"""How far a thumb piece is pressed down [rad]."""
+"""Range of a thumb piece [rad]."""
 
-_PIVOT = 0.0085  # from the plate to the pin of the thumb piece [m]
+_PIVOT = 0.0085  # distance from the plate to the pin of the thumb piece [m]
 _BARREL = 0.0045  # radius of the thumb piece about its pin [m]
 _WIDE = 0.022  # length of the barrel [m]
 _EAR = 0.003  # thickness of the ears that hold the pin [m]
-_PLAY = 0.0004  # between barrel and ears [m]
-_CYLINDER = 0.0085  # radius of the plug of its key cylinder [m]
-_KEY = 0.038  # height of that above the spindle [m]
-_GRIP_TOP = 0.048  # from the spindle down to the upper end of the grip: a thumb's reach [m]
+_PLAY = 0.0004  # gap between barrel and ears [m]
+_CYLINDER = 0.0085  # radius of the plug of the key cylinder [m]
+_KEY = 0.038  # height of the key cylinder above the spindle [m]
+_GRIP_TOP = 0.048  # distance from the spindle down to the upper end of the grip, within a thumb's reach [m]
 
 
 def grip(
@@ -61,7 +61,7 @@ def grip(
 
 
 def thumb_piece(*, thickness: ag.Scalar, depth: ag.Scalar, finish: ag.Material, side: int = -1) -> ag.Body:
-    """Make the thumb piece over the grip: the link `thumb_latch`; attach it by `thumb_press`."""
+    """Make the thumb piece above the grip: the link `thumb_latch`; attach it by `thumb_press`."""
     pivot = thickness / 2 + depth + _PIVOT
     barrel = ag.cylinder(_BARREL, _WIDE, axis=ag.X, bevel=0.0008).at(0.0, side * pivot, 0.0)
     blade = ag.box(0.014, 0.036, 0.0042, bevel=0.0014).at(0.0, side * (pivot + 0.016), 0.0)
@@ -78,7 +78,7 @@ def thumb_press(
     side: int = -1,
     name: str = "thumb_press",
 ) -> ag.Joint:
-    """Make the joint of a thumb piece that moves with the handle inside; positive presses it down."""
+    """Make the joint of a thumb piece that follows the inside handle; positive presses it down."""
     pivot = (0.0, side * (thickness / 2 + depth + _PIVOT), 0.0)
     return ag.Revolute(
         name, axis=(-side, 0.0, 0.0), pivot=pivot, follows=(THUMB_RANGE / limit) * turn, damping=0.005

@@ -1,14 +1,14 @@
-"""A lamp that works: arms that stay where they are put, shades that turn, and a switch.
+"""A lamp with working parts: arms that hold any pose, shades that turn, and a switch.
 
-Links: `base`; `swivel`, `arm_lower`, `arm_upper` and `slider` where there are arms; `shade`; and the switch:
+Links: `base`; `swivel`, `arm_lower`, `arm_upper` and `slider` of lamps with arms; `shade`; and the switch:
 `button`, `rocker`, `dial` or `pull_chain`. Joints: `arm_swivel` (without limits), `arm_lower_hinge`,
 `arm_upper_hinge`, `shade_hinge`, `height_slide` on a reading lamp, `shade_turn` of a shade on a harp, and
 `switch_slide`, `switch_rock`, `switch_turn` or `switch_pull`.
 
-Arms swing in the plane y = 0. At rest a lamp stands as in a shop: arms raised, the shade looking down.
-Springs and brakes carry their loads: their torques are derived from the mass and the reach of
-the parts beyond them. Limits of arms follow from their lengths: a shade never gets below the hinge of the
-lowest arm. Bases are as heavy as the lamp needs to stand in every pose.
+Arms swing in the plane y = 0. At rest the arms are raised and the shade points down, as in a shop. Springs
+and brakes carry the loads; their torques are derived from the mass and the reach of the parts beyond them.
+Limits of arms follow from their lengths: a shade never moves below the hinge of the lowest arm. The mass of
+the base is enough for stability in every pose.
 
 Sizes are those of shops: desk lamps with arms of 0.3-0.45 m, table lamps 0.35-0.7 m and floor lamps
 1.2-1.85 m high; sockets are E27 (IEC 60061), shades of cloth 0.26-0.46 m wide.
@@ -55,7 +55,7 @@ from artgen.categories.lamp.standing import BESIDE, Chain, crown, globed, harp_r
 
 Style = Literal["desk", "architect", "led_bar", "reading", "floor", "tripod", "arc", "table", "mushroom"]
 
-_POINTED = ("desk", "architect", "led_bar", "reading", "arc")  # those with a metal head on an arm
+_POINTED = ("desk", "architect", "led_bar", "reading", "arc")  # styles with a metal head on an arm
 _STALK = 0.060  # radius of the foot of a mushroom lamp [m]
 _COVERS = (
     "the body on the base would cover the switch in it: raise base_radius, lower body_radius, "
@@ -65,8 +65,8 @@ _TOO_LOW = (
     "the arm would strike the base at the lowest position of its clamp: raise height, or lower travel or "
     "arm_length"
 )
-_ON_CASE = 0.020  # of a dial above its case on the cord, and 3 mm [m]
-_STEM = 0.14  # between the hub of a tripod and its socket, where a chain hangs [m]
+_ON_CASE = 0.020  # height of a dial above its case on the cord, and 3 mm [m]
+_STEM = 0.14  # height between the hub of a tripod and its socket, for a chain [m]
 
 
 @ag.category(
@@ -114,7 +114,7 @@ def lamp(
         table=ag.uniform(0.018, 0.028),
         otherwise=ag.uniform(0.017, 0.024),
         unit="m",
-        doc="at least; more where the lamp would tip",
+        doc="least radius or width of the base; a lamp that would tip has a larger base",
         within=(0.016, 0.08),
     ),
     height: ag.Float = ag.by(
@@ -127,7 +127,7 @@ def lamp(
         mushroom=ag.uniform(0.36, 0.50),
         otherwise=0.5,
         unit="m",
-        doc="of a lamp that stands by itself; that of a desk lamp follows from its arms",
+        doc="height of a lamp without arms; that of a desk lamp follows from its arms",
         within=(0.34, 1.85),
     ),
     arm_style: ArmStyle = ag.choice("rods", "tube", "flat"),
@@ -139,11 +139,11 @@ def lamp(
         reading=ag.uniform(0.37, 0.44),
         otherwise=0.4,
         unit="m",
-        doc="of the lower arm",
+        doc="length of the lower arm",
         within=(0.3, 0.6),
     ),
     upper_arm: ag.Float = ag.uniform(
-        0.90, 1.02, doc="length of an upper arm over that of the lower", within=(0.8, 1.1)
+        0.90, 1.02, doc="length of an upper arm, as a share of that of the lower arm", within=(0.8, 1.1)
     ),
     lean: ag.Float = ag.by(
         "style",
@@ -153,19 +153,19 @@ def lamp(
         reading=ag.uniform(0.95, 1.25),
         otherwise=0.0,
         unit="rad",
-        doc="of the lower arm at rest: back, or forward where it is the only one",
+        doc="rest angle of the lower arm: back, or forward for a single arm",
     ),
-    rise: ag.Float = ag.uniform(0.82, 0.98, "rad", doc="of an upper arm at rest, from the vertical"),
+    rise: ag.Float = ag.uniform(0.82, 0.98, "rad", doc="rest angle of an upper arm from the vertical"),
     tilt: ag.Float = ag.by(
         "style",
         desk=ag.uniform(0.75, 0.95),
         otherwise=ag.uniform(0.20, 0.40),
         unit="rad",
-        doc="how far a metal shade looks forward at rest, at least",
+        doc="least forward tilt of a metal shade at rest",
     ),
-    reach: ag.Float = ag.uniform(0.46, 0.62, "m", doc="of the bow of an arc lamp", within=(0.3, 0.8)),
+    reach: ag.Float = ag.uniform(0.46, 0.62, "m", doc="reach of the bow of an arc lamp", within=(0.3, 0.8)),
     travel: ag.Float = ag.uniform(
-        0.25, 0.40, "m", doc="of the clamp of a reading lamp on its pole", within=(0.1, 0.5)
+        0.25, 0.40, "m", doc="travel of the clamp of a reading lamp on its pole", within=(0.1, 0.5)
     ),
     shade: ShadeKind = ag.by(
         "style",
@@ -189,7 +189,7 @@ def lamp(
         mushroom=ag.uniform(0.105, 0.150),
         otherwise=0.08,
         unit="m",
-        doc="of the rim",
+        doc="radius of the rim of the shade",
         within=(0.06, 0.26),
     ),
     shade_height: ag.Float = ag.by(
@@ -206,7 +206,7 @@ def lamp(
             dome=ag.uniform(1.25, 1.45),
             otherwise=ag.uniform(1.45, 1.70),
         ),
-        doc="over the radius of its rim",
+        doc="height of the shade, as a share of the radius of its rim",
         within=(0.7, 2.2),
     ),
     shade_top: ag.Float = ag.by(  # radius of the upper rim
@@ -214,14 +214,14 @@ def lamp(
         drum=ag.uniform(0.94, 0.99),
         cone=ag.uniform(0.52, 0.78),
         otherwise=ag.uniform(0.48, 0.58),
-        doc="of cloth, over that of the lower",
+        doc="radius of the upper rim of a cloth shade, as a share of that of the lower rim",
         within=(0.4, 1.0),
     ),
     body: BodyForm = ag.by(
         "style",
         table=ag.choice("vase", "gourd", "bottle", "column", "turned"),
         otherwise="column",
-        doc="of a table lamp",
+        doc="shape of the body of a table lamp",
     ),
     body_radius: ag.Float = ag.by(
         "body",
@@ -247,7 +247,7 @@ def lamp(
     switch_on: Literal["base", "cord", "socket"] = ag.by(
         "switch",
         pull_chain="socket",
-        dial="cord",  # where a hand can turn without striking an arm
+        dial="cord",  # clear of the arms for a turning hand
         otherwise=ag.by(
             "style",
             desk=ag.choice("base", "cord", weights=(0.75, 0.25)),
@@ -257,11 +257,9 @@ def lamp(
             otherwise="cord",
         ),
     ),
-    chain_travel: ag.Float = ag.uniform(
-        0.030, 0.060, "m", doc="how far a pull chain is pulled", within=(0.02, 0.07)
-    ),
+    chain_travel: ag.Float = ag.uniform(0.030, 0.060, "m", doc="travel of a pull chain", within=(0.02, 0.07)),
     chain_force: ag.Float = ag.uniform(
-        3.0, 8.0, "N", doc="of its spring when it is pulled out", within=(2.0, 12.0)
+        3.0, 8.0, "N", doc="spring force of a chain pulled out", within=(2.0, 12.0)
     ),
     swivel_friction: ag.Float = ag.by(
         "style",
@@ -269,15 +267,15 @@ def lamp(
         arc=ag.uniform(2.0, 3.5),
         otherwise=ag.uniform(0.9, 1.7),
         unit="N m",
-        doc="against turning an arm on the base: 3-6 N at its end",
+        doc="friction of an arm on the base: 3-6 N at its end",
         within=(0.1, 6.0),
     ),
     shade_friction: ag.Float = ag.by(
         "shade",
-        dome=ag.uniform(0.04, 0.08),  # it is turned by its knob
+        dome=ag.uniform(0.04, 0.08),  # turned by its knob
         otherwise=ag.uniform(0.30, 0.70),
         unit="N m",
-        doc="against turning a shade on its harp",
+        doc="friction of a shade on its harp",
         within=(0.01, 2.0),
     ),
     metal: ag.Material = ag.by(
@@ -287,7 +285,7 @@ def lamp(
         table=ag.shades(*FITTINGS, weights=FITTING_WEIGHTS, color=0.03),
         arc=ag.shades(*FITTINGS, weights=FITTING_WEIGHTS, color=0.03),
         otherwise=ag.shades(*COATS, weights=COAT_WEIGHTS, color=0.05),
-        doc="of arms, poles and bases",
+        doc="finish of arms, poles and bases",
     ),
     finish: ag.Material = ag.by(
         "style",
@@ -295,7 +293,7 @@ def lamp(
         tripod=ag.shades(*CLOTHS, weights=CLOTH_WEIGHTS, color=0.06),
         table=ag.shades(*CLOTHS, weights=CLOTH_WEIGHTS, color=0.06),
         otherwise=ag.shades(*COATS, weights=COAT_WEIGHTS, color=0.05),
-        doc="of the shade",
+        doc="finish of the shade",
     ),
     matching: bool = ag.by(
         "style",
@@ -305,7 +303,7 @@ def lamp(
         reading=ag.choice(True, False, weights=(0.8, 0.2)),
         mushroom=True,
         otherwise=False,
-        doc="whether the shade is finished like the arms or the base",
+        doc="whether the shade has the finish of the arms or the base",
     ),
     lining: ag.Material = ag.by(
         "style",
@@ -313,7 +311,7 @@ def lamp(
         tripod=ag.shades("fabric", color=0.02),
         table=ag.shades("fabric", color=0.02),
         otherwise=ag.shades("enamel_white", "satin_brass", weights=(0.85, 0.15), color=0.02),
-        doc="inside of the shade",
+        doc="finish of the inside of the shade",
     ),
     stuff: ag.Material = ag.by(
         "style",
@@ -321,10 +319,10 @@ def lamp(
         tripod=ag.shades(*LEGS, color=0.06),
         arc=ag.shades(*STONES, color=0.05),
         otherwise=ag.shades("glass"),
-        doc="of the body of a table lamp, the legs of a tripod, the stone under an arc lamp",
+        doc="material of a table lamp's body, a tripod's legs or the stone under an arc lamp",
     ),
     plastics: Literal["black", "white"] = ag.choice(
-        "black", "white", weights=(0.65, 0.35), doc="of switch and cord"
+        "black", "white", weights=(0.65, 0.35), doc="color of switch and cord"
     ),
 ) -> ag.Body:
     """Make a lamp for a desk, a table or the floor: arms, shade, switch."""
@@ -340,7 +338,7 @@ def lamp(
         head = metal_head(shade, radius=shade_radius, depth=deep, finish=coat, lining=lining, trim=metal)
         carried = pointed(style, head, looks, sizes)
 
-    # the base, as heavy as the lamp needs to stand with its arms stretched out; the cord leaves at the back
+    # the mass of the base keeps the lamp stable with its arms stretched out; the cord leaves at the back
     stone = stuff if style == "arc" else weighted(metal, 2800.0 if style == "table" else 4600.0)
     edge = base_edge(base_shape, base_radius)
     switched = None if switch == "pull_chain" else switch_of(switch, finish=dark, ink=ink)
@@ -363,7 +361,7 @@ def lamp(
     base = ag.weld(base, cord.with_case(switched) if switched and switch_on == "cord" else cord.alone())
 
     if carried is not None and style == "reading":
-        clamp = height - 0.11 - travel  # where it is lowest
+        clamp = height - 0.11 - travel  # lowest height of the clamp
         base = ag.weld(base, pole(POLE, top - 0.001, height - 0.03, metal, capped=True)).require(
             clamp > top + carried.hangs + 0.01, _TOO_LOW
         )
@@ -371,16 +369,16 @@ def lamp(
     if carried is not None:
         return base.attach(carried.body.at(0.0, 0.0, top), *carried.joints)
 
-    mouth = height - crown(harp_rise(deep, shade))  # of the socket
+    mouth = height - crown(harp_rise(deep, shade))  # height of the mouth of the socket
     foot = mouth - SOCKET
-    under: ag.Scalar = top  # a chain
+    under: ag.Scalar = top  # under a chain
     if style == "table":
         stand = turned_lamp(body, radius=body_radius, low=top - 0.001, high=foot, finish=stuff, metal=metal)
         under = wide_up_to(body, BESIDE, radius=body_radius, low=top, high=foot - FITTING)
     elif style == "mushroom":
         foot = foot if shade == "dome" else height - 2.0 * shade_radius - 0.006
         sheet = weighted(metal, 900.0)
-        # under a dome it hides the socket
+        # under a dome, the shade hides the socket
         ends = foot + 0.002 if shade == "globe" else mouth - 0.006
         stand = turned_body("stem", radius=_STALK, low=top - 0.001, high=ends, finish=sheet)
         under = wide_up_to("stem", BESIDE, radius=_STALK, low=top, high=ends)
@@ -399,7 +397,7 @@ def lamp(
         wire=metal,
     )
     chain = Chain(chain_travel, chain_force, metal, under) if switch == "pull_chain" else None
-    low: ag.Scalar = 0.002 if style == "tripod" else top + 0.002  # the shade hangs above it
+    low: ag.Scalar = 0.002 if style == "tripod" else top + 0.002  # the shade is above the base
     return shaded(
         ag.weld(base, stand),
         cover,

@@ -1,7 +1,7 @@
 """Arms of lamps: swivels on the base, bars between the hinges, and joints that hold their loads.
 
-Hinges have their axis along y. Parts take turns in two lanes, so that nothing meets at a hinge however far
-it is turned: the inner lane is 10 mm wide about y = 0, the outer one a pair of plates or rods beside it.
+Hinges have their axis along y. Parts alternate between two lanes, so that parts at a hinge never touch at any
+angle: the inner lane is 10 mm wide about y = 0, the outer lane has a pair of plates or rods beside it.
 """
 
 import math
@@ -16,7 +16,7 @@ ARM_LABELS = ("swivel", "slider", "arm_lower", "arm_upper", "hinge", "spring")
 """Labels of arms and swivels."""
 
 GRAVITY = 9.81
-"""[m/s2]."""
+"""Gravity [m/s2]."""
 
 INNER = 0.005
 """Half the width of the inner lane [m]."""
@@ -28,9 +28,9 @@ TURRET = 0.0006
 """Gap below a part that turns on the base [m]."""
 
 _OUTER = 0.0075  # middle of the plates and rods of the outer lane [m]
-_PLATE = 0.004  # their thickness [m]
+_PLATE = 0.004  # thickness of the plates [m]
 _HOLDS = 1.3  # ratio of the torque of a brake to its load
-_SOFT = 0.2  # share of the friction by which a balancing spring varies over the range
+_SOFT = 0.2  # variation of the torque of a balancing spring over the range, as a share of the friction
 
 
 def eyes(finish: ag.Material, *, label: str, outer: bool) -> list[ag.Body]:
@@ -51,7 +51,7 @@ _PAIR = "the two plates of a pair are held by the bolts through them"
 
 
 def arm_bar(style: ArmStyle, length: ag.Scalar, *, outer: bool) -> ag.Solid:
-    """Make the bar or the pair of bars of an arm, upward from one hinge at the origin to the next."""
+    """Make the bar or the pair of bars of an arm, up from its hinge at the origin to the next hinge."""
     width = _PLATE if outer else 2.0 * INNER
     match style:
         case "rods":
@@ -78,13 +78,13 @@ def arm(
     outer: bool,
     spring: ag.Material | None = None,
 ) -> ag.Body:
-    """Make an arm, upward from its hinge at the origin; its load turns in the other lane."""
+    """Make an arm, up from its hinge at the origin; its load turns in the other lane."""
     middle = ag.frame((0.0, 0.0, 0.5 * length), approach=ag.Y, closing=(1.0, 0.0, 0.0))
     bar = arm_bar(style, length, outer=outer)
     bodies = [ag.part(bar, label, finish, grasp=middle, separate=_PAIR if outer else "")]
     for level in (0.0, length):
         bodies += [each.at(0.0, 0.0, level) for each in eyes(finish, label=label, outer=outer)]
-    if outer:  # spacers hold the pair together
+    if outer:  # spacers between the bars of the pair
         spacer = ag.cylinder(0.0040, 2.0 * _OUTER, axis=ag.Y)
         bodies += [ag.part(spacer.at(0.0, 0.0, share * length), label, finish) for share in (0.35, 0.72)]
     if spring is not None:
@@ -93,7 +93,7 @@ def arm(
 
 
 def _springs(style: ArmStyle, length: ag.Scalar, metal: ag.Material, *, outer: bool) -> list[ag.Body]:
-    """Make the springs beside an arm: between its bars, or at both sides of its only one."""
+    """Make the springs beside an arm: between its bars, or at both sides of a single bar."""
     low, long = 0.16 * length, 0.40 * length
     radius = 0.0036
     coil = ag.sweep(ag.circle(0.0007), ag.helix(radius, long / 22.0, 22.0))
@@ -116,9 +116,9 @@ def _springs(style: ArmStyle, length: ag.Scalar, metal: ag.Material, *, outer: b
 
 
 def turret(finish: ag.Material, *, height: ag.Scalar, outer: bool, radius: ag.Scalar = 0.024) -> ag.Body:
-    """Make a swivel on a base: a disc with a post and an eye at a height, the link `swivel`.
+    """Make a swivel on a base: a disc with a post, and an eye at the given height, the link `swivel`.
 
-    It stands on the plane z = 0, which is the top of the base, with a gap of 0.6 mm.
+    The swivel is above the plane z = 0, the top of the base, with a gap of 0.6 mm.
     """
     disc = ag.cylinder(radius, 0.010, bevel=0.002).at(0.0, 0.0, TURRET + 0.005)
     bodies = [ag.part(disc, "swivel", finish)]
@@ -142,36 +142,36 @@ def turret_turn(*, friction: ag.Scalar, name: str = "arm_swivel") -> ag.Joint:
 
 
 def bracket(finish: ag.Material, *, length: ag.Scalar, label: str = "shade") -> list[ag.Body]:
-    """Make the plates in the outer lane by which a shade hangs on an arm, from z = 0 to -length."""
+    """Make the plates in the outer lane between a shade and an arm, from z = 0 to -length."""
     plate = ag.box(0.016, _PLATE, length + 0.004, bevel=0.0008).at(0.0, 0.0, -0.5 * (length + 0.004))
     pair = ag.array(plate, at=[(0.0, side * _OUTER, 0.0) for side in (-1, 1)])
     return [ag.part(pair, label, finish, separate=_PAIR), *eyes(finish, label=label, outer=True)]
 
 
 class Load:
-    """What a hinge about y carries, as gravity pulls at it: a sum of weights on levers."""
+    """Gravity load of a hinge about y: a sum of weights on levers."""
 
     def __init__(self) -> None:
-        """Begin with nothing."""
+        """Start without weights."""
         self.low: ag.Scalar = 0.0
         self.high: ag.Scalar = 0.0
 
     def lever(self, weight: ag.Scalar, length: ag.Scalar, low: ag.Scalar, high: ag.Scalar) -> "Load":
-        """Add a weight [N] on a lever [m] that turns from a low to a high angle from the vertical [rad].
+        """Add a weight [N] on a lever [m] with a range of angles from the vertical [rad].
 
-        Angles are within -pi/2 and pi, positive towards +x.
+        Angles are between -pi/2 and pi, positive towards +x.
         """
-        crest = 1.0  # of the sine, if the lever may lie level
+        crest = 1.0  # the sine, if the range includes the horizontal
         ends = (ag.sin(low), ag.sin(high))
         self.low = self.low + weight * length * ag.min_(*ends)
         top = ag.max_(*ends)
-        # between low and high the sine is greatest where it is nearest to a quarter turn
+        # between low and high the sine is greatest at the angle nearest to a quarter turn
         level = ag.max_(0.0, ag.min_(1.0, 1e6 * (ag.min_(high, math.pi - low) - math.pi / 2.0)))
         self.high = self.high + weight * length * (level * crest + (1.0 - level) * top)
         return self
 
     def free(self, weight: ag.Scalar, length: ag.Scalar) -> "Load":
-        """Add a weight [N] on a lever [m] that may point anywhere."""
+        """Add a weight [N] on a lever [m] of any direction."""
         self.low = self.low - weight * length
         self.high = self.high + weight * length
         return self
@@ -188,10 +188,11 @@ def braked_hinge(
     sprung: bool = False,
     damping: ag.Scalar = 0.05,
 ) -> ag.Joint:
-    """Make a hinge about y that stays where it is put, whatever the arms beyond it do.
+    """Make a hinge about y that holds any angle under every pose of the arms beyond it.
 
-    A brake alone is stronger than the greatest torque of gravity. A spring takes over the mean of it, and the
-    brake holds the rest; the spring is long and soft, so that it pulls nearly alike over the range.
+    A brake alone exceeds the greatest torque of gravity. With a spring, the spring carries the mean of this
+    torque and the brake holds the rest; the spring is long and soft, with a nearly constant torque over the
+    range.
     """
     least = feel * reach
     low, high = limits
@@ -236,7 +237,7 @@ def head_hinge(
 
 
 def vector_of(point: ag.VectorLike) -> ag.VectorLike:
-    """Return a point as a handle or a tuple, as it came."""
+    """Return a point unchanged, as a handle or a tuple."""
     return point
 
 
@@ -264,9 +265,9 @@ def collar(finish: ag.Material, *, bore: ag.Scalar, out: ag.Scalar, height: ag.S
 
 
 def collar_joints(load: ag.Body, *, travel: ag.Scalar, friction: ag.Scalar) -> tuple[ag.Joint, ag.Joint]:
-    """Make the joints of a clamp on its pole: it slides up from its lowest place, and turns without limits.
+    """Make the joints of a clamp on its pole: a slide up from its lowest place, and a turn without limits.
 
-    The clamp bears 1.3 times its load, and a hand slides it with less than 60 N.
+    The clamp holds 1.3 times its load, and a hand slides it with less than 60 N.
     """
     grip = _HOLDS * GRAVITY * load.mass()
     slide = ag.Prismatic(

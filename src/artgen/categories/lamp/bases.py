@@ -1,4 +1,4 @@
-"""What lamps stand on: weighted bases, poles, tripods, and the turned bodies of table lamps."""
+"""Bases of lamps: weighted bases, poles, tripods, and the turned bodies of table lamps."""
 
 import math
 from collections.abc import Sequence
@@ -11,10 +11,10 @@ from artgen.categories.lamp.jointed import Carried
 from artgen.categories.shared.finish import casting
 
 BaseShape = Literal["round", "square", "hexagonal"]
-"""The outline of a base."""
+"""Outline of a base."""
 
 BodyForm = Literal["vase", "gourd", "bottle", "column", "turned", "stem"]
-"""The form of a table lamp's body."""
+"""Shape of a table lamp's body."""
 
 FITTING = 0.035
 """Height of the fitting between the body of a table lamp and its socket [m]."""
@@ -26,9 +26,10 @@ _AREA = {
     "round": math.pi,
     "square": 4.0 * 0.89**2,
     "hexagonal": 1.5 * math.sqrt(3.0),
-}  # over the radius squared
-_EDGE = {"round": 1.0, "square": 0.89, "hexagonal": math.cos(math.pi / 6.0)}  # nearest edge, over the radius
-_BELOW = 0.0020  # how far the core of a turned body lies below its skin [m]
+}  # area over the radius squared
+# distance of the nearest edge over the radius
+_EDGE = {"round": 1.0, "square": 0.89, "hexagonal": math.cos(math.pi / 6.0)}
+_BELOW = 0.0020  # depth of the core of a turned body below its surface [m]
 _SQUAT = (
     "the body of the lamp has no room between its base and its shade or socket: raise height, or lower "
     "shade_radius or shade_height"
@@ -37,7 +38,7 @@ _TIPS = (
     "a base against tipping would be higher than wide: raise base_radius, or lower reach, arm_length, "
     "shade_radius or shade_height"
 )
-_CORE_SIDES = 32  # of that core: its frustums have 64 corners, as many as a collider may have
+_CORE_SIDES = 32  # number of sides of the core: its frustums have 64 corners, the limit of a collider
 _STEADY = 1.35  # safety factor of the base against tipping
 
 
@@ -49,8 +50,8 @@ def base_edge(shape: BaseShape, radius: ag.Scalar) -> ag.Scalar:
 def steady_height(
     shape: BaseShape, radius: ag.Scalar, density: float, *, least: ag.Scalar, of: Carried
 ) -> ag.Float:
-    """Return the height of a base that outweighs its load, with the arms stretched out."""
-    edge = 0.97 * base_edge(shape, radius)  # its pad is a little smaller
+    """Return the height of a base that keeps the lamp stable with its arms stretched out."""
+    edge = 0.97 * base_edge(shape, radius)  # the pad is a little smaller
     tips = of.moment - of.body.mass() * edge
     high = ag.max_(least, _STEADY * tips / (edge * density * _AREA[shape] * radius * radius))
     return ag.require(high, high < 2.0 * radius, _TIPS)
@@ -103,15 +104,16 @@ def weighted_base(
     return ag.weld(ag.part(block, "base", finish), pad(shape, radius), set_in.body.at(at))
 
 
-_LENGTHS = 4  # of a pole on which a ring slides
+_LENGTHS = 4  # number of lengths of a pole with a sliding ring
 
 
 def pole(
     radius: ag.Scalar, low: ag.Scalar, high: ag.Scalar, finish: ag.Material, *, capped: bool = False
 ) -> ag.Body:
-    """Make an upright tube, with a flange at its foot and, if it is `capped`, a ball that ends it.
+    """Make an upright tube with a flange at its foot and, if it is `capped`, a ball at its end.
 
-    On a capped one a ring slides: it collides in short lengths, for PhysX lets a ring jam on a long thin one.
+    A ring slides on a capped pole, which collides in short lengths: PhysX lets a ring jam on a long thin
+    collider.
     """
     if capped:
         long = (high - low) / _LENGTHS
@@ -128,7 +130,7 @@ def pole(
 
 
 def hollow(finish: ag.Material) -> ag.Material:
-    """Return the material of a tube; a wall of 1.5 mm at a radius of 10 mm is 28 % of the whole."""
+    """Return the material of a tube; a wall of 1.5 mm at a radius of 10 mm is 28 % of the solid."""
     return casting(finish, 0.28)
 
 
@@ -154,7 +156,7 @@ def tripod(
             ag.detail(ferrule, "pole", metal),
             ag.part(foot.at(out * spread + ag.vector(0.0, 0.0, 0.007)), "foot", ag.material("rubber")),
         ]
-    share = 0.46  # of the way up, where three rods hold the legs apart
+    share = 0.46  # share of the height at which three rods hold the legs apart
     corners = [
         ag.vector(math.cos(turn), math.sin(turn), 0.0) * (spread + (top - spread) * share)
         + ag.vector(0.0, 0.0, 0.010 + (rise - 0.010) * share)
@@ -202,7 +204,7 @@ _BODIES: dict[str, Sequence[tuple[float, float]]] = {
 
 
 def _between(points: Sequence[tuple[float, float]]) -> list[tuple[float, float]]:
-    """Return points of an outline with one more on the curve between each two, as Catmull and Rom draw it."""
+    """Return points of an outline with one more point between each two, on a Catmull-Rom curve."""
     found = [points[0]]
     for index in range(len(points) - 1):
         before, after = points[max(index - 1, 0)], points[min(index + 2, len(points) - 1)]
@@ -219,10 +221,10 @@ def turned_body(
 ) -> ag.Body:
     """Make the turned or thrown body of a table lamp between two heights.
 
-    A smooth skin is visible; the mass and the colliders are a core of frustums 2 mm below it, each of which
-    is one convex piece of few corners.
+    A smooth surface is visible; the mass and the colliders are a core of frustums 2 mm below it, each of them
+    one convex piece with few corners.
     """
-    least = 0.020 if form == "stem" else 0.068  # the core of a lower one crosses itself
+    least = 0.020 if form == "stem" else 0.068  # the core of a lower one would intersect itself
     high = ag.require(high, high - low >= least, _SQUAT)
     points = [(r * radius, 0.0, low + share * (high - low)) for r, share in _between(_BODIES[form])]
     core = ag.revolve(ag.half_section(ag.polyline(points), inset=_BELOW), sides=_CORE_SIDES)
@@ -236,7 +238,7 @@ def turned_body(
 def wide_up_to(
     form: BodyForm, beside: float, *, radius: ag.Scalar, low: ag.Scalar, high: ag.Scalar
 ) -> ag.Scalar:
-    """Return up to which height a turned body reaches farther out than to a distance from its axis [m]."""
+    """Return the height up to which a turned body is wider than a distance from its axis [m]."""
     found = low
     share = beside / radius
     for (r, at), (r_above, at_above) in pairwise(_between(_BODIES[form])):
@@ -268,7 +270,7 @@ def turned_lamp(
     finish: ag.Material,
     metal: ag.Material,
 ) -> ag.Body:
-    """Make the body of a table lamp with the fitting that carries its socket."""
+    """Make the body of a table lamp with the fitting for its socket."""
     shoulder = high - FITTING
     return ag.weld(
         turned_body(form, radius=radius, low=low, high=shoulder, finish=finish),
@@ -291,7 +293,7 @@ def harp(
     stud_radius: ag.Scalar,
     finial: bool = True,
 ) -> list[ag.Body]:
-    """Make the bow of wire around a bulb that carries a shade, with its stud and finial."""
+    """Make the wire bow around a bulb that carries a shade, with its stud and finial."""
     rise = top - saddle
     course = ag.polyline(
         [
@@ -306,7 +308,7 @@ def harp(
         ]
     )
     seat = ag.cylinder(0.0085, 0.0030, bevel=0.0008).at(0.0, 0.0, top + 0.0012)
-    tall = stud + (0.004 if finial else -0.003)  # a stud without a finial ends inside of the hub
+    tall = stud + (0.004 if finial else -0.003)  # a stud without a finial ends inside the hub
     pin = ag.cylinder(stud_radius, tall).at(0.0, 0.0, top + tall / 2.0)
     knob = ag.sphere(0.0085).at(0.0, 0.0, top + stud + 0.0095)
     saddle_bar = ag.box(0.034, 0.010, 0.0030, bevel=0.0008).at(0.0, 0.0, saddle)

@@ -11,27 +11,27 @@ from artgen.categories.shared.controls.buttons import button_hole, button_press,
 from artgen.categories.shared.controls.dials import DialStyle, dial
 
 SwitchKind = Literal["button", "rocker", "dial"]
-"""What a finger presses or turns."""
+"""Kind of switch that a finger presses or turns."""
 
 SWITCH_LABELS = ("switch", "button", "rocker", "dial", "pull_chain", "cord", "print")
-"""Labels of switches, of their housings and of their print."""
+"""Labels of switches, their housings and their print."""
 
 ROCK = 0.25
-"""How far a rocker tilts either way [rad]."""
+"""Tilt of a rocker to each side [rad]."""
 
-_UP = -math.pi / 2.0  # turns the face at -y upward, about X
-_BUTTON = 0.017  # across a button [m]
+_UP = -math.pi / 2.0  # rotation about x that turns the face at -y upward [rad]
+_BUTTON = 0.017  # width of a button [m]
 _ROCKER = (0.012, 0.021)  # width and length of a rocker [m]
-_PLAY = 0.0006  # around it [m]
+_PLAY = 0.0006  # gap around a rocker [m]
 
 
 @dataclass(frozen=True)
 class Switch:
-    """A switch in a face that points up."""
+    """A switch in an upward-facing face."""
 
-    body: ag.Body  # visible surround, with the moving link; to be welded to the body with the face
-    hole: ag.Solid | None  # cutter of the face; None without one
-    half: float  # how far it reaches from its middle to the front and to the back [m]
+    body: ag.Body  # visible surround with the moving link, which is welded to the body with the face
+    hole: ag.Solid | None  # cutter of the face, or None
+    half: float  # distance from its middle to its front and back edges [m]
 
 
 def switch(
@@ -63,9 +63,9 @@ def _button(finish: ag.Material, ink: ag.Material) -> Switch:
 def _rocker(finish: ag.Material, ink: ag.Material) -> Switch:
     wide, long = _ROCKER
     half, edge, middle = long / 2.0, 0.0054, 0.0038
-    # from the side it is a flat V; the pivot lies in the face
+    # seen from the side it is a flat V; the pivot is in the face
     side = ag.polygon([(-half, -0.0015), (half, -0.0015), (half, edge), (0.0, middle), (-half, edge)])
-    share = 0.85  # of the way to its end, where fingers press
+    share = 0.85  # position of the finger, as a share of the distance to the end
     pushes = [
         ag.frame(
             (0.0, end * share * half, middle + share * (edge - middle)),
@@ -104,7 +104,7 @@ def _dial(finish: ag.Material, ink: ag.Material, style: DialStyle) -> Switch:
     turn = ag.Revolute(
         "switch_turn",
         axis=ag.Y,
-        friction=0.03,  # a dimmer without stops; its wiper is felt
+        friction=0.03,  # friction of the wiper of a dimmer without stops
         damping=0.002,
         armature=0.00002,
         effort=0.5,
@@ -117,19 +117,19 @@ def _dial(finish: ag.Material, ink: ag.Material, style: DialStyle) -> Switch:
 CASE = (0.034, 0.080, 0.024)
 """Width, length and height of a case on the cord [m]."""
 
-_TAIL = 0.21  # of the cord behind its switch [m]
-_ALONE = 0.15  # farther back that a cord without one ends [m]
+_TAIL = 0.21  # length of the cord behind its switch [m]
+_ALONE = 0.15  # additional length of a cord without a switch [m]
 
 
 @dataclass(frozen=True)
 class Cord:
-    """Where a cord runs."""
+    """Layout of a cord."""
 
     finish: ag.Material  # material of cord and case
-    start: ag.Scalar  # where it leaves the base, along y [m]
-    end: ag.Scalar  # where its switch lies [m]
-    height: ag.Scalar  # of its outlet [m]
-    # how far it goes straight back at first; from high up it bends down in a wider arc [m]
+    start: ag.Scalar  # position of the outlet of the base along y [m]
+    end: ag.Scalar  # position of the switch along y [m]
+    height: ag.Scalar  # height of the outlet [m]
+    # straight length at the outlet; from high up the cord bends down in a wider arc [m]
     stiff: ag.Scalar = 0.022
 
     def alone(self) -> ag.Body:
@@ -155,7 +155,7 @@ class Cord:
 
 
 def cord_case(switched: Switch, finish: ag.Material) -> ag.Body:
-    """Make the case of a switch on a cord: it lies on the floor about the origin, the cord runs along y."""
+    """Make the case of a switch on a cord: it lies on the floor about the origin, the cord is along y."""
     wide, long, high = CASE
     block = ag.box(wide, long, high - 0.001, bevel=0.005).at(0.0, 0.0, (high + 0.001) / 2.0)
     if switched.hole is not None:
@@ -180,9 +180,9 @@ def cord_run(
     sway: ag.Scalar = 0.0,
     stiff: ag.Scalar = 0.022,
 ) -> ag.Body:
-    """Make a cord that leaves a base at the back, at y = start, and lies on the floor up to y = end."""
+    """Make a cord from the back of a base, at y = start, that lies on the floor up to y = end."""
     run = end - start
-    path = ag.bezier(  # which stays above the floor, as its control points do
+    path = ag.bezier(  # the path stays above the floor, as its control points do
         [
             (0.0, start - 0.004, height),
             (0.0, start + stiff, height - 0.001),

@@ -1,4 +1,4 @@
-"""What lamps are made of, and in which colors."""
+"""Materials and colors of lamps."""
 
 import artgen as ag
 from artgen.categories.shared.finish import known, weighing
@@ -24,7 +24,7 @@ COATS = (*(ag.colored("powder_coat", color) for color in _COATS), *known(*_METAL
 """Finishes of lamps with arms: powder coats and metals."""
 
 COAT_WEIGHTS = (*_COATS.values(), *_METALS.values())
-"""How often."""
+"""Weights of `COATS` in a random choice."""
 
 _FITTINGS = {
     "satin_brass": 2.0,
@@ -40,7 +40,7 @@ FITTINGS = known(*_FITTINGS)
 """Metals of poles, necks and harps."""
 
 FITTING_WEIGHTS = tuple(_FITTINGS[each.name] for each in FITTINGS)
-"""How often."""
+"""Weights of `FITTINGS` in a random choice."""
 
 _CLOTHS = {
     "white": 2.5,
@@ -58,10 +58,10 @@ _CLOTHS = {
 }
 
 CLOTHS = (*(ag.colored("fabric", color) for color in _CLOTHS), ag.material("linen"), ag.material("wicker"))
-"""What cloth shades are made of."""
+"""Materials of cloth shades."""
 
 CLOTH_WEIGHTS = (*_CLOTHS.values(), 2.5, 0.8)
-"""How often."""
+"""Weights of `CLOTHS` in a random choice."""
 
 _GLAZES = (
     "white",
@@ -85,19 +85,19 @@ BODIES = (
     *weighing(known("marble", "green_marble"), 800.0, "bored"),
     *weighing(known("brass", "satin_nickel", "aged_bronze", "hammered_bronze"), 450.0, "spun_sheet"),
 )
-"""What bodies of table lamps are made of, of the density that they have with their hollow."""
+"""Materials of the bodies of table lamps, with the density of the hollow body."""
 
 BODY_WEIGHTS = (*(0.9,) * len(_GLAZES), *(1.0,) * 4, *(0.9,) * 3, *(0.8,) * 2, *(0.8,) * 4)
-"""How often."""
+"""Weights of `BODIES` in a random choice."""
 
 LEGS = (
     *known("oak", "walnut", "beech", "ash", "mahogany"),
     *weighing(known("powder_coat_black"), 2200.0, "drawn"),  # tubes
 )
-"""What legs of tripods are made of."""
+"""Materials of the legs of tripods."""
 
 STONES = known("marble", "green_marble", "black_granite", "granite")
-"""What stands under arc lamps."""
+"""Materials of the stones under arc lamps."""
 
 OPAL = ag.material("frosted_glass").with_(
     name="opal_glass",
@@ -108,11 +108,11 @@ OPAL = ag.material("frosted_glass").with_(
     texture="",
     emission=(0.10, 0.09, 0.075),
 )
-"""Opal glass, which a lit bulb would make shine."""
+"""Opal glass for globes."""
 
 
 def plastic(color: str) -> tuple[ag.Material, ag.Material]:
-    """Return the plastic of switches and cords, and the print on it: white on black, or grey on white."""
+    """Return the plastic of switches and cords, and the print on it: white on black, or gray on white."""
     if color == "black":
         return ag.material("black_abs"), ag.material("powder_coat_white")
     return ag.material("glossy_plastic_white"), ag.colored("abs", "graphite")

@@ -1,4 +1,4 @@
-"""Lamps with arms: on a desk with one arm or two, a bar of LEDs on an arm, and a reading lamp on its pole.
+"""Lamps with arms: desk lamps with one or two arms, an LED bar on an arm, and a reading lamp on its pole.
 
 Arms swing in the plane y = 0. Angles are from the vertical, positive towards +x.
 """
@@ -26,60 +26,60 @@ from artgen.categories.lamp.lampshades import Head
 POST = 0.050
 """Height of the hinge of a lower arm above the base [m]."""
 
-_HANG = 0.024  # from the hinge of a shade to the top of its housing [m]
-_BESIDE = 0.0095  # half of the width of an arm, and 2 mm [m]
-_OVER = 0.020  # by how much a shade stays above the hinge of the lowest arm [m]
+_HANG = 0.024  # distance from the hinge of a shade to the top of its housing [m]
+_BESIDE = 0.0095  # half of the width of an arm plus 2 mm [m]
+_OVER = 0.020  # least height of a shade above the hinge of the lowest arm [m]
 _SPRING = ag.material("chrome")
 _LIGHT = ag.material("led_white")
-_BACK = 0.26  # how far it turns back at least [rad]
-_UP = -1.25  # how far a shade turns up [rad]
+_BACK = 0.26  # least backward turn of a shade [rad]
+_UP = -1.25  # angle of a shade turned up [rad]
 
 
 @dataclass(frozen=True)
 class Carried:
-    """What stands on a base."""
+    """Moving parts of a lamp, above its base."""
 
-    body: ag.Body  # the link that moves on the base, with all that it carries; it begins at z = 0
-    moment: ag.Float  # mass times the farthest reach of its parts [kg m]
-    joints: tuple[ag.Joint, ...]  # how it moves on the base
-    hangs: ag.Scalar = 0.0  # how far below z = 0 an arm of a reading lamp reaches with its shade [m]
+    body: ag.Body  # link that moves on the base, with all that it carries, from z = 0 up
+    moment: ag.Float  # mass times the farthest reach of the parts [kg m]
+    joints: tuple[ag.Joint, ...]  # joints between this link and the base
+    hangs: ag.Scalar = 0.0  # distance below z = 0 that an arm of a reading lamp reaches with its shade [m]
 
 
 @dataclass(frozen=True)
 class ArmLooks:
-    """How arms look and feel."""
+    """Style and friction of arms."""
 
-    style: ArmStyle  # form of their bars
-    finish: ag.Material  # their material
-    swivel_friction: ag.Scalar  # against turning on the base [N m]
+    style: ArmStyle  # shape of the bars
+    finish: ag.Material  # material of the bars
+    swivel_friction: ag.Scalar  # friction of the turn on the base [N m]
 
     def turn(self) -> tuple[ag.Joint, ...]:
-        """Make the joint by which they turn on the base."""
+        """Make the joint between the arms and the base."""
         return (turret_turn(friction=self.swivel_friction),)
 
 
 @dataclass(frozen=True)
 class ArmSizes:
-    """The sizes of arms; each lamp takes those that it has."""
+    """Sizes of arms; each lamp uses the sizes that apply to it."""
 
-    length: ag.Scalar  # of the lower or only arm [m]
-    upper: ag.Scalar  # of the upper arm, or of a bar of LEDs [m]
-    lean: ag.Scalar  # of the lower arm at rest [rad]
-    rise: ag.Scalar  # of the upper arm at rest, from the vertical [rad]
-    tilt: ag.Scalar  # how far a shade looks forward at rest [rad]
-    reach: ag.Scalar  # of a bow [m]
-    travel: ag.Scalar  # of a clamp on its pole [m]
-    height: ag.Scalar  # of a bow above the base [m]
+    length: ag.Scalar  # length of the lower or only arm [m]
+    upper: ag.Scalar  # length of the upper arm, or of an LED bar [m]
+    lean: ag.Scalar  # angle of the lower arm at rest [rad]
+    rise: ag.Scalar  # angle of the upper arm at rest, from the vertical [rad]
+    tilt: ag.Scalar  # forward tilt of a shade at rest [rad]
+    reach: ag.Scalar  # reach of a bow [m]
+    travel: ag.Scalar  # travel of a clamp on its pole [m]
+    height: ag.Scalar  # height of a bow above the base [m]
 
 
 def _steepest(cosine: ag.Scalar) -> ag.Float:
-    """Return the angle of a cosine [rad]."""
+    """Return the angle with a given cosine [rad]."""
     held = ag.max_(-0.99, ag.min_(0.99, cosine))
     return ag.atan2(ag.sqrt(1.0 - held * held), held)
 
 
 def _hung(head: Head, looks: ArmLooks) -> ag.Body:
-    """Return a head with its bracket, its hinge at the origin."""
+    """Return a head with its bracket, with its hinge at the origin."""
     return ag.weld(head.body.at(0.0, 0.0, -_HANG), *bracket(looks.finish, length=_HANG))
 
 
@@ -90,9 +90,9 @@ def _tip(length: ag.Scalar, angle: ag.Scalar) -> tuple[ag.Scalar, float, ag.Scal
 def _headed(
     body: ag.Body, hung: ag.Body, head: Head, *, at: ag.Vector, lean: ag.Scalar, tilt: ag.Scalar
 ) -> ag.Body:
-    """Attach a head to the end of an arm that leans by an angle; the head looks down and a little forward."""
+    """Attach a head to the end of an arm with a lean angle; the head points down and a little forward."""
     filled = head.spread(_HANG, _BESIDE) + 0.03 - lean
-    looks = ag.max_(tilt, filled + _BACK)  # a wide shade looks farther forward, off its arm
+    looks = ag.max_(tilt, filled + _BACK)  # a wide shade points farther forward, away from its arm
     placed = hung.rotate(ag.Y, -looks).at(at)
     return body.attach(placed, head_hinge(placed, pivot=at, limits=(_UP, ag.min_(looks - filled, 1.1))))
 
@@ -140,7 +140,7 @@ def two_arms(
     rise: ag.Scalar,
     tilt: ag.Scalar,
 ) -> Carried:
-    """Make two arms on a turret that springs balance, with a shade at their end."""
+    """Make two arms on a turret, balanced by springs, with a shade at their end."""
     hung = _hung(head, looks)
     weight, heavy = GRAVITY * hung.mass(), hung.center_of_mass().norm()
     reach = head.reach + _HANG
@@ -150,7 +150,7 @@ def two_arms(
     low, high = -lean - 0.42, 0.16
     folded = _steepest(
         (reach + _OVER - lower * math.cos(high)) / upper
-    )  # of the upper arm, the lower one at its most
+    )  # largest angle of the upper arm, with the lower arm at its limit
     bent = folded - high  # angle between the arms
     straight = 0.45
     elbow = ag.vector(*_tip(lower, -lean)) + (0.0, 0.0, POST)
@@ -196,7 +196,7 @@ def two_arms(
 
 
 def light_bar(looks: ArmLooks, *, length: ag.Scalar, bar: ag.Scalar, lean: ag.Scalar) -> Carried:
-    """Make a bar of LEDs on an arm."""
+    """Make an LED bar on an arm."""
     first = arm("arm_lower", looks.style, length, finish=looks.finish, outer=True)
     shade = _bar(looks.finish, bar)
     own, weight, heavy = GRAVITY * first.mass(), GRAVITY * shade.mass(), shade.center_of_mass().norm()
@@ -240,7 +240,7 @@ def light_bar(looks: ArmLooks, *, length: ag.Scalar, bar: ag.Scalar, lean: ag.Sc
 
 
 def _bar(finish: ag.Material, length: ag.Scalar) -> ag.Body:
-    """Make the bar, upward from its hinge; its light shines to +x, which is down when it lies level."""
+    """Make the bar, up from its hinge; its light shines to +x, which is down when the bar is horizontal."""
     start, thick, width = 0.045, 0.011, 0.026
     long = length - start
     middle = start + long / 2.0
@@ -266,14 +266,14 @@ def reading_arm(
     bore: ag.Scalar,
     travel: ag.Scalar,
 ) -> Carried:
-    """Make an arm on a clamp that slides and turns on a pole about z, the clamp at z = 0."""
+    """Make an arm on a clamp that slides and turns on a pole about z, with the clamp at z = 0."""
     hung = _hung(head, looks)
     weight, heavy = GRAVITY * hung.mass(), hung.center_of_mass().norm()
     reach = head.reach + _HANG
     out = bore + 0.036
     bar = arm("arm_lower", looks.style, length, finish=looks.finish, outer=False)
     own = bar.mass()
-    # upright the shade would strike the pole: its hinge stays farther out than the shade reaches
+    # an upright arm would strike the pole with the shade: the hinge stays farther out than the shade's reach
     sine = (reach + bore + 0.012 - out) / length
     sine = ag.require(
         sine, sine < 0.95, "the shade strikes the pole: lower shade_radius, or raise arm_length or height"

@@ -14,7 +14,7 @@ SOCKET_RADIUS = 0.0185
 """Radius of the ring at the mouth of a socket [m]."""
 
 BULB = 0.092
-"""How far a bulb stands out of its socket [m]."""
+"""Length of a bulb outside its socket [m]."""
 
 BULB_RADIUS = 0.030
 """Radius of a bulb [m]."""
@@ -23,15 +23,15 @@ _LAMP = ag.material("bulb").with_(density=420.0)  # an LED bulb weighs 60 g: thi
 
 
 def bulb() -> ag.Body:
-    """Make a bulb that stands upright in a socket with its mouth in the plane z = 0."""
-    # a cone that meets the ball at a tangent
+    """Make an upright bulb in a socket with its mouth in the plane z = 0."""
+    # a cone tangent to the ball
     neck = ag.frustum(0.0135, 0.02885, 0.0538).at(0.0, 0.0, 0.0269)
     ball = ag.sphere(BULB_RADIUS).at(0.0, 0.0, 0.062)
     return ag.weld(ag.part(ball, "bulb", _LAMP), ag.part(neck, "bulb", _LAMP))
 
 
 def socket(finish: ag.Material, *, length: ag.Scalar = SOCKET) -> ag.Body:
-    """Make a socket that reaches down from its mouth in the plane z = 0, with a bulb in it."""
+    """Make a socket below its mouth in the plane z = 0, with a bulb in it."""
     sleeve = ag.cylinder(0.0160, length, bevel=0.0015).at(0.0, 0.0, -0.5 * length)
     mouth = ag.cylinder(SOCKET_RADIUS, 0.008, bevel=0.0012).at(0.0, 0.0, -0.004)
     groove = ag.cylinder(0.0162, 0.0012).at(0.0, 0.0, -0.011)
@@ -43,46 +43,46 @@ def socket(finish: ag.Material, *, length: ag.Scalar = SOCKET) -> ag.Body:
 
 
 def lamp_holder(finish: ag.Material, *, length: ag.Scalar = SOCKET) -> ag.Body:
-    """Make a socket with its bulb upward, the mouth of the socket in the plane z = 0."""
+    """Make an upright socket with its bulb, with the mouth of the socket in the plane z = 0."""
     return ag.weld(socket(finish, length=length), bulb())
 
 
 def vents(
     radius: ag.Scalar, level: ag.Scalar, finish: ag.Material, *, count: int = 10, height: ag.Scalar = 0.012
 ) -> ag.Body:
-    """Make the slots around a housing through which a bulb is cooled; they only are seen."""
+    """Make the slots around a housing that cool a bulb, visual only."""
     slot = ag.box(0.0030, 0.0030, height, bevel=0.0012)
     places = ag.ring_points((0.0, 0.0, level), radius - 0.0011, count=count)
     return ag.detail(ag.array(slot, at=places), "socket", recess(finish))
 
 
 ShadeKind = Literal["cone", "drum", "dome", "curved", "globe"]
-"""The form of a shade; a curved one is a bell."""
+"""Shape of a shade; a curved shade is a bell."""
 
 Point = tuple[ag.Scalar, ag.Scalar]
 """Radius and height of a point of a shade's outline [m]."""
 
 NECK = 0.024
-"""Radius of a metal shade where its housing enters [m]."""
+"""Radius of a metal shade at the opening for its housing [m]."""
 
 HOUSING = 0.0215
-"""Radius of the housing on a metal shade, in which the socket is [m]."""
+"""Radius of the housing on a metal shade, which holds the socket [m]."""
 
 HOUSING_TOP = 0.030
-"""How far the housing stands above the shade [m]."""
+"""Height of the housing above the shade [m]."""
 
-_WALL = 0.0015  # of a straight metal shade [m]
-_CLOTH = 0.0018  # of laminated fabric [m]
-_SIDES = 16  # of the unseen shell of a curved shade
-_ROUND = 28  # of a straight one: off a circle of 0.2 m by 1.3 mm
-_SKIN = 0.0005  # [m]
-_UNDER = 0.0008  # how far the unseen shell lies below the outer skin where it is nearest [m]
-_SAG = 1.0 - math.cos(math.pi / _SIDES)  # of its facets, as a share of the radius
-_ARCHED = 0.018  # how far a third of a dome's line bulges, as a share of the radius
+_WALL = 0.0015  # wall thickness of a straight metal shade [m]
+_CLOTH = 0.0018  # thickness of laminated fabric [m]
+_SIDES = 16  # number of sides of the collision shell of a curved shade
+_ROUND = 28  # number of sides of a straight shade: 1.3 mm off a circle of 0.2 m
+_SKIN = 0.0005  # thickness of the visible skins [m]
+_UNDER = 0.0008  # least depth of the collision shell below the outer skin [m]
+_SAG = 1.0 - math.cos(math.pi / _SIDES)  # sagitta of the facets, as a share of the radius
+_ARCHED = 0.018  # bulge of a third of a dome's outline, as a share of the radius
 
 
 def spun(finish: ag.Material) -> ag.Material:
-    """Return a finish on spun aluminium, the material of light metal shades."""
+    """Return a finish on spun aluminum, the material of light metal shades."""
     return finish.with_(name=f"{finish.name}_spun", density=2700.0)
 
 
@@ -90,18 +90,18 @@ def spun(finish: ag.Material) -> ag.Material:
 class Head:
     """A metal shade with its housing, socket and bulb, which shines along -z."""
 
-    body: ag.Body  # the link `shade`; the top of its housing is the origin
+    body: ag.Body  # link `shade`; the top of its housing is the origin
     reach: ag.Float  # distance of its farthest point from the origin [m]
-    # radius and depth below the origin of the points that come nearest to an arm behind it
+    # radius and depth below the origin of the points nearest to an arm behind the shade
     corners: tuple[Point, ...]
 
     def spread(self, above: ag.Scalar, beside: ag.Scalar) -> ag.Float:
-        """Return the angle about the axis that it fills, seen from a pivot above the origin [rad]."""
+        """Return the half angle of the shade as seen from a pivot above the origin [rad]."""
         widest: ag.Float = ag.sqrt(0.0)
         for radius, depth in self.corners:
             deep = depth + above
             far = radius * radius + deep * deep
-            # the angle to the corner, and that by which an arm of that half width comes nearer
+            # angle to the corner, plus the angle for the half width of the arm
             widest = ag.max_(
                 widest, ag.atan2(radius, deep) + ag.atan2(beside, ag.sqrt(far - beside * beside))
             )
@@ -147,13 +147,13 @@ def metal_head(
 
 
 def _metal_outline(kind: str, radius: ag.Scalar, depth: ag.Scalar) -> list[Point]:
-    """Return the outline from the rim up to the neck, its top at 0."""
+    """Return the outline from the rim up to the neck, with its top at 0."""
     match kind:
         case "cone":
             return [(radius, -depth), (NECK, 0.0)]
         case "drum":
             return [(radius, -depth), (radius, 0.0)]
-        case "curved":  # a bell: it flares at the rim
+        case "curved":  # a bell, flared at the rim
             inner = 0.62 * (radius - NECK) + NECK
             return [
                 (radius, -depth),
@@ -195,12 +195,12 @@ def _curved(
     lining: ag.Material,
     grasp: ag.Frame | tuple[()],
 ) -> list[ag.Body]:
-    """Make a smooth shade: two skins, and the faceted shell between them."""
+    """Make a smooth shade: two visible skins, and the faceted collision shell between them."""
     smooth, flat = ag.spline(_line(points)), ag.polyline(_line(points))
     radius, level = points[0]
     deep = _UNDER + (0.010 * radius if kind == "curved" else 0.0)
     thick = deep + 0.0016 + (_SAG + _ARCHED) * radius + 0.0004
-    # a flared rim ends lower inside than outside
+    # a flared rim ends lower on the inside than on the outside
     low, tall = (-0.0028, 0.0062) if kind == "curved" else (-0.0002, 0.0032)
     ring = ag.rectangle(thick + 0.001, tall, radius=0.0014)
     bead = ag.revolve(ring.at(radius - thick / 2.0, level + low + tall / 2.0))
@@ -218,8 +218,8 @@ def _curved(
 
 
 def _rim_grasp(low: Point, high: Point, sides: int, under: ag.Scalar, *, upper: bool = False) -> ag.Frame:
-    """Return where a hand holds a rim: in front, one finger inside, from below or (`upper`) from above."""
-    turn = math.pi * (1.5 + (0.0 if sides % 4 == 2 else 1.0 / sides))  # the middle of a facet
+    """Return the grasp of a rim in front, with one finger inside, from below or (`upper`) from above."""
+    turn = math.pi * (1.5 + (0.0 if sides % 4 == 2 else 1.0 / sides))  # middle of a facet
     out = ag.vector(math.cos(turn), math.sin(turn), 0.0)
     share = math.cos(math.pi / sides)
     along = ag.vector(0.0, 0.0, high[1] - low[1]) + out * ((high[0] - low[0]) * share)
@@ -247,24 +247,24 @@ def _scaled(radius: ag.Scalar, height: ag.Scalar, top: ag.Scalar) -> list[Point]
 class FabricShade:
     """A shade on a spider, which turns on a stud about the z axis."""
 
-    body: ag.Body  # the link `shade`; the middle of its lower rim is the origin
+    body: ag.Body  # link `shade`; the middle of its lower rim is the origin
     hub: ag.Float  # height of the lower face of the spider's hub [m]
-    kind: ShadeKind  # its form
+    kind: ShadeKind  # shape of the shade
 
 
 STUD = 0.0032
-"""Radius of the stud on which a spider turns [m]."""
+"""Radius of the stud for a spider [m]."""
 
 HUB = 0.006
 """Height of the hub of a spider [m]."""
 
-_PLAY = 0.0004  # of the hub on its stud [m]
+_PLAY = 0.0004  # gap between the hub and its stud [m]
 
 
 def drop_of(kind: ShadeKind) -> float:
-    """Return how far below its upper rim a cloth shade has its spider [m].
+    """Return the depth of the spider of a cloth shade below its upper rim [m].
 
-    A hand that comes along the slant of a cone has to pass the finial.
+    The depth leaves space at the finial for a hand along the slant of a cone.
     """
     return 0.020 if kind == "drum" else 0.030
 
@@ -283,7 +283,7 @@ def spider_shade(
     """Make a shade on three spokes: a cone, a drum or a bell of cloth, or a dome of metal."""
     drop = drop_of(kind)
     level: ag.Scalar = height - drop
-    reach: ag.Scalar | None = None  # of the spokes; a dome needs none
+    reach: ag.Scalar | None = None  # reach of the spokes; a dome needs none
     match kind:
         case "dome":
             points = dome_path(bottom, height, 0.020)
@@ -319,7 +319,7 @@ def spider_shade(
 
 
 def _spokes(reach: ag.Scalar, level: ag.Scalar, wire: ag.Material) -> list[ag.Body]:
-    """Make three spokes from the hub into the shade; none is in front, where hands hold the rim."""
+    """Make three spokes from the hub to the shade; none is in front, at the grasp of the rim."""
     start, end = STUD + 0.0025, reach - 0.0008
     bodies = []
     for turn in (math.pi / 2.0, math.pi * 7.0 / 6.0, math.pi * 11.0 / 6.0):
@@ -360,21 +360,22 @@ def _cloth(
 
 
 def _rim(start: Point, towards: Point, long: ag.Scalar = 0.009) -> tuple[Point, Point]:
-    """Return the ends of the first 9 mm of an outline's run."""
+    """Return the ends of the first 9 mm of an outline."""
     (r, z), (r_far, z_far) = start, towards
     share = long / ag.sqrt((r_far - r) * (r_far - r) + (z_far - z) * (z_far - z))
     return start, (r + share * (r_far - r), z + share * (z_far - z))
 
 
 def _band(low: Point, high: Point, thick: ag.Scalar) -> ag.Solid:
-    """Make a band that is folded over the rim of a shade of some thickness [m]."""
+    """Make a band folded over the rim of a shade of some thickness [m]."""
     return ag.revolve(ag.half_section(ag.polyline(_line([low, high])), wall=thick + 0.0014, inset=-0.0007))
 
 
 def globe(radius: ag.Scalar, finish: ag.Material) -> ag.Body:
-    """Make a globe of opal glass, closed: the link `shade` about the origin.
+    """Make a closed globe of opal glass: the link `shade` about the origin.
 
     Its mass is that of a globe of 3 mm glass.
     """
-    hollow = finish.with_(name=f"{finish.name}_globe", density=230.0)  # 3 mm of 2500 kg/m3 at 0.1 m
+    # 3 mm of glass of 2500 kg/m3 at a radius of 0.1 m
+    hollow = finish.with_(name=f"{finish.name}_globe", density=230.0)
     return ag.part(ag.sphere(radius), "shade", hollow)

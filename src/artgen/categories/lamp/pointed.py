@@ -1,4 +1,4 @@
-"""Lamps that point their light: arms with shades, and arc lamps."""
+"""Lamps with a directed light: arms with shades, and arc lamps."""
 
 import math
 
@@ -23,21 +23,21 @@ from artgen.categories.lamp.jointed import (
 )
 from artgen.categories.lamp.lampshades import Head
 
-_HANG = 0.024  # from the hinge of the shade to the top of its housing [m]
+_HANG = 0.024  # distance from the hinge of the shade to the top of its housing [m]
 _TUBE = 0.0105  # radius of the bow [m]
-_SWING = 0.6  # of the shade either way, where the bow lets it [rad]
-_LEAST_SWING = 0.1  # [rad]
+_SWING = 0.6  # swing of the shade to each side, if the bow allows it [rad]
+_LEAST_SWING = 0.1  # least swing of the shade to each side [rad]
 _OFF = 0.004  # distance of a shade from the bow [m]
 _MEETS_BOW = "the shade would strike the bow: raise reach, or lower shade_radius or shade_height"
-_TURN = 2.595  # of the ellipse that the bow follows, from its side on [rad]
-_STEPS = 9  # points on it
+_TURN = 2.595  # angle along the ellipse of the bow, from its side [rad]
+_STEPS = 9  # number of points on the ellipse
 
 
 def arc_arm(head: Head, *, height: ag.Scalar, reach: ag.Scalar, looks: ArmLooks) -> Carried:
     """Make the bow with its shade; it turns about z on the plane z = 0."""
     finish = looks.finish
     foot = ag.cylinder(2.3 * _TUBE, 0.022, bevel=0.003).at(0.0, 0.0, TURRET + 0.011)
-    # straight up, then a quarter and more of an ellipse
+    # straight up, then more than a quarter of an ellipse
     rise = 0.50 * height
     wide, high = reach / (1.0 - math.cos(_TURN)), height - rise
     bend = [
@@ -45,14 +45,15 @@ def arc_arm(head: Head, *, height: ag.Scalar, reach: ag.Scalar, looks: ArmLooks)
         for turn in (_TURN * step / _STEPS for step in range(_STEPS + 1))
     ]
     end, before = ag.vector(*bend[-1]), ag.vector(*bend[-2])
-    last = end + (before - end) * (0.034 / (before - end).norm())  # from here on it runs in the inner lane
+    # the bow is in the inner lane beyond this point
+    last = end + (before - end) * (0.034 / (before - end).norm())
     course = ag.spline([(0.0, 0.0, 0.018), (0.0, 0.0, 0.84 * rise), *bend[:-1], last])
     neck = ag.cylinder(0.0048, 0.040, axis=end - last).at((end + last) * 0.5)
     grip = ag.frame((0.0, 0.0, 0.5 * rise), approach=ag.Y, closing=(1.0, 0.0, 0.0))
-    towards: ag.Scalar = _SWING  # how far the shade swings to the bow
+    towards: ag.Scalar = _SWING  # swing of the shade to the bow
     for corner, below in head.corners:
         deep = below + _HANG
-        # where the corner is when it has swung up, and how far forward the bow is there
+        # position of the corner after the upward swing, and the position of the bow at this height
         level = end.z - deep * math.cos(_SWING) + corner * math.sin(_SWING)
         share = ag.clamp((level - rise) / high, 0.0, 1.0)
         room = reach - wide * (1.0 - ag.sqrt(1.0 - share * share)) - _TUBE - _OFF
@@ -82,7 +83,7 @@ def arc_arm(head: Head, *, height: ag.Scalar, reach: ag.Scalar, looks: ArmLooks)
 
 
 POLE = 0.0095
-"""Radius of the pole on which the arm of a reading lamp slides [m]."""
+"""Radius of the pole for the arm of a reading lamp [m]."""
 
 
 def pointed(style: str, head: Head, looks: ArmLooks, sizes: ArmSizes) -> Carried:

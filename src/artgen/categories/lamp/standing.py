@@ -1,4 +1,4 @@
-"""Lamps that carry their shade on a socket: table lamps, floor lamps, tripods, and globes."""
+"""Lamps with a shade on a socket: table lamps, floor lamps, tripods, and globes."""
 
 from dataclasses import dataclass
 
@@ -7,27 +7,27 @@ from artgen.categories.lamp.bases import harp
 from artgen.categories.lamp.lampshades import HUB, STUD, FabricShade, ShadeKind, drop_of, lamp_holder
 
 CHAIN_BALLS = 26
-"""How many balls of a chain are seen."""
+"""Number of visible balls of a chain."""
 
-_BALL = 0.0016  # radius of a ball: chains of lamps have 3.2 mm balls [m]
-_CORE = 0.0015  # radius of the rod that replaces the chain [m]
+_BALL = 0.0016  # radius of a ball: chains of lamps have balls of 3.2 mm [m]
+_CORE = 0.0015  # radius of the rod that collides for the chain [m]
 KNOB = (0.0052, 0.016)
-"""Radius and height of its knob [m]."""
+"""Radius and height of the knob of a chain [m]."""
 
 SPOUT = 0.0064
 """Outer radius of the spout of a switch [m]."""
 
-_BORE = 0.0042  # of the spout of the switch [m]
-_IN_SPOUT = 0.012  # how much of the chain is left in the spout when it is pulled [m]
+_BORE = 0.0042  # radius of the bore of the spout [m]
+_IN_SPOUT = 0.012  # length of the pulled chain inside the spout [m]
 
 
 def spout_length(travel: ag.Scalar) -> ag.Scalar:
-    """Return the length of the spout of a switch with a chain of a travel [m]."""
+    """Return the length of the spout of a switch for a chain with a travel [m]."""
     return travel + _IN_SPOUT + 0.006
 
 
 def spout(travel: ag.Scalar, finish: ag.Material) -> ag.Body:
-    """Make the switch of a pull chain: a bell-mouthed tube down to z = 0, to be welded to a socket."""
+    """Make the switch of a pull chain: a bell-mouthed tube down to z = 0, which is welded to a socket."""
     long = spout_length(travel)
     pipe = ag.tube(SPOUT, _BORE, long, bevel=0.0006).at(0.0, 0.0, long / 2.0)
     lid = ag.cylinder(_BORE + 0.0034, 0.005, bevel=0.0012).at(0.0, 0.0, long + 0.0022)
@@ -38,9 +38,9 @@ def spout(travel: ag.Scalar, finish: ag.Material) -> ag.Body:
 
 
 def pull_chain(travel: ag.Scalar, hang: ag.Scalar, *, finish: ag.Material, knob: ag.Material) -> ag.Body:
-    """Make a chain that hangs out of a spout with its mouth at the origin: the link `pull_chain`.
+    """Make a chain below a spout with its mouth at the origin: the link `pull_chain`.
 
-    A thin rod collides in place of the chain; the balls of the chain are only visible.
+    A thin rod collides in place of the chain; the balls of the chain are visual only.
     """
     above = travel + _IN_SPOUT
     rod = ag.capsule(_CORE, hang + above).at(0.0, 0.0, (above - hang) / 2.0)
@@ -58,8 +58,8 @@ def pull_chain(travel: ag.Scalar, hang: ag.Scalar, *, finish: ag.Material, knob:
 
 
 def chain_pull(travel: ag.Scalar, *, force: ag.Scalar) -> ag.Joint:
-    """Make the joint of a chain: it comes down by a travel, and its spring takes it up again."""
-    preload = 0.35 * force  # carries chain and knob, 0.1 N, and the friction
+    """Make the joint of a chain: it is pulled down by a travel, and its spring draws it up again."""
+    preload = 0.35 * force  # preload for the weight of chain and knob, 0.1 N, and the friction
     stiffness = (force - preload) / travel
     return ag.Prismatic(
         "switch_pull",
@@ -69,17 +69,17 @@ def chain_pull(travel: ag.Scalar, *, force: ag.Scalar) -> ag.Joint:
         rest=-preload / stiffness,
         damping=2.0,
         friction=0.2,
-        armature=0.02,  # the ratchet of the switch
+        armature=0.02,  # inertia of the ratchet of the switch
         effort=20.0,
     )
 
 
-_GAP = 0.0004  # above and below the hub of a shade [m]
-_SEAT = 0.0027  # of the hub above the bar of a harp [m]
+_GAP = 0.0004  # gap above and below the hub of a shade [m]
+_SEAT = 0.0027  # height of the hub above the bar of a harp [m]
 _BOW = 0.042  # half of the width of a harp [m]
-_OUT = 0.046  # of the chain from the axis: a finger closes between it and the pole [m]
-_BELOW = 0.052  # of the middle of its knob under the shade, where a hand passes the rim [m]
-_OUTSIDE = 0.014  # least free length of the chain under the spout: a knob is not drawn into it [m]
+_OUT = 0.046  # distance of the chain from the axis: a finger closes between it and the pole [m]
+_BELOW = 0.052  # depth of the middle of the knob below the shade, for a hand past the rim [m]
+_OUTSIDE = 0.014  # least free length of the chain under the spout, so that the knob stays outside [m]
 _PULLED_INTO = (
     "a pull chain would be pulled into the part under it: raise height, or lower "
     "chain_travel, shade_radius, shade_height or body_radius"
@@ -90,21 +90,21 @@ _HANGS_LOW = (
 )
 
 BESIDE = _OUT - KNOB[0]
-"""How far from the axis a lamp may reach without being under its chain [m]."""
+"""Distance from the axis that a lamp may reach without being under its chain [m]."""
 
 
 @dataclass(frozen=True)
 class Chain:
     """A pull chain."""
 
-    travel: ag.Scalar  # how far it is pulled [m]
-    force: ag.Scalar  # of its spring when it is pulled out [N]
-    knob: ag.Material  # material of its knob
-    under: ag.Scalar  # height of the part under it [m]
+    travel: ag.Scalar  # travel of the chain [m]
+    force: ag.Scalar  # spring force of the chain pulled out [N]
+    knob: ag.Material  # material of the knob
+    under: ag.Scalar  # height of the part under the chain [m]
 
 
 def harp_rise(height: ag.Scalar, kind: ShadeKind) -> ag.Float:
-    """Return how far a harp stands above the mouth of its socket [m].
+    """Return the height of a harp above the mouth of its socket [m].
 
     A cloth shade hides the socket: its rim is about 34 mm below the mouth. A dome ends near the mouth.
     """
@@ -113,7 +113,7 @@ def harp_rise(height: ag.Scalar, kind: ShadeKind) -> ag.Float:
 
 
 def crown(rise: ag.Float) -> ag.Float:
-    """Return how far the finial of a harp stands above the mouth of the socket [m]."""
+    """Return the height of the finial of a harp above the mouth of the socket [m]."""
     return rise + 0.012 + 0.018
 
 
@@ -130,7 +130,7 @@ def shaded(
 ) -> ag.Body:
     """Put a socket with its bulb, a harp and a shade on a base.
 
-    The shade rests on the harp and turns on its stud; its weight and the finial hold it by friction.
+    The shade rests on the harp and turns on its stud; friction under its weight and the finial holds it.
     """
     top = mouth + harp_rise(height, shade.kind)
     bow = harp(
@@ -143,7 +143,7 @@ def shaded(
         finial=shade.kind != "dome",
     )
     bodies = [base, lamp_holder(metal).at(0.0, 0.0, mouth), *bow]
-    level = top + _SEAT + _GAP - shade.hub  # of the lower rim
+    level = top + _SEAT + _GAP - shade.hub  # height of the lower rim
     if chain is not None:
         bodies.append(_chained(chain, mouth, level, metal))
     turn = ag.Revolute("shade_turn", axis=ag.Z, friction=friction, damping=0.01, armature=0.0002, effort=3.0)
@@ -168,10 +168,11 @@ def globed(
     base: ag.Body, *, top: ag.Scalar, radius: ag.Scalar, glass: ag.Material, metal: ag.Material
 ) -> ag.Body:
     """Put a globe of opal glass with its bulb on a base with its top at a height."""
-    opal = glass.with_(name=f"{glass.name}_globe", density=230.0)  # 3 mm of 2500 kg/m3 at 0.1 m
+    # 3 mm of glass of 2500 kg/m3 at a radius of 0.1 m
+    opal = glass.with_(name=f"{glass.name}_globe", density=230.0)
     cup = ag.tube(0.030, 0.026, 0.016, bevel=0.0012).at(0.0, 0.0, top + 0.008)
     floor = ag.cylinder(0.029, 0.004, bevel=0.0012).at(0.0, 0.0, top + 0.002)
-    sunk = 0.010 - 0.0045  # where a globe of 0.1 m enters a ring of 26 mm
+    sunk = 0.010 - 0.0045  # depth of a globe of 0.1 m in a ring of 26 mm
     return ag.weld(
         base,
         ag.part(ag.sphere(radius).at(0.0, 0.0, top + sunk + radius), "shade", opal),

@@ -1,16 +1,16 @@
-"""A microwave oven with its turntable, and a door that a handle or a button opens.
+"""A microwave oven with its turntable, and a door with a handle or an opening button.
 
-The door hangs at its left. Links: `body`; `door`; `plate` on its coupler, and the `roller_ring` under it;
-`key_0`, ... in rows of three; `dial`, or `dial_0`, ...; where no handle is on the door, `button` and the
-`latch` that it lifts. Joints: `door_hinge`, `plate_spin`, `ring_spin`, `key_slide_0`, ..., `dial_turn`
-(numbered where there are several), `button_slide` and `latch_slide`.
+The door is hinged at its left. Links: `body`; `door`; `plate` on its coupler, and the `roller_ring` under it;
+`key_0`, ... in rows of three; `dial`, or `dial_0`, ...; for a door without a handle, `button` and the `latch`
+that it lifts. Joints: `door_hinge`, `plate_spin`, `ring_spin`, `key_slide_0`, ..., `dial_turn` (numbered if
+there are several), `button_slide` and `latch_slide`.
 
-Two hooks of the door reach into the frame of the cavity. Pawls of the latch lie before their barbs, so that
-the door opens only while the button is pressed; a spring then throws it open by 0.3 rad, and from there it
-stays where it is left, as a door with a handle does everywhere. Wheels roll between the floor and the plate:
+Two hooks of the door reach into the frame of the cavity. Pawls of the latch block their barbs, so that the
+door opens only while the button is pressed; a spring then opens it to 0.3 rad, and friction holds it at any
+larger angle. Friction holds a door with a handle at any angle. Wheels roll between the floor and the plate:
 their ring turns half as fast as the plate.
 
-Sizes are those of countertop ovens of 17-32 litres: 0.44-0.60 x 0.32-0.45 x 0.25-0.34 m and 10-18 kg; plates
+Sizes are those of countertop ovens of 17-32 liters: 0.44-0.60 x 0.32-0.45 x 0.25-0.34 m and 10-18 kg; plates
 of 245-315 mm.
 """
 
@@ -29,7 +29,7 @@ from artgen.categories.shared.hardware.bar_handles import BarStyle
 from artgen.nodes.details.displays import Color
 
 Look = Literal["stainless", "dark_steel", "white", "black", "pastel"]
-"""Families of finishes, as of other appliances."""
+"""Families of finishes, the same as those of other appliances."""
 
 _LOOKS: tuple[Look, ...] = get_args(Look)
 _FINISH, _METAL = fronts(*_LOOKS), grip_metals(*_LOOKS)
@@ -49,7 +49,7 @@ _CAPS = {
     "black": ag.colored("abs", "anthracite"),
     "pastel": ag.colored("abs", "ivory"),
 }
-_LININGS = {  # those of other looks are of the finish
+_LININGS = {  # other looks have the finish of the front
     look: ag.colored("abs", color).with_(name=f"door_lining_{color}")
     for look, color in (
         ("stainless", "graphite"),
@@ -57,7 +57,7 @@ _LININGS = {  # those of other looks are of the finish
         ("black", "anthracite"),
     )
 }
-_KNOBS = (  # caps of plastic under a skin of metal
+_KNOBS = (  # plastic caps under a metal skin
     *(ag.material(name).with_(name=f"{name}_cap", density=1100.0) for name in ("aluminium", "chrome")),
     ag.material("black_abs"),
     ag.material("brushed_aluminium").with_(name="brushed_cap", density=1100.0),
@@ -87,7 +87,7 @@ def microwave(
         white=ag.choice("bar", "pocket", "none", weights=(0.25, 0.3, 0.45)),
         black=ag.choice("none", "bar", "pocket", weights=(0.35, 0.35, 0.3)),
         pastel=ag.choice("pocket", "none", "bar", weights=(0.15, 0.35, 0.5)),
-        doc="none has a button that opens the door",
+        doc="handle of the door; none for a button that opens the door",
     ),
     face: FaceStyle = ag.by(
         "look",
@@ -109,10 +109,12 @@ def microwave(
     ),
     panel: ag.Float = ag.uniform(0.098, 0.128, "m", doc="width of the control panel", within=(0.094, 0.16)),
     door_thickness: ag.Float = ag.uniform(0.0345, 0.040, "m", within=(0.034, 0.05)),
-    border: ag.Float = ag.uniform(0.030, 0.052, "m", doc="above and below the window", within=(0.026, 0.08)),
+    border: ag.Float = ag.uniform(
+        0.030, 0.052, "m", doc="height of the frame above and below the window", within=(0.026, 0.08)
+    ),
     foot: ag.Float = ag.uniform(0.008, 0.014, "m", doc="height of the feet", within=(0.006, 0.02)),
     plate: ag.Float = ag.uniform(
-        0.93, 1.0, doc="of the largest plate that turns in the cavity", within=(0.7, 1.0)
+        0.93, 1.0, doc="radius of the plate, as a share of the largest that fits", within=(0.7, 1.0)
     ),
     finish: ag.Material = _FINISH,
     metal: ag.Material = _METAL,
@@ -129,7 +131,7 @@ def microwave(
         keypad=ag.choice(6, 9, 12, weights=(0.25, 0.35, 0.4)),
         mixed=ag.choice(3, 6),
         dials=0,
-        doc="in rows of three",
+        doc="number of keys, in rows of three",
     ),
     key_shape: ButtonShape = ag.choice("bar", "square", "pill", weights=(0.45, 0.25, 0.3)),
     key_travel: ag.Float = ag.uniform(0.0010, 0.0015, "m", within=(0.0005, 0.003)),
@@ -143,13 +145,15 @@ def microwave(
         unit="m",
         within=(0.012, 0.026),
     ),
-    knob: ag.Material = ag.shades(*_KNOBS, color=0.03, roughness=0.03, doc="of dials"),
-    eject_travel: ag.Float = ag.uniform(0.0042, 0.0050, "m", doc="of the button that opens the door"),
-    eject_force: ag.Float = ag.uniform(8.0, 14.0, "N", doc="that presses it home"),
+    knob: ag.Material = ag.shades(*_KNOBS, color=0.03, roughness=0.03, doc="material of dials"),
+    eject_travel: ag.Float = ag.uniform(0.0042, 0.0050, "m", doc="travel of the opening button"),
+    eject_force: ag.Float = ag.uniform(8.0, 14.0, "N", doc="force that presses the opening button home"),
     swing: ag.Float = ag.uniform(1.55, 1.70, "rad", within=(1.2, 1.75)),
-    pull: ag.Float = ag.uniform(10.0, 22.0, "N", doc="at the handle, to begin to open the door"),
-    pop: ag.Float = ag.uniform(2.0, 3.5, "N", doc="of the spring of a door without a handle, at its latches"),
-    plate_friction: ag.Float = ag.uniform(0.02, 0.05, "N m", doc="of the rollers and the motor's gears"),
+    pull: ag.Float = ag.uniform(10.0, 22.0, "N", doc="force at the handle that opens the door"),
+    pop: ag.Float = ag.uniform(2.0, 3.5, "N", doc="spring force at the latches of a door without a handle"),
+    plate_friction: ag.Float = ag.uniform(
+        0.02, 0.05, "N m", doc="friction of the rollers and the motor's gears"
+    ),
     show: str = ag.by(
         "controls",
         dials="",
@@ -160,7 +164,7 @@ def microwave(
     air: Literal["left", "right"] = ag.choice("left", "right", doc="side of the larger vent"),
     watts: int = ag.choice(1050, 1150, 1200, 1270, 1350, 1450),
     maker: str = ag.choice(*details.BRANDS),
-    signed: Literal["door", "panel"] = ag.choice("door", "panel", doc="where the maker's name is"),
+    signed: Literal["door", "panel"] = ag.choice("door", "panel", doc="position of the maker's name"),
 ) -> ag.Body:
     """Make a microwave oven, closed: door, latch, turntable, keys, dials."""
     ag.require(

@@ -11,38 +11,38 @@ from artgen.categories.shared.appliances.cords import mains_cord
 from artgen.categories.shared.appliances.finish import DARK, filled
 from artgen.categories.shared.hardware.fixings import feet, screws
 
-_LAP = 0.0005  # by which boards reach into each other, so that they have no corners in common [m]
+_LAP = 0.0005  # overlap of boards, so that they share no corners [m]
 _WALL = 0.0035  # thickness of the cavity's right wall [m]
-_BEFORE = 0.045  # between the room of the latches and the works [m]
-_WORKS = 0.18  # how deep they are in all but the smallest [m]
-_OPEN = (0.0050, 0.0042)  # from the middle of a latch to the sides of its slot, to the left and right [m]
+_BEFORE = 0.045  # distance between the space of the latches and the electronics [m]
+_WORKS = 0.18  # depth of the electronics in all but the smallest ovens [m]
+_OPEN = (0.0050, 0.0042)  # distances from the middle of a latch to the left and right sides of its slot [m]
 _MICA = ag.colored("fabric", "sand").with_(name="mica", texture="", tile=None, specular_roughness=0.35)
 
 
 @dataclass(frozen=True)
 class Case:
-    """How a case looks."""
+    """Layout and finish of a case."""
 
-    space: Space  # its measures
-    finish: ag.Material  # of the sheet around it
-    inside: ag.Material  # of the cavity
+    space: Space  # dimensions of the oven
+    finish: ag.Material  # finish of the outer sheet
+    inside: ag.Material  # finish of the cavity
     stuffing: float  # density of its walls with transformer, magnetron and fan [kg/m3]
     slots: tuple[ag.Span, ...]  # heights of the slots of the latches, their lower and upper edges [m]
-    vents: str  # which side the air comes in by: `left` or `right`
+    vents: str  # side of the air inlet: `left` or `right`
     maker: str  # brand on the rating plate
-    watts: int  # on the rating plate [W]
+    watts: int  # power on the rating plate [W]
 
     def body(self) -> ag.Body:
-        """Make all that stands still but the control panel: the link `body`."""
+        """Make all fixed parts except the control panel: the link `body`."""
         return ag.weld(*self._sheets(), *self._walls(), *self._inside(), *self._vents(), *self._back())
 
     @cached_property
     def _outer(self) -> ag.Span:
-        """The cavity's boards end in the middle of the sheet."""
+        """Return the outline at which the cavity's boards end: the middle of the sheet."""
         return (_LAP + SHEET / 2.0 - self.space.half, self.space.half - SHEET / 2.0 - _LAP)
 
     def _walls(self) -> list[ag.Body]:
-        """Make floor, ceiling, sides and back of the cavity, and the frame that the latches pass."""
+        """Make floor, ceiling, sides and back of the cavity, and the frame with the slots of the latches."""
         space = self.space
         left, right = space.across
         floor, ceiling = space.floor, space.ceiling
@@ -66,7 +66,8 @@ class Case:
             ag.board((left - _LAP, right + _LAP), (space.back, rear - _LAP), wall),
             ag.board((right, passing), (front, rear - _LAP), wall),
         ]
-        # the transformer and the fan are at the back; before them are the latches and the boards of the keys
+        # the transformer and the fan are at the back; in front of them are the latches and the boards of the
+        # keys
         heavy_from = ag.max_(deep + _BEFORE, rear - _WORKS)
         works = ag.board((passing - _LAP, outer[1]), (heavy_from, rear - 2.0 * _LAP), wall)
         light = ag.board((rest, outer[1]), (front, heavy_from + _LAP), wall)
@@ -76,7 +77,7 @@ class Case:
             ag.board(strip, (front, front + FRAME), (edges[index], edges[index + 1]))
             for index in range(0, len(edges), 2)
         ]
-        beside = []  # the slots look narrower than the gaps of the frame, which guide nothing
+        beside = []  # the visible slots are narrower than the gaps of the colliding frame
         for bottom, top in self.slots:
             level = (bottom - _LAP, top + _LAP)
             thin = (front + _LAP, front + FRAME - _LAP)
@@ -144,7 +145,7 @@ class Case:
         outlet = details.relief(
             outlets, (left, front + 0.72 * deep, ceiling - 0.24 * tall), facing=(1.0, 0.0, 0.0), proud=0.0002
         )
-        # a pressed edge around the back wall, which stiffens it
+        # a pressed edge stiffens the back wall
         rim = ag.rectangle(right - left - 0.03, tall - 0.03, radius=0.02)
         rib = details.relief(
             rim - rim.offset(-0.005),
@@ -170,7 +171,7 @@ class Case:
         ]
 
     def _vents(self) -> list[ag.Body]:
-        """Make the slots by which the fan draws and blows air, in a side and the top."""
+        """Make the air inlet and outlet slots of the fan, in a side and the top."""
         space, half = self.space, self.space.half
         side = -1 if self.vents == "left" else 1
         high = space.height - space.foot
@@ -240,11 +241,11 @@ class Case:
         ]
 
 
-_PLAY = 0.0004  # between floor, rollers and plate [m]
+_PLAY = 0.0004  # gap between floor, rollers and plate [m]
 _ROLLER = 0.0075  # radius of a roller [m]
-_WHEEL = 0.0085  # its width [m]
+_WHEEL = 0.0085  # width of a roller [m]
 _GLASS = 0.0052  # thickness of the plate [m]
-_RIM = 0.011  # how high its rim stands above its underside [m]
+_RIM = 0.011  # height of the rim of the plate above its underside [m]
 _TRACK = 0.66  # radius of the ring, as a share of that of the plate
 _HUB = 0.0125  # radius of the coupler [m]
 _SHAFT = 0.0042  # radius of the motor's shaft [m]
@@ -252,17 +253,17 @@ _SHAFT = 0.0042  # radius of the motor's shaft [m]
 
 @dataclass(frozen=True)
 class Turntable:
-    """A plate on its ring."""
+    """A plate on its roller ring."""
 
-    radius: ag.Scalar  # of the plate [m]
-    x: ag.Scalar  # where its axis is [m]
-    y: ag.Scalar  # where its axis is [m]
-    floor: ag.Scalar  # of the cavity [m]
-    friction: ag.Scalar  # of the rollers and the gears of the motor, felt at the plate [N m]
+    radius: ag.Scalar  # radius of the plate [m]
+    x: ag.Scalar  # position of the axis along x [m]
+    y: ag.Scalar  # position of the axis along y [m]
+    floor: ag.Scalar  # height of the floor of the cavity [m]
+    friction: ag.Scalar  # friction of the rollers and the motor's gears, at the plate [N m]
 
     @cached_property
     def _under(self) -> float:
-        """The underside of the plate, above the floor [m]."""
+        """Height of the underside of the plate above the floor [m]."""
         return 2.0 * _ROLLER + 2.0 * _PLAY
 
     def plate(self) -> ag.Body:
@@ -294,9 +295,7 @@ class Turntable:
         return ag.weld(
             ag.part(disc, "plate", glass),
             ag.part(hub.at(0.0, 0.0, middle), "coupler", black, separate="the plate lies on the coupler"),
-            *(
-                ag.detail(each, "coupler", black) for each in lobes
-            ),  # in the hollow of the ring, which they pass
+            *(ag.detail(each, "coupler", black) for each in lobes),  # through the space inside the ring
             ag.detail(ag.revolve(rim), "plate", glass),
             *(ag.detail(each, "plate", glass) for each in rings),
         ).at(self.x, self.y, self.floor)
@@ -310,7 +309,7 @@ class Turntable:
             wheel.at(track, 0.0, level).rotate(ag.Z, turn * math.tau / 3.0 + math.pi / 2.0)
             for turn in range(3)
         ]
-        # spokes in a triangle carry the wheels; the round ring over them is only seen
+        # spokes in a triangle carry the wheels; the round ring above them is visual only
         chord = ag.box(0.004, math.sqrt(3.0) * track - 0.012, 0.0038, bevel=0.001)
         chords = [
             chord.at(0.5 * track, 0.0, level).rotate(ag.Z, turn * math.tau / 3.0 + math.pi / 6.0)
@@ -325,26 +324,27 @@ class Turntable:
         ).at(self.x, self.y, self.floor)
 
     def spin(self) -> ag.Joint:
-        """Make the joint of the plate, which a synchronous motor of 5-6 rpm turns."""
+        """Make the joint of the plate; a synchronous motor of 5-6 rpm drives it."""
         return ag.Revolute(
             "plate_spin",
             axis=ag.Z,
             pivot=(self.x, self.y, self.floor),
             friction=self.friction,
             damping=0.002,
-            effort=1.5,  # of a hand at the rim; geared motors of 3 W give 0.5 before their clutch slips
+            # torque of a hand at the rim; geared motors of 3 W give 0.5 before their clutch slips
+            effort=1.5,
             velocity=0.7,
             driven="a motor",
         )
 
     def roll(self, spin: ag.Joint) -> ag.Joint:
-        """Make the joint of the ring: wheels that roll under the plate take it along at half its speed."""
+        """Make the joint of the ring: its wheels roll under the plate, and turn the ring at half speed."""
         return ag.Revolute(
             "ring_spin",
             axis=ag.Z,
             pivot=(self.x, self.y, self.floor),
             damping=0.0005,
-            armature=0.0001,  # of the wheels
+            armature=0.0001,  # inertia of the wheels
             follows=0.5 * spin,
         )
 

@@ -24,16 +24,16 @@ Controls = Literal["keypad", "mixed", "dials"]
 """Keys, keys with one dial, or dials alone."""
 
 _LAP = 0.0005
-_UNDER = 0.0003  # from the face that is seen to the boards under it [m]
-_FACE = 0.0165  # thickness of the face with the channels of keys [m]
-_DEEP = 0.0085  # of caps behind the face [m]
-_MARGIN = 0.0105  # from the edges of the panel to its controls [m]
-_BAND = 0.030  # of the finish at top and bottom of a banded front [m]
-_PITCH = 0.0200  # of rows of keys [m]
+_UNDER = 0.0003  # distance from the visible face to the boards under it [m]
+_FACE = 0.0165  # thickness of the face with the channels of the keys [m]
+_DEEP = 0.0085  # depth of caps behind the face [m]
+_MARGIN = 0.0105  # margin from the edges of the panel to its controls [m]
+_BAND = 0.030  # height of the bands of finish at top and bottom of a banded front [m]
+_PITCH = 0.0200  # pitch of the rows of keys [m]
 _KEY = 0.0138  # height of a key [m]
-_EJECT = 0.030  # height of the button that opens the door [m]
+_EJECT = 0.030  # height of the opening button [m]
 _SCREEN = 0.026  # height of the display [m]
-_APART = 0.011  # between display, controls and button [m]
+_APART = 0.011  # gap between display, controls and button [m]
 
 _DIGITS = ("1", "2", "3", "4", "5", "6", "7", "8", "9", "stop", "0", "play")
 _PROGRAMS = ("cup", "pizza", "fish", "chicken", "bread", "defrost", "carrot", "plate", "grill")
@@ -41,7 +41,7 @@ _STARTS = ("timer", "stop", "start_pause")
 
 
 def key_names(count: int) -> tuple[str, ...]:
-    """Return the print of keys in rows of three: figures if there are enough keys, and programs."""
+    """Return the labels of keys in rows of three: digits, if there are enough keys, and programs."""
     if count >= len(_DIGITS):
         return (*_PROGRAMS[: count - len(_DIGITS)], *_DIGITS)
     return (*_PROGRAMS[: count - len(_STARTS)], *_STARTS) if count else ()
@@ -49,27 +49,27 @@ def key_names(count: int) -> tuple[str, ...]:
 
 @dataclass(frozen=True)
 class Panel:
-    """What is on a control panel."""
+    """Layout and finish of a control panel."""
 
-    space: Space  # the measures of the oven
-    face: FaceStyle  # how the front is divided
-    finish: ag.Material  # of the front
-    glass: ag.Material  # of panes
-    keys: int  # how many keys there are, in rows of three
-    shape: ButtonShape  # of their caps
-    cap: ag.Material  # of keys and the button
-    dials: int  # how many dials there are, one below the other
-    dial: DialStyle  # their style
-    radius: ag.Scalar  # of the dials [m]
+    space: Space  # dimensions of the oven
+    face: FaceStyle  # style of the front
+    finish: ag.Material  # finish of the front
+    glass: ag.Material  # material of panes
+    keys: int  # number of keys, in rows of three
+    shape: ButtonShape  # shape of the key caps
+    cap: ag.Material  # material of the keys and the button
+    dials: int  # number of dials, one below the other
+    dial: DialStyle  # style of the dials
+    radius: ag.Scalar  # radius of the dials [m]
     knob: ag.Material  # material of dials
-    metal: ag.Material  # of caps of dials
-    travel: ag.Scalar  # of keys [m]
+    metal: ag.Material  # metal of the caps of dials
+    travel: ag.Scalar  # travel of keys [m]
     force: ag.Scalar  # that presses a key home [N]
-    eject: bool  # whether a button opens the door
-    eject_travel: ag.Scalar  # of that button [m]
-    eject_force: ag.Scalar  # that presses it home [N]
+    eject: bool  # whether there is an opening button
+    eject_travel: ag.Scalar  # travel of that button [m]
+    eject_force: ag.Scalar  # force that presses the button home [N]
     show: str  # text of the display; `""` for none
-    color: Color  # of its figures
+    color: Color  # color of the figures of the display
     maker: str  # brand above the display; `""` for none
 
     @cached_property
@@ -82,12 +82,12 @@ class Panel:
 
     @cached_property
     def _wide(self) -> ag.Scalar:
-        """The width of the controls on the panel [m]."""
+        """Width of the controls on the panel [m]."""
         return self._x[1] - self._x[0] - 2.0 * _MARGIN
 
     @cached_property
     def _ends(self) -> ag.Span:
-        """The lowest and highest coordinate of the controls on the panel [m]."""
+        """Lowest and highest positions of the controls on the panel along z [m]."""
         low, high = self.space.tall
         edge = _BAND + 0.004 if self.face == "banded" else _MARGIN
         return (low + edge, high - edge)
@@ -98,19 +98,19 @@ class Panel:
 
     @cached_property
     def _screen(self) -> ag.Scalar:
-        """The middle of the display, along z [m]."""
+        """Position of the middle of the display along z [m]."""
         return self._ends[1] - (0.010 if self.maker else 0.0) - _SCREEN / 2.0
 
     @cached_property
     def _room(self) -> ag.Span:
-        """What is left between the display and the button, along z [m]."""
+        """Space between the display and the button along z [m]."""
         low, high = self._ends
         top = self._screen - _SCREEN / 2.0 - _APART if self.show else high - (0.012 if self.maker else 0.0)
         return (low + _EJECT + _APART if self.eject else low, top)
 
     @cached_property
     def _key(self) -> ag.Scalar:
-        """The width of a key [m]."""
+        """Width of a key [m]."""
         return self._pitch - 0.0056
 
     @cached_property
@@ -119,10 +119,10 @@ class Panel:
 
     @cached_property
     def _grid(self) -> list[tuple[ag.Scalar, ag.Scalar]]:
-        """The middles of the keys, x and z [m]."""
+        """Positions of the middles of the keys, x and z [m]."""
         low, high = self._room
         tall = (self._rows - 1) * _PITCH
-        # keys alone are in the middle of the room; under a dial they are at its lower end
+        # keys alone are in the middle of the space; below a dial they are at the lower end
         last = low + _KEY / 2.0 if self.dials else (low + high - tall) / 2.0
         return [
             (self._middle + (index % 3 - 1) * self._pitch, last + (self._rows - 1 - index // 3) * _PITCH)
@@ -131,13 +131,13 @@ class Panel:
 
     @cached_property
     def _turned(self) -> list[tuple[ag.Scalar, ag.Scalar]]:
-        """The middles of the dials, x and z [m]."""
+        """Positions of the middles of the dials, x and z [m]."""
         high, step = self._room[1], self._step
         return [(self._middle, high - (number + 0.5) * step) for number in range(self.dials)]
 
     @cached_property
     def _step(self) -> ag.Scalar:
-        """The height that each dial has [m]."""
+        """Height available for each dial [m]."""
         low, high = self._room
         if self.keys:
             low = low + self._rows * _PITCH
@@ -145,17 +145,17 @@ class Panel:
 
     @property
     def room(self) -> ag.Scalar:
-        """Height that remains beside the dials; negative where they do not fit [m]."""
+        """Free height beside the dials; negative if the dials do not fit [m]."""
         return self._step - 2.0 * self.radius if self.dials else self._step
 
     @cached_property
     def _button(self) -> ag.Scalar:
-        """The middle of the button, along z [m]."""
+        """Position of the middle of the button along z [m]."""
         return self._ends[0] + _EJECT / 2.0
 
     @cached_property
     def _fields(self) -> list[tuple[ag.Span, ag.Span]]:
-        """The channels in which keys and button move, along x and z, from the lowest up [m]."""
+        """Channels of the keys and the button, along x and z, from the lowest up [m]."""
         play = PLAY + 0.0006
         half = self._wide / 2.0 + play
         fields = []
@@ -172,7 +172,7 @@ class Panel:
         return fields
 
     def _boards(self) -> list[ag.Solid]:
-        """Make the boards around the channels, just under the face that is seen, and the back."""
+        """Make the boards around the channels, just under the visible face, and the back."""
         space, (left, right) = self.space, self._x
         low, high = space.tall
         y = (space.front + _UNDER, space.front + _FACE)
@@ -185,7 +185,7 @@ class Panel:
         ]
         if not self._fields:
             return [*solids, ag.board(x, y, z)]
-        between = self._fields[0][0]  # the widest is the lowest
+        between = self._fields[0][0]  # the widest channel is the lowest
         solids += [ag.board((x[0], between[0]), y, z), ag.board((between[1], x[1]), y, z)]
         edges = [z[0] + _LAP, *(edge for _, field in self._fields for edge in field), z[1] - _LAP]
         across = (between[0] - _LAP, between[1] + _LAP)
@@ -194,7 +194,7 @@ class Panel:
         ]
 
     def _front(self) -> ag.Solid:
-        """Make the face with its channels as it is seen."""
+        """Make the visible face with its channels."""
         (left, right), (low, high) = self._x, self.space.tall
         x, z = (left + right) / 2.0, (low + high) / 2.0
         outline = ag.rectangle(right - left, high - low)
@@ -204,7 +204,7 @@ class Panel:
         return details.relief(outline, middle, proud=_FACE / 2.0, sunk=_FACE / 2.0, bevel=0.0014)
 
     def body(self) -> ag.Body:
-        """Make the panel with its print, to be welded to the case."""
+        """Make the panel with its print, which is welded to the case."""
         stuff = filled(self.finish, 240.0, "panel")
         return ag.weld(
             *(ag.part(each, "panel", stuff) for each in self._boards()),
@@ -214,7 +214,7 @@ class Panel:
 
     @cached_property
     def _dark(self) -> ag.Material:
-        """What lies around the keys."""
+        """Return the material around the keys."""
         return self.finish if self.face == "framed" and not self.show else self.glass
 
     def _pane(self) -> ag.Profile:
@@ -243,7 +243,7 @@ class Panel:
         return pane
 
     def _printed(self) -> list[ag.Body]:
-        """Make pane, display, scales of dials and the name, which are only seen."""
+        """Make pane, display, scales of dials and the name, visual only."""
         space, bodies = self.space, []
         low, high = space.tall
         face = self._dark
@@ -278,7 +278,7 @@ class Panel:
         return bodies
 
     def button(self) -> ag.Body:
-        """Make the button that opens the door: the link `button`."""
+        """Make the opening button: the link `button`."""
         at = (self._middle, self.space.front, self._button)
         cap = push_button(
             finish=self.cap,
@@ -294,7 +294,7 @@ class Panel:
         return ag.weld(cap, details.printed(word, (0.0, out, 0.0), material=ink_on(self.cap))).at(*at)
 
     def press(self) -> ag.Joint:
-        """Make the joint of that button, which lifts the latches against their springs."""
+        """Make the joint of the opening button, which lifts the latches against their springs."""
         at = (self._middle, self.space.front, self._button)
         return button_press(
             travel=self.eject_travel,
@@ -306,7 +306,7 @@ class Panel:
         )
 
     def joined(self, body: ag.Body) -> ag.Body:
-        """Join keys and dials to the body that has the panel."""
+        """Attach the keys and the dials to the body with the panel."""
         for number, ((x, z), name) in enumerate(zip(self._grid, key_names(self.keys), strict=True)):
             at = (x, self.space.front, z)
             proud = PANE + self.travel + 0.0006
@@ -325,7 +325,7 @@ class Panel:
             if name.isdigit():
                 figure = details.lettering([name], 0.0058)
                 cap = ag.weld(cap, details.printed(figure, (0.0, -proud, 0.0), material=ink))
-            # the domes under the keys of a foil hardly push at rest
+            # the domes under the keys of a foil push only little at rest
             press = button_press(
                 f"key_slide_{number}", travel=self.travel, preload=0.3, force=self.force, pivot=at
             )

@@ -1,4 +1,4 @@
-"""The door of a microwave oven, hinged at its left, with the latches that hold it and let it go."""
+"""The door of a microwave oven, hinged at its left, with its latches."""
 
 from dataclasses import dataclass
 from typing import Literal
@@ -18,58 +18,59 @@ from artgen.categories.shared.hardware.bar_handles import (
 )
 
 HandleKind = Literal["bar", "pocket", "none"]
-"""A bar on the door, a recess with a blade in it, or none: a button opens the door."""
+"""A bar on the door, a recess with a blade in it, or none for a door with an opening button."""
 
 FaceStyle = Literal["framed", "glass", "banded"]
-"""A frame around dark glass, glass all over, or glass between two bands of the finish."""
+"""A frame around dark glass, a glass front, or glass between two bands of the finish."""
 
 PANE = 0.0008
-"""How far the glass of a front stands out of it [m]."""
+"""Height of the front glass above the frame [m]."""
 
 POCKET = 0.0275
 """Depth of a recessed grip [m]."""
 
 POCKET_WIDTH = 0.050
-"""Width of a recessed grip: a finger of 9 mm at either side of its blade [m]."""
+"""Width of a recessed grip: 9 mm for fingers at each side of its blade [m]."""
 
 _LAP = 0.0005
-_UNDER = 0.0003  # from the faces of the frame to the boards under them [m]
-_INSET = 0.0012  # from its edges to them [m]
-_POCKET_HEIGHT = 0.098  # of a recessed grip [m]
+_UNDER = 0.0003  # distance from the faces of the frame to the boards under them [m]
+_INSET = 0.0012  # distance from the edges of the frame to these boards [m]
+_POCKET_HEIGHT = 0.098  # height of a recessed grip [m]
 _SKIN = 0.014  # thickness of the outer frame [m]
-_HOOK = (0.0050, 0.0065, 0.0120)  # width, height and reach of a hook behind the cavity's frame's face [m]
-_BARB = (0.0042, 0.0050)  # how far its barb stands up, and how thick it is [m]
-_PLAY = 0.0006  # between pawl and hook [m]
+# width, height and reach of a hook behind the face of the cavity's frame [m]
+_HOOK = (0.0050, 0.0065, 0.0120)
+_BARB = (0.0042, 0.0050)  # height and thickness of the barb of a hook [m]
+_PLAY = 0.0006  # gap between pawl and hook [m]
 _PAWL = (0.0030, 0.0090)  # thickness and height of a pawl [m]
-_BEHIND = 0.0036  # from the face of the cavity's frame to the pawls [m]
-_SLOT = 0.0016  # room around a hook in its slot [m]
-_LIFT = 1.22  # how much farther than the button the pawls move
-_SPARE = 0.0006  # by which they stand above the barbs where the door may leave [m]
-_EDGE = 0.015  # of the glass around the window of a framed front [m]
-_RAMP = 0.030  # by how much the glass of a banded front leaves top and bottom free [m]
+_BEHIND = 0.0036  # distance from the face of the cavity's frame to the pawls [m]
+_SLOT = 0.0016  # gap around a hook in its slot [m]
+_LIFT = 1.22  # ratio of the lift of the pawls to the travel of the button
+_SPARE = 0.0006  # gap between pawls and barbs at which the door may open [m]
+_EDGE = 0.015  # width of the glass around the window of a framed front [m]
+_RAMP = 0.030  # height of the bands above and below the glass of a banded front [m]
 
 
 @dataclass(frozen=True)
 class Latches:
-    """Two hooks on the door, and the pawls in the case that hold them down until a button lifts them."""
+    """Two hooks on the door, and the pawls in the case that hold them until a button lifts the pawls."""
 
-    space: Space  # the measures of the oven
+    space: Space  # dimensions of the oven
 
     @cached_property
     def _levels(self) -> tuple[ag.Scalar, ag.Scalar]:
-        """The middles of the hooks, along z [m]."""
+        """Positions of the middles of the hooks along z [m]."""
         low, high = self.space.floor, self.space.ceiling
         return (low + 0.16 * (high - low), low + 0.80 * (high - low))
 
     @cached_property
     def slots(self) -> tuple[ag.Span, ag.Span]:
-        """The lower and upper edges of their slots in the frame of the cavity [m]."""
+        """Heights of the lower and upper edges of their slots in the frame of the cavity [m]."""
         low, high = _HOOK[1] / 2.0 + _SLOT, _HOOK[1] / 2.0 + _BARB[0] + _SLOT
         first, second = self._levels
         return ((first - low, first + high), (second - low, second + high))
 
     def hooks(self) -> list[ag.Solid]:
-        """Make the hooks, to be welded to the inside of the door."""
+        """Make the hooks, which are welded to the inside of the door."""
         space = self.space
         wide, high, reach = _HOOK
         front, end = space.inner - 0.004, space.mouth + reach
@@ -98,49 +99,49 @@ class Latches:
         return ag.weld(*(ag.part(each, "latch", black) for each in (spine, *fingers)))
 
     def slide(self, button: ag.Joint) -> ag.Joint:
-        """Make the joint by which the button lifts the pawls."""
+        """Make the joint of the pawls, which follows the button."""
         return ag.Prismatic(
             "latch_slide", axis=ag.Z, follows=_LIFT * button, damping=2.0, friction=0.05, armature=0.02
         )
 
     def frees(self, button: ag.Joint) -> ag.Dependency:
-        """Return the condition of the door until its hooks have passed the pawls."""
+        """Return the condition under which the hooks can pass the pawls."""
         lift = _BARB[0] - _PLAY + _SPARE
-        passing = _HOOK[2] - _BEHIND + 0.004  # how far the barbs come forward below the pawls
+        passing = _HOOK[2] - _BEHIND + 0.004  # travel of the barbs below the pawls
         return (button > lift / _LIFT).until(passing / self.space.arm)
 
 
 @dataclass(frozen=True)
 class Door:
-    """How a door looks."""
+    """Layout and finish of a door."""
 
-    space: Space  # the measures of the oven
-    face: FaceStyle  # how its front is divided
-    handle: HandleKind  # its handle
+    space: Space  # dimensions of the oven
+    face: FaceStyle  # style of the front
+    handle: HandleKind  # kind of handle
     bar: BarStyle  # style of a bar
-    finish: ag.Material  # of its frame
-    glass: ag.Material  # of its front
-    metal: ag.Material  # of the handle
-    inside: ag.Material  # of its inside
-    # from the edges of the door to its window, at the left, the right, below and above [m]
+    finish: ag.Material  # finish of the frame
+    glass: ag.Material  # material of the front glass
+    metal: ag.Material  # metal of the handle
+    inside: ag.Material  # finish of the inside
+    # distances from the edges of the door to its window, at the left, the right, below and above [m]
     border: tuple[ag.Scalar, ag.Scalar, ag.Scalar, ag.Scalar]
-    maker: str  # brand on it; `""` for none
+    maker: str  # brand name; `""` for none
 
     @cached_property
     def _window(self) -> tuple[ag.Span, ag.Span]:
-        """The window, along x and z [m]."""
+        """Edges of the window, along x and z [m]."""
         left, right, low, high = self.border
         x, z = self.space.door, self.space.tall
         return ((x[0] + left, x[1] - right), (z[0] + low, z[1] - high))
 
     @cached_property
     def _grip_at(self) -> ag.Scalar:
-        """Where a handle is, along x [m]."""
+        """Position of a handle along x [m]."""
         return self.space.door[1] - (0.021 if self.handle == "bar" else POCKET_WIDTH / 2.0 + 0.009)
 
     @cached_property
     def _level(self) -> ag.Scalar:
-        """The height of the middle of the door [m]."""
+        """Height of the middle of the door [m]."""
         low, high = self.space.tall
         return (low + high) / 2.0
 
@@ -170,9 +171,9 @@ class Door:
         return ag.weld(*bodies)
 
     def _frame(self) -> list[ag.Body]:
-        """Make the frame in two layers: the front, and behind it the choke that keeps the waves inside.
+        """Make the frame in two layers: the front, and the microwave choke behind it.
 
-        Both are only seen; boards under their surfaces weigh and collide.
+        Both are visual only; boards under their surfaces have the mass and collide.
         """
         space = self.space
         front, inner = space.front, space.inner
@@ -201,7 +202,7 @@ class Door:
 
     @cached_property
     def _pocket(self) -> tuple[ag.Span, ag.Span]:
-        """The edges of the recess of a grip, along x and z [m]."""
+        """Edges of the recess of a grip, along x and z [m]."""
         wide, tall = POCKET_WIDTH / 2.0, _POCKET_HEIGHT / 2.0
         return (
             (self._grip_at - wide, self._grip_at + wide),
@@ -223,13 +224,14 @@ class Door:
         return [beside, *rest, *boards_around(within, z, self._pocket, y), behind]
 
     def _panes(self) -> list[ag.Body]:
-        """Make the panes of the window with the mesh between them, which is only seen."""
+        """Make the panes of the window with the mesh between them, visual only."""
         (x0, x1), (z0, z1) = self._window
         front, inner = self.space.front, self.space.inner
         bite = 0.003
         x, z = (x0 - bite, x1 + bite), (z0 - bite, z1 + bite)
         tinted = ag.material("tinted_glass").with_(name="door_glass", opacity=0.5)
-        clear = ag.material("glass").with_(name="inner_film", opacity=0.12, density=1900.0)  # with the mesh
+        # density with the mesh
+        clear = ag.material("glass").with_(name="inner_film", opacity=0.12, density=1900.0)
         mesh = ag.material("perforated_steel").with_(name="window_mesh", opacity=0.72)
         return [
             ag.part(ag.board(x, (front + 0.0012, front + 0.0042), z), "window", tinted),
@@ -248,7 +250,7 @@ class Door:
         )
         pane = details.relief(self._pane(hole), (middle, space.front, level), proud=PANE, sunk=0.0006)
         bodies = [ag.detail(pane, "door", self.glass)]
-        # an edge of dots darkens to black on real panes; here it is a rim
+        # on real panes, an edge of dots darkens to black; here the edge is a rim
         rim = ag.rectangle(x1 - x0 + 0.002, z1 - z0 + 0.002, radius=0.006)
         rim = rim - ag.rectangle(x1 - x0 - 0.012, z1 - z0 - 0.012, radius=0.010)
         at = ((x0 + x1) / 2.0, space.front + 0.0011, (z0 + z1) / 2.0)
@@ -258,7 +260,7 @@ class Door:
         choke = ag.rectangle(b - a + 0.030, space.ceiling - space.floor + 0.022, radius=0.010)
         choke = choke - ag.rectangle(x1 - x0 + 0.006, z1 - z0 + 0.006, radius=0.008).at(
             -((x0 + x1) / 2.0 - (a + b) / 2.0), (z0 + z1) / 2.0 - (space.floor + space.ceiling) / 2.0
-        )  # seen from behind, x runs the other way
+        )  # seen from behind, x is reversed
         cover = details.relief(
             choke,
             ((a + b) / 2.0 + 0.0, space.inner, (space.floor + space.ceiling) / 2.0),
@@ -305,8 +307,9 @@ class Door:
     ) -> ag.Joint:
         """Make the joint of the door.
 
-        One with a handle stays where it is left: 10-25 N at the handle take the hooks out of their catches
-        and move it. One that a button lets go is thrown open by 0.3 rad by a spring, and stays from there on.
+        Friction holds a door with a handle at any angle: 10-25 N at the handle release the hooks from their
+        catches and move the door. A spring opens a door with a button to 0.3 rad, and friction holds it from
+        there on.
         """
         space = self.space
         arm = space.arm
@@ -323,7 +326,7 @@ class Door:
                 velocity=5.0,
                 needs=needs,
             )
-        # friction is the pull of the spring over 0.8 rad, so that it holds the door from 0.3 rad to the end
+        # friction is the spring force at 0.8 rad, so that it holds the door from 0.3 rad to the end
         rest, held = 1.15, 0.85
         stiffness = pull * arm / rest
         return ag.Revolute(

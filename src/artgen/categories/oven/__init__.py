@@ -1,16 +1,16 @@
-"""An oven, built into a kitchen cabinet or as a range with burners on top, with its racks.
+"""An oven with its racks, built into a kitchen cabinet or as a range with burners on top.
 
-The door hangs at its lower edge. Springs carry it, and friction holds it where it is left, as for grilling.
-Links: `body`; `door`; `rack_0` (the lowest), ...; one rack may be a deep pan;
-`dial`, or `dial_0`, ... from left to right; under the oven of a range the `drawer`; over gas burners
-`grate_0`, .... Joints: `door_hinge`, `rack_slide_0`, ..., `dial_turn` (numbered where there are several),
-`drawer_slide` and `grate_lift_0`, ....
+The door is hinged at its lower edge. Springs balance it, and friction holds it at any angle, as for grilling.
+Links: `body`; `door`; `rack_0` (the lowest), ...; one rack may be a deep pan; `dial`, or `dial_0`, ... from
+left to right; `drawer` under the oven of a range; `grate_0`, ... over gas burners. Joints: `door_hinge`,
+`rack_slide_0`, ..., `dial_turn` (numbered if there are several), `drawer_slide` and `grate_lift_0`, ....
 
-Racks lie on rods at the sides. They come out once the door is open so far that it has left their way, which
-is computed from their heights and from how far they come; behind the closed door they have the play up to it.
+Racks lie on rods at the sides. A rack slides out after the door is open beyond the angle that clears the
+rack's path; this angle is computed from the height and travel of the rack. Behind the closed door a rack has
+a small play.
 
-Sizes are those of EN 60350 ovens for niches of 60 cm, fronts 595 mm, and of ranges of 60-76 cm (24 and 30 in)
-whose burners are 85-92 cm high. Masses: 30-45 kg built in, 45-90 kg for ranges.
+Sizes are those of EN 60350 ovens for niches of 60 cm, with fronts of 595 mm, and of ranges 60-76 cm wide (24
+and 30 in) with burners at a height of 85-92 cm. Masses: 30-45 kg built in, 45-90 kg for ranges.
 """
 
 from typing import Literal, get_args
@@ -29,7 +29,7 @@ from artgen.categories.shared.hardware.bar_handles import BarStyle
 from artgen.nodes.details.displays import Color
 
 Look = Literal["stainless", "dark_steel", "white", "black", "pastel"]
-"""Families of finishes, as of other appliances."""
+"""Families of finishes, the same as those of other appliances."""
 
 _LOOKS: tuple[Look, ...] = get_args(Look)
 _FINISH, _METAL = fronts(*_LOOKS), grip_metals(*_LOOKS)
@@ -38,7 +38,7 @@ _ENAMELS = (
     ag.colored("enamel", "slate").with_(name="cavity_slate", specular_roughness=0.22),
     ag.colored("enamel", "navy").with_(name="cavity_blue", specular_roughness=0.22),
 )
-_KNOBS = (  # caps of plastic under a skin of metal
+_KNOBS = (  # plastic caps under a metal skin
     *(
         ag.material(name).with_(name=f"{name}_cap", density=1100.0)
         for name in ("stainless", "aluminium", "chrome", "satin_brass")
@@ -48,10 +48,10 @@ _KNOBS = (  # caps of plastic under a skin of metal
 )
 _CHROME = ag.material("chrome").with_(
     name="rack_chrome", density=15000.0
-)  # with the wires that are only seen
+)  # density with the visual-only wires
 _PAN = ag.colored("enamel", "anthracite").with_(
     name="pan_enamel", density=2200.0
-)  # of 0.6 mm, drawn 2.2 thick
+)  # density for 0.6 mm of sheet, modeled 2.2 mm thick
 _RACKS_MEET = (
     "racks would collide with each other or with the heating element: raise height, lower hinge_height, "
     "panel or racks, or take pan=False"
@@ -59,7 +59,7 @@ _RACKS_MEET = (
 _DRAWER_MEETS = (
     "the handle of the open door would strike the drawer: lower drawer_travel or depth, or raise height"
 )
-_LEVELS = {1: (2,), 2: (1, 3), 3: (1, 2, 4)}  # at which racks are, by their number
+_LEVELS = {1: (2,), 2: (1, 3), 3: (1, 2, 4)}  # levels of the racks, by their number
 
 
 @ag.category(
@@ -84,7 +84,7 @@ def oven(
         pastel=ag.choice("partial", "none", weights=(0.8, 0.2)),
         white=ag.choice("none", "partial", "full", weights=(0.2, 0.5, 0.3)),
         otherwise=ag.choice("none", "partial", "full", weights=(0.08, 0.5, 0.42)),
-        doc="in the door; full is a front of glass",
+        doc="window of the door; full is a glass front",
     ),
     handle: HandleKind = ag.by(
         "look",
@@ -95,14 +95,14 @@ def oven(
         "build",
         built_in="gas",
         range=ag.choice("gas", "radiant", "induction", weights=(0.55, 0.25, 0.2)),
-        doc="on a range",
+        doc="kind of burners of a range",
     ),
     burners: int = ag.by("build", built_in=0, range=ag.choice(4, 5, weights=(0.65, 0.35))),
     drawer: bool = ag.by(
         "build",
         built_in=False,
         range=ag.choice(True, False, weights=(0.7, 0.3)),
-        doc="whether a drawer is below the oven",
+        doc="whether there is a drawer below the oven",
     ),
     racks: int = ag.choice(1, 2, 3, weights=(0.25, 0.45, 0.3)),
     pan: bool = ag.choice(False, True, weights=(0.55, 0.45), doc="whether the second rack is a deep pan"),
@@ -118,7 +118,7 @@ def oven(
         built_in=ag.uniform(0.600, 0.640),
         range=ag.uniform(0.85, 0.92),
         unit="m",
-        doc="without grates",
+        doc="height without grates",
         within=(0.59, 0.95),
     ),
     depth: ag.Float = ag.by(
@@ -135,31 +135,39 @@ def oven(
         built_in=ag.uniform(0.076, 0.082),
         range=ag.uniform(0.215, 0.245),
         unit="m",
-        doc="of the axis of the door",
+        doc="height of the axis of the door",
         within=(0.074, 0.30),
     ),
     panel: ag.Float = ag.uniform(0.090, 0.112, "m", doc="height of the control panel", within=(0.085, 0.13)),
-    wall: ag.Float = ag.uniform(0.050, 0.062, "m", doc="from the sides to the cavity", within=(0.045, 0.09)),
-    window_width: ag.Float = ag.uniform(0.72, 0.94, doc="of the cavity's", within=(0.4, 0.95)),
+    wall: ag.Float = ag.uniform(
+        0.050, 0.062, "m", doc="distance from the sides to the cavity", within=(0.045, 0.09)
+    ),
+    window_width: ag.Float = ag.uniform(
+        0.72, 0.94, doc="width of the window, as a share of the cavity's", within=(0.4, 0.95)
+    ),
     window_height: ag.Float = ag.by(
         "window",
         full=ag.uniform(0.84, 1.0),
         otherwise=ag.uniform(0.62, 0.86),
-        doc="of the room for it",
+        doc="height of the window, as a share of the available space",
         within=(0.4, 1.0),
     ),
     finish: ag.Material = _FINISH,
     metal: ag.Material = _METAL,
-    enamel: ag.Material = ag.shades(*_ENAMELS, weights=(3, 1.5, 1.5), color=0.05, doc="of the cavity"),
+    enamel: ag.Material = ag.shades(*_ENAMELS, weights=(3, 1.5, 1.5), color=0.05, doc="enamel of the cavity"),
     bar: BarStyle = ag.by(
         "look",
         pastel=ag.choice("bow", "arched", "round"),
         otherwise=ag.choice("round", "square", "bow", "strap", "arched"),
     ),
-    handle_length: ag.Float = ag.uniform(0.70, 0.90, doc="of the width", within=(0.4, 0.95)),
-    projection: ag.Float = ag.uniform(0.038, 0.046, "m", doc="of the handle", within=(0.036, 0.055)),
+    handle_length: ag.Float = ag.uniform(
+        0.70, 0.90, doc="length of the handle, as a share of the width", within=(0.4, 0.95)
+    ),
+    projection: ag.Float = ag.uniform(
+        0.038, 0.046, "m", doc="projection of the handle", within=(0.036, 0.055)
+    ),
     convection: bool = ag.choice(
-        True, False, weights=(0.7, 0.3), doc="whether a fan is behind its back wall"
+        True, False, weights=(0.7, 0.3), doc="whether there is a fan behind the back wall"
     ),
     dials: int = ag.by(
         "build",
@@ -173,7 +181,7 @@ def oven(
                 otherwise=ag.choice(0, 6),
             ),
         ),
-        doc="those of the burners first",
+        doc="number of dials, first those of the burners",
     ),
     dial_style: DialStyle = ag.choice("round", "fluted", "bar", "skirted", "capped"),
     dial_radius: ag.Float = ag.by(
@@ -184,7 +192,7 @@ def oven(
         within=(0.014, 0.026),
     ),
     dial_friction: ag.Float = ag.uniform(
-        0.04, 0.09, "N m", doc="of switches with detents, or of greased taps"
+        0.04, 0.09, "N m", doc="friction of detent switches or greased taps"
     ),
     knob: ag.Material = ag.shades(*_KNOBS, weights=(2, 1.5, 1, 0.4, 2, 0.6), color=0.03, roughness=0.03),
     show: str = ag.by(
@@ -200,16 +208,16 @@ def oven(
     mirrored: bool = ag.choice(False, True, doc="whether the large burners are on the right"),
     brass: bool = ag.choice(False, True, weights=(0.75, 0.25), doc="whether gas burners are of brass"),
     swing: ag.Float = ag.uniform(1.54, 1.57, "rad", within=(1.53, 1.5707)),
-    pull: ag.Float = ag.uniform(16.0, 24.0, "N", doc="at the handle, to begin to open the door"),
-    travel: ag.Float = ag.uniform(0.30, 0.36, "m", doc="of the racks", within=(0.2, 0.37)),
+    pull: ag.Float = ag.uniform(16.0, 24.0, "N", doc="force at the handle that opens the door"),
+    travel: ag.Float = ag.uniform(0.30, 0.36, "m", doc="travel of the racks", within=(0.2, 0.37)),
     rack_friction: ag.Float = ag.uniform(3.0, 7.0, "N"),
     drawer_travel: ag.Float = ag.uniform(
-        0.68, 0.80, doc="of the drawer, as a share of its depth", within=(0.3, 0.82)
+        0.68, 0.80, doc="travel of the drawer, as a share of its depth", within=(0.3, 0.82)
     ),
     drawer_friction: ag.Float = ag.uniform(6.0, 14.0, "N"),
     watts: int = ag.count(2100, 3600),
     maker: str = ag.choice(*details.BRANDS),
-    signed: Literal["door", "panel"] = ag.choice("door", "panel", doc="where the maker's name is"),
+    signed: Literal["door", "panel"] = ag.choice("door", "panel", doc="position of the maker's name"),
 ) -> ag.Body:
     """Make an oven or a range, closed: door, racks, drawer, dials."""
     girth = 0.0080

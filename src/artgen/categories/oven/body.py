@@ -1,4 +1,4 @@
-"""The cabinet of an oven: the enamelled cavity as boards, its sides and back, the part below the door."""
+"""The cabinet of an oven: the enameled cavity of boards, its sides and back, the part below the door."""
 
 from dataclasses import dataclass
 
@@ -14,50 +14,50 @@ FOOT = 0.022
 """Height of the feet of a range [m]."""
 
 LOW = 0.018
-"""From the feet up to the lower edge of a drawer's front [m]."""
+"""Distance from the feet up to the lower edge of a drawer's front [m]."""
 
-_SHEET = 0.003  # thickness that stands for a sheet [m]
-_FRAME = 0.022  # width of the enamelled frame around the mouth [m]
-_SLAB = 0.024  # of floor and ceiling of the cavity with their wool [m]
+_SHEET = 0.003  # modeled thickness of a sheet [m]
+_FRAME = 0.022  # width of the enameled frame around the mouth [m]
+_SLAB = 0.024  # thickness of floor and ceiling of the cavity with their wool [m]
 
 
 @dataclass(frozen=True)
 class Cabinet:
-    """How a cabinet looks."""
+    """Layout and finish of a cabinet."""
 
-    space: Space  # its measures
-    sides: ag.Material  # finish of its sides
-    enamel: ag.Material  # of the cavity
-    wool: float  # density of its walls [kg/m3]
-    bay: bool  # whether there is a bay for a drawer below; else a panel closes it
-    finish: ag.Material  # height of the part below the door
-    convection: bool  # whether a fan is behind the back wall
+    space: Space  # dimensions of the oven
+    sides: ag.Material  # finish of the sides
+    enamel: ag.Material  # enamel of the cavity
+    wool: float  # density of the walls [kg/m3]
+    bay: bool  # whether there is a bay for a drawer below; otherwise a panel closes it
+    finish: ag.Material  # finish of the part below the door
+    convection: bool  # whether there is a fan behind the back wall
     maker: str  # brand on the rating plate
-    watts: int  # on the rating plate [W]
+    watts: int  # power on the rating plate [W]
 
     def body(self) -> ag.Body:
-        """Make all that stands still but panel, top and rails: the link `body`."""
+        """Make all fixed parts except panel, top and rails: the link `body`."""
         below = self._lower() if self.space.build == "range" else self._trim()
         return ag.weld(*self._outside(), *self._walls(), *below, *self._inside(), *self._back())
 
     @cached_property
     def _low(self) -> ag.Scalar:
-        """The underside of the cabinet [m]."""
+        """Height of the underside of the cabinet [m]."""
         return FOOT if self.space.build == "range" else 0.0 * self.space.width
 
     @cached_property
     def _high(self) -> ag.Scalar:
-        """The upper side of the parts behind the panel [m]."""
+        """Height of the upper side of the parts behind the panel [m]."""
         return self.space.panel_high - 0.0008
 
     @cached_property
     def _under(self) -> ag.Scalar:
-        """The underside of the cavity's floor [m]."""
+        """Height of the underside of the cavity's floor [m]."""
         return self.space.floor - _SLAB
 
     @cached_property
     def _bay_top(self) -> ag.Scalar:
-        """The ceiling of the bay for a drawer [m]."""
+        """Height of the ceiling of the bay for a drawer [m]."""
         return self._under
 
     def _outside(self) -> list[ag.Body]:
@@ -79,7 +79,7 @@ class Cabinet:
         return [*bodies, *(ag.detail(each, "body", zinc) for each in (deck, back))]
 
     def _walls(self) -> list[ag.Body]:
-        """Make floor, ceiling, sides and back of the cavity; their fronts form the frame of the opening."""
+        """Make floor, ceiling, sides and back of the cavity; their front edges frame the opening."""
         space, inside = self.space, self.space.inside
         outer, edge = space.side - _SHEET + LAP, inside + _FRAME
         front, back = space.mouth, space.back
@@ -96,10 +96,10 @@ class Cabinet:
                 for x in ((inside, edge - LAP), (LAP - edge, -inside))
             ),
         ]
-        # posts beside the frame, and the boards over it behind the panel
+        # posts beside the frame, and the boards above it behind the panel
         frame = filled(ag.material("powder_coat_black"), self.wool, "frame")
         behind = (front + 0.0008, deep[1] - 2.0 * LAP)
-        # the top of a range stands on them
+        # they carry the top of a range
         top = space.panel_high + 0.0008 if space.build == "range" else self._high - 0.0012
         posts = [
             ag.board(x, behind, (self._under + LAP, top))
@@ -130,7 +130,7 @@ class Cabinet:
         ]
 
     def _lower(self) -> list[ag.Body]:
-        """Make the base of a range below the door: feet, kick plate, and a panel where there is no drawer."""
+        """Make the base of a range below the door: feet, kick plate, and a panel if there is no drawer."""
         space, half = self.space, self.space.half
         front, low = space.mouth, FOOT
         kick = ag.board((0.004 - half, half - 0.004), (front + 0.020, front + 0.030), (0.010, low + 0.015))
@@ -148,7 +148,7 @@ class Cabinet:
                 (low + LOW, space.under_door),
                 bevel=0.0022,
             )
-            behind = ag.board(  # between the sides, into which it reaches
+            behind = ag.board(  # between the sides, with an overlap
                 (0.0025 - half, half - 0.0025),
                 (space.front + 0.0155, front + 0.004),
                 (low + LOW + 0.002, space.under_door - 0.002),
@@ -158,7 +158,7 @@ class Cabinet:
         return bodies
 
     def _inside(self) -> list[ag.Body]:
-        """Make gasket, lamp, fan cover and embossed walls, which are only seen."""
+        """Make gasket, lamp, fan cover and embossed walls, visual only."""
         space = self.space
         floor, ceiling, back, inside = space.floor, space.ceiling, space.back, space.inside
         tall, level = ceiling - floor, (ceiling + floor) / 2.0

@@ -21,34 +21,34 @@ from artgen.categories.shared.hardware.bar_handles import (
 
 _FACE = 0.030  # thickness of the front [m]
 _POCKET = 0.0275  # depth of the grip [m]
-_WIDE = 0.050  # height of the grip: a finger of 9 mm above and below its blade [m]
-_SHEET = 0.003  # of the box [m]
-_BESIDE = 0.0175  # from the box to the side of the range, for the runner [m]
-_PLAY = 0.0016  # between box and runner [m]
+_WIDE = 0.050  # height of the grip: 9 mm for fingers above and below its blade [m]
+_SHEET = 0.003  # thickness of the sheet of the box [m]
+_BESIDE = 0.0175  # distance from the box to the side of the range, for the runner [m]
+_PLAY = 0.0016  # gap between box and runner [m]
 
 
 @dataclass(frozen=True)
 class Drawer:
-    """A drawer."""
+    """Drawer below the oven of a range."""
 
-    space: Space  # the measures of the range
-    finish: ag.Material  # of its front
-    metal: ag.Material  # of the blade of its grip
+    space: Space  # dimensions of the range
+    finish: ag.Material  # finish of the front
+    metal: ag.Material  # metal of the blade of the grip
     grip: ag.Scalar  # length of the grip [m]
-    share: ag.Scalar  # how far it comes out, as a share of its depth
-    friction: ag.Scalar  # of its runners [N]
+    share: ag.Scalar  # travel, as a share of the depth
+    friction: ag.Scalar  # friction of the runners [N]
 
     @cached_property
     def _tall(self) -> ag.Span:
-        """The lower and upper edge of the front [m]."""
+        """Heights of the lower and upper edge of the front [m]."""
         return (FOOT + LOW, self.space.under_door)
 
     @cached_property
     def _box(self) -> tuple[ag.Scalar, ag.Span, ag.Span]:
-        """Half the width of the box, and where it is along y and z [m]."""
+        """Half the width of the box, and its positions along y and z [m]."""
         space = self.space
         low = self._tall[0]
-        # the slab of the cavity's floor, 24 mm thick, is above it
+        # below the slab of the cavity's floor, 24 mm thick
         top = space.floor - 0.024 - 0.012
         return (
             space.half - _BESIDE,
@@ -58,13 +58,13 @@ class Drawer:
 
     @cached_property
     def _travel(self) -> ag.Scalar:
-        """How far it comes out [m]."""
+        """Travel of the drawer [m]."""
         _, (y0, y1), _ = self._box
         return self.share * (y1 - y0)
 
     @cached_property
     def before(self) -> ag.Scalar:
-        """How far its front comes before the axis of the door [m]."""
+        """Reach of the open drawer's front in front of the axis of the door [m]."""
         return self._travel + self.space.hinge[1] - self.space.front
 
     def body(self) -> ag.Body:
@@ -84,7 +84,7 @@ class Drawer:
             thin=True,
         ).at(0.0, space.front, middle)
         x, y, z = (-half, half), (space.front, space.front + _FACE), (low, high)
-        # it is seen as a moulding with soft edges, over the boards around the grip
+        # the visible front is a molding with soft edges over the boards around the grip
         opening = ag.rectangle(self.grip, _WIDE).at(0.0, middle - 0.5 * (low + high))
         outline = ag.rectangle(2.0 * half, high - low) - opening
         at = (0.0, 0.5 * (y[0] + y[1]), 0.5 * (low + high))
@@ -131,7 +131,7 @@ class Drawer:
         return [floor, *sides, *ends]
 
     def runners(self) -> ag.Body:
-        """Make the runners at both sides of the bay, to be welded to the cabinet."""
+        """Make the runners at both sides of the bay, which are welded to the cabinet."""
         space = self.space
         x, (_, end), (z0, z1) = self._box
         z = (z0 + 0.45 * (z1 - z0), z0 + 0.45 * (z1 - z0) + 0.030)
@@ -147,7 +147,7 @@ class Drawer:
         return ag.weld(*(ag.detail(each, "rail", steel) for each in solids))
 
     def slide(self) -> ag.Joint:
-        """Make the joint by which it is drawn out, to the front."""
+        """Make the joint of the drawer, which slides out to the front."""
         return ag.Prismatic(
             "drawer_slide",
             axis=-ag.Y,
@@ -160,18 +160,18 @@ class Drawer:
 
 
 Window = Literal["none", "partial", "full"]
-"""A solid front, one with a window in it, or one of glass all over."""
+"""A solid front, a front with a window, or a glass front."""
 
 HandleKind = Literal["bar", "box"]
 """A rod on posts, or a broad bar with closed ends."""
 
 BEHIND = 0.0085
-"""How far a handle reaches out beyond its middle, at most [m]."""
+"""Largest reach of a handle beyond its middle [m]."""
 
 _GRAVITY = 9.81
 _HANDLE = 0.45  # approximate mass of a handle [kg]
-_HALF = 0.016  # half the height of a handle, at most [m]
-_DOWN = 0.045  # from the upper edge of the door to the middle of its handle [m]
+_HALF = 0.016  # largest half height of a handle [m]
+_DOWN = 0.045  # distance from the upper edge of the door to the middle of its handle [m]
 _PANE = 0.004  # thickness of a pane [m]
 _FRONT, _CORE = 700.0, 430.0  # density of front and core [kg/m3]
 _BOX = (0.015, 0.026)  # depth and height of the bar of a box handle [m]
@@ -179,21 +179,21 @@ _BOX = (0.015, 0.026)  # depth and height of the bar of a box handle [m]
 
 @dataclass(frozen=True)
 class Door:
-    """How a door looks."""
+    """Layout and finish of a door."""
 
-    space: Space  # the measures of the oven
-    window: Window  # of its front
+    space: Space  # dimensions of the oven
+    window: Window  # window of the front
     across: ag.Scalar  # width of the window, as a share of that of the cavity
     tall: ag.Scalar  # height of the window, as a share of the available room
-    handle: HandleKind  # the kind of the handle
+    handle: HandleKind  # kind of handle
     bar: BarStyle  # style of a bar
-    length: ag.Scalar  # of the handle [m]
-    projection: ag.Scalar  # from the front to the middle of a handle [m]
+    length: ag.Scalar  # length of the handle [m]
+    projection: ag.Scalar  # distance from the front to the middle of a handle [m]
     girth: ag.Scalar  # half the thickness of a bar [m]
-    finish: ag.Material  # of the front
-    glass: ag.Material  # of a front of glass, and around a window
-    metal: ag.Material  # of the handle
-    maker: str  # brand on it; `""` for none
+    finish: ag.Material  # finish of the front
+    glass: ag.Material  # material of a glass front, and of the glass around a window
+    metal: ag.Material  # metal of the handle
+    maker: str  # brand name; `""` for none
 
     @cached_property
     def _half(self) -> ag.Scalar:
@@ -209,7 +209,7 @@ class Door:
 
     @cached_property
     def _view(self) -> tuple[ag.Scalar, ag.Span]:
-        """Half the width of the window, and its lower and upper edge [m]."""
+        """Half the width of the window, and the heights of its lower and upper edge [m]."""
         space = self.space
         low, high = space.floor + 0.012, self._handle_height - 0.042
         middle, half = (low + high) / 2.0, 0.5 * self.tall * (high - low)
@@ -217,7 +217,7 @@ class Door:
 
     @cached_property
     def _solids(self) -> list[tuple[ag.Solid, ag.Material]]:
-        """The front, the core behind it and the panes, with their materials."""
+        """Return the front, the core behind it and the panes, with their materials."""
         space, (low, high) = self.space, self.space.door
         front, inner = space.front, space.inner
         tall, level = high - low, (low + high) / 2.0
@@ -235,7 +235,7 @@ class Door:
             solids.append((slab.at(0.0, (start + end) / 2.0, level), filled(finish, density, "door")))
         if self.window == "none":
             return solids
-        # panes lie in the rims of their holes, the outer one level with the front
+        # panes lie in the rims of their holes, with the outer pane flush with the front
         half, (bottom, top) = self._view
         tinted = ag.material("tinted_glass").with_(
             name="oven_glass", base_color=(0.055, 0.055, 0.06), opacity=0.74
@@ -247,7 +247,7 @@ class Door:
         return solids
 
     def _hole(self, wider: ag.Scalar) -> ag.Profile | None:
-        """Return the opening of the window at its height, larger by some length all around [m]."""
+        """Return the opening of the window, enlarged by some length all around [m]."""
         if self.window == "none":
             return None
         half, (low, high) = self._view
@@ -255,7 +255,7 @@ class Door:
 
     @cached_property
     def handle_before(self) -> ag.Scalar:
-        """How far the handle of the open door is before its axis [m]."""
+        """Reach of the handle of the open door in front of its axis [m]."""
         space = self.space
         return (self._handle_height - space.hinge_height - _HALF) * ag.sin(space.swing)
 
@@ -302,7 +302,7 @@ class Door:
         return bodies
 
     def _inner_details(self) -> list[ag.Body]:
-        """Make the visible parts of its inside: the frame of the inner pane, covers of screws, hinges."""
+        """Make the visible parts of the inside: the frame of the inner pane, covers of screws, hinges."""
         space, high = self.space, self.space.door[1]
         inner = space.inner
         bodies = []
@@ -347,11 +347,11 @@ class Door:
         return box_handle(self.length, self.projection, finish=self.metal).at(*at)
 
     def hinge(self, pull: ag.Scalar) -> ag.Joint:
-        """Make the joint of the door; springs carry its weight, friction holds it where it is left.
+        """Make the joint of the door; springs carry its weight, and friction holds it at any angle.
 
-        The springs are linear and begin at the closed door, so that they lift most where its weight pulls
-        most; the rest of m g r sin(q) is less than the friction of hinges and rollers, by which the door of
-        an oven stays open by any angle, as for grilling.
+        The spring torque is linear, and is greatest at the open end, as is the torque of the weight m g r
+        sin(q). The difference of both is less than the friction of hinges and rollers, which holds the door
+        open at any angle, as for grilling.
         """
         space = self.space
         lever = self._handle_height - space.hinge_height

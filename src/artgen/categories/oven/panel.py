@@ -13,9 +13,9 @@ from artgen.categories.shared.controls.panels import PANE, icon_row, ink_on, inl
 from artgen.nodes.details.displays import Color
 
 SWEEP = 4.7
-"""How far a dial turns from off [rad]."""
+"""Turn of a dial from off to its end [rad]."""
 
-_START = 0.45  # from the top, where off is, to the first place of a scale [rad]
+_START = 0.45  # angle from off, at the top, to the first position of a scale [rad]
 _DEEP = 0.030  # thickness of the panel [m]
 _FUNCTIONS = ("heat_both", "heat_bottom", "grill", "hot_air", "defrost", "oven_light")
 _BLACK = ag.material("black_glass")
@@ -24,25 +24,25 @@ _TOUCH = ("power", "minus", "timer", "clock", "plus", "child_lock")
 
 @dataclass(frozen=True)
 class Panel:
-    """What is on a panel."""
+    """Layout and finish of a panel."""
 
-    space: Space  # the measures of the oven
-    finish: ag.Material  # of its face
-    pane: bool  # whether a pane of black glass lies on it
-    dials: int  # how many dials there are
-    burners: int  # how many of them belong to burners
-    style: DialStyle  # of the dials
-    radius: ag.Scalar  # of the dials [m]
+    space: Space  # dimensions of the oven
+    finish: ag.Material  # finish of the face
+    pane: bool  # whether a pane of black glass covers the face
+    dials: int  # number of dials
+    burners: int  # number of the dials that belong to burners
+    style: DialStyle  # style of the dials
+    radius: ag.Scalar  # radius of the dials [m]
     knob: ag.Material  # material of dials
-    metal: ag.Material  # of their caps
-    friction: ag.Scalar  # that holds them [N m]
+    metal: ag.Material  # metal of the caps of dials
+    friction: ag.Scalar  # friction of the dials [N m]
     show: str  # text of the display; `""` for none
-    color: Color  # of its figures
-    maker: str  # brand on it; `""` for none
+    color: Color  # color of the figures of the display
+    maker: str  # brand name; `""` for none
 
     @cached_property
     def _level(self) -> ag.Scalar:
-        """The middle of the panel, along z [m]."""
+        """Position of the middle of the panel along z [m]."""
         return (self.space.panel_low + self.space.panel_high) / 2.0
 
     @cached_property
@@ -64,7 +64,7 @@ class Panel:
 
     @cached_property
     def _at(self) -> list[ag.Scalar]:
-        """The middles of the dials, from left to right [m]."""
+        """Positions of the middles of the dials along x, from left to right [m]."""
         if not self.dials:
             return []
         end = self._half - 0.020 - self.radius
@@ -77,7 +77,7 @@ class Panel:
         room = end - start
         row = []
         for count, way in ((left, -1), (right, 1)):
-            # one or two are in the middle of their side, more of them fill it
+            # one or two dials are in the middle of their side, more dials fill it
             step = room / max(count - 1, 2)
             first = start + (room - (count - 1) * step) / 2.0
             found = [way * (first + number * step) for number in range(count)]
@@ -85,7 +85,7 @@ class Panel:
         return row
 
     def body(self) -> ag.Body:
-        """Make the panel with its print, to be welded to the cabinet."""
+        """Make the panel with its print, which is welded to the cabinet."""
         space, half = self.space, self._half
         front = space.front
         face = ag.board(
@@ -117,7 +117,7 @@ class Panel:
         if self.show:
             bodies += self._display(high)
         if not self.dials:
-            # all is done by touch: signs at both sides
+            # a panel without dials has touch signs at both sides
             for way, names in ((-1, _FUNCTIONS), (1, _TOUCH)):
                 row = [way * (self._aside + 0.030 + number * 0.038) for number in range(4)]
                 bodies.append(icon_row(names[:4], row, height=0.0125, ink=ink, proud=proud))
@@ -129,7 +129,7 @@ class Panel:
         return bodies
 
     def _display(self, high: ag.Scalar) -> list[ag.Body]:
-        """Make the display over its three touch keys, on a pane of its own where the panel has none."""
+        """Make the display above its three touch keys, on its own pane if the panel has none."""
         wide, tall = self._screen
         keys = places(3, 0.30 * wide)
         names = ("minus", "timer", "plus")
@@ -140,7 +140,7 @@ class Panel:
         ]
 
     def _scale(self, number: int, ink: ag.Material) -> ag.Body:
-        """Print the scale around a dial: fan signs of the oven's first, temperatures, or heat of a burner."""
+        """Print the scale of a dial: fan signs for the oven's first dial, temperatures, or burner settings."""
         last = self.dials - self.burners
         sweep = SWEEP - _START
         of_oven = number >= self.burners
@@ -172,14 +172,14 @@ class Panel:
         return ag.weld(*bodies)
 
     def _name(self, ink: ag.Material, proud: ag.Scalar) -> ag.Body:
-        """Print the maker's name at the right end, or in the middle where there is no display."""
+        """Print the maker's name at the right end, or in the middle if there is no display."""
         word = details.logo(self.maker, 0.0058)
         tall = 0.5 * self.space.panel - 0.0105
         x = 0.0 if self.show else -self._half + 0.055
         return details.printed(word, (x, -proud, -tall), material=ink)
 
     def joined(self, body: ag.Body) -> ag.Body:
-        """Join the dials to a body that has the panel."""
+        """Attach the dials to the body with the panel."""
         proud: ag.Scalar = PANE if self.pane else 0.0
         for number, x in enumerate(self._at):
             tail = f"_{number}" if self.dials > 1 else ""

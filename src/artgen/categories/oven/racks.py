@@ -1,4 +1,4 @@
-"""What is carried on the rails of an oven: wire racks and a deep pan, and the rails."""
+"""Parts on the rails of an oven, wire racks and a deep pan, and the rails themselves."""
 
 import math
 from collections.abc import Sequence
@@ -11,31 +11,33 @@ from artgen import details
 from artgen.categories.oven.space import LEVELS, ROD, Build, Space
 from artgen.categories.shared.appliances.wire_baskets import rack_slide
 
-_INSIDE = 0.0002  # by which rods that collide are thinner than those that are seen [m]
-_WIRE = 0.0016  # radius of the wires of a rack, by their number [m]
+_INSIDE = 0.0002  # difference between the radii of visible and colliding rods [m]
+_WIRE = 0.0016  # radius and number of the wires of a rack [m]
 _WIRES: dict[Build, int] = {"built_in": 22, "range": 27}
-_FROM_BELOW = math.pi / 8.0  # how far a hand leans that takes the highest rack: by one facet of its rod [rad]
+# tilt of a hand that takes the highest rack from below: one facet of its rod [rad]
+_FROM_BELOW = math.pi / 8.0
 _CORNER = 0.014  # radius of the corners of a rack [m]
-_STOP, _STOP_WIRE = 0.016, 0.0022  # how high the stop at the back of a rack is, radius of its wire [m]
-_PAN = 0.034  # how deep a pan hangs below its rim [m]
+_STOP, _STOP_WIRE = 0.016, 0.0022  # height of the stop at the back of a rack, and radius of its wire [m]
+_PAN = 0.034  # depth of a pan below its rim [m]
 _SHEET = 0.0022
-_HEATING, _TUBE = 0.014, 0.0034  # from the ceiling down to the heating element, radius of its tube [m]
-_GUIDE = 0.019  # of the rod over a rack that keeps it from tipping, above those that carry it [m]
+# distance from the ceiling down to the heating element, and radius of its tube [m]
+_HEATING, _TUBE = 0.014, 0.0034
+_GUIDE = 0.019  # height of the rod that keeps a rack from tipping, above the rods that carry the rack [m]
 
 _WELDED = "rods of a rack are joined by the bent ones, which are only seen"
 
 
 @dataclass(frozen=True)
 class Racks:
-    """The racks of one oven."""
+    """Racks of an oven."""
 
-    space: Space  # its measures
+    space: Space  # dimensions of the oven
     chrome: ag.Material  # material of the wires
-    enamel: ag.Material  # of pans
-    friction: ag.Scalar  # of a rack on its rails [N]
+    enamel: ag.Material  # enamel of pans
+    friction: ag.Scalar  # friction of a rack on its rails [N]
 
     def rails(self, used: Sequence[int]) -> ag.Body:
-        """Make the rails at both sides: rods that carry racks, and uprights; those in use collide."""
+        """Make the rails at both sides: rods for racks, and uprights; only the rods in use collide."""
         space = self.space
         front, back = space.mouth + 0.012, space.back - 0.004
         x, middle = space.inside - 0.0095, (front + back) / 2.0
@@ -48,7 +50,7 @@ class Racks:
         free = [each for each in every if each not in used]
         low, high = space.level(0) - 0.012, space.level(LEVELS - 1) + 0.028
         post = ag.cylinder(0.0020, high - low)
-        posts: list[ag.VectorLike] = [  # so near to the walls that racks pass before them
+        posts: list[ag.VectorLike] = [  # near the walls, so that racks pass in front of them
             (side * (space.inside - 0.0022), y, (low + high) / 2.0)
             for side in (-1, 1)
             for y in (front + 0.035, back - 0.035)
@@ -72,7 +74,7 @@ class Racks:
         rim: list[ag.VectorLike] = [(0.0, -y, 0.0), (x, -y, 0.0), (x, y, 0.0), (-x, y, 0.0), (-x, -y, 0.0)]
         here = ((0.0, 0.0, 0.0),)
         loop = details.bent_wires(ag.polyline(rim, fillet=_CORNER, closed=True), ROD, at=here)
-        count = _WIRES[space.build]  # which lie on the frame, between its corners
+        count = _WIRES[space.build]  # wires on the frame, between its corners
         step = 2.0 * (half - _CORNER - ROD) / (count - 1)
         first = (-0.5 * (count - 1) * step, 0.0, ROD + _WIRE)
         wires = details.bent_wires(
@@ -85,14 +87,14 @@ class Racks:
         ends = [(0.0, way * (deep / 2.0 - ROD), 0.0) for way in (-1, 1)]
         sides = [(way * (half - ROD), 0.0, 0.0) for way in (-1, 1)]
         rows = [(share * half, 0.0, 0.0011) for share in (-0.5, 0.0, 0.5)]
-        # the wire at the back keeps pots from falling off, and the rack from being drawn out too far
+        # the wire at the back keeps pots from falling off, and the rack from sliding out too far
         z = _STOP
         stop = ag.polyline(
             [(-0.94 * half, y, 0.0), (-0.94 * half, y, z), (0.94 * half, y, z), (0.94 * half, y, 0.0)],
             fillet=0.008,
         )
         high = ag.cylinder(0.0020, 1.8 * half, axis=ag.X).at(0.0, y, z)
-        # under the panel a hand comes from below, and takes but the rod, not the wires behind it
+        # under the panel a hand comes from below, and grasps only the rod, not the wires behind it
         lean, before = (_FROM_BELOW, 0.006) if level == LEVELS - 1 else (0.0, -0.0005)
         toward, over = (0.0, math.cos(lean), math.sin(lean)), (0.0, -math.sin(lean), math.cos(lean))
         at = (0.0, ROD - deep / 2.0 - before * toward[1], -before * toward[2])
@@ -111,7 +113,7 @@ class Racks:
         return body.at(0.0, space.rack_front + deep / 2.0, space.rack(level))
 
     def pan(self, name: str, level: int) -> ag.Body:
-        """Make a deep enamelled pan at a level, with its rim on the rails."""
+        """Make a deep enameled pan at a level, with its rim on the rails."""
         space = self.space
         half, deep = space.rack_half, space.rack_depth
         rim = 0.016
@@ -154,7 +156,7 @@ class Racks:
                 for way in (-1, 1)
             ),
         ]
-        # tips, which reach 9 mm past the frame, end before the wall under the rim
+        # tips, which reach 9 mm beyond the frame, end before the wall under the rim
         hold = ag.frame((0.0, 0.0045 - deep / 2.0, 0.0), approach=(0.0, 1.0, 0.0), closing=(0.0, 0.0, 1.0))
         first, front, *others = boards
         body = ag.weld(
@@ -170,7 +172,7 @@ class Racks:
         return self.space.rack(level) - ROD - (_PAN + _SHEET if pan else 0.0)
 
     def apart(self, levels: Sequence[int], *, pan: bool) -> ag.Bool | bool:
-        """Tell whether racks at these levels keep off each other and off the heating element."""
+        """Return whether racks at these levels are clear of each other and of the heating element."""
         spans: list[ag.Span] = []
         for number, level in enumerate(levels):
             middle = self.space.rack(level)
@@ -182,12 +184,12 @@ class Racks:
         return reduce(and_, (high < low - 0.001 for (_, high), low in zip(spans, lows, strict=True)))
 
     def slide(self, name: str, needs: ag.Condition | ag.Dependency) -> ag.Joint:
-        """Make the joint by which a rack is drawn out; its effort leaves the closed door shut."""
+        """Make the joint by which a rack slides out; its effort cannot open the closed door."""
         return rack_slide(name, travel=self.space.slide, friction=self.friction, damping=6.0, needs=needs)
 
 
 def element(space: Space) -> ag.Body:
-    """Make the heating element under the ceiling: a tube that winds to and fro, only seen."""
+    """Make the heating element under the ceiling: a tube in meanders, visual only."""
     x, y0, y1 = 0.66 * space.inside, space.mouth + 0.06, space.back - 0.06
     level = space.ceiling - _HEATING
     turns = 5

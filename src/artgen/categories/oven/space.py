@@ -1,4 +1,4 @@
-"""Space inside an oven: the planes that door, cavity, racks, panel and drawer share."""
+"""Dimensions of an oven: the planes that door, cavity, racks, panel and drawer share."""
 
 from dataclasses import dataclass
 from typing import Literal
@@ -8,25 +8,25 @@ from artgen._arrays import cached_property
 from artgen.categories.shared.appliances.finish import ApplianceSpace
 
 Build = Literal["built_in", "range"]
-"""For a kitchen cabinet, or standing on its own with burners on it."""
+"""Built into a kitchen cabinet, or a freestanding range with burners on top."""
 
 SEAL = 0.006
-"""Between the inside of the door and the cavity, where the gasket is [m]."""
+"""Gap between the inside of the door and the cavity, for the gasket [m]."""
 
 LAP = 0.0005
-"""By which boards reach into each other, so that they have no corners in common [m]."""
+"""Overlap of boards, so that they share no corners [m]."""
 
 UNDER = 0.0003
-"""From a surface with soft edges to the boards under it, which weigh and collide [m]."""
+"""Depth of the boards under a surface with soft edges; the boards have the mass and collide [m]."""
 
 TOP = 0.034
 """Thickness of the top of a range [m]."""
 
 GAP = 0.004
-"""Between the door and the panel above it, where cooling air comes out [m]."""
+"""Gap between the door and the panel above it, for the outlet of cooling air [m]."""
 
 LEVELS = 5
-"""How many racks the rails at the sides have room for."""
+"""Number of rack levels of the rails."""
 
 ROD = 0.0030
 """Radius of the rods of rails and racks [m]."""
@@ -34,39 +34,39 @@ ROD = 0.0030
 SKIN = 0.014
 """Thickness of the fronts of door and drawer [m]."""
 
-_BELOW = 0.008  # from the axis of the door down to its lower edge [m]
-_UNDER = 0.0165  # from that axis down to the part below the door [m]
-_FLOOR = 0.032  # from that axis up to the floor of the cavity [m]
-_OVER = 0.046  # from the ceiling of the cavity to the top of the door [m]
-_PLAY = 0.0008  # between a rack and the rails that carry it [m]
-_REACH = 0.010  # from the mouth of the cavity to the front of a rack [m]
-_LEAST = 0.0012  # between a rack and the door at the angle at which it may come [m]
+_BELOW = 0.008  # distance from the axis of the door down to its lower edge [m]
+_UNDER = 0.0165  # distance from that axis down to the part below the door [m]
+_FLOOR = 0.032  # distance from that axis up to the floor of the cavity [m]
+_OVER = 0.046  # distance from the ceiling of the cavity to the top of the door [m]
+_PLAY = 0.0008  # gap between a rack and its rails [m]
+_REACH = 0.010  # distance from the mouth of the cavity to the front of a rack [m]
+_LEAST = 0.0012  # least gap between a rack and the door at the angle at which the rack may slide out [m]
 
 
 @dataclass(frozen=True, kw_only=True)
 class Space(ApplianceSpace):
-    """The measures of an oven."""
+    """Dimensions of an oven."""
 
     build: Build  # built in or a range
-    hinge_height: ag.Float  # of the axis of the door [m]
+    hinge_height: ag.Float  # height of the axis of the door [m]
     panel: ag.Float  # height of the control panel [m]
-    wall: ag.Float  # from the outside to the cavity at the sides [m]
-    swing: ag.Float  # how far the door opens [rad]
-    slide: ag.Float  # how far racks come out [m]
+    wall: ag.Float  # distance from the outside to the cavity at the sides [m]
+    swing: ag.Float  # opening angle of the door [rad]
+    slide: ag.Float  # travel of the racks [m]
 
     @cached_property
     def side(self) -> ag.Scalar:
-        """Half the width behind the front: a built-in oven goes into a niche [m]."""
+        """Half the width behind the front: a built-in oven fits into a niche [m]."""
         return self.half - 0.018 if self.build == "built_in" else self.half
 
     @cached_property
     def mouth(self) -> ag.Scalar:
-        """The front of the cavity, along y [m]."""
+        """Position of the front of the cavity along y [m]."""
         return self.inner + SEAL
 
     @cached_property
     def back(self) -> ag.Scalar:
-        """The back wall of the cavity, along y: the fan and wool are behind it [m]."""
+        """Position of the back wall of the cavity along y, with the fan and wool behind it [m]."""
         return self.rear - 0.058
 
     @cached_property
@@ -76,7 +76,7 @@ class Space(ApplianceSpace):
 
     @cached_property
     def arm(self) -> ag.Float:
-        """From the axis of the door back to its inside [m]."""
+        """Distance from the axis of the door back to its inside [m]."""
         return 0.74 * self.thickness
 
     @cached_property
@@ -86,32 +86,32 @@ class Space(ApplianceSpace):
 
     @cached_property
     def panel_high(self) -> ag.Scalar:
-        """The upper edge of the control panel [m]."""
+        """Height of the upper edge of the control panel [m]."""
         return self.height - (TOP if self.build == "range" else 0.0)
 
     @cached_property
     def panel_low(self) -> ag.Scalar:
-        """The lower edge of the control panel [m]."""
+        """Height of the lower edge of the control panel [m]."""
         return self.panel_high - self.panel
 
     @cached_property
     def door(self) -> ag.Span:
-        """The lower and the upper edge of the door [m]."""
+        """Heights of the lower and the upper edge of the door [m]."""
         return (self.hinge_height - _BELOW, self.panel_low - GAP)
 
     @cached_property
     def under_door(self) -> ag.Scalar:
-        """The upper edge of the part below the door, which the edge of the door clears [m]."""
+        """Height of the upper edge of the part below the door, clear of the turning door [m]."""
         return self.hinge_height - _UNDER
 
     @cached_property
     def floor(self) -> ag.Scalar:
-        """The floor of the cavity [m]."""
+        """Height of the floor of the cavity [m]."""
         return self.hinge_height + _FLOOR
 
     @cached_property
     def ceiling(self) -> ag.Scalar:
-        """The ceiling of the cavity [m]."""
+        """Height of the ceiling of the cavity [m]."""
         return self.door[1] - _OVER
 
     def level(self, number: int) -> ag.Scalar:
@@ -125,29 +125,29 @@ class Space(ApplianceSpace):
 
     @cached_property
     def rack_front(self) -> ag.Scalar:
-        """The front of the racks, along y [m]."""
+        """Position of the front of the racks along y [m]."""
         return self.mouth + _REACH
 
     @cached_property
     def rack_depth(self) -> ag.Scalar:
-        """Of the racks [m]."""
+        """Depth of the racks [m]."""
         return self.back - 0.012 - self.rack_front
 
     @cached_property
     def rack_half(self) -> ag.Scalar:
-        """Half the width of a rack, which lies on rails that stand 5 mm off the walls [m]."""
+        """Half the width of a rack, which lies on rails 5 mm off the walls [m]."""
         return self.inside - 0.0065
 
     @cached_property
     def play(self) -> ag.Scalar:
-        """How far a rack comes behind the closed door [m]."""
+        """Travel of a rack behind the closed door [m]."""
         return _REACH + SEAL - 0.0012
 
     def angle_over(self, low: ag.Scalar) -> ag.Scalar:
-        """Return the angle at which the open door clears the way of a rack [rad].
+        """Return the angle of the open door that clears the path of a rack [rad].
 
-        Its inside clears the farthest point that the rack comes to where it leans farther out than the
-        direction of that point, by the angle under which its distance from the axis is seen.
+        The inside of the door clears the farthest point of the rack if the door leans beyond the direction of
+        that point by the angle that its distance from the axis subtends at that point.
         """
         across = self.slide - (self.rack_front - self.hinge[1])
         up = low - self.hinge_height

@@ -1,12 +1,12 @@
-"""A pepper mill: a turned body whose head, or whose crank, turns the burr in its foot.
+"""A pepper mill: a turned body with a head or a crank that turns the burr in its foot.
 
 Links: `body`; `top`, which is a bulb, a disc or a ball, or else `crank` with its `knob`. Joints: `top_turn`
-or `crank_turn`, and `knob_spin` about the pin of a knob; none has limits. Shaft and male burr turn with what
-a hand turns; the burr is seen from below.
+or `crank_turn`, and `knob_spin` about the pin of a knob; none has limits. Shaft and male burr turn with the
+head or crank; the burr is visible from below.
 
-Grinding takes 0.1 to 0.4 N m, which is modelled as dry friction: it acts only while the mill turns, and holds
-the head where it is left. Sizes are those of household catalogues (Peugeot, Cole & Mason, Zassenhaus): 12-18
-cm for the table, to 40 cm for restaurants, 50-72 mm wide; a beech mill of 18 cm weighs 0.25 kg.
+The grinding torque of 0.1 to 0.4 N m is modeled as dry friction: it acts only while the mill turns, and holds
+the head at any angle. Sizes are those of household catalogs (Peugeot, Cole & Mason, Zassenhaus): 12-18 cm for
+the table, up to 40 cm for restaurants, 50-72 mm wide; a beech mill of 18 cm weighs 0.25 kg.
 """
 
 from typing import Literal
@@ -100,7 +100,7 @@ def pepper_grinder(
         hourglass=ag.choice("wood", "lacquer", "steel", weights=(0.36, 0.36, 0.28)),
         cone=ag.choice("wood", "lacquer", "steel", weights=(0.45, 0.25, 0.3)),
         otherwise=ag.choice("wood", "lacquer", weights=(0.56, 0.44)),
-        doc="material of the body; a clear one shows its contents",
+        doc="material of the body; a clear body shows its contents",
     ),
     size: Literal["table", "kitchen", "restaurant"] = ag.by(
         "top",
@@ -115,7 +115,7 @@ def pepper_grinder(
         restaurant=ag.uniform(0.29, 0.385),
         unit="m",
         within=(0.12, 0.40),
-        doc="to the top of the head, below its nut",
+        doc="height to the top of the head, below its nut",
     ),
     diameter: ag.Float = ag.by(
         "size",
@@ -130,7 +130,7 @@ def pepper_grinder(
         disc=ag.uniform(0.75, 1.5),
         crank=1.0,
         otherwise=ag.uniform(0.92, 1.12),
-        doc="addition to the drawn form",
+        doc="height added to the drawn form",
         within=(0.6, 1.8),
     ),
     finish: ag.Material = ag.by(
@@ -145,19 +145,21 @@ def pepper_grinder(
         clear=ag.shades(*WOODS, *STEELS, weights=(*WOOD_WEIGHTS, *STEEL_WEIGHTS), color=0.05),
         steel=ag.shades(*STEELS, *WOODS, weights=(*STEEL_WEIGHTS, *WOOD_WEIGHTS), color=0.04),
         otherwise=ag.shades(*WOODS, color=0.06),
-        doc="of the head, foot and collar of a clear mill, of the head of a steel one, of a crank's knob",
+        doc="finish of the head or knob, and of the foot and collar of a clear mill",
     ),
-    metal: ag.Material = ag.choice(*METALS, weights=METAL_WEIGHTS, doc="of the nut, the ring and a crank"),
+    metal: ag.Material = ag.choice(
+        *METALS, weights=METAL_WEIGHTS, doc="metal of the nut, the ring and a crank"
+    ),
     finial: Finial = ag.choice("nut", "ball", "cap", weights=(0.4, 0.35, 0.25)),
     ringed: bool = ag.by("top", crank=False, otherwise=ag.choice(True, False, weights=(0.45, 0.55))),
     crank_reach: ag.Float = ag.uniform(
-        0.052, 0.068, "m", doc="from the axis to the knob", within=(0.045, 0.09)
+        0.052, 0.068, "m", doc="distance from the axis to the knob", within=(0.045, 0.09)
     ),
     knob_radius: ag.Float = ag.uniform(0.0105, 0.0130, "m", within=(0.009, 0.016)),
     friction: ag.Float = ag.uniform(
-        0.10, 0.40, "N m", doc="of peppercorns between the burrs", within=(0.02, 0.8)
+        0.10, 0.40, "N m", doc="friction of peppercorns between the burrs", within=(0.02, 0.8)
     ),
-    knob_friction: ag.Float = ag.uniform(0.001, 0.003, "N m", doc="of a crank's knob on its pin"),
+    knob_friction: ag.Float = ag.uniform(0.001, 0.003, "N m", doc="friction of a crank's knob on its pin"),
     content: Content = ag.by(
         "build",
         clear=ag.choice("pepper", "salt", "mixed", weights=(0.6, 0.25, 0.15)),
@@ -185,7 +187,7 @@ def pepper_grinder(
     )
     radius = diameter / 2.0
     crown = head_height * HEAD_HEIGHT[top] * radius
-    tall = height - crown  # of the body
+    tall = height - crown  # height of the body
     tall = ag.require(
         tall, tall > 1.2 * radius, "the body has no room below the head: raise height, or lower head_height"
     )

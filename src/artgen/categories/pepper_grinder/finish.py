@@ -11,8 +11,8 @@ from artgen.categories.shared.vessels.turned import path_of
 Mark = Literal["none", "letter", "word"]
 """Mark of the contents of a mill: none, a letter on its head, or a word around its body."""
 
-_LIGHT = 0.22  # mean of a color from which dark print has more contrast
-_FOOT = {  # the run of the body that has the maker's name, and at which height: over the radius
+_LIGHT = 0.22  # mean color value above which dark print has more contrast
+_FOOT = {  # position of the maker's name: run of the body and height, over the radius
     "classic": (0, 0.15),
     "baluster": (0, 0.15),
     "hourglass": (1, 0.20),
@@ -23,7 +23,7 @@ _FOOT = {  # the run of the body that has the maker's name, and at which height:
     "ripple": (0, 0.10),
     "cylinder": (1, 0.24),
 }
-_WORD = {  # the run with the word, and at which share of the height
+_WORD = {  # position of the word: run of the body and share of the height
     "classic": (2, 0.40),
     "baluster": (2, 0.34),
     "hourglass": (1, 0.66),
@@ -63,7 +63,7 @@ def word_mark(
 
 
 def letter_mark(word: str, radius: ag.Scalar, top: ag.Scalar, finish: ag.Material) -> ag.Body:
-    """Print the first letter of the contents on the flat head of a mill, before the nut."""
+    """Print the first letter of the contents on the flat head of a mill, in front of the nut."""
     letter = ag.text(word[0].upper(), 0.24 * radius)
     at = (0.0, -0.56 * radius, top)
     return details.printed(letter, at, material=ink_on(finish), facing=ag.Z, up=(0.0, 1.0, 0.0))
@@ -75,10 +75,10 @@ _OLIVE = ag.material("ash_flat_sawn").with_(name="olive_wood", base_color=(0.46,
 _CHERRY = ag.material("maple").with_(name="cherry", base_color=(0.40, 0.17, 0.075), density=630.0)
 
 WOODS = (*known("beech", "walnut", "oak", "mahogany"), _CHERRY, *known("maple"), _EBONY, _OLIVE)
-"""Woods that are turned."""
+"""Woods of turned mills."""
 
 WOOD_WEIGHTS = (1.8, 2.2, 1.2, 1.4, 0.8, 0.9, 1.4, 1.0)
-"""How often."""
+"""Weights of `WOODS` in a random choice."""
 
 _COLORS = {
     "black": 2.6,
@@ -98,16 +98,16 @@ LACQUERS = weighing([ag.colored("lacquered_mdf", color) for color in _COLORS], 6
 """Lacquers on beech."""
 
 LACQUER_WEIGHTS = tuple(_COLORS.values())
-"""How often."""
+"""Weights of `LACQUERS` in a random choice."""
 
 STEELS = (
     *weighing(known("stainless", "brushed_aluminium", "copper", "satin_brass"), 760.0, "drawn"),
     *weighing(known("powder_coat_black", "powder_coat_graphite"), 760.0, "drawn"),
 )
-"""Drawn shells of 0.7 mm around a liner: the mass of the whole is spread over the shell."""
+"""Drawn shells of 0.7 mm around a liner; the density of the shell includes the mass of the liner."""
 
 STEEL_WEIGHTS = (3.0, 1.0, 0.7, 0.5, 1.0, 0.6)
-"""How often."""
+"""Weights of `STEELS` in a random choice."""
 
 CLEAR = (
     ag.material("polycarbonate").with_(name="acrylic", base_color=(0.93, 0.95, 0.95), opacity=0.22),
@@ -116,7 +116,7 @@ CLEAR = (
 """Clear plastics."""
 
 METALS = known("stainless", "chrome", "satin_brass", "copper", "black_steel")
-"""Of nuts, rings and cranks."""
+"""Metals of nuts, rings and cranks."""
 
 METAL_WEIGHTS = (3.0, 1.6, 1.4, 0.4, 0.6)
-"""How often."""
+"""Weights of `METALS` in a random choice."""

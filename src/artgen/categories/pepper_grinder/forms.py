@@ -1,6 +1,6 @@
-"""Silhouettes of pepper mills: bodies and heads as a turner draws them, in waves, coves, beads and knees.
+"""Silhouettes of pepper mills: turned bodies and heads with waves, coves, beads and sharp corners.
 
-A form is a list of runs, each smooth, which meet in knees, in shares of the mill's radius and height.
+A form is a list of smooth runs that meet at sharp corners, in shares of the mill's radius and height.
 """
 
 import math
@@ -15,14 +15,14 @@ BodyForm = Literal[
 """The outline of a mill's body."""
 
 Top = Literal["bulb", "disc", "ball", "crank"]
-"""What turns: a turned bulb, a flat disc, a ball, or a crank on a domed cap."""
+"""The turning part: a turned bulb, a flat disc, a ball, or a crank on a domed cap."""
 
 _FOOT: list[list[Drawn]] = [
     [(0.96, 0.0, 0.0), (1.0, 0.0, 0.10), (0.97, 0.0, 0.30)],
     [(0.89, 0.0, 0.30), (0.89, 0.0, 0.37)],
 ]
 _PLAIN: list[Drawn] = [(0.97, 0.0, 0.0), (1.0, 0.0, 0.05)]
-_COLLAR: list[list[Drawn]] = [  # the bead on which a head turns
+_COLLAR: list[list[Drawn]] = [  # bead below the head
     [(0.74, 1.0, -0.21), (0.80, 1.0, -0.19), (0.83, 1.0, -0.10), (0.80, 1.0, 0.0)],
 ]
 _WIDE: list[list[Drawn]] = [[(0.90, 1.0, -0.12), (0.90, 1.0, 0.0)]]
@@ -125,7 +125,7 @@ _HEADS: dict[str, list[list[Drawn]]] = {
         [(0.62, 0.0, 0.14), (0.52, 0.0, 0.22), (0.52, 0.0, 0.26)],
         [(0.90 * math.cos(turn), 1.0, -0.88 + 0.88 * math.sin(turn)) for turn in _BALL],
     ],
-    "crank": [  # the cap that stays, under the crank
+    "crank": [  # fixed cap under the crank
         [(0.88, 0.0, 0.0), (0.90, 0.0, 0.05), (0.88, 0.0, 0.12)],
         [(0.84, 0.0, 0.12), (0.74, 0.55, 0.06), (0.44, 0.92, 0.0), (0.26, 1.0, 0.0)],
     ],
@@ -135,10 +135,11 @@ HEAD_HEIGHT = {"bulb": 1.75, "disc": 0.62, "ball": 1.92, "crank": 0.62}
 """Height of each head over the mill's radius; a straight body has a higher disc."""
 
 WIDEST = {"bulb": 0.62, "disc": 0.5, "ball": 0.54, "crank": 0.0}
-"""Where a head is widest, as a share of its height: there hands hold it."""
+"""Height of the widest part of a head, where hands hold it, as a share of the head's height."""
 
 _ENDS = {"classic": 0.80, "baluster": 0.80, "spool": 0.80, "ripple": 0.80, "barrel": 0.80, "cone": 0.78}
-_BASES = {"bulb": 0.80, "disc": 0.94, "ball": 0.78, "crank": 0.88}  # of heads, over their radius
+# radii of the lower ends of heads, over the radius of a head
+_BASES = {"bulb": 0.80, "disc": 0.94, "ball": 0.78, "crank": 0.88}
 
 
 def end_radius(form: BodyForm) -> float:
@@ -147,13 +148,13 @@ def end_radius(form: BodyForm) -> float:
 
 
 def fitting(form: BodyForm, top: Top) -> float:
-    """Return by how much a head is narrower than its drawing, so that its foot fits the end of a body."""
+    """Return the narrowing of a head that fits its foot to the end of a body, as a share of the radius."""
     share = end_radius(form) / _BASES[top]
     return share if top in ("disc", "crank") else min(share, 1.06)
 
 
 def body_runs(form: BodyForm, radius: ag.Scalar, low: ag.Scalar, height: ag.Scalar) -> list[Run]:
-    """Return the outline of a body that stands at a height."""
+    """Return the outline of a body with its foot at a height."""
     return drawn(_BODIES[form], radius, low, height)
 
 

@@ -9,26 +9,26 @@ from artgen.categories.pepper_grinder.forms import WIDEST, BodyForm, Top, body_r
 from artgen.categories.shared.vessels.turned import Run, core, skin, turned
 
 Finial = Literal["nut", "ball", "cap"]
-"""What holds a head on its shaft: a knurled nut, a ball, or a low cap."""
+"""Fixing of a head on its shaft: a knurled nut, a ball, or a low cap."""
 
 STORE = 0.0108
 """Radius of the store of peppercorns in a turned body [m]."""
 
 GAP = 0.0004
-"""Between a head and its body [m]."""
+"""Gap between a head and its body [m]."""
 
 _SHAFT = 0.0026  # radius of the shaft [m]
 _RING = 0.0090  # radius of the hole of the female burr [m]
 _TEETH = 14
 _STEEL = ag.material("stainless")
 _DEEP = 0.013  # height of the grinding works [m]
-_UP = 0.0022  # of the works above the table [m]
+_UP = 0.0022  # height of the works above the table [m]
 _PIN = 0.0019  # radius of the pin of a crank's knob [m]
-_PLAY = 0.0004  # of the knob on it [m]
+_PLAY = 0.0004  # gap between the knob and the pin [m]
 
 
 def store(low: ag.Scalar, high: ag.Scalar, half: float = STORE) -> ag.Solid:
-    """Make the tool that hollows a turned body out, square, so that few colliders surround it."""
+    """Make the cutter that hollows a turned body; it is square, so that the body needs few colliders."""
     return ag.box_between((-half, -half, low), (half, half, high))
 
 
@@ -40,9 +40,9 @@ def _burr_outline() -> ag.Profile:
 
 
 def works() -> ag.Body:
-    """Make the female burr in the foot of a mill, seen from below: a ring with teeth around its hole."""
+    """Make the female burr in the foot of a mill, visible from below: a ring with teeth around its hole."""
     low, high = _UP, _UP + _DEEP
-    reach = STORE + 0.0006  # into the wood around it
+    reach = STORE + 0.0006  # overlap with the wood around it
     frame = ag.box_between((-reach, -reach, low), (reach, reach, high))
     hole = ag.box_between((-_RING, -_RING, low - 0.001), (_RING, _RING, high + 0.001))
     plate = skin([[(reach, low - 0.0003), (reach, low + 0.0012)]], bore=_RING)
@@ -70,11 +70,11 @@ def shaft(high: ag.Scalar) -> ag.Body:
 
 
 _FREE = 0.0275
-"""How deep fingers of 45 mm reach down a head before the hand comes near the nut on it [m]."""
+"""Reach of fingers of 45 mm down a head before the hand touches the nut on it [m]."""
 
 
 def finial_of(style: Finial, metal: ag.Material, at: ag.Scalar) -> ag.Body:
-    """Make the nut that holds a head, on a face at a height."""
+    """Make the nut on a face at a height, which holds a head."""
     match style:
         case "nut":
             runs: list[Run] = [
@@ -101,14 +101,14 @@ def finial_of(style: Finial, metal: ag.Material, at: ag.Scalar) -> ag.Body:
 class HeadLooks:
     """Dimensions and finish of the turning parts."""
 
-    finish: ag.Material  # of a head, or of the knob of a crank
-    metal: ag.Material  # of nut, crank and cap
+    finish: ag.Material  # finish of a head, or of the knob of a crank
+    metal: ag.Material  # metal of nut, crank and cap
     finial: Finial  # the nut
-    across: float  # share by which it is narrower than its drawing, so that it fits the body
+    across: float  # narrowing of the head that fits it to the body, as a share
 
 
 def head(top: Top, radius: ag.Scalar, low: ag.Scalar, height: ag.Scalar, looks: HeadLooks) -> ag.Body:
-    """Make the head that turns, with shaft, burr and nut: the link `top`."""
+    """Make the turning head, with shaft, burr and nut: the link `top`."""
     runs = head_runs(top, radius, low + GAP, height, across=looks.across)
     upper = low + GAP + height
     solid = core(runs)
@@ -125,11 +125,11 @@ def head(top: Top, radius: ag.Scalar, low: ag.Scalar, height: ag.Scalar, looks: 
 
 
 def head_turn(name: str, friction: ag.Scalar) -> ag.Joint:
-    """Make the joint of the burr: it turns without end, against the peppercorns between the burrs."""
+    """Make the joint of the burr: it turns without limits, against the friction of the peppercorns."""
     return ag.Revolute(
         name,
         axis=ag.Z,
-        friction=friction,  # a mill full of peppercorns takes 0.1-0.4 N m
+        friction=friction,  # friction of a mill full of peppercorns, 0.1-0.4 N m
         damping=0.01,
         armature=0.0002,
         effort=3.0,
@@ -138,9 +138,9 @@ def head_turn(name: str, friction: ag.Scalar) -> ag.Joint:
 
 @dataclass(frozen=True)
 class Crank:
-    """A crank."""
+    """Dimensions and friction of a crank."""
 
-    reach: ag.Scalar  # from the axis to the middle of its knob [m]
+    reach: ag.Scalar  # distance from the axis to the middle of the knob [m]
     knob: ag.Scalar  # radius of the knob [m]
     friction: ag.Scalar  # of the knob on its pin [N m]
 
@@ -148,10 +148,10 @@ class Crank:
 def crank(sizes: Crank, low: ag.Scalar, looks: HeadLooks) -> ag.Body:
     """Make a crank with its shaft and burr, the link `crank`, and its knob on a pin, the link `knob`."""
     reach, thick = sizes.reach, 0.0030
-    level = low + 0.0052  # of the underside of the arm
+    level = low + 0.0052  # height of the underside of the arm
     end = level + 0.012  # the arm rises to its outer end
     hub = ag.cylinder_between((0.0, 0.0, low + GAP), (0.0, 0.0, level + thick), 0.0085, bevel=0.001)
-    # from the side: level over the cap, then up in a bend to the knob, which points to the front
+    # side view: horizontal over the cap, then up in a bend to the knob, which points to the front
     line = ag.spline(
         [
             (0.0, 0.006, level + thick / 2.0),
@@ -195,31 +195,31 @@ def crank(sizes: Crank, low: ag.Scalar, looks: HeadLooks) -> ag.Body:
 
 
 def _knob_runs(radius: ag.Scalar, low: ag.Scalar) -> list[Run]:
-    """Return the outline of a knob like a pear, 1.9 radii high."""
+    """Return the outline of a pear-shaped knob, 1.9 radii high."""
     drawn = ((0.62, 0.0), (0.66, 0.16), (0.94, 0.86), (1.0, 1.22), (0.84, 1.66), (0.46, 1.90))
     return [[(r * radius, low + z * radius) for r, z in drawn]]
 
 
 Content = Literal["pepper", "salt", "mixed"]
-"""What is ground: black peppercorns, salt, or peppercorns of four colors."""
+"""Contents of a mill: black peppercorns, salt, or peppercorns of four colors."""
 
 INSET = 0.0016
-"""How far a clear tube stands back behind its foot and collar [m]."""
+"""Depth of a clear tube behind its foot and collar [m]."""
 
-_WALL = 0.0028  # of a clear tube [m]
-_BULK = 560.0  # peppercorns poured into a mill [kg/m3]
-_AROUND = 20  # grains in a ring behind the clear wall
+_WALL = 0.0028  # wall thickness of a clear tube [m]
+_BULK = 560.0  # bulk density of peppercorns in a mill [kg/m3]
+_AROUND = 20  # number of grains in a ring behind the clear wall
 _GRAINS = {
     "pepper": ((0.060, 0.036, 0.022), 0.0024),
     "salt": ((0.82, 0.80, 0.78), 0.0021),
     "mixed": ((0.070, 0.042, 0.026), 0.0024),
 }  # color, and radius of a grain [m]
 _OTHERS = {"pepper": (0.105, 0.066, 0.042), "salt": (0.88, 0.86, 0.84), "mixed": (0.28, 0.05, 0.03)}
-_ROOM = 0.0036  # half the width of holes in which the shaft turns [m]
+_ROOM = 0.0036  # half the width of holes for the shaft [m]
 
 
 def wooden(form: BodyForm, radius: ag.Scalar, height: ag.Scalar, finish: ag.Material) -> ag.Body:
-    """Make a body turned of one piece, with its store and works: the link `body`."""
+    """Make a one-piece turned body, with its store and works: the link `body`."""
     runs = body_runs(form, radius, 0.0, height)
     return ag.weld(
         turned(runs, "body", finish, hole=store(-0.001, height + 0.001), bore=STORE),
@@ -231,7 +231,7 @@ def capped(
     body: ag.Body, form: BodyForm, radius: ag.Scalar, low: ag.Scalar, height: ag.Scalar, metal: ag.Material
 ) -> ag.Body:
     """Put the domed cap of a mill with a crank on its body."""
-    # a little lower, so that its corners are not those of the body
+    # a little lower, so that it shares no corners with the body
     runs = head_runs("crank", radius, low - 0.0002, height + 0.0002, across=fitting(form, "crank"))
     return ag.weld(
         body, turned(runs, "cap", metal, hole=store(low - 0.001, low + height + 0.001, _ROOM), bore=_ROOM)
@@ -239,7 +239,7 @@ def capped(
 
 
 def ring(radius: ag.Scalar, low: ag.Scalar, high: ag.Scalar, metal: ag.Material) -> ag.Body:
-    """Make the thin band of metal around a body, only seen."""
+    """Make the thin band of metal around a body, visual only."""
     runs: list[Run] = [
         [(radius - 0.0004, low), (radius, low + 0.0004)],
         [(radius, low + 0.0004), (radius, high - 0.0004)],
@@ -286,7 +286,7 @@ def clear(
 
 
 def _filling(content: Content, inner: ag.Scalar, low: ag.Scalar, high: ag.Scalar, rings: int) -> ag.Body:
-    """Make the peppercorns in a tube: a core that weighs, and the grains that are seen at the wall."""
+    """Make the peppercorns in a tube: a core with their mass, and the visible grains at the wall."""
     color, size = _GRAINS[content]
     stuff = ag.material("polypropylene").with_(
         name=f"grains_{content}", base_color=color, density=_BULK, texture="", specular_roughness=0.8

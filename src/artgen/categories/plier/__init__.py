@@ -1,15 +1,15 @@
-"""Pliers that lie on a table: two forgings that cross in a lapped joint, with teeth, grips and a spring.
+"""Pliers on a table: two forgings that cross in a lapped joint, with teeth, grips and a spring.
 
-Links: `body`, the half whose jaw is at the right, which also has the rivet; `jaw`, the other half. Joints:
-`jaw_hinge`, closed at 0; `pivot_slide` of slip-joint pliers, whose keyed bolt passes from one hole of its
-slot to the other one only when the jaws are wide open.
+Links: `body`, the half with the right jaw and the rivet; `jaw`, the other half. Joints: `jaw_hinge`, closed
+at 0; `pivot_slide` of slip-joint pliers, whose keyed bolt passes from one hole of its slot to the other only
+when the jaws are wide open.
 
-The jaws point to the back (+y), the handles to the front, where the hand is. In the lap each half has half of
-the thickness; the jaws close to 0.3 mm, teeth between teeth. Pliers without a spring stay as they are put; a
-leaf spring opens the others.
+The jaws point to the back (+y), the handles to the front, towards the user. In the lap each half has half of
+the thickness; the jaws close to 0.3 mm with meshing teeth. Pliers without a spring hold any angle; a leaf
+spring opens the others.
 
-Sizes are those of Knipex, Bahco and Wiha catalogues: combination 160-200 mm and 0.18-0.32 kg, long-nose
-140-200 mm and 0.10-0.20 kg, diagonal cutters 130-180 mm and 0.12-0.26 kg, slip-joint 160-250 mm.
+Sizes are those of Knipex, Bahco and Wiha catalogs: combination 160-200 mm and 0.18-0.32 kg, long-nose 140-200
+mm and 0.10-0.20 kg, diagonal cutters 130-180 mm and 0.12-0.26 kg, slip-joint 160-250 mm.
 """
 
 import artgen as ag
@@ -41,7 +41,7 @@ _SLEEVES = tuple(
     )
 )
 _ACCENTS = tuple(ag.colored("rubber", color) for color in ("red", "yellow", "orange", "light_grey", "blue"))
-_BRIGHT = 0.10  # mean color of a sleeve with a dark soft part
+_BRIGHT = 0.10  # mean color value of a sleeve with a dark soft part
 
 
 @ag.category(labels=("body", "jaw", "teeth", "edge", "pivot", "grip", "spring", "print"), joints=(1, 2))
@@ -60,17 +60,23 @@ def plier(
         within=(0.12, 0.26),
     ),
     spread: ag.Float = ag.uniform(
-        0.118, 0.140, doc="half of the width over the closed handles, over the length"
+        0.118, 0.140, doc="half of the width over the closed handles, as a share of the length"
     ),
-    handle_width: ag.Float = ag.uniform(0.0088, 0.0104, "m", doc="of the bare bar", within=(0.007, 0.012)),
-    handle_share: ag.Float = ag.uniform(0.66, 0.82, doc="thickness of the bar over that at the pivot"),
+    handle_width: ag.Float = ag.uniform(
+        0.0088, 0.0104, "m", doc="width of the bare bar of a handle", within=(0.007, 0.012)
+    ),
+    handle_share: ag.Float = ag.uniform(
+        0.66, 0.82, doc="thickness of the bar, as a share of that at the pivot"
+    ),
     jagged: bool = ag.by("style", cutter=False, otherwise=ag.choice(True, False, weights=(0.8, 0.2))),
-    teeth_count: int = ag.by("jagged", {True: ag.count(6, 20), False: 6}, doc="on the flat of a jaw"),
+    teeth_count: int = ag.by(
+        "jagged", {True: ag.count(6, 20), False: 6}, doc="number of teeth on the flat of a jaw"
+    ),
     steel: ag.Material = ag.shades(*_STEELS, weights=(2.2, 1.6, 1.0, 1.6, 0.8), color=0.04, roughness=0.05),
     grips: Grip = ag.choice("bare", "dipped", "two_component", weights=(0.2, 0.42, 0.38)),
     sleeve: ag.Material = ag.shades(*_SLEEVES, color=0.06, roughness=0.04),
     accent: ag.Material = ag.choice(
-        *_ACCENTS, doc="of the soft part of a dark sleeve; it is dark in a bright one"
+        *_ACCENTS, doc="color of the soft part of a dark sleeve; a bright sleeve has a dark one"
     ),
     sprung: bool = ag.by(
         "style",
@@ -81,10 +87,14 @@ def plier(
     ),
     opening: ag.Float = ag.uniform(0.42, 0.50, "rad", within=(0.2, 0.52)),
     friction: ag.Float = ag.uniform(
-        0.06, 0.16, "N m", doc="of the joint: it opens by its weight when new and oiled"
+        0.06, 0.16, "N m", doc="friction of the joint; a new oiled joint opens by its weight"
     ),
-    preload: ag.Float = ag.uniform(0.22, 0.32, "N m", doc="of a spring, jaws open, handles 0.15 m long"),
-    squeeze: ag.Float = ag.uniform(0.45, 0.75, "N m", doc="of a spring, jaws closed, handles 0.15 m long"),
+    preload: ag.Float = ag.uniform(
+        0.22, 0.32, "N m", doc="spring torque with open jaws, for handles of 0.15 m"
+    ),
+    squeeze: ag.Float = ag.uniform(
+        0.45, 0.75, "N m", doc="spring torque with closed jaws, for handles of 0.15 m"
+    ),
     maker: str = ag.choice(*details.BRANDS),
 ) -> ag.Body:
     """Make combination, needle-nose, slip-joint or cutting pliers, closed."""
@@ -94,7 +104,7 @@ def plier(
     opening = ag.require(
         opening, opening >= least, f"the bolt slides at the open end only: opening must be >= {least:g} rad"
     )
-    # fingers come between the handles of the smallest, too
+    # space for fingers between the handles of the smallest pliers
     forging = Forging(style, length, key.way if slip else 0.0, ag.max_(spread * length, 0.0178))
     inlay = ag.colored("rubber", "graphite") if sum(sleeve.base_color) / 3.0 > _BRIGHT else accent
     teeth = teeth_count if jagged else 0
@@ -102,7 +112,7 @@ def plier(
     make = Make(
         forging, teeth, steel, grips, sleeve, inlay, handle_width, thick, sprung, key if slip else None
     )
-    lever = forging.rear / 0.15  # a spring is made for the force at the hand
+    lever = forging.rear / 0.15  # scales the torque with the handles, for the same force at the hand
     stiffness = lever * (squeeze - preload) / opening
     hinge = ag.Revolute(
         "jaw_hinge",
@@ -111,7 +121,7 @@ def plier(
         stiffness=stiffness if sprung else 0.0,
         rest=lever * squeeze / stiffness if sprung else 0.0,
         friction=0.25 * friction if sprung else friction,
-        damping=0.010 if sprung else 0.004,  # the leaves of a spring rub
+        damping=0.010 if sprung else 0.004,  # friction between the leaves of a spring
         armature=0.00002,
         effort=20.0,
     )
@@ -119,13 +129,13 @@ def plier(
         "pivot_slide",
         axis=-ag.X,
         limits=(0.0, key.way),
-        friction=4.0,  # of a bolt that is drawn tight
+        friction=4.0,  # friction of a tight bolt
         damping=1.0,
         effort=60.0,
         needs=(hinge > PASSES).until(0.985 * key.way),
     )
     body = make.lower().attach(make.upper(), *((slide, hinge) if slip else (hinge,)))
-    nearer = key.way / 2.0 if slip else 0.0  # with the pivot in its second hole
+    nearer = key.way / 2.0 if slip else 0.0  # distance of the pivot in its second hole
     body = body.require(
         off_middle(forging, grips, handle_width) > nearer + 0.0002,
         "thick handles would touch each other below the joint: lower handle_width, or raise length or spread",

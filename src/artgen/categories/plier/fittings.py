@@ -11,23 +11,23 @@ from artgen.categories.plier.halves import RECESSED, Forging
 
 Grip = Literal["bare", "dipped", "two_component"]
 
-_PROUD = 0.0006  # how far the soft part of a sleeve stands out of it [m]
-_MESH = 0.00012  # from the middle line of the teeth to either row [m]
-_SIDES = 4  # of holes for pivots, which their heads hide
+_PROUD = 0.0006  # height of the soft part above the sleeve [m]
+_MESH = 0.00012  # distance from the middle line of the teeth to each row [m]
+_SIDES = 4  # number of sides of holes for pivots, hidden by the heads
 
 ALIGNED = 0.47
-"""How far slip-joint pliers are open when the flats of their bolt pass the neck of the slot [rad]."""
+"""Angle of slip-joint pliers at which the flats of their bolt are aligned with the neck of the slot [rad]."""
 
 PASSES = 0.40
-"""From where on the bolt passes [rad]."""
+"""Least angle at which the bolt passes the neck [rad]."""
 
 
 def jaw_face(forging: Forging, count: int, finish: ag.Material, *, phase: int) -> ag.Body:
-    """Make the flat of a jaw, as it is seen; its teeth fit between those of the other jaw."""
+    """Make the visible flat of a jaw; its teeth fit between those of the other jaw."""
     low, high = forging.head.grips
     start, end = forging.level(low), forging.level(high)
     steps = max(2 * count, 1)
-    deep = 0.00020 if count else 0.0  # as high as the recess of the face allows
+    deep = 0.00020 if count else 0.0  # the height that the recess of the face allows
     points = [
         (_MESH + phase * deep * (1.0 if index % 2 else -1.0), start + (end - start) * index / steps)
         for index in range(steps + 1)
@@ -38,13 +38,13 @@ def jaw_face(forging: Forging, count: int, finish: ag.Material, *, phase: int) -
 
 
 def _between(forging: Forging, low: float, high: float, share: float) -> ag.Solid:
-    """Make the room between the sides of a jaw, for the parts on its face."""
+    """Make the space between the sides of a jaw, for the parts on its face."""
     sections = [ag.rectangle(0.02, share * forging.height(at)) for at in (low, high)]
     return ag.loft(sections, [forging.level(low), forging.level(high)], axis=ag.Y)
 
 
 def cutting_edge(forging: Forging, finish: ag.Material) -> ag.Body:
-    """Make the ground edge of a jaw that cuts, as it is seen."""
+    """Make the visible ground edge of a cutting jaw."""
     low, high = forging.level(forging.head.cuts[0]), forging.level(forging.head.cuts[1])
     half, back = 0.2 * forging.height(forging.head.cuts[1]), RECESSED + 0.0004
     section = ag.polygon([(0.0001, 0.0), (back, half), (back, -half)])
@@ -53,7 +53,7 @@ def cutting_edge(forging: Forging, finish: ag.Material) -> ag.Body:
 
 
 def pipe_lining(forging: Forging, finish: ag.Material) -> ag.Body:
-    """Make the coarse teeth of the round grip for pipes, as they are seen."""
+    """Make the visible coarse teeth of the round pipe grip."""
     middle, half = forging.head.pipe
     y, deep, long = forging.level(middle), forging.pipe_depth, half * forging.jaw
     count = 6
@@ -68,12 +68,12 @@ def pipe_lining(forging: Forging, finish: ag.Material) -> ag.Body:
 
 
 def pivot_hole(radius: ag.Scalar) -> ag.Profile:
-    """Make the outline of the hole for a rivet, its sides outside of the radius [m]."""
+    """Make the outline of the hole for a rivet, with its sides outside the radius [m]."""
     return ag.regular_polygon(_SIDES, radius / math.cos(math.pi / _SIDES))
 
 
 def rivet(forging: Forging, radius: ag.Scalar, finish: ag.Material) -> list[ag.Body]:
-    """Make a rivet: it is fast in the lower plate, passes the upper one, and has a head above it."""
+    """Make a rivet: it is fixed in the lower plate, passes the upper plate, and has a head above it."""
     top, bottom = forging.thick / 2.0, -forging.thick / 2.0
     shank = ag.cylinder_between((0.0, 0.0, bottom + 0.0004), (0.0, 0.0, top + 0.0008), radius)
     head = ag.cylinder_between(
@@ -91,10 +91,10 @@ def rivet(forging: Forging, radius: ag.Scalar, finish: ag.Material) -> list[ag.B
 class Key(NamedTuple):
     """The keyed bolt of a slip joint and the slot of two holes that it passes when it is aligned."""
 
-    radius: ag.Scalar  # of the bolt [m]
-    flats: ag.Scalar  # half of the distance between its flats [m]
+    radius: ag.Scalar  # radius of the bolt [m]
+    flats: ag.Scalar  # half of the distance between the flats of the bolt [m]
     hole: ag.Scalar  # radius of both holes [m]
-    way: ag.Scalar  # from one hole to the other [m]
+    way: ag.Scalar  # distance from one hole to the other [m]
 
     @staticmethod
     def of(length: ag.Scalar) -> "Key":
@@ -103,14 +103,14 @@ class Key(NamedTuple):
 
     def slot(self) -> ag.Profile:
         """Make the outline of the slot: the second hole is at -x."""
-        # of so few sides that no collider takes two of them for one, and reaches into the hole
+        # few sides, so that a collider cannot combine two of them and reach into the hole
         hole = ag.regular_polygon(14, self.hole / math.cos(math.pi / 14.0))
         return hole | hole.at(-self.way)
 
     def bolt(self, forging: Forging, finish: ag.Material) -> list[ag.Body]:
-        """Make the bolt, fast in the plate of a half, with a nut beyond the plate of the other one."""
+        """Make the bolt, fixed in the plate of one half, with a nut beyond the plate of the other half."""
         top, bottom = forging.thick / 2.0, -forging.thick / 2.0
-        # angle at which its flats meet its round sides
+        # angle at which the flats meet the round sides
         reach = ag.sqrt(self.radius * self.radius - self.flats * self.flats)
         side = [(self.radius * math.cos(at), self.radius * math.sin(at)) for at in (-0.39, -0.13, 0.13, 0.39)]
         half = [(reach, -self.flats), *side, (reach, self.flats)]
@@ -130,19 +130,19 @@ class Key(NamedTuple):
 
 
 _FAT: dict[Grip, float] = {"bare": 0.0, "dipped": 0.0016, "two_component": 0.0040}
-"""How thick sleeves are [m]."""
+"""Thickness of sleeves [m]."""
 
 _SWELL = {"dipped": (1.0,) * 7, "two_component": (1.12, 1.0, 1.02, 1.05, 1.04, 0.98, 0.94)}
-"""How a sleeve grows and shrinks on its way, from its upper end on."""
+"""Relative thickness of a sleeve along its length, from its upper end."""
 
 
 def sleeve_thickness(style: Grip, thick: ag.Float) -> ag.Float:
-    """Return the thickness of the handles of pliers, over bars of a thickness, at most [m]."""
+    """Return the largest thickness of the sleeved handles of pliers, over bars of a thickness [m]."""
     return (thick + 2.0 * _FAT[style]) * max(_SWELL.get(style, (1.0,)))
 
 
 class _Ring(NamedTuple):
-    """A section of a sleeve: where it is, and how large."""
+    """A section of a sleeve: its position and size."""
 
     y: ag.Scalar
     x: ag.Scalar
@@ -151,7 +151,7 @@ class _Ring(NamedTuple):
 
 
 def _rings(forging: Forging, style: Grip, width: ag.Scalar, thick: ag.Scalar) -> list[_Ring]:
-    """Return the sections of a sleeve, from its upper end on."""
+    """Return the sections of a sleeve, from its upper end."""
     fat = 2.0 * _FAT[style]
     first = 0 if style == "two_component" else 1
     rings = [
@@ -165,7 +165,7 @@ def _rings(forging: Forging, style: Grip, width: ag.Scalar, thick: ag.Scalar) ->
 
 
 def off_middle(forging: Forging, style: Grip, width: ag.Scalar) -> ag.Scalar:
-    """Return how far handles stay off the middle between them, closed, where they begin to part [m]."""
+    """Return the distance of closed handles from the middle plane at the point at which they part [m]."""
     off = [-x - width / 2.0 for _, x in forging.course[1:3]]
     if style != "bare":
         off += [-ring.x - ring.wide / 2.0 for ring in _rings(forging, style, width, width)[:3]]
@@ -173,19 +173,19 @@ def off_middle(forging: Forging, style: Grip, width: ag.Scalar) -> ag.Scalar:
 
 
 def _below(ring: _Ring, down: float, share: float) -> _Ring:
-    """Return a smaller section below the last one that has steel in it."""
+    """Return a smaller section below the last section that contains steel."""
     return _Ring(ring.y - down, ring.x + down / 12.0, share * ring.wide, share * ring.tall)
 
 
 def sleeved(forging: Forging, style: Grip, width: ag.Scalar, thick: ag.Scalar) -> ag.Solid:
-    """Make the sleeve of a handle: dipped in PVC, or a thick one of two plastics."""
+    """Make the sleeve of a handle: dipped in PVC, or a thick sleeve of two plastics."""
     return _along(_rings(forging, style, width, thick))
 
 
 def sleeve_end(
     forging: Forging, style: Grip, width: ag.Scalar, thick: ag.Scalar, finish: ag.Material
 ) -> ag.Body:
-    """Make the round end of a sleeve, as it is seen over the cone that collides; see `sleeved`."""
+    """Make the visible round end of a sleeve, over the colliding cone; see `sleeved`."""
     last = _rings(forging, style, width, thick)[-2]
     steps = ((-0.0004, 0.97), (0.0002, 1.0), (0.0014, 0.94), (0.0028, 0.80), (0.0037, 0.56))
     return ag.detail(_along([_below(last, down, share) for down, share in steps]), "grip", finish)
@@ -194,7 +194,7 @@ def sleeve_end(
 def grip_inlay(
     forging: Forging, width: ag.Scalar, thick: ag.Scalar, finish: ag.Material, *, over: bool
 ) -> ag.Body:
-    """Make the soft part of a sleeve of two plastics, as it is seen from above; see `hold_on`."""
+    """Make the soft part of a two-plastic sleeve, visible from above; see `hold_on`."""
     shares = (0.30, 0.58, 0.66, 0.66, 0.60, 0.42, 0.20)
     rings = _rings(forging, "two_component", width, thick)[1:]
     soft = [_Ring(y, x, share * wide, tall) for share, (y, x, wide, tall) in zip(shares, rings, strict=False)]
@@ -202,7 +202,7 @@ def grip_inlay(
 
 
 def hold_on(forging: Forging, solid: ag.Solid, thick: ag.Scalar, *, over: bool) -> ag.Frame:
-    """Find where a hand from above takes hold of a handle, near its widest place."""
+    """Return the grasp of a handle from above, near its widest place."""
     y, x = forging.course[5]
     return ag.grasp_on(
         solid, approach=ag.Z if over else -ag.Z, closing=ag.X, at=(x, y, 0.0), depth=0.8 * thick
@@ -218,7 +218,7 @@ def _along(rings: list[_Ring]) -> ag.Solid:
 
 
 def leaf_spring(forging: Forging, finish: ag.Material, *, width: ag.Scalar) -> ag.Body:
-    """Make the leaf spring of a handle, as it is seen: it rests on that of the other one in the middle."""
+    """Make the visible leaf spring of a handle; both springs touch in the middle."""
     stations = forging.course
     foot_y, foot_x = stations[3]
     inside = foot_x + 0.42 * width
@@ -236,22 +236,22 @@ def leaf_spring(forging: Forging, finish: ag.Material, *, width: ag.Scalar) -> a
 
 
 _RIVET = 0.36  # radius of a rivet, in radii of the lap
-_PLAY = 0.0003  # of a rivet in its hole [m]
+_PLAY = 0.0003  # gap between a rivet and its hole [m]
 
 
 @dataclass(frozen=True)
 class Make:
-    """What pliers are made with."""
+    """Dimensions and finish of pliers."""
 
-    forging: Forging  # the measures of their halves
-    teeth: int  # teeth on the flat of a jaw; 0 for plain jaws
-    steel: ag.Material  # of the halves
-    grip: Grip  # sleeves of their handles
-    sleeve: ag.Material  # its material
-    inlay: ag.Material  # of its soft part
-    width: ag.Scalar  # of the bars of the handles, in the plane of the tool [m]
-    thick: ag.Float  # of these bars [m]
-    sprung: bool  # whether a leaf spring opens them
+    forging: Forging  # dimensions of the halves
+    teeth: int  # number of teeth on the flat of a jaw; 0 for plain jaws
+    steel: ag.Material  # steel of the halves
+    grip: Grip  # style of the sleeves of the handles
+    sleeve: ag.Material  # material of the sleeves
+    inlay: ag.Material  # material of the soft parts of the sleeves
+    width: ag.Scalar  # width of the bars of the handles, in the plane of the tool [m]
+    thick: ag.Float  # thickness of these bars [m]
+    sprung: bool  # whether a leaf spring opens the pliers
     key: Key | None  # the keyed bolt of slip-joint pliers; None for a rivet
 
     def lower(self) -> ag.Body:
@@ -265,7 +265,7 @@ class Make:
         return ag.weld(self._half("jaw", over=True), *pivot).rotate(ag.Y, math.pi)
 
     def rests(self) -> ag.Float:
-        """Return how far the middle of the tool lies above the table [m]."""
+        """Return the height of the middle of the tool above the table [m]."""
         nut = 0.0020 if self.key else 0.0
         return ag.max_(sleeve_thickness(self.grip, self.thick) / 2.0, self.forging.thick / 2.0 + nut)
 
@@ -278,37 +278,37 @@ class Make:
 
     @cached_property
     def _bar(self) -> ag.Solid:
-        """The steel of a handle."""
+        """Make the steel of a handle."""
         return self.forging.handle_solid(self.width, self.thick, hidden=self.grip != "bare")
 
     @cached_property
     def _sleeve(self) -> ag.Solid:
-        """What is on it."""
+        """Make the sleeve of a handle."""
         return sleeved(self.forging, self.grip, self.width, self.thick)
 
     @cached_property
     def _sleeve_end(self) -> ag.Body:
-        """Its round end, as it is seen."""
+        """Make the visible round end of a sleeve."""
         return sleeve_end(self.forging, self.grip, self.width, self.thick, self.sleeve)
 
     @cached_property
     def _forged(self) -> ag.Solid:
-        """The common measures of both halves."""
+        """Return the common options of both halves."""
         return ag.union(self.forging.jaw_solid(), *self.forging.shoulders(), self._bar)
 
     @cached_property
     def _lower(self) -> ag.Solid:
-        """The steel of the lower half."""
+        """Make the steel of the lower half."""
         return self._forged | self.forging.plate(self.key.slot() if self.key else None)
 
     @cached_property
     def _upper(self) -> ag.Solid:
-        """That of the other half, before it is turned over."""
+        """Make the steel of the other half, before it is turned over."""
         hole = None if self.key else pivot_hole(_RIVET * self.forging.lap + _PLAY)
         return self._forged | self.forging.plate(hole)
 
     def _half(self, label: str, *, over: bool) -> ag.Body:
-        """Make a half as it is drawn, its jaw at the right, without its pivot."""
+        """Make a half in its drawn pose, with its jaw at the right, without its pivot."""
         forging, solid = self.forging, self._upper if over else self._lower
         if self.grip == "bare":
             hold = hold_on(forging, self._bar, self.thick, over=over)

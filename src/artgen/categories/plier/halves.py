@@ -1,11 +1,11 @@
 """The halves of pliers: jaw, lapped joint and handle of one forging, with the pivot at the origin.
 
-Jaws point to +y, and the pivot's axis is Z. A half has its jaw at the right (x > 0) and its handle at the
-left, and in the lap it has the lower half of the thickness. The other half is the same one turned over,
-rotated by pi about Y, so that its jaw is at the left and its lap on top. It opens by turning about +Z.
+Jaws point to +y, and the pivot's axis is z. A half has its jaw at the right (x > 0) and its handle at the
+left, and in the lap it has the lower half of the thickness. The other half is the same shape turned over,
+rotated by pi about y, so that its jaw is at the left and its lap on top. It opens by turning about +z.
 
-Where the halves cross, each is a plate of half the thickness; whatever is of full thickness stays `clear` of
-the pivot, and within a sector that the other half does not sweep when it opens.
+In the lap, each half is a plate of half the thickness; parts of full thickness stay outside the radius
+`clear` about the pivot, and inside a sector that the other half does not sweep when it opens.
 """
 
 import math
@@ -21,30 +21,31 @@ Style = Literal["combination", "needle_nose", "cutter", "slip_joint"]
 LAP_GAP = 0.00015
 """Half of the gap between the plates [m]."""
 
-_OFF = 0.0006  # from a plate to the shoulders around it [m]
-_STEPS = 3  # chords of a shoulder's arc
-RECESSED = 0.00035  # from the middle to the face of a jaw under its teeth or edges [m]
-_FLARE, _FLARE_LESS = 0.0122, 0.0050  # how much wider a bar may begin than its neck, by its thickness [m]
-_CLOSED = 0.0001  # from the middle to an edge that cuts [m]
+_OFF = 0.0006  # gap between a plate and the shoulders around it [m]
+_STEPS = 3  # number of chords of a shoulder's arc
+RECESSED = 0.00035  # depth of the face of a jaw under its teeth or edges, from the middle plane [m]
+# largest width of a bar beyond that of its neck, minus its thickness-dependent part [m]
+_FLARE, _FLARE_LESS = 0.0122, 0.0050
+_CLOSED = 0.0001  # distance of a cutting edge from the middle plane [m]
 
 
 class Head(NamedTuple):
-    """Proportions of a style, in shares of the whole length unless it says otherwise."""
+    """Proportions of a style, in shares of the whole length unless stated otherwise."""
 
-    jaw: float  # from the pivot to the tip
+    jaw: float  # distance from the pivot to the tip
     lap: float  # radius of the plates
     thick: float  # thickness at the pivot
-    # of a jaw, from its root to its tip: share of its length, and half width in radii of the lap; it grows
-    # thinner as it grows narrower
+    # sections of a jaw, from its root to its tip: share of its length, and half width in radii of the lap;
+    # the thickness decreases with the width
     outline: tuple[tuple[float, float], ...]
-    grips: tuple[float, float]  # the part of the jaw that has teeth, in shares of its length
-    # the middle and half of the length of the round grip for pipes; half of 0 for none
+    grips: tuple[float, float]  # range of the teeth on the jaw, in shares of its length
+    # middle and half of the length of the round pipe grip; half of 0 for none
     pipe: tuple[float, float]
-    cuts: tuple[float, float]  # the part of the jaw that has cutting edges
+    cuts: tuple[float, float]  # range of the cutting edges on the jaw
 
 
 HEADS: dict[Style, Head] = {
-    # after 180 mm combination, 200 mm long-nose, 160 mm diagonal and 200 mm slip-joint pliers
+    # measured on 180 mm combination, 200 mm long-nose, 160 mm diagonal and 200 mm slip-joint pliers
     "combination": Head(
         0.262,
         0.060,
@@ -86,21 +87,21 @@ HEADS: dict[Style, Head] = {
 
 @dataclass(frozen=True)
 class Forging:
-    """The measures of both halves."""
+    """Dimensions of both halves."""
 
-    style: Style  # their kind
-    length: ag.Float  # over all [m]
-    slip: ag.Scalar  # how far the pivot of slip-joint pliers moves; 0 for others [m]
-    spread: ag.Float  # half of the distance between the handles at their widest, closed [m]
+    style: Style  # style of the pliers
+    length: ag.Float  # overall length [m]
+    slip: ag.Scalar  # travel of the pivot of slip-joint pliers; 0 for others [m]
+    spread: ag.Float  # half of the largest distance between the closed handles [m]
 
     @property
     def head(self) -> Head:
-        """Its proportions."""
+        """Proportions of the style."""
         return HEADS[self.style]
 
     @property
     def jaw(self) -> ag.Float:
-        """From the pivot to the tip [m]."""
+        """Distance from the pivot to the tip [m]."""
         return self.head.jaw * self.length
 
     @property
@@ -115,37 +116,37 @@ class Forging:
 
     @property
     def rear(self) -> ag.Float:
-        """From the pivot to the end of the handles [m]."""
+        """Distance from the pivot to the end of the handles [m]."""
         return self.length - self.jaw
 
     @property
     def keen(self) -> bool:
-        """Whether the whole jaw cuts."""
+        """Whether the whole jaw is a cutting edge."""
         return self.style == "cutter"
 
     @property
     def clear(self) -> ag.Float:
-        """Radius within which the jaw's shoulder leaves room for the other plate [m]."""
+        """Radius about the pivot that the jaw's shoulder leaves free for the other plate [m]."""
         return self.lap + _OFF + 0.54 * self.slip
 
     @property
     def _tail(self) -> tuple[float, float]:
-        """Angles between which the shoulder of the handle lies; the other half keeps clear of them [rad]."""
+        """Angles of the ends of the handle's shoulder, clear of the other half [rad]."""
         degrees = (210.0, 252.0) if self.style == "slip_joint" else (204.0, 262.0)
         return math.radians(degrees[0]), math.radians(degrees[1])
 
     @property
     def clear_below(self) -> ag.Float:
-        """Radius within which the handle's shoulder leaves room for the other plate, where it slides [m]."""
+        """Radius about the pivot that the handle's shoulder leaves free for the other, sliding plate [m]."""
         return self.lap + _OFF + 1.0 * self.slip
 
     @property
     def _root(self) -> float:
-        """Angle at which the shoulder of the jaw begins, past the sweep of the other half [rad]."""
+        """Angle of the start of the jaw's shoulder, outside the sweep of the other half [rad]."""
         return math.radians(20.0 if self.style != "slip_joint" else 30.0)
 
     def level(self, share: float) -> ag.Float:
-        """Return where a share of the jaw is, from its root on, y [m]."""
+        """Return the position of a share of the jaw, from its root, along y [m]."""
         start = self.clear
         return start + share * (self.jaw - start)
 
@@ -158,7 +159,7 @@ class Forging:
         return self._thinned(self._width(share))
 
     def _thinned(self, width: float) -> ag.Float:
-        """Return the thickness of a jaw where its half width is so many radii of the lap [m]."""
+        """Return the thickness of a jaw at a half width in radii of the lap [m]."""
         return width / self.head.outline[0][1] * self.thick
 
     def _width(self, share: float) -> float:
@@ -179,7 +180,7 @@ class Forging:
         middle, half = self.head.pipe
         if half == 0.0:
             return solid
-        # three sides: the lining is round and has the teeth
+        # three sides: the lining is round and carries the teeth
         long, deep, y = half * self.jaw, self.pipe_depth, self.level(middle)
         out = 0.60 * long
         left: list[tuple[ag.Scalar, ag.Scalar]] = [(-0.01, y + long), (-0.01, y - long), (0.0, y - long)]
@@ -188,7 +189,7 @@ class Forging:
 
     @property
     def pipe_depth(self) -> ag.Float:
-        """How deep the round grip goes into a jaw [m]."""
+        """Depth of the round grip in a jaw [m]."""
         return 0.34 * self.half_width(self.head.pipe[0])
 
     def shoulders(self) -> list[ag.Solid]:
@@ -196,7 +197,7 @@ class Forging:
         first, last = self._root, math.radians(90.0)
         outer = self.half_width(0.0)
         jaw = _arc(self.clear, first, last)
-        # the face of the jaw goes on down to the lap
+        # the face of the jaw continues down to the lap
         jaw[-1] = (RECESSED, self.clear)
         low = jaw[0][1]
         eased = 0.20 * self.lap
@@ -213,7 +214,7 @@ class Forging:
 
     @property
     def neck(self) -> tuple[ag.Scalar, ag.Scalar]:
-        """Where the handle begins below the lap, x from left to right [m]."""
+        """Ends of the top of the handle below the lap along x, from left to right [m]."""
         return -0.92 * self.lap - 0.55 * self.slip, -0.10 * self.lap - 0.55 * self.slip
 
     def plate(self, hole: ag.Profile | None) -> ag.Solid:
@@ -235,7 +236,7 @@ class Forging:
         return flat.at(0.0, 0.0, -LAP_GAP - high / 2.0)
 
     def _web(self, radius: ag.Scalar, start: float, end: float, face: ag.Scalar | None) -> ag.Profile:
-        """Make a web from the disc to a shoulder between two angles; one of a jaw ends at its face."""
+        """Make a web from the disc to a shoulder between two angles; webs of jaws end at their face."""
         points = _arc(radius, start, end)
         if face is not None:
             points[-1] = (face, radius)
@@ -245,13 +246,13 @@ class Forging:
 
     @cached_property
     def course(self) -> list[tuple[ag.Scalar, ag.Scalar]]:
-        """The middle line of the handle: y and x of its stations, from the lap down [m]."""
+        """Center line of the handle: y and x of its stations, from the lap down [m]."""
         top = -self.clear_below - 0.30 * self.lap
         left, right = self.neck
         start = (left + right) / 2.0
-        long = self.rear + top  # the remainder below it
+        long = self.rear + top  # remaining length below it
         shares = (0.0, 0.10, 0.22, 0.36, 0.50, 0.64, 0.78, 0.90, 1.0)
-        # how far it has gone from the neck to its widest: out in an S, and a little back at its end
+        # progress from the neck to the widest point: outward in an S, and a little back at the end
         outs = (0.0, 0.16, 0.46, 0.74, 0.91, 1.0, 1.0, 0.94, 0.86)
         ends = self.spread
         return [

@@ -1,19 +1,21 @@
-"""A refrigerator: one to three doors, freezer drawers, and an interior that waits for its doors to open.
+"""A refrigerator: one to three doors, freezer drawers, and an interior that moves only after its doors open.
 
-Doors hinge near their outer front corner; drawers behind them come forward until they strike the closed
-door, and further only where it has swung clear of their way: the angle follows from the measures of the door.
+Doors are hinged near their outer front corner. A drawer behind a door comes forward until it strikes the
+closed door; it comes out further only after the door is open beyond an angle, which follows from the
+dimensions of the door.
 
-Links: `body`; `door`, or `door_left` and `door_right`; `freezer_door` (that of an ice box is its flap);
-`inner_drawer_<n>` behind doors, crispers first; `outer_drawer_<n>` with fronts of their own. Joints:
+Links: `body`; `door`, or `door_left` and `door_right`; `freezer_door` (the flap of an ice box);
+`inner_drawer_<n>` behind doors, crispers first; `outer_drawer_<n>` with their own fronts. Joints:
 `door_hinge` (with `_left` and `_right` for two doors), `freezer_door_hinge`, `inner_drawer_slide_<n>`,
 `outer_drawer_slide_<n>`.
 
-What varies: layout, size, hand, look and form of the fronts, handles, shelves, bins, drawers, ice box, water
-dispenser, display, back, and all measures. A layout for two doors is drawn wide, one with one door narrow.
+Varied properties: layout, size, hand, look and shape of the fronts, handles, shelves, bins, drawers, ice box,
+water dispenser, display, back, and all dimensions. Layouts with two doors side by side are wide, those with
+one door narrow.
 
-Sizes are those of the trade: under-counter 82-90 cm, free-standing 55-76 cm wide and up to 183 cm high,
-American two-door ones 33-36 in wide. Masses follow: 55-75 kg for a combination of 60 cm, 100-130 kg for a
-French-door one, 30-45 kg under a counter. Opening takes 15-45 N at the handle, the hold of the magnets in the
+Sizes are those of appliance catalogs: under-counter 82-90 cm high, free-standing 55-76 cm wide and up to 183
+cm high, American two-door models 33-36 in wide. Masses: 55-75 kg for a 60 cm combination, 100-130 kg for a
+French-door model, 30-45 kg under a counter. A door needs 15-45 N at the handle against the magnets in the
 gasket; UL 250 and IEC 60335-2-24 let a child push a door open from inside with 70 N.
 """
 
@@ -61,8 +63,8 @@ _TRIMS = (
     ag.material("aluminium"),
     ag.material("glossy_plastic_white").with_(name="trim_smoke", base_color=(0.16, 0.17, 0.18)),
 )
-_WIRE_SHELVES = 6  # in one refrigerator
-_MORE = 0.12  # how much further than its drawers need a door opens [rad]
+_WIRE_SHELVES = 6  # largest number of wire shelves in a refrigerator
+_MORE = 0.12  # opening of a door beyond the angle that its drawers need [rad]
 
 
 @ag.category(labels=_LABELS, joints=(1, 7))
@@ -82,7 +84,7 @@ def refrigerator(
         top_freezer=ag.choice("medium", "tall", weights=(0.35, 0.65)),
         otherwise="tall",
     ),
-    hand: Literal["left", "right"] = ag.choice("left", "right", doc="side of the hinges of one door"),
+    hand: Literal["left", "right"] = ag.choice("left", "right", doc="hinge side of a single door"),
     width: ag.Float = ag.by(
         "layout",
         single=ag.by("build", under_counter=ag.uniform(0.55, 0.60), otherwise=ag.uniform(0.58, 0.70)),
@@ -99,7 +101,7 @@ def refrigerator(
         bottom_freezer=ag.uniform(0.61, 0.72),
         otherwise=ag.uniform(0.66, 0.80),
         unit="m",
-        doc="front to back, without handles",
+        doc="depth from front to back, without handles",
         within=(0.56, 0.9),
     ),
     height: ag.Float = ag.by(
@@ -153,9 +155,11 @@ def refrigerator(
         white=ag.choice("soft", "flat"),
         glass="flat",
         otherwise=ag.choice("flat", "soft", weights=(0.65, 0.35)),
-        doc="of the fronts",
+        doc="finish of the fronts",
     ),
-    bow: ag.Float = ag.uniform(0.008, 0.018, "m", doc="how far a bowed front swells", within=(0.002, 0.03)),
+    bow: ag.Float = ag.uniform(
+        0.008, 0.018, "m", doc="height of the bow of a bowed front", within=(0.002, 0.03)
+    ),
     grip: GripKind = ag.by(
         "look",
         pastel="bar",
@@ -165,7 +169,7 @@ def refrigerator(
             side_by_side=ag.choice("bar", "recessed", weights=(0.72, 0.28)),
             otherwise=ag.choice("bar", "pocket", "channel", "recessed", weights=(0.56, 0.18, 0.12, 0.14)),
         ),
-        doc="bars, or grips let into the front or its edge",
+        doc="style of the handles: bars, or grips in the front or its edge",
     ),
     bar: BarStyle = ag.by(
         "look",
@@ -179,7 +183,7 @@ def refrigerator(
         0.0075, 0.0105, "m", doc="half of the thickness of a bar", within=(0.006, 0.014)
     ),
     grip_length: ag.Float = ag.uniform(
-        0.30, 0.60, doc="of handles, as a share of the front", within=(0.2, 0.75)
+        0.30, 0.60, doc="length of handles, as a share of the front", within=(0.2, 0.75)
     ),
     door_thickness: ag.Float = ag.by(
         "water",
@@ -188,8 +192,10 @@ def refrigerator(
         within=(0.054, 0.09),
     ),
     wall: ag.Float = ag.uniform(0.046, 0.056, "m", doc="thickness of the sides", within=(0.044, 0.08)),
-    gap: ag.Float = ag.uniform(0.0034, 0.0042, "m", doc="between two fronts", within=(0.0032, 0.006)),
-    kick_height: ag.Float = ag.uniform(0.055, 0.095, "m", doc="under the lowest front", within=(0.05, 0.14)),
+    gap: ag.Float = ag.uniform(0.0034, 0.0042, "m", doc="gap between two fronts", within=(0.0032, 0.006)),
+    kick_height: ag.Float = ag.uniform(
+        0.055, 0.095, "m", doc="height of the kick plate under the lowest front", within=(0.05, 0.14)
+    ),
     freezer_share: ag.Float = ag.by(
         "layout",
         top_freezer=ag.uniform(0.25, 0.33),
@@ -197,7 +203,7 @@ def refrigerator(
         french=ag.uniform(0.32, 0.42),
         side_by_side=ag.uniform(0.40, 0.46),
         otherwise=0.3,
-        doc="of the height, or of the width",
+        doc="size of the freezer, as a share of the height or the width",
         within=(0.2, 0.55),
     ),
     outer_drawers: int = ag.by(
@@ -212,7 +218,7 @@ def refrigerator(
         bottom_freezer=ag.by("outer_drawers", {0: ag.choice(0, 1)}, otherwise=ag.choice(1, 2)),
         french=ag.choice(2, 3),
         otherwise=ag.choice(1, 2),
-        doc="drawers behind the door of the refrigerator",
+        doc="number of drawers behind the door of the refrigerator",
     ),
     freezer_drawers: int = ag.by(
         "layout",
@@ -221,7 +227,7 @@ def refrigerator(
         ),
         side_by_side=ag.choice(0, 1),
         otherwise=0,
-        doc="behind the door of the freezer",
+        doc="number of drawers behind the door of the freezer",
     ),
     crisper_height: ag.Float = ag.uniform(0.165, 0.215, "m", within=(0.155, 0.26)),
     ice_box: bool = ag.by("layout", single=ag.choice(False, True, weights=(0.55, 0.45)), otherwise=False),
@@ -247,7 +253,7 @@ def refrigerator(
         under_counter=ag.choice(1, 2),
         medium=ag.choice(2, 3),
         tall=ag.choice(2, 3, 4),
-        doc="on each door",
+        doc="number of bins on each door",
     ),
     bin_depth: ag.Float = ag.uniform(0.078, 0.105, "m", within=(0.05, 0.12)),
     egg_tray: bool = ag.choice(False, True),
@@ -256,14 +262,14 @@ def refrigerator(
         french=ag.choice(False, True, weights=(0.5, 0.5)),
         side_by_side=ag.choice(False, True, weights=(0.35, 0.65)),
         otherwise=False,
-        doc="whether a door has a dispenser",
+        doc="whether a door has a water dispenser",
     ),
     display: str = ag.by(
         "look",
         pastel="",
         panel="",
         otherwise=ag.choice("", "4 -18", "3 -20", "5", weights=(0.6, 0.15, 0.15, 0.1)),
-        doc="on the door",
+        doc="display on the door",
     ),
     control: Literal["dial", "touch"] = ag.by(
         "build", under_counter="dial", otherwise=ag.choice("dial", "touch")
@@ -274,22 +280,24 @@ def refrigerator(
         stainless=ag.choice("white", "grey", weights=(0.75, 0.25)),
         otherwise="white",
     ),
-    trim: ag.Material = ag.shades(*_TRIMS, color=0.03, doc="of shelves and bins"),
+    trim: ag.Material = ag.shades(*_TRIMS, color=0.03, doc="finish of the trim of shelves and bins"),
     back: Back = ag.by(
         "layout", french="panel", side_by_side="panel", otherwise=ag.choice("grille", "panel")
     ),
     maker: str = ag.choice(*details.BRANDS),
     swing: ag.Float = ag.uniform(
-        1.6, 3.0, "rad", doc="of doors; more where drawers need it", within=(1.6, 3.0)
+        1.6, 3.0, "rad", doc="opening angle of doors; larger if drawers need it", within=(1.6, 3.0)
     ),
-    pull: ag.Float = ag.uniform(15.0, 20.0, "N", doc="at the handle of a door", within=(2.0, 45.0)),
+    pull: ag.Float = ag.uniform(15.0, 20.0, "N", doc="force at the handle of a door", within=(2.0, 45.0)),
     door_damping: ag.Float = ag.uniform(1.0, 2.5, "N m s/rad"),
-    flap_limit: ag.Float = ag.uniform(1.1, 1.4, "rad", doc="of the flap of an ice box", within=(0.5, 1.5)),
-    drawer_share: ag.Float = ag.uniform(
-        0.60, 0.80, doc="how much of its depth a drawer comes out", within=(0.3, 0.9)
+    flap_limit: ag.Float = ag.uniform(
+        1.1, 1.4, "rad", doc="opening angle of the flap of an ice box", within=(0.5, 1.5)
     ),
-    drawer_friction: ag.Float = ag.uniform(3.0, 8.0, "N", doc="of plastic drawers on plastic rails"),
-    drawer_pull: ag.Float = ag.uniform(15.0, 30.0, "N", doc="of gasket and runners of freezer drawers"),
+    drawer_share: ag.Float = ag.uniform(
+        0.60, 0.80, doc="travel of a drawer, as a share of its depth", within=(0.3, 0.9)
+    ),
+    drawer_friction: ag.Float = ag.uniform(3.0, 8.0, "N", doc="friction of plastic drawers on plastic rails"),
+    drawer_pull: ag.Float = ag.uniform(15.0, 30.0, "N", doc="force of gasket and runners of freezer drawers"),
 ) -> ag.Body:
     """Make a refrigerator: doors, freezer doors, drawers, shelves and bins inside."""
     case = Case(width, depth, height - COVER, kick_height, door_thickness, wall, gap)
@@ -387,14 +395,14 @@ def refrigerator(
 
 
 def _rows(count: int, *, stacked: bool) -> tuple[int, ...]:
-    """Return how many drawers stand side by side in each row, from below."""
+    """Return the number of drawers side by side in each row, from below."""
     if stacked or count < 2:
         return (1,) * count
     return (2, *(1,) * (count - 2))
 
 
 def _opened(slot: Slot, leaves: Sequence[Leaf], label: str, swings: Mapping[str, ag.Joint]) -> ag.Condition:
-    """Return where the doors in front of a drawer have swung out of its way."""
+    """Return the conditions under which the doors in front of a drawer have cleared its path."""
     found = [leaf for leaf in leaves if leaf.label == label]
     if len(found) == 2:
         found = [leaf for leaf in found if (1 if leaf.mirrored else -1) in slot.sides]

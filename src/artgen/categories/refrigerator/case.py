@@ -29,88 +29,88 @@ COVER = 0.018
 """Height of the covers of the upper hinges, on top of the cabinet [m]."""
 
 HUMP_DEEP, HUMP_HIGH = 0.125, 0.175
-"""What the machine room takes of the rear of the lowest cell [m]."""
+"""Depth and height of the machine room in the rear of the lowest cell [m]."""
 
-_WALLS = 166.0  # foam between steel and plastic, with pipes, wires and frames [kg/m3]
-_COMPRESSOR = 7400.0  # a steel pot with a motor and oil in it, and its pipes: 10 kg [kg/m3]
+_WALLS = 166.0  # density of foam between steel and plastic, with pipes, wires and frames [kg/m3]
+_COMPRESSOR = 7400.0  # density of a steel shell with a motor, oil and pipes: 10 kg [kg/m3]
 _SHEET = ag.material("zinc").with_(
     name="galvanised_sheet", texture="", specular_roughness=0.42, density=7000.0
 )
 _COVE = 0.016  # radius of the round inner edges of a cell [m]
 _ARC = 5
-_IN_WALL = 0.0005  # how far walls reach into others [m]
+_IN_WALL = 0.0005  # overlap of walls [m]
 
 Back = Literal["grille", "panel"]
-"""What is seen at the back: a condenser of wires and pipes, or a flat sheet."""
+"""Visible back: a condenser of wires and pipes, or a flat sheet."""
 
 
 @dataclass(frozen=True)
 class Cell:
-    """A cold room of the cabinet, open in front."""
+    """A cold compartment of the cabinet, open in front."""
 
-    left: ag.Scalar  # its left side along x [m]
-    right: ag.Scalar  # its right side [m]
-    low: ag.Scalar  # its floor [m]
-    high: ag.Scalar  # its ceiling [m]
-    rear: ag.Scalar  # its back along y [m]
-    humped: bool = False  # whether the machine room takes the lower part of its rear
-    top: bool = False  # whether it is under the top of the cabinet
+    left: ag.Scalar  # position of the left side along x [m]
+    right: ag.Scalar  # position of the right side along x [m]
+    low: ag.Scalar  # height of the floor [m]
+    high: ag.Scalar  # height of the ceiling [m]
+    rear: ag.Scalar  # position of the back along y [m]
+    humped: bool = False  # whether the machine room takes the lower part of the rear
+    top: bool = False  # whether the cell is under the top of the cabinet
 
     @cached_property
     def width(self) -> ag.Scalar:
-        """Between its sides [m]."""
+        """Width between the sides [m]."""
         return self.right - self.left
 
     @cached_property
     def middle(self) -> ag.Scalar:
-        """Its middle along x [m]."""
+        """Position of the middle along x [m]."""
         return (self.left + self.right) / 2
 
     @cached_property
     def height(self) -> ag.Scalar:
-        """From floor to ceiling [m]."""
+        """Height from floor to ceiling [m]."""
         return self.high - self.low
 
     def mirrored(self) -> "Cell":
-        """Return its mirror image in the plane x = 0."""
+        """Return the mirror image of the cell in the plane x = 0."""
         return Cell(-self.right, -self.left, self.low, self.high, self.rear, self.humped, self.top)
 
 
 @dataclass(frozen=True)
 class Case:
-    """The measures of a cabinet that all parts refer to."""
+    """Dimensions of a cabinet, shared by all parts."""
 
-    width: ag.Scalar  # overall [m]
+    width: ag.Scalar  # overall width [m]
     depth: ag.Scalar  # from the fronts of the doors to the back, without handles [m]
-    top: ag.Scalar  # height of its top [m]
+    top: ag.Scalar  # height of the top [m]
     kick: ag.Scalar  # height of the lower edge of the lowest front [m]
-    thickness: ag.Scalar  # of the doors [m]
-    wall: ag.Scalar  # thickness of its sides [m]
-    gap: ag.Scalar  # between two fronts [m]
+    thickness: ag.Scalar  # thickness of the doors [m]
+    wall: ag.Scalar  # thickness of the sides [m]
+    gap: ag.Scalar  # gap between two fronts [m]
 
     @cached_property
     def front(self) -> ag.Scalar:
-        """The fronts of the doors along y [m]."""
+        """Position of the fronts of the doors along y [m]."""
         return -0.5 * self.depth
 
     @cached_property
     def face(self) -> ag.Scalar:
-        """The inner sides of the doors along y [m]."""
+        """Position of the inner sides of the doors along y [m]."""
         return self.front + self.thickness
 
     @cached_property
     def mouth(self) -> ag.Scalar:
-        """The front of the cabinet along y [m]."""
+        """Position of the front of the cabinet along y [m]."""
         return self.face + SEAL_GAP
 
     @cached_property
     def back(self) -> ag.Scalar:
-        """The back along y [m]."""
+        """Position of the back along y [m]."""
         return 0.5 * self.depth
 
     @cached_property
     def rear(self) -> ag.Scalar:
-        """The back of the cells along y [m]."""
+        """Position of the back of the cells along y [m]."""
         return self.back - BACK_WALL
 
 
@@ -155,12 +155,12 @@ def cabinet(
 
 
 def _hollow(case: Case, whole: Cell) -> ag.Solid:
-    """Make the cutter of the block for all cells together."""
+    """Make the cutter that removes all cells from the block."""
     return ag.board((whole.left, whole.right), (case.mouth - 0.01, whole.rear), (whole.low, whole.high))
 
 
 def _partition(case: Case, one: Cell, other: Cell, *, abreast: bool) -> ag.Solid:
-    """Make the wall between two cells, which reaches into those around it by half a millimetre."""
+    """Make the wall between two cells, with an overlap of half a millimeter with the walls around it."""
     y = (case.mouth, one.rear + _IN_WALL)
     if abreast:
         return ag.board((one.right, other.left), y, (one.low - _IN_WALL, one.high + _IN_WALL), bevel=0.002)
@@ -168,8 +168,8 @@ def _partition(case: Case, one: Cell, other: Cell, *, abreast: bool) -> ag.Solid
 
 
 def _coves(case: Case, cell: Cell) -> list[ag.Solid]:
-    """Make the round inner edges of a cell, which only are seen."""
-    r, buried = _COVE, -0.0004  # its corner lies in the wall
+    """Make the round inner edges of a cell, visual only."""
+    r, buried = _COVE, -0.0004  # the corner lies in the wall
     turns = [k * math.pi / 2 / _ARC for k in range(_ARC + 1)]
     arc = [(r - r * math.sin(turn), r - r * math.cos(turn)) for turn in turns[1:-1]]
     corner = ag.polygon([(buried, buried), (r, buried), *arc, (buried, r)])
@@ -189,7 +189,7 @@ def _coves(case: Case, cell: Cell) -> list[ag.Solid]:
 
 
 def _machine_room(case: Case, low: Cell) -> ag.Solid:
-    """Make the cutter of the block for the compressor."""
+    """Make the cutter of the compressor's space in the block."""
     deep = case.back - (low.rear - HUMP_DEEP) - 0.03
     high = low.low + HUMP_HIGH - 0.03 - (FOOT + 0.014)
     room = ag.box(case.width - 0.07, deep + 0.01, high)
@@ -237,7 +237,7 @@ def _machinery(case: Case, low: Cell) -> list[ag.Body]:
 
 
 def _kick_plate(case: Case, finish: ag.Material) -> list[ag.Body]:
-    """Make the plate under the lowest front, with slots through which the machine breathes."""
+    """Make the plate under the lowest front, with ventilation slots for the machine."""
     high = case.kick - FOOT
     y = case.mouth - 0.004
     plate = ag.box(case.width - 0.03, 0.008, high - 0.004, bevel=0.002)

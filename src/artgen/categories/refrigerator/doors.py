@@ -61,28 +61,30 @@ def dispenser(*, width: ag.Scalar, height: ag.Scalar, deep: ag.Scalar, trim: ag.
 
 
 BIN_SHY = 0.002
-"""How much less deep than the ridges beside them bins are: drawers strike the ridges first [m]."""
+"""Difference in depth between ridges and the bins beside them: drawers strike the ridges first [m]."""
 
 SOFT = 0.024
 """Radius of the corners of a soft front [m]."""
 
 GripKind = Literal["bar", "pocket", "channel", "recessed"]
-"""A bar; a pocket in the edge; a channel along all of the edge; a recess in the front with a blade."""
+"""A bar; a pocket in the edge; a channel along the whole edge; a recess in the front with a blade."""
 
 Front = Literal["flat", "soft", "bowed", "framed"]
-"""Sharp edges, round ones, a front that swells, or a frame around a panel."""
+"""Sharp edges, round edges, a bowed front, or a frame around a panel."""
 
-_SKIN, _THICK_SKIN = 0.028, 0.042  # front part of a door; with a pocket in its edge [m]
-_FREE_INSET = 0.006  # by how much the lining is narrower than the skin at the other edges [m]
+# thickness of the front part of a door, and of one with a pocket in its edge [m]
+_SKIN, _THICK_SKIN = 0.028, 0.042
+_FREE_INSET = 0.006  # difference in width between lining and skin at the other edges [m]
 _RIDGE = 0.016  # thickness of ridges [m]
-_LEAST_BIN = 0.05  # width of a bin [m]
+_LEAST_BIN = 0.05  # least width of a bin [m]
 _SEAL = 0.014  # width of the gasket [m]
-_SEAL_FREE = 0.0004  # between gasket and cabinet: not seen, and free of contact [m]
-_FOAM = 190.0  # 8 kg/m2 of steel, foam, plastic sheet and contents: 9 kg at 0.7 x 1.1 m [kg/m3]
+_SEAL_FREE = 0.0004  # gap between gasket and cabinet: invisible, and free of contact [m]
+_FOAM = 190.0  # 8 kg/m2 of steel, foam, plastic sheet and contents: 9 kg for 0.7 x 1.1 m [kg/m3]
 _EDGES = {"flat": 0.0026, "soft": 0.005, "bowed": 0.005, "framed": 0.002}  # radius of the edges [m]
-_FRAME = (0.062, 0.0045)  # width of the boards of a framed front, and how far they stand out [m]
-_BOW = ((1.0, 0.010), (0.988, 0.0035), (0.97, 0.0008))  # the round edge of a bowed front: share, back [m]
-_TRACKING = 0.3  # of the name on a door, in heights of its letters
+_FRAME = (0.062, 0.0045)  # width and height of the boards of a framed front [m]
+# round edge of a bowed front: share of the width, and setback [m]
+_BOW = ((1.0, 0.010), (0.988, 0.0035), (0.97, 0.0008))
+_TRACKING = 0.3  # letter spacing of the name on a door, in letter heights
 _BOWED = (0.9, 0.75, 0.5, 0.25, 0.0, -0.25, -0.5, -0.75, -0.9)
 _NO_ROOM = (
     "the bins have no room between the ridges of a door: raise width, lower wall or bin_depth, or take a "
@@ -92,29 +94,29 @@ _NO_ROOM = (
 
 @dataclass(frozen=True)
 class Dress:
-    """How the fronts of one refrigerator look."""
+    """Finish and shape of the fronts of a refrigerator."""
 
-    finish: ag.Material  # of the fronts
-    metal: ag.Material  # of handles
-    liner: ag.Material  # of the inner sides
-    seal: ag.Material  # of the gaskets
-    trim: ag.Material  # of bins and shelves
-    form: Front  # of the fronts
-    bow: ag.Scalar  # how far a bowed front swells [m]
+    finish: ag.Material  # finish of the fronts
+    metal: ag.Material  # metal of handles
+    liner: ag.Material  # material of the inner sides
+    seal: ag.Material  # material of the gaskets
+    trim: ag.Material  # finish of bins and shelves
+    form: Front  # shape of the fronts
+    bow: ag.Scalar  # height of the bow of a bowed front [m]
     grip: GripKind  # kind of the handles
     bar: BarStyle  # style of a bar
     girth: ag.Scalar  # half of the thickness of a bar [m]
-    length: ag.Scalar  # of a handle, as a share of the front
+    length: ag.Scalar  # length of a handle, as a share of the front
 
     @property
     def front(self) -> Front:
-        """The form of the fronts: grips that are let into them want flat ones."""
+        """Return the shape of the fronts: recessed grips need flat fronts."""
         if self.grip == "bar" or self.form in ("flat", "soft"):
             return self.form
         return "soft" if self.form == "bowed" else "flat"
 
     def rise(self, share: ag.Scalar) -> ag.Scalar:
-        """Return how far the front stands out at a share of half its width from its middle [m]."""
+        """Return the height of the bow at a distance from the middle, as a share of half the width [m]."""
         if self.front == "framed":
             return _FRAME[1]
         return self.bow * (1 - share * share) if self.front == "bowed" else 0.0
@@ -154,7 +156,7 @@ def slab(
 def framing(
     case: Case, dress: Dress, left: ag.Scalar, right: ag.Scalar, low: ag.Scalar, high: ag.Scalar
 ) -> list[ag.Body]:
-    """Make the boards around the panel of a framed front; none for another one."""
+    """Make the boards around the panel of a framed front; none for other fronts."""
     if dress.front != "framed":
         return []
     wide, out = _FRAME
@@ -178,10 +180,10 @@ def lining(
 
 
 def door(leaf: Leaf, dress: Dress, *, brand: str = "", display: str = "", water: bool = False) -> ag.Body:
-    """Make a door: the link of that name, in its place."""
+    """Make a door in its place, with the link name of its leaf."""
     case = leaf.case
     grip = dress.grip
-    if grip in ("pocket", "channel") and leaf.meets:  # hands do not come between two doors
+    if grip in ("pocket", "channel") and leaf.meets:  # no space for hands between two doors
         grip = "recessed"
     thick = _THICK_SKIN if grip in ("pocket", "channel") else _SKIN
     skin = slab(case, dress, leaf.left, leaf.right, leaf.low, leaf.high, thick=thick)
@@ -248,7 +250,7 @@ def _bar(leaf: Leaf, dress: Dress) -> ag.Body:
 
 
 def _sunk(leaf: Leaf, dress: Dress, grip: str) -> Grip:
-    """Make a grip that is let into a door."""
+    """Make a recessed grip of a door."""
     y, middle = leaf.case.front, (leaf.low + leaf.high) / 2
     name = f"{leaf.name}_handle"
     if grip == "channel":
@@ -283,7 +285,7 @@ def _inside(leaf: Leaf, dress: Dress) -> list[ag.Body]:
     sunk = 0.004
     y = leaf.case.face + (leaf.ridge - sunk) / 2
     white = filled(dress.liner, _FOAM)
-    # the free one is so wide that it stands before the drawers at its side
+    # the free ridge is wide enough to cover the drawers at its side
     first, last = left + _RIDGE, ag.min_(right - _RIDGE, leaf.cell.right - CHEEK - 0.012)
     bodies = [
         ag.part(
@@ -317,7 +319,7 @@ def _signs(leaf: Leaf, dress: Dress, brand: str, display: str) -> list[ag.Body]:
     middle = (leaf.left + leaf.right) / 2
     if brand:
         size: ag.Scalar = 0.013
-        if dress.front == "bowed":  # its ends have to reach back to a front that swells away from them
+        if dress.front == "bowed":  # the ends reach back to the bowed front
             share = ag.min_(0.28, 0.005 / dress.bow)
             size = ag.min_(size, share * leaf.width / details.lettering_width(brand.upper(), _TRACKING))
         mark = details.logo(brand, size, tracking=_TRACKING)
@@ -336,9 +338,9 @@ def _signs(leaf: Leaf, dress: Dress, brand: str, display: str) -> list[ag.Body]:
 
 
 def mullion(leaf: Leaf, *, finish: ag.Material) -> ag.Body:
-    """Make the strip at the free edge of a door that closes the gap to the other one from behind.
+    """Make the strip at the free edge of a door that closes the gap to the other door from behind.
 
-    Real ones fold as the door opens; this one stays within its door, so that it never touches the other.
+    Real strips fold as the door opens; this strip stays within its own door and never touches the other.
     """
     wide, deep = 0.044, 0.013
     strip = ag.box(wide, deep, leaf.cell.height - 0.010, bevel=0.002)

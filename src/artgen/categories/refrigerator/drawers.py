@@ -1,4 +1,4 @@
-"""Drawers of refrigerators: those behind doors, and freezer drawers with fronts of their own."""
+"""Drawers of refrigerators: drawers behind doors, and freezer drawers with their own fronts."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -12,32 +12,32 @@ from artgen.categories.shared.furniture.shelves import LIP_REACH, drawer_box, op
 from artgen.categories.shared.hardware.bar_handles import bar_handle, recessed_grip
 
 SLACK = 0.012
-"""How far a drawer comes forward until it strikes the ridges, or the flat inside, of its closed door [m]."""
+"""Travel of a drawer until it strikes the ridges or the flat inside of its closed door [m]."""
 
-_PLAY = 0.003  # around a drawer [m]
-_FLOOR = 0.004  # under a drawer [m]
-_NO_MORE = 0.002  # by how much less than the slack a drawer is said to be free [m]
-_FOAM = 190.0  # of fronts, as of doors [kg/m3]
-_HAND = 60.0  # the most that a hand pulls with [N]
+_PLAY = 0.003  # gap around a drawer [m]
+_FLOOR = 0.004  # gap under a drawer [m]
+_NO_MORE = 0.002  # difference between this travel and the declared free travel of a drawer [m]
+_FOAM = 190.0  # density of fronts, equal to that of doors [kg/m3]
+_HAND = 60.0  # largest pull of a hand [N]
 
 
 @dataclass(frozen=True)
 class Slot:
-    """The place of a drawer behind a door."""
+    """Space of a drawer behind a door."""
 
-    left: ag.Scalar  # its left side along x [m]
-    right: ag.Scalar  # its right side [m]
-    low: ag.Scalar  # its underside [m]
-    height: ag.Scalar  # of the drawer [m]
-    front: ag.Scalar  # its front along y [m]
-    rear: ag.Scalar  # the furthest that it may reach to the back [m]
-    lip: ag.Scalar  # height of its lip over its underside [m]
-    # the halves of the cell in which it is: -1 the left one, 1 the right one
+    left: ag.Scalar  # position of the left side along x [m]
+    right: ag.Scalar  # position of the right side along x [m]
+    low: ag.Scalar  # height of the underside [m]
+    height: ag.Scalar  # height of the drawer [m]
+    front: ag.Scalar  # position of the front along y [m]
+    rear: ag.Scalar  # rearmost position along y [m]
+    lip: ag.Scalar  # height of the lip above the underside [m]
+    # the halves of the cell that contain the drawer: -1 the left half, 1 the right half
     sides: tuple[int, ...] = (-1, 1)
 
 
 def drawer_front(case: Case, ridge: ag.Scalar | None) -> ag.Scalar:
-    """Return where the fronts of drawers are along y, behind a door with ridges or with a flat inside [m]."""
+    """Return the position of the fronts of drawers along y, behind ridges or a flat inside of a door [m]."""
     return case.face + SLACK + LIP_REACH + (0.0 if ridge is None else ridge)
 
 
@@ -97,7 +97,7 @@ def inner_drawer(
 def inner_slide(
     slot: Slot, number: int, opened: ag.Condition, *, share: ag.Scalar, friction: ag.Scalar
 ) -> ag.Joint:
-    """Make the slide of a drawer behind a door: it strikes the door unless that is open."""
+    """Make the slide of a drawer behind a door, which blocks the drawer unless the door is open."""
     return ag.Prismatic(
         f"inner_drawer_slide_{number}",
         axis=(0.0, -1.0, 0.0),
@@ -112,13 +112,13 @@ def inner_slide(
 
 @dataclass(frozen=True)
 class Front:
-    """The front of a freezer drawer."""
+    """Front of a freezer drawer."""
 
-    cell: Cell  # the closed cell
-    left: ag.Scalar  # its left edge along x [m]
-    right: ag.Scalar  # its right edge [m]
-    low: ag.Scalar  # its lower edge [m]
-    high: ag.Scalar  # its upper edge [m]
+    cell: Cell  # closed cell
+    left: ag.Scalar  # position of the left edge along x [m]
+    right: ag.Scalar  # position of the right edge along x [m]
+    low: ag.Scalar  # height of the lower edge [m]
+    high: ag.Scalar  # height of the upper edge [m]
 
 
 def outer_drawer(case: Case, front: Front, number: int, dress: Dress, *, finish: ag.Material) -> ag.Body:
@@ -131,7 +131,8 @@ def outer_drawer(case: Case, front: Front, number: int, dress: Dress, *, finish:
         aside = 0.031 if dress.front == "framed" else 0.055
         length = ag.min_(ag.max_(0.62 * (right - left), 0.2), (right - left) - 0.1)
         feet = dress.rise((length - 0.02) / (right - left)) - (0.0008 if dress.front == "bowed" else 0.0)
-        out = 0.040 + 1.4 * dress.girth + (dress.rise(0.0) - feet)  # before the middle, which swells most
+        # in front of the middle, the highest point of the bow
+        out = 0.040 + 1.4 * dress.girth + (dress.rise(0.0) - feet)
         handle = bar_handle(
             length=length,
             finish=dress.metal,
@@ -165,7 +166,7 @@ def outer_drawer(case: Case, front: Front, number: int, dress: Dress, *, finish:
 
 
 def basket_depth(case: Case, cell: Cell) -> ag.Scalar:
-    """Return how deep the basket of a freezer drawer is [m]."""
+    """Return the depth of the basket of a freezer drawer [m]."""
     return cell.rear - (HUMP_DEEP if cell.humped else 0.0) - 0.015 - case.face
 
 

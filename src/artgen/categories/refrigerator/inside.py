@@ -1,4 +1,4 @@
-"""The inside of a refrigerator: rooms between shelves, with shelves and drawers."""
+"""The inside of a refrigerator: cells with shelves and drawers."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -14,7 +14,7 @@ from artgen.categories.shared.furniture.shelves import LIP_REACH, egg_tray, glas
 ShelfKind = Literal["glass", "wire"]
 
 DUCT = 0.014
-"""How far the air duct stands out of the rear of a cell [m]."""
+"""Depth of the air duct on the rear of a cell [m]."""
 
 ICE_SHELF = 0.024
 """Thickness of the floor of an ice box [m]."""
@@ -23,7 +23,7 @@ LIGHT = 0.15
 """Width of the light at the ceiling of a cell [m]."""
 
 _FLAP = 0.016  # thickness of the flap of an ice box [m]
-_FLAP_INSET = 0.062  # from the side of the cell to its edge with the hinges [m]
+_FLAP_INSET = 0.062  # distance from the side of the cell to the hinge edge of the flap [m]
 
 
 def shelf(
@@ -35,7 +35,7 @@ def shelf(
     trim: ag.Material,
     glass: ag.Material,
 ) -> ag.Body:
-    """Make shelves from side to side of a cell."""
+    """Make shelves across the width of a cell."""
     rear = cell.rear - DUCT - 0.004
     deep = rear - front
     places = [(cell.middle, front + deep / 2, level) for level in levels]
@@ -65,7 +65,7 @@ def fittings(
     """Make light and control at the ceiling of a cell, and the air duct on its rear."""
     bodies = []
     wide = 0.34 * cell.width
-    tall = ag.max_(high - low - 0.03, 0.02)  # where there is no room, the category says so
+    tall = ag.max_(high - low - 0.03, 0.02)  # the category reports a lack of space
     duct = ag.box(wide, DUCT + 0.001, tall, bevel=0.005)
     face = cell.rear - DUCT
     bodies.append(
@@ -100,7 +100,7 @@ def fittings(
 
 
 def ice_box(cell: Cell, *, low: ag.Scalar, front: ag.Scalar, liner: ag.Material) -> list[ag.Body]:
-    """Make the floor of an ice box under the ceiling of a cell, and the post on which its flap hangs."""
+    """Make the floor of an ice box under the ceiling of a cell, and the post for the hinges of its flap."""
     deep = cell.rear - front
     floor = ag.box(cell.width + 0.001, deep + 0.001, ICE_SHELF, bevel=0.004)
     plate = ag.box(cell.width - 0.01, deep - 0.06, 0.001)
@@ -139,14 +139,14 @@ def flap(cell: Cell, *, low: ag.Scalar, front: ag.Scalar, finish: ag.Material) -
 
 
 def flap_reach(cell: Cell) -> ag.Scalar:
-    """Return how far to the left the flap of an ice box comes as it opens [m]."""
+    """Return the reach of the opening flap of an ice box to the left [m]."""
     return cell.left + _FLAP_INSET + _FLAP / 2 - LIP_REACH - _FLAP / 2 - 0.003
 
 
 def flap_swing(
     cell: Cell, opened: ag.Condition, *, front: ag.Scalar, far: ag.Scalar, limit: ag.Scalar
 ) -> ag.Joint:
-    """Make the hinge of the flap of an ice box; it strikes the door in front of it unless that is open."""
+    """Make the hinge of an ice box flap, which the door in front blocks unless the door is open."""
     axis = cell.left + _FLAP_INSET + _FLAP / 2
     free = ag.atan2(SLACK, far - axis)
     return ag.Revolute(
@@ -161,25 +161,25 @@ def flap_swing(
     )
 
 
-_ICE_HIGH = 0.170  # of an ice box, from the underside of its floor to the ceiling [m]
-_SHELF_SHY = 0.008  # between the ridges of a door and the shelves [m]
-_OVER = 0.014  # from one row of drawers to the next, or to the shelf above [m]
-_BARE = 0.10  # under the lowest shelf where there are no drawers, above the even spacing [m]
+_ICE_HIGH = 0.170  # height of an ice box, from the underside of its floor to the ceiling [m]
+_SHELF_SHY = 0.008  # gap between the ridges of a door and the shelves [m]
+_OVER = 0.014  # gap from one row of drawers to the next, or to the shelf above [m]
+_BARE = 0.10  # additional height under the lowest shelf without drawers, above the even spacing [m]
 
 
 @dataclass(frozen=True)
 class Furniture:
-    """What a cell holds."""
+    """Contents of a cell."""
 
-    drawers: tuple[int, ...]  # how many drawers stand side by side in each row, from below
-    drawer_height: ag.Scalar | None  # of each; None lets them fill the cell [m]
-    shelves: int  # how many there are above the drawers
-    kind: ShelfKind  # of the shelves
-    trim: ag.Material  # of their strips, or wires
-    liner: ag.Material  # the cell, and the parts fixed to its walls
-    ice_box: bool = False  # whether there is one
-    egg_tray: bool = False  # whether there is one
-    control: Literal["dial", "touch", "none"] = "none"  # the temperature control
+    drawers: tuple[int, ...]  # numbers of drawers side by side in each row, from below
+    drawer_height: ag.Scalar | None  # height of each drawer; None to fill the cell [m]
+    shelves: int  # number of shelves above the drawers
+    kind: ShelfKind  # kind of shelves
+    trim: ag.Material  # finish of the strips or wires of shelves
+    liner: ag.Material  # material of the cell and of the parts fixed to its walls
+    ice_box: bool = False  # whether there is an ice box
+    egg_tray: bool = False  # whether there is an egg tray
+    control: Literal["dial", "touch", "none"] = "none"  # temperature control
     show: str = ""  # text of the display
 
 
@@ -187,11 +187,11 @@ class Furniture:
 class Room:
     """A furnished cell."""
 
-    bodies: tuple[ag.Body, ...]  # parts to be welded to the cabinet
-    slots: tuple[Slot, ...]  # the places of its drawers
-    front: ag.Scalar  # the front of its drawers along y [m]
-    ice: ag.Scalar  # underside of the floor of its ice box [m]
-    spread: ag.Scalar  # from shelf to shelf [m]
+    bodies: tuple[ag.Body, ...]  # parts that are welded to the cabinet
+    slots: tuple[Slot, ...]  # spaces of the drawers
+    front: ag.Scalar  # position of the front of the drawers along y [m]
+    ice: ag.Scalar  # height of the underside of the ice box's floor [m]
+    spread: ag.Scalar  # distance from shelf to shelf [m]
 
 
 def furnish(case: Case, cell: Cell, ridge: ag.Scalar | None, held: Furniture) -> Room:
@@ -203,7 +203,7 @@ def furnish(case: Case, cell: Cell, ridge: ag.Scalar | None, held: Furniture) ->
     if held.drawer_height is None:
         pitch = cell.height / max(count, 1) - 0.004
         high: ag.Scalar = pitch - 0.012
-        lip = 0.45 * high  # hands come between the door above and the floor
+        lip = 0.45 * high  # space for a hand between the door above and the floor
     else:
         high, pitch = held.drawer_height, held.drawer_height + _OVER
         lip = high - 0.034

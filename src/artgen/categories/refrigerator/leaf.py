@@ -1,4 +1,4 @@
-"""Doors of a refrigerator as they open: leaves, their hinges, and the angles that drawers need."""
+"""Opening doors of a refrigerator: leaves, their hinges, and the angles that drawers need."""
 
 from dataclasses import dataclass
 from typing import Literal
@@ -7,7 +7,7 @@ import artgen as ag
 from artgen._arrays import cached_property
 from artgen.categories.refrigerator.case import SEAL_GAP, Case, Cell
 
-_HAND = 60.0  # the most that a hand pulls with; 15-45 N open a refrigerator [N]
+_HAND = 60.0  # largest pull of a hand; 15-45 N open a refrigerator [N]
 
 
 def door_swing(
@@ -20,10 +20,10 @@ def door_swing(
     arm: ag.Scalar,
     damping: ag.Scalar = 1.0,
 ) -> ag.Joint:
-    """Make the upright hinge of a door that stays where it is left.
+    """Make the vertical hinge of a door; friction holds the door at any angle.
 
-    Opening a refrigerator takes 15-45 N at its handle to break the gasket's hold and about 5 N further on;
-    a joint has one friction for all of its swing, so `pull` is the low end of the first.
+    Opening a refrigerator needs 15-45 N at its handle against the gasket, and about 5 N further on; a joint
+    has one friction over its range, so `pull` is the low end of the first force.
     """
     return ag.Revolute(
         name,
@@ -40,11 +40,11 @@ def door_swing(
 def hinge_cover(
     *, finish: ag.Material, way: int, inset: ag.Scalar, reach: ag.Scalar = 0.11, high: ag.Scalar = 0.018
 ) -> ag.Body:
-    """Make the cover of the upper hinge on top of a cabinet; the axis is the Z axis, the top is z = 0.
+    """Make the cover of the upper hinge on top of a cabinet; the axis is the z axis, the top is z = 0.
 
-    It reaches over the door in front of it.
+    It projects over the door in front of it.
     """
-    wide, lead = 0.052, 0.017  # its width, and how far it reaches before the axis [m]
+    wide, lead = 0.052, 0.017  # width of the cover, and its reach in front of the axis [m]
     cap = ag.extrude(ag.rectangle(wide, reach + lead, radius=0.010), high, bevel=0.004)
     x = way * (inset - 0.004 - wide / 2)
     return ag.part(cap.at(x, (reach - lead) / 2, high / 2), "hinge", finish)
@@ -53,7 +53,7 @@ def hinge_cover(
 def hinge_bracket(
     *, finish: ag.Material, way: int, inset: ag.Scalar, back: ag.Scalar, thick: ag.Scalar = 0.0018
 ) -> ag.Body:
-    """Make the bracket in the gap under a door, as it is seen: a plate with a pin through it, about z = 0."""
+    """Make the visible bracket in the gap under a door: a plate with a pin through it, about z = 0."""
     wide = inset + 0.018
     plate = ag.box(wide, back + 0.012, thick, bevel=0.0005).at(
         way * (inset - wide / 2 - 0.002), (back - 0.010) / 2, 0.0
@@ -71,13 +71,13 @@ def door_gasket(
     size: ag.Scalar = 0.014,
     label: str = "gasket",
 ) -> ag.Body:
-    """Make the gasket of a door in the plane of X and Z about the origin; its foot is y = 0, it faces +y.
+    """Make the gasket of a door in the plane of x and z about the origin, from its foot at y = 0 to +y.
 
-    It fills the gap of a closed door up to a clearance of the caller: 0.3-0.5 mm is invisible, and lets door
-    and cabinet be free of each other; or the gap is less, and `allow_contact` says so.
+    It fills the gap of a closed door up to a clearance: 0.3-0.5 mm is invisible and prevents contact between
+    door and cabinet. A gasket without clearance needs `allow_contact` of the caller.
     """
     bodies = [ag.part(bar, label, rubber) for bar in _ring(width, height, deep, size, 0.45 * deep)]
-    # a flat ring is the root by which it sits in the door's groove
+    # a flat ring is the root of the gasket in the door's groove
     inner = ag.rectangle(width - 2 * size - 0.006, height - 2 * size - 0.006)
     root = ag.rectangle(width + 0.006, height + 0.006, radius=0.006) - inner
     return ag.weld(*bodies, ag.detail(ag.extrude(root, 0.004, axis=ag.Y), label, rubber))
@@ -86,7 +86,7 @@ def door_gasket(
 def _ring(
     width: ag.Scalar, height: ag.Scalar, deep: ag.Scalar, size: ag.Scalar, bevel: ag.Scalar
 ) -> list[ag.Solid]:
-    less = 0.0002  # uprights end inside the level bars, just below their faces
+    less = 0.0002  # uprights end inside the horizontal bars, just below their faces
     level = ag.box(width, deep, size, bevel=bevel)
     upright = ag.box(size - less, deep - less, height - size, bevel=bevel)
     return [
@@ -96,65 +96,66 @@ def _ring(
 
 
 PIN = 0.020
-"""From the outer edge and from the front of a door to the axis of its hinge [m]."""
+"""Distance of the axis of a hinge from the outer edge and the front of its door [m]."""
 
 SEAL_INSET = 0.026
-"""From the edge with the hinges to the gasket: beyond the axis, so that it leaves the cabinet at once [m]."""
+"""Distance from the hinge edge to the gasket: beyond the axis, so that it leaves the cabinet at once [m]."""
 
 CHEEK = 0.040
-"""From the side of a cell to a drawer: the width of the rails there [m]."""
+"""Distance from the side of a cell to a drawer: the width of the rails there [m]."""
 
 LINING_INSET = 0.004
-"""By how much the lining is narrower than the skin at the edge with the hinges [m]."""
+"""Difference in width between lining and skin at the hinge edge [m]."""
 
-_RIDGE_INSET = 0.055  # from the wall of the cell to the ridge near the hinges [m]
+_RIDGE_INSET = 0.055  # distance from the wall of the cell to the ridge near the hinges [m]
 _SWINGS_PAST = 0.005  # clearance between the free ridge and the parts that it passes [m]
 _CLEARS = 0.004  # clearance between an open door and a drawer [m]
 
 
 @dataclass(frozen=True)
 class Leaf:
-    """A door that hinges at its left; one at the right is the mirror image of such a door."""
+    """A door with hinges at its left; a door hinged at the right is the mirror image."""
 
-    label: str  # semantic label
+    label: str  # semantic label of the door
     name: str  # name of the link
-    case: Case  # the cabinet
-    cell: Cell  # the closed cell
-    left: ag.Scalar  # its edge with the hinges along x [m]
-    right: ag.Scalar  # its free edge [m]
-    low: ag.Scalar  # its lower edge [m]
-    high: ag.Scalar  # its upper edge [m]
+    case: Case  # cabinet
+    cell: Cell  # closed cell
+    left: ag.Scalar  # position of the hinge edge along x [m]
+    right: ag.Scalar  # position of the free edge along x [m]
+    low: ag.Scalar  # height of the lower edge [m]
+    high: ag.Scalar  # height of the upper edge [m]
     limit: ag.Scalar  # right limit of the parts on its inside: a wall, or another door [m]
-    ridge: ag.Scalar | None  # how deep its ridges reach into the cell [m]; None for a flat inside
-    bins: int  # how many bins hang between them
-    mirrored: bool = False  # whether it hinges at the right: all measures then are those of the mirror image
-    handle: Literal["low", "middle", "high"] = "middle"  # where its handle is
-    meets: bool = False  # whether its free edge meets that of another door
+    ridge: ag.Scalar | None  # depth of the ridges in the cell [m]; None for a flat inside
+    bins: int  # number of bins between the ridges
+    # whether the door is hinged at the right: all dimensions are then those of the mirror image
+    mirrored: bool = False
+    handle: Literal["low", "middle", "high"] = "middle"  # position of the handle
+    meets: bool = False  # whether the free edge meets that of another door
 
     @cached_property
     def width(self) -> ag.Scalar:
-        """From edge to edge [m]."""
+        """Width from edge to edge [m]."""
         return self.right - self.left
 
     @cached_property
     def height(self) -> ag.Scalar:
-        """From its lower to its upper edge [m]."""
+        """Height from the lower to the upper edge [m]."""
         return self.high - self.low
 
     @cached_property
     def arm(self) -> ag.Scalar:
-        """From the axis to the handle [m]."""
+        """Distance from the axis to the handle [m]."""
         return self.width - PIN - 0.05
 
     @cached_property
     def pivot(self) -> ag.Vector:
-        """A point on the axis of the hinge, mirrored where the door is [m]."""
+        """Point on the axis of the hinge, mirrored for a door hinged at the right [m]."""
         side = -1.0 if self.mirrored else 1.0
         return ag.vector(side * (self.left + PIN), self.case.front + PIN, (self.low + self.high) / 2)
 
     @cached_property
     def joint(self) -> str:
-        """Name of its hinge."""
+        """Name of the hinge."""
         head, split, side = self.name.partition("_left")
         if not split:
             head, split, side = self.name.partition("_right")
@@ -162,14 +163,14 @@ class Leaf:
 
     @cached_property
     def reach(self) -> ag.Scalar:
-        """From the axis to the tips of the ridges, front to back [m]."""
+        """Distance from the axis to the tips of the ridges, front to back [m]."""
         return self.case.thickness - PIN + (0.0 if self.ridge is None else self.ridge)
 
     @cached_property
     def ridges(self) -> tuple[ag.Scalar, ag.Scalar]:
-        """The outer sides of the ridges along x [m].
+        """Outer sides of the ridges along x [m].
 
-        The free one is as far from the axis as it may be to pass the limit with its tip.
+        The free ridge has the largest distance from the axis at which its tip passes the limit.
         """
         axis = self.left + PIN
         room = self.limit - axis - _SWINGS_PAST
@@ -180,8 +181,8 @@ class Leaf:
     def clears(self, x: ag.Scalar) -> ag.Float:
         """Return the smallest angle at which the open door stays to the left of `x` [rad].
 
-        A point at (u, v) of the axis, to the right and to the back, has turned to u cos q + v sin q. This
-        falls from q = atan2(v, u) on, and passes c at that angle and acos(c / r) more.
+        A point at (u, v) from the axis, to the right and to the back, moves to x = u cos q + v sin q. This
+        decreases from q = atan2(v, u), and reaches c after a further turn of acos(c / r).
         """
         axis = self.left + PIN
         room = x - axis - _CLEARS
@@ -199,7 +200,7 @@ class Leaf:
         return ag.max_(ag.max_(angles[0], angles[1]), angles[-1])
 
     def hinge(self, *, limit: ag.Scalar, pull: ag.Scalar, damping: ag.Scalar) -> ag.Joint:
-        """Make its hinge."""
+        """Make the hinge of the door."""
         return door_swing(
             self.joint,
             pivot=self.pivot,

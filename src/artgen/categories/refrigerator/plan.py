@@ -1,4 +1,4 @@
-"""How a refrigerator is divided: its cells, the doors and drawer fronts before them."""
+"""Division of a refrigerator into cells, doors and drawer fronts."""
 
 from dataclasses import dataclass
 from typing import Literal
@@ -11,13 +11,13 @@ from artgen.categories.refrigerator.inside import LIGHT
 from artgen.categories.refrigerator.leaf import PIN, Leaf, hinge_bracket, hinge_cover
 
 Layout = Literal["single", "top_freezer", "bottom_freezer", "french", "side_by_side"]
-"""One door; a freezer above or below; two doors over freezer drawers; freezer and refrigerator abreast."""
+"""One door; a freezer above or below; two doors over freezer drawers; freezer and cold cell side by side."""
 
 _CEILING = 0.045  # thickness of the top [m]
-_FLOOR = 0.030  # from the lower edge of the lowest front to the floor of its cell [m]
+_FLOOR = 0.030  # distance from the lower edge of the lowest front to the floor of its cell [m]
 _HALF_WALL = 0.027  # half of the thickness of walls between cells [m]
-_UNDER_COVER = 0.003  # between a door and the cover of its hinge [m]
-_INSET = 0.001  # by how much doors are narrower than the cabinet, at either side [m]
+_UNDER_COVER = 0.003  # gap between a door and the cover of its hinge [m]
+_INSET = 0.001  # distance from each side of the cabinet to the doors [m]
 _PASSES = 0.003  # gap between the inner parts of two doors that meet [m]
 _NO_LIGHT = (
     "the freezer or the refrigerator is narrower than its light: raise width, lower wall, or take a "
@@ -27,18 +27,18 @@ _NO_LIGHT = (
 
 @dataclass(frozen=True)
 class Plan:
-    """How a refrigerator is divided."""
+    """Cells, doors and fronts of a refrigerator."""
 
-    cold: Cell  # the cell of the refrigerator
-    frozen: tuple[Cell, ...]  # the cells of the freezer
-    doors: tuple[Leaf, ...]  # the doors of the refrigerator
-    freezer: Leaf | None = None  # the door of the freezer, if it has one
-    fronts: tuple[Front, ...] = ()  # the fronts of its drawers, if it has those
-    abreast: bool = False  # whether the freezer is beside the refrigerator, at the left
+    cold: Cell  # cell of the refrigerator
+    frozen: tuple[Cell, ...]  # cells of the freezer
+    doors: tuple[Leaf, ...]  # doors of the refrigerator
+    freezer: Leaf | None = None  # door of the freezer, or None
+    fronts: tuple[Front, ...] = ()  # fronts of the freezer's drawers, or none
+    abreast: bool = False  # whether the freezer is beside the refrigerator, at its left
 
     @cached_property
     def cells(self) -> tuple[Cell, ...]:
-        """All cells, from below, or from the left."""
+        """All cells, from below or from the left."""
         if not self.frozen:
             return (self.cold,)
         return (
@@ -55,14 +55,15 @@ class Plan:
 
 @dataclass(frozen=True)
 class Divided:
-    """What divides a cabinet."""
+    """Options for the division of a cabinet."""
 
-    case: Case  # the cabinet
-    share: ag.Scalar  # of the freezer, in the height or the width
-    ridge: ag.Scalar  # how deep the bins of the refrigerator's doors reach into it [m]
-    freezer_ridge: ag.Scalar | None  # inner parts of the freezer's door; None for a flat inside
-    bins: int  # on each door of the refrigerator
-    drawers: int  # freezer drawers with fronts of their own
+    case: Case  # cabinet
+    share: ag.Scalar  # share of the freezer in the height or the width
+    ridge: ag.Scalar  # depth of the bins of the refrigerator's doors in the cell [m]
+    # depth of the inner parts of the freezer's door; None for a flat inside [m]
+    freezer_ridge: ag.Scalar | None
+    bins: int  # number of bins on each door of the refrigerator
+    drawers: int  # number of freezer drawers with their own fronts
 
     def plan(self, layout: Layout) -> Plan:
         """Divide the cabinet."""
@@ -124,17 +125,17 @@ class Divided:
         bins: int,
         handle: Literal["low", "middle", "high"],
     ) -> Leaf:
-        """Plan a door as wide as the cabinet, between two heights."""
+        """Make a door as wide as the cabinet, between two heights."""
         edge, case = self._edge, self.case
         return Leaf(name, name, case, cell, -edge, edge, low, high, cell.right, ridge, bins, handle=handle)
 
     def _fronts(self, low: ag.Scalar, high: ag.Scalar) -> tuple[Front, ...]:
         """Divide the freezer into drawers of equal fronts."""
         count, half = self.drawers, self.case.gap / 2
-        lowest = (high - low) / count - _FLOOR - _HALF_WALL  # its height
+        lowest = (high - low) / count - _FLOOR - _HALF_WALL  # height of the lowest cell
         high = ag.require(
             high,
-            lowest > HUMP_HIGH - 1.5 * _HALF_WALL,  # the top of the machine room is in the wall over it
+            lowest > HUMP_HIGH - 1.5 * _HALF_WALL,  # the top of the machine room is in the wall above it
             "the lowest drawer would strike the machine room behind it: raise freezer_share or height, "
             "or lower outer_drawers or kick_height",
         )
@@ -171,7 +172,7 @@ class Divided:
         return left, right
 
     def _abreast(self, low: ag.Scalar, high: ag.Scalar) -> Plan:
-        """Divide the cabinet in its width, the freezer at the left."""
+        """Divide the width of the cabinet, with the freezer at the left."""
         case, half = self.case, self.case.gap / 2
         whole = self._cell(low, high, lowest=True, highest=True)
         split = -0.5 * case.width + self.share * case.width

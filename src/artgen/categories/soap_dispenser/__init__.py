@@ -1,11 +1,11 @@
 """A soap dispenser: a bottle with a pump, on the sink or in a holder on the wall, or a box on the wall.
 
-Links: `body`; `nozzle`, which is pressed down against the pump's spring and turns on its stem without end,
-two joints between one pair of links; or `button` or `lever` of a box. Joints: `nozzle_slide`, `nozzle_turn`;
-`button_slide`; `lever_hinge`. Those with a spring come back when they are let go.
+Links: `body`; `nozzle`, which moves down against the pump's spring and turns on its stem without limits, with
+two joints between the same links; or `button` or `lever` of a box. Joints: `nozzle_slide`, `nozzle_turn`;
+`button_slide`; `lever_hinge`. Springs return the pressed parts.
 
-What hangs on a wall comes with the tile that it hangs on. A pump takes 8 to 25 N and gives 1-2 ml a stroke of
-12-20 mm. Sizes are those of bathroom catalogues: 13-21 cm high with the pump, 62-90 mm wide, 0.2 to 0.45 l.
+A wall dispenser comes with its wall tile. A pump needs 8 to 25 N and gives 1-2 ml per stroke of 12-20 mm.
+Sizes are those of bathroom catalogs: 13-21 cm high with the pump, 62-90 mm wide, 0.2 to 0.45 l.
 """
 
 from typing import Literal
@@ -133,7 +133,7 @@ def soap_dispenser(
         ),
         steel=ag.choice("beak", "gooseneck", "bar", "swan"),
     ),
-    press: Press = ag.choice("button", "lever", doc="of a box"),
+    press: Press = ag.choice("button", "lever", doc="pressed part of a box"),
     width: ag.Float = ag.by(
         "shape",
         round=ag.uniform(0.064, 0.078),
@@ -148,14 +148,14 @@ def soap_dispenser(
         otherwise=ag.uniform(0.068, 0.080),
         unit="m",
         within=(0.058, 0.095),
-        doc="of a bottle",
+        doc="width of a bottle",
     ),
     depth: ag.Float = ag.by(
         "shape",
         oval=ag.uniform(0.56, 0.66),
         square=ag.by("style", box=1.0, otherwise=ag.uniform(0.86, 1.0)),
         otherwise=1.0,
-        doc="over the width of an oval or rectangular bottle",
+        doc="depth of an oval or rectangular bottle, as a share of its width",
         within=(0.5, 1.0),
     ),
     height: ag.Float = ag.by(
@@ -163,17 +163,21 @@ def soap_dispenser(
         cube=ag.uniform(0.080, 0.088),
         otherwise=ag.by("style", holder=ag.uniform(0.098, 0.108), otherwise=ag.uniform(0.092, 0.124)),
         unit="m",
-        doc="of a bottle up to the collar of its pump",
+        doc="height of a bottle up to the collar of its pump",
         within=(0.075, 0.13),
     ),
-    box_width: ag.Float = ag.uniform(0.074, 0.094, "m", doc="of a box", within=(0.07, 0.11)),
-    box_depth: ag.Float = ag.uniform(0.066, 0.078, "m", doc="how far a box stands out", within=(0.06, 0.09)),
-    reach: ag.Float = ag.uniform(0.042, 0.054, "m", doc="of the spout from its axis", within=(0.038, 0.07)),
-    travel: ag.Float = ag.uniform(0.012, 0.020, "m", doc="of nozzle or button", within=(0.010, 0.0202)),
-    swing: ag.Float = ag.uniform(0.20, 0.30, "rad", doc="of a lever", within=(0.1, 0.35)),
-    force: ag.Float = ag.uniform(9.0, 22.0, "N", doc="of the spring, pressed home", within=(5.0, 30.0)),
-    damping: ag.Float = ag.uniform(6.0, 12.0, "N s/m", doc="of the soap that is drawn in"),
-    turn_friction: ag.Float = ag.uniform(0.02, 0.05, "N m", doc="of the nozzle on its stem"),
+    box_width: ag.Float = ag.uniform(0.074, 0.094, "m", doc="width of a box", within=(0.07, 0.11)),
+    box_depth: ag.Float = ag.uniform(0.066, 0.078, "m", doc="depth of a box", within=(0.06, 0.09)),
+    reach: ag.Float = ag.uniform(
+        0.042, 0.054, "m", doc="reach of the spout from its axis", within=(0.038, 0.07)
+    ),
+    travel: ag.Float = ag.uniform(
+        0.012, 0.020, "m", doc="travel of nozzle or button", within=(0.010, 0.0202)
+    ),
+    swing: ag.Float = ag.uniform(0.20, 0.30, "rad", doc="angle of a pressed lever", within=(0.1, 0.35)),
+    force: ag.Float = ag.uniform(9.0, 22.0, "N", doc="spring force of the pressed part", within=(5.0, 30.0)),
+    damping: ag.Float = ag.uniform(6.0, 12.0, "N s/m", doc="damping of the soap that is drawn in"),
+    turn_friction: ag.Float = ag.uniform(0.02, 0.05, "N m", doc="friction of the nozzle on its stem"),
     finish: ag.Material = ag.by(
         "build",
         clear=ag.shades(*GLASSES, weights=GLASS_WEIGHTS, color=0.03, roughness=0.0),
@@ -192,9 +196,9 @@ def soap_dispenser(
     ),
     soap: ag.Material = ag.choice(*SOAPS, doc="contents of a clear bottle, or of the window of a box"),
     fill: ag.Float = ag.uniform(
-        0.45, 0.78, doc="to which share of its height a clear bottle is full", within=(0.2, 0.8)
+        0.45, 0.78, doc="fill level of a clear bottle, as a share of its height", within=(0.2, 0.8)
     ),
-    wall: ag.Material = ag.shades(*TILES, color=0.03, doc="the tile behind a wall dispenser"),
+    wall: ag.Material = ag.shades(*TILES, color=0.03, doc="tile behind a wall dispenser"),
     content: Content = ag.choice("soap", "hand_wash", "lotion", "dish_soap", weights=(0.4, 0.25, 0.2, 0.15)),
     print_: Print = ag.by(
         "build",

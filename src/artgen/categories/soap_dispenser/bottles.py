@@ -25,7 +25,7 @@ Shape = Literal[
 """The outline of a bottle's body."""
 
 NECK = 0.0150
-"""Radius of the upper end of a shoulder, on which the collar of a pump sits [m]."""
+"""Radius of the upper end of a shoulder, below the collar of a pump [m]."""
 
 _FORMS: dict[str, list[list[Drawn]]] = {
     "round": [
@@ -69,7 +69,7 @@ _FORMS: dict[str, list[list[Drawn]]] = {
 
 _EDGE = 0.0035  # chamfer of the foot of a blown bottle [m]
 _BLOWN: dict[str, tuple[list[Drawn], float]] = {
-    # corners of the glass form, above the foot, and the radius that rounds them; straight slopes need few
+    # corners of the glass shape, above the foot, and the radius that rounds them; straight slopes need few
     # colliders
     "round": ([(1.0, 1.0, -0.14)], 0.0040),
     "apothecary": ([(1.0, 1.0, -0.60)], 0.0095),
@@ -77,29 +77,29 @@ _BLOWN: dict[str, tuple[list[Drawn], float]] = {
     "bell": ([(0.84, 1.0, -0.42)], 0.0090),
 }
 
-_WIDEST = 0.087  # bends of a blown bottle; its colliders follow them within a millimetre [m]
+_WIDEST = 0.087  # bends of a blown bottle; its colliders follow them within a millimeter [m]
 _TOO_WIDE = (
     "colliders do not follow the bends of so wide a bottle of glass: "
     f"take a width of {_WIDEST:g} at most, shape=cone or another build"
 )
-_GLASS = 0.0028  # wall of blown and pressed glass [m]
+_GLASS = 0.0028  # wall thickness of blown and pressed glass [m]
 _FLUTES = 22
 _PUMP = 0.0068  # radius of the pump's housing in the neck [m]
-_DEEP = 0.030  # how far it reaches below the shoulder [m]
+_DEEP = 0.030  # depth of the pump's housing below the shoulder [m]
 _TUBE = 0.0023  # radius of the dip tube [m]
 
 
 @dataclass(frozen=True)
 class Sizes:
-    """Sizes of a bottle."""
+    """Dimensions of a bottle."""
 
-    width: ag.Scalar  # its width [m]
-    depth: ag.Scalar  # its depth over its width, of an oval or rectangular one
-    height: ag.Scalar  # from the table to its shoulder [m]
+    width: ag.Scalar  # width of the bottle [m]
+    depth: ag.Scalar  # depth of an oval or rectangular bottle, as a share of its width
+    height: ag.Scalar  # height from the table to the shoulder [m]
 
 
 def is_turned(shape: Shape) -> bool:
-    """Tell whether a bottle is round about its axis."""
+    """Return whether a bottle is round about its axis."""
     return shape in _FORMS or shape == "ribbed"
 
 
@@ -142,7 +142,7 @@ def opaque(shape: Shape, sizes: Sizes, finish: ag.Material) -> ag.Body:
 
 
 def _ribbed(sizes: Sizes, finish: ag.Material) -> ag.Body:
-    """Make a cylinder with upright flutes, which are only seen."""
+    """Make a cylinder with vertical flutes, which are visual only."""
     radius, height = sizes.width / 2.0, sizes.height
     steps = 6 * _FLUTES
     angles = [math.tau * step / steps for step in range(steps)]
@@ -179,7 +179,7 @@ def clear(
     fill: ag.Scalar,
     plastic: ag.Material,
 ) -> ag.Body:
-    """Make a bottle that shows its soap, with the pump's housing and tube in it: the link `body`."""
+    """Make a clear bottle with its soap and the pump's housing and tube in it: the link `body`."""
     height = sizes.height
     level = fill * height
     tube = plastic.with_(name=f"{plastic.name}_tube", density=420.0)
@@ -210,7 +210,7 @@ def clear(
         vessel = ag.part(block - hollow.at(0.0, 0.0, (height - 0.004 + floor) / 2.0), "body", glass)
         content = ag.extrude(outline(shape, sizes, _GLASS + 0.0002), level - floor - 0.0002)
         content = content.at(0.0, 0.0, (level + floor + 0.0002) / 2.0)
-    # the first part gives the link its name; where parts overlap, the first part counts
+    # the first part names the link; where parts overlap, the first part has priority
     return ag.weld(vessel, inside, ag.part(content, "soap", soap))
 
 
@@ -224,7 +224,7 @@ def blown_path(shape: Shape, sizes: Sizes) -> Path:
 
 
 def _straight(shape: Shape, sizes: Sizes) -> ag.Scalar:
-    """Return up to which height a blown bottle has no bends [m]."""
+    """Return the height up to which a blown bottle has no bends [m]."""
     corners, fillet = _BLOWN[shape]
     _, share, rest = corners[0]
     return share * sizes.height + rest * sizes.width / 2.0 - fillet
@@ -235,10 +235,10 @@ def _rounded(sizes: Sizes) -> ag.Profile:
 
 
 Content = Literal["soap", "hand_wash", "lotion", "dish_soap"]
-"""What is in a dispenser."""
+"""Contents of a dispenser."""
 
 Print = Literal["none", "word", "icon", "label"]
-"""What a bottle shows."""
+"""Print on a bottle."""
 
 WORDS: dict[Content, tuple[str, ...]] = {
     "soap": ("SOAP",),
@@ -246,16 +246,18 @@ WORDS: dict[Content, tuple[str, ...]] = {
     "lotion": ("LOTION",),
     "dish_soap": ("DISH", "SOAP"),
 }
-"""How it is said."""
+"""Words for the contents."""
 
 _ICONS: dict[Content, str] = {"soap": "drop", "hand_wash": "drop", "lotion": "leaf", "dish_soap": "dish"}
-_RUN = {"round": 1, "amphora": 1, "cone": 1, "bell": 1, "apothecary": 1}  # of the outline, with the print
-_LEVEL = {"apothecary": 0.33, "amphora": 0.60, "bell": 0.40}  # over the height; others in the middle
+# run of the outline that carries the print
+_RUN = {"round": 1, "amphora": 1, "cone": 1, "bell": 1, "apothecary": 1}
+# height of the print, as a share; other bottles have it in the middle
+_LEVEL = {"apothecary": 0.33, "amphora": 0.60, "bell": 0.40}
 PRINTED: tuple[Shape, ...] = tuple(shape for shape in get_args(Shape) if shape not in ("ribbed", "beehive"))
-"""Bottles that can be printed: not those with ribs."""
+"""Bottles for print: all except those with ribs."""
 
 LABELLED: tuple[Shape, ...] = ("round", "square", "cube", "apothecary")
-"""Bottles on which a label lies flat or around a straight wall."""
+"""Bottles with a flat or straight wall for a label."""
 
 
 def _printed(
@@ -275,7 +277,7 @@ def _printed(
         path = blown_path(shape, sizes) if clear else path_of(bottle_runs(shape, sizes)[_RUN[shape]])
         return details.wrapped(profile, path, level, material=ink, proud=proud)
     deep = half * sizes.depth
-    if shape == "oval":  # as round as an ellipse is in front
+    if shape == "oval":  # the curvature of the front of an ellipse
         round_ = half * half / deep
         path = ag.line((round_, 0.0, 0.0), (round_, 0.0, sizes.height))
         film = details.wrap(profile, path, level, proud=proud).at(0.0, round_ - deep, 0.0)

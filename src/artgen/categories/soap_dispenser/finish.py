@@ -1,7 +1,7 @@
 """Materials of soap dispensers and soaps.
 
-Bottles that hide their content have the density of the whole: soap in four fifths of the space, and walls of
-5 mm of ceramic, 1.5 mm of plastic or 0.6 mm of steel.
+Opaque bottles have the mean density of the filled bottle: soap in four fifths of the space, and walls of 5 mm
+of ceramic, 1.5 mm of plastic or 0.6 mm of steel.
 """
 
 import artgen as ag
@@ -12,7 +12,7 @@ GLASSES = known("glass", "amber_glass", "frosted_glass", "tinted_glass")
 """Clear bottles."""
 
 GLASS_WEIGHTS = (0.42, 0.30, 0.18, 0.10)
-"""How often."""
+"""Weights of `GLASSES` in a random choice."""
 
 _GLAZES = {
     "white": 3.0,
@@ -34,10 +34,10 @@ CERAMICS = (
     *weighing([ag.colored("ceramic", color) for color in _GLAZES], 1150.0, "thrown"),
     *weighing(known("marble", "green_marble", "black_granite", "granite"), 1250.0, "bored"),
 )
-"""Glazes, and stone."""
+"""Ceramic glazes, and stone."""
 
 CERAMIC_WEIGHTS = (*_GLAZES.values(), 1.2, 0.5, 0.6, 0.5)
-"""How often."""
+"""Weights of `CERAMICS` in a random choice."""
 
 _DYES = (
     "white",
@@ -54,10 +54,10 @@ _DYES = (
 )
 
 PLASTICS = weighing([ag.colored("glossy_plastic", color) for color in _DYES], 940.0, "filled")
-"""Plastics."""
+"""Plastics of opaque bottles."""
 
 PLASTIC_WEIGHTS = (3.0, 1.6, 1.0, 0.8, 0.8, 0.8, 0.8, 0.8, 0.6, 0.6, 0.5)
-"""How often."""
+"""Weights of `PLASTICS` in a random choice."""
 
 STEELS = (
     *weighing(known("stainless", "brushed_aluminium", "copper", "satin_brass"), 1000.0, "filled"),
@@ -70,7 +70,7 @@ STEELS = (
 """Drawn shells of metal."""
 
 STEEL_WEIGHTS = (3.0, 1.0, 0.6, 0.6, 1.6, 0.9, 0.8, 0.5)
-"""How often."""
+"""Weights of `STEELS` in a random choice."""
 
 METALS = weighing(
     known("stainless", "chrome", "satin_brass", "copper", "powder_coat_black", "aged_bronze"),
@@ -80,13 +80,13 @@ METALS = weighing(
 """Metal pumps with a plastic inside."""
 
 METAL_WEIGHTS = (2.4, 1.8, 1.6, 0.5, 1.8, 0.5)
-"""How often."""
+"""Weights of `METALS` in a random choice."""
 
 PUMPS = tuple(ag.colored("abs", color) for color in ("white", "black", "light_grey", "graphite"))
-"""Of plastic pumps."""
+"""Plastics of pumps."""
 
 PUMP_WEIGHTS = (2.4, 2.0, 0.6, 0.6)
-"""How often."""
+"""Weights of `PUMPS` in a random choice."""
 
 _SOAPS = {
     "clear": (0.80, 0.84, 0.86),
@@ -121,7 +121,7 @@ TILES = (
     ),
     *known("marble", "granite"),
 )
-"""Wall tiles that wall-mounted dispensers hang on."""
+"""Tiles behind wall dispensers."""
 
 _LIGHT = 0.30
 

@@ -1,6 +1,6 @@
 """Pumps of soap dispensers: the collar on a bottle, and the nozzle that is pressed down and turned.
 
-A pump stands about the z axis. Its nozzle is drawn with its underside at z = 0, and points to the front.
+A pump is about the z axis. Its nozzle is modeled with its underside at z = 0, and points to the front.
 """
 
 import math
@@ -12,8 +12,8 @@ from artgen import details
 from artgen.categories.shared.vessels.turned import Run, core, turned
 
 Nozzle = Literal["saddle", "beak", "gooseneck", "bar", "swan", "foamer"]
-"""The form of a nozzle: a moulded saddle; a beak under a cap; a bent tube; a square bar; a thin tube from a
-post with a cap; or the wide cap of a foam pump with its short beak."""
+"""Shape of a nozzle: a molded saddle; a beak under a cap; a bent tube; a square bar; a thin tube from a post
+with a cap; or the wide cap of a foam pump with its short beak."""
 
 HEAD = {
     "saddle": 0.0110,
@@ -26,14 +26,14 @@ HEAD = {
 """Height of each nozzle above its underside [m]."""
 
 COLLAR = 0.0245
-"""Height of a collar with the sleeve on it [m]."""
+"""Height of a collar with its sleeve [m]."""
 
 GAP = 0.0012
-"""Between a nozzle that is pressed home and the sleeve [m]."""
+"""Gap between a nozzle that is pressed home and the sleeve [m]."""
 
 _STEM = 0.0038  # radius of the stem [m]
-_PLAY = 0.0004  # around it [m]
-_ENGAGED = 0.0042  # how deep the stem is in the sleeve when the nozzle is up [m]
+_PLAY = 0.0004  # gap around the stem [m]
+_ENGAGED = 0.0042  # depth of the stem in the sleeve while the nozzle is up [m]
 _RIBS = 36
 _WIDE = {"foamer": 0.0200}  # radius of the collar; others have 28 mm threads
 _THREAD = 0.0165
@@ -41,16 +41,16 @@ _THREAD = 0.0165
 
 @dataclass(frozen=True)
 class PumpLooks:
-    """How a pump is made."""
+    """Finish of a pump."""
 
-    finish: ag.Material  # of collar and nozzle
-    stem: ag.Material  # of the stem
+    finish: ag.Material  # finish of collar and nozzle
+    stem: ag.Material  # material of the stem
     ribbed: bool  # whether the collar has ribs for fingers
-    ink: ag.Material | None = None  # print on it; None for none
+    ink: ag.Material | None = None  # material of the print; None for no print
 
 
 def collar(nozzle: Nozzle, low: ag.Scalar, looks: PumpLooks) -> ag.Body:
-    """Make the collar that is screwed on a neck, with the sleeve in which the stem slides."""
+    """Make the collar on a neck, with the sleeve in which the stem slides."""
     radius = _WIDE.get(nozzle, _THREAD)
     neck = 0.0105 if nozzle != "foamer" else 0.0150
     top = low + COLLAR
@@ -93,7 +93,7 @@ def nozzle_body(kind: Nozzle, *, reach: ag.Scalar, travel: ag.Scalar, looks: Pum
 
 
 def _spout(stations: list[tuple[ag.Scalar, float, float, float]]) -> ag.Solid:
-    """Make a spout to the front of rounded sections: distance before the axis, width, height, middle's z."""
+    """Make a spout to the front of rounded sections: distance from the axis, width, height, z of the middle."""
     plans = [
         ag.rectangle(wide, high, radius=0.42 * min(wide, high)).at(0.0, level)
         for _, wide, high, level in stations
@@ -104,7 +104,7 @@ def _spout(stations: list[tuple[ag.Scalar, float, float, float]]) -> ag.Solid:
 def _mouth(
     at: tuple[ag.Scalar, ag.Scalar], radius: float, finish: ag.Material, long: float = 0.004
 ) -> ag.Body:
-    """Make the short pipe at the end of a spout, that looks down."""
+    """Make the short downward pipe at the end of a spout."""
     y, z = at
     return ag.part(
         ag.cylinder_between((0.0, y, z - long), (0.0, y, z), radius, bevel=0.0004), "nozzle", finish
@@ -130,14 +130,14 @@ def _saddle(reach: ag.Scalar, looks: PumpLooks) -> list[ag.Body]:
         ag.part(hub, "nozzle", looks.finish),
         _mouth((-reach + 0.0032, 0.0016), 0.0027, looks.finish, 0.003),
     ]
-    if looks.ink is not None:  # which way it is locked
+    if looks.ink is not None:  # direction of locking
         arrow = details.icon("repeat", 0.0065)
         bodies.append(details.printed(arrow, (0.0, 0.0, 0.0104), material=looks.ink, facing=ag.Z))
     return bodies
 
 
 def _cap_runs(radius: float, low: float, high: float) -> list[Run]:
-    """Return the outline of a round cap with soft edges and a top that is a little domed."""
+    """Return the outline of a round cap with soft edges and a slightly domed top."""
     return [
         [(radius - 0.0006, low), (radius, low + 0.0008)],
         [(radius, low + 0.0008), (radius, high - 0.0024)],
@@ -268,7 +268,7 @@ def pump_slide(
     damping: ag.Scalar,
     axis: tuple[float, float, float] = (0.0, 0.0, -1.0),
 ) -> ag.Joint:
-    """Make the joint of the part that is pressed against the spring of a pump."""
+    """Make the joint of the pressed part, against the spring of a pump."""
     preload = 0.35 * force  # the spring of a lotion pump starts at a third of its force
     stiffness = (force - preload) / travel
     return ag.Prismatic(
@@ -278,14 +278,14 @@ def pump_slide(
         stiffness=stiffness,
         rest=-preload / stiffness,
         damping=damping,
-        friction=0.5,  # of the piston's lips
-        armature=0.03,  # the soap in the pump
+        friction=0.5,  # friction of the piston's lips
+        armature=0.03,  # inertia of the soap in the pump
         effort=40.0,
     )
 
 
 def nozzle_turn(friction: ag.Scalar) -> ag.Joint:
-    """Make the joint by which a nozzle turns on its stem, without end."""
+    """Make the joint by which a nozzle turns on its stem, without limits."""
     return ag.Revolute(
         "nozzle_turn", axis=ag.Z, friction=friction, damping=0.001, armature=0.00001, effort=0.6
     )

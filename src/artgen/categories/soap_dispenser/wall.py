@@ -1,4 +1,4 @@
-"""Soap dispensers on a wall: the tile that they hang on, a bottle in a holder, a box with a button or lever.
+"""Soap dispensers on a wall: their tile, a bottle in a holder, or a box with a button or lever.
 
 The front of the tile is the plane y = 0; parts on it protrude to -y.
 """
@@ -9,26 +9,26 @@ import artgen as ag
 from artgen import details
 
 Press = Literal["button", "lever"]
-"""What a hand presses on a box: a panel that slides in, or one that swings in about its upper edge."""
+"""Pressed part of a box: a panel that slides in, or a panel hinged at its upper edge."""
 
 TILE = 0.009
 """Thickness of the tile [m]."""
 
-_HIGH = 0.205  # of the tile [m]
-_RIM = 0.0022  # how much wider a tray is than its bottle [m]
+_HIGH = 0.205  # height of the tile [m]
+_RIM = 0.0022  # difference between the radii of a tray and its bottle [m]
 TRAY = 0.016
-"""Height of the tray that a bottle stands on [m]."""
+"""Height of the tray under a bottle [m]."""
 
-_BOX = (0.092, 0.196)  # heights of the box [m]
-_PUMP = 0.048  # where the block below it ends [m]
-_BLOCK = 0.030  # how far the block stands out [m]
+_BOX = (0.092, 0.196)  # heights of the lower and upper end of the box [m]
+_PUMP = 0.048  # height of the lower end of the block below the box [m]
+_BLOCK = 0.030  # distance of the front of the block from the tile [m]
 _CHEEK = 0.0040
-_PLAY = 0.0010  # of the panel between the cheeks [m]
-_THICK = 0.0060  # of the panel [m]
+_PLAY = 0.0010  # gap between the panel and the cheeks [m]
+_THICK = 0.0060  # thickness of the panel [m]
 
 
 def tile(wide: ag.Scalar, finish: ag.Material) -> ag.Body:
-    """Make the tile of a wall, which stands on z = 0."""
+    """Make the wall tile, from z = 0 up."""
     slab = ag.box_between((-0.5 * wide, 0.0, 0.0), (0.5 * wide, TILE, _HIGH), bevel=0.0012)
     return ag.part(slab, "tile", finish)
 
@@ -39,7 +39,7 @@ def holder(radius: ag.Scalar, out: ag.Scalar, ring_at: ag.Scalar, metal: ag.Mate
     arm = ag.box_between((-0.008, -out, TRAY - 0.0055), (0.008, -0.001, TRAY - 0.0015), bevel=0.0008)
     disc = ag.cylinder_between((0.0, -out, TRAY - 0.0035), (0.0, -out, TRAY), radius + _RIM, bevel=0.0010)
     line = ag.rectangle(_RIM + 0.0002, 0.010, radius=0.0008).at(radius + 0.5 * _RIM - 0.0001, ring_at)
-    band = ag.bounding_collider(ag.revolve(line, sides=28)).at(0.0, -out, 0.0)  # the bottle fills it
+    band = ag.bounding_collider(ag.revolve(line, sides=28)).at(0.0, -out, 0.0)  # the bottle fills the band
     strut = ag.box_between(
         (-0.006, radius - out, ring_at - 0.004), (0.006, -0.001, ring_at + 0.004), bevel=0.0008
     )
@@ -146,7 +146,7 @@ def panel(
         ag.part(sheet, press, finish, push=ag.push_on(sheet, direction=ag.Y, at=(0.0, 0.0, foot + 0.016)))
     ]
     back = front + _THICK
-    # pressed home, a button's stub stays off the block of the pump
+    # pressed home, the stub of a button is clear of the block of the pump
     out = ag.min_(0.009, -_BLOCK - 0.0002 - travel - back) if press == "button" else 0.009
     stub = ag.cylinder_between((0.0, back - 0.001, low - 0.016), (0.0, back + out, low - 0.016), 0.0050)
     bodies.append(ag.part(stub, press, ag.material("polypropylene")))
