@@ -140,7 +140,7 @@ class Panel:
         ]
 
     def _scale(self, number: int, ink: ag.Material) -> ag.Body:
-        """Print the scale of a dial: fan signs for the oven's first dial, temperatures, or burner settings."""
+        """Print the scale of a dial: fan signs for the oven's first dial, temperatures, or burner levels."""
         last = self.dials - self.burners
         sweep = SWEEP - _START
         of_oven = number >= self.burners

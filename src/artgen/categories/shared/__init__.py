@@ -6,7 +6,7 @@ import artgen as ag
 
 
 def recycling(size: ag.Scalar) -> ag.Profile:
-    """Make three arrows that chase each other around a triangle, about the origin."""
+    """Make the recycling sign about the origin: three arrows around a triangle."""
     unit = ag.polygon(
         [(-0.16, 0.30), (-0.16, 0.44), (0.14, 0.44), (0.14, 0.54), (0.34, 0.37), (0.14, 0.20), (0.14, 0.30)]
     )

@@ -1,4 +1,4 @@
-"""What leaves, frames and hardware are made of, and the materials that derive from a finish."""
+"""Materials of leaves, frames and hardware, and materials derived from a finish."""
 
 from collections.abc import Sequence
 
@@ -6,7 +6,7 @@ import artgen as ag
 
 
 def known(*names: str) -> tuple[ag.Material, ...]:
-    """Return the materials of those names that the table has."""
+    """Return the library materials with these names."""
     return tuple(ag.MATERIALS[name] for name in names if name in ag.MATERIALS)
 
 
@@ -22,19 +22,19 @@ _HARDWARE = {
 }
 
 FINISHES = known(*_HARDWARE)
-"""What door hardware is sold in."""
+"""Finishes of door hardware."""
 
 FINISH_WEIGHTS = tuple(_HARDWARE[finish.name] for finish in FINISHES)
-"""How often."""
+"""Weights of `FINISHES` in a random choice."""
 
 
 def casting(finish: ag.Material, share: float = 0.35) -> ag.Material:
-    """Return the material of a hollow casting, a moulding or a tube with the looks of a finish."""
+    """Return the material of a hollow casting, a molding or a tube with the appearance of a finish."""
     return finish.with_(name=f"{finish.name}_hollow_{round(100 * share)}", density=share * finish.density)
 
 
 def recess(finish: ag.Material) -> ag.Material:
-    """Return the material of slots and holes in a finish, which look dark."""
+    """Return the dark material of slots and holes in a finish."""
     return finish.with_(
         name=f"{finish.name}_recess",
         base_color=(0.02, 0.02, 0.02),
@@ -49,7 +49,7 @@ def recess(finish: ag.Material) -> ag.Material:
 
 
 def weighing(materials: Sequence[ag.Material], density: float, prefix: str) -> tuple[ag.Material, ...]:
-    """Return materials of another density [kg/m3], such as veneers on a light core, under other names."""
+    """Return materials with another density [kg/m3] and name, for example veneers on a light core."""
     return tuple(each.with_(name=f"{prefix}_{each.name}", density=density) for each in materials)
 
 
@@ -60,7 +60,7 @@ def across(finish: ag.Material) -> ag.Material:
     return finish.with_(name=f"{finish.name}_across", turned=not finish.turned)
 
 
-# Linear colors of paints, and how often rooms and entrances have them.
+# linear colors of paints, with their weights for rooms and for entrances
 _PAINTS: dict[str, tuple[tuple[float, float, float], float, float]] = {
     "white": ((0.80, 0.79, 0.76), 5.0, 1.5),
     "ivory": ((0.74, 0.69, 0.58), 1.5, 0.5),
@@ -86,11 +86,11 @@ _SPRAYED = (
     "grey",
     "dove",
     "teal",
-)  # factory finishes; a brush leaves marks in the others
+)  # factory finishes; brushes leave marks in other paints
 
 
 def paints(density: float, prefix: str) -> tuple[ag.Material, ...]:
-    """Return the paints over a wood of some density [kg/m3], under names that begin with the prefix."""
+    """Return the paints over a wood of some density [kg/m3], with names that begin with the prefix."""
     base = ag.material("painted_wood")
     return tuple(
         base.with_(
@@ -104,7 +104,7 @@ def paints(density: float, prefix: str) -> tuple[ag.Material, ...]:
 
 
 INDOORS = tuple(inside for _, inside, _ in _PAINTS.values())
-"""How often rooms have each of the paints."""
+"""Weights of the paints in rooms."""
 
 OUTDOORS = tuple(outside for _, _, outside in _PAINTS.values())
-"""How often entrances have each of the paints."""
+"""Weights of the paints on entrances."""

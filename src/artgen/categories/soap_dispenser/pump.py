@@ -93,7 +93,7 @@ def nozzle_body(kind: Nozzle, *, reach: ag.Scalar, travel: ag.Scalar, looks: Pum
 
 
 def _spout(stations: list[tuple[ag.Scalar, float, float, float]]) -> ag.Solid:
-    """Make a spout to the front of rounded sections: distance from the axis, width, height, z of the middle."""
+    """Make a spout of rounded sections to the front: distance from the axis, width, height, middle's z."""
     plans = [
         ag.rectangle(wide, high, radius=0.42 * min(wide, high)).at(0.0, level)
         for _, wide, high, level in stations

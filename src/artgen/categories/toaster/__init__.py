@@ -1,14 +1,14 @@
-"""A toaster: its lever takes the bread down on a carriage, against a spring.
+"""A toaster: its lever moves the bread down on a carriage, against a spring.
 
-The body is built with its slots along y and its controls at the end that looks to the viewer; with the
-controls on a broad side it is turned by a quarter.
+The body is built with its slots along y and its controls at the end that faces the viewer; with the controls
+on a broad side it is rotated by 90 degrees.
 
-Links: `body`; `lever`, or `lever_left` and `lever_right`, each one with its carriage in the slots;
-`crumb_tray`; `button`, or `button_0`, `button_1`, ...; `knob`, or `knob_left` and `knob_right`. Joints:
-`lever_slide`, `crumb_tray_slide`, `button_slide`, `knob_turn`, with the same endings. A toaster has one or
-two long slots, or one, two or four short ones.
+Links: `body`; `lever`, or `lever_left` and `lever_right`, each with its carriage in the slots; `crumb_tray`;
+`button`, or `button_0`, `button_1`, ...; `knob`, or `knob_left` and `knob_right`. Joints: `lever_slide`,
+`crumb_tray_slide`, `button_slide`, `knob_turn`, with the same suffixes. A toaster has one or two long slots,
+or one, two or four short slots.
 
-No magnet holds a lever down, since there is no power: it comes up again. Sizes are those of household
+Without power, no magnet holds a pressed lever down: its spring lifts it again. Sizes are those of household
 toasters: slots 25-40 mm wide, 14-16 cm long for one slice or 24 cm for two.
 """
 
@@ -55,7 +55,7 @@ from artgen.categories.toaster.shell import Cuts, ShellLooks, back_print, shell,
 _QUARTER = math.pi / 2.0
 _NO_ROOM = "the controls have no room: raise height or shoulder, or lower buttons"
 _ENDS_APART: tuple[BodyStyle, ...] = ("steel", "classic")  # styles with ends of another material
-_FLAT_SIDES: tuple[BodyStyle, ...] = ("box", "steel")  # which may have controls
+_FLAT_SIDES: tuple[BodyStyle, ...] = ("box", "steel")  # styles whose broad sides may have controls
 
 
 @ag.category(
@@ -93,7 +93,7 @@ def toaster(
         "style",
         rounded=ag.choice(1, 2, 4, weights=(0.14, 0.46, 0.40)),
         retro=ag.choice(1, 2, 4, weights=(0.06, 0.52, 0.42)),
-        classic=ag.choice(1, 2, 4, weights=(0.06, 0.42, 0.52)),  # which cafes have
+        classic=ag.choice(1, 2, 4, weights=(0.06, 0.42, 0.52)),  # cafe toasters
         otherwise=ag.choice(1, 2, 4, weights=(0.18, 0.40, 0.42)),
     ),
     slot_size: Literal["short", "long"] = ag.by(
@@ -103,12 +103,12 @@ def toaster(
             2: ag.choice("short", "long", weights=(0.75, 0.25)),
             4: "short",
         },
-        doc="for one slice, or for two in a row",
+        doc="whether slots take two slices in a row",
     ),
     levers: int = ag.by(
         "slots",
         {1: 1, 2: ag.by("slot_size", short=1, long=ag.choice(1, 2)), 4: ag.choice(1, 2, weights=(0.3, 0.7))},
-        doc="two lift one half of the slots each",
+        doc="number of levers; each of two lifts one half of the slots",
     ),
     controls: Literal["end", "side"] = ag.by(
         "levers",
@@ -130,16 +130,14 @@ def toaster(
             2: "below",
         },
     ),
-    hand: Literal["left", "right"] = ag.choice(
-        "left", "right", doc="side of a lever that has dials beside it"
-    ),
+    hand: Literal["left", "right"] = ag.choice("left", "right", doc="side of a lever with dials beside it"),
     length: ag.Float = ag.by(
         "slot_size",
         short=ag.uniform(0.256, 0.29),
         long=ag.uniform(0.345, 0.375),
         unit="m",
         within=(0.25, 0.42),
-        doc="of the body along the slots",
+        doc="length of the body along the slots",
     ),
     height: ag.Float = ag.by(
         "layout",
@@ -162,13 +160,13 @@ def toaster(
         unit="m",
         within=(0.024, 0.045),
     ),
-    bridge: ag.Float = ag.uniform(0.026, 0.032, "m", doc="between two slots", within=(0.024, 0.05)),
+    bridge: ag.Float = ag.uniform(0.026, 0.032, "m", doc="gap between two slots", within=(0.024, 0.05)),
     shoulder: ag.Float = ag.by(
         "slots",
         {1: ag.uniform(0.064, 0.072), 2: ag.uniform(0.040, 0.048), 4: ag.uniform(0.036, 0.042)},
         unit="m",
         within=(0.034, 0.08),
-        doc="from the outer slots to the sides",
+        doc="distance from the outer slots to the sides",
     ),
     foot: ag.Float = ag.uniform(0.008, 0.011, "m", doc="height of the feet", within=(0.007, 0.02)),
     finish: ag.Material = SLEEVES,
@@ -198,7 +196,7 @@ def toaster(
         within=(0.05, 0.092),
     ),
     lever_force: ag.Float = ag.uniform(
-        12.0, 24.0, "N", doc="of the spring at the bottom", within=(8.0, 40.0)
+        12.0, 24.0, "N", doc="force of the spring at the bottom", within=(8.0, 40.0)
     ),
     lever_damping: ag.Float = ag.uniform(10.0, 16.0, "N s/m"),
     knobs: int = ag.by(
@@ -206,14 +204,14 @@ def toaster(
     ),
     buttons: int = ag.by(
         "knobs",
-        {0: ag.choice(2, 3, 4)},  # which choose the browning
+        {0: ag.choice(2, 3, 4)},  # dials that set the browning
         otherwise=ag.choice(0, 1, 2, 3, 4, weights=(0.12, 0.2, 0.18, 0.28, 0.22)),
     ),
     button_shape: ButtonShape = ag.choice("round", "square", "pill", "bar", weights=(0.45, 0.25, 0.15, 0.15)),
     button_force: ag.Float = ag.uniform(2.0, 4.0, "N", within=(1.0, 8.0)),
     knob_style: DialStyle = ag.choice("round", "fluted", "bar", "skirted", "capped"),
     knob_radius: ag.Float = ag.uniform(0.0135, 0.0165, "m", within=(0.012, 0.017)),
-    knob_friction: ag.Float = ag.uniform(0.03, 0.06, "N m", doc="of its detents"),
+    knob_friction: ag.Float = ag.uniform(0.03, 0.06, "N m", doc="friction of the knob's detents"),
     scale: Scale = ag.choice("numbers", "ticks", "band", weights=(0.5, 0.25, 0.25)),
     tray: TrayWay = ag.by("style", retro="back", otherwise=ag.choice("back", "side", weights=(0.75, 0.25))),
     tray_friction: ag.Float = ag.uniform(1.0, 3.0, "N"),
@@ -265,7 +263,7 @@ def toaster(
         trim=metal,
         piping=metal if style == "retro" else None,
     )
-    # the shell lies with its slots along y until it is turned
+    # the shell has its slots along y until it is rotated
     opening = front.opening().rotate(ag.Z, -_QUARTER) if is_side else front.opening()
     cuts = Cuts(
         front=None if is_side else opening,
@@ -283,7 +281,7 @@ def toaster(
     base = base.attach(drawer.body(hollow(grip)), drawer.slide(tray_friction))
     body = ag.weld(base.rotate(ag.Z, _QUARTER) if is_side else base, front.plate())
 
-    share = slots // levers  # of the slots, for each lever
+    share = slots // levers  # number of slots per lever
     for number, at in enumerate(site.arms):
         middles = plan.middles[number * share : (number + 1) * share]
         tail = ("_left", "_right")[number] if levers > 1 else ""
@@ -307,11 +305,12 @@ def _cord(
 ) -> ag.Body:
     """Make the cord, which leaves at the back and lies behind the body, with the slots along y."""
     height, length = plan.foot + 0.032, 0.125
-    if controls == "side":  # a quarter turn takes the wall at x to the back, and the bay to the right
+    # a rotation by 90 degrees moves the wall at x to the back, and the bay to the right
+    if controls == "side":
         cord = mains_cord(height=height, length=length, side=-1).rotate(ag.Z, -_QUARTER)
         return cord.at(plan.width / 2 - plan.inset, plan.bay, height)
     way = 1 if cord_side == "right" else -1
-    # a plug on the floor would lie in the way of a tray at the back
+    # a plug on the floor would block a tray at the back
     plugged = tray != "back"
     cord = mains_cord(height=height, length=length, side=-way) if plugged else cord_stub(height=height)
     return cord.at(way * (plan.width / 2 - 0.018), plan.length / 2, height)

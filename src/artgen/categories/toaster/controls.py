@@ -1,6 +1,7 @@
 """The control panel of a toaster: a plate with slits for levers, holes for buttons, and dials on it.
 
-It stands in the finished toaster, looking to -y. Its controls are named by heights and by x from its middle.
+The panel is modeled in its final pose and faces -y. Heights and x from its middle give the positions of its
+controls.
 """
 
 from dataclasses import dataclass
@@ -22,38 +23,38 @@ from artgen.categories.toaster.inside import ARM, slit
 from artgen.categories.toaster.plan import Plan
 
 Layout = Literal["beside", "below"]
-"""Whether dials and buttons are beside the lever, or dials below levers with buttons about them."""
+"""Arrangement: dials and buttons beside the lever, or dials below levers with buttons around them."""
 
 Scale = Literal["numbers", "ticks", "band"]
-"""What is printed around a dial."""
+"""Print around a dial."""
 
-_RECESS = 0.001  # how far the panel lies behind the face of the shell [m]
+_RECESS = 0.001  # depth of the panel behind the face of the shell [m]
 _CAP = 0.012  # width of a button [m]
-_TRAVEL = 0.003  # how far a button is pressed [m]
-_THICK = 0.005  # of the panel [m]
-_LAP = 0.001  # how far its rim reaches into the shell [m]
-_PITCH = 0.0168  # of buttons: a finger of 18 mm stays clear of the next one [m]
-_OVER = 0.012  # from the lower edge to a dial, room for its print [m]
-_UNDER = 0.014  # from the upper edge to the arm of a lever at rest [m]
-_FINGERS = 0.020  # around a dial, for fingers that turn it [m]
-_NEAREST = 0.045  # how far from the middle a lever stands at most that has controls beside it [m]
+_TRAVEL = 0.003  # travel of a button [m]
+_THICK = 0.005  # thickness of the panel [m]
+_LAP = 0.001  # overlap of the rim with the shell [m]
+_PITCH = 0.0168  # pitch of buttons: a finger of 18 mm is clear of the next button [m]
+_OVER = 0.012  # distance from the lower edge to a dial, for its print [m]
+_UNDER = 0.014  # distance from the upper edge to the arm of a lever at rest [m]
+_FINGERS = 0.020  # space for fingers around a dial [m]
+_NEAREST = 0.045  # largest distance from the middle to a lever with controls beside it [m]
 _BESIDE = 0.045  # gap between the arm of a lever and its neighbor [m]
 _ICONS = ("cross", "bagel", "defrost", "steam")  # cancel, one side only, frozen bread, reheat
 
 
 @dataclass(frozen=True)
 class Site:
-    """Where a panel is."""
+    """Position and arrangement of a panel."""
 
-    middle: ag.Scalar  # where its middle is along x [m]
-    plane: ag.Scalar  # where its face is along y [m]
-    low: ag.Scalar  # height of its lower edge [m]
-    high: ag.Scalar  # height of its upper edge [m]
-    half: ag.Scalar  # half of its width [m]
-    deep: ag.Scalar  # how deep its opening is cut into the shell [m]
-    layout: Layout  # how its controls are arranged
-    levers: tuple[ag.Scalar, ...]  # where the arms of levers are, along x from its middle [m]
-    lean: int  # 1 for a neighbor right of the lever, -1 for one left of it
+    middle: ag.Scalar  # position of the middle along x [m]
+    plane: ag.Scalar  # position of the face along y [m]
+    low: ag.Scalar  # height of the lower edge [m]
+    high: ag.Scalar  # height of the upper edge [m]
+    half: ag.Scalar  # half of the width [m]
+    deep: ag.Scalar  # depth of the opening in the shell [m]
+    layout: Layout  # arrangement of the controls
+    levers: tuple[ag.Scalar, ...]  # positions of the arms of levers along x, from the middle of the panel [m]
+    lean: int  # 1 for a neighbor to the right of the lever, -1 for a neighbor to the left
 
     @cached_property
     def rest(self) -> ag.Scalar:
@@ -62,7 +63,7 @@ class Site:
 
     @cached_property
     def arms(self) -> list[ag.Vector]:
-        """Where the arms of levers pass through the face."""
+        """Positions at which the arms of levers pass through the face [m]."""
         return [ag.vector(self.middle + x, self.plane, self.rest) for x in self.levers]
 
 
@@ -90,7 +91,7 @@ def end_site(plan: Plan, levers: int, layout: Layout, lean: int) -> Site:
 
 
 def side_site(plan: Plan) -> Site:
-    """Place the panel on a broad side, so that its lever, on the right, is before the bay."""
+    """Place the panel on a broad side, with its lever, on the right, in front of the bay."""
     half = 0.060
     lever = half - 0.022
     return Site(
@@ -108,56 +109,56 @@ def side_site(plan: Plan) -> Site:
 
 @dataclass(frozen=True)
 class PanelLooks:
-    """What the panel and its controls are made of."""
+    """Materials and styles of the panel and its controls."""
 
-    plate: ag.Material  # the panel
-    ink: ag.Material  # print on it
-    button: ag.Material  # the buttons
-    button_ink: ag.Material  # print on them
-    dial: ag.Material  # the dials
-    mark: ag.Material  # the marks of dials
-    metal: ag.Material  # caps of dials and plates around buttons
-    shape: ButtonShape  # form of the buttons
-    style: DialStyle  # form of the dials
-    scale: Scale  # print around them
-    maker: str  # brand on the panel
+    plate: ag.Material  # material of the panel
+    ink: ag.Material  # print on the panel
+    button: ag.Material  # material of the buttons
+    button_ink: ag.Material  # print on the buttons
+    dial: ag.Material  # material of the dials
+    mark: ag.Material  # material of the marks of dials
+    metal: ag.Material  # metal of caps of dials and plates around buttons
+    shape: ButtonShape  # shape of the buttons
+    style: DialStyle  # shape of the dials
+    scale: Scale  # print around the dials
+    maker: str  # brand name on the panel
 
 
 @dataclass(frozen=True)
 class Panel:
-    """What is on the panel."""
+    """A control panel."""
 
-    site: Site  # where it is
-    travel: ag.Scalar  # how far levers go down [m]
-    knobs: int  # how many dials there are
-    buttons: int  # how many buttons there are
-    radius: ag.Scalar  # of the dials [m]
-    looks: PanelLooks  # its material
+    site: Site  # position and arrangement of the panel
+    travel: ag.Scalar  # travel of the levers [m]
+    knobs: int  # number of dials
+    buttons: int  # number of buttons
+    radius: ag.Scalar  # radius of the dials [m]
+    looks: PanelLooks  # materials and styles
 
     @cached_property
     def _aside(self) -> ag.Scalar:
-        """Where dials and buttons are that stand beside a lever."""
+        """Position of dials and buttons beside a lever, along x [m]."""
         return self.site.lean * (ag.min_(self.site.half, _NEAREST + 0.030) - self.radius - 0.010)
 
     @cached_property
     def _dial(self) -> ag.Scalar:
-        """Height of the dials."""
+        """Height of the dials [m]."""
         return self.site.low + self.radius + _OVER
 
     def _dials(self) -> list[tuple[ag.Scalar, ag.Scalar]]:
-        """Return where the dials are, or the display that stands for them."""
+        """Return the positions of the dials, or of the display that replaces them."""
         if self.site.layout == "beside":
             return [(self._aside, self._dial)]
         return [(x, self._dial) for x in self.site.levers]
 
     @cached_property
     def _keys(self) -> list[tuple[ag.Scalar, ag.Scalar]]:
-        """Where the buttons are."""
+        """Return the positions of the buttons."""
         numbers = range(self.buttons)
         if self.site.layout == "beside":
             first = self._dial + self.radius + _FINGERS
             return [(self._aside, first + number * _PITCH) for number in numbers]
-        if len(self.site.levers) > 1:  # a column between them
+        if len(self.site.levers) > 1:  # a column between the levers
             first = self._dial + 0.030
             return [(0.0, first + number * _PITCH) for number in numbers]
         aside = self.radius + 0.022  # at both sides of the dial
@@ -165,11 +166,11 @@ class Panel:
         return [((2 * (number % 2) - 1) * aside, rows[number // 2]) for number in numbers]
 
     def fits(self) -> ag.Bool | bool:
-        """Tell whether buttons end below the upper edge, within the sides, and clear of a lever beside."""
+        """Return whether buttons are below the upper edge, within the sides, and clear of a lever."""
         site, top = self.site, self._keys[-1][1] if self._keys else self._dial
         below = top + _CAP / 2 < site.high
         if site.layout != "beside":
-            out = -self._keys[0][0] if self._keys else 0.0  # the first one is at the left
+            out = -self._keys[0][0] if self._keys else 0.0  # the first button is at the left
             return below & (out + _CAP / 2 + PLAY < site.half)
         return below & (site.lean * (self._aside - site.levers[0]) > _BESIDE)
 
@@ -177,14 +178,14 @@ class Panel:
         return ag.vector(self.site.middle + place[0], self.site.plane, place[1])
 
     def opening(self) -> ag.Solid:
-        """Return the tool that cuts the panel's opening into the shell."""
+        """Return the cutter for the panel's opening in the shell."""
         site = self.site
         front, back = site.plane - 0.005, site.plane + site.deep
         tool = ag.box(2 * site.half, back - front, site.high - site.low)
         return tool.at(site.middle, 0.5 * (front + back), 0.5 * (site.low + site.high))
 
     def _outline(self) -> ag.Profile:
-        """Return the outline of the plate, about its middle, at its heights."""
+        """Return the outline of the plate, about its middle in x, at its heights."""
         site = self.site
         tall = site.high - site.low + 2 * _LAP
         plate = ag.rectangle(2 * (site.half + _LAP), tall).at(0.0, 0.5 * (site.low + site.high))
@@ -196,7 +197,7 @@ class Panel:
         return plate
 
     def plate(self) -> ag.Body:
-        """Make the panel with its print, to be welded to the shell."""
+        """Make the panel with its print, which is welded to the shell."""
         looks, site = self.looks, self.site
         at = ag.vector(site.middle, site.plane + _THICK / 2, 0.0)
         solid = details.relief(self._outline(), at, proud=_THICK / 2, sunk=_THICK / 2)
@@ -219,7 +220,7 @@ class Panel:
         return ag.weld(*bodies)
 
     def _shields(self) -> ag.Body:
-        """Make the dark brushes behind slits, at both sides of the arms that pass; only seen."""
+        """Make the dark brushes behind slits, at both sides of the passing arms, visual only."""
         wide = 0.0063
         strip = ag.box(wide, 0.001, self.travel + 0.022)
         level, out = self.site.rest - self.travel / 2, ARM[0] / 2 + 0.0002 + wide / 2
@@ -231,7 +232,7 @@ class Panel:
         return ag.detail(ag.array(strip, at=at), "control_panel", recess(self.looks.plate))
 
     def attached(self, body: ag.Body, force: ag.Scalar, friction: ag.Scalar) -> ag.Body:
-        """Attach buttons and dials to a body that has the panel."""
+        """Attach buttons and dials to the body with the panel."""
         looks = self.looks
         for number, key in enumerate(self._keys):
             tail, at = f"_{number}" if self.buttons > 1 else "", self._at(key)

@@ -1,4 +1,4 @@
-"""What toasters are made of: sleeves and ends by the style of the body, grips, dials and inks."""
+"""Materials of toasters: sleeves and ends by the style of the body, grips, dials and inks."""
 
 from typing import Any
 
@@ -6,9 +6,9 @@ import artgen as ag
 from artgen.materials import COLORS
 
 _HEAVY = 2000.0  # density above which a material is a metal [kg/m3]
-_SHEET = 1900.0  # 0.6 mm of steel, drawn 2.5 mm thick [kg/m3]
-_LINED = 1.45  # weight of a wall of plastic with its ribs and a liner of tin, as a share of full plastic
-_HOLLOW = 560.0  # density of moulded or pressed ends with the parts behind them, drawn solid [kg/m3]
+_SHEET = 1900.0  # density for 0.6 mm of steel, modeled 2.5 mm thick [kg/m3]
+_LINED = 1.45  # mass of a plastic wall with its ribs and a tin liner, as a share of solid plastic
+_HOLLOW = 560.0  # density of molded or pressed ends with the parts behind them, modeled as solids [kg/m3]
 
 _STEELS = (
     ag.material("stainless"),
@@ -48,18 +48,18 @@ SLEEVES: Any = ag.by(
     classic=ag.shades(
         *_SLEEVES, *_STEELS[:1], weights=(1.2, 1.2, 1.2, 1.1, 0.8, 0.7, 0.7, 0.6, 2.0), color=0.05
     ),
-    doc="finish of the sleeve; of the whole body where it is of one piece",
+    doc="finish of the sleeve, or of a one-piece body",
 )
-"""The finish of the sleeve, by the parameter `style`."""
+"""Finish of the sleeve, by the parameter `style`."""
 
 
 ENDS: Any = ag.by(
     "style",
     steel=ag.shades(*_DARK_ENDS, *_LIGHT_ENDS, weights=(3.0, 1.2, 1.2, 0.8, 0.8, 0.5), color=0.04),
     otherwise=ag.shades("brushed_aluminium", "stainless", "chrome", weights=(1.5, 1.5, 0.6), color=0.03),
-    doc="of the ends of a steel or classic body",
+    doc="finish of the ends of a steel or classic body",
 )
-"""The finish of the ends by the parameter `style`, where they are of another material."""
+"""Finish of ends with another material than the sleeve, by the parameter `style`."""
 
 
 METALS: Any = ag.by(
@@ -67,9 +67,9 @@ METALS: Any = ag.by(
     retro=ag.shades("chrome", "satin_brass", weights=(0.85, 0.15), color=0.03),
     classic=ag.shades("stainless", "chrome", color=0.03),
     otherwise=ag.shades("stainless", "chrome", "powder_coat_black", weights=(0.5, 0.3, 0.2), color=0.03),
-    doc="of the trim around the slots and of caps",
+    doc="metal of the trim around the slots and of caps",
 )
-"""The metal of trim, caps and inlays, by the parameter `style`."""
+"""Metal of trim, caps and inlays, by the parameter `style`."""
 
 
 GRIPS: Any = ag.by(
@@ -86,9 +86,9 @@ GRIPS: Any = ag.by(
         ag.colored("abs", "white"),
         weights=(3.0, 1.5, 0.8, 1.2, 0.7),
     ),
-    doc="of levers and dials",
+    doc="material of levers and dials",
 )
-"""The material of levers and dials, by the parameter `style`."""
+"""Material of levers and dials, by the parameter `style`."""
 
 
 KEYS: Any = ag.shades(
@@ -96,30 +96,30 @@ KEYS: Any = ag.shades(
     "stainless",
     ag.colored("abs", "light_grey"),
     "glossy_plastic_white",
-    doc="of the buttons",
+    doc="material of the buttons",
 )
-"""The material of buttons."""
+"""Material of buttons."""
 
 
 def sheet(finish: ag.Material, share: float = 1.0) -> ag.Material:
-    """Return a finish with the weight of the thin wall that it is."""
+    """Return a finish with the density for the real, thinner wall."""
     density = share * (_SHEET if finish.density > _HEAVY else _LINED * finish.density)
     return finish.with_(name=f"{finish.name}_sheet", density=density)
 
 
 def hollow(finish: ag.Material) -> ag.Material:
-    """Return a finish with the weight of a hollow moulding or pressing."""
+    """Return a finish with the density of a hollow molding or pressing."""
     return finish.with_(name=f"{finish.name}_hollow", density=_HOLLOW)
 
 
 def is_dark(finish: ag.Material) -> bool:
-    """Tell whether light print is read better on a finish."""
+    """Return whether light print has more contrast on a finish."""
     red, green, blue = finish.base_color
     return 0.2126 * red + 0.7152 * green + 0.0722 * blue < 0.22
 
 
 def ink_on(finish: ag.Material) -> ag.Material:
-    """Return the ink that is read on a finish."""
+    """Return the ink with good contrast on a finish."""
     dark = is_dark(finish)
     color = COLORS["cool_white" if dark else "anthracite"]
     return ag.material("abs").with_(name=f"ink_{'light' if dark else 'dark'}", base_color=color, texture="")

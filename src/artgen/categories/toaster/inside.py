@@ -8,34 +8,35 @@ import artgen as ag
 from artgen.categories.toaster.plan import Plan
 
 GAP = 0.006
-"""Half of the gap in the front wall in which a carriage moves [m]."""
+"""Half of the gap in the front wall for a carriage [m]."""
 
-_MICA = 0.0085  # from the side of a slot to its sheet of mica [m]
+_MICA = 0.0085  # distance from the side of a slot to its sheet of mica [m]
 _WALL = 0.0015  # thickness of the walls [m]
 _GUIDE = 0.0009  # radius of the guide wires [m]
-_CHAMBER_LOW = 0.014  # how far over the floor of the sleeve the chamber begins, over the crumb tray [m]
+# height of the lower end of the chamber above the floor of the sleeve, over the crumb tray [m]
+_CHAMBER_LOW = 0.014
 _RIBBONS = 9
 
 
 def _mica() -> ag.Material:
-    """Return the material of the sheets that carry the heating wires: pressed mica, with air between."""
+    """Return the material of the sheets for the heating wires: pressed mica with air gaps."""
     return ag.material("mdf").with_(
         name="mica", base_color=(0.36, 0.30, 0.21), specular_roughness=0.4, density=500.0, texture=""
     )
 
 
 def _heating_wire() -> ag.Material:
-    """Return the material of cold heating ribbons, oxidised by use."""
+    """Return the material of cold heating ribbons, oxidized by use."""
     return ag.material("steel").with_(
         name="heating_wire", base_color=(0.20, 0.11, 0.08), specular_roughness=0.45, texture=""
     )
 
 
 def chamber(plan: Plan) -> ag.Body:
-    """Make the chamber around the slots inside, to be welded to the shell."""
+    """Make the chamber around the slots inside, which is welded to the shell."""
     begin, end = plan.chamber
     middle, long = 0.5 * (begin + end), end - begin
-    low, high = plan.floor + _CHAMBER_LOW, plan.top - 0.002  # into the sheet of the top
+    low, high = plan.floor + _CHAMBER_LOW, plan.top - 0.002  # overlap with the sheet of the top
     tall, level = high - low, 0.5 * (low + high)
     sides = [(x, side) for x in plan.middles for side in (-1, 1)]
 
@@ -64,7 +65,7 @@ def chamber(plan: Plan) -> ag.Body:
 
 
 def _walls(plan: Plan, level: ag.Float, tall: ag.Float) -> ag.Solid:
-    """Make the wall at the back, and the one before the bay, which leaves the carriages a gap per slot."""
+    """Make the wall at the back, and the wall in front of the bay with a gap per slot for the carriages."""
     begin, end = plan.chamber
     half = plan.span / 2 + _MICA + 0.0006  # within the bevels of a classic body
     back = ag.box(2 * half, _WALL, tall).at(0.0, end + _WALL / 2, level)
@@ -77,7 +78,7 @@ def _walls(plan: Plan, level: ag.Float, tall: ag.Float) -> ag.Solid:
 
 
 def _guides(plan: Plan, level: ag.Float, tall: ag.Float, steel: ag.Material) -> tuple[ag.Body, ag.Body]:
-    """Make the guides at both sides of all slots: a rod along each; upright wires on it are only seen."""
+    """Make the guides at both sides of all slots: a rod along each, and vertical wires on it, visual only."""
     begin, end = plan.chamber
     count = 8 if plan.long else 5
     first, last = begin + 0.008, end - 0.008
@@ -92,17 +93,17 @@ def _guides(plan: Plan, level: ag.Float, tall: ag.Float, steel: ag.Material) -> 
 
 
 LeverStyle = Literal["tab", "bar", "ball", "tee", "paddle"]
-"""A flat tab, a round bar across, a ball, a square bar on a neck, or a wide paddle."""
+"""A flat tab, a round crossbar, a ball, a square bar on a neck, or a wide paddle."""
 
 ARM = (0.003, 0.010)
 """Width and height of the arm between a lever and its carriage [m]."""
 
-_PLAY = (0.0011, 0.0016)  # between the arm and its slit, to the sides and at the ends [m]
-_OUT = 0.0095  # from the panel to a lever, so that buttons stay clear of it [m]
+_PLAY = (0.0011, 0.0016)  # gaps between the arm and its slit, at the sides and at the ends [m]
+_OUT = 0.0095  # distance from the panel to a lever, clear of the buttons [m]
 _PRONGS = 0.016  # width of the prongs under the bread [m]
 _STEEL = 0.0030  # thickness of the bars of a carriage [m]
-_LOW = 0.0185  # how far over the floor of the sleeve a carriage ends, over the crumb tray [m]
-_ENDS = 0.004  # from a carriage to the ends of its slot [m]
+_LOW = 0.0185  # height of a carriage above the floor of the sleeve, over the crumb tray [m]
+_ENDS = 0.004  # distance from a carriage to the ends of its slot [m]
 
 
 def slit(travel: ag.Scalar) -> ag.Profile:
@@ -112,11 +113,11 @@ def slit(travel: ag.Scalar) -> ag.Profile:
 
 
 def lever_slide(name: str, *, travel: ag.Scalar, force: ag.Scalar, damping: ag.Scalar) -> ag.Joint:
-    """Make the joint of a lever; positive moves it down, where no magnet holds it without power.
+    """Make the joint of a lever; positive moves it down, and the spring returns it.
 
-    The spring of a toaster lifts the carriage with bread (about 0.15 kg), and takes 10-25 N at the bottom.
+    The spring of a toaster lifts the carriage with bread (about 0.15 kg), and needs 10-25 N at the bottom.
     """
-    preload = 0.42 * force  # 4-10 N, over its own weight of 1-3 N
+    preload = 0.42 * force  # 4-10 N, more than the weight of 1-3 N
     stiffness = (force - preload) / travel
     return ag.Prismatic(
         name,
@@ -125,8 +126,8 @@ def lever_slide(name: str, *, travel: ag.Scalar, force: ag.Scalar, damping: ag.S
         stiffness=stiffness,
         rest=-preload / stiffness,
         damping=damping,
-        friction=0.4,  # of the carriage on its guide rod
-        armature=0.02,  # the spring
+        friction=0.4,  # friction of the carriage on its guide rod
+        armature=0.02,  # inertia of the spring
         effort=45.0,
     )
 
@@ -176,8 +177,8 @@ def _inlay(wide: float, face: float, tall: float, accent: ag.Material) -> ag.Bod
 
 
 def arm(reach: ag.Scalar) -> ag.Body:
-    """Make the arm that goes from a lever through its slit to y = `reach` behind the panel."""
-    near = -_OUT - 0.0012  # not under a finger that presses the middle of a flat lever
+    """Make the arm from a lever through its slit to y = `reach` behind the panel."""
+    near = -_OUT - 0.0012  # clear of a finger on the middle of a flat lever
     wide, high = ARM[0] / 2, ARM[1] / 2
     bar = ag.board((-wide, wide), (near, reach), (-high, high), bevel=0.0008)
     return ag.part(bar, "carriage", ag.material("steel"))
@@ -186,7 +187,7 @@ def arm(reach: ag.Scalar) -> ag.Body:
 def carriage(
     plan: Plan, middles: Sequence[ag.Float], *, post: ag.Scalar, height: ag.Scalar, travel: ag.Scalar
 ) -> ag.Body:
-    """Make the carriage of one lever at rest, with the slots along y, to be welded to the lever."""
+    """Make the carriage of one lever at rest, with the slots along y, which is welded to the lever."""
     level = plan.floor + _LOW + _STEEL / 2 + travel
     begin, end = plan.chamber
     front, back = plan.bay, end - _ENDS
@@ -209,18 +210,18 @@ def carriage(
 
 
 TrayWay = Literal["back", "side"]
-"""Whether the tray leaves at the end of the slots, or across them."""
+"""Direction of the tray: out at the end of the slots, or across them."""
 
 _SHEET = 0.0012  # thickness of the tray [m]
-_RIM = 0.0075  # its height [m]
-_LIFT = 0.0012  # over the floor of the sleeve [m]
-_TRAY_PLAY = 0.0014  # around it in its opening [m]
-_FACE = 0.003  # thickness of its face [m]
-_TAB = (0.032, 0.024, 0.0046)  # width, length and thickness of its tab [m]
+_RIM = 0.0075  # height of the rim of the tray [m]
+_LIFT = 0.0012  # height of the tray above the floor of the sleeve [m]
+_TRAY_PLAY = 0.0014  # gap around the tray in its opening [m]
+_FACE = 0.003  # thickness of the face of the tray [m]
+_TAB = (0.032, 0.024, 0.0046)  # width, length and thickness of the tab [m]
 
 
 class Tray:
-    """A crumb tray in the frame of its opening: it leaves along +y, and is turned to where it belongs."""
+    """A crumb tray in the frame of its opening: it slides out along +y, before its rotation into place."""
 
     def __init__(self, plan: Plan, way: TrayWay) -> None:
         begin, end = plan.chamber
@@ -235,30 +236,30 @@ class Tray:
             self._deep = plan.length / 2 - begin - 0.004
         else:
             self._wide, self._out = end - begin - 0.008, plan.width / 2
-            self._middle = -0.5 * (begin + end)  # turned by a quarter: -y becomes x
+            self._middle = -0.5 * (begin + end)  # rotated by 90 degrees: -y becomes x
             self._deep = plan.width / 2 + plan.span / 2 + 0.004
         self._low = plan.floor + _LIFT
 
     @property
     def direction(self) -> ag.Vector:
-        """The way out."""
+        """Direction in which the tray slides out."""
         return ag.vector(0.0, 1.0, 0.0) if self.way == "back" else ag.vector(1.0, 0.0, 0.0)
 
     def _turned(self, solid: ag.Solid) -> ag.Solid:
         return solid if self.way == "back" else solid.rotate((0.0, 0.0, 1.0), -1.5707963267948966)
 
     def opening(self) -> ag.Solid:
-        """Return the tool that cuts the tray's opening."""
-        low, high = self._plan.floor + 0.0002, self._low + _RIM + _TRAY_PLAY  # not into the bottom
+        """Return the cutter for the tray's opening."""
+        low, high = self._plan.floor + 0.0002, self._low + _RIM + _TRAY_PLAY  # clear of the bottom
         hole = ag.box(self._wide + 2 * _TRAY_PLAY, 0.04, high - low)
         return self._turned(hole.at(self._middle, self._out, 0.5 * (low + high)))
 
     def body(self, finish: ag.Material) -> ag.Body:
-        """Make the tray with its face and tab; its face is of the finish."""
+        """Make the tray with its face and tab; its face has the finish."""
         deep = self._deep
         y, x = self._out - deep / 2, self._middle
         half, high = self._wide / 2, self._low + _RIM / 2
-        # sheets end within each other, so that no two have a face in one plane
+        # sheets end inside each other, so that no two faces are coplanar
         floor = ag.box(self._wide - _SHEET, deep - _SHEET, _SHEET).at(x, y, self._low + 0.7 * _SHEET)
         rims = [ag.box(_SHEET, deep, _RIM).at(x + side * (half - _SHEET / 2), y, high) for side in (-1, 1)]
         rear = ag.box(self._wide - _SHEET, _SHEET, _RIM - 0.0006)
@@ -267,7 +268,7 @@ class Tray:
         bottom = self._plan.foot + 0.0005
         top = self._low + _RIM + 0.005
         face = ag.box(self._wide + 0.014, _FACE, top - bottom, bevel=0.0012).at(x, at, 0.5 * (bottom + top))
-        # a web joins the face with the tray, through the opening
+        # a web connects the face to the tray, through the opening
         web = ag.box(self._wide - 0.004, 0.004, _RIM - 0.001).at(x, self._out, high)
         wide, long, thick = _TAB
         level = 0.5 * (bottom + top)
@@ -277,7 +278,7 @@ class Tray:
         )
         point = self._turned(ag.box(0.001, 0.001, 0.001).at(x, at + long - 0.0062, level)).anchor()
         out = self.direction
-        # a hand comes at 45 degrees from above, so that it stays over the counter
+        # a hand comes at 45 degrees from above, so that it stays above the counter
         hold = ag.frame(
             point, approach=-out + ag.vector(0.0, 0.0, -1.0), closing=ag.X if self.way == "back" else ag.Y
         )

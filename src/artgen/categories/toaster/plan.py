@@ -1,7 +1,7 @@
-"""The plan of a toaster: where its slots, its chamber and its controls are.
+"""The plan of a toaster: positions of its slots, its chamber and its controls.
 
-All is drawn with the slots along y and the bay of the controls at -y. Where the controls are on a broad side,
-the finished shell is turned by a quarter, which takes the wall at -x to the front.
+All parts are modeled with the slots along y and the bay of the controls at -y. For controls on a broad side,
+the finished shell is rotated by 90 degrees, which moves the wall at -x to the front.
 """
 
 import math
@@ -12,43 +12,45 @@ import artgen as ag
 from artgen._arrays import cached_property
 
 BodyStyle = Literal["box", "rounded", "retro", "steel", "classic"]
-"""A plain box; one with round shoulders; a bulging one; a steel sleeve between plastic ends; bevelled."""
+"""A plain box; rounded shoulders; bulging sides; a steel sleeve between plastic ends; beveled edges."""
 
 SHEET = 0.0025
-"""Thickness at which sheets are drawn [m]; their density makes up for it."""
+"""Modeled thickness of sheets [m]; their density compensates for it."""
 
-_BACK = 0.014  # between the chamber and the back cap [m]
+_BACK = 0.014  # distance between the chamber and the back cap [m]
 _DOMES: dict[BodyStyle, float] = {"rounded": 0.009, "retro": 0.013}  # radius of rounded ends [m]
-_CAPS: dict[BodyStyle, float] = {"box": 0.008, "steel": 0.014, "classic": 0.007}  # thickness of flat ends
+_CAPS: dict[BodyStyle, float] = {"box": 0.008, "steel": 0.014, "classic": 0.007}  # thickness of flat ends [m]
 _INSETS: dict[BodyStyle, float] = {"retro": 0.0016, "steel": 0.003, "classic": 0.0022}
-_BORDERS: dict[BodyStyle, float] = {"rounded": 0.021, "retro": 0.026, "classic": 0.016}  # from the sides [m]
-_TOPS: dict[BodyStyle, float] = {"rounded": 0.026, "retro": 0.034, "classic": 0.032}  # from the top [m]
+# distance from the sides to the panel [m]
+_BORDERS: dict[BodyStyle, float] = {"rounded": 0.021, "retro": 0.026, "classic": 0.016}
+# distance from the top to the panel [m]
+_TOPS: dict[BodyStyle, float] = {"rounded": 0.026, "retro": 0.034, "classic": 0.032}
 
 
 def _round(sides: int) -> ag.Profile:
-    """Make a circle of radius 1 with so many sides."""
+    """Make a circle of radius 1 with a number of sides."""
     angles = [math.tau * side / sides for side in range(sides)]
     return ag.polygon([(math.cos(angle), math.sin(angle)) for angle in angles])
 
 
-_COARSE = _round(40)  # for ends, where each corner counts
-_ROUND = _round(200)  # sides that do not show on a bulging sleeve
+_COARSE = _round(40)  # for ends with a limited number of corners
+_ROUND = _round(200)  # for a bulging sleeve without visible facets
 
 
 @dataclass(frozen=True)
 class Plan:
-    """The sizes that define all others [m]."""
+    """Independent dimensions of a toaster [m]."""
 
-    style: BodyStyle  # form of the body
+    style: BodyStyle  # style of the body
     slots: int  # number of slots side by side
-    long: bool  # whether two slices fit into a slot
+    long: bool  # whether a slot takes two slices
     slot_width: ag.Float  # width of a slot
     slot_length: ag.Float  # length of a slot
-    bridge: ag.Float  # between two slots
-    shoulder: ag.Float  # from the outer slots to the sides
+    bridge: ag.Float  # gap between two slots
+    shoulder: ag.Float  # distance from the outer slots to the sides
     length: ag.Float  # length of the body along the slots
-    height: ag.Float  # height of the body's top over the floor
-    foot: ag.Float  # height of the body's underside over the floor
+    height: ag.Float  # height of the body's top above the floor
+    foot: ag.Float  # height of the body's underside above the floor
 
     @cached_property
     def span(self) -> ag.Float:
@@ -62,7 +64,7 @@ class Plan:
 
     @property
     def dome(self) -> float:
-        """Radius of the rounded front end; 0 where it is flat."""
+        """Radius of the rounded front end; 0 for a flat end."""
         return _DOMES.get(self.style, 0.0)
 
     @property
@@ -72,37 +74,37 @@ class Plan:
 
     @property
     def back_cap(self) -> float:
-        """Thickness of the back end, which is flat."""
+        """Thickness of the flat back end."""
         return _CAPS.get(self.style, 0.009)
 
     @property
     def inset(self) -> float:
-        """How far the sleeve lies within the outline of the ends, which makes the line of the joint."""
+        """Depth of the sleeve inside the outline of the ends, which shows the joint."""
         return _INSETS.get(self.style, 0.0012)
 
     @property
     def border(self) -> float:
-        """From the sides of the front to the control panel."""
+        """Distance from the sides of the front to the control panel."""
         return _BORDERS.get(self.style, 0.012)
 
     @property
     def under_panel(self) -> float:
-        """From the underside of the front to the control panel."""
+        """Distance from the underside of the front to the control panel."""
         return 0.018 if self.style == "retro" else 0.012
 
     @property
     def over_panel(self) -> float:
-        """From the control panel to the top of the front."""
+        """Distance from the control panel to the top of the front."""
         return _TOPS.get(self.style, 0.018)
 
     @cached_property
     def pitch(self) -> ag.Float:
-        """From the middle of a slot to that of the next."""
+        """Distance from the middle of a slot to that of the next."""
         return self.slot_width + self.bridge
 
     @property
     def solidity(self) -> float:
-        """How much of the sleeve is there: where it is round outside, it is drawn thicker than it is."""
+        """Real share of the modeled volume of the sleeve: a rounded sleeve is modeled thicker."""
         return {"retro": 0.42, "rounded": 0.75, "steel": 0.85}.get(self.style, 1.0)
 
     @cached_property
@@ -117,23 +119,23 @@ class Plan:
 
     @cached_property
     def chamber(self) -> tuple[ag.Float, ag.Float]:
-        """Where the chamber begins and ends along y."""
+        """Positions of the ends of the chamber along y."""
         end = self.length / 2 - self.back_cap - _BACK
         return end - self.slot_length, end
 
     @cached_property
     def bay(self) -> ag.Float:
-        """Middle of the bay along y, in which the carriage's post moves."""
+        """Middle of the bay of the carriage's post along y."""
         return 0.5 * (self.chamber[0] - self.length / 2 + self.cap)
 
     @cached_property
     def middles(self) -> list[ag.Float]:
-        """Middle of each slot along x, from the left."""
+        """Positions of the middles of the slots along x, from the left."""
         return [(number - (self.slots - 1) / 2) * self.pitch for number in range(self.slots)]
 
     @cached_property
     def outline(self) -> ag.Profile:
-        """The outline of the ends in x and z, about its middle."""
+        """Outline of the ends in x and z, about their middle."""
         return self._outline(self.width, self.height - self.foot, _COARSE)
 
     def section(self) -> ag.Profile:
@@ -141,9 +143,9 @@ class Plan:
         return self._outline(self.width - 2 * self.inset, self.height - self.foot - 2 * self.inset, _ROUND)
 
     def hollow(self) -> ag.Profile:
-        """Return the outline of the inside of the sleeve; few corners give few pieces around it.
+        """Return the outline of the inside of the sleeve; it has few corners, for few collision pieces.
 
-        Walls are thicker where the sleeve is round outside, which is invisible.
+        Walls of a rounded sleeve are thicker, which is invisible.
         """
         x, z = self.width / 2 - self.inset - SHEET, (self.height - self.foot) / 2 - self.inset - SHEET
         match self.style:
@@ -198,7 +200,7 @@ def _cornered(
     steep: float = 1.0,
     radius: float = 0.0,
 ) -> ag.Profile:
-    """Make a rectangle with its upper corners cut off, and its lower ones if they have a size."""
+    """Make a rectangle with its upper corners cut off, and its lower corners if they have a size."""
     right: list[tuple[ag.Scalar, ag.Scalar]] = [(x, z - steep * upper), (x - upper, z)]
     right = [(x, -z), *right] if lower is None else [(x - lower, -z), (x, steep * lower - z), *right]
     left = [(-each, level) for each, level in reversed(right)]

@@ -8,24 +8,24 @@ from artgen import details
 from artgen.categories.shared.hardware.fixings import screws
 from artgen.categories.toaster.plan import Plan
 
-_STEPS = (0.0, 0.3, 0.65, 1.0)  # of a quarter turn over a rounded end
+_STEPS = (0.0, 0.3, 0.65, 1.0)  # shares of a quarter turn over a rounded end
 _SEAM = 0.00003  # gap between the parts of a rounded end, so that their meshes share no corner [m]
 _SURROUND = 0.0065  # width of the trim around the slots [m]
 
 
 @dataclass(frozen=True)
 class ShellLooks:
-    """What the shell is made of."""
+    """Materials of the shell."""
 
-    sleeve: ag.Material  # the sleeve
-    ends: ag.Material  # both ends
-    trim: ag.Material  # the trim around the slots
-    piping: ag.Material | None  # bright lines where ends and sleeve meet; None for none
+    sleeve: ag.Material  # material of the sleeve
+    ends: ag.Material  # material of both ends
+    trim: ag.Material  # material of the trim around the slots
+    piping: ag.Material | None  # material of bright lines at the joints of ends and sleeve; None for none
 
 
 @dataclass(frozen=True)
 class Cuts:
-    """What is cut out of the shell."""
+    """Cutters of the shell."""
 
     # the opening of the control panel in the front end; None for a panel on a broad side
     front: ag.Solid | None = None
@@ -34,12 +34,12 @@ class Cuts:
 
 
 def shell(plan: Plan, looks: ShellLooks, cuts: Cuts) -> ag.Body:
-    """Make the shell, standing on feet of the plan's height, with its slots cut."""
+    """Make the shell, on feet of the plan's height, with its slots cut."""
     middle = 0.5 * (plan.height + plan.foot)
     front = _front(plan).at(0.0, 0.0, middle)
     fronts = [front] if cuts.front is None else _pierced(plan, front, cuts.front)
     half = plan.length / 2
-    # a relief takes a smaller bevel where the outline has short sides, as that of a bulging body may
+    # short sides of the outline, as those of a bulging body, allow only a smaller bevel
     back = details.relief(
         plan.outline, (0.0, half, middle), facing=ag.Y, proud=0.003, sunk=plan.back_cap - 0.003, bevel=0.0028
     ).at(0.0, -0.003, 0.0)
@@ -57,7 +57,7 @@ def shell(plan: Plan, looks: ShellLooks, cuts: Cuts) -> ag.Body:
 
 
 def _front(plan: Plan) -> ag.Solid:
-    """Make the front end about z = 0: a plate, or a plate that is rounded over."""
+    """Make the front end about z = 0: a flat or a rounded plate."""
     face = -plan.length / 2
     if not plan.dome:
         bevel = {"steel": 0.004}.get(plan.style, 0.0026)
@@ -75,7 +75,7 @@ def _front(plan: Plan) -> ag.Solid:
 
 
 def _pierced(plan: Plan, front: ag.Solid, hole: ag.Solid) -> list[ag.Solid]:
-    """Cut the opening of the panel through the front end; a rounded one is left as convex parts around it."""
+    """Cut the opening of the panel through the front end; a rounded end remains as convex parts around it."""
     if not plan.dome:
         return [front - hole]
     low, high = hole.anchor(x=-1, z=-1), hole.anchor(x=1, z=1)
@@ -83,21 +83,21 @@ def _pierced(plan: Plan, front: ag.Solid, hole: ag.Solid) -> list[ag.Solid]:
     across, quarter = ag.box(high.x - low.x - _SEAM, 1.0, reach), ag.box(reach, 1.0, reach - _SEAM)
     middle, level = 0.5 * (low.x + high.x), 0.5 * (low.z + high.z)
     parts = [across.at(middle, 0.0, high.z + reach / 2), across.at(middle, 0.0, low.z - reach / 2)]
-    for end in (-1, 1):  # quarters, since a hull has at most 64 corners
+    for end in (-1, 1):  # quarters, because a hull has at most 64 corners
         z = level + end * reach / 2
         parts += [quarter.at(low.x - reach / 2, 0.0, z), quarter.at(high.x + reach / 2, 0.0, z)]
     return [ag.bounding_collider(front & each) for each in parts]
 
 
 def _shrunk(plan: Plan, inset: float) -> ag.Profile:
-    """Return the outline, smaller by an inset on all sides; a scaled one keeps its corners for the loft."""
+    """Return the outline, smaller by an inset on all sides; scaling keeps its corners for the loft."""
     high = plan.height - plan.foot
     return plan.outline.scale(1.0 - 2.0 * inset / plan.width, 1.0 - 2.0 * inset / high)
 
 
 def _sleeve(plan: Plan, cuts: Cuts) -> ag.Solid:
     """Make the sleeve about z = 0, a tube of sheet with the openings of the slots."""
-    long = plan.length - plan.cap - plan.back_cap + 0.002  # 1 mm into both ends
+    long = plan.length - plan.cap - plan.back_cap + 0.002  # overlap of 1 mm with both ends
     along = 0.5 * (plan.cap - plan.back_cap)
     sleeve = ag.extrude(plan.section() - plan.hollow(), long, axis=ag.Y).at(0.0, along, 0.0)
     begin, end = plan.chamber

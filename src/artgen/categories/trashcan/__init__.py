@@ -1,16 +1,18 @@
-"""A waste bin: with a pedal, a lid to lift, a lid that swings, rolls or flips, two flaps, a catch, or open.
+"""A waste bin: with a pedal, a lift-up lid, a lid that swings, rolls or flips, two flaps, a catch, or open.
 
 Links: `body`; `lid`, or `lid_left` and `lid_right` of a butterfly bin; `pedal` and the `rod` that it lifts;
-`button` of a touch bin; `hood` under a lid that turns, which lifts off to change the bag; `bucket` with its
-`handle`; the `ring` that holds the bag of an open bin. Joints: `lid_hinge` (with `_left` and `_right` for two
-flaps), `pedal_hinge`, `rod_slide`, `button_slide`, `hood_lift`, `ring_lift`, `bucket_slide`, `handle_hinge`.
+`button` of a touch bin; `hood` under a turning lid, which lifts off for a change of the bag; `bucket` with
+its `handle`; the `ring` that holds the bag of an open bin. Joints: `lid_hinge` (with `_left` and `_right` for
+two flaps), `pedal_hinge`, `rod_slide`, `button_slide`, `hood_lift`, `ring_lift`, `bucket_slide`,
+`handle_hinge`.
 
-A pedal turns the lid by its levers: foot plate to pin, pin to rod, rod to the lid's axis; the ratio of the
-coupling is theirs. A foot presses with 15 to 60 N: the lid's weight by that ratio, and a spring that keeps
-the pedal up. Buckets lift out where the lid is out of their way, an angle that follows from its hinge.
+A pedal turns the lid by levers from foot plate to pin, from pin to rod, and from rod to the lid's axis; their
+lengths give the ratio of the coupling. A foot presses with 15 to 60 N, against the weight of the lid times
+that ratio and a spring that keeps the pedal up. A bucket lifts out after the lid is open beyond the angle
+that clears it, which follows from the hinge.
 
-Sizes are those of household bins of 3 to 50 litres (EKO, Brabantia, simplehuman and Rotho catalogues):
-0.17-0.21 m wide and 0.25-0.31 m high for 3-5 l, to 0.34 m wide and 0.72 m high for 40-50 l.
+Sizes are those of household bins of 3 to 50 liters (EKO, Brabantia, simplehuman and Rotho catalogs):
+0.17-0.21 m wide and 0.25-0.31 m high for 3-5 l, up to 0.34 m wide and 0.72 m high for 40-50 l.
 """
 
 from typing import Literal
@@ -58,7 +60,7 @@ _PLANS: dict[str, tuple[str, ...]] = {
     "swing": ("round", "square", "rectangle"),
     "ball": ("round",),
     "disc": ("round", "square", "rectangle"),
-    "butterfly": ("square", "rectangle"),  # flaps hinge at straight sides
+    "butterfly": ("square", "rectangle"),  # flaps need straight sides for their hinges
     "open": ("round", "square", "rectangle"),
 }
 _DARK = ag.material("black_abs")
@@ -106,7 +108,7 @@ def trashcan(
         open=ag.choice("small", "medium", weights=(0.4, 0.6)),
         ball="large",
         otherwise=ag.choice("medium", "large", weights=(0.5, 0.5)),
-        doc="3-5, 10-20 or 30-50 litres",
+        doc="volume class: 3-5, 10-20 or 30-50 liters",
     ),
     plan: Plan = ag.by(
         "style",
@@ -126,14 +128,14 @@ def trashcan(
         large=ag.uniform(0.285, 0.330),
         unit="m",
         within=(0.15, 0.45),
-        doc="at the rim; a rectangular bin is narrower than others of its volume",
+        doc="width at the rim; a rectangular bin is narrower than others of its volume",
     ),
     aspect: ag.Float = ag.by(
         "plan",
         rectangle=ag.uniform(1.18, 1.36),
         half_round=ag.uniform(0.84, 0.96),
         otherwise=1.0,
-        doc="depth over width",
+        doc="depth, as a share of the width",
         within=(0.8, 1.6),
     ),
     height: ag.Float = ag.by(
@@ -142,11 +144,11 @@ def trashcan(
         medium=ag.uniform(0.36, 0.50),
         large=ag.uniform(0.58, 0.74),
         unit="m",
-        doc="over all, closed",
+        doc="overall height of the closed bin",
         within=(0.24, 0.85),
     ),
     corner: ag.Float = ag.uniform(
-        0.020, 0.045, "m", doc="of square and rectangular bins", within=(0.008, 0.06)
+        0.020, 0.045, "m", doc="corner radius of square and rectangular bins", within=(0.008, 0.06)
     ),
     taper: ag.Float = ag.by(
         "style",
@@ -155,7 +157,7 @@ def trashcan(
         disc=ag.uniform(0.0, 0.12),
         open=ag.uniform(0.06, 0.24),
         otherwise=0.0,
-        doc="share by which the foot is smaller than the rim; others than these stand straight",
+        doc="share by which the foot of a tapered bin is smaller than the rim",
         within=(0.0, 0.35),
     ),
     skin: Literal["steel", "coated", "plastic", "wicker", "mesh"] = ag.by(
@@ -201,7 +203,7 @@ def trashcan(
         touch=ag.uniform(1.44, 1.54),
         otherwise=0.0,
         unit="rad",
-        doc="how far the lid opens; those that turn in a hood do so both ways",
+        doc="opening angle of the lid; a lid in a hood turns both ways",
     ),
     grip: Grip = ag.by(
         "style",
@@ -210,12 +212,14 @@ def trashcan(
     ),
     stepped_on: bool = ag.by("style", butterfly=ag.choice(False, True, weights=(0.3, 0.7)), otherwise=False),
     crank: ag.Float = ag.uniform(
-        0.014, 0.018, "m", doc="of the lid, which the rod lifts", within=(0.013, 0.022)
+        0.014, 0.018, "m", doc="length of the lid's crank on the rod", within=(0.013, 0.022)
     ),
-    pedal_travel: ag.Float = ag.uniform(0.034, 0.046, "m", doc="of the foot plate", within=(0.025, 0.06)),
+    pedal_travel: ag.Float = ag.uniform(
+        0.034, 0.046, "m", doc="travel of the foot plate", within=(0.025, 0.06)
+    ),
     pedal_width: ag.Float = ag.uniform(0.062, 0.092, "m", within=(0.045, 0.14)),
-    pedal_preload: ag.Float = ag.uniform(9.5, 11.5, "N", doc="of its spring, at the foot plate"),
-    pedal_force: ag.Float = ag.uniform(13.0, 16.0, "N", doc="of its spring, pressed down"),
+    pedal_preload: ag.Float = ag.uniform(9.5, 11.5, "N", doc="spring force at the foot plate at rest"),
+    pedal_force: ag.Float = ag.uniform(13.0, 16.0, "N", doc="spring force at the pressed foot plate"),
     soft_close: bool = ag.choice(False, True),
     hinge_friction: ag.Float = ag.uniform(0.015, 0.04, "N m"),
     carry: Carry = ag.by(

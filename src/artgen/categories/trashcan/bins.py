@@ -1,10 +1,10 @@
 """Bins: the shells of round, square, rectangular and half-round containers, and the bands around them.
 
-A bin stands about the Z axis, its front towards -Y. Its plan is given at the rim; a tapered bin is smaller at
-its foot, in the same proportions.
+A bin is about the z axis, with its front towards -y. Its plan is given at the rim; a tapered bin is smaller
+at its foot, with the same proportions.
 
-What is seen of a wall is a smooth skin. What weighs and collides is a wall of few facets within it, so the
-skin is as much thicker as the facets are off its curves. In front and behind are facets, not edges.
+The visible wall is a smooth skin. The mass and the colliders are a wall of few facets inside it; the skin
+thickness equals the distance of the facets from the curves. At the front and the back are facets, not edges.
 """
 
 import math
@@ -14,39 +14,39 @@ from typing import Literal
 import artgen as ag
 
 Plan = Literal["round", "square", "rectangle", "half_round"]
-"""Seen from above; a half-round bin has its flat side at the back, to stand against a wall."""
+"""Plan shape; a half-round bin has its flat side at the back, for a place at a wall."""
 
 _BACK_CORNER = 0.022  # radius of the two corners of a half-round bin [m]
-_OVERLAP = 0.001  # of the two halves of a half-round bin [m]
-_LEAST_CORNER = 0.003  # [m]
+_OVERLAP = 0.001  # overlap of the two halves of a half-round bin [m]
+_LEAST_CORNER = 0.003  # least radius of corners [m]
 _NO_SIDES = "the bucket has no room in a half-round bin: raise width or aspect"
 
 SIDES = 16
-"""Facets of the collider of a round wall: off a circle of 160 mm by 3 mm; each costs simulation time."""
+"""Facets of the collider of a round wall: 3 mm off a circle of 160 mm; more facets cost simulation time."""
 
-_FRONT = 7  # facets of the round front of a half-round bin
-_CORNER = 2  # facets of a corner
+_FRONT = 7  # number of facets of the round front of a half-round bin
+_CORNER = 2  # number of facets of a corner
 
-_HAIR = 0.0003  # depth of its edges below the visible surface [m]
-_THIN = 0.00005  # depth of its ends, which carry loads, below the visible surface [m]
+_HAIR = 0.0003  # depth of the edges of the collider below the visible surface [m]
+_THIN = 0.00005  # depth of its loaded ends below the visible surface [m]
 
 
 @dataclass(frozen=True)
 class Can:
     """The shell of a bin."""
 
-    plan: Plan  # its outline seen from above
-    width: ag.Scalar  # across, at the rim [m]
-    depth: ag.Scalar  # from front to back, at the rim; of a round one, its width [m]
+    plan: Plan  # plan shape
+    width: ag.Scalar  # width at the rim [m]
+    depth: ag.Scalar  # depth from front to back at the rim; the width for a round bin [m]
     top: ag.Scalar  # height of the rim above the floor [m]
     foot: ag.Scalar = 0.005  # height of the lower edge of the wall above the floor [m]
-    corner: ag.Scalar = 0.03  # radius of the corners at the rim, of a square or rectangular one [m]
+    corner: ag.Scalar = 0.03  # radius of the corners of a square or rectangular bin, at the rim [m]
     sheet: ag.Scalar = 0.003  # thickness of the wall that has mass and colliders [m]
     taper: ag.Scalar = 0.0  # share by which the foot is smaller than the rim
 
     @property
     def wall(self) -> ag.Scalar:
-        """Thickness of the wall that is seen [m]."""
+        """Thickness of the visible wall [m]."""
         match self.plan:
             case "round":
                 off = _off(math.tau / SIDES) * self.width / 2.0
@@ -66,7 +66,7 @@ class Can:
         return ag.rectangle(across, along, radius=ag.max_(self.corner - inset, _LEAST_CORNER))
 
     def facets(self, inset: ag.Scalar) -> ag.Profile:
-        """Make the outline of few facets with its edges on the outline, moved inward [m]."""
+        """Make the outline of few facets, with its edges on the outline, moved inward [m]."""
         x, y = self.width / 2.0 - inset, self.depth / 2.0 - inset
         if self.plan == "round":
             start = math.pi / SIDES
@@ -82,14 +82,14 @@ class Can:
     def _half_round(self, inset: ag.Scalar) -> ag.Profile:
         radius, corner = self.width / 2.0 - inset, ag.max_(_BACK_CORNER - inset, _LEAST_CORNER)
         back = self.depth / 2.0 - inset
-        front = radius + inset - self.depth / 2.0  # the middle of the round front
+        front = radius + inset - self.depth / 2.0  # middle of the round front
         straight = ag.rectangle(2.0 * radius, back - front + corner, radius=corner)
         below = ag.rectangle(3.0 * radius, 2.0 * radius).at(0.0, front - radius + _OVERLAP)
         half = ag.circle(radius).at(0.0, front) & below
         return half | straight.at(0.0, (back + front - corner) / 2.0)
 
     def scale_at(self, z: ag.Scalar) -> ag.Scalar:
-        """Return how large the plan is at a height, as a share of the rim's."""
+        """Return the scale of the plan at a height, relative to the rim."""
         return 1.0 - self.taper * (self.top - z) / (self.top - self.foot)
 
     def band(
@@ -145,14 +145,14 @@ class Can:
         beside: ag.Scalar = 0.0,
         behind: ag.Scalar = 0.0,
     ) -> "Can":
-        """Make the bucket in it, with a gap all round."""
+        """Return the inner bucket, with a gap all around."""
         less = 2.0 * (self.wall + gap)
         share = self.scale_at(top)
         narrower = 1.0 - self.scale_at(foot) / share if not _is_zero(self.taper) else 0.0
         round_ = self.plan == "round"
         deep = self.depth * share - less - 2.0 * behind
         wide = deep if round_ else self.width * share - less - 2.0 * beside
-        if self.plan == "half_round":  # its sides are straight from the round front to the back corners
+        if self.plan == "half_round":  # the sides are straight from the round front to the back corners
             deep = ag.require(deep, deep - wide / 2.0 > _BACK_CORNER + 0.001, _NO_SIDES)
         corner = ag.min_(self.corner * share - less / 2.0, 0.45 * ag.min_(wide, deep))
         return replace(
@@ -168,16 +168,16 @@ class Can:
 
     @property
     def front(self) -> ag.Scalar:
-        """Where the wall is in front, at the rim [m]."""
+        """Position of the front wall at the rim, along y [m]."""
         return -self.depth / 2.0
 
     @property
     def back(self) -> ag.Scalar:
-        """Where the wall is behind, at the rim [m]."""
+        """Position of the back wall at the rim, along y [m]."""
         return self.depth / 2.0
 
     def feet(self, inset: ag.Scalar = 0.016) -> list[tuple[ag.Scalar, ag.Scalar]]:
-        """Return where four feet stand, at the corners of the foot [m]."""
+        """Return the positions of four feet at the corners of the foot [m]."""
         share = self.scale_at(self.foot)
         x, y = share * self.width / 2.0 - inset, share * self.depth / 2.0 - inset
         if self.plan == "round":
@@ -190,17 +190,17 @@ class Can:
         return [(-x, -y), (x, -y), (x, y), (-x, y)]
 
     def face(self, z: ag.Scalar) -> ag.Vector:
-        """Return the point of the front at a height, in the middle [m]."""
+        """Return the middle point of the front at a height [m]."""
         return ag.vector(0.0, self.scale_at(z) * self.front, z)
 
     @property
     def facing(self) -> ag.VectorLike:
-        """Where the front looks: a tapered one looks down a little."""
+        """Direction of the front; a tapered front points slightly down."""
         return (0.0, -1.0, -0.5 * self.depth * self.taper / (self.top - self.foot))
 
     @property
     def diagonal(self) -> ag.Scalar:
-        """From the middle to the farthest point of a corner, of one that is not round [m]."""
+        """Distance from the middle to the farthest point of a corner, for bins with corners [m]."""
         corner = _BACK_CORNER if self.plan == "half_round" else self.corner
         x, y = self.width / 2.0 - corner, self.depth / 2.0 - corner
         return ag.sqrt(x * x + y * y) + corner
@@ -210,13 +210,13 @@ class Can:
         radius = self.width / 2.0 - inset
         if self.plan != "half_round":
             return radius
-        # of the middle: there is the middle of its front's circle; that of a deep one is before it
+        # distance from the middle to the center of the front's circle, which is in front of it for a deep bin
         behind = ag.max_((self.width - self.depth) / 2.0, 0.0)
         return ag.sqrt(radius * radius - behind * behind)
 
 
 def _off(turn: float) -> float:
-    """Return how far a chord over an angle [rad] is off its circle, as a share of the radius."""
+    """Return the sagitta of a chord over an angle [rad], as a share of the radius."""
     return 1.0 - math.cos(turn / 2.0)
 
 
@@ -228,7 +228,7 @@ def _arc(
 
 
 def _corner(x: ag.Scalar, y: ag.Scalar, radius: ag.Scalar, quarter: int) -> list[tuple[ag.Scalar, ag.Scalar]]:
-    """Return the edges of a rounded corner in a quarter of the plan, counted from +X, +Y [m]."""
+    """Return the edges of a rounded corner in a quarter of the plan, numbered from +x, +y [m]."""
     right, behind = (1.0, -1.0, -1.0, 1.0)[quarter], (1.0, 1.0, -1.0, -1.0)[quarter]
     start = quarter * math.pi / 2.0
     return _arc(x - right * radius, y - behind * radius, radius, start, start + math.pi / 2.0, _CORNER)

@@ -1,7 +1,7 @@
 """Hoods over the rim of a bin, with a lid, and butterfly flaps.
 
-A swing lid tips on its middle and springs back; a disc turns in its rim; a ball, half of one that is closed
-below, rolls under its collar. All three turn about an axis along X over the middle of the bin.
+A swing lid tips about its middle and springs back; a disc turns in its rim; a ball (a half ball, closed
+below) rolls under its collar. All three turn about an axis along x over the middle of the bin.
 """
 
 from dataclasses import dataclass
@@ -11,23 +11,23 @@ import artgen as ag
 from artgen.categories.trashcan.bins import Can
 from artgen.categories.trashcan.pedals import PIN, Linkage
 
-_THICK = 0.009  # of flaps [m]
-_FLAP_EDGE = 0.0055  # radius of their outer edge, about the axis [m]
-_GAP = 0.0028  # around the flaps [m]
-_TALL = 0.011  # of the frame [m]
-_BORDER = 0.017  # from the outside of the frame to its opening, at the sides and in front [m]
-_SHAFT = 0.0038  # radius of the shafts that reach to the cranks [m]
-_DEEP = 0.026  # of the housing behind the rim [m]
-_FOOT = 0.006  # where the housing ends above the floor [m]
-_TAB = 0.014  # how far a tab stands up from a flap [m]
+_THICK = 0.009  # thickness of flaps [m]
+_FLAP_EDGE = 0.0055  # radius of the outer edge of flaps, about the axis [m]
+_GAP = 0.0028  # gap around the flaps [m]
+_TALL = 0.011  # height of the frame [m]
+_BORDER = 0.017  # distance from the outside of the frame to its opening, at the sides and in front [m]
+_SHAFT = 0.0038  # radius of the shafts of the cranks [m]
+_DEEP = 0.026  # depth of the housing behind the rim [m]
+_FOOT = 0.006  # height of the lower end of the housing above the floor [m]
+_TAB = 0.014  # height of a tab above its flap [m]
 
 
 @dataclass(frozen=True)
 class Flaps:
     """Two flaps and their frame on a bin with straight sides."""
 
-    can: Can  # the bin
-    opening: ag.Scalar  # how far they open [rad]
+    can: Can  # bin
+    opening: ag.Scalar  # opening angle of the flaps [rad]
 
     @property
     def top(self) -> ag.Scalar:
@@ -41,31 +41,31 @@ class Flaps:
 
     @property
     def half(self) -> ag.Scalar:
-        """From the middle to the opening's side [m]."""
+        """Distance from the middle to the side of the opening [m]."""
         return self.can.width / 2.0 - _BORDER
 
     @property
     def axis(self) -> ag.Scalar:
-        """From the middle to either axis [m]."""
+        """Distance from the middle to each axis [m]."""
         return self.half - _FLAP_EDGE - _GAP
 
     @property
     def reach(self) -> ag.Scalar:
-        """From an axis to the tip of its flap [m]."""
+        """Distance from an axis to the tip of its flap [m]."""
         return self.axis - _GAP / 2.0
 
     @property
     def back(self) -> ag.Scalar:
-        """Where the opening ends behind [m]."""
+        """Position of the rear end of the opening along y [m]."""
         return self.can.depth / 2.0 - _BORDER
 
     @property
     def crank_y(self) -> ag.Scalar:
-        """Where the cranks and the rod are, along y [m]."""
+        """Position of the cranks and the rod along y [m]."""
         return self.can.depth / 2.0 + 0.5 * _DEEP
 
     def frame(self, finish: ag.Material, linkage: Linkage | None) -> ag.Body:
-        """Make the frame, to be welded to the bin, and the housing behind it where there is a rod."""
+        """Make the frame, which is welded to the bin, and the housing behind it for a rod."""
         can, side = self.can, ag.rectangle(2.0 * self.half, 2.0 * self.back, radius=0.004)
         ring = can.outline(-0.001) - side
         middle = (self.top + can.top - 0.001) / 2.0
@@ -78,7 +78,7 @@ class Flaps:
         return ag.weld(*bodies, *(self._housing(finish, linkage) if linkage is not None else ()))
 
     def _housing(self, finish: ag.Material, linkage: Linkage) -> list[ag.Body]:
-        """Make the box behind the rim in which the cranks turn, open below for the rod."""
+        """Make the box behind the rim around the cranks, open below for the rod."""
         near, far = self.can.back - 0.003, self.can.back + _DEEP
         half, low = self.axis + 0.014, self.level - 0.034
         high = self.level + linkage.lift / 2.0 + PIN + 0.005
@@ -86,7 +86,7 @@ class Flaps:
         deep, spine = far - near, low + 0.004
         up, post = (spine + _FOOT) / 2.0, spine - _FOOT
         strip = ag.box(0.024, near + 0.002 - self.back - 0.001, 0.003, bevel=0.0008)
-        # boards are a little smaller where they meet, so that no two faces lie on each other
+        # boards are a little smaller at their joints, so that no two faces are coplanar
         boards = [
             ag.box(2.0 * half, deep, 0.003, bevel=0.001).at(0.0, middle, high - 0.0015),
             ag.box(2.0 * half - 0.002, 0.003, high - self.top, bevel=0.001).at(
@@ -116,7 +116,8 @@ class Flaps:
         grasps: list[ag.Frame] = []
         solids = [slab, edge]
         if linkage is None:
-            wide = ag.min_(0.060, 0.9 * self.back - 2.0 * _GAP - 0.002)  # about -0.55 back, within the frame
+            # about 0.55 of the way back, within the frame
+            wide = ag.min_(0.060, 0.9 * self.back - 2.0 * _GAP - 0.002)
             tab = ag.box(0.007, wide, _TAB + 0.004, bevel=0.002)
             tab = tab.at(side * 0.022, -0.55 * self.back, self.top + _TAB / 2.0 - 0.002)
             grasps = [ag.grasp_on(tab, approach=-ag.Z, closing=(1.0, 0.0, 0.0), depth=0.011)]
@@ -143,7 +144,7 @@ class Flaps:
         return [shaft, *(each.at(side * self.axis, self.crank_y, self.level) for each in turned)]
 
     def crossbar(self, linkage: Linkage, finish: ag.Material) -> ag.Body:
-        """Make the bar on the rod that lifts both cranks, to be welded to the rod."""
+        """Make the crossbar that lifts both cranks, which is welded to the rod."""
         high = self.level - linkage.lift / 2.0 - PIN - 0.0012
         half = self.axis - 0.6 * linkage.crank
         bar = ag.box(2.0 * half, 0.0055, 0.005, bevel=0.001).at(0.0, self.crank_y - 0.003, high - 0.0025)
@@ -177,39 +178,39 @@ class Flaps:
 
     def clear(self, height: ag.Scalar, beside: ag.Scalar) -> ag.Float:
         """Return the angle at which both flaps clear the parts that rise between them [rad]."""
-        del height  # it rises past the tips of the flaps
+        del height  # these parts rise past the tips of the flaps
         return ag.atan2(self.reach, beside - _THICK)
 
 
 Turning = Literal["swing", "disc", "ball", "ring"]
-"""What a hood carries; a ring carries nothing, and holds a bag."""
+"""Kind of hood; a ring has no lid, and holds a bag."""
 
 _SHEET = 0.003  # thickness of the plate around a lid [m]
-_SKIN = 0.003  # how far hoods stand out around the rim, beside the gap [m]
-_OVER = 0.0026  # between the rim and the skirt around it [m]
-_SKIRT = 0.014  # how far the skirt reaches down over the rim [m]
+_SKIN = 0.003  # height of hoods outside the rim, in addition to the gap [m]
+_OVER = 0.0026  # gap between the rim and the skirt around it [m]
+_SKIRT = 0.014  # reach of the skirt down over the rim [m]
 _ON = 0.0022  # gap between the rim and the part on it [m]
-_EDGE = 0.0030  # between a lid and the edge of its opening [m]
-_BALL_EDGE = 0.0052  # gap around a ball; its colliders stand off by up to 2 mm [m]
-_EAR = 0.020  # how far the ears stand out, by which a hood is lifted [m]
-_WIDEST = 0.425  # round collar: a wider one collides as 64 pieces and not as 32 [m]
+_EDGE = 0.0030  # gap between a lid and the edge of its opening [m]
+_BALL_EDGE = 0.0052  # gap around a ball; its colliders are up to 2 mm off the surface [m]
+_EAR = 0.020  # width of the ears by which a hood is lifted [m]
+_WIDEST = 0.425  # largest width of a round collar that collides as 32 pieces and not as 64 [m]
 _TOO_WIDE = "the collar of so wide a round bin needs too many colliders: lower width"
-_GRAVITY = 9.81  # [m/s2]
+_GRAVITY = 9.81  # gravity [m/s2]
 
 
 @dataclass(frozen=True)
 class Hood:
     """A hood over the rim of a bin."""
 
-    can: Can  # the bin
-    kind: Turning  # the turning part
-    rise: ag.Scalar  # how high its slope is [m]
-    lean: float  # share by which its top is smaller than its skirt
-    finish: ag.Material  # its material
+    can: Can  # bin
+    kind: Turning  # kind of turning part
+    rise: ag.Scalar  # height of the slope [m]
+    lean: float  # share by which the top is smaller than the skirt
+    finish: ag.Material  # material of the hood
 
     @property
     def label(self) -> str:
-        """Its label, and the name of its link."""
+        """Label of the hood, and name of its link."""
         return "ring" if self.kind == "ring" else "hood"
 
     @property
@@ -219,22 +220,22 @@ class Hood:
 
     @property
     def low(self) -> ag.Scalar:
-        """Height of its underside, just over the rim [m]."""
+        """Height of the underside, just above the rim [m]."""
         return self.can.top + _ON
 
     @property
     def top(self) -> ag.Scalar:
-        """Height of its upper face [m]."""
+        """Height of the upper face [m]."""
         return self.low + self.rise
 
     @property
     def axis(self) -> ag.Scalar:
-        """Height of the axis of its lid [m]."""
+        """Height of the axis of the lid [m]."""
         return self.top - (0.003 if self.kind == "ball" else 0.005)
 
     @property
     def _opening(self) -> tuple[ag.Scalar, ag.Scalar]:
-        """Width and depth of the opening; of a round one, its diameter twice [m]."""
+        """Width and depth of the opening; twice the diameter for a round opening [m]."""
         share = 1.0 - self.lean
         if self.kind == "ball":
             across = self.can.width - 2.0 * (self.can.wall + 0.004)
@@ -249,14 +250,14 @@ class Hood:
         return share * self.can.width - 0.042, share * self.can.depth - 0.042
 
     def _hole(self, gap: ag.Scalar) -> ag.Profile:
-        """Make the opening, smaller by a gap all round."""
+        """Make the opening, smaller by a gap all around."""
         across, along = self._opening
         if self.kind == "ball" or (self.kind != "swing" and self.can.plan == "round"):
             return ag.circle(across / 2.0 - gap)
         border = (1.0 - self.lean) * self.can.corner - (self.can.width - across) / 2.0
         radius = ag.max_(border, 0.006)
         if self.kind == "swing":
-            radius = ag.min_(radius, 0.008)  # its lid has no round corners
+            radius = ag.min_(radius, 0.008)  # the lid has no round corners
         return ag.rectangle(across - 2.0 * gap, along - 2.0 * gap, radius=radius)
 
     def body(self, trim: ag.Material) -> ag.Body:
@@ -289,7 +290,7 @@ class Hood:
         )
 
     def _ears(self) -> list[ag.Body]:
-        """Make the tabs at both sides, by which hands lift the hood."""
+        """Make the ears at both sides, for the hands that lift the hood."""
         bodies = []
         x = self.can.width / 2.0 + _OVER + _SKIN
         z = self.low + 0.0045
@@ -308,7 +309,7 @@ class Hood:
         return bodies
 
     def _lugs(self, trim: ag.Material) -> list[ag.Body]:
-        """Make the bearings under the plate beside the lid, with the pins in them."""
+        """Make the bearings under the plate beside the lid, with their pins."""
         x = self._opening[0] / 2.0
         bodies = []
         for side in (-1, 1):
@@ -336,12 +337,12 @@ class Hood:
         return bodies
 
     def lift(self, body: ag.Body, *, travel: ag.Scalar) -> ag.Joint:
-        """Make the joint by which a hood is lifted off."""
+        """Make the joint of a hood, which is lifted off."""
         return ag.Prismatic(
             f"{self.label}_lift",
             axis=ag.Z,
             limits=(0.0, travel),
-            friction=1.0,  # the skirt grips the rim a little
+            friction=1.0,  # friction of the skirt on the rim
             damping=4.0,
             effort=1.4 * _GRAVITY * body.mass() + 3.0,
             velocity=1.0,
@@ -375,7 +376,7 @@ class Hood:
         return ag.weld(body, ag.detail(bottom, "lid", dark))
 
     def _push(self, shape: ag.Solid, y: ag.Scalar) -> ag.Frame:
-        """Find where a finger pushes an arched lid, square to it."""
+        """Return the push of a finger on an arched lid, normal to its surface."""
         along = self._opening[1]
         length, rise = along - 2.0 * _EDGE, 0.11 * along
         radius = (length * length / 4.0 + rise * rise) / (2.0 * rise)
@@ -390,7 +391,8 @@ class Hood:
         radius = self._opening[0] / 2.0 - _BALL_EDGE
         half = ag.dome(radius).at(0.0, 0.0, self.axis)
         bar = ag.box(0.090, 0.011, 0.009, bevel=0.003).at(0.0, 0.0, self.axis + radius + 0.026)
-        falls = radius - ag.sqrt(radius * radius - 0.040**2)  # the ball, from its top to under a post
+        # drop of the ball from its top to a point under a post
+        falls = radius - ag.sqrt(radius * radius - 0.040**2)
         longer = ag.max_(falls - 0.0065, 0.0)
         posts = [
             ag.box(0.009, 0.011, 0.036 + longer, bevel=0.002).at(
@@ -408,7 +410,7 @@ class Hood:
         )
 
     def dip(self, opening: ag.Scalar) -> ag.Float:
-        """Return the height to which the edge of the lid turns down [m]."""
+        """Return the lowest height of the edge of the turning lid [m]."""
         return self.axis - 0.5 * self._opening[1] * ag.sin(opening)
 
     def turn(self, body: ag.Body, *, opening: ag.Scalar) -> ag.Joint:

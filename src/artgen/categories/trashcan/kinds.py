@@ -1,4 +1,4 @@
-"""Kinds of bins: stand, cover, mechanism and bucket put together."""
+"""Kinds of bins, each assembled from stand, cover, mechanism and bucket."""
 
 from dataclasses import dataclass
 from typing import Literal
@@ -33,58 +33,58 @@ from artgen.categories.trashcan.shells import (
 )
 
 Carry = Literal["none", "loop", "bail"]
-"""Carrier of an inner bucket; none for no bucket."""
+"""Handle of an inner bucket; none for no bucket."""
 
 THICK = 0.012
 """Thickness of lids [m]."""
 
 _PLATE = 0.040  # length of the foot plate [m]
-_UNDER = 0.0036  # from the floor's underside to the bucket: the floor and 0.6 mm [m]
-_LOWER = 0.0003  # how much lower than the bin's rim that of a bucket is [m]
-_FREE = 0.0036  # between a bucket and the wall [m]
-_BUCKET = 0.0022  # thickness of its wall [m]
-_SPARE = 0.035  # angle by which lids open farther than buckets need [rad]
-_UPRIGHT = 1.53  # angle from which on an open lid clears all parts [rad]
-_TONGUE = 0.060  # from the front edge of a lid to where the catch on it ends [m]
-_OVER = 0.03  # how far above the rim buckets come with their foot [m]
+_UNDER = 0.0036  # distance from the floor's underside to the bucket: the floor and 0.6 mm [m]
+_LOWER = 0.0003  # distance of a bucket's rim below that of the bin [m]
+_FREE = 0.0036  # gap between a bucket and the wall [m]
+_BUCKET = 0.0022  # thickness of the wall of a bucket [m]
+_SPARE = 0.035  # opening angle of lids beyond the angle that buckets need [rad]
+_UPRIGHT = 1.53  # least angle of an open lid that clears all parts [rad]
+_TONGUE = 0.060  # distance from the front edge of a lid to the end of the catch on it [m]
+_OVER = 0.03  # height of the foot of lifted buckets above the rim [m]
 _SHORT = 0.055  # height of a hinge block without a rod in it [m]
-_BEHIND = 0.005  # more room for a bucket in front and behind [m]
-_DAMPED = 0.08  # damping of a lid from which on a damper sits beside its hinge [N m s/rad]
+_BEHIND = 0.005  # additional space for a bucket in front and behind [m]
+_DAMPED = 0.08  # least damping of a lid with a damper beside its hinge [N m s/rad]
 _STEEL = ag.material("steel")
 
 
 @dataclass(frozen=True)
 class Lid:
-    """A lid and how it moves."""
+    """Style and motion of a lid."""
 
-    style: LidStyle  # its form
-    opening: ag.Scalar  # how far it opens [rad]
-    friction: ag.Scalar  # of its hinge [N m]
-    damping: float  # of its hinge, with a damper where it closes softly [N m s/rad]
+    style: LidStyle  # style of the lid
+    opening: ag.Scalar  # opening angle of the lid [rad]
+    friction: ag.Scalar  # friction of the hinge [N m]
+    damping: float  # damping of the hinge, with a damper for soft closing [N m s/rad]
 
 
 @dataclass(frozen=True)
 class Foot:
-    """What a foot works."""
+    """Foot-operated mechanism."""
 
-    crank: ag.Scalar  # of the lid [m]
-    travel: ag.Scalar  # of the foot plate [m]
-    width: ag.Scalar  # of the foot plate [m]
-    preload: ag.Scalar  # force of its spring at the foot plate at rest [N]
-    force: ag.Scalar  # force at the end of the travel [N]
+    crank: ag.Scalar  # length of the lid's crank [m]
+    travel: ag.Scalar  # travel of the foot plate [m]
+    width: ag.Scalar  # width of the foot plate [m]
+    preload: ag.Scalar  # spring force at the foot plate at rest [N]
+    force: ag.Scalar  # spring force at the end of the travel [N]
 
 
 @dataclass(frozen=True)
 class Draft:
-    """What bins of all kinds share."""
+    """Common data of bins of all kinds."""
 
-    can: Can  # the shell
-    looks: Looks  # its materials
-    dress: Dress  # the bands around its wall
-    carry: Carry  # carrier of the inner bucket
+    can: Can  # shell of the bin
+    looks: Looks  # materials of the bin
+    dress: Dress  # bands around the wall
+    carry: Carry  # handle of the inner bucket
     inner: ag.Material  # material of the bucket
-    maker: str  # brand on the lid
-    model: int  # its number
+    maker: str  # brand name on the lid
+    model: int  # model number
 
     def lift_out(
         self,
@@ -95,7 +95,7 @@ class Draft:
         needs: ag.Condition | None,
         above: ag.Scalar = GAP + _LOWER,
     ) -> ag.Body:
-        """Put a bucket into a bin, to be lifted out."""
+        """Put a bucket into a bin, with a joint to lift it out."""
         inside = bucket(can, finish=self.inner, loop=self.carry == "loop")
         if self.carry == "bail":
             raised: ag.Dependency | None = None if needs is None else needs.beyond(bail_play(can, above))
@@ -103,13 +103,13 @@ class Draft:
         return body.attach(inside, bucket_slide(inside, travel=travel, needs=needs))
 
     def linkage(self, *, opening: ag.Scalar, crank: ag.Scalar, travel: ag.Scalar, rod: ag.Scalar) -> Linkage:
-        """Make the levers between a pedal in front and a rod behind."""
+        """Return the levers between a pedal in front and a rod behind."""
         return Linkage(opening, crank, travel, self.can.front - 0.008 - _PLATE / 2.0, rod)
 
     def step(self, body: ag.Body, linkage: Linkage, pedal: ag.Joint, *, width: ag.Scalar) -> ag.Body:
-        """Hang a pedal under a bin."""
+        """Attach a pedal under a bin."""
         metal = ag.material("stainless") if self.looks.finish.base_metalness > 0.5 else self.looks.trim
-        metal = metal.with_(name=f"{metal.name}_pedal", density=2400.0)  # a pressing, ribbed below
+        metal = metal.with_(name=f"{metal.name}_pedal", density=2400.0)  # a pressing with ribs below
         return body.attach(linkage.pedal(finish=metal, width=width, deep=_PLATE), pedal)
 
     def cover(self, hinge: Hinge, lid: Lid) -> ag.Body:
@@ -132,7 +132,7 @@ class Draft:
         floor: ag.Scalar,
         room: float = 0.0,
     ) -> ag.Body:
-        """Put a bucket into a bin with a lid behind, as high as the open lid lets it rise."""
+        """Put a bucket into a bin with a hinged lid; it lifts out as far as the open lid allows."""
         if self.carry == "none":
             return body
         can = self.can
@@ -141,23 +141,23 @@ class Draft:
         above = inner.top - hinge.axis[1]
         reach = can.wall + _FREE + ahead
         most = (hinge.behind + reach - SPARE) * ag.tan(ag.min_(opening - _SPARE, _UPRIGHT)) - above
-        if room:  # the tongue stands out of the open lid
+        if room:  # the tongue projects from the open lid
             most = ag.min_(most, hinge.behind + can.depth - _TONGUE - above)
         travel = ag.min_(inner.top - inner.foot + _OVER, most)
         return self.lift_out(body, inner, travel=travel, needs=turn > hinge.clear(above + travel, reach))
 
     def sticker(self, at: ag.VectorLike) -> ag.Body:
-        """Stick the plate with type and maker behind a bin."""
+        """Make the plate with type and maker on the back of a bin."""
         return plate(at, (self.maker.upper(), f"TYPE {self.model}"))
 
     def slot(self, linkage: Linkage) -> ag.Solid:
-        """Make the tool that cuts the slots of the lever into the wall, in front and behind."""
+        """Make the cutter for the slots of the lever in the wall, in front and behind."""
         high = linkage.head - 0.001
         return ag.box(SLOT, self.can.depth + 0.1, high + 0.02).at(0.0, 0.0, (high - 0.02) / 2.0)
 
 
 def open_bin(draft: Draft, *, bagged: bool) -> ag.Body:
-    """Make an open bin: a liner lifts out of it, or the ring that holds its bag lifts off."""
+    """Make an open bin: its liner, or the ring that holds its bag, lifts out."""
     can, looks = draft.can, draft.looks
     body = stand(can, looks, floor=can.foot, dress=draft.dress, rim=0.0)
     if draft.carry != "none":
@@ -170,7 +170,7 @@ def open_bin(draft: Draft, *, bagged: bool) -> ag.Body:
 
 
 def hooded_bin(draft: Draft, kind: Turning, *, opening: ag.Scalar, rise: ag.Scalar) -> ag.Body:
-    """Make a bin with a lid that turns in a hood; the bag hangs in the bin itself."""
+    """Make a bin with a lid that turns in a hood; the bag is in the bin itself."""
     can, looks = draft.can, draft.looks
     hood = Hood(can, kind, rise, 0.14, looks.lid)
     light = {"swing": 280.0, "disc": 280.0, "ball": 110.0}[kind]
@@ -185,7 +185,7 @@ def hooded_bin(draft: Draft, kind: Turning, *, opening: ag.Scalar, rise: ag.Scal
 
 
 def butterfly_bin(draft: Draft, lid: Lid, foot: Foot | None) -> ag.Body:
-    """Make a bin with two flaps, which a pedal or hands open."""
+    """Make a bin with two flaps, opened by a pedal or by hands."""
     can, looks, opening = draft.can, draft.looks, lid.opening
     flaps = Flaps(can, opening)
     linkage = None
@@ -249,7 +249,7 @@ def pedal_bin(draft: Draft, lid: Lid, foot: Foot) -> ag.Body:
 
 
 def lift_bin(draft: Draft, lid: Lid, grip: Grip) -> ag.Body:
-    """Make a bin with a lid that a hand lifts; it falls shut, or stays open where it leans back."""
+    """Make a bin with a lid that a hand lifts; it falls shut, or stays open if it leans back."""
     can, looks = draft.can, draft.looks
     hinge = Hinge(can, 0.016, can.top - _SHORT)
     solids, holds = lid_grip(can, low=can.top + GAP, thick=THICK, style=grip, lid=lid.style)

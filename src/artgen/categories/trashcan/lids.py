@@ -1,7 +1,7 @@
-"""Lids at the back of a bin, on a hinge, and touch lids with their latch and spring.
+"""Hinged lids at the back of a bin, and touch lids with their latch and spring.
 
-The hinge's axis runs along X behind the rim, below the underside of the lid: whatever the lid has before and
-above the axis stays above it until the lid stands upright.
+The hinge's axis runs along x behind the rim, below the underside of the lid: the parts of the lid in front of
+and above the axis stay above it until the lid is upright.
 """
 
 import math
@@ -15,54 +15,54 @@ from artgen.categories.trashcan.bins import Can, Plan
 from artgen.categories.trashcan.pedals import Linkage
 
 LidStyle = Literal["flat", "domed", "stepped"]
-"""A slab with soft edges, a cushion, or a slab with a smaller one on it."""
+"""A slab with soft edges, a cushion shape, or a slab with a smaller slab on it."""
 
 Grip = Literal["none", "lip", "bar", "knob"]
 """Grip of a lid: none, a lip in front, a bar or a knob on it."""
 
 GAP = 0.0023
-"""Between the rim and the lid [m]."""
+"""Gap between the rim and the lid [m]."""
 
 PROUD = 0.0012
-"""How far the band of the rim stands out [m]."""
+"""Height of the band of the rim above the wall [m]."""
 
 STEP = 0.006
-"""How much higher the middle of a stepped lid is [m]."""
+"""Height of the middle of a stepped lid above its edge [m]."""
 
 SPARE = 0.004
-"""Clearance between an open lid and the parts that rise before it [m]."""
+"""Clearance between an open lid and the parts that rise in front of it [m]."""
 
 _HUB = 0.0062  # radius of the lid's hub [m]
-_HALF = 0.013  # half the length of the hub [m]
-_CHEEK = 0.0034  # thickness of the cheeks beside it [m]
+_HALF = 0.013  # half of the length of the hub [m]
+_CHEEK = 0.0034  # thickness of the cheeks beside the hub [m]
 _ROUND = 0.0082  # radius of the cheeks about the pin [m]
-_SHELL = 0.4  # mass of a moulding of 1.3 mm walls over that of a solid one
-_CUSHION = 90.0  # sheet of 0.4 mm around air, 2-3 kg/m2 where it is 25-35 mm high [kg/m3]
-_LEAST_ROUND = 0.012  # corner of a cushion [m]
-_SLOPE = 2.25  # how far a cushion leans inward over its rise, at most: its lower edge stays fit to round
-_BELOW = 0.006  # the axis under the rim [m]
+_SHELL = 0.4  # mass of a molding with 1.3 mm walls, as a share of a solid one
+_CUSHION = 90.0  # density for sheet of 0.4 mm around air, 2-3 kg/m2 at a height of 25-35 mm [kg/m3]
+_LEAST_ROUND = 0.012  # least corner radius of a cushion [m]
+_SLOPE = 2.25  # largest inward lean of a cushion over its rise: its lower edge can still be rounded
+_BELOW = 0.006  # depth of the axis under the rim [m]
 _SOFT = 0.0032  # bevel of a slab [m]
 _WITHIN = 0.0003  # depth of facets below the visible surface [m]
-_LIP = 0.020  # how far a lip stands out in front [m]
+_LIP = 0.020  # length of a lip in front [m]
 
 
 @dataclass(frozen=True)
 class Hinge:
     """The hinge at the back of a bin."""
 
-    can: Can  # the bin
-    behind: ag.Scalar  # how far the axis is behind the rim's wall [m]
-    foot: ag.Scalar  # where the housing ends below [m]
+    can: Can  # bin
+    behind: ag.Scalar  # distance of the axis behind the rim's wall [m]
+    foot: ag.Scalar  # height of the lower end of the housing [m]
 
     @property
     def axis(self) -> tuple[ag.Scalar, ag.Scalar]:
-        """The axis, y and z [m]."""
+        """Position of the axis, y and z [m]."""
         return self.can.back + self.behind, self.can.top - _BELOW
 
     def housing(
         self, finish: ag.Material, *, sill: bool = True, damper: bool = False, label: str = "hinge"
     ) -> ag.Body:
-        """Make the block behind the rim that carries the pin: two cheeks, and the cover between them."""
+        """Make the block behind the rim with the pin: two cheeks, and the cover between them."""
         y, z = self.axis
         finish = casting(finish, _SHELL)
         near, far = self.can.back - 0.004, y + 0.008
@@ -121,14 +121,14 @@ class Hinge:
             follows=follows,
             friction=friction,
             damping=damping,
-            armature=0.001,  # the rotor of its damper, geared up
+            armature=0.001,  # inertia of the rotor of the geared damper
             effort=12.0,
             velocity=8.0,
         )
 
     @property
     def far(self) -> ag.Scalar:
-        """Where the cover behind it ends, along y [m]."""
+        """Position of the rear end of the cover, along y [m]."""
         return self.axis[0] + 0.0083
 
     def clear(self, height: ag.Scalar, before: ag.Scalar) -> ag.Float:
@@ -145,7 +145,7 @@ def lid_panel(
     finish: ag.Material,
     overhang: ag.Scalar = 0.0015,
 ) -> ag.Body:
-    """Make the panel of a lid from its underside at a height: the link `lid`."""
+    """Make the panel of a lid, with its underside at a height: the link `lid`."""
     level = Can(can.plan, can.width, can.depth, low + thick, low, can.corner, can.sheet)
     slab = ag.extrude(level.outline(-overhang), thick, bevel=_SOFT).at(0.0, 0.0, low + thick / 2.0)
     radius = can.width / 2.0 + overhang
@@ -172,10 +172,10 @@ def lid_panel(
 
 
 def _faceted(seen: ag.Solid, met: ag.Solid, finish: ag.Material, plan: Plan) -> list[ag.Body]:
-    """Make one piece of a lid; a round one has a skin without colliders over a core of few facets.
+    """Make one piece of a lid; a round piece has a skin without colliders over a core of few facets.
 
-    A round slab of its own would collide as four pieces of many vertices, a cushion as eight; simulators find
-    the contacts with the flat side of so wide a cylinder only roughly.
+    A round slab would collide as four pieces of many vertices, a cushion as eight, and simulators find
+    contacts with the flat side of so wide a cylinder only roughly.
     """
     if plan != "round":
         return [ag.part(seen, "lid", finish)]
@@ -183,9 +183,9 @@ def _faceted(seen: ag.Solid, met: ag.Solid, finish: ag.Material, plan: Plan) -> 
 
 
 def _disc(radius: ag.Scalar, thick: ag.Scalar) -> ag.Solid:
-    """Make a disc of few facets within a slab with its underside at z = 0.
+    """Make a disc of few facets inside a slab with its underside at z = 0.
 
-    It has four quarters: a lid meets a raised bucket at points all around.
+    It has four quarters, so that a lid touches a raised bucket at points all around.
     """
     wide, high = radius - 0.8 * _SOFT, thick - 2.0 * _WITHIN
     quarter = ag.revolve(ag.rectangle(wide, high).at(wide / 2.0, thick / 2.0), angle=math.pi / 2.0, sides=32)
@@ -193,11 +193,11 @@ def _disc(radius: ag.Scalar, thick: ag.Scalar) -> ag.Solid:
 
 
 def _cap(radius: ag.Scalar, rise: ag.Scalar) -> ag.Solid:
-    """Make half of an ellipsoid of few facets within one that is smooth."""
+    """Make half of an ellipsoid of few facets inside a smooth one."""
     turns = (0.0, 0.36, 0.78)
     wide, high = radius - _WITHIN, rise - _WITHIN
     line = [(wide * math.cos(turn), high * math.sin(turn)) for turn in turns]
-    flat = 0.22  # of the radius: on top
+    flat = 0.22  # radius of the flat top, as a share
     return ag.revolve(
         ag.polygon([(0.0, 0.0), *line, (flat * wide, 0.975 * high), (0.0, 0.975 * high)]), sides=15
     )
@@ -206,7 +206,7 @@ def _cap(radius: ag.Scalar, rise: ag.Scalar) -> ag.Solid:
 def lid_grip(
     can: Can, *, low: ag.Scalar, thick: ag.Scalar, style: Grip, lid: LidStyle
 ) -> tuple[list[ag.Solid], list[ag.Frame]]:
-    """Make the grip of a lid, to be part of it, and its grasp frames."""
+    """Make the grip of a lid, as a part of it, with its grasp frames."""
     if style == "lip" or lid == "domed":
         wide = 0.34 * can.width
         lip = ag.box(wide, _LIP + 0.012, 0.008, bevel=0.003)
@@ -226,27 +226,27 @@ def lid_grip(
 
 
 ROOM = 0.027
-"""What the catch needs behind the front wall [m]."""
+"""Depth of the catch behind the front wall [m]."""
 
 _TONGUE = 0.024  # width of the tongue [m]
-_REACH = 0.034  # how far it reaches below the rim [m]
-_BEHIND = 0.015  # from the outer face of the wall to the middle of the tongue [m]
+_REACH = 0.034  # reach of the tongue below the rim [m]
+_BEHIND = 0.015  # distance from the outer face of the wall to the middle of the tongue [m]
 _THIN = 0.003
-_FOOT = 0.0045  # how far its foot points inward [m]
-_PLAY = 0.0005  # between the foot and the bar above it [m]
-_CAP = (0.050, 0.013, 0.016)  # of the button [m]
-_PROUD = 0.009  # how far the button stands out [m]
-_TRAVEL = 0.0062  # of the button [m]
+_FOOT = 0.0045  # reach of the foot of the tongue inward [m]
+_PLAY = 0.0005  # gap between the foot and the bar above it [m]
+_CAP = (0.050, 0.013, 0.016)  # width, height and depth of the button [m]
+_PROUD = 0.009  # height of the button above the wall [m]
+_TRAVEL = 0.0062  # travel of the button [m]
 _FREE = 0.0049  # travel at which the foot passes [m]
-_FRICTION = 0.02  # of the hinge of a lid [N m]
-_GRAVITY = 9.81  # [m/s2]
+_FRICTION = 0.02  # friction of the hinge of a lid [N m]
+_GRAVITY = 9.81  # gravity [m/s2]
 
 
 @dataclass(frozen=True)
 class Catch:
     """The catch between a lid and the front of a bin."""
 
-    can: Can  # the bin
+    can: Can  # bin
 
     @property
     def _foot(self) -> ag.Scalar:
@@ -259,13 +259,13 @@ class Catch:
         return self._foot + _THIN + _PLAY + 0.002
 
     def hole(self) -> ag.Solid:
-        """Make the tool that cuts the hole of the button into the front wall."""
+        """Make the cutter for the hole of the button in the front wall."""
         wide, _, high = _CAP
         tool = ag.box(wide + 0.001, 0.04, high + 0.001)
         return tool.at(0.0, self.can.front, self._bar)
 
     def tongue(self, low: ag.Scalar) -> list[ag.Solid]:
-        """Make the tongue, to be welded to a lid with its underside at a height."""
+        """Make the tongue, which is welded to a lid with its underside at a height."""
         y = self.can.front + _BEHIND
         blade = ag.box(_TONGUE, _THIN, low + 0.004 - self._foot, bevel=0.0008)
         foot = ag.box(_TONGUE - 0.001, _FOOT + 0.001, _THIN, bevel=0.0006)
@@ -296,8 +296,8 @@ class Catch:
         )
 
     def frees(self, press: ag.Joint) -> ag.Dependency:
-        """Return the condition of the lid until its foot has passed the bar."""
-        # the foot has to rise by the heights of foot and bar, 3 mm to spare
+        """Return the condition under which the foot of the lid can pass the bar."""
+        # the foot rises by the heights of foot and bar, with 3 mm to spare
         passed = (_THIN + 0.004 + 0.004) / (0.85 * self.can.depth)
         return (press > _FREE).until(passed)
 
@@ -305,7 +305,7 @@ class Catch:
 def sprung_lid(
     hinge: Hinge, lid: ag.Body, *, opening: ag.Scalar, needs: ag.Dependency, damping: ag.Scalar
 ) -> ag.Joint:
-    """Make the joint of a lid that a spring opens, a third stronger than its weight and its friction."""
+    """Make the joint of a lid with an opening spring, a third stronger than its weight and friction."""
     y, z = hinge.axis
     weight: ag.Float = _GRAVITY * lid.mass() * (y - lid.center_of_mass().y)
     start, end = 1.35 * weight + _FRICTION, 0.45 * weight

@@ -1,8 +1,8 @@
 """Pedals: a lever under the bin lifts a rod, and the rod turns the lid by its crank.
 
-The ratio of the coupling is that of the levers: foot plate to pin, pin to rod, and rod to the lid's axis. The
-lever and the crank both swing as far above the level as below it, where sines and angles differ least, so
-that the rod follows both to a millimetre.
+The lengths of the levers give the ratio of the coupling: foot plate to pin, pin to rod, and rod to the lid's
+axis. The lever and the crank both swing symmetrically about the horizontal, where sines and angles differ
+least, so that the rod follows both within a millimeter.
 """
 
 from dataclasses import dataclass
@@ -11,7 +11,7 @@ import artgen as ag
 from artgen import details
 
 ROLLER = 0.004
-"""Radius of the roller on which the rod stands [m]."""
+"""Radius of the roller under the rod [m]."""
 
 PIN = 0.0025
 """Radius of the pin at the end of the lid's crank [m]."""
@@ -20,11 +20,11 @@ SLOT = 0.030
 """Width of the slot for the lever [m]."""
 
 _HUB = 0.0065  # radius of the lever's hub [m]
-_THICK = 0.006  # of the lever [m]
+_THICK = 0.006  # thickness of the lever [m]
 _PLATE = 0.007  # thickness of the foot plate [m]
-_PLAY = 0.0008  # under the rod at rest [m]
-_SLACK = 0.0012  # over it: the pin of the crank lags behind by up to 0.4 mm on its way [m]
-_FLOOR = 0.004  # under the pressed pedal [m]
+_PLAY = 0.0008  # gap under the rod at rest [m]
+_SLACK = 0.0012  # gap above the rod: the pin of the crank lags behind by up to 0.4 mm [m]
+_FLOOR = 0.004  # gap under the pressed pedal [m]
 _ARM = 0.022  # width of the lever [m]
 
 
@@ -37,15 +37,15 @@ def asin(value: ag.Scalar) -> ag.Float:
 class Linkage:
     """The levers between a pedal and a lid."""
 
-    opening: ag.Scalar  # how far the lid opens [rad]
-    crank: ag.Scalar  # from the lid's axis to the pin that the rod lifts [m]
-    travel: ag.Scalar  # how far down the middle of the foot plate goes [m]
-    plate: ag.Scalar  # where the middle of the foot plate is, along y [m]
-    rod: ag.Scalar  # where the rod is, along y [m]
+    opening: ag.Scalar  # opening angle of the lid [rad]
+    crank: ag.Scalar  # distance from the lid's axis to the pin that the rod lifts [m]
+    travel: ag.Scalar  # travel of the middle of the foot plate [m]
+    plate: ag.Scalar  # position of the middle of the foot plate along y [m]
+    rod: ag.Scalar  # position of the rod along y [m]
 
     @property
     def lift(self) -> ag.Float:
-        """How far the rod rises: the crank swings from half the opening below the level to as far above."""
+        """Rise of the rod: the crank swings by half the opening angle to each side of the horizontal [m]."""
         return 2.0 * self.crank * ag.sin(self.opening / 2.0)
 
     @property
@@ -60,24 +60,24 @@ class Linkage:
 
     @property
     def angle(self) -> ag.Float:
-        """How far the pedal turns [rad]."""
+        """Turn of the pedal [rad]."""
         return 2.0 * asin(self.lift / (2.0 * self.rear))
 
     @property
     def pin(self) -> tuple[ag.Scalar, ag.Scalar]:
-        """Where the pin of the lever is, y and z: neither end reaches the floor [m]."""
+        """Position of the pin of the lever, y and z: neither end reaches the floor [m]."""
         below = ag.max_(self.lift / 2.0 + ROLLER, self.travel / 2.0 + _PLATE / 2.0)
         return self.rod - self.rear, below + _FLOOR
 
     @property
     def head(self) -> ag.Float:
-        """Height of the space that the lever needs above the floor [m]."""
+        """Height of the space of the lever above the floor [m]."""
         return self.pin[1] + ag.max_(self.travel, self.lift) / 2.0 + 0.009
 
     def turn(self, *, preload: ag.Scalar, force: ag.Scalar, damping: ag.Scalar = 0.15) -> ag.Joint:
         """Make the joint of the pedal; positive presses the foot plate down.
 
-        The lid's weight returns it through the rod, and a spring helps.
+        The lid's weight returns it through the rod, together with a spring.
         """
         stiffness = (force - preload) * self.front / self.angle
         y, z = self.pin
@@ -91,7 +91,7 @@ class Linkage:
             damping=damping,
             friction=0.04,
             armature=0.002,
-            effort=90.0 * self.front,  # a foot that steps on it firmly
+            effort=90.0 * self.front,  # force of a firm step
             velocity=6.0,
         )
 
@@ -124,7 +124,7 @@ class Linkage:
         return body.rotate(ag.X, -0.5 * self.angle).at(0.0, y, z)
 
     def bracket(self, *, floor: ag.Scalar, depth: ag.Scalar, finish: ag.Material) -> ag.Body:
-        """Make the two cheeks under the floor that carry the pin, to be welded to the bin."""
+        """Make the two cheeks under the floor with the pin, which are welded to the bin."""
         y, z = self.pin
         low = z - 0.008
         cheek = ag.box(0.003, 0.018, floor - low + 0.001, bevel=0.0008)
@@ -133,12 +133,12 @@ class Linkage:
             x = side * (_ARM / 2.0 + 0.0006 + 0.0015)
             parts.append(ag.part(cheek.at(x, y, (low + floor + 0.001) / 2.0), "base", finish))
         dark = ag.material("black_abs")
-        for side in (-1, 1):  # one sees no light through the slot
+        for side in (-1, 1):  # no light passes through the slot
             screen = ag.box(0.001, depth - 0.008, floor - 0.006)
             parts.append(
                 ag.detail(screen.at(side * (SLOT / 2.0 + 0.0008), 0.0, floor / 2.0 + 0.003), "base", dark)
             )
-        end = ag.cylinder(0.003, 0.0059, axis=ag.X, bevel=0.0006)  # of the pin, beside the arm
+        end = ag.cylinder(0.003, 0.0059, axis=ag.X, bevel=0.0006)  # the end of the pin, beside the arm
         for side in (-1, 1):
             placed = end.at(side * (_ARM / 2.0 + 0.00355), y, z)
             parts.append(ag.detail(placed, "base", ag.material("steel")))
@@ -154,7 +154,7 @@ class Linkage:
         return ag.weld(*(ag.part(each, "rod", finish) for each in (bar, foot, head)))
 
     def rod_slide(self, pedal: ag.Joint) -> ag.Joint:
-        """Make the joint by which the rod follows the pedal."""
+        """Make the joint of the rod, which follows the pedal."""
         return ag.Prismatic(
             "rod_slide",
             axis=ag.Z,
@@ -166,7 +166,7 @@ class Linkage:
         )
 
     def cranks(self, *, axis: tuple[ag.Scalar, ag.Scalar]) -> list[ag.Solid]:
-        """Make the crank of the lid at rest, to be welded to it: two plates and the pin between them."""
+        """Make the crank of the lid at rest, which is welded to it: two plates and the pin between them."""
         y, z = axis
         plate = ag.box(0.0032, self.crank, 0.006, bevel=0.0008).at(0.0, -0.5 * self.crank, 0.0)
         pin = ag.cylinder(PIN, 0.0164, axis=ag.X).at(0.0, -self.crank, 0.0)

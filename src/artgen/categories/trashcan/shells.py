@@ -1,4 +1,4 @@
-"""The standing part of a bin (wall, floor, feet, rim, bands, beads) and its inner bucket."""
+"""The fixed part of a bin (wall, floor, feet, rim, bands, beads) and its inner bucket."""
 
 from dataclasses import dataclass
 from typing import Literal
@@ -11,11 +11,12 @@ from artgen.categories.trashcan.bins import Can
 WIRE = 0.0028
 """Radius of the bail [m]."""
 
-_REACH = 0.62  # how far the bail reaches forward, as a share of half the bucket's depth
-_BEHIND = 0.028  # from the wall to the middle of a fixed grip: a finger has room between them [m]
-_GRIP = 0.0058  # radius of the grip on it [m]
+_REACH = 0.62  # forward reach of the bail, as a share of half the bucket's depth
+# distance from the wall to the middle of a fixed grip, with space for a finger between them [m]
+_BEHIND = 0.028
+_GRIP = 0.0058  # radius of the fixed grip [m]
 _PLASTIC = ag.material("black_abs")
-_GRAVITY = 9.81  # [m/s2]
+_GRAVITY = 9.81  # gravity [m/s2]
 
 
 def bucket(can: Can, *, finish: ag.Material, loop: bool = True, band: ag.Material | None = None) -> ag.Body:
@@ -33,11 +34,11 @@ def bucket(can: Can, *, finish: ag.Material, loop: bool = True, band: ag.Materia
 
 
 def _loop(can: Can, finish: ag.Material) -> list[ag.Body]:
-    """Make a level bar inside the rim, on two ribs, for fingers to reach behind."""
-    finish = casting(finish)  # it is pressed of sheet, or moulded hollow
+    """Make a horizontal bar inside the rim, on two ribs, for fingers behind it."""
+    finish = casting(finish)  # pressed of sheet, or molded hollow
     wall = can.front + 0.6 * can.wall
     y, z = wall + _BEHIND, can.top - 0.006
-    # in a narrow one it is shorter: its ribs stand where the corners hardly draw the wall in yet
+    # shorter in a narrow bucket: its ribs are clear of the corners
     corner = can.corner if can.plan in ("square", "rectangle") else 0.0
     beside = ag.min_(0.064 / 2.0 - 0.004, can.width / 2.0 - 0.5 * corner - 0.003)
     bar = ag.box(2.0 * (beside + 0.004), 0.009, 0.011, bevel=0.003).at(0.0, y, z)
@@ -49,19 +50,20 @@ def _loop(can: Can, finish: ag.Material) -> list[ag.Body]:
 
 
 def bail_play(can: Can, gap: ag.Scalar) -> ag.Scalar:
-    """Return the angle by which a bail turns before it strikes a part above the rim, slightly less [rad]."""
+    """Return an angle just below that at which a bail strikes a part above the rim [rad]."""
     return 0.9 * gap / (_REACH * can.depth / 2.0)
 
 
 def bucket_slide(body: ag.Body, *, travel: ag.Scalar, needs: ag.Condition | ag.Dependency | None) -> ag.Joint:
-    """Make the joint by which a bucket is lifted out, just above its weight."""
+    """Make the joint of a bucket that lifts out with little more force than its weight."""
     return ag.Prismatic(
         "bucket_slide",
         axis=ag.Z,
         limits=(0.0, travel),
-        friction=0.15,  # it rubs on the wall here and there; a lid that leans on it must not hold it up
+        friction=0.15,  # friction at the wall; a lid that leans on the bucket must not hold it up
         damping=2.0,
-        effort=1.1 * _GRAVITY * body.mass() + 1.0,  # a hand that lifts it, and does not force the lid open
+        # force of a hand that lifts the bucket but cannot force the lid open
+        effort=1.1 * _GRAVITY * body.mass() + 1.0,
         velocity=1.0,
         needs=needs,
     )
@@ -70,8 +72,8 @@ def bucket_slide(body: ag.Body, *, travel: ag.Scalar, needs: ag.Condition | ag.D
 def with_bail(
     body: ag.Body, can: Can, *, finish: ag.Material, needs: ag.Condition | ag.Dependency | None
 ) -> ag.Body:
-    """Hang a wire bail on a bucket; it lies on the level of the rim, towards the front: the link `handle`."""
-    # the front of a half-round one closes in at once
+    """Attach a wire bail to a bucket, at rest level with the rim, to the front: the link `handle`."""
+    # the sides of the front of a half-round bucket converge immediately
     half = can.half_across(can.wall) - (0.005 if can.plan == "half_round" else 0.0)
     x, y = half - WIRE - 0.0022, -_REACH * can.depth / 2.0
     z = can.top - WIRE
@@ -90,10 +92,10 @@ def with_bail(
         axis=-ag.X,
         pivot=(0.0, 0.0, z),
         limits=(0.0, 1.5),
-        friction=1.2 * weight,  # it stays up: its ends are bent to grip the eyes
+        friction=1.2 * weight,  # the bail stays up: its bent ends grip the eyes
         damping=0.01,
         armature=0.0002,
-        effort=3.2 * weight + 0.01,  # raises it, and does not force the lid open
+        effort=3.2 * weight + 0.01,  # torque that raises the bail but cannot force the lid open
         velocity=8.0,
         needs=needs,
     )
@@ -101,18 +103,18 @@ def with_bail(
 
 
 Dress = Literal["plain", "base_band", "beads", "ring"]
-"""What goes around a wall: nothing, a band at the foot, two beads, or a bright ring under the rim."""
+"""Bands around a wall: none, a band at the foot, two beads, or a bright ring under the rim."""
 
 
 @dataclass(frozen=True)
 class Looks:
-    """What a bin is made of."""
+    """Materials of a bin."""
 
-    finish: ag.Material  # of its wall
-    lid: ag.Material  # of its lid or hood
-    trim: ag.Material  # of rim, base and hinge
-    bright: ag.Material  # of rings and pins
-    plastic: ag.Material  # hidden parts, and hinges
+    finish: ag.Material  # finish of the wall
+    lid: ag.Material  # finish of the lid or hood
+    trim: ag.Material  # material of rim, base and hinge
+    bright: ag.Material  # metal of rings and pins
+    plastic: ag.Material  # material of hidden parts and of hinges
 
 
 def stand(
@@ -155,7 +157,7 @@ def _rim(can: Can, high: ag.Scalar) -> list[ag.Solid]:
 
 
 def rolled_rim(can: Can, finish: ag.Material) -> ag.Body:
-    """Make the bead around the rim of an open bin, only seen."""
+    """Make the bead around the rim of an open bin, visual only."""
     return ag.detail(
         can.band(can.top - 0.010, can.top + 0.0015, outer=-0.0028, inner=can.wall + 0.001), "rim", finish
     )

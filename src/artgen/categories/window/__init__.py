@@ -1,20 +1,21 @@
-"""A window in its frame: casements, an awning, sliding or double-hung sashes, with locks that work.
+"""A window in its frame: casements, an awning, sliding or double-hung sashes, with working locks.
 
 The front (-y) is the outside, with the sill; levers, locks and pulls are on the inside, at the back.
 Casements open inwards or outwards, awnings outwards.
 
 Links: `frame`; the sashes `pane` (`pane_lower` and `pane_upper` of a double-hung window); `handle` and the
-cams `bolt` that it slides in the edge of a hinged sash; `lock`, the cam where two sliding sashes meet, or the
-latch of one that slides past a fixed one; `shutter_left` and `shutter_right`. Several of a kind are numbered.
-Joints: `pane_hinge`, `handle_turn`, `bolt_slide`; `pane_slide`, `lock_slide`; `pane_slide_0`, `pane_slide_1`,
-`lock_turn`; `pane_slide_lower`, `pane_slide_upper`, `lock_turn`; `shutter_hinge_left` and `_right`.
+cams `bolt` that it slides in the edge of a hinged sash; `lock`, the cam at the meeting rails of two sliding
+sashes, or the latch of a sash that slides past a fixed one; `shutter_left` and `shutter_right`. Several links
+of a kind are numbered. Joints: `pane_hinge`, `handle_turn`, `bolt_slide`; `pane_slide`, `lock_slide`;
+`pane_slide_0`, `pane_slide_1`, `lock_turn`; `pane_slide_lower`, `pane_slide_upper`, `lock_turn`;
+`shutter_hinge_left` and `_right`.
 
-A sash opens when its lock is turned: cams stand behind keeps, a latch beside its keep, a cam under its
-keeper, which holds both sashes. Casements stay where friction leaves them; an awning by its friction stay, or
-it falls shut; hung sashes are balanced by springs.
+A sash opens after its lock is turned: cams are behind keeps, a latch is beside its keep, a cam is under its
+keeper and locks both sashes. Friction holds casements; a friction stay holds an awning, which falls shut
+without one; springs balance hung sashes.
 
-Sizes are those of catalogues of timber (IV68), PVC (70 mm) and aluminium systems: sashes 0.4-1.0 m wide and
-0.4-1.7 m high, frames of 48-60 mm, glass of two sheets of 4 mm (20 kg/m2), or of one in old ones.
+Sizes are those of catalogs of timber (IV68), PVC (70 mm) and aluminum systems: sashes 0.4-1.0 m wide and
+0.4-1.7 m high, frames of 48-60 mm, glass of two sheets of 4 mm (20 kg/m2), or of one sheet in old windows.
 """
 
 from typing import Literal
@@ -82,12 +83,14 @@ def window(
         awning="single",
         sliding=ag.choice("pair", "row", weights=(0.65, 0.35)),
         double_hung="pair",
-        doc="a row has four side by side, a cross two above two",
+        doc="arrangement of the sashes; a row has four side by side, a cross two above two",
     ),
     opens: Literal["inwards", "outwards"] = ag.by(
         "style", casement=ag.choice("inwards", "outwards", weights=(0.6, 0.4)), otherwise="outwards"
     ),
-    hand: Literal["left", "right"] = ag.choice("left", "right", doc="side of the hinges, or of the slider"),
+    hand: Literal["left", "right"] = ag.choice(
+        "left", "right", doc="side of the hinges, or of the sliding sash"
+    ),
     hands: Literal["same", "opposite"] = ag.by(
         "layout", single="same", otherwise=ag.choice("same", "opposite", weights=(0.3, 0.7))
     ),
@@ -95,7 +98,7 @@ def window(
         "style",
         sliding=ag.by("layout", row="one", otherwise=ag.choice("one", "both")),
         otherwise="both",
-        doc="of two sashes side by side: XO or XX; of four (OXXO) the middle ones do",
+        doc="which sashes slide: of two, one (XO) or both (XX); of four, the middle ones (OXXO)",
     ),
     width: ag.Float = ag.by(
         "style",
@@ -110,7 +113,7 @@ def window(
         sliding=ag.by("layout", row=ag.uniform(1.75, 2.40), otherwise=ag.uniform(0.95, 1.80)),
         double_hung=ag.uniform(0.55, 1.10),
         unit="m",
-        doc="of the frame",
+        doc="width of the frame",
         within=(0.4, 2.4),
     ),
     height: ag.Float = ag.by(
@@ -120,11 +123,13 @@ def window(
         sliding=ag.uniform(0.60, 1.40),
         double_hung=ag.uniform(1.05, 1.80),
         unit="m",
-        doc="of the frame, on its sill",
+        doc="height of the frame, on its sill",
         within=(0.45, 1.8),
     ),
     upper: ag.Float = ag.uniform(0.26, 0.36, doc="share of the height above the transom of a cross"),
-    columns: int = ag.choice(0, 1, 2, 3, weights=(0.54, 0.27, 0.13, 0.06), doc="upright bars on a pane"),
+    columns: int = ag.choice(
+        0, 1, 2, 3, weights=(0.54, 0.27, 0.13, 0.06), doc="number of vertical glazing bars on a pane"
+    ),
     rows: int = ag.by(
         "columns",
         {
@@ -133,7 +138,7 @@ def window(
             2: ag.choice(1, 2, 3, weights=(0.4, 0.35, 0.25)),
             3: ag.choice(1, 2, 3, weights=(0.3, 0.35, 0.35)),
         },
-        doc="level bars on a pane",
+        doc="number of horizontal glazing bars on a pane",
     ),
     kind: Kind = ag.choice("wood", "pvc", "aluminium", weights=(0.4, 0.35, 0.25)),
     finish: ag.Material = ag.by(
@@ -145,15 +150,17 @@ def window(
     glass: ag.Material = ag.choice(*_GLASS, weights=(0.82, 0.10, 0.08)),
     sheets: int = ag.by("kind", wood=ag.choice(1, 2, weights=(0.3, 0.7)), otherwise=2),
     sill: ag.Material = ag.shades(*SILLS, weights=SILL_WEIGHTS, color=0.03),
-    horns: ag.Float = ag.uniform(0.0, 0.045, "m", doc="how far the sill reaches past the frame"),
+    horns: ag.Float = ag.uniform(0.0, 0.045, "m", doc="length of the sill beyond each side of the frame"),
     board: bool = ag.by(
         "style",
-        awning=False,  # a hand at the lever would strike it
+        awning=False,  # a hand at the lever would strike a window board
         otherwise=ag.choice(False, True, weights=(0.6, 0.4)),
         doc="whether there is a window board inside",
     ),
-    vent: bool = ag.choice(False, True, weights=(0.7, 0.3), doc="a trickle vent in the head"),
-    cap: bool = ag.choice(False, True, weights=(0.45, 0.55), doc="a drip cap over the head"),
+    vent: bool = ag.choice(
+        False, True, weights=(0.7, 0.3), doc="whether there is a trickle vent in the head"
+    ),
+    cap: bool = ag.choice(False, True, weights=(0.45, 0.55), doc="whether there is a drip cap over the head"),
     shutters: ShutterStyle = ag.by(
         "layout",
         row="none",
@@ -169,7 +176,7 @@ def window(
         ),
     ),
     shutter_finish: ag.Material = ag.shades(*_SHUTTERS, color=0.06, roughness=0.04),
-    slats: int = ag.count(9, 12, doc="louvres in half a shutter"),
+    slats: int = ag.count(9, 12, doc="number of louvers in half a shutter"),
     shutter_swing: ag.Float = ag.uniform(1.7, 3.0, "rad"),
     metal: ag.Material = ag.shades(*FINISHES, weights=FINISH_WEIGHTS, color=0.03, roughness=0.03),
     lever: LeverStyle = ag.choice("straight", "tapered", "bent"),
@@ -178,11 +185,14 @@ def window(
         "opens",
         inwards=ag.choice("quarter", "half"),
         outwards="quarter",
-        doc="half a turn ends where gear for tilting airs",
+        doc="range of the lever; half a turn on gear for tilting sashes",
     ),
-    lever_friction: ag.Float = ag.uniform(0.35, 0.8, "N m", doc="of the gear and its detents"),
+    lever_friction: ag.Float = ag.uniform(0.35, 0.8, "N m", doc="friction of the gear and its detents"),
     lock_friction: ag.Float = ag.by(
-        "slides", one=ag.uniform(2.5, 5.0), both=ag.uniform(0.15, 0.4), doc="of a latch [N], of a cam [N m]"
+        "slides",
+        one=ag.uniform(2.5, 5.0),
+        both=ag.uniform(0.15, 0.4),
+        doc="friction of a latch [N] or a cam [N m]",
     ),
     swing: ag.Float = ag.by(
         "style", awning=ag.uniform(0.45, 1.1), otherwise=ag.uniform(1.2, 1.5), unit="rad", within=(0.2, 1.52)
@@ -190,13 +200,13 @@ def window(
     stay: Literal["friction", "none"] = ag.by(
         "style", awning=ag.choice("friction", "none", weights=(0.65, 0.35)), otherwise="friction"
     ),
-    hinge_friction: ag.Float = ag.uniform(0.8, 2.0, "N m", doc="of casement stays"),
+    hinge_friction: ag.Float = ag.uniform(0.8, 2.0, "N m", doc="friction of casement stays"),
     hinge_damping: ag.Float = ag.uniform(0.5, 1.5, "N m s/rad"),
-    bar: ag.Float = ag.uniform(0.11, 0.18, "m", doc="of the pulls of sliding sashes"),
+    bar: ag.Float = ag.uniform(0.11, 0.18, "m", doc="length of the pulls of sliding sashes"),
     lifts: int = ag.by(
-        "style", double_hung=ag.choice(1, 2), otherwise=1, doc="on the lower one of two hung sashes"
+        "style", double_hung=ag.choice(1, 2), otherwise=1, doc="number of lifts on the lower hung sash"
     ),
-    drag: ag.Float = ag.uniform(9.0, 18.0, "N", doc="of rollers, balances and brushes"),
+    drag: ag.Float = ag.uniform(9.0, 18.0, "N", doc="friction of rollers, balances and brushes"),
 ) -> ag.Body:
     """Make a casement, awning, sliding or double-hung window, shut and locked."""
     ag.require(
@@ -209,7 +219,7 @@ def window(
     )
     ag.require(style != "sliding" or layout in ("pair", "row"), "layout of style=sliding must be pair or row")
     abreast = {"single": 1, "row": 4}.get(layout, 2)
-    # a row of sashes needs room for the glass of each
+    # a row of sashes needs space for the glass of each
     least = (abreast + 1) / 5.0 if style in ("casement", "sliding") else 0.0
     width = ag.require(
         width, width >= least, f"layout={layout} has narrow sashes: width must be >= {least:g} m"

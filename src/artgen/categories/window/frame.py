@@ -1,7 +1,7 @@
-"""Frames of windows: rebated ones for hinged sashes, tracked ones for those that slide, sills and drip caps.
+"""Frames of windows: rebated for hinged sashes, tracked for sliding sashes; sills and drip caps.
 
-The opening's middle is the origin. Frames with rebates have their stops behind the sashes, which open to -y;
-the outside is where `outside` says, -1 for -y.
+The middle of the opening is the origin. Rebated frames have their stops behind the sashes, which open to -y;
+`outside` gives the direction of the outside, -1 for -y.
 """
 
 from collections.abc import Sequence
@@ -11,28 +11,28 @@ import artgen as ag
 from artgen.categories.window.plan import SEALED, SEAM, STOP, Rect, Section, ring_along, ring_of
 
 MULLION = 0.068
-"""Face of the posts and transoms between two sashes [m]."""
+"""Width of the posts and transoms between two sashes [m]."""
 
 SILL = 0.030
 """Thickness of the sill under a frame [m]."""
 
-_OUT = 0.048  # how far a sill stands out of the frame [m]
-_PLAY = 0.003  # between a sliding sash and its track, in depth [m]
-_BEAD = 0.008  # between two tracks [m]
-_STRIP = (0.010, 0.016)  # of tracks: how thick, and how far they stand out [m]
+_OUT = 0.048  # projection of a sill from the frame [m]
+_PLAY = 0.003  # gap between a sliding sash and its track, in depth [m]
+_BEAD = 0.008  # gap between two tracks [m]
+_STRIP = (0.010, 0.016)  # thickness and projection of the strips of tracks [m]
 
 TRACK = 0.004
-"""Between the edges of sliding sashes and the frame [m]."""
+"""Gap between the edges of sliding sashes and the frame [m]."""
 
 
 class Cell(NamedTuple):
     """The opening of one sash in a frame."""
 
-    x: ag.Scalar  # where its middle is [m]
-    z: ag.Scalar  # [m]
-    width: ag.Scalar  # [m]
-    height: ag.Scalar  # [m]
-    column: int  # which it is, from the left
+    x: ag.Scalar  # position of the middle along x [m]
+    z: ag.Scalar  # position of the middle along z [m]
+    width: ag.Scalar  # width of the opening [m]
+    height: ag.Scalar  # height of the opening [m]
+    column: int  # index of the column, from the left
 
 
 def cells(width: ag.Scalar, height: ag.Scalar, columns: int, rows: Sequence[ag.Scalar]) -> list[Cell]:
@@ -59,7 +59,7 @@ def rebated_frame(
     *,
     solid: bool,
 ) -> ag.Body:
-    """Make the frame around hinged sashes: a mitred ring, posts and transoms, stops and seals."""
+    """Make the frame around hinged sashes: a mitered ring, posts and transoms, stops and seals."""
     deep, eased = section.back, section.eased
     outline = ag.rectangle(section.frame, deep, radius=eased).at(-section.frame / 2.0, -deep / 2.0)
     around = Rect(-section.frame, 0.0, -deep, 0.0)
@@ -103,15 +103,15 @@ def _bars(width: ag.Scalar, height: ag.Scalar, places: Sequence[Cell], section: 
 
 
 class Tracks(NamedTuple):
-    """Where sashes slide in a frame, along y."""
+    """Positions of the tracks of sliding sashes along y."""
 
     outer: float  # middle of the outer sashes [m]
     inner: float  # middle of the inner sashes [m]
-    back: float  # where the frame ends; it begins at 0 [m]
+    back: float  # rear end of the frame; its front is at 0 [m]
 
     @staticmethod
     def of(section: Section) -> "Tracks":
-        """Lay two tracks for sashes of a system."""
+        """Return two tracks for sashes of a system."""
         outer = _STRIP[0] + _PLAY + section.slide / 2.0
         inner = outer + section.slide + 2.0 * _PLAY + _BEAD
         return Tracks(outer, inner, inner + outer)
@@ -120,7 +120,7 @@ class Tracks(NamedTuple):
 def tracked_frame(
     width: ag.Scalar, height: ag.Scalar, section: Section, finish: ag.Material, *, head: ag.Scalar
 ) -> ag.Body:
-    """Make the frame around sliding sashes: a mitred ring with three strips that make two tracks."""
+    """Make the frame around sliding sashes: a mitered ring with three strips that form two tracks."""
     tracks = Tracks.of(section)
     deep = tracks.back
     outline = ag.rectangle(section.frame, deep, radius=section.eased).at(-section.frame / 2.0, -deep / 2.0)
@@ -149,7 +149,7 @@ def sill_under(
     *,
     horns: ag.Scalar,
 ) -> ag.Body:
-    """Make the sill that the frame stands on; its top falls to the outside, its nose has a drip groove."""
+    """Make the sill under the frame; its top slopes down to the outside, its nose has a drip groove."""
     nose = front - _OUT
     low = top - SILL
     section = ag.polygon(
@@ -168,7 +168,7 @@ def sill_under(
 
 
 def drip_cap(width: ag.Scalar, front: ag.Scalar, top: ag.Scalar, finish: ag.Material) -> ag.Body:
-    """Make the cap over the head that throws rain off, on the outside at y = front."""
+    """Make the drip cap over the head, on the outside at y = front."""
     section = ag.polygon(
         [(0.0, 0.0), (0.0, 0.016), (-0.026, 0.010), (-0.030, -0.003), (-0.0275, -0.003), (-0.024, 0.004)]
     )

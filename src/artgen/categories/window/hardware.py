@@ -1,7 +1,7 @@
-"""Hardware of hinged sashes: barrel hinges, and levers that drive cams in the edge of a sash.
+"""Hardware of hinged sashes: barrel hinges, and levers that move cams in the edge of a sash.
 
-Hinged sashes are drawn about the middle of their opening with their hinges at the left; they open to -y. The
-front plane of the frame is y = 0.
+Hinged sashes are modeled about the middle of their opening with their hinges at the left; they open to -y.
+The front plane of the frame is y = 0.
 """
 
 from typing import Literal, NamedTuple
@@ -14,35 +14,35 @@ from artgen.categories.window.plan import LIP, REBATE, SEALED, Section
 BARREL = 0.0065
 """Radius of hinges [m]."""
 
-_BESIDE = 0.0020  # from a barrel to the lip beside it [m]
-_APART = 0.0005  # between the halves of a hinge [m]
+_BESIDE = 0.0020  # gap from a barrel to the lip beside it [m]
+_APART = 0.0005  # gap between the halves of a hinge [m]
 
-_TRAVEL = 0.016  # of the cams for a quarter turn of the lever [m]
+_TRAVEL = 0.016  # travel of the cams for a quarter turn of the lever [m]
 QUARTER = 1.57
 RELEASED = 1.30
-"""Angle of the lever at which the cams have left their keeps [rad]."""
+"""Angle of the lever at which the cams are out of their keeps [rad]."""
 
-_CAM = (0.008, 0.010)  # of a cam: along y, along z [m]
+_CAM = (0.008, 0.010)  # size of a cam along y and z [m]
 _KEEP = (0.009, 0.012)
-_KEEP_OUT, _KEEP_BEVEL = 0.0066, 0.0015  # how far keeps stand out of the frame, and their bevels [m]
-_PLAY = 0.0009  # a closed window rattles by this much [m]
+_KEEP_OUT, _KEEP_BEVEL = 0.0066, 0.0015  # height of keeps above the frame, and their bevels [m]
+_PLAY = 0.0009  # play of a closed window [m]
 _EDGE_GAP = 0.0003
 
 LEVER_OUT = 0.046
-"""How far a lever stands out from the face that it is on [m]."""
+"""Height of a lever above its face [m]."""
 
 LeverStyle = Literal["straight", "tapered", "bent"]
 
 
 class Pin(NamedTuple):
-    """The axis of the hinges of a sash, parallel to Z."""
+    """The axis of the hinges of a sash, parallel to z."""
 
-    x: ag.Scalar  # [m]
-    y: ag.Scalar  # [m]
+    x: ag.Scalar  # position of the axis along x [m]
+    y: ag.Scalar  # position of the axis along y [m]
 
     @staticmethod
     def beside(width: ag.Scalar, section: Section) -> "Pin":
-        """Put the axis beside the lip of a sash in an opening of some width."""
+        """Return the axis beside the lip of a sash in an opening of some width."""
         return Pin(-width / 2.0 - LIP - _BESIDE - BARREL, -SEALED - section.lip / 2.0)
 
 
@@ -56,11 +56,11 @@ def barrel_hinges(
     finish: ag.Material,
     solid: bool = True,
 ) -> tuple[ag.Body, ag.Body]:
-    """Make barrel hinges: the upper half turns with the sash, the lower one stands on the frame."""
+    """Make barrel hinges: the upper half turns with the sash, the lower half is on the frame."""
     half = tall / 2.0 - _APART
     up, down = _APART + half / 2.0, -_APART - half / 2.0
     barrel = ag.cylinder(BARREL, half, axis=ag.Z, bevel=0.001)
-    # a post within the barrel collides, in one piece with the arm or the foot
+    # a post inside the barrel collides, in one piece with the arm or the foot
     core = ag.extrude(ag.regular_polygon(8, BARREL - 0.0001), half - 0.0002)
     arm = ag.box_between((0.0, -0.0025, -0.4 * half), (to - pin.x + 0.001, 0.0025, 0.4 * half))
     foot = ag.box_between((-0.004, 0.0, -0.4 * half), (0.004, face - pin.y + 0.001, 0.4 * half))
@@ -80,7 +80,7 @@ def barrel_hinges(
 def lever_turn(
     name: str, *, pivot: tuple[ag.Scalar, ag.Scalar, ag.Scalar], limit: ag.Scalar, friction: ag.Scalar
 ) -> ag.Joint:
-    """Make the joint of a lever that hangs down while it locks, held by the detents of its gear."""
+    """Make the joint of a lever that points down while locked, held by the detents of its gear."""
     return ag.Revolute(
         name,
         axis=ag.Y,
@@ -121,7 +121,7 @@ def window_lever(
             top = ag.box(0.014, 0.010, 0.012, bevel=0.004).at(x, out, z - 0.002)
             end = ag.box(0.023, 0.011, 0.014, bevel=0.005).at(x, out, low + 0.007)
             seen.append(ag.detail(ag.hull(top, end), "handle", finish))
-            # of few corners, just under that skin
+            # collider with few corners, just under the visible surface
             upper = _octagonal(0.0136, 0.0096, 0.0060, cut=0.0026).at(x, out, z - 0.002)
             lower = _octagonal(0.0222, 0.0104, 0.0090, cut=0.0032).at(x, out, low + 0.007)
             grip = ag.hull(upper, lower)
@@ -133,7 +133,7 @@ def window_lever(
             seen.append(
                 ag.detail(ag.sweep(ag.rectangle(0.017, 0.011, radius=0.004), course), "handle", finish)
             )
-            # within that skin: a bar, and a piece for the bend
+            # inside that surface: a bar, and a piece for the bend
             grip = ag.board((x - 0.008, x + 0.008), (out - 0.005, out + 0.005), (low + 0.0145, z - 0.0015))
             end = ag.box(0.0156, 0.0067, 0.0070).at(x, out - side * 0.01235, low + 0.0045)
             bend = ag.board(
@@ -146,7 +146,7 @@ def window_lever(
 
 
 def _octagonal(wide: float, deep: float, tall: float, *, cut: float) -> ag.Solid:
-    """Make an upright bar about the origin with cut edges."""
+    """Make a vertical bar about the origin with chamfered edges."""
     x, y = wide / 2.0, deep / 2.0
     right = [(x, cut - y), (x, y - cut), (x - cut, y)]
     corners = [(x - cut, -y), *right, *((-a, -b) for a, b in [(x - cut, -y), *right])]
@@ -154,7 +154,7 @@ def _octagonal(wide: float, deep: float, tall: float, *, cut: float) -> ag.Solid
 
 
 def bow_pull(*, length: ag.Scalar, girth: float, finish: ag.Material, name: str) -> ag.Body:
-    """Make an upright bow on the face y = 0, standing out to -y, with round flanges under its ends."""
+    """Make a vertical bow on the face y = 0, towards -y, with round flanges under its ends."""
     bow: ag.Body = bar_pull(
         finish=finish, name=name, level=False, style="bow", length=length, projection=0.034, girth=girth
     )
@@ -169,14 +169,14 @@ def swings_out(arm: ag.Scalar, back: ag.Scalar, past: ag.Scalar) -> ag.Scalar:
 
 
 class CamLock(NamedTuple):
-    """Cams in the edge of a sash, which a lever slides behind keeps on the frame."""
+    """Cams in the edge of a sash; a lever slides them behind keeps on the frame."""
 
-    rod: ag.Body  # the sliding part: the link `bolt`
-    keeps: ag.Body  # to be welded to the frame
-    slide: ag.Joint  # the joint of the rod
-    passed: ag.Float | ag.Scalar  # angle of the pane at which the cams are out of the keeps' way [rad]
-    nears: ag.Scalar  # how far a rod swings towards the keeps until it has passed them [m]
-    room: float  # from the rod to the keeps [m]
+    rod: ag.Body  # sliding part: the link `bolt`
+    keeps: ag.Body  # keeps, which are welded to the frame
+    slide: ag.Joint  # joint of the rod
+    passed: ag.Float | ag.Scalar  # angle of the pane at which the cams clear the keeps [rad]
+    nears: ag.Scalar  # swing of a rod towards the keeps before it passes them [m]
+    room: float  # gap from the rod to the keeps [m]
 
 
 def cam_lock(
@@ -191,7 +191,7 @@ def cam_lock(
 ) -> CamLock:
     """Make cams at the lock edge of a sash, in the groove between it and the frame."""
     edge = width / 2.0 - REBATE
-    middle = 0.029  # of the cams, in depth [m]
+    middle = 0.029  # depth of the middle of the cams [m]
     deep, tall = _CAM
     out = REBATE - 0.0034
     cam = ag.box_between(

@@ -1,6 +1,6 @@
-"""Casements and awnings, which hang in a rebated frame; and the common parts of all windows.
+"""Casements and awnings in a rebated frame, and the common parts of all windows.
 
-All are drawn about the middle of their opening. Sashes open to -y, so that those that open inwards are
+All windows are modeled about the middle of their opening. Sashes open to -y; windows that open inward are
 mirrored.
 """
 
@@ -30,15 +30,15 @@ from artgen.categories.window.hardware import (
 from artgen.categories.window.plan import LIP, REBATE, SEALED, STOP, Section
 from artgen.categories.window.sashes import Glazing, lipped_sash
 
-_GRAVITY = 9.81  # [m/s^2]
+_GRAVITY = 9.81  # gravity [m/s^2]
 _HOLDS = 1.15  # ratio of the friction of a stay to the load of a sash
 _LIFTS = 52.0  # largest force of a hand that lifts an awning [N]
 _LEVERS_MEET = (
     "the levers of two sashes that open towards each other would collide: lower swing or lever_length, "
     "raise width, or take hands=same"
 )
-_HINGED = 0.288  # side of a sash on which its two hinges have room [m]
-_LOCKED = 0.228  # gap of a sash with hinges without colliders: its two keeps have room [m]
+_HINGED = 0.288  # least side length of a sash with two hinges [m]
+_LOCKED = 0.228  # least side length of a sash with two keeps and visual-only hinges [m]
 _TOO_SHORT = (
     "a sash has no room for its hinges and for two keeps: raise height, or width of an awning, or upper of a "
     "cross"
@@ -58,37 +58,37 @@ _LOCK_MEETS = (
 
 @dataclass(frozen=True)
 class Draft:
-    """What every window has."""
+    """Common data of windows."""
 
-    width: ag.Float  # of the opening in the frame [m]
-    height: ag.Float  # [m]
-    section: Section  # of the system
+    width: ag.Float  # width of the opening in the frame [m]
+    height: ag.Float  # height of the opening in the frame [m]
+    section: Section  # sections of the window system
     glazing: Glazing  # filling of the sashes
-    finish: ag.Material  # of the frame
-    metal: ag.Material  # of levers, locks and hinges
-    friction: ag.Float  # of the gear or detent of a lock [N m; N for a latch]
+    finish: ag.Material  # finish of the frame
+    metal: ag.Material  # metal of levers, locks and hinges
+    friction: ag.Float  # friction of the gear or detent of a lock [N m], or of a latch [N]
 
 
 @dataclass(frozen=True)
 class Swing:
-    """How hinged sashes hang."""
+    """Motion of hinged sashes and their levers."""
 
-    limit: ag.Float  # how far they open [rad]
-    friction: ag.Float  # of the hinges of a casement [N m]
-    damping: ag.Float  # [N m s/rad]
+    limit: ag.Float  # opening angle of the sashes [rad]
+    friction: ag.Float  # friction of the hinges of a casement [N m]
+    damping: ag.Float  # damping of the hinges [N m s/rad]
     lever: LeverStyle  # style of the lever
-    length: ag.Float  # of the lever [m]
-    turn: float  # how far it turns [rad]
-    stay: Literal["friction", "none"]  # holder of an awning: a friction stay, or nothing
-    # whether hinges and stops have mass and collide; those of many leaves only are seen, since simulators
-    # test all pairs of close colliders
+    length: ag.Float  # length of the lever [m]
+    turn: float  # range of the lever [rad]
+    stay: Literal["friction", "none"]  # holder of an awning: a friction stay, or none
+    # whether hinges and stops have mass and collide; with many leaves they are visual only, because
+    # simulators test all pairs of close colliders
     solid: bool
 
 
 def casement(
     draft: Draft, swing: Swing, hands: tuple[int, ...], rows: Sequence[ag.Scalar], *, inward: bool
 ) -> ag.Body:
-    """Make casements beside and above each other, hung at their sides."""
+    """Make side-hung casements beside and above each other."""
     places = cells(draft.width, draft.height, len(hands), rows)
     body = rebated_frame(draft.width, draft.height, places, draft.section, draft.finish, solid=swing.solid)
     for number, cell in enumerate(places):
@@ -98,29 +98,29 @@ def casement(
         body = ag.weld(body, hung.at(cell.x, 0.0, cell.z))
     if inward:
         for left, right in pairwise(places[: len(hands)]):
-            if hands[left.column] < hands[right.column]:  # both hang on the post between them
+            if hands[left.column] < hands[right.column]:  # both have their hinges on the post between them
                 pin = Pin.beside(left.width, draft.section).x
                 reach = left.width / 2.0 - _seen(draft.section, inward=True) / 2.0 - pin - swing.length
                 out = LEVER_OUT + draft.section.lip / 2.0
                 tip = out * ag.sin(swing.limit) - reach * ag.cos(
                     swing.limit
-                )  # past the axis, once turned to it
+                )  # past the axis, after a quarter turn towards it
                 body = body.require(tip <= (right.x - left.x) / 2.0 + pin - 0.001, _LEVERS_MEET)
     return body.mirror(ag.Y) if inward else body
 
 
 def awning(draft: Draft, swing: Swing) -> ag.Body:
-    """Make one sash that hangs at its top and opens to the outside."""
+    """Make one top-hung sash that opens to the outside."""
     places = cells(draft.width, draft.height, 1, (1.0,))
     body = rebated_frame(draft.width, draft.height, places, draft.section, draft.finish, solid=swing.solid)
     glazing = replace(draft.glazing, columns=draft.glazing.rows, rows=draft.glazing.columns)
-    # a casement laid on its side: its hinges at the left come to the top
+    # a casement turned by 90 degrees: its left hinges become the top hinges
     hung = _Hung(replace(draft, glazing=glazing), swing, draft.height, draft.width, False, falls=True)
     return ag.weld(body, hung.body().rotate(ag.Y, math.pi / 2.0))
 
 
 def _seen(section: Section, *, inward: bool) -> ag.Scalar:
-    """Return how wide the lock stile is that a lever is in the middle of [m]."""
+    """Return the visible width of the lock stile, with the lever in its middle [m]."""
     return REBATE + section.sash + (0.0 if inward else STOP)
 
 
@@ -128,15 +128,15 @@ def _seen(section: Section, *, inward: bool) -> ag.Scalar:
 class _Hung:
     """A sash in an opening about the origin, with hinges at its left."""
 
-    draft: Draft  # the common parts of all windows
-    swing: Swing  # how it hangs
-    width: ag.Scalar  # of the opening [m]
-    height: ag.Scalar  # [m]
-    inward: bool  # whether its lever is in front, where it opens to, or at its back
-    falls: bool = False  # whether its hinges are to be level
+    draft: Draft  # common data of the window
+    swing: Swing  # motion of the sash and its lever
+    width: ag.Scalar  # width of the opening [m]
+    height: ag.Scalar  # height of the opening [m]
+    inward: bool  # whether the lever is in front, on the opening side, or at the back
+    falls: bool = False  # whether the hinges become horizontal
 
     def body(self) -> ag.Body:
-        """Make the parts of the frame, with the sash on it."""
+        """Make the parts of the frame with the sash."""
         draft, swing, section, metal = self.draft, self.swing, self.draft.section, self.draft.metal
         pin = Pin.beside(self.width, section)
         tall = ag.require(self.height, self.height > (_HINGED if swing.solid else _LOCKED), _TOO_SHORT)
@@ -174,12 +174,13 @@ class _Hung:
         )
 
     def _lever_passes(self, body: ag.Body, x: ag.Scalar, tall: ag.Scalar) -> ag.Body:
-        """Demand that the lever at `x`, behind a sash so tall, passes the opening of the frame with it."""
+        """Require that the lever at `x`, behind a sash of some height, clears the opening of the frame."""
         swing, section = self.swing, self.draft.section
         pin = Pin.beside(self.width, section)
         stop = STOP if swing.solid else 0.0
         body = body.require(swing.length <= tall / 2.0 - stop, _LEVER_LONG)
-        wide, out = (0.0111, 0.0420) if swing.lever == "tapered" else (0.0088, 0.0445)  # of its end, or neck
+        # width and height of the lever's end or neck
+        wide, out = (0.0111, 0.0420) if swing.lever == "tapered" else (0.0088, 0.0445)
         edge, behind = x + wide, section.depth + out
         nears = swings_out(edge - pin.x, behind - pin.y, behind - section.stop)
         return body.require(nears < self.width / 2.0 - stop - edge - 0.0002, _LEVER_NEAR)
@@ -189,11 +190,11 @@ class _Hung:
         return self._joint(pin, turn, lock, swing.limit, swing.friction)
 
     def _falling(self, sash: ag.Body, pin: Pin, turn: ag.Joint, lock: CamLock) -> ag.Joint:
-        """Make a level hinge, which a hand lifts: a friction stay holds the sash, or it falls shut."""
+        """Make a horizontal hinge: a friction stay holds the sash, or it falls shut."""
         swing, weight = self.swing, _GRAVITY * sash.mass()
         arm = sash.center_of_mass().x - pin.x
         holds = swing.stay == "friction"
-        # a hand at the lever lifts the weight, and overcomes the friction that holds it
+        # a hand at the lever lifts the weight against the friction of the stay
         most = _LIFTS * (self.width - 0.05) / (weight * arm * (1.0 + _HOLDS if holds else 1.0))
         sine = ag.min_(most, 0.97)
         limit = ag.min_(swing.limit, ag.atan2(sine, ag.sqrt(1.0 - sine * sine)))

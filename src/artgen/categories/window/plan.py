@@ -1,7 +1,7 @@
-"""What all windows share: the sections of frames and sashes, their finishes, and rings of these sections.
+"""Common dimensions of windows: sections of frames and sashes, their finishes, and rings of these sections.
 
-A window is drawn about the middle of its opening: x to the right, z up, and y = 0 in the plane of the frame
-that looks to the side to which sashes open (-y). `Section` is one line of a maker's catalogue.
+A window is modeled about the middle of its opening: x to the right, z up, and y = 0 in the front plane of the
+frame, on the side to which sashes open (-y). `Section` corresponds to one line of a maker's catalog.
 """
 
 import math
@@ -13,63 +13,63 @@ import artgen as ag
 from artgen.categories.shared.finish import OUTDOORS, known, paints, weighing
 
 Kind = Literal["wood", "pvc", "aluminium"]
-"""What frames are made of."""
+"""Material of frames."""
 
 SEAM = 0.00003
-"""Boards that meet stay apart by this much [m]."""
+"""Gap between adjacent boards [m]."""
 
 LIP = 0.0075
-"""How far the lip of a sash covers the frame around it [m]."""
+"""Overlap of the lip of a sash with the frame around it [m]."""
 
 REBATE = 0.0115
-"""Between the edge of a sash and its frame, for cams and keeps: 12 mm in the eurogroove [m]."""
+"""Gap between the edge of a sash and its frame, for cams and keeps: 12 mm in the eurogroove [m]."""
 
 SEALED = 0.0035
-"""Between the lip of a sash and the frame: a seal fills it [m]."""
+"""Gap between the lip of a sash and the frame, filled by a seal [m]."""
 
 
 @dataclass(frozen=True)
 class Section:
-    """The sections of a system of windows."""
+    """Sections of a window system."""
 
-    frame: float  # face of the frame [m]
-    sash: float  # face of a sash, from its edge to the glass [m]
-    depth: float  # from the front plane of the frame to the back of a sash in it [m]
+    frame: float  # width of the face of the frame [m]
+    sash: float  # width of a sash, from its edge to the glass [m]
+    depth: float  # distance from the front plane of the frame to the back of a sash in it [m]
     lip: float  # thickness of the lip of a sash, in front of the frame [m]
-    slide: float  # thickness of a sash that slides [m]
+    slide: float  # thickness of a sliding sash [m]
     eased: float  # radius of edges [m]
 
     @property
     def stop(self) -> float:
-        """Where the stop behind a closed sash begins [m]."""
+        """Position of the front of the stop behind a closed sash, along y [m]."""
         return self.depth + 0.004
 
     @property
     def back(self) -> float:
-        """Where the frame of hinged sashes ends [m]."""
+        """Position of the back of the frame of hinged sashes, along y [m]."""
         return self.stop + 0.014
 
 
 SECTIONS: dict[Kind, Section] = {
     "wood": Section(0.056, 0.054, 0.052, 0.0140, 0.042, 0.0025),  # 68 mm timber of IV68
     "pvc": Section(0.060, 0.056, 0.054, 0.0160, 0.044, 0.0035),  # 70 mm five-chamber systems
-    "aluminium": Section(0.048, 0.046, 0.046, 0.0120, 0.036, 0.0010),  # slim thermally broken ones
+    "aluminium": Section(0.048, 0.046, 0.046, 0.0120, 0.036, 0.0010),  # slim systems with a thermal break
 }
-"""Their material."""
+"""Sections by the material of the frame."""
 
 STOP = 0.018
-"""How far stops stand out into an opening [m]."""
+"""Projection of stops into an opening [m]."""
 
 
 def _hollow(made: ag.Material, density: float) -> ag.Material:
-    """Return a profile with chambers: 2.0-2.4 kg/m of PVC with steel in it, 1.7 kg/m of aluminium."""
+    """Return a chambered profile: 2.0-2.4 kg/m of PVC with steel inside, 1.7 kg/m of aluminum."""
     return made.with_(name=f"{made.name}_profile", density=density)
 
 
 _TIMBER = known("oak", "pine", "mahogany", "ash", "walnut")
 
 WOODS = (*_TIMBER, *paints(500.0, "window_paint"))
-"""Timber, clear and painted."""
+"""Clear and painted timber."""
 
 WOOD_WEIGHTS = (*(1.6,) * len(_TIMBER), *(0.7 * each for each in OUTDOORS))
 
@@ -89,7 +89,7 @@ METALS = (
     _hollow(ag.material("brushed_aluminium"), 640.0),
     _hollow(ag.material("aged_bronze"), 640.0),
 )
-"""Aluminium, coated or anodised."""
+"""Coated or anodized aluminum."""
 
 METAL_WEIGHTS = (4.0, 2.0, 1.5, 1.0, 0.5, 0.3, 1.5, 0.7)
 
@@ -98,16 +98,16 @@ _SHEETS = tuple(
 )
 
 SILLS = (*weighing(known("granite", "marble"), 2700.0, "sill"), *_SHEETS)
-"""Stone, and folded sheet."""
+"""Stone and folded sheet for sills."""
 
 SILL_WEIGHTS = (1.0, 0.7, 1.2, 1.5, 1.0)
 
 
 def ring_along(section: ag.Profile, width: ag.Scalar, height: ag.Scalar) -> ag.Solid:
-    """Draw a section around a rectangle about the origin, mitred at its corners."""
+    """Sweep a section around a rectangle about the origin, with mitered corners."""
     x, z = width / 2.0, height / 2.0
     course = ag.polyline([(-x, -z, 0.0), (x, -z, 0.0), (x, z, 0.0), (-x, z, 0.0)], closed=True)
-    # swept on the floor, where the section's y is up, then stood up: up becomes the front
+    # swept on the floor, with the section's y up, then rotated upright: up becomes the front
     return ag.sweep(section, course).rotate(ag.X, math.pi / 2.0)
 
 
@@ -120,11 +120,11 @@ class Rect(NamedTuple):
     front: ag.Scalar
 
 
-_THINNER = 0.0001  # [m]
+_THINNER = 0.0001  # difference in depth between rails and stiles [m]
 
 
 def under(eased: float) -> float:
-    """Return the depth of boards under the surface of a ring with edges eased by a radius [m]."""
+    """Return the depth of boards under the surface of a ring with edges rounded by a radius [m]."""
     return 0.3 * eased + 0.0002
 
 
@@ -140,14 +140,14 @@ def ring_of(
     name: str | None = None,
     push: ag.Frame | None = None,
 ) -> ag.Body:
-    """Make a mitred ring to be seen, over boards just under its surface that weigh and collide as boxes."""
+    """Make a visible mitered ring, over boards just under its surface that have the mass and collide."""
     inside = under(eased)
     boards = []
     for rect in filled:
         outer, inner = rect.outer + inside, rect.inner - inside
         back, front = -rect.back - inside, -rect.front + inside
         x, z = width / 2.0, height / 2.0
-        # rails stand between the stiles, a little thinner: boards must not share corners
+        # rails between the stiles are a little thinner: boards must not share corners
         stile = ag.box_between((outer - x, front, outer - z), (inner - x, back, z - outer))
         rail = ag.box_between(
             (inner - x + SEAM, front + _THINNER, outer - z + _THINNER),

@@ -9,20 +9,20 @@ from artgen.categories.window.hardware import BARREL, Pin, barrel_hinges, bow_pu
 from artgen.categories.window.plan import LIP, REBATE, SEALED, SEAM, Rect, Section, ring_of
 
 PANE = 0.012
-"""Thickness of an insulating glass as it is built, with the mass of its panes [m]."""
+"""Modeled thickness of insulating glass, with the mass of its panes [m]."""
 
 _SHEET = 0.004  # thickness of a sheet of glass [m]
 
 
 @dataclass(frozen=True)
 class Glazing:
-    """What fills sashes."""
+    """Glass and bars of sashes."""
 
-    glass: ag.Material  # its looks
-    sheets: int  # 2 for insulating glass, 1 for a single sheet
-    columns: int  # bars that stand upright on it
-    rows: int  # bars that lie across it
-    finish: ag.Material  # of the ring, the beads and the bars
+    glass: ag.Material  # material of the glass
+    sheets: int  # number of sheets: 2 for insulating glass, 1 for a single sheet
+    columns: int  # number of vertical bars on the glass
+    rows: int  # number of horizontal bars on the glass
+    finish: ag.Material  # finish of the ring, the beads and the bars
 
     def within(self, width: ag.Scalar, height: ag.Scalar, thickness: ag.Scalar) -> list[ag.Body]:
         """Fill a ring about the origin, with its middle plane at y = 0."""
@@ -40,7 +40,7 @@ def lipped_sash(
     *,
     push: ag.Frame | None = None,
 ) -> ag.Body:
-    """Make a sash that closes an opening about the origin: its lip stands in front of the frame at y = 0."""
+    """Make a sash that closes an opening about the origin: its lip is in front of the frame at y = 0."""
     face, front = section.sash, SEALED + section.lip
     over = REBATE + LIP
     wide, high = width - 2.0 * REBATE, height - 2.0 * REBATE
@@ -99,17 +99,17 @@ def plain_sash(
 
 
 def slide_face(section: Section) -> float:
-    """Return the face of stiles and rails of a sash that slides, slimmer than that of a hinged one [m]."""
+    """Return the width of the stiles and rails of a sliding sash, which are slimmer than hinged ones [m]."""
     return 0.92 * section.sash
 
 
 ShutterStyle = Literal["none", "louvred", "boarded"]
 
-_THICK = 0.032  # of a leaf [m]
-_OFF = 0.012  # from a leaf to the frame behind it [m]
-_STILE, _RAIL = 0.048, 0.062  # faces of their boards [m]
-_MEETING = 0.004  # between two leaves, where they are wide [m]
-_PIN_IN = 0.004  # from the face of a leaf to its pin [m]
+_THICK = 0.032  # thickness of a leaf [m]
+_OFF = 0.012  # gap from a leaf to the frame behind it [m]
+_STILE, _RAIL = 0.048, 0.062  # widths of the boards [m]
+_MEETING = 0.004  # gap between the widest points of two leaves [m]
+_PIN_IN = 0.004  # distance from the face of a leaf to its pin [m]
 _LEDGE = 0.016  # thickness of the ledges that hold boards together [m]
 
 
@@ -120,20 +120,20 @@ def _edge(reach: ag.Scalar) -> ag.Scalar:
 
 
 class Shutters(NamedTuple):
-    """What a pair of shutters is like."""
+    """Style and motion of a pair of shutters."""
 
-    style: ShutterStyle  # louvres, or boards on ledges
-    finish: ag.Material  # their paint
-    metal: ag.Material  # of their hinges and pulls
-    slats: int  # louvres in each half of a leaf, or twice the boards
-    swing: ag.Scalar  # how far they open [rad]
-    friction: ag.Scalar  # of the hinges of a leaf [N m]
-    solid: bool  # whether these have mass and collide, or only are seen
+    style: ShutterStyle  # louvers, or boards on ledges
+    finish: ag.Material  # paint of the shutters
+    metal: ag.Material  # metal of the hinges and pulls
+    slats: int  # number of louvers in each half of a leaf, or twice the number of boards
+    swing: ag.Scalar  # opening angle of the shutters [rad]
+    friction: ag.Scalar  # friction of the hinges of a leaf [N m]
+    solid: bool  # whether the hinges have mass and collide, or are visual only
 
     def hung(
         self, body: ag.Body, *, front: ag.Scalar, width: ag.Scalar, low: ag.Scalar, high: ag.Scalar
     ) -> ag.Body:
-        """Hang a pair in front of a frame."""
+        """Attach a pair in front of a frame."""
         pin = Pin(BARREL - width / 2.0, front - _OFF - _THICK + _PIN_IN)
         start = pin.x + BARREL + 0.002
         wide, tall = -_edge(-pin.x) - start, high - low
@@ -166,7 +166,7 @@ class Shutters(NamedTuple):
         )
 
     def _louvred(self, wide: ag.Scalar, tall: ag.Scalar) -> list[ag.Body]:
-        """Make stiles, three rails and two fields of louvres, about the origin."""
+        """Make stiles, three rails and two fields of louvers, about the origin."""
         inner = wide - 2.0 * _STILE
         free = (tall - 3.0 * _RAIL) / 2.0
         stile = ag.box(_STILE, _THICK, tall, bevel=0.0025)
@@ -183,7 +183,7 @@ class Shutters(NamedTuple):
         return bodies
 
     def _boarded(self, wide: ag.Scalar, tall: ag.Scalar) -> list[ag.Body]:
-        """Make upright boards with a V in every joint, on two ledges behind them, about the origin."""
+        """Make vertical boards with a V at every joint, on two ledges behind them, about the origin."""
         boards = max(3, self.slats // 3)
         each = wide / boards
         thin = _THICK - _LEDGE

@@ -1,6 +1,6 @@
-"""Windows with sliding sashes: past fixed ones, past each other to the side, or up and down.
+"""Windows with sliding sashes: past fixed sashes, past each other sideways, or up and down.
 
-All are drawn about the middle of their opening, with their inside at +y.
+All windows are modeled about the middle of their opening, with their inside at +y.
 """
 
 import math
@@ -16,17 +16,17 @@ from artgen.categories.window.plan import under
 from artgen.categories.window.sashes import PANE, plain_sash, slide_face
 
 LATCH_TOP = 0.044
-"""From the middle of a latch on the stile of a sliding sash to its top [m]."""
+"""Distance from the middle of a latch on the stile of a sliding sash to its top [m]."""
 
 
 class SashLock(NamedTuple):
-    """A cam on the lower meeting rail that turns under a keeper on the upper one."""
+    """A cam on the lower meeting rail that turns under a keeper on the upper rail."""
 
-    base: ag.Body  # to be welded to the lower sash
-    cam: ag.Body  # the turning part: the link `lock`
-    keeper: ag.Body  # to be welded to the upper sash
-    turn: ag.Joint  # the joint of the cam
-    free: float  # where the cam has left the upper sash [rad]
+    base: ag.Body  # base, which is welded to the lower sash
+    cam: ag.Body  # turning part: the link `lock`
+    keeper: ag.Body  # keeper, which is welded to the upper sash
+    turn: ag.Joint  # joint of the cam
+    free: float  # angle at which the cam has left the upper sash [rad]
 
 
 def sash_lock(
@@ -51,7 +51,7 @@ def sash_lock(
         for side in (-1, 1)
     ]
     hub = ag.cylinder_between((x, axis, top + 0.0129), (x, axis, top + 0.0335), 0.0085, bevel=0.001)
-    tip = upper - 0.0033  # bars on the glass begin 4 mm behind that face
+    tip = upper - 0.0033  # bars on the glass start 4 mm behind that face
     tongue = ag.hull(
         ag.box_between((x - 0.007, axis - 0.002, top + 0.0145), (x + 0.007, axis, top + 0.0195)),
         ag.box_between((x - 0.004, tip, top + 0.0145), (x + 0.004, tip + 0.004, top + 0.0195)),
@@ -67,7 +67,7 @@ def sash_lock(
     )
     turn = ag.Revolute(
         "lock_turn",
-        axis=-ag.Z,  # takes the lever from the left over the room to the right
+        axis=-ag.Z,  # moves the lever from the left, above the inside, to the right
         pivot=(x, axis, top),
         limits=(0.0, math.pi),
         friction=friction,
@@ -109,12 +109,12 @@ def sash_lifts(places: list[ag.Scalar], face: ag.Scalar, z: ag.Scalar, finish: a
 class Latch(NamedTuple):
     """A latch on the stile of a sliding sash that drops behind a keep on the frame."""
 
-    case: ag.Body  # to be welded to the sash
-    slider: ag.Body  # the lifted part: the link `lock`
-    keep: ag.Body  # to be welded to the frame
-    slide: ag.Joint  # the joint of the slider
-    free: float  # height at which it clears the keep [m]
-    passed: float  # way of the sash at which it has passed the keep [m]
+    case: ag.Body  # case, which is welded to the sash
+    slider: ag.Body  # lifted part: the link `lock`
+    keep: ag.Body  # keep, which is welded to the frame
+    slide: ag.Joint  # joint of the slider
+    free: float  # height at which the slider clears the keep [m]
+    passed: float  # travel of the sash at which it has passed the keep [m]
 
 
 def sliding_latch(
@@ -128,7 +128,7 @@ def sliding_latch(
 ) -> Latch:
     """Make a latch on the face of a sash at +y."""
     x, face, z = at
-    tall, wide = 0.014, 0.010  # of the keep, and of the part that drops beside it [m]
+    tall, wide = 0.014, 0.010  # sizes of the keep, and of the part that drops beside it [m]
     bottom = floor + 0.0015
     slider = ag.box_between(
         (x - wide / 2.0, face + 0.003, bottom), (x + wide / 2.0, face + 0.0105, z + 0.020), bevel=0.001
@@ -161,18 +161,18 @@ def sliding_latch(
     return Latch(case, body, ag.part(keep, "keep", finish), slide, tall + 0.0015, 2.0 * wide + 0.006)
 
 
-_GRAVITY = 9.81  # [m/s^2]
-_STRIP = 0.013  # how far the strips of tracks stand out into the opening [m]
+_GRAVITY = 9.81  # gravity [m/s^2]
+_STRIP = 0.013  # projection of the strips of tracks into the opening [m]
 _BALANCE = 8.0  # stiffness of the springs of a hung sash [N/m]
-_LET_IN = 0.0005  # [m]
-_LOCK = 0.045  # how far a sash lock stands over the meeting rail [m]
-_ROOM = 0.006  # beyond the ends of a pull, for its flanges [m]
+_LET_IN = 0.0005  # depth of fitted parts in the face [m]
+_LOCK = 0.045  # height of a sash lock above the meeting rail [m]
+_ROOM = 0.006  # space beyond the ends of a pull for its flanges [m]
 _PULL_MEETS = "the pull has no room between its latch and the strip at the head: lower bar or raise height"
-_MEETING = 0.002  # from the middle of a window to the edges of two sashes that meet there [m]
+_MEETING = 0.002  # distance from the middle of a window to the edges of two sashes that meet there [m]
 
 
 def sliding(draft: Draft, panels: int, *, bar: ag.Scalar, drag: ag.Scalar) -> ag.Body:
-    """Make sashes that slide past fixed ones: one of two, or the middle ones of four."""
+    """Make sashes that slide past fixed ones: one of two, or the middle two of four."""
     body = tracked_frame(draft.width, draft.height, draft.section, draft.finish, head=_STRIP)
     if panels == 2:
         return ag.weld(body, _sliding_pair(draft, draft.width, TRACK, bar, drag).at(-draft.width / 2.0))
@@ -181,13 +181,13 @@ def sliding(draft: Draft, panels: int, *, bar: ag.Scalar, drag: ag.Scalar) -> ag
 
 
 def _sliding_pair(draft: Draft, long: ag.Scalar, start: float, bar: ag.Scalar, drag: ag.Scalar) -> ag.Body:
-    """Make a sash in the inner track, from x = `start` on, and the fixed one that it slides past."""
+    """Make a sash in the inner track, from x = `start`, and the fixed sash behind it."""
     section, tracks = draft.section, Tracks.of(draft.section)
     face, high = slide_face(section), draft.height - 2.0 * TRACK
     middle, inside = long / 2.0, tracks.inner + section.slide / 2.0
-    # the fixed sash is screwed to the frame, half a millimetre into it
+    # the fixed sash is screwed to the frame, with an overlap of half a millimeter
     still, wide = middle + face / 2.0 + _LET_IN, middle + face / 2.0 - start
-    stile = start + face / 2.0 + 0.004  # in the middle of the part that the strip at the jamb leaves free
+    stile = start + face / 2.0 + 0.004  # in the middle of the part that is clear of the strip at the jamb
     floor = _STRIP - draft.height / 2.0
     pull = bow_pull(length=bar, girth=0.0052, finish=draft.metal, name="handle_front")
     level, lock = _level(bar, draft.height), floor + 0.048
@@ -217,50 +217,50 @@ def _sliding_pair(draft: Draft, long: ag.Scalar, start: float, bar: ag.Scalar, d
 
 
 def _level(bar: ag.Scalar, height: ag.Scalar) -> ag.Scalar:
-    """Return where the middle of a pull is: it ends below the strip at the head of an opening [m]."""
+    """Return the height of the middle of a pull that ends below the strip at an opening's head [m]."""
     return ag.min_(0.06, height / 2.0 - _STRIP - _ROOM - bar / 2.0)
 
 
 @dataclass(frozen=True)
 class _Passing:
-    """Two sashes that pass each other, the inner one below the outer one, with a lock where they meet."""
+    """Two sashes that pass each other, the inner sash below the outer one, with a lock between them."""
 
-    draft: Draft  # the common parts of all windows
+    draft: Draft  # common data of the window
 
     @property
     def face(self) -> float:
-        """Face of their rails and stiles [m]."""
+        """Width of the rails and stiles [m]."""
         return slide_face(self.draft.section)
 
     @property
     def wide(self) -> ag.Scalar:
-        """Width of both [m]."""
+        """Width of both sashes [m]."""
         return self.draft.width - 2.0 * TRACK
 
     @property
     def tall(self) -> ag.Scalar:
-        """Height of both [m]."""
+        """Height of both sashes [m]."""
         return self.draft.height / 2.0 + self.face / 2.0 - TRACK
 
     @property
     def way(self) -> ag.Scalar:
-        """How far each has room to slide [m]."""
+        """Available travel of each sash [m]."""
         return self.draft.height / 2.0 - self.face / 2.0 - TRACK - 0.004
 
     @property
     def inside(self) -> float:
-        """Where the inner sash ends towards the room, y [m]."""
+        """Position of the inside face of the inner sash along y [m]."""
         return Tracks.of(self.draft.section).inner + self.draft.section.slide / 2.0
 
     @property
     def lock(self) -> SashLock:
-        """The lock on their meeting rails."""
+        """Return the lock on the meeting rails."""
         draft, tracks, half = self.draft, Tracks.of(self.draft.section), self.draft.section.slide / 2.0
         inner, outer = tracks.inner - half, tracks.outer + half
         return sash_lock(0.0, inner, outer, self.face / 2.0, friction=draft.friction, finish=draft.metal)
 
     def inner(self, gear: ag.Body, name: str) -> ag.Body:
-        """Make the inner sash with the lock, and `gear` in the axes of the sash's middle."""
+        """Make the inner sash with the lock, and `gear` in the frame of the sash's middle."""
         draft, lock, y = self.draft, self.lock, Tracks.of(self.draft.section).inner
         sash = plain_sash(self.wide, self.tall, draft.section, draft.glazing).at(0.0, y, 0.0)
         level = (self.tall - self.face) / 2.0
@@ -274,7 +274,7 @@ class _Passing:
         """
         draft, section = self.draft, self.draft.section
         y = Tracks.of(section).outer
-        inset = min(0.0045, (section.slide - PANE) / 2.0 - 0.0095)  # of the finger from the face
+        inset = min(0.0045, (section.slide - PANE) / 2.0 - 0.0095)  # distance of the finger from the face
         beside = {0: 0.25, 1: 0.25, 2: 1.0 / 3.0}.get(draft.glazing.columns, 0.125)  # between two bars
         rail = self.face - self.tall / 2.0 - under(section.eased) - 0.00005
         at = (beside * (self.wide - 2.0 * self.face), section.slide / 2.0 - inset, rail)
@@ -285,10 +285,10 @@ class _Passing:
 
 
 def double_hung(draft: Draft, *, lifts: int, drag: ag.Scalar) -> ag.Body:
-    """Make two sashes that slide up and down, each balanced by springs, with a lock where they meet.
+    """Make two sashes that slide up and down, balanced by springs, with a lock at their meeting rails.
 
-    Block-and-tackle and constant-force balances carry the weight of a sash at every height; brushes hold
-    the remainder (ANSI/AAMA 902). A soft spring that is drawn far out has a nearly constant force.
+    Block-and-tackle and constant-force balances carry the weight of a sash at every height; brushes hold the
+    remainder (ANSI/AAMA 902). A soft spring with a large extension has a nearly constant force.
     """
     pair = _Passing(draft)
     places: list[ag.Scalar] = [0.0] if lifts == 1 else [-0.26 * pair.wide, 0.26 * pair.wide]
@@ -302,19 +302,19 @@ def double_hung(draft: Draft, *, lifts: int, drag: ag.Scalar) -> ag.Body:
 
 
 def sliding_both(draft: Draft, *, bar: ag.Scalar, drag: ag.Scalar) -> ag.Body:
-    """Make two sashes that both slide, the inner one from the left, with a lock where they meet."""
+    """Make two sashes that both slide, the inner sash from the left, with a lock at their meeting stiles."""
     glazing = replace(draft.glazing, columns=draft.glazing.rows, rows=draft.glazing.columns)
-    # hung sashes laid on their side: the lower one comes to the left
+    # hung sashes turned by 90 degrees: the lower sash becomes the left one
     pair = _Passing(replace(draft, width=draft.height, height=draft.width, glazing=glazing))
     pull = bow_pull(length=bar, girth=0.0052, finish=draft.metal, name="handle_front")
     stile = (
         pair.face / 2.0 + 0.004 - pair.tall / 2.0
-    )  # in the middle of the part that the strip at the jamb leaves free
+    )  # in the middle of the part that is clear of the strip at the jamb
     level = _level(bar, draft.height)
     pull = pull.rotate(ag.Z, math.pi).rotate(ag.Y, -math.pi / 2.0).at(-level, pair.inside, stile)
     body = tracked_frame(draft.height, draft.width, draft.section, draft.finish, head=_STRIP)
     sashes = (pair.inner(pull, "_0"), pair.outer("_1"))
-    # the lock stays before the jamb
+    # the lock stays in front of the jamb
     for number, (sash, way, travel) in enumerate(
         zip(sashes, (1, -1), (pair.way - _LOCK, pair.way), strict=True)
     ):
@@ -339,7 +339,7 @@ def _balanced(
         axis=(0.0, 0.0, way),
         limits=(0.0, travel),
         stiffness=_BALANCE,
-        rest=way * weight / _BALANCE + travel / 2.0,  # in balance half way
+        rest=way * weight / _BALANCE + travel / 2.0,  # balance at half the travel
         friction=drag,
         damping=10.0,
         effort=400.0,

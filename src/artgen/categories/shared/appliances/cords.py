@@ -9,11 +9,11 @@ CORD = 0.0032
 """Radius of the cord of a small appliance, H03VV-F 3 x 0.75 mm2 [m]."""
 
 _RELIEF = 0.024  # length of the strain relief [m]
-_RIBS = 4  # around it
+_RIBS = 4  # number of ribs around the strain relief
 
 
 def strain_relief(*, radius: ag.Scalar = CORD, length: ag.Scalar = _RELIEF) -> list[ag.Solid]:
-    """Make the ribbed sleeve that keeps a cord from kinking: from y = 0 back, about the y axis."""
+    """Make the ribbed sleeve against kinks of a cord: from y = 0 back, about the y axis."""
     pitch, edge = length / _RIBS, 0.0004
     core = radius + 0.0007
     line: list[tuple[ag.Scalar, ag.Scalar]] = [(0.0, 0.0)]
@@ -26,7 +26,7 @@ def strain_relief(*, radius: ag.Scalar = CORD, length: ag.Scalar = _RELIEF) -> l
 
 
 def _seen(solids: Sequence[ag.Solid], label: str, finish: ag.Material | None) -> ag.Body:
-    """Return solids that overlap, and are only seen, on one body; by default of black rubber."""
+    """Return overlapping, visual-only solids on one body; by default of black rubber."""
     return ag.weld(*(ag.detail(each, label, finish or ag.material("rubber")) for each in solids))
 
 
@@ -38,7 +38,7 @@ def cord_stub(
     reach: ag.Scalar = 0.045,
     label: str = "cord",
 ) -> ag.Body:
-    """Make a strain relief on the plane y = 0 and a cord that hangs from it to the floor at the back (+y)."""
+    """Make a strain relief on the plane y = 0 and a cord from it down to the floor at the back (+y)."""
     fall = -(height - radius)
     path = ag.polyline(_down(reach, fall), fillet=_bend(fall))
     return _seen([*strain_relief(radius=radius), ag.sweep(ag.circle(radius), path)], label, finish)
@@ -64,7 +64,7 @@ def mains_cord(
 
 
 def _down(reach: ag.Scalar, fall: ag.Scalar) -> list[ag.VectorLike]:
-    """Return the corners of a cord from within its sleeve to the floor."""
+    """Return the corners of a cord from inside its sleeve to the floor."""
     return [(0.0, 0.4 * _RELIEF, 0.0), (0.0, reach, 0.0), (0.0, reach, fall)]
 
 
@@ -74,7 +74,7 @@ def _bend(fall: ag.Scalar) -> ag.Float:
 
 
 def _plug(radius: ag.Scalar) -> list[ag.Solid]:
-    """Make a flat moulded plug with two pins, along x from the origin, which is where its cord enters."""
+    """Make a flat molded plug with two pins, along x from the end of its cord at the origin."""
     body = ag.extrude(ag.rectangle(0.0260, 0.0130, radius=0.0048), 0.034, axis=ag.X, bevel=0.0018)
     sleeve = ag.cylinder(radius + 0.0012, 0.014, axis=ag.X, bevel=0.0008)
     low = 0.0065 - radius  # the plug lies on the floor too

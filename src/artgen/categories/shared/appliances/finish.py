@@ -1,6 +1,6 @@
-"""What appliances are made of and in which colors: fronts, the cabinets behind them, matching metals.
+"""Materials and colors of appliances: fronts, cabinets behind them, and matching metals.
 
-A category draws a look, and by it the finish of its front and the metal of its handles:
+A category first draws a look; the finish of its front and the metal of its handles depend on it:
 
     look: Look = choice(*LOOKS, weights=(...))
     finish: Material = fronts()
@@ -19,13 +19,13 @@ from artgen.materials import COLORS
 
 @dataclass(frozen=True, kw_only=True)
 class ApplianceSpace:
-    """The measures that appliances share."""
+    """Common dimensions of appliances."""
 
     width: ag.Float  # overall width [m]
     height: ag.Float  # overall height without parts on the top of a range [m]
     depth: ag.Float  # overall depth, a handle included [m]
-    projection: ag.Scalar  # of a handle before the door [m]
-    thickness: ag.Float  # of the door [m]
+    projection: ag.Scalar  # distance of a handle from the front of the door [m]
+    thickness: ag.Float  # thickness of the door [m]
 
     @cached_property
     def half(self) -> ag.Scalar:
@@ -34,17 +34,17 @@ class ApplianceSpace:
 
     @cached_property
     def front(self) -> ag.Scalar:
-        """The outer face of the door, along y [m]."""
+        """Position of the outer face of the door along y [m]."""
         return self.projection - self.depth / 2.0
 
     @cached_property
     def inner(self) -> ag.Scalar:
-        """The inside of the door, along y [m]."""
+        """Position of the inside of the door along y [m]."""
         return self.front + self.thickness
 
     @cached_property
     def rear(self) -> ag.Scalar:
-        """The rearmost plane, along y [m]."""
+        """Position of the rearmost plane along y [m]."""
         return self.depth / 2.0
 
 
@@ -98,7 +98,7 @@ FRONTS: dict[Look, tuple[tuple[ag.Material, ...], tuple[float, ...]]] = {
     "glass": (_GLASS, (0.45, 0.35, 0.2)),
     "panel": (_PANEL, (1.2, 1.0, 0.6, 1.2, 0.7, 0.6, 0.6, 0.4)),
 }
-"""Materials of the fronts of each look, and how often they are sold."""
+"""Materials of the fronts of each look, and their weights in a random choice."""
 
 _METALS: dict[Look, dict[str, float]] = {
     "stainless": {"stainless": 3.0, "chrome": 1.0, "powder_coat_black": 0.4},
@@ -135,13 +135,13 @@ def grip_metals(*looks: Look) -> Any:
         look: ag.shades(*_METALS[look], weights=tuple(_METALS[look].values()), color=0.03, roughness=0.03)
         for look in looks or LOOKS
     }
-    return ag.by("look", cases, doc="of handles and trim")
+    return ag.by("look", cases, doc="metal of handles and trim")
 
 
 def cabinet_finish(look: Look, finish: ag.Material) -> ag.Material:
     """Return the finish of the sides of an appliance for the finish of its front.
 
-    Steel and panel fronts have cabinets of painted sheet; colored ones are of one color all around.
+    Steel and panel fronts have cabinets of painted sheet; colored appliances have one color all around.
     """
     if look in ("pastel", "white", "black"):
         return finish
@@ -151,7 +151,7 @@ def cabinet_finish(look: Look, finish: ag.Material) -> ag.Material:
 
 
 def filled(finish: ag.Material, density: float, what: str = "filled") -> ag.Material:
-    """Return a finish on sheet metal that is filled with foam, wool or air."""
+    """Return a finish of sheet metal filled with foam, wool or air."""
     return finish.with_(name=f"{finish.name}_{what}_{round(density)}", density=density)
 
 
@@ -159,7 +159,7 @@ LINER = ag.material("glossy_plastic_white").with_(name="liner_white", specular_r
 """White polystyrene of liners [vacuum-formed HIPS sheet]."""
 
 LINER_GREY = LINER.with_(name="liner_grey", base_color=(0.33, 0.34, 0.35), specular_roughness=0.4)
-"""Grey lining, as behind steel fronts."""
+"""Gray lining, as behind steel fronts."""
 
 CLEAR = ag.material("polycarbonate").with_(
     name="clear_polystyrene", base_color=(0.86, 0.91, 0.94), opacity=0.34, density=1050.0
@@ -172,4 +172,4 @@ FROSTED = CLEAR.with_(name="frosted_polystyrene", specular_roughness=0.45, opaci
 DARK = ag.material("black_abs").with_(
     name="dark_recess", base_color=(0.02, 0.02, 0.021), specular_roughness=0.6
 )
-"""What is seen in gaps, recesses and behind grilles."""
+"""Dark material of gaps, recesses and spaces behind grilles."""

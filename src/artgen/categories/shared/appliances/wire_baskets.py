@@ -1,7 +1,7 @@
-"""Baskets of bent wire: racks of dishwashers, freezer baskets; few convex pieces carry them.
+"""Baskets of bent wire: racks of dishwashers and freezer baskets, with few convex collision pieces.
 
-A basket stands about the origin of x and y, its lowest wires on z = 0, its front towards -Y. Straight wires
-are solid and collide as the capsules that they are; bent ones around them, uprights and tines are only seen.
+A basket is about the origin of x and y, with its lowest wires on z = 0 and its front towards -y. Straight
+wires have mass and collide as capsules; the bent wires around them, uprights and tines are visual only.
 """
 
 from collections.abc import Sequence
@@ -13,17 +13,17 @@ from artgen import details
 from artgen._arrays import cached_property
 
 Grip = Literal["bar", "plate"]
-"""The grip in front of a rack: a round bar or a flat moulded plate."""
+"""Grip in front of a rack: a round bar or a flat molded plate."""
 
 GRIP_REACH = 0.022
-"""How far the grip of a basket stands out in front of it [m]."""
+"""Reach of the grip of a basket in front of it [m]."""
 
-_SUNK = 0.0003  # how deep crossing wires run into each other, as welded ones do [m]
+_SUNK = 0.0003  # overlap of crossing wires, which are welded [m]
 _TREAD = 0.010  # width of a roller [m]
-_INSIDE = 0.0003  # by which solid wires are thinner than those that are seen around them [m]
+_INSIDE = 0.0003  # difference between the radii of visible wires and the colliding wires inside them [m]
 _CORNER = 0.018  # radius of the corners of a rim [m]
 _TINE = 0.0017  # radius of a tine [m]
-_CROSS = 5  # solid wires across the floor
+_CROSS = 5  # number of colliding wires across the floor
 _WELDED = "wires of a rack are joined by bent ones, which are only seen"
 
 
@@ -43,36 +43,36 @@ class Basket:
     depth: ag.Float  # overall depth along y, without grips [m]
     front: ag.Float  # height of the front rim above the lowest wires [m]
     back: ag.Float  # height of the rear rim [m]
-    columns: int  # how many wires run from front to back, an odd number: every other one is solid
-    rows: int  # how many wires run from side to side
+    columns: int  # number of wires from front to back, an odd number: every other one collides
+    rows: int  # number of wires from side to side
     finish: ag.Material  # coating of the wires
     label: str = "rack"  # semantic label of the wires
     wire: ag.Scalar = 0.0019  # radius of the wires of the grid [m]
     rim: ag.Scalar = 0.0027  # radius of the wire around the top [m]
-    bend: ag.Scalar = 0.014  # radius in which wires turn up the walls [m]
+    bend: ag.Scalar = 0.014  # radius of the bends at which wires turn up the walls [m]
     band: float = 0.5  # height of a second wire around the walls, as a share of the front height; 0 for none
 
     def wires(self, name: str | None = None) -> ag.Body:
         """Make floor, walls and rims.
 
-        What is solid, and collides, are straight wires: those of the floor, the rim and the band. They run
-        inside the bent ones, which are seen.
+        Only the straight wires of the floor, the rim and the band have mass and collide. They are inside the
+        visible bent wires.
         """
         return ag.weld(*self._solid(name), *self._seen())
 
     @cached_property
     def _half_width(self) -> ag.Float:
-        """From the middle to the middle lines of the side walls [m]."""
+        """Distance from the middle to the center lines of the side walls [m]."""
         return self.width / 2.0 - self.rim
 
     @cached_property
     def _half_depth(self) -> ag.Float:
-        """From the middle to the middle lines of front and back [m]."""
+        """Distance from the middle to the center lines of front and back [m]."""
         return self.depth / 2.0 - self.rim
 
     @cached_property
     def _down(self) -> tuple[ag.Scalar, ...]:
-        """How far the wires around the walls lie under the tops of the walls [m]."""
+        """Depth of the wires around the walls below the tops of the walls [m]."""
         lowest = self.front * (1.0 - self.band)
         return (self.rim, lowest) if self.band > 0.0 else (self.rim,)
 
@@ -112,7 +112,7 @@ class Basket:
         return ag.array(ag.cylinder(radius, length, axis=axis), at=at)
 
     def _seen(self) -> list[ag.Body]:
-        """Make the wires that come up out of the floor into the walls, and those around them."""
+        """Make the wires from the floor up into the walls, and the wires around them."""
         wire, bend = self.wire, self.bend
         x, y = self._half_width, self._half_depth
         low = 3.0 * wire - _SUNK
@@ -127,7 +127,7 @@ class Basket:
             (x, 0.0, low),
             (x, 0.0, level),
         ]
-        # the rods across end at the mean height of the sloping rim; its ends are slightly off
+        # the rods across end at the mean height of the sloping rim; the ends of the rim are slightly off
         bent = [
             details.bent_wires(
                 ag.polyline(column, fillet=bend),
@@ -165,9 +165,9 @@ class Basket:
         lean: ag.Scalar = 0.0,
         across: bool = True,
     ) -> ag.Body:
-        """Make rows of tines that stand on the floor; their rails collide, the tines are only seen."""
+        """Make rows of tines on the floor; their rails collide, the tines are visual only."""
         along, aside = (ag.X, ag.Y) if across else (ag.Y, ag.X)
-        # rails along x lie beside the wires that run so, those along y on top of them
+        # rails along x lie beside the wires along x, rails along y on top of them
         level = (3.0 if across else 5.0) * self.wire - 2.0 * _SUNK
         start, way = ag.vector(*first, level), ag.vector(*step, 0.0)
         places = ag.row(start, way, rows)
@@ -202,7 +202,7 @@ class Basket:
             solid = ag.box(length, 0.011, 0.010, bevel=0.0035).at(0.0, out, z)
         arm = ag.box(0.008, GRIP_REACH - 0.004, 0.007, bevel=0.002).at(0.0, (front + out) / 2.0 + 0.001, z)
         arms = [ag.part(arm.at(side * (length / 2.0 - 0.012)), label, material) for side in (-1, 1)]
-        # tips, which reach 9 mm past the frame, end before the wires of the wall
+        # tips, which reach 9 mm beyond the frame, end before the wires of the wall
         hold = ag.frame((0.0, front - 0.0175, z), approach=ag.Y, closing=ag.Z)
         thick = 0.011 if style == "bar" else 0.010
         held = ag.part(solid, label, material, name=name, grasp=hold, grasp_width=thick + 0.010)
@@ -240,7 +240,7 @@ def rack_slide(
     damping: ag.Scalar,
     needs: ag.Condition | ag.Dependency,
 ) -> ag.Joint:
-    """Make the slide of a rack; its effort is the force of a hand that leaves the door in place."""
+    """Make the slide of a rack; its effort is the force of a hand, too small to move the door."""
     return ag.Prismatic(
         name,
         axis=-ag.Y,

@@ -1,8 +1,8 @@
-"""Push buttons: the caps that springs return, the holes that they move in, and the plates around them.
+"""Push buttons: caps with return springs, their holes, and the plates around them.
 
-A button is drawn about the origin on the plane y = 0, which is the face of its panel; it stands out to -y and
-reaches into the panel to +y. A finger is 18 mm thick: the middles of neighbors belong at least 10 mm plus
-half of a cap apart, and a cap that stands out by more than its travel can be pressed home.
+A button is modeled about the origin on the plane y = 0, which is the face of its panel; it projects to -y and
+reaches into the panel to +y. A finger is 18 mm thick: the distance between the middles of neighbors must be
+at least 10 mm plus half of a cap, and a cap must project by more than its travel.
 """
 
 from typing import Literal
@@ -11,13 +11,13 @@ import artgen as ag
 from artgen import details
 
 ButtonShape = Literal["round", "square", "pill", "bar"]
-"""The outline of a cap: a circle, a soft square, round ends, or a plain bar."""
+"""Outline of a cap: a circle, a square with rounded corners, a bar with round ends, or a plain bar."""
 
 PLAY = 0.0004
-"""Gap between a cap and its hole, all round [m]."""
+"""Gap between a cap and its hole, all around [m]."""
 
-_BEFORE = 0.010  # how far the tool of a hole stands out of the face [m]
-_BEVEL = 0.0007  # of the rim of a cap [m]
+_BEFORE = 0.010  # length of the cutter of a hole in front of the face [m]
+_BEVEL = 0.0007  # bevel of the rim of a cap [m]
 
 
 def button_outline(shape: ButtonShape, width: ag.Scalar, height: ag.Scalar) -> ag.Profile:
@@ -65,7 +65,7 @@ def button_press(
     effort: ag.Scalar = 12.0,
     pivot: ag.VectorLike = (0.0, 0.0, 0.0),
 ) -> ag.Joint:
-    """Make the joint of a button that a spring returns; positive moves it into its panel (+y).
+    """Make the joint of a button with a return spring; positive moves it into its panel (+y).
 
     Keys of appliances close at 2-4 N, and start at a fifth of that or more, so that they do not rattle.
     """
@@ -78,8 +78,8 @@ def button_press(
         stiffness=stiffness,
         rest=-preload / stiffness,
         damping=damping,
-        friction=0.1,  # of the cap in its guide
-        armature=0.03,  # the slide of the switch; a lighter part would sink into its stop in MuJoCo
+        friction=0.1,  # friction of the cap in its guide
+        armature=0.03,  # inertia of the switch; a lighter part would sink into its stop in MuJoCo
         effort=effort,
     )
 
@@ -87,7 +87,7 @@ def button_press(
 def button_hole(
     width: ag.Scalar, height: ag.Scalar | None = None, *, through: ag.Scalar = 0.01, play: ag.Scalar = PLAY
 ) -> ag.Solid:
-    """Make the tool that cuts the hole of a cap; it is rectangular for all shapes, which colliders like.
+    """Make the cutter for the hole of a cap, rectangular for all shapes, so that it needs few colliders.
 
     A `button_plate` covers the corners that round caps leave open.
     """
@@ -106,11 +106,11 @@ def button_plate(
     proud: ag.Scalar = 0.0006,
     label: str = "bezel",
 ) -> ag.Body:
-    """Make the thin plate around a cap, with a hole of its shape; it is only seen."""
+    """Make the thin plate around a cap, with a hole of its shape, visual only."""
     high = width if height is None or shape == "round" else height
     hole = button_outline(shape, width + 2 * PLAY, high + 2 * PLAY)
     wide, tall = width + 2 * border, high + 2 * border
-    soft = "square" if shape in ("round", "pill") else shape  # it has to cover the corners of the hole
+    soft = "square" if shape in ("round", "pill") else shape  # the plate has to cover the corners of the hole
     sheet = button_outline(soft, wide, tall) - hole
     solid = ag.extrude(sheet, proud + 0.001, axis=ag.Y).at(0.0, (0.001 - proud) / 2, 0.0)
     return ag.detail(solid, label, finish)

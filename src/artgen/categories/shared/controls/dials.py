@@ -1,7 +1,7 @@
-"""Dials: knobs that fingers turn on a panel, their joint, and the print around them.
+"""Dials: knobs on a panel that fingers turn, their joint, and the print around them.
 
-A dial is drawn about the origin on the plane y = 0, which is the face of its panel, and stands out to -y. It
-keeps a gap of 0.6 mm to the panel, in which its shaft is not seen, so that no hole has to be cut.
+A dial is modeled about the origin on the plane y = 0, which is the face of its panel, and projects to -y. It
+has a gap of 0.6 mm to the panel, which hides its shaft, so that no hole has to be cut.
 """
 
 import math
@@ -12,10 +12,10 @@ from artgen import details
 from artgen.nodes.details.dials import SWEEP
 
 DialStyle = Literal["round", "fluted", "bar", "skirted", "capped"]
-"""A plain cylinder, one with flutes, a bar on a disc, a knob on a skirt, or one with a cap of metal."""
+"""A plain cylinder, a fluted cylinder, a bar on a disc, a knob on a skirt, or a knob with a metal cap."""
 
 GAP = 0.0006
-"""Between a dial and its panel [m]."""
+"""Gap between a dial and its panel [m]."""
 
 _FLUTES = 18
 _FLUTE = 0.055  # depth of a flute, as a share of the radius
@@ -31,7 +31,7 @@ def _fluted() -> ag.Profile:
 
 
 def _disc(radius: ag.Scalar, near: ag.Scalar, far: ag.Scalar, bevel: ag.Scalar) -> ag.Solid:
-    """Make a disc that stands between two distances from the panel [m]."""
+    """Make a disc between two distances from the panel [m]."""
     return ag.cylinder(radius, far - near, axis=ag.Y, bevel=bevel).at(0.0, -0.5 * (near + far), 0.0)
 
 
@@ -47,7 +47,7 @@ def dial(
     label: str = "knob",
 ) -> ag.Body:
     """Make a knob with its grasp frame, its mark upward; attach it by `dial_turn`."""
-    step = GAP + 0.3 * (depth - GAP)  # where the grip of a knob with a base begins
+    step = GAP + 0.3 * (depth - GAP)  # start of the grip of a knob with a base
     bevel = 0.0012
     solids: list[ag.Solid]
     held: ag.Scalar = GAP
@@ -76,7 +76,7 @@ def dial(
     hold = ag.grasp_on(solids[0], approach=ag.Y, closing=ag.X, depth=front - held - _CLEAR)
     bodies = [ag.part(solids[0], label, finish, name=name, grasp=hold)]
     bodies += [ag.part(each, label, finish) for each in solids[1:]]
-    if style == "fluted":  # its ribs are only seen, so that its collider is one cylinder
+    if style == "fluted":  # its ribs are visual only, so that its collider is one cylinder
         ribs = ag.extrude(_fluted().scale(radius), depth - GAP - 0.0006, axis=ag.Y, bevel=0.0006)
         bodies.append(ag.detail(ribs.at(0.0, -0.5 * (depth + GAP - 0.0006), 0.0), label, finish))
     if style == "capped":
@@ -102,7 +102,7 @@ def dial_turn(
 ) -> ag.Joint:
     """Make the joint of a dial; positive angles turn it clockwise, seen from the front.
 
-    Rotary switches of appliances turn at 0.02-0.06 N m; their detents are felt as friction.
+    Rotary switches of appliances turn at 0.02-0.06 N m; friction represents their detents.
     """
     return ag.Revolute(
         name,
@@ -111,7 +111,7 @@ def dial_turn(
         limits=None if endless else (low, high),
         friction=friction,
         damping=damping,
-        armature=0.00002,  # the shaft and the wiper
+        armature=0.00002,  # inertia of the shaft and the wiper
         effort=0.6,  # two fingers at a radius of 15 mm, 20 N each
     )
 

@@ -1,7 +1,7 @@
-"""Control panels: a strip of black glass, a display, printed icons and lamps. All of it is only seen.
+"""Control panels: a strip of black glass, a display, printed icons and lamps, all visual only.
 
-All parts lie on the plane y = 0 and face -Y; move them to their face, or turn them there by `rotate`. Buttons
-and dials, which move, are attached at the same places, which `places` returns.
+All parts lie on the plane y = 0 and face -y; move them to their face, or rotate them with `rotate`. Buttons
+and dials, which move, are attached at the same positions, which `places` returns.
 """
 
 from collections.abc import Sequence
@@ -13,10 +13,10 @@ from artgen.categories.shared.controls.buttons import PLAY, ButtonShape, button_
 from artgen.nodes.details.displays import Color
 
 PANE = 0.0006
-"""How far an inlay stands out of its face [m]."""
+"""Height of an inlay above its face [m]."""
 
 _LAMP = 0.0009  # radius of a lamp beside an icon [m]
-_FILM = 0.0002  # how far print stands out [m]
+_FILM = 0.0002  # height of print above its face [m]
 
 LIGHT_INK = ag.colored("abs", "light_grey").with_(name="light_ink", texture="", tile=None)
 """Print on dark faces."""
@@ -26,7 +26,7 @@ DARK_INK = ag.colored("abs", "graphite").with_(name="dark_ink", texture="", tile
 
 
 def ink_on(face: ag.Material) -> ag.Material:
-    """Return the print that shows on a face."""
+    """Return the print with good contrast on a face."""
     luminance = sum(share * one for share, one in zip((0.21, 0.72, 0.07), face.base_color, strict=True))
     return DARK_INK if luminance > 0.12 else LIGHT_INK
 
@@ -63,7 +63,7 @@ def button_holes(
     *,
     level: ag.Scalar = 0.0,
 ) -> ag.Profile:
-    """Make the holes of a row of buttons, to be cut out of an `inlay` with gaps around the caps."""
+    """Make the holes of a row of buttons with gaps around the caps, to be cut out of an `inlay`."""
     hole = button_outline(shape, width + 2.0 * PLAY, height + 2.0 * PLAY)
     holes = hole.at(at[0], level)
     for place in at[1:]:
@@ -132,7 +132,7 @@ def control_panel(
 ) -> ag.Body:
     """Make a touch panel about the origin: a pane with a display and a row of icons, each with a lamp.
 
-    The display is in the middle with half of the icons at either side, or above the icons of an upright one.
+    The display is in the middle with half of the icons at each side, or above the icons of a vertical panel.
     """
     face = finish or ag.MATERIALS["black_glass"]
     print_ = ink or ink_on(face)
@@ -152,7 +152,7 @@ def control_panel(
 
 
 def _beside(count: int, pitch: ag.Scalar, aside: ag.Scalar) -> list[ag.Scalar]:
-    """Return places at both sides of a display, which leaves `aside` free at either side of x = 0 [m]."""
+    """Return positions at both sides of a display, at least `aside` from x = 0 [m]."""
     half = (count + 1) // 2
     left = [-aside - (half - index - 0.5) * pitch for index in range(half)]
     return [*left, *(aside + (index + 0.5) * pitch for index in range(count - half))]
@@ -161,7 +161,7 @@ def _beside(count: int, pitch: ag.Scalar, aside: ag.Scalar) -> list[ag.Scalar]:
 def _column(
     icons: Sequence[str], pitch: ag.Scalar, height: ag.Scalar, middle: ag.Scalar, ink: ag.Material
 ) -> ag.Body:
-    """Print icons below each other."""
+    """Print a column of icons."""
     rows = [middle + ((len(icons) - 1) / 2.0 - index) * pitch for index in range(len(icons))]
     return ag.weld(
         *(

@@ -17,16 +17,16 @@ GAS_TOP = 0.0235
 """Height of a gas burner with its cap [m]."""
 
 ZONE_RADIUS: dict[BurnerSize, float] = {"small": 0.0725, "medium": 0.090, "large": 0.105, "wok": 0.135}
-"""Zones of 145, 180, 210 and 270 mm, as makers name them [m]."""
+"""Radius of zones with nominal diameters of 145, 180, 210 and 270 mm [m]."""
 
 COIL_RADIUS: dict[BurnerSize, float] = {"small": 0.076, "medium": 0.076, "large": 0.1015, "wok": 0.1015}
-"""Coils of 6 and 8 inches [m]."""
+"""Radius of coils of 6 and 8 inches [m]."""
 
 COIL_TOP = 0.006
-"""How high a coil stands above its plate [m]."""
+"""Height of a coil above its plate [m]."""
 
 BOWL = 0.011
-"""How deep a drip bowl is set into the plate [m]."""
+"""Depth of a drip bowl in the plate [m]."""
 
 # castings of cups and spreaders are hollow
 ALUMINIUM = ag.material("aluminium").with_(
@@ -38,14 +38,14 @@ _ELEMENT = ag.material("black_steel").with_(
     name="heating_tube", base_color=(0.045, 0.043, 0.042), specular_roughness=0.55
 )
 _TEETH = 24
-_RUN = math.tau / 20.0  # between two points of a spiral [rad]
-_GAP = 0.0045  # between two turns of a coil [m]
+_RUN = math.tau / 20.0  # angle between two points of a spiral [rad]
+_GAP = 0.0045  # gap between two turns of a coil [m]
 _TUBE = 0.0042  # half the width of the flattened tube of a coil [m]
 
 
 @cache
 def _toothed() -> ag.Profile:
-    """Make the outline of a spreader of radius 1: teeth, and the slots between them for the flames."""
+    """Make the outline of a spreader of radius 1: teeth with flame slots between them."""
     points = []
     for tooth in range(_TEETH):
         for turn, share in ((0.0, 1.0), (0.62, 1.0), (0.62, 0.9), (1.0, 0.9)):
@@ -62,7 +62,7 @@ def gas_burner(
     edge = 1.34 * radius
     well = ag.revolve(ag.polygon([(0.0, -0.0004), (edge, -0.0004), (edge - 0.0015, 0.0009), (0.0, 0.0012)]))
     bodies = [ag.detail(well, "burner", ALUMINIUM)]
-    # a dark drum between the teeth has the mass of cup, spreader and cap, which are only visible
+    # a dark drum between the teeth has the mass of the cup, spreader and cap, which are visual only
     heavy = _drum_density(spreader, cap)
     dark = _SOOT.with_(
         name=f"{_SOOT.name}_{size}_{spreader.name}",
@@ -99,15 +99,16 @@ def gas_burner(
 def _drum_density(spreader: ag.Material, cap: ag.Material) -> float:
     """Return the density of the drum of a medium burner that gives it the mass of the visible parts [kg/m3].
 
-    The shares are the volumes of spreader with cup and of the cap in that of the drum, which is 22 mm high.
-    Other sizes weigh the same, as castings of larger ones are thinner: a top that is as heavy at its left as
-    at its right has its principal axes along its edges, and simulators lay their boxes along these.
+    The factors are the volumes of the spreader with cup and of the cap, relative to the drum, which is 22 mm
+    high. Other sizes have the same mass, because larger castings are thinner: equal masses at the left and
+    right keep the principal axes of the top along its edges, and simulators align their boxes with these
+    axes.
     """
     return round(700.0 + 0.6 * spreader.density + 0.3 * cap.density)
 
 
 def _teeth(radius: ag.Scalar, low: ag.Scalar, high: ag.Scalar, metal: ag.Material) -> ag.Body:
-    """Make the teeth between the slots for the flames, from one height to another."""
+    """Make the teeth between the flame slots, from one height to another."""
     teeth = ag.extrude(_toothed().scale(radius), high - low).align((0.0, 0.0, low), z=-1)
     return ag.detail(teeth, "burner", metal)
 
@@ -139,7 +140,7 @@ def coil_hole(radius: ag.Scalar) -> ag.Profile:
 def coil_burner(radius: float, *, bowl: ag.Material, turn: float = 0.0) -> ag.Body:
     """Make a coil on three bars in its drip bowl, which reaches 11 mm down into the plate.
 
-    The bars carry a pot; the coil, half a millimetre higher, is only seen.
+    The bars carry a pot; the coil, half a millimeter higher, is visual only.
     """
     lip = radius + 0.008
     line: list[ag.VectorLike] = [
@@ -167,7 +168,7 @@ def coil_burner(radius: float, *, bowl: ag.Material, turn: float = 0.0) -> ag.Bo
 
 
 def _spiral(radius: float) -> ag.Solid:
-    """Make a flattened tube that winds outward, with the tail that goes down into the bowl."""
+    """Make a flattened tube in a spiral, with the tail that goes down into the bowl."""
     first, last = 0.019, radius - _TUBE
     pitch = 2.0 * _TUBE + _GAP
     sweep_ = math.tau * (last - first) / pitch
@@ -226,23 +227,23 @@ GrateStyle = Literal["continuous", "single", "diagonal"]
 """One grate per column of burners, one per burner, or one per column with fingers from the corners."""
 
 TOP = 0.043
-"""How high above the plate the pots stand [m]."""
+"""Height of the support of pots above the plate [m]."""
 
 LIFT = 0.10
-"""How far a grate is lifted off [m]."""
+"""Travel of a lifted grate [m]."""
 
-_WIDE, _HIGH = 0.0095, 0.0115  # of a bar [m]
-_SLIM = 0.84  # width of a finger, as a share of that
-_APART = 0.003  # from a grate to the border of its field [m]
-_BARE = 0.020  # around the middle of a burner, which the fingers leave free [m]
-_REST = 0.0003  # between the feet and the plate, which the joint's limit keeps [m]
+_WIDE, _HIGH = 0.0095, 0.0115  # width and height of a bar [m]
+_SLIM = 0.84  # width of a finger, as a share of that of a bar
+_APART = 0.003  # gap from a grate to the border of its field [m]
+_BARE = 0.020  # radius around the middle of a burner without fingers [m]
+_REST = 0.0003  # gap between the feet and the plate, held by the joint's limit [m]
 _SOFT = 0.0022  # radius of the edges [m]
 
 
 def _bars(
     size: tuple[ag.Scalar, ag.Scalar], at: list[tuple[ag.Scalar, ag.Scalar]], top: ag.Scalar
 ) -> ag.Solid:
-    """Make level bars of one length along x and y, their middles at places [m]."""
+    """Make horizontal bars of one length along x and y, with their middles at given positions [m]."""
     x, y = size
     low = (-0.5 * x, -0.5 * y, top - _HIGH)
     bar = ag.box_between(low, (0.5 * x, 0.5 * y, top), bevel=_SOFT)
@@ -252,7 +253,7 @@ def _bars(
 def _fingers(
     burners: Sequence[Place], half: tuple[ag.Scalar, ag.Scalar], *, diagonal: bool, top: ag.Scalar
 ) -> list[ag.Solid]:
-    """Make four fingers that point to the middle of each burner from the frame around it."""
+    """Make four fingers from the frame around each burner towards its middle."""
     wide, deep = half
     middles = [(place.x, place.y) for place in burners]
     slim, low = _SLIM * _WIDE, top - 0.04 * _HIGH
@@ -285,7 +286,7 @@ def grate(
     iron: ag.Material,
     feet: ag.Material,
 ) -> ag.Body:
-    """Make a grate over one burner, or over several behind each other."""
+    """Make a grate over one burner, or over a column of burners."""
     top = plate + TOP
     wide, deep = half
     first, last = burners[0], burners[-1]
@@ -299,7 +300,7 @@ def grate(
     corners = [ag.vector(x + i * wide, y, 0.0) for i in (-1, 1) for y in (front, back)]
     leg = ag.box_between((-0.0046, -0.0046, plate + _REST), (0.0046, 0.0046, top - 0.004), bevel=_SOFT)
     pad = ag.box_between((-0.0052, -0.0052, plate + _REST), (0.0052, 0.0052, plate + 0.006), bevel=0.0015)
-    # a hand takes it by a finger, where no other grate is beside it; its tips reach 10 mm down
+    # grasp on a finger without a neighboring grate; the finger tips of a gripper reach 10 mm down
     slim, grip = _SLIM * _WIDE, top - 0.04 * _HIGH - 0.001
     if style == "diagonal":
         start, share = 0.71 * _BARE, 0.5
@@ -320,14 +321,14 @@ def grate(
 
 
 def grate_lift(name: str) -> ag.Joint:
-    """Make the joint by which a grate is lifted off the plate; its weight brings it back."""
+    """Make the joint of a grate, which is lifted off the plate; its weight returns it."""
     return ag.Prismatic(name, axis=ag.Z, limits=(0.0, LIFT), damping=4.0, effort=60.0)
 
 
 def grates(
     columns: Sequence[Column], *, plate: ag.Scalar, style: GrateStyle, iron: ag.Material, feet: ag.Material
 ) -> list[tuple[ag.Body, ag.Joint]]:
-    """Make all grates of a cooktop with the joints by which they are lifted."""
+    """Make all grates of a cooktop with their joints."""
     inset = _APART + _WIDE / 2
     groups: list[tuple[Sequence[Place], tuple[ag.Scalar, ag.Scalar]]] = []
     for column in columns:

@@ -1,6 +1,6 @@
-"""Layout of a cooktop: the field of its burners, the strip of its dials, the dial of each burner.
+"""Layout of a cooktop: the field of the burners, the strip of the dials, and the dial of each burner.
 
-Seen from above: x to the right, y to the back, the origin in the middle of the plate.
+View from above: x to the right, y to the back, the origin in the middle of the plate.
 """
 
 from dataclasses import dataclass
@@ -10,27 +10,27 @@ import artgen as ag
 from artgen._arrays import cached_property
 
 BurnerKind = Literal["gas", "radiant", "coil", "induction"]
-"""Flames, glowing bands under glass, tubes of steel, or coils under glass that heat the pot itself."""
+"""Gas flames, radiant heaters under glass, steel tubes, or induction coils under glass."""
 
 DialSide = Literal["front", "left", "right", "back"]
-"""The border of the plate at which the dials are."""
+"""Border of the plate with the dials."""
 
 BurnerSize = Literal["small", "medium", "large", "wok"]
-"""Sizes of burners, as shops name them: simmer, standard, rapid, wok."""
+"""Sizes of burners; in shops: simmer, standard, rapid, wok."""
 
 EDGE = 0.013
-"""From the edge of the plate to the print around a dial [m]."""
+"""Distance from the edge of the plate to the print around a dial [m]."""
 
 PRINT = 0.009
-"""How far the print around a dial reaches out of it [m]."""
+"""Width of the print around a dial [m]."""
 
 SIGN = 0.014
 """Size of the sign beside a dial that shows its burner [m]."""
 
-_MARGIN = 0.016  # from the edge of the plate to the field of the burners [m]
-_END = 0.030  # from the edge of the plate to the first dial of a row, besides its radius [m]
+_MARGIN = 0.016  # distance from the edge of the plate to the field of the burners [m]
+_END = 0.030  # distance from the edge of the plate to the rim of the first dial of a row [m]
 
-# How many burners each column has, from left to right, by the numbers of burners and of rows.
+# Number of burners in each column, from left to right, by the numbers of burners and of rows.
 COLUMNS: dict[tuple[int, int], tuple[int, ...]] = {
     (2, 1): (1, 1),
     (3, 1): (1, 1, 1),
@@ -41,7 +41,7 @@ COLUMNS: dict[tuple[int, int], tuple[int, ...]] = {
     (6, 2): (2, 2, 2),
 }
 
-# Their sizes in the same order, from the front to the back of a column.
+# Sizes of the burners in the same order, from the front to the back of a column.
 _SIZES: dict[tuple[int, int], tuple[BurnerSize, ...]] = {
     (2, 1): ("large", "medium"),
     (3, 1): ("medium", "wok", "small"),
@@ -55,36 +55,36 @@ _SIZES: dict[tuple[int, int], tuple[BurnerSize, ...]] = {
 
 @dataclass(frozen=True)
 class Place:
-    """Where a burner is."""
+    """Position and size of a burner."""
 
-    x: ag.Scalar  # its middle [m]
-    y: ag.Scalar  # its middle [m]
-    size: BurnerSize  # how large it is
-    reach: ag.Scalar  # half the width of the square around it that is its own [m]
+    x: ag.Scalar  # position of the middle along x [m]
+    y: ag.Scalar  # position of the middle along y [m]
+    size: BurnerSize  # size of the burner
+    reach: ag.Scalar  # half the width of the square reserved for the burner [m]
 
 
 @dataclass(frozen=True)
 class Column:
-    """Burners behind each other."""
+    """A column of burners, from front to back."""
 
     x: ag.Scalar  # middle of the column [m]
-    width: ag.Scalar  # its width [m]
-    depth: ag.Scalar  # its depth [m]
-    burners: tuple[Place, ...]  # its burners, from the front to the back
+    width: ag.Scalar  # width of the column [m]
+    depth: ag.Scalar  # depth of the column [m]
+    burners: tuple[Place, ...]  # burners, from the front to the back
 
 
 @dataclass(frozen=True)
 class Plan:
     """The plan of a cooktop."""
 
-    burners: int  # how many burners there are
-    rows: int  # in how many rows
-    dials: int  # how many dials there are, the burners' first
-    side: DialSide  # where they are
-    width: ag.Scalar  # of the plate [m]
-    depth: ag.Scalar  # of the plate [m]
-    radius: ag.Scalar  # of the dials [m]
-    pitch: ag.Scalar  # distance between dials, where there is room for it [m]
+    burners: int  # number of burners
+    rows: int  # number of rows
+    dials: int  # number of dials, first those of the burners
+    side: DialSide  # border of the plate with the dials
+    width: ag.Scalar  # width of the plate [m]
+    depth: ag.Scalar  # depth of the plate [m]
+    radius: ag.Scalar  # radius of the dials [m]
+    pitch: ag.Scalar  # distance between dials, if there is space for it [m]
     mirrored: bool  # whether the large burners are on the right
 
     @cached_property
@@ -94,7 +94,7 @@ class Plan:
 
     @cached_property
     def field(self) -> tuple[ag.Scalar, ag.Scalar, ag.Scalar, ag.Scalar]:
-        """Left, right, front and back of the field with the burners [m]."""
+        """Positions of the left, right, front and back of the field of the burners [m]."""
         x, y = self.width / 2 - _MARGIN, self.depth / 2 - _MARGIN
         inner = self.strip - _MARGIN
         return (
@@ -106,7 +106,7 @@ class Plan:
 
     @cached_property
     def columns(self) -> list[Column]:
-        """The columns of burners, from left to right."""
+        """Columns of burners, from left to right."""
         left, right, front, back = self.field
         counts = COLUMNS[self.burners, self.rows]
         sizes = iter(_SIZES[self.burners, self.rows])
@@ -129,7 +129,7 @@ class Plan:
 
     @cached_property
     def places(self) -> list[Place]:
-        """Where the burners are, column by column from left to right, each from front to back."""
+        """Positions of the burners, column by column from left to right, each from front to back."""
         return [place for column in self.columns for place in column.burners]
 
     @cached_property
@@ -140,7 +140,7 @@ class Plan:
 
     @cached_property
     def dial_places(self) -> list[tuple[ag.Scalar, ag.Scalar]]:
-        """Where the dials are, from left to right or from front to back [m]."""
+        """Positions of the dials, from left to right or from front to back [m]."""
         across = self.side in ("front", "back")
         inset = EDGE + PRINT + self.radius
         level = (self.depth if across else self.width) / 2 - inset
@@ -150,7 +150,7 @@ class Plan:
 
     @cached_property
     def sign_step(self) -> tuple[ag.Scalar, ag.Scalar]:
-        """The way from a dial to the sign of its burner [m]."""
+        """Offset from a dial to the sign of its burner [m]."""
         away = self.radius + PRINT + SIGN / 2.0
         ways: dict[DialSide, tuple[ag.Scalar, ag.Scalar]] = {
             "front": (0.0, away),

@@ -1,7 +1,7 @@
 """Carcasses of furniture: boards, partitions, shelves on pins, worktops, legs and plinths.
 
-A carcass stands about the z axis with its open front facing -y. Boards that meet keep a hair of a seam, and
-ends reach a hair into the faces that they abut.
+A carcass is about the z axis with its open front facing -y. Boards that meet have a fine seam between them,
+and ends overlap slightly with the faces that they abut.
 """
 
 from collections.abc import Sequence
@@ -13,61 +13,61 @@ from artgen.categories.shared.furniture.finish import ZINC
 from artgen.categories.shared.hardware.fixings import corner_feet
 
 LegStyle = Literal["tapered", "splayed", "square", "turned", "metal"]
-"""Round and slimmer below; the same, leaning outward; square posts; a bun under a neck; a slim tube."""
+"""Round and tapered; tapered and leaning outward; square posts; a bun under a neck; a slim tube."""
 
 Stand = Literal["plinth", "legs", "feet", "brackets"]
-"""What carries a carcass: its sides with a board between them, legs, pads, or brackets on a wall."""
+"""Support of a carcass: its sides with a board between them, legs, pads, or brackets on a wall."""
 
 BACK = 0.006
 """Thickness of a back panel [m]."""
 
 EASE = 0.0008
-"""Edges of boards are eased to this radius [m]."""
+"""Radius of the rounded edges of boards [m]."""
 
-_BITE = 0.0003  # how far ends of boards reach into the faces that they abut [m]
-_SEAM = 0.0004  # by how much a board ends short of the edge of its neighbor [m]
-_BACK_INSET = 0.010  # from the rear of the sides to the back panel [m]
-_PITCH = 0.032  # of rows of holes: the 32 mm system [m]
+_BITE = 0.0003  # overlap of the ends of boards with the faces that they abut [m]
+_SEAM = 0.0004  # distance from the end of a board to the edge of its neighbor [m]
+_BACK_INSET = 0.010  # distance from the rear of the sides to the back panel [m]
+_PITCH = 0.032  # pitch of rows of holes: the 32 mm system [m]
 
 
 @dataclass(frozen=True)
 class Carcass:
     """A box of boards."""
 
-    width: ag.Scalar  # over its sides [m]
-    low: ag.Scalar  # underside of its bottom board above the floor [m]
-    high: ag.Scalar  # upper side of its top board [m]
-    front: ag.Scalar  # where its front edges are along y [m]
-    rear: ag.Scalar  # where it ends along y [m]
-    thick: ag.Scalar  # thickness of its boards [m]
-    finish: ag.Material  # of its boards
-    inside: ag.Material  # of its back and shelves
-    # where its sides end below [m]; at its bottom board by default, on the floor with a plinth
+    width: ag.Scalar  # width over the sides [m]
+    low: ag.Scalar  # height of the underside of the bottom board above the floor [m]
+    high: ag.Scalar  # height of the upper side of the top board above the floor [m]
+    front: ag.Scalar  # position of the front edges along y [m]
+    rear: ag.Scalar  # position of the rear end along y [m]
+    thick: ag.Scalar  # thickness of the boards [m]
+    finish: ag.Material  # finish of the boards
+    inside: ag.Material  # finish of the back and the shelves
+    # height of the lower ends of the sides [m]; by default the bottom board, or the floor with a plinth
     foot: ag.Scalar | None = None
-    label: str = "body"  # semantic label of its boards
+    label: str = "body"  # semantic label of the boards
 
     @property
     def right(self) -> ag.Scalar:
-        """The inner face of its right side along x [m]."""
+        """Position of the inner face of the right side along x [m]."""
         return self.width / 2 - self.thick
 
     @property
     def floor(self) -> ag.Scalar:
-        """The upper face of its bottom board [m]."""
+        """Height of the upper face of the bottom board [m]."""
         return self.low + self.thick
 
     @property
     def ceiling(self) -> ag.Scalar:
-        """The lower face of its top board [m]."""
+        """Height of the lower face of the top board [m]."""
         return self.high - self.thick
 
     @property
     def behind(self) -> ag.Scalar:
-        """The front of its back panel along y [m]."""
+        """Position of the front of the back panel along y [m]."""
         return self.rear - _BACK_INSET - BACK
 
     def bodies(self) -> list[ag.Body]:
-        """Make sides, bottom, top and back; the first one begins the link `body`."""
+        """Make sides, bottom, top and back; the first body starts the link `body`."""
         foot = self.low if self.foot is None else self.foot
         y, inner = (self.front, self.rear), self.right + _BITE
         shy = (self.front + _SEAM, self.rear - _SEAM)
@@ -100,7 +100,7 @@ class Carcass:
         ]
 
     def partition(self, x: ag.Scalar, *, low: ag.Scalar | None = None) -> ag.Body:
-        """Make an upright board up to the top."""
+        """Make a vertical board up to the top."""
         solid = ag.board(
             (x - self.thick / 2, x + self.thick / 2),
             (self.front + _SEAM, self.behind + _BITE),
@@ -110,7 +110,7 @@ class Carcass:
         return ag.part(solid, self.label, self.finish)
 
     def deck(self, z: ag.Scalar) -> ag.Body:
-        """Make a board all across, over an open compartment."""
+        """Make a board across the full width, over an open compartment."""
         inner = self.right + _BITE
         solid = ag.board(
             (-inner, inner), (self.front + _SEAM, self.behind + _BITE), (z - self.thick, z), bevel=EASE
@@ -140,7 +140,7 @@ class Carcass:
     def shelves(
         self, levels: Sequence[ag.Scalar], *, thick: ag.Scalar, setback: ag.Scalar, finish: ag.Material
     ) -> list[ag.Body]:
-        """Make shelves on pins, and the rows of holes that they can be put in."""
+        """Make shelves on pins, and the rows of holes for the pins."""
         if not levels:
             return []
         near, far = self.front + setback, self.behind - 0.002
@@ -178,7 +178,7 @@ class Carcass:
     def standing(
         self, stand: Stand, *, setback: ag.Scalar, leg: LegStyle, finish: ag.Material
     ) -> list[ag.Body]:
-        """Make its stand: plinth, legs or feet."""
+        """Make the stand: plinth, legs or feet."""
         match stand:
             case "plinth":
                 return self.plinth(setback, self.finish)

@@ -1,6 +1,6 @@
-"""What furniture is made of: veneers, lacquer, melamine and printed decors on board, its tops and hardware.
+"""Materials of furniture: veneers, lacquer, melamine and printed decors on board, tops and hardware.
 
-A category draws a look, and by it the finish of fronts and carcass:
+A category first draws a look; the finish of fronts and carcass depends on it:
 
     look: BoardLook = choice("wood", "lacquer", "melamine", "decor", weights=(...))
     finish: Material = boards()
@@ -15,7 +15,7 @@ BoardLook = Literal["wood", "lacquer", "melamine", "decor"]
 """Veneered or solid wood; sprayed MDF; board with a plain foil, or with a printed wood grain."""
 
 CaseLook = Literal["wood", "lacquer", "melamine", "decor", "steel"]
-"""The same, or folded sheet steel."""
+"""The same looks, or folded sheet steel."""
 
 _WOODS: dict[str, float] = {
     "oak": 2.0,
@@ -60,7 +60,7 @@ _DECORS: dict[str, float] = {"oak": 1.4, "walnut": 0.8, "ash": 1.0, "beech": 0.6
 DECORS = tuple(
     ag.material(name).with_(name=f"decor_{name}", **_FOIL | {"specular_roughness": 0.5}) for name in _DECORS
 )
-"""Chipboard with a foil that has the grain of a wood printed on it."""
+"""Chipboard with a foil with a printed wood grain."""
 
 _STEELS: dict[str, float] = {
     "light_grey": 2.0,
@@ -73,12 +73,12 @@ _STEELS: dict[str, float] = {
     "mustard": 0.3,
     "navy": 0.4,
 }
-# walls are two sheets of 0.8 mm with air between them: 1.6 of some 14 mm are steel, less where they are one
+# walls are two sheets of 0.8 mm with air between them: 1.6 of some 14 mm are steel, and less in single walls
 STEELS = weighing([ag.colored("powder_coat", color) for color in _STEELS], 620.0, "sheet")
-"""Painted sheet steel, folded."""
+"""Folded sheet steel, painted."""
 
 WHITE_BOARD = ag.colored("lacquered_mdf", "cool_white").with_(name="melamine_inside", **_FOIL)
-"""White melamine of the insides of kitchen cabinets."""
+"""White melamine for the insides of kitchen cabinets."""
 
 PLY = ag.material("plywood").with_(name="birch_ply", base_color=(0.70, 0.55, 0.37))
 """Birch plywood: backs, and the bottoms and sides of drawers."""
@@ -90,7 +90,7 @@ ZINC = ag.material("zinc").with_(name="zinc_plated", base_color=(0.66, 0.67, 0.6
 """Zinc-plated steel of runners, hinges and pins."""
 
 GREY_STEEL = ag.colored("powder_coat", "light_grey").with_(name="grey_steel_walls", density=700.0)
-"""Sides of drawers, folded of sheet steel and hollow."""
+"""Hollow sides of drawers of folded sheet steel."""
 
 CREAM_STEEL = ag.colored("powder_coat", "ivory").with_(name="cream_steel")
 """Epoxy-coated steel of roller runners."""
@@ -119,7 +119,7 @@ HARDWARE: dict[str, float] = {
     "powder_coat_black": 1.6,
     "black_steel": 0.5,
 }
-"""What handles of furniture are sold in, and how often."""
+"""Metals of furniture handles, with their weights in a random choice."""
 
 
 def boards(*looks: CaseLook, color: float = 0.05) -> Any:
@@ -135,28 +135,28 @@ def boards(*looks: CaseLook, color: float = 0.05) -> Any:
         look: ag.shades(*stock[look][0], weights=stock[look][1], color=color, roughness=0.04)
         for look in looks
     }
-    return ag.by("look", cases, doc="of fronts and carcass")
+    return ag.by("look", cases, doc="finish of fronts and carcass")
 
 
 def accents() -> Any:
-    """Draw the material of fronts that are not those of the carcass, by the parameter `fronts`."""
+    """Draw the material of fronts with another finish than the carcass, by the parameter `fronts`."""
     return ag.by(
         "fronts",
         wood=ag.shades(*WOODS[:5], weights=tuple(_WOODS.values())[:5], color=0.05, roughness=0.04),
         otherwise=ag.shades(*LACQUERS, weights=tuple(_LACQUERS.values()), color=0.05, roughness=0.04),
-        doc="of fronts of their own",
+        doc="finish of fronts that differ from the carcass",
     )
 
 
 def worktops() -> Any:
     """Draw the material of a worktop: glued wood, laminate or stone."""
-    return ag.shades(*_TOPS, weights=_TOP_WEIGHTS, color=0.05, roughness=0.03, doc="of the worktop")
+    return ag.shades(*_TOPS, weights=_TOP_WEIGHTS, color=0.05, roughness=0.03, doc="material of the worktop")
 
 
 def hardware() -> Any:
     """Draw the metal of handles."""
     return ag.shades(
-        *HARDWARE, weights=tuple(HARDWARE.values()), color=0.03, roughness=0.03, doc="of handles"
+        *HARDWARE, weights=tuple(HARDWARE.values()), color=0.03, roughness=0.03, doc="metal of handles"
     )
 
 
@@ -169,5 +169,5 @@ def leg_finishes() -> Any:
         otherwise=ag.shades(
             *WOODS[:4], *known("powder_coat_black"), weights=(2.0, 1.0, 2.0, 1.0, 1.0), color=0.05
         ),
-        doc="of legs",
+        doc="material of legs",
     )

@@ -8,29 +8,29 @@ from artgen.categories.shared.furniture.door_slab import EASED
 from artgen.categories.shared.furniture.infill import Opening, Sticking, panels_in, panes_in
 
 FrontStyle = Literal["flat", "beaded", "shaker", "ramped", "fielded", "glazed"]
-"""A slab; one with a bead around it; a frame around a flat panel, plain or moulded; one whose frame slopes
-down to the panel; one whose panel rises to a field; one with a pane."""
+"""A flat slab; a slab with a bead around it; a frame around a flat panel, plain or molded; a frame that
+slopes down to the panel; a panel with a raised field; a frame around a pane."""
 
 
 @dataclass(frozen=True)
 class FrontLook:
-    """How fronts look."""
+    """Style and dimensions of fronts."""
 
-    style: FrontStyle  # their build
-    finish: ag.Material  # their material
+    style: FrontStyle  # style of the front
+    finish: ag.Material  # material of the front
     rail: ag.Scalar  # width of stiles and rails [m]
-    moulding: Sticking  # of the edge of the frame around a shaker panel
+    moulding: Sticking  # molding at the edge of the frame around a shaker panel
     slope: ag.Scalar  # width of the slope of a ramped front [m]
-    glass: ag.Material  # of the pane of a glazed one
-    panes: tuple[int, int] = (1, 1)  # panes side by side, and above each other
+    glass: ag.Material  # material of the pane of a glazed front
+    panes: tuple[int, int] = (1, 1)  # numbers of panes side by side, and one above the other
 
     @property
     def framed(self) -> bool:
-        """Whether handles stand on a panel that lies behind rails and stiles."""
+        """Whether handles are on a panel that lies behind rails and stiles."""
         return self.style in ("shaker", "ramped")
 
     def sunk(self, thickness: ag.Scalar) -> ag.Scalar:
-        """Return how far behind its face the middle of a front lies, where handles stand [m]."""
+        """Return the depth of the middle of a front behind its face, at the base of handles [m]."""
         return 0.375 * thickness if self.framed else 0.0
 
 
@@ -43,7 +43,7 @@ def front(
     label: str,
     name: str | None = None,
 ) -> list[ag.Body]:
-    """Make a front in the X-Z plane, with the origin in its middle."""
+    """Make a front in the x-z plane, with the origin in its middle."""
     if look.style in ("flat", "beaded"):
         slab = ag.part(ag.box(width, thickness, height, bevel=0.0014), label, look.finish, name=name)
         return (
@@ -52,7 +52,7 @@ def front(
             else [slab]
         )
     rail = look.rail
-    narrow = ag.min_(rail, 0.27 * height)  # rails of a low drawer leave room for its panel
+    narrow = ag.min_(rail, 0.27 * height)  # rails of a low drawer leave space for its panel
     stile = ag.box(rail, thickness, height, bevel=EASED)
     beam = ag.box(width - 2 * rail, thickness, narrow, bevel=EASED)
     boards: list[ag.Solid] = [
@@ -79,6 +79,6 @@ def front(
 
 
 def _bead(width: ag.Scalar, height: ag.Scalar, thickness: ag.Scalar) -> ag.Solid:
-    """Make a half-round bead around the face of a slab, which stands out by 2 mm."""
+    """Make a half-round bead around the face of a slab, with a height of 2 mm."""
     ring = ag.rectangle(width - 0.004, height - 0.004) - ag.rectangle(width - 0.018, height - 0.018)
     return ag.extrude(ring, 0.006, axis=ag.Y, bevel=0.0028).at(0.0, 0.001 - thickness / 2, 0.0)

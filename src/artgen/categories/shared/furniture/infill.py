@@ -1,4 +1,4 @@
-"""What fills the openings between the stiles and rails of a leaf: panels, panes and slats, with mouldings.
+"""Fillings of the openings between stiles and rails: panels, panes and slats, with moldings.
 
 All parts are made about the origin and copied to the openings, in the middle plane y = 0.
 """
@@ -9,27 +9,28 @@ from typing import Literal, NamedTuple
 
 import artgen as ag
 
-_PANE = 0.005  # toughened glass [m]
-_BOARDS = 3  # board from which the slats of a section are cut
-_CORE, _SLATS = 0.004, 0.009  # thickness of a board behind slats, and of one with their mass [m]
-_BEVEL = 0.055  # width of the bevels of a fielded panel, moulding included [m]
+_PANE = 0.005  # thickness of toughened glass [m]
+_BOARDS = 3  # number of boards from which the slats of a section are cut
+# thickness of a board behind slats, and of a board with the mass of the slats [m]
+_CORE, _SLATS = 0.004, 0.009
+_BEVEL = 0.055  # width of the bevels of a fielded panel, molding included [m]
 
 
 Relief = Literal["raised", "recessed"]
-"""Whether the fields of panels stand out of their grooves or lie flat in them."""
+"""Panels with raised fields, or flat panels in their grooves."""
 
 Sticking = Literal["ogee", "ovolo", "square", "ramp"]
-"""The moulding around panels: an S, a quarter round, none, or a plain slope down to the panel."""
+"""Molding around panels: an S, a quarter round, none, or a plain slope down to the panel."""
 
 
 class Opening(NamedTuple):
     """The openings of a row, all of one size."""
 
-    width: ag.Scalar  # [m]
-    height: ag.Scalar  # [m]
-    centers: Sequence[ag.VectorLike]  # where their centers are [m]
-    columns: int  # how many there are
-    finish: ag.Material  # the surrounding frame
+    width: ag.Scalar  # width of an opening [m]
+    height: ag.Scalar  # height of an opening [m]
+    centers: Sequence[ag.VectorLike]  # centers of the openings [m]
+    columns: int  # number of openings
+    finish: ag.Material  # finish of the surrounding frame
     label: str = "door"  # semantic label of the leaf
 
     def everywhere(self, solid: ag.Solid) -> ag.Solid:
@@ -38,11 +39,11 @@ class Opening(NamedTuple):
 
 
 Fill = Callable[[Opening, ag.Scalar], list[ag.Body]]
-"""Makes the filling of the openings of a row in a leaf of some thickness [m]."""
+"""A function that makes the filling of the openings of a row in a leaf of some thickness [m]."""
 
 
 _SECTIONS: dict[str, tuple[tuple[float, float], ...]] = {
-    # shares of its reach and of its depth, from the panel up to the face of the frame
+    # shares of the reach and of the depth of a molding, from the panel up to the face of the frame
     "ogee": (
         (1.0, 0.84), (0.93, 0.84), (0.90, 0.76), (0.80, 0.70), (0.69, 0.655), (0.58, 0.60), (0.48, 0.51),
         (0.40, 0.40), (0.33, 0.28), (0.26, 0.19), (0.17, 0.13), (0.10, 0.11), (0.10, 0.05),
@@ -59,15 +60,15 @@ _SECTIONS: dict[str, tuple[tuple[float, float], ...]] = {
 def _sticking(
     opening: Opening, thickness: ag.Scalar, depth: ag.Scalar, reach: ag.Scalar, style: str
 ) -> list[ag.Body]:
-    """Make the moulding around the openings on both faces, down to the filling."""
+    """Make the molding around the openings on both faces, down to the filling."""
     corners = [(out * reach, -down * depth) for out, down in _SECTIONS[style]]
     last = -_SECTIONS[style][-1][1] * depth
-    # united with its foot: a union is smooth where corners are blunt
+    # union with its foot: a union is smooth at obtuse corners
     foot = ag.rectangle(reach + 0.0005, 0.2 * depth).at(reach / 2.0 - 0.00025, -0.9 * depth)
     section = ag.polygon([(-0.0005, last), (-0.0005, -depth), (reach, -depth), *corners]) | foot
     x, z = opening.width / 2.0, opening.height / 2.0
     ring = ag.polyline([(-x, -z, 0.0), (x, -z, 0.0), (x, z, 0.0), (-x, z, 0.0)], closed=True)
-    # swept on the floor, where the section's y is up, then stood up: up becomes the front
+    # swept on the floor, with the section's y up, then rotated upright: up becomes the front
     front = ag.sweep(section, ring).rotate(ag.X, math.pi / 2.0).at(0.0, -thickness / 2.0, 0.0)
     faces = (front, front.rotate(ag.Z, math.pi))
     return [ag.detail(opening.everywhere(face), opening.label, opening.finish) for face in faces]
@@ -76,9 +77,9 @@ def _sticking(
 def panels_in(
     opening: Opening, thickness: ag.Scalar, relief: Relief, moulding: ag.Scalar, sticking: Sticking
 ) -> list[ag.Body]:
-    """Make the panels of a row with their mouldings; each panel is a board of its own."""
+    """Make the panels of a row with their moldings; each panel is a separate board."""
     width, height = opening.width - 0.0006, opening.height - 0.0006
-    tongue = 0.25 * thickness  # 9-11 mm stand in the groove
+    tongue = 0.25 * thickness  # 9-11 mm are in the groove
     panel = ag.box(width, tongue, height)
     if relief == "raised":
         # fielded on both faces: bevels rise from the groove to a field 4 mm below the faces of the leaf
@@ -126,17 +127,17 @@ def panes_in(
 
 
 def slats_in(opening: Opening, thickness: ag.Scalar, slats: int, *, joined: bool = False) -> list[ag.Body]:
-    """Make overlapping slats: each begins at the height where the last one ends, which blocks the view."""
+    """Make overlapping slats: each begins at the height of the end of the last, which blocks the view."""
     pitch = opening.height / slats
     depth = thickness - 0.010
     rise = 0.98 * pitch
-    plank = 0.008  # its edges are half round, so that they stick out as far at every tilt
+    plank = 0.008  # half-round edges, with the same reach at every tilt
     out, up = depth - plank, rise - plank
     slat = ag.box(opening.width, ag.sqrt(out * out + up * up) + plank, plank, bevel=plank / 2.0)
     places = [
         (0.0, 0.0, (at - (slats - 1) / 2.0) * (opening.height - rise) / (slats - 1)) for at in range(slats)
     ]
-    # the outer edge hangs down, so that rain and eyes stay out
+    # the outer edge is the lower one, against rain and view
     tilted = slat.rotate(ag.X, ag.atan2(up, out))
     if joined:
         core = ag.box(opening.width, _CORE, opening.height).at(opening.centers[0])
@@ -144,7 +145,7 @@ def slats_in(opening: Opening, thickness: ag.Scalar, slats: int, *, joined: bool
         heavy = finish.with_(name=f"{finish.name}_slats", density=_SLATS * finish.density / _CORE)
         field = ag.array(tilted, at=places).at(opening.centers[0])
         return [ag.part(core, opening.label, heavy), ag.detail(field, opening.label, finish)]
-    # neighbors are of different boards
+    # neighbors belong to different boards
     return [
         ag.part(
             ag.array(tilted, at=places[first::_BOARDS]).at(opening.centers[0]), opening.label, opening.finish

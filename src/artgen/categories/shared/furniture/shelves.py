@@ -1,4 +1,4 @@
-"""What stands in a refrigerator: shelves of glass or wire, bins on doors, drawers, egg trays."""
+"""Interior parts of a refrigerator: shelves of glass or wire, bins on doors, drawers, egg trays."""
 
 import math
 from collections.abc import Sequence
@@ -9,13 +9,13 @@ from artgen import details
 GLASS = 0.004
 """Thickness of a pane of toughened glass [m]."""
 
-_TRIM_HIGH, _TRIM_DEEP = 0.016, 0.013  # of the strip in front of a shelf [m]
-_LEDGE = 0.007  # how far the ledges under a pane stand out of the walls [m]
-_IN_WALL = 0.0005  # how far they reach into them [m]
-_INSIDE = 0.0001  # by how much rods that collide are thinner than those that are seen [m]
-_SHEET = 0.003  # walls of bins and drawers [m]
-_FRONT = 0.007  # front of a drawer [m]
-_LIP_DEEP, _LIP_HIGH = 0.019, 0.009  # of the lip by which a drawer is drawn [m]
+_TRIM_HIGH, _TRIM_DEEP = 0.016, 0.013  # height and depth of the strip in front of a shelf [m]
+_LEDGE = 0.007  # height of the ledges under a pane above the walls [m]
+_IN_WALL = 0.0005  # overlap of the ledges with the walls [m]
+_INSIDE = 0.0001  # difference between the radii of visible and colliding rods [m]
+_SHEET = 0.003  # thickness of the walls of bins and drawers [m]
+_FRONT = 0.007  # thickness of the front of a drawer [m]
+_LIP_DEEP, _LIP_HIGH = 0.019, 0.009  # depth and height of the lip at the front of a drawer [m]
 
 
 ORIGIN: tuple[ag.VectorLike, ...] = ((0.0, 0.0, 0.0),)
@@ -57,9 +57,9 @@ def wire_shelf(
     at: Sequence[ag.VectorLike] = ORIGIN,
     label: str = "shelf",
 ) -> ag.Body:
-    """Make wire shelves between two walls, the middle of the frame of one on z = 0.
+    """Make wire shelves between two walls, with the middle of the frame on z = 0.
 
-    Its front, its back and three rods across collide; the wires between them only are seen.
+    The front, the back and three rods across collide; the wires between them are visual only.
     """
     wire, rod = 0.0016, 0.003
     rack = details.wire_rack(
@@ -86,7 +86,7 @@ def open_box(
     floor: ag.Scalar | None = None,
 ) -> list[ag.Solid]:
     """Make floor, back, sides and front of a box without a lid; its front is y = 0 and its floor z = 0."""
-    ease, less = 0.0012, 0.0006  # boards end inside of those that they meet
+    ease, less = 0.0012, 0.0006  # boards end inside the boards that they meet
     sole = wall if floor is None else floor
     deep = depth - (front + wall) / 2
     side = ag.box(wall, deep, height - less, bevel=ease)
@@ -127,7 +127,7 @@ def door_bin(
 def egg_tray(
     width: ag.Scalar, depth: ag.Scalar, *, finish: ag.Material, columns: int = 6, label: str = "egg_tray"
 ) -> ag.Body:
-    """Make a tray with two rows of holes for eggs; it stands on z = 0 about the origin."""
+    """Make a tray with two rows of holes for eggs, on z = 0 about the origin."""
     high, sheet = 0.028, 0.003
     plate = ag.box(width, depth, sheet, bevel=0.0012).at(0.0, 0.0, high - sheet / 2)
     leg = ag.box(0.004, depth - 0.004, high - 0.001, bevel=0.001)
@@ -163,12 +163,12 @@ def drawer_box(
     lip_at: ag.Scalar,
     name: str | None = None,
 ) -> ag.Body:
-    """Make a drawer with a lip in front by which it is drawn: the front is y = 0, the floor z = 0."""
+    """Make a drawer with a lip in front as its grip: the front is y = 0, the floor z = 0."""
     face, *walls = open_box(width, depth, height, front=_FRONT)
     long = width - 0.004
     ledge = ag.box(long, _LIP_DEEP + _IN_WALL, _LIP_HIGH, bevel=0.003)
     ledge = ledge.at(0.0, (_IN_WALL - _LIP_DEEP) / 2, lip_at)
-    # pads reach to 2 mm before the front
+    # finger pads end 2 mm before the front
     hold = ag.frame((0.0, -0.011, lip_at), approach=(0.0, 1.0, 0.0), closing=(0.0, 0.0, 1.0))
     band = ag.box(width + 0.001, 0.0022, 0.014, bevel=0.0007).at(0.0, 0.0, height - 0.0075)
     return ag.weld(
@@ -180,4 +180,4 @@ def drawer_box(
 
 
 LIP_REACH = _LIP_DEEP
-"""How far the lip of a drawer stands out of its front [m]."""
+"""Reach of the lip of a drawer in front of it [m]."""

@@ -1,9 +1,9 @@
 """Parts that categories share: door hardware.
 
-Door hardware is drawn about its own axis on a leaf that stands in the X-Z plane: the origin lies on the
-spindle (or on the axis of a lock) in the middle of the leaf's thickness, the faces of the leaf are at
-y = -thickness / 2 and y = thickness / 2, and the edge with the lock is at x = backset. Levers therefore point
-to -x. Callers move parts with `.at(spindle)` and mirror the finished door for the other hand.
+Door hardware is modeled about its own axis on a leaf in the x-z plane: the origin is on the spindle (or on
+the axis of a lock) in the middle of the leaf's thickness, the faces of the leaf are at y = -thickness / 2 and
+y = thickness / 2, and the lock edge is at x = backset. Levers therefore point to -x. Callers move parts with
+`.at(spindle)` and mirror the finished door for the other hand.
 """
 
 from collections.abc import Mapping
@@ -14,7 +14,7 @@ import artgen as ag
 def require_suited(
     handle: ag.Generator, option: str, chosen: str, handles: Mapping[str, ag.Generator]
 ) -> None:
-    """Rule out a sample with the handle of another option value; a caller's own handle passes."""
+    """Reject a sample with the handle of another option value; a handle from the caller is accepted."""
     own = [value for value, each in handles.items() if handle == each]
     ag.require(
         not own or chosen in own,
@@ -35,4 +35,4 @@ HARDWARE_LABELS = (
     "hinge",
     "screw",
 )
-"""Every label that the parts of a door's hardware may carry."""
+"""All labels of the parts of door hardware."""

@@ -10,13 +10,13 @@ import artgen as ag
 from artgen.categories.shared.finish import casting
 
 Way = tuple[int, int, int]
-"""The direction of a straight run: an axis or its opposite."""
+"""Direction of a straight run: an axis or its opposite."""
 
 _EIGHTH = math.tan(math.pi / 8.0)
 
 
 def rod(radius: ag.Scalar) -> Callable[[ag.Vector, ag.Vector], ag.Solid]:
-    """Return the maker of round straight runs."""
+    """Return a function that makes round straight runs."""
 
     def run(start: ag.Vector, end: ag.Vector) -> ag.Solid:
         along = end - start
@@ -26,7 +26,7 @@ def rod(radius: ag.Scalar) -> Callable[[ag.Vector, ag.Vector], ag.Solid]:
 
 
 def straight_run(section: ag.Profile) -> Callable[[ag.Vector, ag.Vector], ag.Solid]:
-    """Return the maker of straight runs of a section."""
+    """Return a function that makes straight runs with a section."""
     return lambda start, end: ag.sweep(section, ag.line(start, end))
 
 
@@ -41,7 +41,7 @@ def bent_bar(
 ) -> list[ag.Solid]:
     """Make a bar along axes: its straight runs, then its bends; each is nearly convex.
 
-    The hull around a bend stands off its inner side by 0.3 of the radius there, or 0.08 if bends are halved.
+    The distance from a bend's inner side to its hull is 0.3 of the radius, or 0.08 for bends in halves.
     """
     straight = run or straight_run(section)
     points = [ag.vector(*corner) for corner in corners]
@@ -80,29 +80,29 @@ def _bend(
 
 
 BarStyle = Literal["round", "square", "bow", "strap", "pro", "arched"]
-"""A rod on two posts; a square one; a bent rod; a flat strap; a thick tube with end caps; a curved blade."""
+"""A rod on two posts; a square rod; a bent rod; a flat strap; a thick tube with end caps; a curved blade."""
 
 BAR_STYLES: tuple[BarStyle, ...] = ("round", "square", "bow", "strap", "pro", "arched")
 
-_SUNK = 0.0006  # how deep feet are let into the front [m]
-_ARCS = 6  # lengths of the curved blade
-_BITE = 0.0003  # how deep the boards of a lining reach into the walls of a cut [m]
+_SUNK = 0.0006  # depth of the feet in the front [m]
+_ARCS = 6  # number of lengths of the curved blade
+_BITE = 0.0003  # overlap of the boards of a lining with the walls of a cut [m]
 _FINGERS = 0.005  # clearance between an open finger and the handle [m]
 
 
 @dataclass(frozen=True)
 class Grip:
-    """A grip that is let into a front."""
+    """A grip in a recess of a front."""
 
     cut: ag.Solid  # cutter of the front
-    shell: ag.Body  # its lining, with the label `handle` and the grasp; to be welded to the front
+    shell: ag.Body  # lining with the label `handle` and the grasp, which is welded to the front
 
     def at(self, x: ag.Scalar, y: ag.Scalar, z: ag.Scalar) -> "Grip":
-        """Move it [m]."""
+        """Return the moved grip [m]."""
         return Grip(self.cut.at(x, y, z), self.shell.at(x, y, z))
 
     def mirrored(self, normal: tuple[float, float, float]) -> "Grip":
-        """Reflect it in the plane through the origin with that normal."""
+        """Return the grip mirrored in the plane through the origin with that normal."""
         return Grip(self.cut.mirror(normal), self.shell.mirror(normal))
 
 
@@ -115,10 +115,12 @@ def bar_handle(
     level: bool = ag.given(False),
     name: str = ag.given("handle"),
     overhang: ag.Float = ag.given(0.045),
-    projection: ag.Float = ag.uniform(0.044, 0.058, "m", doc="face of the front to the middle of the bar"),
+    projection: ag.Float = ag.uniform(
+        0.044, 0.058, "m", doc="distance from the face of the front to the middle of the bar"
+    ),
     girth: ag.Float = ag.uniform(0.0075, 0.0105, "m", doc="half of the thickness of the bar"),
 ) -> ag.Body:
-    """Make a bar handle on the plane y = 0, upright about the origin, to be welded to a front."""
+    """Make a bar handle on the plane y = 0, vertical about the origin, which is welded to a front."""
     makers: dict[BarStyle, Callable[[ag.Scalar, ag.Scalar, ag.Scalar], list[ag.Solid]]] = {
         "round": partial(_round, overhang=overhang),
         "square": _square,
@@ -167,7 +169,7 @@ def _bow(out: ag.Scalar, length: ag.Scalar, girth: ag.Scalar) -> list[ag.Solid]:
 
 
 def _strap(out: ag.Scalar, length: ag.Scalar, girth: ag.Scalar) -> list[ag.Solid]:
-    thin = 0.006  # of the plate [m]
+    thin = 0.006  # thickness of the plate [m]
     plate = ag.extrude(ag.rectangle(2.6 * girth, length, radius=0.004), thin, axis=ag.Y, bevel=0.0016)
     post = ag.box(2.2 * girth, out + _SUNK, 0.012, bevel=0.0016).at(0.0, (_SUNK - out) / 2, 0.0)
     return [plate.at(0.0, -out, 0.0), *(post.at(0.0, 0.0, end * (length / 2 - 0.012)) for end in (-1, 1))]
@@ -183,9 +185,9 @@ def _pro(out: ag.Scalar, length: ag.Scalar, girth: ag.Scalar) -> list[ag.Solid]:
 
 
 def _arched(out: ag.Scalar, length: ag.Scalar, girth: ag.Scalar) -> list[ag.Solid]:
-    """Make a blade that leaves the front in a long curve, in lengths that are convex."""
+    """Make a blade that leaves the front in a long curve, in convex lengths."""
     wide, thin = 2.4 * girth, 0.009
-    half, low = length / 2, 0.30  # share of the length over which it rises at either end
+    half, low = length / 2, 0.30  # share of the length over which it rises at each end
     straight = ag.box(wide, thin, (1 - 2 * low) * length + 0.002, bevel=0.002).at(0.0, -out, 0.0)
     solids = [straight]
     for index in range(_ARCS):
@@ -194,7 +196,7 @@ def _arched(out: ag.Scalar, length: ag.Scalar, girth: ag.Scalar) -> list[ag.Soli
             rise = math.sin(at * math.pi / 2)
             points.append((-half + at * low * length, -out * rise + (1 - rise) * _SUNK))
         (z0, y0), (z1, y1) = points
-        over = 0.0006  # so that lengths meet without a seam
+        over = 0.0006  # overlap of the lengths, for no seam
         side = ag.polygon(
             [(y0 - thin / 2, z0), (y0 + thin / 2, z0), (y1 + thin / 2, z1 + over), (y1 - thin / 2, z1 + over)]
         )
@@ -228,13 +230,13 @@ def pocket_grip(
     lining: ag.Scalar = 0.0015,
     name: str = "handle",
 ) -> Grip:
-    """Make a pocket in the free edge of a door, into which fingers reach from the side, behind a lip.
+    """Make a pocket in the free edge of a door: fingers reach in from the side, behind a lip.
 
-    The door's front is y = 0 and its free edge x = 0, the door lies at x < 0 and y > 0. A long one is the
+    The door's front is y = 0 and its free edge x = 0, the door lies at x < 0 and y > 0. A long pocket is the
     channel of a front without handles.
     """
     cut = ag.box(deep + 0.010, gap, length).at(0.005 - deep / 2, lip + gap / 2, 0.0)
-    bite = _BITE  # boards lie in the walls of the cut, and no two of them end at one corner
+    bite = _BITE  # boards overlap the walls of the cut, and no two of them end at one corner
     inner = ag.part(
         ag.box(lining + 3 * bite, gap + 6 * bite, length + 6 * bite).at(
             (lining - 3 * bite) / 2 - deep, lip + gap / 2, 0.0
@@ -261,7 +263,7 @@ def pocket_grip(
 def boards_around(x: ag.Span, z: ag.Span, hole: tuple[ag.Span, ag.Span], y: ag.Span) -> list[ag.Solid]:
     """Make the boards of a front around a rectangular opening: left, right, below and above."""
     (left, right), (bottom, top) = hole
-    lap = 0.0005  # so that boards have no corners in common
+    lap = 0.0005  # boards share no corners
     across, thin = (left - lap, right + lap), (y[0] + lap, y[1] - lap)
     return [
         ag.board((x[0], left), y, z),
@@ -282,9 +284,9 @@ def recessed_grip(
     name: str = "handle",
     thin: bool = False,
 ) -> Grip:
-    """Make a recess in a front with a blade in its middle that fingers close on, level with the front.
+    """Make a recess in a front with a blade in its middle, flush with the front, as the grip.
 
-    The front is y = 0; the recess is upright about the origin, or lies along X.
+    The front is y = 0; the recess is vertical about the origin, or horizontal along x.
     """
     sheet, thick = 0.0015, 0.010
     cut = ag.box(width, deep + 0.010, length).at(0.0, deep / 2 - 0.005, 0.0)

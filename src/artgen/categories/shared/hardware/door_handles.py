@@ -8,11 +8,11 @@ from artgen.categories.shared.finish import casting
 from artgen.categories.shared.hardware.locks import with_button
 from artgen.categories.shared.hardware.roses import NECK_GAP, PIN, SIDES, Faces, spindle
 
-_FLATNESS = 0.6  # thickness of a flat or oval grip over its height
+_FLATNESS = 0.6  # thickness of a flat or oval grip, as a share of its height
 _BEND = 0.018  # radius of the bends of a bar [m]
-_HOLD = 0.62  # where hands hold a bar, as a share of its length
+_HOLD = 0.62  # position of the hand on a bar, as a share of its length
 _PAST_JAMB = 0.5  # at the back a hand comes from the side of the hinges, past the jamb [rad]
-_RETURN = 0.031  # how far the tip of a bent lever returns towards the leaf, so that no sleeve catches [m]
+_RETURN = 0.031  # reach of the tip of a bent lever back towards the leaf, so that no sleeve catches [m]
 
 
 def spring_turn(
@@ -25,18 +25,18 @@ def spring_turn(
     damping: ag.Scalar = 0.06,
     friction: ag.Scalar = 0.02,
 ) -> ag.Joint:
-    """Make the joint of a lever or knob that a spring turns back; positive moves the free end down."""
+    """Make the joint of a lever or knob with a return spring; positive moves the free end down."""
     stiffness = (torque - preload) / limit
     return ag.Revolute(
         name,
-        axis=(0.0, -1.0, 0.0),  # takes a lever that points to -x down
+        axis=(0.0, -1.0, 0.0),  # moves a lever that points to -x down
         pivot=pivot,
         limits=(0.0, limit),
         stiffness=stiffness,
         rest=-preload / stiffness,
         damping=damping,
         friction=friction,
-        armature=0.0005,  # the follower and the springs in the lock case
+        armature=0.0005,  # inertia of the follower and the springs in the lock case
         effort=20.0,
     )
 
@@ -51,9 +51,11 @@ def lever_handle(
     style: Literal["straight", "bent", "wave"] = ag.choice("straight", "bent", "wave"),
     section: Literal["round", "flat"] = ag.choice("round", "flat"),
     length: ag.Float = ag.uniform(
-        0.115, 0.145, "m", doc="spindle to the tip of the lever", within=(0.08, 0.25)
+        0.115, 0.145, "m", doc="distance from the spindle to the tip of the lever", within=(0.08, 0.25)
     ),
-    projection: ag.Float = ag.uniform(0.046, 0.056, "m", doc="face of the leaf to the middle of the lever"),
+    projection: ag.Float = ag.uniform(
+        0.046, 0.056, "m", doc="distance from the face of the leaf to the middle of the lever"
+    ),
     girth: ag.Float = ag.uniform(0.0085, 0.0105, "m", doc="half the height of the grip"),
 ) -> ag.Body:
     """Make a lever on each face of the leaf, joined by the spindle: the link `handle`.
@@ -64,7 +66,8 @@ def lever_handle(
     grasps: list[ag.Frame] = []
     collar = ag.cylinder(girth + 0.002, 0.010, axis=ag.Y, bevel=0.0012)
     start, out = thickness / 2 + rose_depth + NECK_GAP, thickness / 2 + projection
-    level = style != "wave"  # its upper and lower half are alike: turned over, it fits the other face
+    # the upper and lower halves are alike: turned over, the lever fits the other face
+    level = style != "wave"
     for side in SIDES[faces]:
         sense = 1 if level else side
         solid = [collar.at(0.0, sense * (start + 0.005), 0.0)]
@@ -100,7 +103,7 @@ def _bar(
     else:
         corners += [(0.002 - length, out, 0.0)]
     bar = ag.sweep(_section(section, girth), ag.polyline(corners, fillet=_BEND))
-    # an end piece rounds the tip: it protrudes by 2 mm and is 0.2 mm smaller all round
+    # an end piece rounds the tip: it is 2 mm long and 0.2 mm smaller all around
     if section == "round":
         tip = ag.cylinder(girth - 0.0002, 0.004, axis=ag.Y if style == "bent" else ag.X, bevel=0.0018)
     else:
@@ -117,12 +120,12 @@ def _section(section: str, girth: ag.Scalar) -> ag.Profile:
 
 
 def _wave(start: ag.Scalar, out: ag.Scalar, side: int, length: ag.Scalar, girth: ag.Scalar) -> list[ag.Solid]:
-    """Make a hub and an oval arm that rises, dips and levels out."""
+    """Make a hub and an oval arm that rises, dips and becomes horizontal."""
     thin = _FLATNESS * girth
     face = out + side * (thin + 0.001)  # the hub ends 1 mm in front of the arm
     hub = ag.cylinder(girth + 0.0015, side * (face - start), axis=ag.Y, bevel=0.002)
     reach = thin - length
-    # heights as shares of the girth: a gentle S, as cast levers have it
+    # heights as shares of the girth: a gentle S, as in cast levers
     course = ag.spline(
         [
             (0.0, out, 0.0),
@@ -138,7 +141,7 @@ def _wave(start: ag.Scalar, out: ag.Scalar, side: int, length: ag.Scalar, girth:
 def _hold_on_wave(
     arm: ag.Solid, approach: tuple[float, float, float], out: ag.Scalar, length: ag.Scalar, girth: ag.Scalar
 ) -> ag.Frame:
-    """Find the frame on the last third of a wave, which falls gently; the fingers close square to it."""
+    """Return the grasp on the last third of a wave, which slopes gently; the fingers close normal to it."""
     reach = _FLATNESS * girth - length
     run, fall = 0.32 * reach, -0.20 * girth
     at = (0.84 * reach, out, -0.35 * girth)
@@ -149,7 +152,7 @@ _PIN_DEPTH = 0.012  # depth of the hole of a privacy pin in a knob [m]
 _KNOB_PAST_JAMB = 0.8  # at the back a hand comes from the side of the hinges, past the jamb [rad]
 _LEAN = (math.sin(0.25), 0.0, math.cos(0.25))
 _CLOSING = {"ball": _LEAN, "flat": _LEAN, "tulip": _LEAN, "egg": (0.0, 0.0, 1.0)}
-"""A hand turns a knob from leaning to one side to leaning to the other, where the knob is round."""
+"""Range of closing directions: a hand turns a round knob from a lean to one side to a lean to the other."""
 
 
 @ag.generator
@@ -163,7 +166,9 @@ def knob_handle(
     lock_side: int = ag.given(-1),
     style: Literal["ball", "flat", "tulip", "egg"] = ag.choice("ball", "flat", "tulip", "egg"),
     radius: ag.Float = ag.uniform(0.025, 0.0285, "m", doc="radius of the knob", within=(0.02, 0.04)),
-    projection: ag.Float = ag.uniform(0.060, 0.068, "m", doc="face of the leaf to the end of the knob"),
+    projection: ag.Float = ag.uniform(
+        0.060, 0.068, "m", doc="distance from the face of the leaf to the end of the knob"
+    ),
 ) -> ag.Body:
     """Make a knob on each face of the leaf, joined by the spindle: the link `handle`.
 
@@ -172,7 +177,7 @@ def knob_handle(
     solids: list[ag.Solid] = []
     grasps: list[ag.Frame] = []
     start, end = thickness / 2 + rose_depth + NECK_GAP, thickness / 2 + projection
-    deep = ag.min_(0.74 * radius, 0.48 * (end - start))  # half the depth of a ball, which the rose clears
+    deep = ag.min_(0.74 * radius, 0.48 * (end - start))  # half the depth of a ball, clear of the rose
     back = _one_knob(style, start, end, radius, deep)
     for side in SIDES[faces]:
         solids += back if side > 0 else [solid.rotate(ag.X, math.pi) for solid in back]
@@ -191,7 +196,7 @@ def knob_handle(
 
 
 def _girth(style: str, deep: ag.Scalar) -> ag.Scalar:
-    """Return how far behind its end a knob is widest, or flat [m]."""
+    """Return the distance from the end of a knob back to its widest or flat part [m]."""
     return {"ball": deep, "egg": deep, "flat": 0.011, "tulip": 0.009}[style]
 
 

@@ -8,7 +8,7 @@ from artgen import details
 from artgen.categories.shared.finish import recess
 
 FootStyle = Literal["pad", "round", "levelling"]
-"""A rubber pad, a rounded knob, or a disc on a screw by which an appliance is levelled."""
+"""A rubber pad, a rounded knob, or a disc on a leveling screw of an appliance."""
 
 _SUNK = 0.001  # depth of feet in the part above them [m]
 
@@ -22,7 +22,7 @@ def feet(
     finish: ag.Material | None = None,
     label: str = "foot",
 ) -> ag.Body:
-    """Make feet at places of the floor, z = 0; weld them to the part at the height `height`."""
+    """Make feet at positions on the floor, z = 0; weld them to the part at the height `height`."""
     tall = height + _SUNK
     if style == "pad":  # a cylinder is one collider
         one = ag.cylinder(radius, tall, bevel=0.0009).at(0.0, 0.0, tall / 2)
@@ -56,13 +56,13 @@ def corner_feet(
 
 
 Drive = Literal["slot", "phillips", "hex"]
-"""What turns a screw."""
+"""Drive of a screw."""
 
 Head = Literal["pan", "countersunk"]
-"""A low dome on a face, or a disc that is let into it."""
+"""A low dome on a face, or a disc flush with it."""
 
 Way = Literal["+x", "-x", "+y", "-y"]
-"""The way that a face looks."""
+"""Direction of the normal of a face."""
 
 FACING: dict[Way, tuple[float, float, float]] = {
     "+x": (1.0, 0.0, 0.0),
@@ -70,10 +70,10 @@ FACING: dict[Way, tuple[float, float, float]] = {
     "+y": (0.0, 1.0, 0.0),
     "-y": (0.0, -1.0, 0.0),
 }
-"""Unit vectors of the ways."""
+"""Unit vectors of the directions."""
 
-_TURN = 0.5  # how far recesses are turned [rad]
-_FLOOR = {"pan": (0.54, 0.26), "countersunk": (0.60, 0.09)}  # reach and height of the dark part, in radii
+_TURN = 0.5  # rotation of the recesses [rad]
+_FLOOR = {"pan": (0.54, 0.26), "countersunk": (0.60, 0.09)}  # radius and height of the dark part, in radii
 
 
 def screws(

@@ -1,7 +1,7 @@
 """Handles of furniture: knobs, bars, cup pulls and edge pulls.
 
-Each is drawn about the origin on the plane y = 0, which is the face of the front, and stands out to -y. All
-carry the label `handle` and the frame at which a gripper takes hold; they are rigid parts of a front.
+Each handle is modeled about the origin on the plane y = 0, which is the face of the front, and projects to
+-y. All have the label `handle` and a grasp frame; they are rigid parts of a front.
 """
 
 import math
@@ -11,8 +11,8 @@ import artgen as ag
 from artgen.categories.shared.finish import casting
 from artgen.categories.shared.hardware.bar_handles import BarStyle, bar_handle
 
-_SUNK = 0.0006  # how deep feet are let into the front [m]
-_SHEET = 0.0024  # wall of a cup [m]
+_SUNK = 0.0006  # depth of the feet in the front [m]
+_SHEET = 0.0024  # thickness of the wall of a cup [m]
 
 
 @ag.generator
@@ -24,7 +24,9 @@ def knob_pull(
         "mushroom", "ball", "disc", "cone", "square", weights=(0.34, 0.2, 0.18, 0.16, 0.12)
     ),
     radius: ag.Float = ag.uniform(0.0135, 0.0180, "m", within=(0.010, 0.030)),
-    projection: ag.Float = ag.uniform(0.025, 0.032, "m", doc="face of the front to the end of the knob"),
+    projection: ag.Float = ag.uniform(
+        0.025, 0.032, "m", doc="distance from the face of the front to the end of the knob"
+    ),
 ) -> ag.Body:
     """Make a knob of a drawer or a cabinet, 27-36 mm across."""
     head, widest, skin = _head(style, radius, projection)
@@ -76,7 +78,9 @@ def bar_pull(
     room: ag.Scalar = ag.given(1.0),
     style: BarStyle = ag.choice("round", "square", "strap", "bow", weights=(0.4, 0.28, 0.12, 0.2)),
     length: ag.Float = ag.uniform(0.115, 0.230, "m", doc="overall length", within=(0.10, 0.9)),
-    projection: ag.Float = ag.uniform(0.028, 0.036, "m", doc="face of the front to the middle of the bar"),
+    projection: ag.Float = ag.uniform(
+        0.028, 0.036, "m", doc="distance from the face of the front to the middle of the bar"
+    ),
     girth: ag.Float = ag.uniform(0.0048, 0.0064, "m", doc="half of the thickness of the bar"),
 ) -> ag.Body:
     """Make a bar pull of furniture, 96-192 mm from post to post."""
@@ -98,7 +102,7 @@ def bar_pull(
 
 
 def _bow(length: ag.Scalar, out: ag.Scalar, girth: ag.Scalar, finish: ag.Material, name: str) -> ag.Body:
-    """Make an upright rod with ends bent to the face; straight rods within it are its colliders."""
+    """Make a vertical rod with ends bent to the face; straight rods inside it are its colliders."""
     half, bend = length / 2 - girth, 0.010
     corners = [(0.0, _SUNK, -half), (0.0, -out, -half), (0.0, -out, half), (0.0, _SUNK, half)]
     skin = ag.sweep(ag.circle(girth), ag.polyline(corners, fillet=bend))
@@ -120,10 +124,12 @@ def cup_pull(
     name: str = ag.given("handle"),
     width: ag.Float = ag.uniform(0.064, 0.073, "m", within=(0.05, 0.074)),
     height: ag.Float = ag.uniform(0.025, 0.033, "m"),
-    projection: ag.Float = ag.uniform(0.023, 0.027, "m", doc="face of the front to the lip"),
+    projection: ag.Float = ag.uniform(
+        0.023, 0.027, "m", doc="distance from the face of the front to the lip"
+    ),
 ) -> ag.Body:
     """Make a cup pull (bin pull): a quarter of a shell, open below."""
-    bulge, end = 0.006, 0.024  # its widest place is so far in front of the face; radius of its ends [m]
+    bulge, end = 0.006, 0.024  # distance from the face to the widest point, and radius of the ends [m]
     a, b, c = width / 2, projection - bulge, height
     half = ag.board((-a - 0.01, a + 0.01), (-projection - 0.01, _SUNK), (0.0, c + 0.01))
     wall = (_egg(a, end, b, c, -bulge, 0.0) - _egg(a, end, b, c, -bulge, _SHEET)) & half
@@ -143,7 +149,7 @@ def cup_pull(
     deep, over = (-bulge - 0.949 * b, -bulge - 0.801 * b), 0.0004
     front = ag.board((-x - over, x + over), deep, (low + 0.0002, high - 0.0002))
     top = ag.board((-0.8 * x, 0.8 * x), (-bulge - 0.3 * b, _SUNK), (0.6 * c, 0.92 * c))
-    # pads come to 1 mm before the face, around the widest place
+    # finger pads end 1 mm before the face, around the widest point
     hold = ag.frame((0.0, -0.010, 0.0045), approach=(0.0, 1.0, 0.0), closing=(1.0, 0.0, 0.0))
     solids = (tab.mirror(ag.X), side, side.mirror(ag.X), front, top)
     return ag.weld(
@@ -160,7 +166,7 @@ def _egg(a: ag.Scalar, end: ag.Scalar, b: ag.Scalar, c: ag.Scalar, y: ag.Scalar,
 
 
 GROOVE = 0.034
-"""Height of a groove pull over its slab [m]."""
+"""Height of a groove pull above its slab [m]."""
 
 
 @ag.generator
@@ -173,14 +179,14 @@ def groove_pull(
     end: int,
     name: str = ag.given("drawer_handle"),
     style: Literal["milled", "profile"] = ag.choice("milled", "profile", weights=(0.6, 0.4)),
-    lip: ag.Float = ag.uniform(0.0065, 0.0080, "m", doc="thickness of the lip before the groove"),
+    lip: ag.Float = ag.uniform(0.0065, 0.0080, "m", doc="thickness of the lip in front of the groove"),
 ) -> ag.Body:
     """Make the upper edge of a front without handles: a lip, and behind it a groove for fingers.
 
     The origin is in the middle of the upper edge of the front's face. Hands come to one end of it, from
-    beside the furniture, with one finger before the lip and the other one in the groove.
+    beside the furniture, with one finger in front of the lip and the other in the groove.
     """
-    foot = 0.006  # of the slope from the groove to the back [m]
+    foot = 0.006  # height of the slope from the groove to the back [m]
     plate = ag.board((-length / 2, length / 2), (0.0, lip), (-GROOVE, 0.0), bevel=0.0010)
     low, high = -GROOVE, foot - GROOVE
     slope = ag.polygon([(lip - 0.0012, low), (thick, low), (thick, high), (lip - 0.0012, high + foot)])
@@ -200,11 +206,11 @@ def edge_pull(
     level: bool = ag.given(True),
     room: ag.Scalar = ag.given(1.3),
     length: ag.Float = ag.uniform(0.09, 0.22, "m", within=(0.04, 1.2)),
-    reach: ag.Float = ag.uniform(0.022, 0.026, "m", doc="how far it stands out of the face"),
+    reach: ag.Float = ag.uniform(0.022, 0.026, "m", doc="projection from the face"),
 ) -> ag.Body:
-    """Make an edge pull: a plate on the upper edge of a front that stands out of its face, with a rolled lip.
+    """Make an edge pull: a plate on the upper edge of a front that projects from its face, with a rolled lip.
 
-    The origin is on the edge between the face and the upper edge of the front. One that stands is for the
+    The origin is on the edge between the face and the upper edge of the front. A vertical pull is for the
     right edge of a door.
     """
     length = ag.require(
@@ -213,7 +219,7 @@ def edge_pull(
     thick = 0.0022
     plate = ag.board((-length / 2, length / 2), (-reach, 0.014), (-0.0003, thick), bevel=0.0005)
     lip = ag.capsule(0.0030, length, axis=(1.0, 0.0, 0.0)).at(0.0, -reach, 0.0008)
-    # the lip lies 4 mm inside of the pads
+    # the lip lies 4 mm inside the finger pads
     hold = ag.frame((0.0, 0.005 - reach, 0.0008), approach=(0.0, 1.0, 0.0), closing=(0.0, 0.0, 1.0))
     body = ag.weld(
         ag.part(plate, "handle", casting(finish, 1.0), name=name, grasp=hold), ag.part(lip, "handle", finish)

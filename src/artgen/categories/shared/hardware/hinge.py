@@ -1,8 +1,8 @@
-"""Butt hinges: knuckles that alternate on one pin, tabs in the gap, plates on the leaf and on the jamb.
+"""Butt hinges: alternating knuckles on one pin, tabs in the gap, plates on the leaf and on the jamb.
 
-The origin is on the pin's axis (along Z) half way up the hinge. The leaf is at x > 0, the jamb at x < 0, each
-half a gap away; both faces that look at the reader are at y = `offset`, behind the pin. The leaf swings
-towards -y, about -Z.
+The origin is on the pin's axis (along z) at half the height of the hinge. The leaf is at x > 0, the jamb at x
+< 0, each half a gap away; the front faces of both are at y = `offset`, behind the pin. The leaf swings
+towards -y, about -z.
 """
 
 import math
@@ -14,11 +14,11 @@ from artgen.categories.shared.hardware.fixings import screws
 KNUCKLE_CLEARANCE = 0.001
 """Distance from the knuckles to the face of the leaf [m]."""
 
-_AXIAL_GAP = 0.0004  # between knuckles [m]
-_PLATE = 0.0026  # thickness of plates: the part in the gap, and the part let into the wood [m]
+_AXIAL_GAP = 0.0004  # gap between knuckles [m]
+_PLATE = 0.0026  # thickness of plates: both in the gap and in the wood [m]
 _FACE = 0.0008  # thickness of the layer without colliders, with the holes of the screws [m]
-_SCREW = 0.0034  # radius of their heads [m]
-_CENTER = 0.00025  # plates stay away from the middle of the gap by this much [m]
+_SCREW = 0.0034  # radius of the heads of the screws [m]
+_CENTER = 0.00025  # distance from plates to the middle of the gap [m]
 
 
 def hinge_offset(radius: ag.Scalar) -> ag.Scalar:
@@ -42,7 +42,7 @@ def _half(
     tall = pitch - _AXIAL_GAP
     knuckle = ag.cylinder(
         radius, tall, axis=ag.Z
-    )  # sharp rims: with its tab one hull of less than 64 corners
+    )  # sharp rims: with its tab, one hull of less than 64 corners
     tab = ag.box(sheet, radius + 0.0006, tall).align((inner, 0.0, 0.0), x=-side, y=-1.0)
     middles = [pitch * (index + 0.5) - height / 2 for index in range(0 if side < 0 else 1, count, 2)]
     # the plate runs past the other half's knuckles, 0.5 mm behind them; its face has holes for screws
@@ -57,7 +57,7 @@ def _half(
     skin = ag.extrude(face, _FACE + 0.0003, axis=ag.X).at(inner + side * (_FACE + 0.0003) / 2.0, 0.0, 0.0)
     places = [(0.0, 0.0, z) for z in middles]
     if sheets:
-        # a knuckle and its tab nearly are their own hull
+        # a knuckle and its tab together are nearly convex
         made = [
             ag.part(ag.array(ag.bounding_collider(knuckle | tab), at=places), "hinge", finish),
             ag.part(plate, "hinge", finish),

@@ -22,8 +22,8 @@ BoltName = Literal["latch", "deadbolt"]
 class Bolt:
     """The section of a bolt."""
 
-    width: float  # across the leaf, along Y [m]
-    height: float  # along Z [m]
+    width: float  # width across the leaf, along y [m]
+    height: float  # height along z [m]
 
 
 LATCH = Bolt(0.012, 0.018)
@@ -33,16 +33,16 @@ LATCH_HOLE = LATCH.height + 2 * PLAY
 """Height of the hole of a spindle that meets the pocket of a latch [m]."""
 
 _TAIL = 0.022  # length of the bolt in the leaf behind the throw [m]
-_OVERTRAVEL = 1.6  # a handle turns further than the latch needs: the pocket is that many throws deep
-_OPENING_PLAY = 0.0007  # a closed door rattles by this much [m]
-_EASY = 0.002  # play of the strike where nothing has to hold [m]
+_OVERTRAVEL = 1.6  # depth of the pocket in throws, because a handle turns further than the latch needs
+_OPENING_PLAY = 0.0007  # play of a closed door [m]
+_EASY = 0.002  # play of the strike on sides that hold nothing [m]
 _SKIN = 0.0008  # visible thickness of a strike [m]
 _SCREW = 0.0036  # radius of the heads of screws [m]
-_PROUD = 0.0003  # plates stand out of the wood by this much, so that they are seen [m]
+_PROUD = 0.0003  # height of plates above the wood, so that they are visible [m]
 
 
 def latch_bolt(*, backset: ag.Scalar, throw: ag.Scalar, finish: ag.Material) -> ag.Body:
-    """Make a sprung bolt: flat towards -y, where it holds the door, slanted towards +y, where it closes."""
+    """Make a sprung bolt: flat towards -y, to hold the door, slanted towards +y, for closing."""
     half = LATCH.width / 2
     section = ag.polygon(
         [
@@ -64,7 +64,7 @@ def latch_slide(
 
 
 def latch_pocket(*, backset: ag.Scalar, throw: ag.Scalar, through: bool = False) -> ag.Solid:
-    """Make the tool that cuts the bolt's pocket into the lock edge of the leaf."""
+    """Make the cutter for the bolt's pocket in the lock edge of the leaf."""
     deep = backset if through else _TAIL + _OVERTRAVEL * throw + 0.005
     return _slot(LATCH, deep + 0.005, backset + 0.005)  # 5 mm past the edge, through the faceplate
 
@@ -99,7 +99,7 @@ def faceplate(
 
 
 def _pierced(outline: ag.Profile, level: ag.Scalar, thick: ag.Scalar) -> ag.Solid:
-    """Make a plate that looks along X, with holes for screws above and below its middle."""
+    """Make a plate that faces x, with holes for screws above and below its middle."""
     hole = ag.circle(_SCREW + 0.0003)
     return ag.extrude(outline - hole.at(0.0, level) - hole.at(0.0, -level), thick, axis=ag.X)
 
@@ -112,7 +112,7 @@ def _plate_screws(x: ag.Scalar, facing: Way, height: ag.Scalar, finish: ag.Mater
 
 
 def strike_pocket(*, backset: ag.Scalar, gap: ag.Scalar, throw: ag.Scalar, bolt: Bolt = LATCH) -> ag.Solid:
-    """Make the tool that cuts the hole for a thrown bolt into the jamb."""
+    """Make the cutter for the hole of a thrown bolt in the jamb."""
     front = backset + gap - 0.002
     back = backset + throw + 0.004
     low, high = -bolt.width / 2 - _OPENING_PLAY, bolt.width / 2 + _EASY
@@ -129,7 +129,7 @@ def strike_plate(
     finish: ag.Material,
     bolt: BoltName = "latch",
 ) -> ag.Body:
-    """Make the plate on the jamb that a bolt enters, to be welded to a jamb cut with `strike_pocket`."""
+    """Make the plate on the jamb for a bolt, which is welded to a jamb cut with `strike_pocket`."""
     section = LATCH if bolt == "latch" else DEADBOLT
     face = backset + gap - _PROUD
     low, high = -thickness / 2 + 0.0005, section.width / 2 + 0.008
@@ -150,7 +150,7 @@ def strike_plate(
         *_plate_screws(face, "-x", level, finish),
     ]
     if bolt == "latch":
-        # the lip, which guides the latch in, curls around the front of the jamb
+        # the lip guides the latch in and curls around the front of the jamb
         curl = ag.polygon([(0.0, 0.0), (0.0, -0.0006), (0.0020, -0.0029), (0.0030, -0.0024), (0.0012, 0.0)])
         lip = ag.extrude(curl, section.height + 0.012, axis=ag.Z, bevel=0.0003)
         bodies.append(ag.detail(lip.at(face, -thickness / 2 + 0.0006, 0.0), "strike", finish))
@@ -158,26 +158,26 @@ def strike_plate(
 
 
 def clear_angle(*, thickness: ag.Scalar, reach: ag.Scalar, bolt: Bolt = LATCH) -> ag.Scalar:
-    """Return the angle of a door at which its thrown latch has left the strike, 2 mm to spare [rad]."""
+    """Return the angle of a door at which its thrown latch has left the strike, with 2 mm to spare [rad]."""
     # small angles: the bolt moves by angle * reach, a little more at its nose
     return (thickness / 2 + bolt.width / 2 + 0.002) / reach * 1.02
 
 
 THROW = 0.025
-"""How far a deadbolt comes out: 1 inch, the least that ANSI/BHMA A156.5 accepts [m]."""
+"""Travel of a deadbolt: 1 inch, the least that ANSI/BHMA A156.5 accepts [m]."""
 
 QUARTER = 1.57
 """The range of a thumb turn [rad]."""
 
 PIN_TRAVEL = 0.004
-"""How far the pin of a privacy lock is pressed in [m]."""
+"""Travel of the pin of a privacy lock [m]."""
 
 _BOLT_TAIL = 0.020  # length of the thrown bolt in the leaf [m]
-_RECESSED = 0.0005  # a drawn bolt ends this far inside the lock edge [m]
+_RECESSED = 0.0005  # distance of the end of a drawn bolt inside the lock edge [m]
 _ROSETTE = 0.0275  # radius of the covers [m]
 _ROSETTE_DEPTH = 0.009
 _FROM_BELOW = 0.9  # angle of approach of a hand to a button under a lever [rad]
-_GAP = 0.0005  # gap between a rosette and the part that turns on it [m]
+_GAP = 0.0005  # gap between a rosette and the turning part on it [m]
 
 
 def deadbolt(*, backset: ag.Scalar, finish: ag.Material) -> ag.Body:
@@ -188,19 +188,19 @@ def deadbolt(*, backset: ag.Scalar, finish: ag.Material) -> ag.Body:
 
 
 def deadbolt_slide(turn: ag.Joint, *, name: str = "deadbolt_slide") -> ag.Joint:
-    """Make the joint that throws a deadbolt by its thumb turn; positive is thrown."""
+    """Make the joint of a deadbolt, which follows its thumb turn; positive is thrown."""
     return ag.Prismatic(name, axis=ag.X, follows=(THROW / QUARTER) * turn, damping=5.0, friction=0.5)
 
 
 def deadbolt_pocket(*, backset: ag.Scalar) -> ag.Solid:
-    """Make the tool that cuts the deadbolt's pocket into the lock edge of the leaf."""
-    # from 5 mm past the edge into the hole of the spindle, as high as that
+    """Make the cutter for the deadbolt's pocket in the lock edge of the leaf."""
+    # from 5 mm past the edge to the hole of the spindle, with the same height
     pocket = ag.box(backset + 0.005, DEADBOLT.width + 2 * PLAY, DEADBOLT.height + 2 * PLAY)
     return pocket.align((backset + 0.005, 0.0, 0.0), x=1.0)
 
 
 def deadbolt_hole(thickness: ag.Scalar) -> ag.Solid:
-    """Make the tool that cuts the hole for the spindle of a thumb turn through a leaf."""
+    """Make the cutter for the hole of a thumb turn's spindle through a leaf."""
     return spindle_hole(thickness, height=DEADBOLT.height + 2 * PLAY)
 
 
@@ -218,7 +218,7 @@ def thumb_turn(*, thickness: ag.Scalar, finish: ag.Material, side: int = -1) -> 
     start = thickness / 2 + _ROSETTE_DEPTH + _GAP
     base = ag.cylinder(0.012, 0.004, axis=ag.Y, bevel=0.0012).at(0.0, side * (start + 0.002), 0.0)
     wing = ag.bounding_collider(ag.box(0.007, 0.018, 0.034, bevel=0.003)).at(0.0, side * (start + 0.012), 0.0)
-    reach = start + 0.003  # from the middle of the leaf into the turn
+    reach = start + 0.003  # depth of the spindle in the turn, from the middle of the leaf
     stem = ag.cylinder(SPINDLE, reach, axis=ag.Y).at(0.0, side * reach / 2, 0.0)
     hold = ag.grasp_on(wing, approach=(0.0, -side, 0.0), closing=ag.X, depth=0.016)  # 1 mm off its base
     return ag.part(ag.union(base, wing, stem), "lock", finish, grasp=hold)
@@ -258,10 +258,10 @@ def turn_button(
 
 
 def _hold_from_below(face: ag.Scalar, side: int, below: ag.Scalar) -> ag.Frame:
-    """Make the frame at which a hand holds a turn button under a lever: it comes from below."""
+    """Return the grasp of a turn button under a lever: the hand comes from below."""
     out, up = math.cos(_FROM_BELOW), math.sin(_FROM_BELOW)
     half, tip = GRIPPER.wide / 2.0, GRIPPER.tip
-    # the nearest corner of the tips comes 0.5 mm over the disc, 4.5 mm below its middle
+    # the nearest corner of the finger tips is 0.5 mm above the disc, 4.5 mm below its middle
     away = face + 0.0040 + tip * out + half * up
     drop = -below - 0.0045 - tip * up + half * out
     return ag.frame((0.0, side * away, drop), approach=(0.0, -side * out, up), closing=ag.X)
@@ -270,7 +270,7 @@ def _hold_from_below(face: ag.Scalar, side: int, below: ag.Scalar) -> ag.Frame:
 def push_button(
     *, face: ag.Scalar, depth: ag.Scalar, finish: ag.Material, side: int = -1, below: ag.Scalar = 0.0
 ) -> ag.Body:
-    """Make the pin of a privacy lock that is pressed in: the link `lock`."""
+    """Make the pressed pin of a privacy lock: the link `lock`."""
     inner, outer = face - depth + PIN_TRAVEL + 0.0015, face + PIN_TRAVEL + 0.0015
     pin = ag.cylinder_between((0.0, side * inner, -below), (0.0, side * outer, -below), PIN, bevel=0.0008)
     # a finger presses the lower half of the pin, away from the neck of a lever above it
@@ -279,14 +279,14 @@ def push_button(
 
 
 def button_turn(name: str = "lock_turn", *, pivot: ag.VectorLike = (0.0, 0.0, 0.0)) -> ag.Joint:
-    """Make the joint of a privacy knob, which friction holds to either side."""
+    """Make the joint of a privacy knob, held by friction at both ends."""
     return ag.Revolute(
         name, axis=ag.Y, pivot=pivot, limits=(-0.8, 0.8), friction=0.03, damping=0.002, armature=0.00002
     )
 
 
 def button_push(name: str = "lock_push", *, side: int = -1) -> ag.Joint:
-    """Make the joint of a privacy pin; positive presses it in, where friction holds it."""
+    """Make the joint of a privacy pin, held by friction; positive presses it in."""
     return ag.Prismatic(
         name, axis=(0.0, -side, 0.0), limits=(0.0, PIN_TRAVEL), friction=1.5, damping=2.0, armature=0.01
     )
@@ -302,7 +302,7 @@ def with_button(
     side: int = -1,
     below: ag.Scalar = 0.0,
 ) -> ag.Body:
-    """Attach the knob or the pin of a privacy lock to a body that has the hole for it."""
+    """Attach the knob or the pin of a privacy lock to a body with a hole for it."""
     make = turn_button if style == "turn" else push_button
     button = make(face=face, depth=depth, finish=finish, side=side, below=below)
     joint = button_turn(pivot=(0.0, 0.0, -below)) if style == "turn" else button_push(side=side)

@@ -1,7 +1,7 @@
 """Roses, plates and lock cylinders around the hole of a spindle.
 
-A rose hides a square hole, as a square spindle has; the neck of the handle stands in front of the rose and
-covers it, so that nothing of the hole is seen.
+A rose hides a square hole for a square spindle; the neck of the handle is in front of the rose and covers the
+rest of the hole.
 """
 
 import math
@@ -13,15 +13,15 @@ from artgen.categories.shared.finish import casting, recess
 from artgen.categories.shared.hardware.fixings import Drive, Way, screws
 
 _PLUG = 0.0066  # radius of the plug of a euro-profile cylinder [m]
-_OUT = 0.0018  # how far that cylinder stands out of its plate [m]
+_OUT = 0.0018  # height of that cylinder above its plate [m]
 
 
 def plug(
     *, face: ag.Scalar, side: int, finish: ag.Material, radius: ag.Scalar, below: ag.Scalar = 0.0
 ) -> list[ag.Body]:
-    """Make the plug of a cylinder with its keyway, 0.7 mm proud."""
+    """Make the plug of a cylinder with its keyway, 0.7 mm high."""
     upright = ag.slot(0.0080, 0.0017).rotate(math.pi / 2.0)
-    keyway = upright | ag.rectangle(0.0026, 0.0014).at(0.0004, 0.0012)  # a ward of its key
+    keyway = upright | ag.rectangle(0.0026, 0.0014).at(0.0004, 0.0012)  # a ward of the key
     disc = ag.extrude(ag.circle(radius) - keyway, 0.0012, axis=ag.Y)
     dark = ag.box(0.0034, 0.0004, 0.0084)
     groove = ag.extrude(ag.ring(radius + 0.0005, radius - 0.0004), 0.0003, axis=ag.Y)
@@ -38,7 +38,7 @@ def plug(
 
 
 def key_cylinder(*, face: ag.Scalar, side: int, finish: ag.Material, below: ag.Scalar) -> list[ag.Body]:
-    """Make the end of a euro-profile cylinder in a plate, which is only seen."""
+    """Make the visual-only end of a euro-profile cylinder in a plate."""
     profile = ag.circle(0.0085) | ag.rectangle(0.0100, 0.0245, radius=0.0045).at(0.0, -0.01225)
     body = ag.extrude(profile, 2.0 * _OUT, axis=ag.Y, bevel=0.0006)
     return [
@@ -51,30 +51,30 @@ Faces = Literal["both", "front", "back"]
 """The faces of a leaf that carry a part; the front faces -y."""
 
 Fixing = Literal["hidden", "slot", "phillips"]
-"""How a rose is held: by a set screw in its rim, or by two screws through its face."""
+"""Fixing of a rose: a set screw in its rim, or two screws through its face."""
 
 SIDES: dict[str, tuple[int, ...]] = {"both": (-1, 1), "front": (-1,), "back": (1,)}
-"""The signs of y that belong to `Faces`."""
+"""Signs of y of the faces in `Faces`."""
 
 SPINDLE = 0.0045
-"""Radius of a spindle: a square one of 8 mm, its edges turned off [m]."""
+"""Radius of a spindle: a square spindle of 8 mm, with its edges rounded [m]."""
 
 NECK_GAP = 0.0005
 """Gap between a rose and the neck of a handle [m]."""
 
 PIN_BELOW = 0.0215
-"""How far below the spindle a privacy pin passes the rose [m]."""
+"""Distance of a privacy pin below the spindle, at the rose [m]."""
 
 PIN = 0.0034
 """Radius of a privacy pin [m]."""
 
-_KEY_BELOW = 0.060  # a key cylinder is this far below the spindle [m]
+_KEY_BELOW = 0.060  # distance of a key cylinder below the spindle [m]
 _HOLE = 0.0105  # side of the hole [m]
-_SUNK = 0.0005  # how deep a rose is let into the leaf [m]
+_SUNK = 0.0005  # depth of a rose in the leaf [m]
 
 
 def spindle_hole(thickness: ag.Scalar, *, height: ag.Scalar = _HOLE) -> ag.Solid:
-    """Make the tool that cuts the hole for a spindle through a leaf (4 mm past either face)."""
+    """Make the cutter for the hole of a spindle through a leaf (4 mm past each face)."""
     return ag.box(_HOLE, thickness + 0.008, height)
 
 
@@ -92,7 +92,7 @@ def rose(
     fixing: Fixing = "hidden",
     keyed: bool = False,
 ) -> ag.Body:
-    """Make the roses of a handle on the faces of a leaf, to be welded to it."""
+    """Make the roses of a handle on the faces of a leaf, which are welded to it."""
     if faces == "both" and not pin:
         front = ag.weld(
             *_one_rose(thickness, depth, across, finish, style, height, -1, fixing, pin=False, keyed=keyed)
@@ -151,13 +151,13 @@ def _one_rose(
             bodies += key_cylinder(face=thickness / 2 + depth, side=side, finish=finish, below=below)
         return bodies
     if fixing == "hidden":
-        # the set screw sits in the rim, where it is not seen from the front
+        # the set screw is in the rim, hidden from the front
         socket = ag.extrude(ag.circle(0.0021) - details.drive_recess(0.00125, "hex"), 0.0008).at(
             0.0, middle, -across / 2
         )
         dark = ag.cylinder(0.0019, 0.0008).at(0.0, middle, -across / 2 + 0.0003)
         return [*bodies, ag.detail(socket, "screw", finish), ag.detail(dark, "screw", recess(finish))]
-    aside = across / 2 - 0.0056  # outside of the collar of a knob
+    aside = across / 2 - 0.0056  # outside the collar of a knob
     # beside the hole of a pin, or above and below the spindle
     spots = [(end * aside, face, 0.0) if pin else (0.0, face, end * aside) for end in (-1, 1)]
     return bodies + screws(spots, facing=facing, radius=0.0028, finish=finish, drive=drive, head="pan")

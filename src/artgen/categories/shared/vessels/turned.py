@@ -1,7 +1,7 @@
 """Turned and thrown bodies, closed or hollow, as from a lathe or a potter's wheel.
 
-What is seen is a smooth skin. What weighs and collides is a core of few facets that lies within it, nowhere
-deeper than a millimetre: a smooth solid would have hundreds of collider vertices without any use.
+The visible surface is a smooth skin. The mass and the colliders are a core of few facets inside it, at most a
+millimeter deep: a smooth solid would have hundreds of unnecessary collider vertices.
 """
 
 import math
@@ -14,22 +14,22 @@ Point = tuple[ag.Scalar, ag.Scalar]
 """Radius and height of a point of an outline [m]."""
 
 Run = Sequence[Point]
-"""Points of an outline from the lower end up, smooth between; two make a straight run."""
+"""Points of an outline from the lower end up, smooth between them; two points make a straight run."""
 
 Drawn = tuple[float, float, float]
-"""A point of a form: radius over the body's radius; share of the body's height, and an addition to it,
-over the radius, so that beads keep their shape on tall things and short ones."""
+"""A point of a form: radius over the body's radius, share of the body's height, and an addition to the height
+over the radius, so that beads have the same shape on tall and short bodies."""
 
 SIDES = 20
-"""Facets of a core: off a circle of 30 mm by 0.4 mm, and three rings of them are one collider."""
+"""Facets of a core: 0.4 mm off a circle of 30 mm; three rings of them are one collider."""
 
-_SMOOTH = 48  # of a skin: off a circle of 30 mm by less than 0.07 mm
-_GLASS_SIDES = 42  # of a blown vessel: with 0.7 mm to spare, 2 of them are one collider
-_GLASS_OFF = 0.0007  # [m]
+_SMOOTH = 48  # number of facets of a skin: less than 0.07 mm off a circle of 30 mm
+_GLASS_SIDES = 42  # number of facets of a blown vessel: two of them are one collider, with 0.7 mm to spare
+_GLASS_OFF = 0.0007  # distance of these facets from the surface [m]
 
-_SPARE = 0.0005  # of the colliders around a hole [m]
+_SPARE = 0.0005  # gap between a hole and the colliders around it [m]
 
-_WITHIN = 0.0005  # how deep the straight runs of a core lie below the outline [m]
+_WITHIN = 0.0005  # depth of the straight runs of a core below the outline [m]
 
 
 def path_of(run: Run) -> Path:
@@ -39,17 +39,17 @@ def path_of(run: Run) -> Path:
 
 
 def drawn(form: Sequence[Sequence[Drawn]], radius: ag.Scalar, low: ag.Scalar, height: ag.Scalar) -> list[Run]:
-    """Return the outline of a body from its drawing."""
+    """Return the outline of a body from its drawn form."""
     return [[(r * radius, low + share * height + rest * radius) for r, share, rest in run] for run in form]
 
 
 def core(runs: Sequence[Run], *, sides: int = SIDES, within: ag.Scalar = _WITHIN) -> ag.Solid:
-    """Make the solid of few facets within a turned body."""
+    """Make the faceted solid inside a turned body."""
     return ag.revolve(ag.half_section([path_of(run) for run in runs], within=within), sides=sides)
 
 
 def skin(runs: Sequence[Run], *, bore: ag.Scalar = 0.0) -> ag.Solid:
-    """Make the smooth solid of a turned body, to be a `detail` around its core."""
+    """Make the smooth solid of a turned body, used as a `detail` around its core."""
     return ag.revolve(ag.half_section([path_of(run) for run in runs], bore=bore), sides=_SMOOTH)
 
 
@@ -84,17 +84,17 @@ def blown(
     level: ag.Scalar,
     name: str | None = None,
 ) -> ag.Body:
-    """Make a vessel that one can look into, open above: its glass is seen from both sides, so it has no core.
+    """Make an open vessel with visible inside: its glass is seen from both sides, so it has no core.
 
-    Where it is full, it collides as if it were solid; above, as 21 sectors for each bend of its outline, so
-    that straight slopes are worth having.
+    The filled part collides as a solid; the part above collides as 21 sectors for each bend of its outline,
+    so that straight slopes need fewer colliders.
     """
     vessel = ag.revolve(ag.half_section(path, wall=wall), sides=_GLASS_SIDES)
     upper = vessel.split(point=(0.0, 0.0, level), normal=ag.Z)
     # slightly more, so that both have corners of their own
     lower = vessel.split(point=(0.0, 0.0, level + 0.0001), normal=-ag.Z)
     pane = ag.cylinder_between((0.0, 0.0, 0.0), (0.0, 0.0, 1.4 * wall), foot - 0.5 * wall)
-    # where it is narrow 3 facets would be one collider, and stand off more
+    # at narrow places 3 facets would be one collider, with a larger distance from the surface
     off = ag.min_(_GLASS_OFF, (1.0 - math.cos(3.0 * math.pi / _GLASS_SIDES)) * foot)
     return ag.weld(
         ag.part(ag.simplified_collider(upper, off), label, finish, name=name),
@@ -103,7 +103,7 @@ def blown(
 
 
 def filled(path: Path, *, wall: ag.Scalar, level: ag.Scalar) -> ag.Solid:
-    """Make the contents of a blown vessel up to a height, just off its wall."""
+    """Make the contents of a blown vessel up to a height, with a small gap to its wall."""
     inside = ag.revolve(ag.half_section(path, inset=wall + 0.0002))
     kept = inside.split(point=(0.0, 0.0, level), normal=-ag.Z)
     return kept.split(point=(0.0, 0.0, 1.4 * wall + 0.0002), normal=ag.Z)
