@@ -17,10 +17,10 @@ open or hang down; they hang down only if there is free space. Tucks, ears and d
 is open. A bottle lifts out after the flaps above it are open. The lower flap of an end rests on the floor
 when open.
 
-Constructions follow the FEFCO code: 0201 slotted, 0200 half-slotted on a tray, 0427 mailer, 0426 pizza box,
-0211 with tucked ends, 0215 tall carton, 0320 tray with a lid. The resistance of creases is an estimate per
-meter of length: the weight of a flap 0.2 m long of 0.7 kg/m2 board loads its crease with 0.14 N m; a worked
-crease holds this load (0.2-0.6 N m); a fresh crease holds less and springs back to 30-60 degrees.
+Constructions are those of the FEFCO code: 0201 slotted, 0200 half-slotted on a tray, 0427 mailer, 0426 pizza
+box, 0211 with tucked ends, 0215 tall carton, 0320 tray with a lid. The resistance of creases is an estimate
+per meter of length: the weight of a flap 0.2 m long of 0.7 kg/m2 board loads its crease with 0.14 N m; a
+worked crease holds this load (0.2-0.6 N m); a fresh crease holds less and springs back to 30-60 degrees.
 """
 
 from typing import Literal

@@ -150,7 +150,7 @@ class Look:
 
     maker: str  # brand name
     model: int  # model number
-    # sign beside the brand name
+    # sign next to the brand name
     emblem: Literal["leaf", "hexagon", "waves", "peak", "sun", "diamond", "quarters", "ring"]
     tint: str  # color of the ink on light board
     signs: Signs  # handling signs

@@ -104,7 +104,7 @@ def tap_dial(plan: Plan, looks: DialLooks, push: Push, *, top: ag.Scalar, thick:
 
 
 def tap_joints(push: Push, *, friction: ag.Scalar) -> tuple[ag.Joint, ag.Joint]:
-    """Make the joints of a gas dial: the push, then the turn, which goes anti-clockwise from off.
+    """Make the joints of a gas dial: the push, then the turn, counterclockwise from off.
 
     The spring force is that of real taps, 2.5 N at rest and 8-14 N pushed in [EN 1106: a tap opens at no more
     than 0.4 N m and 20 N].

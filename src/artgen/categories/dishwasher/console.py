@@ -55,7 +55,7 @@ class Console:
     # half the length and half the height of the opening for a recessed grip in the middle [m]; both are 0
     # without a grip
     opening: tuple[float, float] = (0.0, 0.0)
-    thickness: float = 0.018  # of the console's boards [m]
+    thickness: float = 0.018  # thickness of the console's boards [m]
 
     @cached_property
     def pitch(self) -> float:

@@ -128,7 +128,7 @@ PANEL = 480.0
 """Density of a console with its electronics [kg/m3]."""
 
 _EDGE = 0.004  # gap between the door and the part above it [m]
-_GAP = 0.0018  # between console and front [m]
+_GAP = 0.0018  # gap between console and front [m]
 _RIM = 0.034  # width of the upper rim of the dish [m]
 _RECESS = 0.0285  # depth of a recessed grip, whose back is in the liner [m]
 _HALF_RECESS = 0.037  # half the height of a recessed grip [m]

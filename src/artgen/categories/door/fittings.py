@@ -149,7 +149,7 @@ _CASE_HEIGHT = 0.070
 _CASE_LENGTH = 0.085  # length of a full case: half of it is behind the lock; the far case is half as long [m]
 # distance from the lock to the end of its case, behind the overlap of a second leaf [m]
 _CASE_TO_EDGE = 0.027
-_END_GAP = 0.0015  # between the bar and its cases [m]
+_END_GAP = 0.0015  # gap between the bar and its cases [m]
 _FULL = 0.2  # density of hollow cases and bars of sheet metal, as a share of that of solid ones
 _BOTTOM = 0.002  # gap between the bar at its innermost position and the rail [m]
 

@@ -64,7 +64,7 @@ class Panel:
     knob: ag.Material  # material of dials
     metal: ag.Material  # metal of the caps of dials
     travel: ag.Scalar  # travel of keys [m]
-    force: ag.Scalar  # that presses a key home [N]
+    force: ag.Scalar  # force that presses a key home [N]
     eject: bool  # whether there is an opening button
     eject_travel: ag.Scalar  # travel of that button [m]
     eject_force: ag.Scalar  # force that presses the button home [N]

@@ -184,7 +184,7 @@ class Door:
     space: Space  # dimensions of the oven
     window: Window  # window of the front
     across: ag.Scalar  # width of the window, as a share of that of the cavity
-    tall: ag.Scalar  # height of the window, as a share of the available room
+    tall: ag.Scalar  # height of the window, as a share of the available space
     handle: HandleKind  # kind of handle
     bar: BarStyle  # style of a bar
     length: ag.Scalar  # length of the handle [m]

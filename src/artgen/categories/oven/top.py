@@ -22,46 +22,46 @@ from artgen.categories.shared.cooktops.burners import (
 from artgen.categories.shared.cooktops.plan import Plan
 
 BurnerKind = Literal["gas", "radiant", "induction"]
-"""Flames, or glowing bands or coils under glass."""
+"""Gas flames, radiant heaters under glass, or induction coils under glass."""
 
-_EDGE = 0.020  # from the edges of the top to the field of the burners [m]
-_VENT = 0.046  # from the back edge to that field: where the oven lets its steam out [m]
+_EDGE = 0.020  # distance from the edges of the top to the field of the burners [m]
+_VENT = 0.046  # distance from the back edge to that field, for the steam outlet of the oven [m]
 _GLASS = 0.005
-_LIP = 0.12  # depth of its front edge, which is hollow: the less is in it, the less is below the oven [m]
+_LIP = 0.12  # depth of the hollow front edge [m]
 
 
 @dataclass(frozen=True)
 class TopPlan(Plan):
-    """Burners that have all of a top but its border: their dials are on the panel."""
+    """A plan whose burners fill the top except for its border: the dials are on the panel."""
 
     @cached_property
     def field(self) -> tuple[ag.Scalar, ag.Scalar, ag.Scalar, ag.Scalar]:
-        """Left, right, front and back of the field with the burners [m]."""
+        """Positions of the left, right, front and back of the field of the burners [m]."""
         x, y = self.width / 2.0 - _EDGE, self.depth / 2.0
         return (-x, x, _EDGE - y, y - _VENT)
 
 
 @dataclass(frozen=True)
 class Top:
-    """The top of a range."""
+    """Top of a range."""
 
-    space: Space  # the measures of the range
-    kind: BurnerKind  # kind of heat
-    burners: int  # how many burners there are
+    space: Space  # dimensions of the range
+    kind: BurnerKind  # kind of burners
+    burners: int  # number of burners
     mirrored: bool  # whether the large burners are on the right
-    finish: ag.Material  # of a top of sheet, and of the edge of one of glass
+    finish: ag.Material  # finish of a sheet top, or of the edge of a glass top
     brass: bool  # whether gas burners are of brass
-    maker: str  # brand on the glass; `""` for none
-    drawer: bool  # whether a drawer is below, and no panel of sheet
+    maker: str  # brand name on the glass; `""` for none
+    drawer: bool  # whether there is a drawer below, instead of a sheet panel
 
     @cached_property
     def _deep(self) -> tuple[ag.Scalar, ag.Scalar]:
-        """The front and the back of the top, along y [m]."""
+        """Positions of the front and the back of the top along y [m]."""
         return (self.space.front - 0.004, self.space.rear - 0.0006)
 
     @cached_property
     def _y(self) -> ag.Scalar:
-        """The middle of the top, along y [m]."""
+        """Position of the middle of the top along y [m]."""
         return (self._deep[0] + self._deep[1]) / 2.0
 
     @cached_property
@@ -70,7 +70,7 @@ class Top:
         return TopPlan(self.burners, 2, 0, "front", self.space.width, back - front, 0.02, 0.07, self.mirrored)
 
     def body(self) -> ag.Body:
-        """Make the top with its burners or zones, to be welded to the cabinet."""
+        """Make the top with its burners or zones, which is welded to the cabinet."""
         space, plan = self.space, self._plan
         wide, deep = space.width, plan.depth
         thick = TOP - 0.0004
@@ -140,7 +140,7 @@ class Top:
         return bodies
 
     def joined(self, body: ag.Body) -> ag.Body:
-        """Join the grates of gas burners, which lift off, to a body that has the top."""
+        """Attach the grates of gas burners, which lift off, to a body with the top."""
         if self.kind != "gas":
             return body
         made = grates(

@@ -142,7 +142,7 @@ class Crank:
 
     reach: ag.Scalar  # distance from the axis to the middle of the knob [m]
     knob: ag.Scalar  # radius of the knob [m]
-    friction: ag.Scalar  # of the knob on its pin [N m]
+    friction: ag.Scalar  # friction of the knob on its pin [N m]
 
 
 def crank(sizes: Crank, low: ag.Scalar, looks: HeadLooks) -> ag.Body:

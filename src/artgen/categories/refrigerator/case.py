@@ -17,7 +17,7 @@ from artgen.categories.shared.appliances.finish import DARK, filled
 from artgen.categories.shared.hardware.fixings import feet
 
 SEAL_GAP = 0.010
-"""Between a closed door and the cabinet, filled by the gasket [m]."""
+"""Gap between a closed door and the cabinet, filled by the gasket [m]."""
 
 FOOT = 0.022
 """Height of the feet [m]."""
@@ -81,7 +81,7 @@ class Case:
     """Dimensions of a cabinet, shared by all parts."""
 
     width: ag.Scalar  # overall width [m]
-    depth: ag.Scalar  # from the fronts of the doors to the back, without handles [m]
+    depth: ag.Scalar  # depth from the fronts of the doors to the back, without handles [m]
     top: ag.Scalar  # height of the top [m]
     kick: ag.Scalar  # height of the lower edge of the lowest front [m]
     thickness: ag.Scalar  # thickness of the doors [m]

@@ -28,7 +28,8 @@ _WOODS: dict[str, float] = {
     "pine_flat_sawn": 0.9,
     "mahogany": 0.7,
 }
-WOODS = weighing(known(*_WOODS), 650.0, "furniture")  # between pine and oak, glued up or on board [kg/m3]
+# density of wood between pine and oak, glued up or on board [kg/m3]
+WOODS = weighing(known(*_WOODS), 650.0, "furniture")
 """Woods of furniture."""
 
 _LACQUERS: dict[str, float] = {
@@ -49,7 +50,8 @@ _LACQUERS: dict[str, float] = {
 LACQUERS = tuple(ag.colored("lacquered_mdf", color) for color in _LACQUERS)
 """Sprayed MDF, 750 kg/m3."""
 
-_FOIL: dict[str, Any] = {"specular_roughness": 0.42, "coat_weight": 0.0, "density": 660.0}  # on chipboard
+# foil on chipboard
+_FOIL: dict[str, Any] = {"specular_roughness": 0.42, "coat_weight": 0.0, "density": 660.0}
 _MELAMINES: dict[str, float] = {"cool_white": 2.4, "light_grey": 1.0, "sand": 0.7, "graphite": 0.8}
 MELAMINES = tuple(
     ag.colored("lacquered_mdf", color).with_(name=f"melamine_{color}", **_FOIL) for color in _MELAMINES

@@ -84,7 +84,7 @@ def blown(
     level: ag.Scalar,
     name: str | None = None,
 ) -> ag.Body:
-    """Make an open vessel with visible inside: its glass is seen from both sides, so it has no core.
+    """Make an open vessel: its glass is seen from both sides, so it has no core.
 
     The filled part collides as a solid; the part above collides as 21 sectors for each bend of its outline,
     so that straight slopes need fewer colliders.
