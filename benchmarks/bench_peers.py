@@ -141,14 +141,7 @@ def _blocked(asset: Asset, q: Positions) -> bool:
 def _time_table(times: Mapping[str, dict[str, float]], seeds: int) -> Table:
     return Table(
         f"Processor time per asset, median of {seeds} seeds",
-        (
-            "category",
-            f"{THEIRS} [ms]",
-            "artgen, same work [ms]",
-            "ratio",
-            "artgen, all [ms]",
-            "ratio",
-        ),
+        ("category", f"{THEIRS} [ms]", "artgen, same work [ms]", "ratio", "artgen, all [ms]", "ratio"),
         [
             (
                 name,

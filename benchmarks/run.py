@@ -54,8 +54,7 @@ def main(
         bool, typer.Option("--quick", help="Measure very little, as a test of the programs.")
     ] = False,
     page: Annotated[
-        Path | None,
-        typer.Option(help="The page to write; docs/benchmarks.md by default, none with --quick."),
+        Path | None, typer.Option(help="The page to write; docs/benchmarks.md by default, none with --quick.")
     ] = None,
 ) -> None:
     """Run benchmarks and print their tables; exit code 1 if one of them cannot be run."""

@@ -52,10 +52,7 @@ KNOWN = (
             "the same, as artgen does; what it says of dubious inertia compares different axes"
         ),
     ),
-    (
-        "MJX",
-        "on JAX it refuses contacts between cylinders and boxes: `impl='warp'` takes them",
-    ),
+    ("MJX", "on JAX it refuses contacts between cylinders and boxes: `impl='warp'` takes them"),
     (
         "mujoco_usd_converter",
         "two joints of one body become two joints between the same bodies: they move one after the other",

@@ -64,10 +64,7 @@ def test_the_starter_is_sound_at_its_corners(artgen_command, tmp_path: Path) -> 
     ("name", "message"),
     [
         ("door", "there is a category 'door'; choose another name"),
-        (
-            "my-stapler",
-            "'my-stapler' cannot name a category; use small letters, digits and _, at most 100",
-        ),
+        ("my-stapler", "'my-stapler' cannot name a category; use small letters, digits and _, at most 100"),
         ("Stapler", "'Stapler' cannot name a category"),
         ("s" * 300, f"{'s' * 300!r} cannot name a category; use small"),
         ("class", "'class' cannot name a category"),

@@ -8,13 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from artgen.errors import (
-    ArtgenError,
-    AssetError,
-    BuildError,
-    EvaluationError,
-    InfeasibleError,
-)
+from artgen.errors import ArtgenError, AssetError, BuildError, EvaluationError, InfeasibleError
 from artgen.generator import Generator, generator, one_of
 from artgen.graph import Cache
 from artgen.nodes.body import detail, part

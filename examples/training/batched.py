@@ -241,12 +241,7 @@ def learn(batch: BatchedTask, steps: int, seed: int, out: Path) -> None:
     """Learn with PPO, and keep the policy and what the observations are divided by."""
     training = VecNormalize(VecMonitor(batch, info_keywords=("success",)), gamma=0.99)
     model = PPO(
-        "MlpPolicy",
-        training,
-        n_steps=max(4096 // batch.num_envs, 16),
-        **SETTINGS,
-        seed=seed,
-        device="cpu",
+        "MlpPolicy", training, n_steps=max(4096 // batch.num_envs, 16), **SETTINGS, seed=seed, device="cpu"
     )
     model.learn(steps, callback=Progress())
     out.mkdir(parents=True, exist_ok=True)

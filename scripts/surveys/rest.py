@@ -86,10 +86,7 @@ def _judged(asset: Asset, model: Any, course: _Course) -> Iterator[Oddity]:
     whole = course.energies.sum(axis=1)
     rise = float(whole.max() - whole[0])
     if rise > _RISE + _RISE_SHARE * float(course.energies[:, 1].max()):
-        yield (
-            "energy",
-            f"the energy grows by {rise:.3g} J from {whole[0]:.6g} J though nothing pushes",
-        )
+        yield ("energy", f"the energy grows by {rise:.3g} J from {whole[0]:.6g} J though nothing pushes")
     for joint in asset.joints:
         if joint.locked:
             continue

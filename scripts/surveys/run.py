@@ -64,12 +64,7 @@ def survey(
     left = [seed for seed in wanted if seed not in known]
 
     def record_of(ending: Ending) -> dict[str, Any]:
-        lost = {
-            "category": category,
-            "seed": ending.item,
-            "state": ending.state,
-            "message": ending.message,
-        }
+        lost = {"category": category, "seed": ending.item, "state": ending.state, "message": ending.message}
         return (ending.value or lost) | {"fast": fast}
 
     work = functools.partial(task, category=category, fast=fast)

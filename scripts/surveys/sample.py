@@ -70,10 +70,7 @@ def _in_use(asset: Asset, checks: dict[str, Any]) -> dict[str, Any]:
     with memory_folder() as folder:
         directory = asset.export(folder / asset.name, formats=("mjcf",), textures=0)
         done = _checks(
-            [
-                ("grasps", lambda: check_grasps(asset)),
-                ("behavior", lambda: check_behavior(asset, directory)),
-            ]
+            [("grasps", lambda: check_grasps(asset)), ("behavior", lambda: check_behavior(asset, directory))]
         )
         path = next(directory.glob("*.xml"))
         speeds = {

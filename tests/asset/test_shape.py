@@ -62,10 +62,7 @@ def test_solids_that_are_apart_are_one_solid_with_all_their_parts():
     ("change", "message"),
     [
         (lambda triangles: triangles[1:], "not a closed manifold: an edge belongs to one face only"),
-        (
-            lambda triangles: triangles[:, ::-1],
-            r"the volume is -1e-06 m\^3; a solid must have",
-        ),
+        (lambda triangles: triangles[:, ::-1], r"the volume is -1e-06 m\^3; a solid must have"),
         (lambda triangles: triangles[:0], "the result is empty"),
         (lambda triangles: triangles * 0, "the result is empty"),
     ],

@@ -55,9 +55,7 @@ CHECKLIST: dict[str, dict[str, Moving]] = {
         "drawer": slides("drawer_slide", (0, 1)),
         "bottle": slides("bottle_lift", (0, 2, 3, 6, 12)),
     },
-    "cabinet": {
-        "door": turns(f"door_hinge{SIDED}", (1, 2)),
-    },
+    "cabinet": {"door": turns(f"door_hinge{SIDED}", (1, 2))},
     "cooktop": {
         "burner dial": turns("burner_dial_turn", range(2, 7)),
         "push of a gas dial": slides("burner_dial_push", (0, 2, 3, 4, 5, 6)),
@@ -79,9 +77,7 @@ CHECKLIST: dict[str, dict[str, Moving]] = {
         "latch bolt": slides("latch_slide", (0, 1)),
         "thumb-turn": turns("lock_turn", (0, 1)),
     },
-    "drawer": {
-        "drawer": slides("drawer_slide", (1, 2, 3, 4, 5, 6, 8, 9, 10, 12, 15)),
-    },
+    "drawer": {"drawer": slides("drawer_slide", (1, 2, 3, 4, 5, 6, 8, 9, 10, 12, 15))},
     "faucet": {
         "spout": turns("spout_swivel", (1,)),
         "handle": turns(f"handle_turn{SIDED}", (1, 2)),
@@ -130,10 +126,7 @@ CHECKLIST: dict[str, dict[str, Moving]] = {
         "crank": turns("crank_turn", (0, 1), unlimited=True),
         "knob of the crank": turns("knob_spin", (0, 1), unlimited=True),
     },
-    "plier": {
-        "jaw": turns("jaw_hinge", (1,)),
-        "slip joint": slides("pivot_slide", (0, 1)),
-    },
+    "plier": {"jaw": turns("jaw_hinge", (1,)), "slip joint": slides("pivot_slide", (0, 1))},
     "refrigerator": {
         "door": turns(f"door_hinge{SIDED}", (1, 2)),
         "freezer door": turns("freezer_door_hinge", (0, 1)),

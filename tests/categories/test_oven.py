@@ -136,13 +136,7 @@ def test_a_drawer_that_would_come_to_the_handle_of_the_open_door_is_ruled_out() 
 def test_racks_for_which_the_cavity_is_too_low_are_ruled_out(
     *, racks: int, pan: bool, fits: float, meets: float
 ) -> None:
-    given: dict[str, Any] = {
-        "build": "built_in",
-        "racks": racks,
-        "pan": pan,
-        "height": 0.6,
-        "panel": 0.1,
-    }
+    given: dict[str, Any] = {"build": "built_in", "racks": racks, "pan": pan, "height": 0.6, "panel": 0.1}
     names = [f"rack_{number}" for number in range(racks)]
     asset = made(3, **given, hinge_height=fits)
     for lower, upper in itertools.pairwise(names):

@@ -177,10 +177,7 @@ def test_a_sash_has_room_for_what_holds_it_and_for_its_lever() -> None:
 
 def test_a_narrow_sash_swings_its_lever_and_lock_past_the_frame() -> None:
     single = {"style": "casement", "layout": "single", "lever": "straight", "lever_length": 0.1}
-    for kind, words in (
-        ("pvc", r"the lock of a narrow sash"),
-        ("aluminium", r"the lever of a narrow sash"),
-    ):
+    for kind, words in (("pvc", r"the lock of a narrow sash"), ("aluminium", r"the lever of a narrow sash")):
         narrow = {**single, "kind": kind, "opens": "outwards"}
         with pytest.raises(InfeasibleError, match=f"{words} .* raise width, or height of an awning"):
             window(**narrow, width=0.4)

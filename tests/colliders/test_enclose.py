@@ -7,15 +7,7 @@ from hypothesis import strategies as st
 from manifold3d import Manifold
 from numpy.typing import NDArray
 
-from artgen.colliders import (
-    TOLERANCE,
-    Convex,
-    Exact,
-    cylinder_pieces,
-    difference,
-    hull_pieces,
-    union,
-)
+from artgen.colliders import TOLERANCE, Convex, Exact, cylinder_pieces, difference, hull_pieces, union
 from artgen.colliders.enclose import Facets, enclosing, few_vertices
 from colliders.covering import drum, excess, joined_manifold, moved, pose, uncovered, vertices
 

@@ -9,15 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from manifold3d import Manifold
 
-from artgen.colliders import (
-    Convex,
-    Exact,
-    Pieces,
-    cylinder_pieces,
-    difference,
-    intersection,
-    union,
-)
+from artgen.colliders import Convex, Exact, Pieces, cylinder_pieces, difference, intersection, union
 from colliders.covering import block, drum, excess, joined_manifold, moved, pose, uncovered
 
 FILM = 2e-6

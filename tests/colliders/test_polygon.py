@@ -57,9 +57,7 @@ SHAPES = {
     "L": [np.array([(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)]) * 0.1],
     "star": [circle(0.1, 10) * np.where(np.arange(10) % 2, 0.4, 1.0)[:, None]],
     "two squares": [square(0.1) - (0.2, 0.0), square(0.1) - (-0.2, 0.0)],
-    "crescent": [
-        np.concatenate((circle(0.1, 64)[:49], circle(0.07, 64)[48::-1])),
-    ],
+    "crescent": [np.concatenate((circle(0.1, 64)[:49], circle(0.07, 64)[48::-1]))],
     "square": [square(0.1)],
     "square with straight vertices": [
         np.array([(0, 0), (1, 0), (2, 0), (2, 1), (2, 2), (0, 2), (0, 1)]) * 0.1

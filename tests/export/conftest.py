@@ -6,27 +6,11 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from artgen.asset import (
-    Asset,
-    Branch,
-    Grasp,
-    Link,
-    Piece,
-    Shape,
-    Tree,
-)
-from artgen.asset import (
-    AssetCondition as Condition,
-)
-from artgen.asset import (
-    AssetCoupling as Coupling,
-)
-from artgen.asset import (
-    AssetDependency as Dependency,
-)
-from artgen.asset import (
-    AssetJoint as Joint,
-)
+from artgen.asset import Asset, Branch, Grasp, Link, Piece, Shape, Tree
+from artgen.asset import AssetCondition as Condition
+from artgen.asset import AssetCoupling as Coupling
+from artgen.asset import AssetDependency as Dependency
+from artgen.asset import AssetJoint as Joint
 from artgen.colliders import Convex, Exact
 from artgen.materials import Material, material
 

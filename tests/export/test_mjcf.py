@@ -275,11 +275,7 @@ def test_two_assets_of_the_same_materials_are_included_in_one_scene(exported: Pa
 
 @pytest.mark.parametrize(
     ("feature", "where"),
-    [
-        ("joint velocity limit", "lid_hinge"),
-        ("locked joint", "foot_lock"),
-        ("joint dependency", "lid_hinge"),
-    ],
+    [("joint velocity limit", "lid_hinge"), ("locked joint", "foot_lock"), ("joint dependency", "lid_hinge")],
 )
 def test_what_mjcf_cannot_say_is_listed(written: Written, feature: str, where: str) -> None:
     found = [loss for loss in written.losses if loss.feature == feature]

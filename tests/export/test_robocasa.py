@@ -110,16 +110,7 @@ def test_model_is_the_one_of_the_flat_layout(
         np.testing.assert_array_equal(one.inertia, other.inertia)
         assert one.mass[0] == other.mass[0]
     assert model.body("object").mass[0] == 0.0
-    fields = (
-        "range",
-        "stiffness",
-        "damping",
-        "frictionloss",
-        "armature",
-        "solref",
-        "solimp",
-        "axis",
-    )
+    fields = ("range", "stiffness", "damping", "frictionloss", "armature", "solref", "solimp", "axis")
     assert model.njnt == flat.njnt
     for number in range(flat.njnt):
         one, other = model.joint(flat.joint(number).name), flat.joint(number)

@@ -145,10 +145,7 @@ def test_each_number_is_at_its_ends_alone_with_options_that_have_it():
     ) -> Body:
         return part(grip(), "block", OAK)
 
-    ends = dict.fromkeys("abcdefg", (0.0, 1.0)) | {
-        "grip.radius": (0.01, 0.02),
-        "grip.width": (0.03, 0.04),
-    }
+    ends = dict.fromkeys("abcdefg", (0.0, 1.0)) | {"grip.radius": (0.01, 0.02), "grip.width": (0.03, 0.04)}
     alone = []
     for point in corners(varied, 0, {}):
         at_end = [(name, point[name]) for name in ends if name in point and point[name] in ends[name]]

@@ -7,9 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from artgen.errors import (
-    ParameterError,
-)
+from artgen.errors import ParameterError
 from artgen.generator import Generator, generator, one_of
 from artgen.materials import MATERIALS
 from artgen.nodes.body import part

@@ -6,10 +6,7 @@ from typing import Literal
 import numpy as np
 import pytest
 
-from artgen.errors import (
-    BuildError,
-    ParameterError,
-)
+from artgen.errors import BuildError, ParameterError
 from artgen.generator import CATEGORIES, Generator, category, generator, one_of
 from artgen.graph import evaluate
 from artgen.materials import MATERIALS, Material, material

@@ -146,22 +146,10 @@ def test_welding_renames_the_welded_link_only():
 
 
 REFUSED = [
-    (
-        {"a": "gaskett"},
-        "no solid of this body is labelled 'gaskett'. Did you mean 'gasket'?",
-    ),
-    (
-        {"a": "print"},
-        "no solid of this body is labelled 'print'. Allowed: body, gasket, leaf.",
-    ),
-    (
-        {"a": "dor/gasket"},
-        "'dor/gasket': this body has no link 'dor'. Did you mean 'door'?",
-    ),
-    (
-        {"b": "door/body"},
-        "'door/body': link 'door' has no solid labelled 'body'. Allowed: gasket, leaf.",
-    ),
+    ({"a": "gaskett"}, "no solid of this body is labelled 'gaskett'. Did you mean 'gasket'?"),
+    ({"a": "print"}, "no solid of this body is labelled 'print'. Allowed: body, gasket, leaf."),
+    ({"a": "dor/gasket"}, "'dor/gasket': this body has no link 'dor'. Did you mean 'door'?"),
+    ({"b": "door/body"}, "'door/body': link 'door' has no solid labelled 'body'. Allowed: gasket, leaf."),
     (
         {"a": "door"},
         "'door' is a link, and contacts are declared per labelled piece; write 'door/leaf' or 'door/gasket'",

@@ -74,10 +74,7 @@ def test_methods_record_the_operations():
     for made, plain in (
         (solid.at(1, 2, 3), Solid.record("translate", solid=solid, offset=(1, 2, 3))),
         (solid.at((1, 2, 3)), Solid.record("translate", solid=solid, offset=(1, 2, 3))),
-        (
-            solid.rotate((0, 0, 1), 0.5),
-            Solid.record("rotate", solid=solid, **turn),
-        ),
+        (solid.rotate((0, 0, 1), 0.5), Solid.record("rotate", solid=solid, **turn)),
         (solid.scale(2), Solid.record("scale", solid=solid, factors=(2, 2, 2))),
         (solid.mirror((1, 0, 0)), Solid.record("mirror", solid=solid, normal=(1, 0, 0))),
         (solid.align((0, 0, 1), z=-1), Solid.record("align", solid=solid, to=(0, 0, 1), x=0, y=0, z=-1)),

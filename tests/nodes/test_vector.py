@@ -8,13 +8,7 @@ from hypothesis import strategies as st
 from artgen.errors import EvaluationError
 from artgen.graph import evaluate
 from artgen.nodes.handles import Float, Vector
-from artgen.nodes.vector import (
-    X,
-    Y,
-    Z,
-    component,
-    vector,
-)
+from artgen.nodes.vector import X, Y, Z, component, vector
 
 NUMBERS = st.floats(-100, 100, allow_nan=False).map(lambda value: round(value, 3))
 VECTORS = st.tuples(NUMBERS, NUMBERS, NUMBERS)

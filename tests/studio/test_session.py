@@ -97,10 +97,7 @@ def test_what_is_set_shifts_nothing_else_and_reset_lets_it_go(session: Session) 
 
 @pytest.mark.parametrize(
     ("width", "reason"),
-    [
-        (0.57, "no lid is that wide"),
-        (0.7, "width = 0.7 is out of range: 0.2 to 0.6 m is allowed"),
-    ],
+    [(0.57, "no lid is that wide"), (0.7, "width = 0.7 is out of range: 0.2 to 0.6 m is allowed")],
 )
 def test_a_value_that_cannot_be_leaves_the_last_asset(session: Session, width: float, reason: str) -> None:
     before = session.asset

@@ -167,13 +167,7 @@ def _rack(number: int, front: float) -> Body:
         for index in range(16)
     ]
     lip = block((-0.06, low[1] - 0.025, bottom + 0.07), (0.06, low[1] + 0.002, bottom + 0.078))
-    return part(
-        union(walls, *tines, lip),
-        "rack",
-        STEEL,
-        name=f"rack_{number}",
-        grasp=grasp_on(lip),
-    )
+    return part(union(walls, *tines, lip), "rack", STEEL, name=f"rack_{number}", grasp=grasp_on(lip))
 
 
 def _rack_slide(number: int, hinge: Revolute, slack: float | None) -> Prismatic:

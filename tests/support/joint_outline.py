@@ -48,10 +48,7 @@ def _joints(node: Node, found: Mapping[str, tuple[PlannedJoint, ...]]) -> tuple[
         for joint in found.get(body.key, ())
     }
     if "child" in node.inputs:
-        branch = (
-            *(_planned(joint) for joint in node.inputs["joints"]),
-            *found[node.inputs["child"].key],
-        )
+        branch = (*(_planned(joint) for joint in node.inputs["joints"]), *found[node.inputs["child"].key])
         if "at" in node.inputs:
             copies = [_suffixed(branch, f"_{index}") for index in range(_count(node.inputs["at"]))]
         else:

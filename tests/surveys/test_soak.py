@@ -40,13 +40,7 @@ def counted(number: int, *, run: int, folder: Path) -> dict[str, Any]:
     if number == 2:
         os._exit(1)
     assert folder.is_dir()
-    return {
-        "run": run,
-        "sample": number,
-        "category": category_of(number),
-        "state": "sound",
-        "anomalies": [],
-    }
+    return {"run": run, "sample": number, "category": category_of(number), "state": "sound", "anomalies": []}
 
 
 def slow(number: int, *, run: int, folder: Path) -> dict[str, Any]:

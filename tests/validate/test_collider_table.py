@@ -96,8 +96,7 @@ def test_meshes_that_do_not_close_are_refused(asset, tmp_path):
     lines = mesh.read_text().splitlines()
     mesh.write_text("\n".join(lines[:-1]) + "\n")
     with pytest.raises(
-        AssetError,
-        match=r"the meshes of link 'lid' with label 'lid' do not close to a solid \(NotManifold\)",
+        AssetError, match=r"the meshes of link 'lid' with label 'lid' do not close to a solid \(NotManifold\)"
     ):
         compare_colliders(Asset.load(directory))
 

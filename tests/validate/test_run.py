@@ -376,11 +376,7 @@ OPEN = OpenCell({"slide": (0.1, 0.2)}, ("body", "drawer"), 1e-5)
         ),
         (
             replace(
-                PAIR,
-                verdict="not proven",
-                colliders="not proven",
-                open_cells=(OPEN,),
-                open_fraction=0.02,
+                PAIR, verdict="not proven", colliders="not proven", open_cells=(OPEN,), open_fraction=0.02
             ),
             f"not proven in 2 % of their joint space, such as {REGION}",
             CLEARANCE,

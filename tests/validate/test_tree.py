@@ -118,10 +118,7 @@ def test_labels_that_are_not_declared_are_found(asset):
         ({"friction": np.nan}, "its friction is nan"),
         ({"effort": 0.0}, "its effort is 0"),
         ({"velocity": -2.0}, "its velocity is -2"),
-        (
-            {"pivot": np.array([5.0, 0.0, 0.0])},
-            "its axis passes 'door' and 'body' at a distance of 4.646 m",
-        ),
+        ({"pivot": np.array([5.0, 0.0, 0.0])}, "its axis passes 'door' and 'body' at a distance of 4.646 m"),
     ],
 )
 def test_impossible_numbers_of_joints_are_found(asset, fields, message):
@@ -155,14 +152,8 @@ def test_a_coupled_range_that_its_leader_does_not_give_is_found(asset):
 @pytest.mark.parametrize(
     ("condition", "message"),
     [
-        (
-            Condition("below", "turn", -0.6),
-            f"it needs turn < -0.6, {NEVER}: turn is 0 to 0.8",
-        ),
-        (
-            Condition("above", "turn", 0.8),
-            f"it needs turn > 0.8, {NEVER}: turn is 0 to 0.8",
-        ),
+        (Condition("below", "turn", -0.6), f"it needs turn < -0.6, {NEVER}: turn is 0 to 0.8"),
+        (Condition("above", "turn", 0.8), f"it needs turn > 0.8, {NEVER}: turn is 0 to 0.8"),
         (Condition("below", "turn", 0.9), "it needs turn < 0.9, which holds everywhere: turn is 0 to 0.8"),
         (Condition("above", "knob", 0.5), "it needs 'knob', which is not another joint of the asset"),
         (Condition("above", "hinge", 0.5), "it needs 'hinge', which is not another joint of the asset"),
@@ -292,14 +283,8 @@ def heavy(asset, **fields):
             {"center": np.array([0.0, 0.0, 0.9])},
             "its center of mass (0, 0, 0.9) m lies outside its bounding box",
         ),
-        (
-            {"inertia": np.diag([1.0, 1.0, 3.0])},
-            f"its principal moments 1, 1, 3 {NO_BODY}",
-        ),
-        (
-            {"inertia": np.diag([0.0, 1.0, 1.0])},
-            f"its principal moments 0, 1, 1 {NO_BODY}",
-        ),
+        ({"inertia": np.diag([1.0, 1.0, 3.0])}, f"its principal moments 1, 1, 3 {NO_BODY}"),
+        ({"inertia": np.diag([0.0, 1.0, 1.0])}, f"its principal moments 0, 1, 1 {NO_BODY}"),
         ({"inertia": np.diag([900.0] * 3)}, "its moment 900 kg m^2 exceeds what its mass and size allow, "),
     ],
 )

@@ -16,21 +16,13 @@ from support.browser import Browser, Tab, started
 
 
 def flag_solid(wide: Float, tall: Float):
-    return box(
-        wide,
-        0.01,
-        tall,
-    )
+    return box(wide, 0.01, tall)
 
 
 @pytest.fixture
 def signpost() -> Generator:
     @generator
-    def signpost(
-        *,
-        height: Float = uniform(1.0, 2.0, "m"),
-        wide: Float = fixed(0.4, "m"),
-    ) -> Body:
+    def signpost(*, height: Float = uniform(1.0, 2.0, "m"), wide: Float = fixed(0.4, "m")) -> Body:
         """A flag on a post."""
         pole = cylinder(0.02, height).at(z=height / 2)
         flag = flag_solid(switch(height > 5.0, 2.0 * wide, wide), 0.2).at(0.25, 0, height)

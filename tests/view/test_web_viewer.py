@@ -36,9 +36,7 @@ CLOSE = 1e-9
 
 @generator
 def locker(
-    *,
-    width: Float = uniform(0.39, 0.41, "m"),
-    finish: Literal["oak", "walnut"] = choice("oak", "walnut"),
+    *, width: Float = uniform(0.39, 0.41, "m"), finish: Literal["oak", "walnut"] = choice("oak", "walnut")
 ) -> Body:
     """A locker: behind its door is a drawer, and a dial on its top turns as the door does."""
     case = box(width, 0.4, 0.5).at(z=0.25) - box(width - 0.04, 0.4, 0.46).at(0, -0.02, 0.25)

@@ -6,13 +6,7 @@ concatenates pieces, a difference splits them by the faces of the cutter's piece
 
 from artgen.colliders.budget import budgeted
 from artgen.colliders.convex import TOLERANCE, Convex, Kind
-from artgen.colliders.makers import (
-    chain_pieces,
-    cylinder_pieces,
-    hull_pieces,
-    prism_pieces,
-    round_pieces,
-)
+from artgen.colliders.makers import chain_pieces, cylinder_pieces, hull_pieces, prism_pieces, round_pieces
 from artgen.colliders.pieces import Exact, Pieces, difference, intersection, union
 from artgen.colliders.polygon import decompose_polygon
 from artgen.colliders.revolve import revolve_pieces

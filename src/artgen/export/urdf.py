@@ -208,9 +208,7 @@ def _losses(asset: Asset, inserted: Iterable[str], mapped: Iterable[str], textur
     return losses(
         *motion_rows(asset, inserted),
         *affordance_rows(
-            asset,
-            f"a link named grasp_{mark} the width and {moved}",
-            f"a link named push_{mark} {moved}",
+            asset, f"a link named grasp_{mark} the width and {moved}", f"a link named push_{mark} {moved}"
         ),
         *material_rows(asset),
         ("color beside a color map", mapped, color),

@@ -35,8 +35,13 @@ __all__ = [
     "Points",
     "PointsLike",
     "Profile",
+    "Scalar",
+    "Solid",
+    "Span",
+    "Vector",
+    "VectorLike",
+    "offset_of",
 ]
-__all__ += ["Scalar", "Solid", "Span", "Vector", "VectorLike", "offset_of"]
 
 LITERAL_TYPES[Material] = LiteralType("material", Material.to_data, Material.from_data)
 

@@ -180,11 +180,7 @@ class SceneBuilder:
             self._textures.add(name)
             height, width, channels = pixels.shape
             texture = self.spec.add_texture(
-                name=name,
-                type=mujoco.mjtTexture.mjTEXTURE_2D,
-                width=width,
-                height=height,
-                nchannel=channels,
+                name=name, type=mujoco.mjtTexture.mjTEXTURE_2D, width=width, height=height, nchannel=channels
             )
             texture.data = np.ascontiguousarray(pixels).tobytes()
         return name

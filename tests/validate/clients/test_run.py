@@ -98,45 +98,17 @@ def changed(data, path, value):
         (("links", "drawer", "center", 0), 0.3, "link drawer: its center of mass is 300 mm away"),
         (("links", "drawer", "inertia", 0, 0), 0.0, "link drawer: its inertia differs by "),
         (("links",), {}, "link drawer: stand_0.urdf has no such link with a mass"),
-        (
-            ("joints", "slide", "kind"),
-            "revolute",
-            "joint slide: it is revolute in stand_0.urdf",
-        ),
-        (
-            ("joints", "slide", "limits"),
-            [0, 0.1],
-            "joint slide: its limits are 0 to 0.1 m in stand_0.urdf",
-        ),
-        (
-            ("joints", "slide", "limits"),
-            None,
-            "joint slide: its limits are none in stand_0.urdf, not 0",
-        ),
+        (("joints", "slide", "kind"), "revolute", "joint slide: it is revolute in stand_0.urdf"),
+        (("joints", "slide", "limits"), [0, 0.1], "joint slide: its limits are 0 to 0.1 m in stand_0.urdf"),
+        (("joints", "slide", "limits"), None, "joint slide: its limits are none in stand_0.urdf, not 0"),
         (("joints", "slide", "limits"), [0, float("nan")], "joint slide: its limits are 0 to nan m"),
-        (
-            ("joints", "slide", "stiffness"),
-            0.26,
-            "joint slide: its stiffness is 0.26 N/m in stand_0.urdf",
-        ),
+        (("joints", "slide", "stiffness"), 0.26, "joint slide: its stiffness is 0.26 N/m in stand_0.urdf"),
         (("joints", "slide", "rest"), 0.5, "joint slide: its rest is 0.5 m in stand_0.urdf (fake), not 0"),
-        (
-            ("joints", "other"),
-            {},
-            "joint other: it can move in stand_0.urdf, but",
-        ),
+        (("joints", "other"), {}, "joint other: it can move in stand_0.urdf, but"),
         (("joints",), {}, "joint slide: stand_0.urdf has no such joint that can move"),
-        (
-            ("couplings", "slide"),
-            ["other", 1.0, 0.0],
-            "joint slide: it follows 'other' in stand",
-        ),
+        (("couplings", "slide"), ["other", 1.0, 0.0], "joint slide: it follows 'other' in stand"),
         (("poses", 1, "drawer", 1, 3), 7.0, "link drawer: its frame is off by 7"),
-        (
-            ("poses", 0, "drawer"),
-            [[0.0]],
-            "an array has the shape (1, 1) instead of (4, 4)",
-        ),
+        (("poses", 0, "drawer"), [[0.0]], "an array has the shape (1, 1) instead of (4, 4)"),
         (("poses",), [], "its answer has 0 of 5 poses"),
         (("moved", "slide"), [0.0, 0.001], "joint slide: driven by 100 N it moves only from 0 to 0.001"),
         (("moved", "slide"), [-0.2, 0.2], "joint slide: it leaves its limits of 0 to 0.2"),
@@ -308,10 +280,7 @@ def test_an_error_below_a_message_that_is_no_fault_is_a_fault(fake):
 
 def test_a_client_that_ends_with_the_code_of_absence_and_says_why_has_failed(fake, exported):
     (outcome,) = run_client(fake("import sys; print('abort() was called'); sys.exit(3)"), [exported])
-    assert (outcome.state, outcome.message) == (
-        "failed",
-        "it ended with exit code 3: abort() was called",
-    )
+    assert (outcome.state, outcome.message) == ("failed", "it ended with exit code 3: abort() was called")
 
 
 def test_a_client_whose_interpreter_does_not_start_has_failed(fake, exported, monkeypatch, tmp_path):

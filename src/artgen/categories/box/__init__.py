@@ -29,16 +29,7 @@ import artgen as ag
 from artgen import details
 from artgen.categories.box.board import Board, Feel, Flute
 from artgen.categories.box.ends import open_ended_box, tuck_end_box
-from artgen.categories.box.finish import (
-    COLORFUL,
-    KRAFT,
-    LININGS,
-    PRINTS,
-    RIBBONS,
-    STRAPS,
-    WHITE,
-    WRAPS,
-)
+from artgen.categories.box.finish import COLORFUL, KRAFT, LININGS, PRINTS, RIBBONS, STRAPS, WHITE, WRAPS
 from artgen.categories.box.gifts import Closure, Hollow
 from artgen.categories.box.kinds import (
     Draft,

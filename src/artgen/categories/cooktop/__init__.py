@@ -171,14 +171,7 @@ def cooktop(
     dial_style: DialStyle = ag.choice("round", "fluted", "bar", "skirted", "capped"),
     dial_finish: ag.Material = ag.by(
         "burner",
-        gas=ag.shades(
-            "black_abs",
-            "stainless",
-            _SILVER,
-            "satin_brass",
-            weights=(2.2, 2, 1, 0.5),
-            color=0.05,
-        ),
+        gas=ag.shades("black_abs", "stainless", _SILVER, "satin_brass", weights=(2.2, 2, 1, 0.5), color=0.05),
         coil=ag.shades("black_abs", _WHITE, _SILVER, weights=(2, 1.5, 1), color=0.05),
         otherwise=ag.shades("black_abs", "stainless", _SILVER, weights=(2, 1.5, 1), color=0.05),
     ),

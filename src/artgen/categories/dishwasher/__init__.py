@@ -19,13 +19,7 @@ from typing import Literal
 import artgen as ag
 from artgen import details
 from artgen.categories.dishwasher.console import Console
-from artgen.categories.dishwasher.door import (
-    CONSOLE_BEFORE_POCKET,
-    RECESS_HALF,
-    Dispenser,
-    Front,
-    HandleKind,
-)
+from artgen.categories.dishwasher.door import CONSOLE_BEFORE_POCKET, RECESS_HALF, Dispenser, Front, HandleKind
 from artgen.categories.dishwasher.racks import Racks
 from artgen.categories.dishwasher.space import REACH, Build, Controls, Size, Space
 from artgen.categories.dishwasher.tub import Cabinet, kick_finish

@@ -144,11 +144,7 @@ class Racks:
         ]
         bodies = [ag.part(each, "cutlery_basket", self.plastic) for each in walls]
         hole = ag.grid(
-            (0.0, 0.0, low + high / 2.0),
-            (wide * 0.125, 0.0, 0.0),
-            (0.0, 0.0, 0.024),
-            columns=7,
-            rows=4,
+            (0.0, 0.0, low + high / 2.0), (wide * 0.125, 0.0, 0.0), (0.0, 0.0, 0.024), columns=7, rows=4
         )
         for y in (-deep / 2 - sheet / 2, deep / 2 + sheet / 2):
             mark = ag.box(wide * 0.085, 0.0004, 0.014).at(0.0, y, 0.0)
@@ -256,7 +252,7 @@ class Racks:
                 (0.3 * half, 0.019),
                 (-0.3 * half, 0.019),
                 (-half, 0.013),
-            ],
+            ]
         )
         blade = ag.extrude(outline, _BLADE, axis=ag.Z, bevel=0.0016).at(0.0, 0.0, -_BLADE / 2.0)
         hub = ag.cylinder(0.024, _BLADE + 0.004, axis=ag.Z, bevel=0.002).at(0.0, 0.0, -_BLADE / 2.0 - 0.002)

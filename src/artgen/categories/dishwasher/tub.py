@@ -43,10 +43,7 @@ def inlet_hose(
         0.0, 0.007, 0.0
     )
     blue = ag.colored("abs", "sky")
-    return ag.weld(
-        ag.detail(hose, label, grey),
-        ag.detail(nut, label, blue),
-    )
+    return ag.weld(ag.detail(hose, label, grey), ag.detail(nut, label, blue))
 
 
 _SHEET = 0.004  # modeled thickness of the sheet of side panels [m]
@@ -147,11 +144,7 @@ class Cabinet:
             ),
         ]
         gasket = details.gasket(
-            2.0 * wide + 0.020,
-            high - low + 0.014 - 0.008,
-            size=0.0062,
-            radius=0.016,
-            section="half_round",
+            2.0 * wide + 0.020, high - low + 0.014 - 0.008, size=0.0062, radius=0.016, section="half_round"
         ).at(0.0, front + 0.0002, (low + high) / 2.0 + 0.003)
         return [
             *(ag.part(each, "tub", stuff) for each in boards),

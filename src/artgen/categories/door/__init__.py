@@ -34,14 +34,7 @@ from artgen.categories.door.leaf import (
     panel_leaf,
     plank_leaf,
 )
-from artgen.categories.door.lockset import (
-    Roses,
-    Site,
-    dead_lock,
-    pushed_handle,
-    rigid_handle,
-    turning_handle,
-)
+from artgen.categories.door.lockset import Roses, Site, dead_lock, pushed_handle, rigid_handle, turning_handle
 from artgen.categories.shared.finish import (
     FINISH_WEIGHTS,
     FINISHES,

@@ -17,10 +17,7 @@ ASTRAGAL_GAP = 0.002
 
 @ag.generator
 def finger_plate(
-    *,
-    thickness: ag.Float,
-    finish: ag.Material,
-    height: ag.Float = ag.uniform(0.28, 0.38, "m"),
+    *, thickness: ag.Float, finish: ag.Material, height: ag.Float = ag.uniform(0.28, 0.38, "m")
 ) -> ag.Body:
     """Make the push plates on both faces of a leaf without a handle; weld them to it.
 

@@ -29,9 +29,7 @@ from artgen.categories.drawer.boxes import (
     lock,
     slide,
 )
-from artgen.categories.drawer.boxes import (
-    drawer as drawer_of,
-)
+from artgen.categories.drawer.boxes import drawer as drawer_of
 from artgen.categories.shared.furniture.carcass import Carcass, LegStyle
 from artgen.categories.shared.furniture.finish import (
     GREY_STEEL,
@@ -212,10 +210,7 @@ def drawer(
         doc="height of the top row, as a share of that of the second row",
     ),
     growth: ag.Float = ag.by(
-        "kind",
-        chest=ag.uniform(1.0, 1.14),
-        otherwise=1.0,
-        doc="additional height of each further row",
+        "kind", chest=ag.uniform(1.0, 1.14), otherwise=1.0, doc="additional height of each further row"
     ),
     setback: ag.Float = ag.by(
         "kind",

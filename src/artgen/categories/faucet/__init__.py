@@ -18,13 +18,7 @@ from typing import Literal
 
 import artgen as ag
 from artgen.categories.faucet.drain import Drain
-from artgen.categories.faucet.handles import (
-    HandleStyle,
-    LeverStyle,
-    bonnet,
-    quarter_turn,
-    turning_handle,
-)
+from artgen.categories.faucet.handles import HandleStyle, LeverStyle, bonnet, quarter_turn, turning_handle
 from artgen.categories.faucet.spouts import (
     SpoutStyle,
     beam_spout,

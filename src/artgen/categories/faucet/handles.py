@@ -198,13 +198,7 @@ def mixer(
             arm = ag.box_between((-0.008, -length, -0.0035), (0.008, -start, 0.0035), bevel=0.0028)
         case "paddle":
             outline = ag.polygon(
-                [
-                    (-0.0065, -start),
-                    (0.0065, -start),
-                    (0.0125, -length),
-                    (-0.0125, -length),
-                ],
-                radius=0.004,
+                [(-0.0065, -start), (0.0065, -start), (0.0125, -length), (-0.0125, -length)], radius=0.004
             )
             arm = ag.extrude(outline, 0.0065, bevel=0.0024)
     arm = arm.rotate(ag.X, -rise).at(0.0, 0.0, middle)

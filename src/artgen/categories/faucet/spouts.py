@@ -120,8 +120,7 @@ def hanging_spout(*, reach: ag.Scalar, radius: ag.Scalar, finish: ag.Material) -
     """Make a spout below its foot that goes forward and a little up: the link `spout`."""
     low, fall = -0.050, -0.062
     course = ag.polyline(
-        [(0.0, 0.0, -0.004), (0.0, 0.0, low), (0.0, -reach, -0.028), (0.0, -reach, fall)],
-        fillet=0.021,
+        [(0.0, 0.0, -0.004), (0.0, 0.0, low), (0.0, -reach, -0.028), (0.0, -reach, fall)], fillet=0.021
     )
     hub = ag.frustum(radius + 0.0035, radius + 0.0065, _FOOT, bevel=0.0015).align((0.0, 0.0, -GAP), z=1)
     end = ag.vector(0.0, -reach, fall)
@@ -161,11 +160,7 @@ def beam_spout(
         end = ag.vector(0.0, -reach, middle - 0.75 * radius)
     else:
         course = ag.polyline(
-            [
-                (0.0, -0.80 * hub, middle),
-                (0.0, -reach, middle),
-                (0.0, -reach, middle - 1.6 * radius),
-            ],
+            [(0.0, -0.80 * hub, middle), (0.0, -reach, middle), (0.0, -reach, middle - 1.6 * radius)],
             fillet=1.25 * radius,
         )
         pipe = ag.sweep(ag.circle(radius), course)

@@ -57,8 +57,7 @@ def raised_deck(
     """Make a piece of a vanity top with the holes of a drain and its rod, on two frames of flat steel."""
     slab = ag.board((-width / 2, width / 2), (front, back), (top - thick, top), bevel=0.003)
     holes = ag.union(
-        ag.box(HOLE, HOLE, 2.0).at(0.0, drain_at, 0.0),
-        ag.box(0.008, 0.008, 2.0).at(0.0, rod_at, 0.0),
+        ag.box(HOLE, HOLE, 2.0).at(0.0, drain_at, 0.0), ag.box(0.008, 0.008, 2.0).at(0.0, rod_at, 0.0)
     )
     x, bar = width / 2 - 0.030, 0.006  # flat bars of 25 x 6 mm
     wide = (-x - 0.0125, -x + 0.0125)

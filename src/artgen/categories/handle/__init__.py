@@ -108,10 +108,7 @@ def handle(
     ),
     leaf: ag.Material = ag.shades(*_LEAVES, weights=_LEAF_WEIGHTS),
     foot: ag.Material = ag.shades(
-        *_FEET,
-        weights=_FOOT_WEIGHTS,
-        color=0.05,
-        doc="finish of the display stand",
+        *_FEET, weights=_FOOT_WEIGHTS, color=0.05, doc="finish of the display stand"
     ),
     maker: str = ag.choice(*details.BRANDS, doc="brand on the stand and on the latch"),
     model: int = ag.count(101, 989, doc="number on the stand"),

@@ -135,12 +135,7 @@ class Cord:
     def alone(self) -> ag.Body:
         """Make the cord without a switch."""
         return cord_run(
-            self.start,
-            self.end + _ALONE,
-            height=self.height,
-            finish=self.finish,
-            sway=0.04,
-            stiff=self.stiff,
+            self.start, self.end + _ALONE, height=self.height, finish=self.finish, sway=0.04, stiff=self.stiff
         )
 
     def with_case(self, switched: Switch) -> ag.Body:

@@ -231,8 +231,7 @@ def light_bar(looks: ArmLooks, *, length: ag.Scalar, bar: ag.Scalar, lean: ag.Sc
     moment = (own * far / 2.0 + weight * (far + heavy)) / GRAVITY
     return Carried(
         body.require(
-            bent - between > 0.15,
-            "the bar has no range downward: change height, arm_length or shade_radius",
+            bent - between > 0.15, "the bar has no range downward: change height, arm_length or shade_radius"
         ),
         1.0 * moment,
         looks.turn(),

@@ -3,14 +3,7 @@
 import math
 
 import artgen as ag
-from artgen.categories.lamp.arms import (
-    GRAVITY,
-    TURRET,
-    Load,
-    bracket,
-    braked_hinge,
-    eyes,
-)
+from artgen.categories.lamp.arms import GRAVITY, TURRET, Load, bracket, braked_hinge, eyes
 from artgen.categories.lamp.bases import hollow
 from artgen.categories.lamp.jointed import (
     ArmLooks,

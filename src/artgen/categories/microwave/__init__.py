@@ -51,11 +51,7 @@ _CAPS = {
 }
 _LININGS = {  # other looks have the finish of the front
     look: ag.colored("abs", color).with_(name=f"door_lining_{color}")
-    for look, color in (
-        ("stainless", "graphite"),
-        ("dark_steel", "anthracite"),
-        ("black", "anthracite"),
-    )
+    for look, color in (("stainless", "graphite"), ("dark_steel", "anthracite"), ("black", "anthracite"))
 }
 _KNOBS = (  # plastic caps under a metal skin
     *(ag.material(name).with_(name=f"{name}_cap", density=1100.0) for name in ("aluminium", "chrome")),

@@ -210,10 +210,7 @@ class Case:
             for z in (low + 0.016, low + 0.5 * tall, high - 0.014)
         ]
         heads += [(x, plane, high - 0.012) for x in (-0.3 * half, 0.3 * half)]
-        lines = (
-            f"{self.maker.upper()} M{self.watts // 10}",
-            f"230 V~ {self.watts} W 2450 MHz",
-        )
+        lines = (f"{self.maker.upper()} M{self.watts // 10}", f"230 V~ {self.watts} W 2450 MHz")
         plate = details.rating_plate(
             0.070,
             0.040,

@@ -255,11 +255,7 @@ class Panel:
         if self.show:
             bodies.append(
                 details.display(
-                    self.show,
-                    self._wide,
-                    _SCREEN,
-                    at=(self._middle, plane, self._screen),
-                    color=self.color,
+                    self.show, self._wide, _SCREEN, at=(self._middle, plane, self._screen), color=self.color
                 )
             )
         if self.maker:

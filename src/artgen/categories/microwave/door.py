@@ -204,10 +204,7 @@ class Door:
     def _pocket(self) -> tuple[ag.Span, ag.Span]:
         """Edges of the recess of a grip, along x and z [m]."""
         wide, tall = POCKET_WIDTH / 2.0, _POCKET_HEIGHT / 2.0
-        return (
-            (self._grip_at - wide, self._grip_at + wide),
-            (self._level - tall, self._level + tall),
-        )
+        return ((self._grip_at - wide, self._grip_at + wide), (self._level - tall, self._level + tall))
 
     def _boards(self) -> list[ag.Solid]:
         """Make the boards around the window, and around and behind the recess of a grip."""

@@ -117,10 +117,7 @@ class Drawer:
         floor = ag.board((less - x, x - less), (y0, y1 - less), (z0, z0 + _SHEET))
         sides = [
             ag.board(
-                (x - _SHEET, x) if way > 0 else (-x, _SHEET - x),
-                (y0, y1),
-                (z0 + less, z1),
-                bevel=0.0008,
+                (x - _SHEET, x) if way > 0 else (-x, _SHEET - x), (y0, y1), (z0 + less, z1), bevel=0.0008
             )
             for way in (-1, 1)
         ]

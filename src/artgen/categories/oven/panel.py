@@ -89,10 +89,7 @@ class Panel:
         space, half = self.space, self._half
         front = space.front
         face = ag.board(
-            (-half, half),
-            (front, front + _DEEP),
-            (space.panel_low, space.panel_high - 0.0006),
-            bevel=0.0020,
+            (-half, half), (front, front + _DEEP), (space.panel_low, space.panel_high - 0.0006), bevel=0.0020
         )
         behind = ag.board(
             (0.002 - half, half - 0.002),

@@ -179,8 +179,7 @@ def pepper_grinder(
         head_height, head_height >= least, f"head_height must be >= {least:g} (radii) with top=ball"
     )
     ag.require(
-        mark != "letter" or top == "disc",
-        f"mark=letter needs the flat head of top=disc, not top={top}",
+        mark != "letter" or top == "disc", f"mark=letter needs the flat head of top=disc, not top={top}"
     )
     ag.require(
         build != "clear" or style in _STRAIGHT, "build=clear has a straight tube: style must be cylinder"

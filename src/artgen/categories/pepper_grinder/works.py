@@ -221,10 +221,7 @@ _ROOM = 0.0036  # half the width of holes for the shaft [m]
 def wooden(form: BodyForm, radius: ag.Scalar, height: ag.Scalar, finish: ag.Material) -> ag.Body:
     """Make a one-piece turned body, with its store and works: the link `body`."""
     runs = body_runs(form, radius, 0.0, height)
-    return ag.weld(
-        turned(runs, "body", finish, hole=store(-0.001, height + 0.001), bore=STORE),
-        works(),
-    )
+    return ag.weld(turned(runs, "body", finish, hole=store(-0.001, height + 0.001), bore=STORE), works())
 
 
 def capped(

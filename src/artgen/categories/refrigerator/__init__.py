@@ -28,13 +28,7 @@ import artgen as ag
 from artgen import details
 from artgen.categories.refrigerator.case import COVER, Back, Case, cabinet
 from artgen.categories.refrigerator.doors import SOFT, Dress, Front, GripKind, door, mullion
-from artgen.categories.refrigerator.drawers import (
-    Slot,
-    inner_drawer,
-    inner_slide,
-    outer_drawer,
-    outer_slide,
-)
+from artgen.categories.refrigerator.drawers import Slot, inner_drawer, inner_slide, outer_drawer, outer_slide
 from artgen.categories.refrigerator.inside import Furniture, ShelfKind, flap, flap_reach, flap_swing, furnish
 from artgen.categories.refrigerator.leaf import Leaf
 from artgen.categories.refrigerator.plan import Divided, Layout, hinges

@@ -143,13 +143,7 @@ def slab(
     half = (right - left) / 2
     edge = [(share * half, back - dress.rise(share)) for share, back in _BOW]
     swell = [(share * half, -dress.rise(share)) for share in _BOWED]
-    corners = [
-        (-half, thick),
-        (half, thick),
-        *edge,
-        *swell,
-        *((-x, y) for x, y in reversed(edge)),
-    ]
+    corners = [(-half, thick), (half, thick), *edge, *swell, *((-x, y) for x, y in reversed(edge))]
     return ag.extrude(ag.polygon(corners), high - low, bevel=ease).at(middle, case.front, upward)
 
 

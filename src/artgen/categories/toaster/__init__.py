@@ -21,24 +21,8 @@ from artgen.categories.shared.appliances.cords import cord_stub, mains_cord
 from artgen.categories.shared.controls.buttons import ButtonShape
 from artgen.categories.shared.controls.dials import DialStyle
 from artgen.categories.shared.hardware.fixings import corner_feet
-from artgen.categories.toaster.controls import (
-    Layout,
-    Panel,
-    PanelLooks,
-    Scale,
-    end_site,
-    side_site,
-)
-from artgen.categories.toaster.finish import (
-    ENDS,
-    GRIPS,
-    KEYS,
-    METALS,
-    SLEEVES,
-    hollow,
-    ink_on,
-    sheet,
-)
+from artgen.categories.toaster.controls import Layout, Panel, PanelLooks, Scale, end_site, side_site
+from artgen.categories.toaster.finish import ENDS, GRIPS, KEYS, METALS, SLEEVES, hollow, ink_on, sheet
 from artgen.categories.toaster.inside import (
     LeverStyle,
     Tray,
@@ -228,11 +212,7 @@ def toaster(
         "the sides of this style are not flat: controls must be end",
     )
     ag.require(style != "retro" or tray == "back", "style=retro has round sides: tray must be back")
-    length = ag.require(
-        length,
-        length - slot_length >= 0.05,
-        "length must exceed slot_length by 0.05 m",
-    )
+    length = ag.require(length, length - slot_length >= 0.05, "length must exceed slot_length by 0.05 m")
     plan = Plan(
         style, slots, slot_size == "long", slot_width, slot_length, bridge, shoulder, length, height, foot
     )

@@ -298,11 +298,7 @@ class Hood:
         for side in (-1, 1):
             solid = ear.at(side * (x + _EAR / 2.0 - 0.0015), 0.0, z)
             hold = ag.grasp_on(
-                solid,
-                approach=(-side, 0.0, 0.0),
-                closing=ag.Z,
-                at=(side * (x + 0.012), 0.0, z),
-                depth=0.016,
+                solid, approach=(-side, 0.0, 0.0), closing=ag.Z, at=(side * (x + 0.012), 0.0, z), depth=0.016
             )
             name = f"{self.label}_ear_{'left' if side < 0 else 'right'}"
             bodies.append(ag.part(solid, self.label, self.finish, name=name, grasp=hold))
@@ -382,9 +378,7 @@ class Hood:
         radius = (length * length / 4.0 + rise * rise) / (2.0 * rise)
         height = (radius * radius - y * y) ** 0.5
         return ag.push_on(
-            shape,
-            direction=(0.0, -y, -height),
-            at=(0.0, y, self.axis + rise - radius + height - 0.004),
+            shape, direction=(0.0, -y, -height), at=(0.0, y, self.axis + rise - radius + height - 0.004)
         )
 
     def _ball(self, finish: ag.Material, dark: ag.Material) -> ag.Body:

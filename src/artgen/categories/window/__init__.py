@@ -22,14 +22,7 @@ from typing import Literal
 
 import artgen as ag
 from artgen.categories.shared.finish import FINISH_WEIGHTS, FINISHES, known, paints
-from artgen.categories.window.frame import (
-    SILL,
-    Tracks,
-    drip_cap,
-    sill_under,
-    trickle_vent,
-    window_board,
-)
+from artgen.categories.window.frame import SILL, Tracks, drip_cap, sill_under, trickle_vent, window_board
 from artgen.categories.window.hardware import LeverStyle
 from artgen.categories.window.kinds import Draft, Swing, awning, casement
 from artgen.categories.window.plan import (

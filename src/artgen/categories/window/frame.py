@@ -153,14 +153,7 @@ def sill_under(
     nose = front - _OUT
     low = top - SILL
     section = ag.polygon(
-        [
-            (back, low),
-            (back, top - SEAM),
-            (front, top - SEAM),
-            (nose, top - 0.008),
-            (nose, low),
-        ],
-        radius=0.002,
+        [(back, low), (back, top - SEAM), (front, top - SEAM), (nose, top - 0.008), (nose, low)], radius=0.002
     )
     solid = ag.extrude(section, width + 2.0 * horns, axis=ag.X, bevel=0.0015)
     groove = ag.box(width, 0.005, 0.004).at(0.0, nose + 0.014, low + 0.0021)

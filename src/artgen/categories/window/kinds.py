@@ -11,10 +11,7 @@ from itertools import pairwise
 from typing import Literal
 
 import artgen as ag
-from artgen.categories.window.frame import (
-    cells,
-    rebated_frame,
-)
+from artgen.categories.window.frame import cells, rebated_frame
 from artgen.categories.window.hardware import (
     LEVER_OUT,
     RELEASED,

@@ -33,12 +33,7 @@ class Glazing:
 
 
 def lipped_sash(
-    width: ag.Scalar,
-    height: ag.Scalar,
-    section: Section,
-    glazing: Glazing,
-    *,
-    push: ag.Frame | None = None,
+    width: ag.Scalar, height: ag.Scalar, section: Section, glazing: Glazing, *, push: ag.Frame | None = None
 ) -> ag.Body:
     """Make a sash that closes an opening about the origin: its lip is in front of the frame at y = 0."""
     face, front = section.sash, SEALED + section.lip
@@ -55,10 +50,7 @@ def lipped_sash(
         (0.0, SEALED),
     ]
     wide, high = width - 2.0 * REBATE, height - 2.0 * REBATE
-    filled = [
-        Rect(-over, face - chamfer, SEALED, front),
-        Rect(0.0, face, -section.depth, front - chamfer),
-    ]
+    filled = [Rect(-over, face - chamfer, SEALED, front), Rect(0.0, face, -section.depth, front - chamfer)]
     thick = section.depth + front
     middle = (section.depth - front) / 2.0
     ring = ring_of(
@@ -76,12 +68,7 @@ def lipped_sash(
 
 
 def plain_sash(
-    width: ag.Scalar,
-    height: ag.Scalar,
-    section: Section,
-    glazing: Glazing,
-    *,
-    push: ag.Frame | None = None,
+    width: ag.Scalar, height: ag.Scalar, section: Section, glazing: Glazing, *, push: ag.Frame | None = None
 ) -> ag.Body:
     """Make a sash that slides in its track, about the origin."""
     face, half = slide_face(section), section.slide / 2.0

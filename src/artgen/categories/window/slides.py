@@ -194,12 +194,7 @@ def _sliding_pair(draft: Draft, long: ag.Scalar, start: float, bar: ag.Scalar, d
     level = ag.require(level, level - bar / 2.0 - _ROOM > lock + LATCH_TOP, _PULL_MEETS)
     pull = pull.rotate(ag.Z, math.pi).at(stile, tracks.inner + section.slide / 2.0, level)
     latch = sliding_latch(
-        (stile, inside, lock),
-        floor,
-        1,
-        name="lock_slide",
-        friction=draft.friction,
-        finish=draft.metal,
+        (stile, inside, lock), floor, 1, name="lock_slide", friction=draft.friction, finish=draft.metal
     )
     sash = plain_sash(wide, high, section, draft.glazing).at(start + wide / 2.0, tracks.inner, 0.0)
     slide = ag.Prismatic(

@@ -65,10 +65,7 @@ def animations(
             moves, rotations = local_motion(segment, ratio * positions[leader] + offset)
             slides = segment.joint.kind == "prismatic"
             output = buffer.array("moves", moves) if slides else buffer.array("rotations", rotations)
-            target = {
-                "node": nodes[segment.child.name],
-                "path": "translation" if slides else "rotation",
-            }
+            target = {"node": nodes[segment.child.name], "path": "translation" if slides else "rotation"}
             channels.append({"sampler": len(samplers), "target": target})
             samplers.append({"input": times, "output": output})
         result.append({"name": joint.name, "channels": channels, "samplers": samplers})

@@ -8,11 +8,7 @@ from artgen.materials.textures.fields import Color, Pattern, Tile, blend, in_str
 
 
 def _granite(
-    name: str,
-    mean: Color,
-    minerals: tuple[tuple[Color, float, float], ...],
-    mica_color: Color,
-    flecks: float,
+    name: str, mean: Color, minerals: tuple[tuple[Color, float, float], ...], mica_color: Color, flecks: float
 ) -> None:
     """Register polished granite: each place has the mineral with the largest noise, so that grains interlock.
 

@@ -149,12 +149,7 @@ def dial_scale(
 
 
 def _dial_icons(
-    names: tuple[str, ...],
-    radius: float,
-    height: float,
-    sweep: float,
-    start: float | None,
-    weight: Weight,
+    names: tuple[str, ...], radius: float, height: float, sweep: float, start: float | None, weight: Weight
 ) -> Outline:
     inputs.positive("radius", radius)
     inputs.positive("height", height)

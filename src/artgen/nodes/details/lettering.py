@@ -127,13 +127,7 @@ def emblem(name: Emblem, height: Scalar) -> Profile:
     """
 
 
-def logo(
-    name: str,
-    height: Scalar,
-    *,
-    sign: Emblem = "none",
-    tracking: float = 0.3,
-) -> Profile:
+def logo(name: str, height: Scalar, *, sign: Emblem = "none", tracking: float = 0.3) -> Profile:
     """Make a word mark in spaced capitals, centered on the origin; `BRANDS` lists invented names.
 
     Args:

@@ -117,13 +117,7 @@ def _fitting(contours: Sequence[Contour], bevel: float) -> float:
 
 
 def _relief(
-    profile: Outline,
-    at: Array3,
-    facing: Array3,
-    up: Array3 | None,
-    proud: float,
-    sunk: float,
-    bevel: float,
+    profile: Outline, at: Array3, facing: Array3, up: Array3 | None, proud: float, sunk: float, bevel: float
 ) -> Shape:
     inputs.positive("proud", proud)
     inputs.positive("sunk", sunk)

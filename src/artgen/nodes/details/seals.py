@@ -27,12 +27,7 @@ def gasket_section(size: Scalar, section: Seal) -> Profile:
 
 
 def gasket(
-    width: Scalar,
-    height: Scalar,
-    *,
-    size: Scalar = 0.012,
-    radius: Scalar = 0.02,
-    section: Seal = "bulb",
+    width: Scalar, height: Scalar, *, size: Scalar = 0.012, radius: Scalar = 0.02, section: Seal = "bulb"
 ) -> Solid:
     """Make a gasket around a door in the plane of X and Z about the origin; its foot on y = 0 faces -Y.
 

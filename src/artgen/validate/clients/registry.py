@@ -167,7 +167,7 @@ _UNAVOIDABLE: Mapping[str, dict[str, str]] = {
     "robosuite": {
         r"\[robosuite WARNING\] (No private macro file found!|It is recommended to use a private macro file|"
         r"To setup, run: python .*setup_macros\.py|Could not import robosuite_models\.|Could not load the "
-        r"mink-based whole-body IK\.).*": "advice on the installation of robosuite, for every model",
+        r"mink-based whole-body IK\.).*": "advice on the installation of robosuite, for every model"
     },
     "mjx": {r"Failed to import (warp|mujoco_warp): .*": "MJX prints this if the optional Warp is missing"},
     "ovphysx": {
@@ -202,7 +202,7 @@ _UNAVOIDABLE: Mapping[str, dict[str, str]] = {
         r"\[Genesis\] \[.*\] \[WARNING\] Filtered out geometry pairs causing self-collision for the neutral "
         r"configuration \(qpos0\): .*\. Consider tuning Morph option .*\.": (
             "Genesis searches for overlapping parts with voxels wider than the gap between the jaws of pliers"
-        ),
+        )
     },
     "usd_validation": {
         r"MissingShaderIdInRegistry: shaderId 'ND_\w+' .*": (
@@ -223,7 +223,7 @@ _UNAVOIDABLE: Mapping[str, dict[str, str]] = {
         r"\[Warning\] \[mujoco_usd_converter\._impl\.material\.convert_material\] Unsupported texture layers "
         r"for material '.*'": (
             "the material has maps, but none of color, and the converter supports maps of color only"
-        ),
+        )
     },
 }
 

@@ -63,11 +63,7 @@ _PLAIN_STEEL = (
     ag.material("stainless_across"),
     ag.material("stainless").with_(name="silver_steel", base_color=(0.50, 0.505, 0.515)),
 )
-_WHITE = (
-    ag.material("enamel_white"),
-    ag.colored("enamel", "cool_white"),
-    ag.material("powder_coat_white"),
-)
+_WHITE = (ag.material("enamel_white"), ag.colored("enamel", "cool_white"), ag.material("powder_coat_white"))
 _BLACK = (
     ag.material("enamel_black"),
     ag.material("powder_coat_black"),

@@ -98,11 +98,7 @@ class Basket:
             ag.part(columns, self.label, self.finish, name=name, separate=_WELDED),
             ag.part(rows, self.label, self.finish),
             ag.part(self._straight(rim, 2.0 * (x - _CORNER), ag.X, ends), self.label, self.finish),
-            ag.part(
-                self._straight(rim, slope.norm() - 2.0 * _CORNER, slope, sides),
-                self.label,
-                self.finish,
-            ),
+            ag.part(self._straight(rim, slope.norm() - 2.0 * _CORNER, slope, sides), self.label, self.finish),
         ]
 
     @staticmethod
@@ -121,18 +117,11 @@ class Basket:
             (0.0, -y, front), (0.0, -y, wire), (0.0, y, wire), (0.0, y, back)
         ]  # fmt: skip
         level = (front + back) / 2.0 - 0.5 * wire
-        cross: list[ag.VectorLike] = [
-            (-x, 0.0, level),
-            (-x, 0.0, low),
-            (x, 0.0, low),
-            (x, 0.0, level),
-        ]
+        cross: list[ag.VectorLike] = [(-x, 0.0, level), (-x, 0.0, low), (x, 0.0, low), (x, 0.0, level)]
         # the rods across end at the mean height of the sloping rim; the ends of the rim are slightly off
         bent = [
             details.bent_wires(
-                ag.polyline(column, fillet=bend),
-                wire,
-                at=_spread(self.columns, 2.0 * (x - bend - wire)),
+                ag.polyline(column, fillet=bend), wire, at=_spread(self.columns, 2.0 * (x - bend - wire))
             ),
             details.bent_wires(
                 ag.polyline(cross, fillet=bend),
@@ -177,10 +166,7 @@ class Basket:
         middle = start + way * (0.5 * (rows - 1))
         stand = ag.grid(middle, along * pitch, way, columns=count, rows=rows)
         tines = details.bent_wires(path, _TINE, at=stand)
-        return ag.weld(
-            ag.part(rail, self.label, self.finish),
-            ag.detail(tines, self.label, self.finish),
-        )
+        return ag.weld(ag.part(rail, self.label, self.finish), ag.detail(tines, self.label, self.finish))
 
     def grip(
         self,

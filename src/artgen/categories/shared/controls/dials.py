@@ -60,10 +60,7 @@ def dial(
         case "bar":
             held = step
             bar = ag.box(0.44 * radius, depth - GAP - 0.001, 1.94 * radius, bevel=0.0014)
-            solids = [
-                bar.at(0.0, -0.5 * (depth + GAP + 0.001), 0.0),
-                _disc(radius, GAP, step, bevel),
-            ]
+            solids = [bar.at(0.0, -0.5 * (depth + GAP + 0.001), 0.0), _disc(radius, GAP, step, bevel)]
         case "skirted":
             held, reach = step, 0.68 * radius
             skirt = ag.frustum(radius, 0.84 * radius, step - GAP, axis=-ag.Y, bevel=0.0008)
@@ -137,13 +134,7 @@ def dial_print(
             )
         case "ticks":
             scale = details.dial_scale(
-                out,
-                2 * count - 1,
-                sweep=sweep,
-                start=start,
-                major_every=2,
-                major_length=0.0032,
-                width=0.0005,
+                out, 2 * count - 1, sweep=sweep, start=start, major_every=2, major_length=0.0032, width=0.0005
             )
         case "band":
             scale = details.dial_band(out, 0.0004, 0.0034, sweep=sweep, start=start)

@@ -114,10 +114,7 @@ def door_bin(
     """Make bins for the inside of a door: back of a bin at y = 0, front to +y, floor at z = 0."""
     boards = [board.rotate(ag.Z, math.pi).at(0.0, depth, 0.0) for board in open_box(width, depth, height)]
     first, *others = (ag.array(board, at=at) for board in boards)
-    bodies = [
-        ag.part(first, label, finish),
-        *(ag.part(other, label, finish) for other in others),
-    ]
+    bodies = [ag.part(first, label, finish), *(ag.part(other, label, finish) for other in others)]
     if trim is not None:
         strip = ag.box(width - 0.002, 0.0048, 0.012, bevel=0.0014).at(0.0, depth - 0.0016, height - 0.0075)
         bodies.append(ag.detail(ag.array(strip, at=at), label, trim))

@@ -87,12 +87,7 @@ def lever_handle(
 
 
 def _bar(
-    style: str,
-    section: str,
-    start: ag.Scalar,
-    out: ag.Scalar,
-    length: ag.Scalar,
-    girth: ag.Scalar,
+    style: str, section: str, start: ag.Scalar, out: ag.Scalar, length: ag.Scalar, girth: ag.Scalar
 ) -> list[ag.Solid]:
     """Make a bent bar from its neck at y = start to its tip, which is slightly domed."""
     thin = girth if section == "round" else _FLATNESS * girth
