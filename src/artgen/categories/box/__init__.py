@@ -13,8 +13,8 @@ Joints: the name of a flap or a hinged lid with `_hinge` (before the suffix of a
 `sleeve_lift`, `drawer_slide`, `bottle_lift_0`, ....
 
 Dependencies of the joints encode the order of closing. Minor flaps fold in only while the major flaps are
-open or hang down; they hang down only if there is free space. Tucks, ears and dust flaps move after the lid
-is open. A bottle lifts out after the flaps above it are open. The lower flap of an end rests on the floor
+upright or hang down; they hang down only if there is free space. Tucks, ears and dust flaps move after the
+lid is open. A bottle lifts out after the flaps above it are open. The lower flap of an end rests on the floor
 when open.
 
 Constructions are those of the FEFCO code: 0201 slotted, 0200 half-slotted on a tray, 0427 mailer, 0426 pizza

@@ -74,7 +74,7 @@ class Board:
         return solid
 
     def _slab(self) -> ag.Solid:
-        """Make an endless board: the texture runs along x, the longer side."""
+        """Make a board larger than any sheet; its texture runs along x."""
         upper = ag.box_between((-_FAR - 0.1, -_FAR, -2.0 * self.thick), (_FAR + 0.1, _FAR, 0.0))
         lower = ag.box_between((-_FAR - 0.1, -_FAR, -self.thick), (_FAR + 0.1, _FAR, self.thick))
         return upper.paint(self.outside) & lower.paint(self.inside)

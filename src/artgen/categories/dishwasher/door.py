@@ -375,6 +375,6 @@ class Front:
             stiffness=_GRAVITY * moment * ag.sin(space.swing) / space.swing,
             friction=pull * (self.handle_height - space.plinth),
             damping=2.0,
-            effort=40.0,  # force of 60 N at the handle
+            effort=40.0,  # torque of 60 N at the handle
             velocity=4.0,
         )

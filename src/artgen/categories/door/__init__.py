@@ -274,7 +274,7 @@ def door(
             over = ag.min_(over, above - 0.03) if bolted else over
             room = 2.0 * ag.min_(
                 over, handle_height - floor_gap
-            )  # position of a pull on the leaf, below its bolt
+            )  # space for a pull on the leaf, below its bolt
             lockset = rigid_handle(site, partial(handle, room=room) if handle == pull_handle else handle)
     if bolted:
         lockset = lockset + dead_lock(replace(site, spindle=spindle + (0.0, 0.0, above)))

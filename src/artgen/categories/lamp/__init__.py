@@ -65,7 +65,7 @@ _TOO_LOW = (
     "the arm would strike the base at the lowest position of its clamp: raise height, or lower travel or "
     "arm_length"
 )
-_ON_CASE = 0.020  # height of a dial above its case on the cord, and 3 mm [m]
+_ON_CASE = 0.020  # height of a dial above its case on the cord, plus 3 mm [m]
 _STEM = 0.14  # height between the hub of a tripod and its socket, for a chain [m]
 
 

@@ -161,7 +161,7 @@ class Load:
 
         Angles are between -pi/2 and pi, positive towards +x.
         """
-        crest = 1.0  # the sine, if the range includes the horizontal
+        crest = 1.0  # sine at the horizontal, if the range includes it
         ends = (ag.sin(low), ag.sin(high))
         self.low = self.low + weight * length * ag.min_(*ends)
         top = ag.max_(*ends)

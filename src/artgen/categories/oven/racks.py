@@ -12,8 +12,8 @@ from artgen.categories.oven.space import LEVELS, ROD, Build, Space
 from artgen.categories.shared.appliances.wire_baskets import rack_slide
 
 _INSIDE = 0.0002  # difference between the radii of visible and colliding rods [m]
-_WIRE = 0.0016  # radius and number of the wires of a rack [m]
-_WIRES: dict[Build, int] = {"built_in": 22, "range": 27}
+_WIRE = 0.0016  # radius of the wires of a rack [m]
+_WIRES: dict[Build, int] = {"built_in": 22, "range": 27}  # number of these wires
 # tilt of a hand that takes the highest rack from below: one facet of its rod [rad]
 _FROM_BELOW = math.pi / 8.0
 _CORNER = 0.014  # radius of the corners of a rack [m]

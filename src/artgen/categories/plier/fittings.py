@@ -27,7 +27,7 @@ def jaw_face(forging: Forging, count: int, finish: ag.Material, *, phase: int) -
     low, high = forging.head.grips
     start, end = forging.level(low), forging.level(high)
     steps = max(2 * count, 1)
-    deep = 0.00020 if count else 0.0  # the height that the recess of the face allows
+    deep = 0.00020 if count else 0.0  # height of the teeth, limited by the recess of the face [m]
     points = [
         (_MESH + phase * deep * (1.0 if index % 2 else -1.0), start + (end - start) * index / steps)
         for index in range(steps + 1)
@@ -165,7 +165,7 @@ def _rings(forging: Forging, style: Grip, width: ag.Scalar, thick: ag.Scalar) ->
 
 
 def off_middle(forging: Forging, style: Grip, width: ag.Scalar) -> ag.Scalar:
-    """Return the distance of closed handles from the middle plane at the point at which they part [m]."""
+    """Return the least distance of the closed handles from the middle plane, near their upper ends [m]."""
     off = [-x - width / 2.0 for _, x in forging.course[1:3]]
     if style != "bare":
         off += [-ring.x - ring.wide / 2.0 for ring in _rings(forging, style, width, width)[:3]]

@@ -24,7 +24,7 @@ LAP_GAP = 0.00015
 _OFF = 0.0006  # gap between a plate and the shoulders around it [m]
 _STEPS = 3  # number of chords of a shoulder's arc
 RECESSED = 0.00035  # depth of the face of a jaw under its teeth or edges, from the middle plane [m]
-# largest width of a bar beyond that of its neck, minus its thickness-dependent part [m]
+# factor and offset of the largest width of a bar beyond that of its neck, by its relative thickness [m]
 _FLARE, _FLARE_LESS = 0.0122, 0.0050
 _CLOSED = 0.0001  # distance of a cutting edge from the middle plane [m]
 

@@ -77,7 +77,7 @@ _BLOWN: dict[str, tuple[list[Drawn], float]] = {
     "bell": ([(0.84, 1.0, -0.42)], 0.0090),
 }
 
-_WIDEST = 0.087  # bends of a blown bottle; its colliders follow them within a millimeter [m]
+_WIDEST = 0.087  # largest width at which colliders follow the bends within a millimeter [m]
 _TOO_WIDE = (
     "colliders do not follow the bends of so wide a bottle of glass: "
     f"take a width of {_WIDEST:g} at most, shape=cone or another build"

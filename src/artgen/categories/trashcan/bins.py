@@ -3,8 +3,9 @@
 A bin is about the z axis, with its front towards -y. Its plan is given at the rim; a tapered bin is smaller
 at its foot, with the same proportions.
 
-The visible wall is a smooth skin. The mass and the colliders are a wall of few facets inside it; the skin
-thickness equals the distance of the facets from the curves. At the front and the back are facets, not edges.
+The visible wall is a smooth skin. The mass and the colliders are a wall of few facets inside it; the skin is
+thicker than this wall by the distance of the facets from the curves. Facets, not edges, are at the front and
+the back.
 """
 
 import math

@@ -186,13 +186,13 @@ Turning = Literal["swing", "disc", "ball", "ring"]
 """Kind of hood; a ring has no lid, and holds a bag."""
 
 _SHEET = 0.003  # thickness of the plate around a lid [m]
-_SKIN = 0.003  # height of hoods outside the rim, in addition to the gap [m]
+_SKIN = 0.003  # thickness of the skirt of a hood outside the gap [m]
 _OVER = 0.0026  # gap between the rim and the skirt around it [m]
 _SKIRT = 0.014  # reach of the skirt down over the rim [m]
 _ON = 0.0022  # gap between the rim and the part on it [m]
 _EDGE = 0.0030  # gap between a lid and the edge of its opening [m]
 _BALL_EDGE = 0.0052  # gap around a ball; its colliders are up to 2 mm off the surface [m]
-_EAR = 0.020  # width of the ears by which a hood is lifted [m]
+_EAR = 0.020  # projection of the ears by which a hood is lifted [m]
 _WIDEST = 0.425  # largest width of a round collar that collides as 32 pieces and not as 64 [m]
 _TOO_WIDE = "the collar of so wide a round bin needs too many colliders: lower width"
 _GRAVITY = 9.81  # gravity [m/s2]

@@ -11,7 +11,7 @@ from artgen.categories.shared.hardware.roses import NECK_GAP, PIN, SIDES, Faces,
 _FLATNESS = 0.6  # thickness of a flat or oval grip, as a share of its height
 _BEND = 0.018  # radius of the bends of a bar [m]
 _HOLD = 0.62  # position of the hand on a bar, as a share of its length
-_PAST_JAMB = 0.5  # at the back a hand comes from the side of the hinges, past the jamb [rad]
+_PAST_JAMB = 0.5  # approach angle of a hand at the back, past the jamb [rad]
 _RETURN = 0.031  # reach of the tip of a bent lever back towards the leaf, so that no sleeve catches [m]
 
 
@@ -144,7 +144,7 @@ def _hold_on_wave(
 
 
 _PIN_DEPTH = 0.012  # depth of the hole of a privacy pin in a knob [m]
-_KNOB_PAST_JAMB = 0.8  # at the back a hand comes from the side of the hinges, past the jamb [rad]
+_KNOB_PAST_JAMB = 0.8  # approach angle of a hand at the back, past the jamb [rad]
 _LEAN = (math.sin(0.25), 0.0, math.cos(0.25))
 _CLOSING = {"ball": _LEAN, "flat": _LEAN, "tulip": _LEAN, "egg": (0.0, 0.0, 1.0)}
 """Range of closing directions: a hand turns a round knob from a lean to one side to a lean to the other."""
