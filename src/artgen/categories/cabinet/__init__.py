@@ -135,9 +135,7 @@ def cabinet(
     moulding: Literal["square", "ovolo", "ogee"] = ag.choice(
         "square", "ovolo", "ogee", weights=(0.6, 0.22, 0.18)
     ),
-    panes: int = ag.choice(
-        1, 2, 3, weights=(0.55, 0.25, 0.2), doc="number of panes in a column of a glazed door"
-    ),
+    panes: int = ag.choice(1, 2, 3, weights=(0.55, 0.25, 0.2), doc="panes in a column of a glazed door"),
     leg: LegStyle = ag.choice("tapered", "splayed", "square", "turned", "metal"),
     top: Literal["worktop", "flush"] = ag.by(
         "kind",
@@ -178,7 +176,7 @@ def cabinet(
         "hinge", concealed=ag.uniform(1.6, 2.2), butt=ag.uniform(1.6, 2.3), unit="rad", within=(0.5, 2.35)
     ),
     pull: ag.Float = ag.uniform(
-        5.0, 9.0, "N", doc="pull at the free edge of a door against the snap of its hinges"
+        5.0, 9.0, "N", doc="pull at the edge of a door against the snap of its hinges"
     ),
     hinge_damping: ag.Float = ag.uniform(0.2, 0.8, "N m s/rad"),
 ) -> ag.Body:

@@ -175,18 +175,10 @@ def cooktop(
         coil=ag.shades("black_abs", _WHITE, _SILVER, weights=(2, 1.5, 1), color=0.05),
         otherwise=ag.shades("black_abs", "stainless", _SILVER, weights=(2, 1.5, 1), color=0.05),
     ),
-    scale: Scale = ag.choice(
-        "numbers", "ticks", "band", weights=(0.5, 0.2, 0.3), doc="print around electric dials"
-    ),
-    dial_friction: ag.Float = ag.uniform(
-        0.05, 0.09, "N m", doc="friction of detent switches or greased taps"
-    ),
-    push_travel: ag.Float = ag.uniform(
-        0.003, 0.004, "m", doc="push travel of gas dials", within=(0.0025, 0.005)
-    ),
-    push_force: ag.Float = ag.uniform(
-        8.0, 14.0, "N", doc="spring force of a gas tap pushed in", within=(6, 20)
-    ),
+    scale: Scale = ag.choice("numbers", "ticks", "band", weights=(0.5, 0.2, 0.3), doc="dial scale"),
+    dial_friction: ag.Float = ag.uniform(0.05, 0.09, "N m", doc="friction of switches or greased taps"),
+    push_travel: ag.Float = ag.uniform(0.003, 0.004, "m", doc="travel of gas dials", within=(0.0025, 0.005)),
+    push_force: ag.Float = ag.uniform(8.0, 14.0, "N", doc="spring force of a pushed gas tap", within=(6, 20)),
     maker: str = ag.choice(*details.BRANDS),
     watts: int = ag.by(
         "burners",

@@ -128,17 +128,13 @@ def dishwasher(
         within=(0.55, 0.68),
     ),
     door_thickness: ag.Float = ag.uniform(0.052, 0.060, "m", within=(0.050, 0.070)),
-    plinth: ag.Float = ag.uniform(
-        0.095, 0.120, "m", doc="height of the hinge above the floor", within=(0.09, 0.15)
-    ),
+    plinth: ag.Float = ag.uniform(0.095, 0.120, "m", doc="hinge height above floor", within=(0.09, 0.15)),
     swing: ag.Float = ag.uniform(1.54, 1.57, "rad", within=(1.50, 1.5707)),
     clearance: ag.Float = ag.uniform(0.0022, 0.0030, "m", doc="gap between the lower rack and the open door"),
     travel: ag.Float = ag.uniform(
-        0.74, 0.88, doc="travel of the racks, as a share of their depth", within=(0.3, 0.92)
+        0.74, 0.88, doc="travel of the racks, share of their depth", within=(0.3, 0.92)
     ),
-    upper_level: ag.Float = ag.uniform(
-        0.44, 0.50, doc="height of the upper rack, as a share of the space above the lower rack"
-    ),
+    upper_level: ag.Float = ag.uniform(0.44, 0.50, doc="height of the upper rack, share of the free space"),
     finish: ag.Material = _FINISH,
     metal: ag.Material = _METAL,
     bar: BarStyle = ag.by(
@@ -148,7 +144,7 @@ def dishwasher(
         otherwise=ag.choice("round", "square", "bow", "strap", "pro", "arched"),
     ),
     framed: bool = ag.by(
-        "look", panel=ag.choice(False, True), otherwise=False, doc="whether a wooden front has a frame"
+        "look", panel=ag.choice(False, True), otherwise=False, doc="frame on a wooden front"
     ),
     tub: Literal["steel", "plastic"] = ag.by(
         "look",
@@ -184,12 +180,8 @@ def dishwasher(
     wire: ag.Material = ag.shades(*_WIRES, weights=(3, 2, 1.5, 0.7), color=0.05),
     plastic: ag.Material = ag.shades(*_PLASTICS, weights=(2, 2, 1.5, 0.6), color=0.05),
     grip: Grip = ag.choice("bar", "plate"),
-    shelves: bool = ag.choice(
-        True, False, weights=(0.65, 0.35), doc="whether the upper rack has cup shelves"
-    ),
-    ballast: Literal["steel", "concrete"] = ag.choice(
-        "steel", "concrete", doc="material of the ballast in the base"
-    ),
+    shelves: bool = ag.choice(True, False, weights=(0.65, 0.35), doc="cup shelves in the upper rack"),
+    ballast: Literal["steel", "concrete"] = ag.choice("steel", "concrete", doc="material of the ballast"),
     rack_friction: ag.Float = ag.uniform(3.0, 8.0, "N"),
     pull: ag.Float = ag.uniform(17.0, 24.0, "N", doc="force at the handle that opens the door"),
 ) -> ag.Body:

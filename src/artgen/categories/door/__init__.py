@@ -147,9 +147,7 @@ def door(
         exterior=ag.shades(*_WOODS, *_SOLID_PAINTS, weights=_EXTERIOR, color=0.07, roughness=0.04),
     ),
     frame_finish: Literal["same", "white"] = ag.choice("same", "white", weights=(0.7, 0.3)),
-    frame_paint: ag.Material = ag.shades(
-        _PAINTS[0], color=0.03, roughness=0.05, doc="paint of a white frame"
-    ),
+    frame_paint: ag.Material = ag.shades(_PAINTS[0], color=0.03, roughness=0.05, doc="white frame paint"),
     sill: ag.Material = ag.by(
         "use",
         interior=ag.shades("aluminium", *_VENEERS[:1], "brass", weights=(0.6, 0.25, 0.15)),
@@ -185,9 +183,7 @@ def door(
         ),
     ),
     handle: ag.Generator = ag.by("opener", _HANDLES),
-    handle_height: ag.Float = ag.uniform(
-        0.86, 1.12, "m", doc="height of the handle above the floor", within=(0.7, 1.4)
-    ),
+    handle_height: ag.Float = ag.uniform(0.86, 1.12, "m", doc="height above the floor", within=(0.7, 1.4)),
     handle_range: ag.Float = ag.by(
         "opener",
         lever=ag.uniform(0.60, 1.05),
@@ -197,9 +193,7 @@ def door(
         doc="travel of the handle [rad], or of a push bar [m]",
     ),
     spring: ag.Float = ag.uniform(1.1, 1.5, "N m", doc="torque that turns a handle fully"),
-    backset: ag.Float = ag.uniform(
-        0.060, 0.070, "m", doc="distance from the lock edge to the spindle", within=(0.055, 0.09)
-    ),
+    backset: ag.Float = ag.uniform(0.060, 0.070, "m", doc="distance to the lock edge", within=(0.055, 0.09)),
     throw: ag.Float = ag.uniform(0.010, 0.012, "m", doc="travel of the latch", within=(0.009, 0.014)),
     rose: Literal["round", "square", "plate"] = ag.choice(
         "round", "square", "plate", weights=(0.5, 0.3, 0.2)
@@ -219,7 +213,7 @@ def door(
         doc="fixing of roses: hidden, or with two screws",
     ),
     keyed: bool = ag.by(
-        "rose", plate=ag.choice(False, True), otherwise=False, doc="whether a plate has a key cylinder"
+        "rose", plate=ag.choice(False, True), otherwise=False, doc="key cylinder in the plate"
     ),
     bolted: bool = ag.by(
         "opener",
@@ -233,9 +227,7 @@ def door(
     hinge_height: ag.Float = ag.uniform(0.085, 0.102, "m"),
     hinge_radius: ag.Float = ag.uniform(0.005, 0.006, "m", within=(0.004, 0.008)),
     swing: ag.Float = ag.uniform(1.4, 2.0, "rad", within=(0.5, 2.0)),
-    hinge_friction: ag.Float = ag.uniform(
-        0.6, 1.5, "N m", doc="friction that holds an open door at any angle"
-    ),
+    hinge_friction: ag.Float = ag.uniform(0.6, 1.5, "N m", doc="friction that holds an open door"),
     hinge_damping: ag.Float = ag.uniform(0.5, 2.0, "N m s/rad"),
 ) -> ag.Body:
     """Make a door of one or two leaves in its frame: hinges, handle, latch, locks."""

@@ -69,7 +69,7 @@ def pull_handle(
     style: Literal["U", "T", "Z"] = ag.choice("U", "T", "Z"),
     length: ag.Float = ag.uniform(0.22, 0.45, "m", doc="overall length of the grip", within=(0.10, 1.8)),
     projection: ag.Float = ag.uniform(
-        0.045, 0.065, "m", doc="distance from the face of the leaf to the middle of the grip"
+        0.045, 0.065, "m", doc="distance from the leaf to the middle of the grip"
     ),
     girth: ag.Float = ag.uniform(0.009, 0.0125, "m", doc="radius of the bar"),
 ) -> ag.Body:

@@ -245,9 +245,7 @@ def plank_leaf(
     *,
     blank: Blank,
     boards: int = ag.count(4, 7, weights=(1, 3, 3, 1)),
-    joint: ag.Float = ag.uniform(
-        0.0025, 0.0045, "m", doc="radius of the edges, which form the V between boards"
-    ),
+    joint: ag.Float = ag.uniform(0.0025, 0.0045, "m", doc="edge radius that makes the V between boards"),
 ) -> ag.Body:
     """Make a boarded leaf: upright tongue-and-groove boards with a V at every joint."""
     wide = blank.width / boards
@@ -295,9 +293,7 @@ _ROWS: dict[int, tuple[tuple[float, int], ...]] = {
 def panel_leaf(
     *,
     blank: Blank,
-    panels: int = ag.count(
-        1, 8, weights=(1, 3, 1, 3, 2, 4, 1, 1), doc="number of panels; 6 is the colonial door"
-    ),
+    panels: int = ag.count(1, 8, weights=(1, 3, 1, 3, 2, 4, 1, 1), doc="number of panels; 6 is colonial"),
     relief: Relief = ag.choice("raised", "recessed"),
     sticking: Sticking = ag.by(
         "relief",

@@ -312,18 +312,14 @@ def drawer(
         otherwise=ag.uniform(0.48, 0.60),
         doc="height of handles, as a share of that of the front",
     ),
-    first_index: int = ag.by(
-        "kind", file=ag.count(0, 7), otherwise=0, doc="index of the card in the first label holder"
-    ),
+    first_index: int = ag.by("kind", file=ag.count(0, 7), otherwise=0, doc="card in the first label holder"),
     locked: bool = ag.by(
         "kind",
         file=ag.choice(True, False, weights=(0.8, 0.2)),
         otherwise=False,
         doc="whether there is a lock",
     ),
-    slide_share: ag.Float = ag.uniform(
-        0.60, 0.75, doc="travel of a drawer, as a share of its depth", within=(0.2, 0.8)
-    ),
+    slide_share: ag.Float = ag.uniform(0.60, 0.75, doc="travel, as a share of the depth", within=(0.2, 0.8)),
     slide_friction: ag.Float = ag.by(
         "runner",
         roller=ag.uniform(6.0, 10.0),

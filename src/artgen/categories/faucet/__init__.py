@@ -134,7 +134,7 @@ def faucet(
         within=(0.009, 0.016),
     ),
     body_radius: ag.Float = ag.uniform(
-        0.0215, 0.0265, "m", doc="radius of the column of a mixer", within=(0.02, 0.03)
+        0.0215, 0.0265, "m", doc="column radius of a mixer", within=(0.02, 0.03)
     ),
     square: bool = ag.choice(False, True, doc="whether a straight spout is flat"),
     swivel_limit: ag.Float = ag.by(
@@ -162,9 +162,7 @@ def faucet(
         doc="length of the lever of a mixer, from the axis",
         within=(0.07, 0.14),
     ),
-    side: Literal["left", "right"] = ag.choice(
-        "right", "left", weights=(0.8, 0.2), doc="side of the lever under a tall spout"
-    ),
+    side: Literal["left", "right"] = ag.choice("right", "left", weights=(0.8, 0.2), doc="side of the lever"),
     lift: ag.Float = ag.uniform(0.42, 0.50, "rad", doc="angle of the lifted lever", within=(0.3, 0.55)),
     rod: bool = ag.by(
         "style",
@@ -178,22 +176,18 @@ def faucet(
         "same", "ceramic", weights=(0.6, 0.4), doc="material of the buttons on a pair of handles"
     ),
     surface: ag.Material = ag.shades(
-        *_DECKS, weights=_DECK_WEIGHTS, color=0.06, doc="surface of the deck or wall"
+        *_DECKS, weights=_DECK_WEIGHTS, color=0.06, doc="finish of deck or wall"
     ),
     deck_margin: ag.Float = ag.uniform(
         0.045, 0.075, "m", doc="width of the deck around the parts on it", within=(0.035, 0.12)
     ),
     deck_thickness: ag.Float = ag.uniform(0.020, 0.030, "m", within=(0.020, 0.05)),
-    swivel_friction: ag.Float = ag.uniform(
-        0.6, 1.4, "N m", doc="friction of the seals of the spout", within=(0.2, 4.0)
-    ),
+    swivel_friction: ag.Float = ag.uniform(0.6, 1.4, "N m", doc="friction of the seals", within=(0.2, 4.0)),
     handle_friction: ag.Float = ag.uniform(
-        0.35, 0.75, "N m", doc="friction of the ceramic discs", within=(0.1, 2.0)
+        0.35, 0.75, "N m", doc="friction of ceramic discs", within=(0.1, 2.0)
     ),
     head_travel: ag.Float = ag.uniform(0.050, 0.075, "m", doc="travel of a spray head", within=(0.03, 0.09)),
-    head_force: ag.Float = ag.uniform(
-        9.0, 14.0, "N", doc="force that draws the spray head back", within=(5.0, 30.0)
-    ),
+    head_force: ag.Float = ag.uniform(9.0, 14.0, "N", doc="return force of the head", within=(5.0, 30.0)),
     rod_friction: ag.Float = ag.uniform(5.0, 9.0, "N"),
 ) -> ag.Body:
     """Make a faucet, shut: spout, one or two handles, spray head, lift rod."""

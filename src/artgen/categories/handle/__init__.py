@@ -78,24 +78,18 @@ def handle(
         doc="diameter or width of the rose or plate",
     ),
     plate_height: ag.Float = ag.uniform(0.19, 0.22, "m", doc="height of a long plate", within=(0.12, 0.24)),
-    rose_depth: ag.Float = ag.uniform(
-        0.007, 0.010, "m", doc="height of the rose above the leaf", within=(0.007, 0.014)
-    ),
+    rose_depth: ag.Float = ag.uniform(0.007, 0.010, "m", doc="height of the rose", within=(0.007, 0.014)),
     lock: Literal["none", "turn", "push"] = ag.choice("none", "turn", "push"),
     turn: ag.Float = ag.uniform(0.6, 0.9, "rad", doc="range of the handle", within=(0.4, 1.2)),
     release: ag.Float = ag.uniform(
-        0.82, 0.9, doc="share of the turn at which the latch is free", within=(0.7, 1.0)
+        0.82, 0.9, doc="share of the turn that frees the latch", within=(0.7, 1.0)
     ),
-    throw: ag.Float = ag.uniform(
-        0.010, 0.0127, "m", doc="length of the latch outside the leaf", within=(0.006, 0.015)
-    ),
-    backset: ag.Float = ag.uniform(
-        0.060, 0.070, "m", doc="distance from lock edge to spindle", within=(0.05, 0.13)
-    ),
+    throw: ag.Float = ag.uniform(0.010, 0.0127, "m", doc="projection of the latch", within=(0.006, 0.015)),
+    backset: ag.Float = ag.uniform(0.060, 0.070, "m", doc="distance to the lock edge", within=(0.05, 0.13)),
     thickness: ag.Float = ag.uniform(0.035, 0.045, "m", doc="thickness of the leaf", within=(0.032, 0.06)),
     preload: ag.Float = ag.uniform(0.6, 0.9, "N m", doc="torque of the spring at rest", within=(0.3, 2.0)),
     torque_ratio: ag.Float = ag.uniform(
-        1.5, 2.0, doc="torque at the full turn over that at rest", within=(1.05, 4)
+        1.5, 2.0, doc="ratio of the torques at the full turn and at rest", within=(1.05, 4)
     ),
     damping: ag.Float = ag.uniform(0.05, 0.08, "N m s/rad", doc="damping of the handle"),
     hand: Literal["left", "right"] = ag.choice("left", "right"),

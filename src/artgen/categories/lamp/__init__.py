@@ -165,7 +165,7 @@ def lamp(
     ),
     reach: ag.Float = ag.uniform(0.46, 0.62, "m", doc="reach of the bow of an arc lamp", within=(0.3, 0.8)),
     travel: ag.Float = ag.uniform(
-        0.25, 0.40, "m", doc="travel of the clamp of a reading lamp on its pole", within=(0.1, 0.5)
+        0.25, 0.40, "m", doc="travel of the reading lamp's clamp", within=(0.1, 0.5)
     ),
     shade: ShadeKind = ag.by(
         "style",
@@ -259,7 +259,7 @@ def lamp(
     ),
     chain_travel: ag.Float = ag.uniform(0.030, 0.060, "m", doc="travel of a pull chain", within=(0.02, 0.07)),
     chain_force: ag.Float = ag.uniform(
-        3.0, 8.0, "N", doc="spring force of a chain pulled out", within=(2.0, 12.0)
+        3.0, 8.0, "N", doc="spring force, chain pulled out", within=(2.0, 12.0)
     ),
     swivel_friction: ag.Float = ag.by(
         "style",

@@ -110,7 +110,7 @@ def microwave(
     ),
     foot: ag.Float = ag.uniform(0.008, 0.014, "m", doc="height of the feet", within=(0.006, 0.02)),
     plate: ag.Float = ag.uniform(
-        0.93, 1.0, doc="radius of the plate, as a share of the largest that fits", within=(0.7, 1.0)
+        0.93, 1.0, doc="radius, as a share of the largest that fits", within=(0.7, 1.0)
     ),
     finish: ag.Material = _FINISH,
     metal: ag.Material = _METAL,
@@ -147,9 +147,7 @@ def microwave(
     swing: ag.Float = ag.uniform(1.55, 1.70, "rad", within=(1.2, 1.75)),
     pull: ag.Float = ag.uniform(10.0, 22.0, "N", doc="force at the handle that opens the door"),
     pop: ag.Float = ag.uniform(2.0, 3.5, "N", doc="spring force at the latches of a door without a handle"),
-    plate_friction: ag.Float = ag.uniform(
-        0.02, 0.05, "N m", doc="friction of the rollers and the motor's gears"
-    ),
+    plate_friction: ag.Float = ag.uniform(0.02, 0.05, "N m", doc="friction of the rollers and the gears"),
     show: str = ag.by(
         "controls",
         dials="",

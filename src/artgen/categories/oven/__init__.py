@@ -167,7 +167,7 @@ def oven(
         0.038, 0.046, "m", doc="projection of the handle", within=(0.036, 0.055)
     ),
     convection: bool = ag.choice(
-        True, False, weights=(0.7, 0.3), doc="whether there is a fan behind the back wall"
+        True, False, weights=(0.7, 0.3), doc="whether there is a fan at the back wall"
     ),
     dials: int = ag.by(
         "build",
@@ -191,9 +191,7 @@ def oven(
         unit="m",
         within=(0.014, 0.026),
     ),
-    dial_friction: ag.Float = ag.uniform(
-        0.04, 0.09, "N m", doc="friction of detent switches or greased taps"
-    ),
+    dial_friction: ag.Float = ag.uniform(0.04, 0.09, "N m", doc="friction of switches or greased taps"),
     knob: ag.Material = ag.shades(*_KNOBS, weights=(2, 1.5, 1, 0.4, 2, 0.6), color=0.03, roughness=0.03),
     show: str = ag.by(
         "dials",
@@ -212,7 +210,7 @@ def oven(
     travel: ag.Float = ag.uniform(0.30, 0.36, "m", doc="travel of the racks", within=(0.2, 0.37)),
     rack_friction: ag.Float = ag.uniform(3.0, 7.0, "N"),
     drawer_travel: ag.Float = ag.uniform(
-        0.68, 0.80, doc="travel of the drawer, as a share of its depth", within=(0.3, 0.82)
+        0.68, 0.80, doc="travel, as a share of its depth", within=(0.3, 0.82)
     ),
     drawer_friction: ag.Float = ag.uniform(6.0, 14.0, "N"),
     watts: int = ag.count(2100, 3600),

@@ -147,18 +147,12 @@ def pepper_grinder(
         otherwise=ag.shades(*WOODS, color=0.06),
         doc="finish of the head or knob, and of the foot and collar of a clear mill",
     ),
-    metal: ag.Material = ag.choice(
-        *METALS, weights=METAL_WEIGHTS, doc="metal of the nut, the ring and a crank"
-    ),
+    metal: ag.Material = ag.choice(*METALS, weights=METAL_WEIGHTS, doc="metal of nut, ring and crank"),
     finial: Finial = ag.choice("nut", "ball", "cap", weights=(0.4, 0.35, 0.25)),
     ringed: bool = ag.by("top", crank=False, otherwise=ag.choice(True, False, weights=(0.45, 0.55))),
-    crank_reach: ag.Float = ag.uniform(
-        0.052, 0.068, "m", doc="distance from the axis to the knob", within=(0.045, 0.09)
-    ),
+    crank_reach: ag.Float = ag.uniform(0.052, 0.068, "m", doc="length of the crank", within=(0.045, 0.09)),
     knob_radius: ag.Float = ag.uniform(0.0105, 0.0130, "m", within=(0.009, 0.016)),
-    friction: ag.Float = ag.uniform(
-        0.10, 0.40, "N m", doc="friction of peppercorns between the burrs", within=(0.02, 0.8)
-    ),
+    friction: ag.Float = ag.uniform(0.10, 0.40, "N m", doc="friction between the burrs", within=(0.02, 0.8)),
     knob_friction: ag.Float = ag.uniform(0.001, 0.003, "N m", doc="friction of a crank's knob on its pin"),
     content: Content = ag.by(
         "build",

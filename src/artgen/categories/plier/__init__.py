@@ -60,18 +60,14 @@ def plier(
         within=(0.12, 0.26),
     ),
     spread: ag.Float = ag.uniform(
-        0.118, 0.140, doc="half of the width over the closed handles, as a share of the length"
+        0.118, 0.140, doc="half of the width over the handles, as a share of the length"
     ),
     handle_width: ag.Float = ag.uniform(
-        0.0088, 0.0104, "m", doc="width of the bare bar of a handle", within=(0.007, 0.012)
+        0.0088, 0.0104, "m", doc="width of the bare bar", within=(0.007, 0.012)
     ),
-    handle_share: ag.Float = ag.uniform(
-        0.66, 0.82, doc="thickness of the bar, as a share of that at the pivot"
-    ),
+    handle_share: ag.Float = ag.uniform(0.66, 0.82, doc="thickness of the bar, share of the pivot's"),
     jagged: bool = ag.by("style", cutter=False, otherwise=ag.choice(True, False, weights=(0.8, 0.2))),
-    teeth_count: int = ag.by(
-        "jagged", {True: ag.count(6, 20), False: 6}, doc="number of teeth on the flat of a jaw"
-    ),
+    teeth_count: int = ag.by("jagged", {True: ag.count(6, 20), False: 6}, doc="number of teeth on a jaw"),
     steel: ag.Material = ag.shades(*_STEELS, weights=(2.2, 1.6, 1.0, 1.6, 0.8), color=0.04, roughness=0.05),
     grips: Grip = ag.choice("bare", "dipped", "two_component", weights=(0.2, 0.42, 0.38)),
     sleeve: ag.Material = ag.shades(*_SLEEVES, color=0.06, roughness=0.04),
@@ -86,15 +82,9 @@ def plier(
         combination=ag.choice(False, True, weights=(0.85, 0.15)),
     ),
     opening: ag.Float = ag.uniform(0.42, 0.50, "rad", within=(0.2, 0.52)),
-    friction: ag.Float = ag.uniform(
-        0.06, 0.16, "N m", doc="friction of the joint; a new oiled joint opens by its weight"
-    ),
-    preload: ag.Float = ag.uniform(
-        0.22, 0.32, "N m", doc="spring torque with open jaws, for handles of 0.15 m"
-    ),
-    squeeze: ag.Float = ag.uniform(
-        0.45, 0.75, "N m", doc="spring torque with closed jaws, for handles of 0.15 m"
-    ),
+    friction: ag.Float = ag.uniform(0.06, 0.16, "N m", doc="friction of the joint; low if new and oiled"),
+    preload: ag.Float = ag.uniform(0.22, 0.32, "N m", doc="spring torque with open jaws, handle 0.15 m"),
+    squeeze: ag.Float = ag.uniform(0.45, 0.75, "N m", doc="spring torque, closed jaws, handle of 0.15 m"),
     maker: str = ag.choice(*details.BRANDS),
 ) -> ag.Body:
     """Make combination, needle-nose, slip-joint or cutting pliers, closed."""

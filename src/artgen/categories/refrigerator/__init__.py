@@ -151,9 +151,7 @@ def refrigerator(
         otherwise=ag.choice("flat", "soft", weights=(0.65, 0.35)),
         doc="finish of the fronts",
     ),
-    bow: ag.Float = ag.uniform(
-        0.008, 0.018, "m", doc="height of the bow of a bowed front", within=(0.002, 0.03)
-    ),
+    bow: ag.Float = ag.uniform(0.008, 0.018, "m", doc="height of the bow of a front", within=(0.002, 0.03)),
     grip: GripKind = ag.by(
         "look",
         pastel="bar",
@@ -174,10 +172,10 @@ def refrigerator(
         otherwise=ag.choice("round", "square", "pro", "arched", "strap"),
     ),
     girth: ag.Float = ag.uniform(
-        0.0075, 0.0105, "m", doc="half of the thickness of a bar", within=(0.006, 0.014)
+        0.0075, 0.0105, "m", doc="half of the width of a bar", within=(0.006, 0.014)
     ),
     grip_length: ag.Float = ag.uniform(
-        0.30, 0.60, doc="length of handles, as a share of the front", within=(0.2, 0.75)
+        0.30, 0.60, doc="handle length, share of the front", within=(0.2, 0.75)
     ),
     door_thickness: ag.Float = ag.by(
         "water",
@@ -284,12 +282,8 @@ def refrigerator(
     ),
     pull: ag.Float = ag.uniform(15.0, 20.0, "N", doc="force at the handle of a door", within=(2.0, 45.0)),
     door_damping: ag.Float = ag.uniform(1.0, 2.5, "N m s/rad"),
-    flap_limit: ag.Float = ag.uniform(
-        1.1, 1.4, "rad", doc="opening angle of the flap of an ice box", within=(0.5, 1.5)
-    ),
-    drawer_share: ag.Float = ag.uniform(
-        0.60, 0.80, doc="travel of a drawer, as a share of its depth", within=(0.3, 0.9)
-    ),
+    flap_limit: ag.Float = ag.uniform(1.1, 1.4, "rad", doc="opening of an ice box flap", within=(0.5, 1.5)),
+    drawer_share: ag.Float = ag.uniform(0.60, 0.80, doc="travel, as a share of the depth", within=(0.3, 0.9)),
     drawer_friction: ag.Float = ag.uniform(3.0, 8.0, "N", doc="friction of plastic drawers on plastic rails"),
     drawer_pull: ag.Float = ag.uniform(15.0, 30.0, "N", doc="force of gasket and runners of freezer drawers"),
 ) -> ag.Body:

@@ -168,12 +168,8 @@ def soap_dispenser(
     ),
     box_width: ag.Float = ag.uniform(0.074, 0.094, "m", doc="width of a box", within=(0.07, 0.11)),
     box_depth: ag.Float = ag.uniform(0.066, 0.078, "m", doc="depth of a box", within=(0.06, 0.09)),
-    reach: ag.Float = ag.uniform(
-        0.042, 0.054, "m", doc="reach of the spout from its axis", within=(0.038, 0.07)
-    ),
-    travel: ag.Float = ag.uniform(
-        0.012, 0.020, "m", doc="travel of nozzle or button", within=(0.010, 0.0202)
-    ),
+    reach: ag.Float = ag.uniform(0.042, 0.054, "m", doc="reach of the spout", within=(0.038, 0.07)),
+    travel: ag.Float = ag.uniform(0.012, 0.020, "m", doc="travel of the pump", within=(0.010, 0.0202)),
     swing: ag.Float = ag.uniform(0.20, 0.30, "rad", doc="angle of a pressed lever", within=(0.1, 0.35)),
     force: ag.Float = ag.uniform(9.0, 22.0, "N", doc="spring force of the pressed part", within=(5.0, 30.0)),
     damping: ag.Float = ag.uniform(6.0, 12.0, "N s/m", doc="damping of the soap that is drawn in"),
@@ -196,7 +192,7 @@ def soap_dispenser(
     ),
     soap: ag.Material = ag.choice(*SOAPS, doc="contents of a clear bottle, or of the window of a box"),
     fill: ag.Float = ag.uniform(
-        0.45, 0.78, doc="fill level of a clear bottle, as a share of its height", within=(0.2, 0.8)
+        0.45, 0.78, doc="fill level of a clear bottle, as a share", within=(0.2, 0.8)
     ),
     wall: ag.Material = ag.shades(*TILES, color=0.03, doc="tile behind a wall dispenser"),
     content: Content = ag.choice("soap", "hand_wash", "lotion", "dish_soap", weights=(0.4, 0.25, 0.2, 0.15)),

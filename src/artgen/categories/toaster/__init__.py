@@ -179,9 +179,7 @@ def toaster(
         unit="m",
         within=(0.05, 0.092),
     ),
-    lever_force: ag.Float = ag.uniform(
-        12.0, 24.0, "N", doc="force of the spring at the bottom", within=(8.0, 40.0)
-    ),
+    lever_force: ag.Float = ag.uniform(12.0, 24.0, "N", doc="spring force at the bottom", within=(8.0, 40.0)),
     lever_damping: ag.Float = ag.uniform(10.0, 16.0, "N s/m"),
     knobs: int = ag.by(
         "levers", {1: ag.choice(0, 1, weights=(0.18, 0.82)), 2: ag.choice(0, 2, weights=(0.12, 0.88))}

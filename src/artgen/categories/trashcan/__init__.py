@@ -148,7 +148,7 @@ def trashcan(
         within=(0.24, 0.85),
     ),
     corner: ag.Float = ag.uniform(
-        0.020, 0.045, "m", doc="corner radius of square and rectangular bins", within=(0.008, 0.06)
+        0.020, 0.045, "m", doc="radius of the plan's corners", within=(0.008, 0.06)
     ),
     taper: ag.Float = ag.by(
         "style",
@@ -211,12 +211,8 @@ def trashcan(
         otherwise="none",
     ),
     stepped_on: bool = ag.by("style", butterfly=ag.choice(False, True, weights=(0.3, 0.7)), otherwise=False),
-    crank: ag.Float = ag.uniform(
-        0.014, 0.018, "m", doc="length of the lid's crank on the rod", within=(0.013, 0.022)
-    ),
-    pedal_travel: ag.Float = ag.uniform(
-        0.034, 0.046, "m", doc="travel of the foot plate", within=(0.025, 0.06)
-    ),
+    crank: ag.Float = ag.uniform(0.014, 0.018, "m", doc="length of the lid's crank", within=(0.013, 0.022)),
+    pedal_travel: ag.Float = ag.uniform(0.034, 0.046, "m", doc="travel of foot plate", within=(0.025, 0.06)),
     pedal_width: ag.Float = ag.uniform(0.062, 0.092, "m", within=(0.045, 0.14)),
     pedal_preload: ag.Float = ag.uniform(9.5, 11.5, "N", doc="spring force at the foot plate at rest"),
     pedal_force: ag.Float = ag.uniform(13.0, 16.0, "N", doc="spring force at the pressed foot plate"),

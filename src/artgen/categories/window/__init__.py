@@ -81,9 +81,7 @@ def window(
     opens: Literal["inwards", "outwards"] = ag.by(
         "style", casement=ag.choice("inwards", "outwards", weights=(0.6, 0.4)), otherwise="outwards"
     ),
-    hand: Literal["left", "right"] = ag.choice(
-        "left", "right", doc="side of the hinges, or of the sliding sash"
-    ),
+    hand: Literal["left", "right"] = ag.choice("left", "right", doc="side of the hinges, or of the slider"),
     hands: Literal["same", "opposite"] = ag.by(
         "layout", single="same", otherwise=ag.choice("same", "opposite", weights=(0.3, 0.7))
     ),
@@ -120,9 +118,7 @@ def window(
         within=(0.45, 1.8),
     ),
     upper: ag.Float = ag.uniform(0.26, 0.36, doc="share of the height above the transom of a cross"),
-    columns: int = ag.choice(
-        0, 1, 2, 3, weights=(0.54, 0.27, 0.13, 0.06), doc="number of vertical glazing bars on a pane"
-    ),
+    columns: int = ag.choice(0, 1, 2, 3, weights=(0.54, 0.27, 0.13, 0.06), doc="number of vertical bars"),
     rows: int = ag.by(
         "columns",
         {
@@ -150,9 +146,7 @@ def window(
         otherwise=ag.choice(False, True, weights=(0.6, 0.4)),
         doc="whether there is a window board inside",
     ),
-    vent: bool = ag.choice(
-        False, True, weights=(0.7, 0.3), doc="whether there is a trickle vent in the head"
-    ),
+    vent: bool = ag.choice(False, True, weights=(0.7, 0.3), doc="whether the head has a trickle vent"),
     cap: bool = ag.choice(False, True, weights=(0.45, 0.55), doc="whether there is a drip cap over the head"),
     shutters: ShutterStyle = ag.by(
         "layout",
@@ -196,9 +190,7 @@ def window(
     hinge_friction: ag.Float = ag.uniform(0.8, 2.0, "N m", doc="friction of casement stays"),
     hinge_damping: ag.Float = ag.uniform(0.5, 1.5, "N m s/rad"),
     bar: ag.Float = ag.uniform(0.11, 0.18, "m", doc="length of the pulls of sliding sashes"),
-    lifts: int = ag.by(
-        "style", double_hung=ag.choice(1, 2), otherwise=1, doc="number of lifts on the lower hung sash"
-    ),
+    lifts: int = ag.by("style", double_hung=ag.choice(1, 2), otherwise=1, doc="lifts on the lower sash"),
     drag: ag.Float = ag.uniform(9.0, 18.0, "N", doc="friction of rollers, balances and brushes"),
 ) -> ag.Body:
     """Make a casement, awning, sliding or double-hung window, shut and locked."""

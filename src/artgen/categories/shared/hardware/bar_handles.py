@@ -116,7 +116,7 @@ def bar_handle(
     name: str = ag.given("handle"),
     overhang: ag.Float = ag.given(0.045),
     projection: ag.Float = ag.uniform(
-        0.044, 0.058, "m", doc="distance from the face of the front to the middle of the bar"
+        0.044, 0.058, "m", doc="distance from the front to the middle of the bar"
     ),
     girth: ag.Float = ag.uniform(0.0075, 0.0105, "m", doc="half of the thickness of the bar"),
 ) -> ag.Body:

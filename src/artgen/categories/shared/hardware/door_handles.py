@@ -50,11 +50,9 @@ def lever_handle(
     faces: Faces = ag.given("both"),
     style: Literal["straight", "bent", "wave"] = ag.choice("straight", "bent", "wave"),
     section: Literal["round", "flat"] = ag.choice("round", "flat"),
-    length: ag.Float = ag.uniform(
-        0.115, 0.145, "m", doc="distance from the spindle to the tip of the lever", within=(0.08, 0.25)
-    ),
+    length: ag.Float = ag.uniform(0.115, 0.145, "m", doc="distance from spindle to tip", within=(0.08, 0.25)),
     projection: ag.Float = ag.uniform(
-        0.046, 0.056, "m", doc="distance from the face of the leaf to the middle of the lever"
+        0.046, 0.056, "m", doc="distance from the leaf to the middle of the lever"
     ),
     girth: ag.Float = ag.uniform(0.0085, 0.0105, "m", doc="half the height of the grip"),
 ) -> ag.Body:
@@ -161,9 +159,7 @@ def knob_handle(
     lock_side: int = ag.given(-1),
     style: Literal["ball", "flat", "tulip", "egg"] = ag.choice("ball", "flat", "tulip", "egg"),
     radius: ag.Float = ag.uniform(0.025, 0.0285, "m", doc="radius of the knob", within=(0.02, 0.04)),
-    projection: ag.Float = ag.uniform(
-        0.060, 0.068, "m", doc="distance from the face of the leaf to the end of the knob"
-    ),
+    projection: ag.Float = ag.uniform(0.060, 0.068, "m", doc="distance from the leaf to the end of the knob"),
 ) -> ag.Body:
     """Make a knob on each face of the leaf, joined by the spindle: the link `handle`.
 

@@ -25,7 +25,7 @@ def knob_pull(
     ),
     radius: ag.Float = ag.uniform(0.0135, 0.0180, "m", within=(0.010, 0.030)),
     projection: ag.Float = ag.uniform(
-        0.025, 0.032, "m", doc="distance from the face of the front to the end of the knob"
+        0.025, 0.032, "m", doc="distance from the front to the end of the knob"
     ),
 ) -> ag.Body:
     """Make a knob of a drawer or a cabinet, 27-36 mm across."""
@@ -79,7 +79,7 @@ def bar_pull(
     style: BarStyle = ag.choice("round", "square", "strap", "bow", weights=(0.4, 0.28, 0.12, 0.2)),
     length: ag.Float = ag.uniform(0.115, 0.230, "m", doc="overall length", within=(0.10, 0.9)),
     projection: ag.Float = ag.uniform(
-        0.028, 0.036, "m", doc="distance from the face of the front to the middle of the bar"
+        0.028, 0.036, "m", doc="distance from the front to the middle of the bar"
     ),
     girth: ag.Float = ag.uniform(0.0048, 0.0064, "m", doc="half of the thickness of the bar"),
 ) -> ag.Body:
