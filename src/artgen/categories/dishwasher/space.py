@@ -48,12 +48,12 @@ class Space(ApplianceSpace):
 
     @cached_property
     def mouth(self) -> ag.Scalar:
-        """The front of the tub, along y [m]."""
+        """Position of the front of the tub along y [m]."""
         return self.inner + SEAL
 
     @cached_property
     def back(self) -> ag.Scalar:
-        """The inside of the tub's back wall, along y [m]."""
+        """Position of the inside of the tub's back wall along y [m]."""
         return self.depth / 2.0 - 0.045
 
     @cached_property
@@ -63,7 +63,7 @@ class Space(ApplianceSpace):
 
     @cached_property
     def ceiling(self) -> ag.Float:
-        """The height of the tub's ceiling [m]."""
+        """Height of the tub's ceiling [m]."""
         return self.height - self.roof
 
     @cached_property
@@ -88,12 +88,12 @@ class Space(ApplianceSpace):
 
     @cached_property
     def rack_front(self) -> ag.Scalar:
-        """The front of the racks, along y [m]."""
+        """Position of the front of the racks along y [m]."""
         return self.inner + REACH
 
     @cached_property
     def rack_middle(self) -> ag.Scalar:
-        """The middle of the racks, along y [m]."""
+        """Position of the middle of the racks along y [m]."""
         return self.rack_front + self.rack_depth / 2.0
 
     @cached_property
@@ -118,7 +118,7 @@ class Space(ApplianceSpace):
 
     @cached_property
     def floor(self) -> ag.Scalar:
-        """The height of the tub's floor [m]."""
+        """Height of the tub's floor [m]."""
         return self.treads - _FLOOR
 
     @cached_property

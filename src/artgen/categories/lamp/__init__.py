@@ -259,7 +259,7 @@ def lamp(
     ),
     chain_travel: ag.Float = ag.uniform(0.030, 0.060, "m", doc="travel of a pull chain", within=(0.02, 0.07)),
     chain_force: ag.Float = ag.uniform(
-        3.0, 8.0, "N", doc="spring force, chain pulled out", within=(2.0, 12.0)
+        3.0, 8.0, "N", doc="spring force of a pulled chain", within=(2.0, 12.0)
     ),
     swivel_friction: ag.Float = ag.by(
         "style",

@@ -293,7 +293,7 @@ def harp(
     stud_radius: ag.Scalar,
     finial: bool = True,
 ) -> list[ag.Body]:
-    """Make the wire bow around a bulb that carries a shade, with its stud and finial."""
+    """Make the wire bow that carries a shade around a bulb, with its stud and finial."""
     rise = top - saddle
     course = ag.polyline(
         [

@@ -65,7 +65,7 @@ def plier(
     handle_width: ag.Float = ag.uniform(
         0.0088, 0.0104, "m", doc="width of the bare bar", within=(0.007, 0.012)
     ),
-    handle_share: ag.Float = ag.uniform(0.66, 0.82, doc="thickness of the bar, share of the pivot's"),
+    handle_share: ag.Float = ag.uniform(0.66, 0.82, doc="thickness of the bar, relative to the pivot"),
     jagged: bool = ag.by("style", cutter=False, otherwise=ag.choice(True, False, weights=(0.8, 0.2))),
     teeth_count: int = ag.by("jagged", {True: ag.count(6, 20), False: 6}, doc="number of teeth on a jaw"),
     steel: ag.Material = ag.shades(*_STEELS, weights=(2.2, 1.6, 1.0, 1.6, 0.8), color=0.04, roughness=0.05),
@@ -84,7 +84,7 @@ def plier(
     opening: ag.Float = ag.uniform(0.42, 0.50, "rad", within=(0.2, 0.52)),
     friction: ag.Float = ag.uniform(0.06, 0.16, "N m", doc="friction of the joint; low if new and oiled"),
     preload: ag.Float = ag.uniform(0.22, 0.32, "N m", doc="spring torque with open jaws, handle 0.15 m"),
-    squeeze: ag.Float = ag.uniform(0.45, 0.75, "N m", doc="spring torque, closed jaws, handle of 0.15 m"),
+    squeeze: ag.Float = ag.uniform(0.45, 0.75, "N m", doc="spring torque with closed jaws, handle 0.15 m"),
     maker: str = ag.choice(*details.BRANDS),
 ) -> ag.Body:
     """Make combination, needle-nose, slip-joint or cutting pliers, closed."""
@@ -125,7 +125,7 @@ def plier(
         needs=(hinge > PASSES).until(0.985 * key.way),
     )
     body = make.lower().attach(make.upper(), *((slide, hinge) if slip else (hinge,)))
-    nearer = key.way / 2.0 if slip else 0.0  # distance of the pivot in its second hole
+    nearer = key.way / 2.0 if slip else 0.0  # half of the travel of the pivot to its second hole
     body = body.require(
         off_middle(forging, grips, handle_width) > nearer + 0.0002,
         "thick handles would touch each other below the joint: lower handle_width, or raise length or spread",

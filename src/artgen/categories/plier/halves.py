@@ -45,7 +45,7 @@ class Head(NamedTuple):
 
 
 HEADS: dict[Style, Head] = {
-    # measured on 180 mm combination, 200 mm long-nose, 160 mm diagonal and 200 mm slip-joint pliers
+    # proportions of 180 mm combination, 200 mm long-nose, 160 mm diagonal and 200 mm slip-joint pliers
     "combination": Head(
         0.262,
         0.060,
