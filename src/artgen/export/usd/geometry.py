@@ -57,9 +57,9 @@ def write_content(
             prim = _define_primitive(primitives, name, convex, translation(-origin) @ convex.pose)
         write(prim, {"purpose": "guide"})  # invisible to cameras
         physics = layers.physical(prim)
-        apply(physics, "PhysicsCollisionAPI", "MaterialBindingAPI")
+        of_mesh = ["PhysicsMeshCollisionAPI"] if number in of_link else []
+        apply(physics, "PhysicsCollisionAPI", "MaterialBindingAPI", *of_mesh)
         if number in of_link:
-            apply(physics, "PhysicsMeshCollisionAPI")
             write(physics, {"physics:approximation": "convexHull"})
             layers.add_runtime(prim, [("newton", "NewtonMeshCollisionAPI", {})])
         write(physics, {"material:binding:physics": looks.AppendChild(collider.material.name)})

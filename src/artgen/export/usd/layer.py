@@ -131,7 +131,7 @@ def write(prim: Sdf.PrimSpec, values: Mapping[str, Any], *, interpolation: str =
     for name, value in values.items():
         if value is None:
             continue
-        is_path = isinstance(value, Sdf.Path)
+        is_path = type(value) is Sdf.Path
         if is_path and not name.startswith(_OF_SHADERS):
             relationship = Sdf.RelationshipSpec(prim, name, custom=False)
             relationship.targetPathList.explicitItems = [value]
