@@ -31,7 +31,7 @@ _BLUE = ag.material("enamel").with_(name="mark_blue", base_color=(0.02, 0.07, 0.
 
 
 def bonnet(finish: ag.Material, *, flange: bool = True) -> ag.Body:
-    """Make the fixed part of a valve for one handle, to be welded to its base."""
+    """Make the fixed part of a valve for one handle, which is welded to its base."""
     metal = casting(finish, 0.5)
     neck = ag.frustum(0.0185, 0.0165, BONNET + 0.002, bevel=0.0008).align((0.0, 0.0, BONNET), z=1)
     bodies = [ag.part(neck, "valve", metal)]

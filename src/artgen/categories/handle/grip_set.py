@@ -28,7 +28,7 @@ def grip(
     projection: ag.Scalar,
     side: int = -1,
 ) -> ag.Body:
-    """Make the plate, the ears of the thumb piece and the fixed grip, to be welded to the leaf."""
+    """Make the plate, the ears of the thumb piece and the fixed grip, all welded to the leaf."""
     face = thickness / 2 + depth
     plate = ag.extrude(ag.slot(0.150, 0.058).rotate(pi / 2), depth + 0.0005, axis=ag.Y, bevel=0.002)
     ear = ag.box(_EAR, _PIVOT + 0.0055, 0.012, bevel=0.001)
