@@ -4,7 +4,7 @@ import json
 from collections import Counter
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -104,131 +104,66 @@ def _joint_findings(joint: Any, names: Mapping[str, list[str]]) -> Iterator[Find
 class _Names:
     """Names of a layout that differ from those of the asset."""
 
-    links: Mapping[str, str]  # link of the asset, by name of the body
+    links: Mapping[str, str] = field(default_factory=dict)  # link of the asset, by name of the body
     # joint of the asset by name in the file, with -1 for a reversed joint, else 1
-    joints: Mapping[str, tuple[str, int]]
-    couplings: Mapping[str, Law]  # law of each joint that follows, in the names of the file
-    axes: Array  # rotation from the asset's axes to those of the bodies, by right angles, shape (3, 3)
+    joints: Mapping[str, tuple[str, int]] = field(default_factory=dict)
+    couplings: Mapping[str, Law] = field(default_factory=dict)  # laws in the names of the file
+    # rotation from the asset's axes to those of the bodies, by right angles, shape (4, 4)
+    turn: Array = field(default_factory=lambda: np.eye(4))
 
     def joint(self, name: str) -> tuple[str, int]:
         """Return the joint of the asset for a name in the file, and its sign."""
         return self.joints.get(name, (name, 1))
 
 
-def _read_names(path: Path) -> _Names | None:
-    """Read the names of a layout; None if they are those of the asset."""
+def _read_names(path: Path) -> _Names:
+    """Read the names of a layout."""
     table = path.parent / NAMES_FILE
     if not table.exists():
-        return None
+        return _Names()
     data = json.loads(table.read_text(encoding="utf-8"))
+    turn = np.eye(4)
+    turn[:3, :3] = data["axes"]
     return _Names(
         data["links"],
         {name: (each["name"], each["sign"]) for name, each in data["joints"].items()},
         {name: tuple(law) for name, law in data["couplings"].items()},
-        np.array(data["axes"], float),
-    )
-
-
-def _translated(reading: Reading, names: _Names, base: str) -> Reading:
-    """Return a reading with the names, axes and positions of the asset."""
-    back = names.axes.T
-    turn = np.eye(4)
-    turn[:3, :3] = names.axes
-
-    def frames(positions: Mapping[str, float]) -> dict[str, Array]:
-        own = {
-            name: sign * positions[joint]
-            for name, (joint, sign) in names.joints.items()
-            if joint in positions
-        }
-        found = {name: frame @ turn for name, frame in reading.frames(own).items()}
-        if base in found and np.abs(found[base][:, 2] - _UP).max() <= _UPRIGHT:
-            # the layout may turn the asset about the vertical
-            away = np.linalg.inv(found[base])
-            found = {name: away @ frame for name, frame in found.items()}
-        return found
-
-    def bounds(box: Array) -> Array:
-        return np.sort(box @ names.axes, axis=0)
-
-    joints = {}
-    for name, joint in reading.joints.items():
-        translation, sign = names.joint(name)
-        assert joint.ends is not None
-        assert joint.limits is not None
-        assert joint.axis is not None
-        first, second = (names.links.get(end, end) for end in joint.ends)
-        low, high = (sign * limit for limit in joint.limits[::sign])
-        dynamics = tuple(
-            replace(item, value=sign * item.value) if item.field == "rest" else item
-            for item in joint.dynamics or ()
-        )
-        axis = sign * (back @ joint.axis)
-        joints[translation] = ReadJoint(joint.kind, (first, second), (low, high), axis, dynamics)
-    laws = dict(reading.couplings)
-    for follower, law in names.couplings.items():  # the table has those between joints of the same parent
-        ends = [reading.joints[name].ends for name in (follower, law[0]) if name in reading.joints]
-        if len(ends) == 2 and ends[0] and ends[1] and ends[0][0] == ends[1][0]:
-            laws.setdefault(follower, law)
-    couplings = {}
-    for follower, (leader, ratio, offset) in laws.items():
-        (name, sign), (head, sign_of_leader) = names.joint(follower), names.joint(leader)
-        couplings[name] = (head, sign * sign_of_leader * ratio, sign * offset)
-    return replace(
-        reading,
-        frames=frames,
-        inertials={
-            name: Inertial(
-                each.mass, back @ np.asarray(each.center), back @ np.asarray(each.inertia) @ back.T
-            )
-            for name, each in reading.inertials.items()
-        },
-        joints=joints,
-        couplings=couplings,
-        colliders={
-            name: tuple(
-                replace(
-                    piece,
-                    bounds=bounds(piece.bounds),
-                    middle=back @ piece.middle,
-                    vertices=piece.vertices @ names.axes,
-                )
-                for piece in pieces
-            )
-            for name, pieces in reading.colliders.items()
-        },
-        faces={
-            name: tuple(replace(each, bounds=bounds(each.bounds)) for each in faces)
-            for name, faces in reading.faces.items()
-        },
-        holds=None,
+        turn,
     )
 
 
 def read(asset: Asset, path: Path) -> Reading:
-    """Read a file and its meshes."""
+    """Read a file and its meshes, in the names, axes and positions of the asset."""
     import yourdfpy
     from lxml import etree
 
     names = _read_names(path)
-    bodies = {} if names is None else {link: body for body, link in names.links.items()}
+    bodies = {link: body for body, link in names.links.items()}
+    base, back = asset.links[0].name, names.turn.T
     with collected_messages() as messages:
         robot = yourdfpy.URDF.load(str(path))
         if not robot.validate():
             messages.append("yourdfpy finds it invalid")
         own = {link.name: bodies.get(link.name, link.name) for link in asset.links}
         links = {name: robot.link_map[body] for name, body in own.items() if body in robot.link_map}
-        colliders = {name: tuple(_colliders(link, path.parent)) for name, link in links.items()}
+        colliders = {name: tuple(_colliders(link, path.parent, back)) for name, link in links.items()}
 
     def frames(positions: Mapping[str, float]) -> dict[str, Array]:
+        places = {}
+        for name in robot.actuated_joint_names:
+            joint, sign = names.joint(name)
+            if joint in positions:
+                places[name] = sign * positions[joint]
         with collected_messages():  # yourdfpy repeats its warnings
-            robot.update_cfg(
-                {name: positions[name] for name in robot.actuated_joint_names if name in positions}
-            )
+            robot.update_cfg(places)
         found = {}
         for name in links:
             with suppress(ValueError):  # no joints lead to it from the root
-                found[name] = np.asarray(robot.get_transform(own[name]))
+                found[name] = np.asarray(robot.get_transform(own[name])) @ names.turn
+        if names.links and base in found and np.abs(found[base][:, 2] - _UP).max() <= _UPRIGHT:
+            # the layout may turn the asset about the vertical
+            away = np.linalg.inv(found[base])
+            found = {name: away @ frame for name, frame in found.items()}
         return found
 
     moving = {name: joint for name, joint in robot.joint_map.items() if joint.type != "fixed"}
@@ -237,57 +172,73 @@ def read(asset: Asset, path: Path) -> Reading:
         for element in etree.parse(path).iterfind("gazebo")
         if element.get("reference")
     }
-    reading = Reading(
+    return Reading(
         path.name,
         frames,
-        inertials={name: _inertial(link) for name, link in links.items() if link.inertial is not None},
+        inertials={name: _inertial(link, back) for name, link in links.items() if link.inertial is not None},
         mass=sum(float(link.inertial.mass) for link in robot.link_map.values() if link.inertial is not None),
         joints={
-            name: ReadJoint(
-                "prismatic" if joint.type == "prismatic" else "revolute",
-                (joint.parent, joint.child),
-                UNLIMITED if joint.type == "continuous" else (joint.limit.lower, joint.limit.upper),
-                np.array(joint.axis, float),
-                tuple(_dynamics(joint, springs.get(name, {}))),
-            )
+            names.joint(name)[0]: _joint(joint, springs.get(name, {}), names)
             for name, joint in moving.items()
         },
-        couplings={
-            name: (joint.mimic.joint, _or(joint.mimic.multiplier, 1.0), _or(joint.mimic.offset, 0.0))
-            for name, joint in moving.items()
-            if joint.mimic is not None
-        },
+        couplings=dict(_couplings(moving, names)),
         colliders=colliders,
-        faces=_faces(robot, links),
-        holds=_holds(asset, robot),
+        faces=_faces(robot, links, back),
+        holds=None if names.links else _holds(asset, robot),
         complaints=tuple(messages),
     )
-    return reading if names is None else _translated(reading, names, asset.links[0].name)
 
 
 def _or(value: float | None, default: float) -> float:
     return default if value is None else float(value)
 
 
-def _inertial(link: Any) -> Inertial:
+def _inertial(link: Any, back: Array) -> Inertial:
     inertial = link.inertial
-    origin = np.eye(4) if inertial.origin is None else np.asarray(inertial.origin)
+    origin = back if inertial.origin is None else back @ np.asarray(inertial.origin)
     turn = origin[:3, :3]
     return Inertial(float(inertial.mass), origin[:3, 3], turn @ np.asarray(inertial.inertia) @ turn.T)
 
 
-def _dynamics(joint: Any, spring: Mapping[str, float]) -> Iterator[Stated]:
-    for part, fields in ((joint.limit, ("effort", "velocity")), (joint.dynamics, ("damping", "friction"))):
-        for field in fields if part is not None else ():
-            yield Stated(field, _or(getattr(part, field), 0.0), field)
+def _joint(joint: Any, spring: Mapping[str, float], names: _Names) -> ReadJoint:
+    sign = names.joint(joint.name)[1]
+    limits = UNLIMITED if joint.type == "continuous" else (joint.limit.lower, joint.limit.upper)
+    low, high = (sign * limit for limit in limits[::sign])
+    dynamics = [
+        Stated(name, _or(getattr(part, name), 0.0), name)
+        for part, fields in ((joint.limit, ("effort", "velocity")), (joint.dynamics, ("damping", "friction")))
+        for name in (fields if part is not None else ())
+    ]
     for tag, value in spring.items():
-        yield Stated(_SPRING[tag], value, tag)
+        dynamics.append(Stated(_SPRING[tag], sign * value if _SPRING[tag] == "rest" else value, tag))
+    return ReadJoint(
+        "prismatic" if joint.type == "prismatic" else "revolute",
+        (names.links.get(joint.parent, joint.parent), names.links.get(joint.child, joint.child)),
+        (low, high),
+        sign * (names.turn[:3, :3].T @ np.array(joint.axis, float)),
+        tuple(dynamics),
+    )
 
 
-def _colliders(link: Any, directory: Path) -> Iterator[ReadCollider]:
+def _couplings(moving: Mapping[str, Any], names: _Names) -> Iterator[tuple[str, Law]]:
+    """Yield the law of each joint that follows; a layout's table has those between joints of one parent."""
+    laws = {
+        follower: law
+        for follower, law in names.couplings.items()
+        if {follower, law[0]} <= moving.keys() and moving[follower].parent == moving[law[0]].parent
+    }
+    for name, joint in moving.items():
+        if (mimic := joint.mimic) is not None:
+            laws[name] = (mimic.joint, _or(mimic.multiplier, 1.0), _or(mimic.offset, 0.0))
+    for follower, (leader, ratio, offset) in laws.items():
+        (name, sign), (head, sign_of_leader) = names.joint(follower), names.joint(leader)
+        yield name, (head, sign * sign_of_leader * ratio, sign * offset)
+
+
+def _colliders(link: Any, directory: Path, back: Array) -> Iterator[ReadCollider]:
     for collision in link.collisions:
         geometry = collision.geometry
-        pose = np.eye(4) if collision.origin is None else np.asarray(collision.origin, float)
+        pose = back if collision.origin is None else back @ np.asarray(collision.origin, float)
         name = collision.name or "without a name"
         if geometry.mesh is not None:
             yield _mesh_piece(name, geometry.mesh, pose, directory)
@@ -310,7 +261,7 @@ def _mesh_piece(name: str, mesh: Any, pose: Array, directory: Path) -> ReadColli
     return ReadCollider.mesh(name, vertices, np.asarray(loaded.faces, np.int64), flaw=flaw)
 
 
-def _faces(robot: Any, links: Mapping[str, Any]) -> dict[str, tuple[Faces, ...]]:
+def _faces(robot: Any, links: Mapping[str, Any], back: Array) -> dict[str, tuple[Faces, ...]]:
     """Return the visible meshes of each link from the scene of yourdfpy."""
     graph = robot.scene.graph
     owners = {link.name: name for name, link in links.items()}
@@ -322,6 +273,7 @@ def _faces(robot: Any, links: Mapping[str, Any]) -> dict[str, tuple[Faces, ...]]
         if owner is None:
             continue
         pose, name = graph.get(node, frame_from=owner)
+        pose = back @ pose
         mesh = robot.scene.geometry[name]
         vertices = np.asarray(mesh.vertices) @ pose[:3, :3].T + pose[:3, 3]
         found[owners[owner]].append(Faces.of(str(node), vertices, mesh.faces))
