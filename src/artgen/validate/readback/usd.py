@@ -35,6 +35,7 @@ _MASS = ("mass", "centerOfMass", "diagonalInertia", "principalAxes")
 _DEGREE = np.pi / 180.0
 _MATERIAL_X = re.compile(r"MissingShaderIdInRegistry: shaderId 'ND_\w+' ")
 _TURNS = {"X": np.eye(3)[:, [1, 2, 0]], "Y": np.eye(3)[:, [2, 0, 1]], "Z": np.eye(3)}  # from z to an axis
+_ROUND: dict[str, Kind] = {"Sphere": "sphere", "Cylinder": "cylinder", "Capsule": "capsule"}
 _RIGID = 1e-6  # tolerance of a body's axes and of start positions
 _PHYSICS = re.compile(r"(physics|physx\w*|newton|mjc|drive|state|limit|isaac\w*|omni\w*):")
 _BODY = re.compile(
@@ -52,6 +53,14 @@ _JOINT = re.compile(
     r"|physxMimicJoint:\w+:(gearing|offset|referenceJointAxis)|state:(angular|linear):physics:position"
 )
 _COLLIDER = re.compile(r"physics:(approximation|collisionEnabled)|mjc:sol(imp|ref)|newton:maxHullVertices")
+# attributes that a simulator obeys silently: the value that is a fault, and the message
+_SWITCHES = {
+    "physics:rigidBodyEnabled": (False, "its rigid body is disabled"),
+    "physics:kinematicEnabled": (True, "its rigid body is kinematic, so nothing moves it"),
+    "physics:jointEnabled": (False, "it is disabled"),
+    "physics:excludeFromArticulation": (True, "it is excluded from the articulation"),
+    "physics:collisionEnabled": (False, "its collider {} is disabled"),
+}
 _UNREACHABLE = 1e5  # larger limits count as none; some simulators want limits on coupled joints [rad or m]
 
 
@@ -99,7 +108,7 @@ def _layer_findings(stage: Any) -> Iterator[Finding]:
 
 
 def _attribute_findings(prim: Any) -> Iterator[Finding]:
-    """Yield physics attributes that artgen does not write, which some simulators obey, and time samples."""
+    """Yield attributes that switch a prim off, change with time, or are not those that artgen writes."""
     where = prim.GetName()
     for place, schema, known in (
         ({"joint": where}, prim.IsA(UsdPhysics.Joint), _JOINT),
@@ -110,6 +119,9 @@ def _attribute_findings(prim: Any) -> Iterator[Finding]:
             name = attribute.GetName()
             if attribute.ValueMightBeTimeVarying():
                 yield _fault(f"{where} has a {name} that changes with time", **place)
+            fault, message = _SWITCHES.get(name, (None, ""))
+            if attribute.Get() == fault and message:
+                yield _fault(message.format(where), **place)
             if _PHYSICS.match(name) and not known.fullmatch(name):
                 message = f"{where} has {name} = {attribute.Get()}, which does not belong to an asset"
                 yield _fault(message, **place)
@@ -124,10 +136,6 @@ def _body_findings(body: Any) -> Iterator[Finding]:
     if not (error <= _RIGID and np.linalg.det(turn) > 0.0):
         scales = ", ".join(f"{scale:.6g}" for scale in np.linalg.norm(turn, axis=0))
         yield _fault(f"its rigid body is scaled by {scales}", name, value=error)
-    if _get(body, "physics:rigidBodyEnabled") is False:
-        yield _fault("its rigid body is disabled", name)
-    if _get(body, "physics:kinematicEnabled"):
-        yield _fault("its rigid body is kinematic, so nothing moves it", name)
 
 
 def _body_name(prim: Any) -> str:
@@ -144,10 +152,6 @@ def _joint_findings(prim: Any, known: set[Any], start: float) -> Iterator[Findin
         for target in prim.GetRelationship(f"physics:{name}").GetTargets():
             if target not in known:
                 yield fault(f"its {name} is {target}, which is not a rigid body")
-    if _get(prim, "physics:jointEnabled") is False:
-        yield fault("it is disabled")
-    if _get(prim, "physics:excludeFromArticulation"):
-        yield fault("it is excluded from the articulation")
     low, high = (_get(prim, f"physics:{end}Limit") for end in ("lower", "upper"))
     if low is not None and high is not None and low > high:
         message = f"its limits are inverted: from {low:.7g} to {high:.7g}"
@@ -163,14 +167,12 @@ def _joint_findings(prim: Any, known: set[Any], start: float) -> Iterator[Findin
 
 
 def _contact_findings(prim: Any) -> Iterator[Finding]:
-    """Yield filtered contacts, disabled colliders and bindings of missing materials."""
+    """Yield filtered contacts and bindings of missing materials."""
     link = _body_name(prim)
     filtered = UsdPhysics.FilteredPairsAPI(prim).GetFilteredPairsRel()
     if filtered and filtered.GetTargets():
         message = f"{prim.GetPath()} filters contacts, which hides parts that penetrate each other"
         yield _fault(message, link, hint="remove PhysicsFilteredPairsAPI")
-    if prim.HasAPI(UsdPhysics.CollisionAPI) and _get(prim, "physics:collisionEnabled") is False:
-        yield _fault(f"its collider {prim.GetName()} is disabled", link)
     for relation in prim.GetRelationships():
         for target in relation.GetTargets() if relation.GetName().startswith("material:binding") else ():
             material = prim.GetStage().GetPrimAtPath(target)
@@ -193,14 +195,9 @@ class _Arm:
     column: int = 0  # number of the axis: 0 for x
 
     @property
-    def unit(self) -> float:
-        """SI units per USD unit of positions."""
-        return _DEGREE if self.kind == "revolute" else 1.0
-
-    @property
     def limits(self) -> tuple[float, float]:
         """Lowest and highest position [rad or m]."""
-        low, high = (self.unit * _get(self.prim, f"physics:{end}Limit") for end in ("lower", "upper"))
+        low, high = (_unit(self.prim) * _get(self.prim, f"physics:{end}Limit") for end in ("lower", "upper"))
         reachable = np.isfinite(low) and np.isfinite(high) and high < _UNREACHABLE
         return (float(low), float(high)) if reachable else UNLIMITED
 
@@ -243,7 +240,7 @@ def _pose(position: Any, rotation: Any) -> Array:
 
 def _dynamics(arm: _Arm) -> Iterator[Stated]:
     """Yield the dynamics of a joint in UsdPhysics and in the schemas of simulators; missing values are 0."""
-    prim, unit = arm.prim, arm.unit
+    prim, unit = arm.prim, _unit(arm.prim)
     instance = "angular" if arm.kind == "revolute" else "linear"
     drive, axis = f"drive:{instance}:physics:", f"physxJointAxis:{instance}:"
     schemas = _applied(prim)
@@ -302,36 +299,9 @@ def _target(prim: Any, relation: str) -> Any:
     return prim.GetStage().GetPrimAtPath(targets[0]) if targets else None
 
 
-def _couplings(stage: Any, schema: str) -> dict[str, Law]:
-    """Return couplings [rad, m] of one schema: `newton:mimicJoint` or `mjc:target`."""
-    result: dict[str, Law] = {}
-    prefix = {"newton:mimicJoint": "newton:mimicC", "mjc:target": "mjc:c"}[schema]
-    for prim in stage.Traverse():
-        leader = _target(prim, schema)
-        if not leader:
-            continue
-        offset, ratio = (_number(prim, f"{prefix}oef{number}") for number in (0, 1))
-        if schema == "newton:mimicJoint" and prim.IsA(UsdPhysics.RevoluteJoint):
-            offset = float(np.radians(offset))
-        result[prim.GetName()] = (leader.GetName(), ratio, offset)
-    return result
-
-
-def _physx_couplings(stage: Any) -> dict[str, Law]:
-    """Return couplings of PhysX: position + gearing * leader + offset = 0 in degrees and metres."""
-    result: dict[str, Law] = {}
-    for prim in stage.Traverse():
-        for schema in _applied(prim):
-            prefix = f"physxMimicJoint:{schema.partition(':')[2]}:"
-            leader = _target(prim, f"{prefix}referenceJoint")
-            if not leader or not schema.startswith("PhysxMimicJointAPI:"):
-                continue
-            unit, of_leader = (
-                _DEGREE if each.IsA(UsdPhysics.RevoluteJoint) else 1.0 for each in (prim, leader)
-            )
-            gearing, offset = (_number(prim, prefix + name) for name in ("gearing", "offset"))
-            result[prim.GetName()] = (leader.GetName(), -gearing * unit / of_leader, -offset * unit)
-    return result
+def _unit(prim: Any) -> float:
+    """Return the SI units per USD unit of a joint's positions."""
+    return _DEGREE if prim.IsA(UsdPhysics.RevoluteJoint) else 1.0
 
 
 def _variants(stage: Any) -> Iterator[str]:
@@ -353,23 +323,35 @@ def _variants(stage: Any) -> Iterator[str]:
 
 
 def _laws(stage: Any, asset: Asset, variant: str) -> dict[str, dict[str, Law]]:
-    """Return the couplings of a stage with a variant enabled, by simulator."""
-    physx = {_PHYSX: _physx_couplings(stage)}
-    if variant == _PHYSX:
-        return physx
-    of_mujoco = _couplings(stage, "mjc:target")
-    if variant == _MUJOCO:
-        # they relate displacements from the initial positions
-        start = asset.positions()
-        return {
-            _MUJOCO: {
-                follower: (leader, ratio, offset + start.get(follower, 0.0) - ratio * start.get(leader, 0.0))
-                for follower, (leader, ratio, offset) in of_mujoco.items()
-            }
-        }
-    # between a rotation and a slide, Newton reads the schema of MuJoCo, with positions counted from 0
-    result = {_NEWTON: of_mujoco | _couplings(stage, "newton:mimicJoint")}
-    return result if variant else result | physx
+    """Return the couplings of a stage [rad, m] with a variant enabled, by simulator."""
+    start = asset.positions()
+    laws: dict[str, dict[str, Law]] = {_NEWTON: {}, _PHYSX: {}, _MUJOCO: {}}
+    for prim in stage.Traverse():
+        name = prim.GetName()
+        if leader := _target(prim, "mjc:target"):
+            lead, ratio, offset = leader.GetName(), _number(prim, "mjc:coef1"), _number(prim, "mjc:coef0")
+            # between a rotation and a slide, Newton reads this schema, with positions counted from 0
+            laws[_NEWTON][name] = (lead, ratio, offset)
+            # MuJoCo relates displacements from the initial positions
+            offset += start.get(name, 0.0) - ratio * start.get(lead, 0.0)
+            laws[_MUJOCO][name] = (lead, ratio, offset)
+        if leader := _target(prim, "newton:mimicJoint"):
+            ratio, offset = (_number(prim, f"newton:mimicCoef{number}") for number in (1, 0))
+            laws[_NEWTON][name] = (leader.GetName(), ratio, offset * _unit(prim))
+        for schema in _applied(prim):
+            kind, _, instance = schema.partition(":")
+            leader = _target(prim, f"physxMimicJoint:{instance}:referenceJoint")
+            if leader and kind == "PhysxMimicJointAPI":
+                # position + gearing * leader + offset = 0 in degrees and metres
+                gearing, offset = (
+                    _number(prim, f"physxMimicJoint:{instance}:{part}") for part in ("gearing", "offset")
+                )
+                ratio = -gearing * _unit(prim) / _unit(leader)
+                laws[_PHYSX][name] = (leader.GetName(), ratio, -offset * _unit(prim))
+    if not variant:
+        return {simulator: laws[simulator] for simulator in (_NEWTON, _PHYSX)}
+    simulator = variant if variant in laws else _NEWTON
+    return {simulator: laws[simulator]}
 
 
 def read(asset: Asset, path: Path) -> Reading:
@@ -479,29 +461,25 @@ def _below(body: Any) -> Iterator[tuple[Any, Array]]:
 def _piece(prim: Any, matrix: Array) -> ReadCollider:
     name, friction = prim.GetName(), _friction(prim)
     if prim.IsA(UsdGeom.Mesh):
-        return ReadCollider.mesh(name, *_mesh(prim, matrix), friction, _approximation_flaw(prim))
+        applied = prim.HasAPI(UsdPhysics.MeshCollisionAPI)
+        shape = _get(prim, "physics:approximation", "none") if applied else "none"
+        flaw = "" if shape == "convexHull" else f"has the approximation {shape!r}, not 'convexHull'"
+        return ReadCollider.mesh(name, *_mesh(prim, matrix), friction, flaw)
     scales = np.linalg.norm(matrix[:3, :3], axis=0)
     rigid = matrix.copy()
     rigid[:3, :3] /= scales
     if prim.IsA(UsdGeom.Cube):
-        size = scales * float(UsdGeom.Cube(prim).GetSizeAttr().Get())
-        return ReadCollider.primitive(name, Convex("box", rigid, tuple(map(float, size))), friction)
+        edges = scales * float(UsdGeom.Cube(prim).GetSizeAttr().Get())
+        return ReadCollider.primitive(name, Convex("box", rigid, tuple(map(float, edges))), friction)
     flaw = "" if np.abs(scales - 1.0).max() <= 1e-6 else f"is round and scaled by {scales.max():.6g}"
-    radius = float(prim.GetAttribute("radius").Get())
-    if prim.IsA(UsdGeom.Sphere):
-        return ReadCollider.primitive(name, Convex("sphere", rigid, (radius,)), friction, flaw)
-    rigid[:3, :3] = rigid[:3, :3] @ _TURNS[prim.GetAttribute("axis").Get()]
-    if not (prim.IsA(UsdGeom.Cylinder) or prim.IsA(UsdGeom.Capsule)):
-        flaw = f"has an unknown type ({prim.GetTypeName()})"
-    kind: Kind = "cylinder" if prim.IsA(UsdGeom.Cylinder) else "capsule"
-    convex = Convex(kind, rigid, (radius, float(prim.GetAttribute("height").Get())))
-    return ReadCollider.primitive(name, convex, friction, flaw)
-
-
-def _approximation_flaw(prim: Any) -> str:
-    applied = prim.HasAPI(UsdPhysics.MeshCollisionAPI)
-    name = _get(prim, "physics:approximation", "none") if applied else "none"
-    return "" if name == "convexHull" else f"has the approximation {name!r}, not 'convexHull'"
+    kind = _ROUND.get(prim.GetTypeName())
+    if kind is None:
+        kind, flaw = "capsule", f"has an unknown type ({prim.GetTypeName()})"
+    size = [float(prim.GetAttribute("radius").Get())]
+    if kind != "sphere":
+        size.append(float(prim.GetAttribute("height").Get()))
+        rigid[:3, :3] = rigid[:3, :3] @ _TURNS[prim.GetAttribute("axis").Get()]
+    return ReadCollider.primitive(name, Convex(kind, rigid, tuple(size)), friction, flaw)
 
 
 def _friction(prim: Any) -> float:
@@ -528,9 +506,9 @@ def _faces(body: Any) -> Iterator[Faces]:
 def _holds(asset: Asset, bodies: Mapping[str, Any]) -> dict[str, tuple[str, Array]]:
     """Return the frames of grasps and pushes: prims with their names below the bodies."""
     wanted = {hold.name for hold in asset.affordances}
-    found = {}
-    for name, body in bodies.items():
-        for prim, matrix in _below(body):
-            if prim.GetName() in wanted and prim.IsA(UsdGeom.Xformable) and not prim.IsA(UsdGeom.Gprim):
-                found[prim.GetName()] = (name, matrix)
-    return found
+    return {
+        prim.GetName(): (name, matrix)
+        for name, body in bodies.items()
+        for prim, matrix in _below(body)
+        if prim.GetName() in wanted and not prim.IsA(UsdGeom.Gprim)
+    }
