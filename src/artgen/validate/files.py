@@ -183,9 +183,8 @@ def _changed(path: str, *, compared: bool) -> Finding:
     message = f"{path} was changed after the export: its digest is not the one in {ASSET_FILE}"
     if compared or PurePosixPath(path).suffix.lower() in _LOOKS:
         hint = "keep it if the change was intended; otherwise export the asset again"
-        return Finding("files", message, hint=hint, severity="note")
-    hint = "export the asset again; keep files of your own in another directory"
-    return Finding("files", message, hint=hint)
+        return _fault(message, hint=hint, severity="note")
+    return _fault(message, hint="export the asset again; keep files of your own in another directory")
 
 
 def _layout_findings(data: Mapping[str, Any], formats: Formats) -> Iterator[Finding]:
@@ -227,8 +226,7 @@ def _stray(directory: Path, listed: Collection[str]) -> Iterator[Finding]:
             continue
         message = f"{place.as_posix()} is not listed in {ASSET_FILE}"
         if place.parent.as_posix() in folders:
-            hint = "move it away: simulators that search meshes by name may load it"
-            yield Finding("files", message, hint=hint)
+            yield _fault(message, hint="move it away: simulators that search meshes by name may load it")
         else:
             yield Finding("files", message, severity="note")
 

@@ -267,12 +267,8 @@ def _coupling_findings(joint: AssetJoint, joints: Mapping[str, AssetJoint]) -> I
     expected = leader.limits and sorted(
         joint.follows.ratio * end + joint.follows.offset for end in leader.limits
     )
-    if joint.limits and expected:
-        slack = _EXACT * max(1.0, *map(abs, expected))
-        same = np.allclose(joint.limits, expected, rtol=0.0, atol=slack)
-    else:
-        same = joint.limits is None and expected is None
-    if not same:
+    found, wanted = (limits or (-math.inf, math.inf) for limits in (joint.limits, expected))
+    if not np.allclose(found, wanted, rtol=_EXACT, atol=_EXACT):
         span = f"{expected[0]:.6g} to {expected[1]:.6g}" if expected else "none"
         message = f"its limits {_limits(joint)} are not those to which {leader.name!r} takes it, {span}"
         yield _fault(message, joint=joint.name, unit=unit(joint), hint="leave its limits to the coupling")

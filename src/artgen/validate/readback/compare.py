@@ -50,11 +50,7 @@ _UNITS = {
 
 def expected_frames(asset: Asset, q: Mapping[str, float]) -> dict[str, Array]:
     """Return the frame of each link, shape (4, 4), at positions of the free joints."""
-    result = {}
-    for name, displacement in asset.pose(q).items():
-        result[name] = displacement.copy()
-        result[name][:3, 3] += displacement[:3, :3] @ asset.origin(name)
-    return result
+    return {name: moved @ translation(asset.origin(name)) for name, moved in asset.pose(q).items()}
 
 
 class Expected:
@@ -169,6 +165,10 @@ class Comparison:
     def _fault(self, message: str, **where: Any) -> Finding:
         return Finding(self.check, message, hint=self.hint, **where)
 
+    def _other(self, found: str, wanted: str, **where: Any) -> Finding:
+        """Return the finding for a value that differs from that of the asset."""
+        return self._fault(f"{found} in {self.reading.file}, not {wanted}", **where)
+
     @cached_property
     def _must(self) -> set[str]:
         """The links that the reader has to know: of a partial reading, those that joints move."""
@@ -180,8 +180,7 @@ class Comparison:
     def _whole(self) -> Iterator[Finding]:
         asset, reading = self.expected.asset, self.reading
         if reading.base and reading.base != asset.base:
-            message = f"the base is {reading.base} in {reading.file}, not {asset.base}"
-            yield self._fault(message, link=asset.links[0].name)
+            yield self._other(f"the base is {reading.base}", asset.base, link=asset.links[0].name)
         named = sum(found.mass for found in reading.inertials.values())
         if reading.mass is not None and not abs(reading.mass - named) <= _LIGHT * asset.mass:
             more = reading.mass - named
@@ -197,8 +196,8 @@ class Comparison:
             return
         fault = partial(self._fault, link=name)
         if not abs(found.mass - wanted.mass) <= self.relative * wanted.mass:
-            message = f"its mass is {found.mass:.7g} kg in {file}, not {wanted.mass:.7g} kg"
-            yield fault(message, value=found.mass, unit="kg")
+            texts = (f"its mass is {found.mass:.7g} kg", f"{wanted.mass:.7g} kg")
+            yield self._other(*texts, link=name, value=found.mass, unit="kg")
         if found.center is not None:
             away = _error(found.center, wanted.center - self.expected.asset.origin(name))
             if not away <= self.length:
@@ -262,11 +261,11 @@ class Comparison:
                 message = f"{name} are off by {1e3 * away:.4g} mm in {file}"
                 yield self._fault(message, link=link, value=away, unit="m")
             elif nearest.count != faces.count:
-                message = f"{name} have {nearest.count} triangles in {file}, not {faces.count}"
-                yield self._fault(message, link=link, value=float(nearest.count))
+                text = f"{name} have {nearest.count} triangles"
+                yield self._other(text, str(faces.count), link=link, value=float(nearest.count))
         if len(found) != len(wanted):
-            message = f"it has {len(found)} meshes of visible faces in {file}, not {len(wanted)}"
-            yield self._fault(message, link=link, value=float(len(found)))
+            text = f"it has {len(found)} meshes of visible faces"
+            yield self._other(text, str(len(wanted)), link=link, value=float(len(found)))
 
     def _joints(self) -> Iterator[Finding]:
         file, read = self.reading.file, self.reading.joints
@@ -281,7 +280,7 @@ class Comparison:
                 continue
             yield from self._ends(joint, found.ends)
             if found.kind != joint.kind:
-                yield self._fault(f"it is {found.kind} in {file}, not {joint.kind}", joint=name)
+                yield self._other(f"it is {found.kind}", joint.kind, joint=name)
                 continue
             if found.axis is not None:
                 error = _error(found.axis, joint.axis)
@@ -298,11 +297,8 @@ class Comparison:
         alone = sum((each.parent, each.child) == wanted for each in asset.joints) == 1
         strange = {*found} & {link.name for link in asset.links} - {*wanted}
         if alone or strange or found[0] == joint.child or found[1] == joint.parent:
-            message = (
-                f"it joins {found[1]!r} to {found[0]!r} in {self.reading.file}, "
-                f"not {wanted[1]!r} to {wanted[0]!r}"
-            )
-            yield self._fault(message, joint=joint.name)
+            texts = [f"{child!r} to {parent!r}" for parent, child in (found, wanted)]
+            yield self._other(f"it joins {texts[0]}", texts[1], joint=joint.name)
 
     def _limits(self, joint: AssetJoint, found: tuple[float, float] | None) -> Iterator[Finding]:
         wanted = joint.limits or UNLIMITED
@@ -316,9 +312,8 @@ class Comparison:
                 f"{low:.7g} to {high:.7g} {unit(joint)}" if np.isfinite([low, high]).any() else "none"
                 for low, high in (found, wanted)
             ]
-            message = f"its limits are {texts[0]} in {self.reading.file}, not {texts[1]}"
-            value = error if np.isfinite(error) else None
-            yield self._fault(message, joint=joint.name, value=value, unit=unit(joint))
+            value, text = error if np.isfinite(error) else None, f"its limits are {texts[0]}"
+            yield self._other(text, texts[1], joint=joint.name, value=value, unit=unit(joint))
 
     def _dynamics(self, joint: AssetJoint, found: ReadJoint) -> Iterator[Finding]:
         """Compare springs, dampers, friction, effort and speed."""
@@ -348,13 +343,14 @@ class Comparison:
         read = {reading.file: reading.couplings}
         read |= {f"{reading.file} (for {name})": laws for name, laws in reading.more_couplings.items()}
         for file, laws in read.items():
-            for name in sorted(following - laws.keys()):
-                yield self._fault(f"it follows another joint, but not in {file}", joint=name)
-            for name in sorted(laws.keys() - following):
-                message = f"it follows {laws[name][0]!r} in {file}, but not in the asset"
-                yield self._fault(message, joint=name)
-            for name in sorted(following & laws.keys()):
-                yield from self._law(name, laws[name], file)
+            for name in sorted(following | laws.keys()):
+                if name not in laws:
+                    yield self._fault(f"it follows another joint, but not in {file}", joint=name)
+                elif name in following:
+                    yield from self._law(name, laws[name], file)
+                else:
+                    message = f"it follows {laws[name][0]!r} in {file}, but not in the asset"
+                    yield self._fault(message, joint=name)
 
     def _law(self, name: str, found: Law, file: str) -> Iterator[Finding]:
         leader, ratio, offset = found

@@ -78,6 +78,7 @@ def _model_findings(model: Any, asset: Asset, file: str) -> Iterator[Finding]:
     import mujoco
 
     links = {link.name for link in asset.links}
+    supports = _supports(model, asset.links[0].name)
     for body in range(model.nbody):
         name = model.body(body).name
         found = list(_geom_findings(model, body, name if name in links else "", file))
@@ -85,7 +86,7 @@ def _model_findings(model: Any, asset: Asset, file: str) -> Iterator[Finding]:
         first = model.body_jntadr[body]
         for joint in range(first, first + model.body_jntnum[body]):
             kind = int(model.jnt_type[joint])
-            if kind == _BALL or (kind == _FREE and not _carries(model, body, asset.links[0].name)):
+            if kind == _BALL or (kind == _FREE and body not in supports):
                 yield _foreign(
                     f"the body {name!r} moves {'as a ball' if kind == _BALL else 'freely'} in {file}"
                 )
@@ -115,12 +116,14 @@ def _geom_findings(model: Any, body: int, link: str, file: str) -> Iterator[Find
             yield _fault(f"its collider {name} is softer than MuJoCo's default in {file}", link)
 
 
-def _carries(model: Any, body: int, base: str) -> bool:
-    """Tell whether a body is the base or an ancestor of the base."""
-    current = next((number for number in range(model.nbody) if model.body(number).name == base), 0)
-    while current and current != body:
-        current = model.body_parentid[current]
-    return bool(current)
+def _supports(model: Any, base: str) -> set[int]:
+    """Return the numbers of the base and of the bodies above it, without the world."""
+    found = set()
+    body = next((number for number in range(model.nbody) if model.body(number).name == base), 0)
+    while body:
+        found.add(int(body))
+        body = model.body_parentid[body]
+    return found
 
 
 def _is_soft(reference: Any, impedance: Any) -> bool:
@@ -144,6 +147,7 @@ def read(asset: Asset, path: Path) -> Reading:
     names = {model.body(number).name for number in range(1, model.nbody)}
     links = [link.name for link in asset.links if link.name in names]
     data = mujoco.MjData(model)
+    free = {int(body) for body in model.jnt_bodyid[model.jnt_type == _FREE]}
     joints = [number for number in range(model.njnt) if model.jnt_type[number] in _KINDS]
 
     def frames(positions: Mapping[str, float]) -> dict[str, Array]:
@@ -160,7 +164,7 @@ def read(asset: Asset, path: Path) -> Reading:
         frames,
         inertials={name: _inertial(model.body(name)) for name in links},
         mass=float(model.body_mass.sum()),
-        base=_base(model, asset),
+        base="fixed" if free.isdisjoint(_supports(model, asset.links[0].name)) else "free",
         joints={model.joint(number).name: _joint(model, number) for number in joints},
         couplings=dict(_couplings(model)),
         colliders={name: tuple(_colliders(model, body)) for name, body in bodies.items()},
@@ -177,12 +181,6 @@ def _pose(position: Array, quaternion: Array) -> Array:
     result[:3, :3] = Rotation.from_quat(quaternion, scalar_first=True).as_matrix()
     result[:3, 3] = position
     return result
-
-
-def _base(model: Any, asset: Asset) -> str:
-    """Tell whether the base or a body above it is free to move."""
-    free = (int(model.jnt_bodyid[number]) for number in np.flatnonzero(model.jnt_type == _FREE))
-    return "free" if any(_carries(model, body, asset.links[0].name) for body in free) else "fixed"
 
 
 def _inertial(body: Any) -> Inertial:
@@ -224,9 +222,7 @@ def _couplings(model: Any) -> Iterator[tuple[str, tuple[str, float, float]]]:
         if leader < 0:
             continue  # it holds a joint in place
         # MuJoCo couples displacements from the reference positions
-        start, start_of_leader = (
-            float(model.qpos0[model.jnt_qposadr[joint]]) for joint in (follower, leader)
-        )
+        start, start_of_leader = (float(model.joint(joint).qpos0[0]) for joint in (follower, leader))
         ratio = float(model.eq_data[number, 1])
         offset = start + float(model.eq_data[number, 0]) - ratio * start_of_leader
         yield model.joint(follower).name, (model.joint(leader).name, ratio, offset)
@@ -274,13 +270,11 @@ def _faces(model: Any, body: int) -> Iterator[Faces]:
 
 def _holds(asset: Asset, model: Any) -> dict[str, tuple[str, Array]]:
     """Return the sites of grasps and pushes."""
-    sites = {model.site(number).name: number for number in range(model.nsite)}
+    sites = {model.site(number).name: model.body(body).name for number, body in enumerate(model.site_bodyid)}
     found = {}
     for hold in asset.affordances:
-        number = next(
-            (sites[name] for name in (hold.name, f"{hold.kind}_{hold.name}") if name in sites), None
-        )
-        if number is not None:
-            pose = _pose(model.site_pos[number], model.site_quat[number])
-            found[hold.name] = (model.body(model.site_bodyid[number]).name, pose)
+        for name in (f"{hold.kind}_{hold.name}", hold.name):  # the last one is the name in artgen's layout
+            if name in sites:
+                pose = _pose(model.site(name).pos, model.site(name).quat)
+                found[hold.name] = (sites[name], pose)
     return found

@@ -96,7 +96,8 @@ class ReadCollider:
             vertices, numbers = np.unique(vertices, axis=0, return_inverse=True)
             triangles = numbers.reshape(-1)[triangles]
             open_edges = _open_edges(triangles)
-        volume = _volume(vertices, triangles)
+        a, b, c = (vertices - vertices.mean(axis=0))[triangles.T]
+        volume = float(np.einsum("ij,ij->i", a, np.cross(b, c)).sum() / 6.0)
         if not np.isfinite(vertices).all():
             flaw = flaw or "has coordinates that are not finite"
         elif open_edges:
@@ -117,12 +118,6 @@ class ReadCollider:
         except (QhullError, ValueError, IndexError):
             return 0.0
         return float(-(planes[:, :3] @ self.vertices.T + planes[:, 3:]).max(axis=0).min())
-
-
-def _volume(vertices: Array, triangles: Indices) -> float:
-    """Return the volume inside closed triangles, shape (m, 3) [m^3]."""
-    a, b, c = (vertices - vertices.mean(axis=0))[triangles.T]
-    return float(np.einsum("ij,ij->i", a, np.cross(b, c)).sum() / 6.0)
 
 
 def _open_edges(triangles: Indices) -> int:
