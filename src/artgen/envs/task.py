@@ -275,7 +275,7 @@ class Assets:
                 f"or None for a new {task.category} in each episode"
             )
         if self._known is None and min(self.keys[0], self.keys[-1]) < 0:
-            raise EnvError(f"{task.name} got the seeds {self.keys}; seeds are not negative")
+            raise EnvError(f"{task.name} got the seeds {self.keys}; seeds must be >= 0")
 
     def draw(self, rng: np.random.Generator) -> int:
         """Return one of the numbers at random."""

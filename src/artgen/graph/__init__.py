@@ -68,5 +68,21 @@ class Graph:
         return table(self.result, evaluation)
 
 
-__all__ = ["LITERAL_TYPES", "OPERATIONS", "Cache", "Evaluation", "Graph", "Handle", "LiteralType", "Node"]
-__all__ += ["Operation", "define", "evaluate", "handle_of", "kernel", "operation", "records", "topological"]
+__all__ = [
+    "LITERAL_TYPES",
+    "OPERATIONS",
+    "Cache",
+    "Evaluation",
+    "Graph",
+    "Handle",
+    "LiteralType",
+    "Node",
+    "Operation",
+    "define",
+    "evaluate",
+    "handle_of",
+    "kernel",
+    "operation",
+    "records",
+    "topological",
+]

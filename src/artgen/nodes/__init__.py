@@ -21,5 +21,20 @@ from artgen.nodes import (
     vector,
 )
 
-__all__ = ["body", "csg", "details", "extrude", "grasp_frames", "joint", "loft", "path", "primitive"]
-__all__ += ["profile", "scalar", "solid_methods", "sweep", "text", "vector"]
+__all__ = [
+    "body",
+    "csg",
+    "details",
+    "extrude",
+    "grasp_frames",
+    "joint",
+    "loft",
+    "path",
+    "primitive",
+    "profile",
+    "scalar",
+    "solid_methods",
+    "sweep",
+    "text",
+    "vector",
+]
