@@ -72,7 +72,7 @@ def test_no_assets_are_refused(source):
 
 
 def test_negative_seeds_are_refused():
-    with pytest.raises(EnvError, match="seeds are not negative"):
+    with pytest.raises(EnvError, match="seeds must be >= 0"):
         Assets(PULL, range(-2, 3))
 
 
