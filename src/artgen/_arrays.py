@@ -1,6 +1,6 @@
 """Array types, read-only arrays, and caches that are safe for threads."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from functools import lru_cache, wraps
 from threading import Lock
 from types import MappingProxyType
@@ -14,7 +14,7 @@ OPENUSD = Lock()
 """Lock around calls of OpenUSD: while it loads its plugins, two threads would wait for each other forever."""
 
 _MAPPINGS = (dict, MappingProxyType)
-_SEQUENCES = (tuple, list)
+_CONTAINERS = frozenset((*_MAPPINGS, tuple, list))
 _PLAIN = (str, float, int)  # first items of sequences without arrays
 
 Value = TypeVar("Value")
@@ -23,16 +23,21 @@ Key = TypeVar("Key")
 
 def frozen(value: Value) -> Value:
     """Return the value, with its arrays read-only, also those in tuples, lists and mappings."""
-    kind = type(value)
-    if kind is np.ndarray:
-        value.setflags(write=False)  # type: ignore[attr-defined]
-    elif kind in _MAPPINGS:
-        for each in value.values():  # type: ignore[attr-defined]
-            frozen(each)
-    elif kind in _SEQUENCES and not (value and type(value[0]) in _PLAIN):  # type: ignore[index]
-        for each in value:  # type: ignore[attr-defined]
-            frozen(each)
+    _freeze((value,))
     return value
+
+
+def _freeze(values: Iterable[Any]) -> None:
+    """Make arrays read-only, also those in containers; types are compared because most values are plain."""
+    for value in values:
+        kind = type(value)
+        if kind is np.ndarray:
+            value.setflags(write=False)
+        elif kind in _CONTAINERS and value:
+            if kind in _MAPPINGS:
+                _freeze(value.values())
+            elif type(value[0]) not in _PLAIN:
+                _freeze(value)
 
 
 class FrozenArrays:
@@ -40,7 +45,7 @@ class FrozenArrays:
 
     def __post_init__(self) -> None:
         """Make the arrays of all fields read-only."""
-        frozen(vars(self))
+        _freeze(vars(self).values())
 
 
 class cached_property(Generic[Value]):  # noqa: N801 - the name of the field

@@ -48,6 +48,7 @@ class Curve(FrozenArrays):
 GRAIN = 1e12  # steps per metre to which coordinates are rounded: machines and versions of NumPy differ beyond
 _NEEDLE = 1e-9  # height below which a triangle is degenerate [m]
 _RIGID = 1e-12  # largest deviation of a rotation from orthogonality
+_IDENTITY = np.eye(3)
 
 
 @dataclass(frozen=True, eq=False)
@@ -173,7 +174,7 @@ class Shape:
     def transformed(self, matrix: Array) -> "Shape":
         """Return the shape moved by an affine matrix, shape (4, 4)."""
         linear = matrix[:3, :3]
-        if np.abs(linear @ linear.T - np.eye(3)).max() < _RIGID:
+        if np.abs(linear @ linear.T - _IDENTITY).max() < _RIGID:
             return MovedShape(self, matrix)
         moved = manifolds.moved_manifold(self.manifold, matrix)
         return Shape(moved, self.pieces.transformed(matrix), self.paints).checked()
