@@ -84,7 +84,7 @@ def colliders(
     asset = Asset.load(directory)
     rows = compare_colliders(asset, speed=speed)
     if as_json:
-        typer.echo(_json({"asset": asset.name, "colliders": [row.to_data() for row in rows]}))
+        typer.echo(_json({"asset": asset.name, "colliders": rows}))
         return
     result = table(
         *("colliders", "pieces", "vertices", "volume error", "surface error", "interior kept"),
@@ -94,13 +94,13 @@ def colliders(
         column.justify = "right"
     for row in rows:
         result.add_row(
-            f"{row.kind} (stored)" if row.stored else row.kind,
-            str(row.pieces),
-            str(row.vertices),
-            f"{row.volume_error:.2%}",
-            f"{1e3 * row.surface_error:.2f} mm",
-            f"{row.interior_kept:.2%}",
-            "-" if row.steps_per_second is None else f"{row.steps_per_second:.0f}",
+            f"{row['kind']} (stored)" if row["stored"] else row["kind"],
+            str(row["pieces"]),
+            str(row["vertices"]),
+            f"{row['volume_error']:.2%}",
+            f"{1e3 * row['surface_error']:.2f} mm",
+            f"{row['interior_kept']:.2%}",
+            "-" if row["steps_per_second"] is None else str(row["steps_per_second"]),
         )
     console().print(result)
 

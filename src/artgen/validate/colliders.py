@@ -1,7 +1,7 @@
 """Check of colliders: simulators accept them, and they represent the solids closely; comparison of kinds."""
 
 import time
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
 from typing import Any
@@ -287,44 +287,56 @@ def _least_height(polytope: Polytope, points: Array) -> Array:
     return np.asarray(within * (np.linalg.norm(points - middle, axis=1) / around - 1.0))
 
 
-@dataclass(frozen=True)
-class ColliderRow:
-    """Colliders of one kind."""
+def compare_colliders(asset: Asset, *, speed: bool = True) -> list[dict[str, Any]]:
+    """Compare the colliders of an asset with CoACD's and with plain convex hulls.
 
-    kind: str  # `exact`, `coacd` or `hull`
-    # whether the asset has these colliders; the others were made for the comparison
-    stored: bool
-    links: Mapping[str, Fidelity]  # difference between colliders and solids, by link name
-    volume_error: float  # volume in colliders or solids only, as a share of the volume of the solids
-    surface_error: float  # largest distance between the surfaces of solids and colliders of a link [m]
-    interior_kept: float  # share of the empty volume inside the convex hulls of the links that stays empty
-    # MuJoCo steps per second of wall-clock time at the file's time step, with the asset at rest; None without
-    # MuJoCo
-    steps_per_second: float | None = None
+    They are compared with the solids, or for an asset that was read from files with the closed parts of its
+    visible meshes. Exact colliders are known at construction only, so they are compared only if the asset has
+    them.
 
-    @property
-    def pieces(self) -> int:
-        """Number of colliders."""
-        return sum(link.pieces for link in self.links.values())
+    Returns:
+        JSON data for each kind of colliders: the `kind`, whether the asset has them (`stored`), the numbers
+        of `Fidelity` for the asset and for each of its `links`, and `steps_per_second` (None without MuJoCo).
+    """
+    parts = [link_parts(link) for link in asset.links]
+    solids = [Manifold.batch_boolean([part.solid for part in of_link], OpType.Add) for of_link in parts]
+    volumes = [solid.volume() for solid in solids]
+    empty = [max(solid.hull().volume() - solid.volume(), 0.0) for solid in solids]
+    stored = collision_of([link.to_data() for link in asset.links])
+    rows = []
+    for kind in (stored, *(kind for kind in COLLISIONS if kind not in ("exact", stored))):
+        variant = asset
+        if kind != stored:
+            made = {
+                link.name: made_colliders(of_link, kind)
+                for link, of_link in zip(asset.links, parts, strict=True)
+            }
+            variant = replace_colliders(asset, made, kind)
+        found = [
+            fidelity(solid, [collider.convex for collider in link.colliders])
+            for solid, link in zip(solids, variant.links, strict=True)
+        ]
+        total = Fidelity(
+            volume_error=_mean([each.volume_error for each in found], volumes),
+            surface_error=max(each.surface_error for each in found),
+            interior_kept=_mean([each.interior_kept for each in found], empty),
+            pieces=sum(each.pieces for each in found),
+            vertices=sum(each.vertices for each in found),
+        )
+        steps = steps_per_second(variant) if speed else None
+        rows.append(
+            {
+                "kind": kind,
+                "stored": kind == stored,
+                **_numbers(total),
+                "steps_per_second": None if steps is None else round(steps),
+                "links": {link.name: _numbers(each) for link, each in zip(asset.links, found, strict=True)},
+            }
+        )
+    return rows
 
-    @property
-    def vertices(self) -> int:
-        """Number of their corners; round colliders have none."""
-        return sum(link.vertices for link in self.links.values())
 
-    def to_data(self) -> dict[str, Any]:
-        """Return the row as JSON data, with the same numbers for each link."""
-        speed = self.steps_per_second
-        return {
-            "kind": self.kind,
-            "stored": self.stored,
-            **_numbers(self),
-            "steps_per_second": None if speed is None else round(speed),
-            "links": {name: _numbers(link) for name, link in self.links.items()},
-        }
-
-
-def _numbers(measured: ColliderRow | Fidelity) -> dict[str, float]:
+def _numbers(measured: Fidelity) -> dict[str, float]:
     shares = ("volume_error", "surface_error", "interior_kept")
     return {
         "pieces": measured.pieces,
@@ -333,49 +345,10 @@ def _numbers(measured: ColliderRow | Fidelity) -> dict[str, float]:
     }
 
 
-def compare_colliders(asset: Asset, *, speed: bool = True) -> tuple[ColliderRow, ...]:
-    """Compare the colliders of an asset with CoACD's and with plain convex hulls.
-
-    They are compared with the solids, or for an asset that was read from files with the closed parts of its
-    visible meshes. Exact colliders are known at construction only, so they are compared only if the asset has
-    them.
-    """
-    parts = {link.name: link_parts(link) for link in asset.links}
-    solids = {
-        name: Manifold.batch_boolean([part.solid for part in of_link], OpType.Add)
-        for name, of_link in parts.items()
-    }
-    volumes = {name: solid.volume() for name, solid in solids.items()}
-    empty = {name: max(solid.hull().volume() - volumes[name], 0.0) for name, solid in solids.items()}
-    stored = collision_of([link.to_data() for link in asset.links])
-    rows = []
-    for kind in (stored, *(kind for kind in COLLISIONS if kind not in ("exact", stored))):
-        variant = asset
-        if kind != stored:
-            made = {name: made_colliders(of_link, kind) for name, of_link in parts.items()}
-            variant = replace_colliders(asset, made, kind)
-        found = {
-            link.name: fidelity(solids[link.name], [collider.convex for collider in link.colliders])
-            for link in variant.links
-        }
-        rows.append(
-            ColliderRow(
-                kind,
-                kind == stored,
-                found,
-                _mean({name: item.volume_error for name, item in found.items()}, volumes),
-                max(item.surface_error for item in found.values()),
-                _mean({name: item.interior_kept for name, item in found.items()}, empty),
-                steps_per_second(variant) if speed else None,
-            )
-        )
-    return tuple(rows)
-
-
-def _mean(values: Mapping[str, float], weights: Mapping[str, float]) -> float:
+def _mean(values: Sequence[float], weights: Sequence[float]) -> float:
     """Return the mean of the values of the links; 1 if all weights are 0, as nothing was lost."""
-    total = sum(weights.values())
-    return sum(values[name] * weight for name, weight in weights.items()) / total if total else 1.0
+    total = sum(weights)
+    return float(np.dot(values, weights)) / total if total else 1.0
 
 
 def steps_per_second(asset: Asset) -> float | None:

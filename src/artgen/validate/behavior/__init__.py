@@ -95,7 +95,7 @@ def _detail(simulation: Simulation, settled: Settled) -> str:
         "pushed while blocked": sum(any(each.needs for each in motion.members) for motion in motions),
         "couplings watched": sum(len(motion.members) - 1 for motion in motions),
     }
-    parts = [f"released in {settled.poses} poses", f"{len(motions)} joints driven"]
+    parts = [f"released in {len(settled.poses)} poses", f"{len(motions)} joints driven"]
     parts += [f"{count} {text}" for text, count in counts.items() if count]
     if settled.movers:
         parts.append(f"moved by gravity or springs: {', '.join(sorted(settled.movers))}")

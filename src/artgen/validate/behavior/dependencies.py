@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from artgen.asset import AssetCondition, AssetDependency, AssetJoint
 from artgen.asset.report import Finding
-from artgen.validate.behavior.drive import Held
+from artgen.validate.behavior.drive import servos
 from artgen.validate.behavior.model import JointMotion, Simulation, UnstableError, joint_finding
 from artgen.validate.joints import force, isolated, length, place, state_for
 
@@ -17,30 +17,21 @@ _PLAYS = {"revolute": math.radians(1.0), "prismatic": 0.003}  # play of every lo
 _MOST_PLAY = 0.1  # share of the range that exceeds play
 
 
-def block(simulation: Simulation, motion: JointMotion) -> list[Finding]:
-    """Push a joint and its followers wherever a part of its condition fails."""
-    findings = []
-    for member in motion.members:
-        if member.needs is not None:
-            findings += _block(simulation, motion, member, member.needs)
-    return findings
-
-
-def _block(
-    simulation: Simulation, motion: JointMotion, joint: AssetJoint, needs: AssetDependency
-) -> list[Finding]:
-    states = list(_states(simulation, motion, needs.condition))
-    for state, broken in states:
-        push = _Push(simulation, motion, joint, needs, state, broken)
-        for sign in _directions(motion):
-            found = push.run(sign)
-            if found is not None:
-                return [found]
-    if states:
-        return []
-    message = f"needs {needs.condition}, which holds wherever the other joints stand"
-    hint = "leave the dependency out, or reverse its comparison"
-    return [joint_finding(joint, message, hint)]
+def block(simulation: Simulation, motion: JointMotion) -> Iterator[Finding]:
+    """Push a joint and its followers wherever a part of its condition fails; yield the first faults."""
+    for joint in motion.members:
+        needs = joint.needs
+        if needs is None:
+            continue
+        states = list(_states(simulation, motion, needs.condition))
+        if not states:
+            message = f"needs {needs.condition}, which holds wherever the other joints stand"
+            yield joint_finding(joint, message, "leave the dependency out, or reverse its comparison")
+        pushes = (_Push(simulation, motion, joint, needs, *state) for state in states)
+        results = (push.run(sign) for push in pushes for sign in _directions(motion))
+        found = next((result for result in results if result is not None), None)
+        if found is not None:
+            yield found
 
 
 def _directions(motion: JointMotion) -> list[int]:
@@ -86,30 +77,33 @@ class _Push:
 
     def run(self, sign: int) -> Finding | None:
         """Push in one direction; return the motion of the joint if it is too large."""
-        allowed = self._play()
+        simulation, motions, allowed = self.simulation, self.simulation.motions, self._play()
+        positions = simulation.asset.positions(self.state)
         # parts with springs have to hold by themselves; a part without a spring that yields is only a note
-        loose = self._loose()
+        loose = {
+            name: positions[name]
+            for name, other in motions.items()
+            if self._breaks(other) and not self._returns(other, positions[name])
+        }
         try:
             furthest = self._pushed(sign, {})
             if furthest <= allowed:
                 return None
-            finding = self._fault(furthest)
-            motions = self.simulation.motions
+            moves = self._moves(furthest)
+            touching = simulation.touching(self.motion)
+            contact = f"{touching[0]} touch, and give way" if touching else "nothing touches it"
+            message = f"{moves}, though it needs {self.needs}; {contact}"
+            hint = "no file format knows dependencies: a part, such as a latch, has to stand in its way"
+            fault = joint_finding(self.joint, message, hint, furthest, simulation.pose())
             along = [name for name, start in loose.items() if self._has_moved(motions[name], start)]
-            if along and self._pushed(sign, loose) <= allowed:
-                return self._note(furthest, along)
+            if not along or self._pushed(sign, loose) > allowed:
+                return fault
         except UnstableError:
             return None
-        return finding
-
-    def _loose(self) -> dict[str, float]:
-        """Return the joints that break the condition and have no spring that holds them."""
-        positions = self.simulation.asset.positions(self.state)
-        return {
-            name: positions[name]
-            for name, other in self.simulation.motions.items()
-            if self._breaks(other) and not self._returns(other, positions[name])
-        }
+        others = " and ".join(along)
+        message = f"is blocked only while a hand holds {others}: {moves}, and takes {others} along"
+        hint = f"where they move together, {self.needs} does not hold and nothing is proven"
+        return joint_finding(self.joint, message, hint, furthest, positions, "note")
 
     def _returns(self, motion: JointMotion, position: float) -> bool:
         """Tell whether a spring returns a joint from its whole range; one that balances a weight does not."""
@@ -140,14 +134,15 @@ class _Push:
         begun = {**self.state, **self._end_of_slack(sign)}
         simulation.begin(begun, f"{self.joint.name} is pushed", jammed=True)
         fixed = {name: at for name, at in self.state.items() if not self._breaks(motions[name])}
-        held = Held(simulation, {**fixed, **loose})
+        held = servos(simulation, {**fixed, **loose})
         at = simulation.model.joint(self.joint.name).qposadr[0]
         start, furthest = float(simulation.data.qpos[at]), 0.0
         # at the end of its slack, a joint may first fall back while the force grows
         sense = math.copysign(1.0, sign * float(self.motion.ratios[self.motion.members.index(self.joint)]))
         low, high = self.joint.limits or (-math.inf, math.inf)
         for _ in range(round(_PUSH_TIME / simulation.step_time)):
-            held.step()
+            for servo in held:
+                servo.hold()
             grown = min(1.0, float(simulation.data.time) / _RAMP_TIME)
             simulation.applied[self.motion.dof] = sign * grown * self._force
             simulation.step()
@@ -182,21 +177,6 @@ class _Push:
         if self.needs.until is None:
             return play
         return min(play, self.needs.until - (self.needs.beyond or 0.0))
-
-    def _fault(self, furthest: float) -> Finding:
-        touching = self.simulation.touching(self.motion)
-        contact = f"{touching[0]} touch, and give way" if touching else "nothing touches it"
-        message = f"{self._moves(furthest)}, though it needs {self.needs}; {contact}"
-        hint = "no file format knows dependencies: a part, such as a latch, has to stand in its way"
-        return joint_finding(self.joint, message, hint, furthest, self.simulation.pose())
-
-    def _note(self, furthest: float, along: list[str]) -> Finding:
-        others = " and ".join(along)
-        moves = f"{self._moves(furthest)}, and takes {others} along"
-        message = f"is blocked only while a hand holds {others}: {moves}"
-        hint = f"where they move together, {self.needs} does not hold and nothing is proven"
-        pose = self.simulation.asset.positions(self.state)
-        return joint_finding(self.joint, message, hint, furthest, pose, "note")
 
     def _moves(self, furthest: float) -> str:
         states = ", ".join(f"{name} at {position:.4g}" for name, position in self.state.items())

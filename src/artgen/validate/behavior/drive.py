@@ -22,16 +22,17 @@ _REFRESH = 50  # steps between two computations of the inertia
 
 
 class Servo:
-    """Bounded force on a free joint that makes it move at a speed or hold a position.
+    """Bounded force on a free joint that makes it move at a speed or hold its target.
 
     Attributes:
         motion: The joint.
+        target: Position at which the joint is held, or to which it moves [rad or m].
         bound: Largest force [N m or N].
         force: Current force [N m or N].
     """
 
-    def __init__(self, simulation: Simulation, motion: JointMotion, bound: float) -> None:
-        self.motion, self.bound = motion, bound
+    def __init__(self, simulation: Simulation, motion: JointMotion, target: float) -> None:
+        self.motion, self.target, self.bound = motion, target, motion.joint.effort
         self._simulation = simulation
         self._load = simulation.load(motion)
         self.force = self._bounded(-self._load)
@@ -68,9 +69,9 @@ class Servo:
         least = max(needed, abs(self.force), _FAINT * self.bound)
         return min(least, self.bound) * step / _RAMP_TIME
 
-    def hold(self, position: float) -> None:
-        """Set the force of the next time step so that the joint stays at a position [rad or m]."""
-        off = position - self._simulation.position(self.motion)
+    def hold(self) -> None:
+        """Set the force of the next time step so that the joint stays at its target."""
+        off = self.target - self._simulation.position(self.motion)
         most = self.motion.range / _TRAVEL_TIME
         # a joint in place needs no more force
         speed = max(-most, min(most, _HOLD_RATE * off)) if abs(off) > 1e-4 * self.motion.range else 0.0
@@ -80,18 +81,9 @@ class Servo:
         return max(-self.bound, min(self.bound, amount))
 
 
-class Held:
-    """Joints that are held where the conditions of another joint are satisfied."""
-
-    def __init__(self, simulation: Simulation, q: Mapping[str, float]) -> None:
-        motions = [simulation.motions[name] for name in q]
-        servos = [Servo(simulation, motion, motion.joint.effort) for motion in motions]
-        self._servos = list(zip(servos, q.values(), strict=True))
-
-    def step(self) -> None:
-        """Set the forces of the next time step."""
-        for servo, position in self._servos:
-            servo.hold(position)
+def servos(simulation: Simulation, q: Mapping[str, float]) -> list[Servo]:
+    """Return servos that hold joints at positions."""
+    return [Servo(simulation, simulation.motions[name], position) for name, position in q.items()]
 
 
 def needed_state(simulation: Simulation, motion: JointMotion) -> dict[str, float] | None:
@@ -115,7 +107,7 @@ def drive(simulation: Simulation, motion: JointMotion) -> list[Finding]:
         if begin:
             simulation.begin(state, f"{motion.name} is driven")
         try:
-            found = _travel(simulation, motion, Held(simulation, state), end)
+            found = _travel(simulation, motion, servos(simulation, state), end)
         except UnstableError:
             break
         begin = found is not None
@@ -123,9 +115,9 @@ def drive(simulation: Simulation, motion: JointMotion) -> list[Finding]:
     return findings
 
 
-def _travel(simulation: Simulation, motion: JointMotion, held: Held, end: float) -> Finding | None:
+def _travel(simulation: Simulation, motion: JointMotion, held: list[Servo], end: float) -> Finding | None:
     """Drive to one end; return the fault if the end is not reached."""
-    servo = Servo(simulation, motion, motion.joint.effort)
+    servo = Servo(simulation, motion, end)
     begun = simulation.position(motion)
     speed = math.copysign(min(motion.range / _TRAVEL_TIME, motion.joint.velocity), end - begun)
     best, stuck = abs(end - begun), 0.0
@@ -140,7 +132,8 @@ def _travel(simulation: Simulation, motion: JointMotion, held: Held, end: float)
             stuck += simulation.step_time
         if stuck > _STUCK_TIME:
             break
-        held.step()
+        for other in held:
+            other.hold()
         servo.move(speed)
         simulation.step()
     return _travel_fault(simulation, motion, begun, end)
@@ -188,7 +181,7 @@ def release(simulation: Simulation, motion: JointMotion) -> list[Finding]:
             continue
         simulation.begin({**state, motion.name: end}, f"{motion.name} springs back")
         try:
-            swing = _swing(simulation, motion, Held(simulation, state))
+            swing = _swing(simulation, motion, servos(simulation, state))
         except UnstableError:
             continue
         moving = swing > _RETURNED * motion.range
@@ -197,11 +190,12 @@ def release(simulation: Simulation, motion: JointMotion) -> list[Finding]:
     return findings
 
 
-def _swing(simulation: Simulation, motion: JointMotion, held: Held) -> float:
+def _swing(simulation: Simulation, motion: JointMotion, held: list[Servo]) -> float:
     """Let a joint move until it is at rest; return its motion in the last half second [rad or m]."""
     quiet, low, high = 0.0, math.inf, -math.inf
     for _ in range(round(SETTLE_TIME / simulation.step_time)):
-        held.step()
+        for other in held:
+            other.hold()
         simulation.step()
         if simulation.data.time > SETTLE_TIME - 0.5:
             here = simulation.position(motion)

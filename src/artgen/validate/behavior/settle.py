@@ -37,31 +37,14 @@ _IMPACT_TIME = 0.05  # shorter deep contacts are impacts of falling parts [s]
 _TILT = math.radians(2.0)  # drift of a base on the floor [m]
 
 
-@dataclass
-class Settled:
-    """Observations while an asset settles."""
-
-    findings: dict[tuple[str, ...], Finding] = field(default_factory=dict)  # the worst of each kind and place
-    movers: set[str] = field(default_factory=set)  # joints that gravity or a spring moves
-    poses: int = 0  # number of poses from which it was released
-
-    def add(self, finding: Finding, *kind: str) -> None:
-        """Keep a finding if it is the worst of its kind and place."""
-        known = self.findings.get(kind)
-        if known is None or abs(finding.value or 0.0) > abs(known.value or 0.0):
-            self.findings[kind] = finding
-
-
-def settle(simulation: Simulation, *, stands: bool = False) -> Settled:
+def settle(simulation: Simulation, *, stands: bool = False) -> "Settled":
     """Release an asset when it is closed, halfway open and open; `stands` if its base is free on a floor."""
-    result = Settled()
-    poses: list[dict[str, float]] = []
+    result = Settled(simulation, stands)
     for q in start_poses(simulation.asset, simulation.motions):
-        if q not in poses:
-            poses.append(q)
+        if q not in result.poses:
+            result.poses.append(q)
             with suppress(UnstableError):
-                _Run(simulation, q, stands, result).watch()
-    result.poses = len(poses)
+                result.watch(q)
     return result
 
 
@@ -134,19 +117,21 @@ class _Drift:
 
 
 @dataclass
-class _Run:
-    """One run from one pose."""
+class Settled:
+    """Observations while an asset settles."""
 
-    simulation: Simulation
-    q: dict[str, float]
-    stands: bool
-    result: Settled
+    simulation: Simulation  # the asset
+    stands: bool  # whether the base is free on a floor
+    findings: dict[tuple[str, ...], Finding] = field(default_factory=dict)  # the worst of each kind and place
+    movers: set[str] = field(default_factory=set)  # joints that gravity or a spring moves
+    poses: list[dict[str, float]] = field(default_factory=list)  # poses of the release, the present one last
     deep: dict[Pieces, float] = field(default_factory=dict)  # time since contacts are too deep [s]
 
-    def watch(self) -> None:
-        """Step until everything is at rest or the time is over."""
+    def watch(self, q: dict[str, float]) -> None:
+        """Release the asset at a pose, and step until everything is at rest or the time is over."""
         simulation = self.simulation
-        simulation.begin(self.q, "it settles")
+        simulation.begin(q, "it settles")
+        self.deep = {}
         drifts = [self._drift(motion) for motion in simulation.motions.values()]
         self._report_contacts()
         quiet = 0.0
@@ -159,14 +144,20 @@ class _Run:
             for drift in drifts:
                 self._follow_drift(drift, drifts, carried=moved)
             speeds = simulation.data.qvel
-            still = not speeds.size or np.abs(speeds).max() < REST_SPEED
+            still = np.abs(speeds).max(initial=0.0) < REST_SPEED
             quiet = quiet + simulation.step_time if still else 0.0
             if quiet >= REST_TIME:
                 break
-        self.result.movers |= {drift.motion.name for drift in drifts if drift.moved and drift.since is None}
+        self.movers |= {drift.motion.name for drift in drifts if drift.moved and drift.since is None}
         for drift in drifts:
             if drift.since is not None:
                 self._report_drift(drift)
+
+    def _add(self, finding: Finding, *kind: str) -> None:
+        """Keep a finding if it is the worst of its kind and place."""
+        known = self.findings.get(kind)
+        if known is None or abs(finding.value or 0.0) > abs(known.value or 0.0):
+            self.findings[kind] = finding
 
     def _drift(self, motion: JointMotion) -> _Drift:
         load = self.simulation.load(motion)
@@ -219,8 +210,8 @@ class _Run:
             hint = f"{drift.touching[0]} push each other apart: make room between them"
         elif drift.motion.friction:
             hint = "the file's friction creeps: write a harder solimpfriction and solreffriction"
-        finding = joint_finding(joint, message, hint, drift.furthest, self.q, severity)
-        self.result.add(finding, "drift", joint.name, severity)
+        finding = joint_finding(joint, message, hint, drift.furthest, self.poses[-1], severity)
+        self._add(finding, "drift", joint.name, severity)
 
     def _report_contacts(self) -> None:
         """Keep the deepest contacts that are too deep from the start or for longer than an impact."""
@@ -242,7 +233,7 @@ class _Run:
             links = ", ".join(link for link, _ in pieces)
             hint = "make room between them, or declare the contact with allow_contact and its depth"
             finding = Finding(CHECK, message, links, "", depth, "m", simulation.pose(), hint)
-            self.result.add(finding, "contact", first, second)
+            self._add(finding, "contact", first, second)
         self.deep = deep
 
     def _allowed(self, pieces: Pieces) -> float:
@@ -265,5 +256,5 @@ class _Run:
         degrees = f"{math.degrees(tilt):.3g} degrees"
         message = f"tips over: after {simulation.data.time:.2g} s it leans by {degrees}"
         hint = "give it a wider or heavier base, or fix it to the world with base='fixed'"
-        finding = Finding(CHECK, message, base, "", tilt, "rad", self.q, hint)
-        self.result.add(finding, "tilt")
+        finding = Finding(CHECK, message, base, "", tilt, "rad", self.poses[-1], hint)
+        self._add(finding, "tilt")

@@ -13,7 +13,6 @@ from artgen.validate.hands.motion import (
     MOST_FORCE,
     HandSpace,
     Opened,
-    Reach,
     hand_forces,
     openable,
     positions_to_move,
@@ -79,32 +78,15 @@ def check_grasps(asset: Asset) -> CheckResult:
     findings = [
         each for each in findings if each.severity == "fault" or best.get(each.joint, 0.0) < _NEARLY_ALL
     ]
-    findings += _joint_findings(asset, best, faulty)
     forces = hand_forces(asset)
-    findings += _force_findings(asset, forces, faulty)
+    findings += _joint_findings(asset, best, forces, faulty)
     grasps = sum(each.kind == "grasp" for each in found)
-    return CheckResult(
-        CHECK, tuple(findings), f"{grasps} grasps, {len(found) - grasps} pushes{_most(forces)}"
-    )
-
-
-def _most(forces: Mapping[str, float]) -> str:
-    name = max(forces, key=lambda joint: forces[joint], default="")
-    return f"; with at most {forces[name]:.3g} N, at {name}" if name and forces[name] >= 0.01 else ""
-
-
-def _force_findings(asset: Asset, forces: Mapping[str, float], faulty: Collection[str]) -> Iterator[Finding]:
-    for name, force in forces.items():
-        if force > MOST_FORCE and name not in faulty:
-            message = (
-                f"a hand needs {force:.3g} N to move it against friction, springs and weight, more than "
-                f"{MOST_FORCE:.3g} N"
-            )
-            hint = (
-                "weaken friction or spring, balance the weight with a spring, or let the hand act "
-                "farther from the axis"
-            )
-            yield Finding(CHECK, message, asset.joint(name).child, name, force, "N", hint=hint)
+    detail = f"{grasps} grasps, {len(found) - grasps} pushes"
+    most = max(forces.values(), default=0.0)
+    if most >= 0.01:
+        name = next(name for name, force in forces.items() if force == most)
+        detail += f"; with at most {most:.3g} N, at {name}"
+    return CheckResult(CHECK, tuple(findings), detail)
 
 
 def _approach(space: HandSpace, affordance: Affordance) -> tuple[Opened, list[Finding]]:
@@ -290,34 +272,49 @@ def _motion_findings(
                 continue
         reach = reach_of(space, affordance, name, opened)
         best[name] = max(best[name], reach.share)
-        if reach.share < _NEARLY_ALL and reach.touch is not None:
-            yield _reach_finding(affordance, name, reach, first=not number)
-
-
-def _reach_finding(affordance: Affordance, joint: str, reach: Reach, *, first: bool) -> Finding:
-    message = (
-        f"{affordance.kind} {affordance.name}: the hand moves the joint through {100 * reach.share:.0f} % of "
-        f"its range, then the {reach.part} strikes {reach.touch}"
-    )
-    finding = partial(Finding, CHECK, message, affordance.link, joint, reach.share, pose=reach.pose)
-    if first and reach.share < _LEAST_SHARE:
-        return finding(hint="turn or move the frame so that the hand stays clear of it")
-    return finding(severity="note")
-
-
-def _joint_findings(asset: Asset, best: dict[str, float], faulty: Collection[str]) -> Iterator[Finding]:
-    """Yield the free joints that no hand moves, except for those whose grasps and pushes have faults."""
-    for name, share in best.items():
-        if asset.joint(name).driven:
+        if reach.share >= _NEARLY_ALL or reach.touch is None:
             continue
+        message = (
+            f"{affordance.kind} {affordance.name}: the hand moves the joint through "
+            f"{100 * reach.share:.0f} % of its range, then the {reach.part} strikes {reach.touch}"
+        )
+        finding = partial(Finding, CHECK, message, affordance.link, name, reach.share, pose=reach.pose)
+        if not number and reach.share < _LEAST_SHARE:
+            yield finding(hint="turn or move the frame so that the hand stays clear of it")
+        else:
+            yield finding(severity="note")
+
+
+def _joint_findings(
+    asset: Asset, best: Mapping[str, float], forces: Mapping[str, float], faulty: Collection[str]
+) -> Iterator[Finding]:
+    """Yield the free joints that no hand moves, or moves with too much force.
+
+    Joints whose grasps and pushes have faults are left out.
+    """
+    for name, share in best.items():
+        joint, force = asset.joint(name), forces.get(name, 0.0)
         moving = [each.name for each in asset.affordances if name in each.joints]
+        if joint.driven or name in faulty:
+            continue
         if not moving:
-            child = asset.joint(name).child
-            hint = f"give {child} or a link behind it a grasp or a push, or name its actuator: driven=..."
+            hint = (
+                f"give {joint.child} or a link behind it a grasp or a push, or name its actuator: driven=..."
+            )
             yield Finding(CHECK, "no grasp or push moves it", joint=name, hint=hint)
-        elif share < _LEAST_SHARE and name not in faulty:
+        elif share < _LEAST_SHARE:
             message = (
                 f"no hand at {', '.join(moving)} moves it through {100 * _LEAST_SHARE:.0f} % of its range"
             )
             hint = "correct one of them, or add another"
             yield Finding(CHECK, message, joint=name, value=share, hint=hint)
+        if force > MOST_FORCE:
+            message = (
+                f"a hand needs {force:.3g} N to move it against friction, springs and weight, more than "
+                f"{MOST_FORCE:.3g} N"
+            )
+            hint = (
+                "weaken friction or spring, balance the weight with a spring, or let the hand act "
+                "farther from the axis"
+            )
+            yield Finding(CHECK, message, joint.child, name, force, "N", hint=hint)

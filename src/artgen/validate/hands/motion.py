@@ -33,15 +33,14 @@ _SEGMENTS = 32  # sides of the polygon around a finger
 _SLACK = 1e-5  # tolerance of contact along the path of a hand [m]
 _WIDE = 0.98  # share of its range from which a joint counts as open
 _STEPS = 16  # number of parts of a range at whose ends a hand is tested
-_TURN = math.pi  # range of a joint without limits, in each direction [rad or m]
+# range of a joint without limits, in each direction [rad or m]
+_UNLIMITED = {"revolute": math.pi, "prismatic": 0.5}
 _STEP = 1e-3  # share of the range over which the motion of a point is measured
 _BACK = 0.100  # length of the pushing finger [m]
 
 _GRAVITY = 9.81  # gravity [m/s^2]
 _FORCE_STEP = 1e-5  # step by which a joint is moved to measure lever arms [rad or m]
 _SHORTEST = 1e-4  # least lever arm of an effective hand [m/rad or m/m]
-# range of a joint without limits for forces, in each direction [rad or m]
-_FORCE_RANGE = {"revolute": math.pi, "prismatic": 0.5}
 
 
 @dataclass(frozen=True)
@@ -223,7 +222,7 @@ def reach_of(space: HandSpace, affordance: Affordance, joint: str, opened: Opene
     if affordance.kind == "grasp":
         points = space.inside(GRIPPER.between(affordance.width / 2.0), affordance.frame, affordance.link)
         boxes = GRIPPER.blocks(float(points[:, 0].min()), float(points[:, 0].max()))
-    low, high = _range(asset, joint)
+    low, high = _range(asset.joint(joint))
     closed = asset.joint(joint).closed
     free, struck = 0.0, Reach(1.0)
     for end in (low, high):
@@ -258,7 +257,7 @@ def tendency(asset: Asset, push: Affordance, joint: str) -> float:
     """
     closed = asset.joint(joint).closed
     rest, best = _point(asset, push, {joint: closed}), -1.0
-    for end in _range(asset, joint):
+    for end in _range(asset.joint(joint)):
         way = _point(asset, push, {joint: closed + _STEP * (end - closed)}) - rest
         distance = float(np.linalg.norm(way))
         if distance > 0.0:
@@ -270,8 +269,8 @@ def _point(asset: Asset, push: Affordance, q: Mapping[str, float]) -> Array:
     return np.asarray((asset.pose(q)[push.link] @ push.frame)[:3, 3])
 
 
-def _range(asset: Asset, joint: str) -> tuple[float, float]:
-    return asset.joint(joint).limits or (-_TURN, _TURN)
+def _range(joint: AssetJoint) -> tuple[float, float]:
+    return joint.limits or (-_UNLIMITED[joint.kind], _UNLIMITED[joint.kind])
 
 
 def hand_forces(asset: Asset) -> dict[str, float]:
@@ -316,8 +315,7 @@ class _Place:
 def _places(asset: Asset, joint: AssetJoint) -> Sequence[_Place]:
     """Return positions along the range of a joint; other joints stand where it may move."""
     held = positions_to_move(asset, joint.name, {}) or {}
-    most = _FORCE_RANGE[joint.kind]
-    low, high = joint.limits or (-most, most)
+    low, high = _range(joint)
     members = [(joint, 1.0, 0.0)]  # the joint and its followers, with ratio and offset of each
     for each in asset.joints:
         law = coupling(asset, each)
