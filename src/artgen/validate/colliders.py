@@ -88,7 +88,7 @@ def check_colliders(asset: Asset) -> CheckResult:
     findings: list[Finding] = []
     measured: list[tuple[float, Fidelity]] = []
     for link in asset.links:
-        found = [*_budget_findings(link), *_piece_findings(link)]
+        found = list(_piece_findings(link))
         findings += found
         if found:
             continue
@@ -131,7 +131,8 @@ def _solid_of(link: Link) -> Manifold:
     return solid
 
 
-def _budget_findings(link: Link) -> Iterator[Finding]:
+def _piece_findings(link: Link) -> Iterator[Finding]:
+    """Yield a wrong number of colliders, and those that a simulator would refuse or replace by their hull."""
     count = len(link.colliders)
     if not count:
         hint = "give it a solid that is not a detail"
@@ -140,10 +141,6 @@ def _budget_findings(link: Link) -> Iterator[Finding]:
         message = f"it has {count} colliders; GPU simulators take at most {MOST_COLLIDERS}"
         hint = "join small solids or make them details"
         yield _fault(message, link.name, value=float(count), hint=hint)
-
-
-def _piece_findings(link: Link) -> Iterator[Finding]:
-    """Yield the colliders that a simulator would refuse or replace by their hull."""
     for number, collider in enumerate(link.colliders):
         convex = collider.convex
         name = f"collider {number} ({convex.kind} of {collider.label!r})"

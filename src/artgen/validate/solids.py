@@ -102,12 +102,11 @@ def _link_findings(link: Link, found: Sequence[LinkShells]) -> Iterator[Finding]
 def _surface_findings(link: Link, skin: LinkShells) -> Iterator[Finding]:
     name = f"solid {skin.label!r}" if skin.label else "its mesh"
     at = f"first at {point_text(skin.place)}"
-    if not skin.finite:
+    if not skin.finite or not skin.triangles:
         message, hint = "has coordinates that are not finite", "look for a division by 0 in its measures"
+        if skin.finite:
+            message, hint = "has no triangles", "the boolean left nothing of it"
         yield _fault(f"{name} {message}", link.name, hint=hint)
-        return
-    if not skin.triangles:
-        yield _fault(f"{name} has no triangles", link.name, hint="the boolean left nothing of it")
         return
     for field, (message, hint) in _FLAWS.items():
         count = getattr(skin, field)

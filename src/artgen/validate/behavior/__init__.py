@@ -20,7 +20,7 @@ from artgen.validate.behavior.model import (
     joint_finding,
     standing_model,
 )
-from artgen.validate.behavior.settle import Settled, settle
+from artgen.validate.behavior.settle import settle
 
 
 def check_behavior(asset: Asset, directory: str | Path | None = None) -> CheckResult:
@@ -83,12 +83,8 @@ def _simulate(simulation: Simulation, standing: Simulation | None) -> CheckResul
         findings += drive(simulation, motion)
         findings += release(simulation, motion)
         findings += block(simulation, motion)
-    findings += simulation.findings()
-    findings += standing.findings() if standing is not None else []
-    return CheckResult(CHECK, tuple(findings), _detail(simulation, settled))
-
-
-def _detail(simulation: Simulation, settled: Settled) -> str:
+    for each in (simulation, standing):
+        findings += each.findings.values() if each is not None else ()
     motions = list(simulation.motions.values())
     counts = {
         "sprung back": sum(motion.stiffness > 0.0 for motion in motions),
@@ -99,4 +95,4 @@ def _detail(simulation: Simulation, settled: Settled) -> str:
     parts += [f"{count} {text}" for text, count in counts.items() if count]
     if settled.movers:
         parts.append(f"moved by gravity or springs: {', '.join(sorted(settled.movers))}")
-    return "; ".join(parts)
+    return CheckResult(CHECK, tuple(findings), "; ".join(parts))

@@ -1,7 +1,7 @@
 """Check of driven joints: a bounded force moves each joint from end to end, and springs return it."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 
 from artgen.asset.report import Finding, Severity
 from artgen.validate.behavior.model import JointMotion, Simulation, UnstableError, joint_finding
@@ -92,16 +92,16 @@ def needed_state(simulation: Simulation, motion: JointMotion) -> dict[str, float
     return state_for(simulation.asset, conditions, ignore=motion.name)
 
 
-def drive(simulation: Simulation, motion: JointMotion) -> list[Finding]:
+def drive(simulation: Simulation, motion: JointMotion) -> Iterator[Finding]:
     """Drive a joint from its closed position to both ends by its own effort."""
     state = needed_state(simulation, motion)
     if state is None:
         needs = " and ".join(map(str, needed_conditions(simulation.asset, motion.name)))
         message = f"can never move: no position of the other joints satisfies {needs}"
         hint = "keep the condition within the limits of the joints that it names"
-        return [joint_finding(motion.joint, message, hint)]
+        yield joint_finding(motion.joint, message, hint)
+        return
     closed = motion.joint.closed
-    findings: list[Finding] = []
     begin = True
     for end in sorted(motion.limits, key=lambda end: -abs(end - closed)):
         if begin:
@@ -111,8 +111,8 @@ def drive(simulation: Simulation, motion: JointMotion) -> list[Finding]:
         except UnstableError:
             break
         begin = found is not None
-        findings += [found] if found is not None else []
-    return findings
+        if found is not None:
+            yield found
 
 
 def _travel(simulation: Simulation, motion: JointMotion, held: list[Servo], end: float) -> Finding | None:
@@ -166,16 +166,15 @@ def _travel_fault(simulation: Simulation, motion: JointMotion, begun: float, end
     return joint_finding(joint, message, hint, here, simulation.pose())
 
 
-def release(simulation: Simulation, motion: JointMotion) -> list[Finding]:
+def release(simulation: Simulation, motion: JointMotion) -> Iterator[Finding]:
     """Release a sprung joint at both ends of its range and check that it returns."""
     state = needed_state(simulation, motion)
     if motion.stiffness <= 0.0 or state is None:
-        return []
+        return
     quarter = math.pi / 2.0
     low, high = motion.joint.limits or (motion.rest - quarter, motion.rest + quarter)
     target = min(max(motion.rest, low), high)
     width = max(_RETURNED * (high - low), motion.friction / motion.stiffness)
-    findings = []
     for end in (low, high):
         if abs(end - target) <= width:
             continue
@@ -186,8 +185,7 @@ def release(simulation: Simulation, motion: JointMotion) -> list[Finding]:
             continue
         moving = swing > _RETURNED * motion.range
         if moving or abs(simulation.position(motion) - target) > width:
-            findings += _return_findings(simulation, motion, end, target, swing if moving else 0.0)
-    return findings
+            yield from _return_findings(simulation, motion, end, target, swing if moving else 0.0)
 
 
 def _swing(simulation: Simulation, motion: JointMotion, held: list[Servo]) -> float:
@@ -208,13 +206,14 @@ def _swing(simulation: Simulation, motion: JointMotion, held: list[Servo]) -> fl
 
 def _return_findings(
     simulation: Simulation, motion: JointMotion, end: float, target: float, swing: float
-) -> list[Finding]:
-    """Return the reason why a joint still swings, or has not returned to the target of its spring."""
+) -> Iterator[Finding]:
+    """Yield the reason why a joint still swings, or has not returned to the target of its spring."""
     joint, here = motion.joint, simulation.position(motion)
-    spring, weight = motion.stiffness * (motion.rest - here), simulation.weight(motion)
+    spring = motion.stiffness * (motion.rest - here)
+    weight = -float(motion.ratios @ simulation.data.qfrc_bias[motion.speeds])  # the joint is nearly at rest
     sense = math.copysign(1.0, spring)
     if not swing and abs(spring + weight) <= motion.friction and -weight * sense > 0.5 * abs(spring):
-        return []  # the spring balances the weight, like that of a door that stays in place
+        return  # the spring balances the weight, like that of a door that stays in place
     missing = (
         f"stands at {place(joint, here)} {SETTLE_TIME:g} s after its spring should have taken it "
         f"to {place(joint, target)}: "
@@ -239,4 +238,4 @@ def _return_findings(
         )
         hint = "make the spring stiffer, or lower friction or damping"
     message = f"released at {place(joint, end)}, it {message}"
-    return [joint_finding(joint, message, hint, here, simulation.pose(), severity)]
+    yield joint_finding(joint, message, hint, here, simulation.pose(), severity)

@@ -162,6 +162,7 @@ class Simulation:
         doing: Description of the current test, for messages.
         step_time: Length of a time step [s].
         applied: Forces that act in the next time step, shape (nv,) [N m or N].
+        findings: Findings about warnings and loose couplings, by kind and place.
         warnings: Warnings of MuJoCo since `collected_warnings` began.
     """
 
@@ -191,7 +192,7 @@ class Simulation:
         self._followers = _Followers(self.motions.values())
         self._watching = True
         self._noticed = 0
-        self._findings: dict[tuple[str, str], Finding] = {}
+        self.findings: dict[tuple[str, str], Finding] = {}
         self._start: dict[str, float] = {}
 
     def begin(self, q: Mapping[str, float], doing: str, *, jammed: bool = False) -> None:
@@ -256,10 +257,6 @@ class Simulation:
             return float(self._passive[motion.dof] - self._bias[motion.dof])
         return float(motion.ratios @ (self._passive - self._bias)[motion.speeds])
 
-    def weight(self, motion: JointMotion) -> float:
-        """Return the force of gravity alone at a free joint that is at rest [N m or N]."""
-        return -float(motion.ratios @ self.data.qfrc_bias[motion.speeds])
-
     def pull(self, motion: JointMotion) -> float:
         """Return `load` and what the accelerations of other joints add to it [N m or N]."""
         others = self.data.qacc.copy()
@@ -286,10 +283,6 @@ class Simulation:
             columns[-1][motion.speeds] = motion.ratios
         fixed = [dof for dof in range(self.model.nv) if dof not in moved]
         return np.column_stack([*columns, *np.eye(self.model.nv)[fixed]])
-
-    def depths(self) -> Array:
-        """Return the depth of each contact, shape (n,) [m]."""
-        return -np.asarray(self.data.contact.dist) if self.data.ncon else np.zeros(0)
 
     def contact(self, number: int) -> Pieces:
         """Return link and label of the two pieces of a contact; unknown labels are empty."""
@@ -322,10 +315,6 @@ class Simulation:
                 forces[text] = forces.get(text, 0.0) + float(wrench[0])
         return sorted(forces, key=lambda text: -forces[text])[:3]
 
-    def findings(self) -> list[Finding]:
-        """Return the findings about warnings and loose couplings."""
-        return list(self._findings.values())
-
     def _notice_warnings(self) -> None:
         new, self._noticed = self.warnings[self._noticed :], len(self.warnings)
         for text in new:
@@ -333,7 +322,7 @@ class Simulation:
             message = f"MuJoCo warns while {self.doing}: {text.strip()}"
             hint = "look for parts that overlap there, or for a mass or an armature that is too small"
             finding = Finding(CHECK, message, pose=self._start, hint=hint)
-            self._findings.setdefault(("warning", kind), finding)
+            self.findings.setdefault(("warning", kind), finding)
         kinds = self._mujoco.mjtWarning
         bad = (kinds.mjWARN_BADQPOS, kinds.mjWARN_BADQVEL, kinds.mjWARN_BADQACC)
         if any(self._warned[int(kind)] for kind in bad):
@@ -355,7 +344,7 @@ class Simulation:
                 "heavier than what leads it; make room, or add armature to the leader"
             )
             finding = joint_finding(joint, message, hint, error, self.pose())
-            self._findings["coupling", joint.name] = finding
+            self.findings["coupling", joint.name] = finding
 
 
 class _Followers:

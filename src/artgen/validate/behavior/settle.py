@@ -110,11 +110,6 @@ class _Drift:
     pushed: list[str] = field(default_factory=list)
     touching: list[str] = field(default_factory=list)  # bodies that press on it then
 
-    @property
-    def moved(self) -> bool:
-        """Whether it has moved farther than allowed without a cause."""
-        return abs(self.furthest) > _DRIFTS[self.motion.joint.kind]
-
 
 @dataclass
 class Settled:
@@ -148,10 +143,11 @@ class Settled:
             quiet = quiet + simulation.step_time if still else 0.0
             if quiet >= REST_TIME:
                 break
-        self.movers |= {drift.motion.name for drift in drifts if drift.moved and drift.since is None}
         for drift in drifts:
             if drift.since is not None:
                 self._report_drift(drift)
+            elif abs(drift.furthest) > _DRIFTS[drift.motion.joint.kind]:
+                self.movers.add(drift.motion.name)
 
     def _add(self, finding: Finding, *kind: str) -> None:
         """Keep a finding if it is the worst of its kind and place."""
@@ -216,8 +212,8 @@ class Settled:
     def _report_contacts(self) -> None:
         """Keep the deepest contacts that are too deep from the start or for longer than an impact."""
         simulation = self.simulation
-        depths = simulation.depths()
-        if not self.deep and not (depths.size and depths.max() > _DEPTH):
+        depths = -np.asarray(simulation.data.contact.dist) if simulation.data.ncon else np.zeros(0)
+        if not self.deep and not (depths > _DEPTH).any():
             return
         now = float(simulation.data.time)
         deep: dict[Pieces, float] = {}

@@ -75,20 +75,18 @@ class HandSpace:
         return min(float(boxes[:, 0, 2].min()) for boxes in self._boxes.values() if len(boxes))
 
     def first_touch(
-        self, corners: Array, frame: Array, pose: Mapping[str, Array], ignore: str = ""
+        self,
+        corners: Array,
+        frame: Array,
+        pose: Mapping[str, Array],
+        ignore: str = "",
+        *,
+        finger: bool = False,
     ) -> Touch | None:
-        """Return a solid that a box overlaps, except for those of a link; None if the box is free."""
-        shrunk = np.array([corners[0] + _SLACK, corners[1] - _SLACK])
-        return self._touch(block(shrunk, np.eye(4)), shrunk, frame, pose, ignore)
-
-    def finger_touch(self, back: float, frame: Array, pose: Mapping[str, Array], ignore: str) -> Touch | None:
-        """Return a solid that a finger with its tip at the origin overlaps; None if the finger is free."""
-        rod, corners = _rod(GRIPPER.finger / 2.0 - _SLACK, -back, -_SLACK)
-        return self._touch(rod, corners, frame, pose, ignore)
-
-    def _touch(
-        self, solid: Manifold, corners: Array, frame: Array, pose: Mapping[str, Array], ignore: str
-    ) -> Touch | None:
+        """Return a solid, not of one link, that a box overlaps, or a finger that fills the box."""
+        corners = np.array([corners[0] + _SLACK, corners[1] - _SLACK])
+        (low, high), radius = corners[:, 2].tolist(), float(corners[1, 0])
+        solid = _rod(low, high, radius)[0] if finger else block(corners, np.eye(4))
         for link, local, near in self._all_near(corners, frame, pose, ignore):
             moved = solid.transform(local[:3])
             for part in near:
@@ -136,7 +134,7 @@ class HandSpace:
 
     def finger_depths(self, frame: Array, pose: Mapping[str, Array], back: float) -> dict[str, float]:
         """Return the depth at which a finger that comes along z first touches each link [m]."""
-        rod, corners = _rod(GRIPPER.finger / 2.0, -back, _BEHIND)
+        rod, corners = _rod(-back, _BEHIND)
         found = {}
         for link, local, near in self._all_near(corners, frame, pose):
             points = clipped((part.solid for part in near), rod.transform(local[:3]), local)
@@ -149,14 +147,14 @@ class HandSpace:
 
         The finger gives way by `gives` around the depth of the first contact along z [m].
         """
-        rod, corners = _rod(GRIPPER.finger / 2.0, depth - gives, depth + gives)
+        rod, corners = _rod(depth - gives, depth + gives)
         near = self._near(link, corners, frame)
         points = clipped((part.solid for part in near), rod.transform(frame[:3]), frame)[:, :2]
         return np.array([points.min(axis=0), points.max(axis=0)])
 
 
-def _rod(radius: float, low: float, high: float) -> tuple[Manifold, Array]:
-    """Return a polygonal rod along z between two heights [m], and the corners of its box."""
+def _rod(low: float, high: float, radius: float = GRIPPER.finger / 2.0) -> tuple[Manifold, Array]:
+    """Return a finger as a polygonal rod along z between two heights [m], and the corners of its box."""
     rod = Manifold.cylinder(high - low, radius, radius, _SEGMENTS).translate((0.0, 0.0, low))
     return rod, np.array([[-radius, -radius, low], [radius, radius, high]])
 
@@ -218,8 +216,8 @@ def reach_of(space: HandSpace, affordance: Affordance, joint: str, opened: Opene
     held = positions_to_move(asset, joint, opened)
     if held is None:
         return Reach(0.0)
-    boxes: dict[str, Array] = {}  # of a gripper closed on its link
-    if affordance.kind == "grasp":
+    boxes = {"finger": _rod(-_BACK, 0.0)[1]}
+    if affordance.kind == "grasp":  # a gripper that is closed on its link
         points = space.inside(GRIPPER.between(affordance.width / 2.0), affordance.frame, affordance.link)
         boxes = GRIPPER.blocks(float(points[:, 0].min()), float(points[:, 0].max()))
     low, high = _range(asset.joint(joint))
@@ -230,24 +228,18 @@ def reach_of(space: HandSpace, affordance: Affordance, joint: str, opened: Opene
             continue
         for step in range(1, _STEPS + 1):
             q = {**held, joint: closed + (end - closed) * step / _STEPS}
-            found = next(_touches(space, affordance, boxes, q), None)
-            if found is not None:
-                struck = Reach(0.0, *found, q)
+            pose = asset.pose(q)
+            frame = pose[affordance.link] @ affordance.frame
+            touches = (
+                (name, space.first_touch(box, frame, pose, affordance.link, finger=affordance.kind == "push"))
+                for name, box in boxes.items()
+            )
+            part, touch = next((each for each in touches if each[1] is not None), ("", None))
+            if touch is not None:
+                struck = Reach(0.0, part, touch, q)
                 break
             free += abs(end - closed) / _STEPS
     return Reach(min(free / (high - low), 1.0), struck.part, struck.touch, struck.pose)
-
-
-def _touches(
-    space: HandSpace, affordance: Affordance, boxes: Mapping[str, Array], q: Mapping[str, float]
-) -> Iterator[tuple[str, Touch]]:
-    pose = space.asset.pose(q)
-    frame = pose[affordance.link] @ affordance.frame
-    if not boxes and (touch := space.finger_touch(_BACK, frame, pose, affordance.link)):
-        yield "finger", touch
-    for name, corners in boxes.items():
-        if touch := space.first_touch(corners, frame, pose, affordance.link):
-            yield name, touch
 
 
 def tendency(asset: Asset, push: Affordance, joint: str) -> float:
@@ -256,17 +248,14 @@ def tendency(asset: Asset, push: Affordance, joint: str) -> float:
     If the joint can move in both directions, the better one counts.
     """
     closed = asset.joint(joint).closed
-    rest, best = _point(asset, push, {joint: closed}), -1.0
-    for end in _range(asset.joint(joint)):
-        way = _point(asset, push, {joint: closed + _STEP * (end - closed)}) - rest
+    positions = [closed, *(closed + _STEP * (end - closed) for end in _range(asset.joint(joint)))]
+    rest, *moved = ((asset.pose({joint: at})[push.link] @ push.frame)[:3, 3] for at in positions)
+    best = -1.0
+    for way in (point - rest for point in moved):
         distance = float(np.linalg.norm(way))
         if distance > 0.0:
             best = max(best, float(way @ push.frame[:3, 2]) / distance)
     return best
-
-
-def _point(asset: Asset, push: Affordance, q: Mapping[str, float]) -> Array:
-    return np.asarray((asset.pose(q)[push.link] @ push.frame)[:3, 3])
 
 
 def _range(joint: AssetJoint) -> tuple[float, float]:
