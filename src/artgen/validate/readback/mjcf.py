@@ -168,7 +168,14 @@ def read(asset: Asset, path: Path) -> Reading:
         joints={model.joint(number).name: _joint(model, number) for number in joints},
         couplings=dict(_couplings(model)),
         colliders={name: tuple(_colliders(model, body)) for name, body in bodies.items()},
-        faces={name: tuple(_faces(model, body)) for name, body in bodies.items()},
+        faces={
+            name: tuple(
+                Faces.of(model.geom(geom).name or f"number {geom}", *_placed_mesh(model, geom))
+                for geom in _geoms(model, body, colliding=False)
+                if model.geom_type[geom] == _MESH
+            )
+            for name, body in bodies.items()
+        },
         holds=_holds(asset, model),
         findings=tuple(_model_findings(model, asset, path.name)),
         complaints=tuple(messages),
@@ -260,12 +267,6 @@ def _colliders(model: Any, body: int) -> Iterator[ReadCollider]:
             place = np.array(model.geom_pos[geom])
             flaw = f"has an unknown type (mjtGeom {model.geom_type[geom]})"
             yield ReadCollider(name, np.array([place, place]), place, 0.0, friction, flaw=flaw)
-
-
-def _faces(model: Any, body: int) -> Iterator[Faces]:
-    for geom in _geoms(model, body, colliding=False):
-        if model.geom_type[geom] == _MESH:
-            yield Faces.of(model.geom(geom).name or f"number {geom}", *_placed_mesh(model, geom))
 
 
 def _holds(asset: Asset, model: Any) -> dict[str, tuple[str, Array]]:

@@ -285,9 +285,7 @@ def _holds(asset: Asset, robot: Any) -> dict[str, tuple[str, Array]]:
     mounts = {joint.child: joint for joint in robot.joint_map.values() if joint.type == "fixed"}
     found = {}
     for hold in asset.affordances:
-        for name in (f"{hold.kind}_{hold.name}", hold.name, f"grasp_{hold.name}"):
+        for name in (f"grasp_{hold.name}", hold.name, f"{hold.kind}_{hold.name}"):  # the last one counts
             if name in mounts:
-                mount = mounts[name]
-                found[hold.name] = (mount.parent, np.asarray(mount.origin, float))
-                break
+                found[hold.name] = (mounts[name].parent, np.asarray(mounts[name].origin, float))
     return found

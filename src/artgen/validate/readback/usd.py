@@ -360,10 +360,14 @@ def read(asset: Asset, path: Path) -> Reading:
         diagnostics = UsdUtils.CoalescingDiagnosticDelegate()
         stage = Usd.Stage.Open(str(path))
         stage.Reload()  # open layers would hide newer files
+        validators = UsdValidation.ValidationRegistry().GetOrLoadAllValidators()
+        validation = UsdValidation.ValidationContext(validators)
         laws: dict[str, dict[str, Law]] = {}
         dynamics: dict[str, dict[Stated, None]] = {}  # an ordered set
         for variant in _variants(stage):
-            messages.extend(_validated(stage))
+            found = [f"{error.GetName()}: {error.GetMessage()}" for error in validation.Validate(stage)]
+            # OpenUSD from PyPI is built without MaterialX
+            messages.extend(text for text in found if not _MATERIAL_X.match(text))
             laws |= _laws(stage, asset, variant)
             for arm in _arms(stage):
                 if arm.kind:
@@ -373,13 +377,23 @@ def read(asset: Asset, path: Path) -> Reading:
     bodies = {prim.GetName(): prim for prim in stage.Traverse() if prim.HasAPI(UsdPhysics.RigidBodyAPI)}
     arms = list(_arms(stage))
     links = [link.name for link in asset.links if link.name in bodies]
-    base = asset.links[0].name
+    base, holds = asset.links[0].name, {hold.name for hold in asset.affordances}
     start = _placed(bodies[base]) if base in bodies else np.eye(4)
-    joined = [arm for arm in arms if arm.parent and arm.child]
+    below = {name: list(_below(body)) for name, body in bodies.items()}
     fixed = any({base, ""} == {arm.parent, arm.child} and not arm.kind for arm in arms)
+
+    def frames(positions: Mapping[str, float]) -> dict[str, Array]:
+        found, remaining = {base: start}, [arm for arm in arms if arm.parent and arm.child]
+        while ready := [arm for arm in remaining if arm.parent in found]:
+            for arm in ready:
+                motion = arm.before @ arm.motion(positions.get(arm.name, 0.0)) @ np.linalg.inv(arm.after)
+                found[arm.child] = found[arm.parent] @ motion
+            remaining = [arm for arm in remaining if arm not in ready]
+        return {name: found[name] for name in links if name in found}
+
     return Reading(
         path.name,
-        lambda positions: _frames(joined, base, start, links, positions),
+        frames,
         placements={name: _placed(bodies[name]) for name in links},
         inertials={
             name: _inertial(bodies[name])
@@ -402,45 +416,27 @@ def read(asset: Asset, path: Path) -> Reading:
         couplings=laws.pop(_NEWTON, {}),
         more_couplings=laws,
         colliders={
+            name: tuple(_piece(*each) for each in below[name] if each[0].HasAPI(UsdPhysics.CollisionAPI))
+            for name in links
+        },
+        faces={
             name: tuple(
-                _piece(prim, matrix)
-                for prim, matrix in _below(bodies[name])
-                if prim.HasAPI(UsdPhysics.CollisionAPI)
+                Faces.of(prim.GetName(), *_mesh(prim, matrix))
+                for prim, matrix in below[name]
+                if prim.IsA(UsdGeom.Mesh) and not prim.HasAPI(UsdPhysics.CollisionAPI)
             )
             for name in links
         },
-        faces={name: tuple(_faces(bodies[name])) for name in links},
-        holds=_holds(asset, bodies),
+        # grasps and pushes are the prims with their names below the bodies
+        holds={
+            prim.GetName(): (name, matrix)
+            for name, each in below.items()
+            for prim, matrix in each
+            if prim.GetName() in holds and not prim.IsA(UsdGeom.Gprim)
+        },
         findings=tuple(_stage_findings(stage, asset)),
         complaints=tuple(messages),
     )
-
-
-def _validated(stage: Any) -> list[str]:
-    """Return the findings of OpenUSD's validators for a stage.
-
-    Findings about shaders of MaterialX are dropped: OpenUSD from PyPI is built without MaterialX.
-    """
-    registry = UsdValidation.ValidationRegistry()
-    context = UsdValidation.ValidationContext(registry.GetOrLoadAllValidators())
-    messages = [f"{error.GetName()}: {error.GetMessage()}" for error in context.Validate(stage)]
-    return [text for text in messages if not _MATERIAL_X.match(text)]
-
-
-def _frames(
-    remaining: list[_Arm], base: str, start: Array, links: list[str], positions: Mapping[str, float]
-) -> dict[str, Array]:
-    """Return the frames of the links that joints connect to the base."""
-    found = {base: start}
-    while remaining:
-        ready = [arm for arm in remaining if arm.parent in found]
-        if not ready:
-            break
-        for arm in ready:
-            motion = arm.before @ arm.motion(positions.get(arm.name, 0.0)) @ np.linalg.inv(arm.after)
-            found[arm.child] = found[arm.parent] @ motion
-        remaining = [arm for arm in remaining if arm not in ready]
-    return {name: found[name] for name in links if name in found}
 
 
 def _inertial(prim: Any) -> Inertial:
@@ -495,20 +491,3 @@ def _mesh(prim: Any, matrix: Array) -> tuple[Array, Indices]:
     corners = np.array(mesh.GetFaceVertexIndicesAttr().Get(), np.int64).reshape(-1, 3)
     points = np.array(mesh.GetPointsAttr().Get(), float)
     return points @ matrix[:3, :3].T + matrix[:3, 3], corners
-
-
-def _faces(body: Any) -> Iterator[Faces]:
-    for prim, matrix in _below(body):
-        if prim.IsA(UsdGeom.Mesh) and not prim.HasAPI(UsdPhysics.CollisionAPI):
-            yield Faces.of(prim.GetName(), *_mesh(prim, matrix))
-
-
-def _holds(asset: Asset, bodies: Mapping[str, Any]) -> dict[str, tuple[str, Array]]:
-    """Return the frames of grasps and pushes: prims with their names below the bodies."""
-    wanted = {hold.name for hold in asset.affordances}
-    return {
-        prim.GetName(): (name, matrix)
-        for name, body in bodies.items()
-        for prim, matrix in _below(body)
-        if prim.GetName() in wanted and not prim.IsA(UsdGeom.Gprim)
-    }
