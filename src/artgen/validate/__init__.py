@@ -11,13 +11,14 @@ from artgen.asset import Asset
 from artgen.asset.collision import mesh_precision
 from artgen.asset.report import CheckResult, Finding, Report
 from artgen.errors import ArtgenError, ParameterError, nearest
-from artgen.validate.files import FORMAT_CHECKS, Exported, read_export
+from artgen.export.layouts import DEFAULT_FORMATS
+from artgen.validate.files import Exported, read_export
 
 if TYPE_CHECKING:
     from artgen.validate.readback.compare import Expected
 
 
-CHECKS = ("files", "solids", "tree", "colliders", *FORMAT_CHECKS, "certificate", "grasps", "behavior")
+CHECKS = ("files", "solids", "tree", "colliders", *DEFAULT_FORMATS, "certificate", "grasps", "behavior")
 """Names of the checks, in the order in which they run."""
 
 _MODULES = {"certificate": "files", "grasps": "hands"}  # of other names than the check
@@ -57,7 +58,7 @@ class Examination:
     def checks(self) -> tuple[str, ...]:
         """Names of the checks that apply to the export, in order."""
         formats = self._exported.formats
-        return tuple(name for name in CHECKS if name not in FORMAT_CHECKS or name in formats)
+        return tuple(name for name in CHECKS if name not in DEFAULT_FORMATS or name in formats)
 
     def report(self, checks: Collection[str] | None = None) -> Report:
         """Run the named checks, by default all, in the order of `CHECKS`."""
@@ -76,7 +77,7 @@ class Examination:
         formats = self._exported.formats
         if self._exported.asset is None:
             return "the asset cannot be read"
-        if check in FORMAT_CHECKS and check not in formats:
+        if check in DEFAULT_FORMATS and check not in formats:
             return f"the export has no {check}"
         if check in _MESH_CHECKS and not self._exported.meshes:
             return "the export has no meshes to read back: those of urdf and mjcf in the layout flat have"
@@ -89,7 +90,7 @@ class Examination:
     def _run(self, check: str) -> CheckResult:
         asset = self._exported.asset
         assert asset is not None
-        if check in FORMAT_CHECKS:
+        if check in DEFAULT_FORMATS:
             from artgen.validate.readback import check_format
 
             return check_format(check, self._expected, self.directory)

@@ -21,9 +21,6 @@ from artgen.export.layouts import DEFAULT_FORMATS, LAYOUTS
 Formats = Mapping[str, tuple[str, ...]]
 """Files of each format."""
 
-FORMAT_CHECKS = DEFAULT_FORMATS
-"""Checks that read back the main file of one format each."""
-
 _TEXTS = {".urdf", ".xml", ".usda", ".obj", ".mtl", ".json", ".txt"}
 _LOOKS = {".png", ".jpg", ".mtl"}
 _GLB_CHUNKS = [b"JSON", b"BIN\0"]
@@ -112,7 +109,7 @@ class Exported:
     @property
     def meshes(self) -> bool:
         """Whether the visible faces were exported."""
-        paths = (path for files in self.formats.values() for path in files)
+        paths = [path for files in self.formats.values() for path in files]
         return any(path.startswith(f"{MESH_DIRECTORY}/") and path.endswith(".obj") for path in paths)
 
 
@@ -147,7 +144,7 @@ def read_export(directory: str | Path) -> Exported:
     read = {path: _read(directory, path) for path in users}
     sound = {path: content for path, (fault, content) in read.items() if not fault}
     findings[:0] = [*_layout_findings(data, formats), *_digest_findings(users, digests, sound)]
-    compared = {data["formats"][name].get("main") for name in FORMAT_CHECKS if name in formats}
+    compared = {data["formats"][name].get("main") for name in DEFAULT_FORMATS if name in formats}
     for path, names in users.items():
         if path not in sound:
             needs = f"{' and '.join(names)} need{'s' * (len(names) == 1)}"

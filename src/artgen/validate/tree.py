@@ -71,9 +71,8 @@ def _structure_findings(asset: Asset) -> Iterator[Finding]:
             yield _fault(message, child, joint.name, hint="list parents before their children")
     root, *others = names
     if root in parents:
-        yield _fault(
-            f"the base has the parent {parents[root]!r}", root, hint="list the link without a parent first"
-        )
+        hint = "list the link without a parent first"
+        yield _fault(f"the base has the parent {parents[root]!r}", root, hint=hint)
     for name in others:
         if name not in parents:
             message = "no joint joins it to the others: the asset has more than one root"
@@ -188,17 +187,15 @@ def _number_findings(joint: AssetJoint) -> Iterator[Finding]:
         return
     low, high = joint.limits
     span = f"its limits are {_limits(joint)} {unit(joint)}"
+    in_range = partial(fault, value=high - low, unit=unit(joint))
     if not (math.isfinite(low) and math.isfinite(high)):
         yield fault(f"{span}, which is not finite", hint="leave limits out (None) where there are none")
     elif low > high:
-        message, hint = f"{span}: the lower limit comes first", "swap them, or turn the axis"
-        yield fault(message, value=high - low, unit=unit(joint), hint=hint)
+        hint = "swap them, or turn the axis"
+        yield in_range(f"{span}: the lower limit comes first", hint=hint)
     elif low < high and high - low < _LEAST_RANGE:
-        message, hint = (
-            f"{span}: it cannot move, but is not locked",
-            "lock it with equal limits, or give it a range",
-        )
-        yield fault(message, value=high - low, unit=unit(joint), hint=hint)
+        hint = "lock it with equal limits, or give it a range"
+        yield in_range(f"{span}: it cannot move, but is not locked", hint=hint)
 
 
 def _spring_findings(joint: AssetJoint) -> Iterator[Finding]:

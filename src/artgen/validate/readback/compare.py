@@ -68,9 +68,8 @@ class Expected:
     @cached_property
     def pieces_without_capsules(self) -> dict[str, tuple[ReadCollider, ...]]:
         """The same, with a cylinder and two balls for each capsule."""
-        if all(item.convex.kind != "capsule" for link in self.asset.links for item in link.colliders):
-            return self.pieces
-        return _expected_pieces(self.asset, capsules=False)
+        kinds = {item.convex.kind for link in self.asset.links for item in link.colliders}
+        return _expected_pieces(self.asset, capsules=False) if "capsule" in kinds else self.pieces
 
     @cached_property
     def faces(self) -> dict[str, tuple[Faces, ...]] | None:

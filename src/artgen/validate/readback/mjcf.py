@@ -202,6 +202,9 @@ def _joint(model: Any, number: int) -> ReadJoint:
     index = {"joint": number, "position": model.jnt_qposadr[number], "freedom": model.jnt_dofadr[number]}
     least, most = model.jnt_actfrcrange[number]
     effort = float(min(-least, most)) if model.jnt_actfrclimited[number] else np.inf
+    dynamics = [
+        Stated(field, float(getattr(model, array)[index[of]]), name) for field, name, array, of in _DYNAMICS
+    ]
     # earlier joints of a body turn with it: their axes in the model are not those of the asset
     last = number == model.body_jntadr[body] + model.body_jntnum[body] - 1
     return ReadJoint(
@@ -209,25 +212,17 @@ def _joint(model: Any, number: int) -> ReadJoint:
         (model.body(model.body_parentid[body]).name, model.body(body).name),
         (float(low), float(high)),
         np.array(model.jnt_axis[number]) if last else None,
-        (
-            *(
-                Stated(field, float(getattr(model, array)[index[of]]), name)
-                for field, name, array, of in _DYNAMICS
-            ),
-            Stated("effort", effort, "actuatorfrcrange"),
-        ),
+        (*dynamics, Stated("effort", effort, "actuatorfrcrange")),
     )
 
 
 def _couplings(model: Any) -> Iterator[tuple[str, tuple[str, float, float]]]:
     import mujoco
 
-    for number in range(model.neq):
-        if model.eq_type[number] != mujoco.mjtEq.mjEQ_JOINT or not model.eq_active0[number]:
-            continue
+    # an equality without a leader holds a joint in place
+    coupled = (model.eq_type == mujoco.mjtEq.mjEQ_JOINT) & (model.eq_active0 != 0) & (model.eq_obj2id >= 0)
+    for number in np.flatnonzero(coupled):
         follower, leader = int(model.eq_obj1id[number]), int(model.eq_obj2id[number])
-        if leader < 0:
-            continue  # it holds a joint in place
         # MuJoCo couples displacements from the reference positions
         start, start_of_leader = (float(model.joint(joint).qpos0[0]) for joint in (follower, leader))
         ratio = float(model.eq_data[number, 1])

@@ -76,9 +76,8 @@ class ReadCollider:
     middle: Array  # mean of its vertices, or center of a primitive, shape (3,) [m]
     volume: float  # [m^3]
     friction: float | None = None  # coefficient of sliding friction; None if the file has none
-    vertices: Array = field(
-        default_factory=lambda: np.zeros((0, 3))
-    )  # of a mesh, each once, shape (n, 3) [m]
+    # vertices of a mesh, each once, shape (n, 3) [m]
+    vertices: Array = field(default_factory=lambda: np.zeros((0, 3)))
     flaw: str = ""  # fault that a simulator would refuse or silently change, with the number
 
     @staticmethod

@@ -455,7 +455,10 @@ def _below(body: Any) -> Iterator[tuple[Any, Array]]:
 
 
 def _piece(prim: Any, matrix: Array) -> ReadCollider:
-    name, friction = prim.GetName(), _friction(prim)
+    name = prim.GetName()
+    binding = UsdShade.MaterialBindingAPI(prim).ComputeBoundMaterial("physics")[0]
+    rough = binding and binding.GetPrim().HasAPI(UsdPhysics.MaterialAPI)
+    friction = _number(binding.GetPrim(), "physics:dynamicFriction") if rough else 0.0
     if prim.IsA(UsdGeom.Mesh):
         applied = prim.HasAPI(UsdPhysics.MeshCollisionAPI)
         shape = _get(prim, "physics:approximation", "none") if applied else "none"
@@ -476,14 +479,6 @@ def _piece(prim: Any, matrix: Array) -> ReadCollider:
         size.append(float(prim.GetAttribute("height").Get()))
         rigid[:3, :3] = rigid[:3, :3] @ _TURNS[prim.GetAttribute("axis").Get()]
     return ReadCollider.primitive(name, Convex(kind, rigid, tuple(size)), friction, flaw)
-
-
-def _friction(prim: Any) -> float:
-    """Return the friction of a collider's material; 0 for a missing material."""
-    binding = UsdShade.MaterialBindingAPI(prim).ComputeBoundMaterial("physics")[0]
-    if not binding or not binding.GetPrim().HasAPI(UsdPhysics.MaterialAPI):
-        return 0.0
-    return _number(binding.GetPrim(), "physics:dynamicFriction")
 
 
 def _mesh(prim: Any, matrix: Array) -> tuple[Array, Indices]:
