@@ -95,7 +95,15 @@ def _link_findings(link: Link, found: Sequence[LinkShells]) -> Iterator[Finding]
     for _, group in groupby(shells, key=lambda shell: shell.piece):
         yield from _orientation_findings(link, list(group))
     for shell in shells:
-        yield from _sliver_findings(link, shell)
+        name = f"solid {shell.label!r} at {point_text(shell.bounds.mean(axis=0))}"
+        if shell.thickness < THINNEST:
+            message = f"{name} is a sliver, {1e3 * shell.thickness:.4g} mm thick on average"
+            hint = f"let solids overlap or keep apart, not graze; at least {1e3 * THINNEST:g} mm"
+            yield _fault(message, link.name, value=shell.thickness, unit="m", hint=hint)
+        elif abs(shell.volume) < SMALLEST:
+            message = f"{name} is a particle of {1e9 * shell.volume:.4g} mm^3"
+            hint = f"cut deeper or leave it out; at least {1e9 * SMALLEST:g} mm^3"
+            yield _fault(message, link.name, value=shell.volume, unit="m^3", hint=hint)
     yield from _duplicate_findings(link, shells)
 
 
@@ -128,18 +136,6 @@ def _orientation_findings(link: Link, shells: Sequence[Shell]) -> Iterator[Findi
             )
             hint = "wind its triangles counter-clockwise seen from outside"
             yield _fault(message, link.name, value=shell.volume, unit="m^3", hint=hint)
-
-
-def _sliver_findings(link: Link, shell: Shell) -> Iterator[Finding]:
-    name = f"solid {shell.label!r} at {point_text(shell.bounds.mean(axis=0))}"
-    if shell.thickness < THINNEST:
-        message = f"{name} is a sliver, {1e3 * shell.thickness:.4g} mm thick on average"
-        hint = f"let solids overlap or keep apart, not graze; at least {1e3 * THINNEST:g} mm"
-        yield _fault(message, link.name, value=shell.thickness, unit="m", hint=hint)
-    elif abs(shell.volume) < SMALLEST:
-        message = f"{name} is a particle of {1e9 * shell.volume:.4g} mm^3"
-        hint = f"cut deeper or leave it out; at least {1e9 * SMALLEST:g} mm^3"
-        yield _fault(message, link.name, value=shell.volume, unit="m^3", hint=hint)
 
 
 def _duplicate_findings(link: Link, shells: Sequence[Shell]) -> Iterator[Finding]:

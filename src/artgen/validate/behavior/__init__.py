@@ -11,7 +11,7 @@ from artgen.asset import Asset
 from artgen.asset.files import main_files
 from artgen.asset.report import CheckResult, Finding
 from artgen.validate.behavior.dependencies import block
-from artgen.validate.behavior.drive import drive, release
+from artgen.validate.behavior.drive import drive
 from artgen.validate.behavior.model import (
     CHECK,
     Simulation,
@@ -81,7 +81,6 @@ def _simulate(simulation: Simulation, standing: Simulation | None) -> CheckResul
     findings = list(settled.findings.values())
     for motion in simulation.motions.values():
         findings += drive(simulation, motion)
-        findings += release(simulation, motion)
         findings += block(simulation, motion)
     for each in (simulation, standing):
         findings += each.findings.values() if each is not None else ()

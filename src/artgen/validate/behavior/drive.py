@@ -86,17 +86,12 @@ def servos(simulation: Simulation, q: Mapping[str, float]) -> list[Servo]:
     return [Servo(simulation, simulation.motions[name], position) for name, position in q.items()]
 
 
-def needed_state(simulation: Simulation, motion: JointMotion) -> dict[str, float] | None:
-    """Find positions of other joints at which a joint may move; None if there are none."""
-    conditions = needed_conditions(simulation.asset, motion.name)
-    return state_for(simulation.asset, conditions, ignore=motion.name)
-
-
 def drive(simulation: Simulation, motion: JointMotion) -> Iterator[Finding]:
-    """Drive a joint from its closed position to both ends by its own effort."""
-    state = needed_state(simulation, motion)
+    """Drive a joint from its closed position to both ends by its own effort; release it if it has springs."""
+    conditions = needed_conditions(simulation.asset, motion.name)
+    state = state_for(simulation.asset, conditions, ignore=motion.name)
     if state is None:
-        needs = " and ".join(map(str, needed_conditions(simulation.asset, motion.name)))
+        needs = " and ".join(map(str, conditions))
         message = f"can never move: no position of the other joints satisfies {needs}"
         hint = "keep the condition within the limits of the joints that it names"
         yield joint_finding(motion.joint, message, hint)
@@ -113,6 +108,8 @@ def drive(simulation: Simulation, motion: JointMotion) -> Iterator[Finding]:
         begin = found is not None
         if found is not None:
             yield found
+    if motion.stiffness > 0.0:
+        yield from _release(simulation, motion, state)
 
 
 def _travel(simulation: Simulation, motion: JointMotion, held: list[Servo], end: float) -> Finding | None:
@@ -166,11 +163,8 @@ def _travel_fault(simulation: Simulation, motion: JointMotion, begun: float, end
     return joint_finding(joint, message, hint, here, simulation.pose())
 
 
-def release(simulation: Simulation, motion: JointMotion) -> Iterator[Finding]:
+def _release(simulation: Simulation, motion: JointMotion, state: Mapping[str, float]) -> Iterator[Finding]:
     """Release a sprung joint at both ends of its range and check that it returns."""
-    state = needed_state(simulation, motion)
-    if motion.stiffness <= 0.0 or state is None:
-        return
     quarter = math.pi / 2.0
     low, high = motion.joint.limits or (motion.rest - quarter, motion.rest + quarter)
     target = min(max(motion.rest, low), high)
