@@ -101,9 +101,8 @@ class Studio:
         self._evaluated_at = time.monotonic()
         self._proven = False
         self._prover = Prover()
-        self.stage = Viewport(self._server)
-        self.stage.light(rich=rich_light)
-        self.panel = Panel(self._server, session, self.stage, self.requests, self.out, rich_light=rich_light)
+        self.stage = Viewport(self._server, rich_light=rich_light)
+        self.panel = Panel(self._server, session, self.stage, self.requests, self.out)
         self._thread = threading.Thread(target=self._run, name="artgen studio", daemon=True)
         self._thread.start()
 
@@ -229,13 +228,11 @@ def _check_free(host: str, port: int) -> None:
         with socket.socket(family, kind, protocol) as probe:
             probe.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)  # as the server will
             probe.bind(place)
-    except socket.gaierror as error:
-        raise ParameterError(f"--host {host!r} is not an address of this machine: {error.strerror}") from None
-    except PermissionError:
-        raise ParameterError(
-            f"--port {port} is not allowed for this user; use 1024 or higher, such as {PORT}"
-        ) from None
     except OSError as error:
+        if isinstance(error, PermissionError):
+            raise ParameterError(
+                f"--port {port} is not allowed for this user; use 1024 or higher, such as {PORT}"
+            ) from None
         if error.errno == errno.EADDRINUSE:
             raise ParameterError(_taken(host, port)) from None
         raise ParameterError(f"--host {host!r} is not an address of this machine: {error.strerror}") from None

@@ -24,19 +24,22 @@ _NUDGE = 1e-9  # distance beyond the threshold of a dependency [rad or m]
 
 
 @dataclass(frozen=True)
-class ParameterControl:
-    """Control of a parameter that the asset uses."""
+class Control:
+    """Control of a parameter that the asset uses, or of a joint that can move."""
 
-    name: str  # full name with generators: `handle.lever_handle.length`
-    short: str  # name in the parameters of an asset: `handle.length`
+    name: str  # full name of a parameter with generators, `handle.lever_handle.length`; or name of a joint
+    short: str  # name in the parameters of an asset, `handle.length`; or name of a joint
     kind: Kind  # kind of its control
     value: Any  # current value: a number, True or False, text, or three numbers
-    hint: str  # distribution, hard limits, and description
+    hint: (
+        str  # of a parameter: description, distribution, hard limits; of a joint: links, limits, dependencies
+    )
     unit: str = ""  # unit, such as `m`; empty for none
     low: float | None = None  # smallest value of a slider, and of a number with hard limits
     high: float | None = None  # largest value
     step: float = 0.0  # step of a slider or number
     options: tuple[str, ...] = ()  # options of a menu
+    follows: bool = False  # whether another joint moves this joint
 
     @property
     def group(self) -> str:
@@ -46,17 +49,17 @@ class ParameterControl:
     @property
     def shape(self) -> tuple[Any, ...]:
         """All fields except the value; when they change, a user interface builds the control again."""
-        return (self.name, self.kind, self.hint, self.low, self.high, self.options)
+        return (self.name, self.kind, self.hint, self.low, self.high, self.options, self.follows)
 
 
-def parameters_in_use(generator: Generator, asset: Asset) -> tuple[ParameterControl, ...]:
+def parameters_in_use(generator: Generator, asset: Asset) -> tuple[Control, ...]:
     """Return a control for each used parameter of an asset of a category, in order."""
     return tuple(_controls(generator.own, asset.parameters, "", ""))
 
 
 def _controls(
     own: Mapping[str, Parameter], values: Mapping[str, Any], short: str, full: str
-) -> Iterator[ParameterControl]:
+) -> Iterator[Control]:
     for name, parameter in own.items():
         value = values[short + name]
         siblings = {sibling: values[short + sibling] for sibling in own}
@@ -66,12 +69,12 @@ def _controls(
             yield from _controls(chosen.own, values, f"{short}{name}.", f"{full}{name}.{chosen.name}.")
 
 
-def _control(parameter: Parameter, short: str, value: Any, siblings: Mapping[str, Any]) -> ParameterControl:
+def _control(parameter: Parameter, short: str, value: Any, siblings: Mapping[str, Any]) -> Control:
     distribution = parameter.distribution
     drawn = _drawn(distribution, siblings)
     name = parameter.name.rpartition(".")[2]
     hint = _hint(distribution, drawn)
-    control = ParameterControl(parameter.name, short + name, "text", str(value), hint, distribution.unit)
+    control = Control(parameter.name, short + name, "text", str(value), hint, distribution.unit)
     options = _options(parameter, drawn, value)
     if parameter.kind in (Bool, bool):
         return replace(control, kind="checkbox", value=bool(value))
@@ -81,10 +84,9 @@ def _control(parameter: Parameter, short: str, value: Any, siblings: Mapping[str
         return replace(control, kind="vector", value=tuple(value))
     if parameter.kind in (Float, int):
         low, high = _range(distribution, drawn, value)
-        fixed = low is None or high is None or low == high
-        width = (abs(value) or 1.0) if low is None or high is None or low == high else high - low
+        kind: Kind = "number" if low == high else "slider"
+        width = abs(value) or 1.0 if low is None or high is None or low == high else high - low
         step = 1.0 if parameter.kind is int else _step(width)
-        kind: Kind = "number" if fixed else "slider"
         return replace(control, kind=kind, value=value, low=low, high=high, step=step)
     return control
 
@@ -142,59 +144,35 @@ def _step(width: float) -> float:
     return float(f"{step:.0e}")
 
 
-def read_value(control: ParameterControl, kind: Any, value: Any) -> Any:
-    """Convert a value from a user interface to that of the parameter."""
+def read_value(kind: Any, value: Any) -> Any:
+    """Convert a value from a user interface to a value of a parameter of this kind."""
     if typing.get_origin(kind) is Literal:
         return next((item for item in typing.get_args(kind) if str(item) == value), value)
     if kind is int:
         return int(value)
     if kind is Float:
         return float(value)
-    return tuple(float(item) for item in value) if control.kind == "vector" else value
+    return tuple(float(item) for item in value) if kind is Vector else value
 
 
-@dataclass(frozen=True)
-class JointControl:
-    """Control of a joint that can move."""
-
-    name: str  # name of the joint
-    unit: str  # `rad` or `m`
-    low: float  # lowest position, or the start of a slider
-    high: float  # highest position
-    value: float  # current position
-    step: float  # step of a slider
-    hint: str  # links, leader and dependency
-    follows: bool  # whether another joint moves it
-
-    @property
-    def shape(self) -> tuple[Any, ...]:
-        """All fields except the position; when they change, a user interface builds the control again."""
-        return (self.name, self.low, self.high, self.hint, self.follows)
-
-
-def joint_controls(asset: Asset, q: Mapping[str, float]) -> tuple[JointControl, ...]:
+def joint_controls(asset: Asset, q: Mapping[str, float]) -> tuple[Control, ...]:
     """Return a control for each joint of an asset that is not locked."""
     positions = asset.positions(q)
     result = []
     for joint in asset.joints:
         if joint.locked:
             continue
-        turns = joint.kind == "revolute"
-        reach = math.pi if turns else _ROOM
+        unit, reach = ("rad", math.pi) if joint.kind == "revolute" else ("m", _ROOM)
         low, high = joint.limits or (-reach, reach)
-        parts = [f"{joint.parent} to {joint.child}", f"{low:.4g} to {high:.4g} {'rad' if turns else 'm'}"]
-        if joint.limits is None:
-            parts[1] = "no limits"
+        limits = f"{low:.4g} to {high:.4g} {unit}" if joint.limits else "no limits"
+        parts = [f"{joint.parent} to {joint.child}", limits]
         if joint.follows is not None:
             parts.append(f"follows {joint.follows.leader}")
         if joint.needs is not None:
             parts.append(f"needs {joint.needs}")
         value = min(max(positions[joint.name], low), high)
-        step = _step(high - low)
-        hint, follows = "; ".join(parts), joint.follows is not None
-        result.append(
-            JointControl(joint.name, "rad" if turns else "m", low, high, value, step, hint, follows)
-        )
+        control = Control(joint.name, joint.name, "slider", value, "; ".join(parts), unit, low, high)
+        result.append(replace(control, step=_step(high - low), follows=joint.follows is not None))
     return tuple(result)
 
 

@@ -10,7 +10,7 @@ from typing import Any
 
 from artgen.errors import ArtgenError, ParameterError
 from artgen.export.layouts import DEFAULT_FORMATS, FORMATS
-from artgen.studio.controls import JointControl, ParameterControl
+from artgen.studio.controls import Control
 from artgen.studio.session import Session, message_of
 from artgen.studio.stage import Viewport
 from artgen.studio.symbols import SYMBOLS
@@ -71,16 +71,7 @@ class Panel:
         python: Source of the asset.
     """
 
-    def __init__(
-        self,
-        server: Any,
-        session: Session,
-        stage: Viewport,
-        requests: Requests,
-        out: Path,
-        *,
-        rich_light: bool,
-    ) -> None:
+    def __init__(self, server: Any, session: Session, stage: Viewport, requests: Requests, out: Path) -> None:
         self._gui = server.gui
         self._session = session
         self._stage = stage
@@ -103,7 +94,7 @@ class Panel:
         self._parameters = tabs.add_tab("Parameters")
         self._joints = tabs.add_tab("Joints")
         with tabs.add_tab("View"):
-            self._add_view(rich_light=rich_light)
+            self._add_view()
         self._proof = tabs.add_tab("Certificate")
         with tabs.add_tab("Export"):
             self._add_export()
@@ -138,7 +129,7 @@ class Panel:
 
         handle.on_update(changed)
 
-    def _add_view(self, *, rich_light: bool) -> None:
+    def _add_view(self) -> None:
         gui, stage = self._gui, self._stage
         for kind, title in SYMBOLS.items():
             box = gui.add_checkbox(title, initial_value=False)
@@ -149,7 +140,9 @@ class Panel:
             "textures", _MAPS, initial_value="512", hint="texels per side of the maps; 0 for plain colors"
         )
         self._on_update(maps, "textures", lambda value: stage.update_materials(textures=int(value)))
-        light = gui.add_checkbox("reflections and shadows", rich_light, hint="slow if the browser has no GPU")
+        light = gui.add_checkbox(
+            "reflections and shadows", stage.rich_light, hint="slow if the browser has no GPU"
+        )
         self._on_update(light, "light", lambda value: stage.light(rich=value))
 
     def _add_export(self) -> None:
@@ -208,17 +201,22 @@ class Panel:
 
     def show(self) -> None:
         """Update the panel to a new asset: its parameters and joints, with their values."""
-        self._show_parameters(self._session.controls())
+        controls = self._session.controls()
+        self._renew(self._controls, controls, self._add_parameter)
+        for control in controls:
+            handle = self._controls[control.name][1]
+            if _request(control.name) not in self._requests:  # a user has not changed it since
+                handle.value = _displayed(control)
+            handle.label = (_SET if self._session.is_set(control) else "") + _label(control)
+        for name in [name for name in self._folders if not any(_in_folder(each, name) for each in controls)]:
+            self._folders.pop(name).remove()
         self._renew(self._sliders, self._session.joints(), self._add_joint)
         self.show_positions()
         if self._folder.value in ("", self._suggested):
             self._suggested = self._folder.value = self._session.asset.name
 
     def _renew(
-        self,
-        handles: _Handles,
-        controls: Sequence[ParameterControl | JointControl],
-        add: Callable[[Any, float], Any],
+        self, handles: _Handles, controls: Sequence[Control], add: Callable[[Control, float], Any]
     ) -> None:
         """Remove the controls that are gone, and add new ones and those with another shape."""
         shapes = {control.name: control.shape for control in controls}
@@ -227,16 +225,6 @@ class Panel:
         for order, control in enumerate(controls):
             if control.name not in handles:
                 handles[control.name] = (control.shape, add(control, float(order)))
-
-    def _show_parameters(self, controls: tuple[ParameterControl, ...]) -> None:
-        self._renew(self._controls, controls, self._add_parameter)
-        for control in controls:
-            handle = self._controls[control.name][1]
-            if _request(control.name) not in self._requests:  # a user has not changed it since
-                handle.value = _displayed(control)
-            handle.label = _label(control, is_set=self._session.is_set(control))
-        for name in [name for name in self._folders if not any(_in_folder(each, name) for each in controls)]:
-            self._folders.pop(name).remove()
 
     def _folder_of(self, group: str, order: float) -> Any:
         """Return the folder of a generator's parameters, inside the folders of its selecting generators."""
@@ -249,7 +237,7 @@ class Panel:
                 self._folders[group] = self._gui.add_folder(f"{parameter}: {generator}", order=order - 0.5)
         return self._folders[group]
 
-    def _add_parameter(self, control: ParameterControl, order: float) -> Any:
+    def _add_parameter(self, control: Control, order: float) -> Any:
         name = control.name
         with self._folder_of(control.group, order):
             handle = self._add_control(control, order)
@@ -258,8 +246,8 @@ class Panel:
         )
         return handle
 
-    def _add_control(self, control: ParameterControl, order: float) -> Any:
-        gui, label, value = self._gui, _label(control, is_set=False), _displayed(control)
+    def _add_control(self, control: Control, order: float) -> Any:
+        gui, label, value = self._gui, _label(control), _displayed(control)
         common = {"hint": control.hint, "order": order}
         if control.kind == "checkbox":
             return gui.add_checkbox(label, value, **common)
@@ -273,13 +261,11 @@ class Panel:
         low, high, step = (_as(value, each) for each in (control.low, control.high, control.step))
         if control.kind == "number":
             return gui.add_number(label, value, min=control.low, max=control.high, step=step, **common)
-        return gui.add_slider(label, low, high, step, value, **common)
+        return gui.add_slider(label, low, high, step, value, disabled=control.follows, **common)
 
-    def _add_joint(self, joint: JointControl, order: float) -> Any:
-        label, value = f"{joint.name} [{joint.unit}]", _position(joint)
+    def _add_joint(self, joint: Control, order: float) -> Any:
         with self._joints:
-            options = {"hint": joint.hint, "disabled": joint.follows, "order": 1000.0 + order}
-            handle = self._gui.add_slider(label, joint.low, joint.high, joint.step, value, **options)
+            handle = self._add_control(joint, 1000.0 + order)
         if not joint.follows:
             self._on_update(handle, f"move {joint.name}", lambda value: self._move(joint.name, value))
         return handle
@@ -288,7 +274,7 @@ class Panel:
         """Update the joints to the session; the joint that a user moves only if it is blocked."""
         for joint in self._session.joints():
             if joint.name != dragged or self._session.blocked:
-                self._sliders[joint.name][1].value = _position(joint)
+                self._sliders[joint.name][1].value = _displayed(joint)
         _show_text(self.blocked, self._session.blocked, "blocked")
 
     def show_error(self) -> None:
@@ -331,33 +317,25 @@ def _request(parameter: str) -> str:
     return f"set {parameter}"
 
 
-def _in_folder(control: ParameterControl, group: str) -> bool:
+def _in_folder(control: Control, group: str) -> bool:
     return f"{control.group}.".startswith(f"{group}.")
 
 
-def _label(control: ParameterControl, *, is_set: bool) -> str:
+def _label(control: Control) -> str:
     name = control.name.rpartition(".")[2]
-    unit = f" [{control.unit}]" if control.unit else ""
-    return f"{_SET if is_set else ''}{name}{unit}"
+    return f"{name} [{control.unit}]" if control.unit else name
 
 
-def _displayed(control: ParameterControl) -> Any:
+def _displayed(control: Control) -> Any:
+    """Return a value for its control: a number has the digits of its step, to fit a narrow box."""
+    value = control.value
     if control.kind == "menu":
-        return control.value or _NONE
-    if control.kind in ("slider", "number"):
-        return _short(control.value, control.step, control.low, control.high)
-    return control.value
-
-
-def _short(value: Any, step: float, low: float | None, high: float | None) -> Any:
-    """Return a number with the digits of its step, which fits a narrow box."""
-    rounded = round(value, max(0, -math.floor(math.log10(step))))
-    rounded = rounded if low is None else max(rounded, _as(value, low))
-    return rounded if high is None else min(rounded, _as(value, high))
-
-
-def _position(joint: JointControl) -> float:
-    return float(_short(joint.value, joint.step, joint.low, joint.high))
+        return value or _NONE
+    if control.kind not in ("slider", "number"):
+        return value
+    rounded = round(value, max(0, -math.floor(math.log10(control.step))))
+    rounded = rounded if control.low is None else max(rounded, _as(value, control.low))
+    return rounded if control.high is None else min(rounded, _as(value, control.high))
 
 
 def _as(value: Any, number: float | None) -> Any:

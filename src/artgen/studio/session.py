@@ -2,7 +2,8 @@
 
 import time
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from contextlib import suppress
+from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
@@ -16,8 +17,7 @@ from artgen.generator import Generator
 from artgen.graph import Cache, Evaluation
 from artgen.sampling import Distribution
 from artgen.studio.controls import (
-    JointControl,
-    ParameterControl,
+    Control,
     allowed_positions,
     joint_controls,
     moved_joint,
@@ -30,18 +30,6 @@ _VALUES = 16384  # values in the cache: of the largest category, for several val
 
 
 @dataclass(frozen=True)
-class Shown:
-    """An asset with its parameters and evaluation."""
-
-    asset: Asset  # the asset
-    evaluation: Evaluation  # cost of its evaluation
-    seconds: float  # duration, including sampling and building [s]
-    seed: int  # seed
-    overrides: Mapping[str, Any]  # overrides by name
-    controls: tuple[ParameterControl, ...]  # a control for each parameter
-
-
-@dataclass(frozen=True)
 class ProofTask:
     """The description of an asset for another process."""
 
@@ -49,7 +37,18 @@ class ProofTask:
     revision: int  # number of reloads of its file
     seed: int  # seed
     attempts: int  # most draws
-    overrides: Mapping[str, Any] = field(hash=False)  # overrides
+    overrides: Mapping[str, Any]  # overrides by name
+
+
+@dataclass(frozen=True)
+class Shown:
+    """An asset with its parameters and evaluation."""
+
+    asset: Asset  # the asset
+    evaluation: Evaluation  # cost of its evaluation
+    seconds: float  # duration, including sampling and building [s]
+    task: ProofTask  # its description for another process
+    controls: tuple[Control, ...]  # a control for each parameter
 
 
 @lru_cache(maxsize=1)
@@ -104,8 +103,10 @@ class Session:
         self.error = ""
         self.blocked = ""
         self.certificate: Certificate | None = None
+        self._reference = category  # argument for `artgen.catalog.find`
         self._revision = 0
-        self._saved_at = self._file_state()
+        self._saved_at = (0, 0)  # time [ns] and size of the file
+        self.saved()
         self._cache = Cache(_VALUES)
         self._attempts = _ATTEMPTS
 
@@ -127,11 +128,9 @@ class Session:
         known = self.generator.parameters()
         if name not in known:  # a browser may not have received a change yet
             raise ParameterError(f"{self.category} has no parameter {name!r}")
-        control = next((each for each in self.controls() if each.name == name), None)
-        if control is not None:
-            self.overrides.pop(control.short, None)
-            value = read_value(control, known[name].kind, value)
-        self.overrides[name] = value
+        if any(control.name == name for control in self.controls()):
+            self.overrides.pop(_without_generators(name), None)
+        self.overrides[name] = read_value(known[name].kind, value)
         self.stale = True
 
     def reset(self) -> None:
@@ -147,16 +146,18 @@ class Session:
 
     def saved(self) -> bool:
         """Tell whether the file of the category was saved since the last call."""
-        state = self._file_state()
-        if state is None or state == self._saved_at:  # while an editor replaces the file, there is none
-            return False
-        self._saved_at = state
-        return True
+        before = self._saved_at
+        with suppress(OSError):  # while an editor replaces the file, there is none
+            found = self.path.stat()
+            self._saved_at = found.st_mtime_ns, found.st_size
+        return self._saved_at != before
 
     def reload(self) -> bool:
         """Load the category again after its file was saved; return True on success."""
+        if not is_file(self.category):
+            self._reference = f"{self.path}:{self.generator.name}"
         try:
-            self.generator = load_file(self._reference(reloaded=True))
+            self.generator = load_file(self._reference)
         except ArtgenError as error:
             self.error = message_of(error)
             return False
@@ -169,20 +170,6 @@ class Session:
         self._cache = Cache(_VALUES)  # the file may define operations with changed results
         self.resample(self.seed)
         return True
-
-    def _file_state(self) -> tuple[int, int] | None:
-        """Return time and size of the file of the category; None if there is none."""
-        try:
-            found = self.path.stat()
-        except OSError:
-            return None
-        return found.st_mtime_ns, found.st_size
-
-    def _reference(self, *, reloaded: bool) -> str:
-        """Return the category for `artgen.catalog`: by its file if it was loaded again."""
-        return (
-            f"{self.path}:{self.generator.name}" if reloaded and not is_file(self.category) else self.category
-        )
 
     # results
 
@@ -206,25 +193,26 @@ class Session:
             return False
         self.error = ""
         self._attempts = asset.attempt + 1
+        task = ProofTask(self._reference, self._revision, self.seed, self._attempts, overrides)
         controls = parameters_in_use(self.generator, asset)
         seconds = time.perf_counter() - start
-        self.shown = Shown(asset, evaluation, seconds, self.seed, overrides, controls)
+        self.shown = Shown(asset, evaluation, seconds, task, controls)
         self.certificate = None
         self.q = allowed_positions(asset, self.q)
         self.blocked = ""
         return True
 
-    def controls(self) -> tuple[ParameterControl, ...]:
+    def controls(self) -> tuple[Control, ...]:
         """Return a control for each parameter of the asset."""
         return () if self.shown is None else self.shown.controls
 
-    def is_set(self, control: ParameterControl) -> bool:
+    def is_set(self, control: Control) -> bool:
         """Tell whether a user set a parameter."""
         return control.name in self.overrides or control.short in self.overrides
 
     # joints
 
-    def joints(self) -> tuple[JointControl, ...]:
+    def joints(self) -> tuple[Control, ...]:
         """Return a control for each joint that can move."""
         return joint_controls(self.asset, self.q) if self.shown is not None else ()
 
@@ -250,11 +238,7 @@ class Session:
 
     def task(self) -> ProofTask | None:
         """Return the task for certifying the asset in another process; None without an asset."""
-        if self.shown is None or self.error:
-            return None
-        reference = self._reference(reloaded=self._revision > 0)
-        attempts = self.shown.asset.attempt + 1
-        return ProofTask(reference, self._revision, self.shown.seed, attempts, dict(self.shown.overrides))
+        return None if self.shown is None or self.error else self.shown.task
 
     def certified(self, certificate: Certificate) -> None:
         """Attach a certificate to the shown asset."""
@@ -273,11 +257,11 @@ class Session:
 
     def python(self) -> str:
         """Return Python source that generates the shown asset."""
-        asset, shown = self.asset, self.shown
-        assert shown is not None
+        asset = self.asset
+        assert self.shown is not None
         lines = ["import artgen", ""]
-        arguments = [f"seed={shown.seed}"]
-        for name, value in shown.overrides.items():
+        arguments = [f"seed={asset.seed}"]
+        for name, value in self.shown.task.overrides.items():
             short = self._short(name)
             drawn = asset.parameters.get(short) if isinstance(value, Distribution) else value
             arguments.append(f"{short.replace('.', '__')}={drawn!r}")

@@ -109,9 +109,10 @@ class Viewport:
         sent: Number of links sent since the server started; measures the cost of a change.
         by_label: Whether links are colored by their semantic labels.
         textures: Texels per side of the material maps; 0 for colors only.
+        rich_light: Whether the scene has reflections and shadows.
     """
 
-    def __init__(self, server: Any) -> None:
+    def __init__(self, server: Any, *, rich_light: bool) -> None:
         self._server = server
         self._links: dict[str, _Shown] = {}
         self._replaced: list[tuple[float, str, Any]] = []
@@ -122,9 +123,11 @@ class Viewport:
         self.sent = 0
         self.by_label = False
         self.textures = 512
+        self.light(rich=rich_light)
 
     def light(self, *, rich: bool) -> None:
         """Light the scene: with reflections and shadows, or fast without a GPU."""
+        self.rich_light = rich
         scene = self._server.scene
         scene.configure_environment_map("studio" if rich else None, environment_intensity=0.6)
         scene.configure_default_lights(enabled=rich, cast_shadow=rich)

@@ -20,16 +20,11 @@ SYMBOLS = {
 }
 """Titles of the kinds of symbols."""
 
-_AXIS, _RANGE, _HAND, _PUSH, _COLLIDER = (
-    (213, 94, 0),
-    (230, 159, 0),
-    (0, 114, 178),
-    (204, 121, 167),
-    (0, 158, 115),
-)
+_AXIS, _RANGE, _HAND = (213, 94, 0), (230, 159, 0), (0, 114, 178)
+_PUSH, _COLLIDER = (204, 121, 167), (0, 158, 115)
 _WIDTH = 3.0  # width of lines on the screen [pixels]
 _APART = 0.0007  # distance of colliders outside their solids, as a share of the asset's size
-_SMOOTH = 0.985  # cosine of the angle between faces below which their common edge is drawn
+_SMOOTH = 0.1734  # largest angle between faces whose common edge is not drawn [rad]
 _FRAME = 0.04  # length of the axes of a grasp frame, as a share of the asset's size
 
 
@@ -84,18 +79,19 @@ class Symbols:
             self._hands.clear()
 
     def _colliders(self, asset: Asset, size: float) -> list[Any]:
+        import trimesh
+
         nodes = []
         for link in asset.links:
-            meshes = [_enlarged(*collider_mesh(each.convex), _APART * size) for each in link.colliders]
-            if not meshes:
+            if not link.colliders:
                 continue
-            first = np.cumsum([0, *(len(vertices) for vertices, _ in meshes[:-1])])
-            triangles = [faces + at for (_, faces), at in zip(meshes, first, strict=True)]
+            meshes = [_enlarged(*collider_mesh(each.convex), _APART * size) for each in link.colliders]
+            mesh = trimesh.util.concatenate([trimesh.Trimesh(*each, process=False) for each in meshes])
             nodes.append(
                 self._scene.add_mesh_simple(
                     f"/asset/{link.name}/colliders",
-                    np.concatenate([vertices for vertices, _ in meshes]).astype(np.float32),
-                    np.concatenate(triangles).astype(np.uint32),
+                    mesh.vertices.astype(np.float32),
+                    mesh.faces.astype(np.uint32),
                     color=_COLLIDER,
                     opacity=0.25,
                     flat_shading=True,
@@ -103,8 +99,9 @@ class Symbols:
                     receive_shadow=False,
                 )
             )
-            edges = np.concatenate([_edges(vertices, faces) for vertices, faces in meshes])
-            nodes.append(self._lines(f"/asset/{link.name}/collider_edges", edges, _COLLIDER, 1.5))
+            edges = mesh.face_adjacency_edges[mesh.face_adjacency_angles > _SMOOTH]
+            name = f"/asset/{link.name}/collider_edges"
+            nodes.append(self._lines(name, np.asarray(mesh.vertices[edges]), _COLLIDER, 1.5))
         return nodes
 
     def _joints(self, asset: Asset, size: float) -> list[Any]:
@@ -172,13 +169,3 @@ def _enlarged(vertices: Array, triangles: Indices, distance: float) -> tuple[Arr
     offsets = vertices - middle
     length = np.linalg.norm(offsets, axis=1, keepdims=True)
     return middle + offsets * (1.0 + distance / np.maximum(length, distance)), triangles
-
-
-def _edges(vertices: Array, triangles: Indices) -> Array:
-    """Return the sharp edges of a convex piece, shape (k, 2, 3)."""
-    import trimesh
-
-    mesh = trimesh.Trimesh(vertices, triangles, process=False)
-    pairs = mesh.face_adjacency
-    across = np.einsum("ij,ij->i", mesh.face_normals[pairs[:, 0]], mesh.face_normals[pairs[:, 1]])
-    return np.asarray(vertices[mesh.face_adjacency_edges[across < _SMOOTH]])
