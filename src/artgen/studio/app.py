@@ -132,7 +132,10 @@ class Studio:
                 if self.session.stale:
                     self._evaluate()
             with self._reporting():
-                self._check_file()
+                if self.session.saved():
+                    if not self.session.reload():
+                        self._prover.cancel()
+                    self.panel.show_error()
                 self._check_proof(idle=not requests)
                 self.stage.remove_replaced()
 
@@ -157,13 +160,6 @@ class Studio:
             self.panel.show()
             self.panel.show_proof("the proof starts after a pause without changes ...")
         self.panel.show_error()
-
-    def _check_file(self) -> None:
-        """Load the category again if its file was saved."""
-        if self.session.saved():
-            if not self.session.reload():
-                self._prover.cancel()
-            self.panel.show_error()
 
     def _check_proof(self, *, idle: bool) -> None:
         """Show the result of a proof, and start one after a while without changes."""
@@ -198,7 +194,7 @@ def _server(host: str, port: int) -> tuple[Any, str]:
         )
     _check_free(host, port)
     guard = Guard(host)
-    with _quiet(), guard.installing():
+    with contextlib.redirect_stdout(io.StringIO()), guard.installing():
         server = viser.ViserServer(host=host, port=port, verbose=False)
     if not guard.installed:  # viser does not start its server as the guard expects
         _stop(server)
@@ -212,13 +208,8 @@ def _server(host: str, port: int) -> tuple[Any, str]:
     return server, guard.token
 
 
-def _quiet() -> contextlib.redirect_stdout[io.StringIO]:
-    """Suppress viser's own start message."""
-    return contextlib.redirect_stdout(io.StringIO())
-
-
 def _stop(server: Any) -> None:
-    with _quiet():
+    with contextlib.redirect_stdout(io.StringIO()):  # viser prints a message
         server.stop()
 
 

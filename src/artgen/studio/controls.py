@@ -8,7 +8,7 @@ from typing import Any, Literal
 
 from artgen.asset import Asset, AssetCondition
 from artgen.export.frames import leader_of
-from artgen.generator import Generator, Parameter
+from artgen.generator import Parameter
 from artgen.generator.parameter import is_variant
 from artgen.materials import Material
 from artgen.nodes.handles import Bool, Float, Vector
@@ -52,21 +52,26 @@ class Control:
         return (self.name, self.kind, self.hint, self.low, self.high, self.options, self.follows)
 
 
-def parameters_in_use(generator: Generator, asset: Asset) -> tuple[Control, ...]:
-    """Return a control for each used parameter of an asset of a category, in order."""
-    return tuple(_controls(generator.own, asset.parameters, "", ""))
-
-
-def _controls(
-    own: Mapping[str, Parameter], values: Mapping[str, Any], short: str, full: str
+def parameters_in_use(
+    own: Mapping[str, Parameter], values: Mapping[str, Any], short: str = "", full: str = ""
 ) -> Iterator[Control]:
+    """Yield a control for each used parameter of a generator, in order.
+
+    Args:
+        own: Parameters of the generator.
+        values: Parameters of the asset.
+        short: Prefix of their names in `values`; empty for the category itself.
+        full: Prefix of their names with generators.
+    """
     for name, parameter in own.items():
         value = values[short + name]
         siblings = {sibling: values[short + sibling] for sibling in own}
         yield _control(Parameter(full + name, parameter.kind, parameter.distribution), short, value, siblings)
         chosen = next((item for item in parameter.variants if item.name == value), None)
         if chosen is not None:
-            yield from _controls(chosen.own, values, f"{short}{name}.", f"{full}{name}.{chosen.name}.")
+            yield from parameters_in_use(
+                chosen.own, values, f"{short}{name}.", f"{full}{name}.{chosen.name}."
+            )
 
 
 def _control(parameter: Parameter, short: str, value: Any, siblings: Mapping[str, Any]) -> Control:
@@ -170,7 +175,7 @@ def joint_controls(asset: Asset, q: Mapping[str, float]) -> tuple[Control, ...]:
             parts.append(f"follows {joint.follows.leader}")
         if joint.needs is not None:
             parts.append(f"needs {joint.needs}")
-        value = min(max(positions[joint.name], low), high)
+        value = float(min(max(positions[joint.name], low), high))
         control = Control(joint.name, joint.name, "slider", value, "; ".join(parts), unit, low, high)
         result.append(replace(control, step=_step(high - low), follows=joint.follows is not None))
     return tuple(result)

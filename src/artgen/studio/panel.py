@@ -205,7 +205,7 @@ class Panel:
         self._renew(self._controls, controls, self._add_parameter)
         for control in controls:
             handle = self._controls[control.name][1]
-            if _request(control.name) not in self._requests:  # a user has not changed it since
+            if f"set {control.name}" not in self._requests:  # a user has not changed it since
                 handle.value = _displayed(control)
             handle.label = (_SET if self._session.is_set(control) else "") + _label(control)
         for name in [name for name in self._folders if not any(_in_folder(each, name) for each in controls)]:
@@ -242,7 +242,7 @@ class Panel:
         with self._folder_of(control.group, order):
             handle = self._add_control(control, order)
         self._on_update(
-            handle, _request(name), lambda value: self._session.set(name, "" if value == _NONE else value)
+            handle, f"set {name}", lambda value: self._session.set(name, "" if value == _NONE else value)
         )
         return handle
 
@@ -311,10 +311,6 @@ class Panel:
                 show = partial(self._pose, pair.witness.pose, pair.links)
                 button.on_click(lambda _, show=show: self._requests.add("pose", show))
                 self._witnesses.append(button)
-
-
-def _request(parameter: str) -> str:
-    return f"set {parameter}"
 
 
 def _in_folder(control: Control, group: str) -> bool:

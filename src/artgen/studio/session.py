@@ -154,13 +154,13 @@ class Session:
 
     def reload(self) -> bool:
         """Load the category again after its file was saved; return True on success."""
-        if not is_file(self.category):
-            self._reference = f"{self.path}:{self.generator.name}"
+        reference = self.category if is_file(self.category) else f"{self.path}:{self.generator.name}"
         try:
-            self.generator = load_file(self._reference)
+            self.generator = load_file(reference)
         except ArtgenError as error:
             self.error = message_of(error)
             return False
+        self._reference = reference
         self._revision += 1
         known = self.generator.parameters()
         short = {_without_generators(name) for name in known}
@@ -194,7 +194,7 @@ class Session:
         self.error = ""
         self._attempts = asset.attempt + 1
         task = ProofTask(self._reference, self._revision, self.seed, self._attempts, overrides)
-        controls = parameters_in_use(self.generator, asset)
+        controls = tuple(parameters_in_use(self.generator.own, asset.parameters))
         seconds = time.perf_counter() - start
         self.shown = Shown(asset, evaluation, seconds, task, controls)
         self.certificate = None
@@ -222,10 +222,9 @@ class Session:
         `blocked` has the reason if it stops early.
         """
         self.q, blocked = moved_joint(self.asset, self.q, joint, position)
-        reasons = []
-        for name in blocked:
-            needs = self.asset.joint(name).needs
-            reasons.append(f"{'it' if name == joint else name} needs {needs}")
+        reasons = [
+            f"{'it' if name == joint else name} needs {self.asset.joint(name).needs}" for name in blocked
+        ]
         self.blocked = f"{joint} is blocked: {'; '.join(reasons)}" if reasons else ""
         return self.asset.positions(self.q)[joint]
 
@@ -259,7 +258,6 @@ class Session:
         """Return Python source that generates the shown asset."""
         asset = self.asset
         assert self.shown is not None
-        lines = ["import artgen", ""]
         arguments = [f"seed={asset.seed}"]
         for name, value in self.shown.task.overrides.items():
             short = self._short(name)
@@ -270,12 +268,13 @@ class Session:
         elif not self.certificate.proven:
             arguments.append('on_collision="keep"')
         if is_file(self.category):
-            lines[0] = "from artgen import catalog"
+            module = "from artgen import catalog"
             made = f"catalog.load_file({self.category!r}).generate({', '.join(arguments)})"
         else:
+            module = "import artgen"
             made = f'artgen.generate("{self.generator.name}", {", ".join(arguments)})'
         note = f"  # draw {asset.attempt + 1} of this seed" if asset.attempt else ""
-        return "\n".join([*lines, f"asset = {made}{note}"])
+        return f"{module}\n\nasset = {made}{note}"
 
     def export(self, folder: str | Path, formats: tuple[str, ...]) -> Path:
         """Write the shown asset; see `artgen.export.export`.

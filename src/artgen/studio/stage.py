@@ -144,7 +144,10 @@ class Viewport:
         self._placed = {link.name: placed(link) for link in asset.links}
         self.symbols.clear()
         for name in self._links.keys() - self._placed.keys():
-            self._remove(name)
+            self.remove_replaced(of_link=name)
+            shown = self._links.pop(name)
+            for node in (*shown.nodes, shown.frame):
+                node.remove()
         self.update_materials()
         self.pose(q)
         self.symbols.show(asset, q)
@@ -215,12 +218,6 @@ class Viewport:
             else:
                 waiting.append((end, link, node))
         self._replaced = waiting
-
-    def _remove(self, link: str) -> None:
-        self.remove_replaced(of_link=link)
-        shown = self._links.pop(link)
-        for node in (*shown.nodes, shown.frame):
-            node.remove()
 
     def pose(self, q: Mapping[str, float]) -> None:
         """Move the links to joint positions."""

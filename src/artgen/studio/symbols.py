@@ -86,7 +86,7 @@ class Symbols:
             if not link.colliders:
                 continue
             meshes = [_enlarged(*collider_mesh(each.convex), _APART * size) for each in link.colliders]
-            mesh = trimesh.util.concatenate([trimesh.Trimesh(*each, process=False) for each in meshes])
+            mesh: Any = trimesh.util.concatenate([trimesh.Trimesh(*each, process=False) for each in meshes])
             nodes.append(
                 self._scene.add_mesh_simple(
                     f"/asset/{link.name}/colliders",
