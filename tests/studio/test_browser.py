@@ -111,8 +111,11 @@ def test_a_slider_moves_a_joint_and_boxes_draw_over_it(browser: Browser, studio:
         turn(tab, "lid_hinge [rad]", "End")
         limit = studio.session.asset.joint("lid_hinge").limits[1]
         until(lambda: studio.session.q.get("lid_hinge") == limit, "the lid opens")
-        until(lambda: abs(studio.stage.frame("lid").wxyz[0] - np.cos(limit / 2)) < 1e-6, "its frame turns")
-        assert studio.stage.frame("flag").position[0] == pytest.approx(0.02 * limit)
+        until(
+            lambda: abs(studio.stage._links["lid"].frame.wxyz[0] - np.cos(limit / 2)) < 1e-6,
+            "its frame turns",
+        )
+        assert studio.stage._links["flag"].frame.position[0] == pytest.approx(0.02 * limit)
         assert studio.stage.sent == sent, "a joint sends no link"
         open_ = scene(tab)
         assert changed(closed, open_) > 0.01, "nothing is seen to move"

@@ -160,10 +160,9 @@ def read_value(kind: Any, value: Any) -> Any:
     return tuple(float(item) for item in value) if kind is Vector else value
 
 
-def joint_controls(asset: Asset, q: Mapping[str, float]) -> tuple[Control, ...]:
-    """Return a control for each joint of an asset that is not locked."""
+def joint_controls(asset: Asset, q: Mapping[str, float]) -> Iterator[Control]:
+    """Yield a control for each joint of an asset that is not locked."""
     positions = asset.positions(q)
-    result = []
     for joint in asset.joints:
         if joint.locked:
             continue
@@ -177,8 +176,7 @@ def joint_controls(asset: Asset, q: Mapping[str, float]) -> tuple[Control, ...]:
             parts.append(f"needs {joint.needs}")
         value = float(min(max(positions[joint.name], low), high))
         control = Control(joint.name, joint.name, "slider", value, "; ".join(parts), unit, low, high)
-        result.append(replace(control, step=_step(high - low), follows=joint.follows is not None))
-    return tuple(result)
+        yield replace(control, step=_step(high - low), follows=joint.follows is not None)
 
 
 def moved_joint(

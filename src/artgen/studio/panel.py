@@ -208,8 +208,10 @@ class Panel:
             if f"set {control.name}" not in self._requests:  # a user has not changed it since
                 handle.value = _displayed(control)
             handle.label = (_SET if self._session.is_set(control) else "") + _label(control)
-        for name in [name for name in self._folders if not any(_in_folder(each, name) for each in controls)]:
-            self._folders.pop(name).remove()
+        groups = [f"{control.group}." for control in controls]
+        for name in list(self._folders):
+            if not any(group.startswith(f"{name}.") for group in groups):
+                self._folders.pop(name).remove()
         self._renew(self._sliders, self._session.joints(), self._add_joint)
         self.show_positions()
         if self._folder.value in ("", self._suggested):
@@ -311,10 +313,6 @@ class Panel:
                 show = partial(self._pose, pair.witness.pose, pair.links)
                 button.on_click(lambda _, show=show: self._requests.add("pose", show))
                 self._witnesses.append(button)
-
-
-def _in_folder(control: Control, group: str) -> bool:
-    return f"{control.group}.".startswith(f"{group}.")
 
 
 def _label(control: Control) -> str:

@@ -162,11 +162,9 @@ class Session:
             return False
         self._reference = reference
         self._revision += 1
-        known = self.generator.parameters()
-        short = {_without_generators(name) for name in known}
-        self.overrides = {
-            name: value for name, value in self.overrides.items() if name in known or name in short
-        }
+        names = self.generator.parameters()
+        known = {*names, *map(_without_generators, names)}
+        self.overrides = {name: value for name, value in self.overrides.items() if name in known}
         self._cache = Cache(_VALUES)  # the file may define operations with changed results
         self.resample(self.seed)
         return True
@@ -214,7 +212,7 @@ class Session:
 
     def joints(self) -> tuple[Control, ...]:
         """Return a control for each joint that can move."""
-        return joint_controls(self.asset, self.q) if self.shown is not None else ()
+        return tuple(joint_controls(self.asset, self.q)) if self.shown is not None else ()
 
     def move(self, joint: str, position: float) -> float:
         """Move a free joint as far as dependencies allow, and return its position [rad or m].

@@ -116,7 +116,6 @@ class Viewport:
         self._server = server
         self._links: dict[str, _Shown] = {}
         self._replaced: list[tuple[float, str, Any]] = []
-        self._number = 0
         self._asset: Asset | None = None
         self._placed: dict[str, Placed] = {}
         self.symbols = Symbols(server.scene)
@@ -154,10 +153,6 @@ class Viewport:
         if first:
             self._frame_camera(asset)
 
-    def frame(self, link: str) -> Any:
-        """Return the node for the pose of a link."""
-        return self._links[link].frame
-
     def update_materials(
         self, *, red: Sequence[str] = (), by_label: bool | None = None, textures: int | None = None
     ) -> None:
@@ -181,32 +176,29 @@ class Viewport:
                     if not np.array_equal(node.position, look.offset):
                         node.position = look.offset
                 continue
-            nodes = self._plain(look, colors, color) if plain else [self._glb(look)]
+            self.sent += 1
+            name = f"/asset/{link.name}/appearance_{self.sent}"
+            if plain:
+                nodes = self._plain(name, look, colors, color)
+            else:
+                content = link_glb(look.link, self.textures)
+                nodes = [self._server.scene.add_glb(name, content, position=look.offset)]
             end = time.monotonic() + _OVERLAP
             self._replaced += [(end, link.name, node) for node in shown.nodes]
             shown.appearance, shown.nodes = appearance, nodes
-            self.sent += 1
 
-    def _glb(self, look: Placed) -> Any:
-        content = link_glb(look.link, self.textures)
-        return self._server.scene.add_glb(self._name(look.link.name), content, position=look.offset)
-
-    def _plain(self, look: Placed, colors: Mapping[str, Rgb], color: Color | None) -> list[Any]:
+    def _plain(self, name: str, look: Placed, colors: Mapping[str, Rgb], color: Color | None) -> list[Any]:
         return [
             self._server.scene.add_mesh_simple(
-                self._name(look.link.name),
+                f"{name}_{number}",
                 surface.mesh.vertices.astype(np.float32),
                 surface.mesh.triangles.astype(np.uint32),
                 color=color or colors[surface.label],
                 opacity=None if surface.material.opacity == 1.0 else surface.material.opacity,
                 position=look.offset,
             )
-            for surface in look.link.surfaces
+            for number, surface in enumerate(look.link.surfaces)
         ]
-
-    def _name(self, link: str) -> str:
-        self._number += 1
-        return f"/asset/{link}/appearance_{self._number}"
 
     def remove_replaced(self, *, of_link: str = "") -> None:
         """Remove objects that were replaced some time ago, and those of a removed link."""
