@@ -3,6 +3,7 @@
 import contextlib
 import errno
 import io
+import math
 import socket
 import threading
 import time
@@ -98,8 +99,7 @@ class Studio:
         self.port: int = self._server.get_port()
         self.requests = Requests()
         self._running = True
-        self._evaluated_at = time.monotonic()
-        self._proven = False
+        self._proof_at = math.inf  # start of the next proof, in the time of `time.monotonic` [s]
         self._prover = Prover()
         self.stage = Viewport(self._server, rich_light=rich_light)
         self.panel = Panel(self._server, session, self.stage, self.requests, self.out)
@@ -152,8 +152,7 @@ class Studio:
             self.panel.show_error()
 
     def _evaluate(self) -> None:
-        self._evaluated_at = time.monotonic()
-        self._proven = False
+        self._proof_at = time.monotonic() + _PAUSE
         self._prover.cancel()
         if self.session.evaluate():
             self.stage.show(self.session.asset, self.session.q)
@@ -170,10 +169,10 @@ class Studio:
             self.panel.show_error()
         elif ending is not None:
             self.panel.show_proof(f"no certificate: {ending.reason}")
-        idle = idle and not self.session.stale and time.monotonic() - self._evaluated_at > _PAUSE
         task = self.session.task()
-        if idle and not self._proven and task is not None:
-            self._proven = True
+        idle = idle and not self.session.stale and time.monotonic() > self._proof_at
+        if idle and task is not None:
+            self._proof_at = math.inf
             self._prover.start(task)
             self.panel.show_proof("the proof is running ...")
 

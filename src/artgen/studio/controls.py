@@ -66,7 +66,9 @@ def parameters_in_use(
     for name, parameter in own.items():
         value = values[short + name]
         siblings = {sibling: values[short + sibling] for sibling in own}
-        yield _control(Parameter(full + name, parameter.kind, parameter.distribution), short, value, siblings)
+        yield _control(
+            Parameter(full + name, parameter.kind, parameter.distribution), short + name, value, siblings
+        )
         chosen = next((item for item in parameter.variants if item.name == value), None)
         if chosen is not None:
             yield from parameters_in_use(
@@ -77,9 +79,8 @@ def parameters_in_use(
 def _control(parameter: Parameter, short: str, value: Any, siblings: Mapping[str, Any]) -> Control:
     distribution = parameter.distribution
     drawn = _drawn(distribution, siblings)
-    name = parameter.name.rpartition(".")[2]
     hint = _hint(distribution, drawn)
-    control = Control(parameter.name, short + name, "text", str(value), hint, distribution.unit)
+    control = Control(parameter.name, short, "text", str(value), hint, distribution.unit)
     options = _options(parameter, drawn, value)
     if parameter.kind in (Bool, bool):
         return replace(control, kind="checkbox", value=bool(value))

@@ -260,9 +260,11 @@ class Panel:
             return gui.add_vector3(label, value, step=0.001, **common)
         if control.kind == "text":
             return gui.add_text(label, value, **common)
-        low, high, step = (_as(value, each) for each in (control.low, control.high, control.step))
+        number: Any = type(value)  # all numbers of a control are of one type
         if control.kind == "number":
+            step = number(control.step)
             return gui.add_number(label, value, min=control.low, max=control.high, step=step, **common)
+        low, high, step = map(number, (control.low, control.high, control.step))
         return gui.add_slider(label, low, high, step, value, disabled=control.follows, **common)
 
     def _add_joint(self, joint: Control, order: float) -> Any:
@@ -328,13 +330,9 @@ def _displayed(control: Control) -> Any:
     if control.kind not in ("slider", "number"):
         return value
     rounded = round(value, max(0, -math.floor(math.log10(control.step))))
-    rounded = rounded if control.low is None else max(rounded, _as(value, control.low))
-    return rounded if control.high is None else min(rounded, _as(value, control.high))
-
-
-def _as(value: Any, number: float | None) -> Any:
-    """Return a number of the same type as a value."""
-    return None if number is None else type(value)(number)
+    if control.low is None or control.high is None:
+        return rounded
+    return type(value)(min(max(rounded, control.low), control.high))
 
 
 def _show_text(box: Any, text: str, style: str) -> None:

@@ -202,14 +202,12 @@ class Viewport:
 
     def remove_replaced(self, *, of_link: str = "") -> None:
         """Remove objects that were replaced some time ago, and those of a removed link."""
-        now = time.monotonic()
-        waiting = []
-        for end, link, node in self._replaced:
-            if end <= now or link == of_link:
+        replaced, self._replaced = self._replaced, []
+        for end, link, node in replaced:
+            if end <= time.monotonic() or link == of_link:
                 node.remove()
             else:
-                waiting.append((end, link, node))
-        self._replaced = waiting
+                self._replaced.append((end, link, node))
 
     def pose(self, q: Mapping[str, float]) -> None:
         """Move the links to joint positions."""

@@ -1,6 +1,6 @@
 """Symbols over an asset in the studio: colliders, joints, grasp frames, centers of mass."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -68,8 +68,8 @@ class Symbols:
             place(hand, axes[name] @ self._asset.joint(name).motion(positions[name]))
 
     def _draw(self, asset: Asset, kind: str) -> None:
-        draw: Callable[[Asset, float], list[Any]] = getattr(self, f"_{kind}")
-        self._nodes[kind] = draw(asset, float(np.linalg.norm(np.ptp(asset.bounds(), axis=0))))
+        size = float(np.linalg.norm(np.ptp(asset.bounds(), axis=0)))
+        self._nodes[kind] = getattr(self, f"_{kind}")(asset, size)
         self.pose(self._q)
 
     def _remove(self, kind: str) -> None:
