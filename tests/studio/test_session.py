@@ -13,7 +13,7 @@ from artgen.catalog import load_file
 from artgen.errors import ExportError, ParameterError
 from artgen.studio import Session
 from artgen.studio.app import Prover
-from artgen.studio.controls import Control
+from artgen.studio.controls import StudioControl
 from artgen.studio.stage import placed
 
 CRATE = Path(__file__).parent.parent / "support" / "crate.py"
@@ -34,7 +34,7 @@ def edited(tmp_path: Path) -> Session:
     return made
 
 
-def control(session: Session, short: str) -> Control:
+def control(session: Session, short: str) -> StudioControl:
     return next(found for found in session.controls() if found.short == short)
 
 

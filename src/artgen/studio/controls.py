@@ -24,7 +24,7 @@ _NUDGE = 1e-9  # distance beyond the threshold of a dependency [rad or m]
 
 
 @dataclass(frozen=True)
-class Control:
+class StudioControl:
     """Control of a parameter that the asset uses, or of a joint that can move."""
 
     name: str  # full name of a parameter with generators, `handle.lever_handle.length`; or name of a joint
@@ -54,7 +54,7 @@ class Control:
 
 def parameters_in_use(
     own: Mapping[str, Parameter], values: Mapping[str, Any], short: str = "", full: str = ""
-) -> Iterator[Control]:
+) -> Iterator[StudioControl]:
     """Yield a control for each used parameter of a generator, in order.
 
     Args:
@@ -76,11 +76,11 @@ def parameters_in_use(
             )
 
 
-def _control(parameter: Parameter, short: str, value: Any, siblings: Mapping[str, Any]) -> Control:
+def _control(parameter: Parameter, short: str, value: Any, siblings: Mapping[str, Any]) -> StudioControl:
     distribution = parameter.distribution
     drawn = _drawn(distribution, siblings)
     hint = _hint(distribution, drawn)
-    control = Control(parameter.name, short, "text", str(value), hint, distribution.unit)
+    control = StudioControl(parameter.name, short, "text", str(value), hint, distribution.unit)
     options = _options(parameter, drawn, value)
     if parameter.kind in (Bool, bool):
         return replace(control, kind="checkbox", value=bool(value))
@@ -161,7 +161,7 @@ def read_value(kind: Any, value: Any) -> Any:
     return tuple(float(item) for item in value) if kind is Vector else value
 
 
-def joint_controls(asset: Asset, q: Mapping[str, float]) -> Iterator[Control]:
+def joint_controls(asset: Asset, q: Mapping[str, float]) -> Iterator[StudioControl]:
     """Yield a control for each joint of an asset that is not locked."""
     positions = asset.positions(q)
     for joint in asset.joints:
@@ -176,7 +176,7 @@ def joint_controls(asset: Asset, q: Mapping[str, float]) -> Iterator[Control]:
         if joint.needs is not None:
             parts.append(f"needs {joint.needs}")
         value = float(min(max(positions[joint.name], low), high))
-        control = Control(joint.name, joint.name, "slider", value, "; ".join(parts), unit, low, high)
+        control = StudioControl(joint.name, joint.name, "slider", value, "; ".join(parts), unit, low, high)
         yield replace(control, step=_step(high - low), follows=joint.follows is not None)
 
 

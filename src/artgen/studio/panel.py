@@ -10,7 +10,7 @@ from typing import Any
 
 from artgen.errors import ArtgenError, ParameterError
 from artgen.export.layouts import DEFAULT_FORMATS, FORMATS
-from artgen.studio.controls import Control
+from artgen.studio.controls import StudioControl
 from artgen.studio.session import Session, message_of
 from artgen.studio.stage import Viewport
 from artgen.studio.symbols import SYMBOLS
@@ -218,7 +218,7 @@ class Panel:
             self._suggested = self._folder.value = self._session.asset.name
 
     def _renew(
-        self, handles: _Handles, controls: Sequence[Control], add: Callable[[Control, float], Any]
+        self, handles: _Handles, controls: Sequence[StudioControl], add: Callable[[StudioControl, float], Any]
     ) -> None:
         """Remove the controls that are gone, and add new ones and those with another shape."""
         shapes = {control.name: control.shape for control in controls}
@@ -239,7 +239,7 @@ class Panel:
                 self._folders[group] = self._gui.add_folder(f"{parameter}: {generator}", order=order - 0.5)
         return self._folders[group]
 
-    def _add_parameter(self, control: Control, order: float) -> Any:
+    def _add_parameter(self, control: StudioControl, order: float) -> Any:
         name = control.name
         with self._folder_of(control.group, order):
             handle = self._add_control(control, order)
@@ -248,7 +248,7 @@ class Panel:
         )
         return handle
 
-    def _add_control(self, control: Control, order: float) -> Any:
+    def _add_control(self, control: StudioControl, order: float) -> Any:
         gui, label, value = self._gui, _label(control), _displayed(control)
         common = {"hint": control.hint, "order": order}
         if control.kind == "checkbox":
@@ -267,7 +267,7 @@ class Panel:
         low, high, step = map(number, (control.low, control.high, control.step))
         return gui.add_slider(label, low, high, step, value, disabled=control.follows, **common)
 
-    def _add_joint(self, joint: Control, order: float) -> Any:
+    def _add_joint(self, joint: StudioControl, order: float) -> Any:
         with self._joints:
             handle = self._add_control(joint, 1000.0 + order)
         if not joint.follows:
@@ -317,12 +317,12 @@ class Panel:
                 self._witnesses.append(button)
 
 
-def _label(control: Control) -> str:
+def _label(control: StudioControl) -> str:
     name = control.name.rpartition(".")[2]
     return f"{name} [{control.unit}]" if control.unit else name
 
 
-def _displayed(control: Control) -> Any:
+def _displayed(control: StudioControl) -> Any:
     """Return a value for its control: a number has the digits of its step, to fit a narrow box."""
     value = control.value
     if control.kind == "menu":

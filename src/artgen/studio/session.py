@@ -17,7 +17,7 @@ from artgen.generator import Generator
 from artgen.graph import Cache, Evaluation
 from artgen.sampling import Distribution
 from artgen.studio.controls import (
-    Control,
+    StudioControl,
     allowed_positions,
     joint_controls,
     moved_joint,
@@ -48,7 +48,7 @@ class Shown:
     evaluation: Evaluation  # cost of its evaluation
     seconds: float  # duration, including sampling and building [s]
     task: ProofTask  # its description for another process
-    controls: tuple[Control, ...]  # a control for each parameter
+    controls: tuple[StudioControl, ...]  # a control for each parameter
 
 
 @lru_cache(maxsize=1)
@@ -200,17 +200,17 @@ class Session:
         self.blocked = ""
         return True
 
-    def controls(self) -> tuple[Control, ...]:
+    def controls(self) -> tuple[StudioControl, ...]:
         """Return a control for each parameter of the asset."""
         return () if self.shown is None else self.shown.controls
 
-    def is_set(self, control: Control) -> bool:
+    def is_set(self, control: StudioControl) -> bool:
         """Tell whether a user set a parameter."""
         return control.name in self.overrides or control.short in self.overrides
 
     # joints
 
-    def joints(self) -> tuple[Control, ...]:
+    def joints(self) -> tuple[StudioControl, ...]:
         """Return a control for each joint that can move."""
         return tuple(joint_controls(self.asset, self.q)) if self.shown is not None else ()
 
