@@ -23,7 +23,7 @@ LIGHTEST, HEAVIEST = 5.0, 20000.0
 """Range of plausible mean densities of a link: foam to tungsten [kg/m^3]."""
 
 _ROUNDING = 1e-9  # relative tolerance of moments of inertia
-_EXACT = 1e-6  # tolerance of axes; relative for coupled ranges
+_EXACT = 1e-6  # tolerance of axes and coupled ranges
 _LEAST_RANGE = 1e-6  # smaller ranges count as locked joints that are not declared so [rad or m]
 
 Interval = tuple[float, float]
@@ -265,7 +265,7 @@ def _coupling_findings(joint: AssetJoint, joints: Mapping[str, AssetJoint]) -> I
         joint.follows.ratio * end + joint.follows.offset for end in leader.limits
     )
     found, wanted = (limits or (-math.inf, math.inf) for limits in (joint.limits, expected))
-    if not np.allclose(found, wanted, rtol=_EXACT, atol=_EXACT):
+    if not np.allclose(found, wanted, rtol=0.0, atol=_EXACT):
         span = f"{expected[0]:.6g} to {expected[1]:.6g}" if expected else "none"
         message = f"its limits {_limits(joint)} are not those to which {leader.name!r} takes it, {span}"
         yield _fault(message, joint=joint.name, unit=unit(joint), hint="leave its limits to the coupling")
