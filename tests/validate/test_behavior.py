@@ -19,6 +19,7 @@ from artgen.asset import AssetCondition as Condition
 from artgen.asset.report import CheckResult, Finding
 from artgen.graph import evaluate
 from artgen.validate.behavior import check_behavior
+from artgen.validate.behavior.model import Simulation, fixed_model
 from artgen.validate.joints import isolated, negation, state_for
 
 OAK, STEEL = material("oak"), material("steel")
@@ -601,3 +602,17 @@ def test_what_a_spring_throws_is_pushed_though_the_blow_is_over(friction: float)
     assert finding.severity == "note"
     assert finding.joint == "glide"
     assert "by what gravity or a spring moves: ram/ram and puck/puck touch" in finding.message
+
+
+def test_warnings_of_an_earlier_motion_are_not_reported_again(tmp_path):
+    asset = made(flap())
+    folder = asset.export(tmp_path / "toy", formats=("mjcf",))
+    warnings = ["WARNING: of the standing model"]
+    simulation = Simulation(asset, fixed_model(folder / "toy.xml"), warnings)
+    simulation.begin({}, "it is driven")
+    simulation.step()
+    assert not simulation.findings
+    warnings.append("WARNING: Nan in QACC at DOF 0")
+    simulation.step()
+    (found,) = simulation.findings.values()
+    assert found.message == "MuJoCo warns while it is driven: WARNING: Nan in QACC at DOF 0"

@@ -201,6 +201,7 @@ class Simulation:
         For intentionally jammed parts, couplings are not checked: one of them may give way.
         """
         self._watching = not jammed
+        self._noticed = len(self.warnings)  # earlier ones belong to other motions, maybe of another model
         self._mujoco.mj_resetData(self.model, self.data)
         for name, position in self.asset.positions(q).items():
             if name in self._places:
