@@ -87,7 +87,7 @@ def test_seeds_give_plausible_handles(seed: int) -> None:
     assert low[2] == pytest.approx(0.0, abs=1e-9)
     assert board[0, 0] + board[1, 0] == pytest.approx(0.0, abs=0.001)
     assert all(len(link.colliders) <= 64 for link in asset.links)
-    assert 2.5 < sum(link.mass_properties.mass for link in asset.links) < 9.0
+    assert 1.5 < sum(link.mass_properties.mass for link in asset.links) < 9.0  # as for the survey
     turn = asset.joint("handle_turn")
     assert turn.limits is not None
     assert turn.limits[0] == 0.0

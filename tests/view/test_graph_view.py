@@ -15,14 +15,24 @@ from artgen.graph_view import dagre_js, graph_page, graph_record
 from support.browser import Browser, Tab, started
 
 
+# fmt: off
+# statements and signatures of several lines
 def flag_solid(wide: Float, tall: Float):
-    return box(wide, 0.01, tall)
+    return box(
+        wide,
+        0.01,
+        tall,
+    )
 
 
 @pytest.fixture
 def signpost() -> Generator:
     @generator
-    def signpost(*, height: Float = uniform(1.0, 2.0, "m"), wide: Float = fixed(0.4, "m")) -> Body:
+    def signpost(
+        *,
+        height: Float = uniform(1.0, 2.0, "m"),
+        wide: Float = fixed(0.4, "m"),
+    ) -> Body:
         """A flag on a post."""
         pole = cylinder(0.02, height).at(z=height / 2)
         flag = flag_solid(switch(height > 5.0, 2.0 * wide, wide), 0.2).at(0.25, 0, height)
@@ -30,6 +40,7 @@ def signpost() -> Generator:
         return post.attach(part(flag, "flag", material("steel")), Revolute("turn", axis=Z, limits=(0, 1)))
 
     return signpost
+# fmt: on
 
 
 def by_op(data: dict, op: str) -> dict:
