@@ -10,7 +10,7 @@ from contextlib import ExitStack, contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
-from artgen._names import check_names, inside, is_plain_path
+from artgen._names import check_names, inside
 from artgen.asset import Asset
 from artgen.asset.asset import FORMAT
 from artgen.asset.collision import Collision, collision_of, with_colliders
@@ -165,10 +165,7 @@ def encode(
 
 def write_files(files: Mapping[str, bytes], directory: Path, store: Path | None = None) -> None:
     """Write the files of an export to a new directory."""
-    new = not os.path.lexists(directory)  # then it has no links, and checks of names are enough
-    places = {
-        path: directory / path if new and is_plain_path(path) else inside(directory, path) for path in files
-    }
+    places = {path: inside(directory, path) for path in files}
     for place in places.values():
         place.parent.mkdir(parents=True, exist_ok=True)
     for path, content in files.items():
