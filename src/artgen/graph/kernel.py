@@ -46,25 +46,14 @@ OPERATIONS: dict[str, Operation] = {}
 @overload
 def kernel(function: F) -> F: ...
 @overload
-def kernel(
-    *, name: str = "", spelling: str = "", lazy: bool = False, constructor: str = ""
-) -> Callable[[F], F]: ...
-def kernel(
-    function: F | None = None,
-    *,
-    name: str = "",
-    spelling: str = "",
-    lazy: bool = False,
-    constructor: str = "",
-) -> F | Callable[[F], F]:
+def kernel(*, name: str = "", spelling: str = "") -> Callable[[F], F]: ...
+def kernel(function: F | None = None, *, name: str = "", spelling: str = "") -> F | Callable[[F], F]:
     """Register a function as the kernel of the operation with its name.
 
     Args:
         function: Function on values; its annotations define the accepted inputs.
         name: Name of the operation; by default the function's name without leading underscores.
         spelling: Python source of the operation, e.g. `({a} + {b})`.
-        lazy: Whether the input `condition` selects which of the inputs `a` and `b` is evaluated.
-        constructor: Name of the function that records the operation, if it differs from the operation's name.
 
     Raises:
         GraphError: Another kernel has that name.
@@ -73,11 +62,7 @@ def kernel(
     def decorate(made: F) -> F:
         operation = name or made.__name__.lstrip("_")
         inputs, result = types_of(made, operation)
-        register(
-            Operation(
-                operation, made, inputs, result, made.__module__, spelling, lazy, constructor or operation
-            )
-        )
+        register(Operation(operation, made, inputs, result, made.__module__, spelling, constructor=operation))
         return made
 
     return decorate if function is None else decorate(function)
