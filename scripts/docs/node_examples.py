@@ -16,6 +16,7 @@ HANDLES = (
     artgen.Bool,
     Vector,
     artgen.Points,
+    artgen.Region,
     Profile,
     Path,
     Solid,
@@ -25,7 +26,7 @@ HANDLES = (
     Condition,
     Dependency,
 )
-"""The handles whose public methods are nodes."""
+"""The handles, and regions, whose public methods are nodes."""
 
 _SHOWN_BY = {"Coupling": "Joint", "Condition": "Joint", "Dependency": "Joint"}  # a joint makes them
 

@@ -68,6 +68,14 @@ PAGES = (
         ("Path",),
     ),
     NodePage(
+        "regions",
+        "Regions",
+        "A `Region` is a box of planned space. It is divided, shrunk and moved before any solid exists; "
+        "parts take their sizes and places from it.",
+        (),
+        ("Region",),
+    ),
+    NodePage(
         "primitives",
         "Primitive solids",
         "Solids of one call. Each is its own collider, or a few convex pieces that contain it. Unless"

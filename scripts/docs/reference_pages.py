@@ -45,6 +45,7 @@ PAGES: Mapping[str, tuple[str, tuple[str, ...]]] = {
             "testing.check_category",
         ),
     ),
+    "joints": ("Springs, feel and fittings", ("Spring", "nodes.joint.Feel", "feel", "nodes.fitting.Fitting")),
     "materials": (
         "Materials",
         ("Material", "materials.material.material", "colored", "MATERIALS", "materials.COLORS"),

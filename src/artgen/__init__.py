@@ -21,14 +21,12 @@ from artgen.nodes.csg import array, bounding_collider, hull, shell, simplified_c
 from artgen.nodes.extrude import extrude, half_section, revolve
 from artgen.nodes.grasp_frames import Frame, frame, grasp_on, push_on
 from artgen.nodes.handles import Body, Bool, Float, Points, Profile, Scalar, Solid, Span, Vector, VectorLike
-from artgen.nodes.joint import Condition, Dependency, Joint, Prismatic, Revolute
+from artgen.nodes.joint import Condition, Dependency, Joint, Prismatic, Revolute, Spring
 from artgen.nodes.loft import loft
 from artgen.nodes.path import arc, bezier, helix, line, polyline, spline
 from artgen.nodes.primitive import (
-    board,
     bore,
     box,
-    box_between,
     capsule,
     cylinder,
     cylinder_between,
@@ -41,6 +39,7 @@ from artgen.nodes.primitive import (
     wedge,
 )
 from artgen.nodes.profile import bow, circle, ellipse, polygon, rectangle, regular_polygon, ring, slot
+from artgen.nodes.region import Region
 from artgen.nodes.scalar import atan2, clamp, cos, max_, min_, require, sin, sqrt, switch, tan
 from artgen.nodes.sweep import sweep
 from artgen.nodes.text import text
@@ -73,10 +72,12 @@ __all__ = [
     "Points",
     "Prismatic",
     "Profile",
+    "Region",
     "Revolute",
     "Scalar",
     "Solid",
     "Span",
+    "Spring",
     "Vector",
     "VectorLike",
     "X",
@@ -87,12 +88,10 @@ __all__ = [
     "array",
     "atan2",
     "bezier",
-    "board",
     "bore",
     "bounding_collider",
     "bow",
     "box",
-    "box_between",
     "by",
     "capsule",
     "catalog",

@@ -291,7 +291,10 @@ def test_suffixes_reach_links_joints_and_grasps():
 
 def test_methods_record_the_operations():
     a, b, t, at = block("a"), block("b"), turn(), row(X, Y, 2)
-    assert Body.record("attach", parent=a, child=b, joints=(t,)).node.key == a.attach(b, t).node.key
+    assert (
+        Body.record("attach", parent=a, child=b, joints=(t,), at=(0.0, 0.0, 0.0)).node.key
+        == a.attach(b, t).node.key
+    )
     assert (
         Body.record("repeat", parent=a, child=b, joints=(t,), at=at).node.key
         == a.repeat(b, t, at=at).node.key

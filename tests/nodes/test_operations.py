@@ -9,8 +9,10 @@ import pytest
 from artgen.asset import Curve, Outline, Shape, Tree
 from artgen.graph import OPERATIONS, Graph
 from artgen.nodes import joint as joints
+from artgen.nodes.fitting import Fitting
 from artgen.nodes.handles import Array3, ArrayN3, Body, Bool, Float, Path, Points, Profile, Solid, Vector
 from artgen.nodes.joint import Condition, Dependency
+from artgen.nodes.region import Region
 from support.operations import OVERRIDES, PARAMETERS, sample
 
 METHODS = {
@@ -25,6 +27,10 @@ METHODS = {
     "at_least": Float.__ge__,
     "at_most": Float.__le__,
     "attach": Body.attach,
+    "attach_pair": Body.attach_pair,
+    "box_between": Region.box,
+    "cut": Body.cut,
+    "mounted": Fitting.moving,
     "bounds": Solid.bounds,
     "center_of_mass": Body.center_of_mass,
     "centroid": Solid.centroid,

@@ -8,7 +8,8 @@ from hypothesis import strategies as st
 from artgen.errors import EvaluationError
 from artgen.graph import evaluate
 from artgen.nodes import primitive
-from artgen.nodes.primitive import board, box_between, cylinder_between
+from artgen.nodes.primitive import cylinder_between
+from artgen.nodes.region import Region
 from artgen.nodes.validators import pose
 from support.shapes import X, Y, Z, check_metric, check_shape, relative_volume, same_bytes
 
@@ -44,16 +45,16 @@ def test_a_sharp_box_is_exact_and_its_own_collider():
 
 
 def test_a_board_lies_between_its_planes_as_a_box_between_their_corners_does():
-    span = board((-0.2, 0.3), (0.1, 0.12), (0.0, 0.7), bevel=0.002)
+    span = Region((-0.2, 0.3), (0.1, 0.12), (0.0, 0.7)).box(bevel=0.002)
     shape = evaluate(span).value
     np.testing.assert_allclose(shape.bounds(), [[-0.2, 0.1, 0.0], [0.3, 0.12, 0.7]], atol=1e-12)
-    corners = box_between((-0.2, 0.1, 0.0), (0.3, 0.12, 0.7), bevel=0.002)
+    corners = Region.between((-0.2, 0.1, 0.0), (0.3, 0.12, 0.7)).box(bevel=0.002)
     assert span.node.key == corners.node.key
 
 
 def test_a_board_whose_planes_are_swapped_names_the_axis():
-    with pytest.raises(EvaluationError, match=r"0\.2 m apart along y: the lowest one comes first"):
-        evaluate(board((0.0, 1.0), (0.3, 0.1), (0.0, 1.0)))
+    with pytest.raises(EvaluationError, match=r"-0\.2 m long along y: the lowest coordinate comes first"):
+        evaluate(Region((0.0, 1.0), (0.3, 0.1), (0.0, 1.0)).box())
 
 
 @few

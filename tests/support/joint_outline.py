@@ -49,10 +49,11 @@ def _joints(node: Node, found: Mapping[str, tuple[PlannedJoint, ...]]) -> tuple[
     }
     if "child" in node.inputs:
         branch = (*(_planned(joint) for joint in node.inputs["joints"]), *found[node.inputs["child"].key])
-        if "at" in node.inputs:
-            copies = [_suffixed(branch, f"_{index}") for index in range(_count(node.inputs["at"]))]
+        if node.op == "repeat":
+            suffixes = [f"_{index}" for index in range(_count(node.inputs["at"]))]
         else:
-            copies = [branch]
+            suffixes = list(node.inputs.get("suffixes", ("",)))
+        copies = [_suffixed(branch, suffix) for suffix in suffixes]
         below.update({joint.name: joint for copy in copies for joint in copy})
     joints = tuple(below.values())
     if node.op == "suffix":

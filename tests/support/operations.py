@@ -61,6 +61,8 @@ OVERRIDES: dict[str, dict[str, Any]] = {
     },
     "array": {"at": row((0.0, 0.0, 0.0), (1.0, 0.0, 0.0), 3)},
     "attach": {"parent": _BASE},
+    "attach_pair": {"parent": _BASE, "suffixes": ("_right", "_left")},
+    "cut": {"tool": BLOCK.scale(0.5)},
     "bezier": {"points": ((0.0, 0.0, 0.0), (SIZE, 0.0, 1.0), (1.0, 0.0, 1.0))},
     "bow": {"width": 0.02, "radius": 0.5},
     "capsule": {"length": 0.75},

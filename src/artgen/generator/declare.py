@@ -46,12 +46,12 @@ def generator(function: Callable[..., Any]) -> Generator:
 
 
 def category(
-    *, labels: tuple[str, ...], joints: tuple[int, int] | None = None
+    *, labels: str | tuple[str, ...], joints: tuple[int, int] | None = None
 ) -> Callable[[Callable[..., Any]], Generator]:
     """Make a category of a function and enter it in the catalog under its name.
 
     Args:
-        labels: All semantic labels of its parts.
+        labels: All semantic labels of its parts, as names or as one text with spaces between them.
         joints: Minimum and maximum joint count, shown by `artgen list`.
 
     Raises:
@@ -65,7 +65,7 @@ def category(
         )
 
     def register(function: Callable[..., Any]) -> Generator:
-        made = Generator(function, labels, joints)
+        made = Generator(function, tuple(labels.split()) if isinstance(labels, str) else labels, joints)
         for name in made.signature.parameters:
             if name not in made.own:
                 raise BuildError(

@@ -5,6 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from artgen._arrays import Array
 from artgen._names import NAME_RULE, is_identifier
 from artgen.asset import (
     AllowedContact,
@@ -25,6 +26,7 @@ from artgen.asset.mass import total
 from artgen.errors import nearest
 from artgen.graph import kernel, records
 from artgen.materials import Material
+from artgen.nodes.csg import subtracted
 from artgen.nodes.grasp_frames import Array4x4, Frame
 from artgen.nodes.handles import Array3, ArrayN3, Body, Scalar, Solid, VectorLike
 from artgen.nodes.validators import finite, pose
@@ -37,7 +39,7 @@ def _check_name(name: str, what: str) -> None:
 
 
 def _part(
-    solid: Shape,
+    solid: Shape | tuple[Shape, ...],
     label: str,
     material: Material,
     name: str | None,
@@ -51,10 +53,15 @@ def _part(
     _check_name(link_name, "link name")
     if grasp_width is not None and grasp_width <= 0.0:
         raise ValueError(f"grasp_width must be positive, got {grasp_width:.6g} m")
-    widths = [_opening(solid, frame) if grasp_width is None else grasp_width for frame in grasp]
+    solids = solid if isinstance(solid, tuple) else (solid,)
+    widths = [_opening(solids[0], frame) if grasp_width is None else grasp_width for frame in grasp]
     grasps = tuple(map(Grasp, _numbered(f"{link_name}_grasp", len(grasp)), grasp, widths))
     pushes = tuple(map(Push, _numbered(f"{link_name}_push_point", len(push)), push))
-    return Tree(Link(link_name, label, (Piece(label, material, solid),), grasps, separate, pushes))
+    return Tree(
+        Link(
+            link_name, label, tuple(Piece(label, material, each) for each in solids), grasps, separate, pushes
+        )
+    )
 
 
 def _numbered(name: str, count: int) -> list[str]:
@@ -69,7 +76,7 @@ def _opening(solid: Shape, frame: Array4x4) -> float:
 
 @records(_part)
 def part(
-    solid: Solid,
+    solid: Solid | Sequence[Solid],
     label: str,
     material: Material,
     *,
@@ -79,12 +86,12 @@ def part(
     separate: str = "",
     push: Frame | Sequence[Frame] = (),
 ) -> Body:
-    """Make a rigid link of a solid.
+    """Make a rigid link of a solid, or of several with one label and material.
 
     Args:
-        solid: The solid in asset coordinates.
+        solid: The solid in asset coordinates, or several; the first one carries the grasps.
         label: Semantic label.
-        material: Its material.
+        material: Their material.
         name: Name of the link; by default its label.
         grasp: Frames at which a hand grasps, in asset coordinates: from `frame`, or from `grasp_on`, which
             finds them.
@@ -100,18 +107,27 @@ def part(
     """
 
 
-def _detail(solid: Shape, label: str, material: Material, reads: Array3 | None, about: Array3 | None) -> Tree:
+def _detail(
+    solid: Shape | tuple[Shape, ...],
+    label: str,
+    material: Material,
+    reads: Array3 | None,
+    about: Array3 | None,
+) -> Tree:
     _check_name(label, "label")
+    solids = solid if isinstance(solid, tuple) else (solid,)
     reading = None
     if reads is not None:
-        middle = solid.bounds().mean(axis=0) if about is None else about
+        corners = np.concatenate([each.bounds() for each in solids])
+        middle = 0.5 * (corners.min(axis=0) + corners.max(axis=0)) if about is None else about
         reading = PrintDirection(middle, unit(reads))
-    return Tree(Link(label, label, (Piece(label, material, solid, visual=True, reading=reading),)))
+    pieces = tuple(Piece(label, material, each, visual=True, reading=reading) for each in solids)
+    return Tree(Link(label, label, pieces))
 
 
 @records(_detail)
 def detail(
-    solid: Solid,
+    solid: Solid | Sequence[Solid],
     label: str,
     material: Material,
     *,
@@ -123,9 +139,9 @@ def detail(
     It must be welded to a part.
 
     Args:
-        solid: The solid in asset coordinates.
+        solid: The solid in asset coordinates, or several.
         label: Semantic label.
-        material: Its material.
+        material: Their material.
         reads: Direction of the lines of print, which stays readable if the body is mirrored.
         about: Center of the print [m]; by default the center of its bounding box.
 
@@ -165,25 +181,69 @@ def weld(*bodies: Body) -> Body:
     """
 
 
-@kernel(spelling="{parent}.attach({child}, *{joints})")
-def _attach(parent: Tree, child: Tree, joints: tuple[AssetJoint, ...]) -> Tree:
+_NOWHERE = Link("nowhere", "nowhere")  # placeholder for the parent of a branch
+
+
+def _placed(child: Tree, joints: tuple[AssetJoint, ...], matrix: Array, suffix: str = "") -> Branch:
+    """Return a child with its joints, carried along by a rigid motion or a reflection, shape (4, 4)."""
+    copy = Tree(_NOWHERE, (Branch(joints, child),)).moved(matrix)
+    return (copy.suffixed(suffix) if suffix else copy).branches[0]
+
+
+@kernel(spelling="{parent}.attach({child}, *{joints}, at={at})")
+def _attach(parent: Tree, child: Tree, joints: tuple[AssetJoint, ...], at: Array3) -> Tree:
     if not joints:
         raise ValueError("attach needs at least one joint; weld joins bodies rigidly")
-    return replace(parent, branches=(*parent.branches, Branch(joints, child))).checked()
+    branch = _placed(child, joints, pose(np.eye(3), at)) if at.any() else Branch(joints, child)
+    return replace(parent, branches=(*parent.branches, branch)).checked()
 
 
-_NOWHERE = Link("nowhere", "nowhere")  # placeholder for the parent while a branch is copied
+@kernel(spelling="{parent}.attach_pair({child}, *{joints}, normal={normal}, suffixes={suffixes})")
+def _attach_pair(
+    parent: Tree, child: Tree, joints: tuple[AssetJoint, ...], normal: Array3, suffixes: tuple[str, str]
+) -> Tree:
+    if not joints:
+        raise ValueError("attach_pair needs at least one joint; weld(body, body.mirror(...)) joins rigidly")
+    for suffix in suffixes:
+        _check_name(f"x{suffix}", "suffix")
+    images = (np.eye(4), _reflection(normal))
+    pair = (_placed(child, joints, *each) for each in zip(images, suffixes, strict=True))
+    return replace(parent, branches=(*parent.branches, *pair)).checked()
+
+
+def _reflection(normal: Array3) -> Array:
+    direction = unit(normal)
+    return pose(np.eye(3) - 2.0 * np.outer(direction, direction))
 
 
 @kernel(spelling="{parent}.repeat({child}, *{joints}, at={at})")
 def _repeat(parent: Tree, child: Tree, joints: tuple[AssetJoint, ...], at: ArrayN3) -> Tree:
     if not joints:
         raise ValueError("repeat needs at least one joint; array and weld join copies rigidly")
-    branches = []
-    for index, point in enumerate(at):
-        copy = Tree(_NOWHERE, (Branch(joints, child),)).moved(pose(np.eye(3), point)).suffixed(f"_{index}")
-        branches.append(copy.branches[0])
-    return replace(parent, branches=(*parent.branches, *branches)).checked()
+    copies = (_placed(child, joints, pose(np.eye(3), point), f"_{index}") for index, point in enumerate(at))
+    return replace(parent, branches=(*parent.branches, *copies)).checked()
+
+
+@kernel
+def _mounted(child: Tree, joints: tuple[AssetJoint, ...]) -> Tree:
+    if not joints:
+        raise ValueError("a moving fitting needs at least one joint; Fitting(body) is a fixed one")
+    return Tree(_NOWHERE, (Branch(joints, child),))
+
+
+@kernel(spelling="{body}.cut({tool})")
+def _cut(body: Tree, tool: Shape) -> Tree:
+    low, high = tool.bounds()
+    pieces: list[Piece] = []
+    for piece in body.link.pieces:
+        least, most = piece.shape.bounds()
+        if not (np.all(least < high) and np.all(most > low)):
+            pieces.append(piece)
+        elif not (piece.shape.manifold - tool.manifold).is_empty():
+            pieces.append(replace(piece, shape=subtracted(piece.shape, tool)))
+    if not pieces:
+        raise ValueError(f"nothing is left of {body.link.name!r}: the cut contains all its pieces")
+    return replace(body, link=replace(body.link, pieces=tuple(pieces)))
 
 
 @kernel(spelling="{body}.at({offset})")
@@ -199,8 +259,7 @@ def _rotate_body(body: Tree, axis: Array3, angle: float, about: Array3) -> Tree:
 
 @kernel(spelling="{body}.mirror({normal})")
 def _mirror_body(body: Tree, normal: Array3) -> Tree:
-    direction = unit(normal)
-    return body.moved(pose(np.eye(3) - 2.0 * np.outer(direction, direction)))
+    return body.moved(_reflection(normal))
 
 
 @kernel(spelling="{body}.suffixed({suffix})")

@@ -146,14 +146,19 @@ def union(*solids: Solid) -> Solid:
     """
 
 
-@kernel(spelling="({a} - {b})")
-def _difference(a: Shape, b: Shape) -> Shape:
+def subtracted(a: Shape, b: Shape) -> Shape:
+    """Return a shape without another."""
     return _combined(
         a.manifold - b.manifold,
         colliders.difference(a.pieces, b.pieces),
         (a, b),
         "the difference is empty: the second solid contains the first",
     )
+
+
+@kernel(spelling="({a} - {b})")
+def _difference(a: Shape, b: Shape) -> Shape:
+    return subtracted(a, b)
 
 
 @kernel(spelling="({a} & {b})")

@@ -215,9 +215,70 @@ class Body(Handle):
         """Return the center of mass with all links joined to this one, at rest [m]."""
         return Vector.record("center_of_mass", body=self)
 
-    def attach(self, child: "Body", *joints: Any) -> "Body":
-        """Join a child by one joint, or by several that act in order, the first nearest to this body."""
-        return Body.record("attach", parent=self, child=child, joints=joints)
+    def attach(self, child: "Body", *joints: Any, at: VectorLike = (0.0, 0.0, 0.0)) -> "Body":
+        """Join a child by one joint, or by several that act in order, the first nearest to this body.
+
+        Args:
+            child: The child, at its place or, with `at`, about the origin.
+            *joints: The joints.
+            at: Place to which the child and the pivots of its joints are moved together [m].
+
+        Examples:
+            >>> case = part(box(0.3, 0.2, 0.1), "case", material("walnut"))
+            >>> dial = part(cylinder(0.02, 0.01, axis=Y).at(y=-0.0055), "dial", material("abs"))
+            >>> case.attach(dial, Revolute("turn", axis=Y, limits=(0, 3)), at=(0.1, -0.1, 0))
+        """
+        return Body.record("attach", parent=self, child=child, joints=joints, at=at)
+
+    def attach_pair(
+        self,
+        child: "Body",
+        *joints: Any,
+        normal: VectorLike = (1.0, 0.0, 0.0),
+        suffixes: tuple[str, str] = ("_right", "_left"),
+    ) -> "Body":
+        """Join a child, and its mirror image with mirrored joints, which move alike.
+
+        Args:
+            child: The child on the side to which `normal` points.
+            *joints: Its joints.
+            normal: Normal of the plane through the origin in which the second child is the image.
+            suffixes: Suffixes of the names of links and joints: of the child, and of its image.
+
+        Examples:
+            >>> case = part(box(0.4, 0.02, 0.5), "case", material("walnut"))
+            >>> door = part(box(0.196, 0.02, 0.5).at(0.1, -0.022), "door", material("oak"))
+            >>> case.attach_pair(door, Revolute("hinge", axis=Z, pivot=(0.2, -0.032, 0), limits=(0, 1.5)))
+        """
+        return Body.record(
+            "attach_pair", parent=self, child=child, joints=joints, normal=normal, suffixes=suffixes
+        )
+
+    def cut(self, tool: Solid) -> "Body":
+        """Cut a solid out of all pieces of this link; pieces that it contains vanish.
+
+        Examples:
+            >>> panel = part(box(0.1, 0.012, 0.05), "panel", material("abs"))
+            >>> panel.cut(cylinder(0.01, 0.05, axis=Y))
+        """
+        return Body.record("cut", body=self, tool=tool)
+
+    def install(self, fitting: Any, *, at: VectorLike = (0.0, 0.0, 0.0)) -> "Body":
+        """Install a `Fitting`: cut its hole, weld its fixed parts to this link, and join its moving links.
+
+        Args:
+            fitting: The fitting, about the origin on the plane y = 0 of its host; or a body to be welded.
+            at: Place on the host [m].
+
+        Examples:
+            >>> panel = part(box(0.1, 0.012, 0.05).at(y=0.006), "panel", material("abs"))
+            >>> stop = part(cylinder(0.008, 0.01, axis=Y).at(y=-0.0048), "stop", material("rubber"))
+            >>> panel.install(stop, at=(0.03, 0, 0)).install(stop, at=(-0.03, 0, 0))
+        """
+        placed = fitting.at(at)
+        body = getattr(placed, "body", placed)
+        tool = getattr(placed, "cut", None) if body is not placed else None
+        return Body.record("weld", bodies=(self if tool is None else self.cut(tool), body))
 
     def repeat(self, child: "Body", *joints: Any, at: PointsLike) -> "Body":
         """Join a copy of a child at each point, with copies of its joints, suffixed `_0`, `_1`, ...
@@ -225,7 +286,7 @@ class Body(Handle):
         Examples:
             >>> panel = part(box(0.2, 0.02, 0.05), "panel", material("abs"))
             >>> key = part(cylinder(0.008, 0.006, axis=Y).at(y=-0.0135), "key", material("black_abs"))
-            >>> press = Prismatic("press", axis=Y, limits=(0, 0.002), stiffness=500.0)
+            >>> press = Prismatic("press", axis=Y, limits=(0, 0.002), spring=Spring(stiffness=500.0))
             >>> panel.repeat(key, press, at=row((-0.06, 0, 0), (0.04, 0, 0), 4))
         """
         return Body.record("repeat", parent=self, child=child, joints=joints, at=at)

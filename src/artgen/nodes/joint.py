@@ -1,14 +1,16 @@
 """Joints, couplings between them, conditions on their positions, and dependencies on conditions."""
 
 import inspect
-from dataclasses import replace
+from dataclasses import dataclass, fields, replace
 from typing import Any, ClassVar, Literal
 
 import numpy as np
 
 from artgen._names import NAME_RULE, is_identifier
 from artgen.asset import AssetCondition, AssetCoupling, AssetDependency, AssetJoint
+from artgen.errors import BuildError
 from artgen.graph import Handle, kernel
+from artgen.graph.node import authors_line
 from artgen.nodes.handles import Array3, Float, Scalar, VectorLike
 from artgen.nodes.vector import unit
 
@@ -287,6 +289,75 @@ def _joint(
     return made
 
 
+@dataclass(frozen=True, kw_only=True)
+class Spring:
+    """A spring at a joint, given by its forces at both limits, or by its stiffness and rest.
+
+    Args:
+        preload: Force at the lower limit, towards it; more than the weight that it carries [N or N m].
+        force: Force at the upper limit [N or N m].
+        stiffness: Stiffness, in place of the forces [N/m or N m/rad].
+        rest: Position at which the spring is relaxed, with `stiffness` [m or rad].
+
+    Raises:
+        BuildError: Neither both forces nor a stiffness are given, or both are.
+
+    Examples:
+        >>> panel = part(box(0.06, 0.02, 0.06), "panel", material("abs"))
+        >>> key = part(cylinder(0.008, 0.006, axis=Y).at(y=-0.0135), "key", material("black_abs"))
+        >>> spring = Spring(preload=0.6, force=3.0)
+        >>> panel.attach(key, Prismatic("press", axis=Y, limits=(0, 0.002), spring=spring))
+    """
+
+    preload: Scalar | None = None
+    force: Scalar | None = None
+    stiffness: Scalar | None = None
+    rest: Scalar = 0.0
+
+    def __post_init__(self) -> None:
+        """Check that the spring is given in one of both ways."""
+        given = (self.preload is not None, self.force is not None, self.stiffness is not None)
+        if given not in ((True, True, False), (False, False, True)):
+            raise BuildError(
+                "Spring needs the forces at both limits or a stiffness: Spring(preload=0.6, force=3.0), or "
+                f"Spring(stiffness=800.0, rest=-0.001)\n  at {authors_line()}"
+            )
+
+    def inputs(self, limits: tuple[Scalar, Scalar] | None) -> tuple[Scalar, Scalar]:
+        """Return stiffness and rest for the limits of a joint."""
+        if self.preload is None or self.force is None:
+            return self.stiffness or 0.0, self.rest
+        if limits is None:
+            raise BuildError(
+                "a joint without limits has no forces at its limits: give Spring(stiffness=..., rest=...)\n"
+                f"  at {authors_line()}"
+            )
+        stiffness = (self.force - self.preload) / (limits[1] - limits[0])
+        return stiffness, limits[0] - self.preload / stiffness
+
+
+@dataclass(frozen=True, kw_only=True)
+class Feel:
+    """Resistance of a kind of joint, for `feel=`; presets with their sources are in `artgen.feel`.
+
+    Args:
+        damping: Viscous damping [N s/m or N m s/rad].
+        friction: Dry friction [N or N m].
+        armature: Additional inertia of the mechanism [kg or kg m^2].
+        effort: Largest force of a hand or an actuator [N or N m].
+        velocity: Largest speed; by default that of the joint [m/s or rad/s].
+    """
+
+    damping: Scalar = 0.0
+    friction: Scalar = 0.0
+    armature: Scalar = 0.0
+    effort: Scalar = 100.0
+    velocity: Scalar | None = None
+
+
+_PLAIN = Feel()
+
+
 class _Axial(Joint):
     """A joint that moves about or along an axis."""
 
@@ -301,19 +372,31 @@ class _Axial(Joint):
         axis: VectorLike,
         pivot: VectorLike = (0.0, 0.0, 0.0),
         limits: tuple[Scalar, Scalar] | None = None,
+        spring: Spring | None = None,
+        feel: Feel = _PLAIN,
         stiffness: Scalar = 0.0,
-        damping: Scalar = 0.0,
-        friction: Scalar = 0.0,
+        damping: Scalar | None = None,
+        friction: Scalar | None = None,
         rest: Scalar = 0.0,
-        armature: Scalar = 0.0,
-        effort: Scalar = 100.0,
+        armature: Scalar | None = None,
+        effort: Scalar | None = None,
         velocity: Scalar | None = None,
         follows: Coupling | Joint | None = None,
         needs: Condition | Dependency | None = None,
         driven: str = "",
     ) -> None:
-        inputs = {key: value for key, value in locals().items() if key not in ("self", "__class__")}
-        inputs["velocity"] = self._velocity if velocity is None else velocity
+        inputs = {
+            key: value
+            for key, value in locals().items()
+            if key not in ("self", "__class__", "spring", "feel")
+        }
+        if spring is not None:
+            inputs["stiffness"], inputs["rest"] = spring.inputs(limits)
+        for field in fields(feel):
+            if inputs[field.name] is None:
+                inputs[field.name] = getattr(feel, field.name)
+        if inputs["velocity"] is None:
+            inputs["velocity"] = self._velocity
         super().__init__(Joint.record("joint", kind=self._kind, **inputs).node)
 
 
@@ -325,12 +408,14 @@ class Revolute(_Axial):
         axis: Direction of the axis in asset coordinates.
         pivot: A point on the axis in asset coordinates at rest [m].
         limits: Lowest and highest angle [rad]; equal limits lock the joint, None is unlimited.
+        spring: Spring that returns the joint; it replaces `stiffness` and `rest`.
+        feel: Damping, friction, armature, effort and velocity of a kind of joint, such as `feel.HINGE`.
         stiffness: Stiffness of a spring towards `rest` [N m/rad].
         damping: Viscous damping [N m s/rad].
         friction: Dry friction [N m].
         rest: Angle at which the spring is relaxed; outside the limits for a preloaded spring [rad].
         armature: Additional inertia at the joint [kg m^2].
-        effort: Largest torque of an actuator [N m].
+        effort: Largest torque of an actuator; 100 by default [N m].
         velocity: Largest speed; 10 rad/s by default.
         follows: Coupling to another joint, such as `4.0 * pedal + 0.02`; it determines the limits.
         needs: Condition under which the joint may leave 0, such as `handle > 0.5`; `(handle >
@@ -355,12 +440,14 @@ class Prismatic(_Axial):
         axis: Direction of the slide in asset coordinates.
         limits: Lowest and highest position [m]; equal limits lock the joint, None is unlimited.
         pivot: Origin of the joint's frame in asset coordinates at rest [m].
+        spring: Spring that returns the joint; it replaces `stiffness` and `rest`.
+        feel: Damping, friction, armature, effort and velocity of a kind of joint, such as `feel.SWITCH`.
         stiffness: Stiffness of a spring towards `rest` [N/m].
         damping: Viscous damping [N s/m].
         friction: Dry friction [N].
         rest: Position at which the spring is relaxed; outside the limits for a preloaded spring [m].
         armature: Additional mass at the joint [kg].
-        effort: Largest force of an actuator [N].
+        effort: Largest force of an actuator; 100 by default [N].
         velocity: Largest speed; 1 m/s by default.
         follows: Coupling to another joint, such as `0.02 * handle`; it determines the limits.
         needs: Condition under which the joint may leave 0, such as `door > 1.2`; `(door > 1.2).beyond(0.03)`
@@ -382,7 +469,11 @@ def joint(name: str, kind: Kind, **options: Any) -> Revolute | Prismatic:
     return (Revolute if kind == "revolute" else Prismatic)(name, **options)
 
 
-_NAME, *_OPTIONS = inspect.signature(Revolute).parameters.values()
+_NAME, *_OPTIONS = (
+    each.replace(default=getattr(_PLAIN, each.name)) if hasattr(_PLAIN, each.name) else each
+    for each in inspect.signature(Revolute).parameters.values()
+    if each.name not in ("spring", "feel")
+)
 joint.__signature__ = inspect.Signature(  # type: ignore[attr-defined]
     [_NAME, inspect.signature(joint).parameters["kind"], *_OPTIONS]
 )

@@ -7,10 +7,10 @@ import numpy as np
 from artgen._arrays import Array
 from artgen.asset.shape import Contour, Shape
 from artgen.colliders import Convex, Exact
-from artgen.graph import records
+from artgen.graph import kernel, records
 from artgen.nodes import validators as check
 from artgen.nodes.contours import arc_points, circle_contour, faceted, rounded_polygon
-from artgen.nodes.handles import Array3, Scalar, Solid, Span, VectorLike
+from artgen.nodes.handles import Array3, Scalar, Solid, VectorLike
 from artgen.nodes.primitive_colliders import (
     around_cylinder,
     around_hull,
@@ -85,44 +85,17 @@ def box(x: Scalar, y: Scalar, z: Scalar, *, bevel: Scalar = 0.0) -> Solid:
     """
 
 
+@kernel(spelling="Region.between({low}, {high}).box(bevel={bevel})")
 def _box_between(low: Array3, high: Array3, bevel: float) -> Shape:
     size = check.vector("high", high) - check.vector("low", low)
     for name, length in zip("xyz", size, strict=True):
         if length <= 0.0:
-            raise ValueError(f"the corners are {length:.6g} m apart along {name}: the lowest one comes first")
+            raise ValueError(
+                f"the region is {length:.6g} m long along {name}: the lowest coordinate comes first"
+            )
     return _box(float(size[0]), float(size[1]), float(size[2]), bevel).transformed(
         check.pose(np.eye(3), 0.5 * (low + high))
     )
-
-
-@records(_box_between)
-def box_between(low: VectorLike, high: VectorLike, *, bevel: Scalar = 0.0) -> Solid:
-    """Make a box from its lowest and its highest corner.
-
-    Args:
-        low: The corner with the smallest x, y and z [m].
-        high: The opposite corner [m].
-        bevel: Radius of all rounded edges [m], at most half the shortest side.
-
-    Examples:
-        >>> box_between((0, 0, 0), (0.3, 0.2, 0.018)) | box_between((0, 0, 0.018), (0.018, 0.2, 0.2))
-    """
-
-
-def board(x: Span, y: Span, z: Span, *, bevel: Scalar = 0.0) -> Solid:
-    """Make a box from its extents along the axes, like the boards of a carcass and the walls of a tub.
-
-    Args:
-        x: Lowest and highest coordinate along X [m].
-        y: Lowest and highest coordinate along Y [m].
-        z: Lowest and highest coordinate along Z [m].
-        bevel: Radius of all rounded edges [m], at most half the shortest side.
-
-    Examples:
-        >>> board((0, 0.3), (0, 0.2), (0, 0.018)) | board((0, 0.018), (0, 0.2), (0.018, 0.2))
-    """
-    low, high = zip(x, y, z, strict=True)
-    return box_between(low, high, bevel=bevel)
 
 
 def _cylinder(radius: float, length: float, axis: Array3, bevel: float) -> Shape:

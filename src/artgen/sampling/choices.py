@@ -42,11 +42,22 @@ def choice(
     doc: str = "",
     within: Within = None,
 ) -> Any:
-    """Draw one of the options, equally likely without weights.
+    """Draw one of the options: `choice("lever", "knob")`, or by weight `choice({"lever": 0.7, "knob": 0.3})`.
+
+    Args:
+        *options: The options, or one mapping from options to their weights.
+        weights: Weights of the options; equally likely without weights.
+        unit: Unit of the value.
+        doc: Description of the parameter.
+        within: Hard limits for overrides.
 
     Raises:
         ParameterError: There are no options, an option is a distribution, or the weights do not match them.
     """
+    if len(options) == 1 and isinstance(options[0], Mapping):
+        if weights is not None:
+            raise ParameterError("choice takes the weights from its mapping, or as weights=..., not both")
+        options, weights = tuple(options[0]), tuple(options[0].values())
     if not options:
         raise ParameterError("choice needs at least one option")
     for option in options:
@@ -156,7 +167,8 @@ def by(
 
     Args:
         parameter: Name of a structural parameter of the same generator.
-        cases: Distribution or value for each of its values that is not an identifier.
+        cases: Distribution or value for each of its values that is not an identifier. In place of a
+            distribution, a mapping is the weights of a choice.
         unit: Unit of the value.
         doc: Description of the parameter.
         within: Hard limits for overrides.
@@ -170,7 +182,7 @@ def by(
         raise ParameterError(f"by({parameter!r}) needs a distribution for each value of {parameter!r}")
     # "otherwise" matches everything, so it comes last
     ordered = tuple(
-        (key, case if isinstance(case, Distribution) else Fixed(value=case))
+        (key, _distribution(case))
         for key, case in sorted(together.items(), key=lambda item: item[0] == OTHERWISE)
     )
     for key, case in ordered:
@@ -179,3 +191,10 @@ def by(
                 f"by({parameter!r}, {key}=...): hard limits hold for all cases; give within=... to by itself"
             )
     return limited(By(unit, doc, None, parameter, ordered), within)
+
+
+def _distribution(case: Any) -> Distribution:
+    """Return the distribution of a case: a distribution, weights by option, or a fixed value."""
+    if isinstance(case, Mapping):
+        case = choice(case)
+    return case if isinstance(case, Distribution) else Fixed(value=case)

@@ -75,8 +75,8 @@ class Board:
 
     def _slab(self) -> ag.Solid:
         """Make a board larger than any sheet; its texture runs along x."""
-        upper = ag.box_between((-_FAR - 0.1, -_FAR, -2.0 * self.thick), (_FAR + 0.1, _FAR, 0.0))
-        lower = ag.box_between((-_FAR - 0.1, -_FAR, -self.thick), (_FAR + 0.1, _FAR, self.thick))
+        upper = ag.Region.between((-_FAR - 0.1, -_FAR, -2.0 * self.thick), (_FAR + 0.1, _FAR, 0.0)).box()
+        lower = ag.Region.between((-_FAR - 0.1, -_FAR, -self.thick), (_FAR + 0.1, _FAR, self.thick)).box()
         return upper.paint(self.outside) & lower.paint(self.inside)
 
     def _mitre(self) -> ag.Solid:
@@ -204,14 +204,16 @@ def walls(
 ) -> ag.Solid:
     """Make four walls and the floor between them."""
     t = board.thick
-    shell = ag.box_between(
-        (-width / 2.0, -depth / 2.0, base), (width / 2.0, depth / 2.0, height + 0.004), bevel=_ROUND
-    )
+    shell = ag.Region.between(
+        (-width / 2.0, -depth / 2.0, base), (width / 2.0, depth / 2.0, height + 0.004)
+    ).box(bevel=_ROUND)
     bottom = base + t if floor else base - 0.01
-    shell = shell - ag.box_between((-width, -depth, height), (width, depth, height + 0.01)).paint(board.edge)
-    inside = ag.box_between(
-        (-width / 2.0 + t, -depth / 2.0 + t, bottom), (width / 2.0 - t, depth / 2.0 - t, height + 0.01)
+    shell = shell - ag.Region.between((-width, -depth, height), (width, depth, height + 0.01)).box().paint(
+        board.edge
     )
+    inside = ag.Region.between(
+        (-width / 2.0 + t, -depth / 2.0 + t, bottom), (width / 2.0 - t, depth / 2.0 - t, height + 0.01)
+    ).box()
     return shell.paint(board.outside) - inside.paint(board.inside)
 
 
@@ -281,16 +283,16 @@ def cells(
     for number in range(1, columns):
         x = width * (number / columns - 0.5)
         boards.append(
-            ag.box_between(
+            ag.Region.between(
                 (x - thick / 2.0, -depth / 2.0 + LAYER, low), (x + thick / 2.0, depth / 2.0 - LAYER, high)
-            )
+            ).box()
         )
     for number in range(1, rows):
         y = depth * (number / rows - 0.5)
         boards.append(
-            ag.box_between(
+            ag.Region.between(
                 (-width / 2.0 + LAYER, y - thick / 2.0, low), (width / 2.0 - LAYER, y + thick / 2.0, high)
-            )
+            ).box()
         )
     if not boards:
         return None

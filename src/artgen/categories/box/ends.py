@@ -75,7 +75,7 @@ def _tube(draft: Draft) -> ag.Solid:
     """Make the four walls of an upright box without ends."""
     wide, tall = draft.depth, draft.height
     tube = walls(draft.board, wide, tall, draft.width, base=-0.004, floor=False)
-    return tube - ag.box_between((-wide, -tall, -0.01), (wide, tall, 0.0)).paint(draft.board.edge)
+    return tube - ag.Region.between((-wide, -tall, -0.01), (wide, tall, 0.0)).box().paint(draft.board.edge)
 
 
 def _both_ends(cut: Callable[[ag.Solid], ag.Solid], tube: ag.Solid, long: ag.Scalar) -> ag.Solid:

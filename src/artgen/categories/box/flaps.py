@@ -81,7 +81,7 @@ class Top:
         for side in (-1.0, 1.0):
             low = (side * self.width / 2.0 - 1.6 * t, -self.depth / 2.0 - 0.01, self.low)
             high = (side * self.width / 2.0 + 1.6 * t, self.depth / 2.0 + 0.01, self.height + 0.01)
-            lowered = lowered - ag.box_between(low, high).paint(self.board.edge)
+            lowered = lowered - ag.Region.between(low, high).box().paint(self.board.edge)
         return self.board.creased(lowered, *self.majors().values(), *self.minors().values())
 
     def attached(
@@ -143,7 +143,7 @@ class Top:
         ]
         if self.taped:
             low = (-wide / 2.0 + 0.001, self.reach - _TAPE_WIDE / 2.0, -0.0001)
-            strip = ag.box_between(low, (wide / 2.0 - 0.001, self.reach - 0.0002, 0.00012))
+            strip = ag.Region.between(low, (wide / 2.0 - 0.001, self.reach - 0.0002, 0.00012)).box()
             bodies.append(ag.detail(strip, "tape", TAPE))
         return ag.weld(*bodies, *marks)
 
@@ -167,6 +167,8 @@ class Top:
             face, half = side * self.width / 2.0, _TAPE_WIDE / 2.0
             low = (face - 0.00012, -half, self.low - 0.065)
             ends.append(
-                ag.detail(ag.box_between(low, (face + 0.00012, half, self.low - 0.001)), "tape", TAPE)
+                ag.detail(
+                    ag.Region.between(low, (face + 0.00012, half, self.low - 0.001)).box(), "tape", TAPE
+                )
             )
         return ends

@@ -54,11 +54,19 @@ def strap(at: ag.Scalar, finish: ag.Material) -> ag.Body:
 def drawer_case(board: Board, width: ag.Scalar, depth: ag.Scalar, height: ag.Scalar) -> ag.Solid:
     """Make a sleeve that is open at the front."""
     t = board.thick
-    shell = ag.box_between(
-        (-width / 2.0, -depth / 2.0 - 0.01, 0.0), (width / 2.0, depth / 2.0, height), bevel=0.0012
-    ).paint(board.outside)
-    ahead = ag.box_between((-width, -depth, -0.01), (width, -depth / 2.0, height + 0.01)).paint(board.outside)
-    inside = ag.box_between((-width / 2.0 + t, -depth, t), (width / 2.0 - t, depth / 2.0 - t, height - t))
+    shell = (
+        ag.Region.between((-width / 2.0, -depth / 2.0 - 0.01, 0.0), (width / 2.0, depth / 2.0, height))
+        .box(bevel=0.0012)
+        .paint(board.outside)
+    )
+    ahead = (
+        ag.Region.between((-width, -depth, -0.01), (width, -depth / 2.0, height + 0.01))
+        .box()
+        .paint(board.outside)
+    )
+    inside = ag.Region.between(
+        (-width / 2.0 + t, -depth, t), (width / 2.0 - t, depth / 2.0 - t, height - t)
+    ).box()
     return shell - ahead - inside.paint(board.outside)
 
 
@@ -129,19 +137,19 @@ class Gift:
                 corners = ((-half, near, bottom), (half, far, top))
                 if way == "x":
                     corners = ((near, -half, bottom), (far, half, top))
-                made.append(ag.detail(ag.box_between(*corners), "ribbon", self.satin))
+                made.append(ag.detail(ag.Region.between(*corners).box(), "ribbon", self.satin))
         return made
 
     def _bow(self) -> ag.Body:
         """Make the bow on the lid: a knot to grasp, two loops and two ends."""
         top = self.height + _RIBBON
         tall = 0.024
-        knot = ag.box_between((-0.011, -0.0095, top - 0.001), (0.011, 0.0095, top + tall), bevel=0.006)
+        knot = ag.Region.between((-0.011, -0.0095, top - 0.001), (0.011, 0.0095, top + tall)).box(bevel=0.006)
         hold = ag.grasp_on(knot, approach=-ag.Z, closing=ag.Y, depth=0.014)
         bodies = [ag.part(knot, "ribbon", self.satin, name="bow", grasp=hold)]
         loop = ag.extrude(ag.ellipse(0.034, 0.0135) - ag.ellipse(0.0325, 0.012), 0.8 * self.wide, axis=ag.Y)
         inner = ag.extrude(ag.ellipse(0.024, 0.0095) - ag.ellipse(0.0225, 0.008), 0.66 * self.wide, axis=ag.Y)
-        tail = ag.box_between((0.0, -0.36 * self.wide, -0.0004), (0.062, 0.36 * self.wide, 0.0004))
+        tail = ag.Region.between((0.0, -0.36 * self.wide, -0.0004), (0.062, 0.36 * self.wide, 0.0004)).box()
         for side in (-1.0, 1.0):
             turned = 0.0 if side > 0.0 else math.pi
             for each, at, rise, raised in ((loop, 0.042, 0.015, 0.22), (inner, 0.031, 0.022, 0.5)):
@@ -161,8 +169,8 @@ class Gift:
         """Make the foam for the contents, with a hollow; return None for a box without foam."""
         if self.hollow == "none":
             return []
-        block = ag.box_between(
-            (-width / 2.0, -depth / 2.0, 0.0), (width / 2.0, depth / 2.0, height), bevel=0.001
+        block = ag.Region.between((-width / 2.0, -depth / 2.0, 0.0), (width / 2.0, depth / 2.0, height)).box(
+            bevel=0.001
         )
         block = block.scale((width - 0.0012) / width, (depth - 0.0012) / depth, 1.0)
         if self.hollow == "round":
@@ -182,9 +190,13 @@ class Gift:
         hinge = Crease(0.0, self.depth / 2.0, self.height, turn=math.pi)
         front = Crease(0.0, long, folded=True)
         low = self.height - t - LAYER
-        over = ag.box_between(
-            (-self.width, -self.depth, low), (self.width, self.depth / 2.0 - 1.6 * t, self.height + 0.01)
-        ).paint(board.outside)
+        over = (
+            ag.Region.between(
+                (-self.width, -self.depth, low), (self.width, self.depth / 2.0 - 1.6 * t, self.height + 0.01)
+            )
+            .box()
+            .paint(board.outside)
+        )
         shell = board.creased(walls(board, self.width, self.depth, self.height) - over, hinge)
         sheet = board.creased(board.sheet(ag.rectangle(self.width + 0.004, long).at(0.0, long / 2.0)), front)
         lid = ag.weld(

@@ -112,7 +112,7 @@ class Lidded:
             for side in (-1.0, 1.0):
                 low = (side * self.width / 2.0 - 1.6 * t, -self.depth / 2.0 - 0.01, self.low)
                 high = (side * self.width / 2.0 + 1.6 * t, self.depth / 2.0 + 0.01, self.height + 0.01)
-                lowered = lowered - ag.box_between(low, high).paint(self.board.edge)
+                lowered = lowered - ag.Region.between(low, high).box().paint(self.board.edge)
         return self.board.creased(lowered, self.hinge, *self.dust_creases().values())
 
     def rims(self, label: str = "box") -> list[ag.Body]:
@@ -128,8 +128,8 @@ class Lidded:
                 (layer - 0.6 * t, 0.85 * tip),
             ]
         )
-        bar = ag.board(
-            (-half, half), (front + t - 0.0003, layer), (0.8 * tip, self.height - 0.0002), bevel=0.0008
+        bar = ag.Region((-half, half), (front + t - 0.0003, layer), (0.8 * tip, self.height - 0.0002)).box(
+            bevel=0.0008
         )
         made = [bar | ag.extrude(wedge, 2.0 * half - 0.001, axis=ag.X)]
         if self.ears:
@@ -138,7 +138,7 @@ class Lidded:
             for side in (-1.0, 1.0):
                 x = _span(side, self.inner, self.inner + t + 0.0003)
                 y = (front + t + 0.0006, self.depth / 2.0 - t - 0.0006)
-                made.append(ag.board(x, y, (start, top), bevel=0.0008))
+                made.append(ag.Region(x, y, (start, top)).box(bevel=0.0008))
         return [ag.part(each, label, self.board.outside) for each in made]
 
     def attached(
@@ -262,7 +262,7 @@ class Lidded:
         if not self._sealed:
             return []
         low, high = (-0.024, self.reach - self.grip - 0.012, -0.0001), (0.024, self.reach - 0.0005, 0.00012)
-        return [ag.detail(ag.box_between(low, high), "tape", TAPE)]
+        return [ag.detail(ag.Region.between(low, high).box(), "tape", TAPE)]
 
     @property
     def ear(self) -> ag.Float:

@@ -23,7 +23,7 @@ PAPER = ag.colored("abs", "white").with_(
 
 def pull_tab(tall: float = 0.021) -> ag.Solid:
     """Make the upright folded end of a tape at the edge of a flap, for a hand to pull."""
-    return ag.box_between((-0.014, -0.0007, -0.0006), (0.014, 0.0007, tall), bevel=0.0005)
+    return ag.Region.between((-0.014, -0.0007, -0.0006), (0.014, 0.0007, tall)).box(bevel=0.0005)
 
 
 def arrows(size: ag.Scalar) -> ag.Profile:
@@ -128,7 +128,7 @@ def address_label(at: ag.VectorLike, *, facing: ag.VectorLike, size: ag.Scalar, 
 def seam(start: ag.VectorLike, end: ag.VectorLike) -> ag.Body:
     """Make the dark line between two sheets."""
     dark = ag.material("cardboard_edge").with_(name="seam_shade", base_color=(0.06, 0.04, 0.025), texture="")
-    return ag.detail(ag.box_between(start, end), "box", dark)
+    return ag.detail(ag.Region.between(start, end).box(), "box", dark)
 
 
 Signs = Literal["none", "up", "pair", "full"]

@@ -38,7 +38,7 @@ def cup_hinges_on_door(levels: Sequence[ag.Scalar], *, finish: ag.Material) -> l
     way = (0.0, 1.0, 0.0)
     flange = ag.extrude(plate - ag.circle(_CUP - 0.0015).at(_CUP_AT, 0.0), _FLANGE, axis=(0.0, -1.0, 0.0))
     well = ag.cylinder(_CUP - 0.0012, 0.0004, axis=way).at(_CUP_AT, 0.0001, 0.0)
-    cheek = ag.board((0.0170, 0.0330), (-0.001, 0.0085), (-0.0011, 0.0011), bevel=0.0008)
+    cheek = ag.Region((0.0170, 0.0330), (-0.001, 0.0085), (-0.0011, 0.0011)).box(bevel=0.0008)
     link = ag.array(cheek, at=[(0.0, 0.0, 0.0088), (0.0, 0.0, -0.0088)])
     heads = [(_CUP_AT + 0.008, _FLANGE / 2, level + end * 0.024) for level in levels for end in (-1, 1)]
     return [
@@ -55,11 +55,11 @@ def cup_hinges_on_side(
     """Make the mounting plates and arms on the inner face of a side."""
     at = _everywhere(levels)
     y = DOOR_GAP
-    plate = ag.board(
-        (inside - 0.0003, inside + 0.0035), (y + 0.024, y + 0.054), (-0.022, 0.022), bevel=0.0008
+    plate = ag.Region((inside - 0.0003, inside + 0.0035), (y + 0.024, y + 0.054), (-0.022, 0.022)).box(
+        bevel=0.0008
     )
-    arm = ag.board(
-        (inside + 0.0030, inside + 0.0130), (y + 0.0025, y + 0.072), (-0.0062, 0.0062), bevel=0.0016
+    arm = ag.Region((inside + 0.0030, inside + 0.0130), (y + 0.0025, y + 0.072), (-0.0062, 0.0062)).box(
+        bevel=0.0016
     )
     heads = [(inside + 0.0034, y + 0.039, level + end * 0.016) for level in levels for end in (-1, 1)]
     turns = [(inside + 0.0129, y + deep, level) for level in levels for deep in (0.030, 0.058)]

@@ -117,9 +117,9 @@ class Case:
         """Make the case from the floor to the plate, with all its parts."""
         plan = self.plan
         x, y = plan.width / 2 - _LAP, plan.depth / 2 - _LAP_BACK
-        shell = ag.box_between((-x, -y, 0.0), (x, y, self.under + 0.0003))
+        shell = ag.Region.between((-x, -y, 0.0), (x, y, self.under + 0.0003)).box()
         if self.kind == "gas":
-            room = ag.box_between((_WALL - x, _WALL - y, _WALL), (x - _WALL, y - _WALL, self.height))
+            room = ag.Region.between((_WALL - x, _WALL - y, _WALL), (x - _WALL, y - _WALL, self.height)).box()
             shell = shell - room
         sheet = filled(_GALVANISED, _CASE[self.kind], "case")
         seam = ag.extrude(

@@ -95,9 +95,9 @@ def tap_dial(plan: Plan, looks: DialLooks, push: Push, *, top: ag.Scalar, thick:
     stem = ag.cylinder(_STEM, top + push.travel + 0.002 - low).align((0.0, 0.0, low), z=-1)
     inner, back = _PIN[1] - 0.0008, _DISC
     disc = ag.union(
-        ag.box_between((-_DISC, -_DISC, low), (_DISC, inner, high)),
-        ag.box_between((-_DISC, inner, low), (-_NOTCH, back, high)),
-        ag.box_between((_NOTCH, inner, low), (_DISC, back, high)),
+        ag.Region.between((-_DISC, -_DISC, low), (_DISC, inner, high)).box(),
+        ag.Region.between((-_DISC, inner, low), (-_NOTCH, back, high)).box(),
+        ag.Region.between((_NOTCH, inner, low), (_DISC, back, high)).box(),
     )
     steel = looks.cap if looks.cap.base_metalness > 0.5 else looks.finish
     return ag.weld(knob, ag.part(ag.union(stem, disc), "burner_dial", steel))
@@ -141,7 +141,7 @@ def tap_pin(push: Push, *, top: ag.Scalar, thick: ag.Scalar) -> ag.Solid:
     half, near, far = _PIN
     high = top - thick + 0.0005
     low = top - thick - _UNDER - push.travel + _CLEAR
-    return ag.box_between((-half, near, low), (half, far, high))
+    return ag.Region.between((-half, near, low), (half, far, high)).box()
 
 
 def tap_hole(top: ag.Scalar) -> ag.Solid:

@@ -90,27 +90,27 @@ class Console:
         y: ag.Span = (0.0, self.thickness)
         wide, tall = self.opening
         if not self.buttons and not wide:
-            return [ag.board((-x, x), y, (-z, z), bevel=0.0015)]
+            return [ag.Region((-x, x), y, (-z, z)).box(bevel=0.0015)]
         end = -wide if wide else x  # end of the remaining opening
         boards = []
         if wide:
             boards += [
-                ag.board((wide, x), y, (-z, z)),
-                ag.board((-wide - LAP, wide + LAP), y, (tall, z)),
-                ag.board((-wide - LAP, wide + LAP), y, (-z, -tall)),
+                ag.Region((wide, x), y, (-z, z)).box(),
+                ag.Region((-wide - LAP, wide + LAP), y, (tall, z)).box(),
+                ag.Region((-wide - LAP, wide + LAP), y, (-z, -tall)).box(),
             ]
         if not self.buttons:
-            return [*boards, ag.board((-x, end), y, (-z, z))]
+            return [*boards, ag.Region((-x, end), y, (-z, z)).box()]
         left, right = self._channel
         room = "the buttons have no room on the console: raise width, or lower buttons"
         left, right = ag.require(left, left > -x, room), ag.require(right, right < end, room)
         half = 0.5 * self._cap_height + 0.0012
         return [
             *boards,
-            ag.board((-x, end), y, (half, z)),
-            ag.board((-x, end), y, (-z, -half)),
-            ag.board((-x, left), y, (-half - LAP, half + LAP)),
-            ag.board((right, end), y, (-half - LAP, half + LAP)),
+            ag.Region((-x, end), y, (half, z)).box(),
+            ag.Region((-x, end), y, (-z, -half)).box(),
+            ag.Region((-x, left), y, (-half - LAP, half + LAP)).box(),
+            ag.Region((right, end), y, (-half - LAP, half + LAP)).box(),
         ]
 
     @cached_property

@@ -42,7 +42,7 @@ class Dispenser:
         face, floor = space.inner - _FACE, space.inner - DISH
         x, low, high = self.beside, self.rim - 0.042, self.rim + 0.075
         grey = ag.colored("abs", "light_grey").with_(name="dispenser_grey")
-        housing = ag.board((x - 0.058, x + 0.058), (floor - 0.001, face), (low, high), bevel=0.004)
+        housing = ag.Region((x - 0.058, x + 0.058), (floor - 0.001, face), (low, high)).box(bevel=0.004)
         cup = ag.rectangle(0.046, 0.036, radius=0.005)
         chamber = details.relief(
             cup, (x - 0.014, face, self.rim + _ABOVE + 0.022), facing=(0.0, 1.0, 0.0), proud=0.0003
@@ -57,12 +57,11 @@ class Dispenser:
         )
         guides = [
             ag.detail(
-                ag.board(
+                ag.Region(
                     (x - 0.014 + side * 0.030 - 0.0015, x - 0.014 + side * 0.030 + 0.0015),
                     (face - 0.001, face + 0.0028),
                     (low + 0.002, self.rim + _ABOVE + 0.046),
-                    bevel=0.0006,
-                ),
+                ).box(bevel=0.0006),
                 "dispenser",
                 grey,
             )
@@ -81,9 +80,9 @@ class Dispenser:
         space = self.space
         near = space.inner - _FACE + 0.0006
         x, low = self.beside - 0.014, self.rim + _ABOVE
-        plate = ag.board((x - 0.027, x + 0.027), (near, near + _PLATE), (low, low + 0.044), bevel=0.001)
-        tab = ag.board(
-            (x - 0.017, x + 0.017), (near + 0.001, space.inner + _TAB), (low, low + 0.010), bevel=0.002
+        plate = ag.Region((x - 0.027, x + 0.027), (near, near + _PLATE), (low, low + 0.044)).box(bevel=0.001)
+        tab = ag.Region((x - 0.017, x + 0.017), (near + 0.001, space.inner + _TAB), (low, low + 0.010)).box(
+            bevel=0.002
         )
         hold: ag.Frame = ag.frame(
             (x, space.inner + _TAB + 0.002, low + 0.005), approach=(0.0, -1.0, 0.0), closing=ag.Z
@@ -150,10 +149,10 @@ def _frame_of(half: ag.Scalar, y: ag.Span, z: ag.Span, wide: ag.Scalar, opening:
     """Make the four boards around an opening in the middle of a wall."""
     low, high = z
     return [
-        ag.board((-half, half), y, (low, opening[0])),
-        ag.board((-half, half), y, (opening[1], high)),
-        ag.board((-half, -wide), y, (opening[0] - LAP, opening[1] + LAP)),
-        ag.board((wide, half), y, (opening[0] - LAP, opening[1] + LAP)),
+        ag.Region((-half, half), y, (low, opening[0])).box(),
+        ag.Region((-half, half), y, (opening[1], high)).box(),
+        ag.Region((-half, -wide), y, (opening[0] - LAP, opening[1] + LAP)).box(),
+        ag.Region((wide, half), y, (opening[0] - LAP, opening[1] + LAP)).box(),
     ]
 
 
@@ -227,7 +226,7 @@ class Front:
         space, half, low = self.space, self._half, self.space.door_bottom
         front, inner, dish = space.front, space.inner, space.inner - DISH
         wooden = self.finish.name.startswith(("oak", "walnut", "ash", "lacquered"))
-        skin = ag.board((-half, half), (front, front + SKIN), (low, self._skin_top), bevel=0.003)
+        skin = ag.Region((-half, half), (front, front + SKIN), (low, self._skin_top)).box(bevel=0.003)
         grip = self._grip
         if grip is not None and self.handle == "recessed" and self.controls == "top":
             skin = skin - grip.cut
@@ -236,9 +235,9 @@ class Front:
         level = top - _RIM
         solids = self._around_grip(core, behind, level, top)
         beside = space.inside - 0.034
-        solids.append(ag.board((-half, half), behind, (low, low + 0.058), bevel=0.003))
+        solids.append(ag.Region((-half, half), behind, (low, low + 0.058)).box(bevel=0.003))
         for x in ((beside, half), (-half, -beside)):
-            solids.append(ag.board(x, behind, (low + 0.056, level + 0.002), bevel=0.003))
+            solids.append(ag.Region(x, behind, (low + 0.056, level + 0.002)).box(bevel=0.003))
         stuff = filled(self.liner, 285.0, "liner")
         return [
             (skin, filled(self.finish, 380.0 if wooden else 290.0, "front")),
@@ -252,29 +251,33 @@ class Front:
         half, low, wide = self._half, self.space.door_bottom, 0.5 * self.length
         front, inner, dish = self.space.front, behind[1], behind[0]
         solids: list[ag.Solid] = []
-        rim = ag.board((-half, half), behind, (level, top), bevel=0.003)
+        rim = ag.Region((-half, half), behind, (level, top)).box(bevel=0.003)
         match self.handle:
             case "bar":
-                solids = [ag.board((-half, half), core, (low, top)), rim]
+                solids = [ag.Region((-half, half), core, (low, top)).box(), rim]
             case "recessed":
                 z = self.handle_height
                 solids = [
                     *_frame_of(half, core, (low, top), wide, (z - _HALF_RECESS, z + _HALF_RECESS)),
-                    ag.board((-wide, wide), (front + _RECESS, dish), (z - _HALF_RECESS, z + _HALF_RECESS)),
+                    ag.Region(
+                        (-wide, wide), (front + _RECESS, dish), (z - _HALF_RECESS, z + _HALF_RECESS)
+                    ).box(),
                     rim,
                 ]
             case "pocket":
                 bottom = top - _POCKET
                 solids = [
-                    ag.board((-half, half), core, (low, bottom)),
-                    ag.board((-half, half), behind, (level, bottom)),
-                    ag.board((-wide - LAP, wide + LAP), (front + _BEHIND_POCKET, inner), (bottom - LAP, top)),
+                    ag.Region((-half, half), core, (low, bottom)).box(),
+                    ag.Region((-half, half), behind, (level, bottom)).box(),
+                    ag.Region(
+                        (-wide - LAP, wide + LAP), (front + _BEHIND_POCKET, inner), (bottom - LAP, top)
+                    ).box(),
                     *(
-                        ag.board(
+                        ag.Region(
                             (wide, half) if side > 0 else (-half, -wide),
                             (front + SKIN - 0.001 + LAP, inner),
                             (bottom - 2.0 * LAP, top),
-                        )
+                        ).box()
                         for side in (-1, 1)
                     ),
                 ]

@@ -129,18 +129,18 @@ class Racks:
         high, low, sheet = 0.115, 0.0070, 0.0026
         half = 0.5 * wide
         walls = [
-            ag.board((-half, half), (-deep / 2, deep / 2), (low, low + sheet)),
+            ag.Region((-half, half), (-deep / 2, deep / 2), (low, low + sheet)).box(),
             *(
-                ag.board((-half, half), (y - sheet / 2, y + sheet / 2), (low, low + high), bevel=0.001)
+                ag.Region((-half, half), (y - sheet / 2, y + sheet / 2), (low, low + high)).box(bevel=0.001)
                 for y in (-deep / 2, deep / 2)
             ),
             *(
-                ag.board(
-                    (x - sheet / 2, x + sheet / 2), (-deep / 2, deep / 2), (low, low + high), bevel=0.001
+                ag.Region((x - sheet / 2, x + sheet / 2), (-deep / 2, deep / 2), (low, low + high)).box(
+                    bevel=0.001
                 )
                 for x in (-half, half)
             ),
-            ag.board((-half, half), (-sheet / 2, sheet / 2), (low, low + high + 0.004), bevel=0.001),
+            ag.Region((-half, half), (-sheet / 2, sheet / 2), (low, low + high + 0.004)).box(bevel=0.001),
         ]
         bodies = [ag.part(each, "cutlery_basket", self.plastic) for each in walls]
         hole = ag.grid(
@@ -177,7 +177,7 @@ class Racks:
         hanger = ag.cylinder(0.020, _HANGS - 0.0008, axis=ag.Z, bevel=0.002).at(
             0.0, 0.0, -_HANGS / 2.0 + 0.0012
         )
-        pipe = ag.board((-0.012, 0.012), (0.0, 0.49 * depth), (-0.0085, 0.0006), bevel=0.003)
+        pipe = ag.Region((-0.012, 0.012), (0.0, 0.49 * depth), (-0.0085, 0.0006)).box(bevel=0.003)
         bodies += [ag.part(hanger, "rack", self.plastic), ag.part(pipe, "rack", self.plastic)]
         return ag.weld(*bodies).at(0.0, self.space.rack_middle, self.upper)
 
@@ -220,8 +220,8 @@ class Racks:
         ]
         for index in range(5):
             x = (index - 2) * 0.2 * self._width
-            comb = ag.board(
-                (x - 0.002, x + 0.002), (-0.44 * depth, 0.44 * depth), (0.0072, 0.026), bevel=0.001
+            comb = ag.Region((x - 0.002, x + 0.002), (-0.44 * depth, 0.44 * depth), (0.0072, 0.026)).box(
+                bevel=0.001
             )
             bodies.append(ag.part(comb, "rack", self.plastic))
         return ag.weld(*bodies).at(0.0, self.space.rack_middle, self.tray_floor)

@@ -95,14 +95,14 @@ class Cabinet:
         half, low = self._half, _FEET
         front = space.mouth + 0.034
         under = space.floor - 0.014
-        pan = ag.board(
-            (0.004 - half, half - 0.004), (front, self._rear - _BACK - 0.002), (low, under), bevel=0.004
+        pan = ag.Region((0.004 - half, half - 0.004), (front, self._rear - _BACK - 0.002), (low, under)).box(
+            bevel=0.004
         )
         ballast = filled(ag.material("black_abs"), self.base_density, "base")
         top = space.door_bottom - 0.004
-        kick = ag.board(
-            (0.001 - half, half - 0.001), (front - 0.0125, front + 0.001), (0.012, top + 0.02), bevel=0.002
-        )
+        kick = ag.Region(
+            (0.001 - half, half - 0.001), (front - 0.0125, front + 0.001), (0.012, top + 0.02)
+        ).box(bevel=0.002)
         y = (front + 0.045, self._rear - _BACK - 0.05)
         corners = [(side * (half - 0.045), each, 0.0) for side in (-1, 1) for each in y]
         disc = ag.cylinder(0.019, 0.008, axis=ag.Z, bevel=0.0015).at(0.0, 0.0, 0.004)
@@ -131,15 +131,15 @@ class Cabinet:
         front, back = space.mouth, space.back
         stuff = filled(self.tub, 190.0, "tub")
         boards = [
-            ag.board((-outer, outer), (front, self._rear - _BACK), (low - 0.016, low)),
-            ag.board((-outer, outer), (front, self._rear - 0.002), (high, high + 0.016)),
-            ag.board((-outer, outer), (back, back + 0.012), (low - 0.001, high + 0.001)),
+            ag.Region((-outer, outer), (front, self._rear - _BACK), (low - 0.016, low)).box(),
+            ag.Region((-outer, outer), (front, self._rear - 0.002), (high, high + 0.016)).box(),
+            ag.Region((-outer, outer), (back, back + 0.012), (low - 0.001, high + 0.001)).box(),
             *(
-                ag.board(
+                ag.Region(
                     (side * wide, side * outer) if side > 0 else (-outer, -wide),
                     (front, back + 0.001),
                     (low - 0.001, high + 0.001),
-                )
+                ).box()
                 for side in (-1, 1)
             ),
         ]
@@ -163,9 +163,9 @@ class Cabinet:
         for side in (-1, 1):
             x = (side * (half - _SHEET), side * half) if side > 0 else (-half, _SHEET - half)
             low = space.floor - 0.014
-            bodies.append(ag.part(ag.board(x, (front, rear), (low, top), bevel=0.0012), "body", sheet))
+            bodies.append(ag.part(ag.Region(x, (front, rear), (low, top)).box(bevel=0.0012), "body", sheet))
             deep = (space.mouth + 0.030, rear - 0.002)
-            bodies.append(ag.part(ag.board(x, deep, (bottom, low + 0.001)), "body", sheet))
+            bodies.append(ag.part(ag.Region(x, deep, (bottom, low + 0.001)).box(), "body", sheet))
             if self.build == "built_in":
                 bodies += self._felt(side, top)
         return bodies
@@ -185,25 +185,22 @@ class Cabinet:
         space, half = self.space, self._half
         low = space.ceiling + 0.016
         if self.worktop:
-            plate = ag.board(
-                (-half, half),
-                (space.front + 0.004, self._rear),
-                (space.height - 0.030, space.height),
-                bevel=0.005,
-            )
+            plate = ag.Region(
+                (-half, half), (space.front + 0.004, self._rear), (space.height - 0.030, space.height)
+            ).box(bevel=0.005)
             return [
                 ag.part(
-                    ag.board(
+                    ag.Region(
                         (0.002 - half, half - 0.002), (space.mouth, self._rear), (low, space.height - 0.029)
-                    ),
+                    ).box(),
                     "body",
                     filled(self.sides, 300.0, "deck"),
                 ),
                 ag.part(plate, "worktop", filled(self.worktop_finish, 620.0, "top")),
             ]
-        deck = ag.board(
+        deck = ag.Region(
             (_SHEET - half, half - _SHEET), (space.mouth, self._rear), (low - 0.001, space.height)
-        )
+        ).box()
         return [ag.part(deck, "body", filled(self.sides, 300.0, "deck"))]
 
     def _rails(self) -> list[ag.Body]:
@@ -218,12 +215,14 @@ class Cabinet:
             if side < 0:
                 x = (-space.inside - 0.001, 0.017 - space.inside)
             top = space.treads - _RAIL
-            bodies.append(ag.part(ag.board(x, (front, back), (top - 0.008, top), bevel=0.002), "rail", grey))
+            bodies.append(
+                ag.part(ag.Region(x, (front, back), (top - 0.008, top)).box(bevel=0.002), "rail", grey)
+            )
             for level in self.levels:
                 apart = 0.0095 + _RAIL
                 for way in (-1, 1):
                     z = level + way * (apart + 0.002)
-                    strip = ag.board(x, (front, back), (z - 0.002, z + 0.002), bevel=0.0008)
+                    strip = ag.Region(x, (front, back), (z - 0.002, z + 0.002)).box(bevel=0.0008)
                     bodies.append(ag.part(strip, "rail", steel))
         return bodies
 
@@ -243,9 +242,9 @@ class Cabinet:
             ag.detail(cup, "filter", grey),
             ag.detail(bar, "filter", ag.colored("polypropylene", "blue")),
         ]
-        pipe = ag.board(
+        pipe = ag.Region(
             (-0.016, 0.016), (space.back - 0.009, space.back + 0.001), (low, space.ceiling - 0.06)
-        )
+        ).box()
         bodies.append(ag.detail(pipe, "tub", grey))
         rib = ag.box(0.006, 0.004, 0.55 * (space.ceiling - low), bevel=0.0019)  # ribs stiffen the sheet
         at: list[ag.VectorLike] = [
@@ -260,16 +259,16 @@ class Cabinet:
         """Make the back panel above the recess, and the connections for water and mains in the recess."""
         space, half, rear = self.space, self._half, self._rear
         zinc = filled(ag.material("zinc"), 700.0, "sheet")
-        panel = ag.board(
+        panel = ag.Region(
             (_SHEET - half, half - _SHEET),
             (space.back + 0.011, rear - 0.003),
             (_SERVICES, space.ceiling + 0.002),
-        )
-        wall = ag.board(
+        ).box()
+        wall = ag.Region(
             (_SHEET - half, half - _SHEET),
             (rear - _BACK - 0.004, rear - _BACK),
             (_FEET + 0.004, _SERVICES + 0.001),
-        )
+        ).box()
         plane = rear - _BACK
         low = 0.08
         side = half - 0.10

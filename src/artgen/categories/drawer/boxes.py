@@ -36,15 +36,15 @@ def fixed_member(
 ) -> list[ag.Body]:
     """Make the member on the carcass, at the right of a drawer."""
     high, steel = _RUNNER_HEIGHT[style], steel_of(style)
-    rail = ag.board(
-        (face - _MEMBER, face + 0.0003), (front, front + length), (z - high / 2, z + high / 2), bevel=0.0008
-    )
+    rail = ag.Region(
+        (face - _MEMBER, face + 0.0003), (front, front + length), (z - high / 2, z + high / 2)
+    ).box(bevel=0.0008)
     # lips wrap around the drawer's member
-    lip = ag.board(
+    lip = ag.Region(
         (face - _MEMBER - 0.0018, face - _MEMBER + 0.0005),
         (front + 0.001, front + length - 0.001),
         (-0.0015, 0.0015),
-    )
+    ).box()
     edge = high / 2 - 0.0015
     at: list[ag.VectorLike] = [(0.0, 0.0, z + end * edge) for end in ((-1, 1) if style == "ball" else (-1,))]
     bodies = [_steel(rail, steel, solid=solid), ag.detail(ag.array(lip, at=at), "runner", steel)]
@@ -61,9 +61,9 @@ def moving_member(
 ) -> list[ag.Body]:
     """Make the member on the right side of a drawer."""
     high, steel = _RUNNER_HEIGHT[style] - 0.010, steel_of(style)
-    rail = ag.board(
-        (side - 0.0003, side + _MEMBER), (front, front + length), (z - high / 2, z + high / 2), bevel=0.0008
-    )
+    rail = ag.Region(
+        (side - 0.0003, side + _MEMBER), (front, front + length), (z - high / 2, z + high / 2)
+    ).box(bevel=0.0008)
     heads = [(side + _MEMBER, front + share * length, z) for share in (0.12, 0.5, 0.88)]
     return [
         _steel(rail, steel, solid=solid),

@@ -98,13 +98,14 @@ class Drain:
         flat = ag.box(0.0430, 0.0430, 0.0007) - ag.box(0.0240, 0.0240, 0.01)
         # a square pipe within the round one collides: four boards
         pipe = ag.box(0.0260, 0.0260, HANGS) - ag.box(0.0236, 0.0236, HANGS + 0.01)
-        window = ag.board((-0.0055, 0.0055), (0.010, 0.030), (-_DOWN - 0.0055, -_DOWN + 0.0055))
+        window = ag.Region((-0.0055, 0.0055), (0.010, 0.030), (-_DOWN - 0.0055, -_DOWN + 0.0055)).box()
         pipe = pipe.at(0.0, 0.0, -0.5 * HANGS) - window
         skin = ag.tube(outer, inner - 0.0006, HANGS).at(0.0, 0.0, -0.5 * HANGS) - window
         collar = ag.tube(outer + 0.0055, outer - 0.0004, 0.012, bevel=0.001).at(0.0, 0.0, -self.thick - 0.008)
         half, near, far = 0.0052, outer - 0.0004, 0.0300
-        frame = ag.board((-0.0080, 0.0080), (0.0125, far), (-_DOWN - 0.0080, -_DOWN + 0.0080)) - ag.board(
-            (-half, half), (0.010, far + 0.01), (-_DOWN - half, -_DOWN + half)
+        frame = (
+            ag.Region((-0.0080, 0.0080), (0.0125, far), (-_DOWN - 0.0080, -_DOWN + 0.0080)).box()
+            - ag.Region((-half, half), (0.010, far + 0.01), (-_DOWN - half, -_DOWN + half)).box()
         )
         nut = ag.tube(0.0118, 0.0055, far - near + 0.0004, axis=ag.Y, bevel=0.001)
         metal = casting(self.finish, 0.9)
@@ -128,19 +129,19 @@ class Drain:
         eye = -_DOWN + 0.5 * rise
         stem = ag.cylinder_between((0.0, 0.0, eye + 0.0048), (0.0, 0.0, low + 0.0010), 0.0040)
         sides = [
-            ag.board(
+            ag.Region(
                 (side * 0.0040 - 0.0008, side * 0.0040 + 0.0008),
                 (-0.0025, 0.0025),
                 (eye - 0.0064, eye + 0.0064),
-            )
+            ).box()
             for side in (-1, 1)
         ]
         bars = [
-            ag.board(
+            ag.Region(
                 (-0.0042, 0.0042),
                 (-0.0024, 0.0024),
                 (eye + way * 0.0048 - 0.0015, eye + way * 0.0048 + 0.0015),
-            )
+            ).box()
             for way in (-1, 1)
         ]
         seal = ag.tube(_PLUG - 0.0030, _PLUG - 0.0055, 0.0012).at(0.0, 0.0, low - 0.0004)
@@ -178,15 +179,18 @@ class Drain:
         hole = self.at + _BALL + _ARM
         eye = top - _DOWN - 0.5 * ROD_TRAVEL
         thin, wide = 0.0008, 0.0050
-        upper = ag.board((-wide, wide), (at - 0.0044, at - 0.0044 + 2.0 * thin), (under - 0.022, under))
-        lower = ag.board((-wide, wide), (hole - thin, hole + thin), (eye - 0.012, eye + 0.010)) - ag.board(
-            (-0.0032, 0.0032), (hole - 0.01, hole + 0.01), (eye - 0.0032, eye + 0.0032)
+        upper = ag.Region(
+            (-wide, wide), (at - 0.0044, at - 0.0044 + 2.0 * thin), (under - 0.022, under)
+        ).box()
+        lower = (
+            ag.Region((-wide, wide), (hole - thin, hole + thin), (eye - 0.012, eye + 0.010)).box()
+            - ag.Region((-0.0032, 0.0032), (hole - 0.01, hole + 0.01), (eye - 0.0032, eye + 0.0032)).box()
         )
         run = ag.hull(
-            ag.board(
+            ag.Region(
                 (-wide, wide), (at - 0.0044, at - 0.0044 + 2.0 * thin), (under - 0.0218, under - 0.0205)
-            ),
-            ag.board((-wide, wide), (hole - thin, hole + thin), (eye + 0.0085, eye + 0.0098)),
+            ).box(),
+            ag.Region((-wide, wide), (hole - thin, hole + thin), (eye + 0.0085, eye + 0.0098)).box(),
         )
         screw = ag.cylinder_between(
             (0.0, at - 0.013, under - 0.012), (0.0, at + 0.006, under - 0.012), 0.0045

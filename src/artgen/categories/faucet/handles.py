@@ -91,8 +91,10 @@ def turning_handle(
             if style == "lever":
                 arm = _rod(length, 0.0068).rotate(ag.Y, -0.13).at(0.0, 0.0, low + 0.010)
             else:
-                arm = ag.box_between((0.0, -0.0065, 0.007), (length, 0.0065, 0.0145), bevel=0.003).at(
-                    0, 0, low
+                arm = (
+                    ag.Region.between((0.0, -0.0065, 0.007), (length, 0.0065, 0.0145))
+                    .box(bevel=0.003)
+                    .at(0, 0, low)
                 )
             arm = arm.rotate(ag.Z, turned)
             arms = [arm]
@@ -195,7 +197,7 @@ def mixer(
         case "rod":
             arm = _rod(length - start, 0.0062).rotate(ag.Z, -0.5 * math.pi).at(0.0, -start, 0.0)
         case "blade":
-            arm = ag.box_between((-0.008, -length, -0.0035), (0.008, -start, 0.0035), bevel=0.0028)
+            arm = ag.Region.between((-0.008, -length, -0.0035), (0.008, -start, 0.0035)).box(bevel=0.0028)
         case "paddle":
             outline = ag.polygon(
                 [(-0.0065, -start), (0.0065, -start), (0.0125, -length), (-0.0125, -length)], radius=0.004

@@ -152,11 +152,10 @@ def beam_spout(
     middle = 0.5 * tall
     end = ag.vector(0.0, -reach, middle - radius)
     if square:
-        pipe = ag.box_between(
+        pipe = ag.Region.between(
             (-1.3 * radius, -reach - 1.1 * radius, middle - 0.75 * radius),
             (1.3 * radius, -0.80 * hub, middle + 0.75 * radius),
-            bevel=0.0025,
-        )
+        ).box(bevel=0.0025)
         end = ag.vector(0.0, -reach, middle - 0.75 * radius)
     else:
         course = ag.polyline(
@@ -226,8 +225,8 @@ def spray_head(*, radius: ag.Scalar, travel: ag.Scalar, finish: ag.Material) -> 
         for ring, count in ((0.3, 6), (0.62, 12))
         for turn in (math.tau * step / count for step in range(count))
     ]
-    rocker = ag.box_between(
-        (-0.0042, -wide - 0.0012, -0.62 * HEAD), (0.0042, -radius, -0.36 * HEAD), bevel=0.0016
+    rocker = ag.Region.between((-0.0042, -wide - 0.0012, -0.62 * HEAD), (0.0042, -radius, -0.36 * HEAD)).box(
+        bevel=0.0016
     )
     face = ag.cylinder(0.84 * wide, 0.0012).at(0.0, 0.0, low + 0.0001)
     hold = ag.grasp_on(grip, approach=ag.Y, closing=ag.X)

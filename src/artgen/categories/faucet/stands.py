@@ -55,18 +55,18 @@ def raised_deck(
     rod_at: ag.Scalar,
 ) -> ag.Body:
     """Make a piece of a vanity top with the holes of a drain and its rod, on two frames of flat steel."""
-    slab = ag.board((-width / 2, width / 2), (front, back), (top - thick, top), bevel=0.003)
+    slab = ag.Region((-width / 2, width / 2), (front, back), (top - thick, top)).box(bevel=0.003)
     holes = ag.union(
         ag.box(HOLE, HOLE, 2.0).at(0.0, drain_at, 0.0), ag.box(0.008, 0.008, 2.0).at(0.0, rod_at, 0.0)
     )
     x, bar = width / 2 - 0.030, 0.006  # flat bars of 25 x 6 mm
     wide = (-x - 0.0125, -x + 0.0125)
     near, far, high = front + 0.020, back - 0.020, top - thick + 0.0003
-    rails = [ag.board(wide, (near, far), (low, low + bar), bevel=0.001) for low in (PADS, high - bar)]
+    rails = [ag.Region(wide, (near, far), (low, low + bar)).box(bevel=0.001) for low in (PADS, high - bar)]
     posts = [
-        ag.board(
+        ag.Region(
             (wide[0] + 0.0002, wide[1] - 0.0002), (y, y + bar), (PADS + bar - 0.0003, high - bar + 0.0003)
-        )
+        ).box()
         for y in (near + 0.0003, far - bar - 0.0003)
     ]
     frame = ag.union(*rails, *posts)
@@ -84,9 +84,11 @@ def wall_board(
     *, width: ag.Scalar, height: ag.Scalar, thick: ag.Scalar, finish: ag.Material, metal: ag.Material
 ) -> ag.Body:
     """Make a wall board, with its face on y = 0, on a steel foot in front of it."""
-    panel = ag.box_between((-0.5 * width, 0.0, PADS + 0.004), (0.5 * width, thick, height), bevel=0.003)
-    foot = ag.box_between(
-        (-0.42 * width, -0.19, PADS), (0.42 * width, thick + 0.03, PADS + 0.008), bevel=0.002
+    panel = ag.Region.between((-0.5 * width, 0.0, PADS + 0.004), (0.5 * width, thick, height)).box(
+        bevel=0.003
+    )
+    foot = ag.Region.between((-0.42 * width, -0.19, PADS), (0.42 * width, thick + 0.03, PADS + 0.008)).box(
+        bevel=0.002
     )
     pads = corner_feet(0.84 * width, 0.22 + thick, inset=0.016, radius=0.008, height=PADS)
     steel = metal.with_(name="foot_steel", density=5000.0)

@@ -56,25 +56,29 @@ class Case:
         heavy = filled(self.inside, self.stuffing, "works")
         shallow = (front, rear)
         slabs = [  # the floor with the motor of the turntable, and the ceiling
-            ag.part(ag.board(outer, shallow, (low, floor)), "cavity", filled(self.inside, 300.0, "floor")),
             ag.part(
-                ag.board(outer, shallow, (ceiling, high)), "cavity", filled(self.inside, 210.0, "ceiling")
+                ag.Region(outer, shallow, (low, floor)).box(), "cavity", filled(self.inside, 300.0, "floor")
+            ),
+            ag.part(
+                ag.Region(outer, shallow, (ceiling, high)).box(),
+                "cavity",
+                filled(self.inside, 210.0, "ceiling"),
             ),
         ]
         boards = [
-            ag.board((outer[0], left), (front, rear - _LAP), wall),
-            ag.board((left - _LAP, right + _LAP), (space.back, rear - _LAP), wall),
-            ag.board((right, passing), (front, rear - _LAP), wall),
+            ag.Region((outer[0], left), (front, rear - _LAP), wall).box(),
+            ag.Region((left - _LAP, right + _LAP), (space.back, rear - _LAP), wall).box(),
+            ag.Region((right, passing), (front, rear - _LAP), wall).box(),
         ]
         # the transformer and the fan are at the back; in front of them are the latches and the boards of the
         # keys
         heavy_from = ag.max_(deep + _BEFORE, rear - _WORKS)
-        works = ag.board((passing - _LAP, outer[1]), (heavy_from, rear - 2.0 * _LAP), wall)
-        light = ag.board((rest, outer[1]), (front, heavy_from + _LAP), wall)
+        works = ag.Region((passing - _LAP, outer[1]), (heavy_from, rear - 2.0 * _LAP), wall).box()
+        light = ag.Region((rest, outer[1]), (front, heavy_from + _LAP), wall).box()
         strip = (passing - _LAP, rest + _LAP)
         edges = [wall[0], *(edge for slot in self.slots for edge in slot), wall[1]]
         frame = [
-            ag.board(strip, (front, front + FRAME), (edges[index], edges[index + 1]))
+            ag.Region(strip, (front, front + FRAME), (edges[index], edges[index + 1])).box()
             for index in range(0, len(edges), 2)
         ]
         beside = []  # the visible slots are narrower than the gaps of the colliding frame
@@ -82,8 +86,8 @@ class Case:
             level = (bottom - _LAP, top + _LAP)
             thin = (front + _LAP, front + FRAME - _LAP)
             hook = space.hook
-            beside.append(ag.board((passing - 2.0 * _LAP, hook - _OPEN[0]), thin, level))
-            beside.append(ag.board((hook + _OPEN[1], rest + 2.0 * _LAP), thin, level))
+            beside.append(ag.Region((passing - 2.0 * _LAP, hook - _OPEN[0]), thin, level).box())
+            beside.append(ag.Region((hook + _OPEN[1], rest + 2.0 * _LAP), thin, level).box())
         return [
             *(ag.detail(each, "cavity", self.inside) for each in beside),
             *slabs,
@@ -100,13 +104,13 @@ class Case:
         zinc = ag.material("zinc")
         front, rear = space.mouth - 0.0016, space.rear
         sides = [
-            ag.board(x, (front, rear), (low, high - 0.0006), bevel=0.0010)
+            ag.Region(x, (front, rear), (low, high - 0.0006)).box(bevel=0.0010)
             for x in ((-half, SHEET - half), (half - SHEET, 1.0 * half))
         ]
-        top = ag.board((0.0006 - half, half - 0.0006), (front, rear), (high - SHEET, high), bevel=0.0010)
+        top = ag.Region((0.0006 - half, half - 0.0006), (front, rear), (high - SHEET, high)).box(bevel=0.0010)
         wide = (0.001 - half, half - 0.001)
-        bottom = ag.board(wide, (front + 0.006, rear - 0.0006), (low, low + SHEET))
-        back = ag.board(wide, (rear - SHEET, rear - 0.0008), (low + 0.0008, high - 0.0012))
+        bottom = ag.Region(wide, (front + 0.006, rear - 0.0006), (low, low + SHEET)).box()
+        back = ag.Region(wide, (rear - SHEET, rear - 0.0008), (low + 0.0008, high - 0.0012)).box()
         x = half - 0.040
         corners = [(side * x, y) for side in (-1, 1) for y in (space.mouth + 0.035, rear - 0.035)]
         return [

@@ -179,18 +179,19 @@ class Panel:
         inside = (y[0] + _UNDER, y[1] - _UNDER)
         x, z = (left + _UNDER, right - _UNDER), (low + _UNDER, high - _UNDER)
         solids = [
-            ag.board(
+            ag.Region(
                 (left + 0.001, right - 0.001), (y[1] - _LAP, space.mouth + _LAP), (low + 0.001, high - 0.001)
-            )
+            ).box()
         ]
         if not self._fields:
-            return [*solids, ag.board(x, y, z)]
+            return [*solids, ag.Region(x, y, z).box()]
         between = self._fields[0][0]  # the widest channel is the lowest
-        solids += [ag.board((x[0], between[0]), y, z), ag.board((between[1], x[1]), y, z)]
+        solids += [ag.Region((x[0], between[0]), y, z).box(), ag.Region((between[1], x[1]), y, z).box()]
         edges = [z[0] + _LAP, *(edge for _, field in self._fields for edge in field), z[1] - _LAP]
         across = (between[0] - _LAP, between[1] + _LAP)
         return solids + [
-            ag.board(across, inside, (edges[index], edges[index + 1])) for index in range(0, len(edges), 2)
+            ag.Region(across, inside, (edges[index], edges[index + 1])).box()
+            for index in range(0, len(edges), 2)
         ]
 
     def _front(self) -> ag.Solid:

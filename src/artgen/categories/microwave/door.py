@@ -78,10 +78,10 @@ class Latches:
         for level in self._levels:
             x = (space.hook - wide / 2.0, space.hook + wide / 2.0)
             low = level - high / 2.0
-            solids.append(ag.board(x, (front, end), (low, low + high), bevel=0.0008))
+            solids.append(ag.Region(x, (front, end), (low, low + high)).box(bevel=0.0008))
             barb = (end - _BARB[1], end - 0.0002)
             inside = (x[0] + 0.0002, x[1] - 0.0002)
-            solids.append(ag.board(inside, barb, (low + 0.002, low + high + _BARB[0]), bevel=0.0006))
+            solids.append(ag.Region(inside, barb, (low + 0.002, low + high + _BARB[0])).box(bevel=0.0006))
         return solids
 
     def pawls(self) -> ag.Body:
@@ -91,9 +91,11 @@ class Latches:
         x = space.hook
         lows = [level + _HOOK[1] / 2.0 + _PLAY for level in self._levels]
         black = ag.colored("polypropylene", "ivory").with_(name="latch_plastic")
-        spine = ag.board((x + 0.0058, x + 0.0096), y, (lows[0], lows[1] + _PAWL[1]))
+        spine = ag.Region((x + 0.0058, x + 0.0096), y, (lows[0], lows[1] + _PAWL[1])).box()
         fingers = [
-            ag.board((x - 0.0042, x + 0.0060), (y[0] + 0.0002, y[1] - 0.0002), (low, low + _PAWL[1] - 0.0004))
+            ag.Region(
+                (x - 0.0042, x + 0.0060), (y[0] + 0.0002, y[1] - 0.0002), (low, low + _PAWL[1] - 0.0004)
+            ).box()
             for low in lows
         ]
         return ag.weld(*(ag.part(each, "latch", black) for each in (spine, *fingers)))
@@ -217,7 +219,7 @@ class Door:
             return [beside, other, *rest]
         within = (self._window[0][1], x[1])
         across, tall = ((start - _LAP, end + _LAP) for start, end in self._pocket)
-        behind = ag.board(across, (space.front + POCKET, y[1] - 2.0 * _LAP), tall)
+        behind = ag.Region(across, (space.front + POCKET, y[1] - 2.0 * _LAP), tall).box()
         return [beside, *rest, *boards_around(within, z, self._pocket, y), behind]
 
     def _panes(self) -> list[ag.Body]:
@@ -231,9 +233,9 @@ class Door:
         clear = ag.material("glass").with_(name="inner_film", opacity=0.12, density=1900.0)
         mesh = ag.material("perforated_steel").with_(name="window_mesh", opacity=0.72)
         return [
-            ag.part(ag.board(x, (front + 0.0012, front + 0.0042), z), "window", tinted),
-            ag.detail(ag.board(x, (front + 0.018, front + 0.0186), z), "mesh", mesh),
-            ag.part(ag.board(x, (inner - 0.0044, inner - 0.0032), z), "window", clear),
+            ag.part(ag.Region(x, (front + 0.0012, front + 0.0042), z).box(), "window", tinted),
+            ag.detail(ag.Region(x, (front + 0.018, front + 0.0186), z).box(), "mesh", mesh),
+            ag.part(ag.Region(x, (inner - 0.0044, inner - 0.0032), z).box(), "window", clear),
         ]
 
     def _seen(self) -> list[ag.Body]:

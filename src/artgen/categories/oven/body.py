@@ -68,13 +68,13 @@ class Cabinet:
         sheet = filled(self.sides, 2000.0, "sheet")
         zinc = ag.material("zinc")
         bodies = [
-            ag.part(ag.board(x, (front, rear), (low, high), bevel=0.0010), "body", sheet)
+            ag.part(ag.Region(x, (front, rear), (low, high)).box(bevel=0.0010), "body", sheet)
             for x in ((-side, _SHEET - side), (side - _SHEET, 1.0 * side))
         ]
         inner = (_SHEET - side - LAP, side - _SHEET + LAP)
-        deck = ag.board(inner, (front, rear - 0.0012), (high - 0.0020, high - 0.0004))
-        bottom = ag.board(inner, (front, rear - LAP), (low + 0.0004, low + 0.0024))
-        back = ag.board(inner, (rear - 0.0030, rear - 0.0008), (low + 0.0008, high - 0.0008))
+        deck = ag.Region(inner, (front, rear - 0.0012), (high - 0.0020, high - 0.0004)).box()
+        bottom = ag.Region(inner, (front, rear - LAP), (low + 0.0004, low + 0.0024)).box()
+        back = ag.Region(inner, (rear - 0.0030, rear - 0.0008), (low + 0.0008, high - 0.0008)).box()
         bodies.append(ag.part(bottom, "body", filled(zinc, 1800.0, "sheet")))
         return [*bodies, *(ag.detail(each, "body", zinc) for each in (deck, back))]
 
@@ -88,11 +88,11 @@ class Cabinet:
         tall = (floor - LAP, ceiling + LAP)
         deep = (front, back + 0.014)
         boards = [
-            ag.board((-edge, edge), deep, (self._under, floor)),
-            ag.board((-edge, edge), deep, (ceiling, ceiling + _FRAME)),
-            ag.board((-inside - LAP, inside + LAP), (back, deep[1] - LAP), tall),
+            ag.Region((-edge, edge), deep, (self._under, floor)).box(),
+            ag.Region((-edge, edge), deep, (ceiling, ceiling + _FRAME)).box(),
+            ag.Region((-inside - LAP, inside + LAP), (back, deep[1] - LAP), tall).box(),
             *(
-                ag.board(x, (front, deep[1] - LAP), tall)
+                ag.Region(x, (front, deep[1] - LAP), tall).box()
                 for x in ((inside, edge - LAP), (LAP - edge, -inside))
             ),
         ]
@@ -102,11 +102,11 @@ class Cabinet:
         # they carry the top of a range
         top = space.panel_high + 0.0008 if space.build == "range" else self._high - 0.0012
         posts = [
-            ag.board(x, behind, (self._under + LAP, top))
+            ag.Region(x, behind, (self._under + LAP, top)).box()
             for x in ((edge - 2.0 * LAP, outer), (-outer, 2.0 * LAP - edge))
         ]
         posts.append(
-            ag.board((-edge, edge), (behind[0], behind[1] - LAP), (ceiling + _FRAME - LAP, top - LAP))
+            ag.Region((-edge, edge), (behind[0], behind[1] - LAP), (ceiling + _FRAME - LAP, top - LAP)).box()
         )
         return [
             *(ag.part(each, "cavity", stuff) for each in boards),
@@ -117,10 +117,10 @@ class Cabinet:
         """Make the strip below the door of a built-in oven, with slots for the air."""
         space, half = self.space, self.space.half
         front, top = space.front + 0.006, space.under_door
-        strip = ag.board((-half, half), (front, front + 0.016), (0.0, top), bevel=0.0020)
-        behind = ag.board(
+        strip = ag.Region((-half, half), (front, front + 0.016), (0.0, top)).box(bevel=0.0020)
+        behind = ag.Region(
             (-space.side, space.side), (front + 0.0155, space.mouth + 0.004), (0.0004, top - 0.002)
-        )
+        ).box()
         slots = details.vent_slots(0.86 * space.width, 0.012, 26, slot=0.0090)
         vent = details.relief(slots, (0.0, front, 0.5 * top), proud=0.0003, sunk=0.0003)
         return [
@@ -133,7 +133,9 @@ class Cabinet:
         """Make the base of a range below the door: feet, kick plate, and a panel if there is no drawer."""
         space, half = self.space, self.space.half
         front, low = space.mouth, FOOT
-        kick = ag.board((0.004 - half, half - 0.004), (front + 0.020, front + 0.030), (0.010, low + 0.015))
+        kick = ag.Region(
+            (0.004 - half, half - 0.004), (front + 0.020, front + 0.030), (0.010, low + 0.015)
+        ).box()
         black = ag.material("powder_coat_black")
         x, rear = half - 0.05, space.rear - 0.06
         corners = [(side * x, y) for side in (-1, 1) for y in (front + 0.07, rear)]
@@ -142,17 +144,16 @@ class Cabinet:
             feet(corners, radius=0.018, height=low + 0.0004, style="pad", finish=ag.material("black_abs")),
         ]
         if not self.bay:
-            face = ag.board(
+            face = ag.Region(
                 (0.0015 - half, half - 0.0015),
                 (space.front, space.front + 0.016),
                 (low + LOW, space.under_door),
-                bevel=0.0022,
-            )
-            behind = ag.board(  # between the sides, with an overlap
+            ).box(bevel=0.0022)
+            behind = ag.Region(  # between the sides, with an overlap
                 (0.0025 - half, half - 0.0025),
                 (space.front + 0.0155, front + 0.004),
                 (low + LOW + 0.002, space.under_door - 0.002),
-            )
+            ).box()
             bodies.append(ag.part(face, "kick_plate", filled(self.finish, 300.0, "front")))
             bodies.append(ag.part(behind, "body", filled(ag.material("powder_coat_black"), 120.0, "base")))
         return bodies

@@ -94,11 +94,11 @@ class Drawer:
         across, tall = ((start + UNDER, end - UNDER) for start, end in (x, z))
         front = boards_around(across, tall, hole, deep)
         front.append(
-            ag.board(
+            ag.Region(
                 (hole[0][0] - LAP, hole[0][1] + LAP),
                 (y[0] + _POCKET, y[1] - 2.0 * UNDER),
                 (hole[1][0] - LAP, hole[1][1] + LAP),
-            )
+            ).box()
         )
         steel = ag.colored("powder_coat", "graphite").with_(name="drawer_sheet", density=1900.0)
         filling = filled(self.finish, 300.0, "front")
@@ -114,15 +114,15 @@ class Drawer:
     def _boards(self) -> list[ag.Solid]:
         x, (y0, y1), (z0, z1) = self._box
         less = 0.0004
-        floor = ag.board((less - x, x - less), (y0, y1 - less), (z0, z0 + _SHEET))
+        floor = ag.Region((less - x, x - less), (y0, y1 - less), (z0, z0 + _SHEET)).box()
         sides = [
-            ag.board(
-                (x - _SHEET, x) if way > 0 else (-x, _SHEET - x), (y0, y1), (z0 + less, z1), bevel=0.0008
+            ag.Region((x - _SHEET, x) if way > 0 else (-x, _SHEET - x), (y0, y1), (z0 + less, z1)).box(
+                bevel=0.0008
             )
             for way in (-1, 1)
         ]
         ends = [
-            ag.board((_SHEET - x - less, x - _SHEET + less), y, (z0 + less, z1 - less))
+            ag.Region((_SHEET - x - less, x - _SHEET + less), y, (z0 + less, z1 - less)).box()
             for y in ((y1 - _SHEET, y1 - less), (y0 + LAP, y0 + _SHEET))
         ]
         return [floor, *sides, *ends]
@@ -134,11 +134,11 @@ class Drawer:
         z = (z0 + 0.45 * (z1 - z0), z0 + 0.45 * (z1 - z0) + 0.030)
         steel = ag.material("zinc")
         solids = [
-            ag.board(
+            ag.Region(
                 (x + _PLAY, space.half - 0.0025) if way > 0 else (0.0025 - space.half, -x - _PLAY),
                 (space.mouth + 0.004, end - 0.01),
                 z,
-            )
+            ).box()
             for way in (-1, 1)
         ]
         return ag.weld(*(ag.detail(each, "rail", steel) for each in solids))
@@ -240,7 +240,7 @@ class Door:
         clear = ag.material("glass").with_(name="inner_glass", opacity=0.14)
         for deep, wide, glass in ((front + 0.0006, 0.002, tinted), (inner - _PANE - 0.0008, 0.009, clear)):
             x, z = (-half - wide, half + wide), (bottom - wide, top + wide)
-            solids.append((ag.board(x, (deep, deep + _PANE), z), glass))
+            solids.append((ag.Region(x, (deep, deep + _PANE), z).box(), glass))
         return solids
 
     def _hole(self, wider: ag.Scalar) -> ag.Profile | None:

@@ -88,14 +88,14 @@ class Panel:
         """Make the panel with its print, which is welded to the cabinet."""
         space, half = self.space, self._half
         front = space.front
-        face = ag.board(
-            (-half, half), (front, front + _DEEP), (space.panel_low, space.panel_high - 0.0006), bevel=0.0020
-        )
-        behind = ag.board(
+        face = ag.Region(
+            (-half, half), (front, front + _DEEP), (space.panel_low, space.panel_high - 0.0006)
+        ).box(bevel=0.0020)
+        behind = ag.Region(
             (0.002 - half, half - 0.002),
             (front + _DEEP - LAP, space.mouth + LAP),
             (space.panel_low + 0.001, space.panel_high - 0.001),
-        )
+        ).box()
         return ag.weld(
             ag.part(face, "panel", filled(self.finish, 260.0, "panel")),
             ag.part(behind, "panel", filled(ag.material("powder_coat_black"), 150.0, "panel")),

@@ -121,38 +121,37 @@ class Racks:
         low, sheet = -_PAN, _SHEET
         less = 0.0004
         boards = [
-            ag.board((-x, x), (-y, y), (low, low + sheet), bevel=0.001),
+            ag.Region((-x, x), (-y, y), (low, low + sheet)).box(bevel=0.001),
             *(
-                ag.board(
+                ag.Region(
                     (-half + less, half - less),
                     (way * (y - sheet), way * (y + rim)) if way > 0 else (-(y + rim), sheet - y),
                     (-sheet / 2.0, sheet / 2.0),
-                    bevel=0.0009,
-                )
+                ).box(bevel=0.0009)
                 for way in (-1, 1)
             ),
             *(
-                ag.board(
+                ag.Region(
                     (x - sheet, half) if way > 0 else (-half, sheet - x),
                     (-y, y),
                     (less - sheet / 2.0, sheet / 2.0 - less),
-                )
+                ).box()
                 for way in (-1, 1)
             ),
             *(
-                ag.board(
+                ag.Region(
                     (less - x, x - less),
                     (y - sheet, y) if way > 0 else (-y, sheet - y),
                     (low + less, sheet / 2.0 - less),
-                )
+                ).box()
                 for way in (-1, 1)
             ),
             *(
-                ag.board(
+                ag.Region(
                     (x - sheet, x - 2.0 * less) if way > 0 else (2.0 * less - x, sheet - x),
                     (less - y, y - less),
                     (low + less, sheet / 2.0 - less),
-                )
+                ).box()
                 for way in (-1, 1)
             ),
         ]

@@ -112,9 +112,9 @@ class Top:
         z = (low + UNDER, self.space.height - UNDER)
         edge = -y + _LIP
         return [
-            ag.part(ag.board((-x, x), (edge, y), z), "top", filled(self.finish, 560.0, "top")),
+            ag.part(ag.Region((-x, x), (edge, y), z).box(), "top", filled(self.finish, 560.0, "top")),
             ag.part(
-                ag.board((LAP - x, x - LAP), (-y, edge + LAP), (z[0] + LAP, z[1])),
+                ag.Region((LAP - x, x - LAP), (-y, edge + LAP), (z[0] + LAP, z[1])).box(),
                 "top",
                 filled(self.finish, 150.0 if self.drawer else 420.0, "edge"),
             ),

@@ -29,7 +29,7 @@ _PLAY = 0.0004  # gap between the knob and the pin [m]
 
 def store(low: ag.Scalar, high: ag.Scalar, half: float = STORE) -> ag.Solid:
     """Make the cutter that hollows a turned body; it is square, so that the body needs few colliders."""
-    return ag.box_between((-half, -half, low), (half, half, high))
+    return ag.Region.between((-half, -half, low), (half, half, high)).box()
 
 
 def _burr_outline() -> ag.Profile:
@@ -43,8 +43,8 @@ def works() -> ag.Body:
     """Make the female burr in the foot of a mill, visible from below: a ring with teeth around its hole."""
     low, high = _UP, _UP + _DEEP
     reach = STORE + 0.0006  # overlap with the wood around it
-    frame = ag.box_between((-reach, -reach, low), (reach, reach, high))
-    hole = ag.box_between((-_RING, -_RING, low - 0.001), (_RING, _RING, high + 0.001))
+    frame = ag.Region.between((-reach, -reach, low), (reach, reach, high)).box()
+    hole = ag.Region.between((-_RING, -_RING, low - 0.001), (_RING, _RING, high + 0.001)).box()
     plate = skin([[(reach, low - 0.0003), (reach, low + 0.0012)]], bore=_RING)
     return ag.weld(
         ag.part(frame - hole, "mechanism", _STEEL.with_(name="burr_steel", density=5000.0)),
@@ -167,7 +167,9 @@ def crank(sizes: Crank, low: ag.Scalar, looks: HeadLooks) -> ag.Body:
     top = end + 0.0026 + GAP + 1.9 * sizes.knob
     pin = ag.cylinder_between((0.0, 0.0, end), (0.0, 0.0, top + GAP + 0.0008), _PIN)
     head_ = ag.cylinder_between((0.0, 0.0, top + GAP), (0.0, 0.0, top + GAP + 0.0016), 0.0042, bevel=0.0006)
-    hole = ag.box_between((-_PIN - _PLAY, -_PIN - _PLAY, end), (_PIN + _PLAY, _PIN + _PLAY, top + 0.01))
+    hole = ag.Region.between(
+        (-_PIN - _PLAY, -_PIN - _PLAY, end), (_PIN + _PLAY, _PIN + _PLAY, top + 0.01)
+    ).box()
     hold = ag.grasp_on(core(grip), approach=-ag.Z, closing=ag.X, depth=1.25 * sizes.knob)
     knob = turned(
         grip, "knob", looks.finish, hole=hole, spare=0.0003, bore=_PIN + _PLAY, sides=16, grasp=hold

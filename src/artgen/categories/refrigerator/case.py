@@ -156,15 +156,19 @@ def cabinet(
 
 def _hollow(case: Case, whole: Cell) -> ag.Solid:
     """Make the cutter that removes all cells from the block."""
-    return ag.board((whole.left, whole.right), (case.mouth - 0.01, whole.rear), (whole.low, whole.high))
+    return ag.Region(
+        (whole.left, whole.right), (case.mouth - 0.01, whole.rear), (whole.low, whole.high)
+    ).box()
 
 
 def _partition(case: Case, one: Cell, other: Cell, *, abreast: bool) -> ag.Solid:
     """Make the wall between two cells, with an overlap of half a millimeter with the walls around it."""
     y = (case.mouth, one.rear + _IN_WALL)
     if abreast:
-        return ag.board((one.right, other.left), y, (one.low - _IN_WALL, one.high + _IN_WALL), bevel=0.002)
-    return ag.board((one.left - _IN_WALL, one.right + _IN_WALL), y, (one.high, other.low), bevel=0.002)
+        return ag.Region((one.right, other.left), y, (one.low - _IN_WALL, one.high + _IN_WALL)).box(
+            bevel=0.002
+        )
+    return ag.Region((one.left - _IN_WALL, one.right + _IN_WALL), y, (one.high, other.low)).box(bevel=0.002)
 
 
 def _coves(case: Case, cell: Cell) -> list[ag.Solid]:

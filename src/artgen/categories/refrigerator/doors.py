@@ -170,7 +170,7 @@ def lining(
 ) -> ag.Solid:
     """Make the rear part of a door or drawer, a little narrower than its front part."""
     deep = case.thickness - thick + 0.001
-    return ag.board((left, right), (case.face - deep, case.face), (low, high), bevel=0.005)
+    return ag.Region((left, right), (case.face - deep, case.face), (low, high)).box(bevel=0.005)
 
 
 def door(leaf: Leaf, dress: Dress, *, brand: str = "", display: str = "", water: bool = False) -> ag.Body:

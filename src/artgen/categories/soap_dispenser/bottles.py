@@ -331,7 +331,7 @@ def _paper(shape: Shape, sizes: Sizes, wide: float, high: float) -> ag.Body:
         sheet = ag.revolve(ag.rectangle(0.0006, high).at(half, level), angle=angle)
         return ag.detail(sheet.rotate(ag.Z, -0.5 * (math.pi + angle)), "label", paper)
     front = half * sizes.depth
-    sheet = ag.box_between(
+    sheet = ag.Region.between(
         (-0.5 * wide, -front - 0.0003, level - 0.5 * high), (0.5 * wide, -front + 0.0003, level + 0.5 * high)
-    )
+    ).box()
     return ag.detail(sheet, "label", paper)

@@ -62,7 +62,7 @@ def collar(nozzle: Nozzle, low: ag.Scalar, looks: PumpLooks) -> ag.Body:
         [(neck - 0.0006, top - 0.0008), (neck - 0.0014, top)],
     ]
     half = _STEM + _PLAY
-    hole = ag.box_between((-half, -half, low - 0.001), (half, half, top + 0.001))
+    hole = ag.Region.between((-half, -half, low - 0.001), (half, half, top + 0.001)).box()
     body = turned(runs, "collar", looks.finish, hole=hole, bore=half)
     if not looks.ribbed:
         return body
@@ -202,7 +202,7 @@ def _gooseneck(reach: ag.Scalar, looks: PumpLooks) -> list[ag.Body]:
 
 def _bar(reach: ag.Scalar, looks: PumpLooks) -> list[ag.Body]:
     top = HEAD["bar"]
-    bar = ag.box_between((-0.0056, -reach, 0.0025), (0.0056, 0.0085, top), bevel=0.0012)
+    bar = ag.Region.between((-0.0056, -reach, 0.0025), (0.0056, 0.0085, top)).box(bevel=0.0012)
     hub = ag.cylinder_between((0.0, 0.0, 0.0), (0.0, 0.0, 0.004), 0.0080, bevel=0.0006)
     hold = ag.grasp_on(bar, approach=-ag.Z, closing=ag.X, at=(0.0, -0.6 * reach, 0.007), depth=0.008)
     push = ag.push_on(bar, direction=-ag.Z, at=(0.0, 0.0, 0.007))

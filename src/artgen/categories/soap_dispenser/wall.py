@@ -29,19 +29,21 @@ _THICK = 0.0060  # thickness of the panel [m]
 
 def tile(wide: ag.Scalar, finish: ag.Material) -> ag.Body:
     """Make the wall tile, from z = 0 up."""
-    slab = ag.box_between((-0.5 * wide, 0.0, 0.0), (0.5 * wide, TILE, _HIGH), bevel=0.0012)
+    slab = ag.Region.between((-0.5 * wide, 0.0, 0.0), (0.5 * wide, TILE, _HIGH)).box(bevel=0.0012)
     return ag.part(slab, "tile", finish)
 
 
 def holder(radius: ag.Scalar, out: ag.Scalar, ring_at: ag.Scalar, metal: ag.Material) -> ag.Body:
     """Make the holder of a bottle: a plate, a tray below it, and a ring around it."""
-    plate = ag.box_between((-0.014, -0.003, TRAY - 0.012), (0.014, 0.0006, ring_at + 0.016), bevel=0.001)
-    arm = ag.box_between((-0.008, -out, TRAY - 0.0055), (0.008, -0.001, TRAY - 0.0015), bevel=0.0008)
+    plate = ag.Region.between((-0.014, -0.003, TRAY - 0.012), (0.014, 0.0006, ring_at + 0.016)).box(
+        bevel=0.001
+    )
+    arm = ag.Region.between((-0.008, -out, TRAY - 0.0055), (0.008, -0.001, TRAY - 0.0015)).box(bevel=0.0008)
     disc = ag.cylinder_between((0.0, -out, TRAY - 0.0035), (0.0, -out, TRAY), radius + _RIM, bevel=0.0010)
     line = ag.rectangle(_RIM + 0.0002, 0.010, radius=0.0008).at(radius + 0.5 * _RIM - 0.0001, ring_at)
     band = ag.bounding_collider(ag.revolve(line, sides=28)).at(0.0, -out, 0.0)  # the bottle fills the band
-    strut = ag.box_between(
-        (-0.006, radius - out, ring_at - 0.004), (0.006, -0.001, ring_at + 0.004), bevel=0.0008
+    strut = ag.Region.between((-0.006, radius - out, ring_at - 0.004), (0.006, -0.001, ring_at + 0.004)).box(
+        bevel=0.0008
     )
     screws = [
         details.screw(0.0036, (0.0, -0.003, height), material=metal, facing=(0.0, -1.0, 0.0))
@@ -72,14 +74,13 @@ def wall_box(
     low, high = _BOX
     half = 0.5 * wide
     shell = finish.with_(name=f"{finish.name}_case", density=720.0)  # a cartridge of soap in a shell of 2 mm
-    case = ag.box_between((-half, -deep, low), (half, 0.0006, high), bevel=0.0052)
-    block = ag.box_between((-half, -_BLOCK, _PUMP), (half, 0.0006, low + 0.008), bevel=0.0030)
+    case = ag.Region.between((-half, -deep, low), (half, 0.0006, high)).box(bevel=0.0052)
+    block = ag.Region.between((-half, -_BLOCK, _PUMP), (half, 0.0006, low + 0.008)).box(bevel=0.0030)
     cheeks = [
-        ag.box_between(
+        ag.Region.between(
             (side * (half - _CHEEK / 2.0) - _CHEEK / 2.0, 0.009 - deep, _PUMP),
             (side * (half - _CHEEK / 2.0) + _CHEEK / 2.0, -0.010, low + 0.008),
-            bevel=0.0012,
-        )
+        ).box(bevel=0.0012)
         for side in (-1, 1)
     ]
     spout = ag.cylinder_between(
@@ -92,17 +93,16 @@ def wall_box(
     tall = 0.062
     middle = 0.5 * (low + high) + 0.002
     front = -deep
-    frame = ag.box_between(
-        (-0.0075, front - 0.0003, middle - 0.5 * tall),
-        (0.0075, front + 0.001, middle + 0.5 * tall),
-        bevel=0.0002,
-    )
-    column = ag.box_between(
+    frame = ag.Region.between(
+        (-0.0075, front - 0.0003, middle - 0.5 * tall), (0.0075, front + 0.001, middle + 0.5 * tall)
+    ).box(bevel=0.0002)
+    column = ag.Region.between(
         (-0.0062, front - 0.0005, middle - 0.5 * tall + 0.0013),
         (0.0062, front + 0.001, middle - 0.5 * tall + 0.0013 + fill * (tall - 0.0026)),
-        bevel=0.0002,
-    )
-    seam = ag.box_between((-half - 0.00015, -0.0125, low + 0.010), (half + 0.00015, -0.0115, high - 0.009))
+    ).box(bevel=0.0002)
+    seam = ag.Region.between(
+        (-half - 0.00015, -0.0125, low + 0.010), (half + 0.00015, -0.0115, high - 0.009)
+    ).box()
     lock = ag.cylinder_between(
         (0.0, -0.5 * deep, high - 0.002), (0.0, -0.5 * deep, high + 0.0004), 0.0055, bevel=0.0003
     )
@@ -141,7 +141,7 @@ def panel(
     half = 0.5 * wide - _CHEEK - _PLAY
     front = 0.0015 - deep
     foot = _PUMP + 0.002 if press == "button" else _PUMP - 0.020
-    sheet = ag.box_between((-half, front, foot), (half, front + _THICK, high_of(press)), bevel=0.0022)
+    sheet = ag.Region.between((-half, front, foot), (half, front + _THICK, high_of(press))).box(bevel=0.0022)
     bodies = [
         ag.part(sheet, press, finish, push=ag.push_on(sheet, direction=ag.Y, at=(0.0, 0.0, foot + 0.016)))
     ]

@@ -71,7 +71,7 @@ def _walls(plan: Plan, level: ag.Float, tall: ag.Float) -> ag.Solid:
     back = ag.box(2 * half, _WALL, tall).at(0.0, end + _WALL / 2, level)
     edges = [-half, *(x + side * GAP for x in plan.middles for side in (-1, 1)), half]
     boards = [
-        ag.board((left, right), (begin - _WALL, begin), (level - tall / 2, level + tall / 2))
+        ag.Region((left, right), (begin - _WALL, begin), (level - tall / 2, level + tall / 2)).box()
         for left, right in zip(edges[::2], edges[1::2], strict=True)
     ]
     return ag.union(back, *boards)
@@ -180,7 +180,7 @@ def arm(reach: ag.Scalar) -> ag.Body:
     """Make the arm from a lever through its slit to y = `reach` behind the panel."""
     near = -_OUT - 0.0012  # clear of a finger on the middle of a flat lever
     wide, high = ARM[0] / 2, ARM[1] / 2
-    bar = ag.board((-wide, wide), (near, reach), (-high, high), bevel=0.0008)
+    bar = ag.Region((-wide, wide), (near, reach), (-high, high)).box(bevel=0.0008)
     return ag.part(bar, "carriage", ag.material("steel"))
 
 
@@ -194,8 +194,8 @@ def carriage(
     upright = ag.box(0.014, _STEEL, height - level + 0.010).at(post, front, 0.5 * (height + level) + 0.0035)
     left, right = ag.min_(middles[0], post) - 0.004, ag.max_(middles[-1], post) + 0.004
     thin, half = _STEEL / 2 - 0.0003, _STEEL / 2
-    cross = ag.board((left, right), (front - thin, front + thin), (level - 0.0012, level + 0.0062))
-    rail = ag.board((-half, half), (front, back), (level - 0.0015, level + 0.0045))
+    cross = ag.Region((left, right), (front - thin, front + thin), (level - 0.0012, level + 0.0062)).box()
+    rail = ag.Region((-half, half), (front, back), (level - 0.0015, level + 0.0045)).box()
     count = 8 if plan.long else 5
     first, last = begin + _ENDS + 0.002, back - 0.002
     prong = ag.capsule(0.0012, _PRONGS, axis=ag.X).at(0.0, first, level + 0.0045)

@@ -68,16 +68,18 @@ class Hinge:
         near, far = self.can.back - 0.004, y + 0.008
         round_ = ag.cylinder(_ROUND, _CHEEK, axis=ag.X, bevel=0.0012)
         parts: list[ag.Body] = []
-        cheek = ag.board((-_CHEEK / 2.0, _CHEEK / 2.0), (near, far), (self.foot, z), bevel=0.0012)
+        cheek = ag.Region((-_CHEEK / 2.0, _CHEEK / 2.0), (near, far), (self.foot, z)).box(bevel=0.0012)
         for side in (-1, 1):
             x = side * (_HALF + 0.0005 + _CHEEK / 2.0)
             parts.append(ag.part(cheek.at(x, 0.0, 0.0), label, finish))
             parts.append(ag.part(round_.at(x, y, z), label, finish))
         half = _HALF + _CHEEK
-        cover = ag.board((-half, half), (far - 0.0027, far + 0.0003), (self.foot, z - 0.010), bevel=0.0012)
+        cover = ag.Region((-half, half), (far - 0.0027, far + 0.0003), (self.foot, z - 0.010)).box(
+            bevel=0.0012
+        )
         parts.append(ag.part(cover, label, finish))
         if sill:
-            plate = ag.board((-half, half), (near, far), (self.foot, self.foot + 0.003), bevel=0.001)
+            plate = ag.Region((-half, half), (near, far), (self.foot, self.foot + 0.003)).box(bevel=0.001)
             parts.append(ag.part(plate, label, finish))
         head = ag.cylinder(0.0034, _CHEEK, axis=ag.X, bevel=0.0008)
         for side in (-1, 1):
@@ -95,7 +97,7 @@ class Hinge:
         top = low + 0.7 * thick
         rise = top - 0.001 - z
         neck = ag.box(2.0 * _HALF - 0.002, 0.010, rise, bevel=0.0015).at(0.0, y - 0.0015, z + rise / 2.0)
-        bridge = ag.board((-_HALF, _HALF), (self.can.back - 0.010, y + 0.004), (low, top), bevel=0.0015)
+        bridge = ag.Region((-_HALF, _HALF), (self.can.back - 0.010, y + 0.004), (low, top)).box(bevel=0.0015)
         return [hub, neck, bridge]
 
     def turn(

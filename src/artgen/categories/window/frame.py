@@ -189,9 +189,7 @@ def trickle_vent(
 
 def window_board(width: ag.Scalar, back: ag.Scalar, top: ag.Scalar, finish: ag.Material) -> ag.Body:
     """Make the board on the inside of the wall under a window, level with the sill."""
-    board = ag.box_between(
-        (-width / 2.0 - 0.03, back + SEAM, top - 0.022),
-        (width / 2.0 + 0.03, back + 0.14, top - SEAM),
-        bevel=0.003,
-    )
+    board = ag.Region.between(
+        (-width / 2.0 - 0.03, back + SEAM, top - 0.022), (width / 2.0 + 0.03, back + 0.14, top - SEAM)
+    ).box(bevel=0.003)
     return ag.part(board, "sill", finish)

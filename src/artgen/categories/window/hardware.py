@@ -62,8 +62,8 @@ def barrel_hinges(
     barrel = ag.cylinder(BARREL, half, axis=ag.Z, bevel=0.001)
     # a post inside the barrel collides, in one piece with the arm or the foot
     core = ag.extrude(ag.regular_polygon(8, BARREL - 0.0001), half - 0.0002)
-    arm = ag.box_between((0.0, -0.0025, -0.4 * half), (to - pin.x + 0.001, 0.0025, 0.4 * half))
-    foot = ag.box_between((-0.004, 0.0, -0.4 * half), (0.004, face - pin.y + 0.001, 0.4 * half))
+    arm = ag.Region.between((0.0, -0.0025, -0.4 * half), (to - pin.x + 0.001, 0.0025, 0.4 * half)).box()
+    foot = ag.Region.between((-0.004, 0.0, -0.4 * half), (0.004, face - pin.y + 0.001, 0.4 * half)).box()
     tip = ag.cylinder(0.55 * BARREL, 0.003, axis=ag.Z, bevel=0.001)
     places = [(pin.x, pin.y, level) for level in levels]
     made = []
@@ -134,11 +134,13 @@ def window_lever(
                 ag.detail(ag.sweep(ag.rectangle(0.017, 0.011, radius=0.004), course), "handle", finish)
             )
             # inside that surface: a bar, and a piece for the bend
-            grip = ag.board((x - 0.008, x + 0.008), (out - 0.005, out + 0.005), (low + 0.0145, z - 0.0015))
+            grip = ag.Region(
+                (x - 0.008, x + 0.008), (out - 0.005, out + 0.005), (low + 0.0145, z - 0.0015)
+            ).box()
             end = ag.box(0.0156, 0.0067, 0.0070).at(x, out - side * 0.01235, low + 0.0045)
-            bend = ag.board(
+            bend = ag.Region(
                 (x - 0.0078, x + 0.0078), (out - 0.005, out + 0.005), (low + 0.0145, low + 0.0155)
-            )
+            ).box()
             seen.append(ag.part(ag.hull(bend, end), "handle", finish))
     hold = ag.grasp_on(grip, approach=(0.0, -side, 0.0), closing=ag.X, at=(x, out, z - 0.62 * length))
     lever = ag.weld(ag.part(ag.union(neck, grip), "handle", finish, grasp=hold), *seen)
@@ -194,24 +196,21 @@ def cam_lock(
     middle = 0.029  # depth of the middle of the cams [m]
     deep, tall = _CAM
     out = REBATE - 0.0034
-    cam = ag.box_between(
-        (edge + _EDGE_GAP, middle - deep / 2.0, -tall / 2.0),
-        (edge + out, middle + deep / 2.0, tall / 2.0),
-        bevel=0.0012,
-    )
+    cam = ag.Region.between(
+        (edge + _EDGE_GAP, middle - deep / 2.0, -tall / 2.0), (edge + out, middle + deep / 2.0, tall / 2.0)
+    ).box(bevel=0.0012)
     wide, thick = 0.006, _EDGE_GAP + 0.0022
-    rail = ag.box_between(
+    rail = ag.Region.between(
         (edge + _EDGE_GAP, middle - wide, level - reach - 0.012),
         (edge + thick, middle + wide, level + reach + 0.012),
-    )
+    ).box()
     heights = [level - reach, level + reach]
     rod = ag.part(ag.union(rail, *(cam.at(0.0, 0.0, z) for z in heights)), "lock", finish, name="bolt")
     front = middle - deep / 2.0 - _PLAY
-    keep = ag.box_between(
+    keep = ag.Region.between(
         (width / 2.0 - _KEEP_OUT, front - _KEEP[0], -_KEEP[1] / 2.0),
         (width / 2.0 + 0.001, front, _KEEP[1] / 2.0),
-        bevel=_KEEP_BEVEL,
-    )
+    ).box(bevel=_KEEP_BEVEL)
     plate = ag.box(0.0012, 0.024, 0.046, bevel=0.0004).at(width / 2.0 - 0.0005, middle - 0.004, 0.0)
     places = [(0.0, 0.0, z) for z in heights]
     keeps = ag.weld(

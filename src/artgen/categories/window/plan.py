@@ -148,11 +148,11 @@ def ring_of(
         back, front = -rect.back - inside, -rect.front + inside
         x, z = width / 2.0, height / 2.0
         # rails between the stiles are a little thinner: boards must not share corners
-        stile = ag.box_between((outer - x, front, outer - z), (inner - x, back, z - outer))
-        rail = ag.box_between(
+        stile = ag.Region.between((outer - x, front, outer - z), (inner - x, back, z - outer)).box()
+        rail = ag.Region.between(
             (inner - x + SEAM, front + _THINNER, outer - z + _THINNER),
             (x - inner - SEAM, back - _THINNER, inner - z),
-        )
+        ).box()
         boards += [stile, stile.mirror(ag.X), rail.mirror(ag.Z), rail]
     first = ag.part(boards[0], label, finish, name=name)
     rest = [ag.part(board, label, finish) for board in boards[1:-1]]

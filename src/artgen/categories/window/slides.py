@@ -53,18 +53,18 @@ def sash_lock(
     hub = ag.cylinder_between((x, axis, top + 0.0129), (x, axis, top + 0.0335), 0.0085, bevel=0.001)
     tip = upper - 0.0033  # bars on the glass start 4 mm behind that face
     tongue = ag.hull(
-        ag.box_between((x - 0.007, axis - 0.002, top + 0.0145), (x + 0.007, axis, top + 0.0195)),
-        ag.box_between((x - 0.004, tip, top + 0.0145), (x + 0.004, tip + 0.004, top + 0.0195)),
+        ag.Region.between((x - 0.007, axis - 0.002, top + 0.0145), (x + 0.007, axis, top + 0.0195)).box(),
+        ag.Region.between((x - 0.004, tip, top + 0.0145), (x + 0.004, tip + 0.004, top + 0.0195)).box(),
     )
     arm = ag.box(0.052, 0.011, 0.0055, bevel=0.0022).at(x - 0.026, axis, top + 0.0305)
     hold = ag.grasp_on(arm, approach=(0.0, -1.0, 0.0), closing=ag.Z, at=(x - 0.040, axis, top + 0.0305))
     cam = ag.part(ag.union(hub, tongue, arm), "lock", finish, name="lock", grasp=hold)
-    wall = ag.box_between(
-        (x - 0.020, upper - 0.0135, top - 0.0005), (x + 0.020, upper - 0.0098, top + 0.0262), bevel=0.0008
-    )
-    roof = ag.box_between(
-        (x - 0.020, upper - 0.0135, top + 0.0212), (x + 0.020, upper - 0.0006, top + 0.0262), bevel=0.0012
-    )
+    wall = ag.Region.between(
+        (x - 0.020, upper - 0.0135, top - 0.0005), (x + 0.020, upper - 0.0098, top + 0.0262)
+    ).box(bevel=0.0008)
+    roof = ag.Region.between(
+        (x - 0.020, upper - 0.0135, top + 0.0212), (x + 0.020, upper - 0.0006, top + 0.0262)
+    ).box(bevel=0.0012)
     turn = ag.Revolute(
         "lock_turn",
         axis=-ag.Z,  # moves the lever from the left, above the inside, to the right
@@ -87,8 +87,12 @@ def sash_lock(
 def sash_lifts(places: list[ag.Scalar], face: ag.Scalar, z: ag.Scalar, finish: ag.Material) -> ag.Body:
     """Make hook lifts on the bottom rail of a sash with its face to +y."""
     plate = ag.box(0.054, 0.0035, 0.026, bevel=0.0014).at(0.0, face + 0.0012, z)
-    hook = ag.box_between((-0.023, face + 0.001, z + 0.001), (0.023, face + 0.020, z + 0.0065), bevel=0.0022)
-    lip = ag.box_between((-0.023, face + 0.016, z + 0.001), (0.023, face + 0.020, z + 0.0125), bevel=0.0018)
+    hook = ag.Region.between((-0.023, face + 0.001, z + 0.001), (0.023, face + 0.020, z + 0.0065)).box(
+        bevel=0.0022
+    )
+    lip = ag.Region.between((-0.023, face + 0.016, z + 0.001), (0.023, face + 0.020, z + 0.0125)).box(
+        bevel=0.0018
+    )
     lift = ag.union(plate, hook, lip)
     holds = [
         ag.grasp_on(hook.at(x, 0.0, 0.0), approach=(0.0, -1.0, 0.0), closing=ag.X, depth=0.0145)
@@ -130,30 +134,29 @@ def sliding_latch(
     x, face, z = at
     tall, wide = 0.014, 0.010  # sizes of the keep, and of the part that drops beside it [m]
     bottom = floor + 0.0015
-    slider = ag.box_between(
-        (x - wide / 2.0, face + 0.003, bottom), (x + wide / 2.0, face + 0.0105, z + 0.020), bevel=0.001
-    )
-    nub = ag.box_between(
-        (x - 0.009, face + 0.0092, z - 0.008), (x + 0.009, face + 0.026, z + 0.008), bevel=0.003
+    slider = ag.Region.between(
+        (x - wide / 2.0, face + 0.003, bottom), (x + wide / 2.0, face + 0.0105, z + 0.020)
+    ).box(bevel=0.001)
+    nub = ag.Region.between((x - 0.009, face + 0.0092, z - 0.008), (x + 0.009, face + 0.026, z + 0.008)).box(
+        bevel=0.003
     )
     hold = ag.grasp_on(nub, approach=(0.0, -1.0, 0.0), closing=ag.X, depth=0.013)
     body = ag.part(ag.union(slider, nub), "lock", finish, name="lock", grasp=hold)
     # the slider runs between two cheeks on a plate
     low, high = floor + 0.0185 + 0.004, z + LATCH_TOP
-    plate = ag.box_between((x - 0.013, face - 0.0005, low), (x + 0.013, face + 0.0024, high), bevel=0.0008)
+    plate = ag.Region.between((x - 0.013, face - 0.0005, low), (x + 0.013, face + 0.0024, high)).box(
+        bevel=0.0008
+    )
     cheeks = [
-        ag.box_between(
-            (x + side * 0.0095 - 0.0035, face, low),
-            (x + side * 0.0095 + 0.0035, face + 0.0085, high),
-            bevel=0.0015,
-        )
+        ag.Region.between(
+            (x + side * 0.0095 - 0.0035, face, low), (x + side * 0.0095 + 0.0035, face + 0.0085, high)
+        ).box(bevel=0.0015)
         for side in (-1, 1)
     ]
-    keep = ag.box_between(
+    keep = ag.Region.between(
         (x + way * (wide / 2.0 + 0.0012 + 0.005) - 0.005, face + 0.0040, floor - 0.0005),
         (x + way * (wide / 2.0 + 0.0012 + 0.005) + 0.005, face + 0.0125, floor + tall),
-        bevel=0.0012,
-    )
+    ).box(bevel=0.0012)
     slide = ag.Prismatic(
         name, axis=ag.Z, limits=(0.0, 0.018), friction=friction, damping=1.0, armature=0.02, effort=30.0
     )

@@ -153,8 +153,12 @@ def coil_burner(radius: float, *, bowl: ag.Material, turn: float = 0.0) -> ag.Bo
     ]
     dish = ag.revolve(ag.half_section(ag.spline(line), wall=0.0007))
     hole = ag.cylinder(0.0125, 0.0008).at(0.0, 0.0, -BOWL + 0.0002)
-    bar = ag.box_between((0.010, -0.0012, -BOWL - 0.0005), (0.97 * radius, 0.0012, COIL_TOP - 0.0085))
-    tread = ag.box_between((0.012, -0.0012, COIL_TOP - 0.009), (0.99 * radius, 0.0012, COIL_TOP - 0.0005))
+    bar = ag.Region.between(
+        (0.010, -0.0012, -BOWL - 0.0005), (0.97 * radius, 0.0012, COIL_TOP - 0.0085)
+    ).box()
+    tread = ag.Region.between(
+        (0.012, -0.0012, COIL_TOP - 0.009), (0.99 * radius, 0.0012, COIL_TOP - 0.0005)
+    ).box()
     spokes = [each.rotate(ag.Z, turn + math.tau * arm / 3.0) for arm in range(3) for each in (bar, tread)]
     boss = ag.cylinder(0.0115, COIL_TOP + BOWL - 0.0012, bevel=0.0008).align((0.0, 0.0, -BOWL - 0.0004), z=-1)
     steel = ag.material("stainless").with_(name="coil_bars", specular_roughness=0.4)
@@ -246,7 +250,7 @@ def _bars(
     """Make horizontal bars of one length along x and y, with their middles at given positions [m]."""
     x, y = size
     low = (-0.5 * x, -0.5 * y, top - _HIGH)
-    bar = ag.box_between(low, (0.5 * x, 0.5 * y, top), bevel=_SOFT)
+    bar = ag.Region.between(low, (0.5 * x, 0.5 * y, top)).box(bevel=_SOFT)
     return ag.array(bar, at=[(i, j, 0.0) for i, j in at])
 
 
@@ -266,9 +270,9 @@ def _fingers(
     x, y = wide - inner, deep - inner
     made = []
     for way in (-1, 1):  # two fingers in a line have one direction
-        start = ag.box_between(
-            (0.0, -0.5 * slim, low - _HIGH), (ag.sqrt(x * x + y * y), 0.5 * slim, low), bevel=_SOFT
-        )
+        start = ag.Region.between(
+            (0.0, -0.5 * slim, low - _HIGH), (ag.sqrt(x * x + y * y), 0.5 * slim, low)
+        ).box(bevel=_SOFT)
         finger = start.rotate(ag.Z, ag.atan2(way * y, x))
         first = [(i + inner, j + way * inner) for i, j in middles]
         second = [(i - wide, j - way * deep) for i, j in middles]
@@ -298,8 +302,10 @@ def grate(
     inner = _fingers(burners, half, diagonal=style == "diagonal", top=top)
     # legs under the corners, with rubber around their ends
     corners = [ag.vector(x + i * wide, y, 0.0) for i in (-1, 1) for y in (front, back)]
-    leg = ag.box_between((-0.0046, -0.0046, plate + _REST), (0.0046, 0.0046, top - 0.004), bevel=_SOFT)
-    pad = ag.box_between((-0.0052, -0.0052, plate + _REST), (0.0052, 0.0052, plate + 0.006), bevel=0.0015)
+    leg = ag.Region.between((-0.0046, -0.0046, plate + _REST), (0.0046, 0.0046, top - 0.004)).box(bevel=_SOFT)
+    pad = ag.Region.between((-0.0052, -0.0052, plate + _REST), (0.0052, 0.0052, plate + 0.006)).box(
+        bevel=0.0015
+    )
     # grasp on a finger without a neighboring grate; the finger tips of a gripper reach 10 mm down
     slim, grip = _SLIM * _WIDE, top - 0.04 * _HIGH - 0.001
     if style == "diagonal":

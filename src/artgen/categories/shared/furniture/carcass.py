@@ -72,25 +72,24 @@ class Carcass:
         y, inner = (self.front, self.rear), self.right + _BITE
         shy = (self.front + _SEAM, self.rear - _SEAM)
         sides = [
-            ag.board(
+            ag.Region(
                 (
                     way * self.width / 2 - (self.thick if way > 0 else 0.0),
                     way * self.width / 2 + (0.0 if way > 0 else self.thick),
                 ),
                 y,
                 (foot, self.high),
-                bevel=EASE,
-            )
+            ).box(bevel=EASE)
             for way in (-1, 1)
         ]
-        bottom = ag.board((-inner, inner), shy, (self.low + _SEAM, self.floor), bevel=EASE)
-        top = ag.board((-inner, inner), shy, (self.ceiling, self.high - _SEAM), bevel=EASE)
+        bottom = ag.Region((-inner, inner), shy, (self.low + _SEAM, self.floor)).box(bevel=EASE)
+        top = ag.Region((-inner, inner), shy, (self.ceiling, self.high - _SEAM)).box(bevel=EASE)
         groove = 0.004
-        back = ag.board(
+        back = ag.Region(
             (-inner - groove, inner + groove),
             (self.behind, self.behind + BACK),
             (self.floor - groove, self.ceiling + groove),
-        )
+        ).box()
         return [
             ag.part(sides[0], self.label, self.finish, name="body"),
             ag.part(sides[1], self.label, self.finish),
@@ -101,20 +100,19 @@ class Carcass:
 
     def partition(self, x: ag.Scalar, *, low: ag.Scalar | None = None) -> ag.Body:
         """Make a vertical board up to the top."""
-        solid = ag.board(
+        solid = ag.Region(
             (x - self.thick / 2, x + self.thick / 2),
             (self.front + _SEAM, self.behind + _BITE),
             ((self.floor if low is None else low) - _BITE, self.ceiling + _BITE),
-            bevel=EASE,
-        )
+        ).box(bevel=EASE)
         return ag.part(solid, self.label, self.finish)
 
     def deck(self, z: ag.Scalar) -> ag.Body:
         """Make a board across the full width, over an open compartment."""
         inner = self.right + _BITE
-        solid = ag.board(
-            (-inner, inner), (self.front + _SEAM, self.behind + _BITE), (z - self.thick, z), bevel=EASE
-        )
+        solid = ag.Region(
+            (-inner, inner), (self.front + _SEAM, self.behind + _BITE), (z - self.thick, z)
+        ).box(bevel=EASE)
         return ag.part(solid, self.label, self.finish)
 
     def rail(
@@ -128,12 +126,11 @@ class Carcass:
         solid: bool = True,
     ) -> ag.Body:
         """Make a rail between two uprights, behind the front edges."""
-        made = ag.board(
+        made = ag.Region(
             (left - _BITE, right + _BITE),
             (self.front + _SEAM, self.front + deep),
             (z - high / 2, z + high / 2),
-            bevel=EASE,
-        )
+        ).box(bevel=EASE)
         make = ag.part if solid else ag.detail
         return make(made, self.label, self.finish)
 
@@ -144,7 +141,9 @@ class Carcass:
         if not levels:
             return []
         near, far = self.front + setback, self.behind - 0.002
-        plank = ag.board((-self.right + _SEAM, self.right - _SEAM), (near, far), (0.0, thick), bevel=EASE)
+        plank = ag.Region((-self.right + _SEAM, self.right - _SEAM), (near, far), (0.0, thick)).box(
+            bevel=EASE
+        )
         lines = (near + 0.035, far - 0.045)
         pins = [
             ag.cylinder_between(
@@ -189,9 +188,9 @@ class Carcass:
                 return [corner_feet(self.width, self.rear - self.front, inset=0.03, radius=0.014, height=low)]
             case _:
                 x, y, z = self.right, self.behind, self.ceiling
-                bracket = ag.board(
-                    (x - 0.016, x + _BITE), (y - 0.052, y + _BITE), (z - 0.058, z - 0.008), bevel=0.002
-                )
+                bracket = ag.Region(
+                    (x - 0.016, x + _BITE), (y - 0.052, y + _BITE), (z - 0.058, z - 0.008)
+                ).box(bevel=0.002)
                 both = (bracket, bracket.mirror((1.0, 0.0, 0.0)))
                 return [ag.part(each, "bracket", ag.material("abs")) for each in both]
 
@@ -200,8 +199,8 @@ class Carcass:
         low = ag.require(self.low, self.low > 0.02, "stand_height of a plinth must be > 0.02 m")
         x = (-self.right - _BITE, self.right + _BITE)
         z = (_SEAM, low + 0.002)
-        near = ag.board(x, (self.front + setback, self.front + setback + 0.016), z, bevel=EASE)
-        far = ag.board(x, (self.rear - 0.032, self.rear - 0.016), (0.02, low + 0.002), bevel=EASE)
+        near = ag.Region(x, (self.front + setback, self.front + setback + 0.016), z).box(bevel=EASE)
+        far = ag.Region(x, (self.rear - 0.032, self.rear - 0.016), (0.02, low + 0.002)).box(bevel=EASE)
         return [ag.part(near, "plinth", finish), ag.part(far, "plinth", finish)]
 
     def legs(self, style: LegStyle, finish: ag.Material, *, inset: ag.Scalar = 0.045) -> list[ag.Body]:
@@ -234,12 +233,9 @@ class Carcass:
     ) -> ag.Body:
         """Make the top on the carcass."""
         out = self.width / 2 + beside
-        slab = ag.board(
-            (-out, out),
-            (self.front - before, self.rear),
-            (self.high - 0.0002, self.high + thick),
-            bevel=bevel,
-        )
+        slab = ag.Region(
+            (-out, out), (self.front - before, self.rear), (self.high - 0.0002, self.high + thick)
+        ).box(bevel=bevel)
         return ag.part(slab, "top", finish)
 
 

@@ -266,10 +266,10 @@ def boards_around(x: ag.Span, z: ag.Span, hole: tuple[ag.Span, ag.Span], y: ag.S
     lap = 0.0005  # boards share no corners
     across, thin = (left - lap, right + lap), (y[0] + lap, y[1] - lap)
     return [
-        ag.board((x[0], left), y, z),
-        ag.board((right, x[1]), y, z),
-        ag.board(across, thin, (z[0] + lap, bottom)),
-        ag.board(across, thin, (top, z[1] - lap)),
+        ag.Region((x[0], left), y, z).box(),
+        ag.Region((right, x[1]), y, z).box(),
+        ag.Region(across, thin, (z[0] + lap, bottom)).box(),
+        ag.Region(across, thin, (top, z[1] - lap)).box(),
     ]
 
 

@@ -131,10 +131,10 @@ def cup_pull(
     """Make a cup pull (bin pull): a quarter of a shell, open below."""
     bulge, end = 0.006, 0.024  # distance from the face to the widest point, and radius of the ends [m]
     a, b, c = width / 2, projection - bulge, height
-    half = ag.board((-a - 0.01, a + 0.01), (-projection - 0.01, _SUNK), (0.0, c + 0.01))
+    half = ag.Region((-a - 0.01, a + 0.01), (-projection - 0.01, _SUNK), (0.0, c + 0.01)).box()
     wall = (_egg(a, end, b, c, -bulge, 0.0) - _egg(a, end, b, c, -bulge, _SHEET)) & half
     # the colliders are flat pieces under that skin: two tabs at its ends, a low wall between them, a top
-    tab = ag.board((a - 0.0040, a - 0.0007), (-bulge - 0.004, _SUNK), (0.0004, 0.0075), bevel=0.0005)
+    tab = ag.Region((a - 0.0040, a - 0.0007), (-bulge - 0.004, _SUNK), (0.0004, 0.0075)).box(bevel=0.0005)
     low, high = (0.0003, 0.0090)
     x = a - end
     corner = ag.polygon(
@@ -147,8 +147,8 @@ def cup_pull(
     )
     side = ag.extrude(corner, high - low).at(0.0, 0.0, (low + high) / 2)
     deep, over = (-bulge - 0.949 * b, -bulge - 0.801 * b), 0.0004
-    front = ag.board((-x - over, x + over), deep, (low + 0.0002, high - 0.0002))
-    top = ag.board((-0.8 * x, 0.8 * x), (-bulge - 0.3 * b, _SUNK), (0.6 * c, 0.92 * c))
+    front = ag.Region((-x - over, x + over), deep, (low + 0.0002, high - 0.0002)).box()
+    top = ag.Region((-0.8 * x, 0.8 * x), (-bulge - 0.3 * b, _SUNK), (0.6 * c, 0.92 * c)).box()
     # finger pads end 1 mm before the face, around the widest point
     hold = ag.frame((0.0, -0.010, 0.0045), approach=(0.0, 1.0, 0.0), closing=(1.0, 0.0, 0.0))
     solids = (tab.mirror(ag.X), side, side.mirror(ag.X), front, top)
@@ -187,7 +187,7 @@ def groove_pull(
     beside the furniture, with one finger in front of the lip and the other in the groove.
     """
     foot = 0.006  # height of the slope from the groove to the back [m]
-    plate = ag.board((-length / 2, length / 2), (0.0, lip), (-GROOVE, 0.0), bevel=0.0010)
+    plate = ag.Region((-length / 2, length / 2), (0.0, lip), (-GROOVE, 0.0)).box(bevel=0.0010)
     low, high = -GROOVE, foot - GROOVE
     slope = ag.polygon([(lip - 0.0012, low), (thick, low), (thick, high), (lip - 0.0012, high + foot)])
     edge = ag.union(plate, ag.extrude(slope, length - 0.0004, axis=ag.X))
@@ -217,7 +217,7 @@ def edge_pull(
         length, length <= room, "the pull is longer than the edge of its door: lower handle.length"
     )
     thick = 0.0022
-    plate = ag.board((-length / 2, length / 2), (-reach, 0.014), (-0.0003, thick), bevel=0.0005)
+    plate = ag.Region((-length / 2, length / 2), (-reach, 0.014), (-0.0003, thick)).box(bevel=0.0005)
     lip = ag.capsule(0.0030, length, axis=(1.0, 0.0, 0.0)).at(0.0, -reach, 0.0008)
     # the lip lies 4 mm inside the finger pads
     hold = ag.frame((0.0, 0.005 - reach, 0.0008), approach=(0.0, 1.0, 0.0), closing=(0.0, 0.0, 1.0))
