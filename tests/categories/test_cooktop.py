@@ -9,7 +9,7 @@ from manifold3d import Manifold, OpType
 from artgen import Asset, Cache, InfeasibleError
 from artgen.categories.cooktop import cooktop
 from artgen.categories.cooktop.dials import SWEEP
-from artgen.categories.shared.cooktops.plan import COLUMNS
+from artgen.categories.shared.cooktops import COLUMNS
 
 KINDS = ("gas", "radiant", "coil", "induction")
 

@@ -10,9 +10,9 @@ from artgen import Body, Revolute, Z, box, material, part, weld
 from artgen.asset import Asset
 from artgen.categories.door.fittings import pull_handle, push_bar, push_bar_case, push_slide
 from artgen.categories.handle.grip_set import THUMB_RANGE, grip, thumb_piece, thumb_press
-from artgen.categories.shared.hardware.door_handles import knob_handle, lever_handle, spring_turn
-from artgen.categories.shared.hardware.hinge import hinge_frame, hinge_leaf, hinge_offset
-from artgen.categories.shared.hardware.locks import (
+from artgen.categories.shared.door_handles import knob_handle, lever_handle, spring_turn
+from artgen.categories.shared.fixings import hinge_frame, hinge_leaf, hinge_offset
+from artgen.categories.shared.locks import (
     LATCH,
     QUARTER,
     THROW,
@@ -26,12 +26,13 @@ from artgen.categories.shared.hardware.locks import (
     latch_bolt,
     latch_pocket,
     latch_slide,
+    rose,
+    spindle_hole,
     strike_plate,
     strike_pocket,
     thumb_turn,
     thumb_turn_joint,
 )
-from artgen.categories.shared.hardware.roses import rose, spindle_hole
 from support.bodies import asset_of
 
 NICKEL = material("satin_nickel")

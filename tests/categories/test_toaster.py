@@ -10,8 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from artgen import Asset, Cache, InfeasibleError
-from artgen.categories.shared.controls.buttons import ButtonShape
-from artgen.categories.shared.controls.dials import DialStyle
+from artgen.categories.shared.controls import ButtonShape, DialStyle
 from artgen.categories.toaster import toaster
 from artgen.categories.toaster.inside import LeverStyle
 from artgen.categories.toaster.plan import BodyStyle

@@ -18,19 +18,21 @@ from typing import Any, Literal
 
 import artgen as ag
 from artgen.categories.cabinet.doors import Hanging, HingeStyle
+from artgen.categories.shared import require_suited
 from artgen.categories.shared.finish import known
-from artgen.categories.shared.furniture.carcass import Carcass, LegStyle, Stand
-from artgen.categories.shared.furniture.finish import (
+from artgen.categories.shared.fronts import FrontLook, FrontStyle
+from artgen.categories.shared.furniture import (
     WHITE_BOARD,
     BoardLook,
+    Carcass,
+    LegStyle,
+    Stand,
     boards,
     hardware,
     leg_finishes,
     worktops,
 )
-from artgen.categories.shared.furniture.fronts import FrontLook, FrontStyle
-from artgen.categories.shared.hardware import require_suited
-from artgen.categories.shared.hardware.furniture_pulls import bar_pull, cup_pull, edge_pull, knob_pull
+from artgen.categories.shared.pulls import bar_pull, cup_pull, edge_pull, knob_pull
 
 _HANDLES = {"knob": knob_pull, "bar": bar_pull, "cup": cup_pull, "edge": edge_pull}
 _GLASS = known("glass", "frosted_glass", "tinted_glass")

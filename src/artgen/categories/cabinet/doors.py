@@ -9,11 +9,9 @@ from typing import Literal
 
 import artgen as ag
 from artgen.categories.shared.finish import recess
-from artgen.categories.shared.furniture.carcass import Carcass
-from artgen.categories.shared.furniture.finish import CLEAR_RUBBER, ZINC
-from artgen.categories.shared.furniture.fronts import FrontLook, front
-from artgen.categories.shared.hardware.fixings import screws
-from artgen.categories.shared.hardware.hinge import hinge_frame, hinge_leaf, hinge_offset
+from artgen.categories.shared.fixings import hinge_frame, hinge_leaf, hinge_offset, screws
+from artgen.categories.shared.fronts import FrontLook, front
+from artgen.categories.shared.furniture import CLEAR_RUBBER, ZINC, Carcass
 
 DOOR_GAP = 0.002
 """Gap between the back of a closed door and the carcass [m]."""

@@ -32,14 +32,18 @@ from artgen.categories.cooktop.dials import (
     tap_joints,
     tap_pin,
 )
-from artgen.categories.shared.controls.dials import DialStyle
-from artgen.categories.shared.controls.panels import ink_on
-from artgen.categories.shared.cooktops.burners import (
+from artgen.categories.shared.controls import DialStyle, ink_on
+from artgen.categories.shared.cooktops import (
     ALUMINIUM,
     BRASS,
     COIL_RADIUS,
     ZONE_RADIUS,
+    BurnerKind,
+    BurnerSize,
+    DialSide,
     GrateStyle,
+    Place,
+    Plan,
     coil_burner,
     gas_burner,
     grates,
@@ -47,7 +51,6 @@ from artgen.categories.shared.cooktops.burners import (
     printed_zones,
     radiant_zone,
 )
-from artgen.categories.shared.cooktops.plan import BurnerKind, BurnerSize, DialSide, Place, Plan
 from artgen.categories.shared.finish import casting
 
 _GLASS = (

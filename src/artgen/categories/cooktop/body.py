@@ -5,10 +5,8 @@ from typing import Literal
 
 import artgen as ag
 from artgen import details
-from artgen.categories.shared.appliances.cords import cord_stub
-from artgen.categories.shared.appliances.finish import filled
-from artgen.categories.shared.cooktops.burners import BOWL, coil_hole
-from artgen.categories.shared.cooktops.plan import BurnerKind, Plan
+from artgen.categories.shared.appliances import cord_stub, filled
+from artgen.categories.shared.cooktops import BOWL, BurnerKind, Plan, coil_hole
 
 Trim = Literal["none", "frame", "sides"]
 """Edge protection of a glass plate: none, a steel frame, or bars at its left and right."""

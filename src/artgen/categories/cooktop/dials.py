@@ -10,8 +10,8 @@ from typing import Literal
 
 import artgen as ag
 from artgen import details
-from artgen.categories.shared.controls.dials import DialStyle, dial, dial_print
-from artgen.categories.shared.cooktops.plan import SIGN, Plan
+from artgen.categories.shared.controls import DialStyle, dial, dial_print
+from artgen.categories.shared.cooktops import SIGN, Plan
 
 SWEEP = 4.7
 """Turn of a dial from off to its end [rad]."""

@@ -23,10 +23,10 @@ from artgen.categories.dishwasher.door import CONSOLE_BEFORE_POCKET, RECESS_HALF
 from artgen.categories.dishwasher.racks import Racks
 from artgen.categories.dishwasher.space import REACH, Build, Controls, Size, Space
 from artgen.categories.dishwasher.tub import Cabinet, kick_finish
-from artgen.categories.shared.appliances.finish import Look, cabinet_finish, fronts, grip_metals
-from artgen.categories.shared.appliances.wire_baskets import GRIP_REACH, Grip
-from artgen.categories.shared.controls.buttons import ButtonShape
-from artgen.categories.shared.hardware.bar_handles import BarStyle
+from artgen.categories.shared.appliances import Look, cabinet_finish, fronts, grip_metals
+from artgen.categories.shared.baskets import GRIP_REACH, Grip
+from artgen.categories.shared.controls import ButtonShape
+from artgen.categories.shared.pulls import BarStyle
 from artgen.nodes.details.displays import Color
 
 _TUB_STEEL = ag.material("stainless").with_(

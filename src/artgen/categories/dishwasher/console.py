@@ -9,16 +9,21 @@ from dataclasses import dataclass
 import artgen as ag
 from artgen import details
 from artgen._arrays import cached_property
-from artgen.categories.shared.controls.buttons import ButtonShape, button_press, push_button
-from artgen.categories.shared.controls.dials import DialStyle, dial, dial_print, dial_turn
-from artgen.categories.shared.controls.panels import (
+from artgen.categories.shared.controls import (
     PANE,
+    ButtonShape,
+    DialStyle,
     button_holes,
+    button_press,
+    dial,
+    dial_print,
+    dial_turn,
     icon_row,
     ink_on,
     inlay,
     lamp_row,
     places,
+    push_button,
 )
 from artgen.nodes.details.displays import Color
 

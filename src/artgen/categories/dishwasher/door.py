@@ -9,15 +9,9 @@ from artgen import details
 from artgen._arrays import cached_property
 from artgen.categories.dishwasher.console import LAP, Console
 from artgen.categories.dishwasher.space import DISH, Controls, Space
-from artgen.categories.shared.appliances.finish import DARK, filled
-from artgen.categories.shared.controls.panels import ink_on
-from artgen.categories.shared.hardware.bar_handles import (
-    BarStyle,
-    Grip,
-    bar_handle,
-    pocket_grip,
-    recessed_grip,
-)
+from artgen.categories.shared.appliances import DARK, filled
+from artgen.categories.shared.controls import ink_on
+from artgen.categories.shared.pulls import BarStyle, Grip, bar_handle, pocket_grip, recessed_grip
 
 FLAP_TRAVEL = 0.036
 """Travel of the detergent flap [m]."""

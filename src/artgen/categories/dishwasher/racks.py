@@ -6,7 +6,7 @@ import artgen as ag
 from artgen import details
 from artgen._arrays import cached_property
 from artgen.categories.dishwasher.space import ROLLER, UNDER, Size, Space
-from artgen.categories.shared.appliances.wire_baskets import Basket, Grip, rack_slide, rollers
+from artgen.categories.shared.baskets import Basket, Grip, rack_slide, rollers
 
 UPPER_ROLLER = 0.0095
 """Radius of the rollers of the upper racks [m]."""

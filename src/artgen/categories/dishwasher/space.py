@@ -5,7 +5,7 @@ from typing import Literal
 
 import artgen as ag
 from artgen._arrays import cached_property
-from artgen.categories.shared.appliances.finish import ApplianceSpace
+from artgen.categories.shared.appliances import ApplianceSpace
 
 Build = Literal["built_in", "freestanding"]
 """Built-in with bare sheet sides, or freestanding with painted sides and a worktop."""

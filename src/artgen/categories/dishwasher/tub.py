@@ -6,8 +6,7 @@ import artgen as ag
 from artgen import details
 from artgen._arrays import cached_property
 from artgen.categories.dishwasher.space import Build, Space
-from artgen.categories.shared.appliances.cords import cord_stub
-from artgen.categories.shared.appliances.finish import DARK, filled
+from artgen.categories.shared.appliances import DARK, cord_stub, filled
 
 _PITCH = 0.006  # pitch of the ribs of a drain hose [m]
 _RIBS = 3

@@ -35,6 +35,8 @@ from artgen.categories.door.leaf import (
     plank_leaf,
 )
 from artgen.categories.door.lockset import Roses, Site, dead_lock, pushed_handle, rigid_handle, turning_handle
+from artgen.categories.shared import HARDWARE_LABELS, require_suited
+from artgen.categories.shared.door_handles import knob_handle, lever_handle
 from artgen.categories.shared.finish import (
     FINISH_WEIGHTS,
     FINISHES,
@@ -44,11 +46,8 @@ from artgen.categories.shared.finish import (
     paints,
     weighing,
 )
-from artgen.categories.shared.furniture.door_slab import Blank, Fittings
-from artgen.categories.shared.hardware import HARDWARE_LABELS, require_suited
-from artgen.categories.shared.hardware.door_handles import knob_handle, lever_handle
-from artgen.categories.shared.hardware.locks import DEADBOLT
-from artgen.categories.shared.hardware.roses import Fixing
+from artgen.categories.shared.fronts import Blank, Fittings
+from artgen.categories.shared.locks import DEADBOLT, Fixing
 
 _HANDLES = {
     "lever": lever_handle,

@@ -13,7 +13,7 @@ import artgen as ag
 from artgen.categories.door.fittings import astragal
 from artgen.categories.door.frame import Hanging
 from artgen.categories.door.lockset import Lockset, Site
-from artgen.categories.shared.furniture.door_slab import Blank
+from artgen.categories.shared.fronts import Blank
 
 _ROD = 0.010  # width of the square bolt [m]
 _PLAY = 0.0004  # gap around the bolt in the leaf [m]

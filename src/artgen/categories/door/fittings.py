@@ -6,10 +6,10 @@ from typing import Literal
 import artgen as ag
 from artgen import details
 from artgen.categories.shared.finish import casting, recess
-from artgen.categories.shared.furniture.door_slab import Blank
-from artgen.categories.shared.hardware.bar_handles import bent_bar, rod
-from artgen.categories.shared.hardware.fixings import Way, screws
-from artgen.categories.shared.hardware.roses import SIDES, Faces
+from artgen.categories.shared.fixings import Way, screws
+from artgen.categories.shared.fronts import Blank
+from artgen.categories.shared.locks import SIDES, Faces
+from artgen.categories.shared.pulls import bent_bar, rod
 
 ASTRAGAL_GAP = 0.002
 """Gap between the active leaf and the strip behind it [m]."""

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from typing import Literal
 
 import artgen as ag
-from artgen.categories.shared.furniture.door_slab import Arch, Blank
-from artgen.categories.shared.hardware.hinge import hinge_frame, hinge_leaf, hinge_offset
+from artgen.categories.shared.fixings import hinge_frame, hinge_leaf, hinge_offset
+from artgen.categories.shared.fronts import Arch, Blank
 
 JAMB = 0.034
 """Thickness of jambs and head [m]."""

@@ -10,9 +10,12 @@ from typing import Literal, NamedTuple
 import artgen as ag
 from artgen import details
 from artgen.categories.shared.finish import across, casting, known, recess
-from artgen.categories.shared.furniture.door_slab import EASED, Blank, Fittings
-from artgen.categories.shared.furniture.infill import (
+from artgen.categories.shared.fixings import screws
+from artgen.categories.shared.fronts import (
+    EASED,
+    Blank,
     Fill,
+    Fittings,
     Opening,
     Relief,
     Sticking,
@@ -20,7 +23,6 @@ from artgen.categories.shared.furniture.infill import (
     panes_in,
     slats_in,
 )
-from artgen.categories.shared.hardware.fixings import screws
 
 LETTER_PLATE = 0.30
 """Width of a letter plate [m]."""

@@ -6,12 +6,13 @@ from typing import Literal
 
 import artgen as ag
 from artgen.categories.door.fittings import pull_handle, push_bar_case, push_slide
+from artgen.categories.shared.door_handles import spring_turn
 from artgen.categories.shared.finish import recess
-from artgen.categories.shared.hardware.door_handles import spring_turn
-from artgen.categories.shared.hardware.locks import (
+from artgen.categories.shared.locks import (
     DEADBOLT,
     LATCH_HOLE,
     THROW,
+    Fixing,
     deadbolt,
     deadbolt_cover,
     deadbolt_hole,
@@ -21,12 +22,13 @@ from artgen.categories.shared.hardware.locks import (
     latch_bolt,
     latch_pocket,
     latch_slide,
+    rose,
+    spindle_hole,
     strike_plate,
     strike_pocket,
     thumb_turn,
     thumb_turn_joint,
 )
-from artgen.categories.shared.hardware.roses import Fixing, rose, spindle_hole
 
 HandleKind = Literal["lever", "knob", "push_bar", "pull", "none"]
 

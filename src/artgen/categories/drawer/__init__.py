@@ -30,22 +30,23 @@ from artgen.categories.drawer.boxes import (
     slide,
 )
 from artgen.categories.drawer.boxes import drawer as drawer_of
-from artgen.categories.shared.furniture.carcass import Carcass, LegStyle
-from artgen.categories.shared.furniture.finish import (
+from artgen.categories.shared import require_suited
+from artgen.categories.shared.fronts import FrontLook, FrontStyle
+from artgen.categories.shared.furniture import (
     GREY_STEEL,
     HARDBOARD,
     PLY,
     WHITE_BOARD,
+    Carcass,
     CaseLook,
+    LegStyle,
     accents,
     boards,
     hardware,
     leg_finishes,
     worktops,
 )
-from artgen.categories.shared.furniture.fronts import FrontLook, FrontStyle
-from artgen.categories.shared.hardware import require_suited
-from artgen.categories.shared.hardware.furniture_pulls import bar_pull, cup_pull, groove_pull, knob_pull
+from artgen.categories.shared.pulls import bar_pull, cup_pull, groove_pull, knob_pull
 
 _FINISH, _ACCENT = boards("wood", "lacquer", "melamine", "decor", "steel"), accents()
 _WORKTOP, _LEG, _METAL = worktops(), leg_finishes(), hardware()

@@ -7,13 +7,12 @@ from typing import Literal
 import artgen as ag
 from artgen import details
 from artgen._arrays import cached_property
-from artgen.categories.shared.furniture.carcass import Carcass
-from artgen.categories.shared.furniture.finish import CREAM_STEEL, ZINC
-from artgen.categories.shared.furniture.fronts import FrontLook, front
-from artgen.categories.shared.furniture.shelves import open_box
-from artgen.categories.shared.hardware.fixings import screws
-from artgen.categories.shared.hardware.furniture_pulls import GROOVE
-from artgen.categories.shared.hardware.roses import plug
+from artgen.categories.shared.fixings import screws
+from artgen.categories.shared.fronts import FrontLook, front
+from artgen.categories.shared.furniture import CREAM_STEEL, ZINC, Carcass
+from artgen.categories.shared.locks import plug
+from artgen.categories.shared.pulls import GROOVE
+from artgen.categories.shared.shelves import open_box
 
 SIDE_PLAY = 0.0125
 """Gap between the side of a drawer and the face beside it [m]."""

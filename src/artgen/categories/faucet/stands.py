@@ -13,7 +13,7 @@ from artgen.categories.faucet.drain import FLANGE, HANGS, HOLE
 from artgen.categories.faucet.handles import LeverStyle, mixer
 from artgen.categories.faucet.spouts import core_radius
 from artgen.categories.shared.finish import casting
-from artgen.categories.shared.hardware.fixings import corner_feet
+from artgen.categories.shared.fixings import corner_feet
 
 PADS = 0.004
 """Height of the rubber pads under a deck or a foot [m]."""

@@ -15,17 +15,21 @@ from typing import Literal
 import artgen as ag
 from artgen import details
 from artgen.categories.handle.grip_set import grip, thumb_piece, thumb_press
+from artgen.categories.shared import HARDWARE_LABELS, require_suited
+from artgen.categories.shared.door_handles import knob_handle, lever_handle, spring_turn
 from artgen.categories.shared.finish import FINISH_WEIGHTS, FINISHES, known, paints, recess
-from artgen.categories.shared.hardware import HARDWARE_LABELS, require_suited
-from artgen.categories.shared.hardware.door_handles import knob_handle, lever_handle, spring_turn
-from artgen.categories.shared.hardware.locks import (
+from artgen.categories.shared.locks import (
+    PIN_BELOW,
+    Faces,
+    Fixing,
     faceplate,
     latch_bolt,
     latch_pocket,
     latch_slide,
+    rose,
+    spindle_hole,
     with_button,
 )
-from artgen.categories.shared.hardware.roses import PIN_BELOW, Faces, Fixing, rose, spindle_hole
 
 _HANDLES = {"lever": lever_handle, "knob": knob_handle}
 _FOOT = 0.020  # thickness of the stand's foot [m]

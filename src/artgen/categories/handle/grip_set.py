@@ -4,7 +4,7 @@ from math import pi
 
 import artgen as ag
 from artgen.categories.shared.finish import casting
-from artgen.categories.shared.hardware.roses import plug
+from artgen.categories.shared.locks import plug
 
 THUMB_RANGE = 0.28
 """Range of a thumb piece [rad]."""

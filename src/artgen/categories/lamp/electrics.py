@@ -6,9 +6,8 @@ from typing import Literal
 
 import artgen as ag
 from artgen import details
-from artgen.categories.shared.appliances.cords import CORD, strain_relief
-from artgen.categories.shared.controls.buttons import button_hole, button_press, push_button
-from artgen.categories.shared.controls.dials import DialStyle, dial
+from artgen.categories.shared.appliances import CORD, strain_relief
+from artgen.categories.shared.controls import DialStyle, button_hole, button_press, dial, push_button
 
 SwitchKind = Literal["button", "rocker", "dial"]
 """Kind of switch that a finger presses or turns."""

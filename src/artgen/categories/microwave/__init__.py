@@ -22,10 +22,9 @@ from artgen.categories.microwave.case import Case, Turntable
 from artgen.categories.microwave.controls import Controls, Panel
 from artgen.categories.microwave.door import Door, FaceStyle, HandleKind, Latches
 from artgen.categories.microwave.space import Space
-from artgen.categories.shared.appliances.finish import cabinet_finish, fronts, grip_metals
-from artgen.categories.shared.controls.buttons import ButtonShape
-from artgen.categories.shared.controls.dials import DialStyle
-from artgen.categories.shared.hardware.bar_handles import BarStyle
+from artgen.categories.shared.appliances import cabinet_finish, fronts, grip_metals
+from artgen.categories.shared.controls import ButtonShape, DialStyle
+from artgen.categories.shared.pulls import BarStyle
 from artgen.nodes.details.displays import Color
 
 Look = Literal["stainless", "dark_steel", "white", "black", "pastel"]

@@ -7,9 +7,8 @@ import artgen as ag
 from artgen import details
 from artgen._arrays import cached_property
 from artgen.categories.microwave.space import FRAME, SHAFT, SHEET, Space
-from artgen.categories.shared.appliances.cords import mains_cord
-from artgen.categories.shared.appliances.finish import DARK, filled
-from artgen.categories.shared.hardware.fixings import feet, screws
+from artgen.categories.shared.appliances import DARK, filled, mains_cord
+from artgen.categories.shared.fixings import feet, screws
 
 _LAP = 0.0005  # overlap of boards, so that they share no corners [m]
 _WALL = 0.0035  # thickness of the cavity's right wall [m]

@@ -8,16 +8,19 @@ from artgen import details
 from artgen._arrays import cached_property
 from artgen.categories.microwave.door import PANE, FaceStyle
 from artgen.categories.microwave.space import EDGE, Space
-from artgen.categories.shared.appliances.finish import filled
-from artgen.categories.shared.controls.buttons import (
+from artgen.categories.shared.appliances import filled
+from artgen.categories.shared.controls import (
     PLAY,
     ButtonShape,
+    DialStyle,
     button_outline,
     button_press,
+    dial,
+    dial_print,
+    dial_turn,
+    ink_on,
     push_button,
 )
-from artgen.categories.shared.controls.dials import DialStyle, dial, dial_print, dial_turn
-from artgen.categories.shared.controls.panels import ink_on
 from artgen.nodes.details.displays import Color
 
 Controls = Literal["keypad", "mixed", "dials"]

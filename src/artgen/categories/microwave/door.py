@@ -7,15 +7,9 @@ import artgen as ag
 from artgen import details
 from artgen._arrays import cached_property
 from artgen.categories.microwave.space import Space
-from artgen.categories.shared.appliances.finish import filled
-from artgen.categories.shared.controls.panels import ink_on
-from artgen.categories.shared.hardware.bar_handles import (
-    BarStyle,
-    Grip,
-    bar_handle,
-    boards_around,
-    recessed_grip,
-)
+from artgen.categories.shared.appliances import filled
+from artgen.categories.shared.controls import ink_on
+from artgen.categories.shared.pulls import BarStyle, Grip, bar_handle, boards_around, recessed_grip
 
 HandleKind = Literal["bar", "pocket", "none"]
 """A bar on the door, a recess with a blade in it, or none for a door with an opening button."""

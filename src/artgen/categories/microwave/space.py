@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import artgen as ag
 from artgen._arrays import cached_property
-from artgen.categories.shared.appliances.finish import ApplianceSpace
+from artgen.categories.shared.appliances import ApplianceSpace
 
 SEAL = 0.0028
 """Gap between the inside of the door and the cavity's frame; chokes need 2-3 mm [m]."""

@@ -23,9 +23,9 @@ from artgen.categories.oven.panel import Panel
 from artgen.categories.oven.racks import Racks, element
 from artgen.categories.oven.space import Build, Space
 from artgen.categories.oven.top import BurnerKind, Top
-from artgen.categories.shared.appliances.finish import cabinet_finish, fronts, grip_metals
-from artgen.categories.shared.controls.dials import DialStyle
-from artgen.categories.shared.hardware.bar_handles import BarStyle
+from artgen.categories.shared.appliances import cabinet_finish, fronts, grip_metals
+from artgen.categories.shared.controls import DialStyle
+from artgen.categories.shared.pulls import BarStyle
 from artgen.nodes.details.displays import Color
 
 Look = Literal["stainless", "dark_steel", "white", "black", "pastel"]

@@ -6,9 +6,8 @@ import artgen as ag
 from artgen import details
 from artgen._arrays import cached_property
 from artgen.categories.oven.space import LAP, Space
-from artgen.categories.shared.appliances.cords import cord_stub
-from artgen.categories.shared.appliances.finish import DARK, filled
-from artgen.categories.shared.hardware.fixings import feet, screws
+from artgen.categories.shared.appliances import DARK, cord_stub, filled
+from artgen.categories.shared.fixings import feet, screws
 
 FOOT = 0.022
 """Height of the feet of a range [m]."""

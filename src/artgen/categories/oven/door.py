@@ -8,16 +8,10 @@ from artgen import details
 from artgen._arrays import cached_property
 from artgen.categories.oven.body import FOOT, LOW
 from artgen.categories.oven.space import LAP, SKIN, UNDER, Space
-from artgen.categories.shared.appliances.finish import DARK, filled
-from artgen.categories.shared.controls.panels import ink_on
+from artgen.categories.shared.appliances import DARK, filled
+from artgen.categories.shared.controls import ink_on
 from artgen.categories.shared.finish import casting
-from artgen.categories.shared.hardware.bar_handles import (
-    BarStyle,
-    Grip,
-    bar_handle,
-    boards_around,
-    recessed_grip,
-)
+from artgen.categories.shared.pulls import BarStyle, Grip, bar_handle, boards_around, recessed_grip
 
 _FACE = 0.030  # thickness of the front [m]
 _POCKET = 0.0275  # depth of the grip [m]

@@ -7,9 +7,19 @@ import artgen as ag
 from artgen import details
 from artgen._arrays import cached_property
 from artgen.categories.oven.space import LAP, Space
-from artgen.categories.shared.appliances.finish import filled
-from artgen.categories.shared.controls.dials import DialStyle, dial, dial_print, dial_turn
-from artgen.categories.shared.controls.panels import PANE, icon_row, ink_on, inlay, lamp_row, places
+from artgen.categories.shared.appliances import filled
+from artgen.categories.shared.controls import (
+    PANE,
+    DialStyle,
+    dial,
+    dial_print,
+    dial_turn,
+    icon_row,
+    ink_on,
+    inlay,
+    lamp_row,
+    places,
+)
 from artgen.nodes.details.displays import Color
 
 SWEEP = 4.7

@@ -9,7 +9,7 @@ from operator import and_
 import artgen as ag
 from artgen import details
 from artgen.categories.oven.space import LEVELS, ROD, Build, Space
-from artgen.categories.shared.appliances.wire_baskets import rack_slide
+from artgen.categories.shared.baskets import rack_slide
 
 _INSIDE = 0.0002  # difference between the radii of visible and colliding rods [m]
 _WIRE = 0.0016  # radius of the wires of a rack [m]

@@ -5,7 +5,7 @@ from typing import Literal
 
 import artgen as ag
 from artgen._arrays import cached_property
-from artgen.categories.shared.appliances.finish import ApplianceSpace
+from artgen.categories.shared.appliances import ApplianceSpace
 
 Build = Literal["built_in", "range"]
 """Built into a kitchen cabinet, or a freestanding range with burners on top."""

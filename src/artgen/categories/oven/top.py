@@ -7,19 +7,19 @@ import artgen as ag
 from artgen import details
 from artgen._arrays import cached_property
 from artgen.categories.oven.space import LAP, TOP, UNDER, Space
-from artgen.categories.shared.appliances.finish import DARK, filled
-from artgen.categories.shared.controls.panels import ink_on
-from artgen.categories.shared.cooktops.burners import (
+from artgen.categories.shared.appliances import DARK, filled
+from artgen.categories.shared.controls import ink_on
+from artgen.categories.shared.cooktops import (
     ALUMINIUM,
     BRASS,
     ZONE_RADIUS,
+    Plan,
     gas_burner,
     grates,
     induction_zone,
     printed_zones,
     radiant_zone,
 )
-from artgen.categories.shared.cooktops.plan import Plan
 
 BurnerKind = Literal["gas", "radiant", "induction"]
 """Gas flames, radiant heaters under glass, or induction coils under glass."""

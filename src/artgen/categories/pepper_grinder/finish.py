@@ -6,7 +6,7 @@ import artgen as ag
 from artgen import details
 from artgen.categories.pepper_grinder.forms import BodyForm, body_runs
 from artgen.categories.shared.finish import known, weighing
-from artgen.categories.shared.vessels.turned import path_of
+from artgen.categories.shared.vessels import path_of
 
 Mark = Literal["none", "letter", "word"]
 """Mark of the contents of a mill: none, a letter on its head, or a word around its body."""

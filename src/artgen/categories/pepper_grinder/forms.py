@@ -7,7 +7,7 @@ import math
 from typing import Literal
 
 import artgen as ag
-from artgen.categories.shared.vessels.turned import Drawn, Run, drawn
+from artgen.categories.shared.vessels import Drawn, Run, drawn
 
 BodyForm = Literal[
     "classic", "baluster", "hourglass", "tower", "cone", "barrel", "spool", "ripple", "cylinder"

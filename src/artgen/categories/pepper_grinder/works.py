@@ -6,7 +6,7 @@ from typing import Literal
 
 import artgen as ag
 from artgen.categories.pepper_grinder.forms import WIDEST, BodyForm, Top, body_runs, fitting, head_runs
-from artgen.categories.shared.vessels.turned import Run, core, skin, turned
+from artgen.categories.shared.vessels import Run, core, skin, turned
 
 Finial = Literal["nut", "ball", "cap"]
 """Fixing of a head on its shaft: a knurled nut, a ball, or a low cap."""

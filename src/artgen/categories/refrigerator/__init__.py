@@ -32,7 +32,7 @@ from artgen.categories.refrigerator.drawers import Slot, inner_drawer, inner_sli
 from artgen.categories.refrigerator.inside import Furniture, ShelfKind, flap, flap_reach, flap_swing, furnish
 from artgen.categories.refrigerator.leaf import Leaf
 from artgen.categories.refrigerator.plan import Divided, Layout, hinges
-from artgen.categories.shared.appliances.finish import (
+from artgen.categories.shared.appliances import (
     CLEAR,
     FROSTED,
     LINER,
@@ -42,7 +42,7 @@ from artgen.categories.shared.appliances.finish import (
     fronts,
     grip_metals,
 )
-from artgen.categories.shared.hardware.bar_handles import BarStyle
+from artgen.categories.shared.pulls import BarStyle
 
 _LABELS = (
     "body", "door", "freezer_door", "inner_drawer", "outer_drawer", "handle", "liner", "gasket",

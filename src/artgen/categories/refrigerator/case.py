@@ -12,9 +12,8 @@ from typing import Literal
 import artgen as ag
 from artgen import details
 from artgen._arrays import cached_property
-from artgen.categories.shared.appliances.cords import cord_stub
-from artgen.categories.shared.appliances.finish import DARK, filled
-from artgen.categories.shared.hardware.fixings import feet
+from artgen.categories.shared.appliances import DARK, cord_stub, filled
+from artgen.categories.shared.fixings import feet
 
 SEAL_GAP = 0.010
 """Gap between a closed door and the cabinet, filled by the gasket [m]."""

@@ -7,17 +7,10 @@ import artgen as ag
 from artgen import details
 from artgen.categories.refrigerator.case import SEAL_GAP, Case
 from artgen.categories.refrigerator.leaf import CHEEK, LINING_INSET, SEAL_INSET, Leaf, door_gasket
-from artgen.categories.shared.appliances.finish import CLEAR, DARK, filled
-from artgen.categories.shared.controls.panels import control_panel
-from artgen.categories.shared.furniture.shelves import door_bin
-from artgen.categories.shared.hardware.bar_handles import (
-    BarStyle,
-    Grip,
-    bar_handle,
-    niche,
-    pocket_grip,
-    recessed_grip,
-)
+from artgen.categories.shared.appliances import CLEAR, DARK, filled
+from artgen.categories.shared.controls import control_panel
+from artgen.categories.shared.pulls import BarStyle, Grip, bar_handle, niche, pocket_grip, recessed_grip
+from artgen.categories.shared.shelves import door_bin
 
 _SHEET = 0.002
 

@@ -7,9 +7,9 @@ import artgen as ag
 from artgen.categories.refrigerator.case import HUMP_DEEP, HUMP_HIGH, SEAL_GAP, Case, Cell
 from artgen.categories.refrigerator.doors import Dress, framing, lining, slab
 from artgen.categories.refrigerator.leaf import CHEEK, door_gasket
-from artgen.categories.shared.appliances.finish import filled
-from artgen.categories.shared.furniture.shelves import LIP_REACH, drawer_box, open_box
-from artgen.categories.shared.hardware.bar_handles import bar_handle, recessed_grip
+from artgen.categories.shared.appliances import filled
+from artgen.categories.shared.pulls import bar_handle, recessed_grip
+from artgen.categories.shared.shelves import LIP_REACH, drawer_box, open_box
 
 SLACK = 0.012
 """Travel of a drawer until it strikes the ridges or the flat inside of its closed door [m]."""

@@ -8,8 +8,8 @@ import artgen as ag
 from artgen import details
 from artgen.categories.refrigerator.case import Case, Cell
 from artgen.categories.refrigerator.drawers import SLACK, Slot, drawer_front, rows
-from artgen.categories.shared.appliances.finish import DARK, LINER, filled
-from artgen.categories.shared.furniture.shelves import LIP_REACH, egg_tray, glass_shelf, wire_shelf
+from artgen.categories.shared.appliances import DARK, LINER, filled
+from artgen.categories.shared.shelves import LIP_REACH, egg_tray, glass_shelf, wire_shelf
 
 ShelfKind = Literal["glass", "wire"]
 

@@ -1,8 +1,26 @@
 """Parts that several categories use, by family."""
 
 import math
+from collections.abc import Mapping
 
 import artgen as ag
+
+_LABELS = "handle rose latch faceplate strike lock deadbolt cylinder hinge screw"
+
+HARDWARE_LABELS = tuple(_LABELS.split())
+"""All labels of the parts of door hardware."""
+
+
+def require_suited(
+    handle: ag.Generator, option: str, chosen: str, handles: Mapping[str, ag.Generator]
+) -> None:
+    """Reject a sample with the handle of another option value; a handle from the caller is accepted."""
+    own = [value for value, each in handles.items() if handle == each]
+    ag.require(
+        not own or chosen in own,
+        f"handle={handle.name} belongs to {option}={' or '.join(own)}, not to {option}={chosen}: "
+        f"set {option} as well, or leave handle out",
+    )
 
 
 def recycling(size: ag.Scalar) -> ag.Profile:

@@ -6,7 +6,7 @@ from typing import Literal, get_args
 
 import artgen as ag
 from artgen import details
-from artgen.categories.shared.vessels.turned import Drawn, Run, blown, drawn, filled, path_of, turned
+from artgen.categories.shared.vessels import Drawn, Run, blown, drawn, filled, path_of, turned
 from artgen.nodes.handles import Path
 
 Shape = Literal[

@@ -9,7 +9,7 @@ from typing import Literal
 
 import artgen as ag
 from artgen import details
-from artgen.categories.shared.vessels.turned import Run, core, turned
+from artgen.categories.shared.vessels import Run, core, turned
 
 Nozzle = Literal["saddle", "beak", "gooseneck", "bar", "swan", "foamer"]
 """Shape of a nozzle: a molded saddle; a beak under a cap; a bent tube; a square bar; a thin tube from a post

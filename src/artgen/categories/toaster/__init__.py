@@ -17,10 +17,9 @@ from typing import Literal
 
 import artgen as ag
 from artgen import details
-from artgen.categories.shared.appliances.cords import cord_stub, mains_cord
-from artgen.categories.shared.controls.buttons import ButtonShape
-from artgen.categories.shared.controls.dials import DialStyle
-from artgen.categories.shared.hardware.fixings import corner_feet
+from artgen.categories.shared.appliances import cord_stub, mains_cord
+from artgen.categories.shared.controls import ButtonShape, DialStyle
+from artgen.categories.shared.fixings import corner_feet
 from artgen.categories.toaster.controls import Layout, Panel, PanelLooks, Scale, end_site, side_site
 from artgen.categories.toaster.finish import ENDS, GRIPS, KEYS, METALS, SLEEVES, hollow, ink_on, sheet
 from artgen.categories.toaster.inside import (

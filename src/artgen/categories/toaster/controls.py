@@ -10,14 +10,17 @@ from typing import Literal
 import artgen as ag
 from artgen import details
 from artgen._arrays import cached_property
-from artgen.categories.shared.controls.buttons import (
+from artgen.categories.shared.controls import (
     PLAY,
     ButtonShape,
+    DialStyle,
     button_plate,
     button_press,
+    dial,
+    dial_print,
+    dial_turn,
     push_button,
 )
-from artgen.categories.shared.controls.dials import DialStyle, dial, dial_print, dial_turn
 from artgen.categories.shared.finish import recess
 from artgen.categories.toaster.inside import ARM, slit
 from artgen.categories.toaster.plan import Plan

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import artgen as ag
 from artgen import details
-from artgen.categories.shared.hardware.fixings import screws
+from artgen.categories.shared.fixings import screws
 from artgen.categories.toaster.plan import Plan
 
 _STEPS = (0.0, 0.3, 0.65, 1.0)  # shares of a quarter turn over a rounded end

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 import artgen as ag
-from artgen.categories.shared.controls.buttons import button_press
+from artgen.categories.shared.controls import button_press
 from artgen.categories.shared.finish import casting
 from artgen.categories.trashcan.bins import Can, Plan
 from artgen.categories.trashcan.pedals import Linkage

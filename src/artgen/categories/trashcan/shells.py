@@ -5,7 +5,7 @@ from typing import Literal
 
 import artgen as ag
 from artgen.categories.shared.finish import casting
-from artgen.categories.shared.hardware.fixings import feet
+from artgen.categories.shared.fixings import feet
 from artgen.categories.trashcan.bins import Can
 
 WIRE = 0.0028

@@ -8,7 +8,7 @@ from typing import Literal, NamedTuple
 
 import artgen as ag
 from artgen import details
-from artgen.categories.shared.hardware.furniture_pulls import bar_pull
+from artgen.categories.shared.pulls import bar_pull
 from artgen.categories.window.plan import LIP, REBATE, SEALED, Section
 
 BARREL = 0.0065

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from typing import Literal, NamedTuple
 
 import artgen as ag
-from artgen.categories.shared.furniture.infill import Opening, panes_in, slats_in
+from artgen.categories.shared.fronts import Opening, panes_in, slats_in
 from artgen.categories.window.hardware import BARREL, Pin, barrel_hinges, bow_pull
 from artgen.categories.window.plan import LIP, REBATE, SEALED, SEAM, Rect, Section, ring_of
 

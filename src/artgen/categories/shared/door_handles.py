@@ -5,8 +5,7 @@ from typing import Literal
 
 import artgen as ag
 from artgen.categories.shared.finish import casting
-from artgen.categories.shared.hardware.locks import with_button
-from artgen.categories.shared.hardware.roses import NECK_GAP, PIN, SIDES, Faces, spindle
+from artgen.categories.shared.locks import NECK_GAP, PIN, SIDES, Faces, spindle, with_button
 
 _FLATNESS = 0.6  # thickness of a flat or oval grip, as a share of its height
 _BEND = 0.018  # radius of the bends of a bar [m]

@@ -1,1 +1,0 @@
-"""Parts of household appliances: finishes, racks, cords."""

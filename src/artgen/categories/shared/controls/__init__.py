@@ -1,1 +1,0 @@
-"""Controls of appliances and lamps: buttons, dials, panels."""

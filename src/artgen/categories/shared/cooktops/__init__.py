@@ -1,1 +1,0 @@
-"""Parts of cooktops, built in or on an oven: burners, grates, plans."""

@@ -1,1 +1,0 @@
-"""Parts of furniture and doors: carcasses, fronts, slabs, shelves."""

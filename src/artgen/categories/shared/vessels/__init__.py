@@ -1,1 +1,0 @@
-"""Turned and blown containers."""
