@@ -17,41 +17,32 @@ from typing import Literal, get_args
 
 import artgen as ag
 from artgen import details
-from artgen.categories.oven.body import Cabinet
-from artgen.categories.oven.door import BEHIND, Door, Drawer, HandleKind, Window
-from artgen.categories.oven.panel import Panel
-from artgen.categories.oven.racks import Racks, element
-from artgen.categories.oven.space import Build, Space
-from artgen.categories.oven.top import BurnerKind, Top
-from artgen.categories.shared.appliances import cabinet_finish, fronts, grip_metals
-from artgen.categories.shared.controls import DialStyle
-from artgen.categories.shared.pulls import BarStyle
+from artgen.categories.oven import case, front
+from artgen.categories.oven import racks as inside
+from artgen.categories.oven.case import Build, BurnerKind
+from artgen.categories.oven.front import HandleKind, Window
+from artgen.categories.shared.appliances import fronts, grip_metals
+from artgen.categories.shared.baskets import rack_slide
+from artgen.categories.shared.controls import PANE, DialStyle, dial, dial_turn, ink_on
+from artgen.categories.shared.pulls import BarStyle, bar_handle
 from artgen.nodes.details.displays import Color
+from artgen.nodes.fitting import Fitting
 
 Look = Literal["stainless", "dark_steel", "white", "black", "pastel"]
 """Families of finishes, the same as those of other appliances."""
 
 _LOOKS: tuple[Look, ...] = get_args(Look)
 _FINISH, _METAL = fronts(*_LOOKS), grip_metals(*_LOOKS)
-_ENAMELS = (
-    ag.colored("enamel", "anthracite").with_(name="cavity_anthracite", specular_roughness=0.22),
-    ag.colored("enamel", "slate").with_(name="cavity_slate", specular_roughness=0.22),
-    ag.colored("enamel", "navy").with_(name="cavity_blue", specular_roughness=0.22),
-)
-_KNOBS = (  # plastic caps under a metal skin
-    *(
-        ag.material(name).with_(name=f"{name}_cap", density=1100.0)
-        for name in ("stainless", "aluminium", "chrome", "satin_brass")
-    ),
+_ENAMELS = [
+    ag.colored("enamel", color).with_(name=f"cavity_{name}", specular_roughness=0.22)
+    for color, name in (("anthracite", "anthracite"), ("slate", "slate"), ("navy", "blue"))
+]
+_METALS = ("stainless", "aluminium", "chrome", "satin_brass")
+_KNOBS = (  # plastic caps under a metal skin, or plastic
+    *(ag.material(name).with_(name=f"{name}_cap", density=1100.0) for name in _METALS),
     ag.material("black_abs"),
     ag.colored("abs", "light_grey"),
 )
-_CHROME = ag.material("chrome").with_(
-    name="rack_chrome", density=15000.0
-)  # density with the visual-only wires
-_PAN = ag.colored("enamel", "anthracite").with_(
-    name="pan_enamel", density=2200.0
-)  # density for 0.6 mm of sheet, modeled 2.2 mm thick
 _RACKS_MEET = (
     "racks would collide with each other or with the heating element: raise height, lower hinge_height, "
     "panel or racks, or take pan=False"
@@ -63,49 +54,39 @@ _LEVELS = {1: (2,), 2: (1, 3), 3: (1, 2, 4)}  # levels of the racks, by their nu
 
 
 @ag.category(
-    labels=(
-        "body", "cavity", "top", "trim", "kick_plate", "foot", "rail", "seal", "light", "element",
-        "fan_cover", "vent", "screw", "rating_plate", "cord", "panel", "display", "print", "dial", "door",
-        "window", "handle", "hinge", "rack", "pan", "drawer", "burner", "burner_cap", "igniter",
-        "zone", "grate",
-    ),
+    labels="body cavity top trim kick_plate foot rail seal light element fan_cover vent screw rating_plate "
+    "cord panel display print dial door window handle hinge rack pan drawer burner burner_cap igniter zone "
+    "grate",
     joints=(2, 14),
-)  # fmt: skip
+)
 def oven(
     *,
-    build: Build = ag.choice("built_in", "range", weights=(0.48, 0.52)),
+    build: Build = ag.choice({"built_in": 0.48, "range": 0.52}),
     look: Look = ag.by(
         "build",
-        built_in=ag.choice(*_LOOKS, weights=(2.0, 1.0, 1.2, 1.2, 0.9)),
-        range=ag.choice(*_LOOKS, weights=(2.0, 0.7, 1.4, 0.9, 1.8)),
+        built_in={"stainless": 2.0, "dark_steel": 1.0, "white": 1.2, "black": 1.2, "pastel": 0.9},
+        range={"stainless": 2.0, "dark_steel": 0.7, "white": 1.4, "black": 0.9, "pastel": 1.8},
     ),
     window: Window = ag.by(
         "look",
-        pastel=ag.choice("partial", "none", weights=(0.8, 0.2)),
-        white=ag.choice("none", "partial", "full", weights=(0.2, 0.5, 0.3)),
-        otherwise=ag.choice("none", "partial", "full", weights=(0.08, 0.5, 0.42)),
+        pastel={"partial": 0.8, "none": 0.2},
+        white={"none": 0.2, "partial": 0.5, "full": 0.3},
+        otherwise={"none": 0.08, "partial": 0.5, "full": 0.42},
         doc="window of the door; full is a glass front",
     ),
-    handle: HandleKind = ag.by(
-        "look",
-        pastel=ag.choice("bar", "box", weights=(0.8, 0.2)),
-        otherwise=ag.choice("bar", "box", weights=(0.65, 0.35)),
-    ),
+    handle: HandleKind = ag.by("look", pastel={"bar": 0.8, "box": 0.2}, otherwise={"bar": 0.65, "box": 0.35}),
     burner: BurnerKind = ag.by(
         "build",
         built_in="gas",
-        range=ag.choice("gas", "radiant", "induction", weights=(0.55, 0.25, 0.2)),
+        range={"gas": 0.55, "radiant": 0.25, "induction": 0.2},
         doc="kind of burners of a range",
     ),
-    burners: int = ag.by("build", built_in=0, range=ag.choice(4, 5, weights=(0.65, 0.35))),
+    burners: int = ag.by("build", built_in=0, range={4: 0.65, 5: 0.35}),
     drawer: bool = ag.by(
-        "build",
-        built_in=False,
-        range=ag.choice(True, False, weights=(0.7, 0.3)),
-        doc="whether there is a drawer below the oven",
+        "build", built_in=False, range={True: 0.7, False: 0.3}, doc="whether there is a drawer below the oven"
     ),
-    racks: int = ag.choice(1, 2, 3, weights=(0.25, 0.45, 0.3)),
-    pan: bool = ag.choice(False, True, weights=(0.55, 0.45), doc="whether the second rack is a deep pan"),
+    racks: int = ag.choice({1: 0.25, 2: 0.45, 3: 0.3}),
+    pan: bool = ag.choice({False: 0.55, True: 0.45}, doc="whether the second rack is a deep pan"),
     width: ag.Float = ag.by(
         "build",
         built_in=ag.uniform(0.56, 0.60),
@@ -166,20 +147,14 @@ def oven(
     projection: ag.Float = ag.uniform(
         0.038, 0.046, "m", doc="projection of the handle", within=(0.036, 0.055)
     ),
-    convection: bool = ag.choice(
-        True, False, weights=(0.7, 0.3), doc="whether there is a fan at the back wall"
-    ),
+    convection: bool = ag.choice({True: 0.7, False: 0.3}, doc="whether there is a fan at the back wall"),
     dials: int = ag.by(
         "build",
-        built_in=ag.choice(0, 1, 2, 3, weights=(0.25, 0.1, 0.45, 0.2)),
+        built_in={0: 0.25, 1: 0.1, 2: 0.45, 3: 0.2},
         range=ag.by(
             "burner",
             gas=ag.by("burners", {4: ag.choice(5, 6)}, otherwise=6),
-            otherwise=ag.by(
-                "burners",
-                {4: ag.choice(0, 4, 5, 6, weights=(0.25, 0.15, 0.35, 0.25))},
-                otherwise=ag.choice(0, 6),
-            ),
+            otherwise=ag.by("burners", {4: {0: 0.25, 4: 0.15, 5: 0.35, 6: 0.25}}, otherwise=ag.choice(0, 6)),
         ),
         doc="number of dials, first those of the burners",
     ),
@@ -197,14 +172,14 @@ def oven(
         "dials",
         {
             0: ag.choice("12:30", "180", "7:45", "220"),
-            6: ag.by("build", built_in="", range=ag.choice("", "12:30", weights=(0.7, 0.3))),
+            6: ag.by("build", built_in="", range={"": 0.7, "12:30": 0.3}),
         },
-        otherwise=ag.choice("", "12:30", "7:45", "18:05", weights=(0.3, 0.3, 0.2, 0.2)),
+        otherwise={"": 0.3, "12:30": 0.3, "7:45": 0.2, "18:05": 0.2},
         doc="text of the display; empty for none",
     ),
     figures: Color = ag.choice("white", "red", "amber", "cyan", "green"),
     mirrored: bool = ag.choice(False, True, doc="whether the large burners are on the right"),
-    brass: bool = ag.choice(False, True, weights=(0.75, 0.25), doc="whether gas burners are of brass"),
+    brass: bool = ag.choice({False: 0.75, True: 0.25}, doc="whether gas burners are of brass"),
     swing: ag.Float = ag.uniform(1.54, 1.57, "rad", within=(1.53, 1.5707)),
     pull: ag.Float = ag.uniform(16.0, 24.0, "N", doc="force at the handle that opens the door"),
     travel: ag.Float = ag.uniform(0.30, 0.36, "m", doc="travel of the racks", within=(0.2, 0.37)),
@@ -218,93 +193,80 @@ def oven(
     signed: Literal["door", "panel"] = ag.choice("door", "panel", doc="position of the maker's name"),
 ) -> ag.Body:
     """Make an oven or a range, closed: door, racks, drawer, dials."""
-    girth = 0.0080
-    ag.require(
-        not drawer or build == "range", "only build=range has a drawer below the door: drawer must be False"
-    )
-    if build == "range":
-        hinge_height = ag.require(
-            hinge_height,
-            hinge_height > 0.18,
-            "the drawer below the door needs room: hinge_height must be > 0.18 m",
-        )
+    ranged = build == "range"
+    ag.require(not drawer or ranged, "only build=range has a drawer below the door: drawer must be False")
+    if ranged:
+        room = "the drawer below the door needs room: hinge_height must be > 0.18 m"
+        hinge_height = ag.require(hinge_height, hinge_height > 0.18, room)
         height = ag.require(height, height >= 0.8, "height of a range must be >= 0.8 m")
-    space = Space(
-        build=build,
-        width=width,
-        height=height,
-        depth=depth,
-        projection=projection + BEHIND,
-        thickness=door_thickness,
-        hinge_height=hinge_height,
-        panel=panel,
-        wall=wall,
-        swing=swing,
-        slide=travel,
+    before = projection + front.BEHIND
+    outside = ag.Region((-width / 2, width / 2), (before - depth / 2, depth / 2), (0, height))
+    plan = case.Plan(
+        build, outside, wall=wall, panel=panel, hinge_height=hinge_height, thickness=door_thickness
     )
-    glass = ag.material("black_glass")
-    sides = ag.colored("powder_coat", "anthracite") if build == "range" else ag.material("zinc")
-    cabinet = Cabinet(
-        space,
-        cabinet_finish(look, finish) if look in ("white", "pastel") and build == "range" else sides,
-        enamel,
-        wool=390.0 if build == "built_in" else 315.0,
-        bay=drawer,
-        finish=finish,
-        convection=convection,
-        maker=maker,
-        watts=watts,
+    sides = finish if look in ("white", "pastel") else ag.colored("powder_coat", "anthracite")
+    pane = window == "full" and look != "stainless"
+    signs = {"door": "", "panel": "", signed: maker}
+    levels = _LEVELS[racks]
+    body = ag.weld(
+        case.walls(plan, sides if ranged else ag.material("zinc"), enamel),
+        case.base(plan, finish, drawer=drawer) if ranged else case.air_strip(plan, finish),
+        case.interior(plan, enamel, convection=convection),
+        case.back_fittings(plan, maker, watts),
+        front.panel(plan, finish, signs["panel"], pane=pane, show=show, color=figures, touch=not dials),
+        inside.rails(plan, levels),
+        inside.element(plan),
     )
-    leaf = Door(
-        space,
-        window=window,
-        across=window_width,
-        tall=window_height,
-        handle=handle,
-        bar=bar,
-        length=handle_length * width,
-        projection=projection,
-        girth=girth,
-        finish=finish,
-        glass=glass,
-        metal=metal,
-        maker=maker if signed == "door" else "",
-    )
-    front = Panel(
-        space,
-        finish=finish,
-        pane=window == "full" and look != "stainless",
-        dials=dials,
-        burners=max(dials - 2, 0) if not burners else min(burners, dials),
-        style=dial_style,
-        radius=dial_radius,
-        knob=knob,
-        metal=metal,
-        friction=dial_friction,
-        show=show,
-        color=figures,
-        maker=maker if signed == "panel" else "",
-    )
-    inside, levels = Racks(space, _CHROME, _PAN, rack_friction), _LEVELS[racks]
+    if ranged:
+        layout = case.layout(plan, burners, mirrored=mirrored)
+        density = 150.0 if drawer else 420.0  # of the front edge [kg/m3]
+        body = ag.weld(body, case.top(plan, layout, burner, finish, brass=brass, maker=maker, edge=density))
+    body = body.require(inside.apart(plan, levels, pan=pan), _RACKS_MEET)
 
-    body = ag.weld(cabinet.body(), front.body(), inside.rails(levels), element(space))
-    body = body.require(inside.apart(levels, pan=pan), _RACKS_MEET)
-    pans = Drawer(space, finish, metal, 0.24 * width, drawer_travel, drawer_friction)
-    if drawer:
-        body = ag.weld(body, pans.runners())
-    if build == "range":
-        top = Top(space, burner, burners, mirrored, finish, brass, maker, drawer)
-        body = top.joined(ag.weld(body, top.body()))
-    hinge = leaf.hinge(pull)
-    body = body.attach(leaf.body(), hinge)
+    length = handle_length * width
+    if handle == "bar":
+        grip: ag.Body = bar_handle(
+            length=length, finish=metal, style=bar, level=True, projection=projection, girth=0.008
+        )
+    else:
+        grip = front.box_handle(length, projection, metal)
+    view = None if window == "none" else front.window_region(plan, window_width, window_height)
+    face = front.BLACK if window == "full" else finish
+    door, hinge = front.door(
+        plan, view, face, signs["door"], trimmed=window == "partial", swing=swing, pull=pull
+    )
+    body = body.attach(door.install(grip, at=(0, outside.y.low, plan.door.z.high - front.DOWN)), hinge)
     for number, level in enumerate(levels):
         deep = pan and number == 1
-        name = f"rack_{number}"
-        rack = inside.pan(name, level) if deep else inside.rack(name, level)
-        clear = space.angle_over(inside.low(level, pan=deep))
-        needs = (hinge > clear).beyond(space.play)
-        body = body.attach(rack, inside.slide(f"rack_slide_{number}", needs))
+        made = (inside.pan if deep else inside.rack)(plan, level, f"rack_{number}")
+        clear = inside.clear_angle(plan, level, travel=travel, pan=deep)
+        needs = (hinge > clear).beyond(inside.PLAY)
+        name = f"rack_slide_{number}"
+        body = body.attach(
+            made, rack_slide(name, travel=travel, friction=rack_friction, damping=6, needs=needs)
+        )
     if drawer:
-        body = body.attach(pans.body(), pans.slide())
-        body = body.require(pans.before < leaf.handle_before - 0.001, _DRAWER_MEETS)
-    return front.joined(body)
+        box = front.Drawer(plan, drawer_travel)
+        body = ag.weld(body, box.runners(plan))
+        body = body.attach(box.body(finish, metal, 0.24 * width), box.slide(drawer_friction))
+        body = body.require(box.reach < front.handle_reach(plan, swing) - 0.001, _DRAWER_MEETS)
+    kinds = front.dial_kinds(dials, min(burners, dials) if burners else max(dials - 2, 0))
+    places = front.dial_places(plan, dials, dial_radius, show)
+    surface, proud = (front.BLACK, PANE) if pane else (finish, 0.0)
+    for number, (x, kind) in enumerate(zip(places, kinds, strict=True)):
+        tail = f"_{number}" if dials > 1 else ""
+        turned = dial(
+            finish=knob,
+            style=dial_style,
+            radius=dial_radius,
+            depth=0.022,
+            mark=ink_on(knob),
+            cap=metal,
+            name=f"dial{tail}",
+            label="dial",
+        )
+        turn = dial_turn(f"dial_turn{tail}", low=0, high=front.SWEEP, friction=dial_friction)
+        scale = front.scale(dial_radius, *kind, ink_on(surface))
+        at = (x, outside.y.low - proud, plan.panel.z.mid)
+        body = body.install(Fitting.moving(turned, turn, fixed=scale), at=at)
+    return body

@@ -1,208 +1,171 @@
-"""Parts on the rails of an oven, wire racks and a deep pan, and the rails themselves."""
+"""What lies on the rails of an oven, wire racks and a deep pan; the rails, and the heating element."""
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import reduce
 from operator import and_
 
 import artgen as ag
 from artgen import details
-from artgen.categories.oven.space import LEVELS, ROD, Build, Space
-from artgen.categories.shared.baskets import rack_slide
+from artgen.categories.oven.case import REACH, SEAL, Plan
 
-_INSIDE = 0.0002  # difference between the radii of visible and colliding rods [m]
-_WIRE = 0.0016  # radius of the wires of a rack [m]
-_WIRES: dict[Build, int] = {"built_in": 22, "range": 27}  # number of these wires
-# tilt of a hand that takes the highest rack from below: one facet of its rod [rad]
-_FROM_BELOW = math.pi / 8.0
+LEVELS = 5
+"""Number of rack levels of the rails."""
+
+PLAY = REACH + SEAL - 0.0012
+"""Travel of a rack behind the closed door [m]."""
+
+_ROD = 0.0030  # radius of the rods of rails and racks [m]
+_PLAY = 0.0008  # gap between a rack and its rails [m]
 _CORNER = 0.014  # radius of the corners of a rack [m]
 _STOP, _STOP_WIRE = 0.016, 0.0022  # height of the stop at the back of a rack, and radius of its wire [m]
-_PAN = 0.034  # depth of a pan below its rim [m]
-_SHEET = 0.0022
-# distance from the ceiling down to the heating element, and radius of its tube [m]
-_HEATING, _TUBE = 0.014, 0.0034
-_GUIDE = 0.019  # height of the rod that keeps a rack from tipping, above the rods that carry the rack [m]
+_PAN, _SHEET = 0.034, 0.0022  # depth of a pan below its rim, and its thickness [m]
+_HEATING, _TUBE = 0.014, 0.0034  # distance from the ceiling to the heating element, radius of its tube [m]
+_LEAST = 0.0012  # least gap between a rack and the door at the angle at which the rack may slide out [m]
+_CHROME = ag.material("chrome").with_(name="rack_chrome", density=15000.0)  # with the visual-only wires
+# density of 0.6 mm of sheet, modeled 2.2 mm thick
+_ENAMEL = ag.colored("enamel", "anthracite").with_(name="pan_enamel", density=2200.0)
+_HERE = ((0.0, 0.0, 0.0),)
 
-_WELDED = "rods of a rack are joined by the bent ones, which are only seen"
+
+def _rail(plan: Plan, level: int) -> ag.Scalar:
+    """Return the height of the middle of the rails at a level, counted from below [m]."""
+    return plan.cavity.z.at((level + 0.75) / (LEVELS + 0.6))
 
 
-@dataclass(frozen=True)
-class Racks:
-    """Racks of an oven."""
+def _rods(plan: Plan, level: int) -> ag.Scalar:
+    """Return the height of the middle of the rods of a rack at a level [m]."""
+    return _rail(plan, level) + 2 * _ROD + _PLAY
 
-    space: Space  # dimensions of the oven
-    chrome: ag.Material  # material of the wires
-    enamel: ag.Material  # enamel of pans
-    friction: ag.Scalar  # friction of a rack on its rails [N]
 
-    def rails(self, used: Sequence[int]) -> ag.Body:
-        """Make the rails at both sides: rods for racks, and uprights; only the rods in use collide."""
-        space = self.space
-        front, back = space.mouth + 0.012, space.back - 0.004
-        x, middle = space.inside - 0.0095, (front + back) / 2.0
-        rod, thin = ag.cylinder(ROD, back - front, axis=ag.Y), ag.cylinder(0.0022, back - front, axis=ag.Y)
+def rails(plan: Plan, used: Sequence[int]) -> ag.Body:
+    """Make the rails at both sides: rods for racks, and uprights; only the rods in use collide."""
+    room = plan.cavity.shrink(front=0.012, back=0.004)
+    every, inside = range(LEVELS), room.x.high
 
-        def places(levels: Sequence[int], above: float = 0.0) -> list[ag.VectorLike]:
-            return [(side * x, middle, space.level(each) + above) for side in (-1, 1) for each in levels]
-
-        every = range(LEVELS)
-        free = [each for each in every if each not in used]
-        low, high = space.level(0) - 0.012, space.level(LEVELS - 1) + 0.028
-        post = ag.cylinder(0.0020, high - low)
-        posts: list[ag.VectorLike] = [  # near the walls, so that racks pass in front of them
-            (side * (space.inside - 0.0022), y, (low + high) / 2.0)
+    def rods(radius: float, levels: Sequence[int], above: float = 0.0) -> ag.Solid:
+        at = [
+            (side * (inside - 0.0095), room.y.mid, _rail(plan, each) + above)
             for side in (-1, 1)
-            for y in (front + 0.035, back - 0.035)
+            for each in levels
         ]
-        seen = [
-            ag.array(rod, at=places(free)),
-            ag.array(thin, at=places(every, _GUIDE)),
-            ag.array(post, at=posts),
-        ]
-        solid = ag.array(rod, at=places(used))
-        return ag.weld(
-            ag.part(solid, "rail", self.chrome, separate="each rod is welded to the uprights"),
-            *(ag.detail(each, "rail", self.chrome) for each in seen),
-        )
+        return ag.array(ag.cylinder(radius, room.y.size, axis=ag.Y), at=at)
 
-    def rack(self, name: str, level: int) -> ag.Body:
-        """Make a wire rack at a level."""
-        space = self.space
-        half, deep = space.rack_half, space.rack_depth
-        thin, x, y = ROD - _INSIDE, half - ROD, deep / 2.0 - ROD
-        rim: list[ag.VectorLike] = [(0.0, -y, 0.0), (x, -y, 0.0), (x, y, 0.0), (-x, y, 0.0), (-x, -y, 0.0)]
-        here = ((0.0, 0.0, 0.0),)
-        loop = details.bent_wires(ag.polyline(rim, fillet=_CORNER, closed=True), ROD, at=here)
-        count = _WIRES[space.build]  # wires on the frame, between its corners
-        step = 2.0 * (half - _CORNER - ROD) / (count - 1)
-        first = (-0.5 * (count - 1) * step, 0.0, ROD + _WIRE)
-        wires = details.bent_wires(
-            ag.line((0.0, -y, 0.0), (0.0, y, 0.0)), _WIRE, at=ag.row(first, ag.X * step, count)
-        )
-        brace = ag.cylinder(thin, 2.0 * x, axis=ag.X)
-        across = ag.cylinder(thin, 2.0 * (half - _CORNER), axis=ag.X)
-        along = ag.cylinder(thin, deep - 2.0 * _CORNER, axis=ag.Y)
-        inner = ag.cylinder(0.0015, deep - 2.0 * ROD, axis=ag.Y)
-        ends = [(0.0, way * (deep / 2.0 - ROD), 0.0) for way in (-1, 1)]
-        sides = [(way * (half - ROD), 0.0, 0.0) for way in (-1, 1)]
-        rows = [(share * half, 0.0, 0.0011) for share in (-0.5, 0.0, 0.5)]
-        # the wire at the back keeps pots from falling off, and the rack from sliding out too far
-        z = _STOP
-        stop = ag.polyline(
-            [(-0.94 * half, y, 0.0), (-0.94 * half, y, z), (0.94 * half, y, z), (0.94 * half, y, 0.0)],
-            fillet=0.008,
-        )
-        high = ag.cylinder(0.0020, 1.8 * half, axis=ag.X).at(0.0, y, z)
-        # under the panel a hand comes from below, and grasps only the rod, not the wires behind it
-        lean, before = (_FROM_BELOW, 0.006) if level == LEVELS - 1 else (0.0, -0.0005)
-        toward, over = (0.0, math.cos(lean), math.sin(lean)), (0.0, -math.sin(lean), math.cos(lean))
-        at = (0.0, ROD - deep / 2.0 - before * toward[1], -before * toward[2])
-        hold = ag.frame(at, approach=toward, closing=over)
-        body = ag.weld(
-            ag.part(
-                ag.array(across, at=ends[:1]), "rack", self.chrome, name=name, grasp=hold, grasp_width=0.016
-            ),
-            ag.part(ag.array(across, at=ends[1:]), "rack", self.chrome, separate=_WELDED),
-            ag.part(ag.array(along, at=sides), "rack", self.chrome),
-            ag.part(ag.array(inner, at=rows), "rack", self.chrome),
-            ag.part(high, "rack", self.chrome),
-            *(ag.detail(each, "rack", self.chrome) for each in (loop, wires, brace)),
-            ag.detail(details.bent_wires(stop, _STOP_WIRE, at=here), "rack", self.chrome),
-        )
-        return body.at(0.0, space.rack_front + deep / 2.0, space.rack(level))
-
-    def pan(self, name: str, level: int) -> ag.Body:
-        """Make a deep enameled pan at a level, with its rim on the rails."""
-        space = self.space
-        half, deep = space.rack_half, space.rack_depth
-        rim = 0.016
-        x, y = half - rim, deep / 2.0 - rim
-        low, sheet = -_PAN, _SHEET
-        less = 0.0004
-        boards = [
-            ag.Region((-x, x), (-y, y), (low, low + sheet)).box(bevel=0.001),
-            *(
-                ag.Region(
-                    (-half + less, half - less),
-                    (way * (y - sheet), way * (y + rim)) if way > 0 else (-(y + rim), sheet - y),
-                    (-sheet / 2.0, sheet / 2.0),
-                ).box(bevel=0.0009)
-                for way in (-1, 1)
-            ),
-            *(
-                ag.Region(
-                    (x - sheet, half) if way > 0 else (-half, sheet - x),
-                    (-y, y),
-                    (less - sheet / 2.0, sheet / 2.0 - less),
-                ).box()
-                for way in (-1, 1)
-            ),
-            *(
-                ag.Region(
-                    (less - x, x - less),
-                    (y - sheet, y) if way > 0 else (-y, sheet - y),
-                    (low + less, sheet / 2.0 - less),
-                ).box()
-                for way in (-1, 1)
-            ),
-            *(
-                ag.Region(
-                    (x - sheet, x - 2.0 * less) if way > 0 else (2.0 * less - x, sheet - x),
-                    (less - y, y - less),
-                    (low + less, sheet / 2.0 - less),
-                ).box()
-                for way in (-1, 1)
-            ),
-        ]
-        # tips, which reach 9 mm beyond the frame, end before the wall under the rim
-        hold = ag.frame((0.0, 0.0045 - deep / 2.0, 0.0), approach=(0.0, 1.0, 0.0), closing=(0.0, 0.0, 1.0))
-        first, front, *others = boards
-        body = ag.weld(
-            ag.part(front, "pan", self.enamel, name=name, grasp=hold, grasp_width=0.014),
-            ag.part(first, "pan", self.enamel),
-            *(ag.part(each, "pan", self.enamel) for each in others),
-        )
-        level_ = space.rack(level) - ROD + sheet / 2.0
-        return body.at(0.0, space.rack_front + deep / 2.0, level_)
-
-    def low(self, level: int, *, pan: bool) -> ag.Scalar:
-        """Return the lowest height of a rack or a pan [m]."""
-        return self.space.rack(level) - ROD - (_PAN + _SHEET if pan else 0.0)
-
-    def apart(self, levels: Sequence[int], *, pan: bool) -> ag.Bool | bool:
-        """Return whether racks at these levels are clear of each other and of the heating element."""
-        spans: list[ag.Span] = []
-        for number, level in enumerate(levels):
-            middle = self.space.rack(level)
-            if pan and number == 1:
-                spans.append((middle - ROD + _SHEET / 2.0 - _PAN, middle))
-            else:
-                spans.append((middle - ROD, middle + _STOP + _STOP_WIRE))
-        lows = [*(low for low, _ in spans[1:]), self.space.ceiling - _HEATING - _TUBE]
-        return reduce(and_, (high < low - 0.001 for (_, high), low in zip(spans, lows, strict=True)))
-
-    def slide(self, name: str, needs: ag.Condition | ag.Dependency) -> ag.Joint:
-        """Make the joint by which a rack slides out; its effort cannot open the closed door."""
-        return rack_slide(name, travel=self.space.slide, friction=self.friction, damping=6.0, needs=needs)
-
-
-def element(space: Space) -> ag.Body:
-    """Make the heating element under the ceiling: a tube in meanders, visual only."""
-    x, y0, y1 = 0.66 * space.inside, space.mouth + 0.06, space.back - 0.06
-    level = space.ceiling - _HEATING
-    turns = 5
-    points: list[ag.VectorLike] = [(-x, space.back, level), (-x, y0, level)]
-    for turn in range(1, turns):
-        here = -x + 2.0 * x * (turn / turns)
-        ends = (y0, y1) if turn % 2 else (y1, y0)
-        points += [(here, end, level) for end in ends]
-    points += [(x, y0 if turns % 2 else y1, level), (x, space.back, level)]
-    steel = ag.material("black_steel").with_(name="heating_tube", base_color=(0.06, 0.057, 0.055))
-    path = ag.polyline(points, fillet=0.018)
-    hangers = ag.line((0.0, 0.0, 0.0), ag.Z * 0.016)
-    at = [(share * x, (y0 + y1) / 2.0, level) for share in (-1.0, -0.2, 0.6)]
+    low, high = _rail(plan, 0) - 0.012, _rail(plan, LEVELS - 1) + 0.028
+    posts = [  # near the walls, so that racks pass in front of them
+        (side * (inside - 0.0022), y, (low + high) / 2)
+        for side in (-1, 1)
+        for y in (room.y.low + 0.035, room.y.high - 0.035)
+    ]
+    seen = [
+        rods(_ROD, [each for each in every if each not in used]),
+        rods(0.0022, every, above=0.019),  # they keep racks from tipping
+        ag.array(ag.cylinder(0.0020, high - low), at=posts),
+    ]
+    reason = "each rod is welded to the uprights"
     return ag.weld(
-        ag.detail(details.bent_wires(path, _TUBE, at=((0.0, 0.0, 0.0),)), "element", steel),
+        ag.part(rods(_ROD, used), "rail", _CHROME, separate=reason), ag.detail(seen, "rail", _CHROME)
+    )
+
+
+def rack(plan: Plan, level: int, name: str) -> ag.Body:
+    """Make a wire rack at a level."""
+    half, deep = plan.racks.x.high, plan.racks.y.size
+    x, y = half - _ROD, deep / 2 - _ROD
+    thin = _ROD - 0.0002  # rods that collide are inside the visible ones
+    rim = ag.polyline(
+        [(0, -y, 0), (x, -y, 0), (x, y, 0), (-x, y, 0), (-x, -y, 0)], fillet=_CORNER, closed=True
+    )
+    count, wire = {"built_in": 22, "range": 27}[plan.build], 0.0016  # wires on the frame, between its corners
+    step = 2 * (x - _CORNER) / (count - 1)
+    grid = ag.row((-(x - _CORNER), 0, _ROD + wire), ag.X * step, count)
+    # the wire at the back keeps pots from falling off, and the rack from sliding out too far
+    end = 0.94 * half
+    stop = ag.polyline([(-end, y, 0), (-end, y, _STOP), (end, y, _STOP), (end, y, 0)], fillet=0.008)
+    seen = [
+        details.bent_wires(rim, _ROD, at=_HERE),
+        details.bent_wires(ag.line((0, -y, 0), (0, y, 0)), wire, at=grid),
+        ag.cylinder(thin, 2 * x, axis=ag.X),
+        details.bent_wires(stop, _STOP_WIRE, at=_HERE),
+    ]
+    across = ag.cylinder(thin, 2 * (half - _CORNER), axis=ag.X)
+    along = ag.cylinder(thin, deep - 2 * _CORNER, axis=ag.Y)
+    inner = ag.cylinder(0.0015, deep - 2 * _ROD, axis=ag.Y)
+    solids = [
+        across.at(y=-y),
+        across.at(y=y),
+        ag.array(along, at=[(-x, 0, 0), (x, 0, 0)]),
+        ag.array(inner, at=[(share * half, 0, 0.0011) for share in (-0.5, 0, 0.5)]),
+        ag.cylinder(0.0020, 1.8 * half, axis=ag.X).at(0, y, _STOP),
+    ]
+    # under the panel a hand comes from below by one facet of the rod, and grasps only the rod, not the wires
+    lean, before = (math.pi / 8, 0.006) if level == LEVELS - 1 else (0.0, -0.0005)
+    rise, run = math.sin(lean), math.cos(lean)
+    hold = ag.frame((0, -y - before * run, -before * rise), approach=(0, run, rise), closing=(0, -rise, run))
+    welded = "rods of a rack are joined by the bent ones, which are only seen"
+    body = ag.weld(
+        ag.part(solids, "rack", _CHROME, name=name, grasp=hold, grasp_width=0.016, separate=welded),
+        ag.detail(seen, "rack", _CHROME),
+    )
+    return body.at(0, plan.racks.y.mid, _rods(plan, level))
+
+
+def pan(plan: Plan, level: int, name: str) -> ag.Body:
+    """Make a deep enameled pan at a level, with its rim on the rails."""
+    x, y, _ = plan.racks.size
+    less, wide = 0.0004, 0.016  # width of the rim [m]
+    rim = ag.Region.centered(x, y, _SHEET)
+    room = rim.shrink(x=wide, y=wide).with_(z=(-_PAN, _SHEET / 2))
+    walls = room.shrink(bottom=less, top=less)
+    front, _, back = rim.shrink(x=less).deep(wide + _SHEET, None, wide + _SHEET)
+    boards = [
+        *rim.shrink(y=wide, z=less).across(wide + _SHEET, None, wide + _SHEET)[::2],
+        *walls.shrink(x=less).deep(_SHEET, None, _SHEET)[::2],
+        *walls.shrink(x=2 * less, y=less).across(_SHEET - 2 * less, None, _SHEET - 2 * less)[::2],
+    ]
+    floor = room.with_(z=(-_PAN, _SHEET - _PAN)).box(bevel=0.001)
+    solids = [front.box(bevel=0.0009), back.box(bevel=0.0009), floor, *(each.box() for each in boards)]
+    # tips, which reach 9 mm beyond the frame, end before the wall under the rim
+    hold = ag.frame((0, rim.y.low + 0.0045, 0))
+    body = ag.part(solids, "pan", _ENAMEL, name=name, grasp=hold, grasp_width=0.014)
+    return body.at(0, plan.racks.y.mid, _rods(plan, level) - _ROD + _SHEET / 2)
+
+
+def clear_angle(plan: Plan, level: int, *, travel: ag.Scalar, pan: bool) -> ag.Scalar:
+    """Return the angle of the open door that clears the path of a rack or a pan [rad].
+
+    The inside of the door clears the farthest point of the rack if the door leans beyond the direction of
+    that point by the angle that its distance from the axis subtends at that point.
+    """
+    low = _rods(plan, level) - _ROD - (_PAN + _SHEET if pan else 0)
+    across, up = travel - (plan.racks.y.low - plan.hinge[1]), low - plan.hinge[2]
+    far = ag.sqrt(across * across + up * up)
+    share = (plan.arm + _LEAST) / far
+    return ag.atan2(across, up) + ag.atan2(share, ag.sqrt(1 - share * share))
+
+
+def apart(plan: Plan, levels: Sequence[int], *, pan: bool) -> ag.Bool | bool:
+    """Return whether racks at these levels are clear of each other and of the heating element."""
+    middles = [_rods(plan, level) for level in levels]
+    lows, highs = [each - _ROD for each in middles], [each + _STOP + _STOP_WIRE for each in middles]
+    if pan and len(levels) > 1:
+        lows[1], highs[1] = lows[1] + _SHEET / 2 - _PAN, middles[1]
+    lows.append(plan.cavity.z.high - _HEATING - _TUBE)
+    return reduce(and_, (high < low - 0.001 for high, low in zip(highs, lows[1:], strict=True)))
+
+
+def element(plan: Plan) -> ag.Body:
+    """Make the heating element under the ceiling: a tube in meanders, visual only."""
+    field = plan.cavity.shrink(x=0.34 * plan.cavity.x.high, y=0.06)
+    level, points = field.z.high - _HEATING, []
+    for column in range(6):  # the outer two go on into the back wall
+        ends = (field.y.low, plan.cavity.y.high if column in (0, 5) else field.y.high)
+        points += [(field.x.at(column / 5), y, level) for y in (ends if column % 2 else ends[::-1])]
+    path = ag.polyline(points, fillet=0.018)
+    steel = ag.material("black_steel").with_(name="heating_tube", base_color=(0.06, 0.057, 0.055))
+    hangers = ag.line((0, 0, 0), ag.Z * 0.016)
+    at = [(share * field.x.high, field.y.mid, level) for share in (-1.0, -0.2, 0.6)]
+    return ag.weld(
+        ag.detail(details.bent_wires(path, _TUBE, at=_HERE), "element", steel),
         ag.detail(details.bent_wires(hangers, 0.0014, at=at), "element", ag.material("steel")),
     )
