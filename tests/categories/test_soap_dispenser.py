@@ -10,7 +10,7 @@ from artgen import InfeasibleError
 from artgen.asset import Asset, Link
 from artgen.categories.soap_dispenser import soap_dispenser
 from artgen.categories.soap_dispenser.bottles import Shape
-from artgen.categories.soap_dispenser.pump import Nozzle
+from artgen.categories.soap_dispenser.pumps import Nozzle
 from artgen.graph import Cache
 from artgen.validate.colliders import check_colliders
 

@@ -12,128 +12,50 @@ from typing import Literal
 
 import artgen as ag
 from artgen import details
-from artgen.categories.soap_dispenser.bottles import (
-    LABELLED,
-    PRINTED,
-    WORDS,
-    Content,
-    Print,
-    Shape,
-    Sizes,
-    clear,
-    marks,
-    opaque,
-)
-from artgen.categories.soap_dispenser.finish import (
-    CERAMIC_WEIGHTS,
-    CERAMICS,
-    GLASS_WEIGHTS,
-    GLASSES,
-    METAL_WEIGHTS,
-    METALS,
-    PLASTIC_WEIGHTS,
-    PLASTICS,
-    PUMP_WEIGHTS,
-    PUMPS,
-    SOAPS,
-    STEEL_WEIGHTS,
-    STEELS,
-    TILES,
-    ink_on,
-)
-from artgen.categories.soap_dispenser.pump import (
-    COLLAR,
-    GAP,
-    Nozzle,
-    PumpLooks,
-    collar,
-    nozzle_body,
-    nozzle_turn,
-    pump_slide,
-)
-from artgen.categories.soap_dispenser.wall import TRAY, Press, holder, lever_hinge, panel, tile, wall_box
+from artgen.categories.soap_dispenser import bottles, finish, mounts, pumps
 
 Build = Literal["clear", "ceramic", "plastic", "steel"]
 
-_CLEAR: tuple[Shape, ...] = ("round", "square", "cube", "hexagonal", "cone", "bell", "apothecary")
-_HELD: tuple[Shape, ...] = ("round", "apothecary")
+_SHAPES = {"round": 0.15, "square": 0.10, "cube": 0.08, "oval": 0.10, "hexagonal": 0.08, "amphora": 0.08,
+           "cone": 0.08, "bell": 0.08, "apothecary": 0.12, "ribbed": 0.07, "beehive": 0.06}  # fmt: skip
+_CLEAR = ("round", "square", "cube", "hexagonal", "cone", "bell", "apothecary")
+_HELD = ("round", "apothecary")
 
 
 @ag.category(
-    labels=(
-        "body",
-        "collar",
-        "stem",
-        "nozzle",
-        "cap",
-        "pump",
-        "dip_tube",
-        "soap",
-        "tile",
-        "holder",
-        "button",
-        "lever",
-        "window",
-        "lock",
-        "label",
-        "screw",
-        "print",
-    ),
+    labels="body collar stem nozzle cap pump dip_tube soap tile holder button lever window lock label screw "
+    "print",
     joints=(1, 2),
 )
 def soap_dispenser(
     *,
-    style: Literal["bottle", "holder", "box"] = ag.choice(
-        "bottle", "holder", "box", weights=(0.76, 0.10, 0.14)
-    ),
-    shape: Shape = ag.by(
-        "style",
-        bottle=ag.choice(
-            "round",
-            "square",
-            "cube",
-            "oval",
-            "hexagonal",
-            "amphora",
-            "cone",
-            "bell",
-            "apothecary",
-            "ribbed",
-            "beehive",
-            weights=(0.15, 0.10, 0.08, 0.10, 0.08, 0.08, 0.08, 0.08, 0.12, 0.07, 0.06),
-        ),
-        holder=ag.choice(*_HELD),
-        box="square",
-    ),
+    style: Literal["bottle", "holder", "box"] = ag.choice({"bottle": 0.76, "holder": 0.10, "box": 0.14}),
+    shape: bottles.Shape = ag.by("style", bottle=_SHAPES, holder=ag.choice(*_HELD), box="square"),
     build: Build = ag.by(
         "style",
         bottle=ag.by(
             "shape",
-            round=ag.choice("clear", "ceramic", "plastic", "steel", weights=(0.25, 0.30, 0.15, 0.30)),
-            square=ag.choice("clear", "ceramic", "plastic", "steel", weights=(0.4, 0.25, 0.15, 0.2)),
-            cube=ag.choice("clear", "ceramic", weights=(0.6, 0.4)),
-            hexagonal=ag.choice("clear", "ceramic", "plastic", weights=(0.45, 0.4, 0.15)),
-            oval=ag.choice("ceramic", "plastic", weights=(0.3, 0.7)),
-            cone=ag.choice("clear", "ceramic", "plastic", "steel", weights=(0.3, 0.35, 0.15, 0.2)),
-            bell=ag.choice("clear", "ceramic", weights=(0.35, 0.65)),
-            apothecary=ag.choice("clear", "plastic", weights=(0.8, 0.2)),
-            otherwise=ag.choice("ceramic", "plastic", weights=(0.85, 0.15)),
+            round={"clear": 0.25, "ceramic": 0.30, "plastic": 0.15, "steel": 0.30},
+            square={"clear": 0.4, "ceramic": 0.25, "plastic": 0.15, "steel": 0.2},
+            cube={"clear": 0.6, "ceramic": 0.4},
+            hexagonal={"clear": 0.45, "ceramic": 0.4, "plastic": 0.15},
+            oval={"ceramic": 0.3, "plastic": 0.7},
+            cone={"clear": 0.3, "ceramic": 0.35, "plastic": 0.15, "steel": 0.2},
+            bell={"clear": 0.35, "ceramic": 0.65},
+            apothecary={"clear": 0.8, "plastic": 0.2},
+            otherwise={"ceramic": 0.85, "plastic": 0.15},
         ),
-        holder=ag.choice("clear", "plastic", "steel", weights=(0.4, 0.3, 0.3)),
-        box=ag.choice("plastic", "steel", weights=(0.6, 0.4)),
+        holder={"clear": 0.4, "plastic": 0.3, "steel": 0.3},
+        box={"plastic": 0.6, "steel": 0.4},
     ),
-    nozzle: Nozzle = ag.by(
+    nozzle: pumps.Nozzle = ag.by(
         "build",
-        plastic=ag.choice("saddle", "beak", "foamer", "bar", weights=(0.45, 0.25, 0.2, 0.1)),
-        clear=ag.choice(
-            "saddle", "beak", "gooseneck", "bar", "swan", "foamer", weights=(0.22, 0.2, 0.2, 0.16, 0.14, 0.08)
-        ),
-        ceramic=ag.choice(
-            "saddle", "beak", "gooseneck", "bar", "swan", weights=(0.14, 0.26, 0.24, 0.2, 0.16)
-        ),
+        plastic={"saddle": 0.45, "beak": 0.25, "foamer": 0.2, "bar": 0.1},
+        clear={"saddle": 0.22, "beak": 0.2, "gooseneck": 0.2, "bar": 0.16, "swan": 0.14, "foamer": 0.08},
+        ceramic={"saddle": 0.14, "beak": 0.26, "gooseneck": 0.24, "bar": 0.2, "swan": 0.16},
         steel=ag.choice("beak", "gooseneck", "bar", "swan"),
     ),
-    press: Press = ag.choice("button", "lever", doc="pressed part of a box"),
+    press: mounts.Press = ag.choice("button", "lever", doc="pressed part of a box"),
     width: ag.Float = ag.by(
         "shape",
         round=ag.uniform(0.064, 0.078),
@@ -175,57 +97,39 @@ def soap_dispenser(
     damping: ag.Float = ag.uniform(6.0, 12.0, "N s/m", doc="damping of the soap that is drawn in"),
     turn_friction: ag.Float = ag.uniform(0.02, 0.05, "N m", doc="friction of the nozzle on its stem"),
     finish: ag.Material = ag.by(
-        "build",
-        clear=ag.shades(*GLASSES, weights=GLASS_WEIGHTS, color=0.03, roughness=0.0),
-        ceramic=ag.shades(*CERAMICS, weights=CERAMIC_WEIGHTS, color=0.05),
-        plastic=ag.shades(*PLASTICS, weights=PLASTIC_WEIGHTS, color=0.04),
-        steel=ag.shades(*STEELS, weights=STEEL_WEIGHTS, color=0.03),
+        "build", clear=finish.GLASSES, ceramic=finish.CERAMICS, plastic=finish.PLASTICS, steel=finish.STEELS
     ),
     pump: ag.Material = ag.by(
         "nozzle",
-        saddle=ag.shades(*PUMPS, weights=PUMP_WEIGHTS, color=0.04),
-        foamer=ag.shades(*PUMPS, weights=PUMP_WEIGHTS, color=0.04),
-        beak=ag.shades(
-            *METALS, *PUMPS, weights=(*METAL_WEIGHTS, *(1.2 * each for each in PUMP_WEIGHTS)), color=0.03
-        ),
-        otherwise=ag.shades(*METALS, weights=METAL_WEIGHTS, color=0.03),
+        saddle=finish.MOLDED_PUMPS,
+        foamer=finish.MOLDED_PUMPS,
+        beak=finish.PUMPS,
+        otherwise=finish.PLATED_PUMPS,
     ),
-    soap: ag.Material = ag.choice(*SOAPS, doc="contents of a clear bottle, or of the window of a box"),
+    soap: ag.Material = ag.choice(*finish.SOAPS, doc="contents of a clear bottle, or of the window of a box"),
     fill: ag.Float = ag.uniform(
         0.45, 0.78, doc="fill level of a clear bottle, as a share", within=(0.2, 0.8)
     ),
-    wall: ag.Material = ag.shades(*TILES, color=0.03, doc="tile behind a wall dispenser"),
-    content: Content = ag.choice("soap", "hand_wash", "lotion", "dish_soap", weights=(0.4, 0.25, 0.2, 0.15)),
-    print_: Print = ag.by(
+    wall: ag.Material = finish.TILES,
+    content: bottles.Content = ag.choice({"soap": 0.4, "hand_wash": 0.25, "lotion": 0.2, "dish_soap": 0.15}),
+    print_: bottles.Print = ag.by(
         "build",
-        clear=ag.choice("none", "word", "icon", "label", weights=(0.35, 0.2, 0.1, 0.35)),
-        plastic=ag.choice("none", "word", "icon", "label", weights=(0.2, 0.2, 0.2, 0.4)),
-        otherwise=ag.choice("none", "word", "icon", weights=(0.5, 0.35, 0.15)),
+        clear={"none": 0.35, "word": 0.2, "icon": 0.1, "label": 0.35},
+        plastic={"none": 0.2, "word": 0.2, "icon": 0.2, "label": 0.4},
+        otherwise={"none": 0.5, "word": 0.35, "icon": 0.15},
         doc="print on a bottle without ribs",
     ),
     maker: str = ag.choice(*details.BRANDS),
 ) -> ag.Body:
     """Make a soap dispenser, its pump up: a nozzle that slides and turns, or a button."""
     if style == "box":
-        body = wall_box(
-            box_width,
-            box_depth,
-            finish=finish,
-            soap=soap,
-            ink=ink_on(finish),
-            fill=fill,
-            maker=maker,
-            word=" ".join(WORDS[content]),
-        )
-        body = ag.weld(body, tile(1.5 * box_width, wall))
-        pressed = panel(box_width, box_depth, press=press, travel=travel, finish=finish, ink=ink_on(finish))
+        case = mounts.case_of(box_width, box_depth)
+        body = mounts.box(case, finish, soap, fill, maker, " ".join(bottles.WORDS[content]))
+        body = ag.weld(body, mounts.tile(1.5 * box_width, wall))
+        pressed = mounts.panel(case, press, finish, travel)
         if press == "button":
-            return body.attach(
-                pressed,
-                pump_slide("button_slide", travel=travel, force=force, damping=damping, axis=(0.0, 1.0, 0.0)),
-            )
-        hinge = lever_hinge(box_depth, swing=swing, force=force, damping=0.0025 * damping)
-        return body.attach(pressed, hinge)
+            return body.attach(pressed, pumps.slide("button_slide", ag.Y, travel, force, damping))
+        return body.attach(pressed, mounts.lever_hinge(case, swing, force, 0.0025 * damping))
 
     ag.require(
         build != "clear" or shape in _CLEAR,
@@ -242,35 +146,25 @@ def soap_dispenser(
         fill >= least,
         f"the holder grips the bottle below the level of the soap: fill must be >= {least:g}",
     )
-    sizes = Sizes(width, depth, height)
-    is_clear = build == "clear"
-    if is_clear:
-        body = clear(shape, sizes, finish, soap, fill=fill, plastic=ag.material("polypropylene"))
+    space = ag.Region.centered(width, width * depth, height).at(z=height / 2)
+    if build == "clear":
+        body = bottles.clear(shape, space, finish, soap, fill)
     else:
-        body = opaque(shape, sizes, finish)
-    shown = print_ if shape in PRINTED and (print_ != "label" or shape in LABELLED) else "none"
-    body = ag.weld(
-        body, *marks(shown, content, maker, shape=shape, sizes=sizes, ink=ink_on(finish), clear=is_clear)
+        body = bottles.opaque(shape, space, finish)
+    if shape in bottles.UNPRINTED or (print_ == "label" and shape not in bottles.LABELED):
+        print_ = "none"
+    marks = bottles.marks(print_, content, maker, shape, space, finish, clear=build == "clear")
+    body = ag.weld(body, *marks, pumps.collar(nozzle, pump).at(z=height))
+    head = pumps.nozzle(nozzle, pump, reach, travel).at(z=height + pumps.COLLAR + pumps.GAP + travel)
+    turn = ag.Revolute(
+        "nozzle_turn", axis=ag.Z, friction=turn_friction, damping=0.001, armature=0.00001, effort=0.6
     )
-
-    is_metal = pump.base_metalness > 0.5
-    looks = PumpLooks(
-        pump,
-        ag.material("chrome" if is_metal else "polypropylene"),
-        ribbed=not is_metal,
-        ink=None if is_metal else ink_on(pump),
-    )
-    head = nozzle_body(nozzle, reach=reach, travel=travel, looks=looks)
-    body = ag.weld(body, collar(nozzle, height, looks))
-    body = body.attach(
-        head.at(0.0, 0.0, height + COLLAR + GAP + travel),
-        nozzle_turn(turn_friction),
-        pump_slide(travel=travel, force=force, damping=damping),
-    )
+    body = body.attach(head, turn, pumps.slide("nozzle_slide", -ag.Z, travel, force, damping))
     if style == "bottle":
         return body
-    out = ag.max_(width / 2.0 + 0.016, reach + 0.010)
+    out = ag.max_(width / 2 + 0.016, reach + 0.010)
     # below the print, and below the level of the soap
-    ring_at = TRAY + (0.13 if shape == "apothecary" else 0.22) * height
-    hung = holder(width / 2.0, out, ring_at, ag.colored("powder_coat", "black") if not is_metal else pump)
-    return ag.weld(body.at(0.0, 0.0, TRAY - 0.0002), ag.weld(hung, tile(0.11, wall)).at(0.0, out, 0.0))
+    ring_at = mounts.TRAY + (0.13 if shape == "apothecary" else 0.22) * height
+    metal = pump if pump.base_metalness > 0.5 else ag.colored("powder_coat", "black")
+    wall_part = ag.weld(mounts.holder(width / 2, out, ring_at, metal), mounts.tile(0.11, wall))
+    return ag.weld(body.at(z=mounts.TRAY - 0.0002), wall_part.at(y=out))

@@ -1,94 +1,58 @@
-"""Materials of soap dispensers and soaps.
+"""Materials of soap dispensers and soaps, with their weights in a random choice.
 
 Opaque bottles have the mean density of the filled bottle: soap in four fifths of the space, and walls of 5 mm
 of ceramic, 1.5 mm of plastic or 0.6 mm of steel.
 """
 
+from collections.abc import Mapping
+from typing import Any
+
 import artgen as ag
-from artgen.categories.shared.finish import known, weighing
 from artgen.materials import COLORS
 
-GLASSES = known("glass", "amber_glass", "frosted_glass", "tinted_glass")
-"""Clear bottles."""
+Weights = Mapping[ag.Material, float]
 
-GLASS_WEIGHTS = (0.42, 0.30, 0.18, 0.10)
-"""Weights of `GLASSES` in a random choice."""
 
-_GLAZES = {
-    "white": 3.0,
-    "cream": 1.4,
-    "sand": 1.0,
-    "sage": 1.2,
-    "teal": 0.8,
-    "navy": 0.8,
-    "black": 1.2,
-    "blush": 0.8,
-    "mint": 0.6,
-    "taupe": 0.9,
-    "light_grey": 1.0,
-    "coral": 0.4,
-    "blue": 0.6,
-}
+def _weighing(density: float, prefix: str, weights: Mapping[str, float], base: str = "") -> Weights:
+    """Return library materials, or `base` in these colors, with another density [kg/m3]."""
+    plain = {ag.colored(base, name) if base else ag.material(name): each for name, each in weights.items()}
+    return {
+        each.with_(name=f"{prefix}_{each.name}", density=density): weight for each, weight in plain.items()
+    }
 
-CERAMICS = (
-    *weighing([ag.colored("ceramic", color) for color in _GLAZES], 1150.0, "thrown"),
-    *weighing(known("marble", "green_marble", "black_granite", "granite"), 1250.0, "bored"),
-)
-"""Ceramic glazes, and stone."""
 
-CERAMIC_WEIGHTS = (*_GLAZES.values(), 1.2, 0.5, 0.6, 0.5)
-"""Weights of `CERAMICS` in a random choice."""
+def _shades(weights: Mapping[Any, float], color: float, roughness: float = 0.03) -> Any:
+    return ag.shades(*weights, weights=tuple(weights.values()), color=color, roughness=roughness)
 
-_DYES = (
-    "white",
-    "black",
-    "light_grey",
-    "cream",
-    "sage",
-    "sky",
-    "blush",
-    "graphite",
-    "yellow",
-    "mint",
-    "lavender",
-)
 
-PLASTICS = weighing([ag.colored("glossy_plastic", color) for color in _DYES], 940.0, "filled")
-"""Plastics of opaque bottles."""
+_GLASSES = {"glass": 0.42, "amber_glass": 0.30, "frosted_glass": 0.18, "tinted_glass": 0.10}
+GLASSES = _shades(_GLASSES, color=0.03, roughness=0.0)
 
-PLASTIC_WEIGHTS = (3.0, 1.6, 1.0, 0.8, 0.8, 0.8, 0.8, 0.8, 0.6, 0.6, 0.5)
-"""Weights of `PLASTICS` in a random choice."""
+_GLAZES = {"white": 3, "cream": 1.4, "sand": 1, "sage": 1.2, "teal": 0.8, "navy": 0.8, "black": 1.2,
+           "blush": 0.8, "mint": 0.6, "taupe": 0.9, "light_grey": 1, "coral": 0.4, "blue": 0.6}  # fmt: skip
+_STONES = {"marble": 1.2, "green_marble": 0.5, "black_granite": 0.6, "granite": 0.5}
+_CERAMICS = {**_weighing(1150.0, "thrown", _GLAZES, "ceramic"), **_weighing(1250.0, "bored", _STONES)}
+CERAMICS = _shades(_CERAMICS, color=0.05)
 
-STEELS = (
-    *weighing(known("stainless", "brushed_aluminium", "copper", "satin_brass"), 1000.0, "filled"),
-    *weighing(
-        [ag.colored("powder_coat", color) for color in ("black", "white", "graphite", "sage")],
-        1000.0,
-        "filled",
-    ),
-)
-"""Drawn shells of metal."""
+_DYES = {"white": 3, "black": 1.6, "light_grey": 1, "cream": 0.8, "sage": 0.8, "sky": 0.8, "blush": 0.8,
+         "graphite": 0.8, "yellow": 0.6, "mint": 0.6, "lavender": 0.5}  # fmt: skip
+PLASTICS = _shades(_weighing(940.0, "filled", _DYES, "glossy_plastic"), color=0.04)
 
-STEEL_WEIGHTS = (3.0, 1.0, 0.6, 0.6, 1.6, 0.9, 0.8, 0.5)
-"""Weights of `STEELS` in a random choice."""
+_SHELLS = {"stainless": 3, "brushed_aluminium": 1, "copper": 0.6, "satin_brass": 0.6}
+_COATS = {"black": 1.6, "white": 0.9, "graphite": 0.8, "sage": 0.5}
+_STEELS = {**_weighing(1000.0, "filled", _SHELLS), **_weighing(1000.0, "filled", _COATS, "powder_coat")}
+STEELS = _shades(_STEELS, color=0.03)
 
-METALS = weighing(
-    known("stainless", "chrome", "satin_brass", "copper", "powder_coat_black", "aged_bronze"),
-    3600.0,
-    "plated",
-)
-"""Metal pumps with a plastic inside."""
+_PLATINGS = {"stainless": 2.4, "chrome": 1.8, "satin_brass": 1.6, "copper": 0.5, "powder_coat_black": 1.8,
+             "aged_bronze": 0.5}  # fmt: skip
+_PLATED = _weighing(3600.0, "plated", _PLATINGS)  # pumps with a plastic inside
+_DYED = {"white": 2.4, "black": 2, "light_grey": 0.6, "graphite": 0.6}
+_MOLDED = {ag.colored("abs", color): weight for color, weight in _DYED.items()}
+MOLDED_PUMPS = _shades(_MOLDED, color=0.04)
+PLATED_PUMPS = _shades(_PLATED, color=0.03)
+PUMPS = _shades({**_PLATED, **{each: 1.2 * weight for each, weight in _MOLDED.items()}}, color=0.03)
 
-METAL_WEIGHTS = (2.4, 1.8, 1.6, 0.5, 1.8, 0.5)
-"""Weights of `METALS` in a random choice."""
-
-PUMPS = tuple(ag.colored("abs", color) for color in ("white", "black", "light_grey", "graphite"))
-"""Plastics of pumps."""
-
-PUMP_WEIGHTS = (2.4, 2.0, 0.6, 0.6)
-"""Weights of `PUMPS` in a random choice."""
-
-_SOAPS = {
+_LIQUIDS = {
     "clear": (0.80, 0.84, 0.86),
     "sky": COLORS["sky"],
     "mint": COLORS["mint"],
@@ -98,7 +62,6 @@ _SOAPS = {
     "lime": (0.50, 0.68, 0.14),
     "milk": (0.86, 0.84, 0.78),
 }
-
 SOAPS = tuple(
     ag.material("polycarbonate").with_(
         name=f"soap_{name}",
@@ -109,26 +72,15 @@ SOAPS = tuple(
         texture="",
         density=1025.0,
     )
-    for name, color in _SOAPS.items()
+    for name, color in _LIQUIDS.items()
 )
-"""Liquid soaps and lotions."""
 
-TILES = (
-    *weighing(
-        [ag.colored("ceramic", color) for color in ("white", "cool_white", "sage", "navy", "light_grey")],
-        2300.0,
-        "fired",
-    ),
-    *known("marble", "granite"),
-)
-"""Tiles behind wall dispensers."""
-
-_LIGHT = 0.30
+_FIRED = dict.fromkeys(("white", "cool_white", "sage", "navy", "light_grey"), 1.0)
+_TILES = _weighing(2300.0, "fired", _FIRED, "ceramic")
+TILES = ag.shades(*_TILES, "marble", "granite", color=0.03, doc="tile behind a wall dispenser")
 
 
 def ink_on(finish: ag.Material) -> ag.Material:
-    """Return the material of print on a finish."""
-    mean = sum(finish.base_color) / 3.0
-    if finish.transmission_weight > 0.5:
-        return ag.colored("abs", "white" if mean < 0.6 else "anthracite")
-    return ag.colored("abs", "anthracite" if mean > _LIGHT else "white")
+    """Return the material of print on a finish: dark on light, light on dark."""
+    dark = 0.6 if finish.transmission_weight > 0.5 else 0.30
+    return ag.colored("abs", "anthracite" if sum(finish.base_color) / 3 > dark else "white")
