@@ -22,25 +22,14 @@ from typing import Literal
 
 import artgen as ag
 from artgen.categories.shared.finish import FINISH_WEIGHTS, FINISHES, known, paints
-from artgen.categories.window.frame import SILL, Tracks, drip_cap, sill_under, trickle_vent, window_board
+from artgen.categories.window import frame, sashes
+from artgen.categories.window.frame import SILL
 from artgen.categories.window.hardware import LeverStyle
-from artgen.categories.window.kinds import Draft, Swing, awning, casement
-from artgen.categories.window.plan import (
-    METAL_WEIGHTS,
-    METALS,
-    PLASTIC_WEIGHTS,
-    PLASTICS,
-    SECTIONS,
-    SILL_WEIGHTS,
-    SILLS,
-    WOOD_WEIGHTS,
-    WOODS,
-    Kind,
-)
-from artgen.categories.window.sashes import Glazing, Shutters, ShutterStyle
-from artgen.categories.window.slides import double_hung, sliding, sliding_both
+from artgen.categories.window.shutters import Style as ShutterStyle
+from artgen.categories.window.shutters import hang_shutters
 
 _GLASS = known("glass", "frosted_glass", "tinted_glass")
+_SHEET = 0.004  # thickness of a sheet of glass [m]
 _NO_ROOM = (
     "a finger on the meeting rail has no room before the next bar: raise width or height, or lower columns "
     "or rows"
@@ -48,42 +37,26 @@ _NO_ROOM = (
 _SHUTTERS = paints(520.0, "shutter_paint")
 
 
-@ag.category(
-    labels=(
-        "frame",
-        "sill",
-        "pane",
-        "glass",
-        "seal",
-        "hinge",
-        "handle",
-        "lock",
-        "keep",
-        "screw",
-        "vent",
-        "shutter",
-    ),
-    joints=(2, 14),
-)
+@ag.category(labels="frame sill pane glass seal hinge handle lock keep screw vent shutter", joints=(2, 14))
 def window(
     *,
     style: Literal["casement", "awning", "sliding", "double_hung"] = ag.choice(
-        "casement", "awning", "sliding", "double_hung", weights=(0.48, 0.12, 0.19, 0.21)
+        {"casement": 0.48, "awning": 0.12, "sliding": 0.19, "double_hung": 0.21}
     ),
     layout: Literal["single", "pair", "row", "cross"] = ag.by(
         "style",
-        casement=ag.choice("single", "pair", "row", "cross", weights=(0.38, 0.36, 0.12, 0.14)),
+        casement={"single": 0.38, "pair": 0.36, "row": 0.12, "cross": 0.14},
         awning="single",
-        sliding=ag.choice("pair", "row", weights=(0.65, 0.35)),
+        sliding={"pair": 0.65, "row": 0.35},
         double_hung="pair",
         doc="arrangement of the sashes; a row has four side by side, a cross two above two",
     ),
     opens: Literal["inwards", "outwards"] = ag.by(
-        "style", casement=ag.choice("inwards", "outwards", weights=(0.6, 0.4)), otherwise="outwards"
+        "style", casement={"inwards": 0.6, "outwards": 0.4}, otherwise="outwards"
     ),
     hand: Literal["left", "right"] = ag.choice("left", "right", doc="side of the hinges, or of the slider"),
     hands: Literal["same", "opposite"] = ag.by(
-        "layout", single="same", otherwise=ag.choice("same", "opposite", weights=(0.3, 0.7))
+        "layout", single="same", otherwise={"same": 0.3, "opposite": 0.7}
     ),
     slides: Literal["one", "both"] = ag.by(
         "style",
@@ -118,47 +91,40 @@ def window(
         within=(0.45, 1.8),
     ),
     upper: ag.Float = ag.uniform(0.26, 0.36, doc="share of the height above the transom of a cross"),
-    columns: int = ag.choice(0, 1, 2, 3, weights=(0.54, 0.27, 0.13, 0.06), doc="number of vertical bars"),
+    columns: int = ag.choice({0: 0.54, 1: 0.27, 2: 0.13, 3: 0.06}, doc="number of vertical bars"),
     rows: int = ag.by(
         "columns",
         {
-            0: ag.choice(0, 1, 2, 3, weights=(0.68, 0.22, 0.07, 0.03)),
-            1: ag.choice(0, 1, 2, 3, weights=(0.2, 0.4, 0.25, 0.15)),
-            2: ag.choice(1, 2, 3, weights=(0.4, 0.35, 0.25)),
-            3: ag.choice(1, 2, 3, weights=(0.3, 0.35, 0.35)),
+            0: {0: 0.68, 1: 0.22, 2: 0.07, 3: 0.03},
+            1: {0: 0.2, 1: 0.4, 2: 0.25, 3: 0.15},
+            2: {1: 0.4, 2: 0.35, 3: 0.25},
+            3: {1: 0.3, 2: 0.35, 3: 0.35},
         },
         doc="number of horizontal glazing bars on a pane",
     ),
-    kind: Kind = ag.choice("wood", "pvc", "aluminium", weights=(0.4, 0.35, 0.25)),
-    finish: ag.Material = ag.by(
-        "kind",
-        wood=ag.shades(*WOODS, weights=WOOD_WEIGHTS, color=0.06, roughness=0.04),
-        pvc=ag.shades(*PLASTICS, weights=PLASTIC_WEIGHTS, color=0.02, roughness=0.04),
-        aluminium=ag.shades(*METALS, weights=METAL_WEIGHTS, color=0.03, roughness=0.04),
-    ),
+    kind: frame.Kind = ag.choice({"wood": 0.4, "pvc": 0.35, "aluminium": 0.25}),
+    finish: ag.Material = ag.by("kind", frame.FINISHES),
     glass: ag.Material = ag.choice(*_GLASS, weights=(0.82, 0.10, 0.08)),
-    sheets: int = ag.by("kind", wood=ag.choice(1, 2, weights=(0.3, 0.7)), otherwise=2),
-    sill: ag.Material = ag.shades(*SILLS, weights=SILL_WEIGHTS, color=0.03),
+    sheets: int = ag.by("kind", wood={1: 0.3, 2: 0.7}, otherwise=2),
+    sill: ag.Material = frame.SILLS,
     horns: ag.Float = ag.uniform(0.0, 0.045, "m", doc="length of the sill beyond each side of the frame"),
     board: bool = ag.by(
         "style",
         awning=False,  # a hand at the lever would strike a window board
-        otherwise=ag.choice(False, True, weights=(0.6, 0.4)),
+        otherwise={False: 0.6, True: 0.4},
         doc="whether there is a window board inside",
     ),
-    vent: bool = ag.choice(False, True, weights=(0.7, 0.3), doc="whether the head has a trickle vent"),
-    cap: bool = ag.choice(False, True, weights=(0.45, 0.55), doc="whether there is a drip cap over the head"),
+    vent: bool = ag.choice({False: 0.7, True: 0.3}, doc="whether the head has a trickle vent"),
+    cap: bool = ag.choice({False: 0.45, True: 0.55}, doc="whether there is a drip cap over the head"),
     shutters: ShutterStyle = ag.by(
         "layout",
         row="none",
-        cross=ag.by("opens", inwards=ag.choice("none", "boarded", weights=(0.6, 0.4)), outwards="none"),
+        cross=ag.by("opens", inwards={"none": 0.6, "boarded": 0.4}, outwards="none"),
         otherwise=ag.by(
             "opens",
-            inwards=ag.choice("none", "louvred", "boarded", weights=(0.55, 0.28, 0.17)),
+            inwards={"none": 0.55, "louvred": 0.28, "boarded": 0.17},
             outwards=ag.by(
-                "style",
-                double_hung=ag.choice("none", "louvred", "boarded", weights=(0.7, 0.2, 0.1)),
-                otherwise="none",
+                "style", double_hung={"none": 0.7, "louvred": 0.2, "boarded": 0.1}, otherwise="none"
             ),
         ),
     ),
@@ -185,7 +151,7 @@ def window(
         "style", awning=ag.uniform(0.45, 1.1), otherwise=ag.uniform(1.2, 1.5), unit="rad", within=(0.2, 1.52)
     ),
     stay: Literal["friction", "none"] = ag.by(
-        "style", awning=ag.choice("friction", "none", weights=(0.65, 0.35)), otherwise="friction"
+        "style", awning={"friction": 0.65, "none": 0.35}, otherwise="friction"
     ),
     hinge_friction: ag.Float = ag.uniform(0.8, 2.0, "N m", doc="friction of casement stays"),
     hinge_damping: ag.Float = ag.uniform(0.5, 1.5, "N m s/rad"),
@@ -205,58 +171,55 @@ def window(
     ag.require(style != "sliding" or layout in ("pair", "row"), "layout of style=sliding must be pair or row")
     abreast = {"single": 1, "row": 4}.get(layout, 2)
     # a row of sashes needs space for the glass of each
-    least = (abreast + 1) / 5.0 if style in ("casement", "sliding") else 0.0
+    least = (abreast + 1) / 5 if style in ("casement", "sliding") else 0.0
     width = ag.require(
         width, width >= least, f"layout={layout} has narrow sashes: width must be >= {least:g} m"
     )
-    section = SECTIONS[kind]
-    wide, tall = width - 2.0 * section.frame, height - SILL - 2.0 * section.frame
-    glazing = Glazing(glass, sheets, columns, rows, finish)
-    hinged = style in ("casement", "awning")
-    draft = Draft(wide, tall, section, glazing, finish, metal, lever_friction if hinged else lock_friction)
+    hinged, inward = style in ("casement", "awning"), opens == "inwards"
+    section = frame.SECTIONS[kind]
+    density = glass.density * _SHEET * sheets / sashes.PANE
+    panes = glass.with_(name=f"{glass.name}_{sheets}_sheets", density=density)
+    opening = ag.Region.centered(width - 2 * section.frame, 0.0, height - SILL - 2 * section.frame)
+    friction = lever_friction if hinged else lock_friction
+    draft = frame.Draft(opening, section, finish, metal, panes, columns, rows, friction)
     # simulators test all pairs of close colliders: hinges of many leaves have none
     few = {"single": 1, "pair": 2}.get(layout, 4) + 2 * (shutters != "none") < 4
-    hung = Swing(
-        swing,
-        hinge_friction,
-        hinge_damping,
-        lever,
-        lever_length,
-        1.57 if lever_turn == "quarter" else 3.14,
-        stay,
-        few,
-    )
-    first = 1 if hand == "left" else -1
-    sides = tuple(first if hands == "same" else 1 - 2 * (index % 2) for index in range(abreast))
-    match style:
-        case "casement":
-            levels = (1.0 - upper, upper) if layout == "cross" else (1.0,)
-            body = casement(draft, hung, sides, levels, inward=opens == "inwards")
-        case "awning":
-            body = awning(draft, hung)
-        case "sliding":
-            if slides == "both":
-                body = sliding_both(draft, bar=bar, drag=drag)
-                body = body if columns < 3 else body.require(width > 1.25, _NO_ROOM)
-            else:
-                body = sliding(draft, 2 if layout == "pair" else 4, bar=bar, drag=drag)
-            body = body.mirror(ag.X) if hand == "right" else body
-        case "double_hung":
-            body = double_hung(draft, lifts=lifts, drag=drag)
-            body = body if rows < 3 else body.require(height > 1.28, _NO_ROOM)
+    turn = 1.57 if lever_turn == "quarter" else 3.14
+    hung = sashes.Swing(swing, hinge_friction, hinge_damping, lever, lever_length, turn, stay, few)
+    if style == "casement":
+        first = 1 if hand == "left" else -1
+        sides = [first if hands == "same" else 1 - 2 * (index % 2) for index in range(abreast)]
+        shares = (1 - upper, upper) if layout == "cross" else (1.0,)
+        body = sashes.casement(draft, hung, sides, shares, inward=inward)
+    elif style == "awning":
+        body = sashes.awning(draft, hung)
+    elif style == "double_hung":
+        body = sashes.double_hung(draft, lifts=lifts, drag=drag)
+        body = body if rows < 3 else body.require(height > 1.28, _NO_ROOM)
+    elif slides == "both":
+        body = sashes.sliding_both(draft, bar=bar, drag=drag)
+        body = body if columns < 3 else body.require(width > 1.25, _NO_ROOM)
+    else:
+        body = sashes.sliding(draft, 2 if layout == "pair" else 4, bar=bar, drag=drag)
+    if style == "sliding" and hand == "right":
+        body = body.mirror(ag.X)
 
-    deep = section.back if hinged else Tracks.of(section).back
-    front, back = (-deep, 0.0) if opens == "inwards" else (0.0, deep)
-    low, high = -height / 2.0 + SILL / 2.0, height / 2.0 - SILL / 2.0
-    fixed = [sill_under(width, front, back, low, sill, horns=horns)]
-    if cap:
-        fixed.append(drip_cap(width, front, high, finish))
-    if vent:
-        fixed.append(trickle_vent(0.0, back, high - 0.020, finish, length=0.30))
-    if board:
-        fixed.append(window_board(width, back, low, finish))
+    deep = section.back if hinged else section.tracked
+    whole = ag.Region.centered(width, 0.0, height - SILL).with_(y=(-deep, 0.0) if inward else (0.0, deep))
+    fixed = [frame.sill_under(whole, sill, horns=horns)]
+    for wanted, make in ((cap, frame.drip_cap), (vent, frame.trickle_vent), (board, frame.window_board)):
+        fixed += [make(whole, finish)] if wanted else []
     body = ag.weld(body, *fixed)
     if shutters != "none":
-        pair = Shutters(shutters, shutter_finish, metal, slats, shutter_swing, hinge_friction, few)
-        body = pair.hung(body, front=front, width=width, low=low + 0.010, high=high - 0.030)
-    return body.at(0.0, 0.0, SILL - low)
+        body = hang_shutters(
+            body,
+            whole.shrink(bottom=0.010, top=0.030),
+            style=shutters,
+            finish=shutter_finish,
+            metal=metal,
+            slats=slats,
+            swing=shutter_swing,
+            friction=hinge_friction,
+            solid=few,
+        )
+    return body.at(z=height / 2 + SILL / 2)
