@@ -14,82 +14,79 @@ Sizes are those of countertop ovens of 17-32 liters: 0.44-0.60 x 0.32-0.45 x 0.2
 of 245-315 mm.
 """
 
+from functools import partial
 from typing import Literal, get_args
 
 import artgen as ag
 from artgen import details
-from artgen.categories.microwave.case import Case, Turntable
-from artgen.categories.microwave.controls import Controls, Panel
-from artgen.categories.microwave.door import Door, FaceStyle, HandleKind, Latches
-from artgen.categories.microwave.space import Space
+from artgen.categories.microwave import front
+from artgen.categories.microwave.case import Plan, case, turntable
 from artgen.categories.shared.appliances import cabinet_finish, fronts, grip_metals
-from artgen.categories.shared.controls import ButtonShape, DialStyle
+from artgen.categories.shared.controls import ButtonShape, DialStyle, button_press, dial, dial_turn, ink_on
 from artgen.categories.shared.pulls import BarStyle
 from artgen.nodes.details.displays import Color
+from artgen.nodes.fitting import Fitting
+
+Controls = Literal["keypad", "mixed", "dials"]
+"""Keys, keys with one dial, or dials alone."""
 
 Look = Literal["stainless", "dark_steel", "white", "black", "pastel"]
 """Families of finishes, the same as those of other appliances."""
 
 _LOOKS: tuple[Look, ...] = get_args(Look)
 _FINISH, _METAL = fronts(*_LOOKS), grip_metals(*_LOOKS)
+_STEEL = ag.material("stainless").with_(
+    name="cavity_steel", base_color=(0.74, 0.735, 0.73), specular_roughness=0.32
+)
 _CAVITIES = {
     "grey": ag.colored("enamel", "light_grey").with_(name="cavity_grey", specular_roughness=0.35),
     "ivory": ag.colored("enamel", "ivory").with_(name="cavity_ivory", specular_roughness=0.35),
-    "steel": ag.material("stainless").with_(
-        name="cavity_steel", base_color=(0.74, 0.735, 0.73), specular_roughness=0.32
-    ),
+    "steel": _STEEL,
 }
 _BLACK = ag.material("black_glass")
-_WHITE = ag.material("black_glass").with_(name="white_glass", base_color=(0.80, 0.80, 0.79))
-_CAPS = {
-    "stainless": ag.colored("abs", "silver"),
-    "dark_steel": ag.colored("abs", "graphite"),
-    "white": ag.colored("abs", "light_grey"),
-    "black": ag.colored("abs", "anthracite"),
-    "pastel": ag.colored("abs", "ivory"),
-}
+_WHITE = _BLACK.with_(name="white_glass", base_color=(0.80, 0.80, 0.79))
+_CAPS = dict(zip(_LOOKS, ("silver", "graphite", "light_grey", "anthracite", "ivory"), strict=True))
 _LININGS = {  # other looks have the finish of the front
     look: ag.colored("abs", color).with_(name=f"door_lining_{color}")
     for look, color in (("stainless", "graphite"), ("dark_steel", "anthracite"), ("black", "anthracite"))
 }
 _KNOBS = (  # plastic caps under a metal skin
-    *(ag.material(name).with_(name=f"{name}_cap", density=1100.0) for name in ("aluminium", "chrome")),
+    *(ag.material(name).with_(name=f"{name}_cap", density=1100) for name in ("aluminium", "chrome")),
     ag.material("black_abs"),
-    ag.material("brushed_aluminium").with_(name="brushed_cap", density=1100.0),
+    ag.material("brushed_aluminium").with_(name="brushed_cap", density=1100),
 )
 
 
 @ag.category(
     labels=(
-        "body", "cavity", "foot", "vent", "light", "wave_guide_cover", "rating_plate", "screw", "cord",
-        "door", "window", "mesh", "handle", "hinge", "latch", "panel", "display", "print", "button", "dial",
-        "plate", "coupler", "roller_ring",
+        "body cavity foot vent light wave_guide_cover rating_plate screw cord door window mesh handle hinge "
+        "latch panel display print button dial plate coupler roller_ring"
     ),
     joints=(5, 17),
-)  # fmt: skip
+)
 def microwave(
     *,
-    controls: Controls = ag.choice("keypad", "mixed", "dials", weights=(0.5, 0.28, 0.22)),
+    controls: Controls = ag.choice({"keypad": 0.5, "mixed": 0.28, "dials": 0.22}),
     look: Look = ag.by(
         "controls",
-        dials=ag.choice(*_LOOKS, weights=(1.0, 0.3, 1.6, 0.8, 2.4)),
-        otherwise=ag.choice(*_LOOKS, weights=(2.4, 0.7, 1.4, 1.0, 1.0)),
+        dials={"stainless": 1, "dark_steel": 0.3, "white": 1.6, "black": 0.8, "pastel": 2.4},
+        otherwise={"stainless": 2.4, "dark_steel": 0.7, "white": 1.4, "black": 1, "pastel": 1},
     ),
-    handle: HandleKind = ag.by(
+    handle: front.HandleKind = ag.by(
         "look",
-        stainless=ag.choice("pocket", "none", "bar", weights=(0.25, 0.3, 0.45)),
-        dark_steel=ag.choice("none", "pocket", "bar", weights=(0.3, 0.25, 0.45)),
-        white=ag.choice("bar", "pocket", "none", weights=(0.25, 0.3, 0.45)),
-        black=ag.choice("none", "bar", "pocket", weights=(0.35, 0.35, 0.3)),
-        pastel=ag.choice("pocket", "none", "bar", weights=(0.15, 0.35, 0.5)),
+        stainless={"pocket": 0.25, "none": 0.3, "bar": 0.45},
+        dark_steel={"none": 0.3, "pocket": 0.25, "bar": 0.45},
+        white={"bar": 0.25, "pocket": 0.3, "none": 0.45},
+        black={"none": 0.35, "bar": 0.35, "pocket": 0.3},
+        pastel={"pocket": 0.15, "none": 0.35, "bar": 0.5},
         doc="handle of the door; none for a button that opens the door",
     ),
-    face: FaceStyle = ag.by(
+    face: front.FaceStyle = ag.by(
         "look",
-        stainless=ag.choice("framed", "glass", "banded", weights=(0.4, 0.2, 0.4)),
-        dark_steel=ag.choice("framed", "glass", "banded", weights=(0.3, 0.4, 0.3)),
-        white=ag.choice("framed", "glass", weights=(0.75, 0.25)),
-        black=ag.choice("framed", "glass", weights=(0.4, 0.6)),
+        stainless={"framed": 0.4, "glass": 0.2, "banded": 0.4},
+        dark_steel={"framed": 0.3, "glass": 0.4, "banded": 0.3},
+        white={"framed": 0.75, "glass": 0.25},
+        black={"framed": 0.4, "glass": 0.6},
         pastel="framed",
     ),
     width: ag.Float = ag.uniform(0.44, 0.60, "m", within=(0.43, 0.66)),
@@ -118,20 +115,18 @@ def microwave(
         pastel=ag.choice("bow", "arched", "round"),
         otherwise=ag.choice("round", "square", "bow", "strap", "arched"),
     ),
-    cavity: Literal["grey", "ivory", "steel"] = ag.choice(
-        "grey", "ivory", "steel", weights=(0.45, 0.25, 0.3)
-    ),
+    cavity: Literal["grey", "ivory", "steel"] = ag.choice({"grey": 0.45, "ivory": 0.25, "steel": 0.3}),
     keys: int = ag.by(
         "controls",
-        keypad=ag.choice(6, 9, 12, weights=(0.25, 0.35, 0.4)),
+        keypad={6: 0.25, 9: 0.35, 12: 0.4},
         mixed=ag.choice(3, 6),
         dials=0,
         doc="number of keys, in rows of three",
     ),
-    key_shape: ButtonShape = ag.choice("bar", "square", "pill", weights=(0.45, 0.25, 0.3)),
+    key_shape: ButtonShape = ag.choice({"bar": 0.45, "square": 0.25, "pill": 0.3}),
     key_travel: ag.Float = ag.uniform(0.0010, 0.0015, "m", within=(0.0005, 0.003)),
     key_force: ag.Float = ag.uniform(2.0, 4.0, "N"),
-    dials: int = ag.by("controls", keypad=0, mixed=1, dials=ag.choice(2, 3, weights=(0.75, 0.25))),
+    dials: int = ag.by("controls", keypad=0, mixed=1, dials={2: 0.75, 3: 0.25}),
     dial_style: DialStyle = ag.choice("round", "fluted", "bar", "skirted", "capped"),
     dial_radius: ag.Float = ag.by(
         "dials",
@@ -163,78 +158,49 @@ def microwave(
     ag.require(
         key_shape != "round", "keys of this panel are wider than high: key_shape must be bar, square or pill"
     )
-    girth, projection = 0.0072, 0.034
-    space = Space(
-        width=width,
-        height=height,
-        depth=depth,
-        projection=projection + girth if handle == "bar" else 0.0 * depth,
-        thickness=door_thickness,
-        panel=panel,
-        foot=foot,
-    )
+    forward = depth / 2 - (front.PROJECTION + front.GIRTH if handle == "bar" else 0)
+    outside = ag.Region((-width / 2, width / 2), (-forward, depth / 2), (0, height))
+    plan = Plan(outside, thickness=door_thickness, panel=panel, foot=foot)
     glass = _WHITE if look == "white" and face == "glass" else _BLACK
-    latches = Latches(space)
-    case = Case(
-        space,
-        finish=cabinet_finish(look, finish),
-        inside=_CAVITIES[cavity],
-        stuffing=740.0,
-        slots=latches.slots,
-        vents=air,
-        maker=maker,
-        watts=watts,
+    around = finish if face == "framed" and not show else glass
+    lining, caps = _LININGS.get(look, finish), ag.colored("abs", _CAPS[look])
+    style = front.Finish(face, finish, glass, around, metal, lining, caps)
+    signs = {"door": "", "panel": "", signed: maker}
+    eject = handle == "none"
+    places = front.layout(plan, face, keys=keys, dials=dials, eject=eject, show=show, maker=signs["panel"])
+    body = ag.weld(
+        case(plan, cabinet_finish(look, finish), _CAVITIES[cavity], vents=air, maker=maker, watts=watts),
+        front.panel(plan, style, places, key_shape, show=show, color=figures, maker=signs["panel"]),
     )
-    left = space.across[0] - space.door[0] + 0.008
-    right = space.door[1] - space.across[1] + 0.010
-    leaf = Door(
-        space,
-        face=face,
-        handle=handle,
-        bar=bar,
-        finish=finish,
-        glass=glass,
-        metal=metal,
-        inside=_LININGS.get(look, finish),
-        border=(left, right + (0.036 if handle == "pocket" else 0.0), border, border),
-        maker=maker if signed == "door" else "",
-    )
-    front = Panel(
-        space,
-        face=face,
-        finish=finish,
-        glass=glass,
-        keys=keys,
-        shape=key_shape,
-        cap=_CAPS[look],
-        dials=dials,
-        dial=dial_style,
-        radius=dial_radius,
-        knob=knob,
-        metal=metal,
-        travel=key_travel,
-        force=key_force,
-        eject=handle == "none",
-        eject_travel=eject_travel,
-        eject_force=eject_force,
-        show=show,
-        color=figures,
-        maker=maker if signed == "panel" else "",
-    )
-    x, y = space.middle
-    table = Turntable(plate * space.reach, x, y, space.floor, plate_friction)
-
-    body = ag.weld(case.body(), front.body(), table.shaft())
-    if handle == "none":
-        press = front.press()
-        hinge = leaf.hinge(swing=swing, pull=pop, needs=latches.frees(press), sprung=True)
-        body = body.attach(front.button(), press).attach(latches.pawls(), latches.slide(press))
-    else:
-        hinge = leaf.hinge(swing=swing, pull=pull, needs=None)
-    body = body.attach(leaf.body(latches), hinge)
-    spin = table.spin()
-    body = body.attach(table.plate(), spin).attach(table.ring(), table.roll(spin))
-    return front.joined(body).require(
-        front.room >= 0.0,
+    y, press = outside.y.low, None
+    if places.button:
+        press = button_press(
+            travel=eject_travel, preload=0.16 * eject_force, force=eject_force, damping=8, effort=30
+        )
+        size, proud = (places.button.x.size, places.button.z.size), eject_travel + 0.0016
+        cap = front.cap(size, "button", "bar", caps, proud=proud, sign="OPEN")
+        body = body.attach(cap, press, at=(places.button.x.mid, y, places.button.z.mid))
+        body = body.install(front.latch(plan, press))
+    door = front.door(plan, style, handle, bar, border=border, maker=signs["door"])
+    body = body.attach(door, front.hinge(plan, swing, pop if eject else pull, press))
+    room = plan.cavity
+    largest = ag.min_(room.x.size, room.y.size) / 2 - 0.007  # radius of a plate with 7 mm to spare
+    body = body.install(turntable(plate * largest, plate_friction), at=room.anchor(z=-1))
+    for number, (key, sign) in enumerate(zip(places.keys, front.key_names(keys), strict=True)):
+        # the domes under the keys of a foil push only little at rest
+        slide = button_press(f"key_slide_{number}", travel=key_travel, preload=0.3, force=key_force)
+        proud = front.PANE + key_travel + 0.0006
+        cap = front.cap(places.key, f"key_{number}", key_shape, caps, proud=proud, sign=sign)
+        body = body.attach(cap, slide, at=(key.x.mid, y, key.z.mid))
+    knob_of = partial(dial, finish=knob, style=dial_style, radius=dial_radius, mark=ink_on(knob), cap=metal)
+    for number in range(dials):
+        tail, cell = f"_{number}" if dials > 1 else "", places.dials[number]
+        turned = knob_of(depth=0.020, name=f"dial{tail}", label="dial")
+        turn = dial_turn(f"dial_turn{tail}", endless=True)
+        scale = front.scale(number, dial_radius, places.field.x.size, ink_on(around))
+        place = (cell.x.mid, y - front.PANE, cell.z.mid)
+        body = body.install(Fitting.moving(turned, turn, fixed=scale), at=place)
+    return body.require(
+        places.dials[0].z.size >= (2 * dial_radius if dials else 0),
         "dials have no room over keys and button: raise height, or lower keys, dials or dial_radius",
     )
