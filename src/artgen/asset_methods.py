@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 from artgen.asset import Asset
-from artgen.asset.asset import remember
+from artgen.asset.asset import Limits, remember
 from artgen.asset.certificate import Certificate
 
 if TYPE_CHECKING:
@@ -45,6 +45,21 @@ def safe_limits(self: Asset) -> dict[str, tuple[float, float]]:
     return limits.safe_limits(self)
 
 
+def with_limits(self: Asset, limits: Limits, keep: Sequence[str] = ()) -> Asset:
+    """Return the asset with joint ranges in which every state is free; see `artgen.proof.limits.with_limits`.
+
+    Args:
+        limits: `independent`; `full` changes nothing.
+        keep: Names of joints, or patterns such as `rack_*`, that keep their range where possible.
+
+    Raises:
+        AssetError: The ranges are narrowed already, or a pattern fits no joint.
+    """
+    from artgen.proof import limits as proof_limits
+
+    return proof_limits.with_limits(self, limits, keep)
+
+
 def clearance(self: Asset, q: Mapping[str, float] | None = None) -> dict[tuple[str, str], float]:
     """Return the distance between the links of each pair at one pose, negative for overlaps [m].
 
@@ -75,6 +90,9 @@ def export(
     textures: int = 512,
     layout: str = "flat",
     mesh_precision: float = 0.0,
+    limits: Limits = "full",
+    frames: bool = True,
+    states: int = 0,
 ) -> Path:
     """Write the asset to a directory, with its own colliders or others; see `artgen.export.export`."""
     from artgen.export import files
@@ -87,6 +105,9 @@ def export(
         textures=textures,
         layout=layout,
         mesh_precision=mesh_precision,
+        limits=limits,
+        frames=frames,
+        states=states,
     )
 
 
@@ -129,7 +150,7 @@ def _reduce(self: Asset) -> tuple[Any, ...]:
 
 def bind() -> None:
     """Make these functions methods of `Asset`."""
-    for method in (certify, safe_limits, clearance, validate, export, render, show):
+    for method in (certify, safe_limits, with_limits, clearance, validate, export, render, show):
         setattr(Asset, method.__name__, method)
     Asset.load = staticmethod(load)
     Asset.__reduce__ = _reduce  # type: ignore[method-assign, assignment]

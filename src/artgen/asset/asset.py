@@ -5,15 +5,24 @@ from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from artgen._arrays import Array, cached_property
 from artgen.asset.affordance import Affordance, affordance_data, affordances
 from artgen.asset.certificate import Certificate
-from artgen.asset.joint import AllowedContact, AssetJoint, is_number, joints_above, positions_of_followers
+from artgen.asset.joint import (
+    AllowedContact,
+    AssetJoint,
+    is_number,
+    joints_above,
+    positions_of_followers,
+    rotation_terms,
+)
 from artgen.asset.link import Link, RoundedLink
 from artgen.asset.mass import MassProperties, total
 from artgen.asset.record import json_text, plain, rounded
 from artgen.asset.tree import Tree, check_contact
+from artgen.asset.valid_states import ValidStates
 from artgen.errors import AssetError, nearest
 from artgen.materials import Material
 
@@ -37,11 +46,11 @@ def _check_references(joint: AssetJoint, joints: Mapping[str, AssetJoint]) -> No
             raise AssetError(f"joint {joint.name!r} {verb} itself; name another joint", joint=joint.name)
 
 
-def _with_followed_limits(joint: AssetJoint, joints: Mapping[str, AssetJoint]) -> AssetJoint:
+def with_followed_limits(joint: AssetJoint, joints: Mapping[str, AssetJoint]) -> AssetJoint:
     """Return a coupled joint with the limits that follow from the limits of its leader."""
     if joint.follows is None:
         return joint
-    leader = _with_followed_limits(joints[joint.follows.leader], joints)
+    leader = with_followed_limits(joints[joint.follows.leader], joints)
     if leader.limits is None:
         return replace(joint, limits=None)
     low, high = sorted(map(joint.follows.at, leader.limits))
@@ -49,6 +58,8 @@ def _with_followed_limits(joint: AssetJoint, joints: Mapping[str, AssetJoint]) -
 
 
 Base = Literal["fixed", "free"]
+Limits = Literal["full", "independent"]
+"""Ranges of joints: full with dependencies, or narrowed so that every state is free, see `with_limits`."""
 
 _CERTIFICATE = "_certificate"  # attribute in which an asset keeps its certificate
 _LIMIT_SLACK = 1e-9  # tolerance of joint limits [rad or m]
@@ -70,6 +81,7 @@ class Asset:
         version: Version of artgen that made it.
         labels: Semantic labels that the category declares.
         contacts: Contacts that the category allows.
+        limits: Whether the joints have their full ranges, or narrowed ones without dependencies.
     """
 
     name: str
@@ -83,6 +95,7 @@ class Asset:
     version: str = ""
     labels: tuple[str, ...] = ()
     contacts: tuple[AllowedContact, ...] = ()
+    limits: Limits = "full"
 
     @staticmethod
     def from_tree(tree: Tree, name: str, category: str, **fields: Any) -> "Asset":
@@ -107,7 +120,7 @@ class Asset:
         contacts = tuple(tree.all_contacts())
         for contact in contacts:
             check_contact(contact, [link.name for link in links], joints)
-        ranged = tuple(_with_followed_limits(joint, joints) for joint in joints.values())
+        ranged = tuple(with_followed_limits(joint, joints) for joint in joints.values())
         return Asset(name, category, links, ranged, contacts=contacts, **fields)
 
     def __copy__(self) -> "Asset":
@@ -208,6 +221,80 @@ class Asset:
             if joint.needs is not None and not joint.needs.allows(positions[joint.name], positions)
         )
 
+    @cached_property
+    def valid_states(self) -> ValidStates:
+        """The valid joint states as arrays, as every export carries them."""
+        return ValidStates(self.states_data()["joints"])
+
+    def states_data(self) -> dict[str, Any]:
+        """Return limits, couplings and dependencies of the joints as JSON data, for `ValidStates`."""
+        fields = ("name", "limits", "follows", "needs")
+        rows = [{name: row[name] for name in fields} for row in plain(self.rounded().joints)]
+        return {"format": "artgen-states-1", "joints": rows}
+
+    @property
+    def dof_names(self) -> tuple[str, ...]:
+        """Names of the degrees of freedom: of the joints that neither follow another joint nor are locked."""
+        return self.valid_states.dofs
+
+    def sample_states(self, count: int, seed: int = 0) -> Array:
+        """Draw valid joint states: limits, couplings and dependencies hold.
+
+        Each joint is drawn uniformly from its range; where its dependency forbids that position, it is drawn
+        from the range that the dependency leaves free, which for most joints is the closed position.
+
+        Args:
+            count: Number of states.
+            seed: Seed of the draws.
+
+        Returns:
+            Positions by `dof_names`, shape (count, dof) [rad or m]; unlimited joints within half a turn.
+        """
+        return self.valid_states.sample(count, seed)
+
+    def project(self, q: ArrayLike) -> Array:
+        """Return the valid states near given ones: clipped to limits, and blocked joints moved.
+
+        A blocked joint moves to its nearest allowed position; joints that others depend on come first.
+
+        Args:
+            q: Positions by `dof_names`, shape (..., dof) [rad or m].
+
+        Returns:
+            Valid positions, shape (..., dof).
+        """
+        return self.valid_states.project(q)
+
+    def fk(self, q: ArrayLike) -> Array:
+        """Return the poses of all links for many states: forward kinematics.
+
+        Args:
+            q: Positions by `dof_names`, shape (..., dof) [rad or m].
+
+        Returns:
+            Transforms from the frames of the links, in the order of `links`, to asset coordinates,
+            shape (..., links, 4, 4) [m]. The frame of a link is that of the exported files, see `origin`.
+        """
+        positions = np.moveaxis(self.valid_states.positions(q), -1, 0)[..., None, None]
+        moved: dict[str, tuple[Array, Array]] = {self.links[0].name: (np.eye(3), np.zeros((3, 1)))}
+        for joint, position in zip(self.joints, positions, strict=True):
+            turn, shift = moved.get(joint.child, moved[joint.parent])
+            if joint.kind == "prismatic":
+                moved[joint.child] = (turn, shift + position * (turn @ joint.axis[:, None]))
+                continue
+            terms, factors = rotation_terms(joint.axis), (1.0, np.cos(position), np.sin(position))
+            pivot = joint.pivot[:, None]
+            turned = sum(factor * (turn @ term) for factor, term in zip(factors, terms, strict=True))
+            swung = sum(factor * (turn @ (term @ pivot)) for factor, term in zip(factors, terms, strict=True))
+            moved[joint.child] = (turned, shift + turn @ pivot - swung)
+        result = np.zeros((len(self.links), *positions.shape[1:-2], 4, 4))
+        for link, matrix in zip(self.links, result, strict=True):
+            turn, shift = moved[link.name]
+            matrix[..., :3, :3] = turn
+            matrix[..., :3, 3:] = shift + turn @ self.origin(link.name)[:, None]
+            matrix[..., 3, 3] = 1.0
+        return np.moveaxis(result, 0, -3)
+
     def pose(self, q: Mapping[str, float] | None = None) -> dict[str, Array]:
         """Return the displacement of each link from rest.
 
@@ -271,6 +358,7 @@ class Asset:
     if TYPE_CHECKING:  # bound at run time, by `artgen.asset_methods.bind`
         certify = asset_methods.certify
         safe_limits = asset_methods.safe_limits
+        with_limits = asset_methods.with_limits
         clearance = asset_methods.clearance
         validate = asset_methods.validate
         export = asset_methods.export
@@ -315,7 +403,8 @@ class Asset:
         return json_text(self.to_data())
 
 
-PLAIN = ("name", "category", "seed", "attempt", "version", "base")  # fields that files store as they are
+# fields that files store as they are
+PLAIN = ("name", "category", "seed", "attempt", "version", "base", "limits")
 FORMAT = "artgen-asset-1"  # format of `asset.json` that this version reads and writes
 
 

@@ -161,7 +161,7 @@ def asset_from_data(data: Mapping[str, Any], directory: Path) -> Asset:
         labels=tuple(data["labels"]),
         parameters=data["parameters"],
         contacts=tuple(map(AllowedContact.from_data, data.get("contacts", ()))),
-        **{name: data[name] for name in PLAIN},
+        **{name: data[name] for name in PLAIN if name in data},
     )
     # preset the cached property: otherwise it would be derived from the surfaces
     vars(asset)["materials"] = tuple(materials.values())

@@ -213,6 +213,13 @@ def rotation(axis: Array, angle: float) -> Array:
     return np.asarray(np.eye(3) + np.sin(angle) * cross + (1.0 - np.cos(angle)) * (cross @ cross))
 
 
+def rotation_terms(axis: Array) -> tuple[Array, Array, Array]:
+    """Return a, b and c so that the rotation about a unit axis is a + cos(angle) b + sin(angle) c."""
+    x, y, z = axis
+    cross = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
+    return np.eye(3) + cross @ cross, -cross @ cross, cross
+
+
 def positions_of_followers(joints: Mapping[str, AssetJoint], q: dict[str, float]) -> dict[str, float]:
     """Return the given positions of free joints with the positions of coupled joints."""
     result = dict(q)

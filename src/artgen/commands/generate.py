@@ -7,6 +7,7 @@ import typer
 from typer import Argument, Option
 
 from artgen.asset import Asset
+from artgen.asset.asset import Limits
 from artgen.asset.collision import Collision
 from artgen.asset.files import main_files
 from artgen.catalog import find
@@ -81,6 +82,19 @@ def generate(
         float,
         Option(metavar="METRES", help="Precision of visible meshes: 0.0005 halves the files; 0 is exact."),
     ] = 0.0,
+    limits: Annotated[
+        Limits,
+        Option(
+            help="Ranges of joints: full, with dependencies; or independent: narrowed so that every state is "
+            "free."
+        ),
+    ] = "full",
+    frames: Annotated[
+        bool, Option("--frames/--no-frames", help="Links for grasps and pushes in the URDF.")
+    ] = True,
+    states: Annotated[
+        int, Option(metavar="NUMBER", min=0, help="Valid states in states.npz, with a reader without artgen.")
+    ] = 0,
     certify: Certify = True,
     tolerance: Tolerance = 0.0,
     on_collision: Collisions = "redraw",
@@ -100,6 +114,9 @@ def generate(
         "collision": collision,
         "layout": layout,
         "mesh_precision": mesh_precision,
+        "limits": limits,
+        "frames": frames,
+        "states": states,
     }
     if count is None:
         if out is not None and is_url(out):

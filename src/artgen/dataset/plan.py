@@ -7,7 +7,7 @@ from importlib.util import find_spec
 from io import BytesIO
 from typing import Any, ClassVar, Literal, Self, get_args
 
-from artgen.asset.asset import Asset, Base
+from artgen.asset.asset import Asset, Base, Limits
 from artgen.asset.collision import Collision
 from artgen.catalog import find, is_file
 from artgen.dataset.places import Place
@@ -159,6 +159,9 @@ class Plan(BasePlan):
         textures: Place of its texture maps; by default shared in a folder and embedded at a URL.
         texture_size: Texels per side of a map.
         mesh_precision: Largest deviation of exported meshes from the shape [m].
+        limits: Ranges of joints, see `artgen.proof.limits.with_limits`.
+        frames: Whether URDF files have a link for each grasp and push.
+        states: Number of drawn valid states that each asset brings in `states.npz`.
     """
 
     FORMAT: ClassVar[str] = "artgen-dataset-1"
@@ -169,6 +172,9 @@ class Plan(BasePlan):
     textures: TextureMode | None = None
     texture_size: int = TEXTURES
     mesh_precision: float = 0.0
+    limits: Limits = "full"
+    frames: bool = True
+    states: int = 0
 
     def __post_init__(self) -> None:
         """Check the plan before anything is written.
@@ -181,6 +187,9 @@ class Plan(BasePlan):
             raise ParameterError(f"textures are shared, embedded or none, not {self.textures!r}")
         check_size(self.texture_size)
         check_precision(self.mesh_precision)
+        check_whole("states", self.states, 0, 10**9)
+        if self.limits not in get_args(Limits):
+            raise ParameterError(f"limits are full or independent, not {self.limits!r}")
         vars(self)["formats"] = chosen_formats(find_layout(self.layout), self.formats or None)
         super().__post_init__()
 
@@ -197,7 +206,17 @@ class Plan(BasePlan):
     def files(self, item: Item) -> dict[str, bytes]:
         """Return the exported files of an asset."""
         asset = self.draw(item)
-        return encode(asset, self.formats, self.collision, self.texels, self.layout, self.mesh_precision)
+        return encode(
+            asset,
+            self.formats,
+            self.collision,
+            self.texels,
+            self.layout,
+            self.mesh_precision,
+            limits=self.limits,
+            frames=self.frames,
+            states=self.states,
+        )
 
     def finish(self, place: Place, records: Sequence[Mapping[str, Any]]) -> None:
         """Write a Parquet table for each category, if pyarrow is installed: `pip install artgen[data]`."""

@@ -7,12 +7,16 @@ import shutil
 import zlib
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import ExitStack, contextmanager, suppress
+from dataclasses import replace
+from io import BytesIO
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from artgen._names import check_names, inside
-from artgen.asset import Asset
-from artgen.asset.asset import FORMAT
+from artgen.asset import Asset, valid_states
+from artgen.asset.asset import FORMAT, Limits
 from artgen.asset.collision import Collision, collision_of, with_colliders
 from artgen.asset.files import ASSET_FILE, CERTIFICATE_FILE, previous_directory
 from artgen.asset.record import json_text
@@ -20,13 +24,17 @@ from artgen.errors import AssetError, ExportError, nearest
 from artgen.export.layouts import FORMATS, LAYOUTS, TEXTURES
 from artgen.export.losses import Layout
 from artgen.export.precision import with_precision
+from artgen.export.urdf import write_urdf
 from artgen.materials.textures import check_size
 from artgen.materials.textures.bake import Memory
+
+STATES_FILE, READER_FILE = "states.npz", "valid_states.py"
+"""Drawn valid states, and the module that reads the states of all formats without artgen."""
 
 REPORT_FILE = "report.json"
 """Report of `artgen validate` in an export directory; a new export removes it."""
 
-_OWN_FILES = (ASSET_FILE, CERTIFICATE_FILE, REPORT_FILE)
+_OWN_FILES = (ASSET_FILE, CERTIFICATE_FILE, REPORT_FILE, STATES_FILE, READER_FILE)
 _NAME = 24  # characters of a digest in the name of a stored file
 _PNG = b"\x89PNG\r\n\x1a\n"
 
@@ -77,6 +85,9 @@ def export(
     textures: int = TEXTURES,
     layout: str = "flat",
     mesh_precision: float = 0.0,
+    limits: Limits = "full",
+    frames: bool = True,
+    states: int = 0,
 ) -> Path:
     """Write an asset to a directory: `asset.json` and the files of each format.
 
@@ -97,6 +108,12 @@ def export(
         mesh_precision: Largest distance of visible meshes from the exact surface [m], to write fewer
             triangles, and texture coordinates only for maps: 0.0005 halves the meshes and is invisible from
             one metre; 0 writes all.
+        limits: Ranges of joints: `independent` writes ranges in which every state is free, see
+            `artgen.proof.limits.with_limits`.
+        frames: Whether the URDF of the layout `flat` has a link for each grasp and push; without them, every
+            link has inertia, visual and collider.
+        states: Number of drawn valid states to write to `states.npz`, with `valid_states.py`, which reads the
+            states of all formats without artgen; 0 writes neither.
 
     Returns:
         The directory.
@@ -108,7 +125,17 @@ def export(
             requested.
         ParameterError: The size of maps or the precision is not allowed.
     """
-    files = encode(asset, formats, collision, textures, layout, mesh_precision)
+    files = encode(
+        asset,
+        formats,
+        collision,
+        textures,
+        layout,
+        mesh_precision,
+        limits=limits,
+        frames=frames,
+        states=states,
+    )
     target = Path(os.path.realpath(directory))
     kept = _foreign_files(target, files)
     try:
@@ -130,8 +157,12 @@ def encode(
     textures: int = TEXTURES,
     layout: str = "flat",
     mesh_precision: float = 0.0,
+    *,
+    limits: Limits = "full",
+    frames: bool = True,
+    states: int = 0,
 ) -> dict[str, bytes]:
-    """Return the content of every file of an export by its path relative to the directory.
+    """Return the content of every file of an export by its path relative to the directory; see `export`.
 
     Raises:
         ExportError: A layout, format or collision is unknown, or the layout does not have the format.
@@ -143,17 +174,24 @@ def encode(
         check_size(textures)
     laid_out = find_layout(layout)
     chosen = chosen_formats(laid_out, formats)
+    asset = asset if limits == "full" else asset.with_limits(limits)
     asset = with_precision(with_colliders(asset, collision), mesh_precision).rounded()
     files: dict[str, bytes] = {}
     record: dict[str, Any] = {}
     for name in chosen:
-        written = laid_out.write(asset, name, textures)
+        if name == "urdf" and layout == "flat" and not frames:
+            asset_urdf = write_urdf(asset, textures, hands=False)
+            written = replace(asset_urdf, main=f"{asset.name}.urdf")
+        else:
+            written = laid_out.write(asset, name, textures)
         files |= written.files
         record[name] = {
             "main": written.main,
             "files": sorted(written.files),
             "losses": [loss.to_data() for loss in written.losses],
         }
+    if states:
+        files |= _states_files(asset, states)
     data = asset.to_data()
     collisions = collision_of(data["links"])
     data |= {"collision": collisions, "layout": layout, "formats": record, "digests": digests(files)}
@@ -161,6 +199,13 @@ def encode(
     if asset.certificate is not None and asset.certificate.leaves is not None:
         files[CERTIFICATE_FILE] = json_text(asset.certificate.leaves).encode()
     return files
+
+
+def _states_files(asset: Asset, count: int) -> dict[str, bytes]:
+    """Return drawn valid states, and the reader of states."""
+    packed = BytesIO()
+    np.savez(packed, dofs=np.array(asset.dof_names), q=asset.sample_states(count))
+    return {STATES_FILE: packed.getvalue(), READER_FILE: Path(valid_states.__file__).read_bytes()}
 
 
 def write_files(files: Mapping[str, bytes], directory: Path, store: Path | None = None) -> None:

@@ -6,7 +6,8 @@ textures begin with its own name; links, joints and meshes have the same names a
 
 Features without an MJCF element are in `<custom>`: a text `<link>_labels` holds the semantic labels of a
 link; a tuple with the name of a grasp or push holds its site, with the opening of the fingers as the number,
-and the joints that the hand moves, the nearest first.
+and the joints that the hand moves, the nearest first; the text `artgen_states` holds limits, couplings and
+dependencies of the joints, which `artgen.asset.valid_states` reads. Keyframes are valid states.
 """
 
 import xml.etree.ElementTree as ET
@@ -16,12 +17,13 @@ import numpy as np
 from artgen._arrays import Array
 from artgen.asset import Asset, Link
 from artgen.asset.affordance import Grasp
+from artgen.asset.valid_states import KEY
 from artgen.colliders import Convex
 from artgen.export import frames
 from artgen.export.losses import Loss, Written, look_rows, losses, mechanism_rows, seen_materials
 from artgen.export.maps import TEXTURE_DIRECTORY, MapFiles, highlight
 from artgen.export.meshes import MeshFiles, display_color, mesh_files, mesh_name
-from artgen.export.text import Attribute, add, document
+from artgen.export.text import Attribute, add, document, states_text
 from artgen.materials import Material
 from artgen.materials.textures import Kind
 
@@ -29,6 +31,7 @@ from artgen.materials.textures import Kind
 # of 2 ms by default and lengthens it for longer steps; with the default of 20 ms, a bolt lags behind its
 # lever and a heavy door sinks into its stop
 _STIFF = "0.005 1"
+_KEYFRAMES = 4  # number of drawn states
 _COUPLING_IMPEDANCE = "0.99 0.9999 0.0001"
 _CONTACT_IMPEDANCE = "0.95 0.99 0.0005"
 _FRICTION_IMPEDANCE = "0.9999 0.9999 0.001"  # with the default, a rod that friction holds creeps 16 mm in 5 s
@@ -47,7 +50,12 @@ def write_mjcf(asset: Asset, textures: int = 0) -> Written:
         The MJCF, mesh and map files, and the losses of MJCF.
     """
     meshes = mesh_files(asset, textures)
-    text = document(mjcf_tree(asset, meshes))
+    root = mjcf_tree(asset, meshes)
+    custom = root.find("custom")
+    assert custom is not None
+    add(custom, "text", name=KEY, data=states_text(asset))
+    _add_keyframes(root, asset)
+    text = document(root)
     return Written({f"{asset.name}.xml": text, **meshes.files}, mjcf_losses(asset, textures))
 
 
@@ -238,6 +246,26 @@ def _add_custom(root: ET.Element, asset: Asset) -> None:
         add(element, "element", objtype="site", objname=affordance.name, prm=affordance.width)
         for joint in affordance.joints:
             add(element, "element", objtype="joint", objname=joint, prm="0")
+
+
+def _add_keyframes(root: ET.Element, asset: Asset) -> None:
+    """Add valid states as keyframes: all joints closed, as far open as all can be at once, and some drawn."""
+    states = asset.valid_states
+    if not states.dofs:
+        return
+    closed = [asset.positions()[name] for name in states.dofs]
+    far = np.where(abs(states.upper) >= abs(states.lower), states.upper, states.lower)
+    rows: dict[str, Array] = {
+        "closed": np.array(closed),
+        "open": states.project(np.where(np.isfinite(far), far, 0.0)),
+    }
+    rows |= {f"state_{number}": row for number, row in enumerate(asset.sample_states(_KEYFRAMES))}
+    keyframe = add(root, "keyframe")
+    order = [each.attrib["name"] for each in root.iter("joint") if each.get("type")]
+    free = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0] if asset.base == "free" else []
+    for name, row in rows.items():
+        found = dict(zip(states.joints, states.positions(row), strict=True))
+        add(keyframe, "key", name=f"{asset.name}_{name}", qpos=[*free, *(found[each] for each in order)])
 
 
 def _placed(matrix: Array) -> dict[str, Array | None]:

@@ -1,5 +1,6 @@
 """Numbers as text: fast tables for OBJ files, and XML elements."""
 
+import json
 import xml.etree.ElementTree as ET
 from collections.abc import Iterable, Mapping, Sequence
 
@@ -7,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from artgen._arrays import Array, Indices, cached
+from artgen.asset import Asset
 
 Bytes = NDArray[np.uint8]
 Words = NDArray[np.uint32]  # four characters each
@@ -132,3 +134,8 @@ def document(root: ET.Element, space: str = " ", encoding: str = "utf-8") -> byt
     ET.indent(root, space)
     content: bytes = ET.tostring(root, encoding, xml_declaration=True)
     return content + b"\n"
+
+
+def states_text(asset: Asset) -> str:
+    """Return limits, couplings and dependencies of the joints as JSON text of one line."""
+    return json.dumps(asset.states_data(), separators=(",", ":"))

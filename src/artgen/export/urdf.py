@@ -12,11 +12,12 @@ import numpy as np
 
 from artgen._arrays import Array
 from artgen.asset import Asset, AssetJoint, Link
+from artgen.asset.valid_states import KEY
 from artgen.colliders import Convex
 from artgen.export import frames
 from artgen.export.losses import Loss, Row, Written, affordance_rows, look_rows, losses, mechanism_rows
 from artgen.export.meshes import MeshFiles, display_color, mesh_files, mesh_name
-from artgen.export.text import add, digits, document
+from artgen.export.text import add, digits, document, states_text
 
 # mass properties of links that mark grasps or pushes: without a mass, PyBullet assumes 1 kg and warns; with
 # 0, SAPIEN assumes moments of 1e-6 kg m^2, as does Newton below 1e-10 kg m^2, which equals that of a latch
@@ -26,15 +27,18 @@ MARKER_MASS = 1e-9
 MARKER_INERTIA = 2e-10
 """Each principal moment of such a link [kg m^2]."""
 
+_SPECK = 1e-4  # radius of the geometry of a link between two joints, in a URDF that requires one [m]
 _LEVEL = 1e-6  # cosine of the pitch below which roll and yaw share an axis
 
 
-def write_urdf(asset: Asset, textures: int = 0) -> Written:
+def write_urdf(asset: Asset, textures: int = 0, *, hands: bool = True) -> Written:
     """Write an asset as URDF, with its meshes.
 
     Args:
         asset: The asset.
         textures: Texels per side of the material maps; 0 for colors only.
+        hands: Whether grasps and pushes are marked by links; without them, every link has inertia, visual and
+            collider, also the links between two joints of a pair.
 
     Returns:
         The URDF, mesh and map files, and the losses of URDF.
@@ -51,10 +55,28 @@ def write_urdf(asset: Asset, textures: int = 0) -> Written:
     # links in the order of the joints, because some readers number both together
     for frame in (frames.base_frame(asset), *(segment.child for segment in segments)):
         if frame.link is None:
-            add_small_link(robot, frame.name, frames.INTERMEDIATE_MASS, frames.INTERMEDIATE_INERTIA)
+            small = add_small_link(robot, frame.name, frames.INTERMEDIATE_MASS, frames.INTERMEDIATE_INERTIA)
+            for kind in () if hands else ("visual", "collision"):
+                add(add(add(small, kind), "geometry"), "sphere", radius=f"{_SPECK:g}")
         else:
             _add_link(robot, asset, frame.link, meshes, mapped)
-    # a fixed link marks each grasp and push, because it is a named frame in URDF
+    marks = _add_marks(robot, asset) if hands else []
+    for segment in segments:
+        _add_joint(robot, asset, segment)
+    for mark in marks:
+        _add_connection(robot, "fixed", *mark)
+    for joint in asset.joints:
+        add_spring(robot, joint.name, joint, joint.rest)
+    robot.append(ET.Comment(f" {KEY} {states_text(asset)} "))  # parsers pass over it
+    text = document(robot, "  ", "UTF-8").replace(b" />", b"/>")
+    inserted = [segment.child.name for segment in segments if segment.child.link is None]
+    return Written(
+        {f"{asset.name}.urdf": text, **meshes.files}, _losses(asset, inserted, mapped, textures, hands=hands)
+    )
+
+
+def _add_marks(robot: ET.Element, asset: Asset) -> list[tuple[str, str, str, Array]]:
+    """Add a link for each grasp and push, because it is a named frame in URDF, and return their mounts."""
     taken = {link.attrib["name"] for link in robot.iterfind("link")} | {joint.name for joint in asset.joints}
     marks = []
     for affordance in asset.affordances:
@@ -65,15 +87,7 @@ def write_urdf(asset: Asset, textures: int = 0) -> Written:
         add_small_link(robot, name, MARKER_MASS, MARKER_INERTIA)
         placed = frames.local(asset, affordance.link, affordance.frame)
         marks.append((f"{name}_mount", affordance.link, name, placed))
-    for segment in segments:
-        _add_joint(robot, asset, segment)
-    for mark in marks:
-        _add_connection(robot, "fixed", *mark)
-    for joint in asset.joints:
-        add_spring(robot, joint.name, joint, joint.rest)
-    text = document(robot, "  ", "UTF-8").replace(b" />", b"/>")
-    inserted = [segment.child.name for segment in segments if segment.child.link is None]
-    return Written({f"{asset.name}.urdf": text, **meshes.files}, _losses(asset, inserted, mapped, textures))
+    return marks
 
 
 def _add_link(
@@ -126,9 +140,11 @@ def _add_connection(
     return element
 
 
-def add_small_link(robot: ET.Element, name: str, mass: float, moment: float) -> None:
+def add_small_link(robot: ET.Element, name: str, mass: float, moment: float) -> ET.Element:
     """Add a link without geometry, with the small mass [kg] and moments [kg m^2] that simulators require."""
-    add_inertial(add(robot, "link", name=name), mass, np.zeros(3), moment * np.eye(3))
+    link = add(robot, "link", name=name)
+    add_inertial(link, mass, np.zeros(3), moment * np.eye(3))
+    return link
 
 
 def add_inertial(link: ET.Element, mass: float, center: Array, inertia: Array) -> None:
@@ -201,15 +217,18 @@ def add_spring(robot: ET.Element, name: str, joint: AssetJoint, rest: float) -> 
         add(spring, "springReference").text = digits(rest)
 
 
-def _losses(asset: Asset, inserted: Iterable[str], mapped: Iterable[str], textures: int) -> tuple[Loss, ...]:
+def _losses(
+    asset: Asset, inserted: Iterable[str], mapped: Iterable[str], textures: int, *, hands: bool
+) -> tuple[Loss, ...]:
     mark = f"... of {MARKER_MASS:g} kg, fixed there;"
     moved = "the joints that it moves are in asset.json"
+    marked = (f"a link named grasp_{mark} the width and {moved}", f"a link named push_{mark} {moved}")
+    if not hands:
+        marked = ("nothing; they are in asset.json",) * 2
     color = "the map in the MTL file; many clients darken or hide it where the URDF has a color"
     return losses(
         *motion_rows(asset, inserted),
-        *affordance_rows(
-            asset, f"a link named grasp_{mark} the width and {moved}", f"a link named push_{mark} {moved}"
-        ),
+        *affordance_rows(asset, *marked),
         *material_rows(asset),
         ("color beside a color map", mapped, color),
         *look_rows(asset, textures),

@@ -12,7 +12,7 @@ from typing import Any, Literal, get_args
 
 from artgen._names import NAME_RULE, is_identifier
 from artgen.asset import Asset
-from artgen.asset.asset import Base
+from artgen.asset.asset import Base, Limits
 from artgen.asset.certificate import MOST_TOLERANCE
 from artgen.errors import (
     ArtgenError,
@@ -281,6 +281,7 @@ class Generator(Variant):
         certify: bool = True,
         tolerance: float = 0.0,
         on_collision: OnCollision = "redraw",
+        limits: Limits = "full",
         **overrides: Any,
     ) -> Asset:
         """Draw the parameters, build and evaluate the graph, certify the asset and return it.
@@ -297,6 +298,8 @@ class Generator(Variant):
             tolerance: Clearance to prove [m].
             on_collision: Treatment of a sample without a proof: `redraw` draws again, `fail` raises an error,
                 `keep` returns the asset with a certificate of its collisions.
+            limits: Ranges of joints: `full` with dependencies, or `independent` ranges in which every state
+                is free, see `artgen.proof.limits.with_limits`.
             **overrides: A value or a distribution by parameter name; write `handle__length` for
                 `handle.length`.
 
@@ -320,7 +323,7 @@ class Generator(Variant):
             on_collision=on_collision,
             overrides=overrides,
         )
-        return asset
+        return asset if limits == "full" else asset.with_limits(limits)
 
     def evaluate(
         self,

@@ -13,7 +13,10 @@ from artgen.graph import Handle
 from artgen.sampling import Distribution, Fixed, Given
 from artgen.sampling.choices import By, case_key
 
-RESERVED = ("seed", "name", "base", "cache", "attempts", "certify", "tolerance", "on_collision", "overrides")
+RESERVED = (
+    *("seed", "name", "base", "cache", "attempts", "certify", "tolerance", "on_collision", "limits"),
+    "overrides",
+)
 """Names that parameters cannot have: options of `generate`."""
 
 

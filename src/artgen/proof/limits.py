@@ -1,15 +1,19 @@
 """Numbers for the repair of a design: safe joint limits, and clearances at one pose."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from fnmatch import filter as filter_names
 
 import numpy as np
 
 from artgen._arrays import Array
-from artgen.asset import Asset, Link
+from artgen.asset import Asset, AssetCondition, AssetDependency, AssetJoint, Link
 from artgen.asset.affordance import head
+from artgen.asset.asset import Limits, remember, with_followed_limits
 from artgen.asset.collision import link_parts
+from artgen.asset.joint import joints_above
 from artgen.asset.manifolds import box_of
+from artgen.errors import AssetError, nearest
 from artgen.proof.certify import certify
 from artgen.proof.overlap import link_overlap
 from artgen.proof.paths import JointPath, Space
@@ -77,6 +81,113 @@ def _is_safe(asset: Asset, joint: str, limits: tuple[float, float]) -> bool:
 def _narrowed(asset: Asset, limits: Mapping[str, tuple[float, float]]) -> Asset:
     joints = [replace(joint, limits=limits.get(joint.name, joint.limits)) for joint in asset.joints]
     return replace(asset, joints=tuple(joints))
+
+
+_MOST = 0.8  # share of its range at which a joint gives way to its dependency in any case
+
+Range = tuple[float, float]
+
+
+def with_limits(asset: Asset, limits: Limits, keep: Sequence[str] = ()) -> Asset:
+    """Return an asset with joint ranges in which every state is free, proven as such.
+
+    For each dependency, either the dependent joint is narrowed to positions that are free without the
+    condition (a rack stays in its oven), or the joints of the condition are narrowed until it holds (the
+    handle of a window stays turned). The dependent joint gives way if four fifths of its range are left then,
+    or if it moves less mass than the joints of the condition.
+
+    Args:
+        asset: An asset with full ranges.
+        limits: `independent`; `full` changes nothing.
+        keep: Names of joints, or patterns such as `rack_*`, that keep their range where possible.
+
+    Returns:
+        The asset without dependencies, with a certificate if it had one.
+
+    Raises:
+        AssetError: The ranges are narrowed already, or a pattern fits no joint.
+    """
+    if limits == asset.limits:
+        return asset
+    if asset.limits != "full":
+        raise AssetError(f"asset {asset.name!r} has {asset.limits} limits; narrow the original asset instead")
+    names = [joint.name for joint in asset.joints]
+    for pattern in keep:
+        if not filter_names(names, pattern):
+            raise AssetError(f"keep={pattern!r} fits no joint of {asset.name!r}.{nearest(pattern, names)}")
+    kept = {name for pattern in keep for name in filter_names(names, pattern)}
+    ranges: dict[str, Range] = {}  # of the narrowed joints
+    for joint in asset.joints:
+        if joint.needs is not None:
+            _resolve(asset, joint, joint.needs, kept, ranges)
+    joints = {
+        joint.name: replace(joint, needs=None, limits=ranges.get(joint.name, joint.limits))
+        for joint in asset.joints
+    }
+    followed = tuple(with_followed_limits(joint, joints) for joint in joints.values())
+    narrowed = replace(asset, joints=followed, limits=limits)
+    if asset.certificate is not None:
+        remember(narrowed, certify(narrowed, asset.certificate.tolerance))
+    return narrowed
+
+
+def _resolve(
+    asset: Asset, joint: AssetJoint, needs: AssetDependency, kept: set[str], ranges: dict[str, Range]
+) -> None:
+    """Narrow a joint with a dependency, or the joints of its condition."""
+    low, high = ranges.get(joint.name, joint.limits or (-np.inf, np.inf))
+    near, far = needs.beyond or 0.0, needs.until or np.inf
+    parts = [(max(low, -near), min(high, near)), (max(low, far), high), (low, min(high, -far))]
+    free = max(parts, key=lambda part: part[1] - part[0])
+    others = needs.condition.joints()
+    yields = free[1] - free[0] >= _MOST * (high - low) or any(
+        _moved_mass(asset, name) > _moved_mass(asset, joint.name) for name in others
+    )
+    if joint.name in kept or not kept.isdisjoint(others):
+        yields = joint.name not in kept
+    if not yields:
+        trial = dict(ranges)
+        if _hold(asset, needs.condition, trial):
+            ranges.update(trial)
+            return
+    _narrow(asset, joint.name, free, ranges)
+
+
+def _moved_mass(asset: Asset, joint: str) -> float:
+    """Return the mass of all links that a joint moves [kg]."""
+    return sum(
+        link.mass_properties.mass
+        for link in asset.links
+        if joint in {above.name for above in joints_above(asset.joints, link.name)}
+    )
+
+
+def _narrow(asset: Asset, name: str, to: Range, ranges: dict[str, Range]) -> bool:
+    """Narrow the range of a joint or of its leader to a range [rad or m]; tell whether any is left."""
+    joint = asset.joint(name)
+    if joint.follows is not None:
+        ends = sorted((end - joint.follows.offset) / joint.follows.ratio for end in to)
+        return _narrow(asset, joint.follows.leader, (ends[0], ends[1]), ranges)
+    low, high = ranges.get(name, joint.limits or (-np.inf, np.inf))
+    low, high = max(low, to[0]), min(high, to[1])
+    ranges[name] = (low, high)
+    return low <= high
+
+
+def _hold(asset: Asset, condition: AssetCondition, ranges: dict[str, Range]) -> bool:
+    """Narrow the ranges of the joints in a condition until it always holds; tell whether that worked."""
+    if condition.kind in ("above", "below"):
+        strictly = _MARGIN * max(1.0, abs(condition.value))
+        above, below = (condition.value + strictly, np.inf), (-np.inf, condition.value - strictly)
+        return _narrow(asset, condition.joint, above if condition.kind == "above" else below, ranges)
+    if condition.kind == "all":
+        return all(_hold(asset, term, ranges) for term in condition.terms)
+    for term in condition.terms:  # one of them suffices
+        trial = dict(ranges)
+        if _hold(asset, term, trial):
+            ranges.update(trial)
+            return True
+    return False
 
 
 def clearance(asset: Asset, q: Mapping[str, float] | None = None) -> dict[tuple[str, str], float]:

@@ -13,6 +13,7 @@ import numpy as np
 
 from artgen.asset import Asset
 from artgen.asset.record import rounded
+from artgen.asset.valid_states import KEY
 from artgen.export import frames
 from artgen.export.glb.animations import animations, local_motion
 from artgen.export.glb.buffer import Buffer, Json
@@ -55,7 +56,11 @@ def write_glb(asset: Asset, textures: int = 0) -> Written:
             meshes.append({"name": frames.unused(f"{frame.name}_mesh", numbers), "primitives": primitives})
     moved, held = animations(asset, segments, numbers, buffer)
     scene = {
-        "asset": {"version": "2.0", "generator": f"artgen {asset.version}".strip()},
+        "asset": {
+            "version": "2.0",
+            "generator": f"artgen {asset.version}".strip(),
+            "extras": {KEY: asset.states_data()},
+        },
         "scene": 0,
         "scenes": [{"name": asset.name, "nodes": [_ROOT]}],
         "nodes": nodes,

@@ -8,10 +8,12 @@ import numpy as np
 from pxr import Sdf, Vt
 
 from artgen.asset import Asset
+from artgen.asset.valid_states import KEY
 from artgen.export import frames
 from artgen.export.hulls import hulls
 from artgen.export.losses import Written, look_rows, losses
 from artgen.export.maps import TEXTURE_DIRECTORY, map_files
+from artgen.export.text import states_text
 from artgen.export.usd.geometry import PART_LABEL, write_content
 from artgen.export.usd.joints import joint_rows, write_joints
 from artgen.export.usd.layer import (
@@ -117,6 +119,8 @@ def _write_root(layers: Layers, asset: Asset) -> Sdf.PrimSpec:
         "version": asset.version,
     }
     prim.SetInfo("customData", {"artgen": _dictionary(made)})
+    states = Sdf.AttributeSpec(prim, KEY, Sdf.ValueTypeNames.String, Sdf.VariabilityUniform)
+    states.custom, states.default = True, states_text(asset)
     return prim
 
 
