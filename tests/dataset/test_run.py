@@ -162,7 +162,7 @@ def test_failed_assets_are_listed_and_the_others_are_made(tmp_path: Path) -> Non
 
 
 def test_an_unexpected_exception_is_recorded(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    def broken(*_: object) -> None:
+    def broken(*_: object, **options: object) -> None:
         raise ZeroDivisionError("division by zero")
 
     monkeypatch.setattr(plans, "encode", broken)

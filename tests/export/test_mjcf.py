@@ -1,5 +1,6 @@
 """What the MJCF says, and how the asset moves in MuJoCo."""
 
+import json
 import xml.etree.ElementTree as ET
 from collections.abc import Callable, Iterator
 from dataclasses import replace
@@ -165,7 +166,10 @@ def test_affordances_are_sites_and_tuples_with_the_joints_that_they_move(
 
 
 def test_labels_of_links_are_texts(model: mujoco.MjModel, cabinet: Asset) -> None:
-    assert texts(model) == {f"{link.name}_labels": " ".join(link.labels) for link in cabinet.links}
+    labels = {f"{link.name}_labels": " ".join(link.labels) for link in cabinet.links}
+    found = texts(model)
+    assert json.loads(found.pop("cabinet_7_artgen_states")) == cabinet.states_data()
+    assert found == labels
 
 
 def test_base_is_free_only_when_the_asset_is(cabinet: Asset, free_cabinet: Asset) -> None:

@@ -196,8 +196,8 @@ def mjcf_joint_removed(export: Export) -> None:
         element.getparent().remove(element)
         for custom in root.findall("custom"):
             root.remove(custom)  # what hands can do there names the joint
-        for equality in root.findall("equality"):
-            root.remove(equality)
+        for other in (*root.findall("equality"), *root.findall("keyframe")):
+            root.remove(other)
 
 
 @fault("mjcf", r"its visible faces .* are off by [\d.e+]+ mm", "link")

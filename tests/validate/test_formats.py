@@ -112,7 +112,7 @@ def test_another_mass_is_found(copy, check, suffix, pattern):
     [
         ("urdf", "urdf", r'(<joint name="turn".*?upper=")[^"]*', 1.0),
         ("mjcf", "xml", r'(<joint name="turn".*?range="-0.5 )[^"]*', 1.0),
-        ("usd", "usda", r'("turn".*?physics:upperLimit = )[^\n]*', 180.0 / np.pi),
+        ("usd", "usda", r'(Joint "turn".*?physics:upperLimit = )[^\n]*', 180.0 / np.pi),
     ],
 )
 def test_another_limit_is_found(copy, check, suffix, pattern, unit):
@@ -166,7 +166,7 @@ def test_another_axis_moves_frames(copy, check, suffix, pattern, replacement):
 
 
 def test_another_pivot_is_found_with_the_pose_at_which_it_shows(copy):
-    edit(copy, "usda", r'("turn".*?physics:localPos0 = \()[^,]*', r"\g<1>0.1")
+    edit(copy, "usda", r'(Joint "turn".*?physics:localPos0 = \()[^,]*', r"\g<1>0.1")
     found = results(copy)["usd"].findings
     assert {finding.link for finding in found} == {"tray"}
     assert found[0].message.startswith("its frame is off by ")

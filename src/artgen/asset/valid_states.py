@@ -22,7 +22,7 @@ from numpy.typing import ArrayLike, NDArray
 
 KEY = "artgen_states"
 _PLACES = {  # where the text formats have the states
-    ".xml": f'name="{KEY}" data="([^"]*)"',
+    ".xml": f'{KEY}" data="([^"]*)"',
     ".urdf": f"<!-- {KEY} (.*) -->",
     ".usda": f"string {KEY} = '(.*)'",
 }

@@ -6,8 +6,8 @@ textures begin with its own name; links, joints and meshes have the same names a
 
 Features without an MJCF element are in `<custom>`: a text `<link>_labels` holds the semantic labels of a
 link; a tuple with the name of a grasp or push holds its site, with the opening of the fingers as the number,
-and the joints that the hand moves, the nearest first; the text `artgen_states` holds limits, couplings and
-dependencies of the joints, which `artgen.asset.valid_states` reads. Keyframes are valid states.
+and the joints that the hand moves, the nearest first; the text `<asset>_artgen_states` holds limits,
+couplings and dependencies of the joints, which `artgen.asset.valid_states` reads. Keyframes are valid states.
 """
 
 import xml.etree.ElementTree as ET
@@ -53,7 +53,7 @@ def write_mjcf(asset: Asset, textures: int = 0) -> Written:
     root = mjcf_tree(asset, meshes)
     custom = root.find("custom")
     assert custom is not None
-    add(custom, "text", name=KEY, data=states_text(asset))
+    add(custom, "text", name=f"{asset.name}_{KEY}", data=states_text(asset))
     _add_keyframes(root, asset)
     text = document(root)
     return Written({f"{asset.name}.xml": text, **meshes.files}, mjcf_losses(asset, textures))

@@ -37,6 +37,8 @@ def fixed_model(path: Path) -> Any:
     spec = mujoco.MjSpec.from_file(str(path))
     for joint in list(spec.joints):
         if joint.type == mujoco.mjtJoint.mjJNT_FREE:
+            for key in list(spec.keys):  # their positions include those of the joint
+                spec.delete(key)
             spec.delete(joint)
     return spec.compile()
 
