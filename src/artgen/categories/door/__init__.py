@@ -16,36 +16,22 @@ high, 1 3/8 to 1 3/4 in thick (ANSI/SDI A250.8, WDMA I.S. 1A); clearances 3 mm a
 floor.
 """
 
-from dataclasses import replace
-from functools import partial, reduce
-from operator import and_
+import math
+from functools import partial
 from typing import Literal
 
 import artgen as ag
 from artgen import details
-from artgen.categories.door.doorset import DoorSet, Hand, Opens, handed
 from artgen.categories.door.fittings import finger_plate, pull_handle, push_bar
-from artgen.categories.door.frame import Doorway, FrameKind, Hanging, Trim, door_frame
-from artgen.categories.door.leaf import (
-    flush_leaf,
-    glazed_leaf,
-    half_lite_leaf,
-    louver_leaf,
-    panel_leaf,
-    plank_leaf,
-)
-from artgen.categories.door.lockset import Roses, Site, dead_lock, pushed_handle, rigid_handle, turning_handle
+from artgen.categories.door.frame import FrameKind, Hanging, Trim, door_frame
+from artgen.categories.door.leaf import LEAVES
+from artgen.categories.door.lockset import Lockset, united
+from artgen.categories.door.pair import hung_pair
 from artgen.categories.shared import HARDWARE_LABELS, require_suited
+from artgen.categories.shared import finish as finishes
 from artgen.categories.shared.door_handles import knob_handle, lever_handle
-from artgen.categories.shared.finish import (
-    FINISH_WEIGHTS,
-    FINISHES,
-    INDOORS,
-    OUTDOORS,
-    known,
-    paints,
-    weighing,
-)
+from artgen.categories.shared.finish import FINISH_WEIGHTS, FINISHES
+from artgen.categories.shared.fixings import hinge_frame, hinge_leaf
 from artgen.categories.shared.fronts import Blank, Fittings
 from artgen.categories.shared.locks import DEADBOLT, Fixing
 
@@ -57,26 +43,13 @@ _HANDLES = {
     "none": finger_plate,
 }
 _ABOVE = 0.42  # distance from the handle up to the push point of a leaf, past a deadbolt [m]
-_PAINTS = paints(480.0, "paint")  # paint over light softwood
-_SOLID_PAINTS = paints(660.0, "exterior_paint")  # paint over hardwood
-_WOODS = known("oak", "oak_flat_sawn", "walnut", "mahogany", "ash", "mahogany_flat_sawn")
-_VENEERS = weighing(  # veneers on light softwood
-    known(
-        "oak",
-        "oak_flat_sawn",
-        "walnut",
-        "walnut_flat_sawn",
-        "beech",
-        "maple",
-        "ash",
-        "pine_flat_sawn",
-        "pine",
-    ),
-    480.0,
-    "veneered",
-)
-_INTERIOR = (*(5.0 / len(_VENEERS),) * len(_VENEERS), *(0.55 * each for each in INDOORS))
-_EXTERIOR = (*(4.5 / len(_WOODS),) * len(_WOODS), *(0.55 * each for each in OUTDOORS))
+_PAINTS = finishes.paints(480.0, "paint")  # paint over light softwood
+_SOLID_PAINTS = finishes.paints(660.0, "exterior_paint")  # paint over hardwood
+_WOODS = finishes.known("oak", "oak_flat_sawn", "walnut", "mahogany", "ash", "mahogany_flat_sawn")
+_VENEERED = "oak oak_flat_sawn walnut walnut_flat_sawn beech maple ash pine_flat_sawn pine"
+_VENEERS = finishes.weighing(finishes.known(*_VENEERED.split()), 480.0, "veneered")  # on light softwood
+_INTERIOR = (*(5 / len(_VENEERS),) * len(_VENEERS), *(0.55 * each for each in finishes.INDOORS))
+_EXTERIOR = (*(4.5 / len(_WOODS),) * len(_WOODS), *(0.55 * each for each in finishes.OUTDOORS))
 
 
 @ag.category(
@@ -86,21 +59,19 @@ _EXTERIOR = (*(4.5 / len(_WOODS),) * len(_WOODS), *(0.55 * each for each in OUTD
 def door(
     *,
     use: Literal["interior", "exterior"] = ag.choice(
-        "interior",
-        "exterior",
-        weights=(0.62, 0.38),
+        {"interior": 0.62, "exterior": 0.38},
         doc="construction of the leaf: hollow or light for rooms, solid for entrances",
     ),
-    layout: Literal["single", "double"] = ag.choice("single", "double", weights=(0.82, 0.18)),
-    hand: Hand = ag.choice("left", "right", doc="hinge side of the (active) leaf"),
-    opens: Opens = ag.choice("towards", "away", doc="direction of opening as seen by the viewer"),
+    layout: Literal["single", "double"] = ag.choice({"single": 0.82, "double": 0.18}),
+    hand: Literal["left", "right"] = ag.choice("left", "right", doc="hinge side of the (active) leaf"),
+    opens: Literal["towards", "away"] = ag.choice(
+        "towards", "away", doc="direction of opening as seen by the viewer"
+    ),
     stock: Literal["standard", "made_to_measure"] = ag.choice("standard", "made_to_measure"),
-    width: ag.Float = ag.by(
+    width: ag.Float = ag.by(  # 24, 28, 30, 32, 36 in
         "stock",
-        standard=ag.by(  # 24, 28, 30, 32, 36 in
-            "use",
-            interior=ag.choice(0.610, 0.711, 0.762, 0.813),
-            exterior=ag.choice(0.813, 0.914, weights=(0.4, 0.6)),
+        standard=ag.by(
+            "use", interior=ag.choice(0.610, 0.711, 0.762, 0.813), exterior={0.813: 0.4, 0.914: 0.6}
         ),
         made_to_measure=ag.by("use", interior=ag.uniform(0.64, 0.90), exterior=ag.uniform(0.80, 0.93)),
         unit="m",
@@ -115,7 +86,8 @@ def door(
         doc="height of a leaf",
         within=(1.8, 2.7),
     ),
-    thickness: ag.Float = ag.by(  # 1 3/8 and 1 3/4 in
+    # 1 3/8 and 1 3/4 in
+    thickness: ag.Float = ag.by(
         "use",
         interior=ag.uniform(0.035, 0.040),
         exterior=ag.uniform(0.042, 0.046),
@@ -126,26 +98,18 @@ def door(
     floor_gap: ag.Float = ag.uniform(0.010, 0.019, "m", within=(0.008, 0.03)),
     jamb_depth: ag.Float = ag.uniform(0.105, 0.145, "m", within=(0.08, 0.3)),
     frame: FrameKind = ag.by(
-        "layout",
-        single=ag.choice("jambs", "full", "arched", weights=(0.25, 0.6, 0.15)),
-        double=ag.choice("jambs", "full", weights=(0.3, 0.7)),
+        "layout", single={"jambs": 0.25, "full": 0.6, "arched": 0.15}, double={"jambs": 0.3, "full": 0.7}
     ),
     casing: ag.Float = ag.uniform(0.055, 0.090, "m"),
-    trim: Trim = ag.choice("ogee", "flat", "stepped", "bevelled", weights=(0.4, 0.25, 0.2, 0.15)),
+    trim: Trim = ag.choice({"ogee": 0.4, "flat": 0.25, "stepped": 0.2, "bevelled": 0.15}),
     rise: ag.Float = ag.uniform(0.10, 0.20, doc="rise of an arch, as a share of the leaf's width"),
-    leaf: ag.Generator = ag.by(
-        "use",
-        interior=ag.one_of(flush_leaf, panel_leaf, louver_leaf, plank_leaf, weights=(0.3, 0.42, 0.16, 0.12)),
-        exterior=ag.one_of(
-            panel_leaf, glazed_leaf, half_lite_leaf, plank_leaf, weights=(0.32, 0.25, 0.28, 0.15)
-        ),
-    ),
+    leaf: ag.Generator = ag.by("use", LEAVES),
     finish: ag.Material = ag.by(
         "use",
         interior=ag.shades(*_VENEERS, *_PAINTS, weights=_INTERIOR, color=0.07, roughness=0.04),
         exterior=ag.shades(*_WOODS, *_SOLID_PAINTS, weights=_EXTERIOR, color=0.07, roughness=0.04),
     ),
-    frame_finish: Literal["same", "white"] = ag.choice("same", "white", weights=(0.7, 0.3)),
+    frame_finish: Literal["same", "white"] = ag.choice({"same": 0.7, "white": 0.3}),
     frame_paint: ag.Material = ag.shades(_PAINTS[0], color=0.03, roughness=0.05, doc="white frame paint"),
     sill: ag.Material = ag.by(
         "use",
@@ -161,11 +125,11 @@ def door(
     number: str = ag.by(
         "use",
         interior="",
-        exterior=ag.choice("", "3", "8", "12", "27", "46", "51", "109", weights=(5, 1, 1, 1, 1, 1, 1, 1)),
+        exterior={"": 5, "3": 1, "8": 1, "12": 1, "27": 1, "46": 1, "51": 1, "109": 1},
         doc="number of the house",
     ),
-    viewer: bool = ag.by("use", interior=False, exterior=ag.choice(False, True, weights=(0.4, 0.6))),
-    kick_plate: bool = ag.by("use", interior=False, exterior=ag.choice(False, True, weights=(0.75, 0.25))),
+    viewer: bool = ag.by("use", interior=False, exterior={False: 0.4, True: 0.6}),
+    kick_plate: bool = ag.by("use", interior=False, exterior={False: 0.75, True: 0.25}),
     sweep: bool = ag.by(
         "use",
         interior=False,
@@ -174,12 +138,8 @@ def door(
     ),
     opener: Literal["lever", "knob", "push_bar", "pull", "none"] = ag.by(
         "use",
-        interior=ag.choice(
-            "lever", "knob", "push_bar", "pull", "none", weights=(0.55, 0.24, 0.05, 0.09, 0.07)
-        ),
-        exterior=ag.choice(
-            "lever", "knob", "push_bar", "pull", "none", weights=(0.46, 0.16, 0.16, 0.18, 0.04)
-        ),
+        interior={"lever": 0.55, "knob": 0.24, "push_bar": 0.05, "pull": 0.09, "none": 0.07},
+        exterior={"lever": 0.46, "knob": 0.16, "push_bar": 0.16, "pull": 0.18, "none": 0.04},
     ),
     handle: ag.Generator = ag.by("opener", _HANDLES),
     handle_height: ag.Float = ag.uniform(0.86, 1.12, "m", doc="height above the floor", within=(0.7, 1.4)),
@@ -194,9 +154,7 @@ def door(
     spring: ag.Float = ag.uniform(1.1, 1.5, "N m", doc="torque that turns a handle fully"),
     backset: ag.Float = ag.uniform(0.060, 0.070, "m", doc="distance to the lock edge", within=(0.055, 0.09)),
     throw: ag.Float = ag.uniform(0.010, 0.012, "m", doc="travel of the latch", within=(0.009, 0.014)),
-    rose: Literal["round", "square", "plate"] = ag.choice(
-        "round", "square", "plate", weights=(0.5, 0.3, 0.2)
-    ),
+    rose: Literal["round", "square", "plate"] = ag.choice({"round": 0.5, "square": 0.3, "plate": 0.2}),
     rose_across: ag.Float = ag.by(
         "rose",
         round=ag.uniform(0.050, 0.060),
@@ -208,7 +166,7 @@ def door(
     fixing: Fixing = ag.by(
         "rose",
         plate=ag.choice("slot", "phillips"),
-        otherwise=ag.choice("hidden", "slot", "phillips", weights=(0.4, 0.3, 0.3)),
+        otherwise={"hidden": 0.4, "slot": 0.3, "phillips": 0.3},
         doc="fixing of roses: hidden, or with two screws",
     ),
     keyed: bool = ag.by(
@@ -216,13 +174,13 @@ def door(
     ),
     bolted: bool = ag.by(
         "opener",
-        lever=ag.choice(False, True, weights=(0.7, 0.3)),
-        knob=ag.choice(False, True, weights=(0.5, 0.5)),
-        pull=ag.choice(False, True, weights=(0.6, 0.4)),
+        lever={False: 0.7, True: 0.3},
+        knob={False: 0.5, True: 0.5},
+        pull={False: 0.6, True: 0.4},
         otherwise=False,
         doc="whether there is a deadbolt with a thumb turn",
     ),
-    hinges: int = ag.choice(2, 3, weights=(0.3, 0.7)),
+    hinges: int = ag.choice({2: 0.3, 3: 0.7}),
     hinge_height: ag.Float = ag.uniform(0.085, 0.102, "m"),
     hinge_radius: ag.Float = ag.uniform(0.005, 0.006, "m", within=(0.004, 0.008)),
     swing: ag.Float = ag.uniform(1.4, 2.0, "rad", within=(0.5, 2.0)),
@@ -235,62 +193,72 @@ def door(
         layout == "single" or frame != "arched",
         "layout with two leaves has no arched frame: frame must be jambs or full",
     )
-    meeting = (
-        1.25 * side_gap if layout == "double" else side_gap
-    )  # gap between the leaf and the parts that its bolts enter
+    single = layout == "single"
+    meeting = side_gap if single else 1.25 * side_gap  # between the leaf and the parts that its bolts enter
+    fittings = Fittings(metal, letter_plate, number, viewer, kick_plate, sweep)
+    if opener == "push_bar":  # it is on the outer face
+        fittings = fittings.bare()
+    top, reach = floor_gap + height, handle_height + _ABOVE
     arched = width * rise if frame == "arched" else None
-    fittings = Fittings(metal, kick=kick_plate, sweep=sweep)
-    if opener != "push_bar":  # a push bar is on the outer face
-        fittings = replace(fittings, letters=letter_plate, number=number, viewer=viewer)
-    reach = handle_height + _ABOVE
-    blank = Blank(width, floor_gap, floor_gap + height, thickness, arched, None, finish, fittings, reach)
-    spindle = ag.vector(width / 2.0 - backset, 0.0, handle_height)
-    site = Site(spindle, backset, thickness, meeting, metal, maker)
-    # a bolt is above the end of a pull or of a long plate
-    above = 0.30 if opener in ("pull", "none") else 0.15
-    match opener:
-        case "lever" | "knob":
-            lockset = turning_handle(
-                site,
-                handle,
-                limit=handle_range,
-                torque=spring,
-                throw=throw,
-                roses=Roses(rose, rose_across, rose_depth, fixing, keyed and not bolted),
-            )
-        case "push_bar":
-            lockset = pushed_handle(site, handle, width=width, travel=handle_range, throw=throw)
-        case "pull" | "none":
-            over = blank.straight - handle_height
-            over = ag.min_(over, above - 0.03) if bolted else over
-            room = 2.0 * ag.min_(
-                over, handle_height - floor_gap
-            )  # space for a pull on the leaf, below its bolt
-            lockset = rigid_handle(site, partial(handle, room=room) if handle == pull_handle else handle)
-    if bolted:
-        lockset = lockset + dead_lock(replace(site, spindle=spindle + (0.0, 0.0, above)))
+    blank = Blank(width, floor_gap, top, thickness, arched, None, finish, fittings, reach)
 
-    hanging = Hanging(
-        blank, hinges, side_gap, hinge_height, hinge_radius, metal, swing, hinge_friction, hinge_damping
-    )
-    total = (2.0 * width + meeting if layout == "double" else width) + 2.0 * side_gap
-    arch = None if blank.arch is None else blank.arch.outset(side_gap)
+    spindle = ag.vector(width / 2 - backset, 0.0, handle_height)
+    lockset = Lockset(spindle, backset, thickness, meeting, metal)
+    above = 0.30 if opener in ("pull", "none") else 0.15  # the end of a pull or of a long plate
+    if opener in ("lever", "knob"):
+        lockset.turning_handle(
+            handle,
+            limit=handle_range,
+            torque=spring,
+            throw=throw,
+            depth=rose_depth,
+            mark=maker,
+            across=rose_across,
+            style=rose,
+            fixing=fixing,
+            keyed=keyed and not bolted,
+        )
+    elif opener == "push_bar":
+        lockset.pushed_handle(handle, width=width, travel=handle_range, throw=throw, mark=maker)
+    else:
+        over = blank.straight - handle_height
+        over = ag.min_(over, above - 0.03) if bolted else over
+        room = 2 * ag.min_(over, handle_height - floor_gap)  # for a pull on the leaf, below its bolt
+        lockset.rigid_handle(partial(handle, room=room) if handle == pull_handle else handle)
+    if bolted:
+        lockset.dead_lock(above)
+
+    opening = ag.Region.centered(width if single else 2 * width + meeting, 0.0, 0.0).grow(x=side_gap)
+    opening = opening.with_(y=(-thickness / 2, jamb_depth - thickness / 2), z=(0, top + side_gap))
     surround = partial(
         door_frame,
-        Doorway(total, blank.top + side_gap, thickness, jamb_depth, arch, floor_gap),
+        opening,
+        None if blank.arch is None else blank.arch.outset(side_gap),
         frame,
         finish=frame_paint if frame_finish == "white" else finish,
         sill=sill,
+        floor_gap=floor_gap,
         casing=casing,
         trim=trim,
     )
+    sizes = (side_gap, hinge_height, hinge_radius)
+    hanging = Hanging(blank, hinges, *sizes, metal, swing, hinge_friction, hinge_damping)
     # a bolt is out of the way after it has passed the casing in front of the jamb, with 2 mm to spare
-    clear = 1.03 * (thickness / 2.0 + 0.015 + DEADBOLT.width / 2.0 + 0.002) / (width + side_gap / 2.0)
-    needs = reduce(and_, lockset.free).until(clear) if lockset.free else None
-    parts = DoorSet(surround, leaf, blank, hanging, lockset, needs)
-    body = parts.single() if layout == "single" else parts.double(site, hand)
+    clear = 1.03 * (thickness / 2 + 0.015 + DEADBOLT.width / 2 + 0.002) / (width + side_gap / 2)
+    needs = lockset.free(clear)
+    if single:
+        panel = lockset.leaf_with(leaf, blank, hanging.half(hinge_leaf), suffix="")
+        cut = united(lockset.strike_cuts, metal)
+        body = ag.weld(surround(jamb_cut=cut), hanging.half(hinge_frame), *lockset.strikes)
+        body = body.attach(panel, hanging.joint("door_hinge", needs=needs))
+    else:
+        hands = (hand, "right" if hand == "left" else "left")
+        body = hung_pair(surround, leaf, blank, hanging, lockset, needs=needs, hands=hands)
     body = body.require(
         hanging.turns_within_gap(),
         "the far corner of the leaf would strike the jamb: raise side_gap, or lower thickness",
     )
-    return handed(body, hand, opens)
+    # the door has its hinges at the left and opens towards the viewer
+    if opens == "towards":
+        return body.mirror(ag.X) if hand == "right" else body
+    return body.rotate(ag.Z, math.pi) if hand == "right" else body.mirror(ag.Y)

@@ -6,20 +6,17 @@ from dataclasses import dataclass
 from typing import Literal
 
 import artgen as ag
-from artgen.categories.shared.fixings import hinge_frame, hinge_leaf, hinge_offset
+from artgen.categories.shared.fixings import hinge_offset
 from artgen.categories.shared.fronts import Arch, Blank
 
-JAMB = 0.034
-"""Thickness of jambs and head [m]."""
-
+_JAMB = 0.034  # thickness of jambs and head [m]
 _TIMBER = 0.075  # width of the face of a solid timber frame [m]
 _STOP = (0.012, 0.030)  # height and depth of a stop [m]
-STOP_GAP = 0.002
-"""Gap between the closed leaf and the stops [m]; a seal fills it."""
-
+STOP_GAP = 0.002  # gap between the closed leaf and the stops, filled by a seal [m]
 _REVEAL = 0.0095  # bare width of the front of the jamb beside the casing, for the hinges [m]
 _ARCH_STOPS = 12  # number of straight lengths of the stop under an arch
-_SILL_PLAY = 0.004  # gap between threshold and leaf [m]
+_TOP = 0.19  # distance from the top of the leaf to the middle of the upper hinge [m]
+_BOTTOM = 0.28  # distance from the bottom of the leaf to the middle of the lower hinge [m]
 
 FrameKind = Literal["jambs", "full", "arched"]
 
@@ -50,127 +47,86 @@ _TRIMS: dict[str, tuple[tuple[float, float], ...]] = {
 }  # fmt: skip
 
 
-@dataclass(frozen=True)
-class Doorway:
-    """Clear opening of a frame."""
-
-    width: ag.Float  # width between the jambs [m]
-    height: ag.Float  # height under the head, at the crown of an arch [m]
-    thickness: ag.Float  # thickness of the leaf [m]
-    depth: ag.Float  # depth of the jambs, front to back [m]
-    arch: Arch | None  # arch of the head; None for a straight head
-    floor_gap: ag.Float  # gap under the leaf [m]
-
-    @property
-    def straight(self) -> ag.Scalar:
-        """Height of the jambs [m]."""
-        return self.height if self.arch is None else self.arch.spring
-
-    @property
-    def middle(self) -> ag.Float:
-        """Position of the middle of the jambs along y [m]."""
-        return (self.depth - self.thickness) / 2.0
-
-
 def door_frame(
-    doorway: Doorway,
+    opening: ag.Region,
+    arch: Arch | None,
     kind: FrameKind,
     *,
     finish: ag.Material,
     sill: ag.Material,
+    floor_gap: ag.Scalar,
     casing: ag.Scalar,
     trim: Trim = "ogee",
     jamb_cut: ag.Solid | None = None,
     head_cut: ag.Solid | None = None,
 ) -> ag.Body:
-    """Make the frame of a door: the link `frame`."""
-    wide = _TIMBER if kind == "arched" else JAMB
-    tall = doorway.straight if doorway.arch is None else doorway.arch.outset(wide).spring
-    eased = 0.003 if kind == "arched" else 0.0015
-    jamb = ag.box(wide, doorway.depth, tall, bevel=eased)
-    beside, half_way = (doorway.width + wide) / 2.0, tall / 2.0
-    right = jamb.at(beside, doorway.middle, half_way)
-    head = _head(doorway, wide)
+    """Make the frame of a door around its opening, as deep as the jambs: the link `frame`."""
+    wide, eased = (_TIMBER, 0.003) if kind == "arched" else (_JAMB, 0.0015)
+    straight = opening.z.high if arch is None else arch.spring
+    tall = straight if arch is None else arch.outset(wide).spring
+    jamb = ag.Region((opening.x.high, opening.x.high + wide), opening.y, (0, tall)).box(bevel=eased)
+    if arch is None:
+        head = opening.grow(x=wide, top=wide).stack(wide, None)[0].box(bevel=0.0015)
+    else:  # the ends of the head are within the jambs, which reach up to its outer corners
+        (band,) = arch.bands(wide, beyond=(arch.outset(wide).angle - arch.angle) * arch.radius)
+        head = ag.extrude(band, opening.y.size, axis=ag.Y, bevel=0.0015).at(y=opening.y.mid)
     solids = [
-        right if jamb_cut is None else right - jamb_cut,
-        jamb.at(-beside, doorway.middle, half_way),
+        jamb if jamb_cut is None else jamb - jamb_cut,
+        jamb.mirror(ag.X),
         head if head_cut is None else head - head_cut,
-        *_stops(doorway),
+        *_stops(opening.with_(z=(0, straight)), arch),
     ]
-    bodies = [ag.part(solid, "frame", finish) for solid in solids]
-    bodies.append(ag.detail(_seals(doorway), "seal", ag.material("rubber")))
+    back = -opening.y.low  # of the leaf
+    seal = ag.box(0.007, STOP_GAP - 0.0003, straight - _STOP[0], bevel=0.0005)
+    seal = seal.at(opening.x.high - _STOP[0] / 2, back + STOP_GAP / 2 + 0.0002, (straight - _STOP[0]) / 2)
+    bodies = [
+        ag.part(solids, "frame", finish),
+        ag.detail(seal | seal.mirror(ag.X), "seal", ag.material("rubber")),
+    ]
     if kind == "full":
-        front, back = -doorway.thickness / 2.0, doorway.depth - doorway.thickness / 2.0
-        surround = _casing(doorway, casing, trim)
-        bodies.append(ag.part(surround.at(0.0, front, 0.0), "frame", finish))
-        bodies.append(ag.part(surround.rotate(ag.Z, math.pi).at(0.0, back, 0.0), "frame", finish))
+        front = _casing(opening, casing, trim)
+        pair = [front.at(y=opening.y.low), front.rotate(ag.Z, math.pi).at(y=opening.y.high)]
+        bodies.append(ag.part(pair, "frame", finish))
     if kind != "jambs":
-        bodies += _threshold(doorway, sill)
+        bodies += _threshold(opening, floor_gap - 0.004, sill)
     return ag.weld(*bodies)
 
 
-def _head(doorway: Doorway, wide: float) -> ag.Solid:
-    if doorway.arch is None:
-        head = ag.box(doorway.width + 2.0 * wide, doorway.depth, wide, bevel=0.0015)
-        return head.at(0.0, doorway.middle, doorway.height + wide / 2.0)
-    # the ends of the head are within the jambs, which reach up to its outer corners
-    arch = doorway.arch
-    (band,) = arch.bands(wide, beyond=(arch.outset(wide).angle - arch.angle) * arch.radius)
-    return ag.extrude(band, doorway.depth, axis=ag.Y, bevel=0.0015).at(0.0, doorway.middle, 0.0)
-
-
-def _stops(doorway: Doorway) -> list[ag.Solid]:
+def _stops(opening: ag.Region, arch: Arch | None) -> list[ag.Solid]:
     """Make the stops behind the leaf."""
     out, deep = _STOP
-    middle = doorway.thickness / 2.0 + STOP_GAP + deep / 2.0
-    side = ag.box(out, deep, doorway.straight, bevel=0.0025)
-    beside = (doorway.width - out) / 2.0
-    sides = [side.at(x, middle, doorway.straight / 2.0) for x in (-beside, beside)]
-    if doorway.arch is not None:
-        # in convex lengths, half a millimeter into the doorway
-        bands = doorway.arch.outset(-out).bands(out, count=_ARCH_STOPS, beyond=out)
-        strips = [ag.bounding_collider(ag.extrude(band, deep, axis=ag.Y, bevel=0.001)) for band in bands]
-        return [*sides, *(strip.at(0.0, middle, 0.0) for strip in strips)]
-    top = ag.box(doorway.width - 2.0 * out, deep, out, bevel=0.0025)
-    top = top.at(0.0, middle, doorway.height - out / 2.0)
-    return [*sides, top]
+    behind = opening.with_(y=(STOP_GAP - opening.y.low, STOP_GAP - opening.y.low + deep))
+    side = behind.across(None, out)[1].box(bevel=0.0025)
+    if arch is None:
+        top = behind.shrink(x=out).stack(out, None)[0].box(bevel=0.0025)
+        return [side, side.mirror(ag.X), top]
+    # in convex lengths, half a millimeter into the doorway
+    bands = arch.outset(-out).bands(out, count=_ARCH_STOPS, beyond=out)
+    strips = [ag.bounding_collider(ag.extrude(band, deep, axis=ag.Y, bevel=0.001)) for band in bands]
+    return [side, side.mirror(ag.X), *(strip.at(y=behind.y.mid) for strip in strips)]
 
 
-def _seals(doorway: Doorway) -> ag.Solid:
-    """Make the rubber seals on the sides of the stops, which the leaf touches."""
-    tall = doorway.straight - _STOP[0]
-    side = ag.box(0.007, STOP_GAP - 0.0003, tall, bevel=0.0005)
-    middle = (doorway.thickness + STOP_GAP) / 2.0 + 0.0002
-    beside = (doorway.width - _STOP[0]) / 2.0
-    return ag.array(side, at=[(-beside, middle, tall / 2.0), (beside, middle, tall / 2.0)])
-
-
-def _threshold(doorway: Doorway, sill: ag.Material) -> list[ag.Body]:
-    """Make the plate on the floor; a metal plate has ribs against slipping."""
-    thick = doorway.floor_gap - _SILL_PLAY
-    plate = ag.box(doorway.width, doorway.depth, thick, bevel=ag.min_(0.0022, 0.4 * thick))
-    bodies = [ag.part(plate.at(0.0, doorway.middle, thick / 2.0), "threshold", sill)]
+def _threshold(opening: ag.Region, thick: ag.Scalar, sill: ag.Material) -> list[ag.Body]:
+    """Make the plate on the floor, 4 mm below the leaf; a metal plate has ribs against slipping."""
+    plate = opening.with_(z=(0, thick)).box(bevel=ag.min_(0.0022, 0.4 * thick))
+    bodies = [ag.part(plate, "threshold", sill)]
     if sill.base_metalness > 0.5:
-        rib = ag.box(doorway.width - 0.004, 0.0022, 0.0012, bevel=0.0005)
-        places = [(0.0, doorway.middle + (index - 3.0) * 0.007, thick) for index in range(7)]
-        bodies.append(ag.detail(ag.array(rib, at=places), "threshold", sill))
+        rib = ag.box(opening.x.size - 0.004, 0.0022, 0.0012, bevel=0.0005)
+        at = ag.row((0.0, opening.y.mid - 0.021, thick), (0.0, 0.007, 0.0), 7)
+        bodies.append(ag.detail(ag.array(rib, at=at), "threshold", sill))
     return bodies
 
 
-def _casing(doorway: Doorway, width: ag.Scalar, trim: Trim) -> ag.Solid:
+def _casing(opening: ag.Region, width: ag.Scalar, trim: Trim) -> ag.Solid:
     """Make the molded trim of the front, mitered at its corners, its back at y = 0."""
     corners = [(share * width, high) for share, high in _TRIMS[trim]]
     # union with its back: a union is smooth at obtuse corners
-    back = ag.rectangle(width, 0.004).at(width / 2.0, 0.002)
+    back = ag.rectangle(width, 0.004).at(width / 2, 0.002)
     section = ag.polygon([(0.0, 0.0), (width, 0.0), *corners]) | back
-    x, z = doorway.width / 2.0 + _REVEAL, doorway.height + _REVEAL
+    x, z = opening.x.high + _REVEAL, opening.z.high + _REVEAL
     # swept on the floor, up the left leg and down the right leg, then rotated upright: up becomes the front
     course = ag.polyline([(-x, 0.0, 0.0), (-x, z, 0.0), (x, z, 0.0), (x, 0.0, 0.0)])
-    return ag.sweep(section, course).rotate(ag.X, math.pi / 2.0)
-
-
-_TOP = 0.19  # distance from the top of the leaf to the middle of the upper hinge [m]
-_BOTTOM = 0.28  # distance from the bottom of the leaf to the middle of the lower hinge [m]
+    return ag.sweep(section, course).rotate(ag.X, math.pi / 2)
 
 
 @dataclass(frozen=True)
@@ -187,56 +143,34 @@ class Hanging:
     friction: ag.Float  # friction of all hinges together [N m]
     damping: ag.Float  # damping of all hinges together [N m s/rad]
 
-    def _half(self, make: Callable[..., ag.Body]) -> ag.Body:
+    @property
+    def _axis(self) -> tuple[ag.Scalar, ag.Scalar]:
+        blank = self.blank
+        return -(blank.width + self.gap) / 2, -blank.thickness / 2 - hinge_offset(self.radius)
+
+    def half(self, make: Callable[..., ag.Body]) -> ag.Body:
+        """Make the halves of the hinges on the leaf or on the jamb."""
         low, high = self.blank.bottom + _BOTTOM, self.blank.straight - _TOP
         levels = [low + (high - low) * index / (self.count - 1) for index in range(self.count)]
-        half = make(
-            height=self.height, radius=self.radius, depth=self._depth, finish=self.finish, levels=levels
-        )
-        return half.at(
-            -(self.blank.width + self.gap) / 2.0, -self.blank.thickness / 2.0 - hinge_offset(self.radius), 0.0
-        )
+        depth = self.blank.thickness - 0.006  # the plates end 6 mm before the back of the edge
+        half = make(height=self.height, radius=self.radius, depth=depth, finish=self.finish, levels=levels)
+        return half.at(*self._axis)
 
-    def on_leaf(self) -> ag.Body:
-        """Make the halves of the hinges on the leaf."""
-        return self._half(hinge_leaf)
-
-    def on_frame(self) -> ag.Body:
-        """Make the halves of the hinges on the jamb."""
-        return self._half(hinge_frame)
-
-    @property
-    def _depth(self) -> ag.Float:
-        """Depth of the plates along the edge: they end 6 mm before its back [m]."""
-        return self.blank.thickness - 0.006
-
-    def joint(
-        self,
-        name: str,
-        *,
-        middle: ag.Scalar = 0.0,
-        side: int = 1,
-        needs: ag.Condition | ag.Dependency | None = None,
-    ) -> ag.Joint:
-        """Make the joint about the pins; positive opens the leaf towards -y."""
-        blank = self.blank
+    def joint(self, name: str, *, side: int = 1, needs: ag.Dependency | None = None) -> ag.Joint:
+        """Make the joint about the pins, at the left or the right; positive opens the leaf towards -y."""
+        x, y = self._axis
         return ag.Revolute(
             name,
             axis=(0.0, 0.0, -side),
-            pivot=(
-                middle - side * (blank.width + self.gap) / 2.0,
-                -blank.thickness / 2.0 - hinge_offset(self.radius),
-                0.0,
-            ),
-            limits=(0.0, self.swing),
+            pivot=(side * x, y, 0.0),
+            limits=(0, self.swing),
             friction=self.friction,
             damping=self.damping,
-            effort=100.0,
-            velocity=6.0,
+            velocity=6,
             needs=needs,
         )
 
     def turns_within_gap(self) -> ag.Bool:
         """Return whether the swinging far corner of the leaf clears the jamb."""
         thick = hinge_offset(self.radius) + self.blank.thickness
-        return thick * thick / (2.0 * self.blank.width) < self.gap - 0.0004
+        return thick * thick / (2 * self.blank.width) < self.gap - 0.0004
