@@ -131,10 +131,7 @@ def door(
     viewer: bool = ag.by("use", interior=False, exterior={False: 0.4, True: 0.6}),
     kick_plate: bool = ag.by("use", interior=False, exterior={False: 0.75, True: 0.25}),
     sweep: bool = ag.by(
-        "use",
-        interior=False,
-        exterior=ag.choice(False, True),
-        doc="whether a brush seals the gap to the floor",
+        "use", interior=False, exterior={False: 1, True: 1}, doc="whether a brush seals the gap to the floor"
     ),
     opener: Literal["lever", "knob", "push_bar", "pull", "none"] = ag.by(
         "use",
@@ -189,11 +186,10 @@ def door(
 ) -> ag.Body:
     """Make a door of one or two leaves in its frame: hinges, handle, latch, locks."""
     require_suited(handle, "opener", opener, _HANDLES)
-    ag.require(
-        layout == "single" or frame != "arched",
-        "layout with two leaves has no arched frame: frame must be jambs or full",
-    )
     single = layout == "single"
+    ag.require(
+        single or frame != "arched", "layout with two leaves has no arched frame: frame must be jambs or full"
+    )
     meeting = side_gap if single else 1.25 * side_gap  # between the leaf and the parts that its bolts enter
     fittings = Fittings(metal, letter_plate, number, viewer, kick_plate, sweep)
     if opener == "push_bar":  # it is on the outer face
@@ -203,23 +199,13 @@ def door(
     blank = Blank(width, floor_gap, top, thickness, arched, None, finish, fittings, reach)
 
     spindle = ag.vector(width / 2 - backset, 0.0, handle_height)
-    lockset = Lockset(spindle, backset, thickness, meeting, metal)
+    lockset = Lockset(spindle, backset, thickness, meeting, metal, throw, maker)
     above = 0.30 if opener in ("pull", "none") else 0.15  # the end of a pull or of a long plate
     if opener in ("lever", "knob"):
-        lockset.turning_handle(
-            handle,
-            limit=handle_range,
-            torque=spring,
-            throw=throw,
-            depth=rose_depth,
-            mark=maker,
-            across=rose_across,
-            style=rose,
-            fixing=fixing,
-            keyed=keyed and not bolted,
-        )
+        roses = {"across": rose_across, "style": rose, "fixing": fixing, "keyed": keyed and not bolted}
+        lockset.turning_handle(handle, handle_range, spring, rose_depth, **roses)
     elif opener == "push_bar":
-        lockset.pushed_handle(handle, width=width, travel=handle_range, throw=throw, mark=maker)
+        lockset.pushed_handle(handle, width, handle_range)
     else:
         over = blank.straight - handle_height
         over = ag.min_(over, above - 0.03) if bolted else over
@@ -230,17 +216,9 @@ def door(
 
     opening = ag.Region.centered(width if single else 2 * width + meeting, 0.0, 0.0).grow(x=side_gap)
     opening = opening.with_(y=(-thickness / 2, jamb_depth - thickness / 2), z=(0, top + side_gap))
-    surround = partial(
-        door_frame,
-        opening,
-        None if blank.arch is None else blank.arch.outset(side_gap),
-        frame,
-        finish=frame_paint if frame_finish == "white" else finish,
-        sill=sill,
-        floor_gap=floor_gap,
-        casing=casing,
-        trim=trim,
-    )
+    arch = None if blank.arch is None else blank.arch.outset(side_gap)
+    wood = frame_paint if frame_finish == "white" else finish
+    surround = partial(door_frame, opening, arch, frame, wood, sill, floor_gap, casing, trim)
     sizes = (side_gap, hinge_height, hinge_radius)
     hanging = Hanging(blank, hinges, *sizes, metal, swing, hinge_friction, hinge_damping)
     # a bolt is out of the way after it has passed the casing in front of the jamb, with 2 mm to spare

@@ -29,6 +29,8 @@ class Lockset:
     thickness: ag.Scalar  # thickness of the leaf [m]
     gap: ag.Scalar  # gap between the leaf and the parts that its bolts enter [m]
     finish: ag.Material  # metal of all visible parts
+    throw: ag.Scalar  # travel of the latch [m]
+    maker: str  # name on the faceplate
     cuts: list[ag.Solid] = field(default_factory=list)  # cutters of the leaf
     fixed: list[ag.Body] = field(default_factory=list)  # parts welded to the leaf
     moving: list[tuple[ag.Body, ag.Joint]] = field(default_factory=list)  # moving parts of the leaf
@@ -52,12 +54,9 @@ class Lockset:
     def turning_handle(
         self,
         handle: Callable[..., ag.Body],
-        *,
         limit: ag.Scalar,
         torque: ag.Scalar,
-        throw: ag.Scalar,
         depth: ag.Scalar,
-        mark: str,
         **roses: Any,
     ) -> None:
         """Add a lever or knob on roses of a height, with the latch that it draws."""
@@ -67,11 +66,9 @@ class Lockset:
         cover = locks.rose(thickness=thickness, depth=depth, finish=finish, height=0.22, **roses)
         self.fixed.append(cover.at(at))
         self.moving.append((handle(thickness=thickness, rose_depth=depth, finish=finish).at(at), turn))
-        self._latch(turn, throw, _RELEASE * limit, mark, through=True)
+        self._latch(turn, _RELEASE * limit, through=True)
 
-    def pushed_handle(
-        self, bar: Callable[..., ag.Body], *, width: ag.Scalar, travel: ag.Scalar, throw: ag.Scalar, mark: str
-    ) -> None:
+    def pushed_handle(self, bar: Callable[..., ag.Body], width: ag.Scalar, travel: ag.Scalar) -> None:
         """Add a push bar on the face away from the opening side, a pull on the other face, and the latch."""
         at, thickness, finish, length = self.spindle, self.thickness, self.finish, width - 0.15
         push = fittings.push_slide(travel=travel)
@@ -81,7 +78,7 @@ class Lockset:
         self.fixed += [case.at(at), outside.at(at)]
         moving = bar(thickness=thickness, length=length, travel=travel, finish=finish)
         self.moving.append((moving.at(at), push))
-        self._latch(push, throw, _RELEASE * travel, mark)
+        self._latch(push, _RELEASE * travel)
 
     def rigid_handle(self, handle: Callable[..., ag.Body]) -> None:
         """Add a pull or finger plates, with a roller catch in the jamb instead of a latch."""
@@ -91,13 +88,11 @@ class Lockset:
         catch = ag.weld(ag.detail(plate, "faceplate", finish), ag.detail(roller, "latch", finish))
         self.fixed += [handle(thickness=self.thickness, finish=finish).at(at), catch.at(at)]
 
-    def _latch(
-        self, leader: ag.Joint, throw: ag.Scalar, release: ag.Scalar, mark: str, *, through: bool = False
-    ) -> None:
-        """Add a latch that a handle draws, with the name of its maker."""
-        at, backset, finish = self.spindle, self.backset, self.finish
+    def _latch(self, leader: ag.Joint, release: ag.Scalar, *, through: bool = False) -> None:
+        """Add a latch that a handle draws."""
+        at, backset, finish, throw = self.spindle, self.backset, self.finish, self.throw
         self.cuts.append(locks.latch_pocket(backset=backset, throw=throw, through=through).at(at))
-        self.fixed.append(locks.faceplate(backset=backset, finish=finish, mark=mark).at(at))
+        self.fixed.append(locks.faceplate(backset=backset, finish=finish, mark=self.maker).at(at))
         bolt = locks.latch_bolt(backset=backset, throw=throw, finish=finish)
         self.moving.append((bolt.at(at), locks.latch_slide(leader, throw=throw, release=release)))
         self._strike(at, throw, "latch", locks.LATCH)
