@@ -26,12 +26,10 @@ from typing import Literal
 
 import artgen as ag
 from artgen import details
-from artgen.categories.refrigerator.case import COVER, Back, Case, cabinet
-from artgen.categories.refrigerator.doors import SOFT, Dress, Front, GripKind, door, mullion
-from artgen.categories.refrigerator.drawers import Slot, inner_drawer, inner_slide, outer_drawer, outer_slide
-from artgen.categories.refrigerator.inside import Furniture, ShelfKind, flap, flap_reach, flap_swing, furnish
-from artgen.categories.refrigerator.leaf import Leaf
-from artgen.categories.refrigerator.plan import Divided, Layout, hinges
+from artgen.categories.refrigerator import inside as interior
+from artgen.categories.refrigerator.case import Back, cabinet
+from artgen.categories.refrigerator.doors import SOFT, Finish, FrontForm, GripKind, door, outer_drawer
+from artgen.categories.refrigerator.plan import COVER, Layout, Leaf, Plan, hinges
 from artgen.categories.shared.appliances import (
     CLEAR,
     FROSTED,
@@ -44,38 +42,31 @@ from artgen.categories.shared.appliances import (
 )
 from artgen.categories.shared.pulls import BarStyle
 
-_LABELS = (
-    "body", "door", "freezer_door", "inner_drawer", "outer_drawer", "handle", "liner", "gasket",
-    "shelf", "bin", "basket", "rail", "egg_tray", "ice_box", "dispenser", "panel", "display",
-    "control", "light", "duct", "vent", "hinge", "mullion", "kick_plate", "foot", "compressor",
-    "condenser", "cord", "rating_plate", "logo", "print",
-)  # fmt: skip
 _FINISH, _METAL = fronts(), grip_metals()
 _SEALS = {"white": ag.colored("silicone", "light_grey"), "grey": ag.colored("silicone", "grey")}
-_TRIMS = (
-    ag.material("glossy_plastic_white").with_(name="trim_white"),
-    ag.material("aluminium"),
-    ag.material("glossy_plastic_white").with_(name="trim_smoke", base_color=(0.16, 0.17, 0.18)),
-)
+_WHITE = ag.material("glossy_plastic_white").with_(name="trim_white")
+_TRIMS = (_WHITE, ag.material("aluminium"), _WHITE.with_(name="trim_smoke", base_color=(0.16, 0.17, 0.18)))
 _WIRE_SHELVES = 6  # largest number of wire shelves in a refrigerator
 _MORE = 0.12  # opening of a door beyond the angle that its drawers need [rad]
 
 
-@ag.category(labels=_LABELS, joints=(1, 7))
+@ag.category(
+    labels=(
+        "body door freezer_door inner_drawer outer_drawer handle liner gasket shelf bin basket rail egg_tray "
+        "ice_box dispenser panel display control light duct vent hinge mullion kick_plate foot compressor "
+        "condenser cord rating_plate logo print"
+    ),
+    joints=(1, 7),
+)
 def refrigerator(
     *,
     layout: Layout = ag.choice(
-        "single",
-        "top_freezer",
-        "bottom_freezer",
-        "french",
-        "side_by_side",
-        weights=(0.22, 0.17, 0.25, 0.2, 0.16),
+        {"single": 0.22, "top_freezer": 0.17, "bottom_freezer": 0.25, "french": 0.2, "side_by_side": 0.16}
     ),
     build: Literal["under_counter", "medium", "tall"] = ag.by(
         "layout",
-        single=ag.choice("under_counter", "medium", "tall", weights=(0.4, 0.3, 0.3)),
-        top_freezer=ag.choice("medium", "tall", weights=(0.35, 0.65)),
+        single={"under_counter": 0.4, "medium": 0.3, "tall": 0.3},
+        top_freezer={"medium": 0.35, "tall": 0.65},
         otherwise="tall",
     ),
     hand: Literal["left", "right"] = ag.choice("left", "right", doc="hinge side of a single door"),
@@ -114,41 +105,28 @@ def refrigerator(
     ),
     look: Look = ag.by(
         "layout",
-        single=ag.choice(
-            "white", "pastel", "stainless", "black", "panel", "dark_steel", weights=(3, 3, 2, 1, 1, 0.6)
-        ),
-        top_freezer=ag.choice(
-            "white", "stainless", "pastel", "black", "dark_steel", weights=(3, 2.5, 1.6, 1, 0.8)
-        ),
-        bottom_freezer=ag.choice(
-            "stainless",
-            "white",
-            "pastel",
-            "dark_steel",
-            "glass",
-            "panel",
-            "black",
-            weights=(2.6, 1.6, 1.2, 1, 1, 0.9, 0.7),
-        ),
-        otherwise=ag.choice(
-            "stainless",
-            "dark_steel",
-            "white",
-            "black",
-            "glass",
-            "panel",
-            weights=(3, 1.4, 0.8, 0.9, 1.1, 0.9),
-        ),
+        single={"white": 3, "pastel": 3, "stainless": 2, "black": 1, "panel": 1, "dark_steel": 0.6},
+        top_freezer={"white": 3, "stainless": 2.5, "pastel": 1.6, "black": 1, "dark_steel": 0.8},
+        bottom_freezer={
+            "stainless": 2.6,
+            "white": 1.6,
+            "pastel": 1.2,
+            "dark_steel": 1,
+            "glass": 1,
+            "panel": 0.9,
+            "black": 0.7,
+        },
+        otherwise={"stainless": 3, "dark_steel": 1.4, "white": 0.8, "black": 0.9, "glass": 1.1, "panel": 0.9},
     ),
     finish: ag.Material = _FINISH,
     metal: ag.Material = _METAL,
-    form: Front = ag.by(
+    form: FrontForm = ag.by(
         "look",
-        pastel=ag.choice("bowed", "soft", weights=(0.75, 0.25)),
+        pastel={"bowed": 0.75, "soft": 0.25},
         panel=ag.choice("framed", "flat"),
         white=ag.choice("soft", "flat"),
         glass="flat",
-        otherwise=ag.choice("flat", "soft", weights=(0.65, 0.35)),
+        otherwise={"flat": 0.65, "soft": 0.35},
         doc="finish of the fronts",
     ),
     bow: ag.Float = ag.uniform(0.008, 0.018, "m", doc="height of the bow of a front", within=(0.002, 0.03)),
@@ -157,9 +135,9 @@ def refrigerator(
         pastel="bar",
         otherwise=ag.by(
             "layout",
-            french=ag.choice("bar", "recessed", weights=(0.78, 0.22)),
-            side_by_side=ag.choice("bar", "recessed", weights=(0.72, 0.28)),
-            otherwise=ag.choice("bar", "pocket", "channel", "recessed", weights=(0.56, 0.18, 0.12, 0.14)),
+            french={"bar": 0.78, "recessed": 0.22},
+            side_by_side={"bar": 0.72, "recessed": 0.28},
+            otherwise={"bar": 0.56, "pocket": 0.18, "channel": 0.12, "recessed": 0.14},
         ),
         doc="style of the handles: bars, or grips in the front or its edge",
     ),
@@ -199,10 +177,7 @@ def refrigerator(
         within=(0.2, 0.55),
     ),
     outer_drawers: int = ag.by(
-        "layout",
-        bottom_freezer=ag.choice(0, 1, 2, weights=(0.5, 0.3, 0.2)),
-        french=ag.choice(1, 2),
-        otherwise=0,
+        "layout", bottom_freezer={0: 0.5, 1: 0.3, 2: 0.2}, french=ag.choice(1, 2), otherwise=0
     ),
     crispers: int = ag.by(
         "layout",
@@ -222,7 +197,7 @@ def refrigerator(
         doc="number of drawers behind the door of the freezer",
     ),
     crisper_height: ag.Float = ag.uniform(0.165, 0.215, "m", within=(0.155, 0.26)),
-    ice_box: bool = ag.by("layout", single=ag.choice(False, True, weights=(0.55, 0.45)), otherwise=False),
+    ice_box: bool = ag.by("layout", single={False: 0.55, True: 0.45}, otherwise=False),
     shelves: int = ag.by(
         "build",
         under_counter=ag.by("ice_box", {True: 1, False: ag.choice(1, 2)}),
@@ -231,11 +206,8 @@ def refrigerator(
             "layout", single=ag.choice(3, 4, 5), side_by_side=ag.choice(3, 4), otherwise=ag.choice(2, 3)
         ),
     ),
-    shelf_kind: ShelfKind = ag.by(
-        "layout",
-        side_by_side="glass",
-        french="glass",
-        otherwise=ag.choice("glass", "wire", weights=(0.65, 0.35)),
+    shelf_kind: interior.ShelfKind = ag.by(
+        "layout", side_by_side="glass", french="glass", otherwise={"glass": 0.65, "wire": 0.35}
     ),
     freezer_shelves: int = ag.by(
         "layout", top_freezer=ag.choice(0, 1), side_by_side=ag.choice(3, 4), otherwise=0
@@ -251,8 +223,8 @@ def refrigerator(
     egg_tray: bool = ag.choice(False, True),
     water: bool = ag.by(
         "layout",
-        french=ag.choice(False, True, weights=(0.5, 0.5)),
-        side_by_side=ag.choice(False, True, weights=(0.35, 0.65)),
+        french={False: 0.5, True: 0.5},
+        side_by_side={False: 0.35, True: 0.65},
         otherwise=False,
         doc="whether a door has a water dispenser",
     ),
@@ -260,7 +232,7 @@ def refrigerator(
         "look",
         pastel="",
         panel="",
-        otherwise=ag.choice("", "4 -18", "3 -20", "5", weights=(0.6, 0.15, 0.15, 0.1)),
+        otherwise={"": 0.6, "4 -18": 0.15, "3 -20": 0.15, "5": 0.1},
         doc="display on the door",
     ),
     control: Literal["dial", "touch"] = ag.by(
@@ -269,7 +241,7 @@ def refrigerator(
     inside: Literal["white", "grey"] = ag.by(
         "look",
         dark_steel=ag.choice("white", "grey"),
-        stainless=ag.choice("white", "grey", weights=(0.75, 0.25)),
+        stainless={"white": 0.75, "grey": 0.25},
         otherwise="white",
     ),
     trim: ag.Material = ag.shades(*_TRIMS, color=0.03, doc="finish of the trim of shelves and bins"),
@@ -288,94 +260,96 @@ def refrigerator(
     drawer_pull: ag.Float = ag.uniform(15.0, 30.0, "N", doc="force of gasket and runners of freezer drawers"),
 ) -> ag.Body:
     """Make a refrigerator: doors, freezer doors, drawers, shelves and bins inside."""
-    case = Case(width, depth, height - COVER, kick_height, door_thickness, wall, gap)
-    # drawers fill a freezer up to the flat inside of its door
-    full = layout == "bottom_freezer" or (layout == "top_freezer" and freezer_drawers > 0)
     ag.require(
         shelf_kind == "glass" or shelves + freezer_shelves <= _WIRE_SHELVES,
         f"wire shelves have many colliders: shelves + freezer_shelves must be <= {_WIRE_SHELVES}",
     )
+    # drawers fill a freezer up to the flat inside of its door
+    full = layout == "bottom_freezer" or (layout == "top_freezer" and freezer_drawers > 0)
     boxed = ice_box and layout == "single"
-    divided = Divided(case, freezer_share, bin_depth, None if full else 0.72 * bin_depth, bins, outer_drawers)
-    plan = divided.plan(layout)
-    liner = LINER if inside == "white" else LINER_GREY
-    seal = _SEALS["white" if look in ("white", "pastel") else "grey"]
-    dress = Dress(finish, metal, liner, seal, trim, form, bow, grip, bar, girth, grip_length)
-    shell = cabinet_finish(look, finish)
-    light = look in ("white", "pastel")
-    kick = shell if light else ag.material("powder_coat_graphite")
-    cover = _TRIMS[0] if light else ag.material("black_abs")
-    block = cabinet(
-        case,
-        plan.cells,
-        finish=shell,
-        liner=liner,
-        corner={"bowed": 0.012, "soft": SOFT}.get(dress.front),
-        kick=kick,
-        back=back,
-        abreast=plan.abreast,
+    outside = ag.Region((-width / 2, width / 2), (-depth / 2, depth / 2), (0, height - COVER))
+    plan = Plan(
+        layout,
+        outside,
+        thickness=door_thickness,
+        wall=wall,
+        gap=gap,
+        kick=kick_height,
+        share=freezer_share,
+        ridge=bin_depth,
+        freezer_ridge=None if full else 0.72 * bin_depth,
+        bins=bins,
+        drawers=outer_drawers,
     )
+    light = look in ("white", "pastel")
+    liner, seal = LINER if inside == "white" else LINER_GREY, _SEALS["white" if light else "grey"]
+    shell = cabinet_finish(look, finish)
+    style = Finish(finish, metal, liner, seal, trim, form, bow, grip, bar, girth, grip_length)
+    corner = {"bowed": 0.012, "soft": SOFT}.get(style.form)
+    kick = shell if light else ag.material("powder_coat_graphite")
+    cover = _WHITE if light else ag.material("black_abs")
+    block = cabinet(plan, finish=shell, liner=liner, corner=corner, kick=kick, back=back)
 
-    held = Furniture(
-        _rows(crispers, stacked=layout in ("single", "side_by_side")),
+    face = outside.y.low + door_thickness
+    rows = _rows(crispers, stacked=layout in ("single", "side_by_side"))
+    cold = interior.furnish(
+        plan.cold,
+        face,
+        bin_depth,
+        rows,
         crisper_height,
         shelves,
         shelf_kind,
-        trim,
-        liner,
-        boxed,
-        egg_tray,
-        control,
-        display or "4",
+        trim=trim,
+        liner=liner,
+        iced=boxed,
+        eggs=egg_tray,
+        control=control,
+        show=display or "4",
     )
-    cold = furnish(case, plan.cold, bin_depth, held)
     rooms = {"door": cold}
-    bodies = [*cold.bodies, *hinges(plan, case, cover=cover, metal=metal)]
-    if plan.freezer is not None:
-        tall = None if full else crisper_height
-        held = Furniture(
-            (1,) * freezer_drawers, tall, 0 if full else freezer_shelves, shelf_kind, trim, liner
+    if plan.freezer:
+        cell, ridge, tall = plan.freezer.cell, plan.freezer.ridge, None if full else crisper_height
+        boards = 0 if full else freezer_shelves
+        rooms["freezer_door"] = interior.furnish(
+            cell, face, ridge, (1,) * freezer_drawers, tall, boards, shelf_kind, trim=trim, liner=liner
         )
-        rooms["freezer_door"] = furnish(case, plan.freezer.cell, plan.freezer.ridge, held)
-        bodies += rooms["freezer_door"].bodies
-    body = ag.weld(block, *bodies)
+    fixed = [each for room in rooms.values() for each in room.bodies]
+    body = ag.weld(block, *fixed, *hinges(plan, cover=cover, metal=metal))
 
-    # a door opens at least as far as the drawers behind it need
+    # a door opens at least as far as the parts behind it need
     swings: dict[str, ag.Joint] = {}
+    flap = (interior.flap_reach(plan.cold), plan.cold.x.high)
     for leaf in plan.leaves:
-        behind = rooms[leaf.label]
-        ways = [leaf.frees(slot.left, slot.right) for slot in behind.slots]
-        ways += [leaf.frees(flap_reach(plan.cold), plan.cold.right)] if boxed else []
-        limit = reduce(ag.max_, [way + _MORE for way in ways], swing)
-        swings[leaf.name] = leaf.hinge(limit=limit, pull=pull, damping=door_damping)
         first = leaf is plan.doors[0]
+        behind = [slot.space.x for slot in rooms[leaf.label].slots] + ([flap] if boxed else [])
+        limit = reduce(ag.max_, [leaf.frees(x) + _MORE for x in behind], swing)
+        swings[leaf.name] = leaf.hinge(limit=limit, pull=pull, damping=door_damping)
         made = door(
             leaf,
-            dress,
+            style,
             brand=maker if first else "",
             display=display if first and not water else "",
             water=water and leaf is (plan.freezer or first),
         )
-        if leaf.name == "door_left":
-            made = ag.weld(made, mullion(leaf, finish=liner))
         body = body.attach(made, swings[leaf.name])
-
-    number = 0
-    for label, room in rooms.items():
-        front = FROSTED if label == "freezer_door" else CLEAR
-        for slot in room.slots:
-            opened = _opened(slot, plan.leaves, label, swings)
-            slide = inner_slide(slot, number, opened, share=drawer_share, friction=drawer_friction)
-            body = body.attach(inner_drawer(slot, number, finish=front, front=front, lip=trim), slide)
-            number += 1
-    for index, part_ in enumerate(plan.fronts):
-        slide = outer_slide(case, part_, index, share=drawer_share, pull=drawer_pull)
-        body = body.attach(outer_drawer(case, part_, index, dress, finish=FROSTED), slide)
+    slots = [(label, slot) for label, room in rooms.items() for slot in room.slots]
+    for number, (label, slot) in enumerate(slots):
+        opened = _opened(slot, plan.leaves, label, swings)
+        clear = FROSTED if label == "freezer_door" else CLEAR
+        drawer = interior.inner_drawer(
+            slot, number, opened, finish=clear, lip=trim, share=drawer_share, friction=drawer_friction
+        )
+        body = body.install(drawer)
+    for number, front in enumerate(plan.fronts):
+        body = body.install(outer_drawer(front, number, style, share=drawer_share, pull=drawer_pull))
     if boxed:
         (leaf,) = plan.leaves
-        opened = swings[leaf.name] > leaf.frees(flap_reach(plan.cold), plan.cold.right)
-        swing_ = flap_swing(plan.cold, opened, front=cold.front, far=leaf.ridges[1], limit=flap_limit)
-        body = body.attach(flap(plan.cold, low=cold.ice, front=cold.front, finish=FROSTED), swing_)
+        opened = swings[leaf.name] > leaf.frees(flap)
+        far = leaf.ridges[1]
+        body = body.install(
+            interior.flap(plan.cold, cold.front, opened, far=far, limit=flap_limit, finish=FROSTED)
+        )
     body = body.require(
         cold.spread > 0.085, "shelves and drawers have no room: raise height, or take fewer of them"
     )
@@ -389,9 +363,11 @@ def _rows(count: int, *, stacked: bool) -> tuple[int, ...]:
     return (2, *(1,) * (count - 2))
 
 
-def _opened(slot: Slot, leaves: Sequence[Leaf], label: str, swings: Mapping[str, ag.Joint]) -> ag.Condition:
+def _opened(
+    slot: interior.Slot, leaves: Sequence[Leaf], label: str, swings: Mapping[str, ag.Joint]
+) -> ag.Condition:
     """Return the conditions under which the doors in front of a drawer have cleared its path."""
     found = [leaf for leaf in leaves if leaf.label == label]
     if len(found) == 2:
         found = [leaf for leaf in found if (1 if leaf.mirrored else -1) in slot.sides]
-    return reduce(and_, [swings[leaf.name] > leaf.frees(slot.left, slot.right) for leaf in found])
+    return reduce(and_, [swings[leaf.name] > leaf.frees(slot.space.x) for leaf in found])

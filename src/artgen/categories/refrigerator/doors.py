@@ -1,60 +1,25 @@
-"""Doors of refrigerators: a skin, the lining behind it with its ridges and bins, gasket, handle and signs."""
+"""Fronts of refrigerators: doors with their linings, ridges and bins, and freezer drawers."""
 
 from dataclasses import dataclass
 from typing import Literal
 
 import artgen as ag
 from artgen import details
-from artgen.categories.refrigerator.case import SEAL_GAP, Case
-from artgen.categories.refrigerator.leaf import CHEEK, LINING_INSET, SEAL_INSET, Leaf, door_gasket
-from artgen.categories.shared.appliances import CLEAR, DARK, filled
+from artgen.categories.refrigerator.plan import (
+    CHEEK,
+    HAND,
+    HUMP_DEEP,
+    LINING_INSET,
+    SEAL_GAP,
+    SEAL_INSET,
+    Front,
+    Leaf,
+)
+from artgen.categories.shared.appliances import CLEAR, DARK, FROSTED, filled
 from artgen.categories.shared.controls import control_panel
-from artgen.categories.shared.pulls import BarStyle, Grip, bar_handle, niche, pocket_grip, recessed_grip
-from artgen.categories.shared.shelves import door_bin
-
-_SHEET = 0.002
-
-
-def dispenser(*, width: ag.Scalar, height: ag.Scalar, deep: ag.Scalar, trim: ag.Material, show: str) -> Grip:
-    """Make a niche about the origin of the front y = 0, with spout, lever and tray, under a touch panel."""
-    cut = ag.box(width, deep + 0.010, height).at(0.0, deep / 2 - 0.005, 0.0)
-    walls = niche(width, height, deep, sheet=_SHEET)
-    panel_high = 0.072
-    top, bottom = height / 2, -0.5 * height
-    frame = ag.rectangle(width + 0.022, height + 0.022, radius=0.008) - ag.rectangle(
-        width - 0.003, height - 0.003, radius=0.002
-    )
-    spout = ag.frustum(0.009, 0.016, 0.03, bevel=0.002).at(0.0, 0.45 * deep, top - 0.016)
-    lever = ag.box(0.045, 0.006, 0.085, bevel=0.0025).at(0.0, deep - 0.0045, top - 0.085)
-    slots = details.vent_slots(0.8 * width, 0.6 * deep, 7, slot=0.0026)
-    tray = ag.box(0.86 * width, 0.8 * deep, 0.006, bevel=0.0015).at(0.0, 0.48 * deep, bottom + 0.005)
-    panel = control_panel(
-        width + 0.022, panel_high, icons=("drop", "ice", "child_lock", "light"), show=show, color="cyan",
-        screen=(0.05, 0.022), pitch=0.026,
-    ).at(0.0, 0.0, top + 0.012 + panel_high / 2)  # fmt: skip
-    return Grip(
-        cut,
-        ag.weld(
-            *(ag.part(wall, "dispenser", DARK) for wall in walls),
-            ag.detail(details.relief(frame, proud=0.0022, bevel=0.0012), "dispenser", trim),
-            ag.detail(spout, "dispenser", ag.material("chrome")),
-            ag.detail(ag.cylinder(0.011, 0.004).at(0.0, 0.45 * deep, top - 0.003), "dispenser", trim),
-            ag.detail(lever, "dispenser", ag.material("black_abs")),
-            ag.detail(tray, "dispenser", trim),
-            details.printed(
-                slots,
-                (0.0, 0.48 * deep, bottom + 0.008),
-                facing=(0.0, 0.0, 1.0),
-                material=DARK,
-                label="dispenser",
-            ),
-            panel,
-        ),
-    )
-
-
-BIN_SHY = 0.002
-"""Difference in depth between ridges and the bins beside them: drawers strike the ridges first [m]."""
+from artgen.categories.shared.pulls import BarStyle, bar_handle, niche, pocket_grip, recessed_grip
+from artgen.categories.shared.shelves import door_bin, open_box
+from artgen.nodes.fitting import Fitting
 
 SOFT = 0.024
 """Radius of the corners of a soft front [m]."""
@@ -62,12 +27,12 @@ SOFT = 0.024
 GripKind = Literal["bar", "pocket", "channel", "recessed"]
 """A bar; a pocket in the edge; a channel along the whole edge; a recess in the front with a blade."""
 
-Front = Literal["flat", "soft", "bowed", "framed"]
+FrontForm = Literal["flat", "soft", "bowed", "framed"]
 """Sharp edges, round edges, a bowed front, or a frame around a panel."""
 
 # thickness of the front part of a door, and of one with a pocket in its edge [m]
 _SKIN, _THICK_SKIN = 0.028, 0.042
-_FREE_INSET = 0.006  # difference in width between lining and skin at the other edges [m]
+_BIN_SHY = 0.002  # difference in depth between ridges and bins: drawers strike the ridges first [m]
 _RIDGE = 0.016  # thickness of ridges [m]
 _LEAST_BIN = 0.05  # least width of a bin [m]
 _SEAL = 0.014  # width of the gasket [m]
@@ -75,10 +40,11 @@ _SEAL_FREE = 0.0004  # gap between gasket and cabinet: invisible, and free of co
 _FOAM = 190.0  # 8 kg/m2 of steel, foam, plastic sheet and contents: 9 kg for 0.7 x 1.1 m [kg/m3]
 _EDGES = {"flat": 0.0026, "soft": 0.005, "bowed": 0.005, "framed": 0.002}  # radius of the edges [m]
 _FRAME = (0.062, 0.0045)  # width and height of the boards of a framed front [m]
+_BITE = 0.0008  # depth of handles in a bowed front [m]
 # round edge of a bowed front: share of the width, and setback [m]
 _BOW = ((1.0, 0.010), (0.988, 0.0035), (0.97, 0.0008))
-_TRACKING = 0.3  # letter spacing of the name on a door, in letter heights
 _BOWED = (0.9, 0.75, 0.5, 0.25, 0.0, -0.25, -0.5, -0.75, -0.9)
+_TRACKING = 0.3  # letter spacing of the name on a door, in letter heights
 _NO_ROOM = (
     "the bins have no room between the ridges of a door: raise width, lower wall or bin_depth, or take a "
     "freezer_share of about 0.45 where the freezer is beside"
@@ -86,15 +52,15 @@ _NO_ROOM = (
 
 
 @dataclass(frozen=True)
-class Dress:
+class Finish:
     """Finish and shape of the fronts of a refrigerator."""
 
-    finish: ag.Material  # finish of the fronts
-    metal: ag.Material  # metal of handles
-    liner: ag.Material  # material of the inner sides
-    seal: ag.Material  # material of the gaskets
-    trim: ag.Material  # finish of bins and shelves
-    form: Front  # shape of the fronts
+    front: ag.Material  # fronts
+    metal: ag.Material  # handles
+    liner: ag.Material  # inner sides
+    seal: ag.Material  # gaskets
+    trim: ag.Material  # bins and shelves
+    drawn: FrontForm  # shape of the fronts, if the handles allow it
     bow: ag.Scalar  # height of the bow of a bowed front [m]
     grip: GripKind  # kind of the handles
     bar: BarStyle  # style of a bar
@@ -102,238 +68,259 @@ class Dress:
     length: ag.Scalar  # length of a handle, as a share of the front
 
     @property
-    def front(self) -> Front:
+    def form(self) -> FrontForm:
         """Return the shape of the fronts: recessed grips need flat fronts."""
-        if self.grip == "bar" or self.form in ("flat", "soft"):
-            return self.form
-        return "soft" if self.form == "bowed" else "flat"
+        if self.grip == "bar" or self.drawn in ("flat", "soft"):
+            return self.drawn
+        return "soft" if self.drawn == "bowed" else "flat"
 
     def rise(self, share: ag.Scalar) -> ag.Scalar:
-        """Return the height of the bow at a distance from the middle, as a share of half the width [m]."""
-        if self.front == "framed":
+        """Return the height of the front at a distance from its middle, as a share of half the width [m]."""
+        if self.form == "framed":
             return _FRAME[1]
-        return self.bow * (1 - share * share) if self.front == "bowed" else 0.0
+        return self.bow * (1 - share * share) if self.form == "bowed" else 0
+
+    def handle(self, length: ag.Scalar, name: str, *, more: ag.Scalar = 0, level: bool = False) -> ag.Body:
+        """Make a bar about the origin; `more` is the height of a bow in front of its ends [m]."""
+        made: ag.Body = bar_handle(
+            length=length,
+            finish=self.metal,
+            style=self.bar,
+            level=level,
+            name=name,
+            projection=0.040 + 1.4 * self.girth + more,
+            girth=self.girth,
+        )
+        return made
 
 
-def slab(
-    case: Case,
-    dress: Dress,
-    left: ag.Scalar,
-    right: ag.Scalar,
-    low: ag.Scalar,
-    high: ag.Scalar,
+def _skin(board: ag.Region, finish: Finish) -> ag.Solid:
+    """Make the front part of a door or drawer."""
+    ease = _EDGES[finish.form]
+    if finish.form == "soft":
+        return ag.extrude(board.front(radius=SOFT), board.y.size, axis=ag.Y, bevel=ease).at(y=board.y.mid)
+    if finish.form != "bowed":
+        return board.box(bevel=ease)
+    half = board.x.size / 2
+    edge = [(share * half, back - finish.rise(share)) for share, back in _BOW]
+    swell = [(share * half, -finish.rise(share)) for share in _BOWED]
+    left = [(-x, y) for x, y in reversed(edge)]
+    outline = ag.polygon([(-half, board.y.size), (half, board.y.size), *edge, *swell, *left])
+    return ag.extrude(outline, board.z.size, bevel=ease).at(board.anchor(y=-1))
+
+
+def _leaf(
+    board: ag.Region,
+    finish: Finish,
+    label: str,
+    name: str,
     *,
     thick: ag.Scalar = _SKIN,
-) -> ag.Solid:
-    """Make the front part of a door or drawer."""
-    middle, upward, ease = (left + right) / 2, (low + high) / 2, _EDGES[dress.front]
-    if dress.front == "soft":
-        outline = ag.rectangle(right - left, high - low, radius=SOFT)
-        return ag.extrude(outline, thick, axis=ag.Y, bevel=ease).at(middle, case.front + thick / 2, upward)
-    if dress.front != "bowed":
-        board = ag.box(right - left, thick, high - low, bevel=ease)
-        return board.at(middle, case.front + thick / 2, upward)
-    half = (right - left) / 2
-    edge = [(share * half, back - dress.rise(share)) for share, back in _BOW]
-    swell = [(share * half, -dress.rise(share)) for share in _BOWED]
-    corners = [(-half, thick), (half, thick), *edge, *swell, *((-x, y) for x, y in reversed(edge))]
-    return ag.extrude(ag.polygon(corners), high - low, bevel=ease).at(middle, case.front, upward)
+    inset: tuple[ag.Scalar, ag.Scalar] = (0.005, 0.005),
+    seal_inset: ag.Scalar = 0.012,
+) -> ag.Body:
+    """Make the skin of a door or drawer, the boards of a framed front, the lining and the gasket.
 
-
-def framing(
-    case: Case, dress: Dress, left: ag.Scalar, right: ag.Scalar, low: ag.Scalar, high: ag.Scalar
-) -> list[ag.Body]:
-    """Make the boards around the panel of a framed front; none for other fronts."""
-    if dress.front != "framed":
-        return []
-    wide, out = _FRAME
-    y = case.front - out / 2 + 0.0005
-    stile = ag.box(wide, out + 0.001, high - low, bevel=0.0014)
-    rail = ag.box(right - left - 2 * wide + 0.001, out + 0.001, wide, bevel=0.0014)
-    middle, upward = (left + right) / 2, (low + high) / 2
-    boards = [
-        *(stile.at(middle + way * (right - left - wide) / 2, y, upward) for way in (-1, 1)),
-        *(rail.at(middle, y, upward + way * (high - low - wide) / 2) for way in (-1, 1)),
+    `inset` is the distance of the lining from the left and the right edge, `seal_inset` that of the gasket
+    from the left edge [m].
+    """
+    lining = board.shrink(0.005, front=thick - 0.001, back=0, left=inset[0], right=inset[1])
+    foam = filled(finish.front, _FOAM)
+    bodies = [
+        ag.part(_skin(board.deep(thick, None)[0], finish), label, foam, name=name),
+        ag.part(lining.box(bevel=0.005), "liner", filled(finish.liner, _FOAM)),
     ]
-    return [ag.part(board, "panel", filled(dress.finish, _FOAM)) for board in boards]
+    if finish.form == "framed":
+        wide, out = _FRAME
+        frame = board.with_(y=(board.y.low - out, board.y.low + 0.001))
+        left, middle, right = frame.across(wide, None, wide)
+        top, _, bottom = middle.grow(0, x=0.0005).stack(wide, None, wide)
+        bodies.append(ag.part([each.box(bevel=0.0014) for each in (left, right, top, bottom)], "panel", foam))
+    behind = (board.y.high, board.y.high + SEAL_GAP - _SEAL_FREE)
+    seal = board.shrink(z=0.008, left=seal_inset, right=0.012).with_(y=behind)
+    return ag.weld(*bodies, *_gasket(seal, finish.seal))
 
 
-def lining(
-    case: Case, left: ag.Scalar, right: ag.Scalar, low: ag.Scalar, high: ag.Scalar, *, thick: ag.Scalar
-) -> ag.Solid:
-    """Make the rear part of a door or drawer, a little narrower than its front part."""
-    deep = case.thickness - thick + 0.001
-    return ag.Region((left, right), (case.face - deep, case.face), (low, high)).box(bevel=0.005)
+def _gasket(ring: ag.Region, rubber: ag.Material) -> list[ag.Body]:
+    """Make the gasket of a closed door, with a gap to the cabinet that prevents contact."""
+    less = 0.0002  # uprights end inside the horizontal bars, just below their faces
+    top, middle, bottom = ring.stack(_SEAL, None, _SEAL)
+    inner = middle.grow(0, z=_SEAL / 2).shrink(x=less / 2, y=0, z=0, back=less)
+    left, _, right = inner.across(_SEAL - less, None, _SEAL - less)
+    bars = [each.box(bevel=0.45 * ring.y.size) for each in (bottom, top, left, right)]
+    # a flat ring is the root of the gasket in the door's groove
+    root = ring.grow(0.003).front(radius=0.006) - ring.shrink(_SEAL + 0.003).front()
+    solid = ag.extrude(root, 0.004, axis=ag.Y).at(y=ring.y.low)
+    return [ag.part(bars, "gasket", rubber), ag.detail(solid, "gasket", rubber)]
 
 
-def door(leaf: Leaf, dress: Dress, *, brand: str = "", display: str = "", water: bool = False) -> ag.Body:
+def door(leaf: Leaf, finish: Finish, *, brand: str = "", display: str = "", water: bool = False) -> ag.Body:
     """Make a door in its place, with the link name of its leaf."""
-    case = leaf.case
-    grip = dress.grip
+    board, grip = leaf.board, finish.grip
     if grip in ("pocket", "channel") and leaf.meets:  # no space for hands between two doors
         grip = "recessed"
     thick = _THICK_SKIN if grip in ("pocket", "channel") else _SKIN
-    skin = slab(case, dress, leaf.left, leaf.right, leaf.low, leaf.high, thick=thick)
-    inner = lining(
-        case,
-        leaf.left + LINING_INSET,
-        leaf.right - _FREE_INSET,
-        leaf.low + 0.005,
-        leaf.high - 0.005,
-        thick=thick,
-    )
-    cuts: list[Grip] = []
-    bodies: list[ag.Body] = []
-    if grip == "bar":
-        bodies.append(_bar(leaf, dress))
-    else:
-        cuts.append(_sunk(leaf, dress, grip))
+    inset = (LINING_INSET, 0.006)
+    body = _leaf(board, finish, leaf.label, leaf.name, thick=thick, inset=inset, seal_inset=SEAL_INSET)
+    body = body.install(_bar(leaf, finish) if grip == "bar" else _recess(leaf, finish, grip))
     if water:
-        high = ag.min_(0.30, 0.32 * leaf.height)
-        made = dispenser(
-            width=ag.min_(0.19, 0.55 * leaf.width),
-            height=high,
-            deep=case.thickness - 0.018,
-            trim=dress.metal,
-            show="4",
-        )
-        cuts.append(made.at(leaf.left + 0.44 * leaf.width, case.front, leaf.low + 0.55 * leaf.height))
-    for made in cuts:
-        skin, inner = skin - made.cut, inner - made.cut
-    bodies += [made.shell for made in cuts]
-    base = ag.part(skin, leaf.label, filled(dress.finish, _FOAM), name=leaf.name)
-    body = ag.weld(
-        base,
-        ag.part(inner, "liner", filled(dress.liner, _FOAM)),
-        *framing(case, dress, leaf.left, leaf.right, leaf.low, leaf.high),
-        *bodies,
-        _seal(leaf, dress),
-        *_inside(leaf, dress),
-        *_signs(leaf, dress, brand, display),
-    )
+        size = (ag.min_(0.19, 0.55 * board.x.size), board.y.size - 0.018, ag.min_(0.30, 0.32 * board.z.size))
+        at = (board.x.at(0.44), board.y.low, board.z.at(0.55))
+        body = body.install(_dispenser(*size, trim=finish.metal), at=at)
+    body = ag.weld(body, *_inside(leaf, finish), *_signs(board, finish, brand, display))
+    if leaf.side == "left":
+        body = ag.weld(body, _mullion(leaf, finish.liner))
     return body.mirror(ag.X) if leaf.mirrored else body
 
 
-def _bar(leaf: Leaf, dress: Dress) -> ag.Body:
-    length = ag.max_(dress.length * leaf.height, 0.17)
-    aside = _FRAME[0] / 2 if dress.front == "framed" else 0.048
-    share = 1 - 2 * aside / leaf.width
-    y = leaf.case.front - dress.rise(share) + (0.0008 if dress.front == "bowed" else 0.0)
-    level: ag.Scalar = (leaf.low + leaf.high) / 2
-    if leaf.handle == "low":
-        level = leaf.low + 0.055 + length / 2
-    elif leaf.handle == "high":
-        level = leaf.high - 0.055 - length / 2
-    out = 0.040 + 1.4 * dress.girth
-    bar: ag.Body = bar_handle(
-        length=length,
-        finish=dress.metal,
-        style=dress.bar,
-        name=f"{leaf.name}_handle",
-        projection=out,
-        girth=dress.girth,
-    )
-    return bar.at(leaf.right - aside, y, level)
+def _level(leaf: Leaf, length: ag.Scalar, margin: ag.Scalar) -> ag.Scalar:
+    """Return the height of the middle of a handle with a margin to the nearest edge [m]."""
+    low, high = leaf.board.z
+    levels = {"low": low + margin + length / 2, "high": high - margin - length / 2}
+    return levels.get(leaf.handle, leaf.board.z.mid)
 
 
-def _sunk(leaf: Leaf, dress: Dress, grip: str) -> Grip:
-    """Make a recessed grip of a door."""
-    y, middle = leaf.case.front, (leaf.low + leaf.high) / 2
-    name = f"{leaf.name}_handle"
+def _bar(leaf: Leaf, finish: Finish) -> ag.Body:
+    board = leaf.board
+    length = ag.max_(finish.length * board.z.size, 0.17)
+    aside = _FRAME[0] / 2 if finish.form == "framed" else 0.048
+    y = board.y.low - finish.rise(1 - 2 * aside / board.x.size) + (_BITE if finish.form == "bowed" else 0)
+    bar = finish.handle(length, f"{leaf.name}_handle")
+    return bar.at(board.x.high - aside, y, _level(leaf, length, 0.055))
+
+
+def _recess(leaf: Leaf, finish: Finish, grip: str) -> Fitting:
+    """Make the recessed grip of a door in its place."""
+    board, name, shade = leaf.board, f"{leaf.name}_handle", ag.material("black_abs")
+    length = ag.min_(ag.max_(finish.length * board.z.size, 0.13), 0.34)
+    level, aside = _level(leaf, length, 0.05), 0.0
     if grip == "channel":
-        return pocket_grip(leaf.height - 0.03, finish=ag.material("aluminium"), name=name).at(
-            leaf.right, y, middle
+        made, level = (
+            pocket_grip(board.z.size - 0.03, finish=ag.material("aluminium"), name=name),
+            board.z.mid,
         )
-    length = ag.min_(ag.max_(dress.length * leaf.height, 0.13), 0.34)
-    level: ag.Scalar = middle
-    if leaf.handle == "low":
-        level = leaf.low + 0.05 + length / 2
-    elif leaf.handle == "high":
-        level = leaf.high - 0.05 - length / 2
-    shade = ag.material("black_abs")
-    if grip == "pocket":
-        return pocket_grip(length, finish=shade, name=name).at(leaf.right, y, level)
-    return recessed_grip(length, finish=dress.metal, lining=shade, name=name).at(leaf.right - 0.062, y, level)
+    elif grip == "pocket":
+        made = pocket_grip(length, finish=shade, name=name)
+    else:
+        made, aside = recessed_grip(length, finish=finish.metal, lining=shade, name=name), 0.062
+    return Fitting(made.shell, made.cut).at(board.x.high - aside, board.y.low, level)
 
 
-def _seal(leaf: Leaf, dress: Dress) -> ag.Body:
-    left, right = leaf.left + SEAL_INSET, leaf.right - 0.012
-    low, high = leaf.low + 0.008, leaf.high - 0.008
-    ring = door_gasket(right - left, high - low, rubber=dress.seal, deep=SEAL_GAP - _SEAL_FREE, size=_SEAL)
-    return ring.at((left + right) / 2, leaf.case.face, (low + high) / 2)
+def _dispenser(width: ag.Scalar, deep: ag.Scalar, height: ag.Scalar, *, trim: ag.Material) -> Fitting:
+    """Make a niche about the origin of the front y = 0, with spout, lever and tray, under a touch panel."""
+    space = ag.Region.centered(width, deep, height).at(y=deep / 2)
+    top, bottom = space.z.high, space.z.low
+    frame = space.grow(0.011).front(radius=0.008) - space.shrink(0.0015).front(radius=0.002)
+    spout = ag.frustum(0.009, 0.016, 0.03, bevel=0.002).at(0, 0.45 * deep, top - 0.016)
+    collar = ag.cylinder(0.011, 0.004).at(0, 0.45 * deep, top - 0.003)
+    lever = ag.box(0.045, 0.006, 0.085, bevel=0.0025).at(0, deep - 0.0045, top - 0.085)
+    tray = ag.box(0.86 * width, 0.8 * deep, 0.006, bevel=0.0015).at(0, 0.48 * deep, bottom + 0.005)
+    slots = details.vent_slots(0.8 * width, 0.6 * deep, 7, slot=0.0026)
+    icons = ("drop", "ice", "child_lock", "light")
+    panel = control_panel(
+        width + 0.022, 0.072, icons=icons, show="4", color="cyan", screen=(0.05, 0.022), pitch=0.026
+    )
+    on_tray = (0, 0.48 * deep, bottom + 0.008)
+    shell = ag.weld(
+        ag.part(niche(width, height, deep, sheet=0.002), "dispenser", DARK),
+        ag.detail([details.relief(frame, proud=0.0022, bevel=0.0012), collar, tray], "dispenser", trim),
+        ag.detail(spout, "dispenser", ag.material("chrome")),
+        ag.detail(lever, "dispenser", ag.material("black_abs")),
+        details.printed(slots, on_tray, facing=ag.Z, material=DARK, label="dispenser"),
+        panel.at(z=top + 0.048),
+    )
+    return Fitting(shell, space.grow(0, front=0.010).box())
 
 
-def _inside(leaf: Leaf, dress: Dress) -> list[ag.Body]:
+def _inside(leaf: Leaf, finish: Finish) -> list[ag.Body]:
     """Make the ridges of the lining and the bins between them."""
     if leaf.ridge is None:
         return []
     left, right = leaf.ridges
-    low, high = leaf.cell.low + 0.020, leaf.cell.high - 0.020
-    sunk = 0.004
-    y = leaf.case.face + (leaf.ridge - sunk) / 2
-    white = filled(dress.liner, _FOAM)
+    face = leaf.board.y.high
+    whole = ag.Region((left, right), (face - 0.004, face + leaf.ridge), leaf.cell.shrink(0.020).z)
     # the free ridge is wide enough to cover the drawers at its side
-    first, last = left + _RIDGE, ag.min_(right - _RIDGE, leaf.cell.right - CHEEK - 0.012)
-    bodies = [
-        ag.part(
-            ag.box(end - start, leaf.ridge + sunk, high - low, bevel=0.005).at(
-                (start + end) / 2, y, (low + high) / 2
-            ),
-            "liner",
-            white,
-        )
-        for start, end in ((left, first), (last, right))
-    ]
+    first, last = left + _RIDGE, ag.min_(right - _RIDGE, leaf.cell.x.high - CHEEK - 0.012)
+    ridges = [whole.with_(x=x).box(bevel=0.005) for x in ((left, first), (last, right))]
     width = ag.require(last - first + 0.002, last - first > _LEAST_BIN, _NO_ROOM)
-    deep = leaf.ridge - BIN_SHY
-    pitch = (high - low) / leaf.bins
-    middle = ((first + last) / 2, leaf.case.face - 0.001)
-    hung = door_bin(
-        width,
-        deep + 0.001,
-        ag.min_(0.095, 0.6 * pitch),
-        finish=CLEAR,
-        trim=dress.trim,
-        at=[(*middle, low + index * pitch + 0.006) for index in range(leaf.bins)],
-    )
-    return [*bodies, hung]
+    pitch = whole.z.size / leaf.bins
+    places = [
+        ((first + last) / 2, face - 0.001, whole.z.low + index * pitch + 0.006) for index in range(leaf.bins)
+    ]
+    deep, height = leaf.ridge - _BIN_SHY + 0.001, ag.min_(0.095, 0.6 * pitch)
+    return [
+        ag.part(ridges, "liner", filled(finish.liner, _FOAM)),
+        door_bin(width, deep, height, finish=CLEAR, trim=finish.trim, at=places),
+    ]
 
 
-def _signs(leaf: Leaf, dress: Dress, brand: str, display: str) -> list[ag.Body]:
+def _signs(board: ag.Region, finish: Finish, brand: str, display: str) -> list[ag.Body]:
     """Make the name and the display on the front."""
     bodies = []
-    y = leaf.case.front - (dress.bow - 0.0003 if dress.front == "bowed" else 0.0)
-    middle = (leaf.left + leaf.right) / 2
+    bowed = finish.form == "bowed"
+    x, y = board.x.mid, board.y.low - (finish.bow - 0.0003 if bowed else 0)
     if brand:
         size: ag.Scalar = 0.013
-        if dress.front == "bowed":  # the ends reach back to the bowed front
-            share = ag.min_(0.28, 0.005 / dress.bow)
-            size = ag.min_(size, share * leaf.width / details.lettering_width(brand.upper(), _TRACKING))
+        if bowed:  # the ends reach back to the bowed front
+            share = ag.min_(0.28, 0.005 / finish.bow)
+            size = ag.min_(size, share * board.x.size / details.lettering_width(brand.upper(), _TRACKING))
         mark = details.logo(brand, size, tracking=_TRACKING)
-        drop = 0.09 if dress.front == "framed" else 0.055
-        shine = dress.metal if dress.metal.base_metalness > 0.5 else ag.material("chrome")
-        bodies.append(
-            details.raised(
-                mark, (middle, y, leaf.high - drop), material=shine, label="logo", proud=0.0005, bevel=0.0
-            )
-        )
+        at = (x, y, board.z.high - (0.09 if finish.form == "framed" else 0.055))
+        shine = finish.metal if finish.metal.base_metalness > 0.5 else ag.material("chrome")
+        bodies.append(details.raised(mark, at, material=shine, label="logo", proud=0.0005, bevel=0))
     if display:
-        at = (middle, y, leaf.high - 0.30 * leaf.height)
-        pane = details.display(display, 0.125, 0.042, at=at, color="cyan")
-        bodies.append(pane)
+        bodies.append(details.display(display, 0.125, 0.042, at=(x, y, board.z.at(0.70)), color="cyan"))
     return bodies
 
 
-def mullion(leaf: Leaf, *, finish: ag.Material) -> ag.Body:
+def _mullion(leaf: Leaf, finish: ag.Material) -> ag.Body:
     """Make the strip at the free edge of a door that closes the gap to the other door from behind.
 
     Real strips fold as the door opens; this strip stays within its own door and never touches the other.
     """
-    wide, deep = 0.044, 0.013
-    strip = ag.box(wide, deep, leaf.cell.height - 0.010, bevel=0.002)
-    strip = strip.at(
-        leaf.right - 0.012 - wide / 2,
-        leaf.case.face + deep / 2 - 0.0005,
-        (leaf.cell.low + leaf.cell.high) / 2,
+    right, face = leaf.board.x.high - 0.012, leaf.board.y.high - 0.0005
+    strip = leaf.cell.shrink(z=0.005).with_(x=(right - 0.044, right), y=(face, face + 0.013))
+    return ag.part(strip.box(bevel=0.002), "mullion", finish)
+
+
+def outer_drawer(front: Front, number: int, finish: Finish, *, share: ag.Scalar, pull: ag.Scalar) -> Fitting:
+    """Make a freezer drawer with its front, gasket, handle and basket on its runners.
+
+    `share` is the travel, as a share of the depth of the basket, and `pull` the friction [N].
+    """
+    board, cell = front.board, front.cell
+    name = f"outer_drawer_{number}"
+    body = _leaf(board, finish, "outer_drawer", name)
+    x, y, wide = board.x.mid, board.y.low, board.x.size
+    if finish.grip == "bar":
+        aside = 0.031 if finish.form == "framed" else 0.055
+        length = ag.min_(ag.max_(0.62 * wide, 0.2), wide - 0.1)
+        ends = finish.rise((length - 0.02) / wide) - (_BITE if finish.form == "bowed" else 0)
+        bar = finish.handle(length, f"{name}_handle", more=finish.rise(0) - ends, level=True)
+        body = body.install(bar, at=(x, y - ends, board.z.high - aside))
+    else:
+        lining = ag.material("black_abs")
+        grip = recessed_grip(0.26, finish=finish.metal, lining=lining, level=True, name=f"{name}_handle")
+        body = body.install(Fitting(grip.shell, grip.cut), at=(x, y, board.z.high - 0.062))
+    behind, floor = board.y.high - 0.002, cell.z.low + 0.012
+    deep = cell.y.high - (HUMP_DEEP if cell.humped else 0) - 0.015 - board.y.high
+    basket = cell.shrink(0.022).with_(y=(board.y.high, board.y.high + deep))
+    tall = 0.62 * cell.z.size
+    boards = open_box(basket.x.size, deep + 0.002, tall, wall=0.004, front=0.004)
+    rail = ag.box(0.010, deep - 0.02, 0.022, bevel=0.002).at(0, basket.y.mid, cell.z.low + 0.7 * tall)
+    rails = [rail.at(x) for x in (basket.x.low - 0.003, basket.x.high + 0.003)]
+    body = ag.weld(
+        body,
+        ag.part([each.at(cell.x.mid, behind, floor) for each in boards], "basket", FROSTED),
+        ag.detail(rails, "rail", ag.material("zinc")),
     )
-    return ag.part(strip, "mullion", finish)
+    slide = ag.Prismatic(
+        f"outer_drawer_slide_{number}",
+        axis=-ag.Y,
+        pivot=board.anchor(y=-1),
+        limits=(0, share * deep),
+        friction=pull,
+        damping=12,
+        effort=HAND,
+    )
+    return Fitting.moving(body, slide)

@@ -1,238 +1,280 @@
-"""The inside of a refrigerator: cells with shelves and drawers."""
+"""The inside of a refrigerator: cells with shelves and drawers, light and control, and an ice box."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
-from typing import Literal
+from typing import Literal, NamedTuple
 
 import artgen as ag
 from artgen import details
-from artgen.categories.refrigerator.case import Case, Cell
-from artgen.categories.refrigerator.drawers import SLACK, Slot, drawer_front, rows
+from artgen.categories.refrigerator.plan import CHEEK, HAND, HUMP_DEEP, HUMP_HIGH, LIGHT, Cell
 from artgen.categories.shared.appliances import DARK, LINER, filled
-from artgen.categories.shared.shelves import LIP_REACH, egg_tray, glass_shelf, wire_shelf
+from artgen.categories.shared.shelves import LIP_REACH, drawer_box, egg_tray, glass_shelf, wire_shelf
+from artgen.nodes.fitting import Fitting
 
 ShelfKind = Literal["glass", "wire"]
 
-DUCT = 0.014
-"""Depth of the air duct on the rear of a cell [m]."""
-
-ICE_SHELF = 0.024
-"""Thickness of the floor of an ice box [m]."""
-
-LIGHT = 0.15
-"""Width of the light at the ceiling of a cell [m]."""
-
-_FLAP = 0.016  # thickness of the flap of an ice box [m]
+_SLACK = 0.012  # travel of a drawer until it strikes the ridges or the flat inside of its closed door [m]
+_NO_MORE = 0.002  # difference between this travel and the declared free travel of a drawer [m]
+_PLAY = 0.003  # gap around a drawer [m]
+_FLOOR = 0.004  # gap under a drawer [m]
+_OVER = 0.014  # gap from one row of drawers to the next, or to the shelf above [m]
+_BARE = 0.10  # additional height under the lowest shelf without drawers, above the even spacing [m]
+_SHELF_SHY = 0.008  # gap between the ridges of a door and the shelves [m]
+_DUCT = 0.014  # depth of the air duct on the rear of a cell [m]
+_HOLLOW = 220.0  # density of the duct and the housing of the light [kg/m3]
+_ICE_HIGH = 0.170  # height of an ice box, from the underside of its floor to the ceiling [m]
+_ICE_FLOOR = 0.024  # thickness of its floor [m]
+_FLAP = 0.016  # thickness of its flap [m]
 _FLAP_INSET = 0.062  # distance from the side of the cell to the hinge edge of the flap [m]
 
 
-def shelf(
+class Slot(NamedTuple):
+    """Space of a drawer behind a door."""
+
+    space: ag.Region
+    lip: ag.Scalar  # height of the lip above the underside [m]
+    sides: tuple[int, ...]  # the halves of the cell that contain the drawer: -1 the left half, 1 the right
+
+
+class Room(NamedTuple):
+    """A furnished cell."""
+
+    bodies: list[ag.Body]  # parts that are welded to the cabinet
+    slots: list[Slot]  # spaces of the drawers
+    front: ag.Scalar  # position of the front of the drawers along y [m]
+    spread: ag.Scalar  # distance from shelf to shelf [m]
+
+
+def furnish(
     cell: Cell,
+    face: ag.Scalar,
+    ridge: ag.Scalar | None,
+    drawers: Sequence[int],
+    drawer_height: ag.Scalar | None,
+    shelves: int,
     kind: ShelfKind,
-    levels: Sequence[ag.Scalar],
     *,
-    front: ag.Scalar,
     trim: ag.Material,
-    glass: ag.Material,
+    liner: ag.Material,
+    iced: bool = False,
+    eggs: bool = False,
+    control: Literal["dial", "touch", "none"] = "none",
+    show: str = "",
+) -> Room:
+    """Furnish a cell.
+
+    Args:
+        cell: The cell.
+        face: Position of the flat inside of the door along y [m].
+        ridge: Depth of the ridges of the door in the cell [m]; None for a flat inside.
+        drawers: Numbers of drawers side by side in each row, from below.
+        drawer_height: Height of each drawer; None to fill the cell [m].
+        shelves: Number of shelves above the drawers.
+        kind: Kind of shelves.
+        trim: Finish of the strips or wires of shelves.
+        liner: Material of the cell and of the parts fixed to its walls.
+        iced: Whether there is an ice box.
+        eggs: Whether there is an egg tray.
+        control: Temperature control.
+        show: Text of the display.
+    """
+    front = face + _SLACK + LIP_REACH + (0 if ridge is None else ridge)
+    shelf_front = cell.y.low + 0.02 if ridge is None else face + ridge + _SHELF_SHY
+    high, low = cell.z.high, cell.z.low + _BARE
+    if drawer_height is None:
+        pitch = cell.z.size / max(len(drawers), 1) - 0.004
+        height = pitch - 0.012
+        lip = 0.45 * height  # space for a hand between the door above and the floor
+    else:
+        height, pitch, lip = drawer_height, drawer_height + _OVER, drawer_height - 0.034
+    slots, rails = [], []
+    for number, count in enumerate(drawers):
+        base = cell.z.low + number * pitch + _FLOOR
+        row = cell.with_(y=(front, cell.y.high - 0.012), z=(base, base + height))
+        found, cheeks = _row(cell, row, count, lip)
+        slots += found
+        rails += cheeks
+    bodies = [ag.part(rails, "rail", filled(liner, 160))] if rails else []
+    if iced:
+        bodies += _ice_box(cell, front, liner)
+        high = high - _ICE_HIGH
+    if drawers and drawer_height is not None:
+        low = cell.z.low + len(drawers) * pitch + 0.008
+        bodies.append(_shelves(cell, "glass", [low], front - 0.012, trim))
+    spread = (high - low) / (shelves + 1)
+    if shelves:
+        levels = [low + (index + 1) * spread for index in range(shelves)]
+        bodies.append(_shelves(cell, kind, levels, shelf_front, trim))
+        if eggs and kind == "glass":
+            tray = egg_tray(0.22, 0.098, finish=LINER, columns=4)
+            bodies.append(tray.at(cell.x.high - 0.16, shelf_front + 0.075, levels[-1] + 0.0036))
+    if drawer_height is not None or not drawers:
+        bodies += _climate(cell.with_(y=(shelf_front, cell.y.high), z=(low + 0.02, high)), liner)
+        bodies += _control((cell.x.mid, shelf_front, high - 0.0105), control, show)
+    return Room(bodies, slots, front, spread)
+
+
+def _row(cell: Cell, row: ag.Region, count: int, lip: ag.Scalar) -> tuple[list[Slot], list[ag.Solid]]:
+    """Return the drawers of a row, and the rails at both sides of them."""
+    if cell.humped:
+        behind = ag.switch(row.z.low < cell.z.low + HUMP_HIGH, HUMP_DEEP, 0)
+        row = row.shrink(0, back=behind)
+    slots = []
+    for place, space in enumerate(row.shrink(0, x=CHEEK).columns(count, 0.008)):
+        sides = (-1, 1) if count == 1 else (-1,) if place == 0 else (1,)
+        slots.append(Slot(space, lip, sides))
+    wide = CHEEK - _PLAY
+    left, _, right = (
+        row.shrink(0, front=0.02, z=0.003).grow(0, x=0.0005).across(wide + 0.0005, None, wide + 0.0005)
+    )
+    return slots, [left.box(bevel=0.002), right.box(bevel=0.002)]
+
+
+def _shelves(
+    cell: Cell, kind: ShelfKind, levels: Sequence[ag.Scalar], front: ag.Scalar, trim: ag.Material
 ) -> ag.Body:
     """Make shelves across the width of a cell."""
-    rear = cell.rear - DUCT - 0.004
-    deep = rear - front
-    places = [(cell.middle, front + deep / 2, level) for level in levels]
+    space = cell.with_(y=(front, cell.y.high - _DUCT - 0.004))
+    places = [(space.x.mid, space.y.mid, level) for level in levels]
     if kind == "glass":
-        return glass_shelf(cell.width, deep, trim=trim, glass=glass, at=places)
-    return wire_shelf(cell.width, deep, finish=trim, at=places)
+        return glass_shelf(space.x.size, space.y.size, trim=trim, at=places)
+    return wire_shelf(space.x.size, space.y.size, finish=trim, at=places)
 
 
-def eggs(cell: Cell, level: ag.Scalar, *, front: ag.Scalar, finish: ag.Material) -> ag.Body:
-    """Make an egg tray on a glass shelf, at the right in front."""
-    wide = 0.22
-    return egg_tray(wide, 0.098, finish=finish, columns=4).at(
-        cell.right - wide / 2 - 0.05, front + 0.075, level - 0.0004
-    )
-
-
-def fittings(
-    cell: Cell,
-    *,
-    front: ag.Scalar,
-    low: ag.Scalar,
-    high: ag.Scalar,
-    control: Literal["dial", "touch", "none"],
-    show: str,
-    liner: ag.Material,
-) -> list[ag.Body]:
-    """Make light and control at the ceiling of a cell, and the air duct on its rear."""
-    bodies = []
-    wide = 0.34 * cell.width
-    tall = ag.max_(high - low - 0.03, 0.02)  # the category reports a lack of space
-    duct = ag.box(wide, DUCT + 0.001, tall, bevel=0.005)
-    face = cell.rear - DUCT
-    bodies.append(
-        ag.part(
-            duct.at(cell.middle, cell.rear - DUCT / 2 + 0.0005, low + tall / 2 + 0.01),
-            "duct",
-            filled(liner, 220.0),
-        )
-    )
+def _climate(room: ag.Region, liner: ag.Material) -> list[ag.Body]:
+    """Make the light at the ceiling of a cell, and the air duct on its rear."""
+    x, high, rear, wide = room.x.mid, room.z.high, room.y.high, 0.34 * room.x.size
+    tall = ag.max_(room.z.size - 0.03, 0.02)  # the category reports a lack of space
+    duct = ag.box(wide, _DUCT + 0.001, tall, bevel=0.005)
+    duct = duct.at(x, rear - _DUCT / 2 + 0.0005, room.z.low + tall / 2 + 0.01)
     slots = details.vent_slots(0.6 * wide, 0.028, 4, slot=0.0035, direction="horizontal")
-    vent = details.relief(slots, (0.0, 0.0, 0.0), proud=0.0002)
-    places = [(cell.middle, face, low + share * tall) for share in (0.22, 0.55, 0.86)]
-    bodies.append(ag.detail(ag.array(vent, at=places), "vent", DARK))
-    housing = ag.box(LIGHT, 0.085, 0.022, bevel=0.005).at(cell.middle, front + 0.055, high - 0.0105)
-    bodies.append(ag.part(housing, "light", filled(liner, 220.0)))
-    lamp = ag.box(0.11, 0.045, 0.004, bevel=0.0015).at(cell.middle, front + 0.058, high - 0.0228)
-    bodies.append(ag.detail(lamp, "light", ag.material("led_white")))
-    panel = (cell.middle, front + 0.0125, high - 0.0105)
-    if control == "dial":
-        at = (cell.middle, front + 0.0080, high - 0.0105)
-        knob = ag.cylinder(0.0085, 0.010, axis=ag.Y, bevel=0.0015).at(*at)
-        mark = ag.box(0.0012, 0.0008, 0.006).at(cell.middle, front + 0.0030, high - 0.0085)
-        bodies += [
-            ag.detail(knob, "control", ag.material("abs")),
-            ag.detail(mark, "control", ag.material("black_abs")),
-        ]
-        sign = details.icon("snowflake", 0.008).at(0.03, 0.0)
-        bodies.append(details.printed(sign, panel, material=ag.material("black_abs"), label="control"))
-    elif control == "touch":
-        bodies.append(details.display(show, 0.05, 0.015, at=panel, color="white", label="control"))
-    return bodies
-
-
-def ice_box(cell: Cell, *, low: ag.Scalar, front: ag.Scalar, liner: ag.Material) -> list[ag.Body]:
-    """Make the floor of an ice box under the ceiling of a cell, and the post for the hinges of its flap."""
-    deep = cell.rear - front
-    floor = ag.box(cell.width + 0.001, deep + 0.001, ICE_SHELF, bevel=0.004)
-    plate = ag.box(cell.width - 0.01, deep - 0.06, 0.001)
-    wide, high = _FLAP_INSET - 0.004, cell.high - low - ICE_SHELF
-    post = ag.box(wide + 0.0005, 0.05, high + 0.001, bevel=0.004)
+    places = [(x, rear - _DUCT, room.z.low + share * tall) for share in (0.22, 0.55, 0.86)]
+    housing = ag.box(LIGHT, 0.085, 0.022, bevel=0.005).at(x, room.y.low + 0.055, high - 0.0105)
+    lamp = ag.box(0.11, 0.045, 0.004, bevel=0.0015).at(x, room.y.low + 0.058, high - 0.0228)
+    hollow = filled(liner, _HOLLOW)
     return [
-        ag.part(floor.at(cell.middle, front + deep / 2, low + ICE_SHELF / 2), "ice_box", liner),
-        ag.part(
-            post.at(cell.left + (wide - 0.0005) / 2, front + 0.025, cell.high - high / 2), "ice_box", liner
-        ),
-        ag.detail(
-            plate.at(cell.middle, front + deep / 2 + 0.02, low + ICE_SHELF + 0.0002),
-            "ice_box",
-            ag.material("aluminium"),
-        ),
+        ag.part(duct, "duct", hollow),
+        ag.detail(ag.array(details.relief(slots, proud=0.0002), at=places), "vent", DARK),
+        ag.part(housing, "light", hollow),
+        ag.detail(lamp, "light", ag.material("led_white")),
     ]
 
 
-def flap(cell: Cell, *, low: ag.Scalar, front: ag.Scalar, finish: ag.Material) -> ag.Body:
-    """Make the flap of an ice box, the link `freezer_door`, hinged at the left."""
-    left, right = cell.left + _FLAP_INSET, cell.right - 0.012
-    bottom, top = low + ICE_SHELF + 0.003, cell.high - 0.004
-    board = ag.box(right - left, _FLAP, top - bottom, bevel=0.004)
-    middle = ((left + right) / 2, front + _FLAP / 2, (bottom + top) / 2)
-    level = bottom + 0.025
-    lip = ag.box(right - left - 0.03, LIP_REACH + 0.0005, 0.009, bevel=0.003)
-    lip = lip.at(middle[0] + 0.01, front - (LIP_REACH - 0.0005) / 2, level)
-    hold = ag.frame((right - 0.11, front - 0.011, level), approach=(0.0, 1.0, 0.0), closing=(0.0, 0.0, 1.0))
-    ink = ag.material("black_abs").with_(name="ice_ink", base_color=(0.10, 0.25, 0.42))
-    sign = details.icon("snowflake", 0.03)
-    return ag.weld(
-        ag.part(lip, "freezer_door", finish, name="freezer_door", grasp=hold),
-        ag.part(board.at(*middle), "freezer_door", finish),
-        details.printed(sign, (middle[0], front, middle[2] + 0.012), material=ink),
+def _control(
+    at: tuple[ag.Scalar, ag.Scalar, ag.Scalar], kind: Literal["dial", "touch", "none"], show: str
+) -> list[ag.Body]:
+    """Make the temperature control on the housing of the light."""
+    x, y, z = at
+    face, black = (x, y + 0.0125, z), ag.material("black_abs")
+    if kind == "touch":
+        return [details.display(show, 0.05, 0.015, at=face, color="white", label="control")]
+    if kind == "none":
+        return []
+    knob = ag.cylinder(0.0085, 0.010, axis=ag.Y, bevel=0.0015).at(x, y + 0.008, z)
+    mark = ag.box(0.0012, 0.0008, 0.006).at(x, y + 0.003, z + 0.002)
+    sign = details.icon("snowflake", 0.008).at(0.03)
+    return [
+        ag.detail(knob, "control", ag.material("abs")),
+        ag.detail(mark, "control", black),
+        details.printed(sign, face, material=black, label="control"),
+    ]
+
+
+def inner_drawer(
+    slot: Slot,
+    number: int,
+    needs: ag.Condition,
+    *,
+    finish: ag.Material,
+    lip: ag.Material,
+    share: ag.Scalar,
+    friction: ag.Scalar,
+) -> Fitting:
+    """Make a drawer that the door in front blocks unless it is open; `share` of its depth is its travel."""
+    (wide, deep, high), place = slot.space.size, slot.space.anchor(y=-1, z=-1)
+    name = f"inner_drawer_{number}"
+    made = drawer_box(
+        wide,
+        deep,
+        high,
+        label="inner_drawer",
+        name=name,
+        finish=finish,
+        front=finish,
+        lip=lip,
+        lip_at=slot.lip,
     )
+    slide = ag.Prismatic(
+        f"inner_drawer_slide_{number}",
+        axis=-ag.Y,
+        limits=(0, share * deep),
+        friction=friction,
+        damping=4,
+        effort=HAND,
+        needs=needs.beyond(_SLACK - _NO_MORE),
+    )
+    return Fitting.moving(made, slide).at(place)
+
+
+def _ice_box(cell: Cell, front: ag.Scalar, liner: ag.Material) -> list[ag.Body]:
+    """Make the floor of an ice box under the ceiling of a cell, and the post for the hinges of its flap."""
+    low = cell.z.high - _ICE_HIGH
+    space = cell.with_(y=(front, cell.y.high), z=(low + _ICE_FLOOR, cell.z.high))
+    floor = space.grow(y=0.0005, x=0.0005).with_(z=(low, space.z.low))
+    post = space.grow(0, top=0.0005, bottom=0.0005).across(_FLAP_INSET - 0.004, None)[0].grow(0, left=0.0005)
+    plate = space.shrink(0, x=0.005, front=0.05, back=0.01).with_(
+        z=(space.z.low - 0.0003, space.z.low + 0.0007)
+    )
+    return [
+        ag.part([floor.box(bevel=0.004), post.deep(0.05, None)[0].box(bevel=0.004)], "ice_box", liner),
+        ag.detail(plate.box(), "ice_box", ag.material("aluminium")),
+    ]
 
 
 def flap_reach(cell: Cell) -> ag.Scalar:
     """Return the reach of the opening flap of an ice box to the left [m]."""
-    return cell.left + _FLAP_INSET + _FLAP / 2 - LIP_REACH - _FLAP / 2 - 0.003
+    return cell.x.low + _FLAP_INSET - LIP_REACH - 0.003
 
 
-def flap_swing(
-    cell: Cell, opened: ag.Condition, *, front: ag.Scalar, far: ag.Scalar, limit: ag.Scalar
-) -> ag.Joint:
-    """Make the hinge of an ice box flap, which the door in front blocks unless the door is open."""
-    axis = cell.left + _FLAP_INSET + _FLAP / 2
-    free = ag.atan2(SLACK, far - axis)
-    return ag.Revolute(
+def flap(
+    cell: Cell,
+    front: ag.Scalar,
+    opened: ag.Condition,
+    *,
+    far: ag.Scalar,
+    limit: ag.Scalar,
+    finish: ag.Material,
+) -> Fitting:
+    """Make the flap of an ice box, the link `freezer_door`, which the door in front blocks unless it is open.
+
+    `far` is the outer side of the free ridge of the door along x [m].
+    """
+    board = ag.Region(
+        (cell.x.low + _FLAP_INSET, cell.x.high - 0.012),
+        (front, front + _FLAP),
+        (cell.z.high - _ICE_HIGH + _ICE_FLOOR + 0.003, cell.z.high - 0.004),
+    )
+    level = board.z.low + 0.025
+    lip = board.shrink(left=0.025, right=0.005).with_(
+        y=(front - LIP_REACH, front + 0.0005), z=(level - 0.0045, level + 0.0045)
+    )
+    hold = ag.frame((cell.x.high - 0.122, front - 0.011, level), approach=ag.Y, closing=ag.Z)
+    ink = ag.material("black_abs").with_(name="ice_ink", base_color=(0.10, 0.25, 0.42))
+    at = (board.x.mid, front, board.z.mid + 0.012)
+    body = ag.weld(
+        ag.part(lip.box(bevel=0.003), "freezer_door", finish, grasp=hold),
+        ag.part(board.box(bevel=0.004), "freezer_door", finish),
+        details.printed(details.icon("snowflake", 0.03), at, material=ink),
+    )
+    axis = board.x.low + _FLAP / 2
+    free = ag.atan2(_SLACK, far - axis)
+    swing = ag.Revolute(
         "freezer_door_hinge",
-        pivot=(axis, front + _FLAP / 2, cell.high - 0.05),
-        axis=(0.0, 0.0, -1.0),
-        limits=(0.0, limit),
+        pivot=(axis, front + _FLAP / 2, cell.z.high - 0.05),
+        axis=-ag.Z,
+        limits=(0, limit),
         friction=1.2,
         damping=0.1,
-        effort=20.0,
+        effort=20,
         needs=opened.beyond(0.7 * free),
     )
-
-
-_ICE_HIGH = 0.170  # height of an ice box, from the underside of its floor to the ceiling [m]
-_SHELF_SHY = 0.008  # gap between the ridges of a door and the shelves [m]
-_OVER = 0.014  # gap from one row of drawers to the next, or to the shelf above [m]
-_BARE = 0.10  # additional height under the lowest shelf without drawers, above the even spacing [m]
-
-
-@dataclass(frozen=True)
-class Furniture:
-    """Contents of a cell."""
-
-    drawers: tuple[int, ...]  # numbers of drawers side by side in each row, from below
-    drawer_height: ag.Scalar | None  # height of each drawer; None to fill the cell [m]
-    shelves: int  # number of shelves above the drawers
-    kind: ShelfKind  # kind of shelves
-    trim: ag.Material  # finish of the strips or wires of shelves
-    liner: ag.Material  # material of the cell and of the parts fixed to its walls
-    ice_box: bool = False  # whether there is an ice box
-    egg_tray: bool = False  # whether there is an egg tray
-    control: Literal["dial", "touch", "none"] = "none"  # temperature control
-    show: str = ""  # text of the display
-
-
-@dataclass(frozen=True)
-class Room:
-    """A furnished cell."""
-
-    bodies: tuple[ag.Body, ...]  # parts that are welded to the cabinet
-    slots: tuple[Slot, ...]  # spaces of the drawers
-    front: ag.Scalar  # position of the front of the drawers along y [m]
-    ice: ag.Scalar  # height of the underside of the ice box's floor [m]
-    spread: ag.Scalar  # distance from shelf to shelf [m]
-
-
-def furnish(case: Case, cell: Cell, ridge: ag.Scalar | None, held: Furniture) -> Room:
-    """Furnish a cell."""
-    glass = ag.material("glass")
-    front = drawer_front(case, ridge)
-    shelf_front = case.mouth + 0.02 if ridge is None else case.face + ridge + _SHELF_SHY
-    count = len(held.drawers)
-    if held.drawer_height is None:
-        pitch = cell.height / max(count, 1) - 0.004
-        high: ag.Scalar = pitch - 0.012
-        lip = 0.45 * high  # space for a hand between the door above and the floor
-    else:
-        high, pitch = held.drawer_height, held.drawer_height + _OVER
-        lip = high - 0.034
-    slots, bodies = rows(
-        cell, held.drawers, low=cell.low, height=high, front=front, pitch=pitch, lip=lip, finish=held.liner
-    )
-    ceiling = cell.high
-    ice = cell.high - _ICE_HIGH
-    if held.ice_box:
-        bodies += ice_box(cell, low=ice, front=front, liner=held.liner)
-        ceiling = ice
-    low = cell.low + _BARE
-    if count and held.drawer_height is not None:
-        low = cell.low + count * pitch + 0.008
-        bodies.append(shelf(cell, "glass", [low], front=front - 0.012, trim=held.trim, glass=glass))
-    spread = (ceiling - low) / (held.shelves + 1)
-    levels = [low + (index + 1) * spread for index in range(held.shelves)]
-    if levels:
-        bodies.append(shelf(cell, held.kind, levels, front=shelf_front, trim=held.trim, glass=glass))
-    if held.egg_tray and held.kind == "glass" and held.shelves:
-        bodies.append(eggs(cell, low + held.shelves * spread + 0.004, front=shelf_front, finish=LINER))
-    if held.drawer_height is not None or not count:
-        bodies += fittings(
-            cell,
-            front=shelf_front,
-            low=low + 0.02,
-            high=ceiling,
-            control=held.control,
-            show=held.show,
-            liner=held.liner,
-        )
-    return Room(tuple(bodies), tuple(slots), front, ice, spread)
+    return Fitting.moving(body, swing)
