@@ -23,133 +23,125 @@ per meter of length: the weight of a flap 0.2 m long of 0.7 kg/m2 board loads it
 worked crease holds this load (0.2-0.6 N m); a fresh crease holds less and springs back to 30-60 degrees.
 """
 
-from typing import Literal
+from typing import Any, Literal
 
 import artgen as ag
 from artgen import details
-from artgen.categories.box.board import Board, Feel, Flute
-from artgen.categories.box.ends import open_ended_box, tuck_end_box
+from artgen.categories.box import gifts, kinds
+from artgen.categories.box.board import Board, Flute
+from artgen.categories.box.closures import Sides
 from artgen.categories.box.finish import COLORFUL, KRAFT, LININGS, PRINTS, RIBBONS, STRAPS, WHITE, WRAPS
-from artgen.categories.box.gifts import Closure, Hollow
-from artgen.categories.box.kinds import (
-    Draft,
-    gift_box,
-    half_slotted_box,
-    lidded_box,
-    slotted_box,
-    tray_box,
-    wine_box,
-)
-from artgen.categories.box.lids import Sides
-from artgen.categories.box.prints import Look, Signs
+from artgen.categories.box.prints import Emblem, Look, Signs
 
 Style = Literal["slotted", "half_slotted", "mailer", "pizza", "tuck_end", "wine", "tray", "gift"]
 
-_LEAST_WIDTH: dict[Style, float] = {"tray": 0.14, "mailer": 0.15}  # least width of boxes of these styles [m]
+# flaps of ends, print on a front, and straps, tucks and ears need room: least width and height by style [m]
+_LEAST: dict[Style, tuple[float, float]] = {
+    "slotted": (0.0, 0.06),
+    "mailer": (0.15, 0.0),
+    "tuck_end": (0.0, 0.1),
+    "tray": (0.14, 0.0),
+}
+_STYLES = {"slotted": 0.24, "half_slotted": 0.08, "mailer": 0.15, "pizza": 0.10, "tuck_end": 0.10,
+           "wine": 0.12, "tray": 0.10, "gift": 0.11}  # fmt: skip
+_TINTS = {"graphite": 0.45, "brown": 0.2, "blue": 0.12, "red": 0.12, "forest": 0.11}
+
+
+def _by_size(**spans: tuple[float, float]) -> Any:
+    """Draw evenly from a span for each size."""
+    return ag.by("size", **{size: ag.uniform(*span) for size, span in spans.items()})
+
+
+_MAYBE = {False: 1.0, True: 1.0}
+_LIKELY = {True: 1.0, False: 1.0}  # as likely; the order decides which draw gives which option
+_CREASES = {"fresh": 0.4, "worked": 0.6}
+_SIZES = {"small": 0.3, "medium": 0.4, "large": 0.3}
+_WIDTHS = {
+    "slotted": _by_size(small=(0.20, 0.30), medium=(0.32, 0.46), large=(0.50, 0.74)),
+    "half_slotted": _by_size(medium=(0.32, 0.46), otherwise=(0.46, 0.62)),
+    "mailer": _by_size(small=(0.19, 0.26), medium=(0.25, 0.36), large=(0.30, 0.40)),
+    "pizza": _by_size(small=(0.25, 0.31), otherwise=(0.32, 0.41)),
+    "tuck_end": _by_size(small=(0.24, 0.32), otherwise=(0.32, 0.46)),
+    "tray": _by_size(small=(0.24, 0.32), otherwise=(0.32, 0.42)),
+    "gift": _by_size(small=(0.16, 0.21), otherwise=(0.21, 0.30)),
+    "otherwise": ag.uniform(0.086, 0.093),
+}
+_HEIGHTS = {
+    "slotted": ag.by(
+        "mouth",
+        top=_by_size(small=(0.14, 0.22), medium=(0.20, 0.36), large=(0.34, 0.55)),
+        # less than the depth: minor flaps do not meet
+        ends=_by_size(small=(0.10, 0.12), medium=(0.13, 0.19), large=(0.19, 0.29)),
+    ),
+    "half_slotted": _by_size(medium=(0.32, 0.46), otherwise=(0.44, 0.62)),
+    "mailer": _by_size(small=(0.055, 0.085), medium=(0.07, 0.11), large=(0.125, 0.17)),
+    "pizza": ag.uniform(0.042, 0.050),
+    "tuck_end": _by_size(small=(0.105, 0.13), otherwise=(0.125, 0.19)),
+    "wine": ag.uniform(0.322, 0.338),
+    "tray": _by_size(small=(0.10, 0.14), otherwise=(0.11, 0.26)),
+    "otherwise": ag.uniform(0.075, 0.14),
+}
 
 
 @ag.category(
-    labels=(
-        "box",
-        "flap_major",
-        "flap_minor",
-        "lid",
-        "tuck",
-        "sleeve",
-        "drawer",
-        "divider",
-        "bottle",
-        "handle",
-        "insert",
-        "ribbon",
-        "tape",
-        "label",
-        "print",
-    ),
+    labels="box flap_major flap_minor lid tuck sleeve drawer divider bottle handle insert ribbon tape label "
+    "print",
     joints=(1, 16),
 )
 def box(
     *,
-    style: Style = ag.choice(
-        "slotted",
-        "half_slotted",
-        "mailer",
-        "pizza",
-        "tuck_end",
-        "wine",
-        "tray",
-        "gift",
-        weights=(0.24, 0.08, 0.15, 0.10, 0.10, 0.12, 0.10, 0.11),
-    ),
+    style: Style = ag.choice(_STYLES),
     mouth: Literal["top", "ends"] = ag.by(
         "style",
-        slotted=ag.choice("ends", "top", weights=(0.26, 0.74)),
+        slotted={"ends": 0.26, "top": 0.74},
         tuck_end="ends",
         otherwise="top",
         doc="position of the opening; a box with open ends lies on its side",
     ),
     size: Literal["small", "medium", "large"] = ag.by(
         "style",
-        slotted=ag.choice("small", "medium", "large", weights=(0.3, 0.4, 0.3)),
-        half_slotted=ag.choice("medium", "large"),
+        slotted=_SIZES,
+        half_slotted={"medium": 1, "large": 1},
         wine="medium",
-        mailer=ag.choice("small", "medium", "large", weights=(0.3, 0.4, 0.3)),
-        otherwise=ag.choice("small", "medium", weights=(0.4, 0.6)),
+        mailer=_SIZES,
+        otherwise={"small": 0.4, "medium": 0.6},
     ),
     bottles: int = ag.by(
-        "style",
-        wine=ag.choice(2, 3, 6, 12, weights=(0.25, 0.2, 0.35, 0.2)),
-        otherwise=0,
-        doc="number of cells for bottles",
+        "style", wine={2: 0.25, 3: 0.2, 6: 0.35, 12: 0.2}, otherwise=0, doc="number of cells for bottles"
     ),
     wine: Literal["none", "red", "white", "rose"] = ag.by(
         "style",
-        wine=ag.choice("none", "red", "white", "rose", weights=(0.3, 0.36, 0.2, 0.14)),
+        wine={"none": 0.3, "red": 0.36, "white": 0.2, "rose": 0.14},
         otherwise="none",
         doc="contents of the cells of a wine box",
     ),
-    sides: Sides = ag.by(
-        "style", mailer=ag.choice("over", "tucked", weights=(0.7, 0.3)), pizza="tucked", otherwise="over"
-    ),
+    sides: Sides = ag.by("style", mailer={"over": 0.7, "tucked": 0.3}, pizza="tucked", otherwise="over"),
     ears: bool = ag.by(
         "style",
-        mailer=ag.choice(True, False, weights=(0.75, 0.25)),
-        pizza=ag.choice(True, False, weights=(0.4, 0.6)),
-        tuck_end=ag.choice(True, False, weights=(0.6, 0.4)),
+        mailer={True: 0.75, False: 0.25},
+        pizza={True: 0.4, False: 0.6},
+        tuck_end={True: 0.6, False: 0.4},
         otherwise=False,
         doc="whether ears at the ends of the tuck lock it",
     ),
     dusted: bool = ag.by(
         "sides",
-        over=ag.by(
-            "style", mailer=ag.by("size", large=ag.choice(True, False), otherwise=False), otherwise=False
-        ),
+        over=ag.by("style", mailer=ag.by("size", large=_LIKELY, otherwise=False), otherwise=False),
         tucked=False,
         doc="whether a deep mailer has dust flaps under its lid",
     ),
     lips: bool = ag.by(
         "style",
-        tuck_end=ag.choice(True, False),
+        tuck_end=_LIKELY,
         otherwise=False,
         doc="whether dust flaps end in lips, which seal the corners",
     ),
-    closure: Closure = ag.by(
-        "style", gift=ag.choice("lift", "flap", "drawer", weights=(0.5, 0.28, 0.22)), otherwise="lift"
+    closure: gifts.Closure = ag.by(
+        "style", gift={"lift": 0.5, "flap": 0.28, "drawer": 0.22}, otherwise="lift"
     ),
     width: ag.Float = ag.by(
         "style",
-        slotted=ag.by(
-            "size", small=ag.uniform(0.20, 0.30), medium=ag.uniform(0.32, 0.46), large=ag.uniform(0.50, 0.74)
-        ),
-        half_slotted=ag.by("size", medium=ag.uniform(0.32, 0.46), otherwise=ag.uniform(0.46, 0.62)),
-        mailer=ag.by(
-            "size", small=ag.uniform(0.19, 0.26), medium=ag.uniform(0.25, 0.36), large=ag.uniform(0.30, 0.40)
-        ),
-        pizza=ag.by("size", small=ag.uniform(0.25, 0.31), otherwise=ag.uniform(0.32, 0.41)),
-        tuck_end=ag.by("size", small=ag.uniform(0.24, 0.32), otherwise=ag.uniform(0.32, 0.46)),
-        tray=ag.by("size", small=ag.uniform(0.24, 0.32), otherwise=ag.uniform(0.32, 0.42)),
-        gift=ag.by("size", small=ag.uniform(0.16, 0.21), otherwise=ag.uniform(0.21, 0.30)),
-        otherwise=ag.uniform(0.086, 0.093),
+        _WIDTHS,
         unit="m",
         within=(0.08, 0.80),
         doc="width of the front; in a wine box, width of a cell",
@@ -167,49 +159,19 @@ def box(
         within=(0.5, 1.0),
     ),
     height: ag.Float = ag.by(
-        "style",
-        slotted=ag.by(
-            "mouth",
-            top=ag.by(
-                "size",
-                small=ag.uniform(0.14, 0.22),
-                medium=ag.uniform(0.20, 0.36),
-                large=ag.uniform(0.34, 0.55),
-            ),
-            ends=ag.by(  # less than the depth: minor flaps do not meet
-                "size",
-                small=ag.uniform(0.10, 0.12),
-                medium=ag.uniform(0.13, 0.19),
-                large=ag.uniform(0.19, 0.29),
-            ),
-        ),
-        half_slotted=ag.by("size", medium=ag.uniform(0.32, 0.46), otherwise=ag.uniform(0.44, 0.62)),
-        mailer=ag.by(
-            "size",
-            small=ag.uniform(0.055, 0.085),
-            medium=ag.uniform(0.07, 0.11),
-            large=ag.uniform(0.125, 0.17),
-        ),
-        pizza=ag.uniform(0.042, 0.050),
-        tuck_end=ag.by("size", small=ag.uniform(0.105, 0.13), otherwise=ag.uniform(0.125, 0.19)),
-        wine=ag.uniform(0.322, 0.338),
-        tray=ag.by("size", small=ag.uniform(0.10, 0.14), otherwise=ag.uniform(0.11, 0.26)),
-        otherwise=ag.uniform(0.075, 0.14),
-        unit="m",
-        within=(0.04, 0.80),
-        doc="height of the closed box",
+        "style", _HEIGHTS, unit="m", within=(0.04, 0.80), doc="height of the closed box"
     ),
     flute: Flute = ag.by(
         "style",
         slotted=ag.by(
             "size",
-            small=ag.choice("b", "c"),
-            medium=ag.choice("b", "c", "eb", weights=(0.25, 0.5, 0.25)),
-            large=ag.choice("c", "eb", "bc", weights=(0.3, 0.3, 0.4)),
+            small={"b": 1, "c": 1},
+            medium={"b": 0.25, "c": 0.5, "eb": 0.25},
+            large={"c": 0.3, "eb": 0.3, "bc": 0.4},
         ),
-        half_slotted=ag.choice("c", "eb", "bc"),
-        wine=ag.choice("b", "c"),
-        tray=ag.choice("b", "c", weights=(0.7, 0.3)),
+        half_slotted={"c": 1, "eb": 1, "bc": 1},
+        wine={"b": 1, "c": 1},
+        tray={"b": 0.7, "c": 0.3},
         gift="grey",
         otherwise="b",
         doc="flute of the board, which is 3 to 6.8 mm thick",
@@ -241,47 +203,40 @@ def box(
     ),
     taped: bool = ag.by(
         "style",
-        slotted=ag.choice(True, False, weights=(0.72, 0.28)),
-        half_slotted=ag.choice(True, False),
-        wine=ag.choice(True, False),
+        slotted={True: 0.72, False: 0.28},
+        half_slotted=_LIKELY,
+        wine=_LIKELY,
         otherwise=False,
         doc="whether slit tape lies along the seam",
     ),
     holes: bool = ag.by(
         "style",
         slotted=ag.by(
-            "mouth",
-            top=ag.by(
-                "size",
-                small=False,
-                medium=ag.choice(False, True),
-                large=ag.choice(False, True, weights=(0.3, 0.7)),
-            ),
-            ends=False,
+            "mouth", top=ag.by("size", small=False, medium=_MAYBE, large={False: 0.3, True: 0.7}), ends=False
         ),
-        half_slotted=ag.choice(False, True),
+        half_slotted=_MAYBE,
         otherwise=False,
         doc="whether the sides have hand holes",
     ),
     ribbon: ag.Material = ag.by("style", gift=ag.shades(*RIBBONS, color=0.05), otherwise=RIBBONS[0]),
     ribbon_width: ag.Float = ag.uniform(0.014, 0.026, "m"),
     crossed: bool = ag.by(
-        "style", gift=ag.choice(False, True), otherwise=False, doc="whether two ribbons cross on a gift box"
+        "style", gift=_MAYBE, otherwise=False, doc="whether two ribbons cross on a gift box"
     ),
-    hollow: Hollow = ag.by(
+    hollow: gifts.Hollow = ag.by(
         "closure",
         lift="none",
-        otherwise=ag.choice("none", "square", "round", weights=(0.3, 0.4, 0.3)),
+        otherwise={"none": 0.3, "square": 0.4, "round": 0.3},
         doc="shape of the hollow in the foam of a gift box",
     ),
     rounded: bool = ag.by(
-        "closure", flap=ag.choice(False, True), otherwise=False, doc="whether a magnetic flap has cut corners"
+        "closure", flap=_MAYBE, otherwise=False, doc="whether a magnetic flap has cut corners"
     ),
     strap: ag.Material = ag.by("style", tray=ag.shades(*STRAPS, color=0.05), otherwise=STRAPS[0]),
     crease: Literal["fresh", "worked"] = ag.by(
         "style",
-        slotted=ag.choice("fresh", "worked", weights=(0.4, 0.6)),
-        half_slotted=ag.choice("fresh", "worked", weights=(0.4, 0.6)),
+        slotted=_CREASES,
+        half_slotted=_CREASES,
         otherwise="worked",
         doc="whether major flaps spring open",
     ),
@@ -308,85 +263,56 @@ def box(
     ),
     signs: Signs = ag.by(
         "style",
-        slotted=ag.choice("none", "up", "pair", "full", weights=(0.22, 0.2, 0.28, 0.3)),
-        half_slotted=ag.choice("none", "up", "pair", "full"),
-        wine=ag.choice("pair", "full"),
+        slotted={"none": 0.22, "up": 0.2, "pair": 0.28, "full": 0.3},
+        half_slotted={"none": 1, "up": 1, "pair": 1, "full": 1},
+        wine={"pair": 1, "full": 1},
         otherwise="none",
     ),
     label: bool = ag.by(
         "style",
-        slotted=ag.choice(False, True),
-        mailer=ag.choice(False, True, weights=(0.7, 0.3)),
-        tuck_end=ag.choice(False, True, weights=(0.7, 0.3)),
-        tray=ag.choice(False, True),
+        slotted=_MAYBE,
+        mailer={False: 0.7, True: 0.3},
+        tuck_end={False: 0.7, True: 0.3},
+        tray=_MAYBE,
         otherwise=False,
         doc="whether a label shows an address or the contents",
     ),
-    emblem: Literal["leaf", "hexagon", "waves", "peak", "sun", "diamond", "quarters", "ring"] = ag.choice(
-        "leaf", "hexagon", "waves", "peak", "sun", "diamond", "quarters", "ring"
-    ),
-    tint: Literal["graphite", "brown", "blue", "red", "forest"] = ag.choice(
-        "graphite", "brown", "blue", "red", "forest", weights=(0.45, 0.2, 0.12, 0.12, 0.11), doc="ink color"
-    ),
+    emblem: Emblem = ag.choice("leaf", "hexagon", "waves", "peak", "sun", "diamond", "quarters", "ring"),
+    tint: Literal["graphite", "brown", "blue", "red", "forest"] = ag.choice(_TINTS, doc="ink color"),
     maker: str = ag.choice(*details.BRANDS),
     model: int = ag.count(100, 989),
 ) -> ag.Body:
     """Make a cardboard or gift box, closed: flaps, tucks, ears, lid, drawer, bottles."""
-    if style == "half_slotted" or (style == "slotted" and mouth == "top"):
-        free = width * (1.0 - aspect)  # free space between the minor flaps of the bottom
-        width = ag.require(width, free > 0.006, "the flaps of a square box meet: aspect must be <= 0.96")
-    least = _least_height(style)
-    height = ag.require(height, height >= least, f"flaps and print need room: height must be >= {least:g} m")
-    least = _LEAST_WIDTH.get(style, 0.0)
-    width = ag.require(
-        width, width >= least, f"strap, tucks and ears need room: width must be >= {least:g} m"
-    )
-    fresh = crease == "fresh"
-    feel = Feel(stiffness if fresh else 0.0, springback if fresh else 0.0, friction, damping)
-    draft = Draft(
-        Board(flute, outside, lining),
-        width,
-        width * aspect,
-        height,
-        feel,
-        swing,
-        Look(maker, model, emblem, tint, signs, label),
-    )
+    wide, tall = _LEAST.get(style, (0.0, 0.0))
+    height = ag.require(height, height >= tall, f"flaps and print need room: height must be >= {tall:g} m")
+    width = ag.require(width, width >= wide, f"strap, tucks and ears need room: width must be >= {wide:g} m")
+    stiff, rest = (stiffness, springback) if crease == "fresh" else (0.0, 0.0)
+    board = Board(flute, outside, lining, stiff, rest, friction, damping, swing, lid_open)
+    case = ag.Region.centered(width, width * aspect, 0.0).with_(z=(0.0, height))
+    look = Look(maker, model, emblem, tint, signs, label)
+    plan = (board, case, look)
     match style:
         case "slotted" if mouth == "top":
-            return slotted_box(draft, taped=taped, holes=holes)
+            body = kinds.slotted_box(*plan, taped=taped, holes=holes)
         case "slotted":
-            return open_ended_box(draft, taped=taped)
+            body = kinds.open_ended_box(*plan, taped=taped)
         case "tuck_end":
-            return tuck_end_box(draft, ears=ears, lips=lips, opening=lid_open)
+            body = kinds.tuck_end_box(*plan, ears=ears, lips=lips)
         case "half_slotted":
-            return half_slotted_box(draft, taped=taped, holes=holes, rub=rub)
+            body = kinds.half_slotted_box(*plan, taped=taped, holes=holes, rub=rub)
         case "mailer" | "pizza":
-            return lidded_box(
-                draft, pizza=style == "pizza", sides=sides, ears=ears, dusted=dusted, opening=lid_open
-            )
+            body = kinds.lidded_box(*plan, pizza=style == "pizza", sides=sides, ears=ears, dusted=dusted)
         case "wine":
             filled = None if wine == "none" else wine
-            return wine_box(draft, bottles=bottles, wine=filled, opening=lid_open, taped=taped)
+            body = kinds.wine_box(board, width, height, look, bottles=bottles, wine=filled, taped=taped)
         case "tray":
-            return tray_box(draft, skirt=skirt, rub=rub, strapping=strap)
-        case "gift":
-            return gift_box(
-                draft,
-                closure,
-                satin=ribbon,
-                wide=ribbon_width,
-                crossed=crossed,
-                hollow=hollow,
-                rounded=rounded,
-                skirt=skirt,
-                rub=rub,
-                opening=lid_open,
-            )
-
-
-def _least_height(style: Style) -> float:
-    """Return the least height of a box with space for the flaps of its ends or for print on its front [m]."""
-    if style == "tuck_end":
-        return 0.1
-    return 0.06 if style == "slotted" else 0.0
+            body = kinds.tray_box(*plan, skirt=skirt, rub=rub, strap=gifts.strap(strap))
+        case _ if closure == "lift":
+            bow = (ribbon, ribbon_width)
+            body = gifts.lifted(board, case, *bow, crossed=crossed, skirt=skirt * height, rub=rub)
+        case _ if closure == "drawer":
+            body = gifts.drawn(*plan, ribbon, hollow, friction=1 + 3 * rub)
+        case _:
+            reach = (0.45 + 0.55 * skirt) * height
+            body = gifts.flapped(*plan, ribbon, hollow, reach=reach, rounded=rounded)
+    return body

@@ -1,11 +1,15 @@
-"""Corrugated board: sheets, creases, and the walls of boxes with hand holes and dividers."""
+"""Corrugated board: sheets, the creases that hinge them, walls, hand holes and dividers."""
 
+import functools
 import math
+import operator
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Literal, TypeVar
+from typing import Literal
 
 import artgen as ag
-from artgen.categories.box.prints import seam
+from artgen.categories.box.finish import SHADE
+from artgen.nodes.fitting import Fitting
 
 Flute = Literal["b", "c", "eb", "bc", "grey"]
 """B and C flute, the double walls EB and BC, and the solid grayboard of set-up boxes."""
@@ -22,35 +26,39 @@ SLIT = 0.0025
 FOLD = 0.0003
 """Distance of a crease axis outside both outer faces: the liner stretches around the bend [m]."""
 
+AXIS = (0.0, -FOLD, FOLD)
+"""A point on the axis of a crease, which runs along x, in the frame of its sheet [m]."""
+
+Side = Literal["front", "back", "left", "right"]
+# outward direction of each side, and the turn about z of a sheet that points inward from there [rad]
+_SIDES: dict[Side, tuple[int, int, float]] = {
+    "front": (0, -1, 0.0),
+    "back": (0, 1, math.pi),
+    "left": (-1, 0, -math.pi / 2),
+    "right": (1, 0, math.pi / 2),
+}
 _GAP = 0.0002  # gap from a corner to the end of each sheet, along its face [m]
 _BEAD = 0.00045  # radius of the bulge of the liner about the axis, less than that of the edges of sheets [m]
-_WAVES: dict[Flute, int] = {"b": 1, "c": 1, "eb": 2, "bc": 2, "grey": 1}
 _FAR = 2.5  # length greater than any sheet [m]
-
-Thing = TypeVar("Thing", ag.Solid, ag.Body)
-
-
-@dataclass(frozen=True)
-class Feel:
-    """Resistance of a crease, per meter of its length."""
-
-    stiffness: ag.Scalar  # stiffness of the spring that pulls to `rest` [N m/rad per m]
-    rest: ag.Scalar  # angle to which a flap of a new box springs open [rad]
-    friction: ag.Scalar  # friction moment of a bent crease, which holds flaps in place [N m per m]
-    damping: ag.Scalar  # damping [N m s/rad per m]
 
 
 @dataclass(frozen=True)
 class Board:
-    """Corrugated board of a box."""
+    """Board of a box with the resistance, per meter, and the range of its creases."""
 
-    flute: Flute  # kind of flute
+    flute: Flute
     outside: ag.Material  # liner of the outer face
     inside: ag.Material  # liner of the inner face
+    stiffness: ag.Scalar  # spring of a fresh crease, which pulls to `rest` [N m/rad]
+    rest: ag.Scalar  # angle to which a flap of a new box springs open [rad]
+    friction: ag.Scalar  # moment of a bent crease, which holds flaps in place [N m]
+    damping: ag.Scalar  # [N m s/rad]
+    swing: ag.Scalar  # opening angle of flaps in free space [rad]
+    opening: ag.Scalar  # opening angle of lids [rad]
 
     @property
     def thick(self) -> float:
-        """Thickness of the board [m]."""
+        """Thickness [m]."""
         return THICK[self.flute]
 
     @property
@@ -58,134 +66,129 @@ class Board:
         """Material of cut edges: liners with the wave between them, or the wrap of grayboard."""
         if self.flute == "grey":
             return self.outside
-        tile = (self.thick / _WAVES[self.flute], 0.064)
+        tile = (self.thick / len(self.flute), 0.064)  # double walls have two waves
         return ag.material("cardboard_edge").with_(name=f"{self.flute}_flute_edge", tile=tile)
 
+    def under(self, height: ag.Scalar) -> ag.Scalar:
+        """Return the height of a sheet under a sheet at `height` [m]."""
+        return height - self.thick - LAYER
+
     def sheet(self, outline: ag.Profile, *, relief: ag.Scalar | None = 0.0) -> ag.Solid:
-        """Cut a sheet with its outer face at z = 0."""
-        core = ag.extrude(outline, 3.0 * self.thick).at(0.0, 0.0, -self.thick / 2.0).paint(self.edge)
-        cut = core & self._slab()
-        return cut if relief is None else cut - self._mitre().at(0.0, relief, 0.0)
+        """Cut a sheet with its outer face at z = 0, mitered for a crease at y = `relief`."""
+        t, wide, long = self.thick, (-_FAR - 0.1, _FAR + 0.1), (-_FAR, _FAR)  # texture runs along x
+        core = ag.extrude(outline, 3 * t).at(z=-t / 2).paint(self.edge)
+        upper = ag.Region(wide, long, (-2 * t, 0.0)).box().paint(self.outside)
+        cut = core & (upper & ag.Region(wide, long, (-t, t)).box().paint(self.inside))
+        return cut if relief is None else cut - self._miter().at(0.0, relief)
 
-    def creased(self, solid: ag.Solid, *creases: "Crease") -> ag.Solid:
-        """Miter the edges at which creases join a sheet or a wall to others."""
-        for crease in creases:
-            solid = solid - crease.beside(self._mitre())
-        return solid
-
-    def _slab(self) -> ag.Solid:
-        """Make a board larger than any sheet; its texture runs along x."""
-        upper = ag.Region.between((-_FAR - 0.1, -_FAR, -2.0 * self.thick), (_FAR + 0.1, _FAR, 0.0)).box()
-        lower = ag.Region.between((-_FAR - 0.1, -_FAR, -self.thick), (_FAR + 0.1, _FAR, self.thick)).box()
-        return upper.paint(self.outside) & lower.paint(self.inside)
-
-    def _mitre(self) -> ag.Solid:
-        """Make the cutter that frees the space of a crease in a neighboring sheet."""
+    def _miter(self) -> ag.Solid:
+        """Make the cutter that frees the space of a crease, in the frame of the sheet."""
         t = self.thick
-        wedge = ag.polygon(
-            [(_GAP - 2.0 * t, 2.0 * t), (_GAP + 3.0 * t, -3.0 * t), (_GAP - 2.0 * t, -3.0 * t)]
-        )
-        return ag.extrude(wedge, 2.0 * _FAR, axis=ag.X).paint(self.inside)
+        wedge = ag.polygon([(_GAP - 2 * t, 2 * t), (_GAP + 3 * t, -3 * t), (_GAP - 2 * t, -3 * t)])
+        return ag.extrude(wedge, 2 * _FAR, axis=ag.X).paint(self.inside)
 
-
-@dataclass(frozen=True)
-class Mouth:
-    """Names of the sides of an opening in the frame of the asset; the default is an opening at the top."""
-
-    front: str = "front"  # name of the side at -y of an opening at the top
-    back: str = "back"  # name of the side at +y
-    left: str = "left"  # name of the side at -x
-    right: str = "right"  # name of the side at +x
-    suffix: str = ""  # suffix of all names
-    grounded: bool = False  # whether the flap of the side `front` opens down to the floor
-
-    def link(self, kind: str, side: str | None = None) -> str:
-        """Return the name of the part of a kind at a side, or of the only part of that kind."""
-        return (kind if side is None else f"{kind}_{getattr(self, side)}") + self.suffix
-
-    def hinge(self, kind: str, side: str | None = None) -> str:
-        """Return the name of the joint of such a part."""
-        return (f"{kind}_hinge" if side is None else f"{kind}_{getattr(self, side)}_hinge") + self.suffix
-
-
-TOP = Mouth()
-"""The opening at the top of an upright box."""
-
-
-def tongue(half: ag.Scalar, reach: ag.Scalar, *, shoulder: ag.Scalar, tip: ag.Scalar) -> ag.Profile:
-    """Make the outline of a flap that narrows from its shoulder to its tip."""
-    corners = [(half, 0.0), (half, shoulder), (tip, reach)]
-    return ag.polygon([*corners, *((-x, y) for x, y in reversed(corners))])
-
-
-@dataclass(frozen=True)
-class Crease:
-    """Position of the crease between a sheet and its neighbor, in the neighbor's frame."""
-
-    x: ag.Scalar  # middle of the crease along x, at the intersection of both outer faces [m]
-    y: ag.Scalar  # middle of the crease along y [m]
-    z: ag.Scalar = 0.0  # middle of the crease along z [m]
-    turn: float = 0.0  # angle about z from the frame's y axis to the direction of the sheet [rad]
-    # whether the sheet hangs down at rest, as it is joined to a sheet in the plane of the frame; otherwise it
-    # closes a box whose wall is below the crease
-    folded: bool = False
-    lean: ag.Scalar | None = None  # additional fold angle [rad]
-
-    def place(self, thing: Thing) -> Thing:
-        """Move a part from the crease's own frame to its place at rest."""
-        moved = thing
-        if self.lean is not None:
-            moved = moved.rotate(ag.X, -self.lean, about=(0.0, -FOLD, FOLD))
-        if self.folded:
-            moved = moved.rotate(ag.X, -math.pi / 2.0)
-        return moved.rotate(ag.Z, self.turn).at(self.x, self.y, self.z)
-
-    def beside(self, cutter: ag.Solid) -> ag.Solid:
-        """Move a cutter for the sheet to the edge of the neighboring wall or sheet."""
-        mirrored = cutter.mirror((0.0, 1.0, 0.0))
-        if not self.folded:  # the wall goes down from the corner
-            mirrored = mirrored.rotate(ag.X, math.pi / 2.0)
-        return mirrored.rotate(ag.Z, self.turn).at(self.x, self.y, self.z)
-
-    def bead(self, length: ag.Scalar, label: str, finish: ag.Material) -> ag.Body:
-        """Make the liner that runs through the crease, in the frame of the neighboring wall or sheet."""
-        bulge = ag.cylinder(_BEAD, length, axis=ag.X).at(0.0, FOLD if self.folded else -FOLD, FOLD)
-        return ag.detail(bulge.rotate(ag.Z, self.turn).at(self.x, self.y, self.z), label, finish)
-
-    def joint(
+    def crease(
         self,
         name: str,
         *,
-        feel: Feel,
         length: ag.Scalar,
         reach: ag.Scalar,
         opening: ag.Scalar,
+        fresh: bool = False,
         needs: ag.Condition | ag.Dependency | None = None,
         holding: ag.Scalar = 0.0,
+        damping: ag.Scalar | None = None,
     ) -> ag.Joint:
-        """Make the hinge joint of a crease."""
-        cosine, sine = math.cos(self.turn), math.sin(self.turn)
-        across, up = (FOLD, FOLD) if self.folded else (-FOLD, FOLD)
-        friction = feel.friction * length
+        """Make the joint of a crease; `holding` is the least friction [N m], `damping` that of a meter."""
+        friction, spring = self.friction * length, self.stiffness if fresh else 0.0
+        push = 1.6 * self.friction + 5.0 * spring + 16.0 * reach**2  # by a hand, per meter of crease [N m]
         return ag.Revolute(
             name,
-            axis=(cosine, sine, 0.0),
-            pivot=(self.x - sine * across, self.y + cosine * across, self.z + up),
+            axis=ag.X,
+            pivot=AXIS,
             limits=(0.0, opening),
-            stiffness=feel.stiffness * length,
-            rest=feel.rest,
+            stiffness=spring * length,
+            rest=self.rest if fresh else 0.0,
             friction=ag.max_(friction, holding),
-            damping=feel.damping * length,
+            damping=length * (self.damping if damping is None else damping),
             armature=ag.max_(2e-5, 3e-4 * friction),  # contacts of lighter parts yield to a push
-            effort=0.01
-            + length * (1.6 * feel.friction + 5.0 * feel.stiffness + 16.0 * reach**2)
-            + 1.5 * holding,
+            effort=0.01 + length * push + 1.5 * holding,
             velocity=12.0,
             needs=needs,
         )
 
+    def fold(
+        self,
+        sheet: ag.Body,
+        crease: ag.Joint,
+        on: ag.Region,
+        side: Side,
+        *,
+        bead: ag.Scalar | None = None,
+        label: str = "box",
+        hangs: bool = False,
+    ) -> Fitting:
+        """Hinge a sheet at the upper edge of a region, over which it closes; or from which it `hangs`.
 
-_ROUND = 0.0018  # radius of upright edges at the scored liner [m]
+        The `bead` is the length of the bulge of the liner on the crease [m], its label that of the host.
+        """
+        x, y, turn = _SIDES[side]
+        bulge = None
+        if bead is not None:
+            bulge = ag.detail(ag.cylinder(_BEAD, bead, axis=ag.X).at(AXIS), label, self.outside)
+        miter = self._miter().mirror(ag.Y).rotate(ag.X, math.pi / 2)
+        flap = Fitting.moving(sheet, crease, fixed=bulge, cut=miter)
+        if hangs:
+            flap, turn = flap.rotate(ag.X, -math.pi / 2), turn + math.pi
+        return flap.rotate(ag.Z, turn).at(on.anchor(x=x, y=y, z=1))
+
+    def lowered(self, case: ag.Region) -> ag.Solid:
+        """Return what is cut off the side walls, on which flaps lie one layer lower."""
+        low, t = self.under(case.z.high), 1.6 * self.thick
+        above = case.grow(0.01).with_(z=(low, case.z.high + 0.01))
+        return ag.union(
+            *(above.with_(x=(x - t, x + t)).box().paint(self.edge) for x in (case.x.low, case.x.high))
+        )
+
+
+def together(*parts: Fitting | ag.Body, cuts: Sequence[ag.Solid] = ()) -> Fitting:
+    """Join fittings and other parts to one fitting, whose cuts are made before any part is added."""
+    bodies = [each.body if isinstance(each, Fitting) else each for each in parts]
+    cuts = [*cuts, *(each.cut for each in parts if isinstance(each, Fitting) and each.cut is not None)]
+    return Fitting(ag.weld(*bodies), ag.union(*cuts) if cuts else None)
+
+
+def tongue(
+    half: ag.Scalar, reach: ag.Scalar, *, tip: ag.Scalar, shoulder: ag.Scalar | None = None
+) -> ag.Profile:
+    """Make the outline of a flap that narrows from its crease, or its shoulder, to its tip."""
+    corners = [(half, 0.0), *([] if shoulder is None else [(half, shoulder)]), (tip, reach)]
+    return ag.polygon([*corners, *((-x, y) for x, y in reversed(corners))])
+
+
+def walls(board: Board, case: ag.Region, *, floor: bool = True) -> ag.Solid:
+    """Make four walls around a region, and the floor between them."""
+    t = board.thick
+    shell = case.grow(top=0.004).box(bevel=0.0018)  # upright edges are rounded at the scored liner
+    above = case.grow(0.1).with_(z=(case.z.high, case.z.high + 0.01))
+    shell = shell - above.box().paint(board.edge)
+    inside = case.shrink(t, top=-0.01, bottom=t if floor else -0.01)
+    return shell.paint(board.outside) - inside.box().paint(board.inside)
+
+
+def bottom_flaps(board: Board, case: ag.Region) -> ag.Body:
+    """Make the minor flaps of the bottom, inside on the major flaps, and the seam of the major flaps."""
+    t, (width, depth, _) = board.thick, case.size
+    reach = depth / 2 - SLIT / 2
+    outline = ag.rectangle(reach - t, depth - 2 * (t + SLIT))
+    sheet = board.sheet(outline, relief=None).rotate(ag.X, math.pi)  # the printed face is below
+    out, high = width / 2 - t - 0.0004 - (reach - t) / 2, t - 0.0002
+    free = width / 2 - reach - 0.004
+    line = ag.Region((-free, free), (-0.0012, 0.0012), (high, t + 0.0001)).box()
+    flaps = [sheet.at(side * out, 0.0, high) for side in (-1, 1)]
+    return ag.weld(ag.part(flaps, "box", board.outside), ag.detail(line, "box", SHADE))
+
+
 _HOLE = (0.082, 0.030)  # width and height of hand holes [m]
 _RIM = 0.010  # least width of board around hand holes [m]
 _NO_RIM = (
@@ -193,112 +196,34 @@ _NO_RIM = (
 )
 
 
-def walls(
-    board: Board,
-    width: ag.Scalar,
-    depth: ag.Scalar,
-    height: ag.Scalar,
-    *,
-    base: ag.Scalar = 0.0,
-    floor: bool = True,
-) -> ag.Solid:
-    """Make four walls and the floor between them."""
-    t = board.thick
-    shell = ag.Region.between(
-        (-width / 2.0, -depth / 2.0, base), (width / 2.0, depth / 2.0, height + 0.004)
-    ).box(bevel=_ROUND)
-    bottom = base + t if floor else base - 0.01
-    shell = shell - ag.Region.between((-width, -depth, height), (width, depth, height + 0.01)).box().paint(
-        board.edge
-    )
-    inside = ag.Region.between(
-        (-width / 2.0 + t, -depth / 2.0 + t, bottom), (width / 2.0 - t, depth / 2.0 - t, height + 0.01)
-    ).box()
-    return shell.paint(board.outside) - inside.paint(board.inside)
+def hand_holes(board: Board, case: ag.Region, height: ag.Scalar, label: str = "box") -> Fitting:
+    """Make square holes in both side walls, with slanted corners at a height in a region of free wall.
 
-
-def bottom_flaps(board: Board, width: ag.Scalar, depth: ag.Scalar, *, label: str = "box") -> ag.Body:
-    """Make the minor flaps of the bottom, inside on the major flaps, and the seam of the major flaps."""
-    t = board.thick
-    reach, half = depth / 2.0 - SLIT / 2.0, depth / 2.0 - t - SLIT
-    near = width / 2.0 - t - 0.0004
-    sheets = []
-    for side in (-1.0, 1.0):
-        flap = board.sheet(ag.rectangle(reach - t, 2.0 * half), relief=None)
-        # turned over: the printed face is below
-        flap = flap.rotate(ag.X, math.pi).at(side * (near - (reach - t) / 2.0), 0.0, t - 0.0002)
-        sheets.append(ag.part(flap, label, board.outside))
-    free = width / 2.0 - reach - 0.004
-    line = seam((-free, -0.0012, t - 0.0002), (free, 0.0012, t + 0.0001))
-    return ag.weld(*sheets, line)
-
-
-def hand_holes(
-    solid: ag.Solid,
-    width: ag.Scalar,
-    height: ag.Scalar,
-    board: Board,
-    *,
-    depth: ag.Scalar,
-    span: tuple[ag.Scalar, ag.Scalar],
-) -> ag.Solid:
-    """Cut a square hand hole into each side wall; `hole_corners` fills its corners."""
+    The corners are visual only, so that a wall needs few collision boxes.
+    """
     wide, tall = _HOLE
-    beside, (low, high) = depth / 2.0 - board.thick - _RIM, span
-    over = tall / 2.0 + _RIM
-    fits = (beside >= wide / 2.0) & (height - over >= low) & (height + over <= high)
-    solid = solid.require(fits, _NO_RIM)
-    for side in (-1.0, 1.0):
-        hole = ag.box(0.05, wide, tall).paint(board.edge)
-        solid = solid - hole.at(side * width / 2.0, 0.0, height)
-    return solid
-
-
-def hole_corners(width: ag.Scalar, height: ag.Scalar, board: Board, *, label: str = "box") -> list[ag.Body]:
-    """Make the slanted corners of hand holes, visual only, so that a wall needs few collision boxes."""
-    x, y = _HOLE[0] / 2.0, _HOLE[1] / 2.0
-    over = 0.0003  # overlap with the wall
+    x, y, over = wide / 2, tall / 2, 0.0003  # overlap with the wall
+    rim = y + _RIM
+    fits = (case.y.size / 2 - board.thick - _RIM >= x) & (height - rim >= case.z.low)
+    hole = ag.box(0.05, wide, tall).require(fits & (height + rim <= case.z.high), _NO_RIM).paint(board.edge)
     corner = ag.polygon([(x, 0.4 * y), (x + over, 0.4 * y), (x + over, y + over), (x - 0.6 * y, y + over),
                       (x - 0.6 * y, y)])  # fmt: skip
     upper = corner | corner.mirror(1.0, 0.0)
     corners = ag.extrude(upper | upper.mirror(0.0, 1.0), board.thick - 0.0002, axis=ag.X)
-    out = (width - board.thick) / 2.0
-    return [ag.detail(corners.at(side * out, 0.0, height), label, board.outside) for side in (-1.0, 1.0)]
+    out = case.x.high - board.thick / 2
+    filled = ag.detail([corners.at(side * out, 0.0, height) for side in (-1, 1)], label, board.outside)
+    return Fitting(filled, ag.union(*(hole.at(side * case.x.high, 0.0, height) for side in (-1, 1))))
 
 
-def cells(
-    board: Board,
-    width: ag.Scalar,
-    depth: ag.Scalar,
-    *,
-    columns: int,
-    rows: int,
-    low: ag.Scalar,
-    high: ag.Scalar,
-    finish: ag.Material | None = None,
-) -> ag.Body | None:
-    """Make the interlocking dividers of a box for bottles; none for a single cell."""
-    thick = 0.6 * board.thick
-    boards = []
-    for number in range(1, columns):
-        x = width * (number / columns - 0.5)
-        boards.append(
-            ag.Region.between(
-                (x - thick / 2.0, -depth / 2.0 + LAYER, low), (x + thick / 2.0, depth / 2.0 - LAYER, high)
-            ).box()
-        )
-    for number in range(1, rows):
-        y = depth * (number / rows - 0.5)
-        boards.append(
-            ag.Region.between(
-                (-width / 2.0 + LAYER, y - thick / 2.0, low), (width / 2.0 - LAYER, y + thick / 2.0, high)
-            ).box()
-        )
-    if not boards:
-        return None
-    whole = boards[0]
-    for each in boards[1:]:
-        whole = whole | each
+def dividers(board: Board, room: ag.Region, *, columns: int, rows: int) -> ag.Body:
+    """Make the interlocking dividers of a box for bottles."""
+    half, inner = 0.3 * board.thick, room.shrink(x=LAYER, y=LAYER)
+    edges = [cell.x.low for cell in room.columns(columns)[1:]], [cell.y.low for cell in room.layers(rows)[1:]]
+    sheets = [inner.with_(x=(x - half, x + half)) for x in edges[0]]
+    sheets += [inner.with_(y=(y - half, y + half)) for y in edges[1]]
     return ag.part(
-        whole, "divider", finish or board.inside, separate="they stand between the walls, a hair off them"
+        functools.reduce(operator.or_, (sheet.box() for sheet in sheets)),
+        "divider",
+        board.inside,
+        separate="they stand between the walls, a hair off them",
     )

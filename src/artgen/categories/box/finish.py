@@ -1,9 +1,9 @@
-"""Materials of boxes: kraft and white liners, prints in color, wrapping papers, ribbons and inks."""
+"""Materials of boxes: liners, printed boards, wrapping papers, ribbons, tape and inks."""
 
 import artgen as ag
 from artgen.materials import COLORS
 
-_KRAFT = ag.material("cardboard")
+_KRAFT, _PLASTIC = ag.material("cardboard"), ag.material("abs")
 _GREYBOARD = 620.0  # density of the solid board of set-up boxes with its wrap [kg/m3]
 
 
@@ -11,19 +11,9 @@ def _liner(name: str, color: tuple[float, float, float], roughness: float = 0.7)
     return _KRAFT.with_(name=name, base_color=color, specular_roughness=roughness)
 
 
-def _printed(color: str) -> ag.Material:
-    return _liner(f"printed_{color}", COLORS[color], 0.5)
-
-
-def _wrap(name: str, color: tuple[float, float, float], texture: str = "", rough: float = 0.5) -> ag.Material:
-    return ag.material("abs").with_(
-        name=f"cardboard_{name}",
-        base_color=color,
-        specular_roughness=rough,
-        texture=texture,
-        density=_GREYBOARD,
-        friction=0.4,
-    )
+def _wrap(name: str, color: str, *, texture: str = "", rough: float = 0.5) -> ag.Material:
+    look = _PLASTIC.with_(name=f"cardboard_{name}_{color}", base_color=COLORS[color], texture=texture)
+    return look.with_(specular_roughness=rough, density=_GREYBOARD, friction=0.4)
 
 
 KRAFT = (_KRAFT, _liner("light_kraft", (0.56, 0.41, 0.25)), _liner("dark_kraft", (0.36, 0.235, 0.125)))
@@ -32,76 +22,40 @@ KRAFT = (_KRAFT, _liner("light_kraft", (0.56, 0.41, 0.25)), _liner("dark_kraft",
 WHITE = _liner("white_liner", (0.76, 0.745, 0.71))
 """Bleached white liner."""
 
-PRINTS = tuple(
-    map(
-        _printed,
-        (
-            "black",
-            "navy",
-            "teal",
-            "forest",
-            "sage",
-            "blush",
-            "coral",
-            "mustard",
-            "lavender",
-            "sky",
-            "burgundy",
-        ),
-    )
-)
+_PRINTED = "black navy teal forest sage blush coral mustard lavender sky burgundy"
+PRINTS = tuple(_liner(f"printed_{color}", COLORS[color], 0.5) for color in _PRINTED.split())
 """Fully printed boards of mailers and shoe boxes."""
 
 COLORFUL = (0.8,) * len(PRINTS)
 """Weights of `PRINTS` in a random choice."""
 
-WRAPS = (
-    _wrap("wrap_black", COLORS["black"], rough=0.35),
-    _wrap("wrap_white", COLORS["white"], rough=0.4),
-    _wrap("wrap_ivory", COLORS["ivory"], "linen"),
-    _wrap("wrap_navy", COLORS["navy"], "linen"),
-    _wrap("wrap_burgundy", COLORS["burgundy"]),
-    _wrap("wrap_red", COLORS["red"], rough=0.38),
-    _wrap("wrap_forest", COLORS["forest"], "linen"),
-    _wrap("wrap_blush", COLORS["blush"]),
-    _wrap("wrap_sage", COLORS["sage"], "linen"),
-    _wrap("wrap_sky", COLORS["sky"]),
-    _wrap("wrap_lavender", COLORS["lavender"]),
-    _wrap("wrap_taupe", COLORS["taupe"], "linen"),
-    _wrap("wrap_mint", COLORS["mint"]),
+_ROUGHNESS = {"black": 0.35, "white": 0.4, "red": 0.38}
+_LINEN = ("ivory", "navy", "forest", "sage", "taupe")  # wraps with a linen texture
+_WRAPS = "black white ivory navy burgundy red forest blush sage sky lavender taupe mint"
+WRAPS = tuple(
+    _wrap("wrap", color, texture="linen" if color in _LINEN else "", rough=_ROUGHNESS.get(color, 0.5))
+    for color in _WRAPS.split()
 )
 """Wrapping papers of set-up boxes."""
 
-LININGS = (
-    _wrap("lining_white", COLORS["white"]),
-    _wrap("lining_black", COLORS["black"]),
-    _wrap("lining_cream", COLORS["cream"]),
-    _wrap("lining_grey", COLORS["light_grey"]),
-)
+_GREY = _wrap("lining", "light_grey").with_(name="cardboard_lining_grey")
+LININGS = (*(_wrap("lining", color) for color in ("white", "black", "cream")), _GREY)
 """Linings of set-up boxes."""
 
-
-def _satin(color: str) -> ag.Material:
-    return ag.material("abs").with_(
-        name=f"satin_{color}",
-        base_color=COLORS[color],
-        specular_roughness=0.3,
-        texture="",
-        coat_weight=0.25,
-        density=400.0,
+_GOLD_SATIN = _PLASTIC.with_(
+    name="satin_gold", base_color=(0.58, 0.38, 0.13), specular_roughness=0.28, base_metalness=0.35
+)
+RIBBONS = tuple(
+    each.with_(texture="", density=400.0)
+    for each in (
+        *(
+            _PLASTIC.with_(
+                name=f"satin_{color}", base_color=COLORS[color], specular_roughness=0.3, coat_weight=0.25
+            )
+            for color in ("red", "white", "navy", "burgundy", "forest", "blush", "black")
+        ),
+        _GOLD_SATIN,
     )
-
-
-RIBBONS = (
-    *map(_satin, ("red", "white", "navy", "burgundy", "forest", "blush", "black")),
-    ag.material("abs").with_(
-        name="satin_gold",
-        base_color=(0.58, 0.38, 0.13),
-        specular_roughness=0.28,
-        texture="",
-        base_metalness=0.35,
-        density=400.0,
-    ),
 )
 """Satin ribbons."""
 
@@ -115,16 +69,26 @@ STRAPS = (
 GOLD = ag.material("satin_brass").with_(name="gold_foil", specular_roughness=0.25)
 """Gold hot-stamping foil."""
 
+TAPE = ag.material("polypropylene").with_(
+    name="packing_tape", base_color=(0.34, 0.19, 0.075), specular_roughness=0.22, coat_weight=0.4
+)
+"""Brown packing tape."""
+
+PAPER = ag.colored("abs", "white").with_(
+    name="label_paper", texture="", specular_roughness=0.6, density=800.0
+)
+"""Paper of stickers."""
+
+LABEL_INK = ag.colored("abs", "graphite").with_(name="label_ink", texture="")
+"""Ink on stickers."""
+
+SHADE = ag.material("cardboard_edge").with_(name="seam_shade", base_color=(0.06, 0.04, 0.025), texture="")
+"""The dark line between two sheets."""
+
 
 def ink(name: str) -> ag.Material:
     """Return a printing ink in a named color."""
     return ag.colored("abs", name).with_(name=f"ink_{name}", texture="", specular_roughness=0.6)
-
-
-def contrast(finish: ag.Material) -> ag.Material:
-    """Return the ink or foil with good contrast on a finish."""
-    mean = sum(finish.base_color) / 3.0
-    return ink("graphite") if mean > 0.2 else ink("white")
 
 
 def foam(lining: ag.Material) -> ag.Material:

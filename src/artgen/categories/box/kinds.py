@@ -1,230 +1,277 @@
-"""Kinds of boxes, each assembled from walls, closures, contents and prints."""
+"""Kinds of boxes for goods, each assembled from walls, closures, contents and prints."""
 
-from dataclasses import dataclass
+import functools
+import math
+import operator
+from collections.abc import Sequence
+from typing import Literal
 
 import artgen as ag
-from artgen.categories.box.board import (
-    LAYER,
-    Board,
-    Feel,
-    bottom_flaps,
-    cells,
-    hand_holes,
-    hole_corners,
-    walls,
-)
-from artgen.categories.box.bottles import Bottles, Wine
-from artgen.categories.box.finish import GOLD, foam
-from artgen.categories.box.flaps import Top
-from artgen.categories.box.gifts import PLAY, Closure, Gift, Hollow, cap, lift, strap
-from artgen.categories.box.lids import Lidded, Sides
-from artgen.categories.box.prints import (
-    Ink,
-    Look,
-    address_label,
-    mailer_print,
-    name_on_lid,
-    pizza_front,
-    pizza_print,
-    shipping_print,
-    side_label,
-    vents,
-    wine_print,
-)
+from artgen.categories.box import prints
+from artgen.categories.box.board import LAYER, Board, bottom_flaps, dividers, hand_holes, walls
+from artgen.categories.box.closures import Lid, Mouth, Sides, flap_reach, slotted_top
+from artgen.categories.box.prints import Look
+from artgen.nodes.fitting import Fitting
 
-_NO_DUST = "dust flaps need a lid that lies on the walls: take sides=over or dusted=False"
+PLAY = 0.0012
+"""Gap between sliding parts, at each side [m]."""
+
+GRAVITY = 9.81  # [m/s2]
+
+_ENDS: tuple[Mouth, ...] = ("_left", "_right")
 _LOW_COVER = "the cover would protrude too little from its tray: raise height"
-_GRID = {2: (2, 1), 3: (3, 1), 6: (3, 2), 12: (4, 3)}  # numbers of cells along x and y, by their product
+_NO_DUST = "dust flaps need a lid that lies on the walls: take sides=over or dusted=False"
+_SIDES_MEET = (
+    "the side flaps of an open end, half the height long, would collide: lower height, or raise "
+    "width or aspect"
+)
 
 
-@dataclass(frozen=True)
-class Draft:
-    """Common data of boxes of all kinds."""
-
-    board: Board  # board of the box
-    width: ag.Scalar  # outer width along x [m]
-    depth: ag.Scalar  # outer depth along y [m]
-    height: ag.Scalar  # height of the closed box [m]
-    feel: Feel  # resistance of creases
-    swing: ag.Scalar  # opening angle of flaps without obstacles [rad]
-    look: Look  # prints of the box
-
-    def flap_label(self, top: Top) -> dict[str, list[ag.Body]]:
-        """Return the address label on the front flap of a slotted top, in the frame of its sheet."""
-        if not self.look.label:
-            return {}
-        size = ag.min_(0.10, 0.8 * top.reach)
-        at = (-0.27 * self.width, 0.46 * top.reach, 0.0)
-        return {"front": address_label(at, facing=ag.Z, size=size, number=self.look.model)}
-
-
-def slotted_box(draft: Draft, *, taped: bool, holes: bool) -> ag.Body:
+def slotted_box(board: Board, case: ag.Region, look: Look, *, taped: bool, holes: bool) -> ag.Body:
     """Make a regular slotted box."""
-    board, width, depth = draft.board, draft.width, draft.depth
-    top = Top(board, width, depth, draft.height, draft.swing, taped)
-    shell = top.creased(walls(board, width, depth, draft.height))
-    corners: list[ag.Body] = []
+    free = case.with_(z=(0.0, board.under(case.z.high)))
+    body = ag.part(walls(board, case), "box", board.outside)
     if holes:
-        shell = hand_holes(shell, width, 0.66 * draft.height, board, depth=depth, span=(0.0, top.low))
-        corners = hole_corners(width, 0.66 * draft.height, board)
-    body = ag.weld(
-        ag.part(shell, "box", board.outside),
-        *corners,
-        bottom_flaps(board, width, depth),
-        *top.tape_ends(),
-        *shipping_print(draft.look, width, depth, low=0.0, high=top.low - 0.02, finish=board.outside),
-    )
-    return top.attached(body, draft.feel, printed=draft.flap_label(top))
+        body = body.install(hand_holes(board, free, 0.66 * case.z.high))
+    label = _flap_label(look, case.x.size, flap_reach(case))
+    top, _ = slotted_top(board, case, taped=taped, printed=label)
+    marks = prints.shipping(look, free.shrink(top=0.02), board.outside)
+    return ag.weld(body.install(top), bottom_flaps(board, case), *marks)
 
 
-def half_slotted_box(draft: Draft, *, taped: bool, holes: bool, rub: ag.Scalar) -> ag.Body:
+def half_slotted_box(
+    board: Board, case: ag.Region, look: Look, *, taped: bool, holes: bool, rub: ag.Scalar
+) -> ag.Body:
     """Make a cover without a bottom in a shallow tray, with four flaps at its top."""
-    board, wider = draft.board, 2.0 * (draft.board.thick + PLAY)
-    rim = 0.05 + 0.11 * draft.height
-    foot = board.thick + LAYER
-    tray = ag.part(walls(board, draft.width, draft.depth, rim), "box", board.outside)
-    width, depth = draft.width - wider, draft.depth - wider
-    top = Top(board, width, depth, draft.height, draft.swing, taped, rim)
-    shell = top.creased(walls(board, width, depth, draft.height, base=foot, floor=False))
-    shell = shell.require(top.low - rim >= 0.05, _LOW_COVER)
-    corners: list[ag.Body] = []
+    (width, _, height), fit = case.size, board.thick + PLAY
+    rim = 0.05 + 0.11 * height
+    cover = case.shrink(x=fit, y=fit, bottom=board.thick + LAYER)
+    free = cover.with_(z=(rim, board.under(height)))
+    shell = walls(board, cover, floor=False).require(free.z.size >= 0.05, _LOW_COVER)
+    sleeve = ag.part(shell, "sleeve", board.outside)
     if holes:
-        shell = hand_holes(shell, width, 0.62 * draft.height, board, depth=depth, span=(rim, top.low))
-        corners = hole_corners(width, 0.62 * draft.height, board, label="sleeve")
-    sleeve = ag.weld(
-        ag.part(shell, "sleeve", board.outside),
-        *corners,
-        *top.tape_ends(),
-        *shipping_print(draft.look, width, depth, low=rim, high=top.low - 0.02, finish=board.outside),
-    )
-    sleeve = top.attached(sleeve, draft.feel, printed=draft.flap_label(top), label="sleeve")
+        sleeve = sleeve.install(hand_holes(board, free, 0.62 * height, "sleeve"))
+    label = _flap_label(look, width, flap_reach(cover))
+    top, _ = slotted_top(board, cover, taped=taped, printed=label, label="sleeve", ground=rim)
+    marks = prints.shipping(look, free.shrink(top=0.02), board.outside)
+    sleeve = ag.weld(sleeve.install(top), *marks)
+    tray = ag.part(walls(board, case.with_(z=(0.0, rim))), "box", board.outside)
     return tray.attach(sleeve, lift("sleeve_lift", sleeve, travel=rim + 0.12, rub=rub))
 
 
+def lift(name: str, moved: ag.Body, *, travel: ag.Scalar, rub: ag.Scalar) -> ag.Joint:
+    """Make the joint of a loose lid; `rub` is its friction as a share of its weight."""
+    weight = GRAVITY * moved.mass()
+    return ag.Prismatic(
+        name,
+        axis=ag.Z,
+        limits=(0.0, travel),
+        friction=rub * weight,
+        damping=4.0,  # air drawn in through the gap
+        effort=4.0 * weight + 4.0,
+    )
+
+
+def _flap_label(look: Look, width: ag.Scalar, reach: ag.Scalar) -> list[ag.Body]:
+    """Make the address label on the front flap of a slotted top, in the frame of its sheet."""
+    return look.address((-0.27 * width, 0.46 * reach, 0.0), ag.min_(0.10, 0.8 * reach))
+
+
+def open_ended_box(board: Board, case: ag.Region, look: Look, *, taped: bool) -> ag.Body:
+    """Make a slotted box with four flaps at each end."""
+    tall = ag.require(case.z.high, case.z.high <= case.y.size, _SIDES_MEET)
+    upright = _upright(case.with_(z=(0.0, tall)))
+    ends = [slotted_top(board, upright, taped=taped, mouth=mouth)[0] for mouth in _ENDS]
+    marks = prints.shipping(look, case, board.outside, sides=False)
+    return ag.weld(_lying(board, upright, ends), *marks, *_on_top(board, case, look))
+
+
+def tuck_end_box(board: Board, case: ag.Region, look: Look, *, ears: bool, lips: bool) -> ag.Body:
+    """Make a carton with a lid at each end, hinged at the upper edge, with side flaps under the lid."""
+    long, wide, tall = case.size
+    upright, dust = _upright(case), ag.min_(0.42 * tall, 0.30 * wide)
+    lid = functools.partial(Lid, board, upright, ears=ears, dust=dust, lips=lips, lined=0.7 * long, grip=0.05)
+    ends = [lid(mouth=mouth).fitting() for mouth in _ENDS]
+    name = look.mark(0.62 * long, 0.17 * tall)
+    mark = prints.put(name, (0.0, case.y.low, 0.52 * tall), look.ink(board.outside))
+    return ag.weld(_lying(board, upright, ends), mark, *_on_top(board, case, look))
+
+
+def _upright(case: ag.Region) -> ag.Region:
+    """Return the region of a box that is set up on its left end, with its front at the side."""
+    long, wide, tall = case.size
+    return ag.Region((-wide / 2, wide / 2), (-tall / 2, tall / 2), (0.0, long))
+
+
+def _lying(board: Board, upright: ag.Region, ends: Sequence[Fitting]) -> ag.Body:
+    """Lay a tube with a closure at both ends down; each closure is made as the top of an upright box."""
+    _, tall, long = upright.size
+    below = upright.grow(0.1).with_(z=(-0.01, 0.0))
+    tube = walls(board, upright.grow(bottom=0.004), floor=False) - below.box().paint(board.edge)
+    body = ag.part(tube, "box", board.outside)
+    body = body.install(ends[0].rotate(ag.Y, math.pi, about=upright.center)).install(ends[1])
+    return body.rotate(ag.Z, math.pi / 2).rotate(ag.Y, math.pi / 2).at(-long / 2, 0.0, tall / 2)
+
+
+def _on_top(board: Board, case: ag.Region, look: Look) -> list[ag.Body]:
+    """Print the name on the upper wall, with the address label in front of it."""
+    width, depth, height = case.size
+    name = look.mark(0.55 * width, 0.16 * depth)
+    label = look.address((-0.27 * width, -0.30 * depth, height), ag.min_(0.105, 0.45 * depth))
+    return [prints.put(name, (0.0, 0.0, height), look.ink(board.outside), ag.Z), *label]
+
+
 def lidded_box(
-    draft: Draft, *, pizza: bool, sides: Sides, ears: bool, dusted: bool, opening: ag.Scalar
+    board: Board, case: ag.Region, look: Look, *, pizza: bool, sides: Sides, ears: bool, dusted: bool
 ) -> ag.Body:
     """Make a mailer, or a pizza box with vents."""
-    board, look = draft.board, draft.look
+    width, depth, height = case.size
     ag.require(not (dusted and sides == "tucked"), _NO_DUST)
-    dust = ag.min_(0.28 * draft.depth, 0.30 * draft.width) if dusted else None
-    plan = Lidded(board, draft.width, draft.depth, draft.height, sides, ears, dust, opening)
-    shell = plan.creased(walls(board, draft.width, draft.depth, draft.height))
-    marks: list[ag.Body] = []
+    dust = ag.min_(0.28 * depth, 0.30 * width) if dusted else None
+    lid = Lid(board, case, sides=sides, ears=ears, dust=dust)
+    shell = walls(board, case)
     if pizza:
-        hole = ag.extrude(vents(0.0065), 3.0 * draft.width, axis=ag.X).paint(board.edge)
+        vent = ag.extrude(ag.regular_polygon(8, 0.0065), 3 * width, axis=ag.X).paint(board.edge)
         for share in (-0.30, 0.30):
-            shell = shell - hole.at(0.0, share * draft.depth, 0.55 * draft.height)
-        on_lid = pizza_print(look, 2.0 * plan.half, plan.reach)
-        marks = [pizza_front(look, draft.width, draft.depth, draft.height)]
+            shell = shell - vent.at(0.0, share * depth, 0.55 * height)
+        printed, marks = prints.pizza(look, lid.top), prints.pizza_front(look, case)
     else:
-        on_lid = mailer_print(
-            look, 2.0 * plan.half, plan.reach, finish=board.outside, inner=board.inside, thick=board.thick
-        )
-        if look.label:
-            marks = side_label(
-                look, draft.width, draft.depth, height=0.5 * draft.height, tall=0.8 * draft.height
-            )
-    body = ag.weld(ag.part(shell, "box", board.outside), *plan.rims(), *marks)
-    return plan.attached(body, draft.feel, printed=on_lid, swing=draft.swing)
+        printed = prints.mailer(look, lid.top, board.outside, board.inside)
+        size = ag.min_(ag.min_(0.105, 0.96 * height), 0.5 * width)
+        marks = look.address((-0.24 * width, case.y.low, 0.5 * height), size, prints.FRONT)
+    return ag.weld(ag.part(shell, "box", board.outside).install(lid.fitting(printed)), *marks)
 
 
-def wine_box(draft: Draft, *, bottles: int, wine: Wine | None, opening: ag.Scalar, taped: bool) -> ag.Body:
-    """Make a box for bottles: a tall carton with a tucked lid for a few bottles, a slotted box for more."""
-    board, (columns, rows) = draft.board, _GRID[bottles]
-    t = board.thick
-    inner = (draft.width * columns, draft.width * rows)
-    width = inner[0] + 2.0 * t
-    depth = inner[1] + (4.0 if rows == 1 else 2.0) * t
-    marks = wine_print(draft.look, width, depth, draft.height, bottles=bottles, finish=board.outside)
-    dust = 0.66 * draft.width if wine is None else None  # no space for a hand under dust flaps with bottles
-    plan = Lidded(board, width, depth, draft.height, "over", False, dust, opening)
-    low = 2.0 * t - 0.0002 if rows > 1 else t - 0.0002
-    high = 0.60 * draft.height
-    if rows == 1:
-        high = ag.min_(high, draft.height - plan.tuck - 0.004)  # below the tuck
-    grid = cells(board, inner[0], depth - 2.0 * t, columns=columns, rows=rows, low=low, high=high)
-    within = [grid] if grid is not None else []
-    ceiling = draft.height - t if rows == 1 else draft.height - 2.0 * t - LAYER
-    filling = None if wine is None else Bottles(wine, columns, rows, draft.width, low, ceiling, t + LAYER)
-    if rows > 1:
-        beside = 0.0 if rows % 2 == 0 else draft.width / 2.0  # between two bottles
-        top = Top(board, width, depth, draft.height, draft.swing, taped, beside=beside)
-        shell = top.creased(walls(board, width, depth, draft.height))
-        shell = hand_holes(shell, width, 0.78 * draft.height, board, depth=depth, span=(low, top.low))
-        body = ag.weld(
-            ag.part(shell, "box", board.outside),
-            *hole_corners(width, 0.78 * draft.height, board),
-            bottom_flaps(board, width, depth),
-            *top.tape_ends(),
-            *marks,
-            *within,
-        )
-        return top.attached(body, draft.feel, bottles=filling)
-    shell = plan.creased(walls(board, width, depth, draft.height))
-    body = ag.weld(ag.part(shell, "box", board.outside), *plan.rims(), *marks, *within)
-    return plan.attached(body, draft.feel, printed=[], swing=draft.swing, bottles=filling)
-
-
-def tray_box(draft: Draft, *, skirt: ag.Scalar, rub: ag.Scalar, strapping: ag.Material) -> ag.Body:
+def tray_box(
+    board: Board, case: ag.Region, look: Look, *, skirt: ag.Scalar, rub: ag.Scalar, strap: ag.Body
+) -> ag.Body:
     """Make a tray with a lid over it; a strap on the lid is its handle."""
-    board, inset = draft.board, 2.0 * (draft.board.thick + PLAY)
-    width, depth, top = draft.width, draft.depth, draft.height
-    deep = ag.max_(skirt * top, 0.035)
-    base = walls(board, width - inset, depth - inset, top - board.thick - LAYER)
-    body = ag.weld(
-        ag.part(base, "box", board.outside),
-        *_base_label(draft, depth - inset, low=0.004, high=top - deep - 0.004),
-    )
-    printer = Ink(draft.look.ink(board.outside), ag.Z)
-    mark = printer.put(draft.look.mark(0.52 * width, 0.055 * depth), (0.0, -0.27 * depth, top))
-    lid = ag.weld(
-        ag.part(cap(board, width, depth, top=top, skirt=deep), "lid", board.outside),
-        strap(top, strapping),
-        mark,
-    )
-    return body.attach(lid, lift("lid_lift", lid, travel=deep + 0.06, rub=rub))
+    width, depth, height = case.size
+    deep = ag.max_(skirt * height, 0.035)
+    front = case.with_(z=(0.004, height - deep - 0.004)).shrink(
+        y=board.thick + PLAY
+    )  # the base below the lid
+    at = front.with_(x=(0.0, 0.52 * width)).anchor(y=-1)
+    label = look.address(at, ag.min_(0.085, 1.3 * ag.max_(front.z.size, 0.012)), prints.FRONT)
+    name = look.mark(0.52 * width, 0.055 * depth)
+    mark = prints.put(name, (0.0, -0.27 * depth, height), look.ink(board.outside), ag.Z)
+    return capped(board, case, deep, rub, on_base=label, on_lid=[strap.at(z=height), mark])
 
 
-def _base_label(draft: Draft, depth: ag.Scalar, *, low: ag.Scalar, high: ag.Scalar) -> list[ag.Body]:
-    """Return the label with the contents, on the free part of the front of a tray."""
-    if not draft.look.label:
-        return []
-    tall = ag.max_(high - low, 0.012)
-    size = ag.min_(0.085, 1.3 * tall)
-    return address_label(
-        (0.26 * draft.width, -depth / 2.0, (low + high) / 2.0),
-        facing=-ag.Y,
-        size=size,
-        number=draft.look.model,
-    )
-
-
-def gift_box(
-    draft: Draft,
-    closure: Closure,
-    *,
-    satin: ag.Material,
-    wide: ag.Scalar,
-    crossed: bool,
-    hollow: Hollow,
-    rounded: bool,
+def capped(
+    board: Board,
+    case: ag.Region,
     skirt: ag.Scalar,
     rub: ag.Scalar,
-    opening: ag.Scalar,
+    *,
+    on_base: Sequence[ag.Body],
+    on_lid: Sequence[ag.Body],
 ) -> ag.Body:
-    """Make a gift box."""
-    board, top = draft.board, draft.height
-    gift = Gift(board, draft.width, draft.depth, top, satin, wide, hollow, foam(board.inside))
-    match closure:
-        case "flap":
-            # in the frame of the lid's sheet, with the free edge in front
-            mark = name_on_lid(draft.look, draft.width, draft.depth)
-            foil = Ink(GOLD, ag.Z, (0.0, -1.0, 0.0)).put(mark, (0.0, 0.5 * draft.depth, 0.0))
-            reach = (0.45 + 0.55 * skirt) * top
-            return gift.flapped(draft.feel, opening=opening, reach=reach, rounded=rounded, printed=[foil])
-        case "drawer":
-            mark = name_on_lid(draft.look, draft.width, draft.depth)
-            return gift.drawn(1.0 + 3.0 * rub, printed=[Ink(GOLD, ag.Z).put(mark, (0.0, 0.0, top))])
-        case _:
-            return gift.lifted(skirt * top, rub, crossed=crossed, printed=[])
+    """Make a tray with an upside-down tray as its lid, whose walls go down by `skirt` [m]."""
+    base = case.shrink(x=board.thick + PLAY, y=board.thick + PLAY, top=board.thick + LAYER)
+    body = ag.weld(ag.part(walls(board, base), "box", board.outside), *on_base)
+    cap = walls(board, case.with_(z=(0.0, skirt))).rotate(ag.X, math.pi).at(z=case.z.high)
+    lid = ag.weld(ag.part(cap, "lid", board.outside), *on_lid)
+    return body.attach(lid, lift("lid_lift", lid, travel=skirt + 0.06, rub=rub))
+
+
+Wine = Literal["red", "white", "rose"]
+
+_CELLS = {2: (2, 1), 3: (3, 1), 6: (3, 2), 12: (4, 3)}  # numbers of cells along x and y, by their product
+_FULL = 1450.0  # 0.5 kg of glass and 0.75 l of wine: 1.25 kg in the 0.86 l of the facets [kg/m3]
+_RADIUS, _NECK = 0.0372, 0.0142  # radii of the body and the neck of a Bordeaux bottle [m]
+_BODY, _SHOULDER, _TALL = 0.192, 0.226, 0.300  # heights of the ends of body and shoulder, and of the top [m]
+_SPARE = 0.0025  # least gap above a bottle [m]
+_DEEP = 0.1  # largest gap below a lid: a hand reaches the neck, and the lift takes the bottle out [m]
+_TOO_DEEP = "a hand cannot reach bottles of 0.3 m in so deep a box: lower height"
+_NO_ROOM = "bottles of 0.3 m would collide with the lid over them: raise height, or take a thinner flute"
+# kinds of wine: name and color of the glass, and color of the foil
+_BOTTLES: dict[Wine, tuple[str, tuple[float, float, float], str]] = {
+    "red": ("green", (0.012, 0.026, 0.012), "burgundy"),
+    "white": ("yellow_green", (0.16, 0.20, 0.05), "mustard"),
+    "rose": ("pink", (0.52, 0.18, 0.13), "silver"),
+}
+
+
+def wine_box(
+    board: Board,
+    cell: ag.Scalar,
+    height: ag.Scalar,
+    look: Look,
+    *,
+    bottles: int,
+    wine: Wine | None,
+    taped: bool,
+) -> ag.Body:
+    """Make a box for bottles: a tall carton with a tucked lid for a few bottles, a slotted box for more."""
+    (columns, rows), t = _CELLS[bottles], board.thick
+    depth = rows * cell + (4 if rows == 1 else 2) * t
+    case = ag.Region.centered(columns * cell + 2 * t, depth, 0.0).with_(z=(0.0, height))
+    marks = prints.wine(look, case, board.outside, bottles=bottles)
+    shell, high = walls(board, case), 0.60 * height
+    if rows == 1:
+        dust = 0.66 * cell if wine is None else None  # no space for a hand under dust flaps with bottles
+        lid = Lid(board, case, dust=dust)
+        low, ceiling = t - 0.0002, height - t
+        high = ag.min_(high, height - lid.tuck - 0.004)  # below the tuck
+        body = ag.part(shell, "box", board.outside).install(lid.fitting())
+        opened = [lid.away]
+    else:
+        beside = 0.0 if rows % 2 == 0 else cell / 2  # between two bottles
+        low, ceiling = 2 * t - 0.0002, board.under(height) - t
+        holes = hand_holes(board, case.with_(z=(low, board.under(height))), 0.78 * height)
+        top, opened = slotted_top(board, case, taped=taped, beside=beside)
+        body = ag.part(shell, "box", board.outside).install(holes).install(top)
+        body = ag.weld(body, bottom_flaps(board, case))
+    room = case.shrink(x=t, y=t).with_(z=(low, high))
+    body = ag.weld(body, *marks, dividers(board, room, columns=columns, rows=rows))
+    if wine is None:
+        return body
+    bottle = _bottle(wine, ag.X if rows == 1 else ag.Y)  # an open lid is behind a single row
+    low = low + 0.0006
+    most = ceiling + t + LAYER  # below the major flaps
+    body = body.require(ceiling - low >= _TALL + _SPARE, _NO_ROOM)
+    body = body.require(most - low <= _TALL + _DEEP, _TOO_DEEP)
+    for number in range(bottles):
+        row, column = divmod(number, columns)
+        cells = (row, rows - 1 - row, column, columns - 1 - column)  # to the sides with flaps
+        over = [each + 0.08 < rows / 2 for each in cells]
+        needs = [flap for flap, above in zip(opened, over, strict=False) if above]
+        above = ceiling if rows == 1 or any(over[2:]) else most
+        slide = ag.Prismatic(
+            f"bottle_lift_{number}",
+            axis=ag.Z,
+            limits=(0.0, 0.32),
+            friction=0.3,
+            damping=3.0,
+            effort=1.03 * GRAVITY * bottle.mass() + 0.3,  # the lifting force opens no flap
+            needs=functools.reduce(operator.and_, needs).beyond(above - low - _TALL - 0.002),
+        )
+        at = (cell * (column - (columns - 1) / 2), cell * (row - (rows - 1) / 2), low)
+        body = body.attach(bottle.at(at).suffixed(f"_{number}"), slide)
+    return body
+
+
+def _bottle(wine: Wine, across: ag.Vector) -> ag.Body:
+    """Make a bottle with its bottom at the origin, which fingers grasp across its neck."""
+    name, color, cap = _BOTTLES[wine]
+    glass = ag.material("black_glass").with_(name=f"{name}_bottle", base_color=color, density=_FULL)
+    foil = ag.colored("abs", cap).with_(name=f"{wine}_foil", texture="")
+    paper = ag.colored("abs", "cream").with_(name="wine_label", texture="", specular_roughness=0.7)
+    # a hull of few facets just under the round surface carries the weight and collides
+    core = ag.extrude(ag.regular_polygon(12, _RADIUS - 0.0001), _BODY).at(z=_BODY / 2)
+    stem = ag.extrude(ag.regular_polygon(12, _NECK - 0.0001), _TALL - _BODY + 0.01)
+    stem = stem.at(z=(_TALL + _BODY - 0.01) / 2)
+    hold = ag.grasp_on(stem, approach=-ag.Z, closing=across, depth=0.010)
+    slope = ag.frustum(_RADIUS, _NECK + 0.003, _SHOULDER - _BODY + 0.004)
+    seen = [
+        ag.cylinder(_RADIUS, _BODY, bevel=0.004).at(z=_BODY / 2),
+        slope.at(z=(_SHOULDER + _BODY) / 2 - 0.003),
+        ag.cylinder_between((0.0, 0.0, _SHOULDER - 0.004), (0.0, 0.0, _TALL), _NECK, bevel=0.001),
+    ]
+    return ag.weld(
+        ag.part(core | stem, "bottle", glass, grasp=hold),
+        ag.detail(seen, "bottle", glass),
+        ag.detail(ag.tube(_NECK + 0.0003, _NECK - 0.001, 0.052).at(z=_TALL - 0.0257), "bottle", foil),
+        ag.detail(ag.tube(_RADIUS + 0.0002, _RADIUS - 0.001, 0.085).at(z=0.082), "bottle", paper),
+    )
