@@ -10,7 +10,7 @@ from typing import Literal
 
 import artgen as ag
 from artgen import details
-from artgen.categories.shared.controls import DialStyle, dial, dial_print
+from artgen.categories.shared.controls import DialStyle, control_knob, dial_print
 from artgen.categories.shared.cooktops import SIGN, Plan
 
 SWEEP = 4.7
@@ -60,7 +60,7 @@ def dial_on(
     plan: Plan, looks: DialLooks, *, top: ag.Scalar, lift: ag.Scalar = 0.0, name: str, label: str
 ) -> ag.Body:
     """Make an upward-facing dial about the z axis, with its mark at the back."""
-    one = dial(
+    one = control_knob(
         finish=looks.finish,
         style=looks.style,
         radius=plan.radius,

@@ -13,9 +13,10 @@ from artgen.categories.shared.controls import (
     PANE,
     ButtonShape,
     DialStyle,
+    button_cap,
     button_holes,
     button_press,
-    dial,
+    control_knob,
     dial_print,
     dial_turn,
     icon_row,
@@ -23,7 +24,6 @@ from artgen.categories.shared.controls import (
     inlay,
     lamp_row,
     places,
-    push_button,
 )
 from artgen.nodes.details.displays import Color
 
@@ -169,7 +169,7 @@ class Console:
         """Attach the buttons and the dial to a body with the console."""
         ink = ink_on(self.cap)
         for index, place in enumerate(self._at):
-            cap = push_button(
+            cap = button_cap(
                 finish=self.cap,
                 shape=self.shape,
                 width=self._cap_width,
@@ -190,7 +190,7 @@ class Console:
             body = body.attach(cap.at(place, 0.0, 0.0), press)
         if self.dial:
             small = self.upper
-            knob = dial(
+            knob = control_knob(
                 finish=self.cap,
                 style=self.dial,  # type: ignore[arg-type] # "" is none
                 radius=0.015 if small else 0.021,

@@ -7,7 +7,7 @@ from typing import Literal
 import artgen as ag
 from artgen import details
 from artgen.categories.shared.appliances import CORD, strain_relief
-from artgen.categories.shared.controls import DialStyle, button_hole, button_press, dial, push_button
+from artgen.categories.shared.controls import DialStyle, button_cap, button_hole, button_press, control_knob
 
 SwitchKind = Literal["button", "rocker", "dial"]
 """Kind of switch that a finger presses or turns."""
@@ -47,7 +47,7 @@ def switch(
 
 
 def _button(finish: ag.Material, ink: ag.Material) -> Switch:
-    cap = push_button(finish=finish, width=_BUTTON, proud=0.0042, deep=0.006, icon="power", ink=ink)
+    cap = button_cap(finish=finish, width=_BUTTON, proud=0.0042, deep=0.006, icon="power", ink=ink)
     half = _BUTTON / 2 + 0.0045
     sheet = ag.circle(half) - ag.circle(_BUTTON / 2 + 0.0004)
     ring = ag.extrude(sheet, 0.0014, axis=ag.Y, bevel=0.0004).at(0.0, -0.0002, 0.0)
@@ -99,7 +99,9 @@ def _rocker(finish: ag.Material, ink: ag.Material) -> Switch:
 
 
 def _dial(finish: ag.Material, ink: ag.Material, style: DialStyle) -> Switch:
-    knob = dial(finish=finish, style=style, radius=0.014, depth=0.017, mark=ink, name="dial", label="dial")
+    knob = control_knob(
+        finish=finish, style=style, radius=0.014, depth=0.017, mark=ink, name="dial", label="dial"
+    )
     turn = ag.Revolute(
         "switch_turn",
         axis=ag.Y,

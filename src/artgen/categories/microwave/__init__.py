@@ -22,7 +22,14 @@ from artgen import details
 from artgen.categories.microwave import front
 from artgen.categories.microwave.case import Plan, case, turntable
 from artgen.categories.shared.appliances import cabinet_finish, fronts, grip_metals
-from artgen.categories.shared.controls import ButtonShape, DialStyle, button_press, dial, dial_turn, ink_on
+from artgen.categories.shared.controls import (
+    ButtonShape,
+    DialStyle,
+    button_press,
+    control_knob,
+    dial_turn,
+    ink_on,
+)
 from artgen.categories.shared.pulls import BarStyle
 from artgen.nodes.details.displays import Color
 from artgen.nodes.fitting import Fitting
@@ -192,7 +199,9 @@ def microwave(
         proud = front.PANE + key_travel + 0.0006
         cap = front.cap(places.key, f"key_{number}", key_shape, caps, proud=proud, sign=sign)
         body = body.attach(cap, slide, at=(key.x.mid, y, key.z.mid))
-    knob_of = partial(dial, finish=knob, style=dial_style, radius=dial_radius, mark=ink_on(knob), cap=metal)
+    knob_of = partial(
+        control_knob, finish=knob, style=dial_style, radius=dial_radius, mark=ink_on(knob), cap=metal
+    )
     for number in range(dials):
         tail, cell = f"_{number}" if dials > 1 else "", places.dials[number]
         turned = knob_of(depth=0.020, name=f"dial{tail}", label="dial")

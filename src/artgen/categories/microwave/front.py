@@ -11,10 +11,10 @@ from artgen.categories.shared.appliances import filled
 from artgen.categories.shared.controls import (
     PLAY,
     ButtonShape,
+    button_cap,
     button_outline,
     dial_print,
     ink_on,
-    push_button,
 )
 from artgen.categories.shared.pulls import BarStyle, bar_handle, recessed_grip
 from artgen.nodes.details.displays import Color
@@ -351,9 +351,7 @@ def cap(
     width, height = size
     written, ink = sign.isdigit() or sign.isupper(), ink_on(finish)
     high, tracking = (0.0058, 0) if sign.isdigit() else (0.0052, 0.25)
-    key = partial(
-        push_button, finish=finish, shape=shape, width=width, height=height, proud=proud, deep=_DEEP
-    )
+    key = partial(button_cap, finish=finish, shape=shape, width=width, height=height, proud=proud, deep=_DEEP)
     if not written:
         return key(name=name, icon=sign, ink=ink)
     word = details.lettering([sign], high, tracking=tracking)

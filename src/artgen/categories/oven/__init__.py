@@ -23,7 +23,7 @@ from artgen.categories.oven.case import Build, BurnerKind
 from artgen.categories.oven.front import HandleKind, Window
 from artgen.categories.shared.appliances import fronts, grip_metals
 from artgen.categories.shared.baskets import rack_slide
-from artgen.categories.shared.controls import PANE, DialStyle, dial, dial_turn, ink_on
+from artgen.categories.shared.controls import PANE, DialStyle, control_knob, dial_turn, ink_on
 from artgen.categories.shared.pulls import BarStyle, bar_handle
 from artgen.nodes.details.displays import Color
 from artgen.nodes.fitting import Fitting
@@ -255,7 +255,7 @@ def oven(
     surface, proud = (front.BLACK, PANE) if pane else (finish, 0.0)
     for number, (x, kind) in enumerate(zip(places, kinds, strict=True)):
         tail = f"_{number}" if dials > 1 else ""
-        turned = dial(
+        turned = control_knob(
             finish=knob,
             style=dial_style,
             radius=dial_radius,

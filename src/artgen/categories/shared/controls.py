@@ -6,22 +6,62 @@ must be at least 10 mm plus half of a cap, and a cap must project by more than i
 """
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
+from functools import reduce
+from operator import or_
 from typing import Literal
 
 import artgen as ag
-from artgen import details
+from artgen import details, feel
 from artgen.nodes.details.dials import SWEEP
 from artgen.nodes.details.displays import Color
+from artgen.nodes.fitting import FIT, Fitting
 
 ButtonShape = Literal["round", "square", "pill", "bar"]
 """Outline of a cap: a circle, a square with rounded corners, a bar with round ends, or a plain bar."""
 
-PLAY = 0.0004
+DialStyle = Literal["round", "fluted", "bar", "skirted", "capped"]
+"""A plain cylinder, a fluted cylinder, a bar on a disc, a knob on a skirt, or a knob with a metal cap."""
+
+DialScale = Literal["numbers", "ticks", "band", "icons"]
+"""Print around a dial."""
+
+PLAY = FIT.sliding
 """Gap between a cap and its hole, all around [m]."""
 
+GAP = FIT.running
+"""Gap between a dial and its panel [m]."""
+
+PANE = 0.0006
+"""Height of an inlay above its face [m]."""
+
 _BEFORE = 0.010  # length of the cutter of a hole in front of the face [m]
-_BEVEL = 0.0007  # bevel of the rim of a cap [m]
+_FLUTES = 18
+_FLUTE = 0.055  # depth of a flute, as a share of the radius
+_CLEAR = 0.0012  # distance of finger tips from the panel [m]
+_LAMP = 0.0009  # radius of a lamp beside an icon [m]
+_DARK = ag.MATERIALS["abs"].with_(name="lamp_dark", base_color=(0.10, 0.10, 0.10), texture="", tile=None)
+
+LIGHT_INK = ag.colored("abs", "light_grey").with_(name="light_ink", texture="", tile=None)
+"""Print on dark faces."""
+
+DARK_INK = ag.colored("abs", "graphite").with_(name="dark_ink", texture="", tile=None)
+"""Print on bright faces."""
+
+
+def ink_on(face: ag.Material) -> ag.Material:
+    """Return the print with good contrast on a face."""
+    luminance = sum(share * one for share, one in zip((0.21, 0.72, 0.07), face.base_color, strict=True))
+    return DARK_INK if luminance > 0.12 else LIGHT_INK
+
+
+def places(count: int, pitch: ag.Scalar, *, middle: ag.Scalar = 0.0) -> list[ag.Scalar]:
+    """Return the centers of a row of parts along x [m]."""
+    return [middle + (index - (count - 1) / 2) * pitch for index in range(count)]
+
+
+def _united(profiles: Iterable[ag.Profile]) -> ag.Profile:
+    return reduce(or_, profiles)
 
 
 def button_outline(shape: ButtonShape, width: ag.Scalar, height: ag.Scalar) -> ag.Profile:
@@ -32,7 +72,7 @@ def button_outline(shape: ButtonShape, width: ag.Scalar, height: ag.Scalar) -> a
     return ag.rectangle(width, height, radius=share * ag.min_(width, height))
 
 
-def push_button(
+def button_cap(
     *,
     finish: ag.Material,
     shape: ButtonShape = "round",
@@ -40,23 +80,23 @@ def push_button(
     height: ag.Scalar | None = None,
     proud: ag.Scalar = 0.004,
     deep: ag.Scalar = 0.008,
-    icon: str = "",
+    icon: str | ag.Profile = "",
     ink: ag.Material | None = None,
     name: str = "button",
 ) -> ag.Body:
     """Make the cap of a button with its push frame; attach it by `button_press`."""
     high = width if height is None or shape == "round" else height
-    length = proud + deep
+    length, bevel = proud + deep, 0.0007
     if shape == "round":
-        cap = ag.cylinder(width / 2, length, axis=ag.Y, bevel=_BEVEL)
+        cap = ag.cylinder(width / 2, length, axis=ag.Y, bevel=bevel)
     else:
-        cap = ag.extrude(button_outline(shape, width, high), length, axis=ag.Y, bevel=_BEVEL)
-    cap = cap.at(0.0, (deep - proud) / 2, 0.0)
+        cap = ag.extrude(button_outline(shape, width, high), length, axis=ag.Y, bevel=bevel)
+    cap = cap.at(y=(deep - proud) / 2)
     body = ag.part(cap, "button", finish, name=name, push=ag.push_on(cap, direction=ag.Y))
-    if not icon or ink is None:
+    if ink is None or icon == "":
         return body
-    sign = details.icon(icon, 0.62 * ag.min_(width, high))
-    return ag.weld(body, details.printed(sign, (0.0, -proud, 0.0), material=ink))
+    sign = details.icon(icon, 0.62 * ag.min_(width, high)) if isinstance(icon, str) else icon
+    return ag.weld(body, details.printed(sign, (0, -proud, 0), material=ink))
 
 
 def button_press(
@@ -65,25 +105,22 @@ def button_press(
     travel: ag.Scalar = 0.003,
     preload: ag.Scalar = 0.6,
     force: ag.Scalar = 3.0,
-    damping: ag.Scalar = 6.0,
-    effort: ag.Scalar = 12.0,
+    damping: ag.Scalar | None = None,
+    effort: ag.Scalar | None = None,
     pivot: ag.VectorLike = (0.0, 0.0, 0.0),
 ) -> ag.Joint:
     """Make the joint of a button with a return spring; positive moves it into its panel (+y).
 
     Keys of appliances close at 2-4 N, and start at a fifth of that or more, so that they do not rattle.
     """
-    stiffness = (force - preload) / travel
     return ag.Prismatic(
         name,
         axis=ag.Y,
         pivot=pivot,
         limits=(0.0, travel),
-        stiffness=stiffness,
-        rest=-preload / stiffness,
+        spring=ag.Spring(preload=preload, force=force),
+        feel=feel.SWITCH,
         damping=damping,
-        friction=0.1,  # friction of the cap in its guide
-        armature=0.03,  # inertia of the switch; a lighter part would sink into its stop in MuJoCo
         effort=effort,
     )
 
@@ -96,8 +133,7 @@ def button_hole(
     A `button_plate` covers the corners that round caps leave open.
     """
     high = width if height is None else height
-    hole = ag.box(width + 2 * play, _BEFORE + through, high + 2 * play)
-    return hole.at(0.0, (through - _BEFORE) / 2, 0.0)
+    return ag.Region.centered(width + 2 * play, 0.0, high + 2 * play).grow(front=_BEFORE, back=through).box()
 
 
 def button_plate(
@@ -107,44 +143,98 @@ def button_plate(
     width: ag.Scalar = 0.012,
     height: ag.Scalar | None = None,
     border: ag.Scalar = 0.002,
-    proud: ag.Scalar = 0.0006,
     label: str = "bezel",
 ) -> ag.Body:
     """Make the thin plate around a cap, with a hole of its shape, visual only."""
     high = width if height is None or shape == "round" else height
     hole = button_outline(shape, width + 2 * PLAY, high + 2 * PLAY)
-    wide, tall = width + 2 * border, high + 2 * border
-    soft = "square" if shape in ("round", "pill") else shape  # the plate has to cover the corners of the hole
-    sheet = button_outline(soft, wide, tall) - hole
-    solid = ag.extrude(sheet, proud + 0.001, axis=ag.Y).at(0.0, (0.001 - proud) / 2, 0.0)
-    return ag.detail(solid, label, finish)
+    soft: ButtonShape = "bar" if shape == "bar" else "square"  # it has to cover the corners of the hole
+    sheet = button_outline(soft, width + 2 * border, high + 2 * border) - hole
+    return ag.detail(ag.extrude(sheet, 0.0016, axis=ag.Y).at(y=0.0002), label, finish)
 
 
-DialStyle = Literal["round", "fluted", "bar", "skirted", "capped"]
-"""A plain cylinder, a fluted cylinder, a bar on a disc, a knob on a skirt, or a knob with a metal cap."""
+def push_button(
+    *,
+    shape: ButtonShape = "round",
+    width: ag.Scalar = 0.012,
+    height: ag.Scalar | None = None,
+    proud: ag.Scalar = 0.004,
+    deep: ag.Scalar = 0.008,
+    travel: ag.Scalar = 0.003,
+    preload: ag.Scalar = 0.6,
+    force: ag.Scalar = 3.0,
+    damping: ag.Scalar | None = None,
+    effort: ag.Scalar | None = None,
+    icon: str | ag.Profile = "power",
+    finish: ag.Material = ag.MATERIALS["black_abs"],
+    plate: ag.Material | None = ag.MATERIALS["stainless"],
+    ink: ag.Material | None = None,
+    name: str = "button",
+) -> Fitting:
+    """Make a push button: a cap that slides into its panel against a spring, in a thin plate.
 
-GAP = 0.0006
-"""Gap between a dial and its panel [m]."""
+    Keys of appliances have caps of 8-20 mm, strokes of 1-3 mm and close at 2-4 N (catalogs of tactile
+    switches). A finger needs 10 mm plus half of a cap to the middle of the next button.
 
-_FLUTES = 18
-_FLUTE = 0.055  # depth of a flute, as a share of the radius
-_CLEAR = 0.0012  # distance of finger tips from the panel [m]
+    Args:
+        shape: Outline of the cap.
+        width: Width or diameter of the cap [m].
+        height: Height of the cap; by default its width [m].
+        proud: Projection at rest, which must exceed the travel [m].
+        deep: Depth of the cap behind the face [m].
+        travel: Stroke [m].
+        preload: Force that starts it [N].
+        force: Force that presses it home [N].
+        damping: Damping, by default that of `feel.SWITCH` [N s/m].
+        effort: Largest force, by default that of `feel.SWITCH` [N].
+        icon: Name of an icon, or a profile such as lettering, that is printed on the cap; `""` for none.
+        finish: Material of the cap.
+        plate: Material of the plate around it; None for no plate.
+        ink: Material of the print, by default one with good contrast.
+        name: Name of its link; its joint is `{name}_slide`.
+
+    Examples:
+        >>> panel = part(box(0.06, 0.012, 0.04).at(y=0.006), "panel", material("abs"))
+        >>> panel = panel.install(fittings.push_button().suffixed("_0"), at=(-0.012, 0, 0))
+        >>> panel.install(fittings.push_button(shape="square", icon="fan").suffixed("_1"), at=(0.012, 0, 0))
+    """
+    high = width if shape == "round" or height is None else height
+    ink = ink or ink_on(finish)
+    cap = button_cap(
+        finish=finish,
+        shape=shape,
+        width=width,
+        height=high,
+        proud=proud,
+        deep=deep,
+        icon=icon,
+        ink=ink,
+        name=name,
+    )
+    press = button_press(
+        f"{name}_slide", travel=travel, preload=preload, force=force, damping=damping, effort=effort
+    )
+    hole = button_hole(width, high, through=deep + travel + 0.001)
+    if plate is None:
+        return Fitting.moving(cap, press, cut=hole)
+    around = button_plate(finish=plate, shape=shape, width=width, height=high)
+    return Fitting.moving(cap, press, fixed=around, cut=hole)
 
 
 def _fluted() -> ag.Profile:
     """Make the outline of a fluted knob of radius 1."""
     steps = 4 * _FLUTES
     angles = [math.tau * step / steps for step in range(steps)]
-    radii = [1.0 - _FLUTE * (0.5 - 0.5 * math.cos(_FLUTES * angle)) for angle in angles]
+    radii = [1 - _FLUTE * (0.5 - 0.5 * math.cos(_FLUTES * angle)) for angle in angles]
     return ag.polygon([(r * math.cos(a), r * math.sin(a)) for r, a in zip(radii, angles, strict=True)])
 
 
 def _disc(radius: ag.Scalar, near: ag.Scalar, far: ag.Scalar, bevel: ag.Scalar) -> ag.Solid:
     """Make a disc between two distances from the panel [m]."""
-    return ag.cylinder(radius, far - near, axis=ag.Y, bevel=bevel).at(0.0, -0.5 * (near + far), 0.0)
+    return ag.cylinder(radius, far - near, axis=ag.Y, bevel=bevel).at(y=-(near + far) / 2)
 
 
-def dial(
+def control_knob(
     *,
     finish: ag.Material,
     style: DialStyle = "round",
@@ -155,45 +245,35 @@ def dial(
     name: str = "knob",
     label: str = "knob",
 ) -> ag.Body:
-    """Make a knob with its grasp frame, its mark upward; attach it by `dial_turn`."""
+    """Make the knob of a dial with its grasp frame, its mark upward; attach it by `dial_turn`."""
     step = GAP + 0.3 * (depth - GAP)  # start of the grip of a knob with a base
-    bevel = 0.0012
-    solids: list[ag.Solid]
     held: ag.Scalar = GAP
     front, reach = 1.0 * depth, 0.9 * radius
+    inner, grip = depth - GAP - 0.001, -(depth + GAP + 0.001) / 2
+    seen: list[ag.Body] = []
+    solids: list[ag.Solid]
     match style:
         case "round" | "capped":
-            solids = [_disc(radius, GAP, depth, bevel)]
-        case "fluted":
-            solids = [_disc((1.0 - _FLUTE) * radius, GAP, depth, bevel)]
+            solids = [_disc(radius, GAP, depth, 0.0012)]
+        case "fluted":  # its ribs are visual only, so that its collider is one cylinder
+            solids = [_disc((1 - _FLUTE) * radius, GAP, depth, 0.0012)]
+            ribs = ag.extrude(_fluted().scale(radius), inner + 0.0004, axis=ag.Y, bevel=0.0006)
+            seen = [ag.detail(ribs.at(y=grip + 0.0008), label, finish)]
         case "bar":
-            held = step
-            bar = ag.box(0.44 * radius, depth - GAP - 0.001, 1.94 * radius, bevel=0.0014)
-            solids = [bar.at(0.0, -0.5 * (depth + GAP + 0.001), 0.0), _disc(radius, GAP, step, bevel)]
+            bar = ag.box(0.44 * radius, inner, 1.94 * radius, bevel=0.0014).at(y=grip)
+            solids, held = [bar, _disc(radius, GAP, step, 0.0012)], step
         case "skirted":
-            held, reach = step, 0.68 * radius
             skirt = ag.frustum(radius, 0.84 * radius, step - GAP, axis=-ag.Y, bevel=0.0008)
-            solids = [
-                ag.frustum(0.76 * radius, 0.7 * radius, depth - GAP - 0.001, axis=-ag.Y, bevel=bevel).at(
-                    0.0, -0.5 * (depth + GAP + 0.001), 0.0
-                ),
-                skirt.at(0.0, -0.5 * (step + GAP), 0.0),
-            ]
+            core = ag.frustum(0.76 * radius, 0.7 * radius, inner, axis=-ag.Y, bevel=0.0012)
+            solids, held, reach = [core.at(y=grip), skirt.at(y=-(step + GAP) / 2)], step, 0.68 * radius
     hold = ag.grasp_on(solids[0], approach=ag.Y, closing=ag.X, depth=front - held - _CLEAR)
-    bodies = [ag.part(solids[0], label, finish, name=name, grasp=hold)]
-    bodies += [ag.part(each, label, finish) for each in solids[1:]]
-    if style == "fluted":  # its ribs are visual only, so that its collider is one cylinder
-        ribs = ag.extrude(_fluted().scale(radius), depth - GAP - 0.0006, axis=ag.Y, bevel=0.0006)
-        bodies.append(ag.detail(ribs.at(0.0, -0.5 * (depth + GAP - 0.0006), 0.0), label, finish))
     if style == "capped":
-        plate = _disc(0.86 * radius, depth - 0.001, depth + 0.0008, 0.0005)
-        bodies.append(ag.detail(plate, label, cap or finish))
-        front = depth + 0.0008
-        reach = 0.82 * radius
+        front, reach = depth + 0.0008, 0.82 * radius
+        seen = [ag.detail(_disc(0.86 * radius, depth - 0.001, front, 0.0005), label, cap or finish)]
     if mark is not None:
         line = details.pointer(0.42 * reach, 0.97 * reach, 0.0015 if style == "bar" else 0.0019)
-        bodies.append(details.printed(line, (0.0, -front, 0.0), material=mark))
-    return ag.weld(*bodies)
+        seen.append(details.printed(line, (0, -front, 0), material=mark))
+    return ag.weld(ag.part(solids, label, finish, name=name, grasp=hold), *seen)
 
 
 def dial_turn(
@@ -201,32 +281,20 @@ def dial_turn(
     *,
     low: ag.Scalar = -2.4,
     high: ag.Scalar = 2.4,
-    friction: ag.Scalar = 0.045,
-    damping: ag.Scalar = 0.003,
+    friction: ag.Scalar | None = None,
     pivot: ag.VectorLike = (0.0, 0.0, 0.0),
     endless: bool = False,
 ) -> ag.Joint:
-    """Make the joint of a dial; positive angles turn it clockwise, seen from the front.
-
-    Rotary switches of appliances turn at 0.02-0.06 N m; friction represents their detents.
-    """
-    return ag.Revolute(
-        name,
-        axis=ag.Y,
-        pivot=pivot,
-        limits=None if endless else (low, high),
-        friction=friction,
-        damping=damping,
-        armature=0.00002,  # inertia of the shaft and the wiper
-        effort=0.6,  # two fingers at a radius of 15 mm, 20 N each
-    )
+    """Make the joint of a dial; positive angles turn it clockwise, seen from the front."""
+    limits = None if endless else (low, high)
+    return ag.Revolute(name, axis=ag.Y, pivot=pivot, limits=limits, feel=feel.DIAL, friction=friction)
 
 
 def dial_print(
     radius: ag.Scalar,
     *,
     ink: ag.Material,
-    style: Literal["numbers", "ticks", "band", "icons"] = "numbers",
+    style: DialScale = "numbers",
     count: int = 6,
     icons: tuple[str, ...] = (),
     sweep: ag.Scalar = SWEEP,
@@ -248,67 +316,91 @@ def dial_print(
         case "band":
             scale = details.dial_band(out, 0.0004, 0.0034, sweep=sweep, start=start)
         case "icons":
-            scale = details.dial_icons(icons, out + 1.2 * height, 2.0 * height, sweep=sweep, start=start)
-    return details.printed(scale, (0.0, 0.0, 0.0), material=ink)
+            scale = details.dial_icons(icons, out + 1.2 * height, 2 * height, sweep=sweep, start=start)
+    return details.printed(scale, material=ink)
 
 
-PANE = 0.0006
-"""Height of an inlay above its face [m]."""
+def dial(
+    *,
+    style: DialStyle = "fluted",
+    radius: ag.Scalar = 0.016,
+    depth: ag.Scalar = 0.016,
+    limits: tuple[ag.Scalar, ag.Scalar] | None = (-2.4, 2.4),
+    friction: ag.Scalar | None = None,
+    scale: DialScale | None = "ticks",
+    count: int = 6,
+    icons: tuple[str, ...] = (),
+    finish: ag.Material = ag.MATERIALS["black_abs"],
+    cap: ag.Material | None = ag.MATERIALS["aluminium"],
+    ink: ag.Material | None = DARK_INK,
+    name: str = "dial",
+) -> Fitting:
+    """Make a dial: a knob that fingers turn, with its mark up at rest, and a scale printed around it.
 
-_LAMP = 0.0009  # radius of a lamp beside an icon [m]
-_FILM = 0.0002  # height of print above its face [m]
+    Knobs of appliances are 20-50 mm across; their switches and potentiometers turn through 270-300 degrees
+    with 0.02-0.06 N m (`feel.DIAL`). A gap of 0.6 mm hides the shaft, so that no hole is cut.
 
-LIGHT_INK = ag.colored("abs", "light_grey").with_(name="light_ink", texture="", tile=None)
-"""Print on dark faces."""
+    Args:
+        style: Shape of the knob.
+        radius: Radius of the knob [m].
+        depth: Projection of the knob [m].
+        limits: Range from the mark up, clockwise; None to turn without end [rad].
+        friction: Friction of its detents, by default that of `feel.DIAL` [N m].
+        scale: Print around it, over its range; None for no print.
+        count: Number of steps of the print.
+        icons: Names of the icons of the scale "icons", clockwise.
+        finish: Material of the knob.
+        cap: Metal of the cap of the style "capped".
+        ink: Material of the scale, which has to differ from the panel.
+        name: Name of its link; its joint is `{name}_turn`.
 
-DARK_INK = ag.colored("abs", "graphite").with_(name="dark_ink", texture="", tile=None)
-"""Print on bright faces."""
-
-
-def ink_on(face: ag.Material) -> ag.Material:
-    """Return the print with good contrast on a face."""
-    luminance = sum(share * one for share, one in zip((0.21, 0.72, 0.07), face.base_color, strict=True))
-    return DARK_INK if luminance > 0.12 else LIGHT_INK
-
-
-def places(count: int, pitch: ag.Scalar, *, middle: ag.Scalar = 0.0) -> list[ag.Scalar]:
-    """Return the centers of a row of parts along x [m]."""
-    return [middle + (index - (count - 1) / 2.0) * pitch for index in range(count)]
+    Examples:
+        >>> panel = part(box(0.14, 0.012, 0.06).at(y=0.006), "panel", material("abs"))
+        >>> heat = fittings.dial(style="bar", scale="band", limits=(0, 4.7), name="heat")
+        >>> panel.install(fittings.dial(), at=(-0.035, 0, 0)).install(heat, at=(0.035, 0, 0))
+    """
+    knob = control_knob(
+        finish=finish,
+        style=style,
+        radius=radius,
+        depth=depth,
+        mark=ink_on(finish),
+        cap=cap,
+        name=name,
+        label="dial",
+    )
+    low, high = limits or (-SWEEP / 2, SWEEP / 2)
+    turn = dial_turn(f"{name}_turn", low=low, high=high, friction=friction, endless=limits is None)
+    if scale is None or ink is None:
+        return Fitting.moving(knob, turn)
+    print_ = dial_print(radius, ink=ink, style=scale, count=count, icons=icons, sweep=high - low, start=low)
+    return Fitting.moving(knob, turn, fixed=print_)
 
 
 def inlay(
     width: ag.Scalar,
     height: ag.Scalar,
     *,
-    finish: ag.Material | None = None,
+    finish: ag.Material = ag.MATERIALS["black_glass"],
     radius: ag.Scalar = 0.003,
     holes: ag.Profile | None = None,
     proud: ag.Scalar = PANE,
-    label: str = "panel",
 ) -> ag.Body:
     """Make a thin pane on the face, about the origin."""
     outline = ag.rectangle(width, height, radius=radius)
     if holes is None:
         solid = details.relief(outline, proud=proud, sunk=0.0006, bevel=0.0003)
     else:
-        solid = ag.extrude(outline - holes, proud + 0.0006, axis=ag.Y).at(0.0, (0.0006 - proud) / 2.0, 0.0)
-    return ag.detail(solid, label, finish or ag.MATERIALS["black_glass"])
+        solid = ag.extrude(outline - holes, proud + 0.0006, axis=ag.Y).at(y=(0.0006 - proud) / 2)
+    return ag.detail(solid, "panel", finish)
 
 
 def button_holes(
-    shape: ButtonShape,
-    width: ag.Scalar,
-    height: ag.Scalar,
-    at: Sequence[ag.Scalar],
-    *,
-    level: ag.Scalar = 0.0,
+    shape: ButtonShape, width: ag.Scalar, height: ag.Scalar, at: Sequence[ag.Scalar]
 ) -> ag.Profile:
     """Make the holes of a row of buttons with gaps around the caps, to be cut out of an `inlay`."""
-    hole = button_outline(shape, width + 2.0 * PLAY, height + 2.0 * PLAY)
-    holes = hole.at(at[0], level)
-    for place in at[1:]:
-        holes = holes | hole.at(place, level)
-    return holes
+    hole = button_outline(shape, width + 2 * PLAY, height + 2 * PLAY)
+    return _united(hole.at(place) for place in at)
 
 
 def icon_row(
@@ -321,13 +413,9 @@ def icon_row(
     proud: ag.Scalar = PANE,
 ) -> ag.Body:
     """Print a row of icons as one film."""
-    found = [
-        details.icon(name, height).at(place, level) for name, place in zip(icons, at, strict=False) if name
-    ]
-    film = found[0]
-    for one in found[1:]:
-        film = film | one
-    return details.printed(film, (0.0, -proud, 0.0), material=ink, proud=_FILM)
+    row = zip(icons, at, strict=False)
+    film = _united(details.icon(name, height).at(place, level) for name, place in row if name)
+    return details.printed(film, (0, -proud, 0), material=ink)
 
 
 def lamp_row(
@@ -339,18 +427,11 @@ def lamp_row(
     proud: ag.Scalar = PANE,
 ) -> ag.Body:
     """Make a row of small lamps; one of them is lit."""
-    dark = ag.MATERIALS["abs"].with_(name="lamp_dark", base_color=(0.10, 0.10, 0.10), texture="", tile=None)
-    groups = [
-        ([place for index, place in enumerate(at) if (index == lit) == shines], each)
-        for shines, each in ((True, ag.MATERIALS[f"led_{color}"]), (False, dark))
-    ]
     bodies = []
-    for found, finish in groups:
-        if found:
-            film = ag.circle(_LAMP).at(found[0], level)
-            for place in found[1:]:
-                film = film | ag.circle(_LAMP).at(place, level)
-            solid = details.relief(film, (0.0, -proud, 0.0), proud=0.0003)
+    for shines, finish in ((True, ag.MATERIALS[f"led_{color}"]), (False, _DARK)):
+        lamps = [ag.circle(_LAMP).at(x, level) for index, x in enumerate(at) if (index == lit) == shines]
+        if lamps:
+            solid = details.relief(_united(lamps), (0, -proud, 0), proud=0.0003)
             bodies.append(ag.detail(solid, "print", finish))
     return ag.weld(*bodies)
 
@@ -366,7 +447,7 @@ def control_panel(
     screen: tuple[ag.Scalar, ag.Scalar] = (0.05, 0.018),
     color: Color = "white",
     upright: bool = False,
-    finish: ag.Material | None = None,
+    finish: ag.Material = ag.MATERIALS["black_glass"],
     ink: ag.Material | None = None,
     radius: ag.Scalar = 0.004,
 ) -> ag.Body:
@@ -374,38 +455,21 @@ def control_panel(
 
     The display is in the middle with half of the icons at each side, or above the icons of a vertical panel.
     """
-    face = finish or ag.MATERIALS["black_glass"]
-    print_ = ink or ink_on(face)
-    bodies = [inlay(width, height, finish=face, radius=radius)]
+    print_, bodies = ink or ink_on(finish), [inlay(width, height, finish=finish, radius=radius)]
     if show:
-        top = 0.5 * height - 0.9 * screen[1]
+        top = height / 2 - 0.9 * screen[1]
         at = (0.0, -PANE, top if upright and icons else 0.0)
         bodies.append(details.display(show, *screen, at=at, color=color))
     if icons and upright:
-        bodies.append(_column(icons, pitch, icon_height, -0.5 * screen[1] if show else 0.0, print_))
+        levels = places(len(icons), -pitch, middle=-screen[1] / 2 if show else 0.0)
+        for name, level in zip(icons, levels, strict=True):
+            bodies.append(icon_row([name], [0.0], height=icon_height, level=level, ink=print_))
     elif icons:
-        aside = 0.5 * screen[0] + 0.4 * pitch if show else 0.0
-        row = _beside(len(icons), pitch, aside) if show else places(len(icons), pitch)
+        row = places(len(icons), pitch)
+        if show:  # half of them at each side of the display
+            half, aside = (len(icons) + 1) // 2, screen[0] / 2 + 0.4 * pitch
+            row = [-aside - (half - index - 0.5) * pitch for index in range(half)]
+            row += [aside + (index + 0.5) * pitch for index in range(len(icons) - half)]
         bodies.append(icon_row(icons, row, height=icon_height, ink=print_))
         bodies.append(lamp_row(row, level=-0.85 * icon_height))
     return ag.weld(*bodies)
-
-
-def _beside(count: int, pitch: ag.Scalar, aside: ag.Scalar) -> list[ag.Scalar]:
-    """Return positions at both sides of a display, at least `aside` from x = 0 [m]."""
-    half = (count + 1) // 2
-    left = [-aside - (half - index - 0.5) * pitch for index in range(half)]
-    return [*left, *(aside + (index + 0.5) * pitch for index in range(count - half))]
-
-
-def _column(
-    icons: Sequence[str], pitch: ag.Scalar, height: ag.Scalar, middle: ag.Scalar, ink: ag.Material
-) -> ag.Body:
-    """Print a column of icons."""
-    rows = [middle + ((len(icons) - 1) / 2.0 - index) * pitch for index in range(len(icons))]
-    return ag.weld(
-        *(
-            icon_row([name], [0.0], height=height, level=level, ink=ink)
-            for name, level in zip(icons, rows, strict=True)
-        )
-    )

@@ -14,12 +14,12 @@ from artgen.categories.shared.controls import (
     PLAY,
     ButtonShape,
     DialStyle,
+    button_cap,
     button_plate,
     button_press,
-    dial,
+    control_knob,
     dial_print,
     dial_turn,
-    push_button,
 )
 from artgen.categories.shared.finish import recess
 from artgen.categories.toaster.inside import ARM, slit
@@ -239,7 +239,7 @@ class Panel:
         looks = self.looks
         for number, key in enumerate(self._keys):
             tail, at = f"_{number}" if self.buttons > 1 else "", self._at(key)
-            cap = push_button(
+            cap = button_cap(
                 finish=looks.button,
                 shape=looks.shape,
                 width=_CAP,
@@ -253,7 +253,7 @@ class Panel:
         tails = ("_left", "_right") if self.knobs > 1 else ("",)
         for tail, place in zip(tails, self._dials() if self.knobs else [], strict=False):
             at = self._at(place)
-            knob = dial(
+            knob = control_knob(
                 finish=looks.dial,
                 style=looks.style,
                 radius=self.radius,
