@@ -14,82 +14,39 @@ Sizes are those of shops: valves 0.2 m apart (8 inches, ASME A112.18.1), spouts 
 and an outlet 0.08-0.30 m above the deck, aerators M22 and M24, ceramic discs with 0.3-0.8 N m of friction.
 """
 
+import functools
 from typing import Literal
 
 import artgen as ag
-from artgen.categories.faucet.drain import Drain
-from artgen.categories.faucet.handles import HandleStyle, LeverStyle, bonnet, quarter_turn, turning_handle
-from artgen.categories.faucet.spouts import (
-    SpoutStyle,
-    beam_spout,
-    hanging_spout,
-    pull_down_spout,
-    pull_out,
-    rising_spout,
-    spray_head,
-    swivel,
-)
-from artgen.categories.faucet.stands import (
-    ROD_AT,
-    Board,
-    Lever,
-    before_wall,
-    bridge,
-    sided_column,
-    topped_column,
-    widespread,
-)
+from artgen.categories.faucet import drain, handles, spouts, stands
 from artgen.categories.shared.finish import casting
 
 Style = Literal["widespread", "single_hole", "bridge", "wall", "vessel", "gooseneck", "pull_down"]
 
-_METALS = {
-    "satin_brass": 1.2,
-    "brass": 0.8,
-    "satin_nickel": 2.0,
-    "powder_coat_black": 1.8,
-    "aged_bronze": 0.8,
-    "chrome": 3.0,
-    "stainless": 1.0,
-}
-_DECKS: dict[ag.Material | str, float] = {
-    casting(ag.material("stainless_blasted"), 0.14): 0.6,  # density for a sheet around a board
-    "green_marble": 0.5,
-    "marble": 1.2,
-    "oak": 1.0,
-    "black_granite": 1.2,
-    "granite": 1.0,
-    "walnut": 1.0,
-}
+_METALS = {"satin_brass": 1.2, "brass": 0.8, "satin_nickel": 2.0, "powder_coat_black": 1.8,
+           "aged_bronze": 0.8, "chrome": 3.0, "stainless": 1.0}  # fmt: skip
+_SHEET = casting(ag.material("stainless_blasted"), 0.14)  # density for a sheet around a board
+_DECKS: dict[ag.Material | str, float] = {_SHEET: 0.6, "green_marble": 0.5, "marble": 1.2, "oak": 1.0,
+    "black_granite": 1.2, "granite": 1.0, "walnut": 1.0}  # fmt: skip
+_STYLES = {"vessel": 0.15, "bridge": 0.11, "single_hole": 0.10, "wall": 0.12, "widespread": 0.16,
+           "gooseneck": 0.16, "pull_down": 0.20}  # fmt: skip
 _PAST = 0.045  # distance from the end of a lever to the middle of a spray head [m]
 _METAL_WEIGHTS, _DECK_WEIGHTS = tuple(_METALS.values()), tuple(_DECKS.values())
 
 
 @ag.category(
-    labels=(
-        "deck", "foot", "screw", "escutcheon", "body", "valve", "collar", "handle", "index", "spout",
-        "aerator", "spray_head", "hose", "guide", "lift_rod",
-        "strap", "pivot_rod", "drain", "plug",
-    ),
+    labels="deck foot screw escutcheon body valve collar handle index spout aerator spray_head hose guide "
+    "lift_rod strap pivot_rod drain plug",
     joints=(3, 6),
-)  # fmt: skip
+)
 def faucet(
     *,
-    style: Style = ag.choice(
-        "vessel",
-        "bridge",
-        "single_hole",
-        "wall",
-        "widespread",
-        "gooseneck",
-        "pull_down",
-        weights=(0.15, 0.11, 0.10, 0.12, 0.16, 0.16, 0.20),
-    ),
-    spout: SpoutStyle = ag.by(
+    style: Style = ag.choice(_STYLES),
+    spout: spouts.SpoutStyle = ag.by(
         "style",
-        widespread=ag.choice("gooseneck", "arc", "angular", weights=(0.3, 0.4, 0.3)),
-        bridge=ag.choice("gooseneck", "angular", weights=(0.7, 0.3)),
-        wall=ag.choice("gooseneck", "low", weights=(0.45, 0.55)),
+        widespread={"gooseneck": 0.3, "arc": 0.4, "angular": 0.3},
+        bridge={"gooseneck": 0.7, "angular": 0.3},
+        wall={"gooseneck": 0.45, "low": 0.55},
         single_hole="beam",
         vessel="beam",
         otherwise="gooseneck",
@@ -146,10 +103,10 @@ def faucet(
         doc="turn of the spout to each side",
         within=(0.5, 3.14),
     ),
-    handle: HandleStyle = ag.choice(
-        "lever", "blade", "cross", "knob", weights=(0.35, 0.25, 0.25, 0.15), doc="style of a pair of handles"
+    handle: handles.HandleStyle = ag.choice(
+        {"lever": 0.35, "blade": 0.25, "cross": 0.25, "knob": 0.15}, doc="style of a pair of handles"
     ),
-    lever: LeverStyle = ag.choice("rod", "blade", "paddle", doc="lever style of a mixer"),
+    lever: handles.LeverStyle = ag.choice("rod", "blade", "paddle", doc="lever style of a mixer"),
     handle_length: ag.Float = ag.uniform(
         0.058, 0.076, "m", doc="length of a pair of handles, from the axis", within=(0.045, 0.09)
     ),
@@ -162,7 +119,7 @@ def faucet(
         doc="length of the lever of a mixer, from the axis",
         within=(0.07, 0.14),
     ),
-    side: Literal["left", "right"] = ag.choice("right", "left", weights=(0.8, 0.2), doc="side of the lever"),
+    side: Literal["left", "right"] = ag.choice({"right": 0.8, "left": 0.2}, doc="side of the lever"),
     lift: ag.Float = ag.uniform(0.42, 0.50, "rad", doc="angle of the lifted lever", within=(0.3, 0.55)),
     rod: bool = ag.by(
         "style",
@@ -173,7 +130,7 @@ def faucet(
     ),
     finish: ag.Material = ag.shades(*_METALS, weights=_METAL_WEIGHTS, color=0.03, roughness=0.03),
     accent: Literal["same", "ceramic"] = ag.choice(
-        "same", "ceramic", weights=(0.6, 0.4), doc="material of the buttons on a pair of handles"
+        {"same": 0.6, "ceramic": 0.4}, doc="material of the buttons on a pair of handles"
     ),
     surface: ag.Material = ag.shades(
         *_DECKS, weights=_DECK_WEIGHTS, color=0.06, doc="finish of deck or wall"
@@ -200,67 +157,53 @@ def faucet(
     ag.require(not rod or style != "wall", "style=wall has no lift rod: rod must be False")
     # slabs on a wall are thinner than worktops
     thick = ag.min_(deck_thickness, 0.024) if style == "wall" else deck_thickness
-    board = Board(deck_margin, thick, surface, reach if rod else None)
-    arm = Lever(lever, lever_length, lift, handle_friction, side)
+    board = stands.Board(deck_margin, thick, surface, reach if rod else None)
     ring = 2 * girth + 0.010  # height of the ring of a straight spout
+    mixer = functools.partial(
+        handles.mixer, lever, length=lever_length, finish=finish, lift=lift, friction=handle_friction
+    )
+    tube = (reach, girth, finish)
     match style:
         case "widespread":
-            stand = widespread(board, girth=girth, finish=finish)
+            stand = stands.widespread(board, girth=girth, finish=finish)
         case "bridge":
-            stand = bridge(board, finish=finish)
+            stand = stands.bridge(board, finish=finish)
         case "wall":
-            stand = before_wall(board, finish=finish, hangs=spout == "low")
+            stand = stands.before_wall(board, finish=finish, hangs=spout == "low")
         case "single_hole" | "vessel":
-            stand = topped_column(
-                board, radius=body_radius, height=height, ring=ring, lever=arm, finish=finish
+            top = mixer(radius=body_radius)
+            stand = stands.topped_column(
+                board, radius=body_radius, height=height, ring=ring, mixer=top, finish=finish
             )
         case _:
-            stand = sided_column(board, radius=body_radius, lever=arm, finish=finish)
+            beside = mixer(radius=stands.SIDE)
+            stand = stands.sided_column(board, radius=body_radius, mixer=beside, side=side, finish=finish)
 
     rise = height - stand.over - girth  # height of the middle of the tube above the foot of a spout
     straight = rise - 0.5 * reach  # height of the start of the arc of a gooseneck
     if spout == "beam":
-        turned = beam_spout(
-            hub=body_radius, tall=ring, reach=reach, radius=girth, square=square, finish=finish
-        )
+        turned = spouts.beam_spout(*tube, hub=body_radius, tall=ring, square=square)
     elif spout == "low":
-        turned = hanging_spout(reach=reach, radius=girth, finish=finish)
+        turned = spouts.hanging_spout(*tube)
     elif style == "pull_down":
         fall = straight - head_travel - 0.017  # length of the straight leg for the hose
-        end = ag.vector(0.0, -reach, fall)
-        turned = pull_down_spout(
-            height=rise, reach=reach, radius=girth, travel=head_travel, fall=fall, finish=finish
-        ).attach(
-            spray_head(radius=girth, travel=head_travel, finish=finish).at(end),
-            pull_out(travel=head_travel, force=head_force, pivot=end),
-        )
+        turned = spouts.pull_down_spout(*tube, height=rise, fall=fall, travel=head_travel, force=head_force)
         turned = turned.require(
             reach > lever_length + _PAST,
             f"the spray head swings past the lever: reach must exceed lever_length by {_PAST:g} m",
         )
     else:
         fall = {"gooseneck": straight - 0.032, "arc": 0.6 * rise}.get(spout, rise - 0.032)
-        turned = rising_spout(
-            spout, height=rise, reach=reach, fall=ag.max_(stand.least, fall), radius=girth, finish=finish
-        )
-    turn = swivel(limit=swivel_limit, friction=swivel_friction, pivot=stand.foot)
-    body = stand.body.attach(turned.at(stand.foot), turn)
-
-    button = finish if accent == "same" else ag.material("ceramic")
-    for at, hot in zip(stand.valves, (True, False), strict=False):
-        which = "left" if hot else "right"
-        one = turning_handle(
-            handle,
-            finish=finish,
-            accent=button,
-            length=handle_length,
-            hot=hot,
-            name=f"handle_{which}",
-            from_tip=style == "wall",
-        )
-        joint = quarter_turn(f"handle_turn_{which}", hot=hot, friction=handle_friction, pivot=at)
-        body = ag.weld(body, bonnet(finish, flange=stand.flanges).at(at)).attach(one.at(at), joint)
+        turned = spouts.rising_spout(*tube, spout, height=rise, fall=ag.max_(stand.least, fall))
+    turns, friction = (-swivel_limit, swivel_limit), swivel_friction
+    swivel = ag.Revolute("spout_swivel", axis=ag.Z, limits=turns, feel=spouts.SEALS, friction=friction)
+    body = stand.body.attach(turned, swivel, at=stand.foot)
+    if stand.valves:
+        button = finish if accent == "same" else ag.material("ceramic")
+        pair = (stand.valves, handle, handle_length, finish, button, handle_friction)
+        body = handles.install_pair(body, *pair, flange=stand.flanges, from_tip=style == "wall")
     if rod:
-        drain = Drain(-reach, ROD_AT, board.top, deck_thickness, finish, rod_friction)
-        body = drain.on(body)
+        middle = ag.vector(0.0, -reach, board.top)
+        behind = stands.ROD_AT + reach
+        body = drain.install(body, middle, behind, deck_thickness, finish=finish, friction=rod_friction)
     return body
