@@ -10,45 +10,22 @@ set has its lever or knob, and its lock, on the inside (the back).
 Sizes are those of EN 12209 and EN 1906 locks and furniture and of bored locks after ANSI/BHMA A156.2.
 """
 
+from collections.abc import Sequence
 from typing import Literal
 
 import artgen as ag
 from artgen import details
 from artgen.categories.handle.grip_set import grip, thumb_piece, thumb_press
-from artgen.categories.shared import HARDWARE_LABELS, require_suited
+from artgen.categories.shared import HARDWARE_LABELS, locks, require_suited
 from artgen.categories.shared.door_handles import knob_handle, lever_handle, spring_turn
 from artgen.categories.shared.finish import FINISH_WEIGHTS, FINISHES, known, paints, recess
-from artgen.categories.shared.locks import (
-    PIN_BELOW,
-    Faces,
-    Fixing,
-    faceplate,
-    latch_bolt,
-    latch_pocket,
-    latch_slide,
-    rose,
-    spindle_hole,
-    with_button,
-)
 
 _HANDLES = {"lever": lever_handle, "knob": knob_handle}
 _FOOT = 0.020  # thickness of the stand's foot [m]
 _DEEP = 0.15  # depth of the foot, front to back [m]
 _WIDTH = 0.20  # width of the piece of door leaf [m]
-_LEAVES = (
-    *known(
-        "oak",
-        "oak_flat_sawn",
-        "walnut",
-        "walnut_flat_sawn",
-        "beech",
-        "maple",
-        "ash",
-        "mahogany",
-        "pine_flat_sawn",
-    ),
-    *paints(700.0, "paint"),
-)
+_WOODS = "oak oak_flat_sawn walnut walnut_flat_sawn beech maple ash mahogany pine_flat_sawn"
+_LEAVES = (*known(*_WOODS.split()), *paints(700.0, "paint"))
 _LEAF_WEIGHTS = tuple(
     3.0 if leaf.name == "paint_white" else 0.6 if leaf.name.startswith("paint_") else 1.2 for leaf in _LEAVES
 )
@@ -62,15 +39,13 @@ _FOOT_WEIGHTS = (4.0, *(1.0,) * (len(_FEET) - 1))
 @ag.category(labels=("stand", "door", *HARDWARE_LABELS, "grip", "thumb_latch"), joints=(2, 4))
 def handle(
     *,
-    kind: Literal["lever", "knob", "grip_set"] = ag.choice(
-        "lever", "knob", "grip_set", weights=(0.45, 0.3, 0.25)
-    ),
+    kind: Literal["lever", "knob", "grip_set"] = ag.choice({"lever": 0.45, "knob": 0.3, "grip_set": 0.25}),
     inside: Literal["lever", "knob"] = ag.by(
-        "kind", lever=ag.choice("lever"), knob=ag.choice("knob"), grip_set=ag.choice("lever", "knob")
+        "kind", lever={"lever": 1}, knob={"knob": 1}, grip_set={"lever": 1, "knob": 1}
     ),
     handle: ag.Generator = ag.by("inside", _HANDLES),
     rose_style: Literal["round", "square", "plate"] = ag.choice(
-        "round", "square", "plate", weights=(0.5, 0.25, 0.25)
+        {"round": 0.5, "square": 0.25, "plate": 0.25}
     ),
     rose_across: ag.Float = ag.by(
         "rose_style",
@@ -98,10 +73,10 @@ def handle(
     damping: ag.Float = ag.uniform(0.05, 0.08, "N m s/rad", doc="damping of the handle"),
     hand: Literal["left", "right"] = ag.choice("left", "right"),
     finish: ag.Material = ag.shades(*FINISHES, weights=FINISH_WEIGHTS, color=0.03, roughness=0.03),
-    fixing: Fixing = ag.by(
+    fixing: locks.Fixing = ag.by(
         "rose_style",
-        plate=ag.choice("slot", "phillips"),
-        otherwise=ag.choice("hidden", "slot", "phillips", weights=(0.4, 0.3, 0.3)),
+        plate={"slot": 1, "phillips": 1},
+        otherwise={"hidden": 0.4, "slot": 0.3, "phillips": 0.3},
         doc="fixing of roses: hidden, or with two screws",
     ),
     leaf: ag.Material = ag.shades(*_LEAVES, weights=_LEAF_WEIGHTS),
@@ -114,7 +89,7 @@ def handle(
     """Make a lever, knob or grip set on a stand: both sides, spindle, latch, lock."""
     require_suited(handle, "inside", inside, _HANDLES)
     is_set = kind == "grip_set"
-    faces: Faces = "back" if is_set else "both"
+    faces: locks.Faces = "back" if is_set else "both"
     side = 1 if is_set else -1  # the face with the lock
     common = {"thickness": thickness, "rose_depth": rose_depth, "finish": finish, "faces": faces}
     pinned = lock if inside == "lever" else "none"  # a knob contains the lock
@@ -123,10 +98,12 @@ def handle(
 
     # all parts are built about the spindle, and moved onto the stand at the end
     height = 0.35 if is_set else 0.145
+    board = ag.Region((backset - _WIDTH, backset), (-thickness / 2, thickness / 2), (-height, 0.125))
+    pocket, dark = locks.latch_pocket(backset=backset, throw=throw), recess(finish)
+    holes = [hole.paint(dark) for hole in (locks.spindle_hole(thickness), pocket)]
     base = ag.weld(
-        _stand(thickness, backset, throw, low=-height, high=0.125, wood=leaf, foot=foot, metal=finish),
-        _plaque(backset, low=-height, lines=(maker.upper(), f"No. {model}")),
-        rose(
+        _stand(board, holes, leaf, foot, (maker.upper(), f"No. {model}")),
+        locks.rose(
             thickness=thickness,
             depth=rose_depth,
             across=across,
@@ -138,29 +115,27 @@ def handle(
             pin_side=side,
             fixing=fixing,
         ),
-        faceplate(backset=backset, finish=finish, mark=maker),
+        locks.faceplate(backset=backset, finish=finish, mark=maker),
     )
     if is_set:
-        outside = grip(thickness=thickness, depth=rose_depth, finish=finish, length=0.23, projection=0.055)
-        base = ag.weld(base, outside)
-
+        base = ag.weld(
+            base, grip(thickness=thickness, depth=rose_depth, finish=finish, length=0.23, projection=0.055)
+        )
     lean = spring_turn(limit=turn, preload=preload, torque=preload * torque_ratio, damping=damping)
-    if inside == "lever":
-        base = base.attach(handle(**common), lean)
-    else:
-        base = base.attach(handle(**common, lock=lock, lock_side=side), lean)
+    inner = {} if inside == "lever" else {"lock": lock, "lock_side": side}
+    base = base.attach(handle(**common, **inner), lean)
     if pinned != "none":
-        base = with_button(
+        base = locks.with_button(
             base,
             pinned,
             face=thickness / 2 + rose_depth,
             depth=rose_depth,
             finish=finish,
             side=side,
-            below=PIN_BELOW,
+            below=locks.PIN_BELOW,
         )
-    bolt = latch_bolt(backset=backset, throw=throw, finish=finish)
-    base = base.attach(bolt, latch_slide(lean, throw=throw, release=release * turn))
+    bolt = locks.latch_bolt(backset=backset, throw=throw, finish=finish)
+    base = base.attach(bolt, locks.latch_slide(lean, throw=throw, release=release * turn))
     if is_set:
         piece = thumb_piece(thickness=thickness, depth=rose_depth, finish=finish)
         press = thumb_press(lean, limit=turn, thickness=thickness, depth=rose_depth)
@@ -170,47 +145,23 @@ def handle(
 
 
 def _stand(
-    thickness: ag.Float,
-    backset: ag.Float,
-    throw: ag.Float,
-    *,
-    low: float,
-    high: float,
-    wood: ag.Material,
-    foot: ag.Material,
-    metal: ag.Material,
+    board: ag.Region, holes: Sequence[ag.Solid], wood: ag.Material, foot: ag.Material, lines: tuple[str, str]
 ) -> ag.Body:
-    """Make a bored piece of door leaf from `low` to `high` about the spindle, on a foot."""
-    middle = backset - _WIDTH / 2
-    board = ag.box(_WIDTH, thickness, high - low + 0.002, bevel=0.0015).at(
-        middle, 0.0, (high + low) / 2 - 0.001
-    )
-    dark = recess(metal)
-    pocket = latch_pocket(backset=backset, throw=throw)
-    board = board - spindle_hole(thickness).paint(dark) - pocket.paint(dark)
-    block = ag.box(_WIDTH + 0.05, _DEEP, _FOOT, bevel=0.003).at(middle, 0.0, low - _FOOT / 2)
-    pad = ag.cylinder(0.008, 0.0016, bevel=0.0004)
-    corners = [
-        (middle + x * _WIDTH / 2, y * (_DEEP / 2 - 0.018), low - _FOOT + 0.0008)
-        for x in (-1, 1)
-        for y in (-1, 1)
-    ]
-    return ag.weld(
-        ag.part(block, "stand", foot, name="base"),
-        ag.part(board, "door", wood),
-        ag.detail(ag.array(pad, at=corners), "stand", ag.material("rubber")),
-    )
-
-
-def _plaque(backset: ag.Float, *, low: float, lines: tuple[str, str]) -> ag.Body:
-    """Make the small plate on the front of the foot, with the maker's name and the model engraved."""
-    middle = backset - _WIDTH / 2
-    metal, face = ag.material("stainless"), -_DEEP / 2 - 0.0004
+    """Make a bored piece of door leaf on a foot, with the name of the maker and the model engraved on it."""
+    block = board.with_(y=(-_DEEP / 2, _DEEP / 2), z=(board.z.low - _FOOT, board.z.low))
+    pad = ag.cylinder(0.008, 0.0016, bevel=0.0004).at(z=block.z.low + 0.0008)
+    corners = [(x, y, 0.0) for x in block.x for y in block.shrink(y=0.018).y]
+    leaf = board.grow(bottom=0.002).box(bevel=0.0015)
+    for hole in holes:
+        leaf = leaf - hole
+    metal, front = ag.material("stainless"), block.grow(front=0.0004).anchor(y=-1)
     plate = ag.extrude(ag.rectangle(0.060, 0.0125, radius=0.0012), 0.0010, axis=ag.Y, bevel=0.0002)
     name = details.lettering(lines[:1], 0.0036, tracking=0.15, fineness="coarse").at(0.0, 0.0019)
-    print_ = name | details.lettering(lines[1:], 0.0021, tracking=0.05, fineness="coarse").at(0.0, -0.0033)
-    at = (middle, face, low - _FOOT / 2)
+    model = details.lettering(lines[1:], 0.0021, tracking=0.05, fineness="coarse").at(0.0, -0.0033)
     return ag.weld(
-        ag.detail(plate.at(middle, face + 0.0005, low - _FOOT / 2), "stand", metal),
-        details.engraved(print_, at, label="stand", material=metal),
+        ag.part(block.grow(x=0.025).box(bevel=0.003), "stand", foot, name="base"),
+        ag.part(leaf, "door", wood),
+        ag.detail(ag.array(pad, at=corners), "stand", ag.material("rubber")),
+        ag.detail(plate.at(front).at(0.0, 0.0005), "stand", metal),
+        details.engraved(name | model, front, label="stand", material=metal),
     )
