@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import artgen
-from artgen import details
+from artgen import details, fittings
 from artgen.nodes.handles import Body, Path, Profile, Solid, Vector
 from artgen.nodes.joint import Condition, Coupling, Dependency, Joint
 
@@ -55,7 +55,7 @@ class Example:
 
     def run(self) -> Any:
         """Return the handle that the example returns."""
-        names = {name: getattr(artgen, name) for name in artgen.__all__}
+        names = {name: getattr(artgen, name) for name in (*artgen.__all__, "fittings")}
         *before, last = self.source
         for line in before:
             exec(line, names)  # noqa: S102 - what runs is our own docstring
@@ -63,7 +63,7 @@ class Example:
 
 
 def nodes() -> Iterator[tuple[str, Any]]:
-    """Yield every public node by its name: functions, details, joints, handles and their methods."""
+    """Yield every public node by its name: functions, details, fittings, joints, handles and methods."""
     for name in artgen.__all__:
         made = getattr(artgen, name)
         function = inspect.isfunction(made) and made.__module__.startswith("artgen.nodes.")
@@ -72,6 +72,9 @@ def nodes() -> Iterator[tuple[str, Any]]:
     for name in details.__all__:
         if inspect.isfunction(getattr(details, name)):
             yield f"details.{name}", getattr(details, name)
+    for name in fittings.__all__:
+        if inspect.isfunction(getattr(fittings, name)):
+            yield f"fittings.{name}", getattr(fittings, name)
     for handle in HANDLES:
         yield handle.__name__, handle
         for name, method in vars(handle).items():

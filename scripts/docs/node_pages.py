@@ -125,6 +125,15 @@ PAGES = (
         "Small hardware. Screws are only seen; racks and gaskets are solids like any other.",
         ("details.racks", "details.screws", "details.seals", "details.vents"),
     ),
+    NodePage(
+        "fittings",
+        "Fittings",
+        "Bought parts after `from artgen import fittings`: `panel.install(fittings.dial(), at=place)` cuts "
+        "the hole, welds what is fixed and joins what moves. Each picture shows the joints closed and open. "
+        "[Sizes and forces](../fittings.md) are in a table.",
+        (),
+        ("fittings",),
+    ),
 )
 
 HANDLES = {handle for page in PAGES for handle in page.handles}

@@ -11,7 +11,8 @@ from artgen.categories.dishwasher.console import LAP, Console
 from artgen.categories.dishwasher.space import DISH, Controls, Space
 from artgen.categories.shared.appliances import DARK, filled
 from artgen.categories.shared.controls import ink_on
-from artgen.categories.shared.pulls import BarStyle, Grip, bar_handle, pocket_grip, recessed_grip
+from artgen.categories.shared.pulls import BarStyle, bar_handle, pocket_grip, recessed_grip
+from artgen.nodes.fitting import Fitting
 
 FLAP_TRAVEL = 0.036
 """Travel of the detergent flap [m]."""
@@ -194,14 +195,13 @@ class Front:
         return self.top - self.high / 2.0 if self.controls == "front" else self._skin_top - 0.065
 
     @cached_property
-    def _grip(self) -> Grip | None:
+    def _grip(self) -> Fitting | None:
         """Return the recessed or pocket grip in its place."""
         space = self.space
         if self.handle == "pocket":
             grip = pocket_grip(self.length, finish=self._lining, lip=_BEFORE_POCKET, gap=0.022, deep=_POCKET)
-            turned = Grip(
-                grip.cut.rotate(ag.Y, -math.pi / 2.0), grip.shell.rotate(ag.Y, -math.pi / 2.0)
-            )  # the free edge of a door hinged at the left becomes the upper edge
+            # the free edge of a door hinged at the left becomes the upper edge
+            turned = grip.rotate(ag.Y, -math.pi / 2.0)
             return turned.at(0.0, space.front, self.top)
         if self.handle == "recessed":
             grip = recessed_grip(
@@ -222,7 +222,7 @@ class Front:
         wooden = self.finish.name.startswith(("oak", "walnut", "ash", "lacquered"))
         skin = ag.Region((-half, half), (front, front + SKIN), (low, self._skin_top)).box(bevel=0.003)
         grip = self._grip
-        if grip is not None and self.handle == "recessed" and self.controls == "top":
+        if grip is not None and grip.cut is not None and self.handle == "recessed" and self.controls == "top":
             skin = skin - grip.cut
         top = self.top if self.controls == "front" else self.top - self.console.thickness - 0.0002
         core, behind = (front + SKIN - 0.001, dish), (dish, inner)
@@ -288,7 +288,7 @@ class Front:
         """Make the door with its console and dispenser: the link `door`."""
         boards = [ag.part(solid, "door", stuff) for solid, stuff in self._boards]
         bodies = [*boards, *self.dispenser.housing(), *self._liner_details(), *self._front_details()]
-        bodies.append(self._bar() if self._grip is None else self._grip.shell)
+        bodies.append(self._bar() if self._grip is None else self._grip.body)
         return ag.weld(*bodies, self._console_body())
 
     def _console_body(self) -> ag.Body:

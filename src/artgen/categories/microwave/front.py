@@ -160,7 +160,7 @@ def door(
     if recess:
         lining = ag.colored("abs", "graphite").with_(name="grip_lining")
         grip = recessed_grip(length, finish=finish.metal, lining=lining, width=width, deep=deep, thin=True)
-        bodies.append(grip.shell.at(recess.x.mid, leaf.y.low, recess.z.mid))
+        bodies.append(grip.body.at(recess.x.mid, leaf.y.low, recess.z.mid))
     if maker:
         under, proud = (finish.glass, PANE) if finish.face == "glass" else (finish.front, 0)
         top = {"framed": view.z.low - _EDGE, "glass": view.z.low, "banded": leaf.z.low + _BAND}[finish.face]

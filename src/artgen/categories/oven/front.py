@@ -207,7 +207,7 @@ class Drawer:
         return ag.weld(
             ag.part(boards, "drawer", filled(finish, 300.0, "front")),
             ag.detail(skin, "drawer", finish),
-            handle.shell.at(0, front.y.low, middle),
+            handle.body.at(0, front.y.low, middle),
             ag.part([floor.box(), *sides, end.shrink(back=less).box()], "drawer", steel),
             ag.detail(before.shrink(front=LAP).box(), "drawer", steel),
         )

@@ -203,7 +203,7 @@ def _recess(leaf: Leaf, finish: Finish, grip: str) -> Fitting:
         made = pocket_grip(length, finish=shade, name=name)
     else:
         made, aside = recessed_grip(length, finish=finish.metal, lining=shade, name=name), 0.062
-    return Fitting(made.shell, made.cut).at(board.x.high - aside, board.y.low, level)
+    return made.at(board.x.high - aside, board.y.low, level)
 
 
 def _dispenser(width: ag.Scalar, deep: ag.Scalar, height: ag.Scalar, *, trim: ag.Material) -> Fitting:
@@ -301,7 +301,7 @@ def outer_drawer(front: Front, number: int, finish: Finish, *, share: ag.Scalar,
     else:
         lining = ag.material("black_abs")
         grip = recessed_grip(0.26, finish=finish.metal, lining=lining, level=True, name=f"{name}_handle")
-        body = body.install(Fitting(grip.shell, grip.cut), at=(x, y, board.z.high - 0.062))
+        body = body.install(grip, at=(x, y, board.z.high - 0.062))
     behind, floor = board.y.high - 0.002, cell.z.low + 0.012
     deep = cell.y.high - (HUMP_DEEP if cell.humped else 0) - 0.015 - board.y.high
     basket = cell.shrink(0.022).with_(y=(board.y.high, board.y.high + deep))

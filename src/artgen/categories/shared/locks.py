@@ -7,6 +7,7 @@ hole for a square spindle; the neck of the handle is in front of the rose and co
 """
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -207,7 +208,9 @@ _SCREW = 0.0036  # radius of the heads of screws [m]
 _PROUD = 0.0003  # height of plates above the wood, so that they are visible [m]
 
 
-def latch_bolt(*, backset: ag.Scalar, throw: ag.Scalar, finish: ag.Material) -> ag.Body:
+def latch_bolt(
+    *, backset: ag.Scalar, throw: ag.Scalar, finish: ag.Material, push: Sequence[ag.Frame] = ()
+) -> ag.Body:
     """Make a sprung bolt: flat towards -y, to hold the door, slanted towards +y, for closing."""
     half = LATCH.width / 2
     section = ag.polygon(
@@ -219,7 +222,7 @@ def latch_bolt(*, backset: ag.Scalar, throw: ag.Scalar, finish: ag.Material) -> 
             (backset - _TAIL, half),
         ]
     )
-    return ag.part(ag.extrude(section, LATCH.height, axis=ag.Z, bevel=0.0006), "latch", finish)
+    return ag.part(ag.extrude(section, LATCH.height, axis=ag.Z, bevel=0.0006), "latch", finish, push=push)
 
 
 def latch_slide(

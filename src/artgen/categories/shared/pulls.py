@@ -6,12 +6,12 @@ have the label `handle` and a grasp frame.
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from functools import partial
 from typing import Literal
 
 import artgen as ag
 from artgen.categories.shared.finish import casting
+from artgen.nodes.fitting import Fitting
 
 Way = tuple[int, int, int]
 """Direction of a straight run: an axis or its opposite."""
@@ -92,22 +92,6 @@ _SUNK = 0.0006  # depth of the feet in the front [m]
 _ARCS = 6  # number of lengths of the curved blade
 _BITE = 0.0003  # overlap of the boards of a lining with the walls of a cut [m]
 _FINGERS = 0.005  # clearance between an open finger and the handle [m]
-
-
-@dataclass(frozen=True)
-class Grip:
-    """A grip in a recess of a front."""
-
-    cut: ag.Solid  # cutter of the front
-    shell: ag.Body  # lining with the label `handle` and the grasp, which is welded to the front
-
-    def at(self, x: ag.Scalar, y: ag.Scalar, z: ag.Scalar) -> "Grip":
-        """Return the moved grip [m]."""
-        return Grip(self.cut.at(x, y, z), self.shell.at(x, y, z))
-
-    def mirrored(self, normal: tuple[float, float, float]) -> "Grip":
-        """Return the grip mirrored in the plane through the origin with that normal."""
-        return Grip(self.cut.mirror(normal), self.shell.mirror(normal))
 
 
 @ag.generator
@@ -233,7 +217,7 @@ def pocket_grip(
     deep: ag.Scalar = 0.030,
     lining: ag.Scalar = 0.0015,
     name: str = "handle",
-) -> Grip:
+) -> Fitting:
     """Make a pocket in the free edge of a door: fingers reach in from the side, behind a lip.
 
     The door's front is y = 0 and its free edge x = 0, the door lies at x < 0 and y > 0. A long pocket is the
@@ -261,7 +245,7 @@ def pocket_grip(
             for end in (-1, 1)
         ),
     ]
-    return Grip(cut, ag.weld(inner, *(ag.part(each, "handle", finish) for each in boards)))
+    return Fitting(ag.weld(inner, ag.part(boards, "handle", finish)), cut)
 
 
 def boards_around(x: ag.Span, z: ag.Span, hole: tuple[ag.Span, ag.Span], y: ag.Span) -> list[ag.Solid]:
@@ -287,7 +271,7 @@ def recessed_grip(
     level: bool = False,
     name: str = "handle",
     thin: bool = False,
-) -> Grip:
+) -> Fitting:
     """Make a recess in a front with a blade in its middle, flush with the front, as the grip.
 
     The front is y = 0; the recess is vertical about the origin, or horizontal along x.
@@ -306,10 +290,8 @@ def recessed_grip(
         *((ag.detail if thin else ag.part)(each, "handle", lining) for each in walls),
         ag.detail(ag.extrude(rim, 0.0012, axis=ag.Y).at(0.0, -0.0002, 0.0), "handle", finish),
     )
-    turned = Grip(cut, shell)
-    if not level:
-        return turned
-    return Grip(cut.rotate(ag.Y, math.pi / 2), shell.rotate(ag.Y, math.pi / 2))
+    grip = Fitting(shell, cut)
+    return grip.rotate(ag.Y, math.pi / 2) if level else grip
 
 
 _SHEET = 0.0024  # thickness of the wall of a cup [m]
