@@ -15,10 +15,11 @@ PANEL = Region((-0.3, 0.3), (0.0, 0.04), (-0.2, 0.2))
 HOSTS = {
     "pocket_handle": PANEL.with_(x=(-0.3, 0.0)),
     "edge_pull": PANEL.with_(z=(-0.2, 0.0)),
+    "cam_lock": PANEL.with_(y=(0.0, 0.018)),
     "deadbolt": PANEL.with_(x=(-0.2, 0.06)),
     "hinge": PANEL.with_(x=(-0.3, -0.002)),
 }
-"""Hosts of fittings that belong at an edge."""
+"""Hosts of fittings that belong at an edge, or on a panel of their thickness."""
 
 MASSES: dict[str, tuple[float, float]] = {
     "bar_handle": (0.05, 0.6),
