@@ -18,27 +18,27 @@ from typing import Literal
 
 import artgen as ag
 from artgen import details
-from artgen.categories.dishwasher.console import Console
-from artgen.categories.dishwasher.door import CONSOLE_BEFORE_POCKET, RECESS_HALF, Dispenser, Front, HandleKind
-from artgen.categories.dishwasher.racks import Racks
-from artgen.categories.dishwasher.space import REACH, Build, Controls, Size, Space
-from artgen.categories.dishwasher.tub import Cabinet, kick_finish
+from artgen.categories.dishwasher import tub as case
+from artgen.categories.dishwasher.front import Console, Controls, Front, HandleKind, dispenser, liner_details
+from artgen.categories.dishwasher.racks import Racks, Size
 from artgen.categories.shared.appliances import Look, cabinet_finish, fronts, grip_metals
-from artgen.categories.shared.baskets import GRIP_REACH, Grip
+from artgen.categories.shared.baskets import Grip, rack_slide
 from artgen.categories.shared.controls import ButtonShape
-from artgen.categories.shared.pulls import BarStyle
+from artgen.categories.shared.pulls import BarStyle, bar_handle
 from artgen.nodes.details.displays import Color
 
-_TUB_STEEL = ag.material("stainless").with_(
-    name="tub_steel", base_color=(0.78, 0.775, 0.77), specular_roughness=0.27
-)
-_TUB_PLASTIC = ag.colored("polypropylene", "light_grey").with_(name="tub_plastic")
-_WIRES = (
-    ag.colored("powder_coat", "light_grey"),
-    ag.colored("powder_coat", "slate"),
-    ag.colored("powder_coat", "white"),
-    ag.colored("powder_coat", "sky"),
-)
+Build = Literal["built_in", "freestanding"]
+"""Built-in with bare sheet sides, or freestanding with painted sides and a worktop."""
+
+_TUBS = {
+    "steel": ag.material("stainless").with_(
+        name="tub_steel", base_color=(0.78, 0.775, 0.77), specular_roughness=0.27
+    ),
+    "plastic": ag.colored("polypropylene", "light_grey").with_(name="tub_plastic"),
+}
+_BALLASTS = {"steel": 520.0, "concrete": 640.0}  # density of the base with pump and motor [kg/m3]
+_WIRES = [ag.colored("powder_coat", color) for color in ("light_grey", "slate", "white", "sky")]
+_PLASTICS = [ag.colored("abs", color) for color in ("light_grey", "slate", "grey", "navy")]
 _WORKTOPS = {"stainless": "light_grey", "dark_steel": "graphite", "white": "white", "black": "anthracite"}
 _CONSOLES = {  # plastic consoles match the tone of the front; other consoles have its finish
     "stainless": ag.colored("abs", "silver"),
@@ -46,30 +46,21 @@ _CONSOLES = {  # plastic consoles match the tone of the front; other consoles ha
     "panel": ag.material("black_abs"),
 }
 _FINISH, _METAL = fronts(), grip_metals()
-_PLASTICS = (
-    ag.colored("abs", "light_grey"),
-    ag.colored("abs", "slate"),
-    ag.colored("abs", "grey"),
-    ag.colored("abs", "navy"),
-)
 
 
 @ag.category(
-    labels=(
-        "body", "tub", "seal", "insulation", "worktop", "kick_plate", "foot", "rail", "filter", "hose",
-        "cord", "rating_plate", "door", "panel", "handle", "print", "display", "vent", "hinge", "dispenser",
-        "rinse_cap", "detergent_flap", "button", "knob", "rack", "grip", "roller", "cutlery_basket",
-        "cup_shelf", "spray_arm",
-    ),
+    labels="body tub seal insulation worktop kick_plate foot rail filter hose cord rating_plate door panel "
+    "handle print display vent hinge dispenser rinse_cap detergent_flap button knob rack grip roller "
+    "cutlery_basket cup_shelf spray_arm",
     joints=(4, 15),
-)  # fmt: skip
+)
 def dishwasher(
     *,
-    build: Build = ag.choice("built_in", "freestanding", weights=(0.62, 0.38)),
-    size: Size = ag.choice("full", "slim", weights=(0.66, 0.34), doc="width of the machine: 60 or 45 cm"),
+    build: Build = ag.choice({"built_in": 0.62, "freestanding": 0.38}),
+    size: Size = ag.choice({"full": 0.66, "slim": 0.34}, doc="width of the machine: 60 or 45 cm"),
     controls: Controls = ag.by(
         "build",
-        built_in=ag.choice("front", "top", weights=(0.5, 0.5)),
+        built_in={"front": 0.5, "top": 0.5},
         freestanding="front",
         doc="position of the console: in front, or on the upper edge of the door",
     ),
@@ -77,36 +68,31 @@ def dishwasher(
         "build",
         built_in=ag.by(
             "controls",
-            front=ag.choice(
-                "stainless", "dark_steel", "white", "black", "glass", weights=(0.35, 0.2, 0.15, 0.15, 0.15)
-            ),
-            top=ag.choice(
-                "stainless",
-                "dark_steel",
-                "white",
-                "black",
-                "glass",
-                "panel",
-                weights=(0.22, 0.14, 0.08, 0.08, 0.08, 0.4),
-            ),
+            front={"stainless": 0.35, "dark_steel": 0.2, "white": 0.15, "black": 0.15, "glass": 0.15},
+            top={
+                "stainless": 0.22,
+                "dark_steel": 0.14,
+                "white": 0.08,
+                "black": 0.08,
+                "glass": 0.08,
+                "panel": 0.4,
+            },
         ),
-        freestanding=ag.choice(
-            "stainless", "dark_steel", "white", "black", "pastel", weights=(0.28, 0.12, 0.25, 0.1, 0.25)
-        ),
+        freestanding={"stainless": 0.28, "dark_steel": 0.12, "white": 0.25, "black": 0.1, "pastel": 0.25},
     ),
     handle: HandleKind = ag.by(
         "build",
         built_in=ag.by(
             "controls",
-            front=ag.choice("bar", "pocket", "recessed", weights=(0.4, 0.35, 0.25)),
-            top=ag.choice("bar", "recessed", weights=(0.72, 0.28)),
+            front={"bar": 0.4, "pocket": 0.35, "recessed": 0.25},
+            top={"bar": 0.72, "recessed": 0.28},
         ),
-        freestanding=ag.choice("bar", "recessed", weights=(0.5, 0.5)),
+        freestanding={"bar": 0.5, "recessed": 0.5},
     ),
     racks: int = ag.by(
         "size",
-        full=ag.choice(2, 3, weights=(0.45, 0.55)),
-        slim=ag.choice(1, 2, 3, weights=(0.2, 0.5, 0.3)),
+        full={2: 0.45, 3: 0.55},
+        slim={1: 0.2, 2: 0.5, 3: 0.3},
         doc="number of racks; the third is a cutlery tray; a single rack is that of a glass washer",
     ),
     width: ag.Float = ag.by(
@@ -147,21 +133,19 @@ def dishwasher(
         "look", panel=ag.choice(False, True), otherwise=False, doc="frame on a wooden front"
     ),
     tub: Literal["steel", "plastic"] = ag.by(
-        "look",
-        white=ag.choice("steel", "plastic", weights=(0.6, 0.4)),
-        otherwise=ag.choice("steel", "plastic", weights=(0.9, 0.1)),
+        "look", white={"steel": 0.6, "plastic": 0.4}, otherwise={"steel": 0.9, "plastic": 0.1}
     ),
     pane: bool = ag.by(
         "look",
-        white=ag.choice(False, True, weights=(0.75, 0.25)),
-        pastel=ag.choice(False, True, weights=(0.8, 0.2)),
+        white={False: 0.75, True: 0.25},
+        pastel={False: 0.8, True: 0.2},
         stainless=ag.choice(False, True),
-        otherwise=ag.choice(False, True, weights=(0.3, 0.7)),
+        otherwise={False: 0.3, True: 0.7},
         doc="whether black glass lies on the console",
     ),
     dial: Literal["", "round", "fluted", "bar", "skirted", "capped"] = ag.by(
         "controls",
-        front=ag.choice("", "round", "fluted", "bar", "skirted", "capped", weights=(7, 1, 1, 0.6, 0.6, 1)),
+        front={"": 7, "round": 1, "fluted": 1, "bar": 0.6, "skirted": 0.6, "capped": 1},
         top="",
         doc="style of the cycle dial of older machines; empty for none",
     ),
@@ -171,7 +155,7 @@ def dishwasher(
     button_force: ag.Float = ag.uniform(2.0, 5.0, "N"),
     show: str = ag.by(
         "controls",
-        front=ag.choice("", "1:25", "3:10", "0:45", "24h", weights=(0.25, 0.25, 0.2, 0.15, 0.15)),
+        front={"": 0.25, "1:25": 0.25, "3:10": 0.2, "0:45": 0.15, "24h": 0.15},
         top=ag.choice("", "2:05", "0:30"),
         doc="text of the display; empty for none",
     ),
@@ -180,109 +164,84 @@ def dishwasher(
     wire: ag.Material = ag.shades(*_WIRES, weights=(3, 2, 1.5, 0.7), color=0.05),
     plastic: ag.Material = ag.shades(*_PLASTICS, weights=(2, 2, 1.5, 0.6), color=0.05),
     grip: Grip = ag.choice("bar", "plate"),
-    shelves: bool = ag.choice(True, False, weights=(0.65, 0.35), doc="cup shelves in the upper rack"),
+    shelves: bool = ag.choice({True: 0.65, False: 0.35}, doc="cup shelves in the upper rack"),
     ballast: Literal["steel", "concrete"] = ag.choice("steel", "concrete", doc="material of the ballast"),
     rack_friction: ag.Float = ag.uniform(3.0, 8.0, "N"),
     pull: ag.Float = ag.uniform(17.0, 24.0, "N", doc="force at the handle that opens the door"),
 ) -> ag.Body:
     """Make a dishwasher: door, console, racks, spray arms, detergent flap."""
     if handle == "recessed":
-        door_thickness = ag.require(
-            door_thickness,
-            door_thickness > 0.051,
-            "a recessed handle needs depth: door_thickness must be > 0.051 m",
-        )
-    worktop = build == "freestanding" and controls == "front" and handle != "pocket"
-    slim = size == "slim"
-    girth = 0.0080
-    projection = 0.040
-    space = Space(
-        width=width,
-        height=height,
-        depth=depth,
-        projection=projection + 2.0 * girth if handle == "bar" else 0.0,
-        thickness=door_thickness,
-        plinth=plinth,
+        deep = "a recessed handle needs depth: door_thickness must be > 0.051 m"
+        door_thickness = ag.require(door_thickness, door_thickness > 0.051, deep)
+    slim, upper, built_in = size == "slim", controls == "top", build == "built_in"
+    worktop = not built_in and not upper and handle != "pocket"
+    projection, girth = 0.040, 0.0080  # of a bar [m]
+    front_y = projection + 2 * girth - depth / 2 if handle == "bar" else -depth / 2
+    plan = case.Plan(
+        ag.Region((-width / 2, width / 2), (front_y, depth / 2), (0, height)),
+        worktop=worktop,
         wall=0.027 if slim else 0.031,
-        roof=0.050 if worktop else 0.022,
+        thickness=door_thickness,
+        hinge_height=plinth,
         swing=swing,
         clearance=clearance,
         travel=travel,
+        upper_level=upper_level,
     )
-    lowest = Racks(space, size, wire, plastic, grip, rack_friction, racks < 3, shelves, height)
-    room = space.ceiling - lowest.floor
-    upper = lowest.floor + upper_level * room
-    inside = Racks(space, size, wire, plastic, grip, rack_friction, racks < 3, shelves, upper)
-    levels = (inside.upper_axle, inside.tray_axle)[: racks - 1]
-    look_of_tub = _TUB_STEEL if tub == "steel" else _TUB_PLASTIC
-    sides = ag.material("zinc") if build == "built_in" else cabinet_finish(look, finish)
-    cabinet = Cabinet(
-        space,
-        build,
-        worktop,
-        sides,
-        look_of_tub,
-        kick_finish(sides, build),
-        sides if look in ("pastel", "glass", "panel") else ag.colored("lacquered_mdf", _WORKTOPS[look]),
-        {"steel": 520.0, "concrete": 640.0}[ballast],
-        levels,
-        maker,
+    liner = _TUBS[tub]
+    sides = ag.material("zinc") if built_in else cabinet_finish(look, finish)
+    top = ag.colored("lacquered_mdf", _WORKTOPS[look]) if look in _WORKTOPS else sides
+    body = ag.weld(
+        case.base(plan, ag.material("powder_coat_black") if built_in else sides, _BALLASTS[ballast]),
+        case.walls(plan, liner),
+        case.sides(plan, sides, worktop=worktop, felt=built_in),
+        case.cover(plan, sides, top if worktop else None),
+        case.rails(plan, racks),
+        case.interior(plan, liner),
+        case.back(plan, maker),
     )
 
-    high = 0.112
-    grip_length = 0.12 if slim else 0.17
-    half = width / 2.0
-    let_in = handle == "recessed" and controls == "front"
+    length = 0.72 * width if handle == "bar" else 0.12 if slim else 0.17
+    front = Front(plan, handle, length, upper=upper)
+    dark_caps = pane or look in ("black", "dark_steel")
     console = Console(
-        width=width - 0.003,
-        height=high if controls == "front" else door_thickness,
+        front.console,
+        front.console_hole,
+        upper=upper,
         finish=_CONSOLES.get(look, finish),
-        pane=pane and not let_in,
-        buttons=min(buttons, 5) if let_in else buttons,
+        pane=pane and front.console_hole is None,
+        buttons=buttons if front.console_hole is None else min(buttons, 5),
         shape=button_shape,
-        cap=ag.material("black_abs") if pane or look in ("black", "dark_steel") else ag.material("aluminium"),
-        travel=button_travel,
-        force=button_force,
+        cap=ag.material("black_abs") if dark_caps else ag.material("aluminium"),
         dial=dial,
-        show=show,
-        color=figures,
-        middle=-0.54 * half,
-        aside=0.30 * half if not let_in else 0.60 * half,
-        far=0.80 * half,
-        upper=controls == "top",
-        opening=(grip_length / 2.0, RECESS_HALF) if let_in else (0.0, 0.0),
-        thickness=CONSOLE_BEFORE_POCKET if handle == "pocket" and controls == "front" else 0.018,
     )
-    dispenser = Dispenser(space, inside.rim, 0.100 if slim else 0.128)
-    front = Front(
-        space=space,
-        worktop=worktop,
-        controls=controls,
-        console=console,
-        high=high,
-        handle=handle,
-        bar=bar,
-        length=0.72 * width if handle == "bar" else grip_length,
-        projection=projection,
-        girth=girth,
-        metal=metal,
-        finish=finish,
-        framed=framed and handle != "recessed",
-        liner=look_of_tub,
-        maker="" if look == "panel" else maker,
-        dispenser=dispenser,
+    boards = front.boards(finish, liner)
+    hinge = front.hinge(boards, console.boards, pull)
+    if handle == "bar":
+        grip_body: ag.Body = bar_handle(
+            length=length, finish=metal, style=bar, level=True, projection=projection, girth=girth
+        ).at(0, front_y, front.grip)
+    else:
+        grip_body = front.hollow_grip(metal)
+    aside = 0.100 if slim else 0.128  # of the dispenser [m]
+    name = "" if look == "panel" else maker
+    door = ag.weld(
+        *(ag.part(solid, "door", stuff) for solid, stuff in boards),
+        *front.trim(finish, name, framed=framed and handle != "recessed"),
+        *liner_details(plan, -aside),
+        grip_body,
+        front.place(console.body(show, figures, travel=button_travel, force=button_force)),
     )
-
-    hinge = front.hinge(pull)
-    play = REACH - 0.0006
-    door = front.body().attach(dispenser.flap(), dispenser.slide((hinge > 1.2).beyond(dispenser.slack)))
-    body = cabinet.body().attach(door, hinge)
-    body = body.attach(inside.lower_arm("spray_arm_0"), inside.spin("spray_arm_spin_0"))
-    made = [inside.lower, inside.upper_rack, inside.tray][:racks]
-    for number, make in enumerate(made):
-        rack = make(f"rack_{number}")
+    body = body.attach(door.install(dispenser(plan, aside, hinge)), hinge)
+    inside = Racks(plan, size, wire, plastic, grip)
+    body = inside.with_arm(body, 0)
+    for number in range(racks):
+        rack = inside.make(number, cutlery=racks < 3, shelves=shelves)
         if number == 1:
-            rack = rack.attach(inside.upper_arm("spray_arm_1"), inside.spin("spray_arm_spin_1"))
-        clear = space.angle_over(inside.low_ends[number], GRIP_REACH if number else 0.0)
-        body = body.attach(rack, inside.slide(f"rack_slide_{number}", (hinge > clear).beyond(play)))
+            rack = inside.with_arm(rack, 1)
+        needs = (hinge > inside.clear_angle(number)).beyond(case.REACH - 0.0006)
+        slide = rack_slide(
+            f"rack_slide_{number}", travel=plan.travel, friction=rack_friction, damping=8, needs=needs
+        )
+        body = body.attach(rack, slide)
     return body

@@ -1,300 +1,188 @@
 """Interior of a dishwasher: racks with their fittings, and spray arms."""
 
-from dataclasses import dataclass
+from typing import Literal
 
 import artgen as ag
 from artgen import details
-from artgen._arrays import cached_property
-from artgen.categories.dishwasher.space import ROLLER, UNDER, Size, Space
-from artgen.categories.shared.baskets import Basket, Grip, rack_slide, rollers
+from artgen.categories.dishwasher.tub import AXLES, FRONT_RIM, UNDER, Plan
+from artgen.categories.shared.baskets import GRIP_REACH, Basket, Grip, rollers
 
-UPPER_ROLLER = 0.0095
-"""Radius of the rollers of the upper racks [m]."""
+Size = Literal["full", "slim"]
+"""Width of the machine: 60 or 45 cm."""
 
-FRONT_RIM = 0.105
-"""Height of the front of the lower rack above its floor [m]."""
-
-_BACK_RIM = 0.135
-_UPPER_RIM = 0.085
-_TRAY = 0.036  # height of the cutlery tray [m]
-_BESIDE = 0.020  # gap between the wires of a rack and the wall of the tub [m]
+_ROLLERS = (0.0155, 0.0095)  # radii of the rollers of the lower rack, and of the upper racks [m]
+_UPPER_RIM = 0.085  # height of the front of the upper rack [m]
 _BLADE = 0.011  # thickness of a spray arm [m]
 _HANGS = 0.014  # distance from the floor of the upper rack to the spray arm under it [m]
 
 
-@dataclass(frozen=True)
 class Racks:
-    """The racks of one machine."""
+    """The racks and spray arms of one machine, with their wires, plastic and grips."""
 
-    space: Space  # dimensions of the machine
-    size: Size  # 60 or 45 cm wide: decides the number of wires and tines
-    wire: ag.Material  # coating of the wires
-    plastic: ag.Material  # plastic of grips, rollers, basket and tray
-    grip: Grip  # style of the grips
-    friction: ag.Scalar  # friction of a rack on its rollers [N]
-    basket: bool  # whether the lower rack has a cutlery basket
-    shelves: bool  # whether the upper rack has cup shelves
-    upper: ag.Scalar  # height of the floor of the upper rack [m]
+    def __init__(self, plan: Plan, size: Size, wire: ag.Material, plastic: ag.Material, grip: Grip) -> None:
+        self.plan, self.full = plan, size == "full"
+        self.wire, self.plastic, self.grip = wire, plastic, grip
+        self.width, self.depth, _ = plan.racks.size
 
-    @cached_property
-    def _width(self) -> ag.Scalar:
-        return 2.0 * (self.space.inside - _BESIDE)
+    def make(self, number: int, *, cutlery: bool, shelves: bool) -> ag.Body:
+        """Make a rack: 0 is the lower one, 1 the upper one, and 2 the tray for cutlery."""
+        name = f"rack_{number}"
+        match number:
+            case 0:
+                body = self._lower(name, cutlery=cutlery)
+            case 1:
+                body = self._upper(name, shelves=shelves)
+            case _:
+                body = self._tray(name)
+        return body.at(0, self.plan.racks.y.mid, self.plan.floors[number])
 
-    @cached_property
-    def _columns(self) -> int:
-        return 15 if self.size == "full" else 11
-
-    @cached_property
-    def _grip_length(self) -> float:
-        return 0.125 if self.size == "full" else 0.080
-
-    @cached_property
-    def floor(self) -> ag.Scalar:
-        """Height of the floor of the lower rack [m]."""
-        return self.space.treads + UNDER
-
-    @cached_property
-    def rim(self) -> ag.Scalar:
-        """Height of the front rim of the lower rack [m]."""
-        return self.floor + FRONT_RIM
-
-    @cached_property
-    def upper_axle(self) -> ag.Scalar:
-        """Height of the rollers of the upper rack [m]."""
-        return self.upper + 0.052
-
-    @cached_property
-    def tray_floor(self) -> ag.Scalar:
-        """Height of the floor of the cutlery tray [m]."""
-        return self.space.ceiling - 0.068
-
-    @cached_property
-    def tray_axle(self) -> ag.Scalar:
-        """Height of the rollers of the cutlery tray [m]."""
-        return self.tray_floor + 0.016
+    def clear_angle(self, number: int) -> ag.Scalar:
+        """Return the angle of the open door that clears the path of a rack with its load [rad]."""
+        plan = self.plan
+        lows = (plan.treads, plan.floors[1] - _HANGS - _BLADE - 0.0060, plan.floors[2])
+        return plan.clear_angle(lows[number], GRIP_REACH if number else 0.0)
 
     def _basket(self, front: float, back: float, rows: int, band: float = 0.5) -> Basket:
-        def height(value: float) -> ag.Float:
-            return 0.0 * self.space.width + value
+        zero = 0.0 * self.plan.swing
+        sizes = (zero + self.width, zero + self.depth, zero + front, zero + back)
+        return Basket(*sizes, 15 if self.full else 11, rows, self.wire, band=band)
 
-        return Basket(
-            self._width + 0.0 * self.space.width,
-            self.space.rack_depth + 0.0 * self.space.width,
-            height(front),
-            height(back),
-            self._columns,
-            rows,
-            self.wire,
-            band=band,
+    def _grip(self, basket: Basket, name: str, style: Grip, height: float | None = None) -> ag.Body:
+        length = 0.125 if self.full else 0.080
+        return basket.grip(
+            style=style, length=length, material=self.plastic, height=height, name=f"{name}_grip"
         )
 
-    def _wheels(
-        self, axle: ag.Scalar, radius: float, places: tuple[float, ...], rise: float = 0.0
-    ) -> ag.Body:
-        depth = self.space.rack_depth
-        return rollers(
-            [(share * depth, axle) for share in places],
-            x=self.space.inside - 0.0095,
-            radius=radius,
-            material=self.plastic,
-            rise=rise,
-        )
+    def _wheels(self, axle: float, radius: float, *shares: float, rise: float = 0.0) -> ag.Body:
+        """Make rollers at shares of the depth."""
+        x, at = self.plan.tub.x.high - 0.0095, [(share * self.depth, axle) for share in shares]
+        return rollers(at, x=x, radius=radius, material=self.plastic, rise=rise)
 
-    def lower(self, name: str) -> ag.Body:
+    def _lower(self, name: str, *, cutlery: bool) -> ag.Body:
         """Make the lower rack: rows of tines for plates, rollers, and an optional cutlery basket."""
-        basket = self._basket(FRONT_RIM, _BACK_RIM, 13)
-        depth, space = self.space.rack_depth, self.space
+        basket = self._basket(FRONT_RIM, 0.135, 13)
+        large = _ROLLERS[0]
         bodies = [
             basket.wires(name),
-            basket.grip(
-                style=self.grip, length=self._grip_length, material=self.plastic, name=f"{name}_grip"
-            ),
-            self._wheels(ROLLER - UNDER, ROLLER, (-0.36, 0.0, 0.36), rise=0.006),
+            self._grip(basket, name, self.grip),
+            self._wheels(large - UNDER, large, -0.36, 0.0, 0.36, rise=0.006),
         ]
-        wide = self._width - 0.075
-        room = 0.115 if self.basket else 0.0  # space for the basket, at the front
-        count = 17 if self.size == "full" else 12
-        start = room - 0.42 * depth
-        pitch = wide / (count - 1)
+        count = 17 if self.full else 12
+        pitch = (self.width - 0.075) / (count - 1)
+        start = (0.115 if cutlery else 0) - 0.42 * self.depth  # the basket is at the front
         for parity, height, lean in ((0, 0.088, 0.12), (1, 0.070, 0.0)):
-            rows = 2 if self.basket or parity else 3
-            first, step = (0.0, start + parity * 0.088), (0.0, 0.176)
-            bodies.append(basket.tines(first, step, rows, count=count, pitch=pitch, height=height, lean=lean))
-        if self.basket:
-            bodies.append(self._cutlery_basket(0.62 * self._width, 0.085).at(0.0, 0.055 - 0.5 * depth, 0.0))
-        return ag.weld(*bodies).at(0.0, space.rack_middle, self.floor)
-
-    def _cutlery_basket(self, wide: ag.Scalar, deep: float) -> ag.Body:
-        """Make an open plastic basket with divisions and a handle over it."""
-        high, low, sheet = 0.115, 0.0070, 0.0026
-        half = 0.5 * wide
-        walls = [
-            ag.Region((-half, half), (-deep / 2, deep / 2), (low, low + sheet)).box(),
-            *(
-                ag.Region((-half, half), (y - sheet / 2, y + sheet / 2), (low, low + high)).box(bevel=0.001)
-                for y in (-deep / 2, deep / 2)
-            ),
-            *(
-                ag.Region((x - sheet / 2, x + sheet / 2), (-deep / 2, deep / 2), (low, low + high)).box(
-                    bevel=0.001
-                )
-                for x in (-half, half)
-            ),
-            ag.Region((-half, half), (-sheet / 2, sheet / 2), (low, low + high + 0.004)).box(bevel=0.001),
-        ]
-        bodies = [ag.part(each, "cutlery_basket", self.plastic) for each in walls]
-        hole = ag.grid(
-            (0.0, 0.0, low + high / 2.0), (wide * 0.125, 0.0, 0.0), (0.0, 0.0, 0.024), columns=7, rows=4
-        )
-        for y in (-deep / 2 - sheet / 2, deep / 2 + sheet / 2):
-            mark = ag.box(wide * 0.085, 0.0004, 0.014).at(0.0, y, 0.0)
-            shade = self.plastic.with_(
-                name=f"{self.plastic.name}_hole",
-                base_color=tuple(0.25 * channel for channel in self.plastic.base_color),
+            rows, first = 2 if cutlery or parity else 3, (0, start + parity * 0.088)
+            bodies.append(
+                basket.tines(first, (0, 0.176), rows, count=count, pitch=pitch, height=height, lean=lean)
             )
-            bodies.append(ag.detail(ag.array(mark, at=hole), "cutlery_basket", shade))
+        if cutlery:
+            bodies.append(self._cutlery_basket().at(y=0.055 - self.depth / 2))
         return ag.weld(*bodies)
 
-    def upper_rack(self, name: str) -> ag.Body:
+    def _cutlery_basket(self) -> ag.Body:
+        """Make an open plastic basket with divisions and a handle over it."""
+        wide, deep, sheet = 0.62 * self.width, 0.085, 0.0026
+        room = ag.Region.centered(wide, deep, 0.115).at(z=0.0645)
+        outer = room.grow(x=sheet / 2, y=sheet / 2)
+        floor = room.with_(z=(room.z.low, room.z.low + sheet))
+        walls = [
+            *outer.shrink(x=sheet / 2).deep(sheet, None, sheet)[::2],
+            *outer.shrink(y=sheet / 2).across(sheet, None, sheet)[::2],
+            room.grow(top=0.004).with_(y=(-sheet / 2, sheet / 2)),
+        ]
+        solids = [floor.box(), *(each.box(bevel=0.001) for each in walls)]
+        hole = ag.box(wide * 0.085, 0.0004, 0.014)
+        around = (wide * 0.125, 0, 0), (0, 0, 0.024)
+        holes = [ag.array(hole, at=ag.grid((0, y, room.z.mid), *around, columns=7, rows=4)) for y in outer.y]
+        color = tuple(0.25 * channel for channel in self.plastic.base_color)
+        shade = self.plastic.with_(name=f"{self.plastic.name}_hole", base_color=color)
+        return ag.weld(
+            ag.part(solids, "cutlery_basket", self.plastic), ag.detail(holes, "cutlery_basket", shade)
+        )
+
+    def _upper(self, name: str, *, shelves: bool) -> ag.Body:
         """Make the upper rack: lower sides, finer tines, cup shelves, and the bearing of a spray arm."""
         basket = self._basket(_UPPER_RIM, _UPPER_RIM + 0.02, 12)
-        depth = self.space.rack_depth
-        bodies = [
-            basket.wires(name),
-            basket.grip(
-                style=self.grip, length=self._grip_length, material=self.plastic, name=f"{name}_grip"
-            ),
-            self._wheels(self.upper_axle - self.upper, UPPER_ROLLER, (0.33, 0.46)),
-        ]
-        count = 12 if self.size == "full" else 9
-        pitch, apart = 0.8 * depth / (count - 1), 0.24 * self._width
-        first, step = (-0.5 * apart, 0.0), (apart, 0.0)
-        bodies.append(
-            basket.tines(first, step, 2, count=count, pitch=pitch, height=0.055, lean=0.15, across=False)
-        )
-        if self.shelves:
-            bodies += self._cup_shelves(0.4 * self._width)
-        hanger = ag.cylinder(0.020, _HANGS - 0.0008, axis=ag.Z, bevel=0.002).at(
-            0.0, 0.0, -_HANGS / 2.0 + 0.0012
-        )
-        pipe = ag.Region((-0.012, 0.012), (0.0, 0.49 * depth), (-0.0085, 0.0006)).box(bevel=0.003)
-        bodies += [ag.part(hanger, "rack", self.plastic), ag.part(pipe, "rack", self.plastic)]
-        return ag.weld(*bodies).at(0.0, self.space.rack_middle, self.upper)
-
-    def _cup_shelves(self, x: ag.Scalar) -> list[ag.Body]:
-        """Make hinged shelves for cups at both sides, folded down."""
-        along = ag.line((0.0, -0.148, 0.0), (0.0, 0.148, 0.0))
-        places = ag.row((-0.044, 0.0, 0.0), (0.022, 0.0, 0.0), 5)
-        across = ag.line((-0.0455, 0.0, 0.0), (0.0455, 0.0, 0.0))
-        shelf = details.bent_wires(along, 0.0016, at=places)
-        ends = details.bent_wires(across, 0.0021, at=((0.0, -0.147, 0.0), (0.0, 0.0, 0.0), (0.0, 0.147, 0.0)))
-        wire = ag.cylinder(0.0013, 0.26, axis=ag.Y)
-        bodies = []
-        for side in (-1, 1):
-            at = ag.vector(side * (x - 0.002), 0.02, _UPPER_RIM + 0.018)
-            seen, crossing, solid = (
-                each.rotate(ag.Y, side * 0.10).at(at)
-                for each in (shelf, ends, ag.array(wire, at=[(way * 0.044, 0.0, 0.0) for way in (-1, 0, 1)]))
-            )
-            bodies += [ag.detail(each, "cup_shelf", self.wire) for each in (seen, crossing)]
-            bodies.append(ag.part(solid, "cup_shelf", self.wire))
-            post = ag.cylinder(0.0018, 0.022, axis=ag.Z)
-            feet = [(side * (0.5 * self._width - 0.0036), y, _UPPER_RIM + 0.008) for y in (-0.11, 0.15)]
-            bodies.append(ag.detail(ag.array(post, at=feet), "cup_shelf", self.wire))
-        return bodies
-
-    def tray(self, name: str) -> ag.Body:
-        """Make the cutlery tray under the ceiling: a shallow wire tray with plastic ribs."""
-        basket = self._basket(_TRAY, _TRAY, 9, band=0.55)
-        depth = self.space.rack_depth
-        bodies = [
-            basket.wires(name),
-            basket.grip(
-                style="plate",
-                length=self._grip_length,
-                material=self.plastic,
-                height=0.020,
-                name=f"{name}_grip",
-            ),
-            self._wheels(self.tray_axle - self.tray_floor, UPPER_ROLLER, (0.33, 0.46)),
-        ]
-        for index in range(5):
-            x = (index - 2) * 0.2 * self._width
-            comb = ag.Region((x - 0.002, x + 0.002), (-0.44 * depth, 0.44 * depth), (0.0072, 0.026)).box(
-                bevel=0.001
-            )
-            bodies.append(ag.part(comb, "rack", self.plastic))
-        return ag.weld(*bodies).at(0.0, self.space.rack_middle, self.tray_floor)
-
-    def slide(self, name: str, needs: ag.Condition | ag.Dependency) -> ag.Joint:
-        """Make the joint of a rack, which rolls out.
-
-        Its effort is the force of a hand, too small to push the closed door open.
-        """
-        return rack_slide(name, travel=self.space.slide, friction=self.friction, damping=8.0, needs=needs)
-
-    @cached_property
-    def low_ends(self) -> tuple[ag.Scalar, ag.Scalar, ag.Scalar]:
-        """Return the lowest heights of the three racks with their loads [m]."""
-        return (self.space.treads, self.upper - _HANGS - _BLADE - 0.0060, self.tray_floor)
-
-    def _arm(self, name: str, reach: ag.Scalar) -> ag.Body:
-        """Make a spray arm about the origin, with its upper side on z = 0."""
-        grey = ag.colored("polypropylene", "grey").with_(name="spray_arm_grey")
-        half: ag.Scalar = 1.0 * reach
-        outline = ag.polygon(
-            [
-                (-half, -0.013),
-                (-0.3 * half, -0.019),
-                (0.3 * half, -0.019),
-                (half, -0.013),
-                (half, 0.013),
-                (0.3 * half, 0.019),
-                (-0.3 * half, 0.019),
-                (-half, 0.013),
-            ]
-        )
-        blade = ag.extrude(outline, _BLADE, axis=ag.Z, bevel=0.0016).at(0.0, 0.0, -_BLADE / 2.0)
-        hub = ag.cylinder(0.024, _BLADE + 0.004, axis=ag.Z, bevel=0.002).at(0.0, 0.0, -_BLADE / 2.0 - 0.002)
-        at = [
-            (share * half, way * 0.006, 0.0001)
-            for share, way in ((-0.9, 1), (-0.7, -1), (-0.5, 1), (0.42, -1), (0.62, 1), (0.84, -1))
-        ]
-        holes = ag.array(ag.cylinder(0.0034, 0.0008, axis=ag.Z), at=at)
-        dark = ag.material("black_abs")
+        count, apart = 12 if self.full else 9, 0.24 * self.width
+        pitch = 0.8 * self.depth / (count - 1)
+        hanger = ag.cylinder(0.020, _HANGS - 0.0008, bevel=0.002).at(z=0.0012 - _HANGS / 2)
+        pipe = ag.Region((-0.012, 0.012), (0, 0.49 * self.depth), (-0.0085, 0.0006)).box(bevel=0.003)
         return ag.weld(
-            ag.part(blade, "spray_arm", grey, name=name),
-            ag.part(hub, "spray_arm", grey),
-            ag.detail(holes, "spray_arm", dark),
+            basket.wires(name),
+            self._grip(basket, name, self.grip),
+            self._wheels(AXLES[0], _ROLLERS[1], 0.33, 0.46),
+            basket.tines(
+                (-apart / 2, 0),
+                (apart, 0),
+                2,
+                count=count,
+                pitch=pitch,
+                height=0.055,
+                lean=0.15,
+                across=False,
+            ),
+            *(self._cup_shelves() if shelves else []),
+            ag.part([hanger, pipe], "rack", self.plastic),
         )
 
-    def lower_arm(self, name: str) -> ag.Body:
-        """Make the spray arm under the lower rack, turned by a small angle at rest."""
-        z = self.floor - 0.009
-        arm = self._arm(name, self.space.reach_of_arms).rotate(ag.Z, 0.35)
-        return arm.at(0.0, self.space.rack_middle, z)
+    def _cup_shelves(self) -> list[ag.Body]:
+        """Make hinged shelves for cups at both sides, folded down."""
+        along, across = (ag.line(axis * -half, axis * half) for axis, half in ((ag.Y, 0.148), (ag.X, 0.0455)))
+        wires = details.bent_wires(along, 0.0016, at=ag.row((-0.044, 0, 0), (0.022, 0, 0), 5))
+        ends = details.bent_wires(across, 0.0021, at=ag.row((0, -0.147, 0), (0, 0.147, 0), 3))
+        straight = ag.array(ag.cylinder(0.0013, 0.26, axis=ag.Y), at=ag.row((-0.044, 0, 0), (0.044, 0, 0), 3))
+        post, solids, seen = ag.cylinder(0.0018, 0.022), [], []
+        for side in (-1, 1):
+            at = ag.vector(side * (0.4 * self.width - 0.002), 0.02, _UPPER_RIM + 0.018)
+            *folded, solid = (each.rotate(ag.Y, side * 0.10).at(at) for each in (wires, ends, straight))
+            x, z = side * (self.width / 2 - 0.0036), _UPPER_RIM + 0.008
+            seen += [*folded, ag.array(post, at=[(x, -0.11, z), (x, 0.15, z)])]
+            solids.append(solid)
+        return [ag.detail(seen, "cup_shelf", self.wire), ag.part(solids, "cup_shelf", self.wire)]
 
-    def post(self) -> ag.Body:
-        """Make the post of the lower spray arm, which is welded to the tub."""
-        top = self.floor - 0.009 - _BLADE - 0.0045
-        low = self.space.floor - 0.001
-        y = self.space.rack_middle
-        post = ag.cylinder_between((0.0, y, low), (0.0, y, top), 0.019, bevel=0.002)
-        return ag.part(post, "tub", ag.colored("polypropylene", "grey"))
+    def _tray(self, name: str) -> ag.Body:
+        """Make the cutlery tray under the ceiling: a shallow wire tray with plastic ribs."""
+        basket = self._basket(0.036, 0.036, 9, band=0.55)
+        rib = ag.Region((-0.002, 0.002), (-0.44 * self.depth, 0.44 * self.depth), (0.0072, 0.026))
+        ribs = [rib.at(share * self.width).box(bevel=0.001) for share in (-0.4, -0.2, 0.0, 0.2, 0.4)]
+        return ag.weld(
+            basket.wires(name),
+            self._grip(basket, name, "plate", height=0.020),
+            self._wheels(AXLES[1], _ROLLERS[1], 0.33, 0.46),
+            ag.part(ribs, "rack", self.plastic),
+        )
 
-    def upper_arm(self, name: str) -> ag.Body:
-        """Make the spray arm under the upper rack."""
-        arm = self._arm(name, 0.92 * self.space.reach_of_arms).rotate(ag.Z, -0.5)
-        return arm.at(0.0, self.space.rack_middle, self.upper - _HANGS - 0.0005)
-
-    def spin(self, name: str) -> ag.Joint:
-        """Make the joint of a spray arm, which is driven by water."""
-        return ag.Revolute(
-            name,
+    def with_arm(self, body: ag.Body, number: int) -> ag.Body:
+        """Attach the spray arm over the floor of the tub (0), or under the upper rack (1), to its bearing."""
+        plan = self.plan
+        reach = ag.min_(plan.tub.x.high - 0.040, plan.tub.y.size / 2 - 0.030)
+        half, turn, top = (
+            (reach, 0.35, plan.floors[0] - 0.009), (0.92 * reach, -0.5, plan.floors[1] - _HANGS - 0.0005)
+        )[number]  # fmt: skip
+        arm = _spray_arm(f"spray_arm_{number}", half).rotate(ag.Z, turn).at(z=top)
+        spin = ag.Revolute(
+            f"spray_arm_spin_{number}",
             axis=ag.Z,
-            pivot=(0.0, self.space.rack_middle, 0.0),
             friction=0.004,
             damping=0.002,
             effort=0.1,  # torque of jets at 0.3 bar at the ends of the arm
             driven="water",
         )
+        return body.attach(arm, spin, at=(0, plan.racks.y.mid, 0))
+
+
+def _spray_arm(name: str, half: ag.Scalar) -> ag.Body:
+    """Make a spray arm of some half length about the origin, with its upper side on z = 0."""
+    grey = ag.colored("polypropylene", "grey").with_(name="spray_arm_grey")
+    side = [(-half, -0.013), (-0.3 * half, -0.019), (0.3 * half, -0.019), (half, -0.013)]
+    outline = ag.polygon([*side, *((-x, -y) for x, y in side)])
+    blade = ag.extrude(outline, _BLADE, bevel=0.0016).at(z=-_BLADE / 2)
+    hub = ag.cylinder(0.024, _BLADE + 0.004, bevel=0.002).at(z=-_BLADE / 2 - 0.002)
+    jets = ((-0.9, 1), (-0.7, -1), (-0.5, 1), (0.42, -1), (0.62, 1), (0.84, -1))
+    holes = ag.array(
+        ag.cylinder(0.0034, 0.0008), at=[(share * half, way * 0.006, 0.0001) for share, way in jets]
+    )
+    return ag.weld(
+        ag.part([blade, hub], "spray_arm", grey, name=name),
+        ag.detail(holes, "spray_arm", ag.material("black_abs")),
+    )
