@@ -159,42 +159,36 @@ def faucet(
     thick = ag.min_(deck_thickness, 0.024) if style == "wall" else deck_thickness
     board = stands.Board(deck_margin, thick, surface, reach if rod else None)
     ring = 2 * girth + 0.010  # height of the ring of a straight spout
-    mixer = functools.partial(
-        handles.mixer, lever, length=lever_length, finish=finish, lift=lift, friction=handle_friction
-    )
-    tube = (reach, girth, finish)
+    mixer = functools.partial(handles.mixer, lever, lever_length, finish, lift, handle_friction)
     match style:
         case "widespread":
-            stand = stands.widespread(board, girth=girth, finish=finish)
+            stand = stands.widespread(board, girth, finish)
         case "bridge":
-            stand = stands.bridge(board, finish=finish)
+            stand = stands.bridge(board, finish)
         case "wall":
-            stand = stands.before_wall(board, finish=finish, hangs=spout == "low")
+            stand = stands.before_wall(board, finish, hangs=spout == "low")
         case "single_hole" | "vessel":
-            top = mixer(radius=body_radius)
-            stand = stands.topped_column(
-                board, radius=body_radius, height=height, ring=ring, mixer=top, finish=finish
-            )
+            stand = stands.topped_column(board, body_radius, height, ring, mixer(body_radius), finish)
         case _:
-            beside = mixer(radius=stands.SIDE)
-            stand = stands.sided_column(board, radius=body_radius, mixer=beside, side=side, finish=finish)
+            stand = stands.sided_column(board, body_radius, mixer(stands.SIDE), side, finish)
 
     rise = height - stand.over - girth  # height of the middle of the tube above the foot of a spout
+    tube = spouts.Spout(reach, girth, finish)
     straight = rise - 0.5 * reach  # height of the start of the arc of a gooseneck
     if spout == "beam":
-        turned = spouts.beam_spout(*tube, hub=body_radius, tall=ring, square=square)
+        turned = tube.straight(hub=body_radius, tall=ring, square=square)
     elif spout == "low":
-        turned = spouts.hanging_spout(*tube)
+        turned = tube.hanging()
     elif style == "pull_down":
         fall = straight - head_travel - 0.017  # length of the straight leg for the hose
-        turned = spouts.pull_down_spout(*tube, height=rise, fall=fall, travel=head_travel, force=head_force)
+        turned = tube.pull_down(height=rise, fall=fall, travel=head_travel, force=head_force)
         turned = turned.require(
             reach > lever_length + _PAST,
             f"the spray head swings past the lever: reach must exceed lever_length by {_PAST:g} m",
         )
     else:
         fall = {"gooseneck": straight - 0.032, "arc": 0.6 * rise}.get(spout, rise - 0.032)
-        turned = spouts.rising_spout(*tube, spout, height=rise, fall=ag.max_(stand.least, fall))
+        turned = tube.rising(spout, height=rise, fall=ag.max_(stand.least, fall))
     turns, friction = (-swivel_limit, swivel_limit), swivel_friction
     swivel = ag.Revolute("spout_swivel", axis=ag.Z, limits=turns, feel=spouts.SEALS, friction=friction)
     body = stand.body.attach(turned, swivel, at=stand.foot)
@@ -204,6 +198,5 @@ def faucet(
         body = handles.install_pair(body, *pair, flange=stand.flanges, from_tip=style == "wall")
     if rod:
         middle = ag.vector(0.0, -reach, board.top)
-        behind = stands.ROD_AT + reach
-        body = drain.install(body, middle, behind, deck_thickness, finish=finish, friction=rod_friction)
+        body = drain.install(body, middle, stands.ROD_AT + reach, deck_thickness, finish, rod_friction)
     return body

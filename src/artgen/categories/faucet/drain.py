@@ -34,13 +34,7 @@ _TILT = 0.5 * _TRAVEL / _ARM  # tilt of the pivot rod at each end of its range [
 
 
 def install(
-    body: ag.Body,
-    at: ag.Vector,
-    rod: ag.Scalar,
-    thick: ag.Scalar,
-    *,
-    finish: ag.Material,
-    friction: ag.Scalar,
+    body: ag.Body, at: ag.Vector, rod: ag.Scalar, thick: ag.Scalar, finish: ag.Material, friction: ag.Scalar
 ) -> ag.Body:
     """Install a drain with its plug and rods in a slab.
 
@@ -50,9 +44,7 @@ def install(
     metal = casting(finish, 0.9)
     pull = feel.Feel(damping=3.0, friction=friction, armature=0.02, effort=30.0)
     lift = ag.Prismatic("lift_rod_slide", axis=ag.Z, limits=(0.0, _TRAVEL), feel=pull)
-    turn = ag.Revolute(
-        "pivot_rod_turn", axis=ag.X, follows=(1 / _ARM) * lift, damping=0.002, armature=0.00005
-    )
+    turn = ag.Revolute("pivot_rod_turn", axis=ag.X, follows=(1 / _ARM) * lift, damping=0.002, armature=5e-5)
     fall = ag.Prismatic("plug_slide", axis=-ag.Z, follows=(_BALL / _ARM) * lift, damping=1.0, armature=0.01)
     body = ag.weld(body, _guide(finish, metal).at(at + ag.Y * rod), _pipe(finish, metal, thick).at(at))
     body = body.attach(_lift_rod(metal, rod, thick).at(at), lift)

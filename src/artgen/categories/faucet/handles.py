@@ -131,12 +131,11 @@ def _lobed() -> ag.Profile:
 
 def mixer(
     style: LeverStyle,
-    *,
-    radius: ag.Scalar,
     length: ag.Scalar,
     finish: ag.Material,
     lift: ag.Scalar,
     friction: ag.Scalar,
+    radius: ag.Scalar,
 ) -> ag.Body:
     """Make the top of a mixer with its lever: the seat, and the link `handle` with its two joints.
 

@@ -1,6 +1,7 @@
 """Spouts of faucets: they turn about the z axis above the plane z = 0, the lower end of their foot."""
 
 import math
+from dataclasses import dataclass
 from typing import Literal
 
 import artgen as ag
@@ -18,7 +19,7 @@ CORE = 0.60
 """Radius of the fixed core in the ring of a beam spout, as a share of that of the ring."""
 
 # the weight of 0.5-0.8 kg on the hose of a spray head draws it back; the bend takes a part of its force
-_HOSE_WEIGHT = feel.Feel(damping=12.0, friction=1.0, armature=0.5, effort=40.0)
+_WEIGHT = feel.Feel(damping=12.0, friction=1.0, armature=0.5, effort=40.0)
 _GAP = 0.0006  # gap between a spout and its base [m]
 _AERATOR = 0.015  # length of an aerator [m]
 _HEAD = 0.085  # length of a spray head [m]
@@ -44,133 +45,103 @@ def _aerator(radius: ag.Scalar, finish: ag.Material) -> ag.Body:
     )
 
 
-def _pipe(
-    pipe: ag.Solid,
-    end: ag.Vector,
-    radius: ag.Scalar,
-    finish: ag.Material,
-    *,
-    above: float,
-    hangs: bool = False,
-) -> ag.Body:
-    """Make the link `spout` of a pipe with its hub, held at a height above its end [m]."""
-    metal, side = casting(finish, 0.32), 1 if hangs else -1
-    thin, wide = (radius + 0.0035, radius + 0.0065)[::side]
-    hub = ag.frustum(thin, wide, _FOOT, bevel=0.0015).align((0.0, 0.0, -side * _GAP), z=side)
-    hold = ag.frame(end + ag.Z * above, approach=ag.Y, closing=ag.X)
-    body = ag.part(hub, "spout", metal, grasp=hold, grasp_width=2 * radius + 0.012)
-    return ag.weld(body, ag.part(pipe, "spout", metal))
+@dataclass(frozen=True)
+class Spout:
+    """Spouts of one tube; each method makes the link `spout`."""
 
+    reach: ag.Scalar  # distance from the axis to the outlet [m]
+    radius: ag.Scalar  # radius of the tube [m]
+    finish: ag.Material
 
-def _course(height: ag.Scalar, reach: ag.Scalar, fall: ag.Scalar, fillet: ag.Scalar) -> Path:
-    """Return the center line of a spout that goes up, forward and down."""
-    start, top = (0.0, 0.0, 0.004), (0.0, 0.0, height)
-    return ag.polyline([start, top, (0.0, -reach, height), (0.0, -reach, fall)], fillet=fillet)
+    def _pipe(self, pipe: ag.Solid, end: ag.Vector, *, above: float, hangs: bool = False) -> ag.Body:
+        """Weld a pipe to its hub, from which a hand at a height above its end turns it."""
+        metal, side = casting(self.finish, 0.32), 1 if hangs else -1
+        thin, wide = (self.radius + 0.0035, self.radius + 0.0065)[::side]
+        hub = ag.frustum(thin, wide, _FOOT, bevel=0.0015).align((0.0, 0.0, -side * _GAP), z=side)
+        hold = ag.frame(end + ag.Z * above, approach=ag.Y, closing=ag.X)
+        body = ag.part(hub, "spout", metal, grasp=hold, grasp_width=2 * self.radius + 0.012)
+        return ag.weld(body, ag.part(pipe, "spout", metal))
 
+    def _course(self, height: ag.Scalar, fall: ag.Scalar, fillet: ag.Scalar) -> Path:
+        """Return the center line of a tube that goes up, forward and down."""
+        places = ((0.0, 0.004), (0.0, height), (-self.reach, height), (-self.reach, fall))
+        return ag.polyline([(0.0, y, z) for y, z in places], fillet=fillet)
 
-def _gooseneck(height: ag.Scalar, reach: ag.Scalar, fall: ag.Scalar) -> Path:
-    """Return the center line of a gooseneck."""
-    height = ag.require(
-        height,
-        height - 0.004 > 0.5 * reach,
-        "height of a gooseneck must exceed half of its reach: raise height, or lower reach",
-    )
-    return _course(height, reach, fall, 0.4985 * reach)
+    def _gooseneck(self, height: ag.Scalar, fall: ag.Scalar) -> Path:
+        """Return the center line of a gooseneck."""
+        low = "height of a gooseneck must exceed half of its reach: raise height, or lower reach"
+        height = ag.require(height, height - 0.004 > 0.5 * self.reach, low)
+        return self._course(height, fall, 0.4985 * self.reach)
 
+    def rising(self, style: SpoutStyle, *, height: ag.Scalar, fall: ag.Scalar) -> ag.Body:
+        """Make a spout that goes up from its foot and ends at the height `fall`."""
+        section = ag.circle(self.radius)
+        if style == "gooseneck":
+            course = self._gooseneck(height, fall)
+        elif style == "arc":
+            drop = height - fall
+            line = ((0.0, 0.004), (0.0, 0.50 * height), (0.16, 0.86 * height), (0.52, height),
+                    (0.88, height - 0.30 * drop), (1.0, fall + 0.35 * drop), (1.0, fall))  # fmt: skip
+            course = ag.spline([(0.0, -share * self.reach, z) for share, z in line])
+        else:
+            section = ag.rectangle(1.8 * self.radius, 1.8 * self.radius, radius=0.3 * self.radius)
+            course = self._course(height, fall, 0.020)
+        end = ag.vector(0.0, -self.reach, fall)
+        pipe = self._pipe(ag.sweep(section, course), end, above=0.004)
+        return ag.weld(pipe, _aerator(self.radius + 0.0012, self.finish).at(end))
 
-def rising_spout(
-    reach: ag.Scalar,
-    radius: ag.Scalar,
-    finish: ag.Material,
-    style: SpoutStyle,
-    *,
-    height: ag.Scalar,
-    fall: ag.Scalar,
-) -> ag.Body:
-    """Make a spout that goes up from its foot and ends at the height `fall`."""
-    section = ag.circle(radius)
-    if style == "gooseneck":
-        course = _gooseneck(height, reach, fall)
-    elif style == "arc":
-        drop = height - fall
-        line = ((0.0, 0.004), (0.0, 0.50 * height), (0.16, 0.86 * height), (0.52, height),
-                (0.88, height - 0.30 * drop), (1.0, fall + 0.35 * drop), (1.0, fall))  # fmt: skip
-        course = ag.spline([(0.0, -share * reach, z) for share, z in line])
-    else:
-        section = ag.rectangle(1.8 * radius, 1.8 * radius, radius=0.3 * radius)
-        course = _course(height, reach, fall, 0.020)
-    end = ag.vector(0.0, -reach, fall)
-    pipe = _pipe(ag.sweep(section, course), end, radius, finish, above=0.004)
-    return ag.weld(pipe, _aerator(radius + 0.0012, finish).at(end))
+    def hanging(self) -> ag.Body:
+        """Make a spout below its foot that goes forward and a little up."""
+        places = ((0.0, -0.004), (0.0, -0.050), (-self.reach, -0.028), (-self.reach, -0.062))
+        course = ag.polyline([(0.0, y, z) for y, z in places], fillet=0.021)
+        end = ag.vector(0.0, -self.reach, -0.062)
+        pipe = self._pipe(ag.sweep(ag.circle(self.radius), course), end, above=0.006, hangs=True)
+        return ag.weld(pipe, _aerator(self.radius + 0.0012, self.finish).at(end))
 
+    def straight(self, *, hub: ag.Scalar, tall: ag.Scalar, square: bool) -> ag.Body:
+        """Make a beam from a ring about a column, which has few facets under a smooth surface."""
+        reach, radius, middle = self.reach, self.radius, tall / 2
+        start, out, high = -0.80 * hub, hub - 0.0006, tall - 3 * _GAP
+        inner = (CORE * hub + 0.0004) * 1.04  # the facets clear the core
+        center = _GAP + high / 2
+        section = ag.rectangle(out - inner, high).at((out + inner) / 2, center)
+        skin = ag.tube(hub, hub - 0.0016, high, bevel=0.0006).at(z=center)
+        if square:
+            drop = middle - 0.75 * radius
+            long = (-reach - 1.1 * radius, start)
+            beam = ag.Region((-1.3 * radius, 1.3 * radius), long, (drop, middle + 0.75 * radius))
+            pipe = beam.box(bevel=0.0025)
+        else:
+            drop = middle - 1.6 * radius
+            line = [(0.0, start, middle), (0.0, -reach, middle), (0.0, -reach, drop)]
+            pipe = ag.sweep(ag.circle(radius), ag.polyline(line, fillet=1.25 * radius))
+        metal, hold = casting(self.finish, 0.35), ag.grasp_on(pipe, approach=ag.Y, closing=ag.X, depth=0.018)
+        return ag.weld(
+            ag.part(ag.revolve(section, sides=_SIDES), "spout", metal),
+            ag.detail(skin, "spout", self.finish),
+            ag.part(pipe, "spout", metal, grasp=hold),
+            _aerator(0.92 * radius, self.finish).at(0.0, -reach, drop),
+        )
 
-def hanging_spout(reach: ag.Scalar, radius: ag.Scalar, finish: ag.Material) -> ag.Body:
-    """Make a spout below its foot that goes forward and a little up."""
-    line = [(0.0, 0.0, -0.004), (0.0, 0.0, -0.050), (0.0, -reach, -0.028), (0.0, -reach, -0.062)]
-    end = ag.vector(0.0, -reach, -0.062)
-    pipe = ag.sweep(ag.circle(radius), ag.polyline(line, fillet=0.021))
-    spout = _pipe(pipe, end, radius, finish, above=0.006, hangs=True)
-    return ag.weld(spout, _aerator(radius + 0.0012, finish).at(end))
-
-
-def beam_spout(
-    reach: ag.Scalar, radius: ag.Scalar, finish: ag.Material, *, hub: ag.Scalar, tall: ag.Scalar, square: bool
-) -> ag.Body:
-    """Make a straight spout from a ring about a column, of few facets under a smooth surface."""
-    metal, middle = casting(finish, 0.35), tall / 2
-    inner, high = (CORE * hub + 0.0004) * 1.04, tall - 3 * _GAP  # the facets clear the core
-    center = _GAP + high / 2
-    out = hub - 0.0006
-    section = ag.rectangle(out - inner, high).at((out + inner) / 2, center)
-    skin = ag.tube(hub, hub - 0.0016, high, bevel=0.0006).at(z=center)
-    start = -0.80 * hub
-    if square:
-        drop = middle - 0.75 * radius
-        long = (-reach - 1.1 * radius, start)
-        beam = ag.Region((-1.3 * radius, 1.3 * radius), long, (drop, middle + 0.75 * radius))
-        pipe = beam.box(bevel=0.0025)
-    else:
-        drop = middle - 1.6 * radius
-        line = [(0.0, start, middle), (0.0, -reach, middle), (0.0, -reach, drop)]
-        pipe = ag.sweep(ag.circle(radius), ag.polyline(line, fillet=1.25 * radius))
-    hold = ag.grasp_on(pipe, approach=ag.Y, closing=ag.X, depth=0.018)
-    return ag.weld(
-        ag.part(ag.revolve(section, sides=_SIDES), "spout", metal),
-        ag.detail(skin, "spout", finish),
-        ag.part(pipe, "spout", metal, grasp=hold),
-        _aerator(0.92 * radius, finish).at(0.0, -reach, drop),
-    )
-
-
-def pull_down_spout(
-    reach: ag.Scalar,
-    radius: ag.Scalar,
-    finish: ag.Material,
-    *,
-    height: ag.Scalar,
-    fall: ag.Scalar,
-    travel: ag.Scalar,
-    force: ag.Scalar,
-) -> ag.Body:
-    """Make a gooseneck with a spray head, whose hose slides in a bore in its straight end."""
-    radius = ag.require(
-        radius, radius > _LEAST, f"the spout holds the hose of a spray head: girth must be > {_LEAST:g} m"
-    )
-    deep, end = travel + _DOCK + 0.006, ag.vector(0.0, -reach, fall)  # depth of the bore
-    pipe = ag.sweep(ag.circle(radius), _gooseneck(height, reach, fall + deep))
-    # facets inside the smooth surface
-    out, inner = radius - 0.0006, _BORE / 0.966
-    section = ag.rectangle(out - inner, deep + 0.0005).at((out + inner) / 2, deep / 2)
-    leg = ag.revolve(section, sides=_SIDES)
-    skin = ag.tube(radius, radius - 0.0014, deep + 0.0006).at(z=deep / 2 + 0.0003)
-    spout = ag.weld(
-        _pipe(pipe, end, radius, finish, above=0.012),
-        ag.part(leg.at(end), "spout", casting(finish, 0.8)),
-        ag.detail(skin.at(end), "spout", finish),
-    )
-    pull = ag.Spring(preload=0.75 * force, force=force)
-    slide = ag.Prismatic("spray_head_slide", axis=-ag.Z, limits=(0.0, travel), spring=pull, feel=_HOSE_WEIGHT)
-    return spout.attach(_spray_head(radius, travel, finish), slide, at=end)
+    def pull_down(
+        self, *, height: ag.Scalar, fall: ag.Scalar, travel: ag.Scalar, force: ag.Scalar
+    ) -> ag.Body:
+        """Make a gooseneck with a spray head, whose hose slides in a bore in its straight end."""
+        narrow = f"the spout holds the hose of a spray head: girth must be > {_LEAST:g} m"
+        radius = ag.require(self.radius, self.radius > _LEAST, narrow)
+        deep, end = travel + _DOCK + 0.006, ag.vector(0.0, -self.reach, fall)  # depth of the bore
+        pipe = ag.sweep(ag.circle(radius), self._gooseneck(height, fall + deep))
+        out, inner = radius - 0.0006, _BORE / 0.966  # facets inside the smooth surface
+        section = ag.rectangle(out - inner, deep + 0.0005).at((out + inner) / 2, deep / 2)
+        skin = ag.tube(radius, radius - 0.0014, deep + 0.0006).at(z=deep / 2 + 0.0003)
+        spout = ag.weld(
+            self._pipe(pipe, end, above=0.012),
+            ag.part(ag.revolve(section, sides=_SIDES).at(end), "spout", casting(self.finish, 0.8)),
+            ag.detail(skin.at(end), "spout", self.finish),
+        )
+        pull = ag.Spring(preload=0.75 * force, force=force)
+        slide = ag.Prismatic("spray_head_slide", axis=-ag.Z, limits=(0.0, travel), spring=pull, feel=_WEIGHT)
+        return spout.attach(_spray_head(radius, travel, self.finish), slide, at=end)
 
 
 def _spray_head(radius: ag.Scalar, travel: ag.Scalar, finish: ag.Material) -> ag.Body:

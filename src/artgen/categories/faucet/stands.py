@@ -24,6 +24,7 @@ _PADS = 0.004  # height of the rubber pads under a deck or a foot [m]
 # density of solid metal, and of 1.5 mm of sheet folded around a board [kg/m^3]
 _SOLID, _FOLDED = 5000.0, 1500.0
 _HALF = 0.1016  # half the distance between two valves, 8 inches [m]
+_BOTH: list[ag.VectorLike] = [(-_HALF, 0.0, 0.0), (_HALF, 0.0, 0.0)]
 _FLANGE = 0.0265  # radius of the flange of a valve [m]
 _PEDESTAL = 0.018  # height of the foot of a spout between two valves [m]
 _RISERS = 0.050  # height of the bar of a bridge above the deck [m]
@@ -73,9 +74,8 @@ class Board:
         # a piece of a vanity top with the holes of a drain and its rod, on two frames of flat steel
         ends = (-self.drain - drain.FLANGE - 0.6 * self.margin, ROD_AT + 0.6 * self.margin)
         slab = slab.with_(y=ends, z=(self.top - self.thick, self.top))
-        holes = ag.box(drain.HOLE, drain.HOLE, 2.0).at(0.0, -self.drain) | ag.box(0.008, 0.008, 2.0).at(
-            0.0, ROD_AT
-        )
+        hole, bore = ag.box(drain.HOLE, drain.HOLE, 2.0), ag.box(0.008, 0.008, 2.0)
+        holes = hole.at(0.0, -self.drain) | bore.at(0.0, ROD_AT)
         x, bar = wide - 0.030, 0.006  # flat bars of 25 x 6 mm
         side = ag.Region((-x - 0.0125, -x + 0.0125), slab.y, (_PADS, slab.z.low + 0.0003)).shrink(y=0.020)
         inner = side.shrink(x=0.0002, y=0.0003, z=bar - 0.0003)
@@ -123,16 +123,11 @@ def _bar(finish: ag.Material, *, below: bool = False) -> ag.Body:
     """Make the bar between two valves, along x at the origin, with sockets and the boss of a spout."""
     end = -1 if below else 1
     boss = ag.cylinder(0.0205, 0.039, bevel=0.001).align((0.0, 0.0, end * _RAISED), z=end)
-    sockets = _both(ag.cylinder(0.0185, 0.034, bevel=0.0012).at(z=-0.002))
+    sockets = ag.array(ag.cylinder(0.0185, 0.034, bevel=0.0012).at(z=-0.002), at=_BOTH)
     bar = ag.union(ag.cylinder(_BAR, 2 * _HALF, axis=ag.X), boss, sockets)
     ring = ag.torus(_BAR + 0.0004, 0.0019, axis=ag.X)
     rings = [ring.at(side * near) for side in (-1, 1) for near in (0.026, _HALF - 0.024)]
     return ag.weld(ag.part(bar, "body", casting(finish, 0.35)), ag.detail(rings, "body", finish))
-
-
-def _both(solid: ag.Solid) -> ag.Solid:
-    """Put a solid at both valves."""
-    return ag.array(solid, at=[(-_HALF, 0.0, 0.0), (_HALF, 0.0, 0.0)])
 
 
 def _valves(y: float, z: ag.Scalar) -> tuple[ag.Vector, ag.Vector]:
@@ -142,10 +137,10 @@ def _valves(y: float, z: ag.Scalar) -> tuple[ag.Vector, ag.Vector]:
 
 def _arms(arm: ag.Solid, finish: ag.Material) -> ag.Body:
     """Make the two arms or columns that carry a bar."""
-    return ag.part(_both(arm), "body", casting(finish, 0.35), separate="the bar joins them")
+    return ag.part(ag.array(arm, at=_BOTH), "body", casting(finish, 0.35), separate="the bar joins them")
 
 
-def widespread(board: Board, *, girth: ag.Scalar, finish: ag.Material) -> Stand:
+def widespread(board: Board, girth: ag.Scalar, finish: ag.Material) -> Stand:
     """Make a deck with a pedestal for a spout, and positions of valves at its sides."""
     shaft = ag.frustum(girth + 0.0085, girth + 0.0065, _PEDESTAL, bevel=0.0008)
     shaft = shaft.align((0.0, 0.0, _PEDESTAL), z=1)
@@ -155,7 +150,7 @@ def widespread(board: Board, *, girth: ag.Scalar, finish: ag.Material) -> Stand:
     return Stand(body, top, _PEDESTAL, _valves(0.0, board.top), least=0.078, flanges=True)
 
 
-def bridge(board: Board, *, finish: ag.Material) -> Stand:
+def bridge(board: Board, finish: ag.Material) -> Stand:
     """Make a deck with two risers and the bar between them."""
     level = board.top + _RISERS
     shaft = ag.cylinder(_BAR, _RISERS).at(z=_RISERS / 2)
@@ -167,7 +162,7 @@ def bridge(board: Board, *, finish: ag.Material) -> Stand:
     return Stand(body, foot, _RISERS + _RAISED, valves, least=0.092)
 
 
-def before_wall(board: Board, *, finish: ag.Material, hangs: bool) -> Stand:
+def before_wall(board: Board, finish: ag.Material, *, hangs: bool) -> Stand:
     """Make a wall board with a bar in front of it, from which a spout rises or hangs."""
     level, raised = (0.20, -_RAISED) if hangs else (0.15, _RAISED)
     arm = ag.cylinder_between((0.0, 0.0005, 0.0), (0.0, -_BEHIND, 0.0), _BAR)
@@ -181,13 +176,7 @@ def before_wall(board: Board, *, finish: ag.Material, hangs: bool) -> Stand:
 
 
 def topped_column(
-    board: Board,
-    *,
-    radius: ag.Scalar,
-    height: ag.Scalar,
-    ring: ag.Scalar,
-    mixer: ag.Body,
-    finish: ag.Material,
+    board: Board, radius: ag.Scalar, height: ag.Scalar, ring: ag.Scalar, mixer: ag.Body, finish: ag.Material
 ) -> Stand:
     """Make a column with a core for the ring of a straight spout, and the mixer on top of it."""
     foot = ag.vector(0.0, 0.0, board.top + height)
@@ -202,7 +191,7 @@ def topped_column(
 
 
 def sided_column(
-    board: Board, *, radius: ag.Scalar, mixer: ag.Body, side: Literal["left", "right"], finish: ag.Material
+    board: Board, radius: ag.Scalar, mixer: ag.Body, side: Literal["left", "right"], finish: ag.Material
 ) -> Stand:
     """Make a column for a tall spout with a mixer at its side, its lever upright."""
     out = radius + 0.012

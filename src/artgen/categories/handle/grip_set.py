@@ -1,7 +1,7 @@
 """The outside of an entrance door's grip set: a plate with a fixed grip and a thumb piece above it.
 
 Parts are modeled about the spindle of a leaf whose middle is y = 0; the outside faces -Y. The thumb piece
-turns on a pin in two ears and presses down the latch.
+turns on a pin in two ears and goes down with the handle inside.
 """
 
 from math import pi
