@@ -116,8 +116,8 @@ def pocket_handle(
         name: Name of its grasp.
 
     Examples:
-        >>> door = part(box(0.3, 0.04, 0.4).at(-0.15, 0.02), "door", material("enamel_white"))
-        >>> door.install(fittings.pocket_handle())
+        >>> door = part(box(0.12, 0.04, 0.3).at(0.06, 0.02), "door", material("enamel_white"))
+        >>> door.install(fittings.pocket_handle(length=0.2).mirror(X))
     """
     return pulls.pocket_grip(length, finish=finish, lip=lip, gap=gap, deep=deep, name=name)
 
@@ -496,9 +496,9 @@ def foot(
         finish: Material.
 
     Examples:
-        >>> board = part(box(0.2, 0.12, 0.02).at(z=0.01), "case", material("oak"))
-        >>> foot = fittings.foot().rotate(X, 1.5707963)
-        >>> board.install(foot, at=(-0.07, 0, 0)).install(foot, at=(0.07, 0, 0))
+        >>> board = part(box(0.14, 0.018, 0.07).at(y=0.009), "case", material("oak"))
+        >>> pad = fittings.foot(style="pad", radius=0.012, height=0.008)
+        >>> board.install(fittings.foot(), at=(-0.03, 0, 0)).install(pad, at=(0.03, 0, 0))
     """
     body = fixings.feet([(0.0, 0.0)], radius=radius, height=height, style=style, finish=finish)
     return Fitting(body.at(z=-height).rotate(ag.X, -math.pi / 2))
@@ -528,8 +528,8 @@ def caster(
         name: Links are `{name}_fork` and `{name}_wheel`, joints `{name}_swivel` and `{name}_roll`.
 
     Examples:
-        >>> board = part(box(0.16, 0.16, 0.02).at(z=0.01), "cart", material("plywood"))
-        >>> board.install(fittings.caster().rotate(X, 1.5707963))
+        >>> board = part(box(0.09, 0.018, 0.09).at(y=0.009), "cart", material("plywood"))
+        >>> board.install(fittings.caster())
     """
     plate = ag.box(0.050, 0.0025, 0.050, bevel=0.0008).at(y=_SUNK - 0.00125)
     race = ag.cylinder(0.015, 0.0065, axis=ag.Y, bevel=0.0010).at(y=-0.0055)
@@ -541,7 +541,7 @@ def caster(
     trail = 0.6 * radius  # offset of the wheel, which makes it follow
     axle = (0.0, -(0.0155 + radius), -trail)
     crown = ag.cylinder(0.016, 0.0032, axis=ag.Y, bevel=0.0006).at(y=-0.0110)
-    bridge = ag.box(width + 0.0082, 0.0032, 0.018, bevel=0.0006).at(y=-0.0110)
+    bridge = ag.box(width + 0.0082, 0.0026, 0.018, bevel=0.0006).at(y=-0.0110)
     cheek = ag.hull(
         ag.box(0.0025, 0.0028, 0.020).at(y=-0.0110),
         ag.cylinder(0.0065, 0.0025, axis=ag.X).at(0.0, axle[1], axle[2]),
