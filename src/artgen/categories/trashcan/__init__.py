@@ -19,42 +19,12 @@ from typing import Literal
 
 import artgen as ag
 from artgen import details
-from artgen.categories.trashcan.bins import Can, Plan
-from artgen.categories.trashcan.finish import (
-    BUCKET_WEIGHTS,
-    BUCKETS,
-    COATED,
-    COATED_WEIGHTS,
-    PLASTIC_WEIGHTS,
-    PLASTICS,
-    STEEL_WEIGHTS,
-    STEELS,
-    TRIMS,
-    WALL,
-    WEAVES,
-    Sort,
-    lid_of,
-    maker_mark,
-    sort_mark,
-)
-from artgen.categories.trashcan.kinds import (
-    THICK,
-    Carry,
-    Draft,
-    Foot,
-    Lid,
-    butterfly_bin,
-    hooded_bin,
-    lift_bin,
-    open_bin,
-    pedal_bin,
-    touch_bin,
-)
-from artgen.categories.trashcan.lids import GAP, Grip, LidStyle
-from artgen.categories.trashcan.shells import Dress, Looks
+from artgen.categories.trashcan import bins, finish, flaps, hoods, lids
 
 Style = Literal["pedal", "lift", "swing", "ball", "disc", "butterfly", "touch", "open"]
 
+_STYLES = {"ball": 0.06, "touch": 0.09, "lift": 0.13, "swing": 0.13, "butterfly": 0.11, "disc": 0.07,
+           "pedal": 0.28, "open": 0.13}  # fmt: skip
 _TAPERED = ("lift", "swing", "disc", "open")
 _PLANS: dict[str, tuple[str, ...]] = {
     "swing": ("round", "square", "rectangle"),
@@ -63,63 +33,35 @@ _PLANS: dict[str, tuple[str, ...]] = {
     "butterfly": ("square", "rectangle"),  # flaps need straight sides for their hinges
     "open": ("round", "square", "rectangle"),
 }
-_DARK = ag.material("black_abs")
 
 
 @ag.category(
-    labels=(
-        "body",
-        "base",
-        "rim",
-        "foot",
-        "hinge",
-        "hood",
-        "lid",
-        "pedal",
-        "rod",
-        "button",
-        "bucket",
-        "handle",
-        "ring",
-        "bag",
-        "screw",
-        "print",
-        "rating_plate",
-    ),
+    labels="body base rim foot hinge hood lid pedal rod button bucket handle ring bag screw print "
+    "rating_plate",
     joints=(1, 5),
 )
 def trashcan(
     *,
-    style: Style = ag.choice(
-        "ball",
-        "touch",
-        "lift",
-        "swing",
-        "butterfly",
-        "disc",
-        "pedal",
-        "open",
-        weights=(0.06, 0.09, 0.13, 0.13, 0.11, 0.07, 0.28, 0.13),
-    ),
+    style: Style = ag.choice(_STYLES),
     size: Literal["small", "medium", "large"] = ag.by(
         "style",
-        pedal=ag.choice("small", "medium", "large", weights=(0.25, 0.35, 0.4)),
-        lift=ag.choice("small", "medium", "large", weights=(0.3, 0.4, 0.3)),
-        open=ag.choice("small", "medium", weights=(0.4, 0.6)),
+        pedal={"small": 0.25, "medium": 0.35, "large": 0.4},
+        lift={"small": 0.3, "medium": 0.4, "large": 0.3},
+        open={"small": 0.4, "medium": 0.6},
         ball="large",
-        otherwise=ag.choice("medium", "large", weights=(0.5, 0.5)),
+        otherwise={"medium": 0.5, "large": 0.5},
         doc="volume class: 3-5, 10-20 or 30-50 liters",
     ),
-    plan: Plan = ag.by(
+    plan: bins.Plan = ag.by(
         "style",
-        pedal=ag.choice("round", "square", "rectangle", "half_round", weights=(0.4, 0.15, 0.25, 0.2)),
-        lift=ag.choice("round", "square", "rectangle", "half_round", weights=(0.4, 0.2, 0.2, 0.2)),
-        swing=ag.choice("round", "square", "rectangle", weights=(0.3, 0.3, 0.4)),
+        pedal={"round": 0.4, "square": 0.15, "rectangle": 0.25, "half_round": 0.2},
+        lift={"round": 0.4, "square": 0.2, "rectangle": 0.2, "half_round": 0.2},
+        swing={"round": 0.3, "square": 0.3, "rectangle": 0.4},
         ball="round",
-        disc=ag.choice("round", "square", weights=(0.65, 0.35)),
-        butterfly=ag.choice("square", "rectangle", weights=(0.3, 0.7)),
-        touch=ag.choice("round", "square", "rectangle", weights=(0.55, 0.2, 0.25)),
-        open=ag.choice("round", "square", "rectangle", weights=(0.55, 0.25, 0.2)),
+        disc={"round": 0.65, "square": 0.35},
+        butterfly={"square": 0.3, "rectangle": 0.7},
+        touch={"round": 0.55, "square": 0.2, "rectangle": 0.25},
+        open={"round": 0.55, "square": 0.25, "rectangle": 0.2},
     ),
     width: ag.Float = ag.by(
         "size",
@@ -162,35 +104,35 @@ def trashcan(
     ),
     skin: Literal["steel", "coated", "plastic", "wicker", "mesh"] = ag.by(
         "style",
-        pedal=ag.choice("steel", "coated", "plastic", weights=(0.45, 0.38, 0.17)),
-        lift=ag.choice("steel", "coated", "plastic", weights=(0.2, 0.4, 0.4)),
-        swing=ag.choice("steel", "coated", "plastic", weights=(0.2, 0.2, 0.6)),
-        ball=ag.choice("steel", "coated", weights=(0.5, 0.5)),
-        disc=ag.choice("steel", "coated", "plastic", weights=(0.4, 0.35, 0.25)),
-        butterfly=ag.choice("steel", "coated", weights=(0.7, 0.3)),
-        touch=ag.choice("steel", "coated", weights=(0.5, 0.5)),
-        open=ag.choice("coated", "plastic", "wicker", "mesh", weights=(0.2, 0.3, 0.25, 0.25)),
+        pedal={"steel": 0.45, "coated": 0.38, "plastic": 0.17},
+        lift={"steel": 0.2, "coated": 0.4, "plastic": 0.4},
+        swing={"steel": 0.2, "coated": 0.2, "plastic": 0.6},
+        ball={"steel": 0.5, "coated": 0.5},
+        disc={"steel": 0.4, "coated": 0.35, "plastic": 0.25},
+        butterfly={"steel": 0.7, "coated": 0.3},
+        touch={"steel": 0.5, "coated": 0.5},
+        open={"coated": 0.2, "plastic": 0.3, "wicker": 0.25, "mesh": 0.25},
     ),
     finish: ag.Material = ag.by(
         "skin",
-        steel=ag.shades(*STEELS, weights=STEEL_WEIGHTS, color=0.04),
-        coated=ag.shades(*COATED, weights=COATED_WEIGHTS),
-        plastic=ag.shades(*PLASTICS, weights=PLASTIC_WEIGHTS),
-        wicker=ag.shades(*WEAVES[:2]),
-        mesh=ag.shades(*WEAVES[2:], color=0.04),
+        steel=finish.STEELS,
+        coated=finish.COATED,
+        plastic=finish.PLASTICS,
+        wicker=finish.WICKER,
+        mesh=finish.MESH,
     ),
     lid_finish: Literal["same", "plastic", "steel"] = ag.by(
         "skin",
-        steel=ag.choice("same", "plastic", weights=(0.7, 0.3)),
-        coated=ag.choice("same", "plastic", "steel", weights=(0.6, 0.15, 0.25)),
-        otherwise=ag.choice("same", "plastic", weights=(0.7, 0.3)),
+        steel={"same": 0.7, "plastic": 0.3},
+        coated={"same": 0.6, "plastic": 0.15, "steel": 0.25},
+        otherwise={"same": 0.7, "plastic": 0.3},
     ),
-    trim: ag.Material = ag.choice(*TRIMS, weights=(0.55, 0.2, 0.1, 0.15)),
-    dress: Dress = ag.choice("plain", "base_band", "beads", "ring", weights=(0.3, 0.35, 0.15, 0.2)),
-    lid_style: LidStyle = ag.by(
+    trim: ag.Material = ag.choice(finish.TRIMS),
+    dress: bins.Dress = ag.choice({"plain": 0.3, "base_band": 0.35, "beads": 0.15, "ring": 0.2}),
+    lid_style: bins.LidStyle = ag.by(
         "plan",
         half_round=ag.choice("flat", "stepped"),
-        otherwise=ag.choice("flat", "domed", "stepped", weights=(0.4, 0.35, 0.25)),
+        otherwise={"flat": 0.4, "domed": 0.35, "stepped": 0.25},
     ),
     lid_open: ag.Float = ag.by(
         "style",
@@ -205,12 +147,12 @@ def trashcan(
         unit="rad",
         doc="opening angle of the lid; a lid in a hood turns both ways",
     ),
-    grip: Grip = ag.by(
+    grip: lids.Grip = ag.by(
         "style",
         lift=ag.by("lid_style", domed="lip", otherwise=ag.choice("lip", "bar", "knob")),
         otherwise="none",
     ),
-    stepped_on: bool = ag.by("style", butterfly=ag.choice(False, True, weights=(0.3, 0.7)), otherwise=False),
+    stepped_on: bool = ag.by("style", butterfly={False: 0.3, True: 0.7}, otherwise=False),
     crank: ag.Float = ag.uniform(0.014, 0.018, "m", doc="length of the lid's crank", within=(0.013, 0.022)),
     pedal_travel: ag.Float = ag.uniform(0.034, 0.046, "m", doc="travel of foot plate", within=(0.025, 0.06)),
     pedal_width: ag.Float = ag.uniform(0.062, 0.092, "m", within=(0.045, 0.14)),
@@ -218,24 +160,24 @@ def trashcan(
     pedal_force: ag.Float = ag.uniform(13.0, 16.0, "N", doc="spring force at the pressed foot plate"),
     soft_close: bool = ag.choice(False, True),
     hinge_friction: ag.Float = ag.uniform(0.015, 0.04, "N m"),
-    carry: Carry = ag.by(
+    carry: bins.Carry = ag.by(
         "style",
-        pedal=ag.choice("loop", "bail", weights=(0.4, 0.6)),
-        lift=ag.choice("none", "loop", "bail", weights=(0.2, 0.4, 0.4)),
+        pedal={"loop": 0.4, "bail": 0.6},
+        lift={"none": 0.2, "loop": 0.4, "bail": 0.4},
         touch=ag.choice("loop", "bail"),
         butterfly="loop",
         open=ag.by("skin", wicker="bail", otherwise="none"),
         otherwise="none",
         doc="carrier of the inner bucket; none for no bucket",
     ),
-    bucket_finish: ag.Material = ag.shades(*BUCKETS, weights=BUCKET_WEIGHTS),
+    bucket_finish: ag.Material = finish.BUCKETS,
     bagged: bool = ag.by(
         "style", open=ag.by("skin", wicker=False, otherwise=ag.choice(False, True)), otherwise=False
     ),
-    sort: Sort = ag.by(
+    sort: bins.Sort = ag.by(
         "style",
-        swing=ag.choice("none", "recycling", "paper", "plastic", "glass", weights=(0.5, 0.2, 0.1, 0.1, 0.1)),
-        open=ag.choice("none", "recycling", "paper", weights=(0.6, 0.25, 0.15)),
+        swing={"none": 0.5, "recycling": 0.2, "paper": 0.1, "plastic": 0.1, "glass": 0.1},
+        open={"none": 0.6, "recycling": 0.25, "paper": 0.15},
         otherwise="none",
     ),
     maker: str = ag.choice(*details.BRANDS),
@@ -246,49 +188,57 @@ def trashcan(
         plan in _PLANS.get(style, ("round", "square", "rectangle", "half_round")),
         f"plan={plan} is not allowed with style={style}: plan must be {' or '.join(_PLANS.get(style, ()))}",
     )
+    ag.require(
+        style != "butterfly" or carry != "bail",
+        "the flaps of style=butterfly would strike a bail: carry must be loop",
+    )
     across = width * 0.86 if plan == "rectangle" else width
     depth = across if plan == "round" else across * aspect
-    crown: dict[str, ag.Scalar] = {
+    crown: dict[str, ag.Scalar] = {  # height of the parts above the rim [m]
         "swing": 0.28 * across,
         "ball": 0.5 * across + 0.055,
         "disc": 0.026,
         "open": 0.016,
     }
-    can = Can(
+    can = bins.Can(
         plan,
         across,
         depth,
-        height - crown.get(style, GAP + THICK),
+        height - crown.get(style, bins.GAP + lids.THICK),
         corner=ag.min_(corner, 0.4 * ag.min_(across, depth)),
-        sheet=WALL,
         taper=taper if style in _TAPERED else 0.0,
     )
-    ag.require(
-        style != "butterfly" or carry != "bail",
-        "the flaps of style=butterfly would strike a bail: carry must be loop",
+    design = bins.Design(
+        can=can,
+        finish=finish,
+        lid_finish=lid_finish,
+        trim=trim,
+        dress=dress,
+        carry=carry,
+        bucket=bucket_finish,
+        maker=maker,
+        model=model,
+        lid_style=lid_style,
+        opening=lid_open,
+        friction=hinge_friction,
+        damper=soft_close,
+        crank=crank,
+        travel=pedal_travel,
+        pedal_width=pedal_width,
+        preload=pedal_preload,
+        force=pedal_force,
     )
-    plastic = _DARK if trim.base_metalness > 0.5 else trim
-    shown = {"same": finish, "plastic": plastic, "steel": STEELS[0]}[lid_finish]
-    looks = Looks(finish, lid_of(shown), trim, ag.material("chrome"), plastic)
-    draft = Draft(can, looks, dress, carry, bucket_finish, maker, model)
-    lid = Lid(lid_style, lid_open, hinge_friction, 0.16 if soft_close else 0.05)
-    foot = Foot(crank, pedal_travel, pedal_width, pedal_preload, pedal_force)
     match style:
         case "pedal":
-            body = pedal_bin(draft, lid, foot)
+            body = lids.pedal_bin(design)
         case "lift":
-            body = lift_bin(draft, lid, grip)
+            body = lids.lift_bin(design, grip)
         case "touch":
-            body = touch_bin(draft, lid)
+            body = lids.touch_bin(design)
         case "butterfly":
-            body = butterfly_bin(draft, lid, foot if stepped_on else None)
+            body = flaps.butterfly_bin(design, stepped_on=stepped_on)
         case "open":
-            body = open_bin(draft, bagged=bagged)
+            body = hoods.open_bin(design, bagged=bagged)
         case _:
-            body = hooded_bin(
-                draft, style, opening=lid_open, rise=0.17 * across if style == "swing" else 0.024
-            )
-    marks = sort_mark(can, sort, z=0.55 * can.top, finish=finish)
-    if skin not in ("wicker", "mesh"):
-        marks.append(maker_mark(can, maker, z=0.09, finish=finish))
-    return ag.weld(body, *marks)
+            body = hoods.hooded_bin(design, style)
+    return ag.weld(body, *bins.prints(design, sort, named=skin not in ("wicker", "mesh")))
