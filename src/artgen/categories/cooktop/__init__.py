@@ -17,40 +17,13 @@ from typing import Literal
 
 import artgen as ag
 from artgen import details
-from artgen.categories.cooktop.body import Case, Trim
-from artgen.categories.cooktop.dials import (
-    DialLooks,
-    Push,
-    Scale,
-    bezels,
-    dial_on,
-    electric_turn,
-    scales,
-    signs,
-    tap_dial,
-    tap_hole,
-    tap_joints,
-    tap_pin,
-)
+from artgen.categories.cooktop import case
+from artgen.categories.cooktop import dials as controls
+from artgen.categories.cooktop.case import Trim
+from artgen.categories.cooktop.dials import Scale
+from artgen.categories.shared import cooktops
 from artgen.categories.shared.controls import DialStyle, ink_on
-from artgen.categories.shared.cooktops import (
-    ALUMINIUM,
-    BRASS,
-    COIL_RADIUS,
-    ZONE_RADIUS,
-    BurnerKind,
-    BurnerSize,
-    DialSide,
-    GrateStyle,
-    Place,
-    Plan,
-    coil_burner,
-    gas_burner,
-    grates,
-    induction_zone,
-    printed_zones,
-    radiant_zone,
-)
+from artgen.categories.shared.cooktops import BurnerKind, DialSide, GrateStyle, Plan
 from artgen.categories.shared.finish import casting
 
 _GLASS = (
@@ -58,46 +31,44 @@ _GLASS = (
     ag.material("black_glass").with_(name="grey_glass", base_color=(0.10, 0.105, 0.11)),
     ag.material("black_glass").with_(name="white_glass", base_color=(0.72, 0.72, 0.70)),
 )
+_GAS_PLATES = ("stainless", "enamel_black", "enamel_white", *_GLASS)
 _SILVER, _WHITE = ag.colored("abs", "silver"), ag.colored("abs", "white")
 _BETWEEN = 0.002  # least gap between two dials [m]
 _EXTRAS = ("timer", "fan")  # functions and icons of the dials in addition to those of the burners
 
 
 @ag.category(
-    labels=(
-        "body", "plate", "trim", "seal", "burner", "burner_cap", "igniter", "coil", "drip_bowl", "zone",
-        "grate", "burner_dial", "dial", "bezel", "print", "vent", "screw", "clamp", "cord",
-        "gas_pipe", "rating_plate",
-    ),
+    labels="body plate trim seal burner burner_cap igniter coil drip_bowl zone grate burner_dial dial bezel "
+    "print vent screw clamp cord gas_pipe rating_plate",
     joints=(2, 20),
-)  # fmt: skip
+)
 def cooktop(
     *,
-    burner: BurnerKind = ag.choice("gas", "radiant", "coil", "induction", weights=(0.38, 0.22, 0.18, 0.22)),
+    burner: BurnerKind = ag.choice({"gas": 0.38, "radiant": 0.22, "coil": 0.18, "induction": 0.22}),
     burners: int = ag.by(
         "burner",
-        coil=ag.choice(2, 3, 4, 5, weights=(0.2, 0.2, 0.45, 0.15)),
-        otherwise=ag.choice(2, 3, 4, 5, 6, weights=(0.1, 0.16, 0.38, 0.22, 0.14)),
+        coil={2: 0.2, 3: 0.2, 4: 0.45, 5: 0.15},
+        otherwise={2: 0.1, 3: 0.16, 4: 0.38, 5: 0.22, 6: 0.14},
     ),
     rows: int = ag.by(
         "burners",
-        {2: 1, 3: ag.choice(1, 2, weights=(0.4, 0.6)), 4: ag.choice(1, 2, weights=(0.15, 0.85))},
+        {2: 1, 3: {1: 0.4, 2: 0.6}, 4: {1: 0.15, 2: 0.85}},
         otherwise=2,
         doc="number of burners; the fifth, between two rows, is a wok burner",
     ),
     dials_at: DialSide = ag.by(
         "burners",
-        {6: ag.choice("front", "back", weights=(0.8, 0.2))},
-        otherwise=ag.choice("front", "left", "right", "back", weights=(0.45, 0.12, 0.31, 0.12)),
+        {6: {"front": 0.8, "back": 0.2}},
+        otherwise={"front": 0.45, "left": 0.12, "right": 0.31, "back": 0.12},
     ),
     dials: int = ag.by(
         "burners",
         {
-            2: ag.choice(2, 3, 4, weights=(0.6, 0.25, 0.15)),
-            3: ag.choice(3, 4, 5, weights=(0.6, 0.25, 0.15)),
-            4: ag.choice(4, 5, 6, weights=(0.6, 0.25, 0.15)),
-            5: ag.choice(5, 6, 7, weights=(0.6, 0.25, 0.15)),
-            6: ag.choice(6, 7, 8, weights=(0.45, 0.25, 0.3)),
+            2: {2: 0.6, 3: 0.25, 4: 0.15},
+            3: {3: 0.6, 4: 0.25, 5: 0.15},
+            4: {4: 0.6, 5: 0.25, 6: 0.15},
+            5: {5: 0.6, 6: 0.25, 7: 0.15},
+            6: {6: 0.45, 7: 0.25, 8: 0.3},
         },
         doc="number of dials: one for each burner, then a timer, then the fan of a hood",
     ),
@@ -137,14 +108,7 @@ def cooktop(
     ),
     finish: ag.Material = ag.by(
         "burner",
-        gas=ag.shades(
-            "stainless",
-            "enamel_black",
-            "enamel_white",
-            *_GLASS,
-            weights=(4, 1.2, 1, 2.4, 0.5, 0.9),
-            color=0.03,
-        ),
+        gas=ag.shades(*_GAS_PLATES, weights=(4, 1.2, 1, 2.4, 0.5, 0.9), color=0.03),
         coil=ag.shades(
             "enamel_white", "enamel_black", "stainless", "enamel_cream", weights=(3, 2.5, 2, 0.8), color=0.03
         ),
@@ -155,18 +119,18 @@ def cooktop(
         "burner",
         gas="none",
         coil="none",
-        radiant=ag.choice("none", "frame", "sides", weights=(0.3, 0.5, 0.2)),
-        induction=ag.choice("none", "frame", "sides", weights=(0.5, 0.25, 0.25)),
+        radiant={"none": 0.3, "frame": 0.5, "sides": 0.2},
+        induction={"none": 0.5, "frame": 0.25, "sides": 0.25},
         doc="edge protection of the glass",
     ),
     metal: ag.Material = ag.shades(
         "stainless", "chrome", "aluminium", weights=(2, 1, 1), color=0.03, doc="metal of trims"
     ),
-    grate: GrateStyle = ag.choice("continuous", "single", "diagonal", weights=(0.5, 0.25, 0.25)),
+    grate: GrateStyle = ag.choice({"continuous": 0.5, "single": 0.25, "diagonal": 0.25}),
     iron: ag.Material = ag.shades("cast_iron", color=0.1, roughness=0.05, doc="material of the grates"),
-    brass: bool = ag.choice(False, True, weights=(0.75, 0.25), doc="whether gas burners are of brass"),
+    brass: bool = ag.choice({False: 0.75, True: 0.25}, doc="whether gas burners are of brass"),
     bowl: Literal["chrome", "black"] = ag.choice(
-        "chrome", "black", weights=(0.7, 0.3), doc="finish of the bowls under coils"
+        {"chrome": 0.7, "black": 0.3}, doc="finish of the bowls under coils"
     ),
     zone_print: Literal["cross", "corners", "dots"] = ag.choice(
         "cross", "corners", "dots", doc="marks of induction zones"
@@ -178,7 +142,7 @@ def cooktop(
         coil=ag.shades("black_abs", _WHITE, _SILVER, weights=(2, 1.5, 1), color=0.05),
         otherwise=ag.shades("black_abs", "stainless", _SILVER, weights=(2, 1.5, 1), color=0.05),
     ),
-    scale: Scale = ag.choice("numbers", "ticks", "band", weights=(0.5, 0.2, 0.3), doc="dial scale"),
+    scale: Scale = ag.choice({"numbers": 0.5, "ticks": 0.2, "band": 0.3}, doc="dial scale"),
     dial_friction: ag.Float = ag.uniform(0.05, 0.09, "N m", doc="friction of switches or greased taps"),
     push_travel: ag.Float = ag.uniform(0.003, 0.004, "m", doc="travel of gas dials", within=(0.0025, 0.005)),
     push_force: ag.Float = ag.uniform(8.0, 14.0, "N", doc="spring force of a pushed gas tap", within=(6, 20)),
@@ -189,99 +153,88 @@ def cooktop(
     ),
 ) -> ag.Body:
     """Make a gas, coil, radiant or induction cooktop, turned off: dials that push and turn, grates."""
-    extras = dials - burners
-    ag.require(0 <= extras <= 2, "dials must be from the number of burners to two more")
+    ag.require(0 <= dials - burners <= 2, "dials must be from the number of burners to two more")
     gas = burner == "gas"
     plan = Plan(burners, rows, dials, dials_at, width, depth, dial_radius, dial_pitch, mirrored)
-    case = Case(burner, plan, height, finish, metal, trim)
+    under = height - case.THICK[burner]
+    place = ag.Region((-width / 2, width / 2), (-depth / 2, depth / 2), (under, height))
     ink = ink_on(finish)
-    looks = DialLooks(dial_style, _light(dial_finish), ink_on(dial_finish), metal, ink, scale)
-    push = Push(push_travel, push_force)
+    # a dial is hollow: a molding, or a sheet cap on a molding
+    hollow = casting(dial_finish, 0.25 if dial_finish.base_metalness > 0.5 else 0.7)
+    knobs = controls.Dials(plan, height, dial_style, hollow, metal, ink, scale)
+    taps = [(x, y, 0) for x, y in plan.dial_places[:burners]]
 
-    coils = [(place.x, place.y, _coil_radius(plan, place.size)) for place in plan.places]
-    taps = [(x, y, 0.0) for x, y in plan.dial_places[:burners]]
-    holes = ag.array(tap_hole(height), at=taps) if gas else None
     model = f"{maker[:2].upper()}{burners}{round(watts / 100)}"
-    lines = (
-        f"{maker} {model}",
-        f"220-240 V~ {'0.6 W' if gas else f'{watts} W'}",
-        "G20 20 mbar" if gas else "50/60 Hz",
-    )
-    body = ag.weld(
-        case.case(lines),
-        case.plate(holes, coils if burner == "coil" else []),
-        case.maker(maker, ink),
-        scales(plan, looks, top=height, gas=gas),
-        signs(plan, looks, top=height, extras=_EXTRAS),
-    )
-    match burner:
-        case "gas":
-            cap = ag.material("enamel_black").with_(
-                name="cap_enamel",
-                specular_roughness=0.5,
-                density=4000.0,  # density of a pressed cap
-            )
-            metals = BRASS if brass else ALUMINIUM
-            kinds = {place.size: gas_burner(place.size, spreader=metals, cap=cap) for place in plan.places}
-            heads = [kinds[place.size].at(place.x, place.y, height) for place in plan.places]
-            pins = ag.array(tap_pin(push, top=height, thick=case.thick), at=taps)
-            steel = ag.material("steel")
-            body = ag.weld(
-                body,
-                *heads,
-                bezels(plan, looks, top=height),
-                ag.part(pins, "body", steel, separate="each pin is riveted to the plate"),
-            )
-        case "coil":
-            dish = ag.material("chrome") if bowl == "chrome" else ag.material("enamel_black")
-            body = ag.weld(
-                body,
-                *(
-                    coil_burner(radius, bowl=dish, turn=0.4 + number).at(x, y, height)
-                    for number, (x, y, radius) in enumerate(coils)
-                ),
-            )
-        case "radiant":
-            zones = [
-                (place, radiant_zone(_zone(place), dual=place.size in ("large", "wok")))
-                for place in plan.places
-            ]
-            body = ag.weld(body, printed_zones(zones, height, ink))
-        case "induction":
-            zones = [(place, induction_zone(_zone(place), style=zone_print)) for place in plan.places]
-            body = ag.weld(body, printed_zones(zones, height, ink))
+    power, supply = ("0.6 W", "G20 20 mbar") if gas else (f"{watts} W", "50/60 Hz")
+    body = case.case(burner, place, (f"{maker} {model}", f"220-240 V~ {power}", supply))
+    if burner == "coil":
+        coils = [(each.x, each.y, _coil_radius(plan, each.size)) for each in plan.places]
+        dish = ag.material("chrome" if bowl == "chrome" else "enamel_black")
+        heaters = [
+            cooktops.coil_burner(radius, bowl=dish, turn=0.4 + number).at(x, y, height)
+            for number, (x, y, radius) in enumerate(coils)
+        ]
+        body = ag.weld(body, case.plate_of_coils(place, finish, coils), *heaters)
+    else:
+        hole = ag.box(0.011, 0.011, 0.05).at(z=height)  # for the stem of a tap
+        holes = ag.array(hole, at=taps) if gas else None
+        body = ag.weld(body, case.plate(burner, place, finish, holes), *case.trims(trim, place, metal))
+    body = ag.weld(body, _signature(plan, maker, height, ink), knobs.scales(gas=gas), knobs.signs(_EXTRAS))
 
     if gas:
-        knob = tap_dial(plan, looks, push, top=height, thick=case.thick)
-        body = body.repeat(knob, *tap_joints(push, friction=dial_friction), at=taps)
-        for one, lift in grates(
-            plan.columns, plate=height, style=grate, iron=iron, feet=ag.material("rubber")
-        ):
+        # density of a pressed cap
+        cap = ag.material("enamel_black").with_(name="cap_enamel", specular_roughness=0.5, density=4000.0)
+        metals = cooktops.BRASS if brass else cooktops.ALUMINIUM
+        heads = {each.size: cooktops.gas_burner(each.size, spreader=metals, cap=cap) for each in plan.places}
+        pins = ag.array(controls.tap_pin(push_travel, under), at=taps)
+        riveted = "each pin is riveted to the plate"
+        body = ag.weld(
+            body,
+            *(heads[each.size].at(each.x, each.y, height) for each in plan.places),
+            knobs.bezels(),
+            ag.part(pins, "body", ag.material("steel"), separate=riveted),
+        )
+        joints = controls.tap_joints(push_travel, push_force, dial_friction)
+        body = body.repeat(knobs.tap(push_travel, under), *joints, at=taps)
+        rubber = ag.material("rubber")
+        for one, lift in cooktops.grates(plan.columns, plate=height, style=grate, iron=iron, feet=rubber):
             body = body.attach(one, lift)
     else:
-        knob = dial_on(plan, looks, top=height, name="burner_dial", label="burner_dial")
-        body = body.repeat(knob, electric_turn("burner_dial_turn", friction=dial_friction), at=taps)
+        if burner != "coil":
+            body = ag.weld(body, _zones(plan, burner, zone_print, height, ink))
+        turn = controls.electric_turn("burner_dial_turn", dial_friction)
+        body = body.repeat(knobs.knob("burner_dial"), turn, at=taps)
     for name, (x, y) in zip(_EXTRAS, plan.dial_places[burners:], strict=False):
-        knob = dial_on(plan, looks, top=height, name=f"{name}_dial", label="dial")
-        turn = electric_turn(f"{name}_dial_turn", friction=dial_friction, pivot=(x, y, 0.0))
-        body = body.attach(knob.at(x, y, 0.0), turn)
+        turn = controls.electric_turn(f"{name}_dial_turn", dial_friction)
+        body = body.attach(knobs.knob(f"{name}_dial", label="dial"), turn, at=(x, y, 0))
     return body.require(
-        plan.spaced > 2.0 * dial_radius + _BETWEEN,
+        plan.spaced > 2 * dial_radius + _BETWEEN,
         "dials would touch each other: raise dial_pitch, or lower dial_radius or dials",
     )
 
 
-def _light(finish: ag.Material) -> ag.Material:
-    """Return the material of a hollow dial: a molding, or a sheet cap on a molding."""
-    return casting(finish, 0.25 if finish.base_metalness > 0.5 else 0.7)
-
-
-def _coil_radius(plan: Plan, size: BurnerSize) -> float:
+def _coil_radius(plan: Plan, size: cooktops.BurnerSize) -> float:
     """Return the radius of a coil: 8 inches only if the plate has space for it [m]."""
     roomy = plan.side in ("left", "right") if plan.rows > 1 else plan.burners == 2
-    return COIL_RADIUS[size if roomy else "small"]
+    return cooktops.COIL_RADIUS[size if roomy else "small"]
 
 
-def _zone(place: Place) -> ag.Float:
-    """Return the radius of a zone with a gap to its neighbors [m]."""
-    return ag.min_(ZONE_RADIUS[place.size], 0.95 * place.reach)
+def _zones(plan: Plan, burner: BurnerKind, style: str, top: ag.Scalar, ink: ag.Material) -> ag.Body:
+    """Print the zones of radiant or induction burners, with gaps between neighbors."""
+    zones = []
+    for place in plan.places:
+        radius = ag.min_(cooktops.ZONE_RADIUS[place.size], 0.95 * place.reach)
+        if burner == "radiant":
+            film = cooktops.radiant_zone(radius, dual=place.size in ("large", "wok"))
+        else:
+            film = cooktops.induction_zone(radius, style=style)
+        zones.append((place, film))
+    return cooktops.printed_zones(zones, top, ink)
+
+
+def _signature(plan: Plan, maker: str, top: ag.Scalar, ink: ag.Material) -> ag.Body:
+    """Print the maker's name at the middle of the edge without dials."""
+    left, right, front, back = plan.field
+    y = back - 0.004 if plan.side == "front" else front + 0.001
+    logo = details.logo(maker, 0.0062, tracking=0.15)
+    return details.printed(logo, ((left + right) / 2, y, top), material=ink, facing=ag.Z)
