@@ -20,7 +20,7 @@ gasket; UL 250 and IEC 60335-2-24 let a child push a door open from inside with 
 """
 
 from collections.abc import Mapping, Sequence
-from functools import reduce
+from functools import partial, reduce
 from operator import and_
 from typing import Literal
 
@@ -30,19 +30,10 @@ from artgen.categories.refrigerator import inside as interior
 from artgen.categories.refrigerator.case import Back, cabinet
 from artgen.categories.refrigerator.doors import SOFT, Finish, FrontForm, GripKind, door, outer_drawer
 from artgen.categories.refrigerator.plan import COVER, Layout, Leaf, Plan, hinges
-from artgen.categories.shared.appliances import (
-    CLEAR,
-    FROSTED,
-    LINER,
-    LINER_GREY,
-    Look,
-    cabinet_finish,
-    fronts,
-    grip_metals,
-)
+from artgen.categories.shared import appliances
 from artgen.categories.shared.pulls import BarStyle
 
-_FINISH, _METAL = fronts(), grip_metals()
+_FINISH, _METAL = appliances.fronts(), appliances.grip_metals()
 _SEALS = {"white": ag.colored("silicone", "light_grey"), "grey": ag.colored("silicone", "grey")}
 _WHITE = ag.material("glossy_plastic_white").with_(name="trim_white")
 _TRIMS = (_WHITE, ag.material("aluminium"), _WHITE.with_(name="trim_smoke", base_color=(0.16, 0.17, 0.18)))
@@ -103,7 +94,7 @@ def refrigerator(
         unit="m",
         within=(0.78, 2.1),
     ),
-    look: Look = ag.by(
+    look: appliances.Look = ag.by(
         "layout",
         single={"white": 3, "pastel": 3, "stainless": 2, "black": 1, "panel": 1, "dark_steel": 0.6},
         top_freezer={"white": 3, "stainless": 2.5, "pastel": 1.6, "black": 1, "dark_steel": 0.8},
@@ -282,26 +273,25 @@ def refrigerator(
         drawers=outer_drawers,
     )
     light = look in ("white", "pastel")
-    liner, seal = LINER if inside == "white" else LINER_GREY, _SEALS["white" if light else "grey"]
-    shell = cabinet_finish(look, finish)
+    liner, seal = (
+        appliances.LINER if inside == "white" else appliances.LINER_GREY,
+        _SEALS["white" if light else "grey"],
+    )
+    shell = appliances.cabinet_finish(look, finish)
     style = Finish(finish, metal, liner, seal, trim, form, bow, grip, bar, girth, grip_length)
     corner = {"bowed": 0.012, "soft": SOFT}.get(style.form)
     kick = shell if light else ag.material("powder_coat_graphite")
     cover = _WHITE if light else ag.material("black_abs")
-    block = cabinet(plan, finish=shell, liner=liner, corner=corner, kick=kick, back=back)
+    block = cabinet(plan, shell, liner, kick, back, corner)
 
-    face = outside.y.low + door_thickness
     rows = _rows(crispers, stacked=layout in ("single", "side_by_side"))
-    cold = interior.furnish(
+    furnish = partial(interior.furnish, finish=style, kind=shelf_kind)
+    cold = furnish(
         plan.cold,
-        face,
-        bin_depth,
-        rows,
-        crisper_height,
-        shelves,
-        shelf_kind,
-        trim=trim,
-        liner=liner,
+        plan.doors[0],
+        drawers=rows,
+        drawer_height=crisper_height,
+        shelves=shelves,
         iced=boxed,
         eggs=egg_tray,
         control=control,
@@ -309,10 +299,10 @@ def refrigerator(
     )
     rooms = {"door": cold}
     if plan.freezer:
-        cell, ridge, tall = plan.freezer.cell, plan.freezer.ridge, None if full else crisper_height
+        drawers, tall = (1,) * freezer_drawers, None if full else crisper_height
         boards = 0 if full else freezer_shelves
-        rooms["freezer_door"] = interior.furnish(
-            cell, face, ridge, (1,) * freezer_drawers, tall, boards, shelf_kind, trim=trim, liner=liner
+        rooms["freezer_door"] = furnish(
+            plan.freezer.cell, plan.freezer, drawers=drawers, drawer_height=tall, shelves=boards
         )
     fixed = [each for room in rooms.values() for each in room.bodies]
     body = ag.weld(block, *fixed, *hinges(plan, cover=cover, metal=metal))
@@ -325,30 +315,23 @@ def refrigerator(
         behind = [slot.space.x for slot in rooms[leaf.label].slots] + ([flap] if boxed else [])
         limit = reduce(ag.max_, [leaf.frees(x) + _MORE for x in behind], swing)
         swings[leaf.name] = leaf.hinge(limit=limit, pull=pull, damping=door_damping)
-        made = door(
-            leaf,
-            style,
-            brand=maker if first else "",
-            display=display if first and not water else "",
-            water=water and leaf is (plan.freezer or first),
-        )
+        shown, wet = display if first and not water else "", water and leaf is (plan.freezer or first)
+        made = door(leaf, style, brand=maker if first else "", display=shown, water=wet)
         body = body.attach(made, swings[leaf.name])
     slots = [(label, slot) for label, room in rooms.items() for slot in room.slots]
     for number, (label, slot) in enumerate(slots):
         opened = _opened(slot, plan.leaves, label, swings)
-        clear = FROSTED if label == "freezer_door" else CLEAR
         drawer = interior.inner_drawer(
-            slot, number, opened, finish=clear, lip=trim, share=drawer_share, friction=drawer_friction
+            slot, number, opened, trim, share=drawer_share, friction=drawer_friction
         )
         body = body.install(drawer)
-    for number, front in enumerate(plan.fronts):
-        body = body.install(outer_drawer(front, number, style, share=drawer_share, pull=drawer_pull))
+    for number, (board, cell) in enumerate(plan.fronts):
+        body = body.install(outer_drawer(board, cell, number, style, share=drawer_share, pull=drawer_pull))
     if boxed:
         (leaf,) = plan.leaves
         opened = swings[leaf.name] > leaf.frees(flap)
-        far = leaf.ridges[1]
         body = body.install(
-            interior.flap(plan.cold, cold.front, opened, far=far, limit=flap_limit, finish=FROSTED)
+            interior.flap(plan.cold, cold.front, opened, far=leaf.ridges[1], limit=flap_limit)
         )
     body = body.require(
         cold.spread > 0.085, "shelves and drawers have no room: raise height, or take fewer of them"

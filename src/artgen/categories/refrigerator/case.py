@@ -27,25 +27,23 @@ Back = Literal["grille", "panel"]
 
 def cabinet(
     plan: Plan,
-    *,
     finish: ag.Material,
     liner: ag.Material,
-    corner: ag.Scalar | None,
     kick: ag.Material,
     back: Back,
+    corner: ag.Scalar | None,
 ) -> ag.Body:
     """Make the cabinet with its cells, machine room, back, kick plate and feet: the link `body`."""
     block, first, last = plan.block, plan.cells[0], plan.cells[-1]
     whole = first.with_(x=(first.x.low, last.x.high), z=(first.z.low, last.z.high))
     hump = whole.with_(y=(whole.y.high - HUMP_DEEP, whole.y.high), z=(whole.z.low, whole.z.low + HUMP_HIGH))
-    room = block.shrink(x=0.035, bottom=0.014).with_(
-        y=(hump.y.low + _STEP, block.y.high + 0.01), z=(FOOT + 0.014, hump.z.high - _STEP)
-    )
+    y, z = (hump.y.low + _STEP, block.y.high + 0.01), (FOOT + 0.014, hump.z.high - _STEP)
+    room = ag.Region(block.shrink(x=0.035).x, y, z)
     if corner is None:
         solid = block.box(bevel=0.004)
     else:
-        solid = ag.extrude(block.front(radius=corner), block.y.size, axis=ag.Y, bevel=0.004)
-        solid = solid.at(y=block.y.mid)
+        outline = block.front(radius=corner)
+        solid = ag.extrude(outline, block.y.size, axis=ag.Y, bevel=0.004).at(y=block.y.mid)
     solid = solid - whole.grow(0, front=0.01).box().paint(liner) - room.box().paint(DARK)
     # the step in front of the machine room and above it, and a screen behind it
     face = hump.grow(x=_IN_WALL).deep(_STEP, None)[0].shrink(0, bottom=-0.00075, top=0.00025)
@@ -55,6 +53,7 @@ def cabinet(
     )
     walls = [_partition(one, other, abreast=plan.abreast) for one, other in pairwise(plan.cells)]
     stand = block.shrink(x=0.05, front=0.04, back=0.05)
+    corners = [(x, y) for x in stand.x for y in stand.y]
     return ag.weld(
         ag.part([solid, *walls], "body", filled(finish, _WALLS)),
         ag.detail([cove for cell in plan.cells for cove in _coves(cell)], "liner", liner),
@@ -63,12 +62,7 @@ def cabinet(
         *_machinery(block),
         *_kick_plate(plan, kick),
         *_back(block.with_(z=(hump.z.high + 0.03, block.z.high - 0.10)), back),
-        feet(
-            [(x, y) for x in stand.x for y in stand.y],
-            radius=0.015,
-            height=FOOT,
-            finish=ag.material("black_abs"),
-        ),
+        feet(corners, radius=0.015, height=FOOT, finish=ag.material("black_abs")),
     )
 
 
@@ -124,8 +118,8 @@ def _machinery(block: ag.Region) -> list[ag.Body]:
 def _kick_plate(plan: Plan, finish: ag.Material) -> list[ag.Body]:
     """Make the plate under the lowest front, with ventilation slots for the machine."""
     block, high = plan.block, plan.kick - FOOT
-    plate = ag.Region(
-        block.shrink(0.015).x, (block.y.low - 0.008, block.y.low), (FOOT + 0.001, plan.kick - 0.003)
+    plate = block.shrink(x=0.015).with_(
+        y=(block.y.low - 0.008, block.y.low), z=(FOOT + 0.001, plan.kick - 0.003)
     )
     slots = details.vent_slots(0.62 * block.x.size, 0.44 * high, 3, slot=0.004, direction="horizontal")
     at = (0, plate.y.low, FOOT + 0.45 * high)
@@ -138,18 +132,16 @@ def _kick_plate(plan: Plan, finish: ag.Material) -> list[ag.Body]:
 def _back(area: ag.Region, kind: Back) -> list[ag.Body]:
     """Make the visible parts of the back above the machine room: condenser or sheet, cord, rating plate."""
     (width, _, height), y, z = area.size, area.y.high, area.z.mid
-    black = ag.material("black_abs")
     if kind == "grille":
         rack = details.wire_rack(
             0.8 * width, 0.8 * height, pitch=0.028, wire=0.0011, frame=0.0032, direction="width", supports=2
         )
         rack = rack.rotate(ag.X, math.pi / 2).at(0, y + 0.007, z + 0.06 * height)
         clip = ag.box(0.02, 0.012, 0.03, bevel=0.002)
-        share = 0.36
-        corners = [(i * share * width, y + 0.004, z + j * share * height) for i in (-1, 1) for j in (-1, 1)]
+        corners = [(i * width, y + 0.004, z + j * height) for i in (-0.36, 0.36) for j in (-0.36, 0.36)]
         bodies = [
             ag.detail(rack, "condenser", ag.material("black_steel")),
-            ag.detail(ag.array(clip, at=corners), "condenser", black),
+            ag.detail(ag.array(clip, at=corners), "condenser", ag.material("black_abs")),
         ]
     else:
         raised = partial(details.relief, facing=ag.Y, bevel=0.0012)

@@ -5,16 +5,7 @@ from typing import Literal
 
 import artgen as ag
 from artgen import details
-from artgen.categories.refrigerator.plan import (
-    CHEEK,
-    HAND,
-    HUMP_DEEP,
-    LINING_INSET,
-    SEAL_GAP,
-    SEAL_INSET,
-    Front,
-    Leaf,
-)
+from artgen.categories.refrigerator import plan
 from artgen.categories.shared.appliances import CLEAR, DARK, FROSTED, filled
 from artgen.categories.shared.controls import control_panel
 from artgen.categories.shared.pulls import BarStyle, bar_handle, niche, pocket_grip, recessed_grip
@@ -136,7 +127,7 @@ def _leaf(
         left, middle, right = frame.across(wide, None, wide)
         top, _, bottom = middle.grow(0, x=0.0005).stack(wide, None, wide)
         bodies.append(ag.part([each.box(bevel=0.0014) for each in (left, right, top, bottom)], "panel", foam))
-    behind = (board.y.high, board.y.high + SEAL_GAP - _SEAL_FREE)
+    behind = (board.y.high, board.y.high + plan.SEAL_GAP - _SEAL_FREE)
     seal = board.shrink(z=0.008, left=seal_inset, right=0.012).with_(y=behind)
     return ag.weld(*bodies, *_gasket(seal, finish.seal))
 
@@ -154,14 +145,16 @@ def _gasket(ring: ag.Region, rubber: ag.Material) -> list[ag.Body]:
     return [ag.part(bars, "gasket", rubber), ag.detail(solid, "gasket", rubber)]
 
 
-def door(leaf: Leaf, finish: Finish, *, brand: str = "", display: str = "", water: bool = False) -> ag.Body:
+def door(
+    leaf: plan.Leaf, finish: Finish, *, brand: str = "", display: str = "", water: bool = False
+) -> ag.Body:
     """Make a door in its place, with the link name of its leaf."""
     board, grip = leaf.board, finish.grip
     if grip in ("pocket", "channel") and leaf.meets:  # no space for hands between two doors
         grip = "recessed"
     thick = _THICK_SKIN if grip in ("pocket", "channel") else _SKIN
-    inset = (LINING_INSET, 0.006)
-    body = _leaf(board, finish, leaf.label, leaf.name, thick=thick, inset=inset, seal_inset=SEAL_INSET)
+    inset = (plan.LINING_INSET, 0.006)
+    body = _leaf(board, finish, leaf.label, leaf.name, thick=thick, inset=inset, seal_inset=plan.SEAL_INSET)
     body = body.install(_bar(leaf, finish) if grip == "bar" else _recess(leaf, finish, grip))
     if water:
         size = (ag.min_(0.19, 0.55 * board.x.size), board.y.size - 0.018, ag.min_(0.30, 0.32 * board.z.size))
@@ -173,14 +166,14 @@ def door(leaf: Leaf, finish: Finish, *, brand: str = "", display: str = "", wate
     return body.mirror(ag.X) if leaf.mirrored else body
 
 
-def _level(leaf: Leaf, length: ag.Scalar, margin: ag.Scalar) -> ag.Scalar:
+def _level(leaf: plan.Leaf, length: ag.Scalar, margin: ag.Scalar) -> ag.Scalar:
     """Return the height of the middle of a handle with a margin to the nearest edge [m]."""
     low, high = leaf.board.z
     levels = {"low": low + margin + length / 2, "high": high - margin - length / 2}
     return levels.get(leaf.handle, leaf.board.z.mid)
 
 
-def _bar(leaf: Leaf, finish: Finish) -> ag.Body:
+def _bar(leaf: plan.Leaf, finish: Finish) -> ag.Body:
     board = leaf.board
     length = ag.max_(finish.length * board.z.size, 0.17)
     aside = _FRAME[0] / 2 if finish.form == "framed" else 0.048
@@ -189,20 +182,18 @@ def _bar(leaf: Leaf, finish: Finish) -> ag.Body:
     return bar.at(board.x.high - aside, y, _level(leaf, length, 0.055))
 
 
-def _recess(leaf: Leaf, finish: Finish, grip: str) -> Fitting:
+def _recess(leaf: plan.Leaf, finish: Finish, grip: str) -> Fitting:
     """Make the recessed grip of a door in its place."""
     board, name, shade = leaf.board, f"{leaf.name}_handle", ag.material("black_abs")
     length = ag.min_(ag.max_(finish.length * board.z.size, 0.13), 0.34)
     level, aside = _level(leaf, length, 0.05), 0.0
-    if grip == "channel":
-        made, level = (
-            pocket_grip(board.z.size - 0.03, finish=ag.material("aluminium"), name=name),
-            board.z.mid,
-        )
+    if grip == "recessed":
+        made, aside = recessed_grip(length, finish=finish.metal, lining=shade, name=name), 0.062
     elif grip == "pocket":
         made = pocket_grip(length, finish=shade, name=name)
     else:
-        made, aside = recessed_grip(length, finish=finish.metal, lining=shade, name=name), 0.062
+        made = pocket_grip(board.z.size - 0.03, finish=ag.material("aluminium"), name=name)
+        level = board.z.mid
     return made.at(board.x.high - aside, board.y.low, level)
 
 
@@ -232,7 +223,7 @@ def _dispenser(width: ag.Scalar, deep: ag.Scalar, height: ag.Scalar, *, trim: ag
     return Fitting(shell, space.grow(0, front=0.010).box())
 
 
-def _inside(leaf: Leaf, finish: Finish) -> list[ag.Body]:
+def _inside(leaf: plan.Leaf, finish: Finish) -> list[ag.Body]:
     """Make the ridges of the lining and the bins between them."""
     if leaf.ridge is None:
         return []
@@ -240,7 +231,7 @@ def _inside(leaf: Leaf, finish: Finish) -> list[ag.Body]:
     face = leaf.board.y.high
     whole = ag.Region((left, right), (face - 0.004, face + leaf.ridge), leaf.cell.shrink(0.020).z)
     # the free ridge is wide enough to cover the drawers at its side
-    first, last = left + _RIDGE, ag.min_(right - _RIDGE, leaf.cell.x.high - CHEEK - 0.012)
+    first, last = left + _RIDGE, ag.min_(right - _RIDGE, leaf.cell.x.high - plan.CHEEK - 0.012)
     ridges = [whole.with_(x=x).box(bevel=0.005) for x in ((left, first), (last, right))]
     width = ag.require(last - first + 0.002, last - first > _LEAST_BIN, _NO_ROOM)
     pitch = whole.z.size / leaf.bins
@@ -273,7 +264,7 @@ def _signs(board: ag.Region, finish: Finish, brand: str, display: str) -> list[a
     return bodies
 
 
-def _mullion(leaf: Leaf, finish: ag.Material) -> ag.Body:
+def _mullion(leaf: plan.Leaf, finish: ag.Material) -> ag.Body:
     """Make the strip at the free edge of a door that closes the gap to the other door from behind.
 
     Real strips fold as the door opens; this strip stays within its own door and never touches the other.
@@ -283,12 +274,13 @@ def _mullion(leaf: Leaf, finish: ag.Material) -> ag.Body:
     return ag.part(strip.box(bevel=0.002), "mullion", finish)
 
 
-def outer_drawer(front: Front, number: int, finish: Finish, *, share: ag.Scalar, pull: ag.Scalar) -> Fitting:
+def outer_drawer(
+    board: ag.Region, cell: plan.Cell, number: int, finish: Finish, *, share: ag.Scalar, pull: ag.Scalar
+) -> Fitting:
     """Make a freezer drawer with its front, gasket, handle and basket on its runners.
 
     `share` is the travel, as a share of the depth of the basket, and `pull` the friction [N].
     """
-    board, cell = front.board, front.cell
     name = f"outer_drawer_{number}"
     body = _leaf(board, finish, "outer_drawer", name)
     x, y, wide = board.x.mid, board.y.low, board.x.size
@@ -303,7 +295,7 @@ def outer_drawer(front: Front, number: int, finish: Finish, *, share: ag.Scalar,
         grip = recessed_grip(0.26, finish=finish.metal, lining=lining, level=True, name=f"{name}_handle")
         body = body.install(grip, at=(x, y, board.z.high - 0.062))
     behind, floor = board.y.high - 0.002, cell.z.low + 0.012
-    deep = cell.y.high - (HUMP_DEEP if cell.humped else 0) - 0.015 - board.y.high
+    deep = cell.y.high - (plan.HUMP_DEEP if cell.humped else 0) - 0.015 - board.y.high
     basket = cell.shrink(0.022).with_(y=(board.y.high, board.y.high + deep))
     tall = 0.62 * cell.z.size
     boards = open_box(basket.x.size, deep + 0.002, tall, wall=0.004, front=0.004)
@@ -321,6 +313,6 @@ def outer_drawer(front: Front, number: int, finish: Finish, *, share: ag.Scalar,
         limits=(0, share * deep),
         friction=pull,
         damping=12,
-        effort=HAND,
+        effort=plan.HAND,
     )
     return Fitting.moving(body, slide)

@@ -5,8 +5,9 @@ from typing import Literal, NamedTuple
 
 import artgen as ag
 from artgen import details
-from artgen.categories.refrigerator.plan import CHEEK, HAND, HUMP_DEEP, HUMP_HIGH, LIGHT, Cell
-from artgen.categories.shared.appliances import DARK, LINER, filled
+from artgen.categories.refrigerator.doors import Finish
+from artgen.categories.refrigerator.plan import CHEEK, HAND, HUMP_DEEP, HUMP_HIGH, LIGHT, Cell, Leaf
+from artgen.categories.shared.appliances import CLEAR, DARK, FROSTED, LINER, filled
 from artgen.categories.shared.shelves import LIP_REACH, drawer_box, egg_tray, glass_shelf, wire_shelf
 from artgen.nodes.fitting import Fitting
 
@@ -33,6 +34,7 @@ class Slot(NamedTuple):
     space: ag.Region
     lip: ag.Scalar  # height of the lip above the underside [m]
     sides: tuple[int, ...]  # the halves of the cell that contain the drawer: -1 the left half, 1 the right
+    finish: ag.Material
 
 
 class Room(NamedTuple):
@@ -46,37 +48,20 @@ class Room(NamedTuple):
 
 def furnish(
     cell: Cell,
-    face: ag.Scalar,
-    ridge: ag.Scalar | None,
-    drawers: Sequence[int],
-    drawer_height: ag.Scalar | None,
-    shelves: int,
+    leaf: Leaf,  # a door in front of it
+    finish: Finish,
+    drawers: Sequence[int],  # numbers of drawers side by side in each row, from below
+    drawer_height: ag.Scalar | None,  # height of each drawer; None to fill the cell [m]
+    shelves: int,  # number of shelves above the drawers
     kind: ShelfKind,
     *,
-    trim: ag.Material,
-    liner: ag.Material,
     iced: bool = False,
     eggs: bool = False,
     control: Literal["dial", "touch", "none"] = "none",
     show: str = "",
 ) -> Room:
-    """Furnish a cell.
-
-    Args:
-        cell: The cell.
-        face: Position of the flat inside of the door along y [m].
-        ridge: Depth of the ridges of the door in the cell [m]; None for a flat inside.
-        drawers: Numbers of drawers side by side in each row, from below.
-        drawer_height: Height of each drawer; None to fill the cell [m].
-        shelves: Number of shelves above the drawers.
-        kind: Kind of shelves.
-        trim: Finish of the strips or wires of shelves.
-        liner: Material of the cell and of the parts fixed to its walls.
-        iced: Whether there is an ice box.
-        eggs: Whether there is an egg tray.
-        control: Temperature control.
-        show: Text of the display.
-    """
+    """Furnish a cell with drawers, shelves, an ice box, an egg tray, and a control with a display."""
+    face, ridge, trim, liner = leaf.board.y.high, leaf.ridge, finish.trim, finish.liner
     front = face + _SLACK + LIP_REACH + (0 if ridge is None else ridge)
     shelf_front = cell.y.low + 0.02 if ridge is None else face + ridge + _SHELF_SHY
     high, low = cell.z.high, cell.z.low + _BARE
@@ -86,11 +71,12 @@ def furnish(
         lip = 0.45 * height  # space for a hand between the door above and the floor
     else:
         height, pitch, lip = drawer_height, drawer_height + _OVER, drawer_height - 0.034
+    clear = FROSTED if leaf.label == "freezer_door" else CLEAR
     slots, rails = [], []
     for number, count in enumerate(drawers):
         base = cell.z.low + number * pitch + _FLOOR
         row = cell.with_(y=(front, cell.y.high - 0.012), z=(base, base + height))
-        found, cheeks = _row(cell, row, count, lip)
+        found, cheeks = _row(cell, row, count, lip, clear)
         slots += found
         rails += cheeks
     bodies = [ag.part(rails, "rail", filled(liner, 160))] if rails else []
@@ -113,7 +99,9 @@ def furnish(
     return Room(bodies, slots, front, spread)
 
 
-def _row(cell: Cell, row: ag.Region, count: int, lip: ag.Scalar) -> tuple[list[Slot], list[ag.Solid]]:
+def _row(
+    cell: Cell, row: ag.Region, count: int, lip: ag.Scalar, finish: ag.Material
+) -> tuple[list[Slot], list[ag.Solid]]:
     """Return the drawers of a row, and the rails at both sides of them."""
     if cell.humped:
         behind = ag.switch(row.z.low < cell.z.low + HUMP_HIGH, HUMP_DEEP, 0)
@@ -121,12 +109,10 @@ def _row(cell: Cell, row: ag.Region, count: int, lip: ag.Scalar) -> tuple[list[S
     slots = []
     for place, space in enumerate(row.shrink(0, x=CHEEK).columns(count, 0.008)):
         sides = (-1, 1) if count == 1 else (-1,) if place == 0 else (1,)
-        slots.append(Slot(space, lip, sides))
-    wide = CHEEK - _PLAY
-    left, _, right = (
-        row.shrink(0, front=0.02, z=0.003).grow(0, x=0.0005).across(wide + 0.0005, None, wide + 0.0005)
-    )
-    return slots, [left.box(bevel=0.002), right.box(bevel=0.002)]
+        slots.append(Slot(space, lip, sides, finish))
+    beside = row.shrink(0, front=0.02, z=0.003).grow(0, x=0.0005)
+    wide = CHEEK - _PLAY + 0.0005
+    return slots, [each.box(bevel=0.002) for each in beside.across(wide, None, wide)[::2]]
 
 
 def _shelves(
@@ -180,29 +166,13 @@ def _control(
 
 
 def inner_drawer(
-    slot: Slot,
-    number: int,
-    needs: ag.Condition,
-    *,
-    finish: ag.Material,
-    lip: ag.Material,
-    share: ag.Scalar,
-    friction: ag.Scalar,
+    slot: Slot, number: int, needs: ag.Condition, trim: ag.Material, *, share: ag.Scalar, friction: ag.Scalar
 ) -> Fitting:
     """Make a drawer that the door in front blocks unless it is open; `share` of its depth is its travel."""
-    (wide, deep, high), place = slot.space.size, slot.space.anchor(y=-1, z=-1)
+    wide, deep, high = slot.space.size
+    finishes = {"finish": slot.finish, "front": slot.finish, "lip": trim}
     name = f"inner_drawer_{number}"
-    made = drawer_box(
-        wide,
-        deep,
-        high,
-        label="inner_drawer",
-        name=name,
-        finish=finish,
-        front=finish,
-        lip=lip,
-        lip_at=slot.lip,
-    )
+    made = drawer_box(wide, deep, high, label="inner_drawer", name=name, lip_at=slot.lip, **finishes)
     slide = ag.Prismatic(
         f"inner_drawer_slide_{number}",
         axis=-ag.Y,
@@ -212,7 +182,7 @@ def inner_drawer(
         effort=HAND,
         needs=needs.beyond(_SLACK - _NO_MORE),
     )
-    return Fitting.moving(made, slide).at(place)
+    return Fitting.moving(made, slide).at(slot.space.anchor(y=-1, z=-1))
 
 
 def _ice_box(cell: Cell, front: ag.Scalar, liner: ag.Material) -> list[ag.Body]:
@@ -221,9 +191,8 @@ def _ice_box(cell: Cell, front: ag.Scalar, liner: ag.Material) -> list[ag.Body]:
     space = cell.with_(y=(front, cell.y.high), z=(low + _ICE_FLOOR, cell.z.high))
     floor = space.grow(y=0.0005, x=0.0005).with_(z=(low, space.z.low))
     post = space.grow(0, top=0.0005, bottom=0.0005).across(_FLAP_INSET - 0.004, None)[0].grow(0, left=0.0005)
-    plate = space.shrink(0, x=0.005, front=0.05, back=0.01).with_(
-        z=(space.z.low - 0.0003, space.z.low + 0.0007)
-    )
+    plate = space.shrink(0, x=0.005, front=0.05, back=0.01)
+    plate = plate.with_(z=(space.z.low - 0.0003, space.z.low + 0.0007))
     return [
         ag.part([floor.box(bevel=0.004), post.deep(0.05, None)[0].box(bevel=0.004)], "ice_box", liner),
         ag.detail(plate.box(), "ice_box", ag.material("aluminium")),
@@ -235,15 +204,7 @@ def flap_reach(cell: Cell) -> ag.Scalar:
     return cell.x.low + _FLAP_INSET - LIP_REACH - 0.003
 
 
-def flap(
-    cell: Cell,
-    front: ag.Scalar,
-    opened: ag.Condition,
-    *,
-    far: ag.Scalar,
-    limit: ag.Scalar,
-    finish: ag.Material,
-) -> Fitting:
+def flap(cell: Cell, front: ag.Scalar, opened: ag.Condition, *, far: ag.Scalar, limit: ag.Scalar) -> Fitting:
     """Make the flap of an ice box, the link `freezer_door`, which the door in front blocks unless it is open.
 
     `far` is the outer side of the free ridge of the door along x [m].
@@ -254,19 +215,17 @@ def flap(
         (cell.z.high - _ICE_HIGH + _ICE_FLOOR + 0.003, cell.z.high - 0.004),
     )
     level = board.z.low + 0.025
-    lip = board.shrink(left=0.025, right=0.005).with_(
-        y=(front - LIP_REACH, front + 0.0005), z=(level - 0.0045, level + 0.0045)
-    )
+    lip = board.shrink(left=0.025, right=0.005)
+    lip = lip.with_(y=(front - LIP_REACH, front + 0.0005), z=(level - 0.0045, level + 0.0045))
     hold = ag.frame((cell.x.high - 0.122, front - 0.011, level), approach=ag.Y, closing=ag.Z)
     ink = ag.material("black_abs").with_(name="ice_ink", base_color=(0.10, 0.25, 0.42))
     at = (board.x.mid, front, board.z.mid + 0.012)
     body = ag.weld(
-        ag.part(lip.box(bevel=0.003), "freezer_door", finish, grasp=hold),
-        ag.part(board.box(bevel=0.004), "freezer_door", finish),
+        ag.part(lip.box(bevel=0.003), "freezer_door", FROSTED, grasp=hold),
+        ag.part(board.box(bevel=0.004), "freezer_door", FROSTED),
         details.printed(details.icon("snowflake", 0.03), at, material=ink),
     )
     axis = board.x.low + _FLAP / 2
-    free = ag.atan2(_SLACK, far - axis)
     swing = ag.Revolute(
         "freezer_door_hinge",
         pivot=(axis, front + _FLAP / 2, cell.z.high - 0.05),
@@ -275,6 +234,6 @@ def flap(
         friction=1.2,
         damping=0.1,
         effort=20,
-        needs=opened.beyond(0.7 * free),
+        needs=opened.beyond(0.7 * ag.atan2(_SLACK, far - axis)),
     )
     return Fitting.moving(body, swing)

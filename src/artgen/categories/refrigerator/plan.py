@@ -4,7 +4,7 @@ A refrigerator is centered in x and y, and its doors are in front of the cabinet
 """
 
 from dataclasses import dataclass, replace
-from functools import partial
+from functools import partial, reduce
 from typing import Literal
 
 import artgen as ag
@@ -62,12 +62,10 @@ _NO_MACHINE = (
 
 
 class Cell(ag.Region):
-    """A cold compartment of the cabinet, open in front.
+    """A cold compartment, open in front.
 
-    Args:
-        space: Its region.
-        humped: Whether the machine room takes the lower part of its rear.
-        top: Whether it is under the top of the cabinet.
+    The machine room takes the lower part of the rear of a humped cell; a top cell is under the top of the
+    cabinet.
     """
 
     __slots__ = ("humped", "top")
@@ -118,13 +116,9 @@ class Leaf:
         far = ag.sqrt(ag.max_(room * room - self.reach * self.reach, 0))
         return self.cell.x.low + _RIDGE_INSET, self.axis + far
 
-    def frees(self, x: ag.Span) -> ag.Float:
-        """Return the smallest opening angle that clears a drawer between two sides [rad].
-
-        A point at (u, v) from the axis, to the right and to the back, moves to x = u cos q + v sin q. This
-        decreases from q = atan2(v, u), and reaches c after a further turn of acos(c / r).
-        """
-        room = (-x[1] if self.mirrored else x[0]) - self.axis - _CLEARS
+    @cached_property
+    def _corners(self) -> list[tuple[ag.Scalar, ag.Scalar]]:
+        """Positions of the corners of the inside: squared distance from the axis [m2], and angle [rad]."""
         back = self.board.y.size - _PIN
         points: list[tuple[ag.Scalar, ag.Scalar]] = [
             (LINING_INSET - _PIN, back),
@@ -132,11 +126,20 @@ class Leaf:
         ]
         if self.ridge is not None:
             points.append((self.ridges[0] - self.axis, self.reach))
-        angles = []
-        for u, v in points:
-            rest = ag.sqrt(ag.max_(u * u + v * v - room * room, 0))
-            angles.append(ag.atan2(v, u) + ag.atan2(rest, room))
-        return ag.max_(ag.max_(angles[0], angles[1]), angles[-1])
+        return [(u * u + v * v, ag.atan2(v, u)) for u, v in points]
+
+    def frees(self, x: ag.Span) -> ag.Float:
+        """Return the smallest opening angle that clears a drawer between two sides [rad].
+
+        A corner at (u, v) from the axis, to the right and to the back, moves to x = u cos q + v sin q. This
+        decreases from q = atan2(v, u), and reaches c after a further turn of acos(c / r).
+        """
+        room = (-x[1] if self.mirrored else x[0]) - self.axis - _CLEARS
+        angles = [
+            start + ag.atan2(ag.sqrt(ag.max_(square - room * room, 0)), room)
+            for square, start in self._corners
+        ]
+        return reduce(ag.max_, angles[1:], angles[0])
 
     def hinge(self, *, limit: ag.Scalar, pull: ag.Scalar, damping: ag.Scalar) -> ag.Joint:
         """Make the hinge of the door; friction holds the door at any angle.
@@ -158,52 +161,30 @@ class Leaf:
         )
 
 
-@dataclass(frozen=True)
-class Front:
-    """The front of a freezer drawer."""
-
-    board: ag.Region
-    cell: Cell  # closed cell
-
-
 class Plan:
-    """Regions of a refrigerator.
-
-    Args:
-        layout: Arrangement of doors and drawers.
-        outside: Space of the refrigerator from the fronts of its doors to the back, without handles.
-        thickness: Thickness of the doors [m].
-        wall: Thickness of the sides [m].
-        gap: Gap between two fronts [m].
-        kick: Height of the lower edge of the lowest front [m].
-        share: Share of the freezer in the height or the width.
-        ridge: Depth in the cell of the bins of the refrigerator's doors [m].
-        freezer_ridge: Depth in the cell of the bins of the freezer's door; None for a flat inside [m].
-        bins: Number of bins on each door of the refrigerator.
-        drawers: Number of freezer drawers with their own fronts.
-    """
+    """Regions, cells and doors of a refrigerator."""
 
     def __init__(
         self,
         layout: Layout,
-        outside: ag.Region,
+        outside: ag.Region,  # from the fronts of the doors to the back, without handles
         *,
-        thickness: ag.Scalar,
-        wall: ag.Scalar,
-        gap: ag.Scalar,
-        kick: ag.Scalar,
-        share: ag.Scalar,
-        ridge: ag.Scalar,
-        freezer_ridge: ag.Scalar | None,
-        bins: int,
-        drawers: int,
+        thickness: ag.Scalar,  # thickness of the doors [m]
+        wall: ag.Scalar,  # thickness of the sides [m]
+        gap: ag.Scalar,  # gap between two fronts [m]
+        kick: ag.Scalar,  # height of the lower edge of the lowest front [m]
+        share: ag.Scalar,  # share of the freezer in the height or the width
+        ridge: ag.Scalar,  # depth in the cell of the bins of the refrigerator's doors [m]
+        freezer_ridge: ag.Scalar | None,  # the same for the freezer's door; None for a flat inside [m]
+        bins: int,  # number of bins on each door of the refrigerator
+        drawers: int,  # number of freezer drawers with their own fronts
     ) -> None:
         self.wall, self.gap, self.kick = wall, gap, kick
         self.block = outside.shrink(front=thickness + SEAL_GAP, bottom=FOOT)
         front = outside.shrink(x=_INSET, bottom=kick, top=_UNDER_COVER)
         front = front.with_(y=(front.y.low, front.y.low + thickness))
         self.abreast = layout == "side_by_side"  # whether the freezer is beside the cold cell, at its left
-        self.fronts: list[Front] = []
+        self.fronts: list[tuple[ag.Region, Cell]] = []  # fronts of freezer drawers with their cells
         self.freezer: Leaf | None = None
         door = partial(Leaf, "door", ridge=ridge, bins=bins)
         freezer = partial(Leaf, "freezer_door", ridge=freezer_ridge, bins=max(1, bins - 1))
@@ -245,9 +226,11 @@ class Plan:
         top = ag.require(lower.z.high, lowest > HUMP_HIGH - 1.5 * _HALF_WALL, _NO_MACHINE)
         first, *others = lower.with_(z=(lower.z.low + gap / 2, top)).rows(drawers, gap)
         first = first.grow(bottom=gap / 2)
-        self.fronts = [Front(first, self._cell(first, lowest=True))]
-        self.fronts += [Front(board, self._cell(board)) for board in others]
-        self.cells = [*(each.cell for each in self.fronts), self.cold]
+        self.fronts = [
+            (first, self._cell(first, lowest=True)),
+            *((each, self._cell(each)) for each in others),
+        ]
+        self.cells = [*(cell for _, cell in self.fronts), self.cold]
 
     def _cell(self, front: ag.Region, *, lowest: bool = False, highest: bool = False) -> Cell:
         """Return the cell behind a front."""
