@@ -273,10 +273,8 @@ def refrigerator(
         drawers=outer_drawers,
     )
     light = look in ("white", "pastel")
-    liner, seal = (
-        appliances.LINER if inside == "white" else appliances.LINER_GREY,
-        _SEALS["white" if light else "grey"],
-    )
+    liner = appliances.LINER if inside == "white" else appliances.LINER_GREY
+    seal = _SEALS["white" if light else "grey"]
     shell = appliances.cabinet_finish(look, finish)
     style = Finish(finish, metal, liner, seal, trim, form, bow, grip, bar, girth, grip_length)
     corner = {"bowed": 0.012, "soft": SOFT}.get(style.form)
