@@ -156,9 +156,8 @@ class Racks:
         """Attach the spray arm over the floor of the tub (0), or under the upper rack (1), to its bearing."""
         plan = self.plan
         reach = ag.min_(plan.tub.x.high - 0.040, plan.tub.y.size / 2 - 0.030)
-        half, turn, top = (
-            (reach, 0.35, plan.floors[0] - 0.009), (0.92 * reach, -0.5, plan.floors[1] - _HANGS - 0.0005)
-        )[number]  # fmt: skip
+        lower, upper = plan.floors[0] - 0.009, plan.floors[1] - _HANGS - 0.0005
+        half, turn, top = ((reach, 0.35, lower), (0.92 * reach, -0.5, upper))[number]
         arm = _spray_arm(f"spray_arm_{number}", half).rotate(ag.Z, turn).at(z=top)
         spin = ag.Revolute(
             f"spray_arm_spin_{number}",

@@ -238,13 +238,13 @@ def oven(
     body = body.attach(door.install(grip, at=(0, outside.y.low, plan.door.z.high - front.DOWN)), hinge)
     for number, level in enumerate(levels):
         deep = pan and number == 1
-        made = (inside.pan if deep else inside.rack)(plan, level, f"rack_{number}")
+        make = inside.pan if deep else inside.rack
         clear = inside.clear_angle(plan, level, travel=travel, pan=deep)
         needs = (hinge > clear).beyond(inside.PLAY)
-        name = f"rack_slide_{number}"
-        body = body.attach(
-            made, rack_slide(name, travel=travel, friction=rack_friction, damping=6, needs=needs)
+        slide = rack_slide(
+            f"rack_slide_{number}", travel=travel, friction=rack_friction, damping=6, needs=needs
         )
+        body = body.attach(make(plan, level, f"rack_{number}"), slide)
     if drawer:
         box = front.Drawer(plan, drawer_travel)
         body = ag.weld(body, box.runners(plan))

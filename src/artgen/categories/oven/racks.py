@@ -9,14 +9,12 @@ import artgen as ag
 from artgen import details
 from artgen.categories.oven.case import REACH, SEAL, Plan
 
-LEVELS = 5
-"""Number of rack levels of the rails."""
-
 PLAY = REACH + SEAL - 0.0012
 """Travel of a rack behind the closed door [m]."""
 
+_LEVELS = 5  # number of rack levels of the rails
 _ROD = 0.0030  # radius of the rods of rails and racks [m]
-_PLAY = 0.0008  # gap between a rack and its rails [m]
+_GAP = 0.0008  # gap between a rack and its rails [m]
 _CORNER = 0.014  # radius of the corners of a rack [m]
 _STOP, _STOP_WIRE = 0.016, 0.0022  # height of the stop at the back of a rack, and radius of its wire [m]
 _PAN, _SHEET = 0.034, 0.0022  # depth of a pan below its rim, and its thickness [m]
@@ -30,18 +28,18 @@ _HERE = ((0.0, 0.0, 0.0),)
 
 def _rail(plan: Plan, level: int) -> ag.Scalar:
     """Return the height of the middle of the rails at a level, counted from below [m]."""
-    return plan.cavity.z.at((level + 0.75) / (LEVELS + 0.6))
+    return plan.cavity.z.at((level + 0.75) / (_LEVELS + 0.6))
 
 
 def _rods(plan: Plan, level: int) -> ag.Scalar:
     """Return the height of the middle of the rods of a rack at a level [m]."""
-    return _rail(plan, level) + 2 * _ROD + _PLAY
+    return _rail(plan, level) + 2 * _ROD + _GAP
 
 
 def rails(plan: Plan, used: Sequence[int]) -> ag.Body:
     """Make the rails at both sides: rods for racks, and uprights; only the rods in use collide."""
     room = plan.cavity.shrink(front=0.012, back=0.004)
-    every, inside = range(LEVELS), room.x.high
+    every, inside = range(_LEVELS), room.x.high
 
     def rods(radius: float, levels: Sequence[int], above: float = 0.0) -> ag.Solid:
         at = [
@@ -51,7 +49,7 @@ def rails(plan: Plan, used: Sequence[int]) -> ag.Body:
         ]
         return ag.array(ag.cylinder(radius, room.y.size, axis=ag.Y), at=at)
 
-    low, high = _rail(plan, 0) - 0.012, _rail(plan, LEVELS - 1) + 0.028
+    low, high = _rail(plan, 0) - 0.012, _rail(plan, _LEVELS - 1) + 0.028
     posts = [  # near the walls, so that racks pass in front of them
         (side * (inside - 0.0022), y, (low + high) / 2)
         for side in (-1, 1)
@@ -99,7 +97,7 @@ def rack(plan: Plan, level: int, name: str) -> ag.Body:
         ag.cylinder(0.0020, 1.8 * half, axis=ag.X).at(0, y, _STOP),
     ]
     # under the panel a hand comes from below by one facet of the rod, and grasps only the rod, not the wires
-    lean, before = (math.pi / 8, 0.006) if level == LEVELS - 1 else (0.0, -0.0005)
+    lean, before = (math.pi / 8, 0.006) if level == _LEVELS - 1 else (0.0, -0.0005)
     rise, run = math.sin(lean), math.cos(lean)
     hold = ag.frame((0, -y - before * run, -before * rise), approach=(0, run, rise), closing=(0, -rise, run))
     welded = "rods of a rack are joined by the bent ones, which are only seen"
