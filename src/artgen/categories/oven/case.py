@@ -64,7 +64,7 @@ class Plan:
         fronts = outside.shrink(x=0.0015)
         panels = fronts if ranged else outside
         self.panel = panels.with_(y=(outside.y.low, mouth), z=(top - panel, top))
-        # 4 mm below the panel let out cooling air
+        # the gap of 4 mm below the panel is the outlet of cooling air
         self.door = fronts.with_(y=(outside.y.low, inner), z=(hinge_height - 0.008, self.panel.z.low - 0.004))
         # the part below the door of a range begins 18 mm above the feet; its top clears the turning door
         below = (FOOT + 0.018 if ranged else 0, hinge_height - 0.0165)
@@ -73,7 +73,7 @@ class Plan:
         self.shell = outside.shrink(x=0 if ranged else 0.018).with_(
             y=(mouth + 0.0006, rear), z=(FOOT if ranged else 0, top - 0.0008)
         )
-        # behind the cavity are fan and wool
+        # fan and wool are behind the cavity
         self.cavity = outside.shrink(x=wall).with_(
             y=(mouth, rear - 0.058), z=(hinge_height + 0.032, self.door.z.high - 0.046)
         )
@@ -191,7 +191,7 @@ def interior(plan: Plan, enamel: ag.Material, *, convection: bool) -> ag.Body:
 
 
 def back_fittings(plan: Plan, maker: str, watts: int) -> ag.Body:
-    """Make what is on the back: vents, cover of the terminals, screws, rating plate and the cord."""
+    """Make vents, cover of the terminals, screws, rating plate and the cord on the back."""
     x, plane, tall = plan.shell.x.high, plan.shell.y.high - 0.0008, plan.shell.z
     grille = details.vent_slots(0.30, 0.045, 5, slot=0.0045, direction="horizontal")
     slots = details.vent_slots(0.16, 0.060, 12, slot=0.0045)

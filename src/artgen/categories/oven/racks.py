@@ -1,4 +1,4 @@
-"""What lies on the rails of an oven, wire racks and a deep pan; the rails, and the heating element."""
+"""Wire racks and a deep pan of an oven, the rails that carry them, and the heating element."""
 
 import math
 from collections.abc import Sequence
