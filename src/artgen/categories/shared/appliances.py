@@ -11,45 +11,10 @@ colliders.
 """
 
 import math
-from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Any, Literal, get_args
 
 import artgen as ag
-from artgen._arrays import cached_property
 from artgen.materials import COLORS
-
-
-@dataclass(frozen=True, kw_only=True)
-class ApplianceSpace:
-    """Common dimensions of appliances."""
-
-    width: ag.Float  # overall width [m]
-    height: ag.Float  # overall height without parts on the top of a range [m]
-    depth: ag.Float  # overall depth, a handle included [m]
-    projection: ag.Scalar  # distance of a handle from the front of the door [m]
-    thickness: ag.Float  # thickness of the door [m]
-
-    @cached_property
-    def half(self) -> ag.Scalar:
-        """Half the width [m]."""
-        return self.width / 2.0
-
-    @cached_property
-    def front(self) -> ag.Scalar:
-        """Position of the outer face of the door along y [m]."""
-        return self.projection - self.depth / 2.0
-
-    @cached_property
-    def inner(self) -> ag.Scalar:
-        """Position of the inside of the door along y [m]."""
-        return self.front + self.thickness
-
-    @cached_property
-    def rear(self) -> ag.Scalar:
-        """Position of the rearmost plane along y [m]."""
-        return self.depth / 2.0
-
 
 Look = Literal["stainless", "dark_steel", "white", "black", "pastel", "glass", "panel"]
 """Families of finishes: product lines of a shop."""
@@ -179,6 +144,7 @@ CORD = 0.0032
 
 _RELIEF = 0.024  # length of the strain relief [m]
 _RIBS = 4  # number of ribs around the strain relief
+_RUBBER = ag.material("rubber")
 
 
 def strain_relief(*, radius: ag.Scalar = CORD, length: ag.Scalar = _RELIEF) -> list[ag.Solid]:
@@ -194,23 +160,17 @@ def strain_relief(*, radius: ag.Scalar = CORD, length: ag.Scalar = _RELIEF) -> l
     return [ag.revolve(ag.polygon(line)).rotate(ag.X, -0.5 * math.pi)]
 
 
-def _seen(solids: Sequence[ag.Solid], label: str, finish: ag.Material | None) -> ag.Body:
-    """Return overlapping, visual-only solids on one body; by default of black rubber."""
-    return ag.weld(*(ag.detail(each, label, finish or ag.material("rubber")) for each in solids))
-
-
 def cord_stub(
     *,
     height: ag.Scalar,
-    finish: ag.Material | None = None,
+    finish: ag.Material = _RUBBER,
     radius: ag.Scalar = CORD,
     reach: ag.Scalar = 0.045,
     label: str = "cord",
 ) -> ag.Body:
     """Make a strain relief on the plane y = 0 and a cord from it down to the floor at the back (+y)."""
-    fall = -(height - radius)
-    path = ag.polyline(_down(reach, fall), fillet=_bend(fall))
-    return _seen([*strain_relief(radius=radius), ag.sweep(ag.circle(radius), path)], label, finish)
+    cord = _cord(radius, reach, height - radius)
+    return ag.detail([*strain_relief(radius=radius), cord], label, finish)
 
 
 def mains_cord(
@@ -218,28 +178,22 @@ def mains_cord(
     height: ag.Scalar,
     length: ag.Scalar = 0.16,
     side: int = 1,
-    finish: ag.Material | None = None,
+    finish: ag.Material = _RUBBER,
     radius: ag.Scalar = CORD,
     reach: ag.Scalar = 0.045,
     label: str = "cord",
 ) -> ag.Body:
     """Make a cord with its plug: from its outlet on y = 0 down to the floor and along it to one side."""
-    fall = -(height - radius)
-    run = side * 1.0 * (length - 0.052)
-    path = ag.polyline([*_down(reach, fall), (run, reach, fall)], fillet=_bend(fall))
-    end = ag.vector(run, reach, fall)
+    fall, run = height - radius, side * 1.0 * (length - 0.052)
+    end = (run, reach, -fall)
     plug = [(each if side > 0 else each.mirror(ag.X)).at(end) for each in _plug(radius)]
-    return _seen([*strain_relief(radius=radius), ag.sweep(ag.circle(radius), path), *plug], label, finish)
+    return ag.detail([*strain_relief(radius=radius), _cord(radius, reach, fall, end), *plug], label, finish)
 
 
-def _down(reach: ag.Scalar, fall: ag.Scalar) -> list[ag.VectorLike]:
-    """Return the corners of a cord from inside its sleeve to the floor."""
-    return [(0.0, 0.4 * _RELIEF, 0.0), (0.0, reach, 0.0), (0.0, reach, fall)]
-
-
-def _bend(fall: ag.Scalar) -> ag.Float:
-    """Return the radius of the bends of a cord over a height [m]."""
-    return ag.min_(0.016, -0.45 * fall)
+def _cord(radius: ag.Scalar, reach: ag.Scalar, fall: ag.Scalar, *ends: ag.VectorLike) -> ag.Solid:
+    """Make a cord from inside its sleeve down to the floor, and on to further corners."""
+    corners = [(0.0, 0.4 * _RELIEF, 0.0), (0.0, reach, 0.0), (0.0, reach, -fall), *ends]
+    return ag.sweep(ag.circle(radius), ag.polyline(corners, fillet=ag.min_(0.016, 0.45 * fall)))
 
 
 def _plug(radius: ag.Scalar) -> list[ag.Solid]:

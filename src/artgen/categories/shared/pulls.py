@@ -120,10 +120,7 @@ def bar_handle(
     solids = makers[style](projection, length, girth)
     hollow = casting(finish, 0.4)
     hold = ag.frame((0.0, -projection, 0.0), approach=(0.0, 1.0, 0.0), closing=(1.0, 0.0, 0.0))
-    body = ag.weld(
-        ag.part(solids[0], "handle", hollow, name=name, grasp=hold),
-        *(ag.part(each, "handle", hollow) for each in solids[1:]),
-    )
+    body = ag.part(solids, "handle", hollow, name=name, grasp=hold)
     return body.rotate(ag.Y, math.pi / 2) if level else body
 
 
@@ -248,19 +245,6 @@ def pocket_grip(
     return Fitting(ag.weld(inner, ag.part(boards, "handle", finish)), cut)
 
 
-def boards_around(x: ag.Span, z: ag.Span, hole: tuple[ag.Span, ag.Span], y: ag.Span) -> list[ag.Solid]:
-    """Make the boards of a front around a rectangular opening: left, right, below and above."""
-    (left, right), (bottom, top) = hole
-    lap = 0.0005  # boards share no corners
-    across, thin = (left - lap, right + lap), (y[0] + lap, y[1] - lap)
-    return [
-        ag.Region((x[0], left), y, z).box(),
-        ag.Region((right, x[1]), y, z).box(),
-        ag.Region(across, thin, (z[0] + lap, bottom)).box(),
-        ag.Region(across, thin, (top, z[1] - lap)).box(),
-    ]
-
-
 def recessed_grip(
     length: ag.Scalar,
     *,
@@ -315,40 +299,32 @@ def knob_pull(
     neck = ag.cylinder_between((0.0, _SUNK, 0.0), (0.0, widest, 0.0), 0.40 * radius)
     foot = ag.cylinder(0.62 * radius, 0.003, axis=ag.Y, bevel=0.0009).at(0.0, _SUNK - 0.0015, 0.0)
     hold = ag.frame((0.0, widest, 0.0), approach=(0.0, 1.0, 0.0), closing=(0.0, 0.0, 1.0))
-    return ag.weld(
-        ag.part(head, "handle", finish, name=name, grasp=hold),
-        ag.part(neck, "handle", finish),
-        *(ag.detail(each, "handle", finish) for each in (foot, *skin)),
-    )
+    solid = ag.part([head, neck], "handle", finish, name=name, grasp=hold)
+    return ag.weld(solid, ag.detail([foot, *skin], "handle", finish))
 
 
 def _head(style: str, radius: ag.Scalar, projection: ag.Scalar) -> tuple[ag.Solid, ag.Scalar, list[ag.Solid]]:
-    """Make the head of a knob, which collides as one piece."""
-    end, out = -projection, (0.0, -1.0, 0.0)
+    """Make the head of a knob, which collides as one piece; return it, its widest place, and what is seen."""
+    end, out, skin = -projection, -ag.Y, []
     match style:
         case "ball":
-            middle = end + 0.86 * radius
-            core = ag.cylinder(0.93 * radius, 0.60 * radius, axis=ag.Y).at(0.0, middle, 0.0)
-            return core, middle, [ag.ellipsoid(radius, 0.86 * radius, radius).at(0.0, middle, 0.0)]
+            widest = end + 0.86 * radius
+            head = ag.cylinder(0.93 * radius, 0.60 * radius, axis=ag.Y).at(y=widest)
+            skin = [ag.ellipsoid(radius, 0.86 * radius, radius).at(y=widest)]
         case "disc":
-            return (
-                ag.cylinder(radius, 0.009, axis=ag.Y, bevel=0.0022).at(0.0, end + 0.0045, 0.0),
-                end + 0.0045,
-                [],
-            )
+            widest = end + 0.0045
+            head = ag.cylinder(radius, 0.009, axis=ag.Y, bevel=0.0022).at(y=widest)
         case "cone":
-            cup = ag.frustum(0.55 * radius, radius, 0.016, axis=out, bevel=0.0016)
-            return cup.at(0.0, end + 0.008, 0.0), end + 0.0035, []
+            widest = end + 0.0035
+            head = ag.frustum(0.55 * radius, radius, 0.016, axis=out, bevel=0.0016).at(y=end + 0.008)
         case "square":
-            return (
-                ag.box(1.8 * radius, 0.011, 1.8 * radius, bevel=0.0022).at(0.0, end + 0.0055, 0.0),
-                end + 0.0055,
-                [],
-            )
+            widest = end + 0.0055
+            head = ag.box(1.8 * radius, 0.011, 1.8 * radius, bevel=0.0022).at(y=widest)
         case _:
-            rim = ag.cylinder(radius, 0.007, axis=ag.Y, bevel=0.0022).at(0.0, end + 0.0085, 0.0)
-            cap = ag.dome(0.94 * radius, height=0.0062, axis=out).at(0.0, end + 0.0062, 0.0)
-            return rim, end + 0.0085, [cap]
+            widest = end + 0.0085
+            head = ag.cylinder(radius, 0.007, axis=ag.Y, bevel=0.0022).at(y=widest)
+            skin = [ag.dome(0.94 * radius, height=0.0062, axis=out).at(y=end + 0.0062)]
+    return head, widest, skin
 
 
 @ag.generator
@@ -370,16 +346,8 @@ def bar_pull(
     if style == "bow":
         bow = _bent_pull(length, projection, girth, finish, name)
         return bow.rotate(ag.Y, math.pi / 2) if level else bow
-    made: ag.Body = bar_handle(
-        length=length,
-        finish=finish,
-        style=style,
-        level=level,
-        name=name,
-        overhang=0.16 * length,
-        projection=projection,
-        girth=girth,
-    )
+    measures = {"length": length, "projection": projection, "girth": girth, "overhang": 0.16 * length}
+    made: ag.Body = bar_handle(finish=finish, style=style, level=level, name=name, **measures)
     return made
 
 
@@ -396,7 +364,7 @@ def _bent_pull(
     hold = ag.frame((0.0, -out, 0.0), approach=(0.0, 1.0, 0.0), closing=(1.0, 0.0, 0.0))
     return ag.weld(
         ag.part(grip, "handle", casting(finish, 0.4), name=name, grasp=hold),
-        *(ag.part(each, "handle", finish) for solid in (leg, brace) for each in (solid, solid.mirror(ag.Z))),
+        ag.part([leg, leg.mirror(ag.Z), brace, brace.mirror(ag.Z)], "handle", finish),
         ag.detail(skin, "handle", finish),
     )
 
@@ -421,26 +389,18 @@ def cup_pull(
     tab = ag.Region((a - 0.0040, a - 0.0007), (-bulge - 0.004, _SUNK), (0.0004, 0.0075)).box(bevel=0.0005)
     low, high = (0.0003, 0.0090)
     x = a - end
-    corner = ag.polygon(
-        [
-            (a - 0.0040, -bulge - 0.0030),
-            (a - 0.0012, -bulge - 0.0030),
-            (x, -bulge - 0.95 * b),
-            (x, -bulge - 0.80 * b),
-        ]
-    )
+    at, far = -bulge - 0.0030, (-bulge - 0.95 * b, -bulge - 0.80 * b)
+    corner = ag.polygon([(a - 0.0040, at), (a - 0.0012, at), (x, far[0]), (x, far[1])])
     side = ag.extrude(corner, high - low).at(0.0, 0.0, (low + high) / 2)
     deep, over = (-bulge - 0.949 * b, -bulge - 0.801 * b), 0.0004
     front = ag.Region((-x - over, x + over), deep, (low + 0.0002, high - 0.0002)).box()
     top = ag.Region((-0.8 * x, 0.8 * x), (-bulge - 0.3 * b, _SUNK), (0.6 * c, 0.92 * c)).box()
     # finger pads end 1 mm before the face, around the widest point
     hold = ag.frame((0.0, -0.010, 0.0045), approach=(0.0, 1.0, 0.0), closing=(1.0, 0.0, 0.0))
-    solids = (tab.mirror(ag.X), side, side.mirror(ag.X), front, top)
-    return ag.weld(
-        ag.part(tab, "handle", finish, name=name, grasp=hold, grasp_width=ag.min_(width + 0.009, 0.0795)),
-        *(ag.part(each, "handle", finish) for each in solids),
-        ag.detail(wall, "handle", finish),
-    )
+    solids = [tab, tab.mirror(ag.X), side, side.mirror(ag.X), front, top]
+    opening = ag.min_(width + 0.009, 0.0795)
+    body = ag.part(solids, "handle", finish, name=name, grasp=hold, grasp_width=opening)
+    return ag.weld(body, ag.detail(wall, "handle", finish))
 
 
 def _egg(a: ag.Scalar, end: ag.Scalar, b: ag.Scalar, c: ag.Scalar, y: ag.Scalar, less: ag.Scalar) -> ag.Solid:

@@ -40,12 +40,11 @@ def glass_shelf(
     front = strip.at(0.0, (_TRIM_DEEP - depth) / 2 - 0.002, GLASS + 0.0015 - _TRIM_HIGH / 2)
     back = strip.at(0.0, (depth - _TRIM_DEEP) / 2, GLASS + 0.0015 - _TRIM_HIGH / 2)
     ledge = ag.box(_LEDGE + _IN_WALL, depth - 0.004, 0.008, bevel=0.0015)
-    beside = (width - _LEDGE + _IN_WALL) / 2
+    ledges = [ledge.at(way * (width - _LEDGE + _IN_WALL) / 2, 0.0, -0.0039) for way in (-1, 1)]
     return ag.weld(
         ag.part(ag.array(pane, at=at), label, glass or ag.material("glass")),
         ag.part(ag.array(front, at=at), label, trim),
-        *(ag.detail(ag.array(ledge.at(way * beside, 0.0, -0.0039), at=at), label, trim) for way in (-1, 1)),
-        ag.detail(ag.array(back, at=at), label, trim),
+        ag.detail([ag.array(each, at=at) for each in (*ledges, back)], label, trim),
     )
 
 
@@ -69,11 +68,8 @@ def wire_shelf(
     deep = ag.capsule(rod - _INSIDE, depth - 2 * rod, axis=ag.Y)
     rods = ag.array(deep, at=[(way * 0.25 * width, 0.0, 0.0) for way in (-1, 0, 1)])
     ends = ag.array(front, at=[(0.0, way * (depth / 2 - rod), 0.0) for way in (-1, 1)])
-    return ag.weld(
-        ag.part(ag.array(ends, at=at), label, finish),
-        ag.part(ag.array(rods, at=at), label, finish),
-        ag.detail(ag.array(rack, at=at), label, finish),
-    )
+    solid = ag.part([ag.array(ends, at=at), ag.array(rods, at=at)], label, finish)
+    return ag.weld(solid, ag.detail(ag.array(rack, at=at), label, finish))
 
 
 def open_box(
@@ -113,12 +109,11 @@ def door_bin(
 ) -> ag.Body:
     """Make bins for the inside of a door: back of a bin at y = 0, front to +y, floor at z = 0."""
     boards = [board.rotate(ag.Z, math.pi).at(0.0, depth, 0.0) for board in open_box(width, depth, height)]
-    first, *others = (ag.array(board, at=at) for board in boards)
-    bodies = [ag.part(first, label, finish), *(ag.part(other, label, finish) for other in others)]
-    if trim is not None:
-        strip = ag.box(width - 0.002, 0.0048, 0.012, bevel=0.0014).at(0.0, depth - 0.0016, height - 0.0075)
-        bodies.append(ag.detail(ag.array(strip, at=at), label, trim))
-    return ag.weld(*bodies)
+    body = ag.part([ag.array(board, at=at) for board in boards], label, finish)
+    if trim is None:
+        return body
+    strip = ag.box(width - 0.002, 0.0048, 0.012, bevel=0.0014).at(0.0, depth - 0.0016, height - 0.0075)
+    return ag.weld(body, ag.detail(ag.array(strip, at=at), label, trim))
 
 
 def egg_tray(
@@ -137,12 +132,9 @@ def egg_tray(
     rim = details.relief(ag.ring(0.0205, 0.0165), (0.0, 0.0, high), facing=up, proud=0.0022, bevel=0.001)
     cup = details.relief(ag.circle(0.0166), (0.0, 0.0, high), facing=up, proud=0.0002)
     shade = finish.with_(name=f"{finish.name}_cup", base_color=tuple(0.45 * c for c in finish.base_color))
+    legs = [leg.at(way * (width / 2 - 0.006), 0.0, (high - 0.001) / 2) for way in (-1, 1)]
     return ag.weld(
-        ag.part(plate, label, finish),
-        *(
-            ag.part(leg.at(way * (width / 2 - 0.006), 0.0, (high - 0.001) / 2), label, finish)
-            for way in (-1, 1)
-        ),
+        ag.part([plate, *legs], label, finish),
         ag.detail(ag.array(rim, at=places), label, finish),
         ag.detail(ag.array(cup, at=places), label, shade),
     )
@@ -171,7 +163,7 @@ def drawer_box(
     return ag.weld(
         ag.part(ledge, label, lip, name=name, grasp=hold),
         ag.part(face, label, front),
-        *(ag.part(each, label, finish) for each in walls),
+        ag.part(walls, label, finish),
         ag.detail(band, label, lip),
     )
 
