@@ -32,6 +32,12 @@ def _spread(count: int, length: ag.Scalar, *, along: ag.Vector = ag.X) -> ag.Poi
     return ag.grid((0.0, 0.0, 0.0), along * (length / max(count - 1, 1)), ag.Z, columns=count, rows=1)
 
 
+def _straight(
+    radius: ag.Scalar, length: ag.Scalar, axis: ag.VectorLike, at: Sequence[ag.VectorLike]
+) -> ag.Solid:
+    return ag.array(ag.cylinder(radius, length, axis=axis), at=at)
+
+
 _HERE = ((0.0, 0.0, 0.0),)
 
 
@@ -58,7 +64,7 @@ class Basket:
         Only the straight wires of the floor, the rim and the band have mass and collide. They are inside the
         visible bent wires.
         """
-        return ag.weld(*self._solid(name), *self._seen())
+        return ag.weld(self._solid(name), self._seen())
 
     @cached_property
     def _half_width(self) -> ag.Float:
@@ -76,71 +82,43 @@ class Basket:
         lowest = self.front * (1.0 - self.band)
         return (self.rim, lowest) if self.band > 0.0 else (self.rim,)
 
-    def _solid(self, name: str | None) -> list[ag.Body]:
-        wire, bend = self.wire - _INSIDE, self.bend
-        x, y = self._half_width, self._half_depth
-        floor = self._straight(wire, 2.0 * (y - bend), ag.Y, [(0.0, 0.0, self.wire)])
-        columns = ag.array(floor, at=_spread((self.columns + 1) // 2, 2.0 * (x - bend - self.wire)))
-        across = self._straight(wire, 2.0 * (x - bend), ag.X, [(0.0, 0.0, 3.0 * self.wire - _SUNK)])
-        rows = ag.array(across, at=_spread(_CROSS, 2.0 * (y - bend - self.wire), along=ag.Y))
-        ends: list[ag.VectorLike] = [
-            (0.0, side * y, tall - down)
-            for side, tall in ((-1, self.front), (1, self.back))
-            for down in self._down
+    def _solid(self, name: str | None) -> ag.Body:
+        wire, bend, rim = self.wire - _INSIDE, self.bend, self.rim - _INSIDE
+        x, y, middle = self._half_width, self._half_depth, (self.front + self.back) / 2
+        floor = _straight(wire, 2 * (y - bend), ag.Y, [(0.0, 0.0, self.wire)])
+        across = _straight(wire, 2 * (x - bend), ag.X, [(0.0, 0.0, 3 * self.wire - _SUNK)])
+        walls = ((-1, self.front), (1, self.back))
+        ends = [(0.0, side * y, tall - down) for side, tall in walls for down in self._down]
+        sides = [(side * x, 0.0, middle - down) for side in (-1, 1) for down in self._down]
+        slope = ag.vector(0.0, 2 * y, self.back - self.front)
+        solids = [
+            ag.array(floor, at=_spread((self.columns + 1) // 2, 2 * (x - bend - self.wire))),
+            ag.array(across, at=_spread(_CROSS, 2 * (y - bend - self.wire), along=ag.Y)),
+            _straight(rim, 2 * (x - _CORNER), ag.X, ends),
+            _straight(rim, slope.norm() - 2 * _CORNER, slope, sides),
         ]
-        rim = self.rim - _INSIDE
-        slope = ag.vector(0.0, 2.0 * y, self.back - self.front)
-        middle = (self.front + self.back) / 2.0
-        sides: list[ag.VectorLike] = [
-            (side * x, 0.0, middle - down) for side in (-1, 1) for down in self._down
-        ]
-        return [
-            ag.part(columns, self.label, self.finish, name=name, separate=_WELDED),
-            ag.part(rows, self.label, self.finish),
-            ag.part(self._straight(rim, 2.0 * (x - _CORNER), ag.X, ends), self.label, self.finish),
-            ag.part(self._straight(rim, slope.norm() - 2.0 * _CORNER, slope, sides), self.label, self.finish),
-        ]
+        return ag.part(solids, self.label, self.finish, name=name, separate=_WELDED)
 
-    @staticmethod
-    def _straight(
-        radius: ag.Scalar, length: ag.Scalar, axis: ag.VectorLike, at: list[ag.VectorLike]
-    ) -> ag.Solid:
-        return ag.array(ag.cylinder(radius, length, axis=axis), at=at)
-
-    def _seen(self) -> list[ag.Body]:
+    def _seen(self) -> ag.Body:
         """Make the wires from the floor up into the walls, and the wires around them."""
-        wire, bend = self.wire, self.bend
-        x, y = self._half_width, self._half_depth
-        low = 3.0 * wire - _SUNK
-        front, back = self.front - self.rim, self.back - self.rim
-        column: list[ag.VectorLike] = [
-            (0.0, -y, front), (0.0, -y, wire), (0.0, y, wire), (0.0, y, back)
-        ]  # fmt: skip
-        level = (front + back) / 2.0 - 0.5 * wire
-        cross: list[ag.VectorLike] = [(-x, 0.0, level), (-x, 0.0, low), (x, 0.0, low), (x, 0.0, level)]
+        wire, bend, x, y = self.wire, self.bend, self._half_width, self._half_depth
+        low, front, back = 3 * wire - _SUNK, self.front - self.rim, self.back - self.rim
+        column = [(0.0, -y, front), (0.0, -y, wire), (0.0, y, wire), (0.0, y, back)]
         # the rods across end at the mean height of the sloping rim; the ends of the rim are slightly off
+        level = (front + back) / 2 - 0.5 * wire
+        cross = [(-x, 0.0, level), (-x, 0.0, low), (x, 0.0, low), (x, 0.0, level)]
+        beside = _spread(self.columns, 2 * (x - bend - wire))
+        behind = _spread(self.rows, 2 * (y - bend - wire), along=ag.Y)
         bent = [
-            details.bent_wires(
-                ag.polyline(column, fillet=bend), wire, at=_spread(self.columns, 2.0 * (x - bend - wire))
-            ),
-            details.bent_wires(
-                ag.polyline(cross, fillet=bend),
-                wire,
-                at=_spread(self.rows, 2.0 * (y - bend - wire), along=ag.Y),
-            ),
+            details.bent_wires(ag.polyline(column, fillet=bend), wire, at=beside),
+            details.bent_wires(ag.polyline(cross, fillet=bend), wire, at=behind),
         ]
         for number, down in enumerate(self._down):
             high, far = self.front - down, self.back - down
-            loop: list[ag.VectorLike] = [
-                (0.0, -y, high),
-                (x, -y, high),
-                (x, y, far),
-                (-x, y, far),
-                (-x, -y, high),
-            ]
+            loop = [(0.0, -y, high), (x, -y, high), (x, y, far), (-x, y, far), (-x, -y, high)]
             path = ag.polyline(loop, fillet=_CORNER, closed=True)
             bent.append(details.bent_wires(path, wire if number else self.rim, at=_HERE))
-        return [ag.detail(each, self.label, self.finish) for each in bent]
+        return ag.detail(bent, self.label, self.finish)
 
     def tines(
         self,
@@ -187,12 +165,12 @@ class Basket:
         else:
             solid = ag.box(length, 0.011, 0.010, bevel=0.0035).at(0.0, out, z)
         arm = ag.box(0.008, GRIP_REACH - 0.004, 0.007, bevel=0.002).at(0.0, (front + out) / 2.0 + 0.001, z)
-        arms = [ag.part(arm.at(side * (length / 2.0 - 0.012)), label, material) for side in (-1, 1)]
+        arms = [arm.at(side * (length / 2 - 0.012)) for side in (-1, 1)]
         # tips, which reach 9 mm beyond the frame, end before the wires of the wall
         hold = ag.frame((0.0, front - 0.0175, z), approach=ag.Y, closing=ag.Z)
         thick = 0.011 if style == "bar" else 0.010
-        held = ag.part(solid, label, material, name=name, grasp=hold, grasp_width=thick + 0.010)
-        return ag.weld(held, *arms)
+        solids = [solid, *arms]
+        return ag.part(solids, label, material, name=name, grasp=hold, grasp_width=thick + 0.010)
 
 
 def rollers(
@@ -210,12 +188,9 @@ def rollers(
     tall = 2.0 * rise + 0.009
     arm = ag.box(0.026, 0.014, tall, bevel=0.002)
     far = x - 0.5 * _TREAD - 0.012
-    return ag.weld(
-        ag.part(
-            ag.array(wheel, at=[(side * x, y, z) for side, y, z in both]), label, material, separate=_WELDED
-        ),
-        ag.detail(ag.array(arm, at=[(side * far, y, z + rise) for side, y, z in both]), label, material),
-    )
+    wheels = ag.array(wheel, at=[(side * x, y, z) for side, y, z in both])
+    arms = ag.array(arm, at=[(side * far, y, z + rise) for side, y, z in both])
+    return ag.weld(ag.part(wheels, label, material, separate=_WELDED), ag.detail(arms, label, material))
 
 
 def rack_slide(

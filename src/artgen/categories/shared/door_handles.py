@@ -25,14 +25,12 @@ def spring_turn(
     friction: ag.Scalar = 0.02,
 ) -> ag.Joint:
     """Make the joint of a lever or knob with a return spring; positive moves the free end down."""
-    stiffness = (torque - preload) / limit
     return ag.Revolute(
         name,
-        axis=(0.0, -1.0, 0.0),  # moves a lever that points to -x down
+        axis=-ag.Y,  # moves a lever that points to -x down
         pivot=pivot,
         limits=(0.0, limit),
-        stiffness=stiffness,
-        rest=-preload / stiffness,
+        spring=ag.Spring(preload=preload, force=torque),
         damping=damping,
         friction=friction,
         armature=0.0005,  # inertia of the follower and the springs in the lock case
@@ -78,7 +76,10 @@ def lever_handle(
         if level:
             grasps.append(ag.frame((-_HOLD * length, side * out, 0.0), approach=towards))
         else:
-            grasps.append(_hold_on_wave(solid[-2], towards, side * out, length, girth))
+            # on the last third of the wave, which slopes gently; the fingers close normal to it
+            reach = _FLATNESS * girth - length
+            at, closing = (0.84 * reach, side * out, -0.35 * girth), (-0.20 * girth, 0.0, -0.32 * reach)
+            grasps.append(ag.grasp_on(solid[-2], approach=towards, closing=closing, at=at))
     solids.append(spindle(thickness, rose_depth, faces))
     return ag.part(ag.union(*solids), "handle", finish, grasp=grasps)
 
@@ -118,26 +119,10 @@ def _wave(start: ag.Scalar, out: ag.Scalar, side: int, length: ag.Scalar, girth:
     hub = ag.cylinder(girth + 0.0015, side * (face - start), axis=ag.Y, bevel=0.002)
     reach = thin - length
     # heights as shares of the girth: a gentle S, as in cast levers
-    course = ag.spline(
-        [
-            (0.0, out, 0.0),
-            (0.30 * reach, out, 0.45 * girth),
-            (0.68 * reach, out, -0.25 * girth),
-            (reach, out, -0.45 * girth),
-        ]
-    )
+    rises = ((0.0, 0.0), (0.30, 0.45), (0.68, -0.25), (1.0, -0.45))
+    course = ag.spline([(along * reach, out, rise * girth) for along, rise in rises])
     tip = ag.ellipsoid(thin, thin - 0.0002, girth - 0.0002).at(reach, out, -0.45 * girth)
     return [hub.at(0.0, (start + face) / 2, 0.0), ag.sweep(ag.ellipse(thin, girth), course), tip]
-
-
-def _hold_on_wave(
-    arm: ag.Solid, approach: tuple[float, float, float], out: ag.Scalar, length: ag.Scalar, girth: ag.Scalar
-) -> ag.Frame:
-    """Return the grasp on the last third of a wave, which slopes gently; the fingers close normal to it."""
-    reach = _FLATNESS * girth - length
-    run, fall = 0.32 * reach, -0.20 * girth
-    at = (0.84 * reach, out, -0.35 * girth)
-    return ag.grasp_on(arm, approach=approach, closing=(fall, 0.0, -run), at=at)
 
 
 _PIN_DEPTH = 0.012  # depth of the hole of a privacy pin in a knob [m]

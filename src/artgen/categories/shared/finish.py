@@ -11,15 +11,9 @@ def known(*names: str) -> tuple[ag.Material, ...]:
 
 
 _HARDWARE = {
-    "satin_nickel": 2.0,
-    "stainless": 2.0,
-    "chrome": 1.2,
-    "brass": 1.0,
-    "satin_brass": 1.2,
-    "aged_bronze": 0.9,
-    "powder_coat_black": 0.8,
-    "black_steel": 0.8,
-}
+    "satin_nickel": 2.0, "stainless": 2.0, "chrome": 1.2, "brass": 1.0,
+    "satin_brass": 1.2, "aged_bronze": 0.9, "powder_coat_black": 0.8, "black_steel": 0.8,
+}  # fmt: skip
 
 FINISHES = known(*_HARDWARE)
 """Finishes of door hardware."""
@@ -80,13 +74,8 @@ _PAINTS: dict[str, tuple[tuple[float, float, float], float, float]] = {
     "red": ((0.33, 0.030, 0.026), 0.3, 0.8),
     "mustard": ((0.52, 0.30, 0.055), 0.4, 0.5),
 }
-_SPRAYED = (
-    "black",
-    "graphite",
-    "grey",
-    "dove",
-    "teal",
-)  # factory finishes; brushes leave marks in other paints
+# factory finishes; brushes leave marks in other paints
+_SPRAYED = ("black", "graphite", "grey", "dove", "teal")
 
 
 def paints(density: float, prefix: str) -> tuple[ag.Material, ...]:

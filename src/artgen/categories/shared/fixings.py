@@ -26,23 +26,17 @@ def feet(
     radius: ag.Scalar = 0.009,
     height: ag.Scalar = 0.008,
     style: FootStyle = "pad",
-    finish: ag.Material | None = None,
+    finish: ag.Material = ag.MATERIALS["rubber"],
     label: str = "foot",
 ) -> ag.Body:
     """Make feet at positions on the floor, z = 0; weld them to the part at the height `height`."""
     tall = height + _SUNK
     if style == "pad":  # a cylinder is one collider
-        one = ag.cylinder(radius, tall, bevel=0.0009).at(0.0, 0.0, tall / 2)
+        one = ag.cylinder(radius, tall, bevel=0.0009).at(z=tall / 2)
     else:
         one = ag.bounding_collider(details.foot(radius, tall, style=style))
-    places: list[ag.VectorLike] = [(x, y, 0.0) for x, y in at]
-    solid = ag.array(one, at=places)
-    return ag.part(
-        solid,
-        label,
-        ag.material("rubber") if finish is None else finish,
-        separate="each foot is fixed to what stands on it",
-    )
+    solid = ag.array(one, at=[(x, y, 0.0) for x, y in at])
+    return ag.part(solid, label, finish, separate="each foot is fixed to what stands on it")
 
 
 def corner_feet(
@@ -53,7 +47,7 @@ def corner_feet(
     radius: ag.Scalar = 0.009,
     height: ag.Scalar = 0.008,
     style: FootStyle = "pad",
-    finish: ag.Material | None = None,
+    finish: ag.Material = ag.MATERIALS["rubber"],
     label: str = "foot",
 ) -> ag.Body:
     """Make four feet under the corners of a rectangle about the origin."""
@@ -71,14 +65,7 @@ Head = Literal["pan", "countersunk"]
 Way = Literal["+x", "-x", "+y", "-y"]
 """Direction of the normal of a face."""
 
-FACING: dict[Way, tuple[float, float, float]] = {
-    "+x": (1.0, 0.0, 0.0),
-    "-x": (-1.0, 0.0, 0.0),
-    "+y": (0.0, 1.0, 0.0),
-    "-y": (0.0, -1.0, 0.0),
-}
-"""Unit vectors of the directions."""
-
+_FACING = {"+x": (1, 0, 0), "-x": (-1, 0, 0), "+y": (0, 1, 0), "-y": (0, -1, 0)}
 _TURN = 0.5  # rotation of the recesses [rad]
 _FLOOR = {"pan": (0.54, 0.26), "countersunk": (0.60, 0.09)}  # radius and height of the dark part, in radii
 
@@ -94,7 +81,7 @@ def screws(
     sunk: ag.Scalar = 0.0,
 ) -> list[ag.Body]:
     """Make heads of screws on a face, each with a dark recess."""
-    out = FACING[facing]
+    out = _FACING[facing]
     seat = tuple(-sunk * each for each in out)
     reach, high = _FLOOR[head]
     solid = details.screw_head(radius, seat, facing=out, drive=drive, head=head, turn=_TURN)
@@ -151,32 +138,19 @@ def _half(
         face = face - ag.circle(_SCREW + 0.0003).at(*at)
     skin = ag.extrude(face, _FACE + 0.0003, axis=ag.X).at(inner + side * (_FACE + 0.0003) / 2.0, 0.0, 0.0)
     places = [(0.0, 0.0, z) for z in middles]
-    if sheets:
-        # a knuckle and its tab together are nearly convex
-        made = [
-            ag.part(ag.array(ag.bounding_collider(knuckle | tab), at=places), "hinge", finish),
-            ag.part(plate, "hinge", finish),
-        ]
+    if sheets:  # a knuckle and its tab together are nearly convex
+        both = ag.array(ag.bounding_collider(knuckle | tab), at=places)
+        made = [ag.part([both, plate], "hinge", finish)]
     else:
-        alone = ag.part(
-            ag.array(knuckle, at=places), "hinge", finish, separate="its tab joins it to the plate"
-        )
+        joined = "its tab joins it to the plate"
         made = [
-            alone,
-            ag.detail(ag.array(tab, at=places), "hinge", finish),
-            ag.detail(plate, "hinge", finish),
+            ag.part(ag.array(knuckle, at=places), "hinge", finish, separate=joined),
+            ag.detail([ag.array(tab, at=places), plate], "hinge", finish),
         ]
-    return [
-        *made,
-        ag.detail(skin, "hinge", finish),
-        *screws(
-            [(inner, y, z) for y, z in screws_at],
-            facing="-x" if side > 0 else "+x",
-            radius=_SCREW,
-            finish=finish,
-            sunk=0.0005,
-        ),
-    ]
+    facing: Way = "-x" if side > 0 else "+x"
+    heads = [(inner, y, z) for y, z in screws_at]
+    made.append(ag.detail(skin, "hinge", finish))
+    return made + screws(heads, facing=facing, radius=_SCREW, finish=finish, sunk=0.0005)
 
 
 def _stacked(bodies: Sequence[ag.Body], levels: Sequence[ag.Scalar]) -> ag.Body:

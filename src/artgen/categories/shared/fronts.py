@@ -212,7 +212,8 @@ def panels_in(
         run = 2.0 * ag.min_(_BEVEL, 0.3 * ag.min_(width, height))
         field = ag.box(width - run, thickness - 0.008, height - run)
         panel = ag.hull(panel, field)
-    bodies = [ag.part(panel.at(center), opening.label, opening.finish) for center in opening.centers]
+    panels = [panel.at(center) for center in opening.centers]
+    bodies = [ag.part(panels, opening.label, opening.finish)]
     if sticking == "square":
         return bodies
     return bodies + _sticking(opening, thickness, (thickness - tongue) / 2.0, moulding, sticking)
@@ -234,21 +235,16 @@ def panes_in(
         *_sticking(opening, thickness, (thickness - pane) / 2.0, 0.013, "bead"),
     ]
     center = opening.centers[0]
-    for number, across in ((columns, True), (lights, False)):
-        if number < 2:
-            continue
-        pitch = (opening.width if across else opening.height) / number
-        soft = ag.min_(0.005, 0.45 * (thickness - 0.009))  # doors of cabinets are thin
-        bar = (
-            ag.box(0.022, thickness - 0.008, opening.height, bevel=soft)
-            if across
-            else ag.box(opening.width, thickness - 0.009, 0.022, bevel=soft)
-        )
-        places = [
-            ((at - number / 2.0) * pitch, 0.0, 0.0) if across else (0.0, 0.0, (at - number / 2.0) * pitch)
-            for at in range(1, number)
-        ]
-        bodies.append(ag.part(ag.array(bar, at=places).at(center), opening.label, opening.finish))
+    soft = ag.min_(0.005, 0.45 * (thickness - 0.009))  # doors of cabinets are thin
+    post = ag.box(0.022, thickness - 0.008, opening.height, bevel=soft)
+    beam = ag.box(opening.width, thickness - 0.009, 0.022, bevel=soft)
+    for number, bar, step in (
+        (columns, post, ag.X * (opening.width / columns)),
+        (lights, beam, ag.Z * (opening.height / lights)),
+    ):
+        if number > 1:
+            bars = [bar.at(step * (at - number / 2)).at(center) for at in range(1, number)]
+            bodies.append(ag.part(ag.union(*bars), opening.label, opening.finish))
     return bodies
 
 
@@ -319,20 +315,18 @@ def front(
     """Make a front in the x-z plane, with the origin in its middle."""
     if look.style in ("flat", "beaded"):
         slab = ag.part(ag.box(width, thickness, height, bevel=0.0014), label, look.finish, name=name)
-        return (
-            [slab, ag.detail(_bead(width, height, thickness), label, look.finish)]
-            if look.style == "beaded"
-            else [slab]
-        )
+        if look.style == "flat":
+            return [slab]
+        # a half-round bead around the face, with a height of 2 mm
+        ring = ag.rectangle(width - 0.004, height - 0.004) - ag.rectangle(width - 0.018, height - 0.018)
+        bead = ag.extrude(ring, 0.006, axis=ag.Y, bevel=0.0028).at(y=0.001 - thickness / 2)
+        return [slab, ag.detail(bead, label, look.finish)]
     rail = look.rail
     narrow = ag.min_(rail, 0.27 * height)  # rails of a low drawer leave space for its panel
     stile = ag.box(rail, thickness, height, bevel=EASED)
     beam = ag.box(width - 2 * rail, thickness, narrow, bevel=EASED)
-    boards: list[ag.Solid] = [
-        *(stile.at(way * (width - rail) / 2, 0.0, 0.0) for way in (-1, 1)),
-        *(beam.at(0.0, 0.0, way * (height - narrow) / 2) for way in (-1, 1)),
-    ]
-    first, *others = boards
+    boards = [stile.at(way * (width - rail) / 2) for way in (-1, 1)]
+    boards += [beam.at(z=way * (height - narrow) / 2) for way in (-1, 1)]
     opening = Opening(width - 2 * rail, height - 2 * narrow, [(0.0, 0.0, 0.0)], 1, look.finish, label)
     match look.style:
         case "glazed":
@@ -344,14 +338,4 @@ def front(
             filling = panels_in(opening, thickness, "raised", 0.008, "ovolo")
         case _:
             filling = panels_in(opening, thickness, "recessed", 0.009, look.moulding)
-    return [
-        ag.part(first, label, look.finish, name=name),
-        *(ag.part(each, label, look.finish) for each in others),
-        *filling,
-    ]
-
-
-def _bead(width: ag.Scalar, height: ag.Scalar, thickness: ag.Scalar) -> ag.Solid:
-    """Make a half-round bead around the face of a slab, with a height of 2 mm."""
-    ring = ag.rectangle(width - 0.004, height - 0.004) - ag.rectangle(width - 0.018, height - 0.018)
-    return ag.extrude(ring, 0.006, axis=ag.Y, bevel=0.0028).at(0.0, 0.001 - thickness / 2, 0.0)
+    return [ag.part(boards, label, look.finish, name=name), *filling]

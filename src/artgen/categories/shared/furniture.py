@@ -24,35 +24,17 @@ CaseLook = Literal["wood", "lacquer", "melamine", "decor", "steel"]
 """The same looks, or folded sheet steel."""
 
 _WOODS: dict[str, float] = {
-    "oak": 2.0,
-    "oak_flat_sawn": 1.2,
-    "walnut": 1.4,
-    "walnut_flat_sawn": 0.8,
-    "beech": 0.9,
-    "maple": 0.6,
-    "ash": 0.8,
-    "pine_flat_sawn": 0.9,
-    "mahogany": 0.7,
-}
+    "oak": 2.0, "oak_flat_sawn": 1.2, "walnut": 1.4, "walnut_flat_sawn": 0.8, "beech": 0.9,
+    "maple": 0.6, "ash": 0.8, "pine_flat_sawn": 0.9, "mahogany": 0.7,
+}  # fmt: skip
 # density of wood between pine and oak, glued up or on board [kg/m3]
 WOODS = weighing(known(*_WOODS), 650.0, "furniture")
 """Woods of furniture."""
 
 _LACQUERS: dict[str, float] = {
-    "white": 2.2,
-    "ivory": 1.0,
-    "sage": 1.2,
-    "navy": 1.0,
-    "graphite": 1.0,
-    "taupe": 0.6,
-    "forest": 0.7,
-    "light_grey": 0.9,
-    "sky": 0.5,
-    "blush": 0.5,
-    "black": 0.6,
-    "mustard": 0.3,
-    "burgundy": 0.3,
-}
+    "white": 2.2, "ivory": 1.0, "sage": 1.2, "navy": 1.0, "graphite": 1.0, "taupe": 0.6, "forest": 0.7,
+    "light_grey": 0.9, "sky": 0.5, "blush": 0.5, "black": 0.6, "mustard": 0.3, "burgundy": 0.3,
+}  # fmt: skip
 LACQUERS = tuple(ag.colored("lacquered_mdf", color) for color in _LACQUERS)
 """Sprayed MDF, 750 kg/m3."""
 
@@ -71,16 +53,9 @@ DECORS = tuple(
 """Chipboard with a foil with a printed wood grain."""
 
 _STEELS: dict[str, float] = {
-    "light_grey": 2.0,
-    "white": 1.4,
-    "graphite": 1.2,
-    "black": 1.2,
-    "sand": 0.8,
-    "sage": 0.5,
-    "red": 0.4,
-    "mustard": 0.3,
-    "navy": 0.4,
-}
+    "light_grey": 2.0, "white": 1.4, "graphite": 1.2, "black": 1.2, "sand": 0.8,
+    "sage": 0.5, "red": 0.4, "mustard": 0.3, "navy": 0.4,
+}  # fmt: skip
 # walls are two sheets of 0.8 mm with air between them: 1.6 of some 14 mm are steel, and less in single walls
 STEELS = weighing([ag.colored("powder_coat", color) for color in _STEELS], 620.0, "sheet")
 """Folded sheet steel, painted."""
@@ -118,15 +93,9 @@ _TOPS = (
 _TOP_WEIGHTS = (1.6, 1.2, 0.7, 0.9, 0.8, 0.4, *_STONES.values())
 
 HARDWARE: dict[str, float] = {
-    "satin_nickel": 1.8,
-    "stainless": 1.4,
-    "chrome": 0.9,
-    "satin_brass": 1.6,
-    "brass": 0.6,
-    "aged_bronze": 0.8,
-    "powder_coat_black": 1.6,
-    "black_steel": 0.5,
-}
+    "satin_nickel": 1.8, "stainless": 1.4, "chrome": 0.9, "satin_brass": 1.6,
+    "brass": 0.6, "aged_bronze": 0.8, "powder_coat_black": 1.6, "black_steel": 0.5,
+}  # fmt: skip
 """Metals of furniture handles, with their weights in a random choice."""
 
 
@@ -235,53 +204,37 @@ class Carcass:
         """Position of the front of the back panel along y [m]."""
         return self.rear - _BACK_INSET - BACK
 
+    @property
+    def _shy(self) -> ag.Span:
+        """Extent along y of boards that end at the back panel [m]."""
+        return (self.front + _SEAM, self.behind + _BITE)
+
     def bodies(self) -> list[ag.Body]:
         """Make sides, bottom, top and back; the first body starts the link `body`."""
-        foot = self.low if self.foot is None else self.foot
-        y, inner = (self.front, self.rear), self.right + _BITE
-        shy = (self.front + _SEAM, self.rear - _SEAM)
-        sides = [
-            ag.Region(
-                (
-                    way * self.width / 2 - (self.thick if way > 0 else 0.0),
-                    way * self.width / 2 + (0.0 if way > 0 else self.thick),
-                ),
-                y,
-                (foot, self.high),
-            ).box(bevel=EASE)
-            for way in (-1, 1)
-        ]
-        bottom = ag.Region((-inner, inner), shy, (self.low + _SEAM, self.floor)).box(bevel=EASE)
-        top = ag.Region((-inner, inner), shy, (self.ceiling, self.high - _SEAM)).box(bevel=EASE)
-        groove = 0.004
-        back = ag.Region(
-            (-inner - groove, inner + groove),
-            (self.behind, self.behind + BACK),
-            (self.floor - groove, self.ceiling + groove),
-        ).box()
+        foot, inner = self.low if self.foot is None else self.foot, self.right + _BITE
+        x, shy = (-inner, inner), (self.front + _SEAM, self.rear - _SEAM)
+        right = ag.Region(
+            (self.width / 2 - self.thick, self.width / 2), (self.front, self.rear), (foot, self.high)
+        )
+        bottom = ag.Region(x, shy, (self.low + _SEAM, self.floor)).box(bevel=EASE)
+        top = ag.Region(x, shy, (self.ceiling, self.high - _SEAM)).box(bevel=EASE)
+        sides = [each.box(bevel=EASE) for each in (right.mirror(), right)]
+        groove = ag.Region(x, (self.behind, self.behind + BACK), (self.floor, self.ceiling)).grow(0.004, y=0)
         return [
-            ag.part(sides[0], self.label, self.finish, name="body"),
-            ag.part(sides[1], self.label, self.finish),
-            ag.part(bottom, self.label, self.finish),
-            ag.part(top, self.label, self.finish),
-            ag.part(back, "back", self.inside),
+            ag.part([*sides, bottom, top], self.label, self.finish, name="body"),
+            ag.part(groove.box(), "back", self.inside),
         ]
 
     def partition(self, x: ag.Scalar, *, low: ag.Scalar | None = None) -> ag.Body:
         """Make a vertical board up to the top."""
-        solid = ag.Region(
-            (x - self.thick / 2, x + self.thick / 2),
-            (self.front + _SEAM, self.behind + _BITE),
-            ((self.floor if low is None else low) - _BITE, self.ceiling + _BITE),
-        ).box(bevel=EASE)
+        z = ((self.floor if low is None else low) - _BITE, self.ceiling + _BITE)
+        solid = ag.Region((x - self.thick / 2, x + self.thick / 2), self._shy, z).box(bevel=EASE)
         return ag.part(solid, self.label, self.finish)
 
     def deck(self, z: ag.Scalar) -> ag.Body:
         """Make a board across the full width, over an open compartment."""
         inner = self.right + _BITE
-        solid = ag.Region(
-            (-inner, inner), (self.front + _SEAM, self.behind + _BITE), (z - self.thick, z)
-        ).box(bevel=EASE)
+        solid = ag.Region((-inner, inner), self._shy, (z - self.thick, z)).box(bevel=EASE)
         return ag.part(solid, self.label, self.finish)
 
     def rail(
@@ -295,13 +248,9 @@ class Carcass:
         solid: bool = True,
     ) -> ag.Body:
         """Make a rail between two uprights, behind the front edges."""
-        made = ag.Region(
-            (left - _BITE, right + _BITE),
-            (self.front + _SEAM, self.front + deep),
-            (z - high / 2, z + high / 2),
-        ).box(bevel=EASE)
-        make = ag.part if solid else ag.detail
-        return make(made, self.label, self.finish)
+        y = (self.front + _SEAM, self.front + deep)
+        made = ag.Region((left - _BITE, right + _BITE), y, (z - high / 2, z + high / 2)).box(bevel=EASE)
+        return (ag.part if solid else ag.detail)(made, self.label, self.finish)
 
     def shelves(
         self, levels: Sequence[ag.Scalar], *, thick: ag.Scalar, setback: ag.Scalar, finish: ag.Material
@@ -309,38 +258,32 @@ class Carcass:
         """Make shelves on pins, and the rows of holes for the pins."""
         if not levels:
             return []
-        near, far = self.front + setback, self.behind - 0.002
-        plank = ag.Region((-self.right + _SEAM, self.right - _SEAM), (near, far), (0.0, thick)).box(
-            bevel=EASE
-        )
-        lines = (near + 0.035, far - 0.045)
+        inner, near, far = self.right, self.front + setback, self.behind - 0.002
+        plank = ag.Region((_SEAM - inner, inner - _SEAM), (near, far), (0.0, thick)).box(bevel=EASE)
+        lines = [(way, y) for y in (near + 0.035, far - 0.045) for way in (-1, 1)]
         pins = [
             ag.cylinder_between(
-                (way * (self.right + 0.002), y, -0.0026), (way * (self.right - 0.009), y, -0.0026), 0.0026
+                (way * (inner + 0.002), y, -0.0026), (way * (inner - 0.009), y, -0.0026), 0.0026
             )
-            for way in (-1, 1)
-            for y in lines
+            for way, y in lines
         ]
-        at: list[ag.VectorLike] = [(0.0, 0.0, level) for level in levels]
-        hole = ag.cylinder(0.0025, 0.0006, axis=(1.0, 0.0, 0.0))
-        rows: list[ag.VectorLike] = [
-            (way * (self.right - 0.0001), y, level + step * _PITCH - 0.0026)
+        rows = [
+            (way * (inner - 0.0001), y, level + step * _PITCH - 0.0026)
             for level in levels
             for step in (-2, -1, 1, 2)
-            for way in (-1, 1)
-            for y in lines
+            for way, y in lines
         ]
-        dark = self.finish.with_(
-            name="pin_hole",
-            base_color=(0.03, 0.028, 0.025),
-            texture="",
-            coat_weight=0.0,
-            specular_roughness=0.8,
-        )
+        at, hole = [(0.0, 0.0, level) for level in levels], ag.cylinder(0.0025, 0.0006, axis=ag.X)
+        dark = {
+            "base_color": (0.03, 0.028, 0.025),
+            "texture": "",
+            "coat_weight": 0.0,
+            "specular_roughness": 0.8,
+        }
         return [
             ag.part(ag.array(plank, at=at), "shelf", finish, separate="each shelf lies on its pins"),
             ag.detail(ag.array(ag.union(*pins), at=at), "pin", ZINC),
-            ag.detail(ag.array(hole, at=rows), "pin", dark),
+            ag.detail(ag.array(hole, at=rows), "pin", self.finish.with_(name="pin_hole", **dark)),
         ]
 
     def standing(
@@ -357,11 +300,9 @@ class Carcass:
                 return [corner_feet(self.width, self.rear - self.front, inset=0.03, radius=0.014, height=low)]
             case _:
                 x, y, z = self.right, self.behind, self.ceiling
-                bracket = ag.Region(
-                    (x - 0.016, x + _BITE), (y - 0.052, y + _BITE), (z - 0.058, z - 0.008)
-                ).box(bevel=0.002)
-                both = (bracket, bracket.mirror((1.0, 0.0, 0.0)))
-                return [ag.part(each, "bracket", ag.material("abs")) for each in both]
+                one = ag.Region((x - 0.016, x + _BITE), (y - 0.052, y + _BITE), (z - 0.058, z - 0.008))
+                both = [each.box(bevel=0.002) for each in (one, one.mirror())]
+                return [ag.part(both, "bracket", ag.material("abs"))]
 
     def plinth(self, setback: ag.Scalar, finish: ag.Material) -> list[ag.Body]:
         """Make the board between the sides under the bottom board, and a stretcher at the back."""
@@ -370,26 +311,24 @@ class Carcass:
         z = (_SEAM, low + 0.002)
         near = ag.Region(x, (self.front + setback, self.front + setback + 0.016), z).box(bevel=EASE)
         far = ag.Region(x, (self.rear - 0.032, self.rear - 0.016), (0.02, low + 0.002)).box(bevel=EASE)
-        return [ag.part(near, "plinth", finish), ag.part(far, "plinth", finish)]
+        return [ag.part([near, far], "plinth", finish)]
 
     def legs(self, style: LegStyle, finish: ag.Material, *, inset: ag.Scalar = 0.045) -> list[ag.Body]:
         """Make four legs under the corners of the bottom board."""
         low = ag.require(self.low, self.low > 0.05, "stand_height of legs must be > 0.05 m")
         core, skin = _leg(style, low + 0.0008)
         x, y = self.width / 2 - inset, (self.front + inset, self.rear - inset)
-        corners = ((-1, 0), (1, 0), (-1, 1), (1, 1))
 
-        def everywhere(solid: ag.Solid) -> list[ag.Solid]:
+        def everywhere(solids: list[ag.Solid]) -> list[ag.Solid]:
             made = []
-            for way, end in corners:
-                turned = solid.mirror((1.0, 0.0, 0.0)) if way > 0 else solid
-                made.append((turned.mirror((0.0, 1.0, 0.0)) if end else turned).at(way * x, y[end], 0.0))
+            for way, end in ((-1, 0), (1, 0), (-1, 1), (1, 1)):
+                for solid in solids:
+                    turned = solid.mirror(ag.X) if way > 0 else solid
+                    made.append((turned.mirror(ag.Y) if end else turned).at(way * x, y[end], 0.0))
             return made
 
-        return [
-            *(ag.part(each, "leg", finish) for solid in core for each in everywhere(solid)),
-            *(ag.detail(each, "leg", finish) for solid in skin for each in everywhere(solid)),
-        ]
+        solid = ag.part(everywhere(core), "leg", finish)
+        return [solid, ag.detail(everywhere(skin), "leg", finish)] if skin else [solid]
 
     def worktop(
         self,
@@ -402,10 +341,8 @@ class Carcass:
     ) -> ag.Body:
         """Make the top on the carcass."""
         out = self.width / 2 + beside
-        slab = ag.Region(
-            (-out, out), (self.front - before, self.rear), (self.high - 0.0002, self.high + thick)
-        ).box(bevel=bevel)
-        return ag.part(slab, "top", finish)
+        y, z = (self.front - before, self.rear), (self.high - 0.0002, self.high + thick)
+        return ag.part(ag.Region((-out, out), y, z).box(bevel=bevel), "top", finish)
 
 
 def _leg(style: LegStyle, tall: ag.Scalar) -> tuple[list[ag.Solid], list[ag.Solid]]:

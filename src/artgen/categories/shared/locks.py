@@ -16,9 +16,7 @@ from artgen import details
 from artgen.asset.affordance import GRIPPER
 from artgen.categories.shared.finish import casting, recess
 from artgen.categories.shared.fixings import Drive, Way, screws
-
-_PLUG = 0.0066  # radius of the plug of a euro-profile cylinder [m]
-_OUT = 0.0018  # height of that cylinder above its plate [m]
+from artgen.feel import Feel
 
 
 def plug(
@@ -27,29 +25,20 @@ def plug(
     """Make the plug of a cylinder with its keyway, 0.7 mm high."""
     upright = ag.slot(0.0080, 0.0017).rotate(math.pi / 2.0)
     keyway = upright | ag.rectangle(0.0026, 0.0014).at(0.0004, 0.0012)  # a ward of the key
-    disc = ag.extrude(ag.circle(radius) - keyway, 0.0012, axis=ag.Y)
-    dark = ag.box(0.0034, 0.0004, 0.0084)
+    disc = ag.extrude(ag.circle(radius) - keyway, 0.0012, axis=ag.Y).at(0.0, side * (face + 0.0001), -below)
+    dark = ag.box(0.0034, 0.0004, 0.0084).at(0.0, side * (face - 0.0001), -below)
     groove = ag.extrude(ag.ring(radius + 0.0005, radius - 0.0004), 0.0003, axis=ag.Y)
-    return [
-        ag.detail(disc.at(0.0, side * (face + 0.0001), -below), "cylinder", finish),
-        ag.detail(
-            (dark.at(0.0, side * (face - 0.0001), 0.0) | groove.at(0.0, side * face, 0.0)).at(
-                0.0, 0.0, -below
-            ),
-            "cylinder",
-            recess(finish),
-        ),
-    ]
+    slit = dark | groove.at(0.0, side * face, -below)
+    return [ag.detail(disc, "cylinder", finish), ag.detail(slit, "cylinder", recess(finish))]
 
 
-def key_cylinder(*, face: ag.Scalar, side: int, finish: ag.Material, below: ag.Scalar) -> list[ag.Body]:
-    """Make the visual-only end of a euro-profile cylinder in a plate."""
+def _key_cylinder(face: ag.Scalar, side: int, finish: ag.Material) -> list[ag.Body]:
+    """Make the visual-only end of a euro-profile cylinder in a plate, 60 mm below the spindle."""
+    below, out = 0.060, 0.0018  # the cylinder is 1.8 mm above its plate
     profile = ag.circle(0.0085) | ag.rectangle(0.0100, 0.0245, radius=0.0045).at(0.0, -0.01225)
-    body = ag.extrude(profile, 2.0 * _OUT, axis=ag.Y, bevel=0.0006)
-    return [
-        ag.detail(body.at(0.0, side * face, -below), "cylinder", finish),
-        *plug(face=face + _OUT, side=side, finish=finish, radius=_PLUG, below=below),
-    ]
+    body = ag.extrude(profile, 2 * out, axis=ag.Y, bevel=0.0006).at(0.0, side * face, -below)
+    core = plug(face=face + out, side=side, finish=finish, radius=0.0066, below=below)
+    return [ag.detail(body, "cylinder", finish), *core]
 
 
 Faces = Literal["both", "front", "back"]
@@ -73,7 +62,6 @@ PIN_BELOW = 0.0215
 PIN = 0.0034
 """Radius of a privacy pin [m]."""
 
-_KEY_BELOW = 0.060  # distance of a key cylinder below the spindle [m]
 _HOLE = 0.0105  # side of the hole [m]
 _SUNK = 0.0005  # depth of a rose in the leaf [m]
 
@@ -98,74 +86,43 @@ def rose(
     keyed: bool = False,
 ) -> ag.Body:
     """Make the roses of a handle on the faces of a leaf, which are welded to it."""
+
+    def one(side: int, *, pinned: bool) -> ag.Body:
+        middle, face = side * (thickness / 2 + (depth - _SUNK) / 2), side * (thickness / 2 + depth)
+        deep = depth + _SUNK
+        if style == "round":
+            cover = ag.cylinder(across / 2, deep, axis=ag.Y, bevel=0.0022)
+        elif style == "square":
+            cover = ag.box(across, deep, across, bevel=0.0022)
+        else:
+            cover = ag.extrude(ag.rectangle(across, height, radius=0.006), deep, axis=ag.Y, bevel=0.0015)
+        cover = cover.at(y=middle) - ag.box(_HOLE, deep + 0.004, _HOLE).at(y=middle)
+        if pinned:
+            cover = cover - ag.bore(PIN + 0.0004, deep + 0.004, axis=ag.Y).at(0.0, middle, -PIN_BELOW)
+        facing: Way = "-y" if side < 0 else "+y"
+        drive: Drive = "phillips" if fixing == "phillips" else "slot"
+        bodies = [ag.part(cover, "rose", casting(finish))]
+        if style == "plate":
+            places = [(0.0, face, end * (height / 2 - 0.0125)) for end in (-1, 1)]
+            bodies += screws(places, facing=facing, radius=0.0042, finish=finish, drive=drive)
+            if keyed:
+                bodies += _key_cylinder(thickness / 2 + depth, side, finish)
+        elif fixing == "hidden":  # the set screw is in the rim, hidden from the front
+            socket = ag.extrude(ag.circle(0.0021) - details.drive_recess(0.00125, "hex"), 0.0008)
+            dark = ag.cylinder(0.0019, 0.0008).at(0.0, middle, -across / 2 + 0.0003)
+            bodies.append(ag.detail(socket.at(0.0, middle, -across / 2), "screw", finish))
+            bodies.append(ag.detail(dark, "screw", recess(finish)))
+        else:
+            aside = across / 2 - 0.0056  # outside the collar of a knob
+            # beside the hole of a pin, or above and below the spindle
+            spots = [(end * aside, face, 0.0) if pinned else (0.0, face, end * aside) for end in (-1, 1)]
+            bodies += screws(spots, facing=facing, radius=0.0028, finish=finish, drive=drive, head="pan")
+        return ag.weld(*bodies)
+
     if faces == "both" and not pin:
-        front = ag.weld(
-            *_one_rose(thickness, depth, across, finish, style, height, -1, fixing, pin=False, keyed=keyed)
-        )
+        front = one(-1, pinned=False)
         return ag.weld(front, front.rotate(ag.Z, math.pi))
-    bodies: list[ag.Body] = []
-    for side in SIDES[faces]:
-        bodies += _one_rose(
-            thickness,
-            depth,
-            across,
-            finish,
-            style,
-            height,
-            side,
-            fixing,
-            pin=pin and side == pin_side,
-            keyed=keyed,
-        )
-    return ag.weld(*bodies)
-
-
-def _one_rose(
-    thickness: ag.Scalar,
-    depth: ag.Scalar,
-    across: ag.Scalar,
-    finish: ag.Material,
-    style: str,
-    height: ag.Scalar,
-    side: int,
-    fixing: Fixing,
-    *,
-    pin: bool,
-    keyed: bool,
-) -> list[ag.Body]:
-    middle = side * (thickness / 2 + (depth - _SUNK) / 2)
-    face = side * (thickness / 2 + depth)
-    deep = depth + _SUNK
-    if style == "round":
-        cover = ag.cylinder(across / 2, deep, axis=ag.Y, bevel=0.0022)
-    elif style == "square":
-        cover = ag.box(across, deep, across, bevel=0.0022)
-    else:
-        cover = ag.extrude(ag.rectangle(across, height, radius=0.006), deep, axis=ag.Y, bevel=0.0015)
-    cover = cover.at(0.0, middle, 0.0) - ag.box(_HOLE, deep + 0.004, _HOLE).at(0.0, middle, 0.0)
-    if pin:
-        cover = cover - ag.bore(PIN + 0.0004, deep + 0.004, axis=ag.Y).at(0.0, middle, -PIN_BELOW)
-    bodies = [ag.part(cover, "rose", casting(finish))]
-    facing: Way = "-y" if side < 0 else "+y"
-    drive: Drive = "phillips" if fixing == "phillips" else "slot"
-    if style == "plate":
-        places = [(0.0, face, end * (height / 2 - 0.0125)) for end in (-1, 1)]
-        bodies += screws(places, facing=facing, radius=0.0042, finish=finish, drive=drive)
-        if keyed:
-            below = _KEY_BELOW
-            bodies += key_cylinder(face=thickness / 2 + depth, side=side, finish=finish, below=below)
-        return bodies
-    if fixing == "hidden":
-        # the set screw is in the rim, hidden from the front
-        socket = ag.extrude(ag.circle(0.0021) - details.drive_recess(0.00125, "hex"), 0.0008).at(
-            0.0, middle, -across / 2
-        )
-        dark = ag.cylinder(0.0019, 0.0008).at(0.0, middle, -across / 2 + 0.0003)
-        return [*bodies, ag.detail(socket, "screw", finish), ag.detail(dark, "screw", recess(finish))]
-    aside = across / 2 - 0.0056  # outside the collar of a knob
-    # beside the hole of a pin, or above and below the spindle
-    spots = [(end * aside, face, 0.0) if pin else (0.0, face, end * aside) for end in (-1, 1)]
-    return bodies + screws(spots, facing=facing, radius=0.0028, finish=finish, drive=drive, head="pan")
+    return ag.weld(*(one(side, pinned=pin and side == pin_side) for side in SIDES[faces]))
 
 
 def spindle(thickness: ag.Scalar, rose_depth: ag.Scalar, faces: Faces = "both") -> ag.Solid:
@@ -213,14 +170,9 @@ def latch_bolt(
 ) -> ag.Body:
     """Make a sprung bolt: flat towards -y, to hold the door, slanted towards +y, for closing."""
     half = LATCH.width / 2
+    tail, nose = backset - _TAIL, backset + throw  # the nose is blunt
     section = ag.polygon(
-        [
-            (backset - _TAIL, -half),
-            (backset + throw, -half),
-            (backset + throw, -half + 0.003),  # a blunt nose
-            (backset + 0.0015, half),
-            (backset - _TAIL, half),
-        ]
+        [(tail, -half), (nose, -half), (nose, -half + 0.003), (backset + 0.0015, half), (tail, half)]
     )
     return ag.part(ag.extrude(section, LATCH.height, axis=ag.Z, bevel=0.0006), "latch", finish, push=push)
 
@@ -259,11 +211,8 @@ def faceplate(
     ]
     if mark:
         name = details.lettering([mark.upper()], 0.0016, tracking=0.12, fineness="coarse")
-        bodies.append(
-            details.engraved(
-                name, (face, 0.0, -height / 2 + 0.0026), facing=ag.X, label="faceplate", material=finish
-            )
-        )
+        at = (face, 0.0, -height / 2 + 0.0026)
+        bodies.append(details.engraved(name, at, facing=ag.X, label="faceplate", material=finish))
     return ag.weld(*bodies)
 
 
@@ -377,9 +326,8 @@ def thumb_turn_joint(
     name: str = "lock_turn", *, pivot: ag.VectorLike = (0.0, 0.0, 0.0), friction: ag.Scalar = 0.12
 ) -> ag.Joint:
     """Make the joint of a thumb turn, held by the friction of its detent; positive throws the bolt."""
-    return ag.Revolute(
-        name, axis=ag.Y, pivot=pivot, limits=(0.0, QUARTER), friction=friction, damping=0.02, armature=0.0001
-    )
+    feel_ = Feel(friction=friction, damping=0.02, armature=0.0001)
+    return ag.Revolute(name, axis=ag.Y, pivot=pivot, limits=(0.0, QUARTER), feel=feel_)
 
 
 def thumb_turn(*, thickness: ag.Scalar, finish: ag.Material, side: int = -1) -> ag.Body:
@@ -410,57 +358,6 @@ def deadbolt_cover(*, thickness: ag.Scalar, finish: ag.Material, side: int = -1)
     )
 
 
-def turn_button(
-    *, face: ag.Scalar, depth: ag.Scalar, finish: ag.Material, side: int = -1, below: ag.Scalar = 0.0
-) -> ag.Body:
-    """Make the small turning knob of a privacy lock: the link `lock`."""
-    disc = ag.cylinder(0.0055, 0.003, axis=ag.Y, bevel=0.0008).at(0.0, side * (face + _GAP + 0.0015), -below)
-    wing = ag.box(0.0032, 0.007, 0.0105, bevel=0.0012).at(0.0, side * (face + _GAP + 0.0050), -below)
-    inner, outer = face - depth + 0.0015, face + 0.002
-    stem = ag.cylinder_between((0.0, side * inner, -below), (0.0, side * outer, -below), PIN)
-    hold = (
-        _hold_from_below(face, side, below)
-        if below
-        else ag.grasp_on(wing, approach=(0.0, -side, 0.0), closing=ag.X, depth=0.005)
-    )
-    return ag.part(ag.union(disc, wing, stem), "lock", finish, grasp=hold)
-
-
-def _hold_from_below(face: ag.Scalar, side: int, below: ag.Scalar) -> ag.Frame:
-    """Return the grasp of a turn button under a lever: the hand comes from below."""
-    out, up = math.cos(_FROM_BELOW), math.sin(_FROM_BELOW)
-    half, tip = GRIPPER.wide / 2.0, GRIPPER.tip
-    # the nearest corner of the finger tips is 0.5 mm above the disc, 4.5 mm below its middle
-    away = face + 0.0040 + tip * out + half * up
-    drop = -below - 0.0045 - tip * up + half * out
-    return ag.frame((0.0, side * away, drop), approach=(0.0, -side * out, up), closing=ag.X)
-
-
-def push_button(
-    *, face: ag.Scalar, depth: ag.Scalar, finish: ag.Material, side: int = -1, below: ag.Scalar = 0.0
-) -> ag.Body:
-    """Make the pressed pin of a privacy lock: the link `lock`."""
-    inner, outer = face - depth + PIN_TRAVEL + 0.0015, face + PIN_TRAVEL + 0.0015
-    pin = ag.cylinder_between((0.0, side * inner, -below), (0.0, side * outer, -below), PIN, bevel=0.0008)
-    # a finger presses the lower half of the pin, away from the neck of a lever above it
-    press = ag.push_on(pin, direction=(0.0, -side, 0.0), at=(0.0, side * outer, -below - 0.002))
-    return ag.part(pin, "lock", finish, push=press)
-
-
-def button_turn(name: str = "lock_turn", *, pivot: ag.VectorLike = (0.0, 0.0, 0.0)) -> ag.Joint:
-    """Make the joint of a privacy knob, held by friction at both ends."""
-    return ag.Revolute(
-        name, axis=ag.Y, pivot=pivot, limits=(-0.8, 0.8), friction=0.03, damping=0.002, armature=0.00002
-    )
-
-
-def button_push(name: str = "lock_push", *, side: int = -1) -> ag.Joint:
-    """Make the joint of a privacy pin, held by friction; positive presses it in."""
-    return ag.Prismatic(
-        name, axis=(0.0, -side, 0.0), limits=(0.0, PIN_TRAVEL), friction=1.5, damping=2.0, armature=0.01
-    )
-
-
 def with_button(
     body: ag.Body,
     style: Literal["turn", "push"],
@@ -471,8 +368,35 @@ def with_button(
     side: int = -1,
     below: ag.Scalar = 0.0,
 ) -> ag.Body:
-    """Attach the knob or the pin of a privacy lock to a body with a hole for it."""
-    make = turn_button if style == "turn" else push_button
-    button = make(face=face, depth=depth, finish=finish, side=side, below=below)
-    joint = button_turn(pivot=(0.0, 0.0, -below)) if style == "turn" else button_push(side=side)
-    return body.attach(button, joint)
+    """Attach the knob or the pin of a privacy lock, the link `lock`, to a body with a hole for it."""
+    if style == "turn":
+        knob = _turn_button(face, depth, finish, side, below)
+        feel_ = Feel(friction=0.03, damping=0.002, armature=0.00002)  # friction holds it at both ends
+        turn = ag.Revolute("lock_turn", axis=ag.Y, pivot=(0, 0, -below), limits=(-0.8, 0.8), feel=feel_)
+        return body.attach(knob, turn)
+    inner, outer = face - depth + PIN_TRAVEL + 0.0015, face + PIN_TRAVEL + 0.0015
+    pin = ag.cylinder_between((0.0, side * inner, -below), (0.0, side * outer, -below), PIN, bevel=0.0008)
+    # a finger presses the lower half of the pin, away from the neck of a lever above it
+    press = ag.push_on(pin, direction=(0.0, -side, 0.0), at=(0.0, side * outer, -below - 0.002))
+    feel_ = Feel(friction=1.5, damping=2.0, armature=0.01)
+    slide = ag.Prismatic("lock_push", axis=(0.0, -side, 0.0), limits=(0.0, PIN_TRAVEL), feel=feel_)
+    return body.attach(ag.part(pin, "lock", finish, push=press), slide)
+
+
+def _turn_button(
+    face: ag.Scalar, depth: ag.Scalar, finish: ag.Material, side: int, below: ag.Scalar
+) -> ag.Body:
+    """Make the small turning knob of a privacy lock."""
+    disc = ag.cylinder(0.0055, 0.003, axis=ag.Y, bevel=0.0008).at(0.0, side * (face + _GAP + 0.0015), -below)
+    wing = ag.box(0.0032, 0.007, 0.0105, bevel=0.0012).at(0.0, side * (face + _GAP + 0.0050), -below)
+    inner, outer = face - depth + 0.0015, face + 0.002
+    stem = ag.cylinder_between((0.0, side * inner, -below), (0.0, side * outer, -below), PIN)
+    if below:  # under a lever, the hand comes from below
+        out, up = math.cos(_FROM_BELOW), math.sin(_FROM_BELOW)
+        half, tip = GRIPPER.wide / 2, GRIPPER.tip
+        # the nearest corner of the finger tips is 0.5 mm above the disc, 4.5 mm below its middle
+        away, drop = face + 0.0040 + tip * out + half * up, -below - 0.0045 - tip * up + half * out
+        hold = ag.frame((0.0, side * away, drop), approach=(0.0, -side * out, up), closing=ag.X)
+    else:
+        hold = ag.grasp_on(wing, approach=(0.0, -side, 0.0), closing=ag.X, depth=0.005)
+    return ag.part(ag.union(disc, wing, stem), "lock", finish, grasp=hold)
