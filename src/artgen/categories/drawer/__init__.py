@@ -17,92 +17,57 @@ from functools import reduce
 from typing import Literal
 
 import artgen as ag
-from artgen.categories.drawer.boxes import (
-    INDEXES,
-    BoxLook,
-    Mounting,
-    Rows,
-    RunnerStyle,
-    drawer_box,
-    fixed_members,
-    label_holder,
-    lock,
-    slide,
-)
-from artgen.categories.drawer.boxes import drawer as drawer_of
-from artgen.categories.shared import require_suited
+from artgen.categories.drawer import boxes
+from artgen.categories.shared import furniture, require_suited
 from artgen.categories.shared.fronts import FrontLook, FrontStyle
-from artgen.categories.shared.furniture import (
-    GREY_STEEL,
-    HARDBOARD,
-    PLY,
-    WHITE_BOARD,
-    Carcass,
-    CaseLook,
-    LegStyle,
-    accents,
-    boards,
-    hardware,
-    leg_finishes,
-    worktops,
-)
 from artgen.categories.shared.pulls import bar_pull, cup_pull, groove_pull, knob_pull
 
-_FINISH, _ACCENT = boards("wood", "lacquer", "melamine", "decor", "steel"), accents()
-_WORKTOP, _LEG, _METAL = worktops(), leg_finishes(), hardware()
+_FINISH = furniture.boards("wood", "lacquer", "melamine", "decor", "steel")
+_ACCENT, _WORKTOP = furniture.accents(), furniture.worktops()
+_LEG, _METAL = furniture.leg_finishes(), furniture.hardware()
 _HANDLES = {"knob": knob_pull, "bar": bar_pull, "cup": cup_pull, "groove": groove_pull}
 _LEAST = 0.09  # least distance between neighboring drawers [m]
-_FRAMED = ag.choice("flat", "beaded", "shaker", "ramped", weights=(0.4, 0.15, 0.25, 0.2))
-_MOUNTED = ag.choice("overlay", "inset", weights=(0.55, 0.45))
-_SLABS = ag.choice("flat", "beaded", weights=(0.7, 0.3))  # many framed fronts would need too many colliders
+_FRAMED = {"flat": 0.4, "beaded": 0.15, "shaker": 0.25, "ramped": 0.2}
+_MOUNTED = {"overlay": 0.55, "inset": 0.45}
+_SLABS = {"flat": 0.7, "beaded": 0.3}  # many framed fronts would need too many colliders
+_CHEST_GRIPS = {"knob": 0.35, "bar": 0.25, "cup": 0.18, "groove": 0.22}
 
 
 @ag.category(
-    labels=(
-        "body", "back", "top", "plinth", "leg", "foot", "drawer", "front", "runner", "handle", "label_holder",
-        "lock", "cylinder", "print", "screw",
-    ),
+    labels="body back top plinth leg foot drawer front runner handle label_holder lock cylinder print screw",
     joints=(1, 15),
-)  # fmt: skip
+)
 def drawer(
     *,
     kind: Literal["chest", "bedside", "file", "kitchen"] = ag.choice(
         "chest", "bedside", "file", "kitchen", weights=(0.34, 0.22, 0.2, 0.24)
     ),
-    look: CaseLook = ag.by(
+    look: furniture.CaseLook = ag.by(
         "kind",
         file="steel",
-        kitchen=ag.choice("wood", "lacquer", "melamine", "decor", weights=(0.25, 0.4, 0.2, 0.15)),
-        otherwise=ag.choice("wood", "lacquer", "melamine", "decor", weights=(0.5, 0.28, 0.12, 0.1)),
+        kitchen={"wood": 0.25, "lacquer": 0.4, "melamine": 0.2, "decor": 0.15},
+        otherwise={"wood": 0.5, "lacquer": 0.28, "melamine": 0.12, "decor": 0.1},
     ),
     rows: int = ag.by(
         "kind",
-        chest=ag.choice(3, 4, 5, weights=(0.35, 0.35, 0.3)),
-        bedside=ag.choice(1, 2, 3, weights=(0.3, 0.45, 0.25)),
+        chest={3: 0.35, 4: 0.35, 5: 0.3},
+        bedside={1: 0.3, 2: 0.45, 3: 0.25},
         file=ag.choice(2, 3, 4),
-        kitchen=ag.choice(2, 3, 4, 5, weights=(0.2, 0.45, 0.25, 0.1)),
+        kitchen={2: 0.2, 3: 0.45, 4: 0.25, 5: 0.1},
     ),
     columns: int = ag.by(
         "kind",
-        chest=ag.by(
-            "rows",
-            {5: ag.choice(1, 2, 3, weights=(0.5, 0.3, 0.2))},
-            otherwise=ag.choice(1, 2, 3, weights=(0.4, 0.38, 0.22)),
-        ),
+        chest=ag.by("rows", {5: {1: 0.5, 2: 0.3, 3: 0.2}}, otherwise={1: 0.4, 2: 0.38, 3: 0.22}),
         bedside=1,
-        file=ag.choice(1, 2, weights=(0.85, 0.15)),
-        kitchen=ag.by(
-            "rows",
-            {4: ag.choice(1, 2, weights=(0.7, 0.3)), 5: 1},
-            otherwise=ag.choice(1, 2, 3, weights=(0.6, 0.27, 0.13)),
-        ),
+        file={1: 0.85, 2: 0.15},
+        kitchen=ag.by("rows", {4: {1: 0.7, 2: 0.3}, 5: 1}, otherwise={1: 0.6, 2: 0.27, 3: 0.13}),
     ),
-    mounting: Mounting = ag.by(
+    mounting: boxes.Mounting = ag.by(
         "grip",
         groove="overlay",
         otherwise=ag.by(
             "kind",
-            kitchen=ag.choice("overlay", "inset", weights=(0.85, 0.15)),
+            kitchen={"overlay": 0.85, "inset": 0.15},
             # each of the 15 drawers of a chest for herbs, cards or tools has a frame around it
             chest=ag.by("rows", {5: ag.by("columns", {3: "inset"}, otherwise=_MOUNTED)}, otherwise=_MOUNTED),
             otherwise=_MOUNTED,
@@ -124,21 +89,17 @@ def drawer(
     ),
     niche: bool = ag.by(
         "kind",
-        bedside=ag.by(
-            "rows",
-            {1: ag.choice(False, True), 2: ag.choice(False, True, weights=(0.7, 0.3))},
-            otherwise=False,
-        ),
+        bedside=ag.by("rows", {1: ag.choice(False, True), 2: {False: 0.7, True: 0.3}}, otherwise=False),
         otherwise=False,
         doc="whether there is an open compartment under the drawers",
     ),
     stand: Literal["plinth", "legs", "feet"] = ag.by(
         "kind",
-        chest=ag.choice("plinth", "legs", weights=(0.4, 0.6)),
+        chest={"plinth": 0.4, "legs": 0.6},
         bedside=ag.by(
             "rows",
             {1: ag.by("niche", {True: ag.choice("plinth", "legs"), False: "legs"})},
-            otherwise=ag.choice("plinth", "legs", weights=(0.35, 0.65)),
+            otherwise={"plinth": 0.35, "legs": 0.65},
         ),
         file="feet",
         kitchen="plinth",
@@ -236,7 +197,7 @@ def drawer(
     ),
     rail: ag.Float = ag.uniform(0.034, 0.046, "m", doc="width of the frames of framed fronts"),
     slope: ag.Float = ag.uniform(0.010, 0.018, "m", doc="width of the slope of ramped fronts"),
-    leg: LegStyle = ag.choice("tapered", "splayed", "square", "turned", "metal"),
+    leg: furniture.LegStyle = ag.choice("tapered", "splayed", "square", "turned", "metal"),
     top: Literal["worktop", "over", "flush"] = ag.by(
         "kind", kitchen="worktop", file="flush", otherwise=ag.choice("over", "flush")
     ),
@@ -253,8 +214,8 @@ def drawer(
         kitchen="same",
         otherwise=ag.by(
             "look",
-            wood=ag.choice("same", "painted", weights=(0.75, 0.25)),
-            lacquer=ag.choice("same", "wood", weights=(0.75, 0.25)),
+            wood={"same": 0.75, "painted": 0.25},
+            lacquer={"same": 0.75, "wood": 0.25},
             otherwise="same",
         ),
         doc="finish of the fronts",
@@ -271,38 +232,34 @@ def drawer(
     box: Literal["ply", "white", "same", "steel"] = ag.by(
         "kind",
         file="steel",
-        kitchen=ag.choice("ply", "white", "steel", weights=(0.25, 0.4, 0.35)),
-        otherwise=ag.choice("ply", "white", "same", weights=(0.6, 0.2, 0.2)),
+        kitchen={"ply": 0.25, "white": 0.4, "steel": 0.35},
+        otherwise={"ply": 0.6, "white": 0.2, "same": 0.2},
         doc="material of the drawer boxes",
     ),
-    runner: RunnerStyle = ag.by("kind", file="ball", otherwise=ag.choice("roller", "ball")),
+    runner: boxes.RunnerStyle = ag.by("kind", file="ball", otherwise=ag.choice("roller", "ball")),
     metal: ag.Material = _METAL,
     grip: Literal["knob", "bar", "cup", "groove"] = ag.by(
         "kind",
-        file=ag.choice("bar", "cup", weights=(0.75, 0.25)),
+        file={"bar": 0.75, "cup": 0.25},
         chest=ag.by(
             "columns",
             {
-                1: ag.choice("knob", "bar", "cup", "groove", weights=(0.35, 0.25, 0.18, 0.22)),
-                2: ag.by(
-                    "rows",
-                    {5: ag.choice("knob", "groove")},
-                    otherwise=ag.choice("knob", "bar", "cup", "groove", weights=(0.35, 0.25, 0.18, 0.22)),
-                ),
+                1: _CHEST_GRIPS,
+                2: ag.by("rows", {5: ag.choice("knob", "groove")}, otherwise=_CHEST_GRIPS),
                 3: "knob",
             },
         ),
-        bedside=ag.choice("knob", "bar", "cup", "groove", weights=(0.42, 0.2, 0.14, 0.24)),
+        bedside={"knob": 0.42, "bar": 0.2, "cup": 0.14, "groove": 0.24},
         kitchen=ag.by(
             "columns",
-            {3: ag.choice("knob", "bar", "cup", weights=(0.3, 0.5, 0.2))},
-            otherwise=ag.choice("knob", "bar", "cup", "groove", weights=(0.15, 0.4, 0.2, 0.25)),
+            {3: {"knob": 0.3, "bar": 0.5, "cup": 0.2}},
+            otherwise={"knob": 0.15, "bar": 0.4, "cup": 0.2, "groove": 0.25},
         ),
     ),
     handle: ag.Generator = ag.by("grip", _HANDLES),
     handles: int = ag.by(
         "kind",
-        chest=ag.by("columns", {1: ag.choice(1, 2, weights=(0.25, 0.75))}, otherwise=1),
+        chest=ag.by("columns", {1: {1: 0.25, 2: 0.75}}, otherwise=1),
         otherwise=1,
         doc="number of handles on a drawer",
     ),
@@ -315,10 +272,7 @@ def drawer(
     ),
     first_index: int = ag.by("kind", file=ag.count(0, 7), otherwise=0, doc="card in the first label holder"),
     locked: bool = ag.by(
-        "kind",
-        file=ag.choice(True, False, weights=(0.8, 0.2)),
-        otherwise=False,
-        doc="whether there is a lock",
+        "kind", file={True: 0.8, False: 0.2}, otherwise=False, doc="whether there is a lock"
     ),
     slide_share: ag.Float = ag.uniform(0.60, 0.75, doc="travel, as a share of the depth", within=(0.2, 0.8)),
     slide_friction: ag.Float = ag.by(
@@ -341,84 +295,77 @@ def drawer(
         height - stand_height - slab > _LEAST * rows,
         f"each drawer must be >= {_LEAST:g} m high: raise height, or lower rows or stand_height",
     )
-    case = Carcass(
+    case = furniture.Carcass(
         width=width,
         low=stand_height,
         high=height - slab,
         front=-depth / 2,
         rear=depth / 2,
         thick=thickness,
-        finish=WHITE_BOARD if shell == "white" else finish,
-        inside=WHITE_BOARD if kind == "kitchen" else finish,
+        finish=furniture.WHITE_BOARD if shell == "white" else finish,
+        inside=furniture.WHITE_BOARD if kind == "kitchen" else finish,
         foot=0.0 if stand == "plinth" else None,
     )
-    shelf = case.floor + 0.42 * (case.ceiling - case.floor)
-    weights: list[ag.Scalar] = [top_share, *(growth**at for at in range(rows - 1))]
-    bays = Rows(case, mounting, columns, weights, front_thickness, grip == "groove", shelf if niche else None)
     dress = finish if fronts == "same" else accent
-    sides = {"ply": PLY, "white": WHITE_BOARD, "same": dress, "steel": GREY_STEEL}[box]
-    boxes = BoxLook(
-        sides,
-        HARDBOARD if box == "white" else sides,
+    stock = {
+        "ply": furniture.PLY,
+        "white": furniture.WHITE_BOARD,
+        "same": dress,
+        "steel": furniture.GREY_STEEL,
+    }
+    made = boxes.Boxes(
+        sides=stock[box],
+        bottom=furniture.HARDBOARD if box == "white" else stock[box],
         wall=0.009 if box == "steel" else 0.013,
-        floor=0.006,
         runner=runner,
         tallest=0.25 if kind == "file" else 0.19,
         solid=rows * columns <= 4,
     )
+    deck = case.floor + 0.42 * (case.ceiling - case.floor) if niche else None
+    weights: list[ag.Scalar] = [top_share, *(growth**at for at in range(rows - 1))]
+    groove = grip == "groove"
+    bays = boxes.Bays(case, made, mounting, columns, weights, front_thickness, groove=groove, deck=deck)
     body = ag.weld(
         *case.bodies(),
-        *bays.between(solid=boxes.solid),
-        *([case.deck(shelf)] if niche else []),
-        *fixed_members(bays, boxes),
+        *bays.between(),
+        *([] if deck is None else [case.deck(deck)]),
+        *bays.fixed_members(),
         *case.standing(stand, setback=setback, leg=leg, finish=leg_finish),
     )
     if top != "flush":
-        before = case.front - bays.face + overhang
-        beside = overhang if top == "over" else 0.0
-        body = ag.weld(
-            body, case.worktop(slab, worktop if top == "worktop" else finish, before=before, beside=beside)
-        )
+        before, beside = case.front - bays.face + overhang, overhang if top == "over" else 0.0
+        material = worktop if top == "worktop" else finish
+        body = ag.weld(body, case.worktop(slab, material, before=before, beside=beside))
 
     # space for a hand between the rails of the lowest front
-    slim = reduce(ag.min_, (0.25 * (high - low) for low, high in bays.spans), rail)
-    look_ = FrontLook(style, dress, slim, "square", slope, ag.material("glass"))
-    for row, (low, high) in enumerate(bays.spans):
-        made, tall = drawer_box(bays, row, boxes), high - low
+    slim = reduce(ag.min_, (0.25 * places[0].z.size for places in bays.fronts), rail)
+    framing = FrontLook(style, dress, slim, "square", slope, ag.material("glass"))
+    for row, places in enumerate(bays.fronts):
+        inner, tall = bays.box(row), places[0].z.size
         level = handle_level * tall
-        if look_.framed:
+        if framing.framed:
             level = ag.min_(level, tall - slim - 0.031)
-        for column, middle in enumerate(bays.middles):
-            left, right = bays.outer(column)
-            number, wide = row * columns + column, right - left
-            if grip == "groove":
+        for column, place in enumerate(places):
+            number, wide = row * columns + column, place.x.size
+            if groove:
                 end = 1 if column == columns - 1 else -1
-                edge = handle(
-                    length=wide,
-                    thick=front_thickness,
-                    front=dress,
-                    finish=metal,
-                    end=end,
-                    name="drawer_handle",
-                )
-                on_front = [edge.at(0.0, 0.0, tall)]
+                sizes = {"length": wide, "thick": front_thickness, "front": dress, "end": end}
+                fixtures = [handle(finish=metal, name="drawer_handle", **sizes).at(z=tall)]
             else:
                 ends = {"": 0.0} if handles == 1 else {"_left": -0.28 * wide, "_right": 0.28 * wide}
-                at = (look_.sunk(front_thickness), level)
                 room = {"room": wide if handles == 1 else 0.44 * wide} if grip == "bar" else {}
-                on_front = [
-                    handle(finish=metal, name=f"drawer_handle{end}", **room).at(x, *at)
+                fixtures = [
+                    handle(finish=metal, name=f"drawer_handle{end}", **room).at(
+                        x, framing.sunk(front_thickness), level
+                    )
                     for end, x in ends.items()
                 ]
             if kind == "file":
-                index = INDEXES[(first_index + number) % len(INDEXES)]
-                on_front += label_holder(z=level + 0.058, finish=metal, index=index)
+                index = boxes.INDEXES[(first_index + number) % len(boxes.INDEXES)]
+                fixtures += boxes.label_holder(level + 0.058, metal, index)
             if locked and number == 0:
-                on_front += lock(x=wide / 2 - 0.032, z=tall - 0.032, finish=ag.material("chrome"))
-            body = body.attach(
-                drawer_of(bays, row, column, look_, made, on_front)
-                .suffixed(f"_{number}")
-                .at(middle, 0.0, low),
-                slide(bays, row, column, share=slide_share, friction=slide_friction, damping=slide_damping),
-            )
+                fixtures += boxes.lock(wide / 2 - 0.032, tall - 0.032)
+            one = bays.drawer(row, column, framing, inner, fixtures).suffixed(f"_{number}")
+            slide = bays.slide(row, column, share=slide_share, friction=slide_friction, damping=slide_damping)
+            body = body.attach(one, slide, at=(bays.middles[column], 0, place.z.low))
     return body

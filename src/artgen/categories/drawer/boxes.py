@@ -1,12 +1,12 @@
-"""Drawer boxes with their fronts, on runners."""
+"""Drawer boxes with their fronts, on runners, and their places in a carcass."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import reduce
 from typing import Literal
 
 import artgen as ag
 from artgen import details
-from artgen._arrays import cached_property
 from artgen.categories.shared.fixings import screws
 from artgen.categories.shared.fronts import FrontLook, front
 from artgen.categories.shared.furniture import CREAM_STEEL, ZINC, Carcass
@@ -14,107 +14,19 @@ from artgen.categories.shared.locks import plug
 from artgen.categories.shared.pulls import GROOVE
 from artgen.categories.shared.shelves import open_box
 
-SIDE_PLAY = 0.0125
-"""Gap between the side of a drawer and the face beside it [m]."""
+RunnerStyle = Literal["roller", "ball"]  # coated angles with rollers, or telescopic runners on balls
+Mounting = Literal["overlay", "inset"]  # position of fronts: on the edges of the carcass or between them
 
-RunnerStyle = Literal["roller", "ball"]
-"""Coated angles with rollers, or ball-bearing telescopic runners."""
+INDEXES = ("A-F", "G-K", "L-R", "S-Z", "2021", "2022", "2023", "2024")  # texts of the cards
 
-_MEMBER = 0.0052  # thickness of each member; a gap of 2.1 mm is between them [m]
-
-_RUNNER_HEIGHT: dict[RunnerStyle, float] = {"roller": 0.030, "ball": 0.042}
-
-
-def steel_of(style: RunnerStyle) -> ag.Material:
-    """Return the steel of runners of a style."""
-    return CREAM_STEEL if style == "roller" else ZINC
-
-
-def fixed_member(
-    style: RunnerStyle, *, face: ag.Scalar, z: ag.Scalar, front: ag.Scalar, length: ag.Scalar, solid: bool
-) -> list[ag.Body]:
-    """Make the member on the carcass, at the right of a drawer."""
-    high, steel = _RUNNER_HEIGHT[style], steel_of(style)
-    rail = ag.Region(
-        (face - _MEMBER, face + 0.0003), (front, front + length), (z - high / 2, z + high / 2)
-    ).box(bevel=0.0008)
-    # lips wrap around the drawer's member
-    lip = ag.Region(
-        (face - _MEMBER - 0.0018, face - _MEMBER + 0.0005),
-        (front + 0.001, front + length - 0.001),
-        (-0.0015, 0.0015),
-    ).box()
-    edge = high / 2 - 0.0015
-    at: list[ag.VectorLike] = [(0.0, 0.0, z + end * edge) for end in ((-1, 1) if style == "ball" else (-1,))]
-    bodies = [_steel(rail, steel, solid=solid), ag.detail(ag.array(lip, at=at), "runner", steel)]
-    if style == "roller":
-        wheel = ag.cylinder(0.010, 0.0022, axis=ag.X, bevel=0.0006)
-        bodies.append(
-            ag.detail(wheel.at(face - _MEMBER - 0.0006, front + 0.014, z), "runner", ag.material("abs"))
-        )
-    return bodies
-
-
-def moving_member(
-    style: RunnerStyle, *, side: ag.Scalar, z: ag.Scalar, front: ag.Scalar, length: ag.Scalar, solid: bool
-) -> list[ag.Body]:
-    """Make the member on the right side of a drawer."""
-    high, steel = _RUNNER_HEIGHT[style] - 0.010, steel_of(style)
-    rail = ag.Region(
-        (side - 0.0003, side + _MEMBER), (front, front + length), (z - high / 2, z + high / 2)
-    ).box(bevel=0.0008)
-    heads = [(side + _MEMBER, front + share * length, z) for share in (0.12, 0.5, 0.88)]
-    return [
-        _steel(rail, steel, solid=solid),
-        *screws(heads, facing="+x", radius=0.0032, finish=steel, sunk=0.0008),
-    ]
-
-
-def _steel(rail: ag.Solid, steel: ag.Material, *, solid: bool) -> ag.Body:
-    return ag.part(rail, "runner", steel) if solid else ag.detail(rail, "runner", steel)
-
-
-INDEXES = ("A-F", "G-K", "L-R", "S-Z", "2021", "2022", "2023", "2024")
-"""Texts of the cards."""
-
-_WIDE, _HIGH = 0.078, 0.030  # width and height of a label holder [m]
-
-
-def label_holder(*, z: ag.Scalar, finish: ag.Material, index: str) -> list[ag.Body]:
-    """Make a label holder and its card."""
-    opening = ag.rectangle(_WIDE - 0.010, _HIGH - 0.011).at(0.0, 0.0015)
-    rim = ag.rectangle(_WIDE, _HIGH, radius=0.003) - opening
-    paper = ag.colored("abs", "white").with_(name="card", specular_roughness=0.85)
-    return [
-        ag.detail(
-            ag.extrude(rim, 0.0026, axis=ag.Y, bevel=0.0007).at(0.0, -0.0008, z), "label_holder", finish
-        ),
-        ag.detail(
-            ag.box(_WIDE - 0.009, 0.0008, _HIGH - 0.010).at(0.0, -0.0003, z + 0.0015), "label_holder", paper
-        ),
-        details.printed(ag.text(index, 0.010), (0.0, -0.0007, z - 0.0035), material=ag.material("black_abs")),
-    ]
-
-
-def lock(*, x: ag.Scalar, z: ag.Scalar, finish: ag.Material) -> list[ag.Body]:
-    """Make the cylinder of a lock, visual only."""
-    collar = ag.extrude(ag.ring(0.0115, 0.0070), 0.0030, axis=ag.Y, bevel=0.0009)
-    return [
-        ag.detail(collar.at(x, -0.0011, z), "lock", finish),
-        *(each.at(x, 0.0, z) for each in plug(face=0.0004, side=-1, finish=finish, radius=0.0072)),
-    ]
-
-
-Mounting = Literal["overlay", "inset"]
-"""Position of fronts: on the edges of the carcass or between them."""
-
-GAP = 0.003
-"""Gap between two fronts, or around a front between boards [m]."""
-
+_RUNNERS = {"roller": (0.030, CREAM_STEEL), "ball": (0.042, ZINC)}  # height [m], and steel
+_MEMBER = 0.0052  # thickness of each member of a runner; a gap of 2.1 mm is between them [m]
+_PLAY = 0.0125  # gap between the side of a drawer and the face beside it [m]
+_GAP = 0.003  # gap between two fronts, or around a front between boards [m]
 _SHADOW = 0.020  # gap above a groove for fingers from above [m]
 _BEHIND = 0.002  # gap between an overlaid front and the carcass [m]
 _MARGIN = 0.0015  # distance from overlaid fronts to the outlines of the carcass [m]
-_FLOOR = 0.014  # space under the box of a drawer [m]
+_UNDER = 0.014  # space under the box of a drawer [m]
 _OVER = 0.016  # space above the box [m]
 _REAR = 0.018  # space behind the box [m]
 _BITE = 0.0003  # overlap of joined boards [m]
@@ -122,229 +34,182 @@ _HAND = 60.0  # largest pull of a hand [N]
 
 
 @dataclass(frozen=True)
-class Rows:
-    """Positions of the drawers in a carcass."""
-
-    case: Carcass  # carcass
-    mounting: Mounting  # mounting of the fronts
-    columns: int  # number of drawers side by side
-    weights: Sequence[ag.Scalar]  # relative heights of the rows, from the top
-    thick: ag.Scalar  # thickness of fronts [m]
-    groove: bool = False  # whether fronts have a groove along their upper edges
-    # height of the lower end of the lowest row above the floor [m]; by default the bottom of the carcass
-    low: ag.Scalar | None = None
-
-    @property
-    def inset(self) -> bool:
-        """Whether fronts are between the boards."""
-        return self.mounting == "inset"
-
-    @cached_property
-    def face(self) -> ag.Scalar:
-        """Position of the faces of shut drawers along y [m]."""
-        return self.case.front if self.inset else self.case.front - _BEHIND - self.thick
-
-    @property
-    def apart(self) -> ag.Scalar:
-        """Distance from a front to the front above it [m]."""
-        if self.inset:
-            return self.case.thick + 2 * GAP  # with a rail between them
-        return _SHADOW if self.groove else GAP
-
-    @cached_property
-    def bottom(self) -> ag.Scalar:
-        """Height of the lower edge of the lowest fronts [m]."""
-        if self.inset:
-            return (self.case.floor if self.low is None else self.low) + GAP
-        return (self.case.low + _MARGIN) if self.low is None else self.low - self.case.thick / 2
-
-    @cached_property
-    def top(self) -> ag.Scalar:
-        """Height of the upper edge of the highest fronts [m]."""
-        if self.inset:
-            return self.case.ceiling - GAP
-        return self.case.high - (_SHADOW if self.groove else _MARGIN)
-
-    @cached_property
-    def cell(self) -> ag.Scalar:
-        """Width between the boards beside a drawer [m]."""
-        return (2 * self.case.right - (self.columns - 1) * self.case.thick) / self.columns
-
-    @cached_property
-    def middles(self) -> list[ag.Scalar]:
-        """Middles of the columns along x [m]."""
-        pitch = self.cell + self.case.thick
-        return [(at - (self.columns - 1) / 2) * pitch for at in range(self.columns)]
-
-    @cached_property
-    def width(self) -> ag.Scalar:
-        """Width of a front, the same for all in a row; outer fronts may end before the outline [m]."""
-        return self.cell - 2 * GAP if self.inset else self.cell + self.case.thick - GAP
-
-    @cached_property
-    def begin(self) -> ag.Scalar:
-        """Position of the fronts of boxes along y [m]."""
-        return self.face + self.thick - _BITE
-
-    @cached_property
-    def deep(self) -> ag.Scalar:
-        """Depth of boxes [m]."""
-        return self.case.behind - _REAR - self.begin
-
-    def outer(self, column: int) -> tuple[ag.Scalar, ag.Scalar]:
-        """Return the left and the right edge of the fronts of a column [m]."""
-        middle = self.middles[column]
-        left, right = middle - self.width / 2, middle + self.width / 2
-        if self.inset:
-            return left, right
-        end = self.case.width / 2 - _MARGIN
-        return (-end if column == 0 else left), (end if column == self.columns - 1 else right)
-
-    @cached_property
-    def spans(self) -> list[tuple[ag.Scalar, ag.Scalar]]:
-        """Heights of the lower and upper edges of the fronts of each row, from the top [m]."""
-        whole: ag.Scalar = self.weights[0]
-        for weight in self.weights[1:]:
-            whole = whole + weight
-        unit = (self.top - self.bottom - (len(self.weights) - 1) * self.apart) / whole
-        found, high = [], self.top
-        for weight in self.weights:
-            found.append((high - weight * unit, high))
-            high = high - weight * unit - self.apart
-        return found
-
-    def rises(self, row: int) -> tuple[ag.Scalar, ag.Scalar]:
-        """Return the free heights above the lower edge of a front and below its upper edge [m]."""
-        if self.inset:
-            return 0.0, 0.0
-        last = row == len(self.weights) - 1
-        floor: ag.Scalar = 0.0
-        if last:
-            floor = (self.case.floor - self.bottom) if self.low is None else self.case.thick / 2
-        ceiling: ag.Scalar = 0.0
-        if row == 0:
-            ceiling = self.case.thick - _MARGIN
-        if self.groove:
-            ceiling = GROOVE
-        return floor, ceiling
-
-    def between(self, *, solid: bool) -> list[ag.Body]:
-        """Make the partitions between columns and the rails between rows."""
-        case, y = self.case, self.case.thick / 2
-        low = None if self.low is None else self.low
-        bodies = [
-            case.partition((left + right) / 2, low=low)
-            for left, right in zip(self.middles, self.middles[1:], strict=False)
-        ]
-        if not self.inset and not self.groove:
-            return bodies
-        levels: list[tuple[ag.Scalar, ag.Scalar]] = []
-        for (_, high), (low_above, _) in zip(self.spans[1:], self.spans, strict=False):
-            if self.inset:
-                levels.append((high + GAP + y, case.thick))
-            else:
-                levels.append(((high - 0.022 + low_above + 0.004) / 2, low_above - high + 0.026))
-        for middle in self.middles:
-            half = self.cell / 2
-            bodies += [
-                case.rail(middle - half, middle + half, z, high=high, solid=solid or self.inset)
-                for z, high in levels
-            ]
-        return bodies
-
-
-@dataclass(frozen=True)
-class BoxLook:
+class Boxes:
     """Finish and dimensions of drawer boxes."""
 
     sides: ag.Material  # material of sides, back and inner front
     bottom: ag.Material  # material of the bottom
     wall: ag.Scalar  # thickness of sides, back and inner front [m]
-    floor: ag.Scalar  # thickness of the bottom [m]
     runner: RunnerStyle  # style of the runners
     tallest: ag.Scalar  # largest height of the sides [m]
     # whether runners, and rails behind grooves, have mass and collide; with many drawers they are visual
     # only, because simulators test all pairs of close colliders
-    solid: bool = True
+    solid: bool
 
 
-def drawer(
-    rows: Rows, row: int, column: int, look: FrontLook, box: ag.Body, handles: Sequence[ag.Body]
-) -> ag.Body:
-    """Make a drawer: the link `drawer`."""
-    low, high = rows.spans[row]
-    left, right = rows.outer(column)
-    aside = (left + right) / 2 - rows.middles[column]
-    slab = high - low - GROOVE + 0.0004 if rows.groove else high - low  # below the edge of the groove
-    middle = (aside, rows.face + rows.thick / 2, slab / 2)
-    return ag.weld(
-        box,
-        *(each.at(*middle) for each in front(look, right - left, slab, rows.thick, label="front")),
-        *(each.at(aside, rows.face, 0.0) for each in handles),
-    )
+class Bays:
+    """Places of the drawers in a carcass, with the relative heights of the rows from the top."""
 
+    def __init__(
+        self,
+        case: Carcass,
+        boxes: Boxes,
+        mounting: Mounting,
+        columns: int,
+        weights: Sequence[ag.Scalar],
+        thick: ag.Scalar,
+        *,
+        groove: bool,
+        deck: ag.Scalar | None,
+    ) -> None:
+        self.case, self.boxes, self.thick, self.groove, self.deck = case, boxes, thick, groove, deck
+        self.inset = mounting == "inset"
+        board = case.thick
+        # width between the boards beside a drawer, and middles of the columns along x [m]
+        self.cell = (2 * case.right - (columns - 1) * board) / columns
+        self.middles = [(at - (columns - 1) / 2) * (self.cell + board) for at in range(columns)]
+        floor = case.floor if deck is None else deck
+        if self.inset:  # with rails between the fronts
+            bottom, top, apart = floor + _GAP, case.ceiling - _GAP, board + 2 * _GAP
+            half, face = self.cell / 2 - _GAP, case.front
+        else:
+            bottom = case.low + _MARGIN if deck is None else deck - board / 2
+            top, apart = case.high - (_SHADOW if groove else _MARGIN), _SHADOW if groove else _GAP
+            half, face = (self.cell + board - _GAP) / 2, case.front - _BEHIND - thick
+        self.face, self.begin = face, face + thick - _BITE  # of shut drawers, and of their boxes, along y [m]
+        self.deep = case.behind - _REAR - self.begin  # depth of boxes [m]
+        edges = [(middle - half, middle + half) for middle in self.middles]
+        if not self.inset:  # the outer fronts end before the outline
+            edges[0] = (_MARGIN - case.width / 2, edges[0][1])
+            edges[-1] = (edges[-1][0], case.width / 2 - _MARGIN)
+        unit = (top - bottom - (len(weights) - 1) * apart) / reduce(lambda a, b: a + b, weights)
+        whole = ag.Region((0.0, 0.0), (face, face + thick), (bottom, top))
+        rows = whole.stack(*(weight * unit for weight in weights), gap=apart)
+        self.fronts = [[row.with_(x=edge) for edge in edges] for row in rows]
+        # heights above the lower edge of a front and below its upper edge that boards or a groove take [m]
+        lower: list[ag.Scalar] = [0.0 for _ in weights]
+        upper: list[ag.Scalar] = [0.0 for _ in weights]
+        if not self.inset:
+            lower[-1] = floor - bottom if deck is None else board / 2
+            upper = [GROOVE for _ in weights] if groove else [board - _MARGIN, *upper[1:]]
+        self.taken = list(zip(lower, upper, strict=True))
 
-def _sizes(rows: Rows, row: int, look: BoxLook) -> tuple[ag.Scalar, ag.Scalar, ag.Scalar]:
-    """Return the start of a box above its front's lower edge, its height, and the middle of its runners."""
-    low, high = rows.spans[row]
-    floor, over = rows.rises(row)
-    base = floor + _FLOOR
-    tall = ag.min_(high - low - base - over - _OVER, look.tallest)
-    return base, tall, base + (0.017 if look.runner == "roller" else 0.42 * tall)
+    def between(self) -> list[ag.Body]:
+        """Make the partitions between columns and the rails between rows."""
+        case, half = self.case, self.cell / 2
+        pairs = zip(self.middles, self.middles[1:], strict=False)
+        bodies = [case.partition((left + right) / 2, low=self.deck) for left, right in pairs]
+        if not (self.inset or self.groove):
+            return bodies
+        solid = self.boxes.solid or self.inset
+        for (above, *_), (below, *_) in zip(self.fronts, self.fronts[1:], strict=False):
+            low, high = below.z.high - 0.022, above.z.low + 0.004  # behind a groove
+            if self.inset:
+                low, high = below.z.high + _GAP, above.z.low - _GAP
+            z, tall = (low + high) / 2, high - low
+            bodies += [case.rail(x - half, x + half, z, high=tall, solid=solid) for x in self.middles]
+        return bodies
 
+    def _sizes(self, row: int) -> tuple[ag.Scalar, ag.Scalar, ag.Scalar]:
+        """Return the start of a box above its front's lower edge, its height, the middle of the runners."""
+        floor, over = self.taken[row]
+        base = floor + _UNDER
+        tall = ag.min_(self.fronts[row][0].z.size - base - over - _OVER, self.boxes.tallest)
+        return base, tall, base + (0.017 if self.boxes.runner == "roller" else 0.42 * tall)
 
-def drawer_box(rows: Rows, row: int, look: BoxLook) -> ag.Body:
-    """Make the box of the drawers of a row with its runner members: the link `drawer`."""
-    base, tall, z = _sizes(rows, row, look)
-    begin, wide, deep = rows.begin, rows.cell - 2 * SIDE_PLAY, rows.deep
-    boards = open_box(wide, deep, tall, wall=look.wall, front=look.wall, floor=look.floor)
-    inner, bottom, *others = (each.at(0.0, begin, base) for each in boards)
-    length = deep - look.wall - 0.004
-    members = moving_member(
-        look.runner, side=wide / 2, z=z, front=begin + look.wall, length=length, solid=look.solid
-    )
-    return ag.weld(
-        ag.part(inner, "drawer", look.sides, name="drawer"),
-        ag.part(bottom, "drawer", look.bottom),
-        *(ag.part(each, "drawer", look.sides) for each in others),
-        *(half for each in members for half in (each, each.mirror(ag.X))),
-    )
-
-
-def fixed_members(rows: Rows, look: BoxLook) -> list[ag.Body]:
-    """Make the members of the runners on the carcass."""
-    bodies: list[ag.Body] = []
-    for row, (low, _) in enumerate(rows.spans):
-        z = low + _sizes(rows, row, look)[2]
-        members = fixed_member(
-            look.runner,
-            face=rows.cell / 2,
-            z=z,
-            front=rows.begin + 0.004,
-            length=rows.deep - 0.008,
-            solid=look.solid,
+    def box(self, row: int) -> ag.Body:
+        """Make the box of the drawers of a row with its members of the runners: the link `drawer`."""
+        look, (base, tall, z) = self.boxes, self._sizes(row)
+        wide, begin = self.cell - 2 * _PLAY, self.begin
+        boards = open_box(wide, self.deep, tall, wall=look.wall, front=look.wall, floor=0.006)
+        inner, bottom, *others = (each.at(0, begin, base) for each in boards)
+        high, steel = _RUNNERS[look.runner]
+        start, side = begin + look.wall, wide / 2
+        length = self.deep - look.wall - 0.004
+        y, half = (start, start + length), high / 2 - 0.005
+        rail = ag.Region((side - 0.0003, side + _MEMBER), y, (z - half, z + half)).box(bevel=0.0008)
+        places = [(side + _MEMBER, start + share * length, z) for share in (0.12, 0.5, 0.88)]
+        heads = screws(places, facing="+x", radius=0.0032, finish=steel, sunk=0.0008)
+        return ag.weld(
+            ag.part(inner, "drawer", look.sides),
+            ag.part(bottom, "drawer", look.bottom),
+            ag.part(others, "drawer", look.sides),
+            *self._both(rail, *heads),
         )
-        pair = [half for each in members for half in (each, each.mirror(ag.X))]
-        bodies += [each.at(x, 0.0, 0.0) for x in rows.middles for each in pair]
-    return bodies
+
+    def _both(self, rail: ag.Solid, *more: ag.Body) -> list[ag.Body]:
+        """Make members of a runner at both sides."""
+        _, steel = _RUNNERS[self.boxes.runner]
+        make = ag.part if self.boxes.solid else ag.detail
+        member = ag.weld(make(rail, "runner", steel), *more)
+        return [member, member.mirror(ag.X)]
+
+    def fixed_members(self) -> list[ag.Body]:
+        """Make the members of the runners on the carcass."""
+        high, steel = _RUNNERS[self.boxes.runner]
+        inner, y = self.cell / 2 - _MEMBER, (self.begin + 0.004, self.begin + self.deep - 0.004)
+        rail = ag.Region((inner, self.cell / 2 + 0.0003), y, (-high / 2, high / 2))
+        # lips wrap around the drawer's member
+        lip = ag.Region((inner - 0.0018, inner + 0.0005), y, (-0.0015, 0.0015)).shrink(y=0.001).box()
+        edge = high / 2 - 0.0015
+        ends = (-1, 1) if self.boxes.runner == "ball" else (-1,)
+        more = [ag.detail(ag.array(lip, at=[(0, 0, end * edge) for end in ends]), "runner", steel)]
+        if self.boxes.runner == "roller":
+            wheel = ag.cylinder(0.010, 0.0022, axis=ag.X, bevel=0.0006)
+            wheel = wheel.at(inner - 0.0006, self.begin + 0.018)
+            more.append(ag.detail(wheel, "runner", ag.material("abs")))
+        members = self._both(rail.box(bevel=0.0008), *more)
+        levels = [fronts[0].z.low + self._sizes(row)[2] for row, fronts in enumerate(self.fronts)]
+        return [each.at(x, 0, z) for z in levels for x in self.middles for each in members]
+
+    def drawer(
+        self, row: int, column: int, look: FrontLook, box: ag.Body, fixtures: Sequence[ag.Body]
+    ) -> ag.Body:
+        """Make a drawer about the lower edge of its front: the link `drawer`."""
+        place = self.fronts[row][column]
+        aside = place.x.mid - self.middles[column]
+        # below the edge of the groove
+        slab = place.z.size - GROOVE + 0.0004 if self.groove else place.z.size
+        boards = front(look, place.x.size, slab, self.thick, label="front")
+        return ag.weld(
+            box,
+            *(each.at(aside, place.y.mid, slab / 2) for each in boards),
+            *(each.at(aside, self.face, 0) for each in fixtures),
+        )
+
+    def slide(
+        self, row: int, column: int, *, share: ag.Scalar, friction: ag.Scalar, damping: ag.Scalar
+    ) -> ag.Joint:
+        """Make the slide of a drawer, whose box comes out by a share of its depth."""
+        return ag.Prismatic(
+            f"drawer_slide_{row * len(self.middles) + column}",
+            axis=-ag.Y,
+            pivot=(0, self.face, self.fronts[row][column].z.size / 2),
+            limits=(0.0, share * self.deep),
+            friction=friction,
+            damping=damping,
+            effort=_HAND,
+        )
 
 
-def travel(rows: Rows, share: ag.Scalar) -> ag.Scalar:
-    """Return the travel of drawers [m]."""
-    return share * rows.deep
+def label_holder(z: ag.Scalar, metal: ag.Material, index: str) -> list[ag.Body]:
+    """Make a label holder and its card."""
+    wide, high = 0.078, 0.030
+    rim = ag.rectangle(wide, high, radius=0.003) - ag.rectangle(wide - 0.010, high - 0.011).at(0, 0.0015)
+    frame = ag.extrude(rim, 0.0026, axis=ag.Y, bevel=0.0007).at(0, -0.0008, z)
+    paper = ag.colored("abs", "white").with_(name="card", specular_roughness=0.85)
+    card = ag.box(wide - 0.009, 0.0008, high - 0.010).at(0, -0.0003, z + 0.0015)
+    ink = ag.material("black_abs")
+    return [
+        ag.detail(frame, "label_holder", metal),
+        ag.detail(card, "label_holder", paper),
+        details.printed(ag.text(index, 0.010), (0, -0.0007, z - 0.0035), material=ink),
+    ]
 
 
-def slide(
-    rows: Rows, row: int, column: int, *, share: ag.Scalar, friction: ag.Scalar, damping: ag.Scalar
-) -> ag.Joint:
-    """Make the slide of a drawer, with its indices as suffix."""
-    low, high = rows.spans[row]
-    return ag.Prismatic(
-        f"drawer_slide_{row * rows.columns + column}",
-        axis=(0.0, -1.0, 0.0),
-        pivot=(rows.middles[column], rows.face, (low + high) / 2),
-        limits=(0.0, travel(rows, share)),
-        friction=friction,
-        damping=damping,
-        effort=_HAND,
-    )
+def lock(x: ag.Scalar, z: ag.Scalar) -> list[ag.Body]:
+    """Make the cylinder of a lock, visual only."""
+    chrome = ag.material("chrome")
+    collar = ag.extrude(ag.ring(0.0115, 0.0070), 0.0030, axis=ag.Y, bevel=0.0009).at(x, -0.0011, z)
+    cylinder = plug(face=0.0004, side=-1, finish=chrome, radius=0.0072)
+    return [ag.detail(collar, "lock", chrome), *(each.at(x, 0, z) for each in cylinder)]
