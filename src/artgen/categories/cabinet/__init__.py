@@ -13,25 +13,14 @@ door and up to 120 cm with two; base cabinets 56-60 cm deep and 80-92 cm high wi
 30-38 cm deep, tall cabinets up to 210 cm high.
 """
 
-from functools import partial
 from typing import Any, Literal
 
 import artgen as ag
 from artgen.categories.cabinet.doors import Hanging, HingeStyle
-from artgen.categories.shared import require_suited
+from artgen.categories.shared import furniture, require_suited
 from artgen.categories.shared.finish import known
 from artgen.categories.shared.fronts import FrontLook, FrontStyle
-from artgen.categories.shared.furniture import (
-    WHITE_BOARD,
-    BoardLook,
-    Carcass,
-    LegStyle,
-    Stand,
-    boards,
-    hardware,
-    leg_finishes,
-    worktops,
-)
+from artgen.categories.shared.furniture import WHITE_BOARD, Carcass
 from artgen.categories.shared.pulls import bar_pull, cup_pull, edge_pull, knob_pull
 
 _HANDLES = {"knob": knob_pull, "bar": bar_pull, "cup": cup_pull, "edge": edge_pull}
@@ -40,52 +29,38 @@ _CORNERS_MEET = (
     "the free corners of two doors that open together would collide: raise width, lower "
     "door_thickness, hinge=concealed or doors=1"
 )
-_FINISH = boards("wood", "lacquer", "melamine", "decor")
-_WORKTOP, _LEG, _METAL = worktops(), leg_finishes(), hardware()
+_FINISH = furniture.boards("wood", "lacquer", "melamine", "decor")
+_WORKTOP, _LEG, _METAL = furniture.worktops(), furniture.leg_finishes(), furniture.hardware()
 
 
-@ag.category(
-    labels=(
-        "body", "back", "shelf", "pin", "top", "plinth", "leg", "bracket", "door", "glass", "handle", "hinge",
-        "bumper", "screw",
-    ),
-    joints=(1, 2),
-)  # fmt: skip
+_LABELS = "body back shelf pin top plinth leg bracket door glass handle hinge bumper screw"
+
+
+@ag.category(labels=_LABELS, joints=(1, 2))
 def cabinet(
     *,
-    kind: Literal["base", "wall", "tall"] = ag.choice("base", "wall", "tall", weights=(0.42, 0.28, 0.30)),
-    look: BoardLook = ag.choice("wood", "lacquer", "melamine", "decor", weights=(0.34, 0.36, 0.16, 0.14)),
+    kind: Literal["base", "wall", "tall"] = ag.choice({"base": 0.42, "wall": 0.28, "tall": 0.30}),
+    look: furniture.BoardLook = ag.choice({"wood": 0.34, "lacquer": 0.36, "melamine": 0.16, "decor": 0.14}),
     style: FrontStyle = ag.by(
         "look",
-        wood=ag.choice(
-            "flat", "shaker", "ramped", "fielded", "glazed", weights=(0.22, 0.24, 0.18, 0.14, 0.22)
-        ),
-        lacquer=ag.choice(
-            "flat", "shaker", "ramped", "fielded", "glazed", weights=(0.2, 0.3, 0.2, 0.08, 0.22)
-        ),
-        otherwise=ag.choice("flat", "shaker", weights=(0.85, 0.15)),
+        wood={"flat": 0.22, "shaker": 0.24, "ramped": 0.18, "fielded": 0.14, "glazed": 0.22},
+        lacquer={"flat": 0.2, "shaker": 0.3, "ramped": 0.2, "fielded": 0.08, "glazed": 0.22},
+        otherwise={"flat": 0.85, "shaker": 0.15},
         doc="style of the doors",
     ),
     doors: int = ag.choice(1, 2),
     grip: Literal["knob", "bar", "cup", "edge"] = ag.by(
-        "kind",
-        tall=ag.choice("knob", "bar", weights=(0.4, 0.6)),
-        otherwise=ag.choice("knob", "bar", "cup", "edge", weights=(0.3, 0.36, 0.14, 0.2)),
+        "kind", tall={"knob": 0.4, "bar": 0.6}, otherwise={"knob": 0.3, "bar": 0.36, "cup": 0.14, "edge": 0.2}
     ),
-    hinge: HingeStyle = ag.by(
-        "grip", edge="concealed", otherwise=ag.choice("concealed", "butt", weights=(0.62, 0.38))
-    ),
+    hinge: HingeStyle = ag.by("grip", edge="concealed", otherwise={"concealed": 0.62, "butt": 0.38}),
     hand: Literal["left", "right"] = ag.choice("left", "right", doc="hinge side of a single door"),
-    stand: Stand = ag.by(
-        "kind",
-        base=ag.choice("plinth", "legs", weights=(0.65, 0.35)),
-        wall="brackets",
-        tall=ag.choice("plinth", "legs", weights=(0.6, 0.4)),
+    stand: furniture.Stand = ag.by(
+        "kind", base={"plinth": 0.65, "legs": 0.35}, wall="brackets", tall={"plinth": 0.6, "legs": 0.4}
     ),
     shelves: int = ag.by(
         "kind",
-        base=ag.choice(0, 1, 2, weights=(0.2, 0.5, 0.3)),
-        wall=ag.choice(1, 2, 3, weights=(0.4, 0.45, 0.15)),
+        base={0: 0.2, 1: 0.5, 2: 0.3},
+        wall={1: 0.4, 2: 0.45, 3: 0.15},
         tall=ag.choice(3, 4, 5),
         doc="number of shelves behind the doors, without the bottom",
     ),
@@ -134,18 +109,12 @@ def cabinet(
     door_thickness: ag.Float = ag.uniform(0.018, 0.021, "m", within=(0.016, 0.024)),
     rail: ag.Float = ag.uniform(0.052, 0.068, "m", doc="width of the stiles and rails of framed doors"),
     slope: ag.Float = ag.uniform(0.014, 0.026, "m", doc="width of the slope of ramped doors"),
-    moulding: Literal["square", "ovolo", "ogee"] = ag.choice(
-        "square", "ovolo", "ogee", weights=(0.6, 0.22, 0.18)
-    ),
-    panes: int = ag.choice(1, 2, 3, weights=(0.55, 0.25, 0.2), doc="panes in a column of a glazed door"),
-    leg: LegStyle = ag.choice("tapered", "splayed", "square", "turned", "metal"),
+    moulding: Literal["square", "ovolo", "ogee"] = ag.choice({"square": 0.6, "ovolo": 0.22, "ogee": 0.18}),
+    panes: int = ag.choice({1: 0.55, 2: 0.25, 3: 0.2}, doc="panes in a column of a glazed door"),
+    leg: furniture.LegStyle = ag.choice("tapered", "splayed", "square", "turned", "metal"),
     top: Literal["worktop", "flush"] = ag.by(
         "kind",
-        base=ag.by(
-            "stand",
-            plinth=ag.choice("worktop", "flush", weights=(0.85, 0.15)),
-            otherwise=ag.choice("worktop", "flush"),
-        ),
+        base=ag.by("stand", plinth={"worktop": 0.85, "flush": 0.15}, otherwise=ag.choice("worktop", "flush")),
         otherwise="flush",
     ),
     top_thickness: ag.Float = ag.uniform(0.018, 0.038, "m", doc="thickness of a worktop"),
@@ -156,15 +125,15 @@ def cabinet(
         butt="same",
         concealed=ag.by(
             "stand",
-            plinth=ag.choice("same", "white", weights=(0.7, 0.3)),
-            brackets=ag.choice("same", "white", weights=(0.75, 0.25)),
+            plinth={"same": 0.7, "white": 0.3},
+            brackets={"same": 0.75, "white": 0.25},
             otherwise="same",  # kitchens often have white carcasses, furniture does not
         ),
         doc="finish of the carcass",
     ),
     inside: Literal["same", "white"] = ag.by(
         "look",
-        wood=ag.choice("same", "white", weights=(0.85, 0.15)),
+        wood={"same": 0.85, "white": 0.15},
         otherwise=ag.choice("same", "white"),
         doc="finish of back and shelves",
     ),
@@ -191,11 +160,10 @@ def cabinet(
         hinge == "concealed" or grip != "edge",
         "a door between the sides has no free edge: grip must not be edge, or hinge must be concealed",
     )
-    slab = top_thickness if top == "worktop" else 0.0
     case = Carcass(
         width=width,
         low=stand_height,
-        high=height - slab,
+        high=height - (top_thickness if top == "worktop" else 0.0),
         front=-depth / 2,
         rear=depth / 2,
         thick=thickness,
@@ -203,50 +171,47 @@ def cabinet(
         inside=WHITE_BOARD if "white" in (inside, shell) else finish,
         foot=0.0 if stand == "plinth" else None,
     )
-    on_top, on_bottom = grip == "edge" and kind != "wall", grip == "edge" and kind == "wall"
-    hanging = Hanging(
-        case,
-        hinge,
-        doors,
-        door_thickness,
-        _shares(hinges, shelves),
-        above=0.004 if on_top else 0.0,
-        below=0.004 if on_bottom else 0.0,
-        metal=metal,
-    )
-    body = ag.weld(*case.bodies(), *case.standing(stand, setback=setback, leg=leg, finish=leg_finish))
+    # space for an edge pull at the end of a door that a hand reaches
+    room = 0.004 if grip == "edge" else 0.0
+    above, below = (0.0, room) if kind == "wall" else (room, 0.0)
+    shares = _shares(hinges, shelves)
+    hanging = Hanging(case, hinge, doors, door_thickness, shares, above=above, below=below, metal=metal)
+    door = hanging.region
+    bodies = [*case.bodies(), *case.standing(stand, setback=setback, leg=leg, finish=leg_finish)]
     if top == "worktop":
         # space for fingers between an edge pull and the worktop
-        before = case.front - hanging.face + (0.0 if on_top else overhang)
-        body = ag.weld(body, case.worktop(top_thickness, worktop, before=before, beside=0.0))
-    behind = 0.020 + (door_thickness if hanging.inset else 0.0)
-    of_glass = shelf_kind == "glass"
+        before = case.front - door.y.low + (0.0 if above else overhang)
+        bodies.append(case.worktop(top_thickness, worktop, before=before, beside=0.0))
     clear = (case.ceiling - case.floor) / (shelves + 1)
-    levels = [case.floor + clear * (at + 1) - 0.5 * thickness for at in range(shelves)]
-    body = ag.weld(
-        body,
-        *case.shelves(
-            levels,
-            thick=0.006 if of_glass else thickness,
-            setback=behind,
-            finish=ag.material("glass") if of_glass else case.inside,
-        ),
-    )
+    levels = [case.floor + clear * (at + 1) - thickness / 2 for at in range(shelves)]
+    board = (0.006, ag.material("glass")) if shelf_kind == "glass" else (thickness, case.inside)
+    behind = 0.020 + (door_thickness if hanging.inset else 0.0)
+    bodies += case.shelves(levels, thick=board[0], setback=behind, finish=board[1])
+    on_side = hanging.on_side()
+    body = ag.weld(*bodies, on_side, *([on_side.mirror(ag.X)] if doors == 2 else []))
 
-    rail = ag.min_(rail, 0.27 * hanging.width)  # stiles of a narrow door leave space for its panel
-    look_ = FrontLook(style, finish, rail, moulding, slope, glass, (1, panes))
-    hung = partial(hanging.joint, limit=swing, friction=pull * hanging.width, damping=hinge_damping)
-    if doors == 1:
-        body = ag.weld(body, *hanging.on_side())
-        leaf = hanging.leaf(look_, _handled(hanging, kind, grip, handle, metal, rail, "door"), name="door")
-        body = body.attach(leaf, hung("door_hinge"))
-        return body.mirror(ag.X) if hand == "right" else body
-    halves = [half for each in hanging.on_side() for half in (each, each.mirror(ag.X))]
-    body = ag.weld(body, *halves)
-    for side, name in ((1, "door_left"), (-1, "door_right")):
-        leaf = hanging.leaf(look_, _handled(hanging, kind, grip, handle, metal, rail, name), name=name)
-        joint = hung(f"{name.replace('door', 'door_hinge')}", side=side)
+    rail = ag.min_(rail, 0.27 * door.x.size)  # stiles of a narrow door leave space for its panel
+    front = FrontLook(style, finish, rail, moulding, slope, glass, (1, panes))
+    options: dict[str, Any] = {}
+    if grip == "bar":  # 0.155 m from the end of a door; on a tall door it is near the middle
+        options = {"level": False, "room": 0.92 if kind == "tall" else 0.31}
+    elif handle == edge_pull:
+        options = {"room": door.x.size}
+    at = _handle_place(door, kind, grip, rail)
+    for side, name in ((1, "door"),) if doors == 1 else ((1, "door_left"), (-1, "door_right")):
+        held: ag.Body = handle(finish=metal, name=f"{name}_handle", **options)
+        held = held.mirror(ag.Z) if below else held
+        leaf = hanging.leaf(front, held.at(at), name=name)
+        joint = hanging.joint(
+            name.replace("door", "door_hinge"),
+            side=side,
+            limit=swing,
+            friction=pull * door.x.size,
+            damping=hinge_damping,
+        )
         body = body.attach(leaf if side > 0 else leaf.mirror(ag.X), joint)
+    if doors == 1:
+        return body.mirror(ag.X) if hand == "right" else body
     return body.require(hanging.pair_turns(), _CORNERS_MEET) if hanging.inset else body
 
 
@@ -260,31 +225,13 @@ def _shares(hinges: int, shelves: int) -> list[float]:
     ]
 
 
-def _handled(
-    hanging: Hanging,
-    kind: str,
-    grip: str,
-    handle: ag.Generator,
-    metal: ag.Material,
-    rail: ag.Scalar,
-    name: str,
-) -> ag.Body:
-    """Make the handle of a door near its free edge, at the height of a hand."""
-    # a bar is 0.155 m from the end of a door; on a tall door it is near the middle
-    placed: dict[str, Any] = {}
-    if grip == "bar":
-        placed = {"level": False, "room": 0.92 if kind == "tall" else 0.31}
-    elif handle == edge_pull:
-        placed = {"room": hanging.width}
-    pull: ag.Body = handle(finish=metal, name=f"{name}_handle", **placed)
-    left, right = hanging.left, hanging.left + hanging.width
-    low, high, face = hanging.low, hanging.high, hanging.face
+def _handle_place(door: ag.Region, kind: str, grip: str, rail: ag.Scalar) -> ag.VectorLike:
+    """Return the place of a handle near the free edge of a door, at the height of a hand."""
     if grip == "edge":
-        if kind == "wall":
-            return pull.mirror(ag.Z).at((left + right) / 2, face, low)
-        return pull.at((left + right) / 2, face, high)
-    beside = ag.max_(0.5 * rail, 0.030)
+        return door.anchor(y=-1, z=-1 if kind == "wall" else 1)
     # distance from the end of the door; a cup lies on the rail
     reach = {"knob": 0.055, "bar": 0.155, "cup": 0.014 if kind == "wall" else 0.048}[grip]
-    level = low + reach if kind == "wall" else high - reach if kind == "base" else ag.min_(high - 0.5, 1.02)
-    return pull.at(right - (0.052 if grip == "cup" else beside), face, level)
+    beside = 0.052 if grip == "cup" else ag.max_(rail / 2, 0.030)
+    low, high = door.z
+    level = {"wall": low + reach, "base": high - reach, "tall": ag.min_(high - 0.5, 1.02)}[kind]
+    return (door.x.high - beside, door.y.low, level)
