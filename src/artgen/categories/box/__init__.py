@@ -36,12 +36,7 @@ from artgen.categories.box.prints import Emblem, Look, Signs
 Style = Literal["slotted", "half_slotted", "mailer", "pizza", "tuck_end", "wine", "tray", "gift"]
 
 # flaps of ends, print on a front, and straps, tucks and ears need room: least width and height by style [m]
-_LEAST: dict[Style, tuple[float, float]] = {
-    "slotted": (0.0, 0.06),
-    "mailer": (0.15, 0.0),
-    "tuck_end": (0.0, 0.1),
-    "tray": (0.14, 0.0),
-}
+_LEAST = {"slotted": (0.0, 0.06), "mailer": (0.15, 0.0), "tuck_end": (0.0, 0.1), "tray": (0.14, 0.0)}
 _STYLES = {"slotted": 0.24, "half_slotted": 0.08, "mailer": 0.15, "pizza": 0.10, "tuck_end": 0.10,
            "wine": 0.12, "tray": 0.10, "gift": 0.11}  # fmt: skip
 _TINTS = {"graphite": 0.45, "brown": 0.2, "blue": 0.12, "red": 0.12, "forest": 0.11}
@@ -55,6 +50,8 @@ def _by_size(**spans: tuple[float, float]) -> Any:
 _MAYBE = {False: 1.0, True: 1.0}
 _LIKELY = {True: 1.0, False: 1.0}  # as likely; the order decides which draw gives which option
 _CREASES = {"fresh": 0.4, "worked": 0.6}
+_FRICTION = {"fresh": ag.uniform(0.06, 0.16), "worked": ag.uniform(0.2, 0.6)}
+_DAMPING = {"fresh": ag.uniform(0.03, 0.06), "worked": ag.uniform(0.02, 0.05)}
 _SIZES = {"small": 0.3, "medium": 0.4, "large": 0.3}
 _WIDTHS = {
     "slotted": _by_size(small=(0.20, 0.30), medium=(0.32, 0.46), large=(0.50, 0.74)),
@@ -109,7 +106,7 @@ def box(
     bottles: int = ag.by(
         "style", wine={2: 0.25, 3: 0.2, 6: 0.35, 12: 0.2}, otherwise=0, doc="number of cells for bottles"
     ),
-    wine: Literal["none", "red", "white", "rose"] = ag.by(
+    wine: kinds.Wine = ag.by(
         "style",
         wine={"none": 0.3, "red": 0.36, "white": 0.2, "rose": 0.14},
         otherwise="none",
@@ -242,20 +239,8 @@ def box(
     ),
     springback: ag.Float = ag.uniform(0.52, 1.05, "rad", doc="rest angle of fresh flaps"),
     stiffness: ag.Float = ag.uniform(0.4, 1.2, "N m/rad", doc="stiffness of a meter of fresh crease"),
-    friction: ag.Float = ag.by(
-        "crease",
-        fresh=ag.uniform(0.06, 0.16),
-        worked=ag.uniform(0.2, 0.6),
-        unit="N m",
-        doc="friction of a meter of crease",
-    ),
-    damping: ag.Float = ag.by(
-        "crease",
-        fresh=ag.uniform(0.03, 0.06),
-        worked=ag.uniform(0.02, 0.05),
-        unit="N m s/rad",
-        doc="damping of a meter of crease",
-    ),
+    friction: ag.Float = ag.by("crease", _FRICTION, unit="N m", doc="friction of a meter of crease"),
+    damping: ag.Float = ag.by("crease", _DAMPING, unit="N m s/rad", doc="damping of a meter of crease"),
     rub: ag.Float = ag.uniform(0.25, 0.8, doc="friction of sliding parts, as a share of their weight"),
     swing: ag.Float = ag.uniform(3.5, 4.62, "rad", doc="opening angle of flaps in free space"),
     lid_open: ag.Float = ag.by(
@@ -299,12 +284,11 @@ def box(
         case "tuck_end":
             body = kinds.tuck_end_box(*plan, ears=ears, lips=lips)
         case "half_slotted":
-            body = kinds.half_slotted_box(*plan, taped=taped, holes=holes, rub=rub)
+            body = kinds.slotted_box(*plan, taped=taped, holes=holes, rub=rub)
         case "mailer" | "pizza":
             body = kinds.lidded_box(*plan, pizza=style == "pizza", sides=sides, ears=ears, dusted=dusted)
         case "wine":
-            filled = None if wine == "none" else wine
-            body = kinds.wine_box(board, width, height, look, bottles=bottles, wine=filled, taped=taped)
+            body = kinds.wine_box(board, width, height, look, bottles=bottles, wine=wine, taped=taped)
         case "tray":
             body = kinds.tray_box(*plan, skirt=skirt, rub=rub, strap=gifts.strap(strap))
         case _ if closure == "lift":

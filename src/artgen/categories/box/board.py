@@ -221,9 +221,6 @@ def dividers(board: Board, room: ag.Region, *, columns: int, rows: int) -> ag.Bo
     edges = [cell.x.low for cell in room.columns(columns)[1:]], [cell.y.low for cell in room.layers(rows)[1:]]
     sheets = [inner.with_(x=(x - half, x + half)) for x in edges[0]]
     sheets += [inner.with_(y=(y - half, y + half)) for y in edges[1]]
-    return ag.part(
-        functools.reduce(operator.or_, (sheet.box() for sheet in sheets)),
-        "divider",
-        board.inside,
-        separate="they stand between the walls, a hair off them",
-    )
+    whole = functools.reduce(operator.or_, (sheet.box() for sheet in sheets))
+    loose = "they stand between the walls, a hair off them"
+    return ag.part(whole, "divider", board.inside, separate=loose)

@@ -3,7 +3,6 @@
 Each is a fitting for the walls around a region; its cut lowers them and miters them at the creases.
 """
 
-import functools
 import math
 from collections.abc import Sequence
 from typing import Literal
@@ -67,21 +66,22 @@ def slotted_top(
     meet = reach >= (thick**2 - free**2) / (2 * free)
     folds, opened = [], []
     for side in _MAJOR:
-        lying = mouth != "" and side == "front"
-        wide, tall, stem = width - 0.003, _SHORT if lying else 0.021, f"{names[side]}{mouth}"
+        stem, lying = f"flap_{names[side]}", mouth != "" and side == "front"
+        wide, tall = width - 0.003, _SHORT if lying else 0.021
         # each tab to the right of its flap: a hand has space beside the other tab
-        tab = prints.pull_tab(f"tab_{stem}", tall=tall, depth=0.76 * tall).at(0.2 * width, reach - 0.0035)
+        tab = prints.pull_tab(f"tab_{names[side]}{mouth}", tall=tall, depth=0.76 * tall).at(
+            0.2 * width, reach - 0.0035
+        )
         sheet = board.sheet(ag.rectangle(wide, reach).at(0.0, reach / 2)).require(meet, _MAJORS_MEET)
-        flap = ag.weld(ag.part(sheet, "flap_major", board.outside, name=f"flap_{stem}"), tab)
+        flap = ag.weld(ag.part(sheet, "flap_major", board.outside, name=f"{stem}{mouth}"), tab)
         if taped:
-            half = ag.Region((-wide / 2, wide / 2), (reach - prints.TAPE_WIDE / 2, reach), (0.0, 0.0))
-            strip = half.shrink(x=0.001, back=0.0002, bottom=-0.0001, top=-0.00012)
+            lap = (reach - prints.TAPE_WIDE / 2, reach - 0.0002)
+            strip = ag.Region((0.001 - wide / 2, wide / 2 - 0.001), lap, (-0.0001, 0.00012))
             flap = ag.weld(flap, ag.detail(strip.box(), "tape", TAPE))
         if side == "front":
             flap = ag.weld(flap, *printed)
         most = math.pi / 2 - shy if lying else opening
-        name = f"flap_{names[side]}_hinge{mouth}"
-        turn = board.crease(name, length=width, reach=reach, opening=most, fresh=True)
+        turn = board.crease(f"{stem}_hinge{mouth}", length=width, reach=reach, opening=most, fresh=True)
         folds.append(board.fold(flap, turn, case, side, bead=None if lying else wide, label=label))
         opened.append(turn > (most - _LYING if lying else _CLEAR))
     wide = depth - 2 * (t + SLIT)
@@ -90,11 +90,9 @@ def slotted_top(
         sheet = board.sheet(tongue(wide / 2, reach, tip=wide / 2 - narrower))
         sheet = sheet if mouth else sheet.require(width - depth > 0.006, _MINORS_MEET)
         below = ag.push_on(sheet, direction=ag.Z, at=(beside, 0.52 * reach, 0.0))
-        name = f"flap_{names[side]}{mouth}"
-        flap = ag.part(sheet, "flap_minor", board.outside, name=name, push=below)
-        needs = (opened[0] & opened[1]).until(_HANGING)
-        name = f"flap_{names[side]}_hinge{mouth}"
-        turn = board.crease(name, length=depth, reach=reach, opening=opening, needs=needs)
+        stem, needs = f"flap_{names[side]}", (opened[0] & opened[1]).until(_HANGING)
+        flap = ag.part(sheet, "flap_minor", board.outside, name=f"{stem}{mouth}", push=below)
+        turn = board.crease(f"{stem}_hinge{mouth}", length=depth, reach=reach, opening=opening, needs=needs)
         lower = case.with_(z=(case.z.low, low))
         folds.append(board.fold(flap, turn, lower, side, bead=depth - 0.003, label=label))
         opened.append(turn > _CLEAR)
@@ -109,6 +107,8 @@ _SLACK = 0.020  # play of the tuck while its lid is closed [rad]
 _PLAY = 0.043  # additional angle until the tuck touches the wall [rad]
 _TIP = 0.0004  # gap from the tip of an upright tuck to the wall [m]
 _BESIDE = 0.0012  # gap from ears and side flaps to the walls [m]
+# label of the sheet above a flap, depth of a grasp at its edge, and by how much its bead is shorter [m]
+_TONGUES = {"tuck": ("lid", 0.016, 0.0), "ear": ("tuck", 0.014, 0.002), "lip": ("flap_minor", 0.014, 0.004)}
 _RISEN = 1.66  # least angle of a lid that leaves the space above the box free [rad]
 _AWAY = 2.0  # least angle of a lid whose tuck leaves this space free as well [rad]
 _NO_WINGS = (
@@ -196,7 +196,6 @@ class Lid:
     def _lid(self, printed: Sequence[ag.Body]) -> ag.Body:
         """Make the lid with its flaps, in the frame of its sheet."""
         board, reach, tuck, half = self.board, self.reach, self.tuck, self.inner - _BESIDE
-        lean = _PLAY - _TIP / tuck + _SLACK
         far = ag.sqrt(tuck**2 + self.ear**2) if self.ears else tuck
         clear = 1.13 * (far + 0.008) / reach  # least angle at which the tuck clears the box in any pose [rad]
         cut = 0.30 * tuck
@@ -208,18 +207,17 @@ class Lid:
             on = ag.Region((-half, half), (board.thick + 0.004, tuck - 0.003), (0.0, 0.0))
             long, deep = on.y.size, self.ear
             bend = board.sheet(tongue(long / 2, deep, shoulder=0.6 * deep, tip=long / 4))
-            ear = functools.partial(
-                self._tongue, bend, "ear", on, opening=1.5, bead=long - 0.002, deepest=0.014
-            )
             needs = (self.turn > above).beyond(0.35 * _BESIDE / deep)
-            ears = [ear(side, side, reach=deep, length=long, label="tuck", needs=needs) for side in _MINOR]
-        sheet = board.sheet(outline, relief=0.0005)
-        needs = (self.turn > clear).beyond(_SLACK)
-        bead = 2 * self.half - 0.004
-        fold = functools.partial(
-            self._tongue, sheet, "tuck", self.top, "front", "back", opening=3.05, bead=bead
+            ears = [
+                self._tongue("ear", side, bend, on, side, long, deep, opening=1.5, needs=needs)
+                for side in _MINOR
+            ]
+        sheet, size, bead = board.sheet(outline, relief=0.0005), (2 * half, tuck), 2 * self.half - 0.004
+        needs, lean = (self.turn > clear).beyond(_SLACK), _PLAY - _TIP / tuck + _SLACK
+        front = self._tongue(
+            "tuck", "front", sheet, self.top, "back", *size, needs=needs, bead=bead, lean=lean, ears=ears
         )
-        flaps = [fold(reach=tuck, length=2 * half, label="lid", needs=needs, lean=lean, ears=ears)]
+        wings = []
         top = board.sheet(self.top.plan())
         if self.tucked:
             behind = self.ear + 0.004 if self.ears else 0.0  # the tuck and its ears
@@ -229,8 +227,10 @@ class Lid:
             top = top.require(long >= 0.6 * deep + 0.006, _NO_WINGS)
             bend = board.sheet(tongue(long / 2, deep, shoulder=0.5 * deep, tip=long / 2 - 0.3 * deep))
             needs = (self.turn > ag.atan2(deep + 0.010, on.y.low)).beyond(0.4 * _BESIDE / deep)
-            wing = functools.partial(self._tongue, bend, "tuck", on, opening=2.6, bead=long)
-            flaps += [wing(side, side, reach=deep, length=long, label="lid", needs=needs) for side in _MINOR]
+            wings = [
+                self._tongue("tuck", side, bend, on, side, long, deep, opening=2.6, needs=needs)
+                for side in _MINOR
+            ]
         edge = reach - self.grip
         tab = prints.pull_tab(f"tab{self.mouth}")
         seal = []
@@ -238,36 +238,34 @@ class Lid:
             tab = tab.rotate(ag.Z, -math.pi / 2)
             strip = ag.Region((-0.024, 0.024), (edge - 0.012, reach - 0.0005), (-0.0001, 0.00012))
             seal = [ag.detail(strip.box(), "tape", TAPE)]
-        lid = ag.part(top, "lid", board.outside, name=f"lid{self.mouth}").install(together(*flaps))
+        lid = ag.part(top, "lid", board.outside, name=f"lid{self.mouth}").install(together(front, *wings))
         return ag.weld(lid, tab.at(0.0, edge), *seal, *printed)
 
     def _tongue(
         self,
-        sheet: ag.Solid,
-        kind: str,
-        on: ag.Region,
+        kind: Literal["tuck", "ear", "lip"],
         name: Side,
+        sheet: ag.Solid,
+        on: ag.Region,
         side: Side,
-        *,
         length: ag.Scalar,
         reach: ag.Scalar,
-        opening: float,
-        bead: ag.Scalar,
-        label: str,
+        *,
+        opening: float = 3.05,
         needs: ag.Dependency | None = None,
-        deepest: float = 0.016,
+        bead: ag.Scalar | None = None,
         lean: ag.Scalar = 0.0,
         ears: Sequence[Fitting] = (),
     ) -> Fitting:
         """Hinge a flap, which is tucked in and grasped at its edge, at a side of the sheet above it."""
+        label, deepest, shorter = _TONGUES[kind]
         stem = f"{kind}_{self.names[name]}"
         hold = ag.grasp_on(sheet, approach=-ag.Y, closing=ag.Z, depth=ag.min_(deepest, 0.55 * reach))
         flap = ag.part(sheet, "tuck", self.board.outside, name=f"{stem}{self.mouth}", grasp=hold)
-        flap = flap.install(together(*ears)) if ears else flap
-        turn = self.board.crease(
-            f"{stem}_hinge{self.mouth}", length=length, reach=reach, opening=opening, needs=needs
-        )
-        flap = flap.rotate(ag.X, -lean, about=AXIS)
+        flap = (flap.install(together(*ears)) if ears else flap).rotate(ag.X, -lean, about=AXIS)
+        joint = f"{stem}_hinge{self.mouth}"
+        turn = self.board.crease(joint, length=length, reach=reach, opening=opening, needs=needs)
+        bead = length - shorter if bead is None else bead
         return self.board.fold(flap, turn, on, side, bead=bead, label=label, hangs=True)
 
     def _dust_flap(self, side: Side, reach: ag.Scalar) -> Fitting:
@@ -284,8 +282,7 @@ class Lid:
         if self.lips:
             deep, end = 0.3 * reach, ag.Region((-far, far), (0.0, reach), (0.0, 0.0))
             bend = self.board.sheet(tongue(far - 0.001, deep, shoulder=0.4 * deep, tip=far - 0.4 * deep))
-            lip = functools.partial(self._tongue, bend, "lip", end, side, "back", opening=1.5, deepest=0.014)
-            flap = flap.install(lip(reach=deep, length=2 * far, bead=2 * far - 0.004, label="flap_minor"))
+            flap = flap.install(self._tongue("lip", side, bend, end, "back", 2 * far, deep, opening=1.5))
         turn = self.board.crease(
             f"{stem}_hinge{self.mouth}",
             length=wide,

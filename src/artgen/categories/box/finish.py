@@ -42,21 +42,13 @@ _GREY = _wrap("lining", "light_grey").with_(name="cardboard_lining_grey")
 LININGS = (*(_wrap("lining", color) for color in ("white", "black", "cream")), _GREY)
 """Linings of set-up boxes."""
 
-_GOLD_SATIN = _PLASTIC.with_(
-    name="satin_gold", base_color=(0.58, 0.38, 0.13), specular_roughness=0.28, base_metalness=0.35
+_SATIN = _PLASTIC.with_(texture="", density=400.0)
+_SATINS = tuple(
+    _SATIN.with_(name=f"satin_{color}", base_color=COLORS[color], specular_roughness=0.3, coat_weight=0.25)
+    for color in ("red", "white", "navy", "burgundy", "forest", "blush", "black")
 )
-RIBBONS = tuple(
-    each.with_(texture="", density=400.0)
-    for each in (
-        *(
-            _PLASTIC.with_(
-                name=f"satin_{color}", base_color=COLORS[color], specular_roughness=0.3, coat_weight=0.25
-            )
-            for color in ("red", "white", "navy", "burgundy", "forest", "blush", "black")
-        ),
-        _GOLD_SATIN,
-    )
-)
+_GOLD = {"base_color": (0.58, 0.38, 0.13), "specular_roughness": 0.28, "base_metalness": 0.35}
+RIBBONS = (*_SATINS, _SATIN.with_(name="satin_gold", **_GOLD))
 """Satin ribbons."""
 
 STRAPS = (

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from typing import Literal
 
 import artgen as ag
+from artgen import feel
 from artgen.categories.box import prints
 from artgen.categories.box.board import LAYER, Board, bottom_flaps, dividers, hand_holes, walls
 from artgen.categories.box.closures import Lid, Mouth, Sides, flap_reach, slotted_top
@@ -27,54 +28,32 @@ _SIDES_MEET = (
 )
 
 
-def slotted_box(board: Board, case: ag.Region, look: Look, *, taped: bool, holes: bool) -> ag.Body:
-    """Make a regular slotted box."""
-    free = case.with_(z=(0.0, board.under(case.z.high)))
-    body = ag.part(walls(board, case), "box", board.outside)
-    if holes:
-        body = body.install(hand_holes(board, free, 0.66 * case.z.high))
-    label = _flap_label(look, case.x.size, flap_reach(case))
-    top, _ = slotted_top(board, case, taped=taped, printed=label)
-    marks = prints.shipping(look, free.shrink(top=0.02), board.outside)
-    return ag.weld(body.install(top), bottom_flaps(board, case), *marks)
-
-
-def half_slotted_box(
-    board: Board, case: ag.Region, look: Look, *, taped: bool, holes: bool, rub: ag.Scalar
+def slotted_box(
+    board: Board, case: ag.Region, look: Look, *, taped: bool, holes: bool, rub: ag.Scalar | None = None
 ) -> ag.Body:
-    """Make a cover without a bottom in a shallow tray, with four flaps at its top."""
-    (width, _, height), fit = case.size, board.thick + PLAY
-    rim = 0.05 + 0.11 * height
-    cover = case.shrink(x=fit, y=fit, bottom=board.thick + LAYER)
-    free = cover.with_(z=(rim, board.under(height)))
-    shell = walls(board, cover, floor=False).require(free.z.size >= 0.05, _LOW_COVER)
-    sleeve = ag.part(shell, "sleeve", board.outside)
+    """Make a slotted box; or, with the friction `rub`, a cover without a bottom in a shallow tray."""
+    (width, _, height), half, fit = case.size, rub is not None, board.thick + PLAY
+    label, rim, hole = ("sleeve", 0.05 + 0.11 * height, 0.62) if half else ("box", 0.0, 0.66)
+    region = case.shrink(x=fit, y=fit, bottom=board.thick + LAYER) if half else case
+    free, reach = region.with_(z=(rim, board.under(height))), flap_reach(region)
+    shell = walls(board, region, floor=not half).require(free.z.size >= 0.05, _LOW_COVER)
+    body = ag.part(shell, label, board.outside)
     if holes:
-        sleeve = sleeve.install(hand_holes(board, free, 0.62 * height, "sleeve"))
-    label = _flap_label(look, width, flap_reach(cover))
-    top, _ = slotted_top(board, cover, taped=taped, printed=label, label="sleeve", ground=rim)
-    marks = prints.shipping(look, free.shrink(top=0.02), board.outside)
-    sleeve = ag.weld(sleeve.install(top), *marks)
+        body = body.install(hand_holes(board, free, hole * height, label))
+    address = look.address((-0.27 * width, 0.46 * reach, 0.0), ag.min_(0.10, 0.8 * reach))
+    top, _ = slotted_top(board, region, taped=taped, printed=address, label=label, ground=rim)
+    body = ag.weld(body.install(top), *prints.shipping(look, free.shrink(top=0.02), board.outside))
+    if rub is None:
+        return ag.weld(body, bottom_flaps(board, case))
     tray = ag.part(walls(board, case.with_(z=(0.0, rim))), "box", board.outside)
-    return tray.attach(sleeve, lift("sleeve_lift", sleeve, travel=rim + 0.12, rub=rub))
+    return tray.attach(body, _lift("sleeve_lift", body, travel=rim + 0.12, rub=rub))
 
 
-def lift(name: str, moved: ag.Body, *, travel: ag.Scalar, rub: ag.Scalar) -> ag.Joint:
+def _lift(name: str, moved: ag.Body, *, travel: ag.Scalar, rub: ag.Scalar) -> ag.Joint:
     """Make the joint of a loose lid; `rub` is its friction as a share of its weight."""
     weight = GRAVITY * moved.mass()
-    return ag.Prismatic(
-        name,
-        axis=ag.Z,
-        limits=(0.0, travel),
-        friction=rub * weight,
-        damping=4.0,  # air drawn in through the gap
-        effort=4.0 * weight + 4.0,
-    )
-
-
-def _flap_label(look: Look, width: ag.Scalar, reach: ag.Scalar) -> list[ag.Body]:
-    """Make the address label on the front flap of a slotted top, in the frame of its sheet."""
-    return look.address((-0.27 * width, 0.46 * reach, 0.0), ag.min_(0.10, 0.8 * reach))
+    drag = feel.Feel(damping=4.0, friction=rub * weight, effort=4 * weight + 4.0)  # the gap draws in air
+    return ag.Prismatic(name, axis=ag.Z, limits=(0.0, travel), feel=drag)
 
 
 def open_ended_box(board: Board, case: ag.Region, look: Look, *, taped: bool) -> ag.Body:
@@ -148,9 +127,7 @@ def tray_box(
     """Make a tray with a lid over it; a strap on the lid is its handle."""
     width, depth, height = case.size
     deep = ag.max_(skirt * height, 0.035)
-    front = case.with_(z=(0.004, height - deep - 0.004)).shrink(
-        y=board.thick + PLAY
-    )  # the base below the lid
+    front = case.with_(z=(0.004, height - deep - 0.004)).shrink(y=board.thick + PLAY)  # below the lid
     at = front.with_(x=(0.0, 0.52 * width)).anchor(y=-1)
     label = look.address(at, ag.min_(0.085, 1.3 * ag.max_(front.z.size, 0.012)), prints.FRONT)
     name = look.mark(0.52 * width, 0.055 * depth)
@@ -172,10 +149,10 @@ def capped(
     body = ag.weld(ag.part(walls(board, base), "box", board.outside), *on_base)
     cap = walls(board, case.with_(z=(0.0, skirt))).rotate(ag.X, math.pi).at(z=case.z.high)
     lid = ag.weld(ag.part(cap, "lid", board.outside), *on_lid)
-    return body.attach(lid, lift("lid_lift", lid, travel=skirt + 0.06, rub=rub))
+    return body.attach(lid, _lift("lid_lift", lid, travel=skirt + 0.06, rub=rub))
 
 
-Wine = Literal["red", "white", "rose"]
+Wine = Literal["none", "red", "white", "rose"]
 
 _CELLS = {2: (2, 1), 3: (3, 1), 6: (3, 2), 12: (4, 3)}  # numbers of cells along x and y, by their product
 _FULL = 1450.0  # 0.5 kg of glass and 0.75 l of wine: 1.25 kg in the 0.86 l of the facets [kg/m3]
@@ -194,14 +171,7 @@ _BOTTLES: dict[Wine, tuple[str, tuple[float, float, float], str]] = {
 
 
 def wine_box(
-    board: Board,
-    cell: ag.Scalar,
-    height: ag.Scalar,
-    look: Look,
-    *,
-    bottles: int,
-    wine: Wine | None,
-    taped: bool,
+    board: Board, cell: ag.Scalar, height: ag.Scalar, look: Look, *, bottles: int, wine: Wine, taped: bool
 ) -> ag.Body:
     """Make a box for bottles: a tall carton with a tucked lid for a few bottles, a slotted box for more."""
     (columns, rows), t = _CELLS[bottles], board.thick
@@ -210,7 +180,7 @@ def wine_box(
     marks = prints.wine(look, case, board.outside, bottles=bottles)
     shell, high = walls(board, case), 0.60 * height
     if rows == 1:
-        dust = 0.66 * cell if wine is None else None  # no space for a hand under dust flaps with bottles
+        dust = 0.66 * cell if wine == "none" else None  # no space for a hand under dust flaps with bottles
         lid = Lid(board, case, dust=dust)
         low, ceiling = t - 0.0002, height - t
         high = ag.min_(high, height - lid.tuck - 0.004)  # below the tuck
@@ -225,7 +195,7 @@ def wine_box(
         body = ag.weld(body, bottom_flaps(board, case))
     room = case.shrink(x=t, y=t).with_(z=(low, high))
     body = ag.weld(body, *marks, dividers(board, room, columns=columns, rows=rows))
-    if wine is None:
+    if wine == "none":
         return body
     bottle = _bottle(wine, ag.X if rows == 1 else ag.Y)  # an open lid is behind a single row
     low = low + 0.0006
