@@ -115,7 +115,13 @@ class Basket:
         ]
         for number, down in enumerate(self._down):
             high, far = self.front - down, self.back - down
-            loop = [(0.0, -y, high), (x, -y, high), (x, y, far), (-x, y, far), (-x, -y, high)]
+            loop: list[ag.VectorLike] = [
+                (0.0, -y, high),
+                (x, -y, high),
+                (x, y, far),
+                (-x, y, far),
+                (-x, -y, high),
+            ]
             path = ag.polyline(loop, fillet=_CORNER, closed=True)
             bent.append(details.bent_wires(path, wire if number else self.rim, at=_HERE))
         return ag.detail(bent, self.label, self.finish)

@@ -6,8 +6,9 @@ View from above: x to the right, y to the back, the origin in the middle of the 
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, reduce
 from itertools import pairwise
+from operator import or_
 from typing import Literal
 
 import artgen as ag
@@ -193,6 +194,7 @@ _SOOT = ag.material("cast_iron").with_(name="burner_slots", base_color=(0.03, 0.
 _ELEMENT = ag.material("black_steel").with_(
     name="heating_tube", base_color=(0.045, 0.043, 0.042), specular_roughness=0.55
 )
+_FOOT = (0.0, 0.0, -0.0005)  # middle of the underside of castings [m]
 _TEETH = 24
 _RUN = math.tau / 20.0  # angle between two points of a spiral [rad]
 _GAP = 0.0045  # gap between two turns of a coil [m]
@@ -225,31 +227,29 @@ def gas_burner(
         density=round(heavy * (GAS_RADIUS["medium"] / radius) ** 2),
     )
     if size == "wok":
-        drum = ag.cylinder(0.90 * radius, 0.017).align((0.0, 0.0, -0.0005), z=-1)
+        drum = ag.cylinder(0.90 * radius, 0.017).align(_FOOT, z=-1)
         inner = ag.cylinder(0.021, 0.0070).align((0.0, 0.0, 0.0155), z=-1)
-        cup = ag.cylinder(radius, 0.0125, bevel=0.001).align((0.0, 0.0, -0.0005), z=-1)
+        cup = ag.cylinder(radius, 0.0125, bevel=0.001).align(_FOOT, z=-1)
         rim = ag.revolve(ag.rectangle(0.021, 0.0035, radius=0.0014).at(0.8 * radius, 0.018))
-        bodies += [
-            ag.part(drum, "burner", dark),
-            ag.part(inner, "burner", spreader),
-            ag.detail(cup, "burner", spreader),
-        ]
-        bodies += [_teeth(0.98 * radius, 0.012, 0.0165, spreader), ag.detail(rim, "burner_cap", cap)]
-        bodies += _cap(0.024, 0.0185, GAS_TOP, cap)
+        bodies += [ag.part(drum, "burner", dark), ag.part(inner, "burner", spreader)]
+        bodies += [ag.detail([cup, _teeth(0.98 * radius, 0.012, 0.0165)], "burner", spreader)]
+        bodies += [ag.detail([rim, *_cap(0.024, 0.0185, GAS_TOP)], "burner_cap", cap)]
     else:
         high = GAS_TOP - 0.001
-        drum = ag.cylinder(0.92 * radius, high - 0.0005).align((0.0, 0.0, -0.0005), z=-1)
-        cup = ag.frustum(1.14 * radius, 0.97 * radius, 0.0105, bevel=0.0008)
+        drum = ag.cylinder(0.92 * radius, high - 0.0005).align(_FOOT, z=-1)
+        cup = ag.frustum(1.14 * radius, 0.97 * radius, 0.0105, bevel=0.0008).align(_FOOT, z=-1)
         bodies.append(ag.part(drum, "burner", dark))
-        bodies.append(ag.detail(cup.align((0.0, 0.0, -0.0005), z=-1), "burner", spreader))
-        bodies += [_teeth(radius, 0.0095, 0.0165, spreader), *_cap(0.93 * radius, 0.016, high, cap)]
+        bodies.append(ag.detail([cup, _teeth(radius, 0.0095, 0.0165)], "burner", spreader))
+        bodies.append(ag.detail(_cap(0.93 * radius, 0.016, high), "burner_cap", cap))
     pin, tip = ag.cylinder(0.0026, 0.0125, bevel=0.0008), ag.cylinder(0.0009, 0.004)
-    at = (0.74 * igniter * 1.24 * radius, -0.68 * 1.24 * radius, 0.0)
-    bodies.append(ag.detail(pin.at(at[0], at[1], 0.006), "igniter", ag.material("ceramic")))
-    bodies.append(ag.detail(tip.at(at[0], at[1], 0.0138), "igniter", ag.material("steel")))
     couple = ag.cylinder(0.0021, 0.015, bevel=0.001)
-    bodies.append(ag.detail(couple.at(-at[0], at[1], 0.0072), "igniter", ag.material("copper")))
-    return ag.weld(*bodies)
+    x, y = 0.74 * igniter * 1.24 * radius, -0.68 * 1.24 * radius
+    return ag.weld(
+        *bodies,
+        ag.detail(pin.at(x, y, 0.006), "igniter", ag.material("ceramic")),
+        ag.detail(tip.at(x, y, 0.0138), "igniter", ag.material("steel")),
+        ag.detail(couple.at(-x, y, 0.0072), "igniter", ag.material("copper")),
+    )
 
 
 def _drum_density(spreader: ag.Material, cap: ag.Material) -> float:
@@ -263,27 +263,16 @@ def _drum_density(spreader: ag.Material, cap: ag.Material) -> float:
     return round(700.0 + 0.6 * spreader.density + 0.3 * cap.density)
 
 
-def _teeth(radius: ag.Scalar, low: ag.Scalar, high: ag.Scalar, metal: ag.Material) -> ag.Body:
+def _teeth(radius: ag.Scalar, low: ag.Scalar, high: ag.Scalar) -> ag.Solid:
     """Make the teeth between the flame slots, from one height to another."""
-    teeth = ag.extrude(_toothed().scale(radius), high - low).align((0.0, 0.0, low), z=-1)
-    return ag.detail(teeth, "burner", metal)
+    return ag.extrude(_toothed().scale(radius), high - low).align((0.0, 0.0, low), z=-1)
 
 
-def _cap(radius: ag.Scalar, low: ag.Scalar, high: ag.Scalar, finish: ag.Material) -> list[ag.Body]:
+def _cap(radius: ag.Scalar, low: ag.Scalar, high: ag.Scalar) -> list[ag.Solid]:
     """Make a cap between two heights, slightly domed."""
     edge = ag.cylinder(radius, high - low, bevel=0.0018).align((0.0, 0.0, low), z=-1)
-    crown = ag.revolve(
-        ag.half_section(
-            ag.spline(
-                [
-                    (0.86 * radius, 0.0, high - 0.0006),
-                    (0.5 * radius, 0.0, high + 0.0007),
-                    (0.0, 0.0, high + 0.001),
-                ]
-            )
-        )
-    )
-    return [ag.detail(edge, "burner_cap", finish), ag.detail(crown, "burner_cap", finish)]
+    dome = [(0.86 * radius, 0.0, high - 0.0006), (0.5 * radius, 0.0, high + 0.0007), (0.0, 0.0, high + 0.001)]
+    return [edge, ag.revolve(ag.half_section(ag.spline(dome)))]
 
 
 def coil_hole(radius: ag.Scalar) -> ag.Profile:
@@ -299,28 +288,19 @@ def coil_burner(radius: float, *, bowl: ag.Material, turn: float = 0.0) -> ag.Bo
     The bars carry a pot; the coil, half a millimeter higher, is visual only.
     """
     lip = radius + 0.008
-    line: list[ag.VectorLike] = [
-        (0.012, 0.0, -BOWL + 0.0006),
-        (0.30 * lip, 0.0, -BOWL + 0.0008),
-        (0.86 * lip, 0.0, -0.006),
-        (0.98 * lip, 0.0, 0.0012),
-        (1.065 * lip, 0.0, 0.0016),
-        (1.08 * lip, 0.0, 0.0002),
-    ]
-    dish = ag.revolve(ag.half_section(ag.spline(line), wall=0.0007))
-    hole = ag.cylinder(0.0125, 0.0008).at(0.0, 0.0, -BOWL + 0.0002)
-    bar = ag.Region.between(
-        (0.010, -0.0012, -BOWL - 0.0005), (0.97 * radius, 0.0012, COIL_TOP - 0.0085)
-    ).box()
-    tread = ag.Region.between(
-        (0.012, -0.0012, COIL_TOP - 0.009), (0.99 * radius, 0.0012, COIL_TOP - 0.0005)
-    ).box()
-    spokes = [each.rotate(ag.Z, turn + math.tau * arm / 3.0) for arm in range(3) for each in (bar, tread)]
+    # radii as shares of the lip, and heights
+    line = ((0.30, -BOWL + 0.0008), (0.86, -0.006), (0.98, 0.0012), (1.065, 0.0016), (1.08, 0.0002))
+    points = [(0.012, 0.0, -BOWL + 0.0006), *((share * lip, 0.0, height) for share, height in line)]
+    dish = ag.revolve(ag.half_section(ag.spline(points), wall=0.0007))
+    hole = ag.cylinder(0.0125, 0.0008).at(z=-BOWL + 0.0002)
+    thin, low, high = (-0.0012, 0.0012), -BOWL - 0.0005, COIL_TOP - 0.0085
+    bar = ag.Region((0.010, 0.97 * radius), thin, (low, high)).box()
+    tread = ag.Region((0.012, 0.99 * radius), thin, (high - 0.0005, COIL_TOP - 0.0005)).box()
+    spokes = [each.rotate(ag.Z, turn + math.tau * arm / 3) for arm in range(3) for each in (bar, tread)]
     boss = ag.cylinder(0.0115, COIL_TOP + BOWL - 0.0012, bevel=0.0008).align((0.0, 0.0, -BOWL - 0.0004), z=-1)
     steel = ag.material("stainless").with_(name="coil_bars", specular_roughness=0.4)
     return ag.weld(
-        *(ag.part(each, "burner", steel) for each in spokes),
-        ag.part(boss, "burner", steel),
+        ag.part([*spokes, boss], "burner", steel),
         ag.detail(_spiral(radius).rotate(ag.Z, turn), "coil", _ELEMENT),
         ag.detail(dish, "drip_bowl", bowl),
         ag.detail(hole, "drip_bowl", _SOOT),
@@ -362,9 +342,8 @@ def induction_zone(radius: ag.Scalar, *, style: str) -> ag.Profile:
         return arm | (ag.ring(radius, radius - 0.0011) - gap.rotate(math.pi / 4.0))
     side = 0.93 * radius
     if style == "corners":
-        outer = ag.rectangle(2 * side, 2 * side, radius=0.006) - ag.rectangle(
-            2 * side - 0.0022, 2 * side - 0.0022, radius=0.005
-        )
+        outer = ag.rectangle(2 * side, 2 * side, radius=0.006)
+        outer = outer - ag.rectangle(2 * side - 0.0022, 2 * side - 0.0022, radius=0.005)
         gap = ag.rectangle(3.0 * side, 1.3 * side) | ag.rectangle(1.3 * side, 3.0 * side)
         return (outer - gap) | arm.scale(0.5)
     dots = arm.scale(0.6)
@@ -376,10 +355,7 @@ def induction_zone(radius: ag.Scalar, *, style: str) -> ag.Profile:
 
 def printed_zones(zones: Sequence[tuple[Place, ag.Profile]], top: ag.Scalar, ink: ag.Material) -> ag.Body:
     """Print zones on a glass with its upper face at a height, as one film."""
-    place, film = zones[0]
-    whole = film.at(place.x, place.y)
-    for place, film in zones[1:]:
-        whole = whole | film.at(place.x, place.y)
+    whole = reduce(or_, (film.at(place.x, place.y) for place, film in zones))
     return details.printed(whole, (0.0, 0.0, top), material=ink, facing=ag.Z, label="zone")
 
 
@@ -472,14 +448,9 @@ def grate(
     else:
         hold = ag.frame((first.x - 0.5 * (wide + _BARE), first.y, grip), approach=-ag.Z, closing=ag.Y)
     apart = "each bar is cast onto the others"
-    return ag.weld(
-        ag.part(inner[0], "grate", iron, name=name, grasp=hold, grasp_width=slim + 0.010, separate=apart),
-        *(
-            ag.part(each, "grate", iron, separate=apart)
-            for each in (*inner[1:], across, sides, ag.array(leg, at=corners))
-        ),
-        ag.detail(ag.array(pad, at=corners), "grate", feet),
-    )
+    solids = [*inner, across, sides, ag.array(leg, at=corners)]
+    body = ag.part(solids, "grate", iron, name=name, grasp=hold, grasp_width=slim + 0.010, separate=apart)
+    return ag.weld(body, ag.detail(ag.array(pad, at=corners), "grate", feet))
 
 
 def grate_lift(name: str) -> ag.Joint:
