@@ -84,12 +84,12 @@ _CABINETS: dict[Look, str] = {
 }
 
 
-def fronts(*looks: Look, color: float = 0.04, roughness: float = 0.03) -> Any:
+def fronts(*looks: Look) -> Any:
     """Draw the material of a front by the parameter `look`."""
     cases = {}
     for look in looks or LOOKS:
         stock, weights = FRONTS[look]
-        cases[look] = ag.shades(*stock, weights=weights, color=color, roughness=roughness)
+        cases[look] = ag.shades(*stock, weights=weights, color=0.04, roughness=0.03)
     return ag.by("look", cases, doc="finish of the front")
 
 
@@ -144,50 +144,35 @@ CORD = 0.0032
 
 _RELIEF = 0.024  # length of the strain relief [m]
 _RIBS = 4  # number of ribs around the strain relief
+_REACH = 0.045  # distance of a cord from the back of its appliance [m]
 _RUBBER = ag.material("rubber")
 
 
-def strain_relief(*, radius: ag.Scalar = CORD, length: ag.Scalar = _RELIEF) -> list[ag.Solid]:
+def strain_relief(*, radius: ag.Scalar = CORD) -> list[ag.Solid]:
     """Make the ribbed sleeve against kinks of a cord: from y = 0 back, about the y axis."""
-    pitch, edge = length / _RIBS, 0.0004
+    pitch, edge = _RELIEF / _RIBS, 0.0004
     core = radius + 0.0007
     line: list[tuple[ag.Scalar, ag.Scalar]] = [(0.0, 0.0)]
     for rib in range(_RIBS):
         out, low, high = radius + 0.0030 - 0.00055 * rib, rib * pitch, (rib + 0.62) * pitch
         line += [(out - edge, low), (out, low + edge), (out, high - edge), (out - edge, high), (core, high)]
         line.append((core, (rib + 1.0) * pitch))
-    line.append((0.0, 1.0 * length))
+    line.append((0.0, 1.0 * _RELIEF))
     return [ag.revolve(ag.polygon(line)).rotate(ag.X, -0.5 * math.pi)]
 
 
-def cord_stub(
-    *,
-    height: ag.Scalar,
-    finish: ag.Material = _RUBBER,
-    radius: ag.Scalar = CORD,
-    reach: ag.Scalar = 0.045,
-    label: str = "cord",
-) -> ag.Body:
+def cord_stub(*, height: ag.Scalar, radius: ag.Scalar = CORD, reach: ag.Scalar = _REACH) -> ag.Body:
     """Make a strain relief on the plane y = 0 and a cord from it down to the floor at the back (+y)."""
     cord = _cord(radius, reach, height - radius)
-    return ag.detail([*strain_relief(radius=radius), cord], label, finish)
+    return ag.detail([*strain_relief(radius=radius), cord], "cord", _RUBBER)
 
 
-def mains_cord(
-    *,
-    height: ag.Scalar,
-    length: ag.Scalar = 0.16,
-    side: int = 1,
-    finish: ag.Material = _RUBBER,
-    radius: ag.Scalar = CORD,
-    reach: ag.Scalar = 0.045,
-    label: str = "cord",
-) -> ag.Body:
+def mains_cord(*, height: ag.Scalar, length: ag.Scalar = 0.16, side: int = 1) -> ag.Body:
     """Make a cord with its plug: from its outlet on y = 0 down to the floor and along it to one side."""
-    fall, run = height - radius, side * 1.0 * (length - 0.052)
-    end = (run, reach, -fall)
-    plug = [(each if side > 0 else each.mirror(ag.X)).at(end) for each in _plug(radius)]
-    return ag.detail([*strain_relief(radius=radius), _cord(radius, reach, fall, end), *plug], label, finish)
+    fall, run = height - CORD, side * 1.0 * (length - 0.052)
+    end = (run, _REACH, -fall)
+    plug = [(each if side > 0 else each.mirror(ag.X)).at(end) for each in _plug(CORD)]
+    return ag.detail([*strain_relief(radius=CORD), _cord(CORD, _REACH, fall, end), *plug], "cord", _RUBBER)
 
 
 def _cord(radius: ag.Scalar, reach: ag.Scalar, fall: ag.Scalar, *ends: ag.VectorLike) -> ag.Solid:

@@ -159,7 +159,6 @@ class Basket:
         length: ag.Scalar = 0.13,
         material: ag.Material,
         height: ag.Scalar | None = None,
-        label: str = "grip",
         name: str | None = None,
     ) -> ag.Body:
         """Make a grip in front of the rim, with the grasp frame of a hand from the front."""
@@ -176,7 +175,7 @@ class Basket:
         hold = ag.frame((0.0, front - 0.0175, z), approach=ag.Y, closing=ag.Z)
         thick = 0.011 if style == "bar" else 0.010
         solids = [solid, *arms]
-        return ag.part(solids, label, material, name=name, grasp=hold, grasp_width=thick + 0.010)
+        return ag.part(solids, "grip", material, name=name, grasp=hold, grasp_width=thick + 0.010)
 
 
 def rollers(
@@ -186,7 +185,6 @@ def rollers(
     radius: ag.Scalar,
     material: ag.Material,
     rise: float = 0.0,
-    label: str = "roller",
 ) -> ag.Body:
     """Make rollers on both sides of a basket, each on a bracket that reaches inward to its wires."""
     both = [(side, y, z) for y, z in places for side in (-1, 1)]
@@ -196,7 +194,7 @@ def rollers(
     far = x - 0.5 * _TREAD - 0.012
     wheels = ag.array(wheel, at=[(side * x, y, z) for side, y, z in both])
     arms = ag.array(arm, at=[(side * far, y, z + rise) for side, y, z in both])
-    return ag.weld(ag.part(wheels, label, material, separate=_WELDED), ag.detail(arms, label, material))
+    return ag.weld(ag.part(wheels, "roller", material, separate=_WELDED), ag.detail(arms, "roller", material))
 
 
 def rack_slide(

@@ -125,15 +125,13 @@ def button_press(
     )
 
 
-def button_hole(
-    width: ag.Scalar, height: ag.Scalar | None = None, *, through: ag.Scalar = 0.01, play: ag.Scalar = PLAY
-) -> ag.Solid:
+def button_hole(width: ag.Scalar, height: ag.Scalar | None = None, *, through: ag.Scalar = 0.01) -> ag.Solid:
     """Make the cutter for the hole of a cap, rectangular for all shapes, so that it needs few colliders.
 
     A `button_plate` covers the corners that round caps leave open.
     """
     high = width if height is None else height
-    return ag.Region.centered(width + 2 * play, 0.0, high + 2 * play).grow(front=_BEFORE, back=through).box()
+    return ag.Region.centered(width + 2 * PLAY, 0.0, high + 2 * PLAY).grow(front=_BEFORE, back=through).box()
 
 
 def button_plate(
@@ -142,15 +140,13 @@ def button_plate(
     shape: ButtonShape = "round",
     width: ag.Scalar = 0.012,
     height: ag.Scalar | None = None,
-    border: ag.Scalar = 0.002,
-    label: str = "bezel",
 ) -> ag.Body:
     """Make the thin plate around a cap, with a hole of its shape, visual only."""
     high = width if height is None or shape == "round" else height
     hole = button_outline(shape, width + 2 * PLAY, high + 2 * PLAY)
     soft: ButtonShape = "bar" if shape == "bar" else "square"  # it has to cover the corners of the hole
-    sheet = button_outline(soft, width + 2 * border, high + 2 * border) - hole
-    return ag.detail(ag.extrude(sheet, 0.0016, axis=ag.Y).at(y=0.0002), label, finish)
+    sheet = button_outline(soft, width + 0.004, high + 0.004) - hole  # with a border of 2 mm
+    return ag.detail(ag.extrude(sheet, 0.0016, axis=ag.Y).at(y=0.0002), "bezel", finish)
 
 
 def push_button(
@@ -384,14 +380,13 @@ def inlay(
     finish: ag.Material = ag.MATERIALS["black_glass"],
     radius: ag.Scalar = 0.003,
     holes: ag.Profile | None = None,
-    proud: ag.Scalar = PANE,
 ) -> ag.Body:
     """Make a thin pane on the face, about the origin."""
     outline = ag.rectangle(width, height, radius=radius)
     if holes is None:
-        solid = details.relief(outline, proud=proud, sunk=0.0006, bevel=0.0003)
+        solid = details.relief(outline, proud=PANE, sunk=0.0006, bevel=0.0003)
     else:
-        solid = ag.extrude(outline - holes, proud + 0.0006, axis=ag.Y).at(y=(0.0006 - proud) / 2)
+        solid = ag.extrude(outline - holes, PANE + 0.0006, axis=ag.Y).at(y=(0.0006 - PANE) / 2)
     return ag.detail(solid, "panel", finish)
 
 
@@ -419,16 +414,11 @@ def icon_row(
 
 
 def lamp_row(
-    at: Sequence[ag.Scalar],
-    *,
-    level: ag.Scalar = 0.0,
-    lit: int = 0,
-    color: Literal["white", "green", "blue", "amber", "red"] = "white",
-    proud: ag.Scalar = PANE,
+    at: Sequence[ag.Scalar], *, level: ag.Scalar = 0.0, lit: int = 0, proud: ag.Scalar = PANE
 ) -> ag.Body:
     """Make a row of small lamps; one of them is lit."""
     bodies = []
-    for shines, finish in ((True, ag.MATERIALS[f"led_{color}"]), (False, _DARK)):
+    for shines, finish in ((True, ag.MATERIALS["led_white"]), (False, _DARK)):
         lamps = [ag.circle(_LAMP).at(x, level) for index, x in enumerate(at) if (index == lit) == shines]
         if lamps:
             solid = details.relief(_united(lamps), (0, -proud, 0), proud=0.0003)
@@ -442,34 +432,23 @@ def control_panel(
     *,
     icons: Sequence[str] = (),
     pitch: ag.Scalar = 0.022,
-    icon_height: ag.Scalar = 0.008,
     show: str = "",
     screen: tuple[ag.Scalar, ag.Scalar] = (0.05, 0.018),
     color: Color = "white",
-    upright: bool = False,
-    finish: ag.Material = ag.MATERIALS["black_glass"],
-    ink: ag.Material | None = None,
-    radius: ag.Scalar = 0.004,
 ) -> ag.Body:
-    """Make a touch panel about the origin: a pane with a display and a row of icons, each with a lamp.
+    """Make a touch panel of black glass about the origin, with a display and a row of icons with lamps.
 
-    The display is in the middle with half of the icons at each side, or above the icons of a vertical panel.
+    The display is in the middle with half of the icons at each side.
     """
-    print_, bodies = ink or ink_on(finish), [inlay(width, height, finish=finish, radius=radius)]
+    bodies, tall = [inlay(width, height, radius=0.004)], 0.008
     if show:
-        top = height / 2 - 0.9 * screen[1]
-        at = (0.0, -PANE, top if upright and icons else 0.0)
-        bodies.append(details.display(show, *screen, at=at, color=color))
-    if icons and upright:
-        levels = places(len(icons), -pitch, middle=-screen[1] / 2 if show else 0.0)
-        for name, level in zip(icons, levels, strict=True):
-            bodies.append(icon_row([name], [0.0], height=icon_height, level=level, ink=print_))
-    elif icons:
+        bodies.append(details.display(show, *screen, at=(0.0, -PANE, 0.0), color=color))
+    if icons:
         row = places(len(icons), pitch)
-        if show:  # half of them at each side of the display
+        if show:
             half, aside = (len(icons) + 1) // 2, screen[0] / 2 + 0.4 * pitch
             row = [-aside - (half - index - 0.5) * pitch for index in range(half)]
             row += [aside + (index + 0.5) * pitch for index in range(len(icons) - half)]
-        bodies.append(icon_row(icons, row, height=icon_height, ink=print_))
-        bodies.append(lamp_row(row, level=-0.85 * icon_height))
+        bodies.append(icon_row(icons, row, height=tall))
+        bodies.append(lamp_row(row, level=-0.85 * tall))
     return ag.weld(*bodies)

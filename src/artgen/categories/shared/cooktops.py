@@ -36,27 +36,19 @@ SIGN = 0.014
 _MARGIN = 0.016  # distance from the edge of the plate to the field of the burners [m]
 _END = 0.030  # distance from the edge of the plate to the rim of the first dial of a row [m]
 
-# Number of burners in each column, from left to right, by the numbers of burners and of rows.
-COLUMNS: dict[tuple[int, int], tuple[int, ...]] = {
-    (2, 1): (1, 1),
-    (3, 1): (1, 1, 1),
-    (3, 2): (2, 1),
-    (4, 1): (1, 1, 1, 1),
-    (4, 2): (2, 2),
-    (5, 2): (2, 1, 2),
-    (6, 2): (2, 2, 2),
+# sizes of the burners by their number and that of the rows: columns from left to right, each from the front
+_SIZES: dict[tuple[int, int], tuple[tuple[BurnerSize, ...], ...]] = {
+    (2, 1): (("large",), ("medium",)),
+    (3, 1): (("medium",), ("wok",), ("small",)),
+    (3, 2): (("small", "medium"), ("wok",)),
+    (4, 1): (("medium",), ("large",), ("medium",), ("small",)),
+    (4, 2): (("large", "medium"), ("small", "medium")),
+    (5, 2): (("medium", "large"), ("wok",), ("small", "medium")),
+    (6, 2): (("large", "medium"), ("small", "medium"), ("medium", "large")),
 }
 
-# Sizes of the burners in the same order, from the front to the back of a column.
-_SIZES: dict[tuple[int, int], tuple[BurnerSize, ...]] = {
-    (2, 1): ("large", "medium"),
-    (3, 1): ("medium", "wok", "small"),
-    (3, 2): ("small", "medium", "wok"),
-    (4, 1): ("medium", "large", "medium", "small"),
-    (4, 2): ("large", "medium", "small", "medium"),
-    (5, 2): ("medium", "large", "wok", "small", "medium"),
-    (6, 2): ("large", "medium", "small", "medium", "medium", "large"),
-}
+COLUMNS = {grid: tuple(map(len, sizes)) for grid, sizes in _SIZES.items()}
+"""Number of burners in each column, from left to right, by the numbers of burners and of rows."""
 
 
 @dataclass(frozen=True)
@@ -114,24 +106,22 @@ class Plan:
     def columns(self) -> list[Column]:
         """Columns of burners, from left to right."""
         left, right, front, back = self.field
-        counts = COLUMNS[self.burners, self.rows]
-        sizes = iter(_SIZES[self.burners, self.rows])
+        sizes = _SIZES[self.burners, self.rows]
         # a wok's column is wider than its neighbors
-        shares = [1.12 if number == 1 and max(counts) > 1 else 1.0 for number in counts]
+        shares = [1.12 if len(each) == 1 and self.rows > 1 else 1.0 for each in sizes]
         found: list[Column] = []
-        start, deep = 0.0, back - front
-        for number, share in zip(counts, shares, strict=True):
-            width = (right - left) * (share / sum(shares))
-            x = left + (right - left) * ((start + share / 2.0) / sum(shares))
+        start = 0.0
+        for column, share in zip(sizes, shares, strict=True):
+            width, tall = (right - left) * (share / sum(shares)), (back - front) / len(column)
+            x = left + (right - left) * ((start + share / 2) / sum(shares))
             start += share
-            x, way = (-x + left + right, -1) if self.mirrored else (x, 1)
-            tall = deep / number
+            x = left + right - x if self.mirrored else x
+            reach = 0.5 * ag.min_(width, tall)
             burners = tuple(
-                Place(x, front + tall * (row + 0.5), next(sizes), 0.5 * ag.min_(width, tall))
-                for row in range(number)
+                Place(x, front + tall * (row + 0.5), size, reach) for row, size in enumerate(column)
             )
-            found.insert(0 if way < 0 else len(found), Column(x, width, deep, burners))
-        return found
+            found.append(Column(x, width, back - front, burners))
+        return found[::-1] if self.mirrored else found
 
     @cached_property
     def places(self) -> list[Place]:
@@ -212,9 +202,7 @@ def _toothed() -> ag.Profile:
     return ag.polygon(points)
 
 
-def gas_burner(
-    size: BurnerSize, *, spreader: ag.Material = ALUMINIUM, cap: ag.Material, igniter: int = 1
-) -> ag.Body:
+def gas_burner(size: BurnerSize, *, spreader: ag.Material = ALUMINIUM, cap: ag.Material) -> ag.Body:
     """Make a gas burner: cup, slotted spreader, cap, igniter and thermocouple."""
     radius = GAS_RADIUS[size]
     edge = 1.34 * radius
@@ -243,7 +231,7 @@ def gas_burner(
         bodies.append(ag.detail(_cap(0.93 * radius, 0.016, high), "burner_cap", cap))
     pin, tip = ag.cylinder(0.0026, 0.0125, bevel=0.0008), ag.cylinder(0.0009, 0.004)
     couple = ag.cylinder(0.0021, 0.015, bevel=0.001)
-    x, y = 0.74 * igniter * 1.24 * radius, -0.68 * 1.24 * radius
+    x, y = 0.74 * 1 * 1.24 * radius, -0.68 * 1.24 * radius
     return ag.weld(
         *bodies,
         ag.detail(pin.at(x, y, 0.006), "igniter", ag.material("ceramic")),
@@ -380,9 +368,7 @@ def _bars(
     size: tuple[ag.Scalar, ag.Scalar], at: list[tuple[ag.Scalar, ag.Scalar]], top: ag.Scalar
 ) -> ag.Solid:
     """Make horizontal bars of one length along x and y, with their middles at given positions [m]."""
-    x, y = size
-    low = (-0.5 * x, -0.5 * y, top - _HIGH)
-    bar = ag.Region.between(low, (0.5 * x, 0.5 * y, top)).box(bevel=_SOFT)
+    bar = ag.Region.centered(*size, _HIGH).at(z=top - _HIGH / 2).box(bevel=_SOFT)
     return ag.array(bar, at=[(i, j, 0.0) for i, j in at])
 
 
@@ -402,10 +388,8 @@ def _fingers(
     x, y = wide - inner, deep - inner
     made = []
     for way in (-1, 1):  # two fingers in a line have one direction
-        start = ag.Region.between(
-            (0.0, -0.5 * slim, low - _HIGH), (ag.sqrt(x * x + y * y), 0.5 * slim, low)
-        ).box(bevel=_SOFT)
-        finger = start.rotate(ag.Z, ag.atan2(way * y, x))
+        start = ag.Region((0.0, ag.sqrt(x * x + y * y)), (-slim / 2, slim / 2), (low - _HIGH, low))
+        finger = start.box(bevel=_SOFT).rotate(ag.Z, ag.atan2(way * y, x))
         first = [(i + inner, j + way * inner) for i, j in middles]
         second = [(i - wide, j - way * deep) for i, j in middles]
         made.append(ag.array(finger, at=[(i, j, 0.0) for i, j in (*first, *second)]))
@@ -434,10 +418,9 @@ def grate(
     inner = _fingers(burners, half, diagonal=style == "diagonal", top=top)
     # legs under the corners, with rubber around their ends
     corners = [ag.vector(x + i * wide, y, 0.0) for i in (-1, 1) for y in (front, back)]
-    leg = ag.Region.between((-0.0046, -0.0046, plate + _REST), (0.0046, 0.0046, top - 0.004)).box(bevel=_SOFT)
-    pad = ag.Region.between((-0.0052, -0.0052, plate + _REST), (0.0052, 0.0052, plate + 0.006)).box(
-        bevel=0.0015
-    )
+    foot = ag.Region.centered(0.0092, 0.0092, 0.0)
+    leg = foot.with_(z=(plate + _REST, top - 0.004)).box(bevel=_SOFT)
+    pad = foot.grow(0.0006).with_(z=(plate + _REST, plate + 0.006)).box(bevel=0.0015)
     # grasp on a finger without a neighboring grate; the finger tips of a gripper reach 10 mm down
     slim, grip = _SLIM * _WIDE, top - 0.04 * _HIGH - 0.001
     if style == "diagonal":

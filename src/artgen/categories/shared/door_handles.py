@@ -22,7 +22,6 @@ def spring_turn(
     preload: ag.Scalar = 0.7,
     torque: ag.Scalar = 1.3,
     damping: ag.Scalar = 0.06,
-    friction: ag.Scalar = 0.02,
 ) -> ag.Joint:
     """Make the joint of a lever or knob with a return spring; positive moves the free end down."""
     return ag.Revolute(
@@ -32,7 +31,7 @@ def spring_turn(
         limits=(0.0, limit),
         spring=ag.Spring(preload=preload, force=torque),
         damping=damping,
-        friction=friction,
+        friction=0.02,
         armature=0.0005,  # inertia of the follower and the springs in the lock case
         effort=20.0,
     )

@@ -46,14 +46,11 @@ def corner_feet(
     inset: ag.Scalar = 0.02,
     radius: ag.Scalar = 0.009,
     height: ag.Scalar = 0.008,
-    style: FootStyle = "pad",
-    finish: ag.Material = ag.MATERIALS["rubber"],
-    label: str = "foot",
 ) -> ag.Body:
     """Make four feet under the corners of a rectangle about the origin."""
     x, y = width / 2 - inset, depth / 2 - inset
     corners = [(-x, -y), (x, -y), (x, y), (-x, y)]
-    return feet(corners, radius=radius, height=height, style=style, finish=finish, label=label)
+    return feet(corners, radius=radius, height=height)
 
 
 Drive = Literal["slot", "phillips", "hex"]

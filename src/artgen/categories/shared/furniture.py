@@ -99,7 +99,7 @@ HARDWARE: dict[str, float] = {
 """Metals of furniture handles, with their weights in a random choice."""
 
 
-def boards(*looks: CaseLook, color: float = 0.05) -> Any:
+def boards(*looks: CaseLook) -> Any:
     """Draw the material of fronts and carcass by the parameter `look`."""
     stock: dict[CaseLook, tuple[tuple[ag.Material, ...], tuple[float, ...]]] = {
         "wood": (WOODS, tuple(_WOODS.values())),
@@ -109,8 +109,7 @@ def boards(*looks: CaseLook, color: float = 0.05) -> Any:
         "steel": (STEELS, tuple(_STEELS.values())),
     }
     cases = {
-        look: ag.shades(*stock[look][0], weights=stock[look][1], color=color, roughness=0.04)
-        for look in looks
+        look: ag.shades(*stock[look][0], weights=stock[look][1], color=0.05, roughness=0.04) for look in looks
     }
     return ag.by("look", cases, doc="finish of fronts and carcass")
 
@@ -238,17 +237,10 @@ class Carcass:
         return ag.part(solid, self.label, self.finish)
 
     def rail(
-        self,
-        left: ag.Scalar,
-        right: ag.Scalar,
-        z: ag.Scalar,
-        *,
-        high: ag.Scalar,
-        deep: ag.Scalar = 0.06,
-        solid: bool = True,
+        self, left: ag.Scalar, right: ag.Scalar, z: ag.Scalar, *, high: ag.Scalar, solid: bool = True
     ) -> ag.Body:
         """Make a rail between two uprights, behind the front edges."""
-        y = (self.front + _SEAM, self.front + deep)
+        y = (self.front + _SEAM, self.front + 0.06)
         made = ag.Region((left - _BITE, right + _BITE), y, (z - high / 2, z + high / 2)).box(bevel=EASE)
         return (ag.part if solid else ag.detail)(made, self.label, self.finish)
 
@@ -313,11 +305,11 @@ class Carcass:
         far = ag.Region(x, (self.rear - 0.032, self.rear - 0.016), (0.02, low + 0.002)).box(bevel=EASE)
         return [ag.part([near, far], "plinth", finish)]
 
-    def legs(self, style: LegStyle, finish: ag.Material, *, inset: ag.Scalar = 0.045) -> list[ag.Body]:
+    def legs(self, style: LegStyle, finish: ag.Material) -> list[ag.Body]:
         """Make four legs under the corners of the bottom board."""
         low = ag.require(self.low, self.low > 0.05, "stand_height of legs must be > 0.05 m")
         core, skin = _leg(style, low + 0.0008)
-        x, y = self.width / 2 - inset, (self.front + inset, self.rear - inset)
+        x, y = self.width / 2 - 0.045, (self.front + 0.045, self.rear - 0.045)
 
         def everywhere(solids: list[ag.Solid]) -> list[ag.Solid]:
             made = []
@@ -331,18 +323,12 @@ class Carcass:
         return [solid, ag.detail(everywhere(skin), "leg", finish)] if skin else [solid]
 
     def worktop(
-        self,
-        thick: ag.Scalar,
-        finish: ag.Material,
-        *,
-        before: ag.Scalar,
-        beside: ag.Scalar,
-        bevel: ag.Scalar = 0.002,
+        self, thick: ag.Scalar, finish: ag.Material, *, before: ag.Scalar, beside: ag.Scalar
     ) -> ag.Body:
         """Make the top on the carcass."""
         out = self.width / 2 + beside
         y, z = (self.front - before, self.rear), (self.high - 0.0002, self.high + thick)
-        return ag.part(ag.Region((-out, out), y, z).box(bevel=bevel), "top", finish)
+        return ag.part(ag.Region((-out, out), y, z).box(bevel=0.002), "top", finish)
 
 
 def _leg(style: LegStyle, tall: ag.Scalar) -> tuple[list[ag.Solid], list[ag.Solid]]:

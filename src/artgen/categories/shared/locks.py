@@ -177,11 +177,10 @@ def latch_bolt(
     return ag.part(ag.extrude(section, LATCH.height, axis=ag.Z, bevel=0.0006), "latch", finish, push=push)
 
 
-def latch_slide(
-    leader: ag.Joint, *, throw: ag.Scalar, release: ag.Scalar, name: str = "latch_slide"
-) -> ag.Joint:
+def latch_slide(leader: ag.Joint, *, throw: ag.Scalar, release: ag.Scalar) -> ag.Joint:
     """Make the joint of a latch bolt that a handle draws into the leaf; positive is drawn back."""
-    return ag.Prismatic(name, axis=-ag.X, follows=(throw / release) * leader, damping=2.0, friction=0.2)
+    drawn = (throw / release) * leader
+    return ag.Prismatic("latch_slide", axis=-ag.X, follows=drawn, damping=2.0, friction=0.2)
 
 
 def latch_pocket(*, backset: ag.Scalar, throw: ag.Scalar, through: bool = False) -> ag.Solid:
@@ -275,10 +274,10 @@ def strike_plate(
     return ag.weld(*bodies)
 
 
-def clear_angle(*, thickness: ag.Scalar, reach: ag.Scalar, bolt: Bolt = LATCH) -> ag.Scalar:
+def clear_angle(*, thickness: ag.Scalar, reach: ag.Scalar) -> ag.Scalar:
     """Return the angle of a door at which its thrown latch has left the strike, with 2 mm to spare [rad]."""
     # small angles: the bolt moves by angle * reach, a little more at its nose
-    return (thickness / 2 + bolt.width / 2 + 0.002) / reach * 1.02
+    return (thickness / 2 + LATCH.width / 2 + 0.002) / reach * 1.02
 
 
 THROW = 0.025
@@ -305,9 +304,10 @@ def deadbolt(*, backset: ag.Scalar, finish: ag.Material) -> ag.Body:
     return ag.part(bolt.align((backset - _RECESSED, 0.0, 0.0), x=1.0), "deadbolt", finish)
 
 
-def deadbolt_slide(turn: ag.Joint, *, name: str = "deadbolt_slide") -> ag.Joint:
+def deadbolt_slide(turn: ag.Joint) -> ag.Joint:
     """Make the joint of a deadbolt, which follows its thumb turn; positive is thrown."""
-    return ag.Prismatic(name, axis=ag.X, follows=(THROW / QUARTER) * turn, damping=5.0, friction=0.5)
+    thrown = (THROW / QUARTER) * turn
+    return ag.Prismatic("deadbolt_slide", axis=ag.X, follows=thrown, damping=5.0, friction=0.5)
 
 
 def deadbolt_pocket(*, backset: ag.Scalar) -> ag.Solid:
@@ -322,39 +322,34 @@ def deadbolt_hole(thickness: ag.Scalar) -> ag.Solid:
     return spindle_hole(thickness, height=DEADBOLT.height + 2 * PLAY)
 
 
-def thumb_turn_joint(
-    name: str = "lock_turn", *, pivot: ag.VectorLike = (0.0, 0.0, 0.0), friction: ag.Scalar = 0.12
-) -> ag.Joint:
+def thumb_turn_joint(name: str = "lock_turn", *, pivot: ag.VectorLike = (0.0, 0.0, 0.0)) -> ag.Joint:
     """Make the joint of a thumb turn, held by the friction of its detent; positive throws the bolt."""
-    feel_ = Feel(friction=friction, damping=0.02, armature=0.0001)
+    feel_ = Feel(friction=0.12, damping=0.02, armature=0.0001)
     return ag.Revolute(name, axis=ag.Y, pivot=pivot, limits=(0.0, QUARTER), feel=feel_)
 
 
-def thumb_turn(*, thickness: ag.Scalar, finish: ag.Material, side: int = -1) -> ag.Body:
-    """Make a thumb turn, upright while the bolt is drawn: the link `lock`."""
+def thumb_turn(*, thickness: ag.Scalar, finish: ag.Material) -> ag.Body:
+    """Make a thumb turn on the front, upright while the bolt is drawn: the link `lock`."""
     start = thickness / 2 + _ROSETTE_DEPTH + _GAP
-    base = ag.cylinder(0.012, 0.004, axis=ag.Y, bevel=0.0012).at(0.0, side * (start + 0.002), 0.0)
-    wing = ag.bounding_collider(ag.box(0.007, 0.018, 0.034, bevel=0.003)).at(0.0, side * (start + 0.012), 0.0)
+    base = ag.cylinder(0.012, 0.004, axis=ag.Y, bevel=0.0012).at(y=-start - 0.002)
+    wing = ag.bounding_collider(ag.box(0.007, 0.018, 0.034, bevel=0.003)).at(y=-start - 0.012)
     reach = start + 0.003  # depth of the spindle in the turn, from the middle of the leaf
-    stem = ag.cylinder(SPINDLE, reach, axis=ag.Y).at(0.0, side * reach / 2, 0.0)
-    hold = ag.grasp_on(wing, approach=(0.0, -side, 0.0), closing=ag.X, depth=0.016)  # 1 mm off its base
+    stem = ag.cylinder(SPINDLE, reach, axis=ag.Y).at(y=-reach / 2)
+    hold = ag.grasp_on(wing, approach=ag.Y, closing=ag.X, depth=0.016)  # 1 mm off its base
     return ag.part(ag.union(base, wing, stem), "lock", finish, grasp=hold)
 
 
-def deadbolt_cover(*, thickness: ag.Scalar, finish: ag.Material, side: int = -1) -> ag.Body:
-    """Make the rosette under a thumb turn and, on the other face, the key cylinder; weld it to the leaf."""
-    deep = _ROSETTE_DEPTH + 0.0005
-    middle = thickness / 2 - 0.0005 + deep / 2
-    rosette = ag.cylinder(_ROSETTE, deep, axis=ag.Y, bevel=0.0022)
-    rosette = rosette.at(0.0, side * middle, 0.0) - spindle_hole(thickness + 0.05)
-    guard = ag.frustum(_ROSETTE, _ROSETTE - 0.007, 0.0155, axis=(0.0, -side, 0.0), bevel=0.0012)
-    face = thickness / 2 + 0.015
-    collar = ag.extrude(ag.ring(0.0155, 0.0105), 0.0014, axis=ag.Y, bevel=0.0005)
+def deadbolt_cover(*, thickness: ag.Scalar, finish: ag.Material) -> ag.Body:
+    """Make the rosette under a thumb turn and, on the back, the key cylinder; weld it to the leaf."""
+    deep, face = _ROSETTE_DEPTH + 0.0005, thickness / 2 + 0.015
+    rosette = ag.cylinder(_ROSETTE, deep, axis=ag.Y, bevel=0.0022).at(y=(0.001 - thickness - deep) / 2)
+    guard = ag.frustum(_ROSETTE, _ROSETTE - 0.007, 0.0155, axis=ag.Y, bevel=0.0012).at(y=face - 0.00775)
+    collar = ag.extrude(ag.ring(0.0155, 0.0105), 0.0014, axis=ag.Y, bevel=0.0005).at(y=face + 0.0002)
     return ag.weld(
-        ag.part(rosette, "rose", casting(finish)),
-        ag.part(guard.at(0.0, -side * (face - 0.00775), 0.0), "cylinder", finish),
-        ag.detail(collar.at(0.0, -side * (face + 0.0002), 0.0), "cylinder", finish),
-        *plug(face=face, side=-side, finish=finish, radius=0.0078),
+        ag.part(rosette - spindle_hole(thickness + 0.05), "rose", casting(finish)),
+        ag.part(guard, "cylinder", finish),
+        ag.detail(collar, "cylinder", finish),
+        *plug(face=face, side=1, finish=finish, radius=0.0078),
     )
 
 

@@ -212,7 +212,6 @@ def pocket_grip(
     lip: ag.Scalar = 0.015,
     gap: ag.Scalar = 0.024,
     deep: ag.Scalar = 0.030,
-    lining: ag.Scalar = 0.0015,
     name: str = "handle",
 ) -> Fitting:
     """Make a pocket in the free edge of a door: fingers reach in from the side, behind a lip.
@@ -221,28 +220,20 @@ def pocket_grip(
     channel of a front without handles.
     """
     cut = ag.box(deep + 0.010, gap, length).at(0.005 - deep / 2, lip + gap / 2, 0.0)
-    bite = _BITE  # boards overlap the walls of the cut, and no two of them end at one corner
-    inner = ag.part(
-        ag.box(lining + 3 * bite, gap + 6 * bite, length + 6 * bite).at(
-            (lining - 3 * bite) / 2 - deep, lip + gap / 2, 0.0
-        ),
-        "handle",
-        finish,
-        name=name,
-        grasp=ag.frame((-0.013, lip / 2, 0.0), approach=(-1.0, 0.0, 0.0), closing=(0.0, 1.0, 0.0)),
-        grasp_width=lip + lining + 2 * _FINGERS,
-    )
-    flat = ag.box(deep, lining + bite, length + 2 * bite)
-    ends = ag.box(deep - bite, gap + 4 * bite, lining + 2 * bite)
+    bite, sheet = _BITE, 0.0015  # boards overlap the walls of the cut, and no two of them end at one corner
+    inner = ag.box(sheet + 3 * bite, gap + 6 * bite, length + 6 * bite)
+    flat = ag.box(deep, sheet + bite, length + 2 * bite)
+    ends = ag.box(deep - bite, gap + 4 * bite, sheet + 2 * bite)
+    near, aside = (sheet - bite) / 2, (length - sheet) / 2 + bite
     boards = [
-        flat.at(-deep / 2 - bite, lip + (lining - bite) / 2, 0.0),
-        flat.at(-deep / 2 - bite, lip + gap - (lining - bite) / 2, 0.0),
-        *(
-            ends.at(-deep / 2 - 2 * bite, lip + gap / 2, end * ((length - lining) / 2 + bite))
-            for end in (-1, 1)
-        ),
+        inner.at((sheet - 3 * bite) / 2 - deep, lip + gap / 2, 0.0),
+        *(flat.at(-deep / 2 - bite, y, 0.0) for y in (lip + near, lip + gap - near)),
+        *(ends.at(-deep / 2 - 2 * bite, lip + gap / 2, end * aside) for end in (-1, 1)),
     ]
-    return Fitting(ag.weld(inner, ag.part(boards, "handle", finish)), cut)
+    hold = ag.frame((-0.013, lip / 2, 0.0), approach=-ag.X, closing=ag.Y)
+    opening = lip + sheet + 2 * _FINGERS
+    body = ag.part(boards, "handle", finish, name=name, grasp=hold, grasp_width=opening)
+    return Fitting(body, cut)
 
 
 def recessed_grip(
@@ -266,12 +257,11 @@ def recessed_grip(
     blade = ag.box(thick, blade_deep, length, bevel=0.002).at(0.0, 0.001 + blade_deep / 2 - 0.0015, 0.0)
     hold = ag.frame((0.0, 0.0155, 0.0), approach=(0.0, 1.0, 0.0), closing=(1.0, 0.0, 0.0))
     walls = niche(width, length, deep, sheet=sheet)
-    rim = ag.rectangle(width + 0.006, length + 0.006, radius=0.004) - ag.rectangle(
-        width - 0.002, length - 0.002
-    )
+    rim = ag.rectangle(width + 0.006, length + 0.006, radius=0.004)
+    rim = rim - ag.rectangle(width - 0.002, length - 0.002)
     shell = ag.weld(
         ag.part(blade, "handle", finish, name=name, grasp=hold),
-        *((ag.detail if thin else ag.part)(each, "handle", lining) for each in walls),
+        (ag.detail if thin else ag.part)(walls, "handle", lining),
         ag.detail(ag.extrude(rim, 0.0012, axis=ag.Y).at(0.0, -0.0002, 0.0), "handle", finish),
     )
     grip = Fitting(shell, cut)

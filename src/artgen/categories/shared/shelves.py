@@ -23,13 +23,7 @@ ORIGIN: tuple[ag.VectorLike, ...] = ((0.0, 0.0, 0.0),)
 
 
 def glass_shelf(
-    width: ag.Scalar,
-    depth: ag.Scalar,
-    *,
-    trim: ag.Material,
-    glass: ag.Material | None = None,
-    at: Sequence[ag.VectorLike] = ORIGIN,
-    label: str = "shelf",
+    width: ag.Scalar, depth: ag.Scalar, *, trim: ag.Material, at: Sequence[ag.VectorLike] = ORIGIN
 ) -> ag.Body:
     """Make glass shelves between two walls, on ledges, with strips at their fronts and backs.
 
@@ -42,19 +36,14 @@ def glass_shelf(
     ledge = ag.box(_LEDGE + _IN_WALL, depth - 0.004, 0.008, bevel=0.0015)
     ledges = [ledge.at(way * (width - _LEDGE + _IN_WALL) / 2, 0.0, -0.0039) for way in (-1, 1)]
     return ag.weld(
-        ag.part(ag.array(pane, at=at), label, glass or ag.material("glass")),
-        ag.part(ag.array(front, at=at), label, trim),
-        ag.detail([ag.array(each, at=at) for each in (*ledges, back)], label, trim),
+        ag.part(ag.array(pane, at=at), "shelf", ag.material("glass")),
+        ag.part(ag.array(front, at=at), "shelf", trim),
+        ag.detail([ag.array(each, at=at) for each in (*ledges, back)], "shelf", trim),
     )
 
 
 def wire_shelf(
-    width: ag.Scalar,
-    depth: ag.Scalar,
-    *,
-    finish: ag.Material,
-    at: Sequence[ag.VectorLike] = ORIGIN,
-    label: str = "shelf",
+    width: ag.Scalar, depth: ag.Scalar, *, finish: ag.Material, at: Sequence[ag.VectorLike] = ORIGIN
 ) -> ag.Body:
     """Make wire shelves between two walls, with the middle of the frame on z = 0.
 
@@ -68,8 +57,8 @@ def wire_shelf(
     deep = ag.capsule(rod - _INSIDE, depth - 2 * rod, axis=ag.Y)
     rods = ag.array(deep, at=[(way * 0.25 * width, 0.0, 0.0) for way in (-1, 0, 1)])
     ends = ag.array(front, at=[(0.0, way * (depth / 2 - rod), 0.0) for way in (-1, 1)])
-    solid = ag.part([ag.array(ends, at=at), ag.array(rods, at=at)], label, finish)
-    return ag.weld(solid, ag.detail(ag.array(rack, at=at), label, finish))
+    solid = ag.part([ag.array(ends, at=at), ag.array(rods, at=at)], "shelf", finish)
+    return ag.weld(solid, ag.detail(ag.array(rack, at=at), "shelf", finish))
 
 
 def open_box(
@@ -105,20 +94,17 @@ def door_bin(
     finish: ag.Material,
     trim: ag.Material | None = None,
     at: Sequence[ag.VectorLike] = ORIGIN,
-    label: str = "bin",
 ) -> ag.Body:
     """Make bins for the inside of a door: back of a bin at y = 0, front to +y, floor at z = 0."""
     boards = [board.rotate(ag.Z, math.pi).at(0.0, depth, 0.0) for board in open_box(width, depth, height)]
-    body = ag.part([ag.array(board, at=at) for board in boards], label, finish)
+    body = ag.part([ag.array(board, at=at) for board in boards], "bin", finish)
     if trim is None:
         return body
     strip = ag.box(width - 0.002, 0.0048, 0.012, bevel=0.0014).at(0.0, depth - 0.0016, height - 0.0075)
-    return ag.weld(body, ag.detail(ag.array(strip, at=at), label, trim))
+    return ag.weld(body, ag.detail(ag.array(strip, at=at), "bin", trim))
 
 
-def egg_tray(
-    width: ag.Scalar, depth: ag.Scalar, *, finish: ag.Material, columns: int = 6, label: str = "egg_tray"
-) -> ag.Body:
+def egg_tray(width: ag.Scalar, depth: ag.Scalar, *, finish: ag.Material, columns: int = 6) -> ag.Body:
     """Make a tray with two rows of holes for eggs, on z = 0 about the origin."""
     high, sheet = 0.028, 0.003
     plate = ag.box(width, depth, sheet, bevel=0.0012).at(0.0, 0.0, high - sheet / 2)
@@ -134,9 +120,9 @@ def egg_tray(
     shade = finish.with_(name=f"{finish.name}_cup", base_color=tuple(0.45 * c for c in finish.base_color))
     legs = [leg.at(way * (width / 2 - 0.006), 0.0, (high - 0.001) / 2) for way in (-1, 1)]
     return ag.weld(
-        ag.part([plate, *legs], label, finish),
-        ag.detail(ag.array(rim, at=places), label, finish),
-        ag.detail(ag.array(cup, at=places), label, shade),
+        ag.part([plate, *legs], "egg_tray", finish),
+        ag.detail(ag.array(rim, at=places), "egg_tray", finish),
+        ag.detail(ag.array(cup, at=places), "egg_tray", shade),
     )
 
 

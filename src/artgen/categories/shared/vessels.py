@@ -43,9 +43,9 @@ def drawn(form: Sequence[Sequence[Drawn]], radius: ag.Scalar, low: ag.Scalar, he
     return [[(r * radius, low + share * height + rest * radius) for r, share, rest in run] for run in form]
 
 
-def core(runs: Sequence[Run], *, sides: int = SIDES, within: ag.Scalar = _WITHIN) -> ag.Solid:
+def core(runs: Sequence[Run], *, sides: int = SIDES) -> ag.Solid:
     """Make the faceted solid inside a turned body."""
-    return ag.revolve(ag.half_section([path_of(run) for run in runs], within=within), sides=sides)
+    return ag.revolve(ag.half_section([path_of(run) for run in runs], within=_WITHIN), sides=sides)
 
 
 def skin(runs: Sequence[Run], *, bore: ag.Scalar = 0.0) -> ag.Solid:
@@ -62,27 +62,17 @@ def turned(
     spare: float = _SPARE,
     bore: ag.Scalar = 0.0,
     sides: int = SIDES,
-    name: str | None = None,
     grasp: ag.Frame | Sequence[ag.Frame] = (),
 ) -> ag.Body:
     """Make a closed turned body about z."""
     body = core(runs, sides=sides)
     if hole is not None:
         body = ag.simplified_collider(body, spare) - hole
-    return ag.weld(
-        ag.part(body, label, finish, name=name, grasp=grasp), ag.detail(skin(runs, bore=bore), label, finish)
-    )
+    return ag.weld(ag.part(body, label, finish, grasp=grasp), ag.detail(skin(runs, bore=bore), label, finish))
 
 
 def blown(
-    path: Path,
-    label: str,
-    finish: ag.Material,
-    *,
-    foot: ag.Scalar,
-    wall: ag.Scalar,
-    level: ag.Scalar,
-    name: str | None = None,
+    path: Path, label: str, finish: ag.Material, *, foot: ag.Scalar, wall: ag.Scalar, level: ag.Scalar
 ) -> ag.Body:
     """Make an open vessel: its glass is seen from both sides, so it has no core.
 
@@ -97,7 +87,7 @@ def blown(
     # at narrow places 3 facets would be one collider, with a larger distance from the surface
     off = ag.min_(_GLASS_OFF, (1.0 - math.cos(3.0 * math.pi / _GLASS_SIDES)) * foot)
     return ag.weld(
-        ag.part(ag.simplified_collider(upper, off), label, finish, name=name),
+        ag.part(ag.simplified_collider(upper, off), label, finish),
         ag.part(ag.bounding_collider(lower | pane), label, finish),
     )
 
