@@ -152,10 +152,11 @@ def knob_handle(
     grasps: list[ag.Frame] = []
     start, end = thickness / 2 + rose_depth + NECK_GAP, thickness / 2 + projection
     deep = ag.min_(0.74 * radius, 0.48 * (end - start))  # half the depth of a ball, clear of the rose
+    widest = {"flat": 0.011, "tulip": 0.009}.get(style, deep)  # distance of its widest part from the end [m]
     back = _one_knob(style, start, end, radius, deep)
     for side in SIDES[faces]:
         solids += back if side > 0 else [solid.rotate(ag.X, math.pi) for solid in back]
-        middle = (0.0, side * (end - _girth(style, deep)), 0.0)
+        middle = (0.0, side * (end - widest), 0.0)
         lean = _KNOB_PAST_JAMB if side > 0 else 0.0
         towards = (math.sin(lean), -side * math.cos(lean), 0.0)
         grasps.append(ag.frame(middle, approach=towards, closing=_CLOSING[style]))
@@ -169,27 +170,20 @@ def knob_handle(
     return with_button(body, lock, face=face, depth=_PIN_DEPTH, finish=finish, side=lock_side)
 
 
-def _girth(style: str, deep: ag.Scalar) -> ag.Scalar:
-    """Return the distance from the end of a knob back to its widest or flat part [m]."""
-    return {"ball": deep, "egg": deep, "flat": 0.011, "tulip": 0.009}[style]
-
-
 def _one_knob(
     style: str, start: ag.Scalar, end: ag.Scalar, radius: ag.Scalar, deep: ag.Scalar
 ) -> list[ag.Solid]:
     """Make a knob from y = start, in front of the rose, to y = end; `deep` is half the depth of a ball."""
-    neck = ag.cylinder(0.0115, (end - start) * 0.7, axis=ag.Y)
-    collar = ag.cylinder(0.016, 0.0045, axis=ag.Y, bevel=0.0015)
-    solids = [neck.at(0.0, start + 0.35 * (end - start), 0.0), collar.at(0.0, start + 0.00225, 0.0)]
-    if style == "ball":
-        solids.append(ag.ellipsoid(radius, deep, radius).at(0.0, end - deep, 0.0))
-    elif style == "egg":
-        solids.append(ag.ellipsoid(1.15 * radius, deep, 0.85 * radius).at(0.0, end - deep, 0.0))
-    elif style == "flat":
-        rim = ag.min_(0.0028, 0.12 * radius)
-        solids.append(ag.cylinder(radius, 0.022, axis=ag.Y, bevel=rim).at(0.0, end - 0.011, 0.0))
-    else:
-        cup = ag.frustum(0.5 * radius, radius, 0.026, axis=ag.Y, bevel=0.003)
-        solids.append(cup.at(0.0, end - 0.016, 0.0))
-        solids.append(ag.cylinder(0.8 * radius, 0.008, axis=ag.Y, bevel=0.0015).at(0.0, end - 0.004, 0.0))
-    return solids
+    collar = ag.cylinder(0.016, 0.0045, axis=ag.Y, bevel=0.0015).at(y=start + 0.00225)
+    neck = ag.cylinder(0.0115, (end - start) * 0.7, axis=ag.Y).at(y=start + 0.35 * (end - start))
+    match style:
+        case "ball" | "egg":
+            wide, high = (radius, radius) if style == "ball" else (1.15 * radius, 0.85 * radius)
+            head = [ag.ellipsoid(wide, deep, high).at(y=end - deep)]
+        case "flat":
+            rim = ag.min_(0.0028, 0.12 * radius)
+            head = [ag.cylinder(radius, 0.022, axis=ag.Y, bevel=rim).at(y=end - 0.011)]
+        case _:
+            cup = ag.frustum(0.5 * radius, radius, 0.026, axis=ag.Y, bevel=0.003).at(y=end - 0.016)
+            head = [cup, ag.cylinder(0.8 * radius, 0.008, axis=ag.Y, bevel=0.0015).at(y=end - 0.004)]
+    return [neck, collar, *head]

@@ -50,11 +50,9 @@ class Arch:
 
     def segment(self) -> ag.Profile:
         """Make the region between the arch and its chord, x to the right and y up [m]."""
-        points = []
-        for step in range(_STEPS + 1):
-            angle = self.angle * (1.0 - 2.0 * step / _STEPS)
-            points.append((self.radius * ag.sin(angle), self.center + self.radius * ag.cos(angle)))
-        return ag.polygon(points)
+        angles = [self.angle * (1 - 2 * step / _STEPS) for step in range(_STEPS + 1)]
+        radius = self.radius
+        return ag.polygon([(radius * ag.sin(a), self.center + radius * ag.cos(a)) for a in angles])
 
     def bands(self, width: ag.Scalar, *, count: int = 1, beyond: ag.Scalar = 0.0) -> list[ag.Profile]:
         """Make the band of a width outside the arch, in equal lengths from right to left."""
@@ -196,8 +194,8 @@ def _sticking(
     ring = ag.polyline([(-x, -z, 0.0), (x, -z, 0.0), (x, z, 0.0), (-x, z, 0.0)], closed=True)
     # swept on the floor, with the section's y up, then rotated upright: up becomes the front
     front = ag.sweep(section, ring).rotate(ag.X, math.pi / 2.0).at(0.0, -thickness / 2.0, 0.0)
-    faces = (front, front.rotate(ag.Z, math.pi))
-    return [ag.detail(opening.everywhere(face), opening.label, opening.finish) for face in faces]
+    faces = [opening.everywhere(face) for face in (front, front.rotate(ag.Z, math.pi))]
+    return [ag.detail(faces, opening.label, opening.finish)]
 
 
 def panels_in(
@@ -256,24 +254,18 @@ def slats_in(opening: Opening, thickness: ag.Scalar, slats: int, *, joined: bool
     plank = 0.008  # half-round edges, with the same reach at every tilt
     out, up = depth - plank, rise - plank
     slat = ag.box(opening.width, ag.sqrt(out * out + up * up) + plank, plank, bevel=plank / 2.0)
-    places = [
-        (0.0, 0.0, (at - (slats - 1) / 2.0) * (opening.height - rise) / (slats - 1)) for at in range(slats)
-    ]
+    step = (opening.height - rise) / (slats - 1)
+    places = [(0.0, 0.0, (at - (slats - 1) / 2) * step) for at in range(slats)]
     # the outer edge is the lower one, against rain and view
     tilted = slat.rotate(ag.X, ag.atan2(up, out))
+    label, finish, center = opening.label, opening.finish, opening.centers[0]
     if joined:
-        core = ag.box(opening.width, _CORE, opening.height).at(opening.centers[0])
-        finish = opening.finish
+        core = ag.box(opening.width, _CORE, opening.height).at(center)
         heavy = finish.with_(name=f"{finish.name}_slats", density=_SLATS * finish.density / _CORE)
-        field = ag.array(tilted, at=places).at(opening.centers[0])
-        return [ag.part(core, opening.label, heavy), ag.detail(field, opening.label, finish)]
+        return [ag.part(core, label, heavy), ag.detail(ag.array(tilted, at=places).at(center), label, finish)]
     # neighbors belong to different boards
-    return [
-        ag.part(
-            ag.array(tilted, at=places[first::_BOARDS]).at(opening.centers[0]), opening.label, opening.finish
-        )
-        for first in range(_BOARDS)
-    ]
+    boards = [ag.array(tilted, at=places[first::_BOARDS]).at(center) for first in range(_BOARDS)]
+    return [ag.part(boards, label, finish)]
 
 
 FrontStyle = Literal["flat", "beaded", "shaker", "ramped", "fielded", "glazed"]

@@ -99,29 +99,31 @@ HARDWARE: dict[str, float] = {
 """Metals of furniture handles, with their weights in a random choice."""
 
 
+_STOCK: dict[CaseLook, tuple[Sequence[ag.Material], dict[str, float]]] = {
+    "wood": (WOODS, _WOODS),
+    "lacquer": (LACQUERS, _LACQUERS),
+    "melamine": (MELAMINES, _MELAMINES),
+    "decor": (DECORS, _DECORS),
+    "steel": (STEELS, _STEELS),
+}
+
+
+def _draw(look: CaseLook, count: int | None = None) -> Any:
+    """Draw one of the first materials of a look."""
+    stock, weights = _STOCK[look]
+    shares = tuple(weights.values())[:count]
+    return ag.shades(*stock[:count], weights=shares, color=0.05, roughness=0.04)
+
+
 def boards(*looks: CaseLook) -> Any:
     """Draw the material of fronts and carcass by the parameter `look`."""
-    stock: dict[CaseLook, tuple[tuple[ag.Material, ...], tuple[float, ...]]] = {
-        "wood": (WOODS, tuple(_WOODS.values())),
-        "lacquer": (LACQUERS, tuple(_LACQUERS.values())),
-        "melamine": (MELAMINES, tuple(_MELAMINES.values())),
-        "decor": (DECORS, tuple(_DECORS.values())),
-        "steel": (STEELS, tuple(_STEELS.values())),
-    }
-    cases = {
-        look: ag.shades(*stock[look][0], weights=stock[look][1], color=0.05, roughness=0.04) for look in looks
-    }
-    return ag.by("look", cases, doc="finish of fronts and carcass")
+    return ag.by("look", {look: _draw(look) for look in looks}, doc="finish of fronts and carcass")
 
 
 def accents() -> Any:
     """Draw the material of fronts with another finish than the carcass, by the parameter `fronts`."""
-    return ag.by(
-        "fronts",
-        wood=ag.shades(*WOODS[:5], weights=tuple(_WOODS.values())[:5], color=0.05, roughness=0.04),
-        otherwise=ag.shades(*LACQUERS, weights=tuple(_LACQUERS.values()), color=0.05, roughness=0.04),
-        doc="finish of fronts that differ from the carcass",
-    )
+    doc = "finish of fronts that differ from the carcass"
+    return ag.by("fronts", wood=_draw("wood", 5), otherwise=_draw("lacquer"), doc=doc)
 
 
 def worktops() -> Any:
@@ -131,22 +133,16 @@ def worktops() -> Any:
 
 def hardware() -> Any:
     """Draw the metal of handles."""
-    return ag.shades(
-        *HARDWARE, weights=tuple(HARDWARE.values()), color=0.03, roughness=0.03, doc="metal of handles"
-    )
+    weights = tuple(HARDWARE.values())
+    return ag.shades(*HARDWARE, weights=weights, color=0.03, roughness=0.03, doc="metal of handles")
 
 
 def leg_finishes() -> Any:
     """Draw the material of legs by the parameter `leg`: wood, or the metal of a tube."""
-    metals = ("powder_coat_black", "satin_brass", "stainless")
-    return ag.by(
-        "leg",
-        metal=ag.shades(*metals, weights=(3.0, 1.0, 1.0), color=0.03),
-        otherwise=ag.shades(
-            *WOODS[:4], *known("powder_coat_black"), weights=(2.0, 1.0, 2.0, 1.0, 1.0), color=0.05
-        ),
-        doc="material of legs",
-    )
+    metals, black = ("powder_coat_black", "satin_brass", "stainless"), known("powder_coat_black")
+    metal = ag.shades(*metals, weights=(3.0, 1.0, 1.0), color=0.03)
+    wood = ag.shades(*WOODS[:4], *black, weights=(2.0, 1.0, 2.0, 1.0, 1.0), color=0.05)
+    return ag.by("leg", metal=metal, otherwise=wood, doc="material of legs")
 
 
 LegStyle = Literal["tapered", "splayed", "square", "turned", "metal"]
@@ -332,23 +328,21 @@ class Carcass:
 
 
 def _leg(style: LegStyle, tall: ag.Scalar) -> tuple[list[ag.Solid], list[ag.Solid]]:
-    """Make the left front leg with its upper end at the origin, and its parts without colliders."""
-    plate = [ag.box(0.07, 0.07, 0.0024, bevel=0.0006).at(0.0, 0.0, tall - 0.002)]
+    """Make the left front leg on the origin, up to a height, and its parts without colliders."""
+    plate = [ag.box(0.07, 0.07, 0.0024, bevel=0.0006).at(z=tall - 0.002)]
     match style:
         case "square":
-            return [ag.box(0.044, 0.044, tall, bevel=0.0015).at(0.0, 0.0, tall / 2)], []
+            return [ag.box(0.044, 0.044, tall, bevel=0.0015).at(z=tall / 2)], []
         case "metal":
-            tube = ag.box(0.022, 0.022, tall - 0.004, bevel=0.0015).at(0.0, 0.0, 0.004 + (tall - 0.004) / 2)
-            return [tube, ag.cylinder(0.012, 0.0045, bevel=0.0008).at(0.0, 0.0, 0.00225)], plate
+            tube = ag.box(0.022, 0.022, tall - 0.004, bevel=0.0015).at(z=tall / 2 + 0.002)
+            return [tube, ag.cylinder(0.012, 0.0045, bevel=0.0008).at(z=0.00225)], plate
         case "turned":
-            post = ag.cylinder(0.021, tall).at(0.0, 0.0, tall / 2)
-            bun = ag.cylinder(0.032, tall - 0.030, bevel=0.013).at(0.0, 0.0, (tall - 0.030) / 2 + 0.001)
-            bead = ag.cylinder(0.027, 0.010, bevel=0.004).at(0.0, 0.0, tall - 0.017)
-            return [post], [bun, bead]
+            bun = ag.cylinder(0.032, tall - 0.030, bevel=0.013).at(z=tall / 2 - 0.014)
+            bead = ag.cylinder(0.027, 0.010, bevel=0.004).at(z=tall - 0.017)
+            return [ag.cylinder(0.021, tall).at(z=tall / 2)], [bun, bead]
         case "splayed":
             lean = 0.18 * tall
             sole = ag.cylinder(0.011, 0.002, bevel=0.0008).at(-lean, -0.6 * lean, 0.001)
-            head = ag.cylinder(0.019, 0.002).at(0.0, 0.0, tall - 0.001)
-            return [ag.hull(sole, head)], plate
+            return [ag.hull(sole, ag.cylinder(0.019, 0.002).at(z=tall - 0.001))], plate
         case _:
-            return [ag.frustum(0.013, 0.021, tall, bevel=0.001).at(0.0, 0.0, tall / 2)], plate
+            return [ag.frustum(0.013, 0.021, tall, bevel=0.001).at(z=tall / 2)], plate

@@ -28,7 +28,6 @@ _GLASS_SIDES = 42  # number of facets of a blown vessel: two of them are one col
 _GLASS_OFF = 0.0007  # distance of these facets from the surface [m]
 
 _SPARE = 0.0005  # gap between a hole and the colliders around it [m]
-
 _WITHIN = 0.0005  # depth of the straight runs of a core below the outline [m]
 
 
