@@ -15,7 +15,7 @@ import artgen as ag
 from artgen import details, feel
 from artgen.nodes.details.dials import SWEEP
 from artgen.nodes.details.displays import Color
-from artgen.nodes.fitting import FIT, Fitting
+from artgen.nodes.fitting import FIT
 
 ButtonShape = Literal["round", "square", "pill", "bar"]
 """Outline of a cap: a circle, a square with rounded corners, a bar with round ends, or a plain bar."""
@@ -149,74 +149,6 @@ def button_plate(
     return ag.detail(ag.extrude(sheet, 0.0016, axis=ag.Y).at(y=0.0002), "bezel", finish)
 
 
-def push_button(
-    *,
-    shape: ButtonShape = "round",
-    width: ag.Scalar = 0.012,
-    height: ag.Scalar | None = None,
-    proud: ag.Scalar = 0.004,
-    deep: ag.Scalar = 0.008,
-    travel: ag.Scalar = 0.003,
-    preload: ag.Scalar = 0.6,
-    force: ag.Scalar = 3.0,
-    damping: ag.Scalar | None = None,
-    effort: ag.Scalar | None = None,
-    icon: str | ag.Profile = "power",
-    finish: ag.Material = ag.MATERIALS["black_abs"],
-    plate: ag.Material | None = ag.MATERIALS["stainless"],
-    ink: ag.Material | None = None,
-    name: str = "button",
-) -> Fitting:
-    """Make a push button: a cap that slides into its panel against a spring, in a thin plate.
-
-    Keys of appliances have caps of 8-20 mm, strokes of 1-3 mm and close at 2-4 N (catalogs of tactile
-    switches). A finger needs 10 mm plus half of a cap to the middle of the next button.
-
-    Args:
-        shape: Outline of the cap.
-        width: Width or diameter of the cap [m].
-        height: Height of the cap; by default its width [m].
-        proud: Projection at rest, which must exceed the travel [m].
-        deep: Depth of the cap behind the face [m].
-        travel: Stroke [m].
-        preload: Force that starts it [N].
-        force: Force that presses it home [N].
-        damping: Damping, by default that of `feel.SWITCH` [N s/m].
-        effort: Largest force, by default that of `feel.SWITCH` [N].
-        icon: Name of an icon, or a profile such as lettering, that is printed on the cap; `""` for none.
-        finish: Material of the cap.
-        plate: Material of the plate around it; None for no plate.
-        ink: Material of the print, by default one with good contrast.
-        name: Name of its link; its joint is `{name}_slide`.
-
-    Examples:
-        >>> panel = part(box(0.06, 0.012, 0.04).at(y=0.006), "panel", material("abs"))
-        >>> panel = panel.install(fittings.push_button().suffixed("_0"), at=(-0.012, 0, 0))
-        >>> panel.install(fittings.push_button(shape="square", icon="fan").suffixed("_1"), at=(0.012, 0, 0))
-    """
-    high = width if shape == "round" or height is None else height
-    ink = ink or ink_on(finish)
-    cap = button_cap(
-        finish=finish,
-        shape=shape,
-        width=width,
-        height=high,
-        proud=proud,
-        deep=deep,
-        icon=icon,
-        ink=ink,
-        name=name,
-    )
-    press = button_press(
-        f"{name}_slide", travel=travel, preload=preload, force=force, damping=damping, effort=effort
-    )
-    hole = button_hole(width, high, through=deep + travel + 0.001)
-    if plate is None:
-        return Fitting.moving(cap, press, cut=hole)
-    around = button_plate(finish=plate, shape=shape, width=width, height=high)
-    return Fitting.moving(cap, press, fixed=around, cut=hole)
-
-
 def _fluted() -> ag.Profile:
     """Make the outline of a fluted knob of radius 1."""
     steps = 4 * _FLUTES
@@ -314,63 +246,6 @@ def dial_print(
         case "icons":
             scale = details.dial_icons(icons, out + 1.2 * height, 2 * height, sweep=sweep, start=start)
     return details.printed(scale, material=ink)
-
-
-def dial(
-    *,
-    style: DialStyle = "fluted",
-    radius: ag.Scalar = 0.016,
-    depth: ag.Scalar = 0.016,
-    limits: tuple[ag.Scalar, ag.Scalar] | None = (-2.4, 2.4),
-    friction: ag.Scalar | None = None,
-    scale: DialScale | None = "ticks",
-    count: int = 6,
-    icons: tuple[str, ...] = (),
-    finish: ag.Material = ag.MATERIALS["black_abs"],
-    cap: ag.Material | None = ag.MATERIALS["aluminium"],
-    ink: ag.Material | None = DARK_INK,
-    name: str = "dial",
-) -> Fitting:
-    """Make a dial: a knob that fingers turn, with its mark up at rest, and a scale printed around it.
-
-    Knobs of appliances are 20-50 mm across; their switches and potentiometers turn through 270-300 degrees
-    with 0.02-0.06 N m (`feel.DIAL`). A gap of 0.6 mm hides the shaft, so that no hole is cut.
-
-    Args:
-        style: Shape of the knob.
-        radius: Radius of the knob [m].
-        depth: Projection of the knob [m].
-        limits: Range from the mark up, clockwise; None to turn without end [rad].
-        friction: Friction of its detents, by default that of `feel.DIAL` [N m].
-        scale: Print around it, over its range; None for no print.
-        count: Number of steps of the print.
-        icons: Names of the icons of the scale "icons", clockwise.
-        finish: Material of the knob.
-        cap: Metal of the cap of the style "capped".
-        ink: Material of the scale, which has to differ from the panel.
-        name: Name of its link; its joint is `{name}_turn`.
-
-    Examples:
-        >>> panel = part(box(0.14, 0.012, 0.06).at(y=0.006), "panel", material("abs"))
-        >>> heat = fittings.dial(style="bar", scale="band", limits=(0, 4.7), name="heat")
-        >>> panel.install(fittings.dial(), at=(-0.035, 0, 0)).install(heat, at=(0.035, 0, 0))
-    """
-    knob = control_knob(
-        finish=finish,
-        style=style,
-        radius=radius,
-        depth=depth,
-        mark=ink_on(finish),
-        cap=cap,
-        name=name,
-        label="dial",
-    )
-    low, high = limits or (-SWEEP / 2, SWEEP / 2)
-    turn = dial_turn(f"{name}_turn", low=low, high=high, friction=friction, endless=limits is None)
-    if scale is None or ink is None:
-        return Fitting.moving(knob, turn)
-    print_ = dial_print(radius, ink=ink, style=scale, count=count, icons=icons, sweep=high - low, start=low)
-    return Fitting.moving(knob, turn, fixed=print_)
 
 
 def inlay(
