@@ -164,6 +164,13 @@ def test_every_grip_fits_every_layout(layout: str, grip: str) -> None:
     assert all(asset.link(name).grasps for name in LAYOUTS[layout][:1])
 
 
+@pytest.mark.parametrize(("layout", "link"), [("french", "door_left"), ("side_by_side", "freezer_door")])
+def test_one_door_has_the_water_dispenser(layout: str, link: str) -> None:
+    asset = refrigerator.generate(3, certify=False, layout=layout, water=True)
+    wet = [each.name for each in asset.links if any(piece.label == "dispenser" for piece in each.pieces)]
+    assert wet == [link]
+
+
 def test_doors_side_by_side_have_room_for_light_and_bins() -> None:
     narrow = {"layout": "side_by_side", "wall": 0.05, "certify": False}
     for width, share, words in (

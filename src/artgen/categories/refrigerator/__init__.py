@@ -313,7 +313,8 @@ def refrigerator(
         behind = [slot.space.x for slot in rooms[leaf.label].slots] + ([flap] if boxed else [])
         limit = reduce(ag.max_, [leaf.frees(x) + _MORE for x in behind], swing)
         swings[leaf.name] = leaf.hinge(limit=limit, pull=pull, damping=door_damping)
-        shown, wet = display if first and not water else "", water and leaf is (plan.freezer or first)
+        shown = display if first and not water else ""
+        wet = water and leaf is (plan.freezer or plan.doors[0])
         made = door(leaf, style, brand=maker if first else "", display=shown, water=wet)
         body = body.attach(made, swings[leaf.name])
     slots = [(label, slot) for label, room in rooms.items() for slot in room.slots]

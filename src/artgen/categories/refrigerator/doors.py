@@ -213,7 +213,7 @@ def _dispenser(width: ag.Scalar, deep: ag.Scalar, height: ag.Scalar, *, trim: ag
     )
     on_tray = (0, 0.48 * deep, bottom + 0.008)
     shell = ag.weld(
-        ag.part(niche(width, height, deep, sheet=0.002), "dispenser", DARK),
+        ag.detail(niche(width, height, deep, sheet=0.002), "dispenser", DARK),  # in front of the cut foam
         ag.detail([details.relief(frame, proud=0.0022, bevel=0.0012), collar, tray], "dispenser", trim),
         ag.detail(spout, "dispenser", ag.material("chrome")),
         ag.detail(lever, "dispenser", ag.material("black_abs")),
