@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from functools import cache, reduce
 from itertools import pairwise
 from operator import or_
-from typing import Literal
+from typing import Literal, get_args
 
 import artgen as ag
 from artgen import details
@@ -93,14 +93,9 @@ class Plan:
     @cached_property
     def field(self) -> tuple[ag.Scalar, ag.Scalar, ag.Scalar, ag.Scalar]:
         """Positions of the left, right, front and back of the field of the burners [m]."""
-        x, y = self.width / 2 - _MARGIN, self.depth / 2 - _MARGIN
-        inner = self.strip - _MARGIN
-        return (
-            -x + (inner if self.side == "left" else 0.0),
-            x - (inner if self.side == "right" else 0.0),
-            -y + (inner if self.side == "front" else 0.0),
-            y - (inner if self.side == "back" else 0.0),
-        )
+        inset = {side: self.strip if side == self.side else _MARGIN for side in get_args(DialSide)}
+        x, y = self.width / 2, self.depth / 2
+        return (inset["left"] - x, x - inset["right"], inset["front"] - y, y - inset["back"])
 
     @cached_property
     def columns(self) -> list[Column]:
@@ -148,13 +143,8 @@ class Plan:
     def sign_step(self) -> tuple[ag.Scalar, ag.Scalar]:
         """Offset from a dial to the sign of its burner [m]."""
         away = self.radius + PRINT + SIGN / 2.0
-        ways: dict[DialSide, tuple[ag.Scalar, ag.Scalar]] = {
-            "front": (0.0, away),
-            "back": (0.0, -away),
-            "left": (away, 0.0),
-            "right": (-away, 0.0),
-        }
-        return ways[self.side]
+        x, y = {"front": (0, 1), "back": (0, -1), "left": (1, 0), "right": (-1, 0)}[self.side]
+        return (x * away, y * away)
 
 
 GAS_RADIUS: dict[BurnerSize, float] = {"small": 0.025, "medium": 0.034, "large": 0.045, "wok": 0.060}

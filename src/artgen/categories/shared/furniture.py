@@ -208,9 +208,8 @@ class Carcass:
         """Make sides, bottom, top and back; the first body starts the link `body`."""
         foot, inner = self.low if self.foot is None else self.foot, self.right + _BITE
         x, shy = (-inner, inner), (self.front + _SEAM, self.rear - _SEAM)
-        right = ag.Region(
-            (self.width / 2 - self.thick, self.width / 2), (self.front, self.rear), (foot, self.high)
-        )
+        half, y = self.width / 2, (self.front, self.rear)
+        right = ag.Region((half - self.thick, half), y, (foot, self.high))
         bottom = ag.Region(x, shy, (self.low + _SEAM, self.floor)).box(bevel=EASE)
         top = ag.Region(x, shy, (self.ceiling, self.high - _SEAM)).box(bevel=EASE)
         sides = [each.box(bevel=EASE) for each in (right.mirror(), right)]
