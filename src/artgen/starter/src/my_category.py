@@ -5,34 +5,35 @@ Change it, and look at the result with `artgen view src/my_category.py`.
 
 from typing import Literal
 
-from artgen import Body, Float, Revolute, X, box, category, choice, grasp_on, material, part, uniform, weld
+import artgen as ag
 
 
-@category(labels=("box", "lid", "handle"), joints=(1, 1))
+@ag.category(labels="box lid handle", joints=(1, 1))
 def my_category(
     *,
-    width: Float = uniform(0.15, 0.40, "m", doc="outside, along x", within=(0.05, 1.0)),
-    depth: Float = uniform(0.10, 0.30, "m", doc="outside, along y", within=(0.05, 1.0)),
-    height: Float = uniform(0.06, 0.20, "m", doc="with the lid"),
-    wall: Float = uniform(0.006, 0.010, "m", doc="thickness of the boards"),
-    swing: Float = uniform(1.5, 2.0, "rad", doc="how far the lid opens"),
-    wood: Literal["oak", "walnut"] = choice("oak", "walnut"),
-) -> Body:
+    width: ag.Float = ag.uniform(0.15, 0.40, "m", doc="outside, along x", within=(0.05, 1.0)),
+    depth: ag.Float = ag.uniform(0.10, 0.30, "m", doc="outside, along y", within=(0.05, 1.0)),
+    height: ag.Float = ag.uniform(0.06, 0.20, "m", doc="with the lid"),
+    wall: ag.Float = ag.uniform(0.006, 0.010, "m", doc="thickness of the boards"),
+    swing: ag.Float = ag.uniform(1.5, 2.0, "rad", doc="how far the lid opens"),
+    wood: Literal["oak", "walnut"] = ag.choice({"oak": 0.6, "walnut": 0.4}),
+) -> ag.Body:
     """Make a closed wooden box with a lid that is hinged at the back."""
     # A drawn value is a `Float` here: use it like a number; its value is known only later. A `Literal`, an
-    # `int` or a `bool` is known now: plain `if`, `for` and `match` work.
-    gap = 0.001  # gap between the box and its lid, so that they never touch
-    boards = material(wood)
+    # `int` or a `bool` is known now: plain `if`, `for` and `match` work. A region is planned space: it gives
+    # parts their sizes and places.
+    gap = 0.001  # between the box and its lid, so that they never touch
+    boards = ag.material(wood)
+    whole = ag.Region.centered(width, depth, height).at(z=height / 2)
+    board, outside = whole.stack(wall, None, gap=gap)
 
-    outside = box(width, depth, height - wall - gap, bevel=0.001).align((0, 0, 0), z=-1)
-    inside = box(width - 2 * wall, depth - 2 * wall, height).align((0, 0, wall), z=-1)
-    body = part(outside - inside, "box", boards)
+    inside = outside.shrink(wall, top=-0.01)  # open at the top
+    body = ag.part(outside.box(bevel=0.001) - inside.box(), "box", boards)
 
-    board = box(width, depth, wall, bevel=0.001).align((0, 0, height), z=1)
-    lip = box(0.04, 0.012, wall, bevel=0.001).align(board.anchor(y=-1), y=1)
-    lid = weld(part(board, "lid", boards), part(lip, "handle", boards, grasp=grasp_on(lip, depth=0.010)))
+    lip = ag.box(0.04, 0.012, wall, bevel=0.001).align(board.anchor(y=-1), y=1)
+    handle = ag.part(lip, "handle", boards, grasp=ag.grasp_on(lip, depth=0.010))
+    lid = ag.weld(ag.part(board.box(bevel=0.001), "lid", boards), handle)
 
-    hinge = Revolute(
-        "lid_hinge", axis=-X, pivot=board.anchor(y=1, z=-1), limits=(0, swing), friction=0.05, damping=0.01
-    )
+    pivot = board.anchor(y=1, z=-1)
+    hinge = ag.Revolute("lid_hinge", axis=-ag.X, pivot=pivot, limits=(0, swing), friction=0.05, damping=0.01)
     return body.attach(lid, hinge)
