@@ -41,11 +41,16 @@ def test_the_support_lists_the_materials_themselves():
     assert distribution.support() == (material("oak"), material("walnut"))
 
 
+def test_a_mapping_has_the_materials_with_their_weights():
+    assert shades({"oak": 0.7, "walnut": 0.3}) == shades("oak", "walnut", weights=(0.7, 0.3))
+
+
 @pytest.mark.parametrize(
     ("arguments", "options", "message"),
     [
         (("oka",), {}, r"there is no material 'oka'\. Did you mean 'oak'\?"),
         ((), {}, r"choice needs at least one option"),
+        (({"oak": 1.0},), {"weights": (1.0,)}, r"shades takes the weights from its mapping"),
         (("oak",), {"color": 2.0}, r"shades: color = 2\.0 must be in 0\.\.1"),
         (("oak",), {"roughness": -0.1}, r"shades: roughness = -0\.1 must be in 0\.\.1"),
     ],

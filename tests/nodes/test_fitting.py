@@ -13,6 +13,7 @@ from artgen.graph import evaluate
 from artgen.materials import material
 from artgen.nodes.body import detail, part, weld
 from artgen.nodes.fitting import Fitting
+from artgen.nodes.handles import Float
 from artgen.nodes.joint import Prismatic, Revolute, Spring
 from artgen.nodes.primitive import box, cylinder
 from artgen.nodes.vector import X, Y, Z
@@ -126,6 +127,13 @@ def test_a_spring_by_its_forces_has_their_stiffness_and_rest():
     assert (joint.damping, joint.friction, joint.effort) == (6.0, 0.1, 12.0)
     firm = evaluate(Prismatic("slide", axis=Y, limits=(0, 0.1), feel=feel.SWITCH, friction=0.4)).value
     assert (firm.friction, firm.armature, firm.velocity) == (0.4, 0.03, 1.0)
+
+
+def test_a_spring_takes_values_that_are_not_known_yet():
+    stiffness = Float.parameter("stiffness")
+    joint = Prismatic("slide", axis=Y, limits=(0, 0.1), spring=Spring(stiffness=stiffness, rest=-0.01))
+    made = evaluate(joint, {"stiffness": 40.0}).value
+    assert (made.stiffness, made.rest) == (40.0, -0.01)
 
 
 @pytest.mark.parametrize("given", [{}, {"preload": 1.0}, {"preload": 1.0, "force": 2.0, "stiffness": 3.0}])

@@ -71,6 +71,14 @@ def test_choice_keeps_to_its_weights():
     assert values.count("b") / 600 == pytest.approx(0.75, abs=0.06)
 
 
+def test_a_mapping_has_the_options_with_their_weights():
+    assert choice({"lever": 0.7, "knob": 0.3}) == choice("lever", "knob", weights=(0.7, 0.3))
+    cases = by("style", round={"lever": 1, "knob": 3}, otherwise="knob")
+    assert cases.case("round") == choice("lever", "knob", weights=(1, 3))
+    with pytest.raises(ParameterError, match="choice takes the weights from its mapping"):
+        choice({"lever": 1.0}, weights=(1.0,))
+
+
 def test_choice_is_even_without_weights():
     values = draws(choice(10, 20, 30), 600)
     assert all(values.count(option) / 600 == pytest.approx(1 / 3, abs=0.06) for option in (10, 20, 30))

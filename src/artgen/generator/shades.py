@@ -54,7 +54,7 @@ class Shades(Choice):
 
 
 def shades(
-    *materials: Material | str,
+    *materials: Material | str | Mapping[Material | str, float],
     weights: Sequence[float] | None = None,
     color: float = 0.08,
     roughness: float = 0.03,
@@ -66,7 +66,7 @@ def shades(
     so that an asset can have several shades of one material.
 
     Args:
-        *materials: Materials, or names in the table of materials.
+        *materials: Materials, or names in the table of materials; or one mapping from them to their weights.
         weights: Their weights; equal by default.
         color: Largest relative change of the base color.
         roughness: Largest change of the roughness.
@@ -75,8 +75,13 @@ def shades(
     Raises:
         ParameterError: There are no materials, a material is unknown, or a spread is not in 0..1.
     """
-    options = tuple(each if isinstance(each, Material) else material(each) for each in materials)
-    plain = choice(*options, weights=weights, doc=doc)
+    options: Any = materials
+    if len(materials) == 1 and isinstance(materials[0], Mapping):
+        if weights is not None:
+            raise ParameterError("shades takes the weights from its mapping, or as weights=..., not both")
+        options, weights = tuple(materials[0]), tuple(materials[0].values())
+    found = (each if isinstance(each, Material) else material(each) for each in options)
+    plain = choice(*found, weights=weights, doc=doc)
     for name, spread in (("color", color), ("roughness", roughness)):
         if not 0.0 <= as_number(spread, f"shades: {name}") <= 1.0:
             raise ParameterError(f"shades: {name} = {spread!r} must be in 0..1")

@@ -326,7 +326,7 @@ class Spring:
     def inputs(self, limits: tuple[Scalar, Scalar] | None) -> tuple[Scalar, Scalar]:
         """Return stiffness and rest for the limits of a joint."""
         if self.preload is None or self.force is None:
-            return self.stiffness or 0.0, self.rest
+            return (0.0 if self.stiffness is None else self.stiffness), self.rest
         if limits is None:
             raise BuildError(
                 "a joint without limits has no forces at its limits: give Spring(stiffness=..., rest=...)\n"
