@@ -7,8 +7,12 @@ from pathlib import Path
 
 import pytest
 
+from artgen.catalog import load_file
+from artgen.testing import check_category
+
 FOLDER = Path(__file__).parent.parent / "examples"
 EXAMPLES = sorted(FOLDER.glob("*.py"))
+CATEGORIES = sorted(FOLDER.glob("categories/*.py"))
 
 
 def test_examples_are_numbered_and_short() -> None:
@@ -32,3 +36,9 @@ def test_example_runs(path: Path, tmp_path: Path) -> None:
     assert not done.stderr
     assert done.stdout
     assert {item.name for item in tmp_path.iterdir()} <= {"out"}
+
+
+@pytest.mark.parametrize("path", CATEGORIES, ids=[path.stem for path in CATEGORIES])
+def test_an_example_category_is_short_proven_and_sound(path: Path) -> None:
+    assert len(path.read_text().splitlines()) < 200
+    check_category(load_file(path), seeds=range(2))

@@ -1,8 +1,7 @@
 """An office swivel chair: five-star base on casters, gas lift, swivel, tilting back, armrests that adjust.
 
 Links: `base`, `caster_0..4`, `wheel_0..4`, `gas_lift`, `seat`, `lever`, `backrest`, `arm_right`, `arm_left`;
-`foot_ring` of a stool. Sizes follow EN 1335-1 (office work chairs): seat height 400-510 mm, depth 400-420 mm,
-radius of the base below 365 mm.
+`foot_ring` of a stool. Sizes follow EN 1335-1: seat 400-510 mm high, radius of the base below 365 mm.
 """
 
 from math import copysign, cos, pi, sin
@@ -21,6 +20,8 @@ LEATHER = ag.material("leather_grain_abs").with_(name="leather", density=400.0, 
 COGNAC = LEATHER.with_(name="leather_cognac", base_color=(0.20, 0.075, 0.03))
 MESH = ag.material("canvas").with_(name="mesh", base_color=(0.03, 0.03, 0.032), opacity=0.75)
 FABRICS = [ag.colored("fabric", name) for name in ("anthracite", "navy", "teal", "slate", "forest")]
+LEAN = feel.Feel(damping=3.0, effort=200.0)
+SAG = (-0.05, -0.012, 0, -0.012, -0.05)  # depth of the back across its width [m]
 LEGS = [2 * pi * leg / 5 - pi / 2 for leg in range(5)]
 
 
@@ -82,11 +83,9 @@ def seat_of(
     """Make cushion, pan and mechanism, with the lever of the lift, and the sleeves of the armrests."""
     case = ag.box(0.15, 0.24, 0.044, bevel=0.005).align((0, 0, mech), z=-1)
     body = ag.part(case - ag.bore(0.0145, 0.0201).at(z=mech + 0.01), "mechanism", STEEL)
-    pan = (
-        ag.rectangle(width - 0.09, depth - 0.09, radius=0.05)
-        if style != "stool"
-        else ag.circle(width / 2 - 0.08)
-    )
+    pan = ag.circle(width / 2 - 0.08)
+    if style != "stool":
+        pan = ag.rectangle(width - 0.09, depth - 0.09, radius=0.05)
     plate = ag.extrude(pan, 0.034, bevel=0.006).align((0, 0, mech + 0.040), z=-1)
     soft = ag.part(cushion_of(style, width, depth, top), "cushion", fabric)
     seat = ag.weld(soft, ag.part(plate, "seat", NYLON), body)
@@ -96,18 +95,15 @@ def seat_of(
         post = ag.Region((x - 0.014, x + 0.014), (-0.005, 0.055), (mech + 0.022, mech + 0.215))
         sleeve = (bar | post.box(bevel=0.006)) - post.shrink(0.0065, y=0.0115, bottom=0.023, top=-0.1).box()
         neck = ag.box(0.084, depth / 2 - 0.10, 0.014, bevel=0.004).align((0, 0.08, mech + 0.022), y=-1)
-        ears = [
-            ag.box(0.012, 0.05, 0.052, bevel=0.004).at(x, depth / 2, mech + 0.040) for x in (-0.036, 0.036)
-        ]
-        seat = ag.weld(seat, ag.part(ag.union(neck, *ears, sleeve, sleeve.mirror(X)), "sleeve", NYLON))
-    rod = ag.cylinder_between((0.080, -0.04, mech + 0.012), (width / 2 + 0.015, -0.04, mech + 0.012), 0.004)
-    paddle = ag.box(0.06, 0.026, 0.010, bevel=0.004).at(width / 2 + 0.03, -0.04, mech + 0.012)
+        ear = ag.box(0.012, 0.05, 0.052, bevel=0.004).at(0.036, depth / 2, mech + 0.040)
+        right = ag.union(ear, sleeve)
+        seat = ag.weld(seat, ag.part(ag.union(neck, right, right.mirror(X)), "sleeve", NYLON))
+    rod = ag.cylinder_between((0.030, 0, -0.004), (width / 2 - 0.035, 0, -0.004), 0.004)
+    paddle = ag.box(0.06, 0.026, 0.010, bevel=0.004).at(width / 2 - 0.02, 0, -0.004)
     lever = ag.part(rod | paddle, "lever", NYLON, grasp=ag.grasp_on(paddle, approach=-X, closing=Z))
-    press = ag.Revolute(
-        "lift_lever", axis=-Y, pivot=(0.05, -0.04, mech + 0.016), limits=(0, 0.14),
-        spring=ag.Spring(preload=0.3, force=0.6), damping=0.005,
-    )  # fmt: skip
-    return seat.attach(lever, press)
+    spring = ag.Spring(preload=0.3, force=0.6)
+    press = ag.Revolute("lift_lever", axis=-Y, limits=(0, 0.14), spring=spring, damping=0.005)
+    return seat.attach(lever, press, at=(0.05, -0.04, mech + 0.016))
 
 
 def arm_of(width: ag.Float, mech: ag.Float, look: ag.Material) -> ag.Body:
@@ -128,7 +124,7 @@ def back_of(
     def at(side: float, up: float) -> tuple[ag.Scalar, ag.Scalar, ag.Scalar]:
         """Return a point of the surface: from -1 to 1 sideways, from 0 to 1 upward."""
         away = interp(up, (-0.1, 0.28, 0.65, 1.15), (0.0064, -0.018, 0.010, 0.067))
-        away += interp(abs(side), (0, 0.5, 1), (0, -0.012, -0.05))
+        away += interp(side, (-1, -0.5, 0, 0.5, 1), SAG)
         return (width / 2 - 0.02) * side, y + away, bottom + up * back
 
     bend = (0, y + 0.004, bottom + 0.3 * back)
@@ -137,22 +133,17 @@ def back_of(
     arm = ag.part(spine | ag.cylinder(0.012, 0.052, axis=X).at(hinge), "frame", NYLON)
     if style == "executive":
         rolls = zip((0.064, 0.064, 0.060, 0.058, 0.068), (0.12, 0.05, -0.06, -0.14, -0.12), strict=True)
-        pads = [
-            ag.box(width - 0.05, thick, back / 5 + 0.014, bevel=0.026)
-            .rotate(X, turn)
-            .at(at(0, (i + 0.5) / 5))
-            for i, (thick, turn) in enumerate(rolls)
-        ]
+        pads = []
+        for i, (thick, turn) in enumerate(rolls):
+            pad = ag.box(width - 0.05, thick, back / 5 + 0.014, bevel=0.026)
+            pads.append(pad.rotate(X, turn).at(at(0, (i + 0.5) / 5)))
         held = ag.grasp_on(pads[4], approach=-Z, closing=Y, depth=0.03)
         return ag.weld(ag.part(ag.union(*pads), "backrest", fabric, grasp=held), arm)
     turns = [2 * pi * (i + 0.5) / 28 for i in range(28)]
     rim = [(copysign(abs(cos(a)) ** 0.5, cos(a)), copysign(abs(sin(a)) ** 0.5, sin(a))) for a in turns]
     frame = ag.sweep(ag.ellipse(0.010, 0.013), ag.polyline([at(u, (1 + v) / 2) for u, v in rim], closed=True))
     inside = ag.extrude(ag.polygon([(at(u, 0)[0], at(0, (1 + v) / 2)[2]) for u, v in rim]), 1.2, axis=Y)
-    section = [
-        ((width / 2 - 0.02) * u, w)
-        for u, w in ((-1, -0.05), (-0.5, -0.012), (0, 0), (0.5, -0.012), (1, -0.05))
-    ]
+    section = [(at(u, 0)[0], depth) for u, depth in zip((-1, -0.5, 0, 0.5, 1), SAG, strict=True)]
     strip = ag.polygon([(x, d - 0.002) for x, d in section] + [(x, d + 0.002) for x, d in reversed(section)])
     mesh = ag.sweep(strip, ag.polyline([at(0, up) for up in (-0.1, 0.28, 0.65, 1.15)])) & inside
     lumbar = ag.hull(*(ag.torus(0.022, 0.010, axis=Y).at(at(u, 0.30)).at(0, 0.012, 0) for u in (-0.28, 0.28)))
@@ -162,34 +153,24 @@ def back_of(
 
 
 @ag.category(
-    labels="base caster wheel column gas_lift seat cushion mechanism lever backrest frame sleeve armrest "
-    "foot_ring",
+    labels="base caster wheel column foot_ring gas_lift seat cushion mechanism lever backrest frame sleeve "
+    "armrest",
     joints=(13, 17),
 )
 def office_chair(
     *,
     style: Style = ag.choice({"task": 3, "executive": 2, "stool": 1}),
-    seat_height: ag.Float = ag.by(
-        "style", stool=ag.uniform(0.58, 0.66), otherwise=ag.uniform(0.42, 0.46), unit="m", within=(0.40, 0.80)
-    ),
+    seat_height: ag.Float = ag.by("style", stool=ag.uniform(0.58, 0.66), otherwise=ag.uniform(0.42, 0.46)),
     lift: ag.Float = ag.uniform(0.09, 0.12, "m", within=(0.03, 0.14), doc="stroke of the gas lift"),
     width: ag.Float = ag.uniform(0.47, 0.52, "m", within=(0.40, 0.60), doc="width of the seat"),
     depth: ag.Float = ag.uniform(0.45, 0.49, "m", within=(0.38, 0.56), doc="depth of the seat"),
-    back: ag.Float = ag.by(
-        "style",
-        executive=ag.uniform(0.62, 0.72),
-        otherwise=ag.uniform(0.50, 0.58),
-        unit="m",
-        within=(0.40, 0.85),
-    ),
+    back: ag.Float = ag.by("style", executive=ag.uniform(0.62, 0.72), otherwise=ag.uniform(0.50, 0.58)),
     tilt: ag.Float = ag.uniform(0.30, 0.42, "rad", within=(0.1, 0.5), doc="largest angle of the back"),
     base_radius: ag.Float = ag.uniform(0.30, 0.34, "m", within=(0.26, 0.36), doc="radius to the casters"),
     caster_radius: ag.Float = ag.uniform(0.025, 0.030, "m", within=(0.02, 0.04)),
     arm_travel: ag.Float = ag.uniform(0.06, 0.09, "m", within=(0.02, 0.10), doc="travel of the armrests"),
     fabric: ag.Material = ag.by("style", executive=ag.shades(LEATHER, COGNAC), otherwise=ag.shades(*FABRICS)),
-    finish: ag.Material = ag.by(
-        "style", task=ag.choice({NYLON: 2, ALU: 1}), otherwise=ag.choice(CHROME, NYLON)
-    ),
+    finish: ag.Material = ag.by("style", task={NYLON: 2, ALU: 1}, otherwise={CHROME: 1, NYLON: 1}),
 ) -> ag.Body:
     """Make an office swivel chair at its lowest, upright."""
     low, mech = 2 * caster_radius + 0.012, seat_height - 0.125  # undersides of the legs and of the mechanism
@@ -204,27 +185,15 @@ def office_chair(
         base = base.attach(ring_of(0.24), climb)
     else:
         hinge, spring = ag.vector(0, depth / 2 + 0.008, mech + 0.046), ag.Spring(stiffness=60.0, rest=-0.3)
-        lean = ag.Revolute(
-            "back_tilt", axis=-X, pivot=hinge, limits=(0, tilt), spring=spring, damping=3.0, effort=200.0
-        )
+        lean = ag.Revolute("back_tilt", axis=-X, pivot=hinge, limits=(0, tilt), spring=spring, feel=LEAN)
         slide = ag.Prismatic("arm_lift", axis=Z, limits=(0, arm_travel), friction=20.0)
         seat = seat.attach(back_of(style, width, back, hinge, seat_height, fabric), lean)
         seat = seat.attach_pair(arm_of(width, mech, LEATHER if style == "executive" else NYLON), slide)
-    bar = ag.part(
-        ag.cylinder(0.0140, lift + 0.08, bevel=0.001).align((0, 0, mech + 0.02), z=1), "gas_lift", CHROME
-    )
+    bar = ag.cylinder(0.0140, lift + 0.08, bevel=0.001).align((0, 0, mech + 0.02), z=1)
+    carrier = ag.part(bar, "gas_lift", CHROME)
+    carrier = carrier.attach(seat, ag.Revolute("seat_swivel", axis=Z, friction=0.5, damping=0.2))
+    hold = 15 * seat.mass()  # one and a half times its weight
     rise = ag.Prismatic(
-        "seat_lift",
-        axis=Z,
-        limits=(0, lift),
-        feel=feel.GAS_SPRING,
-        friction=15 * seat.mass(),
-        driven="a gas spring",
+        "seat_lift", axis=Z, limits=(0, lift), feel=feel.GAS_SPRING, friction=hold, driven="gas"
     )
-    return base.attach(bar.attach(seat, ag.Revolute("seat_swivel", axis=Z, friction=0.5, damping=0.2)), rise)
-
-
-if __name__ == "__main__":
-    for seed in range(3):
-        asset = office_chair.generate(seed)
-        print(asset.name, f"{asset.mass:.1f} kg", len(asset.joints), "joints", asset.certificate)
+    return base.attach(carrier, rise)

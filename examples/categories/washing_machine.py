@@ -8,8 +8,8 @@ a drum of 52-64 l and a porthole of 30-34 cm for 7-10 kg of laundry.
 import math
 
 import artgen as ag
-from artgen import details, feel
-from artgen.nodes.fitting import FIT, Fitting
+from artgen import details, feel, fittings
+from artgen.fittings import FIT
 
 SHEET, PANEL = 0.004, 0.115  # modeled thickness of the sheet, height of the control panel [m]
 STEEL = ag.material("stainless").with_(
@@ -19,6 +19,7 @@ RUBBER = ag.colored("silicone", "grey").with_(name="bellow")
 GLASS = ag.material("glass").with_(name="bowl_glass", opacity=0.25, density=450.0)  # a hollow bowl
 CHROME, DARK = ag.material("chrome"), ag.colored("abs", "anthracite")
 LIGHT = ag.colored("abs", "light_grey").with_(name="keys", texture="")
+KEYS = ("power", "timer", "thermometer", "spin", "play")
 PROGRAMS = ("drop", "leaf", "sun", "clock", "snowflake", "fan")
 
 
@@ -116,28 +117,8 @@ def drawer_of(slot: ag.Region, white: ag.Material) -> ag.Body:
     )
 
 
-def dial_of(radius: ag.Scalar) -> ag.Body:
-    """Make the knob of the programs before the plane y = 0, its mark upward."""
-    knob = ag.cylinder(radius, 0.024, axis=ag.Y, bevel=0.002).at(y=-0.012 - FIT.running)
-    skirt = ag.cylinder(radius + 0.006, 0.006, axis=ag.Y, bevel=0.001).at(y=-0.003 - FIT.running)
-    mark = ag.Region((-0.001, 0.001), (-0.0249, -0.024), (radius - 0.014, radius - 0.003)).box()
-    held = ag.grasp_on(knob, approach=ag.Y, closing=ag.X, depth=0.016)
-    return ag.weld(ag.part([knob, skirt], "dial", CHROME, grasp=held), ag.detail(mark, "dial", DARK))
-
-
-def key_of(cell: ag.Region, icon: str) -> Fitting:
-    """Make a key about the origin on the plane y = 0, with its return spring and its hole."""
-    cap = ag.Region.centered(cell.x.size, 0.014, cell.z.size).at(y=0.003).box(bevel=0.0015)
-    sign = details.printed(details.icon(icon, 0.008), (0, -0.004, 0), material=DARK)
-    body = ag.weld(ag.part(cap, "key", LIGHT, push=ag.push_on(cap)), sign)
-    spring = ag.Spring(preload=0.6, force=3.0)
-    slide = ag.Prismatic("key_slide", axis=ag.Y, limits=(0, 0.0025), spring=spring, feel=feel.SWITCH)
-    wide, _, high = cell.grow(FIT.sliding).size
-    return Fitting.moving(body, slide, cut=ag.box(wide, 0.04, high))
-
-
 @ag.category(
-    labels="body works gasket drum lifter door handle window drawer dial key display print foot",
+    labels="body works gasket drum lifter door handle window drawer dial button display print foot",
     joints=(8, 9),
 )
 def washing_machine(
@@ -162,8 +143,9 @@ def washing_machine(
     center = ag.vector(0, 0, 0.012 + (panel.z.low - 0.012) * 0.53)
     body = case_of(case, panel, slot, hole, center, finish)
 
-    at = middle.anchor(y=-1)
-    scale = details.dial_icons(PROGRAMS, 0.042, 0.009)
+    dial = fittings.dial(
+        radius=0.030, depth=0.022, limits=None, scale="icons", icons=PROGRAMS, finish=CHROME, ink=DARK
+    )
     screen, row = right.shrink(x=0.012).stack(0.040, 0.016, gap=0.018)
     cells = [cell.shrink(x=0.004) for cell in row.columns(keys)]
     shown = details.display(show, 0.075, 0.03, at=screen.anchor(x=-0.4, y=-1), color="white")
@@ -171,13 +153,20 @@ def washing_machine(
     feet = ag.array(
         details.foot(0.02, 0.013), at=[(x, y, 0) for x in (-0.25, 0.25) for y in (0.06, depth - 0.06)]
     )
-    body = ag.weld(body, shown, name, details.printed(scale, at, material=DARK), ag.part(feet, "foot", DARK))
-    for index, (cell, icon) in enumerate(
-        zip(cells, ("power", "timer", "thermometer", "spin", "play"), strict=False)
-    ):
-        body = body.install(key_of(cell, icon).suffixed(f"_{index}"), at=cell.anchor(y=-1))
+    body = ag.weld(body, shown, name, ag.part(feet, "foot", DARK))
+    for index, (cell, icon) in enumerate(zip(cells, KEYS, strict=False)):
+        key = fittings.push_button(
+            shape="bar",
+            width=cell.x.size,
+            height=cell.z.size,
+            icon=icon,
+            finish=LIGHT,
+            plate=None,
+            name="key",
+        )
+        body = body.install(key.suffixed(f"_{index}"), at=cell.anchor(y=-1))
+    body = body.install(dial, at=middle.anchor(y=-1))
 
-    turn = ag.Revolute("dial_turn", axis=ag.Y, feel=feel.DETENT)
     pull = ag.Prismatic("drawer_slide", axis=-ag.Y, limits=(0, 0.15), feel=feel.RUNNER)
     spin = ag.Revolute("drum_spin", axis=ag.Y, friction=0.3, damping=0.02, driven="a motor")
     door = door_of(hole + 0.045, hole, finish)
@@ -189,12 +178,6 @@ def washing_machine(
         feel=feel.HINGE,
         friction=1.2,
     )
-    body = body.attach(dial_of(0.027), turn, at=at).attach(drawer_of(slot, finish), pull)
+    body = body.attach(drawer_of(slot, finish), pull)
     body = body.attach(drum_of(radius, (0.06, depth - 0.14)), spin, at=center)
     return body.attach(door, hinge, at=center)
-
-
-if __name__ == "__main__":
-    for seed in range(3):
-        asset = washing_machine.generate(seed)
-        print(asset.name, f"{asset.mass:.1f} kg", len(asset.joints), "joints", asset.certificate)
