@@ -12,8 +12,6 @@ only while a condition on other joints holds; it is free up to `beyond` and fart
 
 import json
 import re
-import struct
-from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
@@ -33,13 +31,15 @@ class ValidStates:
     """The valid joint states of an asset: limits, couplings and dependencies."""
 
     def __init__(self, joints: list[dict[str, Any]]) -> None:
-        """Take the joints as the files have them: dictionaries with name, limits, follows and needs."""
+        """Take the joints of the files: dictionaries with name, limits, follows and needs."""
         rows = {str(joint["name"]): joint for joint in joints}
         self.joints = tuple(rows)
         leaders = [joint for joint in joints if not joint["follows"]]
         limits = {joint["name"]: joint["limits"] or (-np.inf, np.inf) for joint in leaders}
         self.dofs = tuple(name for name, (low, high) in limits.items() if low != high)
-        self.lower, self.upper = np.array([limits[name] for name in self.dofs], float).reshape(-1, 2).T
+        ranges = np.array([limits[name] for name in self.dofs], float).reshape(-1, 2)
+        ranges.setflags(write=False)
+        self.lower, self.upper = ranges.T
         self._needs = {name: joint["needs"] for name, joint in rows.items() if joint.get("needs")}
         self._laws = {}  # of each joint: degree of freedom (-1: none), ratio and offset
         for name in rows:
@@ -101,7 +101,7 @@ class ValidStates:
                     self._enter(joint, (*above, name))
             self._order.append(name)
 
-    def _found(self, columns: Array, names: Iterable[str]) -> dict[str, Array]:
+    def _found(self, columns: Array, names: tuple[str, ...]) -> dict[str, Array]:
         laws = ((name, *self._laws[name]) for name in names)
         return {n: ratio * columns[at] + rest if at >= 0 else np.array(rest) for n, at, ratio, rest in laws}
 
@@ -142,7 +142,7 @@ def _named(condition: dict[str, Any]) -> list[str]:
 def _data(path: Path) -> Any:
     raw = path.read_bytes()
     if path.suffix == ".glb":
-        scene = json.loads(raw[20 : 20 + struct.unpack("<I", raw[12:16])[0]])
+        scene = json.loads(raw[20 : 20 + int.from_bytes(raw[12:16], "little")])
         return scene["asset"].get("extras", {}).get(KEY)
     if path.suffix == ".json":
         return json.loads(raw)

@@ -27,6 +27,7 @@ from artgen.generator.draw import Draw, Overrides
 from artgen.generator.parameter import Parameter, Variant, is_variant
 from artgen.generator.signature import read_parameters
 from artgen.graph import Cache, Evaluation, Graph, Handle
+from artgen.graph.handle import folding
 from artgen.graph.node import Node, line_in, topological
 from artgen.nodes.handles import Body
 from artgen.sampling import Fixed, Given
@@ -213,7 +214,8 @@ class Generator(Variant):
             full = prefix + parameter.name
             if is_variant(parameter.kind):
                 return Chosen(values[full], values, f"{full}.")
-            return values[full] if parameter.structural else parameter.kind.parameter(full, self.where)
+            value = values[full]
+            return value if parameter.structural else parameter.kind.socket(full, self.where, value)
 
         return self._called(inputs, given)
 
@@ -351,7 +353,7 @@ class Generator(Variant):
                 continue
             try:
                 # reuse built bodies only if the caller passed a cache
-                body = self.build(values) if cache is None else self._built.of(values)
+                body = self._folded(values) if cache is None else self._built.of(values)
                 evaluation = Graph(body).evaluate(values, SHARED if cache is None else cache)
                 try:
                     asset = self._asset(body, evaluation, values, name, base, seed=seed, attempt=attempt)
@@ -372,6 +374,15 @@ class Generator(Variant):
         raise InfeasibleError(
             f"{self.name}: none of {attempts} draws for seed {seed} is feasible; the last: {reason}"
         )
+
+    def _folded(self, values: Mapping[str, Any]) -> Any:
+        """Build the graph of one sample; the literals of its numbers have no places for errors to name."""
+        try:
+            with folding():
+                body = self.build(values)
+        except BuildError:
+            return self.build(values)
+        return body if isinstance(body.node, Node) else self.build(values)
 
     def _asset(
         self,

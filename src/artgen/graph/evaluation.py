@@ -2,7 +2,6 @@
 
 import hashlib
 import math
-import typing
 from collections import Counter, OrderedDict
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -13,8 +12,8 @@ from typing import Any
 import numpy as np
 
 from artgen.errors import EvaluationError, InfeasibleError
-from artgen.graph.handle import Handle, decode, handle_type
-from artgen.graph.kernel import Operation, alternatives, operation
+from artgen.graph.handle import Handle, handle_type, resolve
+from artgen.graph.kernel import Operation, operation
 from artgen.graph.node import PARAMETER, Node, topological
 
 _ABSENT = object()
@@ -168,7 +167,7 @@ def _needed(node: Node, known: Operation, values: Mapping[str, Any]) -> Sequence
 
 def _run(node: Node, known: Operation, values: Mapping[str, Any]) -> Any:
     inputs = [
-        _resolve(node.inputs[name], hint, values, lazy=known.lazy) for name, hint in known.inputs.items()
+        resolve(node.inputs[name], hint, values, lazy=known.lazy) for name, hint in known.inputs.items()
     ]
     try:
         value = known.kernel(*inputs)
@@ -184,22 +183,3 @@ def _run(node: Node, known: Operation, values: Mapping[str, Any]) -> Any:
             raise EvaluationError(f"{node.op} gives {value}, which is not finite\n  at {node.where}")
         value.setflags(write=False)  # every node that uses it shares it
     return value
-
-
-def _resolve(value: Any, hint: Any, values: Mapping[str, Any], *, lazy: bool = False) -> Any:
-    """Replace nodes by their values, and decode literals."""
-    kind = type(value)
-    if kind is Node:
-        return values.get(value.key) if lazy else values[value.key]
-    if kind is float and hint is float:
-        return value  # literals of numbers are their own values
-    if kind is tuple:
-        for option in alternatives(hint):
-            if typing.get_origin(option) is tuple:
-                members = typing.get_args(option)
-                if members[-1] is Ellipsis:
-                    return tuple(_resolve(item, members[0], values) for item in value)
-                return tuple(
-                    _resolve(item, member, values) for item, member in zip(value, members, strict=True)
-                )
-    return decode(value, hint)

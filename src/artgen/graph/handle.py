@@ -1,8 +1,15 @@
-"""Handles: typed references to nodes while a graph is built. A handle has a type and a node, but no value."""
+"""Handles: typed references to nodes while a graph is built. A handle has a type and a node, but no value.
+
+In the graph of a single sample, a handle of a number, truth value, vector or list of points holds a literal
+instead of a node where all inputs of its operation are literals.
+"""
 
 import inspect
+import math
 import typing
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from contextvars import ContextVar
 from dataclasses import dataclass
 from functools import cache, lru_cache, partial, wraps
 from types import NoneType
@@ -16,6 +23,18 @@ from artgen.graph.node import PARAMETER, Data, Node, authors_line
 
 C = TypeVar("C", bound=Callable[..., Any])
 
+_FOLDING = ContextVar("folding", default=False)
+
+
+@contextmanager
+def folding() -> Iterator[None]:
+    """Compute the results of operations at once where their inputs are known and the result has a literal."""
+    token = _FOLDING.set(True)
+    try:
+        yield
+    finally:
+        _FOLDING.reset(token)
+
 
 class Handle:
     """A value that is known when the graph is evaluated.
@@ -27,11 +46,12 @@ class Handle:
     __slots__ = ("node",)
     __array_ufunc__ = None  # numpy's numbers leave arithmetic with handles to the handle
     value_type: ClassVar[Any] = None
+    folds: ClassVar[bool] = False  # whether values are numbers or arrays, which have literals
     HANDLES: ClassVar[dict[Any, type["Handle"]]] = {}
 
-    def __init__(self, node: Node) -> None:
-        """Wrap a node with a result of this handle's type."""
-        self.node = node
+    def __init__(self, node: Any) -> None:
+        """Wrap a node with a result of this handle's type, or a literal of this type."""
+        self.node: Node = node
 
     def __init_subclass__(cls) -> None:
         """Register the handle class for its value type, unless it is that of its base."""
@@ -50,8 +70,12 @@ class Handle:
             BuildError: An input is unknown, missing, or has another type than the kernel's.
         """
         known = operation(kernel if isinstance(kernel, str) else kernel.__name__.lstrip("_"))
-        where = authors_line()
-        return cls(Node(known.name, lift_all(known, inputs, where), where))
+        return cls(_result(cls, known, lift_all(known, inputs)))
+
+    @classmethod
+    def socket(cls, name: str, where: str, value: Any) -> Self:
+        """Return the handle of a parameter; of its value where results are computed at once."""
+        return cls(cls.lift(value)) if _FOLDING.get() else cls.parameter(name, where)
 
     @classmethod
     def parameter(cls, name: str, where: str = "") -> Self:
@@ -90,7 +114,7 @@ class Handle:
     def _refuse(self, what: str, remedy: str) -> NoReturn:
         raise BuildError(
             f"{what}: a {type(self).__name__} has no value while the graph is being built\n"
-            f"  at {authors_line()}, made at {self.node.where}\n"
+            f"  at {authors_line()}, made at {getattr(self.node, 'where', self.node)}\n"
             f"  {remedy}\n"
             "  Or make the parameter that it comes from structural (annotate it int, str, bool or Literal): "
             "then it is known while building, and plain if, for and == work."
@@ -155,7 +179,8 @@ class Handle:
 
     def __repr__(self) -> str:
         """Return the type, the operation and its place."""
-        return f"<{type(self).__name__} {self.node.op} at {self.node.where}>"
+        shown = f"{self.node.op} at {self.node.where}" if type(self.node) is Node else self.node
+        return f"<{type(self).__name__} {shown}>"
 
 
 def records(kernel: Callable[..., Any], of: Any = None, *, spelling: str = "") -> Callable[[C], C]:
@@ -185,12 +210,44 @@ def records(kernel: Callable[..., Any], of: Any = None, *, spelling: str = "") -
         def record(*arguments: Any, **keywords: Any) -> Any:
             constructor(*arguments, **keywords)  # checks the arguments like any call
             given = {several: arguments} if several else dict(zip(parameters, arguments, strict=False))
-            where = authors_line()
-            return kind(Node(name, lift_all(known, {**defaults, **given, **keywords}, where), where))
+            return kind(_result(kind, known, lift_all(known, {**defaults, **given, **keywords})))
 
         return typing.cast("C", record)
 
     return decorate
+
+
+def _result(kind: type[Handle], known: Operation, inputs: Mapping[str, Any]) -> Any:
+    """Return the node of an operation, or its result if it is computed at once."""
+    found = _folded(kind, known, inputs) if _FOLDING.get() else NotImplemented
+    return Node(known.name, inputs, authors_line()) if found is NotImplemented else found
+
+
+def _folded(kind: type[Handle], known: Operation, inputs: Mapping[str, Any]) -> Any:
+    """Return the literal of a result, or the chosen node; NotImplemented to leave it to the evaluation."""
+    if known.lazy and not isinstance(inputs["condition"], Node):
+        return inputs["a" if inputs["condition"] else "b"]
+    if not kind.folds or not all(map(_is_literal, inputs.values())):
+        return NotImplemented
+    try:
+        values = [resolve(inputs[name], hint, {}) for name, hint in known.inputs.items()]
+        return _encoded(known.kernel(*values))
+    except Exception:  # noqa: BLE001 - the evaluation reports it, if it needs the result
+        return NotImplemented
+
+
+def _encoded(value: Any) -> Any:
+    """Return the literal of a number or an array, or NotImplemented: the evaluation refuses infinite ones."""
+    if isinstance(value, np.ndarray):
+        rows = value.tolist()
+        literal = tuple(rows) if value.ndim == 1 else tuple(map(tuple, rows))
+        return literal if np.isfinite(value).all() else NotImplemented
+    return value if type(value) is bool or (type(value) is float and math.isfinite(value)) else NotImplemented
+
+
+def _is_literal(value: Any) -> bool:
+    kind = type(value)
+    return kind is not Node and (kind is not tuple or all(map(_is_literal, value)))
 
 
 @dataclass(frozen=True)
@@ -219,35 +276,35 @@ def _literal(kind: type, value: Any) -> Data:
     return Data({"$" + known.tag: known.encode(value)}, value)
 
 
-def lift_all(known: Operation, inputs: Mapping[str, Any], where: str) -> dict[str, Any]:
+def lift_all(known: Operation, inputs: Mapping[str, Any]) -> dict[str, Any]:
     """Convert an author's values to the inputs of a node of an operation."""
     lifted = {}
     for name, hint, lifters in _lifters_of(known):
         if name not in inputs:
-            _refuse_inputs(known, inputs, where)
+            _refuse_inputs(known, inputs)
         value = inputs[name]
         for lifter in lifters:
-            found = lifter(value, name, where)
+            found = lifter(value, name)
             if found is not NotImplemented:
                 lifted[name] = found
                 break
         else:
-            _refuse_value(value, hint, f"{known.name}(..., {name}=...)", where)
+            _refuse_value(value, hint, f"{known.name}(..., {name}=...)")
     if len(lifted) != len(inputs):
-        _refuse_inputs(known, inputs, where)
+        _refuse_inputs(known, inputs)
     return lifted
 
 
-def lift(value: Any, hint: Any, what: str, where: str) -> Any:
+def lift(value: Any, hint: Any, what: str) -> Any:
     """Convert an author's value to a node or literal of the type that a kernel expects."""
     for option in alternatives(hint):
-        lifted = _lifter(option)(value, what, where)
+        lifted = _lifter(option)(value, what)
         if lifted is not NotImplemented:
             return lifted
-    return _refuse_value(value, hint, what, where)
+    return _refuse_value(value, hint, what)
 
 
-Lifter = Callable[[Any, str, str], Any]
+Lifter = Callable[[Any, str], Any]
 
 
 @cache
@@ -263,40 +320,40 @@ def _lifters_of(known: Operation) -> tuple[tuple[str, Any, tuple[Lifter, ...]], 
 def _lifter(hint: Any, operation: str = "") -> Lifter:
     """Return a function that converts an author's value to a node or literal of a type, or to NotImplemented.
 
-    Its arguments are the value, the name of the input, and the author's line. Errors about members of tuples
-    name the input of the operation.
+    Its arguments are the value and the name of the input. Errors about members of tuples name the input of
+    the operation.
     """
     if hint is NoneType:
-        return lambda value, what, where: None if value is None else NotImplemented
+        return lambda value, what: None if value is None else NotImplemented
     if hint in Handle.HANDLES:
         lifted = Handle.HANDLES[hint].lift
-        return lambda value, what, where: lifted(value)
+        return lambda value, what: lifted(value)
     origin = typing.get_origin(hint)
     if origin is tuple:
         members = typing.get_args(hint)
-        return lambda value, what, where: _lift_tuple(
-            value, members, f"{operation}(..., {what}=...)" if operation else what, where
+        return lambda value, what: _lift_tuple(
+            value, members, f"{operation}(..., {what}=...)" if operation else what
         )
-    return lambda value, what, where: _lift_literal(value, hint)
+    return lambda value, what: _lift_literal(value, hint)
 
 
-def _refuse_inputs(known: Operation, inputs: Mapping[str, Any], where: str) -> NoReturn:
+def _refuse_inputs(known: Operation, inputs: Mapping[str, Any]) -> NoReturn:
     for name in inputs:
         if name not in known.inputs:
             raise BuildError(
-                f"{known.name} has no input {name!r}.{nearest(name, known.inputs)}\n  at {where}"
+                f"{known.name} has no input {name!r}.{nearest(name, known.inputs)}\n  at {authors_line()}"
             )
     missing = next(name for name in known.inputs if name not in inputs)
-    raise BuildError(f"{known.name} needs the input {missing!r}\n  at {where}")
+    raise BuildError(f"{known.name} needs the input {missing!r}\n  at {authors_line()}")
 
 
-def _refuse_value(value: Any, hint: Any, what: str, where: str) -> NoReturn:
+def _refuse_value(value: Any, hint: Any, what: str) -> NoReturn:
     expected = " or ".join(_name(option) for option in alternatives(hint))
     shown = f"a {type(value).__name__} handle" if isinstance(value, Handle) else repr(value)
     remedy = ""
     if isinstance(value, Handle) and hint in (int, str, bool):
         remedy = "; it must be known while building: annotate the parameter int, str, bool or Literal"
-    raise BuildError(f"{what} needs {expected}, got {shown}{remedy}\n  at {where}")
+    raise BuildError(f"{what} needs {expected}, got {shown}{remedy}\n  at {authors_line()}")
 
 
 def _lift_literal(value: Any, hint: Any) -> Any:
@@ -323,17 +380,17 @@ def is_sequence(value: Any) -> bool:
     return isinstance(value, (Sequence, np.ndarray)) and not isinstance(value, (Handle, str))
 
 
-def _lift_tuple(value: Any, members: tuple[Any, ...], what: str, where: str) -> Any:
+def _lift_tuple(value: Any, members: tuple[Any, ...], what: str) -> Any:
     several = len(members) == 2 and members[1] is Ellipsis
     if several and isinstance(value, Handle):
         value = (value,)
     if not is_sequence(value):
         return NotImplemented
     if several:
-        return tuple(lift(item, members[0], what, where) for item in value)
+        return tuple(lift(item, members[0], what) for item in value)
     if len(value) != len(members):
         return NotImplemented
-    return tuple(lift(item, member, what, where) for item, member in zip(value, members, strict=True))
+    return tuple(lift(item, member, what) for item, member in zip(value, members, strict=True))
 
 
 def _name(hint: Any) -> str:
@@ -351,6 +408,25 @@ def _name(hint: Any) -> str:
     if origin is typing.Literal:
         return "one of " + ", ".join(map(repr, typing.get_args(hint)))
     return f"an {hint.__name__}" if hint is int else f"a {hint.__name__}"
+
+
+def resolve(value: Any, hint: Any, values: Mapping[str, Any], *, lazy: bool = False) -> Any:
+    """Replace nodes by their values, and decode literals."""
+    kind = type(value)
+    if kind is Node:
+        return values.get(value.key) if lazy else values[value.key]
+    if kind is float and hint is float:
+        return value  # literals of numbers are their own values
+    if kind is tuple:
+        for option in alternatives(hint):
+            if typing.get_origin(option) is tuple:
+                members = typing.get_args(option)
+                if members[-1] is Ellipsis:
+                    return tuple(resolve(item, members[0], values) for item in value)
+                return tuple(
+                    resolve(item, member, values) for item, member in zip(value, members, strict=True)
+                )
+    return decode(value, hint)
 
 
 def decode(value: Any, hint: Any) -> Any:

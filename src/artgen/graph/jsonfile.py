@@ -66,7 +66,7 @@ def _read_node(entry: Any, index: int, handles: list[Handle], where: str) -> Han
     values = {key: _read_value(value, index, handles, place) for key, value in inputs.items()}
     try:
         known = operation(name)
-        return handle_of(Node(name, lift_all(known, values, where), where))
+        return handle_of(Node(name, lift_all(known, values), where))
     except ValueError as error:
         raise GraphError(f"{place}: {str(error).partition(chr(10))[0]}") from None
 

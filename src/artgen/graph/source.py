@@ -144,6 +144,6 @@ def _is_default(value: Any, default: Any, hint: Any) -> bool:
     if default is inspect.Parameter.empty or isinstance(default, Handle) or isinstance(value, Node):
         return False
     try:
-        return repr(lift(default, hint, "", "")) == repr(value)
+        return repr(lift(default, hint, "")) == repr(value)
     except ValueError:
         return False

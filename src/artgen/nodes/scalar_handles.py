@@ -45,6 +45,7 @@ class Bool(Handle):
 
     __slots__ = ()
     value_type: ClassVar[Any] = bool
+    folds: ClassVar[bool] = True
 
     @classmethod
     def lift(cls, value: Any) -> Any:
@@ -108,6 +109,7 @@ class Float(Handle):
 
     __slots__ = ()
     value_type: ClassVar[Any] = float
+    folds: ClassVar[bool] = True
 
     @classmethod
     def lift(cls, value: Any) -> Any:
@@ -157,6 +159,7 @@ class Vector(Handle):
 
     __slots__ = ()
     value_type: ClassVar[Any] = Array3
+    folds: ClassVar[bool] = True
 
     @classmethod
     def lift(cls, value: Any) -> Any:
@@ -253,6 +256,7 @@ class Points(Handle):
 
     __slots__ = ()
     value_type: ClassVar[Any] = ArrayN3
+    folds: ClassVar[bool] = True
 
     @classmethod
     def lift(cls, value: Any) -> Any:
