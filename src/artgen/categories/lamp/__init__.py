@@ -17,7 +17,7 @@ Sizes are those of shops: desk lamps with arms of 0.3-0.45 m, table lamps 0.35-0
 from typing import Literal
 
 import artgen as ag
-from artgen.categories.lamp.arms import ARM_LABELS, ArmStyle
+from artgen.categories.lamp import arms
 from artgen.categories.lamp.bases import (
     FITTING,
     BaseShape,
@@ -28,7 +28,6 @@ from artgen.categories.lamp.bases import (
     tripod,
     turned_body,
     turned_lamp,
-    weighted,
     weighted_base,
     wide_up_to,
 )
@@ -47,15 +46,15 @@ from artgen.categories.lamp.finish import (
     OPAL,
     STONES,
     plastic,
+    weighted,
 )
-from artgen.categories.lamp.jointed import ArmLooks, ArmSizes, Carried
 from artgen.categories.lamp.lampshades import SOCKET, ShadeKind, metal_head, spider_shade
-from artgen.categories.lamp.pointed import POLE, pointed
 from artgen.categories.lamp.standing import BESIDE, Chain, crown, globed, harp_rise, shaded
 
 Style = Literal["desk", "architect", "led_bar", "reading", "floor", "tripod", "arc", "table", "mushroom"]
 
 _POINTED = ("desk", "architect", "led_bar", "reading", "arc")  # styles with a metal head on an arm
+_ARM_LABELS = ("swivel", "slider", "arm_lower", "arm_upper", "hinge", "spring")
 _STALK = 0.060  # radius of the foot of a mushroom lamp [m]
 _COVERS = (
     "the body on the base would cover the switch in it: raise base_radius, lower body_radius, "
@@ -70,7 +69,18 @@ _STEM = 0.14  # height between the hub of a tripod and its socket, for a chain [
 
 
 @ag.category(
-    labels=("base", "foot", "pole", *ARM_LABELS, "shade", "socket", "bulb", "harp", "finial", *SWITCH_LABELS),
+    labels=(
+        "base",
+        "foot",
+        "pole",
+        *_ARM_LABELS,
+        "shade",
+        "socket",
+        "bulb",
+        "harp",
+        "finial",
+        *SWITCH_LABELS,
+    ),
     joints=(1, 5),
 )
 def lamp(
@@ -130,7 +140,7 @@ def lamp(
         doc="height of a lamp without arms; that of a desk lamp follows from its arms",
         within=(0.34, 1.85),
     ),
-    arm_style: ArmStyle = ag.choice("rods", "tube", "flat"),
+    arm_style: arms.ArmStyle = ag.choice("rods", "tube", "flat"),
     arm_length: ag.Float = ag.by(
         "style",
         desk=ag.uniform(0.34, 0.42),
@@ -329,14 +339,25 @@ def lamp(
     dark, ink = plastic(plastics)
     coat = metal if matching else finish
     deep = shade_radius * shade_height
-    looks = ArmLooks(arm_style, metal, swivel_friction)
-    sizes = ArmSizes(
-        arm_length, arm_length * upper_arm, lean, rise, tilt, reach, travel, height - base_height
-    )
-    carried: Carried | None = None
+    carried: arms.Carried | None = None
     if style in _POINTED:
         head = metal_head(shade, radius=shade_radius, depth=deep, finish=coat, lining=lining, trim=metal)
-        carried = pointed(style, head, looks, sizes)
+        carried = arms.MAKERS[style](
+            arms.Arms(
+                head=head,
+                style=arm_style,
+                finish=metal,
+                length=arm_length,
+                upper=arm_length * upper_arm,
+                lean=lean,
+                rise=rise,
+                tilt=tilt,
+                reach=reach,
+                travel=travel,
+                height=height - base_height,
+                friction=swivel_friction,
+            )
+        )
 
     # the mass of the base keeps the lamp stable with its arms stretched out; the cord leaves at the back
     stone = stuff if style == "arc" else weighted(metal, 2800.0 if style == "table" else 4600.0)
@@ -362,7 +383,7 @@ def lamp(
 
     if carried is not None and style == "reading":
         clamp = height - 0.11 - travel  # lowest height of the clamp
-        base = ag.weld(base, pole(POLE, top - 0.001, height - 0.03, metal, capped=True)).require(
+        base = ag.weld(base, pole(arms.POLE, top - 0.001, height - 0.03, metal, capped=True)).require(
             clamp > top + carried.hangs + 0.01, _TOO_LOW
         )
         return base.attach(carried.body.at(0.0, 0.0, clamp), *carried.joints)

@@ -6,9 +6,9 @@ from itertools import pairwise
 from typing import Literal
 
 import artgen as ag
+from artgen.categories.lamp.arms import Carried
 from artgen.categories.lamp.electrics import Switch
-from artgen.categories.lamp.jointed import Carried
-from artgen.categories.shared.finish import casting
+from artgen.categories.lamp.finish import hollow
 
 BaseShape = Literal["round", "square", "hexagonal"]
 """Outline of a base."""
@@ -127,11 +127,6 @@ def pole(
     if capped:
         bodies.append(ag.part(ag.sphere(1.7 * radius).at(0.0, 0.0, high + 0.8 * radius), "pole", finish))
     return ag.weld(*bodies)
-
-
-def hollow(finish: ag.Material) -> ag.Material:
-    """Return the material of a tube; a wall of 1.5 mm at a radius of 10 mm is 28 % of the solid."""
-    return casting(finish, 0.28)
 
 
 def tripod(
@@ -276,11 +271,6 @@ def turned_lamp(
         turned_body(form, radius=radius, low=low, high=shoulder, finish=finish),
         neck(form, radius, low=shoulder, high=high + 0.003, finish=metal),
     )
-
-
-def weighted(finish: ag.Material, density: float = 4600.0) -> ag.Material:
-    """Return the material of a base: a pressed cover over cast iron or cement."""
-    return finish.with_(name=f"{finish.name}_{density:.0f}", density=density)
 
 
 def harp(

@@ -1,7 +1,7 @@
 """Materials and colors of lamps."""
 
 import artgen as ag
-from artgen.categories.shared.finish import known, weighing
+from artgen.categories.shared.finish import casting, known, weighing
 
 _COATS = {
     "black": 3.0,
@@ -116,3 +116,18 @@ def plastic(color: str) -> tuple[ag.Material, ag.Material]:
     if color == "black":
         return ag.material("black_abs"), ag.material("powder_coat_white")
     return ag.material("glossy_plastic_white"), ag.colored("abs", "graphite")
+
+
+def hollow(finish: ag.Material) -> ag.Material:
+    """Return the material of a tube; a wall of 1.5 mm at a radius of 10 mm is 28 % of the solid."""
+    return casting(finish, 0.28)
+
+
+def spun(finish: ag.Material) -> ag.Material:
+    """Return a finish on spun aluminum, the material of light metal shades."""
+    return finish.with_(name=f"{finish.name}_spun", density=2700.0)
+
+
+def weighted(finish: ag.Material, density: float = 4600.0) -> ag.Material:
+    """Return the material of a base: a pressed cover over cast iron or cement."""
+    return finish.with_(name=f"{finish.name}_{density:.0f}", density=density)
