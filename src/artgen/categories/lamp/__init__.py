@@ -17,7 +17,7 @@ Sizes are those of shops: desk lamps with arms of 0.3-0.45 m, table lamps 0.35-0
 from typing import Literal
 
 import artgen as ag
-from artgen.categories.lamp import arms
+from artgen.categories.lamp import arms, finish
 from artgen.categories.lamp.bases import (
     FITTING,
     BaseShape,
@@ -31,30 +31,16 @@ from artgen.categories.lamp.bases import (
     weighted_base,
     wide_up_to,
 )
-from artgen.categories.lamp.electrics import CASE, SWITCH_LABELS, Cord
+from artgen.categories.lamp.electrics import CASE, Cord
 from artgen.categories.lamp.electrics import switch as switch_of
-from artgen.categories.lamp.finish import (
-    BODIES,
-    BODY_WEIGHTS,
-    CLOTH_WEIGHTS,
-    CLOTHS,
-    COAT_WEIGHTS,
-    COATS,
-    FITTING_WEIGHTS,
-    FITTINGS,
-    LEGS,
-    OPAL,
-    STONES,
-    plastic,
-    weighted,
-)
+from artgen.categories.lamp.finish import plastic, weighted
 from artgen.categories.lamp.lampshades import SOCKET, ShadeKind, metal_head, spider_shade
 from artgen.categories.lamp.standing import BESIDE, Chain, crown, globed, harp_rise, shaded
 
 Style = Literal["desk", "architect", "led_bar", "reading", "floor", "tripod", "arc", "table", "mushroom"]
 
-_POINTED = ("desk", "architect", "led_bar", "reading", "arc")  # styles with a metal head on an arm
-_ARM_LABELS = ("swivel", "slider", "arm_lower", "arm_upper", "hinge", "spring")
+_STYLES = {"desk": 0.12, "architect": 0.12, "led_bar": 0.11, "reading": 0.13, "floor": 0.12, "tripod": 0.10,
+           "arc": 0.07, "table": 0.17, "mushroom": 0.06}  # fmt: skip
 _STALK = 0.060  # radius of the foot of a mushroom lamp [m]
 _COVERS = (
     "the body on the base would cover the switch in it: raise base_radius, lower body_radius, "
@@ -69,40 +55,19 @@ _STEM = 0.14  # height between the hub of a tripod and its socket, for a chain [
 
 
 @ag.category(
-    labels=(
-        "base",
-        "foot",
-        "pole",
-        *_ARM_LABELS,
-        "shade",
-        "socket",
-        "bulb",
-        "harp",
-        "finial",
-        *SWITCH_LABELS,
-    ),
+    labels="base foot pole swivel slider arm_lower arm_upper hinge spring shade socket bulb harp finial "
+    "switch button rocker dial pull_chain cord print",
     joints=(1, 5),
 )
 def lamp(
     *,
-    style: Style = ag.choice(
-        "desk",
-        "architect",
-        "led_bar",
-        "reading",
-        "floor",
-        "tripod",
-        "arc",
-        "table",
-        "mushroom",
-        weights=(0.12, 0.12, 0.11, 0.13, 0.12, 0.10, 0.07, 0.17, 0.06),
-    ),
+    style: Style = ag.choice(_STYLES),
     base_shape: BaseShape = ag.by(
         "style",
-        arc=ag.choice("round", "square", "hexagonal", weights=(0.6, 0.3, 0.1)),
-        mushroom=ag.choice("round", "hexagonal", weights=(0.85, 0.15)),
+        arc={"round": 0.6, "square": 0.3, "hexagonal": 0.1},
+        mushroom={"round": 0.85, "hexagonal": 0.15},
         tripod="round",
-        otherwise=ag.choice("round", "square", "hexagonal", weights=(0.6, 0.25, 0.15)),
+        otherwise={"round": 0.6, "square": 0.25, "hexagonal": 0.15},
     ),
     base_radius: ag.Float = ag.by(
         "style",
@@ -180,10 +145,10 @@ def lamp(
     shade: ShadeKind = ag.by(
         "style",
         floor=ag.choice("drum", "cone", "curved"),
-        tripod=ag.choice("drum", "cone", weights=(0.7, 0.3)),
-        arc=ag.choice("dome", "cone", "curved", weights=(0.6, 0.2, 0.2)),
+        tripod={"drum": 0.7, "cone": 0.3},
+        arc={"dome": 0.6, "cone": 0.2, "curved": 0.2},
         table=ag.choice("cone", "drum", "curved"),
-        mushroom=ag.choice("dome", "globe", weights=(0.45, 0.55)),
+        mushroom={"dome": 0.45, "globe": 0.55},
         led_bar="drum",
         otherwise=ag.choice("cone", "dome", "curved", "drum"),
     ),
@@ -244,12 +209,12 @@ def lamp(
     ),
     switch: Literal["button", "rocker", "dial", "pull_chain"] = ag.by(
         "style",
-        floor=ag.choice("pull_chain", "button", "rocker", "dial", weights=(0.5, 0.25, 0.1, 0.15)),
-        tripod=ag.choice("pull_chain", "button", "rocker", "dial", weights=(0.3, 0.35, 0.15, 0.2)),
+        floor={"pull_chain": 0.5, "button": 0.25, "rocker": 0.1, "dial": 0.15},
+        tripod={"pull_chain": 0.3, "button": 0.35, "rocker": 0.15, "dial": 0.2},
         table=ag.by(
             "body",
-            column=ag.choice("pull_chain", "rocker", "dial", weights=(0.7, 0.15, 0.15)),
-            turned=ag.choice("pull_chain", "rocker", "dial", weights=(0.7, 0.15, 0.15)),
+            column={"pull_chain": 0.7, "rocker": 0.15, "dial": 0.15},
+            turned={"pull_chain": 0.7, "rocker": 0.15, "dial": 0.15},
             otherwise=ag.choice("rocker", "dial", "button"),
         ),
         otherwise=ag.choice("button", "rocker", "dial"),
@@ -260,8 +225,8 @@ def lamp(
         dial="cord",  # clear of the arms for a turning hand
         otherwise=ag.by(
             "style",
-            desk=ag.choice("base", "cord", weights=(0.75, 0.25)),
-            architect=ag.choice("base", "cord", weights=(0.7, 0.3)),
+            desk={"base": 0.75, "cord": 0.25},
+            architect={"base": 0.7, "cord": 0.3},
             led_bar="base",
             reading=ag.choice("base", "cord"),
             otherwise="cord",
@@ -290,49 +255,49 @@ def lamp(
     ),
     metal: ag.Material = ag.by(
         "style",
-        floor=ag.shades(*FITTINGS, weights=FITTING_WEIGHTS, color=0.03),
-        tripod=ag.shades(*FITTINGS, weights=FITTING_WEIGHTS, color=0.03),
-        table=ag.shades(*FITTINGS, weights=FITTING_WEIGHTS, color=0.03),
-        arc=ag.shades(*FITTINGS, weights=FITTING_WEIGHTS, color=0.03),
-        otherwise=ag.shades(*COATS, weights=COAT_WEIGHTS, color=0.05),
+        floor=finish.FITTINGS,
+        tripod=finish.FITTINGS,
+        table=finish.FITTINGS,
+        arc=finish.FITTINGS,
+        otherwise=finish.COATS,
         doc="finish of arms, poles and bases",
     ),
     finish: ag.Material = ag.by(
         "style",
-        floor=ag.shades(*CLOTHS, weights=CLOTH_WEIGHTS, color=0.06),
-        tripod=ag.shades(*CLOTHS, weights=CLOTH_WEIGHTS, color=0.06),
-        table=ag.shades(*CLOTHS, weights=CLOTH_WEIGHTS, color=0.06),
-        otherwise=ag.shades(*COATS, weights=COAT_WEIGHTS, color=0.05),
+        floor=finish.CLOTHS,
+        tripod=finish.CLOTHS,
+        table=finish.CLOTHS,
+        otherwise=finish.COATS,
         doc="finish of the shade",
     ),
     matching: bool = ag.by(
         "style",
-        desk=ag.choice(True, False, weights=(0.8, 0.2)),
+        desk={True: 0.8, False: 0.2},
         architect=True,
         led_bar=True,
-        reading=ag.choice(True, False, weights=(0.8, 0.2)),
+        reading={True: 0.8, False: 0.2},
         mushroom=True,
         otherwise=False,
         doc="whether the shade has the finish of the arms or the base",
     ),
     lining: ag.Material = ag.by(
         "style",
-        floor=ag.shades("fabric", color=0.02),
-        tripod=ag.shades("fabric", color=0.02),
-        table=ag.shades("fabric", color=0.02),
-        otherwise=ag.shades("enamel_white", "satin_brass", weights=(0.85, 0.15), color=0.02),
+        floor=finish.CLOTH_LININGS,
+        tripod=finish.CLOTH_LININGS,
+        table=finish.CLOTH_LININGS,
+        otherwise=finish.LININGS,
         doc="finish of the inside of the shade",
     ),
     stuff: ag.Material = ag.by(
         "style",
-        table=ag.shades(*BODIES, weights=BODY_WEIGHTS, color=0.06),
-        tripod=ag.shades(*LEGS, color=0.06),
-        arc=ag.shades(*STONES, color=0.05),
+        table=finish.BODIES,
+        tripod=finish.LEGS,
+        arc=finish.STONES,
         otherwise=ag.shades("glass"),
         doc="material of a table lamp's body, a tripod's legs or the stone under an arc lamp",
     ),
     plastics: Literal["black", "white"] = ag.choice(
-        "black", "white", weights=(0.65, 0.35), doc="color of switch and cord"
+        {"black": 0.65, "white": 0.35}, doc="color of switch and cord"
     ),
 ) -> ag.Body:
     """Make a lamp for a desk, a table or the floor: arms, shade, switch."""
@@ -340,7 +305,7 @@ def lamp(
     coat = metal if matching else finish
     deep = shade_radius * shade_height
     carried: arms.Carried | None = None
-    if style in _POINTED:
+    if style in arms.MAKERS:
         head = metal_head(shade, radius=shade_radius, depth=deep, finish=coat, lining=lining, trim=metal)
         carried = arms.MAKERS[style](
             arms.Arms(
@@ -406,7 +371,7 @@ def lamp(
     else:
         stand = pole(0.0115, top - 0.001, foot + 0.003, metal)
     if shade == "globe":
-        return globed(ag.weld(base, stand), top=foot, radius=shade_radius, glass=OPAL, metal=metal)
+        return globed(ag.weld(base, stand), top=foot, radius=shade_radius, metal=metal)
     cover = spider_shade(
         shade,
         top=shade_top * shade_radius,

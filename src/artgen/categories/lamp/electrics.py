@@ -12,9 +12,6 @@ from artgen.categories.shared.controls import DialStyle, button_cap, button_hole
 SwitchKind = Literal["button", "rocker", "dial"]
 """Kind of switch that a finger presses or turns."""
 
-SWITCH_LABELS = ("switch", "button", "rocker", "dial", "pull_chain", "cord", "print")
-"""Labels of switches, their housings and their print."""
-
 ROCK = 0.25
 """Tilt of a rocker to each side [rad]."""
 

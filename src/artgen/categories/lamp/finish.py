@@ -1,114 +1,71 @@
 """Materials and colors of lamps."""
 
+from collections.abc import Mapping
+from typing import Any
+
 import artgen as ag
 from artgen.categories.shared.finish import casting, known, weighing
 
-_COATS = {
-    "black": 3.0,
-    "white": 2.6,
-    "graphite": 1.6,
-    "cream": 0.8,
-    "red": 1.0,
-    "teal": 0.8,
-    "mustard": 0.8,
-    "sage": 0.9,
-    "navy": 0.8,
-    "sky": 0.6,
-    "orange": 0.6,
-    "blush": 0.5,
-    "light_grey": 0.9,
-}
+
+def _shades(weights: Mapping[ag.Material, float], color: float) -> Any:
+    return ag.shades(*weights, weights=tuple(weights.values()), color=color)
+
+
+def _colored(base: str, weights: Mapping[str, float]) -> dict[ag.Material, float]:
+    return {ag.colored(base, color): weight for color, weight in weights.items()}
+
+
+def _known(weights: Mapping[str, float]) -> dict[ag.Material, float]:
+    return {ag.material(name): weight for name, weight in weights.items()}
+
+
+_COATS = {"black": 3.0, "white": 2.6, "graphite": 1.6, "cream": 0.8, "red": 1.0, "teal": 0.8, "mustard": 0.8,
+          "sage": 0.9, "navy": 0.8, "sky": 0.6, "orange": 0.6, "blush": 0.5, "light_grey": 0.9}  # fmt: skip
 _METALS = {"chrome": 1.2, "satin_nickel": 1.2, "satin_brass": 1.2, "copper": 0.5}
+COATS = _shades({**_colored("powder_coat", _COATS), **_known(_METALS)}, color=0.05)
 
-COATS = (*(ag.colored("powder_coat", color) for color in _COATS), *known(*_METALS))
-"""Finishes of lamps with arms: powder coats and metals."""
+_FITTINGS = {"satin_brass": 2.0, "brass": 1.2, "satin_nickel": 1.6, "chrome": 1.0, "powder_coat_black": 2.0,
+             "aged_bronze": 1.4, "copper": 0.5}  # fmt: skip
+FITTINGS = _shades(_known(_FITTINGS), color=0.03)
 
-COAT_WEIGHTS = (*_COATS.values(), *_METALS.values())
-"""Weights of `COATS` in a random choice."""
+_CLOTHS = {"white": 2.5, "ivory": 2.0, "sand": 1.2, "taupe": 0.7, "light_grey": 1.0, "black": 0.9,
+           "navy": 0.8, "sage": 0.8, "blush": 0.6, "mustard": 0.6, "burgundy": 0.4, "teal": 0.5}  # fmt: skip
+CLOTHS = _shades({**_colored("fabric", _CLOTHS), **_known({"linen": 2.5, "wicker": 0.8})}, color=0.06)
 
-_FITTINGS = {
-    "satin_brass": 2.0,
-    "brass": 1.2,
-    "satin_nickel": 1.6,
-    "chrome": 1.0,
-    "powder_coat_black": 2.0,
-    "aged_bronze": 1.4,
-    "copper": 0.5,
-}
+CLOTH_LININGS = ag.shades("fabric", color=0.02)
+LININGS = ag.shades("enamel_white", "satin_brass", weights=(0.85, 0.15), color=0.02)
 
-FITTINGS = known(*_FITTINGS)
-"""Metals of poles, necks and harps."""
-
-FITTING_WEIGHTS = tuple(_FITTINGS[each.name] for each in FITTINGS)
-"""Weights of `FITTINGS` in a random choice."""
-
-_CLOTHS = {
-    "white": 2.5,
-    "ivory": 2.0,
-    "sand": 1.2,
-    "taupe": 0.7,
-    "light_grey": 1.0,
-    "black": 0.9,
-    "navy": 0.8,
-    "sage": 0.8,
-    "blush": 0.6,
-    "mustard": 0.6,
-    "burgundy": 0.4,
-    "teal": 0.5,
-}
-
-CLOTHS = (*(ag.colored("fabric", color) for color in _CLOTHS), ag.material("linen"), ag.material("wicker"))
-"""Materials of cloth shades."""
-
-CLOTH_WEIGHTS = (*_CLOTHS.values(), 2.5, 0.8)
-"""Weights of `CLOTHS` in a random choice."""
-
-_GLAZES = (
-    "white",
-    "cream",
-    "sage",
-    "teal",
-    "navy",
-    "blue",
-    "black",
-    "mint",
-    "coral",
-    "blush",
-    "mustard",
-    "taupe",
+_GLAZES = ("white", "cream", "sage", "teal", "navy", "blue", "black", "mint", "coral", "blush", "mustard",
+           "taupe")  # fmt: skip
+# materials of the bodies of table lamps: weight of each, density of the hollow body [kg/m3], prefix
+_BODIES = (
+    (0.9, 430.0, "thrown", [ag.colored("ceramic", color) for color in _GLAZES]),  # walls of 7 mm
+    (1.0, 420.0, "turned", known("oak", "walnut", "beech", "mahogany")),
+    (0.9, 450.0, "blown", known("glass", "amber_glass", "tinted_glass")),
+    (0.8, 800.0, "bored", known("marble", "green_marble")),
+    (0.8, 450.0, "spun_sheet", known("brass", "satin_nickel", "aged_bronze", "hammered_bronze")),
 )
-
-BODIES = (
-    *weighing([ag.colored("ceramic", color) for color in _GLAZES], 430.0, "thrown"),  # walls of 7 mm
-    *weighing(known("oak", "walnut", "beech", "mahogany"), 420.0, "turned"),
-    *weighing(known("glass", "amber_glass", "tinted_glass"), 450.0, "blown"),
-    *weighing(known("marble", "green_marble"), 800.0, "bored"),
-    *weighing(known("brass", "satin_nickel", "aged_bronze", "hammered_bronze"), 450.0, "spun_sheet"),
+BODIES = _shades(
+    {each: weight for weight, density, prefix, group in _BODIES for each in weighing(group, density, prefix)},
+    color=0.06,
 )
-"""Materials of the bodies of table lamps, with the density of the hollow body."""
-
-BODY_WEIGHTS = (*(0.9,) * len(_GLAZES), *(1.0,) * 4, *(0.9,) * 3, *(0.8,) * 2, *(0.8,) * 4)
-"""Weights of `BODIES` in a random choice."""
-
-LEGS = (
+LEGS = ag.shades(
     *known("oak", "walnut", "beech", "ash", "mahogany"),
     *weighing(known("powder_coat_black"), 2200.0, "drawn"),  # tubes
+    color=0.06,
 )
-"""Materials of the legs of tripods."""
+STONES = ag.shades("marble", "green_marble", "black_granite", "granite", color=0.05)
 
-STONES = known("marble", "green_marble", "black_granite", "granite")
-"""Materials of the stones under arc lamps."""
-
-OPAL = ag.material("frosted_glass").with_(
-    name="opal_glass",
+GLOBE = ag.material("frosted_glass").with_(
+    name="opal_glass_globe",
     base_color=(0.93, 0.91, 0.86),
     opacity=1.0,
     transmission_weight=0.0,
     specular_roughness=0.12,
     texture="",
     emission=(0.10, 0.09, 0.075),
+    density=230.0,  # 3 mm of glass of 2500 kg/m3 at a radius of 0.1 m
 )
-"""Opal glass for globes."""
 
 
 def plastic(color: str) -> tuple[ag.Material, ag.Material]:

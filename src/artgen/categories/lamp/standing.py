@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import artgen as ag
 from artgen.categories.lamp.bases import harp
+from artgen.categories.lamp.finish import GLOBE
 from artgen.categories.lamp.lampshades import HUB, STUD, FabricShade, ShadeKind, drop_of, lamp_holder
 
 CHAIN_BALLS = 26
@@ -164,18 +165,14 @@ def _chained(chain: Chain, mouth: ag.Scalar, rim: ag.Scalar, metal: ag.Material)
     return switch.attach(pull, chain_pull(chain.travel, force=chain.force))
 
 
-def globed(
-    base: ag.Body, *, top: ag.Scalar, radius: ag.Scalar, glass: ag.Material, metal: ag.Material
-) -> ag.Body:
+def globed(base: ag.Body, *, top: ag.Scalar, radius: ag.Scalar, metal: ag.Material) -> ag.Body:
     """Put a globe of opal glass with its bulb on a base with its top at a height."""
-    # 3 mm of glass of 2500 kg/m3 at a radius of 0.1 m
-    opal = glass.with_(name=f"{glass.name}_globe", density=230.0)
     cup = ag.tube(0.030, 0.026, 0.016, bevel=0.0012).at(0.0, 0.0, top + 0.008)
     floor = ag.cylinder(0.029, 0.004, bevel=0.0012).at(0.0, 0.0, top + 0.002)
     sunk = 0.010 - 0.0045  # depth of a globe of 0.1 m in a ring of 26 mm
     return ag.weld(
         base,
-        ag.part(ag.sphere(radius).at(0.0, 0.0, top + sunk + radius), "shade", opal),
+        ag.part(ag.sphere(radius).at(0.0, 0.0, top + sunk + radius), "shade", GLOBE),
         ag.part(cup, "socket", metal),
         ag.part(floor, "socket", metal),
     )
