@@ -17,25 +17,8 @@ Sizes are those of shops: desk lamps with arms of 0.3-0.45 m, table lamps 0.35-0
 from typing import Literal
 
 import artgen as ag
-from artgen.categories.lamp import arms, finish
-from artgen.categories.lamp.bases import (
-    FITTING,
-    BaseShape,
-    BodyForm,
-    base_edge,
-    pole,
-    steady_height,
-    tripod,
-    turned_body,
-    turned_lamp,
-    weighted_base,
-    wide_up_to,
-)
-from artgen.categories.lamp.electrics import CASE, Cord
-from artgen.categories.lamp.electrics import switch as switch_of
+from artgen.categories.lamp import arms, electrics, finish, shades, stands
 from artgen.categories.lamp.finish import plastic, weighted
-from artgen.categories.lamp.lampshades import SOCKET, ShadeKind, metal_head, spider_shade
-from artgen.categories.lamp.standing import BESIDE, Chain, crown, globed, harp_rise, shaded
 
 Style = Literal["desk", "architect", "led_bar", "reading", "floor", "tripod", "arc", "table", "mushroom"]
 
@@ -62,7 +45,7 @@ _STEM = 0.14  # height between the hub of a tripod and its socket, for a chain [
 def lamp(
     *,
     style: Style = ag.choice(_STYLES),
-    base_shape: BaseShape = ag.by(
+    base_shape: stands.BaseShape = ag.by(
         "style",
         arc={"round": 0.6, "square": 0.3, "hexagonal": 0.1},
         mushroom={"round": 0.85, "hexagonal": 0.15},
@@ -142,7 +125,7 @@ def lamp(
     travel: ag.Float = ag.uniform(
         0.25, 0.40, "m", doc="travel of the reading lamp's clamp", within=(0.1, 0.5)
     ),
-    shade: ShadeKind = ag.by(
+    shade: shades.ShadeKind = ag.by(
         "style",
         floor=ag.choice("drum", "cone", "curved"),
         tripod={"drum": 0.7, "cone": 0.3},
@@ -192,7 +175,7 @@ def lamp(
         doc="radius of the upper rim of a cloth shade, as a share of that of the lower rim",
         within=(0.4, 1.0),
     ),
-    body: BodyForm = ag.by(
+    body: stands.BodyForm = ag.by(
         "style",
         table=ag.choice("vase", "gourd", "bottle", "column", "turned"),
         otherwise="column",
@@ -306,10 +289,9 @@ def lamp(
     deep = shade_radius * shade_height
     carried: arms.Carried | None = None
     if style in arms.MAKERS:
-        head = metal_head(shade, radius=shade_radius, depth=deep, finish=coat, lining=lining, trim=metal)
         carried = arms.MAKERS[style](
             arms.Arms(
-                head=head,
+                head=shades.metal_head(shade, shade_radius, deep, coat, lining, metal),
                 style=arm_style,
                 finish=metal,
                 length=arm_length,
@@ -323,74 +305,54 @@ def lamp(
                 friction=swivel_friction,
             )
         )
+    cover = shades.Spider(shade, shade_top * shade_radius, shade_radius, deep, coat, lining, metal)
+    mouth = height - cover.crown  # height of the mouth of the socket
+    foot = mouth - shades.SOCKET
 
     # the mass of the base keeps the lamp stable with its arms stretched out; the cord leaves at the back
-    stone = stuff if style == "arc" else weighted(metal, 2800.0 if style == "table" else 4600.0)
-    edge = base_edge(base_shape, base_radius)
-    switched = None if switch == "pull_chain" else switch_of(switch, finish=dark, ink=ink)
+    switched = None if switch == "pull_chain" else electrics.switch(switch, dark, ink)
+    on_cord = switched if switch_on == "cord" else None
+    top: ag.Scalar = base_height
     if style == "tripod":
-        top = height - crown(harp_rise(deep, shade)) - SOCKET - _STEM
-        base = tripod(spread=0.17 * top + 0.03, height=top, radius=0.014, finish=stuff, metal=metal)
-        cord = Cord(dark, start=0.05, end=0.36, height=top - 0.015, stiff=0.10)
+        top = foot - _STEM
+        base = stands.tripod(0.17 * top + 0.03, top, stuff, metal)
+        base = ag.weld(base, electrics.cord(dark, 0.05, 0.36, top - 0.015, on_cord, stiff=0.10))
     else:
-        top = 1.0 * base_height
+        stone = stuff if style == "arc" else weighted(metal, 2800.0 if style == "table" else 4600.0)
         if carried is not None:
-            top = steady_height(base_shape, base_radius, stone.density, least=base_height, of=carried)
-        set_in = switched if switch_on == "base" else None
-        front = 0.62 * edge
-        base = weighted_base(base_shape, base_radius, top, stone, set_in=set_in, front=front)
-        if set_in is not None and style in ("table", "mushroom"):
-            base = base.require(
-                front - set_in.half > (body_radius if style == "table" else _STALK) + 0.001, _COVERS
-            )
-        cord = Cord(dark, start=edge, end=edge + 0.11, height=0.5 * top + 0.001)
-    base = ag.weld(base, cord.with_case(switched) if switched and switch_on == "cord" else cord.alone())
+            top = stands.steady_height(base_shape, base_radius, stone.density, base_height, carried)
+        edge = stands.base_edge(base_shape, base_radius)
+        base = stands.weighted_base(base_shape, base_radius, top, stone)
+        if switched is not None and switch_on == "base":
+            covered: dict[str, ag.Scalar] = {"table": body_radius, "mushroom": _STALK}
+            near = 0.62 * edge - electrics.HALF[switch]
+            base = base.install(switched, at=(0, -0.62 * edge, top))
+            base = base.require(near > covered.get(style, 0.0) + 0.001, _COVERS)
+        base = ag.weld(base, electrics.cord(dark, edge, edge + 0.11, top / 2 + 0.001, on_cord))
 
-    if carried is not None and style == "reading":
-        clamp = height - 0.11 - travel  # lowest height of the clamp
-        base = ag.weld(base, pole(arms.POLE, top - 0.001, height - 0.03, metal, capped=True)).require(
-            clamp > top + carried.hangs + 0.01, _TOO_LOW
-        )
-        return base.attach(carried.body.at(0.0, 0.0, clamp), *carried.joints)
     if carried is not None:
-        return base.attach(carried.body.at(0.0, 0.0, top), *carried.joints)
+        level = top
+        if style == "reading":
+            level = height - 0.11 - travel  # lowest height of the clamp
+            rail = stands.pole(arms.POLE, top - 0.001, height - 0.03, metal, capped=True)
+            base = ag.weld(base, rail).require(level > top + carried.hangs + 0.01, _TOO_LOW)
+        return base.attach(carried.body.at(z=level), *carried.joints)
 
-    mouth = height - crown(harp_rise(deep, shade))  # height of the mouth of the socket
-    foot = mouth - SOCKET
     under: ag.Scalar = top  # under a chain
     if style == "table":
-        stand = turned_lamp(body, radius=body_radius, low=top - 0.001, high=foot, finish=stuff, metal=metal)
-        under = wide_up_to(body, BESIDE, radius=body_radius, low=top, high=foot - FITTING)
+        stand = stands.turned_lamp(body, body_radius, top - 0.001, foot, stuff, metal)
+        under = stands.wide_up_to(body, electrics.BESIDE, body_radius, top, foot - stands.FITTING)
     elif style == "mushroom":
-        foot = foot if shade == "dome" else height - 2.0 * shade_radius - 0.006
-        sheet = weighted(metal, 900.0)
+        foot = foot if shade == "dome" else height - 2 * shade_radius - 0.006
         # under a dome, the shade hides the socket
         ends = foot + 0.002 if shade == "globe" else mouth - 0.006
-        stand = turned_body("stem", radius=_STALK, low=top - 0.001, high=ends, finish=sheet)
-        under = wide_up_to("stem", BESIDE, radius=_STALK, low=top, high=ends)
+        stand = stands.turned_body("stem", _STALK, top - 0.001, ends, weighted(metal, 900.0))
+        under = stands.wide_up_to("stem", electrics.BESIDE, _STALK, top, ends)
     else:
-        stand = pole(0.0115, top - 0.001, foot + 0.003, metal)
+        stand = stands.pole(0.0115, top - 0.001, foot + 0.003, metal)
     if shade == "globe":
-        return globed(ag.weld(base, stand), top=foot, radius=shade_radius, metal=metal)
-    cover = spider_shade(
-        shade,
-        top=shade_top * shade_radius,
-        bottom=shade_radius,
-        height=deep,
-        finish=coat,
-        lining=lining,
-        trim=coat,
-        wire=metal,
-    )
-    chain = Chain(chain_travel, chain_force, metal, under) if switch == "pull_chain" else None
+        return shades.globed(ag.weld(base, stand), foot, shade_radius, metal)
+    chain = electrics.Chain(chain_travel, chain_force, under) if switch == "pull_chain" else None
     low: ag.Scalar = 0.002 if style == "tripod" else top + 0.002  # the shade is above the base
-    return shaded(
-        ag.weld(base, stand),
-        cover,
-        mouth=mouth,
-        height=deep,
-        metal=metal,
-        friction=shade_friction,
-        over=ag.max_(low, CASE[2] + _ON_CASE) if switch_on == "cord" else low,
-        chain=chain,
-    )
+    over = ag.max_(low, electrics.CASE[2] + _ON_CASE) if switch_on == "cord" else low
+    return cover.on(ag.weld(base, stand), mouth, shade_friction, over, chain)

@@ -12,7 +12,7 @@ from typing import Literal
 
 import artgen as ag
 from artgen.categories.lamp.finish import hollow
-from artgen.categories.lamp.lampshades import Head
+from artgen.categories.lamp.shades import Head
 
 ArmStyle = Literal["rods", "tube", "flat"]  # thin round bars, a round tube or square bars, or flat bars
 

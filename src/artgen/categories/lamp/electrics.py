@@ -1,4 +1,4 @@
-"""Switches of lamps, and the cord."""
+"""Switches of lamps: buttons, rockers, dials and pull chains; and the cord."""
 
 import math
 from dataclasses import dataclass
@@ -7,185 +7,197 @@ from typing import Literal
 import artgen as ag
 from artgen import details
 from artgen.categories.shared.appliances import CORD, strain_relief
-from artgen.categories.shared.controls import DialStyle, button_cap, button_hole, button_press, control_knob
+from artgen.categories.shared.controls import button_cap, button_hole, button_press, control_knob
+from artgen.nodes.fitting import FIT, Fitting
 
-SwitchKind = Literal["button", "rocker", "dial"]
-"""Kind of switch that a finger presses or turns."""
+SwitchKind = Literal["button", "rocker", "dial"]  # a finger presses or turns it
 
-ROCK = 0.25
-"""Tilt of a rocker to each side [rad]."""
+CASE = (0.034, 0.080, 0.024)  # width, length and height of a case on the cord [m]
 
-_UP = -math.pi / 2.0  # rotation about x that turns the face at -y upward [rad]
+_ROCK = 0.25  # tilt of a rocker to each side [rad]
 _BUTTON = 0.017  # width of a button [m]
 _ROCKER = (0.012, 0.021)  # width and length of a rocker [m]
-_PLAY = 0.0006  # gap around a rocker [m]
+_TAIL = 0.21  # length of the cord behind its switch [m]
+_ALONE = 0.15  # additional length of a cord without a switch [m]
+_JOINED = "its cord, which is only seen, joins it to the base"
+# distance from the middle of a switch to its front and back edges [m]
+HALF = {"button": _BUTTON / 2 + 0.0045, "rocker": (_ROCKER[1] + 0.007) / 2, "dial": 0.0165}
+
+_BALLS = 26  # number of visible balls of a chain
+_BALL = 0.0016  # radius of a ball: chains of lamps have balls of 3.2 mm [m]
+_CORE = 0.0015  # radius of the rod that collides for the chain [m]
+_KNOB = (0.0052, 0.016)  # radius and height of the knob of a chain [m]
+_SPOUT = 0.0064  # outer radius of the spout of a switch [m]
+_BORE = 0.0042  # radius of the bore of the spout [m]
+_IN_SPOUT = 0.012  # length of the pulled chain inside the spout [m]
+_OUT = 0.046  # distance of the chain from the axis: a finger closes between it and the pole [m]
+_BELOW = 0.052  # depth of the middle of the knob below the shade, for a hand past the rim [m]
+_OUTSIDE = 0.014  # least free length of the chain under the spout, so that the knob stays outside [m]
+_PULLED_INTO = (
+    "a pull chain would be pulled into the part under it: raise height, or lower "
+    "chain_travel, shade_radius, shade_height or body_radius"
+)
+BESIDE = _OUT - _KNOB[0]  # distance from the axis that a lamp may reach without being under its chain [m]
 
 
-@dataclass(frozen=True)
-class Switch:
-    """A switch in an upward-facing face."""
-
-    body: ag.Body  # visible surround with the moving link, which is welded to the body with the face
-    hole: ag.Solid | None  # cutter of the face, or None
-    half: float  # distance from its middle to its front and back edges [m]
-
-
-def switch(
-    kind: SwitchKind, *, finish: ag.Material, ink: ag.Material, dial_style: DialStyle = "fluted"
-) -> Switch:
-    """Make a switch: the link `button`, `rocker` or `dial` with its joint."""
-    match kind:
-        case "button":
-            return _button(finish, ink)
-        case "rocker":
-            return _rocker(finish, ink)
-        case "dial":
-            return _dial(finish, ink, dial_style)
-
-
-def _button(finish: ag.Material, ink: ag.Material) -> Switch:
-    cap = button_cap(finish=finish, width=_BUTTON, proud=0.0042, deep=0.006, icon="power", ink=ink)
-    half = _BUTTON / 2 + 0.0045
-    sheet = ag.circle(half) - ag.circle(_BUTTON / 2 + 0.0004)
-    ring = ag.extrude(sheet, 0.0014, axis=ag.Y, bevel=0.0004).at(0.0, -0.0002, 0.0)
-    press = button_press("switch_slide", travel=0.003, preload=1.0, force=4.0)  # keys of lamps close at 4 N
-    return Switch(
-        ag.detail(ring, "switch", finish).attach(cap, press).rotate(ag.X, _UP),
-        button_hole(_BUTTON, through=0.0105).rotate(ag.X, _UP),
-        half,
-    )
-
-
-def _rocker(finish: ag.Material, ink: ag.Material) -> Switch:
-    wide, long = _ROCKER
-    half, edge, middle = long / 2.0, 0.0054, 0.0038
-    # seen from the side it is a flat V; the pivot is in the face
-    side = ag.polygon([(-half, -0.0015), (half, -0.0015), (half, edge), (0.0, middle), (-half, edge)])
-    share = 0.85  # position of the finger, as a share of the distance to the end
-    pushes = [
-        ag.frame(
-            (0.0, end * share * half, middle + share * (edge - middle)),
-            approach=(0.0, 0.0, -1.0),
-            closing=ag.X,
+def switch(kind: SwitchKind, finish: ag.Material, ink: ag.Material) -> Fitting:
+    """Make a switch in an upward-facing face: the link `button`, `rocker` or `dial` with its joint."""
+    if kind == "rocker":
+        return _rocker(finish, ink)
+    if kind == "button":
+        cap = button_cap(finish=finish, width=_BUTTON, proud=0.0042, deep=0.006, icon="power", ink=ink)
+        press = button_press("switch_slide", travel=0.003, preload=1.0, force=4.0)  # keys of lamps: 4 N
+        sheet = ag.circle(HALF["button"]) - ag.circle(_BUTTON / 2 + FIT.sliding)
+        ring = ag.extrude(sheet, 0.0014, axis=ag.Y, bevel=0.0004).at(y=-0.0002)
+        hole = button_hole(_BUTTON, through=0.0105)
+        fitting = Fitting.moving(cap, press, fixed=ag.detail(ring, "switch", finish), cut=hole)
+    else:
+        knob = control_knob(
+            finish=finish, style="fluted", radius=0.014, depth=0.017, mark=ink, name="dial", label="dial"
         )
-        for end in (-1, 1)
-    ]
-    belly = ag.cylinder(0.0040, 0.7 * wide, axis=ag.X).at(0.0, 0.0, -0.0015)
+        # friction of the wiper of a dimmer without stops
+        turn = ag.Revolute(
+            "switch_turn", axis=ag.Y, friction=0.03, damping=0.002, armature=0.00002, effort=0.5
+        )
+        plate = ag.cylinder(HALF["dial"], 0.0010, axis=ag.Y).at(y=0.0003)
+        fitting = Fitting.moving(knob, turn, fixed=ag.detail(plate, "switch", finish))
+    return fitting.rotate(ag.X, -math.pi / 2)
+
+
+def _rocker(finish: ag.Material, ink: ag.Material) -> Fitting:
+    wide, long = _ROCKER
+    half, edge, middle = long / 2, 0.0054, 0.0038
+    # seen from the side it is a flat V; the pivot is in the face
+    side = ag.polygon([(-half, -0.0015), (half, -0.0015), (half, edge), (0, middle), (-half, edge)])
+    share = 0.85  # position of the finger, as a share of the distance to the end
+    height = middle + share * (edge - middle)
+    pushes = [ag.frame((0, y, height), approach=-ag.Z, closing=ag.X) for y in (-share * half, share * half)]
+    belly = ag.cylinder(0.0040, 0.7 * wide, axis=ag.X).at(z=-0.0015)
+    solids = [ag.extrude(side, wide, axis=ag.X, bevel=0.0005), belly]
+    on, off = ag.ring(0.0016, 0.0011), ag.rectangle(0.0006, 0.0034)
+    print_at = middle + 0.0009
     rocker = ag.weld(
-        ag.part(ag.extrude(side, wide, axis=ag.X, bevel=0.0005), "rocker", finish, push=pushes),
-        ag.part(belly, "rocker", finish),
-        *(
-            details.printed(sign, (0.0, end * 0.0055, middle + 0.0009), material=ink, facing=ag.Z)
-            for end, sign in ((1, ag.circle(0.0016) - ag.circle(0.0011)), (-1, ag.rectangle(0.0006, 0.0034)))
-        ),
+        ag.part(solids, "rocker", finish, push=pushes),
+        details.printed(on, (0, 0.0055, print_at), material=ink, facing=ag.Z),
+        details.printed(off, (0, -0.0055, print_at), material=ink, facing=ag.Z),
     )
     tilt = ag.Revolute(
         "switch_rock",
         axis=ag.X,
-        limits=(-ROCK, ROCK),
+        limits=(-_ROCK, _ROCK),
         friction=0.02,  # the contact spring snaps over the middle: about 2.5 N at the end
         damping=0.002,
         armature=0.00001,
         effort=0.15,
     )
-    opening = (wide + 2 * _PLAY, long + 2 * _PLAY)
+    opening = (wide + 2 * FIT.running, long + 2 * FIT.running)
     sheet = ag.rectangle(wide + 0.007, long + 0.007, radius=0.002) - ag.rectangle(*opening)
-    bezel = ag.extrude(sheet, 0.0016, bevel=0.0004).at(0.0, 0.0, 0.0002)
-    hole = ag.box(*opening, 0.020).at(0.0, 0.0, 0.0015)
-    return Switch(ag.detail(bezel, "switch", finish).attach(rocker, tilt), hole, (long + 0.007) / 2.0)
+    bezel = ag.extrude(sheet, 0.0016, bevel=0.0004).at(z=0.0002)
+    hole = ag.box(*opening, 0.020).at(z=0.0015)
+    return Fitting.moving(rocker, tilt, fixed=ag.detail(bezel, "switch", finish), cut=hole)
 
 
-def _dial(finish: ag.Material, ink: ag.Material, style: DialStyle) -> Switch:
-    knob = control_knob(
-        finish=finish, style=style, radius=0.014, depth=0.017, mark=ink, name="dial", label="dial"
+def cord(
+    finish: ag.Material,
+    start: ag.Scalar,
+    end: ag.Scalar,
+    height: ag.Scalar,
+    switched: Fitting | None,
+    *,
+    stiff: float = 0.022,
+) -> ag.Body:
+    """Make a cord from an outlet at y = `start`, with a switch in a case at y = `end` if there is one."""
+    if switched is None:
+        return _run(finish, start, end + _ALONE, height, sway=0.04, stiff=stiff)
+    case = ag.Region.centered(*CASE).at(z=CASE[2] / 2)
+    foot = case.shrink(x=0.005, y=0.006).with_(z=(0, 0.002))
+    seam = case.shrink(x=0.002, y=0.002).with_(z=(0.0084, 0.0096))
+    body = ag.weld(
+        ag.part(case.shrink(bottom=0.001).box(bevel=0.005), "switch", finish, separate=_JOINED),
+        ag.part(foot.box(bevel=0.0006), "switch", finish),
+        ag.detail(seam.box(), "switch", finish),
     )
-    turn = ag.Revolute(
-        "switch_turn",
-        axis=ag.Y,
-        friction=0.03,  # friction of the wiper of a dimmer without stops
-        damping=0.002,
-        armature=0.00002,
-        effort=0.5,
+    near, far = end + case.y.low + 0.002, end + case.y.high
+    return ag.weld(
+        body.install(switched, at=(0, 0, CASE[2])).at(y=end),
+        _run(finish, start, near, height, stiff=stiff),
+        _run(finish, far, far + _TAIL, 0.010, sway=0.03),
     )
-    half = 0.0165
-    plate = ag.cylinder(half, 0.0010, axis=ag.Y).at(0.0, 0.0003, 0.0)
-    return Switch(ag.detail(plate, "switch", finish).attach(knob, turn).rotate(ag.X, _UP), None, half)
 
 
-CASE = (0.034, 0.080, 0.024)
-"""Width, length and height of a case on the cord [m]."""
-
-_TAIL = 0.21  # length of the cord behind its switch [m]
-_ALONE = 0.15  # additional length of a cord without a switch [m]
+def _run(
+    finish: ag.Material,
+    start: ag.Scalar,
+    end: ag.Scalar,
+    height: ag.Scalar,
+    *,
+    sway: float = 0.0,
+    stiff: float = 0.022,
+) -> ag.Body:
+    """Make a length of cord; it is straight at its outlet, and from high up it bends down in a wider arc."""
+    free, rest = start + 0.022, end - start - 0.022
+    path = ag.bezier(  # the path stays above the floor, as its control points do
+        [
+            (0, start - 0.004, height),
+            (0, start + stiff, height - 0.001),
+            (1.2 * sway, free + 0.30 * rest, CORD),
+            (3.0 * sway, free + 0.50 * rest, CORD),
+            (-3.0 * sway, free + 0.75 * rest, CORD),
+            (0, end, CORD),
+        ]
+    )
+    relief = [each.at(y=start, z=height) for each in strain_relief()]
+    return ag.detail([*relief, ag.sweep(ag.circle(CORD - 0.0002), path)], "cord", finish)
 
 
 @dataclass(frozen=True)
-class Cord:
-    """Layout of a cord."""
+class Chain:
+    """A pull chain."""
 
-    finish: ag.Material  # material of cord and case
-    start: ag.Scalar  # position of the outlet of the base along y [m]
-    end: ag.Scalar  # position of the switch along y [m]
-    height: ag.Scalar  # height of the outlet [m]
-    # straight length at the outlet; from high up the cord bends down in a wider arc [m]
-    stiff: ag.Scalar = 0.022
+    travel: ag.Scalar  # travel of the chain [m]
+    force: ag.Scalar  # spring force of the chain pulled out [N]
+    under: ag.Scalar  # height of the part under the chain [m]
 
-    def alone(self) -> ag.Body:
-        """Make the cord without a switch."""
-        return cord_run(
-            self.start, self.end + _ALONE, height=self.height, finish=self.finish, sway=0.04, stiff=self.stiff
+    def beside(self, mouth: ag.Scalar, rim: ag.Scalar, metal: ag.Material) -> ag.Body:
+        """Make the switch in front of a socket, a bell-mouthed tube, with its chain."""
+        outlet, pipe = mouth - 0.048, self.travel + _IN_SPOUT + 0.006
+        stem = ag.cylinder_between((0, 0, mouth - 0.030), (0, _SPOUT - 0.001 - _OUT, mouth - 0.030), 0.0042)
+        tube = ag.tube(_SPOUT, _BORE, pipe, bevel=0.0006).at(z=pipe / 2)
+        lid = ag.cylinder(_BORE + 0.0034, 0.005, bevel=0.0012).at(z=pipe + 0.0022)
+        bell = ag.tube(_SPOUT + 0.0018, _SPOUT - 0.0004, 0.004, bevel=0.0008).at(z=0.002)
+        switch = ag.weld(
+            ag.part([stem, *(each.at(0, -_OUT, outlet) for each in (tube, lid))], "socket", metal),
+            ag.detail(bell.at(0, -_OUT, outlet), "switch", metal),
         )
+        hang = ag.max_(outlet - rim + _BELOW, _OUTSIDE)
+        pull = ag.Prismatic(
+            "switch_pull",
+            axis=-ag.Z,
+            limits=(0.0, self.travel),
+            # preload for the weight of chain and knob, 0.1 N, and the friction
+            spring=ag.Spring(preload=0.35 * self.force, force=self.force),
+            damping=2.0,
+            friction=0.2,
+            armature=0.02,  # inertia of the ratchet of the switch
+            effort=20.0,
+        )
+        lowest = outlet - hang - _KNOB[1] / 2 - self.travel
+        chain = (
+            self._hanging(hang, metal).at(0, -_OUT, outlet).require(lowest > self.under + 0.001, _PULLED_INTO)
+        )
+        return switch.attach(chain, pull)
 
-    def with_case(self, switched: Switch) -> ag.Body:
-        """Make the cord with a switch in a case."""
-        half = CASE[1] / 2.0
-        near, far = self.end - half + 0.002, self.end + half
+    def _hanging(self, hang: ag.Scalar, metal: ag.Material) -> ag.Body:
+        """Make the link `pull_chain`: a thin rod collides in place of its balls."""
+        above = self.travel + _IN_SPOUT
+        rod = ag.capsule(_CORE, hang + above).at(z=(above - hang) / 2)
+        knob = ag.cylinder(*_KNOB, bevel=0.0022).at(z=-hang)
+        neck = ag.frustum(0.0044, 0.0020, 0.006).at(z=0.0105 - hang)
+        step = (above / 2 + hang - 0.0135) / (_BALLS - 1)
+        balls = ag.array(ag.sphere(_BALL), at=ag.row((0, 0, above / 2), (0, 0, -step), _BALLS))
+        hold = ag.grasp_on(knob, approach=ag.Y, closing=ag.X)
         return ag.weld(
-            cord_case(switched, self.finish).at(0.0, self.end, 0.0),
-            cord_run(self.start, near, height=self.height, finish=self.finish, stiff=self.stiff),
-            cord_run(far, far + _TAIL, height=0.010, finish=self.finish, sway=0.03),
+            ag.part([knob, neck], "pull_chain", metal, grasp=hold),
+            ag.part(rod, "pull_chain", metal.with_(name=f"{metal.name}_chain", density=1500.0)),
+            ag.detail(balls, "pull_chain", metal),
         )
-
-
-def cord_case(switched: Switch, finish: ag.Material) -> ag.Body:
-    """Make the case of a switch on a cord: it lies on the floor about the origin, the cord is along y."""
-    wide, long, high = CASE
-    block = ag.box(wide, long, high - 0.001, bevel=0.005).at(0.0, 0.0, (high + 0.001) / 2.0)
-    if switched.hole is not None:
-        block = block - switched.hole.at(0.0, 0.0, high)
-    seam = ag.box(wide - 0.004, long - 0.004, 0.0012)
-    foot = ag.box(wide - 0.010, long - 0.012, 0.002, bevel=0.0006).at(0.0, 0.0, 0.001)
-    joined = "its cord, which is only seen, joins it to the base"
-    return ag.weld(
-        ag.part(block, "switch", finish, separate=joined),
-        ag.part(foot, "switch", finish),
-        ag.detail(seam.at(0.0, 0.0, 0.009), "switch", finish),
-        switched.body.at(0.0, 0.0, high),
-    )
-
-
-def cord_run(
-    start: ag.Scalar,
-    end: ag.Scalar,
-    *,
-    height: ag.Scalar,
-    finish: ag.Material,
-    sway: ag.Scalar = 0.0,
-    stiff: ag.Scalar = 0.022,
-) -> ag.Body:
-    """Make a cord from the back of a base, at y = start, that lies on the floor up to y = end."""
-    run = end - start
-    path = ag.bezier(  # the path stays above the floor, as its control points do
-        [
-            (0.0, start - 0.004, height),
-            (0.0, start + stiff, height - 0.001),
-            (1.2 * sway, start + 0.022 + 0.30 * (run - 0.022), CORD),
-            (3.0 * sway, start + 0.022 + 0.50 * (run - 0.022), CORD),
-            (-3.0 * sway, start + 0.022 + 0.75 * (run - 0.022), CORD),
-            (0.0, end, CORD),
-        ]
-    )
-    return ag.weld(
-        *(ag.detail(each.at(0.0, start, height), "cord", finish) for each in strain_relief()),
-        ag.detail(ag.sweep(ag.circle(CORD - 0.0002), path), "cord", finish),
-    )
