@@ -389,12 +389,13 @@ def arc_arm(arms: Arms) -> Carried:
     strikes = "the shade would strike the bow: raise reach, or lower shade_radius or shade_height"
     limits = (-_SWING, ag.require(towards, towards > _LEAST_SWING, strikes))
     shade, mass, lever = arms.hung()
-    hinge = Load().free(GRAVITY * mass, lever)
-    swing = hinge.hinge("shade_hinge", limits, force=4, reach=0.12, damping=0.02)
+    load = Load().free(GRAVITY * mass, lever)
+    swing = load.hinge("shade_hinge", limits, force=4, reach=0.12, damping=0.02)
     moment = bow.mass() * 0.45 * reach + mass * (reach + lever)
     return Carried(bow.attach(shade, swing, at=end), moment, (arms.turn(),))
 
 
+# the moving parts of each style with a metal head or an LED bar
 MAKERS = {
     "desk": one_arm,
     "architect": two_arms,

@@ -282,7 +282,8 @@ class Spider:
     def _spoked(self, level: ag.Scalar) -> ag.Body:
         top, bottom, height = self.top, self.bottom, self.height
         points = [(bottom, 0.0), (top, height)]
-        sides, under = _ROUND, _UNDER + 0.0 * bottom
+        sides = _ROUND
+        under: ag.Scalar = _UNDER
         reach = top + (bottom - top) * self.drop / height - under
         if self.kind == "curved":
             shares = ((0.52, 0.34), (0.17, 0.67))
