@@ -173,7 +173,7 @@ def test_it_begins_with_the_functions_of_the_author(tab) -> None:
     page = tab.page
     assert page.inner_text("#title") == "drawer, seed 0"
     assert "nodes" in page.inner_text("#facts")
-    assert {"drawer.drawer", "boxes.drawer_box"} <= titles(tab)
+    assert {"drawer.drawer", "boxes.box"} <= titles(tab)
     assert page.locator("#graph path.edge").count() > 5
     assert page.inner_text("#details h2") == "Computing time"
     assert inked(tab) > 0.05  # the whole asset
@@ -183,12 +183,12 @@ def test_it_begins_with_the_functions_of_the_author(tab) -> None:
 def test_a_function_opens_and_closes(tab) -> None:
     page = tab.page
     before = page.locator("#graph .box").count()
-    box = page.locator('[data-id="gboxes.drawer_box"]')
+    box = page.locator('[data-id="gboxes.box"]')
     opened = drawn(tab, box.dblclick)
     assert opened > before + 5
-    assert "boxes.drawer_box" not in titles(tab)
+    assert "boxes.box" not in titles(tab)
     assert page.locator("#graph .frame").count() == 1
-    assert page.inner_text("#details h2") == "boxes.drawer_box"
+    assert page.inner_text("#details h2") == "boxes.box"
     assert inked(tab) > 0.05
     assert drawn(tab, lambda: page.click("#closeall")) == before
     assert tab.problems == []

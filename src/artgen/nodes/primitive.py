@@ -85,7 +85,7 @@ def box(x: Scalar, y: Scalar, z: Scalar, *, bevel: Scalar = 0.0) -> Solid:
     """
 
 
-@kernel(spelling="Region.between({low}, {high}).box(bevel={bevel})")
+@kernel
 def _box_between(low: Array3, high: Array3, bevel: float) -> Shape:
     size = check.vector("high", high) - check.vector("low", low)
     for name, length in zip("xyz", size, strict=True):
