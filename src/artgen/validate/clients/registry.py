@@ -162,6 +162,8 @@ _UNAVOIDABLE: Mapping[str, dict[str, str]] = {
         r"ignored\.": "Drake's MJCF reader supports no coupling of joints, which the asset has",
         rf"{_DRAKE}The tag 'site' found as a child of 'body' is currently unsupported and will be "
         r"ignored\.": "Drake's MJCF reader supports no sites, which mark grasps and pushes",
+        rf"{_DRAKE}The tag 'keyframe' found as a child of 'mujoco' is currently unsupported and will be "
+        r"ignored\.": "Drake's MJCF reader supports no keyframes, which are valid states",
         rf"{_DRAKE}The texture element is not supported, .*": "Drake's MJCF reader supports no textures",
     },
     "robosuite": {
