@@ -229,7 +229,7 @@ class Asset:
     def states_data(self) -> dict[str, Any]:
         """Return limits, couplings and dependencies of the joints as JSON data, for `ValidStates`."""
         fields = ("name", "limits", "follows", "needs")
-        rows = [{name: row[name] for name in fields} for row in plain(self.rounded().joints)]
+        rows = [{name: row[name] for name in fields} for row in plain(tuple(map(rounded, self.joints)))]
         return {"format": "artgen-states-1", "joints": rows}
 
     @property
@@ -282,7 +282,7 @@ class Asset:
             if joint.kind == "prismatic":
                 moved[joint.child] = (turn, shift + position * (turn @ joint.axis[:, None]))
                 continue
-            terms, factors = rotation_terms(joint.axis), (1.0, np.cos(position), np.sin(position))
+            terms, factors = rotation_terms(joint.axis), (1.0, np.sin(position), 1.0 - np.cos(position))
             pivot = joint.pivot[:, None]
             turned = sum(factor * (turn @ term) for factor, term in zip(factors, terms, strict=True))
             swung = sum(factor * (turn @ (term @ pivot)) for factor, term in zip(factors, terms, strict=True))

@@ -208,16 +208,15 @@ def is_number(value: object) -> bool:
 
 def rotation(axis: Array, angle: float) -> Array:
     """Return the rotation about a unit axis, shape (3, 3) (Rodrigues' formula)."""
-    x, y, z = axis
-    cross = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
-    return np.asarray(np.eye(3) + np.sin(angle) * cross + (1.0 - np.cos(angle)) * (cross @ cross))
+    one, cross, square = rotation_terms(axis)
+    return np.asarray(one + np.sin(angle) * cross + (1.0 - np.cos(angle)) * square)
 
 
 def rotation_terms(axis: Array) -> tuple[Array, Array, Array]:
-    """Return a, b and c so that the rotation about a unit axis is a + cos(angle) b + sin(angle) c."""
+    """Return a, b and c of the rotation about a unit axis: a + sin(angle) b + (1 - cos(angle)) c."""
     x, y, z = axis
     cross = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
-    return np.eye(3) + cross @ cross, -cross @ cross, cross
+    return np.eye(3), cross, cross @ cross
 
 
 def positions_of_followers(joints: Mapping[str, AssetJoint], q: dict[str, float]) -> dict[str, float]:

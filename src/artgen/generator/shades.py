@@ -54,7 +54,7 @@ class Shades(Choice):
 
 
 def shades(
-    *materials: Material | str | Mapping[Material | str, float],
+    *materials: Material | str | Mapping[Any, float],
     weights: Sequence[float] | None = None,
     color: float = 0.08,
     roughness: float = 0.03,

@@ -276,9 +276,10 @@ class Body(Handle):
             >>> panel.install(stop, at=(0.03, 0, 0)).install(stop, at=(-0.03, 0, 0))
         """
         placed = fitting.at(at)
-        body = getattr(placed, "body", placed)
-        tool = getattr(placed, "cut", None) if body is not placed else None
-        return Body.record("weld", bodies=(self if tool is None else self.cut(tool), body))
+        if isinstance(placed, Body):
+            return Body.record("weld", bodies=(self, placed))
+        host = self if placed.cut is None else self.cut(placed.cut)
+        return Body.record("weld", bodies=(host, placed.body))
 
     def repeat(self, child: "Body", *joints: Any, at: PointsLike) -> "Body":
         """Join a copy of a child at each point, with copies of its joints, suffixed `_0`, `_1`, ...

@@ -201,7 +201,8 @@ def cooktop(
             body = body.attach(one, lift)
     else:
         if burner != "coil":
-            body = ag.weld(body, _zones(plan, burner, zone_print, height, ink))
+            zones = cooktops.printed_zones(plan.places, burner, height, ink, share=0.95, style=zone_print)
+            body = ag.weld(body, zones)
         turn = controls.electric_turn("burner_dial_turn", dial_friction)
         body = body.repeat(knobs.knob("burner_dial"), turn, at=taps)
     for name, (x, y) in zip(_EXTRAS, plan.dial_places[burners:], strict=False):
@@ -217,19 +218,6 @@ def _coil_radius(plan: Plan, size: cooktops.BurnerSize) -> float:
     """Return the radius of a coil: 8 inches only if the plate has space for it [m]."""
     roomy = plan.side in ("left", "right") if plan.rows > 1 else plan.burners == 2
     return cooktops.COIL_RADIUS[size if roomy else "small"]
-
-
-def _zones(plan: Plan, burner: BurnerKind, style: str, top: ag.Scalar, ink: ag.Material) -> ag.Body:
-    """Print the zones of radiant or induction burners, with gaps between neighbors."""
-    zones = []
-    for place in plan.places:
-        radius = ag.min_(cooktops.ZONE_RADIUS[place.size], 0.95 * place.reach)
-        if burner == "radiant":
-            film = cooktops.radiant_zone(radius, dual=place.size in ("large", "wok"))
-        else:
-            film = cooktops.induction_zone(radius, style=style)
-        zones.append((place, film))
-    return cooktops.printed_zones(zones, top, ink)
 
 
 def _signature(plan: Plan, maker: str, top: ag.Scalar, ink: ag.Material) -> ag.Body:

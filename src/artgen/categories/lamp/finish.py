@@ -1,36 +1,20 @@
 """Materials and colors of lamps."""
 
-from collections.abc import Mapping
-from typing import Any
-
 import artgen as ag
-from artgen.categories.shared.finish import casting, known, weighing
-
-
-def _shades(weights: Mapping[ag.Material, float], color: float) -> Any:
-    return ag.shades(*weights, weights=tuple(weights.values()), color=color)
-
-
-def _colored(base: str, weights: Mapping[str, float]) -> dict[ag.Material, float]:
-    return {ag.colored(base, color): weight for color, weight in weights.items()}
-
-
-def _known(weights: Mapping[str, float]) -> dict[ag.Material, float]:
-    return {ag.material(name): weight for name, weight in weights.items()}
-
+from artgen.categories.shared.finish import casting, colored_weights, known, weighing
 
 _COATS = {"black": 3.0, "white": 2.6, "graphite": 1.6, "cream": 0.8, "red": 1.0, "teal": 0.8, "mustard": 0.8,
           "sage": 0.9, "navy": 0.8, "sky": 0.6, "orange": 0.6, "blush": 0.5, "light_grey": 0.9}  # fmt: skip
 _METALS = {"chrome": 1.2, "satin_nickel": 1.2, "satin_brass": 1.2, "copper": 0.5}
-COATS = _shades({**_colored("powder_coat", _COATS), **_known(_METALS)}, color=0.05)
+COATS = ag.shades({**colored_weights("powder_coat", _COATS), **_METALS}, color=0.05)
 
 _FITTINGS = {"satin_brass": 2.0, "brass": 1.2, "satin_nickel": 1.6, "chrome": 1.0, "powder_coat_black": 2.0,
              "aged_bronze": 1.4, "copper": 0.5}  # fmt: skip
-FITTINGS = _shades(_known(_FITTINGS), color=0.03)
+FITTINGS = ag.shades(_FITTINGS, color=0.03)
 
 _CLOTHS = {"white": 2.5, "ivory": 2.0, "sand": 1.2, "taupe": 0.7, "light_grey": 1.0, "black": 0.9,
            "navy": 0.8, "sage": 0.8, "blush": 0.6, "mustard": 0.6, "burgundy": 0.4, "teal": 0.5}  # fmt: skip
-CLOTHS = _shades({**_colored("fabric", _CLOTHS), **_known({"linen": 2.5, "wicker": 0.8})}, color=0.06)
+CLOTHS = ag.shades({**colored_weights("fabric", _CLOTHS), "linen": 2.5, "wicker": 0.8}, color=0.06)
 
 CLOTH_LININGS = ag.shades("fabric", color=0.02)
 LININGS = ag.shades("enamel_white", "satin_brass", weights=(0.85, 0.15), color=0.02)
@@ -45,7 +29,7 @@ _BODIES = (
     (0.8, 800.0, "bored", known("marble", "green_marble")),
     (0.8, 450.0, "spun_sheet", known("brass", "satin_nickel", "aged_bronze", "hammered_bronze")),
 )
-BODIES = _shades(
+BODIES = ag.shades(
     {each: weight for weight, density, prefix, group in _BODIES for each in weighing(group, density, prefix)},
     color=0.06,
 )

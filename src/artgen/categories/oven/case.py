@@ -275,17 +275,9 @@ def _glass(layout: TopPlan, kind: BurnerKind, slab: ag.Region, maker: str) -> ag
     black, height = ag.material("black_glass"), slab.z.high
     pane = ag.extrude(slab.shrink(0.005).plan(radius=0.008), 0.006, bevel=0.0014)
     ink = ink_on(black)
-    zones = []
-    for place in layout.places:
-        radius = ag.min_(cooktops.ZONE_RADIUS[place.size], 0.92 * place.reach)
-        if kind == "radiant":
-            film = cooktops.radiant_zone(radius, dual=place.size in ("large", "wok"))
-        else:
-            film = cooktops.induction_zone(radius, style="cross")
-        zones.append((place, film))
     bodies = [
         ag.part(pane.align((0, 0, height), z=1), "top", black),
-        cooktops.printed_zones(zones, height, ink),
+        cooktops.printed_zones(layout.places, kind, height, ink, share=0.92),
     ]
     if maker:
         at = (0, slab.y.low + 0.022, height)

@@ -95,10 +95,7 @@ def fronts(*looks: Look) -> Any:
 
 def grip_metals(*looks: Look) -> Any:
     """Draw the metal (or lacquer) of handles by the parameter `look`."""
-    cases = {
-        look: ag.shades(*_METALS[look], weights=tuple(_METALS[look].values()), color=0.03, roughness=0.03)
-        for look in looks or LOOKS
-    }
+    cases = {look: ag.shades(_METALS[look], color=0.03, roughness=0.03) for look in looks or LOOKS}
     return ag.by("look", cases, doc="metal of handles and trim")
 
 

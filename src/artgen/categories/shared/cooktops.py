@@ -304,7 +304,7 @@ def _spiral(radius: float) -> ag.Solid:
     return ag.sweep(ag.ellipse(_TUBE, 0.003), ag.spline(points))
 
 
-def radiant_zone(radius: ag.Scalar, *, dual: bool) -> ag.Profile:
+def _radiant_zone(radius: ag.Scalar, *, dual: bool) -> ag.Profile:
     """Make the print over a radiant heater: a fine circle, its band, and an inner circle on dual heaters."""
     zone = ag.ring(radius, radius - 0.0011) | ag.ring(radius - 0.0030, radius - 0.0036)
     if dual:
@@ -312,7 +312,7 @@ def radiant_zone(radius: ag.Scalar, *, dual: bool) -> ag.Profile:
     return zone
 
 
-def induction_zone(radius: ag.Scalar, *, style: str) -> ag.Profile:
+def _induction_zone(radius: ag.Scalar, style: str) -> ag.Profile:
     """Make the print over an induction coil."""
     arm = ag.rectangle(0.030, 0.0011) | ag.rectangle(0.0011, 0.030)
     if style == "cross":
@@ -331,9 +331,28 @@ def induction_zone(radius: ag.Scalar, *, style: str) -> ag.Profile:
     return dots
 
 
-def printed_zones(zones: Sequence[tuple[Place, ag.Profile]], top: ag.Scalar, ink: ag.Material) -> ag.Body:
-    """Print zones on a glass with its upper face at a height, as one film."""
-    whole = reduce(or_, (film.at(place.x, place.y) for place, film in zones))
+def printed_zones(
+    places: Sequence[Place],
+    burner: BurnerKind,
+    top: ag.Scalar,
+    ink: ag.Material,
+    *,
+    share: float,
+    style: str = "cross",
+) -> ag.Body:
+    """Print radiant or induction zones on a glass with its upper face at a height, as one film.
+
+    Neighbors keep a gap: a radius is at most a share of the reach of its place.
+    """
+    films = []
+    for place in places:
+        radius = ag.min_(ZONE_RADIUS[place.size], share * place.reach)
+        if burner == "radiant":
+            film = _radiant_zone(radius, dual=place.size in ("large", "wok"))
+        else:
+            film = _induction_zone(radius, style)
+        films.append(film.at(place.x, place.y))
+    whole = reduce(or_, films)
     return details.printed(whole, (0.0, 0.0, top), material=ink, facing=ag.Z, label="zone")
 
 

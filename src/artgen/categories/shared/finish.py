@@ -1,6 +1,6 @@
 """Materials of leaves, frames and hardware, and materials derived from a finish."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import artgen as ag
 
@@ -20,6 +20,11 @@ FINISHES = known(*_HARDWARE)
 
 FINISH_WEIGHTS = tuple(_HARDWARE[finish.name] for finish in FINISHES)
 """Weights of `FINISHES` in a random choice."""
+
+
+def colored_weights(base: str, weights: Mapping[str, float]) -> dict[ag.Material, float]:
+    """Return a library material in several colors, with the weights of these colors."""
+    return {ag.colored(base, color): weight for color, weight in weights.items()}
 
 
 def casting(finish: ag.Material, share: float = 0.35) -> ag.Material:

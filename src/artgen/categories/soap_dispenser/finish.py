@@ -5,9 +5,9 @@ of ceramic, 1.5 mm of plastic or 0.6 mm of steel.
 """
 
 from collections.abc import Mapping
-from typing import Any
 
 import artgen as ag
+from artgen.categories.shared.finish import colored_weights
 from artgen.materials import COLORS
 
 Weights = Mapping[ag.Material, float]
@@ -15,42 +15,38 @@ Weights = Mapping[ag.Material, float]
 
 def _weighing(density: float, prefix: str, weights: Mapping[str, float], base: str = "") -> Weights:
     """Return library materials, or `base` in these colors, with another density [kg/m3]."""
-    plain = {ag.colored(base, name) if base else ag.material(name): each for name, each in weights.items()}
+    plain = colored_weights(base, weights) if base else {ag.material(name): weights[name] for name in weights}
     return {
         each.with_(name=f"{prefix}_{each.name}", density=density): weight for each, weight in plain.items()
     }
 
 
-def _shades(weights: Mapping[Any, float], color: float, roughness: float = 0.03) -> Any:
-    return ag.shades(*weights, weights=tuple(weights.values()), color=color, roughness=roughness)
-
-
 _GLASSES = {"glass": 0.42, "amber_glass": 0.30, "frosted_glass": 0.18, "tinted_glass": 0.10}
-GLASSES = _shades(_GLASSES, color=0.03, roughness=0.0)
+GLASSES = ag.shades(_GLASSES, color=0.03, roughness=0.0)
 
 _GLAZES = {"white": 3, "cream": 1.4, "sand": 1, "sage": 1.2, "teal": 0.8, "navy": 0.8, "black": 1.2,
            "blush": 0.8, "mint": 0.6, "taupe": 0.9, "light_grey": 1, "coral": 0.4, "blue": 0.6}  # fmt: skip
 _STONES = {"marble": 1.2, "green_marble": 0.5, "black_granite": 0.6, "granite": 0.5}
 _CERAMICS = {**_weighing(1150.0, "thrown", _GLAZES, "ceramic"), **_weighing(1250.0, "bored", _STONES)}
-CERAMICS = _shades(_CERAMICS, color=0.05)
+CERAMICS = ag.shades(_CERAMICS, color=0.05)
 
 _DYES = {"white": 3, "black": 1.6, "light_grey": 1, "cream": 0.8, "sage": 0.8, "sky": 0.8, "blush": 0.8,
          "graphite": 0.8, "yellow": 0.6, "mint": 0.6, "lavender": 0.5}  # fmt: skip
-PLASTICS = _shades(_weighing(940.0, "filled", _DYES, "glossy_plastic"), color=0.04)
+PLASTICS = ag.shades(_weighing(940.0, "filled", _DYES, "glossy_plastic"), color=0.04)
 
 _SHELLS = {"stainless": 3, "brushed_aluminium": 1, "copper": 0.6, "satin_brass": 0.6}
 _COATS = {"black": 1.6, "white": 0.9, "graphite": 0.8, "sage": 0.5}
 _STEELS = {**_weighing(1000.0, "filled", _SHELLS), **_weighing(1000.0, "filled", _COATS, "powder_coat")}
-STEELS = _shades(_STEELS, color=0.03)
+STEELS = ag.shades(_STEELS, color=0.03)
 
 _PLATINGS = {"stainless": 2.4, "chrome": 1.8, "satin_brass": 1.6, "copper": 0.5, "powder_coat_black": 1.8,
              "aged_bronze": 0.5}  # fmt: skip
 _PLATED = _weighing(3600.0, "plated", _PLATINGS)  # pumps with a plastic inside
 _DYED = {"white": 2.4, "black": 2, "light_grey": 0.6, "graphite": 0.6}
-_MOLDED = {ag.colored("abs", color): weight for color, weight in _DYED.items()}
-MOLDED_PUMPS = _shades(_MOLDED, color=0.04)
-PLATED_PUMPS = _shades(_PLATED, color=0.03)
-PUMPS = _shades({**_PLATED, **{each: 1.2 * weight for each, weight in _MOLDED.items()}}, color=0.03)
+_MOLDED = colored_weights("abs", _DYED)
+MOLDED_PUMPS = ag.shades(_MOLDED, color=0.04)
+PLATED_PUMPS = ag.shades(_PLATED, color=0.03)
+PUMPS = ag.shades({**_PLATED, **{each: 1.2 * weight for each, weight in _MOLDED.items()}}, color=0.03)
 
 _LIQUIDS = {
     "clear": (0.80, 0.84, 0.86),

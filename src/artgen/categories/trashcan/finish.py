@@ -1,9 +1,7 @@
 """Materials of bins, with their weights in a random choice."""
 
-from collections.abc import Mapping
-from typing import Any
-
 import artgen as ag
+from artgen.categories.shared.finish import colored_weights
 
 WALL = 0.003  # modeled thickness of walls; real sheet is thinner, with the same mass [m]
 _SHEET = 0.0005  # thickness of the steel of bins, in reality 0.4-0.6 mm [m]
@@ -12,14 +10,6 @@ _SHEET = 0.0005  # thickness of the steel of bins, in reality 0.4-0.6 mm [m]
 def _sheet(made: ag.Material) -> ag.Material:
     """Return a finish on sheet: the wall is thicker than the real one, with the same mass."""
     return made.with_(name=f"{made.name}_sheet", density=made.density * _SHEET / WALL)
-
-
-def _shades(weights: Mapping[ag.Material, float], color: float = 0.08) -> Any:
-    return ag.shades(*weights, weights=tuple(weights.values()), color=color)
-
-
-def _colors(name: str, weights: Mapping[str, float]) -> dict[ag.Material, float]:
-    return {ag.colored(name, color): weight for color, weight in weights.items()}
 
 
 # fingerprint-free steel: a clear lacquer makes it brighter and smoother than bare brushed sheet
@@ -37,20 +27,20 @@ _STEELS = {
     _sheet(ag.material("satin_brass")): 0.5,
     _sheet(ag.material("copper").with_(name="satin_copper", specular_roughness=0.32)): 0.45,
 }
-STEELS = _shades(_STEELS, color=0.04)
+STEELS = ag.shades(_STEELS, color=0.04)
 
 _POWDERS = {"white": 1.5, "black": 0.8, "graphite": 0.6, "sand": 0.8, "sage": 1, "taupe": 0.7, "navy": 0.7,
             "forest": 0.6}  # fmt: skip
 _ENAMELS = {"white": 1, "cream": 1.1, "red": 1.1, "sky": 0.9, "mint": 0.8, "blush": 0.7, "mustard": 0.7,
             "teal": 0.8, "black": 0.4}  # fmt: skip
-_COATS = {**_colors("powder_coat", _POWDERS), **_colors("enamel", _ENAMELS)}
-COATED = _shades({_sheet(each): weight for each, weight in _COATS.items()})
+_COATS = {**colored_weights("powder_coat", _POWDERS), **colored_weights("enamel", _ENAMELS)}
+COATED = ag.shades({_sheet(each): weight for each, weight in _COATS.items()})
 
 _SATIN = {"white": 1.5, "light_grey": 1.2, "graphite": 0.7, "black": 0.6, "sand": 1, "sage": 1, "sky": 1,
           "blush": 0.8}  # fmt: skip
 _GLOSSY = {"white": 0.8, "silver": 1.2, "slate": 0.7, "red": 0.8, "mint": 0.8, "lavender": 0.6}
-_PLASTICS = {**_colors("polypropylene", _SATIN), **_colors("abs", _GLOSSY)}
-PLASTICS = _shades({**_PLASTICS, ag.material("leather_grain_abs"): 0.6})
+_PLASTICS = {**colored_weights("polypropylene", _SATIN), **colored_weights("abs", _GLOSSY)}
+PLASTICS = ag.shades({**_PLASTICS, ag.material("leather_grain_abs"): 0.6})
 
 WICKER = ag.shades("wicker", "plastic_wicker")
 _HOLED = ag.material("perforated_steel").with_(name="perforated_sheet", density=790.0)  # 40 % are holes
@@ -58,8 +48,8 @@ _SILVER = _HOLED.with_(name="perforated_silver", base_color=(0.42, 0.42, 0.43), 
 _WHITE = _HOLED.with_(name="perforated_white", base_color=(0.66, 0.66, 0.64))
 MESH = ag.shades(_HOLED, _SILVER, _WHITE, color=0.04)
 
-_BUCKETS = _colors("polypropylene", {"black": 3, "graphite": 1.5, "light_grey": 1.5, "white": 0.8})
-BUCKETS = _shades({**_BUCKETS, _sheet(ag.material("zinc").with_(name="galvanised")): 1.2})
+_BUCKETS = colored_weights("polypropylene", {"black": 3, "graphite": 1.5, "light_grey": 1.5, "white": 0.8})
+BUCKETS = ag.shades({**_BUCKETS, _sheet(ag.material("zinc").with_(name="galvanised")): 1.2})
 
 BLACK = ag.material("black_abs")
 _CHROMED = ag.material("chrome").with_(name="chromed_plastic", density=1150.0)
