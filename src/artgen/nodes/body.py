@@ -242,7 +242,9 @@ def _cut(body: Tree, tool: Shape) -> Tree:
         elif not (piece.shape.manifold - tool.manifold).is_empty():
             pieces.append(replace(piece, shape=subtracted(piece.shape, tool)))
     if not pieces:
-        raise ValueError(f"nothing is left of {body.link.name!r}: the cut contains all its pieces")
+        raise ValueError(
+            f"nothing is left of {body.link.name!r}: the cut contains all its pieces; make the cut smaller"
+        )
     return replace(body, link=replace(body.link, pieces=tuple(pieces)))
 
 
