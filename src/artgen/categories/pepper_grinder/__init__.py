@@ -13,100 +13,48 @@ from typing import Literal
 
 import artgen as ag
 from artgen import details
-from artgen.categories.pepper_grinder.finish import (
-    CLEAR,
-    LACQUER_WEIGHTS,
-    LACQUERS,
-    METAL_WEIGHTS,
-    METALS,
-    STEEL_WEIGHTS,
-    STEELS,
-    WOOD_WEIGHTS,
-    WOODS,
-    Mark,
-    letter_mark,
-    maker_mark,
-    word_mark,
-)
-from artgen.categories.pepper_grinder.forms import HEAD_HEIGHT, BodyForm, Top, end_radius, fitting
-from artgen.categories.pepper_grinder.works import (
-    INSET,
-    Content,
-    Crank,
-    Finial,
-    HeadLooks,
-    capped,
-    clear,
-    crank,
-    head,
-    head_turn,
-    ring,
-    wooden,
-)
+from artgen.categories.pepper_grinder import finish as looks
+from artgen.categories.pepper_grinder import works
+from artgen.categories.pepper_grinder.forms import HEAD_HEIGHT, BodyForm, Top
 
 Build = Literal["wood", "lacquer", "steel", "clear"]
 
-_STRAIGHT = ("cylinder",)  # finish of a clear tube
-_RINGS = {"table": 9, "kitchen": 13, "restaurant": 19}
+_STYLES = {"classic": 0.16, "baluster": 0.10, "hourglass": 0.12, "tower": 0.08, "cone": 0.09, "barrel": 0.07,
+           "spool": 0.08, "ripple": 0.07, "cylinder": 0.23}  # fmt: skip
+_RINGS = {"table": 9, "kitchen": 13, "restaurant": 19}  # rings of grains in a clear tube
 
 
 @ag.category(
-    labels=(
-        "body",
-        "mechanism",
-        "ring",
-        "cap",
-        "peppercorns",
-        "top",
-        "shaft",
-        "burr",
-        "finial",
-        "crank",
-        "knob",
-        "screw",
-        "print",
-    ),
-    joints=(1, 2),
+    labels="body mechanism ring cap peppercorns top shaft burr finial crank knob screw print", joints=(1, 2)
 )
 def pepper_grinder(
     *,
-    style: BodyForm = ag.choice(
-        "classic",
-        "baluster",
-        "hourglass",
-        "tower",
-        "cone",
-        "barrel",
-        "spool",
-        "ripple",
-        "cylinder",
-        weights=(0.16, 0.10, 0.12, 0.08, 0.09, 0.07, 0.08, 0.07, 0.23),
-    ),
+    style: BodyForm = ag.choice(_STYLES),
     top: Top = ag.by(
         "style",
-        classic=ag.choice("bulb", "ball", "crank", weights=(0.7, 0.15, 0.15)),
-        baluster=ag.choice("bulb", "ball", "crank", weights=(0.45, 0.3, 0.25)),
-        hourglass=ag.choice("bulb", "disc", "ball", weights=(0.2, 0.6, 0.2)),
-        tower=ag.choice("disc", "ball", "bulb", weights=(0.5, 0.3, 0.2)),
-        cone=ag.choice("disc", "ball", "crank", weights=(0.45, 0.35, 0.2)),
-        barrel=ag.choice("disc", "crank", weights=(0.35, 0.65)),
-        cylinder=ag.choice("disc", "ball", "crank", weights=(0.6, 0.2, 0.2)),
-        otherwise=ag.choice("bulb", "ball", weights=(0.65, 0.35)),
+        classic={"bulb": 0.7, "ball": 0.15, "crank": 0.15},
+        baluster={"bulb": 0.45, "ball": 0.3, "crank": 0.25},
+        hourglass={"bulb": 0.2, "disc": 0.6, "ball": 0.2},
+        tower={"disc": 0.5, "ball": 0.3, "bulb": 0.2},
+        cone={"disc": 0.45, "ball": 0.35, "crank": 0.2},
+        barrel={"disc": 0.35, "crank": 0.65},
+        cylinder={"disc": 0.6, "ball": 0.2, "crank": 0.2},
+        otherwise={"bulb": 0.65, "ball": 0.35},
         doc="moving part: a head, or a crank on a cap",
     ),
     build: Build = ag.by(
         "style",
-        cylinder=ag.choice("wood", "lacquer", "steel", "clear", weights=(0.12, 0.13, 0.20, 0.55)),
-        hourglass=ag.choice("wood", "lacquer", "steel", weights=(0.36, 0.36, 0.28)),
-        cone=ag.choice("wood", "lacquer", "steel", weights=(0.45, 0.25, 0.3)),
-        otherwise=ag.choice("wood", "lacquer", weights=(0.56, 0.44)),
+        cylinder={"wood": 0.12, "lacquer": 0.13, "steel": 0.20, "clear": 0.55},
+        hourglass={"wood": 0.36, "lacquer": 0.36, "steel": 0.28},
+        cone={"wood": 0.45, "lacquer": 0.25, "steel": 0.3},
+        otherwise={"wood": 0.56, "lacquer": 0.44},
         doc="material of the body; a clear body shows its contents",
     ),
     size: Literal["table", "kitchen", "restaurant"] = ag.by(
         "top",
         crank="table",
-        disc=ag.choice("table", "kitchen", "restaurant", weights=(0.45, 0.43, 0.12)),
-        otherwise=ag.choice("table", "kitchen", "restaurant", weights=(0.35, 0.45, 0.2)),
+        disc={"table": 0.45, "kitchen": 0.43, "restaurant": 0.12},
+        otherwise={"table": 0.35, "kitchen": 0.45, "restaurant": 0.2},
     ),
     height: ag.Float = ag.by(
         "size",
@@ -135,34 +83,32 @@ def pepper_grinder(
     ),
     finish: ag.Material = ag.by(
         "build",
-        wood=ag.shades(*WOODS, weights=WOOD_WEIGHTS, color=0.12),
-        lacquer=ag.shades(*LACQUERS, weights=LACQUER_WEIGHTS, color=0.05),
-        steel=ag.shades(*STEELS, weights=STEEL_WEIGHTS, color=0.02),
-        clear=ag.shades(*CLEAR, weights=(0.8, 0.2), color=0.0),
+        wood=ag.shades(looks.WOODS, color=0.12),
+        lacquer=ag.shades(looks.LACQUERS, color=0.05),
+        steel=ag.shades(looks.STEELS, color=0.02),
+        clear=ag.shades(looks.CLEAR, color=0.0),
     ),
     ends: ag.Material = ag.by(
         "build",
-        clear=ag.shades(*WOODS, *STEELS, weights=(*WOOD_WEIGHTS, *STEEL_WEIGHTS), color=0.05),
-        steel=ag.shades(*STEELS, *WOODS, weights=(*STEEL_WEIGHTS, *WOOD_WEIGHTS), color=0.04),
-        otherwise=ag.shades(*WOODS, color=0.06),
+        clear=ag.shades({**looks.WOODS, **looks.STEELS}, color=0.05),
+        steel=ag.shades({**looks.STEELS, **looks.WOODS}, color=0.04),
+        otherwise=ag.shades(*looks.WOODS, color=0.06),
         doc="finish of the head or knob, and of the foot and collar of a clear mill",
     ),
-    metal: ag.Material = ag.choice(*METALS, weights=METAL_WEIGHTS, doc="metal of nut, ring and crank"),
-    finial: Finial = ag.choice("nut", "ball", "cap", weights=(0.4, 0.35, 0.25)),
-    ringed: bool = ag.by("top", crank=False, otherwise=ag.choice(True, False, weights=(0.45, 0.55))),
+    metal: ag.Material = ag.choice(looks.METALS, doc="metal of nut, ring and crank"),
+    finial: works.Finial = ag.choice({"nut": 0.4, "ball": 0.35, "cap": 0.25}),
+    ringed: bool = ag.by("top", crank=False, otherwise={True: 0.45, False: 0.55}),
     crank_reach: ag.Float = ag.uniform(0.052, 0.068, "m", doc="length of the crank", within=(0.045, 0.09)),
     knob_radius: ag.Float = ag.uniform(0.0105, 0.0130, "m", within=(0.009, 0.016)),
     friction: ag.Float = ag.uniform(0.10, 0.40, "N m", doc="friction between the burrs", within=(0.02, 0.8)),
     knob_friction: ag.Float = ag.uniform(0.001, 0.003, "N m", doc="friction of a crank's knob on its pin"),
-    content: Content = ag.by(
-        "build",
-        clear=ag.choice("pepper", "salt", "mixed", weights=(0.6, 0.25, 0.15)),
-        otherwise=ag.choice("pepper", "salt", weights=(0.7, 0.3)),
+    content: works.Content = ag.by(
+        "build", clear={"pepper": 0.6, "salt": 0.25, "mixed": 0.15}, otherwise={"pepper": 0.7, "salt": 0.3}
     ),
-    mark: Mark = ag.by(
+    mark: looks.Mark = ag.by(
         "top",
-        disc=ag.choice("none", "letter", "word", weights=(0.45, 0.35, 0.2)),
-        otherwise=ag.by("build", wood="none", otherwise=ag.choice("none", "word", weights=(0.7, 0.3))),
+        disc={"none": 0.45, "letter": 0.35, "word": 0.2},
+        otherwise=ag.by("build", wood="none", otherwise={"none": 0.7, "word": 0.3}),
         doc="mark of the contents",
     ),
     maker: str = ag.choice(*details.BRANDS),
@@ -175,36 +121,36 @@ def pepper_grinder(
     ag.require(
         mark != "letter" or top == "disc", f"mark=letter needs the flat head of top=disc, not top={top}"
     )
-    ag.require(
-        build != "clear" or style in _STRAIGHT, "build=clear has a straight tube: style must be cylinder"
-    )
-    radius = diameter / 2.0
+    is_clear = build == "clear"
+    ag.require(not is_clear or style == "cylinder", "build=clear has a straight tube: style must be cylinder")
+    radius = diameter / 2
     crown = head_height * HEAD_HEIGHT[top] * radius
-    tall = height - crown  # height of the body
+    tall = height - crown
     tall = ag.require(
         tall, tall > 1.2 * radius, "the body has no room below the head: raise height, or lower head_height"
     )
-    if build == "clear":
-        body = clear(radius, tall, finish, ends, content=content, rings=_RINGS[size])
+    space = ag.Region((-radius, radius), (-radius, radius), (0, tall))
+
+    if is_clear:
+        body = works.clear(space, finish, ends, content, _RINGS[size])
     else:
-        body = wooden(style, radius, tall, finish)
+        body = works.wooden(style, space, finish)
     if ringed:
-        body = ag.weld(body, ring(end_radius(style) * radius + 0.0004, tall - 0.0032, tall - 0.0006, metal))
-    solid = ends if build == "clear" else finish
-    body = ag.weld(body, maker_mark(maker, style, radius, tall, solid))
+        body = ag.weld(body, works.ring(style, space, metal))
+    body = ag.weld(body, looks.maker_mark(maker, style, space, ends if is_clear else finish))
     word = "salt" if content == "salt" else "pepper"
     if mark == "word":
-        around = radius - INSET if build == "clear" else radius
-        body = ag.weld(body, word_mark(word, style, around, tall, finish))
+        around = space.shrink(x=works.INSET) if is_clear else space
+        body = ag.weld(body, looks.word_mark(word, style, around, finish))
 
-    looks = HeadLooks(
-        ends if build in ("clear", "steel") or top == "crank" else finish, metal, finial, fitting(style, top)
-    )
     if top == "crank":
-        body = capped(body, style, radius, tall, crown, metal)
-        turning = crank(Crank(crank_reach, knob_radius, knob_friction), height, looks)
-        return body.attach(turning, head_turn("crank_turn", friction))
-    turning = head(top, radius, tall, crown, looks)
-    if mark == "letter":
-        turning = ag.weld(turning, letter_mark(word, radius, height, looks.finish))
-    return body.attach(turning, head_turn("top_turn", friction))
+        body = ag.weld(body, works.cap(style, radius, tall, crown, metal))
+        turning = works.crank(height, crank_reach, knob_radius, knob_friction, ends, metal, finial)
+    else:
+        wood = ends if build in ("clear", "steel") else finish
+        turning = works.head(top, style, radius, tall, crown, wood, metal, finial)
+        if mark == "letter":
+            turning = ag.weld(turning, looks.letter_mark(word, radius, height, wood))
+    name = "crank_turn" if top == "crank" else "top_turn"
+    turn = ag.Revolute(name, axis=ag.Z, friction=friction, damping=0.01, armature=0.0002, effort=3.0)
+    return body.attach(turning, turn)
