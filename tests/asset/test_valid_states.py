@@ -244,3 +244,17 @@ def test_independent_limits_of_a_category_are_proven_and_written(name, tmp_path)
     assert not any(full.blocked(held | row) for row in rows)
     full.export(tmp_path / "a", formats=["urdf"], textures=0, limits="independent", frames=False)
     assert artgen.Asset.load(tmp_path / "a").limits == "independent"
+
+
+@pytest.mark.parametrize("count", [True, -1, 2.5, "3", None])
+def test_a_wrong_number_of_states_is_named(count: object) -> None:
+    asset = artgen.generate("drawer", 0, certify=False)
+    with pytest.raises(AssetError, match="the number of states must be a whole number of at least 0, got"):
+        asset.sample_states(count)  # type: ignore[arg-type]
+
+
+def test_projected_states_are_free_by_the_unrounded_dependencies() -> None:
+    box = artgen.generate("box", 11, certify=False)
+    states = np.random.default_rng(1).uniform(-0.2, 3.2, (200, len(box.dof_names)))
+    for state in box.project(states).tolist():
+        assert not box.blocked(dict(zip(box.dof_names, state, strict=True)))

@@ -249,8 +249,13 @@ class Asset:
 
         Returns:
             Positions by `dof_names`, shape (count, dof) [rad or m]; unlimited joints within half a turn.
+
+        Raises:
+            AssetError: The count is no whole number of at least 0.
         """
-        return self.valid_states.sample(count, seed)
+        if not is_number(count) or count != int(count) or count < 0:
+            raise AssetError(f"the number of states must be a whole number of at least 0, got {count!r}")
+        return self.valid_states.sample(int(count), seed)
 
     def project(self, q: ArrayLike) -> Array:
         """Return the valid states near given ones: clipped to limits, and blocked joints moved.

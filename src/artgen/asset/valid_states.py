@@ -116,10 +116,10 @@ class ValidStates:
         needs, (at, ratio, offset), shut = self._needs[name], self._laws[name], self._forbidden(columns, name)
         if at < 0 or not np.any(shut):
             return
-        position, near = ratio * columns[at] + offset, (needs.get("beyond") or 0.0) * (1 - 1e-12)
+        position, near = ratio * columns[at] + offset, (needs.get("beyond") or 0.0) * (1 - 1e-9)
         target, low, high = np.clip(position, -near, near), self.lower[at], self.upper[at]
         if needs.get("until") is not None:
-            far = np.copysign(needs["until"] * (1 + 1e-12), position)
+            far = np.copysign(needs["until"] * (1 + 1e-9), position)
             inside = (low <= (far - offset) / ratio) & ((far - offset) / ratio <= high)
             target = np.where(inside & (abs(far - position) < abs(target - position)), far, target)
         columns[at] = np.where(shut, np.clip((target - offset) / ratio, low, high), columns[at])

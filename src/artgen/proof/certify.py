@@ -49,6 +49,8 @@ def certify(
     *,
     measure: bool = False,
     only: Callable[[JointPath], bool] | None = None,
+    seconds: float = math.inf,
+    states: int = 0,
 ) -> Certificate:
     """Prove for all pairs of links that they stay apart at every joint position.
 
@@ -56,12 +58,20 @@ def certify(
     are too coarse for a proof, the solids are proven on finer pieces, and the failure is reported for the
     colliders only.
 
-    The arguments are those of `Asset.certify`; `only` selects the pairs to examine.
+    The arguments are those of `Asset.certify`, and:
+
+    Args:
+        asset: The asset.
+        tolerance: Required clearance; -0.01 mm permits pieces that touch, in spite of rounding [m].
+        measure: Whether to bracket the clearance.
+        only: Selects the pairs to examine.
+        seconds: Time after which the pairs that are left are not proven [s].
+        states: Number of random states of each pair that are examined first: a collision is found soon.
 
     Raises:
         AssetError: The asset has no links, a joint has no usable range, or a joint can never move.
     """
-    if not is_number(tolerance) or not 0.0 <= tolerance <= MOST_TOLERANCE:
+    if not is_number(tolerance) or not -PRESSED <= tolerance <= MOST_TOLERANCE:
         raise AssetError(
             f"tolerance must be a length of 0 to {MOST_TOLERANCE:g} m (metres, not mm), got {tolerance!r}"
         )
@@ -72,11 +82,12 @@ def certify(
     if only is None:  # dependencies may block a joint in part of its range
         space.check()
     joint_paths = [joint_path for joint_path in space.joint_paths() if only is None or only(joint_path)]
-    on_colliders = _searched(asset, collider_cover, joint_paths, tolerance, measure=measure)
+    options: dict[str, Any] = {"measure": measure, "seconds": seconds, "states": states}
+    on_colliders = _searched(asset, collider_cover, joint_paths, tolerance, **options)
     doubtful = [each.joint_path for each in on_colliders if not each.settled]
     on_solids = {each.joint_path.links: each for each in on_colliders}
     if all(link.pieces for link in asset.links):
-        finer = _searched(asset, fine_cover, doubtful, tolerance, measure=measure)
+        finer = _searched(asset, fine_cover, doubtful, tolerance, **options)
         on_solids |= {each.joint_path.links: each for each in finer}
     pairs = [_pair_result(asset, each, on_solids[each.joint_path.links]) for each in on_colliders]
     proven = [on_solids[pair.links] for pair in pairs if pair.verdict == "proven"]
@@ -136,6 +147,8 @@ def _searched(
     tolerance: float,
     *,
     measure: bool,
+    seconds: float,
+    states: int,
 ) -> list[_PairSearch]:
     """Search several joint paths on one kind of pieces."""
     if not joint_paths:
@@ -164,7 +177,9 @@ def _searched(
     least = np.array([sum(covers[name].excess or 0.0 for name in links) for links in pairs])
     trees = [(names.index(a), names.index(b)) for a, b in pairs]
     tolerances = least + float(tolerance)
-    search = Search(nodes, joint_paths, trees, confirm, allowed_depth, tolerances, least, measure)
+    search = Search(
+        nodes, joint_paths, trees, confirm, allowed_depth, tolerances, least, measure, seconds, states
+    )
     closed = search.run()
     return [
         _PairSearch(joint_path, outcome, nodes, covers, cells)

@@ -1,8 +1,9 @@
 """Numbers for the repair of a design: safe joint limits, and clearances at one pose."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from fnmatch import filter as filter_names
+from functools import partial
 
 import numpy as np
 
@@ -10,6 +11,7 @@ from artgen._arrays import Array
 from artgen.asset import Asset, AssetCondition, AssetDependency, AssetJoint, Link
 from artgen.asset.affordance import head
 from artgen.asset.asset import Limits, remember, with_followed_limits
+from artgen.asset.certificate import Certificate
 from artgen.asset.collision import link_parts
 from artgen.asset.joint import joints_above
 from artgen.asset.manifolds import box_of
@@ -46,26 +48,77 @@ def safe_limits(asset: Asset) -> dict[str, tuple[float, float]]:
         if others is not asset and not _is_safe(others, joint.name, (rest, rest)):
             result[joint.name] = (rest, rest)
             continue
-        low, high = (_end(others, joint.name, rest, end) for end in limits)
+        low, high = (_end(partial(_is_safe, others, joint.name), rest, end) for end in limits)
         result[joint.name] = (low, high)
     return result
 
 
-def _end(asset: Asset, joint: str, rest: float, end: float) -> float:
+def narrowed_limits(
+    asset: Asset, counts: Callable[[JointPath], bool], *, tolerance: float, seconds: float
+) -> dict[str, tuple[float, float]]:
+    """Return limits of some joints with which no counted pair collides.
+
+    Each joint is first narrowed as if the others were at rest, and then, one joint after another, with the
+    ranges that the others have by then, so that all new limits hold together. A joint that is not even safe
+    at rest is locked there.
+
+    Args:
+        asset: The asset.
+        counts: Selects the pairs that may not collide.
+        tolerance: Required clearance [m].
+        seconds: Time limit for the proof of the pairs that a joint moves [s].
+
+    Returns:
+        Lowest and highest position of each narrowed joint [rad or m].
+
+    Raises:
+        AssetError: Links overlap at rest, or are not proven apart with all joints at rest.
+    """
+    check = partial(certify, tolerance=tolerance, seconds=seconds)
+    at_rest = {joint.name: (joint.closed, joint.closed) for joint in asset.free_joints}
+    full = Space(asset).ranges
+    ranges = dict(full)
+    for others_rest in (True, False):
+        for name, (rest, _) in at_rest.items():
+            others = at_rest if others_rest else ranges
+            around = _narrowed(asset, {other: ends for other, ends in others.items() if other != name})
+            safe = partial(_is_safe, around, name, counts=counts, check=check)
+            if safe(ranges[name]):
+                continue
+            low, high = (_end(safe, rest, end) for end in ranges[name])
+            ranges[name] = (low, high) if low < high and safe((rest, rest)) else (rest, rest)
+    found = {name: ends for name, ends in ranges.items() if ends != full[name]}
+    nearly = {
+        name: (low - _MARGIN, high + _MARGIN) if low == high else (low, high)
+        for name, (low, high) in found.items()
+    }
+    failed = check(_narrowed(asset, nearly), only=counts).failures
+    if failed:
+        raise AssetError(f"no joint limits mend asset {asset.name!r}: with those that are left, {failed[0]}")
+    return found
+
+
+def _end(safe: Callable[[tuple[float, float]], bool], rest: float, end: float) -> float:
     """Return the safe position nearest to an end of a joint's range."""
-    if _is_safe(asset, joint, (min(rest, end), max(rest, end))):
+    if safe((min(rest, end), max(rest, end))):
         return end
-    safe, unsafe = rest, end
+    near, far = rest, end
     for _ in range(_BISECTIONS):
-        middle = (safe + unsafe) / 2.0
-        if _is_safe(asset, joint, (min(rest, middle), max(rest, middle))):
-            safe = middle
+        middle = (near + far) / 2.0
+        if safe((min(rest, middle), max(rest, middle))):
+            near = middle
         else:
-            unsafe = middle
-    return safe
+            far = middle
+    return near
 
 
-def _is_safe(asset: Asset, joint: str, limits: tuple[float, float]) -> bool:
+def _is_safe(
+    asset: Asset,
+    joint: str,
+    limits: tuple[float, float],
+    counts: Callable[[JointPath], bool] = lambda joint_path: True,
+    check: Callable[..., Certificate] = certify,
+) -> bool:
     """Tell whether the pairs that a joint moves are proven apart within limits."""
     led = {other.name for other in asset.joints if joint in (other.name, head(other, asset).name)}
     low, high = limits
@@ -73,9 +126,9 @@ def _is_safe(asset: Asset, joint: str, limits: tuple[float, float]) -> bool:
         low, high = low - _MARGIN, high + _MARGIN  # a locked joint moves no pair
 
     def moved(joint_path: JointPath) -> bool:
-        return not led.isdisjoint(step.name for step in joint_path.steps)
+        return not led.isdisjoint(step.name for step in joint_path.steps) and counts(joint_path)
 
-    return certify(_narrowed(asset, {joint: (low, high)}), only=moved).proven
+    return check(_narrowed(asset, {joint: (low, high)}), only=moved).proven
 
 
 def _narrowed(asset: Asset, limits: Mapping[str, tuple[float, float]]) -> Asset:

@@ -5,7 +5,7 @@ verifies that each plane does so, by the closed-form bounds; that the cells of a
 whole joint space; and that the pieces contain the solids.
 """
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -26,15 +26,27 @@ _TOUCHING = 2e-8  # tolerance of the allowed depth of pieces in contact [m]
 _ROUNDING = 1e-9  # rounding of numbers in files [m]
 
 
-def recheck(asset: Asset, certificate: Certificate) -> list[Finding]:
+def recheck(
+    asset: Asset,
+    certificate: Certificate,
+    *,
+    least: float = 0.0,
+    only: Callable[[JointPath], bool] = lambda joint_path: True,
+) -> list[Finding]:
     """Verify the proof of a certificate; return a finding for each statement that is wrong.
+
+    Args:
+        asset: The asset.
+        certificate: Its certificate.
+        least: Smallest tolerance that the certificate may have [m].
+        only: Selects the pairs that the certificate must have.
 
     Raises:
         AssetError: A dependency of the asset cannot be satisfied, or its meshes are missing.
     """
     space = Space(asset)
     space.check()
-    joint_paths = {joint_path.links: joint_path for joint_path in space.joint_paths()}
+    joint_paths = {joint_path.links: joint_path for joint_path in space.joint_paths() if only(joint_path)}
     stated = {pair.links for pair in certificate.pairs}
     findings = [
         _fault("the certificate has no result for this pair, which can move", links)
@@ -47,7 +59,7 @@ def recheck(asset: Asset, certificate: Certificate) -> list[Finding]:
     if proof.get("format") != PROOF_FORMAT:
         marked = f"{proof.get('format')!r} instead of {PROOF_FORMAT!r}"
         return [*findings, _fault(f"the proof in certificate.json has format {marked}")]
-    if not certificate.tolerance >= 0.0:
+    if not certificate.tolerance >= least:
         return [*findings, _fault(f"its tolerance is {certificate.tolerance!r} m")]
     try:
         for pair in certificate.pairs:
@@ -102,7 +114,9 @@ def _recheck_pair(
     for name, cover in zip(pair.links, covers, strict=True):
         if cover.excess is None and solids:
             yield _fault("its solids extend beyond the pieces of the proof", [name])
-    least = max(tolerance, pair.guaranteed or 0.0) if solids else tolerance
+    least = tolerance
+    if solids and pair.guaranteed is not None:
+        least = max(tolerance, pair.guaranteed)
     wanted = least + sum(cover.excess or 0.0 for cover in covers) - _ROUNDING
     table = np.array(stored["leaves"], float).reshape(-1, 8 + 2 * len(joint_path.variables))
     for row in table:

@@ -8,6 +8,7 @@ close are given up after their corners were tried. FCL proposes directions and c
 proof relies on it. All pairs of links are searched in one batch.
 """
 
+import time
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
@@ -31,9 +32,11 @@ _STILL = 2e-5  # cells in which no point moves farther than this are given up [m
 _SMALL = 1e-3  # larger cells are split even for close pieces, to find collisions [m]
 _MOST_CLOSE = 2000  # most such cells to split for a pair
 _MOST_CELLS = 300_000  # number of cells after which the rest stays open
+_AT_ONCE = 1 << 15  # most cells between two looks at the clock
 _DECIMALS = 9  # decimals of normals
 _MANY = 24  # vertices above which a node is searched separately from smaller nodes
 _FARTHEST = 3  # most joints between the frame of a plane and either link
+_MOST_IN_STATE = 6  # most pairs of pieces that are examined in a random state
 _MOST_AT_REST = 48  # most pairs of pieces whose distance at rest is measured
 
 
@@ -51,6 +54,8 @@ class Search:
     # joint path is refuted, shape (paths,) [m]
     least: Array
     measure: bool  # whether to bracket the clearance up to `_CAP`
+    seconds: float = np.inf  # time after which the rest stays open [s]
+    states: int = 0  # number of random states of each joint path that are examined first
 
     def __post_init__(self) -> None:
         count = len(self.joint_paths)
@@ -74,14 +79,17 @@ class Search:
 
     def run(self) -> list[ProofCells]:
         """Search until all cells are closed, refuted or given up; return the closed cells of each path."""
-        cells, seen = self._start(), 0
+        cells, seen, end = self._start(), 0, time.monotonic() + self.seconds
         self._closed = [cells[:0]]
+        for number in range(len(self.joint_paths)) if self.states else ():
+            self._try_states(number)
+        cells = cells[~self._done[cells.joint_path]]
         if self.measure:
             for number in range(len(self.joint_paths)):
                 self._measure_near_rest(number)
         while len(cells):
             seen += len(cells)
-            if seen > _MOST_CELLS:
+            if seen > _MOST_CELLS or time.monotonic() > end:
                 self._give_up(cells, np.full(len(cells), np.nan))
                 break
             counts = self.nodes.count
@@ -89,7 +97,13 @@ class Search:
             group = 4 * self._table[cells.joint_path] + big
             parts = [cells[:0]]
             for key in np.unique(group):
-                parts += self._examine(cells[group == key], self._tables[key // 4])
+                rows = np.flatnonzero(group == key)
+                for start in range(0, len(rows), _AT_ONCE):
+                    some = cells[rows[start : start + _AT_ONCE]]
+                    if time.monotonic() > end:
+                        parts.append(some)
+                    else:
+                        parts += self._examine(some, self._tables[key // 4])
             cells = ProofCells.join(parts)
             cells = cells[~self._done[cells.joint_path]]
         for number, outcome in enumerate(self.outcomes):
@@ -138,6 +152,32 @@ class Search:
                 distance, _ = nodes.distance(a, b, rotation, offset)
                 if 0.0 < distance < self._found[number]:
                     self._found[number], self.outcomes[number].found_at = distance, corners[box]
+
+    def _try_states(self, number: int) -> None:
+        """Look for a collision in random states: in each, the two pieces whose balls overlap most."""
+        nodes, joint_path = self.nodes, self.joint_paths[number]
+        first, second = (np.flatnonzero(nodes.leaf & (nodes.tree == tree)) for tree in self.trees[number])
+        draws = np.random.default_rng(number).random((self.states, len(joint_path.variables)))
+        box = int(np.argmax([np.prod(ends[:, 1] - ends[:, 0]) for ends in joint_path.boxes]))
+        low, high = joint_path.boxes[box].T
+        at = np.pad(low + draws * (high - low), ((0, 0), (0, self._most - len(low))))
+        table = self._tables[self._table[number]]
+        pose = frames(table.motions(np.full(len(at), self._row[number]), at, at))
+        moved = nodes.center[second] @ pose.rotations[-1].swapaxes(1, 2) + pose.offset[:, None]
+        apart = np.linalg.norm(nodes.center[first][None, :, None] - moved[:, None], axis=3)
+        apart -= nodes.radius[first][None, :, None] + nodes.radius[second][None, None]
+        apart = apart.reshape(len(at), -1)
+        for state in np.argsort(apart.min(axis=1), kind="stable").tolist():
+            for flat in np.argsort(apart[state], kind="stable")[:_MOST_IN_STATE].tolist():
+                a, b = (
+                    int(side[index])
+                    for side, index in zip((first, second), divmod(flat, len(second)), strict=True)
+                )
+                if apart[state, flat] >= 0.0 or self._done[number]:
+                    break
+                distance, _ = nodes.distance(a, b, pose.rotations[-1][state], pose.offset[state])
+                if distance <= 0.0:
+                    self._witnesses.examine(number, box, a, b, at[state, : len(low)])
 
     def _threshold(self, cells: ProofCells) -> Array:
         """Return the gap that closes each cell [m]."""
@@ -207,8 +247,9 @@ class Search:
 
     def _try_axis(self, cells: ProofCells, rows: Indices, path: list[Motion], threshold: Array) -> Indices:
         """Close pieces on one axis by heights and distances from it; return the cells that stay open."""
-        about, apart = self._coaxial.apart(cells, rows[threshold[rows] > 0.0], path)
-        closed = apart > threshold[about]
+        free = (threshold[rows] > 0.0) | ~self._contacts[cells.joint_path[rows]]
+        about, apart = self._coaxial.apart(cells, rows[free], path)
+        closed = apart > np.maximum(threshold[about], MARGIN)
         if closed.any():
             done = cells[about[closed]]
             done.frame[:] = AXIS_FRAME
