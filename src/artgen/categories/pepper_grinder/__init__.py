@@ -150,7 +150,7 @@ def pepper_grinder(
         wood = ends if build in ("clear", "steel") else finish
         turning = works.head(top, style, radius, tall, crown, wood, metal, finial)
         if mark == "letter":
-            turning = ag.weld(turning, looks.letter_mark(word, radius, height, wood))
+            turning = ag.weld(turning, looks.letter_mark(word, radius, height + works.GAP, wood))
     name = "crank_turn" if top == "crank" else "top_turn"
     turn = ag.Revolute(name, axis=ag.Z, friction=friction, damping=0.01, armature=0.0002, effort=3.0)
     return body.attach(turning, turn)

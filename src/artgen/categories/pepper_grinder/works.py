@@ -23,7 +23,7 @@ _STEEL = ag.material("stainless")
 _BURR = ag.material("steel")
 _STORE = 0.0108  # half the width of the store of peppercorns in a turned body [m]
 _ROOM = 0.0036  # half the width of holes for the shaft [m]
-_GAP = 0.0004  # gap between a head and its body, and between the knob and its pin [m]
+GAP = 0.0004  # gap between a head and its body, and between the knob and its pin [m]
 _LOW, _HIGH = 0.0022, 0.0152  # lower and upper end of the grinding works [m]
 _RING = 0.0090  # radius of the hole of the female burr [m]
 _TEETH = 14
@@ -127,8 +127,8 @@ def head(
     finial: Finial,
 ) -> ag.Body:
     """Make the turning head, with shaft, burr and nut: the link `top`."""
-    runs = head_runs(top, style, radius, low + _GAP, height)
-    high = low + _GAP + height
+    runs = head_runs(top, style, radius, low + GAP, height)
+    high = low + GAP + height
     solid = core(runs)
     # fingers of 45 mm reach 27.5 mm down a head before the hand touches the nut on it
     deep = ag.min_((1 - WIDEST[top]) * height + 0.007, 0.0275)
@@ -159,12 +159,12 @@ def crank(
     bend = [(0, -0.35 * reach, level + 0.0005), (0, -0.72 * reach, end - 0.004), (0, -reach, end)]
     line = ag.spline([(0, 0.006, level), *bend, (0, -reach - 0.006, end)])
     arm = ag.sweep(ag.rectangle(0.0105, _ARM, radius=0.0012), line)
-    hub = _rod(low + _GAP, face, 0.0085, bevel=0.001)
+    hub = _rod(low + GAP, face, 0.0085, bevel=0.001)
     eye = _rod(end - 0.0022, end + 0.0026, 0.0076, bevel=0.0008)
-    seat = end + 0.0026 + _GAP
+    seat = end + 0.0026 + GAP
     top = seat + 1.9 * radius
-    pin = _rod(end, top + _GAP + 0.0008, _PIN)
-    stop = _rod(top + _GAP, top + _GAP + 0.0016, 0.0042, bevel=0.0006)
+    pin = _rod(end, top + GAP + 0.0008, _PIN)
+    stop = _rod(top + GAP, top + GAP + 0.0016, 0.0042, bevel=0.0006)
     nut = _FINIALS["nut" if finial == "ball" else finial]
     turning = ag.weld(
         ag.part([arm, hub], "crank", metal),
@@ -173,7 +173,7 @@ def crank(
         turned(nut, "finial", metal, sides=16).at(z=face - 0.0003),
     )
     runs = drawn([_KNOB], radius, seat, 0)
-    bore, hole = _PIN + _GAP, _hole(_PIN + _GAP, (seat, top))
+    bore, hole = _PIN + GAP, _hole(_PIN + GAP, (seat, top))
     hold = ag.grasp_on(core(runs), approach=-ag.Z, closing=ag.X, depth=1.25 * radius)
     knob = turned(runs, "knob", wood, hole=hole, spare=0.0003, bore=bore, sides=16, grasp=hold)
     spin = ag.Revolute("knob_spin", axis=ag.Z, friction=friction, damping=0.0002, armature=1e-5, effort=0.3)
