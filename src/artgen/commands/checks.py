@@ -3,7 +3,7 @@
 import json
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any, Literal
 
 import typer
 from rich.console import Console
@@ -13,8 +13,8 @@ from typer import Argument, Option
 from artgen.asset import Asset
 from artgen.asset.files import exports_in
 from artgen.asset.report import CheckResult, Finding, Report
-from artgen.commands.console import FAULT, console, progress, table
-from artgen.commands.options import Category, JsonOutput, Overrides, Seed, Tolerance
+from artgen.commands.console import FAULT, NOT_PROVEN, console, progress, table
+from artgen.commands.options import JsonOutput, Overrides, Seed, Tolerance
 from artgen.errors import ExportError
 from artgen.export.files import REPORT_FILE, replaced
 from artgen.generator.overrides import parse_overrides
@@ -23,6 +23,8 @@ from artgen.validate import validate as run_checks
 from artgen.validate.clients.registry import ALL, chosen_clients
 from artgen.validate.clients.run import ClientReport, run_clients
 
+_FOREIGN: dict[str, Any] = {"rich_help_panel": "Files of other tools"}
+_FOREIGN_FILES = (".urdf", ".xml", ".mjcf", ".usd", ".usda", ".usdc", ".usdz")  # what the referee reads
 _STYLES = {
     "passed": "green",
     "failed": "bold red",
@@ -36,7 +38,13 @@ _STYLES = {
 
 
 def certify(
-    category: Category,
+    category: Annotated[
+        str,
+        Argument(
+            metavar="CATEGORY|FILE",
+            help="A category, a file that defines one, or a URDF, MJCF or USD file of another tool.",
+        ),
+    ],
     *,
     samples: Annotated[int, Option(metavar="NUMBER", help="Number of seeds.")] = 500,
     corners: Annotated[bool, Option(help="Certify the corners of the parameter ranges as well.")] = True,
@@ -44,10 +52,40 @@ def certify(
     seed: Seed = 0,
     tolerance: Tolerance = 0.0,
     json_file: Annotated[Path | None, Option("--json", metavar="FILE", help="File for all results.")] = None,
+    meshes: Annotated[
+        Literal["hull", "coacd"], Option(help="Meshes: their hulls, or CoACD's pieces.", **_FOREIGN)
+    ] = "hull",
+    root: Annotated[
+        Path | None, Option(help="Folder that the file may read; by default two levels up.", **_FOREIGN)
+    ] = None,
+    seconds: Annotated[float, Option(help="Time limit for the proof of a pair [s].", **_FOREIGN)] = 10.0,
+    total: Annotated[float, Option(help="Time limit for all pairs of the file [s].", **_FOREIGN)] = 120.0,
+    picture: Annotated[
+        Path | None, Option(metavar="PNG", help="Draw the first collision that is found.", **_FOREIGN)
+    ] = None,
+    repair: Annotated[
+        bool, Option("--repair", help="Write NAME.repaired with joint limits that are safe.", **_FOREIGN)
+    ] = False,
 ) -> None:
-    """Prove samples and corners of a category free of collisions; exit code 1 if a proof fails."""
+    """Prove a category, or a file of another tool, free of collisions.
+
+    Exit code 1: a proof of a category fails, or links of the file collide; 3: links of the file do not
+    collide as far as is known, but not all are proven apart.
+    """
     if json_file is not None and (json_file.is_dir() or not json_file.absolute().parent.is_dir()):
         raise ExportError(f"cannot write {json_file}: give a file in a directory that exists")
+    if Path(category).suffix.lower() in _FOREIGN_FILES:
+        _certify_file(
+            Path(category),
+            json_file,
+            picture,
+            meshes=meshes,
+            root=root,
+            seconds=seconds,
+            total=total,
+            repair=repair,
+        )
+        return
     with progress(category) as update:
         proof = prove_range(
             category,
@@ -59,13 +97,39 @@ def certify(
             progress=lambda done, total: update(completed=done, total=total),
         )
     typer.echo(proof)
-    if json_file is not None:
-        try:
-            json_file.write_text(_json(proof.to_data()) + "\n", encoding="utf-8")
-        except OSError as error:
-            raise ExportError(f"cannot write {json_file}: {error.strerror}") from error
+    _write_json(json_file, proof.to_data())
     if not proof.sound:
         raise typer.Exit(FAULT)
+
+
+def _certify_file(
+    path: Path, json_file: Path | None, picture: Path | None, *, repair: bool, **options: Any
+) -> None:
+    """Judge a file of another tool; the exit code tells the verdict."""
+    from artgen.referee import certify as judge
+
+    with progress(path.name) as update:
+        judgment = judge(path, progress=lambda text: update(description=text), **options)
+    typer.echo(judgment)
+    _write_json(json_file, judgment.to_data())
+    if picture is not None and any(pair.result.witness is not None for pair in judgment.failures):
+        pair = judgment.picture(picture)
+        typer.echo(f"{picture} shows {' and '.join(pair.result.links)} where they collide")
+    if repair and judgment.verdict not in ("proven", "nothing moves"):
+        typer.echo(f"wrote {judgment.repair()}, whose joint limits are safe")
+    if not judgment.rechecked or judgment.verdict == "collision":
+        raise typer.Exit(FAULT)
+    if judgment.verdict == "not proven":
+        raise typer.Exit(NOT_PROVEN)
+
+
+def _write_json(path: Path | None, data: object) -> None:
+    if path is None:
+        return
+    try:
+        path.write_text(_json(data) + "\n", encoding="utf-8")
+    except OSError as error:
+        raise ExportError(f"cannot write {path}: {error.strerror}") from error
 
 
 def _json(data: object) -> str:

@@ -28,6 +28,9 @@ from artgen.dataset.plan import BasePlan
 FAULT = 1
 """Exit code of a command that found a fault."""
 
+NOT_PROVEN = 3
+"""Exit code if no collision was found, and not everything is proven."""
+
 INTERRUPTED = 130
 """Exit code after Ctrl-C."""
 
