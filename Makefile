@@ -13,6 +13,7 @@
 #   make sheets  draw docs/<category>.jpg: twelve samples of every category, closed and open
 #   make docs    write the documentation to site/: pictures, viewers and tables are made on the way; some minutes
 #   make docs-serve  show it at http://127.0.0.1:8000 while its pages are written, without pictures and viewers
+#   make field   judge articulated files of other packages and write docs/field.md; many hours, goes on
 #   make bench   measure artgen against its peers and write docs/benchmarks.md; a quarter of an hour
 #   make clean   remove what the other targets made
 
@@ -30,7 +31,7 @@ PYTHON ?= $(shell for name in python3.13 python3.12 python3.11 python3 python; d
 	done)
 
 .DEFAULT_GOAL := help
-.PHONY: help install demo test lint types layers pytest same-bytes hashes clients test-clients client-table survey soak coverage-table sheets docs docs-serve bench format clean
+.PHONY: help install demo test lint types layers pytest same-bytes hashes clients test-clients client-table survey soak coverage-table sheets docs docs-serve bench field format clean
 
 help:
 	@sed -n 's/^#   //p' Makefile
@@ -115,6 +116,9 @@ docs: $(STAMP)
 
 docs-serve: $(STAMP)
 	ARTGEN_DOCS=quick $(BIN)/mkdocs serve
+
+field: $(STAMP)
+	$(BIN)/python benchmarks/field.py --page docs/field.md
 
 bench: $(STAMP)
 	$(BIN)/python benchmarks/run.py $(BENCHMARKS)

@@ -1,6 +1,7 @@
 """The benchmarks run with the smallest arguments, and what they measure with is right."""
 
 import importlib
+import json
 import math
 import os
 import subprocess
@@ -233,3 +234,131 @@ def test_the_cache_is_put_back(module, monkeypatch):
         assert os.environ["ARTGEN_CACHE"] == str(place)
         assert not list(place.iterdir())
     assert os.environ["ARTGEN_CACHE"] == "before"
+
+
+FIELD_URDF = """<robot name="gate">
+  <link name="post"><collision><geometry><box size="0.1 0.1 1"/></geometry></collision></link>
+  <link name="leaf"><collision><origin xyz="{at} 0 0"/><geometry><box size="0.8 0.05 0.9"/></geometry>
+  </collision></link>
+  <joint name="hinge" type="revolute"><parent link="post"/><child link="leaf"/><axis xyz="0 0 1"/>
+    <limit lower="0" upper="1.5" effort="1" velocity="1"/></joint>
+</robot>
+"""
+
+FIELD_MJCF = """<mujoco>
+  <default><geom contype="{mask}" conaffinity="{mask}"/></default>
+  <worldbody>
+    <body name="rail"><joint name="lift" type="slide" axis="0 0 1" range="0 0.1"/>
+      <geom name="plate" type="box" size="0.2 0.2 0.01"/>
+      <body name="knob" pos="0 0 0.2"><joint name="push" type="slide" axis="0 0 1" range="-0.2 0"/>
+        <geom name="ball" type="sphere" size="0.05"/></body></body>
+  </worldbody>
+</mujoco>
+"""
+
+
+@pytest.fixture
+def field_folder(tmp_path):
+    folder = tmp_path / "files"
+    (folder / "door").mkdir(parents=True)
+    (folder / "door" / "free.xml").write_text(FIELD_MJCF.format(mask=1).replace("-0.2 0", "-0.1 0"))
+    (folder / "door" / "knob.xml").write_text(FIELD_MJCF.format(mask=1))
+    (folder / "part.xml").write_text("<mujocoinclude><body><joint/></body></mujocoinclude>")
+    (folder / "still.urdf").write_text(FIELD_URDF.replace("revolute", "fixed").format(at=0.5))
+    (folder / "broken.xml").write_text("<mujoco><worldbody><body><joint/></body></worldbody></mujoco>")
+    return folder
+
+
+def field_records(folder):
+    return {
+        record["path"]: record
+        for line in (folder / "local.jsonl").read_text().splitlines()
+        for record in [json.loads(line)]
+    }
+
+
+def test_the_field_judges_files_once_and_writes_its_page(field_folder, tmp_path):
+    page, out = tmp_path / "field.md", tmp_path / "out"
+    command = [sys.executable, str(FOLDER / "field.py"), "--local", field_folder, "--folder", out]
+    command = [*map(str, command), "--page", str(page)]
+    done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=600)
+    assert done.returncode == 0, done.stderr
+    records = field_records(out)
+    assert set(records) == {"door/free.xml", "door/knob.xml", "part.xml", "broken.xml"}
+    free, knob = records["door/free.xml"], records["door/knob.xml"]
+    assert free["referee"]["verdict_with_excluded"] == "proven"
+    assert free["sampled"]["with_parents"]["depth"] == 0.0
+    # a joint connects the two: MuJoCo leaves the pair out, unless parents count
+    assert knob["sampled"]["as_filed"]["depth"] == 0.0
+    assert 0.01 < knob["sampled"]["with_parents"]["depth"] <= 0.0601
+    assert knob["sampled"]["with_parents"]["pair"] == ["rail/plate", "knob/ball"]
+    assert knob["sampled"]["with_parents"]["state"]["push"] < -0.13
+    assert knob["referee"]["verdict_with_excluded"] == "collision"
+    (witness,) = knob["referee"]["witnesses"]
+    assert witness["depth"] > 1e-5
+    assert witness["pair"] == ["rail/plate", "knob/ball"]
+    assert knob["sampled"]["states"] == 1 + 2 * 21 + 64
+    assert not records["part.xml"]["sampled"]["loadable"]
+    assert "does not compile" in records["broken.xml"]["referee"]["error"]
+    text = page.read_text()
+    assert "# The field" in text
+    assert "## Definitions" in text
+    assert "In none of" in text
+    again = subprocess.run(command, capture_output=True, text=True, check=False, timeout=600)
+    assert again.returncode == 0, again.stderr
+    assert not again.stdout
+    assert page.read_text() == text
+
+
+def test_a_sampled_overlap_in_a_proven_file_is_named_on_the_page(module):
+    field_page = module("field_page")
+    deep = {"depth": 0.002, "pair": ["a/1", "b/2"], "state": {"hinge": 0.5}}
+    record = {
+        "package": "some",
+        "path": "a.urdf",
+        "sampled": {"loadable": True, "complete": True, "joints": 1, "as_filed": deep, "with_parents": deep},
+        "referee": {"verdict": "proven", "verdict_with_excluded": "collision"},
+    }
+    (line,) = field_page.contradictions([record])
+    assert line == "some `a.urdf` (verdict): a/1 and b/2 overlap by 2 mm at hinge=0.5"
+    assert not field_page.passes(record, "as_filed")
+    assert not field_page.missed([record])
+    deep["depth"] = 0.0
+    assert field_page.missed([record]) == [record]
+
+
+def test_sampled_urdf_leaves_joined_links_out_unless_parents_count(module, tmp_path):
+    sampled = module("sampled").sampled
+    path = tmp_path / "gate.urdf"
+    for at, overlaps in ((0.5, False), (0.3, True)):
+        path.write_text(FIELD_URDF.format(at=at))
+        found = sampled(path, tmp_path, seconds=60.0)
+        assert found.joints == 1
+        assert found.states == 1 + 21 + 64
+        assert found.as_filed.depth == 0.0
+        assert (found.with_parents.depth > 0.0) == overlaps
+    path.write_text(FIELD_URDF.format(at=0.5).replace('<box size="0.1 0.1 1"/>', '<mesh filename="no.stl"/>'))
+    with pytest.raises(module("sampled").NotLoadableError, match=r"there is no mesh no\.stl"):
+        sampled(path, tmp_path, seconds=60.0)
+
+
+@pytest.mark.parametrize(
+    ("path", "group"),
+    [
+        ("kitchen_assets/item_assets/microwave_chain.xml", "objects"),
+        ("assets/objects/drawer.xml", "objects"),
+        ("sawyer_xyz/sawyer_door_close.xml", "robots"),
+        ("arms/ur5e.urdf", "robots"),
+    ],
+)
+def test_the_field_tells_objects_from_robots(module, path, group):
+    assert module("field").group_of(Path(path)) == group
+
+
+def test_a_large_package_is_thinned_evenly(module):
+    chosen = module("field").chosen
+    paths = [Path(f"{number:03}") for number in range(132)]
+    few = chosen(paths, 60)
+    assert len(set(few)) == 60
+    assert few[0] == paths[0]
+    assert chosen(paths[:5], 60) == paths[:5]
