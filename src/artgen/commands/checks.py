@@ -72,8 +72,9 @@ def certify(
     Exit code 1: a proof of a category fails, or links of the file collide; 3: links of the file do not
     collide as far as is known, but not all are proven apart.
     """
-    if json_file is not None and (json_file.is_dir() or not json_file.absolute().parent.is_dir()):
-        raise ExportError(f"cannot write {json_file}: give a file in a directory that exists")
+    for file in (json_file, picture):
+        if file is not None and (file.is_dir() or not file.absolute().parent.is_dir()):
+            raise ExportError(f"cannot write {file}: give a file in a directory that exists")
     if Path(category).suffix.lower() in _FOREIGN_FILES:
         _certify_file(
             Path(category),

@@ -21,7 +21,7 @@ from artgen.proof.cover import FINE
 from artgen.referee.model import ForeignBody, ForeignGeom, ForeignModel
 
 WORLD = "world"
-"""Name of the link of all bodies that are fixed to the world."""
+"""Name of the link of all bodies that are fixed to the world, if they are several."""
 
 MATERIAL = Material("collider", base_color=(0.55, 0.57, 0.6))
 """Material of colliders: a file's masses and colors do not matter for its collisions."""
@@ -85,12 +85,12 @@ class JudgedTree:
 
 def trees_of(model: ForeignModel) -> tuple[list[JudgedTree], list[str]]:
     """Return the trees of a model and notes on what is between them."""
-    link_of, root_of = _links(model.bodies)
+    world, link_of, root_of = _links(model.bodies)
     joints = _joints(model.bodies, link_of, root_of)
     bodies: dict[str, list[ForeignBody]] = {}
     for body in model.bodies:
         bodies.setdefault(link_of[body.name], []).append(body)
-    roots = dict.fromkeys(root_of[link] for link in (WORLD, *bodies) if link in root_of)
+    roots = dict.fromkeys(root_of[link] for link in (world, *bodies) if link in root_of)
     result = []
     for root in roots:
         names = [name for name in dict.fromkeys((root, *bodies)) if root_of.get(name) == root]
@@ -104,18 +104,23 @@ def trees_of(model: ForeignModel) -> tuple[list[JudgedTree], list[str]]:
     return result, _between(model, [tree for tree in result if any(tree.members.values())])
 
 
-def _links(bodies: Sequence[ForeignBody]) -> tuple[dict[str, str], dict[str, str]]:
-    """Return the link of each body, and the root link of the tree of each link."""
-    link_of: dict[str, str] = {}
-    root_of = {WORLD: WORLD}
+def _links(bodies: Sequence[ForeignBody]) -> tuple[str, dict[str, str], dict[str, str]]:
+    """Return the link of what is fixed, the link of each body, and the root of the tree of each link."""
+    fixed = {""}
     for body in bodies:
-        parent = link_of[body.parent] if body.parent else WORLD
+        if body.parent in fixed and not (body.joints or body.apart):
+            fixed.add(body.name)
+    solid = [body.name for body in bodies if body.name in fixed and body.geoms]
+    world = solid[0] if len(solid) == 1 else WORLD  # a single body gives its name
+    link_of, root_of = {"": world}, {world: world}
+    for body in bodies:
+        parent = link_of[body.parent]
         link_of[body.name] = parent if not (body.joints or body.apart) else body.name
         if body.apart:
             root_of[body.name] = body.name
         elif body.joints:
             root_of[body.name] = root_of[parent]
-    return link_of, root_of
+    return world, link_of, root_of
 
 
 def _joints(
@@ -123,7 +128,7 @@ def _joints(
 ) -> list[AssetJoint]:
     """Return the joints between links; a coupling to a joint of another tree is left out."""
     found = [
-        (replace(joint, parent=link_of[body.parent] if body.parent else WORLD, child=body.name), body)
+        (replace(joint, parent=link_of[body.parent], child=body.name), body)
         for body in bodies
         if not body.apart
         for joint in body.joints
