@@ -52,7 +52,7 @@ def hashes(category: str) -> dict[str, dict[str, str]]:
     """Return hashes of the files of some assets of a category, by asset and by format or layout."""
     cache, result = Cache(), {}
     for seed in SEEDS:
-        asset, _ = find(category).evaluate(seed, cache=cache)
+        asset, _ = find(category).evaluate(seed, cache=cache, keep_graph=True)
         # GLB packs maps as the machine does; the digests of other formats are of unpacked maps
         parts = [encode(asset, ("urdf", "mjcf", "usd"), textures=256), encode(asset, ("glb",), textures=0)]
         found = {name: each for files in parts for name, each in _of_formats(files).items()}

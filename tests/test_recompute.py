@@ -1,6 +1,7 @@
 """A changed parameter recomputes only what depends on it, counted in kernels."""
 
 import pathlib
+from functools import partial
 
 import pytest
 
@@ -21,12 +22,13 @@ GEOMETRY = {
 def door() -> tuple[Cache, dict[str, float], int]:
     """A cache that has seen one latched door, its parameters, and how many kernels that took."""
     cache = Cache()
-    asset, evaluation = find("door").evaluate(SEED, cache=cache, overrides=FIXED)
+    asset, evaluation = find("door").evaluate(SEED, cache=cache, overrides=FIXED, keep_graph=True)
     return cache, dict(asset.parameters), sum(evaluation.runs.values())
 
 
 def again(door: tuple[Cache, dict[str, float], int], **changed: float) -> dict[str, int]:
-    return dict(find("door").evaluate(SEED, cache=door[0], overrides={**FIXED, **changed})[1].runs)
+    overrides = {**FIXED, **changed}
+    return dict(find("door").evaluate(SEED, cache=door[0], overrides=overrides, keep_graph=True)[1].runs)
 
 
 def test_a_limit_runs_no_geometry_kernel(door: tuple[Cache, dict[str, float], int]) -> None:
@@ -51,16 +53,16 @@ def test_nothing_runs_when_nothing_changes(door: tuple[Cache, dict[str, float], 
 def test_only_a_structural_value_builds_the_graph_again(monkeypatch: pytest.MonkeyPatch) -> None:
     crate = load_file(pathlib.Path(__file__).parent / "support" / "crate.py")
     calls = []
-    cache = Cache()
+    evaluate = partial(crate.evaluate, 1, cache=Cache(), certify=False, keep_graph=True)
     function = crate.function
     monkeypatch.setattr(crate, "function", lambda **given: calls.append(given) or function(**given))
     plain = {"handle": "bar", "finish": "plain"}
-    first = crate.evaluate(1, cache=cache, certify=False, overrides=plain)[0]
+    first = evaluate(overrides=plain)[0]
     for overrides in ({"width": 0.31}, {"swing": 1.1}, {"handle.length": 0.09}):
-        asset = crate.evaluate(1, cache=cache, certify=False, overrides=plain | overrides)[0]
+        asset = evaluate(overrides=plain | overrides)[0]
         assert asset.parameters != first.parameters
     assert len(calls) == 1
-    raised = crate.evaluate(1, cache=cache, certify=False, overrides=plain | {"finish": "raised"})[0]
+    raised = evaluate(overrides=plain | {"finish": "raised"})[0]
     assert len(calls) == 2
     assert raised.link("lid").bounds()[1, 2] >= first.link("lid").bounds()[1, 2]
     assert raised.mass > first.mass

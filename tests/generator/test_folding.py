@@ -1,6 +1,7 @@
 """The graph of one sample has no nodes for known numbers; assets and errors are those of other graphs."""
 
 import math
+from functools import partial
 
 import pytest
 from hypothesis import given
@@ -27,7 +28,8 @@ NUMBERS = st.floats(-1e6, 1e6) | st.sampled_from([0.0, -0.0, 1.0, 0.5])
 @pytest.mark.parametrize("category", categories())
 @pytest.mark.parametrize("seed", [3, 4])
 def test_folding_changes_no_byte_of_an_asset(category, seed):
-    folded, symbolic = (find(category).generate(seed, cache=cache) for cache in (None, Cache()))
+    evaluate = partial(find(category).evaluate, seed)
+    folded, symbolic = (evaluate(cache=Cache(), keep_graph=keep)[0] for keep in (False, True))
     assert encode(folded, ("urdf",), textures=0) == encode(symbolic, ("urdf",), textures=0)
     assert folded.certificate == symbolic.certificate
 
@@ -58,10 +60,10 @@ def test_folded_values_are_the_evaluated_ones(a, b):
         assert repr(kind.decode(folded[name].node)) == repr(value), name
 
 
-def outcome(function, cache):
+def outcome(function, *, keep_graph):
     """Return the error of a generator, with its notes."""
     with pytest.raises(ArtgenError) as caught:
-        generator(function).generate(0, cache=cache, attempts=1)
+        generator(function).evaluate(0, cache=Cache(), attempts=1, keep_graph=keep_graph)
     return (
         type(caught.value),
         str(caught.value),
@@ -99,7 +101,7 @@ def test_errors_are_the_same(use):
     def toy(*, size: Float = uniform(0.1, 0.2)) -> Body:
         return made(size)
 
-    folded, symbolic = (outcome(toy, cache) for cache in (None, Cache()))
+    folded, symbolic = (outcome(toy, keep_graph=keep) for keep in (False, True))
     assert folded == symbolic
     assert folded[0] is kind
     if use == "failure":

@@ -339,8 +339,13 @@ class Generator(Variant):
         tolerance: float = 0.0,
         on_collision: OnCollision = "redraw",
         overrides: Mapping[str, Any] | None = None,
+        keep_graph: bool = False,
     ) -> tuple[Asset, Evaluation]:
-        """Generate an asset like `generate`, and return it with the cost of its evaluation."""
+        """Generate an asset like `generate`, and return it with the cost of its evaluation.
+
+        With `keep_graph`, evaluations with other values of parameters that are not structural use the same
+        graph again. That is faster with a cache that holds most of the values, and slower otherwise.
+        """
         seed = checked_count("seed", seed)
         name = name or f"{self.name}_{seed}"
         _check_options(name, base, attempts)
@@ -352,8 +357,7 @@ class Generator(Variant):
             if values in refused:  # few parameters, or few values of them, repeat the same sample
                 continue
             try:
-                # reuse built bodies only if the caller passed a cache
-                body = self._folded(values) if cache is None else self._built.of(values)
+                body = self._built.of(values) if keep_graph else self._folded(values)
                 evaluation = Graph(body).evaluate(values, SHARED if cache is None else cache)
                 try:
                     asset = self._asset(body, evaluation, values, name, base, seed=seed, attempt=attempt)

@@ -182,7 +182,12 @@ class Session:
         start = time.perf_counter()
         try:
             asset, evaluation = self.generator.evaluate(
-                self.seed, cache=self._cache, attempts=self._attempts, certify=False, overrides=overrides
+                self.seed,
+                cache=self._cache,
+                attempts=self._attempts,
+                certify=False,
+                overrides=overrides,
+                keep_graph=True,
             )
         except Exception as error:  # noqa: BLE001 - the file of an author may raise any exception
             self.error = message_of(error)

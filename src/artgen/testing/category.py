@@ -1,6 +1,7 @@
 """Check of a category: it generates sound assets and keeps the promises of every category."""
 
 from collections.abc import Collection, Iterable, Mapping
+from functools import partial
 from typing import Any, Literal
 
 from artgen.asset import Asset
@@ -81,12 +82,9 @@ def _faults(
     on_collision: Literal["keep", "redraw"],
 ) -> tuple[Mapping[str, Any], list[str]]:
     """Return the parameters of the asset of a seed, and its faults."""
-
-    def generated(cache: Cache | None = None) -> Asset:
-        return generator.generate(seed, cache=cache, on_collision=on_collision, **overrides)
-
+    generated = partial(generator.evaluate, seed, on_collision=on_collision, overrides=overrides)
     try:
-        asset = generated()
+        asset, _ = generated()
     except ParameterError:
         raise
     except ArtgenError as error:
@@ -98,7 +96,7 @@ def _faults(
         parameters = {} if infeasible else generator.sample(seed, overrides=overrides)
         return parameters, [f"generate: {error}"]
     faults = _round_trip(generator, asset, overrides)
-    if generated(Cache()).to_json() != asset.to_json():
+    if generated(cache=Cache(), keep_graph=True)[0].to_json() != asset.to_json():
         faults.append(
             "same seed, same bytes: generated again, the asset is another; draw only from the signature, and "
             "use no time, process or set order"
