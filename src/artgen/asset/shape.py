@@ -11,6 +11,7 @@ from artgen._arrays import Array, FrozenArrays, Indices, cached_property, frozen
 from artgen.asset import manifolds
 from artgen.asset.manifolds import PROPERTIES, TURNED_OVER, box_of, mesh_of
 from artgen.colliders import Pieces, union
+from artgen.colliders.polytope import is_rigid
 from artgen.colliders.triangles import cross
 from artgen.materials import Material
 
@@ -47,8 +48,6 @@ class Curve(FrozenArrays):
 
 GRAIN = 1e12  # steps per metre to which coordinates are rounded: machines and versions of NumPy differ beyond
 _NEEDLE = 1e-9  # height below which a triangle is degenerate [m]
-_RIGID = 1e-12  # largest deviation of a rotation from orthogonality
-_IDENTITY = np.eye(3)
 
 
 @dataclass(frozen=True, eq=False)
@@ -130,7 +129,9 @@ class Shape:
         table /= GRAIN
         if paints is not None:
             table[:, 8] = paints[rows]
-        shape = _MeshShape(pieces, paint_materials or {}, _table=table, _triangles=faces, _targets=points)
+        shape = _MeshShape(
+            paint_materials or {}, pieces=pieces, _table=table, _triangles=faces, _targets=points
+        )
         if not _has_needles(table[:, :3], faces):
             return shape
         # manifold3d flips the edges of degenerate triangles
@@ -173,8 +174,7 @@ class Shape:
 
     def transformed(self, matrix: Array) -> "Shape":
         """Return the shape moved by an affine matrix, shape (4, 4)."""
-        linear = matrix[:3, :3]
-        if np.abs(linear @ linear.T - _IDENTITY).max() < _RIGID:
+        if is_rigid(matrix[:3, :3]) and np.isfinite(matrix[:3, 3]).all():
             return MovedShape(self, matrix)
         moved = manifolds.moved_manifold(self.manifold, matrix)
         return Shape(moved, self.pieces.transformed(matrix), self.paints).checked()
@@ -183,10 +183,8 @@ class Shape:
 class _LazyShape(Shape):
     """A shape that is a solid by construction; its manifold is computed on first access."""
 
-    def __init__(
-        self, pieces: Pieces, paints: Mapping[int, Material], united: tuple[Shape, ...] = (), **values: Any
-    ) -> None:
-        vars(self).update(pieces=pieces, paints=paints, united=united, **values)
+    def __init__(self, paints: Mapping[int, Material], united: tuple[Shape, ...] = (), **values: Any) -> None:
+        vars(self).update(paints=paints, united=united, **values)
         frozen(vars(self))
 
     def checked(self) -> Shape:
@@ -202,9 +200,12 @@ class MovedShape(_LazyShape):
     def __init__(self, source: Shape, matrix: Array) -> None:
         if isinstance(source, MovedShape):
             matrix, source = matrix @ source.matrix, source.source
-        if not np.isfinite(matrix).all():
-            raise ValueError("the motion has numbers that are not finite")
-        super().__init__(source.pieces.transformed(matrix), source.paints, source=source, matrix=matrix)
+        super().__init__(source.paints, source=source, matrix=matrix)
+
+    @cached_property
+    def pieces(self) -> Pieces:
+        """The convex pieces of the source, moved."""
+        return self.source.pieces.transformed(self.matrix)
 
     @cached_property
     def manifold(self) -> Manifold:
@@ -281,7 +282,12 @@ class ComposedShape(_LazyShape):
     def __init__(self, shapes: Sequence[Shape]) -> None:
         paints = {number: paint for shape in shapes for number, paint in shape.paints.items()}
         united = tuple(member for shape in shapes for member in shape.members)
-        super().__init__(union(*(shape.pieces for shape in shapes)), paints, united, shapes=tuple(shapes))
+        super().__init__(paints, united, shapes=tuple(shapes))
+
+    @cached_property
+    def pieces(self) -> Pieces:
+        """The convex pieces of all solids."""
+        return union(*(shape.pieces for shape in self.shapes))
 
     @cached_property
     def manifold(self) -> Manifold:

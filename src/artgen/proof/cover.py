@@ -13,7 +13,7 @@ from artgen.asset import Link
 from artgen.asset.collision import link_parts
 from artgen.asset.link import MovedLink
 from artgen.asset.shape import Shape
-from artgen.colliders import Exact
+from artgen.colliders import Convex, Exact
 from artgen.colliders.polytope import Polytope
 from artgen.colliders.triangles import hull_of
 
@@ -68,11 +68,9 @@ class _Pieces:
 
     def enclose(self, label: str, solid: Shape) -> bool:
         """Tell whether all vertices of a solid lie in one piece, which then contains it."""
-        around = self.around(label, solid, _ROUNDING)
-        if not len(around):
-            return False
-        points, planes = solid.vertices, [self.pieces[index].planes for index in around]
-        return any(float((points @ each[:, :3].T - each[:, 3]).max()) <= _ROUNDING for each in planes)
+        around = self.around(label, solid, _ROUNDING).tolist()
+        points = solid.vertices if around else np.empty((0, 3))
+        return any(self.pieces[index].contains(points, _ROUNDING) for index in around)
 
     def around(self, label: str, solid: Shape, length: float) -> Indices:
         """Return the pieces of a label whose boxes, grown by a length [m], contain the box of a solid."""
@@ -177,7 +175,7 @@ class Cover(FrozenArrays):
 def collider_cover(link: Link) -> Cover:
     """Return the colliders of a link as polytopes that contain them."""
     convexes = [collider.convex for collider in link.colliders]
-    points = tuple(each.points if each.kind == "hull" else each.outer_points(FINE) for each in convexes)
+    points = tuple(each.points if each.kind == "hull" else _around(each).points for each in convexes)
     source: Link = link
     while isinstance(source, MovedLink):
         source = source.source
@@ -186,9 +184,15 @@ def collider_cover(link: Link) -> Cover:
 
 
 @cached_per_object
+def _around(convex: Convex) -> Polytope:
+    """Return the polytope around a piece: searches and containment need the same one."""
+    return convex.outer_polytope(FINE)
+
+
+@cached_per_object
 def _collider_excess(link: Link) -> float | None:
     """Return the largest distance of the solids outside the colliders; None above 0.1 mm [m]."""
-    pieces = [each.convex.outer_polytope(FINE) for each in link.colliders]
+    pieces = [_around(each.convex) for each in link.colliders]
     return _excess(link, pieces, tuple(each.label for each in link.colliders))
 
 

@@ -71,9 +71,11 @@ class Hierarchy:
         self._child = np.full((len(nodes), _FAN), -1)
         for number, node in enumerate(nodes):
             self._child[number, : max(len(node.children), 1)] = node.children or number
+        self._main: Array = np.tile(_SQUARE, (len(nodes), 1, 1))
+        self._unknown = self.leaf.copy()  # whether the main axes of a node are yet to be computed
         # values of nodes that were needed so far
-        self._main: dict[int, Array] = {}
         self._hulls: dict[int, Manifold] = {}
+        self._meshes: dict[int, tuple[Array, Indices]] = {}
         self._shapes: dict[int, Any] = {}
         self._fixed: dict[int, Any] = {}
         self._moving: dict[int, Any] = {}
@@ -113,19 +115,22 @@ class Hierarchy:
 
     def main_axes(self, nodes: Indices) -> Array:
         """Return three directions across faces of each node, shape (N, 3, 3)."""
-        result = np.broadcast_to(_SQUARE, (len(nodes), 3, 3)).copy()
-        for row in np.flatnonzero(self.leaf[nodes]):
-            node = int(nodes[row])
-            if node not in self._main:
-                self._main[node] = _main_axes(*mesh_of(self.hull(node)))
-            result[row] = self._main[node]
-        return result
+        for node in np.unique(nodes[self._unknown[nodes]]).tolist():
+            self._main[node] = _main_axes(*self._mesh(node))
+            self._unknown[node] = False
+        return np.asarray(self._main[nodes])
 
     def hull(self, node: int) -> Manifold:
         """Return the manifold of a piece."""
         if node not in self._hulls:
             self._hulls[node] = hull_of(self._nodes[node].vertices)
         return self._hulls[node]
+
+    def _mesh(self, node: int) -> tuple[Array, Indices]:
+        """Return vertices and triangles of a piece."""
+        if node not in self._meshes:
+            self._meshes[node] = mesh_of(self.hull(node))
+        return self._meshes[node]
 
     def distance(self, first: int, second: int, rotation: Array, offset: Array) -> tuple[float, Array]:
         """Return FCL's distance of a node from a moved node, and the direction between them.
@@ -155,7 +160,7 @@ class Hierarchy:
     def _shape(self, node: int) -> Any:
         if node not in self._shapes:
             if self.leaf[node]:
-                corners, triangles = mesh_of(self.hull(node))
+                corners, triangles = self._mesh(node)
                 faces = np.column_stack((np.full(len(triangles), 3), triangles)).astype(np.int32).ravel()
                 self._shapes[node] = fcl.Convex(np.ascontiguousarray(corners), len(triangles), faces)
             else:
