@@ -1,6 +1,7 @@
 """The certificate: proof on convex pieces that all pairs of links stay apart."""
 
 import math
+import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -82,12 +83,14 @@ def certify(
     if only is None:  # dependencies may block a joint in part of its range
         space.check()
     joint_paths = [joint_path for joint_path in space.joint_paths() if only is None or only(joint_path)]
-    options: dict[str, Any] = {"measure": measure, "seconds": seconds, "states": states}
-    on_colliders = _searched(asset, collider_cover, joint_paths, tolerance, **options)
+    options: dict[str, Any] = {"measure": measure, "states": states}
+    begin = time.monotonic()
+    on_colliders = _searched(asset, collider_cover, joint_paths, tolerance, seconds=seconds, **options)
     doubtful = [each.joint_path for each in on_colliders if not each.settled]
     on_solids = {each.joint_path.links: each for each in on_colliders}
     if all(link.pieces for link in asset.links):
-        finer = _searched(asset, fine_cover, doubtful, tolerance, **options)
+        seconds = max(seconds + begin - time.monotonic(), 0.0)
+        finer = _searched(asset, fine_cover, doubtful, tolerance, seconds=seconds, **options)
         on_solids |= {each.joint_path.links: each for each in finer}
     pairs = [_pair_result(asset, each, on_solids[each.joint_path.links]) for each in on_colliders]
     proven = [on_solids[pair.links] for pair in pairs if pair.verdict == "proven"]

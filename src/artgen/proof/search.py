@@ -32,7 +32,7 @@ _STILL = 2e-5  # cells in which no point moves farther than this are given up [m
 _SMALL = 1e-3  # larger cells are split even for close pieces, to find collisions [m]
 _MOST_CLOSE = 2000  # most such cells to split for a pair
 _MOST_CELLS = 300_000  # number of cells after which the rest stays open
-_AT_ONCE = 1 << 15  # most cells between two looks at the clock
+_AT_ONCE = 400_000  # most vertices of cells between two looks at the clock
 _DECIMALS = 9  # decimals of normals
 _MANY = 24  # vertices above which a node is searched separately from smaller nodes
 _FARTHEST = 3  # most joints between the frame of a plane and either link
@@ -98,8 +98,9 @@ class Search:
             parts = [cells[:0]]
             for key in np.unique(group):
                 rows = np.flatnonzero(group == key)
-                for start in range(0, len(rows), _AT_ONCE):
-                    some = cells[rows[start : start + _AT_ONCE]]
+                step = self._most_at_once(cells[rows])
+                for start in range(0, len(rows), step):
+                    some = cells[rows[start : start + step]]
                     if time.monotonic() > end:
                         parts.append(some)
                     else:
@@ -112,6 +113,13 @@ class Search:
         closed = closed[np.argsort(closed.joint_path, kind="stable")]
         ends = np.searchsorted(closed.joint_path, np.arange(1, len(self.joint_paths)))
         return [closed[slice(*each)] for each in zip([0, *ends], [*ends, len(closed)], strict=True)]
+
+    def _most_at_once(self, cells: ProofCells) -> int:
+        """Return the number of cells to examine before the next look at the clock; all without a limit."""
+        if self.seconds == np.inf:
+            return len(cells)
+        counts = self.nodes.count
+        return 1 + _AT_ONCE // int(counts[cells.first].max() + counts[cells.second].max())
 
     def _start(self) -> ProofCells:
         """Return the first cells: both whole links in each box."""
@@ -167,17 +175,17 @@ class Search:
         apart = np.linalg.norm(nodes.center[first][None, :, None] - moved[:, None], axis=3)
         apart -= nodes.radius[first][None, :, None] + nodes.radius[second][None, None]
         apart = apart.reshape(len(at), -1)
-        for state in np.argsort(apart.min(axis=1), kind="stable").tolist():
-            for flat in np.argsort(apart[state], kind="stable")[:_MOST_IN_STATE].tolist():
-                a, b = (
-                    int(side[index])
-                    for side, index in zip((first, second), divmod(flat, len(second)), strict=True)
-                )
-                if apart[state, flat] >= 0.0 or self._done[number]:
-                    break
-                distance, _ = nodes.distance(a, b, pose.rotations[-1][state], pose.offset[state])
-                if distance <= 0.0:
-                    self._witnesses.examine(number, box, a, b, at[state, : len(low)])
+        nearest = np.argsort(apart, axis=1, kind="stable")[:, :_MOST_IN_STATE]
+        rows, columns = np.repeat(np.arange(len(at)), nearest.shape[1]), nearest.ravel()
+        depth = apart[rows, columns]
+        for index in np.argsort(depth, kind="stable")[: np.count_nonzero(depth < 0.0)].tolist():
+            state, (row, column) = int(rows[index]), divmod(int(columns[index]), len(second))
+            a, b = int(first[row]), int(second[column])
+            distance, _ = nodes.distance(a, b, pose.rotations[-1][state], pose.offset[state])
+            if distance <= 0.0:
+                self._witnesses.examine(number, box, a, b, at[state, : len(low)])
+            if self._done[number]:
+                return
 
     def _threshold(self, cells: ProofCells) -> Array:
         """Return the gap that closes each cell [m]."""
