@@ -1,6 +1,7 @@
 """The certificate on assets whose clearances and collisions are known by construction."""
 
 import math
+import time
 from dataclasses import replace
 
 import numpy as np
@@ -13,6 +14,8 @@ from artgen.asset.certificate import Certificate, PairResult
 from artgen.asset.collision import with_colliders
 from artgen.catalog import find
 from artgen.proof.certify import certify
+from artgen.proof.kinematics import starting_cells
+from artgen.proof.paths import Space
 from support.proof_fridges import evaluated
 
 STEEL = material("stainless")
@@ -374,3 +377,32 @@ def test_safe_limits_end_where_a_collision_begins() -> None:
     assert 0.1 - REACH / 512 - 1e-4 <= high < 0.1
     assert chest().safe_limits() == {"slide": (0.0, REACH)}
     assert chest(block=-0.005).safe_limits() == {"slide": (0.0, 0.0)}
+
+
+def chain(joints: int) -> Asset:
+    """Small links in a row, on hinges that turn almost fully."""
+    last: Body = part(box(0.02, 0.02, 0.02).at(joints * 0.1), f"link_{joints}", STEEL)
+    for number in reversed(range(joints)):
+        link = part(box(0.02, 0.02, 0.02).at(number * 0.1), f"link_{number}", STEEL)
+        hinge = Revolute(f"hinge_{number}", axis=Z, pivot=(number * 0.1, 0.0, 0.0), limits=(-3.1, 3.1))
+        last = link.attach(last, hinge)
+    return evaluated(last, "chain")
+
+
+@pytest.mark.parametrize("joints", [3, 5, 14])
+def test_the_first_cells_hold_the_whole_joint_space_and_stay_few(joints: int) -> None:
+    (path,) = (
+        each for each in Space(chain(joints)).joint_paths() if set(each.links) == {"link_0", f"link_{joints}"}
+    )
+    cells = starting_cells(path)
+    assert len(cells) == (4 ** min(joints, 6))  # four parts of at most 1.6 rad
+    volume = sum(float(np.prod(cell[:, 1] - cell[:, 0])) for _, cell in cells)
+    assert volume == pytest.approx(6.2**joints, rel=1e-6)
+    assert min(cell[:, 0].min() for _, cell in cells) <= -3.1
+
+
+def test_the_time_limit_holds_for_a_long_chain() -> None:
+    start = time.monotonic()
+    certificate = certify(chain(14), seconds=0.5, only=lambda path: "link_14" in path.links)
+    assert time.monotonic() - start < 30.0
+    assert {pair.verdict for pair in certificate.pairs} <= {"proven", "collision", "not proven"}

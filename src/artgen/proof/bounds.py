@@ -79,6 +79,13 @@ def enclosing_points(motion: Motion, points: Array) -> Array:
     return np.concatenate(chosen, axis=1)
 
 
+def growth(motion: Motion) -> int:
+    """Return the number by which `enclosing_points` multiplies the points."""
+    if motion.kind == "prismatic":
+        return 2
+    return _OCTAGON if bool((motion.half > WIDEST).any()) else 3
+
+
 def support(motion: Motion, points: Array, normals: Array) -> Array:
     """Return the exact largest `normal . x` over points and over the whole motion, shape (N, C) [m].
 

@@ -15,6 +15,7 @@ from artgen.proof.paths import JointPath
 NONE = -1  # frame of a cell without a plane, and variable of a joint that never moves
 BEYOND = 1e-9  # distance by which the proof extends beyond each end of a range, for rounded limits [rad or m]
 _WIDEST_START = 1.6  # widest starting cell where arcs have to be enclosed [rad]
+_MOST_STARTS = 4096  # most starting cells of a box; their number grows by a power with each joint
 _ROUNDING = 1e-9  # tolerance of points on an axis [m]
 
 
@@ -176,6 +177,8 @@ def starting_cells(joint_path: JointPath) -> list[tuple[int, Array]]:
                     number = joint_path.variables.index(follower.leader)
                     width = abs(follower.ratio) * (box[number, 1] - box[number, 0])
                     parts[number] = max(parts[number], int(np.ceil(width / _WIDEST_START)))
+        while np.prod(parts.astype(float)) > _MOST_STARTS:  # wider cells are enclosed too, but less tightly
+            parts[np.argmax(parts)] -= 1
         grown = box + (-BEYOND, BEYOND)
         edges = [np.linspace(low, high, part + 1) for (low, high), part in zip(grown, parts, strict=True)]
         cells = itertools.product(*(itertools.pairwise(edge) for edge in edges))

@@ -8,8 +8,9 @@ close are given up after their corners were tried. FCL proposes directions and c
 proof relies on it. All pairs of links are searched in one batch.
 """
 
+import math
 import time
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -17,7 +18,7 @@ import numpy as np
 from artgen._arrays import Array, Indices, Mask
 from artgen.asset.certificate import AXIS_FRAME
 from artgen.asset.joint import JointKind
-from artgen.proof.bounds import Motion
+from artgen.proof.bounds import Motion, growth
 from artgen.proof.hierarchy import Hierarchy
 from artgen.proof.kinematics import NONE, Frames, JointTable, ProofCells, frames, starting_cells
 from artgen.proof.overlap import PRESSED
@@ -33,6 +34,8 @@ _SMALL = 1e-3  # larger cells are split even for close pieces, to find collision
 _MOST_CLOSE = 2000  # most such cells to split for a pair
 _MOST_CELLS = 300_000  # number of cells after which the rest stays open
 _AT_ONCE = 400_000  # most vertices of cells between two looks at the clock
+_LONG = 4  # joints above which the points that enclose arcs limit the cells at once
+_MOST_POINTS = 1 << 19  # most such points at once
 _DECIMALS = 9  # decimals of normals
 _MANY = 24  # vertices above which a node is searched separately from smaller nodes
 _FARTHEST = 3  # most joints between the frame of a plane and either link
@@ -92,19 +95,9 @@ class Search:
             if seen > _MOST_CELLS or time.monotonic() > end:
                 self._give_up(cells, np.full(len(cells), np.nan))
                 break
-            counts = self.nodes.count
-            big = 2 * (counts[cells.first] > _MANY) + (counts[cells.second] > _MANY)
-            group = 4 * self._table[cells.joint_path] + big
             parts = [cells[:0]]
-            for key in np.unique(group):
-                rows = np.flatnonzero(group == key)
-                step = self._most_at_once(cells[rows])
-                for start in range(0, len(rows), step):
-                    some = cells[rows[start : start + step]]
-                    if time.monotonic() > end:
-                        parts.append(some)
-                    else:
-                        parts += self._examine(some, self._tables[key // 4])
+            for some, table in self._portions(cells):
+                parts += [some] if time.monotonic() > end else self._examine(some, table)
             cells = ProofCells.join(parts)
             cells = cells[~self._done[cells.joint_path]]
         for number, outcome in enumerate(self.outcomes):
@@ -114,12 +107,31 @@ class Search:
         ends = np.searchsorted(closed.joint_path, np.arange(1, len(self.joint_paths)))
         return [closed[slice(*each)] for each in zip([0, *ends], [*ends, len(closed)], strict=True)]
 
-    def _most_at_once(self, cells: ProofCells) -> int:
-        """Return the number of cells to examine before the next look at the clock; all without a limit."""
-        if self.seconds == np.inf:
-            return len(cells)
+    def _portions(self, cells: ProofCells) -> Iterator[tuple[ProofCells, JointTable]]:
+        """Yield cells of one table and of nodes of like size; give up those with too many points."""
         counts = self.nodes.count
-        return 1 + _AT_ONCE // int(counts[cells.first].max() + counts[cells.second].max())
+        big = 2 * (counts[cells.first] > _MANY) + (counts[cells.second] > _MANY)
+        group = 4 * self._table[cells.joint_path] + big
+        for key in np.unique(group):
+            some, table = cells[group == key], self._tables[key // 4]
+            at_once = self._at_once(some, table)
+            if not at_once:
+                self._give_up(some, np.full(len(some), np.nan))
+                continue
+            for start in range(0, len(some), at_once):
+                yield some[start : start + at_once], table
+
+    def _at_once(self, cells: ProofCells, table: JointTable) -> int:
+        """Return how many cells to examine at once; 0 if the points of a single one are too many."""
+        sizes = [int(self.nodes.count[side].max()) for side in (cells.first, cells.second)]
+        most = len(cells) if self.seconds == np.inf else 1 + _AT_ONCE // sum(sizes)
+        if len(table.kinds) <= _LONG:
+            return most
+        # a plane next to one link takes the points of the other link through all joints but one, and each of
+        # these joints multiplies them
+        factors = [growth(each) for each in table.motions(self._row[cells.joint_path], cells.low, cells.high)]
+        points = max(sizes) * max(math.prod(factors[1:]), math.prod(factors[:-1]))
+        return min(most, _MOST_POINTS // points)
 
     def _start(self) -> ProofCells:
         """Return the first cells: both whole links in each box."""
