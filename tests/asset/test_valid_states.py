@@ -246,7 +246,7 @@ def test_independent_limits_of_a_category_are_proven_and_written(name, tmp_path)
     assert artgen.Asset.load(tmp_path / "a").limits == "independent"
 
 
-@pytest.mark.parametrize("count", [True, -1, 2.5, "3", None])
+@pytest.mark.parametrize("count", [True, -1, 2.5, "3", None, float("inf"), float("nan")])
 def test_a_wrong_number_of_states_is_named(count: object) -> None:
     asset = artgen.generate("drawer", 0, certify=False)
     with pytest.raises(AssetError, match="the number of states must be a whole number of at least 0, got"):

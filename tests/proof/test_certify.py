@@ -13,9 +13,11 @@ from artgen.asset import Asset
 from artgen.asset.certificate import Certificate, PairResult
 from artgen.asset.collision import with_colliders
 from artgen.catalog import find
+from artgen.errors import AssetError
 from artgen.proof.certify import certify
 from artgen.proof.kinematics import starting_cells
 from artgen.proof.paths import Space
+from artgen.proof.recheck import recheck
 from support.proof_fridges import evaluated
 
 STEEL = material("stainless")
@@ -406,3 +408,16 @@ def test_the_time_limit_holds_for_a_long_chain() -> None:
     certificate = certify(chain(14), seconds=0.5, only=lambda path: "link_14" in path.links)
     assert time.monotonic() - start < 30.0
     assert {pair.verdict for pair in certificate.pairs} <= {"proven", "collision", "not proven"}
+
+
+def test_an_overlap_is_permitted_by_name_only() -> None:
+    pressed = chest(block=-0.000005)
+    with pytest.raises(AssetError, match="tolerance must be a length of 0 to"):
+        certify(pressed, tolerance=-0.000008)
+    with pytest.raises(AssetError, match=r"overlap must be a length of 0 to 1e-05 m, got 0\.001"):
+        certify(pressed, overlap=0.001)
+    certificate = certify(pressed, overlap=0.00001)
+    assert certificate.tolerance == -0.00001
+    assert recheck(pressed, certificate, overlap=0.00001) == []
+    (fault,) = recheck(pressed, certificate)
+    assert "its tolerance is -1e-05 m" in str(fault)

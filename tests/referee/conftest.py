@@ -6,7 +6,7 @@ from typing import Any
 import pytest
 
 from artgen.dataset.workers import Ending
-from artgen.referee import mjcf, usd
+from artgen.referee import files
 
 
 @pytest.fixture(autouse=True)
@@ -19,6 +19,5 @@ def read_here(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -
         assert limits["jobs"] == 1
         yield from (Ending(item, "done", task(item)) for item in items)
 
-    for module in (mjcf, usd):
-        monkeypatch.setattr(module, "run_tasks", run)
+    monkeypatch.setattr(files, "run_tasks", run)
     monkeypatch.setattr("resource.setrlimit", lambda *limits: None)

@@ -77,6 +77,16 @@ def test_a_copy_lies_beside_the_file(tmp_path: Path) -> None:
             judgment.repair(out)
 
 
+def test_the_repair_of_a_package_is_a_layer_beside_it(tmp_path: Path) -> None:
+    from pxr import UsdUtils
+
+    package = tmp_path / "cabinet.usdz"
+    assert UsdUtils.CreateNewUsdzPackage(str(cabinet("usd", tmp_path, drawer_low=-0.05)), str(package))
+    copy = certify(package).repair()
+    assert copy.name == "cabinet.repaired.usda"
+    assert certify(copy).verdict == "proven"
+
+
 def test_pairs_that_the_file_excludes_have_a_verdict_of_their_own(tmp_path: Path) -> None:
     judgment = certify(
         cabinet(

@@ -253,7 +253,7 @@ class Asset:
         Raises:
             AssetError: The count is no whole number of at least 0.
         """
-        if not is_number(count) or count != int(count) or count < 0:
+        if not is_number(count) or not float(count).is_integer() or count < 0:
             raise AssetError(f"the number of states must be a whole number of at least 0, got {count!r}")
         return self.valid_states.sample(int(count), seed)
 

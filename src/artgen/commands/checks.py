@@ -24,7 +24,6 @@ from artgen.validate.clients.registry import ALL, chosen_clients
 from artgen.validate.clients.run import ClientReport, run_clients
 
 _FOREIGN: dict[str, Any] = {"rich_help_panel": "Files of other tools"}
-_FOREIGN_FILES = (".urdf", ".xml", ".mjcf", ".usd", ".usda", ".usdc", ".usdz")  # what the referee reads
 _STYLES = {
     "passed": "green",
     "failed": "bold red",
@@ -75,7 +74,7 @@ def certify(
     for file in (json_file, picture):
         if file is not None and (file.is_dir() or not file.absolute().parent.is_dir()):
             raise ExportError(f"cannot write {file}: give a file in a directory that exists")
-    if Path(category).suffix.lower() in _FOREIGN_FILES:
+    if _is_foreign(Path(category)):
         _certify_file(
             Path(category),
             json_file,
@@ -101,6 +100,15 @@ def certify(
     _write_json(json_file, proof.to_data())
     if not proof.sound:
         raise typer.Exit(FAULT)
+
+
+def _is_foreign(path: Path) -> bool:
+    """Tell whether a name is that of a file that the referee reads."""
+    if path.suffix in ("", ".py"):  # a category
+        return False
+    from artgen.referee.model import SUFFIXES  # it loads OpenUSD
+
+    return path.suffix.lower() in SUFFIXES
 
 
 def _certify_file(

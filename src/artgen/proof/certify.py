@@ -52,6 +52,7 @@ def certify(
     only: Callable[[JointPath], bool] | None = None,
     seconds: float = math.inf,
     states: int = 0,
+    overlap: float = 0.0,
 ) -> Certificate:
     """Prove for all pairs of links that they stay apart at every joint position.
 
@@ -63,19 +64,24 @@ def certify(
 
     Args:
         asset: The asset.
-        tolerance: Required clearance; -0.01 mm permits pieces that touch, in spite of rounding [m].
+        tolerance: Required clearance [m].
         measure: Whether to bracket the clearance.
         only: Selects the pairs to examine.
         seconds: Time after which the pairs that are left are not proven [s].
         states: Number of random states of each pair that are examined first: a collision is found soon.
+        overlap: Overlap that is permitted everywhere, up to 0.01 mm; the tolerance of the certificate is less
+            by it, so that `recheck` has to be told of it [m].
 
     Raises:
         AssetError: The asset has no links, a joint has no usable range, or a joint can never move.
     """
-    if not is_number(tolerance) or not -PRESSED <= tolerance <= MOST_TOLERANCE:
+    if not is_number(tolerance) or not 0.0 <= tolerance <= MOST_TOLERANCE:
         raise AssetError(
             f"tolerance must be a length of 0 to {MOST_TOLERANCE:g} m (metres, not mm), got {tolerance!r}"
         )
+    if not 0.0 <= overlap <= PRESSED:
+        raise AssetError(f"overlap must be a length of 0 to {PRESSED:g} m, got {overlap!r}")
+    tolerance = float(tolerance) - overlap
     if not asset.links:
         raise AssetError(f"asset {asset.name!r} has no links; there is nothing to certify")
     _check_ranges(asset)
@@ -95,7 +101,7 @@ def certify(
     pairs = [_pair_result(asset, each, on_solids[each.joint_path.links]) for each in on_colliders]
     proven = [on_solids[pair.links] for pair in pairs if pair.verdict == "proven"]
     proven += [each for each in on_colliders if each.outcome.proven and each not in proven]
-    return Certificate(float(tolerance), tuple(pairs), asset.contacts, _proof_data(proven))
+    return Certificate(tolerance, tuple(pairs), asset.contacts, _proof_data(proven))
 
 
 def _check_ranges(asset: Asset) -> None:
@@ -179,7 +185,7 @@ def _searched(
     pairs = [joint_path.links for joint_path in joint_paths]
     least = np.array([sum(covers[name].excess or 0.0 for name in links) for links in pairs])
     trees = [(names.index(a), names.index(b)) for a, b in pairs]
-    tolerances = least + float(tolerance)
+    tolerances = least + tolerance
     search = Search(
         nodes, joint_paths, trees, confirm, allowed_depth, tolerances, least, measure, seconds, states
     )

@@ -54,7 +54,7 @@ def safe_limits(asset: Asset) -> dict[str, tuple[float, float]]:
 
 
 def narrowed_limits(
-    asset: Asset, counts: Callable[[JointPath], bool], *, tolerance: float, seconds: float
+    asset: Asset, counts: Callable[[JointPath], bool], *, overlap: float, seconds: float
 ) -> dict[str, tuple[float, float]]:
     """Return limits of some joints with which no counted pair collides.
 
@@ -65,7 +65,7 @@ def narrowed_limits(
     Args:
         asset: The asset.
         counts: Selects the pairs that may not collide.
-        tolerance: Required clearance [m].
+        overlap: Overlap that is permitted everywhere [m].
         seconds: Time limit for the proof of the pairs that a joint moves [s].
 
     Returns:
@@ -74,7 +74,7 @@ def narrowed_limits(
     Raises:
         AssetError: Links overlap at rest, or are not proven apart with all joints at rest.
     """
-    check = partial(certify, tolerance=tolerance, seconds=seconds)
+    check = partial(certify, overlap=overlap, seconds=seconds)
     at_rest = {joint.name: (joint.closed, joint.closed) for joint in asset.free_joints}
     full = Space(asset).ranges
     ranges = dict(full)

@@ -30,7 +30,7 @@ def recheck(
     asset: Asset,
     certificate: Certificate,
     *,
-    least: float = 0.0,
+    overlap: float = 0.0,
     only: Callable[[JointPath], bool] = lambda joint_path: True,
 ) -> list[Finding]:
     """Verify the proof of a certificate; return a finding for each statement that is wrong.
@@ -38,7 +38,7 @@ def recheck(
     Args:
         asset: The asset.
         certificate: Its certificate.
-        least: Smallest tolerance that the certificate may have [m].
+        overlap: Overlap that the certificate may permit [m].
         only: Selects the pairs that the certificate must have.
 
     Raises:
@@ -59,7 +59,7 @@ def recheck(
     if proof.get("format") != PROOF_FORMAT:
         marked = f"{proof.get('format')!r} instead of {PROOF_FORMAT!r}"
         return [*findings, _fault(f"the proof in certificate.json has format {marked}")]
-    if not certificate.tolerance >= least:
+    if not certificate.tolerance >= -overlap:
         return [*findings, _fault(f"its tolerance is {certificate.tolerance!r} m")]
     try:
         for pair in certificate.pairs:

@@ -82,11 +82,11 @@ class Search:
 
     def run(self) -> list[ProofCells]:
         """Search until all cells are closed, refuted or given up; return the closed cells of each path."""
-        cells, seen, end = self._start(), 0, time.monotonic() + self.seconds
-        self._closed = [cells[:0]]
+        end = time.monotonic() + self.seconds
         for number in range(len(self.joint_paths)) if self.states else ():
             self._try_states(number)
-        cells = cells[~self._done[cells.joint_path]]
+        cells, seen = self._start(), 0
+        self._closed = [cells[:0]]
         if self.measure:
             for number in range(len(self.joint_paths)):
                 self._measure_near_rest(number)
@@ -134,13 +134,14 @@ class Search:
         return min(most, _MOST_POINTS // points)
 
     def _start(self) -> ProofCells:
-        """Return the first cells: both whole links in each box."""
+        """Return the first cells of the paths that are left: both whole links in each box."""
         starts = [
             (number, box, cell)
             for number, joint_path in enumerate(self.joint_paths)
+            if not self._done[number]
             for box, cell in starting_cells(joint_path)
         ]
-        joint_path, box = (np.array([start[column] for start in starts]) for column in (0, 1))
+        joint_path, box = (np.array([start[column] for start in starts], np.int64) for column in (0, 1))
         ends = np.zeros((len(starts), self._most, 2))
         for row, (_, _, cell) in enumerate(starts):
             ends[row, : len(cell)] = cell

@@ -3,12 +3,15 @@
 import math
 import stat
 import xml.etree.ElementTree as ET
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
+from contextlib import suppress
+from functools import partial
 from pathlib import Path
 from typing import Any, NoReturn, cast
 from urllib.parse import unquote
 from xml.parsers import expat
 
+from artgen.dataset.workers import run_tasks
 from artgen.errors import AssetError, nearest
 from artgen.referee.model import MOST_BYTES
 
@@ -16,6 +19,8 @@ MOST_ELEMENTS = 1_000_000  # of an XML file
 MOST_DEPTH = 200  # of nested elements
 MOST_LENGTH = 1e6  # largest coordinate or length; larger ones lose their decimals [m]
 
+_MOST_SECONDS = 120.0  # time for a library that reads a file [s]
+_MOST_MEMORY = 16 << 30  # memory for it [bytes]
 _MOST_SHOWN = 80  # characters of a text in a message
 
 
@@ -99,6 +104,31 @@ def _found(name: str, folder: Path, root: Path, what: str) -> Path:
         if any(path.is_relative_to(each) for each in (root, *own)):
             return path
     raise AssetError(f"{what} is outside {root}, from which files may be read; give --root DIR to allow it")
+
+
+def read_apart(task: Callable[[Any], Any], item: Any, fault: str) -> Any:
+    """Run a task of a library that may crash on bad files, in a process with limits of time and memory.
+
+    Args:
+        task: A function of a module.
+        item: Its argument.
+        fault: Begins the message of the error.
+
+    Raises:
+        AssetError: The task raised an exception, ended its process, or took too long.
+    """
+    ending = next(iter(run_tasks(partial(_limited, task), [item], jobs=1, limit=_MOST_SECONDS)))
+    if ending.state != "done":
+        raise AssetError(f"{fault}: {ending.reason or ending.state}")
+    return ending.value
+
+
+def _limited(task: Callable[[Any], Any], item: Any) -> Any:
+    with suppress(ImportError, ValueError, OSError):  # not on every platform
+        import resource
+
+        resource.setrlimit(resource.RLIMIT_AS, (_MOST_MEMORY, _MOST_MEMORY))
+    return task(item)
 
 
 def check_file(path: Path, what: str) -> None:

@@ -216,9 +216,8 @@ class Judgment:
             AssetError: Links overlap at rest, which no limits mend.
             ExportError: The copy is the file itself or lies in another folder.
         """
-        out = (
-            self.path.with_name(f"{self.path.stem}.repaired{self.path.suffix}") if out is None else Path(out)
-        )
+        suffix = ".usda" if self.path.suffix.lower() == ".usdz" else self.path.suffix  # a layer is no package
+        out = self.path.with_name(f"{self.path.stem}.repaired{suffix}") if out is None else Path(out)
         if out.absolute().parent != self.path.absolute().parent or out.absolute() == self.path.absolute():
             raise ExportError(
                 f"cannot write {out}: name another file in {self.path.parent}, where the meshes are found"
@@ -226,7 +225,7 @@ class Judgment:
         limits: dict[str, tuple[float, float]] = {}
         for tree in self.trees:
             counted = partial(_counts, tree)
-            limits |= narrowed_limits(_permitted(tree), counted, tolerance=-PRESSED, seconds=_REPAIR_SECONDS)
+            limits |= narrowed_limits(_permitted(tree), counted, overlap=PRESSED, seconds=_REPAIR_SECONDS)
         _REPAIRS[self.model.format](self.path, limits, out)
         return out
 
@@ -319,25 +318,26 @@ def _judged(
         runs.append((tree.asset, partial(_excluded, tree), "some of their geoms"))
     for asset, counts, reason in runs:
         progress(f"proving the pairs of {len(asset.links)} links")
-        results: dict[tuple[str, str], tuple[PairResult, float]] = {}
+        results: dict[tuple[str, str], tuple[PairResult, float]] = {}  # with the limit that was exceeded
         findings: list[Finding] = []
+
+        def prove(only: Callable[[JointPath], bool], limit: float) -> tuple[PairResult, ...]:
+            """Add the results of some pairs, and return those that ran out of time."""
+            begin = time.monotonic()
+            certificate, found = _proven(asset, only, limit)  # noqa: B023 - it is called in this turn only
+            late = time.monotonic() - begin > limit
+            results.update({pair.links: (pair, limit * late) for pair in certificate.pairs})  # noqa: B023
+            findings.extend(found)  # noqa: B023
+            return certificate.pairs if late else ()
+
         # pairs with few joints first, together; a pair with many may use up the time, so it is on its own
         for many in (False, True):
             limit = 0.0 if many else min(seconds, max(end - time.monotonic(), 0.0))
-            begin = time.monotonic()
-            certificate, found = _proven(asset, partial(_has_many, counts, many), limit)
-            late = many or time.monotonic() - begin > limit
-            results |= {pair.links: (pair, limit * late) for pair in certificate.pairs}
-            findings += found
-            for pair in certificate.pairs if late else ():
+            for pair in prove(partial(_has_many, counts, many), limit):
                 limit = min(seconds, end - time.monotonic())
                 if pair.verdict == "not proven" and limit > 0.0:
                     progress(f"proving {pair.links[0]} and {pair.links[1]}")
-                    begin = time.monotonic()
-                    again, found = _proven(asset, partial(_is_pair, pair.links), limit)
-                    late = time.monotonic() - begin > limit
-                    results[pair.links] = (again.pairs[0], limit * late)
-                    findings += found
+                    prove(partial(_is_pair, pair.links), limit)
         yield (
             [
                 JudgedPair(
@@ -359,8 +359,8 @@ def _has_many(counts: Callable[[JointPath], bool], many: bool, joint_path: Joint
 def _proven(
     asset: Asset, only: Callable[[JointPath], bool], seconds: float
 ) -> tuple[Certificate, list[Finding]]:
-    certificate = proof.certify(asset, -PRESSED, only=only, seconds=seconds, states=_STATES)
-    return certificate, recheck(asset, certificate, least=-PRESSED, only=only)
+    certificate = proof.certify(asset, only=only, seconds=seconds, states=_STATES, overlap=PRESSED)
+    return certificate, recheck(asset, certificate, overlap=PRESSED, only=only)
 
 
 def _permitted(tree: JudgedTree) -> Asset:
@@ -376,9 +376,8 @@ def _counts(tree: JudgedTree, joint_path: JointPath) -> bool:
 
 
 def _excluded(tree: JudgedTree, joint_path: JointPath) -> bool:
-    partly = {frozenset(contact.links) for contact in tree.contacts}
     pair = frozenset(joint_path.links)
-    return _solid(tree, joint_path) and (pair in tree.excluded or pair in partly)
+    return _solid(tree, joint_path) and (pair in tree.excluded or pair in tree.partly)
 
 
 def _is_pair(links: tuple[str, str], joint_path: JointPath) -> bool:

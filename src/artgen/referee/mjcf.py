@@ -2,8 +2,7 @@
 
 import itertools
 import xml.etree.ElementTree as ET
-from collections.abc import Collection, Iterable, Mapping
-from contextlib import suppress
+from collections.abc import Callable, Collection, Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -13,26 +12,23 @@ from artgen._arrays import Array, Indices
 from artgen.asset import AssetJoint
 from artgen.asset.joint import AssetCoupling, JointKind
 from artgen.colliders import Convex
-from artgen.dataset.workers import run_tasks
 from artgen.errors import AssetError
-from artgen.referee.files import parse_xml, safe_path
+from artgen.referee.files import parse_xml, read_apart, safe_path
 from artgen.referee.meshes import Hulls
-from artgen.referee.model import ForeignBody, ForeignGeom, ForeignModel, Meshes, counted
+from artgen.referee.model import ForeignBody, ForeignGeom, ForeignModel, Meshes, counted, first_of
 
 _FREE, _BALL, _SLIDE = 0, 1, 2  # mjtJoint
-_PLANE, _HFIELD, _SPHERE, _CAPSULE, _ELLIPSOID, _CYLINDER, _BOX, _MESH = range(8)  # mjtGeom
+_PLANE, _HFIELD, _SPHERE, _CAPSULE, _ELLIPSOID, _CYLINDER, _BOX = range(7)  # mjtGeom
 _CONNECT, _WELD, _JOINT = range(3)  # mjtEq
 _NOT_JUDGED = {_PLANE: "plane", _HFIELD: "height field"}
 _DIRS = ("meshdir", "texturedir", "assetdir")  # attributes of <compiler>
-_MOST_SECONDS = 120.0  # time for the compiler [s]
-_MOST_MEMORY = 16 << 30  # memory for the compiler [bytes]
 _GRAIN = 1e-5  # by which repaired limits are narrower, relative to their size
 _LOCKED = 4e-7  # half the range of a locked joint, as MuJoCo knows no equal limits [rad or m]
 _MOST_INCLUDES = 200
 _LINEAR = 1e-9  # largest coefficient of a higher power in a linear coupling
 _FIELDS = (
     *("body_parentid", "body_weldid", "body_jntadr", "body_jntnum", "body_geomadr", "body_geomnum"),
-    *("body_mocapid", "jnt_type", "jnt_limited", "jnt_range", "jnt_bodyid", "jnt_qposadr", "qpos0"),
+    *("body_mocapid", "jnt_type", "jnt_limited", "jnt_range", "jnt_qposadr", "qpos0"),
     *("geom_type", "geom_contype", "geom_conaffinity", "geom_size", "geom_dataid"),
     *("mesh_vertadr", "mesh_vertnum", "mesh_vert", "mesh_faceadr", "mesh_facenum", "mesh_face"),
     *("eq_type", "eq_obj1id", "eq_obj2id", "eq_objtype", "eq_data", "eq_active0", "exclude_signature"),
@@ -47,13 +43,10 @@ def read_mjcf(path: Path, *, meshes: Meshes = "hull", root: Path) -> ForeignMode
         AssetError: The file is damaged, MuJoCo does not compile it, or it reads files outside `root`.
     """
     _check_files(path, root)
-    ending = next(iter(run_tasks(_compiled, [str(path)], jobs=1, limit=_MOST_SECONDS)))
-    if ending.state != "done":
-        reason = ending.message.strip().splitlines()[-1] if ending.message else ending.state
-        raise AssetError(f"{path}: MuJoCo does not compile it: {reason}")
-    compiled: dict[str, Any] = ending.value
+    compiled: dict[str, Any] = read_apart(_compiled, str(path), f"{path}: MuJoCo does not compile it")
     if "error" in compiled:
         raise AssetError(f"{path}: {compiled['error']}")
+    counted(path, bodies=len(compiled["names"]["body"]), geoms=len(compiled["names"]["geom"]))
     return _Reading(path, compiled, meshes).model()
 
 
@@ -110,15 +103,10 @@ def _compiled(path: str) -> dict[str, Any]:
         import mujoco
     except ImportError:
         return {"error": "MJCF needs MuJoCo; install artgen[referee]"}
-    with suppress(ImportError, ValueError, OSError):  # not on every platform
-        import resource
-
-        resource.setrlimit(resource.RLIMIT_AS, (_MOST_MEMORY, _MOST_MEMORY))
     try:
         model = mujoco.MjModel.from_xml_path(path)
     except (ValueError, MemoryError) as error:
         return {"error": f"MuJoCo does not compile it: {' '.join(str(error).split())}"}
-    counted(path, bodies=model.nbody, geoms=model.ngeom)
     data = mujoco.MjData(model)
     moving = np.isin(model.jnt_type, (_FREE, _BALL), invert=True)
     data.qpos[model.jnt_qposadr[moving]] = 0.0
@@ -214,24 +202,22 @@ class _Reading:
                 continue
             ends = [""] if len(pieces) == 1 else [f"/{piece}" for piece in range(len(pieces))]
             result[number] = [ForeignGeom(name + end, each) for end, each in zip(ends, pieces, strict=True)]
-        self.notes += [f"{reason}: {_some(names)}" for reason, names in left.items()] + self.hulls.notes()
+        self.notes += [f"{reason}: {first_of(names)}" for reason, names in left.items()] + self.hulls.notes()
         return result
 
     def _convexes(self, number: int) -> list[Convex]:
         pose = np.eye(4)
         pose[:3, :3], pose[:3, 3] = self.geom_xmat[number].reshape(3, 3), self.geom_xpos[number]
         a, b, c = self.geom_size[number].tolist()
-        match int(self.geom_type[number]):
-            case 2:
-                return [Convex.sphere(a, pose)]
-            case 3:
-                return [Convex.capsule(a, 2.0 * b, pose)]
-            case 4:
-                return [Convex.sphere(1.0).transformed(pose @ np.diag([a, b, c, 1.0]))]
-            case 5:
-                return [Convex.cylinder(a, 2.0 * b, pose)]
-            case 6:
-                return [Convex.box((2.0 * a, 2.0 * b, 2.0 * c), pose)]
+        primitives: dict[int, Callable[[], Convex]] = {
+            _SPHERE: lambda: Convex.sphere(a, pose),
+            _CAPSULE: lambda: Convex.capsule(a, 2.0 * b, pose),
+            _ELLIPSOID: lambda: Convex.sphere(1.0).transformed(pose @ np.diag([a, b, c, 1.0])),
+            _CYLINDER: lambda: Convex.cylinder(a, 2.0 * b, pose),
+            _BOX: lambda: Convex.box((2.0 * a, 2.0 * b, 2.0 * c), pose),
+        }
+        if make := primitives.get(int(self.geom_type[number])):
+            return [make()]
         mesh = int(self.geom_dataid[number])
         name = self.names["mesh"][mesh]
         return [
@@ -322,10 +308,6 @@ class _Reading:
                     for first, second in itertools.product(*(geoms[each] for each in pair))
                 ]
         return excluded, frozenset(exempt)
-
-
-def _some(names: list[str]) -> str:
-    return ", ".join(names[:5]) + (f" and {len(names) - 5} more" if len(names) > 5 else "")
 
 
 def repaired_mjcf(path: Path, limits: Mapping[str, tuple[float, float]], out: Path) -> None:

@@ -3,7 +3,7 @@
 Readers make it, one for each format; the referee judges it.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Literal
@@ -66,6 +66,11 @@ class ForeignModel:
     restricted: Mapping[str, str] = field(default_factory=dict)
     # what is not judged, or not exactly as the file says, one sentence each
     notes: tuple[str, ...] = ()
+
+
+def first_of(names: Sequence[str], most: int = 5) -> str:
+    """Return the first names as text, and that there are more."""
+    return ", ".join(names[:most]) + (f" and {len(names) - most} more" if len(names) > most else "")
 
 
 def counted(path: object, **counts: int) -> None:

@@ -18,7 +18,7 @@ from artgen.colliders.enclose import few_vertices
 from artgen.colliders.triangles import cross
 from artgen.materials import Material
 from artgen.proof.cover import FINE
-from artgen.referee.model import ForeignBody, ForeignGeom, ForeignModel
+from artgen.referee.model import ForeignBody, ForeignGeom, ForeignModel, first_of
 
 WORLD = "world"
 """Name of the link of all bodies that are fixed to the world, if they are several."""
@@ -81,6 +81,11 @@ class JudgedTree:
     # pairs of links between which the file permits no collision, with the reason
     excluded: Mapping[frozenset[str], str]
     contacts: tuple[AllowedContact, ...]  # geoms of other pairs between which it permits none
+
+    @cached_property
+    def partly(self) -> frozenset[frozenset[str]]:
+        """The pairs of links with such contacts."""
+        return frozenset(frozenset(contact.links) for contact in self.contacts)
 
 
 def trees_of(model: ForeignModel) -> tuple[list[JudgedTree], list[str]]:
@@ -174,5 +179,5 @@ def _between(model: ForeignModel, trees: Sequence[JudgedTree]) -> list[str]:
     if len(trees) < 2:
         return []
     reasons = [body.apart for body in model.bodies if body.apart]
-    some = ", ".join(reasons[:3]) + (", ..." if len(reasons) > 3 else "")
+    some = first_of(reasons, 3)
     return [f"{len(trees)} groups of bodies are judged apart, and no pair between two groups: {some}"]

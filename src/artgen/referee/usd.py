@@ -15,11 +15,10 @@ from pxr import Ar, Sdf, Tf, Usd, UsdGeom, UsdPhysics, UsdUtils
 from artgen._arrays import Array
 from artgen.asset import AssetJoint
 from artgen.asset.joint import AssetCoupling, JointKind
-from artgen.dataset.workers import run_tasks
 from artgen.errors import AssetError, ExportError, nearest
-from artgen.referee.files import MOST_LENGTH, check_file, safe_path, shown
+from artgen.referee.files import MOST_LENGTH, check_file, read_apart, safe_path, shown
 from artgen.referee.meshes import Hulls
-from artgen.referee.model import ForeignBody, ForeignGeom, ForeignModel, Meshes, counted
+from artgen.referee.model import ForeignBody, ForeignGeom, ForeignModel, Meshes, counted, first_of
 from artgen.referee.usd_prims import (
     EVEN,
     START,
@@ -34,8 +33,6 @@ from artgen.referee.usd_prims import (
     targets,
 )
 
-_MOST_SECONDS = 120.0  # time for reading [s]
-_MOST_MEMORY = 16 << 30  # memory for reading [bytes]
 _MOST_LAYERS = 1_000
 _MOST_PRIMS = 300_000  # instances count as often as they are used
 _SCHEME = re.compile(r"[A-Za-z][A-Za-z0-9+.-]*:|`")  # of a URI, or an expression with variables
@@ -53,20 +50,14 @@ def read_usd(path: Path, *, meshes: Meshes = "hull", root: Path) -> ForeignModel
     Raises:
         AssetError: The file is damaged, or it composes layers outside `root`.
     """
-    ending = next(iter(run_tasks(_task, [(path, meshes, root)], jobs=1, limit=_MOST_SECONDS)))
-    if ending.state != "done":
-        raise AssetError(f"{path}: OpenUSD does not read it: {ending.reason or ending.state}")
-    if isinstance(ending.value, str):
-        raise AssetError(ending.value)
-    return cast("ForeignModel", ending.value)
+    found = read_apart(_task, (path, meshes, root), f"{path}: OpenUSD does not read it")
+    if isinstance(found, str):
+        raise AssetError(found)
+    return cast("ForeignModel", found)
 
 
 def _task(task: tuple[Path, Meshes, Path]) -> ForeignModel | str:
-    """Return the model of a file, or the error, in a process with little memory."""
-    with suppress(ImportError, ValueError, OSError):  # not on every platform
-        import resource
-
-        resource.setrlimit(resource.RLIMIT_AS, (_MOST_MEMORY, _MOST_MEMORY))
+    """Return the model of a file, or the error."""
     try:
         return model_of(*task)
     except AssetError as error:
@@ -312,8 +303,7 @@ class _Reading:
         excluded = {pair: reason for pair, reason in self.excluded.items() if len(pair) == 2}
         notes = self.hulls.notes()
         for reason, names in self.left.items():
-            some = ", ".join(names[:5]) + (f" and {len(names) - 5} more" if len(names) > 5 else "")
-            notes.append(f"{reason} ({len(names)}): {some}")
+            notes.append(f"{reason} ({len(names)}): {first_of(names)}")
         faults = self.stage.GetCompositionErrors()
         if faults:
             notes.append(f"OpenUSD composes it with {len(faults)} errors: {_line(faults[0])}")
