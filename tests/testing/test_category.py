@@ -68,13 +68,13 @@ def test_what_changes_from_run_to_run_is_told():
 
 def test_nothing_is_remembered_between_the_two_runs(monkeypatch):
     caches = []
-    generate = Generator.generate
+    evaluate = Generator.evaluate
 
-    def recorded(self, seed, *, cache, **options):
+    def recorded(self, seed, *, cache=None, **options):
         caches.append(cache)
-        return generate(self, seed, cache=cache, **options)
+        return evaluate(self, seed, cache=cache, **options)
 
-    monkeypatch.setattr(Generator, "generate", recorded)
+    monkeypatch.setattr(Generator, "evaluate", recorded)
     check_category(stand, seeds=[0, 1], checks=TREE)
     assert [cache is None for cache in caches] == [True, False, True, False]
     assert caches[1] is not caches[3]
