@@ -98,7 +98,7 @@ def thin_blade(share: float) -> Asset:
     arm = artgen.box(0.5, width, 0.02).at(0.25, 0.0, 0.06)
     hinge = artgen.Revolute("hinge", axis=artgen.Z, pivot=(0.0, 0.0, 0.06), limits=(0.0, _RANGE))
     body = artgen.part(plate | pin, "base", metal).attach(artgen.part(arm, "arm", metal), hinge)
-    evaluation = artgen.Graph(body).evaluate({}, artgen.Cache())
+    evaluation = artgen.Graph(body).evaluate({}, artgen.graph.Cache())
     return Asset.from_tree(evaluation.value, "thin_blade", "thin_blade")
 
 
@@ -143,7 +143,7 @@ def poses_for(share: float) -> int:
 
 
 def _evaluated(name: str) -> Asset:
-    return artgen.catalog.find(name).generate(0, cache=artgen.Cache(), certify=False)
+    return artgen.catalog.find(name).generate(0, cache=artgen.graph.Cache(), certify=False)
 
 
 def _timed(make: Callable[[], Asset], runs: int, poses: int) -> Timed:

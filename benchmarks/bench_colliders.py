@@ -63,7 +63,7 @@ def measure(*, quick: bool) -> Section:
     for name in names:
         _generated(name)  # imports and first calls are no part of the figures
         whole[name] = statistics.median(seconds(partial(_generated, name)) for _ in range(1 if quick else 3))
-        asset = artgen.catalog.find(name).generate(0, cache=artgen.Cache(), certify=False)
+        asset = artgen.catalog.find(name).generate(0, cache=artgen.graph.Cache(), certify=False)
         found[name] = {kind: _made(asset, kind, start) for kind in KINDS}
     return Section(
         "colliders by construction against CoACD",
@@ -80,7 +80,7 @@ def _start() -> None:
 
 def _generated(name: str) -> None:
     """Make an asset with its colliders."""
-    _complete(artgen.catalog.find(name).generate(0, cache=artgen.Cache(), certify=False))
+    _complete(artgen.catalog.find(name).generate(0, cache=artgen.graph.Cache(), certify=False))
 
 
 def _complete(asset: Asset) -> None:

@@ -64,7 +64,7 @@ def measure(*, quick: bool) -> Section:
 def _cost(name: str, seed: int, directory: Path) -> Cost:
     times: dict[str, float] = {}
     with timed(times, "seed to asset"):
-        asset = artgen.catalog.find(name).generate(seed, cache=artgen.Cache(), certify=False)
+        asset = artgen.catalog.find(name).generate(seed, cache=artgen.graph.Cache(), certify=False)
         for link in asset.links:
             _ = link.colliders
     with timed(times, "certificate"):

@@ -91,7 +91,7 @@ def _times(other: Peer, name: str, seeds: Sequence[int], directory: Path) -> dic
     place.mkdir(parents=True)
 
     def ours(seed: int, *, everything: bool) -> None:
-        asset = artgen.catalog.find(name).generate(seed, cache=artgen.Cache(), certify=everything)
+        asset = artgen.catalog.find(name).generate(seed, cache=artgen.graph.Cache(), certify=everything)
         if everything:
             asset.export(place / f"all_{seed}")
         else:

@@ -68,15 +68,15 @@ def measure(*, quick: bool) -> Section:
 def stages(category: Generator, seed: int) -> dict[str, float]:
     """Time each stage of one asset [s]."""
     times: dict[str, float] = {}
-    asset, _ = category.evaluate(seed, cache=artgen.Cache())  # the attempt that is feasible
+    asset, _ = category.evaluate(seed, cache=artgen.graph.Cache())  # the attempt that is feasible
     with timed(times, "seed to asset"):
-        category.generate(seed, cache=artgen.Cache(), certify=False)
+        category.generate(seed, cache=artgen.graph.Cache(), certify=False)
     with timed(times, "sample, build"):
         values = category.sample(seed, attempt=asset.attempt)
         graph = artgen.Graph(category.build(values))
     numbers = {name: values[name] for name in graph.parameters}
     with timed(times, "evaluate"):
-        evaluation = graph.evaluate(numbers, artgen.Cache())
+        evaluation = graph.evaluate(numbers, artgen.graph.Cache())
     asset = Asset.from_tree(evaluation.value, f"{category.name}_{seed}", category.name, seed=seed)
     with timed(times, "surfaces"):
         _ = [link.surfaces for link in asset.links]
@@ -92,7 +92,7 @@ def stages(category: Generator, seed: int) -> dict[str, float]:
         with timed(times, name):
             write(asset, TEXTURES)
     with tempfile.TemporaryDirectory() as directory, timed(times, "all, to disk"):
-        category.generate(seed, cache=artgen.Cache()).export(Path(directory) / "asset")
+        category.generate(seed, cache=artgen.graph.Cache()).export(Path(directory) / "asset")
     return times
 
 
@@ -143,14 +143,14 @@ def compiled_share(category: Generator, seed: int) -> dict[str, float]:
     """
     if sys.version_info < (3, 12):
         return {}
-    asset, _ = category.evaluate(seed, cache=artgen.Cache())
+    asset, _ = category.evaluate(seed, cache=artgen.graph.Cache())
     values = category.sample(seed, attempt=asset.attempt)
     graph = artgen.Graph(category.build(values))
     numbers = {name: values[name] for name in graph.parameters}
 
     def run() -> float:
         start = perf_counter()
-        graph.evaluate(numbers, artgen.Cache())
+        graph.evaluate(numbers, artgen.graph.Cache())
         return perf_counter() - start
 
     # the quietest of a few runs with and without counting: counting itself takes time

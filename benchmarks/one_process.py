@@ -37,7 +37,7 @@ def main() -> None:
     count, seeds = int(sys.argv[2]), int(sys.argv[3])
 
     def make(number: int) -> None:
-        cache = artgen.Cache() if seeds < count else None  # by default one that the process shares
+        cache = artgen.graph.Cache() if seeds < count else None  # by default one that the process shares
         asset = category.generate(number % seeds, cache=cache)
         asset.export(directory / str(number), formats=("mjcf",), textures=0)
 

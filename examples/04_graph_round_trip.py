@@ -2,7 +2,8 @@
 
 from pathlib import Path
 
-from artgen import Cache, Graph, catalog
+from artgen import Graph, catalog
+from artgen.graph import Cache
 
 door = catalog.find("door")
 values = door.sample(seed=7)

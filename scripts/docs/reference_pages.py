@@ -32,7 +32,7 @@ PAGES: Mapping[str, tuple[str, tuple[str, ...]]] = {
             "sampling.Distribution",
         ),
     ),
-    "assets": ("Assets", ("Asset", "asset.Link", "asset.AssetJoint", "asset.affordance.Affordance")),
+    "assets": ("Assets", ("Asset", "load", "asset.Link", "asset.AssetJoint", "asset.affordance.Affordance")),
     "proof": (
         "Certificate and checks",
         (
@@ -50,7 +50,7 @@ PAGES: Mapping[str, tuple[str, tuple[str, ...]]] = {
         "Materials",
         ("Material", "materials.material.material", "colored", "MATERIALS", "materials.COLORS"),
     ),
-    "graphs": ("Graphs", ("Graph", "Cache", "graph.Evaluation")),
+    "graphs": ("Graphs", ("Graph", "graph.Cache", "graph.Evaluation")),
     "datasets": ("Datasets", ("Dataset", "stream", "dataset.generate_many", "dataset.Plan")),
     "images": ("Images for training", ("images.ImagePlan",)),
     "tasks": (

@@ -9,11 +9,12 @@ signature declares the parameters. Importing the package loads no simulator, no 
 
 from artgen import asset_methods, catalog
 from artgen.asset import Asset
+from artgen.asset_methods import load
 from artgen.catalog import generate
 from artgen.dataset import Dataset, stream
 from artgen.errors import ArtgenError, BuildError, InfeasibleError, ParameterError
 from artgen.generator import Generator, category, generator, one_of, shades
-from artgen.graph import Cache, Graph
+from artgen.graph import Graph
 from artgen.materials import MATERIALS, Material, colored, material
 from artgen.nodes import details
 from artgen.nodes.body import detail, part, weld
@@ -57,7 +58,6 @@ __all__ = [
     "Body",
     "Bool",
     "BuildError",
-    "Cache",
     "Condition",
     "Dataset",
     "Dependency",
@@ -122,6 +122,7 @@ __all__ = [
     "helix",
     "hull",
     "line",
+    "load",
     "loft",
     "loguniform",
     "material",

@@ -1,12 +1,13 @@
-"""Checks of names and relative paths from authors and files, before they become file names."""
+"""Tuples that are read by name, and checks of names and paths before they become file names."""
 
 import os
 import re
 from collections.abc import Iterator, Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, Generic, Protocol, SupportsIndex, TypeVar, overload
 
-from artgen.errors import AssetError, ExportError
+from artgen._arrays import cached_property
+from artgen.errors import AssetError, ExportError, nearest
 
 NAME_RULE = "letters, digits and _, at most 100"
 """Rule of names for messages; the length leaves room for files named after a link and a part."""
@@ -28,6 +29,53 @@ _NAMED = frozenset(  # keys of asset.json with names
     ]
 )
 _PART = re.compile(r"(?!\.+\Z)[A-Za-z0-9_.-]{1,200}")  # parts of a path: no parent and no drive
+
+
+class _HasName(Protocol):
+    @property
+    def name(self) -> str: ...
+
+
+Item_co = TypeVar("Item_co", bound=_HasName, covariant=True)
+
+
+class ByName(tuple[Item_co, ...], Generic[Item_co]):  # noqa: SLOT001 - it caches its names
+    """A tuple of items that have names: `joints["door_hinge"]` is an item as `joints[0]` is.
+
+    Attributes:
+        missing: Start of the message for an unknown name, such as `asset 'door_7' has no joint`.
+    """
+
+    missing = "there is no"
+
+    @cached_property
+    def names(self) -> tuple[str, ...]:
+        """The names in order."""
+        return tuple(item.name for item in self)
+
+    @cached_property
+    def _items(self) -> dict[str, Item_co]:
+        return {item.name: item for item in self}
+
+    @overload
+    def __getitem__(self, key: str | SupportsIndex) -> Item_co: ...
+
+    @overload
+    def __getitem__(self, key: slice) -> tuple[Item_co, ...]: ...
+
+    def __getitem__(self, key: Any) -> Any:
+        """Return the item of a name or an index, or the items of a slice.
+
+        Raises:
+            AssetError: There is no such name; the message has the nearest name and the others.
+        """
+        if not isinstance(key, str):
+            return super().__getitem__(key)
+        if key not in self._items:
+            near = nearest(key, self.names)
+            others = f" It has: {', '.join(self.names[:12])}{', ...' * (len(self) > 12)}."
+            raise AssetError(f"{self.missing} {key!r}.{near}{others if near.endswith('?') else ''}")
+        return self._items[key]
 
 
 def is_identifier(name: object) -> bool:

@@ -12,6 +12,10 @@ from artgen.asset.asset import Limits, remember
 from artgen.asset.certificate import Certificate
 
 if TYPE_CHECKING:
+    import mujoco
+    import trimesh
+    from pxr import Usd
+
     from artgen.asset.report import Report
     from artgen.view import Camera, Page, Picture, View
 
@@ -111,6 +115,29 @@ def export(
     )
 
 
+def to_mjspec(self: Asset, *, textures: int = 512) -> "mujoco.MjSpec":
+    """Return the asset as an editable model of MuJoCo, as exported; see `artgen.export.objects.mjspec`."""
+    from artgen.export import objects
+
+    return objects.mjspec(self, textures)
+
+
+def to_trimesh(
+    self: Asset, q: Mapping[str, float] | None = None, *, colliders: bool = False, textures: int = 512
+) -> "trimesh.Scene":
+    """Return the asset at a pose as a scene; see `artgen.export.objects.trimesh_scene`."""
+    from artgen.export import objects
+
+    return objects.trimesh_scene(self, q, textures, colliders=colliders)
+
+
+def to_usd(self: Asset, *, textures: int = 512) -> "Usd.Stage":
+    """Return the asset as a USD stage in memory, as exported; see `artgen.export.objects.usd_stage`."""
+    from artgen.export import objects
+
+    return objects.usd_stage(self, textures)
+
+
 def render(
     self: Asset,
     q: Mapping[str, float] | None = None,
@@ -134,6 +161,13 @@ def show(self: Asset, *, textures: int = 512, height: int = 600) -> "Page":
     return page_of(self, textures=textures, height=height)
 
 
+def _repr_html_(self: Asset) -> str:
+    """Return the card that notebooks show: a small picture, and the facts of `print(asset)`."""
+    from artgen.view.page import card
+
+    return card(self)
+
+
 def load(directory: str | Path) -> Asset:
     """Read an asset that `export` wrote; see `artgen.asset.files.load`."""
     from artgen.asset import files
@@ -150,7 +184,8 @@ def _reduce(self: Asset) -> tuple[Any, ...]:
 
 def bind() -> None:
     """Make these functions methods of `Asset`."""
-    for method in (certify, safe_limits, with_limits, clearance, validate, export, render, show):
+    own = (certify, safe_limits, with_limits, clearance, validate, export, to_mjspec, to_trimesh, to_usd)
+    for method in (*own, render, show, _repr_html_):
         setattr(Asset, method.__name__, method)
     Asset.load = staticmethod(load)
     Asset.__reduce__ = _reduce  # type: ignore[method-assign, assignment]

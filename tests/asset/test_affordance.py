@@ -107,7 +107,7 @@ def test_frames_stay_with_their_product_when_it_is_turned(made: Asset) -> None:
     turned = part(grip, "bar", STEEL, grasp=grasp_on(grip, approach=Y, closing=X)).rotate(Z, np.pi / 2)
     written = part(grip, "bar", STEEL, grasp=frame((0, 0, 0), approach=-X, closing=Y))
     frames = [
-        artgen.Graph(body).evaluate({}, artgen.Cache()).value.link.grasps[0].frame
+        artgen.Graph(body).evaluate({}, artgen.graph.Cache()).value.link.grasps[0].frame
         for body in (turned, written)
     ]
     np.testing.assert_allclose(frames[0], frames[1], atol=1e-12)

@@ -8,10 +8,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from manifold3d import Manifold, OpType
 
-from artgen import Asset, Cache
+from artgen import Asset
 from artgen.categories.box import box
 from artgen.categories.box.board import LAYER, THICK
 from artgen.errors import InfeasibleError
+from artgen.graph import Cache
 from artgen.validate.hands.motion import hand_forces
 
 MAJOR = {"flap_front_hinge", "flap_back_hinge"}

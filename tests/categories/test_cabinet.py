@@ -8,8 +8,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from manifold3d import Manifold, OpType
 
-from artgen import Asset, Cache, InfeasibleError
+from artgen import Asset, InfeasibleError
 from artgen.categories.cabinet import cabinet
+from artgen.graph import Cache
 from artgen.validate.hands.motion import hand_forces
 
 

@@ -6,10 +6,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from manifold3d import Manifold, OpType
 
-from artgen import Asset, Cache, InfeasibleError
+from artgen import Asset, InfeasibleError
 from artgen.categories.cooktop import cooktop
 from artgen.categories.cooktop.dials import SWEEP
 from artgen.categories.shared.cooktops import COLUMNS
+from artgen.graph import Cache
 
 KINDS = ("gas", "radiant", "coil", "induction")
 

@@ -5,8 +5,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from artgen import Asset, Cache
+from artgen import Asset
 from artgen.categories.drawer import drawer
+from artgen.graph import Cache
 from artgen.validate.hands import check_grasps
 
 KINDS = ("chest", "bedside", "file", "kitchen")

@@ -7,8 +7,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from artgen import Asset, Cache
+from artgen import Asset
 from artgen.categories.faucet import faucet
+from artgen.graph import Cache
 
 _MIXER = {"spout_swivel", "handle_turn", "handle_lift"}
 _TWO = {"spout_swivel", "handle_turn_left", "handle_turn_right"}

@@ -8,8 +8,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from manifold3d import Manifold, OpType
 
-from artgen import Asset, Cache, ParameterError
+from artgen import Asset, ParameterError
 from artgen.categories.handle import handle
+from artgen.graph import Cache
 from artgen.validate.colliders import check_colliders
 
 

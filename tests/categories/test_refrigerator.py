@@ -9,9 +9,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from manifold3d import Manifold, OpType
 
-from artgen import Asset, Cache
+from artgen import Asset
 from artgen.categories.refrigerator import refrigerator
 from artgen.errors import InfeasibleError
+from artgen.graph import Cache
 from artgen.validate.tree import check_tree
 
 LAYOUTS = {

@@ -9,11 +9,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from artgen import Asset, Cache, InfeasibleError
+from artgen import Asset, InfeasibleError
 from artgen.categories.shared.controls import ButtonShape, DialStyle
 from artgen.categories.toaster import toaster
 from artgen.categories.toaster.inside import LeverStyle
 from artgen.categories.toaster.plan import BodyStyle
+from artgen.graph import Cache
 
 STYLES = get_args(BodyStyle)
 BRIEF = settings(max_examples=6, deadline=None)

@@ -7,8 +7,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from manifold3d import Manifold, OpType
 
-from artgen import Asset, Cache, InfeasibleError
+from artgen import Asset, InfeasibleError
 from artgen.categories.trashcan import trashcan
+from artgen.graph import Cache
 from artgen.validate.hands.motion import hand_forces
 from artgen.validate.solids import check_solids
 from artgen.validate.tree import check_tree

@@ -1,7 +1,8 @@
 """Assets of bodies that no category makes."""
 
-from artgen import Body, Cache, Graph
+from artgen import Body, Graph
 from artgen.asset import Asset
+from artgen.graph import Cache
 
 
 def asset_of(body: Body) -> Asset:

@@ -8,6 +8,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from artgen._arrays import Array, cached_property
+from artgen._names import ByName
+from artgen.asset import summary
 from artgen.asset.affordance import Affordance, affordance_data, affordances
 from artgen.asset.certificate import Certificate
 from artgen.asset.joint import (
@@ -72,8 +74,10 @@ class Asset:
     Attributes:
         name: Identifier, also the name of its files.
         category: Name of its category.
-        links: Rigid bodies, parents before their children; the first is the base.
-        joints: Degrees of freedom; joints of the same two links are consecutive.
+        links: Rigid bodies, parents before their children; the first is the base. `links["door"]` is the link
+            of that name.
+        joints: Degrees of freedom, also by name: `joints["door_hinge"]`; those of the same two links are
+            consecutive.
         seed: Seed of its parameters; None if they were not sampled.
         attempt: Number of infeasible draws before this one.
         parameters: Value of every parameter by name.
@@ -86,8 +90,8 @@ class Asset:
 
     name: str
     category: str
-    links: tuple[Link, ...]
-    joints: tuple[AssetJoint, ...]
+    links: ByName[Link]
+    joints: ByName[AssetJoint]
     seed: int | None = None
     attempt: int = 0
     parameters: Mapping[str, Any] = field(default_factory=dict)
@@ -96,6 +100,13 @@ class Asset:
     labels: tuple[str, ...] = ()
     contacts: tuple[AllowedContact, ...] = ()
     limits: Limits = "full"
+
+    def __post_init__(self) -> None:
+        """Let links and joints be read by name."""
+        for kind in ("link", "joint"):
+            named = ByName(vars(self)[f"{kind}s"])
+            named.missing = f"asset {self.name!r} has no {kind}"
+            vars(self)[f"{kind}s"] = named
 
     @staticmethod
     def from_tree(tree: Tree, name: str, category: str, **fields: Any) -> "Asset":
@@ -121,7 +132,7 @@ class Asset:
         for contact in contacts:
             check_contact(contact, [link.name for link in links], joints)
         ranged = tuple(with_followed_limits(joint, joints) for joint in joints.values())
-        return Asset(name, category, links, ranged, contacts=contacts, **fields)
+        return Asset(name, category, ByName(links), ByName(ranged), contacts=contacts, **fields)
 
     def __copy__(self) -> "Asset":
         return self  # it never changes
@@ -134,33 +145,16 @@ class Asset:
         state = "not certified" if certificate is None else "proven" if certificate.proven else "not proven"
         return f"<Asset {self.name}: {len(self.links)} links, {len(self.joints)} joints, {state}>"
 
-    @cached_property
-    def _links(self) -> dict[str, Link]:
-        return {link.name: link for link in self.links}
-
-    @cached_property
-    def _joints(self) -> dict[str, AssetJoint]:
-        return {joint.name: joint for joint in self.joints}
+    def __str__(self) -> str:
+        return summary.text(self)
 
     def link(self, name: str) -> Link:
-        """Return the link of that name.
-
-        Raises:
-            AssetError: There is no such name; the message suggests the nearest one.
-        """
-        if name not in self._links:
-            raise AssetError(f"asset {self.name!r} has no link {name!r}.{nearest(name, self._links)}")
-        return self._links[name]
+        """Return the link of that name, like `links[name]`."""
+        return self.links[name]
 
     def joint(self, name: str) -> AssetJoint:
-        """Return the joint of that name.
-
-        Raises:
-            AssetError: There is no such name; the message suggests the nearest one.
-        """
-        if name not in self._joints:
-            raise AssetError(f"asset {self.name!r} has no joint {name!r}.{nearest(name, self._joints)}")
-        return self._joints[name]
+        """Return the joint of that name, like `joints[name]`."""
+        return self.joints[name]
 
     @cached_property
     def materials(self) -> tuple[Material, ...]:
@@ -209,7 +203,7 @@ class Asset:
                     f"joint {name!r} cannot be at {position:.6g}; its limits are {low:.6g} to {high:.6g}"
                 )
             result[name] = float(position)
-        result = positions_of_followers(self._joints, result)
+        result = positions_of_followers({joint.name: joint for joint in self.joints}, result)
         return {joint.name: result[joint.name] for joint in self.joints}
 
     def blocked(self, q: Mapping[str, float] | None = None) -> tuple[str, ...]:
@@ -367,6 +361,9 @@ class Asset:
         clearance = asset_methods.clearance
         validate = asset_methods.validate
         export = asset_methods.export
+        to_mjspec = asset_methods.to_mjspec
+        to_trimesh = asset_methods.to_trimesh
+        to_usd = asset_methods.to_usd
         render = asset_methods.render
         show = asset_methods.show
         load = staticmethod(asset_methods.load)
@@ -380,10 +377,10 @@ class Asset:
         """
         if all(link.rounded for link in self.links):
             return self
-        joints, contacts = tuple(map(rounded, self.joints)), rounded(self.contacts)
+        joints, contacts = ByName(map(rounded, self.joints)), rounded(self.contacts)
         result = replace(self, joints=joints, parameters=rounded(self.parameters), contacts=contacts)
         links = [RoundedLink.at(link, result.origin(link.name)) for link in self.links]
-        return remember(replace(result, links=tuple(links)), self.certificate)
+        return remember(replace(result, links=ByName(links)), self.certificate)
 
     def to_data(self) -> dict[str, Any]:
         """Return everything but the triangles as JSON data, with as many digits as `rounded` keeps."""

@@ -8,6 +8,7 @@ import numpy as np
 from manifold3d import Error, Manifold, Mesh64, OpType
 
 from artgen._arrays import Array, Indices, cached_per_object, cached_property
+from artgen._names import ByName
 from artgen.asset import Asset, Collider, Link, Mesh, Surface
 from artgen.asset.link import MOST_COLLIDERS, DerivedLink, boxes_overlap
 from artgen.asset.manifolds import box_of
@@ -179,7 +180,7 @@ def with_colliders(asset: Asset, kind: Collision | str) -> Asset:
 def replace_colliders(asset: Asset, colliders: dict[str, tuple[Collider, ...]], kind: str) -> Asset:
     """Return an asset with replaced colliders; `colliders` has the new ones by link name."""
     links = [RecollidedLink.of(link, replacing=colliders[link.name], collision=kind) for link in asset.links]
-    return replace(asset, links=tuple(links))
+    return replace(asset, links=ByName(links))
 
 
 def collision_of(links: Sequence[dict[str, Any]]) -> str:

@@ -10,7 +10,7 @@ from typing import Any, ClassVar, NoReturn
 import numpy as np
 
 from artgen._arrays import Array, cached_property
-from artgen._names import check_names
+from artgen._names import ByName, check_names
 from artgen.asset.affordance import Grasp, Push
 from artgen.asset.asset import FORMAT, PLAIN, Asset, remember
 from artgen.asset.certificate import Certificate
@@ -137,11 +137,11 @@ def mesh_names(names: Mapping[str, Sequence[str]], taken: Iterable[str] = ()) ->
 def asset_from_data(data: Mapping[str, Any], directory: Path) -> Asset:
     """Make an asset of its JSON data; its surfaces are read from the directory on first access."""
     materials = {item["name"]: Material.from_data(item) for item in data["materials"]}
-    joints = tuple(AssetJoint.from_data(item) for item in data["joints"])
+    joints = ByName(AssetJoint.from_data(item) for item in data["joints"])
     files = mesh_names({item["name"]: [each["name"] for each in item["surfaces"]] for item in data["links"]})
     # the origin of a link lies on its last joint; the base has the asset's frame
     origins = {joint.child: joint.pivot for joint in joints}
-    links = tuple(
+    links = ByName(
         _StoredLink(
             item["name"],
             item["label"],

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from artgen._arrays import cached_property
+from artgen._names import ByName
 from artgen.asset import Asset, Mesh, Surface
 from artgen.asset.asset import remember
 from artgen.asset.collision import need_solids
@@ -42,7 +43,7 @@ def with_precision(asset: Asset, precision: float) -> Asset:
         CoarseLink.of(link, precision=precision, origin=tuple(asset.origin(link.name).tolist()))
         for link in asset.links
     ]
-    result = replace(asset, links=tuple(links))
+    result = replace(asset, links=ByName(links))
     if asset.certificate is not None:
         remember(result, replace(asset.certificate, leaves=None))
     return result

@@ -8,6 +8,7 @@ from functools import partial
 import numpy as np
 
 from artgen._arrays import Array
+from artgen._names import ByName
 from artgen.asset import Asset, AssetCondition, AssetDependency, AssetJoint, Link
 from artgen.asset.affordance import head
 from artgen.asset.asset import Limits, remember, with_followed_limits
@@ -133,7 +134,7 @@ def _is_safe(
 
 def _narrowed(asset: Asset, limits: Mapping[str, tuple[float, float]]) -> Asset:
     joints = [replace(joint, limits=limits.get(joint.name, joint.limits)) for joint in asset.joints]
-    return replace(asset, joints=tuple(joints))
+    return replace(asset, joints=ByName(joints))
 
 
 _MOST = 0.8  # share of its range at which a joint gives way to its dependency in any case
@@ -177,7 +178,7 @@ def with_limits(asset: Asset, limits: Limits, keep: Sequence[str] = ()) -> Asset
         joint.name: replace(joint, needs=None, limits=ranges.get(joint.name, joint.limits))
         for joint in asset.joints
     }
-    followed = tuple(with_followed_limits(joint, joints) for joint in joints.values())
+    followed = ByName(with_followed_limits(joint, joints) for joint in joints.values())
     narrowed = replace(asset, joints=followed, limits=limits)
     if asset.certificate is not None:
         remember(narrowed, certify(narrowed, asset.certificate.tolerance))

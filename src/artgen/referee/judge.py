@@ -9,6 +9,7 @@ from typing import Any, Literal, get_args
 
 import numpy as np
 
+from artgen._names import ByName
 from artgen.asset import Asset, AssetJoint
 from artgen.asset.certificate import Certificate, PairResult
 from artgen.asset.record import plain
@@ -194,7 +195,7 @@ class Judgment:
             raise AssetError(f"{self.path}: no pair collides; there is nothing to draw")
         tree = next(each for each in self.trees if _has(each, pair))
         paints: dict[str, Material] = dict(zip(pair.result.links, _PAINTS, strict=True))
-        links = tuple(
+        links = ByName(
             ColliderLink.of(link.name, link.geoms, paints.get(link.name, MATERIAL))
             for link in tree.asset.links
             if isinstance(link, ColliderLink)
@@ -306,7 +307,7 @@ def _with_locked(asset: Asset) -> Asset:
         middle = sum(joint.limits) / 2.0
         return replace(joint, limits=(middle, middle))
 
-    return replace(asset, joints=tuple(map(locked, asset.joints)))
+    return replace(asset, joints=ByName(map(locked, asset.joints)))
 
 
 def _judged(

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from artgen._arrays import cached_property
+from artgen._names import ByName
 from artgen.asset import Asset, AssetJoint, Collider, Link, Piece
 from artgen.asset.joint import AllowedContact
 from artgen.asset.manifolds import mesh_of
@@ -99,11 +100,11 @@ def trees_of(model: ForeignModel) -> tuple[list[JudgedTree], list[str]]:
     result = []
     for root in roots:
         names = [name for name in dict.fromkeys((root, *bodies)) if root_of.get(name) == root]
-        links = tuple(
+        links = ByName(
             ColliderLink.of(name, [geom for body in bodies.get(name, ()) for geom in body.geoms])
             for name in names
         )
-        steps = tuple(joint for joint in joints if joint.parent in names)
+        steps = ByName(joint for joint in joints if joint.parent in names)
         asset = Asset(model.path.stem, "foreign", links, steps)
         result.append(_with_exclusions(asset, model, bodies))
     return result, _between(model, [tree for tree in result if any(tree.members.values())])

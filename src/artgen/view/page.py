@@ -15,9 +15,14 @@ from io import BytesIO
 from pathlib import Path
 from typing import Any
 
+from artgen.asset import Asset, summary
 from artgen.errors import AssetError, ExportError
+from artgen.export.thumbnail import thumbnail
+from artgen.view.picture import jpeg
 
 _OWN_VIEWER = "var camera,controls,scene"  # end of three.js and start of trimesh's viewer in trimesh's page
+
+_QUALITY = 88  # of the picture on a card
 
 
 @dataclass(frozen=True)
@@ -54,6 +59,21 @@ class Page:
         path = Path(path)
         check_page(path)
         return write_file(path, self.html.encode())
+
+
+def card(asset: Asset) -> str:
+    """Return a small picture of an asset and its facts as a fragment of HTML; `page_of` makes the viewer."""
+    picture = ""
+    with suppress(AssetError):  # an asset that was read from files without surfaces
+        source = base64.b64encode(jpeg(thumbnail(asset), _QUALITY)).decode()
+        picture = f'<img src="data:image/jpeg;base64,{source}" width="192" height="192" alt="{asset.name}"/>'
+    left = ' style="text-align:left;white-space:pre"'
+    rows = "".join(
+        f"<tr><td{left}>{name}</td><td{left}>{html.escape(chr(10).join(lines))}</td></tr>"
+        for name, lines in summary.facts(asset)
+    )
+    table = f"<table><caption{left}><b>{html.escape(summary.title(asset))}</b></caption>{rows}</table>"
+    return f'<div style="display:flex;gap:1em;align-items:center">{picture}{table}</div>'
 
 
 def page_html(kind: str, title: str, scripts: Sequence[str], data: Any, **blobs: bytes) -> str:
