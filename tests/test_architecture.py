@@ -19,6 +19,7 @@ ALONE = (
     "artgen.cli",  # the entry point of the command
     "artgen.studio.guard",  # what keeps foreign pages out is read on its own
 )
+GEOMETRY = ("asset", "colliders", "export", "nodes", "proof", "referee")  # packages that decide on bytes
 LEAST_LINES = 60
 LEAST_LINES_OF_ONE_USER = 200
 
@@ -105,6 +106,17 @@ def is_table(module: str) -> bool:
         path.name == "__init__.py"
         or sum(files()[name].parent == path.parent for name in imports()[module]) > 5
     )
+
+
+@pytest.mark.parametrize("package", GEOMETRY)
+def test_geometry_uses_no_function_whose_digits_depend_on_the_processor(package: str) -> None:
+    pattern = re.compile(r"np\.(sin|cos|tan|arcsin|arccos|arctan2?|exp2?|log\w*|cbrt|power)\b")
+    found = {
+        f"{path.relative_to(SOURCE)}: {match[0]}"
+        for path in (SOURCE / package).rglob("*.py")
+        for match in pattern.finditer(path.read_text(encoding="utf-8"))
+    }
+    assert not found, "use artgen._trig or math: the kernels of NumPy differ between processors"
 
 
 def test_a_class_name_has_one_meaning() -> None:

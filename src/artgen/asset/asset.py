@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
+from artgen import _trig
 from artgen._arrays import Array, cached_property
 from artgen._names import ByName
 from artgen.asset import summary
@@ -281,7 +282,10 @@ class Asset:
             if joint.kind == "prismatic":
                 moved[joint.child] = (turn, shift + position * (turn @ joint.axis[:, None]))
                 continue
-            terms, factors = rotation_terms(joint.axis), (1.0, np.sin(position), 1.0 - np.cos(position))
+            terms, factors = (
+                rotation_terms(joint.axis),
+                (1.0, _trig.sin(position), 1.0 - _trig.cos(position)),
+            )
             pivot = joint.pivot[:, None]
             turned = sum(factor * (turn @ term) for factor, term in zip(factors, terms, strict=True))
             swung = sum(factor * (turn @ (term @ pivot)) for factor, term in zip(factors, terms, strict=True))

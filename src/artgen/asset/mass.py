@@ -4,6 +4,7 @@ The integrals over a polyhedron are sums over the tetrahedra that its triangles 
 point; see B. Mirtich, Fast and accurate computation of polyhedral mass properties, 1996.
 """
 
+import math
 from collections.abc import Iterable
 from dataclasses import dataclass
 
@@ -101,7 +102,7 @@ def total(moments: Iterable[Moments]) -> MassProperties:
     second = 0.5 * (second + second.T)
     inertia = np.trace(second) * np.eye(3) - second
     # rounding noise, such as the product of inertia of a symmetric solid, becomes exactly 0
-    grain = 10.0 ** np.ceil(np.log10(np.trace(inertia)) - _DIGITS)
+    grain = 10.0 ** math.ceil(math.log10(np.trace(inertia)) - _DIGITS)
     return MassProperties(
         float(f"{mass:.{_DIGITS}g}"), np.round(center, _DIGITS) + 0.0, np.rint(inertia / grain) * grain + 0.0
     )

@@ -9,6 +9,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen import _trig
 from artgen._arrays import Array, Indices
 from artgen.asset.manifolds import coincident
 from artgen.asset.shape import Mesh, Shape
@@ -122,7 +123,7 @@ def corner_normals(
     flat = products / np.maximum(areas, 1e-300)[:, None]
     following, before = np.roll(corners, -1, axis=1) - corners, np.roll(corners, 1, axis=1) - corners
     cosine = np.einsum("ijk,ijk->ij", following, before)
-    angle = np.arctan2(np.broadcast_to(areas[:, None], cosine.shape), cosine).ravel()
+    angle = _trig.arctan2(np.broadcast_to(areas[:, None], cosine.shape), cosine).ravel()
     share = angle * np.repeat(areas, 3) if by == "area" else angle
     vertex = triangles.ravel()
     face = np.repeat(np.arange(count), 3)

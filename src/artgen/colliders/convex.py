@@ -7,6 +7,7 @@ from typing import Literal
 import numpy as np
 from manifold3d import Manifold
 
+from artgen import _trig
 from artgen._arrays import Array, FrozenArrays, cached, cached_property
 from artgen.colliders.polytope import Polytope, hull_triangles, is_rigid
 
@@ -220,7 +221,7 @@ def _circle(radius: float, sides: int, *, inscribed: bool) -> Array:
     """Return a polygon inside a circle with a vertex at angle 0, or around it, shape (sides, 2) [m]."""
     angle = (np.arange(sides) + (0.0 if inscribed else 0.5)) * (2.0 * np.pi / sides)
     reach = radius if inscribed else radius / math.cos(math.pi / sides)
-    return np.column_stack((np.cos(angle), np.sin(angle))) * reach
+    return np.column_stack((_trig.cos(angle), _trig.sin(angle))) * reach
 
 
 @cached(_MOST_FREQUENCY)

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from artgen import _trig
 from artgen._arrays import Array, successors
 from artgen.colliders.convex import Convex
 from artgen.colliders.enclose import Facets, enclosing
@@ -94,7 +95,7 @@ def cylinder_pieces(radius: float, length: float, pose: Array = _IDENTITY, mesh_
         raise ValueError(f"a cylinder needs at least 3 sides, got {mesh_sides}")
     cylinder = Convex.cylinder(radius, length, pose)
     angle = np.arange(mesh_sides) * (2.0 * np.pi / mesh_sides)
-    rim = radius * np.column_stack((np.cos(angle), np.sin(angle)))
+    rim = radius * np.column_stack((_trig.cos(angle), _trig.sin(angle)))
 
     def inner(tolerance: float) -> Cover:
         polygon = rim[:: _mesh_step(radius, mesh_sides, tolerance)]

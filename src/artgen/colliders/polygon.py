@@ -6,6 +6,7 @@ import numpy as np
 from manifold3d import CrossSection, FillRule, triangulate
 from numpy.typing import NDArray
 
+from artgen import _trig
 from artgen._arrays import Array, predecessors, successors
 from artgen.colliders.polytope import SNAP
 
@@ -60,7 +61,7 @@ def is_convex(contour: Array) -> bool:
     length = np.hypot(sides[:, 0], sides[:, 1])
     if (_turns(contour) < -_FLAT * length * predecessors(length)).any():
         return False
-    angle = np.arctan2(sides[:, 1], sides[:, 0])
+    angle = _trig.arctan2(sides[:, 1], sides[:, 0])
     turn = np.mod(np.diff(angle, append=angle[:1]) + np.pi, 2.0 * np.pi) - np.pi
     return bool(abs(turn.sum() - 2.0 * np.pi) < 1.0)  # turns once
 

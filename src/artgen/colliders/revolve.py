@@ -5,6 +5,7 @@ from itertools import pairwise
 
 import numpy as np
 
+from artgen import _trig
 from artgen._arrays import Array, successors
 from artgen.colliders.convex import Convex
 from artgen.colliders.pieces import Cover, Pieces
@@ -105,14 +106,16 @@ class _Lathe:
         """Return the number of facets that a chord at a radius may replace."""
         half = self._angle / self._segments / 2.0
         step = 1
-        while (step + 1) * 2.0 * half <= _WIDEST and radius * (1.0 - np.cos((step + 1) * half)) <= tolerance:
+        while (step + 1) * 2.0 * half <= _WIDEST and radius * (
+            1.0 - _trig.cos((step + 1) * half)
+        ) <= tolerance:
             step += 1
         if not self._full:
             return step
         return max(divisor for divisor in range(1, step + 1) if self._segments % divisor == 0)
 
     def _hull(self, part: Array, angles: Array) -> Convex:
-        turn = np.column_stack((np.cos(angles), np.sin(angles)))
+        turn = np.column_stack((_trig.cos(angles), _trig.sin(angles)))
         points = np.empty((len(angles), len(part), 3))
         points[..., :2] = turn[:, None, :] * part[None, :, :1]
         points[..., 2] = part[:, 1]

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 import numpy as np
 from manifold3d import CrossSection, FillRule
 
+from artgen import _trig
 from artgen._arrays import Array, predecessors, successors
 from artgen.asset.shape import Contour, Outline
 from artgen.nodes.surfaces import arc_steps, sides_of
@@ -57,7 +58,7 @@ def reversed_contour(contour: Contour) -> Contour:
 def arc_points(center: Array, radius: float, start: float, sweep: float, steps: int) -> tuple[Array, Array]:
     """Return points of an arc and their directions from the center, both shape (steps + 1, 2)."""
     angle = start + sweep * np.arange(steps + 1) / steps
-    outward = np.column_stack([np.cos(angle), np.sin(angle)])
+    outward = np.column_stack([_trig.cos(angle), _trig.sin(angle)])
     outward[np.abs(outward) < 1e-15] = 0.0
     return center + radius * outward, outward
 
@@ -74,9 +75,9 @@ def ellipse_contour(radius_x: float, radius_y: float) -> Contour:
     # half of the spacing follows the ellipse's parameter, half the turn of its normal: pointed ends get more
     # vertices than flat sides
     fine = math.tau * np.arange(16 * sides + 1) / (16 * sides)
-    turn = np.unwrap(np.arctan2(np.sin(fine) / radius_y, np.cos(fine) / radius_x))
+    turn = np.unwrap(_trig.arctan2(_trig.sin(fine) / radius_y, _trig.cos(fine) / radius_x))
     angle = np.interp(math.tau * np.arange(sides) / sides, 0.5 * (fine + turn), fine)
-    unit = np.column_stack([np.cos(angle), np.sin(angle)])
+    unit = np.column_stack([_trig.cos(angle), _trig.sin(angle)])
     unit[np.abs(unit) < 1e-15] = 0.0
     normals = unit / np.array([radius_x, radius_y])
     normals /= np.linalg.norm(normals, axis=1, keepdims=True)

@@ -5,6 +5,7 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
+from artgen import _trig
 from artgen._arrays import Array, successors
 from artgen.asset.shape import Contour, Curve, Outline, Shape
 from artgen.graph import records
@@ -152,7 +153,7 @@ def _warp(length: float, taper: float, twist: float) -> Callable[[Array, Array],
         x, y, z = vertices.T
         along = z / length + 0.5
         scale, angle = 1.0 - taper * along, twist * along
-        cosine, sine = np.cos(angle), np.sin(angle)
+        cosine, sine = _trig.cos(angle), _trig.sin(angle)
         moved_vertices = np.column_stack(
             [scale * (cosine * x - sine * y), scale * (sine * x + cosine * y), z]
         )

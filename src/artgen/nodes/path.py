@@ -5,6 +5,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from artgen import _trig
 from artgen._arrays import Array, predecessors, successors
 from artgen.asset.shape import Curve
 from artgen.graph import records
@@ -80,8 +81,8 @@ def _filleted(corners: Array, along: Array, length: Array, fillet: float, closed
         steps = max(2, arc_steps(fillet, turn[i]))
         angle = turn[i] * np.arange(steps + 1)[:, None] / steps
         center = corners[i] - before * reach[i] + inward * fillet
-        points.append(center + fillet * (before * np.sin(angle) - inward * np.cos(angle)))
-        tangents.append(before * np.cos(angle) + inward * np.sin(angle))
+        points.append(center + fillet * (before * _trig.sin(angle) - inward * _trig.cos(angle)))
+        tangents.append(before * _trig.cos(angle) + inward * _trig.sin(angle))
     return _without_repeats(np.concatenate(points), np.concatenate(tangents), closed)
 
 
@@ -119,10 +120,10 @@ def _arc(center: Array3, radius: float, start: float, sweep: float, axis: Array3
     zero = np.zeros(len(angle))
     points = (
         check.vector("center", center)
-        + radius * np.column_stack([np.cos(angle), np.sin(angle), zero]) @ turn.T
+        + radius * np.column_stack([_trig.cos(angle), _trig.sin(angle), zero]) @ turn.T
     )
     sign = math.copysign(1.0, sweep)
-    return Curve(points, closed, sign * np.column_stack([-np.sin(angle), np.cos(angle), zero]) @ turn.T)
+    return Curve(points, closed, sign * np.column_stack([-_trig.sin(angle), _trig.cos(angle), zero]) @ turn.T)
 
 
 @records(_arc)
@@ -260,9 +261,11 @@ def _helix(radius: float, pitch: float, turns: float, axis: Array3) -> Curve:
     steps = max(4, math.ceil(turns * arc_steps(radius, math.tau)))
     angle = math.tau * turns * np.arange(steps + 1) / steps
     rise = pitch * angle / math.tau
-    points = np.column_stack([radius * np.cos(angle), radius * np.sin(angle), rise - 0.5 * pitch * turns])
+    points = np.column_stack(
+        [radius * _trig.cos(angle), radius * _trig.sin(angle), rise - 0.5 * pitch * turns]
+    )
     slope = np.full(len(angle), pitch / math.tau)
-    tangents = np.column_stack([-radius * np.sin(angle), radius * np.cos(angle), slope])
+    tangents = np.column_stack([-radius * _trig.sin(angle), radius * _trig.cos(angle), slope])
     return Curve(points @ turn.T, False, _unit_rows(tangents) @ turn.T)
 
 

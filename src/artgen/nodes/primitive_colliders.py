@@ -7,7 +7,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from artgen import colliders
+from artgen import _trig, colliders
 from artgen._arrays import Array
 from artgen.asset.shape import Contour, Outline
 from artgen.colliders import Convex, Pieces
@@ -79,10 +79,10 @@ def _rims(radius: float, length: float, matrix: Array, bevel: float) -> list[Con
     count = 1 if bevel * (1.0 / math.cos(math.pi / 8.0) - 1.0) <= _CHAMFERED else 2
     half = math.pi / 4.0 / (count + 1)
     corner = half * (2.0 * np.arange(count + 1) + 1.0)
-    radii = radius - bevel + bevel * np.cos(corner) / math.cos(half)
-    heights = length / 2.0 - bevel + bevel * np.sin(corner) / math.cos(half)
+    radii = radius - bevel + bevel * _trig.cos(corner) / math.cos(half)
+    heights = length / 2.0 - bevel + bevel * _trig.sin(corner) / math.cos(half)
     angle = np.arange(_SIDES) * (math.tau / _SIDES)
-    circle = np.column_stack((np.cos(angle), np.sin(angle))) / math.cos(math.pi / _SIDES)
+    circle = np.column_stack((_trig.cos(angle), _trig.sin(angle))) / math.cos(math.pi / _SIDES)
     pieces = [Convex.cylinder(radius, 2.0 * float(heights[0]), matrix)]
     for side in (-1.0, 1.0):
         rings = [

@@ -12,6 +12,7 @@ import numpy as np
 from manifold3d import triangulate
 from numpy.typing import NDArray
 
+from artgen import _trig
 from artgen._arrays import Array, FrozenArrays, Indices, cached, predecessors, successors
 from artgen.asset.shape import GRAIN, Contour, Shape
 from artgen.colliders import Pieces
@@ -196,9 +197,9 @@ def _end_rows(length: float, bevel: float, stations: int) -> tuple[Array, Array,
     if steps == 0:
         return np.zeros(stations + 1), middle * half, np.ones(stations + 1), np.zeros(stations + 1)
     turn = np.linspace(0.5 * np.pi, 0.0, steps + 1)
-    inset = bevel * (1.0 - np.cos(turn))
-    level = -half + bevel * (1.0 - np.sin(turn))
-    lean, rise = np.cos(turn), -np.sin(turn)
+    inset = bevel * (1.0 - _trig.cos(turn))
+    level = -half + bevel * (1.0 - _trig.sin(turn))
+    lean, rise = _trig.cos(turn), -_trig.sin(turn)
     lean[0], inset[-1], rise[-1], lean[-1] = 0.0, 0.0, 0.0, 1.0
     inner = middle[1:-1] * (half - bevel)
     zeros = np.zeros(len(inner))
@@ -275,7 +276,7 @@ def _turned(plane: Array, cosine: Array, sine: Array) -> Array:
 def _turns(steps: int, angle: float) -> tuple[Array, Array]:
     """Return cosines and sines of the rows of a lathe, exact in the quarters of a full turn."""
     turn = np.arange(steps + 1) * (angle / steps)
-    cosine, sine = np.cos(turn), np.sin(turn)
+    cosine, sine = _trig.cos(turn), _trig.sin(turn)
     for values in (cosine, sine):
         values[np.abs(values) < 1e-15] = 0.0
         values.flags.writeable = False
@@ -289,7 +290,7 @@ def _unit_box(steps: int) -> tuple[Array, Array, Array, Indices, Indices]:
     An arc is the distance of a vertex from the flat part of its face along the rounded edge, in radii of the
     edge.
     """
-    quarter = np.tan(np.linspace(0.0, np.pi / 4.0, steps + 1)) if steps else np.zeros(1)
+    quarter = _trig.tan(np.linspace(0.0, np.pi / 4.0, steps + 1)) if steps else np.zeros(1)
     across = np.concatenate([-quarter[::-1], quarter])
     side = np.concatenate([-np.ones(steps + 1), np.ones(steps + 1)])
     count = len(across)
@@ -304,8 +305,8 @@ def _unit_box(steps: int) -> tuple[Array, Array, Array, Indices, Indices]:
         directions[face, ..., v] = across[None, :]
         signs[face, ..., u] = side[:, None] * sign
         signs[face, ..., v] = side[None, :]
-        arcs[face, ..., u] = np.arctan(across)[:, None] * sign
-        arcs[face, ..., v] = np.arctan(across)[None, :]
+        arcs[face, ..., u] = _trig.arctan(across)[:, None] * sign
+        arcs[face, ..., v] = _trig.arctan(across)[None, :]
     directions /= np.linalg.norm(directions, axis=-1, keepdims=True)
     cell = np.arange(count - 1)
     corner = cell[:, None] * count + cell[None, :]

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from artgen import _trig
 from artgen._arrays import Array, successors
 from artgen.asset.shape import Contour, Curve, Outline, Shape
 from artgen.colliders.triangles import cross
@@ -36,7 +37,7 @@ class _Stations:
         self.points = np.concatenate([path.points, path.points[:1]]) if closed else path.points
         self.distance = np.concatenate([[0.0], np.cumsum(length)])
         cosine = np.clip(np.einsum("ij,ij->i", arriving, leaving), -1.0, 1.0)
-        turn = np.arccos(cosine)
+        turn = _trig.arccos(cosine)
         if turn.max() > _SHARPEST:
             at = int(np.argmax(turn))
             raise ValueError(
@@ -106,7 +107,7 @@ def _transported(tangents: Array, directions: Array, distance: Array, closed: bo
         missing = math.atan2(float(axis @ start), float(ups[0] @ ups[-1]))
         angle = -missing * distance / distance[-1]
         side = cross(tangents, ups)
-        ups = np.cos(angle)[:, None] * ups + np.sin(angle)[:, None] * side
+        ups = _trig.cos(angle)[:, None] * ups + _trig.sin(angle)[:, None] * side
         ups[-1] = ups[0]
     return np.stack([cross(ups, tangents), ups, tangents], axis=-1)
 

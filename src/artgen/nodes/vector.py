@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from artgen import _trig
 from artgen.asset import Curve, rotation
 from artgen.graph import define, kernel, records
 from artgen.nodes.handles import Array3, ArrayN3, Float, Points, Scalar, Vector, VectorLike
@@ -117,7 +118,7 @@ def _ring_points(center: Array3, radius: float, axis: Array3, count: int, start:
         raise ValueError(f"radius must be positive, got {radius:.6g} m")
     u, v = plane_of(unit(axis))
     angles = start + 2.0 * np.pi * np.arange(count) / count
-    return np.asarray(center + radius * (np.cos(angles)[:, None] * u + np.sin(angles)[:, None] * v))
+    return np.asarray(center + radius * (_trig.cos(angles)[:, None] * u + _trig.sin(angles)[:, None] * v))
 
 
 @records(_ring_points)

@@ -15,6 +15,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from artgen import _trig
 from artgen._arrays import Array, Indices
 from artgen.asset.joint import JointKind
 from artgen.colliders.triangles import cross
@@ -49,7 +50,7 @@ def _about(motion: Motion, points: Array) -> tuple[Array, Array, Array]:
     feet = origin + np.matmul(relative, motion.axis[:, :, None]) * axis
     arm = points - feet
     across = cross(axis, arm)
-    cosine, sine = (f(motion.center)[:, None, None] for f in (np.cos, np.sin))
+    cosine, sine = (f(motion.center)[:, None, None] for f in (_trig.cos, _trig.sin))
     return feet, cosine * arm + sine * across, cosine * across - sine * arm
 
 
@@ -66,14 +67,16 @@ def enclosing_points(motion: Motion, points: Array) -> Array:
         return np.concatenate((middle - step, middle + step), axis=1)
     feet, arm, across = _about(motion, points)
     wide = half > WIDEST
-    cosine, sine = np.where(wide, 1.0, np.cos(half)), np.sin(half)
+    cosine, sine = np.where(wide, 1.0, _trig.cos(half)), _trig.sin(half)
     near, far = feet + cosine * arm, sine * across
     crossing = feet + arm / cosine
     if not wide.any():
         return np.concatenate((near - far, near + far, crossing), axis=1)
-    radius = 1.0 / np.cos(np.pi / _OCTAGON)
+    radius = 1.0 / _trig.cos(np.pi / _OCTAGON)
     turns = np.arange(_OCTAGON) * (2.0 * np.pi / _OCTAGON)
-    corners = [feet + (radius * np.cos(turn)) * arm + (radius * np.sin(turn)) * across for turn in turns]
+    corners = [
+        feet + (radius * _trig.cos(turn)) * arm + (radius * _trig.sin(turn)) * across for turn in turns
+    ]
     ends = [near - far, near + far, *[crossing] * (_OCTAGON - 2)]
     chosen = [np.where(wide, *each) for each in zip(corners, ends, strict=True)]  # each item separately
     return np.concatenate(chosen, axis=1)
@@ -99,7 +102,7 @@ def support(motion: Motion, points: Array, normals: Array) -> Array:
     feet, arm, across = _about(motion, points)
     level, towards = np.matmul(feet, columns), np.matmul(arm, columns)
     sideways = np.abs(np.matmul(across, columns))
-    cosine, sine = (f(motion.half)[:, None, None] for f in (np.cos, np.sin))
+    cosine, sine = (f(motion.half)[:, None, None] for f in (_trig.cos, _trig.sin))
     # the circle `towards cos t + sideways sin t` has its maximum within the interval or at an end
     swing = np.where(
         (towards * sine > sideways * cosine) | (motion.half[:, None, None] >= np.pi),

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from artgen import _trig
 from artgen._arrays import Array, Indices, Mask
 from artgen.asset.joint import JointKind
 from artgen.colliders.triangles import cross
@@ -109,7 +110,7 @@ class JointTable:
                 middle = np.where(away[:, None], center[1], center[0])
                 arm = cross(motion.axis, middle - motion.origin)
                 farthest = np.sqrt(np.sum(arm * arm, axis=1)) + np.where(away, radius[1], radius[0])
-                width = 2.0 * np.sin(np.minimum(width, np.pi) / 2.0) * farthest
+                width = 2.0 * _trig.sin(np.minimum(width, np.pi) / 2.0) * farthest
             result[rows, self.variable[joint_paths, step]] += width
         return result
 
@@ -152,7 +153,7 @@ def _rotations(axis: Array, angle: Array) -> Array:
     matrix = np.zeros((len(axis), 3, 3))
     matrix[:, 0, 1], matrix[:, 0, 2], matrix[:, 1, 2] = -z, y, -x
     matrix -= matrix.transpose(0, 2, 1).copy()
-    sine, cosine = np.sin(angle)[:, None, None], np.cos(angle)[:, None, None]
+    sine, cosine = _trig.sin(angle)[:, None, None], _trig.cos(angle)[:, None, None]
     return np.asarray(np.eye(3) + sine * matrix + (1.0 - cosine) * np.matmul(matrix, matrix))
 
 

@@ -264,7 +264,7 @@ def clearance(asset: Asset, q: Mapping[str, float] | None = None) -> dict[tuple[
         at = np.array([positions[name] for name in joint_path.variables])
         a, b = joint_path.links
         if overlap := link_overlap(asset, joint_path, at):
-            result[a, b] = -float(np.cbrt(overlap.volume))
+            result[a, b] = -(overlap.volume ** (1.0 / 3.0))
         else:
             result[a, b] = _distance(asset.link(a), asset.link(b), np.linalg.inv(poses[a]) @ poses[b])
     return result

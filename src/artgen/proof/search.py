@@ -37,6 +37,7 @@ _AT_ONCE = 400_000  # most vertices of cells between two looks at the clock
 _LONG = 4  # joints above which the points that enclose arcs limit the cells at once
 _MOST_POINTS = 1 << 19  # most such points at once
 _DECIMALS = 9  # decimals of normals
+_TIE = 1e-9  # a clearance is smaller only by more; rounding does not decide between equal ones [m]
 _MANY = 24  # vertices above which a node is searched separately from smaller nodes
 _FARTHEST = 3  # most joints between the frame of a plane and either link
 _MOST_IN_STATE = 6  # most pairs of pieces that are examined in a random state
@@ -171,7 +172,7 @@ class Search:
             a, b = int(first[row]), int(second[column])
             if np.isnan(self.depths(number, box, a, b)):
                 distance, _ = nodes.distance(a, b, rotation, offset)
-                if 0.0 < distance < self._found[number]:
+                if 0.0 < distance < self._found[number] - _TIE:
                     self._found[number], self.outcomes[number].found_at = distance, corners[box]
 
     def _try_states(self, number: int) -> None:
@@ -308,7 +309,7 @@ class Search:
             distances[index], directions[index] = self.nodes.distance(
                 first, second, pose.rotations[-1][row], pose.offset[row]
             )
-            if leaf[first] and leaf[second] and 0.0 < distances[index] < self._found[number]:
+            if leaf[first] and leaf[second] and 0.0 < distances[index] < self._found[number] - _TIE:
                 if self._contacts[number] and not np.isnan(self._depth(cells, row)):
                     continue
                 self._found[number] = distances[index]

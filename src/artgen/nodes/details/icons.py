@@ -15,6 +15,7 @@ from xml.etree.ElementTree import Element, parse
 import numpy as np
 from manifold3d import CrossSection, FillRule
 
+from artgen import _trig
 from artgen._arrays import Array, cached, predecessors
 from artgen.asset.shape import Outline
 from artgen.errors import BuildError, nearest
@@ -169,7 +170,7 @@ def _curve(controls: Array) -> Array:
     """Return samples of a Bezier curve without its start; control points of shape (3, 2) or (4, 2)."""
     legs = np.diff(controls, axis=0)
     legs = legs[np.linalg.norm(legs, axis=1) > 1e-9]
-    angle = np.unwrap(np.arctan2(legs[:, 1], legs[:, 0]))
+    angle = np.unwrap(_trig.arctan2(legs[:, 1], legs[:, 0]))
     turn = float(np.abs(np.diff(angle)).sum())
     length = float(np.linalg.norm(legs, axis=1).sum())
     steps = max(2, _steps(length / max(turn, 0.3), turn))
@@ -231,7 +232,7 @@ def _area(mark: _Mark, width: float) -> list[Array]:
     leaving = side_normals(points)
     arriving = predecessors(leaving)
     cross = arriving[:, 0] * leaving[:, 1] - arriving[:, 1] * leaving[:, 0]
-    turn = np.arctan2(cross, np.einsum("ij,ij->i", arriving, leaving))
+    turn = _trig.arctan2(cross, np.einsum("ij,ij->i", arriving, leaving))
     if not mark.closed:
         turn[[0, -1]] = math.inf
     corners = np.flatnonzero(np.abs(turn) > _SHARP)

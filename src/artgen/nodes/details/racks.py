@@ -9,7 +9,7 @@ from typing import Literal
 
 import numpy as np
 
-from artgen import colliders
+from artgen import _trig, colliders
 from artgen._arrays import Array
 from artgen.asset.shape import ComposedShape, Contour, Curve, Outline, Shape
 from artgen.colliders.pieces import Pieces
@@ -123,7 +123,7 @@ def _bent_wires(path: Curve, radius: float, at: ArrayN3) -> Shape:
     inputs.positive("radius", radius)
     places = inputs.points("at", at, 3, 1)
     around = math.tau * np.arange(_SIDES) / _SIDES
-    outward = np.column_stack([np.cos(around), np.sin(around)])
+    outward = np.column_stack([_trig.cos(around), _trig.sin(around)])
     round_ = Outline((Contour(radius * outward, outward, outward),))
     skin = swept_skin(round_, path)
     count, copies = len(skin.vertices), len(places)

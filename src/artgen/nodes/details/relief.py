@@ -5,6 +5,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from artgen import _trig
 from artgen._arrays import Array, Indices, successors
 from artgen.asset.shape import Contour, Curve, Outline, Shape
 from artgen.colliders import Pieces
@@ -326,7 +327,7 @@ def _bent(flat: Skin, line: Array, radius: float, height: float) -> tuple[Array,
     level = height + up
     angle = across / radius - math.pi / 2.0
     here = np.interp(level, line[:, 1], line[:, 0]) + out
-    cosine, sine = np.cos(angle), np.sin(angle)
+    cosine, sine = _trig.cos(angle), _trig.sin(angle)
     vertices = np.column_stack([here * cosine, here * sine, level])
     x, y, z = flat.normals.T
     normals = np.column_stack([z * cosine - x * sine, z * sine + x * cosine, y])
