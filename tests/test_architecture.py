@@ -110,7 +110,7 @@ def is_table(module: str) -> bool:
 
 @pytest.mark.parametrize("package", GEOMETRY)
 def test_geometry_uses_no_function_whose_digits_depend_on_the_processor(package: str) -> None:
-    pattern = re.compile(r"np\.(sin|cos|tan|arcsin|arccos|arctan2?|exp2?|log\w*|cbrt|power)\b")
+    pattern = re.compile(r"np\.(sin|cos|tan|arcsin|arccos|arctan2?|exp2?|log|log2|log10|log1p|cbrt|power)\b")
     found = {
         f"{path.relative_to(SOURCE)}: {match[0]}"
         for path in (SOURCE / package).rglob("*.py")
