@@ -175,10 +175,11 @@ def office_chair(
     """Make an office swivel chair at its lowest, upright."""
     low, mech = 2 * caster_radius + 0.012, seat_height - 0.125  # undersides of the legs and of the mechanism
     base = base_of(base_radius, low, mech - 0.012, finish)
-    for index, angle in enumerate(LEGS):
-        caster = caster_of(caster_radius, low - 0.0006).rotate(Z, 0.4 + 1.9 * index).suffixed(f"_{index}")
-        turn = ag.Revolute(f"caster_swivel_{index}", axis=Z, feel=feel.CASTER, driven="the floor")
-        base = base.attach(caster, turn, at=(base_radius * cos(angle), base_radius * sin(angle), 0))
+    caster = caster_of(caster_radius, low - 0.0006).rotate(Z, 0.4)
+    turn = ag.Revolute("caster_swivel", axis=Z, feel=feel.CASTER, driven="the floor")
+    base = base.repeat(
+        caster, turn, at=ag.ring_points((0, 0, 0), base_radius, count=5, start=-pi / 2), around=Z
+    )
     seat = seat_of(style, width, depth, mech, seat_height, fabric)
     if style == "stool":
         climb = ag.Prismatic("foot_ring_height", axis=Z, limits=(0, 0.10), friction=25.0, damping=5.0)

@@ -8,11 +8,12 @@ from artgen.errors import AssetError, BuildError, EvaluationError
 from artgen.graph import evaluate
 from artgen.materials import material
 from artgen.nodes.body import detail, part, weld
+from artgen.nodes.fitting import Fitting
 from artgen.nodes.grasp_frames import frame
 from artgen.nodes.handles import Body, Float
 from artgen.nodes.joint import Prismatic, Revolute
-from artgen.nodes.primitive import box
-from artgen.nodes.vector import X, Y, Z, row
+from artgen.nodes.primitive import box, cylinder
+from artgen.nodes.vector import X, Y, Z, ring_points, row
 from support.lines import place_of
 
 OAK, STEEL, GLASS = material("oak"), material("steel"), material("glass")
@@ -296,7 +297,7 @@ def test_methods_record_the_operations():
         == a.attach(b, t).node.key
     )
     assert (
-        Body.record("repeat", parent=a, child=b, joints=(t,), at=at).node.key
+        Body.record("repeat", parent=a, child=b, joints=(t,), at=at, around=None).node.key
         == a.repeat(b, t, at=at).node.key
     )
 
@@ -306,3 +307,33 @@ def test_bodies_do_not_combine_like_solids():
         block("a") | block("b")
     with pytest.raises(BuildError, match=r"weld\(..., bodies=...\) needs a Body, got a Solid handle"):
         weld(block("a"), box(1.0, 1.0, 1.0))
+
+
+def test_repeat_turns_copies_with_their_joints_around_an_axis() -> None:
+    arm = part(box(0.1, 0.02, 0.02).at(x=0.06), "arm", OAK)
+    hinge = Revolute("hinge", axis=X, pivot=(0.02, 0, 0), limits=(0, 1))
+    tree = value(block("hub").repeat(arm, hinge, at=ring_points((0, 0, 1), 0.5, count=4), around=Z))
+    second = tree.branches[1]
+    np.testing.assert_allclose(second.joints[0].axis, (0, 1, 0), atol=1e-12)
+    np.testing.assert_allclose(second.joints[0].pivot, (0, 0.52, 1), atol=1e-12)
+    bounds = second.tree.link.pieces[0].shape.bounds()
+    np.testing.assert_allclose(bounds, [(-0.01, 0.51, 0.99), (0.01, 0.61, 1.01)], atol=1e-9)
+    assert [branch.tree.link.name for branch in tree.branches] == [f"arm_{index}" for index in range(4)]
+
+
+def test_repeat_takes_a_fitting_with_its_joints_and_holes() -> None:
+    board = part(box(0.4, 0.4, 0.02), "board", OAK)
+    pin = part(cylinder(0.004, 0.02, axis=Z).at(z=0.015), "pin", OAK)
+    slide = Prismatic("slide", axis=Z, limits=(0, 0.01))
+    fitting = Fitting.moving(pin, slide, cut=cylinder(0.005, 0.03))
+    tree = value(board.repeat(fitting, at=ring_points((0, 0, 0), 0.1, count=3), around=Z))
+    assert [joint.name for joint in tree.joints()] == ["slide_0", "slide_1", "slide_2"]
+    hole = 0.4 * 0.4 * 0.02 - tree.link.pieces[0].shape.manifold.volume()
+    assert hole == pytest.approx(3 * np.pi * 0.005**2 * 0.02, rel=0.05)
+    with pytest.raises(BuildError, match="a fitting has its own joints; leave joints out"):
+        board.repeat(fitting, slide, at=[(0, 0, 0)])
+
+
+def test_copies_on_the_axis_of_the_turn_have_no_direction() -> None:
+    with pytest.raises(EvaluationError, match=r"point 1 of at= lies on the axis around="):
+        value(block("a").repeat(block("b"), turn("c"), at=[(1, 0, 0), (0, 0, 0), (-1, 0, 0)], around=Z))

@@ -26,7 +26,7 @@ from artgen.errors import (
 from artgen.generator.draw import Draw, Overrides
 from artgen.generator.parameter import Parameter, Variant, is_variant
 from artgen.generator.signature import read_parameters
-from artgen.graph import Cache, Evaluation, Graph, Handle
+from artgen.graph import Cache, Evaluation, Graph, Handle, reached
 from artgen.graph.handle import folding
 from artgen.graph.node import Node, line_in, topological
 from artgen.nodes.handles import Body
@@ -88,6 +88,7 @@ def _release() -> None:
 
 
 _MOST = 4  # most bodies in the cache
+_MOST_OPTIONS = 8  # most options of a structural parameter that are tried for whether it acts
 
 
 class Built:
@@ -194,9 +195,53 @@ class Generator(Variant):
         Raises:
             ParameterError: The seed is negative, or an override is unknown or not allowed.
         """
+        return self._drawn(seed, attempt, overrides).values
+
+    def _drawn(self, seed: int, attempt: int, overrides: Mapping[str, Any] | None) -> Draw:
         draw = Draw(self.name, checked_count("seed", seed), attempt, Overrides(self, overrides or {}))
         draw.sample(self.own)
-        return draw.values
+        return draw
+
+    def inert(
+        self, seed: int, *, attempt: int = 0, overrides: Mapping[str, Any], cache: Cache | None = None
+    ) -> set[str]:
+        """Return the overridden parameters that do not act on a sample; its asset does not record them.
+
+        A number acts if the graph of the sample uses it. A structural value acts if another allowed
+        option makes another graph.
+
+        Args:
+            seed: Seed of the asset.
+            attempt: Number of infeasible draws before this one.
+            overrides: Values or other distributions by name.
+            cache: Values from earlier evaluations.
+        """
+        return self._inert(self._drawn(seed, attempt, overrides), cache)
+
+    def _inert(self, draw: Draw, cache: Cache | None) -> set[str]:
+        overridden = draw.overridden.items()
+        numbers = {name for name, parameter in overridden if not parameter.structural}
+        inert = numbers - reached(self._built.of(draw.values), draw.values, cache) if numbers else set()
+        options = {
+            name: [option for option in parameter.options if option != draw.values[name]][:_MOST_OPTIONS]
+            for name, parameter in overridden
+            if parameter.structural and not is_variant(parameter.kind)
+        }
+        drawn = self._folded(draw.values).node.key if options else ""
+        for name, others in options.items():
+            made = {self._with_option(draw, draw.overridden[name], option) for option in others} - {""}
+            if made == {drawn}:
+                inert.add(name)
+        return inert
+
+    def _with_option(self, draw: Draw, parameter: Parameter, option: Any) -> str:
+        """Return the key of the graph of a sample with another option; empty if it is not allowed."""
+        other = Draw(draw.category, draw.seed, draw.attempt, draw.overrides.replaced(parameter, option))
+        try:
+            other.sample(self.own)
+            return str(self._folded(other.values).node.key)
+        except ArtgenError:
+            return ""
 
     def build(self, values: Mapping[str, Any], prefix: str = "", /, **inputs: Any) -> Any:
         """Call the function with sockets for its parameters and return the handle of the result.
@@ -353,14 +398,17 @@ class Generator(Variant):
         reason = ""
         refused: list[Mapping[str, Any]] = []
         for attempt in range(attempts):
-            values = self.sample(seed, attempt=attempt, overrides=overrides)
+            draw = self._drawn(seed, attempt, overrides)
+            values = draw.values
             if values in refused:  # few parameters, or few values of them, repeat the same sample
                 continue
             try:
                 body = self._built.of(values) if keep_graph else self._folded(values)
                 evaluation = Graph(body).evaluate(values, SHARED if cache is None else cache)
                 try:
-                    asset = self._asset(body, evaluation, values, name, base, seed=seed, attempt=attempt)
+                    inert = self._inert(draw, SHARED if cache is None else cache)
+                    shown = {key: value for key, value in values.items() if key not in inert}
+                    asset = self._asset(body, evaluation, shown, name, base, seed=seed, attempt=attempt)
                     if certify:
                         certify_sample(asset, tolerance, on_collision)
                 except AssetError as error:

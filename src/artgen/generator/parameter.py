@@ -68,6 +68,15 @@ class Parameter:
         """Generators among its values."""
         return variants_in(self.distribution)
 
+    @property
+    def options(self) -> tuple[Any, ...]:
+        """The values that it can have; for numbers from a range, its ends."""
+        if self.kind is bool:
+            return (False, True)
+        if typing.get_origin(self.kind) is Literal:
+            return typing.get_args(self.kind)
+        return tuple(map(self.accept, self.distribution.support()))
+
     def accept(self, value: Any, name: str = "") -> Any:
         """Return a value converted to the type of the parameter.
 

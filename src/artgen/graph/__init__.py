@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from artgen.graph.draw import table, to_mermaid
-from artgen.graph.evaluation import Cache, Evaluation, evaluate
+from artgen.graph.evaluation import Cache, Evaluation, evaluate, reached
 from artgen.graph.handle import LITERAL_TYPES, Handle, LiteralType, handle_of, records
 from artgen.graph.jsonfile import from_json, to_json
 from artgen.graph.kernel import OPERATIONS, Operation, define, kernel, operation
@@ -83,6 +83,7 @@ __all__ = [
     "handle_of",
     "kernel",
     "operation",
+    "reached",
     "records",
     "topological",
 ]

@@ -12,9 +12,9 @@ from typing import Any
 import numpy as np
 
 from artgen.errors import EvaluationError, InfeasibleError
-from artgen.graph.handle import Handle, handle_type, resolve
+from artgen.graph.handle import Handle, handle_of, handle_type, resolve
 from artgen.graph.kernel import Operation, operation
-from artgen.graph.node import PARAMETER, Node, topological
+from artgen.graph.node import PARAMETER, Node, nodes_in, topological
 
 _ABSENT = object()
 
@@ -122,6 +122,32 @@ def evaluate(
         cache.put(content, value)
     result.value = values[handle.node.key]
     return result
+
+
+def reached(handle: Handle, parameters: Mapping[str, Any], cache: Cache | None = None) -> set[str]:
+    """Return the names of the parameters that a value depends on; of a switch, only the chosen branch counts.
+
+    Raises:
+        EvaluationError: The condition of a switch cannot be evaluated.
+    """
+    cache = Cache() if cache is None else cache
+    found: set[str] = set()
+    seen: set[str] = set()
+    stack = [handle.node]
+    while stack:
+        node = stack.pop()
+        if node.key in seen:
+            continue
+        seen.add(node.key)
+        condition = node.inputs.get("condition")
+        if node.op == PARAMETER:
+            found.add(node.inputs["name"])
+        elif operation(node.op).lazy and isinstance(condition, Node):
+            chosen = evaluate(handle_of(condition), parameters, cache).value
+            stack += [condition, *nodes_in(node.inputs["a" if chosen else "b"])]
+        else:
+            stack += node.children
+    return found
 
 
 def _content_keys(order: list[Node], given: Mapping[str, Any], values: dict[str, Any]) -> dict[str, str]:

@@ -26,7 +26,7 @@ from artgen.asset.mass import total
 from artgen.errors import nearest
 from artgen.graph import kernel, records
 from artgen.materials import Material
-from artgen.nodes.csg import subtracted
+from artgen.nodes.csg import poses, subtracted
 from artgen.nodes.grasp_frames import Array4x4, Frame
 from artgen.nodes.handles import Array3, ArrayN3, Body, Scalar, Solid, VectorLike
 from artgen.nodes.validators import finite, pose
@@ -216,12 +216,22 @@ def _reflection(normal: Array3) -> Array:
     return pose(np.eye(3) - 2.0 * np.outer(direction, direction))
 
 
-@kernel(spelling="{parent}.repeat({child}, *{joints}, at={at})")
-def _repeat(parent: Tree, child: Tree, joints: tuple[AssetJoint, ...], at: ArrayN3) -> Tree:
+@kernel(spelling="{parent}.repeat({child}, *{joints}, at={at}, around={around})")
+def _repeat(
+    parent: Tree, child: Tree, joints: tuple[AssetJoint, ...], at: ArrayN3, around: Array3 | None
+) -> Tree:
     if not joints:
         raise ValueError("repeat needs at least one joint; array and weld join copies rigidly")
-    copies = (_placed(child, joints, pose(np.eye(3), point), f"_{index}") for index, point in enumerate(at))
+    places = enumerate(poses(at, around))
+    copies = (_placed(child, joints, pose, f"_{index}") for index, pose in places)
     return replace(parent, branches=(*parent.branches, *copies)).checked()
+
+
+@kernel
+def _copies(body: Tree, at: ArrayN3, around: Array3 | None) -> Tree:
+    """Weld copies of the body of a fitting."""
+    places = enumerate(poses(at, around))
+    return _weld(tuple(body.moved(pose).suffixed(f"_{index}") for index, pose in places))
 
 
 @kernel

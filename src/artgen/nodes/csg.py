@@ -11,6 +11,7 @@ from manifold3d import Manifold, OpType
 
 from artgen import colliders
 from artgen._arrays import Array
+from artgen.asset import rotation
 from artgen.asset.manifolds import manifold_of
 from artgen.asset.shape import ComposedShape, Shape
 from artgen.asset.surface import corner_normals
@@ -26,6 +27,7 @@ from artgen.nodes.primitive_colliders import around_hull
 from artgen.nodes.surfaces import rounded_box
 from artgen.nodes.unwrap import boxed_uvs
 from artgen.nodes.validators import between
+from artgen.nodes.vector import unit
 
 MOST = 0.001
 """Largest distance between coarse colliders and their solid, equal to that of the checks [m]."""
@@ -333,13 +335,32 @@ def bounding_collider(solid: Solid) -> Solid:
     """
 
 
-def _array(solid: Shape, at: ArrayN3) -> Shape:
+def poses(at: ArrayN3, around: Array3 | None) -> list[Array]:
+    """Return the pose of each copy: at a point, and turned about an axis through the middle of the points."""
     places = check.points("at", at, 3, 1)
-    copies = [solid.transformed(check.pose(np.eye(3), place)) for place in places]
+    if around is None:
+        return [check.pose(np.eye(3), place) for place in places]
+    axis = unit(around)
+    spokes = places - places.mean(axis=0)
+    spokes -= np.outer(spokes @ axis, axis)
+    short = np.flatnonzero(np.linalg.norm(spokes, axis=1) < 1e-9)
+    if len(short):
+        raise ValueError(
+            f"point {short[0]} of at= lies on the axis around= through the middle of the points, so a copy "
+            "has no direction there; leave around= out"
+        )
+    angles = np.arctan2(np.cross(spokes[0], spokes) @ axis, spokes @ spokes[0])
+    return [
+        check.pose(rotation(axis, float(angle)), place) for angle, place in zip(angles, places, strict=True)
+    ]
+
+
+def _array(solid: Shape, at: ArrayN3, around: Array3 | None) -> Shape:
+    copies = [solid.transformed(pose) for pose in poses(at, around)]
     if len(copies) == 1:
         return copies[0].checked()
     low, high = solid.bounds()
-    if not _are_apart(places, high - low):
+    if around is not None or not _are_apart(at, high - low):
         return united(copies)
     return ComposedShape(copies)
 
@@ -353,11 +374,13 @@ def _are_apart(places: Array, size: Array) -> bool:
 
 
 @records(_array)
-def array(solid: Solid, *, at: PointsLike) -> Solid:
+def array(solid: Solid, *, at: PointsLike, around: VectorLike | None = None) -> Solid:
     """Copy a solid to several places as one solid; touching and overlapping copies are united.
 
     Args:
         at: Offset of each copy [m].
+        around: Axis through the middle of the points about which the copies are turned like the points: the
+            first one is not turned. By default none is turned.
 
     Examples:
         >>> array(box(0.02, 0.1, 0.05), at=row((0, 0, 0), (0.04, 0, 0), 5))

@@ -281,8 +281,15 @@ class Body(Handle):
         host = self if placed.cut is None else self.cut(placed.cut)
         return Body.record("weld", bodies=(host, placed.body))
 
-    def repeat(self, child: "Body", *joints: Any, at: PointsLike) -> "Body":
+    def repeat(self, child: Any, *joints: Any, at: PointsLike, around: VectorLike | None = None) -> "Body":
         """Join a copy of a child at each point, with copies of its joints, suffixed `_0`, `_1`, ...
+
+        Args:
+            child: The child, modeled about the origin; or a `Fitting`, which has its own joints.
+            *joints: Joints of the child; their pivots and axes move and turn with each copy.
+            at: Place of each copy [m].
+            around: Axis through the middle of the points about which the copies are turned like the points:
+                the first one is not turned. By default none is turned.
 
         Examples:
             >>> panel = part(box(0.2, 0.02, 0.05), "panel", material("abs"))
@@ -290,7 +297,15 @@ class Body(Handle):
             >>> press = Prismatic("press", axis=Y, limits=(0, 0.002), spring=Spring(stiffness=500.0))
             >>> panel.repeat(key, press, at=row((-0.06, 0, 0), (0.04, 0, 0), 4))
         """
-        return Body.record("repeat", parent=self, child=child, joints=joints, at=at)
+        if isinstance(child, Body):
+            return Body.record("repeat", parent=self, child=child, joints=joints, at=at, around=around)
+        if joints:
+            raise BuildError(f"repeat: a fitting has its own joints; leave joints out\n  at {authors_line()}")
+        copies = Body.record("copies", body=child.body, at=at, around=around)
+        if child.cut is None:
+            return Body.record("weld", bodies=(self, copies))
+        holes = Solid.record("array", solid=child.cut, at=at, around=around)
+        return Body.record("weld", bodies=(self.cut(holes), copies))
 
     def allow_contact(self, a: str, b: str, *, depth: Scalar, reason: str = "", when: Any = None) -> "Body":
         """Allow pieces of two links to touch or to penetrate each other, like a gasket and its frame.

@@ -197,7 +197,9 @@ class Session:
         self.error = ""
         self._attempts = asset.attempt + 1
         task = ProofTask(self._reference, self._revision, self.seed, self._attempts, overrides)
-        controls = tuple(parameters_in_use(self.generator.own, asset.parameters))
+        values = self.generator.sample(self.seed, attempt=asset.attempt, overrides=overrides)
+        drawn = {name: getattr(value, "name", value) for name, value in values.items()}
+        controls = tuple(parameters_in_use(self.generator.own, drawn))
         seconds = time.perf_counter() - start
         self.shown = Shown(asset, evaluation, seconds, task, controls)
         self.certificate = None
@@ -264,7 +266,9 @@ class Session:
         arguments = [f"seed={asset.seed}"]
         for name, value in self.shown.task.overrides.items():
             short = self._short(name)
-            drawn = asset.parameters.get(short) if isinstance(value, Distribution) else value
+            if isinstance(value, Distribution) and short not in asset.parameters:
+                continue  # it does not act
+            drawn = asset.parameters[short] if isinstance(value, Distribution) else value
             arguments.append(f"{short.replace('.', '__')}={drawn!r}")
         if self.certificate is None:
             arguments.append("certify=False")
