@@ -3,6 +3,7 @@
 Surfaces keep their normals, texture coordinates and paint; a cut face has those of the cutting solid.
 """
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
@@ -349,10 +350,9 @@ def poses(at: ArrayN3, around: Array3 | None) -> list[Array]:
             f"point {short[0]} of at= lies on the axis around= through the middle of the points, so a copy "
             "has no direction there; leave around= out"
         )
-    angles = np.arctan2(np.cross(spokes[0], spokes) @ axis, spokes @ spokes[0])
-    return [
-        check.pose(rotation(axis, float(angle)), place) for angle, place in zip(angles, places, strict=True)
-    ]
+    sines, cosines = np.cross(spokes[0], spokes) @ axis, spokes @ spokes[0]
+    turns = map(math.atan2, sines.tolist(), cosines.tolist())
+    return [check.pose(rotation(axis, turn), place) for turn, place in zip(turns, places, strict=True)]
 
 
 def _array(solid: Shape, at: ArrayN3, around: Array3 | None) -> Shape:
