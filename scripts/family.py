@@ -9,7 +9,7 @@ from PIL import Image, ImageDraw, ImageFont
 
 from artgen.asset import Asset
 from artgen.catalog import categories, find
-from artgen.view.rendering import close, render
+from artgen.view.rendering import render
 from artgen.view.sheet import save_sheet, shots
 
 DOCS = Path(__file__).parents[1] / "docs"
@@ -42,7 +42,6 @@ def _cell(asset: Asset, name: str) -> np.ndarray:
     (_, view), (q, _), *_ = shots(asset)
     ajar = {joint: _OPEN * position for joint, position in q.items()}
     shown = render(asset, ajar, camera=view, size=(_SIZE, _SIZE)).color
-    close()
     cell = Image.new("RGB", (_SIZE, _SIZE + _TEXT + 12), "white")
     cell.paste(Image.fromarray(shown), (0, 0))
     font = ImageFont.load_default(_TEXT)

@@ -8,7 +8,7 @@ from PIL import Image
 from artgen import _disk_cache as disk_cache
 from artgen.asset import Asset
 from artgen.catalog import categories, find
-from artgen.view import close, page_of, render
+from artgen.view import page_of, render
 from artgen.view.sheet import shots
 
 SEEDS = {"box": 2, "lamp": 9, "trashcan": 6, "window": 6}
@@ -60,7 +60,6 @@ def thumbnail(category: str, digest: str) -> bytes:
         (_, view), (q, _), *_ = shots(asset)
         ajar = {joint: _OPEN * position for joint, position in q.items()}
         pixels = render(asset, ajar, camera=view, size=_SIZE, studio="none", textures=256).color
-        close()
         file = io.BytesIO()
         Image.fromarray(pixels).save(file, "WEBP", quality=84, method=6)
         cached = file.getvalue()

@@ -13,12 +13,12 @@ from artgen.asset import Asset
 from artgen.graph.evaluation import evaluate
 from artgen.graph.handle import Handle
 from artgen.nodes.handles import Body, Path, Profile, Solid
-from artgen.view import View, close, opened, render
+from artgen.view import View, opened, render
 
 SIZE = 320
 """Width and height of a picture [pixels]."""
 
-_VERSION = "2"  # of how things are drawn
+_VERSION = "3"  # of how things are drawn
 _PLAIN = MATERIALS["abs"].with_(name="plain", base_color=(0.28, 0.45, 0.62), texture="", tile=None)
 _SIGN = MATERIALS["abs"].with_(name="sign", base_color=(0.8, 0.2, 0.12), texture="", tile=None)
 _SOLID = View(-0.55, 0.42, margin=0.1)
@@ -34,7 +34,7 @@ def picture(made: Handle) -> bytes:
 
     Raises:
         TypeError: The handle cannot be drawn.
-        RenderError: MuJoCo's renderer is missing.
+        RenderError: Embree is missing.
     """
     asset = _asset(_body(made))
     low, high = asset.bounds()
@@ -48,7 +48,6 @@ def picture(made: Handle) -> bytes:
     pixels = [
         render(asset, q, camera=view, size=SIZE, studio="none", textures=0, samples=4).color for q in poses
     ]
-    close()
     file = io.BytesIO()
     Image.fromarray(np.hstack(pixels)).save(file, "WEBP", quality=82, method=6)
     disk_cache.write("docs_pictures", key, file.getvalue())

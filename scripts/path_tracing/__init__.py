@@ -3,6 +3,7 @@
 import math
 import os
 import re
+import warnings
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, Literal, get_args
@@ -95,6 +96,12 @@ def load_mitsuba() -> Any:
             'pip install "artgen[render]"'
         ) from error
     if mitsuba.variant() is None:
+        if not library:
+            warnings.warn(
+                "no LLVM library from version 16 on is found, and path tracing is many times as slow without "
+                "it: apt install libllvm19",
+                stacklevel=2,
+            )
         mitsuba.set_variant("llvm_ad_rgb" if library else "scalar_rgb")
     return mitsuba
 

@@ -12,8 +12,8 @@ from artgen.asset import Asset
 from artgen.errors import ArtgenError
 from artgen.generator import Generator
 from artgen.view.camera import View
-from artgen.view.rendering import cast
 from artgen.view.sheet import shots
+from artgen.view.tracing import cast
 
 SAME = 0.07
 """Difference below which two samples look like one product, such as one appliance in two sizes."""

@@ -146,7 +146,7 @@ def render(
     size: int | tuple[int, int] = 768,
     studio: Literal["studio", "room", "none"] = "studio",
     textures: int = 512,
-    samples: int = 32,
+    samples: int = 8,
 ) -> "Picture":
     """Render a picture of the asset, with masks, depth and normals; see `artgen.view.render`."""
     from artgen import view

@@ -3,8 +3,10 @@
 import importlib.util
 import math
 import sys
+from types import SimpleNamespace
 
 import numpy as np
+import path_tracing
 import pytest
 from path_tracing import load_mitsuba, render_mitsuba, usable_llvm
 from path_tracing.film import denoised, displayed, tone_mapped
@@ -181,6 +183,16 @@ def test_an_llvm_that_aborts_is_never_chosen(monkeypatch, tmp_path) -> None:
         assert usable_llvm() == (str(library) if usable else "")
     monkeypatch.delenv("DRJIT_LIBLLVM_PATH")
     assert "LLVM-15" not in usable_llvm()
+
+
+def test_a_missing_llvm_is_named_before_it_costs_time(monkeypatch) -> None:
+    chosen: list[str] = []
+    plain = SimpleNamespace(variant=lambda: None, set_variant=chosen.append)
+    monkeypatch.setitem(sys.modules, "mitsuba", plain)
+    monkeypatch.setattr(path_tracing, "usable_llvm", lambda: "")
+    with pytest.warns(UserWarning, match="many times as slow without it: apt install libllvm19"):
+        load_mitsuba()
+    assert chosen == ["scalar_rgb"]
 
 
 def test_a_picture_without_the_denoiser_is_unchanged(monkeypatch) -> None:

@@ -1,7 +1,5 @@
 """A small cabinet to take pictures of, and what pictures need."""
 
-from collections.abc import Iterator
-
 import pytest
 
 from artgen.asset import Asset
@@ -41,17 +39,3 @@ def red_cabinet() -> Asset:
 @pytest.fixture(scope="session")
 def glass_cabinet() -> Asset:
     return cabinet.generate(glazed=True)
-
-
-@pytest.fixture(scope="module")
-def opengl() -> Iterator[None]:
-    """Skip where MuJoCo cannot draw; free what it holds at the end."""
-    pytest.importorskip("mujoco", reason="needs MuJoCo: artgen[sim]")
-    from artgen.view import RenderError, close, gl
-
-    try:
-        gl.available()
-    except RenderError as error:
-        pytest.skip(f"needs OpenGL: {error}")
-    yield
-    close()

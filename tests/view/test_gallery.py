@@ -111,7 +111,7 @@ def test_a_card_leads_to_the_viewer(tab: Tab) -> None:
 @pytest.fixture
 def no_renderer(monkeypatch: pytest.MonkeyPatch) -> None:
     def render(*_: Any, **__: Any) -> None:
-        raise RenderError("no OpenGL here")
+        raise RenderError("no Embree here")
 
     monkeypatch.setattr(gallery_module, "render", render)
 

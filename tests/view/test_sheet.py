@@ -22,7 +22,7 @@ from artgen.view import sheet as sheets
 from artgen.view.sheet import features, save_sheet, sheet, shots
 
 OAK = material("oak")
-DRAW = {"textures": 0, "samples": 1, "size": 48}
+DRAW = {"textures": 0, "size": 48}
 
 
 @generator
@@ -177,7 +177,6 @@ def test_other_shares_are_refused(share) -> None:
         opened(lone_lever.generate(), share)
 
 
-@pytest.mark.usefixtures("opengl")
 class TestSheet:
     def test_it_has_a_cell_for_each_asset_with_all_poses_and_sides(self, red_cabinet) -> None:
         seen = []
@@ -248,10 +247,9 @@ def exported(red_cabinet, tmp_path) -> Asset:
     return red_cabinet.export(tmp_path / "cabinet", formats=("urdf",))
 
 
-FAST = ("--texture-size", "0", "--samples", "1", "--size", "64x48")
+FAST = ("--texture-size", "0", "--size", "64x48")
 
 
-@pytest.mark.usefixtures("opengl")
 class TestCommands:
     def test_render_draws_an_export(self, artgen_command, exported) -> None:
         closed = artgen_command("render", str(exported), *FAST)

@@ -10,7 +10,8 @@ from artgen.materials.textures import RECIPES, Pattern, Recipe
 from artgen.nodes.body import part
 from artgen.nodes.handles import Body
 from artgen.nodes.primitive import box
-from artgen.view import View, rendering
+from artgen.view import View
+from artgen.view.tracing import cast
 
 TILE = (0.3, 0.4)
 QUARTERS = np.array([[[0.6, 0.05, 0.05], [0.05, 0.6, 0.05]], [[0.05, 0.05, 0.6], [0.5, 0.5, 0.5]]])
@@ -37,15 +38,14 @@ def board(*, turned: bool = False) -> Body:
     return part(box(0.8, 0.1, 1.1), "board", painted)
 
 
-@pytest.mark.usefixtures("opengl")
 @pytest.mark.parametrize("turned", [False, True])
 def test_every_pixel_has_the_color_of_its_texel(turned) -> None:
     pytest.importorskip("embreex", reason="needs Embree: artgen[sim]")
     asset = board.generate(turned=turned)
     size = (120, 120)
     for view in (View(-0.5, 0.3), View(2.6, 0.9)):
-        shown = asset.render(camera=view, size=size, textures=256, samples=4, studio="none")
-        found = rendering.cast(
+        shown = asset.render(camera=view, size=size, textures=256, studio="none")
+        found = cast(
             [surface.mesh for surface in asset.links[0].surfaces],
             np.array(shown.camera.position),
             shown.camera.rays(size),

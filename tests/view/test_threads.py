@@ -7,7 +7,7 @@ import sys
 
 import pytest
 
-pytestmark = pytest.mark.usefixtures("opengl")
+pytest.importorskip("embreex", reason="needs Embree: artgen[sim]")
 
 CUBE = """
 import threading, os
@@ -18,7 +18,7 @@ def cube() -> Body:
     return part(box(0.1, 0.1, 0.1), "cube", material("oak"))
 
 def picture(asset):
-    return asset.render(size=32, textures=0, samples=4)
+    return asset.render(size=32, textures=0)
 
 asset = cube.generate()
 seen = []
@@ -40,17 +40,12 @@ print(len(seen), len(set(seen)), seen[0] > 100)
 """
 
 FORK = """
-shown, later = picture(asset), picture(asset)
-want = shown.links.ids.sum()
+shown = picture(asset)
 child = os.fork()
 if not child:
-    try:
-        picture(asset)
-    except Exception as error:
-        print(type(error).__name__, error, flush=True)
-    print(later.links.ids.sum() == want, flush=True)
-    os._exit(3)  # as multiprocessing ends its processes
-print(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]), picture(asset).links.ids.sum() == want)
+    same = (picture(asset).color == shown.color).all()
+    os._exit(3 if same else 4)  # as multiprocessing ends its processes
+print(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))
 """
 
 
@@ -75,9 +70,5 @@ def test_threads_draw_the_same() -> None:
 @pytest.mark.skipif(
     "fork" not in multiprocessing.get_all_start_methods(), reason="needs fork: Linux or macOS"
 )
-def test_a_forked_process_says_that_it_cannot_draw() -> None:
-    refused, masked, parent = output_of(CUBE + FORK).splitlines()
-    assert refused.startswith("RenderError this process was forked from one that had drawn a picture")
-    assert "'spawn' or 'forkserver'" in refused
-    assert masked == "True", "masks are not found by rays"
-    assert parent == "3 True"
+def test_a_forked_process_draws_the_same() -> None:
+    assert output_of(CUBE + FORK) == "3\n"

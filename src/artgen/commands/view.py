@@ -74,7 +74,7 @@ def gallery(
 ) -> None:
     """Write a page of all assets in a folder, with pictures and filters, and print its path.
 
-    Each picture links to the viewer of its asset. With artgen[sim], MuJoCo draws the pictures.
+    Each picture links to the viewer of its asset. With artgen[sim], they show it closed and open.
     """
     from artgen.view.gallery import find_assets, write_gallery
 

@@ -20,7 +20,7 @@ from artgen.export.mjcf import mjcf_tree
 from artgen.export.text import document
 from artgen.view import gl
 from artgen.view.camera import Camera
-from artgen.view.rendering import Renderer
+from artgen.view.raster import Renderer
 
 TIME_STEP = 0.0025  # of the physics: half the time constant of contacts and limits in the exports [s]
 STEPS = 20  # physics steps per action

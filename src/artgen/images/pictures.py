@@ -29,9 +29,10 @@ from artgen.materials import material as find_material
 from artgen.sampling.distributions import stream
 from artgen.version import __version__
 from artgen.view.camera import Camera
-from artgen.view.rendering import Renderer, cast
+from artgen.view.raster import Renderer
 from artgen.view.scene import HALF, HIDDEN_GROUP, SKY, STUDIO_GROUP, RenderScene, SceneBuilder
 from artgen.view.studio import ribbon
+from artgen.view.tracing import cast
 
 if TYPE_CHECKING:
     from artgen.images.plan import ImagePlan
@@ -67,8 +68,12 @@ class ImageScene(RenderScene):
         spec.visual.quality.shadowsize = _SHADOW_TEXELS[self._large]
         wide = _WIDE * self.place.radius
         lying, standing = np.array([0.0, 0.0, 1.0]), np.array([0.0, -1.0, 0.0])
-        level = ribbon(np.array([[-wide, 0.0], [wide, 0.0]]), np.array([lying, lying]), 0.0, wide)
-        upright = ribbon(np.array([[0.0, -wide], [0.0, wide]]), np.array([standing, standing]), 0.0, wide)
+        level = ribbon(
+            np.array([[-wide, 0.0], [wide, 0.0]]), np.array([lying, lying]), np.array([-wide, wide])
+        )
+        upright = ribbon(
+            np.array([[0.0, -wide], [0.0, wide]]), np.array([standing, standing]), np.array([-wide, wide])
+        )
         for kind, mesh in (("floor", level), ("wall", upright)):
             for number, name in enumerate(self._around[kind]):
                 # its own name separates its tint from that of the asset

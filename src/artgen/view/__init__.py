@@ -5,7 +5,7 @@ from artgen.view.camera import VIEWS, Camera, View
 from artgen.view.opening import opened
 from artgen.view.page import Page
 from artgen.view.picture import Picture, Segmentation
-from artgen.view.rendering import close, render
+from artgen.view.rendering import render
 from artgen.view.viewer import page_of
 
 __all__ = [
@@ -16,7 +16,6 @@ __all__ = [
     "RenderError",
     "Segmentation",
     "View",
-    "close",
     "opened",
     "page_of",
     "render",

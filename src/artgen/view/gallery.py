@@ -11,7 +11,7 @@ from artgen.errors import ArtgenError, AssetError, ExportError, RenderError
 from artgen.export.thumbnail import thumbnail
 from artgen.view.page import page_html, write_file
 from artgen.view.picture import jpeg
-from artgen.view.rendering import close, render
+from artgen.view.rendering import render
 from artgen.view.sheet import features, shots
 from artgen.view.viewer import page_of
 
@@ -21,7 +21,7 @@ INDEX = "index.html"
 _MARK = '<meta name="generator" content="artgen gallery">'  # identifies an earlier gallery
 _SCRIPTS = ("view/web/elements.js", "view/web/gallery.js")
 _PICTURE = 288  # pixels per side
-_SAMPLES = 8  # quality of shadows and edges
+_SAMPLES = 8  # rays for each pixel
 _QUALITY = 84  # quality of JPEG files
 
 
@@ -92,7 +92,7 @@ def write_gallery(
 
 
 class _Pictures:
-    """Draws the pictures of assets: closed and open by MuJoCo, or closed only without it."""
+    """Draws the pictures of assets: closed and open by Embree, or closed only without it."""
 
     def __init__(self) -> None:
         self._draws = True
@@ -111,7 +111,6 @@ class _Pictures:
             render(asset, q, camera=view, size=_PICTURE, textures=256, samples=_SAMPLES).color
             for q, view in shots(asset)[:2]
         ]
-        close()  # no asset is drawn twice, so its memory can be freed
         return [jpeg(picture, _QUALITY) for picture in pictures]
 
 

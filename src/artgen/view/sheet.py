@@ -15,7 +15,7 @@ from artgen.errors import ExportError, ParameterError
 from artgen.view.camera import View, box_corners
 from artgen.view.opening import opened
 from artgen.view.picture import Pixels, check_suffix, jpeg, save_image
-from artgen.view.rendering import close, render
+from artgen.view.rendering import render
 
 ASIDE = 0.5
 """Largest angle of the camera from the front or back of a sample [rad]."""
@@ -48,7 +48,7 @@ def sheet(
     size: int = 200,
     columns: int | None = None,
     textures: int = 256,
-    samples: int = 16,
+    samples: int = 8,
     progress: Callable[[int, int], None] | None = None,
 ) -> Pixels:
     """Return a page of pictures: a cell for each asset, closed, open and from behind, shape (h, w, 3).
@@ -62,12 +62,12 @@ def sheet(
         size: Height of a picture [pixels].
         columns: Number of cells side by side; by default as many as make a good page.
         textures: Texels per side of the material maps; 0 for plain colors.
-        samples: Number of samples of lamps and edges.
+        samples: Number of rays to the lamps and around for each pixel, a multiple of 8.
         progress: Receives the number of finished assets, and of all.
 
     Raises:
         ParameterError: There are no assets, or another argument is not allowed.
-        RenderError: MuJoCo or OpenGL is missing.
+        RenderError: Embree is missing.
     """
     if not assets or views not in (1, 2) or (columns is not None and columns < 1):
         raise ParameterError(
@@ -83,7 +83,6 @@ def sheet(
             render(asset, q, camera=view, size=picture, textures=textures, samples=samples).color
             for q, view in shots(asset)[: views + 1]
         ]
-        close()  # no asset is drawn twice, so its memory can be freed
         cells.append(_cell(asset, shown, features(asset)))
         if progress is not None:
             progress(number + 1, len(assets))

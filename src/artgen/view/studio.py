@@ -6,8 +6,10 @@ In studio coordinates z is up, and the camera is towards -y.
 import math
 from dataclasses import dataclass
 from functools import lru_cache
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from artgen._arrays import Array
 from artgen.asset import Asset
@@ -16,9 +18,13 @@ from artgen.materials import Material, material
 from artgen.view.camera import Camera, box_corners
 from artgen.view.opening import opened
 
+Floats = NDArray[np.floating[Any]]
+"""Vectors are rows of components, shape (3, n)."""
+
 _PAPER = Material("studio_paper", (0.74, 0.74, 0.74), specular_roughness=1.0)
 _WALL = Material("studio_wall", (0.70, 0.68, 0.64), specular_roughness=0.9)
 _SKIRTING = Material("studio_skirting", (0.80, 0.79, 0.77), specular_roughness=0.4)
+_FLOOR_REACH, _FLOOR_CELLS = 2.4, 40  # finely divided part of a floor, relative to the asset's radius
 _LOBE = 64  # directions in the average for the blur of a rough surface
 
 
@@ -77,42 +83,55 @@ def _cyclorama(center: Array, radius: float, floor: float) -> Mesh:
     bend = 5.0 * radius
     angles = np.linspace(0.0, math.pi / 2, 25)
     back = center[1] + 3.0 * radius
-    y = np.concatenate([[-40.0 * radius], back + bend * np.sin(angles), [back + bend]])
-    z = np.concatenate([[0.0], bend * (1.0 - np.cos(angles)), [60.0 * radius]])
-    slope = np.concatenate([[0.0], angles, [math.pi / 2]])
+    near = center[1] + radius * np.linspace(-_FLOOR_REACH, _FLOOR_REACH, _FLOOR_CELLS + 1)
+    y = np.concatenate([[-40.0 * radius], near, back + bend * np.sin(angles), [back + bend]])
+    z = np.concatenate([[0.0], 0.0 * near, bend * (1.0 - np.cos(angles)), [60.0 * radius]])
+    slope = np.concatenate([[0.0], 0.0 * near, angles, [math.pi / 2]])
     normals = np.column_stack([np.zeros_like(slope), -np.sin(slope), np.cos(slope)])
-    return ribbon(np.column_stack([y, z + floor]), normals, center[0], 50.0 * radius)
+    return ribbon(np.column_stack([y, z + floor]), normals, _columns(center[0], radius, 50.0))
+
+
+def _columns(middle: float, radius: float, reach: float) -> Array:
+    """Return the places of the vertices of a floor across the studio, close together near the asset."""
+    near = np.linspace(-_FLOOR_REACH, _FLOOR_REACH, _FLOOR_CELLS + 1)
+    return np.asarray(middle + radius * np.array([-reach, *near, reach]))
 
 
 def _room(center: Array, radius: float, floor: float, back: float) -> list[tuple[Mesh, Material]]:
     wall = back + 0.03 * radius + 0.02
     height, depth = 0.09, 0.015  # size of a skirting board [m]
-    up, front = (0.0, 0.0, 1.0), (0.0, -1.0, 0.0)
     foot, top = wall - depth, floor + height
+    up, front = (0.0, 0.0, 1.0), (0.0, -1.0, 0.0)
+    rows = np.linspace(center[1] - _FLOOR_REACH * radius, foot, _FLOOR_CELLS, endpoint=False)
+    near = [(float(row), floor) for row in rows]
     sheets = (
-        (((center[1] - 12.0 * radius, floor), (foot, floor)), (up, up), material("oak")),
+        (
+            ((center[1] - 12.0 * radius, floor), *near, (foot, floor)),
+            (up,) * (len(near) + 2),
+            material("oak"),
+        ),
         (((wall, floor), (wall, floor + 8.0 * radius)), (front, front), _WALL),
         (((foot, floor), (foot, top), (foot, top), (wall, top)), (front, front, up, up), _SKIRTING),
     )
     return [
-        (ribbon(np.array(profile), np.array(normals), center[0], 12.0 * radius), made)
+        (ribbon(np.array(profile), np.array(normals), _columns(center[0], radius, 12.0)), made)
         for profile, normals, made in sheets
     ]
 
 
-def ribbon(profile: Array, normals: Array, middle: float, half: float) -> Mesh:
-    """Return a sheet: a line in y and z, shape (n, 2), extruded along x."""
-    count = len(profile)
-    vertices = np.empty((count, 2, 3))
-    vertices[..., 0] = middle + np.array([-half, half])
+def ribbon(profile: Array, normals: Array, columns: Array) -> Mesh:
+    """Return a sheet: a line in y and z, shape (n, 2), extruded along x, with vertices at some places."""
+    count, wide = len(profile), len(columns)
+    vertices = np.empty((count, wide, 3))
+    vertices[..., 0] = columns
     vertices[..., 1:] = profile[:, None]
     length = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(profile, axis=0), axis=1))])
     uvs = np.stack(np.broadcast_arrays(vertices[..., 0], length[:, None]), axis=-1)
-    first = 2 * np.arange(count - 1)[:, None]
-    triangles = np.concatenate([first + [0, 1, 3], first + [0, 3, 2]])
+    first = (wide * np.arange(count - 1)[:, None] + np.arange(wide - 1)).reshape(-1, 1)
+    triangles = np.concatenate([first + [0, 1, wide + 1], first + [0, wide + 1, wide]])
     flat = vertices.reshape(-1, 3)
     of_surface = np.zeros(len(flat), np.int64)
-    return Mesh(flat, np.repeat(normals, 2, axis=0), uvs.reshape(-1, 2), of_surface, triangles)
+    return Mesh(flat, np.repeat(normals, wide, axis=0), uvs.reshape(-1, 2), of_surface, triangles)
 
 
 def radiance(directions: Array) -> Array:
@@ -160,6 +179,121 @@ def reflected(directions: Array, roughness: float) -> Array:
     return np.asarray(total / weight.sum())
 
 
+@dataclass(frozen=True)
+class Box:
+    """A rectangular lamp; lengths are relative to the asset's radius, from the asset's center."""
+
+    center: tuple[float, float, float]  # it faces the asset
+    half: tuple[float, float]  # half its width and height
+    radiance: float
+
+    def axes(self) -> Array:
+        """Return the directions of width, height and light as rows, shape (3, 3)."""
+        light = -np.array(self.center) / np.linalg.norm(self.center)
+        across = np.cross((0.0, 1.0, 0.0) if abs(light[2]) > 0.9 else (0.0, 0.0, 1.0), light)
+        across /= np.linalg.norm(across)
+        return np.array([across, np.cross(light, across), light])
+
+
+POINTS = 1024
+"""Number of points on the lamps."""
+
+_HORIZON, _ZENITH = 0.24, 0.46  # radiance of the tent
+
+BOXES = (
+    Box((-2.3, -2.7, 2.4), (1.05, 1.05), 12.0),  # key
+    Box((0.3, 0.5, 4.4), (1.6, 1.0), 3.2),  # top
+    Box((3.7, -0.9, 1.1), (0.5, 1.6), 2.2),  # right
+    Box((-3.0, 1.9, 1.5), (0.4, 1.5), 2.6),  # left, behind
+)
+_AXES = np.array([box.axes() for box in BOXES], np.float32)
+_CENTERS = np.array([box.center for box in BOXES], np.float32)
+_HALVES = np.array([box.half for box in BOXES], np.float32)
+
+
+def spread(count: int) -> Floats:
+    """Return points in a square such that each run of them is spread evenly (R2), shape (2, count)."""
+    index = np.arange(count)
+    return np.stack([(0.5 + index * 0.7548776662466927) % 1.0, (0.5 + index * 0.5698402909980532) % 1.0])
+
+
+@lru_cache(maxsize=1)
+def lamp_points() -> Floats:
+    """Return points of the lamps, of each in turn, relative to the asset's radius, shape (`POINTS`, 3)."""
+    box = np.arange(POINTS) % len(BOXES)
+    across, along = 2.0 * spread(POINTS // len(BOXES)).repeat(len(BOXES), axis=1) - 1.0
+    u, v = across * _HALVES[box, 0], along * _HALVES[box, 1]
+    points = _CENTERS[box] + u[:, None] * _AXES[box, 0] + v[:, None] * _AXES[box, 1]
+    return np.asarray(points, np.float32)
+
+
+def light_of(box: Box, origin: Floats, normal: Floats, radius: float) -> Floats:
+    """Return the light of a lamp on white paper at open places, shape (3, n) [m], with unit normals."""
+    center = np.array(box.center, np.float32)
+    axis = (center / np.linalg.norm(center)).astype(np.float32)
+    x, y, z = center[:, None] - origin * np.float32(1.0 / radius)
+    square = x * x + y * y + z * z
+    facing = np.maximum(x * normal[0] + y * normal[1] + z * normal[2], 0.0)
+    leaving = np.maximum(x * axis[0] + y * axis[1] + z * axis[2], 0.0)
+    power = np.float32(4.0 * box.half[0] * box.half[1] * box.radiance / math.pi)
+    return np.asarray(power * facing * leaving / (square * square + np.float32(0.1)))
+
+
+def dome(z: Floats) -> Floats:
+    """Return the radiance of the tent around the studio for the vertical part of directions."""
+    return np.asarray(np.maximum(_HORIZON + (_ZENITH - _HORIZON) * z, _HORIZON), np.float32)
+
+
+def dome_light(z: Floats) -> Floats:
+    """Return the light of the tent on white paper at open places, for the vertical part of normals."""
+    tilt = np.linspace(-1.0, 1.0, 33)
+    across, around = spread(4096)
+    level, turn = np.sqrt(across), 2.0 * math.pi * around
+    up = level * np.cos(turn) * np.sqrt(1.0 - tilt[:, None] ** 2) + np.sqrt(1.0 - across) * tilt[:, None]
+    return np.asarray(np.interp(z, tilt, dome(up).mean(axis=1)), np.float32)
+
+
+def environment(origin: Floats, direction: Floats, roughness: Floats, radius: float) -> Floats:
+    """Return the radiance that a surface of a GGX roughness mirrors, shape (n,).
+
+    Args:
+        origin: Points, shape (3, n) [m].
+        direction: Unit directions after the mirror.
+        roughness: Shape (n,).
+        radius: The asset's radius [m].
+    """
+    spread = roughness * roughness
+    _, y, z = direction
+    soft = 0.12 + 1.2 * spread
+    level = _step(z, -soft, soft + 0.9)
+    light = 0.16 + 0.42 * level
+    light += 0.30 * _step(y, 0.0 - soft, 0.8 + soft)  # the backdrop
+    light -= 0.12 * _window(y, -2.0, -0.80, 0.2 + soft) * _window(z, -0.25, 0.3, 0.25 + soft)
+    for axes, center, half, box in zip(_AXES, _CENTERS, _HALVES, BOXES, strict=True):
+        facing = -(axes[2] @ direction)
+        start = origin / np.float32(radius) - center[:, None]
+        ahead = facing > 0.02
+        distance = (axes[2] @ start) / np.maximum(facing, 0.02)
+        width = 0.02 + (0.01 + 1.1 * spread) * distance
+        u, v = (
+            axes[0] @ start + distance * (axes[0] @ direction),
+            axes[1] @ start + distance * (axes[1] @ direction),
+        )
+        share = _inside(u, half[0], width) * _inside(v, half[1], width)
+        light += np.where(ahead & (distance > 0.0), box.radiance * share, 0.0)
+    return np.asarray(light, np.float32)
+
+
+def _inside(value: Floats, half: float, width: Floats) -> Floats:
+    """Return the blurred inside of an interval about 0."""
+    return _ramp((half - value) / width) - _ramp((-half - value) / width)
+
+
+def _ramp(value: Floats) -> Floats:
+    share = np.clip(0.5 + value * np.float32(0.3), 0.0, 1.0)
+    return np.asarray(share * share * (3.0 - 2.0 * share))
+
+
 def sphere_map_coordinates(directions: Array) -> Array:
     """Return the sphere map coordinates of unit directions seen from -y, shape (n, 3) to (n, 2), in 0..1."""
     x, y, z = directions.T
@@ -178,11 +312,11 @@ def sphere_map(roughness: float, size: int = 96) -> Array:
     return reflected(directions, roughness).reshape(size, size)
 
 
-def _step(value: Array, low: float, high: float) -> Array:
+def _step(value: Floats, low: float | Floats, high: float | Floats) -> Floats:
     share = np.clip((value - low) / (high - low), 0.0, 1.0)
     return np.asarray(share * share * (3.0 - 2.0 * share))
 
 
-def _window(value: Array, low: float, high: float, edge: float) -> Array:
+def _window(value: Floats, low: float, high: float, edge: float | Floats) -> Floats:
     """Return 1 between two values and 0 outside, with soft edges."""
     return _step(value, low - edge, low + edge) * (1.0 - _step(value, high - edge, high + edge))
