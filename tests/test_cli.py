@@ -119,7 +119,7 @@ def chests(monkeypatch):
         (
             (),
             2,
-            "error: chest: none of 100 draws for seed 0 is feasible; the last: not proven: 1 of 1 pair fails",
+            "error: chest: every draw fails alike (5 were tried for seed 0): not proven: 1 of 1 pair fails",
         ),
         (("--on-collision", "fail"), 1, "error: chest_0: not proven: 1 of 1 pair fails"),
         (("--on-collision", "keep"), 0, "warning: not proven: 1 of 1 pair fails"),

@@ -1,6 +1,7 @@
 """Range proofs: what is counted, what attains the smallest clearance, and what the command prints."""
 
 import json
+import math
 
 import pytest
 
@@ -119,18 +120,39 @@ def test_a_corner_that_cannot_be_made_is_a_failure():
 
 
 def test_only_the_first_failures_are_described():
-    proof = prove_range(chest, 15, overrides={"gap": uniform(-0.01, -0.001)})
-    assert proof.counts["collision"] == 19
+    proof = prove_range(chest, 20, overrides={"gap": uniform(-0.02, 0.004)})
     assert len(proof.failures) == 10
+    assert str(proof).endswith(f"\nand {proof.counts['collision'] - 10} more that are not proven")
+    assert proof.counts["collision"] > 10
+
+
+def test_samples_that_all_fail_alike_end_the_proof():
+    told = []
+    proof = prove_range(chest, 500, overrides={"gap": uniform(-0.01, -0.001)}, failed=told.append)
+    assert (proof.samples, proof.corners, proof.counts["collision"]) == (5, 0, 5)
     assert proof.fraction == 0.0
     assert proof.clearance is None
-    assert str(proof).endswith("\nand 9 more that are not proven")
+    assert str(proof).endswith("\nstopped early: the first 5 of 504 all fail alike")
+    assert tuple(told) == proof.failures
+
+
+def test_the_first_failure_may_end_the_proof():
+    proof = prove_range(chest, 2, overrides=REACHES, seed=80, fail_fast=True)
+    assert (proof.samples, proof.corners, proof.stopped) == (2, 1, "corner 0 fails")
+    assert proof.to_data()["stopped"] == "corner 0 fails"
+
+
+def test_a_time_limit_of_a_sample_names_the_pieces_and_goes_on():
+    proof = prove_range(chest, 3, seconds=1e-9, corners=False)
+    assert proof.counts["not proven"] == 3
+    message = "box and drawer: not proven after 1e-09 s: box and drawer, with slide in 0..0.1"
+    assert proof.failures[0].message == message
 
 
 def known(guaranteed, found, verdict="proven", slack=0.01):
     """Return a search that knows the clearances by the gap; it measures them with some slack."""
 
-    def certify(asset, tolerance=0.0, *, measure=False):
+    def certify(asset, tolerance=0.0, *, measure=False, seconds=math.inf):
         gap = round(1e3 * asset.parameters["gap"])
         cells = (OpenCell({"slide": (0.0, 0.1)}, ("box", "drawer"), 0.001),)
         certify.measured += [gap] if measure else []
@@ -193,11 +215,11 @@ def test_a_bound_that_was_not_measured_counts_in_the_guarantee(monkeypatch):
 def test_not_proven_is_counted_apart_and_is_no_success(monkeypatch):
     monkeypatch.setattr(Asset, "certify", known({}, {}, "not proven"))
     proof = prove_range(chest, 2)
-    assert proof.counts["not proven"] == 6
+    assert proof.counts["not proven"] == 5
     assert not proof.sound
     assert proof.fraction == 0.0
     assert "not proven in 100 % of their joint space" in proof.failures[0].message
-    assert "6 neither collide nor are proven" in str(proof)
+    assert "5 neither collide nor are proven" in str(proof)
 
 
 def test_what_does_not_move_has_no_clearance():
@@ -245,6 +267,7 @@ def test_nearly_all_is_not_told_as_all():
     [
         ({"samples": -1}, "samples must be a whole number that is not negative, got -1"),
         ({"samples": 1.5}, "samples must be a whole number that is not negative, got 1.5"),
+        ({"seconds": 0}, "seconds = 0 is not allowed: it is a time limit, a number above 0"),
         ({"samples": 0, "corners": False}, "samples = 0 leaves nothing of chest to certify"),
         (
             {"samples": 0, "overrides": {"gap": 0.002, "depth": 0.2}},
@@ -279,7 +302,7 @@ def command(capsys, tmp_path, monkeypatch):
 
 
 def test_the_command_prints_the_fraction_the_clearance_and_what_attains_it(command, tmp_path):
-    code, out, err = command("chest", "--samples", "4", "--seed", "3", "--json", "proof.json")
+    code, out, err = command("chest", "--samples", "4", "--corners", "--seed", "3", "--json", "proof.json")
     assert (code, err) == (0, "")
     lines = out.splitlines()
     assert lines[0] == "chest: 100.0 % proven, 8 of 8 (4 samples, 4 corners)"
@@ -294,13 +317,15 @@ def test_the_command_prints_the_fraction_the_clearance_and_what_attains_it(comma
 
 def test_the_command_fails_where_a_sample_does(command):
     code, out, err = command(
-        "chest", "--samples", "2", "--set", "gap=uniform(-0.0002, 0.004)", "--seed", "80"
+        *("chest", "--samples", "2", "--corners"), *("--set", "gap=uniform(-0.0002, 0.004)", "--seed", "80")
     )
-    assert (code, err) == (1, "")
+    assert code == 1
+    assert err.startswith("first failure: corner 0: box and drawer collide at slide=")
+    assert err.count("\n") == 1
     assert out.startswith("chest: 66.7 % proven, 4 of 6 (2 samples, 4 corners); 2 collide\n")
     assert "\ncorner 0: box and drawer collide at slide=" in out
     code, out, _ = command(
-        *("chest", "--samples", "2", "--no-corners", "--set", "gap=uniform(-0.0002, 0.004)", "--seed", "80")
+        *("chest", "--samples", "2", "--set", "gap=uniform(-0.0002, 0.004)", "--seed", "80")
     )
     assert (code, out.count("\n")) == (0, 3)
     code, _, _ = command("chest", "--samples", "0", "--tolerance", "0.0011")

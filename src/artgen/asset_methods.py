@@ -3,6 +3,7 @@
 `artgen/__init__.py` binds them, so that `artgen.asset` imports nothing above itself.
 """
 
+import math
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
@@ -20,7 +21,9 @@ if TYPE_CHECKING:
     from artgen.view import Camera, Page, Picture, View
 
 
-def certify(self: Asset, tolerance: float = 0.0, *, measure: bool = False) -> Certificate:
+def certify(
+    self: Asset, tolerance: float = 0.0, *, measure: bool = False, seconds: float = math.inf
+) -> Certificate:
     """Prove that no two links collide anywhere in the joint ranges; see `artgen.proof.certify.certify`.
 
     The asset keeps the certificate, and `export` writes it.
@@ -28,13 +31,14 @@ def certify(self: Asset, tolerance: float = 0.0, *, measure: bool = False) -> Ce
     Args:
         tolerance: Clearance to prove between links that move against each other [m].
         measure: Whether to bracket each pair's smallest clearance, within a fifth and up to 10 mm.
+        seconds: Time limit; pairs that are left after it are not proven, and the certificate names them [s].
 
     Raises:
         AssetError: The asset has no links, or a joint has no usable range or can never move.
     """
     from artgen.proof import certify
 
-    certificate = certify.certify(self, tolerance, measure=measure)
+    certificate = certify.certify(self, tolerance, measure=measure, seconds=seconds)
     remember(self, certificate)
     return certificate
 

@@ -9,7 +9,7 @@ import typer
 from artgen.catalog import broken, categories, find
 from artgen.commands.checks import certify, colliders, validate
 from artgen.commands.clients import clients
-from artgen.commands.console import FAULT, console, table
+from artgen.commands.console import FAULT, INTERRUPTED, InterruptedRunError, console, table
 from artgen.commands.datasets import demos, images
 from artgen.commands.generate import export, generate
 from artgen.commands.new import new
@@ -38,8 +38,8 @@ def main(arguments: Sequence[str] | None = None) -> NoReturn:
         arguments: Arguments after the name of the command; by default those of the process.
 
     Raises:
-        SystemExit: At the end, with the code 0, 1 for an asset with a fault, or 2 for wrong input, which one
-            line on stderr explains.
+        SystemExit: At the end, with the code 0, 1 for an asset with a fault, 2 for wrong input, which one
+            line on stderr explains, or 130 after Ctrl-C.
     """
     try:
         code = app(args=arguments, prog_name="artgen", standalone_mode=False)
@@ -47,8 +47,11 @@ def main(arguments: Sequence[str] | None = None) -> NoReturn:
         message = error.format_message() if isinstance(error, typer.TyperException) else str(error)
         typer.echo(f"error: {' '.join(message.split())}", err=True)
         sys.exit(FAULT if isinstance(error, CheckError) else _WRONG_INPUT)
-    except typer.Abort:
-        sys.exit(FAULT)
+    except InterruptedRunError as error:
+        typer.echo(error, err=True)
+        sys.exit(INTERRUPTED)
+    if code == INTERRUPTED:  # typer returns it after Ctrl-C
+        typer.echo("interrupted", err=True)
     sys.exit(code if isinstance(code, int) else 0)
 
 

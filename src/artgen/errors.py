@@ -42,7 +42,21 @@ class EvaluationError(ArtgenError, RuntimeError):
 
 
 class InfeasibleError(ArtgenError, RuntimeError):
-    """A sample violates a requirement of its category."""
+    """A sample violates a requirement of its category, or is not proven free of collisions.
+
+    Attributes:
+        pair: Names and labels of the pair that is not proven; empty for a requirement.
+    """
+
+    def __init__(self, message: str, *, pair: str = "") -> None:
+        super().__init__(message)
+        self.pair = pair
+
+    @property
+    def cause(self) -> str:
+        """The requirement, or the first pair of links that is not proven, in one line."""
+        lines = str(self).splitlines()
+        return lines[1 if self.pair and len(lines) > 1 else 0].strip()
 
 
 class AssetError(ArtgenError, ValueError):

@@ -1,9 +1,11 @@
 """Range proof of a category: certificates of samples and of corners of its parameter ranges."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, Literal
 
+from artgen._progress import Update
+from artgen._progress import progress as shown_progress
 from artgen.asset import Asset
 from artgen.asset.certificate import PairResult
 from artgen.asset.record import Record
@@ -11,8 +13,8 @@ from artgen.catalog import find
 from artgen.errors import AssetError, BuildError, EvaluationError, InfeasibleError, ParameterError
 from artgen.generator import Generator
 from artgen.generator.corners import corners as corners_of
-from artgen.generator.generator import check_proof, checked_count
-from artgen.sampling.distributions import shown
+from artgen.generator.generator import SAME_PAIR, check_proof, checked_count
+from artgen.sampling.distributions import is_number, shown
 
 Outcome = Literal["proven", "collision", "not proven", "error", "infeasible"]
 Progress = Callable[[int, int], None]
@@ -87,6 +89,7 @@ class RangeProof(Record):
         counts: Number of samples and corners by outcome.
         clearance: The smallest clearance of the proven ones; None if nothing moves in them.
         failures: The first ones that are not proven.
+        stopped: Reason why the proof ended early; empty if it did not.
     """
 
     category: str
@@ -98,6 +101,7 @@ class RangeProof(Record):
     counts: Mapping[Outcome, int]
     clearance: SmallestClearance | None
     failures: tuple[Failure, ...]
+    stopped: str = ""
 
     @property
     def tried(self) -> int:
@@ -125,7 +129,8 @@ class RangeProof(Record):
 
     def __str__(self) -> str:
         """Summarize the proof: the smallest clearance with its sample, and the failures."""
-        return "\n".join([self._summary(), *self._clearance_lines(), *self._failure_lines()])
+        stopped = [f"stopped early: {self.stopped}"] if self.stopped else []
+        return "\n".join([self._summary(), *self._clearance_lines(), *self._failure_lines(), *stopped])
 
     def _summary(self) -> str:
         percent = 100.0 if self.sound else min(99.9, 100.0 * self.fraction)
@@ -167,11 +172,15 @@ def prove_range(
     seed: int = 0,
     overrides: Mapping[str, Any] | None = None,
     tolerance: float = 0.0,
-    progress: Progress | None = None,
+    seconds: float = 60.0,
+    fail_fast: bool = False,
+    progress: Progress | bool = True,
+    failed: Callable[[Failure], None] | None = None,
 ) -> RangeProof:
     """Certify samples of a category, and the corners of its parameter ranges.
 
-    A range proof does not prove the values between the samples; it shows where a range is too wide.
+    A range proof does not prove the values between the samples; it shows where a range is too wide. It ends
+    early where the first five samples all fail alike.
 
     Args:
         category: Name of a category, or a category or generator.
@@ -180,7 +189,11 @@ def prove_range(
         seed: The first seed.
         overrides: A value or a distribution by parameter name.
         tolerance: Required clearance [m].
-        progress: Callback for the progress.
+        seconds: Time limit for the proof of a sample or corner; pairs of links that are left after it count
+            as not proven [s].
+        fail_fast: Whether to end with the first failure.
+        progress: Whether to show the progress in a terminal or notebook, or a callback for it.
+        failed: Called with each failure.
 
     Raises:
         ParameterError: The category, the seed, an option or an override is unknown or not allowed, or there
@@ -198,21 +211,25 @@ def prove_range(
     if not wanted and not points:
         why = "; no number of it varies, so that there are no corners" if corners else ""
         raise ParameterError(f"samples = 0 leaves nothing of {generator.name} to certify{why}")
-    run = _Run(generator, tolerance, given, wanted + len(points), progress)
-    for number in range(seed, seed + wanted):
-        run.sample(number)
-    for number, values in enumerate(points):
-        run.corner(number, seed, values)
+    if not (is_number(seconds) and seconds > 0.0):
+        raise ParameterError(f"seconds = {seconds!r} is not allowed: it is a time limit, a number above 0")
+    total, told = wanted + len(points), progress if callable(progress) else None
+    with shown_progress(generator.name, None if told else total, shown=progress is True) as update:
+        run = _Run(generator, tolerance, given, total, seconds, update, fail_fast, told, failed)
+        run.of(seed, wanted, points)
+        clearance = run.smallest_clearance()
+    tried = sum(run.counts.values())
     return RangeProof(
         category=generator.name,
         seed=seed,
         tolerance=float(tolerance),
         overrides={name: shown(value) for name, value in given.items()},
-        samples=wanted,
-        corners=len(points),
+        samples=min(tried, wanted),
+        corners=max(tried - wanted, 0),
         counts=run.counts,
-        clearance=run.smallest_clearance(),
+        clearance=clearance,
         failures=tuple(run.failures),
+        stopped=run.stopped,
     )
 
 
@@ -251,14 +268,31 @@ class _Run:
     tolerance: float
     overrides: Mapping[str, Any]
     total: int
-    progress: Progress | None
+    seconds: float
+    update: Update
+    fail_fast: bool
+    told: Progress | None
+    failed: Callable[[Failure], None] | None
     counts: dict[Outcome, int] = field(default_factory=lambda: dict.fromkeys(_WORDS, 0))
     failures: list[Failure] = field(default_factory=list)
+    stopped: str = ""
     _proven: list[tuple[float, _Trial]] = field(default_factory=list)
+    _pairs: list[str] = field(default_factory=list)
     _draws: int = 0
     _reason: str = ""
 
-    def sample(self, seed: int) -> None:
+    def of(self, seed: int, samples: int, corners: Sequence[Mapping[str, Any]]) -> None:
+        """Certify samples and corners, until one of them stops the proof."""
+        for number in range(seed, seed + samples):
+            self._sample(number)
+            if self.stopped:
+                return
+        for number, values in enumerate(corners):
+            self._enter(self._certify(_Trial(f"corner {number}", seed, values)), self.total)
+            if self.stopped:
+                return
+
+    def _sample(self, seed: int) -> None:
         """Certify the first feasible draw of a seed."""
         for attempt in range(_ATTEMPTS):
             values = self.category.sample(seed, attempt=attempt, overrides=self.overrides)
@@ -266,10 +300,6 @@ class _Run:
             if outcome != "infeasible":
                 break
         self._enter(outcome, min(_HOPELESS, self.total))
-
-    def corner(self, number: int, seed: int, values: Mapping[str, Any]) -> None:
-        """Certify a corner."""
-        self._enter(self._certify(_Trial(f"corner {number}", seed, values)), self.total)
 
     def smallest_clearance(self) -> SmallestClearance | None:
         """Measure assets with the smallest guaranteed clearances, until no other can have a smaller one."""
@@ -295,7 +325,8 @@ class _Run:
         """Certify a draw; record the result."""
         self._draws += 1
         try:
-            certificate = self._asset(trial).certify(self.tolerance)
+            self.update(text=trial.origin)
+            certificate = self._asset(trial).certify(self.tolerance, seconds=self.seconds)
         except InfeasibleError as error:
             self._reason = str(error)
             return "infeasible"
@@ -307,11 +338,17 @@ class _Run:
             return "proven"
         verdicts = [verdict for pair in certificate.pairs for verdict in (pair.verdict, pair.colliders)]
         outcome: Outcome = "collision" if "collision" in verdicts else "not proven"
+        self._pairs.append(certificate.failures[0].alike)
         return self._failed(trial, outcome, "; ".join(map(str, certificate.failures)))
 
     def _failed(self, trial: _Trial, outcome: Outcome, message: str) -> Outcome:
+        failure = Failure(outcome, trial.origin, message, trial.parameters)
         if len(self.failures) < MOST_FAILURES:
-            self.failures.append(Failure(outcome, trial.origin, message, trial.parameters))
+            self.failures.append(failure)
+        if self.failed is not None:
+            self.failed(failure)
+        if self.fail_fast:
+            self.stopped = f"{trial.origin} fails"
         return outcome
 
     def _enter(self, outcome: Outcome, hopeless: int) -> None:
@@ -323,8 +360,12 @@ class _Run:
                 f"{self.category.name}: none of the first {self._draws} draws is feasible; the last: "
                 f"{self._reason}"
             )
-        if self.progress is not None:
-            self.progress(done, self.total)
+        if len(self._pairs) == done == SAME_PAIR < self.total and len(set(self._pairs)) == 1:
+            self.stopped = f"the first {done} of {self.total} all fail alike"
+        if self.told is not None:
+            self.told(done, self.total)
+        else:
+            self.update(completed=done, failed=f"{len(self.failures)} failed" if self.failures else "")
 
 
 def _reached(clearance: SmallestClearance) -> float:

@@ -1,5 +1,9 @@
 """Generation proves its samples: what is redrawn, refused, kept or let through unproven."""
 
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
+from time import sleep
+
 import pytest
 
 from artgen.asset import Asset
@@ -13,6 +17,7 @@ from artgen.nodes.joint import Prismatic, Revolute
 from artgen.nodes.primitive import box
 from artgen.nodes.scalar import require
 from artgen.nodes.vector import X, Y
+from artgen.proof import certify as proof
 from artgen.sampling import choice, uniform
 
 OAK = material("oak")
@@ -87,6 +92,80 @@ def test_samples_that_all_collide_are_one_error_with_the_witness(searches):
     assert len(searches) == 5
 
 
+def test_draws_that_all_fail_alike_are_five(searches):
+    with pytest.raises(InfeasibleError) as caught:
+        chest.generate(0, gap=uniform(-0.01, -0.005))
+    message = str(caught.value)
+    assert message.startswith(
+        "chest: every draw fails alike (5 were tried for seed 0): not proven: 1 of 1 pair fails\n"
+        "  box and drawer collide at slide=0.25: drawer presses 3.000 mm into box"
+    )
+    assert len(searches) == 5
+
+
+def test_draws_that_fail_differently_go_on(searches, monkeypatch):
+    fail = Asset.certify
+
+    def certify(asset, tolerance=0.0, **options):
+        found = fail(asset, tolerance)
+        labels = ("drawer", "box") if asset.attempt != 3 else ("drawer", "lid")
+        pairs = [replace(pair, witness=replace(HIT, labels=labels)) for pair in found.pairs]
+        return replace(found, pairs=tuple(pairs))
+
+    monkeypatch.setattr(Asset, "certify", certify)
+    with pytest.raises(
+        InfeasibleError, match="none of 100 draws for seed 0 is feasible; the last: not proven"
+    ):
+        chest.generate(0, gap=uniform(-0.01, -0.005))
+    assert len(searches) == 100
+
+
+def test_a_requirement_may_rule_out_more_draws_than_a_collision():
+    @generator
+    def never(*, gap: Float = uniform(0.0, 1.0, "m")) -> Body:
+        body = part(box(0.1, 0.1, 0.1), "box", OAK)
+        return body.require(gap > 2.0, "the gap is too small")
+
+    with pytest.raises(InfeasibleError, match=r"every draw fails alike \(25 were tried .*too small"):
+        never.generate(0)
+    with pytest.raises(InfeasibleError, match="none of 30 draws for seed 0 is feasible"):
+        never.generate(0, attempts=30)
+
+
+def test_a_certificate_is_made_when_it_is_needed(monkeypatch):
+    asset = chest.generate(4, gap=0.005, certify="later")
+    assert "not certified" in repr(asset)
+    made, prove = [], proof.certify
+
+    def certify(asset, *arguments, **options):
+        made.append(asset)
+        sleep(0.05)
+        return prove(asset, *arguments, **options)
+
+    monkeypatch.setattr(proof, "certify", certify)
+    with ThreadPoolExecutor(4) as threads:
+        found = list(threads.map(lambda _: asset.certificate, range(4)))
+    assert made == [asset]
+    assert found[0].proven
+    assert all(each is found[0] for each in found)
+    assert chest.generate(4, gap=0.005, certify="later").to_data() == chest.generate(4, gap=0.005).to_data()
+
+
+def test_a_collision_that_is_found_later_is_an_error_each_time(tmp_path):
+    asset = chest.generate(4, gap=-0.001, certify="later")
+    for _ in range(2):
+        with pytest.raises(CheckError, match="chest_4: not proven: 1 of 1 pair fails") as caught:
+            _ = asset.certificate
+        assert "give the parts more clearance" in str(caught.value)
+    with pytest.raises(CheckError, match="chest_4: not proven"):
+        asset.export(tmp_path / "chest")
+    assert not list(tmp_path.iterdir())
+    assert not asset.certify().proven
+    assert asset.certificate is not None
+    kept = chest.generate(4, gap=-0.001, certify="later", on_collision="keep")
+    assert not kept.certificate.proven
+
+
 def test_the_same_sample_is_not_tried_again(searches):
     with pytest.raises(InfeasibleError, match="none of 100 draws"):
         chest.generate(0, gap=choice(-0.01, -0.005))
@@ -136,7 +215,7 @@ def test_the_tolerance_decides(searches):
 @pytest.mark.parametrize(
     ("wrong", "message"),
     [
-        ({"certify": 1}, "certify = 1 is not allowed: it must be True or False"),
+        ({"certify": 1}, "certify = 1 is not allowed: it must be True, False or 'later'"),
         (
             {"tolerance": -0.001},
             "tolerance = -0.001 is not allowed: it is the clearance to prove, a number of",

@@ -1,7 +1,8 @@
 """The asset: a tree of links and joints with its parameters."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
+from threading import Lock
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
@@ -26,7 +27,7 @@ from artgen.asset.mass import MassProperties, total
 from artgen.asset.record import json_text, plain, rounded
 from artgen.asset.tree import Tree, check_contact
 from artgen.asset.valid_states import ValidStates
-from artgen.errors import AssetError, nearest
+from artgen.errors import AssetError, CheckError, nearest
 from artgen.materials import Material
 
 if TYPE_CHECKING:
@@ -65,6 +66,7 @@ Limits = Literal["full", "independent"]
 """Ranges of joints: full with dependencies, or narrowed so that every state is free, see `with_limits`."""
 
 _CERTIFICATE = "_certificate"  # attribute in which an asset keeps its certificate
+_LATER = "_later"  # attribute in which an asset keeps how to make its certificate
 _LIMIT_SLACK = 1e-9  # tolerance of joint limits [rad or m]
 
 
@@ -142,7 +144,7 @@ class Asset:
         return self
 
     def __repr__(self) -> str:
-        certificate = self.certificate
+        certificate = vars(self).get(_CERTIFICATE)
         state = "not certified" if certificate is None else "proven" if certificate.proven else "not proven"
         return f"<Asset {self.name}: {len(self.links)} links, {len(self.joints)} joints, {state}>"
 
@@ -354,7 +356,16 @@ class Asset:
 
     @property
     def certificate(self) -> Certificate | None:
-        """The certificate of the last `certify`; None before it and on changed copies."""
+        """The certificate of the last `certify`; None before it and on changed copies.
+
+        Of an asset that was generated with `certify="later"`, the first access makes it.
+
+        Raises:
+            CheckError: Its links are not proven apart.
+        """
+        later: _Later | None = vars(self).get(_LATER)
+        if later is not None:
+            remember(self, later.certificate())
         certificate: Certificate | None = vars(self).get(_CERTIFICATE)
         return certificate
 
@@ -418,4 +429,29 @@ def remember(asset: Asset, certificate: Certificate | None) -> Asset:
     """Attach a certificate to an asset and return it; changed copies do not inherit the certificate."""
     if certificate is not None:
         vars(asset)[_CERTIFICATE] = certificate
+        vars(asset).pop(_LATER, None)
     return asset
+
+
+class _Later:
+    """A certificate that is made on the first request; threads wait for the one that makes it."""
+
+    def __init__(self, make: Callable[[], Certificate]) -> None:
+        self._make, self._lock = make, Lock()
+        self._result: Certificate | CheckError | None = None
+
+    def certificate(self) -> Certificate:
+        with self._lock:
+            if self._result is None:
+                try:
+                    self._result = self._make()
+                except CheckError as error:
+                    self._result = error
+        if isinstance(self._result, CheckError):
+            raise self._result
+        return self._result
+
+
+def certify_later(asset: Asset, make: Callable[[], Certificate]) -> None:
+    """Let the first access to the certificate of an asset make it."""
+    vars(asset)[_LATER] = _Later(make)

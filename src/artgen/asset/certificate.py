@@ -64,7 +64,10 @@ class PairResult(Record):
         witness: An overlap of the solids, or of the colliders if only they overlap.
         open_cells: The first few regions in which nothing was proven.
         open_fraction: Share of the joint space of the pair in which nothing was proven.
+        seconds: Time limit that ended the proof; None if there was no limit, or the proof needed less [s].
     """
+
+    OPTIONAL: ClassVar = frozenset({"seconds"})
 
     links: tuple[str, str]
     joints: tuple[str, ...]
@@ -76,11 +79,25 @@ class PairResult(Record):
     witness: Witness | None = None
     open_cells: tuple[OpenCell, ...] = ()
     open_fraction: float = 0.0
+    seconds: float | None = None
+
+    def to_data(self) -> dict[str, Any]:
+        """Return the fields as JSON data; the time limit only where it ended the proof."""
+        data = super().to_data()
+        return data if self.seconds is not None else {k: v for k, v in data.items() if k != "seconds"}
 
     @property
     def clear(self) -> bool:
         """Whether both the solids and the colliders are proven."""
         return self.verdict == "proven" and self.colliders == "proven"
+
+    @property
+    def alike(self) -> str:
+        """Links, verdicts and labels of the pieces: the same for samples that fail for the same reason."""
+        labels = (
+            [cell.labels for cell in self.open_cells[:1]] if self.witness is None else self.witness.labels
+        )
+        return f"{self.links} {self.verdict} {self.colliders} {labels}"
 
     def __str__(self) -> str:
         names = f"{self.links[0]} and {self.links[1]}"
@@ -100,6 +117,9 @@ class PairResult(Record):
         place = ""
         for cell in self.open_cells[:1]:
             first, second = cell.labels
+            if self.seconds is not None:
+                where = spelled_region(cell.region)
+                return f"{names}: not proven after {self.seconds:g} s: {first} and {second}, with {where}"
             where = f"where {first} is {_mm(cell.distance)} from {second}"
             place = f", such as {spelled_region(cell.region)}, {where}"
         which = "not proven" if self.verdict != "proven" else "not proven for the colliders"

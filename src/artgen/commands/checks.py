@@ -18,12 +18,13 @@ from artgen.commands.options import JsonOutput, Overrides, Seed, Tolerance
 from artgen.errors import ExportError
 from artgen.export.files import REPORT_FILE, replaced
 from artgen.generator.overrides import parse_overrides
-from artgen.range_proof import prove_range
+from artgen.range_proof import Failure, prove_range
 from artgen.validate import validate as run_checks
 from artgen.validate.clients.registry import ALL, chosen_clients
 from artgen.validate.clients.run import ClientReport, run_clients
 
 _FOREIGN: dict[str, Any] = {"rich_help_panel": "Files of other tools"}
+_CORNERS = 20  # least number of samples with which corners are certified unless asked otherwise
 _STYLES = {
     "passed": "green",
     "failed": "bold red",
@@ -46,7 +47,15 @@ def certify(
     ],
     *,
     samples: Annotated[int, Option(metavar="NUMBER", help="Number of seeds.")] = 500,
-    corners: Annotated[bool, Option(help="Certify the corners of the parameter ranges as well.")] = True,
+    corners: Annotated[
+        bool | None,
+        Option(
+            "--corners/--no-corners",
+            help="Certify the corners of the parameter ranges as well; by default with 0, or at least "
+            f"{_CORNERS}, samples.",
+        ),
+    ] = None,
+    fail_fast: Annotated[bool, Option("--fail-fast", help="End with the first failure.")] = False,
     overrides: Overrides = None,
     seed: Seed = 0,
     tolerance: Tolerance = 0.0,
@@ -57,7 +66,13 @@ def certify(
     root: Annotated[
         Path | None, Option(help="Folder that the file may read; by default two levels up.", **_FOREIGN)
     ] = None,
-    seconds: Annotated[float, Option(help="Time limit for the proof of a pair [s].", **_FOREIGN)] = 10.0,
+    seconds: Annotated[
+        float | None,
+        Option(
+            metavar="NUMBER",
+            help="Time limit for the proof of a sample, 60 by default, or of a pair of a file, 10 [s].",
+        ),
+    ] = None,
     total: Annotated[float, Option(help="Time limit for all pairs of the file [s].", **_FOREIGN)] = 120.0,
     picture: Annotated[
         Path | None, Option(metavar="PNG", help="Draw the first collision that is found.", **_FOREIGN)
@@ -81,20 +96,32 @@ def certify(
             picture,
             meshes=meshes,
             root=root,
-            seconds=seconds,
+            seconds=10.0 if seconds is None else seconds,
             total=total,
             repair=repair,
         )
         return
-    with progress(category) as update:
+    told: list[Failure] = []
+
+    def tell_first(failure: Failure) -> None:
+        if not told:
+            typer.echo(f"first failure: {failure.origin}: {failure.message}", err=True)
+        told.append(failure)
+
+    with progress("certify") as update:
         proof = prove_range(
             category,
             samples,
-            corners=corners,
+            corners=samples == 0 or samples >= _CORNERS if corners is None else corners,
             seed=seed,
             overrides=parse_overrides(overrides or ()),
             tolerance=tolerance,
-            progress=lambda done, total: update(completed=done, total=total),
+            seconds=60.0 if seconds is None else seconds,
+            fail_fast=fail_fast,
+            progress=lambda done, total: update(
+                completed=done, total=total, failed=f"{len(told)} failed" if told else ""
+            ),
+            failed=tell_first,
         )
     typer.echo(proof)
     _write_json(json_file, proof.to_data())
@@ -118,7 +145,7 @@ def _certify_file(
     from artgen.referee import certify as judge
 
     with progress(path.name) as update:
-        judgment = judge(path, progress=lambda text: update(description=text), **options)
+        judgment = judge(path, progress=lambda text: update(text=text), **options)
     typer.echo(judgment)
     _write_json(json_file, judgment.to_data())
     if picture is not None and any(pair.result.witness is not None for pair in judgment.failures):
@@ -155,7 +182,8 @@ def colliders(
     from artgen.validate.colliders import compare_colliders  # scipy and trimesh take half a second
 
     asset = Asset.load(directory)
-    rows = compare_colliders(asset, speed=speed)
+    with progress(f"compare the colliders of {asset.name}"):
+        rows = compare_colliders(asset, speed=speed)
     if as_json:
         typer.echo(_json({"asset": asset.name, "colliders": rows}))
         return
@@ -198,11 +226,13 @@ def validate(
     chosen, by_name = ((), False) if clients is None else chosen_clients(clients)
     terminal = console()
     reports: list[tuple[Path, Report]] = []
-    for directory in exports_in(directories):
-        report = run_checks(directory, behavior=behavior)
-        if chosen:
-            outcomes = run_clients(directory, chosen, by_name=by_name)
-            report = ClientReport(report.asset, report.results, tuple(outcomes))
+    found = exports_in(directories)
+    for number, directory in enumerate(found):
+        with progress(f"validate {directory.name}, {number + 1} of {len(found)}"):
+            report = run_checks(directory, behavior=behavior)
+            if chosen:
+                outcomes = run_clients(directory, chosen, by_name=by_name)
+                report = ClientReport(report.asset, report.results, tuple(outcomes))
         reports.append((directory, report))
         if not as_json:
             _show(terminal, directory, report)

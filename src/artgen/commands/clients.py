@@ -8,7 +8,7 @@ import typer
 from rich.text import Text
 from typer import Option
 
-from artgen.commands.console import FAULT, console, table
+from artgen.commands.console import FAULT, console, progress, table
 from artgen.errors import ClientError
 from artgen.validate.clients.install import (
     OWN_PYTHON,
@@ -59,7 +59,8 @@ def _install(names: str, python: Path | None) -> None:
     for environment in dict.fromkeys(client.environment for client in found if _needs_one(client, by_name)):
         typer.echo(f"{environment}: {', '.join(REQUIREMENTS[environment])}", err=True)
         try:
-            done = install_environment(environment, directory, python=program)
+            with progress(f"install {environment}"):
+                done = install_environment(environment, directory, python=program)
         except ClientError as error:
             failed.append(error)
             typer.echo(f"error: {' '.join(str(error).split())}", err=True)

@@ -9,18 +9,10 @@ from typing import Any
 
 import typer
 from rich.console import Console
-from rich.progress import (
-    BarColumn,
-    MofNCompleteColumn,
-    Progress,
-    ProgressColumn,
-    Task,
-    TextColumn,
-    TimeRemainingColumn,
-)
 from rich.table import Table
-from rich.text import Text
 
+from artgen._progress import Update
+from artgen._progress import progress as shown_progress
 from artgen.dataset import generate_many
 from artgen.dataset.places import RESUME
 from artgen.dataset.plan import BasePlan
@@ -34,8 +26,15 @@ NOT_PROVEN = 3
 INTERRUPTED = 130
 """Exit code after Ctrl-C."""
 
+progress = partial(shown_progress, lines=True)
+"""Show a step of a command; see `artgen._progress.progress`."""
+
 _PLAIN_WIDTH = 1000  # columns of tables in files and pipes: one line per row
 _SHOWN = 20  # most listed failures
+
+
+class InterruptedRunError(Exception):
+    """Ctrl-C in a run that can be continued."""
 
 
 def console() -> Console:
@@ -53,37 +52,13 @@ def table(*columns: str) -> Table:
 
 
 @contextmanager
-def progress(name: str, total: int | None = None) -> Iterator[Callable[..., None]]:
-    """Show a progress bar on stderr, on terminals only, until the end; yield the function that updates it."""
-    console = Console(stderr=True)
-    columns = (
-        TextColumn("{task.description}"),
-        BarColumn(),
-        MofNCompleteColumn(),
-        _Rate(),
-        TextColumn("[red]{task.fields[failed]}"),
-        TimeRemainingColumn(),
-    )
-    with Progress(*columns, console=console, transient=True, disable=not console.is_terminal) as bar:
-        yield partial(bar.update, bar.add_task(name, total=total, failed=""))
+def counting(name: str, total: int | None = None) -> Iterator[tuple[Callable[[bool, int], None], Update]]:
+    """Show the progress of a run; yield a function for each result, and the update of the bar.
 
+    The first function takes the success of the result and the number of steps.
 
-class _Rate(ProgressColumn):
-    """Steps per second."""
-
-    def render(self, task: Task) -> Text:
-        """Return the rate as text."""
-        speed = task.finished_speed or task.speed
-        return Text("" if speed is None else f"{speed:.1f}/s")
-
-
-@contextmanager
-def counting(
-    name: str, total: int | None = None
-) -> Iterator[tuple[Callable[[bool, int], None], Callable[..., None]]]:
-    """Show the progress of a run; after Ctrl-C, print that the run can be continued, and end the command.
-
-    Yields a function for each result, with its success and the number of steps, and the update of the bar.
+    Raises:
+        InterruptedRunError: Ctrl-C was pressed.
     """
     try:
         with progress(name, total) as update:
@@ -96,8 +71,7 @@ def counting(
 
             yield step, update
     except KeyboardInterrupt:
-        typer.echo(f"interrupted; {RESUME}", err=True)
-        raise typer.Exit(INTERRUPTED) from None
+        raise InterruptedRunError(f"interrupted; {RESUME}") from None
 
 
 def list_failures(failures: Sequence[str], rest: str = "") -> None:

@@ -11,7 +11,7 @@ from artgen.asset.asset import Limits
 from artgen.asset.collision import Collision
 from artgen.asset.files import main_files
 from artgen.catalog import find
-from artgen.commands.console import make_dataset
+from artgen.commands.console import make_dataset, progress
 from artgen.commands.options import (
     Categories,
     Certify,
@@ -128,7 +128,8 @@ def generate(
                 f"one asset is of one category, not {', '.join(categories)}; give a number of assets with -n"
             )
         values = parse_overrides(overrides or ())
-        asset, _ = find(categories[0]).evaluate(seed, name=name, overrides=values, **drawn)
+        with progress("generate"):
+            asset, _ = find(categories[0]).evaluate(seed, name=name, overrides=values, **drawn)
         _write(asset, out, textures=0 if textures == "none" else texture_size, **written)
         return
     if name:
@@ -152,7 +153,8 @@ def _write(asset: Asset, out: str | None, *, collision: Collision, **options: An
     """Export a generated asset and print the paths of its main files."""
     if asset.certificate is not None and not asset.certificate.proven:
         typer.echo(f"warning: {' '.join(str(asset.certificate).split())}", err=True)
-    directory = asset.export(asset.name if out is None else out, collision=collision, **options)
+    with progress(f"write {asset.name}"):
+        directory = asset.export(asset.name if out is None else out, collision=collision, **options)
     if collision != "exact" and asset.certificate is not None:
         typer.echo(
             f"note: the certificate is of the exact colliders; the export with {collision!r} has none",
@@ -185,7 +187,9 @@ def export(
         raise ExportError(
             f"cannot export {source} to itself: its surfaces are read from there; choose another --out"
         )
-    _print_main_files(asset.export(target, formats=chosen, textures=texture_size, layout=layout))
+    with progress(f"write {asset.name}"):
+        written = asset.export(target, formats=chosen, textures=texture_size, layout=layout)
+    _print_main_files(written)
 
 
 def _chosen_formats(layout: str, formats: str | None) -> tuple[str, ...]:

@@ -52,9 +52,12 @@ def render(
     if out is not None:
         check_suffix(out)
     pixels = _size(size)
-    asset = asset_from(source, seed, overrides or [])
-    q = opened(asset, opening) | _positions(positions or [])
-    picture = asset.render(q, camera=view, size=pixels, studio=studio, textures=texture_size, samples=samples)
+    with progress("render"):
+        asset = asset_from(source, seed, overrides or [])
+        q = opened(asset, opening) | _positions(positions or [])
+        picture = asset.render(
+            q, camera=view, size=pixels, studio=studio, textures=texture_size, samples=samples
+        )
     typer.echo(save_image(_shown(picture, show), out or Path(f"{asset.name}.png")))
 
 

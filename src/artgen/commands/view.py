@@ -52,8 +52,10 @@ def view(
     """
     from artgen.view.viewer import page_of
 
-    asset = asset_from(source, seed, overrides or [], certify=certify)
-    _show(page_of(asset, textures=texture_size).save(out or Path(f"{asset.name}.html")), opening)
+    with progress("view"):
+        asset = asset_from(source, seed, overrides or [], certify=certify)
+        path = page_of(asset, textures=texture_size).save(out or Path(f"{asset.name}.html"))
+    _show(path, opening)
 
 
 def _show(path: Path, opening: bool) -> None:  # noqa: FBT001 - private
@@ -111,9 +113,9 @@ def graph(
     """
     from artgen.graph_view import graph_page
 
-    page = graph_page(
-        find(category), seed, overrides=parse_overrides(overrides or ()), change=parse_overrides(change or ())
-    )
+    given, changed = parse_overrides(overrides or ()), parse_overrides(change or ())
+    with progress("graph"):
+        page = graph_page(find(category), seed, overrides=given, change=changed)
     _show(page.save(out or Path(f"{page.name}.html")), opening)
 
 

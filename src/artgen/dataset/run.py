@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import Any
 
 from artgen._names import inside
+from artgen._progress import progress as shown_progress
 from artgen.asset.files import ASSET_FILE
 from artgen.asset.record import json_text
 from artgen.dataset.places import PLAN_FILE, RESUME, Place, is_url, place_of
@@ -58,7 +59,7 @@ def generate_many(
     engine: EngineName = "local",
     address: str | None = None,
     limit: float | None = None,
-    progress: Callable[[Record], None] | None = None,
+    progress: Callable[[Record], None] | bool = True,
     begin: Callable[[int], None] | None = None,
 ) -> Summary:
     """Make all assets of a plan in a folder or at a URL, with a manifest and the tables of the plan.
@@ -77,7 +78,8 @@ def generate_many(
         address: Address of a running Ray cluster; by default that of the variable RAY_ADDRESS, or a cluster
             is started here.
         limit: Time limit for one asset; by default ten minutes, and one more per picture [s].
-        progress: Called with each new line of the manifest.
+        progress: Whether to show the progress in a terminal or notebook, or a function that is called with
+            each new line of the manifest.
         begin: Called at the beginning with the number of missing assets.
 
     Raises:
@@ -95,11 +97,15 @@ def generate_many(
         existing = sum(record["state"] == "done" for record in folder.records.values())
         if begin is not None:
             begin(len(folder.left()))
-        made = 0
-        for record in run_job(folder.task, folder.left(), folder.add, run, limit=limit, tries=_TRIES):
-            made += record["state"] == "done"
-            if progress is not None:
-                progress(record)
+        made, left = 0, folder.left()
+        with shown_progress(
+            str(place), None if callable(progress) else len(left), shown=progress is True
+        ) as tell:
+            for record in run_job(folder.task, left, folder.add, run, limit=limit, tries=_TRIES):
+                made += record["state"] == "done"
+                if callable(progress):
+                    progress(record)
+                tell(advance=1)
         failed = tuple(record for record in folder.finish() if record["state"] != "done")
     return Summary(made, existing, failed, time.monotonic() - start)
 

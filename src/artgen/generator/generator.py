@@ -6,14 +6,16 @@ import inspect
 import operator
 import sys
 from collections import OrderedDict
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import Any, Literal, get_args
 
 from artgen._names import NAME_RULE, is_identifier
+from artgen._progress import progress
 from artgen.asset import Asset
-from artgen.asset.asset import Base, Limits
-from artgen.asset.certificate import MOST_TOLERANCE
+from artgen.asset.asset import Base, Limits, certify_later
+from artgen.asset.certificate import MOST_TOLERANCE, Certificate
 from artgen.errors import (
     ArtgenError,
     AssetError,
@@ -37,6 +39,14 @@ from artgen.version import __version__
 OnCollision = Literal["redraw", "fail", "keep"]
 """Treatment of samples with links that are not proven apart."""
 
+Certification = bool | Literal["later"]
+"""Whether to prove an asset at once, not at all, or when its certificate is needed."""
+
+SAME_PAIR = 5
+"""First draws with the same pair of links not proven apart, after which no other is made."""
+
+_ATTEMPTS = 100  # draws of a seed, unless the caller gives their number
+_SAME_REQUIREMENT = 25  # first draws that violate the same requirement, which may be meant to rule out many
 
 _REMEDY = (
     "give the parts more clearance, or declare a contact by design with body.allow_contact(...); "
@@ -46,8 +56,8 @@ _REMEDY = (
 
 def check_proof(certify: Any, tolerance: Any, on_collision: Any) -> None:
     """Check the options of the proof."""
-    if not isinstance(certify, bool):
-        raise ParameterError(f"certify = {certify!r} is not allowed: it must be True or False")
+    if not isinstance(certify, bool) and certify != "later":
+        raise ParameterError(f"certify = {certify!r} is not allowed: it must be True, False or 'later'")
     if not is_number(tolerance) or not 0.0 <= tolerance <= MOST_TOLERANCE:
         raise ParameterError(
             f"tolerance = {tolerance!r} is not allowed: it is the clearance to prove, a number of metres "
@@ -64,8 +74,24 @@ def certify_sample(asset: Asset, tolerance: float, on_collision: OnCollision) ->
     if certificate.proven or on_collision == "keep":
         return
     if on_collision == "redraw":
-        raise InfeasibleError(f"{certificate}\n  {_REMEDY}")
+        raise InfeasibleError(f"{certificate}\n  {_REMEDY}", pair=certificate.failures[0].alike)
     raise CheckError(f"{asset.name}: {certificate}\n  {_REMEDY}")
+
+
+def _certified(asset: Asset, tolerance: float, on_collision: OnCollision) -> Certificate:
+    """Prove an asset when its certificate is needed."""
+    from artgen.proof.certify import certify
+
+    certificate = certify(asset, tolerance)
+    if certificate.proven or on_collision == "keep":
+        return certificate
+    raise CheckError(f"{asset.name}: {certificate}\n  {_REMEDY}")
+
+
+def fail_alike(failures: Sequence[InfeasibleError]) -> bool:
+    """Tell whether the first draws of a seed all failed alike, so that others will hardly succeed."""
+    how = {error.pair or str(error) for error in failures}
+    return len(how) == 1 and len(failures) >= (SAME_PAIR if failures[0].pair else _SAME_REQUIREMENT)
 
 
 SHARED = Cache()
@@ -324,8 +350,8 @@ class Generator(Variant):
         name: str = "",
         base: Base = "fixed",
         cache: Cache | None = None,
-        attempts: int = 100,
-        certify: bool = True,
+        attempts: int | None = None,
+        certify: Certification = True,
         tolerance: float = 0.0,
         on_collision: OnCollision = "redraw",
         limits: Limits = "full",
@@ -340,8 +366,10 @@ class Generator(Variant):
             name: Name of the asset; by default the category and the seed.
             base: Whether the base is fixed to the world or free.
             cache: Values from earlier evaluations; by default a cache shared by the process.
-            attempts: Number of draws before a category counts as infeasible.
-            certify: Whether to prove that no two links collide; otherwise `certificate` is None.
+            attempts: Number of draws before a category counts as infeasible; by default 100, and less where
+                the first five all collide alike, or the first 25 violate the same requirement.
+            certify: Whether to prove that no two links collide. `False`: `certificate` is None. `"later"`:
+                the first access to `certificate`, also by `export`, proves it, without another draw.
             tolerance: Clearance to prove [m].
             on_collision: Treatment of a sample without a proof: `redraw` draws again, `fail` raises an error,
                 `keep` returns the asset with a certificate of its collisions.
@@ -356,7 +384,8 @@ class Generator(Variant):
             EvaluationError: A kernel failed.
             InfeasibleError: No draw met the requirements of the category, or none is proven free of
                 collisions.
-            CheckError: The links are not proven apart, and `on_collision` is `fail`.
+            CheckError: The links are not proven apart, and `on_collision` is `fail`; with `certify="later"`,
+                the access to `certificate` raises it unless `on_collision` is `keep`.
             AssetError: The parts do not form an asset; for example, a joint refers to an unknown joint.
         """
         asset, _ = self.evaluate(
@@ -379,8 +408,8 @@ class Generator(Variant):
         name: str = "",
         base: Base = "fixed",
         cache: Cache | None = None,
-        attempts: int = 100,
-        certify: bool = True,
+        attempts: int | None = None,
+        certify: Certification = True,
         tolerance: float = 0.0,
         on_collision: OnCollision = "redraw",
         overrides: Mapping[str, Any] | None = None,
@@ -395,36 +424,46 @@ class Generator(Variant):
         name = name or f"{self.name}_{seed}"
         _check_options(name, base, attempts)
         check_proof(certify, tolerance, on_collision)
-        reason = ""
+        most = attempts or _ATTEMPTS
         refused: list[Mapping[str, Any]] = []
-        for attempt in range(attempts):
-            draw = self._drawn(seed, attempt, overrides)
-            values = draw.values
-            if values in refused:  # few parameters, or few values of them, repeat the same sample
-                continue
-            try:
-                body = self._built.of(values) if keep_graph else self._folded(values)
-                evaluation = Graph(body).evaluate(values, SHARED if cache is None else cache)
+        failures: list[InfeasibleError] = []
+        with progress(name) as update:
+            for attempt in range(most):
+                draw = self._drawn(seed, attempt, overrides)
+                values = draw.values
+                if values in refused:  # few parameters, or few values of them, repeat the same sample
+                    continue
                 try:
-                    inert = self._inert(draw, SHARED if cache is None else cache)
-                    shown = {key: value for key, value in values.items() if key not in inert}
-                    asset = self._asset(body, evaluation, shown, name, base, seed=seed, attempt=attempt)
-                    if certify:
-                        certify_sample(asset, tolerance, on_collision)
-                except AssetError as error:
-                    place = _place(body, error) or self.where
-                    message = f"{error}\n  at {place}"
-                    raise AssetError(message, joint=error.joint, link=error.link) from None
-            except InfeasibleError as error:
-                reason = str(error)
-                refused.append(values)
-            except ArtgenError as error:
-                error.add_note(f"while generating {self.name} from seed {seed}, attempt {attempt}")
-                raise
-            else:
-                return asset, evaluation
+                    body = self._built.of(values) if keep_graph else self._folded(values)
+                    evaluation = Graph(body).evaluate(values, SHARED if cache is None else cache)
+                    try:
+                        inert = self._inert(draw, SHARED if cache is None else cache)
+                        shown = {key: value for key, value in values.items() if key not in inert}
+                        asset = self._asset(body, evaluation, shown, name, base, seed=seed, attempt=attempt)
+                        if certify == "later":
+                            certify_later(asset, partial(_certified, asset, tolerance, on_collision))
+                        elif certify:
+                            certify_sample(asset, tolerance, on_collision)
+                    except AssetError as error:
+                        place = _place(body, error) or self.where
+                        message = f"{error}\n  at {place}"
+                        raise AssetError(message, joint=error.joint, link=error.link) from None
+                except InfeasibleError as error:
+                    refused.append(values)
+                    failures.append(error)
+                    update(text=f"{name}, draw {attempt + 2}, after: {error.cause}")
+                    if attempts is None and fail_alike(failures):
+                        tried = f"{len(failures)} were tried for seed {seed}"
+                        raise InfeasibleError(
+                            f"{self.name}: every draw fails alike ({tried}): {failures[0]}"
+                        ) from None
+                except ArtgenError as error:
+                    error.add_note(f"while generating {self.name} from seed {seed}, attempt {attempt}")
+                    raise
+                else:
+                    return asset, evaluation
         raise InfeasibleError(
-            f"{self.name}: none of {attempts} draws for seed {seed} is feasible; the last: {reason}"
+            f"{self.name}: none of {most} draws for seed {seed} is feasible; the last: {failures[-1]}"
         )
 
     def _folded(self, values: Mapping[str, Any]) -> Any:
@@ -514,12 +553,12 @@ def checked_count(name: str, value: Any) -> int:
     return number
 
 
-def _check_options(name: str, base: Any, attempts: int) -> None:
+def _check_options(name: str, base: Any, attempts: int | None) -> None:
     if not is_identifier(name):
         raise ParameterError(f"name = {name!r} is no identifier; use {NAME_RULE}")
     if base not in ("fixed", "free"):
         raise ParameterError(f"base = {base!r} is not allowed: it must be 'fixed' or 'free'")
-    if attempts < 1:
+    if attempts is not None and attempts < 1:
         raise ParameterError(f"attempts must be at least 1, got {attempts!r}")
 
 

@@ -90,7 +90,7 @@ def certify(
         space.check()
     joint_paths = [joint_path for joint_path in space.joint_paths() if only is None or only(joint_path)]
     options: dict[str, Any] = {"measure": measure, "states": states}
-    begin = time.monotonic()
+    begin, limit = time.monotonic(), seconds
     on_colliders = _searched(asset, collider_cover, joint_paths, tolerance, seconds=seconds, **options)
     doubtful = [each.joint_path for each in on_colliders if not each.settled]
     on_solids = {each.joint_path.links: each for each in on_colliders}
@@ -98,7 +98,7 @@ def certify(
         seconds = max(seconds + begin - time.monotonic(), 0.0)
         finer = _searched(asset, fine_cover, doubtful, tolerance, seconds=seconds, **options)
         on_solids |= {each.joint_path.links: each for each in finer}
-    pairs = [_pair_result(asset, each, on_solids[each.joint_path.links]) for each in on_colliders]
+    pairs = [_pair_result(asset, each, on_solids[each.joint_path.links], limit) for each in on_colliders]
     proven = [on_solids[pair.links] for pair in pairs if pair.verdict == "proven"]
     proven += [each for each in on_colliders if each.outcome.proven and each not in proven]
     return Certificate(tolerance, tuple(pairs), asset.contacts, _proof_data(proven))
@@ -196,7 +196,7 @@ def _searched(
     ]
 
 
-def _pair_result(asset: Asset, on_colliders: _PairSearch, on_solids: _PairSearch) -> PairResult:
+def _pair_result(asset: Asset, on_colliders: _PairSearch, on_solids: _PairSearch, limit: float) -> PairResult:
     """Return the result of the proof for a pair; both searches are one if colliders represent the solids."""
     joint_path, outcome = on_colliders.joint_path, on_solids.outcome
     hit = on_colliders.outcome.hit or on_colliders.outcome.collider_hit
@@ -224,6 +224,7 @@ def _pair_result(asset: Asset, on_colliders: _PairSearch, on_solids: _PairSearch
         witness,
         () if witness is not None else _open_cells(opened),
         0.0 if witness is not None else _open_fraction(opened),
+        limit if witness is None and opened.outcome.late else None,
     )
 
 

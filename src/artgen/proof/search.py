@@ -16,6 +16,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from artgen._arrays import Array, Indices, Mask
+from artgen._progress import Update, progress
 from artgen.asset.certificate import AXIS_FRAME
 from artgen.asset.joint import JointKind
 from artgen.proof.bounds import Motion, growth
@@ -83,6 +84,10 @@ class Search:
 
     def run(self) -> list[ProofCells]:
         """Search until all cells are closed, refuted or given up; return the closed cells of each path."""
+        with progress("proof") as update:
+            return self._run(update)
+
+    def _run(self, update: Update) -> list[ProofCells]:
         end = time.monotonic() + self.seconds
         for number in range(len(self.joint_paths)) if self.states else ():
             self._try_states(number)
@@ -93,9 +98,14 @@ class Search:
                 self._measure_near_rest(number)
         while len(cells):
             seen += len(cells)
-            if seen > _MOST_CELLS or time.monotonic() > end:
+            late = time.monotonic() > end
+            if seen > _MOST_CELLS or late:
                 self._give_up(cells, np.full(len(cells), np.nan))
+                for number in np.unique(cells.joint_path):
+                    self.outcomes[number].late = late
                 break
+            left = np.unique(cells.joint_path)
+            update(text=f"{len(left)} pairs left, such as {' and '.join(self.joint_paths[left[0]].links)}")
             parts = [cells[:0]]
             for some, table in self._portions(cells):
                 parts += [some] if time.monotonic() > end else self._examine(some, table)

@@ -40,6 +40,7 @@ class SearchOutcome:
     collider_hit: tuple[int, int, Array] | None = None
     # low and high corner, nodes and distance of each cell that was given up
     open: list[tuple[Array, Array, int, int, float]] = field(default_factory=list)
+    late: bool = False  # whether the time limit gave up cells
 
     @property
     def proven(self) -> bool:

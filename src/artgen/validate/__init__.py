@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from artgen._arrays import cached_property
+from artgen._progress import progress
 from artgen.asset import Asset
 from artgen.asset.collision import mesh_precision
 from artgen.asset.report import CheckResult, Finding, Report
@@ -69,7 +70,10 @@ class Examination:
         """Return the result of a check; it runs on first request."""
         if check not in self._results:
             skipped = CheckResult(check, skipped=self._why_not(check))
-            self._results[check] = skipped if skipped.skipped else guarded(check, lambda: self._run(check))
+            with progress(f"check {check}"):
+                self._results[check] = (
+                    skipped if skipped.skipped else guarded(check, lambda: self._run(check))
+                )
         return self._results[check]
 
     def _why_not(self, check: str) -> str:
