@@ -2,6 +2,7 @@
 
 import json
 import shutil
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -98,6 +99,40 @@ def test_findings_have_their_link_number_pose_and_hint(run, assets, judged):
     assert f"fault certificate: {place}: they [collide] (at slide=0.1); move the pivot" in lines
     assert "note tree: is under tension" in lines
     assert json.loads((assets / "a/report.json").read_text())["passed"] is False
+
+
+def test_findings_that_differ_in_numbers_only_are_one_line(run, assets, judged):
+    moves = [
+        Finding(
+            "behavior",
+            f"moves by {number / 10} mm",
+            f"key_{number}",
+            f"press_{number}",
+            pose={f"press_{each}": 0.001 * each for each in range(12)},
+            hint="add armature",
+        )
+        for number in range(1, 62)
+    ]
+    judged["behavior"] = CheckResult("behavior", (*moves, Finding("behavior", "tips over", "base")))
+    report = Examination(assets / "a").report(["behavior"])
+    near = {f"press_{number}": (-1e-5, 1e-5 if number else 0.01) for number in range(12)}
+    pose = ", ".join(f"press_{number}={0.001 * number:g}" for number in range(1, 7))
+    such = "such as link key_1, joint press_1: moves by 0.1 mm"
+    lines = [
+        "behavior  failed  62 faults",
+        f"fault behavior: press_* (61 joints), {such} (at {pose}, and 5 other joints); add armature",
+        "fault behavior: link base: tips over",
+    ]
+    assert str(replace(report, near=near)).splitlines() == lines
+    assert len(report.to_data()["results"][0]["findings"][0]["pose"]) == 12
+    assert "fault behavior: press_* (61 joints), such as link key_1" in run(assets / "a").output
+
+
+def test_the_range_of_a_joint_tells_what_is_near_rest(exported):
+    near = Examination(exported).report(["tree"]).near
+    (joint,) = stand.generate(0, certify=False).joints
+    low, high = joint.limits
+    assert near == {joint.name: pytest.approx((-0.01 * (high - low), 0.01 * (high - low)))}
 
 
 def test_a_directory_of_assets_is_checked_one_by_one(run, assets, judged):

@@ -1,4 +1,4 @@
-"""Progress: shown in terminals only, silent in threads and on request; Ctrl-C ends a command with one line."""
+"""Progress in terminals, silence in threads and on request, and one line after Ctrl-C."""
 
 import os
 import pty

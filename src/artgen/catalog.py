@@ -187,9 +187,9 @@ def generate(category: str | Generator, /, seed: int = 0, **overrides: Any) -> A
         category: Name of a category, a file that defines one, or a category or generator.
         seed: Seed of all draws: the same seed gives the same asset, byte for byte.
         **overrides: Options of `Generator.generate`: `name`, `base` ("fixed" or "free"), `certify=False` to
-            skip the proof that no two links collide, its `tolerance` [m] and `on_collision` ("redraw", "fail"
-            or "keep"); and a value or a distribution by parameter name. Write `handle__length` for
-            `handle.length`.
+            skip the proof that no two links collide or `certify="later"` to make it when it is needed, its
+            `tolerance` [m] and `on_collision` ("redraw", "fail" or "keep"); and a value or a distribution by
+            parameter name. Write `handle__length` for `handle.length`.
 
     Raises:
         ParameterError: The category, the seed, an option or an override is unknown or not allowed.

@@ -7,7 +7,7 @@ from typing import Annotated, NoReturn
 import typer
 
 from artgen.catalog import broken, categories, find
-from artgen.commands.checks import certify, colliders, validate
+from artgen.commands.checks import certify, check, colliders, validate
 from artgen.commands.clients import clients
 from artgen.commands.console import FAULT, INTERRUPTED, InterruptedRunError, console, table
 from artgen.commands.datasets import demos, images
@@ -108,7 +108,20 @@ def _kind(parameter: Parameter) -> str:
 
 app.command(name="list")(list_categories)
 for _command in (
-    *(show_params, certify, validate, clients, colliders, demos, export, gallery, generate, graph, images),
+    *(
+        show_params,
+        check,
+        certify,
+        validate,
+        clients,
+        colliders,
+        demos,
+        export,
+        gallery,
+        generate,
+        graph,
+        images,
+    ),
     *(new, render, sheet, studio, view),
 ):
     app.command()(_command)

@@ -22,7 +22,7 @@ from artgen.validate.behavior import check_behavior
 from artgen.validate.behavior.model import Simulation, fixed_model
 from artgen.validate.joints import isolated, negation, state_for
 
-OAK, STEEL = material("oak"), material("steel")
+ABS, OAK, STEEL = material("abs"), material("oak"), material("steel")
 
 
 def made(body: Body, **fields: Any) -> Asset:
@@ -327,6 +327,26 @@ def test_a_spring_that_something_stops_does_not_return():
 
 def test_friction_may_keep_a_spring_from_its_rest_by_its_width():
     assert not checked(door(stiffness=4.0, rest=0.5, friction=1.0, damping=0.5)).findings
+
+
+def key(**options: Any) -> Body:
+    """Return a key of 0.5 g with a preloaded spring."""
+    press = Prismatic("press", axis=-Z, limits=(0.0, 0.0012), stiffness=400.0, effort=3.0, **options)
+    return shell().attach(part(box(0.015, 0.015, 0.002).at(0.0, 0.0, 1.0), "key", ABS), press)
+
+
+def test_a_part_too_light_for_its_spring_is_told_its_armature():
+    result = checked(key(rest=-0.001))
+    light = "is too light for its spring at 2 ms: armature >= 0.0011 kg"
+    notes = [finding for finding in result.findings if finding.severity == "note"]
+    assert [note.message for note in notes] == [light]
+    driven = [fault for fault in result.faults if fault.message.startswith(("driven", "released"))]
+    assert driven
+    assert {fault.hint for fault in driven} == {f"it {light}"}
+
+
+def test_a_spring_that_presses_a_part_into_its_soft_limit_has_returned():
+    assert not checked(key(rest=-0.001, armature=0.005, damping=0.5)).findings
 
 
 def test_a_spring_that_is_too_slow_does_not_return():

@@ -130,6 +130,13 @@ def test_impossible_numbers_of_joints_are_found(asset, fields, message):
     assert found[0].message.startswith(message)
 
 
+def test_limits_that_look_like_degrees_are_a_note(asset):
+    (note,) = check_tree(changed(asset, "hinge", limits=(0.0, 90.0))).findings
+    assert (note.severity, note.joint) == ("note", "hinge")
+    assert str(note).endswith("its limits are 0 to 90 rad, 14 turns; degrees? use math.radians(90)")
+    assert not check_tree(changed(asset, "hinge", limits=(0.0, 2.0 * np.pi))).findings
+
+
 def test_a_spring_beyond_its_limits_is_a_note_unless_it_beats_the_effort(asset):
     (note,) = check_tree(changed(asset, "turn", rest=-1.0)).findings
     assert note.severity == "note"

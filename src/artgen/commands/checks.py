@@ -1,29 +1,36 @@
-"""Commands that check: `artgen certify`, `artgen validate` and `artgen colliders`."""
+"""Commands that check: `artgen check`, `artgen certify`, `artgen validate` and `artgen colliders`."""
 
 import json
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
+import numpy as np
 import typer
 from rich.console import Console
 from rich.text import Text
 from typer import Argument, Option
 
 from artgen.asset import Asset
+from artgen.asset.asset import remember
+from artgen.asset.certificate import Certificate
 from artgen.asset.files import exports_in
-from artgen.asset.report import CheckResult, Finding, Report
+from artgen.asset.report import Finding, Report, grouped
 from artgen.commands.console import FAULT, NOT_PROVEN, console, progress, table
 from artgen.commands.options import JsonOutput, Overrides, Seed, Tolerance
+from artgen.commands.view import asset_from
 from artgen.errors import ExportError
 from artgen.export.files import REPORT_FILE, replaced
 from artgen.generator.overrides import parse_overrides
+from artgen.proof.certify import certify as prove
 from artgen.range_proof import Failure, prove_range
 from artgen.validate import validate as run_checks
 from artgen.validate.clients.registry import ALL, chosen_clients
 from artgen.validate.clients.run import ClientReport, run_clients
 
 _FOREIGN: dict[str, Any] = {"rich_help_panel": "Files of other tools"}
+_STATES = 32  # random states in which `check` looks for collisions first
+_PIXELS = 480  # side of a picture of `check`
 _CORNERS = 20  # least number of samples with which corners are certified unless asked otherwise
 _STYLES = {
     "passed": "green",
@@ -35,6 +42,58 @@ _STYLES = {
     "absent": "yellow",
     "nothing to read": "yellow",
 }
+
+
+def check(
+    source: Annotated[
+        str, Argument(metavar="FILE|CATEGORY", help="A file that defines a category, or its name.")
+    ],
+    *,
+    seed: Seed = 0,
+    overrides: Overrides = None,
+    seconds: Annotated[float, Option(metavar="NUMBER", min=0.0, help="Time limit for the proof [s].")] = 10.0,
+    out: Annotated[Path, Option(metavar="DIRECTORY", help="Folder for the picture.")] = Path(),
+) -> None:
+    """Check one asset of a category while you write it: proof, validation, and a picture, closed and open.
+
+    A collision is printed as soon as it is found, and shown in the picture; then the asset is not simulated.
+    Exit code 1: the asset has a fault, or is not proven.
+    """
+    if not out.is_dir():
+        raise ExportError(f"cannot write to {out}: give a directory that exists")
+    terminal = console()
+    with progress(f"check {source}") as update:
+        asset = asset_from(source, seed, list(overrides or ()))
+        update(text=f"check {asset.name}")
+        certificate = prove(asset, seconds=seconds, states=_STATES)
+        remember(asset, certificate)
+        for first in certificate.failures[:1]:
+            others = len(certificate.failures) - 1
+            more = f"\nand {others} more pair{'' if others == 1 else 's'} of links" if others else ""
+            terminal.print(f"{first}{more}\n", soft_wrap=True)
+        report = run_checks(asset, behavior=certificate.proven)
+        picture = _picture(asset, certificate, out)
+    _show(terminal, f"{asset.name}, seed {seed}", report)
+    terminal.print(picture, soft_wrap=True)
+    if not report.passed:
+        raise typer.Exit(FAULT)
+
+
+def _picture(asset: Asset, certificate: Certificate, out: Path) -> str:
+    """Draw an asset closed, open, and at its first collision; return the path or the reason for none."""
+    from artgen.view import RenderError
+    from artgen.view.picture import save_image
+    from artgen.view.sheet import shots
+
+    closed, opened, _ = shots(asset)
+    collisions = [pair.witness.pose for pair in certificate.failures if pair.witness is not None]
+    poses = [closed[0], opened[0], *collisions[:1]]
+    try:
+        with progress("draw"):
+            pixels = [asset.render(q, camera=opened[1], size=_PIXELS, samples=8).color for q in poses]
+    except RenderError as error:
+        return f"no picture: {' '.join(str(error).split())}"
+    return f"picture: {save_image(np.concatenate(pixels, axis=1), out / f'{asset.name}_check.png')}"
 
 
 def certify(
@@ -232,10 +291,10 @@ def validate(
             report = run_checks(directory, behavior=behavior)
             if chosen:
                 outcomes = run_clients(directory, chosen, by_name=by_name)
-                report = ClientReport(report.asset, report.results, tuple(outcomes))
+                report = ClientReport(report.asset, report.results, tuple(outcomes), near=report.near)
         reports.append((directory, report))
         if not as_json:
-            _show(terminal, directory, report)
+            _show(terminal, f"{report.asset} in {directory}", report)
         write_report(report, directory)
     if as_json:
         typer.echo(
@@ -257,15 +316,14 @@ def write_report(report: Report, directory: Path) -> Path:
     return target
 
 
-def _show(terminal: Console, directory: Path, report: Report) -> None:
+def _show(terminal: Console, title: str, report: Report) -> None:
     """Print a table of the checks, and one of the clients, with their findings below."""
-    terminal.print(Text.assemble((report.asset, "bold"), f" in {directory}"), soft_wrap=True)
+    terminal.print(Text(title, "bold"), soft_wrap=True)
     checks = table("check", "result", "detail")
     for result in report.results:
-        state = result.to_data()["state"]
-        checks.add_row(result.check, Text(state, _STYLES[state]), _detail(result))
+        checks.add_row(result.check, Text(result.state, _STYLES[result.state]), result.counted)
     terminal.print(checks)
-    _show_findings(terminal, [finding for result in report.results for finding in result.findings])
+    _show_findings(terminal, [each for result in report.results for each in result.findings], report.near)
     if isinstance(report, ClientReport):
         clients = table("client", "version", "result", "first message")
         for outcome in report.outcomes:
@@ -273,20 +331,13 @@ def _show(terminal: Console, directory: Path, report: Report) -> None:
             clients.add_row(outcome.client, outcome.version, Text(outcome.state, style), outcome.message)
         terminal.print()
         terminal.print(clients)
-        _show_findings(terminal, [finding for each in report.outcomes for finding in each.findings[1:]])
+        _show_findings(terminal, [finding for each in report.outcomes for finding in each.findings[1:]], {})
     terminal.print()
 
 
-def _detail(result: CheckResult) -> str:
-    parts = [result.skipped or result.detail]
-    notes = len(result.findings) - len(result.faults)
-    for count, word in ((len(result.faults), "fault"), (notes, "note")):
-        if count:
-            parts.append(f"{count} {word}{'' if count == 1 else 's'}")
-    return "; ".join(part for part in parts if part)
-
-
-def _show_findings(terminal: Console, findings: Sequence[Finding]) -> None:
-    for finding in findings:
-        text = Text.assemble((finding.severity, _STYLES[finding.severity]), f" {finding.check}: {finding}")
-        terminal.print(text, soft_wrap=True)
+def _show_findings(
+    terminal: Console, findings: Sequence[Finding], near: Mapping[str, tuple[float, float]]
+) -> None:
+    for finding, text in grouped(findings, near):
+        line = Text.assemble((finding.severity, _STYLES[finding.severity]), f" {finding.check}: {text}")
+        terminal.print(line, soft_wrap=True)

@@ -1,5 +1,6 @@
 """Checks of exported assets: solids, tree, colliders, files, formats, hands, behavior, simulators."""
 
+import math
 import tempfile
 from collections.abc import Callable, Collection
 from importlib import import_module
@@ -64,7 +65,12 @@ class Examination:
     def report(self, checks: Collection[str] | None = None) -> Report:
         """Run the named checks, by default all, in the order of `CHECKS`."""
         chosen = [name for name in CHECKS if name in (self.checks if checks is None else checks)]
-        return Report(self.name, tuple(self.result(name) for name in chosen))
+        asset = self._exported.asset
+        near: dict[str, tuple[float, float]] = {}
+        for joint in asset.joints if asset is not None else ():
+            low, high = joint.limits or (-math.pi, math.pi)
+            near[joint.name] = (joint.closed - 0.01 * (high - low), joint.closed + 0.01 * (high - low))
+        return Report(self.name, tuple(self.result(name) for name in chosen), near=near)
 
     def result(self, check: str) -> CheckResult:
         """Return the result of a check; it runs on first request."""

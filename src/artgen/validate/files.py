@@ -280,6 +280,8 @@ def _pair_finding(asset: Asset, pair: PairResult) -> Finding:
             cell = pair.open_cells[0]
             first, second = cell.labels
             where = f"where {first} is {1e3 * cell.distance:.3f} mm from {second}"
+            if pair.seconds is not None:
+                message, where = f"not proven after {pair.seconds:g} s", f"for {first} and {second}"
             message += f", such as {spelled_region(cell.region)}, {where}"
             pose = {name: (low + high) / 2 for name, (low, high) in cell.region.items()}
         return _unproven(message, link, value=pair.open_fraction, pose=pose, hint=_MEND_OPEN)

@@ -196,6 +196,11 @@ def _number_findings(joint: AssetJoint) -> Iterator[Finding]:
     elif low < high and high - low < _LEAST_RANGE:
         hint = "lock it with equal limits, or give it a range"
         yield in_range(f"{span}: it cannot move, but is not locked", hint=hint)
+    farthest = max(abs(low), abs(high))
+    if joint.kind == "revolute" and joint.follows is None and farthest > 2.0 * math.pi * (1.0 + _EXACT):
+        turns = (high - low) / (2.0 * math.pi)
+        hint = f"degrees? use math.radians({farthest:.4g})"
+        yield in_range(f"{span}, {turns:.2g} turns", hint=hint, severity="note")
 
 
 def _spring_findings(joint: AssetJoint) -> Iterator[Finding]:

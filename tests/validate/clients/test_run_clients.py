@@ -68,7 +68,7 @@ def test_a_report_with_clients_passes_if_checks_and_clients_do():
     good = ClientReport("it", (CheckResult("tree"),), (PASSED, ABSENT))
     assert good.passed
     assert str(good).splitlines() == [
-        "tree: passed",
+        "tree  passed",
         "one 1: passed (all of it)",
         "two: absent",
         "  note: not there",

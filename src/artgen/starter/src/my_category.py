@@ -1,6 +1,6 @@
 """A box with a hinged lid: a starter for your own category.
 
-Change it, and look at the result with `artgen view src/my_category.py`.
+Change it, check it with `artgen check src/my_category.py`, and look at it with `artgen view` or `artgen studio`.
 """
 
 from typing import Literal

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 
 from artgen.asset.report import Finding, Severity
 from artgen.validate.behavior.model import JointMotion, Simulation, UnstableError, joint_finding
@@ -19,6 +20,9 @@ _PROGRESS = 0.002  # share of the range that counts as progress
 _HOLD_RATE = 10.0  # rate at which a held joint returns to its position [1/s]
 _FIRM, _QUICK = 0.1, 0.6  # gains of the servo on the speed error and its derivative
 _REFRESH = 50  # steps between two computations of the inertia
+_STIFF = 1.0  # largest product of time step and frequency with which simulators integrate a spring well
+_BEYOND = {"revolute": math.radians(0.5), "prismatic": 0.0005}  # tolerance of a soft limit [rad or m]
+_MOST_BEYOND = 0.2  # the same, as a share of the range
 
 
 class Servo:
@@ -88,6 +92,16 @@ def servos(simulation: Simulation, q: Mapping[str, float]) -> list[Servo]:
 
 def drive(simulation: Simulation, motion: JointMotion) -> Iterator[Finding]:
     """Drive a joint from its closed position to both ends by its own effort; release it if it has springs."""
+    simulation.begin({}, f"{motion.name} is closed")
+    light = _too_light(simulation, motion)
+    if light:
+        hint = "explicit springs swing up where they are fast; add that armature, or soften the spring"
+        yield joint_finding(motion.joint, light, hint, severity="note")
+    for finding in _driven(simulation, motion):
+        yield replace(finding, hint=f"it {light}") if light and finding.severity == "fault" else finding
+
+
+def _driven(simulation: Simulation, motion: JointMotion) -> Iterator[Finding]:
     conditions = needed_conditions(simulation.asset, motion.name)
     state = state_for(simulation.asset, conditions, ignore=motion.name)
     if state is None:
@@ -110,6 +124,17 @@ def drive(simulation: Simulation, motion: JointMotion) -> Iterator[Finding]:
             yield found
     if motion.stiffness > 0.0:
         yield from _release(simulation, motion, state)
+
+
+def _too_light(simulation: Simulation, motion: JointMotion) -> str:
+    """Return a message if a joint is too light for its spring at the time step; empty if it is not."""
+    inertia, step = simulation.inertia(motion), simulation.step_time
+    needed = motion.stiffness * (step / _STIFF) ** 2
+    if inertia >= needed:
+        return ""
+    armature = motion.joint.armature + needed - inertia
+    unit = "kg m^2" if motion.joint.kind == "revolute" else "kg"
+    return f"is too light for its spring at {1e3 * step:g} ms: armature >= {armature:.2g} {unit}"
 
 
 def _travel(simulation: Simulation, motion: JointMotion, held: list[Servo], end: float) -> Finding | None:
@@ -178,7 +203,10 @@ def _release(simulation: Simulation, motion: JointMotion, state: Mapping[str, fl
         except UnstableError:
             continue
         moving = swing > _RETURNED * motion.range
-        if moving or abs(simulation.position(motion) - target) > width:
+        here = simulation.position(motion)
+        soft = min(_BEYOND[motion.joint.kind], _MOST_BEYOND * motion.range)
+        allowed = width if low <= here <= high else max(width, soft)  # limits yield to a spring that presses
+        if moving or abs(here - target) > allowed:
             yield from _return_findings(simulation, motion, end, target, swing if moving else 0.0)
 
 

@@ -1,0 +1,69 @@
+"""`artgen check`: proof, validation and a picture of one asset, while an author writes its category."""
+
+import pytest
+from PIL import Image
+
+from artgen.generator import CATEGORIES
+from support.exports import stand
+
+
+@pytest.fixture
+def check(artgen_command, monkeypatch):
+    """Run `artgen check stand`; returns the result, with the lines that it printed."""
+    monkeypatch.setitem(CATEGORIES, "stand", stand)
+
+    def run(*arguments):
+        done = artgen_command("check", "stand", *arguments)
+        return done, [" ".join(line.split()) for line in done.out.splitlines()]
+
+    return run
+
+
+def test_a_good_draft_has_a_table_and_a_picture_closed_and_open(check, tmp_path):
+    done, lines = check("--seed", "2")
+    assert (done.code, done.err) == (0, "")
+    assert lines[:2] == ["stand_2, seed 2", "check result detail"]
+    states = {line.split()[0]: line.split()[1] for line in lines[2:12]}
+    assert (states["certificate"], states["tree"], states["behavior"]) == ("passed", "passed", "passed")
+    assert lines[-1] == "picture: stand_2_check.png"
+    with Image.open(tmp_path / "stand_2_check.png") as picture:
+        assert picture.size == (960, 480)
+    assert [path.name for path in tmp_path.iterdir()] == ["stand_2_check.png"]
+
+
+def test_a_collision_is_the_first_line_and_in_the_picture(check, tmp_path):
+    (tmp_path / "out").mkdir()
+    done, lines = check("--set", "gap=-0.005", "--out", "out")
+    assert (done.code, done.err) == (1, "")
+    assert lines[0].startswith("body and drawer collide at slide=")
+    assert any(line.startswith("fault certificate: link body, drawer: they collide") for line in lines)
+    assert "behavior skipped not requested" in lines
+    with Image.open(tmp_path / "out/stand_0_check.png") as picture:
+        assert picture.size == (1440, 480)
+
+
+def test_a_time_limit_ends_the_proof(check):
+    done, lines = check("--seconds", "1e-9")
+    assert done.code == 1
+    assert lines[0].startswith(
+        "body and drawer: not proven after 1e-09 s: body and drawer, with slide in 0..0.2"
+    )
+    assert any(
+        "not proven after 1e-09 s, such as slide in 0..0.2, for body and drawer" in line for line in lines
+    )
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (("--out", "nowhere"), "cannot write to nowhere: give a directory that exists"),
+        (("--set", "width=9"), "width = 9 is out of range: 0.2 to 0.5 m is allowed"),
+        (("--seconds", "-1"), "'--seconds'"),
+    ],
+)
+def test_wrong_input_is_one_line(check, tmp_path, arguments, message):
+    done, _ = check(*arguments)
+    assert (done.code, done.out, done.err.count("\n")) == (2, "", 1)
+    assert done.err.startswith("error: ")
+    assert message in done.err
+    assert not list(tmp_path.iterdir())
