@@ -135,6 +135,8 @@ def test_a_requirement_may_rule_out_more_draws_than_a_collision():
 def test_a_certificate_is_made_when_it_is_needed(monkeypatch):
     asset = chest.generate(4, gap=0.005, certify="later")
     assert "not certified" in repr(asset)
+    assert "not certified yet" in str(asset)
+    assert asset.certified_later
     made, prove = [], proof.certify
 
     def certify(asset, *arguments, **options):
@@ -147,6 +149,7 @@ def test_a_certificate_is_made_when_it_is_needed(monkeypatch):
         found = list(threads.map(lambda _: asset.certificate, range(4)))
     assert made == [asset]
     assert found[0].proven
+    assert not asset.certified_later
     assert all(each is found[0] for each in found)
     assert chest.generate(4, gap=0.005, certify="later").to_data() == chest.generate(4, gap=0.005).to_data()
 

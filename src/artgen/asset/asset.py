@@ -144,7 +144,7 @@ class Asset:
         return self
 
     def __repr__(self) -> str:
-        certificate = vars(self).get(_CERTIFICATE)
+        certificate = None if self.certified_later else self.certificate
         state = "not certified" if certificate is None else "proven" if certificate.proven else "not proven"
         return f"<Asset {self.name}: {len(self.links)} links, {len(self.joints)} joints, {state}>"
 
@@ -353,6 +353,11 @@ class Asset:
     def with_base(self, base: Base) -> "Asset":
         """Return the asset with its base fixed to the world or free."""
         return remember(replace(self, base=base), self.certificate)
+
+    @property
+    def certified_later(self) -> bool:
+        """Whether the first use of `certificate` will make it, see `generate(..., certify="later")`."""
+        return _LATER in vars(self)
 
     @property
     def certificate(self) -> Certificate | None:

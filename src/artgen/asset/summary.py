@@ -21,7 +21,9 @@ def facts(asset: "Asset") -> list[tuple[str, list[str]]]:
     size = " x ".join(f"{length:.3g}" for length in high - low)
     base = "fixed to the world" if asset.base == "fixed" else "free to move"
     certificate = "not certified: certify() proves that no two links collide"
-    if asset.certificate is not None:
+    if asset.certified_later:
+        certificate = "not certified yet: the first use of its certificate proves that no two links collide"
+    elif asset.certificate is not None:
         certificate = str(asset.certificate).partition("\n")[0]
     colliders = sum(len(link.colliders) for link in asset.links)
     return [

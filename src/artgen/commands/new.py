@@ -47,9 +47,8 @@ def new(
         shutil.rmtree(partial, ignore_errors=True)
         raise ExportError(f"cannot write {target}: {error.strerror or error}; nothing was written") from error
     module = target / "src" / f"{name}.py"
-    typer.echo(
-        f"{module}\n\ncheck it:      artgen check {module}\nlook at it:    artgen view {module}\nprove it:      artgen certify {module}"
-    )
+    typer.echo(f"{module}\n\ncheck it:      artgen check {module}\nlook at it:    artgen view {module}")
+    typer.echo(f"prove it:      artgen certify {module}")
     typer.echo(f"add it to `artgen list`:  pip install --editable {target}")
 
 

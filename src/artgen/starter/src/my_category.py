@@ -1,6 +1,6 @@
 """A box with a hinged lid: a starter for your own category.
 
-Change it, check it with `artgen check src/my_category.py`, and look at it with `artgen view` or `artgen studio`.
+Change it, check it with `artgen check src/my_category.py`, and look at it with `artgen view`.
 """
 
 from typing import Literal
