@@ -35,7 +35,7 @@ def by_states(path: Path, root: Path, seconds: float) -> dict[str, Any]:
 def by_the_referee(path: Path, root: Path, seconds: float) -> dict[str, Any]:
     """Return the verdict of the referee, or its error."""
     try:
-        judgment = certify(path, root=root, seconds=seconds, total=_TOTAL * seconds)
+        judgment = certify(path, root=root, seconds=seconds, total=_TOTAL * seconds, first=True)
     except ArtgenError as error:
         return {"error": str(error)}
     except Exception as error:  # noqa: BLE001 - a fault of the referee is a result

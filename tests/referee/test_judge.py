@@ -151,3 +151,36 @@ def test_wrong_arguments_give_one_line(tmp_path: Path) -> None:
         certify(path, meshes="box")  # type: ignore[arg-type]
     with pytest.raises(ParameterError, match="seconds must be a positive number"):
         certify(path, seconds=0.0)
+
+
+def test_the_first_collision_decides_and_the_other_pairs_stay_open(tmp_path: Path) -> None:
+    path = cabinet("urdf", tmp_path, hinge_low=FAULTS["hinge_low"], drawer_low=FAULTS["drawer_low"])
+    every, first = certify(path), certify(path, first=True)
+    assert every.verdict == first.verdict == "collision"
+    found = [pair for pair in first.pairs if pair.verdict == "collision"]
+    assert len(found) == 1 < sum(pair.verdict == "collision" for pair in every.pairs)
+    left = [pair.result for pair in first.pairs if pair.verdict == "not proven"]
+    assert len(left) == 2
+    assert all(pair.open_fraction == 1.0 for pair in left)
+    sound = certify(cabinet("urdf", tmp_path), first=True)
+    assert sound.verdict == "proven"
+    assert sound.rechecked
+
+
+def test_collisions_are_found_along_unlimited_slides(tmp_path: Path) -> None:
+    box = '<geom name="{}" type="box" size=".1 .1 .1"/>'
+    slide = '<joint name="slide" type="slide" axis="1 0 0"/>'
+    path = tmp_path / "slide.xml"
+    path.write_text(
+        f"<mujoco><worldbody>{box.format('fixed')}<body name='sled' pos='1 0 0'>{slide}{box.format('moved')}"
+        "</body></worldbody></mujoco>"
+    )
+    pair = certify(path, first=True).failures[0]
+    assert pair.result.witness is not None
+    assert abs(pair.result.witness.pose["slide"] + 1.0) < 0.2
+
+
+def test_no_pair_is_examined_after_the_total_time(tmp_path: Path) -> None:
+    judgment = certify(cabinet("urdf", tmp_path, hinge_low=FAULTS["hinge_low"]), total=1e-6)
+    assert judgment.verdict == "not proven"
+    assert [pair.result.open_fraction for pair in judgment.pairs] == [1.0] * 3

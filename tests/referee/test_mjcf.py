@@ -179,6 +179,29 @@ def test_a_concave_mesh_is_a_hull_or_decomposed(tmp_path: Path) -> None:
     assert "decomposed into convex pieces by CoACD" in pieces.notes[0]
 
 
+def test_faults_beside_the_colliders_do_not_stop_the_reading(tmp_path: Path) -> None:
+    looks = '<asset><texture name="t" type="2d" file="none.png"/><material name="m" texture="t"/>'
+    looks += '<mesh name="none" file="none.stl"/></asset>'
+    visual = '<geom type="mesh" mesh="none" contype="0" conaffinity="0" material="m"/>'
+    other = '<sensor><touch site="none"/></sensor><actuator><motor joint="none"/></actuator>'
+    other += '<contact><pair geom1="a" geom2="none"/></contact>'
+    massless = '<body name="tip" pos="1 0 0"><joint name="spin"/></body>'
+    model = read(tmp_path, two().replace("</body>", f"{visual}{massless}</body>", 1), looks + other)
+    assert [body.name for body in model.bodies] == ["world", "base", "arm", "tip"]
+    assert [geom.name for body in model.bodies for geom in body.geoms] == ["a", "b"]
+    assert [joint.name for body in model.bodies for joint in body.joints] == ["j", "spin"]
+
+
+def test_a_body_that_follows_another_does_not_restrict_its_joints(tmp_path: Path) -> None:
+    hand = '<body name="{0}" mocap="true"><geom name="{0}" size=".1" contype="0" conaffinity="0"/></body>'
+    world = two() + hand.format("hand") + hand.format("other")
+    weld = '<weld body1="{}" body2="arm"/>'
+    one = f"<equality>{weld.format('hand')}</equality>"
+    assert read(tmp_path, world, one).restricted == {}
+    both = f'<equality>{weld.format("hand")}<connect body1="hand" body2="base" anchor="0 0 0"/></equality>'
+    assert read(tmp_path, world, both).restricted == {"j": "weld equality"}
+
+
 def test_damaged_and_hostile_files_give_one_line(tmp_path: Path) -> None:
     def fault(text: str) -> str:
         path = tmp_path / "inner" / "bad.xml"
@@ -193,17 +216,16 @@ def test_damaged_and_hostile_files_give_one_line(tmp_path: Path) -> None:
     (tmp_path / "secret.stl").write_text("solid")
     world = f"<worldbody>{two()}</worldbody>"
     mesh = '<asset><mesh file="{}"/></asset>'
+    shown = '<worldbody><geom type="mesh" mesh="none"/></worldbody>'
     assert "not well-formed XML" in fault("<mujoco>")
     assert "declares a document type" in fault('<!DOCTYPE m [<!ENTITY a "b">]><mujoco/>')
     assert "outside" in fault(f"<mujoco>{mesh.format('../secret.stl')}{world}</mujoco>")
     assert "outside" in fault(f"<mujoco>{mesh.format('/etc/passwd')}{world}</mujoco>")
     there = f'<mujoco><compiler meshdir=".."/>{mesh.format("secret.stl")}{world}</mujoco>'
     assert "outside" in fault(there)
-    assert "MuJoCo does not compile it" in fault(f"<mujoco>{mesh.format('none.stl')}{world}</mujoco>")
+    assert "MuJoCo does not compile it" in fault(f"<mujoco>{mesh.format('none.stl')}{shown}</mujoco>")
     assert "MuJoCo does not compile it" in fault('<mujoco><include file="none.xml"/></mujoco>')
-    assert "MuJoCo does not compile it" in fault(
-        "<mujoco><worldbody><body><joint/></body></worldbody></mujoco>"
-    )
+    assert "MuJoCo does not compile it" in fault(f"<mujoco><worldbody>{two()}<joint/></worldbody></mujoco>")
     assert "its root is <sdf>; give a file with <mujoco>" in fault("<sdf/>")
     many = '<replicate count="3000000000" offset="1 0 0"><geom size=".1"/></replicate>'
     assert "at most 20000 are read" in fault(f"<mujoco><worldbody>{many}</worldbody></mujoco>")

@@ -23,6 +23,7 @@ SLIVER = 1e-6
 """Pieces thinner than this are dropped [m]."""
 
 _COPLANAR = 1e-8  # hull points nearer to a face than this lie on it [m]
+_MOST_WORDS = 1 << 20  # most words of vertex contacts that are compared at once
 
 _RIGID = 1e-12  # tolerance of lengths in a rigid motion
 _BOX_SIGNS = np.array([[x, y, z] for x in (-0.5, 0.5) for y in (-0.5, 0.5) for z in (-0.5, 0.5)])
@@ -285,8 +286,13 @@ def _faces(vertices: Array, triangles: Indices) -> tuple[Array, Mask]:
         packed = np.packbits(touching, axis=1)
         bits[:, : packed.shape[1]] = packed
         words = bits.view(np.uint64)
-        within = (words[:, None] & ~words[None, large] == 0).all(axis=2)
-        within &= (count[large] > count[:, None]) | (large < np.arange(len(count))[:, None])
-        rows = ~within.any(axis=1)
+        other, rows = ~words[large], np.ones(len(count), np.bool_)
+        at_once = max(_MOST_WORDS // other.size, 1)
+        numbers = np.arange(len(count))
+        for start in range(0, len(count), at_once):
+            some = slice(start, start + at_once)
+            within = (words[some, None] & other == 0).all(axis=2)
+            within &= (count[large] > count[some, None]) | (large < numbers[some, None])
+            rows[some] = ~within.any(axis=1)
         normals, offset, touching = normals[rows], offset[rows], touching[rows]
     return np.column_stack((normals, offset)), touching.T

@@ -133,6 +133,7 @@ def certify(
         ),
     ] = None,
     total: Annotated[float, Option(help="Time limit for all pairs of the file [s].", **_FOREIGN)] = 120.0,
+    first: Annotated[bool, Option("--first", help="Stop at the first collision.", **_FOREIGN)] = False,
     picture: Annotated[
         Path | None, Option(metavar="PNG", help="Draw the first collision that is found.", **_FOREIGN)
     ] = None,
@@ -157,6 +158,7 @@ def certify(
             root=root,
             seconds=10.0 if seconds is None else seconds,
             total=total,
+            first=first,
             repair=repair,
         )
         return

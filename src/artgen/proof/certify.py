@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from manifold3d import Manifold
 
 from artgen._arrays import Array
 from artgen.asset import Asset
@@ -34,7 +35,7 @@ from artgen.proof.overlap import (
     link_overlap,
     penetration,
 )
-from artgen.proof.paths import JointPath, Space
+from artgen.proof.paths import JointPath, space_of
 from artgen.proof.search import Search
 from artgen.proof.separation import SearchOutcome
 
@@ -51,7 +52,6 @@ def certify(
     measure: bool = False,
     only: Callable[[JointPath], bool] | None = None,
     seconds: float = math.inf,
-    states: int = 0,
     overlap: float = 0.0,
 ) -> Certificate:
     """Prove for all pairs of links that they stay apart at every joint position.
@@ -68,7 +68,6 @@ def certify(
         measure: Whether to bracket the clearance.
         only: Selects the pairs to examine.
         seconds: Time after which the pairs that are left are not proven [s].
-        states: Number of random states of each pair that are examined first: a collision is found soon.
         overlap: Overlap that is permitted everywhere, up to 0.01 mm; the tolerance of the certificate is less
             by it, so that `recheck` has to be told of it [m].
 
@@ -85,18 +84,17 @@ def certify(
     if not asset.links:
         raise AssetError(f"asset {asset.name!r} has no links; there is nothing to certify")
     _check_ranges(asset)
-    space = Space(asset)
+    space = space_of(asset)
     if only is None:  # dependencies may block a joint in part of its range
         space.check()
     joint_paths = [joint_path for joint_path in space.joint_paths() if only is None or only(joint_path)]
-    options: dict[str, Any] = {"measure": measure, "states": states}
     begin, limit = time.monotonic(), seconds
-    on_colliders = _searched(asset, collider_cover, joint_paths, tolerance, seconds=seconds, **options)
+    on_colliders = _searched(asset, collider_cover, joint_paths, tolerance, measure=measure, seconds=seconds)
     doubtful = [each.joint_path for each in on_colliders if not each.settled]
     on_solids = {each.joint_path.links: each for each in on_colliders}
     if all(link.pieces for link in asset.links):
         seconds = max(seconds + begin - time.monotonic(), 0.0)
-        finer = _searched(asset, fine_cover, doubtful, tolerance, seconds=seconds, **options)
+        finer = _searched(asset, fine_cover, doubtful, tolerance, measure=measure, seconds=seconds)
         on_solids |= {each.joint_path.links: each for each in finer}
     pairs = [_pair_result(asset, each, on_solids[each.joint_path.links], limit) for each in on_colliders]
     proven = [on_solids[pair.links] for pair in pairs if pair.verdict == "proven"]
@@ -157,7 +155,6 @@ def _searched(
     *,
     measure: bool,
     seconds: float,
-    states: int,
 ) -> list[_PairSearch]:
     """Search several joint paths on one kind of pieces."""
     if not joint_paths:
@@ -186,9 +183,7 @@ def _searched(
     least = np.array([sum(covers[name].excess or 0.0 for name in links) for links in pairs])
     trees = [(names.index(a), names.index(b)) for a, b in pairs]
     tolerances = least + tolerance
-    search = Search(
-        nodes, joint_paths, trees, confirm, allowed_depth, tolerances, least, measure, seconds, states
-    )
+    search = Search(nodes, joint_paths, trees, confirm, allowed_depth, tolerances, least, measure, seconds)
     closed = search.run()
     return [
         _PairSearch(joint_path, outcome, nodes, covers, cells)
@@ -232,6 +227,32 @@ def _verdict(proven: bool, hit: object) -> Verdict:  # noqa: FBT001 - a private 
     return "collision" if hit is not None else "proven" if proven else "not proven"
 
 
+def refuted(
+    asset: Asset, joint_path: JointPath, positions: Array, first: Manifold, second: Manifold
+) -> PairResult | None:
+    """Return the result for two links whose solids overlap at a pose; None if they do not.
+
+    Args:
+        asset: The asset.
+        joint_path: The joint path between the links.
+        positions: Positions of its variables, shape (v,) [rad or m].
+        first: A convex piece of the first link, around the solid that may overlap.
+        second: One of the second link, at rest.
+    """
+    moved = second.transform(displacement(joint_path, positions)[:3])
+    if penetration(first, moved) <= PRESSED:
+        return None
+    overlap = link_overlap(asset, joint_path, positions)
+    if overlap is None:
+        return None
+
+    def touch(at: Array) -> bool:
+        return link_overlap(asset, joint_path, at) is not None
+
+    witness = _described(asset, joint_path, positions, penetration(first, moved), overlap, touch)
+    return PairResult(joint_path.links, joint_path.variables, "collision", "collision", witness=witness)
+
+
 def _witness(asset: Asset, search: _PairSearch) -> Witness | None:
     """Describe the overlap that a search found; None if it found no overlap."""
     joint_path, hit = search.joint_path, search.outcome.hit
@@ -254,6 +275,18 @@ def _witness(asset: Asset, search: _PairSearch) -> Witness | None:
     if hit is None or overlap is None:
         common = a ^ b
         overlap = Overlap(common.volume(), box_of(common).mean(axis=0), search.labels(first, second))
+    return _described(asset, joint_path, positions, penetration(a, b), overlap, touch)
+
+
+def _described(
+    asset: Asset,
+    joint_path: JointPath,
+    positions: Array,
+    depth: float,
+    overlap: Overlap,
+    touch: Callable[[Array], bool],
+) -> Witness:
+    """Return the witness of an overlap, with the first contact on the line from rest."""
     start = np.array([asset.joint(name).closed for name in joint_path.variables])
     share = first_contact(touch, start, positions)
     pose = _named(joint_path, positions)
@@ -263,7 +296,7 @@ def _witness(asset: Asset, search: _PairSearch) -> Witness | None:
     return Witness(
         pose,
         _named(joint_path, start + share * (positions - start)),
-        _rounded(penetration(a, b)),
+        _rounded(depth),
         float(f"{overlap.volume:.6g}"),
         (_rounded(x), _rounded(y), _rounded(z)),
         overlap.labels,

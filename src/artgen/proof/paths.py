@@ -13,7 +13,7 @@ from functools import partial
 
 import numpy as np
 
-from artgen._arrays import Array
+from artgen._arrays import Array, cached, cached_property
 from artgen.asset import Asset, AssetJoint
 from artgen.asset.joint import AllowedContact, AssetCondition, AssetCoupling, joints_above
 from artgen.errors import AssetError
@@ -57,9 +57,13 @@ class Space:
 
     def joint_paths(self) -> list[JointPath]:
         """Return the joint path between each pair of links that can move against each other."""
+        return list(self._joint_paths)
+
+    @cached_property
+    def _joint_paths(self) -> tuple[JointPath, ...]:
         names = [link.name for link in self.asset.links]
         found = (self.joint_path(a, b) for a, b in itertools.combinations(names, 2))
-        return [joint_path for joint_path in found if joint_path.variables and joint_path.boxes]
+        return tuple(joint_path for joint_path in found if joint_path.variables and joint_path.boxes)
 
     def check(self) -> None:
         """Raise AssetError for dependencies that cannot be satisfied.
@@ -214,6 +218,12 @@ class Space:
         if term.kind == "above":
             return min(ends) >= term.value - _ROUNDING
         return max(ends) <= term.value + _ROUNDING
+
+
+@cached(1)
+def space_of(asset: Asset) -> Space:
+    """Return the joint space of an asset, the last one again: some callers prove one pair after another."""
+    return Space(asset)
 
 
 def _common(first: Box, second: Box) -> Box | None:

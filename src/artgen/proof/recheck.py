@@ -19,7 +19,7 @@ from artgen.errors import AssetError
 from artgen.proof.bounds import Motion, around_axis, axis_gap, gap
 from artgen.proof.cover import Cover, stored_cover
 from artgen.proof.overlap import allows
-from artgen.proof.paths import JointPath, Space
+from artgen.proof.paths import JointPath, space_of
 
 _BEYOND = 2e-9  # distance by which cells may extend beyond the ends of a range [rad or m]
 _TOUCHING = 2e-8  # tolerance of the allowed depth of pieces in contact [m]
@@ -44,7 +44,7 @@ def recheck(
     Raises:
         AssetError: A dependency of the asset cannot be satisfied, or its meshes are missing.
     """
-    space = Space(asset)
+    space = space_of(asset)
     space.check()
     joint_paths = {joint_path.links: joint_path for joint_path in space.joint_paths() if only(joint_path)}
     stated = {pair.links for pair in certificate.pairs}

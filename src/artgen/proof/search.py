@@ -41,7 +41,6 @@ _DECIMALS = 9  # decimals of normals
 _TIE = 1e-9  # a clearance is smaller only by more; rounding does not decide between equal ones [m]
 _MANY = 24  # vertices above which a node is searched separately from smaller nodes
 _FARTHEST = 3  # most joints between the frame of a plane and either link
-_MOST_IN_STATE = 6  # most pairs of pieces that are examined in a random state
 _MOST_AT_REST = 48  # most pairs of pieces whose distance at rest is measured
 
 
@@ -60,7 +59,6 @@ class Search:
     least: Array
     measure: bool  # whether to bracket the clearance up to `_CAP`
     seconds: float = np.inf  # time after which the rest stays open [s]
-    states: int = 0  # number of random states of each joint path that are examined first
 
     def __post_init__(self) -> None:
         count = len(self.joint_paths)
@@ -89,8 +87,6 @@ class Search:
 
     def _run(self, update: Update) -> list[ProofCells]:
         end = time.monotonic() + self.seconds
-        for number in range(len(self.joint_paths)) if self.states else ():
-            self._try_states(number)
         cells, seen = self._start(), 0
         self._closed = [cells[:0]]
         if self.measure:
@@ -184,32 +180,6 @@ class Search:
                 distance, _ = nodes.distance(a, b, rotation, offset)
                 if 0.0 < distance < self._found[number] - _TIE:
                     self._found[number], self.outcomes[number].found_at = distance, corners[box]
-
-    def _try_states(self, number: int) -> None:
-        """Look for a collision in random states: in each, the two pieces whose balls overlap most."""
-        nodes, joint_path = self.nodes, self.joint_paths[number]
-        first, second = (np.flatnonzero(nodes.leaf & (nodes.tree == tree)) for tree in self.trees[number])
-        draws = np.random.default_rng(number).random((self.states, len(joint_path.variables)))
-        box = int(np.argmax([np.prod(ends[:, 1] - ends[:, 0]) for ends in joint_path.boxes]))
-        low, high = joint_path.boxes[box].T
-        at = np.pad(low + draws * (high - low), ((0, 0), (0, self._most - len(low))))
-        table = self._tables[self._table[number]]
-        pose = frames(table.motions(np.full(len(at), self._row[number]), at, at))
-        moved = nodes.center[second] @ pose.rotations[-1].swapaxes(1, 2) + pose.offset[:, None]
-        apart = np.linalg.norm(nodes.center[first][None, :, None] - moved[:, None], axis=3)
-        apart -= nodes.radius[first][None, :, None] + nodes.radius[second][None, None]
-        apart = apart.reshape(len(at), -1)
-        nearest = np.argsort(apart, axis=1, kind="stable")[:, :_MOST_IN_STATE]
-        rows, columns = np.repeat(np.arange(len(at)), nearest.shape[1]), nearest.ravel()
-        depth = apart[rows, columns]
-        for index in np.argsort(depth, kind="stable")[: np.count_nonzero(depth < 0.0)].tolist():
-            state, (row, column) = int(rows[index]), divmod(int(columns[index]), len(second))
-            a, b = int(first[row]), int(second[column])
-            distance, _ = nodes.distance(a, b, pose.rotations[-1][state], pose.offset[state])
-            if distance <= 0.0:
-                self._witnesses.examine(number, box, a, b, at[state, : len(low)])
-            if self._done[number]:
-                return
 
     def _threshold(self, cells: ProofCells) -> Array:
         """Return the gap that closes each cell [m]."""

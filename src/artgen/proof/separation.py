@@ -93,14 +93,7 @@ class Witnesses:
 
     def _examine(self, cells: ProofCells, row: int, positions: Array) -> None:
         """Examine one pose of the pieces of a cell."""
-        self._look(*cells.numbers(row), positions)
-
-    def examine(self, number: int, box: int, first: int, second: int, positions: Array) -> None:
-        """Examine one pose of two pieces of a joint path."""
-        self._look(number, box, first, second, positions)
-        self._finish(number)
-
-    def _look(self, number: int, box: int, first: int, second: int, positions: Array) -> None:
+        number, box, first, second = cells.numbers(row)
         outcome, depth = self.outcomes[number], self.depths(number, box, first, second)
         overlap = self.confirm(number, first, second, positions, 0.0 if np.isnan(depth) else depth)
         if overlap == "solids" and outcome.hit is None:

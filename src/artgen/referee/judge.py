@@ -1,7 +1,7 @@
 """The judgment of a file: each pair of its links is proven apart, refuted, or open."""
 
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
@@ -11,7 +11,7 @@ import numpy as np
 
 from artgen._names import ByName
 from artgen.asset import Asset, AssetJoint
-from artgen.asset.certificate import Certificate, PairResult
+from artgen.asset.certificate import PairResult
 from artgen.asset.record import plain
 from artgen.asset.report import Finding
 from artgen.errors import AssetError, ExportError, ParameterError
@@ -19,11 +19,12 @@ from artgen.materials import Material
 from artgen.proof import certify as proof
 from artgen.proof.limits import narrowed_limits
 from artgen.proof.overlap import PRESSED
-from artgen.proof.paths import JointPath
+from artgen.proof.paths import JointPath, space_of
 from artgen.proof.recheck import recheck
 from artgen.referee.files import parse_xml
 from artgen.referee.mjcf import read_mjcf, repaired_mjcf
 from artgen.referee.model import SUFFIXES, ForeignModel, Format, Meshes
+from artgen.referee.states import collisions
 from artgen.referee.trees import MATERIAL, ColliderLink, JudgedTree, trees_of
 from artgen.referee.urdf import read_urdf, repaired_urdf
 from artgen.referee.usd import read_usd, repaired_usd
@@ -44,7 +45,6 @@ _PAINTS = tuple(
 )
 _REPAIR_SECONDS = 10.0  # time limit for each step of a repair [s]
 _FEW_JOINTS = 3  # most joints between two links of pairs that are proven together
-_STATES = 64  # random states of each pair that are examined first
 _SHOWN = 20  # most pairs in the text
 
 
@@ -244,6 +244,7 @@ def certify(
     root: str | Path | None = None,
     seconds: float = 10.0,
     total: float = 120.0,
+    first: bool = False,
     progress: Callable[[str], None] = lambda text: None,
 ) -> Judgment:
     """Prove or refute that the links of a file collide nowhere in their joint ranges.
@@ -256,7 +257,9 @@ def certify(
         meshes: `hull`: each mesh is its convex hull, as most simulators take it; `coacd`: it is decomposed.
         root: Folder that the file may read from; by default two folders above its own.
         seconds: Time limit for the proof of a pair [s].
-        total: Time after which the pairs that are left are only examined in random states [s].
+        total: Time after which the pairs that are left are not proven [s].
+        first: Whether to stop at the first collision, which decides the verdict: the pairs that are left are
+            not proven.
         progress: Function that is called with what happens next.
 
     Raises:
@@ -278,10 +281,11 @@ def certify(
     trees = [replace(tree, asset=_with_locked(tree.asset)) for tree in trees]
     pairs: list[JudgedPair] = []
     findings: list[Finding] = []
-    for tree in trees:
-        for judged, found in _judged(tree, model, seconds, start + total, progress):
-            pairs += judged
-            findings += found
+    for runs in zip(*(_runs(tree) for tree in trees), strict=True):  # excluded pairs last
+        for run in runs:
+            decided = first and any(pair.verdict == "collision" for pair in pairs)
+            pairs += _judged(run, model, seconds, -np.inf if decided else start + total, first, progress)
+            findings += run.findings
     seconds = time.monotonic() - start
     return Judgment(path, model, tuple(trees), tuple(pairs), tuple(findings), (*model.notes, *notes), seconds)
 
@@ -311,57 +315,86 @@ def _with_locked(asset: Asset) -> Asset:
 
 
 def _judged(
-    tree: JudgedTree, model: ForeignModel, seconds: float, end: float, progress: Callable[[str], None]
-) -> Iterator[tuple[list[JudgedPair], list[Finding]]]:
-    """Prove the pairs of a tree: as the file lets them collide, and the excluded ones as if it did."""
-    runs = [(_permitted(tree), partial(_counts, tree), "")]
-    if tree.excluded or tree.contacts:
-        runs.append((tree.asset, partial(_excluded, tree), "some of their geoms"))
-    for asset, counts, reason in runs:
-        progress(f"proving the pairs of {len(asset.links)} links")
-        results: dict[tuple[str, str], tuple[PairResult, float]] = {}  # with the limit that was exceeded
-        findings: list[Finding] = []
-
-        def prove(only: Callable[[JointPath], bool], limit: float) -> tuple[PairResult, ...]:
-            """Add the results of some pairs, and return those that ran out of time."""
-            begin = time.monotonic()
-            certificate, found = _proven(asset, only, limit)  # noqa: B023 - it is called in this turn only
-            late = time.monotonic() - begin > limit
-            results.update({pair.links: (pair, limit * late) for pair in certificate.pairs})  # noqa: B023
-            findings.extend(found)  # noqa: B023
-            return certificate.pairs if late else ()
-
-        # pairs with few joints first, together; a pair with many may use up the time, so it is on its own
-        for many in (False, True):
-            limit = 0.0 if many else min(seconds, max(end - time.monotonic(), 0.0))
-            for pair in prove(partial(_has_many, counts, many), limit):
-                limit = min(seconds, end - time.monotonic())
-                if pair.verdict == "not proven" and limit > 0.0:
-                    progress(f"proving {pair.links[0]} and {pair.links[1]}")
-                    prove(partial(_is_pair, pair.links), limit)
-        yield (
-            [
-                JudgedPair(
-                    pair,
-                    tree.excluded.get(frozenset(pair.links), reason),
-                    _restriction(pair, tree.asset, model),
-                    limit if pair.verdict == "not proven" else 0.0,
-                )
-                for pair, limit in results.values()
-            ],
-            findings,
+    run: "_Run",
+    model: ForeignModel,
+    seconds: float,
+    end: float,
+    first: bool,  # noqa: FBT001 - a private helper
+    progress: Callable[[str], None],
+) -> list[JudgedPair]:
+    """Refute or prove the pairs of a run."""
+    tree, decided = run.tree, False
+    progress(f"examining {len(run.results)} pairs of {len(tree.asset.links)} links in some states")
+    for pair in collisions(run.asset, run.joint_paths, end):
+        run.results[pair.links] = pair, 0.0
+        decided = first and not _restriction(pair, tree.asset, model)
+        if decided:
+            break
+    if not decided:
+        progress(f"proving the pairs of {len(tree.asset.links)} links")
+        run.prove(seconds, end, progress)
+    return [
+        JudgedPair(
+            pair,
+            tree.excluded.get(frozenset(pair.links), run.reason),
+            _restriction(pair, tree.asset, model),
+            limit if pair.verdict == "not proven" else 0.0,
         )
+        for pair, limit in run.results.values()
+    ]
 
 
-def _has_many(counts: Callable[[JointPath], bool], many: bool, joint_path: JointPath) -> bool:  # noqa: FBT001
-    return (len(joint_path.variables) > _FEW_JOINTS) == many and counts(joint_path)
+class _Run:
+    """Some pairs of a tree and their results; they are open before they are refuted or proven."""
+
+    def __init__(
+        self, tree: JudgedTree, asset: Asset, counts: Callable[[JudgedTree, JointPath], bool], reason: str
+    ) -> None:
+        self.tree, self.asset, self.reason = tree, asset, reason
+        self.findings: list[Finding] = []
+        self._given_up: set[tuple[str, str]] = set()  # pairs that the proof leaves open within its time
+        self.joint_paths = [each for each in space_of(asset).joint_paths() if counts(tree, each)]
+        opened = [
+            PairResult(each.links, each.variables, "not proven", "not proven", open_fraction=1.0)
+            for each in self.joint_paths
+        ]
+        # with the limit that was exceeded [s]
+        self.results: dict[tuple[str, str], tuple[PairResult, float]] = {
+            pair.links: (pair, 0.0) for pair in opened
+        }
+
+    def prove(self, seconds: float, end: float, progress: Callable[[str], None]) -> None:
+        """Prove the open pairs: those with few joints together, and each that takes long on its own."""
+        few = [each.links for each in self._open() if len(each.variables) <= _FEW_JOINTS]
+        self._prove(few, min(seconds, end - time.monotonic()))
+        for joint_path in sorted(self._open(), key=lambda each: len(each.variables)):
+            a, b = joint_path.links
+            progress(f"proving {a} and {b}")
+            self._prove([joint_path.links], min(seconds, end - time.monotonic()))
+
+    def _open(self) -> list[JointPath]:
+        return [
+            each
+            for each in self.joint_paths
+            if self.results[each.links][0].verdict == "not proven" and each.links not in self._given_up
+        ]
+
+    def _prove(self, pairs: Sequence[tuple[str, str]], limit: float) -> None:
+        """Add the results of some pairs."""
+        if not pairs or limit <= 0.0:
+            return
+        only, begin = partial(_is_among, frozenset(pairs)), time.monotonic()
+        certificate = proof.certify(self.asset, only=only, seconds=limit, overlap=PRESSED)
+        late = time.monotonic() - begin > limit
+        self.findings += recheck(self.asset, certificate, overlap=PRESSED, only=only)
+        self.results.update({pair.links: (pair, limit * late) for pair in certificate.pairs})
+        self._given_up |= set() if late else set(pairs)
 
 
-def _proven(
-    asset: Asset, only: Callable[[JointPath], bool], seconds: float
-) -> tuple[Certificate, list[Finding]]:
-    certificate = proof.certify(asset, only=only, seconds=seconds, states=_STATES, overlap=PRESSED)
-    return certificate, recheck(asset, certificate, overlap=PRESSED, only=only)
+def _runs(tree: JudgedTree) -> Iterator[_Run]:
+    """Yield the pairs that the file lets collide, and the excluded ones as if it did."""
+    yield _Run(tree, _permitted(tree), _counts, "")
+    yield _Run(tree, tree.asset, _excluded, "some of their geoms")
 
 
 def _permitted(tree: JudgedTree) -> Asset:
@@ -381,8 +414,8 @@ def _excluded(tree: JudgedTree, joint_path: JointPath) -> bool:
     return _solid(tree, joint_path) and (pair in tree.excluded or pair in tree.partly)
 
 
-def _is_pair(links: tuple[str, str], joint_path: JointPath) -> bool:
-    return joint_path.links == links
+def _is_among(pairs: Collection[tuple[str, str]], joint_path: JointPath) -> bool:
+    return joint_path.links in pairs
 
 
 def _has(tree: JudgedTree, pair: JudgedPair) -> bool:

@@ -25,6 +25,7 @@ _DIRS = ("meshdir", "texturedir", "assetdir")  # attributes of <compiler>
 _GRAIN = 1e-5  # by which repaired limits are narrower, relative to their size
 _LOCKED = 4e-7  # half the range of a locked joint, as MuJoCo knows no equal limits [rad or m]
 _MOST_INCLUDES = 200
+_SOME_MASS = 1e-6  # least mass and inertia of bodies that lack them [kg, kg m^2]
 _LINEAR = 1e-9  # largest coefficient of a higher power in a linear coupling
 _FIELDS = (
     *("body_parentid", "body_weldid", "body_jntadr", "body_jntnum", "body_geomadr", "body_geomnum"),
@@ -105,8 +106,11 @@ def _compiled(path: str) -> dict[str, Any]:
         return {"error": "MJCF needs MuJoCo; install artgen[referee]"}
     try:
         model = mujoco.MjModel.from_xml_path(path)
-    except (ValueError, MemoryError) as error:
-        return {"error": f"MuJoCo does not compile it: {' '.join(str(error).split())}"}
+    except (ValueError, MemoryError):
+        try:
+            model = _colliders_only(path)
+        except (ValueError, MemoryError) as error:
+            return {"error": f"MuJoCo does not compile it: {' '.join(str(error).split())}"}
     data = mujoco.MjData(model)
     moving = np.isin(model.jnt_type, (_FREE, _BALL), invert=True)
     data.qpos[model.jnt_qposadr[moving]] = 0.0
@@ -125,6 +129,37 @@ def _compiled(path: str) -> dict[str, Any]:
     disabled = bool(model.opt.disableflags & mujoco.mjtDisableBit.mjDSBL_FILTERPARENT)
     soft = [f"{count} {name}" for name, count in (("flexes", model.nflex), ("skins", model.nskin)) if count]
     return found | {"names": names, "parents_collide": disabled, "soft": soft}
+
+
+def _colliders_only(path: str) -> Any:
+    """Compile a file without what collisions do not depend on, which may be missing or faulty.
+
+    Numbers of geoms without a name differ from those of the whole file.
+
+    Raises:
+        ValueError: MuJoCo does not compile what is left of it.
+    """
+    import mujoco
+
+    spec = mujoco.MjSpec.from_file(path)
+    named = {geom.name for geom in spec.geoms}
+    pairs = [{pair.geomname1, pair.geomname2} for pair in spec.pairs]
+    paired = {name for pair in pairs if pair <= named for name in pair}
+    unwanted = [*spec.sensors, *spec.actuators, *spec.keys, *spec.skins, *spec.textures, *spec.materials]
+    if not any(equality.type == mujoco.mjtEq.mjEQ_TENDON for equality in spec.equalities):
+        unwanted += spec.tendons
+    unwanted += [each for each, names in zip(spec.pairs, pairs, strict=True) if not names <= named]
+    for each in (*spec.geoms, *spec.sites):
+        each.material = ""
+    unwanted += [geom for geom in spec.geoms if not (geom.contype or geom.conaffinity or geom.name in paired)]
+    for each in unwanted:
+        spec.delete(each)
+    used = {geom.meshname for geom in spec.geoms}
+    for mesh in [mesh for mesh in spec.meshes if mesh.name not in used]:
+        spec.delete(mesh)
+    spec.compiler.boundmass = spec.compiler.boundinertia = _SOME_MASS
+    spec.compiler.balanceinertia = True
+    return spec.compile()
 
 
 class _Reading:
@@ -267,10 +302,34 @@ class _Reading:
                 chain.update(range(self.body_jntadr[body], self.body_jntadr[body] + self.body_jntnum[body]))
                 body = int(self.body_parentid[body])  # noqa: PLW2901
             chains.append(chain)
+        if of_bodies and self._is_carried(number, first, second):
+            return
         loop = chains[0] ^ chains[1] if of_bodies else set(range(len(self.jnt_type)))
         self.restricted |= {
             self.names["joint"][each]: f"{label} equality" for each in sorted(loop) if each >= 0
         }
+
+    def _is_carried(self, number: int, first: int, second: int) -> bool:
+        """Tell whether one of two bodies is free, and only this equality holds it: it follows the other."""
+        free = [self._free_root(body) for body in (first, second)]
+        if free[0] == free[1]:
+            return False
+        others = [
+            self._free_root(int(each[other]))
+            for other in np.flatnonzero(self.eq_active0).tolist()
+            if other != number and int(self.eq_type[other]) in (_CONNECT, _WELD)
+            for each in (self.eq_obj1id, self.eq_obj2id)
+        ]
+        return any(root and root not in others for root in free)
+
+    def _free_root(self, body: int) -> int:
+        """Return the body with a free joint, or the mocap body, that carries a body; 0 if none does."""
+        while body > 0:
+            joints = range(self.body_jntadr[body], self.body_jntadr[body] + self.body_jntnum[body])
+            if self.body_mocapid[body] >= 0 or any(self.jnt_type[each] == _FREE for each in joints):
+                return body
+            body = int(self.body_parentid[body])
+        return 0
 
     def _exclusions(
         self, geoms: Mapping[int, list[ForeignGeom]]

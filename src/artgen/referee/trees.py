@@ -16,7 +16,7 @@ from artgen.asset.shape import Shape
 from artgen.colliders import Convex, Exact
 from artgen.colliders.convex import TOLERANCE
 from artgen.colliders.enclose import few_vertices
-from artgen.colliders.triangles import cross
+from artgen.colliders.triangles import cross, hull_of
 from artgen.materials import Material
 from artgen.proof.cover import FINE
 from artgen.referee.model import ForeignBody, ForeignGeom, ForeignModel, first_of
@@ -60,7 +60,9 @@ class ColliderLink(Link):
 
 def _solid(convex: Convex) -> Shape:
     """Return a convex piece as a solid that does not exceed it, with flat faces."""
-    vertices, triangles = mesh_of(convex.inner_polytope(FINE).manifold())
+    # a hull is its own inside, and many meshes have thousands of vertices, whose faces take seconds to join
+    inside = hull_of(convex.points) if convex.kind == "hull" else convex.inner_polytope(FINE).manifold()
+    vertices, triangles = mesh_of(inside)
     corners = vertices[triangles]
     a, b, c = corners.swapaxes(0, 1)
     normals = np.repeat(cross(b - a, c - a), 3, axis=0)
