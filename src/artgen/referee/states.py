@@ -1,5 +1,9 @@
-"""Collisions in some states of all joints, which refute most files that have a collision within a second."""
+"""Collisions in some states of all joints, which refute most files that have a collision within a second.
 
+Pairs that collide in none of them are moved towards each other from the states in which they are nearest.
+"""
+
+import itertools
 import time
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -14,11 +18,17 @@ from artgen.proof.bounds import Motion
 from artgen.proof.certify import refuted
 from artgen.proof.cover import FINE
 from artgen.proof.hierarchy import Hierarchy
-from artgen.proof.kinematics import frames
+from artgen.proof.kinematics import JointTable, frames
 from artgen.proof.paths import FULL_SLIDE, JointPath, space_of
 
 _RANDOM = 64  # random states
 _MOST_IN_STATE = 4  # most pairs of pieces of two links that are examined in a state
+_MOST_STARTS = 3  # most states from which a pair is moved together
+_MOST_STEPS = 16  # most steps of that motion
+_MOST_SHARE = 0.25  # most of the range of a joint in a step
+_DEEPER = 0.1  # overlap at which a step aims, in radii of the smaller piece
+_FARTHEST = 10.0  # farthest position of a joint in that motion [rad or m]
+_TINY = 1e-12
 _AT_ONCE = 1 << 20  # most vertices of pieces that are compared at once
 _EXTENTS = 2.0  # an unlimited slide is moved by at most so many extents of the asset
 
@@ -33,33 +43,60 @@ def collisions(asset: Asset, joint_paths: Sequence[JointPath], end: float) -> It
         joint_paths: Joint paths of the pairs to examine.
         end: Value of `time.monotonic` after which no further pair is examined [s].
     """
-    names = list(dict.fromkeys(name for joint_path in joint_paths for name in joint_path.links))
-    if not names:
+    if not joint_paths:
         return
-    colliders = {name: asset.link(name).colliders for name in names}
-    nodes = Hierarchy([[each.convex.outer_points(FINE) for each in colliders[name]] for name in names])
-    labels = {name: [each.label for each in own] for name, own in colliders.items()}
-    owner, first, second = _pairs(nodes, names, labels, joint_paths)
-    done = np.zeros(len(joint_paths), np.bool_)
-    for state in _states(asset, names, nodes):
-        near = _near(nodes, owner, first, second, state)
-        for row in near.tolist():
-            if time.monotonic() > end:
-                return
-            number, a, b = int(owner[row]), int(first[row]), int(second[row])
-            if done[number]:
-                continue
-            rotation, offset = state.between(int(nodes.tree[a]), int(nodes.tree[b]))
-            if nodes.distance(a, b, rotation, offset)[0] > 0.0:
-                continue
-            joint_path = joint_paths[number]
-            at = np.array([state.positions[name] for name in joint_path.variables])
-            result = refuted(asset, joint_path, at, nodes.hull(a), nodes.hull(b))
-            if result is not None:
-                done[number] = True
-                yield result
-        left = ~done[owner]
-        owner, first, second = owner[left], first[left], second[left]
+    look = _Look(asset, joint_paths)
+    for pair in itertools.chain(look.in_states(), look.on_approach()):
+        if pair is not None:
+            yield pair
+        if time.monotonic() > end:
+            return
+
+
+class _Look:
+    """A look for collisions of some pairs; it yields None where a pair does not collide."""
+
+    def __init__(self, asset: Asset, joint_paths: Sequence[JointPath]) -> None:
+        self.asset, self.joint_paths = asset, joint_paths
+        self.names = list(dict.fromkeys(name for each in joint_paths for name in each.links))
+        colliders = {name: asset.link(name).colliders for name in self.names}
+        self.nodes = Hierarchy(
+            [[each.convex.outer_points(FINE) for each in own] for own in colliders.values()]
+        )
+        self.labels = {name: [each.label for each in own] for name, own in colliders.items()}
+        self.done = np.zeros(len(joint_paths), np.bool_)
+        self.starts: list[list[_Start]] = [[] for _ in joint_paths]
+
+    def in_states(self) -> Iterator[PairResult | None]:
+        """Look in some states of all joints."""
+        nodes = self.nodes
+        owner, first, second = _pairs(nodes, self.names, self.labels, self.joint_paths)
+        for state in _states(self.asset, self.names, nodes):
+            for row in _near(nodes, owner, first, second, state, self.starts).tolist():
+                number, a, b = int(owner[row]), int(first[row]), int(second[row])
+                placed = state.between(int(nodes.tree[a]), int(nodes.tree[b]))
+                if not self.done[number] and nodes.distance(a, b, *placed)[0] <= 0.0:
+                    yield self._refuted(number, a, b, state.at(self.joint_paths[number]))
+            yield None
+            left = ~self.done[owner]
+            owner, first, second = owner[left], first[left], second[left]
+
+    def on_approach(self) -> Iterator[PairResult | None]:
+        """Move the other pairs towards each other, the nearest ones first."""
+        waiting = [(start, number) for number, starts in enumerate(self.starts) for start in starts]
+        for start, number in sorted(waiting, key=lambda each: each[0].gap):
+            joint_path = self.joint_paths[number]
+            for at in _approach(self.nodes, joint_path, start) if not self.done[number] else ():
+                yield self._refuted(number, start.first, start.second, at)
+                if self.done[number]:
+                    break
+            yield None
+
+    def _refuted(self, number: int, first: int, second: int, at: Array) -> PairResult | None:
+        a, b = self.nodes.hull(first), self.nodes.hull(second)
+        result = refuted(self.asset, self.joint_paths[number], at, a, b)
+        self.done[number] = result is not None
+        return result
 
 
 @dataclass(frozen=True, eq=False)
@@ -70,10 +107,68 @@ class _State:
     rotations: Array  # rotation of each link from rest, shape (links, 3, 3)
     offsets: Array  # shift of each link, shape (links, 3) [m]
 
+    def at(self, joint_path: JointPath) -> Array:
+        """Return the positions of the variables of a joint path, shape (v,) [rad or m]."""
+        return np.array([self.positions[name] for name in joint_path.variables])
+
     def between(self, first: int, second: int) -> tuple[Array, Array]:
         """Return rotation and shift of a link in the frame of another link."""
         back = self.rotations[first].T
         return back @ self.rotations[second], back @ (self.offsets[second] - self.offsets[first])
+
+
+@dataclass(frozen=True, eq=False)
+class _Start:
+    """A state in which two pieces of a pair are near each other."""
+
+    gap: float  # distance of the balls around the pieces [m]
+    first: int  # node of the first piece
+    second: int  # node of the second piece
+    state: _State
+
+
+def _approach(nodes: Hierarchy, joint_path: JointPath, start: _Start) -> Iterator[Array]:
+    """Move two pieces towards each other by their joints; yield positions where they touch, shape (v,)."""
+    table, a, b, at = JointTable.of([joint_path]), start.first, start.second, start.state.at(joint_path)
+    low, high = joint_path.boxes[0].T
+    low, high = np.maximum(low, -_FARTHEST), np.minimum(high, _FARTHEST)
+    deeper = _DEEPER * float(min(nodes.radius[a], nodes.radius[b]))
+    points = nodes.points(np.array([b]))[0]
+    for _ in range(_MOST_STEPS):
+        path = table.motions(np.zeros(1, np.int64), at[None], at[None])
+        pose = frames(path)
+        rotation, offset = pose.rotations[-1][0], pose.offset[0]
+        distance, direction = nodes.distance(a, b, rotation, offset)
+        if distance <= 0.0:
+            yield at
+            distance, direction = 0.0, rotation @ nodes.center[b] + offset - nodes.center[a]
+            direction /= max(float(np.linalg.norm(direction)), _TINY)
+        moved = points @ rotation.T + offset
+        slope = _slope(table, path, moved[np.argmin(moved @ direction)], direction, len(at))
+        slope[((at <= low) & (slope > 0.0)) | ((at >= high) & (slope < 0.0))] = 0.0
+        weighted = (high - low) * slope
+        if not np.abs(weighted).max() > _TINY:
+            return
+        step = weighted * (high - low) * (-(distance + deeper) / float(weighted @ weighted))
+        step *= min(1.0, _MOST_SHARE / float(np.abs(step / (high - low)).max()))
+        at = np.clip(at + step, low, high)
+
+
+def _slope(table: JointTable, path: Sequence[Motion], point: Array, direction: Array, count: int) -> Array:
+    """Return the speed of a point of the second link along a direction, for each variable, shape (count,)."""
+    result = np.zeros(count)
+    rotation, offset = np.eye(3), np.zeros(3)
+    for step, motion in enumerate(path):
+        axis, variable = rotation @ motion.axis[0], int(table.variable[0, step])
+        if motion.kind == "prismatic":
+            speed = axis
+        else:
+            speed = np.cross(axis, point - (rotation @ motion.origin[0] + offset))
+        if variable >= 0:
+            result[variable] += table.ratio[0, step] * float(speed @ direction)
+        one = frames([motion])
+        rotation, offset = rotation @ one.rotations[-1][0], rotation @ one.offset[0] + offset
+    return result
 
 
 def _pairs(
@@ -134,13 +229,31 @@ def _states(asset: Asset, names: Sequence[str], nodes: Hierarchy) -> Iterator[_S
         )
 
 
-def _near(nodes: Hierarchy, owner: Indices, first: Indices, second: Indices, state: _State) -> Indices:
-    """Return rows of pairs of pieces that may overlap, deepest first, the deepest few of each joint path."""
+def _near(
+    nodes: Hierarchy,
+    owner: Indices,
+    first: Indices,
+    second: Indices,
+    state: _State,
+    starts: Sequence[list[_Start]],
+) -> Indices:
+    """Return rows of pairs of pieces that may overlap, deepest first, the deepest few of each joint path.
+
+    The nearest pieces of each joint path are added to its starts, of which the best few are kept.
+    """
     turned = np.matmul(state.rotations[nodes.tree], nodes.center[:, :, None])[:, :, 0]
     centers = turned + state.offsets[nodes.tree]
     between = centers[second] - centers[first]
     length = np.sqrt(np.sum(between * between, axis=1))
-    rows = np.flatnonzero(length < nodes.radius[first] + nodes.radius[second])
+    apart = length - nodes.radius[first] - nodes.radius[second]
+    by_gap = np.lexsort((apart, owner))
+    nearest = by_gap[np.unique(owner[by_gap], return_index=True)[1]]
+    for row in nearest.tolist():
+        known = starts[int(owner[row])]
+        known.append(_Start(float(apart[row]), int(first[row]), int(second[row]), state))
+        known.sort(key=lambda each: each.gap)
+        del known[_MOST_STARTS:]
+    rows = np.flatnonzero(apart < 0.0)
     if not len(rows):
         return rows
     normals = between[rows] / np.maximum(length[rows], 1e-12)[:, None]
