@@ -132,13 +132,7 @@ def _compiled(path: str) -> dict[str, Any]:
 
 
 def _colliders_only(path: str) -> Any:
-    """Compile a file without what collisions do not depend on, which may be missing or faulty.
-
-    Numbers of geoms without a name differ from those of the whole file.
-
-    Raises:
-        ValueError: MuJoCo does not compile what is left of it.
-    """
+    """Compile a file without what collisions do not depend on; numbers of geoms without a name differ then."""
     import mujoco
 
     spec = mujoco.MjSpec.from_file(path)
