@@ -132,7 +132,7 @@ def _compiled(path: str) -> dict[str, Any]:
 
 
 def _colliders_only(path: str) -> Any:
-    """Compile a file without what collisions do not depend on; numbers of geoms without a name differ then."""
+    """Compile a file without what collisions do not depend on; numbers of unnamed geoms differ then."""
     import mujoco
 
     spec = mujoco.MjSpec.from_file(path)
