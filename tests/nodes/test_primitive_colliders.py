@@ -2,12 +2,17 @@
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from manifold3d import Manifold, OpType
 
+from artgen.asset import Asset
 from artgen.colliders import TOLERANCE
+from artgen.graph import evaluate
+from artgen.materials import material
 from artgen.nodes import primitive
+from artgen.nodes.body import part
+from artgen.validate.colliders import check_colliders
 from support.shapes import Y, Z
 
 
@@ -48,7 +53,7 @@ def test_a_rounded_cylinder_is_followed(radius, length, share):
 def test_a_rounded_box_is_followed(x, y, z, share):
     bevel = share * min(x, y, z) / 2.0
     shape = primitive._box(x, y, z, bevel)
-    assert len(shape.pieces.outer(TOLERANCE)) == 1
+    assert len(shape.pieces.outer(TOLERANCE)) in (1, 8)
 
     def core(points):
         return np.abs(points) - (np.array((x, y, z)) / 2.0 - bevel)
@@ -66,7 +71,8 @@ def test_a_knob_shows_its_rims_where_they_matter(bevel, kinds):
 @pytest.mark.parametrize(
     ("size", "bevel", "kind"),
     [
-        ((0.5, 0.5, 0.5), 0.01, "box"),
+        ((0.5, 0.5, 0.5), 0.005, "box"),
+        ((0.5, 0.5, 0.5), 0.01, "hull"),
         ((0.02, 0.005, 0.03), 0.001, "box"),
         ((0.02, 0.01, 0.03), 0.004, "hull"),
     ],
@@ -74,3 +80,15 @@ def test_a_knob_shows_its_rims_where_they_matter(bevel, kinds):
 def test_a_box_shows_its_edges_where_they_matter(size, bevel, kind):
     (piece,) = primitive._box(*size, bevel).pieces.outer(TOLERANCE)
     assert piece.kind == kind
+
+
+@settings(max_examples=8, deadline=None)
+@given(st.floats(0.01, 0.5), st.floats(0.01, 0.5), st.floats(0.01, 0.5), st.floats(0.0, 1.0))
+@example(0.45, 0.15, 0.06, 2 * 0.026 / 0.06)
+@example(0.4, 0.4, 0.034, 2 * 0.006 / 0.034)
+@example(0.1, 0.1, 0.1, 0.9)
+def test_a_rounded_box_passes_the_check_of_colliders(x, y, z, share):
+    body = part(primitive.box(x, y, z, bevel=share * min(x, y, z) / 2.0), "block", material("oak"))
+    asset = Asset.from_tree(evaluate(body).value, "block", "block")
+    assert not check_colliders(asset).findings
+    assert max(len(collider.convex.points) for collider in asset.links[0].colliders) <= 64

@@ -89,6 +89,7 @@ def test_a_collider_that_stands_off_a_little_is_found_where_it_adds_much(asset):
     (message,) = messages(with_convexes(asset, thicker))
     # at a corner of the knob: 1 mm in each direction, and what its bevel takes
     assert "stand off the surface by 3.2 mm" in message
+    assert "at most 1 mm is allowed where more than 3 % of volume is added" in message
 
 
 def test_a_shrunk_collider_is_found(asset):

@@ -67,7 +67,8 @@ def _box(x: float, y: float, z: float, bevel: float) -> Shape:
     if bevel == 0.0:
         return rounded_box(size, 0.0, 0).shape(Exact((Convex.box(size),)))
     steps = max(1, bevel_steps(bevel) // 2)
-    return rounded_box(size, bevel, steps).shape(around_rounded_box(size, bevel))
+    skin = rounded_box(size, bevel, steps)
+    return skin.shape(around_rounded_box(size, bevel, skin.vertices))
 
 
 @records(_box)

@@ -11,12 +11,15 @@ from artgen import _trig, colliders
 from artgen._arrays import Array
 from artgen.asset.shape import Contour, Outline
 from artgen.colliders import Convex, Pieces
+from artgen.colliders.polytope import Polytope
 from artgen.nodes.surfaces import lathe_steps, mitres
 
 _SOFT_EDGE = 0.012  # larger bevels show in the collider of a box; with smaller bevels it is a plain box [m]
 _FAR = 0.001  # largest distance of a collider from a rounded edge, unless it adds little volume [m]
-_LITTLE = 0.025  # share of a solid's volume that colliders of rounded edges may add at any distance
+_LITTLE = 0.025  # share of a solid's volume that colliders of rounded edges may add within _FARTHEST
+_FARTHEST = 0.0039  # largest distance of a collider from a rounded edge [m]
 _SIDES = 24  # sides of the chamfers around the rounded rims of a cylinder
+_FACETS = 0.02  # distance between a rounded edge and the facets of the solid, as a share of the bevel
 
 _CHAMFERED = 0.0007
 """Largest distance of a single chamfer from a rounded rim; beyond, there are two chamfers [m]."""
@@ -27,15 +30,19 @@ def moved(pieces: Pieces, matrix: Array) -> Pieces:
     return pieces if np.array_equal(matrix, np.eye(4)) else pieces.transformed(matrix)
 
 
-def around_rounded_box(size: Array, bevel: float) -> Pieces:
-    """Return the pieces of a box about the origin with edges rounded by `bevel` [m]."""
+def around_rounded_box(size: Array, bevel: float, vertices: Array) -> Pieces:
+    """Return the pieces of a box about the origin with edges rounded by `bevel`, and its vertices [m]."""
     added = (4.0 - math.pi) * bevel**2 * float(size.sum() / size.prod())
     reach = bevel * (math.sqrt(3.0) - 1.0)
 
     def outer(tolerance: float) -> tuple[Convex, ...]:
-        if bevel <= _SOFT_EDGE and (reach <= _FAR or added <= _LITTLE):
+        if bevel <= _SOFT_EDGE and (reach <= _FAR or (added <= _LITTLE and reach <= _FARTHEST)):
             return (Convex.box(size),)
-        return (_chamfered(size, bevel * math.tan(math.pi / 8.0), bevel),)
+        single = _chamfered(size, bevel * math.tan(math.pi / 8.0), bevel)
+        if _follows(single.faces, size, bevel):
+            return (single,)
+        closer = _banded(size, bevel)
+        return (Convex.of(closer),) if _follows(closer, size, bevel) else _octants(vertices)
 
     def inner(tolerance: float) -> tuple[Convex, ...]:
         inset = bevel * (1.0 - 1.0 / math.sqrt(3.0))
@@ -44,6 +51,37 @@ def around_rounded_box(size: Array, bevel: float) -> Pieces:
         return (_chamfered(size, 0.0, bevel),)
 
     return Pieces(outer, inner)
+
+
+def _follows(cover: Polytope, size: Array, bevel: float) -> bool:
+    """Tell whether a polytope follows a rounded box closely: near, and nearer if it adds much volume."""
+    core = size / 2.0 - bevel
+    beyond = np.linalg.norm(np.maximum(np.abs(cover.points) - core, 0.0), axis=1).max()
+    far = float(beyond) - bevel + _FACETS * bevel
+    a, b, c = 2.0 * core
+    faces, edges = 2.0 * (a * b + b * c + c * a), a + b + c
+    volume = a * b * c + faces * bevel + math.pi * edges * bevel**2 + 4.0 / 3.0 * math.pi * bevel**3
+    return far <= _FAR or (far <= _FARTHEST and cover.volume <= (1.0 + _LITTLE) * volume)
+
+
+def _banded(size: Array, bevel: float) -> Polytope:
+    """Return the planes around a rounded box that touch its faces, edges and corners in the middle."""
+    signs = np.stack(np.meshgrid(*[(-1.0, 0.0, 1.0)] * 3), axis=-1).reshape(-1, 3)
+    normals = signs[np.any(signs != 0.0, axis=1)]
+    normals /= np.linalg.norm(normals, axis=1, keepdims=True)
+    supports = np.abs(normals) @ (size / 2.0 - bevel) + bevel
+    cover = Polytope.box(-size / 2.0, size / 2.0).clipped(np.column_stack((normals, supports)))
+    assert cover is not None, "the planes touch the box from outside"
+    return cover
+
+
+def _octants(vertices: Array) -> tuple[Convex, ...]:
+    """Return the eight parts of a convex solid that is symmetric about the origin along each axis."""
+    part = vertices[(vertices > 0.0).all(axis=1)]
+    shown = np.stack(np.meshgrid(*[(0.0, 1.0)] * 3), axis=-1).reshape(-1, 1, 3)
+    corners = Polytope.hull((shown * part).reshape(-1, 3)).points
+    signs = np.stack(np.meshgrid(*[(-1.0, 1.0)] * 3), axis=-1).reshape(-1, 3)
+    return tuple(Convex.hull(corners * sign) for sign in signs)
 
 
 def _chamfered(size: Array, reach: float, bevel: float) -> Convex:

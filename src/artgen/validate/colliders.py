@@ -187,10 +187,12 @@ def _fidelity_findings(link: Link, found: Fidelity) -> Iterator[Finding]:
         message = f"its solid sticks out of its colliders by {1e3 * found.sticks_out:.3g} mm at {place}"
         yield fault(message, value=found.sticks_out, unit="m")
     allowed = STANDS_OFF if found.added <= ADDED else STANDS_OFF_MUCH
+    much = "" if found.added <= ADDED else f" where more than {100.0 * ADDED:.3g} % of volume is added"
     if found.surface_error > max(allowed, found.sticks_out):
         message = (
             f"its colliders add {100.0 * found.added:.3g} % of volume and stand off the surface by "
-            f"{1e3 * found.surface_error:.3g} mm at {point_text(found.surface_place)}"
+            f"{1e3 * found.surface_error:.3g} mm at {point_text(found.surface_place)}; "
+            f"at most {1e3 * allowed:.3g} mm is allowed{much}"
         )
         yield fault(message, value=found.surface_error, unit="m")
     if found.interior_kept < KEPT:
