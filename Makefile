@@ -13,7 +13,7 @@
 #   make sheets  draw docs/<category>.jpg: twelve samples of every category, closed and open
 #   make docs    write the documentation to site/: pictures, viewers and tables are made on the way; some minutes
 #   make docs-serve  show it at http://127.0.0.1:8000 while its pages are written, without pictures and viewers
-#   make field   judge articulated files of other packages and write docs/field.md; many hours, goes on
+#   make field   judge articulated files of other packages and write docs/field.md; an hour or two, goes on
 #   make bench   measure artgen against its peers and write docs/benchmarks.md; a quarter of an hour
 #   make clean   remove what the other targets made
 
@@ -118,7 +118,7 @@ docs-serve: $(STAMP)
 	ARTGEN_DOCS=quick $(BIN)/mkdocs serve
 
 field: $(STAMP)
-	$(BIN)/python benchmarks/field.py --page docs/field.md
+	$(BIN)/python benchmarks/field.py --page docs/field.md --every 8
 
 bench: $(STAMP)
 	$(BIN)/python benchmarks/run.py $(BENCHMARKS)

@@ -5,7 +5,8 @@ python benchmarks/field.py --packages metaworld,artgen --folder out/field
 python benchmarks/field.py --local DIR --folder out/field
 
 Wheels are fetched by pip, without their dependencies, and unpacked; nothing of them runs. Each file is judged
-in a process of its own. Records lie in FOLDER/NAME.jsonl: a file that has one is not judged again.
+in a process of its own. Records lie in FOLDER/NAME.jsonl: a file that has one is judged again only with
+`--again`, and then by the referee only.
 """
 
 import json
@@ -21,6 +22,7 @@ import zipfile
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
+from functools import cache
 from itertools import zip_longest
 from pathlib import Path
 from typing import Annotated, Any
@@ -256,16 +258,19 @@ def _group(name: str, relative: Path) -> str:
     return {OWN: OWN, PEER: "objects"}.get(name) or group_of(relative)
 
 
-def judged(asset: dict[str, Any], *, seconds: float, limit: float) -> dict[str, Any]:
-    """Judge a file in a process of its own."""
+def judged(
+    asset: dict[str, Any], sampled: dict[str, Any] | None, *, seconds: float, limit: float
+) -> dict[str, Any]:
+    """Judge a file in a process of its own; what is known of its sampled states stays."""
     start = time.monotonic()
     root = Path(asset["root"])
     if is_part(root / asset["path"]):
         part = {"loadable": False, "reason": "it is a part of other files (<mujocoinclude>)"}
         record = {key: value for key, value in asset.items() if key != "root"}
         return record | {"sampled": part, "ended": "", "elapsed": 0.0}
+    judges = ["referee"] if sampled else ["sampled", "referee"]
     with subprocess.Popen(  # noqa: S603 - the program beside this one
-        [sys.executable, str(_PROGRAM), str(root / asset["path"]), str(root), str(seconds)],
+        [sys.executable, str(_PROGRAM), str(root / asset["path"]), str(root), str(seconds), *judges],
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         text=True,
@@ -278,13 +283,22 @@ def judged(asset: dict[str, Any], *, seconds: float, limit: float) -> dict[str, 
             os.killpg(process.pid, signal.SIGKILL)
             out, error = process.communicate()
             ended = f"not finished in {limit:g} s"
-    record = {key: value for key, value in asset.items() if key != "root"}
+    record = {key: value for key, value in asset.items() if key != "root"} | {"commit": _commit()}
+    record |= {"sampled": sampled} if sampled else {}
     for line in out.splitlines():
         if line.startswith("{"):
             record |= json.loads(line)
     if process.returncode and not ended:
         ended = f"the process ended with {process.returncode}: {(error.strip().splitlines() or [''])[-1]}"
     return record | {"ended": ended, "elapsed": round(time.monotonic() - start, 2)}
+
+
+@cache
+def _commit() -> str:
+    """Return the commit of the referee, with a mark if files differ from it."""
+    command = ["git", "describe", "--always", "--dirty", "--abbrev=8"]
+    done = subprocess.run(command, capture_output=True, text=True, check=False, cwd=_PROGRAM.parent)  # noqa: S603
+    return done.stdout.strip()
 
 
 def _records(folder: Path) -> list[dict[str, Any]]:
@@ -302,9 +316,23 @@ def _key(asset: dict[str, Any]) -> tuple[str, str, str]:
 
 
 def _in_turn(lists: Sequence[list[dict[str, Any]]]) -> Iterator[dict[str, Any]]:
-    """Yield the first asset of each list, then the second ones, and so on: objects before robots."""
+    """Yield the first asset of each list, then the second ones, and so on: objects, robots, then artgen's."""
     turns = [asset for turn in zip_longest(*lists) for asset in turn if asset is not None]
-    yield from sorted(turns, key=lambda asset: ("objects", OWN, "robots").index(asset["group"]))
+    yield from sorted(turns, key=lambda asset: ("objects", "robots", OWN).index(asset["group"]))
+
+
+def _thinned(lists: Sequence[list[dict[str, Any]]], every: int) -> list[list[dict[str, Any]]]:
+    """Return lists with each so many-th file of robots, counted through all lists."""
+    number, result = 0, []
+    for assets_of in lists:
+        kept = []
+        for asset in assets_of:
+            robot = asset["group"] == "robots"
+            if not robot or number % every == 0:
+                kept.append(asset)
+            number += robot
+        result.append(kept)
+    return result
 
 
 def main(
@@ -317,6 +345,8 @@ def main(
     most: Annotated[int, typer.Option(min=1, help="Most files of a package.")] = MOST,
     seconds: Annotated[float, typer.Option(help="Time limit of the referee for a pair [s].")] = SECONDS,
     limit: Annotated[float, typer.Option(help="Time limit for a file [s].")] = LIMIT,
+    every: Annotated[int, typer.Option(min=1, help="Judge each so many-th file of robots.")] = 1,
+    again: Annotated[bool, typer.Option("--again", help="Judge all files by the referee again.")] = False,
     judge: Annotated[bool, typer.Option(help="Judge files that have no record yet.")] = True,
 ) -> None:
     """Judge the files, and write the page; exit code 1 if a package cannot be had."""
@@ -325,17 +355,21 @@ def main(
         for name in names:
             if name not in (*PACKAGES, PEER, OWN):
                 raise ParameterError(f"there is no package {name!r} here.{nearest(name, PACKAGES)}")
-        cache = folder / "packages"
-        cache.mkdir(parents=True, exist_ok=True)
+        packed = folder / "packages"
+        packed.mkdir(parents=True, exist_ok=True)
         if local is not None:
             lists = [[_start("local", "", local, path, 0) for path in listed(local)]]
         else:
-            lists = [assets(name, cache, most) for name in names]
-        done = {_key(each) for each in _records(folder) if "sampled" in each}
-        waiting = [asset for asset in _in_turn(lists) if _key(asset) not in done]
+            lists = [assets(name, packed, most) for name in names]
+        known = {_key(each): each["sampled"] for each in _records(folder) if "sampled" in each}
+        done = {_key(each) for each in _records(folder) if "sampled" in each and not again}
+        every_one = list(_in_turn(_thinned(lists, every)))
+        waiting = [asset for asset in every_one if _key(asset) not in done]
         if judge:
             with ThreadPoolExecutor(jobs) as pool:
-                for record in pool.map(lambda asset: judged(asset, seconds=seconds, limit=limit), waiting):
+                for record in pool.map(
+                    lambda asset: judged(asset, known.get(_key(asset)), seconds=seconds, limit=limit), waiting
+                ):
                     with (folder / f"{record['package']}.jsonl").open("a", encoding="utf-8") as file:
                         file.write(json.dumps(record) + "\n")
                     referee = record.get("referee", {})
@@ -344,7 +378,9 @@ def main(
             waiting = []
         if page is not None:
             left = Counter(asset["group"] for asset in waiting)
-            write_page(page, _records(folder), left, seconds=seconds, limit=limit, most=most)
+            wanted = {_key(asset) for asset in every_one}
+            records = [each for each in _records(folder) if _key(each) in wanted]
+            write_page(page, records, left, seconds=seconds, limit=limit, most=most, every=every)
     except ArtgenError as error:
         typer.echo(f"error: {error}", err=True)
         raise typer.Exit(1) from None

@@ -27,8 +27,8 @@ _DEFINITIONS = """
 ## Definitions
 
 - *judged*: files with at least one hinge, slide, revolute, prismatic or continuous joint. Of a package with
-more than {most} such files, {most} are judged, evenly spaced in the order of their names. A file that MuJoCo
-loads and that has no such joint is left out.
+more than {most} such files, {most} are chosen, evenly spaced in the order of their names. Of the robots,
+{every} of those is judged. A file that MuJoCo loads and that has no such joint is left out.
 
 - *objects* and *robots*: by the folder and the name of the file, see `group_of` in `benchmarks/field.py`. A
 scene with a robot counts as a robot.
@@ -57,7 +57,12 @@ witness: positions of the joints at which it happens.
 
 - *over the time*: not finished in {limit} s; the referee has {seconds} s for a pair, 6 times that for a file.
 
-- *median*: time of the referee for a file that it finished.
+- *verdict*: share of the files that are proven, have a collision, or in which nothing moves. The referee
+stops at the first collision of a file, for one witness refutes it; pairs that are left then are not examined.
+Files that neither MuJoCo nor the referee reads do not count.
+
+- *median*: time of the referee for a file that it finished. The machine had other work, which lengthens it;
+*processor* is the time that the processors spent on the referee, with the processes that it starts.
 
 ## What is not judged
 
@@ -76,12 +81,14 @@ limits of joints to a planner: a collision in this table says what the file says
 
 ## Commands
 
-    python benchmarks/field.py --page docs/field.md
+    python benchmarks/field.py --page docs/field.md --every 8
     python benchmarks/field.py --packages metaworld,artgen --jobs 2
-    artgen certify FILE
+    artgen certify FILE --first
 
-The records of single files are in `out/field/*.jsonl`; a file that has one is not judged again.
+The records of single files are in `out/field/*.jsonl`; a file that has one is judged again only with
+`--again`, and then by the referee only: its sampled states stay.
 """
+_DECIDED = ("proven", "collision", "nothing moves")  # verdicts
 _LISTED = 20  # most files of a list
 _SHOWN = 12  # most reasons of a list
 _PROTOCOL = 2.0 * OVERLAP  # depth from which an overlap contradicts a proof [m]
@@ -147,7 +154,14 @@ _OF_MUJOCO = ("loadable", "sampled pass", "sampled pass with parents")
 
 
 def write_page(
-    path: Path, records: Sequence[Record], left: Mapping[str, int], *, seconds: float, limit: float, most: int
+    path: Path,
+    records: Sequence[Record],
+    left: Mapping[str, int],
+    *,
+    seconds: float,
+    limit: float,
+    most: int,
+    every: int,
 ) -> None:
     """Write the page.
 
@@ -158,6 +172,7 @@ def write_page(
         seconds: Time limit of the referee for a pair [s].
         limit: Time limit for a file [s].
         most: Most files of a package.
+        every: Each so many-th file of robots is judged.
     """
     lines = ["# The field", "", flowing(_HEAD), ""]
     lines += _totals(records)
@@ -171,8 +186,9 @@ def write_page(
     lines += ["", "## Contradictions", "", *_contradictions(records)]
     lines += ["", "## Collisions that the samples do not meet", "", *_missed(records)]
     lines += ["", "## What the referee does not read", "", *_reasons(records)]
-    lines += ["", *_definitions(seconds, limit, most)]
-    lines += ["", f"Measured on: {machine({})}.", ""]
+    lines += ["", *_definitions(seconds, limit, most, every)]
+    commits = ", ".join(sorted({each["commit"] for each in records if "commit" in each}))
+    lines += ["", f"Measured on: {machine({})}. The referee is that of commit {commits}.", ""]
     path.parent.mkdir(parents=True, exist_ok=True)
     beside = path.with_name(f"{path.name}.part")
     beside.write_text("\n".join(lines), encoding="utf-8")
@@ -180,20 +196,34 @@ def write_page(
 
 
 def _header(first: Sequence[str]) -> list[str]:
-    columns = [*first, *_COLUMNS, "median [s]"]
+    columns = [*first, *_COLUMNS, "verdict [%]", "median [s]", "processor [s]"]
     return [_line(columns), _line(["---", *("---:" for _ in columns[1:])])]
 
 
 def _counts(records: Sequence[Record]) -> list[str]:
     times = [each["seconds"] for each in map(_referee, records) if "seconds" in each]
+    spent = [each["processor_seconds"] for each in map(_referee, records) if "processor_seconds" in each]
     unread = all(_sampled(each).get("loadable", False) is None for each in records)
     return [
         *(
             "" if unread and name in _OF_MUJOCO else str(sum(map(counts, records)))
             for name, counts in _COLUMNS.items()
         ),
+        _share(records),
         shown(statistics.median(times)) if times else "",
+        shown(statistics.median(spent)) if spent else "",
     ]
+
+
+def _share(records: Sequence[Record]) -> str:
+    """Return the share of the complete files that have a verdict, in percent."""
+    complete = [
+        each
+        for each in records
+        if beyond(each) or ("error" not in _referee(each) and (_referee(each) or each["ended"]))
+    ]
+    decided = sum(_referee(each).get("verdict") in _DECIDED for each in complete)
+    return f"{100.0 * decided / len(complete):.0f}" if complete else ""
 
 
 def _totals(records: Sequence[Record]) -> Iterator[str]:
@@ -282,11 +312,12 @@ def _kind(error: str, record: Record) -> str:
     return re.sub(r"\b\d+(\.\d+)?\b", "n", text)[:120]
 
 
-def _definitions(seconds: float, limit: float, most: int) -> list[str]:
+def _definitions(seconds: float, limit: float, most: int, every: int) -> list[str]:
     text = _DEFINITIONS.format(
         seconds=f"{seconds:g}",
         limit=f"{limit:g}",
         most=most,
+        every="each file" if every == 1 else f"each {every}th file",
         overlap=f"{1e3 * OVERLAP:g}",
         each=EACH,
         together=TOGETHER,

@@ -1,9 +1,10 @@
 """Judge a file by the sampled protocol and by the referee; print a line of JSON for each.
 
-It is started by field.py: `one_judged.py FILE ROOT SECONDS`.
+It is started by field.py: `one_judged.py FILE ROOT SECONDS referee` or `... sampled referee`.
 """
 
 import json
+import os
 import sys
 from collections.abc import Mapping
 from dataclasses import asdict
@@ -34,6 +35,7 @@ def by_states(path: Path, root: Path, seconds: float) -> dict[str, Any]:
 
 def by_the_referee(path: Path, root: Path, seconds: float) -> dict[str, Any]:
     """Return the verdict of the referee, or its error."""
+    before = _processor_seconds()
     try:
         judgment = certify(path, root=root, seconds=seconds, total=_TOTAL * seconds, first=True)
     except ArtgenError as error:
@@ -49,6 +51,7 @@ def by_the_referee(path: Path, root: Path, seconds: float) -> dict[str, Any]:
         "pairs": len(judgment.pairs),
         "notes": list(judgment.notes),
         "seconds": judgment.seconds,
+        "processor_seconds": round(_processor_seconds() - before, 3),
         "rechecked": judgment.rechecked,
         "failures": [str(pair) for pair in judgment.failures[:_PAIRS]],
         "witnesses": [
@@ -57,6 +60,12 @@ def by_the_referee(path: Path, root: Path, seconds: float) -> dict[str, Any]:
             if pair.result.witness is not None and (found := _confirmed(path, root, pair.result.witness.pose))
         ],
     }
+
+
+def _processor_seconds() -> float:
+    """Return the time of the processor for this process and those that it started [s]."""
+    spent = os.times()
+    return spent.user + spent.system + spent.children_user + spent.children_system
 
 
 def _confirmed(path: Path, root: Path, pose: Mapping[str, float]) -> dict[str, Any]:
@@ -70,7 +79,9 @@ def _confirmed(path: Path, root: Path, pose: Mapping[str, float]) -> dict[str, A
 def main() -> None:
     """Judge the file."""
     path, root, seconds = Path(sys.argv[1]), Path(sys.argv[2]), float(sys.argv[3])
-    for name, judge in (("sampled", by_states), ("referee", by_the_referee)):
+    judges = {"sampled": by_states, "referee": by_the_referee}
+    for name in sys.argv[4:]:
+        judge = judges[name]
         sys.stdout.write(json.dumps({name: judge(path, root, seconds)}) + "\n")
         sys.stdout.flush()
 

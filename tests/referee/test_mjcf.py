@@ -202,6 +202,16 @@ def test_a_body_that_follows_another_does_not_restrict_its_joints(tmp_path: Path
     assert read(tmp_path, world, both).restricted == {"j": "weld equality"}
 
 
+def test_a_fixed_tendon_restricts_its_own_joints_only(tmp_path: Path) -> None:
+    arms = "".join(
+        two(f'<joint name="{name}" range="0 90"/>').replace("base", f"{name}base") for name in "jk"
+    )
+    arms = arms.replace('"arm"', '"arm2"', 1).replace('name="a"', "").replace('name="b"', "")
+    tendon = '<tendon><fixed name="t"><joint joint="k" coef="1"/></fixed></tendon>'
+    equality = '<equality><tendon tendon1="t"/></equality>'
+    assert read(tmp_path, arms, tendon + equality).restricted == {"k": "tendon or other equality"}
+
+
 def test_damaged_and_hostile_files_give_one_line(tmp_path: Path) -> None:
     def fault(text: str) -> str:
         path = tmp_path / "inner" / "bad.xml"

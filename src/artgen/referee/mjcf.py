@@ -19,7 +19,8 @@ from artgen.referee.model import ForeignBody, ForeignGeom, ForeignModel, Meshes,
 
 _FREE, _BALL, _SLIDE = 0, 1, 2  # mjtJoint
 _PLANE, _HFIELD, _SPHERE, _CAPSULE, _ELLIPSOID, _CYLINDER, _BOX = range(7)  # mjtGeom
-_CONNECT, _WELD, _JOINT = range(3)  # mjtEq
+_CONNECT, _WELD, _JOINT, _TENDON = range(4)  # mjtEq
+_WRAP_JOINT = 1  # mjtWrap
 _NOT_JUDGED = {_PLANE: "plane", _HFIELD: "height field"}
 _DIRS = ("meshdir", "texturedir", "assetdir")  # attributes of <compiler>
 _GRAIN = 1e-5  # by which repaired limits are narrower, relative to their size
@@ -33,7 +34,7 @@ _FIELDS = (
     *("geom_type", "geom_contype", "geom_conaffinity", "geom_size", "geom_dataid"),
     *("mesh_vertadr", "mesh_vertnum", "mesh_vert", "mesh_faceadr", "mesh_facenum", "mesh_face"),
     *("eq_type", "eq_obj1id", "eq_obj2id", "eq_objtype", "eq_data", "eq_active0", "exclude_signature"),
-    *("pair_geom1", "pair_geom2"),
+    *("pair_geom1", "pair_geom2", "tendon_adr", "tendon_num", "wrap_type", "wrap_objid"),
 )
 
 
@@ -299,6 +300,15 @@ class _Reading:
         if of_bodies and self._is_carried(number, first, second):
             return
         loop = chains[0] ^ chains[1] if of_bodies else set(range(len(self.jnt_type)))
+        if kind == _TENDON:
+            wraps = [
+                each
+                for tendon in (first, second)
+                if tendon >= 0
+                for each in range(self.tendon_adr[tendon], self.tendon_adr[tendon] + self.tendon_num[tendon])
+            ]
+            if all(self.wrap_type[each] == _WRAP_JOINT for each in wraps):  # linear in some joints
+                loop = {int(self.wrap_objid[each]) for each in wraps}
         self.restricted |= {
             self.names["joint"][each]: f"{label} equality" for each in sorted(loop) if each >= 0
         }
