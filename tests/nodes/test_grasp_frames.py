@@ -5,11 +5,27 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from artgen import X, Y, Z, box, cylinder, dome, grasp_on, material, part, push_on, sphere
-from artgen.asset import Tree
+from artgen import (
+    Prismatic,
+    Spring,
+    X,
+    Y,
+    Z,
+    box,
+    cylinder,
+    dome,
+    grasp_on,
+    material,
+    part,
+    push_on,
+    sphere,
+    torus,
+)
+from artgen.asset import Asset, Tree
 from artgen.asset.affordance import GRIPPER
 from artgen.errors import EvaluationError
 from artgen.graph import evaluate
+from artgen.validate.hands import check_grasps
 
 STEEL = material("steel")
 
@@ -110,3 +126,28 @@ def test_a_push_point_is_named_after_its_part():
     button = box(0.02, 0.01, 0.02)
     link = link_of(part(button, "button", STEEL, push=[push_on(button), push_on(button, direction=-Y)]))
     assert [push.name for push in link.pushes] == ["button_push_point_0", "button_push_point_1"]
+
+
+@pytest.mark.parametrize("radius", [0.05, 0.2])
+def test_a_ring_has_nothing_at_its_middle(radius):
+    ring = torus(radius, 0.006, axis=Y)
+    message = r"there is nothing at the middle of the solid, \(.*\) m; give a point on it: at="
+    with pytest.raises(EvaluationError, match=message):
+        evaluate(grasp_on(ring, approach=Y, closing=Z))
+    pose = evaluate(grasp_on(ring, approach=-Z, closing=Y, at=(0, 0, radius))).value
+    np.testing.assert_allclose(pose[:2, 3], 0, atol=1e-6)
+
+
+def test_a_push_on_a_hollow_stops_at_its_rim():
+    cap = cylinder(0.012, 0.006) - sphere(0.016).at(z=0.016)
+    pose = evaluate(push_on(cap, direction=-Z)).value
+    assert pose[2, 3] == pytest.approx(0.016 - np.sqrt(0.016**2 - 0.009**2), abs=3e-4)
+    key = part(cap, "key", material("abs"), push=push_on(cap, direction=-Z))
+    press = Prismatic("press", axis=-Z, limits=(0, 0.002), spring=Spring(preload=0.3, force=1.0))
+    base = part(box(0.1, 0.1, 0.01).at(z=-0.02), "base", material("oak"))
+    assert not check_grasps(Asset.from_tree(evaluate(base.attach(key, press)).value, "pad", "pad")).faults
+
+
+def test_a_push_on_a_shallow_hollow_stays_on_its_surface():
+    cap = cylinder(0.012, 0.006) - sphere(0.06).at(z=0.0625)
+    assert evaluate(push_on(cap, direction=-Z)).value[2, 3] == pytest.approx(0.0026, abs=2e-4)

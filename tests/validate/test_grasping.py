@@ -9,10 +9,26 @@ import numpy as np
 import pytest
 
 import artgen
-from artgen import Body, Prismatic, Revolute, X, Y, Z, box, cylinder, frame, grasp_on, material, part
+from artgen import (
+    Body,
+    Prismatic,
+    Revolute,
+    Spring,
+    X,
+    Y,
+    Z,
+    box,
+    cylinder,
+    frame,
+    grasp_on,
+    material,
+    part,
+    push_on,
+)
 from artgen.asset import Asset, rotation
 from artgen.asset.affordance import Grasp, Push
 from artgen.asset.report import CheckResult
+from artgen.graph import evaluate
 from artgen.validate import validate
 from artgen.validate.hands import check_grasps
 
@@ -368,3 +384,69 @@ def test_a_hand_that_reaches_below_the_ground_is_noted(height: float, says: list
     result = check_grasps(low.generate(certify=False))
     assert not result.faults
     assert [each.message.split(": ")[1].split(" the lowest")[0] for each in result.findings] == says
+
+
+def laptop(*, keys_when: bool, driven: str = "a hand at its edge", swing: float = 2.0) -> Asset:
+    """Return a base with a key under a closed lid that no gripper holds."""
+    turn = Revolute(
+        "lid_hinge", axis=-X, pivot=(0, 0.1, 0.021), limits=(0, swing), friction=2.0, driven=driven
+    )
+    lid = part(box(0.3, 0.2, 0.006).at(z=0.024), "lid", STEEL)
+    cap = cylinder(0.010, 0.006).at(z=0.014)
+    pushed = push_on(cap, direction=-Z)
+    key = (
+        part(cap, "key", STEEL, push=pushed, when=turn > 1.0)
+        if keys_when
+        else part(cap, "key", STEEL, push=pushed)
+    )
+    press = Prismatic("press", axis=-Z, limits=(0, 0.002), spring=Spring(preload=0.3, force=1.0))
+    base = part(box(0.3, 0.2, 0.02).at(z=0.01) - cylinder(0.0106, 0.03).at(z=0.022), "base", STEEL)
+    return Asset.from_tree(
+        evaluate(base.attach(lid, turn).repeat(key, press, at=[(0, 0, 0)])).value, "pad", "pad"
+    )
+
+
+def test_keys_under_a_driven_lid_are_reached_after_it_opened() -> None:
+    result = check_grasps(laptop(keys_when=False))
+    assert not result.faults
+    assert [str(note) for note in result.findings if "reaches it only where lid_hinge > 1.96" in str(note)]
+
+
+def test_a_declared_condition_opens_the_lid_and_is_recorded() -> None:
+    asset = laptop(keys_when=True)
+    assert not check_grasps(asset).findings
+    (data,) = asset.to_data()["affordances"]
+    assert data["when"] == {"kind": "above", "joint": "lid_hinge", "value": 1.0}
+    assert str(asset.affordances[0].when) == "lid_hinge > 1"
+    assert "when" not in laptop(keys_when=False).to_data()["affordances"][0]
+
+
+def test_a_condition_survives_files(tmp_path: Path) -> None:
+    back = artgen.load(laptop(keys_when=True).export(tmp_path / "pad", formats=("mjcf",)))
+    assert str(back.affordances[0].when) == "lid_hinge > 1"
+
+
+def test_a_condition_out_of_reach_or_of_no_joint_is_a_fault() -> None:
+    (fault, *_) = faults(laptop(keys_when=True, swing=0.9))
+    assert "push key_push_point_0: lid_hinge > 1 cannot be" in fault
+    cap = cylinder(0.010, 0.006)
+    turn = Revolute("lid_hinge", axis=X, limits=(0, 2))
+    alone = part(cap, "key", STEEL, push=push_on(cap, direction=-Z), when=turn > 1.0)
+    with pytest.raises(
+        artgen.ArtgenError, match="'lid_hinge' is not a joint of this asset; attach 'lid_hinge'"
+    ):
+        Asset.from_tree(evaluate(alone).value, "key", "key")
+    with pytest.raises(artgen.ArtgenError, match=r"when=lid_hinge > 1 .* give grasp= or push= as well"):
+        evaluate(part(cap, "key", STEEL, when=turn > 1.0))
+
+
+def test_the_joints_of_a_condition_are_renamed_with_their_body() -> None:
+    turn = Revolute("flap", axis=X, pivot=(0, 0.2, 0), limits=(0, 2))
+    cap = cylinder(0.010, 0.006)
+    key = part(cap, "key", STEEL, push=push_on(cap, direction=-Z), when=turn > 1.0)
+    both = part(box(0.1, 0.1, 0.1).at(z=-0.1), "base", STEEL).attach(
+        key, Prismatic("press", axis=-Z, limits=(0, 0.001))
+    )
+    both = both.attach(part(box(0.1, 0.1, 0.01).at(0, 0.3, 0), "flap", STEEL), turn).suffixed("_a")
+    (affordance,) = Asset.from_tree(evaluate(both).value, "pad", "pad").affordances
+    assert (affordance.name, str(affordance.when)) == ("key_push_point_a", "flap_a > 1")

@@ -1,14 +1,14 @@
 """Affordances: frames at which a hand grasps or pushes an asset, the joints that this moves, and the hand."""
 
-from collections.abc import Iterable
-from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any, Literal, Self
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING, Any, ClassVar, Literal, Self
 
 import numpy as np
 from manifold3d import Manifold
 
 from artgen._arrays import Array, FrozenArrays
-from artgen.asset.joint import AssetJoint, joints_above
+from artgen.asset.joint import AssetCondition, AssetJoint, joints_above
 from artgen.asset.manifolds import mesh_of
 from artgen.asset.record import Record
 
@@ -16,12 +16,30 @@ if TYPE_CHECKING:
     from artgen.asset.asset import Asset
 
 
+class _Reached(Record):
+    """Base of records whose condition `when` is left out of data if there is none."""
+
+    OPTIONAL: ClassVar = frozenset({"when"})
+
+    def to_data(self) -> dict[str, Any]:
+        """Return the fields as JSON data."""
+        data = super().to_data()
+        return data if data["when"] is not None else {name: data[name] for name in data if name != "when"}
+
+
 @dataclass(frozen=True, eq=False)
-class Hold(FrozenArrays, Record):
+class Hold(FrozenArrays, _Reached):
     """A frame at which a hand acts."""
 
     name: str  # identifier, unique on the asset
     frame: Array  # pose in asset coordinates at rest, z along the approach of the hand, shape (4, 4) [m]
+    # region of joint space in which a hand reaches it, such as an open lid; None: everywhere
+    when: AssetCondition | None = field(default=None, kw_only=True)
+
+    def renamed(self, suffix: str, joints: Mapping[str, str]) -> Self:
+        """Return the frame with a suffix on its name, and with joints of its condition renamed."""
+        when = None if self.when is None else self.when.renamed(joints)
+        return replace(self, name=self.name + suffix, when=when)
 
     def moved(self, matrix: Array) -> Self:
         """Return the frame carried along by a rigid motion or a reflection, shape (4, 4)."""
@@ -44,7 +62,7 @@ class Push(Hold):
 
 
 @dataclass(frozen=True, eq=False)
-class Affordance(FrozenArrays, Record):
+class Affordance(FrozenArrays, _Reached):
     """One action of a hand on an asset.
 
     Attributes:
@@ -55,6 +73,7 @@ class Affordance(FrozenArrays, Record):
             shape (4, 4) [m].
         width: Opening of the fingers; 0 for a push [m].
         joints: Names of the free joints that the action moves, the nearest to the link first.
+        when: Region of joint space in which a hand reaches the frame; None: everywhere.
     """
 
     name: str
@@ -63,6 +82,7 @@ class Affordance(FrozenArrays, Record):
     frame: Array
     width: float
     joints: tuple[str, ...]
+    when: AssetCondition | None = None
 
 
 def affordances(asset: "Asset") -> tuple[Affordance, ...]:
@@ -73,7 +93,7 @@ def affordances(asset: "Asset") -> tuple[Affordance, ...]:
         for hold in (*link.grasps, *link.pushes):
             kind: Literal["grasp", "push"] = "grasp" if isinstance(hold, Grasp) else "push"
             width = hold.width if isinstance(hold, Grasp) else 0.0
-            result.append(Affordance(hold.name, kind, link.name, hold.frame, width, joints))
+            result.append(Affordance(hold.name, kind, link.name, hold.frame, width, joints, hold.when))
     return tuple(result)
 
 

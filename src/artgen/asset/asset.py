@@ -50,6 +50,18 @@ def _check_references(joint: AssetJoint, joints: Mapping[str, AssetJoint]) -> No
             raise AssetError(f"joint {joint.name!r} {verb} itself; name another joint", joint=joint.name)
 
 
+def _check_holds(link: Link, joints: Mapping[str, AssetJoint]) -> None:
+    """Check that grasps and pushes of a link depend on joints of the asset."""
+    for hold in (*link.grasps, *link.pushes):
+        for name in hold.when.joints() if hold.when is not None else ():
+            if name not in joints:
+                raise AssetError(
+                    f"{hold.name!r} is reached when {hold.when}, but {name!r} is not a joint of this asset; "
+                    f"attach {name!r} as well.{nearest(name, joints)}",
+                    link=link.name,
+                )
+
+
 def with_followed_limits(joint: AssetJoint, joints: Mapping[str, AssetJoint]) -> AssetJoint:
     """Return a coupled joint with the limits that follow from the limits of its leader."""
     if joint.follows is None:
@@ -129,6 +141,8 @@ class Asset:
         joints = {joint.name: joint for joint in tree.joints()}
         for joint in joints.values():
             _check_references(joint, joints)
+        for link in links:
+            _check_holds(link, joints)
         free = {joint.name: 0.0 for joint in joints.values() if joint.follows is None}
         positions_of_followers(joints, free)  # refuses couplings that form a circle
         contacts = tuple(tree.all_contacts())

@@ -225,7 +225,7 @@ class _StoredLink(Link):
             f"link {self.name!r} was read from files and cannot be changed; generate the asset again"
         )
 
-    def renamed(self, suffix: str) -> NoReturn:
+    def renamed(self, suffix: str, joints: Mapping[str, str]) -> NoReturn:
         self.moved(np.eye(4))
 
 

@@ -1,6 +1,6 @@
 """Links: rigid bodies made of named pieces of one material each."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
 from operator import attrgetter
 from typing import Any, ClassVar, Self
@@ -178,10 +178,10 @@ class Link(FrozenArrays):
         values = (MovedPieces(self.pieces, matrix), grasps, self.separate, pushes)
         return MovedLink(self.name, self.label, *values, source=self, matrix=matrix)
 
-    def renamed(self, suffix: str) -> "Link":
-        """Return the link with a suffix on its name and on the names of its grasps and pushes."""
-        grasps = tuple(replace(grasp, name=grasp.name + suffix) for grasp in self.grasps)
-        pushes = tuple(replace(push, name=push.name + suffix) for push in self.pushes)
+    def renamed(self, suffix: str, joints: Mapping[str, str]) -> "Link":
+        """Return the link with a suffix on the names of it, its grasps and pushes; joints are renamed."""
+        grasps = tuple(grasp.renamed(suffix, joints) for grasp in self.grasps)
+        pushes = tuple(push.renamed(suffix, joints) for push in self.pushes)
         return replace(self, name=self.name + suffix, grasps=grasps, pushes=pushes)
 
     def to_data(self) -> dict[str, Any]:

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 
@@ -29,6 +30,7 @@ from artgen.materials import Material
 from artgen.nodes.csg import poses, subtracted
 from artgen.nodes.grasp_frames import Array4x4, Frame
 from artgen.nodes.handles import Array3, ArrayN3, Body, Scalar, Solid, VectorLike
+from artgen.nodes.joint import Condition
 from artgen.nodes.validators import finite, pose
 from artgen.nodes.vector import unit
 
@@ -47,6 +49,7 @@ def _part(
     grasp_width: float | None,
     separate: str,
     push: tuple[Array4x4, ...],
+    when: AssetCondition | None,
 ) -> Tree:
     link_name = label if name is None else name
     _check_name(label, "label")
@@ -55,8 +58,12 @@ def _part(
         raise ValueError(f"grasp_width must be positive, got {grasp_width:.6g} m")
     solids = solid if isinstance(solid, tuple) else (solid,)
     widths = [_opening(solids[0], frame) if grasp_width is None else grasp_width for frame in grasp]
-    grasps = tuple(map(Grasp, _numbered(f"{link_name}_grasp", len(grasp)), grasp, widths))
-    pushes = tuple(map(Push, _numbered(f"{link_name}_push_point", len(push)), push))
+    if when is not None and not (grasp or push):
+        raise ValueError(
+            f"when={when} tells where a hand reaches a grasp or push; give grasp= or push= as well"
+        )
+    grasps = tuple(map(partial(Grasp, when=when), _numbered(f"{link_name}_grasp", len(grasp)), grasp, widths))
+    pushes = tuple(map(partial(Push, when=when), _numbered(f"{link_name}_push_point", len(push)), push))
     return Tree(
         Link(
             link_name, label, tuple(Piece(label, material, each) for each in solids), grasps, separate, pushes
@@ -85,6 +92,7 @@ def part(
     grasp_width: Scalar | None = None,
     separate: str = "",
     push: Frame | Sequence[Frame] = (),
+    when: Condition | None = None,
 ) -> Body:
     """Make a rigid link of a solid, or of several with one label and material.
 
@@ -101,6 +109,8 @@ def part(
             gaps above 0.5 mm as a fault.
         push: Frames at which a finger pushes: on the surface, with `approach` in the direction of the push,
             as `push_on` finds them.
+        when: Condition under which a hand reaches these frames, such as `lid_hinge > 1.0` for keys under a
+            lid; by default always. Checks open the lid first, also a lid that a motor drives.
 
     Examples:
         >>> part(box(0.3, 0.2, 0.018, bevel=0.002), "shelf", material("oak"))

@@ -355,7 +355,7 @@ def poses(at: ArrayN3, around: Array3 | None) -> list[Array]:
     return [check.pose(rotation(axis, turn), place) for turn, place in zip(turns, places, strict=True)]
 
 
-def _array(solid: Shape, at: ArrayN3, around: Array3 | None) -> Shape:
+def _array(solid: Shape, at: ArrayN3, around: Array3 | None = None) -> Shape:
     copies = [solid.transformed(pose) for pose in poses(at, around)]
     if len(copies) == 1:
         return copies[0].checked()

@@ -3,6 +3,7 @@
 from typing import Annotated, Any, ClassVar
 
 import numpy as np
+from manifold3d import Manifold
 from numpy.typing import NDArray
 
 from artgen.asset import Shape
@@ -17,6 +18,7 @@ Array4x4 = Annotated[NDArray[np.float64], "frame"]
 _DEEPEST = 0.030  # default reach of finger tips behind the front of a deep solid [m]
 _FAR = 10.0  # distance beyond any solid [m]
 _PARALLEL = 1e-6  # sine of the angle between approach and closing below which they count as parallel
+_HOLLOW = 0.001  # depth of a hollow under a finger that counts as the surface [m]
 _RAY = 0.001  # half the width of the column in which a surface is searched [m]
 _ROUNDED = 6  # decimals of measured lengths [m]
 
@@ -72,8 +74,9 @@ def _grasp_on(
     half = GRIPPER.stroke / 2.0
     column = np.array([[-half, -GRIPPER.wide / 2.0, -_FAR], [half, GRIPPER.wide / 2.0, _FAR]])
     points = clipped([solid.manifold], block(column, result), result)
-    if not len(points):
-        raise ValueError(f"there is no part of the solid at {_text(middle)} m; give another point: at=...")
+    surrounds = len(points) and points[:, 0].min() < _RAY - half and points[:, 0].max() > half - _RAY
+    if not len(points) or (surrounds and not _is_in_middle(solid, result)):
+        raise _nothing(middle, at)
     front, back = float(points[:, 2].min()), float(points[:, 2].max())
     reach = min((back - front) / 2.0 + GRIPPER.tip, _DEEPEST) if depth is None else depth
     result[:3, 3] += result[:3, 2] * (front + reach - GRIPPER.tip)
@@ -83,6 +86,21 @@ def _grasp_on(
     result[:3, 3] += result[:3, 0] * (points[:, 0].min() + points[:, 0].max()) / 2.0
     result[:3, 3] = np.round(result[:3, 3], _ROUNDED)
     return result
+
+
+def _is_in_middle(solid: Shape, frame: Array4x4) -> bool:
+    """Tell whether a part of a solid lies between the fingers, midway."""
+    column = np.array([[-GRIPPER.pad, -GRIPPER.wide / 2.0, -_FAR], [GRIPPER.pad, GRIPPER.wide / 2.0, _FAR]])
+    return bool(len(clipped([solid.manifold], block(column, frame), frame)))
+
+
+def _nothing(middle: Array3, at: Array3 | None) -> ValueError:
+    """Return the error of a point at which there is no solid."""
+    if at is None:
+        return ValueError(
+            f"there is nothing at the middle of the solid, {_text(middle)} m; give a point on it: at=..."
+        )
+    return ValueError(f"there is no part of the solid at {_text(middle)} m; give another point: at=...")
 
 
 @records(_grasp_on)
@@ -122,8 +140,14 @@ def _push_on(solid: Shape, direction: Array3, at: Array3 | None) -> Array4x4:
     column = np.array([[-_RAY, -_RAY, -_FAR], [_RAY, _RAY, _FAR]])
     points = clipped([solid.manifold], block(column, result), result)
     if not len(points):
-        raise ValueError(f"there is no part of the solid at {_text(middle)} m; give another point: at=...")
-    result[:3, 3] = np.round(result[:3, 3] + axis * points[:, 2].min(), _ROUNDED)
+        raise _nothing(middle, at)
+    depth = float(points[:, 2].min())
+    rod = Manifold.cylinder(2.0 * _FAR, GRIPPER.finger / 2.0, GRIPPER.finger / 2.0, 32)
+    points = clipped([solid.manifold], rod.translate((0.0, 0.0, -_FAR)).transform(result[:3]), result)
+    first = float(points[:, 2].min())
+    if depth - first > _HOLLOW:  # the finger rests on the rim of a hollow
+        depth = first
+    result[:3, 3] = np.round(result[:3, 3] + axis * depth, _ROUNDED)
     return result
 
 
@@ -134,7 +158,8 @@ def push_on(solid: Solid, *, direction: VectorLike = (0.0, 1.0, 0.0), at: Vector
     Args:
         solid: The solid to push: a button, a flap, a bar, the leaf of a door.
         direction: Direction of the push.
-        at: A point on the path of the finger; by default the center of the bounding box [m].
+        at: A point on the path of the finger; by default the center of the bounding box [m]. Over a hollow
+            that is deeper than 1 mm, the finger stops at its rim.
 
     Examples:
         >>> cap = cylinder(0.01, 0.006, axis=Y, bevel=0.001)

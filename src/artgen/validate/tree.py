@@ -2,7 +2,7 @@
 
 import math
 from collections import Counter
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from functools import partial
 
 import numpy as np
@@ -38,7 +38,7 @@ def check_tree(asset: Asset) -> CheckResult:
     findings = [*_structure_findings(asset), *_name_findings(asset), *_label_findings(asset)]
     findings += _joint_findings(asset)
     for link in asset.links:
-        findings += _grasp_findings(link)
+        findings += _grasp_findings(link, {joint.name for joint in asset.joints})
         try:
             findings += () if mesh_precision(link) else floating_findings(link)
             findings += _mass_findings(link)
@@ -101,8 +101,12 @@ def _label_findings(asset: Asset) -> Iterator[Finding]:
                 yield _fault(message, link.name, hint=hint)
 
 
-def _grasp_findings(link: Link) -> Iterator[Finding]:
+def _grasp_findings(link: Link, joints: Collection[str]) -> Iterator[Finding]:
     for grasp in (*link.grasps, *link.pushes):
+        for name in grasp.when.joints() if grasp.when is not None else ():
+            if name not in joints:
+                message = f"grasp {grasp.name!r} is reached when {grasp.when}, and there is no joint {name!r}"
+                yield _fault(message, link.name, hint="name a joint of the asset")
         turn = grasp.frame[:3, :3]
         error = float(np.abs(turn.T @ turn - np.eye(3)).max())
         if not (error <= _EXACT and np.linalg.det(turn) > 0.0 and np.isfinite(grasp.frame).all()):

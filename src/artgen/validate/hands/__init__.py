@@ -91,19 +91,20 @@ def check_grasps(asset: Asset) -> CheckResult:
 
 def _approach(space: HandSpace, affordance: Affordance) -> tuple[Opened, list[Finding]]:
     """Approach with a hand where its joint may move, and open obstacles if possible."""
-    opened: dict[str, AssetCondition] = {}
+    given = {} if affordance.when is None else {"": affordance.when}
+    opened: dict[str, AssetCondition] = dict(given)
     faults, struck = _faults(space, affordance, opened)
     first = faults
     while faults:
         candidates = openable(space.asset, affordance, struck) if struck else ()
         name, where = next((each for each in candidates if each[0] not in opened), ("", None))
         if where is None:
-            return {}, first
+            return given, first
         opened[name] = where
         faults, struck = _faults(space, affordance, opened)
     message = f"{affordance.kind} {affordance.name}: a hand reaches it only where {_listed(opened)}"
     note = Finding(CHECK, message, affordance.link, severity="note")
-    return opened, [note] if opened else []
+    return opened, [note] if opened != given else []
 
 
 def _faults(space: HandSpace, affordance: Affordance, opened: Opened) -> Faults:

@@ -162,10 +162,11 @@ def _rod(low: float, high: float, radius: float = GRIPPER.finger / 2.0) -> tuple
 def positions_to_move(asset: Asset, joint: str, opened: Opened) -> dict[str, float] | None:
     """Return positions of the other joints at which a hand can move a free joint; None if there are none.
 
-    The name of the joint may be empty. `opened` has to be open in addition to the joint's own dependencies.
+    The name of the joint may be empty. `opened` has to be open in addition to the joint's own
+    dependencies; its key is empty for the author's condition of the hand.
     """
     conditions = needed_conditions(asset, joint)
-    conditions += [condition for name, condition in opened.items() if name != joint]
+    conditions += [condition for name, condition in opened.items() if not name or name != joint]
     return state_for(asset, conditions, ignore=joint, extreme=[each.name for each in asset.joints])
 
 
@@ -179,7 +180,7 @@ def openable(asset: Asset, affordance: Affordance, struck: str) -> Iterator[tupl
     own, *others = affordance.joints or ("",)
     for name in dict.fromkeys((*moved_joints(asset, struck), *others)):
         joint = asset.joint(name)
-        if name == own or joint.driven or joint.limits is None or own in _awaited(asset, name):
+        if name == own or joint.limits is None or own in _awaited(asset, name):
             continue
         low, high = joint.limits
         upward = high - joint.closed >= joint.closed - low
