@@ -162,6 +162,8 @@ def test_the_first_collision_decides_and_the_other_pairs_stay_open(tmp_path: Pat
     left = [pair.result for pair in first.pairs if pair.verdict == "not proven"]
     assert len(left) == 2
     assert all(pair.open_fraction == 1.0 for pair in left)
+    assert "  2 pairs are left open: the first collision decides, or the time was over" in str(first)
+    assert "left open" not in str(every)
     sound = certify(cabinet("urdf", tmp_path), first=True)
     assert sound.verdict == "proven"
     assert sound.rechecked

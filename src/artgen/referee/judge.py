@@ -71,8 +71,15 @@ class JudgedPair:
             return "not proven"
         return self.result.verdict
 
+    @property
+    def examined(self) -> bool:
+        """Whether the pair was examined; not after the first collision, if it decides, or without time."""
+        return self.result.verdict != "not proven" or bool(self.result.open_cells)
+
     def __str__(self) -> str:
         text = str(self.result)
+        if not self.examined:
+            text = f"{self.result.links[0]} and {self.result.links[1]}: left open, not proven"
         if self.result.verdict == "proven":
             text = f"{self.result.links[0]} and {self.result.links[1]}: proven apart"
         if self.restricted and self.result.verdict == "collision":
@@ -152,10 +159,12 @@ class Judgment:
         lines.append(f"  {proven} of {len(self.pairs)} pairs that move are proven apart")
         if any(pair.excluded for pair in self.pairs):
             lines.append(f"  with the pairs that the file excludes: {self.verdict_with_excluded}")
-        failed = self.failures
+        failed = [pair for pair in self.failures if pair.examined]
         lines += [f"  {pair}" for pair in failed[:_SHOWN]]
         if len(failed) > _SHOWN:
             lines.append(f"  and {len(failed) - _SHOWN} more pairs")
+        if left := len(self.failures) - len(failed):
+            lines.append(f"  {left} pairs are left open: the first collision decides, or the time was over")
         lines += [f"  the recheck refutes: {finding}" for finding in self.findings]
         lines += [f"  note: {note}" for note in self.notes]
         return "\n".join(lines)
