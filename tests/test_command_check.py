@@ -3,6 +3,7 @@
 import pytest
 from PIL import Image
 
+from artgen.commands import checks
 from artgen.generator import CATEGORIES
 from support.exports import stand
 
@@ -11,6 +12,7 @@ from support.exports import stand
 def check(artgen_command, monkeypatch):
     """Run `artgen check stand`; returns the result, with the lines that it printed."""
     monkeypatch.setitem(CATEGORIES, "stand", stand)
+    monkeypatch.setattr(checks, "_PIXELS", 16)
 
     def run(*arguments):
         done = artgen_command("check", "stand", *arguments)
@@ -27,7 +29,7 @@ def test_a_good_draft_has_a_table_and_a_picture_closed_and_open(check, tmp_path)
     assert (states["certificate"], states["tree"], states["behavior"]) == ("passed", "passed", "passed")
     assert lines[-1] == "picture: stand_2_check.png"
     with Image.open(tmp_path / "stand_2_check.png") as picture:
-        assert picture.size == (960, 480)
+        assert picture.size == (32, 16)
     assert [path.name for path in tmp_path.iterdir()] == ["stand_2_check.png"]
 
 
@@ -39,7 +41,7 @@ def test_a_collision_is_the_first_line_and_in_the_picture(check, tmp_path):
     assert any(line.startswith("fault certificate: link body, drawer: they collide") for line in lines)
     assert "behavior skipped not requested" in lines
     with Image.open(tmp_path / "out/stand_0_check.png") as picture:
-        assert picture.size == (1440, 480)
+        assert picture.size == (48, 16)
 
 
 def test_a_time_limit_ends_the_proof(check):

@@ -30,7 +30,7 @@ from artgen.validate.clients.run import ClientReport, run_clients
 
 _FOREIGN: dict[str, Any] = {"rich_help_panel": "Files of other tools"}
 _STATES = 32  # random states in which `check` looks for collisions first
-_PIXELS = 480  # side of a picture of `check`
+_PIXELS = 320  # side of a picture of `check`
 _CORNERS = 20  # least number of samples with which corners are certified unless asked otherwise
 _STYLES = {
     "passed": "green",
@@ -90,7 +90,7 @@ def _picture(asset: Asset, certificate: Certificate, out: Path) -> str:
     poses = [closed[0], opened[0], *collisions[:1]]
     try:
         with progress("draw"):
-            pixels = [asset.render(q, camera=opened[1], size=_PIXELS, samples=8).color for q in poses]
+            pixels = [asset.render(q, camera=opened[1], size=_PIXELS, textures=256).color for q in poses]
     except RenderError as error:
         return f"no picture: {' '.join(str(error).split())}"
     return f"picture: {save_image(np.concatenate(pixels, axis=1), out / f'{asset.name}_check.png')}"

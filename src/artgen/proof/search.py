@@ -100,8 +100,8 @@ class Search:
                 for number in np.unique(cells.joint_path):
                     self.outcomes[number].late = late
                 break
-            left = np.unique(cells.joint_path)
-            update(text=f"{len(left)} pairs left, such as {' and '.join(self.joint_paths[left[0]].links)}")
+            links = " and ".join(self.joint_paths[cells.joint_path[0]].links)
+            update(text=f"proof: {links}, {len(cells)} cells left")
             parts = [cells[:0]]
             for some, table in self._portions(cells):
                 parts += [some] if time.monotonic() > end else self._examine(some, table)
