@@ -21,6 +21,8 @@ METHODS = {
     "align": Solid.align,
     "allow_contact": Body.allow_contact,
     "along": Path.points,
+    "copies": Body.repeat,
+    "enclosed_by": Path.profile,
     "anchor": Solid.anchor,
     "and_": Bool.__and__,
     "area": Solid.area,

@@ -242,3 +242,29 @@ def test_constructors_record_what_kernels_make():
         assert solid.node.op == name
         first, second = evaluate(solid).value, evaluate(solid).value
         assert same_bytes(first, second)
+
+
+SIDES = st.floats(0.05, 0.6)
+
+
+@settings(max_examples=10, deadline=None)
+@given(SIDES, SIDES, st.floats(0.02, 0.15), st.floats(0.0, 0.9), st.floats(0.05, 1.0))
+def test_a_crowned_box_is_a_convex_cushion_of_its_size(x, y, z, share, height):
+    bevel = share * min(x, y, z) / 2.0
+    crown = height * (z - 2.0 * bevel)
+    shape = primitive._box(x, y, z, bevel, crown)
+    np.testing.assert_allclose(shape.bounds(), np.array([[-x, -y, -z], [x, y, z]]) / 2.0, atol=1e-9)
+    volume = shape.manifold.volume()
+    assert volume == pytest.approx(shape.manifold.hull().volume(), rel=1e-6)
+    assert volume < primitive._box(x, y, z, bevel, 0.0).manifold.volume()
+
+
+def test_the_corners_of_a_crowned_box_are_lower_by_the_crown():
+    vertices = primitive._box(0.4, 0.3, 0.1, 0.0, 0.03).mesh.vertices
+    corner = (np.abs(vertices[:, 0]) > 0.199) & (np.abs(vertices[:, 1]) > 0.149)
+    assert vertices[corner, 2].max() == pytest.approx(0.05 - 0.03)
+
+
+def test_a_crown_leaves_room_for_the_bevels():
+    with pytest.raises(ValueError, match=r"crown must be within 0 and 0\.04 m, got 0\.05 m"):
+        primitive._box(0.3, 0.3, 0.1, 0.03, 0.05)

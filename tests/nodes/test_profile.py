@@ -9,6 +9,8 @@ from artgen.errors import BuildError, EvaluationError
 from artgen.graph import evaluate
 from artgen.nodes import profile
 from artgen.nodes.contours import outline_area, signed_area
+from artgen.nodes.extrude import extrude
+from artgen.nodes.path import spline
 
 LENGTHS = st.floats(0.002, 2.0)
 
@@ -157,3 +159,30 @@ def test_empty_results_say_so():
 def test_the_join_is_known_while_building():
     with pytest.raises(BuildError, match="'round', 'miter'"):
         profile.circle(0.1).offset(0.01, join="square")
+
+
+@pytest.mark.parametrize("turn", [1, -1])
+def test_a_closed_spline_is_the_border_of_a_profile(turn):
+    angles = np.linspace(0.0, 2.0 * np.pi, 12, endpoint=False)[::turn]
+    path = spline([(0.1 * np.cos(a), 0.1 * np.sin(a), 0) for a in angles], closed=True)
+    outline = evaluate(path.profile()).value
+    (contour,) = outline.contours
+    assert signed_area(contour.points) == pytest.approx(np.pi * 0.01, rel=0.01)
+    outward = contour.points / np.linalg.norm(contour.points, axis=1, keepdims=True)
+    assert (contour.normals_out * outward).sum(axis=1).min() > 0.999
+    assert evaluate(extrude(path.profile(), 0.02)).value.manifold.volume() == pytest.approx(
+        np.pi * 2e-4, rel=0.01
+    )
+
+
+@pytest.mark.parametrize(
+    ("points", "closed", "message"),
+    [
+        ([(0, 0, 0), (1, 0, 0), (0, 1, 0)], False, "the path of a profile is open; make it with closed=True"),
+        ([(0, 0, 0), (1, 0, 0.1), (0, 1, 0)], True, r"in the plane z = 0; point \d+ is 0.1\d* m off"),
+        ([(0, 0, 0), (1, 1, 0), (1, 0, 0), (0, 1, 0)], True, "the path of a profile crosses itself"),
+    ],
+)
+def test_paths_that_border_nothing_are_refused(points, closed, message):
+    with pytest.raises(EvaluationError, match=message):
+        evaluate(spline(points, closed=closed).profile())

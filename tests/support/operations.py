@@ -16,7 +16,7 @@ from artgen.nodes.body import Array4x4, part
 from artgen.nodes.grasp_frames import frame
 from artgen.nodes.handles import Array3, ArrayN3, Float
 from artgen.nodes.joint import Revolute
-from artgen.nodes.path import line
+from artgen.nodes.path import line, spline
 from artgen.nodes.primitive import box
 from artgen.nodes.profile import circle, rectangle
 from artgen.nodes.vector import Z, row
@@ -59,11 +59,12 @@ OVERRIDES: dict[str, dict[str, Any]] = {
         "a": "base",
         "b": "block/block",
     },
-    "array": {"at": row((0.0, 0.0, 0.0), (1.0, 0.0, 0.0), 3)},
+    "array": {"at": row((0.0, 0.0, 0.0), (1.0, 0.0, 0.0), 3), "around": None},
     "attach": {"parent": _BASE},
     "attach_pair": {"parent": _BASE, "suffixes": ("_right", "_left")},
     "cut": {"tool": BLOCK.scale(0.5)},
     "bezier": {"points": ((0.0, 0.0, 0.0), (SIZE, 0.0, 1.0), (1.0, 0.0, 1.0))},
+    "enclosed_by": {"path": spline([(0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, SIZE, 0.0)], closed=True)},
     "bow": {"width": 0.02, "radius": 0.5},
     "capsule": {"length": 0.75},
     "clamp": {"high": 0.75},
@@ -103,7 +104,7 @@ OVERRIDES: dict[str, dict[str, Any]] = {
         "radius": 0.002,
         "at": row((0.0, 0.0, 0.0), (1.0, 0.0, 0.0), 3),
     },
-    "box": {"bevel": 0.01},
+    "box": {"bevel": 0.01, "crown": 0.1},
     "cylinder_between": {"start": (0.0, 0.1, 0.0), "end": (SIZE, 0.4, 0.5), "radius": 0.2, "bevel": 0.01},
     "box_between": {"low": (0.0, 0.0, 0.0), "high": (SIZE, 0.4, 0.5), "bevel": 0.01},
     "cylinder": {"bevel": 0.01},

@@ -105,6 +105,15 @@ class Path(Handle):
         """Return evenly spaced points, both ends included [m]; a single point lies in the middle."""
         return Points.record("along", path=self, count=count)
 
+    def profile(self) -> Profile:
+        """Return the region inside a closed path in the plane z = 0, with the smooth sides of the path.
+
+        Examples:
+            >>> side = spline([(-0.05, 0, 0), (0, 0.03, 0), (0.06, 0.01, 0), (0, -0.02, 0)], closed=True)
+            >>> extrude(side.profile(), 0.02)
+        """
+        return Profile.record("enclosed_by", path=self)
+
 
 class Solid(Handle):
     """A solid in asset coordinates.

@@ -4,12 +4,15 @@ import math
 
 import numpy as np
 
+from artgen import _trig
 from artgen._arrays import Array
 from artgen.asset.shape import Contour, Shape
 from artgen.colliders import Convex, Exact
+from artgen.colliders.triangles import hull_of
 from artgen.graph import kernel, records
 from artgen.nodes import validators as check
 from artgen.nodes.contours import arc_points, circle_contour, faceted, rounded_polygon
+from artgen.nodes.csg import faceted_shape
 from artgen.nodes.handles import Array3, Scalar, Solid, VectorLike
 from artgen.nodes.primitive_colliders import (
     around_cylinder,
@@ -61,9 +64,13 @@ def onto_axis(points: Array, normals: Array) -> Contour:
 UP = (0.0, 0.0, 1.0)
 
 
-def _box(x: float, y: float, z: float, bevel: float) -> Shape:
+def _box(x: float, y: float, z: float, bevel: float, crown: float = 0.0) -> Shape:
     size = check.sizes("size", x, y, z)
     bevel = check.rounding("bevel", bevel, float(size.min()) / 2.0)
+    check.between("crown", crown, 0.0, z - 2.0 * bevel + 1e-12)
+    if crown > 0.0:
+        vertices = _crowned(size, bevel, crown)
+        return faceted_shape(hull_of(vertices), around_hull(vertices))
     if bevel == 0.0:
         return rounded_box(size, 0.0, 0).shape(Exact((Convex.box(size),)))
     steps = max(1, bevel_steps(bevel) // 2)
@@ -71,18 +78,52 @@ def _box(x: float, y: float, z: float, bevel: float) -> Shape:
     return skin.shape(around_rounded_box(size, bevel, skin.vertices))
 
 
+_GRID = 9  # points of the crown of a box along each side
+
+
+def _crowned(size: Array, bevel: float, crown: float) -> Array:
+    """Return points whose hull is a rounded box with a crowned top, shape (n, 3) [m]."""
+    half, steps = size / 2.0 - bevel, max(1, 2 * bevel_steps(bevel) // 3)
+    along = np.linspace(-1.0, 1.0, _GRID)
+    u, v = (each.ravel() for each in np.meshgrid(along, along))
+    tops = np.column_stack((u * half[0], v * half[1], half[2] - crown * (u**2 + v**2) / 2.0))
+    rim = np.maximum(np.abs(u), np.abs(v)) == 1.0
+    corner = (np.abs(u) == 1.0) & (np.abs(v) == 1.0)
+    bottoms = tops[corner] * (1.0, 1.0, 0.0) - (0.0, 0.0, half[2])
+    rise = 0.5 * math.pi * np.arange(steps + 1) / steps
+    around = math.tau * np.arange(4 * steps) / (4 * steps)
+    level = _trig.cos(rise)[:, None]
+    upper = np.stack(
+        [
+            level * _trig.cos(around),
+            level * _trig.sin(around),
+            np.repeat(_trig.sin(rise)[:, None], 4 * steps, 1),
+        ],
+        axis=-1,
+    ).reshape(-1, 3)
+    lower = upper * (1.0, 1.0, -1.0)
+    points = [
+        tops[:, None] + (0.0, 0.0, bevel),
+        tops[rim][:, None] + bevel * upper,
+        bottoms[:, None] + bevel * lower,
+    ]
+    return np.concatenate([each.reshape(-1, 3) for each in points])
+
+
 @records(_box)
-def box(x: Scalar, y: Scalar, z: Scalar, *, bevel: Scalar = 0.0) -> Solid:
-    """Make a box centered on the origin.
+def box(x: Scalar, y: Scalar, z: Scalar, *, bevel: Scalar = 0.0, crown: Scalar = 0.0) -> Solid:
+    """Make a box centered on the origin; with a crown, it is a cushion.
 
     Args:
         x: Length along X [m].
         y: Length along Y [m].
         z: Length along Z [m].
         bevel: Radius of all rounded edges and corners [m]; 0 leaves them sharp.
+        crown: Height of the middle of the top above its corners, included in `z` [m]; at most z - 2 bevel.
 
     Examples:
         >>> box(0.3, 0.2, 0.1, bevel=0.01)
+        >>> box(0.45, 0.42, 0.09, bevel=0.03, crown=0.025)
     """
 
 

@@ -12,7 +12,7 @@ from manifold3d import CrossSection, JoinType
 
 from artgen import _trig
 from artgen._arrays import successors
-from artgen.asset.shape import Contour, Outline
+from artgen.asset.shape import Contour, Curve, Outline
 from artgen.graph import kernel, records
 from artgen.nodes import validators as check
 from artgen.nodes.contours import (
@@ -112,6 +112,33 @@ def _polygon(points: tuple[tuple[float, float], ...], radius: float) -> Outline:
     after = successors(sides)
     is_convex = bool((sides[:, 0] * after[:, 1] - sides[:, 1] * after[:, 0] >= 0.0).all())
     return Outline((contour,), (contour.points,) if is_convex else None)
+
+
+@kernel(spelling="{path}.profile()")
+def _enclosed_by(path: Curve) -> Outline:
+    if not path.closed:
+        raise ValueError("the path of a profile is open; make it with closed=True")
+    off = np.abs(path.points[:, 2])
+    if off.max() > 1e-9:
+        raise ValueError(
+            f"the path of a profile must lie in the plane z = 0; point {int(off.argmax())} is "
+            f"{off.max():.4g} m off it"
+        )
+    points = np.ascontiguousarray(path.points[:, :2])
+    area = signed_area(points)
+    if not is_disjoint([points if area > 0.0 else points[::-1]]):
+        raise ValueError("the path of a profile crosses itself; give its points in order around it")
+    if path.tangents is None or np.any(np.abs(path.tangents[:, 2]) > 1e-6):
+        contour = faceted(points)
+    else:
+        normals = np.column_stack([path.tangents[:, 1], -path.tangents[:, 0]])
+        contour = Contour(points, normals, normals)
+    return Outline((contour if area > 0.0 else _turned(contour),))
+
+
+def _turned(contour: Contour) -> Contour:
+    """Return a contour in the other direction, with the same outside."""
+    return Contour(contour.points[::-1], -contour.normals_out[::-1], -contour.normals_in[::-1])
 
 
 @records(_polygon)
