@@ -29,7 +29,6 @@ from artgen.validate.clients.registry import ALL, chosen_clients
 from artgen.validate.clients.run import ClientReport, run_clients
 
 _FOREIGN: dict[str, Any] = {"rich_help_panel": "Files of other tools"}
-_STATES = 32  # random states in which `check` looks for collisions first
 _PIXELS = 320  # side of a picture of `check`
 _CORNERS = 20  # least number of samples with which corners are certified unless asked otherwise
 _STYLES = {
@@ -65,7 +64,7 @@ def check(
     with progress(f"check {source}") as update:
         asset = asset_from(source, seed, list(overrides or ()))
         update(text=f"check {asset.name}")
-        certificate = prove(asset, seconds=seconds, states=_STATES)
+        certificate = prove(asset, seconds=seconds)
         remember(asset, certificate)
         for first in certificate.failures[:1]:
             others = len(certificate.failures) - 1
