@@ -13,7 +13,7 @@ widened = levers | {"width": uniform(0.60, 1.25), "handle.lever_handle.length": 
 
 figure, axes = plt.subplots()
 for label, overrides in (("default", levers), ("widened", widened)):
-    # drawing parameters needs no geometry: thousands of draws a second
+    # drawing parameters needs no geometry: some hundred draws a second
     draws = [door.sample(seed, overrides=overrides) for seed in range(400)]
     distance = np.array([draw["width"] - draw["backset"] for draw in draws])
     length = np.array([draw["handle.length"] for draw in draws])

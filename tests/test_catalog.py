@@ -78,7 +78,7 @@ def test_a_broken_package_is_named_and_the_others_go_on(tmp_path: Path) -> None:
     assert done.returncode == 0
     assert done.stderr.startswith(f"warning: {told}")
     assert "\ndoor " in done.stdout
-    done = run_with_plugin(tmp_path, "from artgen.cli import main; main(['show-params', 'stool'])")
+    done = run_with_plugin(tmp_path, "from artgen.cli import main; main(['info', 'stool'])")
     assert done.returncode == 2
     assert done.stderr.startswith("error: there is no category 'stool'")
     assert told in done.stderr
@@ -107,7 +107,7 @@ def test_a_broken_package_shows_its_line(tmp_path: Path, text: str, told: str) -
 def test_a_package_cannot_take_the_name_of_a_category_of_artgen(tmp_path: Path) -> None:
     install_plugin(tmp_path, "shop_stools")
     (tmp_path / "shop_stools.py").write_text(PLUGIN.replace("def stool", "def door"))
-    done = run_with_plugin(tmp_path, "from artgen.cli import main; main(['show-params', 'door'])")
+    done = run_with_plugin(tmp_path, "from artgen.cli import main; main(['info', 'door'])")
     assert "opener" in done.stdout, done.stderr  # artgen's own
     done = run_with_plugin(tmp_path, "from artgen.cli import main; main(['list'])")
     assert "'door' is a category of artgen; rename the category at" in done.stderr
@@ -203,7 +203,7 @@ def test_a_fault_in_a_categorys_body_has_its_line(category_file: Path, artgen_co
 
 
 def test_commands_take_files(category_file: Path, artgen_command) -> None:
-    assert "height" in artgen_command("show-params", "stools.py").out
+    assert "height" in artgen_command("info", "stools.py").out
     assert artgen_command("generate", "stools.py", "--format", "urdf").out == "stool_0/stool_0.urdf\n"
     certified = artgen_command("certify", "stools.py", "--samples", "2", "--no-corners")
     assert (certified.code, certified.out[:6]) == (0, "stool:")

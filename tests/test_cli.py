@@ -1,13 +1,17 @@
 """The command line: what it prints, what it writes, and what it refuses in one line."""
 
 import json
+import re
 import subprocess
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
+from PIL import Image
 
 import artgen
+from artgen.commands.info import _blocks
 from artgen.generator import CATEGORIES
 from support.generators import chest
 
@@ -27,14 +31,68 @@ def test_list_names_every_category(artgen_command) -> None:
         assert f"{least}-{most}" in line.split() or (least == most and str(least) in line.split())
 
 
-def test_show_params_names_every_parameter(artgen_command) -> None:
-    result = artgen_command("show-params", "door")
-    assert result.code == 0
-    lines = {line.split()[0]: line for line in result.out.splitlines() if line.strip()}
-    for name, parameter in artgen.catalog.find("door").parameters().items():
-        assert name in lines
-        if parameter.distribution.unit:
-            assert f" {parameter.distribution.unit} " in lines[name]
+def test_info_names_every_parameter_and_a_sample(artgen_command) -> None:
+    result = artgen_command("info", "door")
+    assert (result.code, result.err) == (0, "")
+    rows = {line.split()[0]: line for line in result.out.splitlines() if line.strip()}
+    assert set(artgen.catalog.find("door").parameters()) <= set(rows)
+    assert max(map(len, result.out.splitlines())) <= 110
+    assert rows["handle.knob_handle.style"].split() == [
+        "handle.knob_handle.style",
+        *["ball", "|", "flat", "|", "tulip", "|", "egg"],
+    ]
+    assert "0.86 to 1.12 m" in rows["handle_height"]
+    assert re.search(r"door_hinge\w* +revolute 0 to", result.out)
+    assert result.out.index("styles, on which other draws depend") < result.out.index("\nparameters:")
+
+
+def test_info_searches_names_and_descriptions(artgen_command) -> None:
+    result = artgen_command("info", "refrigerator", "dispenser")
+    lines = [" ".join(line.split()) for line in result.out.splitlines() if line.strip()]
+    assert lines[1:] == [
+        "name drawn what it is",
+        "water P(water | layout=french) = 0.5 whether a door has a water dispenser",
+        "P(water | layout=side_by_side) = 0.65",
+        "P(water | otherwise) = 0",
+    ]
+
+
+def test_info_shows_the_weights_of_options(artgen_command) -> None:
+    text = " ".join(artgen_command("info", "refrigerator", "layout").out.split())
+    weights = dict(artgen.catalog.find("refrigerator").own["layout"].distribution.shares())
+    assert ", ".join(f"{name} {share:.0%}" for name, share in weights.items()) in text
+
+
+def test_info_writes_a_picture(artgen_command) -> None:
+    assert "handle.png" in artgen_command("info", "handle", "--picture", "handle.png").out
+    with Image.open("handle.png") as image:
+        assert image.size == (256, 256)
+
+
+def test_a_picture_of_a_terminal_has_two_pixels_in_each_character() -> None:
+    pixels = np.zeros((112, 112, 3), np.uint8)
+    pixels[:56] = (255, 0, 0)
+    lines = _blocks(pixels).split("\n")
+    assert len(lines[0]) == 56
+    styles = {str(span.style) for line in lines[:28] for span in line.spans}
+    assert "rgb(255,0,0) on rgb(255,0,0)" in styles
+
+
+@pytest.mark.parametrize("command", ["list", "info", "new"])
+def test_a_command_loads_no_module_of_another(command: str) -> None:
+    script = (
+        f"from artgen.cli import command_line; command_line({command!r}); import sys; print(*sys.modules)"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", script], capture_output=True, text=True, check=True, timeout=60
+    )
+    loaded = set(done.stdout.split())
+    assert not loaded & {
+        "artgen.validate",
+        "artgen.images",
+        "artgen.commands.checks",
+        "artgen.view.rendering",
+    }
 
 
 def test_generate_writes_the_same_as_the_library(artgen_command, tmp_path: Path) -> None:
@@ -64,7 +122,7 @@ def test_generate_takes_overrides_base_name_and_place(artgen_command) -> None:
     ("arguments", "message"),
     [
         (["generate", "dor"], "there is no category 'dor'. Did you mean 'door'?"),
-        (["show-params", "dor"], "there is no category 'dor'. Did you mean 'door'?"),
+        (["info", "dor"], "there is no category 'dor'. Did you mean 'door'?"),
         (["generate", "door", "--set", "widht=0.9"], "door has no parameter 'widht'. Did you mean 'width'?"),
         (["generate", "door", "--set", "width=90"], "width = 90 is out of range"),
         (["generate", "door", "--set", "width=wide"], "width = 'wide' is not allowed: it must be a number"),
@@ -73,6 +131,22 @@ def test_generate_takes_overrides_base_name_and_place(artgen_command) -> None:
             ["generate", "door", "--set", "hand=middle"],
             "hand = 'middle' is not allowed: it must be one of 'left'",
         ),
+        (
+            ["generate", "door", "--set", "width=uniform(0.85 0.92)"],
+            "width = uniform(0.85 0.92) cannot be read: a comma is missing; write for example uniform(0.8,",
+        ),
+        (
+            ["generate", "door", "--set", "width=uniform(0.85,"],
+            "width = uniform(0.85, cannot be read: it is not complete; write for example uniform(0.8, 0.9)",
+        ),
+        (
+            ["generate", "refrigerator", "--set", "dispenser=true"],
+            "no parameter 'dispenser'. Did you mean 'water' (whether a door has a water dispenser)?",
+        ),
+        (["info", "a" * 300 + ".py"], "it is too long"),
+        (["render", "a" * 300], "it is too long"),
+        (["info", "door", "zzz"], "door has no parameter with 'zzz' in its name or description. Allowed: "),
+        (["info", "door", "width", "--picture", "a.png"], "leave the WORD out"),
         (["generate", "door", "--set", "width"], "'width' is no override; write NAME=VALUE"),
         (["generate", "door", "--set", "width=unifrom(1, 2)"], "Did you mean 'uniform'?"),
         (["generate", "door", "--format", "obj"], "there is no format 'obj'"),
@@ -161,7 +235,7 @@ def test_help_and_version(artgen_command) -> None:
     for arguments in ((), ("--help",)):
         result = artgen_command(*arguments)
         assert (result.code, result.err) == (0, "")
-        assert {"list", "show-params", "generate"} <= set(result.out.split())
+        assert {"list", "info", "generate"} <= set(result.out.split())
     options = artgen_command("generate", "--help").out
     for option in ("--seed", "--set", "--format", "--out", "--base", "--name"):
         assert option in options

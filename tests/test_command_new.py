@@ -95,3 +95,10 @@ def test_a_disk_that_refuses_leaves_nothing(artgen_command, tmp_path: Path) -> N
     assert (result.code, files_below(tmp_path)) == (2, {"file"})
     assert result.err.startswith("error: cannot write file/stapler: ")
     assert result.err.endswith("; nothing was written\n")
+
+
+def test_a_place_that_the_file_system_refuses_gives_one_line(artgen_command) -> None:
+    result = artgen_command("new", "casket", "--dir", "b" * 300)
+    assert (result.code, result.out) == (2, "")
+    path = str(Path("b" * 300) / "casket")
+    assert result.err == f"error: the file system refuses the name {path!r}: it is too long\n"

@@ -17,7 +17,7 @@ from node_pages import placed
 
 import artgen
 from artgen import by, choice, count, fixed, loguniform, truncated_normal, uniform
-from artgen.cli import app
+from artgen.cli import command_line
 from artgen.generator import CATEGORIES
 
 ROOT = Path(__file__).parent.parent
@@ -58,7 +58,7 @@ def test_there_is_something_to_run() -> None:
 @pytest.mark.parametrize("command", COMMANDS)
 def test_command_is_one_that_artgen_understands(command: str) -> None:
     _, name, *arguments = shlex.split(command, comments=True)
-    known = typer.main.get_command(app)
+    known = typer.main.get_command(command_line())
     assert name in known.commands, f"artgen has no command {name!r}"
     known.commands[name].make_context(name, arguments)  # reads the arguments, and runs nothing
 

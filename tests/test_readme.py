@@ -11,7 +11,7 @@ from pathlib import Path
 import typer
 
 import artgen
-from artgen.cli import app
+from artgen.cli import command_line
 
 TEXT = (Path(__file__).parent.parent / "README.md").read_text(encoding="utf-8")
 BLOCKS = re.findall(r"```python\n(.*?)```", TEXT, flags=re.DOTALL)
@@ -77,7 +77,7 @@ def test_commands_run_one_after_the_other(tmp_path: Path) -> None:
 
 
 def test_the_other_commands_are_such_as_artgen_understands() -> None:
-    known = typer.main.get_command(app)
+    known = typer.main.get_command(command_line())
     for command in filter(has_own_tests, COMMANDS):
         _, name, *arguments = shlex.split(command, comments=True)
         known.commands[name].make_context(name, arguments)  # reads the arguments, and runs nothing

@@ -251,7 +251,7 @@ def index() -> str:
     lines += [
         "",
         (
-            "`artgen list` and `artgen show-params NAME` print the same. How often each option is "
+            "`artgen list` and `artgen info NAME` print the same. How often each option is "
             "drawn is counted in [Coverage](../coverage.md); how the categories do over hundreds of "
             "seeds in [Soak](../soak.md)."
         ),

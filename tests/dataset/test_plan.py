@@ -23,6 +23,10 @@ def test_formats_are_those_of_the_layout() -> None:
     assert Plan(("door",), 1).formats == ("urdf", "mjcf", "usd")
 
 
+def test_one_name_stands_for_a_tuple_of_one() -> None:
+    assert Plan("drawer", 2) == Plan(("drawer",), 2)
+
+
 def test_overrides_for_one_category_replace_those_for_all() -> None:
     plan = Plan(("door", "window"), 2, overrides=("width=0.9", "window:width=0.8"))
     assert plan.overrides_of("door") == {"width": 0.9}

@@ -218,6 +218,10 @@ REFUSED = {
     "by beyond the limits": ({"width": by("layout", otherwise=9.0)}, "is out of range: 0.3 to 2 m"),
     "text for a number": ({"width": "wide"}, "width = 'wide' is not allowed: it must be a number"),
     "truth for a number": ({"width": True}, "width = True is not allowed: it must be a number"),
+    "a pair for a range": (
+        {"width": (0.85, 0.92)},
+        r"width = \(0\.85, 0\.92\) is not allowed: .* For a range, write uniform\(0\.85, 0\.92\)",
+    ),
     "nan": ({"width": float("nan")}, "width = nan is not allowed: it must be a number"),
     "None": ({"width": None}, "width = None is not allowed: it must be a number"),
     "a handle": ({"width": Float.parameter("x")}, "is not allowed: it must be a number"),
@@ -248,7 +252,7 @@ REFUSED = {
     "one for truth": ({"glazed": 1}, "glazed = 1 is not allowed: it must be True or False"),
     "unknown material": (
         {"wood": "oka"},
-        "wood = 'oka' is not allowed: it must be a material or the name of one",
+        r"wood = 'oka' is not allowed: it must be a material or the name of one .*\. Did you mean 'oak'\?",
     ),
     "number for a material": ({"wood": 5}, "wood = 5 is not allowed: it must be a material"),
     "unknown generator": (

@@ -22,7 +22,7 @@ from typer.testing import CliRunner
 from artgen import Body, Prismatic, Revolute, X, Z, box, material, part
 from artgen.asset import Asset
 from artgen.catalog import categories, find
-from artgen.cli import app
+from artgen.cli import command_line
 from artgen.dataset.places import locked
 from artgen.errors import ExportError
 from artgen.graph import evaluate
@@ -348,7 +348,7 @@ class TestCommands:
         monkeypatch.chdir(tmp_path)
         record = self.record("tree")
         made_, _ = again(record, "tree").split(" && ")
-        done = CliRunner().invoke(app, shlex.split(made_)[1:])
+        done = CliRunner().invoke(command_line(), shlex.split(made_)[1:])
         assert done.exit_code == 0, done.output
         stored = json.loads(next(tmp_path.rglob("asset.json")).read_text())
         drawn = find("plier").sample(record["seed"], overrides=record["overrides"])

@@ -258,7 +258,7 @@ class TestCommands:
         assert before.shape == (48, 64, 3)
         for more in (
             ("--open", "1"),
-            ("--q", "door_hinge=1.0", "--q", "drawer_slide=0.1"),
+            ("--joint", "door_hinge=1.0", "--joint", "drawer_slide=0.1"),
             ("--view", "back"),
         ):
             assert artgen_command("render", str(exported), *FAST, *more, "--out", "b.jpg").out == "b.jpg\n"
@@ -291,8 +291,8 @@ class TestCommands:
         (("render", "handle", "--size", "big"), "--size 'big' must be a number of pixels"),
         (("render", "handle", "--size", "1x2x3"), "--size '1x2x3' must be a number of pixels"),
         (("render", "handle", "--size", "5"), "16..4096"),
-        (("render", "handle", "--q", "turn"), "--q 'turn' must be JOINT=NUMBER"),
-        (("render", "handle", "--q", "nothing=1"), "has no joint 'nothing'"),
+        (("render", "handle", "--joint", "turn"), "--joint 'turn' must be JOINT=NUMBER"),
+        (("render", "handle", "--joint", "nothing=1"), "has no joint 'nothing'"),
         (("render", "handle", "--open", "2"), "open 2.0 must be in 0..1"),
         (("render", "handle", "--out", "a.gif"), "a picture's name ends in .png"),
         (("render", "handle", "--studio", "garden"), "garden"),

@@ -28,10 +28,10 @@ def render(
     overrides: Overrides = None,
     positions: Annotated[
         list[str] | None,
-        Option("--q", metavar="JOINT=VALUE", help="Position of a joint [rad or m]. Repeatable."),
+        Option("--joint", metavar="JOINT=VALUE", help="Position of a joint [rad or m]. Repeatable."),
     ] = None,
     opening: Annotated[
-        float, Option("--open", metavar="0..1", help="Share of the ranges; --q overrides it.")
+        float, Option("--open", metavar="0..1", help="Share of the ranges; --joint overrides it.")
     ] = 0.0,
     view: Annotated[
         str, Option(help="front, three_quarter, back, side, top, ... or close-up:LINK.")
@@ -68,7 +68,7 @@ def _positions(items: list[str]) -> dict[str, float]:
         try:
             found[name.strip()] = float(value)
         except ValueError:
-            raise ParameterError(f"--q {item!r} must be JOINT=NUMBER, such as door_hinge=0.8") from None
+            raise ParameterError(f"--joint {item!r} must be JOINT=NUMBER, such as door_hinge=0.8") from None
     return found
 
 

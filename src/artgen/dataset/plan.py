@@ -59,7 +59,9 @@ class BasePlan(ABC):
     on_collision: OnCollision = "redraw"  # reaction to a missing proof
 
     def __post_init__(self) -> None:
-        """Check the plan before anything is written."""
+        """Check the plan before anything is written; one name stands for a tuple of one."""
+        if isinstance(self.categories, str):
+            object.__setattr__(self, "categories", (self.categories,))
         if not self.categories:
             raise ParameterError("a dataset needs at least one category")
         twice = next((name for name in self.categories if self.categories.count(name) > 1), None)

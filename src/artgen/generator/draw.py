@@ -1,15 +1,19 @@
-"""Drawing of parameters: overrides by name, and one pass in the order of dependence."""
+"""Drawing of parameters: overrides by name, one pass in the order of dependence, and probabilities."""
 
+import difflib
+import re
 from collections.abc import Mapping
 from copy import copy
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, Self
 
 from artgen.errors import ParameterError, nearest
 from artgen.generator.parameter import Parameter, Variant, is_variant
 from artgen.sampling import Distribution, Fixed, stream
 from artgen.sampling.choices import By, case_key
 from artgen.sampling.distributions import shown as quoted
+
+_LIKE = 0.8  # likeness of names from which a description is not searched
 
 
 class Overrides:
@@ -30,11 +34,10 @@ class Overrides:
         for dotted in sorted(given, key=lambda name: (name.count("."), name)):
             matching = [parameter for parameter in known.values() if _means(dotted, parameter.name)]
             if not matching:
-                short = {".".join(full.split(".")[::2]) for full in known}
                 other = any(_means(dotted, full) for full in every)
                 raise ParameterError(
                     f"{category.name} has no parameter {dotted!r}"
-                    f"{' with the generators that are chosen' if other else ''}.{nearest(dotted, short)}"
+                    f"{' with the generators that are chosen' if other else ''}.{_hint(dotted, known)}"
                 )
             value = given[dotted]
             faults: dict[str, ParameterError] = {}
@@ -71,6 +74,17 @@ class Overrides:
             raise self._faults[parameter.name]
         value = self._values[parameter.name]
         return value if isinstance(value, Distribution) else Fixed(value=value)
+
+
+def _hint(dotted: str, known: Mapping[str, Parameter]) -> str:
+    """Return the parameter with a like name, or the one whose description has the word."""
+    short = {".".join(full.split(".")[::2]): parameter.distribution.doc for full, parameter in known.items()}
+    word = dotted.rpartition(".")[2].replace("_", " ").lower()
+    if not difflib.get_close_matches(dotted, short, 1, cutoff=_LIKE):
+        for name, doc in short.items():
+            if re.search(rf"\b{re.escape(word)}s?\b", doc.lower()):
+                return f" Did you mean {name!r} ({doc})?"
+    return nearest(dotted, short)
 
 
 def _check_needs(parameter: Parameter, dotted: str, value: Any, known: Mapping[str, Parameter]) -> None:
@@ -193,3 +207,80 @@ def drawing_order(distributions: Mapping[str, Distribution], owner: str) -> list
         for name in ready:
             del remaining[name]
     return order
+
+
+class Probability(float):
+    """A probability, as a number from 0 to 1.
+
+    Attributes:
+        error: Standard error if it was estimated by draws; 0 if it is exact.
+    """
+
+    def __new__(cls, value: float, error: float = 0.0) -> Self:
+        """Make a probability."""
+        made = super().__new__(cls, value)
+        made.error = error
+        return made
+
+    error: float
+
+    def __repr__(self) -> str:
+        return f"{float(self):.4g}" + (f" +- {self.error:.2g} (estimated)" if self.error else "")
+
+
+def probability(own: Mapping[str, Parameter], wanted: Mapping[str, Any]) -> Probability:
+    """Return the probability that the draw of a generator meets values and ranges.
+
+    Args:
+        own: The generator's parameters by name.
+        wanted: Value or distribution by name; a distribution stands for its range or its options.
+
+    Raises:
+        ParameterError: A number is wanted exactly that is drawn from a range.
+        NotImplementedError: A distribution does not know its probabilities.
+    """
+    needed = list(wanted)
+    for name in needed:  # grows: also the parameters that their draws depend on
+        needed += [other for other in own[name].distribution.needs() if other not in needed]
+    order = drawing_order({name: own[name].distribution for name in needed}, "")
+    leading = {other for name in needed for other in own[name].distribution.needs()}
+
+    def met(place: int, given: Mapping[str, Any]) -> float:
+        if place == len(order):
+            return 1.0
+        name = order[place]
+        distribution = own[name].distribution
+        while isinstance(distribution, By):
+            distribution = distribution.case(given[distribution.parameter]) or Fixed()
+        if not distribution.discrete:
+            return _share_within(name, distribution, wanted[name]) * met(place + 1, given)
+        kept = [
+            (value, share)
+            for value, share in distribution.shares()
+            if name not in wanted or meets(value, wanted[name])
+        ]
+        if name in leading:
+            return sum(share * met(place + 1, {**given, name: value}) for value, share in kept)
+        share = sum(share for _, share in kept)
+        return share * met(place + 1, given) if share else 0.0
+
+    return Probability(min(met(0, {}), 1.0))
+
+
+def _share_within(name: str, distribution: Distribution, wanted: Any) -> float:
+    if not isinstance(wanted, Distribution):
+        raise ParameterError(
+            f"{name} is drawn from {distribution!r}: a single number has no probability; give a range, "
+            f"such as {name}={distribution!r}"
+        )
+    low, high = min(wanted.support()), max(wanted.support())
+    return distribution.share_below(high) - distribution.share_below(low)
+
+
+def meets(value: Any, wanted: Any) -> bool:
+    """Tell whether a drawn value is the wanted value, or lies in the range of the wanted distribution."""
+    if isinstance(wanted, Distribution) and not wanted.discrete:
+        return bool(min(wanted.support()) <= value <= max(wanted.support()))
+    options = wanted.support() if isinstance(wanted, Distribution) else (wanted,)
+    key = case_key(value)
+    return any(case_key(each) == key and isinstance(each, bool) == isinstance(key, bool) for each in options)

@@ -7,6 +7,7 @@ import operator
 import sys
 from collections import OrderedDict
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import partial
 from typing import Any, Literal, get_args
@@ -25,7 +26,7 @@ from artgen.errors import (
     ParameterError,
     nearest,
 )
-from artgen.generator.draw import Draw, Overrides
+from artgen.generator.draw import Draw, Overrides, Probability, meets, probability
 from artgen.generator.parameter import Parameter, Variant, is_variant
 from artgen.generator.signature import read_parameters
 from artgen.graph import Cache, Evaluation, Graph, Handle, reached
@@ -115,6 +116,7 @@ def _release() -> None:
 
 _MOST = 4  # most bodies in the cache
 _MOST_OPTIONS = 8  # most options of a structural parameter that are tried for whether it acts
+_DRAWS = 500  # draws for an estimated probability
 
 
 class Built:
@@ -268,6 +270,33 @@ class Generator(Variant):
             return str(self._folded(other.values).node.key)
         except ArtgenError:
             return ""
+
+    def probability(self, /, **wanted: Any) -> Probability:
+        """Return the probability that a draw has the wanted values: `probability(hand="left")`.
+
+        It is that of a draw, before draws that are infeasible or collide are drawn again.
+
+        Args:
+            **wanted: A value by parameter name, or a distribution for its range or its options:
+                `width=uniform(0.85, 0.92)`; write `handle__length` for `handle.length`.
+
+        Returns:
+            A float, exact for the generator's own parameters. Parameters of sub-generators, and distributions
+            without `shares` or `share_below`, are estimated by 500 draws; `error` is the standard error.
+
+        Raises:
+            ParameterError: A name or value is unknown or not allowed, or a number is wanted exactly that is
+                drawn from a range.
+        """
+        Overrides(self, wanted)  # checks the names and values
+        named = {name.replace("__", "."): value for name, value in wanted.items()}
+        if set(named) <= set(self.own):
+            with suppress(NotImplementedError):
+                return probability(self.own, named)
+        draws = [self.sample(seed) for seed in range(_DRAWS)]
+        hits = [all(n in draw and meets(draw[n], value) for n, value in named.items()) for draw in draws]
+        share = sum(hits) / _DRAWS
+        return Probability(share, max(share * (1.0 - share), 1.0 / _DRAWS) ** 0.5 / _DRAWS**0.5)
 
     def build(self, values: Mapping[str, Any], prefix: str = "", /, **inputs: Any) -> Any:
         """Call the function with sockets for its parameters and return the handle of the result.

@@ -19,6 +19,13 @@ DISTRIBUTIONS: Mapping[str, Callable[..., Any]] = {
 }
 """Distributions that text may use, by name."""
 
+_EXAMPLES = {
+    "choice": "choice(left, right)",
+    "count": "count(2, 5)",
+    "loguniform": "loguniform(0.1, 1.0)",
+    "truncated_normal": "truncated_normal(0.9, 0.05, 0.8, 1.0)",
+    "uniform": "uniform(0.8, 0.9)",
+}
 _WORDS = {"true": True, "false": False}
 
 
@@ -40,8 +47,14 @@ def parse_value(text: str, name: str = "value") -> Any:
     """Parse a number, True or False, a string (quoted or not), or a distribution."""
     try:
         tree = ast.parse(text, mode="eval").body
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
-        return text
+    except (SyntaxError, ValueError, RecursionError, MemoryError) as error:
+        made = text.partition("(")[0].strip()
+        if made not in DISTRIBUTIONS or made == text:
+            return text
+        comma = "a comma is missing" if "comma" in str(error) else "it is not complete"
+        raise ParameterError(
+            f"{name} = {text} cannot be read: {comma}; write for example {_EXAMPLES[made]}"
+        ) from None
     if isinstance(tree, ast.Call):
         return _distribution(tree, text, name)
     try:

@@ -10,7 +10,7 @@ from typing import Any, Literal
 import numpy as np
 
 from artgen._arrays import cached_property
-from artgen.errors import ParameterError
+from artgen.errors import ParameterError, nearest
 from artgen.graph import Handle
 from artgen.materials import MATERIALS, Material
 from artgen.nodes.handles import Bool, Float, Vector
@@ -90,9 +90,19 @@ class Parameter:
         accepted = accept(self.kind, value, self.variants)
         if accepted is NotImplemented:
             raise ParameterError(
-                f"{name or self.name} = {shown(value)} is not allowed: it must be {self.allowed}"
+                f"{name or self.name} = {shown(value)} is not allowed: it must be {self.allowed}."
+                f"{self._advice(value)}".removesuffix(".")
             )
         return accepted
+
+    def _advice(self, value: Any) -> str:
+        """Return the likeliest correction of a value that is not allowed."""
+        if isinstance(value, str) and self.kind is Material:
+            return nearest(value, MATERIALS)
+        pair = isinstance(value, tuple | list) and len(value) == 2 and all(map(is_number, value))
+        if pair and self.kind is Float:
+            return f" For a range, write uniform({value[0]:g}, {value[1]:g})."
+        return ""
 
     def check_override(self, value: Any, name: str) -> None:
         """Check a value or distribution of an override against the type and the hard limits.

@@ -1,7 +1,7 @@
 """Typed handles for authors: profiles, paths, solids, bodies (scalars are in `scalar_handles`)."""
 
 from collections.abc import Sequence
-from typing import Any, ClassVar, Literal
+from typing import Any, ClassVar, Literal, NoReturn
 
 import numpy as np
 
@@ -215,6 +215,17 @@ class Body(Handle):
 
     __slots__ = ()
     value_type: ClassVar[Any] = Tree
+
+    def __or__(self, other: object) -> NoReturn:
+        """Refuse a union of bodies, whose names differ from those of solids.
+
+        Raises:
+            BuildError: Always; the message names `weld` and `attach`.
+        """
+        raise BuildError(
+            "bodies have no |, which unites solids; weld(a, b) joins bodies rigidly to one link, and "
+            "a.attach(b, joint) by a joint"
+        )
 
     def mass(self) -> Float:
         """Return the mass with all links joined to this one [kg]."""

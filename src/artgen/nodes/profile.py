@@ -101,12 +101,12 @@ def _polygon(points: tuple[tuple[float, float], ...], radius: float) -> Outline:
         at = int(np.flatnonzero(short)[0])
         raise ValueError(f"points {at} and {(at + 1) % len(corners)} of the polygon are the same point")
     area = signed_area(corners)
-    if abs(area) < 1e-12:
+    if np.linalg.svd(corners - corners.mean(axis=0), compute_uv=False)[1] < 1e-9:
         raise ValueError("the polygon has no area; its points lie on one line")
     if area < 0.0:
         corners = np.ascontiguousarray(corners[::-1])
-    if not is_disjoint([corners]):
-        raise ValueError("the sides of the polygon cross each other; give its points in order around it")
+    if abs(area) < 1e-12 or not is_disjoint([corners]):
+        raise ValueError("the polygon crosses itself; give its points in order around it")
     contour = rounded_polygon(corners, [radius] * len(corners)) if radius > 0.0 else faceted(corners)
     sides = successors(corners) - corners
     after = successors(sides)

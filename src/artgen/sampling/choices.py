@@ -31,6 +31,13 @@ class Choice(Distribution):
         """Whether `support` lists every value."""
         return True
 
+    def shares(self) -> tuple[tuple[Any, float], ...]:
+        """Return each option with its probability."""
+        weights = self.weights or (1.0,) * len(self.options)
+        return tuple(
+            (item, weight / sum(weights)) for item, weight in zip(self.options, weights, strict=True)
+        )
+
     def __repr__(self) -> str:
         return f"choice({', '.join(map(shown, self.options))})"
 

@@ -55,6 +55,22 @@ class Distribution(ABC):
         """Whether `support` lists every value."""
         return False
 
+    def shares(self) -> tuple[tuple[Any, float], ...]:
+        """Return each value with its probability, if `discrete`.
+
+        Raises:
+            NotImplementedError: The distribution does not know them.
+        """
+        raise NotImplementedError
+
+    def share_below(self, value: float) -> float:
+        """Return the probability of a draw below a value, if not `discrete`.
+
+        Raises:
+            NotImplementedError: The distribution does not know it.
+        """
+        raise NotImplementedError
+
     @property
     def numeric(self) -> bool:
         """Whether every value is a number."""
@@ -148,6 +164,10 @@ class Fixed(Distribution):
         """Whether `support` lists every value."""
         return True
 
+    def shares(self) -> tuple[tuple[Any, float], ...]:
+        """Return the value, which is certain."""
+        return ((self.value, 1.0),)
+
     def __repr__(self) -> str:
         return shown(self.value)
 
@@ -198,6 +218,10 @@ class Uniform(Distribution):
         """Return the lowest and highest value."""
         return self.low, self.high
 
+    def share_below(self, value: float) -> float:
+        """Return the probability of a draw below a value."""
+        return _share(value, self.low, self.high)
+
     def __repr__(self) -> str:
         return f"uniform({self.low:g}, {self.high:g})"
 
@@ -205,6 +229,11 @@ class Uniform(Distribution):
 def _between(value: float, low: float, high: float) -> float:
     """Clip a draw that rounding may carry beyond the ends."""
     return float(min(max(value, low), high))
+
+
+def _share(value: float, low: float, high: float) -> float:
+    """Return the share of an interval below a value; all of an interval of one point."""
+    return min(max((value - low) / (high - low), 0.0), 1.0) if high > low else float(value >= low)
 
 
 def uniform(low: float, high: float, unit: str = "", *, doc: str = "", within: Within = None) -> Any:
@@ -240,6 +269,12 @@ class Normal(Distribution):
     def support(self) -> tuple[float, float]:
         """Return the lowest and highest value."""
         return self.low, self.high
+
+    def share_below(self, value: float) -> float:
+        """Return the probability of a draw below a value."""
+        curve = NormalDist(self.mean, self.deviation)
+        inside = min(max(value, self.low), self.high)
+        return _share(curve.cdf(inside), curve.cdf(self.low), curve.cdf(self.high))
 
     def __repr__(self) -> str:
         return f"truncated_normal({self.mean:g}, {self.deviation:g}, {self.low:g}, {self.high:g})"
@@ -289,6 +324,10 @@ class LogUniform(Distribution):
     def support(self) -> tuple[float, float]:
         """Return the lowest and highest value."""
         return self.low, self.high
+
+    def share_below(self, value: float) -> float:
+        """Return the probability of a draw below a value."""
+        return _share(math.log(max(value, self.low)), math.log(self.low), math.log(self.high))
 
     def __repr__(self) -> str:
         return f"loguniform({self.low:g}, {self.high:g})"
