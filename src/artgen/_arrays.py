@@ -1,6 +1,6 @@
 """Array types, read-only arrays, and caches that are safe for threads."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from functools import lru_cache, wraps
 from threading import Lock
 from types import MappingProxyType
@@ -45,7 +45,12 @@ class FrozenArrays:
 
     def __post_init__(self) -> None:
         """Make the arrays of all fields read-only."""
-        _freeze(vars(self).values())
+        for value in vars(self).values():  # fast path: most values are arrays or plain
+            kind = type(value)
+            if kind is np.ndarray:
+                value.setflags(False)
+            elif kind in _CONTAINERS:
+                _freeze((value,))
 
 
 class cached_property(Generic[Value]):  # noqa: N801 - the name of the field
@@ -110,6 +115,13 @@ Indices = NDArray[np.int64]
 Mask = NDArray[np.bool_]
 
 Kind = TypeVar("Kind", bound=np.generic)
+
+
+def boxes_of(groups: Sequence[Array]) -> tuple[Array, Array]:
+    """Return the lowest and highest coordinates of each group of points, each shape (groups, d)."""
+    starts = np.cumsum([0, *(len(points) for points in groups[:-1])])
+    points = np.concatenate(groups)
+    return np.minimum.reduceat(points, starts), np.maximum.reduceat(points, starts)
 
 
 def successors(ring: NDArray[Kind]) -> NDArray[Kind]:

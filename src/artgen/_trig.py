@@ -36,6 +36,12 @@ def cos(angle: Floats | float) -> Array | float:
     return np.exp(1j * angle).real
 
 
+def cos_sin(angle: Floats) -> tuple[Array, Array]:
+    """Return the cosine and the sine of each angle [rad], of any shape."""
+    turn = np.exp(1j * angle)
+    return turn.real, turn.imag
+
+
 @overload
 def arctan2(y: float, x: float) -> float: ...
 @overload

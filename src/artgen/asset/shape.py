@@ -259,6 +259,10 @@ class _MeshShape(_LazyShape):
         return shape.checked().manifold
 
     def bounds(self) -> Array:
+        return self._bounds
+
+    @cached_property
+    def _bounds(self) -> Array:
         return np.array([self.vertices.min(axis=0), self.vertices.max(axis=0)])
 
     @property

@@ -23,7 +23,6 @@ SLIVER = 1e-6
 """Pieces thinner than this are dropped [m]."""
 
 _COPLANAR = 1e-8  # hull points nearer to a face than this lie on it [m]
-_MOST_WORDS = 1 << 20  # most words of vertex contacts that are compared at once
 
 _RIGID = 1e-12  # tolerance of lengths in a rigid motion
 _BOX_SIGNS = np.array([[x, y, z] for x in (-0.5, 0.5) for y in (-0.5, 0.5) for z in (-0.5, 0.5)])
@@ -279,20 +278,15 @@ def _faces(vertices: Array, triangles: Indices) -> tuple[Array, Mask]:
     reach = normals @ vertices.T
     offset = reach.max(axis=1)
     touching = reach >= offset[:, None] - _COPLANAR
-    count = np.add.reduce(touching, axis=1, dtype=np.int64)
-    large = np.flatnonzero(count > 3)
-    if len(large):  # one row per face: the plane of the largest triangle, with all vertices of the face
-        bits = np.zeros((len(count), -(-len(vertices) // 64) * 8), np.uint8)
-        packed = np.packbits(touching, axis=1)
-        bits[:, : packed.shape[1]] = packed
-        words = bits.view(np.uint64)
-        other, rows = ~words[large], np.ones(len(count), np.bool_)
-        at_once = max(_MOST_WORDS // other.size, 1)
-        numbers = np.arange(len(count))
-        for start in range(0, len(count), at_once):
-            some = slice(start, start + at_once)
-            within = (words[some, None] & other == 0).all(axis=2)
-            within &= (count[large] > count[some, None]) | (large < numbers[some, None])
-            rows[some] = ~within.any(axis=1)
-        normals, offset, touching = normals[rows], offset[rows], touching[rows]
+    # one row per face: the plane of the largest triangle, with all vertices of the face
+    fresh: dict[bytes, int] = {}
+    for row, packed in enumerate(np.packbits(touching, axis=1)):
+        fresh.setdefault(packed.tobytes(), row)
+    rows = np.fromiter(fresh.values(), np.int64)
+    on = touching[rows].astype(np.float32)
+    count = on.sum(axis=1)
+    large = count > 3.0
+    within = (on @ on[large].T == count[:, None]) & (count[large] > count[:, None])
+    rows = rows[~within.any(axis=1)]
+    normals, offset, touching = normals[rows], offset[rows], touching[rows]
     return np.column_stack((normals, offset)), touching.T

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from artgen import _trig
-from artgen._arrays import Array, predecessors, successors
+from artgen._arrays import Array, Indices, predecessors, successors
 from artgen.asset.shape import Curve
 from artgen.graph import records
 from artgen.nodes import validators as check
@@ -151,33 +151,32 @@ def arc(
     """
 
 
-def _cubic(controls: Array, steps: int, last: bool) -> tuple[Array, Array]:
-    """Return samples and tangents of a cubic Bezier segment, shape (4, 3); `last` includes its end."""
-    t = (np.arange(steps + 1 if last else steps) / steps)[:, None]
+def _cubics(controls: Array, *, closed: bool) -> tuple[Array, Array]:
+    """Return samples and tangents of cubic Bezier segments that follow each other, shape (k, 4, 3)."""
+    steps = _steps_of(controls)
+    counts = steps + (0 if closed else np.arange(len(steps)) == len(steps) - 1)  # the last has an end
+    segment = np.repeat(np.arange(len(steps)), counts)
+    t = ((np.arange(len(segment)) - (np.cumsum(counts) - counts)[segment]) / steps[segment])[:, None]
     s = 1.0 - t
-    points = (
-        s**3 * controls[0] + 3 * s * s * t * controls[1] + 3 * s * t * t * controls[2] + t**3 * controls[3]
-    )
-    speed = (
-        s * s * (controls[1] - controls[0])
-        + 2.0 * s * t * (controls[2] - controls[1])
-        + t * t * (controls[3] - controls[2])
-    )
-    chord = controls[3] - controls[0]
-    return points, _unit_rows(np.where(np.linalg.norm(speed, axis=1, keepdims=True) < 1e-12, chord, speed))
+    first, second, third, last = controls[segment].transpose(1, 0, 2)
+    points = s**3 * first + 3 * s * s * t * second + 3 * s * t * t * third + t**3 * last
+    speed = s * s * (second - first) + 2.0 * s * t * (third - second) + t * t * (last - third)
+    still = np.linalg.norm(speed, axis=1, keepdims=True) < 1e-12
+    return points, _unit_rows(np.where(still, last - first, speed))
 
 
-def _steps_of(controls: Array) -> int:
-    """Return the number of chords of a Bezier curve: its second differences bound their error."""
-    bend = np.linalg.norm(controls[2:] - 2.0 * controls[1:-1] + controls[:-2], axis=1).max()
-    degree = len(controls) - 1
-    needed = math.sqrt(degree * (degree - 1) * bend / (8.0 * CHORD))
-    return int(min(_MOST_SAMPLES, max(4, math.ceil(needed))))
+def _steps_of(controls: Array) -> Indices:
+    """Return the number of chords of Bezier curves, shape (..., n, 3): second differences bound the error."""
+    second = controls[..., 2:, :] - 2.0 * controls[..., 1:-1, :] + controls[..., :-2, :]
+    bend = np.linalg.norm(second, axis=-1).max(axis=-1)
+    degree = controls.shape[-2] - 1
+    needed = np.sqrt(degree * (degree - 1) * bend / (8.0 * CHORD))
+    return np.asarray(np.clip(np.ceil(needed), 4, _MOST_SAMPLES), np.int64)
 
 
 def _bezier(points: tuple[Array3, ...]) -> Curve:
     controls = check.points("the curve", points or np.zeros((0, 3)), 3, 3)
-    steps = _steps_of(controls)
+    steps = int(_steps_of(controls))
     t = (np.arange(steps + 1) / steps)[:, None]
 
     def value(level: Array) -> Array:
@@ -211,16 +210,12 @@ def _spline(points: tuple[Array3, ...], closed: bool) -> Curve:
         at = int(np.argmin(gap[:segments]))
         raise ValueError(f"points {at} and {(at + 1) % count} of the spline are the same point")
     slopes = _centripetal_slopes(through, closed)
-    samples, tangents = [], []
-    for i in range(segments):
-        a, b = through[i], through[(i + 1) % count]
-        reach = gap[i] / 3.0
-        controls = np.stack([a, a + slopes[i] * reach, b - slopes[(i + 1) % count] * reach, b])
-        last = not closed and i == segments - 1
-        part, directions = _cubic(controls, _steps_of(controls), last)
-        samples.append(part)
-        tangents.append(directions)
-    return Curve(np.concatenate(samples), closed, np.concatenate(tangents))
+    reach = gap[:segments, None] / 3.0
+    start, end = through[:segments], successors(through)[:segments]
+    leave, arrive = slopes[:segments], successors(slopes)[:segments]
+    controls = np.stack((start, start + leave * reach, end - arrive * reach, end), axis=1)
+    samples, tangents = _cubics(controls, closed=closed)
+    return Curve(samples, closed, tangents)
 
 
 def _centripetal_slopes(through: Array, closed: bool) -> Array:

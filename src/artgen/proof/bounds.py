@@ -50,7 +50,7 @@ def _about(motion: Motion, points: Array) -> tuple[Array, Array, Array]:
     feet = origin + np.matmul(relative, motion.axis[:, :, None]) * axis
     arm = points - feet
     across = cross(axis, arm)
-    cosine, sine = (f(motion.center)[:, None, None] for f in (_trig.cos, _trig.sin))
+    cosine, sine = _trig.cos_sin(motion.center[:, None, None])
     return feet, cosine * arm + sine * across, cosine * across - sine * arm
 
 
@@ -94,22 +94,20 @@ def support(motion: Motion, points: Array, normals: Array) -> Array:
 
     The points have shape (N, V, 3) [m], the normals (N, C, 3).
     """
-    columns = normals.transpose(0, 2, 1)
     if motion.kind == "prismatic":
         along = np.matmul(normals, motion.axis[:, :, None])[:, :, 0]
         moved = along * motion.center[:, None] + np.abs(along) * motion.half[:, None]
-        return np.asarray(np.matmul(points, columns).max(axis=1) + moved)
+        return np.asarray(np.matmul(normals, points.transpose(0, 2, 1)).max(axis=2) + moved)
     feet, arm, across = _about(motion, points)
-    level, towards = np.matmul(feet, columns), np.matmul(arm, columns)
-    sideways = np.abs(np.matmul(across, columns))
-    cosine, sine = (f(motion.half)[:, None, None] for f in (_trig.cos, _trig.sin))
-    # the circle `towards cos t + sideways sin t` has its maximum within the interval or at an end
-    swing = np.where(
-        (towards * sine > sideways * cosine) | (motion.half[:, None, None] >= np.pi),
-        np.sqrt(towards * towards + sideways * sideways),
-        towards * cosine + sideways * sine,
-    )
-    return np.asarray((level + swing).max(axis=1))
+    level, towards, sideways = (np.matmul(normals, part.transpose(0, 2, 1)) for part in (feet, arm, across))
+    np.abs(sideways, out=sideways)
+    half = motion.half[:, None, None]
+    cosine, sine = _trig.cos_sin(half)
+    # the circle `towards cos t + sideways sin t` has its maximum at an end of the interval or within it
+    swing = towards * cosine + sideways * sine
+    within = (towards * sine > sideways * cosine) | (half >= np.pi)
+    swing[within] = np.sqrt(towards[within] ** 2 + sideways[within] ** 2)
+    return np.asarray((level + swing).max(axis=2))
 
 
 def gap(first: Array, second: Array, path: Sequence[Motion], frame: int, normals: Array) -> Array:
@@ -129,13 +127,12 @@ def gap(first: Array, second: Array, path: Sequence[Motion], frame: int, normals
         first = enclosing_points(motion.reversed(), first)
     for motion in path[:frame:-1]:
         second = enclosing_points(motion, second)
-    columns = normals.transpose(0, 2, 1)
     if frame == 0:
-        highest = np.matmul(first, columns).max(axis=1)
+        highest = np.matmul(normals, first.transpose(0, 2, 1)).max(axis=2)
     else:
         highest = support(path[frame - 1].reversed(), first, normals)
     if frame == len(path):
-        lowest = np.matmul(second, columns).min(axis=1)
+        lowest = np.matmul(normals, second.transpose(0, 2, 1)).min(axis=2)
     else:
         lowest = -support(path[frame], second, -normals)
     return np.asarray(lowest - highest)

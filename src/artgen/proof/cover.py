@@ -8,7 +8,7 @@ import numpy as np
 from manifold3d import Manifold
 from numpy.typing import NDArray
 
-from artgen._arrays import Array, FrozenArrays, Indices, cached_per_object
+from artgen._arrays import Array, FrozenArrays, Indices, boxes_of, cached_per_object
 from artgen.asset import Link
 from artgen.asset.collision import link_parts
 from artgen.asset.link import MovedLink
@@ -63,8 +63,7 @@ class _Pieces:
     @staticmethod
     def of(pieces: Sequence[Polytope], labels: Sequence[str]) -> "_Pieces":
         """Collect pieces."""
-        low, high = (np.array([end(each.points, axis=0) for each in pieces]) for end in (np.min, np.max))
-        return _Pieces(pieces, np.array(labels), low, high)
+        return _Pieces(pieces, np.array(labels), *boxes_of([each.points for each in pieces]))
 
     def enclose(self, label: str, solid: Shape) -> bool:
         """Tell whether all vertices of a solid lie in one piece, which then contains it."""
@@ -105,7 +104,7 @@ class _Grown:
 
     def _cover(self, solid: Manifold, chosen: Sequence[int]) -> bool:
         """Tell whether the pieces cover a solid, by subtracting them."""
-        rest = solid
+        rest = solid.set_properties(0, lambda *_: None)  # normals and paint only take time
         for group in self._apart(chosen):
             # separate pieces need no boolean with each other
             rest -= Manifold.compose([self._solid(index) for index in group])

@@ -8,7 +8,7 @@ import fcl
 import numpy as np
 from manifold3d import Manifold
 
-from artgen._arrays import Array, Indices, Mask
+from artgen._arrays import Array, Indices, Mask, boxes_of
 from artgen.asset.manifolds import mesh_of
 from artgen.colliders.triangles import cross, hull_of
 
@@ -18,6 +18,7 @@ _CORNERS = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)])
 _SQUARE = np.eye(3)
 _NORMAL_DECIMALS = 9
 _PARALLEL = 0.999  # cosine above which directions count as parallel
+_REQUEST = fcl.DistanceRequest(enable_nearest_points=True, enable_signed_distance=False)
 _TOUCHING = 1e-9  # nodes nearer than this have no direction between them [m]
 
 
@@ -41,7 +42,7 @@ class Hierarchy:
         roots, sizes = [], []
         first_pieces: list[int] = []
         for pieces in links:
-            low, high = (np.array([end(points, axis=0) for points in pieces]) for end in (np.min, np.max))
+            low, high = boxes_of(pieces)
             order: list[int] = []
             roots.append(self._grow(pieces, np.arange(len(pieces)), low, high, order))
             self.orders.append(tuple(order))
@@ -137,13 +138,12 @@ class Hierarchy:
 
         Touching nodes have the distance -1 and the direction 0 [m].
         """
-        request = fcl.DistanceRequest(enable_nearest_points=True, enable_signed_distance=False)
         answer = fcl.DistanceResult()
         moved = self._object(second, self._moving)
         if not self.leaf[second]:
             offset = offset + rotation @ self.center[second]
         moved.setTransform(fcl.Transform(rotation, offset))
-        distance = fcl.distance(self._object(first, self._fixed), moved, request, answer)
+        distance = fcl.distance(self._object(first, self._fixed), moved, _REQUEST, answer)
         if not distance > _TOUCHING:
             return -1.0, np.zeros(3)
         a, b = answer.nearest_points

@@ -37,13 +37,13 @@ class ProofCells:
         return len(self.joint_path)
 
     def __getitem__(self, rows: Indices | Mask | slice) -> "ProofCells":
-        return ProofCells(*(column[rows] for column in vars(self).values()))
+        return ProofCells(*[column[rows] for column in vars(self).values()])
 
     @staticmethod
     def join(parts: "Sequence[ProofCells]") -> "ProofCells":
         """Return the cells of all parts in order."""
         columns = zip(*(vars(part).values() for part in parts), strict=True)
-        return ProofCells(*(np.concatenate(column) for column in columns))
+        return ProofCells(*[np.concatenate(column) for column in columns])
 
     def numbers(self, row: int) -> tuple[int, int, int, int]:
         """Return the joint path, the box and the nodes of a cell."""
@@ -153,7 +153,7 @@ def _rotations(axis: Array, angle: Array) -> Array:
     matrix = np.zeros((len(axis), 3, 3))
     matrix[:, 0, 1], matrix[:, 0, 2], matrix[:, 1, 2] = -z, y, -x
     matrix -= matrix.transpose(0, 2, 1).copy()
-    sine, cosine = _trig.sin(angle)[:, None, None], _trig.cos(angle)[:, None, None]
+    cosine, sine = _trig.cos_sin(angle[:, None, None])
     return np.asarray(np.eye(3) + sine * matrix + (1.0 - cosine) * np.matmul(matrix, matrix))
 
 
