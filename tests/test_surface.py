@@ -51,6 +51,18 @@ def test_every_public_function_and_type_has_a_docstring() -> None:
             assert inspect.getdoc(value), name
 
 
+def test_help_names_the_types_of_arguments_by_their_short_names() -> None:
+    for name in artgen.__all__:
+        value = getattr(artgen, name)
+        if inspect.isfunction(value):
+            shown = str(inspect.signature(value))
+            assert not re.search(r"\bUnion\[|ForwardRef|artgen\.|numpy\.|collections\.", shown), (
+                f"{name}{shown}: begin {value.__module__} with `from __future__ import annotations`"
+            )
+    assert "bevel: 'Scalar'" in str(inspect.signature(artgen.box))
+    assert "at: 'VectorLike'" in str(inspect.signature(artgen.Body.attach))
+
+
 def test_version_is_the_one_that_assets_carry() -> None:
     @artgen.generator
     def cube() -> artgen.Body:

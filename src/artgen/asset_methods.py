@@ -3,6 +3,8 @@
 `artgen/__init__.py` binds them, so that `artgen.asset` imports nothing above itself.
 """
 
+from __future__ import annotations
+
 import math
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -78,7 +80,7 @@ def clearance(self: Asset, q: Mapping[str, float] | None = None) -> dict[tuple[s
     return limits.clearance(self, q)
 
 
-def validate(self: Asset, *, behavior: bool = True) -> "Report":
+def validate(self: Asset, *, behavior: bool = True) -> Report:
     """Export the asset to a temporary directory and run every check on the files.
 
     Args:
@@ -119,7 +121,7 @@ def export(
     )
 
 
-def to_mjspec(self: Asset, *, textures: int = 512) -> "mujoco.MjSpec":
+def to_mjspec(self: Asset, *, textures: int = 512) -> mujoco.MjSpec:
     """Return the asset as an editable model of MuJoCo, as exported; see `artgen.export.objects.mjspec`."""
     from artgen.export import objects
 
@@ -128,14 +130,14 @@ def to_mjspec(self: Asset, *, textures: int = 512) -> "mujoco.MjSpec":
 
 def to_trimesh(
     self: Asset, q: Mapping[str, float] | None = None, *, colliders: bool = False, textures: int = 512
-) -> "trimesh.Scene":
+) -> trimesh.Scene:
     """Return the asset at a pose as a scene; see `artgen.export.objects.trimesh_scene`."""
     from artgen.export import objects
 
     return objects.trimesh_scene(self, q, textures, colliders=colliders)
 
 
-def to_usd(self: Asset, *, textures: int = 512) -> "Usd.Stage":
+def to_usd(self: Asset, *, textures: int = 512) -> Usd.Stage:
     """Return the asset as a USD stage in memory, as exported; see `artgen.export.objects.usd_stage`."""
     from artgen.export import objects
 
@@ -146,19 +148,19 @@ def render(
     self: Asset,
     q: Mapping[str, float] | None = None,
     *,
-    camera: "Camera | View | str | None" = None,
+    camera: Camera | View | str | None = None,
     size: int | tuple[int, int] = 768,
     studio: Literal["studio", "room", "none"] = "studio",
     textures: int = 512,
     samples: int = 8,
-) -> "Picture":
+) -> Picture:
     """Render a picture of the asset, with masks, depth and normals; see `artgen.view.render`."""
     from artgen import view
 
     return view.render(self, q, camera=camera, size=size, studio=studio, textures=textures, samples=samples)
 
 
-def show(self: Asset, *, textures: int = 512, height: int = 600) -> "Page":
+def show(self: Asset, *, textures: int = 512, height: int = 600) -> Page:
     """Return a page with a slider for each joint, which notebooks show; see `artgen.view.page_of`."""
     from artgen.view import page_of
 

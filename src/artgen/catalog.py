@@ -1,5 +1,7 @@
 """The catalog: categories of artgen and of other packages, by name or by file."""
 
+from __future__ import annotations
+
 import functools
 import hashlib
 import re

@@ -9,6 +9,8 @@ with `rotate` for another face: `fittings.caster().rotate(X, pi / 2)` is for an 
 gives copies names of their own. All lengths are in meters.
 """
 
+from __future__ import annotations
+
 import math
 from collections.abc import Sequence
 from typing import Literal

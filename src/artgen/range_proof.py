@@ -1,5 +1,7 @@
 """Range proof of a category: certificates of samples and of corners of its parameter ranges."""
 
+from __future__ import annotations
+
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, Literal

@@ -1,5 +1,7 @@
 """Endless assets for training, generated on demand."""
 
+from __future__ import annotations
+
 import logging
 import sys
 from collections.abc import Iterable, Iterator

@@ -1,5 +1,7 @@
 """Decorators that make generators, and the registry of categories."""
 
+from __future__ import annotations
+
 import typing
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager

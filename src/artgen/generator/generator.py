@@ -1,5 +1,7 @@
 """The generator: it samples parameters, builds and caches graphs, and evaluates them to assets."""
 
+from __future__ import annotations
+
 import atexit
 import functools
 import gc

@@ -1,5 +1,7 @@
 """Materials that vary between assets, like batches of paint and boards of one species."""
 
+from __future__ import annotations
+
 import zlib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass

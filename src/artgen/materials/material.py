@@ -1,5 +1,7 @@
 """Materials: OpenPBR names for appearance, SI units for physics; `materials.json` is their table."""
 
+from __future__ import annotations
+
 import json
 import math
 import re
@@ -110,7 +112,7 @@ class Material:
         """A stable positive number for the name, which marks painted faces of a mesh."""
         return zlib.crc32(self.name.encode()) | 1
 
-    def with_(self, **changes: Any) -> "Material":
+    def with_(self, **changes: Any) -> Material:
         """Return a copy with changed fields, e.g. a color drawn for one asset; change its name as well.
 
         Raises:
@@ -129,7 +131,7 @@ class Material:
         return {name: list(value) if isinstance(value, tuple) else value for name, value in values.items()}
 
     @staticmethod
-    def from_data(data: dict[str, Any]) -> "Material":
+    def from_data(data: dict[str, Any]) -> Material:
         """Return the object of data from `to_data`."""
         return Material(**data)
 

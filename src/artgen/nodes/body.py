@@ -1,5 +1,7 @@
 """Bodies: parts become links, joints join them; masses and allowed contacts."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial

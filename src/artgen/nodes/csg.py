@@ -3,6 +3,8 @@
 Surfaces keep their normals, texture coordinates and paint; a cut face has those of the cutting solid.
 """
 
+from __future__ import annotations
+
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace

@@ -1,5 +1,7 @@
 """Extrusion of a profile, revolution about an axis, and half sections for it."""
 
+from __future__ import annotations
+
 import math
 from collections.abc import Callable, Sequence
 

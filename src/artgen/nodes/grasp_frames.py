@@ -1,5 +1,7 @@
 """Frames at which hands act, given by the author or found on a solid."""
 
+from __future__ import annotations
+
 from typing import Annotated, Any, ClassVar
 
 import numpy as np

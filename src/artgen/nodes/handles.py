@@ -1,5 +1,7 @@
 """Typed handles for authors: profiles, paths, solids, bodies (scalars are in `scalar_handles`)."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from typing import Any, ClassVar, Literal, NoReturn
 
@@ -58,35 +60,35 @@ class Profile(Handle):
     __slots__ = ()
     value_type: ClassVar[Any] = Outline
 
-    def __or__(self, other: "Profile") -> "Profile":
+    def __or__(self, other: Profile) -> Profile:
         """Unite."""
         return Profile.record("profile_union", a=self, b=other)
 
-    def __and__(self, other: "Profile") -> "Profile":
+    def __and__(self, other: Profile) -> Profile:
         """Intersect."""
         return Profile.record("profile_intersection", a=self, b=other)
 
-    def __sub__(self, other: "Profile") -> "Profile":
+    def __sub__(self, other: Profile) -> Profile:
         """Cut away."""
         return Profile.record("profile_difference", a=self, b=other)
 
-    def at(self, x: Scalar, y: Scalar = 0.0) -> "Profile":
+    def at(self, x: Scalar, y: Scalar = 0.0) -> Profile:
         """Move by x and y [m]."""
         return Profile.record("profile_translate", profile=self, x=x, y=y)
 
-    def rotate(self, angle: Scalar) -> "Profile":
+    def rotate(self, angle: Scalar) -> Profile:
         """Turn counter-clockwise about the origin by an angle [rad]."""
         return Profile.record("profile_rotate", profile=self, angle=angle)
 
-    def scale(self, x: Scalar, y: Scalar | None = None) -> "Profile":
+    def scale(self, x: Scalar, y: Scalar | None = None) -> Profile:
         """Scale about the origin; by `x` in both directions unless `y` is given."""
         return Profile.record("profile_scale", profile=self, x=x, y=x if y is None else y)
 
-    def offset(self, distance: Scalar, *, join: Literal["round", "miter"] = "round") -> "Profile":
+    def offset(self, distance: Scalar, *, join: Literal["round", "miter"] = "round") -> Profile:
         """Grow by a distance, or shrink by a negative one [m]; `join` is the shape of the corners."""
         return Profile.record("offset", profile=self, distance=distance, join=join)
 
-    def mirror(self, x: Scalar = 1.0, y: Scalar = 0.0) -> "Profile":
+    def mirror(self, x: Scalar = 1.0, y: Scalar = 0.0) -> Profile:
         """Reflect in the line through the origin whose normal is (x, y)."""
         return Profile.record("profile_mirror", profile=self, x=x, y=y)
 
@@ -130,19 +132,19 @@ class Solid(Handle):
     __slots__ = ()
     value_type: ClassVar[Any] = Shape
 
-    def __or__(self, other: "Solid") -> "Solid":
+    def __or__(self, other: Solid) -> Solid:
         """Unite."""
         return Solid.record("union", solids=(self, other))
 
-    def __and__(self, other: "Solid") -> "Solid":
+    def __and__(self, other: Solid) -> Solid:
         """Intersect."""
         return Solid.record("intersection", a=self, b=other)
 
-    def __sub__(self, other: "Solid") -> "Solid":
+    def __sub__(self, other: Solid) -> Solid:
         """Cut away."""
         return Solid.record("difference", a=self, b=other)
 
-    def split(self, *, point: VectorLike, normal: VectorLike) -> "Solid":
+    def split(self, *, point: VectorLike, normal: VectorLike) -> Solid:
         """Keep the part on the side of a plane to which the normal points.
 
         Args:
@@ -151,28 +153,28 @@ class Solid(Handle):
         """
         return Solid.record("split", solid=self, point=point, normal=normal)
 
-    def at(self, x: "Scalar | VectorLike" = 0.0, y: Scalar = 0.0, z: Scalar = 0.0) -> "Solid":
+    def at(self, x: Scalar | VectorLike = 0.0, y: Scalar = 0.0, z: Scalar = 0.0) -> Solid:
         """Move by a vector, or by x, y and z [m]."""
         return Solid.record("translate", solid=self, offset=offset_of(x, y, z))
 
-    def rotate(self, axis: VectorLike, angle: Scalar, *, about: VectorLike = (0.0, 0.0, 0.0)) -> "Solid":
+    def rotate(self, axis: VectorLike, angle: Scalar, *, about: VectorLike = (0.0, 0.0, 0.0)) -> Solid:
         """Turn about an axis through the point `about` by an angle [rad]."""
         return Solid.record("rotate", solid=self, axis=axis, angle=angle, about=about)
 
-    def scale(self, x: Scalar, y: Scalar | None = None, z: Scalar | None = None) -> "Solid":
+    def scale(self, x: Scalar, y: Scalar | None = None, z: Scalar | None = None) -> Solid:
         """Scale about the origin; by `x` in all directions unless the others are given."""
         factors = (x, x if y is None else y, x if z is None else z)
         return Solid.record("scale", solid=self, factors=factors)
 
-    def mirror(self, normal: VectorLike) -> "Solid":
+    def mirror(self, normal: VectorLike) -> Solid:
         """Reflect in the plane through the origin with that normal."""
         return Solid.record("mirror", solid=self, normal=normal)
 
-    def align(self, to: VectorLike, *, x: Scalar = 0.0, y: Scalar = 0.0, z: Scalar = 0.0) -> "Solid":
+    def align(self, to: VectorLike, *, x: Scalar = 0.0, y: Scalar = 0.0, z: Scalar = 0.0) -> Solid:
         """Move so that the anchor (x, y, z), each in -1..1, of the bounding box comes to a point [m]."""
         return Solid.record("align", solid=self, to=to, x=x, y=y, z=z)
 
-    def paint(self, material: Material) -> "Solid":
+    def paint(self, material: Material) -> Solid:
         """Give all faces their own material, which stays on them through booleans."""
         return Solid.record("paint", solid=self, material=material)
 
@@ -184,7 +186,7 @@ class Solid(Handle):
         """Return the lengths of the bounding box [m]."""
         return Vector.record("size", solid=self)
 
-    def bounds(self) -> "Points":
+    def bounds(self) -> Points:
         """Return the two extreme corners of the bounding box, lowest first [m]."""
         return Points.record("bounds", solid=self)
 
@@ -235,7 +237,7 @@ class Body(Handle):
         """Return the center of mass with all links joined to this one, at rest [m]."""
         return Vector.record("center_of_mass", body=self)
 
-    def attach(self, child: "Body", *joints: Any, at: VectorLike = (0.0, 0.0, 0.0)) -> "Body":
+    def attach(self, child: Body, *joints: Any, at: VectorLike = (0.0, 0.0, 0.0)) -> Body:
         """Join a child by one joint, or by several that act in order, the first nearest to this body.
 
         Args:
@@ -252,11 +254,11 @@ class Body(Handle):
 
     def attach_pair(
         self,
-        child: "Body",
+        child: Body,
         *joints: Any,
         normal: VectorLike = (1.0, 0.0, 0.0),
         suffixes: tuple[str, str] = ("_right", "_left"),
-    ) -> "Body":
+    ) -> Body:
         """Join a child, and its mirror image with mirrored joints, which move alike.
 
         Args:
@@ -274,7 +276,7 @@ class Body(Handle):
             "attach_pair", parent=self, child=child, joints=joints, normal=normal, suffixes=suffixes
         )
 
-    def cut(self, tool: Solid) -> "Body":
+    def cut(self, tool: Solid) -> Body:
         """Cut a solid out of all pieces of this link; pieces that it contains vanish.
 
         Examples:
@@ -283,7 +285,7 @@ class Body(Handle):
         """
         return Body.record("cut", body=self, tool=tool)
 
-    def install(self, fitting: Any, *, at: VectorLike = (0.0, 0.0, 0.0)) -> "Body":
+    def install(self, fitting: Any, *, at: VectorLike = (0.0, 0.0, 0.0)) -> Body:
         """Install a `Fitting`: cut its hole, weld its fixed parts to this link, and join its moving links.
 
         Args:
@@ -301,7 +303,7 @@ class Body(Handle):
         host = self if placed.cut is None else self.cut(placed.cut)
         return Body.record("weld", bodies=(host, placed.body))
 
-    def repeat(self, child: Any, *joints: Any, at: PointsLike, around: VectorLike | None = None) -> "Body":
+    def repeat(self, child: Any, *joints: Any, at: PointsLike, around: VectorLike | None = None) -> Body:
         """Join a copy of a child at each point, with copies of its joints, suffixed `_0`, `_1`, ...
 
         Args:
@@ -327,7 +329,7 @@ class Body(Handle):
         holes = Solid.record("array", solid=child.cut, at=at, around=around)
         return Body.record("weld", bodies=(self.cut(holes), copies))
 
-    def allow_contact(self, a: str, b: str, *, depth: Scalar, reason: str = "", when: Any = None) -> "Body":
+    def allow_contact(self, a: str, b: str, *, depth: Scalar, reason: str = "", when: Any = None) -> Body:
         """Allow pieces of two links to touch or to penetrate each other, like a gasket and its frame.
 
         Args:
@@ -354,19 +356,19 @@ class Body(Handle):
             )
         return Body.record("allow_contact", body=self, a=a, b=b, depth=depth, reason=reason, when=when)
 
-    def at(self, x: "Scalar | VectorLike" = 0.0, y: Scalar = 0.0, z: Scalar = 0.0) -> "Body":
+    def at(self, x: Scalar | VectorLike = 0.0, y: Scalar = 0.0, z: Scalar = 0.0) -> Body:
         """Move by a vector, or by x, y and z [m]."""
         return Body.record("translate_body", body=self, offset=offset_of(x, y, z))
 
-    def rotate(self, axis: VectorLike, angle: Scalar, *, about: VectorLike = (0.0, 0.0, 0.0)) -> "Body":
+    def rotate(self, axis: VectorLike, angle: Scalar, *, about: VectorLike = (0.0, 0.0, 0.0)) -> Body:
         """Turn about an axis through the point `about` by an angle [rad]."""
         return Body.record("rotate_body", body=self, axis=axis, angle=angle, about=about)
 
-    def mirror(self, normal: VectorLike) -> "Body":
+    def mirror(self, normal: VectorLike) -> Body:
         """Reflect in the plane through the origin with that normal."""
         return Body.record("mirror_body", body=self, normal=normal)
 
-    def suffixed(self, suffix: str) -> "Body":
+    def suffixed(self, suffix: str) -> Body:
         """Add a suffix to the names of all its links, joints, grasps and pushes."""
         return Body.record("suffix", body=self, suffix=suffix)
 

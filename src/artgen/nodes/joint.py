@@ -1,5 +1,7 @@
 """Joints, couplings between them, conditions on their positions, and dependencies on conditions."""
 
+from __future__ import annotations
+
 import inspect
 from dataclasses import dataclass, fields, replace
 from typing import Any, ClassVar, Literal
@@ -23,19 +25,19 @@ class Condition(Handle):
     __slots__ = ()
     value_type: ClassVar[Any] = AssetCondition
 
-    def __and__(self, other: "Condition") -> "Condition":
+    def __and__(self, other: Condition) -> Condition:
         """Intersect two regions."""
         return Condition.record("condition_all", a=self, b=other)
 
-    def __or__(self, other: "Condition") -> "Condition":
+    def __or__(self, other: Condition) -> Condition:
         """Unite two regions."""
         return Condition.record("condition_any", a=self, b=other)
 
-    def until(self, position: Scalar) -> "Dependency":
+    def until(self, position: Scalar) -> Dependency:
         """Limit the dependency to positions of the dependent joint below a value [rad or m]."""
         return Dependency.record("dependency", condition=self, until=position)
 
-    def beyond(self, position: Scalar) -> "Dependency":
+    def beyond(self, position: Scalar) -> Dependency:
         """Limit the dependency to positions of the dependent joint beyond a value [rad or m].
 
         Up to the value the joint is free, like a drawer that is slightly behind a door.
@@ -49,11 +51,11 @@ class Dependency(Handle):
     __slots__ = ()
     value_type: ClassVar[Any] = AssetDependency
 
-    def until(self, position: Scalar) -> "Dependency":
+    def until(self, position: Scalar) -> Dependency:
         """Limit the dependency to positions of the dependent joint below a value [rad or m]."""
         return Dependency.record("dependency_until", needs=self, position=position)
 
-    def beyond(self, position: Scalar) -> "Dependency":
+    def beyond(self, position: Scalar) -> Dependency:
         """Limit the dependency to positions of the dependent joint beyond a value [rad or m]."""
         return Dependency.record("dependency_beyond", needs=self, position=position)
 
@@ -126,35 +128,35 @@ class _Leader(Handle):
 
     __slots__ = ()
 
-    def __mul__(self, ratio: Scalar) -> "Coupling":
+    def __mul__(self, ratio: Scalar) -> Coupling:
         """Multiply the ratio of the follower."""
         return Coupling.record("coupling_scale", coupling=self, factor=ratio)
 
-    def __add__(self, offset: Scalar) -> "Coupling":
+    def __add__(self, offset: Scalar) -> Coupling:
         """Shift the follower [rad or m]."""
         return Coupling.record("coupling_shift", coupling=self, by=offset)
 
-    def __sub__(self, offset: Scalar) -> "Coupling":
+    def __sub__(self, offset: Scalar) -> Coupling:
         """Shift the follower back [rad or m]."""
         return self + (-offset)
 
-    def __rsub__(self, offset: Scalar) -> "Coupling":
+    def __rsub__(self, offset: Scalar) -> Coupling:
         """Reverse the follower and shift it [rad or m]."""
         return -self + offset
 
-    def __truediv__(self, divisor: Scalar) -> "Coupling":
+    def __truediv__(self, divisor: Scalar) -> Coupling:
         """Divide the ratio of the follower."""
         return self * Float.record("divide", a=1.0, b=divisor)
 
-    def __neg__(self) -> "Coupling":
+    def __neg__(self) -> Coupling:
         """Reverse the follower."""
         return self * -1.0
 
-    def __radd__(self, offset: Scalar) -> "Coupling":
+    def __radd__(self, offset: Scalar) -> Coupling:
         """Shift the follower [rad or m]."""
         return self + offset
 
-    def __rmul__(self, ratio: Scalar) -> "Coupling":
+    def __rmul__(self, ratio: Scalar) -> Coupling:
         """Multiply the ratio of the follower."""
         return self * ratio
 

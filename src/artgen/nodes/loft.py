@@ -1,5 +1,7 @@
 """Lofts: straight sides between profiles at different heights."""
 
+from __future__ import annotations
+
 import math
 from collections.abc import Sequence
 

@@ -1,5 +1,7 @@
 """Paths: lines in space that sweeps follow."""
 
+from __future__ import annotations
+
 import math
 from collections.abc import Sequence
 

@@ -1,5 +1,7 @@
 """Primitive solids, centered on the origin unless stated otherwise."""
 
+from __future__ import annotations
+
 import math
 
 import numpy as np

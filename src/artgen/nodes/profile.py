@@ -3,6 +3,8 @@
 Profiles are centered on the origin unless stated otherwise. `a | b`, `a - b` and `a & b` combine them.
 """
 
+from __future__ import annotations
+
 import math
 from collections.abc import Sequence
 from typing import Literal

@@ -1,5 +1,7 @@
 """Regions: boxes of planned space, from which parts take their sizes and places before any solid exists."""
 
+from __future__ import annotations
+
 from typing import NamedTuple
 
 from artgen.nodes.handles import Profile, Scalar, Solid, Span, Vector, VectorLike
@@ -26,7 +28,7 @@ class Extent(NamedTuple):
         """Return the coordinate at a share of the length, 0 at `low` and 1 at `high` [m]."""
         return self.low + share * self.size
 
-    def split(self, *lengths: Scalar | None, gap: Scalar = 0.0) -> list["Extent"]:
+    def split(self, *lengths: Scalar | None, gap: Scalar = 0.0) -> list[Extent]:
         """Divide the extent from `low` on into lengths; one length may be None and takes the rest [m]."""
         rest = self.size - gap * (len(lengths) - 1)
         for length in lengths:
@@ -38,7 +40,7 @@ class Extent(NamedTuple):
             start = end + gap
         return parts
 
-    def parts(self, count: int, gap: Scalar = 0.0) -> list["Extent"]:
+    def parts(self, count: int, gap: Scalar = 0.0) -> list[Extent]:
         """Divide the extent into equal parts with gaps between them [m]."""
         length = (self.size - gap * (count - 1)) / count
         starts = [self.low + index * (length + gap) for index in range(count)]
@@ -75,12 +77,12 @@ class Region:
         self.x, self.y, self.z = Extent(*x), Extent(*y), Extent(*z)
 
     @classmethod
-    def centered(cls, x: Scalar, y: Scalar, z: Scalar) -> "Region":
+    def centered(cls, x: Scalar, y: Scalar, z: Scalar) -> Region:
         """Return the region of three lengths about the origin [m]."""
         return cls((-x / 2, x / 2), (-y / 2, y / 2), (-z / 2, z / 2))
 
     @classmethod
-    def between(cls, low: VectorLike, high: VectorLike) -> "Region":
+    def between(cls, low: VectorLike, high: VectorLike) -> Region:
         """Return the region between its lowest and its highest corner [m]."""
         pairs = zip(_components(low), _components(high), strict=True)
         return cls(*pairs)
@@ -106,16 +108,16 @@ class Region:
             ends.append(exact[share] if share in exact else extent.mid + share / 2 * extent.size)
         return (ends[0], ends[1], ends[2])
 
-    def with_(self, *, x: Span | None = None, y: Span | None = None, z: Span | None = None) -> "Region":
+    def with_(self, *, x: Span | None = None, y: Span | None = None, z: Span | None = None) -> Region:
         """Replace the extent along some axes."""
         return Region(self.x if x is None else x, self.y if y is None else y, self.z if z is None else z)
 
-    def at(self, x: Scalar = 0.0, y: Scalar = 0.0, z: Scalar = 0.0) -> "Region":
+    def at(self, x: Scalar = 0.0, y: Scalar = 0.0, z: Scalar = 0.0) -> Region:
         """Move by x, y and z [m]."""
         pairs = zip((self.x, self.y, self.z), (x, y, z), strict=True)
         return Region(*((extent.low + by, extent.high + by) for extent, by in pairs))
 
-    def mirror(self) -> "Region":
+    def mirror(self) -> Region:
         """Reflect in the plane x = 0."""
         return self.with_(x=(-self.x.high, -self.x.low))
 
@@ -132,7 +134,7 @@ class Region:
         back: Scalar | None = None,
         bottom: Scalar | None = None,
         top: Scalar | None = None,
-    ) -> "Region":
+    ) -> Region:
         """Move sides inward [m].
 
         Args:
@@ -157,39 +159,39 @@ class Region:
             shorter(self.x, x, left, right), shorter(self.y, y, front, back), shorter(self.z, z, bottom, top)
         )
 
-    def grow(self, all: Scalar = 0.0, **sides: Scalar) -> "Region":
+    def grow(self, all: Scalar = 0.0, **sides: Scalar) -> Region:
         """Move sides outward; the arguments are those of `shrink` [m]."""
         return self.shrink(-all, **{name: -distance for name, distance in sides.items()})
 
-    def columns(self, count: int, gap: Scalar = 0.0) -> list["Region"]:
+    def columns(self, count: int, gap: Scalar = 0.0) -> list[Region]:
         """Divide into equal columns from left to right."""
         return [self.with_(x=part) for part in self.x.parts(count, gap)]
 
-    def layers(self, count: int, gap: Scalar = 0.0) -> list["Region"]:
+    def layers(self, count: int, gap: Scalar = 0.0) -> list[Region]:
         """Divide into equal layers from the front to the back."""
         return [self.with_(y=part) for part in self.y.parts(count, gap)]
 
-    def rows(self, count: int, gap: Scalar = 0.0) -> list["Region"]:
+    def rows(self, count: int, gap: Scalar = 0.0) -> list[Region]:
         """Divide into equal rows from the bottom to the top."""
         return [self.with_(z=part) for part in self.z.parts(count, gap)]
 
-    def grid(self, columns: int, rows: int, gap: Scalar = 0.0) -> list["Region"]:
+    def grid(self, columns: int, rows: int, gap: Scalar = 0.0) -> list[Region]:
         """Divide into equal cells in reading order: from the top left, row by row."""
         return [cell for row in reversed(self.rows(rows, gap)) for cell in row.columns(columns, gap)]
 
-    def across(self, *widths: Scalar | None, gap: Scalar = 0.0) -> list["Region"]:
+    def across(self, *widths: Scalar | None, gap: Scalar = 0.0) -> list[Region]:
         """Divide from left to right into widths; one of them may be None and takes the rest [m]."""
         return [self.with_(x=part) for part in self.x.split(*widths, gap=gap)]
 
-    def deep(self, *depths: Scalar | None, gap: Scalar = 0.0) -> list["Region"]:
+    def deep(self, *depths: Scalar | None, gap: Scalar = 0.0) -> list[Region]:
         """Divide from the front to the back into depths; one of them may be None and takes the rest [m]."""
         return [self.with_(y=part) for part in self.y.split(*depths, gap=gap)]
 
-    def stack(self, *heights: Scalar | None, gap: Scalar = 0.0) -> list["Region"]:
+    def stack(self, *heights: Scalar | None, gap: Scalar = 0.0) -> list[Region]:
         """Divide from the top to the bottom into heights; one of them may be None and takes the rest [m]."""
         return [self.with_(z=part) for part in reversed(self.z.split(*reversed(heights), gap=gap))]
 
-    def around(self, hole: "Region", *, lap: Scalar = 0.0) -> list["Region"]:
+    def around(self, hole: Region, *, lap: Scalar = 0.0) -> list[Region]:
         """Return the regions at the left, at the right, below and above a hole through the front.
 
         Args:

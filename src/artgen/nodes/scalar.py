@@ -1,5 +1,7 @@
 """Numbers and truth values: arithmetic, functions, logic, choice between values, and requirements."""
 
+from __future__ import annotations
+
 import math
 from typing import Any, TypeVar, overload
 

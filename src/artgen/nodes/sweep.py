@@ -1,5 +1,7 @@
 """Sweeps of a profile along a path."""
 
+from __future__ import annotations
+
 import math
 from collections.abc import Sequence
 

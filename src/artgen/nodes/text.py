@@ -1,5 +1,7 @@
 """Text: the outlines of a string as a profile."""
 
+from __future__ import annotations
+
 import functools
 from collections.abc import Iterator, Sequence
 from io import BytesIO

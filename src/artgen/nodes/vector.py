@@ -1,5 +1,7 @@
 """Vectors and lists of points: components, products, rotation, rows, grids and rings."""
 
+from __future__ import annotations
+
 import numpy as np
 
 from artgen import _trig

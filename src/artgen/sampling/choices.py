@@ -1,5 +1,7 @@
 """Distributions over options, and distributions that depend on an option."""
 
+from __future__ import annotations
+
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any

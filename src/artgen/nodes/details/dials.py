@@ -1,5 +1,7 @@
 """Scales, bands and pointers of knobs; angles are clockwise from the top."""
 
+from __future__ import annotations
+
 import math
 from collections.abc import Sequence
 from typing import Literal

@@ -1,5 +1,7 @@
 """Displays: a dark pane with luminous seven-segment figures, or a grey pane with black figures."""
 
+from __future__ import annotations
+
 import math
 from typing import Literal
 

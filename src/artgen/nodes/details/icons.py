@@ -3,6 +3,8 @@
 It has paths with absolute coordinates, circles, arcs as circles with one dash, groups and copies.
 """
 
+from __future__ import annotations
+
 import math
 import re
 from collections.abc import Iterable

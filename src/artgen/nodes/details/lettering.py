@@ -1,5 +1,7 @@
 """Lettering: spaced capitals, blocks of small print, word marks and invented brands."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from typing import Literal
 

@@ -1,5 +1,7 @@
 """Rating plates: the small print on the back of an appliance."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 
 from artgen.errors import BuildError

@@ -4,6 +4,8 @@ Wires touch within 2 micrometres instead of overlapping: no boolean is needed, m
 straight wire collides as its own capsule.
 """
 
+from __future__ import annotations
+
 import math
 from typing import Literal
 

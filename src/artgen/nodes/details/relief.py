@@ -1,5 +1,7 @@
 """Reliefs of profiles on faces and on turned solids: print, raised letters and engraving."""
 
+from __future__ import annotations
+
 import math
 from collections.abc import Sequence
 

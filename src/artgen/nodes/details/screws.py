@@ -1,5 +1,7 @@
 """Visible heads of screws and rivets with a real recess, of at most 200 triangles."""
 
+from __future__ import annotations
+
 import math
 from typing import Literal
 

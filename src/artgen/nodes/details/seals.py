@@ -1,5 +1,7 @@
 """Seals and feet: gaskets around doors, feet under appliances."""
 
+from __future__ import annotations
+
 import math
 from typing import Literal
 

@@ -1,5 +1,7 @@
 """Vents: perforated sheets and rows of slots."""
 
+from __future__ import annotations
+
 import math
 from typing import Literal
 
