@@ -1,5 +1,6 @@
 """The graph of one sample has no nodes for known numbers; assets and errors are those of other graphs."""
 
+import gc
 import math
 from functools import partial
 
@@ -8,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from artgen.catalog import categories, find
-from artgen.errors import ArtgenError, BuildError, EvaluationError, InfeasibleError
+from artgen.errors import ArtgenError, BuildError, EvaluationError, InfeasibleError, ParameterError
 from artgen.export.files import encode
 from artgen.generator import generator
 from artgen.graph import Cache, Graph
@@ -134,3 +135,26 @@ def test_only_the_graph_of_a_single_sample_is_folded():
     assert not folded.parameters
     assert len(folded.nodes) < 0.6 * len(door.graph(3).nodes)
     assert door.graph(3).parameters
+
+
+def test_the_garbage_collector_is_paused_only_during_an_evaluation() -> None:
+    during: list[bool] = []
+
+    @generator
+    def probe() -> Body:
+        """Make a block."""
+        during.append(gc.isenabled())
+        return part(box(0.1, 0.1, 0.1), "block", material("oak"))
+
+    try:
+        for enabled in (True, False):
+            (gc.enable if enabled else gc.disable)()
+            probe.generate(0)
+            assert gc.isenabled() is enabled
+            with pytest.raises(ParameterError):
+                probe.generate(-1)
+            assert gc.isenabled() is enabled
+    finally:
+        gc.enable()
+    assert during
+    assert not any(during)
