@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import artgen
-from artgen import ArtgenError, ParameterError, catalog
+from artgen import ArtgenError, catalog
 from artgen.generator.parameter import Variant
 from artgen.graph.handle import folding
 
@@ -35,21 +35,8 @@ def test_an_override_acts_or_is_refused_or_absent(name: str) -> None:
             assert others - {made, ""}, f"{parameter} = {given!r} changes nothing"
 
 
-def test_another_value_than_the_only_one_is_refused_with_the_deciding_parameter() -> None:
-    with pytest.raises(ParameterError) as refused:
-        artgen.generate("refrigerator", layout="single", water=True)
-    assert str(refused.value) == (
-        "water = True is not allowed with layout = 'single': it must be False; "
-        "set layout to 'french' or 'side_by_side' as well"
-    )
-
-
-def test_the_only_value_and_values_of_other_cases_are_allowed() -> None:
-    refrigerator = catalog.find("refrigerator")
-    assert refrigerator.sample(0, overrides={"layout": "single", "water": False})["water"] is False
-    assert refrigerator.sample(0, overrides={"layout": "french", "water": True})["water"] is True
-
-
-def test_a_sub_generator_other_than_that_of_the_grip_is_refused() -> None:
-    with pytest.raises(ParameterError, match="handle = 'bar_pull' is not allowed with grip = 'knob'"):
-        catalog.find("cabinet").sample(0, overrides={"grip": "knob", "handle": "bar_pull"})
+def test_a_refrigerator_claims_no_dispenser_that_it_does_not_have() -> None:
+    single = artgen.generate("refrigerator", layout="single", water=True, certify=False)
+    assert "water" not in single.parameters
+    french = artgen.generate("refrigerator", layout="french", water=True, certify=False)
+    assert french.parameters["water"] is True

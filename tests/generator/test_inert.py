@@ -6,7 +6,6 @@ import pytest
 
 from artgen import Body, Bool, Float, box, by, choice, generator, part, switch, uniform
 from artgen import material as material_of
-from artgen.errors import ParameterError
 
 OAK = material_of("oak")
 
@@ -51,10 +50,5 @@ def test_without_overrides_every_draw_is_recorded() -> None:
     assert set(inert_block.generate(0, certify=False).parameters) == set(inert_block.own)
 
 
-def test_a_value_beside_the_only_one_names_what_decides_and_what_allows_it() -> None:
-    with pytest.raises(ParameterError) as refused:
-        inert_block.generate(0, style="plain", size=0.25)
-    assert str(refused.value) == (
-        "size = 0.25 is not allowed with style = 'plain': it must be 0.1; set style to 'tall' as well"
-    )
-    assert inert_block.generate(0, style="plain", size=0.1).parameters["size"] == 0.1
+def test_a_value_beside_the_only_one_of_a_style_acts() -> None:
+    assert inert_block.generate(0, style="plain", size=0.25).parameters["size"] == 0.25

@@ -11,7 +11,6 @@ from artgen.errors import ParameterError, nearest
 from artgen.generator.parameter import Parameter, Variant, is_variant
 from artgen.sampling import Distribution, Fixed, stream
 from artgen.sampling.choices import By, case_key
-from artgen.sampling.distributions import shown as quoted
 
 _LIKE = 0.8  # likeness of names from which a description is not searched
 
@@ -155,44 +154,6 @@ class Draw:
         for name, parameter in parameters.items():
             if parameter in self.overrides:
                 self.overridden[short + name] = parameter
-                _check_fixed(parameters, name, short, drawn)
-
-
-def _check_fixed(own: Mapping[str, Parameter], name: str, short: str, drawn: Mapping[str, Any]) -> None:
-    """Refuse another value than the only one that the parameter has for the drawn structural values."""
-    path, case = [], own[name].distribution
-    while isinstance(case, By):
-        path.append(case)
-        found = case.case(drawn[case.parameter])
-        if found is None:
-            return
-        case = found
-    if not path or not isinstance(case, Fixed) or case_key(case.value) == case_key(drawn[name]):
-        return
-    given = " and ".join(f"{short}{each.parameter} = {_quoted(drawn[each.parameter])}" for each in path)
-    message = f"{short}{name} = {_quoted(drawn[name])} is not allowed with {given}"
-    message += f": it must be {_quoted(case.value)}"
-    for decider in path:  # the first one with other values that allow the override
-        options = own[decider.parameter].distribution.support()
-        allowing = [option for option in options if _allows(decider.case(option), drawn[name])]
-        if allowing:
-            values = " or ".join(dict.fromkeys(map(_quoted, allowing)))
-            message += f"; set {short}{decider.parameter} to {values} as well"
-            break
-    raise ParameterError(message)
-
-
-def _allows(case: Distribution | None, value: Any) -> bool:
-    """Tell whether one of the distributions of a case can give a value."""
-    leaves = () if case is None else case.leaves()
-    return any(
-        not leaf.discrete or case_key(value) in [case_key(item) for item in leaf.support()] for leaf in leaves
-    )
-
-
-def _quoted(value: Any) -> str:
-    """Format a value; generators and materials by name."""
-    return quoted(case_key(value))
 
 
 def drawing_order(distributions: Mapping[str, Distribution], owner: str) -> list[str]:
