@@ -35,8 +35,13 @@ def test_an_override_acts_or_is_refused_or_absent(name: str) -> None:
             assert others - {made, ""}, f"{parameter} = {given!r} changes nothing"
 
 
-def test_a_refrigerator_claims_no_dispenser_that_it_does_not_have() -> None:
-    single = artgen.generate("refrigerator", layout="single", water=True, certify=False)
-    assert "water" not in single.parameters
-    french = artgen.generate("refrigerator", layout="french", water=True, certify=False)
-    assert french.parameters["water"] is True
+def test_a_dispenser_that_is_asked_for_is_there_and_a_bow_of_a_flat_front_is_not_claimed() -> None:
+    plain, wet = (
+        artgen.generate("refrigerator", layout="single", water=water, certify=False)
+        for water in (False, True)
+    )
+    assert len(wet.links["door"].details) > len(plain.links["door"].details)
+    flat = artgen.generate(
+        "refrigerator", layout="single", form="flat", look="white", bow=0.012, certify=False
+    )
+    assert (wet.parameters["water"], "bow" in flat.parameters) == (True, False)
