@@ -233,7 +233,7 @@ def test_a_caption_that_is_too_long_says_so() -> None:
 def test_a_jpeg_sheet_is_small_and_as_good_as_can_be(tmp_path, monkeypatch) -> None:
     pixels = np.random.default_rng(0).integers(0, 256, (400, 600, 3)).astype(np.uint8)
     path = save_sheet(pixels, tmp_path / "noise.jpg")
-    assert 100_000 < path.stat().st_size <= 350_000
+    assert 100_000 < path.stat().st_size <= 250_000
     monkeypatch.setattr(sheets, "_BYTES", 60_000)
     assert save_sheet(pixels, tmp_path / "less.jpg").stat().st_size < path.stat().st_size
     with Image.open(save_sheet(pixels, tmp_path / "noise.png")) as image:
@@ -280,7 +280,7 @@ class TestCommands:
     def test_sheet_draws_samples(self, artgen_command) -> None:
         done = artgen_command("sheet", "handle", "--seeds", "2", "--first-seed", "5", "--size", "64")
         assert (done.code, done.out, done.err) == (0, "handle.jpg\n", "")
-        assert Path("handle.jpg").stat().st_size <= 350_000
+        assert Path("handle.jpg").stat().st_size <= 250_000
 
 
 @pytest.mark.parametrize(

@@ -234,7 +234,7 @@ class _Painter:
         way = unit(way - 2.0 * np.minimum(dot(way, base), 0.0) * base)
         result[:, seen] = environment(points.at[:, seen], way, points.rough[seen], self.radius)
         rough = points.rough[seen]
-        alpha = rough * rough
+        alpha = rough * rough * _blurred(rough)
         tangent = alpha * np.sqrt(across[seen] / np.maximum(1.0 - across[seen], 0.02))
         angle = np.float32(2.0 * np.pi) * along[seen]
         half = turned(
@@ -242,12 +242,14 @@ class _Painter:
         )
         ray = mirrored(points.view[:, seen], half)
         ray = unit(ray - 2.0 * np.minimum(dot(ray, base), 0.0) * base)
-        met, light = self._seen(points.at[:, seen] + self.world.offset * base, ray, rough)
-        result[:, seen[met]] = light
+        met, distance, light = self._seen(points.at[:, seen] + self.world.offset * base, ray, rough)
+        # the floor ends without an edge
+        far = np.clip((distance / self.radius - 3.0) / 9.0, 0.0, 1.0)
+        result[:, seen[met]] += (1.0 - far) * (light - result[:, seen[met]])
         return result
 
-    def _seen(self, origin: Floats, ray: Floats, rough: Floats) -> tuple[NDArray[Any], Floats]:
-        """Return which rays meet a surface, and the light from there."""
+    def _seen(self, origin: Floats, ray: Floats, rough: Floats) -> tuple[NDArray[Any], Floats, Floats]:
+        """Return which rays meet a surface, how far away, and the light from there."""
         world = self.world
         hits = world.run(world.opaque, origin, ray)
         met = np.flatnonzero(hits["primID"] >= 0)
@@ -264,7 +266,7 @@ class _Painter:
             color = self.table["base_color"][number[metal]].T
             arriving = world.light_at(triangle[metal], u[metal], v[metal])
             light[:, metal] = color * np.minimum(sky, 0.5 * sky + 0.7 * arriving)
-        return met, light
+        return met, hits["tfar"][met], light
 
     def _pane(self, points: _Points) -> tuple[Floats, Floats]:
         """Return the share of light through faces of glass, and the light from them."""
@@ -298,8 +300,7 @@ class _Painter:
             for axis in (1, 2):
                 values = _averaged(values, guide, axis, stride)
         found = values.reshape(6, count)[:, behind]
-        share = np.clip((points.rough - 0.06) / 0.2, 0.0, 1.0)
-        return found[:3], mirror + share * (found[3:] - mirror)
+        return found[:3], mirror + _blurred(points.rough) * (found[3:] - mirror)
 
     def _shaded(self, points: _Points, light: Floats, mirror: Floats) -> Floats:
         number = points.material
@@ -327,6 +328,11 @@ class _Painter:
             share = coat[coated] * (0.04 + 0.96 * (1.0 - facing[coated]) ** 5)
             result[:, coated] = (1.0 - share) * result[:, coated] + share * level
         return np.asarray(result + np.float32(_GLOW) * self.table["emission"][number].T)
+
+
+def _blurred(rough: Floats) -> Floats:
+    """Return how far the mirrored light of neighbors is averaged, 0..1; a polished surface has no blur."""
+    return np.asarray(np.clip((rough - np.float32(0.1)) / np.float32(0.14), 0.0, 1.0))
 
 
 def _fresnel(rough: Floats, facing: Floats) -> tuple[Floats, Floats]:

@@ -25,7 +25,7 @@ _TITLE, _TEXT, _GAP = 15, 12, 12  # font sizes, and free space around an asset [
 _LINES = 2  # lines of a caption
 _INK, _GREY = (30, 30, 32), (110, 110, 114)
 _PAGE = 1.5  # width of a page relative to its height
-_BYTES = 350_000  # largest size of a sheet in the documentation [bytes]
+_BYTES = 250_000  # largest size of a sheet in the documentation [bytes]
 # heights of assets, and the elevations of their cameras [m, rad]
 _HEIGHTS, _ABOVE = (0.25, 2.0), (0.42, 0.2)
 # height relative to the longer side of flat assets, and their elevation
@@ -151,7 +151,7 @@ def features(asset: Asset) -> str:
 
 
 def save_sheet(pixels: Pixels, path: str | Path) -> Path:
-    """Write a sheet to a PNG file, or to a JPEG file of at most 350 kB if a quality allows it."""
+    """Write a sheet to a PNG file, or to a JPEG file of at most 250 kB if a quality allows it."""
     path = Path(path)
     check_suffix(path)
     if path.suffix.lower() == ".png":
