@@ -1,53 +1,134 @@
-"""Draw docs/family.jpg: one product of every category, partly open. `make sheets` runs this too."""
+"""Draw docs/family.jpg: a kitchen with a product of each category, many open. `make sheets` runs it."""
 
+import math
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated
 
 import numpy as np
 import typer
-from PIL import Image, ImageDraw, ImageFont
 
-from artgen.asset import Asset
-from artgen.catalog import categories, find
-from artgen.view.rendering import render
-from artgen.view.sheet import save_sheet, shots
+from artgen import box
+from artgen.asset.shape import Mesh
+from artgen.catalog import find
+from artgen.graph.evaluation import evaluate
+from artgen.materials import Material, material
+from artgen.view import Camera, opened
+from artgen.view.shading import colors
+from artgen.view.sheet import save_sheet
+from artgen.view.studio import Backdrop, ribbon
+from artgen.view.tracing import World
 
 DOCS = Path(__file__).parents[1] / "docs"
-SEEDS: dict[str, int] = {"box": 2, "lamp": 9, "trashcan": 6, "window": 6}
-"""The seeds of those that are shown; 0 where none is named."""
+_RADIUS = 2.9  # size of the scene for the lamps [m]
+_CENTER = np.array([0.3, -0.4, 1.0])
+_CAMERA = Camera((-0.6, -7.9, 1.9), (0.21, 0.0, 0.97), 0.337)
+_WORKTOP, _THICK = 0.885, 0.035  # height of what stands below a worktop, and its thickness [m]
+_TOP = _WORKTOP + _THICK
+_SAMPLES, _TEXELS = 32, 1024
 
-_OPEN = 0.55  # share of how far they open on their sheets
-_SIZE = 240  # of a picture [pixels]
-_TEXT = 17  # [pixels]
-_COLUMNS = 6
+
+@dataclass(frozen=True)
+class Placed:
+    """A product in the kitchen; its back is at a distance from the wall."""
+
+    category: str
+    seed: int
+    x: float  # of its middle [m]
+    z: float = 0.0  # of its lowest point [m]
+    gap: float = 0.01  # between its back and the wall [m]
+    share: float = 0.0  # how far it is open
+    turn: float = 0.0  # about its vertical axis [rad]
+
+    def surfaces(self) -> list[tuple[Mesh, Material]]:
+        """Return its posed surfaces, the wall at y = 0."""
+        asset = find(self.category).generate(self.seed, certify=False)
+        low, high = asset.bounds()
+        poses = asset.pose(opened(asset, self.share))
+        cosine, sine = math.cos(self.turn), math.sin(self.turn)
+        matrix = np.eye(4)
+        matrix[:2, :2] = [[cosine, -sine], [sine, cosine]]
+        corners = np.array([(x, y) for x in (low[0], high[0]) for y in (low[1], high[1])])
+        back = (corners @ matrix[:2, :2].T)[:, 1].max()
+        middle = matrix[:2, :2] @ ((low + high) / 2.0)[:2]
+        matrix[:3, 3] = self.x - middle[0], -self.gap - back, self.z - low[2]
+        return [
+            (surface.mesh.moved(matrix @ poses[link.name]), surface.material)
+            for link in asset.links
+            for surface in link.surfaces
+        ]
+
+
+KITCHEN = (
+    Placed("door", 4, -2.14),
+    Placed("refrigerator", 3, -1.08, share=0.75, gap=0.03),
+    Placed("dishwasher", 7, -0.2, share=0.55),
+    Placed("oven", 0, 0.42, z=0.25, share=0.75),
+    Placed("cabinet", 7, 1.07, share=0.0),
+    Placed("faucet", 1, -0.22, z=_TOP, gap=0.12),
+    Placed("soap_dispenser", 7, 0.0, z=_TOP, gap=0.25, turn=0.3),
+    Placed("cooktop", 3, 0.42, z=_TOP, gap=0.03),
+    Placed("pepper_grinder", 3, 0.86, z=_TOP, gap=0.3),
+    Placed("toaster", 3, 1.14, z=_TOP, gap=0.12, turn=0.5),
+    Placed("window", 1, 0.25, z=1.22),
+    Placed("cabinet", 3, 1.4, z=1.38, share=0.8),
+    Placed("drawer", 3, 2.24, share=1.0),
+    Placed("microwave", 3, 1.86, z=0.83, gap=0.03),
+    Placed("handle", 2, 2.36, z=0.83, gap=0.15, share=0.7),
+    Placed("lamp", 2, 2.72, z=0.83, gap=0.03),
+    Placed("trashcan", 0, 1.25, gap=0.75, share=0.7),
+    Placed("box", 4, 2.2, gap=1.0, share=0.7, turn=-0.35),
+    Placed("plier", 3, 2.56, z=0.83, gap=0.26, share=0.5, turn=0.9),
+)
 
 
 def main(
-    *,
-    out: Annotated[Path, typer.Option(help="JPEG or PNG.")] = DOCS / "family.jpg",
-    only: Annotated[str, typer.Option(help="Names of categories, with commas; all by default.")] = "",
+    *, out: Annotated[Path, typer.Option(help="JPEG or PNG.")] = DOCS / "family.jpg", width: int = 1500
 ) -> None:
-    """Draw the picture with the best installed renderer, and print its path."""
-    names = only.split(",") if only else categories()
-    cells = [_cell(find(name).generate(SEEDS.get(name, 0), certify=False), name) for name in names]
-    columns = min(_COLUMNS, len(cells))
-    empty = np.full_like(cells[0], 255)
-    cells += [empty] * (-len(cells) % columns)
-    rows = [np.hstack(cells[start : start + columns]) for start in range(0, len(cells), columns)]
-    typer.echo(save_sheet(np.vstack(rows), out))
+    """Draw the picture, and print its path."""
+    surfaces = [surface for placed in KITCHEN for surface in placed.surfaces()]
+    surfaces += _joinery() + _room()
+    world = World(surfaces, Backdrop("room", _CENTER, _RADIUS, 0.0, ()))
+    size = (width, round(width * 0.45))
+    typer.echo(save_sheet(colors(world, _CAMERA, size, _SAMPLES, _TEXELS), out))
 
 
-def _cell(asset: Asset, name: str) -> np.ndarray:
-    """Return the picture of an asset with its name below."""
-    (_, view), (q, _), *_ = shots(asset)
-    ajar = {joint: _OPEN * position for joint, position in q.items()}
-    shown = render(asset, ajar, camera=view, size=(_SIZE, _SIZE)).color
-    cell = Image.new("RGB", (_SIZE, _SIZE + _TEXT + 12), "white")
-    cell.paste(Image.fromarray(shown), (0, 0))
-    font = ImageFont.load_default(_TEXT)
-    place = ((_SIZE - font.getlength(name)) / 2, _SIZE + 4)
-    ImageDraw.Draw(cell).text(place, name, fill=(60, 60, 64), font=font)
-    return np.asarray(cell)
+def _joinery() -> list[tuple[Mesh, Material]]:
+    """Return the worktop, the plinth of the oven, and the light outside of the window."""
+    day = material("led_white").with_(name="day", emission=(0.75, 0.86, 1.0))
+    worktop, white = material("marble"), material("lacquered_mdf")
+    return [
+        (_block((-0.52, -0.66, _WORKTOP), (1.43, 0.0, _TOP)), worktop),
+        (_block((0.115, -0.58, 0.0), (0.725, 0.0, 0.24)), white),
+        (_block((-0.36, -0.012, 1.3), (0.86, -0.004, 2.08)), day),
+    ]
+
+
+def _room() -> list[tuple[Mesh, Material]]:
+    """Return the floor and the wall."""
+    columns = np.linspace(-9.0, 9.0, 91)
+    rows = np.linspace(-9.0, 0.0, 46)
+    heights = np.linspace(0.0, 6.0, 31)
+    floor = np.column_stack([rows, 0.0 * rows])
+    wall = np.column_stack([0.0 * heights, heights])
+    paint = material("mdf").with_(
+        name="wall", base_color=(0.5, 0.53, 0.5), texture="", specular_roughness=0.9
+    )
+    floorboards = material("ash").with_(name="floorboards", base_color=(0.56, 0.49, 0.4))
+    return [
+        (ribbon(floor, np.tile([0.0, 0.0, 1.0], (len(rows), 1)), columns), floorboards),
+        (ribbon(wall, np.tile([0.0, -1.0, 0.0], (len(heights), 1)), columns), paint),
+    ]
+
+
+def _block(low: tuple[float, float, float], high: tuple[float, float, float]) -> Mesh:
+    """Return a box between two corners."""
+    size = np.subtract(high, low)
+    middle = np.add(high, low) / 2.0
+    matrix = np.eye(4)
+    matrix[:3, 3] = middle
+    mesh: Mesh = evaluate(box(*size.tolist())).value.mesh
+    return mesh.moved(matrix)
 
 
 if __name__ == "__main__":

@@ -218,8 +218,11 @@ class _Painter:
 
     def _mirror(self, points: _Points, order: NDArray[Any]) -> Floats:
         """Return the light that points mirror."""
-        across, along = spread(POINTS)[:, order].astype(np.float32)
-        return self._reflected(points, across, along)
+        total = np.zeros_like(points.at)
+        for turn in range(self.rounds):
+            across, along = spread(POINTS)[:, (order + 16 * turn) % POINTS].astype(np.float32)
+            total += self._reflected(points, across, along)
+        return np.asarray(total / np.float32(self.rounds))
 
     def _reflected(self, points: _Points, across: Floats, along: Floats) -> Floats:
         """Return the light from the direction of the mirror, from objects in a random one near it."""

@@ -229,7 +229,7 @@ class World:
     def _scatter(self, rays: int) -> None:
         """Trace the light that each triangle scatters."""
         count = len(self.corners)
-        rays = max(4, min(rays, _MOST_RAYS // count))
+        rays = max(12, min(rays, _MOST_RAYS // count))
         color = np.array([each.base_color for each in self.materials], np.float32)
         # metal and glass scatter little, but what they mirror lights others as well
         emitted = np.array([each.emission for each in self.materials], np.float32)[self.material]
