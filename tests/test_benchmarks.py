@@ -265,7 +265,8 @@ def field_folder(tmp_path):
     (folder / "door" / "knob.xml").write_text(FIELD_MJCF.format(mask=1))
     (folder / "part.xml").write_text("<mujocoinclude><body><joint/></body></mujocoinclude>")
     (folder / "still.urdf").write_text(FIELD_URDF.replace("revolute", "fixed").format(at=0.5))
-    (folder / "broken.xml").write_text("<mujoco><worldbody><body><joint/></body></worldbody></mujoco>")
+    twice = '<body name="twice"><joint/></body>'
+    (folder / "broken.xml").write_text(f"<mujoco><worldbody>{twice}{twice}</worldbody></mujoco>")
     return folder
 
 
