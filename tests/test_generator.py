@@ -81,7 +81,7 @@ def test_the_hash_seed_of_python_changes_no_byte(tmp_path):
 @generator
 def picky(*, size: Float = uniform(0.0, 1.0), panes: int = count(1, 4), least: Float = 0.5) -> Body:
     require(panes != 2, "two panes look odd")
-    return part(box(1.0, 1.0, size + 0.1), "block", OAK).require(size > least, "too small")
+    return part(box(panes, 1.0, size + 0.1), "block", OAK).require(size > least, "too small")
 
 
 def test_infeasible_draws_are_drawn_again_and_counted():
