@@ -177,9 +177,8 @@ def office_chair(
     base = base_of(base_radius, low, mech - 0.012, finish)
     caster = caster_of(caster_radius, low - 0.0006).rotate(Z, 0.4)
     turn = ag.Revolute("caster_swivel", axis=Z, feel=feel.CASTER, driven="the floor")
-    base = base.repeat(
-        caster, turn, at=ag.ring_points((0, 0, 0), base_radius, count=5, start=-pi / 2), around=Z
-    )
+    feet = ag.ring_points((0, 0, 0), base_radius, count=5, start=-pi / 2)
+    base = base.repeat(caster, turn, at=feet, around=Z)
     seat = seat_of(style, width, depth, mech, seat_height, fabric)
     if style == "stool":
         climb = ag.Prismatic("foot_ring_height", axis=Z, limits=(0, 0.10), friction=25.0, damping=5.0)
