@@ -149,11 +149,10 @@ class Draw:
             generator = stream(self.seed, f"{self.category}/{parameter.name}", self.attempt)
             value = parameter.accept(distributions[name].draw(generator, drawn))
             drawn[name] = self.values[short + name] = value
-            if isinstance(value, Variant):
-                self.sample(value.own, f"{short}{name}.", f"{parameter.name}.{value.name}.")
-        for name, parameter in parameters.items():
             if parameter in self.overrides:
                 self.overridden[short + name] = parameter
+            if isinstance(value, Variant):
+                self.sample(value.own, f"{short}{name}.", f"{parameter.name}.{value.name}.")
 
 
 def drawing_order(distributions: Mapping[str, Distribution], owner: str) -> list[str]:

@@ -74,7 +74,10 @@ def check_proof(certify: Any, tolerance: Any, on_collision: Any) -> None:
 
 def certify_sample(asset: Asset, tolerance: float, on_collision: OnCollision) -> None:
     """Prove that the links of an asset never collide."""
-    certificate = asset.certify(tolerance)
+    _check_proven(asset, asset.certify(tolerance), on_collision)
+
+
+def _check_proven(asset: Asset, certificate: Certificate, on_collision: OnCollision) -> None:
     if certificate.proven or on_collision == "keep":
         return
     if on_collision == "redraw":
@@ -87,9 +90,16 @@ def _certified(asset: Asset, tolerance: float, on_collision: OnCollision) -> Cer
     from artgen.proof.certify import certify
 
     certificate = certify(asset, tolerance)
-    if certificate.proven or on_collision == "keep":
-        return certificate
-    raise CheckError(f"{asset.name}: {certificate}\n  {_REMEDY}")
+    _check_proven(asset, certificate, "keep" if on_collision == "keep" else "fail")
+    return certificate
+
+
+def _leave_open(asset: Asset) -> None:
+    """Leave an asset without a certificate."""
+
+
+def _prove_later(asset: Asset, tolerance: float, on_collision: OnCollision) -> None:
+    certify_later(asset, partial(_certified, asset, tolerance, on_collision))
 
 
 def fail_alike(failures: Sequence[InfeasibleError]) -> bool:
@@ -262,21 +272,24 @@ class Generator(Variant):
             overrides: Values or other distributions by name.
             cache: Values from earlier evaluations.
         """
-        return self._inert(self._drawn(seed, attempt, overrides), cache)
+        draw = self._drawn(seed, attempt, overrides)
+        return self._inert_numbers(draw, cache) | self._inert_structure(draw)
 
-    def _inert(self, draw: Draw, cache: Cache | None) -> set[str]:
-        overridden = draw.overridden.items()
-        numbers = {name for name, parameter in overridden if not parameter.structural}
-        inert = numbers - reached(self._built.of(draw.values), draw.values, cache) if numbers else set()
+    def _inert_numbers(self, draw: Draw, cache: Cache | None) -> set[str]:
+        numbers = {name for name, parameter in draw.overridden.items() if not parameter.structural}
+        return numbers - reached(self._built.of(draw.values), draw.values, cache) if numbers else set()
+
+    def _inert_structure(self, draw: Draw) -> set[str]:
+        inert = set()
         options = {
             name: [option for option in parameter.options if option != draw.values[name]][:_MOST_OPTIONS]
-            for name, parameter in overridden
+            for name, parameter in draw.overridden.items()
             if parameter.structural and not is_variant(parameter.kind)
         }
         drawn = self._folded(draw.values).node.key if options else ""
         for name, others in options.items():
-            made = {self._with_option(draw, draw.overridden[name], option) for option in others} - {""}
-            if made == {drawn}:
+            keys = filter(None, (self._with_option(draw, draw.overridden[name], each) for each in others))
+            if next(keys, "") == drawn and all(key == drawn for key in keys):
                 inert.add(name)
         return inert
 
@@ -466,38 +479,28 @@ class Generator(Variant):
         """Generate an asset like `generate`, and return it with the cost of its evaluation.
 
         With `keep_graph`, evaluations with other values of parameters that are not structural use the same
-        graph again. That is faster with a cache that holds most of the values, and slower otherwise.
+        graph again. That is faster with a cache that holds most of the values, and slower otherwise. Then the
+        asset records all structural overrides, whether they act or not.
         """
         seed = checked_count("seed", seed)
         name = name or f"{self.name}_{seed}"
         _check_options(name, base, attempts)
         check_proof(certify, tolerance, on_collision)
+        proof = _prove_later if certify == "later" else certify_sample
+        prove = partial(proof, tolerance=tolerance, on_collision=on_collision) if certify else _leave_open
+        cache = SHARED if cache is None else cache
         most = attempts or _ATTEMPTS
         refused: list[Mapping[str, Any]] = []
         failures: list[InfeasibleError] = []
         with progress(name) as update:
             for attempt in range(most):
                 draw = self._drawn(seed, attempt, overrides)
-                values = draw.values
-                if values in refused:  # few parameters, or few values of them, repeat the same sample
+                if draw.values in refused:  # few parameters, or few values of them, repeat the same sample
                     continue
                 try:
-                    body = self._built.of(values) if keep_graph else self._folded(values)
-                    evaluation = Graph(body).evaluate(values, SHARED if cache is None else cache)
-                    try:
-                        inert = self._inert(draw, SHARED if cache is None else cache)
-                        shown = {key: value for key, value in values.items() if key not in inert}
-                        asset = self._asset(body, evaluation, shown, name, base, seed=seed, attempt=attempt)
-                        if certify == "later":
-                            certify_later(asset, partial(_certified, asset, tolerance, on_collision))
-                        elif certify:
-                            certify_sample(asset, tolerance, on_collision)
-                    except AssetError as error:
-                        place = _place(body, error) or self.where
-                        message = f"{error}\n  at {place}"
-                        raise AssetError(message, joint=error.joint, link=error.link) from None
+                    return self._evaluated(draw, name, base, cache, prove, keep_graph=keep_graph)
                 except InfeasibleError as error:
-                    refused.append(values)
+                    refused.append(draw.values)
                     failures.append(error)
                     update(text=f"{name}, draw {attempt + 2}, after: {error.cause}")
                     if attempts is None and fail_alike(failures):
@@ -508,11 +511,34 @@ class Generator(Variant):
                 except ArtgenError as error:
                     error.add_note(f"while generating {self.name} from seed {seed}, attempt {attempt}")
                     raise
-                else:
-                    return asset, evaluation
         raise InfeasibleError(
             f"{self.name}: none of {most} draws for seed {seed} is feasible; the last: {failures[-1]}"
         )
+
+    def _evaluated(
+        self,
+        draw: Draw,
+        name: str,
+        base: Base,
+        cache: Cache,
+        prove: Callable[[Asset], None],
+        *,
+        keep_graph: bool,
+    ) -> tuple[Asset, Evaluation]:
+        """Build and evaluate the graph of a draw, and prove the asset."""
+        body = self._built.of(draw.values) if keep_graph else self._folded(draw.values)
+        evaluation = Graph(body).evaluate(draw.values, cache)
+        try:
+            inert = self._inert_numbers(draw, cache)
+            if not keep_graph:  # it would build a graph for each option
+                inert |= self._inert_structure(draw)
+            shown = {key: value for key, value in draw.values.items() if key not in inert}
+            asset = self._asset(body, evaluation, shown, name, base, seed=draw.seed, attempt=draw.attempt)
+            prove(asset)
+        except AssetError as error:
+            message = f"{error}\n  at {_place(body, error) or self.where}"
+            raise AssetError(message, joint=error.joint, link=error.link) from None
+        return asset, evaluation
 
     def _folded(self, values: Mapping[str, Any]) -> Any:
         """Build the graph of one sample; the literals of its numbers have no places for errors to name."""
