@@ -45,12 +45,7 @@ class FrozenArrays:
 
     def __post_init__(self) -> None:
         """Make the arrays of all fields read-only."""
-        for value in vars(self).values():  # fast path: most values are arrays or plain
-            kind = type(value)
-            if kind is np.ndarray:
-                value.setflags(False)
-            elif kind in _CONTAINERS:
-                _freeze((value,))
+        _freeze(vars(self).values())
 
 
 class cached_property(Generic[Value]):  # noqa: N801 - the name of the field

@@ -54,7 +54,8 @@ class ByName(tuple[Item_co, ...], Generic[Item_co]):  # noqa: SLOT001 - it cache
         return tuple(item.name for item in self)
 
     @cached_property
-    def _items(self) -> dict[str, Item_co]:
+    def by_name(self) -> dict[str, Item_co]:
+        """The items by name."""
         return {item.name: item for item in self}
 
     @overload
@@ -71,11 +72,11 @@ class ByName(tuple[Item_co, ...], Generic[Item_co]):  # noqa: SLOT001 - it cache
         """
         if not isinstance(key, str):
             return super().__getitem__(key)
-        if key not in self._items:
+        if key not in self.by_name:
             near = nearest(key, self.names)
             others = f" It has: {', '.join(self.names[:12])}{', ...' * (len(self) > 12)}."
             raise AssetError(f"{self.missing} {key!r}.{near}{others if near.endswith('?') else ''}")
-        return self._items[key]
+        return self.by_name[key]
 
 
 def is_identifier(name: object) -> bool:

@@ -220,7 +220,7 @@ class Asset:
                     f"joint {name!r} cannot be at {position:.6g}; its limits are {low:.6g} to {high:.6g}"
                 )
             result[name] = float(position)
-        result = positions_of_followers({joint.name: joint for joint in self.joints}, result)
+        result = positions_of_followers(self.joints.by_name, result)
         return {joint.name: result[joint.name] for joint in self.joints}
 
     def blocked(self, q: Mapping[str, float] | None = None) -> tuple[str, ...]:

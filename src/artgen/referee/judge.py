@@ -293,7 +293,9 @@ def certify(
     for runs in zip(*(_runs(tree) for tree in trees), strict=True):  # excluded pairs last
         for run in runs:
             decided = first and any(pair.verdict == "collision" for pair in pairs)
-            pairs += _judged(run, model, seconds, -np.inf if decided else start + total, first, progress)
+            pairs += _judged(
+                run, model, seconds, -np.inf if decided else start + total, progress, first=first
+            )
             findings += run.findings
     seconds = time.monotonic() - start
     return Judgment(path, model, tuple(trees), tuple(pairs), tuple(findings), (*model.notes, *notes), seconds)
@@ -328,8 +330,9 @@ def _judged(
     model: ForeignModel,
     seconds: float,
     end: float,
-    first: bool,  # noqa: FBT001 - a private helper
     progress: Callable[[str], None],
+    *,
+    first: bool,
 ) -> list[JudgedPair]:
     """Refute or prove the pairs of a run."""
     tree, decided = run.tree, False

@@ -256,7 +256,7 @@ def _near(
     rows = np.flatnonzero(apart < 0.0)
     if not len(rows):
         return rows
-    normals = between[rows] / np.maximum(length[rows], 1e-12)[:, None]
+    normals = between[rows] / np.maximum(length[rows], _TINY)[:, None]
     gaps = np.empty(len(rows))
     size = int(nodes.count[first[rows]].max() + nodes.count[second[rows]].max())
     step = max(_AT_ONCE // size, 1)

@@ -190,13 +190,7 @@ class _Painter:
             normal = bumped[:, at]
             along = self.world.tangents[triangle[at]].T
             along = unit(along - dot(along, normal) * normal)
-            up = np.stack(
-                [
-                    normal[1] * along[2] - normal[2] * along[1],
-                    normal[2] * along[0] - normal[0] * along[2],
-                    normal[0] * along[1] - normal[1] * along[0],
-                ]
-            )
+            up = np.cross(normal, along, axis=0)
             bumped[:, at] = unit(normal + tilt[0] * along + tilt[1] * up)
 
     def _light(self, points: _Points, order: NDArray[Any]) -> Floats:

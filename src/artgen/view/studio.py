@@ -246,11 +246,17 @@ def dome(z: Floats) -> Floats:
 
 def dome_light(z: Floats) -> Floats:
     """Return the light of the tent on white paper at open places, for the vertical part of normals."""
+    return np.asarray(np.interp(z, *_dome_table()), np.float32)
+
+
+@lru_cache(maxsize=1)
+def _dome_table() -> tuple[Floats, Floats]:
+    """Return vertical parts of normals, and the light of the tent there."""
     tilt = np.linspace(-1.0, 1.0, 33)
     across, around = spread(4096)
     level, turn = np.sqrt(across), 2.0 * math.pi * around
     up = level * np.cos(turn) * np.sqrt(1.0 - tilt[:, None] ** 2) + np.sqrt(1.0 - across) * tilt[:, None]
-    return np.asarray(np.interp(z, tilt, dome(up).mean(axis=1)), np.float32)
+    return tilt, dome(up).mean(axis=1)
 
 
 def environment(origin: Floats, direction: Floats, roughness: Floats, radius: float) -> Floats:
@@ -262,9 +268,9 @@ def environment(origin: Floats, direction: Floats, roughness: Floats, radius: fl
         roughness: Shape (n,).
         radius: The asset's radius [m].
     """
-    spread = roughness * roughness
+    alpha = roughness * roughness
     _, y, z = direction
-    soft = 0.12 + 1.2 * spread
+    soft = 0.12 + 1.2 * alpha
     level = _step(z, -soft, soft + 0.9)
     light = 0.16 + 0.42 * level
     light += 0.30 * _step(y, 0.0 - soft, 0.8 + soft)  # the backdrop
@@ -274,7 +280,7 @@ def environment(origin: Floats, direction: Floats, roughness: Floats, radius: fl
         start = origin / np.float32(radius) - center[:, None]
         ahead = facing > 0.02
         distance = (axes[2] @ start) / np.maximum(facing, 0.02)
-        width = 0.02 + (0.01 + 1.1 * spread) * distance
+        width = 0.02 + (0.01 + 1.1 * alpha) * distance
         u, v = (
             axes[0] @ start + distance * (axes[0] @ direction),
             axes[1] @ start + distance * (axes[1] @ direction),
