@@ -8,6 +8,7 @@ import sys
 from pathlib import Path
 
 import category_pages
+import cheat_sheet
 import pytest
 import reference_pages
 import typer
@@ -61,6 +62,47 @@ def test_command_is_one_that_artgen_understands(command: str) -> None:
     known = typer.main.get_command(command_line())
     assert name in known.commands, f"artgen has no command {name!r}"
     known.commands[name].make_context(name, arguments)  # reads the arguments, and runs nothing
+
+
+def dead_links(page: Path, text: str) -> list[str]:
+    """Return the links of a page to files that a clone does not have."""
+    prose = re.sub(r"```.*?```|`[^`\n]*`", "", text, flags=re.DOTALL)
+    targets = re.findall(r"\]\(([^)#\s]+)", prose) + re.findall(r"(?:src|href)=\"([^\"#]+)", prose)
+    return [each for each in targets if "://" not in each and not (page.parent / each).exists()]
+
+
+@pytest.mark.parametrize("page", ["README.md", *(f"docs/{name}" for name in PAGES)])
+def test_links_lead_to_files_of_a_clone(page: str) -> None:
+    assert dead_links(ROOT / page, (ROOT / page).read_text(encoding="utf-8")) == [], "say `after make docs`"
+
+
+def test_a_dead_link_is_found() -> None:
+    text = "[a](nodes/index.md#box) ![b](door.jpg) [c](https://a.b/c) `[d](e)`\n```\n[f](g)\n```\n"
+    assert dead_links(ROOT / "docs" / "index.md", text) == ["nodes/index.md"]
+
+
+def test_the_cheat_sheet_is_that_of_the_code() -> None:
+    assert PAGES["cheat_sheet.md"] == cheat_sheet.drawn(), "run python scripts/docs/cheat_sheet.py"
+
+
+def test_the_cheat_sheet_shows_calls_as_authors_write_them() -> None:
+    assert cheat_sheet.signature("tube", artgen.tube) == "tube(outer, inner, length, *, axis=Z, bevel=0)"
+    assert cheat_sheet.signature("Solid.at", artgen.Solid.at) == "Solid.at(x=0, y=0, z=0)"
+    assert cheat_sheet.signature("shades", artgen.shades).startswith("shades(*materials, weights=None, ")
+    assert cheat_sheet.signature("Float", artgen.Float) == ""
+
+
+def test_a_node_without_a_section_is_an_error(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delitem(cheat_sheet.SECTIONS, "Numbers")
+    with pytest.raises(LookupError, match="no section of the cheat sheet has numbers/atan2; add a pattern"):
+        cheat_sheet.by_section()
+
+
+def test_the_categories_are_those_that_exist() -> None:
+    rows = re.findall(
+        r"^\| `(\w+)` \|.*\| \[sheet\]\((\w+)\.jpg\) \|$", PAGES["categories.md"], flags=re.MULTILINE
+    )
+    assert rows == [(name, name) for name in artgen.catalog.categories()]
 
 
 def test_every_written_page_is_in_the_navigation() -> None:

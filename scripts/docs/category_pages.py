@@ -7,7 +7,6 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from gallery_page import SEEDS as SHOWN
-from gallery_page import shown as shown_categories
 from gallery_page import viewer_of
 from surveys.pages import escaped
 
@@ -228,32 +227,3 @@ def escaped_text(text: str) -> str:
     """Return a paragraph of a docstring as Markdown; text that looks like a tag is escaped."""
     parts = re.split(r"(`[^`]*`)", text)
     return "".join(each if each.startswith("`") else each.replace("<", "&lt;") for each in parts)
-
-
-def index() -> str:
-    """Return the page of all categories."""
-    lines = [
-        "# The categories",
-        "",
-        "![One product of each category](../family.jpg)",
-        "",
-        "| category | what it is | parameters | joints |",
-        "| --- | --- | ---: | ---: |",
-    ]
-    for name in shown_categories():
-        found = find(name)
-        first, _, _ = paragraphs(name)
-        least, most = found.joints or (0, 0)
-        count = str(least) if least == most else f"{least}-{most}"
-        lines.append(
-            f"| [`{name}`]({name}.md) | {escaped_text(first)} | {len(found.parameters())} | {count} |"
-        )
-    lines += [
-        "",
-        (
-            "`artgen list` and `artgen info NAME` print the same. How often each option is "
-            "drawn is counted in [Coverage](../coverage.md); how the categories do over hundreds of "
-            "seeds in [Soak](../soak.md)."
-        ),
-    ]
-    return "\n".join(lines) + "\n"

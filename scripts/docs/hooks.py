@@ -32,7 +32,7 @@ def on_config(config: MkDocsConfig) -> MkDocsConfig:
     """Insert the generated pages into the navigation, in place of their folders."""
     listed = {
         f"{node_pages.FOLDER}/": ["index", *(page.name for page in node_pages.PAGES)],
-        f"{category_pages.FOLDER}/": ["index", *gallery_page.shown()],
+        f"{category_pages.FOLDER}/": list(gallery_page.shown()),
         f"{reference_pages.FOLDER}/": list(reference_pages.PAGES),
     }
     config.nav = _expanded(config.nav, listed)
@@ -40,12 +40,13 @@ def on_config(config: MkDocsConfig) -> MkDocsConfig:
 
 
 def _expanded(nav: Any, listed: dict[str, list[str]]) -> Any:
-    """Return a navigation with each folder replaced by the list of its pages."""
+    """Return a navigation with each folder replaced by its pages."""
     if isinstance(nav, str):
         return [f"{nav}{name}.md" for name in listed[nav]] if nav in listed else nav
     if isinstance(nav, dict):
         return {title: _expanded(item, listed) for title, item in nav.items()}
-    return [_expanded(item, listed) for item in nav]
+    expanded = [_expanded(item, listed) for item in nav]
+    return [page for item in expanded for page in (item if isinstance(item, list) else [item])]
 
 
 def on_files(files: Files, *, config: MkDocsConfig) -> Files:
@@ -76,7 +77,6 @@ def _with_made(files: Files, config: MkDocsConfig) -> Files:
     for name in reference_pages.PAGES:
         add(f"{reference_pages.FOLDER}/{name}.md", reference_pages.written(name))
     seeds = 1 if QUICK else category_pages.SEEDS
-    add(f"{category_pages.FOLDER}/index.md", category_pages.index())
     for name in gallery_page.shown():
         joints = category_pages.rows(name, seeds, digest)
         add(f"{category_pages.FOLDER}/{name}.md", category_pages.written(name, joints, seeds))
