@@ -19,7 +19,7 @@ from support.brute import draw_poses, overlaps
 from support.mutations import Mutant, Outcome, judged, mutants
 from support.proof_assets import PROOF_ASSETS
 
-COUNT = int(os.environ.get("ARTGEN_TEST_MUTANTS", "6"))  # of each asset
+COUNT = int(os.environ.get("ARTGEN_TEST_MUTANTS", "4"))  # of each asset
 POSES = int(os.environ.get("ARTGEN_TEST_POSES", "300"))
 UNDECIDED = 0.01  # share of mutants
 
