@@ -58,6 +58,7 @@ PAGES: Mapping[str, tuple[str, tuple[str, ...]]] = {
         (
             "envs.ManipulationEnv",
             "envs.Task",
+            "envs.one_joint",
             "envs.Target",
             "envs.Stage",
             "demos.make_demos",

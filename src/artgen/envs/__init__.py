@@ -15,9 +15,9 @@ except ImportError as error:
 
 from artgen.envs.env import ManipulationEnv
 from artgen.envs.motion import Stage, Target
-from artgen.envs.task import TASKS, Task
+from artgen.envs.task import TASKS, Task, one_joint
 
-__all__ = ["TASKS", "ManipulationEnv", "Stage", "Target", "Task"]
+__all__ = ["TASKS", "ManipulationEnv", "Stage", "Target", "Task", "one_joint"]
 
 for _name in TASKS:
     gymnasium.register(

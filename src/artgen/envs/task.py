@@ -91,7 +91,17 @@ def one_joint(
     at_least: float = 0.0,
     back: float = BACK,
 ) -> Chooser:
-    """Return the chooser of a task that moves one joint of a part; see `stage` for the last arguments."""
+    """Return the `choose` of a task that moves one joint of a part from rest, by a grasp or a push on it.
+
+    Args:
+        part: Text in the names of the links that have the grasp or push; empty for all links.
+        kind: `grasp` or `push`.
+        joint_kind: Kind of the joint nearest to the part. It has limits and no dependency.
+        share: Goal as a share of the range of the joint.
+        at_least: Goal if `share` is 0 [rad or m].
+        back: Distance at which the hand begins its approach; large for parts that random motion would move
+            [m].
+    """
 
     def choose(asset: Asset, rng: np.random.Generator) -> Iterator[Choice]:
         for affordance in _shuffled(found(asset, part, kind, joint_kind), rng):
