@@ -1,9 +1,25 @@
 """Plans: errors before anything is written, and the order of the assets."""
 
+from dataclasses import replace
+from pathlib import Path
+
 import pytest
 
 from artgen.dataset import Item, Plan
+from artgen.dataset.plan import _loaded
 from artgen.errors import ExportError, ParameterError
+
+BLOCKS = """
+import artgen as ag
+
+@ag.category(labels="block")
+def cube(*, size: ag.Float = ag.uniform(0.1, 0.2, within=(0.1, 0.5))) -> ag.Body:
+    return ag.part(ag.box(size, size, size).at(z=size / 2), "block", ag.material("oak"))
+
+@ag.category(labels="block")
+def slab(*, size: ag.Float = ag.uniform(0.1, 0.2)) -> ag.Body:
+    return ag.part(ag.box(size, size, 0.01).at(z=0.005), "block", ag.material("oak"))
+"""
 
 
 def test_categories_alternate_and_longer_plans_begin_like_shorter_ones() -> None:
@@ -13,10 +29,46 @@ def test_categories_alternate_and_longer_plans_begin_like_shorter_ones() -> None
     assert next(long.items()) == Item("lamp", 7)
 
 
-def test_a_plan_is_the_same_after_it_was_written() -> None:
-    plan = Plan(("door",), 2, overrides=("width=0.9",), formats=("mjcf",), textures="none")
-    assert Plan.from_data(plan.to_data()) == plan
-    assert plan.texels == 0
+def test_a_plan_without_maps_has_no_texels() -> None:
+    assert Plan(("door",), 2, textures="none").texels == 0
+
+
+def test_a_file_stands_for_the_category_that_it_defines(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("shop.py").write_text(BLOCKS)
+    plan = Plan(("shop.py:cube", "drawer"), 3, overrides=("cube:size=0.3",))
+    assert plan.categories == ("cube", "drawer")
+    assert [item.path for item in plan.items()] == ["cube/cube_0", "drawer/drawer_0", "cube/cube_1"]
+    assert plan.draw(Item("cube", 1)).parameters == {"size": 0.3}
+    assert replace(plan, count=1).to_data() == plan.to_data() | {"count": 1}
+    assert str(tmp_path) not in str(plan.to_data()), "data are equal in every folder"
+
+
+def test_a_file_with_several_categories_or_a_taken_name_is_an_error(tmp_path: Path) -> None:
+    (tmp_path / "shop.py").write_text(BLOCKS)
+    with pytest.raises(ParameterError, match=r"defines 2 categories; pick one: shop.py:cube or shop.py:slab"):
+        Plan(str(tmp_path / "shop.py"), 1)
+    with pytest.raises(ParameterError, match="the category 'cube' is named twice"):
+        Plan((f"{tmp_path}/shop.py:cube",) * 2, 1)
+    with pytest.raises(ParameterError, match=r"there is no Python file 'nowhere\.py'"):
+        Plan("nowhere.py", 1)
+
+
+def test_a_file_that_is_changed_or_removed_during_a_run_makes_no_assets(tmp_path: Path) -> None:
+    file = tmp_path / "shop.py"
+    file.write_text(BLOCKS)
+    plan = Plan(f"{file}:slab", 2)
+    _loaded.cache_clear()  # as in a worker
+    file.write_text(BLOCKS.replace("0.01", "0.02"))
+    with pytest.raises(ParameterError, match=r"shop.py has changed during the run; begin again in another"):
+        plan.draw(Item("slab", 0))
+    file.unlink()
+    with pytest.raises(
+        ParameterError, match="No such file or directory; a dataset of a file needs it on every"
+    ):
+        plan.draw(Item("slab", 0))
 
 
 def test_formats_are_those_of_the_layout() -> None:

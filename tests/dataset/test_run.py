@@ -16,13 +16,20 @@ import pytest
 import artgen.dataset.plan as plans
 from artgen.asset import Asset
 from artgen.catalog import find
-from artgen.dataset import Plan, generate_many
-from artgen.dataset.places import Disk, locked
+from artgen.dataset import Dataset, Plan, generate_many
+from artgen.dataset.places import PLAN_FILE, Disk, locked
 from artgen.dataset.run import MANIFEST_FILE, make
 from artgen.errors import ArtgenError, ExportError
 from support.digests import digests
 
 CATEGORIES = ("cabinet", "drawer")
+CUBE = """
+import artgen as ag
+
+@ag.category(labels="block")
+def cube(*, size: ag.Float = ag.uniform(0.1, 0.2)) -> ag.Body:
+    return ag.part(ag.box(size, size, size).at(z=size / 2), "block", ag.material("oak"))
+"""
 PLAN = Plan(CATEGORIES, 5, formats=("mjcf",), texture_size=256)
 COMMAND = (*CATEGORIES, "--format", "mjcf", "--texture-size", "256")
 
@@ -189,6 +196,31 @@ def test_another_plan_is_refused(undisturbed: Path) -> None:
     with pytest.raises(ExportError, match=message):
         generate_many(other, undisturbed)
     assert digests(undisturbed) == before
+
+
+def test_a_dataset_of_a_file_continues_until_the_file_changes(tmp_path: Path) -> None:
+    file, folder = tmp_path / "cube.py", tmp_path / "set"
+    file.write_text(CUBE)
+    options: dict[str, Any] = {"formats": ("mjcf",), "textures": "none"}
+    assert generate_many(Plan(str(file), 1, **options), folder, jobs=1).made == 1
+    again = generate_many(Plan(str(file), 2, **options), folder, jobs=1)
+    assert (again.made, again.existing, again.failed) == (1, 1, ())
+    assert [each["path"] for each in lines(folder)] == ["cube/cube_0", "cube/cube_1"]
+    assert [asset.category for asset in Dataset(folder)] == ["cube", "cube"]
+    before = digests(folder)
+    file.write_text(CUBE.replace("oak", "steel"))
+    message = "holds assets of cube from another text of its file: restore the file, or choose another folder"
+    with pytest.raises(ExportError, match=message):
+        generate_many(Plan(str(file), 2, **options), folder, jobs=1)
+    assert digests(folder) == before
+
+
+def test_a_plan_file_of_something_else_is_an_error(undisturbed: Path, tmp_path: Path) -> None:
+    folder = shutil.copytree(undisturbed, tmp_path / "copy")
+    data = json.loads((folder / PLAN_FILE).read_text())
+    (folder / PLAN_FILE).write_text(json.dumps(data | {"plan": {"colour": "red"}}))
+    with pytest.raises(ExportError, match="is no plan of such a dataset; choose another folder"):
+        generate_many(PLAN, folder)
 
 
 def test_a_dataset_does_not_shrink(undisturbed: Path) -> None:

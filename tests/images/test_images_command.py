@@ -1,5 +1,6 @@
 """`artgen images`: errors before anything is written."""
 
+import json
 from pathlib import Path
 
 import pytest
@@ -58,6 +59,6 @@ def test_a_folder_with_other_files_stays_unchanged(artgen_command, opengl: None)
     assert [each.name for each in Path("set").iterdir() if each.name != ".lock"] == ["notes.txt"]
 
 
-def test_a_plan_reads_back_what_it_wrote() -> None:
+def test_the_data_of_a_plan_are_those_of_their_json() -> None:
     plan = ImagePlan(("door",), 3, labels=("handle",), random=("light", "floor"), split=(1.0, 0.0, 0.0))
-    assert ImagePlan.from_data(plan.to_data()).to_data() == plan.to_data()
+    assert json.loads(json.dumps(plan.to_data())) == plan.to_data()

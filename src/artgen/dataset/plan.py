@@ -1,21 +1,24 @@
 """The plan of a dataset: categories, seeds, and how assets are drawn and written."""
 
+import hashlib
 from abc import ABC, abstractmethod
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import asdict, dataclass, replace
+from dataclasses import asdict, dataclass, field, replace
+from functools import cache
 from importlib.util import find_spec
 from io import BytesIO
-from typing import Any, ClassVar, Literal, Self, get_args
+from pathlib import Path
+from typing import Any, ClassVar, Literal, NamedTuple, Self, get_args
 
 from artgen.asset.asset import Asset, Base, Limits
 from artgen.asset.collision import Collision
-from artgen.catalog import find, is_file
+from artgen.catalog import find, is_file, load_file
 from artgen.dataset.places import Place
 from artgen.errors import ExportError, ParameterError
 from artgen.export.files import chosen_formats, encode, find_layout
 from artgen.export.layouts import TEXTURES
 from artgen.export.precision import check_precision
-from artgen.generator import OnCollision
+from artgen.generator import Generator, OnCollision
 from artgen.generator.overrides import parse_overrides
 from artgen.materials.textures import check_size
 
@@ -23,6 +26,14 @@ TextureMode = Literal["shared", "embedded", "none"]  # shared by the dataset, wi
 TABLE_DIRECTORY = "parameters"
 
 _COMMON = ("name", "seed", "path", "attempt", "proven", "mass", "links")  # columns of every table
+
+
+class Source(NamedTuple):
+    """A category that a file defines."""
+
+    name: str  # name of the category
+    path: str  # absolute path of the file
+    digest: str  # digest of the file
 
 
 @dataclass(frozen=True)
@@ -49,7 +60,7 @@ class BasePlan(ABC):
 
     FORMAT: ClassVar[str]  # format in the plan file of such folders
 
-    categories: tuple[str, ...]  # names of the categories, each once
+    categories: tuple[str, ...]  # names of the categories, each once; files that define one become names
     count: int  # number of assets, divided evenly among the categories; the first ones get the remainder
     seed: int = 0  # first seed of each category
     overrides: tuple[str, ...] = ()  # `NAME=VALUE` for all categories, or `CATEGORY:NAME=VALUE` for one
@@ -57,11 +68,16 @@ class BasePlan(ABC):
     certify: bool = True  # whether each asset is proven free of collisions
     tolerance: float = 0.0  # required clearance between links [m]
     on_collision: OnCollision = "redraw"  # reaction to a missing proof
+    sources: Mapping[str, Source] = field(default_factory=dict, kw_only=True, hash=False)  # of those in files
 
     def __post_init__(self) -> None:
         """Check the plan before anything is written; one name stands for a tuple of one."""
-        if isinstance(self.categories, str):
-            object.__setattr__(self, "categories", (self.categories,))
+        given: Any = self.categories
+        given = (given,) if isinstance(given, str) else tuple(given)
+        loaded = {text: _source(load_file(text)) for text in given if is_file(text)}
+        names = tuple(loaded[text].name if text in loaded else text for text in given)
+        sources = {source.name: source for source in loaded.values()}
+        vars(self).update(categories=names, sources={**self.sources, **sources})
         if not self.categories:
             raise ParameterError("a dataset needs at least one category")
         twice = next((name for name in self.categories if self.categories.count(name) > 1), None)
@@ -69,12 +85,11 @@ class BasePlan(ABC):
             raise ParameterError(f"the category {twice!r} is named twice; leave one of them out")
         check_whole("count", self.count, 1, 10**9)
         for name in self.categories:
-            if is_file(name):  # part of asset names; other machines may not have the file
-                raise ParameterError(
-                    f"a dataset takes the names of categories, not the file {name}; `artgen new` makes a "
-                    "package, which brings its category to every machine that installs it"
-                )
-            find(name).sample(self.seed, overrides=self.overrides_of(name))
+            self.category(name).sample(self.seed, overrides=self.overrides_of(name))
+
+    def category(self, name: str) -> Generator:
+        """Return a category of the plan."""
+        return _loaded(self.sources[name]) if name in self.sources else find(name)
 
     def items(self) -> Iterator[Item]:
         """Yield the assets, categories in turn: a longer plan begins with the assets of a shorter plan."""
@@ -84,7 +99,7 @@ class BasePlan(ABC):
 
     def draw(self, item: Item) -> Asset:
         """Make an asset."""
-        asset, _ = find(item.category).evaluate(
+        asset, _ = self.category(item.category).evaluate(
             item.seed,
             base=self.base,
             certify=self.certify,
@@ -133,21 +148,12 @@ class BasePlan(ABC):
         return self
 
     def to_data(self) -> dict[str, Any]:
-        """Return the plan as JSON data."""
-        return {
+        """Return the plan as JSON data, with the digests of files and without their paths."""
+        digests = {name: source.digest for name, source in self.sources.items()}
+        data = {
             name: list(value) if isinstance(value, tuple) else value for name, value in asdict(self).items()
         }
-
-    @classmethod
-    def from_data(cls, data: Mapping[str, Any]) -> Self:
-        """Return the plan of JSON data."""
-        given: dict[str, Any] = {
-            name: tuple(value) if isinstance(value, list) else value for name, value in data.items()
-        }
-        try:
-            return cls(**given)
-        except TypeError as error:
-            raise ParameterError(f"this is no plan of a dataset: {error}") from error
+        return data | {"sources": digests}
 
 
 @dataclass(frozen=True)
@@ -249,6 +255,30 @@ class Plan(BasePlan):
                 "'none'"
             )
         return replace(self, textures=self.textures or ("shared" if place.links else "embedded"))
+
+
+def _source(category: Generator) -> Source:
+    path = category.function.__code__.co_filename
+    return Source(category.name, path, _digest(path))
+
+
+def _digest(path: str) -> str:
+    return hashlib.sha256(Path(path).read_bytes()).hexdigest()[:16]
+
+
+@cache
+def _loaded(source: Source) -> Generator:
+    """Execute the file of a category, once in a process."""
+    try:
+        same = _digest(source.path) == source.digest
+    except OSError as error:
+        raise ParameterError(
+            f"{source.path}: {error.strerror or error}; a dataset of a file needs it on every machine. "
+            "`artgen new` makes a package, which each machine can install"
+        ) from error
+    if not same:
+        raise ParameterError(f"{source.path} has changed during the run; begin again in another folder")
+    return load_file(f"{source.path}:{source.name}")
 
 
 def check_whole(name: str, value: Any, low: int, high: int) -> None:

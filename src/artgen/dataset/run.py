@@ -10,7 +10,7 @@ import json
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -22,7 +22,7 @@ from artgen.asset.record import json_text
 from artgen.dataset.places import PLAN_FILE, RESUME, Place, is_url, place_of
 from artgen.dataset.plan import BasePlan, Item, Plan, check_whole
 from artgen.dataset.workers import Ending, EngineName, engine_of, run_job
-from artgen.errors import ArtgenError, ExportError, ParameterError
+from artgen.errors import ArtgenError, ExportError
 from artgen.version import __version__
 
 MANIFEST_FILE = "manifest.jsonl"
@@ -158,9 +158,9 @@ class Folder:
 
     def _begin(self) -> None:
         """Write plan and manifest; the manifest has a line for each asset that is complete or failed."""
-        before = _earlier_plan(self.place, self.plan)
-        if self.plan != before:
-            data = {"format": self.plan.FORMAT, "version": __version__, "plan": self.plan.to_data()}
+        before, plan = _earlier_plan(self.place, self.plan), self.plan.to_data()
+        if plan != before:
+            data = {"format": self.plan.FORMAT, "version": __version__, "plan": plan}
             self.place.write(PLAN_FILE, json_text(data).encode())
         known = {str(record["name"]): record for record in read_manifest(self.place)}
         states = {name: record["state"] for name, record in known.items()}
@@ -243,8 +243,8 @@ def stored_plan(place: Place, form: str = Plan.FORMAT) -> dict[str, Any] | None:
     return dict(data)
 
 
-def _earlier_plan(place: Place, plan: BasePlan) -> BasePlan | None:
-    """Return the plan of the dataset in a place, which may differ only in a smaller count; None if none."""
+def _earlier_plan(place: Place, plan: BasePlan) -> dict[str, Any] | None:
+    """Return the data of the plan in a place, which may differ only in a smaller count; None if none."""
     data = stored_plan(place, plan.FORMAT)
     if data is None:
         return None
@@ -253,23 +253,27 @@ def _earlier_plan(place: Place, plan: BasePlan) -> BasePlan | None:
             f"{place} holds assets of artgen {data['version']}, but {__version__} is installed, which may "
             "generate others from the same seeds; choose another folder"
         )
-    try:
-        before = type(plan).from_data(data["plan"])
-    except ParameterError as error:
-        raise ExportError(f"{place}/{PLAN_FILE}: {error}") from error
-    if before.count > plan.count:
+    old, new = data["plan"], plan.to_data()
+    if not isinstance(old, dict) or not set(old) <= set(new) or not isinstance(old.get("count"), int):
+        raise ExportError(f"{place}/{PLAN_FILE} is no plan of such a dataset; choose another folder")
+    if old["count"] > plan.count:
         raise ExportError(
-            f"{place} holds a dataset of {before.count} assets, but only {plan.count} are requested; request "
-            f"at least {before.count}, or choose another folder"
+            f"{place} holds a dataset of {old['count']} assets, but only {plan.count} are requested; request "
+            f"at least {old['count']}, or choose another folder"
         )
-    old, new = before.to_data(), replace(plan, count=before.count).to_data()
     for name, value in old.items():
-        if value != new[name]:
+        if name == "sources" and value != new[name]:
+            changed = [each for each in {**value, **new[name]} if value.get(each) != new[name].get(each)]
+            raise ExportError(
+                f"{place} holds assets of {_format(changed)} from another text of its file: restore the file, or "
+                "choose another folder"
+            )
+        if name != "count" and value != new[name]:
             raise ExportError(
                 f"{place} holds a dataset with {name} = {_format(value)}, not {_format(new[name])}: use "
                 "the same options, or choose another folder"
             )
-    return before
+    return old
 
 
 def _format(value: Any) -> str:

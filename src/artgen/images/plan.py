@@ -8,7 +8,6 @@ from importlib.util import find_spec
 from numbers import Real
 from typing import Any, ClassVar, Literal, Self, get_args
 
-from artgen.catalog import find
 from artgen.dataset.places import Place
 from artgen.dataset.plan import BasePlan, Item, check_whole
 from artgen.errors import ParameterError, RenderError, nearest
@@ -96,7 +95,7 @@ class ImagePlan(BasePlan):
 
     def mask_names(self) -> dict[str, dict[str, str]]:
         """Return the name of the mask of each label, by category and label."""
-        known = {name: find(name).labels for name in self.categories}
+        known = {name: self.category(name).labels for name in self.categories}
         if not self.labels:
             return {name: {label: label for label in labels} for name, labels in known.items()}
         found: dict[str, dict[str, str]] = {name: {} for name in known}
