@@ -288,7 +288,7 @@ def test_a_run_ends_at_a_full_disk_and_continues_later(undisturbed: Path, tmp_pa
         disk,
     )
     message = "No space left on device; finished work stays, and the same command continues the run\n"
-    assert f"error: an asset cannot be written: {message}" in done.stderr
+    assert f": {message}" in done.stderr  # at an asset of a worker, or at a line of the manifest
     assert "code 2\n" in done.stdout
     assert done.returncode == 0, done.stderr
     assert digests(copy) == digests(undisturbed)
