@@ -263,10 +263,10 @@ def _earlier_plan(place: Place, plan: BasePlan) -> dict[str, Any] | None:
         )
     for name, value in old.items():
         if name == "sources" and value != new[name]:
-            changed = [each for each in {**value, **new[name]} if value.get(each) != new[name].get(each)]
+            other = [each for each in {**value, **new[name]} if value.get(each) != new[name].get(each)]
             raise ExportError(
-                f"{place} holds assets of {_format(changed)} from another text of its file: restore the file, or "
-                "choose another folder"
+                f"{place} holds assets of {_format(other)} from another text of its file: restore the file, "
+                "or choose another folder"
             )
         if name != "count" and value != new[name]:
             raise ExportError(
