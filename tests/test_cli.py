@@ -118,67 +118,6 @@ def test_generate_takes_overrides_base_name_and_place(artgen_command) -> None:
     assert data["version"] == artgen.__version__
 
 
-@pytest.mark.parametrize(
-    ("arguments", "message"),
-    [
-        (["generate", "dor"], "there is no category 'dor'. Did you mean 'door'?"),
-        (["info", "dor"], "there is no category 'dor'. Did you mean 'door'?"),
-        (["generate", "door", "--set", "widht=0.9"], "door has no parameter 'widht'. Did you mean 'width'?"),
-        (["generate", "door", "--set", "width=90"], "width = 90 is out of range"),
-        (["generate", "door", "--set", "width=wide"], "width = 'wide' is not allowed: it must be a number"),
-        (["generate", "door", "--set", "hand=uniform(0, 1)"], "hand = uniform(0, 1) is not allowed"),
-        (
-            ["generate", "door", "--set", "hand=middle"],
-            "hand = 'middle' is not allowed: it must be one of 'left'",
-        ),
-        (
-            ["generate", "door", "--set", "width=uniform(0.85 0.92)"],
-            "width = uniform(0.85 0.92) cannot be read: a comma is missing; write for example uniform(0.8,",
-        ),
-        (
-            ["generate", "door", "--set", "width=uniform(0.85,"],
-            "width = uniform(0.85, cannot be read: it is not complete; write for example uniform(0.8, 0.9)",
-        ),
-        (
-            ["generate", "refrigerator", "--set", "dispenser=true"],
-            "no parameter 'dispenser'. Did you mean 'water' (whether a door has a water dispenser)?",
-        ),
-        (["info", "a" * 300 + ".py"], "it is too long"),
-        (["render", "a" * 300], "it is too long"),
-        (["info", "door", "zzz"], "door has no parameter with 'zzz' in its name or description. Allowed: "),
-        (["info", "door", "width", "--picture", "a.png"], "leave the WORD out"),
-        (["generate", "door", "--set", "width"], "'width' is no override; write NAME=VALUE"),
-        (["generate", "door", "--set", "width=unifrom(1, 2)"], "Did you mean 'uniform'?"),
-        (["generate", "door", "--format", "obj"], "there is no format 'obj'"),
-        (["generate", "door", "--format", ","], "',' names no format"),
-        (["generate", "door", "--seed", "-1"], "seed must be a whole number that is not negative, got -1"),
-        (["generate", "door", "--seed", "many"], "'--seed'"),
-        (["generate", "door", "--base", "loose"], "'--base'"),
-        (["generate", "door", "--name", "a/b"], "name = 'a/b' is no identifier"),
-        (
-            ["generate", "door", "--tolerance", "-0.001"],
-            "tolerance = -0.001 is not allowed: it is the clearance",
-        ),
-        (["generate", "door", "--tolerance", "nan"], "tolerance = nan is not allowed"),
-        (["generate", "door", "--tolerance", "1mm"], "'--tolerance'"),
-        (["generate", "door", "--on-collision", "ignore"], "'--on-collision'"),
-        (["generate"], "Missing argument"),
-        (["generate", "door", "--sed", "1"], "--sed"),
-        (["paint"], "'paint'"),
-    ],
-)
-def test_wrong_input_is_one_line_and_writes_nothing(
-    artgen_command, tmp_path: Path, arguments: list[str], message: str
-) -> None:
-    result = artgen_command(*arguments)
-    assert result.code == 2
-    assert result.out == ""
-    assert result.err.startswith("error: ")
-    assert result.err.count("\n") == 1
-    assert message in result.err
-    assert not list(tmp_path.iterdir())
-
-
 COLLIDES = ("generate", "chest", "--set", "gap=-0.001", "--format", "mjcf")
 
 

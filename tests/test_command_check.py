@@ -53,19 +53,3 @@ def test_a_time_limit_ends_the_proof(check):
     assert any(
         "not proven after 1e-09 s, such as slide in 0..0.2, for body and drawer" in line for line in lines
     )
-
-
-@pytest.mark.parametrize(
-    ("arguments", "message"),
-    [
-        (("--out", "nowhere"), "cannot write to nowhere: give a directory that exists"),
-        (("--set", "width=9"), "width = 9 is out of range: 0.2 to 0.5 m is allowed"),
-        (("--seconds", "-1"), "'--seconds'"),
-    ],
-)
-def test_wrong_input_is_one_line(check, tmp_path, arguments, message):
-    done, _ = check(*arguments)
-    assert (done.code, done.out, done.err.count("\n")) == (2, "", 1)
-    assert done.err.startswith("error: ")
-    assert message in done.err
-    assert not list(tmp_path.iterdir())

@@ -19,7 +19,15 @@ HEAVY = (
     "trimesh",
     "typer",
 )
-HEAVY_TOO = ("artgen.categories.door", "artgen.cli", "pinocchio", "yourdfpy")
+HEAVY_TOO = (
+    "artgen.categories.door",
+    "artgen.cli",
+    "artgen.dataset",
+    "artgen.export",
+    "multiprocessing",
+    "pinocchio",
+    "yourdfpy",
+)
 
 
 def modules_after(statement: str) -> set[str]:
@@ -38,3 +46,9 @@ def test_generating_loads_no_simulator_and_no_reader() -> None:
     loaded = modules_after("import artgen; artgen.generate('door')")
     assert "artgen.categories.door" in loaded
     assert not loaded & {"mujoco", "pinocchio", "pxr", "trimesh", "typer", "yourdfpy"}
+
+
+def test_datasets_are_imported_on_first_use() -> None:
+    assert "artgen.dataset" in modules_after("import artgen; artgen.Dataset; artgen.stream")
+    assert "artgen.dataset.plan" in modules_after("import artgen; artgen.dataset.Plan")
+    assert "multiprocessing" in modules_after("from artgen import *; Dataset")

@@ -7,11 +7,14 @@ A category is a typed function over the handles (`Float`, `Solid`, `Body`, ...) 
 signature declares the parameters. Importing the package loads no simulator, no USD and no category.
 """
 
+import importlib
+import sys
+import typing
+
 from artgen import asset_methods, catalog
 from artgen.asset import Asset
 from artgen.asset_methods import load
 from artgen.catalog import generate
-from artgen.dataset import Dataset, stream
 from artgen.errors import ArtgenError, BuildError, InfeasibleError, ParameterError
 from artgen.generator import Generator, category, generator, one_of, shades
 from artgen.graph import Graph
@@ -49,7 +52,25 @@ from artgen.range_proof import prove_range
 from artgen.sampling import by, choice, count, fixed, given, loguniform, truncated_normal, uniform
 from artgen.version import __version__
 
+if typing.TYPE_CHECKING:
+    from artgen.dataset import Dataset, stream
+
 asset_methods.bind()
+
+
+def __getattr__(name: str) -> typing.Any:
+    """Import datasets, with the exports and processes that they need, when they are used."""
+    if name not in ("Dataset", "dataset", "stream"):
+        raise AttributeError(
+            f"module 'artgen' has no attribute {name!r}", name=name, obj=sys.modules[__name__]
+        )
+    dataset = importlib.import_module("artgen.dataset")
+    return dataset if name == "dataset" else getattr(dataset, name)
+
+
+def __dir__() -> list[str]:
+    return __all__
+
 
 __all__ = [
     "MATERIALS",

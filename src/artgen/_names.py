@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any, Generic, Protocol, SupportsIndex, TypeVar, overload
 
 from artgen._arrays import cached_property
-from artgen.errors import AssetError, ExportError, nearest
+from artgen.errors import AssetError, ExportError, ParameterError, nearest
 
 NAME_RULE = "letters, digits and _, at most 100"
 """Rule of names for messages; the length leaves room for files named after a link and a part."""
@@ -87,6 +87,17 @@ def is_identifier(name: object) -> bool:
 def is_plain_path(path: object) -> bool:
     """Tell whether a path is relative, with slashes, and cannot leave its folder."""
     return isinstance(path, str) and all(_PART.fullmatch(part) for part in path.split("/"))
+
+
+def checked_path(path: Any, name: str) -> Path:
+    """Return the path in an argument of that name.
+
+    Raises:
+        ParameterError: The argument is no path.
+    """
+    if not isinstance(path, str | os.PathLike) or "\0" in str(path):
+        raise ParameterError(f"{name} = {path!r} is not allowed: give a path, such as 'out/door'")
+    return Path(path)
 
 
 def check_names(data: Mapping[str, Any], source: Path) -> None:

@@ -1,6 +1,5 @@
 """Progress on stderr in terminals and notebooks: one display per process, with nested steps."""
 
-import multiprocessing
 import os
 import sys
 import threading
@@ -36,8 +35,11 @@ def progress(
         shown: Whether to show anything.
     """
     global _display  # noqa: PLW0603 - a process has one stderr
-    silent = os.environ.get(SILENT) == "0" or multiprocessing.parent_process() is not None
-    if silent or threading.current_thread() is not threading.main_thread():
+    if (
+        os.environ.get(SILENT) == "0"
+        or _is_worker()
+        or threading.current_thread() is not threading.main_thread()
+    ):
         yield lambda **_: None
     elif _display is not None:
         with _display.step(name, total) as update:
@@ -52,6 +54,12 @@ def progress(
         finally:
             _display.stop()
             _display = None
+
+
+def _is_worker() -> bool:
+    """Tell whether this is a process that another one started to work for it."""
+    multiprocessing = sys.modules.get("multiprocessing")  # a worker has it; others need not load it
+    return multiprocessing is not None and multiprocessing.parent_process() is not None
 
 
 def _live() -> bool:

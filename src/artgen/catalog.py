@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import functools
 import hashlib
+import os
 import re
 import sys
 from collections.abc import Mapping
@@ -74,7 +75,7 @@ def categories() -> tuple[str, ...]:
     return tuple(sorted({*_own(), *CATEGORIES}))
 
 
-def find(name: str) -> Generator:
+def find(name: str | Path) -> Generator:
     """Return the category with a name, or the category in a file: see `load_file`.
 
     Only the package of that name is imported.
@@ -83,6 +84,9 @@ def find(name: str) -> Generator:
         ParameterError: There is no such category; the message suggests the nearest name.
         BuildError: A file cannot be loaded, or a package cannot be imported.
     """
+    if not isinstance(name, str | Path):
+        raise ParameterError(f"a category is found by its name, such as 'door', or its file, not by {name!r}")
+    name = str(name)
     if is_file(name):
         return load_file(name)
     if name not in CATEGORIES and name in _own():
@@ -93,7 +97,10 @@ def find(name: str) -> Generator:
         if name in broken():
             raise BuildError(broken()[name])
         missing = "".join(f"\n  {message}" for message in broken().values())
-        raise ParameterError(f"there is no category {name!r}.{nearest(name, categories())}{missing}")
+        near = nearest(name, categories())
+        if os.path.exists(name):  # noqa: PTH110 - False for names that are too long
+            near = f" {name} is a file or folder: give the Python file of the category, such as stapler.py."
+        raise ParameterError(f"there is no category {name!r}.{near}{missing}")
     return CATEGORIES[name]
 
 
@@ -120,7 +127,7 @@ def load_file(path: str | Path) -> Generator:
     parts = _FILE.fullmatch(str(path))
     file = Path(parts["path"] if parts else path)
     wanted = parts["name"] if parts else None
-    if file.suffix != ".py" or not file.is_file():
+    if file.suffix != ".py" or not os.path.isfile(file):  # noqa: PTH113 - False for names that are too long
         raise ParameterError(
             f"there is no Python file {str(file)!r}; give the path of one, such as stapler.py"
         )
@@ -182,7 +189,7 @@ def _describe(path: str, error: BaseException) -> str:
     return f"{reason}\n  at {place}" if place else reason
 
 
-def generate(category: str | Generator, /, seed: int = 0, **overrides: Any) -> Asset:
+def generate(category: str | Path | Generator, /, seed: int = 0, **overrides: Any) -> Asset:
     """Generate an asset.
 
     Args:
@@ -200,7 +207,7 @@ def generate(category: str | Generator, /, seed: int = 0, **overrides: Any) -> A
         InfeasibleError: No draw met the requirements of the category, or none is proven free of collisions.
         CheckError: The links are not proven apart, and `on_collision` is "fail".
     """
-    chosen = find(category) if isinstance(category, str) else category
+    chosen = find(category) if isinstance(category, str | Path) else category
     if not isinstance(chosen, Generator):
         raise ParameterError(f"generate takes the name of a category or a generator, got {category!r}")
     return chosen.generate(seed, **overrides)

@@ -93,11 +93,17 @@ class RenderError(ArtgenError, RuntimeError):
     """A picture could not be rendered: a renderer or one of its libraries is missing."""
 
 
-def nearest(name: str, allowed: Iterable[str]) -> str:
-    """Return the allowed names, the likeliest first: ` Did you mean 'width'?` or ` Allowed: a, b.`."""
+def nearest(name: object, allowed: Iterable[str]) -> str:
+    """Return the allowed names, the likeliest first: ` Did you mean 'width'?` or ` Allowed: a, b.`.
+
+    A name is also compared with each word of an option: `leather` is near to `leather_grain_abs`.
+    """
     options = sorted(allowed)
-    close = difflib.get_close_matches(name, options, 1, cutoff=0.5)
+    words = {word.casefold(): each for each in reversed(options) for word in each.split("_")}
+    words |= {each.casefold(): each for each in reversed(options)}
+    near = name.casefold() if isinstance(name, str) else ""
+    close = difflib.get_close_matches(near, sorted(words), 1, cutoff=0.5)
     if close:
-        return f" Did you mean {close[0]!r}?"
+        return f" Did you mean {words[close[0]]!r}?"
     shown = ", ".join(options[:12]) + (", ..." if len(options) > 12 else "")
     return f" Allowed: {shown}." if options else ""

@@ -88,7 +88,7 @@ def test_overrides_for_one_category_replace_those_for_all() -> None:
 @pytest.mark.parametrize(
     ("options", "message"),
     [
-        ({"categories": ()}, "a dataset needs at least one category"),
+        ({"categories": ()}, "a dataset needs the names of its categories"),
         ({"categories": ("door", "dor")}, r"there is no category 'dor'\. Did you mean 'door'\?"),
         ({"categories": ("door", "door")}, "the category 'door' is named twice; leave one of them out"),
         ({"count": 0}, "count is a whole number from 1 to 1000000000, not 0"),

@@ -8,11 +8,12 @@ import sys
 import numpy as np
 import pytest
 
+from artgen import _progress
 from artgen.dataset.places import locked
 from artgen.dataset.workers import Ending
 from artgen.demos import make_demos, record
 from artgen.demos.run import Attempts
-from artgen.errors import CheckError, ExportError, ParameterError
+from artgen.errors import CheckError, ExportError
 
 h5py = pytest.importorskip("h5py", reason="pip install 'artgen[demos]'")
 gymnasium = pytest.importorskip("gymnasium", reason="pip install 'artgen[demos]'")
@@ -126,25 +127,6 @@ def test_attempts_of_another_plan_are_not_used(tmp_path):
     assert [path.name for path in (tmp_path / "kept").iterdir()] == ["plan.json"]
 
 
-@pytest.mark.parametrize(
-    ("wrong", "error", "message"),
-    [
-        (
-            {"task": "OpenDrawr"},
-            ParameterError,
-            r"there is no task 'OpenDrawr'\. Did you mean 'OpenDrawer'\?",
-        ),
-        ({"count": 0}, ParameterError, "the number of demonstrations is 0; it can be 1 to"),
-        ({"noise": -0.1}, ParameterError, r"the noise is -0\.1; it can be 0 to 1"),
-        ({"image": 5000}, ParameterError, "the size of an image is 5000; it can be 0 to 4096"),
-    ],
-)
-def test_wrong_arguments_are_one_error_and_write_nothing(wrong, error, message, tmp_path):
-    with pytest.raises(error, match=message):
-        make_demos(**{"task": "OpenDrawer", "count": 1, "out": tmp_path / "new", **wrong})
-    assert not (tmp_path / "new").exists()
-
-
 def test_too_many_failures_leave_nothing(tmp_path, monkeypatch):
     def fail(task, items, *, jobs, limit):
         return (Ending(item, "failed", message="Traceback\nEnvError: no drawer") for item in items)
@@ -180,3 +162,17 @@ def test_the_command_reports_a_wrong_task_in_one_line(tmp_path):
     assert (done.returncode, done.stdout) == (2, "")
     assert done.stderr.startswith("error: there is no task 'OpenDoors'.")
     assert done.stderr.count("\n") == 1
+
+
+def test_progress_is_shown_to_a_caller_in_python(tmp_path, monkeypatch, capsys):
+    def fail(task, items, *, jobs, limit):
+        yield from (Ending(item, "failed", message="no") for item in items)
+
+    monkeypatch.setattr("artgen.demos.run.run_tasks", fail)
+    monkeypatch.setattr(_progress, "_INTERVAL", 0.0)
+    monkeypatch.setattr(_progress, "_live", lambda: True)
+    monkeypatch.setattr(_progress, "_Bar", _progress._Display)
+    for shown in (True, False):
+        with pytest.raises(CheckError):
+            make_demos("OpenDrawer", 2, tmp_path / "new", jobs=1, progress=shown)
+        assert ("OpenDrawer 0/2, 3 failed" in capsys.readouterr().err.splitlines()) == shown

@@ -203,9 +203,12 @@ class Asset:
         Other joints have the position nearest to 0 within their limits; coupled joints follow.
 
         Raises:
-            AssetError: A joint is unknown, coupled to another, or beyond its limits.
+            AssetError: A joint is unknown, coupled to another, or beyond its limits, or `q` is no mapping.
         """
         result = {joint.name: joint.closed for joint in self.joints if joint.follows is None}
+        if not isinstance(q, Mapping | None):
+            free = [joint.name for joint in self.free_joints] or ["JOINT"]
+            raise AssetError(f"positions are a mapping such as {{{free[0]!r}: 0.1}}, not {q!r}")
         for name, position in (q or {}).items():
             joint = self.joint(name)
             if joint.follows is not None:

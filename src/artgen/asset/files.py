@@ -10,7 +10,7 @@ from typing import Any, ClassVar, NoReturn
 import numpy as np
 
 from artgen._arrays import Array, cached_property
-from artgen._names import ByName, check_names
+from artgen._names import ByName, check_names, checked_path
 from artgen.asset.affordance import Grasp, Push
 from artgen.asset.asset import FORMAT, PLAIN, Asset, remember
 from artgen.asset.certificate import Certificate
@@ -40,8 +40,9 @@ def load(directory: str | Path) -> Asset:
     Raises:
         ExportError: There is no readable `asset.json`.
         AssetError: The file has another format, or names or paths that artgen does not write.
+        ParameterError: The directory is no path.
     """
-    path = Path(directory)
+    path = checked_path(directory, "directory")
     path = path / ASSET_FILE if path.suffix != ".json" else path
     before = previous_directory(path.parent) / path.name
     if not path.exists() and before.exists():

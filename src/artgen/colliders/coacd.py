@@ -2,11 +2,9 @@
 
 import hashlib
 import json
-import subprocess
 import sys
 from collections.abc import Sequence
 from contextlib import suppress
-from importlib import metadata
 from typing import Any
 
 import numpy as np
@@ -159,6 +157,8 @@ def canonical(vertices: Array, triangles: NDArray[np.int64]) -> tuple[Array, NDA
 
 
 def _version() -> str:
+    from importlib import metadata  # slow to import
+
     try:
         return metadata.version("coacd")
     except metadata.PackageNotFoundError as error:
@@ -169,6 +169,8 @@ def _run(
     vertices: Array, triangles: NDArray[np.int64], settings: dict[str, float | str]
 ) -> dict[str, NDArray[Any]]:
     """Return the points of the hulls and their counts, equal in every process with any number of cores."""
+    import subprocess  # slow to import
+
     given = disk_cache.packed({"vertices": vertices, "triangles": triangles.astype(np.int32)})
     for attempt in _ATTEMPTS:
         arguments = json.dumps({**settings, "preprocess_mode": attempt})

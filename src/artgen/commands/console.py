@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import typer
 from rich.console import Console
@@ -13,9 +13,9 @@ from rich.table import Table
 
 from artgen._progress import Update
 from artgen._progress import progress as shown_progress
-from artgen.dataset import generate_many
-from artgen.dataset.places import RESUME
-from artgen.dataset.plan import BasePlan
+
+if TYPE_CHECKING:
+    from artgen.dataset.plan import BasePlan
 
 FAULT = 1
 """Exit code of a command that found a fault."""
@@ -71,6 +71,8 @@ def counting(name: str, total: int | None = None) -> Iterator[tuple[Callable[[bo
 
             yield step, update
     except KeyboardInterrupt:
+        from artgen.dataset.places import RESUME
+
         raise InterruptedRunError(f"interrupted; {RESUME}") from None
 
 
@@ -82,7 +84,7 @@ def list_failures(failures: Sequence[str], rest: str = "") -> None:
         typer.echo(f"and {len(failures) - _SHOWN} more{rest}", err=True)
 
 
-def make_dataset(plan: BasePlan, out: str, *, each: int = 1, what: str = "assets", **options: Any) -> None:
+def make_dataset(plan: "BasePlan", out: str, *, each: int = 1, what: str = "assets", **options: Any) -> None:
     """Make a dataset, show the progress, and list the failures.
 
     Args:
@@ -95,6 +97,8 @@ def make_dataset(plan: BasePlan, out: str, *, each: int = 1, what: str = "assets
     Raises:
         Exit: An asset failed.
     """
+    from artgen.dataset import generate_many
+
     with counting(Path(out).name) as (step, update):
         summary = generate_many(
             plan,

@@ -47,10 +47,10 @@ def render(
 ) -> None:
     """Render a picture of an asset and print its path; needs artgen[sim]."""
     from artgen.view import opened
-    from artgen.view.picture import check_suffix, save_image
+    from artgen.view.picture import save_image
 
     if out is not None:
-        check_suffix(out)
+        _check_file(out)
     pixels = _size(size)
     with progress("render"):
         asset = asset_from(source, seed, overrides or [])
@@ -59,6 +59,15 @@ def render(
             q, camera=view, size=pixels, studio=studio, textures=texture_size, samples=samples
         )
     typer.echo(save_image(_shown(picture, show), out or Path(f"{asset.name}.png")))
+
+
+def _check_file(path: Path) -> None:
+    """Check the file of a picture before it is drawn."""
+    from artgen.view.picture import check_suffix
+
+    check_suffix(path)
+    if path.is_dir() or not path.absolute().parent.is_dir():
+        raise ExportError(f"cannot write {path}: give a file in a directory that exists")
 
 
 def _positions(items: list[str]) -> dict[str, float]:
@@ -118,7 +127,6 @@ def sheet(
     out: _File = None,
 ) -> None:
     """Draw samples of a category, closed and open, on one page, and print its path; needs artgen[sim]."""
-    from artgen.view.picture import check_suffix
     from artgen.view.sheet import save_sheet
     from artgen.view.sheet import sheet as draw
 
@@ -126,9 +134,7 @@ def sheet(
         raise ParameterError(f"--seeds {seeds} must be at least 1")
     found, values = find(category), parse_overrides(overrides or [])
     path = Path(f"{found.name}.jpg") if out is None else out
-    check_suffix(path)
-    if not path.absolute().parent.is_dir():
-        raise ExportError(f"cannot write {path}: give a file in a directory that exists")
+    _check_file(path)
 
     def sample(seed: int) -> Asset:
         return found.evaluate(seed, certify=False, overrides=values)[0]

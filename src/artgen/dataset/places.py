@@ -8,6 +8,7 @@ of the process marks a run.
 
 import atexit
 import os
+import re
 import shutil
 import socket
 import tempfile
@@ -22,7 +23,7 @@ from urllib.parse import urlsplit
 from urllib.request import url2pathname
 
 from artgen._arrays import cached_property
-from artgen._names import inside
+from artgen._names import checked_path, inside
 from artgen.asset.files import ASSET_FILE
 from artgen.errors import ExportError
 from artgen.export.files import replaced, write_files
@@ -34,6 +35,7 @@ TEXTURE_DIRECTORY = "textures"
 
 RESUME = "finished work stays, and the same command continues the run"  # ends messages about interruptions
 
+_ONE_SLASH = re.compile(r"[a-z][a-z0-9+]+:/(?!/)")  # a scheme, which is longer than the name of a drive
 _INTERVAL = 30.0  # time between two writes of a growing object in a store [s]
 
 
@@ -378,9 +380,17 @@ Place = Disk | Store
 
 
 def place_of(path: str | Path) -> Place:
-    """Return the place of a folder or URL."""
+    """Return the place of a folder or URL.
+
+    Raises:
+        ParameterError: It is neither.
+        ExportError: The URL names a folder of another machine, or is incomplete.
+    """
+    checked_path(path, "directory")
+    if isinstance(path, str) and _ONE_SLASH.match(path):
+        raise ExportError(f"{path} is no URL: write {path.replace(':', ':/', 1)}, with two slashes")
     if isinstance(path, Path) or not is_url(path):
-        return Disk(Path(path))
+        return Disk(Path(path).absolute())
     parts = urlsplit(path)
     if parts.scheme != "file":
         return Store(path)

@@ -10,6 +10,8 @@ from io import BytesIO
 from pathlib import Path
 from typing import Any, ClassVar, Literal, NamedTuple, Self, get_args
 
+import numpy as np
+
 from artgen.asset.asset import Asset, Base, Limits
 from artgen.asset.collision import Collision
 from artgen.catalog import find, is_file, load_file
@@ -19,6 +21,7 @@ from artgen.export.files import chosen_formats, encode, find_layout
 from artgen.export.layouts import TEXTURES
 from artgen.export.precision import check_precision
 from artgen.generator import Generator, OnCollision
+from artgen.generator.generator import checked_count
 from artgen.generator.overrides import parse_overrides
 from artgen.materials.textures import check_size
 
@@ -73,17 +76,21 @@ class BasePlan(ABC):
     def __post_init__(self) -> None:
         """Check the plan before anything is written; one name stands for a tuple of one."""
         given: Any = self.categories
-        given = (given,) if isinstance(given, str) else tuple(given)
+        given = (given,) if isinstance(given, str) else given
+        texts = isinstance(given, tuple | list) and all(isinstance(text, str) for text in given)
+        if not texts or not given:
+            raise ParameterError(
+                f"a dataset needs the names of its categories, such as ('door', 'drawer'), not {given!r}"
+            )
         loaded = {text: _source(load_file(text)) for text in given if is_file(text)}
         names = tuple(loaded[text].name if text in loaded else text for text in given)
         sources = {source.name: source for source in loaded.values()}
-        vars(self).update(categories=names, sources={**self.sources, **sources})
-        if not self.categories:
-            raise ParameterError("a dataset needs at least one category")
+        seed = checked_count("seed", self.seed)
+        vars(self).update(categories=names, sources={**self.sources, **sources}, seed=seed)
         twice = next((name for name in self.categories if self.categories.count(name) > 1), None)
         if twice is not None:
             raise ParameterError(f"the category {twice!r} is named twice; leave one of them out")
-        check_whole("count", self.count, 1, 10**9)
+        vars(self)["count"] = check_whole("count", self.count, 1, 10**9)
         for name in self.categories:
             self.category(name).sample(self.seed, overrides=self.overrides_of(name))
 
@@ -281,10 +288,11 @@ def _loaded(source: Source) -> Generator:
     return load_file(f"{source.path}:{source.name}")
 
 
-def check_whole(name: str, value: Any, low: int, high: int) -> None:
-    """Raise ParameterError for an option that is no whole number in a range."""
-    if isinstance(value, bool) or not isinstance(value, int) or not low <= value <= high:
+def check_whole(name: str, value: Any, low: int, high: int) -> int:
+    """Return an option that is a whole number in a range, or raise ParameterError."""
+    if isinstance(value, bool) or not isinstance(value, int | np.integer) or not low <= value <= high:
         raise ParameterError(f"{name} is a whole number from {low} to {high}, not {value!r}")
+    return int(value)
 
 
 def row_of(record: Mapping[str, Any]) -> dict[str, Any]:

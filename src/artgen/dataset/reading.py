@@ -37,8 +37,8 @@ class Dataset(Sequence[Asset]):
     """
 
     def __init__(self, directory: str | Path) -> None:
-        self.directory = directory if is_url(directory) else Path(directory)
         self._place = place_of(directory)
+        self.directory = directory if is_url(directory) else Path(directory)
         if stored_plan(self._place) is None or self._place.read(MANIFEST_FILE) is None:
             raise ExportError(f"{directory} holds no dataset; `artgen generate CATEGORY -n 100` makes one")
         self.records: tuple[Mapping[str, Any], ...] = tuple(

@@ -19,10 +19,10 @@ from artgen._names import inside
 from artgen._progress import progress as shown_progress
 from artgen.asset.files import ASSET_FILE
 from artgen.asset.record import json_text
-from artgen.dataset.places import PLAN_FILE, RESUME, Place, is_url, place_of
+from artgen.dataset.places import PLAN_FILE, RESUME, Place, place_of
 from artgen.dataset.plan import BasePlan, Item, Plan, check_whole
 from artgen.dataset.workers import Ending, EngineName, engine_of, run_job
-from artgen.errors import ArtgenError, ExportError
+from artgen.errors import ArtgenError, ExportError, ParameterError
 from artgen.version import __version__
 
 MANIFEST_FILE = "manifest.jsonl"
@@ -83,16 +83,18 @@ def generate_many(
         begin: Called at the beginning with the number of missing assets.
 
     Raises:
-        ParameterError: `jobs` is less than one, or there is no such engine.
+        ParameterError: The plan is no plan, `jobs` is less than one, or there is no such engine.
         ExportError: The folder holds something else, another run writes to it, the disk reports an error, or
             there is no such cluster; finished assets stay.
         RenderError: MuJoCo, OpenGL or a package for pictures is missing; nothing was written.
     """
+    if not isinstance(plan, BasePlan):
+        raise ParameterError(f"generate_many takes a plan such as Plan('door', 100), not {plan!r}")
     if jobs is not None:
         check_whole("jobs", jobs, 1, 10**6)
     start = time.monotonic()
     limit = plan.time_limit if limit is None else limit
-    place = place_of(directory if is_url(directory) else Path(directory).absolute())
+    place = place_of(directory)
     with engine_of(engine, jobs=jobs, address=address) as run, Folder.opened(place, plan) as folder:
         existing = sum(record["state"] == "done" for record in folder.records.values())
         if begin is not None:

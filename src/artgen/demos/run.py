@@ -25,10 +25,15 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen._names import checked_path
+from artgen._progress import Update
+from artgen._progress import progress as shown_progress
 from artgen.dataset.places import Disk, locked
+from artgen.dataset.plan import check_whole
 from artgen.dataset.workers import Ending, cores, run_job, run_tasks
 from artgen.errors import CheckError, EnvError, ExportError, ParameterError
 from artgen.export.files import replaced
+from artgen.sampling.distributions import is_number
 from artgen.version import __version__
 
 Array = NDArray[Any]
@@ -176,7 +181,7 @@ def make_demos(
     image: int = 0,
     noise: float = 0.0,
     jobs: int | None = None,
-    progress: Callable[[bool], None] = lambda succeeded: None,
+    progress: Callable[[bool], None] | bool = True,
 ) -> DemoSummary:
     """Record successful demonstrations of the scripted policy in a task, each with another asset.
 
@@ -192,20 +197,23 @@ def make_demos(
         noise: Standard deviation of a disturbance of the arm's actions, so that demonstrations include
             corrections; `actions` are those of the policy, `applied` the disturbed ones.
         jobs: Number of processes; by default the number of cores.
-        progress: Called after each attempt, with its success.
+        progress: Whether to show the progress in a terminal or notebook, or a function that is called after
+            each attempt, with its success.
 
     Raises:
-        ParameterError: There is no such task, or a number is out of its range.
+        ParameterError: There is no such task, the folder is no path, or a number is out of its range.
         EnvError: A package of the environments is not installed.
         ExportError: h5py is not installed, `demo.hdf5` exists and was not written by artgen, or the disk
             reports an error.
         CheckError: The policy fails too often; nothing is written.
     """
     _check_task(task)
-    _check("the number of demonstrations", count, 1, 10_000_000)
-    _check("the size of an image", image, 0, 4096)
-    _check("the noise", noise, 0.0, 1.0)
-    file = Path(out) / DEMO_FILE
+    count = check_whole("count", count, 1, 10_000_000)
+    seed, image = check_whole("seed", seed, 0, 2**62), check_whole("image", image, 0, 4096)
+    jobs = check_whole("jobs", cores() if jobs is None else jobs, 1, 10**6)
+    if not is_number(noise) or not 0.0 <= noise <= 1.0:
+        raise ParameterError(f"noise is a number from 0 to 1, not {noise!r}")
+    file = checked_path(out, "out") / DEMO_FILE
     if not is_replaceable(file):
         raise ExportError(f"{file} exists and holds no demonstrations of artgen; choose another directory")
     start = time.monotonic()
@@ -214,30 +222,32 @@ def make_demos(
     seeds = range(seed, seed + 2 * count + _SPARE)
     plan = {"task": task, "image": image, "noise": noise, "version": __version__}
 
-    def successes(endings: Iterable[Ending]) -> Iterator[Demo]:
+    def successes(endings: Iterable[Ending], update: Update) -> Iterator[Demo]:
         for ending in endings:
             demo: Demo | None = ending.value
-            if demo is None or not demo.success:
+            if demo is not None and demo.success:
+                succeeded.append(ending.item)
+            else:
                 failed[ending.item] = ending.reason if demo is None else "time was over before success"
-                progress(False)
-                continue
-            succeeded.append(ending.item)
-            progress(True)
-            yield demo
+                demo = None
+            if callable(progress):
+                progress(demo is not None)
+            update(completed=len(succeeded), failed=f"{len(failed)} failed" if failed else "")
+            if demo is not None:
+                yield demo
             if len(succeeded) == count:
                 return
 
-    try:
-        file.parent.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise ExportError(
-            f"cannot write to {file.parent}: {error.strerror}; choose another directory"
-        ) from error
+    _make_folder(file.parent)
     with locked(file.parent), replaced(file) as partial_file:
         task_of_seed = partial(record, task, image=image, noise=noise)
         attempts = Attempts(file.parent / _ATTEMPTS, plan, seeds, task_of_seed)
-        with closing(attempts.endings(jobs or cores())) as endings:
-            steps = write_demos(partial_file, successes(endings), f"artgen/{task}-v0", {"obs": "state"})
+        with (
+            closing(attempts.endings(jobs)) as endings,
+            shown_progress(task, None if callable(progress) else count, shown=progress is True) as update,
+        ):
+            demos = successes(endings, update)
+            steps = write_demos(partial_file, demos, f"artgen/{task}-v0", {"obs": "state"})
         if len(succeeded) < count:
             attempts.remove()
             raise CheckError(
@@ -247,6 +257,13 @@ def make_demos(
             )
     attempts.remove()
     return DemoSummary(file, count, steps, failed, time.monotonic() - start)
+
+
+def _make_folder(folder: Path) -> None:
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise ExportError(f"cannot write to {folder}: {error.strerror}; choose another directory") from error
 
 
 class Attempts:
@@ -363,8 +380,3 @@ def is_replaceable(path: Path) -> bool:
             return str(json.loads(file["data"].attrs["env_args"])["env_name"]).startswith("artgen/")
     except (OSError, KeyError, ValueError, TypeError):
         return False
-
-
-def _check(name: str, value: float, least: float, most: float) -> None:
-    if not least <= value <= most:
-        raise ParameterError(f"{name} is {value:g}; it can be {least:g} to {most:g}")

@@ -1,5 +1,6 @@
 """The only module that writes assets to disk: all files of an asset with their digests, or none."""
 
+import errno
 import hashlib
 import json
 import os
@@ -9,12 +10,13 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import ExitStack, contextmanager, suppress
 from dataclasses import replace
 from io import BytesIO
+from itertools import islice
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from artgen._names import check_names, inside
+from artgen._names import check_names, checked_path, inside
 from artgen.asset import Asset, valid_states
 from artgen.asset.asset import FORMAT, Limits
 from artgen.asset.collision import Collision, collision_of, with_colliders
@@ -123,8 +125,9 @@ def export(
             directory holds other files, or the disk reports an error.
         AssetError: The asset was read from files, which keep no solids, but other colliders or surfaces are
             requested.
-        ParameterError: The size of maps or the precision is not allowed.
+        ParameterError: The directory, the size of maps or the precision is not allowed.
     """
+    checked_path(directory, "directory")
     files = encode(
         asset,
         formats,
@@ -239,6 +242,9 @@ def replaced(path: Path) -> Iterator[Path]:
 def _new_parents(path: Path) -> Iterator[None]:
     """Create the parents of a path; an error removes the new ones."""
     missing = [parent for parent in path.parents if not parent.exists()]
+    existing = path.parents[len(missing)]
+    if not existing.is_dir():
+        raise NotADirectoryError(errno.ENOTDIR, f"{existing} is a file")
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         yield
@@ -275,6 +281,8 @@ def chosen_formats(layout: Layout, formats: Sequence[str] | None) -> tuple[str, 
     """Return the formats to write, each once."""
     if formats is None:
         return layout.default_formats
+    if not isinstance(formats, str | Iterable):
+        raise ExportError(f"formats = {formats!r} is not allowed: it must be a tuple of {', '.join(FORMATS)}")
     chosen = tuple(dict.fromkeys([formats] if isinstance(formats, str) else formats))
     for name in chosen:
         if name not in FORMATS:
@@ -288,21 +296,23 @@ def chosen_formats(layout: Layout, formats: Sequence[str] | None) -> tuple[str, 
 
 def _foreign_files(target: Path, files: Iterable[str]) -> list[str]:
     """Return the files in a directory that artgen did not write, if an export may replace the others."""
+    inside = (
+        path.relative_to(target).as_posix()
+        for path in target.rglob("*")
+        if path.is_symlink() or not path.is_dir()
+    )
     try:
         _recover(target)
         is_file = target.exists() and not target.is_dir()
-        found = sorted(
-            path.relative_to(target).as_posix()
-            for path in target.rglob("*")
-            if path.is_symlink() or not path.is_dir()
-        )
+        earlier = _earlier_files(target)
+        # the folder of a user may hold millions of files
+        found = sorted(islice(inside, 1 if earlier is None else None))
     except OSError as error:
         raise ExportError(f"cannot export to {target}: {error.strerror or error}") from error
     if is_file:
         raise ExportError(f"cannot export to {target}: it is a file; choose another directory")
     if not found:
         return []
-    earlier = _earlier_files(target)
     if earlier is None:
         raise ExportError(
             f"cannot export to {target}: it holds {found[0]!r} and is no earlier export of artgen; choose "

@@ -13,6 +13,7 @@ from artgen._names import ByName
 from artgen.asset import Asset, Mesh, Surface
 from artgen.asset.asset import remember
 from artgen.asset.collision import need_solids
+from artgen.asset.joint import is_number
 from artgen.asset.link import DerivedLink, Piece
 from artgen.asset.surface import POSITION_DECIMALS, coarser, joined, rounded_mesh
 from artgen.errors import ParameterError
@@ -51,7 +52,7 @@ def with_precision(asset: Asset, precision: float) -> Asset:
 
 def check_precision(precision: float) -> None:
     """Raise ParameterError for a precision that is not allowed."""
-    if not 0.0 <= precision <= COARSEST:
+    if not is_number(precision) or not 0.0 <= precision <= COARSEST:
         raise ParameterError(
             f"surfaces are precise to 0 (all that was made) to {COARSEST:g} m, not {precision!r}"
         )

@@ -187,9 +187,17 @@ def call_author(name: str, function: Callable[..., Any], arguments: Mapping[str,
         if isinstance(error, BuildError | ParameterError) and "\n  at " not in str(error):
             error.args = (f"{error}\n  at {line_in(file, error)}",)
         raise
-    except Exception as error:
-        reason = f"{type(error).__name__}: {error}"
+    except (Exception, SystemExit) as error:
+        reason = f"{type(error).__name__}: {error}{_correction(error)}"
         raise BuildError(f"{name} cannot be built: {reason}\n  at {line_in(file, error)}") from error
+
+
+def _correction(error: BaseException) -> str:
+    """Return the likeliest correction of an error in an author's function."""
+    if isinstance(error, AttributeError) and error.obj is not None:
+        near = nearest(error.name or "", [name for name in dir(error.obj) if not name.startswith("_")])
+        return f".{near}" if near.endswith("?") else ""
+    return "; use artgen's sin, sqrt, min_, ... instead of numpy's" if "__array_ufunc__" in str(error) else ""
 
 
 class Generator(Variant):
@@ -485,6 +493,10 @@ class Generator(Variant):
         seed = checked_count("seed", seed)
         name = name or f"{self.name}_{seed}"
         _check_options(name, base, attempts)
+        if cache is not None and not isinstance(cache, Cache):
+            raise ParameterError(
+                f"cache = {cache!r} is not allowed: it must be an artgen.graph.Cache, or None"
+            )
         check_proof(certify, tolerance, on_collision)
         proof = _prove_later if certify == "later" else certify_sample
         prove = partial(proof, tolerance=tolerance, on_collision=on_collision) if certify else _leave_open
@@ -632,7 +644,7 @@ def _check_options(name: str, base: Any, attempts: int | None) -> None:
         raise ParameterError(f"name = {name!r} is no identifier; use {NAME_RULE}")
     if base not in ("fixed", "free"):
         raise ParameterError(f"base = {base!r} is not allowed: it must be 'fixed' or 'free'")
-    if attempts is not None and attempts < 1:
+    if attempts is not None and checked_count("attempts", attempts) < 1:
         raise ParameterError(f"attempts must be at least 1, got {attempts!r}")
 
 

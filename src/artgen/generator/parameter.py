@@ -1,5 +1,6 @@
 """Parameters: the values of an annotation, and the check of distributions against it."""
 
+import re
 import types
 import typing
 from abc import ABC, abstractmethod
@@ -15,7 +16,7 @@ from artgen.graph import Handle
 from artgen.materials import MATERIALS, Material
 from artgen.nodes.handles import Bool, Float, Vector
 from artgen.sampling import Distribution
-from artgen.sampling.distributions import is_number
+from artgen.sampling.distributions import UNITS, is_number
 
 SOCKETS = (Float, Bool, Vector)
 """Handles whose values can be drawn."""
@@ -29,6 +30,9 @@ _WORDS = {
     bool: "True or False",
     Material: "a material or the name of one",
 }
+
+
+_WITH_UNIT = re.compile(r"\s*([-+]?\d*\.?\d+)\s*([a-z]*)\s*")  # a number that may have a unit
 
 
 class Variant(ABC):
@@ -99,6 +103,12 @@ class Parameter:
         """Return the likeliest correction of a value that is not allowed."""
         if isinstance(value, str) and self.kind is Material:
             return nearest(value, MATERIALS)
+        text = _WITH_UNIT.fullmatch(value) if isinstance(value, str) and self.kind is Float else None
+        if text is not None:
+            unit = self.distribution.unit
+            size = UNITS.get(unit, {}).get(text[2] or unit)
+            example = f": {size * float(text[1]):.6g}" if size else ""
+            return f" Write the number alone{f', in {unit}' if unit else ''}{example}."
         pair = isinstance(value, tuple | list) and len(value) == 2 and all(map(is_number, value))
         if pair and self.kind is Float:
             return f" For a range, write uniform({value[0]:g}, {value[1]:g})."

@@ -144,6 +144,14 @@ class Solid(Handle):
         """Cut away."""
         return Solid.record("difference", a=self, b=other)
 
+    def __add__(self, other: object) -> NoReturn:
+        """Refuse a sum.
+
+        Raises:
+            BuildError: Always; the message names `|`.
+        """
+        raise BuildError("solids have no +; a | b unites them, a - b cuts b away, a & b is their common part")
+
     def split(self, *, point: VectorLike, normal: VectorLike) -> Solid:
         """Keep the part on the side of a plane to which the normal points.
 
@@ -219,15 +227,17 @@ class Body(Handle):
     value_type: ClassVar[Any] = Tree
 
     def __or__(self, other: object) -> NoReturn:
-        """Refuse a union of bodies, whose names differ from those of solids.
+        """Refuse operations on the solids of bodies, whose operations have other names.
 
         Raises:
             BuildError: Always; the message names `weld` and `attach`.
         """
         raise BuildError(
-            "bodies have no |, which unites solids; weld(a, b) joins bodies rigidly to one link, and "
-            "a.attach(b, joint) by a joint"
+            "bodies have no |, -, & and +, which are for solids; weld(a, b) joins bodies rigidly to one "
+            "link, a.attach(b, joint) by a joint; cut a solid before part(...) makes a body of it"
         )
+
+    __ror__ = __sub__ = __rsub__ = __and__ = __rand__ = __add__ = __radd__ = __or__
 
     def mass(self) -> Float:
         """Return the mass with all links joined to this one [kg]."""

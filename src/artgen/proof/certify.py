@@ -81,6 +81,8 @@ def certify(
     if not 0.0 <= overlap <= PRESSED:
         raise AssetError(f"overlap must be a length of 0 to {PRESSED:g} m, got {overlap!r}")
     tolerance = float(tolerance) - overlap
+    if not (is_number(seconds) or seconds == math.inf) or seconds < 0.0:
+        raise AssetError(f"seconds must be a time limit that is not negative, got {seconds!r}")
     if not asset.links:
         raise AssetError(f"asset {asset.name!r} has no links; there is nothing to certify")
     _check_ranges(asset)

@@ -4,6 +4,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from fnmatch import filter as filter_names
 from functools import partial
+from typing import get_args
 
 import numpy as np
 
@@ -159,8 +160,10 @@ def with_limits(asset: Asset, limits: Limits, keep: Sequence[str] = ()) -> Asset
         The asset without dependencies, with a certificate if it had one.
 
     Raises:
-        AssetError: The ranges are narrowed already, or a pattern fits no joint.
+        AssetError: The ranges are narrowed already, a pattern fits no joint, or there are no such limits.
     """
+    if limits not in get_args(Limits):
+        raise AssetError(f"limits = {limits!r} is not allowed: it must be 'full' or 'independent'")
     if limits == asset.limits:
         return asset
     if asset.limits != "full":

@@ -5,12 +5,14 @@ import math
 from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from statistics import NormalDist
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from artgen.errors import ParameterError
+
+if TYPE_CHECKING:
+    from statistics import NormalDist
 
 
 def stream(seed: int, path: str, attempt: int = 0) -> np.random.Generator:
@@ -100,8 +102,25 @@ class Distribution(ABC):
             if is_number(item) and not low <= item <= high:
                 raise ParameterError(
                     f"{name} = {value!r} is out of range: "
-                    f"{low:.6g} to {high:.6g}{_unit(self.unit)} is allowed"
+                    f"{low:.6g} to {high:.6g}{_unit(self.unit)} is allowed{_converted(value, self)}"
                 )
+
+
+UNITS = {
+    "m": {"mm": 1e-3, "cm": 1e-2, "in": 0.0254, "m": 1.0},
+    "rad": {"degrees": math.pi / 180.0, "deg": math.pi / 180.0, "rad": 1.0},
+    "kg": {"g": 1e-3, "kg": 1.0},
+}
+"""Units that users mean instead of the units of parameters, with their sizes."""
+
+
+def _converted(value: Any, distribution: Distribution) -> str:
+    """Return a question about the unit of a number that is out of range."""
+    low, high = distribution.within or (0.0, 0.0)
+    for unit, size in UNITS.get(distribution.unit, {}).items():
+        if is_number(value) and low <= size * value <= high:
+            return f"; {value:g} {unit} are {size * value:.4g} {distribution.unit}"
+    return ""
 
 
 def is_number(value: Any) -> bool:
@@ -259,7 +278,7 @@ class Normal(Distribution):
 
     def draw(self, generator: np.random.Generator, given: Mapping[str, Any]) -> float:
         """Draw a number by inverse transform sampling of the truncated distribution."""
-        curve = NormalDist(self.mean, self.deviation)
+        curve = self._curve()
         below, above = curve.cdf(self.low), curve.cdf(self.high)
         share = below + (above - below) * float(generator.random())
         if not 0.0 < share < 1.0:
@@ -272,9 +291,14 @@ class Normal(Distribution):
 
     def share_below(self, value: float) -> float:
         """Return the probability of a draw below a value."""
-        curve = NormalDist(self.mean, self.deviation)
+        curve = self._curve()
         inside = min(max(value, self.low), self.high)
         return _share(curve.cdf(inside), curve.cdf(self.low), curve.cdf(self.high))
+
+    def _curve(self) -> "NormalDist":
+        from statistics import NormalDist  # rarely used, and slow to import
+
+        return NormalDist(self.mean, self.deviation)
 
     def __repr__(self) -> str:
         return f"truncated_normal({self.mean:g}, {self.deviation:g}, {self.low:g}, {self.high:g})"

@@ -1,0 +1,365 @@
+"""Wrong inputs end in one line that names the value and the fix: calls, drafts of categories, commands."""
+
+import re
+import shlex
+import subprocess
+import sys
+from collections.abc import Callable
+from math import inf, nan
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import artgen as ag
+from artgen import catalog
+from artgen.dataset import Plan, generate_many
+from artgen.errors import ArtgenError
+from support.exports import stand
+
+OAK = ag.material("oak")
+
+
+@pytest.fixture(scope="module")
+def asset():
+    """Return an asset with a drawer, whose joint is `slide`."""
+    return stand.generate(certify=False)
+
+
+def made(category, **overrides):
+    return ag.generate(category, certify=False, **overrides)
+
+
+CALLS = [
+    # names
+    (lambda: made("dor"), "there is no category 'dor'. Did you mean 'door'?"),
+    (lambda: made("Door"), "Did you mean 'door'?"),
+    (lambda: made(None), "generate takes the name of a category or a generator, got None"),
+    (
+        lambda: made("."),
+        "'.'. . is a file or folder: give the Python file of the category, such as stapler.py",
+    ),
+    (lambda: made("nowhere.py"), "there is no Python file 'nowhere.py'; give the path of one"),
+    (lambda: made(Path("nowhere.py")), "there is no Python file 'nowhere.py'"),
+    (lambda: made("a" * 300 + ".py"), "there is no Python file 'aaa"),
+    (lambda: catalog.find(3), "a category is found by its name, such as 'door', or its file, not by 3"),
+    (lambda: made("door", widht=0.9), "door has no parameter 'widht'. Did you mean 'width'?"),
+    (lambda: made("refrigerator", dispenser=True), "Did you mean 'water' (whether a door has a water"),
+    (lambda: ag.material("leather"), "Did you mean 'leather_grain_abs'?"),
+    (lambda: ag.material(None), "there is no material None. Allowed: "),
+    (lambda: made("refrigerator", finish="stainles"), "Did you mean 'stainless'?"),
+    (lambda: made("door", name="a b"), "name = 'a b' is no identifier; use letters, digits and _"),
+    # types
+    (lambda: made("door", width="0.9"), "it must be a number. Write the number alone, in m: 0.9"),
+    (lambda: made("door", width=None), "width = None is not allowed: it must be a number"),
+    (lambda: made("door", width=(0.85, 0.92)), "For a range, write uniform(0.85, 0.92)"),
+    (lambda: made("door", width=np.array([0.9, 0.8])), "it must be a number"),
+    (lambda: made("door", hand=1), "hand = 1 is not allowed: it must be one of 'left', 'right'"),
+    (lambda: made("refrigerator", shelves=2.0), "shelves = 2.0 is not allowed: it must be a whole number"),
+    (lambda: made("door", seed="1"), "seed must be a whole number that is not negative, got '1'"),
+    (lambda: made("door", seed=True), "seed must be a whole number that is not negative, got True"),
+    (lambda: made("door", seed=np.float64(1.0)), "seed must be a whole number that is not negative"),
+    (lambda: made("door", attempts="3"), "attempts must be a whole number that is not negative, got '3'"),
+    (lambda: made("door", cache="x"), "cache = 'x' is not allowed: it must be an artgen.graph.Cache"),
+    (lambda: made("door", base="loose"), "base = 'loose' is not allowed: it must be 'fixed' or 'free'"),
+    (lambda: ag.generate("door", certify="no"), "certify = 'no' is not allowed: it must be True, False or"),
+    (lambda: made("door", on_collision="ignore"), "it must be one of 'redraw', 'fail', 'keep'"),
+    (lambda: Plan(7, 2), "a dataset needs the names of its categories, such as ('door', 'drawer'), not 7"),
+    (lambda: Plan("drawer", "2"), "count is a whole number from 1 to 1000000000, not '2'"),
+    (lambda: Plan(("drawer", "drawer"), 2), "the category 'drawer' is named twice; leave one of them out"),
+    (lambda: generate_many("handle", "x"), "takes a plan such as Plan('door', 100), not 'handle'"),
+    (lambda: ag.box("1", 1, 1), "box(..., x=...) needs a Float, got '1'"),
+    (lambda: ag.box(1, 1, 1).at([1, 2]), "translate(..., offset=...) needs a Vector, got [1, 2]"),
+    (lambda: ag.box(1, 1, 1).rotate(90, ag.X), "rotate(..., axis=...) needs a Vector, got 90"),
+    (lambda: ag.part(ag.box(1, 1, 1), "a", "oakk"), "part(..., material=...) needs a Material, got 'oakk'"),
+    # ranges and units
+    (lambda: made("door", seed=-1), "seed must be a whole number that is not negative, got -1"),
+    (lambda: made("door", width=900), "0.6 to 1.25 m is allowed; 900 mm are 0.9 m"),
+    (lambda: made("door", width=90), "0.6 to 1.25 m is allowed; 90 cm are 0.9 m"),
+    (lambda: made("door", width=3), "width = 3 is out of range: 0.6 to 1.25 m is allowed"),
+    (lambda: made("door", width=nan), "width = nan is not allowed: it must be a number"),
+    (lambda: made("door", width=ag.uniform(0.92, 0.85)), "low exceeds high; swap them"),
+    (lambda: made("door", width=ag.uniform(0.1, 5)), "width = uniform(0.1, 5) is out of range"),
+    (lambda: made("door", attempts=0), "attempts must be at least 1, got 0"),
+    (lambda: ag.generate("door", tolerance=1.0), "a number of metres (not mm) that is not negative and at"),
+    (lambda: made("door", limits="fulll"), "limits = 'fulll' is not allowed: it must be 'full' or 'indep"),
+    (lambda: ag.prove_range("handle", 1.5), "samples must be a whole number that is not negative, got 1.5"),
+]
+"""Calls, with words that their messages hold."""
+
+OF_ASSET = [
+    (lambda asset, _: asset.pose({"slid": 0.1}), "has no joint 'slid'. Did you mean 'slide'?"),
+    (lambda asset, _: asset.pose({"slide": 100}), "joint 'slide' cannot be at 100; its limits are 0 to 0.2"),
+    (lambda asset, _: asset.pose({"slide": "open"}), "cannot be at 'open'; give a number [rad or m]"),
+    (lambda asset, _: asset.pose([0.1]), "positions are a mapping such as {'slide': 0.1}, not [0.1]"),
+    (lambda asset, _: asset.joints["slid"], "Did you mean 'slide'?"),
+    (lambda asset, _: asset.certify(5), "tolerance must be a length of 0 to 0.1 m (metres, not mm), got 5"),
+    (
+        lambda asset, _: asset.certify(seconds="5"),
+        "seconds must be a time limit that is not negative, got '5'",
+    ),
+    (lambda asset, _: asset.certify(seconds=-1), "seconds must be a time limit that is not negative, got -1"),
+    (lambda asset, _: asset.with_limits("free"), "limits = 'free' is not allowed: it must be 'full' or"),
+    (lambda asset, _: asset.sample_states(1.5), "must be a whole number of at least 0, got 1.5"),
+    (lambda asset, _: asset.render(size="big"), "size 'big' must be one or two whole numbers in 16..4096"),
+    (
+        lambda asset, to: asset.export(to / "x", formats=("obj",)),
+        "there is no format 'obj'. Allowed: glb, mjcf",
+    ),
+    (
+        lambda asset, to: asset.export(to / "x", formats=3),
+        "formats = 3 is not allowed: it must be a tuple of",
+    ),
+    (lambda asset, to: asset.export(to / "x", layout=None), "there is no layout None. Allowed: flat"),
+    (lambda asset, to: asset.export(to / "x", layout="simredy"), "Did you mean 'simready'?"),
+    (
+        lambda asset, to: asset.export(to / "x", textures="512"),
+        "textures have 256, 512, 1024, 2048 texels on",
+    ),
+    (lambda asset, to: asset.export(to / "x", mesh_precision="fine"), "to 0.005 m, not 'fine'"),
+    (lambda asset, to: asset.export(to / "x", states=-1), "must be a whole number of at least 0, got -1"),
+    (lambda asset, _: asset.export(None), "directory = None is not allowed: give a path, such as 'out/door'"),
+    (lambda asset, _: asset.export("a\0b"), "is not allowed: give a path"),
+    (lambda asset, to: asset.export(to / ("a" * 300)), "File name too long"),
+    (lambda asset, to: asset.export(to / "file" / "x"), "file is a file; nothing was changed"),
+    (lambda asset, to: asset.export(to / "file"), "it is a file; choose another directory"),
+    (
+        lambda asset, to: asset.export(to),
+        "it holds 'file' and is no earlier export of artgen; choose another",
+    ),
+    (lambda _, to: ag.load(to), "asset.json: No such file or directory; is this a directory that artgen exp"),
+    (lambda _, to: ag.load(None), "directory = None is not allowed: give a path"),
+    (lambda _, to: ag.Dataset(to), "holds no dataset; `artgen generate CATEGORY -n 100` makes one"),
+    (lambda _, to: ag.Dataset(7), "directory = 7 is not allowed: give a path"),
+    (lambda _, to: generate_many(Plan("handle", 1), "s3:/bucket/x"), "no URL: write s3://bucket/x, with two"),
+]
+"""Calls with an asset and a folder that holds a file, with words that their messages hold."""
+
+
+def cube(label: str = "a") -> ag.Body:
+    return ag.part(ag.box(0.1, 0.1, 0.1), label, OAK)
+
+
+def hinged(**options: object) -> ag.Body:
+    joint = {"pivot": (0, 0, 0.15), "axis": ag.Z, "limits": (0, 1), **options}
+    return cube().attach(ag.part(ag.box(0.1, 0.1, 0.1).at(z=0.2), "b", OAK), ag.Revolute("turn", **joint))
+
+
+DRAFTS: list[tuple[Callable[[], object], str]] = [
+    (lambda: cube() | cube(), "weld(a, b) joins bodies rigidly to one link, a.attach(b, joint) by a joint"),
+    (lambda: cube() - ag.box(1, 1, 1), "cut a solid before part(...) makes a body of it"),
+    (lambda: ag.box(1, 1, 1) + ag.box(1, 1, 1), "solids have no +; a | b unites them"),
+    (lambda: np.sin(ag.box(1, 1, 1).size().x), "use artgen's sin, sqrt, min_, ... instead of numpy's"),
+    (lambda: cube() if ag.box(1, 1, 1).size().x > 1 else None, "Use switch(condition, a, b) instead of if"),
+    (lambda: ag.bx(1, 1, 1), "module 'artgen' has no attribute 'bx'. Did you mean 'box'?"),
+    (lambda: sys.exit("bye"), "cannot be built: SystemExit: bye"),
+    (lambda: None, "returned None; it must return a handle such as a Body"),
+    (lambda: ag.part(ag.box(1, 0, 1), "a", OAK), "size y must be positive, got 0 m"),
+    (lambda: ag.part(ag.box(1, 1, 1, bevel=0.6), "a", OAK), "bevel must be within 0 and 0.5 m, got 0.6 m"),
+    (lambda: ag.part(ag.box(1, 1, 1) - ag.box(2, 2, 2), "a", OAK), "the second solid contains the first"),
+    (
+        lambda: ag.part(ag.extrude(ag.polygon([(0, 0), (1, 1), (1, 0), (0, 1)]), 1), "a", OAK),
+        "the polygon crosses itself; give its points in order around it",
+    ),
+    (lambda: cube("a b"), "label 'a b' is no identifier; use letters, digits and _, at most 100"),
+    (lambda: hinged(limits=(1, 0)), "joint 'turn' has limits 1 to 0: the lower one comes first"),
+    (lambda: hinged(limits=1), "joint(..., limits=...) needs 2 values of Float or None, got 1"),
+    (lambda: hinged(axis=(0, 0, 0)), "a vector of length zero has no direction"),
+    (lambda: hinged(effort=0), "joint 'turn': effort 0 must be positive"),
+]
+"""Bodies of categories, with words that the messages about them hold."""
+
+COMMANDS = """
+generate dor ~ there is no category 'dor'. Did you mean 'door'?
+generate DOOR ~ Did you mean 'door'?
+generate file ~ file is a file or folder: give the Python file of the category, such as stapler.py
+generate nowhere.py ~ there is no Python file 'nowhere.py'; give the path of one
+generate broken.py ~ SyntaxError: invalid syntax at
+generate fails.py ~ ZeroDivisionError: division by zero at
+generate exits.py ~ SystemExit: 3 at
+generate nothing.py ~ defines no category; put @artgen.category(labels=(...)) before the function
+generate two.py ~ defines 2 categories; pick one: two.py:one or two.py:two
+generate two.py:three ~ two.py defines no category 'three'. Allowed: one, two.
+generate quits.py ~ quits cannot be built: SystemExit: bye at
+generate door drawer ~ one asset is of one category, not door, drawer; give a number of assets with -n
+generate door --set widht=0.9 ~ door has no parameter 'widht'. Did you mean 'width'?
+generate door --set width=90 ~ 0.6 to 1.25 m is allowed; 90 cm are 0.9 m
+generate door --set width=90cm ~ it must be a number. Write the number alone, in m
+generate door --set 'width=36 in' ~ Write the number alone, in m: 0.9144
+generate door --set 'width=3 ft' ~ Write the number alone, in m
+generate door --set width=wide ~ width = 'wide' is not allowed: it must be a number
+generate door --set 'hand=uniform(0, 1)' ~ hand = uniform(0, 1) is not allowed
+generate door --set hand=middle ~ hand = 'middle' is not allowed: it must be one of 'left'
+generate door --set 'width=uniform(0.85 0.92)' ~ a comma is missing; write for example uniform(0.8,
+generate door --set 'width=uniform(0.85,' ~ it is not complete; write for example uniform(0.8, 0.9)
+generate door --set 'width=unifrom(1, 2)' ~ Did you mean 'uniform'?
+generate door --set width ~ 'width' is no override; write NAME=VALUE
+generate refrigerator --set dispenser=true ~ Did you mean 'water' (whether a door has a water dispenser)?
+generate door --format obj ~ there is no format 'obj'
+generate door --format , ~ ',' names no format
+generate door --seed -1 ~ seed must be a whole number that is not negative, got -1
+generate door --seed many ~ '--seed'
+generate door --base loose ~ '--base'
+generate door --name a/b ~ name = 'a/b' is no identifier
+generate door --tolerance -0.001 ~ tolerance = -0.001 is not allowed: it is the clearance
+generate door --tolerance 1mm ~ '--tolerance'
+generate door --on-collision ignore ~ '--on-collision'
+generate door --sed 1 ~ --sed
+generate ~ Missing argument
+generate door -n 2 ~ -n makes a dataset: give its folder with --out DIRECTORY
+generate door -n 2 --out x --name x ~ --name is for one asset; those of a dataset are
+generate door -n 0 --out x ~ Input should be greater than or equal to 1
+generate dor -n 2 --out x ~ there is no category 'dor'. Did you mean 'door'?
+generate door -n 2 --out folder ~ it holds 'notes' and no dataset; choose another folder
+generate door -n 2 --out s3:/bucket ~ s3:/bucket is no URL: write s3://bucket, with two slashes
+check stand --out nowhere ~ cannot write to nowhere: give a directory that exists
+check stand --set width=9 ~ width = 9 is out of range: 0.2 to 0.5 m is allowed; 9 in are 0.2286 m
+check stand --seconds -1 ~ '--seconds'
+check broken.py ~ SyntaxError: invalid syntax at
+certify nowhere.urdf ~ there is no file nowhere.urdf
+certify door --samples -1 ~ samples must be a whole number that is not negative, got -1
+certify door --json nowhere/x ~ cannot write nowhere/x: give a file in a directory that exists
+validate nowhere ~ there is no directory 'nowhere'; give one that holds an exported asset
+validate folder ~ 'folder' holds no exported asset: no asset.json in it or in a directory in it
+render stand --joint slide=1 ~ joint 'slide' cannot be at 1; its limits are 0 to 0.2
+render stand --joint slide ~ --joint 'slide' must be JOINT=NUMBER, such as door_hinge=0.8
+render stand --open 2 ~ open 2.0 must be in 0..1
+render stand --out nowhere/x.png ~ cannot write nowhere/x.png: give a file in a directory that exists
+render stand --out x.txt ~ a picture's name ends in .png, .jpg, .jpeg
+render {long} ~ it is too long
+view folder ~ cannot read folder/asset.json: No such file or directory; is this a directory that artgen
+gallery folder ~ holds no exported asset; `artgen generate CATEGORY -n 10 --out
+export folder ~ cannot read folder/asset.json: No such file or directory; is this a directory that artgen
+info dor ~ there is no category 'dor'. Did you mean 'door'?
+info {long}.py ~ there is no Python file
+info door zzz ~ door has no parameter with 'zzz' in its name or description. Allowed:
+info door width --picture a.png ~ leave the WORD out
+images dor --out x ~ there is no category 'dor'. Did you mean 'door'?
+images door --out x --labels handel ~ door: there is no label 'handel'. Did you mean 'handle'?
+images door --out x --labels lamp:base ~ is for 'lamp', which is not in the plan; its categories are door
+images door --out x --labels handle,grip=handle ~ the label 'handle' of door is named twice; leave one
+images door --out x --random flor ~ no part of a picture is called 'flor'. Did you mean 'floor'?
+images door --out x --size 8 ~ size 8 must be one or two whole numbers in 16..4096
+images door --out x --split 0.8,0.1,0.2 ~ must be the shares of train, val, test with the sum 1
+images door --out x --elevation 60,30 ~ must be within 0..1.5708, the lower number first
+images door --out x --margin a,b ~ --margin 'a,b' must be 2 numbers with commas between them
+images door --out x --assets 0 ~ Input should be greater than or equal to 1
+studio door --port 99999 ~ --port 99999 is not allowed: it must be in 0..65535; 0 selects a free port
+new door ~ there is a category 'door'; choose another name
+paint ~ 'paint'
+--versio ~ No such option: --versio (Possible options: --version)
+"""
+"""Commands, with words that their messages hold; the folder of the files has FILES."""
+
+CATEGORY = '@ag.category(labels=("a",))\ndef {}() -> ag.Body:\n    {}\n\n'
+FILES = {
+    "file": "",
+    "folder/notes": "mine",
+    "broken.py": "def f(:\n",
+    "fails.py": "1 / 0\n",
+    "exits.py": "raise SystemExit(3)\n",
+    "nothing.py": "x = 1\n",
+    "two.py": "import artgen as ag\n" + CATEGORY.format("one", "...") + CATEGORY.format("two", "..."),
+    "quits.py": "import artgen as ag\n" + CATEGORY.format("quits", "raise SystemExit('bye')"),
+}
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch):
+    """Return the current folder, which holds FILES."""
+    for name, text in FILES.items():
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).write_text(text)
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def files_below(folder: Path) -> set[str]:
+    return {path.relative_to(folder).as_posix() for path in folder.rglob("*") if path.is_file()}
+
+
+@pytest.mark.parametrize(("call", "words"), CALLS)
+def test_a_call_names_the_fix(call, words, monkeypatch, tmp_path):
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(ArtgenError, match=re.escape(words)):
+        call()
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize(("call", "words"), OF_ASSET)
+def test_a_call_of_an_asset_names_the_fix_and_writes_nothing(call, words, asset, tmp_path):
+    (tmp_path / "file").write_text("mine")
+    with pytest.raises(ArtgenError, match=re.escape(words)):
+        call(asset, tmp_path)
+    assert files_below(tmp_path) == {"file"}
+
+
+@pytest.mark.parametrize(("body", "words"), DRAFTS)
+def test_a_draft_of_a_category_names_line_and_fix(body, words):
+    def draft() -> ag.Body:
+        return body()
+
+    category = ag.generator(draft)
+    with pytest.raises(ArtgenError, match=re.escape(words)) as caught:
+        category.generate(certify=False)
+    assert Path(__file__).name in str(caught.value)
+
+
+@pytest.mark.parametrize("line", COMMANDS.strip().splitlines())
+def test_a_command_prints_one_line_and_writes_nothing(line, artgen_command, folder, monkeypatch):
+    monkeypatch.setitem(catalog.CATEGORIES, "stand", stand)
+    command, words = line.format(long="a" * 300).split(" ~ ")
+    done = artgen_command(*shlex.split(command))
+    assert (done.code, done.out, done.err.count("\n")) == (2, "", 1), done.err
+    assert done.err.startswith("error: ")
+    assert words in done.err
+    assert files_below(folder) == set(FILES)
+
+
+@pytest.mark.parametrize(
+    ("wrong", "words"),
+    [
+        ({"task": "OpenDrawr"}, "there is no task 'OpenDrawr'. Did you mean 'OpenDrawer'?"),
+        ({"count": 0}, "count is a whole number from 1 to 10000000, not 0"),
+        ({"count": "1"}, "count is a whole number from 1 to 10000000, not '1'"),
+        ({"seed": -1}, "seed is a whole number from 0 to"),
+        ({"noise": -0.1}, "noise is a number from 0 to 1, not -0.1"),
+        ({"image": 5000}, "image is a whole number from 0 to 4096, not 5000"),
+        ({"jobs": 0}, "jobs is a whole number from 1 to 1000000, not 0"),
+        ({"out": None}, "out = None is not allowed: give a path"),
+    ],
+)
+def test_demonstrations_are_refused_before_the_first_attempt(wrong, words, tmp_path):
+    for package in ("h5py", "gymnasium", "robosuite"):
+        pytest.importorskip(package, reason="pip install 'artgen[demos,envs]'")
+    from artgen.demos import make_demos
+
+    with pytest.raises(ArtgenError, match=re.escape(words)):
+        make_demos(**{"task": "OpenDrawer", "count": 1, "out": tmp_path / "new", **wrong})
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("value", [np.int64(3), np.uint8(3), np.array(3)])
+def test_whole_numbers_of_numpy_are_numbers(value):
+    assert stand.generate(value, certify=False).name == "stand_3"
+    assert Plan("handle", 3, seed=3) == Plan("handle", value[()], seed=value)
+    assert type(Plan("handle", value[()], seed=value).seed) is int
+
+
+def test_numbers_of_numpy_and_infinite_time_are_allowed(asset):
+    assert stand.generate(width=np.float32(0.25), certify=False).parameters["width"] == 0.25
+    assert asset.certify(seconds=np.float32(inf)).proven
+
+
+@pytest.mark.parametrize("command", ["generate quits.py", "validate nowhere"])
+def test_a_process_prints_no_traceback(command, folder):
+    done = subprocess.run(
+        [sys.executable, "-W", "error", "-m", "artgen", *shlex.split(command)],
+        capture_output=True,
+        text=True,
+        check=False,
+        cwd=folder,
+        timeout=120,
+    )
+    assert (done.returncode, done.stdout, done.stderr.count("\n")) == (2, "", 1)
+    assert done.stderr.startswith("error: ")
