@@ -2,7 +2,7 @@
 
 import os
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import Any, Generic, Protocol, SupportsIndex, TypeVar, overload
 
@@ -138,15 +138,27 @@ def _paths(data: Mapping[str, Any]) -> Iterator[Any]:
 
 
 def inside(folder: Path, path: str) -> Path:
-    """Return the path of a file below a folder, before it is read or written.
+    """Return the path of a file below a folder, see `all_inside`."""
+    return all_inside(folder, [path])[path]
+
+
+def all_inside(folder: Path, paths: Iterable[str]) -> dict[str, Path]:
+    """Return the path of each file below a folder, before it is read or written.
 
     Raises:
-        ExportError: The path leaves the folder, possibly through a symbolic link.
+        ExportError: A path leaves the folder, possibly through a symbolic link.
     """
-    if not is_plain_path(path):
-        raise ExportError(f"cannot use {path!r} below {folder}: it must be a relative path that stays there")
-    place = folder / path
-    parent = Path(os.path.realpath(place.parent))
-    if place.is_symlink() or not parent.is_relative_to(os.path.realpath(folder)):
-        raise ExportError(f"cannot use {place}: a symbolic link leads out of {folder}; remove the link")
-    return place
+    root, parents = os.path.realpath(folder), {}
+    places = {}
+    for path in paths:
+        if not is_plain_path(path):
+            raise ExportError(
+                f"cannot use {path!r} below {folder}: it must be a relative path that stays there"
+            )
+        place = places[path] = folder / path
+        parent = place.parent
+        if parent not in parents:
+            parents[parent] = Path(os.path.realpath(parent)).is_relative_to(root)
+        if place.is_symlink() or not parents[parent]:
+            raise ExportError(f"cannot use {place}: a symbolic link leads out of {folder}; remove the link")
+    return places

@@ -16,7 +16,7 @@ from typing import Any
 
 import numpy as np
 
-from artgen._names import check_names, checked_path, inside
+from artgen._names import all_inside, check_names, checked_path
 from artgen.asset import Asset, valid_states
 from artgen.asset.asset import FORMAT, Limits
 from artgen.asset.collision import Collision, collision_of, with_colliders
@@ -213,9 +213,9 @@ def _states_files(asset: Asset, count: int) -> dict[str, bytes]:
 
 def write_files(files: Mapping[str, bytes], directory: Path, store: Path | None = None) -> None:
     """Write the files of an export to a new directory."""
-    places = {path: inside(directory, path) for path in files}
-    for place in places.values():
-        place.parent.mkdir(parents=True, exist_ok=True)
+    places = all_inside(directory, files)
+    for parent in {place.parent for place in places.values()}:
+        parent.mkdir(parents=True, exist_ok=True)
     for path, content in files.items():
         if store is not None and path.endswith(".png"):
             _share(content, places[path], store)
