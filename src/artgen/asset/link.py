@@ -10,10 +10,10 @@ from manifold3d import Manifold, OpType
 
 from artgen._arrays import Array, FrozenArrays, cached, cached_property
 from artgen.asset.affordance import Grasp, Push
-from artgen.asset.manifolds import mesh_of
+from artgen.asset.manifolds import mesh_of, part_boxes
 from artgen.asset.mass import MassProperties, Moments, polyhedron_moments, total
 from artgen.asset.record import plain, rounded, rounded_coordinates
-from artgen.asset.shape import Mesh, Shape
+from artgen.asset.shape import Mesh, Shape, joined_faces
 from artgen.asset.surface import as_written, by_paint, joined, shifted
 from artgen.colliders import Convex, budgeted
 from artgen.errors import AssetError
@@ -226,13 +226,16 @@ class Link(FrozenArrays):
     @cached_property
     def details(self) -> list[dict[str, Any]]:
         """Label and bounding box of each connected part of visual details, as JSON data."""
-        boxes = [
-            (piece.label, (np.round([points.min(axis=0), points.max(axis=0)], 9) + 0.0).tolist())
-            for piece in self.pieces
-            if piece.visual
-            for points in piece.shape.parts
-        ]
-        return [{"label": label, "bounds": bounds} for label, bounds in sorted(boxes)]
+        found = [piece for piece in self.pieces if piece.visual]
+        if not found:
+            return []
+        vertices = [piece.shape.vertices for piece in found]
+        # one call for all, because there are many with few triangles
+        boxes, first = part_boxes(np.concatenate(vertices), joined_faces([piece.shape for piece in found]))
+        ends = np.cumsum([len(points) for points in vertices])
+        labels = [found[number].label for number in np.searchsorted(ends, first, side="right")]
+        listed = zip(labels, (np.round(boxes, 9) + 0.0).tolist(), strict=True)
+        return [{"label": label, "bounds": bounds} for label, bounds in sorted(listed)]
 
     @property
     def changes(self) -> dict[str, Any]:

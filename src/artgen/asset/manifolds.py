@@ -89,26 +89,32 @@ def is_closed(faces: Indices) -> bool:
     return np.array_equal(np.sort(start * count + end), np.sort(end * count + start))
 
 
-def groups(faces: Indices) -> list[Indices]:
-    """Return the sorted points of each connected part of triangles, shape (m, 3)."""
+def part_boxes(points: Array, faces: Indices) -> tuple[Array, Indices]:
+    """Return the bounding box of each connected part of triangles, and its first point.
+
+    Args:
+        points: Positions, shape (n, 3) [m].
+        faces: Triangles of closed surfaces, which number the points, shape (m, 3).
+
+    Returns:
+        Boxes, shape (k, 2, 3) [m], and numbers of points, shape (k,).
+    """
     from scipy.sparse import csr_array
     from scipy.sparse.csgraph import connected_components
 
-    count = int(faces.max()) + 1
     # each corner leads to the next one: a CSR matrix without sorting
     order = np.argsort(faces.ravel(), kind="stable")
-    ends = np.cumsum(np.bincount(faces.ravel(), minlength=count))
+    ends = np.cumsum(np.bincount(faces.ravel(), minlength=len(points)))
     following = faces[:, [1, 2, 0]].ravel()[order]
     columns = np.ones(len(order), np.int8), following, np.append(0, ends)
-    sides = csr_array(columns, shape=(count, count), copy=False)
-    _, part = connected_components(sides, directed=False)
+    sides = csr_array(columns, shape=(len(points), len(points)), copy=False)
+    # the corners of a triangle form a loop: strong parts are all parts, and are found faster
+    _, part = connected_components(sides, connection="strong")
     used = np.flatnonzero(np.diff(ends, prepend=0))
-    part = part[used]
-    if (part == part[0]).all():
-        return [used]
-    order = np.argsort(part, kind="stable")
-    sizes = np.bincount(part)
-    return np.split(used[order], np.cumsum(sizes[sizes > 0])[:-1])
+    ordered = used[np.argsort(part[used], kind="stable")]
+    starts = np.flatnonzero(np.diff(part[ordered], prepend=-1))
+    corners = [each.reduceat(points[ordered], starts) for each in (np.minimum, np.maximum)]
+    return np.stack(corners, axis=1), ordered[starts]
 
 
 def connected(triangles: Indices, targets: Indices) -> tuple[Indices, Indices, Indices]:

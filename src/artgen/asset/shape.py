@@ -167,10 +167,13 @@ class Shape:
         """The vertices of the surface, shape (n, 3) [m]."""
         return mesh_of(self.manifold)[0]
 
-    @cached_property
-    def parts(self) -> tuple[Array, ...]:
-        """The vertices of each connected part of the surface, shape (n, 3) [m]."""
-        return tuple(mesh_of(part)[0] for part in self.manifold.decompose())
+    @property
+    def faces(self) -> Indices:
+        """The triangles, with the same vertex for all corners at one point of the surface, shape (m, 3)."""
+        raw = self.manifold.to_mesh64()
+        points = np.arange(len(raw.vert_properties))
+        points[np.array(raw.merge_from_vert, np.int64)] = raw.merge_to_vert
+        return points[np.asarray(raw.tri_verts).astype(np.int64)]
 
     def transformed(self, matrix: Array) -> "Shape":
         """Return the shape moved by an affine matrix, shape (4, 4)."""
@@ -236,11 +239,10 @@ class MovedShape(_LazyShape):
         """The triangles of the source, moved."""
         return self.source.mesh.moved(self.matrix)
 
-    @cached_property
-    def parts(self) -> tuple[Array, ...]:
-        """The vertices of each connected part of the source, moved."""
-        rotation, offset = self.matrix[:3, :3], self.matrix[:3, 3]
-        return tuple(points @ rotation.T + offset for points in self.source.parts)
+    @property
+    def faces(self) -> Indices:
+        """The triangles of the source."""
+        return self.source.faces
 
 
 class _MeshShape(_LazyShape):
@@ -273,9 +275,9 @@ class _MeshShape(_LazyShape):
     def mesh(self) -> Mesh:
         return _mesh(self._table, self._triangles)
 
-    @cached_property
-    def parts(self) -> tuple[Array, ...]:
-        return tuple(self._table[of_part, :3] for of_part in manifolds.groups(self._targets[self._triangles]))
+    @property
+    def faces(self) -> Indices:
+        return self._targets[self._triangles]
 
 
 class ComposedShape(_LazyShape):
@@ -313,10 +315,16 @@ class ComposedShape(_LazyShape):
         """The triangles of all solids, in their order."""
         return Mesh.concatenated([shape.mesh for shape in self.shapes])
 
-    @cached_property
-    def parts(self) -> tuple[Array, ...]:
-        """The vertices of each connected part of the surface, shape (n, 3) [m]."""
-        return tuple(part for shape in self.shapes for part in shape.parts)
+    @property
+    def faces(self) -> Indices:
+        """The triangles of all solids."""
+        return joined_faces(self.shapes)
+
+
+def joined_faces(shapes: Sequence[Shape]) -> Indices:
+    """Return the faces of several shapes, which number the vertices of all, shape (m, 3)."""
+    starts = np.cumsum([0, *(len(shape.vertices) for shape in shapes[:-1])])
+    return np.concatenate([shape.faces + start for shape, start in zip(shapes, starts, strict=True)])
 
 
 def _mesh(table: Array, triangles: Indices) -> Mesh:
