@@ -13,10 +13,10 @@ from numpy.typing import NDArray
 
 from artgen._arrays import Array, FrozenArrays
 from artgen.asset.record import Record
-from artgen.colliders.triangles import cross
 from artgen.errors import AssetError
 
 _DIGITS = 12  # significant digits of mass properties; the digits beyond depend on the order of additions
+_ROWS, _COLUMNS = np.triu_indices(3)
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,23 +72,23 @@ def polyhedron_moments(vertices: Array, triangles: NDArray[np.int64]) -> Moments
     Its vertices have shape (n, 3) [m], its triangles, counter-clockwise seen from outside, shape (m, 3).
     """
     reference = 0.5 * (vertices.min(axis=0) + vertices.max(axis=0))
-    corners = (vertices - reference)[triangles]
-    a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
-    six_volumes = np.einsum("ij,ij->i", a, cross(b, c))
-    volume = float(_sum(six_volumes)) / 6.0
-    total = a + b + c
-    first = _sum(six_volumes[:, None] * total) / 24.0
-    products = sum(corner[:, :, None] * corner[:, None, :] for corner in (a, b, c, total))
-    second = _sum(six_volumes[:, None, None] * products)
+    # by coordinate, corner and triangle: NumPy adds and sorts rows fastest
+    corners = np.empty((3, 4, len(triangles)))
+    np.take((vertices - reference).T, triangles.T, axis=1, out=corners[:, :3])
+    corners[:, 3] = corners[:, :3].sum(axis=1)
+    (ax, bx, cx, _), (ay, by, cy, _), (az, bz, cz, _) = corners
+    six_volumes = ax * (by * cz - bz * cy) + ay * (bz * cx - bx * cz) + az * (bx * cy - by * cx)
+    volume = float(np.sort(six_volumes).sum()) / 6.0
+    products = (corners[_ROWS] * corners[_COLUMNS]).sum(axis=1)
+    terms = np.sort(six_volumes * np.concatenate([corners[:, 3], products]), axis=1)
+    # sorted, and added in their order: the order of triangles does not change the sum
+    sums = np.ascontiguousarray(terms.T).sum(axis=0)
+    first, second = sums[:3] / 24.0, np.empty((3, 3))
+    second[_ROWS, _COLUMNS] = second[_COLUMNS, _ROWS] = sums[3:]
     # about the asset's origin
     crossed = np.outer(first, reference)
     second = second / 120.0 + crossed + crossed.T + volume * np.outer(reference, reference)
     return Moments(volume, first + volume * reference, second)
-
-
-def _sum(terms: Array) -> Array:
-    """Add along the first axis; terms are sorted, so that the order of triangles does not change the sum."""
-    return np.asarray(np.sort(terms, axis=0).sum(axis=0))
 
 
 def total(moments: Iterable[Moments]) -> MassProperties:
