@@ -37,11 +37,11 @@ _POINT = 1e-9  # radius of a ball that represents a point [m]
 
 def needles(positions: Indices, corners: Indices) -> NDArray[np.bool_]:
     """Tell which triangles have a height of less than one rounding step, shape (m,)."""
-    a, b, c = (positions[:, each] for each in corners)
+    a, b, c = np.take(positions.astype(float), corners, axis=1).transpose(1, 0, 2)
     first, second, third = b - a, c - b, a - c
     x, y, z = (first[i] * second[j] - first[j] * second[i] for i, j in ((1, 2), (2, 0), (0, 1)))
-    longest = np.max([(side * side).sum(axis=0) for side in (first, second, third)], axis=0)
-    return np.asarray(x.astype(float) ** 2 + y.astype(float) ** 2 + z.astype(float) ** 2 < longest)
+    longest = np.maximum.reduce([np.einsum("ij,ij->j", side, side) for side in (first, second, third)])
+    return np.asarray(x * x + y * y + z * z < longest)
 
 
 def without_needles(
@@ -270,9 +270,26 @@ def _fanned(corners: Corners, count: int) -> tuple[Corners, list[int]]:
 
 def as_written(mesh: Mesh, origin: Array, material: Material) -> Mesh:
     """Return a mesh rounded in the frame at `origin` [m], in the order of its file."""
-    # rounding makes some vertices equal; joining them may move texture coordinates
-    mesh = joined([rounded_mesh(mesh, origin, material)])
-    return _in_order(replace(mesh, uvs=_rounded_uvs(mesh, material)), origin, material)
+    mesh = rounded_mesh(mesh, origin, material)
+    if not _stays_joined(mesh):
+        mesh = joined([mesh])  # which may move texture coordinates
+        mesh = replace(mesh, uvs=_rounded_uvs(mesh, material))
+    return _in_order(mesh, origin, material)
+
+
+def _stays_joined(mesh: Mesh) -> bool:
+    """Tell whether `joined` would return the same mesh again, if it joined this one before its rounding."""
+    quantised = _quantised(np.concatenate([mesh.vertices, mesh.normals, mesh.uvs], axis=1))
+    steps = quantised[:, 1:] - quantised[:, :-1]
+    ahead = steps[-1] > 0
+    for step in steps[-2::-1]:
+        ahead = (step > 0) | (step == 0) & ahead
+    corners = mesh.triangles.T
+    if not ahead.all() or not np.array_equal(_ordered(corners, len(mesh.vertices)), corners):
+        return False
+    place = np.append(0, np.cumsum(steps[:3].any(axis=0)))
+    a, b, c = place[corners]
+    return bool(((a != b) & (b != c) & (c != a)).all() and not needles(quantised[:3], corners).any())
 
 
 def _in_order(mesh: Mesh, origin: Array, material: Material) -> Mesh:
