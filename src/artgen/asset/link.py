@@ -117,7 +117,9 @@ class Link(FrozenArrays):
         moments: list[Moments] = []
         done: list[tuple[Manifold, Array]] = []
         for piece in self._solid_pieces():
-            solid, bounds = piece.shape.manifold, piece.shape.bounds()
+            # normals and paint only take time
+            solid = piece.shape.manifold.set_properties(0, lambda *_: None)
+            bounds = piece.shape.bounds()
             near = [other for other, box in done if boxes_overlap(box, bounds)]
             done.append((solid, bounds))
             vertices, triangles = piece.shape.mesh.vertices, piece.shape.mesh.triangles
