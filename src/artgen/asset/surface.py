@@ -298,6 +298,8 @@ def _in_order(mesh: Mesh, origin: Array, material: Material) -> Mesh:
     `joined` sorts them by position, normal and metric texture coordinates; on turned maps the order of the
     written coordinates differs.
     """
+    if not (material.texture and material.turned):
+        return mesh
     coordinates = texture_coordinates(mesh, material)
     steps = [each[1:] - each[:-1] for each in (mesh.vertices, mesh.normals)]
     alike = ~np.any([each.any(axis=1) for each in steps], axis=0)

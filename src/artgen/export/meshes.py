@@ -66,7 +66,7 @@ def arranged_files(
             if turn is not None:
                 mesh = replace(mesh, vertices=mesh.vertices @ turn.T, normals=mesh.normals @ turn.T)
             files[path] = surface_text(mesh, origin, library, surface.material)
-    of_links = hulls(asset, in_links=turn is None)
+    of_links = hulls(asset) if turn is None else hulls(asset, in_links=False)  # USD uses the first ones
     if turn is not None:  # quarter turns swap and negate rounded coordinates, so hulls stay convex
         of_links = {
             link: {
@@ -151,7 +151,12 @@ def _distinct(values: Indices) -> tuple[Indices, Indices]:
     keys = columns[0] - lowest[0]
     for column, least, span in zip(columns[1:], lowest[1:], spans[1:], strict=True):
         keys = keys * span + (column - least)
-    found, numbers = np.unique(keys, return_inverse=True)
+    steps = keys[1:] - keys[:-1]
+    if (steps >= 0).all():  # sorted already, as the positions of a surface
+        new = np.append(True, steps > 0)
+        found, numbers = keys[new], np.cumsum(new) - 1
+    else:
+        found, numbers = np.unique(keys, return_inverse=True)
     distinct = np.empty((len(found), len(spans)), np.int64)
     for number in reversed(range(len(spans))):
         found, distinct[:, number] = np.divmod(found, spans[number])
