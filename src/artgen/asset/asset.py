@@ -101,6 +101,8 @@ class Asset:
         labels: Semantic labels that the category declares.
         contacts: Contacts that the category allows.
         limits: Whether the joints have their full ranges, or narrowed ones without dependencies.
+        originals: Original name of each link and joint of a padded asset, by its name; without those that
+            fill empty slots. Empty for other assets, see `artgen.topology`.
     """
 
     name: str
@@ -115,6 +117,7 @@ class Asset:
     labels: tuple[str, ...] = ()
     contacts: tuple[AllowedContact, ...] = ()
     limits: Limits = "full"
+    originals: Mapping[str, str] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         """Let links and joints be read by name."""
@@ -434,6 +437,7 @@ class Asset:
             "joints": plain(asset.joints),
             "affordances": [affordance_data(each, asset) for each in asset.affordances],
             "contacts": plain(asset.contacts),
+            **({"originals": dict(self.originals)} if self.originals else {}),
             "certificate": None if certificate is None else rounded(certificate.to_data()),
         }
 

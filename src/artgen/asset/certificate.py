@@ -135,14 +135,16 @@ class Certificate(Record):
         pairs: Result of each pair.
         contacts: Contacts that the category allows.
         leaves: The proof, which `artgen.proof.recheck` verifies; None if it was not stored.
+        slots: Of a padded asset, the link around each link in an empty slot, see `artgen.topology`.
     """
 
-    OPTIONAL: ClassVar = frozenset({"leaves"})
+    OPTIONAL: ClassVar = frozenset({"leaves", "slots"})
 
     tolerance: float
     pairs: tuple[PairResult, ...]
     contacts: tuple[AllowedContact, ...] = ()
     leaves: Mapping[str, Any] | None = field(default=None, repr=False, compare=False)
+    slots: Mapping[str, str] = field(default_factory=dict)
 
     @property
     def proven(self) -> bool:
@@ -174,12 +176,14 @@ class Certificate(Record):
         else:
             text = f"not proven{apart}: {failed} of {pairs} fail{'s' if failed == 1 else ''}"
         contacts = (f"  allowed: {contact}" for contact in self.contacts)
-        return "\n".join([text, *(f"  {pair}" for pair in self.failures), *contacts])
+        slots = (f"  empty slot {name}: lies inside {host}" for name, host in self.slots.items())
+        return "\n".join([text, *(f"  {pair}" for pair in self.failures), *contacts, *slots])
 
     def to_data(self) -> dict[str, Any]:
         """Return everything but the leaves as JSON data."""
         proven = {"tolerance": self.tolerance, "proven": self.proven}
-        return {**proven, "pairs": plain(self.pairs), "contacts": plain(self.contacts)}
+        slots = {"slots": dict(self.slots)} if self.slots else {}
+        return {**proven, "pairs": plain(self.pairs), "contacts": plain(self.contacts), **slots}
 
 
 def _mm(length: float) -> str:

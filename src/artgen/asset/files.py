@@ -162,6 +162,7 @@ def asset_from_data(data: Mapping[str, Any], directory: Path) -> Asset:
         labels=tuple(data["labels"]),
         parameters=data["parameters"],
         contacts=tuple(map(AllowedContact.from_data, data.get("contacts", ()))),
+        originals=data.get("originals", {}),
         **{name: data[name] for name in PLAIN if name in data},
     )
     # preset the cached property: otherwise it would be derived from the surfaces
@@ -193,6 +194,10 @@ class _StoredLink(Link):
     origin: Array = field(kw_only=True)  # of its frame in asset coordinates at rest, shape (3,) [m]
     rounded: ClassVar = True
 
+    @property
+    def absent(self) -> bool:  # type: ignore[override]
+        return bool(self.data.get("absent", False))
+
     @cached_property
     def labels(self) -> tuple[str, ...]:
         return tuple(self.data["labels"])
@@ -204,7 +209,7 @@ class _StoredLink(Link):
     @cached_property
     def colliders(self) -> tuple[Collider, ...]:
         return tuple(
-            Collider(_convex(item), item["label"], self.materials[item["material"]])
+            Collider(_convex(item), item["label"], self.materials[item["material"]], item.get("spare", False))
             for item in self.data["colliders"]
         )
 

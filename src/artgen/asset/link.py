@@ -72,6 +72,7 @@ class Collider:
     convex: Convex  # the piece, in asset coordinates at rest
     label: str  # semantic label of the covered solid
     material: Material  # material of the covered solid
+    spare: bool = False  # whether it only fills a topology: it lies inside another collider of the same body
 
 
 @dataclass(frozen=True, eq=False)
@@ -98,6 +99,7 @@ class Link(FrozenArrays):
     """
 
     rounded: ClassVar = False  # whether its numbers have as many digits as files keep
+    absent: ClassVar = False  # whether it fills an empty slot of a topology
 
     name: str
     label: str
@@ -169,7 +171,9 @@ class Link(FrozenArrays):
         )
 
     def bounds(self) -> Array:
-        """Return the corners of the bounding box at rest, shape (2, 3) [m]."""
+        """Return the corners of the bounding box at rest, shape (2, 3) [m]; an absent link is a point."""
+        if self.absent:
+            return np.stack([self.mass_properties.center] * 2)
         points = np.concatenate([surface.mesh.vertices for surface in self.surfaces])
         return np.array([points.min(axis=0), points.max(axis=0)])
 
@@ -203,6 +207,7 @@ class Link(FrozenArrays):
                     "points": collider.convex.points.tolist() if collider.convex.kind == "hull" else [],
                     "label": collider.label,
                     "material": collider.material.name,
+                    **({"spare": True} if collider.spare else {}),
                 }
                 for collider in self.colliders
             ],
@@ -294,6 +299,7 @@ class DerivedLink(Link):
     listed_surfaces = cached_property(attrgetter("source.listed_surfaces"))
     details = cached_property(attrgetter("source.details"))
     changes = cached_property(attrgetter("source.changes"))
+    absent = property(attrgetter("source.absent"))
 
 
 @dataclass(frozen=True, eq=False)

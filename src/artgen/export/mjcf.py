@@ -31,6 +31,7 @@ from artgen.materials.textures import Kind
 # of 2 ms by default and lengthens it for longer steps; with the default of 20 ms, a bolt lags behind its
 # lever and a heavy door sinks into its stop
 _STIFF = "0.005 1"
+OFF = -1000.0  # margin of a spare collider: MuJoCo adds the margins of two geoms, so that it touches nothing
 _KEYFRAMES = 4  # number of drawn states
 _COUPLING_IMPEDANCE = "0.99 0.9999 0.0001"
 _CONTACT_IMPEDANCE = "0.95 0.99 0.0005"
@@ -188,6 +189,7 @@ def _add_colliders(body: ET.Element, asset: Asset, link: Link, meshes: MeshFiles
             "class": f"{asset.name}_collision",
             # sliding friction only: resistance to torsion depends on the hand
             "friction": collider.material.friction,
+            "margin": OFF if collider.spare else None,
         }
         convex = collider.convex
         if convex.kind == "hull":

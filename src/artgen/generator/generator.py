@@ -13,6 +13,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from functools import partial
+from pathlib import Path
 from typing import Any, Literal, get_args
 
 from artgen._names import NAME_RULE, is_identifier
@@ -38,6 +39,7 @@ from artgen.graph.node import Node, line_in, topological
 from artgen.nodes.handles import Body
 from artgen.sampling import Fixed, Given
 from artgen.sampling.distributions import is_number
+from artgen.topology import Topology
 from artgen.version import __version__
 
 OnCollision = Literal["redraw", "fail", "keep"]
@@ -423,6 +425,7 @@ class Generator(Variant):
         tolerance: float = 0.0,
         on_collision: OnCollision = "redraw",
         limits: Limits = "full",
+        topology: Topology | Literal["own", "fixed"] = "own",
         **overrides: Any,
     ) -> Asset:
         """Draw the parameters, build and evaluate the graph, certify the asset and return it.
@@ -443,6 +446,8 @@ class Generator(Variant):
                 `keep` returns the asset with a certificate of its collisions.
             limits: Ranges of joints: `full` with dependencies, or `independent` ranges in which every state
                 is free, see `artgen.proof.limits.with_limits`.
+            topology: Links, joints and colliders: `own`, those of a topology, or `fixed` for the recorded
+                topology of the category, so that all seeds have the same, see `Topology.pad`.
             **overrides: A value or a distribution by parameter name; write `handle__length` for
                 `handle.length`.
 
@@ -454,7 +459,8 @@ class Generator(Variant):
                 collisions.
             CheckError: The links are not proven apart, and `on_collision` is `fail`; with `certify="later"`,
                 the access to `certificate` raises it unless `on_collision` is `keep`.
-            AssetError: The parts do not form an asset; for example, a joint refers to an unknown joint.
+            AssetError: The parts do not form an asset; for example, a joint refers to an unknown joint. Or
+                the asset does not fit the topology, or none is recorded.
         """
         asset, _ = self.evaluate(
             seed,
@@ -466,6 +472,7 @@ class Generator(Variant):
             tolerance=tolerance,
             on_collision=on_collision,
             overrides=overrides,
+            topology=topology,
         )
         return asset if limits == "full" else asset.with_limits(limits)
 
@@ -483,6 +490,7 @@ class Generator(Variant):
         on_collision: OnCollision = "redraw",
         overrides: Mapping[str, Any] | None = None,
         keep_graph: bool = False,
+        topology: Topology | Literal["own", "fixed"] = "own",
     ) -> tuple[Asset, Evaluation]:
         """Generate an asset like `generate`, and return it with the cost of its evaluation.
 
@@ -497,6 +505,7 @@ class Generator(Variant):
             raise ParameterError(
                 f"cache = {cache!r} is not allowed: it must be an artgen.graph.Cache, or None"
             )
+        padded = self._padding(topology)
         check_proof(certify, tolerance, on_collision)
         proof = _prove_later if certify == "later" else certify_sample
         prove = partial(proof, tolerance=tolerance, on_collision=on_collision) if certify else _leave_open
@@ -510,7 +519,7 @@ class Generator(Variant):
                 if draw.values in refused:  # few parameters, or few values of them, repeat the same sample
                     continue
                 try:
-                    return self._evaluated(draw, name, base, cache, prove, keep_graph=keep_graph)
+                    return self._evaluated(draw, name, base, cache, prove, padded, keep_graph=keep_graph)
                 except InfeasibleError as error:
                     refused.append(draw.values)
                     failures.append(error)
@@ -534,6 +543,7 @@ class Generator(Variant):
         base: Base,
         cache: Cache,
         prove: Callable[[Asset], None],
+        padded: Callable[[Asset], Asset],
         *,
         keep_graph: bool,
     ) -> tuple[Asset, Evaluation]:
@@ -546,11 +556,38 @@ class Generator(Variant):
                 inert |= self._inert_structure(draw)
             shown = {key: value for key, value in draw.values.items() if key not in inert}
             asset = self._asset(body, evaluation, shown, name, base, seed=draw.seed, attempt=draw.attempt)
+            asset = padded(asset)
             prove(asset)
         except AssetError as error:
             message = f"{error}\n  at {_place(body, error) or self.where}"
             raise AssetError(message, joint=error.joint, link=error.link) from None
         return asset, evaluation
+
+    @property
+    def topology_file(self) -> Path:
+        """The file with the recorded topology of the category, beside its module."""
+        module = Path(self.function.__code__.co_filename)
+        return module.with_name(
+            "topology.json" if module.stem == "__init__" else f"{self.name}.topology.json"
+        )
+
+    def _padding(self, topology: Topology | str) -> Callable[[Asset], Asset]:
+        """Return the function that pads an asset."""
+        if isinstance(topology, Topology):
+            return topology.pad
+        if topology == "own":
+            return lambda asset: asset
+        if topology != "fixed":
+            raise ParameterError(
+                f"topology = {topology!r} is not allowed: it must be 'own', 'fixed' or a Topology"
+            )
+        if not self.topology_file.exists():
+            raise AssetError(
+                f"{self.name} has no recorded topology; make one: assets = (generate({self.name!r}, seed, "
+                "certify=False) for seed in range(100)); Topology.of(assets).save(file), with the file "
+                f"{str(self.topology_file)!r}"
+            )
+        return Topology.load(self.topology_file).pad
 
     def _folded(self, values: Mapping[str, Any]) -> Any:
         """Build the graph of one sample; the literals of its numbers have no places for errors to name."""

@@ -23,7 +23,7 @@ from artgen.asset.certificate import (
 from artgen.asset.joint import is_number
 from artgen.asset.manifolds import box_of
 from artgen.errors import AssetError
-from artgen.proof.cover import Cover, collider_cover, fine_cover
+from artgen.proof.cover import Cover, collider_cover, fine_cover, slot_hosts
 from artgen.proof.hierarchy import Hierarchy
 from artgen.proof.kinematics import ProofCells
 from artgen.proof.overlap import (
@@ -86,6 +86,10 @@ def certify(
     if not asset.links:
         raise AssetError(f"asset {asset.name!r} has no links; there is nothing to certify")
     _check_ranges(asset)
+    hosts, faults = slot_hosts(asset)
+    if faults:
+        link, reason = faults[0]
+        raise AssetError(f"link {link!r} of a padded asset: {reason}; pad the asset again", link=link)
     space = space_of(asset)
     if only is None:  # dependencies may block a joint in part of its range
         space.check()
@@ -94,14 +98,14 @@ def certify(
     on_colliders = _searched(asset, collider_cover, joint_paths, tolerance, measure=measure, seconds=seconds)
     doubtful = [each.joint_path for each in on_colliders if not each.settled]
     on_solids = {each.joint_path.links: each for each in on_colliders}
-    if all(link.pieces for link in asset.links):
+    if all(link.pieces for link in asset.links if not link.absent):
         seconds = max(seconds + begin - time.monotonic(), 0.0)
         finer = _searched(asset, fine_cover, doubtful, tolerance, measure=measure, seconds=seconds)
         on_solids |= {each.joint_path.links: each for each in finer}
     pairs = [_pair_result(asset, each, on_solids[each.joint_path.links], limit) for each in on_colliders]
     proven = [on_solids[pair.links] for pair in pairs if pair.verdict == "proven"]
     proven += [each for each in on_colliders if each.outcome.proven and each not in proven]
-    return Certificate(tolerance, tuple(pairs), asset.contacts, _proof_data(proven))
+    return Certificate(tolerance, tuple(pairs), asset.contacts, _proof_data(proven), hosts)
 
 
 def _check_ranges(asset: Asset) -> None:

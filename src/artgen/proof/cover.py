@@ -9,11 +9,11 @@ from manifold3d import Manifold
 from numpy.typing import NDArray
 
 from artgen._arrays import Array, FrozenArrays, Indices, boxes_of, cached_per_object
-from artgen.asset import Link
+from artgen.asset import Asset, Link
 from artgen.asset.collision import link_parts
 from artgen.asset.link import MovedLink
 from artgen.asset.shape import Shape
-from artgen.colliders import Convex, Exact
+from artgen.colliders import TOLERANCE, Convex, Exact
 from artgen.colliders.polytope import Polytope
 from artgen.colliders.triangles import hull_of
 
@@ -24,6 +24,7 @@ _MORE = (2e-6, 2e-5, 1e-4)  # later growths in all directions, which create more
 _FARTHEST = 3.0  # corners of sharp edges move at most this many growths
 _SLACK = 0.2  # a corner of many faces moves at least this share of their growth
 _AROUND = np.concatenate((np.eye(3), -np.eye(3)))
+_HELD = 1e-5  # links in empty slots move by less, and spare colliders lie this deep in others [rad or m]
 _DUST = 1e-15  # volume of a solid that rounding may leave uncovered [m^3]
 _MOST_WHOLE = 2  # number of pieces that are tried one by one before all together
 
@@ -233,3 +234,29 @@ def _with_rounding(excess: float | None, points: Sequence[Array]) -> float | Non
     if excess is None:
         return None
     return excess + _FILE_DECIMALS + _SINGLE * max(float(np.abs(each).max()) for each in points)
+
+
+def slot_hosts(asset: Asset) -> tuple[dict[str, str], list[tuple[str, str]]]:
+    """Return where spare colliders lie: they touch nothing that the collider around them does not touch.
+
+    Returns:
+        For each link that fills an empty slot the nearest present link above it; and the link of each spare
+        collider that is not proven to stay inside one collider of the present link, with the reason.
+    """
+    hosts: dict[str, str] = {}
+    faults = []
+    above = {child: (parent, joints) for parent, child, joints in asset.pairs()}
+    for link in asset.links:
+        host = link.name
+        if link.absent:
+            parent, joints = above[link.name]
+            host = hosts[link.name] = hosts.get(parent, parent)
+            loose = [each.name for each in joints if max(map(abs, each.limits or (np.inf,))) >= 0.1 * _HELD]
+            faults += [(link.name, f"joint {name!r} of an empty slot moves") for name in loose]
+        spares = [each.convex for each in link.colliders if each.spare]
+        around = [each.convex for each in asset.link(host).colliders if spares and not each.spare]
+        for number, spare in enumerate(spares):
+            points = spare.outer_points()
+            if not any(each.inner_polytope(TOLERANCE).contains(points, -_HELD) for each in around):
+                faults.append((link.name, f"spare collider {number} is not inside a collider of {host!r}"))
+    return hosts, faults

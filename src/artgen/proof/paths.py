@@ -56,12 +56,15 @@ class Space:
             self._resolve(joint)
 
     def joint_paths(self) -> list[JointPath]:
-        """Return the joint path between each pair of links that can move against each other."""
+        """Return the joint path between each pair of links that can move against each other.
+
+        Links that fill empty slots have none: their colliders lie inside other links, see `outside`.
+        """
         return list(self._joint_paths)
 
     @cached_property
     def _joint_paths(self) -> tuple[JointPath, ...]:
-        names = [link.name for link in self.asset.links]
+        names = [link.name for link in self.asset.links if not link.absent]
         found = (self.joint_path(a, b) for a, b in itertools.combinations(names, 2))
         return tuple(joint_path for joint_path in found if joint_path.variables and joint_path.boxes)
 

@@ -17,7 +17,7 @@ from artgen.asset.certificate import AXIS_FRAME, PROOF_FORMAT, Certificate, Pair
 from artgen.asset.report import Finding
 from artgen.errors import AssetError
 from artgen.proof.bounds import Motion, around_axis, axis_gap, gap
-from artgen.proof.cover import Cover, stored_cover
+from artgen.proof.cover import Cover, slot_hosts, stored_cover
 from artgen.proof.overlap import allows
 from artgen.proof.paths import JointPath, space_of
 
@@ -53,6 +53,10 @@ def recheck(
         for links in joint_paths
         if links not in stated
     ]
+    hosts, loose = slot_hosts(asset)
+    findings += [_fault(reason, [link]) for link, reason in loose]
+    if dict(certificate.slots) != hosts:
+        findings.append(_fault("its empty slots are not those of the asset", sorted(hosts)))
     proof = certificate.leaves
     if proof is None:
         return [*findings, _fault("the proof in certificate.json is missing")]

@@ -92,6 +92,8 @@ def check_colliders(asset: Asset) -> CheckResult:
         findings += found
         if found:
             continue
+        if link.absent:
+            continue
         try:
             solid = _solid_of(link)
         except ArtgenError as error:
@@ -133,8 +135,8 @@ def _solid_of(link: Link) -> Manifold:
 
 def _piece_findings(link: Link) -> Iterator[Finding]:
     """Yield a wrong number of colliders, and those that a simulator would refuse or replace by their hull."""
-    count = len(link.colliders)
-    if not count:
+    count = sum(not collider.spare for collider in link.colliders)
+    if not link.colliders:
         hint = "give it a solid that is not a detail"
         yield _fault("it has no colliders", link.name, value=0.0, hint=hint)
     elif count > MOST_COLLIDERS:

@@ -87,7 +87,7 @@ def check_solids(asset: Asset) -> CheckResult:
 
 def _link_findings(link: Link, found: Sequence[LinkShells]) -> Iterator[Finding]:
     """Yield the faults of the surfaces of a link."""
-    if not found:
+    if not found and not link.absent:
         yield _fault("it has no surface", link.name, hint="give the link a solid")
     for skin in found:
         yield from _surface_findings(link, skin)

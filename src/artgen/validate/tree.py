@@ -129,6 +129,8 @@ def _mass_findings(link: Link) -> Iterator[Finding]:
         yield _fault(message, link.name, value=mass, unit="kg", hint="give it a solid with a density")
         return
     low, high = link.bounds()
+    if link.absent:
+        return  # it has the least mass and inertia that simulators accept
     yield from _density_findings(link, mass, float(np.prod(high - low)))
     slack = 1e-6 * float(np.linalg.norm(high - low))
     if (properties.center < low - slack).any() or (properties.center > high + slack).any():

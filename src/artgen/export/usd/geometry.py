@@ -59,6 +59,8 @@ def write_content(
         physics = layers.physical(prim)
         of_mesh = ["PhysicsMeshCollisionAPI"] if number in of_link else []
         apply(physics, "PhysicsCollisionAPI", "MaterialBindingAPI", *of_mesh)
+        if collider.spare:
+            write(physics, {"physics:collisionEnabled": False})
         if number in of_link:
             write(physics, {"physics:approximation": "convexHull"})
             layers.add_runtime(prim, [("newton", "NewtonMeshCollisionAPI", {})])

@@ -296,7 +296,7 @@ def _joint_findings(
     for name, share in best.items():
         joint, force = asset.joint(name), forces.get(name, 0.0)
         moving = [each.name for each in asset.affordances if name in each.joints]
-        if joint.driven or name in faulty:
+        if joint.driven or name in faulty or asset.link(joint.child).absent:
             continue
         if not moving:
             hint = (

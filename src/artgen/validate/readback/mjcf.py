@@ -1,6 +1,6 @@
 """Reading an exported MJCF with MuJoCo, and faults that MuJoCo accepts silently."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -13,6 +13,7 @@ from artgen.asset import Asset
 from artgen.asset.report import AGAIN, Finding
 from artgen.colliders import Convex
 from artgen.colliders.convex import Kind
+from artgen.export.mjcf import OFF
 from artgen.validate.behavior.model import collected_warnings
 from artgen.validate.readback.reading import (
     UNLIMITED,
@@ -79,9 +80,15 @@ def _model_findings(model: Any, asset: Asset, file: str) -> Iterator[Finding]:
 
     links = {link.name for link in asset.links}
     supports = _supports(model, asset.links[0].name)
+    off = {
+        f"{link.name}_collider_{number}"
+        for link in asset.links
+        for number, collider in enumerate(link.colliders)
+        if collider.spare
+    }
     for body in range(model.nbody):
         name = model.body(body).name
-        found = list(_geom_findings(model, body, name if name in links else "", file))
+        found = list(_geom_findings(model, body, name if name in links else "", file, off))
         yield from found[:_SHOWN]
         first = model.body_jntadr[body]
         for joint in range(first, first + model.body_jntnum[body]):
@@ -99,7 +106,7 @@ def _model_findings(model: Any, asset: Asset, file: str) -> Iterator[Finding]:
             yield _fault(f"its coupling has terms of higher order in {file}", joint=follower)
 
 
-def _geom_findings(model: Any, body: int, link: str, file: str) -> Iterator[Finding]:
+def _geom_findings(model: Any, body: int, link: str, file: str, off: Collection[str]) -> Iterator[Finding]:
     for geom in _geoms(model, body, colliding=True):
         name = model.geom(geom).name or f"number {geom}"
         if not link:
@@ -109,7 +116,7 @@ def _geom_findings(model: Any, body: int, link: str, file: str) -> Iterator[Find
             continue
         for key, wanted in _PLAIN.items():
             value = float(getattr(model, f"geom_{key}")[geom])
-            if value != wanted:
+            if value != (OFF if key == "margin" and name in off else wanted):
                 message = f"its collider {name} has {key} {value:.4g} in {file}, not {wanted:g}"
                 yield _fault(message, link, value=value)
         if _is_soft(model.geom_solref[geom], model.geom_solimp[geom]):

@@ -2,7 +2,7 @@
 
 import re
 from collections import Counter
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -93,9 +93,15 @@ def _stage_findings(stage: Any, asset: Asset) -> Iterator[Finding]:
     positions = asset.positions()
     for joint in joints:
         yield from _joint_findings(joint, known, positions.get(joint.GetName(), 0.0))
+    off = {
+        (link.name, f"{collider.convex.kind}_{number}")
+        for link in asset.links
+        for number, collider in enumerate(link.colliders)
+        if collider.spare
+    }
     for prim in prims:
         yield from _contact_findings(prim)
-        yield from _attribute_findings(prim)
+        yield from _attribute_findings(prim, off)
 
 
 def _layer_findings(stage: Any) -> Iterator[Finding]:
@@ -107,7 +113,7 @@ def _layer_findings(stage: Any) -> Iterator[Finding]:
         yield _fault("it has no default prim, so references to it are empty")
 
 
-def _attribute_findings(prim: Any) -> Iterator[Finding]:
+def _attribute_findings(prim: Any, off: Collection[tuple[str, str]]) -> Iterator[Finding]:
     """Yield attributes that switch a prim off, change with time, or are not those that artgen writes."""
     where = prim.GetName()
     for place, schema, known in (
@@ -120,6 +126,11 @@ def _attribute_findings(prim: Any) -> Iterator[Finding]:
             if attribute.ValueMightBeTimeVarying():
                 yield _fault(f"{where} has a {name} that changes with time", **place)
             fault, message = _SWITCHES.get(name, (None, ""))
+            if (name, *place.values()) == ("physics:collisionEnabled", _body_name(prim)) and (
+                _body_name(prim),
+                where,
+            ) in off:
+                continue  # a spare collider of a padded asset
             if attribute.Get() == fault and message:
                 yield _fault(message.format(where), **place)
             if _PHYSICS.match(name) and not known.fullmatch(name):

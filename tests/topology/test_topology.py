@@ -1,0 +1,210 @@
+"""Fixed topology: padded assets have equal links, joints and colliders, and move as before."""
+
+import json
+from dataclasses import replace
+from functools import cache
+
+import mujoco
+import numpy as np
+import pytest
+
+import artgen as ag
+from artgen.asset.link import DerivedLink
+from artgen.errors import AssetError, ParameterError
+from artgen.proof.recheck import recheck
+from artgen.topology import Topology
+
+CASES = {"drawer": (0, 1, 2), "door": (0, 1), "box": (0, 1)}
+
+
+@cache
+def plain(category: str) -> tuple[ag.Asset, ...]:
+    return tuple(ag.generate(category, seed=seed, certify=False) for seed in CASES[category])
+
+
+@cache
+def padded(category: str) -> tuple[ag.Asset, ...]:
+    return tuple(map(Topology.of(plain(category)).pad, plain(category)))
+
+
+def model(asset: ag.Asset):
+    spec = asset.to_mjspec(textures=0)
+    spec.option.tolerance = 1e-12
+    return spec.compile()
+
+
+def structure(asset: ag.Asset):
+    found = model(asset)
+    collide = np.flatnonzero(found.geom_contype)
+    names = [found.body(number).name for number in range(found.nbody)]
+    joints = [found.joint(number).name for number in range(found.njnt)]
+    geoms = [found.geom(number).name for number in collide]
+    kinds = found.jnt_type.tolist(), found.geom_type[collide].tolist(), found.geom_bodyid[collide].tolist()
+    return found.nv, names, found.body_parentid.tolist(), joints, geoms, kinds
+
+
+@pytest.mark.parametrize("category", CASES)
+def test_padded_assets_of_one_topology_have_one_structure(category) -> None:
+    assert structure(plain(category)[0]) != structure(plain(category)[1])
+    first, *others = map(structure, padded(category))
+    assert all(other == first for other in others)
+
+
+@pytest.mark.parametrize("category", CASES)
+def test_a_padded_asset_moves_as_the_plain_one(category) -> None:
+    for before, after in zip(plain(category), padded(category), strict=True):
+        assert after.mass == pytest.approx(before.mass, abs=1e-6)
+        models = model(before), model(after)
+        data = [mujoco.MjData(each) for each in models]
+        names = {own: name for name, own in after.originals.items()}
+        joints = [joint.name for joint in before.joints]
+        dofs = [
+            [each.joint(name).dofadr[0] for name in of]
+            for each, of in zip(models, (joints, [names[joint] for joint in joints]), strict=True)
+        ]
+        rng = np.random.default_rng(0)
+        for step in range(500):
+            if step % 50 == 0:
+                forces = rng.uniform(-20.0, 20.0, len(joints))
+            for each, found, at in zip(models, data, dofs, strict=True):
+                found.qfrc_applied[at] = forces
+                mujoco.mj_step(each, found)
+            apart = data[0].qvel[dofs[0]] - data[1].qvel[dofs[1]]
+            assert np.abs(apart).max() < 1e-6, (before.name, step)
+        assert np.abs(data[0].qpos).max() > 1e-3, f"nothing of {before.name} moved"
+
+
+def test_slots_are_held_inside_the_link_above_and_named_in_the_certificate() -> None:
+    asset = padded("drawer")[0]
+    empty = [link.name for link in asset.links if link.absent]
+    certificate = asset.certify()
+    assert certificate.proven
+    assert empty
+    assert certificate.slots == dict.fromkeys(empty, "body")
+    assert f"empty slot {empty[0]}: lies inside body" in str(certificate)
+    assert not recheck(asset, certificate)
+    assert "not those of the asset" in recheck(asset, replace(certificate, slots={}))[0].message
+
+
+def test_a_spare_collider_outside_its_link_is_no_padded_asset() -> None:
+    asset = padded("drawer")[0]
+    name = next(link.name for link in asset.links if link.absent)
+
+    def moved(link):
+        if link.name != name:
+            return link
+        shift = np.eye(4)
+        shift[2, 3] = 5.0
+        away = [replace(each, convex=each.convex.transformed(shift)) for each in link.colliders]
+        return replace(link, spares=tuple(away))
+
+    wrong = replace(asset, links=type(asset.links)(map(moved, asset.links)))
+    with pytest.raises(
+        AssetError, match="spare collider 0 is not inside a collider of 'body'; pad the asset"
+    ):
+        wrong.certify()
+
+
+def test_nothing_touches_a_spare_collider_in_mujoco() -> None:
+    asset = padded("drawer")[0]
+    spares = {
+        f"{link.name}_collider_{number}"
+        for link in asset.links
+        for number, each in enumerate(link.colliders)
+        if each.spare
+    }
+    found = model(asset)
+    data = mujoco.MjData(found)
+    mujoco.mj_forward(found, data)
+    touched = {found.geom(number).name for contact in data.contact for number in contact.geom}
+    assert spares
+    assert not spares & touched
+    off = {found.geom(number).name for number in np.flatnonzero(found.geom_margin < 0.0)}
+    assert off == spares
+
+
+def test_a_padded_asset_passes_the_checks_of_its_files(tmp_path) -> None:
+    asset = padded("drawer")[0]
+    asset.certify()
+    report = asset.validate(behavior=False)
+    assert report.passed, str(report)
+    asset.export(tmp_path, formats=("mjcf",), textures=0)
+    loaded = ag.load(tmp_path)
+    assert loaded.originals == asset.originals
+    assert [link.absent for link in loaded.links] == [link.absent for link in asset.links]
+    assert json.loads((tmp_path / "asset.json").read_text())["originals"]["drawer_0"] == "drawer_0"
+    assert "originals" not in plain("drawer")[0].to_data()
+
+
+def test_grasps_and_contacts_name_the_canonical_joints() -> None:
+    for before, after in zip(plain("door"), padded("door"), strict=True):
+        names = {own: name for name, own in after.originals.items()}
+        for old, new in zip(before.affordances, after.affordances, strict=True):
+            assert (new.link, new.joints) == (names[old.link], tuple(names[each] for each in old.joints))
+        for old, new in zip(before.contacts, after.contacts, strict=True):
+            assert new.links == tuple(names[each] for each in old.links)
+
+
+def test_the_order_of_assets_does_not_matter_and_equal_assets_need_no_slot() -> None:
+    assets = plain("drawer")
+    assert Topology.of(assets) == Topology.of(reversed(assets))
+    own = Topology.of(assets[:1]).pad(assets[0])
+    assert not any(link.absent for link in own.links)
+    assert not any(each.spare for link in own.links for each in link.colliders)
+    links, _ = Topology.of(assets).size
+    assert links == max(len(asset.links) for asset in assets)  # drawers differ only in number
+
+
+def test_an_asset_that_does_not_fit_is_refused_with_what_exceeds(tmp_path) -> None:
+    small, _, large = sorted(plain("drawer"), key=lambda asset: len(asset.links))
+    topology = Topology.of([small])
+    with pytest.raises(AssetError) as error:
+        topology.pad(large)
+    assert f"asset '{large.name}' does not fit the topology, which lacks " in str(error.value)
+    assert "a slot for link 'drawer_" in str(error.value)
+    assert "below 'body' (slide)" in str(error.value)
+    assert "Make one that holds it: Topology.of([topology, asset])" in str(error.value)
+    grown = Topology.of([topology, large])
+    assert grown.pad(large).links
+    assert grown.pad(small).links
+    with pytest.raises(AssetError, match="is padded already"):
+        grown.pad(grown.pad(small))
+    grown.save(tmp_path / "topology.json")
+    assert Topology.load(tmp_path / "topology.json") == grown
+    (tmp_path / "topology.json").write_text('{"format": "x"}')
+    with pytest.raises(AssetError, match="its format is 'x'"):
+        Topology.load(tmp_path / "topology.json")
+    with pytest.raises(AssetError, match="at least one asset"):
+        Topology.of([])
+
+
+def test_room_for_colliders_of_later_seeds() -> None:
+    topology = Topology.of(plain("drawer")[:1])
+    for before, after in zip(topology.slots, topology.with_room(0.2).slots, strict=True):
+        assert all(after.colliders[kind] >= 1.2 * count for kind, count in before.colliders.items())
+
+
+def test_generate_pads_with_the_recorded_topology() -> None:
+    first = ag.generate("drawer", seed=0, topology="fixed")
+    second = ag.generate("drawer", seed=1, topology="fixed", certify=False)
+    assert first.certificate is not None
+    assert first.certificate.proven
+    assert first.certificate.slots
+    assert first.links.names == second.links.names
+    assert first.joints.names == second.joints.names
+    with pytest.raises(ParameterError, match="must be 'own', 'fixed' or a Topology"):
+        ag.generate("drawer", topology="equal")
+
+
+def test_a_category_without_a_recorded_topology_says_how_to_make_one() -> None:
+    @ag.category(labels="crate", joints=(0, 0))
+    def crate(width: ag.Float = ag.uniform(0.2, 0.4)) -> ag.Body:
+        return ag.part(ag.box((width, 0.3, 0.3)), "crate")
+
+    with pytest.raises(AssetError, match=r"crate has no recorded topology; make one: .*crate.topology.json"):
+        crate.generate(topology="fixed", certify=False)
+
+
+def test_derived_links_of_an_empty_slot_stay_absent() -> None:
+    link = next(link for link in padded("drawer")[0].links if link.absent)
+    assert DerivedLink.of(link).absent
