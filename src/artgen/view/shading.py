@@ -1,11 +1,16 @@
 """Colors of the surfaces of a picture: lamps with soft shadows, mirrors, and glass.
 
-Light is gathered along few rays for each point; points of one plane share it (`_smoothed`), so neighbors use
-different rays. Rays follow fixed sequences: equal pictures have equal pixels.
+A pixel has four points; where they lie on one face, one of them stands for all (`_apart`). Light is gathered
+along few rays for one point of each pixel; points of one plane share it (`_smoothed`), so neighbors use
+different rays. Rays follow fixed sequences, and threads draw separate bands: equal pictures have
+equal pixels.
 """
 
-from dataclasses import dataclass
-from typing import Any
+import math
+from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, fields
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,15 +22,25 @@ from artgen.view.picture import Pixels
 from artgen.view.studio import BOXES, POINTS, Floats, dome, dome_light, environment, spread
 from artgen.view.tracing import World, clear, cosine_lobe, dot, mirrored, turned, unit
 
-_BAND = 256  # rows of points that are drawn together
-_TAPS, _STRIDES = 4, (1, 3)  # neighbors at both sides that share their light, and their distances [points]
+_BAND, _MOST_PIXELS = 256, 131_072  # most rows, and most pixels, that are drawn together
+_TAPS, _STRIDES = 4, (1, 3)  # neighbors at both sides that share their light, and their distances [pixels]
+# weights of neighbors below which a point gathers its own light, along how many times more rays
+_ALONE, _SUPPORT, _ALONE_ROUNDS = 0.05, 4.0, 4
+# factors of the roughness of brushed metal across the strokes and along them, slopes of its facets across the
+# strokes, and the size of the smudges that it lacks [m]
+_ACROSS, _ALONG, _SLOPES, _SMUDGE = 1.9, 0.75, (-1.7, -0.8, -0.35, 0.0, 0.35, 0.8, 1.7), 0.03
+_STREAKS = 2.5  # brightness of strokes for their deviation of roughness
 _ALIKE = 0.12  # difference of light that distant neighbors may have, relative to their sum
-_REACH = 16  # rows of points beyond a band that share its light
+_REACH = 17  # rows of pixels beyond a band that share its light
+_BESIDE = ((0, 0), (0, 1), (0, -1), (1, 0), (-1, 0))  # pixels that lend light to a point
 _LAYERS = 8  # most faces of glass in front of a surface
+_TURN = 17  # step to the number of a point's next ray: to the next lamp
 _TILE = np.array([[0, 8, 2, 10], [12, 4, 14, 6], [3, 11, 1, 9], [15, 7, 13, 5]])  # order of rays (Bayer)
 _PLACES = np.array([[[0.375, 0.125], [0.875, 0.375]], [[0.125, 0.625], [0.625, 0.875]]])  # points in a pixel
 _DULL, _MATT = 0.75, 0.5  # roughness from which a surface mirrors no objects, and the light that it mirrors
 _WHITE, _DARK = 1e3, 0.7  # radiance behind all surfaces: without a studio, and below its floor
+_FLAT = 0.9  # least cosine between the faces that a point stands for
+_POLISHED = 0.2  # roughness up to which a metal mirrors edges
 _GLOW = 2.2  # radiance of an emission of 1
 
 
@@ -39,14 +54,25 @@ def colors(world: World, camera: Camera, size: tuple[int, int], samples: int, te
         samples: Number of rays to the lamps and around for each pixel.
         texels: Texels per side of the material maps; 0 for plain colors.
     """
-    painter = _Painter(world, camera, size, max(1, round(samples / 8)), texels)
-    rows = 2 * size[1]
-    bands = [painter.band(first, min(first + _BAND, rows)) for first in range(0, rows, _BAND)]
-    return np.concatenate(bands)
+    painter = _Painter(world, camera, size, max(1, round(samples / 4)), texels)
+    height = max(_REACH, min(_BAND, _MOST_PIXELS // size[0]))
+    firsts = range(0, size[1], height)
+    with ThreadPoolExecutor(min(2, len(firsts))) as pool:
+        bands = pool.map(lambda first: painter.band(first, min(first + height, size[1])), firsts)
+        return np.concatenate(list(bands))
+
+
+class _Rows:
+    """Arrays of equal length."""
+
+    def take(self, some: NDArray[Any]) -> Self:
+        """Return some of the columns."""
+        each: Any = type(self)
+        return each(*(getattr(self, field.name)[..., some] for field in fields(each)))  # type: ignore[no-any-return]
 
 
 @dataclass(frozen=True, eq=False)
-class _Points:
+class _Points(_Rows):
     """The visible points of surfaces."""
 
     at: Floats
@@ -59,7 +85,19 @@ class _Points:
     color: Floats  # base colors
     metal: Floats
     rough: Floats
+    streak: Floats  # deviation of roughness along a stroke of a brush
     material: NDArray[Any]
+
+
+@dataclass(frozen=True, eq=False)
+class _Found(_Rows):
+    """Hits of rays, in the order of the rays."""
+
+    ray: NDArray[Any]
+    at: Floats
+    triangle: NDArray[Any]
+    u: Floats
+    v: Floats
 
 
 class _Painter:
@@ -79,30 +117,38 @@ class _Painter:
             )
         }  # fmt: skip
         self.clear = np.array([clear(each) for each in every])
+        self.polished = np.array(
+            [each.base_metalness > 0.5 and each.specular_roughness < _POLISHED for each in every]
+        )
+        self.brushed = {
+            number for number, each in enumerate(every) if texels and each.texture in ("brushed", "satin")
+        }
+        self.is_brushed = np.isin(np.arange(len(every)), list(self.brushed))
         self.maps = {
             number: _pyramids(each, texels) for number, each in enumerate(every) if texels and each.texture
         }
 
     def band(self, first: int, last: int) -> Pixels:
-        """Return the colors of the pixels of a band of rows of points."""
-        width, height = 2 * self.size[0], 2 * self.size[1]
+        """Return the colors of a band of rows of pixels."""
+        width, height = self.size
         above, below = min(first, _REACH), min(height - last, _REACH)
         rows = np.arange(first - above, last + below)
-        row, column = (each.ravel() for each in np.meshgrid(rows, np.arange(width), indexing="ij"))
+        shape = len(rows), width
+        # the four points of a pixel are successive
+        row = np.broadcast_to((2 * rows)[:, None, None] + [0, 0, 1, 1], (*shape, 4)).ravel()
+        column = np.broadcast_to((2 * np.arange(width))[:, None] + [0, 1, 0, 1], (*shape, 4)).ravel()
         view = self._rays(row, column)
-        points, behind, through, over = self._visible(view)
-        order = _order(row, column)
-        shape = (len(rows), width)
+        found, through, over = self._visible(view)
         background = _WHITE if self.kind == "none" else _DARK
         color: Floats = np.full((3, row.size), background, np.float32)
-        if behind.size:
-            light = self._light(points, order[behind])
-            mirror = self._mirror(points, order[behind])
-            light, mirror = self._smoothed(points, behind, shape, light, mirror)
-            color[:, behind] = self._shaded(points, light, mirror)
-        color = color * through + over
-        inner = color.reshape(3, *shape)[:, above : above + last - first]
-        return _shown(inner)
+        if found.ray.size:
+            some, number, wide = self._apart(found, row.size)
+            points = self._points(found, some, view, wide)
+            color[:, found.ray] = self._lit(points, found.ray[some], int(rows[0]), shape)[:, number]
+        color *= through
+        color += over
+        mean = _toned(color).reshape(3, -1, 4).mean(axis=2).reshape(3, *shape)
+        return _shown(mean[:, above : above + last - first])
 
     def _rays(self, row: Any, column: Any) -> Floats:
         width, height = self.size
@@ -112,137 +158,254 @@ class _Painter:
         y = (height / 2.0 - (row // 2 + place[:, 1])).astype(np.float32) * self.pixel
         return unit(forward + x * right + y * up)
 
-    def _visible(self, view: Floats) -> tuple[_Points, NDArray[Any], Floats, Floats]:
-        """Return what rays meet behind glass, which rays meet it, and the light through and from glass."""
+    def _visible(self, view: Floats) -> tuple[_Found, Floats, Floats]:
+        """Return what rays meet behind glass, and the light through and from glass."""
         world, count = self.world, view.shape[1]
         through, over = np.ones((3, count), np.float32), np.zeros((3, count), np.float32)
         ray = np.arange(count)
         origin = np.repeat(self.eye, count, axis=1)
-        found = []
+        found: list[_Found] = []
         for layer in range(_LAYERS):
             last = layer == _LAYERS - 1
             hits = world.run(world.opaque if last else world.all, origin, view[:, ray])
-            met = hits["primID"] >= 0
-            ray, origin = ray[met], origin[:, met]
-            triangle, distance = hits["primID"][met], hits["tfar"][met]
-            u, v = hits["u"][met], hits["v"][met]
-            at = origin + distance * view[:, ray]
+            met = np.flatnonzero(hits["primID"] >= 0)
+            ray = ray[met]
+            triangle, u, v = (hits[name][met] for name in ("primID", "u", "v"))
+            at = origin[:, met] + hits["tfar"][met] * view[:, ray]
+            hit = _Found(ray, at, triangle, u, v)
             glass = self.clear[world.material[triangle]]
-            found.append([ray[~glass], at[:, ~glass], triangle[~glass], u[~glass], v[~glass]])
             if not glass.any():
+                found.append(hit)
                 break
-            ray, at, triangle, u, v = ray[glass], at[:, glass], triangle[glass], u[glass], v[glass]
-            passed, added = self._pane(self._points(at, view[:, ray], triangle, u, v))
-            over[:, ray] += through[:, ray] * added
-            through[:, ray] *= passed
-            origin = at + world.offset * view[:, ray]
-        ray, at, triangle, u, v = (np.concatenate(each, axis=-1) for each in zip(*found, strict=True))
-        return self._points(at, view[:, ray], triangle, u, v), ray, through, over
+            found.append(hit.take(~glass))
+            pane = hit.take(glass)
+            some, number, wide = self._apart(pane, count)
+            passed, added = self._pane(self._points(pane, some, view, wide))
+            ray = pane.ray
+            over[:, ray] += through[:, ray] * added[:, number]
+            through[:, ray] *= passed[:, number]
+            origin = pane.at + world.offset * view[:, ray]
+        if len(found) == 1:
+            return found[0], through, over
+        every = [
+            np.concatenate([getattr(each, field.name) for each in found], axis=-1) for field in fields(_Found)
+        ]
+        merged = _Found(*every)
+        return merged.take(np.argsort(merged.ray)), through, over
 
-    def _points(self, at: Floats, view: Floats, triangle: Any, u: Floats, v: Floats) -> _Points:
+    def _apart(self, hits: _Found, rays: int) -> tuple[NDArray[Any], NDArray[Any], Floats]:
+        """Return which hits are shaded, which of these stands for each hit, and their widths [pixels]."""
+        world, count = self.world, hits.ray.size
+        slot = np.full(rays, -1)
+        slot[hits.ray] = np.arange(count)
+        four = slot.reshape(-1, 4)
+        four = four[four.min(axis=1) >= 0]
+        triangle = hits.triangle[four]
+        alike = (triangle == triangle[:, :1]).all(axis=1)
+        mixed = np.flatnonzero(~alike)
+        if mixed.size:
+            one, other = triangle[mixed, :1], triangle[mixed, 1:]
+            at = hits.at.T[four[mixed]]
+            flat = world.flat[one]
+            away = np.abs(((at[:, 1:] - at[:, :1]) * flat).sum(axis=2))
+            close = away < self.pixel * np.linalg.norm(at[:, :1] - self.eye[:, 0], axis=2)
+            close &= (flat * world.flat[other]).sum(axis=2) > _FLAT
+            close &= world.material[one] == world.material[other]
+            alike[mixed] = close.all(axis=1)
+        # what a polished metal mirrors has edges
+        alike &= ~self.polished[world.material[triangle[:, 0]]]
+        four = four[alike]
+        stands = np.arange(count)
+        stands[four[:, 1:]] = four[:, :1]
+        some = stands == np.arange(count)
+        wide = np.full(count, 0.5, np.float32)
+        wide[four[:, 0]] = 1.0
+        return np.flatnonzero(some), (np.cumsum(some) - 1)[stands], wide[some]
+
+    def _points(self, hits: _Found, some: NDArray[Any], view: Floats, wide: Floats) -> _Points:
+        """Return the surface at some hits, with maps averaged over their widths [pixels]."""
         world = self.world
+        at, view, triangle, u, v = (
+            hits.at[:, some], view[:, hits.ray[some]], hits.triangle[some], hits.u[some], hits.v[some],
+        )  # fmt: skip
         normal = world.normals_at(triangle, u, v)
         normal = normal * -np.sign(dot(world.flat[triangle].T, view))
         normal = unit(normal - (np.maximum(dot(normal, view), 0.0) + np.float32(1e-3)) * view)
         number = world.material[triangle]
-        color = self.table["base_color"][number].T.copy()
-        metal = self.table["base_metalness"][number]
-        rough = self.table["specular_roughness"][number]
-        bumped = normal.copy()
-        depth = np.sqrt(dot(at - self.eye, at - self.eye))
+        points = _Points(
+            at, view, normal, normal.copy(), triangle, u, v,
+            self.table["base_color"][number].T.copy(), self.table["base_metalness"][number],
+            self.table["specular_roughness"][number], np.zeros(len(some), np.float32), number,
+        )  # fmt: skip
+        wide = wide * self.pixel * np.sqrt(dot(at - self.eye, at - self.eye))
         for each in np.unique(number):
-            if each not in self.maps:
-                continue
-            here = np.flatnonzero(number == each)
-            uv = world.uvs_at(triangle[here], u[here], v[here])
-            facing = np.maximum(np.abs(dot(normal[:, here], view[:, here])), np.float32(0.2))
-            self._textured(
-                each, here, uv, self.pixel / 2.0 * depth[here] / facing, color, metal, rough, bumped, triangle
-            )
-        return _Points(at, view, normal, bumped, triangle, u, v, color, metal, rough, number)
+            if each in self.maps:
+                here = np.flatnonzero(number == each)
+                facing = np.maximum(np.abs(dot(normal[:, here], view[:, here])), np.float32(0.2))
+                self._textured(points, each, here, wide[here] / facing)
+        return points
 
-    def _textured(
-        self,
-        number: int,
-        here: Any,
-        uv: Floats,
-        wide: Floats,
-        color: Floats,
-        metal: Floats,
-        rough: Floats,
-        bumped: Floats,
-        triangle: Any,
-    ) -> None:
+    def _textured(self, points: _Points, number: int, here: Any, wide: Floats) -> None:
+        """Set the values of maps at points of a material, averaged over widths [m]."""
+        uv = self.world.uvs_at(points.triangle[here], points.u[here], points.v[here])
         levels, texel = self.maps[number]
         level = np.clip(np.log2(np.maximum(wide / texel, 1e-6)) + 0.3, 0, len(levels) - 1).astype(int)
+        brushed = number in self.brushed
+        smudge = min(len(levels) - 1, max(0, round(math.log2(_SMUDGE / texel))))
         for step in np.unique(level):
             some = np.flatnonzero(level == step)
             at, maps_ = here[some], levels[step]
             values = _texel(maps_, uv[:, some])
-            rough[at] = values[0]
-            tilt = values[1:3]
+            if brushed:
+                mean = _texel(levels[smudge][..., :1], uv[:, some])[0]
+                points.streak[at] = values[0] - mean
+                values[0] = points.rough[at]
+            points.rough[at] = values[0]
             rest = 3
             if maps_.shape[2] in (6, 7):
-                color[:, at] = values[3:6]
+                points.color[:, at] = values[3:6]
                 rest = 6
             if maps_.shape[2] in (4, 7):
-                metal[at] = values[rest]
-            normal = bumped[:, at]
-            along = self.world.tangents[triangle[at]].T
-            along = unit(along - dot(along, normal) * normal)
-            up = np.cross(normal, along, axis=0)
-            bumped[:, at] = unit(normal + tilt[0] * along + tilt[1] * up)
+                points.metal[at] = values[rest]
+            if not brushed:
+                along, up = self._frame(points, at)
+                points.bumped[:, at] = unit(points.normal[:, at] + values[1] * along + values[2] * up)
 
-    def _light(self, points: _Points, order: NDArray[Any]) -> Floats:
+    def _frame(self, points: _Points, some: NDArray[Any]) -> tuple[Floats, Floats]:
+        """Return the directions of the texture's axes at some points."""
+        normal = points.normal[:, some]
+        along = self.world.tangents[points.triangle[some]].T
+        along = unit(along - dot(along, normal) * normal)
+        return along, np.cross(normal, along, axis=0)
+
+    def _lit(self, points: _Points, ray: NDArray[Any], top: int, shape: tuple[int, int]) -> Floats:
+        """Return the light from points on rays, of pixels whose first row is `top`."""
+        pixel = ray // 4
+        order = _order(top + pixel // shape[1], pixel % shape[1])
+        first = np.diff(pixel, prepend=-1) > 0
+        main, rest = np.flatnonzero(first), np.flatnonzero(~first)
+        mirror, smooth = np.empty_like(points.at), np.empty((6, len(ray)), np.float32)
+        few, alone = points.take(main), np.zeros(len(ray), bool)
+        mirror[:, main] = self._mirror(few, order[main])
+        light = self._light(few, order[main], self.rounds)
+        guide, values = self._smoothed(few, pixel[main], shape, light, mirror[:, main])
+        smooth[:, main] = values[:, pixel[main]]
+        alone[main] = guide[6, pixel[main]] == 0.0
+        if rest.size:
+            smooth[:, rest], weights = self._borrowed(points.take(rest), pixel[rest], shape, guide, values)
+            alone[rest] = weights < _ALONE
+        own = alone | (_blurred(points.rough) < 1.0)
+        some = rest[own[rest]]
+        mirror[:, some] = self._mirror(points.take(some), order[some])
+        some = np.flatnonzero(alone)
+        smooth[:3, some] = self._light(points.take(some), order[some], _ALONE_ROUNDS * self.rounds)
+        smooth[3:, some] = mirror[:, some]
+        blur = _blurred(points.rough)
+        mirrored_light = np.where(own, mirror + blur * (smooth[3:] - mirror), smooth[3:])
+        return self._shaded(points, smooth[:3], mirrored_light)
+
+    def _borrowed(
+        self, points: _Points, pixel: NDArray[Any], shape: tuple[int, int], guide: Floats, values: Floats
+    ) -> tuple[Floats, Floats]:
+        """Return the average of values of pixels beside points, and the weights of all."""
+        row, column = pixel // shape[1], pixel % shape[1]
+        total = np.zeros((len(values), len(pixel)), np.float32)
+        weights = np.zeros(len(pixel), np.float32)
+        near = self._near(points)
+        for down, right in _BESIDE:
+            beside = np.clip(row + down, 0, shape[0] - 1) * shape[1] + np.clip(
+                column + right, 0, shape[1] - 1
+            )
+            other = guide[:, beside]
+            weight = _together([*points.at, *points.normal], other, near) * other[6]
+            total += weight * values[:, beside]
+            weights += weight
+        return total / np.maximum(weights, np.float32(1e-6)), weights
+
+    def _near(self, points: _Points) -> Floats:
+        """Return the inverse of the distance that points of one plane may have from it."""
+        offset = points.at - self.eye
+        return np.asarray(1.0 / (6.0 * self.pixel * np.sqrt(dot(offset, offset))))
+
+    def _light(self, points: _Points, order: NDArray[Any], rounds: int) -> Floats:
         """Return the light that arrives at points: the radiance of white paper there, by color."""
         world = self.world
         total = np.zeros_like(points.at)
         origin = points.at + world.offset * points.normal
         lamps = world.lamp_light(origin, points.normal)
-        for turn in range(self.rounds):
-            number = (order + 16 * turn) % POINTS
+        for turn in range(rounds):
+            number = (order + _TURN * turn) % POINTS
             path = turned(cosine_lobe()[:, number], points.normal)
             triangle = world.first(origin, path)
             # what is in the way takes light from that of an open place, so that open places have no noise
             met = np.flatnonzero(triangle >= 0)
             total[:, met] += world.glow[triangle[met]].T - dome(path[2, met])
             total -= world.hidden(origin, points.normal, lamps, number)
-        total = total / np.float32(self.rounds) + lamps.sum(axis=0) + dome_light(points.normal[2])
+        total = total / np.float32(rounds) + lamps.sum(axis=0) + dome_light(points.normal[2])
         return np.asarray(np.maximum(total, 0.0))
 
     def _mirror(self, points: _Points, order: NDArray[Any]) -> Floats:
         """Return the light that points mirror."""
-        total = np.zeros_like(points.at)
-        for turn in range(self.rounds):
-            across, along = spread(POINTS)[:, (order + 16 * turn) % POINTS].astype(np.float32)
-            total += self._reflected(points, across, along)
-        return np.asarray(total / np.float32(self.rounds))
-
-    def _reflected(self, points: _Points, across: Floats, along: Floats) -> Floats:
-        """Return the light from the direction of the mirror, from objects in a random one near it."""
         result = np.full_like(points.at, _MATT)
         coat = self.table["coat_weight"][points.material] > 0.0
         seen = np.flatnonzero((points.rough < _DULL) | coat)
         if not seen.size:
             return result
-        normal, base = points.bumped[:, seen], points.normal[:, seen]
-        way = mirrored(points.view[:, seen], normal)
-        # below the horizon of the surface there is none
-        way = unit(way - 2.0 * np.minimum(dot(way, base), 0.0) * base)
-        result[:, seen] = environment(points.at[:, seen], way, points.rough[seen], self.radius)
-        rough = points.rough[seen]
+        some = points.take(seen)
+        sky = self._sky(some)
+        once = self._reflected(some, sky, order[seen])
+        # a surface that is neither mirror nor matt shows the noise of few rays most
+        blur = _blurred(some.rough)
+        for rounds, noisy in (
+            (self.rounds, (some.metal > 0.5) & (blur == 1.0)),
+            (2 * self.rounds, (blur > 0.0) & (blur < 1.0)),
+        ):
+            these = np.flatnonzero(noisy)
+            if these.size:
+                few, above, number = some.take(these), sky[these], order[seen[these]]
+                for turn in range(1, rounds):
+                    once[:, these] += self._reflected(few, above, number + _TURN * turn)
+                once[:, these] /= np.float32(rounds)
+        result[:, seen] = once
+        return result
+
+    def _sky(self, points: _Points) -> Floats:
+        """Return the light of the studio that points mirror, shape (n,)."""
+        way = _above(mirrored(points.view, points.bumped), points.normal)
+        result = environment(points.at, way, points.rough, self.radius)
+        brushed = np.flatnonzero(self.is_brushed[points.material])
+        if brushed.size:
+            some = points.take(brushed)
+            along, _ = self._frame(points, brushed)
+            alpha = some.rough * some.rough
+            total = np.zeros(len(brushed), np.float32)
+            for slope in _SLOPES:
+                half = unit(some.bumped + (slope * _ACROSS) * alpha * along)
+                way = _above(mirrored(some.view, half), some.normal)
+                total += environment(some.at, way, some.rough * np.float32(_ALONG), self.radius)
+            result[brushed] = total / len(_SLOPES)
+        return result
+
+    def _reflected(self, points: _Points, sky: Floats, order: NDArray[Any]) -> Floats:
+        """Return the light from the direction of the mirror, from objects in a random one near it."""
+        across, turn = spread(POINTS)[:, order % POINTS].astype(np.float32)
+        result = np.broadcast_to(sky, points.at.shape).copy()
+        normal, base, rough = points.bumped, points.normal, points.rough
         alpha = rough * rough * _blurred(rough)
-        tangent = alpha * np.sqrt(across[seen] / np.maximum(1.0 - across[seen], 0.02))
-        angle = np.float32(2.0 * np.pi) * along[seen]
-        half = turned(
-            unit(np.stack([tangent * np.cos(angle), tangent * np.sin(angle), np.ones_like(angle)])), normal
-        )
-        ray = mirrored(points.view[:, seen], half)
-        ray = unit(ray - 2.0 * np.minimum(dot(ray, base), 0.0) * base)
-        met, distance, light = self._seen(points.at[:, seen] + self.world.offset * base, ray, rough)
+        tangent = alpha * np.sqrt(across / np.maximum(1.0 - across, np.float32(0.02)))
+        angle = np.float32(2.0 * np.pi) * turn
+        local = np.stack([tangent * np.cos(angle), tangent * np.sin(angle), np.ones_like(angle)])
+        half = unit(turned(local, normal))
+        brushed = np.flatnonzero(self.is_brushed[points.material])
+        if brushed.size:
+            along, up = self._frame(points, brushed)
+            x, y, _ = local[:, brushed]
+            half[:, brushed] = unit(normal[:, brushed] + _ACROSS * x * along + _ALONG**2 * y * up)
+        ray = _above(mirrored(points.view, half), base)
+        met, distance, light = self._seen(points.at + self.world.offset * base, ray, rough)
         # the floor ends without an edge
         far = np.clip((distance / self.radius - 3.0) / 9.0, 0.0, 1.0)
-        result[:, seen[met]] += (1.0 - far) * (light - result[:, seen[met]])
+        result[:, met] += (1.0 - far) * (light - result[:, met])
         return result
 
     def _seen(self, origin: Floats, ray: Floats, rough: Floats) -> tuple[NDArray[Any], Floats, Floats]:
@@ -268,8 +431,7 @@ class _Painter:
     def _pane(self, points: _Points) -> tuple[Floats, Floats]:
         """Return the share of light through faces of glass, and the light from them."""
         number = points.material
-        half = np.full(number.shape, 0.5, np.float32)
-        bright = self._reflected(points, half * 0.0, half)
+        bright = self._reflected(points, self._sky(points), 0 * number)
         facing = np.minimum(np.abs(dot(points.view, points.bumped)), 1.0)
         fresnel = 0.04 + 0.96 * (1.0 - facing) ** 5
         color = points.color
@@ -282,22 +444,24 @@ class _Painter:
         return passed, fresnel * bright + (1.0 - fresnel) * scatter * color * light
 
     def _smoothed(
-        self, points: _Points, behind: NDArray[Any], shape: tuple[int, int], light: Floats, mirror: Floats
+        self, points: _Points, pixel: NDArray[Any], shape: tuple[int, int], light: Floats, mirror: Floats
     ) -> tuple[Floats, Floats]:
-        """Average light among points of one plane, and mirrored light as far as they are rough."""
-        count = shape[0] * shape[1]
-        offset = points.at - self.eye
-        reach = 1.0 / (6.0 * self.pixel * np.sqrt(dot(offset, offset)))
-        known = [*points.at, *points.normal, np.ones_like(reach), reach, *light, *mirror]
-        spread_out = np.zeros((len(known), count), np.float32)
-        spread_out[:, behind] = known
-        grid = spread_out.reshape(-1, *shape)
-        guide, values = grid[:8], grid[8:]
+        """Return the planes of pixels with one point each, and the light of each averaged over its plane.
+
+        The rows of a plane are a place, a normal, whether there is one with neighbors, and `_near`.
+        """
+        near = self._near(points)
+        known = [*points.at, *points.normal, np.ones_like(near), near, *light, *mirror]
+        grid = np.zeros((len(known), shape[0] * shape[1]), np.float32)
+        grid[:, pixel] = known
+        guide, values = grid[:8].reshape(-1, *shape), grid[8:].reshape(-1, *shape)
+        support = np.ones(shape, np.float32)
         for stride in _STRIDES:
             for axis in (1, 2):
-                values = _averaged(values, guide, axis, stride)
-        found = values.reshape(6, count)[:, behind]
-        return found[:3], mirror + _blurred(points.rough) * (found[3:] - mirror)
+                values, weights = _averaged(values, guide, axis, stride)
+                support *= weights
+        guide[6] *= support > _SUPPORT
+        return grid[:8], values.reshape(6, -1)
 
     def _shaded(self, points: _Points, light: Floats, mirror: Floats) -> Floats:
         number = points.material
@@ -309,6 +473,7 @@ class _Painter:
         light = light * np.clip(
             1.0 + 0.9 * dot(np.broadcast_to(key[:, None], relief.shape), relief), 0.3, 1.7
         )
+        mirror = mirror * np.clip(1.0 - np.float32(_STREAKS) * points.streak, 0.6, 1.4)
         facing = np.clip(-dot(points.view, points.bumped), 0.02, 1.0)
         scale, bias = _fresnel(rough, facing)
         normal_share = 0.04 + (color - 0.04) * metal
@@ -340,8 +505,24 @@ def _fresnel(rough: Floats, facing: Floats) -> tuple[Floats, Floats]:
     return (-1.04 * first + 1.04 - 0.572 * rough).clip(0.0), (1.04 * first + 0.022 * rough - 0.04).clip(0.0)
 
 
-def _averaged(values: Floats, guide: Floats, axis: int, stride: int) -> Floats:
-    """Average values over points of one plane along one axis; with wide strides, only over similar values."""
+def _together(a: Sequence[Floats] | Floats, b: Sequence[Floats] | Floats, near: Floats) -> Floats:
+    """Return how far points, given with their normals, lie in one plane, 0..1."""
+    facing = a[3] * b[3] + a[4] * b[4] + a[5] * b[5]
+    x, y, z = b[0] - a[0], b[1] - a[1], b[2] - a[2]
+    apart = np.abs(x * a[3] + y * a[4] + z * a[5]) + np.abs(x * b[3] + y * b[4] + z * b[5])
+    return np.asarray(np.clip(8.0 * facing - 7.0, 0.0, 1.0) * np.clip(1.5 - apart * near * 2.0, 0.0, 1.0))
+
+
+def _above(way: Floats, base: Floats) -> Floats:
+    """Return directions that do not point below a surface."""
+    return unit(way - 2.0 * np.minimum(dot(way, base), 0.0) * base)
+
+
+def _averaged(values: Floats, guide: Floats, axis: int, stride: int) -> tuple[Floats, Floats]:
+    """Average values over points of one plane along one axis; return these and the sums of weights.
+
+    With wide strides, the average is over similar values only.
+    """
     total = values * guide[6]
     weights = guide[6].copy()
     length = values.shape[axis]
@@ -352,11 +533,7 @@ def _averaged(values: Floats, guide: Floats, axis: int, stride: int) -> Floats:
         one = (slice(None),) * axis + (slice(0, length - step),)
         other = (slice(None),) * axis + (slice(step, length),)
         a, b = guide[one], guide[other]
-        facing = a[3] * b[3] + a[4] * b[4] + a[5] * b[5]
-        x, y, z = b[0] - a[0], b[1] - a[1], b[2] - a[2]
-        apart = np.abs(x * a[3] + y * a[4] + z * a[5]) + np.abs(x * b[3] + y * b[4] + z * b[5])
-        near = a[7] / np.float32(stride)
-        weight = np.clip(8.0 * facing - 7.0, 0.0, 1.0) * np.clip(1.5 - apart * near * 2.0, 0.0, 1.0)
+        weight = _together(a, b, a[7] / np.float32(stride))
         weight *= a[6] * b[6] * np.float32(np.exp(-((number / _TAPS) ** 2)))
         first, second = values[one], values[other]
         if stride > 1:
@@ -366,7 +543,7 @@ def _averaged(values: Floats, guide: Floats, axis: int, stride: int) -> Floats:
         total[other] += weight * first
         weights[one[1:]] += weight
         weights[other[1:]] += weight
-    return np.asarray(total / np.maximum(weights, np.float32(1e-6)))
+    return np.asarray(total / np.maximum(weights, np.float32(1e-6))), weights
 
 
 def _order(row: NDArray[Any], column: NDArray[Any]) -> NDArray[Any]:
@@ -423,15 +600,19 @@ def _texel(level: Floats, uv: Floats) -> Floats:
 _SHOULDER, _WASH = 0.78, 0.15
 
 
+def _toned(light: Floats) -> Floats:
+    """Compress and whiten highlights (PBR Neutral of Khronos)."""
+    np.maximum(light, 0.0, out=light)
+    bright = np.flatnonzero(light.max(axis=0) >= _SHOULDER)
+    some = light[:, bright]
+    peak, room = some.max(axis=0), 1.0 - _SHOULDER
+    rolled = 1.0 - room * room / (peak + room - _SHOULDER)
+    white = 1.0 - 1.0 / (_WASH * (peak - rolled) + 1.0)
+    light[:, bright] = some * (rolled / peak) * (1.0 - white) + rolled * white
+    return light
+
+
 def _shown(light: Floats) -> Pixels:
-    """Return radiances of points as pixels: highlights compressed and whitened (PBR Neutral of Khronos)."""
-    light = np.maximum(light, 0.0)
-    peak = light.max(axis=0)
-    room = 1.0 - _SHOULDER
-    over = np.maximum(peak, _SHOULDER)
-    rolled = 1.0 - room * room / (over + room - _SHOULDER)
-    white = 1.0 - 1.0 / (_WASH * (over - rolled) + 1.0)
-    toned = np.where(peak < _SHOULDER, light, light * (rolled / over) * (1.0 - white) + rolled * white)
-    mean = (toned[:, ::2, ::2] + toned[:, 1::2, ::2] + toned[:, ::2, 1::2] + toned[:, 1::2, 1::2]) / 4.0
-    code = np.where(mean <= 0.0031308, 12.92 * mean, 1.055 * np.maximum(mean, 1e-6) ** (1 / 2.4) - 0.055)
+    """Return linear light, shape (3, height, width), as pixels."""
+    code = np.where(light <= 0.0031308, 12.92 * light, 1.055 * np.maximum(light, 1e-6) ** (1 / 2.4) - 0.055)
     return np.asarray(np.rint(np.clip(code, 0.0, 1.0) * 255.0).astype(np.uint8).transpose(1, 2, 0))
