@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from scipy import ndimage
 
 from artgen.asset.surface import texture_coordinates
 from artgen.generator import generator
@@ -74,3 +75,20 @@ def _texels(asset, found) -> np.ndarray:
     quarter = 2 * (within[:, 1] < 0.5) + (within[:, 0] >= 0.5)
     result[hit] = np.where(clear, quarter, -1)
     return result
+
+
+@generator
+def plate(*, turned: bool = False) -> Body:
+    return part(box(0.6, 0.02, 0.6), "plate", material("stainless_across" if turned else "stainless"))
+
+
+@pytest.mark.parametrize("turned", [False, True])
+def test_brushed_metal_shows_its_strokes(turned) -> None:
+    pytest.importorskip("embreex", reason="needs Embree: artgen[sim]")
+    shown = plate.generate(turned=turned).render(camera=View(0.0, 0.05), size=200, textures=512)
+    light = shown.color[50:150, 50:150].mean(axis=2)
+    fine = light - ndimage.gaussian_filter(light, 4.0)
+    down, right = (np.abs(np.diff(fine, axis=axis)).mean() for axis in (0, 1))
+    across, along = (down, right) if turned else (right, down)
+    assert across > 1.5  # averaging over neighbors left 0.6
+    assert across > 2.0 * along

@@ -29,7 +29,7 @@ _ALONE, _SUPPORT, _ALONE_ROUNDS = 0.05, 4.0, 4
 # factors of the roughness of brushed metal across the strokes and along them, slopes of its facets across the
 # strokes, and the size of the smudges that it lacks [m]
 _ACROSS, _ALONG, _SLOPES, _SMUDGE = 1.9, 0.75, (-1.7, -0.8, -0.35, 0.0, 0.35, 0.8, 1.7), 0.03
-_STREAKS = 2.5  # brightness of strokes for their deviation of roughness
+_STREAKS = {"brushed": 2.2, "satin": 1.0}  # brightness of strokes for their deviation of roughness
 _ALIKE = 0.12  # difference of light that distant neighbors may have, relative to their sum
 _REACH = 17  # rows of pixels beyond a band that share its light
 _BESIDE = ((0, 0), (0, 1), (0, -1), (1, 0), (-1, 0))  # pixels that lend light to a point
@@ -120,10 +120,10 @@ class _Painter:
         self.polished = np.array(
             [each.base_metalness > 0.5 and each.specular_roughness < _POLISHED for each in every]
         )
-        self.brushed = {
-            number for number, each in enumerate(every) if texels and each.texture in ("brushed", "satin")
-        }
-        self.is_brushed = np.isin(np.arange(len(every)), list(self.brushed))
+        self.strokes = np.array(
+            [_STREAKS.get(each.texture, 0.0) if texels else 0.0 for each in every], np.float32
+        )
+        self.brushed = self.strokes > 0.0
         self.maps = {
             number: _pyramids(each, texels) for number, each in enumerate(every) if texels and each.texture
         }
@@ -142,13 +142,14 @@ class _Painter:
         background = _WHITE if self.kind == "none" else _DARK
         color: Floats = np.full((3, row.size), background, np.float32)
         if found.ray.size:
-            some, number, wide = self._apart(found, row.size)
+            some, number, wide = self._apart(found)
             points = self._points(found, some, view, wide)
             color[:, found.ray] = self._lit(points, found.ray[some], int(rows[0]), shape)[:, number]
         color *= through
         color += over
-        mean = _toned(color).reshape(3, -1, 4).mean(axis=2).reshape(3, *shape)
-        return _shown(mean[:, above : above + last - first])
+        color = _toned(color)
+        mean = (color[:, 0::4] + color[:, 1::4] + color[:, 2::4] + color[:, 3::4]) * np.float32(0.25)
+        return _shown(mean.reshape(3, *shape)[:, above : above + last - first])
 
     def _rays(self, row: Any, column: Any) -> Floats:
         width, height = self.size
@@ -179,7 +180,7 @@ class _Painter:
                 break
             found.append(hit.take(~glass))
             pane = hit.take(glass)
-            some, number, wide = self._apart(pane, count)
+            some, number, wide = self._apart(pane)
             passed, added = self._pane(self._points(pane, some, view, wide))
             ray = pane.ray
             over[:, ray] += through[:, ray] * added[:, number]
@@ -193,15 +194,14 @@ class _Painter:
         merged = _Found(*every)
         return merged.take(np.argsort(merged.ray)), through, over
 
-    def _apart(self, hits: _Found, rays: int) -> tuple[NDArray[Any], NDArray[Any], Floats]:
+    def _apart(self, hits: _Found) -> tuple[NDArray[Any], NDArray[Any], Floats]:
         """Return which hits are shaded, which of these stands for each hit, and their widths [pixels]."""
         world, count = self.world, hits.ray.size
-        slot = np.full(rays, -1)
-        slot[hits.ray] = np.arange(count)
-        four = slot.reshape(-1, 4)
-        four = four[four.min(axis=1) >= 0]
+        whole = (hits.ray[:-3] % 4 == 0) & (hits.ray[3:] == hits.ray[:-3] + 3)
+        four = np.flatnonzero(whole)[:, None] + np.arange(4)
         triangle = hits.triangle[four]
-        alike = (triangle == triangle[:, :1]).all(axis=1)
+        a, b, c, d = triangle.T
+        alike = (a == b) & (a == c) & (a == d)
         mixed = np.flatnonzero(~alike)
         if mixed.size:
             one, other = triangle[mixed, :1], triangle[mixed, 1:]
@@ -250,7 +250,7 @@ class _Painter:
         uv = self.world.uvs_at(points.triangle[here], points.u[here], points.v[here])
         levels, texel = self.maps[number]
         level = np.clip(np.log2(np.maximum(wide / texel, 1e-6)) + 0.3, 0, len(levels) - 1).astype(int)
-        brushed = number in self.brushed
+        brushed = self.brushed[number]
         smudge = min(len(levels) - 1, max(0, round(math.log2(_SMUDGE / texel))))
         for step in np.unique(level):
             some = np.flatnonzero(level == step)
@@ -373,7 +373,7 @@ class _Painter:
         """Return the light of the studio that points mirror, shape (n,)."""
         way = _above(mirrored(points.view, points.bumped), points.normal)
         result = environment(points.at, way, points.rough, self.radius)
-        brushed = np.flatnonzero(self.is_brushed[points.material])
+        brushed = np.flatnonzero(self.brushed[points.material])
         if brushed.size:
             some = points.take(brushed)
             along, _ = self._frame(points, brushed)
@@ -396,7 +396,7 @@ class _Painter:
         angle = np.float32(2.0 * np.pi) * turn
         local = np.stack([tangent * np.cos(angle), tangent * np.sin(angle), np.ones_like(angle)])
         half = unit(turned(local, normal))
-        brushed = np.flatnonzero(self.is_brushed[points.material])
+        brushed = np.flatnonzero(self.brushed[points.material])
         if brushed.size:
             along, up = self._frame(points, brushed)
             x, y, _ = local[:, brushed]
@@ -473,7 +473,7 @@ class _Painter:
         light = light * np.clip(
             1.0 + 0.9 * dot(np.broadcast_to(key[:, None], relief.shape), relief), 0.3, 1.7
         )
-        mirror = mirror * np.clip(1.0 - np.float32(_STREAKS) * points.streak, 0.6, 1.4)
+        mirror = mirror * np.clip(1.0 - self.strokes[number] * points.streak, 0.7, 1.3)
         facing = np.clip(-dot(points.view, points.bumped), 0.02, 1.0)
         scale, bias = _fresnel(rough, facing)
         normal_share = 0.04 + (color - 0.04) * metal
