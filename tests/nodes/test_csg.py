@@ -198,6 +198,21 @@ def test_an_enclosed_solid_collides_as_its_hull_and_stays_what_it_was():
     assert len(shape.pieces.inner(0.001)) == len(comb.pieces.inner(0.001))
 
 
+def test_covers_take_the_place_of_a_solids_colliders():
+    comb = csg._array(PIN, np.array([[0.05 * i, 0.0, 0.0] for i in range(3)]))
+    low, high = comb.bounds()
+    half = primitive._box(*(high - low) / (2.0, 1.0, 1.0), 0.0)  # two of them meet in the middle of a pin
+    middles = [low + (high - low) * (share, 0.5, 0.5) for share in (0.25, 0.75)]
+    covers = tuple(solid_methods._translate(half, middle) for middle in middles)
+    shape = csg._bounding_collider(comb, covers)
+    assert volume(shape) == pytest.approx(volume(comb))
+    assert [piece.kind for piece in shape.pieces.outer(0.001)] == ["box", "box"]
+    assert len(solid_methods._translate(shape, X).pieces.declared()) == 2
+    gap = tuple(solid_methods._scale(cover, np.array([0.99, 1.0, 1.0])) for cover in covers)
+    with pytest.raises(ValueError, match=r"do not contain the solid: a part of .* mm at \(.*\) m lies outside"):
+        csg._bounding_collider(comb, gap)
+
+
 def test_an_array_needs_points():
     with pytest.raises(ValueError, match="at needs at least 1 points, got 0"):
         csg._array(PIN, np.zeros((0, 3)))

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import artgen
-from artgen import box, part
+from artgen import Y, bounding_collider, box, part, torus
 from artgen.asset import Asset, Collider
 from artgen.asset.collision import with_colliders
 from artgen.colliders import Convex
@@ -221,3 +221,48 @@ def test_a_hollow_read_back_is_not_taken_for_solid(tmp_path):
     path.write_text(json.dumps(data))
     (finding,) = check_colliders(Asset.load(directory)).faults
     assert finding.message == "its colliders leave only 0 % of the space in its hollows empty"
+
+
+@artgen.generator
+def hoop(*, kind: str = "covers") -> artgen.Body:
+    """A ring whose hollow its colliders fill, turned and mirrored after that was declared."""
+    ring = torus(0.1, 0.01)
+    covers = {"none": [], "covers": [box(0.22, 0.22, 0.03)], "hull": [artgen.hull(ring)]}[kind]
+    ring = bounding_collider(ring, *covers).rotate(Y, 0.3).mirror(Y)
+    return part((ring | box(0.2, 0.02, 0.02).at(0.2)) - box(0.01, 0.01, 1.0), "door", STEEL)
+
+
+@pytest.mark.parametrize("kind", ["covers", "hull"])
+def test_declared_covers_may_stand_off_in_memory_and_in_files(kind, tmp_path):
+    asset = hoop.generate(0, kind=kind, certify=False)
+    asset.export(tmp_path / "hoop", formats=["urdf"])
+    for each in (asset, Asset.load(tmp_path / "hoop")):
+        result = check_colliders(each)
+        assert not result.findings
+        assert result.detail.endswith("coarse covers on 1 links")
+
+
+def test_the_fault_of_colliders_that_stand_off_undeclared_names_how_to_declare_them():
+    off, kept = check_colliders(hoop.generate(0, kind="none", certify=False)).faults
+    assert "stand off the surface by" in off.message
+    assert kept.message.endswith("of the space in its hollows empty")
+    assert "bounding_collider(solid, box(...)) or bounding_collider(solid, hull(solid))" in off.hint
+
+
+def test_beside_declared_covers_the_colliders_follow_the_solid():
+    asset = hoop.generate(0, certify=False)
+    message, *_ = messages(with_convexes(asset, lambda all_: [*all_, collider(Convex.box((0.4, 0.3, 0.12)))]))
+    assert "stand off the surface by" in message
+
+
+def test_covers_in_a_file_that_leave_the_solid_out_are_found(tmp_path):
+    hoop.generate(0, certify=False).export(tmp_path / "hoop", formats=["urdf"])
+
+    def shrink(link):
+        for each in link["colliders"]:
+            if max(each["size"], default=0.0) > 0.2:
+                each["size"][2] *= 0.5
+
+    (finding,) = check_colliders(edit(tmp_path / "hoop", shrink)).faults
+    assert finding.message.startswith("its solid sticks out of its colliders by ")
+    assert finding.hint.startswith("enlarge a cover of bounding_collider(solid, ...) there")

@@ -213,6 +213,10 @@ class _StoredLink(Link):
             for item in self.data["colliders"]
         )
 
+    @property
+    def covers(self) -> tuple[Convex, ...]:
+        return tuple(map(_convex, self.data.get("covers", ())))
+
     @cached_property
     def surfaces(self) -> tuple[Surface, ...]:
         result = []

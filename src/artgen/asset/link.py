@@ -152,6 +152,11 @@ class Link(FrozenArrays):
             for convex in convexes
         )
 
+    @property
+    def covers(self) -> tuple[Convex, ...]:
+        """Convex pieces within which its author lets the colliders stand off from the solids."""
+        return tuple(cover for piece in self._solid_pieces() for cover in piece.shape.pieces.declared())
+
     @cached_property
     def surfaces(self) -> tuple[Surface, ...]:
         """Visible faces, one surface for each label and material."""
@@ -201,10 +206,7 @@ class Link(FrozenArrays):
             "pushes": plain(self.pushes),
             "colliders": [
                 {
-                    "kind": collider.convex.kind,
-                    "pose": collider.convex.pose.tolist(),
-                    "size": list(collider.convex.size),
-                    "points": collider.convex.points.tolist() if collider.convex.kind == "hull" else [],
+                    **_convex_data(collider.convex),
                     "label": collider.label,
                     "material": collider.material.name,
                     **({"spare": True} if collider.spare else {}),
@@ -222,6 +224,7 @@ class Link(FrozenArrays):
             ],
             "details": self.details,
             "separate": self.separate,
+            **({"covers": [_convex_data(cover) for cover in self.covers]} if self.covers else {}),
             **self.changes,
         }
 
@@ -255,6 +258,12 @@ class Link(FrozenArrays):
                 f"link {self.name!r} was read from files and has no exact solids; generate the asset again"
             )
         return [piece for piece in self.pieces if not piece.visual]
+
+
+def _convex_data(convex: Convex) -> dict[str, Any]:
+    """Return a convex piece as JSON data."""
+    points = convex.points.tolist() if convex.kind == "hull" else []
+    return {"kind": convex.kind, "pose": convex.pose.tolist(), "size": list(convex.size), "points": points}
 
 
 def boxes_overlap(a: Array, b: Array) -> bool:

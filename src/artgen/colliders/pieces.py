@@ -21,10 +21,16 @@ class Pieces:
     Args:
         outer: Function of the tolerance for the pieces that contain the solid.
         inner: Function of the tolerance for the pieces inside the solid.
+        declared: Function that returns the pieces within which the outer ones may stand off from the solid.
     """
 
-    def __init__(self, outer: Callable[[float], Cover], inner: Callable[[float], Cover]) -> None:
-        self._outer, self._inner = outer, inner
+    def __init__(
+        self,
+        outer: Callable[[float], Cover],
+        inner: Callable[[float], Cover],
+        declared: Callable[[], Cover] = tuple,
+    ) -> None:
+        self._outer, self._inner, self.declared = outer, inner, declared
         self._known: dict[tuple[str, float, int], Cover] = {}
 
     def outer(self, tolerance: float) -> Cover:
@@ -104,7 +110,7 @@ class _Transformed(Pieces):
             fine = tolerance / scale
             return tuple(piece.transformed(matrix, fine, inner=True) for piece in base.inner(fine))
 
-        super().__init__(outer, inner)
+        super().__init__(outer, inner, lambda: tuple(piece.transformed(matrix) for piece in base.declared()))
 
     def transformed(self, matrix: Array) -> Pieces:
         return self._base.transformed(matrix @ self._matrix)
@@ -117,6 +123,7 @@ def union(*pieces: Pieces) -> Pieces:
     return Pieces(
         lambda tolerance: tuple(piece for part in pieces for piece in part.outer(tolerance)),
         lambda tolerance: tuple(piece for part in pieces for piece in part.inner(tolerance)),
+        lambda: tuple(piece for part in pieces for piece in part.declared()),
     )
 
 
@@ -125,6 +132,7 @@ def difference(solid: Pieces, cutter: Pieces) -> Pieces:
     return Pieces(
         lambda tolerance: _cut(_outside(solid, tolerance), _inside(cutter, tolerance)),
         lambda tolerance: _cut(_inside(solid, tolerance), _outside(cutter, tolerance)),
+        solid.declared,
     )
 
 
@@ -137,6 +145,7 @@ def intersection(first: Pieces, second: Pieces) -> Pieces:
     return Pieces(
         lambda tolerance: common(_outside(first, tolerance), _outside(second, tolerance)),
         lambda tolerance: common(_inside(first, tolerance), _inside(second, tolerance)),
+        lambda: first.declared() + second.declared(),
     )
 
 

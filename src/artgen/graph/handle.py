@@ -203,13 +203,15 @@ def records(kernel: Callable[..., Any], of: Any = None, *, spelling: str = "") -
         register(known)
         kind = Handle.HANDLES[result]
         defaults = {key: item.default for key, item in parameters.items() if item.default is not item.empty}
-        first = next(iter(parameters.values()))
-        several = first.name if first.kind is first.VAR_POSITIONAL else ""
+        several = {
+            key: i for i, (key, item) in enumerate(parameters.items()) if item.kind is item.VAR_POSITIONAL
+        }
 
         @wraps(constructor)
         def record(*arguments: Any, **keywords: Any) -> Any:
             constructor(*arguments, **keywords)  # checks the arguments like any call
-            given = {several: arguments} if several else dict(zip(parameters, arguments, strict=False))
+            rest = {key: arguments[start:] for key, start in several.items()}
+            given = dict(zip(parameters, arguments, strict=False)) | rest
             return kind(_result(kind, known, lift_all(known, {**defaults, **given, **keywords})))
 
         return typing.cast("C", record)

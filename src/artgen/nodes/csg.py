@@ -15,10 +15,11 @@ from manifold3d import Manifold, OpType
 from artgen import colliders
 from artgen._arrays import Array
 from artgen.asset import rotation
-from artgen.asset.manifolds import manifold_of
+from artgen.asset.manifolds import box_of, manifold_of
 from artgen.asset.shape import ComposedShape, Shape
 from artgen.asset.surface import corner_normals
 from artgen.colliders import Convex, Exact, Pieces
+from artgen.colliders.convex import TOLERANCE
 from artgen.colliders.pieces import Cover
 from artgen.colliders.triangles import cross, hull_of, triangles_of
 from artgen.graph import kernel, records
@@ -40,7 +41,7 @@ class _Coarse(Pieces):
     """Pieces that follow a solid up to a distance."""
 
     def __init__(self, base: Pieces, least: float) -> None:
-        super().__init__(lambda tolerance: base.outer(max(tolerance, least)), base.inner)
+        super().__init__(lambda tolerance: base.outer(max(tolerance, least)), base.inner, base.declared)
         self._base, self._least = base, least
 
     def simplified(self, tolerance: float, most_vertices: int = 64) -> Cover:
@@ -104,6 +105,7 @@ def faceted_shape(solid: Manifold, pieces: Pieces) -> Shape:
 _PAINT = 8  # column of the paint number in the vertex table
 _PLANE_DECIMALS = 9  # decimals of normals and distances [m]
 _FULL = 0.999  # least share of its hull that a convex solid fills
+_FILM = 1e-6  # thickness below which the part of a solid outside its covers is due to rounding [m]
 
 
 def _paints(shapes: Sequence[Shape]) -> Mapping[int, Material]:
@@ -320,21 +322,49 @@ def _paint(solid: Shape, material: Material) -> Shape:
     return Shape(painted, solid.pieces, {material.number: material}).checked()
 
 
-def _bounding_collider(solid: Shape) -> Shape:
-    around = around_hull(np.ascontiguousarray(solid.mesh.vertices))
-    return Shape(solid.manifold, colliders.Pieces(around.outer, solid.pieces.inner), solid.paints)
+def _bounding_collider(solid: Shape, covers: tuple[Shape, ...] = ()) -> Shape:
+    if not covers:
+        around = around_hull(np.ascontiguousarray(solid.mesh.vertices))
+        return Shape(solid.manifold, Pieces(around.outer, solid.pieces.inner), solid.paints)
+    outer = colliders.union(*(cover.pieces for cover in covers)).outer
+    declared = outer(TOLERANCE)
+    _check_contained(solid.manifold, declared)
+    return Shape(solid.manifold, Pieces(outer, solid.pieces.inner, lambda: declared), solid.paints)
+
+
+def _check_contained(solid: Manifold, covers: Sequence[Convex]) -> None:
+    """Raise ValueError if a part of a solid lies outside its covers."""
+    missing = Manifold.batch_boolean([solid, *(cover.manifold(_FILM) for cover in covers)], OpType.Subtract)
+    # rounding leaves films along common faces; the thickness of a part is about twice its volume by its area
+    parts = [part for part in missing.decompose() if 2.0 * part.volume() > _FILM * part.surface_area()]
+    if not parts:
+        return
+    low, high = box_of(max(parts, key=lambda part: part.volume()))
+    place = ", ".join(f"{value:.4g}" for value in (low + high) / 2.0)
+    size = " x ".join(f"{1e3 * value:.3g}" for value in high - low)
+    raise ValueError(
+        f"the covers do not contain the solid: a part of {size} mm at ({place}) m lies outside; enlarge a cover "
+        "there or add one"
+    )
 
 
 @records(_bounding_collider)
-def bounding_collider(solid: Solid) -> Solid:
-    """Use the convex hull of a solid as its collider; appearance and mass stay the same.
+def bounding_collider(solid: Solid, *covers: Solid) -> Solid:
+    """Use the convex hull of a solid, or coarse covers, as its colliders; appearance and mass stay the same.
 
-    Suitable for things with fine structure, such as slats, grilles and knurls. Solids that are united with it
-    later have their own colliders.
+    The hull suits fine structure, such as slats, grilles and knurls: it must be close to the solid. Covers may
+    stand off from it at any distance, and `bounding_collider(solid, hull(solid))` declares that for the hull.
+    The certificate holds for the covers, which are proven to contain the solid. Solids that are united with
+    it later have their own colliders.
+
+    Args:
+        solid: The solid.
+        *covers: Solids, such as boxes, that contain it together.
 
     Examples:
         >>> slats = array(box(0.01, 0.1, 0.02), at=row((0, 0, 0), (0.02, 0, 0), 10))
         >>> bounding_collider(slats | box(0.2, 0.005, 0.02).at(0.09))
+        >>> bounding_collider(torus(0.1, 0.01), box(0.22, 0.22, 0.02))
     """
 
 

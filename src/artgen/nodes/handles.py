@@ -161,6 +161,23 @@ class Solid(Handle):
         """
         return Solid.record("split", solid=self, point=point, normal=normal)
 
+    def fillet(self, *, point: VectorLike, normal: VectorLike, radius: Scalar) -> Solid:
+        """Add a concave fillet where straight sides of the solid meet a plane, such as a post on a plate.
+
+        Args:
+            point: A point on the plane [m].
+            normal: Normal of the plane, towards the solid.
+            radius: Radius of the fillet [m].
+
+        Raises:
+            ValueError: The section at the plane is not convex, or changes within the radius.
+
+        Examples:
+            >>> plate = box(0.2, 0.2, 0.02)
+            >>> plate | cylinder(0.02, 0.1).at(z=0.055).fillet(point=(0, 0, 0.01), normal=Z, radius=0.01)
+        """
+        return Solid.record("fillet", solid=self, point=point, normal=normal, radius=radius)
+
     def at(self, x: Scalar | VectorLike = 0.0, y: Scalar = 0.0, z: Scalar = 0.0) -> Solid:
         """Move by a vector, or by x, y and z [m]."""
         return Solid.record("translate", solid=self, offset=offset_of(x, y, z))

@@ -1,4 +1,4 @@
-"""Lofts: straight sides between profiles at different heights."""
+"""Lofts: straight sides between profiles at different heights; and concave fillets, which are lofts."""
 
 from __future__ import annotations
 
@@ -6,19 +6,26 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
+from manifold3d import CrossSection
 from numpy.typing import NDArray
 
+from artgen import _trig, colliders
 from artgen._arrays import Array, predecessors, successors
 from artgen.asset.shape import Contour, Outline, Shape
-from artgen.graph import records
+from artgen.graph import kernel, records
 from artgen.nodes import validators as check
-from artgen.nodes.contours import CREASE, moved_outline
+from artgen.nodes.contours import CREASE, faceted, moved_outline
+from artgen.nodes.csg import united
 from artgen.nodes.handles import Array3, Profile, Scalar, Solid, VectorLike
-from artgen.nodes.primitive_colliders import around_chain
+from artgen.nodes.primitive_colliders import around_chain, around_hull
 from artgen.nodes.surfaces import Sheets, Skin, triangulated
 from artgen.nodes.unwrap import Rail, cap_uvs, lies_flat, runs_across, tapered_around, wall_uvs
 
 _SHARE = 1e-7  # share of a border's length within which positions are equal
+_STEPS = 9  # rings of a fillet; each third one bounds a collider
+_TURN = math.radians(12.0)  # largest turn between points of a fillet around a corner
+_LEDGE = 2e-5  # width of a fillet at its top, where its points would be one [m]
+_STRAIGHT = 0.02  # largest change of a section over the height of a fillet, as a share of its area
 
 
 def _loft(profiles: tuple[Outline, ...], heights: tuple[float, ...], axis: Array3) -> Shape:
@@ -60,6 +67,64 @@ def loft(
     Examples:
         >>> loft([rectangle(0.2, 0.2), circle(0.08), circle(0.04)], [0.0, 0.1, 0.2])
     """
+
+
+@kernel(spelling="{solid}.fillet(point={point}, normal={normal}, radius={radius})")
+def _fillet(solid: Shape, point: Array3, normal: Array3, radius: float) -> Shape:
+    check.positive("radius", radius)
+    turn = check.frame(check.direction("normal", normal))
+    foot = check.vector("point", point)
+    upright = solid.manifold.transform(np.column_stack([turn.T, -turn.T @ foot]))
+    section, low = upright.slice(radius), upright.slice(_STRAIGHT * radius)
+    if section.is_empty() or low.is_empty():
+        raise ValueError(f"the solid does not reach from the plane to {1e3 * radius:.4g} mm above it")
+    change = ((section - low).area() + (low - section).area()) / section.area()
+    if change > _STRAIGHT:
+        raise ValueError(
+            f"the section of the solid changes by {100.0 * change:.2g} % of its area over the radius of "
+            f"{1e3 * radius:.4g} mm; a fillet needs straight sides there: take a smaller radius, or flare it by loft"
+        )
+    flares = [_flare(each, radius) for each in section.decompose()]
+    return united([solid, *(flare.transformed(check.pose(turn, foot)) for flare in flares)])
+
+
+def _flare(section: CrossSection, radius: float) -> Shape:
+    """Return a solid on z = 0 around a convex section, with sides that are concave arcs of a radius [m]."""
+    outline = section.simplify(1e-6)
+    rings = outline.to_polygons()
+    if len(rings) != 1 or outline.hull().area() > (1.0 + 1e-4) * outline.area():
+        raise ValueError(
+            "a fillet needs a convex section without holes; fillet the convex parts of the solid"
+        )
+    points, ways = _corners(faceted(np.array(rings[0], np.float64)))
+    angle = 0.5 * math.pi * np.arange(_STEPS + 1) / _STEPS
+    out, up = radius * (1.0 - _trig.sin(angle)), radius * (1.0 - _trig.cos(angle))
+    levels = [
+        np.column_stack([points + width * ways, np.full(len(points), height)])
+        for width, height in zip(out, up, strict=True)
+    ]
+    bounds = levels[::3]
+    levels[-1][:, :2] += _LEDGE * ways
+    pieces = [around_hull(np.concatenate(pair)) for pair in zip(bounds[:-1], bounds[1:], strict=True)]
+    contours = [Contour(level[:, :2].copy(), ways, ways) for level in levels]
+    return _skin(contours, np.stack(levels)).shape(colliders.union(*pieces))
+
+
+def _corners(contour: Contour) -> tuple[Array, Array]:
+    """Return the vertices of a convex polygon and their ways out; a sharp one is repeated for each way."""
+    points, ways = [], []
+    for point, first, last in zip(contour.points, contour.normals_in, contour.normals_out, strict=True):
+        turn = math.acos(min(float(first @ last), 1.0))
+        steps = 0 if turn < CREASE else math.ceil(turn / _TURN)
+        for share in np.arange(steps + 1) / steps if steps else [0.5]:
+            way = (
+                (1.0 - share) * first + share * last
+                if turn < CREASE
+                else (math.sin((1.0 - share) * turn) * first + math.sin(share * turn) * last)
+            )
+            points.append(point)
+            ways.append(way / np.linalg.norm(way))
+    return np.array(points), np.array(ways)
 
 
 def _border(at: int, outline: Outline) -> Contour:

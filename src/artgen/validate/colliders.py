@@ -100,7 +100,7 @@ def check_colliders(asset: Asset) -> CheckResult:
             message = f"its colliders cannot be compared: {error}"
             findings.append(_fault(message, link.name, severity="note"))
             continue
-        result = fidelity(solid, [collider.convex for collider in link.colliders])
+        result = fidelity(solid, [collider.convex for collider in link.colliders], link.covers)
         measured.append((solid.volume(), result))
         findings += _fidelity_findings(link, result)
     return CheckResult(CHECK, tuple(findings), _detail(asset, measured))
@@ -182,8 +182,7 @@ def _fidelity_findings(link: Link, found: Fidelity) -> Iterator[Finding]:
     kind = getattr(link, "collision", None) or ("exact" if link.pieces else link.to_data().get("collision"))
     fault = partial(_fault, link=link.name, hint="by choice of colliders", severity="note")
     if kind in (None, "exact"):
-        hint = "make each solid of convex primitives, so that its pieces are known"
-        fault = partial(_fault, link=link.name, hint=hint)
+        fault = partial(_fault, link=link.name, hint=_covers_hint(bool(link.covers)))
     if found.sticks_out > STICKS_OUT:
         place = point_text(found.place)
         message = f"its solid sticks out of its colliders by {1e3 * found.sticks_out:.3g} mm at {place}"
@@ -203,6 +202,16 @@ def _fidelity_findings(link: Link, found: Fidelity) -> Iterator[Finding]:
         yield fault(message, value=found.interior_kept)
 
 
+def _covers_hint(declared: bool) -> str:
+    """Return the remedy for colliders that differ from the solid, with or without declared covers."""
+    if declared:
+        return "enlarge a cover of bounding_collider(solid, ...) there or add one"
+    return (
+        "make each solid of convex primitives, so that its pieces are known; a part that may collide coarsely "
+        "says so with bounding_collider(solid, box(...)) or bounding_collider(solid, hull(solid))"
+    )
+
+
 def _detail(asset: Asset, measured: Sequence[tuple[float, Fidelity]]) -> str:
     count = sum(len(link.colliders) for link in asset.links)
     text = f"{count} colliders, {sum(found.vertices for _, found in measured)} vertices"
@@ -213,16 +222,21 @@ def _detail(asset: Asset, measured: Sequence[tuple[float, Fidelity]]) -> str:
     farthest = max(found.surface_error for _, found in measured)
     kept = min(found.interior_kept for _, found in measured)
     text += f", volume +{100.0 * added:.2g} %, farthest {1e3 * farthest:.2g} mm"
-    return f"{text}, hollows kept {100.0 * kept:.3g} %"
+    coarse = sum(bool(link.covers) for link in asset.links)
+    text += f", hollows kept {100.0 * kept:.3g} %"
+    return f"{text}, coarse covers on {coarse} links" if coarse else text
 
 
-def fidelity(solid: Manifold, convexes: Sequence[Convex]) -> Fidelity:
-    """Compare convex pieces with their solid."""
+def fidelity(solid: Manifold, convexes: Sequence[Convex], covers: Sequence[Convex] = ()) -> Fidelity:
+    """Compare convex pieces with their solid; covers are places where they may stand off from it."""
     polytopes = [convex.outer_polytope(_FINE) for convex in convexes]
     cover = Manifold.batch_boolean([hull_of(polytope.points) for polytope in polytopes], OpType.Add)
-    excess, missing = cover - solid, solid - cover
-    volume, hull, faces = solid.volume(), solid.hull(), TriangleSet.of(solid)
+    missing, faces = solid - cover, TriangleSet.of(solid)
     outside, place = _sticking_out(missing, polytopes, faces)
+    if covers:
+        solid = Manifold.batch_boolean([solid, *(each.manifold(_FINE) for each in covers)], OpType.Add)
+        faces = TriangleSet.of(solid)
+    excess, volume, hull = cover - solid, solid.volume(), solid.hull()
     error, surface_place = outside, place
     if not excess.is_empty():
         # films along shared faces exceed the solid by rounding only
