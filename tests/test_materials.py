@@ -109,6 +109,7 @@ def test_the_table_has_every_family_of_household_things():
         ("abs", "black_abs", "glossy_plastic_white", "polypropylene", "polycarbonate", "rubber", "silicone"),
         ("glass", "frosted_glass", "tinted_glass", "black_glass", "ceramic", "granite", "marble"),
         ("fabric", "linen", "wicker", "plastic_wicker", "foam", "led_white", "led_red", "display"),
+        ("leather", "black_leather", "cream_leather", "velvet", "mesh"),
     ]
     assert {name for family in families for name in family} <= set(MATERIALS)
     assert len(MATERIALS) >= 40

@@ -22,6 +22,9 @@ from artgen.materials.substance import coating_of, substance_of
         ("black_granite", "granite", "stone", "none"),
         ("polycarbonate", "plastic", "plexiglass", "none"),
         ("cardboard_edge", "cardboard", "cardboard", "none"),
+        ("black_leather", "leather", "leather", "none"),
+        ("velvet", "textile", "fabric", "none"),
+        ("mesh", "textile", "fabric", "none"),
     ],
 )
 def test_materials_of_the_table(name, substance, sensed, coating):

@@ -209,7 +209,9 @@ def test_covers_take_the_place_of_a_solids_colliders():
     assert [piece.kind for piece in shape.pieces.outer(0.001)] == ["box", "box"]
     assert len(solid_methods._translate(shape, X).pieces.declared()) == 2
     gap = tuple(solid_methods._scale(cover, np.array([0.99, 1.0, 1.0])) for cover in covers)
-    with pytest.raises(ValueError, match=r"do not contain the solid: a part of .* mm at \(.*\) m lies outside"):
+    with pytest.raises(
+        ValueError, match=r"do not contain the solid: a part of .* mm at \(.*\) m lies outside"
+    ):
         csg._bounding_collider(comb, gap)
 
 

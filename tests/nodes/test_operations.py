@@ -83,6 +83,7 @@ METHODS = {
     "scale": Solid.scale,
     "size": Solid.size,
     "split": Solid.split,
+    "fillet": Solid.fillet,
     "subtract": Float.__sub__,
     "suffix": Body.suffixed,
     "translate": Solid.at,

@@ -79,6 +79,7 @@ OVERRIDES: dict[str, dict[str, Any]] = {
     "extrude": {"bevel": 0.01, "taper": 0.9, "twist": 0.0},
     "frame": {"closing": (1.0, 0.0, 0.0)},
     "frustum": {"bottom_radius": 0.4, "bevel": 0.0},
+    "fillet": {"solid": BLOCK.at(z=0.25), "point": (0.0, 0.0, 0.0), "normal": Z, "radius": 0.05},
     "figures": {"string": "12:30"},
     "gasket_section": {"size": 0.012},
     "half_section": {

@@ -73,7 +73,8 @@ _WORDS: dict[str, Substance] = {
     "ceramic": Substance("ceramic", "Q45621", "ceramic_glass"),
     "marble": Substance("marble", "Q40861", "marble"),
     "granite": _STONE,
-    **dict.fromkeys(("fabric", "linen", "canvas"), _TEXTILE),
+    **dict.fromkeys(("fabric", "linen", "canvas", "velvet", "knitted_mesh"), _TEXTILE),
+    "hide": Substance("leather", "Q286", "leather"),
     **dict.fromkeys(("abs", "polypropylene", "foam", "led", "display"), _PLASTIC),
     **dict.fromkeys(("fine_grain", "coarse_grain", "glossy"), _PLASTIC),
 }

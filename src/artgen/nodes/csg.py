@@ -343,8 +343,8 @@ def _check_contained(solid: Manifold, covers: Sequence[Convex]) -> None:
     place = ", ".join(f"{value:.4g}" for value in (low + high) / 2.0)
     size = " x ".join(f"{1e3 * value:.3g}" for value in high - low)
     raise ValueError(
-        f"the covers do not contain the solid: a part of {size} mm at ({place}) m lies outside; enlarge a cover "
-        "there or add one"
+        f"the covers do not contain the solid: a part of {size} mm at ({place}) m lies outside; "
+        "enlarge a cover there or add one"
     )
 
 
@@ -352,10 +352,10 @@ def _check_contained(solid: Manifold, covers: Sequence[Convex]) -> None:
 def bounding_collider(solid: Solid, *covers: Solid) -> Solid:
     """Use the convex hull of a solid, or coarse covers, as its colliders; appearance and mass stay the same.
 
-    The hull suits fine structure, such as slats, grilles and knurls: it must be close to the solid. Covers may
-    stand off from it at any distance, and `bounding_collider(solid, hull(solid))` declares that for the hull.
-    The certificate holds for the covers, which are proven to contain the solid. Solids that are united with
-    it later have their own colliders.
+    The hull suits fine structure, such as slats, grilles and knurls: it must be close to the solid. Covers
+    may stand off from it at any distance, and `bounding_collider(solid, hull(solid))` declares that for the
+    hull. The certificate holds for the covers, which are proven to contain the solid. Solids that are united
+    with it later have their own colliders.
 
     Args:
         solid: The solid.

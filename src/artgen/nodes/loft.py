@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from itertools import pairwise
 
 import numpy as np
 from manifold3d import CrossSection
@@ -12,6 +13,7 @@ from numpy.typing import NDArray
 from artgen import _trig, colliders
 from artgen._arrays import Array, predecessors, successors
 from artgen.asset.shape import Contour, Outline, Shape
+from artgen.colliders import Pieces
 from artgen.graph import kernel, records
 from artgen.nodes import validators as check
 from artgen.nodes.contours import CREASE, faceted, moved_outline
@@ -82,7 +84,7 @@ def _fillet(solid: Shape, point: Array3, normal: Array3, radius: float) -> Shape
     if change > _STRAIGHT:
         raise ValueError(
             f"the section of the solid changes by {100.0 * change:.2g} % of its area over the radius of "
-            f"{1e3 * radius:.4g} mm; a fillet needs straight sides there: take a smaller radius, or flare it by loft"
+            f"{1e3 * radius:.4g} mm; a fillet needs straight sides there: take a smaller radius or a loft"
         )
     flares = [_flare(each, radius) for each in section.decompose()]
     return united([solid, *(flare.transformed(check.pose(turn, foot)) for flare in flares)])
@@ -105,9 +107,10 @@ def _flare(section: CrossSection, radius: float) -> Shape:
     ]
     bounds = levels[::3]
     levels[-1][:, :2] += _LEDGE * ways
-    pieces = [around_hull(np.concatenate(pair)) for pair in zip(bounds[:-1], bounds[1:], strict=True)]
+    pieces = [around_hull(np.concatenate(pair)) for pair in pairwise(bounds)]
     contours = [Contour(level[:, :2].copy(), ways, ways) for level in levels]
-    return _skin(contours, np.stack(levels)).shape(colliders.union(*pieces))
+    cover = Pieces(colliders.union(*pieces).outer, around_chain(levels).inner)
+    return _skin(contours, np.stack(levels)).shape(cover)
 
 
 def _corners(contour: Contour) -> tuple[Array, Array]:
@@ -115,13 +118,8 @@ def _corners(contour: Contour) -> tuple[Array, Array]:
     points, ways = [], []
     for point, first, last in zip(contour.points, contour.normals_in, contour.normals_out, strict=True):
         turn = math.acos(min(float(first @ last), 1.0))
-        steps = 0 if turn < CREASE else math.ceil(turn / _TURN)
-        for share in np.arange(steps + 1) / steps if steps else [0.5]:
-            way = (
-                (1.0 - share) * first + share * last
-                if turn < CREASE
-                else (math.sin((1.0 - share) * turn) * first + math.sin(share * turn) * last)
-            )
+        for share in np.linspace(0.0, 1.0, math.ceil(turn / _TURN) + 1) if turn > CREASE else (0.5,):
+            way = (1.0 - share) * first + share * last
             points.append(point)
             ways.append(way / np.linalg.norm(way))
     return np.array(points), np.array(ways)

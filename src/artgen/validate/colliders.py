@@ -62,6 +62,12 @@ _RIGID = 1e-9  # tolerance of a pose's axes
 _INSIDE = 1e-7  # tolerance of vertices inside the hull of the others [m]
 
 
+_REMEDY_OF_COVERS = "enlarge a cover of bounding_collider(solid, ...) there or add one"
+_REMEDY = (
+    "make each solid of convex primitives, so that its pieces are known; a part that may collide coarsely "
+    "says so with bounding_collider(solid, box(...)) or bounding_collider(solid, hull(solid))"
+)
+
 _fault = partial(Finding, CHECK)
 
 
@@ -182,7 +188,7 @@ def _fidelity_findings(link: Link, found: Fidelity) -> Iterator[Finding]:
     kind = getattr(link, "collision", None) or ("exact" if link.pieces else link.to_data().get("collision"))
     fault = partial(_fault, link=link.name, hint="by choice of colliders", severity="note")
     if kind in (None, "exact"):
-        fault = partial(_fault, link=link.name, hint=_covers_hint(bool(link.covers)))
+        fault = partial(_fault, link=link.name, hint=_REMEDY_OF_COVERS if link.covers else _REMEDY)
     if found.sticks_out > STICKS_OUT:
         place = point_text(found.place)
         message = f"its solid sticks out of its colliders by {1e3 * found.sticks_out:.3g} mm at {place}"
@@ -200,16 +206,6 @@ def _fidelity_findings(link: Link, found: Fidelity) -> Iterator[Finding]:
         share = f"{100.0 * found.interior_kept:.3g} %"
         message = f"its colliders leave only {share} of the space in its hollows empty"
         yield fault(message, value=found.interior_kept)
-
-
-def _covers_hint(declared: bool) -> str:
-    """Return the remedy for colliders that differ from the solid, with or without declared covers."""
-    if declared:
-        return "enlarge a cover of bounding_collider(solid, ...) there or add one"
-    return (
-        "make each solid of convex primitives, so that its pieces are known; a part that may collide coarsely "
-        "says so with bounding_collider(solid, box(...)) or bounding_collider(solid, hull(solid))"
-    )
 
 
 def _detail(asset: Asset, measured: Sequence[tuple[float, Fidelity]]) -> str:

@@ -1,4 +1,4 @@
-"""Woven and perforated sheets: crossing threads, and rows of holes."""
+"""Woven, knitted and perforated sheets: crossing threads, pile, rows of holes; and leather."""
 
 from dataclasses import dataclass
 from functools import partial
@@ -98,3 +98,66 @@ def _perforated(tile: Tile) -> Pattern:
     metal = smoothstep(0.00062 - texel, 0.00062 + texel, distance)
     albedo = (0.40 + 0.60 * metal)[..., None] * np.ones(3)
     return Pattern(albedo, -0.25 * metal, height=60e-6 * metal)
+
+
+@recipe("knitted_mesh", (0.0480, 0.0520), (0.050, 0.050, 0.053), varying=SEEN)
+def _knitted_mesh(tile: Tile) -> Pattern:
+    """Draw the knitted mesh of office chairs: staggered oval openings, dark, between bundles of yarn."""
+    across, along = tile.u / tile.extent[0] * 16, tile.v / tile.extent[1] * 10
+    row = np.floor(along)
+    shifted = across + 0.5 * (row % 2.0) + 0.25  # no opening lies on the border of the tile
+    offset = (2.0 * (shifted - np.floor(shifted)) - 1.0, 2.0 * (along - row) - 1.0)
+    yarn = smoothstep(0.62, 0.92, np.hypot(*offset))
+    crown = yarn * (1.0 - 0.35 * smoothstep(0.9, 1.4, np.hypot(*offset)))
+    stitch = 0.5 + 0.5 * np.cos(2.0 * np.pi * (4.0 * along + 0.5 * np.abs(offset[0])))
+    light = 0.30 + 0.70 * crown * (0.86 + 0.14 * stitch) + 0.02 * tile.cloud(0.003, 1.2)
+    albedo = np.maximum(light, 0.27)[..., None] * np.ones(3)
+    return Pattern(albedo, 0.06 * (1.0 - yarn), height=350e-6 * crown + 40e-6 * yarn * stitch)
+
+
+@recipe("pile", (0.24, 0.24), (0.030, 0.105, 0.095), varying=SEEN)
+def _pile(tile: Tile) -> Pattern:
+    """Draw velvet: short pile with a nap, light where it is brushed up and dark where it lies down."""
+    nap = tile.cloud(0.09, 2.4, 0.6)
+    tufts = tile.band(0.0016, 0.5)
+    strands = tile.streaks(0.0009, 0.003)
+    light = 1.0 + 0.16 * np.tanh(1.2 * nap) + 0.10 * strands + 0.06 * tufts
+    albedo = np.clip(light, 0.5, 1.8)[..., None] ** np.array([1.1, 1.0, 1.0])
+    return Pattern(albedo, 0.02 * nap - 0.02 * strands, height=45e-6 * tufts + 35e-6 * strands + 120e-6 * nap)
+
+
+@dataclass(frozen=True)
+class Hide:
+    """A leather."""
+
+    mean: Color  # linear RGB mean of its albedo
+    pebble: float  # distance between the pebbles of its grain [m]
+    depth: float  # height of the pebbles [m]
+    mottle: float  # variation of the dye
+
+
+_HIDES = {
+    "saddle_hide": Hide((0.175, 0.072, 0.032), 0.0021, 90e-6, 0.12),
+    "black_hide": Hide((0.032, 0.031, 0.031), 0.0026, 110e-6, 0.05),
+    "cream_hide": Hide((0.58, 0.50, 0.38), 0.0017, 60e-6, 0.05),
+}
+
+
+def _hide(kind: Hide, tile: Tile) -> Pattern:
+    """Draw leather: round pebbles with valleys between, folds, pores, and an uneven dye."""
+    cells = tile.cells(kind.pebble, 1.0)
+    dome = smoothstep(0.0, 0.42 * kind.pebble, cells.second - cells.nearest)
+    tone = tile.stream.standard_normal(cells.total)[cells.number]
+    fold = smoothstep(1.1, 2.4, np.abs(tile.cloud(0.03, 1.6, 0.5)))
+    pores = smoothstep(1.6, 2.8, tile.band(0.0006, 0.4))
+    dye = tile.cloud(0.08, 2.0)
+    high = dome * (1.0 + 0.12 * np.clip(tone, -2.0, 2.0))
+    light = 0.78 + 0.22 * dome + kind.mottle * np.tanh(dye) + 0.03 * np.clip(tone, -2.0, 2.0) - 0.12 * pores
+    albedo = np.clip(light - 0.08 * fold, 0.45, 1.6)[..., None] ** np.array([0.95, 1.0, 1.05])
+    roughness = 0.10 * (1.0 - dome) + 0.02 * dye + 0.04 * pores
+    relief = kind.depth * (high - 0.35 * fold - 0.12 * pores) + 60e-6 * tile.cloud(0.02, 2.0)
+    return Pattern(albedo * np.array(kind.mean), roughness, height=relief)
+
+
+for _name, _leather in _HIDES.items():
+    recipe(_name, (0.12, 0.12), _leather.mean, varying=SEEN)(partial(_hide, _leather))
