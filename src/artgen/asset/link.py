@@ -155,7 +155,8 @@ class Link(FrozenArrays):
     @property
     def covers(self) -> tuple[Convex, ...]:
         """Convex pieces within which its author lets the colliders stand off from the solids."""
-        return tuple(cover for piece in self._solid_pieces() for cover in piece.shape.pieces.declared())
+        solid = [piece for piece in self.pieces if not piece.visual]
+        return tuple(cover for piece in solid for cover in piece.shape.pieces.declared())
 
     @cached_property
     def surfaces(self) -> tuple[Surface, ...]:
