@@ -15,6 +15,8 @@ import numpy as np
 from artgen._arrays import Array, FrozenArrays
 from artgen.asset import Asset, AssetCondition, AssetCoupling, AssetJoint, Link
 
+_REST = np.eye(4)  # copied for each shift, because NumPy takes long to make it
+
 FAR = 1000.0
 """Limit of an unlimited slide in formats that require limits [m]."""
 
@@ -69,7 +71,7 @@ class BodyFrame(FrozenArrays):
 
 def translation(offset: Array) -> Array:
     """Return the shift by an offset, shape (3,), as a transform, shape (4, 4)."""
-    result = np.eye(4)
+    result = _REST.copy()
     result[:3, 3] = offset
     return result
 
@@ -159,10 +161,10 @@ def quaternion(matrix: Array) -> Array:
         (xz - zx, yx + xy, 1.0 - xx + yy - zz, zy + yz),
         (yx - xy, xz + zx, zy + yz, 1.0 - xx - yy + zz),
     )
-    number = max(range(4), key=lambda index: round(products[index][index], 9))
-    row = np.array(products[number])
-    length = math.sqrt(sum(component * component for component in products[number]))
-    return row / (-length if row[0] < 0.0 else length)
+    diagonal = [round(products[number][number], 9) for number in range(4)]
+    row = products[diagonal.index(max(diagonal))]
+    length = math.sqrt(sum(component * component for component in row))
+    return np.array(row) / (-length if row[0] < 0.0 else length)
 
 
 def coupling(asset: Asset, joint: AssetJoint) -> AssetCoupling | None:

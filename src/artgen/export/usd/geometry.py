@@ -144,7 +144,7 @@ def _mesh(points: Array, triangles: NDArray[np.int64]) -> dict[str, Any]:
     return {
         "points": points,
         "extent": np.array([points.min(axis=0), points.max(axis=0)]),
-        "faceVertexCounts": np.full(len(triangles), 3),
+        "faceVertexCounts": np.full(len(triangles), 3, np.int32),
         "faceVertexIndices": triangles.ravel(),
         "subdivisionScheme": "none",
     }

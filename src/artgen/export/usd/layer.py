@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pxr import Gf, Sdf, Vt
 
-from artgen._arrays import Array, cached
+from artgen._arrays import Array, Value, cached
 from artgen.asset.record import DECIMALS
 from artgen.errors import ExportError
 from artgen.export.frames import quaternion
@@ -181,21 +181,26 @@ def _int_array(values: NDArray[np.int64]) -> Vt.IntArray:
     return Vt.IntArray.FromNumpy(np.ascontiguousarray(values, np.int32))
 
 
+def _shared(convert: Callable[[Any], Value]) -> Callable[[Sequence[Any]], Value]:
+    """Return a conversion of sequences that repeats none: an asset has many equal labels and constants."""
+    remembered = cached(256)(convert)
+    return lambda values: remembered(tuple(values))
+
+
 def _plain(values: Array | Sequence[float]) -> list[float]:
     """Return numbers without negative zeros."""
-    plain: list[float] = (np.asarray(values) + 0.0).tolist()
-    return plain
+    listed: list[float] = values.tolist() if isinstance(values, np.ndarray) else list(values)
+    return [float(value) + 0.0 for value in listed]
 
 
 def _turn(matrix: Array) -> list[float]:
     """Return a rotation as a quaternion, rounded to the decimals in which machines agree."""
-    return _plain(np.round(quaternion(matrix), _TURN_DECIMALS))
+    return [round(value * _TURN_STEPS) / _TURN_STEPS for value in quaternion(matrix).tolist()]
 
 
 TYPES = Sdf.ValueTypeNames
 
-# decimals of a quaternion: one more than of positions, because errors add up in a rotation
-_TURN_DECIMALS = 13
+_TURN_STEPS = 1e13  # rounding steps of quaternions: finer than positions, because errors add up in a rotation
 
 _OF_SHADERS = ("inputs:", "outputs:")
 _VARYING = (*_OF_SHADERS, "omni:", "semantics:")  # words of other attributes are constant in time
@@ -235,11 +240,11 @@ _CONVERTED: Mapping[Callable[[Any], Any], str] = {
     lambda value: Gf.Vec4f(*value): "Float4",
     lambda value: Gf.Quatd(*_turn(value)): "Quatd",
     quatf: "Quatf",
-    Vt.DoubleArray: "DoubleArray",
+    _shared(Vt.DoubleArray): "DoubleArray",
     Vt.FloatArray: "FloatArray",
     _int_array: "IntArray",
     Vt.Vec2fArray.FromNumpy: "TexCoord2fArray",
-    Vt.TokenArray: "TokenArray",
+    _shared(Vt.TokenArray): "TokenArray",
 }
 """Types by the function that converts their values; values of other types stay as they are."""
 
