@@ -1,6 +1,8 @@
-"""Array types, read-only arrays, and caches that are safe for threads."""
+"""Array types, read-only arrays, caches that are safe for threads, and pauses of the garbage collector."""
 
-from collections.abc import Callable, Iterable, Sequence
+import gc
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import contextmanager
 from functools import lru_cache, wraps
 from threading import Lock
 from types import MappingProxyType
@@ -103,6 +105,21 @@ def cached_per_object(compute: Callable[[Key], Value]) -> Callable[[Key], Value]
             return known.setdefault(key, frozen(compute(key)))
 
     return remembered
+
+
+@contextmanager
+def without_collector() -> Iterator[None]:
+    """Pause the search for cyclic garbage: evaluations and exports make many objects and hardly any cycles.
+
+    A thread turns the collector on again only if it turned it off, so it never stays off after all have left.
+    """
+    enabled = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if enabled:
+            gc.enable()
 
 
 Array = NDArray[np.float64]

@@ -8,6 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from artgen.asset import Asset
 from artgen.catalog import categories, find
 from artgen.errors import ArtgenError, BuildError, EvaluationError, InfeasibleError, ParameterError
 from artgen.export.files import encode
@@ -137,8 +138,17 @@ def test_only_the_graph_of_a_single_sample_is_folded():
     assert door.graph(3).parameters
 
 
-def test_the_garbage_collector_is_paused_only_during_an_evaluation() -> None:
+def test_the_garbage_collector_is_paused_only_during_an_evaluation_or_an_export(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     during: list[bool] = []
+    rounded = Asset.rounded
+
+    def watched(asset: Asset) -> Asset:
+        during.append(gc.isenabled())
+        return rounded(asset)
+
+    monkeypatch.setattr(Asset, "rounded", watched)
 
     @generator
     def probe() -> Body:
@@ -149,7 +159,9 @@ def test_the_garbage_collector_is_paused_only_during_an_evaluation() -> None:
     try:
         for enabled in (True, False):
             (gc.enable if enabled else gc.disable)()
-            probe.generate(0)
+            asset = probe.generate(0)
+            assert gc.isenabled() is enabled
+            encode(asset, ("urdf",), textures=0)
             assert gc.isenabled() is enabled
             with pytest.raises(ParameterError):
                 probe.generate(-1)

@@ -16,6 +16,7 @@ from typing import Any
 
 import numpy as np
 
+from artgen._arrays import without_collector
 from artgen._names import all_inside, check_names, checked_path
 from artgen.asset import Asset, valid_states
 from artgen.asset.asset import FORMAT, Limits
@@ -153,6 +154,7 @@ def export(
     return Path(directory)
 
 
+@without_collector()
 def encode(
     asset: Asset,
     formats: Sequence[str] | None = None,

@@ -4,18 +4,18 @@ from __future__ import annotations
 
 import atexit
 import functools
-import gc
 import inspect
 import operator
 import sys
 from collections import OrderedDict
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager, suppress
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from typing import Any, Literal, get_args
 
+from artgen._arrays import without_collector
 from artgen._names import NAME_RULE, is_identifier
 from artgen._progress import progress
 from artgen.asset import Asset
@@ -163,21 +163,6 @@ def _structural(
             yield prefix + name, value
         if isinstance(value, Variant):
             yield from _structural(value.own, values, f"{prefix}{name}.")
-
-
-@contextmanager
-def _without_collector() -> Iterator[None]:
-    """Pause the search for cyclic garbage: an evaluation makes many objects and hardly any cycles.
-
-    A thread turns the collector on again only if it turned it off, so it never stays off after all have left.
-    """
-    enabled = gc.isenabled()
-    gc.disable()
-    try:
-        yield
-    finally:
-        if enabled:
-            gc.enable()
 
 
 def call_author(name: str, function: Callable[..., Any], arguments: Mapping[str, Any]) -> Any:
@@ -476,7 +461,7 @@ class Generator(Variant):
         )
         return asset if limits == "full" else asset.with_limits(limits)
 
-    @_without_collector()
+    @without_collector()
     def evaluate(
         self,
         seed: int = 0,
