@@ -7,7 +7,7 @@ equal pixels.
 """
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, fields
 from typing import Any, Self
@@ -23,19 +23,20 @@ from artgen.view.studio import BOXES, POINTS, Floats, dome, dome_light, environm
 from artgen.view.tracing import World, clear, cosine_lobe, dot, mirrored, turned, unit
 
 _BAND, _MOST_PIXELS = 256, 131_072  # most rows, and most pixels, that are drawn together
-_TAPS, _STRIDES = 4, (1, 3)  # neighbors at both sides that share their light, and their distances [pixels]
+_TAPS, _STRIDES = 3, (1, 3)  # neighbors at both sides that share their light, and their distances [pixels]
 # weights of neighbors below which a point gathers its own light, along how many times more rays
-_ALONE, _SUPPORT, _ALONE_ROUNDS = 0.05, 4.0, 4
+_ALONE, _SUPPORT, _ALONE_ROUNDS = 0.05, 3.0, 2
 # factors of the roughness of brushed metal across the strokes and along them, slopes of its facets across the
 # strokes, and the size of the smudges that it lacks [m]
 _ACROSS, _ALONG, _SLOPES, _SMUDGE = 1.9, 0.75, (-1.7, -0.8, -0.35, 0.0, 0.35, 0.8, 1.7), 0.03
 _STREAKS = {"brushed": 2.2, "satin": 1.0}  # brightness of strokes for their deviation of roughness
-_ALIKE = 0.12  # difference of light that distant neighbors may have, relative to their sum
-_REACH = 17  # rows of pixels beyond a band that share its light
+_MUCH = (
+    0.2  # difference that something in the way of a ray makes to its light, from which there are more rays
+)
+_ALIKE = 0.3  # difference of light that distant neighbors may have, relative to their sum
+_REACH = 15  # rows of pixels beyond a band that share its light
 _BESIDE = ((0, 0), (0, 1), (0, -1), (1, 0), (-1, 0))  # pixels that lend light to a point
 _LAYERS = 8  # most faces of glass in front of a surface
-_TURN = 17  # step to the number of a point's next ray: to the next lamp
-_TILE = np.array([[0, 8, 2, 10], [12, 4, 14, 6], [3, 11, 1, 9], [15, 7, 13, 5]])  # order of rays (Bayer)
 _PLACES = np.array([[[0.375, 0.125], [0.875, 0.375]], [[0.125, 0.625], [0.625, 0.875]]])  # points in a pixel
 _DULL, _MATT = 0.75, 0.5  # roughness from which a surface mirrors no objects, and the light that it mirrors
 _WHITE, _DARK = 1e3, 0.7  # radiance behind all surfaces: without a studio, and below its floor
@@ -54,12 +55,15 @@ def colors(world: World, camera: Camera, size: tuple[int, int], samples: int, te
         samples: Number of rays to the lamps and around for each pixel.
         texels: Texels per side of the material maps; 0 for plain colors.
     """
-    painter = _Painter(world, camera, size, max(1, round(samples / 4)), texels)
+    painter = _Painter(world, camera, size, max(1, round(samples / 2)), texels)
     height = max(_REACH, min(_BAND, _MOST_PIXELS // size[0]))
     firsts = range(0, size[1], height)
     with ThreadPoolExecutor(min(2, len(firsts))) as pool:
         bands = pool.map(lambda first: painter.band(first, min(first + height, size[1])), firsts)
         return np.concatenate(list(bands))
+
+
+_Spread = Callable[[NDArray[np.bool_]], NDArray[np.bool_]]
 
 
 class _Rows:
@@ -287,7 +291,13 @@ class _Painter:
         mirror, smooth = np.empty_like(points.at), np.empty((6, len(ray)), np.float32)
         few, alone = points.take(main), np.zeros(len(ray), bool)
         mirror[:, main] = self._mirror(few, order[main])
-        light = self._light(few, order[main], self.rounds)
+
+        def around(marks: NDArray[np.bool_]) -> NDArray[np.bool_]:
+            grid = np.zeros(shape, bool)
+            grid.ravel()[pixel[main]] = marks
+            return np.asarray(_widened(grid).ravel()[pixel[main]])
+
+        light = self._light(few, order[main], around)
         guide, values = self._smoothed(few, pixel[main], shape, light, mirror[:, main])
         smooth[:, main] = values[:, pixel[main]]
         alone[main] = guide[6, pixel[main]] == 0.0
@@ -298,7 +308,7 @@ class _Painter:
         some = rest[own[rest]]
         mirror[:, some] = self._mirror(points.take(some), order[some])
         some = np.flatnonzero(alone)
-        smooth[:3, some] = self._light(points.take(some), order[some], _ALONE_ROUNDS * self.rounds)
+        smooth[:3, some] = self._light(points.take(some), order[some])
         smooth[3:, some] = mirror[:, some]
         blur = _blurred(points.rough)
         mirrored_light = np.where(own, mirror + blur * (smooth[3:] - mirror), smooth[3:])
@@ -327,22 +337,40 @@ class _Painter:
         offset = points.at - self.eye
         return np.asarray(1.0 / (6.0 * self.pixel * np.sqrt(dot(offset, offset))))
 
-    def _light(self, points: _Points, order: NDArray[Any], rounds: int) -> Floats:
-        """Return the light that arrives at points: the radiance of white paper there, by color."""
+    def _light(self, points: _Points, order: NDArray[Any], around: _Spread | None = None) -> Floats:
+        """Return the light that arrives at points: the radiance of white paper there, by color.
+
+        With a function that spreads a mark to neighbors, points with nothing in the way have one ray.
+        """
+        lost, shaded = self._lost(points, order, range(1))
+        few = np.arange(len(order)) if around is None else np.flatnonzero(around(shaded))
+        if few.size and self.rounds > 1:
+            rounds = self.rounds * (_ALONE_ROUNDS if around is None else 1)
+            lost[:, few] += self._lost(points.take(few), order[few], range(1, rounds))[0]
+            lost[:, few] /= np.float32(rounds)
+        lamps = self.world.lamp_light(points.at, points.normal).sum(axis=0)
+        return np.asarray(np.maximum(lamps + dome_light(points.normal[2]) - lost, 0.0))
+
+    def _lost(self, points: _Points, order: NDArray[Any], turns: range) -> tuple[Floats, NDArray[np.bool_]]:
+        """Return the light that points lack, summed over turns, and where they have much less or more."""
         world = self.world
         total = np.zeros_like(points.at)
+        shaded = np.zeros(len(order), bool)
         origin = points.at + world.offset * points.normal
         lamps = world.lamp_light(origin, points.normal)
-        for turn in range(rounds):
-            number = (order + _TURN * turn) % POINTS
+        for turn in turns:
+            number = _number(order, turn)
             path = turned(cosine_lobe()[:, number], points.normal)
             triangle = world.first(origin, path)
             # what is in the way takes light from that of an open place, so that open places have no noise
             met = np.flatnonzero(triangle >= 0)
-            total[:, met] += world.glow[triangle[met]].T - dome(path[2, met])
-            total -= world.hidden(origin, points.normal, lamps, number)
-        total = total / np.float32(rounds) + lamps.sum(axis=0) + dome_light(points.normal[2])
-        return np.asarray(np.maximum(total, 0.0))
+            change = dome(path[2, met]) - world.glow[triangle[met]].T
+            total[:, met] += change
+            hidden = world.hidden(origin, points.normal, lamps, number)
+            total += hidden
+            shaded |= hidden > 0.0
+            shaded[met] |= np.abs(change[1]) > _MUCH
+        return total, shaded
 
     def _mirror(self, points: _Points, order: NDArray[Any]) -> Floats:
         """Return the light that points mirror."""
@@ -356,16 +384,12 @@ class _Painter:
         once = self._reflected(some, sky, order[seen])
         # a surface that is neither mirror nor matt shows the noise of few rays most
         blur = _blurred(some.rough)
-        for rounds, noisy in (
-            (self.rounds, (some.metal > 0.5) & (blur == 1.0)),
-            (2 * self.rounds, (blur > 0.0) & (blur < 1.0)),
-        ):
-            these = np.flatnonzero(noisy)
-            if these.size:
-                few, above, number = some.take(these), sky[these], order[seen[these]]
-                for turn in range(1, rounds):
-                    once[:, these] += self._reflected(few, above, number + _TURN * turn)
-                once[:, these] /= np.float32(rounds)
+        these = np.flatnonzero((blur > 0.0) & ((some.metal > 0.5) | (blur < 1.0)))
+        if these.size:
+            few, above, number = some.take(these), sky[these], order[seen[these]]
+            for turn in range(1, self.rounds):
+                once[:, these] += self._reflected(few, above, _number(number, turn))
+            once[:, these] /= np.float32(self.rounds)
         result[:, seen] = once
         return result
 
@@ -505,6 +529,17 @@ def _fresnel(rough: Floats, facing: Floats) -> tuple[Floats, Floats]:
     return (-1.04 * first + 1.04 - 0.572 * rough).clip(0.0), (1.04 * first + 0.022 * rough - 0.04).clip(0.0)
 
 
+def _widened(marks: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Return marks with two neighbors at all sides."""
+    wide = marks.copy()
+    for grid in (wide, wide.T):
+        old = grid.copy()
+        for step in (1, 2):
+            grid[step:] |= old[:-step]
+            grid[:-step] |= old[step:]
+    return wide
+
+
 def _together(a: Sequence[Floats] | Floats, b: Sequence[Floats] | Floats, near: Floats) -> Floats:
     """Return how far points, given with their normals, lie in one plane, 0..1."""
     facing = a[3] * b[3] + a[4] * b[4] + a[5] * b[5]
@@ -547,12 +582,18 @@ def _averaged(values: Floats, guide: Floats, axis: int, stride: int) -> tuple[Fl
 
 
 def _order(row: NDArray[Any], column: NDArray[Any]) -> NDArray[Any]:
-    """Return the number of the first ray of each point: neighbors in a tile have successive numbers."""
-    i, j = row // 4, column // 4
+    """Return the number of the first ray of each pixel: four neighbors share 16 successive numbers."""
+    i, j = row // 2, column // 2
     run = (i * 2654435761 + j * 2246822519) & 0xFFFFFFFF
     run = ((run ^ (run >> 15)) * 2146121005) & 0xFFFFFFFF
     run = (run ^ (run >> 13)) % (POINTS // 16)
-    return np.asarray(16 * run + _TILE[row % 4, column % 4])
+    return np.asarray(16 * run + 2 * (row % 2) + column % 2)
+
+
+def _number(order: NDArray[Any], turn: int) -> NDArray[Any]:
+    """Return the number of another ray: the four lamps take turns within a pixel and among neighbors."""
+    lamp = (order + turn) % 4
+    return np.asarray((order - order % 4 + 16 * (turn // 4) + 4 * (turn % 4) + lamp) % POINTS)
 
 
 def _pyramids(material: Material, texels: int) -> tuple[list[Floats], float]:
