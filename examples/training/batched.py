@@ -5,10 +5,10 @@
 
 tells how many actions a second it does, and how many `ManipulationEnv` does. With `--learn 1000000` PPO
 learns the task in these worlds, with the settings of `ppo.py`. Each world keeps its asset. Worlds whose
-assets share structure are stepped together, the others one group after the other. Assets of different seeds
-rarely share it; variants of one asset that differ in sizes do as long as they have the same shapes, as
-drawers do. On a processor alone this is slower than `ManipulationEnv`: it is meant for graphics cards and
-many worlds, on which it has not been run yet.
+assets share structure are stepped together, the others one group after the other. The assets have the fixed
+topology of their category, which makes all drawers one group; couplings and joints without limits may still
+tell others apart. On a processor alone this is slower than `ManipulationEnv`: it is meant for graphics cards
+and many worlds, on which it has not been run yet.
 """
 
 import argparse
@@ -27,6 +27,7 @@ from ppo import SETTINGS, Progress
 from stable_baselines3 import PPO
 from stable_baselines3.common.vec_env import VecEnv, VecMonitor, VecNormalize
 
+from artgen import generate
 from artgen.envs import TASKS, ManipulationEnv, Task
 from artgen.envs.env import BONUS, JITTER, RATE, STATE
 from artgen.envs.motion import Target
@@ -288,8 +289,9 @@ def main() -> None:
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--out", type=Path, default=Path("batched"))
     options = parser.parse_args()
-    seeds = range(options.assets)
-    batch = BatchedTask(options.task, seeds, options.worlds, seed=options.seed)
+    seeds, category = range(options.assets), TASKS[options.task].category
+    assets = [generate(category, seed, topology="fixed", certify="later") for seed in seeds]
+    batch = BatchedTask(options.task, assets, options.worlds, seed=options.seed)
     print(
         f"{options.worlds} worlds of {len(set(batch.names))} assets in {len(batch.groups)} groups", flush=True
     )

@@ -5,7 +5,6 @@ one model: where a shape, body or joint lies, how large or heavy it is and which
 world to world.
 """
 
-import dataclasses
 from collections.abc import Hashable, Sequence
 from typing import Any
 
@@ -13,27 +12,17 @@ import numpy as np
 import torch
 from batched_maths import Goals, jacobians, rotations, torques
 
+from artgen.batch import joined, structure
 from artgen.envs.motion import Target
 from artgen.envs.robot import LIMITS, OPENING, POSITION, ROTATION
 from artgen.envs.scene import SHUT, STEPS, STEPS_OF_TORQUES, TaskScene
 
 _CONTACTS, _CONSTRAINTS = 96, 384  # room in each world; MuJoCo Warp says so if it is not enough
-_SEEN = ("mat_", "nmat", "cam_", "light_", "tex_", "flex_rgba")  # what is only seen
 # of a world's state: what is set, and what is looked at
 _STATE = ("qpos", "qvel", "ctrl", "qacc_warmstart")
 _FOUND = ("xpos", "xmat", "xaxis", "xanchor", "site_xpos", "site_xmat", "qfrc_bias", "M")
 # where things are
 _PLACES = ("xpos", "xquat", "xmat", "xipos", "ximat", "geom_xpos", "geom_xmat", "site_xpos", "site_xmat")
-# addresses in the arrays of meshes, and the array whose length they grow by
-_ADDRESSES = {
-    "mesh_vertadr": "mesh_vert",
-    "mesh_normaladr": "mesh_normal",
-    "mesh_faceadr": "mesh_face",
-    "mesh_graphadr": "mesh_graph",
-    "mesh_polyadr": "mesh_polynormal",
-    "mesh_polyvertadr": "mesh_polyvert",
-    "mesh_polymapadr": "mesh_polymap",
-}
 
 
 class Worlds:
@@ -149,21 +138,8 @@ class Worlds:
 def structured(scene: TaskScene) -> tuple[Hashable, Any]:
     """Return what models of worlds that are stepped together must have in common, and this scene's model."""
     import mujoco_warp
-    import warp
 
     model = mujoco_warp.put_model(scene.model)
-    common: list[Hashable] = []
-    for field in dataclasses.fields(model):
-        name, value = field.name, getattr(model, field.name)
-        if name in _batched(model) or name.startswith(("mesh_", "nmesh", "npolygonmax", *_SEEN)):
-            continue
-        if isinstance(value, warp.array):
-            common.append((name, value.shape, value.numpy().tobytes()))
-        elif isinstance(value, np.ndarray):
-            common.append((name, value.shape, value.tobytes()))
-        elif isinstance(value, int | tuple):
-            common.append((name, repr(_plain(value))))
-    shapes = tuple(getattr(model, name).shape for name in _batched(model) if not name.startswith(_SEEN))
     # where things of the robot are, which is the same in all worlds
     hand = scene.control
     places = (
@@ -174,69 +150,7 @@ def structured(scene: TaskScene) -> tuple[Hashable, Any]:
         *scene.finger_at,
         *scene.fingers,
     )
-    return (shapes, *common, *(int(place) for place in places)), model
-
-
-def joined(mujoco_model: Any, models: Sequence[Any], of: Sequence[int]) -> Any:
-    """Return one model for worlds whose models share structure.
-
-    Args:
-        mujoco_model: MuJoCo's model of the first.
-        models: MuJoCo Warp's models.
-        of: Which of them each world has.
-    """
-    import mujoco_warp
-    import warp
-
-    if len(models) == 1:
-        return models[0]
-    values: dict[str, list[Any]] = {}
-    for name in _batched(models[0]):
-        if not name.startswith(_SEEN):
-            values[name] = [getattr(model, name).numpy()[0] for model in models]
-    meshes = 0
-    for number, model in enumerate(models):
-        of_mesh = values["geom_dataid"][number]
-        values["geom_dataid"][number] = np.where(of_mesh >= 0, of_mesh + meshes, of_mesh)
-        meshes += model.nmesh
-    differ = {name for name, each in values.items() if any((one != each[0]).any() for one in each)}
-    result = mujoco_warp.put_model(mujoco_model, batch_sizes=dict.fromkeys(differ, len(of)))
-    for name in differ:
-        array = getattr(result, name)
-        array.assign(np.stack([values[name][number] for number in of]).astype(array.numpy().dtype))
-    names = [field.name for field in dataclasses.fields(result) if field.name.startswith("mesh_")]
-    for name in names:
-        parts, grown = [], 0
-        for model in models:
-            part = getattr(model, name).numpy()
-            parts.append(np.where(part >= 0, part + grown, part) if name in _ADDRESSES else part)
-            grown += len(getattr(model, _ADDRESSES[name])) if name in _ADDRESSES else 0
-        old = getattr(result, name)
-        setattr(result, name, warp.array(np.concatenate(parts), dtype=old.dtype, device=old.device))
-    for field in dataclasses.fields(result):
-        if field.name.startswith("nmesh") or field.name == "npolygonmax":
-            combine = max if field.name.endswith("max") else sum
-            setattr(result, field.name, combine(getattr(model, field.name) for model in models))
-    return result
-
-
-def _batched(model: Any) -> list[str]:
-    """Return the names of the arrays that may differ from world to world."""
-    result = []
-    for field in dataclasses.fields(model):
-        shape = getattr(field.type, "shape", ())
-        if shape and shape[0] == "*":
-            result.append(field.name)
-    return result
-
-
-def _plain(value: Any) -> Any:
-    """Return a value with arrays in it as lists."""
-    if isinstance(value, tuple):
-        return tuple(_plain(item) for item in value)
-    if dataclasses.is_dataclass(value):
-        return {name: _plain(item) for name, item in vars(value).items()}
-    return value.numpy().tolist() if hasattr(value, "numpy") else value
+    return (structure(model), *(int(place) for place in places)), model
 
 
 def _block(model: Any, dofs: slice) -> list[list[int]]:

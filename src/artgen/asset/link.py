@@ -177,10 +177,9 @@ class Link(FrozenArrays):
         )
 
     def bounds(self) -> Array:
-        """Return the corners of the bounding box at rest, shape (2, 3) [m]; an absent link is a point."""
-        if self.absent:
-            return np.stack([self.mass_properties.center] * 2)
-        points = np.concatenate([surface.mesh.vertices for surface in self.surfaces])
+        """Return the bounding box at rest, shape (2, 3) [m]; of the colliders if it has no surface."""
+        parts = [surface.mesh.vertices for surface in self.surfaces]
+        points = np.concatenate(parts or [each.convex.bounds() for each in self.colliders])
         return np.array([points.min(axis=0), points.max(axis=0)])
 
     def moved(self, matrix: Array) -> "Link":

@@ -233,11 +233,16 @@ def apart(asset: Asset) -> list[tuple[str, str]]:
 
 
 def _strip(root: ET.Element) -> None:
-    """Remove visual surfaces from the MJCF of an asset."""
+    """Remove visual surfaces, grasps and pushes from the MJCF of an asset."""
     for parent in root.iter("body"):
         for geom in parent.findall("geom"):
             if geom.get("class", "").endswith("_visual"):
                 parent.remove(geom)
+        for site in parent.findall("site"):
+            parent.remove(site)
+    for parent in root.iter("custom"):
+        for element in parent.findall("tuple"):  # of grasps and pushes
+            parent.remove(element)
     used = {geom.get("mesh") for geom in root.iter("geom")}
     for parent in root.iter("asset"):
         for element in list(parent):

@@ -34,6 +34,8 @@ RANGE = 1e-6
 """Such a link moves by at most this to either side; simulators require a range [rad or m]."""
 
 _INERTIA = 1e-12  # each principal moment of such a link [kg m^2]
+# its center lies beside its joints: MuJoCo takes shortcuts for centered bodies, and worlds share these
+_OFF_AXIS = np.full(3, 1e-4)  # [m]
 _LARGEST = 1e-3  # largest length of a spare collider [m]
 _SMALLEST = 5e-5  # smallest one; of less, MuJoCo makes no mesh [m]
 # a spring with critical damping that holds the joint without its limits
@@ -80,10 +82,14 @@ class Host:
     def colliders(self, kinds: Sequence[Kind], number: int = 0, count: int = 1) -> tuple[Collider, ...]:
         """Return spare colliders of some kinds in the part of the ball with a number among several parts."""
         size = rounded(min(_LARGEST, self.radius / (2 * count)))
-        pose = np.eye(4)
-        pose[:3, 3] = self.place(number, count)
         label, material = self.collider.label, self.collider.material
-        return tuple(Collider(_MAKERS[kind](size, pose), label, material, spare=True) for kind in kinds)
+        result = []
+        for index, kind in enumerate(kinds):
+            pose = np.eye(4)
+            pose[:3, 3] = self.place(number, count)
+            pose[2, 3] = round(pose[2, 3] + 0.5 * size * ((index + 0.5) / len(kinds) - 0.5), 12)  # none alike
+            result.append(Collider(_MAKERS[kind](size, pose), label, material, spare=True))
+        return tuple(result)
 
 
 def _ball(link: str, collider: Collider) -> Host:
@@ -191,9 +197,10 @@ def pad(asset: Asset, slots: "Sequence[Slot]", places: Mapping[str, str]) -> Ass
         spares = host.colliders(
             [kind for kind in KINDS for _ in range(slot.colliders.get(kind, 0))], number, count
         )
-        center = host.place(number, count)
+        pivot = host.place(number, count)
+        center = rounded_coordinates(pivot + _OFF_AXIS)
         result.append(SlotLink(slot.name, slot.label, spares=spares, center=center))
-        joints += [slot_joint(each.name, each.kind, center, slot.parent, slot.name) for each in slot.joints]
+        joints += [slot_joint(each.name, each.kind, pivot, slot.parent, slot.name) for each in slot.joints]
     originals = {place: link.name for place, link in links.items()}
     originals |= {name: own for own, name in names.items()}
     return replace(

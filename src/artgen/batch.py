@@ -1,0 +1,309 @@
+"""Batches: many different assets in the worlds of one simulation.
+
+The worlds of a batch share links, joints and colliders; `topology="fixed"` makes assets so. `groups` tells
+which assets an engine can put into one batch, `mjlab` and `mujoco_warp` hand assets over to these engines.
+"""
+
+import dataclasses
+from collections.abc import Hashable, Iterable, Sequence
+from typing import TYPE_CHECKING, Any, Literal, get_args
+
+import numpy as np
+from numpy.typing import NDArray
+
+from artgen._arrays import cached_property
+from artgen._names import ByName
+from artgen.asset import Asset
+from artgen.asset.link import DerivedLink, Surface
+from artgen.catalog import generate
+from artgen.errors import ExportError, ParameterError
+from artgen.export.frames import coupling
+from artgen.generator import Generator
+
+if TYPE_CHECKING:
+    import mujoco
+
+Rule = Literal["isaaclab", "mjlab", "mujoco_warp"]
+"""Engines by the structure that the worlds of one batch must share."""
+
+_UNLIMITED = 1e6  # range of a joint without limits: worlds share whether a joint has limits [rad or m]
+_SIMPLE = "body_simple"  # whether a body allows a shortcut, which no world takes unless all can
+_SEEN = ("mat_", "nmat", "cam_", "light_", "tex_", "flex_rgba")  # fields of the model that only cameras need
+# addresses in the arrays of meshes, and the array whose length they grow by
+_ADDRESSES = {
+    "mesh_vertadr": "mesh_vert",
+    "mesh_normaladr": "mesh_normal",
+    "mesh_faceadr": "mesh_face",
+    "mesh_graphadr": "mesh_graph",
+    "mesh_polyadr": "mesh_polynormal",
+    "mesh_polyvertadr": "mesh_polyvert",
+    "mesh_polymapadr": "mesh_polymap",
+}
+
+
+def groups(assets: Iterable[Asset], rule: Rule) -> list[list[Asset]]:
+    """Return the groups of assets that can share one batch of an engine, in order of their first assets.
+
+    Args:
+        assets: The assets.
+        rule: `mujoco_warp`: the tree, the kinds of joints and the kinds of colliders of each link, in order,
+            are the same. `mjlab` and `isaaclab`: also the names of links and joints; kinds and order name the
+            colliders.
+
+    Raises:
+        ParameterError: The rule is unknown.
+    """
+    if rule not in get_args(Rule):
+        allowed = ", ".join(map(repr, get_args(Rule)))
+        raise ParameterError(f"rule = {rule!r} is not allowed: it must be one of {allowed}")
+    found: dict[Hashable, list[Asset]] = {}
+    for asset in assets:
+        structure: list[Hashable] = [_structure(asset)]
+        if rule != "mujoco_warp":
+            structure += [asset.links.names, asset.joints.names]
+        found.setdefault(tuple(structure), []).append(asset)
+    return list(found.values())
+
+
+def _structure(asset: Asset) -> Hashable:
+    """Return the tree, the kinds of joints, and the kinds of colliders, which name them in USD."""
+    numbers = {link.name: number for number, link in enumerate(asset.links)}
+    joints = [(numbers[each.parent], numbers[each.child], each.kind, each.locked) for each in asset.joints]
+    colliders = [tuple(each.convex.kind for each in link.colliders) for link in asset.links]
+    return tuple(joints), tuple(colliders)
+
+
+def mjlab(category: str | Generator, seeds: Iterable[int], **options: Any) -> "list[mujoco.MjSpec]":
+    """Return editable models of MuJoCo with one structure, for the variants of an entity of mjlab.
+
+    They have the colliders of the assets, without visual surfaces, grasps and keyframes. A joint without
+    limits has a range of 1e6 to either side, and couplings of other assets are there but not active.
+
+    Args:
+        category: Name of a category, or a generator.
+        seeds: Seeds of the assets.
+        **options: Options of `generate`; `topology` is "fixed" by default.
+
+    Raises:
+        AssetError: A seed does not fit the topology.
+        ExportError: MuJoCo is not installed.
+        ParameterError: There are no seeds, or an option is not allowed.
+    """
+    return specs(_generated(category, seeds, options))
+
+
+def specs(assets: Sequence[Asset]) -> "list[mujoco.MjSpec]":
+    """Return the models of `mjlab` for assets of one topology.
+
+    Raises:
+        ParameterError: The assets do not share a structure.
+    """
+    found = groups(assets, "mujoco_warp")
+    if len(found) != 1:
+        raise ParameterError(
+            f"{len(assets)} assets have {len(found)} structures and cannot share a batch; generate them with "
+            "topology='fixed', or pad them with Topology.of(assets).pad"
+        )
+    couplings = dict.fromkeys(
+        (joint.name, law.leader)
+        for asset in assets
+        for joint in asset.joints
+        if not joint.locked and (law := coupling(asset, joint)) is not None
+    )
+    return [_spec(asset, list(couplings)) for asset in assets]
+
+
+def _generated(category: str | Generator, seeds: Iterable[int], options: dict[str, Any]) -> list[Asset]:
+    assets = [generate(category, seed=seed, **{"topology": "fixed"} | options) for seed in seeds]
+    if not assets:
+        raise ParameterError("a batch needs at least one seed; give some")
+    return assets
+
+
+class _BareLink(DerivedLink):
+    """A link without visual surfaces."""
+
+    @cached_property
+    def surfaces(self) -> tuple[Surface, ...]:
+        """None."""
+        return ()
+
+
+def _spec(asset: Asset, couplings: Sequence[tuple[str, str]]) -> "mujoco.MjSpec":
+    """Return the model of an asset with the couplings of all assets, those of others not active."""
+    links = [_BareLink.of(link, grasps=(), pushes=()) for link in asset.links]
+    spec = dataclasses.replace(asset, links=ByName(links)).to_mjspec(textures=0)
+    import mujoco
+
+    for each in (*spec.keys, *spec.texts, *spec.materials, *spec.textures):
+        spec.delete(each)
+    for joint in spec.joints:
+        if joint.type != mujoco.mjtJoint.mjJNT_FREE and not asset.joint(joint.name).limits:
+            joint.limited, joint.range = mujoco.mjtLimited.mjLIMITED_TRUE, (-_UNLIMITED, _UNLIMITED)
+    own = {(each.name1, each.name2): each for each in spec.equalities}
+    laws = [(pair, own[pair].data[:5].tolist() if pair in own else [0.0] * 5) for pair in couplings]
+    settings = [(each.solref.tolist(), each.solimp.tolist()) for each in own.values()][:1]
+    for each in own.values():
+        spec.delete(each)
+    for (follower, leader), law in laws:  # in the same order in all models
+        added = spec.add_equality(
+            type=mujoco.mjtEq.mjEQ_JOINT,
+            objtype=mujoco.mjtObj.mjOBJ_JOINT,
+            name1=follower,
+            name2=leader,
+            active=(follower, leader) in own,
+        )
+        added.data[:5] = law
+        for solref, solimp in settings:
+            added.solref[:], added.solimp[:] = solref, solimp
+    return spec
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class Worlds:
+    """Different assets in the worlds of one model of MuJoCo Warp.
+
+    Attributes:
+        assets: The assets.
+        of: Number of the asset in each world, shape (worlds,).
+        compiled: MuJoCo's model of each asset.
+        model: MuJoCo Warp's model of all worlds.
+        data: Its state.
+    """
+
+    assets: tuple[Asset, ...]
+    of: NDArray[np.int64]
+    compiled: "tuple[mujoco.MjModel, ...]"
+    model: Any
+    data: Any
+
+
+def mujoco_warp(
+    category: str | Generator, seeds: Iterable[int], worlds: int | None = None, **options: Any
+) -> Worlds:
+    """Return a model of MuJoCo Warp whose worlds have different assets of one category.
+
+    Worlds get the assets in turn. The structure of their models is that of `mjlab`.
+
+    Args:
+        category: Name of a category, or a generator.
+        seeds: Seeds of the assets.
+        worlds: Number of worlds; by default one for each asset.
+        **options: Options of `generate`; `topology` is "fixed" by default. `nconmax` and `njmax` set the room
+            for contacts and constraints of each world, as in `mujoco_warp.make_data`.
+
+    Raises:
+        AssetError: A seed does not fit the topology.
+        ExportError: MuJoCo or MuJoCo Warp is not installed.
+        ParameterError: There are no seeds or no worlds, or an option is not allowed.
+    """
+    room = {name: options.pop(name) for name in ("nconmax", "njmax") if name in options}
+    assets = _generated(category, seeds, options)
+    count = len(assets) if worlds is None else worlds
+    if count < 1:
+        raise ParameterError(f"worlds = {worlds!r} is not allowed: it must be a whole number from 1 on")
+    warp = _warp()
+    compiled = [spec.compile() for spec in specs(assets)]
+    of = np.arange(count) % len(assets)
+    model = joined(compiled[0], [warp.put_model(each) for each in compiled], of.tolist())
+    data = warp.make_data(compiled[0], nworld=count, **room)
+    for name in ("qpos", "eq_active"):
+        start = {"qpos": "qpos0", "eq_active": "eq_active0"}[name]
+        values = np.stack([getattr(compiled[number], start) for number in of])
+        array = getattr(data, name)
+        array.assign(values.astype(array.numpy().dtype).reshape(array.numpy().shape))
+    return Worlds(tuple(assets), of, tuple(compiled), model, data)
+
+
+def _warp() -> Any:
+    try:
+        import mujoco_warp as warp
+    except ImportError as error:
+        raise ExportError(
+            f"a batch of MuJoCo Warp needs mujoco-warp, which cannot be loaded ({error}): pip install "
+            "mujoco-warp"
+        ) from error
+    return warp
+
+
+def structure(model: Any) -> Hashable:
+    """Return what models of MuJoCo Warp must have in common to become one model."""
+    import warp
+
+    common: list[Hashable] = []
+    for field in dataclasses.fields(model):
+        name, value = field.name, getattr(model, field.name)
+        if name in (*_batched(model), _SIMPLE) or name.startswith(("mesh_", "nmesh", "npolygonmax", *_SEEN)):
+            continue
+        if isinstance(value, warp.array):
+            common.append((name, value.shape, value.numpy().tobytes()))
+        elif isinstance(value, np.ndarray):
+            common.append((name, value.shape, value.tobytes()))
+        elif isinstance(value, int | tuple):
+            common.append((name, repr(_plain(value))))
+    shapes = tuple(getattr(model, name).shape for name in _batched(model) if not name.startswith(_SEEN))
+    return (shapes, *common)
+
+
+def joined(mujoco_model: Any, models: Sequence[Any], of: Sequence[int]) -> Any:
+    """Return one model of MuJoCo Warp for worlds whose models share structure.
+
+    Args:
+        mujoco_model: MuJoCo's model of the first.
+        models: MuJoCo Warp's models.
+        of: Number of the model of each world.
+    """
+    import mujoco_warp
+    import warp
+
+    if len(models) == 1:
+        return models[0]
+    values: dict[str, list[Any]] = {}
+    for name in _batched(models[0]):
+        if not name.startswith(_SEEN):
+            values[name] = [getattr(model, name).numpy()[0] for model in models]
+    meshes = 0
+    for number, model in enumerate(models):
+        of_mesh = values["geom_dataid"][number]
+        values["geom_dataid"][number] = np.where(of_mesh >= 0, of_mesh + meshes, of_mesh)
+        meshes += model.nmesh
+    differ = {name for name, each in values.items() if any((one != each[0]).any() for one in each)}
+    result = mujoco_warp.put_model(mujoco_model, batch_sizes=dict.fromkeys(differ, len(of)))
+    for name in differ:
+        array = getattr(result, name)
+        array.assign(np.stack([values[name][number] for number in of]).astype(array.numpy().dtype))
+    names = [field.name for field in dataclasses.fields(result) if field.name.startswith("mesh_")]
+    for name in names:
+        parts, grown = [], 0
+        for model in models:
+            part = getattr(model, name).numpy()
+            parts.append(np.where(part >= 0, part + grown, part) if name in _ADDRESSES else part)
+            grown += len(getattr(model, _ADDRESSES[name])) if name in _ADDRESSES else 0
+        old = getattr(result, name)
+        setattr(result, name, warp.array(np.concatenate(parts), dtype=old.dtype, device=old.device))
+    simple = np.min([getattr(model, _SIMPLE).numpy() for model in models], axis=0)
+    getattr(result, _SIMPLE).assign(simple)
+    for field in dataclasses.fields(result):
+        if field.name.startswith("nmesh") or field.name == "npolygonmax":
+            combine = max if field.name.endswith("max") else sum
+            setattr(result, field.name, combine(getattr(model, field.name) for model in models))
+    return result
+
+
+def _batched(model: Any) -> list[str]:
+    """Return the names of the arrays that may differ from world to world."""
+    result = []
+    for field in dataclasses.fields(model):
+        shape = getattr(field.type, "shape", ())
+        if shape and shape[0] == "*":
+            result.append(field.name)
+    return result
+
+
+def _plain(value: Any) -> Any:
+    """Return a value with arrays in it as lists."""
+    if isinstance(value, tuple):
+        return tuple(_plain(item) for item in value)
+    if dataclasses.is_dataclass(value):
+        return {name: _plain(item) for name, item in vars(value).items()}
+    return value.numpy().tolist() if hasattr(value, "numpy") else value

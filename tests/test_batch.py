@@ -1,0 +1,95 @@
+"""Batches: assets of one topology share one model, and engines get what they ask for."""
+
+import importlib.util
+
+import mujoco
+import numpy as np
+import pytest
+
+import artgen as ag
+from artgen import batch
+from artgen.errors import ExportError, ParameterError
+from artgen.topology import Topology
+
+
+@pytest.fixture(scope="module")
+def doors():
+    """Doors with unlike latches, of which one follows its lever."""
+    return [ag.generate("door", seed=seed, certify=False) for seed in (0, 1)]
+
+
+@pytest.mark.parametrize("rule", ["isaaclab", "mjlab", "mujoco_warp"])
+def test_padded_assets_are_one_group_and_plain_ones_several(doors, rule) -> None:
+    assert len(batch.groups(doors, rule)) == 2
+    assert len(batch.groups(map(Topology.of(doors).pad, doors), rule)) == 1
+
+
+def test_only_rules_with_names_tell_other_names_apart(doors) -> None:
+    padded = list(map(Topology.of(doors).pad, doors))
+    renamed = [padded[0], Topology.of(doors[:1]).pad(doors[0]), padded[1]]
+    assert [len(group) for group in batch.groups(renamed, "mujoco_warp")] == [2, 1]
+    with pytest.raises(ParameterError, match=r"rule = 'newton' is not allowed: it must be one of 'isaaclab'"):
+        batch.groups(doors, "newton")  # type: ignore[arg-type]
+
+
+def test_models_for_mjlab_have_one_structure(doors) -> None:
+    specs = batch.specs(list(map(Topology.of(doors).pad, doors)))
+    first, second = models = [spec.compile() for spec in specs]
+    for name in ("nbody", "njnt", "ngeom", "nv", "neq", "nsite", "nkey"):
+        assert getattr(first, name) == getattr(second, name), name
+    for name in (
+        "geom_type",
+        "geom_bodyid",
+        "jnt_type",
+        "jnt_limited",
+        "eq_obj1id",
+        "eq_obj2id",
+        "body_simple",
+    ):
+        assert (getattr(first, name) == getattr(second, name)).all(), name
+    assert first.jnt_limited.all()
+    assert first.nsite == first.nkey == 0
+    followers = [sum(joint.follows is not None for joint in door.joints) for door in doors]
+    assert [int(model.eq_active0.sum()) for model in models] == followers
+    assert first.neq > min(followers)  # couplings of the other door are there, but hold nothing
+
+
+def test_couplings_in_a_batch_are_those_of_the_plain_asset(doors) -> None:
+    specs = batch.specs(list(map(Topology.of(doors).pad, doors)))
+    for door, model in zip(doors, (spec.compile() for spec in specs), strict=True):
+        plain = door.to_mjspec(textures=0).compile()
+        active = np.flatnonzero(model.eq_active0)
+        for name in ("eq_data", "eq_solref", "eq_solimp"):
+            assert (getattr(model, name)[active] == getattr(plain, name)).all(), name
+
+
+def test_assets_of_several_structures_share_no_batch(doors) -> None:
+    with pytest.raises(ParameterError, match="2 assets have 2 structures and cannot share a batch; generate"):
+        batch.specs(doors)
+    with pytest.raises(ParameterError, match="a batch needs at least one seed"):
+        batch.mjlab("door", [])
+    specs = batch.mjlab("drawer", [3], certify=False)
+    assert specs[0].compile().njnt == len(ag.generate("drawer", 4, topology="fixed", certify=False).joints)
+
+
+def test_worlds_of_mujoco_warp_step_like_mujoco() -> None:
+    if importlib.util.find_spec("mujoco_warp") is None:
+        with pytest.raises(ExportError, match=r"cannot be loaded .*: pip install mujoco-warp"):
+            batch.mujoco_warp("drawer", [0, 1], certify=False)
+        return
+    import mujoco_warp
+
+    worlds = batch.mujoco_warp("drawer", [0, 1], 3, certify=False, nconmax=32, njmax=128)
+    assert worlds.of.tolist() == [0, 1, 0]
+    data = [mujoco.MjData(worlds.compiled[number]) for number in worlds.of]
+    force = np.zeros((3, worlds.compiled[0].nv))
+    force[:, 0] = 40.0
+    worlds.data.qfrc_applied.assign(force.astype(np.float32))
+    for _ in range(20):
+        mujoco_warp.step(worlds.model, worlds.data)
+        for number, each in enumerate(data):
+            each.qfrc_applied[:] = force[number]
+            mujoco.mj_step(worlds.compiled[worlds.of[number]], each)
+    wanted = np.stack([each.qpos for each in data])
+    assert np.abs(worlds.data.qpos.numpy() - wanted).max() < 1e-5
+    assert np.abs(wanted[:, 0]).min() > 1e-3
