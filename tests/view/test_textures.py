@@ -10,8 +10,8 @@ from artgen.materials import material
 from artgen.materials.textures import RECIPES, Pattern, Recipe
 from artgen.nodes.body import part
 from artgen.nodes.handles import Body
-from artgen.nodes.primitive import box
-from artgen.view import View
+from artgen.nodes.primitive import box, sphere
+from artgen.view import View, shading
 from artgen.view.tracing import cast
 
 TILE = (0.3, 0.4)
@@ -92,3 +92,22 @@ def test_brushed_metal_shows_its_strokes(turned) -> None:
     across, along = (down, right) if turned else (right, down)
     assert across > 1.5  # averaging over neighbors left 0.6
     assert across > 2.0 * along
+
+
+@generator
+def ball(*, cloth: str = "velvet") -> Body:
+    return part(sphere(0.3), "ball", material(cloth))
+
+
+def test_velvet_is_light_at_its_edge(monkeypatch) -> None:
+    pytest.importorskip("embreex", reason="needs Embree: artgen[sim]")
+    asset, gain = ball.generate(), []
+    for fuzz in (shading._FUZZ, {}):
+        monkeypatch.setattr(shading, "_FUZZ", fuzz)
+        shown = asset.render(size=128, textures=0)
+        mask = shown.links.ids > 0
+        inner, middle = (ndimage.binary_erosion(mask, iterations=depth) for depth in (6, 20))
+        edge = ndimage.binary_erosion(mask, iterations=2) & ~inner
+        light = shown.color.mean(axis=2)
+        gain.append(light[edge].mean() - light[middle].mean())
+    assert gain[0] > gain[1] + 15.0

@@ -39,7 +39,7 @@ def render(
         size: Width and height of the picture, or one number for both [pixels].
         studio: Surroundings: a seamless backdrop, a wall and a wooden floor, or none.
         textures: Texels per side of the material maps; 0 for plain colors.
-        samples: Number of rays to the lamps and around for each pixel, a multiple of 8.
+        samples: Number of rays to the lamps and around for each pixel in shade, an even number.
 
     Raises:
         AssetError: A joint or link is unknown, a position is beyond its limits, or nothing is visible.

@@ -30,9 +30,12 @@ _ALONE, _SUPPORT, _ALONE_ROUNDS = 0.05, 3.0, 2
 # strokes, and the size of the smudges that it lacks [m]
 _ACROSS, _ALONG, _SLOPES, _SMUDGE = 1.9, 0.75, (-1.7, -0.8, -0.35, 0.0, 0.35, 0.8, 1.7), 0.03
 _STREAKS = {"brushed": 2.2, "satin": 1.0}  # brightness of strokes for their deviation of roughness
-_MUCH = (
-    0.2  # difference that something in the way of a ray makes to its light, from which there are more rays
-)
+_FUZZ = {
+    "pile": 0.9,
+    "linen": 0.2,
+    "canvas": 0.15,
+}  # light that upright fibers of textures scatter at grazing
+_MUCH = 0.2  # change of a ray's light by what is in its way, from which there are more rays
 _ALIKE = 0.3  # difference of light that distant neighbors may have, relative to their sum
 _REACH = 15  # rows of pixels beyond a band that share its light
 _BESIDE = ((0, 0), (0, 1), (0, -1), (1, 0), (-1, 0))  # pixels that lend light to a point
@@ -127,6 +130,7 @@ class _Painter:
         self.strokes = np.array(
             [_STREAKS.get(each.texture, 0.0) if texels else 0.0 for each in every], np.float32
         )
+        self.fuzz = np.array([_FUZZ.get(each.texture, 0.0) for each in every], np.float32)
         self.brushed = self.strokes > 0.0
         self.maps = {
             number: _pyramids(each, texels) for number, each in enumerate(every) if texels and each.texture
@@ -253,7 +257,7 @@ class _Painter:
         """Set the values of maps at points of a material, averaged over widths [m]."""
         uv = self.world.uvs_at(points.triangle[here], points.u[here], points.v[here])
         levels, texel = self.maps[number]
-        level = np.clip(np.log2(np.maximum(wide / texel, 1e-6)) + 0.3, 0, len(levels) - 1).astype(int)
+        level = np.clip(np.log2(np.maximum(wide / texel, 1e-6)) + 0.6, 0, len(levels) - 1).astype(int)
         brushed = self.brushed[number]
         smudge = min(len(levels) - 1, max(0, round(math.log2(_SMUDGE / texel))))
         for step in np.unique(level):
@@ -503,6 +507,10 @@ class _Painter:
         normal_share = 0.04 + (color - 0.04) * metal
         specular = normal_share * scale + bias
         result = (1.0 - metal) * (1.0 - specular) * color * light + specular * mirror
+        fibers = np.flatnonzero(self.fuzz[number] > 0.0)
+        if fibers.size:
+            share = self.fuzz[number[fibers]] * (1.0 - facing[fibers]) ** 3
+            result[:, fibers] += share * np.sqrt(color[:, fibers]) * light[:, fibers]
         coat = self.table["coat_weight"][number]
         coated = np.flatnonzero(coat > 0.0)
         if coated.size:

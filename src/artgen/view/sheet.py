@@ -62,7 +62,7 @@ def sheet(
         size: Height of a picture [pixels].
         columns: Number of cells side by side; by default as many as make a good page.
         textures: Texels per side of the material maps; 0 for plain colors.
-        samples: Number of rays to the lamps and around for each pixel, a multiple of 8.
+        samples: Number of rays to the lamps and around for each pixel in shade, an even number.
         progress: Receives the number of finished assets, and of all.
 
     Raises:
