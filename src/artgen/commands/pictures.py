@@ -42,7 +42,7 @@ def render(
         Literal["color", "links", "labels", "depth", "normals"], Option(help="Content of the picture.")
     ] = "color",
     texture_size: TextureSize = 512,
-    samples: Annotated[int, Option(help="Rays to lamps per pixel, a multiple of 8.")] = 8,
+    samples: Annotated[int, Option(help="Rays per pixel in shade, an even number.")] = 8,
     out: _File = None,
 ) -> None:
     """Render a picture of an asset and print its path; needs artgen[sim]."""
