@@ -16,9 +16,9 @@ Style = Literal["task", "executive", "stool"]
 
 NYLON, CHROME, STEEL, ALU = map(ag.material, ("black_abs", "chrome", "powder_coat_black", "aluminium"))
 TUBE = CHROME.with_(name="chrome_tube", density=2500.0)  # a tube, drawn as a bar
-LEATHER = ag.material("leather_grain_abs").with_(name="leather", density=400.0, friction=0.6)
-COGNAC = LEATHER.with_(name="leather_cognac", base_color=(0.20, 0.075, 0.03))
-MESH = ag.material("canvas").with_(name="mesh", base_color=(0.03, 0.03, 0.032), opacity=0.75)
+LEATHER = ag.material("black_leather").with_(density=400.0)  # with its padding
+COGNAC = ag.material("leather").with_(density=400.0)
+MESH = ag.material("mesh").with_(opacity=0.75)
 FABRICS = [ag.colored("fabric", name) for name in ("anthracite", "navy", "teal", "slate", "forest")]
 LEAN = feel.Feel(damping=3.0, effort=200.0)
 SAG = (-0.05, -0.012, 0, -0.012, -0.05)  # depth of the back across its width [m]

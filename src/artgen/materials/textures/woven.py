@@ -137,9 +137,9 @@ class Hide:
 
 
 _HIDES = {
-    "saddle_hide": Hide((0.175, 0.072, 0.032), 0.0021, 90e-6, 0.12),
-    "black_hide": Hide((0.032, 0.031, 0.031), 0.0026, 110e-6, 0.05),
-    "cream_hide": Hide((0.58, 0.50, 0.38), 0.0017, 60e-6, 0.05),
+    "saddle_hide": Hide((0.175, 0.072, 0.032), 0.0021, 90e-6, 0.045),
+    "black_hide": Hide((0.032, 0.031, 0.031), 0.0026, 110e-6, 0.03),
+    "cream_hide": Hide((0.58, 0.50, 0.38), 0.0017, 60e-6, 0.03),
 }
 
 
@@ -150,7 +150,7 @@ def _hide(kind: Hide, tile: Tile) -> Pattern:
     tone = tile.stream.standard_normal(cells.total)[cells.number]
     fold = smoothstep(1.1, 2.4, np.abs(tile.cloud(0.03, 1.6, 0.5)))
     pores = smoothstep(1.6, 2.8, tile.band(0.0006, 0.4))
-    dye = tile.cloud(0.08, 2.0)
+    dye = tile.cloud(0.03, 1.6)
     high = dome * (1.0 + 0.12 * np.clip(tone, -2.0, 2.0))
     light = 0.78 + 0.22 * dome + kind.mottle * np.tanh(dye) + 0.03 * np.clip(tone, -2.0, 2.0) - 0.12 * pores
     albedo = np.clip(light - 0.08 * fold, 0.45, 1.6)[..., None] ** np.array([0.95, 1.0, 1.05])
