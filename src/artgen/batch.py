@@ -27,6 +27,8 @@ Rule = Literal["isaaclab", "mjlab", "mujoco_warp"]
 """Engines by the structure that the worlds of one batch must share."""
 
 _UNLIMITED = 1e6  # range of a joint without limits: worlds share whether a joint has limits [rad or m]
+# where things are: MuJoCo Warp places those that do not move only once
+_PLACES = ("xpos", "xquat", "xmat", "xipos", "ximat", "geom_xpos", "geom_xmat")
 _SIMPLE = "body_simple"  # whether a body allows a shortcut, which no world takes unless all can
 _SEEN = ("mat_", "nmat", "cam_", "light_", "tex_", "flex_rgba")  # fields of the model that only cameras need
 # addresses in the arrays of meshes, and the array whose length they grow by
@@ -207,12 +209,21 @@ def mujoco_warp(
     of = np.arange(count) % len(assets)
     model = joined(compiled[0], [warp.put_model(each) for each in compiled], of.tolist())
     data = warp.make_data(compiled[0], nworld=count, **room)
-    for name in ("qpos", "eq_active"):
-        start = {"qpos": "qpos0", "eq_active": "eq_active0"}[name]
-        values = np.stack([getattr(compiled[number], start) for number in of])
+    states = [_state(each) for each in compiled]
+    for name in ("qpos", "eq_active", *_PLACES):
+        values = np.stack([getattr(states[number], name) for number in of])
         array = getattr(data, name)
         array.assign(values.astype(array.numpy().dtype).reshape(array.numpy().shape))
     return Worlds(tuple(assets), of, tuple(compiled), model, data)
+
+
+def _state(model: "mujoco.MjModel") -> "mujoco.MjData":
+    """Return the state in which a simulation begins."""
+    import mujoco
+
+    data = mujoco.MjData(model)
+    mujoco.mj_forward(model, data)
+    return data
 
 
 def _warp() -> Any:
