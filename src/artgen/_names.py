@@ -125,7 +125,7 @@ def _names(data: Any, key: str = "") -> Iterator[tuple[str, Any]]:
     elif isinstance(data, list):
         for value in data:
             yield from _names(value, key)
-    elif key in _NAMED and data is not None:
+    elif key in _NAMED and (data is not None or key in ("labels", "name")):
         yield key, data
 
 

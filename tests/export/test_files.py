@@ -17,6 +17,7 @@ from artgen.asset import Asset
 from artgen.asset.files import load
 from artgen.errors import AssetError, ExportError, ParameterError
 from artgen.export import export
+from support.exports import edit_json
 
 FORMATS = ("urdf", "mjcf")
 
@@ -286,6 +287,7 @@ import numpy as np
 from artgen.asset import Asset, Link, Piece, Shape, Tree
 from artgen.colliders import Exact, Convex
 from artgen.export import export
+from support.exports import edit_json
 from artgen.materials import material
 corners = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], float)
 faces = np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
@@ -323,3 +325,34 @@ def test_export_is_light_to_import() -> None:
     )
     path = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}
     subprocess.run([sys.executable, "-c", code], env=path, check=True)
+
+
+@pytest.mark.parametrize(
+    ("place", "value"),
+    [
+        (("name",), None),
+        (("attempt",), "first"),
+        (("parameters",), []),
+        (("joints", 0, "axis"), 1.0),
+        (("joints", 0, "axis", 1), "up"),
+        (("joints", 0, "pivot", 1), None),
+        (("joints", 0, "effort"), "strong"),
+        (("links", 0, "mass"), {}),
+        (("links", 0, "labels", 0), None),
+        (("links", 0, "colliders", 0, "kind"), "cone"),
+        (("links", 0, "colliders", 0, "pose"), 1e308),
+        (("links", 0, "colliders", 0, "size", 0), []),
+    ],
+)
+def test_damaged_data_is_one_error_when_it_is_read(place, value, cabinet, tmp_path):
+    directory = cabinet.export(tmp_path / "asset", formats=("urdf",), textures=0)
+
+    def damage(data):
+        for key in place[:-1]:
+            data = data[key]
+        data[place[-1]] = value
+
+    edit_json(directory / "asset.json", damage)
+    with pytest.raises(AssetError, match=r"export the asset again|is no identifier"):
+        Asset.load(directory).export(tmp_path / "again", formats=("urdf",), textures=0)
+    assert not (tmp_path / "again").exists()

@@ -3,6 +3,7 @@
 import math
 import time
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -14,6 +15,7 @@ from artgen.asset.certificate import Certificate, PairResult
 from artgen.asset.collision import with_colliders
 from artgen.catalog import find
 from artgen.errors import AssetError
+from artgen.proof import certify as proof
 from artgen.proof.certify import certify
 from artgen.proof.kinematics import starting_cells
 from artgen.proof.paths import Space
@@ -408,6 +410,18 @@ def test_the_time_limit_holds_for_a_long_chain() -> None:
     certificate = certify(chain(14), seconds=0.5, only=lambda path: "link_14" in path.links)
     assert time.monotonic() - start < 30.0
     assert {pair.verdict for pair in certificate.pairs} <= {"proven", "collision", "not proven"}
+
+
+def test_colliders_leave_half_of_the_time_for_finer_pieces(monkeypatch: pytest.MonkeyPatch) -> None:
+    searched, limits = proof._searched, []
+
+    def search(*arguments: Any, seconds: float, **options: Any) -> Any:
+        limits.append(seconds)
+        return searched(*arguments, seconds=seconds, **options)
+
+    monkeypatch.setattr(proof, "_searched", search)
+    assert certify(chest(), seconds=60.0).proven
+    assert limits[0] == 30.0 < limits[1] <= 60.0
 
 
 def test_an_overlap_is_permitted_by_name_only() -> None:

@@ -2,10 +2,11 @@
 
 import json
 import os
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any, ClassVar, NoReturn
+from typing import Any, ClassVar, NoReturn, get_args
 
 import numpy as np
 
@@ -20,12 +21,16 @@ from artgen.asset.mass import MassProperties
 from artgen.asset.shape import Mesh
 from artgen.asset.surface import metric_coordinates
 from artgen.colliders import Convex
-from artgen.errors import AssetError, ExportError
+from artgen.colliders.convex import Kind
+from artgen.errors import ArtgenError, AssetError, ExportError
 from artgen.materials import Material
 
 ASSET_FILE = "asset.json"
 CERTIFICATE_FILE = "certificate.json"
 MESH_DIRECTORY = "meshes"
+
+_DAMAGES = (ArithmeticError, AttributeError, LookupError, TypeError, ValueError)  # of readers of data
+_TYPES = {"name": str, "category": str, "attempt": int, "version": str, "parameters": dict}
 
 
 def load(directory: str | Path) -> Asset:
@@ -60,7 +65,7 @@ def load(directory: str | Path) -> Asset:
     try:
         check_names(data, path)
         return asset_from_data(data, path.parent)
-    except (AttributeError, KeyError, TypeError) as error:
+    except _DAMAGES as error:
         raise AssetError(f"{path} is damaged ({error!r}); export the asset again") from error
 
 
@@ -137,6 +142,9 @@ def mesh_names(names: Mapping[str, Sequence[str]], taken: Iterable[str] = ()) ->
 
 def asset_from_data(data: Mapping[str, Any], directory: Path) -> Asset:
     """Make an asset of its JSON data; its surfaces are read from the directory on first access."""
+    for name, kind in _TYPES.items():
+        if name in data and not isinstance(data[name], kind):
+            raise TypeError(f"{name} is {data[name]!r:.40}")
     materials = {item["name"]: Material.from_data(item) for item in data["materials"]}
     joints = ByName(AssetJoint.from_data(item) for item in data["joints"])
     files = mesh_names({item["name"]: [each["name"] for each in item["surfaces"]] for item in data["links"]})
@@ -204,21 +212,42 @@ class _StoredLink(Link):
 
     @cached_property
     def mass_properties(self) -> MassProperties:
-        return MassProperties.from_data(self.data)
+        with self._reading():
+            return MassProperties.from_data(self.data)
 
     @cached_property
     def colliders(self) -> tuple[Collider, ...]:
-        return tuple(
-            Collider(_convex(item), item["label"], self.materials[item["material"]], item.get("spare", False))
-            for item in self.data["colliders"]
-        )
+        with self._reading():
+            return tuple(
+                Collider(
+                    _convex(item), item["label"], self.materials[item["material"]], item.get("spare", False)
+                )
+                for item in self.data["colliders"]
+            )
 
     @property
     def covers(self) -> tuple[Convex, ...]:
-        return tuple(map(_convex, self.data.get("covers", ())))
+        with self._reading():
+            return tuple(map(_convex, self.data.get("covers", ())))
 
     @cached_property
     def surfaces(self) -> tuple[Surface, ...]:
+        with self._reading():
+            return self._surfaces()
+
+    @contextmanager
+    def _reading(self) -> Iterator[None]:
+        """Name the link in errors of damaged data."""
+        try:
+            yield
+        except ArtgenError:
+            raise
+        except _DAMAGES as error:
+            raise AssetError(
+                f"link {self.name!r} is damaged in {ASSET_FILE} ({error!r}); export the asset again"
+            ) from error
+
+    def _surfaces(self) -> tuple[Surface, ...]:
         result = []
         for item, path in zip(self.data["surfaces"], self.meshes, strict=True):
             material, mesh = self.materials[item["material"]], read_obj(path, self.origin)
@@ -240,8 +269,12 @@ class _StoredLink(Link):
 
 
 def _convex(data: Mapping[str, Any]) -> Convex:
-    points = np.array(data["points"], float).reshape(-1, 3)
-    return Convex(data["kind"], np.array(data["pose"], float), tuple(data["size"]), points)
+    points, pose = (
+        np.array(data[name], float).reshape(-1, side) for name, side in (("points", 3), ("pose", 4))
+    )
+    if data["kind"] not in get_args(Kind) or pose.shape != (4, 4):
+        raise ValueError(f"no collider is a {data['kind']!r:.40} at {data['pose']!r:.40}")
+    return Convex(data["kind"], pose, tuple(map(float, data["size"])), points)
 
 
 def read_obj(path: Path, origin: Array) -> Mesh:

@@ -4,6 +4,7 @@ import json
 import types
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, fields, is_dataclass, replace
+from functools import partial
 from typing import Any, ClassVar, Self, Union, get_args, get_origin, get_type_hints
 
 import numpy as np
@@ -43,6 +44,8 @@ class Record:
 
 
 Reader = Callable[[Any], Any]
+_PLAIN: Mapping[Any, type | tuple[type, ...]] = {float: (float, int), int: int, str: str, bool: bool}
+"""Types of JSON values that are read as they are; others are not checked."""
 
 
 @cached(None)
@@ -56,7 +59,7 @@ def _reader(kind: Any) -> Reader:
     """Return the function that converts JSON data to a type."""
     origin, inner = get_origin(kind), get_args(kind)
     if origin is np.ndarray:
-        return lambda data: np.array(data, float)
+        return _array
     if isinstance(kind, type) and issubclass(kind, Record):
         return kind.from_data
     if origin in (Union, types.UnionType):  # a type or None
@@ -71,7 +74,20 @@ def _reader(kind: Any) -> Reader:
     if origin is Mapping:
         read = _reader(inner[1])
         return lambda data: {key: read(item) for key, item in data.items()}
-    return lambda data: data
+    return partial(_plain_value, _PLAIN.get(kind, object))
+
+
+def _array(data: Any) -> Any:
+    found = np.array(data, float)
+    if not isinstance(data, list) or not np.isfinite(found).all():
+        raise TypeError(f"{data!r:.40} is no list of numbers")
+    return found
+
+
+def _plain_value(kinds: type | tuple[type, ...], data: Any) -> Any:
+    if not isinstance(data, kinds):
+        raise TypeError(f"{data!r:.40} is of the wrong type")
+    return data
 
 
 def plain(value: Any) -> Any:

@@ -95,10 +95,12 @@ def certify(
         space.check()
     joint_paths = [joint_path for joint_path in space.joint_paths() if only is None or only(joint_path)]
     begin, limit = time.monotonic(), seconds
-    on_colliders = _searched(asset, collider_cover, joint_paths, tolerance, measure=measure, seconds=seconds)
+    finer_follows = all(link.pieces for link in asset.links if not link.absent)
+    first = seconds / 2.0 if finer_follows else seconds  # a hard pair leaves time for the pairs that follow
+    on_colliders = _searched(asset, collider_cover, joint_paths, tolerance, measure=measure, seconds=first)
     doubtful = [each.joint_path for each in on_colliders if not each.settled]
     on_solids = {each.joint_path.links: each for each in on_colliders}
-    if all(link.pieces for link in asset.links if not link.absent):
+    if finer_follows:
         seconds = max(seconds + begin - time.monotonic(), 0.0)
         finer = _searched(asset, fine_cover, doubtful, tolerance, measure=measure, seconds=seconds)
         on_solids |= {each.joint_path.links: each for each in finer}

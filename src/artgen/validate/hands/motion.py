@@ -68,6 +68,12 @@ class HandSpace:
             name: np.array([part.solid.bounding_box() for part in parts]).reshape(-1, 2, 3)
             for name, parts in self._parts.items()
         }
+        # center and radius of a sphere around the boxes of each link
+        self._spheres: dict[str, tuple[Array, float]] = {}
+        for name, boxes in self._boxes.items():
+            if len(boxes):
+                low, high = boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0)
+                self._spheres[name] = (low + high) / 2.0, float(np.linalg.norm(high - low)) / 2.0
 
     @property
     def lowest(self) -> float:
@@ -98,8 +104,11 @@ class HandSpace:
         self, corners: Array, frame: Array, pose: Mapping[str, Array], ignore: str = ""
     ) -> Iterator[tuple[str, Array, list[SolidPart]]]:
         """Yield each link near a box, with the frame in the link's coordinates and the parts near the box."""
-        for link in self._parts:
-            if link == ignore:
+        middle = frame[:3, :3] @ ((corners[0] + corners[1]) / 2.0) + frame[:3, 3]
+        reach = float(np.linalg.norm(corners[1] - corners[0])) / 2.0
+        for link, (center, radius) in self._spheres.items():
+            away = pose[link][:3, :3] @ center + pose[link][:3, 3] - middle
+            if link == ignore or away @ away > (reach + radius) ** 2:
                 continue
             local = np.linalg.inv(pose[link]) @ frame
             if near := self._near(link, corners, local):
@@ -108,9 +117,9 @@ class HandSpace:
     def _near(self, link: str, corners: Array, frame: Array) -> list[SolidPart]:
         """Return the parts of a link whose bounding boxes overlap a box, in both coordinate systems."""
         turn, half = frame[:3, :3], (corners[1] - corners[0]) / 2.0
-        middle = turn @ corners.mean(axis=0) + frame[:3, 3]
+        middle = turn @ ((corners[0] + corners[1]) / 2.0) + frame[:3, 3]
         boxes = self._boxes[link]
-        apart, halves = boxes.mean(axis=1) - middle, (boxes[:, 1] - boxes[:, 0]) / 2.0
+        apart, halves = (boxes[:, 0] + boxes[:, 1]) / 2.0 - middle, (boxes[:, 1] - boxes[:, 0]) / 2.0
         close = (np.abs(apart) < halves + np.abs(turn) @ half).all(axis=1)
         if not close.any():
             return []
