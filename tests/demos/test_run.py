@@ -2,6 +2,7 @@
 
 import itertools
 import json
+import shutil
 import subprocess
 import sys
 
@@ -11,7 +12,7 @@ import pytest
 from artgen import _progress
 from artgen.dataset.places import locked
 from artgen.dataset.workers import Ending
-from artgen.demos import make_demos, record
+from artgen.demos import Demo, make_demos, record
 from artgen.demos.run import Attempts
 from artgen.errors import CheckError, ExportError
 
@@ -176,3 +177,16 @@ def test_progress_is_shown_to_a_caller_in_python(tmp_path, monkeypatch, capsys):
         with pytest.raises(CheckError):
             make_demos("OpenDrawer", 2, tmp_path / "new", jobs=1, progress=shown)
         assert ("OpenDrawer 0/2, 3 failed" in capsys.readouterr().err.splitlines()) == shown
+
+
+def test_a_full_disk_is_one_error_and_leaves_nothing(tmp_path, monkeypatch):
+    demo = Demo(0, "a", True, {"state": np.zeros((3, 2))}, *[np.zeros((2, 7))] * 2, *[np.zeros(2)] * 3)
+
+    def succeed(task, items, *, jobs, limit):
+        yield from (Ending(item, "done", demo) for item in items)
+
+    monkeypatch.setattr("artgen.demos.run.run_tasks", succeed)
+    monkeypatch.setattr("shutil.disk_usage", lambda folder: shutil._ntuple_diskusage(2**30, 2**30, 1000))
+    with pytest.raises(ExportError, match=r"demo\.hdf5: No space left on device; nothing was changed"):
+        make_demos("OpenDrawer", 1, tmp_path / "new", jobs=1)
+    assert not (tmp_path / "new" / "demo.hdf5").exists()

@@ -65,6 +65,8 @@ def load(directory: str | Path) -> Asset:
     try:
         check_names(data, path)
         return asset_from_data(data, path.parent)
+    except ArtgenError:
+        raise
     except _DAMAGES as error:
         raise AssetError(f"{path} is damaged ({error!r}); export the asset again") from error
 

@@ -11,7 +11,9 @@ data              attributes: total, env_args (JSON)
 mask/train, mask/valid    names of demonstrations
 """
 
+import errno
 import json
+import os
 import shutil
 import time
 from collections.abc import Callable, Generator, Iterable, Iterator, Mapping
@@ -46,6 +48,7 @@ _PLAN = "plan.json"
 _LIMIT = 900.0  # time limit for one attempt [s]
 _SPARE = 10  # attempts in addition to twice the number of demonstrations
 _AFTERWARDS = 40  # most steps after success, in which the hand releases
+_ROOM = 2**20  # bytes for tables of the file
 _SERIES = ("actions", "applied", "rewards", "dones", "states")
 _OBSERVED = "obs/"  # prefix of the names of observations in the file of an attempt
 _GYM = 2  # robomimic's type of Gymnasium environments
@@ -332,6 +335,7 @@ def write_demos(path: Path, demos: Iterable[Demo], environment: str, arguments: 
     with _hdf5().File(path, "w", track_order=False) as file:
         data = file.create_group("data")
         for number, demo in enumerate(demos):
+            _check_space(path, demo)
             name = f"demo_{number}"
             group = data.create_group(name)
             for key, series in demo.observations.items():
@@ -351,6 +355,13 @@ def write_demos(path: Path, demos: Iterable[Demo], environment: str, arguments: 
         for key, some in (("train", [each for each in names if each not in valid]), ("valid", valid)):
             file.create_dataset(f"mask/{key}", data=np.array(some, "S"))
     return total
+
+
+def _check_space(path: Path, demo: Demo) -> None:
+    """Check that a demonstration fits on the disk: HDF5 ends the process where it cannot write."""
+    arrays = [getattr(demo, key) for key in _SERIES] + 2 * list(demo.observations.values())
+    if shutil.disk_usage(path.parent).free < sum(each.nbytes for each in arrays) + _ROOM:
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
 
 
 def _put(group: Any, key: str, series: Any) -> None:
