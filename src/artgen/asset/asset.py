@@ -77,6 +77,9 @@ Base = Literal["fixed", "free"]
 Limits = Literal["full", "independent"]
 """Ranges of joints: full with dependencies, or narrowed so that every state is free, see `with_limits`."""
 
+DetailName = Literal["full", "medium", "low"]
+"""Level of detail of the solids."""
+
 _CERTIFICATE = "_certificate"  # attribute in which an asset keeps its certificate
 _LATER = "_later"  # attribute in which an asset keeps how to make its certificate
 _LIMIT_SLACK = 1e-9  # tolerance of joint limits [rad or m]
@@ -103,6 +106,7 @@ class Asset:
         limits: Whether the joints have their full ranges, or narrowed ones without dependencies.
         originals: Original name of each link and joint of a padded asset, by its name; without those that
             fill empty slots. Empty for other assets, see `artgen.topology`.
+        detail: Level of detail of its solids.
     """
 
     name: str
@@ -118,6 +122,7 @@ class Asset:
     contacts: tuple[AllowedContact, ...] = ()
     limits: Limits = "full"
     originals: Mapping[str, str] = field(default_factory=dict)
+    detail: DetailName = "full"
 
     def __post_init__(self) -> None:
         """Let links and joints be read by name."""
@@ -429,6 +434,7 @@ class Asset:
         return {
             "format": FORMAT,
             **{name: getattr(self, name) for name in PLAIN},
+            **({} if self.detail == "full" else {"detail": self.detail}),
             "labels": list(self.labels),
             "parameters": plain(asset.parameters),
             "mass": rounded(sum(link["mass"] for link in links)),

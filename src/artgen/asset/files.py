@@ -173,7 +173,7 @@ def asset_from_data(data: Mapping[str, Any], directory: Path) -> Asset:
         parameters=data["parameters"],
         contacts=tuple(map(AllowedContact.from_data, data.get("contacts", ()))),
         originals=data.get("originals", {}),
-        **{name: data[name] for name in PLAIN if name in data},
+        **{name: data[name] for name in (*PLAIN, "detail") if name in data},
     )
     # preset the cached property: otherwise it would be derived from the surfaces
     vars(asset)["materials"] = tuple(materials.values())

@@ -1,6 +1,6 @@
 """Links: rigid bodies made of named pieces of one material each."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
 from operator import attrgetter
 from typing import Any, ClassVar, Self
@@ -181,6 +181,13 @@ class Link(FrozenArrays):
         parts = [surface.mesh.vertices for surface in self.surfaces]
         points = np.concatenate(parts or [each.convex.bounds() for each in self.colliders])
         return np.array([points.min(axis=0), points.max(axis=0)])
+
+    def without(self, left_out: Collection[int]) -> "Link":
+        """Return the link without some of its pieces, by their `id`."""
+        pieces = tuple(piece for piece in self.pieces if id(piece) not in left_out)
+        if len(pieces) == len(self.pieces):
+            return self
+        return Link(self.name, self.label, pieces, self.grasps, self.separate, self.pushes)
 
     def moved(self, matrix: Array) -> "Link":
         """Return the link carried along by a rigid motion or a reflection, shape (4, 4)."""

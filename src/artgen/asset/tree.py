@@ -4,9 +4,12 @@ from collections import Counter
 from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import dataclass, replace
 
+import numpy as np
+
 from artgen._arrays import Array
 from artgen.asset.joint import AllowedContact, AssetJoint, joints_above
-from artgen.asset.link import Link
+from artgen.asset.link import Link, Piece
+from artgen.colliders.triangles import cross
 from artgen.errors import AssetError, nearest
 
 _REMEDIES = {  # for names that are used twice
@@ -52,6 +55,39 @@ class Tree:
         for branch in self.branches:
             yield from branch.tree.all_contacts()
 
+    def reduced(self, most: float) -> tuple["Tree", int]:
+        """Return the tree with fewer visual details, and the least number of triangles that it can have.
+
+        With more than `most` triangles, details within the bounds of a link's solids are left out, those with
+        the smallest triangles first, then those that stand out and show in the outline. The least number
+        keeps these and the solids.
+        """
+        pieces = [piece for link in self.links() for piece in link.pieces]
+        total = sum(map(_triangles, pieces))
+        if total <= most:
+            return self, total
+        solids = [[each.shape.bounds() for each in link.pieces if not each.visual] for link in self.links()]
+        bounds = [(np.min(boxes, axis=0)[0], np.max(boxes, axis=0)[1]) for boxes in solids if boxes]
+
+        def stands_out(piece: Piece) -> bool:
+            low, high = piece.shape.bounds()
+            beyond = min(max((least - low).max(), (high - greatest).max()) for least, greatest in bounds)
+            return bool(beyond > _PROUD)
+
+        ranks = {id(each): (stands_out(each), _mean_area(each)) for each in pieces if each.visual}
+        least = sum(_triangles(each) for each in pieces if ranks.get(id(each), (True, 0.0))[0])
+        details, excess = [each for each in pieces if each.visual], total - most
+        left_out: set[int] = set()
+        for piece in sorted(details, key=lambda each: ranks[id(each)]):
+            if excess > 0:
+                left_out.add(id(piece))
+                excess -= _triangles(piece)
+        return self._with_links(lambda link: link.without(left_out)), least
+
+    def _with_links(self, of_link: Callable[[Link], Link]) -> "Tree":
+        branches = self._branches(lambda joint: joint, lambda tree: tree._with_links(of_link))
+        return replace(self, link=of_link(self.link), branches=branches)
+
     def moved(self, matrix: Array) -> "Tree":
         """Return the tree after a rigid motion or a reflection, shape (4, 4)."""
         branches = self._branches(lambda joint: joint.moved(matrix), lambda tree: tree.moved(matrix))
@@ -91,6 +127,19 @@ class Tree:
             if twice:
                 raise ValueError(f"the {kind} name {twice[0]!r} is used twice; {_REMEDIES[kind]}")
         return self
+
+
+_PROUD = 0.001  # distance beyond the solids at which a detail shows in the outline [m]
+
+
+def _triangles(piece: Piece) -> int:
+    return len(piece.shape.mesh.triangles)
+
+
+def _mean_area(piece: Piece) -> float:
+    """Return the mean area of the triangles of a piece [m^2]."""
+    a, b, c = piece.shape.mesh.vertices[piece.shape.mesh.triangles.T]
+    return float(np.linalg.norm(cross(b - a, c - a), axis=1).mean()) / 2.0
 
 
 def check_contact(contact: AllowedContact, links: Collection[str], joints: Mapping[str, AssetJoint]) -> None:

@@ -7,7 +7,7 @@ import typer
 from typer import Argument, Option
 
 from artgen.asset import Asset
-from artgen.asset.asset import Limits
+from artgen.asset.asset import DetailName, Limits
 from artgen.asset.collision import Collision
 from artgen.asset.files import main_files
 from artgen.catalog import find
@@ -89,6 +89,9 @@ def generate(
             "free."
         ),
     ] = "full",
+    detail: Annotated[
+        DetailName, Option(help="Level of detail: medium has coarser curves, low about 2,000 triangles.")
+    ] = "full",
     frames: Annotated[
         bool, Option("--frames/--no-frames", help="Links for grasps and pushes in the URDF.")
     ] = True,
@@ -108,6 +111,7 @@ def generate(
         "certify": certify,
         "tolerance": tolerance,
         "on_collision": on_collision,
+        "detail": detail,
     }
     written: dict[str, Any] = {
         "formats": chosen,

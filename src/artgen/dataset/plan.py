@@ -12,7 +12,7 @@ from typing import Any, ClassVar, Literal, NamedTuple, Self, get_args
 
 import numpy as np
 
-from artgen.asset.asset import Asset, Base, Limits
+from artgen.asset.asset import Asset, Base, DetailName, Limits
 from artgen.asset.collision import Collision
 from artgen.catalog import find, is_file, load_file
 from artgen.dataset.places import Place
@@ -71,6 +71,7 @@ class BasePlan(ABC):
     certify: bool = True  # whether each asset is proven free of collisions
     tolerance: float = 0.0  # required clearance between links [m]
     on_collision: OnCollision = "redraw"  # reaction to a missing proof
+    detail: DetailName = "full"  # level of detail of the solids
     sources: Mapping[str, Source] = field(default_factory=dict, kw_only=True, hash=False)  # of those in files
 
     def __post_init__(self) -> None:
@@ -91,6 +92,8 @@ class BasePlan(ABC):
         if twice is not None:
             raise ParameterError(f"the category {twice!r} is named twice; leave one of them out")
         vars(self)["count"] = check_whole("count", self.count, 1, 10**9)
+        if self.detail not in get_args(DetailName):
+            raise ParameterError(f"detail is full, medium or low, not {self.detail!r}")
         for name in self.categories:
             self.category(name).sample(self.seed, overrides=self.overrides_of(name))
 
@@ -112,6 +115,7 @@ class BasePlan(ABC):
             certify=self.certify,
             tolerance=self.tolerance,
             on_collision=self.on_collision,
+            detail=self.detail,
             overrides=self.overrides_of(item.category),
         )
         return asset

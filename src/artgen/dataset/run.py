@@ -221,6 +221,7 @@ def record_of(text: bytes, path: str) -> Record:
         "links": len(data["links"]),
         "joints": {joint["name"]: joint["kind"] for joint in data["joints"]},
         "parameters": data["parameters"],
+        **({"detail": data["detail"]} if "detail" in data else {}),
         "digest": hashlib.sha256(text).hexdigest()[:_DIGEST],
     }
 

@@ -105,7 +105,8 @@ def export(
         collision: Kind of colliders: `exact` keeps the asset's; `coacd` and `hull` make new ones from the
             solids, see `artgen.asset.collision.with_colliders`, without a certificate, because it does not
             hold for them. `asset.json` records the kind.
-        textures: Texels per side of the material maps: 256, 512, 1024 or 2048; 0 for colors only.
+        textures: Texels per side of the material maps: 256, 512, 1024 or 2048; 0 for colors only, as for all
+            assets of low detail.
         layout: Layout of the files, see `artgen.export.layouts`: `flat`, `simready`, `partnet-mobility` or
             `robocasa`.
         mesh_precision: Largest distance of visible meshes from the exact surface [m], to write fewer
@@ -177,6 +178,8 @@ def encode(
     """
     if textures != 0:
         check_size(textures)
+    if asset.detail == "low":
+        textures = 0
     laid_out = find_layout(layout)
     chosen = chosen_formats(laid_out, formats)
     asset = asset if limits == "full" else asset.with_limits(limits)

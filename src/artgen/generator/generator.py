@@ -5,6 +5,7 @@ from __future__ import annotations
 import atexit
 import functools
 import inspect
+import math
 import operator
 import sys
 from collections import OrderedDict
@@ -19,13 +20,14 @@ from artgen._arrays import without_collector
 from artgen._names import NAME_RULE, is_identifier
 from artgen._progress import progress
 from artgen.asset import Asset
-from artgen.asset.asset import Base, Limits, certify_later
+from artgen.asset.asset import Base, DetailName, Limits, certify_later
 from artgen.asset.certificate import MOST_TOLERANCE, Certificate
 from artgen.errors import (
     ArtgenError,
     AssetError,
     BuildError,
     CheckError,
+    EvaluationError,
     InfeasibleError,
     ParameterError,
     nearest,
@@ -33,7 +35,7 @@ from artgen.errors import (
 from artgen.generator.draw import Draw, Overrides, Probability, meets, probability
 from artgen.generator.parameter import Parameter, Variant, is_variant
 from artgen.generator.signature import read_parameters
-from artgen.graph import Cache, Evaluation, Graph, Handle, reached
+from artgen.graph import DETAILS, FULL, Cache, Detail, Evaluation, Graph, Handle, reached
 from artgen.graph.handle import folding
 from artgen.graph.node import Node, line_in, topological
 from artgen.nodes.handles import Body
@@ -411,6 +413,7 @@ class Generator(Variant):
         on_collision: OnCollision = "redraw",
         limits: Limits = "full",
         topology: Topology | Literal["own", "fixed"] = "own",
+        detail: DetailName = "full",
         **overrides: Any,
     ) -> Asset:
         """Draw the parameters, build and evaluate the graph, certify the asset and return it.
@@ -433,6 +436,9 @@ class Generator(Variant):
                 is free, see `artgen.proof.limits.with_limits`.
             topology: Links, joints and colliders: `own`, those of a topology, or `fixed` for the recorded
                 topology of the category, so that all seeds have the same, see `Topology.pad`.
+            detail: Level of detail of the solids: `medium` has coarser curves, and `low` at most about 2,000
+                triangles, without print and small details. Parameters, joints, limits, grasps and names are
+                those of `full`.
             **overrides: A value or a distribution by parameter name; write `handle__length` for
                 `handle.length`.
 
@@ -456,6 +462,7 @@ class Generator(Variant):
             certify=certify,
             tolerance=tolerance,
             on_collision=on_collision,
+            detail=detail,
             overrides=overrides,
             topology=topology,
         )
@@ -473,6 +480,7 @@ class Generator(Variant):
         certify: Certification = True,
         tolerance: float = 0.0,
         on_collision: OnCollision = "redraw",
+        detail: DetailName = "full",
         overrides: Mapping[str, Any] | None = None,
         keep_graph: bool = False,
         topology: Topology | Literal["own", "fixed"] = "own",
@@ -485,7 +493,7 @@ class Generator(Variant):
         """
         seed = checked_count("seed", seed)
         name = name or f"{self.name}_{seed}"
-        _check_options(name, base, attempts)
+        _check_options(name, base, attempts, detail)
         if cache is not None and not isinstance(cache, Cache):
             raise ParameterError(
                 f"cache = {cache!r} is not allowed: it must be an artgen.graph.Cache, or None"
@@ -504,7 +512,9 @@ class Generator(Variant):
                 if draw.values in refused:  # few parameters, or few values of them, repeat the same sample
                     continue
                 try:
-                    return self._evaluated(draw, name, base, cache, prove, padded, keep_graph=keep_graph)
+                    return self._evaluated(
+                        draw, name, base, detail, cache, prove, padded, keep_graph=keep_graph
+                    )
                 except InfeasibleError as error:
                     refused.append(draw.values)
                     failures.append(error)
@@ -526,6 +536,7 @@ class Generator(Variant):
         draw: Draw,
         name: str,
         base: Base,
+        detail: DetailName,
         cache: Cache,
         prove: Callable[[Asset], None],
         padded: Callable[[Asset], Asset],
@@ -534,18 +545,27 @@ class Generator(Variant):
     ) -> tuple[Asset, Evaluation]:
         """Build and evaluate the graph of a draw, and prove the asset."""
         body = self._built.of(draw.values) if keep_graph else self._folded(draw.values)
-        evaluation = Graph(body).evaluate(draw.values, cache)
-        try:
-            inert = self._inert_numbers(draw, cache)
-            if not keep_graph:  # it would build a graph for each option
-                inert |= self._inert_structure(draw)
-            shown = {key: value for key, value in draw.values.items() if key not in inert}
-            asset = self._asset(body, evaluation, shown, name, base, seed=draw.seed, attempt=draw.attempt)
-            asset = padded(asset)
-            prove(asset)
-        except AssetError as error:
-            message = f"{error}\n  at {_place(body, error) or self.where}"
-            raise AssetError(message, joint=error.joint, link=error.link) from None
+        for level, evaluation in _evaluations(body, draw.values, cache, DETAILS[detail]):
+            try:
+                inert = self._inert_numbers(draw, cache)
+                if not keep_graph:  # it would build a graph for each option
+                    inert |= self._inert_structure(draw)
+                shown = {key: value for key, value in draw.values.items() if key not in inert}
+                origin: dict[str, Any] = {"seed": draw.seed, "attempt": draw.attempt, "detail": detail}
+                asset = self._asset(body, evaluation, shown, name, base, **origin)
+                asset = padded(asset)
+                prove(asset)
+            except AssetError as error:
+                message = f"{error}\n  at {_place(body, error) or self.where}"
+                raise AssetError(message, joint=error.joint, link=error.link) from None
+            except (InfeasibleError, CheckError):
+                if level is FULL:
+                    raise
+                continue
+            if level is FULL or asset.certified_later or asset.certificate is None:
+                break
+            if asset.certificate.proven:
+                break
         return asset, evaluation
 
     @property
@@ -590,7 +610,7 @@ class Generator(Variant):
         values: Mapping[str, Any],
         name: str,
         base: Base,
-        **origin: int,
+        **origin: Any,
     ) -> Asset:
         if not isinstance(body, Body):
             raise BuildError(
@@ -622,6 +642,36 @@ class Generator(Variant):
 
     def __repr__(self) -> str:
         return f"<generator {self.name} at {self.where}>"
+
+
+_COARSEST = 0.003  # distance of facets from a round surface at which no coarser solids are tried [m]
+# up to a multiple of the triangles that a level aims at: the factor by which its solids become coarser
+_COARSER = ((1.25, 1.5), (1.8, 2.0), (math.inf, 4.0))
+
+
+def _evaluations(
+    body: Handle, values: Mapping[str, Any], cache: Cache, level: Detail
+) -> Iterator[tuple[Detail, Evaluation]]:
+    """Yield the evaluation of a graph at a level of detail, and finer ones in case it is not proven.
+
+    Too many triangles make the solids coarser, unless coarser solids failed.
+    """
+    most, coarsest = level.most, _COARSEST
+    while True:
+        try:
+            evaluation = Graph(body).evaluate(values, cache, level)
+        except EvaluationError:  # a solid vanished, or does not fit any more
+            if level is FULL:
+                raise
+        else:
+            if most < math.inf and isinstance(body, Body):
+                evaluation.value, least = evaluation.value.reduced(most)
+                if least > most and level.chord < coarsest:
+                    level = level.scaled(next(by for times, by in _COARSER if least <= times * most))
+                    continue
+            yield level, evaluation
+        coarsest = 0.0
+        level = level.scaled(0.5) if level.chord > 2.0 * FULL.chord else FULL
 
 
 @dataclass(frozen=True, eq=False)
@@ -661,11 +711,14 @@ def checked_count(name: str, value: Any) -> int:
     return number
 
 
-def _check_options(name: str, base: Any, attempts: int | None) -> None:
+def _check_options(name: str, base: Any, attempts: int | None, detail: Any) -> None:
     if not is_identifier(name):
         raise ParameterError(f"name = {name!r} is no identifier; use {NAME_RULE}")
     if base not in ("fixed", "free"):
         raise ParameterError(f"base = {base!r} is not allowed: it must be 'fixed' or 'free'")
+    if detail not in DETAILS:
+        allowed = ", ".join(map(repr, DETAILS))
+        raise ParameterError(f"detail = {detail!r} is not allowed: it must be one of {allowed}")
     if attempts is not None and checked_count("attempts", attempts) < 1:
         raise ParameterError(f"attempts must be at least 1, got {attempts!r}")
 

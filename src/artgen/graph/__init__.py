@@ -8,7 +8,17 @@ from artgen.graph.draw import table, to_mermaid
 from artgen.graph.evaluation import Cache, Evaluation, evaluate, reached
 from artgen.graph.handle import LITERAL_TYPES, Handle, LiteralType, handle_of, records
 from artgen.graph.jsonfile import from_json, to_json
-from artgen.graph.kernel import OPERATIONS, Operation, define, kernel, operation
+from artgen.graph.kernel import (
+    DETAILS,
+    FULL,
+    OPERATIONS,
+    Detail,
+    Operation,
+    define,
+    detail_level,
+    kernel,
+    operation,
+)
 from artgen.graph.node import PARAMETER, Node, topological
 from artgen.graph.source import to_python
 
@@ -38,9 +48,11 @@ class Graph:
         """Names of the parameters whose values evaluation needs, in order of appearance."""
         return tuple(node.inputs["name"] for node in self.nodes if node.op == PARAMETER)
 
-    def evaluate(self, parameters: Mapping[str, Any] | None = None, cache: Cache | None = None) -> Evaluation:
+    def evaluate(
+        self, parameters: Mapping[str, Any] | None = None, cache: Cache | None = None, detail: Detail = FULL
+    ) -> Evaluation:
         """Compute the value of the root; see `artgen.graph.evaluate`."""
-        return evaluate(self.result, parameters, cache)
+        return evaluate(self.result, parameters, cache, detail)
 
     def to_json(self) -> str:
         """Return the graph as JSON text."""
@@ -69,9 +81,12 @@ class Graph:
 
 
 __all__ = [
+    "DETAILS",
+    "FULL",
     "LITERAL_TYPES",
     "OPERATIONS",
     "Cache",
+    "Detail",
     "Evaluation",
     "Graph",
     "Handle",
@@ -79,6 +94,7 @@ __all__ = [
     "Node",
     "Operation",
     "define",
+    "detail_level",
     "evaluate",
     "handle_of",
     "kernel",

@@ -13,7 +13,7 @@ import numpy as np
 
 from artgen.errors import EvaluationError, InfeasibleError
 from artgen.graph.handle import Handle, handle_of, handle_type, resolve
-from artgen.graph.kernel import Operation, operation
+from artgen.graph.kernel import _LEVEL, FULL, Detail, Operation, operation
 from artgen.graph.node import PARAMETER, Node, nodes_in, topological
 
 _ABSENT = object()
@@ -79,14 +79,21 @@ class Evaluation:
 
 
 def evaluate(
-    handle: Handle, parameters: Mapping[str, Any] | None = None, cache: Cache | None = None
+    handle: Handle,
+    parameters: Mapping[str, Any] | None = None,
+    cache: Cache | None = None,
+    detail: Detail = FULL,
 ) -> Evaluation:
     """Compute the value of a handle.
+
+    Numbers, points and frames are measured on solids of full detail at every level, so that they are the
+    same.
 
     Args:
         handle: Root of the graph.
         parameters: The value of each parameter that the graph reaches.
         cache: Values from earlier evaluations; new values are added.
+        detail: Level of detail of the solids.
 
     Raises:
         EvaluationError: A kernel failed, or a parameter has no value or a value of the wrong type; the
@@ -95,32 +102,38 @@ def evaluate(
     """
     cache = Cache() if cache is None else cache
     result = Evaluation()
-    values: dict[str, Any] = {}
-    result.keys = _content_keys(topological(handle.node), parameters or {}, values)
-    stack = [handle.node]
+    given: dict[str, Any] = {}
+    result.keys = _content_keys(topological(handle.node), parameters or {}, given)
+    values = {level: dict(given) for level in (FULL, detail)}
+    stack = [(handle.node, detail)]
     while stack:
-        node = stack[-1]
-        if node.key in values:
+        node, level = stack[-1]
+        if node.key in values[level]:
             stack.pop()
             continue
-        content = result.keys[node.key]
-        found = cache.get(content, _ABSENT)
-        if found is not _ABSENT:
-            values[node.key] = found
-            result.hits += 1
-            continue
         known = operation(node.op)
-        missing = [child for child in _needed(node, known, values) if child.key not in values]
-        if missing:
-            stack.extend(reversed(missing))
-            continue
-        start = perf_counter()
-        values[node.key] = value = _run(node, known, values)
-        result.node_seconds[node.key] = elapsed = perf_counter() - start
-        result.seconds[node.op] = result.seconds.get(node.op, 0.0) + elapsed
-        result.runs[node.op] += 1
-        cache.put(content, value)
-    result.value = values[handle.node.key]
+        within = FULL if known.measures else level  # the level of its inputs
+        content = result.keys[node.key] + ("" if within is FULL else f" {level.name} {level.chord}")
+        value = cache.get(content, _ABSENT)
+        if value is not _ABSENT:
+            result.hits += 1
+        else:
+            value = known.bare(node.inputs) if level.thin and known.bare else NotImplemented
+            if value is NotImplemented:
+                needed = _needed(node, known, values[within])
+                missing = [child for child in needed if child.key not in values[within]]
+                if missing:
+                    stack.extend((each, within) for each in reversed(missing))
+                    continue
+                start = perf_counter()
+                value = _run(node, known, values[within], within)
+                result.node_seconds[node.key] = elapsed = perf_counter() - start
+                result.seconds[node.op] = result.seconds.get(node.op, 0.0) + elapsed
+                result.runs[node.op] += 1
+            cache.put(content, value)
+        for each in values if known.measures else (level,):
+            values[each][node.key] = value
+    result.value = values[detail][handle.node.key]
     return result
 
 
@@ -191,10 +204,11 @@ def _needed(node: Node, known: Operation, values: Mapping[str, Any]) -> Sequence
     return [chosen] if isinstance(chosen, Node) else []
 
 
-def _run(node: Node, known: Operation, values: Mapping[str, Any]) -> Any:
+def _run(node: Node, known: Operation, values: Mapping[str, Any], level: Detail) -> Any:
     inputs = [
         resolve(node.inputs[name], hint, values, lazy=known.lazy) for name, hint in known.inputs.items()
     ]
+    before = _LEVEL.set(level)
     try:
         value = known.kernel(*inputs)
     except InfeasibleError as error:
@@ -202,6 +216,8 @@ def _run(node: Node, known: Operation, values: Mapping[str, Any]) -> Any:
     except Exception as error:
         reason = str(error) or type(error).__name__
         raise EvaluationError(f"{node.op} failed: {reason}\n  at {node.where}") from error
+    finally:
+        _LEVEL.reset(before)
     if isinstance(value, float) and not math.isfinite(value):
         raise EvaluationError(f"{node.op} gives {value}, which is not a finite number\n  at {node.where}")
     if isinstance(value, np.ndarray):

@@ -183,7 +183,13 @@ class Handle:
         return f"<{type(self).__name__} {shown}>"
 
 
-def records(kernel: Callable[..., Any], of: Any = None, *, spelling: str = "") -> Callable[[C], C]:
+def records(
+    kernel: Callable[..., Any],
+    of: Any = None,
+    *,
+    spelling: str = "",
+    bare: Callable[[Mapping[str, Any]], Any] | None = None,
+) -> Callable[[C], C]:
     """Make a function without a body the constructor of an operation: a call of it records the operation.
 
     The name of the function is that of the operation, and its parameters are the inputs.
@@ -193,13 +199,15 @@ def records(kernel: Callable[..., Any], of: Any = None, *, spelling: str = "") -
             types.
         of: The type of all inputs and of the result, for a kernel without annotations such as `math.sin`.
         spelling: Python source of the operation, e.g. `({a} & {b})`; by default a call of the function.
+        bare: Its value at levels of detail without print; see `Operation`.
     """
 
     def decorate(constructor: C) -> C:
         parameters = inspect.signature(constructor).parameters
         name = constructor.__name__
         inputs, result = types_of(kernel, name) if of is None else (dict.fromkeys(parameters, of), of)
-        known = Operation(name, kernel, inputs, result, constructor.__module__, spelling, constructor=name)
+        module = constructor.__module__
+        known = Operation(name, kernel, inputs, result, module, spelling, constructor=name, bare=bare)
         register(known)
         kind = Handle.HANDLES[result]
         defaults = {key: item.default for key, item in parameters.items() if item.default is not item.empty}

@@ -1,17 +1,57 @@
-"""Registered operations: a constructor records an operation, its kernel computes the value."""
+"""Registered operations: a constructor records one, its kernel computes the value at a level of detail."""
 
 import inspect
+import math
 import sys
 import types
 import typing
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from contextvars import ContextVar
+from dataclasses import dataclass, replace
 from functools import cache
 from typing import Any, TypeVar, overload
 
 from artgen.errors import GraphError, nearest
 
 F = TypeVar("F", bound=Callable[..., Any])
+
+
+@dataclass(frozen=True, eq=False)
+class Detail:
+    """A level of detail: tolerances of the solids, which kernels read with `detail_level`."""
+
+    name: str
+    chord: float = 0.0002  # largest distance of facets from a round surface [m]
+    sides: tuple[int, int] = (12, 16)  # least sides of a circle with a radius below 2 mm, and of a larger one
+    sharp: float = 1e-6  # edges with a smaller radius stay sharp [m]
+    thin: float = 0.0  # print, and visual details that are not thicker, are left out; 0 keeps all [m]
+    most: float = math.inf  # triangles of an asset that are aimed at
+
+    def scaled(self, factor: float) -> "Detail":
+        """Return the level with its tolerances multiplied by a factor."""
+        tolerances = {name: factor * getattr(self, name) for name in ("chord", "sharp", "thin")}
+        return replace(self, **tolerances)
+
+
+FULL = Detail("full")
+"""The level at which numbers, points and frames are measured, whatever the level of the solids."""
+
+DETAILS: Mapping[str, Detail] = {
+    each.name: each
+    for each in (
+        FULL,
+        Detail("medium", 0.0005, (6, 8), 0.0008, most=10000),
+        Detail("low", 0.0008, (4, 4), 0.0013, 0.001, 2000),
+    )
+}
+"""The levels of detail by name."""
+
+_LEVEL: ContextVar[Detail] = ContextVar("detail", default=FULL)
+
+
+def detail_level() -> Detail:
+    """Return the level of detail of the kernel that runs; `FULL` outside an evaluation."""
+    return _LEVEL.get()
 
 
 @dataclass(frozen=True, eq=False)
@@ -27,6 +67,8 @@ class Operation:
         spelling: Python source of the operation, such as `({a} + {b})`; empty for a call of the constructor.
         lazy: Whether the input `condition` selects which of the inputs `a` and `b` is evaluated.
         constructor: Name of the function in the module that records the operation, if there is one.
+        bare: Function that returns the value without print from the inputs of a node, before any is computed;
+            NotImplemented for a node that is computed as usual.
     """
 
     name: str
@@ -37,6 +79,12 @@ class Operation:
     spelling: str = ""
     lazy: bool = False
     constructor: str = ""
+    bare: Callable[[Mapping[str, Any]], Any] | None = None
+
+    @property
+    def measures(self) -> bool:
+        """Whether the result is a number, a truth value or an array, which is measured at full detail."""
+        return self.result in (bool, int, float, str) or typing.get_origin(self.result) is typing.Annotated
 
 
 OPERATIONS: dict[str, Operation] = {}

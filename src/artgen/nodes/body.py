@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import partial
+from typing import Any
 
 import numpy as np
 
@@ -27,7 +28,7 @@ from artgen.asset.affordance import GRIPPER, held
 from artgen.asset.link import MovedLink, PrintDirection
 from artgen.asset.mass import total
 from artgen.errors import nearest
-from artgen.graph import kernel, records
+from artgen.graph import detail_level, kernel, records
 from artgen.materials import Material
 from artgen.nodes.csg import poses, subtracted
 from artgen.nodes.grasp_frames import Array4x4, Frame
@@ -133,11 +134,22 @@ def _detail(
         corners = np.concatenate([each.bounds() for each in solids])
         middle = 0.5 * (corners.min(axis=0) + corners.max(axis=0)) if about is None else about
         reading = PrintDirection(middle, unit(reads))
-    pieces = tuple(Piece(label, material, each, visual=True, reading=reading) for each in solids)
+    thin = detail_level().thin
+    pieces = tuple(
+        Piece(label, material, each, visual=True, reading=reading)
+        for each in solids
+        if not thin or np.ptp(each.bounds(), axis=0).min() > thin
+    )
     return Tree(Link(label, label, pieces))
 
 
-@records(_detail)
+def _without_print(inputs: Mapping[str, Any]) -> Any:
+    """Return an empty detail in place of print, which needs no solid."""
+    label = inputs["label"]
+    return NotImplemented if inputs["reads"] is None else Tree(Link(label, label))
+
+
+@records(_detail, bare=_without_print)
 def detail(
     solid: Solid | Sequence[Solid],
     label: str,

@@ -7,8 +7,9 @@ import numpy as np
 from manifold3d import CrossSection, FillRule
 
 from artgen import _trig
-from artgen._arrays import Array, predecessors, successors
+from artgen._arrays import Array, Indices, predecessors, successors
 from artgen.asset.shape import Contour, Outline
+from artgen.graph import FULL, detail_level
 from artgen.nodes.surfaces import arc_steps, sides_of
 
 CREASE = math.radians(35.0)
@@ -129,6 +130,52 @@ def without_repeats(contour: Contour) -> Contour:
     kept = np.flatnonzero(gap > _SAME)  # each point absorbs the repeats that follow it
     last = successors(kept) - 1
     return Contour(contour.points[kept], contour.normals_in[kept], contour.normals_out[last])
+
+
+def chords(line: Array, off: float) -> Indices:
+    """Return the points of a line, shape (n, d), between which chords stay within a distance of it [m]."""
+    kept = np.zeros(len(line), bool)
+    kept[[0, -1]] = True
+    spans = [(0, len(line) - 1)]
+    while spans:
+        first, last = spans.pop()
+        if last - first < 2:
+            continue
+        between, along = line[first + 1 : last] - line[first], line[last] - line[first]
+        share = np.clip(between @ along / max(float(along @ along), 1e-24), 0.0, 1.0)
+        apart = np.linalg.norm(between - share[:, None] * along, axis=1)
+        if apart.max() > off:
+            middle = first + 1 + int(np.argmax(apart))
+            kept[middle] = True
+            spans += [(first, middle), (middle, last)]
+    return np.flatnonzero(kept)
+
+
+def coarse(outline: Outline) -> Outline:
+    """Return an outline with as few vertices as the level of detail allows."""
+    if detail_level() is FULL:
+        return outline
+    contours = tuple(_coarse(contour) for contour in outline.contours)
+    if not is_disjoint([contour.points for contour in contours]):
+        return outline
+    is_convex = len(contours) == 1 and outline.convex is not None and len(outline.convex) == 1
+    return Outline(contours, (contours[0].points,) if is_convex else None)
+
+
+def _coarse(contour: Contour) -> Contour:
+    points = contour.points
+    first = int(np.argmax(points @ (1.0, 0.618)))  # a corner
+    ring = np.roll(points, -first, axis=0)
+    far = int(np.argmax(np.linalg.norm(ring - ring[0], axis=1)))
+    off = 0.4 * detail_level().chord
+    ends = (ring[: far + 1], np.concatenate([ring[far:], ring[:1]]))
+    kept = np.concatenate([chords(ends[0], off)[:-1], far + chords(ends[1], off)[:-1]])
+    if len(kept) < 3 or abs(signed_area(ring[kept])) < _MOST_LOST * abs(signed_area(ring)):
+        return contour
+    return estimated(ring[kept])
+
+
+_MOST_LOST = 0.7  # least share of the area of a contour that is left with fewer vertices
 
 
 def signed_area(points: Array) -> float:

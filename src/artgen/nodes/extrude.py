@@ -10,9 +10,11 @@ import numpy as np
 from artgen import _trig
 from artgen._arrays import Array, successors
 from artgen.asset.shape import Contour, Curve, Outline, Shape
-from artgen.graph import records
+from artgen.graph import FULL, detail_level, records
 from artgen.nodes import validators as check
 from artgen.nodes.contours import (
+    chords,
+    coarse,
     estimated,
     faceted,
     is_disjoint,
@@ -23,7 +25,7 @@ from artgen.nodes.contours import (
 )
 from artgen.nodes.handles import Array3, Path, Profile, Scalar, Solid, VectorLike
 from artgen.nodes.primitive_colliders import around_extrusion, around_lathe, moved
-from artgen.nodes.surfaces import extrusion, lathe, mitres
+from artgen.nodes.surfaces import extrusion, lathe, lathe_steps, mitres
 
 _AT_AXIS = 1e-7  # points of a profile nearer to the axis than this lie on it [m]
 _FEWEST, _MOST = 3, 128  # sides of a full turn
@@ -35,6 +37,7 @@ def _revolve(profile: Outline, angle: float, axis: Array3, sides: int = 0) -> Sh
         raise ValueError(
             f"a lathe makes {_FEWEST} to {_MOST} sides, or 0 for a number that looks round; got {sides}"
         )
+    profile = coarse(profile)
     least = min(float(contour.points[:, 0].min()) for contour in profile.contours)
     if least < -_AT_AXIS:
         raise ValueError(
@@ -45,6 +48,8 @@ def _revolve(profile: Outline, angle: float, axis: Array3, sides: int = 0) -> Sh
         Contour(_on_axis(each.points, _AT_AXIS), each.normals_in, each.normals_out)
         for each in profile.contours
     ]
+    if sides and detail_level() is not FULL:
+        sides = min(sides, lathe_steps(contours, math.tau, None)[0])
     turn = check.frame(axis)
     pieces = around_lathe(contours, angle, sides or None)
     skin = lathe(contours, angle=angle, sides=sides or None)
@@ -80,7 +85,7 @@ def _extrude(
     bevel = check.rounding("bevel", bevel, length / 2.0 * 0.999)
     check.between("taper", taper, -10.0, 0.99, "")
     check.between("twist", twist, -100.0, 100.0, "rad")
-    turn = check.frame(axis)
+    turn, profile = check.frame(axis), coarse(profile)
     if check.frame_is_mirrored(turn):
         profile = moved_outline(profile, np.diag([1.0, -1.0]), np.zeros(2))
     if bevel > 0.0:
@@ -186,7 +191,8 @@ def _half_section(
     if check.between("within", within, 0.0, 0.01) > 0.0:
         low, high = line[:, 1].min(), line[:, 1].max()
         apart = np.append(True, np.linalg.norm(np.diff(line, axis=0), axis=1) > _ON_AXIS)
-        line = _chords(line[apart], 0.5 * within)
+        line = line[apart]
+        line = line[chords(line, 0.5 * within)]
         path = Curve(np.column_stack([line[:, 0], np.zeros(len(line)), line[:, 1]]))
         inset = inset + 0.5 * within
     outward, corners = _normals(path, line)
@@ -231,23 +237,6 @@ def half_section(
         >>> outside = spline([(0.03, 0, 0), (0.05, 0, 0.05), (0.02, 0, 0.1), (0.03, 0, 0.14)])
         >>> revolve(half_section(outside, wall=0.003))
     """
-
-
-def _chords(line: Array, off: float) -> Array:
-    """Return the points of a line between which straight segments stay within a distance of it [m]."""
-    first, last = line[0], line[-1]
-    along = last - first
-    length = float(np.hypot(*along))
-    if len(line) < 3:
-        return line
-    if length < _ON_AXIS:
-        apart = np.hypot(*(line - first).T)
-    else:
-        apart = np.abs(along[0] * (line[:, 1] - first[1]) - along[1] * (line[:, 0] - first[0])) / length
-    far = int(np.argmax(apart))
-    if apart[far] <= off:
-        return np.stack([first, last])
-    return np.concatenate([_chords(line[: far + 1], off)[:-1], _chords(line[far:], off)])
 
 
 def _joined(paths: Sequence[Curve]) -> Curve:

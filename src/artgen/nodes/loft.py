@@ -14,9 +14,9 @@ from artgen import _trig, colliders
 from artgen._arrays import Array, predecessors, successors
 from artgen.asset.shape import Contour, Outline, Shape
 from artgen.colliders import Pieces
-from artgen.graph import kernel, records
+from artgen.graph import FULL, detail_level, kernel, records
 from artgen.nodes import validators as check
-from artgen.nodes.contours import CREASE, faceted, moved_outline
+from artgen.nodes.contours import CREASE, chords, estimated, faceted, moved_outline
 from artgen.nodes.csg import united
 from artgen.nodes.handles import Array3, Profile, Scalar, Solid, VectorLike
 from artgen.nodes.primitive_colliders import around_chain, around_hull
@@ -49,6 +49,7 @@ def _loft(profiles: tuple[Outline, ...], heights: tuple[float, ...], axis: Array
             for contour, level in zip(contours, levels, strict=True)
         ]
     )
+    contours, rings = _coarse(contours, rings)
     return _skin(contours, rings).turned(turn).shape(around_chain([ring @ turn.T for ring in rings]))
 
 
@@ -123,6 +124,22 @@ def _corners(contour: Contour) -> tuple[Array, Array]:
             points.append(point)
             ways.append(way / np.linalg.norm(way))
     return np.array(points), np.array(ways)
+
+
+def _coarse(contours: list[Contour], rings: Array) -> tuple[list[Contour], Array]:
+    """Return the borders and their vertices, shape (n, k, 3), with as few as the level of detail allows."""
+    if detail_level() is FULL:
+        return contours, rings
+    off, (count, width, _) = 0.4 * detail_level().chord, rings.shape
+    rows = chords(rings.reshape(count, -1), off * math.sqrt(width))
+    around = np.concatenate([rings[rows], rings[rows, :1]], axis=1).transpose(1, 0, 2).reshape(width + 1, -1)
+    half = width // 2
+    parts = (around[: half + 1], around[half:])
+    columns, rest = (chords(part, off * math.sqrt(len(rows))) for part in parts)
+    kept = np.concatenate([columns[:-1], half + rest[:-1]])
+    if len(kept) < 3:
+        kept = np.arange(width)
+    return [estimated(contours[row].points[kept]) for row in rows], rings[rows][:, kept]
 
 
 def _border(at: int, outline: Outline) -> Contour:

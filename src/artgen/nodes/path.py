@@ -10,10 +10,10 @@ import numpy as np
 from artgen import _trig
 from artgen._arrays import Array, Indices, predecessors, successors
 from artgen.asset.shape import Curve
-from artgen.graph import records
+from artgen.graph import FULL, detail_level, records
 from artgen.nodes import validators as check
 from artgen.nodes.handles import Array3, Path, Scalar, VectorLike
-from artgen.nodes.surfaces import CHORD, arc_steps
+from artgen.nodes.surfaces import arc_steps
 
 _MOST_SAMPLES = 200
 
@@ -172,8 +172,9 @@ def _steps_of(controls: Array) -> Indices:
     second = controls[..., 2:, :] - 2.0 * controls[..., 1:-1, :] + controls[..., :-2, :]
     bend = np.linalg.norm(second, axis=-1).max(axis=-1)
     degree = controls.shape[-2] - 1
-    needed = np.sqrt(degree * (degree - 1) * bend / (8.0 * CHORD))
-    return np.asarray(np.clip(np.ceil(needed), 4, _MOST_SAMPLES), np.int64)
+    level = detail_level()
+    needed = np.sqrt(degree * (degree - 1) * bend / (8.0 * level.chord))
+    return np.asarray(np.clip(np.ceil(needed), 4 if level is FULL else 1, _MOST_SAMPLES), np.int64)
 
 
 def _bezier(points: tuple[Array3, ...]) -> Curve:

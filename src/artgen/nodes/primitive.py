@@ -11,7 +11,7 @@ from artgen._arrays import Array
 from artgen.asset.shape import Contour, Shape
 from artgen.colliders import Convex, Exact
 from artgen.colliders.triangles import hull_of
-from artgen.graph import kernel, records
+from artgen.graph import FULL, detail_level, kernel, records
 from artgen.nodes import validators as check
 from artgen.nodes.contours import arc_points, circle_contour, faceted, rounded_polygon
 from artgen.nodes.csg import faceted_shape
@@ -24,7 +24,15 @@ from artgen.nodes.primitive_colliders import (
     around_rounded_box,
     moved,
 )
-from artgen.nodes.surfaces import bevel_steps, extrusion, lathe, rounded_box, sides_of
+from artgen.nodes.surfaces import (
+    bevel_steps,
+    chamfered_box,
+    extrusion,
+    hole_radius,
+    lathe,
+    rounded_box,
+    sides_of,
+)
 
 
 def axial(radius: float, half: float, bevel: float, top_radius: float | None = None) -> Contour:
@@ -37,9 +45,9 @@ def axial(radius: float, half: float, bevel: float, top_radius: float | None = N
     return rounded_polygon(points, [bevel if point[0] > 0.0 else 0.0 for point in points])
 
 
-def half_ellipse(radius: float, half: float, start: float) -> Contour:
+def half_ellipse(radius: float, half: float, start: float, sides: int | None = None) -> Contour:
     """Return the (r, z) section of an ellipsoid from an angle [rad] to its upper pole."""
-    sides = sides_of(max(radius, half))
+    sides = sides or sides_of(max(radius, half))
     steps = max(2, math.ceil(sides * (0.5 * math.pi - start) / math.tau - 1e-9))
     unit, _ = arc_points(np.zeros(2), 1.0, start, 0.5 * math.pi - start, steps)
     normals = unit / np.array([radius, half])
@@ -75,11 +83,17 @@ def _box(x: float, y: float, z: float, bevel: float, crown: float = 0.0) -> Shap
         return faceted_shape(hull_of(vertices), around_hull(vertices))
     if bevel == 0.0:
         return rounded_box(size, 0.0, 0).shape(Exact((Convex.box(size),)))
+    if detail_level() is not FULL and bevel <= _CHAMFERED:
+        skin = chamfered_box(size, bevel)
+        return skin.shape(around_rounded_box(size, bevel, skin.vertices))
     steps = max(1, bevel_steps(bevel) // 2)
     skin = rounded_box(size, bevel, steps)
     return skin.shape(around_rounded_box(size, bevel, skin.vertices))
 
 
+_CHAMFERED = (
+    0.006  # largest bevel of a box that is a single chamfer at lower detail: 0.16 of it is exceeded [m]
+)
 _GRID = 9  # points of the crown of a box along each side
 
 
@@ -263,7 +277,9 @@ def sphere(radius: Scalar) -> Solid:
 
 def _ellipsoid(radius_x: float, radius_y: float, radius_z: float) -> Shape:
     radii = check.sizes("radius", radius_x, radius_y, radius_z)
-    skin = lathe([half_ellipse(1.0, 1.0, -0.5 * math.pi)], sides=sides_of(float(radii.max())))
+    sides = sides_of(float(radii.max()))
+    along = None if detail_level() is FULL else sides
+    skin = lathe([half_ellipse(1.0, 1.0, -0.5 * math.pi, along)], sides=sides)
     vertices = skin.vertices * radii
     normals = skin.normals / radii
     normals /= np.linalg.norm(normals, axis=1, keepdims=True)
@@ -368,11 +384,14 @@ def _tube(outer: float, inner: float, length: float, axis: Array3, bevel: float)
         raise ValueError(f"the outer radius {outer:g} m must exceed the inner radius {inner:g} m")
     check.positive("length", length)
     bevel = check.rounding("bevel", bevel, min(outer - inner, length) / 2.0 * 0.999)
+    inner, sides = hole_radius(inner, outer, sides_of(outer))
+    bevel = min(bevel, (outer - inner) / 2.0 * 0.999)
     turn = check.frame(axis)
     half = length / 2.0
     corners = np.array([[inner, -half], [outer, -half], [outer, half], [inner, half]])
     contour = rounded_polygon(corners, [bevel] * 4) if bevel > 0.0 else faceted(corners)
-    return lathe([contour]).turned(turn).shape(moved(around_lathe([contour]), check.pose(turn)))
+    pieces = moved(around_lathe([contour], sides=sides), check.pose(turn))
+    return lathe([contour], sides=sides).turned(turn).shape(pieces)
 
 
 @records(_tube)

@@ -32,7 +32,7 @@ from artgen.nodes.contours import (
     without_repeats,
 )
 from artgen.nodes.handles import Profile, Scalar
-from artgen.nodes.surfaces import arc_steps, sides_of
+from artgen.nodes.surfaces import arc_steps, hole_radius, sides_of
 
 
 def _convex(contour: Contour) -> Outline:
@@ -205,7 +205,7 @@ def _ring(outer: float, inner: float) -> Outline:
     check.positive("inner radius", inner)
     if not outer > inner:
         raise ValueError(f"the outer radius {outer:g} m must exceed the inner radius {inner:g} m")
-    sides = sides_of(outer)
+    inner, sides = hole_radius(inner, outer, sides_of(outer))
     hole = reversed_contour(circle_contour(inner, sides))
     return Outline((circle_contour(outer, sides), hole))
 

@@ -7,6 +7,7 @@ discontinuities of normals or texture coordinates; `targets` names the vertices 
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from itertools import product
 
 import numpy as np
 from manifold3d import triangulate
@@ -16,9 +17,12 @@ from artgen import _trig
 from artgen._arrays import Array, FrozenArrays, Indices, cached, predecessors, successors
 from artgen.asset.shape import GRAIN, Contour, Shape
 from artgen.colliders import Pieces
+from artgen.colliders.triangles import cross
+from artgen.graph import FULL, detail_level
 from artgen.nodes import validators as check
 from artgen.nodes.unwrap import (
     Rail,
+    boxed_uvs,
     cap_uvs,
     grain_of,
     lies_flat,
@@ -29,17 +33,27 @@ from artgen.nodes.unwrap import (
     wall_uvs,
 )
 
-CHORD = 0.0002
-"""Largest distance of the facets of a round solid inside its surface [m]."""
-
 
 def sides_of(radius: float) -> int:
-    """Return the number of facets of a circle with a radius [m]: 12 to 64, a multiple of 4."""
-    if radius <= CHORD:
-        return 12
-    needed = math.pi / math.acos(1.0 - CHORD / radius)
-    least = 12 if radius < 0.002 else 16
+    """Return the number of facets of a circle with a radius [m]: a multiple of 4, 12 to 64 at full detail."""
+    level = detail_level()
+    if radius <= level.chord:
+        return level.sides[0]
+    needed = math.pi / math.acos(1.0 - level.chord / radius)
+    least = level.sides[radius >= 0.002]
     return min(64, max(least, 4 * math.ceil(needed / 4.0 - 1e-9)))
+
+
+def hole_radius(inner: float, outer: float, sides: int) -> tuple[float, int]:
+    """Return the radius of the corners of a hole in a round wall, and the number of sides of both.
+
+    At lower detail the sides of the hole do not reach into it, as far as half of the wall allows.
+    """
+    if detail_level() is FULL:
+        return inner, sides
+    while sides < 64 and inner / math.cos(math.pi / sides) > 0.5 * (inner + outer):
+        sides += 4
+    return min(inner / math.cos(math.pi / sides), 0.5 * (inner + outer)), sides
 
 
 def arc_steps(radius: float, sweep: float) -> int:
@@ -51,6 +65,8 @@ def bevel_steps(bevel: float) -> int:
     """Return the number of chords of the quarter circle of a bevelled edge."""
     if bevel <= 0.0:
         return 0
+    if detail_level() is not FULL:
+        return arc_steps(bevel, 0.5 * math.pi)
     return 2 if bevel < 0.002 else 4 if bevel <= 0.01 else 6
 
 
@@ -337,6 +353,49 @@ def rounded_box(size: Array, bevel: float, steps: int) -> Skin:
     row = np.arange(len(vertices))
     uvs = np.stack([laid[row, u] * sense, laid[row, v]], axis=-1)
     return Skin(vertices, directions, uvs, triangles, targets)
+
+
+@cached(1)
+def _unit_chamfers() -> tuple[Array, Indices, Array, Indices, Indices]:
+    """Return signs (n, 3), face axes (n,), normals (n, 3), triangles and targets of a box with chamfers.
+
+    A vertex lies on the face across its axis, beside the chamfers.
+    """
+    signs: list[Array] = []
+    axes: list[Indices] = []
+    normals: list[Array] = []
+    triangles: list[Indices] = []
+    for normal in product((-1, 0, 1), repeat=3):
+        across = [axis for axis in range(3) if normal[axis]]
+        free = [axis for axis in range(3) if not normal[axis]]
+        if not across:
+            continue
+        corners = [(axis, ends) for axis in across for ends in product((-1, 1), repeat=len(free))]
+        sign = np.array([normal] * len(corners), float)
+        sign[:, free] = np.array([ends for _, ends in corners]).reshape(len(corners), len(free))
+        axis = np.array([axis for axis, _ in corners])
+        places = np.where(np.arange(3) == axis[:, None], 1.0, 0.5) * sign  # as in a unit box
+        out = np.array(normal) / math.sqrt(len(across))
+        right = cross(places[1] - places[0], out)
+        around = places - places.mean(axis=0)
+        order = np.argsort(_trig.arctan2(around @ cross(out, right), around @ right))
+        start = sum(len(each) for each in axes)
+        triangles += [start + order[[0, each, each + 1]] for each in range(1, len(order) - 1)]
+        signs.append(sign)
+        axes.append(axis)
+        normals.append(np.broadcast_to(out, sign.shape))
+    table = np.column_stack([np.concatenate(signs), np.concatenate(axes)])
+    _, first, group = np.unique(table, axis=0, return_index=True, return_inverse=True)
+    made = (table[:, :3], table[:, 3].astype(np.int64), np.concatenate(normals), np.array(triangles))
+    return *made, first[group.ravel()]
+
+
+def chamfered_box(size: Array, bevel: float) -> Skin:
+    """Make a box about the origin with single chamfers around edges rounded by a bevel."""
+    signs, axes, normals, triangles, targets = _unit_chamfers()
+    inset = bevel * (1.0 - math.tan(math.pi / 8.0))
+    vertices = signs * np.where(np.arange(3) == axes[:, None], size / 2.0, size / 2.0 - inset)
+    return Skin(vertices, normals, boxed_uvs(vertices, normals, size)[0], triangles, targets)
 
 
 @cached(128)

@@ -11,8 +11,8 @@ from artgen import _trig
 from artgen._arrays import Array, successors
 from artgen.asset.shape import Contour, Curve, Outline, Shape
 from artgen.colliders.triangles import cross
-from artgen.graph import records
-from artgen.nodes.contours import CREASE
+from artgen.graph import FULL, detail_level, records
+from artgen.nodes.contours import CREASE, chords, coarse
 from artgen.nodes.handles import Path, Profile, Solid
 from artgen.nodes.primitive_colliders import around_sweep
 from artgen.nodes.surfaces import Sheets, Skin, triangulated
@@ -136,7 +136,22 @@ def _spread(stations: _Stations, plane: Array) -> Array:
     return np.asarray(stations.points[:, None, :] + np.einsum("sij,pj->spi", axes, plane))
 
 
+def _coarse(path: Curve) -> Curve:
+    """Return a path with as few vertices as the level of detail allows."""
+    if detail_level() is FULL:
+        return path
+    ends = np.concatenate([path.points, path.points[:1]]) if path.closed else path.points
+    far = int(np.argmax(np.linalg.norm(ends - ends[0], axis=1)))
+    off = 0.4 * detail_level().chord
+    kept = np.concatenate([chords(ends[: far + 1], off)[:-1], far + chords(ends[far:], off)])
+    kept = kept[:-1] if path.closed else kept
+    if len(kept) < 3 and path.closed:
+        return path
+    return Curve(path.points[kept], path.closed, None if path.tangents is None else path.tangents[kept])
+
+
 def _sweep(profile: Outline, path: Curve) -> Shape:
+    profile, path = coarse(profile), _coarse(path)
     stations = _Stations(path)
     for contour in profile.contours:
         rings = _spread(stations, contour.points)
@@ -154,7 +169,7 @@ def _sweep(profile: Outline, path: Curve) -> Shape:
 
 def swept_skin(profile: Outline, path: Curve) -> Skin:
     """Return the surface of a profile along a path that does not bend too tightly for it."""
-    return _swept_skin(profile.contours, _Stations(path), path.closed)
+    return _swept_skin(profile.contours, _Stations(_coarse(path)), path.closed)
 
 
 @records(_sweep)

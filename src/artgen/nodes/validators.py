@@ -7,8 +7,8 @@ import numpy as np
 
 from artgen._arrays import Array
 from artgen.colliders.triangles import cross
+from artgen.graph import detail_level
 
-_SHARP = 1e-6  # largest sharp bevel [m]
 _STILL = np.eye(4)  # a call of it takes as long as three copies
 
 
@@ -32,9 +32,9 @@ def between(name: str, value: float, low: float, high: float, unit: str = "m") -
 
 
 def rounding(name: str, value: float, most: float) -> float:
-    """Return a bevel radius between 0 and `most` [m]; below a micrometre the edge is sharp."""
+    """Return a bevel radius between 0 and `most` [m]; below a micrometre, or more at low detail, it is 0."""
     radius = between(name, value, 0.0, most)
-    return radius if radius >= _SHARP else 0.0
+    return radius if radius >= detail_level().sharp else 0.0
 
 
 def finite(name: str, value: float, unit: str = "m") -> float:

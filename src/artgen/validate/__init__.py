@@ -93,6 +93,8 @@ class Examination:
             return "the export has no meshes to read back: those of urdf and mjcf in the layout flat have"
         if check in _MESH_CHECKS and (precision := mesh_precision(*self._exported.asset.links)):
             return f"its meshes, precise to {1e3 * precision:g} mm, are not those of the solids"
+        if check == "grasps" and self._exported.asset.detail == "low":
+            return "its solids have low detail; fingers are checked at full detail"
         if check == "behavior" and not self._behavior:
             return "not requested"
         return "the export has no mjcf" if check == "behavior" and "mjcf" not in formats else ""

@@ -15,13 +15,14 @@ from artgen import _trig, colliders
 from artgen._arrays import Array
 from artgen.asset.shape import ComposedShape, Contour, Curve, Outline, Shape
 from artgen.colliders.pieces import Pieces
-from artgen.graph import records
+from artgen.graph import FULL, detail_level, records
 from artgen.nodes import validators as inputs
 from artgen.nodes.handles import ArrayN3, Path, PointsLike, Scalar, Solid
 from artgen.nodes.path import _polyline
 from artgen.nodes.primitive import _capsule
 from artgen.nodes.primitive_colliders import lazily
 from artgen.nodes.profile import _circle
+from artgen.nodes.surfaces import sides_of
 from artgen.nodes.sweep import _sweep, swept_skin
 
 _GAP = 2e-6  # [m]
@@ -124,7 +125,8 @@ def wire_rack(
 def _bent_wires(path: Curve, radius: float, at: ArrayN3) -> Shape:
     inputs.positive("radius", radius)
     places = inputs.points("at", at, 3, 1)
-    around = math.tau * np.arange(_SIDES) / _SIDES
+    sides = _SIDES if detail_level() is FULL else sides_of(radius)
+    around = math.tau * np.arange(sides) / sides
     outward = np.column_stack([_trig.cos(around), _trig.sin(around)])
     round_ = Outline((Contour(radius * outward, outward, outward),))
     skin = swept_skin(round_, path)

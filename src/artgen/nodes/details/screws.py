@@ -10,14 +10,14 @@ import numpy as np
 from artgen import _trig
 from artgen._arrays import Array, Indices, cached
 from artgen.asset.shape import Contour, Outline, Shape
-from artgen.graph import records
+from artgen.graph import detail_level, records
 from artgen.materials import Material
 from artgen.nodes import validators as inputs
 from artgen.nodes.body import detail, weld
 from artgen.nodes.contours import circle_contour, faceted, moved_outline, reversed_contour
 from artgen.nodes.details.relief import FRONT, facing_frame, in_shade, relief
 from artgen.nodes.handles import Array3, Body, Profile, Scalar, Solid, VectorLike
-from artgen.nodes.primitive import dome
+from artgen.nodes.primitive import UP, _cylinder, dome
 from artgen.nodes.primitive_colliders import around_hull
 from artgen.nodes.surfaces import Sheets, triangulated
 from artgen.nodes.unwrap import Rail
@@ -131,7 +131,13 @@ def _wall(sheets: Sheets, border: Contour, rows: Array, scale: float) -> Indices
 
 def _screw_head(radius: float, at: Array3, facing: Array3, drive: Drive, head: Head, turn: float) -> Shape:
     inputs.positive("radius", radius)
-    shape = _head_skin(radius, drive, head, inputs.finite("turn", turn, "rad"))
+    if detail_level().thin:
+        high = _HEADS[head][-1][1] * radius
+        shape = _cylinder(radius, high, np.array(UP), 0.0).transformed(
+            inputs.pose(np.eye(3), (0.0, 0.0, high / 2.0))
+        )
+    else:
+        shape = _head_skin(radius, drive, head, inputs.finite("turn", turn, "rad"))
     return shape.transformed(inputs.pose(facing_frame(facing, None), inputs.vector("at", at)))
 
 
