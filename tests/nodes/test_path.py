@@ -5,8 +5,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from artgen.graph import FULL
 from artgen.nodes import path
-from artgen.nodes.surfaces import CHORD
 from support.shapes import X, Y, Z
 
 CORNERS = (np.zeros(3), np.array([0, 0, 0.1]), np.array([0.2, 0, 0.1]), np.array([0.2, 0.1, 0.0]))
@@ -40,7 +40,7 @@ def test_fillets_shorten_a_polyline_and_are_tangent(fillet):
     np.testing.assert_allclose(rounded.points[[0, -1]], sharp.points[[0, -1]])
     turns = [math.acos(0.0), math.acos(0.0)]
     saved = sum(2 * fillet * math.tan(turn / 2) - fillet * turn for turn in turns)
-    assert length(rounded) == pytest.approx(length(sharp) - saved, abs=4 * CHORD)
+    assert length(rounded) == pytest.approx(length(sharp) - saved, abs=4 * FULL.chord)
 
 
 def test_a_closed_polyline_has_fillets_at_all_corners():

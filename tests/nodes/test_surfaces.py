@@ -7,9 +7,10 @@ from hypothesis import strategies as st
 
 from artgen.asset.shape import Contour
 from artgen.colliders import Exact
+from artgen.graph import FULL
 from artgen.nodes import validators as inputs
 from artgen.nodes.contours import circle_contour, faceted, reversed_contour, rounded_polygon
-from artgen.nodes.surfaces import CHORD, Rail, bevel_steps, extrusion, lathe, mitres, rounded_box, sides_of
+from artgen.nodes.surfaces import Rail, bevel_steps, extrusion, lathe, mitres, rounded_box, sides_of
 
 SQUARE = np.array([[-0.1, -0.1], [0.1, -0.1], [0.1, 0.1], [-0.1, 0.1]])
 
@@ -20,7 +21,7 @@ def test_facets_of_a_circle_stay_near_it_within_their_limits(radius):
     assert 12 <= sides <= 64
     assert sides % 4 == 0
     error = radius * (1.0 - math.cos(math.pi / sides))
-    assert error <= CHORD + 1e-12 or sides == 64
+    assert error <= FULL.chord + 1e-12 or sides == 64
 
 
 def test_small_round_things_have_few_facets():
