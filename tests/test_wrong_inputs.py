@@ -45,7 +45,7 @@ CALLS = [
     (lambda: catalog.find(3), "a category is found by its name, such as 'door', or its file, not by 3"),
     (lambda: made("door", widht=0.9), "door has no parameter 'widht'. Did you mean 'width'?"),
     (lambda: made("refrigerator", dispenser=True), "Did you mean 'water' (whether a door has a water"),
-    (lambda: ag.material("leather"), "Did you mean 'leather_grain_abs'?"),
+    (lambda: ag.material("grain"), "Did you mean 'leather_grain_abs'?"),
     (lambda: ag.material(None), "there is no material None. Allowed: "),
     (lambda: made("refrigerator", finish="stainles"), "Did you mean 'stainless'?"),
     (lambda: made("door", name="a b"), "name = 'a b' is no identifier; use letters, digits and _"),
