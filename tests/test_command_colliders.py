@@ -70,6 +70,34 @@ def test_a_directory_that_is_no_export_is_refused(run, tmp_path):
         run(tmp_path)
 
 
+def test_a_category_is_compared_with_fewer_of_its_own(run):
+    arguments = ["soap_dispenser", "--seed", "1", "--no-speed", "--json", "--budgets"]
+    data = json.loads(run(*arguments, "30,1").stdout)
+    exact, thirty, fewest = data["colliders"]
+    assert [exact["kind"], thirty["kind"], fewest["kind"]] == ["exact", "30", "fewest"]
+    assert exact["pieces"] > thirty["pieces"] == 30 > fewest["pieces"] > 1
+    assert exact["volume_error"] < thirty["volume_error"] < fewest["volume_error"]
+    refused = run(*arguments, "30;1")
+    assert refused.exit_code == 2
+    assert "are not whole numbers with commas" in " ".join(refused.stderr.split())
+
+
+def test_generate_joins_colliders(capsys, monkeypatch, tmp_path):
+    monkeypatch.chdir(tmp_path)
+    arguments = ["generate", "soap_dispenser", "--seed", "1", "--format", "mjcf", "--textures", "none"]
+    with pytest.raises(SystemExit) as ended:
+        main([*arguments, "--colliders", "30", "--out", "fewer"])
+    assert not ended.value.code
+    data = json.loads((tmp_path / "fewer" / "asset.json").read_text())
+    assert data["collision"] == "joined"
+    assert sum(len(link["colliders"]) for link in data["links"]) == 30
+    assert data["certificate"]["proven"]
+    with pytest.raises(SystemExit):
+        main([*arguments, "--colliders", "1", "--out", "none"])
+    assert "fewest colliders that were found for asset 'soap_dispenser_1' are" in capsys.readouterr().err
+    assert not (tmp_path / "none").exists()
+
+
 def test_generate_writes_other_colliders_and_says_what_is_not_proven(capsys, monkeypatch, tmp_path):
     monkeypatch.chdir(tmp_path)
     arguments = ["generate", "handle", "--seed", "3", "--format", "mjcf", "--collision", "hull"]

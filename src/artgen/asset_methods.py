@@ -70,6 +70,26 @@ def with_limits(self: Asset, limits: Limits, keep: Sequence[str] = ()) -> Asset:
     return proof_limits.with_limits(self, limits, keep)
 
 
+def with_colliders(self: Asset, most: int | Mapping[str, int], openings: float = 0.024) -> Asset:
+    """Return the asset with fewer colliders, proven free of collisions; see `artgen.proof.fewer`.
+
+    Joined pieces contain the solids, touch no other link in any joint state, and leave free each grasp and
+    each opening of a link into which a ball fits from outside.
+
+    Args:
+        most: Largest number of colliders of the asset, or of single links by name.
+        openings: Diameter of the ball whose ways from outside stay open [m].
+
+    Raises:
+        ParameterError: A number is not allowed.
+        AssetError: The asset was read from files, it has no link of a name, or it needs more colliders; the
+            message has the fewest that were found for each link.
+    """
+    from artgen.proof import fewer
+
+    return fewer.with_colliders(self, most, openings)
+
+
 def clearance(self: Asset, q: Mapping[str, float] | None = None) -> dict[tuple[str, str], float]:
     """Return the distance between the links of each pair at one pose, negative for overlaps [m].
 
@@ -191,7 +211,7 @@ def _reduce(self: Asset) -> tuple[Any, ...]:
 def bind() -> None:
     """Make these functions methods of `Asset`."""
     own = (certify, safe_limits, with_limits, clearance, validate, export, to_mjspec, to_trimesh, to_usd)
-    for method in (*own, render, show, _repr_html_):
+    for method in (*own, with_colliders, render, show, _repr_html_):
         setattr(Asset, method.__name__, method)
     Asset.load = staticmethod(load)
     Asset.__reduce__ = _reduce  # type: ignore[method-assign, assignment]

@@ -403,6 +403,7 @@ class Asset:
         certify = asset_methods.certify
         safe_limits = asset_methods.safe_limits
         with_limits = asset_methods.with_limits
+        with_colliders = asset_methods.with_colliders
         clearance = asset_methods.clearance
         validate = asset_methods.validate
         export = asset_methods.export

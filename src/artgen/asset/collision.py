@@ -250,6 +250,7 @@ class RecollidedLink(DerivedLink):
 
     replacing: tuple[Collider, ...] = field(kw_only=True)  # the new colliders
     collision: str = field(kw_only=True)  # kind of the new colliders
+    facts: Mapping[str, Any] = field(kw_only=True, default_factory=dict)  # other facts about them
 
     @cached_property
     def colliders(self) -> tuple[Collider, ...]:
@@ -259,4 +260,5 @@ class RecollidedLink(DerivedLink):
     @property
     def changes(self) -> dict[str, Any]:
         """How colliders and surfaces were replaced, as JSON data."""
-        return {_RECORD: self.collision, **self.source.changes}
+        own = {_RECORD: self.collision, **self.facts}
+        return own | self.source.changes | own

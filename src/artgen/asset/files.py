@@ -222,7 +222,11 @@ class _StoredLink(Link):
         with self._reading():
             return tuple(
                 Collider(
-                    _convex(item), item["label"], self.materials[item["material"]], item.get("spare", False)
+                    _convex(item),
+                    item["label"],
+                    self.materials[item["material"]],
+                    item.get("spare", False),
+                    tuple(item.get("joined", ())),
                 )
                 for item in self.data["colliders"]
             )

@@ -73,6 +73,7 @@ class Collider:
     label: str  # semantic label of the covered solid
     material: Material  # material of the covered solid
     spare: bool = False  # whether it only fills a topology: it lies inside another collider of the same body
+    joined: tuple[str, ...] = ()  # labels of other solids that it contains too, if pieces were joined
 
 
 @dataclass(frozen=True, eq=False)
@@ -217,6 +218,7 @@ class Link(FrozenArrays):
                     "label": collider.label,
                     "material": collider.material.name,
                     **({"spare": True} if collider.spare else {}),
+                    **({"joined": list(collider.joined)} if collider.joined else {}),
                 }
                 for collider in self.colliders
             ],

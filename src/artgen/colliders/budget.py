@@ -3,7 +3,10 @@
 import heapq
 from collections.abc import Sequence
 
+import numpy as np
+
 from artgen._arrays import Array
+from artgen.colliders.coacd import single_hull
 from artgen.colliders.convex import TOLERANCE, Convex
 from artgen.colliders.pieces import Cover, Pieces
 from artgen.colliders.polytope import Polytope
@@ -11,6 +14,9 @@ from artgen.colliders.split import Faceted, hull_within, subtract
 
 _COARSER = (0.0005, 0.001)  # tolerances for solids that need too many pieces [m]
 _MARGIN = 0.001  # largest distance of joined pieces from the solid [m]
+_LITTLE = 1.05  # volume of a primitive around joined pieces, in volumes of their hull, at most
+_GROWN = 1e-9  # distance by which a primitive exceeds the pieces, for rounding [m]
+_MOST_FRAMES = 4  # most frames in which primitives are tried
 
 
 def budgeted(solids: Sequence[Pieces], *, most_pieces: int = 64, most_vertices: int = 64) -> list[Cover]:
@@ -118,3 +124,49 @@ class _Condenser:
 def _overlap(first: Array, second: Array) -> bool:
     """Tell whether two bounding boxes are within the margin of each other."""
     return bool((first[0] <= second[1] + _MARGIN).all() and (second[0] <= first[1] + _MARGIN).all())
+
+
+def around(pieces: Sequence[Convex], most_vertices: int = 64) -> list[Convex]:
+    """Return convex pieces that each contain several pieces: the hull last, before it a primitive.
+
+    The primitive is the smallest of several boxes, cylinders and capsules along the axes of the asset and of
+    the pieces. It is left out if it adds more than a twentieth to the volume of the hull.
+    """
+    points = np.concatenate([piece.outer_points() for piece in pieces])
+    hull = single_hull(points, most_vertices)
+    if hull.kind == "box":
+        return [hull]
+    frames: list[Array] = [np.eye(3)]
+    for piece in sorted(pieces, key=lambda piece: -round(piece.volume, 12)):
+        turn = piece.pose[:3, :3]
+        if len(frames) < _MOST_FRAMES and all(np.abs(turn - frame).max() > _GROWN for frame in frames):
+            frames.append(turn)
+    found = [shape for frame in frames for shape in _primitives(points, frame)]
+    least = min(found, key=lambda shape: round(shape.volume, 12))
+    return [least, hull] if least.volume <= _LITTLE * hull.volume else [hull]
+
+
+def _primitives(points: Array, turn: Array) -> list[Convex]:
+    """Return a box around points, and a cylinder and a capsule along each axis of a frame."""
+    local = points @ turn
+    low, high = local.min(axis=0) - _GROWN, local.max(axis=0) + _GROWN
+    middle, size = (low + high) / 2.0, high - low
+    result = [Convex.box(size, _pose(turn, middle))]
+    for axis in range(3):
+        order = [(axis + 1) % 3, (axis + 2) % 3, axis]
+        x, y, z = (local - middle)[:, order].T
+        away = np.hypot(x, y)
+        radius = float(away.max()) + _GROWN
+        pose = _pose(turn[:, order], middle[order])
+        result.append(Convex.cylinder(radius, float(size[axis]), pose))
+        half = float((np.abs(z) - np.sqrt(radius**2 - away**2)).max()) + _GROWN
+        if half > 0.0:
+            result.append(Convex.capsule(radius, 2.0 * half, pose))
+    return result
+
+
+def _pose(turn: Array, middle: Array) -> Array:
+    """Return the pose of a frame whose origin has given coordinates along its axes."""
+    pose = np.eye(4)
+    pose[:3, :3], pose[:3, 3] = turn, turn @ middle
+    return pose

@@ -16,8 +16,9 @@ from artgen.asset.asset import remember
 from artgen.asset.certificate import Certificate
 from artgen.asset.files import exports_in
 from artgen.asset.report import Finding, Report, grouped
+from artgen.colliders.openings import BALL
 from artgen.commands.console import FAULT, NOT_PROVEN, console, progress, table
-from artgen.commands.options import JsonOutput, Overrides, Seed, Tolerance
+from artgen.commands.options import JsonOutput, Overrides, Seed, Source, Tolerance
 from artgen.commands.view import asset_from
 from artgen.errors import ExportError
 from artgen.export.files import REPORT_FILE, replaced
@@ -233,17 +234,29 @@ def _json(data: object) -> str:
 
 
 def colliders(
-    directory: Annotated[Path, Argument(help="An exported asset, with urdf or mjcf among its formats.")],
+    source: Source,
     *,
+    seed: Seed = 0,
+    overrides: Overrides = None,
+    budgets: Annotated[
+        str, Option(metavar="NUMBERS", help="For a category: numbers of colliders, separated by commas.")
+    ] = "48,16,8",
+    openings: Annotated[
+        float, Option(metavar="METRES", help="Width of openings that fewer colliders leave open.")
+    ] = BALL,
     speed: Annotated[bool, Option(help="Measure the speed of MuJoCo; needs artgen[sim].")] = True,
     as_json: JsonOutput = False,
 ) -> None:
-    """Compare the colliders of an exported asset with CoACD's and with convex hulls."""
+    """Compare the colliders of an export with CoACD's and hulls, or those of a category with fewer."""
     from artgen.validate.colliders import compare_colliders  # scipy and trimesh take half a second
 
-    asset = Asset.load(directory)
+    numbers = [number.strip() for number in budgets.split(",")]
+    if not all(number.isdecimal() for number in numbers):
+        raise typer.BadParameter(f"--budgets {budgets!r} are not whole numbers with commas, such as 48,16")
+    asset = asset_from(source, seed, overrides or [], certify=True)
+    fewer = [int(number) for number in numbers] if asset.links[0].pieces else []
     with progress(f"compare the colliders of {asset.name}"):
-        rows = compare_colliders(asset, speed=speed)
+        rows = compare_colliders(asset, fewer, openings, speed=speed)
     if as_json:
         typer.echo(_json({"asset": asset.name, "colliders": rows}))
         return

@@ -11,6 +11,7 @@ from artgen.asset.asset import DetailName, Limits
 from artgen.asset.collision import Collision
 from artgen.asset.files import main_files
 from artgen.catalog import find
+from artgen.colliders.openings import BALL
 from artgen.commands.console import make_dataset, progress
 from artgen.commands.options import (
     Categories,
@@ -32,6 +33,7 @@ from artgen.export.files import chosen_formats, find_layout
 from artgen.export.precision import check_precision
 from artgen.generator.overrides import parse_overrides
 from artgen.materials.textures import check_size
+from artgen.proof.fewer import check_budget
 
 _Formats = Annotated[
     str | None,
@@ -70,6 +72,13 @@ def generate(
     base: Annotated[Literal["fixed", "free"], Option(help="Fixed to the world, or free.")] = "fixed",
     name: Annotated[str, Option(help="Name of the asset; category and seed by default.")] = "",
     collision: Annotated[Collision, Option(help="Exact colliders, CoACD's, or convex hulls.")] = "exact",
+    colliders: Annotated[
+        int | None,
+        Option(metavar="NUMBER", help="Most colliders of an asset; as many as it needs by default."),
+    ] = None,
+    openings: Annotated[
+        float, Option(metavar="METRES", help="Width of openings that fewer colliders leave open.")
+    ] = BALL,
     textures: Annotated[
         TextureMode | None,
         Option(
@@ -106,6 +115,8 @@ def generate(
     chosen = _chosen_formats(layout, formats)
     check_size(texture_size)
     check_precision(mesh_precision)
+    if colliders is not None:
+        check_budget(colliders, openings, collision)
     drawn: dict[str, Any] = {
         "base": base,
         "certify": certify,
@@ -134,6 +145,8 @@ def generate(
         values = parse_overrides(overrides or ())
         with progress("generate"):
             asset, _ = find(categories[0]).evaluate(seed, name=name, overrides=values, **drawn)
+            if colliders is not None:
+                asset = asset.with_colliders(colliders, openings)
         _write(asset, out, textures=0 if textures == "none" else texture_size, **written)
         return
     if name:
@@ -147,6 +160,8 @@ def generate(
         tuple(overrides or ()),
         textures=textures,
         texture_size=texture_size,
+        colliders=colliders,
+        openings=openings,
         **drawn,
         **written,
     )

@@ -15,6 +15,7 @@ import numpy as np
 from artgen.asset.asset import Asset, Base, DetailName, Limits
 from artgen.asset.collision import Collision
 from artgen.catalog import find, is_file, load_file
+from artgen.colliders.openings import BALL
 from artgen.dataset.places import Place
 from artgen.errors import ExportError, ParameterError
 from artgen.export.files import chosen_formats, encode, find_layout
@@ -24,6 +25,7 @@ from artgen.generator import Generator, OnCollision
 from artgen.generator.generator import checked_count
 from artgen.generator.overrides import parse_overrides
 from artgen.materials.textures import check_size
+from artgen.proof.fewer import check_budget
 
 TextureMode = Literal["shared", "embedded", "none"]  # shared by the dataset, with each asset, or none
 TABLE_DIRECTORY = "parameters"
@@ -175,6 +177,8 @@ class Plan(BasePlan):
         formats: File formats of each asset.
         layout: Layout of its files.
         collision: Kind of its colliders.
+        colliders: Largest number of its colliders, see `artgen.proof.fewer`; None: as many as it needs.
+        openings: Width of the openings that fewer colliders leave open [m].
         textures: Place of its texture maps; by default shared in a folder and embedded at a URL.
         texture_size: Texels per side of a map.
         mesh_precision: Largest deviation of exported meshes from the shape [m].
@@ -194,6 +198,8 @@ class Plan(BasePlan):
     limits: Limits = "full"
     frames: bool = True
     states: int = 0
+    colliders: int | None = None
+    openings: float = BALL
 
     def __post_init__(self) -> None:
         """Check the plan before anything is written.
@@ -209,6 +215,8 @@ class Plan(BasePlan):
         check_whole("states", self.states, 0, 10**9)
         if self.limits not in get_args(Limits):
             raise ParameterError(f"limits are full or independent, not {self.limits!r}")
+        if self.colliders is not None:
+            check_budget(self.colliders, self.openings, self.collision)
         vars(self)["formats"] = chosen_formats(find_layout(self.layout), self.formats or None)
         super().__post_init__()
 
@@ -225,6 +233,8 @@ class Plan(BasePlan):
     def files(self, item: Item) -> dict[str, bytes]:
         """Return the exported files of an asset."""
         asset = self.draw(item)
+        if self.colliders is not None:
+            asset = asset.with_colliders(self.colliders, self.openings)
         return encode(
             asset,
             self.formats,

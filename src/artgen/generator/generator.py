@@ -414,6 +414,7 @@ class Generator(Variant):
         limits: Limits = "full",
         topology: Topology | Literal["own", "fixed"] = "own",
         detail: DetailName = "full",
+        colliders: int | Mapping[str, int] | None = None,
         **overrides: Any,
     ) -> Asset:
         """Draw the parameters, build and evaluate the graph, certify the asset and return it.
@@ -439,6 +440,9 @@ class Generator(Variant):
             detail: Level of detail of the solids: `medium` has coarser curves, and `low` at most about 2,000
                 triangles, without print and small details. Parameters, joints, limits, grasps and names are
                 those of `full`.
+            colliders: Largest number of colliders of the asset, or of single links by name, see
+                `artgen.proof.fewer.with_colliders`; they are proven in any case. By default as many as the
+                solids need.
             **overrides: A value or a distribution by parameter name; write `handle__length` for
                 `handle.length`.
 
@@ -466,6 +470,7 @@ class Generator(Variant):
             overrides=overrides,
             topology=topology,
         )
+        asset = asset if colliders is None else asset.with_colliders(colliders)
         return asset if limits == "full" else asset.with_limits(limits)
 
     @without_collector()

@@ -110,6 +110,23 @@ def certify(
     return Certificate(tolerance, tuple(pairs), asset.contacts, _proof_data(proven), hosts)
 
 
+def doubtful_colliders(
+    asset: Asset, tolerance: float, only: Callable[[JointPath], bool]
+) -> list[list[tuple[str, int]]]:
+    """Return groups of colliders that are not proven apart, each as the name of its link and its number.
+
+    The arguments are those of `certify`.
+    """
+    joint_paths = [joint_path for joint_path in space_of(asset).joint_paths() if only(joint_path)]
+    result = []
+    for each in _searched(asset, collider_cover, joint_paths, tolerance, measure=False, seconds=math.inf):
+        hits = [hit[:2] for hit in (each.outcome.hit, each.outcome.collider_hit) if hit is not None]
+        for pair in dict.fromkeys(hits or [cell[2:4] for cell in each.outcome.open]):
+            named = zip(each.joint_path.links, pair, strict=True)
+            result.append([(link, number) for link, node in named for number in each.nodes.pieces(node)])
+    return result
+
+
 def _check_ranges(asset: Asset) -> None:
     for joint in asset.joints:
         if joint.limits is None or joint.locked:

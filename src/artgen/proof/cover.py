@@ -6,9 +6,8 @@ from typing import Any
 
 import numpy as np
 from manifold3d import Manifold
-from numpy.typing import NDArray
 
-from artgen._arrays import Array, FrozenArrays, Indices, boxes_of, cached_per_object
+from artgen._arrays import Array, FrozenArrays, Indices, Mask, boxes_of, cached_per_object
 from artgen.asset import Asset, Link
 from artgen.asset.collision import link_parts
 from artgen.asset.link import MovedLink
@@ -29,7 +28,10 @@ _DUST = 1e-15  # volume of a solid that rounding may leave uncovered [m^3]
 _MOST_WHOLE = 2  # number of pieces that are tried one by one before all together
 
 
-def _excess(link: Link, pieces: Sequence[Polytope], labels: Sequence[str]) -> float | None:
+_Labels = Sequence[tuple[str, ...]]  # labels of the solids that each piece may contain
+
+
+def _excess(link: Link, pieces: Sequence[Polytope], labels: _Labels) -> float | None:
     """Return a distance from labelled pieces that contains all solids of a link; None beyond 0.1 mm [m]."""
     around = _Pieces.of(pieces, labels)
     parts = [(label, solid) for label, solid in _parts(link) if not around.enclose(label, solid)]
@@ -57,14 +59,14 @@ class _Pieces:
     """Convex pieces with their bounding boxes, which limit the pieces to examine for a solid."""
 
     pieces: Sequence[Polytope]  # the pieces
-    labels: NDArray[np.str_]  # label of each piece, shape (n,)
+    labels: _Labels  # labels of each piece
     low: Array  # lowest corner of each box, shape (n, 3) [m]
     high: Array  # highest corner of each box, shape (n, 3) [m]
 
     @staticmethod
-    def of(pieces: Sequence[Polytope], labels: Sequence[str]) -> "_Pieces":
+    def of(pieces: Sequence[Polytope], labels: _Labels) -> "_Pieces":
         """Collect pieces."""
-        return _Pieces(pieces, np.array(labels), *boxes_of([each.points for each in pieces]))
+        return _Pieces(pieces, labels, *boxes_of([each.points for each in pieces]))
 
     def enclose(self, label: str, solid: Shape) -> bool:
         """Tell whether all vertices of a solid lie in one piece, which then contains it."""
@@ -77,13 +79,16 @@ class _Pieces:
         least, most = solid.bounds()
         # a piece with another label may have allowed contacts that this solid does not have
         inside = (self.low - length <= least).all(axis=1) & (self.high + length >= most).all(axis=1)
-        return np.flatnonzero((self.labels == label) & inside)
+        return np.flatnonzero(self._labelled(label) & inside)
 
     def near(self, label: str, solid: Shape, length: float) -> Indices:
         """Return the pieces of a label whose boxes, grown by a length [m], overlap the box of a solid."""
         least, most = solid.bounds()
         meets = (self.low - length < most).all(axis=1) & (self.high + length > least).all(axis=1)
-        return np.flatnonzero((self.labels == label) & meets)
+        return np.flatnonzero(self._labelled(label) & meets)
+
+    def _labelled(self, label: str) -> Mask:
+        return np.array([label in each for each in self.labels])
 
 
 @dataclass(eq=False)
@@ -179,7 +184,8 @@ def collider_cover(link: Link) -> Cover:
     source: Link = link
     while isinstance(source, MovedLink):
         source = source.source
-    labels = tuple(collider.label for collider in link.colliders)
+    # no contact names the labels of several solids: their common piece may touch nothing
+    labels = tuple("+".join((collider.label, *collider.joined)) for collider in link.colliders)
     return Cover(points, labels, _with_rounding(_collider_excess(source), points))
 
 
@@ -193,7 +199,7 @@ def _around(convex: Convex) -> Polytope:
 def _collider_excess(link: Link) -> float | None:
     """Return the largest distance of the solids outside the colliders; None above 0.1 mm [m]."""
     pieces = [_around(each.convex) for each in link.colliders]
-    return _excess(link, pieces, tuple(each.label for each in link.colliders))
+    return _excess(link, pieces, [(each.label, *each.joined) for each in link.colliders])
 
 
 def fine_cover(link: Link) -> Cover:
@@ -225,7 +231,7 @@ def stored_cover(link: Link, stored: Mapping[str, Any]) -> Cover:
 
 def _of_pieces(link: Link, pieces: Sequence[Polytope], labels: Sequence[str]) -> Cover:
     points = tuple(piece.points for piece in pieces)
-    excess = _with_rounding(_excess(link, pieces, labels), points)
+    excess = _with_rounding(_excess(link, pieces, [(label,) for label in labels]), points)
     return Cover(points, tuple(labels), excess, colliders=False)
 
 

@@ -101,6 +101,11 @@ class Hierarchy:
         self._nodes.append(_Node(first, len(order), corners, children))
         return len(self._nodes) - 1
 
+    def pieces(self, node: int) -> tuple[int, ...]:
+        """Return the numbers of the pieces of a node on its link."""
+        order = self.orders[int(self.tree[node])]
+        return order[int(self.first[node]) : int(self.last[node])]
+
     def points(self, nodes: Indices) -> Array:
         """Return the vertices of nodes, the last vertex repeated to equal counts, shape (N, V, 3) [m]."""
         count = self.count[nodes]

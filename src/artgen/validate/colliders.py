@@ -25,10 +25,12 @@ from artgen.asset.record import significant
 from artgen.asset.report import CheckResult, Finding
 from artgen.asset.shells import TriangleSet, distinct_rows, point_text, skins
 from artgen.colliders import Convex
+from artgen.colliders.openings import BALL
 from artgen.colliders.polytope import Polytope
 from artgen.colliders.triangles import hull_of
 from artgen.errors import ArtgenError, AssetError
 from artgen.export.mjcf import write_mjcf
+from artgen.proof.fewer import fewer_colliders
 
 CHECK = "colliders"
 
@@ -126,7 +128,7 @@ def _solid_of(link: Link) -> Manifold:
             raise AssetError(
                 f"the file of link {link.name!r} does not tell which solids are only seen; export again"
             )
-        covered = {collider.label for collider in link.colliders}
+        covered = {label for each in link.colliders for label in (each.label, *each.joined)}
         parts = [
             shell.manifold
             for skin in skins(link)
@@ -210,8 +212,7 @@ def _fidelity_findings(link: Link, found: Fidelity, *, closely: bool) -> Iterato
 
 
 def _detail(asset: Asset, measured: Sequence[tuple[float, Fidelity]]) -> str:
-    count = sum(len(link.colliders) for link in asset.links)
-    text = f"{count} colliders, {sum(found.vertices for _, found in measured)} vertices"
+    text = f"{_count(asset)} colliders, {sum(found.vertices for _, found in measured)} vertices"
     total = sum(volume for volume, _ in measured)
     if not total:
         return text
@@ -299,12 +300,21 @@ def _least_height(polytope: Polytope, points: Array) -> Array:
     return np.asarray(within * (np.linalg.norm(points - middle, axis=1) / around - 1.0))
 
 
-def compare_colliders(asset: Asset, *, speed: bool = True) -> list[dict[str, Any]]:
-    """Compare the colliders of an asset with CoACD's and with plain convex hulls.
+def compare_colliders(
+    asset: Asset, budgets: Sequence[int] = (), openings: float = BALL, *, speed: bool = True
+) -> list[dict[str, Any]]:
+    """Compare the colliders of an asset with CoACD's and with plain convex hulls, or with fewer of its own.
 
     They are compared with the solids, or for an asset that was read from files with the closed parts of its
     visible meshes. Exact colliders are known at construction only, so they are compared only if the asset has
     them.
+
+    Args:
+        asset: The asset.
+        budgets: Numbers of colliders for `Asset.with_colliders`, instead of CoACD and hulls. For numbers
+            below the fewest that were found, these are compared, of the kind `fewest`.
+        openings: Width of the openings that fewer colliders leave open [m].
+        speed: Whether to measure the speed of MuJoCo.
 
     Returns:
         JSON data for each kind of colliders: the `kind`, whether the asset has them (`stored`), the numbers
@@ -315,15 +325,17 @@ def compare_colliders(asset: Asset, *, speed: bool = True) -> list[dict[str, Any
     volumes = [solid.volume() for solid in solids]
     empty = [max(solid.hull().volume() - solid.volume(), 0.0) for solid in solids]
     stored = collision_of([link.to_data() for link in asset.links])
+    variants = {stored: asset}
+    for number in sorted(budgets, reverse=True):
+        fewer, missed = fewer_colliders(asset, number, openings)
+        variants.setdefault("fewest" if missed else str(number), fewer)
+    for kind in () if budgets else (kind for kind in COLLISIONS if kind not in ("exact", stored)):
+        made = {
+            link.name: made_colliders(of_link, kind) for link, of_link in zip(asset.links, parts, strict=True)
+        }
+        variants[kind] = replace_colliders(asset, made, kind)
     rows = []
-    for kind in (stored, *(kind for kind in COLLISIONS if kind not in ("exact", stored))):
-        variant = asset
-        if kind != stored:
-            made = {
-                link.name: made_colliders(of_link, kind)
-                for link, of_link in zip(asset.links, parts, strict=True)
-            }
-            variant = replace_colliders(asset, made, kind)
+    for kind, variant in variants.items():
         found = [
             fidelity(solid, [collider.convex for collider in link.colliders])
             for solid, link in zip(solids, variant.links, strict=True)
@@ -346,6 +358,10 @@ def compare_colliders(asset: Asset, *, speed: bool = True) -> list[dict[str, Any
             }
         )
     return rows
+
+
+def _count(asset: Asset) -> int:
+    return sum(len(link.colliders) for link in asset.links)
 
 
 def _numbers(measured: Fidelity) -> dict[str, float]:
