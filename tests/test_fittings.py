@@ -8,7 +8,10 @@ import pytest
 
 from artgen import Body, Region, X, fittings, material, part
 from artgen.asset import Asset
+from artgen.errors import AssetError
+from artgen.generator import Generator
 from artgen.graph import evaluate
+from support.lines import place_of
 
 NAMES = [name for name in fittings.__all__ if name not in ("FIT", "Fitting")]
 PANEL = Region((-0.3, 0.3), (0.0, 0.04), (-0.2, 0.2))
@@ -171,3 +174,15 @@ def test_a_dial_has_a_scale_over_its_range(style: str | None) -> None:
     made = asset_of(host("dial").install(dial))
     assert made.joint("dial_turn").limits is None
     assert ("print" in made.links[0].labels) == (style is not None)
+
+
+def test_a_fitting_without_declared_labels_names_all_of_them_and_the_line_of_its_caller() -> None:
+    def toy() -> Body:
+        host = part(PANEL.box(), "panel", material("enamel_white"))
+        return host.install(fittings.push_button())  # marker: install
+
+    with pytest.raises(AssetError) as caught:
+        Generator(toy, labels=("panel",)).generate(0)
+    assert all(repr(label) in str(caught.value) for label in ("bezel", "button", "print"))
+    assert "Nor does it declare" in str(caught.value)
+    assert place_of(__file__, "marker: install") in str(caught.value)

@@ -52,3 +52,9 @@ def test_datasets_are_imported_on_first_use() -> None:
     assert "artgen.dataset" in modules_after("import artgen; artgen.Dataset; artgen.stream")
     assert "artgen.dataset.plan" in modules_after("import artgen; artgen.dataset.Plan")
     assert "multiprocessing" in modules_after("from artgen import *; Dataset")
+
+
+def test_modules_that_the_documentation_writes_with_dots_are_attributes() -> None:
+    assert "artgen.feel" in modules_after("import artgen as ag; ag.feel.HINGE")
+    assert "artgen.fittings" in modules_after("import artgen as ag; ag.fittings.dial")
+    assert "artgen.images" in modules_after("import artgen; artgen.images.ImagePlan")

@@ -59,7 +59,9 @@ asset_methods.bind()
 
 
 def __getattr__(name: str) -> typing.Any:
-    """Import datasets, with the exports and processes that they need, when they are used."""
+    """Import a module that few programs need, such as datasets with their processes, when it is used."""
+    if name in ("feel", "fittings", "images"):
+        return importlib.import_module(f"artgen.{name}")
     if name not in ("Dataset", "dataset", "stream"):
         raise AttributeError(
             f"module 'artgen' has no attribute {name!r}", name=name, obj=sys.modules[__name__]

@@ -6,6 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+import artgen as ag
 from artgen.asset import Grasp, Link, Piece, Shape, rotation
 from artgen.asset.link import MOST_COLLIDERS
 from artgen.errors import AssetError
@@ -128,3 +129,16 @@ def test_details_are_recorded_part_by_part_wherever_they_are_moved(box_shape: Bo
         assert len(boxes) == 2
         found = [item["bounds"] for item in moved.to_data()["details"]]
         assert np.array(found) == pytest.approx(np.array(boxes), abs=2e-9)
+
+
+def test_too_many_colliders_name_the_parts_that_need_most_and_the_remedy() -> None:
+    holes = ag.array(ag.bore(0.008, 1), at=ag.grid((0, 0, 0), 0.03 * ag.X, 0.03 * ag.Y, columns=5, rows=4))
+    plate = ag.part(ag.box(0.2, 0.2, 0.01) - holes, "plate", ag.material("steel"))
+    pin = ag.part(ag.box(0.01, 0.01, 0.05).at(z=0.03), "pin", ag.material("oak"))
+
+    def toy() -> ag.Body:
+        return ag.weld(plate, pin)
+
+    message = r"bounding_collider\(solid, box\(...\)\); most are of its parts plate \d+, pin 1"
+    with pytest.raises(AssetError, match=message):
+        _ = ag.Generator(toy).generate(0, certify=False).links[0].colliders

@@ -16,6 +16,7 @@ from artgen.asset.record import plain, rounded, rounded_coordinates
 from artgen.asset.shape import Mesh, Shape, joined_faces
 from artgen.asset.surface import as_written, by_paint, joined, shifted
 from artgen.colliders import Convex, budgeted
+from artgen.colliders.budget import COARSEST
 from artgen.errors import AssetError
 from artgen.materials import Material
 
@@ -146,7 +147,9 @@ class Link(FrozenArrays):
         try:
             found = budgeted([piece.shape.pieces for piece in pieces], most_pieces=MOST_COLLIDERS)
         except ValueError as error:
-            raise AssetError(f"link {self.name!r}: {error}") from None
+            needs = [(len(piece.shape.pieces.simplified(COARSEST)), piece.label) for piece in pieces]
+            most = ", ".join(f"{label} {count}" for count, label in sorted(needs, reverse=True)[:4])
+            raise AssetError(f"link {self.name!r}: {error}; most are of its parts {most}") from None
         return tuple(
             Collider(convex, piece.label, piece.material)
             for piece, convexes in zip(pieces, found, strict=True)

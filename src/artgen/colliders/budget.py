@@ -12,7 +12,8 @@ from artgen.colliders.pieces import Cover, Pieces
 from artgen.colliders.polytope import Polytope
 from artgen.colliders.split import Faceted, hull_within, subtract
 
-_COARSER = (0.0005, 0.001)  # tolerances for solids that need too many pieces [m]
+COARSEST = 0.001  # largest tolerance for solids that need too many pieces [m]
+_COARSER = (0.0005, COARSEST)  # tolerances for solids that need too many pieces [m]
 _MARGIN = 0.001  # largest distance of joined pieces from the solid [m]
 _LITTLE = 1.05  # volume of a primitive around joined pieces, in volumes of their hull, at most
 _GROWN = 1e-9  # distance by which a primitive exceeds the pieces, for rounding [m]
@@ -55,7 +56,8 @@ def budgeted(solids: Sequence[Pieces], *, most_pieces: int = 64, most_vertices: 
     if count > most_pieces:
         raise ValueError(
             f"the solid needs {fewest} convex pieces, {count} after joining those that seal no cavity; "
-            f"at most {most_pieces} are allowed: cut fewer or simpler holes, or make it of several parts"
+            f"at most {most_pieces} are allowed: cut fewer or simpler holes, or let fine solids collide "
+            "coarsely by bounding_collider(solid, box(...))"
         )
     return [tuple(group) for group in merged]
 

@@ -636,14 +636,19 @@ class Generator(Variant):
         return asset
 
     def _check_labels(self, asset: Asset) -> None:
-        for link in asset.links if self.labels else ():
-            for label in link.labels:
-                if label not in self.labels:
-                    raise AssetError(
-                        f"link {link.name!r} carries the label {label!r}, which {self.name} does not declare."
-                        f"{nearest(label, self.labels)}",
-                        link=label,
-                    )
+        if not self.labels:
+            return
+        carried = [(label, link.name) for link in asset.links for label in link.labels]
+        missing = {label: link for label, link in reversed(carried) if label not in self.labels}
+        if not missing:
+            return
+        (label, link), *others = reversed(missing.items())
+        more = f" Nor does it declare {', '.join(repr(other) for other, _ in others)}." if others else ""
+        raise AssetError(
+            f"link {link!r} carries the label {label!r}, which {self.name} does not declare."
+            f"{nearest(label, self.labels)}{more}",
+            link=label,
+        )
 
     def __repr__(self) -> str:
         return f"<generator {self.name} at {self.where}>"

@@ -147,12 +147,18 @@ _LANGUAGE = ("artgen.graph", "artgen.nodes", "artgen.sampling", "artgen.generato
 def authors_line() -> str:
     """Return `file:line` of the innermost caller outside the language.
 
-    Constants that the language creates during its import have a line of the language.
+    A fitting has the line of its caller outside the package. Constants that the language creates during its
+    import have a line of the language.
     """
     frame: FrameType | None = sys._getframe(1)
     inner = frame
     while frame is not None and _is_language(frame.f_globals.get("__name__", "")):
         inner, frame = frame, frame.f_back
+    outer = frame
+    while outer is not None and _is_in_package(outer.f_globals.get("__name__", "")):
+        outer = outer.f_back
+    if outer is not None and not outer.f_code.co_filename.startswith("<frozen importlib"):
+        frame = frame if _is_language(outer.f_globals.get("__name__", "")) else outer
     if frame is not None and not frame.f_code.co_filename.startswith("<frozen importlib"):
         inner = frame
     return f"{inner.f_code.co_filename}:{inner.f_lineno}" if inner is not None else ""
@@ -164,6 +170,12 @@ def line_in(path: str, error: BaseException) -> str:
         return f"{path}:{error.lineno}"
     lines = [line for frame, line in walk_tb(error.__traceback__) if frame.f_code.co_filename == path]
     return f"{path}:{lines[-1]}" if lines else path
+
+
+@cache
+def _is_in_package(module: str) -> bool:
+    """Return whether a module belongs to the package, but not to the language."""
+    return module.startswith("artgen.") and not _is_language(module)
 
 
 @cache
