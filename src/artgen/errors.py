@@ -96,14 +96,17 @@ class RenderError(ArtgenError, RuntimeError):
 def nearest(name: object, allowed: Iterable[str]) -> str:
     """Return the allowed names, the likeliest first: ` Did you mean 'width'?` or ` Allowed: a, b.`.
 
-    A name is also compared with each word of an option: `leather` is near to `leather_grain_abs`.
+    A name is also compared with each word of an option: `leather` is near to `leather_grain_abs`. Among
+    equally near ones, a whole name wins: `bax` is near to `box`, not to `max_`.
     """
     options = sorted(allowed)
     words = {word.casefold(): each for each in reversed(options) for word in each.split("_")}
     words |= {each.casefold(): each for each in reversed(options)}
     near = name.casefold() if isinstance(name, str) else ""
-    close = difflib.get_close_matches(near, sorted(words), 1, cutoff=0.5)
+    close = difflib.get_close_matches(near, sorted(words), 3, cutoff=0.5)
     if close:
-        return f" Did you mean {words[close[0]]!r}?"
+        likeness = {word: difflib.SequenceMatcher(None, word, near).ratio() for word in close}
+        best = max(close, key=lambda word: (likeness[word], words[word].casefold() == word))
+        return f" Did you mean {words[best]!r}?"
     shown = ", ".join(options[:12]) + (", ..." if len(options) > 12 else "")
     return f" Allowed: {shown}." if options else ""
