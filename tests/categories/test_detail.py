@@ -47,7 +47,7 @@ def test_low_detail_changes_the_solids_alone(category: str) -> None:
     assert low.mass == pytest.approx(full.mass, rel=0.05)
 
 
-@ag.category(labels=("block", "print"), joints=(0, 0))
+@ag.generator
 def block(*, width: Float = uniform(0.1, 0.2, "m")) -> Body:
     solid = ag.box(width, 0.08, 0.05, bevel=0.004) | ag.cylinder(0.03, 0.1, bevel=0.001)
     body = ag.part(solid, "block", ag.material("abs"))
@@ -103,7 +103,7 @@ def test_measures_are_those_of_full_detail() -> None:
     assert low.manifold.volume() < 0.97 * full.manifold.volume()
 
 
-@ag.category(labels=("bush", "shaft"), joints=(1, 1))
+@ag.generator
 def tight() -> Body:
     bush = ag.part(ag.box(0.06, 0.06, 0.02) - ag.cylinder(0.0205, 0.03), "bush", ag.material("steel"))
     shaft = ag.part(ag.cylinder(0.02, 0.05), "shaft", ag.material("steel"))
@@ -142,7 +142,7 @@ def test_files_of_low_detail_have_plain_colors_and_name_the_level(tmp_path: Path
     assert "detail" not in find("drawer").generate(3, certify=False).to_data()
 
 
-@ag.category(labels=("ball",), joints=(0, 0))
+@ag.generator
 def ball() -> Body:
     return ag.part(ag.sphere(0.05), "ball", ag.material("abs"))
 
