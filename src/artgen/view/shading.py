@@ -292,7 +292,7 @@ class _Painter:
         order = _order(top + pixel // shape[1], pixel % shape[1])
         first = np.diff(pixel, prepend=-1) > 0
         main, rest = np.flatnonzero(first), np.flatnonzero(~first)
-        mirror, smooth = np.empty_like(points.at), np.empty((6, len(ray)), np.float32)
+        mirror, smooth = np.zeros_like(points.at), np.zeros((6, len(ray)), np.float32)
         few, alone = points.take(main), np.zeros(len(ray), bool)
         mirror[:, main] = self._mirror(few, order[main])
 
