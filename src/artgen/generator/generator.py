@@ -272,6 +272,13 @@ class Generator(Variant):
         draw = self._drawn(seed, attempt, overrides)
         return self._inert_numbers(draw, cache) | self._inert_structure(draw)
 
+    def _acting(self, draw: Draw, cache: Cache | None, *, keep_graph: bool) -> dict[str, Any]:
+        """Return the values of a draw without overrides that do not act."""
+        inert = self._inert_numbers(draw, cache)
+        if not keep_graph:  # it would build a graph for each option
+            inert |= self._inert_structure(draw)
+        return {key: value for key, value in draw.values.items() if key not in inert}
+
     def _inert_numbers(self, draw: Draw, cache: Cache | None) -> set[str]:
         numbers = {name for name, parameter in draw.overridden.items() if not parameter.structural}
         return numbers - reached(self._built.of(draw.values), draw.values, cache) if numbers else set()
@@ -550,15 +557,12 @@ class Generator(Variant):
     ) -> tuple[Asset, Evaluation]:
         """Build and evaluate the graph of a draw, and prove the asset."""
         body = self._built.of(draw.values) if keep_graph else self._folded(draw.values)
+        shown: dict[str, Any] = {}
         for level, evaluation in _evaluations(body, draw.values, cache, DETAILS[detail]):
+            shown = shown or self._acting(draw, cache, keep_graph=keep_graph)
             try:
-                inert = self._inert_numbers(draw, cache)
-                if not keep_graph:  # it would build a graph for each option
-                    inert |= self._inert_structure(draw)
-                shown = {key: value for key, value in draw.values.items() if key not in inert}
                 origin: dict[str, Any] = {"seed": draw.seed, "attempt": draw.attempt, "detail": detail}
-                asset = self._asset(body, evaluation, shown, name, base, **origin)
-                asset = padded(asset)
+                asset = padded(self._asset(body, evaluation, shown, name, base, **origin))
                 prove(asset)
             except AssetError as error:
                 message = f"{error}\n  at {_place(body, error) or self.where}"
@@ -567,9 +571,8 @@ class Generator(Variant):
                 if level is FULL:
                     raise
                 continue
-            if level is FULL or asset.certified_later or asset.certificate is None:
-                break
-            if asset.certificate.proven:
+            found = None if asset.certified_later else asset.certificate
+            if level is FULL or found is None or found.proven:
                 break
         return asset, evaluation
 
