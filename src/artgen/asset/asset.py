@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
-from artgen import _trig
+from artgen import _portable
 from artgen._arrays import Array, cached_property
 from artgen._names import ByName
 from artgen.asset import summary
@@ -311,7 +311,7 @@ class Asset:
                 continue
             terms, factors = (
                 rotation_terms(joint.axis),
-                (1.0, _trig.sin(position), 1.0 - _trig.cos(position)),
+                (1.0, _portable.sin(position), 1.0 - _portable.cos(position)),
             )
             pivot = joint.pivot[:, None]
             turned = sum(factor * (turn @ term) for factor, term in zip(factors, terms, strict=True))

@@ -6,7 +6,7 @@ from typing import Any, ClassVar, Literal
 
 import numpy as np
 
-from artgen import _trig
+from artgen import _portable
 from artgen._arrays import Array, FrozenArrays
 from artgen.asset.record import Record
 from artgen.errors import AssetError
@@ -210,7 +210,7 @@ def is_number(value: object) -> bool:
 def rotation(axis: Array, angle: float) -> Array:
     """Return the rotation about a unit axis, shape (3, 3) (Rodrigues' formula)."""
     one, cross, square = rotation_terms(axis)
-    return np.asarray(one + _trig.sin(angle) * cross + (1.0 - _trig.cos(angle)) * square)
+    return np.asarray(one + _portable.sin(angle) * cross + (1.0 - _portable.cos(angle)) * square)
 
 
 def rotation_terms(axis: Array) -> tuple[Array, Array, Array]:

@@ -4,6 +4,7 @@ import numpy as np
 from manifold3d import Manifold, Mesh64
 from numpy.typing import ArrayLike
 
+from artgen import _portable
 from artgen._arrays import Array, Indices, cached
 from artgen.colliders.triangles import cross
 
@@ -33,7 +34,7 @@ def moved_manifold(manifold: Manifold, matrix: Array) -> Manifold:
     raw = manifold.to_mesh64()
     properties = np.array(raw.vert_properties)
     properties[:, :3] = properties[:, :3] @ matrix[:3, :3].T + matrix[:3, 3]
-    normals = properties[:, 3:6] @ np.linalg.inv(matrix[:3, :3])
+    normals = properties[:, 3:6] @ _portable.inverse(matrix[:3, :3])
     properties[:, 3:6] = normals / np.linalg.norm(normals, axis=1, keepdims=True)
     properties[:, 6:8] *= TURNED_OVER
     return manifold_of(properties, raw.tri_verts[:, ::-1], raw.merge_from_vert, raw.merge_to_vert)

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen import _portable
 from artgen._arrays import Array, FrozenArrays
 from artgen.asset.record import Record
 from artgen.errors import AssetError
@@ -46,7 +47,7 @@ class MassProperties(FrozenArrays, Record):
         The rotation's columns are the axes in asset coordinates; its determinant is +1 and its signs
         do not depend on the linear-algebra library.
         """
-        moments, axes = np.linalg.eigh(self.inertia)
+        moments, axes = _portable.eigenvectors(self.inertia)
         for column in (0, 1):
             if axes[np.argmax(np.abs(axes[:, column]) > 0.5), column] < 0.0:
                 axes[:, column] = -axes[:, column]

@@ -353,7 +353,7 @@ def _has_needles(points: Array, triangles: Indices) -> bool:
     near = points - points[0]
     a, b, c = near.take(triangles.T, axis=0)
     across = cross(b - a, c - a)
-    _check_volume(float(np.vdot(a, across)) / 6.0)
+    _check_volume(float(np.einsum("ij,ij", a, across)) / 6.0)
     area = np.einsum("ij,ij->i", across, across)
     if area.min() > _NEEDLE**2 * 12.0 * np.abs(near).max() ** 2:  # no side is longer than that
         return False

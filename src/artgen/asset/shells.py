@@ -12,7 +12,7 @@ from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
 from trimesh.triangles import closest_point
 
-from artgen import _trig
+from artgen import _portable
 from artgen._arrays import Array, FrozenArrays, Indices, cached_per_object, cached_property
 from artgen.asset import Link, Mesh
 from artgen.asset.manifolds import mesh_of
@@ -47,7 +47,7 @@ def winding_number(corners: Array, point: Array) -> float:
         + np.einsum("ij,ij->i", b, c) * lengths[0]
         + np.einsum("ij,ij->i", c, a) * lengths[1]
     )
-    return float(_trig.arctan2(above, below).sum() / (2.0 * np.pi))
+    return float(_portable.arctan2(above, below).sum() / (2.0 * np.pi))
 
 
 _WELD_MEMORY = 1e-9  # distance within which corners of solids are one point [m]

@@ -9,7 +9,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from artgen import _trig
+from artgen import _portable
 from artgen._arrays import Array, Indices
 from artgen.asset.manifolds import coincident
 from artgen.asset.shape import Mesh, Shape
@@ -102,10 +102,10 @@ def _vertex_between(vertices: list[Array], places: list[int], at: int, one: int,
     """Return the vertex at the place of `at` on the side from `one` to `other`; append a missing one."""
     start, end, position = vertices[one], vertices[other], vertices[at][:3]
     along = end[:3] - start[:3]
-    share = float((position - start[:3]) @ along / (along @ along))
+    share = _portable.dot(position - start[:3], along) / _portable.dot(along, along)
     row = (1.0 - share) * start + share * end
     row[:3] = position
-    row[3:6] /= np.linalg.norm(row[3:6])
+    row[3:6] /= _portable.norm(row[3:6])
     for number, place in enumerate(places):
         if place == places[at] and np.abs(vertices[number] - row).max() < _SAME:
             return number
@@ -123,7 +123,7 @@ def corner_normals(
     flat = products / np.maximum(areas, 1e-300)[:, None]
     following, before = np.roll(corners, -1, axis=1) - corners, np.roll(corners, 1, axis=1) - corners
     cosine = np.einsum("ijk,ijk->ij", following, before)
-    angle = _trig.arctan2(np.broadcast_to(areas[:, None], cosine.shape), cosine).ravel()
+    angle = _portable.arctan2(np.broadcast_to(areas[:, None], cosine.shape), cosine).ravel()
     share = angle * np.repeat(areas, 3) if by == "area" else angle
     vertex = triangles.ravel()
     face = np.repeat(np.arange(count), 3)

@@ -7,7 +7,7 @@ from typing import Literal
 import numpy as np
 from manifold3d import Manifold
 
-from artgen import _trig
+from artgen import _portable
 from artgen._arrays import Array, FrozenArrays, cached, cached_property
 from artgen.colliders.polytope import Polytope, hull_triangles, is_rigid
 
@@ -221,7 +221,7 @@ def _circle(radius: float, sides: int, *, inscribed: bool) -> Array:
     """Return a polygon inside a circle with a vertex at angle 0, or around it, shape (sides, 2) [m]."""
     angle = (np.arange(sides) + (0.0 if inscribed else 0.5)) * (2.0 * np.pi / sides)
     reach = radius if inscribed else radius / math.cos(math.pi / sides)
-    return np.column_stack((_trig.cos(angle), _trig.sin(angle))) * reach
+    return np.column_stack((_portable.cos(angle), _portable.sin(angle))) * reach
 
 
 @cached(_MOST_FREQUENCY)
@@ -297,7 +297,7 @@ def _as_box(polytope: Polytope) -> Convex | None:
         pose[:3, 3] = (lower + upper) / 2.0
         length = (upper - lower).tolist()
         return Convex("box", pose, (length[0], length[1], length[2]), polytope=polytope)
-    cosine = normals @ normals.T
+    cosine = _portable.product(normals, normals.T)
     opposite = np.argmin(cosine, axis=1)
     square = np.abs(np.abs(cosine) - np.rint(np.abs(cosine))).max() <= _SQUARE
     if not square or (np.rint(cosine).sum(axis=1) != 0.0).any():

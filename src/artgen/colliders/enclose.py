@@ -7,6 +7,7 @@ import numpy as np
 from manifold3d import Manifold, Mesh64
 from numpy.typing import NDArray
 
+from artgen import _portable
 from artgen._arrays import Array, cached, cached_property
 from artgen.colliders.convex import TOLERANCE, Convex
 from artgen.colliders.polytope import SNAP
@@ -54,7 +55,7 @@ class Facets:
     def center(self) -> Array:
         """The centroid of the surface, shape (3,) [m]: well inside even if most vertices are at one end."""
         _, area, corners = self._across
-        return np.asarray(area @ corners.mean(axis=1) / area.sum(), np.float64)
+        return np.asarray(_portable.product(area, corners.mean(axis=1)) / area.sum(), np.float64)
 
     @cached_property
     def volume(self) -> float:
@@ -106,9 +107,8 @@ def enclosing(solid: Facets, most_vertices: int, tolerance: float) -> tuple[Arra
     room = np.empty(len(waiting) * max(most_vertices, len(corners)))
     most_added = most_vertices
     while True:
-        heights = np.matmul(
-            waiting[:, :3], corners.T, out=room[: len(waiting) * len(corners)].reshape(len(waiting), -1)
-        )
+        heights = room[: len(waiting) * len(corners)].reshape(len(waiting), -1)
+        np.einsum("ij,kj->ik", waiting[:, :3], corners, out=heights)
         corner = heights.argmax(axis=1)
         reach = heights[np.arange(len(waiting)), corner] - waiting[:, 3]
         excess = max(float(reach.max()), 0.0)
@@ -142,7 +142,7 @@ def _corners(planes: Array, center: Array) -> Array:
     A face n.x <= d about the inner point becomes the point n / d; each face of the hull of these points is a
     corner.
     """
-    depth = planes[:, 3] - planes[:, :3] @ center
+    depth = planes[:, 3] - _portable.product(planes[:, :3], center)
     dual = hull_of(planes[:, :3] / depth[:, None]).to_mesh64()
     ends = np.array(dual.vert_properties)[:, :3][triangles_of(dual)]
     first, second = ends[:, 1] - ends[:, 0], ends[:, 2] - ends[:, 0]

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from artgen import _trig
+from artgen import _portable
 from artgen._arrays import Array, successors
 from artgen.colliders.convex import Convex
 from artgen.colliders.enclose import Facets, enclosing
@@ -57,7 +57,7 @@ def _inscribed_points(points: Array, tolerance: float) -> Array:
         except ValueError:
             chosen = _off_plane(points, chosen)
             continue
-        heights = inside.planes[:, :3] @ points.T - inside.planes[:, 3:]
+        heights = _portable.product(inside.planes[:, :3], points.T) - inside.planes[:, 3:]
         outside, face = heights.max(axis=0), heights.argmax(axis=0)
         limit = max(tolerance, SLIVER, float(outside.max()) / 2.0)
         if outside.max() <= max(tolerance, SLIVER):
@@ -73,8 +73,8 @@ def _inscribed_points(points: Array, tolerance: float) -> Array:
 def _off_plane(points: Array, chosen: list[int]) -> list[int]:
     """Add the point farthest from the plane of the chosen points."""
     centered = points[chosen] - points[chosen].mean(axis=0)
-    normal = np.linalg.svd(centered)[2][-1]
-    distance = np.abs((points - points[chosen].mean(axis=0)) @ normal)
+    normal = _portable.eigenvectors(_portable.product(centered.T, centered))[1][:, 0]
+    distance = np.abs(_portable.product(points - points[chosen].mean(axis=0), normal))
     distance[chosen] = -1.0
     return [*chosen, int(np.argmax(distance))]
 
@@ -95,7 +95,7 @@ def cylinder_pieces(radius: float, length: float, pose: Array = _IDENTITY, mesh_
         raise ValueError(f"a cylinder needs at least 3 sides, got {mesh_sides}")
     cylinder = Convex.cylinder(radius, length, pose)
     angle = np.arange(mesh_sides) * (2.0 * np.pi / mesh_sides)
-    rim = radius * np.column_stack((_trig.cos(angle), _trig.sin(angle)))
+    rim = radius * np.column_stack((_portable.cos(angle), _portable.sin(angle)))
 
     def inner(tolerance: float) -> Cover:
         polygon = rim[:: _mesh_step(radius, mesh_sides, tolerance)]
@@ -217,7 +217,10 @@ def _link(rings: Array, first: Array, last: Array) -> Convex:
     """
     count = rings.shape[1]
     if len(rings) == 2 and 4 < count <= _MOST_PRISM_VERTICES // 2:
-        ahead, behind = rings[1] @ first[:3] - first[3], rings[0] @ last[:3] - last[3]
+        ahead, behind = (
+            _portable.product(ring, plane[:3]) - plane[3]
+            for ring, plane in ((rings[1], first), (rings[0], last))
+        )
         if min(ahead.min(), -behind.max()) > SLIVER or min(-ahead.max(), behind.min()) > SLIVER:
             return Convex("hull", _IDENTITY, (), rings.reshape(-1, 3))
     return Convex.hull(rings.reshape(-1, 3))
@@ -262,6 +265,6 @@ def _inner_link(first: Array, last: Array) -> Polytope | None:
     planes = hull.planes.copy()
     is_end = np.zeros(len(planes), dtype=bool)
     for ring in (first, last):
-        is_end |= np.abs(planes[:, :3] @ ring.T - planes[:, 3:]).max(axis=1) <= _STRAIGHT
+        is_end |= np.abs(_portable.product(planes[:, :3], ring.T) - planes[:, 3:]).max(axis=1) <= _STRAIGHT
     planes[~is_end, 3] -= dip
     return hull.clipped(planes)

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from artgen import _portable
 from artgen._arrays import Array
 from artgen.colliders.polytope import Polytope
 
@@ -61,7 +62,7 @@ class Openings:
         for few in (points[::_FEW], points):
             inside = few
             for plane in piece.planes:
-                inside = inside[inside @ plane[:3] < plane[3] + self._margin]
+                inside = inside[_portable.product(inside, plane[:3]) < plane[3] + self._margin]
             if len(inside):
                 return True
         return False

@@ -4,6 +4,7 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
+from artgen import _portable
 from artgen._arrays import Array, frozen
 from artgen.colliders.convex import Convex
 from artgen.colliders.enclose import few_vertices
@@ -97,7 +98,7 @@ class _Transformed(Pieces):
 
     def __init__(self, base: Pieces, matrix: Array) -> None:
         linear = matrix[:3, :3]
-        scale = 1.0 if is_rigid(linear) else float(np.linalg.norm(linear, 2))
+        scale = 1.0 if is_rigid(linear) else _portable.eigenvectors(linear.T @ linear)[0][-1] ** 0.5
         if not scale > 0.0:
             raise ValueError(f"pieces cannot be moved by a matrix that flattens them: {matrix.tolist()}")
         self._base, self._matrix = base, frozen(matrix)

@@ -6,7 +6,7 @@ import numpy as np
 from manifold3d import CrossSection, FillRule, triangulate
 from numpy.typing import NDArray
 
-from artgen import _trig
+from artgen import _portable
 from artgen._arrays import Array, predecessors, successors
 from artgen.colliders.polytope import SNAP
 
@@ -61,7 +61,7 @@ def is_convex(contour: Array) -> bool:
     length = np.hypot(sides[:, 0], sides[:, 1])
     if (_turns(contour) < -_FLAT * length * predecessors(length)).any():
         return False
-    angle = _trig.arctan2(sides[:, 1], sides[:, 0])
+    angle = _portable.arctan2(sides[:, 1], sides[:, 0])
     turn = np.mod(np.diff(angle, append=angle[:1]) + np.pi, 2.0 * np.pi) - np.pi
     return bool(abs(turn.sum() - 2.0 * np.pi) < 1.0)  # turns once
 
@@ -157,7 +157,7 @@ def _near_chord(run: Array, tolerance: float) -> bool:
     if length <= SNAP:
         return False
     middle = run[1:-1] - run[0]
-    along = (middle @ chord) / length
+    along = _portable.product(middle, chord) / length
     across = np.abs(middle[:, 0] * chord[1] - middle[:, 1] * chord[0]) / length
     return bool(across.max() <= tolerance and along.min() >= 0.0 and along.max() <= length)
 
@@ -184,7 +184,7 @@ def _ring_sectors(border: Array, hole: Array) -> list[Array]:
 def _clipped(polygon: Array, point: Array, direction: Array, *, right: bool) -> Array:
     """Return the part of a convex polygon on one side of a line."""
     normal = np.array((direction[1], -direction[0])) / np.hypot(direction[0], direction[1])
-    height = (polygon - point) @ (normal if right else -normal)
+    height = _portable.product(polygon - point, normal if right else -normal)
     following, next_height = successors(polygon), successors(height)
     rows: list[Array] = []
     for here, there, low, high in zip(polygon, following, height, next_height, strict=True):

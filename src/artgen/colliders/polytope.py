@@ -13,6 +13,7 @@ import numpy as np
 from manifold3d import Manifold
 from numpy.typing import NDArray
 
+from artgen import _portable
 from artgen._arrays import Array, FrozenArrays, Indices, Mask, cached_property, successors
 from artgen.colliders.triangles import cross, hull_of, triangles_of
 
@@ -97,7 +98,7 @@ class Polytope(FrozenArrays):
             vertices, planes = vertices[corner], planes[face]
         if len(vertices) < 4 or len(planes) < 4:
             raise ValueError(f"the {len(points)} points lie in one plane to 1e-8 m; a hull needs a volume")
-        planes[:, 3] += planes[:, :3] @ center
+        planes[:, 3] += _portable.product(planes[:, :3], center)
         return cls(vertices + center, planes, contact)
 
     @cached_property
@@ -114,7 +115,7 @@ class Polytope(FrozenArrays):
     def face_means(self) -> Array:
         """Mean of the vertices of each face, shape (k, 3) [m]."""
         on = self.contact.T.astype(np.float64)
-        means: Array = (on @ self.points) / on.sum(axis=1, keepdims=True)
+        means: Array = (_portable.product(on, self.points)) / on.sum(axis=1, keepdims=True)
         return means
 
     @cached_property
@@ -122,7 +123,7 @@ class Polytope(FrozenArrays):
         """Mean square distance of the vertices of each face from their mean, shape (k,) [m^2]."""
         on = self.contact.T.astype(np.float64)
         around = self.points - self.points.mean(axis=0)
-        square = (on @ np.sum(around * around, axis=1)) / on.sum(axis=1)
+        square = _portable.product(on, np.sum(around * around, axis=1)) / on.sum(axis=1)
         mean = self.face_means - self.points.mean(axis=0)
         spreads: Array = square - np.sum(mean * mean, axis=1)
         return spreads
@@ -130,7 +131,7 @@ class Polytope(FrozenArrays):
     @cached_property
     def width(self) -> float:
         """The least thickness perpendicular to a face [m]."""
-        reach = self.planes[:, :3] @ self.points.T
+        reach = _portable.product(self.planes[:, :3], self.points.T)
         return float((self.planes[:, 3] - reach.min(axis=1)).min())
 
     @cached_property
@@ -144,7 +145,7 @@ class Polytope(FrozenArrays):
 
     def heights(self, planes: Array) -> Array:
         """Return the height of each vertex above each plane, shape (k, n) [m]."""
-        distances: Array = planes[:, :3] @ self.points.T - planes[:, 3:]
+        distances: Array = _portable.product(planes[:, :3], self.points.T) - planes[:, 3:]
         return distances
 
     def transformed(self, matrix: Array) -> "Polytope":
@@ -153,17 +154,17 @@ class Polytope(FrozenArrays):
         planes = np.empty_like(self.planes)
         if is_rigid(linear):
             planes[:, :3] = self.planes[:, :3] @ linear.T
-            planes[:, 3] = self.planes[:, 3] + planes[:, :3] @ shift
+            planes[:, 3] = self.planes[:, 3] + _portable.product(planes[:, :3], shift)
             return Polytope(self.points @ linear.T + shift, planes, self.contact)
-        normals = self.planes[:, :3] @ np.linalg.inv(linear)
+        normals = self.planes[:, :3] @ _portable.inverse(linear)
         length = np.sqrt(np.sum(normals * normals, axis=1))
         planes[:, :3] = normals / length[:, None]
-        planes[:, 3] = self.planes[:, 3] / length + planes[:, :3] @ shift
+        planes[:, 3] = self.planes[:, 3] / length + _portable.product(planes[:, :3], shift)
         return Polytope(self.points @ linear.T + shift, planes, self.contact)
 
     def split(self, plane: Array) -> tuple["Polytope | None", "Polytope | None"]:
         """Return the parts behind and in front of a plane (nx, ny, nz, d); None for a part without volume."""
-        height = self.points @ plane[:3] - plane[3]
+        height = _portable.product(self.points, plane[:3]) - plane[3]
         if height.max() <= SNAP:
             return self, None
         if height.min() >= -SNAP:
@@ -212,12 +213,12 @@ class Polytope(FrozenArrays):
         """
         touching = self.contact.astype(np.float64)
         normals = self.planes[:, :3]
-        sharp = (touching.T @ touching > 1.5) & (normals @ normals.T < 0.0)
+        sharp = (touching.T @ touching > 1.5) & (_portable.product(normals, normals.T) < 0.0)
         first, second = np.nonzero(np.triu(sharp))
-        mean = np.concatenate((touching @ normals, normals[first] + normals[second]))
+        mean = np.concatenate((_portable.product(touching, normals), normals[first] + normals[second]))
         length = np.sqrt(np.sum(mean * mean, axis=1))
         mean = mean[length > _COPLANAR] / length[length > _COPLANAR, None]
-        reach = (mean @ self.points.T).max(axis=1)
+        reach = (_portable.product(mean, self.points.T)).max(axis=1)
         planes = np.concatenate((self.planes, np.column_stack((mean, reach))))
         planes[:, 3] += margin
         lower, upper = self.bounds
@@ -226,7 +227,7 @@ class Polytope(FrozenArrays):
 
     def contains(self, points: Array, margin: float = 0.0) -> bool:
         """Tell whether all points, shape (n, 3), are inside or at most `margin` [m] outside the faces."""
-        return bool((self.planes[:, :3] @ points.T - self.planes[:, 3:]).max() <= margin)
+        return bool((_portable.product(self.planes[:, :3], points.T) - self.planes[:, 3:]).max() <= margin)
 
 
 def hull_triangles(points: Array) -> tuple[Array, Indices, Array]:
@@ -275,7 +276,7 @@ def _faces(vertices: Array, triangles: Indices) -> tuple[Array, Mask]:
     order = np.argsort(-area, kind="stable")
     order = order[area[order] > _COPLANAR**2 * longest[order]]  # degenerate triangles have no valid normal
     normals = normals[order] / np.sqrt(area[order])[:, None]
-    reach = normals @ vertices.T
+    reach = _portable.product(normals, vertices.T)
     offset = reach.max(axis=1)
     touching = reach >= offset[:, None] - _COPLANAR
     # one row per face: the plane of the largest triangle, with all vertices of the face

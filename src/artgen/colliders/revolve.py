@@ -5,7 +5,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from artgen import _trig
+from artgen import _portable
 from artgen._arrays import Array, successors
 from artgen.colliders.convex import Convex
 from artgen.colliders.pieces import Cover, Pieces
@@ -107,7 +107,7 @@ class _Lathe:
         half = self._angle / self._segments / 2.0
         step = 1
         while (step + 1) * 2.0 * half <= _WIDEST and radius * (
-            1.0 - _trig.cos((step + 1) * half)
+            1.0 - _portable.cos((step + 1) * half)
         ) <= tolerance:
             step += 1
         if not self._full:
@@ -115,7 +115,7 @@ class _Lathe:
         return max(divisor for divisor in range(1, step + 1) if self._segments % divisor == 0)
 
     def _hull(self, part: Array, angles: Array) -> Convex:
-        turn = np.column_stack((_trig.cos(angles), _trig.sin(angles)))
+        turn = np.column_stack((_portable.cos(angles), _portable.sin(angles)))
         points = np.empty((len(angles), len(part), 3))
         points[..., :2] = turn[:, None, :] * part[None, :, :1]
         points[..., 2] = part[:, 1]
@@ -226,7 +226,7 @@ def _stands_off(hull: Array, chain: Array, facing: float) -> float:
     normals = np.column_stack((sides[:, 1], -sides[:, 0])) / np.hypot(sides[:, 0], sides[:, 1])[:, None]
     towards = normals[:, 0] * facing > _LEVEL
     normals, hull = normals[towards], hull[towards]
-    away = np.sum(normals * hull, axis=1) - chain @ normals.T
+    away = np.sum(normals * hull, axis=1) - _portable.product(chain, normals.T)
     across = np.argmin(away / np.abs(normals[:, 0]), axis=1)  # side at the height of the point
     return float(away[np.arange(len(chain)), across].max())
 

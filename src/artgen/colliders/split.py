@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from artgen import _portable
 from artgen._arrays import Array, Mask, cached_property
 from artgen.colliders.convex import Convex
 from artgen.colliders.enclose import few_vertices
@@ -161,7 +162,7 @@ def _split(piece: Faceted, plane: Array) -> tuple[Faceted | None, Faceted | None
         return None, piece
     cylinder = piece.source
     if cylinder is not None and cylinder.kind == "cylinder" and inside is not None and outside is not None:
-        cosine = float(cylinder.pose[:3, 2] @ plane[:3])
+        cosine = _portable.dot(cylinder.pose[:3, 2], plane[:3])
         if 1.0 - abs(cosine) <= _PARALLEL:
             return _shortened(cylinder, inside), _shortened(cylinder, outside)
     return (
@@ -173,7 +174,7 @@ def _split(piece: Faceted, plane: Array) -> tuple[Faceted | None, Faceted | None
 def _shortened(cylinder: Convex, shape: Polytope) -> Faceted:
     """Return the part of a cylinder between the ends of its faceted part."""
     axis = cylinder.pose[:3, 2]
-    along = (shape.points - cylinder.pose[:3, 3]) @ axis
+    along = _portable.product(shape.points - cylinder.pose[:3, 3], axis)
     lower, upper = float(along.min()), float(along.max())
     pose = cylinder.pose.copy()
     pose[:3, 3] += axis * (lower + upper) / 2.0
@@ -245,7 +246,7 @@ def _meeting(pieces: Sequence[Convex], most_vertices: int) -> list[tuple[int, in
     means = np.concatenate([shape.face_means for shape in shapes])
     spreads = np.concatenate([shape.face_spreads for shape in shapes])
     normals = np.concatenate([shape.planes[:, :3] for shape in shapes])
-    along = means @ _DIRECTION
+    along = _portable.product(means, _DIRECTION)
     order = np.argsort(along, kind="stable")
     along = along[order]
     pairs: list[tuple[float, int, int]] = []

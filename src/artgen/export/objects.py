@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from artgen import _portable
 from artgen._arrays import Array, cached
 from artgen.asset import Asset
 from artgen.errors import ExportError
@@ -78,7 +79,7 @@ def trimesh_scene(
     parents = {child: parent for parent, child, _ in asset.pairs()}
     for name, pose in poses.items():
         parent = parents.get(name)
-        local = pose if parent is None else np.linalg.inv(poses[parent]) @ pose
+        local = pose if parent is None else _portable.inverse(poses[parent]) @ pose
         scene.graph.update(name, parent or _SCENE, matrix=local)  # type: ignore[no-untyped-call]
     if colliders:
         for link in asset.links:

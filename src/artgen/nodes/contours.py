@@ -6,7 +6,7 @@ from collections.abc import Sequence
 import numpy as np
 from manifold3d import CrossSection, FillRule
 
-from artgen import _trig
+from artgen import _portable
 from artgen._arrays import Array, Indices, predecessors, successors
 from artgen.asset.shape import Contour, Outline
 from artgen.graph import FULL, detail_level
@@ -59,7 +59,7 @@ def reversed_contour(contour: Contour) -> Contour:
 def arc_points(center: Array, radius: float, start: float, sweep: float, steps: int) -> tuple[Array, Array]:
     """Return points of an arc and their directions from the center, both shape (steps + 1, 2)."""
     angle = start + sweep * np.arange(steps + 1) / steps
-    outward = np.column_stack([_trig.cos(angle), _trig.sin(angle)])
+    outward = np.column_stack([_portable.cos(angle), _portable.sin(angle)])
     outward[np.abs(outward) < 1e-15] = 0.0
     return center + radius * outward, outward
 
@@ -76,9 +76,9 @@ def ellipse_contour(radius_x: float, radius_y: float) -> Contour:
     # half of the spacing follows the ellipse's parameter, half the turn of its normal: pointed ends get more
     # vertices than flat sides
     fine = math.tau * np.arange(16 * sides + 1) / (16 * sides)
-    turn = np.unwrap(_trig.arctan2(_trig.sin(fine) / radius_y, _trig.cos(fine) / radius_x))
+    turn = np.unwrap(_portable.arctan2(_portable.sin(fine) / radius_y, _portable.cos(fine) / radius_x))
     angle = np.interp(math.tau * np.arange(sides) / sides, 0.5 * (fine + turn), fine)
-    unit = np.column_stack([_trig.cos(angle), _trig.sin(angle)])
+    unit = np.column_stack([_portable.cos(angle), _portable.sin(angle)])
     unit[np.abs(unit) < 1e-15] = 0.0
     normals = unit / np.array([radius_x, radius_y])
     normals /= np.linalg.norm(normals, axis=1, keepdims=True)
@@ -93,7 +93,7 @@ def rounded_polygon(corners: Array, radii: Sequence[float] | Array) -> Contour:
     turns, reach = np.zeros(count), np.zeros(count)
     for i in range(count):
         before, after = normals[i - 1], normals[i]
-        turns[i] = math.atan2(before[0] * after[1] - before[1] * after[0], float(before @ after))
+        turns[i] = math.atan2(before[0] * after[1] - before[1] * after[0], _portable.dot(before, after))
         reach[i] = radii[i] * math.tan(abs(turns[i]) / 2.0)
     spare = length - reach - successors(reach)
     if spare.min() < -1e-9:
@@ -142,7 +142,7 @@ def chords(line: Array, off: float) -> Indices:
         if last - first < 2:
             continue
         between, along = line[first + 1 : last] - line[first], line[last] - line[first]
-        share = np.clip(between @ along / max(float(along @ along), 1e-24), 0.0, 1.0)
+        share = np.clip(_portable.product(between, along) / max(_portable.dot(along, along), 1e-24), 0.0, 1.0)
         apart = np.linalg.norm(between - share[:, None] * along, axis=1)
         if apart.max() > off:
             middle = first + 1 + int(np.argmax(apart))
@@ -164,7 +164,7 @@ def coarse(outline: Outline) -> Outline:
 
 def _coarse(contour: Contour) -> Contour:
     points = contour.points
-    first = int(np.argmax(points @ (1.0, 0.618)))  # a corner
+    first = int(np.argmax(points[:, 0] + 0.618 * points[:, 1]))  # a corner
     ring = np.roll(points, -first, axis=0)
     far = int(np.argmax(np.linalg.norm(ring - ring[0], axis=1)))
     off = 0.4 * detail_level().chord
@@ -227,7 +227,7 @@ def moved_outline(outline: Outline, matrix: Array, offset: Array) -> Outline:
     determinant = float(np.linalg.det(matrix))
     if abs(determinant) < 1e-12:
         raise ValueError("the profile would be flattened: no scale may be 0")
-    turn = np.linalg.inv(matrix)
+    turn = _portable.inverse(matrix)
 
     def moved(contour: Contour) -> Contour:
         arriving, leaving = (normals @ turn for normals in (contour.normals_in, contour.normals_out))

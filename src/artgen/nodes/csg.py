@@ -12,7 +12,7 @@ from dataclasses import replace
 import numpy as np
 from manifold3d import Manifold, OpType
 
-from artgen import colliders
+from artgen import _portable, colliders
 from artgen._arrays import Array
 from artgen.asset import rotation
 from artgen.asset.manifolds import box_of, manifold_of
@@ -202,10 +202,10 @@ def half_space(shape: Shape, point: Array, normal: Array) -> Shape:
     """Return a box that covers the part of a shape behind a plane; its top face lies on the plane."""
     low, high = shape.bounds()
     middle = 0.5 * (low + high)
-    reach = 1.1 * float(np.linalg.norm(high - low)) + abs(float((middle - point) @ normal))
+    reach = 1.1 * _portable.norm(high - low) + abs(_portable.dot(middle - point, normal))
     turn = check.frame(normal)
     size = np.array([2.0 * reach, 2.0 * reach, reach])
-    foot = middle - normal * float((middle - point) @ normal)
+    foot = middle - normal * _portable.dot(middle - point, normal)
     matrix = check.pose(turn, foot - normal * (reach / 2.0))
     box = rounded_box(size, 0.0, 0).shape(Exact((Convex.box(size),)))
     return box.transformed(matrix)
@@ -237,7 +237,9 @@ def _shell(solid: Shape, thickness: float, open: Array3 | None) -> Shape:
     if open is not None:
         out = check.direction("open", open)
         # far enough that rounded edges of the cavity end outside the solid
-        inner = np.concatenate([inner, inner + out * (thickness + float(np.ptp(solid.mesh.vertices @ out)))])
+        inner = np.concatenate(
+            [inner, inner + out * (thickness + float(np.ptp(_portable.product(solid.mesh.vertices, out))))]
+        )
     cavity = faceted_shape(hull_of(inner), around_hull(inner))
     return _combined(
         solid.manifold - cavity.manifold,
@@ -265,9 +267,9 @@ def _inset(solid: Manifold, distance: float) -> Array:
     planes = np.unique(np.round(np.column_stack([normals, reach]), _PLANE_DECIMALS), axis=0)
     normals, reach = planes[:, :3], planes[:, 3]
     center = corners.reshape(-1, 3).mean(axis=0)
-    if (reach - normals @ center).min() <= 1e-6:
+    if (reach - _portable.product(normals, center)).min() <= 1e-6:
         center = _deepest(normals, reach)
-    depth = reach - normals @ center
+    depth = reach - _portable.product(normals, center)
     if depth.min() <= 1e-6:
         raise ValueError(
             f"thickness {distance:g} m leaves no cavity: the solid is only about "
@@ -286,11 +288,13 @@ def _inset(solid: Manifold, distance: float) -> Array:
 
 def _deepest(normals: Array, reach: Array) -> Array:
     """Return a point far from all planes n.x <= d, by steps away from the nearest planes, shape (3,)."""
-    point: Array = np.asarray(np.linalg.lstsq(normals, reach, rcond=None)[0], np.float64)
-    step = float(np.abs(reach - normals @ point).max())
-    best, best_depth = point, float((reach - normals @ point).min())
+    point: Array = _portable.product(
+        _portable.inverse(_portable.product(normals.T, normals)), _portable.product(reach, normals)
+    )
+    step = float(np.abs(reach - _portable.product(normals, point)).max())
+    best, best_depth = point, float((reach - _portable.product(normals, point)).min())
     for _ in range(200):
-        depth = reach - normals @ point
+        depth = reach - _portable.product(normals, point)
         nearest = int(np.argmin(depth))
         if depth[nearest] > best_depth:
             best, best_depth = point, float(depth[nearest])
@@ -375,14 +379,16 @@ def poses(at: ArrayN3, around: Array3 | None) -> list[Array]:
         return [check.pose(np.eye(3), place) for place in places]
     axis = unit(around)
     spokes = places - places.mean(axis=0)
-    spokes -= np.outer(spokes @ axis, axis)
+    spokes -= np.outer(_portable.product(spokes, axis), axis)
     short = np.flatnonzero(np.linalg.norm(spokes, axis=1) < 1e-9)
     if len(short):
         raise ValueError(
             f"point {short[0]} of at= lies on the axis around= through the middle of the points, so a copy "
             "has no direction there; leave around= out"
         )
-    sines, cosines = np.cross(spokes[0], spokes) @ axis, spokes @ spokes[0]
+    sines, cosines = (
+        _portable.product(*each) for each in ((np.cross(spokes[0], spokes), axis), (spokes, spokes[0]))
+    )
     turns = map(math.atan2, sines.tolist(), cosines.tolist())
     return [check.pose(rotation(axis, turn), place) for turn, place in zip(turns, places, strict=True)]
 

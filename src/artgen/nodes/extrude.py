@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from artgen import _trig
+from artgen import _portable
 from artgen._arrays import Array, successors
 from artgen.asset.shape import Contour, Curve, Outline, Shape
 from artgen.graph import FULL, detail_level, records
@@ -160,7 +160,7 @@ def _warp(length: float, taper: float, twist: float) -> Callable[[Array, Array],
         x, y, z = vertices.T
         along = z / length + 0.5
         scale, angle = 1.0 - taper * along, twist * along
-        cosine, sine = _trig.cos(angle), _trig.sin(angle)
+        cosine, sine = _portable.cos(angle), _portable.sin(angle)
         moved_vertices = np.column_stack(
             [scale * (cosine * x - sine * y), scale * (sine * x + cosine * y), z]
         )
@@ -248,7 +248,7 @@ def _joined(paths: Sequence[Curve]) -> Curve:
             raise ValueError("a half section of several paths takes lines, arcs and splines, no polylines")
         if points:
             gap = path.points[0] - points[-1][-1]
-            length = float(np.linalg.norm(gap))
+            length = _portable.norm(gap)
             if length > _ON_AXIS:
                 points.append(np.stack([points[-1][-1], path.points[0]]))
                 tangents.append(np.stack([gap / length] * 2))

@@ -8,6 +8,7 @@ import numpy as np
 from manifold3d import Manifold
 from numpy.typing import NDArray
 
+from artgen import _portable
 from artgen.asset import Shape
 from artgen.asset.affordance import GRIPPER, block, clipped
 from artgen.graph import Handle, records
@@ -38,8 +39,8 @@ def _frame(at: Array3, approach: Array3, closing: Array3) -> Array4x4:
 
 def _posed(at: Array3, approach: Array3, closing: Array3) -> Array4x4:
     z = unit(approach)
-    sideways = closing - z * float(closing @ z)
-    if not np.linalg.norm(sideways) > _PARALLEL * np.linalg.norm(closing):
+    sideways = closing - z * _portable.dot(closing, z)
+    if not _portable.norm(sideways) > _PARALLEL * _portable.norm(closing):
         raise ValueError(
             f"closing {_text(closing)} must lie across the approach {_text(approach)}; fingers cannot close "
             "in the direction of the approach"

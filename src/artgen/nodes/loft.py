@@ -10,7 +10,7 @@ import numpy as np
 from manifold3d import CrossSection
 from numpy.typing import NDArray
 
-from artgen import _trig, colliders
+from artgen import _portable, colliders
 from artgen._arrays import Array, predecessors, successors
 from artgen.asset.shape import Contour, Outline, Shape
 from artgen.colliders import Pieces
@@ -101,7 +101,7 @@ def _flare(section: CrossSection, radius: float) -> Shape:
         )
     points, ways = _corners(faceted(np.array(rings[0], np.float64)))
     angle = 0.5 * math.pi * np.arange(_STEPS + 1) / _STEPS
-    out, up = radius * (1.0 - _trig.sin(angle)), radius * (1.0 - _trig.cos(angle))
+    out, up = radius * (1.0 - _portable.sin(angle)), radius * (1.0 - _portable.cos(angle))
     levels = [
         np.column_stack([points + width * ways, np.full(len(points), height)])
         for width, height in zip(out, up, strict=True)
@@ -118,11 +118,11 @@ def _corners(contour: Contour) -> tuple[Array, Array]:
     """Return the vertices of a convex polygon and their ways out; a sharp one is repeated for each way."""
     points, ways = [], []
     for point, first, last in zip(contour.points, contour.normals_in, contour.normals_out, strict=True):
-        turn = math.acos(min(float(first @ last), 1.0))
+        turn = math.acos(min(_portable.dot(first, last), 1.0))
         for share in np.linspace(0.0, 1.0, math.ceil(turn / _TURN) + 1) if turn > CREASE else (0.5,):
             way = (1.0 - share) * first + share * last
             points.append(point)
-            ways.append(way / np.linalg.norm(way))
+            ways.append(way / _portable.norm(way))
     return np.array(points), np.array(ways)
 
 
@@ -165,7 +165,7 @@ def _border(at: int, outline: Outline) -> Contour:
         return Contour(*(predecessors(part) for part in parts))
     start = points[rising] + share * side[rising]
     normal = (1.0 - share) * contour.normals_out[rising] + share * parts[1][0]
-    normal /= np.linalg.norm(normal)
+    normal /= _portable.norm(normal)
     return Contour(
         *(np.concatenate([[new], part]) for new, part in zip((start, normal, normal), parts, strict=True))
     )

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from artgen import _trig
+from artgen import _portable
 from artgen._arrays import Array, Indices, predecessors, successors
 from artgen.asset.shape import Curve
 from artgen.graph import FULL, detail_level, records
@@ -25,7 +25,7 @@ def _unit_rows(vectors: Array) -> Array:
 def _line(start: Array3, end: Array3) -> Curve:
     points = np.stack([check.vector("start", start), check.vector("end", end)])
     along = points[1] - points[0]
-    length = float(np.linalg.norm(along))
+    length = _portable.norm(along)
     if length < 1e-9:
         raise ValueError("a line needs two different points; its start and end are the same point")
     return Curve(points, tangents=np.stack([along / length] * 2))
@@ -59,7 +59,7 @@ def _filleted(corners: Array, along: Array, length: Array, fillet: float, closed
     bends = range(count) if closed else range(1, count - 1)
     turn, reach = np.zeros(count), np.zeros(count)
     for i in bends:
-        turn[i] = math.acos(float(np.clip(along[i - 1] @ along[i], -1.0, 1.0)))
+        turn[i] = math.acos(min(max(_portable.dot(along[i - 1], along[i]), -1.0), 1.0))
         if turn[i] > math.radians(175.0):
             raise ValueError(f"the polyline turns back on itself at point {i}; no fillet fits there")
         reach[i] = fillet * math.tan(turn[i] / 2.0)
@@ -79,12 +79,12 @@ def _filleted(corners: Array, along: Array, length: Array, fillet: float, closed
             tangents.append((before if end else after)[None])
             continue
         inward = after - before * math.cos(turn[i])
-        inward /= np.linalg.norm(inward)
+        inward /= _portable.norm(inward)
         steps = max(2, arc_steps(fillet, turn[i]))
         angle = turn[i] * np.arange(steps + 1)[:, None] / steps
         center = corners[i] - before * reach[i] + inward * fillet
-        points.append(center + fillet * (before * _trig.sin(angle) - inward * _trig.cos(angle)))
-        tangents.append(before * _trig.cos(angle) + inward * _trig.sin(angle))
+        points.append(center + fillet * (before * _portable.sin(angle) - inward * _portable.cos(angle)))
+        tangents.append(before * _portable.cos(angle) + inward * _portable.sin(angle))
     return _without_repeats(np.concatenate(points), np.concatenate(tangents), closed)
 
 
@@ -122,10 +122,12 @@ def _arc(center: Array3, radius: float, start: float, sweep: float, axis: Array3
     zero = np.zeros(len(angle))
     points = (
         check.vector("center", center)
-        + radius * np.column_stack([_trig.cos(angle), _trig.sin(angle), zero]) @ turn.T
+        + radius * np.column_stack([_portable.cos(angle), _portable.sin(angle), zero]) @ turn.T
     )
     sign = math.copysign(1.0, sweep)
-    return Curve(points, closed, sign * np.column_stack([-_trig.sin(angle), _trig.cos(angle), zero]) @ turn.T)
+    return Curve(
+        points, closed, sign * np.column_stack([-_portable.sin(angle), _portable.cos(angle), zero]) @ turn.T
+    )
 
 
 @records(_arc)
@@ -161,7 +163,7 @@ def _cubics(controls: Array, *, closed: bool) -> tuple[Array, Array]:
     t = ((np.arange(len(segment)) - (np.cumsum(counts) - counts)[segment]) / steps[segment])[:, None]
     s = 1.0 - t
     first, second, third, last = controls[segment].transpose(1, 0, 2)
-    points = s**3 * first + 3 * s * s * t * second + 3 * s * t * t * third + t**3 * last
+    points = s * s * s * first + 3 * s * s * t * second + 3 * s * t * t * third + t * t * t * last
     speed = s * s * (second - first) + 2.0 * s * t * (third - second) + t * t * (last - third)
     still = np.linalg.norm(speed, axis=1, keepdims=True) < 1e-12
     return points, _unit_rows(np.where(still, last - first, speed))
@@ -260,10 +262,10 @@ def _helix(radius: float, pitch: float, turns: float, axis: Array3) -> Curve:
     angle = math.tau * turns * np.arange(steps + 1) / steps
     rise = pitch * angle / math.tau
     points = np.column_stack(
-        [radius * _trig.cos(angle), radius * _trig.sin(angle), rise - 0.5 * pitch * turns]
+        [radius * _portable.cos(angle), radius * _portable.sin(angle), rise - 0.5 * pitch * turns]
     )
     slope = np.full(len(angle), pitch / math.tau)
-    tangents = np.column_stack([-radius * _trig.sin(angle), radius * _trig.cos(angle), slope])
+    tangents = np.column_stack([-radius * _portable.sin(angle), radius * _portable.cos(angle), slope])
     return Curve(points @ turn.T, False, _unit_rows(tangents) @ turn.T)
 
 

@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from artgen import _trig
+from artgen import _portable
 from artgen._arrays import Array
 from artgen.asset.shape import Contour, Shape
 from artgen.colliders import Convex, Exact
@@ -108,12 +108,12 @@ def _crowned(size: Array, bevel: float, crown: float) -> Array:
     bottoms = tops[corner] * (1.0, 1.0, 0.0) - (0.0, 0.0, half[2])
     rise = 0.5 * math.pi * np.arange(steps + 1) / steps
     around = math.tau * np.arange(4 * steps) / (4 * steps)
-    level = _trig.cos(rise)[:, None]
+    level = _portable.cos(rise)[:, None]
     upper = np.stack(
         [
-            level * _trig.cos(around),
-            level * _trig.sin(around),
-            np.repeat(_trig.sin(rise)[:, None], 4 * steps, 1),
+            level * _portable.cos(around),
+            level * _portable.sin(around),
+            np.repeat(_portable.sin(rise)[:, None], 4 * steps, 1),
         ],
         axis=-1,
     ).reshape(-1, 3)

@@ -7,7 +7,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from artgen import _trig, colliders
+from artgen import _portable, colliders
 from artgen._arrays import Array
 from artgen.asset.shape import Contour, Outline
 from artgen.colliders import Convex, Pieces
@@ -69,7 +69,7 @@ def _banded(size: Array, bevel: float) -> Polytope:
     signs = np.stack(np.meshgrid(*[(-1.0, 0.0, 1.0)] * 3), axis=-1).reshape(-1, 3)
     normals = signs[np.any(signs != 0.0, axis=1)]
     normals /= np.linalg.norm(normals, axis=1, keepdims=True)
-    supports = np.abs(normals) @ (size / 2.0 - bevel) + bevel
+    supports = _portable.product(np.abs(normals), size / 2.0 - bevel) + bevel
     cover = Polytope.box(-size / 2.0, size / 2.0).clipped(np.column_stack((normals, supports)))
     assert cover is not None, "the planes touch the box from outside"
     return cover
@@ -117,10 +117,10 @@ def _rims(radius: float, length: float, matrix: Array, bevel: float) -> list[Con
     count = 1 if bevel * (1.0 / math.cos(math.pi / 8.0) - 1.0) <= _CHAMFERED else 2
     half = math.pi / 4.0 / (count + 1)
     corner = half * (2.0 * np.arange(count + 1) + 1.0)
-    radii = radius - bevel + bevel * _trig.cos(corner) / math.cos(half)
-    heights = length / 2.0 - bevel + bevel * _trig.sin(corner) / math.cos(half)
+    radii = radius - bevel + bevel * _portable.cos(corner) / math.cos(half)
+    heights = length / 2.0 - bevel + bevel * _portable.sin(corner) / math.cos(half)
     angle = np.arange(_SIDES) * (math.tau / _SIDES)
-    circle = np.column_stack((_trig.cos(angle), _trig.sin(angle))) / math.cos(math.pi / _SIDES)
+    circle = np.column_stack((_portable.cos(angle), _portable.sin(angle))) / math.cos(math.pi / _SIDES)
     pieces = [Convex.cylinder(radius, 2.0 * float(heights[0]), matrix)]
     for side in (-1.0, 1.0):
         rings = [

@@ -12,7 +12,7 @@ from typing import Literal
 import numpy as np
 from manifold3d import CrossSection, JoinType
 
-from artgen import _trig
+from artgen import _portable
 from artgen._arrays import successors
 from artgen.asset.shape import Contour, Curve, Outline
 from artgen.graph import kernel, records
@@ -161,7 +161,7 @@ def _regular_polygon(sides: int, radius: float) -> Outline:
         raise ValueError(f"a regular polygon has at least 3 sides, got {sides}")
     check.positive("radius", radius)
     angle = math.pi * (1.5 + (2.0 * np.arange(sides) + 1.0) / sides)
-    return _convex(faceted(radius * np.column_stack([_trig.cos(angle), _trig.sin(angle)])))
+    return _convex(faceted(radius * np.column_stack([_portable.cos(angle), _portable.sin(angle)])))
 
 
 @records(_regular_polygon)

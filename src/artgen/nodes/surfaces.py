@@ -13,7 +13,7 @@ import numpy as np
 from manifold3d import triangulate
 from numpy.typing import NDArray
 
-from artgen import _trig
+from artgen import _portable
 from artgen._arrays import Array, FrozenArrays, Indices, cached, predecessors, successors
 from artgen.asset.shape import GRAIN, Contour, Shape
 from artgen.colliders import Pieces
@@ -213,9 +213,9 @@ def _end_rows(length: float, bevel: float, stations: int) -> tuple[Array, Array,
     if steps == 0:
         return np.zeros(stations + 1), middle * half, np.ones(stations + 1), np.zeros(stations + 1)
     turn = np.linspace(0.5 * np.pi, 0.0, steps + 1)
-    inset = bevel * (1.0 - _trig.cos(turn))
-    level = -half + bevel * (1.0 - _trig.sin(turn))
-    lean, rise = _trig.cos(turn), -_trig.sin(turn)
+    inset = bevel * (1.0 - _portable.cos(turn))
+    level = -half + bevel * (1.0 - _portable.sin(turn))
+    lean, rise = _portable.cos(turn), -_portable.sin(turn)
     lean[0], inset[-1], rise[-1], lean[-1] = 0.0, 0.0, 0.0, 1.0
     inner = middle[1:-1] * (half - bevel)
     zeros = np.zeros(len(inner))
@@ -292,7 +292,7 @@ def _turned(plane: Array, cosine: Array, sine: Array) -> Array:
 def _turns(steps: int, angle: float) -> tuple[Array, Array]:
     """Return cosines and sines of the rows of a lathe, exact in the quarters of a full turn."""
     turn = np.arange(steps + 1) * (angle / steps)
-    cosine, sine = _trig.cos(turn), _trig.sin(turn)
+    cosine, sine = _portable.cos(turn), _portable.sin(turn)
     for values in (cosine, sine):
         values[np.abs(values) < 1e-15] = 0.0
         values.flags.writeable = False
@@ -306,7 +306,7 @@ def _unit_box(steps: int) -> tuple[Array, Array, Array, Indices, Indices]:
     An arc is the distance of a vertex from the flat part of its face along the rounded edge, in radii of the
     edge.
     """
-    quarter = _trig.tan(np.linspace(0.0, np.pi / 4.0, steps + 1)) if steps else np.zeros(1)
+    quarter = _portable.tan(np.linspace(0.0, np.pi / 4.0, steps + 1)) if steps else np.zeros(1)
     across = np.concatenate([-quarter[::-1], quarter])
     side = np.concatenate([-np.ones(steps + 1), np.ones(steps + 1)])
     count = len(across)
@@ -321,8 +321,8 @@ def _unit_box(steps: int) -> tuple[Array, Array, Array, Indices, Indices]:
         directions[face, ..., v] = across[None, :]
         signs[face, ..., u] = side[:, None] * sign
         signs[face, ..., v] = side[None, :]
-        arcs[face, ..., u] = _trig.arctan(across)[:, None] * sign
-        arcs[face, ..., v] = _trig.arctan(across)[None, :]
+        arcs[face, ..., u] = _portable.arctan(across)[:, None] * sign
+        arcs[face, ..., v] = _portable.arctan(across)[None, :]
     directions /= np.linalg.norm(directions, axis=-1, keepdims=True)
     cell = np.arange(count - 1)
     corner = cell[:, None] * count + cell[None, :]
@@ -378,7 +378,9 @@ def _unit_chamfers() -> tuple[Array, Indices, Array, Indices, Indices]:
         out = np.array(normal) / math.sqrt(len(across))
         right = cross(places[1] - places[0], out)
         around = places - places.mean(axis=0)
-        order = np.argsort(_trig.arctan2(around @ cross(out, right), around @ right))
+        order = np.argsort(
+            _portable.arctan2(_portable.product(around, cross(out, right)), _portable.product(around, right))
+        )
         start = sum(len(each) for each in axes)
         triangles += [start + order[[0, each, each + 1]] for each in range(1, len(order) - 1)]
         signs.append(sign)

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from artgen import _trig
+from artgen import _portable
 from artgen._arrays import Array, successors
 from artgen.asset.shape import Contour, Curve, Outline, Shape
 from artgen.colliders.triangles import cross
@@ -39,7 +39,7 @@ class _Stations:
         self.points = np.concatenate([path.points, path.points[:1]]) if closed else path.points
         self.distance = np.concatenate([[0.0], np.cumsum(length)])
         cosine = np.clip(np.einsum("ij,ij->i", arriving, leaving), -1.0, 1.0)
-        turn = _trig.arccos(cosine)
+        turn = _portable.arccos(cosine)
         if turn.max() > _SHARPEST:
             at = int(np.argmax(turn))
             raise ValueError(
@@ -98,18 +98,18 @@ def _transported(tangents: Array, directions: Array, distance: Array, closed: bo
     """
     start = tangents[0]
     up = np.array([0.0, 0.0, 1.0]) if abs(start[2]) < 0.999 else np.array([0.0, 1.0, 0.0])
-    first = up - start * (start @ up)
-    first /= np.linalg.norm(first)
+    first = up - start * _portable.dot(start, up)
+    first /= _portable.norm(first)
     # by way of the directions of the segments, without rotation about them
     course = np.empty((2 * len(tangents) - 1, 3))
     course[0::2], course[1::2] = tangents, directions
     ups = np.array(_carried(first, course)[0::2])
     if closed:
         axis = cross(ups[0], ups[-1])
-        missing = math.atan2(float(axis @ start), float(ups[0] @ ups[-1]))
+        missing = math.atan2(_portable.dot(axis, start), _portable.dot(ups[0], ups[-1]))
         angle = -missing * distance / distance[-1]
         side = cross(tangents, ups)
-        ups = _trig.cos(angle)[:, None] * ups + _trig.sin(angle)[:, None] * side
+        ups = _portable.cos(angle)[:, None] * ups + _portable.sin(angle)[:, None] * side
         ups[-1] = ups[0]
     return np.stack([cross(ups, tangents), ups, tangents], axis=-1)
 

@@ -11,7 +11,7 @@ from typing import Any, Literal
 
 import numpy as np
 
-from artgen import _trig
+from artgen import _portable
 from artgen._arrays import Array, cached
 from artgen.asset.shape import Contour, Outline
 from artgen.graph import records
@@ -37,7 +37,7 @@ def _curve(points: Array) -> tuple[Array, Array]:
     """Return samples of a quadratic Bezier curve without its start, and tangents with its start."""
     first, last = points[1] - points[0], points[2] - points[1]
     cross = abs(first[0] * last[1] - first[1] * last[0])
-    steps = max(1, int(np.ceil(_trig.arctan2(cross, float(first @ last)) / _STEP)))
+    steps = max(1, int(np.ceil(_portable.arctan2(cross, _portable.dot(first, last)) / _STEP)))
     t = (np.arange(steps + 1) / steps)[:, None]
     tangents = (1.0 - t) * first + t * last
     samples = (1.0 - t) ** 2 * points[0] + 2.0 * t * (1.0 - t) * points[1] + t**2 * points[2]

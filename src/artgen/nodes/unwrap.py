@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen import _portable
 from artgen._arrays import Array, FrozenArrays, Indices, successors
 from artgen.asset.shape import Contour
 
@@ -107,7 +108,7 @@ def turned_uvs(
     contour: Contour, rail: Rail, vertices: Array, turn: NDArray[np.floating[Any]], level: NDArray[np.bool_]
 ) -> Array:
     """Return texture coordinates of a lathe of a contour in (r, z): around it, or flat on discs."""
-    smooth = contour.normals_in[0] @ contour.normals_out[0] > 1.0 - 1e-9
+    smooth = _portable.dot(contour.normals_in[0], contour.normals_out[0]) > 1.0 - 1e-9
     joined = bool(smooth and not level[0] and not level[-1])
     radius, along = _even_runs(rail, contour.points[:, 0], joined=joined)
     uvs = wall_uvs(turn[:, None] * radius, along, lying=False)

@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 
+from artgen import _portable
 from artgen._arrays import Array
 from artgen.colliders.triangles import cross
 from artgen.graph import detail_level
@@ -70,7 +71,7 @@ def points(name: str, value: Any, dimension: int, least: int) -> Array:
 def direction(name: str, value: Any) -> Array:
     """Return the unit vector along a direction, shape (3,)."""
     array = vector(name, value)
-    length = float(np.linalg.norm(array))
+    length = _portable.norm(array)
     if length < 1e-12:
         raise ValueError(f"{name} must have a direction, got a vector of length {length:g}")
     return array / length
@@ -86,8 +87,8 @@ def frame(axis: Any, name: str = "axis") -> Array:
     near = int(np.argmax(np.abs(along)))
     first = np.zeros(3)
     first[0 if near else 1] = 1.0
-    across = first - along * (first @ along)
-    across /= np.linalg.norm(across)
+    across = first - along * _portable.dot(first, along)
+    across /= _portable.norm(across)
     return np.column_stack([across, cross(along, across), along]) + 0.0
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from artgen import _trig
+from artgen import _portable
 from artgen.asset import Curve, rotation
 from artgen.graph import define, kernel, records
 from artgen.nodes.handles import Array3, ArrayN3, Float, Points, Scalar, Vector, VectorLike
@@ -44,9 +44,9 @@ def component(vector: VectorLike, index: int) -> Float:
 
 define("vector_add", lambda a, b: a + b, "({a} + {b})", Array3, a=Array3, b=Array3)
 define("vector_subtract", lambda a, b: a - b, "({a} - {b})", Array3, a=Array3, b=Array3)
-define("dot", lambda a, b: float(a @ b), "{a}.dot({b})", float, a=Array3, b=Array3)
+define("dot", _portable.dot, "{a}.dot({b})", float, a=Array3, b=Array3)
 define("cross", np.cross, "{a}.cross({b})", Array3, a=Array3, b=Array3)
-define("norm", lambda vector: float(np.linalg.norm(vector)), "{vector}.norm()", float, vector=Array3)
+define("norm", _portable.norm, "{vector}.norm()", float, vector=Array3)
 
 
 @kernel(spelling="({vector} * {factor})")
@@ -57,7 +57,7 @@ def _vector_scale(vector: Array3, factor: float) -> Array3:
 @kernel(name="normalize", spelling="{vector}.normalized()")
 def unit(vector: Array3) -> Array3:
     """Return the direction of a vector as a value."""
-    length = float(np.linalg.norm(vector))
+    length = _portable.norm(vector)
     if length < 1e-12:
         raise ValueError("a vector of length zero has no direction")
     return vector / length
@@ -120,7 +120,9 @@ def _ring_points(center: Array3, radius: float, axis: Array3, count: int, start:
         raise ValueError(f"radius must be positive, got {radius:.6g} m")
     u, v = plane_of(unit(axis))
     angles = start + 2.0 * np.pi * np.arange(count) / count
-    return np.asarray(center + radius * (_trig.cos(angles)[:, None] * u + _trig.sin(angles)[:, None] * v))
+    return np.asarray(
+        center + radius * (_portable.cos(angles)[:, None] * u + _portable.sin(angles)[:, None] * v)
+    )
 
 
 @records(_ring_points)
@@ -140,7 +142,7 @@ def plane_of(axis: Array3) -> tuple[Array3, Array3]:
     """Return two unit vectors that form a right-handed frame with a unit axis."""
     # the axes x, y, z give (y, z), (x, -z) and (x, y), so that rings start at the expected side
     helper = np.array([0.0, 1.0, 0.0]) if abs(axis[0]) > 0.9 else np.array([1.0, 0.0, 0.0])
-    u = unit(helper - axis * float(helper @ axis))
+    u = unit(helper - axis * _portable.dot(helper, axis))
     return u, np.cross(axis, u)
 
 

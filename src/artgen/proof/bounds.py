@@ -15,7 +15,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from artgen import _trig
+from artgen import _portable
 from artgen._arrays import Array, Indices
 from artgen.asset.joint import JointKind
 from artgen.colliders.triangles import cross
@@ -50,7 +50,7 @@ def _about(motion: Motion, points: Array) -> tuple[Array, Array, Array]:
     feet = origin + np.matmul(relative, motion.axis[:, :, None]) * axis
     arm = points - feet
     across = cross(axis, arm)
-    cosine, sine = _trig.cos_sin(motion.center[:, None, None])
+    cosine, sine = _portable.cos_sin(motion.center[:, None, None])
     return feet, cosine * arm + sine * across, cosine * across - sine * arm
 
 
@@ -67,15 +67,16 @@ def enclosing_points(motion: Motion, points: Array) -> Array:
         return np.concatenate((middle - step, middle + step), axis=1)
     feet, arm, across = _about(motion, points)
     wide = half > WIDEST
-    cosine, sine = np.where(wide, 1.0, _trig.cos(half)), _trig.sin(half)
+    cosine, sine = np.where(wide, 1.0, _portable.cos(half)), _portable.sin(half)
     near, far = feet + cosine * arm, sine * across
     crossing = feet + arm / cosine
     if not wide.any():
         return np.concatenate((near - far, near + far, crossing), axis=1)
-    radius = 1.0 / _trig.cos(np.pi / _OCTAGON)
+    radius = 1.0 / _portable.cos(np.pi / _OCTAGON)
     turns = np.arange(_OCTAGON) * (2.0 * np.pi / _OCTAGON)
     corners = [
-        feet + (radius * _trig.cos(turn)) * arm + (radius * _trig.sin(turn)) * across for turn in turns
+        feet + (radius * _portable.cos(turn)) * arm + (radius * _portable.sin(turn)) * across
+        for turn in turns
     ]
     ends = [near - far, near + far, *[crossing] * (_OCTAGON - 2)]
     chosen = [np.where(wide, *each) for each in zip(corners, ends, strict=True)]  # each item separately
@@ -102,7 +103,7 @@ def support(motion: Motion, points: Array, normals: Array) -> Array:
     level, towards, sideways = (np.matmul(normals, part.transpose(0, 2, 1)) for part in (feet, arm, across))
     np.abs(sideways, out=sideways)
     half = motion.half[:, None, None]
-    cosine, sine = _trig.cos_sin(half)
+    cosine, sine = _portable.cos_sin(half)
     # the circle `towards cos t + sideways sin t` has its maximum at an end of the interval or within it
     swing = towards * cosine + sideways * sine
     within = (towards * sine > sideways * cosine) | (half >= np.pi)

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 from manifold3d import Manifold
 
+from artgen import _portable
 from artgen._arrays import Array, FrozenArrays, Indices, Mask, boxes_of, cached_per_object
 from artgen.asset import Asset, Link
 from artgen.asset.collision import link_parts
@@ -148,9 +149,12 @@ def _with_moved_faces(piece: Polytope, growth: float) -> tuple[Array, float]:
     normals = piece.planes[:, :3]
     touching = piece.contact.astype(np.float64)
     products = (normals[:, :, None] * normals[:, None, :]).reshape(-1, 9)
-    shift = np.linalg.solve((touching @ products).reshape(-1, 3, 3), (touching @ normals)[:, :, None])
-    shift = shift[:, :, 0]
-    least = np.where(piece.contact, shift @ normals.T, np.inf).min(axis=1)
+    shift = np.einsum(
+        "nij,nj->ni",
+        _portable.inverse(_portable.product(touching, products).reshape(-1, 3, 3)),
+        _portable.product(touching, normals),
+    )
+    least = np.where(piece.contact, _portable.product(shift, normals.T), np.inf).min(axis=1)
     length = np.sqrt(np.sum(shift * shift, axis=1))
     step = np.minimum(growth / np.maximum(least, _SLACK), _FARTHEST * growth / length)
     return piece.points + step[:, None] * shift, float((step * length).max())

@@ -9,7 +9,7 @@ import fcl
 import numpy as np
 from manifold3d import Manifold, OpType
 
-from artgen import _trig
+from artgen import _portable
 from artgen._arrays import Array, cached_property
 from artgen._names import ByName
 from artgen.asset import Asset, Collider, Link
@@ -189,7 +189,7 @@ class _Surroundings:
         placed[..., :3, 3] -= (placed[..., :3, :3] @ [[[o] for o in asset.origin(n)] for n in names])[..., 0]
         self._motions: dict[tuple[str, str], Array] = {}
         for row, first in enumerate(names):
-            back = np.linalg.inv(placed[:, row])
+            back = _portable.inverse(placed[:, row])
             for column, second in enumerate(names):
                 relative = back @ placed[:, column] if row != column else np.eye(4)[None]
                 _, chosen = np.unique(
@@ -240,7 +240,7 @@ def _hand(affordance: Affordance) -> tuple[list[_Body], list[_Body]]:
     """Return the bodies of a hand on its way to a grasp or push, and the space between its fingers."""
     if affordance.kind == "push":
         angle = np.arange(_SIDES) * (2.0 * np.pi / _SIDES)
-        circle = np.column_stack((_trig.cos(angle), _trig.sin(angle))) * GRIPPER.finger / 2.0
+        circle = np.column_stack((_portable.cos(angle), _portable.sin(angle))) * GRIPPER.finger / 2.0
         finger = Polytope.prism(circle, -_COMES_FROM, -_SURFACE)
         return [_Body(finger.transformed(affordance.frame))], []
     half = affordance.width / 2.0

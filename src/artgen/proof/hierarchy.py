@@ -8,6 +8,7 @@ import fcl
 import numpy as np
 from manifold3d import Manifold
 
+from artgen import _portable
 from artgen._arrays import Array, Indices, Mask, boxes_of
 from artgen.asset.manifolds import mesh_of
 from artgen.colliders.triangles import cross, hull_of
@@ -153,7 +154,7 @@ class Hierarchy:
             return -1.0, np.zeros(3)
         a, b = answer.nearest_points
         between = b - a
-        return distance, between / max(float(np.sqrt(between @ between)), 1e-12)
+        return distance, between / max(_portable.norm(between), 1e-12)
 
     def _object(self, node: int, known: dict[int, Any]) -> Any:
         """Return a node at rest as an FCL object, from known ones if possible."""
@@ -195,5 +196,5 @@ def _main_axes(corners: Array, triangles: Indices) -> Array:
     while len(chosen) < 3 and left.max() >= 0.0:
         largest = int(np.argmax(left))
         chosen.append(largest)
-        left[np.abs(normals @ normals[largest]) > _PARALLEL] = -1.0
+        left[np.abs(_portable.product(normals, normals[largest])) > _PARALLEL] = -1.0
     return normals[(chosen * 3)[:3]]

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from artgen import _trig
+from artgen import _portable
 from artgen._arrays import Array, Indices, Mask
 from artgen.asset.joint import JointKind
 from artgen.colliders.triangles import cross
@@ -110,7 +110,7 @@ class JointTable:
                 middle = np.where(away[:, None], center[1], center[0])
                 arm = cross(motion.axis, middle - motion.origin)
                 farthest = np.sqrt(np.sum(arm * arm, axis=1)) + np.where(away, radius[1], radius[0])
-                width = 2.0 * _trig.sin(np.minimum(width, np.pi) / 2.0) * farthest
+                width = 2.0 * _portable.sin(np.minimum(width, np.pi) / 2.0) * farthest
             result[rows, self.variable[joint_paths, step]] += width
         return result
 
@@ -126,7 +126,7 @@ class Frames:
         """Return directions of frame 0 in another frame, for some cells, shape (n, 3)."""
         if frame == 0:
             return directions
-        return np.asarray(np.matmul(directions[:, None, :], self.rotations[frame][rows])[:, 0, :])
+        return np.asarray(np.einsum("ni,nij->nj", directions, self.rotations[frame][rows]))
 
 
 def frames(path: Sequence[Motion]) -> Frames:
@@ -153,7 +153,7 @@ def _rotations(axis: Array, angle: Array) -> Array:
     matrix = np.zeros((len(axis), 3, 3))
     matrix[:, 0, 1], matrix[:, 0, 2], matrix[:, 1, 2] = -z, y, -x
     matrix -= matrix.transpose(0, 2, 1).copy()
-    cosine, sine = _trig.cos_sin(angle[:, None, None])
+    cosine, sine = _portable.cos_sin(angle[:, None, None])
     return np.asarray(np.eye(3) + sine * matrix + (1.0 - cosine) * np.matmul(matrix, matrix))
 
 

@@ -8,6 +8,7 @@ from typing import get_args
 
 import numpy as np
 
+from artgen import _portable
 from artgen._arrays import Array
 from artgen._names import ByName
 from artgen.asset import Asset, AssetCondition, AssetDependency, AssetJoint, Link
@@ -269,7 +270,7 @@ def clearance(asset: Asset, q: Mapping[str, float] | None = None) -> dict[tuple[
         if overlap := link_overlap(asset, joint_path, at):
             result[a, b] = -(overlap.volume ** (1.0 / 3.0))
         else:
-            result[a, b] = _distance(asset.link(a), asset.link(b), np.linalg.inv(poses[a]) @ poses[b])
+            result[a, b] = _distance(asset.link(a), asset.link(b), _portable.inverse(poses[a]) @ poses[b])
     return result
 
 

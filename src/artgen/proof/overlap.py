@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from manifold3d import Manifold
 
+from artgen import _portable
 from artgen._arrays import Array, cached_per_object
 from artgen.asset import Asset, Link
 from artgen.asset.collision import link_parts
@@ -100,7 +101,7 @@ def penetration(first: Manifold, second: Manifold) -> float:
     (a, faces, edges), (b, more_faces, more_edges) = _features(first), _features(second)
     crossed = _unit(cross(edges[:, None, :], more_edges[None, :, :]).reshape(-1, 3), _PARALLEL)
     normals = np.concatenate((faces, -more_faces, crossed, -crossed))
-    gaps = (b @ normals.T).min(axis=0) - (a @ normals.T).max(axis=0)
+    gaps = _portable.product(b, normals.T).min(axis=0) - _portable.product(a, normals.T).max(axis=0)
     return float(-gaps.max())
 
 
@@ -136,7 +137,7 @@ def _features(piece: Manifold) -> tuple[Array, Array, Array]:
 def _width(solid: Manifold) -> float:
     """Return the smallest extent of a solid across the faces of its hull [m]."""
     corners, normals, _ = _features(solid.hull())
-    return float(np.ptp(corners @ normals.T, axis=0).min())
+    return float(np.ptp(_portable.product(corners, normals.T), axis=0).min())
 
 
 def _unit(vectors: Array, shortest: float = 0.0) -> Array:

@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from artgen import _portable
 from artgen._arrays import Array
 from artgen.asset import Asset
 from artgen.asset.certificate import AXIS_FRAME, PROOF_FORMAT, Certificate, PairResult
@@ -172,7 +173,7 @@ def _gap(joint_path: JointPath, covers: Sequence[Cover], row: Array, *, boxes: b
         path.append(Motion(joint.kind, joint.pivot[None], axis, np.array([center]), np.array([half])))
     if frame == AXIS_FRAME:
         return _axis_gap(joint_path, first, second, path)
-    length = float(np.sqrt(normal @ normal))
+    length = _portable.norm(normal)
     if not length > _ROUNDING:
         return -np.inf
     a, b = (_corners(pieces) if boxes else np.concatenate(pieces) for pieces in (first, second))
@@ -195,7 +196,7 @@ def _axis_gap(
         if np.abs(np.cross([joint.axis, away], axis)).max() > _ROUNDING:
             return -np.inf
     slides = [motion for motion in path if motion.kind == "prismatic"]
-    shift = sum((float(motion.axis[0] @ axis) * motion.center for motion in slides), np.zeros(1))
+    shift = sum((_portable.dot(motion.axis[0], axis) * motion.center for motion in slides), np.zeros(1))
     half = sum((motion.half for motion in slides), np.zeros(1))
     about = [[around_axis(points[None], origin, axis) for points in side] for side in (first, second)]
     return min(float(axis_gap(a, b, shift, half)[0]) for a in about[0] for b in about[1])

@@ -9,7 +9,7 @@ import numpy as np
 from manifold3d import triangulate
 from pxr import Gf, Usd, UsdPhysics
 
-from artgen import _trig
+from artgen import _portable
 from artgen._arrays import Array, Indices
 from artgen.colliders import Convex
 from artgen.colliders.triangles import cross
@@ -131,7 +131,7 @@ def _primitive(kind: str, size: Callable[[str], float]) -> Convex | None:
 def _tapered(bottom: float, top: float, length: float) -> Convex:
     """Return a hull around a cone along z, or around a part of one."""
     angle = 2.0 * _HALF * np.arange(_SIDES)
-    circle = np.stack((_trig.cos(angle), _trig.sin(angle)), axis=1) / _trig.cos(_HALF)
+    circle = np.stack((_portable.cos(angle), _portable.sin(angle)), axis=1) / _portable.cos(_HALF)
     ends = ((bottom, -length / 2.0), (top, length / 2.0))
     rings = [np.column_stack((radius * circle, np.full(_SIDES, z))) for radius, z in ends]
     return Convex.hull(np.unique(np.concatenate(rings), axis=0))

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, get_args
 
 import numpy as np
 
+from artgen import _portable
 from artgen._arrays import Array, cached_property
 from artgen._names import ByName
 from artgen.asset import Asset
@@ -96,7 +97,9 @@ def _ball(link: str, collider: Collider) -> Host:
     faces = collider.convex.inner_polytope(TOLERANCE)
     low, high = faces.bounds
     middles = (faces.points.mean(axis=0), 0.5 * (low + high))
-    gaps = [float((faces.planes[:, 3] - faces.planes[:, :3] @ each).min()) for each in middles]
+    gaps = [
+        float((faces.planes[:, 3] - _portable.product(faces.planes[:, :3], each)).min()) for each in middles
+    ]
     best = int(gaps[1] > gaps[0])
     return Host(link, collider, tuple(middles[best].tolist()), gaps[best])
 

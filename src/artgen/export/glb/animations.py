@@ -7,7 +7,7 @@ from contextlib import suppress
 
 import numpy as np
 
-from artgen import _trig
+from artgen import _portable
 from artgen._arrays import Array
 from artgen.asset import Asset, AssetJoint
 from artgen.export.frames import BORDER, Region, Segment, coupling, leader_of, regions
@@ -85,7 +85,9 @@ def local_motion(segment: Segment, positions: Array) -> tuple[Array, Array]:
         still = np.tile([0.0, 0.0, 0.0, 1.0], (len(positions), 1))
         return origin + positions[:, None] * joint.axis, still
     half = positions[:, None] / 2.0
-    return np.tile(origin, (len(positions), 1)), np.hstack([_trig.sin(half) * joint.axis, _trig.cos(half)])
+    return np.tile(origin, (len(positions), 1)), np.hstack(
+        [_portable.sin(half) * joint.axis, _portable.cos(half)]
+    )
 
 
 def _keys(joint: str, stops: Sequence[Stop], turns: Mapping[str, float]) -> tuple[Array, dict[str, Array]]:
@@ -100,7 +102,7 @@ def _keys(joint: str, stops: Sequence[Stop], turns: Mapping[str, float]) -> tupl
         own = start[joint] != end[joint]
         leg = begins + share * max(_OPENS if own else _PREPARES, turned / _FASTEST)
         times.append(leg if number else leg[1:])
-        shares.append((0.5 - 0.5 * _trig.cos(math.pi * share))[0 if number else 1 :])
+        shares.append((0.5 - 0.5 * _portable.cos(math.pi * share))[0 if number else 1 :])
         legs += [number] * len(times[-1])
     first, share = np.array(legs), np.concatenate(shares)
     table = {name: np.array([stop[name] for stop in stops]) for name in stops[0]}

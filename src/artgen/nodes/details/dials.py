@@ -8,6 +8,7 @@ from typing import Literal
 
 import numpy as np
 
+from artgen import _portable
 from artgen._arrays import Array, cached
 from artgen.asset.shape import Contour, Outline
 from artgen.graph import records
@@ -70,7 +71,7 @@ def _numbered(numbers: Sequence[str], angles: Array, radius: float, height: floa
             outline, half = _number(string, height)
             out = _direction(angle)
             # the bounding box of the number, with cut corners, touches the circle
-            reach = min(float(np.abs(out) @ half), 0.94 * float(np.hypot(*half)))
+            reach = min(_portable.dot(np.abs(out), half), 0.94 * float(np.hypot(*half)))
             made += moved_outline(outline, np.eye(2), out * (radius + reach)).contours
     return made
 

@@ -17,7 +17,7 @@ from xml.etree.ElementTree import Element, parse
 import numpy as np
 from manifold3d import CrossSection, FillRule
 
-from artgen import _trig
+from artgen import _portable
 from artgen._arrays import Array, cached, predecessors
 from artgen.asset.shape import Outline
 from artgen.errors import BuildError, nearest
@@ -156,7 +156,7 @@ def _drawn(command: str, here: Array, values: list[float]) -> Iterable[Array]:
 
 def _distinct(points: Array, *, closed: bool) -> Array:
     differs = np.linalg.norm(np.diff(points, axis=0, prepend=points[:1] - 1.0), axis=1) > 1e-6
-    if closed and np.linalg.norm(points[-1] - points[0]) < 1e-6:
+    if closed and _portable.norm(points[-1] - points[0]) < 1e-6:
         differs[-1] = False
     distinct: Array = points[differs]
     return distinct
@@ -172,7 +172,7 @@ def _curve(controls: Array) -> Array:
     """Return samples of a Bezier curve without its start; control points of shape (3, 2) or (4, 2)."""
     legs = np.diff(controls, axis=0)
     legs = legs[np.linalg.norm(legs, axis=1) > 1e-9]
-    angle = np.unwrap(_trig.arctan2(legs[:, 1], legs[:, 0]))
+    angle = np.unwrap(_portable.arctan2(legs[:, 1], legs[:, 0]))
     turn = float(np.abs(np.diff(angle)).sum())
     length = float(np.linalg.norm(legs, axis=1).sum())
     steps = max(2, _steps(length / max(turn, 0.3), turn))
@@ -186,7 +186,7 @@ def _curve(controls: Array) -> Array:
 def _arc(start: Array, end: Array, radius: float) -> Array:
     """Return samples of the shorter arc between points without its start; a negative radius is clockwise."""
     half = 0.5 * (end - start)
-    reach = float(np.linalg.norm(half))
+    reach = _portable.norm(half)
     size = max(abs(radius), reach)
     across = np.array([-half[1], half[0]]) / reach * math.copysign(1.0, radius)
     center = start + half + across * math.sqrt(max(size**2 - reach**2, 0.0))
@@ -234,7 +234,7 @@ def _area(mark: _Mark, width: float) -> list[Array]:
     leaving = side_normals(points)
     arriving = predecessors(leaving)
     cross = arriving[:, 0] * leaving[:, 1] - arriving[:, 1] * leaving[:, 0]
-    turn = _trig.arctan2(cross, np.einsum("ij,ij->i", arriving, leaving))
+    turn = _portable.arctan2(cross, np.einsum("ij,ij->i", arriving, leaving))
     if not mark.closed:
         turn[[0, -1]] = math.inf
     corners = np.flatnonzero(np.abs(turn) > _SHARP)

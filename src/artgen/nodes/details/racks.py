@@ -11,7 +11,7 @@ from typing import Literal
 
 import numpy as np
 
-from artgen import _trig, colliders
+from artgen import _portable, colliders
 from artgen._arrays import Array
 from artgen.asset.shape import ComposedShape, Contour, Curve, Outline, Shape
 from artgen.colliders.pieces import Pieces
@@ -74,7 +74,9 @@ def _wire_rack(
     rise = np.array([0.0, 0.0, frame + wire + _GAP])
     shapes = [_loop(width, depth, frame, corner)]
     # wires in the round corners of the frame are shorter, so that they end on it
-    reaches = [along - 2.0 * _inset(abs(float(place @ side)), across, corner, frame) for place in places]
+    reaches = [
+        along - 2.0 * _inset(abs(_portable.dot(place, side)), across, corner, frame) for place in places
+    ]
     bars = {reach: _capsule(wire, reach, axis) for reach in dict.fromkeys(reaches)}
     for reach, place in zip(reaches, places, strict=True):
         shapes += _copies(bars[reach], (place + rise)[None])
@@ -127,7 +129,7 @@ def _bent_wires(path: Curve, radius: float, at: ArrayN3) -> Shape:
     places = inputs.points("at", at, 3, 1)
     sides = _SIDES if detail_level() is FULL else sides_of(radius)
     around = math.tau * np.arange(sides) / sides
-    outward = np.column_stack([_trig.cos(around), _trig.sin(around)])
+    outward = np.column_stack([_portable.cos(around), _portable.sin(around)])
     round_ = Outline((Contour(radius * outward, outward, outward),))
     skin = swept_skin(round_, path)
     count, copies = len(skin.vertices), len(places)

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from artgen import _trig
+from artgen import _portable
 from artgen._arrays import Array, Indices, successors
 from artgen.asset.shape import Contour, Curve, Outline, Shape
 from artgen.colliders import Pieces
@@ -85,8 +85,8 @@ def facing_frame(facing: Array, up: Array | None) -> Array:
     if up is None:
         up = np.array([0.0, 1.0, 0.0]) if abs(out[2]) > 0.9 else np.array([0.0, 0.0, 1.0])
     upward = inputs.direction("up", up)
-    upward = upward - out * float(out @ upward)
-    length = float(np.linalg.norm(upward))
+    upward = upward - out * _portable.dot(out, upward)
+    length = _portable.norm(upward)
     if length < 1e-6:
         shown = ", ".join(f"{value:g}" for value in up)
         raise ValueError(f"up ({shown}) runs along facing: it must point upward on the face")
@@ -329,7 +329,7 @@ def _bent(flat: Skin, line: Array, radius: float, height: float) -> tuple[Array,
     level = height + up
     angle = across / radius - math.pi / 2.0
     here = np.interp(level, line[:, 1], line[:, 0]) + out
-    cosine, sine = _trig.cos(angle), _trig.sin(angle)
+    cosine, sine = _portable.cos(angle), _portable.sin(angle)
     vertices = np.column_stack([here * cosine, here * sine, level])
     x, y, z = flat.normals.T
     normals = np.column_stack([z * cosine - x * sine, z * sine + x * cosine, y])

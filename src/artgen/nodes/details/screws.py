@@ -7,7 +7,7 @@ from typing import Literal
 
 import numpy as np
 
-from artgen import _trig
+from artgen import _portable
 from artgen._arrays import Array, Indices, cached
 from artgen.asset.shape import Contour, Outline, Shape
 from artgen.graph import detail_level, records
@@ -51,12 +51,14 @@ def _recess(drive: Drive) -> Array:
         return np.array([[-1.0, -0.15], [1.0, -0.15], [1.0, 0.15], [-1.0, 0.15]])
     if drive == "hex":
         angle = math.tau * np.arange(6) / 6
-        return np.column_stack([_trig.cos(angle), _trig.sin(angle)])
+        return np.column_stack([_portable.cos(angle), _portable.sin(angle)])
     if drive == "torx":
         middle = (math.tau * np.arange(6) / 6)[:, None]
         angle = middle + np.radians([-11.0, 11.0, 30.0])
         radius = np.broadcast_to([1.0, 1.0, 0.7], (6, 3))
-        return np.column_stack([(radius * _trig.cos(angle)).ravel(), (radius * _trig.sin(angle)).ravel()])
+        return np.column_stack(
+            [(radius * _portable.cos(angle)).ravel(), (radius * _portable.sin(angle)).ravel()]
+        )
     half = 0.19 if drive == "phillips" else 0.16
     arm = [(1.0, -half), (1.0, half), (half * 1.35, half * 1.35)]
     if drive == "pozidriv":  # the thin diagonal marks of a Pozidriv recess
@@ -122,8 +124,8 @@ def _wall(sheets: Sheets, border: Contour, rows: Array, scale: float) -> Indices
     vertices[..., :2] = rows[:, 0, None, None] * border.points[rail.vertex]
     vertices[..., 2] = rows[:, 1, None]
     normals = np.empty_like(vertices)
-    normals[..., :2] = _trig.cos(rows[:, 2])[:, None, None] * rail.normals
-    normals[..., 2] = _trig.sin(rows[:, 2])[:, None]
+    normals[..., :2] = _portable.cos(rows[:, 2])[:, None, None] * rail.normals
+    normals[..., 2] = _portable.sin(rows[:, 2])[:, None]
     uvs = np.empty((*vertices.shape[:2], 2))
     uvs[..., 0], uvs[..., 1] = rail.distance * scale, rows[:, 1, None]
     return sheets.grid(rail, vertices, normals, uvs)

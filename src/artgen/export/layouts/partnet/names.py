@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from artgen import _portable
 from artgen._arrays import Array
 from artgen.asset import Asset, AssetJoint, Link, Mesh
 from artgen.export.frames import Segment, chain, coupling
@@ -239,7 +240,7 @@ def _held_label(asset: Asset, link: Link) -> str:
         # readers aim at the center of the box; a pane of glass is near every lever, but its center is not
         corners = np.concatenate([mesh.vertices for mesh in meshes])
         middle = (corners.min(axis=0) + corners.max(axis=0)) / 2.0
-        return round(min(float(np.linalg.norm(middle - point)) for point in apart), 6)
+        return round(min(_portable.norm(middle - point) for point in apart), 6)
 
     return min(labels, key=distance)
 

@@ -11,6 +11,7 @@ from itertools import product
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen import _portable
 from artgen._arrays import Array
 from artgen.asset import Asset
 from artgen.export.frames import seen_box
@@ -66,7 +67,7 @@ class _Grid:
             for collider in asset.link(link).colliders:
                 polytope = collider.convex.faces
                 normals = polytope.planes[:, :3] @ matrix[:3, :3].T
-                distances = polytope.planes[:, 3] + normals @ matrix[:3, 3]
+                distances = polytope.planes[:, 3] + _portable.product(normals, matrix[:3, 3])
                 points = polytope.points @ matrix[:3, :3].T + matrix[:3, 3]
                 self._fill(result, points, normals, distances)
         return result

@@ -11,7 +11,7 @@ import hypothesis.strategies as st
 import numpy as np
 import pytest
 
-from artgen import _trig
+from artgen import _portable
 from artgen._arrays import Array
 from artgen.catalog import find
 from artgen.proof.hierarchy import Hierarchy
@@ -27,11 +27,11 @@ def _arrays(values: st.SearchStrategy[float]) -> st.SearchStrategy[Array]:
 @pytest.mark.parametrize(
     ("function", "exact", "values"),
     [
-        (_trig.sin, math.sin, ANGLES),
-        (_trig.cos, math.cos, ANGLES),
-        (_trig.tan, math.tan, ANGLES),
-        (_trig.arctan, math.atan, ANGLES),
-        (_trig.arccos, math.acos, SHARES),
+        (_portable.sin, math.sin, ANGLES),
+        (_portable.cos, math.cos, ANGLES),
+        (_portable.tan, math.tan, ANGLES),
+        (_portable.arctan, math.atan, ANGLES),
+        (_portable.arccos, math.acos, SHARES),
     ],
 )
 @hypothesis.given(data=st.data())
@@ -49,9 +49,9 @@ def test_values_are_those_of_the_c_library(
 
 @hypothesis.given(ANGLES, _arrays(ANGLES))
 def test_angles_of_points_are_those_of_the_c_library(y: float, x: Array) -> None:
-    found = _trig.arctan2(y * np.ones(len(x)), x)
+    found = _portable.arctan2(y * np.ones(len(x)), x)
     assert found.tolist() == [math.atan2(y, each) if y or each else 0.0 for each in x.tolist()]
-    assert _trig.arctan2(y, 2.0) == math.atan2(y, 2.0)
+    assert _portable.arctan2(y, 2.0) == math.atan2(y, 2.0)
 
 
 def test_rounding_does_not_decide_where_a_clearance_is_found(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -69,3 +69,25 @@ def test_rounding_does_not_decide_where_a_clearance_is_found(monkeypatch: pytest
         found.append(asset.certify().to_data())
     assert any("lid_hinge" in pair["found_at"] for pair in found[0]["pairs"])
     assert found.count(found[0]) == len(found)
+
+
+MATRICES = hypothesis.extra.numpy.arrays(np.float64, (5, 4, 4), elements=st.floats(-3.0, 3.0))
+
+
+@hypothesis.given(MATRICES)
+def test_products_inverses_and_eigenvectors_are_those_of_linear_algebra(matrices: Array) -> None:
+    first, second = matrices[0], matrices[1]
+    for a, b in ((first, second), (first[0], second), (first, second[0])):
+        assert np.allclose(_portable.product(a, b), a @ b, rtol=0.0, atol=1e-12)
+    assert math.isclose(_portable.dot(first[0], second[0]), float(first[0] @ second[0]), abs_tol=1e-12)
+    assert math.isclose(_portable.norm(first[0]), float(np.linalg.norm(first[0])), abs_tol=1e-12)
+    affine = matrices.copy()
+    affine[:, :3, :3] += 10.0 * np.eye(3)  # diagonals outweigh the rest, so an inverse exists
+    affine[:, 3] = 0.0, 0.0, 0.0, 1.0
+    for each in (affine, affine[:, :3, :3], affine[:, :2, :2]):
+        assert np.allclose(_portable.inverse(each), np.linalg.inv(each), rtol=0.0, atol=1e-11)
+    symmetric = first[:3, :3] + first[:3, :3].T
+    values, vectors = _portable.eigenvectors(symmetric)
+    assert np.allclose(values, np.linalg.eigvalsh(symmetric), rtol=0.0, atol=1e-12)
+    assert np.allclose(vectors * values @ vectors.T, symmetric, rtol=0.0, atol=1e-12)
+    assert np.allclose(vectors.T @ vectors, np.eye(3), rtol=0.0, atol=1e-12)
