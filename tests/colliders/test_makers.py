@@ -57,9 +57,10 @@ def test_prism_of_a_profile_with_holes_is_bracketed() -> None:
     assert_bracketed(solid, prism_pieces(contours, -0.01, 0.02, RIG))
 
 
-def test_prism_of_many_sides_has_few() -> None:
-    pieces = prism_pieces([circle(0.02)], 0.0, 0.1)
-    solid = Manifold.extrude(CrossSection([circle(0.02)]), 0.1)
+@pytest.mark.parametrize("sides", [64, 128])
+def test_prism_of_many_sides_has_few(sides: int) -> None:
+    pieces = prism_pieces([circle(0.02, sides)], 0.0, 0.1)
+    solid = Manifold.extrude(CrossSection([circle(0.02, sides)]), 0.1)
     (outer,) = pieces.outer(TOLERANCE)
     (inner,) = pieces.inner(TOLERANCE)
     assert len(outer.points) <= 64

@@ -109,15 +109,16 @@ def enclosing(solid: Facets, most_vertices: int, tolerance: float) -> tuple[Arra
     while True:
         heights = room[: len(waiting) * len(corners)].reshape(len(waiting), -1)
         np.einsum("ij,kj->ik", waiting[:, :3], corners, out=heights)
-        corner = heights.argmax(axis=1)
-        reach = heights[np.arange(len(waiting)), corner] - waiting[:, 3]
+        highest = heights.max(axis=1)
+        corner = (heights >= highest[:, None] - SNAP).argmax(axis=1)  # the first of equal ones
+        reach = highest - waiting[:, 3]
         excess = max(float(reach.max()), 0.0)
         spare = min((most_vertices - len(corners)) // 2, most_added)
         if excess <= max(tolerance, SNAP) or spare < 1:
             return corners, excess
         cutting = reach > tolerance  # the others stay inside, as the polytope only shrinks
         worst = np.flatnonzero(cutting & (reach >= excess * _WORTHWHILE))
-        worst = worst[np.argsort(-reach[worst], kind="stable")]
+        worst = worst[np.argsort(-np.rint(reach[worst] / SNAP), kind="stable")]
         _, first = np.unique(corner[worst], return_index=True)
         more = np.concatenate((chosen, waiting[worst[np.sort(first)[:spare]]]))
         waiting = waiting[cutting]
