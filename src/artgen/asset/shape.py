@@ -1,6 +1,6 @@
 """Values of solids and 2-D outlines: a manifold with its paints and the convex pieces that cover it."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -192,6 +192,44 @@ class _LazyShape(Shape):
 
     def checked(self) -> Shape:
         return self
+
+
+class DeferredShape(_LazyShape):
+    """A shape that is a solid by construction; its surface is made on first access."""
+
+    _make: Callable[[], Shape]
+
+    def __init__(self, make: Callable[[], Shape], pieces: Pieces) -> None:
+        super().__init__({}, pieces=pieces, _make=make)
+
+    @cached_property
+    def made(self) -> Shape:
+        """The shape with its surface."""
+        return self._make()
+
+    @property
+    def manifold(self) -> Manifold:
+        """The watertight surface, with the channels of `PROPERTIES`."""
+        return self.made.manifold
+
+    def bounds(self) -> Array:
+        """Return the corners of the bounding box, shape (2, 3) [m]."""
+        return self.made.bounds()
+
+    @property
+    def vertices(self) -> Array:
+        """The vertices of the surface, shape (n, 3) [m]."""
+        return self.made.vertices
+
+    @property
+    def mesh(self) -> Mesh:
+        """The triangles of the surface."""
+        return self.made.mesh
+
+    @property
+    def faces(self) -> Indices:
+        """The triangles, with the same vertex for all corners at one point of the surface, shape (m, 3)."""
+        return self.made.faces
 
 
 class MovedShape(_LazyShape):

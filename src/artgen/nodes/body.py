@@ -131,9 +131,10 @@ def _detail(
     solids = solid if isinstance(solid, tuple) else (solid,)
     reading = None
     if reads is not None:
-        corners = np.concatenate([each.bounds() for each in solids])
-        middle = 0.5 * (corners.min(axis=0) + corners.max(axis=0)) if about is None else about
-        reading = PrintDirection(middle, unit(reads))
+        if about is None:
+            corners = np.concatenate([each.bounds() for each in solids])
+            about = 0.5 * (corners.min(axis=0) + corners.max(axis=0))
+        reading = PrintDirection(about, unit(reads))
     thin = detail_level().thin
     pieces = tuple(
         Piece(label, material, each, visual=True, reading=reading)

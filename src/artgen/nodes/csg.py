@@ -186,7 +186,7 @@ def _hull(solids: tuple[Shape, ...]) -> Shape:
     if not solids:
         raise ValueError("a hull needs at least one solid, got none")
     vertices = _corners(solids)
-    return faceted_shape(hull_of(vertices), around_hull(vertices))
+    return faceted_shape(hull_of(vertices), around_hull(lambda: vertices))
 
 
 @records(_hull)
@@ -240,7 +240,7 @@ def _shell(solid: Shape, thickness: float, open: Array3 | None) -> Shape:
         inner = np.concatenate(
             [inner, inner + out * (thickness + float(np.ptp(_portable.product(solid.mesh.vertices, out))))]
         )
-    cavity = faceted_shape(hull_of(inner), around_hull(inner))
+    cavity = faceted_shape(hull_of(inner), around_hull(lambda: inner))
     return _combined(
         solid.manifold - cavity.manifold,
         colliders.difference(solid.pieces, cavity.pieces),
@@ -328,7 +328,7 @@ def _paint(solid: Shape, material: Material) -> Shape:
 
 def _bounding_collider(solid: Shape, covers: tuple[Shape, ...] = ()) -> Shape:
     if not covers:
-        around = around_hull(np.ascontiguousarray(solid.mesh.vertices))
+        around = around_hull(lambda: np.ascontiguousarray(solid.mesh.vertices))
         return Shape(solid.manifold, Pieces(around.outer, solid.pieces.inner), solid.paints)
     outer = colliders.union(*(cover.pieces for cover in covers)).outer
     declared = outer(TOLERANCE)

@@ -25,7 +25,7 @@ from artgen.nodes.contours import (
 )
 from artgen.nodes.handles import Array3, Path, Profile, Scalar, Solid, VectorLike
 from artgen.nodes.primitive_colliders import around_extrusion, around_lathe, moved
-from artgen.nodes.surfaces import extrusion, lathe, lathe_steps, mitres
+from artgen.nodes.surfaces import DeferredSkin, extrusion, lathe, lathe_steps, mitres
 
 _AT_AXIS = 1e-7  # points of a profile nearer to the axis than this lie on it [m]
 _FEWEST, _MOST = 3, 128  # sides of a full turn
@@ -52,8 +52,8 @@ def _revolve(profile: Outline, angle: float, axis: Array3, sides: int = 0) -> Sh
         sides = min(sides, lathe_steps(contours, math.tau, None)[0])
     turn = check.frame(axis)
     pieces = around_lathe(contours, angle, sides or None)
-    skin = lathe(contours, angle=angle, sides=sides or None)
-    return skin.turned(turn).shape(moved(pieces, check.pose(turn)))
+    skin = DeferredSkin(lambda: lathe(contours, angle=angle, sides=sides or None).turned(turn))
+    return skin.shape(moved(pieces, check.pose(turn)))
 
 
 @records(_revolve)
@@ -95,7 +95,11 @@ def _extrude(
     # long sides get more vertices for bending; the hulls of the original vertices bound the pieces
     contours = refined(profile, 2.0 * length / stations).contours if twist != 0.0 else profile.contours
     scales = (1.0, 1.0 - taper)
-    skin = extrusion(contours, length, bevel=bevel, stations=stations, warp=warp, scales=scales).turned(turn)
+    skin = DeferredSkin(
+        lambda: extrusion(contours, length, bevel=bevel, stations=stations, warp=warp, scales=scales).turned(
+            turn
+        )
+    )
     pieces = around_extrusion(profile, length, bevel=bevel, taper=taper, twist=twist, stations=stations)
     return skin.shape(moved(pieces, check.pose(turn)))
 

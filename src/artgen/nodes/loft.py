@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from functools import partial
 from itertools import pairwise
 
 import numpy as np
@@ -108,7 +109,7 @@ def _flare(section: CrossSection, radius: float) -> Shape:
     ]
     bounds = levels[::3]
     levels[-1][:, :2] += _LEDGE * ways
-    pieces = [around_hull(np.concatenate(pair)) for pair in pairwise(bounds)]
+    pieces = [around_hull(partial(np.concatenate, pair)) for pair in pairwise(bounds)]
     contours = [Contour(level[:, :2].copy(), ways, ways) for level in levels]
     cover = Pieces(colliders.union(*pieces).outer, around_chain(levels).inner)
     return _skin(contours, np.stack(levels)).shape(cover)

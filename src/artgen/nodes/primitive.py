@@ -25,6 +25,7 @@ from artgen.nodes.primitive_colliders import (
     moved,
 )
 from artgen.nodes.surfaces import (
+    DeferredSkin,
     bevel_steps,
     chamfered_box,
     extrusion,
@@ -80,14 +81,14 @@ def _box(x: float, y: float, z: float, bevel: float, crown: float = 0.0) -> Shap
     check.between("crown", crown, 0.0, z - 2.0 * bevel + 1e-12)
     if crown > 0.0:
         vertices = _crowned(size, bevel, crown)
-        return faceted_shape(hull_of(vertices), around_hull(vertices))
+        return faceted_shape(hull_of(vertices), around_hull(lambda: vertices))
     if bevel == 0.0:
-        return rounded_box(size, 0.0, 0).shape(Exact((Convex.box(size),)))
+        return DeferredSkin(lambda: rounded_box(size, 0.0, 0)).shape(Exact((Convex.box(size),)))
     if detail_level() is not FULL and bevel <= _CHAMFERED:
-        skin = chamfered_box(size, bevel)
+        skin = DeferredSkin(lambda: chamfered_box(size, bevel))
         return skin.shape(around_rounded_box(size, bevel, skin.vertices))
     steps = max(1, bevel_steps(bevel) // 2)
-    skin = rounded_box(size, bevel, steps)
+    skin = DeferredSkin(lambda: rounded_box(size, bevel, steps))
     return skin.shape(around_rounded_box(size, bevel, skin.vertices))
 
 
@@ -161,7 +162,7 @@ def _cylinder(radius: float, length: float, axis: Array3, bevel: float) -> Shape
     check.positive("length", length)
     bevel = check.rounding("bevel", bevel, min(radius, length / 2.0) * 0.999)
     turn = check.frame(axis)
-    skin = lathe([axial(radius, length / 2.0, bevel)]).turned(turn)
+    skin = DeferredSkin(lambda: lathe([axial(radius, length / 2.0, bevel)]).turned(turn))
     pieces = around_cylinder(radius, length, sides_of(radius), check.pose(turn), bevel)
     return skin.shape(pieces)
 
@@ -211,7 +212,7 @@ def _bore(radius: float, length: float, axis: Array3) -> Shape:
     turn = check.frame(axis)
     sides = sides_of(radius)
     outside = radius / math.cos(math.pi / sides)
-    skin = lathe([axial(outside, length / 2.0, 0.0)], sides=sides).turned(turn)
+    skin = DeferredSkin(lambda: lathe([axial(outside, length / 2.0, 0.0)], sides=sides).turned(turn))
     return skin.shape(around_cylinder(outside, length, sides, check.pose(turn)))
 
 
@@ -239,7 +240,8 @@ def _frustum(bottom_radius: float, top_radius: float, length: float, axis: Array
     bevel = check.rounding("bevel", bevel, math.inf)
     turn = check.frame(axis)
     contour = axial(bottom_radius, length / 2.0, bevel, top_radius)
-    return lathe([contour]).turned(turn).shape(moved(around_lathe([contour]), check.pose(turn)))
+    skin = DeferredSkin(lambda: lathe([contour]).turned(turn))
+    return skin.shape(moved(around_lathe([contour]), check.pose(turn)))
 
 
 @records(_frustum)
@@ -262,7 +264,7 @@ def frustum(
 
 def _sphere(radius: float) -> Shape:
     check.positive("radius", radius)
-    skin = lathe([half_ellipse(radius, radius, -0.5 * math.pi)])
+    skin = DeferredSkin(lambda: lathe([half_ellipse(radius, radius, -0.5 * math.pi)]))
     return skin.shape(around_round(Convex.sphere(radius), skin.vertices))
 
 
@@ -286,7 +288,7 @@ def _ellipsoid(radius_x: float, radius_y: float, radius_z: float) -> Shape:
     # texture coordinates of the unit sphere are angles; the two main half axes scale them to lengths
     uvs = skin.uvs * np.array([math.sqrt(radius_x * radius_y), radius_z])
     return Shape.from_mesh(
-        vertices, normals, uvs, skin.triangles, around_hull(vertices), targets=skin.targets
+        vertices, normals, uvs, skin.triangles, around_hull(lambda: vertices), targets=skin.targets
     )
 
 
@@ -308,7 +310,7 @@ def _dome(radius: float, height: float | None, axis: Array3) -> Shape:
     check.positive("radius", radius)
     rise = radius if height is None else check.positive("height", height)
     turn = check.frame(axis)
-    skin = lathe([half_ellipse(radius, rise, 0.0)]).turned(turn)
+    skin = DeferredSkin(lambda: lathe([half_ellipse(radius, rise, 0.0)]).turned(turn))
     return skin.shape(around_hull(skin.vertices))
 
 
@@ -337,7 +339,7 @@ def _capsule(radius: float, length: float, axis: Array3) -> Shape:
     low, low_out = arc_points(np.array([0.0, -half]), radius, -0.5 * math.pi, 0.5 * math.pi, steps)
     high, high_out = arc_points(np.array([0.0, half]), radius, 0.0, 0.5 * math.pi, steps)
     contour = onto_axis(np.concatenate([low, high]), np.concatenate([low_out, high_out]))
-    skin = lathe([contour]).turned(turn)
+    skin = DeferredSkin(lambda: lathe([contour]).turned(turn))
     return skin.shape(around_round(Convex.capsule(radius, 2.0 * half, check.pose(turn)), skin.vertices))
 
 
@@ -361,7 +363,8 @@ def _torus(major: float, minor: float, axis: Array3) -> Shape:
     turn = check.frame(axis)
     circle = circle_contour(minor)
     contour = Contour(circle.points + np.array([major, 0.0]), circle.normals_in, circle.normals_out)
-    return lathe([contour]).turned(turn).shape(moved(around_lathe([contour]), check.pose(turn)))
+    skin = DeferredSkin(lambda: lathe([contour]).turned(turn))
+    return skin.shape(moved(around_lathe([contour]), check.pose(turn)))
 
 
 @records(_torus)
@@ -391,7 +394,7 @@ def _tube(outer: float, inner: float, length: float, axis: Array3, bevel: float)
     corners = np.array([[inner, -half], [outer, -half], [outer, half], [inner, half]])
     contour = rounded_polygon(corners, [bevel] * 4) if bevel > 0.0 else faceted(corners)
     pieces = moved(around_lathe([contour], sides=sides), check.pose(turn))
-    return lathe([contour], sides=sides).turned(turn).shape(pieces)
+    return DeferredSkin(lambda: lathe([contour], sides=sides).turned(turn)).shape(pieces)
 
 
 @records(_tube)
@@ -415,7 +418,7 @@ def tube(
 def _wedge(x: float, y: float, z: float) -> Shape:
     half = check.sizes("size", x, y, z) / 2.0
     ramp = faceted(np.array([[-half[1], -half[2]], [half[1], -half[2]], [half[1], half[2]]]))
-    skin = extrusion([ramp], x).turned(check.frame((1.0, 0.0, 0.0)))
+    skin = DeferredSkin(lambda: extrusion([ramp], x).turned(check.frame((1.0, 0.0, 0.0))))
     return skin.shape(around_hull(skin.vertices))
 
 

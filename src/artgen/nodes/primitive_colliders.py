@@ -30,7 +30,7 @@ def moved(pieces: Pieces, matrix: Array) -> Pieces:
     return pieces if np.array_equal(matrix, np.eye(4)) else pieces.transformed(matrix)
 
 
-def around_rounded_box(size: Array, bevel: float, vertices: Array) -> Pieces:
+def around_rounded_box(size: Array, bevel: float, vertices: Callable[[], Array]) -> Pieces:
     """Return the pieces of a box about the origin with edges rounded by `bevel`, and its vertices [m]."""
     added = (4.0 - math.pi) * bevel**2 * float(size.sum() / size.prod())
     reach = bevel * (math.sqrt(3.0) - 1.0)
@@ -42,7 +42,7 @@ def around_rounded_box(size: Array, bevel: float, vertices: Array) -> Pieces:
         if _follows(single.faces, size, bevel):
             return (single,)
         closer = _banded(size, bevel)
-        return (Convex.of(closer),) if _follows(closer, size, bevel) else _octants(vertices)
+        return (Convex.of(closer),) if _follows(closer, size, bevel) else _octants(vertices())
 
     def inner(tolerance: float) -> tuple[Convex, ...]:
         inset = bevel * (1.0 - 1.0 / math.sqrt(3.0))
@@ -138,14 +138,14 @@ def lazily(make: Callable[[], Pieces]) -> Pieces:
     return Pieces(lambda tolerance: made().outer(tolerance), lambda tolerance: made().inner(tolerance))
 
 
-def around_hull(vertices: Array) -> Pieces:
-    """Return the pieces of a convex solid with these corners, shape (n, 3) [m]."""
-    return lazily(lambda: colliders.hull_pieces(vertices))
+def around_hull(vertices: Callable[[], Array]) -> Pieces:
+    """Return the pieces of a convex solid, from a function that returns its corners, shape (n, 3) [m]."""
+    return lazily(lambda: colliders.hull_pieces(vertices()))
 
 
-def around_round(primitive: Convex, vertices: Array) -> Pieces:
+def around_round(primitive: Convex, vertices: Callable[[], Array]) -> Pieces:
     """Return the pieces of a convex mesh whose vertices, shape (n, 3) [m], lie on a round primitive."""
-    return lazily(lambda: colliders.round_pieces(primitive, vertices))
+    return lazily(lambda: colliders.round_pieces(primitive, vertices()))
 
 
 def around_lathe(contours: Sequence[Contour], angle: float = math.tau, sides: int | None = None) -> Pieces:

@@ -6,6 +6,7 @@ discontinuities of normals or texture coordinates; `targets` names the vertices 
 
 import math
 from collections.abc import Callable, Sequence
+from contextvars import copy_context
 from dataclasses import dataclass
 from itertools import product
 
@@ -15,7 +16,7 @@ from numpy.typing import NDArray
 
 from artgen import _portable
 from artgen._arrays import Array, FrozenArrays, Indices, cached, predecessors, successors
-from artgen.asset.shape import GRAIN, Contour, Shape
+from artgen.asset.shape import GRAIN, Contour, DeferredShape, Shape
 from artgen.colliders import Pieces
 from artgen.colliders.triangles import cross
 from artgen.graph import FULL, detail_level
@@ -95,6 +96,28 @@ class Skin(FrozenArrays):
         return Shape.from_mesh(
             self.vertices, self.normals, self.uvs, self.triangles, pieces, targets=self.targets
         )
+
+
+class DeferredSkin:
+    """The surface of a solid that is closed by construction, made at the level of detail of the kernel.
+
+    Many solids are never looked at: they have colliders, or the asset is not written.
+    """
+
+    def __init__(self, make: Callable[[], Skin]) -> None:
+        self._make, self._context = make, copy_context()
+
+    def __call__(self) -> Skin:
+        """Make the surface."""
+        return self._context.copy().run(self._make)
+
+    def shape(self, pieces: Pieces) -> Shape:
+        """Return the solid of this surface and of the convex pieces that cover it."""
+        return DeferredShape(lambda: self().shape(pieces), pieces)
+
+    def vertices(self) -> Array:
+        """Return the vertices, shape (n, 3) [m]."""
+        return self().vertices
 
 
 class Sheets:

@@ -15,7 +15,7 @@ from artgen.graph import FULL, detail_level, records
 from artgen.nodes.contours import CREASE, chords, coarse
 from artgen.nodes.handles import Path, Profile, Solid
 from artgen.nodes.primitive_colliders import around_sweep
-from artgen.nodes.surfaces import Sheets, Skin, triangulated
+from artgen.nodes.surfaces import DeferredSkin, Sheets, Skin, triangulated
 from artgen.nodes.unwrap import Rail, cap_uvs, runs_across, wall_uvs
 
 Row = tuple[float, float, float]
@@ -164,7 +164,7 @@ def _sweep(profile: Outline, path: Curve) -> Shape:
                 "folds; use a larger radius or a thinner profile"
             )
     pieces = around_sweep(profile, lambda polygon: list(_spread(stations, polygon)), path.closed)
-    return _swept_skin(profile.contours, stations, path.closed).shape(pieces)
+    return DeferredSkin(lambda: _swept_skin(profile.contours, stations, path.closed)).shape(pieces)
 
 
 def swept_skin(profile: Outline, path: Curve) -> Skin:

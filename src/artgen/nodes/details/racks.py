@@ -22,7 +22,7 @@ from artgen.nodes.path import _polyline
 from artgen.nodes.primitive import _capsule
 from artgen.nodes.primitive_colliders import lazily
 from artgen.nodes.profile import _circle
-from artgen.nodes.surfaces import sides_of
+from artgen.nodes.surfaces import DeferredSkin, Skin, sides_of
 from artgen.nodes.sweep import _sweep, swept_skin
 
 _GAP = 2e-6  # [m]
@@ -131,17 +131,18 @@ def _bent_wires(path: Curve, radius: float, at: ArrayN3) -> Shape:
     around = math.tau * np.arange(sides) / sides
     outward = np.column_stack([_portable.cos(around), _portable.sin(around)])
     round_ = Outline((Contour(radius * outward, outward, outward),))
-    skin = swept_skin(round_, path)
-    count, copies = len(skin.vertices), len(places)
-    offsets = count * np.arange(copies)
     pieces = lazily(lambda: colliders.union(*_moved_pieces(round_, path, places)))
-    return Shape.from_mesh(
+    return DeferredSkin(lambda: _copied(swept_skin(round_, path), places)).shape(pieces)
+
+
+def _copied(skin: Skin, places: Array) -> Skin:
+    offsets = len(skin.vertices) * np.arange(len(places))
+    return Skin(
         (skin.vertices[None] + places[:, None, :]).reshape(-1, 3),
-        np.tile(skin.normals, (copies, 1)),
-        np.tile(skin.uvs, (copies, 1)),
+        np.tile(skin.normals, (len(places), 1)),
+        np.tile(skin.uvs, (len(places), 1)),
         (skin.triangles[None] + offsets[:, None, None]).reshape(-1, 3),
-        pieces,
-        targets=(skin.targets[None] + offsets[:, None]).ravel(),
+        (skin.targets[None] + offsets[:, None]).ravel(),
     )
 
 

@@ -19,7 +19,7 @@ from artgen.nodes.body import detail
 from artgen.nodes.contours import is_disjoint, refined
 from artgen.nodes.handles import Array3, Body, Path, Profile, Scalar, Solid, Vector, VectorLike
 from artgen.nodes.primitive_colliders import around_extrusion, around_hull, lazily
-from artgen.nodes.surfaces import Skin, extrusion, mitres, triangulated
+from artgen.nodes.surfaces import DeferredSkin, Skin, extrusion, mitres, triangulated
 
 
 def prisms(contours: Sequence[Contour], length: float) -> Skin:
@@ -130,7 +130,9 @@ def _relief(
     place = inputs.vector("at", at)
     turn = facing_frame(facing, up)
     contours = profile.contours
-    skin = extrusion(contours, length, bevel=bevel) if bevel > 0.0 else prisms(contours, length)
+    skin = DeferredSkin(
+        lambda: extrusion(contours, length, bevel=bevel) if bevel > 0.0 else prisms(contours, length)
+    )
     pieces = lazily(
         lambda: around_extrusion(profile, length, bevel=bevel, taper=0.0, twist=0.0, stations=1)
     )  # most reliefs are visual details
@@ -320,7 +322,9 @@ def _wrap(profile: Outline, path: Curve, height: float, proud: float) -> Shape:
     bent = prisms(refined(profile, _STEP * radius).contours, 2.0 * proud)
     vertices, normals = _bent(bent, line, radius, height)
     skin = Skin(vertices, normals, bent.uvs, bent.triangles, bent.targets)
-    return skin.shape(Pieces(around_hull(vertices).outer, lambda _: ()))  # visual details need none inside
+    return skin.shape(
+        Pieces(around_hull(lambda: vertices).outer, lambda _: ())
+    )  # visual details need none inside
 
 
 def _bent(flat: Skin, line: Array, radius: float, height: float) -> tuple[Array, Array]:

@@ -19,7 +19,7 @@ from artgen.nodes.details.relief import FRONT, facing_frame, in_shade, relief
 from artgen.nodes.handles import Array3, Body, Profile, Scalar, Solid, VectorLike
 from artgen.nodes.primitive import UP, _cylinder, dome
 from artgen.nodes.primitive_colliders import around_hull
-from artgen.nodes.surfaces import Sheets, triangulated
+from artgen.nodes.surfaces import DeferredSkin, Sheets, Skin, triangulated
 from artgen.nodes.unwrap import Rail
 
 Drive = Literal["phillips", "pozidriv", "slot", "hex", "torx"]
@@ -88,7 +88,7 @@ def drive_recess(radius: Scalar, drive: Drive) -> Profile:
     """
 
 
-def _head_skin(radius: float, drive: Drive, head: Head, turn: float) -> Shape:
+def _head_skin(radius: float, drive: Drive, head: Head, turn: float) -> Skin:
     rows = np.array(_HEADS[head]) * [radius, radius, math.pi / 180.0]
     sides = 12 if drive == "pozidriv" or radius < 0.0015 else 16
     outer = circle_contour(1.0, sides)
@@ -110,8 +110,7 @@ def _head_skin(radius: float, drive: Drive, head: Head, turn: float) -> Shape:
     base = outer.points * radius
     seat = np.column_stack([base, np.zeros(sides)])
     sheets.cap(wall[0], seat, -up, base * [-1.0, 1.0], triangulated([base])[:, ::-1])
-    skin = sheets.skin()
-    return skin.shape(around_hull(skin.vertices))
+    return sheets.skin()
 
 
 def _wall(sheets: Sheets, border: Contour, rows: Array, scale: float) -> Indices:
@@ -139,7 +138,9 @@ def _screw_head(radius: float, at: Array3, facing: Array3, drive: Drive, head: H
             inputs.pose(np.eye(3), (0.0, 0.0, high / 2.0))
         )
     else:
-        shape = _head_skin(radius, drive, head, inputs.finite("turn", turn, "rad"))
+        inputs.finite("turn", turn, "rad")
+        skin = DeferredSkin(lambda: _head_skin(radius, drive, head, turn))
+        shape = skin.shape(around_hull(skin.vertices))
     return shape.transformed(inputs.pose(facing_frame(facing, None), inputs.vector("at", at)))
 
 
