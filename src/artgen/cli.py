@@ -28,6 +28,7 @@ COMMANDS = {
     "images": "datasets.images",
     "new": "new.new",
     "render": "pictures.render",
+    "scene": "generate.scene",
     "sheet": "pictures.sheet",
     "studio": "view.studio",
     "view": "view.view",

@@ -34,6 +34,7 @@ from artgen.export.precision import check_precision
 from artgen.generator.overrides import parse_overrides
 from artgen.materials.textures import check_size
 from artgen.proof.fewer import check_budget
+from artgen.scene import ROOMS
 
 _Formats = Annotated[
     str | None,
@@ -166,6 +167,31 @@ def generate(
         **written,
     )
     make_dataset(plan, out, jobs=jobs, engine=engine, address=address)
+
+
+def scene(
+    room: Annotated[str, Argument(metavar="ROOM", help=f"Kind of room: {', '.join(ROOMS)}.")],
+    *,
+    seed: Seed = 0,
+    width: Annotated[float | None, Option(metavar="METRES", help="Inner width; drawn by default.")] = None,
+    depth: Annotated[float | None, Option(metavar="METRES", help="Inner depth; drawn by default.")] = None,
+    formats: _Formats = None,
+    texture_size: TextureSize = TEXTURES,
+    detail: Annotated[
+        DetailName, Option(help="Level of detail: medium has coarser curves, low few triangles.")
+    ] = "full",
+    out: Annotated[
+        str | None, Option(metavar="DIRECTORY", help="Target; ./<room>_<seed> by default.")
+    ] = None,
+) -> None:
+    """Generate a room of assets in which nothing collides in any state, and print the paths of its files."""
+    chosen = _chosen_formats("flat", formats)
+    check_size(texture_size)
+    if room not in ROOMS:
+        raise typer.BadParameter(f"there is no room {room!r}; choose from {', '.join(ROOMS)}")
+    with progress(f"furnish {room} {seed}"):
+        asset = ROOMS[room](seed, width=width, depth=depth, detail=detail)
+    _write(asset, out, collision="exact", formats=chosen, textures=texture_size)
 
 
 def _write(asset: Asset, out: str | None, *, collision: Collision, **options: Any) -> None:

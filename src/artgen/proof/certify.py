@@ -93,7 +93,7 @@ def certify(
     space = space_of(asset)
     if only is None:  # dependencies may block a joint in part of its range
         space.check()
-    joint_paths = [joint_path for joint_path in space.joint_paths() if only is None or only(joint_path)]
+    joint_paths = space.joint_paths(only)
     begin, limit = time.monotonic(), seconds
     finer_follows = all(link.pieces for link in asset.links if not link.absent)
     first = seconds / 2.0 if finer_follows else seconds  # a hard pair leaves time for the pairs that follow
@@ -117,7 +117,7 @@ def doubtful_colliders(
 
     The arguments are those of `certify`.
     """
-    joint_paths = [joint_path for joint_path in space_of(asset).joint_paths() if only(joint_path)]
+    joint_paths = space_of(asset).joint_paths(only)
     result = []
     for each in _searched(asset, collider_cover, joint_paths, tolerance, measure=False, seconds=math.inf):
         hits = [hit[:2] for hit in (each.outcome.hit, each.outcome.collider_hit) if hit is not None]

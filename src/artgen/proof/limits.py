@@ -1,5 +1,6 @@
 """Numbers for the repair of a design: safe joint limits, and clearances at one pose."""
 
+import itertools
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from fnmatch import filter as filter_names
@@ -19,13 +20,16 @@ from artgen.asset.collision import link_parts
 from artgen.asset.joint import joints_above
 from artgen.asset.manifolds import box_of
 from artgen.errors import AssetError, nearest
-from artgen.proof.certify import certify
+from artgen.proof.certify import certify, doubtful_colliders
 from artgen.proof.overlap import link_overlap
 from artgen.proof.paths import JointPath, Space
 
 _BISECTIONS = 9
 _MARGIN = 1e-6  # half the range in which a joint at rest is proven [rad or m]
+_AJAR = 0.02  # share of its range in which a joint counts as all but closed
 _FARTHEST = 10.0  # largest measured clearance [m]
+
+Range = tuple[float, float]
 
 
 def safe_limits(asset: Asset) -> dict[str, tuple[float, float]]:
@@ -101,6 +105,112 @@ def narrowed_limits(
     return found
 
 
+def separated(asset: Asset, counts: Callable[[JointPath], bool]) -> Asset:
+    """Return an asset in whose valid states no counted pair collides, by narrower limits and dependencies.
+
+    A joint that collides while the others are all but closed is narrowed. Of two joints that collide with
+    each other, the one that moves less mass then depends on the other one: it stays near its closed position
+    unless the other one is near it as well. A joint that has a dependency already does not get another.
+
+    Args:
+        asset: The asset; the other pairs are not examined.
+        counts: Selects the pairs that may not collide, such as those of links of two assets in a scene.
+
+    Raises:
+        AssetError: The joints of a pair have dependencies already, or the pair collides at rest.
+    """
+    failed = {each.links for each in certify(asset, only=counts).failures}
+    names = {name for links in failed for name in links}
+    parts = replace(asset, links=ByName(link for link in asset.links if link.name in names))
+    paths = Space(parts).joint_paths(lambda path: path.links in failed)
+    limits: dict[str, Range] = {}
+    for name in dict.fromkeys(name for path in paths for name in path.variables):
+        others = {each.name: _ajar(each) for each in asset.free_joints if each.name != name}
+        found = _free(
+            _narrowed(parts, others), name, {path.links for path in paths if name in path.variables}
+        )
+        if found != asset.joint(name).limits:
+            limits[name] = found
+    asset, parts = _narrowed(asset, limits), _narrowed(parts, limits)
+    paths = [path for path in paths if not _are_apart(parts, {path.links})]
+    needs: dict[str, AssetDependency] = {}
+    while paths:
+        mended, name, dependency = _dependency(parts, paths)
+        needs[name] = _both(needs[name], dependency) if name in needs else dependency
+        paths = [path for path in paths if path.links not in mended]
+    joints = [replace(each, needs=needs.get(each.name, each.needs)) for each in asset.joints]
+    return replace(asset, joints=ByName(joints))
+
+
+def _ajar(joint: AssetJoint) -> Range:
+    """Return a small range around the closed position [rad or m]."""
+    low, high = joint.limits or (-np.pi, np.pi)
+    slack = _AJAR * (high - low)
+    return max(low, joint.closed - slack), min(high, joint.closed + slack)
+
+
+def _dependency(
+    asset: Asset, paths: Sequence[JointPath]
+) -> tuple[set[tuple[str, str]], str, AssetDependency]:
+    """Return the pairs that one dependency keeps apart, the first one included, its joint, and it."""
+
+    def heavier(names: tuple[str, str]) -> bool:
+        return _moved_mass(asset, names[0]) > _moved_mass(asset, names[1])
+
+    links, variables = paths[0].links, paths[0].variables
+    for first, second in sorted(itertools.permutations(variables, 2), key=heavier):
+        if asset.joint(first).needs is None:
+            pairs = {path.links for path in paths if {first, second} <= {*path.variables}}
+            near, room = _free(asset, first, pairs), _free(asset, second, pairs)
+            if near[0] < near[1] and room[0] < room[1]:
+                return pairs, first, _needs(asset, first, near, second, room)
+    raise AssetError(
+        f"asset {asset.name!r}: {links[0]!r} and {links[1]!r} collide, and no limits or dependencies of "
+        f"{' and '.join(variables)} prevent it; place them farther apart"
+    )
+
+
+def _needs(asset: Asset, first: str, near: Range, second: str, room: Range) -> AssetDependency:
+    """Return the dependency that keeps a joint in a range unless the other one is in its range."""
+    full = asset.joint(second).limits or (-np.inf, np.inf)
+    terms = []
+    if room[0] > full[0]:
+        terms.append(AssetCondition("above", second, room[0]))
+    if room[1] < full[1]:
+        terms.append(AssetCondition("below", second, room[1]))
+    low, high = asset.joint(first).limits or (-np.inf, np.inf)
+    ends = [abs(end) for end, limit in zip(near, (low, high), strict=True) if end != limit]
+    condition = terms[0] if len(terms) == 1 else AssetCondition("all", terms=tuple(terms))
+    return AssetDependency(condition, beyond=min(ends))
+
+
+def _both(one: AssetDependency, other: AssetDependency) -> AssetDependency:
+    """Return the dependency that asks for the conditions of two, from the nearer beginning on."""
+    beyond = min(one.beyond or 0.0, other.beyond or 0.0)
+    return AssetDependency(AssetCondition("all", terms=(one.condition, other.condition)), beyond=beyond)
+
+
+def _free(asset: Asset, joint: str, pairs: set[tuple[str, str]]) -> Range:
+    """Return the range of a joint around its closed position in which given pairs are apart."""
+    closed, limits = asset.joint(joint).closed, Space(asset).ranges[joint]
+
+    def safe(ends: Range) -> bool:
+        low, high = ends if ends[0] < ends[1] else (ends[0] - _MARGIN, ends[1] + _MARGIN)
+        return _are_apart(_narrowed(asset, {joint: (low, high)}), pairs)
+
+    if safe(limits):
+        return limits
+    if not safe((closed, closed)):
+        return (closed, closed)
+    low, high = (_end(safe, closed, end) for end in limits)
+    return (low, high)
+
+
+def _are_apart(asset: Asset, pairs: set[tuple[str, str]]) -> bool:
+    """Tell whether the colliders of given pairs of links are proven apart."""
+    return not doubtful_colliders(asset, 0.0, lambda path: path.links in pairs)
+
+
 def _end(safe: Callable[[tuple[float, float]], bool], rest: float, end: float) -> float:
     """Return the safe position nearest to an end of a joint's range."""
     if safe((min(rest, end), max(rest, end))):
@@ -140,8 +250,6 @@ def _narrowed(asset: Asset, limits: Mapping[str, tuple[float, float]]) -> Asset:
 
 
 _MOST = 0.8  # share of its range at which a joint gives way to its dependency in any case
-
-Range = tuple[float, float]
 
 
 def with_limits(asset: Asset, limits: Limits, keep: Sequence[str] = ()) -> Asset:

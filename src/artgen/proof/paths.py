@@ -7,8 +7,8 @@ enlarge the space.
 
 import itertools
 import math
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
@@ -38,10 +38,25 @@ class JointPath:
     # position of each joint as a function of a variable, its leader; no leader for a joint that never moves
     followers: tuple[AssetCoupling, ...]
     variables: tuple[str, ...]  # names of the free joints that move them
-    # joint space: lowest and highest position of each variable, each shape (v, 2) [rad or m]
-    boxes: tuple[Array, ...]
-    # contacts that are allowed everywhere in each box
-    allowed: tuple[tuple[AllowedContact, ...], ...] = field(default=())
+    _parts: Callable[
+        [], Iterable[tuple[Box, tuple[AllowedContact, ...]]]
+    ]  # boxes, and contacts allowed there
+
+    @cached_property
+    def _found(self) -> tuple[tuple[Box, tuple[AllowedContact, ...]], ...]:
+        return tuple(self._parts())
+
+    @cached_property
+    def boxes(self) -> tuple[Array, ...]:
+        """The joint space: lowest and highest position of each variable, each shape (v, 2) [rad or m]."""
+        return tuple(
+            np.array([box[name] for name in self.variables]).reshape(-1, 2) for box, _ in self._found
+        )
+
+    @cached_property
+    def allowed(self) -> tuple[tuple[AllowedContact, ...], ...]:
+        """The contacts that are allowed everywhere in each box."""
+        return tuple(contacts for _, contacts in self._found)
 
 
 class Space:
@@ -52,21 +67,26 @@ class Space:
         self._chains = {link.name: joints_above(asset.joints, link.name)[::-1] for link in asset.links}
         self.followers: dict[str, AssetCoupling] = {}
         self.ranges: dict[str, Interval] = {}
+        self._boxes: dict[tuple[str, ...], list[Box]] = {}  # by variables, which many pairs share
         for joint in asset.joints:
             self._resolve(joint)
 
-    def joint_paths(self) -> list[JointPath]:
+    def joint_paths(self, only: Callable[[JointPath], bool] | None = None) -> list[JointPath]:
         """Return the joint path between each pair of links that can move against each other.
 
         Links that fill empty slots have none: their colliders lie inside other links, see `outside`.
+
+        Args:
+            only: Selects joint paths; by default all.
         """
-        return list(self._joint_paths)
+        chosen = self._joint_paths if only is None else filter(only, self._joint_paths)
+        return [joint_path for joint_path in chosen if joint_path.boxes]
 
     @cached_property
     def _joint_paths(self) -> tuple[JointPath, ...]:
         names = [link.name for link in self.asset.links if not link.absent]
         found = (self.joint_path(a, b) for a, b in itertools.combinations(names, 2))
-        return tuple(joint_path for joint_path in found if joint_path.variables and joint_path.boxes)
+        return tuple(joint_path for joint_path in found if joint_path.variables)
 
     def check(self) -> None:
         """Raise AssetError for dependencies that cannot be satisfied.
@@ -101,18 +121,18 @@ class Space:
         signs = (-1,) * (len(up) - shared) + (1,) * (len(down) - shared)
         followers = tuple(self.followers[joint.name] for joint in steps)
         variables = tuple(dict.fromkeys(each.leader for each in followers if each.leader))
+        parts = partial(self._parts, a, b, variables)
+        return JointPath((a, b), steps, signs, followers, variables, parts)
+
+    def _parts(
+        self, a: str, b: str, variables: Sequence[str]
+    ) -> Iterator[tuple[Box, tuple[AllowedContact, ...]]]:
+        """Yield the boxes of the joint space of two links, and the contacts that are allowed in each."""
         contacts = [each for each in self.asset.contacts if set(each.links) == {a, b}]
-        boxes = [part for box in self.boxes(variables) for part in self._split(box, contacts)]
-        allowed = tuple(
-            tuple(
-                each
-                for each in contacts
-                if each.when is None or each.when.combined(partial(self._holds, box))
-            )
-            for box in boxes
-        )
-        arrays = tuple(np.array([box[name] for name in variables]).reshape(-1, 2) for box in boxes)
-        return JointPath((a, b), steps, signs, followers, variables, arrays, allowed)
+        for whole in self.boxes(variables):
+            for box in self._split(whole, contacts):
+                holds = partial(self._holds, box)
+                yield box, tuple(each for each in contacts if each.when is None or each.when.combined(holds))
 
     def boxes(self, variables: Sequence[str]) -> list[Box]:
         """Return boxes that together contain all positions of variables that dependencies allow.
@@ -120,6 +140,12 @@ class Space:
         The boxes are cut in the space of these variables and of all variables that they depend on, and then
         projected.
         """
+        known = self._boxes.get(tuple(variables))
+        if known is None:
+            known = self._boxes[tuple(variables)] = self._cut(variables)
+        return known
+
+    def _cut(self, variables: Sequence[str]) -> list[Box]:
         needed = list(variables)
         for variable in needed:  # grows: the variables that joints depend on are appended
             for joint in self.asset.joints:

@@ -50,7 +50,7 @@ def recheck(
     """
     space = space_of(asset)
     space.check()
-    joint_paths = {joint_path.links: joint_path for joint_path in space.joint_paths() if only(joint_path)}
+    joint_paths = {joint_path.links: joint_path for joint_path in space.joint_paths(only)}
     stated = {pair.links for pair in certificate.pairs}
     findings = [
         _fault("the certificate has no result for this pair, which can move", links)
