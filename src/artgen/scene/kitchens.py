@@ -21,6 +21,7 @@ _UNITS = (0.4, 1.0)  # widths of base units [m]
 _NARROWEST, _WIDEST = 3.0, 4.8  # widths of the room [m]
 _ATTEMPTS = 8  # draws before a kitchen counts as infeasible
 _WORKTOPS = ("granite", "black_granite", "marble", "oak", "walnut", "beech")
+_GRIPS = ("bar", "bar", "knob", "cup")  # handles that doors and drawers have
 _FLOORS = ("oak", "oak_flat_sawn", "ash", "granite", "walnut")
 
 
@@ -68,13 +69,13 @@ def _drawn(seed: int, attempt: int, width: float | None, depth: float | None, de
         detail=detail,
     )
     left = bool(draw.random() < 0.5)  # whether the refrigerator is at the left end
-    fridge = room.draw("refrigerator", hand="right" if left else "left")
+    cold = ("refrigerator", {"build": "tall", "hand": "right" if left else "left"})
     wide = str(draw.choice(["full", "slim"]))
     fixed: list[tuple[str, dict[str, Any]]] = [
         ("dishwasher", {"build": "built_in", "height": _UNDER, "size": wide}),
         ("oven", {"build": "range", "width": 0.6}),
     ]
-    taken = _width(fridge) + sum(_width(room.draw(name, **with_)) for name, with_ in fixed)
+    taken = sum(_width(room.draw(name, **values)) for name, values in (cold, *fixed))
     spare = size[0] - 2.0 * _MARGIN - taken - GAP * len(fixed)
     count = max(1, round(spare / 0.62))
     unit = spare / count - GAP
@@ -83,21 +84,22 @@ def _drawn(seed: int, attempt: int, width: float | None, depth: float | None, de
             f"a kitchen of {size[0]:.3f} m is too narrow: with a refrigerator, a dishwasher and an oven, "
             f"{_UNITS[0] - unit:.3f} m are missing for a base unit"
         )
-    style, finish = _style(room)
+    style, finish = _style(room, str(draw.choice(_GRIPS)))
     units = [_unit(number, unit, style | {"finish": finish}) for number in range(count)]
     row: list[tuple[str, dict[str, Any]]] = [*fixed, *units]
     row = [row[index] for index in draw.permutation(len(row))]
-    cold = ("refrigerator", {"hand": "right" if left else "left"})
     placed = room.run("back", *([cold, *row] if left else [*row, cold]), at=_MARGIN)
     _worktops(room, placed, top)
     for number, each in enumerate(placed):
         if each.asset.category in ("drawer", "cabinet"):
             at = float(each.bounds[0, 0]) + size[0] / 2.0
             hung = {"kind": "wall", "width": unit, "height": 0.72, "top": "flush", "finish": finish}
-            hung |= {key: style[key] for key in ("look", "style")}
+            hung |= {key: style[key] for key in ("look", "style", "grip")}
             room.against("back", "cabinet", at=at, z=_ABOVE, name=f"wall_unit_{number}", **hung)
     room.inset("left", "window", at=0.5 * (size[1] - 1.2), z=1.0, width=0.9, height=1.0, shutters="none")
-    room.inset("right", "door", at=0.1, layout="single", use="interior", opens="away")
+    room.inset(
+        "right", "door", at=0.1, layout="single", use="interior", opens="away", stock="standard", height=2.03
+    )
     return room.build(category="kitchen", seed=seed, attempt=attempt)
 
 
@@ -106,12 +108,13 @@ def _width(asset: Asset) -> float:
     return float(high[0] - low[0])
 
 
-def _style(room: Scene) -> tuple[dict[str, Any], Material]:
+def _style(room: Scene, grip: str) -> tuple[dict[str, Any], Material]:
     """Return the look and style of the fronts, and their material, from one base unit."""
-    model = room.draw("cabinet", kind="base", stand="plinth", top="flush")
+    model = room.draw("cabinet", kind="base", stand="plinth", top="flush", grip=grip)
     found = {each.name: each for each in model.materials}
-    style = {key: model.parameters[key] for key in ("look", "style", "metal")}
-    style["metal"] = found.get(style["metal"], style["metal"])
+    style = {key: model.parameters[key] for key in ("look", "style", "grip")}
+    if (metal := found.get(model.parameters["metal"])) is not None:  # not where a door has no metal
+        style["metal"] = metal
     return style, found[model.parameters["finish"]]
 
 
