@@ -6,7 +6,7 @@ from contextlib import contextmanager
 from functools import lru_cache, wraps
 from threading import Lock
 from types import MappingProxyType
-from typing import Any, Generic, Self, TypeVar, overload
+from typing import Annotated, Any, Generic, Self, TypeVar, overload
 from weakref import WeakKeyDictionary
 
 import numpy as np
@@ -123,6 +123,9 @@ def without_collector() -> Iterator[None]:
 
 
 Array = NDArray[np.float64]
+Triple = Annotated[Array, (3,)]
+Matrix = Annotated[Array, (3, 3)]
+Pose = Annotated[Array, (4, 4)]
 Indices = NDArray[np.int64]
 Mask = NDArray[np.bool_]
 

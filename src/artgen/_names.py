@@ -106,27 +106,29 @@ def check_names(data: Mapping[str, Any], source: Path) -> None:
     Raises:
         AssetError: A name is not an identifier, or a path leaves the folder of the asset.
     """
-    for key, name in _names({**data, "parameters": {}, "formats": {}, "digests": {}, "certificate": {}}):
+    named = {**data, "parameters": {}, "formats": {}, "digests": {}, "certificate": {}}
+    for place, name in _names(named, "", ""):
         if not is_identifier(name):
-            raise AssetError(f"{source}: {key} {name!r} is no identifier; use {NAME_RULE}")
+            raise AssetError(f"{source}: {place} {name!r:.60} is no identifier; use {NAME_RULE}")
     for path in _paths(data):
         if not is_plain_path(path):
             raise AssetError(
-                f"{source}: the path {path!r} is not allowed; it must be relative and stay in the folder of "
-                "the asset"
+                f"{source}: the path {path!r:.60} is not allowed; it must be relative and stay in the folder "
+                "of the asset"
             )
 
 
-def _names(data: Any, key: str = "") -> Iterator[tuple[str, Any]]:
-    """Yield each name with its key."""
+def _names(data: Any, key: str, place: str) -> Iterator[tuple[str, Any]]:
+    """Yield each name with its place."""
     if isinstance(data, Mapping):
         for inner, value in data.items():
-            yield from _names(value, inner)
+            yield from _names(value, inner, f"{place}.{inner}" if place else inner)
     elif isinstance(data, list):
-        for value in data:
-            yield from _names(value, key)
+        for number, value in enumerate(data):
+            if not isinstance(value, float):  # most of the data
+                yield from _names(value, key, f"{place}[{number}]")
     elif key in _NAMED and (data is not None or key in ("labels", "name")):
-        yield key, data
+        yield place, data
 
 
 def _paths(data: Mapping[str, Any]) -> Iterator[Any]:

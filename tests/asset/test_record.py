@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 
 from artgen._arrays import Array
 from artgen.asset.record import Record, json_text, rounded, rounded_coordinates, significant
+from artgen.errors import AssetError
 
 numbers = st.floats(allow_nan=False, allow_infinity=False)
 data = st.recursive(
@@ -81,7 +82,7 @@ def test_a_record_is_read_back_from_its_data() -> None:
     del data["legs"][0]["note"]
     assert Stool.from_data(data).legs[0].note is None
     del data["legs"][0]["length"]
-    with pytest.raises(KeyError, match="length"):
+    with pytest.raises(AssetError, match=r"legs\[0\].length is missing"):
         Stool.from_data(data)
 
 

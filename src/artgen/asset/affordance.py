@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Literal, Self
 import numpy as np
 from manifold3d import Manifold
 
-from artgen._arrays import Array, FrozenArrays
+from artgen._arrays import Array, FrozenArrays, Pose
 from artgen.asset.joint import AssetCondition, AssetJoint, joints_above
 from artgen.asset.manifolds import mesh_of
 from artgen.asset.record import Record
@@ -32,7 +32,7 @@ class Hold(FrozenArrays, _Reached):
     """A frame at which a hand acts."""
 
     name: str  # identifier, unique on the asset
-    frame: Array  # pose in asset coordinates at rest, z along the approach of the hand, shape (4, 4) [m]
+    frame: Pose  # pose in asset coordinates at rest, z along the approach of the hand, shape (4, 4) [m]
     # region of joint space in which a hand reaches it, such as an open lid; None: everywhere
     when: AssetCondition | None = field(default=None, kw_only=True)
 
@@ -79,7 +79,7 @@ class Affordance(FrozenArrays, _Reached):
     name: str
     kind: Literal["grasp", "push"]
     link: str
-    frame: Array
+    frame: Pose
     width: float
     joints: tuple[str, ...]
     when: AssetCondition | None = None

@@ -1,6 +1,6 @@
 """The asset: a tree of links and joints with its parameters."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from threading import Lock
 from typing import TYPE_CHECKING, Any, Literal
@@ -60,6 +60,25 @@ def _check_holds(link: Link, joints: Mapping[str, AssetJoint]) -> None:
                     f"attach {name!r} as well.{nearest(name, joints)}",
                     link=link.name,
                 )
+
+
+def check_references(
+    links: Sequence[Link], joints: Sequence[AssetJoint], contacts: Sequence[AllowedContact]
+) -> None:
+    """Check that couplings, dependencies, holds and contacts name links and joints of an asset.
+
+    Raises:
+        AssetError: They do not, couplings form a circle, or the joint of a contact does not move its links.
+    """
+    named = {joint.name: joint for joint in joints}
+    for joint in joints:
+        _check_references(joint, named)
+    for link in links:
+        _check_holds(link, named)
+    free = {joint.name: 0.0 for joint in joints if joint.follows is None}
+    positions_of_followers(named, free)  # refuses couplings that form a circle
+    for contact in contacts:
+        check_contact(contact, [link.name for link in links], named)
 
 
 def with_followed_limits(joint: AssetJoint, joints: Mapping[str, AssetJoint]) -> AssetJoint:
@@ -147,15 +166,8 @@ class Asset:
                     link=link.name,
                 )
         joints = {joint.name: joint for joint in tree.joints()}
-        for joint in joints.values():
-            _check_references(joint, joints)
-        for link in links:
-            _check_holds(link, joints)
-        free = {joint.name: 0.0 for joint in joints.values() if joint.follows is None}
-        positions_of_followers(joints, free)  # refuses couplings that form a circle
         contacts = tuple(tree.all_contacts())
-        for contact in contacts:
-            check_contact(contact, [link.name for link in links], joints)
+        check_references(links, tuple(joints.values()), contacts)
         ranged = tuple(with_followed_limits(joint, joints) for joint in joints.values())
         return Asset(name, category, ByName(links), ByName(ranged), contacts=contacts, **fields)
 

@@ -1,23 +1,24 @@
 """Loading of assets from an export directory, and pickling in the same form."""
 
 import json
+import math
 import os
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any, ClassVar, NoReturn, get_args
+from typing import Annotated, Any, ClassVar, NoReturn, NotRequired, TypedDict
 
 import numpy as np
 
-from artgen._arrays import Array, cached_property
+from artgen._arrays import Array, Matrix, Pose, Triple, cached_property
 from artgen._names import ByName, check_names, checked_path
 from artgen.asset.affordance import Grasp, Push
-from artgen.asset.asset import FORMAT, PLAIN, Asset, remember
+from artgen.asset.asset import FORMAT, PLAIN, Asset, Base, DetailName, Limits, check_references, remember
 from artgen.asset.certificate import Certificate
 from artgen.asset.joint import AllowedContact, AssetJoint
 from artgen.asset.link import Collider, Link, Surface
 from artgen.asset.mass import MassProperties
+from artgen.asset.record import read, refused
 from artgen.asset.shape import Mesh
 from artgen.asset.surface import metric_coordinates
 from artgen.colliders import Convex
@@ -29,8 +30,88 @@ ASSET_FILE = "asset.json"
 CERTIFICATE_FILE = "certificate.json"
 MESH_DIRECTORY = "meshes"
 
-_DAMAGES = (ArithmeticError, AttributeError, LookupError, TypeError, ValueError)  # of readers of data
-_TYPES = {"name": str, "category": str, "attempt": int, "version": str, "parameters": dict}
+_LENGTHS = {
+    "box": 3,
+    "cylinder": 2,
+    "sphere": 1,
+    "capsule": 2,
+    "hull": 0,
+}  # numbers of the size of a collider
+_UNIT = 1e-6  # largest error of the length of an axis, and of the axes of a pose
+_FARTHEST = 1e6  # largest coordinate [m]
+
+
+class _Piece(TypedDict):
+    kind: Kind
+    pose: Pose
+    size: tuple[float, ...]
+    points: Annotated[Array, (0, 3)]
+
+
+class _Collider(_Piece):
+    label: str
+    material: str
+    spare: NotRequired[bool]
+    joined: NotRequired[tuple[str, ...]]
+
+
+class _Surface(TypedDict):
+    name: str
+    label: str
+    material: str
+    triangles: NotRequired[int]
+
+
+class _Detail(TypedDict):
+    label: str
+    bounds: Annotated[Array, (2, 3)]
+
+
+class _Link(TypedDict):
+    name: str
+    label: str
+    labels: tuple[str, ...]
+    mass: float
+    center: Triple
+    inertia: Matrix
+    grasps: tuple[Grasp, ...]
+    pushes: NotRequired[tuple[Push, ...]]
+    colliders: tuple[_Collider, ...]
+    surfaces: tuple[_Surface, ...]
+    details: NotRequired[tuple[_Detail, ...]]
+    separate: NotRequired[str]
+    covers: NotRequired[tuple[_Piece, ...]]
+    absent: NotRequired[bool]
+    mesh_precision: NotRequired[float]
+
+
+class _Files(TypedDict):
+    main: str
+    files: tuple[str, ...]
+
+
+class _Asset(TypedDict):
+    """The form of `asset.json`."""
+
+    name: str
+    category: str
+    seed: NotRequired[int | None]
+    attempt: NotRequired[int]
+    version: NotRequired[str]
+    base: NotRequired[Base]
+    limits: NotRequired[Limits]
+    detail: NotRequired[DetailName]
+    labels: tuple[str, ...]
+    parameters: Mapping[str, Any]
+    materials: tuple[Material, ...]
+    links: tuple[_Link, ...]
+    joints: tuple[AssetJoint, ...]
+    contacts: NotRequired[tuple[AllowedContact, ...]]
+    originals: NotRequired[Mapping[str, str]]
+    certificate: NotRequired[Certificate | None]
+    layout: NotRequired[str]
+    formats: NotRequired[Mapping[str, _Files]]
+    digests: NotRequired[Mapping[str, str]]
 
 
 def load(directory: str | Path) -> Asset:
@@ -54,21 +135,23 @@ def load(directory: str | Path) -> Asset:
         path = before
     try:
         data = json.loads(path.read_text(encoding="utf-8"))
-    except (OSError, ValueError) as error:
+    except (OSError, ValueError, RecursionError) as error:
         reason = getattr(error, "strerror", None) or error  # the message without the path
         raise ExportError(
             f"cannot read {path}: {reason}; is this a directory that artgen exported?"
         ) from error
     found = data.get("format") if isinstance(data, dict) else None
     if found != FORMAT:
-        raise AssetError(f"{path} has format {found!r}; this version reads {FORMAT!r}")
+        raise AssetError(f"{path} has format {found!r:.60}; this version reads {FORMAT!r}")
     try:
+        form = read(_Asset, data)
         check_names(data, path)
-        return asset_from_data(data, path.parent)
-    except ArtgenError:
-        raise
-    except _DAMAGES as error:
-        raise AssetError(f"{path} is damaged ({error!r}); export the asset again") from error
+        return _asset(form, data, path.parent)
+    except RecursionError:
+        raise AssetError(f"{path}: its values are nested too deeply; export the asset again") from None
+    except ArtgenError as error:
+        known = str(error).startswith(str(path))
+        raise AssetError(f"{'' if known else f'{path}: '}{error}; export the asset again") from error
 
 
 def exports_in(directories: Iterable[Path]) -> list[Path]:
@@ -142,45 +225,123 @@ def mesh_names(names: Mapping[str, Sequence[str]], taken: Iterable[str] = ()) ->
     return result
 
 
-def asset_from_data(data: Mapping[str, Any], directory: Path) -> Asset:
-    """Make an asset of its JSON data; its surfaces are read from the directory on first access."""
-    for name, kind in _TYPES.items():
-        if name in data and not isinstance(data[name], kind):
-            raise TypeError(f"{name} is {data[name]!r:.40}")
-    materials = {item["name"]: Material.from_data(item) for item in data["materials"]}
-    joints = ByName(AssetJoint.from_data(item) for item in data["joints"])
-    files = mesh_names({item["name"]: [each["name"] for each in item["surfaces"]] for item in data["links"]})
+def _asset(form: _Asset, data: Mapping[str, Any], directory: Path) -> Asset:
+    """Make an asset of its JSON data, also in the form; its surfaces are read on first access."""
+    materials = {each.name: each for each in form["materials"]}
+    files = mesh_names({item["name"]: [each["name"] for each in item["surfaces"]] for item in form["links"]})
     # the origin of a link lies on its last joint; the base has the asset's frame
-    origins = {joint.child: joint.pivot for joint in joints}
+    origins = {joint.child: joint.pivot for joint in form["joints"]}
+    _check_unique("materials[{}].name", [each.name for each in form["materials"]])
+    for number, item in enumerate(form["links"]):
+        _check_link(item, materials, f"links[{number}]")
     links = ByName(
         _StoredLink(
             item["name"],
             item["label"],
-            grasps=tuple(map(Grasp.from_data, item["grasps"])),
+            grasps=item["grasps"],
             separate=item.get("separate", ""),
-            pushes=tuple(map(Push.from_data, item.get("pushes", ()))),
-            data=item,
+            pushes=item.get("pushes", ()),
+            data=data["links"][number],
+            form=item,
             materials=materials,
             meshes=tuple(directory / MESH_DIRECTORY / file for file in files[item["name"]]),
             origin=origins.get(item["name"], np.zeros(3)),
         )
-        for item in data["links"]
+        for number, item in enumerate(form["links"])
     )
+    contacts = form.get("contacts", ())
+    _check_tree(links, form["joints"])
+    check_references(links, form["joints"], contacts)
     asset = Asset(
         links=links,
-        joints=joints,
-        labels=tuple(data["labels"]),
+        joints=ByName(form["joints"]),
+        labels=form["labels"],
         parameters=data["parameters"],
-        contacts=tuple(map(AllowedContact.from_data, data.get("contacts", ()))),
-        originals=data.get("originals", {}),
+        contacts=contacts,
+        originals=form.get("originals", {}),
         **{name: data[name] for name in (*PLAIN, "detail") if name in data},
     )
     # preset the cached property: otherwise it would be derived from the surfaces
-    vars(asset)["materials"] = tuple(materials.values())
-    if data.get("certificate") is None:
+    vars(asset)["materials"] = form["materials"]
+    certificate = form.get("certificate")
+    if certificate is None:
         return asset
-    certificate = Certificate.from_data(data["certificate"])
     return remember(asset, replace(certificate, leaves=_leaves(directory / CERTIFICATE_FILE)))
+
+
+def _check_link(form: _Link, materials: Mapping[str, Material], place: str) -> None:
+    """Check what kinds of values leave open: weights, sizes of colliders, and names of materials."""
+    if not form["mass"] > 0.0:
+        raise refused(form["mass"], f"{place}.mass", "positive [kg]")
+    used = [(f"colliders[{number}]", item["material"]) for number, item in enumerate(form["colliders"])]
+    used += [(f"surfaces[{number}]", item["material"]) for number, item in enumerate(form["surfaces"])]
+    for at, name in used:
+        if name not in materials:
+            raise refused(name, f"{place}.{at}.material", "the name of one of the materials")
+    pieces: Sequence[_Piece] = form["colliders"]
+    for kind, these in (("colliders", pieces), ("covers", form.get("covers", ()))):
+        for number, piece in enumerate(these):
+            _check_piece(piece, f"{place}.{kind}[{number}]")
+    for number, grasp in enumerate(form["grasps"]):
+        if not grasp.width >= 0.0:
+            raise refused(grasp.width, f"{place}.grasps[{number}].width", "0 or more [m]")
+
+
+def _check_piece(form: _Piece, place: str) -> None:
+    kind, size, points = form["kind"], form["size"], form["points"]
+    if len(size) != _LENGTHS[kind] or not all(0.0 < length < _FARTHEST for length in size):
+        raise refused(list(size), f"{place}.size", f"{_LENGTHS[kind]} positive lengths of a {kind} [m]")
+    turn = form["pose"][:3, :3]
+    if np.abs(turn @ turn.T - np.eye(3)).max() > _UNIT or (form["pose"][3] != (0.0, 0.0, 0.0, 1.0)).any():
+        raise refused(
+            form["pose"].tolist(), f"{place}.pose", "a rotation or reflection and a shift, shape (4, 4)"
+        )
+    if np.abs(points).max(initial=0.0) > _FARTHEST or np.abs(form["pose"]).max() > _FARTHEST:
+        raise refused(points.tolist(), f"{place}.points", f"within {_FARTHEST:g} m")
+    if kind == "hull" and (len(points) < 4 or np.linalg.matrix_rank(points - points[:1]) < 3):
+        raise refused(points.tolist(), f"{place}.points", "4 or more points that do not lie in one plane")
+
+
+def _check_tree(links: Sequence[Link], joints: Sequence[AssetJoint]) -> None:
+    """Check that the joints make one tree of the links, parents first, and can move."""
+    names = [link.name for link in links]
+    if not names:
+        raise refused([], "links", "a list of at least one link")
+    _check_unique("links[{}].name", names)
+    _check_unique("joints[{}].name", [joint.name for joint in joints])
+    holds = [[hold.name for hold in (*link.grasps, *link.pushes)] for link in links]
+    _check_unique("grasp or push {}", [name for each in holds for name in each])
+    for number, joint in enumerate(joints):
+        if joint.parent not in names:
+            raise refused(joint.parent, f"joints[{number}].parent", "the name of one of the links")
+        after = names[names.index(joint.parent) + 1 :]
+        if joint.child not in after:
+            allowed = f"the name of a link that follows {joint.parent!r}"
+            raise refused(joint.child, f"joints[{number}].child", allowed)
+        _check_joint(joint, joints[:number], f"joints[{number}]")
+    children = [names[0], *(joint.child for joint in joints)]
+    for number, name in enumerate(names):
+        if name not in children:
+            raise refused(name, f"links[{number}].name", "the child of a joint, or the first link")
+
+
+def _check_joint(joint: AssetJoint, before: Sequence[AssetJoint], place: str) -> None:
+    same = [other for other in before if other.child == joint.child]
+    if same and same[-1] is not before[-1]:
+        raise refused(joint.child, f"{place}.child", "next to the other joints of that link")
+    if same and same[-1].parent != joint.parent:
+        allowed = f"{same[-1].parent!r}, like that of the other joints of {joint.child!r}"
+        raise refused(joint.parent, f"{place}.parent", allowed)
+    if abs(math.hypot(*joint.axis) - 1.0) > _UNIT:
+        raise refused(joint.axis.tolist(), f"{place}.axis", "a vector of length 1")
+    if joint.limits is not None and joint.limits[0] > joint.limits[1]:
+        raise refused(list(joint.limits), f"{place}.limits", "the lowest and the highest position")
+
+
+def _check_unique(place: str, names: Sequence[str]) -> None:
+    for number, name in enumerate(names):
+        if name in names[:number]:
+            raise refused(name, place.format(number), "another name: it is taken")
 
 
 def _leaves(path: Path) -> dict[str, Any] | None:
@@ -189,7 +350,7 @@ def _leaves(path: Path) -> dict[str, Any] | None:
         data = json.loads(path.read_text(encoding="utf-8"))
     except FileNotFoundError:
         return None
-    except (OSError, ValueError) as error:
+    except (OSError, ValueError, RecursionError) as error:
         return {"format": f"unreadable: {error}"}
     return data if isinstance(data, dict) else {"format": "unreadable: no JSON object"}
 
@@ -199,6 +360,7 @@ class _StoredLink(Link):
     """A link whose values come from files instead of solids."""
 
     data: Mapping[str, Any] = field(kw_only=True)  # data from `Link.to_data`
+    form: _Link = field(kw_only=True)  # the same, with arrays and records
     materials: Mapping[str, Material] = field(kw_only=True)  # the asset's materials by name
     meshes: tuple[Path, ...] = field(kw_only=True)  # the OBJ file of each surface
     origin: Array = field(kw_only=True)  # of its frame in asset coordinates at rest, shape (3,) [m]
@@ -206,56 +368,37 @@ class _StoredLink(Link):
 
     @property
     def absent(self) -> bool:  # type: ignore[override]
-        return bool(self.data.get("absent", False))
+        return self.form.get("absent", False)
 
     @cached_property
     def labels(self) -> tuple[str, ...]:
-        return tuple(self.data["labels"])
+        return self.form["labels"]
 
     @cached_property
     def mass_properties(self) -> MassProperties:
-        with self._reading():
-            return MassProperties.from_data(self.data)
+        return MassProperties(self.form["mass"], self.form["center"], self.form["inertia"])
 
     @cached_property
     def colliders(self) -> tuple[Collider, ...]:
-        with self._reading():
-            return tuple(
-                Collider(
-                    _convex(item),
-                    item["label"],
-                    self.materials[item["material"]],
-                    item.get("spare", False),
-                    tuple(item.get("joined", ())),
-                )
-                for item in self.data["colliders"]
+        return tuple(
+            Collider(
+                _convex(item),
+                item["label"],
+                self.materials[item["material"]],
+                item.get("spare", False),
+                item.get("joined", ()),
             )
+            for item in self.form["colliders"]
+        )
 
     @property
     def covers(self) -> tuple[Convex, ...]:
-        with self._reading():
-            return tuple(map(_convex, self.data.get("covers", ())))
+        return tuple(map(_convex, self.form.get("covers", ())))
 
     @cached_property
     def surfaces(self) -> tuple[Surface, ...]:
-        with self._reading():
-            return self._surfaces()
-
-    @contextmanager
-    def _reading(self) -> Iterator[None]:
-        """Name the link in errors of damaged data."""
-        try:
-            yield
-        except ArtgenError:
-            raise
-        except _DAMAGES as error:
-            raise AssetError(
-                f"link {self.name!r} is damaged in {ASSET_FILE} ({error!r}); export the asset again"
-            ) from error
-
-    def _surfaces(self) -> tuple[Surface, ...]:
         result = []
-        for item, path in zip(self.data["surfaces"], self.meshes, strict=True):
+        for item, path in zip(self.form["surfaces"], self.meshes, strict=True):
             material, mesh = self.materials[item["material"]], read_obj(path, self.origin)
             # files have texture coordinates in repeats of the maps
             mesh = replace(mesh, uvs=metric_coordinates(mesh.uvs, material))
@@ -274,13 +417,8 @@ class _StoredLink(Link):
         self.moved(np.eye(4))
 
 
-def _convex(data: Mapping[str, Any]) -> Convex:
-    points, pose = (
-        np.array(data[name], float).reshape(-1, side) for name, side in (("points", 3), ("pose", 4))
-    )
-    if data["kind"] not in get_args(Kind) or pose.shape != (4, 4):
-        raise ValueError(f"no collider is a {data['kind']!r:.40} at {data['pose']!r:.40}")
-    return Convex(data["kind"], pose, tuple(map(float, data["size"])), points)
+def _convex(form: _Piece) -> Convex:
+    return Convex(form["kind"], form["pose"], tuple(map(float, form["size"])), form["points"])
 
 
 def read_obj(path: Path, origin: Array) -> Mesh:
@@ -326,7 +464,7 @@ def unpack(
     data: Mapping[str, Any], surfaces: Mapping[str, tuple[Surface, ...]], certificate: Certificate | None
 ) -> Asset:
     """Return the asset from the parts of `pack`; like a loaded asset, it has no solids."""
-    asset = asset_from_data({**data, "certificate": None}, Path())
+    asset = _asset(read(_Asset, {**data, "certificate": None}), data, Path())
     for link in asset.links:
         # preset the cached property: no file is read
         vars(link)["surfaces"] = surfaces[link.name]

@@ -7,7 +7,7 @@ from typing import Any, ClassVar, Literal
 import numpy as np
 
 from artgen import _portable
-from artgen._arrays import Array, FrozenArrays
+from artgen._arrays import Array, FrozenArrays, Triple
 from artgen.asset.record import Record
 from artgen.errors import AssetError
 
@@ -144,8 +144,8 @@ class AssetJoint(FrozenArrays, Record):
 
     name: str
     kind: JointKind
-    axis: Array
-    pivot: Array
+    axis: Triple
+    pivot: Triple
     limits: tuple[float, float] | None = None
     stiffness: float = 0.0
     damping: float = 0.0

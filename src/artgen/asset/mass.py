@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from artgen import _portable
-from artgen._arrays import Array, FrozenArrays
+from artgen._arrays import Array, FrozenArrays, Matrix, Triple
 from artgen.asset.record import Record
 from artgen.errors import AssetError
 
@@ -38,8 +38,8 @@ class MassProperties(FrozenArrays, Record):
     """Mass, center of mass and inertia of a rigid body."""
 
     mass: float  # mass [kg]
-    center: Array  # center of mass in asset coordinates at rest, shape (3,) [m]
-    inertia: Array  # about the center of mass, along the asset's axes, shape (3, 3) [kg m^2]
+    center: Triple  # center of mass in asset coordinates at rest, shape (3,) [m]
+    inertia: Matrix  # about the center of mass, along the asset's axes, shape (3, 3) [kg m^2]
 
     def principal(self) -> tuple[Array, Array]:
         """Return the principal moments, shape (3,), and the rotation to the principal axes, shape (3, 3).

@@ -2,14 +2,27 @@
 
 import json
 import types
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass, fields, is_dataclass, replace
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import MISSING, dataclass, fields, is_dataclass, replace
 from functools import partial
-from typing import Any, ClassVar, Self, Union, get_args, get_origin, get_type_hints
+from typing import (
+    Annotated,
+    Any,
+    ClassVar,
+    Literal,
+    NotRequired,
+    Self,
+    Union,
+    get_args,
+    get_origin,
+    get_type_hints,
+    is_typeddict,
+)
 
 import numpy as np
 
 from artgen._arrays import cached
+from artgen.errors import ArtgenError, AssetError
 
 DECIMALS = 12  # decimals of coordinates of colliders [m]; other numbers have as many significant digits
 _EXPANDED = 3  # levels that always have a line per item; the next level has if items are not plain values
@@ -36,58 +49,176 @@ class Record:
         """Return the object of data from `to_data`.
 
         Raises:
-            KeyError: The data lack a field.
+            AssetError: A value is missing or of the wrong kind; the message has its place.
         """
-        readers = _readers(cls)
-        given = {name: data[name] for name in readers if name in data or name not in cls.OPTIONAL}
-        return cls(**{name: readers[name](value) for name, value in given.items()})
+        found: Self = read(cls, data)
+        return found
 
 
-Reader = Callable[[Any], Any]
-_PLAIN: Mapping[Any, type | tuple[type, ...]] = {float: (float, int), int: int, str: str, bool: bool}
-"""Types of JSON values that are read as they are; others are not checked."""
+Reader = Callable[[Any, str], Any]
+_PLAIN: Mapping[Any, tuple[tuple[type, ...], str]] = {
+    int: ((int,), "a whole number"),
+    str: ((str,), "text"),
+    bool: ((bool,), "true or false"),
+}
+"""Types of JSON values that are read as they are, and their names in messages."""
+
+_LONGEST = 60  # most characters of a value in a message
+_LARGEST = 1e30  # largest number: its square, and its value in 32 bits, are finite
+
+
+def read(kind: Any, data: Any, place: str = "") -> Any:
+    """Return JSON data as a value of a type: a record, a `TypedDict`, or what their fields may be.
+
+    Arrays have the shape of their annotation, or any; numbers are finite, and at most 1e30.
+
+    Args:
+        kind: The type.
+        data: JSON data.
+        place: Place of the data in its file, such as `links[0].center`.
+
+    Raises:
+        AssetError: A value is missing or of the wrong kind; the message has its place, and what is allowed.
+    """
+    return _reader(kind)(data, place)
+
+
+def refused(data: Any, place: str, allowed: str) -> AssetError:
+    """Return the error for a value at a place in a file."""
+    text = repr(data)
+    text = text if len(text) <= _LONGEST else f"{text[: _LONGEST - 3]}..."
+    return AssetError(f"{place or 'it'} is {text}, but it must be {allowed}")
 
 
 @cached(None)
-def _readers(cls: type[Record]) -> dict[str, Reader]:
-    """Return for each field of a record the function that converts its JSON data."""
-    hints = get_type_hints(cls)
-    return {field.name: _reader(hints[field.name]) for field in fields(cls)}
-
-
 def _reader(kind: Any) -> Reader:
-    """Return the function that converts JSON data to a type."""
+    """Return the function that converts JSON data at a place to a type."""
     origin, inner = get_origin(kind), get_args(kind)
-    if origin is np.ndarray:
-        return _array
-    if isinstance(kind, type) and issubclass(kind, Record):
-        return kind.from_data
-    if origin in (Union, types.UnionType):  # a type or None
-        read = _reader(inner[0])
-        return lambda data: None if data is None else read(data)
-    if origin is tuple and inner[-1] is Ellipsis:
-        read = _reader(inner[0])
-        return lambda data: tuple(map(read, data))
-    if origin is tuple:
-        readers = [_reader(each) for each in inner]
-        return lambda data: tuple(read(item) for read, item in zip(readers, data, strict=True))
-    if origin is Mapping:
-        read = _reader(inner[1])
-        return lambda data: {key: read(item) for key, item in data.items()}
-    return partial(_plain_value, _PLAIN.get(kind, object))
+    if origin in _GENERIC:
+        return _GENERIC[origin](inner)
+    if is_typeddict(kind) or is_dataclass(kind):
+        return partial(_fields, kind)
+    if kind is float:
+        return _number
+    return partial(_plain_value, *_PLAIN[kind]) if kind in _PLAIN else _json
 
 
-def _array(data: Any) -> Any:
-    found = np.array(data, float)
-    if not isinstance(data, list) or not np.isfinite(found).all():
-        raise TypeError(f"{data!r:.40} is no list of numbers")
-    return found
+def _optional(inner: tuple[Any, ...]) -> Reader:
+    reads = _reader(inner[0])
+    return lambda data, place: None if data is None else reads(data, place)
 
 
-def _plain_value(kinds: type | tuple[type, ...], data: Any) -> Any:
-    if not isinstance(data, kinds):
-        raise TypeError(f"{data!r:.40} is of the wrong type")
+def _sequence(inner: tuple[Any, ...]) -> Reader:
+    if inner[-1] is Ellipsis:
+        return partial(_row, _reader(inner[0]))
+    return partial(_columns, [_reader(each) for each in inner])
+
+
+_GENERIC: Mapping[Any, Callable[[tuple[Any, ...]], Reader]] = {
+    NotRequired: lambda inner: _reader(inner[0]),
+    Annotated: lambda inner: partial(_array, inner[1]),  # with a shape
+    np.ndarray: lambda _: partial(_array, None),
+    Literal: lambda inner: partial(_choice, inner),
+    Union: _optional,
+    types.UnionType: _optional,
+    tuple: _sequence,
+    Mapping: lambda inner: partial(_mapping, _reader(inner[1])),
+}
+"""Readers of generic types, from their arguments; a union is of a type and None."""
+
+
+@cached(None)
+def _form(kind: Any) -> tuple[dict[str, Reader], frozenset[str]]:
+    """Return the readers of the fields of a type by name, and the names of those that may be missing."""
+    hints = get_type_hints(kind, include_extras=True)
+    if is_typeddict(kind):
+        return {name: _reader(hint) for name, hint in hints.items()}, kind.__optional_keys__
+    readers = {each.name: _reader(hints[each.name]) for each in fields(kind)}
+    if issubclass(kind, Record):
+        return readers, kind.OPTIONAL
+    return readers, frozenset(each.name for each in fields(kind) if each.default is not MISSING)
+
+
+def _fields(kind: Any, data: Any, place: str) -> Any:
+    readers, optional = _form(kind)
+    if not isinstance(data, Mapping):
+        raise refused(data, place, f"an object with {', '.join(name for name in readers)}")
+    start = f"{place}." if place else ""
+    for name in readers:
+        if name not in data and name not in optional:
+            raise AssetError(f"{start}{name} is missing")
+    values = {name: reads(data[name], start + name) for name, reads in readers.items() if name in data}
+    if is_typeddict(kind):
+        return values
+    try:
+        return kind(**values)
+    except ArtgenError as error:
+        raise AssetError(f"{place}: {error}") from error
+
+
+def _row(reads: Reader, data: Any, place: str) -> tuple[Any, ...]:
+    if not isinstance(data, list | tuple):
+        raise refused(data, place, "a list")
+    return tuple(reads(item, f"{place}[{index}]") for index, item in enumerate(data))
+
+
+def _columns(readers: Sequence[Reader], data: Any, place: str) -> tuple[Any, ...]:
+    if not isinstance(data, list | tuple) or len(data) != len(readers):
+        raise refused(data, place, f"a list of {len(readers)} values")
+    return tuple(
+        reads(item, f"{place}[{at}]") for at, (reads, item) in enumerate(zip(readers, data, strict=True))
+    )
+
+
+def _mapping(reads: Reader, data: Any, place: str) -> dict[str, Any]:
+    if not isinstance(data, Mapping):
+        raise refused(data, place, "an object")
+    return {key: reads(item, f"{place}[{key!r:.{_LONGEST}}]") for key, item in data.items()}
+
+
+def _array(shape: tuple[int, ...] | None, data: Any, place: str) -> Any:
+    """Return an array; its first length may be any where the shape has 0."""
+    try:
+        found = np.array(data) if isinstance(data, list | tuple | np.ndarray) else np.empty((), object)
+    except (ValueError, OverflowError):  # rows of unequal lengths
+        found = np.empty((), object)
+    if found.size == 0 and shape is not None and shape[0] == 0:
+        found = np.empty(shape)
+    fits = shape is None or (
+        found.ndim == len(shape) and all(n in (m, 0) for m, n in zip(found.shape, shape, strict=True))
+    )
+    if not fits or found.dtype.kind not in "if" or not (np.abs(found) <= _LARGEST).all():
+        lengths = () if shape is None else tuple(str(each) for each in shape if each)
+        rows = "lists" if shape is not None and len(shape) > 1 else "a list"
+        raise refused(data, place, f"{rows} of {' x '.join(lengths)} numbers".replace("  ", " "))
+    return found.astype(float)
+
+
+def _choice(allowed: tuple[str, ...], data: Any, place: str) -> Any:
+    if data not in allowed:
+        raise refused(data, place, f"one of {', '.join(map(repr, allowed))}")
     return data
+
+
+def _number(data: Any, place: str) -> Any:
+    if type(data) is bool or not isinstance(data, float | int) or not abs(data) <= _LARGEST:
+        raise refused(data, place, f"a number of at most {_LARGEST:g}")
+    return data
+
+
+def _plain_value(kinds: tuple[type, ...], allowed: str, data: Any, place: str) -> Any:
+    if not isinstance(data, kinds) or (type(data) is bool and bool not in kinds):
+        raise refused(data, place, allowed)
+    return data
+
+
+def _json(data: Any, place: str) -> Any:
+    """Return data of any kind, whose numbers are finite."""
+    if isinstance(data, Mapping):
+        return _mapping(_json, data, place)
+    if isinstance(data, list | tuple):
+        return [_json(item, f"{place}[{index}]") for index, item in enumerate(data)]
+    return _number(data, place) if isinstance(data, float) else data
 
 
 def plain(value: Any) -> Any:

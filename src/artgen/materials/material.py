@@ -12,7 +12,7 @@ from typing import Any
 
 from artgen.errors import ParameterError, nearest
 
-_NAME = re.compile(r"[a-z][a-z0-9_]*\Z")
+_NAME = re.compile(r"[a-z][a-z0-9_]{0,99}\Z")
 _SHARES = (
     "base_metalness", "specular_roughness", "coat_weight", "coat_roughness", "transmission_weight", "opacity",
 )  # fmt: skip
@@ -61,7 +61,7 @@ class Material:
         """Check every field; raise a ParameterError that names a bad one."""
         if not _NAME.fullmatch(str(self.name)):
             raise ParameterError(
-                f"material name {self.name!r} is not a lower-case identifier; use letters, digits and _"
+                f"material name {self.name!r:.60} is not a lower-case identifier; use letters, digits and _"
             )
         for field in ("base_color", "emission"):
             value = tuple(self._number(field, channel) for channel in getattr(self, field))
@@ -92,7 +92,7 @@ class Material:
             raise self._error(f"turned {self.turned!r} must be True or False")
         object.__setattr__(self, "turned", bool(self.turned))
         if self.texture and not _NAME.fullmatch(str(self.texture)):
-            raise self._error(f"texture {self.texture!r} is not the name of a recipe")
+            raise self._error(f"texture {self.texture!r:.60} is not the name of a recipe")
 
     def _error(self, message: str) -> ParameterError:
         return ParameterError(f"material {self.name!r}: {message}")

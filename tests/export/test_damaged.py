@@ -1,0 +1,139 @@
+"""Damaged and hostile `asset.json`: one error of artgen, with the place of the value and what is allowed."""
+
+import json
+import shutil
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import artgen
+from artgen.asset import Asset
+from artgen.errors import ArtgenError, AssetError, ExportError
+
+Place = tuple[str | int, ...]
+VALUES: tuple[Any, ...] = (
+    {}, [], None, "x", -1, 1e300, float("inf"), float("nan"), "h" * 10_000, [[1]], 10**400,
+)  # fmt: skip
+
+
+@pytest.fixture
+def folder(cabinet: Asset, tmp_path: Path) -> Path:
+    return cabinet.export(tmp_path / "asset", formats=("urdf",), textures=0)
+
+
+def places(data: Any, place: Place = ()) -> Iterator[Place]:
+    """Yield the place of every value, of the items of a list the first."""
+    if place:
+        yield place
+    items = data.items() if isinstance(data, dict) else enumerate(data[:1]) if isinstance(data, list) else ()
+    for key, value in items:
+        yield from places(value, (*place, key))
+
+
+def changed(text: str, place: Place, values: tuple[Any, ...]) -> Iterator[Any]:
+    """Yield the data with other values in a place, without the value, and with the value twice."""
+    for value in (*values, "without", "twice"):
+        data = holder = json.loads(text)
+        for key in place[:-1]:
+            holder = holder[key]
+        if value == "without":
+            del holder[place[-1]]
+        elif value == "twice" and isinstance(holder, list):
+            holder.append(holder[place[-1]])
+        else:
+            holder[place[-1]] = value
+        yield data
+
+
+def use(asset: Asset) -> None:
+    """Read what an asset has."""
+    assert all((str(asset), repr(asset), asset.to_json(), asset.materials))
+    assert len(asset.affordances) == sum(len(link.grasps) + len(link.pushes) for link in asset.links)
+    for link in asset.links:
+        assert len(link.surfaces) == len(link.to_data()["surfaces"])
+        for piece in [*(each.convex for each in link.colliders), *link.covers]:
+            assert np.isfinite(piece.bounds()).all()
+        assert np.isfinite(link.mass_properties.principal()[0]).all()
+        assert asset.origin(link.name).shape == (3,)
+    asset.pose()
+    asset.fk(asset.project(asset.sample_states(2)))
+
+
+def test_every_wrong_value_is_one_error_with_its_place(folder: Path) -> None:
+    text = (folder / "asset.json").read_text()
+    whole = json.loads(text)
+    refused = 0
+    for place in places(whole):
+        if place[0] in ("parameters", "digests", "formats") and len(place) > 3:
+            continue
+        before = whole
+        for key in place:
+            before = before[key]
+        for data in changed(text, place, VALUES):
+            (folder / "asset.json").write_text(json.dumps(data))
+            try:
+                use(artgen.load(folder))
+            except ArtgenError as error:
+                refused += 1
+                message = str(error)
+                names = [str(key) for key in place if isinstance(key, str)]
+                found = [name for name in (*names, str(before)) if name.rstrip("s") in message]
+                assert found or "links[" in message or "the path" in message, (place, message)
+                assert "Error(" not in message, message
+                assert len(message) < 600, message
+    assert refused > 800
+
+
+@pytest.mark.parametrize(
+    ("place", "value", "message"),
+    [
+        (("links",), {}, "links is {}, but it must be a list"),
+        (("links", 0, "surfaces"), {}, r"links\[0\].surfaces is {}, but it must be a list"),
+        (("materials", 0, "texture"), {}, r"materials\[0\].texture is {}, but it must be text"),
+        (("joints", 0, "axis"), [0, 2, 0], r"joints\[0\].axis is \[0.0, 2.0, 0.0\], .* a vector of length 1"),
+        (("joints", 0, "axis"), ["1", 0, 0], r"joints\[0\].axis is .* a list of 3 numbers"),
+        (("joints", 0, "limits"), [1, 0], r"joints\[0\].limits is \[1, 0\], .* lowest and the highest"),
+        (("joints", 0, "parent"), "roof", r"joints\[0\].parent is 'roof', .* the name of one of the links"),
+        (("joints", 0, "effort"), "strong", r"joints\[0\].effort is 'strong', .* a number of at most"),
+        (("joints", 1, "name"), "lid_hinge", r"joints\[1\].name is 'lid_hinge', .* it is taken"),
+        (("links", 1, "mass"), 0.0, r"links\[1\].mass is 0.0, but it must be positive"),
+        (
+            ("links", 0, "colliders", 0, "kind"),
+            "cone",
+            r"colliders\[0\].kind is 'cone', .* 'box', 'cylinder'",
+        ),
+        (("links", 0, "colliders", 0, "pose"), [[1]], r"colliders\[0\].pose is .* lists of 4 x 4 numbers"),
+        (("links", 0, "colliders", 0, "material"), "mist", r"material is 'mist', .* one of the materials"),
+        (("joints", 5, "follows"), {"leader": "lever"}, r"joints\[5\].follows.ratio is missing"),
+        (("base",), "flying", "base is 'flying', but it must be one of 'fixed', 'free'"),
+    ],
+)
+def test_the_message_has_value_place_and_what_is_allowed(
+    folder: Path, place: Place, value: Any, message: str
+) -> None:
+    data = next(changed((folder / "asset.json").read_text(), place, (value,)))
+    (folder / "asset.json").write_text(json.dumps(data))
+    with pytest.raises(AssetError, match=rf"asset.json: .*{message}.*; export the asset again"):
+        Asset.load(folder).export(folder.parent / "again", formats=("urdf",), textures=0)
+    assert not (folder.parent / "again").exists()
+
+
+@pytest.mark.parametrize("text", ["[" * 100_000, '{"a":' * 100_000, "", "{", "\ud800", "1" * 10_000])
+def test_text_that_is_no_asset_is_one_error(folder: Path, text: str) -> None:
+    (folder / "asset.json").write_bytes(text.encode("utf-8", "surrogatepass"))
+    with pytest.raises((AssetError, ExportError), match=r"asset\.json"):
+        artgen.load(folder)
+
+
+def test_conditions_that_are_nested_too_deeply_are_one_error(folder: Path) -> None:
+    text = (folder / "asset.json").read_text()
+    data = json.loads(text)
+    data["joints"][0]["needs"]["condition"] = "deep"
+    deep = '{"kind":"all","terms":[' * 400 + '{"kind":"above","joint":"lever_turn","value":0}' + "]}" * 400
+    (folder / "asset.json").write_text(json.dumps(data).replace('"deep"', deep))
+    with pytest.raises((AssetError, ExportError), match=r"asset\.json"):
+        use(artgen.load(folder))
+    shutil.rmtree(folder)
