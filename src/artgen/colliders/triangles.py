@@ -3,7 +3,6 @@
 import numpy as np
 from manifold3d import Manifold, Mesh64
 
-from artgen import _portable
 from artgen._arrays import Array, Indices
 
 _NEXT, _AFTER = np.array([1, 2, 0]), np.array([2, 0, 1])
@@ -80,4 +79,5 @@ def _has_all(solid: Manifold, points: Array) -> bool:
     mesh = solid.to_mesh64()
     corners = np.asarray(mesh.vert_properties)[:, :3][triangles_of(mesh)]
     planes = planes_of(corners, *across(corners))
-    return bool(((_portable.product(planes[:, :3], points.T)).max(axis=1) <= planes[:, 3] + _LOST).all())
+    # BLAS is three times as fast, and the last digits decide nothing here
+    return bool(((planes[:, :3] @ points.T).max(axis=1) <= planes[:, 3] + _LOST).all())
