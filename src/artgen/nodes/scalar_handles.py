@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from artgen.errors import BuildError
 from artgen.graph import Handle
-from artgen.graph.handle import is_sequence
+from artgen.graph.handle import is_sequence, of_numbers
 from artgen.graph.node import Node, authors_line
 
 Array3 = Annotated[NDArray[np.float64], "vector"]
@@ -74,11 +74,16 @@ def _arithmetic(
 ) -> tuple[Callable[[Float, Scalar], Float], Callable[[Float, Scalar], Float]]:
     """Return the methods of an operator with the handle on the left and on the right."""
 
+    def record(a: Scalar, b: Scalar) -> Float:
+        first, second = (each.node if type(each) is Float else each for each in (a, b))
+        known = of_numbers(operation, first, second)
+        return Float.record(operation, a=a, b=b) if known is None else Float(known)
+
     def left(self: Float, other: Scalar) -> Float:
-        return Float.record(operation, a=self, b=other) if _is_scalar(other) else NotImplemented
+        return record(self, other) if _is_scalar(other) else NotImplemented
 
     def right(self: Float, other: Scalar) -> Float:
-        return Float.record(operation, a=other, b=self) if _is_scalar(other) else NotImplemented
+        return record(other, self) if _is_scalar(other) else NotImplemented
 
     left.__doc__ = right.__doc__ = doc
     return left, right
