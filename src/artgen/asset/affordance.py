@@ -177,7 +177,8 @@ def block(corners: Array, frame: Array) -> Manifold:
 
 def clipped(solids: Iterable[Manifold], region: Manifold, frame: Array) -> Array:
     """Return the corners of the intersection of solids with a convex region, in a frame, shape (n, 3) [m]."""
-    found = [mesh_of(solid ^ region)[0] for solid in solids]
+    # normals and paint only take time
+    found = [mesh_of(solid.set_properties(0, lambda *_: None) ^ region)[0] for solid in solids]
     return np.asarray((np.concatenate([np.zeros((0, 3)), *found]) - frame[:3, 3]) @ frame[:3, :3])
 
 

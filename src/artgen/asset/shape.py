@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
-from manifold3d import Error, Manifold
+from manifold3d import Error, Manifold, OpType
 
 from artgen._arrays import Array, FrozenArrays, Indices, cached_property, frozen
 from artgen.asset import manifolds
@@ -357,6 +357,24 @@ class ComposedShape(_LazyShape):
     def faces(self) -> Indices:
         """The triangles of all solids."""
         return joined_faces(self.shapes)
+
+
+class UnitedShape(_LazyShape):
+    """The union of solids, which is a solid; many unions are never looked at, as their parts collide."""
+
+    shapes: tuple[Shape, ...]
+
+    def __init__(self, shapes: Sequence[Shape], pieces: Pieces, paints: Mapping[int, Material]) -> None:
+        members = tuple(member for shape in shapes for member in shape.members)
+        super().__init__(paints, members, shapes=tuple(shapes), pieces=pieces)
+
+    @cached_property
+    def manifold(self) -> Manifold:
+        """The watertight surface, with the channels of `PROPERTIES`."""
+        solids = [shape.manifold for shape in self.shapes]
+        whole = solids[0] + solids[1] if len(solids) == 2 else Manifold.batch_boolean(solids, OpType.Add)
+        # checked at once: manifold3d would join nested unions, with other triangles
+        return Shape(whole, self.pieces).checked().manifold
 
 
 def joined_faces(shapes: Sequence[Shape]) -> Indices:

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 
 import numpy as np
 from manifold3d import Manifold, OpType
@@ -16,7 +15,7 @@ from artgen import _portable, colliders
 from artgen._arrays import Array
 from artgen.asset import rotation
 from artgen.asset.manifolds import box_of, manifold_of
-from artgen.asset.shape import ComposedShape, Shape
+from artgen.asset.shape import ComposedShape, Shape, UnitedShape
 from artgen.asset.surface import corner_normals
 from artgen.colliders import Convex, Exact, Pieces
 from artgen.colliders.convex import TOLERANCE
@@ -131,13 +130,8 @@ def united(shapes: Sequence[Shape]) -> Shape:
         raise ValueError("a union needs at least one solid, got none")
     if len(shapes) == 1:
         return shapes[0]
-    if len(shapes) == 2:
-        manifold = shapes[0].manifold + shapes[1].manifold
-    else:
-        manifold = Manifold.batch_boolean([shape.manifold for shape in shapes], OpType.Add)
     pieces = colliders.union(*(shape.pieces for shape in shapes))
-    whole = _combined(manifold, pieces, shapes, "the union is empty")
-    return replace(whole, united=tuple(member for shape in shapes for member in shape.members))
+    return UnitedShape(shapes, pieces, _paints(shapes))
 
 
 def _union(solids: tuple[Shape, ...]) -> Shape:
