@@ -132,9 +132,10 @@ class _Painter:
         )
         self.fuzz = np.array([_FUZZ.get(each.texture, 0.0) for each in every], np.float32)
         self.brushed = self.strokes > 0.0
-        self.maps = {
-            number: _pyramids(each, texels) for number, each in enumerate(every) if texels and each.texture
-        }
+        textured = [number for number, each in enumerate(every) if texels and each.texture]
+        with ThreadPoolExecutor(2) as pool:
+            pyramids = pool.map(lambda number: _pyramids(every[number], texels), textured)
+            self.maps = dict(zip(textured, pyramids, strict=True))
 
     def band(self, first: int, last: int) -> Pixels:
         """Return the colors of a band of rows of pixels."""

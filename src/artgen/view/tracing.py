@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
@@ -19,6 +20,7 @@ from artgen.view.studio import BOXES, POINTS, Backdrop, Floats, dome, lamp_point
 _OFFSET = 2e-4  # start of secondary rays above a surface, relative to the asset's radius
 _RAYS, _MOST_RAYS = 24, 250_000  # rays of a triangle in a pass, and of all triangles
 _PASSES = 2  # bounces of the scattered light
+_THREADS, _TRACED = 2, 4096  # threads of a picture, and triangles whose light one of them traces at once
 
 
 @dataclass(frozen=True, eq=False)
@@ -234,22 +236,10 @@ class World:
         # metal and glass scatter little, but what they mirror lights others as well
         emitted = np.array([each.emission for each in self.materials], np.float32)[self.material]
         albedo = color[self.material]
-        triangle = np.repeat(np.arange(count), rays)
-        number = (np.tile(np.arange(rays), count) + 37 * triangle) % POINTS
-        across, along = spread(POINTS)[:, number].astype(np.float32)
-        a, b = np.sqrt(across), np.sqrt(across) * along
-        corner = self.corners[triangle]
-        normal = self.flat[triangle].T
-        origin = (1.0 - a) * corner[:, 0].T + (a - b) * corner[:, 1].T + b * corner[:, 2].T
-        origin = origin + self.offset * normal
-        number = (number * 5 + 11) % POINTS
-        path = turned(cosine_lobe()[:, number], normal)
-        found = self.first(origin, path)
-        lamps = self.lamp_light(origin, normal)
-        direct = np.where(found < 0, dome(path[2]), 0.0) + lamps.sum(axis=0)
-        direct -= self.hidden(origin, normal, lamps, number)
-        direct = direct.reshape(count, rays).mean(axis=1)
-        light = np.repeat(direct[:, None], 3, axis=1).astype(np.float32)
+        with ThreadPoolExecutor(_THREADS) as pool:
+            traced = list(pool.map(lambda first: self._arriving(first, rays), range(0, count, _TRACED)))
+        found, direct = (np.concatenate(each) for each in zip(*traced, strict=True))
+        light = np.repeat(direct[:, None], 3, axis=1)
         arriving = light
         for _ in range(_PASSES):
             scattered = albedo * arriving + emitted
@@ -268,6 +258,24 @@ class World:
         glowing = np.array([each.emission for each in self.materials], np.float32)[of_vertex]
         self._vertex_glow = np.asarray(color[of_vertex] * vertex + glowing, np.float32)
         self.glow = np.asarray(self._vertex_glow[self._vertex].mean(axis=1), np.float32)
+
+    def _arriving(self, first: int, rays: int) -> tuple[NDArray[Any], Floats]:
+        """Return what rays from some triangles meet, -1 for the studio, and the light that comes from there."""
+        triangle = np.repeat(np.arange(first, min(first + _TRACED, len(self.corners))), rays)
+        number = (np.arange(len(triangle)) % rays + 37 * triangle) % POINTS
+        across, along = spread(POINTS)[:, number].astype(np.float32)
+        a, b = np.sqrt(across), np.sqrt(across) * along
+        corner = self.corners[triangle]
+        normal = self.flat[triangle].T
+        origin = (1.0 - a) * corner[:, 0].T + (a - b) * corner[:, 1].T + b * corner[:, 2].T
+        origin = origin + self.offset * normal
+        number = (number * 5 + 11) % POINTS
+        path = turned(cosine_lobe()[:, number], normal)
+        found = self.first(origin, path)
+        lamps = self.lamp_light(origin, normal)
+        direct = np.where(found < 0, dome(path[2]), 0.0) + lamps.sum(axis=0)
+        direct -= self.hidden(origin, normal, lamps, number)
+        return found, direct.reshape(-1, rays).mean(axis=1).astype(np.float32)
 
 
 def clear(material: Material) -> bool:
