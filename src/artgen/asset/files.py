@@ -273,6 +273,10 @@ def _check_link(form: _Link, materials: Mapping[str, Material], place: str) -> N
     """Check what kinds of values leave open: weights, sizes of colliders, and names of materials."""
     if not form["mass"] > 0.0:
         raise refused(form["mass"], f"{place}.mass", "positive [kg]")
+    lists = {"labels": form["labels"], "colliders": form["colliders"], "surfaces": form["surfaces"]}
+    for name, items in lists.items():
+        if not items and not form.get("absent", False):
+            raise refused([], f"{place}.{name}", "a list of at least one")
     used = [(f"colliders[{number}]", item["material"]) for number, item in enumerate(form["colliders"])]
     used += [(f"surfaces[{number}]", item["material"]) for number, item in enumerate(form["surfaces"])]
     for at, name in used:
