@@ -260,7 +260,7 @@ class World:
         self.glow = np.asarray(self._vertex_glow[self._vertex].mean(axis=1), np.float32)
 
     def _arriving(self, first: int, rays: int) -> tuple[NDArray[Any], Floats]:
-        """Return the triangles that rays from some triangles meet, -1 for none, and the light from outside."""
+        """Return what rays from some triangles meet, -1 for the studio, and the light from outside."""
         triangle = np.repeat(np.arange(first, min(first + _TRACED, len(self.corners))), rays)
         number = (np.arange(len(triangle)) % rays + 37 * triangle) % POINTS
         across, along = spread(POINTS)[:, number].astype(np.float32)
