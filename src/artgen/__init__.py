@@ -25,7 +25,7 @@ from artgen.nodes.csg import array, bounding_collider, hull, shell, simplified_c
 from artgen.nodes.extrude import extrude, half_section, revolve
 from artgen.nodes.grasp_frames import Frame, frame, grasp_on, push_on
 from artgen.nodes.handles import Body, Bool, Float, Points, Profile, Scalar, Solid, Span, Vector, VectorLike
-from artgen.nodes.joint import Condition, Dependency, Joint, Prismatic, Revolute, Spring
+from artgen.nodes.joint import Condition, Dependency, Joint, Prismatic, Revolute, Screw, Spring
 from artgen.nodes.loft import loft
 from artgen.nodes.path import arc, bezier, helix, line, polyline, spline
 from artgen.nodes.primitive import (
@@ -50,7 +50,7 @@ from artgen.nodes.text import text
 from artgen.nodes.vector import X, Y, Z, grid, ring_points, row, vector
 from artgen.range_proof import prove_range
 from artgen.sampling import by, choice, count, fixed, given, loguniform, truncated_normal, uniform
-from artgen.version import __version__
+from artgen.version import __version__ as __version__
 
 if typing.TYPE_CHECKING:
     from artgen.dataset import Dataset, stream
@@ -98,6 +98,7 @@ __all__ = [
     "Region",
     "Revolute",
     "Scalar",
+    "Screw",
     "Solid",
     "Span",
     "Spring",
@@ -106,7 +107,6 @@ __all__ = [
     "X",
     "Y",
     "Z",
-    "__version__",
     "arc",
     "array",
     "atan2",

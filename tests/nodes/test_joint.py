@@ -4,6 +4,8 @@ import math
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from artgen.asset import Asset
 from artgen.asset import AssetDependency as Dependency
@@ -11,8 +13,9 @@ from artgen.errors import AssetError, BuildError, EvaluationError
 from artgen.graph import evaluate
 from artgen.materials import material
 from artgen.nodes.body import part
+from artgen.nodes.fitting import Fitting
 from artgen.nodes.handles import Float
-from artgen.nodes.joint import Condition, Coupling, Joint, Prismatic, Revolute
+from artgen.nodes.joint import Condition, Coupling, Joint, Prismatic, Revolute, Screw
 from artgen.nodes.primitive import box
 from artgen.nodes.vector import X, Z
 from support.lines import place_of
@@ -252,3 +255,54 @@ def test_the_kinds_of_joints_are_types():
     assert not isinstance(turn, Prismatic)
     assert isinstance(slide, Prismatic)
     assert [evaluate(each).value.kind for each in (turn, slide)] == ["revolute", "prismatic"]
+
+
+def screwed(**options):
+    options = {"pitch": 0.02, "axis": Z, "limits": (0, 9.0), "pivot": (0.3, 0.1, 0)} | options
+    return Screw("cap", **options)
+
+
+@settings(max_examples=15, deadline=None)
+@given(
+    axis=st.tuples(*[st.floats(-1, 1)] * 3).filter(lambda axis: np.linalg.norm(axis) > 0.1),
+    pitch=st.floats(0.001, 0.1) | st.floats(-0.1, -0.001),
+    angle=st.floats(0.0, 9.0),
+)
+def test_a_screw_moves_points_along_a_helix(axis, pitch, angle):
+    made = asset(block("jar").attach(block("lid"), screwed(axis=axis, pitch=pitch)))
+    direction, pivot = np.array(axis) / np.linalg.norm(axis), np.array([0.3, 0.1, 0.0])
+    point = np.array([0.05, -0.02, 0.07, 1.0])
+    moved = (made.pose({"cap": angle})["lid"] @ point)[:3] - pivot
+    arm = point[:3] - pivot
+    along = direction * (direction @ arm)
+    turned = np.cos(angle) * (arm - along) + np.sin(angle) * np.cross(direction, arm)
+    helix = along + turned + direction * pitch * angle / (2.0 * math.pi)
+    np.testing.assert_allclose(moved, helix, atol=1e-12)
+
+
+def test_a_screw_is_one_degree_of_freedom_wherever_it_is_attached():
+    free = asset(block("jar").attach(block("lid"), screwed()))
+    assert free.valid_states.dofs == ("cap",)
+    assert free.joint("cap_rise").limits == pytest.approx((0.0, 0.02 * 9.0 / (2.0 * math.pi)))
+    row = asset(block("jar").repeat(block("lid"), screwed(), at=[(0, 0, 0), (1, 0, 0)]))
+    assert row.joint("cap_rise_1").follows.leader == "cap_1"
+    fitted = asset(block("jar").install(Fitting.moving(block("lid"), screwed())))
+    assert [joint.name for joint in fitted.joints] == ["cap", "cap_rise"]
+
+
+def test_the_mirror_image_of_a_screw_has_a_left_hand_thread():
+    pair = asset(block("jar").attach_pair(block("lid").at(0.3), screwed(), normal=X))
+    poses = pair.pose({"cap_right": 1.0, "cap_left": 1.0})
+    right, left = (poses[f"lid_{side}"] for side in ("right", "left"))
+    flip = np.diag([-1.0, 1.0, 1.0, 1.0])
+    np.testing.assert_allclose(left, flip @ right @ flip, atol=1e-12)
+    assert left[2, 3] == right[2, 3] == pytest.approx(0.02 / (2.0 * math.pi))
+
+
+def test_a_screw_without_pitch_or_limits_is_an_error():
+    with pytest.raises(BuildError, match=r"Screw\('cap', pitch=0\) would not advance\n.*\n  Use Revolute"):
+        screwed(pitch=0)
+    with pytest.raises(EvaluationError, match="a coupling to 'cap' with ratio 0"):
+        asset(block("jar").attach(block("lid"), screwed(pitch=Float.parameter("pitch"))), pitch=0.0)
+    with pytest.raises(TypeError, match="limits"):
+        Screw("cap", pitch=0.02, axis=Z)

@@ -27,6 +27,7 @@ from support.proof_assets import (
     gasket_fridge,
     lamp,
     sliding_gate,
+    threaded_cap,
     trash_can,
 )
 
@@ -188,6 +189,9 @@ FAULTS: dict[str, Callable[[], Asset]] = {
     "can, pedal": lambda: trash_can(limit=1.9),
     "gate, runners": lambda: sliding_gate(wide=0.0012),
     "gate, out of line": lambda: sliding_gate(tilt=0.001),
+    "cap, lugs": lambda: threaded_cap(wide=0.0015),
+    "cap, pitch": lambda: threaded_cap(pitch=1.25),
+    "cap, left-hand thread": lambda: threaded_cap(sense=-1.0),
 }
 
 

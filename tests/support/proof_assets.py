@@ -5,7 +5,26 @@ from collections.abc import Callable
 
 import numpy as np
 
-from artgen import Prismatic, Revolute, Solid, X, Y, Z, bore, box, cylinder, frustum, part, tube, union, weld
+from artgen import (
+    Prismatic,
+    Revolute,
+    Screw,
+    Solid,
+    X,
+    Y,
+    Z,
+    bore,
+    box,
+    circle,
+    cylinder,
+    frustum,
+    helix,
+    part,
+    sweep,
+    tube,
+    union,
+    weld,
+)
 from artgen.asset import Asset
 from support.proof_fridges import (
     NOWHERE,
@@ -250,6 +269,39 @@ def sliding_gate(*, wide: float = 0.0, limit: float = 1.0, tilt: float = 0.0) ->
     )
 
 
+def threaded_cap(*, wide: float = 0.0, pitch: float = 1.0, sense: float = 1.0) -> Asset:
+    """Make a cap that unscrews by one turn and a quarter: three lugs run between the turns of a thread.
+
+    Args:
+        wide: How much too high the lugs are [m].
+        pitch: Factor on the advance of the cap.
+        sense: 1 for the right-hand thread of the neck.
+    """
+    rise, radius, low, turns = 0.006, 0.02, 0.012, 2.75
+    neck = cylinder(radius, 0.04).at(0.0, 0.0, 0.02)
+    neck |= sweep(circle(0.0009), helix(radius, rise, turns)).at(0.0, 0.0, low + rise * turns / 2)
+    height = rise - 2 * (0.0009 + 0.0004) + wide
+    lugs = []
+    for phi in (0.4, 0.5, 0.6):
+        lug = box(0.002, 0.0015, height).at(radius + 0.0012, 0.0, low + rise * (phi / (2 * math.pi) + 0.5))
+        lugs.append(lug.rotate(Z, phi))
+    crown = (
+        tube(radius + 0.003, radius + 0.002, 0.03) | cylinder(radius + 0.003, 0.002).at(0.0, 0.0, 0.016)
+    ).at(0.0, 0.0, 0.0255)
+    turn = Screw(
+        "cap_turn",
+        pitch=sense * pitch * rise,
+        axis=Z,
+        limits=(0.0, 2.5 * math.pi),
+        friction=0.1,
+        armature=1e-4,
+        damping=0.01,
+        effort=3.0,
+    )
+    cap = part(union(crown, *lugs), "cap", WHITE)
+    return evaluated(part(neck, "neck", STEEL).attach(cap, turn), "threaded_cap")
+
+
 PROOF_ASSETS: dict[str, Callable[..., Asset]] = {
     make.__name__: make
     for make in (
@@ -262,6 +314,7 @@ PROOF_ASSETS: dict[str, Callable[..., Asset]] = {
         trash_can,
         sliding_gate,
         gasket_fridge,
+        threaded_cap,
     )
 }
 """Functions that make the assets, by name; without arguments they are free of faults."""

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from artgen.nodes.handles import Body, Scalar, Solid, VectorLike, offset_of
+from artgen.nodes.handles import Body, Scalar, Solid, VectorLike, offset_of, steps_of
 from artgen.nodes.joint import Joint
 
 
@@ -36,7 +36,7 @@ class Fitting:
     ) -> "Fitting":
         """Make a fitting of a moving link with its joints, and the `fixed` parts that the host carries."""
         if fixed is None:
-            return cls(Body.record("mounted", child=child, joints=joints), cut)
+            return cls(Body.record("mounted", child=child, joints=steps_of(joints)), cut)
         return cls(fixed.attach(child, *joints), cut)
 
     def at(self, x: Scalar | VectorLike = 0.0, y: Scalar = 0.0, z: Scalar = 0.0) -> "Fitting":

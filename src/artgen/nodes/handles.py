@@ -277,7 +277,7 @@ class Body(Handle):
             >>> dial = part(cylinder(0.02, 0.01, axis=Y).at(y=-0.0055), "dial", material("abs"))
             >>> case.attach(dial, Revolute("turn", axis=Y, limits=(0, 3)), at=(0.1, -0.1, 0))
         """
-        return Body.record("attach", parent=self, child=child, joints=joints, at=at)
+        return Body.record("attach", parent=self, child=child, joints=steps_of(joints), at=at)
 
     def attach_pair(
         self,
@@ -300,7 +300,7 @@ class Body(Handle):
             >>> case.attach_pair(door, Revolute("hinge", axis=Z, pivot=(0.2, -0.032, 0), limits=(0, 1.5)))
         """
         return Body.record(
-            "attach_pair", parent=self, child=child, joints=joints, normal=normal, suffixes=suffixes
+            "attach_pair", parent=self, child=child, joints=steps_of(joints), normal=normal, suffixes=suffixes
         )
 
     def cut(self, tool: Solid) -> Body:
@@ -347,7 +347,8 @@ class Body(Handle):
             >>> panel.repeat(key, press, at=row((-0.06, 0, 0), (0.04, 0, 0), 4))
         """
         if isinstance(child, Body):
-            return Body.record("repeat", parent=self, child=child, joints=joints, at=at, around=around)
+            steps = steps_of(joints)
+            return Body.record("repeat", parent=self, child=child, joints=steps, at=at, around=around)
         if joints:
             raise BuildError(f"repeat: a fitting has its own joints; leave joints out\n  at {authors_line()}")
         copies = Body.record("copies", body=child.body, at=at, around=around)
@@ -398,6 +399,11 @@ class Body(Handle):
     def suffixed(self, suffix: str) -> Body:
         """Add a suffix to the names of all its links, joints, grasps and pushes."""
         return Body.record("suffix", body=self, suffix=suffix)
+
+
+def steps_of(joints: Sequence[Any]) -> tuple[Any, ...]:
+    """Return joints of one degree of freedom each in place of joints: a screw is two."""
+    return tuple(step for joint in joints for step in getattr(joint, "steps", (joint,)))
 
 
 def offset_of(x: Any, y: Scalar, z: Scalar) -> VectorLike:

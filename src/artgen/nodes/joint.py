@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import inspect
+import math
 from dataclasses import dataclass, fields, replace
 from typing import Any, ClassVar, Literal
 
@@ -196,6 +197,11 @@ class Joint(_Leader):
         """The joint's name."""
         name: str = self.node.inputs["name"]
         return name
+
+    @property
+    def steps(self) -> tuple[Joint, ...]:
+        """The joints of one degree of freedom that make the motion; the first one leads."""
+        return (self,)
 
     def __mul__(self, ratio: Scalar) -> Coupling:
         """Make a coupling with a ratio to this joint."""
@@ -464,6 +470,50 @@ class Prismatic(_Axial):
 
     __slots__ = ()
     _kind, _velocity = "prismatic", 1.0
+
+
+class Screw(Revolute):
+    """A joint that turns and advances together along a thread: one degree of freedom, the angle.
+
+    It becomes two joints on one pair of links: a revolute joint, and the prismatic joint `{name}_rise`, which
+    follows it. The certificate, the formats and the simulators treat it as any coupling.
+
+    Args:
+        name: Identifier, unique in the asset, as is `{name}_rise`.
+        pitch: Advance along the axis in a turn; positive for a right-hand thread, negative for a left-hand
+            one; for several starts, the lead [m].
+        axis: Direction of the axis in asset coordinates; a positive angle advances along it.
+        limits: Lowest and highest angle, which may be several turns [rad].
+        **options: Other keywords of `Revolute`.
+
+    Raises:
+        BuildError: The pitch is 0.
+
+    Examples:
+        >>> jar = part(cylinder(0.03, 0.1), "jar", material("glass"))
+        >>> cap = part(cylinder(0.032, 0.015).at(z=0.058), "cap", material("steel"))
+        >>> jar.attach(cap, Screw("cap_turn", pitch=0.006, axis=Z, limits=(0, 1.6)))
+    """
+
+    __slots__ = ("_rise",)
+
+    def __init__(
+        self, name: str, *, pitch: Scalar, axis: VectorLike, limits: tuple[Scalar, Scalar], **options: Any
+    ) -> None:
+        super().__init__(name, axis=axis, limits=limits, **options)
+        if not isinstance(pitch, Handle) and pitch == 0.0:
+            raise BuildError(
+                f"Screw({name!r}, pitch=0) would not advance\n  at {authors_line()}\n"
+                "  Use Revolute, or give the advance in a turn [m]: pitch=0.004"
+            )
+        ratio = Float.record("divide", a=pitch, b=2.0 * math.pi)
+        pivot = options.get("pivot", (0.0, 0.0, 0.0))
+        self._rise = Prismatic(f"{name}_rise", axis=axis, pivot=pivot, follows=ratio * self)
+
+    @property
+    def steps(self) -> tuple[Joint, ...]:
+        """The turn and the rise that follows it."""
+        return (self, self._rise)
 
 
 def joint(name: str, kind: Kind, **options: Any) -> Revolute | Prismatic:

@@ -165,7 +165,8 @@ def _joint_findings(asset: Asset) -> Iterator[Finding]:
     """Yield the faults of joints: numbers, springs, pivots, couplings and dependencies."""
     joints = {joint.name: joint for joint in asset.joints}
     for joint in asset.joints:
-        yield from _number_findings(joint)
+        leads = any(each.follows is not None and each.follows.leader == joint.name for each in asset.joints)
+        yield from _number_findings(joint, leads=leads)
         yield from _spring_findings(joint)
         yield from _pivot_findings(asset, joint)
     wrong = [finding for joint in asset.joints for finding in _leader_findings(joint, joints)]
@@ -176,7 +177,8 @@ def _joint_findings(asset: Asset) -> Iterator[Finding]:
         yield from _dependency_findings(asset)
 
 
-def _number_findings(joint: AssetJoint) -> Iterator[Finding]:
+def _number_findings(joint: AssetJoint, *, leads: bool) -> Iterator[Finding]:
+    """Yield wrong numbers of a joint; a joint that leads others, such as a screw, may make several turns."""
     fault = partial(_fault, joint=joint.name)
     size = float(np.linalg.norm(joint.axis))
     if not abs(size - 1.0) <= _EXACT:
@@ -203,7 +205,8 @@ def _number_findings(joint: AssetJoint) -> Iterator[Finding]:
         hint = "lock it with equal limits, or give it a range"
         yield in_range(f"{span}: it cannot move, but is not locked", hint=hint)
     farthest = max(abs(low), abs(high))
-    if joint.kind == "revolute" and joint.follows is None and farthest > 2.0 * math.pi * (1.0 + _EXACT):
+    turns_freely = joint.kind == "revolute" and joint.follows is None and not leads
+    if turns_freely and farthest > 2.0 * math.pi * (1.0 + _EXACT):
         turns = (high - low) / (2.0 * math.pi)
         hint = f"degrees? use math.radians({farthest:.4g})"
         yield in_range(f"{span}, {turns:.2g} turns", hint=hint, severity="note")
