@@ -1,8 +1,13 @@
 """The certificate on assets whose clearances and collisions are known by construction."""
 
+import functools
 import math
+import operator
+import re
 import time
+from collections.abc import Sequence
 from dataclasses import replace
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -17,9 +22,10 @@ from artgen.catalog import find
 from artgen.errors import AssetError
 from artgen.proof import certify as proof
 from artgen.proof.certify import certify
-from artgen.proof.kinematics import starting_cells
+from artgen.proof.kinematics import JointTable, ProofCells, starting_cells
 from artgen.proof.paths import Space
 from artgen.proof.recheck import recheck
+from artgen.proof.search import Search
 from support.proof_fridges import evaluated
 
 STEEL = material("stainless")
@@ -410,6 +416,50 @@ def test_the_time_limit_holds_for_a_long_chain() -> None:
     certificate = certify(chain(14), seconds=0.5, only=lambda path: "link_14" in path.links)
     assert time.monotonic() - start < 30.0
     assert {pair.verdict for pair in certificate.pairs} <= {"proven", "collision", "not proven"}
+
+
+def fenced_arms(gaps: Sequence[float]) -> Asset:
+    """Arms of two hinges, each in a ring of blocks that it misses by a gap [m]."""
+    fences, arms = [], []
+    for number, gap in enumerate(gaps):
+        y, inner = 2.0 * number, 0.1 + math.hypot(0.11, 0.01) + gap
+        block = box(0.02, 2.0 * (inner + 0.02) * math.tan(math.pi / 24.0), 0.02).at(inner + 0.01, 0.0, 0.0)
+        fences += [block.rotate(Z, turn * math.pi / 12.0).at(0.0, y, 0.0) for turn in range(24)]
+        upper = part(box(0.1, 0.02, 0.02).at(0.05, y, 0.0), f"upper_{number}", STEEL)
+        lower = part(box(0.11, 0.02, 0.02).at(0.155, y, 0.0), f"lower_{number}", STEEL)
+        elbow = Revolute(f"elbow_{number}", axis=Z, pivot=(0.1, y, 0.0), limits=(-1.0, 1.0))
+        shoulder = Revolute(f"shoulder_{number}", axis=Z, pivot=(0.0, y, 0.0), limits=(-3.1, 3.1))
+        arms.append((upper.attach(lower, elbow), shoulder))
+    body = part(functools.reduce(operator.or_, fences), "fence", STEEL)
+    for arm, shoulder in arms:
+        body = body.attach(arm, shoulder)
+    return evaluated(body, "fenced")
+
+
+def test_a_pair_that_takes_too_long_leaves_time_for_the_others(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Time is counted in cells: 1 ms each. Without a share of its own, the easy pair is not proven either."""
+    cells, examine = [0], Search._examine
+
+    def counted(self: Search, some: ProofCells, table: JointTable) -> list[ProofCells]:
+        cells[0] += len(some)
+        return examine(self, some, table)
+
+    monkeypatch.setattr(Search, "_examine", counted)
+    monkeypatch.setattr("artgen.proof.search.time", SimpleNamespace(monotonic=lambda: cells[0] / 1000.0))
+    asset = fenced_arms([2e-3, 6e-5])
+
+    def proven(seconds: float) -> dict[str, PairResult]:
+        cells[0] = 0
+        wanted = [("fence", "lower_0"), ("fence", "lower_1")]
+        found = certify(asset, seconds=seconds, only=lambda path: path.links in wanted)
+        return {pair.links[1]: pair for pair in found.pairs}
+
+    assert all(pair.clear for pair in proven(100.0).values())
+    easy, hard = proven(3.0).values()
+    assert easy.clear
+    assert (hard.links, hard.verdict) == (("fence", "lower_1"), "not proven")
+    message = r"fence and lower_1: not proven after [0-9.]+ s: fence and lower_1, with shoulder_1 in"
+    assert re.match(message, str(hard))
 
 
 def test_colliders_leave_half_of_the_time_for_finer_pieces(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -64,7 +64,8 @@ class PairResult(Record):
         witness: An overlap of the solids, or of the colliders if only they overlap.
         open_cells: The first few regions in which nothing was proven.
         open_fraction: Share of the joint space of the pair in which nothing was proven.
-        seconds: Time limit that ended the proof; None if there was no limit, or the proof needed less [s].
+        seconds: Time limit that ended the proof, or time after which the pair was given up to leave some for
+            the others; None if there was no limit, or the proof needed less [s].
     """
 
     OPTIONAL: ClassVar = frozenset({"seconds"})

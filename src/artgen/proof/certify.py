@@ -244,7 +244,7 @@ def _pair_result(asset: Asset, on_colliders: _PairSearch, on_solids: _PairSearch
         witness,
         () if witness is not None else _open_cells(opened),
         0.0 if witness is not None else _open_fraction(opened),
-        limit if witness is None and opened.outcome.late else None,
+        (float(f"{opened.outcome.used:.2g}") or limit) if witness is None and opened.outcome.late else None,
     )
 
 

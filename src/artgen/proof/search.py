@@ -69,6 +69,7 @@ class Search:
         self._done = self._witnesses.done
         self._found, self._guaranteed = np.full(count, np.inf), np.full(count, np.inf)
         self._split_close = np.zeros(count, np.int64)
+        self._seen, self._used = np.zeros(count, np.int64), np.zeros(count)  # cells and time [s] of each
         kinds: dict[tuple[JointKind, ...], list[int]] = {}
         for number, joint_path in enumerate(self.joint_paths):
             kinds.setdefault(tuple(joint.kind for joint in joint_path.steps), []).append(number)
@@ -87,15 +88,16 @@ class Search:
 
     def _run(self, update: Update) -> list[ProofCells]:
         end = time.monotonic() + self.seconds
-        cells, seen = self._start(), 0
+        cells = self._start()
         self._closed = [cells[:0]]
         if self.measure:
             for number in range(len(self.joint_paths)):
                 self._measure_near_rest(number)
         while len(cells):
-            seen += len(cells)
+            self._seen += self._counts(cells)
+            cells = self._without_costly(cells, end)
             late = time.monotonic() > end
-            if seen > _MOST_CELLS or late:
+            if self._seen.sum() > _MOST_CELLS or late:
                 self._give_up(cells, np.full(len(cells), np.nan))
                 for number in np.unique(cells.joint_path):
                     self.outcomes[number].late = late
@@ -104,7 +106,12 @@ class Search:
             update(text=f"proof: {links}, {len(cells)} cells left")
             parts = [cells[:0]]
             for some, table in self._portions(cells):
-                parts += [some] if time.monotonic() > end else self._examine(some, table)
+                begin = time.monotonic()
+                if begin > end or self._costly(cells, end - begin) in some.joint_path:
+                    parts.append(some)
+                    continue
+                parts += self._examine(some, table)
+                self._used += (time.monotonic() - begin) / len(some) * self._counts(some)
             cells = ProofCells.join(parts)
             cells = cells[~self._done[cells.joint_path]]
         for number, outcome in enumerate(self.outcomes):
@@ -113,6 +120,33 @@ class Search:
         closed = closed[np.argsort(closed.joint_path, kind="stable")]
         ends = np.searchsorted(closed.joint_path, np.arange(1, len(self.joint_paths)))
         return [closed[slice(*each)] for each in zip([0, *ends], [*ends, len(closed)], strict=True)]
+
+    def _counts(self, cells: ProofCells) -> Indices:
+        """Return the number of cells of each path."""
+        return np.bincount(cells.joint_path, minlength=len(self.joint_paths))
+
+    def _costly(self, cells: ProofCells, left: float) -> int | None:
+        """Return the open path that has used more time than is left, while others are open; else None."""
+        numbers = np.unique(cells.joint_path)
+        number = int(numbers[np.argmax(self._used[numbers])])
+        return number if len(numbers) > 1 and self._used[number] > left else None
+
+    def _without_costly(self, cells: ProofCells, end: float) -> ProofCells:
+        """Give up the path that leaves the others without time, or without cells."""
+        number = self._costly(cells, end - time.monotonic())
+        outcome = None if number is None else self.outcomes[number]
+        if outcome is not None:
+            outcome.late, outcome.used = True, float(self._used[number])
+        elif self._seen.sum() > _MOST_CELLS:
+            most = int(np.argmax(self._seen))
+            if 2 * self._seen[most] > self._seen.sum() and (cells.joint_path != most).any():
+                number = most
+        if number is None:
+            return cells
+        self._seen[number] = 0
+        chosen = cells.joint_path == number
+        self._give_up(cells[chosen], np.full(int(chosen.sum()), np.nan))
+        return cells[~chosen]
 
     def _portions(self, cells: ProofCells) -> Iterator[tuple[ProofCells, JointTable]]:
         """Yield cells of one table and of nodes of like size; give up those with too many points."""

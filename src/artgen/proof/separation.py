@@ -41,6 +41,7 @@ class SearchOutcome:
     # low and high corner, nodes and distance of each cell that was given up
     open: list[tuple[Array, Array, int, int, float]] = field(default_factory=list)
     late: bool = False  # whether the time limit gave up cells
+    used: float = 0.0  # time after which the pair was given up, so that others had some; 0 if it was not [s]
 
     @property
     def proven(self) -> bool:
