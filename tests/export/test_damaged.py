@@ -1,8 +1,9 @@
 """Damaged and hostile `asset.json`: one error of artgen, with the place of the value and what is allowed."""
 
 import json
+import os
 import shutil
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -137,3 +138,36 @@ def test_conditions_that_are_nested_too_deeply_are_one_error(folder: Path) -> No
     with pytest.raises((AssetError, ExportError), match=r"asset\.json"):
         use(artgen.load(folder))
     shutil.rmtree(folder)
+
+
+def pipe(path: Path) -> None:
+    os.mkfifo(path)
+
+
+def zeros(path: Path) -> None:
+    path.symlink_to("/dev/zero")
+
+
+def hole(path: Path) -> None:
+    with path.open("wb") as file:
+        file.truncate(1 << 36)
+
+
+@pytest.mark.parametrize("name", ["asset.json", "certificate.json", "meshes"])
+@pytest.mark.parametrize("endless", [pipe, zeros, hole])
+def test_a_file_that_never_ends_is_not_read(folder: Path, name: str, endless: Callable[[Path], None]) -> None:
+    file = folder / name if name != "meshes" else artgen.load(folder).links[0].meshes[0]
+    file.unlink(missing_ok=True)
+    endless(file)
+    if name == "certificate.json":  # the check of certificates reports it
+        certified = json.loads((folder / "asset.json").read_text())
+        certified["certificate"] = {"tolerance": 0.0, "pairs": [], "contacts": []}
+        (folder / "asset.json").write_text(json.dumps(certified))
+        certificate = artgen.load(folder).certificate
+        assert certificate is not None
+        assert "unreadable" in str(certificate.leaves)
+        return
+    with pytest.raises(
+        ExportError, match=rf"cannot read .*{file.name}: it (is a device, a pipe|has more than)"
+    ):
+        use(artgen.load(folder))

@@ -1,8 +1,10 @@
 """Loading of assets from an export directory, and pickling in the same form."""
 
+import errno
 import json
 import math
 import os
+import stat
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -39,6 +41,7 @@ _LENGTHS = {
 }  # numbers of the size of a collider
 _UNIT = 1e-6  # largest error of the length of an axis, and of the axes of a pose
 _FARTHEST = 1e6  # largest coordinate [m]
+_MOST_BYTES = 1 << 29  # largest file that is read
 
 
 class _Piece(TypedDict):
@@ -134,7 +137,7 @@ def load(directory: str | Path) -> Asset:
     if not path.exists() and before.exists():
         path = before
     try:
-        data = json.loads(path.read_text(encoding="utf-8"))
+        data = json.loads(file_content(path))
     except (OSError, ValueError, RecursionError) as error:
         reason = getattr(error, "strerror", None) or error  # the message without the path
         raise ExportError(
@@ -188,7 +191,7 @@ def main_files(directory: str | Path) -> dict[str, Path]:
     """
     path = Path(directory) / ASSET_FILE
     try:
-        record = json.loads(path.read_text(encoding="utf-8"))["formats"]
+        record = json.loads(file_content(path))["formats"]
         check_names({"formats": record}, path)
         return {str(name): path.parent / each["main"] for name, each in record.items()}
     except AssetError:
@@ -197,6 +200,19 @@ def main_files(directory: str | Path) -> dict[str, Path]:
         raise ExportError(
             f"cannot read the formats of {path}: {error!r}; is this a directory that artgen exported?"
         ) from error
+
+
+def file_content(path: Path) -> bytes:
+    """Read an ordinary file of a size that artgen writes; a device or a pipe may never end.
+
+    Raises:
+        OSError: It cannot be read, is no ordinary file, or is too large.
+    """
+    if not stat.S_ISREG(path.stat().st_mode):
+        raise OSError(errno.EINVAL, "it is a device, a pipe or a directory, not an ordinary file")
+    if path.stat().st_size > _MOST_BYTES:
+        raise OSError(errno.EFBIG, f"it has more than {_MOST_BYTES >> 20} MiB")
+    return path.read_bytes()
 
 
 def previous_directory(directory: Path) -> Path:
@@ -351,7 +367,7 @@ def _check_unique(place: str, names: Sequence[str]) -> None:
 def _leaves(path: Path) -> dict[str, Any] | None:
     """Read the proof of a certificate; a damaged proof is left to the check of certificates."""
     try:
-        data = json.loads(path.read_text(encoding="utf-8"))
+        data = json.loads(file_content(path))
     except FileNotFoundError:
         return None
     except (OSError, ValueError, RecursionError) as error:
@@ -428,7 +444,7 @@ def _convex(form: _Piece) -> Convex:
 def read_obj(path: Path, origin: Array) -> Mesh:
     """Read a mesh from an OBJ file that artgen wrote; `origin` is the origin of its frame, shape (3,) [m]."""
     try:
-        lines = path.read_bytes().splitlines()
+        lines = file_content(path).splitlines()
     except FileNotFoundError:
         raise AssetError(
             f"there is no {path}: surfaces are read back from an export in the layout 'flat' or 'robocasa' "

@@ -12,7 +12,7 @@ from typing import Any
 from artgen.asset import Asset
 from artgen.asset.certificate import Certificate, PairResult, spelled_region
 from artgen.asset.collision import mesh_precision
-from artgen.asset.files import ASSET_FILE, CERTIFICATE_FILE, MESH_DIRECTORY
+from artgen.asset.files import ASSET_FILE, CERTIFICATE_FILE, MESH_DIRECTORY, file_content
 from artgen.asset.report import AGAIN, CheckResult, Finding
 from artgen.errors import ExportError, nearest
 from artgen.export.files import REPORT_FILE, digest
@@ -46,7 +46,7 @@ def _read(directory: Path, path: str) -> tuple[str, bytes]:
         # a link out of the export breaks when the directory is copied
         if not (directory / path).resolve().is_relative_to(directory.resolve()):
             return f"{path} is a link that leads out of the directory", b""
-        content = (directory / path).read_bytes()
+        content = file_content(directory / path)
     except FileNotFoundError:
         return f"{path} is missing", b""
     except OSError as error:
@@ -124,7 +124,7 @@ def read_export(directory: str | Path) -> Exported:
         what = "has no asset.json" if directory.is_dir() else "is not a directory"
         raise ExportError(f"{directory} {what}; give a directory that artgen exported an asset to")
     try:
-        data = json.loads((directory / ASSET_FILE).read_text(encoding="utf-8"))
+        data = json.loads(file_content(directory / ASSET_FILE))
         formats = {name: tuple(map(str, each["files"])) for name, each in data["formats"].items()}
         coarse = any("mesh_precision" in each for each in data["links"])
         certified = data.get("certificate") is not None and not coarse  # coarse exports have no proof
@@ -164,7 +164,7 @@ def _unreadable(file: str, error: Exception, hint: str = AGAIN) -> Finding:
 def _certificate_findings(directory: Path) -> Iterator[Finding]:
     hint = "certify the asset and export it again"
     try:
-        json.loads((directory / CERTIFICATE_FILE).read_text(encoding="utf-8"))
+        json.loads(file_content(directory / CERTIFICATE_FILE))
     except FileNotFoundError:
         yield Finding("files", f"{CERTIFICATE_FILE} with the proof is missing", hint=hint)
     except (OSError, ValueError) as error:
