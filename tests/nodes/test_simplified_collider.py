@@ -36,6 +36,16 @@ def test_colliders_may_not_stand_off_farther_than_checks_allow() -> None:
         csg._simplified_collider(tube, 0.002)
 
 
+@pytest.mark.parametrize(("radius", "share"), [(0.1, 0.5), (0.3, 1.0)])
+def test_a_wide_ring_keeps_its_pieces(radius: float, share: float) -> None:
+    """Two facets together stand off by more than 1 mm from a wide ring."""
+    ring = primitive._torus(radius, 0.01, UP)
+    before, after = (
+        len(shape.pieces.simplified(0.00025)) for shape in (ring, csg._simplified_collider(ring, 0.001))
+    )
+    assert after == share * before
+
+
 def _distance(corners: Array, points: Array) -> Array:
     """Return how far points stick out of the hull of corners, along its planes [m]."""
     planes = ConvexHull(corners).equations

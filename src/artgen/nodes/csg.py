@@ -61,6 +61,9 @@ def simplified_collider(solid: Solid, within: Scalar = MOST) -> Solid:
     A thin round shell, such as the wall of a bin, collides as one piece per facet; with a tolerance of 1 mm
     it needs less than half as many. The certificate holds for the coarser pieces.
 
+    A coarser piece joins two or more facets of a circle. Where the tolerance does not permit two, as for a
+    ring of more than about 0.2 m radius and 1 mm, the pieces stay as they are.
+
     Args:
         solid: A solid before anything is cut out of it.
         within: Largest distance of its colliders from the solid, at most 1 mm [m].
