@@ -93,6 +93,9 @@ class RenderError(ArtgenError, RuntimeError):
     """A picture could not be rendered: a renderer or one of its libraries is missing."""
 
 
+_LIKE = 0.5  # likeness from which on a name is proposed
+
+
 def nearest(name: object, allowed: Iterable[str]) -> str:
     """Return the allowed names, the likeliest first: ` Did you mean 'width'?` or ` Allowed: a, b.`.
 
@@ -103,10 +106,11 @@ def nearest(name: object, allowed: Iterable[str]) -> str:
     words = {word.casefold(): each for each in reversed(options) for word in each.split("_")}
     words |= {each.casefold(): each for each in reversed(options)}
     near = name.casefold() if isinstance(name, str) else ""
-    close = difflib.get_close_matches(near, sorted(words), 3, cutoff=0.5)
-    if close:
-        likeness = {word: difflib.SequenceMatcher(None, word, near).ratio() for word in close}
-        best = max(close, key=lambda word: (likeness[word], words[word].casefold() == word))
+    likeness = {
+        word: difflib.SequenceMatcher(None, word, near).ratio() for word in sorted(words, reverse=True)
+    }
+    best = max(likeness, key=lambda word: (likeness[word], words[word].casefold() == word), default="")
+    if likeness.get(best, 0.0) >= _LIKE:
         return f" Did you mean {words[best]!r}?"
     shown = ", ".join(options[:12]) + (", ..." if len(options) > 12 else "")
     return f" Allowed: {shown}." if options else ""

@@ -594,13 +594,14 @@ class Generator(Variant):
             raise ParameterError(
                 f"topology = {topology!r} is not allowed: it must be 'own', 'fixed' or a Topology"
             )
-        if not self.topology_file.exists():
+        file = self.topology_file
+        if not file.exists():
             raise AssetError(
                 f"{self.name} has no recorded topology; make one: assets = (generate({self.name!r}, seed, "
                 "certify=False) for seed in range(100)); Topology.of(assets).save(file), with the file "
-                f"{str(self.topology_file)!r}"
+                f"{str(file)!r}"
             )
-        return Topology.load(self.topology_file).pad
+        return _recorded(file, file.stat().st_mtime_ns).pad
 
     def _folded(self, values: Mapping[str, Any]) -> Any:
         """Build the graph of one sample; the literals of its numbers have no places for errors to name."""
@@ -711,6 +712,12 @@ class Chosen:
     def __hash__(self) -> int:
         """Hash like the generator."""
         return hash(self.generator)
+
+
+@functools.lru_cache(maxsize=64)
+def _recorded(file: Path, changed: int) -> Topology:
+    """Return the topology in a file; `changed` is the time of its last change [ns]."""
+    return Topology.load(file)
 
 
 def checked_count(name: str, value: Any) -> int:

@@ -17,7 +17,7 @@ from artgen._names import ByName
 from artgen.asset import Asset
 from artgen.asset.joint import AssetJoint, JointKind
 from artgen.asset.link import Collider, DerivedLink, Link, Surface
-from artgen.asset.mass import MassProperties
+from artgen.asset.mass import MassProperties, total
 from artgen.asset.record import rounded, rounded_coordinates
 from artgen.colliders import TOLERANCE, Convex, Kind
 from artgen.errors import AssetError
@@ -123,6 +123,17 @@ class PaddedLink(DerivedLink):
     """A link with a canonical name, with its colliders in the order of kinds and spare ones among them."""
 
     counts: Mapping[str, int] = field(kw_only=True)  # number of colliders by kind
+    inside: tuple[MassProperties, ...] = field(kw_only=True)  # of links in empty slots that move with it
+
+    @cached_property
+    def mass_properties(self) -> MassProperties:
+        """Those of the source without the links inside, so that together they are those of the source."""
+        own = self.source.mass_properties
+        return (
+            total([own.moments(), *(each.moments().scaled(-1.0) for each in self.inside)])
+            if self.inside
+            else own
+        )
 
     @cached_property
     def colliders(self) -> tuple[Collider, ...]:
@@ -142,12 +153,12 @@ class SlotLink(Link):
     rounded: ClassVar = True
 
     spares: tuple[Collider, ...] = field(kw_only=True)  # its colliders
-    center: Array = field(kw_only=True)  # its center of mass in asset coordinates at rest, shape (3,) [m]
+    mass: MassProperties = field(kw_only=True)  # mass, center and inertia that simulators accept
 
-    @cached_property
+    @property
     def mass_properties(self) -> MassProperties:
-        """Mass, center and inertia that simulators accept."""
-        return MassProperties(MASS, self.center, _INERTIA * np.eye(3))
+        """The given ones."""
+        return self.mass
 
     @cached_property
     def colliders(self) -> tuple[Collider, ...]:
@@ -185,12 +196,17 @@ def pad(asset: Asset, slots: "Sequence[Slot]", places: Mapping[str, str]) -> Ass
     }
     taken = {name for each in slots for name in (each.name, *(joint.name for joint in each.joints))}
     hosts = _hosts(slots, links)
+    small = {  # mass properties of the links in empty slots
+        name: MassProperties(MASS, rounded_coordinates(host.place(*at) + _OFF_AXIS), _INERTIA * np.eye(3))
+        for name, (host, *at) in hosts.items()
+    }
     result: list[Link] = []
     joints: list[AssetJoint] = []
     for slot in slots:
         if slot.name in links:
             link = links[slot.name]
-            result.append(_renamed(link, slot, names, taken))
+            inside = tuple(small[name] for name, (host, *_) in hosts.items() if host.link == link.name)
+            result.append(_renamed(link, slot, names, taken, inside))
             joints += [
                 replace(each.renamed(names), parent=slot.parent, child=slot.name)
                 for each in above.get(link.name, ())
@@ -201,8 +217,7 @@ def pad(asset: Asset, slots: "Sequence[Slot]", places: Mapping[str, str]) -> Ass
             [kind for kind in KINDS for _ in range(slot.colliders.get(kind, 0))], number, count
         )
         pivot = host.place(number, count)
-        center = rounded_coordinates(pivot + _OFF_AXIS)
-        result.append(SlotLink(slot.name, slot.label, spares=spares, center=center))
+        result.append(SlotLink(slot.name, slot.label, spares=spares, mass=small[slot.name]))
         joints += [slot_joint(each.name, each.kind, pivot, slot.parent, slot.name) for each in slot.joints]
     originals = {place: link.name for place, link in links.items()}
     originals |= {name: own for own, name in names.items()}
@@ -232,7 +247,13 @@ def _hosts(slots: "Sequence[Slot]", links: Mapping[str, Link]) -> dict[str, tupl
     return result
 
 
-def _renamed(link: Link, slot: "Slot", joints: Mapping[str, str], taken: Collection[str]) -> Link:
+def _renamed(
+    link: Link,
+    slot: "Slot",
+    joints: Mapping[str, str],
+    taken: Collection[str],
+    inside: tuple[MassProperties, ...],
+) -> Link:
     """Return a link with the name and colliders of a slot; its holds keep names that no slot has."""
 
     def hold(each: Any) -> Any:
@@ -244,4 +265,5 @@ def _renamed(link: Link, slot: "Slot", joints: Mapping[str, str], taken: Collect
         grasps=tuple(map(hold, link.grasps)),
         pushes=tuple(map(hold, link.pushes)),
         counts=slot.colliders,
+        inside=inside,
     )
