@@ -1,0 +1,279 @@
+"""A washing machine that loads at the front or from above, or a tumble dryer.
+
+Links: `body`; `drum`; at the front `door`, with a `handle` if a hook holds it, `drawer` and `filter_flap`; or
+above `lid` and `agitator`; `dial`, or `dial_0`, ..., and `button_0`, .... Joints: `drum_spin`; `door_hinge`,
+`handle_pull`, `drawer_slide`, `flap_hinge`; or `lid_hinge` and `agitator_turn`; `dial_turn` and
+`button_slide_0`, ....
+
+The hook of a handle reaches through the front panel, and its barb stands behind the panel: the door opens
+only while the handle is pulled. Without a hook, friction holds the door. The drum turns freely: belt and
+bearings brake it. It is open, and its colliders leave room for laundry. A lid rests beyond upright.
+
+Sizes are those of data sheets: 598 x 848 x 550-630 mm and 65-80 kg (Bosch Serie 4 and 6, full size of EN
+60456), 400-460 mm deep if slim, 510 x 695 x 460 mm and 50 kg if compact (Candy Aquamatic); 686 x 991 x 768 mm and
+85-100 kg in the USA (LG WM4000); top loaders of 686 x 915 x 690 mm (Whirlpool WTW) and of 540 x 930 x 560 mm
+(LG T-series); dryers weigh 35-60 kg.
+"""
+
+import math
+from typing import Literal
+
+import artgen as ag
+from artgen import details
+from artgen.categories.shared.appliances import cabinet_finish, fronts, grip_metals
+from artgen.categories.shared.controls import ButtonShape, DialScale, DialStyle
+from artgen.categories.washing_machine import case as parts
+from artgen.categories.washing_machine.works import Porthole, Rim, TopLoader
+from artgen.nodes.details.displays import Color
+
+Look = Literal["white", "black", "dark_steel", "stainless", "pastel"]
+"""Families of finishes, the same as those of other appliances."""
+
+_LOOKS: tuple[Look, ...] = ("white", "black", "dark_steel", "stainless", "pastel")
+_FINISH, _METAL = fronts(*_LOOKS), grip_metals(*_LOOKS)
+_RINGS = {
+    "white": ag.colored("abs", "white"),
+    "chrome": ag.material("chrome").with_(name="ring_chrome"),
+    "silver": ag.colored("abs", "silver"),
+    "graphite": ag.colored("abs", "graphite"),
+    "black": ag.material("glossy_plastic_black"),
+}
+_KNOBS = (ag.colored("abs", "white"), ag.colored("abs", "silver"), ag.material("black_abs"),
+          ag.material("brushed_aluminium").with_(name="knob_cap", density=1100))  # fmt: skip
+_GLASS = ag.material("glass").with_(name="door_bowl", opacity=0.28)
+_SMOKE = ag.material("tinted_glass").with_(name="smoke_bowl", opacity=0.50)
+_PANE, _WHITE_PANE = ag.material("black_glass"), ag.material("black_glass").with_(
+    name="white_glass", base_color=(0.80, 0.80, 0.79)
+)  # fmt: skip
+
+
+@ag.category(
+    labels="body front console panel worktop base foot kick_plate filter_flap filter vent seal hinge door glass "
+    "handle latch drum paddle drawer drawer_housing lid tub_cover agitator dial button print display hose cord "
+    "screw rating_plate",
+    joints=(3, 17),
+)
+def washing_machine(
+    *,
+    kind: Literal["front", "top", "dryer"] = ag.choice({"front": 0.52, "top": 0.24, "dryer": 0.24}),
+    size: Literal["full", "slim", "compact", "wide"] = ag.by(
+        "kind",
+        front={"full": 0.5, "slim": 0.2, "compact": 0.12, "wide": 0.18},
+        top={"wide": 0.6, "compact": 0.4},
+        dryer={"full": 0.65, "wide": 0.35},
+        doc="full: 60 cm; slim: 60 cm and shallow; compact: 51-56 cm; wide: 68 cm, of the USA",
+    ),
+    look: Look = ag.choice(
+        {"white": 0.5, "black": 0.1, "dark_steel": 0.17, "stainless": 0.1, "pastel": 0.13}
+    ),
+    width: ag.Float = ag.by(
+        "size",
+        wide=ag.uniform(0.683, 0.687),
+        compact=ag.by("kind", top=ag.uniform(0.53, 0.57), otherwise=ag.uniform(0.508, 0.515)),
+        otherwise=ag.uniform(0.595, 0.600),
+        unit="m",
+        within=(0.50, 0.70),
+    ),
+    height: ag.Float = ag.by(
+        "kind",
+        top=ag.uniform(0.89, 0.94),
+        otherwise=ag.by(
+            "size",
+            wide=ag.uniform(0.965, 1.0),
+            compact=ag.uniform(0.695, 0.71),
+            otherwise=ag.uniform(0.845, 0.855),
+        ),
+        unit="m",
+        within=(0.68, 1.02),
+        doc="height of the worktop or the deck",
+    ),
+    depth: ag.Float = ag.by(
+        "size",
+        full=ag.uniform(0.55, 0.63),
+        slim=ag.uniform(0.40, 0.46),
+        compact=ag.by("kind", top=ag.uniform(0.54, 0.58), otherwise=ag.uniform(0.45, 0.48)),
+        wide=ag.uniform(0.68, 0.74),
+        unit="m",
+        within=(0.39, 0.78),
+        doc="depth of the case; the door stands out by 0.045 m",
+    ),
+    finish: ag.Material = _FINISH,
+    metal: ag.Material = _METAL,
+    rim: Rim = ag.by(
+        "kind",
+        dryer={"solid": 0.34, "domed": 0.22, "stepped": 0.2, "glass": 0.24},
+        otherwise={"domed": 0.36, "stepped": 0.36, "glass": 0.28},
+        doc="front of the door",
+    ),
+    ring: Literal["white", "chrome", "silver", "graphite", "black"] = ag.by(
+        "look",
+        white={"white": 0.34, "chrome": 0.2, "silver": 0.2, "graphite": 0.14, "black": 0.12},
+        pastel={"chrome": 0.6, "white": 0.4},
+        stainless={"silver": 0.4, "chrome": 0.3, "black": 0.3},
+        otherwise={"black": 0.45, "chrome": 0.25, "graphite": 0.3},
+        doc="finish of the door's ring",
+    ),
+    door_radius: ag.Float = ag.by(
+        "size",
+        wide=ag.uniform(0.205, 0.235),
+        compact=ag.uniform(0.165, 0.180),
+        otherwise=ag.uniform(0.175, 0.210),
+        unit="m",
+        within=(0.155, 0.25),
+    ),
+    bowl: ag.Float = ag.uniform(
+        0.060, 0.085, "m", doc="depth of the glass bowl behind the front", within=(0.04, 0.10)
+    ),
+    lever: bool = ag.by(
+        "kind",
+        dryer={True: 0.25, False: 0.75},
+        otherwise={True: 0.7, False: 0.3},
+        doc="whether a hook holds the door until its handle is pulled",
+    ),
+    swing: ag.Float = ag.uniform(1.95, 2.80, "rad", doc="range of a door", within=(1.4, 2.85)),
+    lid_swing: ag.Float = ag.uniform(1.62, 1.72, "rad", doc="range of a lid", within=(1.3, 1.75)),
+    pull: ag.Float = ag.uniform(4.0, 9.0, "N", doc="force at the edge that moves a door"),
+    glazed: bool = ag.choice({True: 0.6, False: 0.4}, doc="window in a lid"),
+    agitator: bool = ag.by(
+        "size",
+        wide={True: 0.7, False: 0.3},
+        otherwise={True: 0.15, False: 0.85},
+        doc="agitator in a basket, or else a low impeller",
+    ),
+    backsplash: ag.Float = ag.by(
+        "size",
+        wide=ag.uniform(0.15, 0.18),
+        otherwise=ag.uniform(0.09, 0.115),
+        unit="m",
+        within=(0.07, 0.2),
+        doc="height of the console behind a lid",
+    ),
+    console: ag.Float = ag.uniform(
+        0.112, 0.135, "m", doc="height of a console in front", within=(0.105, 0.16)
+    ),
+    pane: bool = ag.by(
+        "look",
+        white={True: 0.25, False: 0.75},
+        pastel={True: 0.1, False: 0.9},
+        otherwise={True: 0.6, False: 0.4},
+        doc="whether glass lies on the console",
+    ),
+    dials: int = ag.by(
+        "kind",
+        top=ag.choice({0: 0.2, 1: 0.4, 3: 0.4}),
+        front=ag.choice({1: 0.9, 0: 0.1}),
+        dryer=ag.choice({1: 0.7, 2: 0.3}),
+    ),
+    dial_style: DialStyle = ag.choice("round", "fluted", "bar", "skirted", "capped"),
+    dial_radius: ag.Float = ag.uniform(0.019, 0.025, "m", within=(0.016, 0.027)),
+    knob: ag.Material = ag.shades(*_KNOBS, color=0.03, roughness=0.03, doc="material of dials"),
+    scale: DialScale = ag.choice({"icons": 0.5, "ticks": 0.25, "numbers": 0.25}),
+    buttons: int = ag.by("size", compact=ag.count(2, 4), otherwise=ag.count(2, 6)),
+    button_shape: ButtonShape = ag.choice("round", "square", "pill", "bar"),
+    button_force: ag.Float = ag.uniform(2.0, 4.0, "N"),
+    show: str = ag.by(
+        "dials",
+        {3: ""},
+        otherwise=ag.choice("1:25", "0:45", "2:10", "60", ""),
+        doc="text of the display; empty for none",
+    ),
+    figures: Color = ag.choice("white", "red", "amber", "cyan", "green"),
+    drawer: bool = ag.by(
+        "kind",
+        top=False,
+        front=True,
+        dryer=ag.by("size", full={True: 0.7, False: 0.3}, wide=False),
+        doc="drawer for detergent, or for the water of a dryer",
+    ),
+    drawer_friction: ag.Float = ag.uniform(3.0, 6.0, "N"),
+    flap: bool = ag.by(
+        "kind",
+        top=False,
+        front={True: 0.85, False: 0.15},
+        dryer={True: 0.5, False: 0.5},
+        doc="flap before the filter of the pump",
+    ),
+    flap_side: Literal["left", "right"] = ag.choice({"right": 0.75, "left": 0.25}),
+    paddles: int = ag.choice({3: 0.85, 4: 0.15}),
+    drum_friction: ag.Float = ag.uniform(0.15, 0.5, "N m", doc="friction of belt and bearings"),
+    ballast: Literal["steel", "concrete"] = ag.choice("steel", "concrete", doc="material of the ballast"),
+    maker: str = ag.choice(*details.BRANDS),
+) -> ag.Body:
+    """Make a washing machine or a dryer, closed: drum, door or lid, drawer, flap, dials, buttons."""
+    outside = ag.Region((-width / 2, width / 2), (-depth / 2, depth / 2), (0, height))
+    sides, dryer = cabinet_finish(look, finish), kind == "dryer"
+    heavy = {"steel": 0.93, "concrete": 1.07}[ballast]
+    dark = look in ("black", "dark_steel")
+    glass = (
+        (_WHITE_PANE if look in ("white", "pastel") and ring in ("white", "silver") else _PANE)
+        if pane
+        else None
+    )
+    caps = ag.material("black_abs") if dark else ag.colored("abs", "silver")
+
+    def panel(place: ag.Region, radius: ag.Scalar = dial_radius) -> parts.Console:
+        return parts.Console(place, finish, glass, dials, dial_style, radius, knob, scale, buttons, button_shape, caps,
+                             show, figures, button_force, dryer)  # fmt: skip
+
+    if kind == "top":
+        lean, behind = (0.6, 0.165) if size == "wide" else (0.8, 0.165)
+        top = TopLoader(
+            outside, 0.050, behind, finish, metal, (_SMOKE if dark else _GLASS) if glazed else None
+        )
+        skin = outside.shrink(x=0.001, top=0.050 - parts.LAP, bottom=0.022).deep(parts.SKIN, None)[0]
+        space = ag.Region((-width / 2 + 0.002, width / 2 - 0.002), (0, 0.022), (height, height + backsplash))
+        face = panel(space, ag.min_(dial_radius, 0.26 * backsplash)).body("")
+        low, rear = outside.y.high - behind + 0.016, outside.y.high
+        rise, run = backsplash * ag.cos(lean), backsplash * ag.sin(lean)
+        front, over = low + 0.0235 / math.cos(lean), height + rise - 0.002
+        wedge = ag.polygon(
+            [(front, height - 0.001), (rear, height - 0.001), (rear, over), (front + run, over)]
+        )
+        shell = ag.extrude(wedge, width - 0.004, axis=ag.X, bevel=0.002)
+        middle = (0, low + run / 2, height + rise / 2)
+        body = ag.weld(
+            parts.sheets(outside, sides, front=skin.y.high, high=height - 0.050),
+            ag.part(skin.box(bevel=0.002), "front", finish.with_(name=f"{finish.name}_front", density=700.0)),
+            parts.base(outside, 0.25, skin.y.high + 0.004, heavy * (560 if size == "wide" else 480)),
+            parts.back(outside, maker, f"T{round(100 * 0.75)} 230 V~", low=0.30, vented=False),
+            top.top(),
+            ag.part(shell, "console", finish.with_(name=f"{finish.name}_console", density=180.0)),
+            face.rotate(ag.X, -lean).at(middle),
+        )
+        body = body.install(top.basket(0.28, drum_friction, agitator=agitator))
+        return body.install(top.lid(lid_swing, 0.35 * pull, maker))
+
+    wide = size == "wide"
+    plan = parts.Plan(
+        outside, kick=0.100, console=console, top=0.004 if wide else 0.030, drawer=0.19 if drawer else 0.0
+    )
+    hole = door_radius - 0.042
+    window = _SMOKE if rim == "glass" or dark else _GLASS
+    port = Porthole(
+        plan, door_radius, rim, lever, _RINGS[ring] if rim != "solid" else finish, metal, window, hole, bowl
+    )
+    radius = ag.min_(
+        width / 2 - 0.045, ag.min_(plan.center - 0.150, plan.console.z.low - plan.center - 0.004)
+    )
+    low = plan.center - radius - 0.012
+    density = (270 if dryer else 700 if wide else 800) * heavy
+    worktop = outside.with_(y=(outside.y.low + 0.002, outside.y.high - 0.004), z=plan.top.z)
+    board = ag.colored("lacquered_mdf", "white" if look in ("white", "pastel") else "graphite").with_(
+        name="worktop", density=620.0
+    )
+    top_stuff = finish.with_(name=f"{finish.name}_top", density=2400.0) if wide else board
+    body = ag.weld(
+        parts.sheets(outside, sides, front=plan.panel.y.high, high=plan.top.z.low + parts.LAP),
+        port.panel(finish),
+        parts.base(outside, low, outside.y.low + 0.040, density),
+        ag.part(worktop.box(bevel=0.002 if wide else 0.005), "worktop", top_stuff),
+        parts.back(outside, maker, "2100 W 230 V~", low=0.22, vented=dryer and not drawer),
+        panel(plan.console).in_front(maker),
+        parts.kick_plate(plan, finish, flap=flap, side=1 if flap_side == "right" else -1),
+    )
+    body = body.install(
+        port.drum(radius, outside.y.high - 0.055, drum_friction, dryer=dryer, paddles=paddles)
+    )
+    if drawer:
+        body = ag.weld(body, parts.drawer(plan, finish, tank=dryer, friction=drawer_friction))
+    return body.install(port.door(swing, pull))
