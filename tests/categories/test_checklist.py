@@ -151,6 +151,17 @@ CHECKLIST: dict[str, dict[str, Moving]] = {
         "bucket": slides("bucket_slide", (0, 1)),
         "button": slides("button_slide", (0, 1)),
     },
+    "washing_machine": {
+        "door": turns("door_hinge", (0, 1)),
+        "lid": turns("lid_hinge", (0, 1)),
+        "handle of the door": turns("handle_pull", (0, 1)),
+        "drum": turns("drum_spin", (1,), unlimited=True),
+        "agitator": turns("agitator_turn", (0, 1), unlimited=True),
+        "drawer": slides("drawer_slide", (0, 1)),
+        "filter flap": turns("flap_hinge", (0, 1)),
+        "dial": turns("dial_turn", range(4), unlimited=True),
+        "button": slides("button_slide", range(2, 7)),
+    },
     "window": {
         "pane that turns": turns("pane_hinge", (0, 1, 2, 4)),
         "pane that slides": slides("pane_slide(_upper|_lower)?", (0, 1, 2)),

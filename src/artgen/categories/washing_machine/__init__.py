@@ -10,9 +10,9 @@ only while the handle is pulled. Without a hook, friction holds the door. The dr
 bearings brake it. It is open, and its colliders leave room for laundry. A lid rests beyond upright.
 
 Sizes are those of data sheets: 598 x 848 x 550-630 mm and 65-80 kg (Bosch Serie 4 and 6, full size of EN
-60456), 400-460 mm deep if slim, 510 x 695 x 460 mm and 50 kg if compact (Candy Aquamatic); 686 x 991 x 768 mm and
-85-100 kg in the USA (LG WM4000); top loaders of 686 x 915 x 690 mm (Whirlpool WTW) and of 540 x 930 x 560 mm
-(LG T-series); dryers weigh 35-60 kg.
+60456), 400-460 mm deep if slim, 510 x 695 x 460 mm and 50 kg if compact (Candy Aquamatic); 686 x 991 x 768 mm
+and 85-100 kg in the USA (LG WM4000); top loaders of 686 x 915 x 690 mm and 60 kg (Whirlpool WTW), and of
+540 x 930 x 560 mm (LG T series); dryers weigh 50-65 kg.
 """
 
 import math
@@ -38,20 +38,25 @@ _RINGS = {
     "graphite": ag.colored("abs", "graphite"),
     "black": ag.material("glossy_plastic_black"),
 }
-_KNOBS = (ag.colored("abs", "white"), ag.colored("abs", "silver"), ag.material("black_abs"),
-          ag.material("brushed_aluminium").with_(name="knob_cap", density=1100))  # fmt: skip
+_KNOBS = (
+    ag.colored("abs", "white"),
+    ag.colored("abs", "silver"),
+    ag.material("black_abs"),
+    ag.material("brushed_aluminium").with_(name="knob_cap", density=1100),
+)
 _GLASS = ag.material("glass").with_(name="door_bowl", opacity=0.28)
 _SMOKE = ag.material("tinted_glass").with_(name="smoke_bowl", opacity=0.50)
-_PANE, _WHITE_PANE = ag.material("black_glass"), ag.material("black_glass").with_(
-    name="white_glass", base_color=(0.80, 0.80, 0.79)
-)  # fmt: skip
+_PANE, _WHITE_PANE = (
+    ag.material("black_glass"),
+    ag.material("black_glass").with_(name="white_glass", base_color=(0.80, 0.80, 0.79)),
+)
 
 
 @ag.category(
-    labels="body front console panel worktop base foot kick_plate filter_flap filter vent seal hinge door glass "
-    "handle latch drum paddle drawer drawer_housing lid tub_cover agitator dial button print display hose cord "
-    "screw rating_plate",
-    joints=(3, 17),
+    labels="body front console panel worktop base foot kick_plate filter_flap filter vent seal hinge door "
+    "glass handle latch drum paddle drawer drawer_housing lid tub_cover agitator dial button print display "
+    "hose cord screw rating_plate",
+    joints=(5, 12),
 )
 def washing_machine(
     *,
@@ -212,8 +217,23 @@ def washing_machine(
     caps = ag.material("black_abs") if dark else ag.colored("abs", "silver")
 
     def panel(place: ag.Region, radius: ag.Scalar = dial_radius) -> parts.Console:
-        return parts.Console(place, finish, glass, dials, dial_style, radius, knob, scale, buttons, button_shape, caps,
-                             show, figures, button_force, dryer)  # fmt: skip
+        return parts.Console(
+            place,
+            finish,
+            glass,
+            dials,
+            dial_style,
+            radius,
+            knob,
+            scale,
+            buttons,
+            button_shape,
+            caps,
+            show,
+            figures,
+            button_force,
+            dryer,
+        )
 
     if kind == "top":
         lean, behind = (0.6, 0.165) if size == "wide" else (0.8, 0.165)
@@ -234,7 +254,7 @@ def washing_machine(
         body = ag.weld(
             parts.sheets(outside, sides, front=skin.y.high, high=height - 0.050),
             ag.part(skin.box(bevel=0.002), "front", finish.with_(name=f"{finish.name}_front", density=700.0)),
-            parts.base(outside, 0.25, skin.y.high + 0.004, heavy * (560 if size == "wide" else 480)),
+            parts.base(outside, 0.25, skin.y.high + 0.004, heavy * (150 if size == "wide" else 210)),
             parts.back(outside, maker, f"T{round(100 * 0.75)} 230 V~", low=0.30, vented=False),
             top.top(),
             ag.part(shell, "console", finish.with_(name=f"{finish.name}_console", density=180.0)),
@@ -256,7 +276,7 @@ def washing_machine(
         width / 2 - 0.045, ag.min_(plan.center - 0.150, plan.console.z.low - plan.center - 0.004)
     )
     low = plan.center - radius - 0.012
-    density = (270 if dryer else 700 if wide else 800) * heavy
+    density = ((120 if wide else 270) if dryer else 560 if wide else 800) * heavy
     worktop = outside.with_(y=(outside.y.low + 0.002, outside.y.high - 0.004), z=plan.top.z)
     board = ag.colored("lacquered_mdf", "white" if look in ("white", "pastel") else "graphite").with_(
         name="worktop", density=620.0

@@ -5,13 +5,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import artgen as ag
-from artgen import details, feel
+from artgen import details, feel, fittings
 from artgen.categories.shared import controls
 from artgen.categories.shared.appliances import DARK, cord_stub, filled
 from artgen.categories.shared.controls import ButtonShape, DialScale, DialStyle
 from artgen.categories.shared.fixings import feet, screws
 from artgen.nodes.details.displays import Color
-from artgen.nodes.fitting import Fitting
 
 SHEET = 0.004
 """Modeled thickness of sheet steel [m]."""
@@ -31,6 +30,7 @@ _PITCH = 0.0215  # distance between buttons: a finger 18 mm wide does not touch 
 _DEEP = 0.009  # depth of caps behind the face [m]
 _ZINC, _BLACK = ag.material("zinc"), ag.material("black_abs")
 _GREY = ag.colored("polypropylene", "light_grey").with_(name="tray_plastic")
+_HOSES = ((0.05, 0.36), (-0.04, 0.5))  # how far the hoses run aside, and their height [m]
 _ICONS = ("power", "thermometer", "spin", "rinse", "timer", "child_lock", "leaf", "start_pause")
 _PROGRAMS = ("shirt", "tumbler", "leaf", "timer", "heart", "snowflake", "drop", "spin", "star")
 _DRYING = ("shirt", "sun", "leaf", "timer", "heart", "fan_heat", "moon", "tumbler", "star")
@@ -72,8 +72,10 @@ def around_hole(region: ag.Region, radius: ag.Scalar, sides: int = 12) -> list[a
         inner = [(radius * math.cos(a), radius * math.sin(a)) for a in (start, end)]
         beyond = radius + LAP
         corners.append(ag.polygon([(x * beyond, z * beyond), *inner]))
-    plates = [details.relief(each, (0, region.y.mid, 0), proud=region.y.size / 2, sunk=region.y.size / 2)
-              for each in corners]  # fmt: skip
+    plates = [
+        details.relief(each, (0, region.y.mid, 0), proud=region.y.size / 2, sunk=region.y.size / 2)
+        for each in corners
+    ]
     return [*(each.box() for each in region.around(hole, lap=0)), *plates]
 
 
@@ -96,12 +98,10 @@ def sheets(plan: ag.Region, finish: ag.Material, *, front: ag.Scalar, high: ag.S
     left, _, right = whole.across(SHEET, None, SHEET)
     back = whole.shrink(x=SHEET - LAP).with_(y=(rear - _BEHIND - SHEET, rear - _BEHIND))
     grooves = ag.rectangle(whole.y.size - 0.10, 0.016, radius=0.0079)
-    places = [
-        (side * plan.x.high, whole.y.mid, whole.z.at(share)) for side in (-1, 1) for share in (0.2, 0.8)
-    ]
     pressed = [
-        details.relief(grooves, at, facing=(1 if index > 1 else -1, 0, 0), proud=0.0014, bevel=0.0012)
-        for index, at in enumerate(places)
+        details.relief(grooves, whole.at(z=up).anchor(x=way), facing=(way, 0, 0), proud=0.0014, bevel=0.0012)
+        for way in (-1, 1)
+        for up in (-0.24, 0.24)
     ]
     return ag.weld(
         ag.part([left.box(bevel=0.0012), right.box(bevel=0.0012)], "body", filled(finish, 2300.0, "sheet")),
@@ -112,7 +112,7 @@ def sheets(plan: ag.Region, finish: ag.Material, *, front: ag.Scalar, high: ag.S
 
 def base(plan: ag.Region, high: ag.Scalar, front: ag.Scalar, density: float) -> ag.Body:
     """Make the base with pump, motor and ballast up to a height, of a density [kg/m3], on four feet."""
-    pan = plan.shrink(x=SHEET - LAP).with_(y=(front, plan.y.high - _BEHIND), z=(FOOT, high))
+    pan = plan.shrink(x=SHEET - LAP).with_(y=(front, plan.y.high - _BEHIND - 0.001), z=(FOOT, high))
     corners = plan.shrink(x=0.048, y=0.052)
     stand = [(x, y) for x in corners.x for y in corners.y]
     block = ag.part(pan.box(bevel=0.003), "base", _BLACK.with_(name="ballast", density=density))
@@ -122,32 +122,27 @@ def base(plan: ag.Region, high: ag.Scalar, front: ag.Scalar, density: float) -> 
 def back(plan: ag.Region, maker: str, model: str, *, low: ag.Scalar, vented: bool) -> ag.Body:
     """Make hoses or the outlet of air, transport bolts, rating plate and cord on the back panel."""
     y, half = plan.y.high - _BEHIND, plan.x.high
-    plate = (0.35 * half, y, low + 0.30)
-    cover = ag.cylinder(min(0.14, 1.0), 0.006, axis=ag.Y, bevel=0.002).at(0, y + 0.002, low + 0.30)
+    cover = ag.cylinder(0.14, 0.006, axis=ag.Y, bevel=0.002).at(0, y + 0.002, low + 0.30)
+    heads = [(side * (half - 0.02), y, z) for side in (-1, 1) for z in (0.08, low + 0.3, plan.z.high - 0.08)]
+    plate = (0.6 * half, y, low + 0.50)
     made = [
         cord_stub(height=low + 0.10, reach=0.026).at(-0.6 * half, y, low + 0.10),
-        details.rating_plate(0.08, 0.05, (maker.upper(), model), at=plate, facing=ag.Y).at(0.25 * half, 0, 0.2),
+        details.rating_plate(0.08, 0.05, (maker.upper(), model), at=plate, facing=ag.Y),
         ag.detail(cover, "body", _ZINC),
-        *screws(
-            [(side * (half - 0.02), y, z) for side in (-1, 1) for z in (0.08, low + 0.30, plan.z.high - 0.08)],
-            facing="+y", radius=0.0036, finish=_ZINC, head="pan",
-        ),
-    ]  # fmt: skip
+        *screws(heads, facing="+y", radius=0.0036, finish=_ZINC, head="pan"),
+    ]
     if vented:
         pipe = ag.tube(0.051, 0.049, 0.018, axis=ag.Y).at(-0.1, y + 0.009, 0.13)
         return ag.weld(*made, ag.detail(pipe, "vent", _ZINC))
-    bolts = ag.array(ag.cylinder(0.016, 0.004, axis=ag.Y, bevel=0.0015), at=[
-        (side * 0.5 * half, y + 0.0015, z) for side in (-1, 1) for z in (low + 0.06, low + 0.42)])  # fmt: skip
-    path = [(0, -0.004, 0), (0, 0.013, 0), (0.05, 0.013, 0.02), (0.05, 0.013, 0.36)]
-    hose = ag.sweep(ag.circle(0.006), ag.polyline(path, fillet=0.011))
-    drain = ag.sweep(ag.circle(0.0065), ag.polyline([(0, -0.004, 0), (0, 0.0125, 0), (-0.04, 0.0125, 0.03),
-                                                     (-0.04, 0.0125, 0.5)], fillet=0.011))  # fmt: skip
-    nut = ag.extrude(ag.regular_polygon(6, 0.015), 0.012, axis=ag.Y, bevel=0.001).at(y=0.006)
     valve = (0.72 * half, y, plan.z.high - 0.46)
+    nut = ag.extrude(ag.regular_polygon(6, 0.015), 0.012, axis=ag.Y, bevel=0.001).at(y=0.006)
+    paths = [
+        [(0, 0.013 * out, 0) for out in (-0.3, 1)] + [(x, 0.013, 0.02), (x, 0.013, z)] for x, z in _HOSES
+    ]
+    inlet, drain = (ag.sweep(ag.circle(0.006), ag.polyline(each, fillet=0.011)) for each in paths)
     return ag.weld(
         *made,
-        ag.detail(bolts, "body", _GREY),
-        ag.detail(hose.at(valve), "hose", ag.colored("abs", "light_grey")),
+        ag.detail(inlet.at(valve), "hose", ag.colored("abs", "light_grey")),
         ag.detail(nut.at(valve), "hose", ag.colored("abs", "sky")),
         ag.detail(drain.at(-0.3 * half, y, low + 0.02), "hose", _GREY),
     )
@@ -229,19 +224,22 @@ class Console:
                 f"button_slide_{index}", travel=0.0022, force=self.force, preload=0.5
             )
             made = made.attach(cap, press, at=(x, 0, 0))
-        programs = _DRYING if self.drying else _PROGRAMS
         for index in range(self.dials):
-            tail = f"_{index}" if self.dials > 1 else ""
-            knob = controls.control_knob(
-                finish=self.knob, style=self.dial_style, radius=self.radius, depth=0.022,
-                mark=controls.ink_on(self.knob), cap=ag.material("chrome"), name=f"dial{tail}", label="dial",
-            )  # fmt: skip
-            print_ = controls.dial_print(
-                self.radius, ink=ink, style=self.scale, count=9, icons=programs, height=0.0036
+            dial = fittings.dial(
+                style=self.dial_style,
+                radius=self.radius,
+                depth=0.022,
+                limits=None,
+                friction=0.06,
+                scale=self.scale,
+                count=9,
+                icons=_DRYING if self.drying else _PROGRAMS,
+                finish=self.knob,
+                cap=ag.material("chrome"),
+                ink=ink,
             )
-            turn = controls.dial_turn(f"dial_turn{tail}", endless=True, friction=0.06)
-            x = dials.x.at((index + 0.5) / self.dials)
-            made = made.install(Fitting.moving(knob, turn, fixed=print_), at=(x, -proud, 0))
+            at = (dials.x.at((index + 0.5) / self.dials), -proud, 0)
+            made = made.install(dial.suffixed(f"_{index}") if self.dials > 1 else dial, at=at)
         return made
 
     def in_front(self, maker: str) -> ag.Body:
@@ -337,9 +335,10 @@ def kick_plate(plan: Plan, finish: ag.Material, *, flap: bool, side: int) -> ag.
         name="filter_flap",
     )
     niche = hole.grow(LAP).with_(y=(plate.y.high - 0.001, plate.y.high + 0.002))
-    cap = ag.cylinder(0.026, 0.010, axis=ag.Y, bevel=0.003).at(x + 0.012, plate.y.high - 0.003, hole.z.mid)
-    bar = ag.box(0.042, 0.008, 0.008, bevel=0.002).at(x + 0.012, plate.y.high - 0.0055, hole.z.mid)
-    hose = ag.cylinder(0.007, 0.006, axis=ag.Y, bevel=0.001).at(x - 0.042, plate.y.high - 0.002, hole.z.mid)
+    y, z = plate.y.high, hole.z.mid
+    cap = ag.cylinder(0.026, 0.006, axis=ag.Y, bevel=0.002).at(x + 0.012, y - 0.0005, z)
+    bar = ag.box(0.042, 0.004, 0.008, bevel=0.001).at(x + 0.012, y - 0.0022, z)
+    hose = ag.cylinder(0.007, 0.006, axis=ag.Y, bevel=0.001).at(x - 0.042, y - 0.001, z)
     frame = ag.part([each.box(bevel=0.0006) for each in plate.around(hole, lap=LAP)], "kick_plate", stuff)
     body = ag.weld(
         frame,
@@ -350,9 +349,17 @@ def kick_plate(plan: Plan, finish: ag.Material, *, flap: bool, side: int) -> ag.
     at = (x, leaf.y.mid, leaf.z.low + 0.004)
     return body.attach(
         door,
-        ag.Revolute("flap_hinge", axis=ag.X, pivot=at, limits=(0, 1.35), friction=0.03, damping=0.004, armature=1e-4,
-                    effort=2.0),
-    )  # fmt: skip
+        ag.Revolute(
+            "flap_hinge",
+            axis=ag.X,
+            pivot=at,
+            limits=(0, 1.35),
+            friction=0.03,
+            damping=0.004,
+            armature=1e-4,
+            effort=2.0,
+        ),
+    )
 
 
 def panel_with(

@@ -23,6 +23,7 @@ _LIP = 0.006  # thickness of the front wall of the drum [m]
 _BELLOWS = 0.070  # depth of the bellows behind the front [m]
 _PLAY = 0.004  # gap between the bellows and the drum [m]
 _LEVER = (0.030, 0.096)  # width and height of the handle [m]
+_MOTOR = feel.Feel(damping=0.02, friction=0.3, armature=0.02, effort=40.0, velocity=12.0)
 _RUBBER = ag.material("rubber").with_(name="bellows", base_color=(0.20, 0.205, 0.21))
 _DRUM = ag.material("stainless").with_(name="drum_steel", density=4200.0)
 _HOLES = ag.material("perforated_steel").with_(name="drum_holes")
@@ -87,17 +88,21 @@ class Porthole:
             slots = [ag.Region((x + 0.0048, x + 0.032), (0, 0), (center - 0.011, center + 0.011))]
         shade = ag.colored("polypropylene", "grey").with_(name="collar") if self.rim == "solid" else _RUBBER
         rh, end = self.hole, _BELLOWS
-        outline = ag.polygon([
-            (rh + 0.004, 0.0012), (rh - 0.003, 0.0022), (rh - 0.006, 0.0), (rh - 0.007, -0.006), (rh - 0.004, -0.012),
-            (rh - 0.004, -0.30 * end), (rh - 0.007, -0.42 * end), (rh - 0.002, -0.52 * end), (rh - 0.002, -0.72 * end),
-            (rh - 0.010, -0.84 * end), (rh - 0.010, -end), (rh - 0.005, -end), (rh - 0.004, -0.86 * end),
-            (rh + 0.003, -0.76 * end), (rh + 0.003, -0.3 * end), (rh + 0.004, -SKIN),
-        ])  # fmt: skip
+        waves = [(0.003, 0.0012 / end), (-0.003, 0.0022 / end), (-0.006, 0), (-0.007, -0.09), (-0.004, -0.3)]
+        waves += [
+            (-0.008, -0.42),
+            (-0.003, -0.52),
+            (-0.003, -0.72),
+            (-0.010, -0.84),
+            (-0.010, -1),
+            (0.003, -1),
+        ]
+        outline = ag.polygon([(rh + out, in_ * end) for out, in_ in waves])
         collar = ag.revolve(outline, axis=-ag.Y).at(0, self.face, center)
         long = end + 0.0024
         covers = [
             each.at(0, self.face + long / 2 - 0.0024, center)
-            for each in hoop(rh - 0.0105, rh + 0.0045, long, 12)
+            for each in hoop(rh - 0.0105, rh + 0.0035, long, 16)
         ]
         y = self.face - _GAP - _THICK / 2 - 0.002
         axis = -self.radius - _ASIDE
@@ -152,9 +157,18 @@ class Porthole:
             covers = [floor, *(ag.hull(*each) for each in zip(*rings, strict=True))]
             bodies.append(ag.part(ag.bounding_collider(bowl, *covers).at(at), "glass", self.glass))
         if self.rim == "glass":
-            pane = ag.revolve(ag.polygon([
-                (0, 0.84 * _THICK), (self.radius - 0.004, 0.84 * _THICK), (self.radius - 0.004, 0.94 * _THICK),
-                (self.radius - 0.007, _THICK), (0, _THICK)]), axis=-ag.Y).at(at)  # fmt: skip
+            pane = ag.revolve(
+                ag.polygon(
+                    [
+                        (0, 0.84 * _THICK),
+                        (self.radius - 0.004, 0.84 * _THICK),
+                        (self.radius - 0.004, 0.94 * _THICK),
+                        (self.radius - 0.007, _THICK),
+                        (0, _THICK),
+                    ]
+                ),
+                axis=-ag.Y,
+            ).at(at)
             tint = ag.material("tinted_glass").with_(name="door_pane", opacity=0.55)
             pane = ag.bounding_collider(
                 pane, ag.cylinder(self.radius, 0.16 * _THICK, axis=ag.Y).at(0, -0.92 * _THICK, 0).at(at)
@@ -203,9 +217,15 @@ class Porthole:
             strike = ag.part([hook.box(bevel=0.0008), barb.box(bevel=0.0008)], "latch", ag.material("zinc"))
             handle = ag.weld(ag.part(grip, "handle", self.accent, name="handle", grasp=hold), strike)
             turn = ag.Revolute(
-                "handle_pull", axis=-ag.Z, pivot=(*self._pivot, z), limits=(0, 0.26),
-                spring=ag.Spring(preload=0.20, force=0.45), feel=feel.LEVER, friction=0.02, effort=3.0,
-            )  # fmt: skip
+                "handle_pull",
+                axis=-ag.Z,
+                pivot=(*self._pivot, z),
+                limits=(0, 0.26),
+                spring=ag.Spring(preload=0.20, force=0.45),
+                feel=feel.LEVER,
+                friction=0.02,
+                effort=3.0,
+            )
             needs = (turn > 0.18).until(0.034 / (x - axis))
             door = ag.weld(*bodies).attach(handle, turn)
         else:
@@ -217,9 +237,16 @@ class Porthole:
             )
             door = ag.weld(*bodies, ag.part(grip, "handle", self.accent, grasp=hold))
         hinge = ag.Revolute(
-            "door_hinge", axis=-ag.Z, pivot=(axis, y, z), limits=(0, swing), friction=pull * 2 * self.radius,
-            damping=0.2, effort=30.0, velocity=5.0, needs=needs,
-        )  # fmt: skip
+            "door_hinge",
+            axis=-ag.Z,
+            pivot=(axis, y, z),
+            limits=(0, swing),
+            friction=pull * 2 * self.radius,
+            damping=0.2,
+            effort=30.0,
+            velocity=5.0,
+            needs=needs,
+        )
         return Fitting.moving(door, hinge)
 
     def drum(
@@ -266,17 +293,7 @@ class Porthole:
         if not dryer:
             band = ag.tube(radius - 0.0028, radius - 0.0034, deep - 0.09, axis=ag.Y).at(y=deep / 2)
             bodies.append(ag.detail(band, "drum", _HOLES))
-        spin = ag.Revolute(
-            "drum_spin",
-            axis=ag.Y,
-            pivot=at,
-            friction=friction,
-            damping=0.02,
-            armature=0.02,
-            effort=40.0,
-            velocity=12.0,
-            driven="a motor",
-        )
+        spin = ag.Revolute("drum_spin", axis=ag.Y, pivot=at, friction=friction, feel=_MOTOR, driven="a motor")
         return Fitting.moving(ag.weld(*bodies).at(at), spin)
 
 
@@ -352,9 +369,15 @@ class TopLoader:
         bodies.append(details.printed(sign, at, material=ink, facing=ag.Z, up=ag.Y))
         y = leaf.y.high
         hinge = ag.Revolute(
-            "lid_hinge", axis=-ag.X, pivot=(0, y, leaf.z.high), limits=(0, swing), friction=friction, damping=1.2,
-            effort=40.0, velocity=4.0,
-        )  # fmt: skip
+            "lid_hinge",
+            axis=-ag.X,
+            pivot=(0, y, leaf.z.high),
+            limits=(0, swing),
+            friction=friction,
+            damping=1.2,
+            effort=40.0,
+            velocity=4.0,
+        )
         pin = ag.cylinder(0.006, 0.05, axis=ag.X, bevel=0.001)
         side = 0.36 * leaf.x.size
         pins = [pin.at(way * side, y - 0.002, leaf.z.high) for way in (-1, 1)]
@@ -401,24 +424,6 @@ class TopLoader:
             flight = ag.sweep(ag.circle(0.010), ag.helix(0.062, 0.16, 1.6)).at(z=foot + 0.62 * tall)
             cap = ag.cylinder(0.050, 0.012, bevel=0.005).at(z=foot + tall + 0.004)
             bodies.append(ag.detail([flight, cap], "agitator", color))
-        turn = ag.Revolute(
-            "agitator_turn",
-            axis=ag.Z,
-            friction=0.5 * friction,
-            damping=0.02,
-            armature=0.005,
-            effort=40.0,
-            velocity=12.0,
-            driven="a motor",
-        )
-        spin = ag.Revolute(
-            "drum_spin",
-            axis=ag.Z,
-            friction=friction,
-            damping=0.02,
-            armature=0.02,
-            effort=40.0,
-            velocity=12.0,
-            driven="a motor",
-        )
+        turn = ag.Revolute("agitator_turn", axis=ag.Z, friction=0.5 * friction, feel=_MOTOR, driven="a motor")
+        spin = ag.Revolute("drum_spin", axis=ag.Z, friction=friction, feel=_MOTOR, driven="a motor")
         return Fitting.moving(basket.attach(ag.weld(*bodies), turn), spin).at(0, y, 0)
