@@ -44,8 +44,8 @@ _KNOBS = (
     ag.material("black_abs"),
     ag.material("brushed_aluminium").with_(name="knob_cap", density=1100),
 )
-_GLASS = ag.material("glass").with_(name="door_bowl", opacity=0.28)
-_SMOKE = ag.material("tinted_glass").with_(name="smoke_bowl", opacity=0.50)
+_GLASS = ag.material("glass").with_(name="door_bowl", opacity=0.28, density=900.0)
+_SMOKE = ag.material("tinted_glass").with_(name="smoke_bowl", opacity=0.50, density=900.0)
 _PANE, _WHITE_PANE = (
     ag.material("black_glass"),
     ag.material("black_glass").with_(name="white_glass", base_color=(0.80, 0.80, 0.79)),

@@ -79,18 +79,6 @@ def around_hole(region: ag.Region, radius: ag.Scalar, sides: int = 12) -> list[a
     return [*(each.box() for each in region.around(hole, lap=0)), *plates]
 
 
-def hoop(inner: ag.Scalar, outer: ag.Scalar, length: ag.Scalar, sides: int = 20) -> list[ag.Solid]:
-    """Make convex pieces that contain a tube about the y axis, centered on the origin."""
-    half = math.pi / sides
-    wide, far = math.sin(half), outer / math.cos(half)
-    near, level = 0.994 * inner * math.cos(half), far * math.cos(half)
-    outline = ag.polygon(
-        [(-inner * wide, near), (inner * wide, near), (far * wide, level), (-far * wide, level)]
-    )
-    piece = ag.extrude(outline, length, axis=ag.Y)
-    return [piece.rotate(ag.Y, 2 * half * turn) for turn in range(sides)]
-
-
 def sheets(plan: ag.Region, finish: ag.Material, *, front: ag.Scalar, high: ag.Scalar) -> ag.Body:
     """Make the sides from behind the front panel to the back, up to a height, and the back panel."""
     rear = plan.y.high

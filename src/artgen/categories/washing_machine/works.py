@@ -8,7 +8,7 @@ import artgen as ag
 from artgen import details, feel
 from artgen.categories.shared import controls
 from artgen.categories.shared.appliances import filled
-from artgen.categories.washing_machine.case import LAP, SKIN, Plan, around_hole, hoop, panel_with
+from artgen.categories.washing_machine.case import LAP, SKIN, Plan, around_hole, panel_with
 from artgen.nodes.fitting import Fitting
 
 Rim = Literal["domed", "stepped", "glass", "solid"]
@@ -29,28 +29,8 @@ _DRUM = ag.material("stainless").with_(name="drum_steel", density=4200.0)
 _HOLES = ag.material("perforated_steel").with_(name="drum_holes")
 _SECTIONS: dict[Rim, list[tuple[float, float]]] = {
     # shares of the ring's width from its inner edge, and of its thickness from the back
-    "domed": [
-        (0, 0),
-        (1, 0),
-        (1, 0.45),
-        (0.96, 0.68),
-        (0.84, 0.88),
-        (0.64, 1),
-        (0.42, 0.97),
-        (0.16, 0.62),
-        (0, 0.3),
-    ],
-    "stepped": [
-        (0, 0),
-        (1, 0),
-        (1, 0.62),
-        (0.97, 0.70),
-        (0.62, 0.78),
-        (0.58, 1),
-        (0.28, 1),
-        (0.22, 0.92),
-        (0, 0.35),
-    ],
+    "domed": [(0, 0), (1, 0), (1, 0.45), (0.96, 0.68), (0.84, 0.88), (0.62, 1), (0.40, 0.95), (0, 0.4)],
+    "stepped": [(0, 0), (1, 0), (1, 0.70), (0.66, 0.96), (0.58, 1), (0.30, 1), (0, 0.45)],
     "glass": [(0, 0), (1, 0), (1, 0.80), (0.985, 0.88), (0, 0.88)],
     "solid": [(0, 0), (1, 0), (1, 0.60), (0.97, 0.80), (0.90, 0.94), (0.78, 1), (0, 1)],
 }
@@ -99,11 +79,9 @@ class Porthole:
         ]
         outline = ag.polygon([(rh + out, in_ * end) for out, in_ in waves])
         collar = ag.revolve(outline, axis=-ag.Y).at(0, self.face, center)
-        long = end + 0.0024
-        covers = [
-            each.at(0, self.face + long / 2 - 0.0024, center)
-            for each in hoop(rh - 0.0105, rh + 0.0035, long, 16)
-        ]
+        # under the smooth bellows is a band of few sides
+        band = ag.regular_polygon(16, rh + 0.0042) - ag.regular_polygon(16, rh + 0.0024)
+        sleeve = ag.extrude(band, end - 0.004, axis=ag.Y).at(0, self.face + end / 2, center)
         y = self.face - _GAP - _THICK / 2 - 0.002
         axis = -self.radius - _ASIDE
         foot = ag.Region((axis - 0.010, axis + 0.008), (y, self.face + LAP), (center - 0.031, center + 0.031))
@@ -115,7 +93,8 @@ class Porthole:
         )
         return ag.weld(
             panel_with(self.plan.panel, rh, center, finish, slots),
-            ag.part(ag.bounding_collider(collar, *covers), "seal", shade),
+            ag.part(sleeve, "seal", shade),
+            ag.detail(collar, "seal", shade),
             ag.part([foot.box(bevel=0.002), pin], "hinge", filled(ag.material("zinc"), 4000.0)),
             ag.detail(plate.box(bevel=0.0006), "hinge", ag.material("zinc")),
         )
@@ -127,54 +106,43 @@ class Porthole:
         wide = self.radius - inner
         outline = ag.polygon([(inner + r * wide, y * _THICK) for r, y in _SECTIONS[self.rim]])
         ring = ag.revolve(outline, axis=-ag.Y).at(at)
-        cover = [ag.cylinder(self.radius, _THICK, axis=ag.Y)]
-        if self.rim != "solid":
-            cover = hoop(inner - 0.0005, self.radius, _THICK, 12)
-        cover = [each.at(0, -_THICK / 2, 0).at(at) for each in cover]
-        solid = ag.bounding_collider(ring, *cover)
-        if self.lever:
-            x, z = self._pivot[0], self.plan.center
-            slot = ag.Region(
-                (x + 0.004, x + 0.026), (at[1] - _THICK - 0.01, at[1] + 0.01), (z - 0.010, z + 0.010)
-            )
-            solid = solid - slot.box()
-        hollow = 0.30 if self.rim == "solid" else 0.62
-        bodies = [ag.part(solid, "door", filled(self.ring, hollow * 1000, "ring"), name="door")]
-        front, rear, deep = self.hole - 0.027, self.hole - 0.054, self.bowl + _GAP
-        skin = [(front + 0.004, 0.001), (rear + 0.008, -deep + 0.014), (rear, -deep)]
+        x, z = self._pivot[0], self.plan.center
+        slot = ag.Region(
+            (x + 0.004, x + 0.026), (at[1] - _THICK - 0.01, at[1] + 0.01), (z - 0.010, z + 0.010)
+        ).box()
+        stuff = filled(self.ring, 300.0 if self.rim == "solid" else 620.0, "ring")
         if self.rim == "solid":
-            stopper = ag.revolve(ag.polygon([(0, 0.002), *skin, (0, -deep)]), axis=-ag.Y)
-            plastic = ag.colored("polypropylene", "light_grey").with_(name="door_lining", density=180.0)
-            bodies.append(ag.part(ag.bounding_collider(stopper.at(at)), "door", plastic))
-        else:
-            inside = [(rear - 0.005, _WALL - deep), (rear + 0.0025, 0.017 - deep), (front - 0.0015, 0.001)]
-            bowl = ag.revolve(ag.polygon([*skin, (0, -deep), (0, _WALL - deep), *inside]), axis=-ag.Y)
-            rings = [
-                [each.at(y=-y) for each in hoop(r - 0.012, r + 0.0005, 0.0004, 12)]
-                for r, y in ((skin[0][0], 0.0008), skin[1], (rear, -deep))
+            solid = ag.bounding_collider(ring)
+            bodies = [ag.part(solid - slot if self.lever else solid, "door", stuff, name="door")]
+        else:  # a core with few facets, which has colliders, inside the smooth ring
+            core = [
+                (inner + 0.004 + r * (wide - 0.005), 0.0005 + 0.97 * y * _THICK)
+                for r, y in _SECTIONS[self.rim]
             ]
-            floor = ag.cylinder(rear, _WALL + LAP, axis=ag.Y).at(y=deep - _WALL / 2)
-            covers = [floor, *(ag.hull(*each) for each in zip(*rings, strict=True))]
-            bodies.append(ag.part(ag.bounding_collider(bowl, *covers).at(at), "glass", self.glass))
+            solid = ag.revolve(ag.polygon(core), axis=-ag.Y, sides=20).at(at)
+            bodies = [
+                ag.part(solid - slot if self.lever else solid, "door", stuff, name="door"),
+                ag.detail(ring - slot if self.lever else ring, "door", self.ring),
+            ]
+        front, rear, deep = self.hole - 0.027, self.hole - 0.054, self.bowl + _GAP
+        shape = ag.revolve(
+            ag.polygon(
+                [(0, 0.002), (front + 0.004, 0.002), (rear + 0.008, 0.014 - deep), (rear, -deep), (0, -deep)]
+            ),
+            axis=-ag.Y,
+        )
+        lens = ag.bounding_collider(shape.at(at))
+        if self.rim == "solid":
+            plastic = ag.colored("polypropylene", "light_grey").with_(name="door_lining", density=180.0)
+            bodies.append(ag.part(lens, "door", plastic))
+        else:
+            bodies.append(ag.part(lens, "glass", self.glass))
         if self.rim == "glass":
-            pane = ag.revolve(
-                ag.polygon(
-                    [
-                        (0, 0.84 * _THICK),
-                        (self.radius - 0.004, 0.84 * _THICK),
-                        (self.radius - 0.004, 0.94 * _THICK),
-                        (self.radius - 0.007, _THICK),
-                        (0, _THICK),
-                    ]
-                ),
-                axis=-ag.Y,
-            ).at(at)
-            tint = ag.material("tinted_glass").with_(name="door_pane", opacity=0.55)
-            pane = ag.bounding_collider(
-                pane, ag.cylinder(self.radius, 0.16 * _THICK, axis=ag.Y).at(0, -0.92 * _THICK, 0).at(at)
+            pane = (
+                ag.cylinder(self.radius - 0.004, 0.006, axis=ag.Y, bevel=0.0015).at(y=0.0025 - _THICK).at(at)
             )
-            if self.lever:
-                pane = pane - slot.box()
+            tint = ag.material("tinted_glass").with_(name="door_pane", opacity=0.55)
+            pane = pane - slot if self.lever else pane
             bodies.append(ag.part(pane, "glass", tint))
         if self.rim == "stepped":
             major = inner + 0.60 * wide
@@ -257,13 +225,11 @@ class Porthole:
         deep = rear - low
         mouth = self.hole - 0.008
         at = (0, low, self.plan.center)
-        shell = ag.bounding_collider(
-            ag.tube(radius, radius - 0.003, deep, axis=ag.Y), *hoop(radius - 0.0035, radius, deep, 24)
-        ).at(y=deep / 2)
-        front = ag.bounding_collider(
-            ag.tube(radius, mouth, _LIP, axis=ag.Y, bevel=0.002), *hoop(mouth - 0.001, radius, _LIP, 20)
-        ).at(y=_LIP / 2)
-        back = ag.cylinder(radius - LAP, 0.005, axis=ag.Y).at(y=deep - 0.0025)
+        # polygons of few sides, which the bellows and a smooth band hide
+        outer, inner = ag.regular_polygon(24, radius), ag.regular_polygon(24, radius - 0.003)
+        shell = ag.extrude(outer - inner, deep, axis=ag.Y).at(y=deep / 2)
+        front = ag.extrude(outer - ag.regular_polygon(24, mouth + 0.002), _LIP, axis=ag.Y).at(y=_LIP / 2)
+        back = ag.extrude(ag.regular_polygon(24, radius - LAP), 0.005, axis=ag.Y).at(y=deep - 0.0025)
         stuff = _DRUM.with_(name="dryer_steel", base_color=(0.66, 0.66, 0.65)) if dryer else _DRUM
         half, tall = 0.038, 0.24 * radius
         outline = ag.polygon(
@@ -290,9 +256,9 @@ class Porthole:
             ag.part(fins, "paddle", plastic),
             ag.detail([bowl.at(y=deep - 0.005), *(each.at(y=deep - 0.0055) for each in star)], "drum", stuff),
         ]
-        if not dryer:
-            band = ag.tube(radius - 0.0028, radius - 0.0034, deep - 0.09, axis=ag.Y).at(y=deep / 2)
-            bodies.append(ag.detail(band, "drum", _HOLES))
+        near = 0.9914 * (radius - 0.003)
+        band = ag.tube(near + 0.001, near - 0.0004, deep - 0.016, axis=ag.Y).at(y=deep / 2)
+        bodies.append(ag.detail(band, "drum", stuff if dryer else _HOLES))
         spin = ag.Revolute("drum_spin", axis=ag.Y, pivot=at, friction=friction, feel=_MOTOR, driven="a motor")
         return Fitting.moving(ag.weld(*bodies).at(at), spin)
 
@@ -327,7 +293,7 @@ class TopLoader:
         between = case.with_(x=hole.grow(x=LAP).x)
         front, _, rear = between.deep(hole.y.low - case.y.low, None, case.y.high - hole.y.high)
         boards = [each.box(bevel=0.003) for each in (left, right, front, rear)]
-        outline = case.plan(radius=0.012) - hole.plan(radius=0.029)
+        outline = case.plan(radius=0.012) - hole.plan(radius=0.003)
         sheet = ag.extrude(outline, 0.004, bevel=0.0018).at(z=case.z.high - 0.0014)
         frame = hole.grow(x=0.03, y=0.03).at(0, -hole.y.mid, 0)
         plate = ag.Region(frame.x, (-0.003, 0.003), frame.y)
@@ -346,21 +312,19 @@ class TopLoader:
         z, hole = self.case.z.high, self.opening
         leaf = hole.shrink(x=0.003, y=0.003).with_(z=(z - 0.022, z + 0.002))
         pane = leaf.shrink(x=0.052, front=0.075, back=0.060)
-        outline = leaf.plan(radius=0.026)
+        boards = [leaf.box(bevel=0.004)]
         if self.glass:
-            outline = outline - pane.plan(radius=0.020)
-        slab = ag.extrude(outline, leaf.z.size, bevel=0.005).at(z=leaf.z.mid)
+            left, _, right = leaf.across(0.052, None, 0.052)
+            near, _, far = leaf.with_(x=pane.grow(x=LAP).x).deep(0.075, None, 0.060)
+            boards = [each.box(bevel=0.002) for each in (left, right, near, far)]
         ridge = ag.Region.centered(0.17, 0.014, 0.022).at(0, leaf.y.low + 0.024, leaf.z.high + 0.010)
         grip = ridge.box(bevel=0.004)
         hold = ag.grasp_on(grip, approach=-ag.Z, closing=ag.Y, depth=0.0195)
         stuff = filled(self.finish, 330.0, "lid")
-        bodies = [
-            ag.part(ag.bounding_collider(slab, leaf.box()), "lid", stuff, name="lid"),
-            ag.part(grip, "handle", self.metal, grasp=hold),
-        ]
+        bodies = [ag.part(boards, "lid", stuff, name="lid"), ag.part(grip, "handle", self.metal, grasp=hold)]
         if self.glass:
             window = pane.grow(0.004).with_(z=(leaf.z.mid, leaf.z.mid + 0.006)).box()
-            rim = pane.plan(radius=0.020) - pane.plan(radius=0.020).offset(-0.004)
+            rim = pane.plan() - pane.plan().offset(-0.004)
             bodies.append(ag.part(window, "glass", self.glass))
             bodies.append(ag.detail(ag.extrude(rim, 0.004).at(z=leaf.z.high - 0.009), "lid", self.metal))
         ink = controls.ink_on(self.finish)
@@ -387,12 +351,12 @@ class TopLoader:
         """Make the basket about its upright shaft, with the agitator or a low impeller in it."""
         radius, high = self.radius, self.opening.z.low - 0.016
         deep, y = high - low, self.opening.y.mid
-        shell = ag.tube(radius, radius - 0.003, deep, axis=ag.Y)
-        covers = hoop(radius - 0.0035, radius, deep, 24)
-        wall = ag.bounding_collider(shell, *covers).rotate(ag.X, math.pi / 2).at(z=low + deep / 2)
-        floor = ag.cylinder(radius - LAP, 0.006).at(z=low + 0.003)
-        balance = ag.tube(radius - 0.0025, radius - 0.022, 0.052, bevel=0.006).at(z=high - 0.027)
-        band = ag.tube(radius - 0.0028, radius - 0.0034, 0.72 * deep).at(z=low + 0.44 * deep)
+        outer, inner = ag.regular_polygon(24, radius), ag.regular_polygon(24, radius - 0.003)
+        wall = ag.extrude(outer - inner, deep).at(z=low + deep / 2)
+        floor = ag.extrude(ag.regular_polygon(24, radius - LAP), 0.006).at(z=low + 0.003)
+        near = 0.9914 * (radius - 0.003)
+        balance = ag.tube(near + 0.001, radius - 0.022, 0.052, bevel=0.006).at(z=high - 0.027)
+        band = ag.tube(near + 0.001, near - 0.0004, 0.72 * deep).at(z=low + 0.44 * deep)
         white = ag.colored("polypropylene", "light_grey").with_(name="balance_ring")
         basket = ag.weld(
             ag.part([wall, floor], "drum", _DRUM, name="drum"),
