@@ -188,8 +188,10 @@ def test_empty_unreadable_and_stray_files_are_found(copy):
     (copy / "meshes/drawer_old.obj").write_text("v 0 0 0")
     assert files_faults(copy) == [
         "meshes/drawer_drawer_oak.obj is empty, which urdf and mjcf need; export the asset again",
-        ("stand_0.xml cannot be read (it is a device, a pipe or a directory, not an ordinary file), which mjcf "
-        "needs; export the asset again"),
+        (
+            "stand_0.xml cannot be read (it is a device, a pipe or a directory, not an ordinary file), "
+            "which mjcf needs; export the asset again"
+        ),
         f"meshes/drawer_old.obj is not listed in asset.json; {MOVE_AWAY}",
     ]
 
