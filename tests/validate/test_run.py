@@ -188,10 +188,7 @@ def test_empty_unreadable_and_stray_files_are_found(copy):
     (copy / "meshes/drawer_old.obj").write_text("v 0 0 0")
     assert files_faults(copy) == [
         "meshes/drawer_drawer_oak.obj is empty, which urdf and mjcf need; export the asset again",
-        (
-            "stand_0.xml cannot be read (it is a device, a pipe or a directory, not an ordinary file), "
-            "which mjcf needs; export the asset again"
-        ),
+        "stand_0.xml cannot be read (Is a directory), which mjcf needs; export the asset again",
         f"meshes/drawer_old.obj is not listed in asset.json; {MOVE_AWAY}",
     ]
 
@@ -199,8 +196,10 @@ def test_empty_unreadable_and_stray_files_are_found(copy):
 def test_a_path_may_not_lead_out(copy):
     edit_json(copy / "asset.json", lambda data: data["formats"]["urdf"]["files"].append("../secret"))
     (found,) = files_faults(copy)
-    assert "the path '../secret' is not allowed; it must be relative and stay in the folder of the" in found
-    assert "export the asset again" in found
+    assert found.endswith(
+        "the path '../secret' is not allowed; it must be relative and stay in the folder of the asset; "
+        "export the asset again"
+    )
 
 
 def test_a_broken_link_is_a_missing_file(copy):

@@ -208,9 +208,12 @@ def file_content(path: Path) -> bytes:
     Raises:
         OSError: It cannot be read, is no ordinary file, or is too large.
     """
-    if not stat.S_ISREG(path.stat().st_mode):
-        raise OSError(errno.EINVAL, "it is a device, a pipe or a directory, not an ordinary file")
-    if path.stat().st_size > _MOST_BYTES:
+    status = path.stat()
+    if not stat.S_ISREG(status.st_mode) and not stat.S_ISDIR(
+        status.st_mode
+    ):  # the system refuses directories
+        raise OSError(errno.EINVAL, "it is a device, a pipe or a socket, not an ordinary file")
+    if status.st_size > _MOST_BYTES:
         raise OSError(errno.EFBIG, f"it has more than {_MOST_BYTES >> 20} MiB")
     return path.read_bytes()
 

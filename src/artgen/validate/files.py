@@ -158,7 +158,7 @@ def read_export(directory: str | Path) -> Exported:
 
 def _unreadable(file: str, error: Exception, hint: str = AGAIN) -> Finding:
     reason = str(error) if isinstance(error, OSError | ValueError) else f"{type(error).__name__}: {error}"
-    return Finding("files", f"{file} cannot be read: {reason}", hint=hint)
+    return Finding("files", f"{file} cannot be read: {reason.removesuffix(f'; {hint}')}", hint=hint)
 
 
 def _certificate_findings(directory: Path) -> Iterator[Finding]:
