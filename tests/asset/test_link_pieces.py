@@ -104,7 +104,7 @@ def test_mirrored_grasp_is_still_a_rotation() -> None:
 
 def test_suffix_reaches_the_grasps(box_shape: BoxShape) -> None:
     link = Link("door", "door", (Piece("door", WOOD, box_shape()),), (Grasp("edge", np.eye(4)),))
-    renamed = link.renamed("_1", {})
+    renamed = link.renamed("{}_1".format, {})
     assert (renamed.name, renamed.label) == ("door_1", "door")
     assert [grasp.name for grasp in renamed.grasps] == ["edge_1"]
 

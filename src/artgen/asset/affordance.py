@@ -1,6 +1,6 @@
 """Affordances: frames at which a hand grasps or pushes an asset, the joints that this moves, and the hand."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any, ClassVar, Literal, Self
 
@@ -36,10 +36,10 @@ class Hold(FrozenArrays, _Reached):
     # region of joint space in which a hand reaches it, such as an open lid; None: everywhere
     when: AssetCondition | None = field(default=None, kw_only=True)
 
-    def renamed(self, suffix: str, joints: Mapping[str, str]) -> Self:
-        """Return the frame with a suffix on its name, and with joints of its condition renamed."""
+    def renamed(self, rename: Callable[[str], str], joints: Mapping[str, str]) -> Self:
+        """Return the frame with a new name, and with joints of its condition renamed."""
         when = None if self.when is None else self.when.renamed(joints)
-        return replace(self, name=self.name + suffix, when=when)
+        return replace(self, name=rename(self.name), when=when)
 
     def moved(self, matrix: Array) -> Self:
         """Return the frame carried along by a rigid motion or a reflection, shape (4, 4)."""

@@ -5,7 +5,7 @@ import json
 import math
 import os
 import stat
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Annotated, Any, ClassVar, NoReturn, NotRequired, TypedDict
@@ -436,7 +436,7 @@ class _StoredLink(Link):
             f"link {self.name!r} was read from files and cannot be changed; generate the asset again"
         )
 
-    def renamed(self, suffix: str, joints: Mapping[str, str]) -> NoReturn:
+    def renamed(self, rename: Callable[[str], str], joints: Mapping[str, str]) -> NoReturn:
         self.moved(np.eye(4))
 
 

@@ -200,11 +200,11 @@ class Link(FrozenArrays):
         values = (MovedPieces(self.pieces, matrix), grasps, self.separate, pushes)
         return MovedLink(self.name, self.label, *values, source=self, matrix=matrix)
 
-    def renamed(self, suffix: str, joints: Mapping[str, str]) -> "Link":
-        """Return the link with a suffix on the names of it, its grasps and pushes; joints are renamed."""
-        grasps = tuple(grasp.renamed(suffix, joints) for grasp in self.grasps)
-        pushes = tuple(push.renamed(suffix, joints) for push in self.pushes)
-        return replace(self, name=self.name + suffix, grasps=grasps, pushes=pushes)
+    def renamed(self, rename: Callable[[str], str], joints: Mapping[str, str]) -> "Link":
+        """Return the link with new names of it, its grasps and pushes; joints of conditions are renamed."""
+        grasps = tuple(grasp.renamed(rename, joints) for grasp in self.grasps)
+        pushes = tuple(push.renamed(rename, joints) for push in self.pushes)
+        return replace(self, name=rename(self.name), grasps=grasps, pushes=pushes)
 
     def to_data(self) -> dict[str, Any]:
         """Return everything but the triangles as JSON data."""

@@ -103,7 +103,7 @@ class Tree:
             lambda joint: joint.renamed(names), lambda tree: tree._renamed(names, suffix)
         )
         contacts = tuple(contact.renamed(link_names, names) for contact in self.contacts)
-        return Tree(self.link.renamed(suffix, names), branches, contacts)
+        return Tree(self.link.renamed(lambda name: name + suffix, names), branches, contacts)
 
     def _branches(
         self, of_joint: Callable[[AssetJoint], AssetJoint], of_tree: Callable[["Tree"], "Tree"]

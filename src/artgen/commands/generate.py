@@ -34,7 +34,6 @@ from artgen.export.precision import check_precision
 from artgen.generator.overrides import parse_overrides
 from artgen.materials.textures import check_size
 from artgen.proof.fewer import check_budget
-from artgen.scene import ROOMS
 
 _Formats = Annotated[
     str | None,
@@ -170,7 +169,7 @@ def generate(
 
 
 def scene(
-    room: Annotated[str, Argument(metavar="ROOM", help=f"Kind of room: {', '.join(ROOMS)}.")],
+    room: Annotated[str, Argument(metavar="ROOM", help="Kind of room, such as kitchen.")],
     *,
     seed: Seed = 0,
     width: Annotated[float | None, Option(metavar="METRES", help="Inner width; drawn by default.")] = None,
@@ -185,6 +184,8 @@ def scene(
     ] = None,
 ) -> None:
     """Generate a room of assets in which nothing collides in any state, and print the paths of its files."""
+    from artgen.scene import ROOMS  # other commands start without it
+
     chosen = _chosen_formats("flat", formats)
     check_size(texture_size)
     if room not in ROOMS:

@@ -17,7 +17,7 @@ _DEEP = 0.56  # of the carcass of base units [m]
 _OVERHANG = 0.02  # of the worktop over the carcass [m]
 _ABOVE = 1.45  # bottom of the wall units [m]
 _MARGIN = 0.05  # filler between a run and a side wall, which lets doors open [m]
-_UNITS = (0.4, 1.0)  # widths of base units [m]
+_UNIT = 0.4  # least width of a base unit [m]
 _NARROWEST, _WIDEST = 3.0, 4.8  # widths of the room [m]
 _ATTEMPTS = 8  # draws before a kitchen counts as infeasible
 _WORKTOPS = ("granite", "black_granite", "marble", "oak", "walnut", "beech")
@@ -30,8 +30,8 @@ def kitchen(
 ) -> Asset:
     """Return a kitchen along one wall, proven free of collisions in all states of all its joints.
 
-    It has a refrigerator, base units with drawers and doors, a dishwasher and a range under or beside one
-    worktop, a microwave on it, wall units, a window in the left wall and a door in the right one.
+    It has a refrigerator, a range, base units with drawers and doors and a dishwasher under one worktop, wall
+    units, a window in the left wall and a door in the right one.
 
     Args:
         seed: Seed of the layout and of all assets.
@@ -79,10 +79,10 @@ def _drawn(seed: int, attempt: int, width: float | None, depth: float | None, de
     spare = size[0] - 2.0 * _MARGIN - taken - GAP * len(fixed)
     count = max(1, round(spare / 0.62))
     unit = spare / count - GAP
-    if unit < _UNITS[0]:
+    if unit < _UNIT:
         raise ParameterError(
             f"a kitchen of {size[0]:.3f} m is too narrow: with a refrigerator, a dishwasher and an oven, "
-            f"{_UNITS[0] - unit:.3f} m are missing for a base unit"
+            f"{_UNIT - unit:.3f} m are missing for a base unit"
         )
     style, finish = _style(room, str(draw.choice(_GRIPS)))
     units = [_unit(number, unit, style | {"finish": finish}) for number in range(count)]

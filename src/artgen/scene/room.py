@@ -8,7 +8,8 @@ import math
 import zlib
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from types import MappingProxyType
+from functools import partial
+from operator import add
 from typing import Any, Literal, get_args
 
 import numpy as np
@@ -16,12 +17,12 @@ import numpy as np
 from artgen._arrays import Array, FrozenArrays, cached_property
 from artgen._names import ByName
 from artgen.asset import Asset, AssetJoint
-from artgen.asset.affordance import Hold
 from artgen.asset.asset import DetailName, remember
-from artgen.asset.link import Collider, DerivedLink, Link, Piece, Surface
+from artgen.asset.link import Collider, DerivedLink, Piece, Surface
 from artgen.asset.shape import Mesh
 from artgen.catalog import find
 from artgen.errors import AssetError, ParameterError
+from artgen.export.frames import translation
 from artgen.generator import generator
 from artgen.materials import Material, colored, material
 from artgen.nodes.body import part, weld
@@ -30,6 +31,7 @@ from artgen.nodes.region import Region
 from artgen.proof.certify import certify
 from artgen.proof.limits import separated
 from artgen.proof.paths import JointPath
+from artgen.view.camera import box_corners
 
 Wall = Literal["back", "left", "right"]
 
@@ -37,7 +39,7 @@ GAP = 0.003  # between neighbors in a run, and between an asset and its wall [m]
 STANDING = 0.0005  # below an asset that stands on a floor or on another asset [m]
 WALL = 0.12  # thickness of walls [m]
 _FLOOR = 0.08  # thickness of the floor [m]
-_TURNS = {"back": 0.0, "left": math.pi / 2.0, "right": -math.pi / 2.0}  # about z
+_TURNS = {"back": 0, "left": 1, "right": -1}  # quarter turns about z, which let assets face the room
 _LEAST = 0.4  # share of its range that a joint keeps at least where an asset beside it is in the way
 
 
@@ -55,12 +57,11 @@ class Placement(FrozenArrays):
     asset: Asset
     pose: Array
 
-    @property
+    @cached_property
     def bounds(self) -> Array:
         """Corners of the bounding box in the room, with all joints at rest, shape (2, 3) [m]."""
-        corners = np.stack(np.meshgrid(*self.asset.bounds().T, indexing="ij"), axis=-1).reshape(-1, 3)
-        moved = corners @ self.pose[:3, :3].T + self.pose[:3, 3]
-        return np.array([moved.min(axis=0), moved.max(axis=0)])
+        corners = box_corners(self.asset.bounds(), self.pose)
+        return np.array([corners.min(axis=0), corners.max(axis=0)])
 
 
 class Scene:
@@ -107,6 +108,8 @@ class Scene:
         self._floor, self._paint = floor or material("oak"), paint or colored("painted_wood", "white")
         self._holes: dict[Wall, list[Array]] = {wall: [] for wall in get_args(Wall)}
         self._slabs: list[tuple[str, Array, Material]] = []
+        # the last asset of each name with its category and parameters: `draw` comes before a placement
+        self._known: dict[str, tuple[str, dict[str, Any], Asset]] = {}
 
     def against(
         self, wall: Wall, category: str, *, at: float, z: float = 0.0, name: str = "", **overrides: Any
@@ -125,6 +128,20 @@ class Scene:
             ParameterError: The room has no such wall or the asset does not fit; the message has the length
                 that is missing.
         """
+        return self._placed(wall, category, at, z, name, overrides)
+
+    def _placed(
+        self,
+        wall: Wall,
+        category: str,
+        at: float,
+        z: float,
+        name: str,
+        overrides: dict[str, Any],
+        *,
+        inset: bool = False,
+    ) -> Placement:
+        """Place an asset before a wall, or with the middle of its depth in the middle of the wall."""
         if wall not in _TURNS:
             raise ParameterError(f"wall = {wall!r} is not allowed: it must be one of {', '.join(_TURNS)}")
         name, asset = self._drawn(category, name, overrides)
@@ -136,7 +153,9 @@ class Scene:
                 f"{missing:.3f} m are missing"
             )
         along = at - low[0] - length / 2.0  # from the middle of the wall
-        return self._put(name, asset, wall, along, -GAP - high[1], max(z, STANDING) - low[2])
+        out = (WALL - high[1] - low[1]) / 2.0 if inset else -GAP - high[1]
+        pose = self._wall_frame(wall) @ translation(np.array([along, out, max(z, STANDING) - low[2]]))
+        return self._keep(Placement(name, asset, pose))
 
     def run(
         self, wall: Wall, *items: str | tuple[str, dict[str, Any]], at: float = GAP, gap: float = GAP
@@ -184,10 +203,9 @@ class Scene:
             raise ParameterError(
                 f"{name!r} does not fit on {below.name!r}: {-min(free):.3f} m of {side} are missing"
             )
-        local = np.eye(4)
-        local[:3, 3] = under_low[0] + at * free[0] - low[0], under_high[1] - high[1], under_high[2] - low[2]
-        local[2, 3] += STANDING
-        return self._keep(Placement(name, asset, below.pose @ local))
+        left, back, top = under_low[0] + at * free[0], under_high[1], under_high[2] + STANDING
+        shift = translation(np.array([left - low[0], back - high[1], top - low[2]]))
+        return self._keep(Placement(name, asset, below.pose @ shift))
 
     def inset(
         self, wall: Wall, category: str, *, at: float, z: float = 0.0, name: str = "", **overrides: Any
@@ -196,14 +214,9 @@ class Scene:
 
         Its front, on the outside of a door or window, faces the room. The arguments are those of `against`.
         """
-        placed = self.against(wall, category, at=at, z=z, name=name, **overrides)
-        low, high = placed.asset.bounds()
-        pose = placed.pose.copy()
-        # the middle of its depth in the middle of the wall
-        pose[:3, 3] += pose[:3, 1] * (WALL / 2.0 + GAP + (high[1] - low[1]) / 2.0)
-        moved = self.placed[-1] = replace(placed, pose=pose)
-        self._holes[wall].append(np.array(moved.bounds))
-        return moved
+        placed = self._placed(wall, category, at, z, name, overrides, inset=True)
+        self._holes[wall].append(placed.bounds)
+        return placed
 
     def slab(self, label: str, low: Sequence[float], high: Sequence[float], material: Material) -> None:
         """Add a board to the room, such as a worktop or a filler, between two corners [m]."""
@@ -257,24 +270,21 @@ class Scene:
             name = f"{category}_{number}" if number else category
         if name in {each.name for each in self.placed}:
             raise ParameterError(f"the scene {self.name!r} has an asset {name!r} already; give another name")
-        seed = zlib.crc32(f"{self.seed}/{name}".encode())
-        return name, find(category).generate(seed, detail=self.detail, **overrides)
+        known = self._known.get(name)
+        if known is None or known[:2] != (category, overrides):
+            seed = zlib.crc32(f"{self.seed}/{name}".encode())
+            asset = find(category).generate(seed, detail=self.detail, **overrides)
+            known = self._known[name] = (category, overrides, asset)
+        return name, known[2]
 
-    def _put(self, name: str, asset: Asset, wall: Wall, along: float, out: float, up: float) -> Placement:
-        """Place an asset in the frame of a wall: along it, out of it (negative into the room), and up [m]."""
-        width, depth, _ = self.size
-        turn = _TURNS[wall]
-        middle = {
-            "back": (0.0, 0.0),
-            "left": (-width / 2.0, -depth / 2.0),
-            "right": (width / 2.0, -depth / 2.0),
-        }
-        sine, cosine = round(math.sin(turn)), round(math.cos(turn))
+    def _wall_frame(self, wall: Wall) -> Array:
+        """Return the pose of the middle of the foot of a wall, y out of the room, shape (4, 4)."""
+        side = _TURNS[wall]
         pose = np.eye(4)
-        pose[:2, :2] = (cosine, -sine), (sine, cosine)
-        x, y = middle[wall]
-        pose[:3, 3] = x + cosine * along - sine * out, y + sine * along + cosine * out, up
-        return self._keep(Placement(name, asset, pose))
+        if side:
+            pose[:2, :2] = (0.0, -side), (side, 0.0)
+            pose[:2, 3] = -side * self.size[0] / 2.0, -self.size[1] / 2.0
+        return pose
 
     def _keep(self, placed: Placement) -> Placement:
         self.placed.append(placed)
@@ -330,21 +340,6 @@ def _check_ranges(asset: Asset, before: Asset) -> Asset:
     return asset
 
 
-def _links(placed: Placement, materials: Mapping[Material, Material] = MappingProxyType({})) -> list[Link]:
-    """Return the links of an asset at its place, with names of the scene and with renamed materials."""
-    prefix = f"{placed.name}_"
-    joints = {joint.name: prefix + joint.name for joint in placed.asset.joints}
-
-    def renamed(holds: Sequence[Any]) -> tuple[Any, ...]:
-        return tuple(_renamed_hold(hold, prefix, joints) for hold in holds)
-
-    moved = (_Repainted.of(each, materials=materials).moved(placed.pose) for each in placed.asset.links)
-    return [
-        replace(each, name=prefix + each.name, grasps=renamed(each.grasps), pushes=renamed(each.pushes))
-        for each in moved
-    ]
-
-
 @dataclass(frozen=True, eq=False)
 class _Repainted(DerivedLink):
     """A link with renamed materials."""
@@ -381,10 +376,6 @@ def _distinct(placed: Placement, known: dict[str, Material]) -> dict[Material, M
     return result
 
 
-def _renamed_hold(hold: Hold, prefix: str, joints: dict[str, str]) -> Hold:
-    return replace(hold, name=prefix + hold.name, when=hold.when and hold.when.renamed(joints))
-
-
 def _joined(name: str, category: str, room: Asset, placed: Collection[Placement]) -> Asset:
     """Return one asset of a room and the assets in it, each fixed to the room by a locked joint."""
     links, joints, contacts = list(room.links), list(room.joints), list(room.contacts)
@@ -393,7 +384,11 @@ def _joined(name: str, category: str, room: Asset, placed: Collection[Placement]
         prefix = f"{each.name}_"
         of_links = {link.name: prefix + link.name for link in each.asset.links}
         of_joints = {joint.name: prefix + joint.name for joint in each.asset.joints}
-        links += _links(each, _distinct(each, materials))
+        repaint = _distinct(each, materials)
+        links += [
+            _Repainted.of(link, materials=repaint).moved(each.pose).renamed(partial(add, prefix), of_joints)
+            for link in each.asset.links
+        ]
         up, root = np.array([0.0, 0.0, 1.0]), of_links[each.asset.links[0].name]
         joints.append(
             AssetJoint(

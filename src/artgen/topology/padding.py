@@ -129,11 +129,9 @@ class PaddedLink(DerivedLink):
     def mass_properties(self) -> MassProperties:
         """Those of the source without the links inside, so that together they are those of the source."""
         own = self.source.mass_properties
-        return (
-            total([own.moments(), *(each.moments().scaled(-1.0) for each in self.inside)])
-            if self.inside
-            else own
-        )
+        if not self.inside:
+            return own
+        return total([own.moments(), *(each.moments().scaled(-1.0) for each in self.inside)])
 
     @cached_property
     def colliders(self) -> tuple[Collider, ...]:
@@ -257,7 +255,7 @@ def _renamed(
     """Return a link with the name and colliders of a slot; its holds keep names that no slot has."""
 
     def hold(each: Any) -> Any:
-        return each.renamed("_" if each.name in taken else "", joints)
+        return each.renamed(lambda name: f"{name}_" if name in taken else name, joints)
 
     return PaddedLink.of(
         link,
