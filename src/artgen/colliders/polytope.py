@@ -115,7 +115,7 @@ class Polytope(FrozenArrays):
     def face_means(self) -> Array:
         """Mean of the vertices of each face, shape (k, 3) [m]."""
         on = self.contact.T.astype(np.float64)
-        means: Array = (_portable.product(on, self.points)) / on.sum(axis=1, keepdims=True)
+        means: Array = _portable.product(on, self.points) / on.sum(axis=1, keepdims=True)
         return means
 
     @cached_property
@@ -218,7 +218,7 @@ class Polytope(FrozenArrays):
         mean = np.concatenate((_portable.product(touching, normals), normals[first] + normals[second]))
         length = np.sqrt(np.sum(mean * mean, axis=1))
         mean = mean[length > _COPLANAR] / length[length > _COPLANAR, None]
-        reach = (_portable.product(mean, self.points.T)).max(axis=1)
+        reach = _portable.product(mean, self.points.T).max(axis=1)
         planes = np.concatenate((self.planes, np.column_stack((mean, reach))))
         planes[:, 3] += margin
         lower, upper = self.bounds

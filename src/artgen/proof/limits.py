@@ -15,7 +15,6 @@ from artgen._names import ByName
 from artgen.asset import Asset, AssetCondition, AssetDependency, AssetJoint, Link
 from artgen.asset.affordance import head
 from artgen.asset.asset import Limits, remember, with_followed_limits
-from artgen.asset.certificate import Certificate
 from artgen.asset.collision import link_parts
 from artgen.asset.joint import joints_above
 from artgen.asset.manifolds import box_of
@@ -30,6 +29,7 @@ _AJAR = 0.02  # share of its range in which a joint counts as all but closed
 _FARTHEST = 10.0  # largest measured clearance [m]
 
 Range = tuple[float, float]
+Selection = Callable[[JointPath], bool]
 
 
 def safe_limits(asset: Asset) -> dict[str, tuple[float, float]]:
@@ -82,6 +82,10 @@ def narrowed_limits(
         AssetError: Links overlap at rest, or are not proven apart with all joints at rest.
     """
     check = partial(certify, overlap=overlap, seconds=seconds)
+
+    def proven(asset: Asset, only: Selection) -> bool:
+        return check(asset, only=only).proven
+
     at_rest = {joint.name: (joint.closed, joint.closed) for joint in asset.free_joints}
     full = Space(asset).ranges
     ranges = dict(full)
@@ -89,11 +93,8 @@ def narrowed_limits(
         for name, (rest, _) in at_rest.items():
             others = at_rest if others_rest else ranges
             around = _narrowed(asset, {other: ends for other, ends in others.items() if other != name})
-            safe = partial(_is_safe, around, name, counts=counts, check=check)
-            if safe(ranges[name]):
-                continue
-            low, high = (_end(safe, rest, end) for end in ranges[name])
-            ranges[name] = (low, high) if low < high and safe((rest, rest)) else (rest, rest)
+            safe = partial(_is_safe, around, name, counts=counts, proven=proven)
+            ranges[name] = _largest(safe, rest, ranges[name])
     found = {name: ends for name, ends in ranges.items() if ends != full[name]}
     nearly = {
         name: (low - _MARGIN, high + _MARGIN) if low == high else (low, high)
@@ -132,7 +133,9 @@ def separated(asset: Asset, counts: Callable[[JointPath], bool]) -> Asset:
         if found != asset.joint(name).limits:
             limits[name] = found
     asset, parts = _narrowed(asset, limits), _narrowed(parts, limits)
-    paths = [path for path in paths if not _are_apart(parts, {path.links})]
+    doubtful = doubtful_colliders(parts, 0.0, lambda path: path.links in failed)
+    still = [{link for link, _ in group} for group in doubtful]
+    paths = [path for path in paths if {*path.links} in still]
     needs: dict[str, AssetDependency] = {}
     while paths:
         mended, name, dependency = _dependency(parts, paths)
@@ -192,26 +195,26 @@ def _both(one: AssetDependency, other: AssetDependency) -> AssetDependency:
 
 def _free(asset: Asset, joint: str, pairs: set[tuple[str, str]]) -> Range:
     """Return the range of a joint around its closed position in which given pairs are apart."""
-    closed, limits = asset.joint(joint).closed, Space(asset).ranges[joint]
+    safe = partial(_is_safe, asset, joint, counts=lambda path: path.links in pairs, proven=_are_apart)
+    return _largest(safe, asset.joint(joint).closed, Space(asset).ranges[joint])
 
-    def safe(ends: Range) -> bool:
-        low, high = ends if ends[0] < ends[1] else (ends[0] - _MARGIN, ends[1] + _MARGIN)
-        return _are_apart(_narrowed(asset, {joint: (low, high)}), pairs)
 
+def _are_apart(asset: Asset, only: Selection) -> bool:
+    """Tell whether the colliders of selected pairs of links are proven apart."""
+    return not doubtful_colliders(asset, 0.0, only)
+
+
+def _largest(safe: Callable[[Range], bool], rest: float, limits: Range) -> Range:
+    """Return the largest safe range of a joint around rest; both ends at rest if nothing is safe."""
     if safe(limits):
         return limits
-    if not safe((closed, closed)):
-        return (closed, closed)
-    low, high = (_end(safe, closed, end) for end in limits)
+    if not safe((rest, rest)):
+        return (rest, rest)
+    low, high = (_end(safe, rest, end) for end in limits)
     return (low, high)
 
 
-def _are_apart(asset: Asset, pairs: set[tuple[str, str]]) -> bool:
-    """Tell whether the colliders of given pairs of links are proven apart."""
-    return not doubtful_colliders(asset, 0.0, lambda path: path.links in pairs)
-
-
-def _end(safe: Callable[[tuple[float, float]], bool], rest: float, end: float) -> float:
+def _end(safe: Callable[[Range], bool], rest: float, end: float) -> float:
     """Return the safe position nearest to an end of a joint's range."""
     if safe((min(rest, end), max(rest, end))):
         return end
@@ -228,9 +231,9 @@ def _end(safe: Callable[[tuple[float, float]], bool], rest: float, end: float) -
 def _is_safe(
     asset: Asset,
     joint: str,
-    limits: tuple[float, float],
-    counts: Callable[[JointPath], bool] = lambda joint_path: True,
-    check: Callable[..., Certificate] = certify,
+    limits: Range,
+    counts: Selection = lambda joint_path: True,
+    proven: Callable[[Asset, Selection], bool] = lambda asset, only: certify(asset, only=only).proven,
 ) -> bool:
     """Tell whether the pairs that a joint moves are proven apart within limits."""
     led = {other.name for other in asset.joints if joint in (other.name, head(other, asset).name)}
@@ -241,7 +244,7 @@ def _is_safe(
     def moved(joint_path: JointPath) -> bool:
         return not led.isdisjoint(step.name for step in joint_path.steps) and counts(joint_path)
 
-    return check(_narrowed(asset, {joint: (low, high)}), only=moved).proven
+    return proven(_narrowed(asset, {joint: (low, high)}), moved)
 
 
 def _narrowed(asset: Asset, limits: Mapping[str, tuple[float, float]]) -> Asset:

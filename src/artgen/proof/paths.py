@@ -20,6 +20,8 @@ from artgen.errors import AssetError
 
 Interval = tuple[float, float]
 Box = Mapping[str, Interval]
+# a box of the joint space, and the contacts that are allowed everywhere in it
+_Part = tuple[Box, tuple[AllowedContact, ...]]
 
 FULL_TURN = (-math.pi, math.pi)  # range in which an unlimited rotation is proven [rad]
 FULL_SLIDE = (-1000.0, 1000.0)  # the same for an unlimited slide, as its limits in URDF [m]
@@ -38,25 +40,22 @@ class JointPath:
     # position of each joint as a function of a variable, its leader; no leader for a joint that never moves
     followers: tuple[AssetCoupling, ...]
     variables: tuple[str, ...]  # names of the free joints that move them
-    _parts: Callable[
-        [], Iterable[tuple[Box, tuple[AllowedContact, ...]]]
-    ]  # boxes, and contacts allowed there
+    _cut: Callable[[], Iterable[_Part]]  # makes the parts of the joint space
 
     @cached_property
-    def _found(self) -> tuple[tuple[Box, tuple[AllowedContact, ...]], ...]:
-        return tuple(self._parts())
+    def _parts(self) -> tuple[_Part, ...]:
+        return tuple(self._cut())
 
     @cached_property
     def boxes(self) -> tuple[Array, ...]:
         """The joint space: lowest and highest position of each variable, each shape (v, 2) [rad or m]."""
-        return tuple(
-            np.array([box[name] for name in self.variables]).reshape(-1, 2) for box, _ in self._found
-        )
+        found = ([box[name] for name in self.variables] for box, _ in self._parts)
+        return tuple(np.array(ends).reshape(-1, 2) for ends in found)
 
     @cached_property
     def allowed(self) -> tuple[tuple[AllowedContact, ...], ...]:
         """The contacts that are allowed everywhere in each box."""
-        return tuple(contacts for _, contacts in self._found)
+        return tuple(contacts for _, contacts in self._parts)
 
 
 class Space:
@@ -121,12 +120,9 @@ class Space:
         signs = (-1,) * (len(up) - shared) + (1,) * (len(down) - shared)
         followers = tuple(self.followers[joint.name] for joint in steps)
         variables = tuple(dict.fromkeys(each.leader for each in followers if each.leader))
-        parts = partial(self._parts, a, b, variables)
-        return JointPath((a, b), steps, signs, followers, variables, parts)
+        return JointPath((a, b), steps, signs, followers, variables, partial(self._parts, a, b, variables))
 
-    def _parts(
-        self, a: str, b: str, variables: Sequence[str]
-    ) -> Iterator[tuple[Box, tuple[AllowedContact, ...]]]:
+    def _parts(self, a: str, b: str, variables: Sequence[str]) -> Iterator[_Part]:
         """Yield the boxes of the joint space of two links, and the contacts that are allowed in each."""
         contacts = [each for each in self.asset.contacts if set(each.links) == {a, b}]
         for whole in self.boxes(variables):

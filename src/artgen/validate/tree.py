@@ -164,9 +164,9 @@ def _density_findings(link: Link, mass: float, box: float) -> Iterator[Finding]:
 def _joint_findings(asset: Asset) -> Iterator[Finding]:
     """Yield the faults of joints: numbers, springs, pivots, couplings and dependencies."""
     joints = {joint.name: joint for joint in asset.joints}
+    leaders = {joint.follows.leader for joint in asset.joints if joint.follows is not None}
     for joint in asset.joints:
-        leads = any(each.follows is not None and each.follows.leader == joint.name for each in asset.joints)
-        yield from _number_findings(joint, leads=leads)
+        yield from _number_findings(joint, leads=joint.name in leaders)
         yield from _spring_findings(joint)
         yield from _pivot_findings(asset, joint)
     wrong = [finding for joint in asset.joints for finding in _leader_findings(joint, joints)]

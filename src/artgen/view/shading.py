@@ -20,7 +20,7 @@ from artgen.materials.textures import maps
 from artgen.view.camera import Camera
 from artgen.view.picture import Pixels
 from artgen.view.studio import BOXES, POINTS, Floats, dome, dome_light, environment, spread
-from artgen.view.tracing import World, clear, cosine_lobe, dot, mirrored, turned, unit
+from artgen.view.tracing import THREADS, World, clear, cosine_lobe, dot, mirrored, turned, unit
 
 _BAND, _MOST_PIXELS = 256, 131_072  # most rows, and most pixels, that are drawn together
 _TAPS, _STRIDES = 3, (1, 3)  # neighbors at both sides that share their light, and their distances [pixels]
@@ -61,7 +61,7 @@ def colors(world: World, camera: Camera, size: tuple[int, int], samples: int, te
     painter = _Painter(world, camera, size, max(1, round(samples / 2)), texels)
     height = max(_REACH, min(_BAND, _MOST_PIXELS // size[0]))
     firsts = range(0, size[1], height)
-    with ThreadPoolExecutor(min(2, len(firsts))) as pool:
+    with ThreadPoolExecutor(min(THREADS, len(firsts))) as pool:
         bands = pool.map(lambda first: painter.band(first, min(first + height, size[1])), firsts)
         return np.concatenate(list(bands))
 
@@ -133,7 +133,7 @@ class _Painter:
         self.fuzz = np.array([_FUZZ.get(each.texture, 0.0) for each in every], np.float32)
         self.brushed = self.strokes > 0.0
         textured = [number for number, each in enumerate(every) if texels and each.texture]
-        with ThreadPoolExecutor(2) as pool:
+        with ThreadPoolExecutor(THREADS) as pool:
             pyramids = pool.map(lambda number: _pyramids(every[number], texels), textured)
             self.maps = dict(zip(textured, pyramids, strict=True))
 

@@ -20,7 +20,8 @@ from artgen.view.studio import BOXES, POINTS, Backdrop, Floats, dome, lamp_point
 _OFFSET = 2e-4  # start of secondary rays above a surface, relative to the asset's radius
 _RAYS, _MOST_RAYS = 24, 250_000  # rays of a triangle in a pass, and of all triangles
 _PASSES = 2  # bounces of the scattered light
-_THREADS, _TRACED = 2, 4096  # threads of a picture, and triangles whose light one of them traces at once
+THREADS = 2  # threads of a picture
+_TRACED = 4096  # triangles whose light one of them traces at once
 
 
 @dataclass(frozen=True, eq=False)
@@ -236,7 +237,7 @@ class World:
         # metal and glass scatter little, but what they mirror lights others as well
         emitted = np.array([each.emission for each in self.materials], np.float32)[self.material]
         albedo = color[self.material]
-        with ThreadPoolExecutor(_THREADS) as pool:
+        with ThreadPoolExecutor(THREADS) as pool:
             traced = list(pool.map(lambda first: self._arriving(first, rays), range(0, count, _TRACED)))
         found, direct = (np.concatenate(each) for each in zip(*traced, strict=True))
         light = np.repeat(direct[:, None], 3, axis=1)
