@@ -155,7 +155,7 @@ def _ajar(joint: AssetJoint) -> Range:
 def _dependency(
     asset: Asset, paths: Sequence[JointPath]
 ) -> tuple[set[tuple[str, str]], str, AssetDependency]:
-    """Return the pairs that one dependency keeps apart, the first one included, its joint, and it."""
+    """Return the pairs that a dependency keeps apart, with the first one, its joint, and the dependency."""
 
     def heavier(names: tuple[str, str]) -> bool:
         return _moved_mass(asset, names[0]) > _moved_mass(asset, names[1])
@@ -188,7 +188,7 @@ def _needs(asset: Asset, first: str, near: Range, second: str, room: Range) -> A
 
 
 def _both(one: AssetDependency, other: AssetDependency) -> AssetDependency:
-    """Return the dependency that asks for the conditions of two, from the nearer beginning on."""
+    """Return the dependency with the conditions of two; it begins where the first of them begins."""
     beyond = min(one.beyond or 0.0, other.beyond or 0.0)
     return AssetDependency(AssetCondition("all", terms=(one.condition, other.condition)), beyond=beyond)
 
