@@ -5,12 +5,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import artgen as ag
-from artgen import details, feel, fittings
+from artgen import details, feel
 from artgen.categories.shared import controls
 from artgen.categories.shared.appliances import DARK, cord_stub, filled
 from artgen.categories.shared.controls import ButtonShape, DialScale, DialStyle
 from artgen.categories.shared.fixings import feet, screws
+from artgen.nodes.details.dials import SWEEP
 from artgen.nodes.details.displays import Color
+from artgen.nodes.fitting import Fitting
 
 SHEET = 0.004
 """Modeled thickness of sheet steel [m]."""
@@ -213,19 +215,22 @@ class Console:
             )
             made = made.attach(cap, press, at=(x, 0, 0))
         for index in range(self.dials):
-            dial = fittings.dial(
+            knob = controls.control_knob(
+                finish=self.knob,
                 style=self.dial_style,
                 radius=self.radius,
                 depth=0.022,
-                limits=None,
-                friction=0.06,
-                scale=self.scale,
-                count=9,
-                icons=_DRYING if self.drying else _PROGRAMS,
-                finish=self.knob,
+                mark=controls.ink_on(self.knob),
                 cap=ag.material("chrome"),
-                ink=ink,
+                name="dial",
+                label="dial",
             )
+            turn = controls.dial_turn("dial_turn", endless=True, friction=0.06)
+            programs = _DRYING if self.drying else _PROGRAMS
+            print_ = controls.dial_print(
+                self.radius, ink=ink, style=self.scale, count=9, icons=programs, start=-SWEEP / 2
+            )
+            dial = Fitting.moving(knob, turn, fixed=print_)
             at = (dials.x.at((index + 0.5) / self.dials), -proud, 0)
             made = made.install(dial.suffixed(f"_{index}") if self.dials > 1 else dial, at=at)
         return made
