@@ -117,10 +117,10 @@ PRODUCTS: Mapping[str, tuple[Product, ...]] = {
     "toaster": (Product("toaster", (0.24, 0.46), (0.14, 0.38), (0.17, 0.24), (1.0, 3.5), turns=True),),
     # pedals, lids that overhang and handles stand out of bodies of 0.15-0.45 m by up to 0.08 m
     "trashcan": (Product("trash can", (0.14, 0.53), (0.14, 0.53), (0.24, 0.83), (0.3, 10.0)),),
-    # cases of 0.60 x 0.85 x 0.40-0.63 m, 0.51 x 0.70 x 0.46 m, in the USA 0.69 x 0.99 x 0.74 m; doors stand
+    # cases of 0.60 x 0.85 x 0.40-0.63 m, 0.51 x 0.70 x 0.46 m, in the USA 0.69 x 0.99 x 0.77 m; doors stand
     # out by 0.05 m, consoles of top loaders up by 0.16 m
     "washing_machine": (
-        Product("washing machine or dryer", (0.505, 0.69), (0.43, 0.80), (0.69, 1.005), (38.0, 105.0)),
+        Product("washing machine or dryer", (0.505, 0.69), (0.43, 0.83), (0.69, 1.005), (38.0, 105.0)),
         Product("top loader", (0.525, 0.69), (0.53, 0.75), (0.94, 1.12), (35.0, 75.0)),
     ),
     # 0.12-0.40 m high and 50-75 mm wide; cranks reach out to 0.085 m

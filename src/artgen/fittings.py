@@ -20,7 +20,6 @@ from artgen import details, feel
 from artgen.categories.shared import controls, door_handles, fixings, locks, pulls
 from artgen.categories.shared.furniture import ZINC
 from artgen.categories.shared.shelves import open_box
-from artgen.nodes.details.dials import SWEEP
 from artgen.nodes.details.displays import Color
 from artgen.nodes.fitting import FIT, Fitting
 
@@ -161,24 +160,20 @@ def dial(
         >>> heat = fittings.dial(style="bar", scale="band", limits=(0, 4.7), name="heat")
         >>> panel.install(fittings.dial(), at=(-0.035, 0, 0)).install(heat, at=(0.035, 0, 0))
     """
-    knob = controls.control_knob(
-        finish=finish,
-        style=style,
-        radius=radius,
+    return controls.dial(
+        style,
+        radius,
+        finish,
         depth=depth,
-        mark=controls.ink_on(finish),
+        limits=limits,
+        friction=friction,
+        scale=scale,
+        count=count,
+        icons=icons,
         cap=cap,
+        ink=ink,
         name=name,
-        label="dial",
     )
-    low, high = limits or (-SWEEP / 2, SWEEP / 2)
-    turn = controls.dial_turn(f"{name}_turn", low=low, high=high, friction=friction, endless=limits is None)
-    if scale is None or ink is None:
-        return Fitting.moving(knob, turn)
-    print_ = controls.dial_print(
-        radius, ink=ink, style=scale, count=count, icons=icons, sweep=high - low, start=low
-    )
-    return Fitting.moving(knob, turn, fixed=print_)
 
 
 def bar_handle(

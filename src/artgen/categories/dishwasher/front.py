@@ -36,7 +36,6 @@ _DENSITY = 480.0  # density of a console with its electronics [kg/m3]
 _LAP = 0.0005  # overlap of boards, so that they share no corners [m]
 _ICONS = ("power", "wash", "timer", "leaf", "cup", "rinse", "drop", "start_pause")
 _PITCH = 0.0205  # distance between buttons: a finger 18 mm wide does not touch the neighbors [m]
-_BESIDE = 0.0012  # gap between the caps and their channel [m]
 _LINING = ag.colored("abs", "graphite").with_(name="grip_lining")
 
 
@@ -169,19 +168,9 @@ class Console:
     dial: DialStyle | str  # style of the cycle dial; `""` for none
 
     @cached_property
-    def _size(self) -> tuple[float, float]:
-        """Width and height of a cap [m]."""
-        return (0.0155, 0.0085) if self.shape in ("pill", "bar") else (0.0115, 0.0115)
-
-    @cached_property
     def _half(self) -> ag.Scalar:
         """Half the width of the machine [m]."""
         return self.place.x.high + 0.0015
-
-    @cached_property
-    def _middle(self) -> ag.Scalar:
-        """Middle of the buttons along x [m]."""
-        return -0.54 * self._half
 
     @cached_property
     def _far(self) -> ag.Scalar:
@@ -194,23 +183,15 @@ class Console:
         return 0.015 if self.upper else 0.021
 
     @cached_property
-    def _at(self) -> list[ag.Scalar]:
-        """Positions of the buttons, or of the touch keys of a console without buttons, along x [m]."""
-        return controls.places(self.buttons or 5, _PITCH, middle=self._middle)
+    def _row(self) -> controls.ButtonRow:
+        """Buttons, or the touch keys of a console without buttons."""
+        return controls.ButtonRow(self.buttons or 5, self.shape, _PITCH, -0.54 * self._half)
 
     @cached_property
     def _icons(self) -> tuple[str, ...]:
         """Icons of the buttons or touch keys; every machine has the first and the last icon."""
         count = self.buttons or 5
         return (*_ICONS[: count - 1], _ICONS[-1]) if count > 1 else _ICONS[:1]
-
-    @cached_property
-    def _channel(self) -> ag.Region:
-        """Channel of the buttons in the boards."""
-        wide, high = self._size
-        half = ((self.buttons - 1) * _PITCH + wide) / 2 + _BESIDE
-        z = high / 2 + _BESIDE
-        return self.place.with_(x=(self._middle - half, self._middle + half), z=(-z, z))
 
     @cached_property
     def boards(self) -> list[ag.Solid]:
@@ -227,7 +208,7 @@ class Console:
             place = place.with_(x=(place.x.low, hole.x.low))
         if not self.buttons:
             return [each.box() for each in (*boards, place)]
-        channel = self._channel
+        channel = self._row.channel(self.place)
         room = "the buttons have no room on the console: raise width, or lower buttons"
         left = ag.require(channel.x.low, channel.x.low > place.x.low, room)
         right = ag.require(channel.x.high, channel.x.high < place.x.high, room)
@@ -244,21 +225,19 @@ class Console:
         """Make the whole console with the text of its display, and the travel and force of its buttons."""
         stuff = filled(self.finish, _DENSITY, "panel")
         body = ag.weld(ag.part(self.boards, "panel", stuff), *self._seen(show, color))
-        ink, (wide, high) = controls.ink_on(self.cap), self._size
-        for index, x in enumerate(self._at[: self.buttons]):
-            cap = controls.button_cap(
-                finish=self.cap,
-                shape=self.shape,
-                width=wide,
-                height=high,
+        ink = controls.ink_on(self.cap)
+        if self.buttons:
+            icons = self._icons if self.upper else ()
+            body = self._row.install(
+                body,
+                self.cap,
                 proud=travel + 0.0012,
-                deep=0.009,
-                icon=self._icons[index] if self.upper else "",
+                travel=travel,
+                force=force,
+                preload=0.3,
+                icons=icons,
                 ink=ink if self.upper else None,
-                name=f"button_{index}",
             )
-            press = controls.button_press(f"button_slide_{index}", travel=travel, force=force, preload=0.3)
-            body = body.attach(cap, press, at=(x, 0, 0))
         if self.dial:
             knob = controls.control_knob(
                 finish=self.cap,
@@ -273,27 +252,27 @@ class Console:
 
     def _seen(self, show: str, color: Color) -> list[ag.Body]:
         """Make the pane or the strip around the buttons, display, icons and lamps, visual only."""
-        place, (wide, high) = self.place, self._size
+        place, row, (_, high) = self.place, self._row, self._row.size
         face = ag.material("black_glass") if self.pane else self.finish
         ink, proud = controls.ink_on(face), controls.PANE if self.pane else 0.0001
-        holes = controls.button_holes(self.shape, wide, high, self._at) if self.buttons else None
+        holes = row.holes if self.buttons else None
         bodies = []
         if self.pane:
             bodies.append(
                 controls.inlay(place.x.size - 0.012, place.z.size - 0.010, holes=holes, radius=0.004)
             )
         elif holes is not None:
-            length, around = self._channel.x.size + 0.010, holes.at(-self._middle)
+            length, around = row.channel(place).x.size + 0.010, holes.at(-row.middle)
             strip = controls.inlay(length, high + 0.011, finish=self.finish, holes=around, radius=0.003)
-            bodies.append(strip.at(self._middle))
+            bodies.append(strip.at(row.middle))
         # an upper console has its icons on the caps
         rise, low, tall = (
             (high / 2 + 0.0105, -high / 2 - 0.0080, 0.0088) if self.buttons else (0, -0.0105, 0.0105)
         )
         if not (self.buttons and self.upper):
             bodies += [
-                controls.icon_row(self._icons, self._at, height=tall, level=rise, ink=ink, proud=proud),
-                controls.lamp_row(self._at, level=low, lit=1, proud=proud),
+                controls.icon_row(self._icons, row.at, height=tall, level=rise, ink=ink, proud=proud),
+                controls.lamp_row(row.at, level=low, lit=1, proud=proud),
             ]
         if show:
             x = self._half * (0.30 if self.hole is None else 0.60)

@@ -1,10 +1,8 @@
 """The plan of a dishwasher, and its case: the tub as a cavity of boards, with sides, base, top and back."""
 
-from collections.abc import Sequence
-
 import artgen as ag
 from artgen import details
-from artgen.categories.shared.appliances import DARK, cord_stub, filled
+from artgen.categories.shared.appliances import DARK, cord_stub, drain_hose, filled, inlet_hose
 
 REACH = 0.005
 """Gap from the rim of the liner to the front of the racks [m]."""
@@ -206,35 +204,8 @@ def back(plan: Plan, maker: str) -> ag.Body:
     lines, at = (maker, "230 V~ 1900 W"), (0, rear - 0.003, 0.55)
     return ag.weld(
         ag.part([panel.box(), wall.box()], "body", filled(_ZINC, 700.0, "sheet")),
-        _drain_hose().at(-side, recess, 0.08),
-        _inlet_hose().at(side, recess, 0.08),
+        drain_hose().at(-side, recess, 0.08),
+        inlet_hose().at(side, recess, 0.08),
         cord_stub(height=0.16, reach=0.026).at(0, recess, 0.16),
         details.rating_plate(0.085, 0.045, lines, at=at, facing=ag.Y, double_insulated=False),
-    )
-
-
-def _hose(radius: float, bend: float, path: Sequence[ag.VectorLike]) -> ag.Solid:
-    return ag.sweep(ag.circle(radius), ag.polyline(path, fillet=bend))
-
-
-def _drain_hose() -> ag.Body:
-    """Make a corrugated hose with its collar, from the origin up."""
-    radius = 0.009
-    hose = _hose(
-        radius, 1.8 * radius, [(0, -0.004, 0), (0, 0.016, 0), (0.05, 0.016, -0.01), (0.06, 0.016, 0.14)]
-    )
-    rib = ag.cylinder(radius + 0.0012, 0.0035, axis=ag.Y, bevel=0.001)
-    ribs = ag.array(rib, at=ag.row((0, 0.004, 0), (0, 0.006, 0), 3))
-    collar = ag.cylinder(1.45 * radius, 0.004, axis=ag.Y, bevel=0.001).at(y=0.001)
-    return ag.detail([hose, collar, ribs], "hose", _GREY)
-
-
-def _inlet_hose() -> ag.Body:
-    """Make a smooth pressure hose with the hexagon nut of its valve, from the origin up."""
-    radius = 0.0055
-    hose = _hose(radius, 2 * radius, [(0, 0.006, 0), (0, 0.021, 0), (-0.06, 0.021, 0), (-0.07, 0.021, 0.16)])
-    nut = ag.extrude(ag.regular_polygon(6, 2 * radius), 0.014, axis=ag.Y, bevel=0.001).at(y=0.007)
-    return ag.weld(
-        ag.detail(hose, "hose", ag.colored("abs", "light_grey")),
-        ag.detail(nut, "hose", ag.colored("abs", "sky")),
     )

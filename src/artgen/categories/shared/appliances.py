@@ -11,6 +11,7 @@ colliders.
 """
 
 import math
+from collections.abc import Sequence
 from typing import Any, Literal, get_args
 
 import artgen as ag
@@ -191,3 +192,30 @@ def _plug(radius: ag.Scalar) -> list[ag.Solid]:
         base.at(0.0440, 0.0, low),
         *(pin.at(0.0545, y * 0.0095, low) for y in (-1, 1)),
     ]
+
+
+def _hose(radius: float, bend: float, path: Sequence[ag.VectorLike]) -> ag.Solid:
+    return ag.sweep(ag.circle(radius), ag.polyline(path, fillet=bend))
+
+
+def drain_hose() -> ag.Body:
+    """Make a corrugated hose with its collar, from the origin up."""
+    radius = 0.009
+    hose = _hose(
+        radius, 1.8 * radius, [(0, -0.004, 0), (0, 0.016, 0), (0.05, 0.016, -0.01), (0.06, 0.016, 0.14)]
+    )
+    rib = ag.cylinder(radius + 0.0012, 0.0035, axis=ag.Y, bevel=0.001)
+    ribs = ag.array(rib, at=ag.row((0, 0.004, 0), (0, 0.006, 0), 3))
+    collar = ag.cylinder(1.45 * radius, 0.004, axis=ag.Y, bevel=0.001).at(y=0.001)
+    return ag.detail([hose, collar, ribs], "hose", ag.colored("polypropylene", "grey"))
+
+
+def inlet_hose() -> ag.Body:
+    """Make a smooth pressure hose with the hexagon nut of its valve, from the origin up."""
+    radius = 0.0055
+    hose = _hose(radius, 2 * radius, [(0, 0.006, 0), (0, 0.021, 0), (-0.06, 0.021, 0), (-0.07, 0.021, 0.16)])
+    nut = ag.extrude(ag.regular_polygon(6, 2 * radius), 0.014, axis=ag.Y, bevel=0.001).at(y=0.007)
+    return ag.weld(
+        ag.detail(hose, "hose", ag.colored("abs", "light_grey")),
+        ag.detail(nut, "hose", ag.colored("abs", "sky")),
+    )

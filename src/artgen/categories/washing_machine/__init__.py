@@ -9,10 +9,10 @@ The hook of a handle reaches through the front panel, and its barb stands behind
 only while the handle is pulled. Without a hook, friction holds the door. The drum turns freely: belt and
 bearings brake it. It is open, and its colliders leave room for laundry. A lid rests beyond upright.
 
-Sizes are those of data sheets: 598 x 848 x 550-630 mm and 65-80 kg (Bosch Serie 4 and 6, full size of EN
-60456), 400-460 mm deep if slim, 510 x 695 x 460 mm and 50 kg if compact (Candy Aquamatic); 686 x 991 x 768 mm
-and 85-100 kg in the USA (LG WM4000); top loaders of 686 x 915 x 690 mm and 60 kg (Whirlpool WTW), and of
-540 x 930 x 560 mm (LG T series); dryers weigh 50-65 kg.
+Sizes of data sheets. Europe: 598 x 848 x 550-630 mm and 65-80 kg (EN 60456; Bosch Serie 4 and 6), 400-480
+mm deep if slim, 510 x 695 x 460 mm and 50 kg if compact (Candy Aquamatic). USA: front loaders 27 in wide,
+38.5-39 in high and 28-32 in deep with the door, 85-100 kg (LG WM4000); top loaders 27 in wide and deep, 42-44
+in high with the console, 60 kg (Whirlpool WTW). Asia: 540 x 930 x 560 mm (LG T series). Dryers: 50-65 kg.
 """
 
 import math
@@ -20,10 +20,10 @@ from typing import Literal
 
 import artgen as ag
 from artgen import details
+from artgen.categories.shared import controls
 from artgen.categories.shared.appliances import cabinet_finish, fronts, grip_metals
-from artgen.categories.shared.controls import ButtonShape, DialScale, DialStyle
 from artgen.categories.washing_machine import case as parts
-from artgen.categories.washing_machine.works import Porthole, Rim, TopLoader
+from artgen.categories.washing_machine.works import BEHIND, Porthole, Rim, TopLoader
 from artgen.nodes.details.displays import Color
 
 Look = Literal["white", "black", "dark_steel", "stainless", "pastel"]
@@ -31,25 +31,24 @@ Look = Literal["white", "black", "dark_steel", "stainless", "pastel"]
 
 _LOOKS: tuple[Look, ...] = ("white", "black", "dark_steel", "stainless", "pastel")
 _FINISH, _METAL = fronts(*_LOOKS), grip_metals(*_LOOKS)
-_RINGS = {
-    "white": ag.colored("abs", "white"),
-    "chrome": ag.material("chrome").with_(name="ring_chrome"),
-    "silver": ag.colored("abs", "silver"),
-    "graphite": ag.colored("abs", "graphite"),
-    "black": ag.material("glossy_plastic_black"),
-}
-_KNOBS = (
-    ag.colored("abs", "white"),
-    ag.colored("abs", "silver"),
-    ag.material("black_abs"),
-    ag.material("brushed_aluminium").with_(name="knob_cap", density=1100),
-)
+_RINGS = {name: ag.colored("abs", name) for name in ("white", "silver", "graphite")}
+_RINGS["chrome"] = ag.material("chrome").with_(name="ring_chrome")
+_RINGS["black"] = ag.material("glossy_plastic_black")
+_CAP = ag.material("brushed_aluminium").with_(name="knob_cap", density=1100)
+_KNOBS = (ag.colored("abs", "white"), ag.colored("abs", "silver"), "black_abs", _CAP)
 _GLASS = ag.material("glass").with_(name="door_bowl", opacity=0.28, density=900.0)
 _SMOKE = ag.material("tinted_glass").with_(name="smoke_bowl", opacity=0.50, density=900.0)
-_PANE, _WHITE_PANE = (
-    ag.material("black_glass"),
-    ag.material("black_glass").with_(name="white_glass", base_color=(0.80, 0.80, 0.79)),
-)
+_ICONS = ("power", "thermometer", "spin", "rinse", "timer", "child_lock", "leaf", "start_pause")
+_PROGRAMS = {
+    False: ("shirt", "tumbler", "leaf", "timer", "heart", "snowflake", "drop", "spin", "star"),
+    True: ("shirt", "sun", "leaf", "timer", "heart", "fan_heat", "moon", "tumbler", "star"),
+}  # of washing, and of drying
+_PANE = ag.material("black_glass")
+_WHITE_PANE = _PANE.with_(name="white_glass", base_color=(0.80, 0.80, 0.79))
+
+
+def _odds(share: float) -> dict[bool, float]:
+    return {True: share, False: 1 - share}
 
 
 @ag.category(
@@ -68,9 +67,7 @@ def washing_machine(
         dryer={"full": 0.65, "wide": 0.35},
         doc="full: 60 cm; slim: 60 cm and shallow; compact: 51-56 cm; wide: 68 cm, of the USA",
     ),
-    look: Look = ag.choice(
-        {"white": 0.5, "black": 0.1, "dark_steel": 0.17, "stainless": 0.1, "pastel": 0.13}
-    ),
+    look: Look = ag.choice({"white": 5, "black": 1, "dark_steel": 1.7, "stainless": 1, "pastel": 1.3}),
     width: ag.Float = ag.by(
         "size",
         wide=ag.uniform(0.683, 0.687),
@@ -97,9 +94,9 @@ def washing_machine(
         full=ag.uniform(0.55, 0.63),
         slim=ag.uniform(0.40, 0.46),
         compact=ag.by("kind", top=ag.uniform(0.54, 0.58), otherwise=ag.uniform(0.45, 0.48)),
-        wide=ag.uniform(0.68, 0.74),
+        wide=ag.by("kind", top=ag.uniform(0.68, 0.72), otherwise=ag.uniform(0.68, 0.77)),
         unit="m",
-        within=(0.39, 0.78),
+        within=(0.39, 0.80),
         doc="depth of the case; the door stands out by 0.045 m",
     ),
     finish: ag.Material = _FINISH,
@@ -126,24 +123,16 @@ def washing_machine(
         unit="m",
         within=(0.155, 0.25),
     ),
-    bowl: ag.Float = ag.uniform(
-        0.060, 0.085, "m", doc="depth of the glass bowl behind the front", within=(0.04, 0.10)
-    ),
+    bowl: ag.Float = ag.uniform(0.060, 0.085, "m", doc="depth of the glass bowl", within=(0.04, 0.10)),
     lever: bool = ag.by(
-        "kind",
-        dryer={True: 0.25, False: 0.75},
-        otherwise={True: 0.7, False: 0.3},
-        doc="whether a hook holds the door until its handle is pulled",
+        "kind", dryer=_odds(0.25), otherwise=_odds(0.7), doc="hook that only the handle frees"
     ),
     swing: ag.Float = ag.uniform(1.95, 2.80, "rad", doc="range of a door", within=(1.4, 2.85)),
     lid_swing: ag.Float = ag.uniform(1.62, 1.72, "rad", doc="range of a lid", within=(1.3, 1.75)),
     pull: ag.Float = ag.uniform(4.0, 9.0, "N", doc="force at the edge that moves a door"),
-    glazed: bool = ag.choice({True: 0.6, False: 0.4}, doc="window in a lid"),
+    glazed: bool = ag.choice(_odds(0.6), doc="window in a lid"),
     agitator: bool = ag.by(
-        "size",
-        wide={True: 0.7, False: 0.3},
-        otherwise={True: 0.15, False: 0.85},
-        doc="agitator in a basket, or else a low impeller",
+        "size", wide=_odds(0.7), otherwise=_odds(0.15), doc="agitator in a basket, or else a low impeller"
     ),
     backsplash: ag.Float = ag.by(
         "size",
@@ -151,17 +140,11 @@ def washing_machine(
         otherwise=ag.uniform(0.09, 0.115),
         unit="m",
         within=(0.07, 0.2),
-        doc="height of the console behind a lid",
+        doc="height behind a lid",
     ),
-    console: ag.Float = ag.uniform(
-        0.112, 0.135, "m", doc="height of a console in front", within=(0.105, 0.16)
-    ),
+    console: ag.Float = ag.uniform(0.112, 0.135, "m", doc="height in front", within=(0.105, 0.16)),
     pane: bool = ag.by(
-        "look",
-        white={True: 0.25, False: 0.75},
-        pastel={True: 0.1, False: 0.9},
-        otherwise={True: 0.6, False: 0.4},
-        doc="whether glass lies on the console",
+        "look", white=_odds(0.25), pastel=_odds(0.1), otherwise=_odds(0.6), doc="glass on the console"
     ),
     dials: int = ag.by(
         "kind",
@@ -169,34 +152,23 @@ def washing_machine(
         front=ag.choice({1: 0.9, 0: 0.1}),
         dryer=ag.choice({1: 0.7, 2: 0.3}),
     ),
-    dial_style: DialStyle = ag.choice("round", "fluted", "bar", "skirted", "capped"),
+    dial_style: controls.DialStyle = ag.choice("round", "fluted", "bar", "skirted", "capped"),
     dial_radius: ag.Float = ag.uniform(0.019, 0.025, "m", within=(0.016, 0.027)),
     knob: ag.Material = ag.shades(*_KNOBS, color=0.03, roughness=0.03, doc="material of dials"),
-    scale: DialScale = ag.choice({"icons": 0.5, "ticks": 0.25, "numbers": 0.25}),
+    scale: controls.DialScale = ag.choice({"icons": 0.5, "ticks": 0.25, "numbers": 0.25}),
     buttons: int = ag.by("size", compact=ag.count(2, 4), otherwise=ag.count(2, 6)),
-    button_shape: ButtonShape = ag.choice("round", "square", "pill", "bar"),
+    button_shape: controls.ButtonShape = ag.choice("round", "square", "pill", "bar"),
     button_force: ag.Float = ag.uniform(2.0, 4.0, "N"),
     show: str = ag.by(
-        "dials",
-        {3: ""},
-        otherwise=ag.choice("1:25", "0:45", "2:10", "60", ""),
-        doc="text of the display; empty for none",
+        "dials", {3: ""}, otherwise=ag.choice("1:25", "0:45", "2:10", "60", ""), doc="text of the display"
     ),
     figures: Color = ag.choice("white", "red", "amber", "cyan", "green"),
     drawer: bool = ag.by(
-        "kind",
-        top=False,
-        front=True,
-        dryer=ag.by("size", full={True: 0.7, False: 0.3}, wide=False),
-        doc="drawer for detergent, or for the water of a dryer",
+        "kind", top=False, front=True, dryer=ag.by("size", full=_odds(0.7), wide=False), doc="tray or tank"
     ),
     drawer_friction: ag.Float = ag.uniform(3.0, 6.0, "N"),
     flap: bool = ag.by(
-        "kind",
-        top=False,
-        front={True: 0.85, False: 0.15},
-        dryer={True: 0.5, False: 0.5},
-        doc="flap before the filter of the pump",
+        "kind", top=False, front=_odds(0.85), dryer=_odds(0.5), doc="flap before the filter of the pump"
     ),
     flap_side: Literal["left", "right"] = ag.choice({"right": 0.75, "left": 0.25}),
     paddles: int = ag.choice({3: 0.85, 4: 0.15}),
@@ -206,94 +178,70 @@ def washing_machine(
 ) -> ag.Body:
     """Make a washing machine or a dryer, closed: drum, door or lid, drawer, flap, dials, buttons."""
     outside = ag.Region((-width / 2, width / 2), (-depth / 2, depth / 2), (0, height))
-    sides, dryer = cabinet_finish(look, finish), kind == "dryer"
+    sides, dryer, wide = cabinet_finish(look, finish), kind == "dryer", size == "wide"
+    dark, side = look in ("black", "dark_steel"), 1 if flap_side == "right" else -1
     heavy = {"steel": 0.93, "concrete": 1.07}[ballast]
-    dark = look in ("black", "dark_steel")
-    glass = (
-        (_WHITE_PANE if look in ("white", "pastel") and ring in ("white", "silver") else _PANE)
-        if pane
-        else None
-    )
+    glass = None
+    if pane:
+        glass = _WHITE_PANE if look in ("white", "pastel") and ring in ("white", "silver") else _PANE
+    plan = parts.Plan(outside, console=console, top=0.004 if wide else 0.030, drawer=0.19 if drawer else 0.0)
+    space, dial_size, name = plan.console, dial_radius, maker
+    if kind == "top":
+        space = ag.Region(outside.shrink(x=0.002).x, (0, 0.022), (height, height + backsplash))
+        dial_size, name = ag.min_(dial_radius, 0.26 * backsplash), ""
     caps = ag.material("black_abs") if dark else ag.colored("abs", "silver")
-
-    def panel(place: ag.Region, radius: ag.Scalar = dial_radius) -> parts.Console:
-        return parts.Console(
-            place,
-            finish,
-            glass,
-            dials,
-            dial_style,
-            radius,
-            knob,
-            scale,
-            buttons,
-            button_shape,
-            caps,
-            show,
-            figures,
-            button_force,
-            dryer,
-        )
+    ink, icons = controls.ink_on(glass or finish), _PROGRAMS[dryer]
+    dial = controls.dial(
+        dial_style, dial_size, knob, depth=0.022, limits=None, scale=scale, count=9, icons=icons, ink=ink
+    )
+    keys = (buttons, button_shape, caps, button_force)
+    screen = (show, figures)
+    face = controls.console(
+        space, finish, glass, [dial] * dials, keys, icons=_ICONS, display=screen, maker=name
+    )
 
     if kind == "top":
-        lean, behind = (0.6, 0.165) if size == "wide" else (0.8, 0.165)
-        top = TopLoader(
-            outside, 0.050, behind, finish, metal, (_SMOKE if dark else _GLASS) if glazed else None
-        )
+        lean = 0.6 if wide else 0.8
+        top = TopLoader(outside, finish, metal, (_SMOKE if dark else _GLASS) if glazed else None)
         skin = outside.shrink(x=0.001, top=0.050 - parts.LAP, bottom=0.022).deep(parts.SKIN, None)[0]
-        space = ag.Region((-width / 2 + 0.002, width / 2 - 0.002), (0, 0.022), (height, height + backsplash))
-        face = panel(space, ag.min_(dial_radius, 0.26 * backsplash)).body("")
-        low, rear = outside.y.high - behind + 0.016, outside.y.high
-        rise, run = backsplash * ag.cos(lean), backsplash * ag.sin(lean)
+        low, rear = outside.y.high - BEHIND + 0.016, outside.y.high
+        rise, run = backsplash * math.cos(lean), backsplash * math.sin(lean)
         front, over = low + 0.0235 / math.cos(lean), height + rise - 0.002
-        wedge = ag.polygon(
-            [(front, height - 0.001), (rear, height - 0.001), (rear, over), (front + run, over)]
-        )
-        shell = ag.extrude(wedge, width - 0.004, axis=ag.X, bevel=0.002)
-        middle = (0, low + run / 2, height + rise / 2)
+        wedge = [(front, height - 0.001), (rear, height - 0.001), (rear, over), (front + run, over)]
+        shell = ag.extrude(ag.polygon(wedge), width - 0.004, axis=ag.X, bevel=0.002)
         body = ag.weld(
             parts.sheets(outside, sides, front=skin.y.high, high=height - 0.050),
             ag.part(skin.box(bevel=0.002), "front", finish.with_(name=f"{finish.name}_front", density=700.0)),
-            parts.base(outside, 0.25, skin.y.high + 0.004, heavy * (150 if size == "wide" else 210)),
-            parts.back(outside, maker, f"T{round(100 * 0.75)} 230 V~", low=0.30, vented=False),
+            parts.base(outside, 0.25, skin.y.high + 0.004, heavy * (150 if wide else 210)),
+            parts.back(outside, maker, "T75 230 V~", low=0.30, vented=False),
             top.top(),
             ag.part(shell, "console", finish.with_(name=f"{finish.name}_console", density=180.0)),
-            face.rotate(ag.X, -lean).at(middle),
+            face.rotate(ag.X, -lean).at(0, low + run / 2, height + rise / 2),
         )
         body = body.install(top.basket(0.28, drum_friction, agitator=agitator))
         return body.install(top.lid(lid_swing, 0.35 * pull, maker))
 
-    wide = size == "wide"
-    plan = parts.Plan(
-        outside, kick=0.100, console=console, top=0.004 if wide else 0.030, drawer=0.19 if drawer else 0.0
-    )
-    hole = door_radius - 0.042
     window = _SMOKE if rim == "glass" or dark else _GLASS
-    port = Porthole(
-        plan, door_radius, rim, lever, _RINGS[ring] if rim != "solid" else finish, metal, window, hole, bowl
-    )
-    radius = ag.min_(
-        width / 2 - 0.045, ag.min_(plan.center - 0.150, plan.console.z.low - plan.center - 0.004)
-    )
+    port = Porthole(door_radius, rim, finish if rim == "solid" else _RINGS[ring], metal, lever=lever)
+    middle = ag.vector(0, outside.y.low, plan.center)
+    room = ag.min_(plan.center - 0.150, plan.console.z.low - plan.center - 0.004)
+    radius = ag.min_(width / 2 - 0.045, room)
     low = plan.center - radius - 0.012
     density = ((120 if wide else 270) if dryer else 560 if wide else 800) * heavy
-    worktop = outside.with_(y=(outside.y.low + 0.002, outside.y.high - 0.004), z=plan.top.z)
-    board = ag.colored("lacquered_mdf", "white" if look in ("white", "pastel") else "graphite").with_(
-        name="worktop", density=620.0
-    )
-    top_stuff = finish.with_(name=f"{finish.name}_top", density=2400.0) if wide else board
+    worktop = plan.top.shrink(front=0.002, back=0.004).box(bevel=0.002 if wide else 0.005)
+    board = ag.colored("lacquered_mdf", "white" if look in ("white", "pastel") else "graphite")
+    top_name, top_density = (f"{finish.name}_top", 2400.0) if wide else ("worktop", 620.0)
     body = ag.weld(
         parts.sheets(outside, sides, front=plan.panel.y.high, high=plan.top.z.low + parts.LAP),
-        port.panel(finish),
+        port.panel(plan.panel.at(z=-plan.center), finish).at(middle),
         parts.base(outside, low, outside.y.low + 0.040, density),
-        ag.part(worktop.box(bevel=0.002 if wide else 0.005), "worktop", top_stuff),
+        ag.part(worktop, "worktop", (finish if wide else board).with_(name=top_name, density=top_density)),
         parts.back(outside, maker, "2100 W 230 V~", low=0.22, vented=dryer and not drawer),
-        panel(plan.console).in_front(maker),
-        parts.kick_plate(plan, finish, flap=flap, side=1 if flap_side == "right" else -1),
+        face.at(plan.console.x.mid, plan.console.y.low, plan.console.z.mid),
+        parts.kick_plate(plan, finish, flap=flap, side=side),
     )
-    body = body.install(
-        port.drum(radius, outside.y.high - 0.055, drum_friction, dryer=dryer, paddles=paddles)
-    )
+    drum = port.drum(radius, depth - 0.055, drum_friction, dryer=dryer, paddles=paddles)
+    body = body.install(drum, at=middle)
     if drawer:
         body = ag.weld(body, parts.drawer(plan, finish, tank=dryer, friction=drawer_friction))
-    return body.install(port.door(swing, pull))
+    return body.install(port.door(window, bowl, swing, pull), at=middle)
