@@ -125,6 +125,11 @@ PRODUCTS: Mapping[str, tuple[Product, ...]] = {
     ),
     # 0.12-0.40 m high and 50-75 mm wide; cranks reach out to 0.085 m
     "pepper_grinder": (Product("pepper mill", (0.045, 0.085), (0.045, 0.13), (0.12, 0.40), (0.10, 0.95)),),
+    # bottles of 0.25-1.5 l, jars of 0.2-0.7 l, full; spouts and sprays stand out by up to 0.02 m
+    "bottle": (
+        Product("bottle", (0.057, 0.091), (0.057, 0.10), (0.15, 0.33), (0.3, 1.95)),
+        Product("jar", (0.061, 0.081), (0.061, 0.081), (0.08, 0.155), (0.2, 1.15)),
+    ),
     # frames of 0.4-2.4 x 0.5-1.8 m and 0.06-0.13 m deep; sills stand out by 0.05 m outside and 0.14 m inside,
     # shutters by 0.09 m; glass of two sheets weighs 20 kg/m2, frames and sashes 10-20 kg/m2
     "window": (Product("window", (0.47, 2.52), (0.10, 0.42), (0.49, 1.81), (8.0, 190.0)),),

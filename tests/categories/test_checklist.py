@@ -55,6 +55,15 @@ CHECKLIST: dict[str, dict[str, Moving]] = {
         "drawer": slides("drawer_slide", (0, 1)),
         "bottle": slides("bottle_lift", (0, 2, 3, 6, 12)),
     },
+    "bottle": {
+        "cap on a thread": turns("cap_turn", (0, 1)),
+        "lid on a thread": turns("lid_turn", (0, 1)),
+        "rise of a thread": slides("(cap|lid)_turn_rise", (0, 1)),
+        "lid with a hinge": turns("lid_hinge", (0, 1)),
+        "nozzle": slides("nozzle_slide", (0, 1)),
+        "stopper that lifts off": slides("stopper_lift", (0, 1)),
+        "trigger": turns("trigger_pull", (0, 1)),
+    },
     "cabinet": {"door": turns(f"door_hinge{SIDED}", (1, 2))},
     "cooktop": {
         "burner dial": turns("burner_dial_turn", range(2, 7)),
