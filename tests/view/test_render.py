@@ -14,7 +14,7 @@ from artgen.asset import Asset
 from artgen.errors import AssetError, ExportError, ParameterError
 from artgen.generator import generator
 from artgen.materials import material
-from artgen.nodes.body import part
+from artgen.nodes.body import part, weld
 from artgen.nodes.handles import Body
 from artgen.nodes.primitive import box
 from artgen.view import Camera, RenderError, View, gl, opened, shading
@@ -120,6 +120,37 @@ def test_a_clear_lacquer_mirrors_the_lamps() -> None:
     gain = (glossy - dull).max(axis=2)
     assert np.percentile(gain, 99) > 12
     assert gain.min() > -4
+
+
+def test_a_wire_thinner_than_a_pixel_is_an_even_line() -> None:
+    @generator
+    def wire() -> Body:
+        black = material("black_abs").with_(name="black", texture="", specular_roughness=0.9)
+        glowing = material("led_white").with_(name="glowing", texture="", emission=(0.2, 0.2, 0.2))
+        board = part(box(0.3, 0.3, 0.02), "board", black)
+        return weld(board, part(box(0.28, 0.0008, 0.001).at(0, 0, 0.0105), "wire", glowing))
+
+    shown = picture(wire.generate(), camera=View(0.3, 1.2))
+    along = np.column_stack([np.linspace(-0.12, 0.12, 200), np.zeros(200), np.full(200, 0.011)])
+    columns, rows = np.floor(shown.camera.pixels(along, (128, 128))).astype(int).T
+    light = shown.color.mean(axis=2) - np.median(shown.color[shown.labels.mask("board")])
+    seen = np.unique(np.column_stack([columns, rows]), axis=0)
+    line = np.array([light[row - 2 : row + 3, column].sum() for column, row in seen])
+    assert line.min() > 0.5 * np.median(line), "the line has gaps"
+    assert line.std() < 0.25 * line.mean(), "the line has dots"
+
+
+def test_a_bevel_narrower_than_a_pixel_has_no_dots() -> None:
+    @generator
+    def block() -> Body:
+        return part(box(0.2, 0.2, 0.1, bevel=0.0004), "block", material("steel").with_(texture=""))
+
+    shown = picture(block.generate(), camera=View(-0.6, 0.4), size=192)
+    edge = np.array([(x, -0.1, 0.05) for x in np.linspace(-0.09, 0.09, 400)])
+    columns, rows = np.floor(shown.camera.pixels(edge, (192, 192))).astype(int).T
+    light = shown.color.mean(axis=2)
+    peaks = [light[row - 1 : row + 2, column].max() for column, row in zip(columns, rows, strict=True)]
+    assert np.abs(np.diff(peaks)).max() < 20.0
 
 
 def test_the_floor_has_a_soft_shadow_without_speckles(red_cabinet) -> None:

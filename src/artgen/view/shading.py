@@ -1,22 +1,21 @@
 """Colors of the surfaces of a picture: lamps with soft shadows, mirrors, and glass.
 
-A pixel has four points; where they lie on one face, one of them stands for all (`_apart`). Light is gathered
-along few rays for one point of each pixel; points of one plane share it (`_smoothed`), so neighbors use
-different rays. Rays follow fixed sequences, and threads draw separate bands: equal pictures have
-equal pixels.
+A pixel has four points, and sixteen where these or those of a neighbor lie on several faces. One point stands
+for those of a pixel on one face (`_apart`). Light is gathered along few rays for one point of each pixel;
+points of one plane share it (`_smoothed`), so neighbors use different rays. Rays follow fixed sequences, and
+threads draw separate bands: equal pictures have equal pixels.
 """
 
-import math
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from typing import Any, Self
 
 import numpy as np
 from numpy.typing import NDArray
 
 from artgen.materials import Material
-from artgen.materials.textures import maps
+from artgen.materials.textures import maps, tile_of
 from artgen.view.camera import Camera
 from artgen.view.picture import Pixels
 from artgen.view.studio import BOXES, POINTS, Floats, dome, dome_light, environment, spread
@@ -37,14 +36,27 @@ _FUZZ = {
 }  # light that upright fibers of textures scatter at grazing
 _MUCH = 0.2  # change of a ray's light by what is in its way, from which there are more rays
 _ALIKE = 0.3  # difference of light that distant neighbors may have, relative to their sum
+_FAINT = 0.06  # share of the light at a point that the picture shows, up to which one ray is enough
+_DIM = 0.2  # share of light through glass, up to which edges behind it have few points
 _REACH = 15  # rows of pixels beyond a band that share its light
 _BESIDE = ((0, 0), (0, 1), (0, -1), (1, 0), (-1, 0))  # pixels that lend light to a point
 _LAYERS = 8  # most faces of glass in front of a surface
-_PLACES = np.array([[[0.375, 0.125], [0.875, 0.375]], [[0.125, 0.625], [0.625, 0.875]]])  # points in a pixel
+# points in a pixel [sixteenths]: the first four, and all, are spread evenly over rows, columns and squares
+_PLACES = 0.5 + np.array(
+    [
+        [2, 12], [10, 7], [6, 2], [14, 8], [1, 5], [9, 14], [5, 11], [13, 0],
+        [3, 1], [11, 10], [7, 15], [15, 4], [0, 9], [8, 3], [4, 6], [12, 13],
+    ]
+)  # fmt: skip
+_QUARTERS = (_PLACES // 8.0) @ [1, 2]  # of the pixel, for each point
+_FEW, _ALL = 4, len(_PLACES)  # points in a pixel without an edge, and with one
 _DULL, _MATT = 0.75, 0.5  # roughness from which a surface mirrors no objects, and the light that it mirrors
 _WHITE, _DARK = 1e3, 0.7  # radiance behind all surfaces: without a studio, and below its floor
 _FLAT = 0.9  # least cosine between the faces that a point stands for
 _POLISHED = 0.2  # roughness up to which a metal mirrors edges
+# most difference of the normals for which a point stands, and what it adds to the square of a lobe's width
+_MOST_TURN, _BROADER = 1.2, 1.0 / 6.0
+_LEVEL = 0.85  # least width of a point for a map, relative to its texel
 _GLOW = 2.2  # radiance of an emission of 1
 
 
@@ -94,17 +106,40 @@ class _Points(_Rows):
     rough: Floats
     streak: Floats  # deviation of roughness along a stroke of a brush
     material: NDArray[Any]
+    shown: Floats  # share of their light that arrives at the camera through glass
 
 
 @dataclass(frozen=True, eq=False)
 class _Found(_Rows):
-    """Hits of rays, in the order of the rays."""
+    """Hits of rays, in the order of their pixels."""
 
     ray: NDArray[Any]
+    pixel: NDArray[Any]
+    quarter: NDArray[Any]  # of the pixel
     at: Floats
     triangle: NDArray[Any]
     u: Floats
     v: Floats
+
+
+@dataclass(frozen=True, eq=False)
+class _Seen:
+    """What rays meet."""
+
+    view: Floats  # their directions
+    through: Floats  # share of light through glass, shape (3, rays)
+    over: Floats  # light from glass
+    layers: list[_Found]  # first hits, and those behind each face of glass
+    found: _Found  # first hits of what lets no light through
+
+
+def _joined(found: Sequence[_Found]) -> _Found:
+    """Return all hits, in the order of their pixels."""
+    every = [
+        np.concatenate([getattr(each, field.name) for each in found], axis=-1) for field in fields(_Found)
+    ]
+    merged = _Found(*every)
+    return merged if len(found) == 1 else merged.take(np.argsort(merged.pixel, kind="stable"))
 
 
 class _Painter:
@@ -143,38 +178,53 @@ class _Painter:
         above, below = min(first, _REACH), min(height - last, _REACH)
         rows = np.arange(first - above, last + below)
         shape = len(rows), width
-        # the four points of a pixel are successive
-        row = np.broadcast_to((2 * rows)[:, None, None] + [0, 0, 1, 1], (*shape, 4)).ravel()
-        column = np.broadcast_to((2 * np.arange(width))[:, None] + [0, 1, 0, 1], (*shape, 4)).ravel()
-        view = self._rays(row, column)
-        found, through, over = self._visible(view)
+        count = len(rows) * width
+        few = self._visible(np.repeat(np.arange(count), _FEW), np.tile(np.arange(_FEW), count), rows[0])
+        marks = np.zeros(shape, bool)
+        plain = few.through.max(axis=0) > _DIM
+        for number, hits in enumerate(few.layers):
+            marks.ravel()[self._edges(hits.take(plain[hits.ray]) if number else hits)] = True
+        edges = np.flatnonzero(_widened(marks, 1))
+        more = self._visible(
+            np.repeat(edges, _ALL - _FEW), np.tile(np.arange(_FEW, _ALL), len(edges)), rows[0]
+        )
+        found = _joined([few.found, replace(more.found, ray=more.found.ray + _FEW * count)])
         background = _WHITE if self.kind == "none" else _DARK
-        color: Floats = np.full((3, row.size), background, np.float32)
+        color: Floats = np.full((3, _FEW * count + more.view.shape[1]), background, np.float32)
         if found.ray.size:
             some, number, wide = self._apart(found)
-            points = self._points(found, some, view, wide)
-            color[:, found.ray] = self._lit(points, found.ray[some], int(rows[0]), shape)[:, number]
-        color *= through
-        color += over
+            view, through = (
+                np.concatenate([getattr(each, name) for each in (few, more)], axis=1)
+                for name in ("view", "through")
+            )
+            points = self._points(found, some, view, wide, through)
+            color[:, found.ray] = self._lit(points, found.pixel[some], int(rows[0]), shape)[:, number]
+        color *= np.concatenate([few.through, more.through], axis=1)
+        color += np.concatenate([few.over, more.over], axis=1)
         color = _toned(color)
-        mean = (color[:, 0::4] + color[:, 1::4] + color[:, 2::4] + color[:, 3::4]) * np.float32(0.25)
+        mean = color[:, : _FEW * count].reshape(3, count, _FEW).sum(axis=2)
+        mean[:, edges] += color[:, _FEW * count :].reshape(3, len(edges), _ALL - _FEW).sum(axis=2)
+        mean /= np.float32(_FEW)
+        mean[:, edges] *= np.float32(_FEW / _ALL)
         return _shown(mean.reshape(3, *shape)[:, above : above + last - first])
 
-    def _rays(self, row: Any, column: Any) -> Floats:
+    def _rays(self, pixel: NDArray[Any], point: NDArray[Any], top: int) -> Floats:
+        """Return the directions through points in pixels, whose first row is `top`."""
         width, height = self.size
         right, up, forward = (each.astype(np.float32)[:, None] for each in self.camera.axes())
-        place = _PLACES[row % 2, column % 2]
-        x = ((column // 2 + place[:, 0]) - width / 2.0).astype(np.float32) * self.pixel
-        y = (height / 2.0 - (row // 2 + place[:, 1])).astype(np.float32) * self.pixel
-        return unit(forward + x * right + y * up)
+        across, down = (_PLACES.T / 16.0).astype(np.float32)
+        x = ((pixel % width) + across[point] - np.float32(width / 2.0)) * self.pixel
+        y = (np.float32(height / 2.0) - (top + pixel // width) - down[point]) * self.pixel
+        return unit(forward + x.astype(np.float32) * right + y.astype(np.float32) * up)
 
-    def _visible(self, view: Floats) -> tuple[_Found, Floats, Floats]:
-        """Return what rays meet behind glass, and the light through and from glass."""
-        world, count = self.world, view.shape[1]
+    def _visible(self, pixel: NDArray[Any], point: NDArray[Any], top: int) -> _Seen:
+        """Return what rays through points in pixels meet, behind glass and on it."""
+        world, count = self.world, len(pixel)
+        view, quarter = self._rays(pixel, point, top), _QUARTERS[point].astype(np.int8)
         through, over = np.ones((3, count), np.float32), np.zeros((3, count), np.float32)
         ray = np.arange(count)
         origin = np.repeat(self.eye, count, axis=1)
-        found: list[_Found] = []
+        layers, found = [], []
         for layer in range(_LAYERS):
             last = layer == _LAYERS - 1
             hits = world.run(world.opaque if last else world.all, origin, view[:, ray])
@@ -182,7 +232,8 @@ class _Painter:
             ray = ray[met]
             triangle, u, v = (hits[name][met] for name in ("primID", "u", "v"))
             at = origin[:, met] + hits["tfar"][met] * view[:, ray]
-            hit = _Found(ray, at, triangle, u, v)
+            hit = _Found(ray, pixel[ray], quarter[ray], at, triangle, u, v)
+            layers.append(hit)
             glass = self.clear[world.material[triangle]]
             if not glass.any():
                 found.append(hit)
@@ -190,48 +241,56 @@ class _Painter:
             found.append(hit.take(~glass))
             pane = hit.take(glass)
             some, number, wide = self._apart(pane)
-            passed, added = self._pane(self._points(pane, some, view, wide))
+            passed, added = self._pane(self._points(pane, some, view, wide, through))
             ray = pane.ray
             over[:, ray] += through[:, ray] * added[:, number]
             through[:, ray] *= passed[:, number]
             origin = pane.at + world.offset * view[:, ray]
-        if len(found) == 1:
-            return found[0], through, over
-        every = [
-            np.concatenate([getattr(each, field.name) for each in found], axis=-1) for field in fields(_Found)
-        ]
-        merged = _Found(*every)
-        return merged.take(np.argsort(merged.ray)), through, over
+        return _Seen(view, through, over, layers, _joined(found))
+
+    def _edges(self, hits: _Found) -> NDArray[Any]:
+        """Return the pixels whose first points lie on several faces, or meet nothing in part."""
+        first = np.diff(hits.pixel, prepend=-1) > 0
+        lead = np.flatnonzero(first)[np.cumsum(first) - 1]
+        apart = hits.pixel[~self._on_one_face(hits, np.arange(len(lead)), lead)]
+        return np.concatenate([apart, np.flatnonzero(np.bincount(hits.pixel) % _FEW)])
 
     def _apart(self, hits: _Found) -> tuple[NDArray[Any], NDArray[Any], Floats]:
         """Return which hits are shaded, which of these stands for each hit, and their widths [pixels]."""
-        world, count = self.world, hits.ray.size
-        whole = (hits.ray[:-3] % 4 == 0) & (hits.ray[3:] == hits.ray[:-3] + 3)
-        four = np.flatnonzero(whole)[:, None] + np.arange(4)
-        triangle = hits.triangle[four]
-        a, b, c, d = triangle.T
-        alike = (a == b) & (a == c) & (a == d)
-        mixed = np.flatnonzero(~alike)
-        if mixed.size:
-            one, other = triangle[mixed, :1], triangle[mixed, 1:]
-            at = hits.at.T[four[mixed]]
-            flat = world.flat[one]
-            away = np.abs(((at[:, 1:] - at[:, :1]) * flat).sum(axis=2))
-            close = away < self.pixel * np.linalg.norm(at[:, :1] - self.eye[:, 0], axis=2)
-            close &= (flat * world.flat[other]).sum(axis=2) > _FLAT
-            close &= world.material[one] == world.material[other]
-            alike[mixed] = close.all(axis=1)
-        # what a polished metal mirrors has edges
-        alike &= ~self.polished[world.material[triangle[:, 0]]]
-        four = four[alike]
-        stands = np.arange(count)
-        stands[four[:, 1:]] = four[:, :1]
-        some = stands == np.arange(count)
-        wide = np.full(count, 0.5, np.float32)
-        wide[four[:, 0]] = 1.0
-        return np.flatnonzero(some), (np.cumsum(some) - 1)[stands], wide[some]
+        every = np.arange(hits.ray.size)
+        sharp = self.polished[self.world.material[hits.triangle]]  # what it mirrors has edges
+        stands, left = every.copy(), every
+        while left.size:
+            first = np.diff(hits.pixel[left], prepend=-1) > 0
+            lead = left[first][np.cumsum(first) - 1]
+            joins = self._on_one_face(hits, left, lead)
+            joins &= ~sharp[left] | (hits.quarter[left] == hits.quarter[lead])
+            stands[left[joins]] = lead[joins]
+            left = left[~joins]
+        leads = stands == every
+        some, number = np.flatnonzero(leads), (np.cumsum(leads) - 1)[stands]
+        share = np.bincount(number) / np.bincount(hits.pixel)[hits.pixel[some]]
+        return some, number, np.sqrt(np.maximum(share, 0.25)).astype(np.float32)
 
-    def _points(self, hits: _Found, some: NDArray[Any], view: Floats, wide: Floats) -> _Points:
+    def _on_one_face(self, hits: _Found, one: NDArray[Any], other: NDArray[Any]) -> NDArray[np.bool_]:
+        """Tell which pairs of hits lie on one face."""
+        world = self.world
+        a, b = hits.triangle[one], hits.triangle[other]
+        same = np.asarray(a == b)
+        mixed = np.flatnonzero(~same)
+        if mixed.size:
+            a, b, one, other = a[mixed], b[mixed], one[mixed], other[mixed]
+            flat = world.flat[b]
+            at = hits.at[:, other]
+            away = np.abs(dot(hits.at[:, one] - at, flat.T))
+            close = away < self.pixel * np.linalg.norm(at - self.eye, axis=0)
+            close &= (flat * world.flat[a]).sum(axis=1) > _FLAT
+            same[mixed] = close & (world.material[a] == world.material[b])
+        return same
+
+    def _points(
+        self, hits: _Found, some: NDArray[Any], view: Floats, wide: Floats, through: Floats
+    ) -> _Points:
         """Return the surface at some hits, with maps averaged over their widths [pixels]."""
         world = self.world
         at, view, triangle, u, v = (
@@ -245,6 +304,7 @@ class _Painter:
             at, view, normal, normal.copy(), triangle, u, v,
             self.table["base_color"][number].T.copy(), self.table["base_metalness"][number],
             self.table["specular_roughness"][number], np.zeros(len(some), np.float32), number,
+            through[:, hits.ray[some]].max(axis=0),
         )  # fmt: skip
         wide = wide * self.pixel * np.sqrt(dot(at - self.eye, at - self.eye))
         for each in np.unique(number):
@@ -252,15 +312,21 @@ class _Painter:
                 here = np.flatnonzero(number == each)
                 facing = np.maximum(np.abs(dot(normal[:, here], view[:, here])), np.float32(0.2))
                 self._textured(points, each, here, wide[here] / facing)
+        # a point stands for all normals within its width
+        turn = np.minimum(world.curvature[triangle] * wide, _MOST_TURN)
+        alpha = points.rough * points.rough
+        points.rough[:] = np.sqrt(np.sqrt(alpha * alpha + np.float32(_BROADER) * turn * turn))
         return points
 
     def _textured(self, points: _Points, number: int, here: Any, wide: Floats) -> None:
         """Set the values of maps at points of a material, averaged over widths [m]."""
         uv = self.world.uvs_at(points.triangle[here], points.u[here], points.v[here])
-        levels, texel = self.maps[number]
-        level = np.clip(np.log2(np.maximum(wide / texel, 1e-6)) + 0.6, 0, len(levels) - 1).astype(int)
+        levels, texels = self.maps[number]
+        level, smudge = (
+            np.maximum(np.searchsorted(texels, each / _LEVEL, side="right") - 1, 0)
+            for each in (wide, _SMUDGE)
+        )
         brushed = self.brushed[number]
-        smudge = min(len(levels) - 1, max(0, round(math.log2(_SMUDGE / texel))))
         for step in np.unique(level):
             some = np.flatnonzero(level == step)
             at, maps_ = here[some], levels[step]
@@ -287,20 +353,19 @@ class _Painter:
         along = unit(along - dot(along, normal) * normal)
         return along, np.cross(normal, along, axis=0)
 
-    def _lit(self, points: _Points, ray: NDArray[Any], top: int, shape: tuple[int, int]) -> Floats:
-        """Return the light from points on rays, of pixels whose first row is `top`."""
-        pixel = ray // 4
+    def _lit(self, points: _Points, pixel: NDArray[Any], top: int, shape: tuple[int, int]) -> Floats:
+        """Return the light from points of pixels whose first row is `top`."""
         order = _order(top + pixel // shape[1], pixel % shape[1])
         first = np.diff(pixel, prepend=-1) > 0
         main, rest = np.flatnonzero(first), np.flatnonzero(~first)
-        mirror, smooth = np.zeros_like(points.at), np.zeros((6, len(ray)), np.float32)
-        few, alone = points.take(main), np.zeros(len(ray), bool)
+        mirror, smooth = np.zeros_like(points.at), np.zeros((6, len(pixel)), np.float32)
+        few, alone = points.take(main), np.zeros(len(pixel), bool)
         mirror[:, main] = self._mirror(few, order[main])
 
         def around(marks: NDArray[np.bool_]) -> NDArray[np.bool_]:
             grid = np.zeros(shape, bool)
             grid.ravel()[pixel[main]] = marks
-            return np.asarray(_widened(grid).ravel()[pixel[main]])
+            return np.asarray(_widened(grid, 2).ravel()[pixel[main]])
 
         light = self._light(few, order[main], around)
         guide, values = self._smoothed(few, pixel[main], shape, light, mirror[:, main])
@@ -348,7 +413,8 @@ class _Painter:
         With a function that spreads a mark to neighbors, points with nothing in the way have one ray.
         """
         lost, shaded = self._lost(points, order, range(1))
-        few = np.arange(len(order)) if around is None else np.flatnonzero(around(shaded))
+        bright = (1.0 - points.metal) * points.color.max(axis=0) * points.shown > _FAINT
+        few = np.flatnonzero(bright if around is None else around(shaded & bright))
         if few.size and self.rounds > 1:
             rounds = self.rounds * (_ALONE_ROUNDS if around is None else 1)
             lost[:, few] += self._lost(points.take(few), order[few], range(1, rounds))[0]
@@ -389,7 +455,7 @@ class _Painter:
         once = self._reflected(some, sky, order[seen])
         # a surface that is neither mirror nor matt shows the noise of few rays most
         blur = _blurred(some.rough)
-        these = np.flatnonzero((blur > 0.0) & ((some.metal > 0.5) | (blur < 1.0)))
+        these = np.flatnonzero((blur > 0.0) & ((some.metal > 0.5) | (blur < 1.0)) & (some.shown > _FAINT))
         if these.size:
             few, above, number = some.take(these), sky[these], order[seen[these]]
             for turn in range(1, self.rounds):
@@ -538,12 +604,12 @@ def _fresnel(rough: Floats, facing: Floats) -> tuple[Floats, Floats]:
     return (-1.04 * first + 1.04 - 0.572 * rough).clip(0.0), (1.04 * first + 0.022 * rough - 0.04).clip(0.0)
 
 
-def _widened(marks: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """Return marks with two neighbors at all sides."""
+def _widened(marks: NDArray[np.bool_], reach: int) -> NDArray[np.bool_]:
+    """Return marks with some neighbors at all sides."""
     wide = marks.copy()
     for grid in (wide, wide.T):
         old = grid.copy()
-        for step in (1, 2):
+        for step in range(1, reach + 1):
             grid[step:] |= old[:-step]
             grid[:-step] |= old[step:]
     return wide
@@ -605,13 +671,12 @@ def _number(order: NDArray[Any], turn: int) -> NDArray[Any]:
     return np.asarray((order - order % 4 + 16 * (turn // 4) + 4 * (turn % 4) + lamp) % POINTS)
 
 
-def _pyramids(material: Material, texels: int) -> tuple[list[Floats], float]:
-    """Return the maps of a material at full and smaller sizes, and the size of a texel [m].
+def _pyramids(material: Material, texels: int) -> tuple[list[Floats], Floats]:
+    """Return the maps of a material at full and smaller sizes, and the shorter sides of their texels [m].
 
     Channels are roughness, two slopes of the relief, the color if it has a map, and the metalness if so.
+    Texels that are longer along the grain become square first.
     """
-    from artgen.materials.textures import tile_of
-
     found = maps(material, texels)
     rough = found.roughness.astype(np.float32)[..., None] / 255.0
     slopes = np.zeros((*rough.shape[:2], 2), np.float32)
@@ -624,24 +689,32 @@ def _pyramids(material: Material, texels: int) -> tuple[list[Floats], float]:
     if found.metalness is not None:
         layers.append(found.metalness.astype(np.float32)[..., None] / 255.0)
     levels = [np.concatenate(layers, axis=-1)]
-    while len(levels[-1]) > 1:
-        large = levels[-1]
-        levels.append((large[::2, ::2] + large[1::2, ::2] + large[::2, 1::2] + large[1::2, 1::2]) / 4.0)
-    return levels, float(max(tile_of(material))) / texels
+    sides = [np.array(tile_of(material)[::-1]) / texels]  # of a texel along the grain and across
+    while min(levels[-1].shape[:2]) > 1:
+        level, side = levels[-1], sides[-1].copy()
+        for axis in (0, 1):
+            if side[axis] < 1.5 * sides[-1].min():
+                halves = (slice(None),) * axis
+                level = (level[(*halves, slice(0, None, 2))] + level[(*halves, slice(1, None, 2))]) * _HALF
+                side[axis] *= 2.0
+        levels.append(level)
+        sides.append(side)
+    return levels, np.min(sides, axis=1).astype(np.float32)
 
 
+_HALF = np.float32(0.5)
 _CODES = np.arange(256) / 255.0
 _LINEAR = np.where(_CODES <= 0.04045, _CODES / 12.92, ((_CODES + 0.055) / 1.055) ** 2.4).astype(np.float32)
 
 
 def _texel(level: Floats, uv: Floats) -> Floats:
     """Return the channels of a map at texture coordinates, interpolated, shape (channels, n)."""
-    size = len(level)
-    x, y = uv[0] * size - 0.5, -uv[1] * size - 0.5
+    height, width = level.shape[:2]
+    x, y = uv[0] * width - 0.5, -uv[1] * height - 0.5
     left, top = np.floor(x), np.floor(y)
     right, down = (x - left)[:, None], (y - top)[:, None]
-    i, j = top.astype(np.int64) % size, left.astype(np.int64) % size
-    k, m = (i + 1) % size, (j + 1) % size
+    i, j = top.astype(np.int64) % height, left.astype(np.int64) % width
+    k, m = (i + 1) % height, (j + 1) % width
     upper = level[i, j] * (1.0 - right) + level[i, m] * right
     lower = level[k, j] * (1.0 - right) + level[k, m] * right
     return np.asarray((upper * (1.0 - down) + lower * down).T, np.float32)

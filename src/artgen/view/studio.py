@@ -21,7 +21,7 @@ from artgen.view.opening import opened
 Floats = NDArray[np.floating[Any]]
 """Vectors are rows of components, shape (3, n)."""
 
-_PAPER = Material("studio_paper", (0.74, 0.74, 0.74), specular_roughness=1.0)
+_PAPER = Material("studio_paper", (0.66, 0.66, 0.66), specular_roughness=1.0)
 _WALL = Material("studio_wall", (0.70, 0.68, 0.64), specular_roughness=0.9)
 _SKIRTING = Material("studio_skirting", (0.80, 0.79, 0.77), specular_roughness=0.4)
 _FLOOR_REACH, _FLOOR_CELLS = 2.4, 40  # finely divided part of a floor, relative to the asset's radius

@@ -18,7 +18,8 @@ from artgen.materials import Material
 from artgen.view.studio import BOXES, POINTS, Backdrop, Floats, dome, lamp_points, light_of, spread
 
 _OFFSET = 2e-4  # start of secondary rays above a surface, relative to the asset's radius
-_RAYS, _MOST_RAYS = 24, 250_000  # rays of a triangle in a pass, and of all triangles
+_RAYS = 200_000  # rays of all triangles, more for larger ones
+_FEWEST, _MOST = 4, 64  # rays of a triangle
 _PASSES = 2  # bounces of the scattered light
 THREADS = 2  # threads of a picture
 _TRACED = 4096  # triangles whose light one of them traces at once
@@ -126,11 +127,12 @@ class World:
         materials: Each material once.
         material: For each triangle the number of its material, shape (m,).
         solid: For each triangle whether it lets no light through, shape (m,); these are the first ones.
+        curvature: For each triangle the most change of its normal, shape (m,) [1/m].
         glow: For each triangle the light that it scatters and emits, shape (m, 3).
     """
 
-    def __init__(self, surfaces: Sequence[tuple[Mesh, Material]], place: Backdrop, rays: int = _RAYS) -> None:
-        """Trace the scattered light with a number of rays for each triangle."""
+    def __init__(self, surfaces: Sequence[tuple[Mesh, Material]], place: Backdrop) -> None:
+        """Trace the scattered light."""
         surfaces = sorted(surfaces, key=lambda each: clear(each[1]))
         self.place = place
         self.materials = list(dict.fromkeys(material for _, material in surfaces))
@@ -152,10 +154,11 @@ class World:
         self.flat = across / np.maximum(size, 1e-30)[:, None]
         self._areas = size / 2.0
         self.tangents = self._tangents(first, second)
+        self.curvature = self._curvature()
         self.offset = np.float32(_OFFSET * place.radius)
         self.all = embree_scene(self.corners)
         self.opaque = self.all if self.solid.all() else embree_scene(self.corners[self.solid])
-        self._scatter(rays)
+        self._scatter()
 
     def _tangents(self, first: Floats, second: Floats) -> Floats:
         """Return the direction of the texture's u axis on each triangle, shape (m, 3)."""
@@ -166,6 +169,12 @@ class World:
         along *= np.where(area < 0.0, -1.0, 1.0)
         length = np.linalg.norm(along, axis=1, keepdims=True)
         return np.asarray(along / np.maximum(length, 1e-30), np.float32)
+
+    def _curvature(self) -> Floats:
+        """Return the most change of the normal along the edges of each triangle, shape (m,) [1/m]."""
+        normals = self._normals[self._vertex]
+        change, long = (np.linalg.norm(each - each[:, [1, 2, 0]], axis=2) for each in (normals, self.corners))
+        return np.asarray((change / np.maximum(long, 1e-9)).max(axis=1), np.float32)
 
     def run(self, scene: Any, origin: Floats, direction: Floats) -> dict[str, NDArray[Any]]:
         """Return the first hits of rays: `primID`, `tfar`, `u` and `v`."""
@@ -229,23 +238,30 @@ class World:
         """Return the light that arrives at surfaces at hits: radiance of white paper there."""
         return self.at_hits(self._vertex_light, triangle, u, v)
 
-    def _scatter(self, rays: int) -> None:
+    def _scatter(self) -> None:
         """Trace the light that each triangle scatters."""
         count = len(self.corners)
-        rays = max(12, min(rays, _MOST_RAYS // count))
+        size = np.sqrt(self._areas)
+        # each lamp has as many of them
+        rays = 4 * np.rint(np.clip(_RAYS * size / size.sum(), _FEWEST, _MOST) / 4.0).astype(int)
+        starts = np.cumsum(rays) - rays
         color = np.array([each.base_color for each in self.materials], np.float32)
         # metal and glass scatter little, but what they mirror lights others as well
         emitted = np.array([each.emission for each in self.materials], np.float32)[self.material]
         albedo = color[self.material]
         with ThreadPoolExecutor(THREADS) as pool:
-            traced = list(pool.map(lambda first: self._arriving(first, rays), range(0, count, _TRACED)))
+            traced = list(
+                pool.map(
+                    lambda first: self._arriving(first, rays[first:][:_TRACED]), range(0, count, _TRACED)
+                )
+            )
         found, direct = (np.concatenate(each) for each in zip(*traced, strict=True))
         light = np.repeat(direct[:, None], 3, axis=1)
         arriving = light
         for _ in range(_PASSES):
             scattered = albedo * arriving + emitted
-            gathered = np.where(found[:, None] >= 0, scattered[found], 0.0).reshape(count, rays, 3)
-            arriving = light + gathered.mean(axis=1)
+            gathered = np.where(found[:, None] >= 0, scattered[found], np.float32(0.0))
+            arriving = light + np.add.reduceat(gathered, starts) / rays[:, None]
         weights = np.repeat(self._areas, 3)
         total = np.bincount(self._vertex.ravel(), weights, len(self._normals))
         smooth = [
@@ -260,10 +276,11 @@ class World:
         self._vertex_glow = np.asarray(color[of_vertex] * vertex + glowing, np.float32)
         self.glow = np.asarray(self._vertex_glow[self._vertex].mean(axis=1), np.float32)
 
-    def _arriving(self, first: int, rays: int) -> tuple[NDArray[Any], Floats]:
+    def _arriving(self, first: int, rays: NDArray[Any]) -> tuple[NDArray[Any], Floats]:
         """Return what rays from some triangles meet, -1 for the studio, and the light from outside."""
-        triangle = np.repeat(np.arange(first, min(first + _TRACED, len(self.corners))), rays)
-        number = (np.arange(len(triangle)) % rays + 37 * triangle) % POINTS
+        triangle = np.repeat(first + np.arange(len(rays)), rays)
+        starts = np.cumsum(rays) - rays
+        number = (np.arange(len(triangle)) - np.repeat(starts, rays) + 37 * triangle) % POINTS
         across, along = spread(POINTS)[:, number].astype(np.float32)
         a, b = np.sqrt(across), np.sqrt(across) * along
         corner = self.corners[triangle]
@@ -276,7 +293,7 @@ class World:
         lamps = self.lamp_light(origin, normal)
         direct = np.where(found < 0, dome(path[2]), 0.0) + lamps.sum(axis=0)
         direct -= self.hidden(origin, normal, lamps, number)
-        return found, direct.reshape(-1, rays).mean(axis=1).astype(np.float32)
+        return found, (np.add.reduceat(direct, starts) / rays).astype(np.float32)
 
 
 def clear(material: Material) -> bool:
