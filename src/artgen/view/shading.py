@@ -182,8 +182,8 @@ class _Painter:
         few = self._visible(np.repeat(np.arange(count), _FEW), np.tile(np.arange(_FEW), count), rows[0])
         marks = np.zeros(shape, bool)
         plain = few.through.max(axis=0) > _DIM
-        for number, hits in enumerate(few.layers):
-            marks.ravel()[self._edges(hits.take(plain[hits.ray]) if number else hits)] = True
+        for layer, hits in enumerate(few.layers):
+            marks.ravel()[self._edges(hits.take(plain[hits.ray]) if layer else hits)] = True
         edges = np.flatnonzero(_widened(marks, 1))
         more = self._visible(
             np.repeat(edges, _ALL - _FEW), np.tile(np.arange(_FEW, _ALL), len(edges)), rows[0]
