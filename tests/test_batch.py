@@ -54,6 +54,20 @@ def test_models_for_mjlab_have_one_structure(doors) -> None:
     assert first.neq > min(followers)  # couplings of the other door are there, but hold nothing
 
 
+def test_colliders_that_are_spare_in_all_assets_are_left_out(doors) -> None:
+    topology = Topology.of(doors)
+    models = [
+        [spec.compile() for spec in batch.specs(list(map(each.pad, doors)))]
+        for each in (topology, topology.with_room(0.5))
+    ]
+    for wanted, model in zip(*models, strict=True):
+        assert model.ngeom == wanted.ngeom == topology.size[1]
+        assert (model.geom_margin == wanted.geom_margin).all()
+        assert np.abs(model.geom_pos - wanted.geom_pos)[wanted.geom_margin == 0.0].max() == 0.0
+    used = np.any([model.geom_margin == 0.0 for model in models[1]], axis=0)
+    assert used.all()
+
+
 def test_couplings_in_a_batch_are_those_of_the_plain_asset(doors) -> None:
     specs = batch.specs(list(map(Topology.of(doors).pad, doors)))
     for door, model in zip(doors, (spec.compile() for spec in specs), strict=True):
@@ -81,6 +95,10 @@ def test_worlds_of_mujoco_warp_step_like_mujoco() -> None:
 
     worlds = batch.mujoco_warp("drawer", [0, 1], 3, certify=False, nconmax=32, njmax=128)
     assert worlds.of.tolist() == [0, 1, 0]
+    pairs = worlds.model.nxn_geom_pair_filtered.numpy()
+    own = np.stack([each.geom_margin == 0.0 for each in worlds.compiled])
+    assert own[:, pairs].all(axis=2).any(axis=0).all(), "a pair that touches in no world is tested"
+    assert len(pairs) < own.shape[1] ** 2 / 4
     data = [mujoco.MjData(worlds.compiled[number]) for number in worlds.of]
     force = np.zeros((3, worlds.compiled[0].nv))
     force[:, 0] = 40.0

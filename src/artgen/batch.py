@@ -5,6 +5,7 @@ which assets an engine can put into one batch, `mjlab` and `mujoco_warp` hand as
 """
 
 import dataclasses
+import itertools
 from collections.abc import Hashable, Iterable, Sequence
 from typing import TYPE_CHECKING, Any, Literal, get_args
 
@@ -14,10 +15,11 @@ from numpy.typing import NDArray
 from artgen._arrays import cached_property
 from artgen._names import ByName
 from artgen.asset import Asset
-from artgen.asset.link import DerivedLink, Surface
+from artgen.asset.link import Collider, DerivedLink, Surface
 from artgen.catalog import generate
 from artgen.errors import ExportError, ParameterError
 from artgen.export.frames import coupling
+from artgen.export.mjcf import OFF
 from artgen.generator import Generator
 
 if TYPE_CHECKING:
@@ -78,8 +80,9 @@ def _structure(asset: Asset) -> Hashable:
 def mjlab(category: str | Generator, seeds: Iterable[int], **options: Any) -> "list[mujoco.MjSpec]":
     """Return editable models of MuJoCo with one structure, for the variants of an entity of mjlab.
 
-    They have the colliders of the assets, without visual surfaces, grasps and keyframes. A joint without
-    limits has a range of 1e6 to either side, and couplings of other assets are there but not active.
+    They have the colliders of the assets, without visual surfaces, grasps, keyframes, and colliders that are
+    spare in all of the assets. A joint without limits has a range of 1e6 to either side, and couplings of
+    other assets are there but not active.
 
     Args:
         category: Name of a category, or a generator.
@@ -112,7 +115,14 @@ def specs(assets: Sequence[Asset]) -> "list[mujoco.MjSpec]":
         for joint in asset.joints
         if not joint.locked and (law := coupling(asset, joint)) is not None
     )
-    return [_spec(asset, list(couplings)) for asset in assets]
+    needed = [
+        tuple(
+            any(not each.spare for each in same)
+            for same in zip(*(link.colliders for link in links), strict=True)
+        )
+        for links in zip(*(asset.links for asset in assets), strict=True)
+    ]
+    return [_spec(asset, list(couplings), needed) for asset in assets]
 
 
 def _generated(category: str | Generator, seeds: Iterable[int], options: dict[str, Any]) -> list[Asset]:
@@ -122,8 +132,16 @@ def _generated(category: str | Generator, seeds: Iterable[int], options: dict[st
     return assets
 
 
+@dataclasses.dataclass(frozen=True, eq=False)
 class _BareLink(DerivedLink):
-    """A link without visual surfaces."""
+    """A link without visual surfaces, and with colliders that some asset of the batch needs."""
+
+    needed: tuple[bool, ...] = dataclasses.field(kw_only=True)  # for each collider
+
+    @cached_property
+    def colliders(self) -> tuple[Collider, ...]:
+        """The needed ones."""
+        return tuple(itertools.compress(self.source.colliders, self.needed))
 
     @cached_property
     def surfaces(self) -> tuple[Surface, ...]:
@@ -131,9 +149,14 @@ class _BareLink(DerivedLink):
         return ()
 
 
-def _spec(asset: Asset, couplings: Sequence[tuple[str, str]]) -> "mujoco.MjSpec":
+def _spec(
+    asset: Asset, couplings: Sequence[tuple[str, str]], needed: Sequence[tuple[bool, ...]]
+) -> "mujoco.MjSpec":
     """Return the model of an asset with the couplings of all assets, those of others not active."""
-    links = [_BareLink.of(link, grasps=(), pushes=()) for link in asset.links]
+    links = [
+        _BareLink.of(link, grasps=(), pushes=(), needed=each)
+        for link, each in zip(asset.links, needed, strict=True)
+    ]
     spec = dataclasses.replace(asset, links=ByName(links)).to_mjspec(textures=0)
     import mujoco
 
@@ -278,6 +301,11 @@ def joined(mujoco_model: Any, models: Sequence[Any], of: Sequence[int]) -> Any:
         of_mesh = values["geom_dataid"][number]
         values["geom_dataid"][number] = np.where(of_mesh >= 0, of_mesh + meshes, of_mesh)
         meshes += model.nmesh
+    spare = np.stack(values["geom_margin"]) == OFF
+    # the test of the broad phase for balls adds radii and margins: so it rejects most pairs at once
+    values["geom_rbound"] = [
+        np.where(own, -OFF, each) for own, each in zip(spare, values["geom_rbound"], strict=True)
+    ]
     differ = {name for name, each in values.items() if any((one != each[0]).any() for one in each)}
     result = mujoco_warp.put_model(mujoco_model, batch_sizes=dict.fromkeys(differ, len(of)))
     for name in differ:
@@ -292,6 +320,11 @@ def joined(mujoco_model: Any, models: Sequence[Any], of: Sequence[int]) -> Any:
             grown += len(getattr(model, _ADDRESSES[name])) if name in _ADDRESSES else 0
         old = getattr(result, name)
         setattr(result, name, warp.array(np.concatenate(parts), dtype=old.dtype, device=old.device))
+    pairs = result.nxn_geom_pair_filtered.numpy()
+    used = (~spare[:, pairs]).all(axis=2).any(axis=0) | (result.nxn_pairid_filtered.numpy() >= 0).any(axis=1)
+    for name in ("nxn_geom_pair_filtered", "nxn_pairid_filtered"):
+        old = getattr(result, name)
+        setattr(result, name, warp.array(old.numpy()[used], dtype=old.dtype, device=old.device))
     simple = np.min([getattr(model, _SIMPLE).numpy() for model in models], axis=0)
     getattr(result, _SIMPLE).assign(simple)
     for field in dataclasses.fields(result):
