@@ -215,6 +215,21 @@ def test_generate_pads_with_the_recorded_topology() -> None:
         ag.generate("drawer", topology="equal")
 
 
+@pytest.mark.parametrize("category", ag.catalog.categories())
+def test_every_category_has_a_recorded_topology_that_holds_its_first_seed(category) -> None:
+    topology = Topology.load(ag.catalog.find(category).topology_file)
+    asset = ag.generate(category, seed=0, certify=False)
+    assert set(topology.places(asset)) == set(asset.links.names)
+    assert topology.slots[0].parent == ""
+
+
+# of the seeds that exceeded the first recorded topology, which were made of seeds 0 to 92
+@pytest.mark.parametrize(("category", "seed"), [("drawer", 175), ("drawer", 970)])
+def test_recorded_topologies_hold_large_assets(category, seed) -> None:
+    topology = Topology.load(ag.catalog.find(category).topology_file)
+    assert topology.pad(ag.generate(category, seed=seed, certify=False)).originals
+
+
 def test_assets_of_low_detail_share_the_recorded_topology(tmp_path) -> None:
     first, second = (
         ag.generate("drawer", seed=seed, topology="fixed", detail="low", certify=False) for seed in (0, 1)
