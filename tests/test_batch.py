@@ -1,10 +1,13 @@
 """Batches: assets of one topology share one model, and engines get what they ask for."""
 
 import importlib.util
+import sys
+import types
 
 import mujoco
 import numpy as np
 import pytest
+from pxr import Usd
 
 import artgen as ag
 from artgen import batch
@@ -111,3 +114,37 @@ def test_worlds_of_mujoco_warp_step_like_mujoco() -> None:
     wanted = np.stack([each.qpos for each in data])
     assert np.abs(worlds.data.qpos.numpy() - wanted).max() < 1e-5
     assert np.abs(wanted[:, 0]).min() > 1e-3
+
+
+def test_usd_files_of_a_batch_differ_only_in_what_is_seen(tmp_path) -> None:
+    prims = []
+    for path in batch.usd("drawer", [0, 1], tmp_path, textures=0, certify=False):
+        stage = Usd.Stage.Open(str(path))
+        root = stage.GetDefaultPrim().GetPath()
+        prims.append(
+            {
+                name: (prim.GetTypeName(), prim.GetAppliedSchemas())
+                for prim in stage.Traverse()
+                if not {"visuals", "looks"}
+                & set((name := str(prim.GetPath().MakeRelativePath(root))).split("/"))
+            }
+        )
+    first, second = prims
+    assert first == second
+    kinds = {schema for _, schemas in first.values() for schema in schemas}
+    assert {"PhysicsRigidBodyAPI", "PhysicsCollisionAPI"} <= kinds
+    assert sum(kind == "PhysicsPrismaticJoint" for kind, _ in first.values()) == 15
+
+
+def test_a_spawner_of_isaac_lab_gives_the_files_in_turn(tmp_path, monkeypatch) -> None:
+    if importlib.util.find_spec("isaaclab") is None:
+        with pytest.raises(ExportError, match=r"cannot be loaded .*: pip install 'isaaclab"):
+            batch.isaaclab("cabinet", [0], tmp_path)
+        assert not list(tmp_path.iterdir())  # it is said before anything is made
+    made = types.ModuleType("isaaclab.sim")
+    made.MultiUsdFileCfg = types.SimpleNamespace  # type: ignore[attr-defined]
+    monkeypatch.setitem(sys.modules, "isaaclab", types.ModuleType("isaaclab"))
+    monkeypatch.setitem(sys.modules, "isaaclab.sim", made)
+    found = batch.isaaclab("cabinet", [1, 0], tmp_path, textures=0, certify=False)
+    assert found.usd_path == [str(tmp_path / name / f"{name}.usda") for name in ("cabinet_1", "cabinet_0")]
+    assert found.random_choice is False

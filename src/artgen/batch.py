@@ -1,12 +1,14 @@
 """Batches: many different assets in the worlds of one simulation.
 
 The worlds of a batch share links, joints and colliders; `topology="fixed"` makes assets so. `groups` tells
-which assets an engine can put into one batch, `mjlab` and `mujoco_warp` hand assets over to these engines.
+which assets an engine can put into one batch; `mjlab`, `mujoco_warp` and `isaaclab` hand assets over to these
+engines.
 """
 
 import dataclasses
 import itertools
 from collections.abc import Hashable, Iterable, Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, get_args
 
 import numpy as np
@@ -103,12 +105,7 @@ def specs(assets: Sequence[Asset]) -> "list[mujoco.MjSpec]":
     Raises:
         ParameterError: The assets do not share a structure.
     """
-    found = groups(assets, "mujoco_warp")
-    if len(found) != 1:
-        raise ParameterError(
-            f"{len(assets)} assets have {len(found)} structures and cannot share a batch; generate them with "
-            "topology='fixed', or pad them with Topology.of(assets).pad"
-        )
+    _check_shared(assets, "mujoco_warp")
     couplings = dict.fromkeys(
         (joint.name, law.leader)
         for asset in assets
@@ -123,6 +120,81 @@ def specs(assets: Sequence[Asset]) -> "list[mujoco.MjSpec]":
         for links in zip(*(asset.links for asset in assets), strict=True)
     ]
     return [_spec(asset, list(couplings), needed) for asset in assets]
+
+
+def _check_shared(assets: Sequence[Asset], rule: Rule) -> None:
+    found = groups(assets, rule)
+    if len(found) != 1:
+        raise ParameterError(
+            f"{len(assets)} assets have {len(found)} structures and cannot share a batch; generate them with "
+            "topology='fixed', or pad them with Topology.of(assets).pad"
+        )
+
+
+def usd(
+    category: str | Generator,
+    seeds: Iterable[int],
+    folder: str | Path,
+    *,
+    textures: int = 512,
+    **options: Any,
+) -> list[Path]:
+    """Write a USD file for each seed, in which links, joints and colliders have equal paths and schemas.
+
+    The paths are equal below the default prims. Visual surfaces and materials differ.
+
+    Args:
+        category: Name of a category, or a generator.
+        seeds: Seeds of the assets.
+        folder: Folder for a folder of each asset.
+        textures: Width of material maps in pixels; 0 writes none.
+        **options: Options of `generate`; `topology` is "fixed" by default.
+
+    Raises:
+        AssetError: A seed does not fit the topology.
+        ParameterError: There are no seeds, an option is not allowed, or the assets do not share a structure.
+    """
+    assets = _generated(category, seeds, options)
+    _check_shared(assets, "isaaclab")
+    folders = [each.export(Path(folder) / each.name, formats=("usd",), textures=textures) for each in assets]
+    return [place / f"{each.name}.usda" for place, each in zip(folders, assets, strict=True)]
+
+
+def isaaclab(
+    category: str | Generator,
+    seeds: Iterable[int],
+    folder: str | Path,
+    *,
+    textures: int = 512,
+    **options: Any,
+) -> Any:
+    """Return a spawner of Isaac Lab that gives worlds the assets of seeds in turn, a `MultiUsdFileCfg`.
+
+    It reads the files of `usd`, which are written first. Use it as `spawn` of an `ArticulationCfg`, in a
+    scene with `replicate_physics=False`.
+
+    Args:
+        category: Name of a category, or a generator.
+        seeds: Seeds of the assets.
+        folder: Folder for a folder of each asset.
+        textures: Width of material maps in pixels; 0 writes none.
+        **options: Options of `generate`; `topology` is "fixed" by default.
+
+    Raises:
+        AssetError: A seed does not fit the topology.
+        ExportError: Isaac Lab cannot be loaded.
+        ParameterError: There are no seeds, an option is not allowed, or the assets do not share a structure.
+    """
+    try:
+        from isaaclab.sim import MultiUsdFileCfg
+    except ImportError as error:
+        raise ExportError(
+            f"a spawner of Isaac Lab needs isaaclab, which cannot be loaded ({error}): pip install 'isaaclab"
+            "[isaacsim]' --extra-index-url https://pypi.nvidia.com, and start its AppLauncher first; "
+            "`usd` writes the files without it"
+        ) from error
+    paths = usd(category, seeds, folder, textures=textures, **options)
+    return MultiUsdFileCfg(usd_path=[str(each.resolve()) for each in paths], random_choice=False)
 
 
 def _generated(category: str | Generator, seeds: Iterable[int], options: dict[str, Any]) -> list[Asset]:
@@ -311,15 +383,7 @@ def joined(mujoco_model: Any, models: Sequence[Any], of: Sequence[int]) -> Any:
     for name in differ:
         array = getattr(result, name)
         array.assign(np.stack([values[name][number] for number in of]).astype(array.numpy().dtype))
-    names = [field.name for field in dataclasses.fields(result) if field.name.startswith("mesh_")]
-    for name in names:
-        parts, grown = [], 0
-        for model in models:
-            part = getattr(model, name).numpy()
-            parts.append(np.where(part >= 0, part + grown, part) if name in _ADDRESSES else part)
-            grown += len(getattr(model, _ADDRESSES[name])) if name in _ADDRESSES else 0
-        old = getattr(result, name)
-        setattr(result, name, warp.array(np.concatenate(parts), dtype=old.dtype, device=old.device))
+    _join_meshes(result, models)
     pairs = result.nxn_geom_pair_filtered.numpy()
     used = (~spare[:, pairs]).all(axis=2).any(axis=0) | (result.nxn_pairid_filtered.numpy() >= 0).any(axis=1)
     for name in ("nxn_geom_pair_filtered", "nxn_pairid_filtered"):
@@ -332,6 +396,21 @@ def joined(mujoco_model: Any, models: Sequence[Any], of: Sequence[int]) -> Any:
             combine = max if field.name.endswith("max") else sum
             setattr(result, field.name, combine(getattr(model, field.name) for model in models))
     return result
+
+
+def _join_meshes(result: Any, models: Sequence[Any]) -> None:
+    """Give a model the meshes of all models."""
+    import warp
+
+    names = [field.name for field in dataclasses.fields(result) if field.name.startswith("mesh_")]
+    for name in names:
+        parts, grown = [], 0
+        for model in models:
+            part = getattr(model, name).numpy()
+            parts.append(np.where(part >= 0, part + grown, part) if name in _ADDRESSES else part)
+            grown += len(getattr(model, _ADDRESSES[name])) if name in _ADDRESSES else 0
+        old = getattr(result, name)
+        setattr(result, name, warp.array(np.concatenate(parts), dtype=old.dtype, device=old.device))
 
 
 def _batched(model: Any) -> list[str]:
