@@ -1,16 +1,21 @@
 """Scenes: assets at places that follow from relations, and a proof over the joints of all of them."""
 
 import math
+import xml.etree.ElementTree as ET
 from collections.abc import Callable
 from dataclasses import replace
+from pathlib import Path
+from typing import Any
 
 import mujoco
 import numpy as np
 import pytest
+from pxr import Usd, UsdPhysics
 
 from artgen._names import ByName
 from artgen.asset import Asset
 from artgen.errors import AssetError, ParameterError
+from artgen.materials import colored
 from artgen.proof.certify import certify
 from artgen.scene import ROOMS, Scene, kitchen
 from artgen.scene.room import GAP, STANDING
@@ -139,3 +144,91 @@ def test_a_kitchen_is_proven() -> None:
     assert {"refrigerator_body", "oven_body", "dishwasher_body", "window_frame", "door_frame"} <= {
         link.name for link in room.links
     }
+
+
+@pytest.fixture(scope="module")
+def loose() -> Asset:
+    """A chest with a mill on it and pliers in its drawer, both free bodies."""
+    room = Scene("loose", seed=5, width=1.6, depth=1.4, detail="low")
+    chest = room.against("back", "drawer", at=0.5, **SMALL)
+    room.on(chest, "pepper_grinder", deep=0.5, turn=0.3, free=True)
+    room.inside(chest, "drawer_0", "plier", turn=0.2)
+    return room.build()
+
+
+def test_a_free_body_stands_still_and_moves_with_its_drawer(loose: Asset) -> None:
+    assert loose.loose == ("pepper_grinder_body", "plier_body")
+    assert loose.joints["plier_place"].parent == "drawer_drawer_0"
+    spec = loose.to_mjspec(textures=0)
+    model = spec.compile()
+    data = mujoco.MjData(model)
+    assert model.nq == len(loose.free_joints) + 2 * 7
+
+    def place(name: str) -> np.ndarray:
+        return data.body(name).xpos.copy()
+
+    mujoco.mj_forward(model, data)
+    before = {name: place(name) for name in loose.loose}
+    for _ in range(int(1.0 / model.opt.timestep)):
+        mujoco.mj_step(model, data)
+    assert all(np.abs(place(name) - start).max() < 0.005 for name, start in before.items())
+    slide = loose.joints["drawer_drawer_slide_0"]
+    number = model.joint(slide.name).dofadr[0]
+    for _ in range(int(1.5 / model.opt.timestep)):
+        data.qfrc_applied[number] = 20.0 if data.joint(slide.name).qpos[0] < 0.12 else 0.0
+        mujoco.mj_step(model, data)
+    moved = place("plier_body") - before["plier_body"]
+    assert moved[1] < -0.08, "the pliers stay behind when the drawer opens"
+    assert abs(moved[2]) < 0.01
+
+
+def test_free_bodies_are_stored_and_are_bodies_of_their_own_in_usd(loose: Asset, tmp_path: Path) -> None:
+    directory = loose.export(tmp_path / "loose", formats=("mjcf", "usd", "urdf"), textures=0)
+    assert Asset.load(directory).loose == loose.loose
+    stage = Usd.Stage.Open(str(directory / "loose.usda"))
+    moved = {
+        str(path)
+        for prim in stage.Traverse()
+        if prim.IsA(UsdPhysics.Joint)
+        for path in UsdPhysics.Joint(prim).GetBody1Rel().GetTargets()
+    }
+    assert "/loose/drawer_drawer_0" in moved
+    assert not {"/loose/pepper_grinder_body", "/loose/plier_body"} & moved
+    for name in loose.loose:
+        assert stage.GetPrimAtPath(f"/loose/{name}").HasAPI(UsdPhysics.RigidBodyAPI)
+    assert not stage.GetPrimAtPath("/loose").HasAPI(UsdPhysics.ArticulationRootAPI)
+    root = ET.parse(directory / "loose.urdf").getroot()
+    assert root.find("joint[@name='plier_place']").get("type") == "fixed"  # type: ignore[union-attr]
+
+
+def test_what_would_tip_over_or_does_not_fit_is_refused() -> None:
+    room = Scene("full", seed=1, width=1.6, depth=1.4, detail="low")
+    chest = room.against("back", "drawer", at=0.5, **SMALL)
+    with pytest.raises(ParameterError, match=r"does not fit into 'drawer_0' of 'drawer'"):
+        room.inside(chest, "drawer_0", "toaster")
+    room.against("left", "drawer", at=0.2, **SMALL)
+    room.slab("board", (-0.3, -0.4, 0.2), (0.3, 0.0, 0.25), colored("painted_wood", "white"))
+    with pytest.raises(AssetError, match="overlap; place them farther apart"):
+        room.build()
+
+
+@pytest.mark.parametrize(
+    ("layout", "size", "message"),
+    [
+        ("galley", {"width": 2.0}, "is too narrow for layout=galley: between its rows, 0."),
+        ("island", {"depth": 2.6}, "is too shallow for an island: 0."),
+        ("l", {"depth": 2.0}, "is too small for layout=l: beside "),
+        ("round", {}, "layout = 'round' is not allowed: it must be one of one_wall, galley, l, u, island"),
+    ],
+)
+def test_a_layout_that_does_not_fit_says_what_is_missing(
+    layout: Any, size: dict[str, float], message: str
+) -> None:
+    with pytest.raises(ParameterError) as error:
+        kitchen(0, layout=layout, detail="low", **size)
+    assert message in str(error.value)
+
+
+def test_a_small_room_says_what_is_missing() -> None:
+    with pytest.raises(ParameterError, match=r"a bathroom is at least 2.3 m wide: 0.300 m are missing"):
+        ROOMS["bathroom"](0, width=2.0)

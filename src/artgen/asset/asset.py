@@ -126,6 +126,8 @@ class Asset:
         originals: Original name of each link and joint of a padded asset, by its name; without those that
             fill empty slots. Empty for other assets, see `artgen.topology`.
         detail: Level of detail of its solids.
+        loose: Names of links that are free bodies in simulation, with all that hangs on them: a locked joint
+            holds them at rest, and the proof is for that place.
     """
 
     name: str
@@ -142,6 +144,7 @@ class Asset:
     limits: Limits = "full"
     originals: Mapping[str, str] = field(default_factory=dict)
     detail: DetailName = "full"
+    loose: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         """Let links and joints be read by name."""
@@ -457,6 +460,7 @@ class Asset:
             "affordances": [affordance_data(each, asset) for each in asset.affordances],
             "contacts": plain(asset.contacts),
             **({"originals": dict(self.originals)} if self.originals else {}),
+            **({"loose": list(self.loose)} if self.loose else {}),
             "certificate": None if certificate is None else rounded(certificate.to_data()),
         }
 

@@ -111,6 +111,7 @@ class _Asset(TypedDict):
     joints: tuple[AssetJoint, ...]
     contacts: NotRequired[tuple[AllowedContact, ...]]
     originals: NotRequired[Mapping[str, str]]
+    loose: NotRequired[tuple[str, ...]]
     certificate: NotRequired[Certificate | None]
     layout: NotRequired[str]
     formats: NotRequired[Mapping[str, _Files]]
@@ -278,6 +279,7 @@ def _asset(form: _Asset, data: Mapping[str, Any], directory: Path) -> Asset:
         parameters=data["parameters"],
         contacts=contacts,
         originals=form.get("originals", {}),
+        loose=form.get("loose", ()),
         **{name: data[name] for name in (*PLAIN, "detail") if name in data},
     )
     # preset the cached property: otherwise it would be derived from the surfaces

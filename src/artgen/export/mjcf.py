@@ -11,6 +11,7 @@ couplings and dependencies of the joints, which `artgen.asset.valid_states` read
 """
 
 import xml.etree.ElementTree as ET
+from dataclasses import replace
 
 import numpy as np
 
@@ -63,10 +64,11 @@ def write_mjcf(asset: Asset, textures: int = 0) -> Written:
 def mjcf_losses(asset: Asset, textures: int) -> tuple[Loss, ...]:
     """Return the losses of MJCF for an asset with a size of maps."""
     locked = "no joint: the body is fixed to its parent where the joint holds it"
+    held = [joint.name for joint in asset.joints if joint.locked and joint.child not in asset.loose]
     coats = [material.name for material in seen_materials(asset) if material.coat_weight]
     return losses(
         ("joint velocity limit", [joint.name for joint in asset.joints if not joint.locked], "nothing"),
-        ("locked joint", [joint.name for joint in asset.joints if joint.locked], locked),
+        ("locked joint", held, locked),
         *mechanism_rows(asset),
         *look_rows(asset, textures),
         ("coat", coats, "the highlight of the coat, in the classic renderer"),
@@ -82,9 +84,12 @@ def mjcf_tree(asset: Asset, meshes: MeshFiles) -> ET.Element:
     _add_assets(root, asset, meshes)
     world = add(root, "worldbody")
     elements: dict[str, ET.Element] = {}
-    for frame in frames.bodies(asset):
-        parent = elements[frame.parent] if frame.parent else world
-        elements[frame.link.name] = _add_body(parent, asset, frame, meshes)
+    rest = dict(zip(asset.links.by_name, asset.fk(_closed(asset)), strict=True)) if asset.loose else {}
+    for each in frames.bodies(asset):
+        name, frame = each.link.name, each
+        if name in asset.loose:
+            frame = replace(each, parent="", placement=rest[name])
+        elements[name] = _add_body(elements[frame.parent] if frame.parent else world, asset, frame, meshes)
     _add_couplings(root, asset)
     _add_custom(root, asset)
     return root
@@ -164,7 +169,9 @@ def _add_body(parent: ET.Element, asset: Asset, frame: frames.BodyFrame, meshes:
     body = add(parent, "body", name=link.name, **_placed(frame.placement))
     if not frame.parent:
         body.set("childclass", asset.name)
-        if asset.base == "free":
+        if link.name in asset.loose:
+            add(body, "freejoint", name=f"{link.name}_free")
+        elif asset.base == "free":
             add(body, "freejoint", name=f"{asset.name}_free")
     mass, center, inertia = frames.mass_in_frame(asset, link)
     six = inertia[[0, 1, 2, 0, 0, 1], [0, 1, 2, 1, 2, 2]]
@@ -255,19 +262,34 @@ def _add_keyframes(root: ET.Element, asset: Asset) -> None:
     states = asset.valid_states
     if not states.dofs:
         return
-    closed = [asset.positions()[name] for name in states.dofs]
     far = np.where(abs(states.upper) >= abs(states.lower), states.upper, states.lower)
     rows: dict[str, Array] = {
-        "closed": np.array(closed),
+        "closed": _closed(asset),
         "open": states.project(np.where(np.isfinite(far), far, 0.0)),
     }
     rows |= {f"state_{number}": row for number, row in enumerate(asset.sample_states(_KEYFRAMES))}
     keyframe = add(root, "keyframe")
-    order = [each.attrib["name"] for each in root.iter("joint") if each.get("type")]
-    free = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0] if asset.base == "free" else []
+    loose = {f"{name}_free": number for number, name in enumerate(asset.links.by_name) if name in asset.loose}
+    order = [
+        each.attrib["name"]
+        for each in root.iter()
+        if each.tag == "freejoint" or (each.tag == "joint" and each.get("type"))
+    ]
     for name, row in rows.items():
-        found = dict(zip(states.joints, states.positions(row), strict=True))
-        add(keyframe, "key", name=f"{asset.name}_{name}", qpos=[*free, *(found[each] for each in order)])
+        found: dict[str, list[float]] = {
+            joint: [position] for joint, position in zip(states.joints, states.positions(row), strict=True)
+        }
+        found[f"{asset.name}_free"] = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0]
+        poses = asset.fk(row) if loose else ()
+        found |= {joint: [*poses[at][:3, 3], *frames.quaternion(poses[at])] for joint, at in loose.items()}
+        numbers = [number for each in order for number in found[each]]
+        add(keyframe, "key", name=f"{asset.name}_{name}", qpos=numbers)
+
+
+def _closed(asset: Asset) -> Array:
+    """Return the state in which every joint is as near to 0 as its limits allow, shape (dof,)."""
+    positions = asset.positions()
+    return np.array([positions[name] for name in asset.valid_states.dofs])
 
 
 def _placed(matrix: Array) -> dict[str, Array | None]:

@@ -232,6 +232,7 @@ def _losses(
         *material_rows(asset),
         ("color beside a color map", mapped, color),
         *look_rows(asset, textures),
+        ("free body", asset.loose, "a fixed joint to the link that carries it"),
         ("semantic labels", [link.name for link in asset.links], "nothing; they are in asset.json"),
     )
 

@@ -1,151 +1,438 @@
-"""Kitchens: base units under one worktop, appliances, wall units, a door and a window, in one style."""
+"""Kitchens: rows of base units under worktops with appliances, a sink and a hood, and wall units above."""
 
-from typing import Any
+import math
+from dataclasses import dataclass, field, replace
+from typing import Any, Literal, get_args
 
 import numpy as np
 
-from artgen._arrays import Array
 from artgen.asset import Asset
 from artgen.asset.asset import DetailName
-from artgen.errors import AssetError, ParameterError
-from artgen.materials import Material, material
-from artgen.scene.room import GAP, Placement, Scene
+from artgen.categories.cooktop.case import THICK as PLATES
+from artgen.errors import ParameterError
+from artgen.nodes.region import Region
+from artgen.scene import fixtures
+from artgen.scene.furnish import (
+    DEEP,
+    DOORWAY,
+    FACE,
+    FRONT,
+    KICK,
+    PLINTH,
+    SETBACK,
+    Furnisher,
+    Span,
+    drawn,
+    width_of,
+)
+from artgen.scene.room import GAP, STANDING, Line, Wall
 
-_UNDER = 0.86  # height of base units and dishwashers, below the worktop [m]
-_THICK = 0.035  # of the worktop [m]
-_DEEP = 0.56  # of the carcass of base units [m]
-_OVERHANG = 0.02  # of the worktop over the carcass [m]
-_ABOVE = 1.45  # bottom of the wall units [m]
-_MARGIN = 0.05  # filler between a run and a side wall, which lets doors open [m]
-_UNIT = 0.4  # least width of a base unit [m]
-_NARROWEST, _WIDEST = 3.0, 4.8  # widths of the room [m]
-_ATTEMPTS = 8  # draws before a kitchen counts as infeasible
-_WORKTOPS = ("granite", "black_granite", "marble", "oak", "walnut", "beech")
-_GRIPS = ("bar", "bar", "knob", "cup")  # handles that doors and drawers have
-_FLOORS = ("oak", "oak_flat_sawn", "ash", "granite", "walnut")
+Layout = Literal["one_wall", "galley", "l", "u", "island"]
+"""Rows of units: along the back wall, along both side walls, round one or two corners, or with an island."""
+
+_BOARD = 0.018  # thickness of the boards of a housing [m]
+_BAR = 0.25  # of the worktop of an island over its back [m]
+_SHALLOW = 0.33  # of the carcass of wall units [m]
+_MARGIN = 0.05  # filler between a row and a wall, which lets doors open [m]
+_NEAR = 0.08  # distance from a wall within which a row ends with a filler [m]
+_CORNER = 0.95  # of each wall that a corner unit takes [m]
+_WALL_CORNER = 0.62  # of each wall that a wall unit in a corner takes [m]
+_POST = 0.015  # on both sides of a corner unit, so that its door clears those beside it [m]
+_NARROW, _UNIT, _WIDE = 0.4, 0.58, 0.9  # least, usual and greatest width of a unit [m]
+_SINK = 0.6  # least width of a sink unit [m]
+_ABOVE, _HUNG = 1.45, 0.72  # bottom and height of the wall units [m]
+_AISLE = 1.15  # least width between two rows [m]
+_SPANS: dict[Layout, tuple[Span, Span]] = {
+    "one_wall": ((3.0, 4.6), (2.4, 3.0)),
+    "galley": ((2.5, 3.0), (3.0, 3.6)),
+    "l": ((3.0, 4.0), (2.9, 3.5)),
+    "u": ((3.1, 3.8), (2.9, 3.5)),
+    "island": ((3.6, 4.6), (3.3, 4.0)),
+}
+"""Widths and depths of drawn rooms [m]."""
+
+_LEAST: dict[Layout, tuple[float, float]] = {
+    "one_wall": (3.0, 1.8), "galley": (2.5, 2.6), "l": (3.0, 2.9), "u": (3.1, 2.9), "island": (3.4, 3.2),
+}  # fmt: skip
+"""Least width and depth of rooms in which a layout is drawn [m]."""
 
 
 def kitchen(
-    seed: int = 0, *, width: float | None = None, depth: float | None = None, detail: DetailName = "full"
+    seed: int = 0,
+    *,
+    width: float | None = None,
+    depth: float | None = None,
+    detail: DetailName = "full",
+    layout: Layout | None = None,
 ) -> Asset:
-    """Return a kitchen along one wall, proven free of collisions in all states of all its joints.
+    """Return a kitchen, proven free of collisions in all states of all its joints.
 
-    It has a refrigerator, a range, base units with drawers and doors and a dishwasher under one worktop, wall
-    units, a window in the left wall and a door in the right one.
+    It has a refrigerator, a range or an oven under a cooktop, a hood, a dishwasher, a sink with a faucet,
+    base units with drawers and doors, wall units, a microwave, a window and a door.
 
     Args:
         seed: Seed of the layout and of all assets.
-        width: Length of the back wall [m]; drawn from 3.0 to 4.8 by default.
-        depth: Depth of the room [m]; drawn from 2.4 to 3.2 by default.
+        width: Length of the back wall [m]; drawn by default.
+        depth: Depth of the room [m]; drawn by default.
         detail: Level of detail of the assets.
+        layout: Rows of units: `one_wall`, `galley`, `l`, `u` or `island`; drawn by default.
 
     Raises:
         ParameterError: The room is too small; the message has the length that is missing.
         AssetError: No draw is free of collisions.
     """
-    error: AssetError | None = None
-    for attempt in range(_ATTEMPTS):
-        try:
-            return _drawn(seed, attempt, width, depth, detail)
-        except AssetError as found:
-            error = found
-    assert error is not None
-    raise AssetError(f"kitchen {seed}: {_ATTEMPTS} draws failed; the last: {error}") from error
-
-
-def _drawn(seed: int, attempt: int, width: float | None, depth: float | None, detail: DetailName) -> Asset:
-    draw = np.random.default_rng((seed, attempt))
-    spans = ((_NARROWEST, _WIDEST), (2.4, 3.2), (2.4, 2.7))
-    size = [round(float(draw.uniform(*span)), 3) for span in spans]
-    size[0], size[1] = width or size[0], depth or size[1]
-    floor, top = (material(str(draw.choice(names))) for names in (_FLOORS, _WORKTOPS))
-    room = Scene(
-        f"kitchen_{seed}",
-        seed=seed * _ATTEMPTS + attempt,
-        width=size[0],
-        depth=size[1],
-        height=size[2],
-        floor=floor,
-        detail=detail,
+    if layout is not None and layout not in get_args(Layout):
+        raise ParameterError(f"layout = {layout!r} is not allowed: it must be one of {', '.join(_SPANS)}")
+    return drawn(
+        f"kitchen {seed}", lambda attempt: _Kitchen(seed, attempt, (width, depth), detail, layout).furnish()
     )
-    left = bool(draw.random() < 0.5)  # whether the refrigerator is at the left end
-    cold = ("refrigerator", {"build": "tall", "hand": "right" if left else "left"})
-    wide = str(draw.choice(["full", "slim"]))
-    fixed: list[tuple[str, dict[str, Any]]] = [
-        ("dishwasher", {"build": "built_in", "height": _UNDER, "size": wide}),
-        ("oven", {"build": "range", "width": 0.6}),
-    ]
-    taken = sum(_width(room.draw(name, **values)) for name, values in (cold, *fixed))
-    spare = size[0] - 2.0 * _MARGIN - taken - GAP * len(fixed)
-    count = max(1, round(spare / 0.62))
-    unit = spare / count - GAP
-    if unit < _UNIT:
-        raise ParameterError(
-            f"a kitchen of {size[0]:.3f} m is too narrow: with a refrigerator, a dishwasher and an oven, "
-            f"{_UNIT - unit:.3f} m are missing for a base unit"
-        )
-    style, finish = _style(room, str(draw.choice(_GRIPS)))
-    units = [_unit(number, unit, style | {"finish": finish}) for number in range(count)]
-    row: list[tuple[str, dict[str, Any]]] = [*fixed, *units]
-    row = [row[index] for index in draw.permutation(len(row))]
-    placed = room.run("back", *([cold, *row] if left else [*row, cold]), at=_MARGIN)
-    _worktops(room, placed, top)
-    for number, each in enumerate(placed):
-        if each.asset.category in ("drawer", "cabinet"):
-            at = float(each.bounds[0, 0]) + size[0] / 2.0
-            hung = {"kind": "wall", "width": unit, "height": 0.72, "top": "flush", "finish": finish}
-            hung |= {key: style[key] for key in ("look", "style", "grip")}
-            room.against("back", "cabinet", at=at, z=_ABOVE, name=f"wall_unit_{number}", **hung)
-    room.inset("left", "window", at=0.5 * (size[1] - 1.2), z=1.0, width=0.9, height=1.0, shutters="none")
-    room.inset(
-        "right", "door", at=0.1, layout="single", use="interior", opens="away", stock="standard", height=2.03
-    )
-    return room.build(category="kitchen", seed=seed, attempt=attempt)
 
 
-def _width(asset: Asset) -> float:
-    low, high = asset.bounds()
-    return float(high[0] - low[0])
+@dataclass(frozen=True)
+class _Item:
+    """Something in a row."""
+
+    kind: str  # an appliance, `sink`, `hob` or `unit`
+    width: float  # [m]
+    values: dict[str, Any] = field(default_factory=dict)  # parameters of the asset
 
 
-def _style(room: Scene, grip: str) -> tuple[dict[str, Any], Material]:
-    """Return the look and style of the fronts, and their material, from one base unit."""
-    model = room.draw("cabinet", kind="base", stand="plinth", top="flush", grip=grip)
-    found = {each.name: each for each in model.materials}
-    style = {key: model.parameters[key] for key in ("look", "style", "grip")}
-    if (metal := found.get(model.parameters["metal"])) is not None:  # not where a door has no metal
-        style["metal"] = metal
-    return style, found[model.parameters["finish"]]
+@dataclass
+class _Row:
+    """Items from left to right along a wall; a number stands for base units, which fill low numbers first."""
+
+    wall: Wall | Line
+    start: float  # from the left end of the wall to the row [m]
+    end: float  # from the left end of the wall to the end of the row [m]
+    items: list[_Item | int]
+    free: Literal["", "left", "right"] = ""  # end at which space may be left
+    island: bool = False
+
+    @property
+    def widths(self) -> float:
+        """Width of all items with a gap after each [m]."""
+        return sum(each.width + GAP for each in self.items if isinstance(each, _Item))
 
 
-def _unit(number: int, width: float, style: dict[str, Any]) -> tuple[str, dict[str, Any]]:
-    """Return a base unit with drawers or doors, by turns."""
-    size = {"width": width, "height": _UNDER, "depth": _DEEP, "top": "flush"}
-    if number % 2:
-        return "cabinet", {
-            **size,
-            **style,
-            "kind": "base",
-            "stand": "plinth",
-            "doors": 2 if width > 0.6 else 1,
-        }
-    return "drawer", {**size, **style, "kind": "kitchen", "columns": 1, "style": _front(style["style"])}
+class _Kitchen(Furnisher):
+    """A draw of a kitchen."""
 
+    def __init__(
+        self,
+        seed: int,
+        attempt: int,
+        size: tuple[float | None, float | None],
+        detail: DetailName,
+        layout: Layout | None,
+    ) -> None:
+        fits = [
+            name
+            for name, least in _LEAST.items()
+            if all(given is None or given >= most for given, most in zip(size, least, strict=True))
+        ]
+        chosen = np.random.default_rng((seed, attempt)).integers(max(len(fits), 1))
+        self.layout: Layout = layout or (fits[chosen] if fits else "one_wall")
+        super().__init__("kitchen", seed, attempt, size, _SPANS[self.layout], detail)
+        self.units = 0  # number of base units so far
+        self.objects: list[tuple[str, dict[str, Any]]] = [
+            ("pepper_grinder", {}),
+            ("box", {"size": "small", "style": "tuck_end"}),
+            ("toaster", {}),
+            ("microwave", {"depth": 0.42}),
+        ]
 
-def _front(style: str) -> str:
-    """Return the style of drawer fronts that go with doors."""
-    return style if style in ("flat", "shaker", "ramped") else "flat"
+    def furnish(self) -> Asset:
+        """Return the kitchen."""
+        for row in self._rows():
+            self._furnish(row)
+        return self.build()
 
+    def _rows(self) -> list[_Row]:
+        """Return the rows of the layout, and set corner units and the door."""
+        width, depth = self.width, self.depth
+        flip = bool(self.draw.random() < 0.5)
+        cold, hob = self._cold(), self._hob()
+        dishwasher = self._dishwasher()
+        sink = _Item("sink", self.uniform(_SINK, 0.7 if width > 3.3 else _SINK))
+        washing: list[_Item | int] = [dishwasher, sink]
+        if self.draw.random() < 0.5:
+            washing.reverse()
+        if self.layout in ("galley", "u") and (missing := 2.0 * FACE + _AISLE - width) > 0.0:
+            raise ParameterError(
+                f"a kitchen of {width:.3f} m is too narrow for layout={self.layout}: between its rows, "
+                f"{missing:.3f} m are missing"
+            )
+        if self.layout == "galley":
+            self.door("back", (width - DOORWAY) / 2.0)
+            return [
+                _Row("left", 0.0, depth - _MARGIN, [1, *washing, 0], "left"),
+                _Row("right", _MARGIN, depth, [1, hob, 0, cold], "right"),
+            ]
+        if self.layout == "l":
+            self._corner("right" if flip else "left")
+            self.door("left" if flip else "right", 0.0 if flip else depth - DOORWAY)
+            if flip:
+                return [
+                    _Row("back", _MARGIN, width - _CORNER, [0, *washing, 1]),
+                    _Row("right", _CORNER, depth, [0, hob, 1, cold], "right"),
+                ]
+            return [
+                _Row("left", 0.0, depth - _CORNER, [cold, 1, hob, 0], "left"),
+                _Row("back", _CORNER, width - _MARGIN, [1, *washing, 0]),
+            ]
+        if self.layout == "u":
+            self._corner("left")
+            self._corner("right")
+            self.door("right", depth - DOORWAY)
+            return [
+                _Row("left", 0.0, depth - _CORNER, [cold, 1, dishwasher, 0], "left"),
+                _Row("back", _CORNER, width - _CORNER, [1, sink, 0]),
+                _Row("right", _CORNER, depth - DOORWAY, [0, hob, 1], "right"),
+            ]
+        self.door("right", depth - DOORWAY)
+        at_back = self.layout == "one_wall" or self.draw.random() < 0.5
+        items: list[_Item | int] = [cold, 2, *washing, 0, *([hob, 1] if at_back else ())]
+        rows = [_Row("back", _MARGIN, width - _MARGIN, items[::-1] if flip else items)]
+        if self.layout == "island":
+            rows.append(self._island([] if at_back else [hob]))
+        return rows
 
-def _worktops(room: Scene, placed: list[Placement], top: Material) -> None:
-    """Lay worktops over neighboring base units and dishwashers."""
-    runs: list[list[Array]] = [[]]
-    for each in placed:
-        if each.asset.category in ("refrigerator", "oven"):
-            runs.append([])
+    def _island(self, items: list[_Item | int]) -> _Row:
+        """Return the row of an island, which faces the room or the back wall."""
+        spare = self.depth - 2.0 * FACE - _AISLE - _BAR - 0.3
+        if spare < 0.0:
+            raise ParameterError(
+                f"a kitchen of {self.depth:.3f} m is too shallow for an island: {-spare:.3f} m are missing"
+            )
+        length = min(self.width - 1.7, self.uniform(1.5, 2.4))
+        away = self.draw.random() < 0.4  # whether it faces the back wall
+        y = -FACE - _AISLE - (FACE if away else _BAR) - 0.3 * spare
+        ends: Line = ((-length / 2.0, y), (length / 2.0, y))
+        line = (ends[1], ends[0]) if away else ends
+        self.board("panel", line, (0.0, length), (0.0, 0.02), (0.0, self.under))
+        return _Row(line, 0.0, length, [0, *items, 1] if items else [0], island=True)
+
+    def _corner(self, side: Wall) -> None:
+        """Set a base unit and a wall unit across the corner of the back wall and a side wall."""
+        sign, root = (1.0 if side == "left" else -1.0), math.sqrt(2.0)
+        wall = -sign * self.width / 2.0
+        for name, long, deep, z, high in (
+            ("corner_unit", _CORNER, DEEP, 0.0, self.under),
+            ("corner_wall_unit", _WALL_CORNER, _SHALLOW, _ABOVE, _HUNG),
+        ):
+            front = GAP + deep
+            back = (min(deep, 0.3) if z else deep) + GAP  # from the fronts to the line behind the unit
+            line = [(wall + sign * (front - back / root), -long + back / root)]
+            line.append((wall + sign * (long - back / root), -front + back / root))
+            if side == "right":
+                line.reverse()
+            across = (long - front) * root
+            kind: dict[str, Any] = {"kind": "base", "stand": "plinth", **PLINTH, **self.base}
+            if z:
+                kind = {"kind": "wall", **self.fronts}
+            self.room.against(
+                (line[0], line[1]), "cabinet", at=_POST, z=z, name=f"{name}_{side}", **kind,
+                doors=1, width=across - 2.0 * _POST, depth=back - GAP, height=high, top="flush",
+                swing=1.35, hand=self.choice("left", "right"),
+            )  # fmt: skip
+            for at in (0.0005, across - _POST + 0.0005):
+                ends = (at, at + _POST - 0.001)
+                foot = z or KICK
+                self.board("filler", (line[0], line[1]), ends, (-back, 0.02 - back), (foot, z + high))
+        half = self.width / 2.0
+        plan = [(0.0, 0.0), (_CORNER, 0.0), (_CORNER, -FRONT), (FRONT, -_CORNER), (0.0, -_CORNER)]
+        self.lay([(sign * (x - half), y) for x, y in plan], [], None)
+
+    def _cold(self) -> _Item:
+        values: dict[str, Any] = {"build": "tall"}
+        if self.width < 3.4 or self.layout in ("l", "u", "galley"):
+            values |= {"layout": self.choice("single", "bottom_freezer", "top_freezer"), "width": 0.6}
+        return self._appliance("refrigerator", **values)
+
+    def _dishwasher(self) -> _Item:
+        size = "slim" if self.width < 3.4 else self.choice("full", "slim")
+        return self._appliance("dishwasher", build="built_in", height=self.under, size=size)
+
+    def _hob(self) -> _Item:
+        """Return a range, or a built-in oven under a cooktop."""
+        if self.layout != "island" and self.draw.random() < 0.4:
+            return self._appliance("oven", build="range", width=0.6)
+        oven = self._appliance("oven", build="built_in", depth=0.6, height=0.6)
+        return _Item("hob", oven.width + 2.0 * (_BOARD + 0.002), oven.values)
+
+    def _appliance(self, category: str, **values: Any) -> _Item:
+        return _Item(category, width_of(self.room.draw(category, name=category, **values)), values)
+
+    def _furnish(self, row: _Row) -> None:
+        """Place the items of a row, its worktops, and what is above it."""
+        items = self._with_units(row)
+        spare = row.end - row.start - sum(each.width + GAP for each in items) + GAP
+        at = row.start + (spare if row.free == "left" else 0.0)
+        if not row.free:
+            number = [each.kind for each in items].index("sink") if not row.island else 0
+            items[number] = replace(items[number], width=items[number].width + spare)
+        placed: list[tuple[_Item, float]] = []
+        holes: list[fixtures.Hole] = []
+        for number, item in enumerate(items):
+            placed.append((item, at))
+            # doors would meet the front of a range or the door of a dishwasher beside them
+            beside = {each.kind for each in items[max(number - 1, 0) : number + 2]}
+            self._place(row, item, at, holes, doors=beside <= {"unit", "sink", "hob"})
+            at += item.width + GAP
+        self._cover(row, placed, holes)
+        self._stand(row, placed)
+        self._hang(row, placed)
+
+    def _with_units(self, row: _Row) -> list[_Item]:
+        """Return the items of a row with units of one width in the place of the numbers."""
+        spare = row.end - row.start - row.widths + GAP
+        slots = sorted(each for each in row.items if isinstance(each, int))
+        count = max(round(spare / _UNIT), math.ceil(spare / (_WIDE + GAP)) if not row.free else 0)
+        while count > 0 and spare / count - GAP < _NARROW:
+            count -= 1
+        if self.layout == "one_wall" and count == 0:
+            raise ParameterError(
+                f"a kitchen of {self.width:.3f} m is too narrow: with a refrigerator, a dishwasher "
+                f"and an oven, "
+                f"{_NARROW + GAP - spare:.3f} m are missing for a sink and a base unit"
+            )
+        if spare < 0.0:
+            kinds = ", ".join(each.kind for each in row.items if isinstance(each, _Item))
+            raise ParameterError(
+                f"a kitchen of {self.width:.3f} x {self.depth:.3f} m is too small for layout={self.layout}: "
+                f"beside {kinds}, {-spare:.3f} m are missing"
+            )
+        width = min(spare / count - GAP, _WIDE) if count else 0.0
+        if not row.free and not row.island:
+            width = min(width, _WIDE)
+        result: list[_Item] = []
+        for each in row.items:
+            if isinstance(each, _Item):
+                result.append(each)
+            else:
+                share = [slots[number % len(slots)] for number in range(count)].count(each)
+                result += [_Item("unit", width)] * share
+        return result
+
+    def _place(self, row: _Row, item: _Item, at: float, holes: list[fixtures.Hole], *, doors: bool) -> None:
+        """Place an item; a unit has drawers, or doors if it may."""
+        if item.kind == "unit":
+            doors = doors and self.units % 2 == 1
+            unit = self.unit(row.wall, at, item.width, doors=doors)
+            if not doors and self.units == 0:
+                self.room.inside(unit, "drawer_0", "plier", at=0.3, turn=0.2, name="plier_in_drawer")
+            self.units += 1
+        elif item.kind == "sink":
+            self.sink(row.wall, at, item.width, holes)
+        elif item.kind == "hob":
+            self._oven_unit(row.wall, at, item, holes)
+        elif item.kind == "refrigerator":
+            hand = "right" if at < 0.5 * (row.start + row.end) else "left"
+            self.room.against(row.wall, "refrigerator", at=at, name="refrigerator", **item.values, hand=hand)
         else:
-            runs[-1].append(each.bounds)
-    for run in filter(None, runs):
-        low, high = run[0][0, 0], run[-1][1, 0]
-        front = -GAP - _DEEP - _OVERHANG - 0.02  # the fronts of doors are thick
-        room.slab("worktop", (low, front, _UNDER + GAP), (high, 0.0, _UNDER + GAP + _THICK), top)
+            self.room.against(row.wall, item.kind, at=at, name=item.kind, **item.values)
+
+    def _oven_unit(self, wall: Wall | Line, at: float, item: _Item, holes: list[fixtures.Hole]) -> None:
+        """Place an oven in a housing of boards, and a cooktop over it."""
+        board, width = _BOARD, item.width
+        oven = self.room.draw("oven", name="oven", **item.values)
+        high = float(np.ptp(oven.bounds()[:, 2]))
+        burners = self.choice(4, 4, 5) if width > 0.8 else 4
+        hob = {
+            "burners": burners,
+            "rows": 2,
+            "width": 0.58,
+            "depth": 0.51,
+            "dials_at": self.choice("front", "right"),
+        }
+        top = self.room.draw("cooktop", name="cooktop", **hob)
+        case = top.parameters["height"] - PLATES[top.parameters["burner"]]
+        foot = self.over - case - 0.012 - high  # of the oven
+        sides, back = ((at, at + board), (at + width - board, at + width)), (-GAP - DEEP, -GAP)
+        for x in sides:
+            self.board("panel", wall, x, back, (0.0, self.under))
+        inner = (at + board, at + width - board)
+        self.board("panel", wall, inner, back, (foot - board - 0.001, foot - 0.001))
+        self.board("panel", wall, (at, at + width), (-FACE + 0.001, back[0] - 0.001), (KICK, foot - 0.003))
+        self.board("plinth", wall, inner, (back[0] + SETBACK, back[0] + SETBACK + 0.016), (0.0, KICK))
+        self.board(
+            "panel",
+            wall,
+            (at, at + width),
+            (-FACE + 0.001, back[0] - 0.001),
+            (foot + high + 0.003, self.under),
+        )
+        self.room.against(wall, "oven", at=at + board + 0.002, z=foot, name="oven", **item.values)
+        middle, y = at + width / 2.0, -FRONT / 2.0 - 0.01
+        below = [each.convex.bounds() for each in top.links[0].colliders]
+        below = [each for each in below if each[1, 2] < case + 0.0005]
+        (x0, y0, _), (x1, y1, _) = np.min(below, axis=0)[0], np.max(below, axis=0)[1]
+        holes.append((middle + x0 - 0.002, middle + x1 + 0.002, y + y0 - 0.002, y + y1 + 0.002))
+        self.let_in(wall, "cooktop", (middle, y, self.over + STANDING - case), hob)
+
+    def _cover(self, row: _Row, placed: list[tuple[_Item, float]], holes: list[fixtures.Hole]) -> None:
+        """Lay worktops over neighboring items, and fill the ends at walls."""
+        runs: list[list[tuple[_Item, float]]] = [[]]
+        for each in placed:
+            if each[0].kind in ("refrigerator", "oven"):
+                runs.append([])
+            else:
+                runs[-1].append(each)
+        length = self.room.frame(row.wall)[1]
+        for run in filter(None, runs):
+            low, high = run[0][1], run[-1][1] + run[-1][0].width
+            if not row.island and low <= _NEAR:
+                self._filler(row.wall, GAP, low - GAP)
+                low = 0.001
+            if not row.island and length - high <= _NEAR:
+                self._filler(row.wall, high + GAP, length - GAP)
+                high = length - 0.001
+            edge = _BAR if row.island else 0.0
+            outline = [(low, -FRONT), (high, -FRONT), (high, edge), (low, edge)]
+            near = [hole for hole in holes if low - 0.01 < hole[0] and hole[1] < high + 0.01]
+            self.lay(outline, near, row.wall)
+
+    def _stand(self, row: _Row, placed: list[tuple[_Item, float]]) -> None:
+        """Stand free objects on the worktop over base units, and put some into the units."""
+        tops = [each for each in self.room.placed if each.asset.category == "worktop"]
+        for item, at in placed:
+            if item.kind != "unit" or not self.objects:
+                continue
+            middle = at + item.width / 2.0
+            top = next(
+                each
+                for each in reversed(tops)
+                if each.asset.bounds()[0, 0] < middle < each.asset.bounds()[1, 0]
+            )
+            category, values = self.objects.pop()
+            name = f"{category}_{len(self.objects)}"
+            width = width_of(self.room.draw(category, name=name, **values))
+            low, high = top.asset.bounds()[:, 0]
+            share = min(max((middle - width / 2.0 - low) / (high - low - width), 0.03), 0.97)
+            self.room.on(top, category, at=share, deep=0.15, free=True, name=name, **values)
+
+    def _filler(self, wall: Wall | Line, low: float, high: float) -> None:
+        """Fill the space between a row and a wall."""
+        if high - low > 0.005:
+            face = -GAP - DEEP
+            self.board("filler", wall, (low, high), (face, face + 0.02), (KICK, self.under))
+            foot = (face + SETBACK, face + SETBACK + 0.016)
+            self.board("plinth", wall, (low, high), foot, (0.0, KICK - 0.001))
+
+    def _hang(self, row: _Row, placed: list[tuple[_Item, float]]) -> None:
+        """Hang wall units over base units, a hood over the burners, and a window over the sink."""
+        for item, at in placed:
+            low, high = at, at + item.width
+            if item.kind in ("oven", "hob"):
+                self._hood(row.wall, low + 0.02, high - 0.02)
+            elif item.kind == "sink" and isinstance(row.wall, str):
+                self.window(row.wall, 0.5 * (low + high))
+        sink = [at + item.width / 2.0 for item, at in placed if item.kind == "sink"]
+        for item, at in placed:
+            beside = all(at > middle + 0.52 or at + item.width < middle - 0.52 for middle in sink)
+            if item.kind in ("unit", "dishwasher") and beside and not row.island:
+                self.hang(row.wall, at, item.width)
+
+    def _hood(self, wall: Wall | Line, low: float, high: float) -> None:
+        region = Region((low, high), (-0.5, -0.001), (1.62, 1.70))
+        self.room.fixture("hood", lambda: fixtures.hood(region, self.room.size[2] - 0.001), wall=wall)

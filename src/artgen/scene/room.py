@@ -13,14 +13,19 @@ from operator import add
 from typing import Any, Literal, get_args
 
 import numpy as np
+from scipy.spatial import ConvexHull
 
 from artgen._arrays import Array, FrozenArrays, cached_property
 from artgen._names import ByName
 from artgen.asset import Asset, AssetJoint
 from artgen.asset.asset import DetailName, remember
+from artgen.asset.collision import link_parts
+from artgen.asset.joint import rotation
 from artgen.asset.link import Collider, DerivedLink, Piece, Surface
+from artgen.asset.manifolds import box_of
 from artgen.asset.shape import Mesh
 from artgen.catalog import find
+from artgen.colliders import Convex
 from artgen.errors import AssetError, ParameterError
 from artgen.export.frames import translation
 from artgen.generator import generator
@@ -34,12 +39,20 @@ from artgen.proof.paths import JointPath
 from artgen.view.camera import box_corners
 
 Wall = Literal["back", "left", "right"]
+Point = tuple[float, float]
+Line = tuple[Point, Point]
+"""Left and right end of a line on the floor, as seen by a person before what stands there [m]."""
 
 GAP = 0.003  # between neighbors in a run, and between an asset and its wall [m]
 STANDING = 0.0005  # below an asset that stands on a floor or on another asset [m]
 WALL = 0.12  # thickness of walls [m]
 _FLOOR = 0.08  # thickness of the floor [m]
-_TURNS = {"back": 0, "left": 1, "right": -1}  # quarter turns about z, which let assets face the room
+_OVERLAP = 1e-9  # common volume of two fixed assets above which they count as overlapping [m3]
+_SLACK = 1e-9  # by which an asset may be longer than its wall [m]
+_SOLE = 0.0015  # height above its lowest point up to which an asset may touch the ground [m]
+_TILT = 0.08  # slope on which a free asset stands at least, as a tangent
+_CELL = 0.01  # grid in which a place in a drawer is searched [m]
+_CLEAR = 0.008  # space around what is placed in it [m]
 _LEAST = 0.4  # share of its range that a joint keeps at least where an asset beside it is in the way
 
 
@@ -51,11 +64,15 @@ class Placement(FrozenArrays):
         name: Prefix of the names of its links and joints in the scene.
         asset: The asset, in its own coordinates.
         pose: Its place in the room, shape (4, 4).
+        carrier: Name of the link of the scene that carries it; empty for the room.
+        free: Whether it is a free body in simulation, or fixed to its carrier.
     """
 
     name: str
     asset: Asset
     pose: Array
+    carrier: str = ""
+    free: bool = False
 
     @cached_property
     def bounds(self) -> Array:
@@ -107,17 +124,16 @@ class Scene:
         self.placed: list[Placement] = []
         self._floor, self._paint = floor or material("oak"), paint or colored("painted_wood", "white")
         self._holes: dict[Wall, list[Array]] = {wall: [] for wall in get_args(Wall)}
-        self._slabs: list[tuple[str, Array, Material]] = []
         # the last asset of each name with its category and parameters: `draw` comes before a placement
         self._known: dict[str, tuple[str, dict[str, Any], Asset]] = {}
 
     def against(
-        self, wall: Wall, category: str, *, at: float, z: float = 0.0, name: str = "", **overrides: Any
+        self, wall: Wall | Line, category: str, *, at: float, z: float = 0.0, name: str = "", **overrides: Any
     ) -> Placement:
-        """Place an asset with its back against a wall.
+        """Place an asset with its back against a wall or a line.
 
         Args:
-            wall: The wall: `back`, `left` or `right`.
+            wall: The wall: `back`, `left` or `right`; or a line on the floor, for islands and corners.
             category: Category of the asset.
             at: Distance of its left side from the left end of the wall, seen from the room [m].
             z: Height of its bottom above the floor; it hangs on the wall if that is not 0 [m].
@@ -132,7 +148,7 @@ class Scene:
 
     def _placed(
         self,
-        wall: Wall,
+        wall: Wall | Line,
         category: str,
         at: float,
         z: float,
@@ -142,20 +158,44 @@ class Scene:
         inset: bool = False,
     ) -> Placement:
         """Place an asset before a wall, or with the middle of its depth in the middle of the wall."""
-        if wall not in _TURNS:
-            raise ParameterError(f"wall = {wall!r} is not allowed: it must be one of {', '.join(_TURNS)}")
+        frame, length = self.frame(wall)
         name, asset = self._drawn(category, name, overrides)
         low, high = asset.bounds()
-        length = self.size[0] if wall == "back" else self.size[1]
-        if (missing := at + high[0] - low[0] - length) > 0.0:
+        if (missing := at + high[0] - low[0] - length) > _SLACK:
+            called = f"the {wall} wall" if isinstance(wall, str) else "a line"
             raise ParameterError(
-                f"{name!r} does not fit at {at:.3f} m of the {wall} wall, which is {length:.3f} m long: "
+                f"{name!r} does not fit at {at:.3f} m of {called}, which is {length:.3f} m long: "
                 f"{missing:.3f} m are missing"
             )
-        along = at - low[0] - length / 2.0  # from the middle of the wall
         out = (WALL - high[1] - low[1]) / 2.0 if inset else -GAP - high[1]
-        pose = self._wall_frame(wall) @ translation(np.array([along, out, max(z, STANDING) - low[2]]))
+        pose = frame @ translation(np.array([at - low[0], out, max(z, STANDING) - low[2]]))
         return self._keep(Placement(name, asset, pose))
+
+    def frame(self, wall: Wall | Line) -> tuple[Array, float]:
+        """Return the frame of a wall or line, and its length [m].
+
+        Returns:
+            A pose of shape (4, 4), at the left end, x along the wall, y out of the room; and the length.
+
+        Raises:
+            ParameterError: The room has no such wall.
+        """
+        width, depth, _ = self.size
+        left, right = -width / 2.0, width / 2.0
+        lines: dict[str, Line] = {
+            "back": ((left, 0.0), (right, 0.0)),
+            "left": ((left, -depth), (left, 0.0)),
+            "right": ((right, 0.0), (right, -depth)),
+        }
+        if isinstance(wall, str) and wall not in lines:
+            raise ParameterError(f"wall = {wall!r} is not allowed: it must be one of {', '.join(lines)}")
+        start, end = lines[wall] if isinstance(wall, str) else wall
+        x, y = end[0] - start[0], end[1] - start[1]
+        length = math.sqrt(x * x + y * y)
+        pose = np.eye(4)
+        pose[:2, :2] = np.array([[x, -y], [y, x]]) / length
+        pose[:2, 3] = start
+        return pose, length
 
     def run(
         self, wall: Wall, *items: str | tuple[str, dict[str, Any]], at: float = GAP, gap: float = GAP
@@ -180,32 +220,101 @@ class Scene:
         return row
 
     def on(
-        self, below: Placement, category: str, *, at: float = 0.5, name: str = "", **overrides: Any
+        self,
+        below: Placement,
+        category: str,
+        *,
+        at: float = 0.5,
+        deep: float = 0.0,
+        turn: float = 0.0,
+        free: bool = False,
+        name: str = "",
+        **overrides: Any,
     ) -> Placement:
-        """Place an asset on top of another, its back above the back of that one; it is fixed to the room.
+        """Place an asset on top of another one or of a worktop.
 
         Args:
             below: The asset that carries it.
             category: Category of the asset.
             at: Share of the free width to its left: 0 is flush on the left, 1 on the right.
+            deep: Share of the free depth behind it: 0 is flush at the back, 1 in front.
+            turn: Angle about its vertical axis [rad].
+            free: Whether it is a free body in simulation; otherwise it is fixed to what carries it.
             name: Name in the scene; by default the category and a number.
             overrides: Parameters of the asset.
 
         Raises:
-            ParameterError: The asset is wider or deeper than the one below it.
+            ParameterError: The asset is wider or deeper than the one below it, or would tip over.
         """
         name, asset = self._drawn(category, name, overrides)
-        low, high = asset.bounds()
+        spin = _turned(turn)
+        low, high = _around(box_corners(asset.bounds(), spin))
         under_low, under_high = below.asset.bounds()
-        free = (under_high - under_low - (high - low))[:2]
-        if (free < 0.0).any():
-            side = "width" if free[0] < 0.0 else "depth"
+        room = (under_high - under_low - (high - low))[:2]
+        if (room < 0.0).any():
+            side = "width" if room[0] < 0.0 else "depth"
             raise ParameterError(
-                f"{name!r} does not fit on {below.name!r}: {-min(free):.3f} m of {side} are missing"
+                f"{name!r} does not fit on {below.name!r}: {-min(room):.3f} m of {side} are missing"
             )
-        left, back, top = under_low[0] + at * free[0], under_high[1], under_high[2] + STANDING
-        shift = translation(np.array([left - low[0], back - high[1], top - low[2]]))
-        return self._keep(Placement(name, asset, below.pose @ shift))
+        corner = (under_low[0] + at * room[0], under_high[1] - deep * room[1], under_high[2] + STANDING)
+        shift = translation(np.array([corner[0] - low[0], corner[1] - high[1], corner[2] - low[2]]))
+        carrier = _base_of(below)
+        if free:
+            _check_standing(name, asset)
+        return self._keep(Placement(name, asset, below.pose @ shift @ spin, carrier, free))
+
+    def inside(
+        self,
+        container: Placement,
+        link: str,
+        category: str,
+        *,
+        at: float = 0.5,
+        deep: float = 0.5,
+        turn: float = 0.0,
+        free: bool = True,
+        name: str = "",
+        **overrides: Any,
+    ) -> Placement:
+        """Place an asset in a drawer, a cabinet or a refrigerator; it moves along with the link below it.
+
+        It stands on the lowest surface of the link on which there is enough space with all joints at rest.
+
+        Args:
+            container: The asset with the drawer or the shelf.
+            link: Link of the container that carries it, such as `drawer_0`, or `body` for shelves.
+            category: Category of the asset.
+            at: Share of the possible places to its left.
+            deep: Share of the possible places behind it.
+            turn: Angle about its vertical axis [rad].
+            free: Whether it is a free body in simulation.
+            name: Name in the scene; by default the category and a number.
+            overrides: Parameters of the asset.
+
+        Raises:
+            ParameterError: There is no such space, or the asset would tip over.
+        """
+        name, asset = self._drawn(category, name, overrides)
+        spin = _turned(turn)
+        low, high = _around(box_corners(asset.bounds(), spin))
+        place = _place_in(container.asset, link, high - low, (at, deep))
+        if place is None:
+            size = " x ".join(f"{length:.3f}" for length in high - low)
+            raise ParameterError(f"{name!r} of {size} m does not fit into {link!r} of {container.name!r}")
+        shift = translation(place + (0.0, 0.0, STANDING) - (*(low + high)[:2] / 2.0, low[2]))
+        if free:
+            _check_standing(name, asset)
+        return self._keep(
+            Placement(name, asset, container.pose @ shift @ spin, f"{container.name}_{link}", free)
+        )
+
+    def add(self, category: str, pose: Array, *, name: str = "", **overrides: Any) -> Placement:
+        """Place an asset at a pose, shape (4, 4), such as a cooktop in a hole of a worktop.
+
+        The other arguments are those of `against`.
+        """
+        name, asset = self._drawn(category, name, overrides)
+        return self._keep(Placement(name, asset, pose))
 
     def inset(
         self, wall: Wall, category: str, *, at: float, z: float = 0.0, name: str = "", **overrides: Any
@@ -215,12 +324,50 @@ class Scene:
         Its front, on the outside of a door or window, faces the room. The arguments are those of `against`.
         """
         placed = self._placed(wall, category, at, z, name, overrides, inset=True)
-        self._holes[wall].append(placed.bounds)
+        self._holes[wall] += _openings(placed)
         return placed
 
-    def slab(self, label: str, low: Sequence[float], high: Sequence[float], material: Material) -> None:
-        """Add a board to the room, such as a worktop or a filler, between two corners [m]."""
-        self._slabs.append((label, np.array([low, high], np.float64), material))
+    def slab(
+        self,
+        label: str,
+        low: Sequence[float],
+        high: Sequence[float],
+        material: Material,
+        *,
+        wall: Wall | Line | None = None,
+    ) -> Placement:
+        """Add a board, such as a worktop or a filler, between two corners [m].
+
+        The arguments are those of `fixture`.
+        """
+        bevel = min(0.003, *(0.1 * abs(end - start) for start, end in zip(low, high, strict=True)))
+        return self.fixture(
+            label, lambda: part(Region.between(low, high).box(bevel=bevel), label, material), wall=wall
+        )
+
+    def fixture(self, name: str, make: Callable[[], Body], *, wall: Wall | Line | None = None) -> Placement:
+        """Add a body without joints that belongs to the room: a worktop, a sink, a hood.
+
+        Args:
+            name: Its name; a number is added if the scene has that name.
+            make: Makes the body, in the coordinates of the room or of a wall, see `frame`.
+            wall: The wall in whose coordinates the body is made.
+        """
+        taken = {each.name for each in self.placed}
+        number = sum(each.asset.category == name for each in self.placed)
+        unique = f"{name}_{number}" if number else name
+        if unique in taken:
+            raise ParameterError(
+                f"the scene {self.name!r} has an asset {unique!r} already; give another name"
+            )
+
+        @generator
+        def fixture() -> Body:
+            return make()
+
+        made = replace(fixture.generate(certify=False), name=unique, category=name, parameters={})
+        pose = np.eye(4) if wall is None else self.frame(wall)[0]
+        return self._keep(Placement(unique, made, pose))
 
     def build(self, *, category: str = "scene", seed: int | None = None, attempt: int = 0) -> Asset:
         """Join all to one asset and prove that nothing collides in any state of all joints.
@@ -244,6 +391,7 @@ class Scene:
             detail=self.detail,
         )
         owners = {f"{each.name}_{link.name}": each.name for each in self.placed for link in each.asset.links}
+        _check_rest(whole, owners)
 
         def apart(joint_path: JointPath) -> bool:
             """Tell whether the links belong to two assets, or to one and the room."""
@@ -277,21 +425,12 @@ class Scene:
             known = self._known[name] = (category, overrides, asset)
         return name, known[2]
 
-    def _wall_frame(self, wall: Wall) -> Array:
-        """Return the pose of the middle of the foot of a wall, y out of the room, shape (4, 4)."""
-        side = _TURNS[wall]
-        pose = np.eye(4)
-        if side:
-            pose[:2, :2] = (0.0, -side), (side, 0.0)
-            pose[:2, 3] = -side * self.size[0] / 2.0, -self.size[1] / 2.0
-        return pose
-
     def _keep(self, placed: Placement) -> Placement:
         self.placed.append(placed)
         return placed
 
     def _room(self) -> Asset:
-        """Return the room itself: floor, walls with their openings, and slabs."""
+        """Return the room itself: floor, and walls with their openings."""
         width, depth, height = self.size
         x, y = (-width / 2.0, width / 2.0), (-depth, 0.0)
         walls: dict[Wall, Region] = {
@@ -311,11 +450,119 @@ class Scene:
                     across = {"x" if wall != "back" else "y": 2.0 * WALL}
                     solid = solid - hole.grow(**across).box()
                 bodies.append(part(solid, "wall", self._paint))
-            for label, (low, high), made_of in self._slabs:
-                bodies.append(part(Region.between(low, high).box(bevel=0.003), label, made_of))
             return weld(*bodies)
 
         return room.generate(certify=False)
+
+
+def _turned(angle: float) -> Array:
+    """Return a turn about the vertical axis, shape (4, 4)."""
+    pose = np.eye(4)
+    pose[:3, :3] = rotation(np.array([0.0, 0.0, 1.0]), angle)
+    return pose
+
+
+def _around(points: Array) -> Array:
+    """Return the corners of the bounding box of points, shape (2, 3)."""
+    return np.array([points.min(axis=0), points.max(axis=0)])
+
+
+def _base_of(placed: Placement) -> str:
+    return f"{placed.name}_{placed.asset.links[0].name}"
+
+
+def _check_standing(name: str, asset: Asset) -> None:
+    """Check that the center of mass of an asset lies over the area on which it stands, with a margin."""
+    points = np.concatenate([each.mesh.vertices for link in asset.links for each in link.surfaces])
+    foot = np.unique(np.round(points[points[:, 2] < points[:, 2].min() + _SOLE][:, :2], 6), axis=0)
+    properties = asset.mass_properties()
+    middle = properties.center
+    area = ConvexHull(foot).equations if len(foot) > 2 else np.zeros((1, 3))
+    margin = -(area[:, :2] @ middle[:2] + area[:, 2]).max()
+    if margin < _TILT * (middle[2] - points[:, 2].min()):
+        raise ParameterError(
+            f"{name!r} would tip over: its center of mass is {1e3 * margin:.1f} mm inside the area on which "
+            f"it stands, and {1e3 * middle[2]:.0f} mm high; choose another seed, or free=False"
+        )
+
+
+def _place_in(asset: Asset, link: str, size: Array, shares: tuple[float, float]) -> Array | None:
+    """Return the middle of a place on a link, in a grid of columns, under which an asset of a size fits."""
+    carrier = asset.link(link)
+    low, high = carrier.bounds()
+    x, y = (np.arange(start + _CELL / 2.0, end, _CELL) for start, end in zip(low[:2], high[:2], strict=True))
+    columns = np.stack(np.meshgrid(x, y, indexing="ij"), axis=-1).reshape(-1, 2)
+    spans = [
+        (each is carrier, *_heights(collider.convex, columns))
+        for each in asset.links
+        for collider in each.colliders
+    ]
+    bottoms = np.array([span[1] for span in spans])
+    floors = [np.where(np.isfinite(span[2]), span[2], -np.inf) for span in spans if span[0]]
+    levels = np.unique(np.round(np.concatenate(floors), 4))
+    need = [math.ceil((length + 2.0 * _CLEAR) / _CELL) for length in size[:2]]
+    tops = np.array([span[2] for span in spans])
+    own = np.array([span[0] for span in spans])
+    for level in levels[np.isfinite(levels)]:
+        stands = (own[:, None] & (abs(tops - level) < 2e-4)).any(axis=0)
+        if stands.sum() < 0.5 * need[0] * need[1]:
+            continue
+        blocked = ((tops > level + 2e-4) & (bottoms < level + size[2] + _CLEAR)).any(axis=0)
+        free = (stands & ~blocked).reshape(len(x), len(y))
+        if need[0] > len(x) or need[1] > len(y):
+            return None
+        windows = np.lib.stride_tricks.sliding_window_view(free, need).all(axis=(2, 3))
+        places = np.argwhere(windows)
+        if len(places):
+            first, last = places.min(axis=0), places.max(axis=0)
+            wish = first + np.array([shares[0], 1.0 - shares[1]]) * (last - first)
+            i, j = places[abs(places - wish).sum(axis=1).argmin()]
+            return np.array([x[i] + (need[0] - 1) * _CELL / 2.0, y[j] + (need[1] - 1) * _CELL / 2.0, level])
+    return None
+
+
+def _heights(convex: Convex, columns: Array) -> tuple[Array, Array]:
+    """Return the lowest and highest point of a convex piece on vertical lines; inf and -inf beside it."""
+    planes = convex.faces.planes
+    normals, offsets = planes[:, :3], planes[:, 3]
+    rest = offsets - columns @ normals[:, :2].T
+    slope = normals[:, 2]
+    with np.errstate(divide="ignore", invalid="ignore"):
+        ends = rest / slope
+    top = np.where(slope > 1e-9, ends, np.inf).min(axis=1)
+    bottom = np.where(slope < -1e-9, ends, -np.inf).max(axis=1)
+    missed = (top <= bottom) | ((abs(slope) <= 1e-9) & (rest < 0.0)).any(axis=1)
+    return np.where(missed, np.inf, bottom), np.where(missed, -np.inf, top)
+
+
+def _openings(placed: Placement) -> list[Array]:
+    """Return the boxes that a wall must leave free for an asset: a sill is wider than its window."""
+    colliders = [
+        each.convex.transformed(placed.pose) for link in placed.asset.links for each in link.colliders
+    ]
+    boxes = np.array([each.bounds() for each in colliders])
+    low, high = boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0)
+    upper = boxes[boxes.mean(axis=1)[:, 2] > low[2] + 0.2 * (high[2] - low[2])]
+    least, most = upper[:, 0].min(axis=0), upper[:, 1].max(axis=0)
+    wide = boxes[((boxes[:, 0] < least - _SLACK) | (boxes[:, 1] > most + _SLACK))[:, :2].any(axis=1)]
+    if not len(wide):
+        return [np.array([low, high])]
+    top = wide[:, 1, 2].max()
+    return [np.array([[*least[:2], low[2]], most]), np.array([low, [high[0], high[1], top]])]
+
+
+def _check_rest(asset: Asset, owners: Mapping[str, str]) -> None:
+    """Check that no two assets overlap at rest; the proof has no pairs of links that never move."""
+    solids = [(owners.get(link.name), each.solid) for link in asset.links for each in link_parts(link)]
+    boxes = np.array([box_of(solid) for _, solid in solids])
+    for index, (owner, solid) in enumerate(solids):
+        low, high = boxes[:index].swapaxes(0, 1)
+        for other in np.flatnonzero(
+            (low < boxes[index, 1]).all(axis=1) & (high > boxes[index, 0]).all(axis=1)
+        ):
+            if owner != solids[other][0] and (solid ^ solids[other][1]).volume() > _OVERLAP:
+                names = " and ".join(repr(each or "room") for each in (solids[other][0], owner))
+                raise AssetError(f"scene {asset.name!r}: {names} overlap; place them farther apart")
 
 
 def _check_ranges(asset: Asset, before: Asset) -> Asset:
@@ -377,7 +624,7 @@ def _distinct(placed: Placement, known: dict[str, Material]) -> dict[Material, M
 
 
 def _joined(name: str, category: str, room: Asset, placed: Collection[Placement]) -> Asset:
-    """Return one asset of a room and the assets in it, each fixed to the room by a locked joint."""
+    """Return one asset of a room and the assets in it, each fixed to what carries it by a locked joint."""
     links, joints, contacts = list(room.links), list(room.joints), list(room.contacts)
     base, materials = links[0].name, {each.name: each for each in room.materials}
     for each in placed:
@@ -390,11 +637,8 @@ def _joined(name: str, category: str, room: Asset, placed: Collection[Placement]
             for link in each.asset.links
         ]
         up, root = np.array([0.0, 0.0, 1.0]), of_links[each.asset.links[0].name]
-        joints.append(
-            AssetJoint(
-                f"{prefix}place", "prismatic", up, each.pose[:3, 3], (0.0, 0.0), parent=base, child=root
-            )
-        )
+        place = AssetJoint(f"{prefix}place", "prismatic", up, each.pose[:3, 3], (0.0, 0.0), child=root)
+        joints.append(replace(place, parent=each.carrier or base))
         for joint in each.asset.joints:
             moved = joint.moved(each.pose).renamed(of_joints)
             joints.append(replace(moved, parent=of_links[joint.parent], child=of_links[joint.child]))
@@ -410,4 +654,5 @@ def _joined(name: str, category: str, room: Asset, placed: Collection[Placement]
         version=room.version,
         labels=tuple(sorted(labels | {"floor", "wall"})),
         contacts=tuple(contacts),
+        loose=tuple(_base_of(each) for each in placed if each.free),
     )

@@ -93,7 +93,10 @@ def author(asset: Asset, layers: Layers, textures: int) -> Written:
                 prims = body, define(meshes, frame.name)
                 write_content(layers, prims, asset, frame.link, hulls(asset)[frame.name], looks)
             place(body, frame.placement)
-        write_joints(layers, root, frames.unused("joints", taken), asset, segments)
+        anchor = write_joints(layers, root, frames.unused("joints", taken), asset, segments)
+        if anchor is not None and asset.loose:
+            # at the root it would make free bodies part of the articulation
+            _write_articulation(layers, anchor)
     rows = joint_rows(asset, segments, apart=layers.apart)
     return Written(maps.files, losses(*rows, *look_rows(asset, textures)))
 
@@ -107,7 +110,7 @@ def _write_root(layers: Layers, asset: Asset) -> Sdf.PrimSpec:
         {f"semantics:labels:{name}": [label] for name, label in labels.items()},
         schemas=[f"SemanticsLabelsAPI:{name}" for name in labels],
     )
-    if asset.base == "fixed":
+    if asset.base == "fixed" and not asset.loose:
         _write_articulation(layers, prim)
     prim.SetInfo("kind", "component")
     prim.SetInfo("assetInfo", {"name": asset.name, "version": asset.version})
@@ -135,6 +138,8 @@ def _write_body(layers: Layers, root: Sdf.PrimSpec, asset: Asset, frame: frames.
     if link is not None:
         if link is asset.links[0] and asset.base == "free":
             # the root of a free articulation is undefined unless one body is marked
+            _write_articulation(layers, prim)
+        if link.name in asset.loose and any(joint.parent == link.name for joint in asset.joints):
             _write_articulation(layers, prim)
         write(prim, {"semantics:labels:part": [link.label]})
         mass, center = link.mass_properties.mass, link.mass_properties.center - frame.origin

@@ -31,8 +31,8 @@ _TYPE_NAMES = {"revolute": "PhysicsRevoluteJoint", "prismatic": "PhysicsPrismati
 
 def write_joints(
     layers: Layers, root: Sdf.PrimSpec, name: str, asset: Asset, segments: Sequence[Segment]
-) -> None:
-    """Add every joint.
+) -> Sdf.PrimSpec | None:
+    """Add every joint; return the one that fixes the base to the world, if any.
 
     Args:
         layers: Layers for attributes of single simulators.
@@ -43,12 +43,17 @@ def write_joints(
     """
     scope = define(layers.physical(root), name, "Scope")
     limits, positions = _written_limits(asset), asset.positions()
+    anchor = None
     if asset.base == "fixed":
         fixed = unused("root_joint", {joint.name for joint in asset.joints})
         base = {"physics:body1": root.path.AppendChild(asset.links[0].name)}
-        define(scope, fixed, "PhysicsFixedJoint", {**base, **_frames(np.eye(4), np.eye(3), np.eye(3))})
+        anchor = define(
+            scope, fixed, "PhysicsFixedJoint", {**base, **_frames(np.eye(4), np.eye(3), np.eye(3))}
+        )
     for segment in segments:
         joint, origin = segment.joint, segment.origin
+        if joint.child in asset.loose:
+            continue
         bodies = {
             "physics:body0": root.path.AppendChild(segment.parent.name),
             "physics:body1": root.path.AppendChild(segment.child.name),
@@ -73,6 +78,7 @@ def write_joints(
         if joint.follows is not None:
             leader = asset.joint(joint.follows.leader)
             layers.add_runtime(prim, _coupling_rows(prim.path, joint, leader, apart=layers.apart))
+    return anchor
 
 
 def joint_rows(asset: Asset, segments: Sequence[Segment], *, apart: bool = False) -> Iterator[Row]:
