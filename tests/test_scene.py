@@ -227,8 +227,3 @@ def test_a_layout_that_does_not_fit_says_what_is_missing(
     with pytest.raises(ParameterError) as error:
         kitchen(0, layout=layout, detail="low", **size)
     assert message in str(error.value)
-
-
-def test_a_small_room_says_what_is_missing() -> None:
-    with pytest.raises(ParameterError, match=r"a bathroom is at least 2.3 m wide: 0.300 m are missing"):
-        ROOMS["bathroom"](0, width=2.0)

@@ -287,7 +287,7 @@ class _Kitchen(Furnisher):
         """Return the items of a row with units of one width in the place of the numbers."""
         spare = row.end - row.start - row.widths + GAP
         slots = sorted(each for each in row.items if isinstance(each, int))
-        count = max(round(spare / _UNIT), math.ceil(spare / (_WIDE + GAP)) if not row.free else 0)
+        count = max(round(spare / _UNIT), 0 if row.free else math.ceil(spare / (_WIDE + GAP)), 0)
         while count > 0 and spare / count - GAP < _NARROW:
             count -= 1
         if self.layout == "one_wall" and count == 0:
