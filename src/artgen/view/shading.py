@@ -56,6 +56,7 @@ _FLAT = 0.9  # least cosine between the faces that a point stands for
 _POLISHED = 0.2  # roughness up to which a metal mirrors edges
 # most difference of the normals for which a point stands, and what it adds to the square of a lobe's width
 _MOST_TURN, _BROADER = 1.2, 1.0 / 6.0
+_BENT = 0.2  # difference of the normals in a pixel from which they are averaged
 _LEVEL = 0.85  # least width of a point for a map, relative to its texel
 _GLOW = 2.2  # radiance of an emission of 1
 
@@ -197,7 +198,7 @@ class _Painter:
                 np.concatenate([getattr(each, name) for each in (few, more)], axis=1)
                 for name in ("view", "through")
             )
-            points = self._points(found, some, view, wide, through)
+            points = self._points(found, some, number, view, wide, through)
             color[:, found.ray] = self._lit(points, found.pixel[some], int(rows[0]), shape)[:, number]
         color *= np.concatenate([few.through, more.through], axis=1)
         color += np.concatenate([few.over, more.over], axis=1)
@@ -241,7 +242,7 @@ class _Painter:
             found.append(hit.take(~glass))
             pane = hit.take(glass)
             some, number, wide = self._apart(pane)
-            passed, added = self._pane(self._points(pane, some, view, wide, through))
+            passed, added = self._pane(self._points(pane, some, number, view, wide, through))
             ray = pane.ray
             over[:, ray] += through[:, ray] * added[:, number]
             through[:, ray] *= passed[:, number]
@@ -288,16 +289,39 @@ class _Painter:
             same[mixed] = close & (world.material[a] == world.material[b])
         return same
 
-    def _points(
-        self, hits: _Found, some: NDArray[Any], view: Floats, wide: Floats, through: Floats
-    ) -> _Points:
-        """Return the surface at some hits, with maps averaged over their widths [pixels]."""
+    def _normals(self, hits: _Found, some: NDArray[Any], number: NDArray[Any], view: Floats) -> Floats:
+        """Return the normals at hits, averaged where these stand for a bent face."""
         world = self.world
+
+        def facing(these: NDArray[Any]) -> Floats:
+            triangle = hits.triangle[these]
+            normal = world.normals_at(triangle, hits.u[these], hits.v[these])
+            return np.asarray(normal * -np.sign(dot(world.flat[triangle].T, view[:, hits.ray[these]])))
+
+        normals = facing(some)
+        far = np.sqrt(dot(hits.at - self.eye, hits.at - self.eye))
+        bent = np.zeros(len(some), bool)
+        bent[number[world.curvature[hits.triangle] * far * self.pixel > _BENT]] = True
+        members = np.flatnonzero(bent[number])
+        total = [np.bincount(number[members], each, len(some))[bent] for each in facing(members)]
+        normals[:, bent] = unit(np.array(total, np.float32))
+        return normals
+
+    def _points(
+        self,
+        hits: _Found,
+        some: NDArray[Any],
+        number: NDArray[Any],
+        view: Floats,
+        wide: Floats,
+        through: Floats,
+    ) -> _Points:
+        """Return the surface at hits that stand for all, with maps averaged over widths [pixels]."""
+        world = self.world
+        normal = self._normals(hits, some, number, view)
         at, view, triangle, u, v = (
             hits.at[:, some], view[:, hits.ray[some]], hits.triangle[some], hits.u[some], hits.v[some],
         )  # fmt: skip
-        normal = world.normals_at(triangle, u, v)
-        normal = normal * -np.sign(dot(world.flat[triangle].T, view))
         normal = unit(normal - (np.maximum(dot(normal, view), 0.0) + np.float32(1e-3)) * view)
         number = world.material[triangle]
         points = _Points(
