@@ -141,7 +141,7 @@ def usd(
 ) -> list[Path]:
     """Write a USD file for each seed, in which links, joints and colliders have equal paths and schemas.
 
-    The paths are equal below the default prims. Visual surfaces and materials differ.
+    The paths are equal below the default prims. Visual surfaces, materials, grasps and pushes differ.
 
     Args:
         category: Name of a category, or a generator.
