@@ -163,7 +163,17 @@ DRAFTS: list[tuple[Callable[[], object], str]] = [
     ),
     (lambda: cube("a b"), "label 'a b' is no identifier; use letters, digits and _, at most 100"),
     (lambda: hinged(limits=(1, 0)), "joint 'turn' has limits 1 to 0: the lower one comes first"),
-    (lambda: hinged(limits=1), "joint(..., limits=...) needs 2 values of Float or None, got 1"),
+    (
+        lambda: hinged(limits=1),
+        "joint(..., limits=...) needs 2 values of Float or None, got 1; write the lower",
+    ),
+    (
+        lambda: hinged(axis="z"),
+        "joint(..., axis=...) needs a Vector, got 'z'; write X, Y, Z or three numbers",
+    ),
+    (lambda: ag.Revolute("turn", ag.Z), "give the others by name, as in axis=Z"),  # type: ignore[misc]
+    (lambda: ag.part(ag.box(1, 1, 1), "a", "oak"), "needs a Material, got 'oak'; write material('oak')"),
+    (lambda: ag.part(ag.box(1, 1, 1), OAK, "a"), "part(..., label=...) needs a str, got a Material"),
     (lambda: hinged(axis=(0, 0, 0)), "a vector of length zero has no direction"),
     (lambda: hinged(effort=0), "joint 'turn': effort 0 must be positive"),
 ]
@@ -173,6 +183,14 @@ COMMANDS = """
 generate dor ~ there is no category 'dor'. Did you mean 'door'?
 generate DOOR ~ Did you mean 'door'?
 generate file ~ file is a file or folder: give the Python file of the category, such as stapler.py
+generate two ~ there is no category 'two'. Did you mean the file two.py?
+check package ~ package is a folder without an exported asset; did you mean the file package/src/package.py?
+view page.html ~ page.html is a page: open it in a browser.
+view nowhere ~ there is no category 'nowhere'
+certify - ~ artgen reads no pipe or device: write its content to a file, such as stapler.py or robot.urdf.
+certify /dev/null ~ artgen reads no pipe or device: write its content to a file
+check - ~ artgen reads no pipe or device: write its content to a file
+validate - ~ there is no directory '-'
 generate nowhere.py ~ there is no Python file 'nowhere.py'; give the path of one
 generate broken.py ~ SyntaxError: invalid syntax at
 generate fails.py ~ ZeroDivisionError: division by zero at
@@ -193,6 +211,8 @@ generate door --set hand=middle ~ hand = 'middle' is not allowed: it must be one
 generate door --set 'width=uniform(0.85 0.92)' ~ a comma is missing; write for example uniform(0.8,
 generate door --set 'width=uniform(0.85,' ~ it is not complete; write for example uniform(0.8, 0.9)
 generate door --set 'width=unifrom(1, 2)' ~ Did you mean 'uniform'?
+generate door --set handle_height 1.05 ~ 'handle_height' is no override; write NAME=VALUE
+generate door --format urdf --format obj ~ there is no format 'obj'
 generate door --set width ~ 'width' is no override; write NAME=VALUE
 generate refrigerator --set dispenser=true ~ Did you mean 'water' (whether a door has a water dispenser)?
 generate door --format obj ~ there is no format 'obj'
@@ -246,7 +266,9 @@ images door --out x --margin a,b ~ --margin 'a,b' must be 2 numbers with commas 
 images door --out x --assets 0 ~ Input should be greater than or equal to 1
 studio door --port 99999 ~ --port 99999 is not allowed: it must be in 0..65535; 0 selects a free port
 new door ~ there is a category 'door'; choose another name
-paint ~ 'paint'
+paint ~ there is no command 'paint'.
+valdate ~ there is no command 'valdate'. Did you mean 'validate'?
+export door ~ there is no directory door; `artgen generate CATEGORY --out door` makes one
 --versio ~ No such option: --versio (Possible options: --version)
 """
 """Commands, with words that their messages hold; the folder of the files has FILES."""
@@ -259,6 +281,8 @@ FILES = {
     "fails.py": "1 / 0\n",
     "exits.py": "raise SystemExit(3)\n",
     "nothing.py": "x = 1\n",
+    "page.html": "<html>",
+    "package/src/package.py": "",
     "two.py": "import artgen as ag\n" + CATEGORY.format("one", "...") + CATEGORY.format("two", "..."),
     "quits.py": "import artgen as ag\n" + CATEGORY.format("quits", "raise SystemExit('bye')"),
 }
@@ -268,7 +292,7 @@ FILES = {
 def folder(tmp_path, monkeypatch):
     """Return the current folder, which holds FILES."""
     for name, text in FILES.items():
-        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / name).write_text(text)
     monkeypatch.chdir(tmp_path)
     return tmp_path
@@ -303,6 +327,92 @@ def test_a_draft_of_a_category_names_line_and_fix(body, words):
     with pytest.raises(ArtgenError, match=re.escape(words)) as caught:
         category.generate(certify=False)
     assert Path(__file__).name in str(caught.value)
+
+
+def test_a_folder_of_assets_is_no_asset(asset, tmp_path):
+    made = asset.export(tmp_path / "stand", textures=0)
+    with pytest.raises(ag.ArtgenError, match=f"{tmp_path} holds several assets; give one, such as {made}"):
+        ag.load(tmp_path)
+
+
+@pytest.mark.parametrize("command", ["info", "generate", "certify"])
+def test_an_exported_asset_is_no_category(command, asset, artgen_command, tmp_path):
+    made = asset.export(tmp_path / "stand", textures=0)
+    done = artgen_command(command, str(made))
+    assert (done.code, done.out) == (2, "")
+    assert (
+        f"{made} is an exported asset: `artgen view {made}` and `artgen validate {made}` take it" in done.err
+    )
+
+
+@pytest.mark.parametrize("content", ["", "{", "[]", "null", "\0", '{"format": "artgen-asset-0"}'])
+@pytest.mark.parametrize("command", ["view", "render", "export"])
+def test_a_damaged_asset_is_exported_again(command, content, asset, artgen_command, tmp_path):
+    made = asset.export(tmp_path / "stand", textures=0)
+    (made / "asset.json").write_text(content)
+    done = artgen_command(command, str(made))
+    assert (done.code, done.out, done.err.count("\n")) == (2, "", 1)
+    assert "export the asset again" in done.err
+
+
+def test_formats_add_up(artgen_command, tmp_path, monkeypatch):
+    monkeypatch.setitem(catalog.CATEGORIES, "stand", stand)
+    made = artgen_command(
+        *("generate", "stand", "--format", "urdf", "--format", "mjcf", "--texture-size", "0"),
+        *("--out", str(tmp_path / "out")),
+    )
+    assert made.code == 0, made.err
+    assert [Path(line).suffix for line in made.out.splitlines()] == [".urdf", ".xml"]
+
+
+def test_links_and_pictures_are_shown_in_a_line(asset):
+    assert repr(asset.links[0]) == "<link body: body>"
+    assert all("\n" not in repr(link) and len(repr(link)) < 80 for link in asset.links)
+    assert repr(asset.render(size=32, textures=0)) == "<picture, 32 x 32 pixels; save(path) writes it>"
+    assert sum(link.mass for link in asset.links) == pytest.approx(asset.mass)
+
+
+def whole(*, number: int = ag.uniform(1, 4)) -> ag.Body:
+    return cube()
+
+
+def listed(*, kind: str = ["x", "y"]) -> ag.Body:  # type: ignore[assignment]
+    return cube()
+
+
+def ranged(*, width: ag.Float = (0.1, 0.2)) -> ag.Body:  # type: ignore[assignment]
+    return cube()
+
+
+@pytest.mark.parametrize(
+    ("function", "words"),
+    [
+        (whole, "annotate it Float, or draw whole numbers, as count(1, 4) does"),
+        (listed, "to draw one, write choice('x', 'y')"),
+        (ranged, "to draw one, write uniform(0.1, 0.2)"),
+    ],
+)
+def test_a_signature_names_the_distribution(function, words):
+    with pytest.raises(ag.BuildError, match=re.escape(words)):
+        ag.generator(function)
+
+
+def test_a_decorator_without_labels_names_them():
+    for decorate in (lambda: ag.category(cube), ag.category):
+        with pytest.raises(ag.BuildError, match='write @category\\(labels="base arm"\\)') as caught:
+            decorate()
+        assert Path(__file__).name in str(caught.value)
+
+
+def test_numpy_in_a_category_is_refused_at_the_line_of_the_author():
+    @ag.generator
+    def spaced(*, width: ag.Float = ag.uniform(1, 2)) -> ag.Body:
+        return ag.part([ag.box(1, 1, 1).at(x=x) for x in np.linspace(0, width, 3)], "a", OAK)  # type: ignore[call-overload]
+
+    with pytest.raises(ag.BuildError) as caught:
+        spaced.generate()
+    assert Path(__file__).name in str(caught.value)
+    assert "numpy/" not in str(caught.value)
 
 
 @pytest.mark.parametrize("line", COMMANDS.strip().splitlines())

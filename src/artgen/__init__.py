@@ -58,9 +58,12 @@ if typing.TYPE_CHECKING:
 asset_methods.bind()
 
 
+_MODULES = ("feel", "fittings", "images")
+
+
 def __getattr__(name: str) -> typing.Any:
     """Import a module that few programs need, such as datasets with their processes, when it is used."""
-    if name in ("feel", "fittings", "images"):
+    if name in _MODULES:
         return importlib.import_module(f"artgen.{name}")
     if name not in ("Dataset", "dataset", "stream"):
         raise AttributeError(
@@ -71,7 +74,7 @@ def __getattr__(name: str) -> typing.Any:
 
 
 def __dir__() -> list[str]:
-    return __all__
+    return [*__all__, "dataset", "errors", *_MODULES]
 
 
 __all__ = [

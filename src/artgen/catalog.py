@@ -24,6 +24,7 @@ from artgen.graph.node import line_in
 ENTRY_POINTS = "artgen.categories"
 """Group of entry points for categories of other packages; each names a module that defines categories."""
 
+_EXAMPLES = "stapler.py or robot.urdf"
 _FILE = re.compile(r"(?P<path>.+\.py)(?::(?P<name>[^:/\\]*))?", re.DOTALL)
 
 
@@ -97,11 +98,39 @@ def find(name: str | Path) -> Generator:
         if name in broken():
             raise BuildError(broken()[name])
         missing = "".join(f"\n  {message}" for message in broken().values())
-        near = nearest(name, categories())
-        if os.path.exists(name):  # noqa: PTH110 - False for names that are too long
-            near = f" {name} is a file or folder: give the Python file of the category, such as stapler.py."
-        raise ParameterError(f"there is no category {name!r}.{near}{missing}")
+        raise ParameterError(f"there is no category {name!r}.{_remedy(name)}{missing}")
     return CATEGORIES[name]
+
+
+def _remedy(name: str) -> str:
+    """Return what to give in place of a name that is no category: a file, or the nearest name."""
+    script = script_of(name)
+    if script:
+        return f" Did you mean the file {script}?"
+    if os.path.isfile(os.path.join(name, "asset.json")):  # noqa: PTH113, PTH118
+        return f" {name} is an exported asset: `artgen view {name}` and `artgen validate {name}` take it."
+    if is_pipe(name):
+        return f" artgen reads no pipe or device: write its content to a file, such as {_EXAMPLES}."
+    if name.endswith(".html") and os.path.isfile(name):  # noqa: PTH113 - False for names that are too long
+        return f" {name} is a page: open it in a browser."
+    if os.path.exists(name):  # noqa: PTH110 - False for names that are too long
+        return f" {name} is a file or folder: give the Python file of the category, such as stapler.py."
+    return nearest(name, categories())
+
+
+def script_of(name: str) -> str:
+    """Return the Python file beside a name or in its folder, as of `artgen new`; empty without one."""
+    stem = os.path.basename(os.path.normpath(name))  # noqa: PTH119 - names may be too long for paths
+    for script in (f"{name}.py", os.path.join(name, f"{stem}.py"), os.path.join(name, "src", f"{stem}.py")):  # noqa: PTH118
+        if os.path.isfile(script):  # noqa: PTH113
+            return script
+    return ""
+
+
+def is_pipe(name: str) -> bool:
+    """Tell whether a name is that of a pipe, a device or a socket, which a command cannot read twice."""
+    found = os.path.exists(name) and not os.path.isfile(name) and not os.path.isdir(name)  # noqa: PTH110, PTH112, PTH113
+    return name == "-" or found
 
 
 def is_file(name: str) -> bool:
@@ -127,6 +156,8 @@ def load_file(path: str | Path) -> Generator:
     parts = _FILE.fullmatch(str(path))
     file = Path(parts["path"] if parts else path)
     wanted = parts["name"] if parts else None
+    if is_pipe(str(file)):
+        raise ParameterError(f"{file} is a pipe or device; write its content to a file, such as stapler.py")
     if file.suffix != ".py" or not os.path.isfile(file):  # noqa: PTH113 - False for names that are too long
         raise ParameterError(
             f"there is no Python file {str(file)!r}; give the path of one, such as stapler.py"

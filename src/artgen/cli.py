@@ -9,7 +9,7 @@ from typing import Annotated, NoReturn
 import typer
 
 from artgen.commands.console import FAULT, INTERRUPTED, InterruptedRunError
-from artgen.errors import ArtgenError, CheckError
+from artgen.errors import ArtgenError, CheckError, ParameterError, nearest
 from artgen.version import __version__
 
 COMMANDS = {
@@ -67,6 +67,10 @@ def main(arguments: Sequence[str] | None = None) -> NoReturn:
     """
     given = sys.argv[1:] if arguments is None else arguments
     try:
+        if given and not given[0].startswith("-") and given[0] not in COMMANDS:
+            raise ParameterError(
+                f"there is no command {given[0]!r}.{nearest(given[0], COMMANDS)} `artgen --help` lists them"
+            )
         app = command_line(*(name for name in given[:1] if name in COMMANDS))
         code = app(args=arguments, prog_name="artgen", standalone_mode=False)
     except (ArtgenError, typer.TyperException) as error:

@@ -1,6 +1,8 @@
 """Validation: sound exports pass, and each edit of the files is found by the check that it concerns."""
 
 import json
+import math
+import os
 import shutil
 import sys
 import types
@@ -202,6 +204,31 @@ def test_a_path_may_not_lead_out(copy):
     )
 
 
+def test_a_link_to_itself_is_a_fault(copy):
+    urdf = next(copy.glob("*.urdf"))
+    urdf.unlink()
+    urdf.symlink_to(urdf.name)
+    assert any(f"{urdf.name} cannot be read" in message for message in files_faults(copy))
+    assert "its main file is missing" in " ".join(judge(copy, checks=["urdf"])["urdf"])
+
+
+@pytest.mark.parametrize("pattern", ["*.urdf", "*.xml", "meshes/*.obj"])
+def test_a_pipe_is_a_fault_and_no_reader_waits_for_it(copy, pattern):
+    pipe = next(copy.glob(pattern))
+    pipe.unlink()
+    os.mkfifo(pipe)
+    assert any("a pipe or a socket, not an ordinary file" in message for message in files_faults(copy))
+    report = validate(copy, behavior=False, checks=["urdf", "mjcf"])
+    assert {result.skipped for result in report.results} == {f"{pipe} is a device, a pipe or a socket"}
+
+
+def test_a_report_has_no_number_that_json_lacks():
+    finding = Finding("certificate", "a gap", value=math.nan, pose={"slide": math.inf})
+    report = Report("stand_0", (CheckResult("certificate", (finding,)),))
+    (written,) = json.loads(report.to_json())["results"][0]["findings"]
+    assert (written["value"], written["pose"]) == (None, {"slide": None})
+
+
 def test_a_broken_link_is_a_missing_file(copy):
     (copy / "stand_0.usda").unlink()
     (copy / "stand_0.usda").symlink_to(copy / "nowhere")
@@ -355,6 +382,7 @@ def test_a_proven_certificate_lists_tolerance_clearance_and_contacts(with_certif
 
 PRESSES = "body presses 3.000 mm into drawer at (0.100, 0.200, 0.300) m; first contact at "
 CLEARANCE = "give the two pieces more clearance there, or shorten the limits to asset.safe_limits()"
+AT_REST = "they overlap at rest: move one of the parts, or allow the contact with body.allow_contact(...)"
 REGION = "slide in 0.1..0.2, where body is 0.010 mm from drawer"
 OPEN = OpenCell({"slide": (0.1, 0.2)}, ("body", "drawer"), 1e-5)
 
@@ -371,7 +399,7 @@ OPEN = OpenCell({"slide": (0.1, 0.2)}, ("body", "drawer"), 1e-5)
         (
             replace(PAIR, colliders="collision", witness=replace(WITNESS, first_contact={"slide": 0.0})),
             f"only their colliders collide, not their solids: {PRESSES}rest",
-            "they overlap at rest: move one of the parts, or allow the contact with body.allow_contact(...)",
+            f"{AT_REST}; or give their solids colliders or covers that stay closer to them",
             {"slide": 0.1},
         ),
         (

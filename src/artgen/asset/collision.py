@@ -244,7 +244,7 @@ def _named(convex: Convex, parts: Sequence[SolidPart]) -> Collider:
     return Collider(convex, part.label, part.material)
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class RecollidedLink(DerivedLink):
     """A link with replaced colliders; everything else comes from the source."""
 

@@ -141,12 +141,12 @@ def load(directory: str | Path) -> Asset:
         data = json.loads(file_content(path))
     except (OSError, ValueError, RecursionError) as error:
         reason = getattr(error, "strerror", None) or error  # the message without the path
-        raise ExportError(
-            f"cannot read {path}: {reason}; is this a directory that artgen exported?"
-        ) from error
+        raise ExportError(f"cannot read {path}: {reason}; {_advice(path)}") from error
     found = data.get("format") if isinstance(data, dict) else None
     if found != FORMAT:
-        raise AssetError(f"{path} has format {found!r:.60}; this version reads {FORMAT!r}")
+        raise AssetError(
+            f"{path} has format {found!r:.60}; this version reads {FORMAT!r}; export the asset again"
+        )
     try:
         form = read(_Asset, data)
         check_names(data, path)
@@ -156,6 +156,21 @@ def load(directory: str | Path) -> Asset:
     except ArtgenError as error:
         known = str(error).startswith(str(path))
         raise AssetError(f"{'' if known else f'{path}: '}{error}; export the asset again") from error
+
+
+def _advice(path: Path) -> str:
+    """Return what to do about an `asset.json` that cannot be read."""
+    directory = path.parent
+    if path.is_file():
+        return "export the asset again"
+    if not directory.exists() and not directory.suffix:
+        return f"there is no directory {directory}; `artgen generate CATEGORY --out {directory}` makes one"
+    inside = next(
+        (path.parent for pattern in ("*", "*/*") for path in directory.glob(f"{pattern}/{ASSET_FILE}")), None
+    )
+    if inside is not None:
+        return f"{directory} holds several assets; give one, such as {inside}"
+    return "is this a directory that artgen exported?"
 
 
 def exports_in(directories: Iterable[Path]) -> list[Path]:
@@ -380,7 +395,7 @@ def _leaves(path: Path) -> dict[str, Any] | None:
     return data if isinstance(data, dict) else {"format": "unreadable: no JSON object"}
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class _StoredLink(Link):
     """A link whose values come from files instead of solids."""
 

@@ -180,6 +180,14 @@ class Link(FrozenArrays):
             for (label, material), meshes in groups.items()
         )
 
+    @property
+    def mass(self) -> float:
+        """Mass [kg]."""
+        return self.mass_properties.mass
+
+    def __repr__(self) -> str:
+        return f"<link {self.name}: {', '.join(self.labels)}>"
+
     def bounds(self) -> Array:
         """Return the bounding box at rest, shape (2, 3) [m]; of the colliders if it has no surface."""
         parts = [surface.mesh.vertices for surface in self.surfaces]
@@ -301,7 +309,7 @@ class MovedPieces(Sequence[Piece]):
         return self._moved[index]
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class DerivedLink(Link):
     """A link with the values of another link; subclasses change some of them."""
 
@@ -323,7 +331,7 @@ class DerivedLink(Link):
     absent = property(attrgetter("source.absent"))
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class MovedLink(Link):
     """A moved link; its values are moved values of the source, computed on first access."""
 
@@ -369,7 +377,7 @@ class MovedLink(Link):
         return tuple(replace(each, mesh=shifted(each.mesh, each.material, self.name)) for each in moved)
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class RoundedLink(DerivedLink):
     """A link rounded to the digits that files keep."""
 

@@ -60,7 +60,14 @@ class Finding(Record):
     def to_data(self) -> dict[str, Any]:
         """Return the finding as JSON data."""
         data: dict[str, Any] = rounded(super().to_data(), _DIGITS)
-        return data
+        return {key: _finite(value) for key, value in data.items()}
+
+
+def _finite(value: Any) -> Any:
+    """Return None for a number that JSON does not have, also in a pose."""
+    if isinstance(value, dict):
+        return {key: _finite(item) for key, item in value.items()}
+    return None if isinstance(value, float) and not math.isfinite(value) else value
 
 
 @dataclass(frozen=True)

@@ -32,13 +32,14 @@ from artgen.export import FORMATS, TEXTURES
 from artgen.export.files import chosen_formats, find_layout
 from artgen.export.precision import check_precision
 from artgen.generator.overrides import parse_overrides
-from artgen.materials.textures import check_size
 from artgen.proof.fewer import check_budget
 
 _Formats = Annotated[
-    str | None,
+    list[str] | None,
     Option(
-        "--format", metavar="NAMES", help=f"Formats, of {', '.join(FORMATS)}; by default those of the layout."
+        "--format",
+        metavar="NAMES",
+        help=f"Formats, of {', '.join(FORMATS)}; by default those of the layout. Repeatable.",
     ),
 ]
 
@@ -113,7 +114,6 @@ def generate(
 ) -> None:
     """Generate an asset and print the paths of its files; with -n, a dataset of many assets."""
     chosen = _chosen_formats(layout, formats)
-    check_size(texture_size)
     check_precision(mesh_precision)
     if colliders is not None:
         check_budget(colliders, openings, collision)
@@ -138,11 +138,11 @@ def generate(
             raise typer.BadParameter(
                 f"one asset is written to a directory, not to {out}; give a number of assets with -n"
             )
+        values = parse_overrides(overrides or ())
         if len(categories) > 1:
             raise typer.BadParameter(
                 f"one asset is of one category, not {', '.join(categories)}; give a number of assets with -n"
             )
-        values = parse_overrides(overrides or ())
         with progress("generate"):
             asset, _ = find(categories[0]).evaluate(seed, name=name, overrides=values, **drawn)
             if colliders is not None:
@@ -158,8 +158,8 @@ def generate(
         count,
         seed,
         tuple(overrides or ()),
-        textures=textures,
-        texture_size=texture_size,
+        textures=textures if texture_size else "none",
+        texture_size=texture_size or TEXTURES,
         colliders=colliders,
         openings=openings,
         **drawn,
@@ -187,7 +187,6 @@ def scene(
     from artgen.scene import ROOMS  # other commands start without it
 
     chosen = _chosen_formats("flat", formats)
-    check_size(texture_size)
     if room not in ROOMS:
         raise typer.BadParameter(f"there is no room {room!r}; choose from {', '.join(ROOMS)}")
     with progress(f"furnish {room} {seed}"):
@@ -238,11 +237,12 @@ def export(
     _print_main_files(written)
 
 
-def _chosen_formats(layout: str, formats: str | None) -> tuple[str, ...]:
-    """Return the formats in a text with commas, or the default formats of the layout."""
+def _chosen_formats(layout: str, formats: list[str] | None) -> tuple[str, ...]:
+    """Return the formats in texts with commas, or the default formats of the layout."""
     found = find_layout(layout)
-    chosen = None if formats is None else [item.strip() for item in formats.split(",") if item.strip()]
+    given = None if not formats else ",".join(formats)
+    chosen = None if given is None else [item.strip() for item in given.split(",") if item.strip()]
     if chosen is not None and not chosen:
         names = ", ".join(found.formats)
-        raise typer.BadParameter(f"--format {formats!r} names no format; choose from {names}")
+        raise typer.BadParameter(f"--format {given!r} names no format; choose from {names}")
     return chosen_formats(found, chosen)

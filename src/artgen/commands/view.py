@@ -10,7 +10,7 @@ from typer import Argument, Option
 
 from artgen.asset import Asset
 from artgen.asset.files import ASSET_FILE
-from artgen.catalog import find
+from artgen.catalog import find, script_of
 from artgen.commands.console import progress
 from artgen.commands.options import Category, OpenBrowser, Overrides, Page, Seed, Source, TextureSize
 from artgen.errors import ParameterError
@@ -27,6 +27,11 @@ def asset_from(source: str, seed: int, overrides: list[str], *, certify: bool = 
         ArtgenError: There is no such asset or category, or it cannot be generated.
     """
     directory = Path(source)
+    script = script_of(source) if directory.is_dir() else ""
+    if script and not (directory / ASSET_FILE).exists():
+        raise ParameterError(
+            f"{source} is a folder without an exported asset; did you mean the file {script}?"
+        )
     if directory.is_dir() or directory.name == ASSET_FILE:
         if overrides:
             raise ParameterError(

@@ -59,10 +59,13 @@ class Dataset(Sequence[Asset]):
         """Load an asset, or return the dataset of a slice.
 
         Raises:
+            IndexError: There is no asset of that number.
             ExportError: Its files are missing or damaged.
         """
         if isinstance(index, slice):
             return self._of(self.records[index])
+        if not -len(self) <= index < len(self):
+            raise IndexError(f"{self!r} has no number {index}; the numbers are 0 to {len(self) - 1}")
         return Asset.load(self._path(self.records[index]))
 
     def __iter__(self) -> Iterator[Asset]:

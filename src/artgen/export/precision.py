@@ -58,7 +58,7 @@ def check_precision(precision: float) -> None:
         )
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class CoarseLink(DerivedLink):
     """A link with fewer triangles in its surfaces; everything else comes from the source."""
 

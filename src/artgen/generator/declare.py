@@ -6,7 +6,7 @@ import typing
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
-from typing import Any
+from typing import Any, Never
 
 from artgen.errors import BuildError, ParameterError
 from artgen.generator.generator import Generator
@@ -48,7 +48,7 @@ def generator(function: Callable[..., Any]) -> Generator:
 
 
 def category(
-    *, labels: str | tuple[str, ...], joints: tuple[int, int] | None = None
+    *function: Never, labels: str | tuple[str, ...] = (), joints: tuple[int, int] | None = None
 ) -> Callable[[Callable[..., Any]], Generator]:
     """Make a category of a function and enter it in the catalog under its name.
 
@@ -58,8 +58,13 @@ def category(
 
     Raises:
         BuildError: Another category has that name, a parameter has no distribution or value, the function
-            does not return a Body, or `joints` is not a range.
+            does not return a Body, there are no labels, or `joints` is not a range.
     """
+    if function or not labels:
+        raise BuildError(
+            'a category declares its labels: write @category(labels="base arm") before its function'
+            f"\n  at {authors_line()}"
+        )
     if joints is not None and not 0 <= joints[0] <= joints[1]:
         raise BuildError(
             f"joints={joints} is not allowed: give the least and the largest joint count, in this order\n"

@@ -186,6 +186,8 @@ def _correction(error: BaseException) -> str:
     if isinstance(error, AttributeError) and error.obj is not None:
         near = nearest(error.name or "", [name for name in dir(error.obj) if not name.startswith("_")])
         return f".{near}" if near.endswith("?") else ""
+    if isinstance(error, TypeError) and "positional arguments but" in str(error):
+        return "; give the others by name, as in axis=Z"
     return "; use artgen's sin, sqrt, min_, ... instead of numpy's" if "__array_ufunc__" in str(error) else ""
 
 

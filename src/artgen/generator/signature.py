@@ -84,8 +84,14 @@ def _check_type(parameter: Parameter, place: str, where: str) -> None:
         )
     elif distribution.numeric and not all(leaf.discrete for leaf in distribution.leaves()):
         advice = f"{distribution!r} is drawn from numbers: annotate it Float"
+        if kind is int:
+            advice += ", or draw whole numbers, as count(1, 4) does"
     else:
         advice = f"{distribution!r} has values that are not {parameter.allowed}"
+        if isinstance(distribution, Fixed) and isinstance(distribution.value, list | tuple | range):
+            options = ", ".join(map(repr, distribution.value))
+            draw = "choice" if parameter.structural else "uniform"
+            advice += f"; to draw one, write {draw}({options})"
     raise BuildError(f"{place}: annotated {spelled(kind)}, but {advice}\n  at {where}")
 
 

@@ -331,6 +331,8 @@ def lift(value: Any, hint: Any, what: str) -> Any:
     return _refuse_value(value, hint, what)
 
 
+_LONGEST = 100  # characters of a value in a message
+
 Lifter = Callable[[Any, str], Any]
 
 
@@ -377,10 +379,27 @@ def _refuse_inputs(known: Operation, inputs: Mapping[str, Any]) -> NoReturn:
 def _refuse_value(value: Any, hint: Any, what: str) -> NoReturn:
     expected = " or ".join(_name(option) for option in alternatives(hint))
     shown = f"a {type(value).__name__} handle" if isinstance(value, Handle) else repr(value)
-    remedy = ""
-    if isinstance(value, Handle) and hint in (int, str, bool):
-        remedy = "; it must be known while building: annotate the parameter int, str, bool or Literal"
+    if len(shown) > _LONGEST:
+        shown = f"a {type(value).__name__}"
+    remedy = _remedy(value, hint, expected)
     raise BuildError(f"{what} needs {expected}, got {shown}{remedy}\n  at {authors_line()}")
+
+
+def _remedy(value: Any, hint: Any, expected: str) -> str:
+    """Return what to write in place of a value that is often given for that type; empty for others."""
+    if isinstance(value, Handle):
+        known = hint in (int, str, bool)
+        return (
+            "; it must be known while building: annotate the parameter int, str, bool or Literal"
+            if known
+            else ""
+        )
+    if isinstance(value, str):
+        texts = {"a Material": f"; write material({value!r})", "a Vector": "; write X, Y, Z or three numbers"}
+        return texts.get(expected, "")
+    if expected.startswith("2 values") and isinstance(value, float | int):
+        return f"; write the lower and the upper one: (0, {value})"
+    return ""
 
 
 def _lift_literal(value: Any, hint: Any) -> Any:

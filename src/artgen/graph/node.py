@@ -140,8 +140,8 @@ def topological(root: Node) -> list[Node]:
     return order
 
 
-_LANGUAGE = ("artgen.graph", "artgen.nodes", "artgen.sampling", "artgen.generator")
-"""Modules of the language between an author and the nodes; errors never point to them."""
+_LANGUAGE = ("artgen.graph", "artgen.nodes", "artgen.sampling", "artgen.generator", "numpy")
+"""Modules between an author and the nodes, also those of NumPy; errors never point to them."""
 
 
 def authors_line() -> str:

@@ -31,7 +31,7 @@ _FEW_VERTICES = 32  # most vertices of a piece of the first proof
 _WHOLE = 1e3  # depth of a contact between geoms that cannot collide [m]
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class ColliderLink(Link):
     """A link whose solids are convex colliders of a file."""
 

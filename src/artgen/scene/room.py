@@ -587,7 +587,7 @@ def _check_ranges(asset: Asset, before: Asset) -> Asset:
     return asset
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class _Repainted(DerivedLink):
     """A link with renamed materials."""
 

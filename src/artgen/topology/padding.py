@@ -118,7 +118,7 @@ _MAKERS: Mapping[Kind, Callable[[float, Array], Convex]] = {
 }
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class PaddedLink(DerivedLink):
     """A link with a canonical name, with its colliders in the order of kinds and spare ones among them."""
 
@@ -143,7 +143,7 @@ class PaddedLink(DerivedLink):
         return tuple(sorted((*own, *spare), key=lambda each: KINDS.index(each.convex.kind)))
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class SlotLink(Link):
     """A link that fills an empty slot: nearly massless, with colliders inside a present link."""
 

@@ -87,6 +87,8 @@ class Examination:
         formats = self._exported.formats
         if self._exported.asset is None:
             return "the asset cannot be read"
+        if self._special is not None:  # a reader would wait for it for ever
+            return f"{self._special} is a device, a pipe or a socket"
         if check in DEFAULT_FORMATS and check not in formats:
             return f"the export has no {check}"
         if check in _MESH_CHECKS and not self._exported.meshes:
@@ -96,7 +98,9 @@ class Examination:
         if check == "grasps" and self._exported.asset.detail == "low":
             return "its solids have low detail; fingers are checked at full detail"
         if check == "behavior" and not self._behavior:
-            return "not requested"
+            certificate = self._exported.asset.certificate
+            proven = certificate is None or certificate.proven
+            return "not requested" if proven else "not simulated, because its links are not proven apart"
         return "the export has no mjcf" if check == "behavior" and "mjcf" not in formats else ""
 
     def _run(self, check: str) -> CheckResult:
@@ -112,6 +116,14 @@ class Examination:
         if check == "certificate":
             return run(asset, meshes=self._exported.meshes)
         return run(asset, self.directory) if check == "behavior" else run(asset)
+
+    @cached_property
+    def _special(self) -> Path | None:
+        """A path of the export that is neither a file nor a directory; None if there is none."""
+        paths = sorted(self.directory.rglob("*"))
+        return next(
+            (each for each in paths if each.exists() and not each.is_file() and not each.is_dir()), None
+        )
 
     @cached_property
     def _expected(self) -> "Expected":

@@ -1,6 +1,7 @@
 """Checks of the files of an export, which are complete, unchanged and readable, and of its certificate."""
 
 import json
+import os
 import struct
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, field
@@ -44,7 +45,7 @@ def _read(directory: Path, path: str) -> tuple[str, bytes]:
     """Return the fault and the content of a file; the fault is empty if there is none."""
     try:
         # a link out of the export breaks when the directory is copied
-        if not (directory / path).resolve().is_relative_to(directory.resolve()):
+        if not Path(os.path.realpath(directory / path)).is_relative_to(os.path.realpath(directory)):
             return f"{path} is a link that leads out of the directory", b""
         content = file_content(directory / path)
     except FileNotFoundError:
@@ -298,4 +299,6 @@ def _pair_finding(asset: Asset, pair: PairResult) -> Finding:
         f"at ({x:.3f}, {y:.3f}, {z:.3f}) m; first contact at {'rest' if at_rest else contact}"
     )
     hint = _MEND_AT_REST if at_rest else _MEND
+    if not both:
+        hint = f"{hint}; or give their solids colliders or covers that stay closer to them"
     return _unproven(message, link, value=witness.depth, unit="m", pose=witness.pose, hint=hint)

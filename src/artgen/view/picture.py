@@ -62,6 +62,10 @@ class Picture:
     _draw_surfaces: Callable[[], tuple[NDArray[np.int32], Array]]
     _draw_normals: Callable[[], Array]  # the values of `normals`
 
+    def __repr__(self) -> str:
+        height, width = self.color.shape[:2]
+        return f"<picture, {width} x {height} pixels; save(path) writes it>"
+
     @cached_property
     def _surfaces(self) -> tuple[NDArray[np.int32], Array]:
         return self._draw_surfaces()
