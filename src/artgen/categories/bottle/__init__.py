@@ -271,7 +271,7 @@ def _flip(finish: ag.Material, swing: ag.Scalar) -> Fitting:
     radius, base, tall = 0.0165, 0.016, 0.0085
     low = base + FIT.sliding
     cap = ag.part(ag.cylinder(radius, base, bevel=0.001).at(z=base / 2), "cap", finish)
-    spout = ag.detail(ag.cylinder(0.003, 0.004).at(z=base + 0.0015), "cap", finish)
+    orifice = ag.detail(ag.cylinder(0.003, FIT.sliding).at(z=base), "cap", finish)
     disc = ag.cylinder(radius - 0.0004, tall, bevel=0.0012).at(z=low + tall / 2)
     lip = ag.box(0.010, 0.004, 0.003, bevel=0.0008).at(0, -radius - 0.0008, low + 0.002)
     hold = ag.grasp_on(disc, approach=-ag.Z, closing=ag.X, depth=0.8 * tall)
@@ -284,7 +284,7 @@ def _flip(finish: ag.Material, swing: ag.Scalar) -> Fitting:
         friction=0.02,
         feel=feel.PIVOT,
     )
-    return Fitting.moving(lid, hinge, fixed=ag.weld(cap, spout))
+    return Fitting.moving(lid, hinge, fixed=ag.weld(cap, orifice))
 
 
 def _pump(finish: ag.Material, travel: ag.Scalar, force: ag.Scalar) -> Fitting:
