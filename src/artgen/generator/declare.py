@@ -48,7 +48,7 @@ def generator(function: Callable[..., Any]) -> Generator:
 
 
 def category(
-    *function: Never, labels: str | tuple[str, ...] = (), joints: tuple[int, int] | None = None
+    *function: Never, labels: str | tuple[str, ...] | None = None, joints: tuple[int, int] | None = None
 ) -> Callable[[Callable[..., Any]], Generator]:
     """Make a category of a function and enter it in the catalog under its name.
 
@@ -60,7 +60,7 @@ def category(
         BuildError: Another category has that name, a parameter has no distribution or value, the function
             does not return a Body, there are no labels, or `joints` is not a range.
     """
-    if function or not labels:
+    if function or labels is None:
         raise BuildError(
             'a category declares its labels: write @category(labels="base arm") before its function'
             f"\n  at {authors_line()}"
@@ -71,8 +71,10 @@ def category(
             f"  at {authors_line()}"
         )
 
+    names = tuple(labels.split()) if isinstance(labels, str) else labels
+
     def register(function: Callable[..., Any]) -> Generator:
-        made = Generator(function, tuple(labels.split()) if isinstance(labels, str) else labels, joints)
+        made = Generator(function, names, joints)
         for name in made.signature.parameters:
             if name not in made.own:
                 raise BuildError(
