@@ -164,7 +164,16 @@ def test_a_plan_joins_colliders_and_refuses_to_replace_them():
         Plan(("handle",), 1, colliders=40, collision="hull")
 
 
-@pytest.mark.parametrize("category", categories()[::3])  # one in three, for the time
+def test_the_ring_of_a_lid_keeps_its_pieces():
+    """Two joined pieces of a ring would lie in the neck that it encloses."""
+    jar = artgen.generate("bottle", seed=2, certify=False)
+    same, missed = fewer.fewer_colliders(jar, {"lid": 19})
+    assert "are lid 21, not 19; with fewer, links would collide" in missed
+    assert len(same.links["lid"].colliders) == len(jar.links["lid"].colliders) == 21
+
+
+# one in three, for the time
+@pytest.mark.parametrize("category", [name for name in categories() if name != "bottle"][::3])
 def test_two_pieces_less_of_a_link_are_proven_and_contain_the_solids(category):
     asset = artgen.generate(category, seed=2, certify=False)
     link = max(asset.links, key=lambda link: len(link.colliders))

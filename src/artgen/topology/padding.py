@@ -151,12 +151,12 @@ class SlotLink(Link):
     rounded: ClassVar = True
 
     spares: tuple[Collider, ...] = field(kw_only=True)  # its colliders
-    mass: MassProperties = field(kw_only=True)  # mass, center and inertia that simulators accept
+    inertial: MassProperties = field(kw_only=True)  # mass, center and inertia that simulators accept
 
     @property
     def mass_properties(self) -> MassProperties:
         """The given ones."""
-        return self.mass
+        return self.inertial
 
     @cached_property
     def colliders(self) -> tuple[Collider, ...]:
@@ -215,7 +215,7 @@ def pad(asset: Asset, slots: "Sequence[Slot]", places: Mapping[str, str]) -> Ass
             [kind for kind in KINDS for _ in range(slot.colliders.get(kind, 0))], number, count
         )
         pivot = host.place(number, count)
-        result.append(SlotLink(slot.name, slot.label, spares=spares, mass=small[slot.name]))
+        result.append(SlotLink(slot.name, slot.label, spares=spares, inertial=small[slot.name]))
         joints += [slot_joint(each.name, each.kind, pivot, slot.parent, slot.name) for each in slot.joints]
     originals = {place: link.name for place, link in links.items()}
     originals |= {name: own for own, name in names.items()}
