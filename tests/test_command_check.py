@@ -39,7 +39,7 @@ def test_a_collision_is_the_first_line_and_in_the_picture(check, tmp_path):
     assert (done.code, done.err) == (1, "")
     assert lines[0].startswith("body and drawer collide at slide=")
     assert any(line.startswith("fault certificate: link body, drawer: they collide") for line in lines)
-    assert "behavior skipped not requested" in lines
+    assert "behavior skipped not simulated, because its links are not proven apart" in lines
     with Image.open(tmp_path / "out/stand_0_check.png") as picture:
         assert picture.size == (48, 16)
 

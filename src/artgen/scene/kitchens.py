@@ -1,6 +1,7 @@
 """Kitchens: rows of base units under worktops with appliances, a sink and a hood, and wall units above."""
 
 import math
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from typing import Any, Literal, get_args
 
@@ -320,7 +321,8 @@ class _Kitchen(Furnisher):
             doors = doors and self.units % 2 == 1
             unit = self.unit(row.wall, at, item.width, doors=doors)
             if not doors and self.units == 0:
-                self.room.inside(unit, "drawer_0", "plier", at=0.3, turn=0.2, name="plier_in_drawer")
+                with suppress(ParameterError):  # long pliers fit into no narrow drawer, open ones tip over
+                    self.room.inside(unit, "drawer_0", "plier", at=0.3, turn=0.2, name="plier_in_drawer")
             self.units += 1
         elif item.kind == "sink":
             self.sink(row.wall, at, item.width, holes)

@@ -8,11 +8,12 @@ A screw turns and rises along its thread to the end of the thread. Friction hold
 lifts out all the way. Springs return a nozzle and a trigger. Bottles are full: their density is that of
 container and contents together.
 
-Sizes: PET bottles have the neck finish PCO-1881 (ISBT: thread 27.4 mm, pitch 2.7 mm, support ring 33 mm),
-65 mm by 220 mm for 0.5 l and 89 mm by 330 mm for 1.5 l. Jars have twist-off lids of 58-66 mm. Bottles of
-spirits and wine are 73-80 mm wide and 270-300 mm high and weigh 450-600 g empty, with a bore of 18.5 mm (EN
-12726). Bottles of shampoo, lotion and cleaners of HDPE hold 0.25-0.75 l, with necks of 28 mm. Caps of PET
-bottles open at 0.6-1.7 N m, jars at 1.5-3 N m (torque tables of closure makers).
+Sizes are those of standards and shops. PET bottles have the neck finish PCO-1881 (ISBT: thread 27.4 mm,
+pitch 2.7 mm, support ring 33 mm), 65 mm by 220 mm for 0.5 l and 89 mm by 330 mm for 1.5 l. Jars have
+twist-off lids of 58-66 mm. Bottles of spirits and wine are 73-80 mm wide and 270-300 mm high and weigh
+450-600 g empty, with a bore of 18.5 mm (EN 12726). Bottles of shampoo, lotion and cleaners of HDPE hold
+0.25-0.75 l, with necks of 28 mm. Caps of PET bottles open at 0.6-1.7 N m, jars at 1.5-3 N m (torque tables
+of closure makers).
 """
 
 import math
