@@ -28,7 +28,7 @@ _ALONE, _SUPPORT, _ALONE_ROUNDS = 0.05, 3.0, 2
 # factors of the roughness of brushed metal across the strokes and along them, slopes of its facets across the
 # strokes, and the size of the smudges that it lacks [m]
 _ACROSS, _ALONG, _SLOPES, _SMUDGE = 1.9, 0.75, (-1.7, -0.8, -0.35, 0.0, 0.35, 0.8, 1.7), 0.03
-_STREAKS = {"brushed": 2.2, "satin": 1.0}  # brightness of strokes for their deviation of roughness
+_STREAKS = {"brushed": 2.7, "satin": 1.0}  # brightness of strokes for their deviation of roughness
 _FUZZ = {
     "pile": 0.9,
     "linen": 0.2,
