@@ -52,6 +52,8 @@ _SPANS: dict[Layout, tuple[Span, Span]] = {
 }
 """Widths and depths of drawn rooms [m]."""
 
+_DRAWN = ("one_wall", "galley", "island")  # the doors of corner units are often not free in the others
+
 _LEAST: dict[Layout, tuple[float, float]] = {
     "one_wall": (3.0, 1.8), "galley": (2.5, 2.6), "l": (3.0, 2.9), "u": (3.1, 2.9), "island": (3.4, 3.2),
 }  # fmt: skip
@@ -76,7 +78,8 @@ def kitchen(
         width: Length of the back wall [m]; drawn by default.
         depth: Depth of the room [m]; drawn by default.
         detail: Level of detail of the assets.
-        layout: Rows of units: `one_wall`, `galley`, `l`, `u` or `island`; drawn by default.
+        layout: Rows of units: `one_wall`, `galley` or `island`, one of these by default; `l` and `u`
+            have corner units and need many draws.
 
     Raises:
         ParameterError: The room is too small; the message has the length that is missing.
@@ -129,7 +132,8 @@ class _Kitchen(Furnisher):
         fits = [
             name
             for name, least in _LEAST.items()
-            if all(given is None or given >= most for given, most in zip(size, least, strict=True))
+            if name in _DRAWN
+            and all(given is None or given >= most for given, most in zip(size, least, strict=True))
         ]
         chosen = np.random.default_rng((seed, attempt)).integers(max(len(fits), 1))
         self.layout: Layout = layout or (fits[chosen] if fits else "one_wall")
@@ -137,8 +141,6 @@ class _Kitchen(Furnisher):
         self.units = 0  # number of base units so far
         self.objects: list[tuple[str, dict[str, Any]]] = [
             ("pepper_grinder", {}),
-            ("box", {"size": "small", "style": "tuck_end"}),
-            ("toaster", {}),
             ("microwave", {"depth": 0.42}),
         ]
 
