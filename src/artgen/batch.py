@@ -204,7 +204,7 @@ def _generated(category: str | Generator, seeds: Iterable[int], options: dict[st
     return assets
 
 
-@dataclasses.dataclass(frozen=True, eq=False)
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class _BareLink(DerivedLink):
     """A link without visual surfaces, and with colliders that some asset of the batch needs."""
 

@@ -24,7 +24,6 @@ from artgen.graph.node import line_in
 ENTRY_POINTS = "artgen.categories"
 """Group of entry points for categories of other packages; each names a module that defines categories."""
 
-_EXAMPLES = "stapler.py or robot.urdf"
 _FILE = re.compile(r"(?P<path>.+\.py)(?::(?P<name>[^:/\\]*))?", re.DOTALL)
 
 
@@ -110,7 +109,9 @@ def _remedy(name: str) -> str:
     if os.path.isfile(os.path.join(name, "asset.json")):  # noqa: PTH113, PTH118
         return f" {name} is an exported asset: `artgen view {name}` and `artgen validate {name}` take it."
     if is_pipe(name):
-        return f" artgen reads no pipe or device: write its content to a file, such as {_EXAMPLES}."
+        return (
+            " artgen reads no pipe or device: write its content to a file, such as stapler.py or robot.urdf."
+        )
     if name.endswith(".html") and os.path.isfile(name):  # noqa: PTH113 - False for names that are too long
         return f" {name} is a page: open it in a browser."
     if os.path.exists(name):  # noqa: PTH110 - False for names that are too long

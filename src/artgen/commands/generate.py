@@ -240,9 +240,11 @@ def export(
 def _chosen_formats(layout: str, formats: list[str] | None) -> tuple[str, ...]:
     """Return the formats in texts with commas, or the default formats of the layout."""
     found = find_layout(layout)
-    given = None if not formats else ",".join(formats)
-    chosen = None if given is None else [item.strip() for item in given.split(",") if item.strip()]
-    if chosen is not None and not chosen:
+    if not formats:
+        return chosen_formats(found, None)
+    given = ",".join(formats)
+    chosen = [item.strip() for item in given.split(",") if item.strip()]
+    if not chosen:
         names = ", ".join(found.formats)
         raise typer.BadParameter(f"--format {given!r} names no format; choose from {names}")
     return chosen_formats(found, chosen)

@@ -388,16 +388,12 @@ def _refuse_value(value: Any, hint: Any, what: str) -> NoReturn:
 def _remedy(value: Any, hint: Any, expected: str) -> str:
     """Return what to write in place of a value that is often given for that type; empty for others."""
     if isinstance(value, Handle):
-        known = hint in (int, str, bool)
-        return (
-            "; it must be known while building: annotate the parameter int, str, bool or Literal"
-            if known
-            else ""
-        )
-    if isinstance(value, str):
+        if hint in (int, str, bool):
+            return "; it must be known while building: annotate the parameter int, str, bool or Literal"
+    elif isinstance(value, str):
         texts = {"a Material": f"; write material({value!r})", "a Vector": "; write X, Y, Z or three numbers"}
         return texts.get(expected, "")
-    if expected.startswith("2 values") and isinstance(value, float | int):
+    elif expected.startswith("2 values") and isinstance(value, float | int):
         return f"; write the lower and the upper one: (0, {value})"
     return ""
 

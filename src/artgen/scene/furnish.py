@@ -1,20 +1,22 @@
-"""What all rooms draw: size, floor, style of fronts, a door, and units under a worktop with their sink."""
+"""What all rooms draw: size, floor, style of fronts, a door, units under a worktop with a sink, a hood."""
 
 from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 
+import artgen as ag
 from artgen.asset import Asset
 from artgen.asset.asset import DetailName
-from artgen.errors import AssetError, ParameterError
+from artgen.errors import AssetError
 from artgen.export.frames import translation
 from artgen.materials import Material, material
 from artgen.nodes.region import Region
-from artgen.scene import fixtures
 from artgen.scene.room import GAP, STANDING, Line, Placement, Scene, Wall
 
 THICK = 0.035  # of worktops [m]
+UNDER = 0.86  # height of base units, below their worktop [m]
+OVER = UNDER + GAP + THICK  # height of worktops [m]
 DEEP = 0.56  # of the carcass of base units [m]
 FACE = GAP + DEEP + 0.021  # from the wall to the faces of doors [m]
 FRONT = FACE + 0.02  # from the wall to the front edge of the worktop [m]
@@ -29,6 +31,8 @@ _GRIPS = ("bar", "bar", "knob", "cup")  # handles that doors and drawers have
 _FLOORS = ("oak", "oak_flat_sawn", "ash", "granite", "walnut")
 
 Span = tuple[float, float]
+Hole = tuple[float, float, float, float]
+"""Sides of a hole in plan: lowest and highest x, lowest and highest y [m]."""
 
 
 def drawn(name: str, draw: Callable[[int], Asset]) -> Asset:
@@ -59,9 +63,6 @@ class Furnisher:
         size: Width and depth [m]; None where they are drawn.
         spans: Ranges of both [m].
         detail: Level of detail of the assets.
-        under: Height of base units, below their worktop [m].
-        floors: Names of materials of the floor.
-        worktops: Names of materials of worktops.
     """
 
     def __init__(
@@ -72,16 +73,12 @@ class Furnisher:
         size: tuple[float | None, float | None],
         spans: tuple[Span, Span],
         detail: DetailName,
-        *,
-        under: float = 0.86,
-        floors: tuple[str, ...] = _FLOORS,
-        worktops: tuple[str, ...] = _WORKTOPS,
     ) -> None:
-        self.kind, self.seed, self.attempt, self.under = kind, seed, attempt, under
+        self.kind, self.seed, self.attempt = kind, seed, attempt
         self.draw = np.random.default_rng((seed, attempt, len(kind)))
         (wide, deep), high = spans, self.uniform(2.4, 2.7)
         self.width, self.depth = size[0] or self.uniform(*wide), size[1] or self.uniform(*deep)
-        floor, self.top = (material(self.choice(*names)) for names in (floors, worktops))
+        floor, self.top = (material(self.choice(*names)) for names in (_FLOORS, _WORKTOPS))
         self.room = Scene(
             f"{kind}_{seed}",
             seed=seed * ATTEMPTS + attempt,
@@ -96,11 +93,6 @@ class Furnisher:
         self.base = self.fronts | ({"style": "shaker"} if self.fronts["style"] == "glazed" else {})
         self.apron = bool(self.draw.random() < 0.4)  # whether the front of a sink is seen
 
-    @property
-    def over(self) -> float:
-        """Height of the worktop [m]."""
-        return self.under + GAP + THICK
-
     def choice(self, *values: Any) -> Any:
         """Return one of the values."""
         return values[int(self.draw.integers(len(values)))]
@@ -113,48 +105,35 @@ class Furnisher:
         """Return the room with what was placed in it."""
         return self.room.build(category=self.kind, seed=self.seed, attempt=self.attempt)
 
-    def door(self, wall: Wall, at: float, **values: Any) -> Placement:
+    def door(self, wall: Wall, at: float) -> Placement:
         """Set a door into a wall."""
-        usual: dict[str, Any] = {
-            "layout": "single",
-            "use": "interior",
-            "opens": "away",
-            "stock": "standard",
-            "height": 2.03,
-        }
-        return self.room.inset(wall, "door", at=at + 0.02, **usual | {"opener": "lever"} | values)
+        return self.room.inset(
+            wall, "door", at=at + 0.02, layout="single", use="interior", opens="away", stock="standard",
+            height=2.03, opener="lever",
+        )  # fmt: skip
 
-    def window(self, wall: Wall, middle: float, *, z: float = 1.32, **values: Any) -> Placement:
+    def window(self, wall: Wall, middle: float) -> Placement:
         """Set a window into a wall, its middle at a distance from the left end."""
-        usual: dict[str, Any] = {
-            "width": 0.9,
-            "height": 0.85,
-            "shutters": "none",
-            "style": "sliding",
-            "layout": "pair",
-        }
-        values = usual | values
+        values: dict[str, Any] = {
+            "width": 0.9, "height": 0.85, "style": "sliding", "layout": "pair", "shutters": "none",
+        }  # fmt: skip
         width = width_of(self.room.draw("window", **values))
-        return self.room.inset(wall, "window", at=middle - 0.5 * width, z=z, **values)
+        return self.room.inset(wall, "window", at=middle - 0.5 * width, z=1.32, **values)
 
-    def board(
-        self, label: str, wall: Wall | Line, x: Span, y: Span, z: Span, finish: Material | None = None
-    ) -> Placement:
-        """Add a board in the frame of a wall, by default with the finish of the fronts."""
-        return self.room.slab(label, (x[0], y[0], z[0]), (x[1], y[1], z[1]), finish or self.finish, wall=wall)
+    def board(self, label: str, wall: Wall | Line, x: Span, y: Span, z: Span) -> Placement:
+        """Add a board in the frame of a wall, with the finish of the fronts."""
+        return self.room.slab(label, (x[0], y[0], z[0]), (x[1], y[1], z[1]), self.finish, wall=wall)
 
-    def lay(self, outline: list[Span], holes: list[fixtures.Hole], wall: Wall | Line | None) -> Placement:
+    def lay(self, outline: list[Span], holes: list[Hole], wall: Wall | Line | None) -> Placement:
         """Lay a worktop with holes, both in the frame of a wall."""
-        low, high = self.under + GAP, self.over
-        return self.room.fixture(
-            "worktop", lambda: fixtures.worktop(outline, low, high, self.top, holes), wall=wall
-        )
+        low, high = UNDER + GAP, OVER
+        return self.room.fixture("worktop", lambda: worktop(outline, low, high, self.top, holes), wall=wall)
 
     def unit(
-        self, wall: Wall | Line, at: float, width: float, *, doors: bool, high: float = 0.0, **values: Any
+        self, wall: Wall | Line, at: float, width: float, *, doors: bool, high: float = UNDER
     ) -> Placement:
         """Place a base unit with drawers or doors."""
-        size: dict[str, Any] = {"width": width, "height": high or self.under, "depth": DEEP, "top": "flush"}
+        size: dict[str, Any] = {"width": width, "height": high, "depth": DEEP, "top": "flush"}
         if doors:
             kind: dict[str, Any] = {
                 "kind": "base",
@@ -162,42 +141,24 @@ class Furnisher:
                 "doors": 2 if width > 0.6 else 1,
                 "swing": SWING,
             }
-            return self.room.against(wall, "cabinet", at=at, **size | PLINTH | self.base | kind | values)
+            return self.room.against(wall, "cabinet", at=at, **size | PLINTH | self.base | kind)
         kind = {"kind": "kitchen", "columns": 1}
         if self.base["style"] not in ("flat", "shaker", "ramped"):
             kind["style"] = "flat"  # of drawers
-        return self.room.against(wall, "drawer", at=at, **size | PLINTH | self.base | kind | values)
+        return self.room.against(wall, "drawer", at=at, **size | PLINTH | self.base | kind)
 
-    def hang(self, wall: Wall | Line, at: float, width: float, **values: Any) -> Placement:
+    def hang(self, wall: Wall | Line, at: float, width: float) -> Placement:
         """Hang a wall unit."""
         size: dict[str, Any] = {"kind": "wall", "width": width, "height": 0.72, "depth": 0.33, "top": "flush"}
         doors = {"swing": SWING, "doors": 2 if width > 0.6 else 1}
-        return self.room.against(wall, "cabinet", at=at, z=1.45, **self.fronts | size | doors | values)
+        return self.room.against(wall, "cabinet", at=at, z=1.45, **self.fronts | size | doors)
 
-    def stand(
-        self,
-        below: Placement,
-        at: float,
-        deep: float,
-        *choices: tuple[str, dict[str, Any]],
-        turn: float = 0.0,
-    ) -> None:
-        """Stand the first of several free objects that fits on something, each a category with parameters."""
-        for number, (category, values) in enumerate(choices):
-            try:
-                self.room.on(below, category, at=at, deep=deep, turn=turn, free=True, **values)
-            except ParameterError:
-                if number == len(choices) - 1:
-                    raise
-            else:
-                return
-
-    def sink(self, wall: Wall | Line, at: float, width: float, holes: list[fixtures.Hole]) -> None:
+    def sink(self, wall: Wall | Line, at: float, width: float, holes: list[Hole]) -> None:
         """Place a base unit with doors that is lower than others, and a sink over it with its faucet.
 
         The holes that the worktop needs are added to `holes`.
         """
-        bottom = self.over - _SINK_DEEP - 0.004
+        bottom = OVER - _SINK_DEEP - 0.004
         self.unit(wall, at, width, high=bottom - 0.002, doors=True)
         faucet: dict[str, Any] = {
             "style": self.choice("gooseneck", "gooseneck", "pull_down"), "deck_margin": 0.035,
@@ -208,22 +169,20 @@ class Furnisher:
         x = (at + 0.002, at + width - 0.002) if self.apron else (middle - 0.26, middle + 0.26)
         y = (-FRONT, -strip) if self.apron else (0.06 - FACE, -strip - 0.01)
         finish = material("ceramic" if self.apron else "stainless")
-        region = Region(x, y, (bottom, self.over if self.apron else self.over + STANDING))
+        region = Region(x, y, (bottom, OVER if self.apron else OVER + STANDING))
         wide, rim = (0.016, 0.0) if self.apron else (0.003, 0.012)
-        self.room.fixture(
-            "sink", lambda: fixtures.basin(region, wall=wide, finish=finish, rim=rim), wall=wall
-        )
+        self.room.fixture("sink", lambda: basin(region, wall=wide, finish=finish, rim=rim), wall=wall)
         # an apron ends the worktop at the front
         holes.append((x[0] - 0.001, x[1] + 0.001, y[0] - (0.05 if self.apron else 0.001), y[1] + 0.001))
         if not self.apron:
-            top = (bottom + 0.001, self.under)
+            top = (bottom + 0.001, UNDER)
             self.board("panel", wall, (at, at + width), (-FACE + 0.001, -FACE + 0.02), top)
             for end in (at, at + width - 0.016):
                 self.board("panel", wall, (end, end + 0.016), (-GAP - DEEP, -GAP), top)
         deck, side = high - low, middle - (high[0] - low[0]) / 2.0
         slack, back = 0.0004, -0.02
         holes.append((side - slack, side + deck[0] + slack, back - deck[1] - slack, back + slack))
-        self.let_in(wall, "faucet", (side - low[0], back - high[1], self.under + GAP), faucet)
+        self.let_in(wall, "faucet", (side - low[0], back - high[1], UNDER + GAP), faucet)
 
     def let_in(
         self, wall: Wall | Line, category: str, place: tuple[float, float, float], values: dict[str, Any]
@@ -242,3 +201,45 @@ def _style(room: Scene, grip: str) -> tuple[dict[str, Any], Material]:
         style["metal"] = metal
     finish = found[model.parameters["finish"]]
     return style | {"finish": finish, "shell": "same"}, finish
+
+
+# bodies without joints, in the coordinates of a wall: x along it, y into it; the front is at -y
+
+
+def worktop(
+    outline: list[tuple[float, float]], low: float, high: float, finish: Material, holes: list[Hole]
+) -> ag.Body:
+    """Make a worktop of a convex outline between two heights, with holes."""
+    slab = ag.extrude(ag.polygon(outline), high - low, bevel=0.002).at(z=(low + high) / 2)
+    for x0, x1, y0, y1 in holes:
+        slab = slab - ag.Region((x0, x1), (y0, y1), (low - 0.01, high + 0.01)).box()
+    return ag.part(slab, "worktop", finish)
+
+
+def basin(region: ag.Region, *, wall: float, finish: Material, rim: float = 0.0) -> ag.Body:
+    """Make a sink that fills a region, with a drain in its floor; `rim` is the width of a flange on top."""
+    cavity = region.shrink(x=wall, y=wall).with_(z=(region.z.low + 1.5 * wall, region.z.high + 0.01))
+    shell = region.box(bevel=min(0.006, wall / 3)) - cavity.box(bevel=0.02)
+    drain = ag.cylinder(0.035, 4 * wall).at(region.x.mid, region.y.mid, region.z.low + wall)
+    parts = [ag.part(shell - drain, "basin", finish)]
+    strainer = ag.cylinder(0.0345, 0.004, bevel=0.001).at(region.x.mid, region.y.mid, region.z.low + 0.002)
+    parts.append(ag.part(strainer, "drain", ag.material("stainless")))
+    if rim:
+        over = region.grow(x=rim, y=rim).with_(z=(region.z.high, region.z.high + 0.002))
+        parts.append(ag.part(over.box(bevel=0.0008) - cavity.grow(z=0.05).box(), "rim", finish))
+    return ag.weld(*parts)
+
+
+def hood(region: ag.Region, ceiling: float) -> ag.Body:
+    """Make a hood: a canopy that fills a region, a filter below, and a chimney up to the ceiling."""
+    middle, back = region.x.mid, region.y.high
+    chimney = ag.Region((middle - 0.13, middle + 0.13), (back - 0.24, back), (region.z.high, ceiling))
+    filter_ = region.shrink(x=0.04, y=0.05).with_(z=(region.z.low - 0.004, region.z.low))
+    key = ag.cylinder(0.008, 0.004, axis=-ag.Y).at(middle, region.y.low - 0.002, region.z.mid)
+    keys = [key.at(x=0.03 * place) for place in (-1, 0, 1)]
+    return ag.weld(
+        ag.part(region.box(bevel=0.004), "hood", ag.material("stainless")),
+        ag.part(chimney.box(bevel=0.002), "chimney", ag.material("stainless")),
+        ag.part(filter_.box(bevel=0.001), "filter", ag.material("aluminium")),
+        ag.part(keys, "key", ag.material("black_abs")),
+    )

@@ -12,18 +12,21 @@ from artgen.asset.asset import DetailName
 from artgen.categories.cooktop.case import THICK as PLATES
 from artgen.errors import ParameterError
 from artgen.nodes.region import Region
-from artgen.scene import fixtures
 from artgen.scene.furnish import (
     DEEP,
     DOORWAY,
     FACE,
     FRONT,
     KICK,
+    OVER,
     PLINTH,
     SETBACK,
+    UNDER,
     Furnisher,
+    Hole,
     Span,
     drawn,
+    hood,
     width_of,
 )
 from artgen.scene.room import GAP, STANDING, Line, Wall
@@ -52,12 +55,10 @@ _SPANS: dict[Layout, tuple[Span, Span]] = {
 }
 """Widths and depths of drawn rooms [m]."""
 
-_DRAWN = ("one_wall", "galley", "island")  # the doors of corner units are often not free in the others
-
 _LEAST: dict[Layout, tuple[float, float]] = {
-    "one_wall": (3.0, 1.8), "galley": (2.5, 2.6), "l": (3.0, 2.9), "u": (3.1, 2.9), "island": (3.4, 3.2),
+    "one_wall": (3.0, 1.8), "galley": (2.5, 2.6), "island": (3.4, 3.2),
 }  # fmt: skip
-"""Least width and depth of rooms in which a layout is drawn [m]."""
+"""Least width and depth of rooms in which a layout is drawn [m]; doors in corners are too often not free."""
 
 
 def kitchen(
@@ -132,8 +133,7 @@ class _Kitchen(Furnisher):
         fits = [
             name
             for name, least in _LEAST.items()
-            if name in _DRAWN
-            and all(given is None or given >= most for given, most in zip(size, least, strict=True))
+            if all(given is None or given >= most for given, most in zip(size, least, strict=True))
         ]
         chosen = np.random.default_rng((seed, attempt)).integers(max(len(fits), 1))
         self.layout: Layout = layout or (fits[chosen] if fits else "one_wall")
@@ -212,7 +212,7 @@ class _Kitchen(Furnisher):
         y = -FACE - _AISLE - (FACE if away else _BAR) - 0.3 * spare
         ends: Line = ((-length / 2.0, y), (length / 2.0, y))
         line = (ends[1], ends[0]) if away else ends
-        self.board("panel", line, (0.0, length), (0.0, 0.02), (0.0, self.under))
+        self.board("panel", line, (0.0, length), (0.0, 0.02), (0.0, UNDER))
         return _Row(line, 0.0, length, [0, *items, 1] if items else [0], island=True)
 
     def _corner(self, side: Wall) -> None:
@@ -220,7 +220,7 @@ class _Kitchen(Furnisher):
         sign, root = (1.0 if side == "left" else -1.0), math.sqrt(2.0)
         wall = -sign * self.width / 2.0
         for name, long, deep, z, high in (
-            ("corner_unit", _CORNER, DEEP, 0.0, self.under),
+            ("corner_unit", _CORNER, DEEP, 0.0, UNDER),
             ("corner_wall_unit", _WALL_CORNER, _SHALLOW, _ABOVE, _HUNG),
         ):
             front = GAP + deep
@@ -254,7 +254,7 @@ class _Kitchen(Furnisher):
 
     def _dishwasher(self) -> _Item:
         size = "slim" if self.width < 3.4 else self.choice("full", "slim")
-        return self._appliance("dishwasher", build="built_in", height=self.under, size=size)
+        return self._appliance("dishwasher", build="built_in", height=UNDER, size=size)
 
     def _hob(self) -> _Item:
         """Return a range, or a built-in oven under a cooktop."""
@@ -275,7 +275,7 @@ class _Kitchen(Furnisher):
             number = [each.kind for each in items].index("sink") if not row.island else 0
             items[number] = replace(items[number], width=items[number].width + spare)
         placed: list[tuple[_Item, float]] = []
-        holes: list[fixtures.Hole] = []
+        holes: list[Hole] = []
         for number, item in enumerate(items):
             placed.append((item, at))
             # doors would meet the front of a range or the door of a dishwasher beside them
@@ -306,8 +306,6 @@ class _Kitchen(Furnisher):
                 f"beside {kinds}, {-spare:.3f} m are missing"
             )
         width = min(spare / count - GAP, _WIDE) if count else 0.0
-        if not row.free and not row.island:
-            width = min(width, _WIDE)
         result: list[_Item] = []
         for each in row.items:
             if isinstance(each, _Item):
@@ -317,7 +315,7 @@ class _Kitchen(Furnisher):
                 result += [_Item("unit", width)] * share
         return result
 
-    def _place(self, row: _Row, item: _Item, at: float, holes: list[fixtures.Hole], *, doors: bool) -> None:
+    def _place(self, row: _Row, item: _Item, at: float, holes: list[Hole], *, doors: bool) -> None:
         """Place an item; a unit has drawers, or doors if it may."""
         if item.kind == "unit":
             doors = doors and self.units % 2 == 1
@@ -336,7 +334,7 @@ class _Kitchen(Furnisher):
         else:
             self.room.against(row.wall, item.kind, at=at, name=item.kind, **item.values)
 
-    def _oven_unit(self, wall: Wall | Line, at: float, item: _Item, holes: list[fixtures.Hole]) -> None:
+    def _oven_unit(self, wall: Wall | Line, at: float, item: _Item, holes: list[Hole]) -> None:
         """Place an oven in a housing of boards, and a cooktop over it."""
         board, width = _BOARD, item.width
         oven = self.room.draw("oven", name="oven", **item.values)
@@ -351,20 +349,16 @@ class _Kitchen(Furnisher):
         }
         top = self.room.draw("cooktop", name="cooktop", **hob)
         case = top.parameters["height"] - PLATES[top.parameters["burner"]]
-        foot = self.over - case - 0.012 - high  # of the oven
+        foot = OVER - case - 0.012 - high  # of the oven
         sides, back = ((at, at + board), (at + width - board, at + width)), (-GAP - DEEP, -GAP)
         for x in sides:
-            self.board("panel", wall, x, back, (0.0, self.under))
+            self.board("panel", wall, x, back, (0.0, UNDER))
         inner = (at + board, at + width - board)
         self.board("panel", wall, inner, back, (foot - board - 0.001, foot - 0.001))
         self.board("panel", wall, (at, at + width), (-FACE + 0.001, back[0] - 0.001), (KICK, foot - 0.003))
         self.board("plinth", wall, inner, (back[0] + SETBACK, back[0] + SETBACK + 0.016), (0.0, KICK))
         self.board(
-            "panel",
-            wall,
-            (at, at + width),
-            (-FACE + 0.001, back[0] - 0.001),
-            (foot + high + 0.003, self.under),
+            "panel", wall, (at, at + width), (-FACE + 0.001, back[0] - 0.001), (foot + high + 0.003, UNDER)
         )
         self.room.against(wall, "oven", at=at + board + 0.002, z=foot, name="oven", **item.values)
         middle, y = at + width / 2.0, -FRONT / 2.0 - 0.01
@@ -372,9 +366,9 @@ class _Kitchen(Furnisher):
         below = [each for each in below if each[1, 2] < case + 0.0005]
         (x0, y0, _), (x1, y1, _) = np.min(below, axis=0)[0], np.max(below, axis=0)[1]
         holes.append((middle + x0 - 0.002, middle + x1 + 0.002, y + y0 - 0.002, y + y1 + 0.002))
-        self.let_in(wall, "cooktop", (middle, y, self.over + STANDING - case), hob)
+        self.let_in(wall, "cooktop", (middle, y, OVER + STANDING - case), hob)
 
-    def _cover(self, row: _Row, placed: list[tuple[_Item, float]], holes: list[fixtures.Hole]) -> None:
+    def _cover(self, row: _Row, placed: list[tuple[_Item, float]], holes: list[Hole]) -> None:
         """Lay worktops over neighboring items, and fill the ends at walls."""
         runs: list[list[tuple[_Item, float]]] = [[]]
         for each in placed:
@@ -397,7 +391,7 @@ class _Kitchen(Furnisher):
             self.lay(outline, near, row.wall)
 
     def _stand(self, row: _Row, placed: list[tuple[_Item, float]]) -> None:
-        """Stand free objects on the worktop over base units, and put some into the units."""
+        """Stand free objects on the worktop over base units."""
         tops = [each for each in self.room.placed if each.asset.category == "worktop"]
         for item, at in placed:
             if item.kind != "unit" or not self.objects:
@@ -419,7 +413,7 @@ class _Kitchen(Furnisher):
         """Fill the space between a row and a wall."""
         if high - low > 0.005:
             face = -GAP - DEEP
-            self.board("filler", wall, (low, high), (face, face + 0.02), (KICK, self.under))
+            self.board("filler", wall, (low, high), (face, face + 0.02), (KICK, UNDER))
             foot = (face + SETBACK, face + SETBACK + 0.016)
             self.board("plinth", wall, (low, high), foot, (0.0, KICK - 0.001))
 
@@ -439,4 +433,4 @@ class _Kitchen(Furnisher):
 
     def _hood(self, wall: Wall | Line, low: float, high: float) -> None:
         region = Region((low, high), (-0.5, -0.001), (1.62, 1.70))
-        self.room.fixture("hood", lambda: fixtures.hood(region, self.room.size[2] - 0.001), wall=wall)
+        self.room.fixture("hood", lambda: hood(region, self.room.size[2] - 0.001), wall=wall)

@@ -52,6 +52,7 @@ _SLACK = 1e-9  # by which an asset may be longer than its wall [m]
 _SOLE = 0.0015  # height above its lowest point up to which an asset may touch the ground [m]
 _TILT = 0.08  # slope on which a free asset stands at least, as a tangent
 _CELL = 0.01  # grid in which a place in a drawer is searched [m]
+_LEVEL = 2e-4  # difference of heights up to which two surfaces are level [m]
 _CLEAR = 0.008  # space around what is placed in it [m]
 _LEAST = 0.4  # share of its range that a joint keeps at least where an asset beside it is in the way
 
@@ -77,8 +78,7 @@ class Placement(FrozenArrays):
     @cached_property
     def bounds(self) -> Array:
         """Corners of the bounding box in the room, with all joints at rest, shape (2, 3) [m]."""
-        corners = box_corners(self.asset.bounds(), self.pose)
-        return np.array([corners.min(axis=0), corners.max(axis=0)])
+        return _moved_box(self.asset, self.pose)
 
 
 class Scene:
@@ -248,7 +248,7 @@ class Scene:
         """
         name, asset = self._drawn(category, name, overrides)
         spin = _turned(turn)
-        low, high = _around(box_corners(asset.bounds(), spin))
+        low, high = _moved_box(asset, spin)
         under_low, under_high = below.asset.bounds()
         room = (under_high - under_low - (high - low))[:2]
         if (room < 0.0).any():
@@ -296,7 +296,7 @@ class Scene:
         """
         name, asset = self._drawn(category, name, overrides)
         spin = _turned(turn)
-        low, high = _around(box_corners(asset.bounds(), spin))
+        low, high = _moved_box(asset, spin)
         place = _place_in(container.asset, link, high - low, (at, deep))
         if place is None:
             size = " x ".join(f"{length:.3f}" for length in high - low)
@@ -353,13 +353,7 @@ class Scene:
             make: Makes the body, in the coordinates of the room or of a wall, see `frame`.
             wall: The wall in whose coordinates the body is made.
         """
-        taken = {each.name for each in self.placed}
-        number = sum(each.asset.category == name for each in self.placed)
-        unique = f"{name}_{number}" if number else name
-        if unique in taken:
-            raise ParameterError(
-                f"the scene {self.name!r} has an asset {unique!r} already; give another name"
-            )
+        unique = self._unused("", name)
 
         @generator
         def fixture() -> Body:
@@ -413,17 +407,22 @@ class Scene:
 
     def _drawn(self, category: str, name: str, overrides: dict[str, Any]) -> tuple[str, Asset]:
         """Return the name of a new asset and the asset."""
-        if not name:
-            number = sum(each.asset.category == category for each in self.placed)
-            name = f"{category}_{number}" if number else category
-        if name in {each.name for each in self.placed}:
-            raise ParameterError(f"the scene {self.name!r} has an asset {name!r} already; give another name")
+        name = self._unused(name, category)
         known = self._known.get(name)
         if known is None or known[:2] != (category, overrides):
             seed = zlib.crc32(f"{self.seed}/{name}".encode())
             asset = find(category).generate(seed, detail=self.detail, **overrides)
             known = self._known[name] = (category, overrides, asset)
         return name, known[2]
+
+    def _unused(self, name: str, category: str) -> str:
+        """Return a name that the scene does not have yet; by default the category and a number."""
+        if not name:
+            number = sum(each.asset.category == category for each in self.placed)
+            name = f"{category}_{number}" if number else category
+        if name in {each.name for each in self.placed}:
+            raise ParameterError(f"the scene {self.name!r} has an asset {name!r} already; give another name")
+        return name
 
     def _keep(self, placed: Placement) -> Placement:
         self.placed.append(placed)
@@ -462,9 +461,10 @@ def _turned(angle: float) -> Array:
     return pose
 
 
-def _around(points: Array) -> Array:
-    """Return the corners of the bounding box of points, shape (2, 3)."""
-    return np.array([points.min(axis=0), points.max(axis=0)])
+def _moved_box(asset: Asset, pose: Array) -> Array:
+    """Return the corners of the box around the box of an asset at a pose, shape (2, 3) [m]."""
+    corners = box_corners(asset.bounds(), pose)
+    return np.array([corners.min(axis=0), corners.max(axis=0)])
 
 
 def _base_of(placed: Placement) -> str:
@@ -475,8 +475,7 @@ def _check_standing(name: str, asset: Asset) -> None:
     """Check that the center of mass of an asset lies over the area on which it stands, with a margin."""
     points = np.concatenate([each.mesh.vertices for link in asset.links for each in link.surfaces])
     foot = np.unique(np.round(points[points[:, 2] < points[:, 2].min() + _SOLE][:, :2], 6), axis=0)
-    properties = asset.mass_properties()
-    middle = properties.center
+    middle = asset.mass_properties().center
     area = ConvexHull(foot).equations if len(foot) > 2 else np.zeros((1, 3))
     margin = -(area[:, :2] @ middle[:2] + area[:, 2]).max()
     if margin < _TILT * (middle[2] - points[:, 2].min()):
@@ -492,25 +491,17 @@ def _place_in(asset: Asset, link: str, size: Array, shares: tuple[float, float])
     low, high = carrier.bounds()
     x, y = (np.arange(start + _CELL / 2.0, end, _CELL) for start, end in zip(low[:2], high[:2], strict=True))
     columns = np.stack(np.meshgrid(x, y, indexing="ij"), axis=-1).reshape(-1, 2)
-    spans = [
-        (each is carrier, *_heights(collider.convex, columns))
-        for each in asset.links
-        for collider in each.colliders
-    ]
-    bottoms = np.array([span[1] for span in spans])
-    floors = [np.where(np.isfinite(span[2]), span[2], -np.inf) for span in spans if span[0]]
-    levels = np.unique(np.round(np.concatenate(floors), 4))
     need = [math.ceil((length + 2.0 * _CLEAR) / _CELL) for length in size[:2]]
-    tops = np.array([span[2] for span in spans])
-    own = np.array([span[0] for span in spans])
+    if need[0] > len(x) or need[1] > len(y):
+        return None
+    pieces = [(each is carrier, collider.convex) for each in asset.links for collider in each.colliders]
+    own = np.array([of_carrier for of_carrier, _ in pieces])
+    bottoms, tops = np.array([_heights(convex, columns) for _, convex in pieces]).swapaxes(0, 1)
+    levels = np.unique(np.round(tops[own], 4))
     for level in levels[np.isfinite(levels)]:
-        stands = (own[:, None] & (abs(tops - level) < 2e-4)).any(axis=0)
-        if stands.sum() < 0.5 * need[0] * need[1]:
-            continue
-        blocked = ((tops > level + 2e-4) & (bottoms < level + size[2] + _CLEAR)).any(axis=0)
+        stands = (abs(tops[own] - level) < _LEVEL).any(axis=0)
+        blocked = ((tops > level + _LEVEL) & (bottoms < level + size[2] + _CLEAR)).any(axis=0)
         free = (stands & ~blocked).reshape(len(x), len(y))
-        if need[0] > len(x) or need[1] > len(y):
-            return None
         windows = np.lib.stride_tricks.sliding_window_view(free, need).all(axis=(2, 3))
         places = np.argwhere(windows)
         if len(places):

@@ -192,16 +192,16 @@ class _Painter:
         found = _joined([few.found, replace(more.found, ray=more.found.ray + _FEW * count)])
         background = _WHITE if self.kind == "none" else _DARK
         color: Floats = np.full((3, _FEW * count + more.view.shape[1]), background, np.float32)
+        view, through, over = (
+            np.concatenate([getattr(each, name) for each in (few, more)], axis=1)
+            for name in ("view", "through", "over")
+        )
         if found.ray.size:
             some, number, wide = self._apart(found)
-            view, through = (
-                np.concatenate([getattr(each, name) for each in (few, more)], axis=1)
-                for name in ("view", "through")
-            )
             points = self._points(found, some, number, view, wide, through)
             color[:, found.ray] = self._lit(points, found.pixel[some], int(rows[0]), shape)[:, number]
-        color *= np.concatenate([few.through, more.through], axis=1)
-        color += np.concatenate([few.over, more.over], axis=1)
+        color *= through
+        color += over
         color = _toned(color)
         mean = color[:, : _FEW * count].reshape(3, count, _FEW).sum(axis=2)
         mean[:, edges] += color[:, _FEW * count :].reshape(3, len(edges), _ALL - _FEW).sum(axis=2)
