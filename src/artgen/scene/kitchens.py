@@ -95,7 +95,7 @@ def kitchen(
 
 @dataclass(frozen=True)
 class _Item:
-    """Something in a row."""
+    """An appliance, a sink or a base unit in a row."""
 
     kind: str  # an appliance, `sink`, `hob` or `unit`
     width: float  # [m]

@@ -486,7 +486,7 @@ def _check_standing(name: str, asset: Asset) -> None:
 
 
 def _place_in(asset: Asset, link: str, size: Array, shares: tuple[float, float]) -> Array | None:
-    """Return the middle of a place on a link, in a grid of columns, under which an asset of a size fits."""
+    """Return the middle of a free place of a size on the lowest surface of a link that has one, if any."""
     carrier = asset.link(link)
     low, high = carrier.bounds()
     x, y = (np.arange(start + _CELL / 2.0, end, _CELL) for start, end in zip(low[:2], high[:2], strict=True))

@@ -316,7 +316,7 @@ class _Painter:
         wide: Floats,
         through: Floats,
     ) -> _Points:
-        """Return the surface at hits that stand for all, with maps averaged over widths [pixels]."""
+        """Return the surface at the hits `some`, with maps averaged over widths [pixels]."""
         world = self.world
         normal = self._normals(hits, some, number, view)
         at, view, triangle, u, v = (
