@@ -31,7 +31,7 @@ def test_a_door_without_a_hook_is_held_by_friction() -> None:
     asset = made(0, kind="front", size="full", lever=False)
     hinge = asset.joint("door_hinge")
     assert hinge.needs is None
-    assert 4.0 <= hinge.friction / (2 * asset.parameters["door_radius"]) <= 9.0
+    assert 4.0 <= hinge.friction / (2 * (asset.parameters["porthole"] * asset.parameters["width"])) <= 9.0
     assert "handle_pull" not in [joint.name for joint in asset.joints]
 
 

@@ -14,33 +14,21 @@ Sizes are those of countertop ovens of 17-32 liters: 0.44-0.60 x 0.32-0.45 x 0.2
 of 245-315 mm.
 """
 
-from functools import partial
 from typing import Literal, get_args
 
 import artgen as ag
 from artgen import details
 from artgen.categories.microwave import front
 from artgen.categories.microwave.case import Plan, case, turntable
-from artgen.categories.shared.appliances import cabinet_finish, fronts, grip_metals
-from artgen.categories.shared.controls import (
-    ButtonShape,
-    DialStyle,
-    button_press,
-    control_knob,
-    dial_turn,
-    ink_on,
-)
+from artgen.categories.shared.appliances import PlainLook, cabinet_finish, fronts, grip_metals
+from artgen.categories.shared.controls import ButtonShape, DialStyle, button_press, dial, dial_turn, ink_on
 from artgen.categories.shared.pulls import BarStyle
 from artgen.nodes.details.displays import Color
-from artgen.nodes.fitting import Fitting
 
 Controls = Literal["keypad", "mixed", "dials"]
 """Keys, keys with one dial, or dials alone."""
 
-Look = Literal["stainless", "dark_steel", "white", "black", "pastel"]
-"""Families of finishes, the same as those of other appliances."""
-
-_LOOKS: tuple[Look, ...] = get_args(Look)
+_LOOKS = get_args(PlainLook)
 _FINISH, _METAL = fronts(*_LOOKS), grip_metals(*_LOOKS)
 _STEEL = ag.material("stainless").with_(
     name="cavity_steel", base_color=(0.74, 0.735, 0.73), specular_roughness=0.32
@@ -74,7 +62,7 @@ _KNOBS = (  # plastic caps under a metal skin
 def microwave(
     *,
     controls: Controls = ag.choice({"keypad": 0.5, "mixed": 0.28, "dials": 0.22}),
-    look: Look = ag.by(
+    look: PlainLook = ag.by(
         "controls",
         dials={"stainless": 1, "dark_steel": 0.3, "white": 1.6, "black": 0.8, "pastel": 2.4},
         otherwise={"stainless": 2.4, "dark_steel": 0.7, "white": 1.4, "black": 1, "pastel": 1},
@@ -199,16 +187,19 @@ def microwave(
         proud = front.PANE + key_travel + 0.0006
         cap = front.cap(places.key, f"key_{number}", key_shape, caps, proud=proud, sign=sign)
         body = body.attach(cap, slide, at=(key.x.mid, y, key.z.mid))
-    knob_of = partial(
-        control_knob, finish=knob, style=dial_style, radius=dial_radius, mark=ink_on(knob), cap=metal
-    )
     for number in range(dials):
         tail, cell = f"_{number}" if dials > 1 else "", places.dials[number]
-        turned = knob_of(depth=0.020, name=f"dial{tail}", label="dial")
-        turn = dial_turn(f"dial_turn{tail}", endless=True)
-        scale = front.scale(number, dial_radius, places.field.x.size, ink_on(around))
-        place = (cell.x.mid, y - front.PANE, cell.z.mid)
-        body = body.install(Fitting.moving(turned, turn, fixed=scale), at=place)
+        turned = dial(
+            dial_turn(f"dial_turn{tail}", endless=True),
+            dial_style,
+            dial_radius,
+            knob,
+            depth=0.020,
+            cap=metal,
+            scale=front.scale(number, dial_radius, places.field.x.size, ink_on(around)),
+            name=f"dial{tail}",
+        )
+        body = body.install(turned, at=(cell.x.mid, y - front.PANE, cell.z.mid))
     return body.require(
         places.dials[0].z.size >= (2 * dial_radius if dials else 0),
         "dials have no room over keys and button: raise height, or lower keys, dials or dial_radius",

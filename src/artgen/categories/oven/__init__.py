@@ -23,10 +23,9 @@ from artgen.categories.oven.case import Build, BurnerKind
 from artgen.categories.oven.front import HandleKind, Window
 from artgen.categories.shared.appliances import fronts, grip_metals
 from artgen.categories.shared.baskets import rack_slide
-from artgen.categories.shared.controls import PANE, DialStyle, control_knob, dial_turn, ink_on
+from artgen.categories.shared.controls import PANE, DialStyle, dial, dial_turn, ink_on
 from artgen.categories.shared.pulls import BarStyle, bar_handle
 from artgen.nodes.details.displays import Color
-from artgen.nodes.fitting import Fitting
 
 Look = Literal["stainless", "dark_steel", "white", "black", "pastel"]
 """Families of finishes, the same as those of other appliances."""
@@ -255,18 +254,10 @@ def oven(
     surface, proud = (front.BLACK, PANE) if pane else (finish, 0.0)
     for number, (x, kind) in enumerate(zip(places, kinds, strict=True)):
         tail = f"_{number}" if dials > 1 else ""
-        turned = control_knob(
-            finish=knob,
-            style=dial_style,
-            radius=dial_radius,
-            depth=0.022,
-            mark=ink_on(knob),
-            cap=metal,
-            name=f"dial{tail}",
-            label="dial",
-        )
         turn = dial_turn(f"dial_turn{tail}", low=0, high=front.SWEEP, friction=dial_friction)
         scale = front.scale(dial_radius, *kind, ink_on(surface))
-        at = (x, outside.y.low - proud, plan.panel.z.mid)
-        body = body.install(Fitting.moving(turned, turn, fixed=scale), at=at)
+        turned = dial(
+            turn, dial_style, dial_radius, knob, depth=0.022, cap=metal, scale=scale, name=f"dial{tail}"
+        )
+        body = body.install(turned, at=(x, outside.y.low - proud, plan.panel.z.mid))
     return body

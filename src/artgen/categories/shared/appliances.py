@@ -22,6 +22,9 @@ Look = Literal["stainless", "dark_steel", "white", "black", "pastel", "glass", "
 
 LOOKS: tuple[Look, ...] = get_args(Look)
 
+PlainLook = Literal["stainless", "dark_steel", "white", "black", "pastel"]
+"""Looks of appliances that have no fronts of glass, and none behind the panels of a kitchen."""
+
 _DARK_STEEL = (
     ag.material("stainless").with_(name="black_stainless", base_color=(0.105, 0.105, 0.110)),
     ag.material("stainless").with_(name="slate_steel", base_color=(0.235, 0.235, 0.242)),

@@ -41,8 +41,6 @@ CAP_DEEP = 0.009
 """Depth of the caps of a row behind the face [m]."""
 
 _BESIDE = 0.0012  # gap between the caps of a row and their channel [m]
-_LAP = 0.0005  # overlap of boards, so that no two faces coincide [m]
-_ROW_PITCH = 0.0215  # distance between buttons: a finger 18 mm wide does not touch the neighbors [m]
 _BEFORE = 0.010  # length of the cutter of a hole in front of the face [m]
 _FLUTES = 18
 _FLUTE = 0.055  # depth of a flute, as a share of the radius
@@ -257,37 +255,22 @@ def dial_print(
 
 
 def dial(
+    turn: ag.Joint,
     style: DialStyle,
     radius: ag.Scalar,
     finish: ag.Material,
     *,
     depth: ag.Scalar,
-    limits: tuple[ag.Scalar, ag.Scalar] | None,
-    friction: ag.Scalar | None = None,
-    scale: DialScale | None,
-    count: int,
-    icons: tuple[str, ...],
-    cap: ag.Material | None = ag.MATERIALS["chrome"],
-    ink: ag.Material | None,
+    cap: ag.Material | None = None,
+    scale: ag.Body | None = None,
     name: str = "dial",
 ) -> Fitting:
-    """Make a knob, the link `name`, with its joint, and the print of its range on the panel."""
+    """Make a knob, the link `name`, on its joint, and the print of its scale on the panel."""
+    ink = ink_on(finish)
     knob = control_knob(
-        finish=finish,
-        style=style,
-        radius=radius,
-        depth=depth,
-        mark=ink_on(finish),
-        cap=cap,
-        name=name,
-        label="dial",
+        finish=finish, style=style, radius=radius, depth=depth, mark=ink, cap=cap, name=name, label="dial"
     )
-    low, high = limits or (-SWEEP / 2, SWEEP / 2)
-    turn = dial_turn(f"{name}_turn", low=low, high=high, friction=friction, endless=limits is None)
-    if scale is None or ink is None:
-        return Fitting.moving(knob, turn)
-    print_ = dial_print(radius, ink=ink, style=scale, count=count, icons=icons, sweep=high - low, start=low)
-    return Fitting.moving(knob, turn, fixed=print_)
+    return Fitting.moving(knob, turn, fixed=scale)
 
 
 def inlay(
@@ -305,14 +288,6 @@ def inlay(
     else:
         solid = ag.extrude(outline - holes, PANE + 0.0006, axis=ag.Y).at(y=(0.0006 - PANE) / 2)
     return ag.detail(solid, "panel", finish)
-
-
-def button_holes(
-    shape: ButtonShape, width: ag.Scalar, height: ag.Scalar, at: Sequence[ag.Scalar]
-) -> ag.Profile:
-    """Make the holes of a row of buttons with gaps around the caps, to be cut out of an `inlay`."""
-    hole = button_outline(shape, width + 2 * PLAY, height + 2 * PLAY)
-    return _united(hole.at(place) for place in at)
 
 
 @dataclass(frozen=True)
@@ -337,7 +312,9 @@ class ButtonRow:
     @cached_property
     def holes(self) -> ag.Profile:
         """Holes of the caps, to be cut out of an `inlay`."""
-        return button_holes(self.shape, *self.size, self.at)
+        wide, high = self.size
+        hole = button_outline(self.shape, wide + 2 * PLAY, high + 2 * PLAY)
+        return _united(hole.at(place) for place in self.at)
 
     def channel(self, panel: ag.Region) -> ag.Region:
         """Return the channel of the buttons through a panel."""
@@ -431,47 +408,3 @@ def control_panel(
         bodies.append(icon_row(icons, row, height=tall))
         bodies.append(lamp_row(row, level=-0.85 * tall))
     return ag.weld(*bodies)
-
-
-def console(
-    place: ag.Region,
-    finish: ag.Material,
-    pane: ag.Material | None,
-    dials: Sequence[Fitting],
-    buttons: tuple[int, ButtonShape, ag.Material, ag.Scalar],
-    *,
-    icons: Sequence[str],
-    display: tuple[str, Color],
-    maker: str,
-) -> ag.Body:
-    """Make the console of an appliance on the plane y = 0: dials, a display, and buttons in a row.
-
-    A pane covers its whole face. Buttons are given by count, shape, material and force; the last icon is that
-    of the last button. The display shows a text in a color; without a text, there is none.
-    """
-    place, (show, color) = place.at(-place.x.mid, -place.y.low, -place.z.mid), display
-    zones = place.shrink(x=0.014).across(0.096 * len(dials), 0.092 if show else 0.0, None, gap=0.006)
-    left, middle, right = zones
-    count, shape, caps, force = buttons
-    row = ButtonRow(count, shape, _ROW_PITCH, right.x.mid)
-    channel, high, ink = row.channel(place), row.size[1], ink_on(pane or finish)
-    behind = channel.grow(_LAP).with_(y=(CAP_DEEP + 0.0042, place.y.high))
-    boards = [each.box() for each in (*place.around(channel, lap=_LAP), behind)]
-    face, icons = place.shrink(0.003 if pane else 0.0), (*icons[: count - 1], icons[-1])
-    body = ag.weld(
-        ag.part(boards, "panel", finish.with_(name=f"{finish.name}_panel", density=420.0)),
-        inlay(face.x.size, face.z.size, finish=pane or finish, holes=row.holes),
-        icon_row(icons, row.at, height=0.009, level=high / 2 + 0.012, ink=ink),
-        lamp_row(row.at, level=-high / 2 - 0.008, lit=1),
-    )
-    if show:
-        screen = (middle.x.mid, -PANE, 0.004)
-        body = ag.weld(body, details.display(show, 0.080, 0.030, at=screen, color=color))
-    if maker:
-        spot = (right.x.mid, -PANE, -0.30 * place.z.size)
-        body = ag.weld(body, details.printed(details.logo(maker, 0.0075), spot, material=ink))
-    body = row.install(body, caps, proud=0.0042, travel=0.0022, force=force, preload=0.5)
-    for index, each in enumerate(dials):
-        at = (left.x.at((index + 0.5) / len(dials)), -PANE, 0)
-        body = body.install(each.suffixed(f"_{index}") if len(dials) > 1 else each, at=at)
-    return body

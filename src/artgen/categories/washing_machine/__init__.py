@@ -16,20 +16,17 @@ in high with the console, 60 kg (Whirlpool WTW). Asia: 540 x 930 x 560 mm (LG T 
 """
 
 import math
-from typing import Literal
+from typing import Any, Literal, get_args
 
 import artgen as ag
 from artgen import details
 from artgen.categories.shared import controls
-from artgen.categories.shared.appliances import cabinet_finish, fronts, grip_metals
+from artgen.categories.shared.appliances import PlainLook, cabinet_finish, fronts, grip_metals
 from artgen.categories.washing_machine import case as parts
 from artgen.categories.washing_machine.works import BEHIND, Porthole, Rim, TopLoader
 from artgen.nodes.details.displays import Color
 
-Look = Literal["white", "black", "dark_steel", "stainless", "pastel"]
-"""Families of finishes, the same as those of other appliances."""
-
-_LOOKS: tuple[Look, ...] = ("white", "black", "dark_steel", "stainless", "pastel")
+_LOOKS = get_args(PlainLook)
 _FINISH, _METAL = fronts(*_LOOKS), grip_metals(*_LOOKS)
 _RINGS = {name: ag.colored("abs", name) for name in ("white", "silver", "graphite")}
 _RINGS["chrome"] = ag.material("chrome").with_(name="ring_chrome")
@@ -38,17 +35,37 @@ _CAP = ag.material("brushed_aluminium").with_(name="knob_cap", density=1100)
 _KNOBS = (ag.colored("abs", "white"), ag.colored("abs", "silver"), "black_abs", _CAP)
 _GLASS = ag.material("glass").with_(name="door_bowl", opacity=0.28, density=900.0)
 _SMOKE = ag.material("tinted_glass").with_(name="smoke_bowl", opacity=0.50, density=900.0)
-_ICONS = ("power", "thermometer", "spin", "rinse", "timer", "child_lock", "leaf", "start_pause")
 _PROGRAMS = {
     False: ("shirt", "tumbler", "leaf", "timer", "heart", "snowflake", "drop", "spin", "star"),
     True: ("shirt", "sun", "leaf", "timer", "heart", "fan_heat", "moon", "tumbler", "star"),
 }  # of washing, and of drying
 _PANE = ag.material("black_glass")
 _WHITE_PANE = _PANE.with_(name="white_glass", base_color=(0.80, 0.80, 0.79))
+_SIZES = {  # width, height and depth [m]
+    "full": ((0.595, 0.600), (0.845, 0.855), (0.55, 0.63)),
+    "slim": ((0.595, 0.600), (0.845, 0.855), (0.40, 0.46)),
+    "compact": ((0.508, 0.515), (0.695, 0.710), (0.45, 0.48)),
+    "wide": ((0.683, 0.687), (0.965, 1.000), (0.68, 0.77)),
+}
+_TOPS = _SIZES | {
+    "compact": ((0.53, 0.57), (0.89, 0.94), (0.54, 0.58)),
+    "wide": ((0.683, 0.687), (0.89, 0.94), (0.68, 0.72)),
+}
 
 
 def _odds(share: float) -> dict[bool, float]:
     return {True: share, False: 1 - share}
+
+
+def _size(axis: int, within: tuple[float, float], doc: str = "") -> Any:
+    """Draw the width, height or depth by kind and size."""
+    tops, others = ({key: ag.uniform(*each[axis]) for key, each in kind.items()} for kind in (_TOPS, _SIZES))
+    cases = {"top": ag.by("size", tops), "otherwise": ag.by("size", others)}
+    return ag.by("kind", cases, unit="m", within=within, doc=doc)
+
+
+_WIDTH, _HEIGHT = _size(0, (0.50, 0.70)), _size(1, (0.68, 1.02), "height of the worktop or the deck")
+_DEPTH = _size(2, (0.39, 0.80), "depth of the case; the door stands out by 0.045 m")
 
 
 @ag.category(
@@ -67,38 +84,10 @@ def washing_machine(
         dryer={"full": 0.65, "wide": 0.35},
         doc="full: 60 cm; slim: 60 cm and shallow; compact: 51-56 cm; wide: 68 cm, of the USA",
     ),
-    look: Look = ag.choice({"white": 5, "black": 1, "dark_steel": 1.7, "stainless": 1, "pastel": 1.3}),
-    width: ag.Float = ag.by(
-        "size",
-        wide=ag.uniform(0.683, 0.687),
-        compact=ag.by("kind", top=ag.uniform(0.53, 0.57), otherwise=ag.uniform(0.508, 0.515)),
-        otherwise=ag.uniform(0.595, 0.600),
-        unit="m",
-        within=(0.50, 0.70),
-    ),
-    height: ag.Float = ag.by(
-        "kind",
-        top=ag.uniform(0.89, 0.94),
-        otherwise=ag.by(
-            "size",
-            wide=ag.uniform(0.965, 1.0),
-            compact=ag.uniform(0.695, 0.71),
-            otherwise=ag.uniform(0.845, 0.855),
-        ),
-        unit="m",
-        within=(0.68, 1.02),
-        doc="height of the worktop or the deck",
-    ),
-    depth: ag.Float = ag.by(
-        "size",
-        full=ag.uniform(0.55, 0.63),
-        slim=ag.uniform(0.40, 0.46),
-        compact=ag.by("kind", top=ag.uniform(0.54, 0.58), otherwise=ag.uniform(0.45, 0.48)),
-        wide=ag.by("kind", top=ag.uniform(0.68, 0.72), otherwise=ag.uniform(0.68, 0.77)),
-        unit="m",
-        within=(0.39, 0.80),
-        doc="depth of the case; the door stands out by 0.045 m",
-    ),
+    look: PlainLook = ag.choice({"white": 5, "black": 1, "dark_steel": 1.7, "stainless": 1, "pastel": 1.3}),
+    width: ag.Float = _WIDTH,
+    height: ag.Float = _HEIGHT,
+    depth: ag.Float = _DEPTH,
     finish: ag.Material = _FINISH,
     metal: ag.Material = _METAL,
     rim: Rim = ag.by(
@@ -115,14 +104,7 @@ def washing_machine(
         otherwise={"black": 0.45, "chrome": 0.25, "graphite": 0.3},
         doc="finish of the door's ring",
     ),
-    door_radius: ag.Float = ag.by(
-        "size",
-        wide=ag.uniform(0.205, 0.235),
-        compact=ag.uniform(0.165, 0.180),
-        otherwise=ag.uniform(0.175, 0.210),
-        unit="m",
-        within=(0.155, 0.25),
-    ),
+    porthole: ag.Float = ag.uniform(0.30, 0.345, doc="radius of a door over the width", within=(0.28, 0.36)),
     bowl: ag.Float = ag.uniform(0.060, 0.085, "m", doc="depth of the glass bowl", within=(0.04, 0.10)),
     lever: bool = ag.by(
         "kind", dryer=_odds(0.25), otherwise=_odds(0.7), doc="hook that only the handle frees"
@@ -146,12 +128,7 @@ def washing_machine(
     pane: bool = ag.by(
         "look", white=_odds(0.25), pastel=_odds(0.1), otherwise=_odds(0.6), doc="glass on the console"
     ),
-    dials: int = ag.by(
-        "kind",
-        top=ag.choice({0: 0.2, 1: 0.4, 3: 0.4}),
-        front=ag.choice({1: 0.9, 0: 0.1}),
-        dryer=ag.choice({1: 0.7, 2: 0.3}),
-    ),
+    dials: int = ag.by("kind", top={0: 2, 1: 4, 3: 4}, front={1: 9, 0: 1}, dryer={1: 7, 2: 3}),
     dial_style: controls.DialStyle = ag.choice("round", "fluted", "bar", "skirted", "capped"),
     dial_radius: ag.Float = ag.uniform(0.019, 0.025, "m", within=(0.016, 0.027)),
     knob: ag.Material = ag.shades(*_KNOBS, color=0.03, roughness=0.03, doc="material of dials"),
@@ -179,11 +156,9 @@ def washing_machine(
     """Make a washing machine or a dryer, closed: drum, door or lid, drawer, flap, dials, buttons."""
     outside = ag.Region((-width / 2, width / 2), (-depth / 2, depth / 2), (0, height))
     sides, dryer, wide = cabinet_finish(look, finish), kind == "dryer", size == "wide"
-    dark, side = look in ("black", "dark_steel"), 1 if flap_side == "right" else -1
+    dark, pale = look in ("black", "dark_steel"), look in ("white", "pastel")
     heavy = {"steel": 0.93, "concrete": 1.07}[ballast]
-    glass = None
-    if pane:
-        glass = _WHITE_PANE if look in ("white", "pastel") and ring in ("white", "silver") else _PANE
+    glass = (_WHITE_PANE if pale and ring in ("white", "silver") else _PANE) if pane else None
     plan = parts.Plan(outside, console=console, top=0.004 if wide else 0.030, drawer=0.19 if drawer else 0.0)
     space, dial_size, name = plan.console, dial_radius, maker
     if kind == "top":
@@ -191,14 +166,11 @@ def washing_machine(
         dial_size, name = ag.min_(dial_radius, 0.26 * backsplash), ""
     caps = ag.material("black_abs") if dark else ag.colored("abs", "silver")
     ink, icons = controls.ink_on(glass or finish), _PROGRAMS[dryer]
-    dial = controls.dial(
-        dial_style, dial_size, knob, depth=0.022, limits=None, scale=scale, count=9, icons=icons, ink=ink
-    )
-    keys = (buttons, button_shape, caps, button_force)
-    screen = (show, figures)
-    face = controls.console(
-        space, finish, glass, [dial] * dials, keys, icons=_ICONS, display=screen, maker=name
-    )
+    print_ = controls.dial_print(dial_size, ink=ink, style=scale, count=9, icons=icons)
+    turn, cap = controls.dial_turn("dial_turn", endless=True), ag.MATERIALS["chrome"]
+    dial = controls.dial(turn, dial_style, dial_size, knob, depth=0.022, cap=cap, scale=print_)
+    keys, screen = (buttons, button_shape, caps, button_force), (show, figures)
+    face = parts.console(space, finish, glass, [dial] * dials, keys, screen, name)
 
     if kind == "top":
         lean = 0.6 if wide else 0.8
@@ -222,14 +194,14 @@ def washing_machine(
         return body.install(top.lid(lid_swing, 0.35 * pull, maker))
 
     window = _SMOKE if rim == "glass" or dark else _GLASS
-    port = Porthole(door_radius, rim, finish if rim == "solid" else _RINGS[ring], metal, lever=lever)
+    port = Porthole(porthole * width, rim, finish if rim == "solid" else _RINGS[ring], metal, lever=lever)
     middle = ag.vector(0, outside.y.low, plan.center)
     room = ag.min_(plan.center - 0.150, plan.console.z.low - plan.center - 0.004)
     radius = ag.min_(width / 2 - 0.045, room)
     low = plan.center - radius - 0.012
     density = ((120 if wide else 270) if dryer else 560 if wide else 800) * heavy
     worktop = plan.top.shrink(front=0.002, back=0.004).box(bevel=0.002 if wide else 0.005)
-    board = ag.colored("lacquered_mdf", "white" if look in ("white", "pastel") else "graphite")
+    board = ag.colored("lacquered_mdf", "white" if pale else "graphite")
     top_name, top_density = (f"{finish.name}_top", 2400.0) if wide else ("worktop", 620.0)
     body = ag.weld(
         parts.sheets(outside, sides, front=plan.panel.y.high, high=plan.top.z.low + parts.LAP),
@@ -238,7 +210,7 @@ def washing_machine(
         ag.part(worktop, "worktop", (finish if wide else board).with_(name=top_name, density=top_density)),
         parts.back(outside, maker, "2100 W 230 V~", low=0.22, vented=dryer and not drawer),
         face.at(plan.console.x.mid, plan.console.y.low, plan.console.z.mid),
-        parts.kick_plate(plan, finish, flap=flap, side=side),
+        parts.kick_plate(plan, finish, flap_side if flap else ""),
     )
     drum = port.drum(radius, depth - 0.055, drum_friction, dryer=dryer, paddles=paddles)
     body = body.install(drum, at=middle)

@@ -1,29 +1,29 @@
 """The case of a washing machine or a dryer: sheets, base, back, console, drawer and kick plate."""
 
+from collections.abc import Sequence
+
 import artgen as ag
 from artgen import details, feel
 from artgen.categories.shared import controls
 from artgen.categories.shared.appliances import DARK, cord_stub, drain_hose, filled, inlet_hose
-from artgen.categories.shared.fixings import screws
+from artgen.categories.shared.fixings import feet, screws
 from artgen.categories.shared.shelves import open_box
-
-SHEET = 0.004
-"""Modeled thickness of sheet steel [m]."""
+from artgen.nodes.details.displays import Color
+from artgen.nodes.fitting import FIT, Fitting
 
 SKIN = 0.014
 """Thickness of the front panel with its folded edges [m]."""
 
-LAP = 0.0005
-"""Overlap of boards, so that no two faces coincide [m]."""
-
-FOOT = 0.014
-"""Height of the feet [m]."""
-
+LAP = FIT.lap
 ZINC = ag.material("zinc")
 GREY = ag.colored("polypropylene", "light_grey")
 
+_SHEET = 0.004  # modeled thickness of sheet steel [m]
+_FOOT = 0.014  # height of the feet [m]
 _REVEAL = 0.0016  # joint between front, console, drawer and kick plate [m]
 _BEHIND = 0.030  # depth of the recess for hoses at the back [m]
+_PITCH = 0.0215  # distance between buttons: a finger 18 mm wide does not touch the neighbors [m]
+_ICONS = ("power", "thermometer", "spin", "rinse", "timer", "child_lock", "leaf", "start_pause")
 _BLACK = ag.material("black_abs")
 _TRAY = GREY.with_(name="tray_plastic")
 _FLAP = feel.Feel(damping=0.004, friction=0.03, armature=1e-4, effort=2.0)
@@ -48,8 +48,8 @@ def sheets(plan: ag.Region, finish: ag.Material, *, front: ag.Scalar, high: ag.S
     """Make the sides from behind the front panel to the back, up to a height, and the back panel."""
     rear = plan.y.high
     whole = plan.with_(y=(front - LAP, rear), z=(0.022, high))
-    left, _, right = whole.across(SHEET, None, SHEET)
-    back = whole.shrink(x=SHEET - LAP).with_(y=(rear - _BEHIND - SHEET, rear - _BEHIND))
+    left, _, right = whole.across(_SHEET, None, _SHEET)
+    back = whole.shrink(x=_SHEET - LAP).with_(y=(rear - _BEHIND - _SHEET, rear - _BEHIND))
     grooves = ag.rectangle(whole.y.size - 0.10, 0.016, radius=0.0079)
     places = [(way, whole.at(z=up).anchor(x=way)) for way in (-1, 1) for up in (-0.24, 0.24)]
     pressed = [
@@ -64,14 +64,10 @@ def sheets(plan: ag.Region, finish: ag.Material, *, front: ag.Scalar, high: ag.S
 
 def base(plan: ag.Region, high: ag.Scalar, front: ag.Scalar, density: float) -> ag.Body:
     """Make the base with pump, motor and ballast up to a height, of a density [kg/m3], on four feet."""
-    pan = plan.shrink(x=SHEET - LAP).with_(y=(front, plan.y.high - _BEHIND - 0.001), z=(FOOT, high))
-    corners = plan.shrink(x=0.048, y=0.052)
-    foot = ag.array(
-        ag.cylinder(0.022, FOOT + 0.001).at(z=FOOT / 2 + LAP),
-        at=[(x, y, 0) for x in corners.x for y in corners.y],
-    )
+    pan = plan.shrink(x=_SHEET - LAP).with_(y=(front, plan.y.high - _BEHIND - 0.001), z=(_FOOT, high))
+    at = [(x, y) for x in plan.shrink(0.048).x for y in plan.shrink(0.052).y]
     block = ag.part(pan.box(bevel=0.003), "base", _BLACK.with_(name="ballast", density=density))
-    return ag.weld(block, ag.part(foot, "foot", _BLACK, separate="each foot is screwed into the base"))
+    return ag.weld(block, feet(at, radius=0.022, height=_FOOT, finish=_BLACK))
 
 
 def back(plan: ag.Region, maker: str, model: str, *, low: ag.Scalar, vented: bool) -> ag.Body:
@@ -94,6 +90,43 @@ def back(plan: ag.Region, maker: str, model: str, *, low: ag.Scalar, vented: boo
         inlet_hose().at(0.72 * half, y, plan.z.high - 0.46),
         drain_hose().at(-0.3 * half, y, low + 0.02),
     )
+
+
+def console(
+    place: ag.Region,
+    finish: ag.Material,
+    pane: ag.Material | None,
+    dials: Sequence[Fitting],
+    keys: tuple[int, controls.ButtonShape, ag.Material, ag.Scalar],
+    screen: tuple[str, Color],
+    maker: str,
+) -> ag.Body:
+    """Make the console about the middle of its face: dials, display, buttons of count, shape, cap, force."""
+    place = place.at(-place.x.mid, -place.y.low, -place.z.mid)
+    (show, color), (count, shape, cap, force) = screen, keys
+    zones = place.shrink(x=0.014).across(0.096 * len(dials), 0.092 if show else 0.0, None, gap=0.006)
+    left, middle, right = (each.x for each in zones)
+    row, ink = controls.ButtonRow(count, shape, _PITCH, right.mid), controls.ink_on(pane or finish)
+    channel, high, over = row.channel(place), row.size[1], -controls.PANE
+    behind = channel.grow(LAP).with_(y=(controls.CAP_DEEP + 0.0042, place.y.high))
+    boards = [each.box() for each in (*place.around(channel, lap=LAP), behind)]
+    face, icons = place.shrink(0.003 if pane else 0.0), (*_ICONS[: count - 1], _ICONS[-1])
+    body = ag.weld(
+        ag.part(boards, "panel", finish.with_(name=f"{finish.name}_panel", density=420.0)),
+        controls.inlay(face.x.size, face.z.size, finish=pane or finish, holes=row.holes),
+        controls.icon_row(icons, row.at, height=0.009, level=high / 2 + 0.012, ink=ink),
+        controls.lamp_row(row.at, level=-high / 2 - 0.008, lit=1),
+    )
+    if show:
+        body = ag.weld(body, details.display(show, 0.080, 0.030, at=(middle.mid, over, 0.004), color=color))
+    if maker:
+        at = (right.mid, over, -0.30 * place.z.size)
+        body = ag.weld(body, details.printed(details.logo(maker, 0.0075), at, material=ink))
+    body = row.install(body, cap, proud=0.0042, travel=0.0022, force=force, preload=0.5)
+    for number, dial in enumerate(dials):
+        at = (left.at((number + 0.5) / len(dials)), over, 0)
+        body = body.install(dial.suffixed(f"_{number}") if len(dials) > 1 else dial, at=at)
+    return body
 
 
 def _gripped(name: str, front: ag.Region, ridge: ag.Region, finish: ag.Material, depth: float) -> ag.Body:
@@ -125,12 +158,12 @@ def drawer(plan: Plan, finish: ag.Material, *, tank: bool, friction: ag.Scalar) 
         siphon = inner.shrink(front=0.06, back=0.02).with_(x=(x[0] - 0.001, x[1] + 0.001))
         siphon = siphon.with_(z=(inner.z.high - 0.016, inner.z.high - 0.006))
         bodies.append(ag.detail(siphon.box(bevel=0.003), "drawer", ag.colored("abs", "sky")))
-        main, softener, pre = (
-            details.lettering(["II"], 0.008),
-            details.icon("star", 0.011),
+        signs = [
             details.lettering(["I"], 0.008),
-        )
-        for share, sign in ((0.18, pre), (0.5, softener), (0.82, main)):
+            details.icon("star", 0.011),
+            details.lettering(["II"], 0.008),
+        ]
+        for share, sign in zip((0.18, 0.5, 0.82), signs, strict=True):
             at = (front.x.at(share), front.y.low, front.z.at(0.62))
             bodies.append(details.printed(sign, at, material=controls.ink_on(finish)))
     box = [each.at(inner.x.mid, inner.y.low, inner.z.low) for each in open_box(*inner.size, wall=0.003)]
@@ -142,14 +175,14 @@ def drawer(plan: Plan, finish: ag.Material, *, tank: bool, friction: ag.Scalar) 
     return housing.attach(ag.weld(*bodies), slide)
 
 
-def kick_plate(plan: Plan, finish: ag.Material, *, flap: bool, side: int) -> ag.Body:
+def kick_plate(plan: Plan, finish: ag.Material, flap: str) -> ag.Body:
     """Make the kick plate, and the flap before the filter of the pump, hinged at its lower edge."""
     plate, stuff = plan.kick.shrink(front=0.003), filled(finish, 900.0)
     if not flap:
         slots = details.vent_slots(0.6 * plate.x.size, 0.014, 16, slot=0.0035)
         vent = details.relief(slots, plate.anchor(y=-1), proud=0.0003)
         return ag.weld(ag.part(plate.box(bevel=0.002), "kick_plate", stuff), ag.detail(vent, "vent", DARK))
-    x = side * (plate.x.high - 0.105)
+    x = (plate.x.high - 0.105) * (1 if flap == "right" else -1)
     hole = plate.shrink(z=0.010).with_(x=(x - 0.070, x + 0.070))
     leaf = hole.shrink(x=0.0015, z=0.0022).deep(0.006, None)[0]
     ridge = ag.Region.centered(0.045, 0.013, 0.007).at(x, leaf.y.low - 0.0055, leaf.z.high - 0.011)

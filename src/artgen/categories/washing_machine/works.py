@@ -59,10 +59,7 @@ def _spin(name: str, axis: ag.Vector, friction: ag.Scalar) -> ag.Joint:
 
 
 class Porthole:
-    """A door and the opening behind it, about the middle of the opening in the face y = 0.
-
-    A lever frees the hook that holds the door; the accent is the material of handle and trim.
-    """
+    """A door with its handle, and the opening behind it, about its middle in the face y = 0."""
 
     def __init__(
         self, radius: ag.Scalar, rim: Rim, ring: ag.Material, accent: ag.Material, *, lever: bool
@@ -140,11 +137,8 @@ class Porthole:
         tabs = ag.part([tab.at(z=-0.0445), tab.at(z=0.0445)], "hinge", _STEEL)
         end = self.front + (-0.003 if self.lever else 0.001)
         handle = ag.Region((x - 0.002, x + 0.028), (self.front - 0.0165, end), (-0.048, 0.048))
-        half = handle.y.size / 2
-        bar = details.relief(
-            handle.front(radius=0.010), (0, handle.y.mid, 0), proud=half, sunk=half, bevel=0.003
-        )
-        grip = ag.bounding_collider(bar)
+        bar = ag.extrude(handle.front(radius=0.010), handle.y.size, axis=ag.Y, bevel=0.003)
+        grip = ag.bounding_collider(bar.at(y=handle.y.mid))
         hold = ag.grasp_on(grip, approach=ag.Y, closing=ag.X, depth=0.0095)
         door = ag.weld(*self._ring(glass, bowl), tabs)
         lever = ag.part(grip, "handle", self.accent, name="handle", grasp=hold)
@@ -193,10 +187,7 @@ class Porthole:
 
 
 class TopLoader:
-    """The upper part of a machine that loads from above, in the case from the floor to its deck.
-
-    A lid without glass is closed.
-    """
+    """The upper part of a machine that loads from above, in the case from the floor to its deck."""
 
     def __init__(
         self, case: ag.Region, finish: ag.Material, metal: ag.Material, glass: ag.Material | None
@@ -243,8 +234,7 @@ class TopLoader:
         if self.glass:
             bodies.append(ag.detail(rim, "lid", self.metal))
         at, ink = (0, leaf.y.low + 0.052, leaf.z.high), controls.ink_on(self.finish)
-        name = details.logo(maker, 0.012)
-        bodies.append(details.printed(name, at, material=ink, facing=ag.Z, up=ag.Y))
+        bodies.append(details.printed(details.logo(maker, 0.012), at, material=ink, facing=ag.Z, up=ag.Y))
         at = (0, leaf.y.high, leaf.z.high)
         hinge = ag.Revolute(
             "lid_hinge", axis=-ag.X, pivot=at, limits=(0, swing), feel=_LID, friction=friction
