@@ -44,6 +44,42 @@ def test_a_collision_is_the_first_line_and_in_the_picture(check, tmp_path):
         assert picture.size == (48, 16)
 
 
+DRAWS = """
+import random
+import artgen as ag
+
+
+@ag.category(labels=("seat",))
+def stool(width: ag.Float = ag.uniform(0.3, 0.4)):
+    return ag.part(ag.box(width, 0.3, random.uniform(0.2, 0.4)), "seat", ag.material("oak"))
+"""
+
+
+@pytest.mark.parametrize("source", ["random.uniform", "np.random.uniform", "SIZE * random.uniform"])
+def test_a_draw_outside_of_the_signature_is_a_fault_with_its_line(
+    source, artgen_command, monkeypatch, tmp_path
+):
+    monkeypatch.setattr(checks, "_PIXELS", 16)
+    text = DRAWS.replace("random.uniform", source).replace(
+        "import random", "import random\nimport numpy as np"
+    )
+    (tmp_path / "stool.py").write_text(text + "\n\nSIZE = 1.0\n")
+    done = artgen_command("check", str(tmp_path / "stool.py"))
+    assert done.code == 1
+    assert f"box at {tmp_path / 'stool.py'}:9 differs: z was 0." in done.out
+    assert "draw numbers in the signature, such as width: Float = uniform(0.1, 0.2)" in done.out
+
+
+def test_a_draw_at_import_is_a_fault(artgen_command, monkeypatch, tmp_path):
+    monkeypatch.setattr(checks, "_PIXELS", 16)
+    text = DRAWS.replace("random.uniform(0.2, 0.4)", "HIGH").replace(
+        "\n\n@", "\n\nHIGH = random.uniform(0.2, 0.4)\n\n@"
+    )
+    (tmp_path / "stool.py").write_text(text)
+    done = artgen_command("check", str(tmp_path / "stool.py"))
+    assert (done.code, "the same seed gives another asset" in done.out) == (1, True)
+
+
 def test_a_time_limit_ends_the_proof(check):
     done, lines = check("--seconds", "1e-9")
     assert done.code == 1

@@ -187,6 +187,8 @@ generate two ~ there is no category 'two'. Did you mean the file two.py?
 check package ~ package is a folder without an exported asset; did you mean the file package/src/package.py?
 view page.html ~ page.html is a page: open it in a browser.
 view nowhere ~ there is no category 'nowhere'
+view nofolder ~ and no folder of that name; give a folder that artgen exported, the Python file of a category
+view dor ~ `artgen list` shows. Did you mean 'door'?
 certify - ~ artgen reads no pipe or device: write its content to a file, such as stapler.py or robot.urdf.
 certify /dev/null ~ artgen reads no pipe or device: write its content to a file
 check - ~ artgen reads no pipe or device: write its content to a file
@@ -327,6 +329,66 @@ def test_a_draft_of_a_category_names_line_and_fix(body, words):
     with pytest.raises(ArtgenError, match=re.escape(words)) as caught:
         category.generate(certify=False)
     assert Path(__file__).name in str(caught.value)
+
+
+HINGE = ag.Revolute("turn", axis=ag.Z, pivot=(0, 0, 0.1), limits=(0, 1))
+
+
+def lid() -> ag.Body:
+    return ag.part(ag.box(0.1, 0.1, 0.1).at(z=0.101), "b", OAK)
+
+
+def attached() -> ag.Body:
+    body = cube()
+    body.attach(lid(), HINGE)
+    return body
+
+
+def cut() -> ag.Body:
+    body = cube()
+    body.cut(ag.box(0.01, 0.01, 1))
+    return body
+
+
+def made_only() -> ag.Body:
+    lid()
+    ag.weld(cube(), lid().at(z=0.2))
+    return cube()
+
+
+def moved() -> ag.Body:
+    solid = ag.box(0.1, 0.1, 0.1)
+    solid.at(z=0.05)
+    return ag.part(solid, "a", OAK)
+
+
+@pytest.mark.parametrize(
+    ("function", "statement"),
+    [(attached, "body.attach("), (cut, "body.cut("), (made_only, "ag.weld("), (moved, "solid.at(")],
+)
+def test_a_statement_that_drops_its_body_is_named(function, statement):
+    with pytest.raises(ag.BuildError, match=r"Keep the result, as in body = body\.attach") as caught:
+        ag.generator(function).generate(certify=False)
+    file, line = re.search(r"at (\S+):(\d+)\n", str(caught.value)).groups()
+    assert statement in Path(file).read_text().splitlines()[int(line) - 1]
+
+
+def test_bodies_that_are_made_for_a_choice_may_be_left_out():
+    def chosen(*, kind: str = ag.choice("plain", "lidded"), wide: ag.Float = ag.uniform(0.1, 0.2)) -> ag.Body:
+        body, copies = cube(), []
+        for place in (0.0, 0.5):
+            copies.append(lid().at(x=place))  # noqa: PERF401 - a statement that keeps its body
+        kinds = {"plain": body, "lidded": body.attach(copies[0], HINGE)}
+        heavy = body.attach(copies[1], HINGE)
+        measured = cube("c").mass() + ag.box(1, 1, 1).volume()
+        return ag.switch((wide > 0.05) & (measured > 0), kinds[kind], heavy)
+
+    category = ag.generator(chosen)
+    links = {kind: len(category.generate(certify=False, kind=kind).links) for kind in ("plain", "lidded")}
+    assert links == {"plain": 1, "lidded": 2}
+    notes = category.check_source(category, 0, overrides={"kind": "plain"}).findings
+    assert [note.severity for note in notes] == ["note"]
+    assert re.fullmatch(r"the body of attach at \S+ is not in the asset; return, .*", str(notes[0]))
 
 
 def test_a_folder_of_assets_is_no_asset(asset, tmp_path):

@@ -11,6 +11,18 @@ def inertia(export: Export, root: Any) -> Any:
     return named(root, "link", export.link).find("inertial/inertia")
 
 
+@fault("urdf", r"^line \d+: <color rgba> is 'nan 0 0 1', which is not a finite number", "")
+def urdf_color_that_is_no_number(export: Export) -> None:
+    with export.xml("urdf") as root:
+        next(root.iter("color")).set("rgba", "nan 0 0 1")
+
+
+@fault("urdf", r"line \d+: <limit effort> is '1e999', which is not a finite number", "joint")
+def urdf_infinite_effort(export: Export) -> None:
+    with export.xml("urdf") as root:
+        named(root, "joint", export.joint.name).find("limit").set("effort", "1e999")
+
+
 @fault("urdf", r"its inertia differs by 100 % .* not all positive", "link")
 def urdf_zero_inertia(export: Export) -> None:
     with export.xml("urdf") as root:

@@ -19,6 +19,7 @@ from artgen.sampling import choice, uniform
 from artgen.testing import check_category
 from support.exports import stand
 from support.generators import door
+from support.lines import place_of
 
 OAK = material("oak")
 TREE = ("files", "tree")
@@ -60,10 +61,14 @@ def test_what_changes_from_run_to_run_is_told():
 
     @generator
     def restless() -> Body:
-        return part(box(0.1 + 0.01 * next(calls), 0.1, 0.1), "box", OAK)
+        return part(box(0.1 + 0.01 * next(calls), 0.1, 0.1), "box", OAK)  # grows
 
     text = failure(restless, seeds=[0], checks=TREE)
     assert "same seed, same bytes: generated again, the asset is another" in text
+    line = place_of(__file__, "grows")
+    assert (
+        f"source: the same seed gives another asset when it is built again; box at {line} differs: x" in text
+    )
 
 
 def test_nothing_is_remembered_between_the_two_runs(monkeypatch):

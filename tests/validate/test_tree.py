@@ -137,6 +137,18 @@ def test_limits_that_look_like_degrees_are_a_note(asset):
     assert not check_tree(changed(asset, "hinge", limits=(0.0, 2.0 * np.pi))).findings
 
 
+def test_a_size_that_looks_like_millimetres_is_a_note():
+    @artgen.generator
+    def stool() -> artgen.Body:
+        return part(box(450.0, 9.0, 9.0), "seat", STEEL)
+
+    (note,) = check_tree(stool.generate(certify=False)).findings
+    assert note.severity == "note"
+    assert str(note) == (
+        "the asset is 450 m wide: are these millimetres? lengths are in metres; write 0.45 for 450 mm"
+    )
+
+
 def test_a_spring_beyond_its_limits_is_a_note_unless_it_beats_the_effort(asset):
     (note,) = check_tree(changed(asset, "turn", rest=-1.0)).findings
     assert note.severity == "note"

@@ -1,5 +1,6 @@
 """Commands that open pages: `artgen view`, `artgen gallery`, `artgen graph`, `artgen studio`."""
 
+import difflib
 import time
 import webbrowser
 from pathlib import Path
@@ -10,7 +11,7 @@ from typer import Argument, Option
 
 from artgen.asset import Asset
 from artgen.asset.files import ASSET_FILE
-from artgen.catalog import find, script_of
+from artgen.catalog import categories, find, is_file, is_pipe, script_of
 from artgen.commands.console import progress
 from artgen.commands.options import Category, OpenBrowser, Overrides, Page, Seed, Source, TextureSize
 from artgen.errors import ParameterError
@@ -27,8 +28,8 @@ def asset_from(source: str, seed: int, overrides: list[str], *, certify: bool = 
         ArtgenError: There is no such asset or category, or it cannot be generated.
     """
     directory = Path(source)
-    script = script_of(source) if directory.is_dir() else ""
-    if script and not (directory / ASSET_FILE).exists():
+    script = script_of(source)
+    if directory.is_dir() and script and not (directory / ASSET_FILE).exists():
         raise ParameterError(
             f"{source} is a folder without an exported asset; did you mean the file {script}?"
         )
@@ -38,6 +39,14 @@ def asset_from(source: str, seed: int, overrides: list[str], *, certify: bool = 
                 f"--set is for categories, but {source} is an exported asset; leave --set out"
             )
         return Asset.load(directory)
+    known = directory.exists() or is_file(source) or is_pipe(source) or source in categories()
+    if not known and not script:
+        near = difflib.get_close_matches(source, categories(), 1, cutoff=0.7)
+        raise ParameterError(
+            f"there is no category {source!r} and no folder of that name; give a folder that artgen "
+            "exported, the Python file of a category, such as stapler.py, or a category that `artgen list` "
+            "shows." + (f" Did you mean {near[0]!r}?" if near else "")
+        )
     return find(source).evaluate(seed, certify=certify, overrides=parse_overrides(overrides))[0]
 
 

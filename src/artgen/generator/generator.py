@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import ast
 import atexit
 import functools
 import inspect
+import linecache
 import math
 import operator
 import sys
@@ -19,9 +21,10 @@ from typing import Any, Literal, get_args
 from artgen._arrays import without_collector
 from artgen._names import NAME_RULE, is_identifier
 from artgen._progress import progress
-from artgen.asset import Asset
+from artgen.asset import Asset, AssetJoint, Tree
 from artgen.asset.asset import Base, DetailName, Limits, certify_later
 from artgen.asset.certificate import MOST_TOLERANCE, Certificate
+from artgen.asset.report import CheckResult, Finding
 from artgen.errors import (
     ArtgenError,
     AssetError,
@@ -35,8 +38,19 @@ from artgen.errors import (
 from artgen.generator.draw import Draw, Overrides, Probability, meets, probability
 from artgen.generator.parameter import Parameter, Variant, is_variant
 from artgen.generator.signature import read_parameters
-from artgen.graph import DETAILS, FULL, Cache, Detail, Evaluation, Graph, Handle, reached
-from artgen.graph.handle import folding
+from artgen.graph import (
+    DETAILS,
+    FULL,
+    OPERATIONS,
+    Cache,
+    Detail,
+    Evaluation,
+    Graph,
+    Handle,
+    operation,
+    reached,
+)
+from artgen.graph.handle import folding, recording
 from artgen.graph.node import Node, line_in, topological
 from artgen.nodes.handles import Body
 from artgen.sampling import Fixed, Given
@@ -344,8 +358,58 @@ class Generator(Variant):
             **inputs: Inputs of the function; they replace parameters of the same name.
 
         Raises:
-            BuildError: An input is unknown or missing, the function fails, or it does not return a handle.
+            BuildError: An input is unknown or missing, the function fails, it does not return a handle, or a
+                statement drops the result of an operation.
         """
+        if prefix:  # a sub-generator: its caller sees what is unused
+            return self._built_with(values, prefix, inputs)
+        with recording() as made:
+            result = self._built_with(values, prefix, inputs)
+        for node in _unused(result, made):
+            if _is_dropped(node):
+                raise BuildError(
+                    f"{self.name}: the result of {node.op} is dropped; bodies and solids never change, their "
+                    f"methods return others\n  at {node.where}\n"
+                    "  Keep the result, as in body = body.attach(child, joint), and return the last one"
+                )
+        return result
+
+    def check_source(
+        self, again: Generator, seed: int, *, attempt: int = 0, overrides: Mapping[str, Any] | None = None
+    ) -> CheckResult:
+        """Check that the function builds the same graph again, and that the asset has all that it makes.
+
+        Args:
+            again: The same generator; one from a file is best loaded a second time.
+            seed: Seed of a sample.
+            attempt: Number of infeasible draws before the sample.
+            overrides: Values or other distributions by name.
+
+        Returns:
+            The check `source`: a fault with the author's line if the two graphs differ, and a note for each
+            body or joint that is not in the asset.
+        """
+        values = self.sample(seed, attempt=attempt, overrides=overrides)
+        with recording() as made:
+            first = self._built_with(values, "", {})
+        second = again.build(again.sample(seed, attempt=attempt, overrides=overrides))
+        kinds = {Tree: "body", AssetJoint: "joint"}
+        unused = [node for node in _unused(first, made) if operation(node.op).result in kinds]
+        findings = [
+            Finding(
+                "source",
+                f"the {kinds[operation(node.op).result]} of {node.op} at {node.where} is not in the asset",
+                hint="return, attach or weld it, or make it only where it is used",
+                severity="note",
+            )
+            for node in unused
+        ]
+        if first.node.key != second.node.key:
+            findings.append(_differing(first.node, second.node))
+        return CheckResult("source", tuple(findings), f"built twice, {len(made)} operations")
+
+    def _built_with(self, values: Mapping[str, Any], prefix: str, inputs: Mapping[str, Any]) -> Any:
+        """Call the function with the caller's inputs and with drawn values."""
 
         def given(parameter: Parameter) -> Any:
             full = prefix + parameter.name
@@ -743,6 +807,55 @@ def _check_options(name: str, base: Any, attempts: int | None, detail: Any) -> N
         raise ParameterError(f"detail = {detail!r} is not allowed: it must be one of {allowed}")
     if attempts is not None and checked_count("attempts", attempts) < 1:
         raise ParameterError(f"attempts must be at least 1, got {attempts!r}")
+
+
+def _unused(result: Handle, made: Sequence[Node]) -> list[Node]:
+    """Return the nodes that neither the result nor another operation uses, except those of switches."""
+    used = {child.key for node in made for child in node.children}
+    used.add(getattr(result.node, "key", ""))  # a number has no node
+    return [node for node in made if node.key not in used and not operation(node.op).lazy]
+
+
+def _is_dropped(node: Node) -> bool:
+    """Tell whether a node is of a statement that calls an operation or a method of a handle."""
+    file, _, line = node.where.rpartition(":")
+    linecache.checkcache(file)
+    return int(line or 0) in _calls("".join(linecache.getlines(file)))
+
+
+@functools.lru_cache(maxsize=16)
+def _calls(text: str) -> frozenset[int]:
+    """Return the lines of statements that only call an operation or a method of a handle."""
+    try:
+        parsed = ast.parse(text)
+    except SyntaxError:  # edited meanwhile
+        return frozenset()
+    methods = {*OPERATIONS, *(name for kind in Handle.HANDLES.values() for name in dir(kind))}
+    lines: set[int] = set()
+    for each in ast.walk(parsed):
+        if isinstance(each, ast.Expr) and isinstance(each.value, ast.Call):
+            called = each.value.func
+            if getattr(called, "attr", getattr(called, "id", "")) in methods:  # `body.attach`, or `part`
+                lines.update(range(each.lineno, (each.end_lineno or each.lineno) + 1))
+    return frozenset(lines)
+
+
+def _differing(first: Node, second: Node) -> Finding:
+    """Return the fault of a function that builds two graphs for the same values."""
+    pairs = zip(topological(first), topological(second), strict=False)
+    node, other = next((pair for pair in pairs if pair[0].key != pair[1].key), (first, second))
+    changed = ""
+    for name, value in node.inputs.items():
+        if name in other.inputs and isinstance(value, float | int | str) and value != other.inputs[name]:
+            changed = f": {name} was {value!r}, then {other.inputs[name]!r}"
+            break
+    return Finding(
+        "source",
+        "the same seed gives another asset when it is built again; "
+        f"{node.op} at {node.where} differs{changed}",
+        hint="draw numbers in the signature, such as width: Float = uniform(0.1, 0.2); use no random, time "
+        "or order of a set",
+    )
 
 
 def _place(body: Handle, error: AssetError) -> str:

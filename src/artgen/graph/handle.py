@@ -24,6 +24,18 @@ from artgen.graph.node import PARAMETER, Data, Node, authors_line
 C = TypeVar("C", bound=Callable[..., Any])
 
 _FOLDING = ContextVar("folding", default=False)
+_RECORDED: ContextVar[list[Node] | None] = ContextVar("recorded", default=None)
+
+
+@contextmanager
+def recording() -> Iterator[list[Node]]:
+    """Collect the nodes of all operations, also of those that no result uses."""
+    nodes: list[Node] = []
+    token = _RECORDED.set(nodes)
+    try:
+        yield nodes
+    finally:
+        _RECORDED.reset(token)
 
 
 @contextmanager
@@ -247,7 +259,12 @@ def records(
 def _result(kind: type[Handle], known: Operation, inputs: Mapping[str, Any]) -> Any:
     """Return the node of an operation, or its result if it is computed at once."""
     found = _folded(kind, known, inputs) if _FOLDING.get() else NotImplemented
-    return Node(known.name, inputs, authors_line()) if found is NotImplemented else found
+    made = Node(known.name, inputs, authors_line()) if found is NotImplemented else found
+    recorded = _RECORDED.get()
+    if recorded is not None and type(made) is Node:
+        # a switch that is computed at once uses its other branch as well
+        recorded.append(made if found is NotImplemented else Node(known.name, inputs))
+    return made
 
 
 def _folded(kind: type[Handle], known: Operation, inputs: Mapping[str, Any]) -> Any:

@@ -97,6 +97,8 @@ def _faults(
         parameters = {} if infeasible else generator.sample(seed, overrides=overrides)
         return parameters, [f"generate: {error}"]
     faults = _round_trip(generator, asset, overrides)
+    source = generator.check_source(generator, seed, attempt=asset.attempt, overrides=overrides)
+    faults += [f"source: {fault}" for fault in source.faults]
     again = json.loads(generated(cache=Cache(), keep_graph=True)[0].to_json())
     # with a kept graph, overrides that do not act are recorded as well
     again["parameters"] = {

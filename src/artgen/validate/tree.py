@@ -19,6 +19,9 @@ from artgen.validate.solids import floating_findings
 
 CHECK = "tree"
 
+LARGEST = 10.0
+"""Largest plausible length of an asset; a longer one may have been given in millimetres [m]."""
+
 LIGHTEST, HEAVIEST = 5.0, 20000.0
 """Range of plausible mean densities of a link: foam to tungsten [kg/m^3]."""
 
@@ -37,6 +40,7 @@ def check_tree(asset: Asset) -> CheckResult:
         return CheckResult(CHECK, (_fault("the asset has no links", hint="generate it again"),))
     findings = [*_structure_findings(asset), *_name_findings(asset), *_label_findings(asset)]
     findings += _joint_findings(asset)
+    findings += _size_findings(asset)
     for link in asset.links:
         findings += _grasp_findings(link, {joint.name for joint in asset.joints})
         try:
@@ -47,6 +51,20 @@ def check_tree(asset: Asset) -> CheckResult:
             message = f"its connection and mass cannot be judged: {error}"
             findings.append(_fault(message, link.name, severity="note"))
     return CheckResult(CHECK, tuple(findings), f"{len(asset.links)} links, {len(asset.joints)} joints")
+
+
+def _size_findings(asset: Asset) -> Iterator[Finding]:
+    """Yield a note about an asset that is larger than furniture and appliances are."""
+    try:
+        low, high = asset.bounds()
+    except ArtgenError:
+        return  # other findings report missing files
+    size = float((high - low).max())
+    if size > LARGEST:
+        axis = ("wide", "deep", "high")[int(np.argmax(high - low))]
+        message = f"the asset is {size:.4g} m {axis}: are these millimetres? lengths are in metres"
+        hint = f"write {size / 1000.0:.4g} for {size:.4g} mm"
+        yield _fault(message, value=size, unit="m", hint=hint, severity="note")
 
 
 def _structure_findings(asset: Asset) -> Iterator[Finding]:

@@ -128,16 +128,19 @@ def plier(
         armature=0.00002,
         effort=20,
     )
-    slide = ag.Prismatic(
-        "pivot_slide",
-        axis=-ag.X,
-        limits=(0, way),
-        friction=4,  # of a tight bolt
-        damping=1,
-        effort=60,
-        needs=(hinge > PASSES).until(0.985 * way) if slip else None,
-    )
-    body = body.attach(jaw.rotate(ag.Y, math.pi), *((slide, hinge) if slip else (hinge,)))
+    joints: tuple[ag.Joint, ...] = (hinge,)
+    if slip:
+        slide = ag.Prismatic(
+            "pivot_slide",
+            axis=-ag.X,
+            limits=(0, way),
+            friction=4,  # of a tight bolt
+            damping=1,
+            effort=60,
+            needs=(hinge > PASSES).until(0.985 * way),
+        )
+        joints = (slide, hinge)
+    body = body.attach(jaw.rotate(ag.Y, math.pi), *joints)
     # half of the travel of the pivot to its second hole is nearer
     body = body.require(
         fittings.off_middle(forging, grips, handle_width) > way / 2 + 0.0002,

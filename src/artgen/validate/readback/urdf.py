@@ -33,6 +33,8 @@ _UP = np.array([0.0, 0.0, 1.0, 0.0])
 _UPRIGHT = 1e-6  # tolerance of an axis
 _SPRING = {"springStiffness": "stiffness", "springReference": "rest"}  # elements of Gazebo
 
+_TEXTS = ("name", "type", "link", "joint", "reference", "filename")  # attributes without numbers
+
 _fault = partial(Finding, "urdf", hint=AGAIN)
 
 
@@ -41,6 +43,8 @@ def element_findings(path: Path) -> Iterator[Finding]:
     from lxml import etree
 
     root = etree.parse(path).getroot()
+    for element in root.iter(etree.Element):
+        yield from _number_findings(element)
     links, joints = ([each.get("name", "") for each in root.iterfind(tag)] for tag in ("link", "joint"))
     collisions = [each.get("name", "") for each in root.iterfind("link/collision")]
     for kind, found in (("link", links), ("joint", joints), ("collision", collisions)):
@@ -59,6 +63,19 @@ def element_findings(path: Path) -> Iterator[Finding]:
     for joint in root.iterfind("joint"):
         yield from _joint_findings(joint, {"link": links, "joint": joints})
     yield from _foreign_findings(root)
+
+
+def _number_findings(element: Any) -> Iterator[Finding]:
+    """Yield numbers that are not finite; 1e999 is one of them, because it exceeds the largest float."""
+    stated = [(f" {key}", value) for key, value in element.items() if key not in _TEXTS]
+    stated.append(("", element.text or ""))
+    for key, value in stated:
+        with suppress(ValueError):  # text
+            if not np.isfinite([float(word) for word in value.split()]).all():
+                owners = [each for each in (element, *element.iterancestors()) if each.get("name")]
+                place = {each.tag: each.get("name") for each in owners if each.tag in ("link", "joint")}
+                line = f"line {element.sourceline}: <{element.tag}{key}>"
+                yield _fault(f"{line} is {value.strip()!r}, which is not a finite number", **place)
 
 
 def _foreign_findings(root: Any) -> Iterator[Finding]:
