@@ -105,28 +105,40 @@ class Furnisher:
         """Return the room with what was placed in it."""
         return self.room.build(category=self.kind, seed=self.seed, attempt=self.attempt)
 
-    def door(self, wall: Wall, at: float) -> Placement:
-        """Set a door into a wall."""
-        return self.room.inset(
-            wall, "door", at=at + 0.02, layout="single", use="interior", opens="away", stock="standard",
-            height=2.03, opener="lever",
-        )  # fmt: skip
+    def door(self, wall: Wall, at: float, **values: Any) -> Placement:
+        """Set a door with a straight head into a wall."""
+        usual: dict[str, Any] = {
+            "layout": "single", "use": "interior", "opens": "away", "stock": "standard", "height": 2.03,
+            "opener": "lever", "frame": self.choice("jambs", "full", "full"),
+        }  # fmt: skip
+        return self.room.inset(wall, "door", at=at + 0.02, **usual | values)
 
-    def window(self, wall: Wall, middle: float) -> Placement:
+    def window(self, wall: Wall, middle: float, *, z: float = 1.32, **values: Any) -> Placement:
         """Set a window into a wall, its middle at a distance from the left end."""
-        values: dict[str, Any] = {
+        usual: dict[str, Any] = {
             "width": 0.9, "height": 0.85, "style": "sliding", "layout": "pair", "shutters": "none",
         }  # fmt: skip
+        values = usual | values
         width = width_of(self.room.draw("window", **values))
-        return self.room.inset(wall, "window", at=middle - 0.5 * width, z=1.32, **values)
+        return self.room.inset(wall, "window", at=middle - 0.5 * width, z=z, **values)
 
-    def board(self, label: str, wall: Wall | Line, x: Span, y: Span, z: Span) -> Placement:
-        """Add a board in the frame of a wall, with the finish of the fronts."""
-        return self.room.slab(label, (x[0], y[0], z[0]), (x[1], y[1], z[1]), self.finish, wall=wall)
+    def board(
+        self, label: str, wall: Wall | Line, x: Span, y: Span, z: Span, finish: Material | None = None
+    ) -> Placement:
+        """Add a board in the frame of a wall, by default with the finish of the fronts."""
+        return self.room.slab(label, (x[0], y[0], z[0]), (x[1], y[1], z[1]), finish or self.finish, wall=wall)
 
-    def lay(self, outline: list[Span], holes: list[Hole], wall: Wall | Line | None) -> Placement:
-        """Lay a worktop with holes, both in the frame of a wall."""
-        low, high = UNDER + GAP, OVER
+    def before(self, wall: Wall, distance: float) -> Line:
+        """Return a line along a wall, at a distance before it [m]."""
+        frame, length = self.room.frame(wall)
+        left, right = ((frame @ (x, -distance, 0.0, 1.0))[:2].tolist() for x in (0.0, length))
+        return (left[0], left[1]), (right[0], right[1])
+
+    def lay(
+        self, outline: list[Span], holes: list[Hole], wall: Wall | Line | None, under: float = UNDER
+    ) -> Placement:
+        """Lay a worktop with holes, both in the frame of a wall, over units of a height."""
+        low, high = under + GAP, under + GAP + THICK
         return self.room.fixture("worktop", lambda: worktop(outline, low, high, self.top, holes), wall=wall)
 
     def unit(

@@ -1,0 +1,238 @@
+"""Bathrooms, offices, corners of workshops, and halls, each drawn from a seed."""
+
+from collections.abc import Callable
+from contextlib import suppress
+from typing import Any
+
+from artgen.asset import Asset
+from artgen.asset.asset import DetailName
+from artgen.errors import ParameterError
+from artgen.materials import material
+from artgen.nodes.region import Region
+from artgen.scene.furnish import DOORWAY, FRONT, PLINTH, Furnisher, Hole, Span, basin, drawn, width_of
+from artgen.scene.room import GAP, STANDING, Placement, Wall
+
+_DESK = 0.70  # height of what stands under a desk [m]
+_GIFT: dict[str, Any] = {"style": "gift", "closure": "lift", "size": "small"}
+_WOODS = ("oak", "walnut", "beech", "ash", "maple")
+
+
+def bathroom(
+    seed: int = 0, *, width: float | None = None, depth: float | None = None, detail: DetailName = "full"
+) -> Asset:
+    """Return a bathroom, proven free of collisions in all states of all its joints.
+
+    It has a vanity with a sink and a faucet, drawers, a mirror, wall units, a bathtub, a washing machine or a
+    dryer, a soap dispenser, a bottle, a waste bin, a window and a door.
+
+    Args:
+        seed: Seed of the room and of all assets.
+        width: Length of the back wall [m]; drawn by default.
+        depth: Depth of the room [m]; drawn by default.
+        detail: Level of detail of the assets.
+
+    Raises:
+        ParameterError: The room is too small; the message has the length that is missing.
+        AssetError: No draw is free of collisions.
+    """
+    return _room("bathroom", _bathroom, ((2.9, 3.5), (2.3, 2.9)), seed, (width, depth), detail)
+
+
+def office(
+    seed: int = 0, *, width: float | None = None, depth: float | None = None, detail: DetailName = "full"
+) -> Asset:
+    """Return an office, proven free of collisions in all states of all its joints.
+
+    It has a desk on drawers, a lamp, a tall cabinet, a sideboard, boxes, a waste bin, a window and a door.
+    The arguments and errors are those of `bathroom`.
+    """
+    return _room("office", _office, ((2.9, 3.8), (2.6, 3.3)), seed, (width, depth), detail)
+
+
+def workshop(
+    seed: int = 0, *, width: float | None = None, depth: float | None = None, detail: DetailName = "full"
+) -> Asset:
+    """Return the corner of a workshop, proven free of collisions in all states of all its joints.
+
+    It has a bench on drawers and cabinets, wall units, pliers, a box, a waste bin, a window and a door. The
+    arguments and errors are those of `bathroom`.
+    """
+    return _room("workshop", _workshop, ((2.4, 3.4), (2.0, 2.8)), seed, (width, depth), detail)
+
+
+def hall(
+    seed: int = 0, *, width: float | None = None, depth: float | None = None, detail: DetailName = "full"
+) -> Asset:
+    """Return a hall with doors, proven free of collisions in all states of all its joints.
+
+    It has an entrance at its end, two or three doors at its sides, a chest with a bottle and a box, and
+    a mirror. The arguments and errors are those of `bathroom`.
+    """
+    return _room("hall", _hall, ((1.9, 2.6), (2.6, 3.6)), seed, (width, depth), detail)
+
+
+def _room(
+    kind: str,
+    furnish: Callable[[Furnisher], None],
+    spans: tuple[Span, Span],
+    seed: int,
+    size: tuple[float | None, float | None],
+    detail: DetailName,
+) -> Asset:
+    """Return a room whose width and depth are not less than those that are drawn."""
+    for side, given, (least, _) in zip(("wide", "deep"), size, spans, strict=True):
+        if given is not None and given < least:
+            raise ParameterError(
+                f"{kind} {seed}: it is at least {least:g} m {side}; {least - given:.3f} m are missing"
+            )
+
+    def draw(attempt: int) -> Asset:
+        here = Furnisher(kind, seed, attempt, size, spans, detail)
+        furnish(here)
+        return here.build()
+
+    return drawn(f"{kind} {seed}", draw)
+
+
+def _bathroom(here: Furnisher) -> None:
+    room, width, depth = here.room, here.width, here.depth
+    machine: dict[str, Any] = {"kind": here.choice("front", "front", "dryer"), "size": "full", "swing": 1.7}
+    wide = width_of(room.draw("washing_machine", name="washing_machine", **machine))
+    flip = here.choice(True, False)  # whether the bathtub is on the left
+    sides: tuple[Wall, Wall] = ("left", "right") if flip else ("right", "left")
+    at = depth - 1.63 if flip else 0.01
+    white = material("ceramic")
+    room.fixture(
+        "bathtub",
+        lambda: basin(Region((at, at + 1.62), (-0.72, -0.001), (STANDING, 0.56)), wall=0.06, finish=white),
+        wall=sides[0],
+    )
+    here.window(sides[0], at + 0.8, width=0.9, height=0.6, z=1.3)
+    spare = width - 0.85 - wide - 0.2
+    vanity = min(here.uniform(1.02, 1.3), spare)
+    start = 0.85 if flip else width - 0.85 - vanity
+    sink, units = 0.6, vanity - 0.6 - GAP
+    holes: list[Hole] = []
+    first = start if flip else start + units + GAP
+    beside = start + (sink + GAP if flip else 0.0)
+    here.sink("back", first, sink, holes)
+    here.unit("back", beside, units, doors=False)
+    ends = (start, start + vanity)
+    top = here.lay([(ends[0], -FRONT), (ends[1], -FRONT), (ends[1], 0.0), (ends[0], 0.0)], holes, "back")
+    middle = first + sink / 2.0
+    mirror = (middle - 0.28, middle + 0.28)
+    here.board("mirror", "back", mirror, (-0.022, -0.002), (1.3, 2.0), material("chrome"))
+    here.hang("back", beside, units)
+    corner = width - 0.1 - wide if flip else 0.1
+    room.against("back", "washing_machine", at=corner, name="washing_machine", **machine)
+    here.hang("back", corner, wide)
+    room.on(top, "soap_dispenser", at=0.95 if flip else 0.05, deep=0.25, free=True, style="bottle")
+    room.on(top, "bottle", at=0.75 if flip else 0.25, deep=0.25, free=True, style="pump")
+    here.door(sides[1], 0.0 if sides[1] == "left" else depth - DOORWAY)
+    before = here.before(sides[0], 0.15)  # a lid needs space behind it
+    room.against(before, "trashcan", at=0.1 if flip else depth - 0.4, style="pedal", size="small")
+
+
+def _office(here: Furnisher) -> None:
+    room, width, depth = here.room, here.width, here.depth
+    flip = here.choice(True, False)  # whether the desk is on the right
+    desk = here.uniform(1.4, min(1.8, width - 1.2))
+    start = width - 0.1 - desk if flip else 0.1
+    files: dict[str, Any] = {"kind": "file", "rows": 2, "columns": 1, "height": _DESK, "width": 0.42}
+    if here.choice(True, False):
+        style = here.base["style"] if here.base["style"] in ("flat", "shaker", "ramped") else "flat"
+        files = here.base | files | PLINTH | {"kind": "kitchen", "rows": 3, "style": style, "depth": 0.5}
+        files["top"] = "flush"
+    ends = (start + desk - 0.42, start) if flip else (start, start + desk - 0.42)
+    first = room.against("back", "drawer", at=ends[0], **files).asset
+    finish = {each.name: each for each in first.materials}.get(first.parameters["finish"])
+    if finish is not None:
+        files["finish"] = finish  # both of one color
+    if here.choice(True, False):
+        room.against("back", "drawer", at=ends[1], **files)
+    else:
+        side = ends[1] if flip else ends[1] + 0.39
+        here.board("side", "back", (side, side + 0.03), (-0.6, -GAP), (STANDING, _DESK))
+    edges = (start - 0.02, start + desk + 0.02)
+    outline = [(edges[0], -0.75), (edges[1], -0.75), (edges[1], 0.0), (edges[0], 0.0)]
+    top = here.lay(outline, [], "back", _DESK)
+    near, far = (0.95, 0.1) if flip else (0.05, 0.9)
+    room.on(top, "lamp", at=near, deep=0.1, free=True, style=here.choice("mushroom", "table"))
+    _box_on(here, top, far, 0.25)
+    room.on(top, "bottle", at=0.6 if flip else 0.4, deep=0.3, free=True, style=here.choice("screw", "flip"))
+    here.window("back", start + desk / 2.0, z=1.2, width=1.2, height=1.0)
+    tall = {
+        "kind": "tall", "doors": 1, "width": 0.55, "depth": 0.42, "height": 1.9, "stand": "plinth",
+        "hand": "left" if flip else "right", "swing": 1.5,
+    }  # fmt: skip
+    room.against("back", "cabinet", at=0.06 if flip else width - 0.61, **here.base | {"grip": "bar"} | tall)
+    sides: tuple[Wall, Wall] = ("left", "right") if flip else ("right", "left")
+    here.door(sides[1], 0.0 if sides[1] == "left" else depth - DOORWAY)
+    low = {
+        "kind": "base",
+        "doors": 2,
+        "width": 0.8,
+        "depth": 0.36,
+        "height": 0.8,
+        "top": "worktop",
+        "swing": 1.5,
+    }
+    board = room.against(
+        sides[0], "cabinet", at=0.1 if flip else depth - 0.9, name="sideboard", **here.base | PLINTH | low
+    )
+    _box_on(here, board, 0.2, 0.5)
+    room.against(sides[1], "trashcan", at=0.85 if flip else depth - 1.17, style="open", size="medium")
+
+
+def _workshop(here: Furnisher) -> None:
+    room, width, depth = here.room, here.width, here.depth
+    span = width - 0.1
+    count = max(round(span / 0.7), 2)
+    unit = span / count - GAP
+    window = int(here.draw.integers(count))
+    for number in range(count):
+        at = 0.05 + number * (unit + GAP)
+        here.unit("back", at, unit, doors=number % 2 == 1)
+        if number == window:
+            here.window("back", at + unit / 2.0, width=max(min(unit, 0.8), 0.6), height=0.85)
+        elif abs(number - window) > 1 or unit > 0.6:
+            here.hang("back", at, unit)
+    ends = (0.05, 0.05 + span - GAP)
+    outline = [(ends[0], -FRONT), (ends[1], -FRONT), (ends[1], 0.0), (ends[0], 0.0)]
+    top = here.lay(outline, [], "back")
+    for number in range(3):
+        turn = here.uniform(-0.6, 0.6)
+        with suppress(ParameterError):  # some pliers tip over
+            room.on(top, "plier", at=0.25 + 0.25 * number, deep=0.6, turn=turn, free=True, sprung=False)
+    _box_on(here, top, 0.03, 0.1)
+    side: Wall = here.choice("left", "right")
+    here.door(side, 0.0 if side == "left" else depth - DOORWAY)
+    other: Wall = "right" if side == "left" else "left"
+    room.against(other, "trashcan", at=0.1 if other == "left" else depth - 0.5, style="swing", size="large")
+
+
+def _hall(here: Furnisher) -> None:
+    room, width, depth = here.room, here.width, here.depth
+    here.door("back", (width - DOORWAY) / 2.0, use="exterior", opener=here.choice("lever", "knob"))
+    here.door("left", depth - DOORWAY - 0.3)
+    if depth > 3.1 and here.choice(True, False):
+        here.door("left", depth - 2.0 * DOORWAY - 0.6)
+    here.door("right", 0.3)
+    size = {
+        "kind": "chest",
+        "columns": 1,
+        "width": 0.8,
+        "depth": 0.4,
+        "height": 0.8,
+        "rows": here.choice(3, 4),
+    }
+    chest = room.against("right", "drawer", at=depth - 0.9, **size)
+    room.on(chest, "bottle", at=0.15, deep=0.4, free=True, style=here.choice("stopper", "pump"))
+    _box_on(here, chest, 0.9, 0.4)
+    mirror = (depth - 0.8, depth - 0.2)
+    here.board("mirror", "right", mirror, (-0.022, -0.002), (1.35, 2.0), material("chrome"))
+
+
+def _box_on(here: Furnisher, below: Placement, at: float, deep: float) -> None:
+    """Stand a small box with a lid as a free object."""
+    here.room.on(below, "box", at=at, deep=deep, free=True, **_GIFT)
