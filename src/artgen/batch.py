@@ -74,7 +74,10 @@ def groups(assets: Iterable[Asset], rule: Rule) -> list[list[Asset]]:
 def _structure(asset: Asset) -> Hashable:
     """Return the tree, the kinds of joints, and the kinds of colliders, which name them in USD."""
     numbers = {link.name: number for number, link in enumerate(asset.links)}
-    joints = [(numbers[each.parent], numbers[each.child], each.kind, each.locked) for each in asset.joints]
+    joints = [
+        (numbers[each.parent], numbers[each.child], each.kind, each.locked, len(each.ridges))
+        for each in asset.joints
+    ]
     colliders = [tuple(each.convex.kind for each in link.colliders) for link in asset.links]
     return tuple(joints), tuple(colliders)
 

@@ -6,7 +6,7 @@
 A keyword of the joint replaces the value of the preset: `feel=feel.RUNNER, friction=3.0`.
 """
 
-from artgen.nodes.joint import Feel
+from artgen.nodes.joint import Feel, detents
 
 __all__ = [
     "CASTER",
@@ -20,6 +20,7 @@ __all__ = [
     "RUNNER",
     "SWITCH",
     "Feel",
+    "detents",
 ]
 
 SWITCH = Feel(damping=6.0, friction=0.1, armature=0.03, effort=12.0)

@@ -20,6 +20,7 @@ from artgen import details, feel
 from artgen.categories.shared import controls, door_handles, fixings, locks, pulls
 from artgen.categories.shared.furniture import ZINC
 from artgen.categories.shared.shelves import open_box
+from artgen.nodes.details.dials import SWEEP
 from artgen.nodes.details.displays import Color
 from artgen.nodes.fitting import FIT, Fitting
 
@@ -128,6 +129,8 @@ def dial(
     depth: ag.Scalar = 0.016,
     limits: tuple[ag.Scalar, ag.Scalar] | None = (-2.4, 2.4),
     friction: ag.Scalar | None = None,
+    clicks: int = 0,
+    torque: ag.Scalar = 0.04,
     scale: controls.DialScale | None = "ticks",
     count: int = 6,
     icons: tuple[str, ...] = (),
@@ -146,7 +149,10 @@ def dial(
         radius: Radius of the knob [m].
         depth: Projection of the knob [m].
         limits: Range from the mark up, clockwise; None to turn without end [rad].
-        friction: Friction of its detents, by default that of `feel.DIAL` [N m].
+        friction: Its dry friction, by default that of `feel.DIAL` [N m].
+        clicks: Number of detents from the lower to the upper limit; of a dial without limits, over 270
+            degrees around the mark. 0 for none.
+        torque: Greatest torque of its detents [N m].
         scale: Print around it, over its range; None for no print.
         count: Number of steps of the print.
         icons: Names of the icons of the scale "icons", clockwise.
@@ -160,20 +166,22 @@ def dial(
         >>> heat = fittings.dial(style="bar", scale="band", limits=(0, 4.7), name="heat")
         >>> panel.install(fittings.dial(), at=(-0.035, 0, 0)).install(heat, at=(0.035, 0, 0))
     """
-    return controls.dial(
-        style,
-        radius,
-        finish,
-        depth=depth,
-        limits=limits,
+    low, high = limits or (-SWEEP / 2, SWEEP / 2)
+    turn = controls.dial_turn(
+        f"{name}_turn",
+        low=low,
+        high=high,
         friction=friction,
-        scale=scale,
-        count=count,
-        icons=icons,
-        cap=cap,
-        ink=ink,
-        name=name,
+        endless=limits is None,
+        clicks=clicks,
+        torque=torque,
     )
+    around = None
+    if scale is not None and ink is not None:
+        around = controls.dial_print(
+            radius, ink=ink, style=scale, count=count, icons=icons, sweep=high - low, start=low
+        )
+    return controls.dial(turn, style, radius, finish, depth=depth, cap=cap, scale=around, name=name)
 
 
 def bar_handle(

@@ -7,6 +7,7 @@ from artgen.asset.joint import (
     AssetCondition,
     AssetCoupling,
     AssetDependency,
+    AssetDetents,
     AssetJoint,
     rotation,
 )
@@ -20,6 +21,7 @@ __all__ = [
     "AssetCondition",
     "AssetCoupling",
     "AssetDependency",
+    "AssetDetents",
     "AssetJoint",
     "Branch",
     "Collider",

@@ -264,9 +264,10 @@ class Asset:
         return ValidStates(self.states_data()["joints"])
 
     def states_data(self) -> dict[str, Any]:
-        """Return limits, couplings and dependencies of the joints as JSON data, for `ValidStates`."""
-        fields = ("name", "limits", "follows", "needs")
-        rows = [{name: row[name] for name in fields} for row in plain(tuple(map(rounded, self.joints)))]
+        """Return limits, couplings, dependencies and detents of joints as JSON data, for `ValidStates`."""
+        fields = ("name", "limits", "follows", "needs", "detents")
+        data = plain(tuple(map(rounded, self.joints)))
+        rows = [{name: row[name] for name in fields if name in row} for row in data]
         return {"format": "artgen-states-1", "joints": rows}
 
     @property

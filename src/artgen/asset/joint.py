@@ -1,10 +1,13 @@
 """Joints of an asset: motion, dynamics, couplings, dependencies, and the contacts that they allow."""
 
+import math
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
+from itertools import pairwise
 from typing import Any, ClassVar, Literal
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from artgen import _portable
 from artgen._arrays import Array, FrozenArrays, Triple
@@ -113,6 +116,23 @@ class AssetDependency(Record):
         return {name: value for name, value in super().to_data().items() if (name, value) != ("beyond", None)}
 
 
+@dataclass(frozen=True)
+class AssetDetents(Record):
+    """Positions at which a joint clicks into place.
+
+    Between two positions is a ridge. From a position to the ridge beside it the resistance grows, nearly as
+    that of a spring, up to `torque`; beyond the ridge it acts towards the next position. On a revolute joint
+    without limits, the last position has the first one as its neighbor.
+
+    Attributes:
+        positions: Ascending [rad or m].
+        torque: Greatest torque or force, on a ridge [N m or N].
+    """
+
+    positions: tuple[float, ...]
+    torque: float
+
+
 @dataclass(frozen=True, eq=False)
 class AssetJoint(FrozenArrays, Record):
     """One degree of freedom between two links.
@@ -137,9 +157,10 @@ class AssetJoint(FrozenArrays, Record):
         parent: Name of the parent link; empty until the joint is part of an asset.
         child: Name of the child link; empty until the joint is part of an asset.
         driven: Actuator that moves the joint, such as `a motor`; empty if a hand moves it.
+        detents: Positions at which the joint clicks into place, if any.
     """
 
-    OPTIONAL: ClassVar = frozenset({"driven"})
+    OPTIONAL: ClassVar = frozenset({"driven", "detents"})
     FIRST: ClassVar = ("name", "kind", "parent", "child")
 
     name: str
@@ -159,6 +180,7 @@ class AssetJoint(FrozenArrays, Record):
     parent: str = ""
     child: str = ""
     driven: str = ""
+    detents: AssetDetents | None = None
 
     @property
     def locked(self) -> bool:
@@ -170,6 +192,43 @@ class AssetJoint(FrozenArrays, Record):
         """The position nearest to 0 within the limits."""
         low, high = self.limits or (0.0, 0.0)
         return min(max(0.0, low), high)
+
+    @property
+    def ridges(self) -> tuple[tuple[float, float], ...]:
+        """Position of each ridge between two detents, and the distance of these detents [rad or m]."""
+        if self.detents is None:
+            return ()
+        ends = list(self.detents.positions)
+        if self.limits is None and self.kind == "revolute":
+            ends.append(ends[0] + math.tau)
+        return tuple(((low + high) / 2.0, high - low) for low, high in pairwise(ends))
+
+    def detent_torque(self, q: ArrayLike) -> Array:
+        """Return the torque [N m] or force [N] of the detents at positions [rad or m], of the same shape.
+
+        At a distance d from a ridge between detents that are g apart it is, away from the ridge,
+        `torque * (1 - 2 d / g)` on a slide, and `torque * (1 - sin(d / 2) / sin(g / 4)) * cos(d / 2)` on a
+        revolute joint; beyond the outer detents it is 0. The MJCF has springs with exactly this law.
+        """
+        positions, result = np.asarray(q, float), np.zeros(np.shape(q))
+        for ridge, gap in self.ridges:
+            away = positions - ridge
+            if self.kind == "revolute":
+                away = (away + math.pi) % math.tau - math.pi
+                size = (1.0 - _portable.sin(abs(away) / 2.0) / _portable.sin(gap / 4.0)) * _portable.cos(
+                    away / 2.0
+                )
+            else:
+                size = 1.0 - 2.0 * abs(away) / gap
+            assert self.detents is not None
+            result += np.where(abs(away) < gap / 2.0, self.detents.torque * size * np.sign(away), 0.0)
+        return result
+
+    def to_data(self) -> dict[str, Any]:
+        """Return the joint as JSON data; `detents` are left out if there are none."""
+        return {
+            name: value for name, value in super().to_data().items() if (name, value) != ("detents", None)
+        }
 
     def motion(self, position: float) -> Array:
         """Return the displacement of the child at a position, shape (4, 4), in asset coordinates at rest."""

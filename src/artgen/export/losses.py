@@ -62,6 +62,16 @@ def mechanism_rows(asset: Asset) -> Iterator[Row]:
         yield "contact by design", contact.links, instead
 
 
+def detent_rows(asset: Asset) -> Iterator[Row]:
+    """Yield the loss of formats without detents of joints."""
+    found = [joint.name for joint in asset.joints if joint.detents is not None]
+    yield (
+        "joint detents",
+        found,
+        "positions and torque in artgen_states; `AssetJoint.detent_torque` has the law",
+    )
+
+
 def affordance_rows(asset: Asset, grasp: str, push: str) -> Iterator[Row]:
     """Yield the losses of grasps and pushes with their replacements."""
     for kind, instead in (("grasp", grasp), ("push", push)):

@@ -4,6 +4,8 @@ So the file has no floor, light, camera or solver option, and the names of its d
 textures begin with its own name; links, joints and meshes have the same names as in other formats.
 `<exclude>` is never used: parts that collide by mistake are a fault of the asset.
 
+Detents of a joint are spatial tendons that act as short springs between sites (`_add_detents`).
+
 Features without an MJCF element are in `<custom>`: a text `<link>_labels` holds the semantic labels of a
 link; a tuple with the name of a grasp or push holds its site, with the opening of the fingers as the number,
 and the joints that the hand moves, the nearest first; the text `<asset>_artgen_states` holds limits,
@@ -11,10 +13,12 @@ couplings and dependencies of the joints, which `artgen.asset.valid_states` read
 """
 
 import xml.etree.ElementTree as ET
+from collections.abc import Mapping
 from dataclasses import replace
 
 import numpy as np
 
+from artgen import _portable
 from artgen._arrays import Array
 from artgen.asset import Asset, Link
 from artgen.asset.affordance import Grasp
@@ -34,6 +38,8 @@ from artgen.materials.textures import Kind
 _STIFF = "0.005 1"
 OFF = -1000.0  # margin of a spare collider: MuJoCo adds the margins of two geoms, so that it touches nothing
 _KEYFRAMES = 4  # number of drawn states
+_DETENT_ARM = 0.01  # distance of the springs of detents from their axis [m]
+_ENDLESS = 1000.0  # length from which such a spring would pull [m]
 _COUPLING_IMPEDANCE = "0.99 0.9999 0.0001"
 _CONTACT_IMPEDANCE = "0.95 0.99 0.0005"
 _FRICTION_IMPEDANCE = "0.9999 0.9999 0.001"  # with the default, a rod that friction holds creeps 16 mm in 5 s
@@ -91,6 +97,7 @@ def mjcf_tree(asset: Asset, meshes: MeshFiles) -> ET.Element:
             frame = replace(each, parent="", placement=rest[name])
         elements[name] = _add_body(elements[frame.parent] if frame.parent else world, asset, frame, meshes)
     _add_couplings(root, asset)
+    _add_detents(root, asset, elements)
     _add_custom(root, asset)
     return root
 
@@ -243,6 +250,31 @@ def _add_couplings(root: ET.Element, asset: Asset) -> None:
         polynomial = [0.0, law.ratio, 0.0, 0.0, 0.0]
         joints = {"joint1": name, "joint2": law.leader}
         add(equality, "joint", joints, polycoef=polynomial, solref=_STIFF, solimp=_COUPLING_IMPEDANCE)
+
+
+def _add_detents(root: ET.Element, asset: Asset, elements: Mapping[str, ET.Element]) -> None:
+    """Add detents: a short spring between a site of the child and a site of the parent at each ridge."""
+    clicking = [(joint, joint.detents.torque) for joint in asset.joints if joint.detents is not None]
+    tendons = add(root, "tendon") if clicking else root
+    for joint, torque in clicking:
+        beside = np.cross(joint.axis, np.eye(3)[int(np.argmin(np.abs(np.round(joint.axis, 6))))])
+        start = frames.translation(joint.pivot + (_DETENT_ARM / _portable.norm(beside)) * beside)
+        site = f"{joint.name}_detent"
+        places = [(joint.child, site, start)]
+        for number, (ridge, gap) in enumerate(joint.ridges):
+            name = f"{joint.name}_ridge_{number}"
+            places.append((joint.parent, name, _portable.product(joint.motion(ridge), start)))
+            reach, arm = gap / 2.0, 1.0  # distance at which the spring begins, and its arm on the ridge [m]
+            if joint.kind == "revolute":
+                reach, arm = 2.0 * _DETENT_ARM * _portable.sin(gap / 4.0), _DETENT_ARM
+            lengths = [reach, _ENDLESS]
+            spring = add(
+                tendons, "spatial", name=name, stiffness=torque / (reach * arm), springlength=lengths
+            )
+            add(spring, "site", site=site)
+            add(spring, "site", site=name)
+        for link, name, place in places:
+            add(elements[link], "site", name=name, pos=np.round(frames.local(asset, link, place)[:3, 3], 12))
 
 
 def _add_custom(root: ET.Element, asset: Asset) -> None:

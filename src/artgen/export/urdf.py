@@ -15,7 +15,16 @@ from artgen.asset import Asset, AssetJoint, Link
 from artgen.asset.valid_states import KEY
 from artgen.colliders import Convex
 from artgen.export import frames
-from artgen.export.losses import Loss, Row, Written, affordance_rows, look_rows, losses, mechanism_rows
+from artgen.export.losses import (
+    Loss,
+    Row,
+    Written,
+    affordance_rows,
+    detent_rows,
+    look_rows,
+    losses,
+    mechanism_rows,
+)
 from artgen.export.meshes import MeshFiles, display_color, mesh_files, mesh_name
 from artgen.export.text import add, digits, document, states_text
 
@@ -251,6 +260,7 @@ def motion_rows(asset: Asset, inserted: Iterable[str]) -> Iterator[Row]:
     endless = [joint.name for joint in moving if joint.kind == "prismatic" and joint.limits is None]
     yield "unlimited slide", endless, f"limits of -{frames.FAR:g} m and {frames.FAR:g} m"
     yield from mechanism_rows(asset)
+    yield from detent_rows(asset)
     instead = f"a link of {frames.INTERMEDIATE_MASS:g} kg after each joint but the last"
     yield "several joints between two links", inserted, instead
 

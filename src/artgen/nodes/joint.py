@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import inspect
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, fields, replace
+from itertools import pairwise
 from typing import Any, ClassVar, Literal
 
 import numpy as np
 
 from artgen._names import NAME_RULE, is_identifier
-from artgen.asset import AssetCondition, AssetCoupling, AssetDependency, AssetJoint
+from artgen.asset import AssetCondition, AssetCoupling, AssetDependency, AssetDetents, AssetJoint
 from artgen.errors import BuildError
 from artgen.graph import Handle, kernel
 from artgen.graph.node import authors_line
@@ -122,6 +124,47 @@ def _checked(needs: AssetDependency) -> AssetDependency:
             "between them"
         )
     return needs
+
+
+class Detents(Handle):
+    """Positions at which a joint clicks into place; `artgen.feel.detents` makes them."""
+
+    __slots__ = ()
+    value_type: ClassVar[Any] = AssetDetents
+
+
+@kernel
+def _detents(positions: tuple[float, ...], torque: float) -> AssetDetents:
+    places = ", ".join(f"{each:.6g}" for each in positions)
+    if not positions or any(high - low < 1e-6 for low, high in pairwise(positions)):
+        raise ValueError(f"the positions of detents are {places or 'missing'}: give them from low to high")
+    if not torque > 0.0:
+        raise ValueError(f"the torque of detents is {torque:.6g}: it must be positive [N m or N]")
+    return AssetDetents(positions, torque)
+
+
+def detents(positions: int | Sequence[Scalar], torque: Scalar) -> Detents:
+    """Make the detents of a joint, at which it clicks into place, for `detents=` of a joint.
+
+    Two positions, at both limits or a little beyond them, make a bistable joint, such as a rocker switch: it
+    snaps to one of its ends. A turn without limits has the first position after the last one.
+
+    Args:
+        positions: Positions from low to high [rad or m]; or a number of equal steps of a whole turn from 0
+            on, for a revolute joint without limits.
+        torque: Greatest torque or force, halfway between two positions; friction is additional [N m or N].
+
+    Raises:
+        BuildError: There are no positions, their order is wrong, or the torque is not positive.
+
+    Examples:
+        >>> panel = part(box(0.06, 0.02, 0.06), "panel", material("abs"))
+        >>> knob = part(cylinder(0.015, 0.016, axis=Y).at(y=-0.0185), "knob", material("black_abs"))
+        >>> panel.attach(knob, Revolute("turn", axis=Y, detents=detents(9, torque=0.04), friction=0.01))
+    """
+    if isinstance(positions, int):
+        positions = [math.tau * number / positions for number in range(positions)]
+    return Detents.record("detents", positions=tuple(positions), torque=torque)
 
 
 class _Leader(Handle):
@@ -254,6 +297,7 @@ def _joint(
     follows: AssetCoupling | None,
     needs: AssetDependency | None,
     driven: str,
+    detents: AssetDetents | None,
 ) -> AssetJoint:
     if not is_identifier(name):
         raise ValueError(f"joint name {name!r} is no identifier; use {NAME_RULE}")
@@ -287,7 +331,9 @@ def _joint(
         follows=follows,
         needs=needs,
         driven=driven,
+        detents=detents,
     )
+    _check_detents(made)
     for field in ("stiffness", "damping", "friction", "armature"):
         if getattr(made, field) < 0.0:
             raise ValueError(f"joint {name!r}: {field} {getattr(made, field):.6g} must not be negative")
@@ -295,6 +341,27 @@ def _joint(
         if getattr(made, field) <= 0.0:
             raise ValueError(f"joint {name!r}: {field} {getattr(made, field):.6g} must be positive")
     return made
+
+
+def _check_detents(joint: AssetJoint) -> None:
+    if joint.detents is None:
+        return
+    start, *_, end = (*joint.detents.positions, joint.detents.positions[-1])
+    turns, ring = joint.kind == "revolute", joint.limits is None and joint.kind == "revolute"
+    if joint.follows is not None or joint.locked:
+        raise ValueError(
+            f"joint {joint.name!r} has detents, but does not move by itself; give them its leader"
+        )
+    if turns and end - start > math.tau - (1e-6 if ring else 0.0):
+        raise ValueError(
+            f"joint {joint.name!r} has detents from {start:.6g} to {end:.6g} rad: they must lie in one turn"
+        )
+    low, high = joint.limits or (-math.inf, math.inf)
+    if not ring and not any(low < ridge < high for ridge, _ in joint.ridges):
+        raise ValueError(
+            f"joint {joint.name!r} has limits {low:.6g} to {high:.6g} and no two detents around a position "
+            f"between them: its detents are {', '.join(f'{each:.6g}' for each in joint.detents.positions)}"
+        )
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -392,6 +459,7 @@ class _Axial(Joint):
         follows: Coupling | Joint | None = None,
         needs: Condition | Dependency | None = None,
         driven: str = "",
+        detents: Detents | None = None,
     ) -> None:
         inputs = {
             key: value
@@ -429,6 +497,7 @@ class Revolute(_Axial):
         needs: Condition under which the joint may leave 0, such as `handle > 0.5`; `(handle >
             0.5).until(0.06)` applies only below 0.06, `(door > 1.2).beyond(0.03)` only beyond 0.03.
         driven: Actuator that moves the joint, such as `a motor`; grasp checks are skipped.
+        detents: Positions at which the joint clicks into place, from `artgen.feel.detents`.
 
     Examples:
         >>> lid = part(box(0.3, 0.2, 0.01), "lid", material("oak"))
@@ -461,6 +530,7 @@ class Prismatic(_Axial):
         needs: Condition under which the joint may leave 0, such as `door > 1.2`; `(door > 1.2).beyond(0.03)`
             applies only beyond 0.03, `(door > 1.2).until(0.3)` only below 0.3.
         driven: Actuator that moves the joint, such as `a motor`; grasp checks are skipped.
+        detents: Positions at which the joint clicks into place, from `artgen.feel.detents`.
 
     Examples:
         >>> case = part(shell(box(0.3, 0.2, 0.1), 0.01, open=-Y), "case", material("walnut"))

@@ -218,10 +218,19 @@ def dial_turn(
     friction: ag.Scalar | None = None,
     pivot: ag.VectorLike = (0.0, 0.0, 0.0),
     endless: bool = False,
+    clicks: int = 0,
+    torque: ag.Scalar = 0.0,
 ) -> ag.Joint:
-    """Make the joint of a dial; positive angles turn it clockwise, seen from the front."""
+    """Make the joint of a dial; positive angles turn it clockwise, seen from the front.
+
+    Its clicks are detents from `low` to `high`, a number with a torque [N m].
+    """
     limits = None if endless else (low, high)
-    return ag.Revolute(name, axis=ag.Y, pivot=pivot, limits=limits, feel=feel.DIAL, friction=friction)
+    steps = [low + (high - low) * click / (clicks - 1) for click in range(clicks)]
+    detents = feel.detents(steps, torque) if steps else None
+    return ag.Revolute(
+        name, axis=ag.Y, pivot=pivot, limits=limits, feel=feel.DIAL, friction=friction, detents=detents
+    )
 
 
 def dial_print(

@@ -130,7 +130,7 @@ def _losses(asset: Asset, textures: int, held: Sequence[str]) -> tuple[Loss, ...
     driven = [
         joint.name
         for joint in asset.joints
-        if any((joint.stiffness, joint.damping, joint.friction, joint.armature))
+        if any((joint.stiffness, joint.damping, joint.friction, joint.armature, joint.ridges))
     ]
     recorded = "nothing; asset.json has it"
     return losses(

@@ -321,6 +321,7 @@ def _places(asset: Asset, joint: AssetJoint) -> Sequence[_Place]:
         if law is not None and law.leader == joint.name:
             members.append((each, law.ratio, law.offset))
     friction = sum(abs(ratio) * each.friction for each, ratio, _ in members)
+    friction += joint.detents.torque if joint.detents else 0.0
     step = min(_FORCE_STEP, 0.25 * (high - low))
     places = []
     for at in np.linspace(low + step, high - step, _STEPS + 1).tolist():

@@ -31,9 +31,11 @@ _FREE, _BALL = 0, 1  # other values of mjtJoint
 _SHAPES: dict[int, Kind] = {2: "sphere", 3: "capsule", 5: "cylinder", 6: "box"}  # values of mjtGeom
 _MESH = 7
 _SCENE = "move it to the scene that attaches the asset"
-_ACTING = ("actuator", "tendon", "deformable", "extension", "include")  # they move or hold links
+_ACTING = ("actuator", "deformable", "extension", "include")  # they move or hold links
 _PLAIN = {"contype": 1.0, "conaffinity": 1.0, "condim": 3.0, "margin": 0.0, "gap": 0.0}
 _SOFTEST, _LEAST_IMPEDANCE = 0.02, 0.9  # default time constant [s] and impedance of MuJoCo
+_SHARES = (-0.5, -0.3, -0.01, 0.01, 0.25, 0.45)  # compared positions around a ridge, in gaps of detents
+_DETENT = 0.001  # allowed difference of the torque of detents, over the greatest one
 _SHOWN = 2  # most findings about the colliders of one link
 # for each field of a joint's dynamics: the name in the file, the array of MuJoCo's model and its index
 _DYNAMICS = (
@@ -104,6 +106,33 @@ def _model_findings(model: Any, asset: Asset, file: str) -> Iterator[Finding]:
         if np.abs(model.eq_data[number, 2:5]).max() > 0.0:
             follower = model.joint(int(model.eq_obj1id[number])).name
             yield _fault(f"its coupling has terms of higher order in {file}", joint=follower)
+
+
+def _detent_findings(model: Any, data: Any, asset: Asset, file: str) -> Iterator[Finding]:
+    """Yield tendons that are no detents, and joints whose springs and detents have other forces."""
+    import mujoco
+
+    ridges = [f"{joint.name}_ridge_{number}" for joint in asset.joints for number in range(len(joint.ridges))]
+    if sorted(ridges) != sorted(model.tendon(number).name for number in range(model.ntendon)):
+        listed = "other <tendon> than the detents of the asset" if ridges else "<tendon>"
+        yield _foreign(f"{file} has {listed}, which does not belong to an asset")
+        return
+    for joint in asset.joints:
+        if joint.detents is None:
+            continue
+        samples = np.array([ridge + share * gap for ridge, gap in joint.ridges for share in _SHARES])
+        worst = 0.0
+        wanted = joint.detent_torque(samples) - joint.stiffness * (samples - joint.rest)
+        at, freedom = model.joint(joint.name).qposadr[0], model.joint(joint.name).dofadr[0]
+        start = float(data.qpos[at])
+        for position, torque in zip(samples, wanted, strict=True):
+            data.qpos[at] = position
+            mujoco.mj_forward(model, data)
+            worst = max(worst, abs(float(data.qfrc_spring[freedom]) - float(torque)))
+        data.qpos[at] = start
+        if worst > _DETENT * joint.detents.torque:
+            message = f"its detents in {file} differ by {worst:.3g} N m or N from {joint.detents.torque:.3g}"
+            yield _fault(message, joint=joint.name, value=worst)
 
 
 def _geom_findings(model: Any, body: int, link: str, file: str, off: Collection[str]) -> Iterator[Finding]:
@@ -184,7 +213,10 @@ def read(asset: Asset, path: Path) -> Reading:
             for name, body in bodies.items()
         },
         holds=_holds(asset, model),
-        findings=tuple(_model_findings(model, asset, path.name)),
+        findings=(
+            *_model_findings(model, asset, path.name),
+            *_detent_findings(model, data, asset, path.name),
+        ),
         complaints=tuple(messages),
     )
 
