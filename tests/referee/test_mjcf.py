@@ -1,6 +1,7 @@
 """Reading of MJCF: what collides, what moves, what the file excludes, and hostile files."""
 
 import math
+import re
 from pathlib import Path
 
 import numpy as np
@@ -239,3 +240,26 @@ def test_damaged_and_hostile_files_give_one_line(tmp_path: Path) -> None:
     assert "its root is <sdf>; give a file with <mujoco>" in fault("<sdf/>")
     many = '<replicate count="3000000000" offset="1 0 0"><geom size=".1"/></replicate>'
     assert "at most 20000 are read" in fault(f"<mujoco><worldbody>{many}</worldbody></mujoco>")
+    grid = '<flexcomp name="f" type="grid" count="500 500 10" spacing=".1 .1 .1" dim="3"/>'
+    assert "at most 2000 are read" in fault(f"<mujoco><worldbody>{grid}</worldbody></mujoco>")
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "fault"),
+    [
+        ('pos="0 0 .5"', 'pos="0 nan .5"', "position of geom 'b'"),
+        ('pos="0 0 .5"', 'pos="0 0 1e30"', "position of geom 'b' is 0 0 1e+30; give finite numbers from -1e"),
+        ('pos="0 0 .5"', 'quat="nan 0 0 1"', "position of geom 'b'"),
+        ('size=".1 .1 .1"', 'size="1e300 .1 .1"', "size of geom 'a'"),
+        ('axis="0 0 1"', 'axis="nan 0 1"', "axis of joint 'j'"),
+        ('range="0 90"', 'range="0 1e300"', "range of joint 'j'"),
+        ('range="0 90"', 'range="0 inf"', "range of joint 'j'"),
+    ],
+)
+def test_numbers_that_mujoco_takes_and_no_proof_can_use_are_named(
+    old: str, new: str, fault: str, tmp_path: Path
+) -> None:
+    body = two()
+    assert old in body
+    with pytest.raises(AssetError, match=f"the {re.escape(fault)}"):
+        read(tmp_path, body.replace(old, new, 1))

@@ -222,6 +222,56 @@ def test_a_pipe_is_a_fault_and_no_reader_waits_for_it(copy, pattern):
     assert {result.skipped for result in report.results} == {f"{pipe} is a device, a pipe or a socket"}
 
 
+def test_a_pipe_that_is_not_listed_is_a_fault_as_it_stops_all_readers(copy):
+    os.mkfifo(copy / "pipe.xml")
+    report = validate(copy, behavior=False)
+    assert not report.passed
+    assert files_faults(copy) == [
+        "pipe.xml is not listed in asset.json, and is a device, a pipe or a socket; remove it"
+    ]
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "fault"),
+    [
+        ("<worldbody>", '<include file="{outside}"/><worldbody>', "it has <include>, which is not loaded"),
+        ("<worldbody>", '<worldbody><replicate count="90000"><geom size="1"/></replicate>', "<replicate>"),
+        (
+            "<worldbody>",
+            '<worldbody><flexcomp type="grid" count="900 9 9" spacing="1 1 1" dim="3" name="f"/>',
+            "<flexcomp>",
+        ),
+        (
+            "<compiler ",
+            '<compiler meshdir="/etc" ',
+            "its <compiler> names '/etc', which is outside its folder",
+        ),
+        ('file="meshes/', 'file="../', "which is outside its folder"),
+        ("</worldbody>", '<geom size="1"/>' * 100_001 + "</worldbody>", "at most 100000 are read"),
+    ],
+    ids=["include", "replicate", "flexcomp", "directory", "mesh", "many"],
+)
+def test_mujoco_opens_no_mjcf_that_reads_other_files_or_grows(copy, old, new, fault):
+    (copy.parent / "outside.xml").write_text("<mujoco/>")
+    path = copy / "stand_0.xml"
+    text = path.read_text()
+    path.write_text(text.replace(old, new.format(outside=copy.parent / "outside.xml"), 1))
+    found = faults(validate(copy, checks=["mjcf", "behavior"]))
+    assert [each for each in found["mjcf"] if "it cannot be read: it" in each and fault in each]
+    assert len(found["behavior"]) == 1
+    assert "MuJoCo cannot use stand_0.xml: it" in found["behavior"][0]
+    assert fault in found["behavior"][0]
+
+
+def test_a_simulation_has_its_own_time_step(copy):
+    path = copy / "stand_0.xml"
+    path.write_text(path.read_text().replace("<worldbody>", '<option timestep="1e-9"/><worldbody>', 1))
+    found = faults(validate(copy, checks=["mjcf", "behavior"]))
+    (fault,) = found["mjcf"]
+    assert "sets timestep to 1e-9, which belongs to the scene" in fault
+    assert "behavior" not in found
+
+
 def test_a_report_has_no_number_that_json_lacks():
     finding = Finding("certificate", "a gap", value=math.nan, pose={"slide": math.inf})
     report = Report("stand_0", (CheckResult("certificate", (finding,)),))

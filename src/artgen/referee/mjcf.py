@@ -1,6 +1,7 @@
 """Reading of MJCF through MuJoCo's compiler, which runs in a process of its own."""
 
 import itertools
+import math
 import xml.etree.ElementTree as ET
 from collections.abc import Callable, Collection, Iterable, Mapping
 from pathlib import Path
@@ -13,7 +14,7 @@ from artgen.asset import AssetJoint
 from artgen.asset.joint import AssetCoupling, JointKind
 from artgen.colliders import Convex
 from artgen.errors import AssetError
-from artgen.referee.files import parse_xml, read_apart, safe_path
+from artgen.referee.files import MOST_LENGTH, parse_xml, read_apart, safe_path, shown
 from artgen.referee.meshes import Hulls
 from artgen.referee.model import ForeignBody, ForeignGeom, ForeignModel, Meshes, counted, first_of
 
@@ -36,6 +37,15 @@ _FIELDS = (
     *("eq_type", "eq_obj1id", "eq_obj2id", "eq_objtype", "eq_data", "eq_active0", "exclude_signature"),
     *("pair_geom1", "pair_geom2", "tendon_adr", "tendon_num", "wrap_type", "wrap_objid"),
 )
+_MEASURES = (  # kind of element, array of MuJoCo, and its name in messages
+    ("geom", "geom_xpos", "position"),
+    ("geom", "geom_xmat", "orientation"),
+    ("geom", "geom_size", "size"),
+    ("joint", "xanchor", "position"),
+    ("joint", "xaxis", "axis"),
+    ("joint", "jnt_range", "range"),
+    ("equality", "eq_data", "data"),
+)
 
 
 def read_mjcf(path: Path, *, meshes: Meshes = "hull", root: Path) -> ForeignModel:
@@ -49,7 +59,20 @@ def read_mjcf(path: Path, *, meshes: Meshes = "hull", root: Path) -> ForeignMode
     if "error" in compiled:
         raise AssetError(f"{path}: {compiled['error']}")
     counted(path, bodies=len(compiled["names"]["body"]), geoms=len(compiled["names"]["geom"]))
+    _check_numbers(path, compiled)
     return _Reading(path, compiled, meshes).model()
+
+
+def _check_numbers(path: Path, compiled: Mapping[str, Any]) -> None:
+    """Check the numbers of a compiled model, of which MuJoCo takes any."""
+    for kind, field, what in _MEASURES:
+        for name, values in zip(compiled["names"][kind], compiled[field], strict=True):
+            if not (np.abs(values) <= MOST_LENGTH).all():
+                given = " ".join(f"{value:g}" for value in values)
+                raise AssetError(
+                    f"{path}: the {what} of {kind} {shown(name)} is {given}; give finite numbers from "
+                    f"{-MOST_LENGTH:g} to {MOST_LENGTH:g}, also for the bodies that hold it"
+                )
 
 
 def _check_files(path: Path, root: Path) -> None:
@@ -93,10 +116,11 @@ def _named(each: ET.Element, path: Path, current: Path, folders: Collection[str]
 
 
 def _count(element: ET.Element, kind: str) -> int:
-    """Return the number of elements of a kind, those in <replicate> as often as it says."""
-    times = element.get("count", "1") if element.tag == "replicate" else "1"
+    """Return the number of elements of a kind, with those that <replicate> and others make."""
+    times = math.prod(int(each) for each in element.get("count", "1").split() if each.isdigit())
     inner: int = sum(_count(child, kind) for child in element)
-    return (int(times) if times.isdigit() else 1) * inner + int(element.tag == kind)
+    made = times if element.tag in ("composite", "flexcomp") else int(element.tag == kind)
+    return (times if element.tag == "replicate" else 1) * inner + made
 
 
 def _compiled(path: str) -> dict[str, Any]:

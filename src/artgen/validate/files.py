@@ -215,7 +215,7 @@ def _digest_findings(
 
 
 def _stray(directory: Path, listed: Collection[str]) -> Iterator[Finding]:
-    """Yield files that artgen did not write: faults next to its meshes, notes elsewhere."""
+    """Yield files that artgen did not write: faults next to its meshes and if they may never end."""
     known = {*listed, ASSET_FILE, CERTIFICATE_FILE, REPORT_FILE}
     folders = {PurePosixPath(path).parent.as_posix() for path in listed} - {"."}
     for path in sorted(directory.rglob("*")):
@@ -223,7 +223,9 @@ def _stray(directory: Path, listed: Collection[str]) -> Iterator[Finding]:
         if (path.is_dir() and not path.is_symlink()) or place.as_posix() in known:
             continue
         message = f"{place.as_posix()} is not listed in {ASSET_FILE}"
-        if place.parent.as_posix() in folders:
+        if path.exists() and not path.is_file():
+            yield _fault(f"{message}, and is a device, a pipe or a socket", hint="remove it")
+        elif place.parent.as_posix() in folders:
             yield _fault(message, hint="move it away: simulators that search meshes by name may load it")
         else:
             yield Finding("files", message, severity="note")

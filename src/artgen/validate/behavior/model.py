@@ -1,6 +1,7 @@
 """An exported asset in MuJoCo: loading, joints with their followers, couplings, contacts."""
 
 import math
+import os
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -12,6 +13,7 @@ import numpy as np
 from artgen._arrays import Array, Indices, cached_property
 from artgen.asset import Asset, AssetCondition, AssetJoint
 from artgen.asset.report import Finding, Severity
+from artgen.errors import AssetError
 from artgen.export.frames import coupling
 from artgen.validate.joints import length, unit
 
@@ -30,11 +32,48 @@ def collected_warnings() -> Iterator[list[str]]:
         mujoco.set_mju_user_warning(before)
 
 
+_STEP = 0.002  # time step; with that of the file, a check may take for ever [s]
+_MOST_ELEMENTS = 100_000
+_MAKING = ("include", "replicate", "composite", "flexcomp", "hfield", "model", "attach", "plugin")
+
+
+def check_loadable(path: Path) -> None:
+    """Check that a file reads no files outside its folder, and makes no more than it has elements.
+
+    Raises:
+        AssetError: It does; MuJoCo should not open it.
+    """
+    from lxml import etree
+
+    root, folder = etree.parse(path).getroot(), os.path.realpath(path.parent)
+    count = sum(1 for _ in root.iter())
+    if count > _MOST_ELEMENTS:
+        raise AssetError(f"it has {count} elements; at most {_MOST_ELEMENTS} are read")
+    for element in root.iter(etree.Element):
+        if element.tag in _MAKING:
+            raise AssetError(f"it has <{element.tag}>, which is not loaded, as artgen never writes it")
+        for key, value in element.items():
+            away = element.tag == "compiler" and key.endswith("dir")
+            if key.startswith("file"):
+                away = not Path(os.path.realpath(path.parent / value)).is_relative_to(folder)
+            if away:
+                raise AssetError(f"its <{element.tag}> names {value!r:.80}, which is outside its folder")
+
+
+def _spec(path: Path) -> Any:
+    import mujoco
+
+    check_loadable(path)
+    spec = mujoco.MjSpec.from_file(str(path))
+    spec.option.timestep = _STEP
+    return spec
+
+
 def fixed_model(path: Path) -> Any:
     """Load a file with the base fixed to the world."""
     import mujoco
 
-    spec = mujoco.MjSpec.from_file(str(path))
+    spec = _spec(path)
     for joint in list(spec.joints):
         if joint.type == mujoco.mjtJoint.mjJNT_FREE:
             for key in list(spec.keys):  # their positions include those of the joint
@@ -47,7 +86,7 @@ def standing_model(path: Path) -> Any:
     """Load a file with a floor under its base, as hard as the colliders."""
     import mujoco
 
-    spec = mujoco.MjSpec.from_file(str(path))
+    spec = _spec(path)
     colliders = [geom for geom in spec.geoms if geom.contype or geom.conaffinity]
     floor = spec.worldbody.add_geom(type=mujoco.mjtGeom.mjGEOM_PLANE, size=[0.0, 0.0, 1.0])
     if colliders:

@@ -10,6 +10,7 @@ from artgen._arrays import OPENUSD
 from artgen.asset import Asset
 from artgen.asset.files import main_files
 from artgen.asset.report import CHANGED, CheckResult, Finding
+from artgen.errors import AssetError
 from artgen.export.layouts import DEFAULT_FORMATS
 from artgen.validate.readback.compare import POSES, Comparison, Expected
 from artgen.validate.readback.reading import Reading
@@ -66,7 +67,8 @@ def _unreadable(check: str, asset: Asset, error: Exception) -> Finding:
     words = set(re.findall(r"\w+", reason))
     link = next((link.name for link in asset.links if f"'{link.name}'" in reason), "")
     joint = next((joint.name for joint in asset.joints if joint.name in words), "")
-    message = f"it cannot be read: {type(error).__name__}: {reason}"
+    kind = "" if isinstance(error, AssetError) else f"{type(error).__name__}: "
+    message = f"it cannot be read: {kind}{reason}"
     return Finding(check, message, link, "" if link else joint, hint=CHANGED)
 
 

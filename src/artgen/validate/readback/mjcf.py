@@ -14,7 +14,7 @@ from artgen.asset.report import AGAIN, Finding
 from artgen.colliders import Convex
 from artgen.colliders.convex import Kind
 from artgen.export.mjcf import OFF
-from artgen.validate.behavior.model import collected_warnings
+from artgen.validate.behavior.model import check_loadable, collected_warnings
 from artgen.validate.readback.reading import (
     UNLIMITED,
     Faces,
@@ -32,6 +32,7 @@ _SHAPES: dict[int, Kind] = {2: "sphere", 3: "capsule", 5: "cylinder", 6: "box"} 
 _MESH = 7
 _SCENE = "move it to the scene that attaches the asset"
 _ACTING = ("actuator", "deformable", "extension", "include")  # they move or hold links
+_SETTINGS = ("gravity", "density", "wind", "timestep", "iterations")
 _PLAIN = {"contype": 1.0, "conaffinity": 1.0, "condim": 3.0, "margin": 0.0, "gap": 0.0}
 _SOFTEST, _LEAST_IMPEDANCE = 0.02, 0.9  # default time constant [s] and impedance of MuJoCo
 _SHARES = (-0.5, -0.3, -0.01, 0.01, 0.25, 0.45)  # compared positions around a ridge, in gaps of detents
@@ -59,7 +60,7 @@ def element_findings(path: Path) -> Iterator[Finding]:
         message = f"{file} excludes their contacts, which hides parts that penetrate each other"
         yield _fault(message, f"{exclude.get('body1')}, {exclude.get('body2')}", hint="remove <exclude>")
     for option in root.iterfind("option"):
-        settings = {name: option.get(name) for name in ("gravity", "density", "wind") if option.get(name)}
+        settings = {name: option.get(name) for name in _SETTINGS if option.get(name)}
         settings |= {name: value for flag in option.iterfind("flag") for name, value in flag.items()}
         for name, value in settings.items():
             yield _foreign(f"{file} sets {name} to {value}, which belongs to the scene")
@@ -171,6 +172,7 @@ def read(asset: Asset, path: Path) -> Reading:
     """Read a model and its meshes."""
     import mujoco
 
+    check_loadable(path)
     # MuJoCo caches meshes and does not notice a file that changed within the same second
     mujoco.mj_clearCache(mujoco.mj_getCache())
     with collected_messages() as messages, collected_warnings() as warned:
