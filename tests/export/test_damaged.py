@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import shutil
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -138,6 +139,36 @@ def test_conditions_that_are_nested_too_deeply_are_one_error(folder: Path) -> No
     with pytest.raises((AssetError, ExportError), match=r"asset\.json"):
         use(artgen.load(folder))
     shutil.rmtree(folder)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "fault"),
+    [
+        (r"(?m)^v \S+", "v nan", "a number of a line 'v' is not in -1e+06..1e+06"),
+        (r"(?m)^v \S+", "v 1e30", "a number of a line 'v'"),
+        (r"(?m)^v \S+", "v " + "1" * 400, "a number of a line 'v'"),
+        (r"(?m)^vn \S+", "vn nan", "a number of a line 'vn'"),
+        (r"(?m)^vt \S+", "vt 1e300", "a number of a line 'vt'"),
+        (r"(?m)^f \d+", "f 0", "whose numbers are those of 'v', 'vt' and 'vn', from 1 on"),
+        (r"(?m)^f \d+", "f -1", "from 1 on"),
+        (r"(?m)^f \d+", "f nan", "from 1 on"),
+        (r"(?m)^f (\d+)", r"f \1.5", "from 1 on"),
+        (r"(?m)^f \d+", "f 9" + "0" * 30, "from 1 on"),
+        (r"(?m)^f .*\n", "", "it needs lines 'f'"),
+        (r"(?m)^v \S+", "v x", "could not convert"),
+    ],
+)
+def test_a_damaged_mesh_is_one_error_that_names_the_line(
+    folder: Path, old: str, new: str, fault: str
+) -> None:
+    path = artgen.load(folder).links[0].meshes[0]
+    text = path.read_text()
+    path.write_text(re.sub(old, new, text, count=0 if not new else 1))
+    assert path.read_text() != text
+    with pytest.raises(
+        AssetError, match=rf"{path.name} is not a mesh that artgen wrote: .*{re.escape(fault)}"
+    ):
+        use(artgen.load(folder))
 
 
 def pipe(path: Path) -> None:

@@ -141,6 +141,7 @@ def test_limits(reads):
     limit = '<limit lower="-1.5" upper="0.5" effort="3" velocity="2"/>'
     assert "line 12: <joint> 'swing' has no <limit>; give its lower and upper" in refused(reads, (limit, ""))
     assert "from 2 to 0.5; exchange them" in refused(reads, ('lower="-1.5"', 'lower="2"'))
+    assert "from -1.5 to 1e+300; give at most 1e+06" in refused(reads, ('upper="0.5"', 'upper="1e300"'))
     model = reads(ARM, ('lower="-1.5" upper="0.5"', ""))
     assert model.bodies[1].joints[0].limits == (0.0, 0.0)
     assert model.notes == ("1 joint ('swing'): limited without lower and upper: locked at 0, their default",)

@@ -262,3 +262,32 @@ def test_meshes_with_one_bounding_box_are_told_apart_by_their_triangles():
     fewer = (Faces("edges", low, 7), Faces("faces", high, 4))
     (fault,) = face_findings(wanted, fewer)
     assert "edges have 7 triangles in board.xml, not 8" in fault.message
+
+
+@pytest.mark.parametrize(
+    ("pattern", "replacement", "fault"),
+    [
+        (r'(physics:axis = )"\w"', r'\1"W"', "has the physics:axis 'W', not 'X', 'Y' or 'Z'"),
+        (
+            r"(physics:localPos0 = )\([^)]*\)",
+            r"\1(inf, 0, 0)",
+            "has the physics:localPos0 (inf, 0, 0), which",
+        ),
+        (r"(physics:localRot0 = )\([^)]*\)", r"\1(nan, 0, 0, 0)", "has the physics:localRot0 (nan, 0, 0, 0)"),
+        (r"(inputs:file = )@[^@]*@", r"\1@/etc/hosts@", "it reads '/etc/hosts', which is outside its folder"),
+        (r'kind = "component"', r"\g<0>\n    payload = @../other.usda@", "other.usda', which is outside"),
+    ],
+    ids=["axis", "position", "rotation", "texture", "payload"],
+)
+def test_usd_that_readers_take_silently_is_found(copy, pattern, replacement, fault):
+    (copy.parent / "other.usda").write_text('#usda 1.0\n(defaultPrim = "a")\ndef Xform "a" {}\n')
+    edit(copy, "usda", pattern, replacement)
+    assert [finding for finding in results(copy)["usd"].faults if fault in finding.message]
+
+
+def test_a_urdf_of_very_many_links_is_refused_before_it_is_read(copy):
+    edit(copy, "urdf", "</robot>", "".join(f'<link name="z{n}"/>' for n in range(2000)) + "</robot>")
+    faults = [finding.message for finding in results(copy)["urdf"].faults]
+    assert any(
+        "it cannot be read: it has 20" in fault and "links, where the asset has" in fault for fault in faults
+    )

@@ -6,6 +6,7 @@ import os
 import shutil
 import sys
 import types
+import zlib
 from dataclasses import replace
 from unittest.mock import Mock
 
@@ -202,6 +203,21 @@ def test_a_path_may_not_lead_out(copy):
         "the path '../secret' is not allowed; it must be relative and stay in the folder of the asset; "
         "export the asset again"
     )
+
+
+def test_a_file_that_would_fill_the_memory_or_the_stack_is_a_fault(copy):
+    deep = b"[" * 200_000 + b"]" * 200_000
+    (copy / "certificate.json").write_bytes(deep)
+    texture = next(copy.glob("meshes/textures/*.png"))
+    content = bytearray(texture.read_bytes())
+    content[16:24] = (60_000).to_bytes(4, "big") * 2
+    content[29:33] = zlib.crc32(content[12:29]).to_bytes(4, "big")
+    texture.write_bytes(content)
+    found = " ".join(files_faults(copy))
+    assert "certificate.json cannot be read: RecursionError" in found
+    assert f"{texture.name} is not a readable image" in found
+    (copy / "asset.json").write_bytes(deep)
+    assert "asset.json cannot be read: RecursionError" in " ".join(files_faults(copy))
 
 
 def test_a_link_to_itself_is_a_fault(copy):

@@ -477,16 +477,26 @@ def read_obj(path: Path, origin: Array) -> Mesh:
         keyword, _, rest = line.partition(b" ")
         if keyword in rows:
             rows[keyword].append(rest)
+    fault = f"{path} is not a mesh that artgen wrote"
     try:
-        corners = _numbers(rows[b"f"], 9).astype(np.int64).reshape(-1, 3) - 1
-        # files number values in ascending order: sorted keys sort by position, normal and coordinates
-        keys = (corners[:, 0] * len(rows[b"vn"]) + corners[:, 2]) * len(rows[b"vt"]) + corners[:, 1]
-        _, first, numbers = np.unique(keys, return_index=True, return_inverse=True)
-        place, uv, normal = corners[first].T
-        vertices = _numbers(rows[b"v"], 3)[place] + origin
-        normals, uvs = _numbers(rows[b"vn"], 3)[normal], _numbers(rows[b"vt"], 2)[uv]
-    except (ValueError, IndexError) as error:
-        raise AssetError(f"{path} is not a mesh that artgen wrote: {error}") from error
+        vertices, normals, uvs = (_numbers(rows[key], n) for key, n in ((b"v", 3), (b"vn", 3), (b"vt", 2)))
+        corners = _numbers(rows[b"f"], 9).reshape(-1, 3)
+    except ValueError as error:
+        raise AssetError(f"{fault}: {error}") from error
+    for name, values in (("v", vertices), ("vn", normals), ("vt", uvs)):
+        if not (np.abs(values) <= _FARTHEST).all():
+            raise AssetError(f"{fault}: a number of a line '{name}' is not in {-_FARTHEST:g}..{_FARTHEST:g}")
+    counts = [len(vertices), len(uvs), len(normals)]
+    if not (len(corners) and ((corners >= 1) & (corners <= counts) & (corners % 1 == 0)).all()):
+        raise AssetError(
+            f"{fault}: it needs lines 'f' whose numbers are those of 'v', 'vt' and 'vn', from 1 on"
+        )
+    corners = corners.astype(np.int64) - 1
+    # files number values in ascending order: sorted keys sort by position, normal and coordinates
+    keys = (corners[:, 0] * len(normals) + corners[:, 2]) * len(uvs) + corners[:, 1]
+    _, first, numbers = np.unique(keys, return_index=True, return_inverse=True)
+    place, uv, normal = corners[first].T
+    vertices, normals, uvs = vertices[place] + origin, normals[normal], uvs[uv]
     return Mesh(vertices, normals, uvs, np.zeros(len(vertices), np.int64), numbers.reshape(-1, 3))
 
 

@@ -268,7 +268,12 @@ class _Reader:
         if not {"lower", "upper"} & limit.attrib.keys():
             what = "limited without lower and upper: locked at 0, their default"
             self._note("joint", "joints", what, joint.get("name", ""))
-        return None if low <= -_FAR and high >= _FAR else (low, high)
+        if low <= -_FAR and high >= _FAR:
+            return None
+        if max(-low, high) > MOST_LENGTH:
+            fault = f"of joint {shown(joint.get('name', ''))} goes from {low:g} to {high:g}; give at most "
+            self.refuse(limit, f'{fault}{MOST_LENGTH:g}, or type="continuous"')
+        return low, high
 
     def _coupling(self, joint: ET.Element) -> AssetCoupling | None:
         """Return the coupling of a joint that mimics another, after a check of all that it follows."""

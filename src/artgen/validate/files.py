@@ -64,7 +64,8 @@ def _fault_of(path: str, content: bytes) -> str:
         try:
             with Image.open(BytesIO(content)) as image:
                 image.load()
-        except (OSError, SyntaxError, ValueError):  # errors of Pillow for damaged PNG
+        # errors of Pillow for damaged PNG, and for one that would fill the memory
+        except (OSError, SyntaxError, ValueError, Image.DecompressionBombError):
             return f"{path} is not a readable image"
     if suffix == ".glb":
         return _fault_of_glb(path, content)
@@ -90,7 +91,7 @@ def _fault_of_glb(path: str, content: bytes) -> str:
         if not kinds:
             try:
                 json.loads(content[place + 8 : place + 8 + size])
-            except ValueError as error:
+            except (ValueError, RecursionError) as error:
                 return f"{path} has JSON that cannot be read: {error}"
         kinds.append(kind)
         place += 8 + size
@@ -130,7 +131,7 @@ def read_export(directory: str | Path) -> Exported:
         coarse = any("mesh_precision" in each for each in data["links"])
         certified = data.get("certificate") is not None and not coarse  # coarse exports have no proof
         digests = dict(data.get("digests", {}))
-    except (OSError, ValueError, LookupError, TypeError, AttributeError) as error:
+    except (OSError, ValueError, LookupError, TypeError, AttributeError, RecursionError) as error:
         return Exported(CheckResult("files", (_unreadable(ASSET_FILE, error),)))
     findings = list(_certificate_findings(directory)) if certified else []
     try:
@@ -168,7 +169,7 @@ def _certificate_findings(directory: Path) -> Iterator[Finding]:
         json.loads(file_content(directory / CERTIFICATE_FILE))
     except FileNotFoundError:
         yield Finding("files", f"{CERTIFICATE_FILE} with the proof is missing", hint=hint)
-    except (OSError, ValueError) as error:
+    except (OSError, ValueError, RecursionError) as error:
         yield _unreadable(CERTIFICATE_FILE, error, hint)
 
 

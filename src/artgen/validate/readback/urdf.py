@@ -15,7 +15,7 @@ from artgen._arrays import Array
 from artgen.asset import Asset
 from artgen.asset.report import AGAIN, Finding
 from artgen.colliders import Convex
-from artgen.errors import nearest
+from artgen.errors import AssetError, nearest
 from artgen.export.layouts.partnet.names import NAMES_FILE
 from artgen.validate.readback.reading import (
     UNLIMITED,
@@ -33,6 +33,7 @@ _UP = np.array([0.0, 0.0, 1.0, 0.0])
 _UPRIGHT = 1e-6  # tolerance of an axis
 _SPRING = {"springStiffness": "stiffness", "springReference": "rest"}  # elements of Gazebo
 
+_MOST_MORE = 1000  # links without a counterpart in the asset: marks of grasps, bodies between joints
 _TEXTS = ("name", "type", "link", "joint", "reference", "filename")  # attributes without numbers
 
 _fault = partial(Finding, "urdf", hint=AGAIN)
@@ -154,6 +155,9 @@ def read(asset: Asset, path: Path) -> Reading:
     import yourdfpy
     from lxml import etree
 
+    count = sum(1 for _ in etree.parse(path).getroot().iterfind("link"))
+    if count > len(asset.links) + _MOST_MORE:  # yourdfpy would take minutes
+        raise AssetError(f"it has {count} links, where the asset has {len(asset.links)}")
     names = _read_names(path)
     bodies = {link: body for body, link in names.links.items()}
     base, back = asset.links[0].name, names.turn.T

@@ -1,5 +1,6 @@
 """Reading an exported USD with OpenUSD, and faults that simulators accept silently."""
 
+import os
 import re
 from collections import Counter
 from collections.abc import Collection, Iterator, Mapping
@@ -9,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from pxr import Gf, Usd, UsdGeom, UsdPhysics, UsdShade, UsdUtils, UsdValidation
+from pxr import Gf, Sdf, Usd, UsdGeom, UsdPhysics, UsdShade, UsdUtils, UsdValidation
 from scipy.spatial.transform import Rotation
 
 from artgen._arrays import Array, Indices
@@ -111,6 +112,19 @@ def _layer_findings(stage: Any) -> Iterator[Finding]:
             yield _fault(f"{name} is {found}, not {wanted}")
     if not stage.GetDefaultPrim():
         yield _fault("it has no default prim, so references to it are empty")
+    folder = os.path.realpath(Path(stage.GetRootLayer().realPath).parent)
+    values = [attribute.Get() for prim in stage.TraverseAll() for attribute in prim.GetAuthoredAttributes()]
+    named = [each.realPath for each in stage.GetUsedLayers() if not each.anonymous]
+    named += [each.resolvedPath or each.path for each in values if isinstance(each, Sdf.AssetPath)]
+    for name in dict.fromkeys(named):
+        if not Path(os.path.realpath(os.path.join(folder, name))).is_relative_to(folder):  # noqa: PTH118
+            yield _fault(f"it reads {name!r:.80}, which is outside its folder")
+
+
+def _is_finite(value: Any) -> bool:
+    """Tell whether a vector or a quaternion has finite numbers."""
+    turns = isinstance(value, Gf.Quatf | Gf.Quatd | Gf.Quath)
+    return bool(np.isfinite([value.GetReal(), *value.GetImaginary()] if turns else [*value]).all())
 
 
 def _attribute_findings(prim: Any, off: Collection[tuple[str, str]]) -> Iterator[Finding]:
@@ -123,6 +137,11 @@ def _attribute_findings(prim: Any, off: Collection[tuple[str, str]]) -> Iterator
     ):
         for attribute in prim.GetAuthoredAttributes() if schema else ():
             name = attribute.GetName()
+            value = attribute.Get()
+            if name == "physics:axis" and value not in _TURNS:
+                yield _fault(f"{where} has the {name} {value!r}, not 'X', 'Y' or 'Z'", **place)
+            if name.startswith("physics:local") and not _is_finite(value):
+                yield _fault(f"{where} has the {name} {value}, which is not finite", **place)
             if attribute.ValueMightBeTimeVarying():
                 yield _fault(f"{where} has a {name} that changes with time", **place)
             fault, message = _SWITCHES.get(name, (None, ""))
@@ -131,7 +150,7 @@ def _attribute_findings(prim: Any, off: Collection[tuple[str, str]]) -> Iterator
                 where,
             ) in off:
                 continue  # a spare collider of a padded asset
-            if attribute.Get() == fault and message:
+            if value == fault and message:
                 yield _fault(message.format(where), **place)
             if _PHYSICS.match(name) and not known.fullmatch(name):
                 message = f"{where} has {name} = {attribute.Get()}, which does not belong to an asset"
