@@ -217,3 +217,19 @@ def test_a_transform_must_be_finite_and_keep_volume() -> None:
         pieces.transformed(np.full((4, 4), np.nan))
     with pytest.raises(ValueError, match="flattens"):
         pieces.transformed(np.diag([0.0, 0.0, 0.0, 1.0]))
+
+
+@pytest.mark.parametrize("radius", [0.0038, 0.0052, 0.010])
+def test_no_part_around_a_hole_is_thinner_than_half_a_millimetre(radius: float) -> None:
+    plate = box((0.026, 0.008, 0.026)) - cylinder(radius, 0.02, pose(turn=Y_UP))
+    assert_bracketed(plate)
+    pieces = plate.pieces.outer(TOLERANCE)
+    assert min(piece.faces.width for piece in pieces) >= 0.0005
+    assert joined_manifold(pieces).volume() == pytest.approx(plate.manifold.volume(), rel=1e-3)
+
+
+def test_a_thin_solid_keeps_its_thin_parts() -> None:
+    sheet = box((0.05, 0.0003, 0.05)) - cylinder(0.01, 0.02, pose(turn=Y_UP))
+    assert_bracketed(sheet)
+    pieces = sheet.pieces.outer(TOLERANCE)
+    assert sum(piece.volume for piece in pieces) == pytest.approx(joined_manifold(pieces).volume())

@@ -11,6 +11,9 @@ from artgen.colliders.convex import Convex
 from artgen.colliders.enclose import few_vertices
 from artgen.colliders.polytope import SLIVER, SNAP, Polytope
 
+THIN = 0.0005
+"""Width below which contacts with a piece are unreliable in simulators [m]."""
+
 _MANY = 128  # pieces with more vertices are enclosed in simpler ones before a cut
 _FEW = 64  # vertices of these simpler pieces
 _SAME = 1e-7  # faces nearer than this are one face seen from both sides [m]
@@ -111,12 +114,12 @@ def _without(piece: Faceted, cutter: Polytope) -> list[Faceted] | None:
     """Return the parts of a piece outside a cutter, or None if they have no common volume.
 
     The plane with the largest remaining part cuts first: large parts are separated whole, and only the
-    neighborhood of the cutter is cut into small ones.
+    neighborhood of the cutter is cut into small ones. A part that would be thin overlaps the parts before it.
     """
     if (cutter.heights(piece.shape.planes).min(axis=1) >= -SLIVER).any():
         return None
     parts: list[Faceted] = []
-    rest, planes = piece, cutter.planes
+    rest, planes, before = piece, cutter.planes, [piece]
     while len(planes):
         heights = rest.shape.heights(planes)
         if (heights.min(axis=1) >= -SLIVER).any():
@@ -129,10 +132,19 @@ def _without(piece: Faceted, cutter: Polytope) -> list[Faceted] | None:
         if inside is None:
             return None
         if outside is not None and outside.shape.width >= SLIVER:
-            parts.append(outside)
+            parts.append(_thicker(outside, planes[far], before))
         rest = inside
+        before.append(rest)
         planes = np.delete(planes, far, axis=0)
     return parts if rest.shape.width >= SLIVER else None
+
+
+def _thicker(part: Faceted, plane: Array, before: Sequence[Faceted]) -> Faceted:
+    """Return a part outside a plane; a thin one is cut from what was left before earlier cuts."""
+    if part.shape.width >= THIN:
+        return part
+    larger = (_split(rest, plane)[1] for rest in reversed(before[:-1]))
+    return next((each for each in larger if each is not None and each.shape.width >= THIN), part)
 
 
 def _common(piece: Faceted, other: Faceted) -> Faceted | None:
