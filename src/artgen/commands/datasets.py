@@ -9,6 +9,7 @@ from typer import Argument, Option
 
 from artgen.commands.console import counting, list_failures, make_dataset
 from artgen.commands.options import Categories, Certify, Collisions, Jobs, Overrides, Seed, TextureSize
+from artgen.demos.run import DemoLayout
 from artgen.errors import ParameterError
 from artgen.images import ImagePlan
 from artgen.images.plan import RANDOM, PictureFormat
@@ -109,7 +110,10 @@ def _angles(option: str, text: str) -> tuple[float, float]:
 def demos(
     task: Annotated[str, Argument(help="Name of a task, such as OpenDrawer.")],
     *,
-    out: Annotated[Path, Option(metavar="DIRECTORY", help="Target; demo.hdf5 in it is complete or absent.")],
+    out: Annotated[
+        Path,
+        Option(metavar="DIRECTORY", help="Target; demo.hdf5 or lerobot in it is complete or absent."),
+    ],
     count: Annotated[int, Option("--count", "-n", min=1, help="Number of demonstrations.")] = 100,
     seed: Seed = 0,
     image: Annotated[int, Option(metavar="PIXELS", help="Size of pictures in observations; 0 for none.")] = 0,
@@ -121,9 +125,12 @@ def demos(
             "written actions are those without it.",
         ),
     ] = 0.0,
+    layout: Annotated[
+        DemoLayout, Option(help="An HDF5 file of robomimic, or a LeRobotDataset, which needs artgen[data].")
+    ] = "robomimic",
     jobs: Jobs = None,
 ) -> None:
-    """Write successful demonstrations of a task in robomimic's HDF5 layout; needs artgen[demos].
+    """Write successful demonstrations of a task for robomimic or LeRobot; needs artgen[demos].
 
     A repeated command continues an interrupted run.
     """
@@ -137,6 +144,7 @@ def demos(
             seed=seed,
             image=image,
             noise=noise,
+            layout=layout,
             jobs=jobs,
             progress=lambda succeeded: step(succeeded, int(succeeded)),
         )

@@ -1,6 +1,6 @@
 """Demonstrations of the scripted policy in a task, recorded by processes, in the order of their seeds.
 
-The HDF5 layout is that of robomimic: a group for each demonstration, and lists for training and validation.
+`artgen.demos.lerobot` has the layout of LeRobot. That of robomimic is HDF5: a group for each demonstration, and lists for training and validation.
 
 data              attributes: total, env_args (JSON)
   demo_0          attributes: num_samples, asset, seed
@@ -22,7 +22,7 @@ from dataclasses import dataclass
 from functools import partial
 from io import BytesIO
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal, get_args
 
 import numpy as np
 from numpy.typing import NDArray
@@ -33,14 +33,19 @@ from artgen._progress import progress as shown_progress
 from artgen.dataset.places import Disk, locked
 from artgen.dataset.plan import check_whole
 from artgen.dataset.workers import Ending, cores, run_job, run_tasks
-from artgen.errors import CheckError, EnvError, ExportError, ParameterError
+from artgen.demos.lerobot import is_lerobot, write_lerobot
+from artgen.errors import CheckError, EnvError, ExportError, ParameterError, nearest
 from artgen.export.files import replaced
 from artgen.sampling.distributions import is_number
 from artgen.version import __version__
 
 Array = NDArray[Any]
 
+DemoLayout = Literal["robomimic", "lerobot"]
+"""A file in the layout of robomimic, or a folder that is a LeRobotDataset."""
+
 DEMO_FILE = "demo.hdf5"  # with all demonstrations
+LEROBOT_DIRECTORY = "lerobot"
 VALID_EVERY = 10  # every n-th demonstration is for validation
 
 _ATTEMPTS = ".attempts"  # folder of the attempts of an unfinished run
@@ -161,7 +166,7 @@ class DemoSummary:
     """The result of a run.
 
     Attributes:
-        file: The file that it wrote.
+        file: The file that it wrote; a folder for the layout `lerobot`.
         demos: Number of demonstrations.
         steps: Number of their steps in all.
         failed: Reason for each seed without a demonstration.
@@ -184,30 +189,34 @@ def make_demos(
     image: int = 0,
     noise: float = 0.0,
     jobs: int | None = None,
+    layout: DemoLayout = "robomimic",
     progress: Callable[[bool], None] | bool = True,
 ) -> DemoSummary:
     """Record successful demonstrations of the scripted policy in a task, each with another asset.
 
-    The bytes of the file depend only on the task, count, seed, image size and noise.
+    The bytes of the file depend only on the task, count, seed, image size, noise and layout.
 
     Args:
         task: Name of the task, such as `OpenDrawer`.
         count: Number of demonstrations.
-        out: Folder for `demo.hdf5`, which is complete or absent and replaces one of an earlier run. An
-            interrupted run continues from its attempts, which are in the folder `.attempts` until the end.
+        out: Folder for `demo.hdf5`, or for the folder `lerobot`, which is complete or absent and replaces
+            that of an earlier run. An interrupted run continues from its attempts, which are in the folder
+            `.attempts` until the end.
         seed: Seed of the first asset; the others follow.
         image: Pixels per side of the pictures in the observations; 0 for none.
         noise: Standard deviation of a disturbance of the arm's actions, so that demonstrations include
             corrections; `actions` are those of the policy, `applied` the disturbed ones.
         jobs: Number of processes; by default the number of cores.
+        layout: `robomimic`, an HDF5 file, or `lerobot`, a LeRobotDataset 3.0 with pictures in its tables.
         progress: Whether to show the progress in a terminal or notebook, or a function that is called after
             each attempt, with its success.
 
     Raises:
-        ParameterError: There is no such task, the folder is no path, or a number is out of its range.
+        ParameterError: There is no such task or layout, the folder is no path, or a number is out of its
+            range.
         EnvError: A package of the environments is not installed.
-        ExportError: h5py is not installed, `demo.hdf5` exists and was not written by artgen, or the disk
-            reports an error.
+        ExportError: A package of the layout is not installed, the file exists and was not written by artgen,
+            or the disk reports an error.
         CheckError: The policy fails too often; nothing is written.
     """
     _check_task(task)
@@ -216,8 +225,10 @@ def make_demos(
     jobs = check_whole("jobs", cores() if jobs is None else jobs, 1, 10**6)
     if not is_number(noise) or not 0.0 <= noise <= 1.0:
         raise ParameterError(f"noise is a number from 0 to 1, not {noise!r}")
-    file = checked_path(out, "out") / DEMO_FILE
-    if not is_replaceable(file):
+    if layout not in get_args(DemoLayout):
+        raise ParameterError(f"there is no layout {layout!r}.{nearest(str(layout), get_args(DemoLayout))}")
+    file = checked_path(out, "out") / (DEMO_FILE if layout == "robomimic" else LEROBOT_DIRECTORY)
+    if not (is_replaceable(file) if layout == "robomimic" else is_lerobot(file)):
         raise ExportError(f"{file} exists and holds no demonstrations of artgen; choose another directory")
     start = time.monotonic()
     succeeded: list[int] = []
@@ -250,7 +261,13 @@ def make_demos(
             shown_progress(task, None if callable(progress) else count, shown=progress is True) as update,
         ):
             demos = successes(endings, update)
-            steps = write_demos(partial_file, demos, f"artgen/{task}-v0", {"obs": "state"})
+            if layout == "robomimic":
+                steps = write_demos(partial_file, demos, f"artgen/{task}-v0", {"obs": "state"})
+            else:
+                from artgen.envs.env import RATE
+                from artgen.envs.task import find_task
+
+                steps = write_lerobot(partial_file, demos, f"artgen/{task}-v0", find_task(task).doc, RATE)
         if len(succeeded) < count:
             attempts.remove()
             raise CheckError(

@@ -230,17 +230,28 @@ def write_files(files: Mapping[str, bytes], directory: Path, store: Path | None 
 
 @contextmanager
 def replaced(path: Path) -> Iterator[Path]:
-    """Yield a temporary path that replaces the file once it is complete; an error leaves nothing behind."""
+    """Yield a temporary path that replaces a file or folder once it is complete; an error leaves nothing."""
     partial = path.with_name(f".{path.name}.partial")
     try:
         with _new_parents(path), ExitStack() as cleanup:
-            cleanup.callback(partial.unlink, missing_ok=True)
+            _remove(partial)
+            cleanup.callback(_remove, partial)
             yield partial
+            if partial.is_dir():
+                _remove(path)
             partial.replace(path)
     except ExportError:
         raise
     except OSError as error:
         raise ExportError(f"cannot write {path}: {error.strerror or error}; nothing was changed") from error
+
+
+def _remove(path: Path) -> None:
+    """Remove a file or a folder, if there is one."""
+    if path.is_dir() and not path.is_symlink():
+        shutil.rmtree(path)
+    else:
+        path.unlink(missing_ok=True)
 
 
 @contextmanager
