@@ -111,8 +111,7 @@ def demos(
     task: Annotated[str, Argument(help="Name of a task, such as OpenDrawer.")],
     *,
     out: Annotated[
-        Path,
-        Option(metavar="DIRECTORY", help="Target; demo.hdf5 or lerobot in it is complete or absent."),
+        Path, Option(metavar="DIRECTORY", help="Target; demo.hdf5 or lerobot in it is complete or absent.")
     ],
     count: Annotated[int, Option("--count", "-n", min=1, help="Number of demonstrations.")] = 100,
     seed: Seed = 0,

@@ -1,6 +1,7 @@
 """Demonstrations of the scripted policy in a task, recorded by processes, in the order of their seeds.
 
-`artgen.demos.lerobot` has the layout of LeRobot. That of robomimic is HDF5: a group for each demonstration, and lists for training and validation.
+`artgen.demos.lerobot` has the layout of LeRobot. That of robomimic is HDF5: a group for each demonstration, and
+lists for training and validation.
 
 data              attributes: total, env_args (JSON)
   demo_0          attributes: num_samples, asset, seed
