@@ -56,6 +56,12 @@ def test_the_same_demonstrations_give_the_same_bytes(tmp_path):
         assert (first / path).read_bytes() == (second / path).read_bytes(), path
 
 
+def stopped(place):
+    with replaced(place) as partial:
+        written(partial, [demo(2, 9)])
+        raise KeyError(place)
+
+
 def test_only_folders_with_demonstrations_are_replaced(tmp_path):
     ours = written(tmp_path / "ours", [demo(1, 3)])
     (tmp_path / "notes").mkdir()
@@ -66,9 +72,8 @@ def test_only_folders_with_demonstrations_are_replaced(tmp_path):
     with replaced(ours) as partial:
         written(partial, [demo(2, 4)])
     assert json.loads((ours / "meta/info.json").read_text())["total_frames"] == 4
-    with pytest.raises(KeyError), replaced(ours) as partial:
-        written(partial, [demo(2, 9)])
-        raise KeyError("stopped")
+    with pytest.raises(KeyError):
+        stopped(ours)
     assert json.loads((ours / "meta/info.json").read_text())["total_frames"] == 4
     assert sorted(path.name for path in tmp_path.iterdir()) == ["notes", "ours"]
 

@@ -1,4 +1,4 @@
-"""Demonstrations as a LeRobotDataset, version 3.0: tables of frames and episodes, with pictures in the frames.
+"""Demonstrations as a LeRobotDataset 3.0: tables of frames and episodes; pictures are in the frames.
 
 meta/info.json        features with types and shapes, rate, numbers of episodes and frames
 meta/stats.json       statistics of each feature, for its normalization
@@ -47,11 +47,11 @@ def write_lerobot(folder: Path, demos: Iterable[Any], environment: str, task: st
     Raises:
         ExportError: pandas or pyarrow is not installed.
     """
-    pandas, arrow, parquet = _tables()
+    pd, arrow, parquet = _tables()
     rows: list[dict[str, Any]] = []
     stats: list[dict[str, Stats]] = []
     features: dict[str, dict[str, Any]] = {}
-    file, total = -1, 0
+    file, path, total = -1, folder, 0
     with ExitStack() as opened:
         writer: Any = None
         for episode, demo in enumerate(demos):
@@ -105,7 +105,7 @@ def write_lerobot(folder: Path, demos: Iterable[Any], environment: str, task: st
     }
     (folder / _EPISODES).parent.mkdir(parents=True, exist_ok=True)
     parquet.write_table(arrow.Table.from_pylist(rows), folder / _EPISODES)
-    tasks = pandas.DataFrame({"task_index": [0]}, index=pandas.Index([task], name="task"))
+    tasks = pd.DataFrame({"task_index": [0]}, index=pd.Index([task], name="task"))
     tasks.to_parquet(folder / "meta/tasks.parquet")
     together = {name: _together([each[name] for each in stats]) for name in features}
     plain = {name: {kind: each.tolist() for kind, each in of.items()} for name, of in together.items()}
@@ -219,11 +219,11 @@ def _together(stats: list[Stats]) -> Stats:
 
 def _tables() -> tuple[Any, Any, Any]:
     try:
-        import pandas
-        import pyarrow
+        import pandas as pd
+        import pyarrow as pa
         from pyarrow import parquet
     except ImportError as error:
         raise ExportError(
             f"a LeRobotDataset needs pandas and pyarrow ({error}): pip install 'artgen[demos,data]'"
         ) from error
-    return pandas, pyarrow, parquet
+    return pd, pa, parquet

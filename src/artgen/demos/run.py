@@ -1,7 +1,7 @@
 """Demonstrations of the scripted policy in a task, recorded by processes, in the order of their seeds.
 
-`artgen.demos.lerobot` has the layout of LeRobot. That of robomimic is HDF5: a group for each demonstration, and
-lists for training and validation.
+`artgen.demos.lerobot` has the layout of LeRobot. That of robomimic is HDF5: a group for each
+demonstration, and lists for training and validation.
 
 data              attributes: total, env_args (JSON)
   demo_0          attributes: num_samples, asset, seed
@@ -226,11 +226,7 @@ def make_demos(
     jobs = check_whole("jobs", cores() if jobs is None else jobs, 1, 10**6)
     if not is_number(noise) or not 0.0 <= noise <= 1.0:
         raise ParameterError(f"noise is a number from 0 to 1, not {noise!r}")
-    if layout not in get_args(DemoLayout):
-        raise ParameterError(f"there is no layout {layout!r}.{nearest(str(layout), get_args(DemoLayout))}")
-    file = checked_path(out, "out") / (DEMO_FILE if layout == "robomimic" else LEROBOT_DIRECTORY)
-    if not (is_replaceable(file) if layout == "robomimic" else is_lerobot(file)):
-        raise ExportError(f"{file} exists and holds no demonstrations of artgen; choose another directory")
+    file = _target(out, layout)
     start = time.monotonic()
     succeeded: list[int] = []
     failed: dict[int, str] = {}
@@ -262,13 +258,7 @@ def make_demos(
             shown_progress(task, None if callable(progress) else count, shown=progress is True) as update,
         ):
             demos = successes(endings, update)
-            if layout == "robomimic":
-                steps = write_demos(partial_file, demos, f"artgen/{task}-v0", {"obs": "state"})
-            else:
-                from artgen.envs.env import RATE
-                from artgen.envs.task import find_task
-
-                steps = write_lerobot(partial_file, demos, f"artgen/{task}-v0", find_task(task).doc, RATE)
+            steps = _write(partial_file, demos, task, layout)
         if len(succeeded) < count:
             attempts.remove()
             raise CheckError(
@@ -278,6 +268,27 @@ def make_demos(
             )
     attempts.remove()
     return DemoSummary(file, count, steps, failed, time.monotonic() - start)
+
+
+def _target(out: str | Path, layout: str) -> Path:
+    """Return the file or folder of a layout, which may be replaced."""
+    if layout not in get_args(DemoLayout):
+        raise ParameterError(f"there is no layout {layout!r}.{nearest(str(layout), get_args(DemoLayout))}")
+    file = checked_path(out, "out") / (DEMO_FILE if layout == "robomimic" else LEROBOT_DIRECTORY)
+    if not (is_replaceable(file) if layout == "robomimic" else is_lerobot(file)):
+        raise ExportError(f"{file} exists and holds no demonstrations of artgen; choose another directory")
+    return file
+
+
+def _write(path: Path, demos: Iterable[Demo], task: str, layout: str) -> int:
+    """Write demonstrations in a layout, and return the number of their steps."""
+    from artgen.envs.env import RATE
+    from artgen.envs.task import find_task
+
+    environment = f"artgen/{task}-v0"
+    if layout == "robomimic":
+        return write_demos(path, demos, environment, {"obs": "state"})
+    return write_lerobot(path, demos, environment, find_task(task).doc, RATE)
 
 
 def _make_folder(folder: Path) -> None:
