@@ -1,4 +1,4 @@
-"""What is special to a kettle: a jug that lifts off its base, a lid beside a folded handle, sizes and masses."""
+"""What is special to a kettle: a jug that lifts off, a lid beside a folded handle, sizes and masses."""
 
 from functools import lru_cache
 from typing import Any

@@ -23,8 +23,8 @@ from artgen.nodes.fitting import FIT, Fitting
 Style = Literal["spout", "gooseneck", "stove"]
 """An electric kettle with a short spout or with a gooseneck, or a whistling kettle for a stove."""
 
-Form = Literal["cone", "barrel", "straight"]
-"""Outline of an electric jug: it narrows to the top, bulges, or has straight walls."""
+Form = Literal["cone", "barrel", "straight", "dome"]
+"""Outline of a jug: it narrows to the top, bulges, or has straight walls; a dome of a stove kettle."""
 
 _WALL = 0.0014  # thickness of the visible wall [m]
 _BASE = 0.022  # height of the base [m]
@@ -33,7 +33,7 @@ _FORMS = {
     "cone": ((1.0, 0.0), (0.93, 0.34), (0.84, 0.68), (0.74, 1.0)),
     "barrel": ((0.92, 0.0), (1.0, 0.30), (0.97, 0.66), (0.80, 1.0)),
     "straight": ((1.0, 0.0), (1.0, 0.34), (1.0, 0.68), (0.98, 1.0)),
-    "stove": ((0.95, 0.0), (1.0, 0.16), (0.96, 0.42), (0.78, 0.78), (0.48, 1.0)),
+    "dome": ((0.95, 0.0), (1.0, 0.16), (0.96, 0.42), (0.78, 0.78), (0.48, 1.0)),
 }
 """Shares of the radius and of the height, from the floor to the rim."""
 
@@ -52,7 +52,9 @@ _GRIPS = ag.choice("black_abs", "walnut", "beech", ag.colored("abs", "white"), a
 def kettle(
     *,
     style: Style = ag.choice({"spout": 0.45, "gooseneck": 0.2, "stove": 0.35}),
-    form: Form = ag.by("style", spout={"cone": 0.5, "barrel": 0.3, "straight": 0.2}, otherwise="cone"),
+    form: Form = ag.by(
+        "style", spout={"cone": 0.5, "barrel": 0.3, "straight": 0.2}, gooseneck="cone", stove="dome"
+    ),
     width: ag.Float = ag.by(
         "style",
         stove=ag.uniform(0.180, 0.212),
@@ -94,7 +96,7 @@ def kettle(
 
 
 def _jug(
-    form: str, radius: ag.Scalar, height: ag.Scalar, shell: ag.Material, maker: str
+    form: Form, radius: ag.Scalar, height: ag.Scalar, shell: ag.Material, maker: str
 ) -> tuple[ag.Body, ag.Scalar]:
     """Make an open jug with its rim, and return it with the radius of the rim."""
     points = [(share * radius, z * height) for share, z in _FORMS[form]]
@@ -212,7 +214,7 @@ def _stove(
     maker: str,
 ) -> ag.Body:
     """Make a whistling kettle with a lid that lifts off and a handle that folds to both sides."""
-    jug, neck = _jug("stove", radius, height, shell, maker)
+    jug, neck = _jug("dome", radius, height, shell, maker)
     start = ag.vector(0, -0.90 * radius, 0.30 * height)
     way = ag.vector(0, -0.70, 0.714)
     tip = start + way * 0.085
