@@ -103,6 +103,15 @@ CHECKLIST: dict[str, dict[str, Moving]] = {
         "thumb latch": turns("thumb_press", (0, 1)),
         "latch bolt": slides("latch_slide", (1,)),
     },
+    "kettle": {
+        "jug that lifts off": slides("jug_lift", (0, 1)),
+        "jug on its base": turns("jug_turn", (0, 1), unlimited=True),
+        "lid with a hinge": turns("lid_hinge", (0, 1)),
+        "lid that lifts off": slides("lid_lift", (0, 1)),
+        "switch": turns("switch_turn", (0, 1)),
+        "folding handle": turns("bail_turn", (0, 1)),
+        "whistle": turns("whistle_hinge", (0, 1)),
+    },
     "lamp": {
         "arm_lower": turns("arm_lower_hinge", (0, 1)),
         "arm_upper": turns("arm_upper_hinge", (0, 1)),
@@ -113,6 +122,13 @@ CHECKLIST: dict[str, dict[str, Moving]] = {
         "rocker": turns("switch_rock", (0, 1)),
         "dial": turns("switch_turn", (0, 1), unlimited=True),
         "pull chain": slides("switch_pull", (0, 1)),
+    },
+    "laptop": {
+        "screen": turns("screen_hinge", (1,)),
+        "second axis of a screen": turns("base_hinge", (0, 1)),
+        "trackpad": slides("trackpad_press", (1,)),
+        "power key": slides("power_press", (1,)),
+        "tray": slides("tray_slide", (0, 1)),
     },
     "microwave": {
         "door": turns("door_hinge", (1,)),
@@ -148,11 +164,24 @@ CHECKLIST: dict[str, dict[str, Moving]] = {
         "button on a wall": slides("button_slide", (0, 1)),
         "lever on a wall": turns("lever_hinge", (0, 1)),
     },
+    "table": {
+        "drawer": slides("drawer_slide", (0, 1, 2, 3)),
+        "leaf": turns("leaf_hinge(_right|_left)", (0, 2)),
+        "support of a leaf": slides("support_slide(_right|_left)", (0, 2)),
+        "rising top": slides("top_lift", (0, 1)),
+        "key": slides("key_press(_up|_down)", (0, 2)),
+    },
     "toaster": {
         "lever": slides(f"lever_slide{SIDED}", (1, 2)),
         "button": slides("button_slide", range(5)),
         "knob": turns(f"knob_turn{SIDED}", (0, 1, 2)),
         "crumb tray": slides("crumb_tray_slide", (1,)),
+    },
+    "toilet": {
+        "lid": turns("lid_hinge", (1,)),
+        "seat": turns("seat_hinge", (1,)),
+        "button or key": slides("flush_slide(_half|_full)?", (0, 1, 2)),
+        "lever": turns("flush_turn", (0, 1)),
     },
     "trashcan": {
         "lid": turns(f"lid_hinge{SIDED}", (0, 1, 2)),

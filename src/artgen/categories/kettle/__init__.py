@@ -191,8 +191,8 @@ def _base(radius: ag.Scalar, grip: ag.Material, metal: ag.Material) -> ag.Body:
     line = [
         (0, radius, 0.006),
         (0, radius + 0.035, 0.006),
-        (0.03, radius + 0.07, 0.0035),
-        (0.09, radius + 0.085, 0.0035),
+        (0.03, radius + 0.07, 0.0038),
+        (0.09, radius + 0.085, 0.0038),
     ]
     cord = ag.sweep(ag.regular_polygon(8, 0.0034), ag.spline(line))
     black = ag.material("black_abs")
@@ -227,7 +227,8 @@ def _stove(
     cover = metal.with_(name="lid_shell", density=2200.0)
     lid = ag.weld(ag.part(knob, "knob", grip, name="lid", grasp=hold), ag.part(disc | dome, "lid", cover))
     jug = jug.install(_whistle(metal), at=tip)
-    axle, reach, up = 0.70 * height, 0.84 * radius, 0.088
+    axle, reach = 0.70 * height, 0.84 * radius
+    up = height + 0.057 - axle  # from the axis of the handle to its grip [m]
     pivots = [
         ag.Region((-0.008, 0.008), (y - 0.009, y + 0.009), (axle - 0.030, axle + 0.006))
         for y in (-reach, reach)
@@ -251,7 +252,6 @@ def _stove(
         damping=0.01,
         effort=8.0,
     )
-    free = axle + up - height - 0.0458  # the lid rises so far below the upright handle [m]
     lift = ag.Prismatic(
         "lid_lift",
         axis=ag.Z,
@@ -259,7 +259,7 @@ def _stove(
         friction=0.1,
         damping=2.0,
         effort=4.0,
-        needs=(fold > 0.95).beyond(free),
+        needs=(fold > 0.95).beyond(0.0108),
     )
     return jug.attach(bail, fold).attach(lid, lift)
 

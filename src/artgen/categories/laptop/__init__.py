@@ -112,7 +112,7 @@ class _Plan:
 
 @ag.category(
     labels="base foot port key trackpad screen bezel display hinge tray button print rating_plate",
-    joints=(3, 69),
+    joints=(3, 4),
 )
 def laptop(
     *,

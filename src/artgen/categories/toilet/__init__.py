@@ -322,6 +322,7 @@ def _tiled(wall: ag.Scalar, tile: ag.Scalar, tiles: ag.Material) -> ag.Body:
         places = (-0.15, 0.15) if row % 2 else (0.0,)
         lines += [ag.rectangle(0.0025, tile).at(x, 1.14 - tile * (row + 0.5)) for x in places]
     grid = functools.reduce(operator.or_, lines) & ag.rectangle(0.60, 1.14).at(0, 0.57)
+    grid -= ag.rectangle(0.24, 0.16).at(0, 1.0)  # behind the plate of the keys
     joints = details.printed(grid, (0, wall, 0), material=_GROUT, label="tile")
     board = ag.part(ledge, "wall", ag.material("oak"))
     return ag.weld(ag.part(room.box(bevel=0.001), "wall", tiles), board, joints)
