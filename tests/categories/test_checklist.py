@@ -164,6 +164,11 @@ CHECKLIST: dict[str, dict[str, Moving]] = {
         "button on a wall": slides("button_slide", (0, 1)),
         "lever on a wall": turns("lever_hinge", (0, 1)),
     },
+    "switch": {
+        "rocker": turns("rocker_tilt", (0, 1, 2, 3)),
+        "toggle": turns("toggle_tilt", (0, 1)),
+        "knob": turns("knob_turn", (0, 1)),
+        "emergency stop": slides("stop_push", (0, 1)),
     "table": {
         "drawer": slides("drawer_slide", (0, 1, 2, 3)),
         "leaf": turns("leaf_hinge(_right|_left)", (0, 2)),

@@ -21,7 +21,7 @@ def made(seed: int, **given: Any) -> Asset:
 @pytest.mark.parametrize("style", STYLES)
 def test_the_seat_rises_only_under_an_open_lid(style: str) -> None:
     asset = made(1, style=style)
-    lid, seat = (asset.joint(f"{name}_hinge").limits[1] for name in ("lid", "seat"))
+    lid, seat = ((asset.joint(f"{name}_hinge").limits or (0, 0))[1] for name in ("lid", "seat"))
     assert asset.blocked({"lid_hinge": 0.5 * lid, "seat_hinge": 0.2})
     assert not asset.blocked({"lid_hinge": lid, "seat_hinge": seat})
     assert asset.clearance({"lid_hinge": lid, "seat_hinge": seat})["bowl", "lid"] > 0.0003
@@ -33,7 +33,7 @@ def test_a_lid_past_upright_stays_and_a_lid_before_it_falls(*, slow: bool, low: 
     model = asset.to_mjspec().compile()
     data = mujoco.MjData(model)
     hinge = model.joint("lid_hinge").qposadr[0]
-    top = asset.joint("lid_hinge").limits[1]
+    _, top = asset.joint("lid_hinge").limits or (0.0, 0.0)
     data.qpos[hinge] = top
     mujoco.mj_step(model, data, nstep=round(3.0 / model.opt.timestep))
     assert data.qpos[hinge] == pytest.approx(top, abs=0.02), "an open lid leans on its stop"
