@@ -169,6 +169,7 @@ CHECKLIST: dict[str, dict[str, Moving]] = {
         "toggle": turns("toggle_tilt", (0, 1)),
         "knob": turns("knob_turn", (0, 1)),
         "emergency stop": slides("stop_push", (0, 1)),
+    },
     "table": {
         "drawer": slides("drawer_slide", (0, 1, 2, 3)),
         "leaf": turns("leaf_hinge(_right|_left)", (0, 2)),
