@@ -15,6 +15,7 @@ from artgen.version import __version__
 COMMANDS = {
     "list": "info.list_categories",
     "info": "info.info",
+    "card": "datasets.card",
     "check": "checks.check",
     "certify": "checks.certify",
     "validate": "checks.validate",

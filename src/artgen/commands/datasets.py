@@ -1,4 +1,4 @@
-"""Commands that make training data: `artgen images` and `artgen demos`."""
+"""Commands that make training data: `artgen images` and `artgen demos`, and `artgen card` of a dataset."""
 
 import math
 from pathlib import Path
@@ -9,6 +9,7 @@ from typer import Argument, Option
 
 from artgen.commands.console import counting, list_failures, make_dataset
 from artgen.commands.options import Categories, Certify, Collisions, Jobs, Overrides, Seed, TextureSize
+from artgen.dataset import write_card
 from artgen.demos.run import DemoLayout
 from artgen.errors import ParameterError
 from artgen.images import ImagePlan
@@ -153,3 +154,15 @@ def demos(
         f"wrote {done.demos} demonstrations, {done.steps} steps, of {tried} attempts in {done.seconds:.0f} s"
         f": {done.file}"
     )
+
+
+def card(
+    directory: Annotated[Path, Argument(help="Folder of a dataset made by `artgen generate -n`.")],
+    *,
+    licence: Annotated[
+        str, Option(metavar="NAME", help="Licence of the assets by its name on the hub, such as cc-by-4.0.")
+    ],
+    title: Annotated[str, Option(help="Title of the card; by default the name of the folder.")] = "",
+) -> None:
+    """Write README.md and assets.jsonl, with which a dataset can be uploaded to the Hugging Face hub."""
+    typer.echo(f"wrote {write_card(directory, licence, title=title)}")

@@ -189,7 +189,7 @@ def _stats(values: NDArray[Any]) -> Stats:
     values = values.astype(np.float64)
     values = values if values.ndim > 1 else values[:, None]
     keep = values.ndim > 2
-    kinds = {"min": np.min, "max": np.max, "mean": np.mean, "std": np.std}
+    kinds: dict[str, Any] = {"min": np.min, "max": np.max, "mean": np.mean, "std": np.std}
     result = {name: np.asarray(kind(values, axis=axes, keepdims=keep)) for name, kind in kinds.items()}
     result |= {
         name: np.quantile(values, share, axis=axes, keepdims=keep) for name, share in _QUANTILES.items()
