@@ -22,7 +22,7 @@ from artgen.view.tracing import World
 DOCS = Path(__file__).parents[1] / "docs"
 _RADIUS = 2.9  # size of the scene for the lamps [m]
 _CENTER = np.array([0.3, -0.4, 1.0])
-_CAMERA = Camera((-0.6, -7.9, 1.9), (0.21, 0.0, 0.97), 0.337)
+_CAMERA = Camera((-0.5, -8.6, 1.95), (0.22, 0.0, 0.97), 0.372)
 _WORKTOP, _THICK = 0.885, 0.035  # height of what stands below a worktop, and its thickness [m]
 _TOP = _WORKTOP + _THICK
 _SAMPLES, _TEXELS = 32, 1024
@@ -60,14 +60,18 @@ class Placed:
 
 
 KITCHEN = (
-    Placed("door", 4, -2.14),
-    Placed("refrigerator", 3, -1.08, share=0.75, gap=0.03),
+    Placed("door", 4, -2.80),
+    Placed("refrigerator", 3, -1.72, share=0.75, gap=0.03),
+    Placed("washing_machine", 4, -0.84, gap=0.02, share=0.6),
     Placed("dishwasher", 7, -0.2, share=0.55),
     Placed("oven", 0, 0.42, z=0.25, share=0.75),
     Placed("cabinet", 7, 1.07, share=0.0),
     Placed("faucet", 1, -0.22, z=_TOP, gap=0.12),
     Placed("soap_dispenser", 7, 0.0, z=_TOP, gap=0.25, turn=0.3),
     Placed("cooktop", 3, 0.42, z=_TOP, gap=0.03),
+    Placed("kettle", 4, 0.30, z=_TOP + 0.045, gap=0.12, share=0.0, turn=0.9),
+    Placed("bottle", 3, -0.66, z=_TOP, gap=0.10, share=0.0),
+    Placed("bottle", 5, -0.80, z=_TOP, gap=0.16, share=0.0),
     Placed("pepper_grinder", 3, 0.86, z=_TOP, gap=0.3),
     Placed("toaster", 3, 1.14, z=_TOP, gap=0.12, turn=0.5),
     Placed("window", 1, 0.25, z=1.22),
@@ -76,6 +80,9 @@ KITCHEN = (
     Placed("microwave", 3, 1.86, z=0.83, gap=0.03),
     Placed("handle", 2, 2.36, z=0.83, gap=0.15, share=0.7),
     Placed("lamp", 2, 2.72, z=0.83, gap=0.03),
+    Placed("table", 1, 3.46, gap=0.12, share=0.4),
+    Placed("laptop", 8, 3.46, z=0.535, gap=0.14, share=0.9, turn=-0.15),
+    Placed("switch", 5, -1.02, z=_TOP, gap=0.02, share=0.0),
     Placed("trashcan", 0, 1.25, gap=0.75, share=0.7),
     Placed("box", 4, 2.2, gap=1.0, share=0.7, turn=-0.35),
     Placed("plier", 3, 2.56, z=0.83, gap=0.26, share=0.5, turn=0.9),
@@ -98,7 +105,7 @@ def _joinery() -> list[tuple[Mesh, Material]]:
     day = material("led_white").with_(name="day", emission=(0.75, 0.86, 1.0))
     worktop, white = material("marble"), material("lacquered_mdf")
     return [
-        (_block((-0.52, -0.66, _WORKTOP), (1.43, 0.0, _TOP)), worktop),
+        (_block((-1.15, -0.66, _WORKTOP), (1.43, 0.0, _TOP)), worktop),
         (_block((0.115, -0.58, 0.0), (0.725, 0.0, 0.24)), white),
         (_block((-0.36, -0.012, 1.3), (0.86, -0.004, 2.08)), day),
     ]
