@@ -218,6 +218,54 @@ def test_threads_make_prove_and_export_at_once(tmp_path: Path) -> None:
         assert digest == _digest(alone), f"{name} differs from the one that a single thread makes"
 
 
+IMPORTS = """
+import _imp, importlib.util, sys, threading, time
+from importlib.machinery import EXTENSION_SUFFIXES
+from pathlib import Path
+import numpy
+from artgen._arrays import OPENUSD
+
+create, running, met = _imp.create_dynamic, set(), []
+
+def recorded(spec, *rest):  # one library that is opened; time passes, in which other threads run
+    running.add(spec.name)
+    time.sleep(0.02)
+    if len({name.startswith("pxr") for name in running}) > 1:
+        met.extend(sorted(running))
+    try:
+        return create(spec, *rest)
+    finally:
+        running.discard(spec.name)
+
+def others():
+    for path in sorted(Path(numpy.__file__).parent.rglob("*" + EXTENSION_SUFFIXES[0])):
+        if not stop:
+            loader = importlib.util.spec_from_file_location("again_" + path.name.split(".")[0], path)
+            try:
+                importlib.util.module_from_spec(loader)
+            except ImportError:  # some can be opened once only
+                pass
+
+_imp.create_dynamic = recorded
+stop = []
+thread = threading.Thread(target=lambda: [others() for _ in range(9)])
+thread.start()
+with OPENUSD:
+    import pxr.Usd
+stop.append(1)
+thread.join()
+assert any(name.startswith("pxr") for name in sys.modules)
+print(met)
+"""
+
+
+def test_openusd_is_imported_while_no_other_thread_opens_a_library() -> None:
+    done = subprocess.run(
+        [sys.executable, "-c", IMPORTS], check=True, capture_output=True, text=True, timeout=300
+    )
+    assert done.stdout.strip() == "[]", "two threads opened libraries at once, which may end in a deadlock"
+
+
 def _digest(asset: Asset) -> str:
     files = encode(asset, ("urdf", "mjcf", "usd", "glb"), textures=0)
     return hashlib.sha256(repr(sorted(files.items())).encode()).hexdigest()

@@ -1,10 +1,13 @@
 """Array types, read-only arrays, caches that are safe for threads, and pauses of the garbage collector."""
 
+import _imp
 import gc
+import time
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from functools import lru_cache, wraps
-from threading import Lock
+from importlib import import_module
+from threading import Lock, RLock
 from types import MappingProxyType
 from typing import Annotated, Any, Generic, Self, TypeVar, overload
 from weakref import WeakKeyDictionary
@@ -12,9 +15,49 @@ from weakref import WeakKeyDictionary
 import numpy as np
 from numpy.typing import NDArray
 
-OPENUSD = Lock()
-"""Lock around calls of OpenUSD: while it loads its plugins, two threads would wait for each other forever."""
 
+class _OpenUSD:
+    """A lock that imports OpenUSD when it is taken for the first time."""
+
+    def __init__(self) -> None:
+        self._lock, self._imported = Lock(), False
+
+    def __enter__(self) -> None:
+        self._lock.acquire()
+        if not self._imported:
+            with suppress(ImportError):  # the import that follows names what is missing
+                _import_openusd()
+            self._imported = True
+
+    def __exit__(self, *_: object) -> None:
+        self._lock.release()
+
+
+def _import_openusd() -> None:
+    """Import OpenUSD while no other thread opens a library.
+
+    While the system opens OpenUSD's library and holds its own lock, the library gives up the lock of the
+    interpreter and takes it again. A thread that imports another library at that moment has the lock of the
+    interpreter and waits for that of the system: both would wait forever.
+    """
+    create, one_at_a_time = _imp.create_dynamic, RLock()
+
+    def create_alone(*arguments: Any) -> Any:
+        with one_at_a_time:
+            return create(*arguments)
+
+    _imp.create_dynamic = create_alone
+    try:
+        time.sleep(_SWITCHES)  # a thread that has just read the old function has called it then
+        import_module("pxr.Usd")
+    finally:
+        _imp.create_dynamic = create
+
+
+OPENUSD = _OpenUSD()
+"""Lock around imports and calls of OpenUSD: two threads that load its plugins wait for each other forever."""
+
+_SWITCHES = 0.05  # time in which each thread has run [s]
 _MAPPINGS = (dict, MappingProxyType)
 _CONTAINERS = frozenset((*_MAPPINGS, tuple, list))
 _PLAIN = (str, float, int)  # first items of sequences without arrays

@@ -171,6 +171,20 @@ def test_a_damaged_mesh_is_one_error_that_names_the_line(
         use(artgen.load(folder))
 
 
+@pytest.mark.parametrize("content", ['{"rows": [NaN]}', '{"rows": [1e999]}'])
+def test_a_proof_with_numbers_that_json_lacks_is_unreadable(
+    folder: Path, content: str, tmp_path: Path
+) -> None:
+    (folder / "certificate.json").write_text(content)
+    certified = json.loads((folder / "asset.json").read_text())
+    certified["certificate"] = {"tolerance": 0.0, "pairs": [], "contacts": []}
+    (folder / "asset.json").write_text(json.dumps(certified))
+    asset = artgen.load(folder)
+    assert asset.certificate is not None
+    assert "unreadable" in str(asset.certificate.leaves)
+    asset.export(tmp_path / "again", formats=("urdf",), textures=0)
+
+
 def pipe(path: Path) -> None:
     os.mkfifo(path)
 

@@ -388,6 +388,7 @@ def _leaves(path: Path) -> dict[str, Any] | None:
     """Read the proof of a certificate; a damaged proof is left to the check of certificates."""
     try:
         data = json.loads(file_content(path))
+        json.dumps(data, allow_nan=False)  # NaN and 1e999, which no JSON has, raise ValueError
     except FileNotFoundError:
         return None
     except (OSError, ValueError, RecursionError) as error:

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from artgen import _portable
-from artgen._arrays import Array, cached
+from artgen._arrays import OPENUSD, Array, cached
 from artgen.asset import Asset
 from artgen.errors import ExportError
 from artgen.export.files import write_files
@@ -133,14 +133,15 @@ def usd_stage(asset: Asset, textures: int) -> "Usd.Stage":
     Raises:
         ParameterError: The size of maps is not allowed.
     """
-    from pxr import Usd
+    with OPENUSD:
+        from pxr import Usd
 
-    from artgen.export.usd import author
-    from artgen.export.usd.layer import Layers, new_layer
+        from artgen.export.usd import author
+        from artgen.export.usd.layer import Layers, new_layer
 
-    folder = Path(tempfile.mkdtemp(dir=_map_folder().name)) if textures else Path()
-    main, geometry = new_layer(".usda", asset.name), new_layer(".usda", asset.name)
-    layers = Layers(main, geometry, main, maps=(folder / TEXTURE_DIRECTORY).as_posix())
-    write_files(author(_stored(asset, textures), layers, textures).files, folder)
-    main.subLayerPaths = [geometry.identifier]
-    return Usd.Stage.Open(main)
+        folder = Path(tempfile.mkdtemp(dir=_map_folder().name)) if textures else Path()
+        main, geometry = new_layer(".usda", asset.name), new_layer(".usda", asset.name)
+        layers = Layers(main, geometry, main, maps=(folder / TEXTURE_DIRECTORY).as_posix())
+        write_files(author(_stored(asset, textures), layers, textures).files, folder)
+        main.subLayerPaths = [geometry.identifier]
+        return Usd.Stage.Open(main)

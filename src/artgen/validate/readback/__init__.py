@@ -43,7 +43,8 @@ def check_format(check: str, expected: Expected, directory: str | Path) -> Check
     asset = expected.asset
     found: list[Finding] = []
     try:
-        module = import_module(f"{__name__}.{check}")  # its library may be missing
+        with OPENUSD if check == "usd" else nullcontext():
+            module = import_module(f"{__name__}.{check}")  # its library may be missing
         if check != "usd":  # the faults of a stage are found when it is read
             found += module.element_findings(path)
         with OPENUSD if check == "usd" else nullcontext():
