@@ -10,10 +10,10 @@ only while the handle is pulled. Without a hook, friction holds the door. The dr
 bearings brake it. It is open, and its colliders leave room for laundry. A lid rests beyond upright. Dials
 turn without end and click at their programs; rotary switches have 0.02-0.06 N m (Alps SRBM: 0.04 N m).
 
-Sizes of data sheets. Europe: 598 x 848 x 550-630 mm and 65-80 kg (EN 60456; Bosch Serie 4 and 6), 400-480
-mm deep if slim, 510 x 695 x 460 mm and 50 kg if compact (Candy Aquamatic). USA: front loaders 27 in wide,
-38.5-39 in high and 28-32 in deep with the door, 85-100 kg (LG WM4000); top loaders 27 in wide and deep, 42-44
-in high with the console, 60 kg (Whirlpool WTW). Asia: 540 x 930 x 560 mm (LG T series). Dryers: 50-65 kg.
+Sizes of data sheets and shops. Europe: 600 x 845 x 590 mm and 72 kg (Bosch WAV28EH3GB), 400-480 mm deep if
+slim, 510 x 695 x 460 mm if compact. USA: front loaders 27 in wide, 38.5-39 in high, 28-32 in deep with the
+door, 82-100 kg (LG: 180-220 lb); top loaders 27 in wide and deep and 44 in high with the console (Whirlpool),
+57-70 kg with 4.5 cu ft; compact ones 26-51 kg. Dryers: 50-65 kg.
 """
 
 import math
@@ -204,7 +204,7 @@ def washing_machine(
     room = ag.min_(plan.center - 0.150, plan.console.z.low - plan.center - 0.004)
     radius = ag.min_(width / 2 - 0.045, room)
     low = plan.center - radius - 0.012
-    density = ((120 if wide else 270) if dryer else 560 if wide else 800) * heavy
+    density = ((120 if wide else 270) if dryer else 400 if wide else 800) * heavy
     worktop = plan.top.shrink(front=0.002, back=0.004).box(bevel=0.002 if wide else 0.005)
     board = ag.colored("lacquered_mdf", "white" if pale else "graphite")
     top_name, top_density = (f"{finish.name}_top", 2400.0) if wide else ("worktop", 620.0)
