@@ -173,7 +173,7 @@ def dial(
         high=high,
         friction=friction,
         endless=limits is None,
-        clicks=clicks,
+        clicks=[low + (high - low) * click / (clicks - 1) for click in range(clicks)],
         torque=torque,
     )
     around = None

@@ -254,7 +254,8 @@ def oven(
     surface, proud = (front.BLACK, PANE) if pane else (finish, 0.0)
     for number, (x, kind) in enumerate(zip(places, kinds, strict=True)):
         tail = f"_{number}" if dials > 1 else ""
-        turn = dial_turn(f"dial_turn{tail}", low=0, high=front.SWEEP, friction=dial_friction)
+        clicks, held = (front.CLICKS, 0.4 * dial_friction) if kind[0] == "icons" else ((), dial_friction)
+        turn = dial_turn(f"dial_turn{tail}", low=0, high=front.SWEEP, friction=held, clicks=clicks)
         scale = front.scale(dial_radius, *kind, ink_on(surface))
         turned = dial(
             turn, dial_style, dial_radius, knob, depth=0.022, cap=metal, scale=scale, name=f"dial{tail}"

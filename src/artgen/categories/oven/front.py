@@ -306,6 +306,10 @@ def dial_kinds(count: int, burners: int) -> list[tuple[Literal["ticks", "band", 
     return kinds + [("ticks", "oven" if burners else "thermometer")] * (count - len(kinds))
 
 
+CLICKS = (0, *(_START + (SWEEP - _START) * step / (len(_FUNCTIONS) - 1) for step in range(len(_FUNCTIONS))))
+"""Angles at which the dial of the functions clicks: off, and each function [rad]."""
+
+
 def scale(
     radius: ag.Scalar, style: Literal["ticks", "band", "icons"], sign: str, ink: ag.Material
 ) -> ag.Body:

@@ -218,16 +218,15 @@ def dial_turn(
     friction: ag.Scalar | None = None,
     pivot: ag.VectorLike = (0.0, 0.0, 0.0),
     endless: bool = False,
-    clicks: int = 0,
-    torque: ag.Scalar = 0.0,
+    clicks: Sequence[ag.Scalar] = (),
+    torque: ag.Scalar = 0.03,
 ) -> ag.Joint:
     """Make the joint of a dial; positive angles turn it clockwise, seen from the front.
 
-    Its clicks are detents from `low` to `high`, a number with a torque [N m].
+    Its clicks are the angles of its detents [rad], with their greatest torque [N m].
     """
     limits = None if endless else (low, high)
-    steps = [low + (high - low) * click / (clicks - 1) for click in range(clicks)]
-    detents = feel.detents(steps, torque) if steps else None
+    detents = feel.detents(clicks, torque) if clicks else None
     return ag.Revolute(
         name, axis=ag.Y, pivot=pivot, limits=limits, feel=feel.DIAL, friction=friction, detents=detents
     )

@@ -41,6 +41,7 @@ _PROGRAMS = {
     False: ("shirt", "tumbler", "leaf", "timer", "heart", "snowflake", "drop", "spin", "star"),
     True: ("shirt", "sun", "leaf", "timer", "heart", "fan_heat", "moon", "tumbler", "star"),
 }  # of washing, and of drying
+_CLICKS = [SWEEP * step / 8 for step in range(-4, 5)]  # of a dial, at its nine programs [rad]
 _PANE = ag.material("black_glass")
 _WHITE_PANE = _PANE.with_(name="white_glass", base_color=(0.80, 0.80, 0.79))
 _SIZES = {  # width, height and depth [m]
@@ -170,9 +171,7 @@ def washing_machine(
     caps = ag.material("black_abs") if dark else ag.colored("abs", "silver")
     ink, icons = controls.ink_on(glass or finish), _PROGRAMS[dryer]
     print_ = controls.dial_print(dial_size, ink=ink, style=scale, count=9, icons=icons)
-    turn = controls.dial_turn(
-        "dial_turn", low=-SWEEP / 2, high=SWEEP / 2, friction=0.01, endless=True, clicks=9, torque=dial_torque
-    )
+    turn = controls.dial_turn("dial_turn", friction=0.01, endless=True, clicks=_CLICKS, torque=dial_torque)
     dial = controls.dial(turn, dial_style, dial_size, knob, depth=0.022, cap=metal, scale=print_)
     keys, screen = (buttons, button_shape, caps, button_force), (show, figures)
     face = parts.console(space, finish, glass, [dial] * dials, keys, screen, name)

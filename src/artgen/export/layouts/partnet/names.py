@@ -27,6 +27,7 @@ UPRIGHT = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]])
 _HANDLE = "handle"  # substring that loaders search in the names of visuals
 _DOORS = ("door", "freezer_door", "pane")  # a refrigerator or an oven has a `door`, a door a `rotation_door`
 _WORDS: Mapping[str, Mapping[str, str]] = {
+    "bottle": {"cap": "lid", "stopper": "lid"},
     "box": {"flap_major": "rotation_lid", "flap_minor": "rotation_lid"},
     "dishwasher": {"rack": "shelf"},
     "faucet": {"handle": "switch"},
@@ -38,6 +39,7 @@ _WORDS: Mapping[str, Mapping[str, str]] = {
     "soap_dispenser": {"nozzle": "pressing_lid"},
     "toaster": {"crumb_tray": "translation_tray", "lever": "slider"},
     "trashcan": {"bucket": "container", "pedal": "foot_pad"},
+    "washing_machine": {"dial": "knob"},
 }
 """Words of the dataset for moving links, by category and label, where they differ from artgen's labels."""
 

@@ -58,11 +58,12 @@ def write_robocasa(asset: Asset, name: str, textures: int) -> Written:
     _spell_defaults(root)
     _wrap(root, asset)
     coupled = [joint.name for joint in asset.joints if joint.follows is not None and not joint.locked]
-    instead = (
-        "an equality that robosuite leaves behind: append each element of the object's `equality` to that of "
-        "the task"
+    clicking = [joint.name for joint in asset.joints if joint.detents is not None]
+    left = "that robosuite leaves behind: append each element of the object's `{0}` to that of the task"
+    own = losses(
+        ("joint coupling in robosuite", coupled, "an equality " + left.format("equality")),
+        ("joint detents in robosuite", clicking, "tendons " + left.format("tendon")),
     )
-    own = losses(("joint coupling in robosuite", coupled, instead))
     return Written({FILE: document(root), **meshes.files}, (*mjcf_losses(asset, textures), *own), FILE)
 
 
