@@ -164,6 +164,8 @@ _UNAVOIDABLE: Mapping[str, dict[str, str]] = {
         r"ignored\.": "Drake's MJCF reader supports no sites, which mark grasps and pushes",
         rf"{_DRAKE}The tag 'keyframe' found as a child of 'mujoco' is currently unsupported and will be "
         r"ignored\.": "Drake's MJCF reader supports no keyframes, which are valid states",
+        rf"{_DRAKE}The tag 'tendon' found as a child of 'mujoco' is currently unsupported and will be "
+        r"ignored\.": "Drake's MJCF reader supports no tendons, which are the detents of joints",
         rf"{_DRAKE}The texture element is not supported, .*": "Drake's MJCF reader supports no textures",
     },
     "robosuite": {
