@@ -185,6 +185,14 @@ def test_a_proof_with_numbers_that_json_lacks_is_unreadable(
     asset.export(tmp_path / "again", formats=("urdf",), textures=0)
 
 
+def test_a_loose_link_is_one_of_the_links(folder: Path) -> None:
+    data = json.loads((folder / "asset.json").read_text())
+    data["loose"] = [data["links"][1]["name"], "mug"]
+    (folder / "asset.json").write_text(json.dumps(data))
+    with pytest.raises(AssetError, match=r"loose\[1\] is 'mug', but it must be the name of one of the links"):
+        artgen.load(folder)
+
+
 def pipe(path: Path) -> None:
     os.mkfifo(path)
 

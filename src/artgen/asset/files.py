@@ -286,6 +286,9 @@ def _asset(form: _Asset, data: Mapping[str, Any], directory: Path) -> Asset:
     )
     contacts = form.get("contacts", ())
     _check_tree(links, form["joints"])
+    for number, name in enumerate(form.get("loose", ())):
+        if name not in links.by_name:
+            raise refused(name, f"loose[{number}]", "the name of one of the links")
     check_references(links, form["joints"], contacts)
     asset = Asset(
         links=links,
