@@ -263,3 +263,11 @@ def test_numbers_that_mujoco_takes_and_no_proof_can_use_are_named(
     assert old in body
     with pytest.raises(AssetError, match=f"the {re.escape(fault)}"):
         read(tmp_path, body.replace(old, new, 1))
+    assert read(tmp_path, body).bodies  # as it was
+
+
+def test_an_equality_with_a_number_that_is_none_is_named(tmp_path: Path) -> None:
+    joints = two('<joint name="j" axis="0 0 1" range="0 90"/><joint name="k" axis="0 1 0" range="0 90"/>')
+    law = '<equality><joint joint1="j" joint2="k" polycoef="nan 1 0 0 0"/></equality>'
+    with pytest.raises(AssetError, match="the data of equality '0' is nan 1 0"):
+        read(tmp_path, joints, law)

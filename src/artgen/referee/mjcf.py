@@ -66,7 +66,8 @@ def read_mjcf(path: Path, *, meshes: Meshes = "hull", root: Path) -> ForeignMode
 def _check_numbers(path: Path, compiled: Mapping[str, Any]) -> None:
     """Check the numbers of a compiled model, of which MuJoCo takes any."""
     for kind, field, what in _MEASURES:
-        for name, values in zip(compiled["names"][kind], compiled[field], strict=True):
+        names = compiled["names"].get(kind) or [str(number) for number in range(len(compiled[field]))]
+        for name, values in zip(names, compiled[field], strict=True):
             if not (np.abs(values) <= MOST_LENGTH).all():
                 given = " ".join(f"{value:g}" for value in values)
                 raise AssetError(

@@ -33,7 +33,7 @@ def collected_warnings() -> Iterator[list[str]]:
 
 
 _STEP = 0.002  # time step; with that of the file, a check may take for ever [s]
-_MOST_ELEMENTS = 100_000
+_MOST_ELEMENTS = 50_000
 _MAKING = ("include", "replicate", "composite", "flexcomp", "hfield", "model", "attach", "plugin")
 
 
