@@ -1,5 +1,8 @@
 """Tasks: their parts on assets, and reachability for a Panda."""
 
+import subprocess
+import sys
+
 import numpy as np
 import pytest
 
@@ -108,3 +111,12 @@ def test_progress_and_goal_of_a_stage_towards_smaller_positions(assets):
     stage = Stage("slide", 0.4, 0.1, affordance)
     assert [stage.progress(q) for q in (0.5, 0.4, 0.25, 0.1, 0.0)] == pytest.approx([0, 0, 0.5, 1, 1])
     assert [stage.reached(q) for q in (0.4, 0.11, 0.1, 0.0)] == [False, False, True, True]
+
+
+def test_an_id_with_its_module_needs_no_import():
+    code = (
+        "from gymnasium.envs.registration import _find_spec as find;"
+        "print(find('artgen.envs:artgen/OpenDrawer-v0').id)"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    assert done.stdout.split()[-1:] == ["artgen/OpenDrawer-v0"], done.stderr
