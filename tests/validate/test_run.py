@@ -220,6 +220,13 @@ def test_a_file_that_would_fill_the_memory_or_the_stack_is_a_fault(copy):
     assert "asset.json cannot be read: RecursionError" in " ".join(files_faults(copy))
 
 
+def test_a_stray_file_whose_name_is_no_utf_8_can_be_reported(copy):
+    (copy / os.fsdecode(b"\xff.txt")).write_text("x")
+    report = validate(copy, behavior=False, checks=["files"])
+    assert "\\xff.txt is not listed in asset.json" in str(report)
+    report.to_json().encode()
+
+
 def test_a_link_to_itself_is_a_fault(copy):
     urdf = next(copy.glob("*.urdf"))
     urdf.unlink()

@@ -223,7 +223,8 @@ def _stray(directory: Path, listed: Collection[str]) -> Iterator[Finding]:
         place = path.relative_to(directory)
         if (path.is_dir() and not path.is_symlink()) or place.as_posix() in known:
             continue
-        message = f"{place.as_posix()} is not listed in {ASSET_FILE}"
+        shown = os.fsencode(place).decode("utf-8", "backslashreplace")  # reports are UTF-8, names may be any
+        message = f"{shown} is not listed in {ASSET_FILE}"
         if path.exists() and not path.is_file():
             yield _fault(f"{message}, and is a device, a pipe or a socket", hint="remove it")
         elif place.parent.as_posix() in folders:
