@@ -228,7 +228,7 @@ def pizza(look: Look, lid: ag.Region) -> list[ag.Body]:
     first, second = map(ink, names[look.model % 4])
     pattern = look.model // 4 % 3
     word = details.lettering(("PIZZA",), (0.085, 0.15, 0.11)[pattern] * deep, tracking=0.22)
-    rows = [(look.mark(0.5 * deep, 0.034 * deep), 0.0, 0.90, second)]
+    rows = [(look.mark(0.38 * deep, 0.034 * deep), 0.27, 0.90, second)]  # beside the tab of the lid
     if pattern == 0:
         rings = ag.ring(0.335 * deep, 0.318 * deep) | ag.ring(0.305 * deep, 0.300 * deep)
         rows += [(rings, 0.0, 0.47, second), (details.icon("pizza", 0.30 * deep), 0.0, 0.40, first),

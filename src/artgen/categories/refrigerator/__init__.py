@@ -274,12 +274,13 @@ def refrigerator(
     )
     light = look in ("white", "pastel")
     liner = appliances.LINER if inside == "white" else appliances.LINER_GREY
-    seal = _SEALS["white" if light else "grey"]
+    pale = light and sum(finish.base_color) > 1.0  # navy, black and red have dark fittings
+    seal = _SEALS["white" if pale else "grey"]
     shell = appliances.cabinet_finish(look, finish)
     style = Finish(finish, metal, liner, seal, trim, form, bow, grip, bar, girth, grip_length)
     corner = {"bowed": 0.012, "soft": SOFT}.get(style.form)
     kick = shell if light else ag.material("powder_coat_graphite")
-    cover = _WHITE if light else ag.material("black_abs")
+    cover = _WHITE if pale else ag.material("black_abs")
     block = cabinet(plan, shell, liner, kick, back, corner)
 
     rows = _rows(crispers, stacked=layout in ("single", "side_by_side"))

@@ -50,15 +50,9 @@ def sheets(plan: ag.Region, finish: ag.Material, *, front: ag.Scalar, high: ag.S
     whole = plan.with_(y=(front - LAP, rear), z=(0.022, high))
     left, _, right = whole.across(_SHEET, None, _SHEET)
     back = whole.shrink(x=_SHEET - LAP).with_(y=(rear - _BEHIND - _SHEET, rear - _BEHIND))
-    grooves = ag.rectangle(whole.y.size - 0.10, 0.016, radius=0.0079)
-    places = [(way, whole.at(z=up).anchor(x=way)) for way in (-1, 1) for up in (-0.24, 0.24)]
-    pressed = [
-        details.relief(grooves, at, facing=(way, 0, 0), proud=0.0014, bevel=0.0012) for way, at in places
-    ]
     return ag.weld(
         ag.part([left.box(bevel=0.0012), right.box(bevel=0.0012)], "body", filled(finish, 2300.0, "sheet")),
         ag.part(back.box(), "body", filled(ZINC, 1500.0, "back")),
-        ag.detail(pressed, "body", finish),
     )
 
 
@@ -73,9 +67,9 @@ def base(plan: ag.Region, high: ag.Scalar, front: ag.Scalar, density: float) -> 
 def back(plan: ag.Region, maker: str, model: str, *, low: ag.Scalar, vented: bool) -> ag.Body:
     """Make hoses or the outlet of air, transport bolts, rating plate and cord on the back panel."""
     y, half = plan.y.high - _BEHIND, plan.x.high
-    cover = ag.cylinder(0.14, 0.006, axis=ag.Y, bevel=0.002).at(0, y + 0.002, low + 0.30)
+    cover = ag.cylinder(0.10, 0.006, axis=ag.Y, bevel=0.002).at(0, y + 0.002, low + 0.30)
     heads = [(side * (half - 0.02), y, z) for side in (-1, 1) for z in (0.08, low + 0.3, plan.z.high - 0.08)]
-    plate = (0.6 * half, y, low + 0.50)
+    plate = (0.6 * half, y, ag.min_(low + 0.50, plan.z.high - 0.075))
     made = [
         cord_stub(height=low + 0.10, reach=0.026).at(-0.6 * half, y, low + 0.10),
         details.rating_plate(0.08, 0.05, (maker.upper(), model), at=plate, facing=ag.Y),

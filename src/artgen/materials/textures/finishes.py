@@ -107,14 +107,14 @@ def _rolled(tile: Tile) -> Pattern:
 
 @recipe("aged_bronze", (0.16, 0.16), _BRONZE, variants=2, varying=("albedo", "metalness", "normal"))
 def _aged_bronze(tile: Tile) -> Pattern:
-    """Draw oil-rubbed bronze: a dark patina, with broad soft areas that hands wore down to the metal."""
+    """Draw oil-rubbed bronze: a dark patina, a little lighter in broad soft areas that hands touch."""
     mottle = tile.cloud(0.004, 1.0)
     worn = smoothstep(-0.7, 1.9, tile.cloud(0.09, 2.8))
     grain = tile.band(0.0010, 0.7)
     stops = ((0.0, (0.034, 0.025, 0.020)), (0.4, (0.088, 0.060, 0.041)), (1.0, (0.36, 0.235, 0.14)))
-    albedo = blend(0.22 + 0.028 * mottle + 0.60 * worn, stops)
-    metalness = np.clip(0.74 + 0.26 * worn - 0.02 * mottle, 0.0, 1.0)
-    roughness = 0.015 * grain - 0.13 * worn + 0.022 * mottle + 0.02 * tile.smudges(0.06)
+    albedo = blend(0.36 + 0.016 * mottle + 0.10 * worn, stops)
+    metalness = np.clip(0.82 + 0.06 * worn - 0.01 * mottle, 0.0, 1.0)
+    roughness = 0.015 * grain - 0.06 * worn + 0.022 * mottle + 0.02 * tile.smudges(0.06)
     return Pattern(albedo, roughness, metalness, 3e-6 * grain)
 
 
