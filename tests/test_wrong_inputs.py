@@ -128,6 +128,10 @@ OF_ASSET = [
         "it holds 'file' and is no earlier export of artgen; choose another",
     ),
     (lambda _, to: ag.load(to), "asset.json: No such file or directory; is this a directory that artgen exp"),
+    (
+        lambda _, to: ag.load("x" * 300),
+        "asset.json: File name too long; give a directory that artgen exported",
+    ),
     (lambda _, to: ag.load(None), "directory = None is not allowed: give a path"),
     (lambda _, to: ag.Dataset(to), "holds no dataset; `artgen generate CATEGORY -n 100` makes one"),
     (lambda _, to: ag.Dataset(7), "directory = 7 is not allowed: give a path"),

@@ -135,13 +135,13 @@ def load(directory: str | Path) -> Asset:
     path = checked_path(directory, "directory")
     path = path / ASSET_FILE if path.suffix != ".json" else path
     before = previous_directory(path.parent) / path.name
-    if not path.exists() and before.exists():
-        path = before
     try:
+        if not path.exists() and before.exists():
+            path = before
         data = json.loads(file_content(path))
     except (OSError, ValueError, RecursionError) as error:
         reason = getattr(error, "strerror", None) or error  # the message without the path
-        raise ExportError(f"cannot read {path}: {reason}; {_advice(path)}") from error
+        raise ExportError(f"cannot read {path}: {reason}; {_advice(path, error)}") from error
     found = data.get("format") if isinstance(data, dict) else None
     if found != FORMAT:
         raise AssetError(
@@ -158,9 +158,11 @@ def load(directory: str | Path) -> Asset:
         raise AssetError(f"{'' if known else f'{path}: '}{error}; export the asset again") from error
 
 
-def _advice(path: Path) -> str:
+def _advice(path: Path, error: Exception) -> str:
     """Return what to do about an `asset.json` that cannot be read."""
     directory = path.parent
+    if isinstance(error, OSError) and error.errno == errno.ENAMETOOLONG:
+        return "give a directory that artgen exported"
     if path.is_file():
         return "export the asset again"
     if not directory.exists() and not directory.suffix:
