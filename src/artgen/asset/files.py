@@ -497,11 +497,11 @@ def read_obj(path: Path, origin: Array) -> Mesh:
         raise AssetError(
             f"{fault}: it needs lines 'f' whose numbers are those of 'v', 'vt' and 'vn', from 1 on"
         )
-    corners = corners.astype(np.int64) - 1
+    index = corners.astype(np.int64) - 1
     # files number values in ascending order: sorted keys sort by position, normal and coordinates
-    keys = (corners[:, 0] * len(normals) + corners[:, 2]) * len(uvs) + corners[:, 1]
+    keys = (index[:, 0] * len(normals) + index[:, 2]) * len(uvs) + index[:, 1]
     _, first, numbers = np.unique(keys, return_index=True, return_inverse=True)
-    place, uv, normal = corners[first].T
+    place, uv, normal = index[first].T
     vertices, normals, uvs = vertices[place] + origin, normals[normal], uvs[uv]
     return Mesh(vertices, normals, uvs, np.zeros(len(vertices), np.int64), numbers.reshape(-1, 3))
 
