@@ -15,10 +15,13 @@ from pxr import Usd, UsdPhysics
 from artgen._names import ByName
 from artgen.asset import Asset
 from artgen.errors import AssetError, ParameterError
+from artgen.export.frames import translation
 from artgen.materials import colored
 from artgen.proof.certify import certify
 from artgen.scene import ROOMS, Scene, kitchen
 from artgen.scene.room import GAP, STANDING
+from artgen.validate import Examination
+from artgen.validate.room import motions_at_rest, overlaps
 
 SMALL = {"kind": "bedside", "rows": 1, "width": 0.45, "depth": 0.42}
 ONE_DOOR = {"kind": "base", "doors": 1, "width": 0.5, "depth": 0.5}
@@ -88,6 +91,31 @@ def test_an_opening_is_cut_to_the_size_of_its_window() -> None:
     assert wall
     assert not any(each.convex.faces.contains(middle[None]) for each in wall)
     assert asset.joints["window_place"].locked
+
+
+def test_solids_that_overlap_in_a_state_are_found(corner: Asset) -> None:
+    assert not list(overlaps(corner, 50))
+    free = replace(corner, joints=ByName(replace(joint, needs=None) for joint in corner.joints))
+    found = [each for each in overlaps(free, 50) if each.link == "cabinet_door, cabinet_1_door"]
+    assert len(found) == 1
+    assert found[0].value is not None
+    assert found[0].value > 1e-9
+    assert {"cabinet_door_hinge", "cabinet_1_door_hinge"} == {*found[0].pose}
+
+
+def test_what_moves_by_itself_in_a_room_is_found(loose: Asset) -> None:
+    assert not list(motions_at_rest(loose))
+    # a mill that hangs in the air falls, and a drawer with a spring opens
+    mill = loose.joints["pepper_grinder_place"]
+    high = loose.links["pepper_grinder_body"].moved(translation(np.array([0.0, 0.0, 0.4])))
+    slide = replace(
+        loose.joints["drawer_drawer_slide_0"], stiffness=40.0, rest=0.3, friction=0.0, damping=60.0
+    )
+    joints = ByName({**loose.joints.by_name, slide.name: slide}.values())
+    links = ByName({**loose.links.by_name, high.name: high}.values())
+    found = {each.joint or each.link for each in motions_at_rest(replace(loose, joints=joints, links=links))}
+    assert slide.name in found
+    assert mill.child not in found  # it falls while the room settles
 
 
 @pytest.mark.parametrize(
@@ -204,6 +232,8 @@ def test_a_free_body_stands_still_and_moves_with_its_drawer(loose: Asset) -> Non
 
 def test_free_bodies_are_stored_and_are_bodies_of_their_own_in_usd(loose: Asset, tmp_path: Path) -> None:
     directory = loose.export(tmp_path / "loose", formats=("mjcf", "usd", "urdf"), textures=0)
+    report = Examination(directory).report(("solids", "tree", "mjcf", "usd", "urdf", "room"))
+    assert report.passed, str(report)
     assert Asset.load(directory).loose == loose.loose
     stage = Usd.Stage.Open(str(directory / "loose.usda"))
     moved = {

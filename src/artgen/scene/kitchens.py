@@ -38,6 +38,7 @@ _BOARD = 0.018  # thickness of the boards of a housing [m]
 _BAR = 0.25  # of the worktop of an island over its back [m]
 _SHALLOW = 0.33  # of the carcass of wall units [m]
 _MARGIN = 0.05  # filler between a row and a wall, which lets doors open [m]
+_SWINGS = 0.12  # space between a refrigerator and a wall, for its open door and its handle [m]
 _NEAR = 0.08  # distance from a wall within which a row ends with a filler [m]
 _CORNER = 0.95  # of each wall that a corner unit takes [m]
 _WALL_CORNER = 0.62  # of each wall that a wall unit in a corner takes [m]
@@ -45,6 +46,8 @@ _POST = 0.015  # on both sides of a corner unit, so that its door clears those b
 _NARROW, _UNIT, _WIDE = 0.4, 0.58, 0.9  # least, usual and greatest width of a unit [m]
 _SINK = 0.6  # least width of a sink unit [m]
 _ABOVE, _HUNG = 1.45, 0.72  # bottom and height of the wall units [m]
+_SASHES = 0.61  # least width of a window with two sashes [m]
+_SILL = 0.06  # by which the sill of a window is wider at each end [m]
 _AISLE = 1.15  # least width between two rows [m]
 _SPANS: dict[Layout, tuple[Span, Span]] = {
     "one_wall": ((3.0, 4.6), (2.4, 3.0)),
@@ -140,8 +143,8 @@ class _Kitchen(Furnisher):
         super().__init__("kitchen", seed, attempt, size, _SPANS[self.layout], detail)
         self.units = 0  # number of base units so far
         self.objects: list[tuple[str, dict[str, Any]]] = [
-            ("pepper_grinder", {}),
             ("microwave", {"depth": 0.42}),
+            ("pepper_grinder", {}),
         ]
 
     def furnish(self) -> Asset:
@@ -195,7 +198,8 @@ class _Kitchen(Furnisher):
         self.door("right", depth - DOORWAY)
         at_back = self.layout == "one_wall" or self.draw.random() < 0.5
         items: list[_Item | int] = [cold, 2, *washing, 0, *([hob, 1] if at_back else ())]
-        rows = [_Row("back", _MARGIN, width - _MARGIN, items[::-1] if flip else items)]
+        ends = (_MARGIN, width - _SWINGS) if flip else (_SWINGS, width - _MARGIN)
+        rows = [_Row("back", *ends, items[::-1] if flip else items)]
         if self.layout == "island":
             rows.append(self._island([] if at_back else [hob]))
         return rows
@@ -247,7 +251,10 @@ class _Kitchen(Furnisher):
         self.lay([(sign * (x - half), y) for x, y in plan], [], None)
 
     def _cold(self) -> _Item:
-        values: dict[str, Any] = {"build": "tall"}
+        # drawers behind its doors need doors that open by 120 degrees, into what stands beside it
+        values: dict[str, Any] = {
+            "build": "tall", "crispers": 0, "freezer_drawers": 0, "ice_box": False, "swing": 1.6,
+        }  # fmt: skip
         if self.width < 3.4 or self.layout in ("l", "u", "galley"):
             values |= {"layout": self.choice("single", "bottom_freezer", "top_freezer"), "width": 0.6}
         return self._appliance("refrigerator", **values)
@@ -394,20 +401,21 @@ class _Kitchen(Furnisher):
         """Stand free objects on the worktop over base units."""
         tops = [each for each in self.room.placed if each.asset.category == "worktop"]
         for item, at in placed:
-            if item.kind != "unit" or not self.objects:
-                continue
             middle = at + item.width / 2.0
-            top = next(
-                each
-                for each in reversed(tops)
-                if each.asset.bounds()[0, 0] < middle < each.asset.bounds()[1, 0]
-            )
-            category, values = self.objects.pop()
-            name = f"{category}_{len(self.objects)}"
-            width = width_of(self.room.draw(category, name=name, **values))
-            low, high = top.asset.bounds()[:, 0]
-            share = min(max((middle - width / 2.0 - low) / (high - low - width), 0.03), 0.97)
-            self.room.on(top, category, at=share, deep=0.15, free=True, name=name, **values)
+            for category, values in self.objects if item.kind == "unit" else []:
+                width = width_of(self.room.draw(category, name=category, **values))
+                if width > item.width:
+                    continue  # it would stand over the sink or the burners beside the unit
+                top = next(
+                    each
+                    for each in reversed(tops)
+                    if each.asset.bounds()[0, 0] < middle < each.asset.bounds()[1, 0]
+                )
+                low, high = top.asset.bounds()[:, 0]
+                share = min(max((middle - width / 2.0 - low) / (high - low - width), 0.03), 0.97)
+                self.room.on(top, category, at=share, deep=0.15, free=True, name=category, **values)
+                self.objects.remove((category, values))
+                break
 
     def _filler(self, wall: Wall | Line, low: float, high: float) -> None:
         """Fill the space between a row and a wall."""
@@ -424,7 +432,16 @@ class _Kitchen(Furnisher):
             if item.kind in ("oven", "hob"):
                 self._hood(row.wall, low + 0.02, high - 0.02)
             elif item.kind == "sink" and isinstance(row.wall, str):
-                self.window(row.wall, 0.5 * (low + high))
+                middle = 0.5 * (low + high)
+                tall = [
+                    abs(middle - end)
+                    for each, start in placed
+                    if each.kind == "refrigerator"
+                    for end in (start, start + each.width)
+                ]
+                width = min([0.9, *(2.0 * (space - _SILL) for space in tall)])
+                if width >= _SASHES:
+                    self.window(row.wall, middle, width=width)
         sink = [at + item.width / 2.0 for item, at in placed if item.kind == "sink"]
         for item, at in placed:
             beside = all(at > middle + 0.52 or at + item.width < middle - 0.52 for middle in sink)

@@ -8,8 +8,8 @@ import math
 import zlib
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import partial
-from operator import add
+from functools import partial, reduce
+from operator import add, or_
 from typing import Any, Literal, get_args
 
 import numpy as np
@@ -441,15 +441,17 @@ class Scene:
         @generator
         def room() -> Body:
             ground = Region((x[0] - WALL, x[1] + WALL), (y[0], WALL), (-_FLOOR, 0.0))
-            bodies = [part(ground.box(), "floor", self._floor, name="room")]
+            solids = []
             for wall, region in walls.items():
                 solid = region.box()
                 for low, high in self._holes[wall]:
                     hole = Region.between(low - STANDING, high + STANDING)
                     across = {"x" if wall != "back" else "y": 2.0 * WALL}
                     solid = solid - hole.grow(**across).box()
-                bodies.append(part(solid, "wall", self._paint))
-            return weld(*bodies)
+                solids.append(solid)
+            # one solid: walls that touch would be read back from their mesh as other solids
+            around = part(reduce(or_, solids), "wall", self._paint)
+            return weld(part(ground.box(), "floor", self._floor, name="room"), around)
 
         return room.generate(certify=False)
 
@@ -634,7 +636,8 @@ def _joined(name: str, category: str, room: Asset, placed: Collection[Placement]
             moved = joint.moved(each.pose).renamed(of_joints)
             joints.append(replace(moved, parent=of_links[joint.parent], child=of_links[joint.child]))
         contacts += [contact.renamed(of_links, of_joints) for contact in each.asset.contacts]
-    labels = {label for asset in (room, *(each.asset for each in placed)) for label in asset.labels}
+    labels = {label for each in placed for label in each.asset.labels}
+    labels |= {label for link in links for label in link.labels}
     parameters = {each.name: each.asset.name for each in placed}
     return Asset(
         name,
@@ -643,7 +646,7 @@ def _joined(name: str, category: str, room: Asset, placed: Collection[Placement]
         ByName(joints),
         parameters=parameters,
         version=room.version,
-        labels=tuple(sorted(labels | {"floor", "wall"})),
+        labels=tuple(sorted(labels)),
         contacts=tuple(contacts),
         loose=tuple(_base_of(each) for each in placed if each.free),
     )

@@ -15,12 +15,23 @@ from artgen.asset.report import CheckResult, Finding, Report
 from artgen.errors import ArtgenError, ParameterError, nearest
 from artgen.export.layouts import DEFAULT_FORMATS
 from artgen.validate.files import Exported, read_export
+from artgen.validate.room import is_room
 
 if TYPE_CHECKING:
     from artgen.validate.readback.compare import Expected
 
 
-CHECKS = ("files", "solids", "tree", "colliders", *DEFAULT_FORMATS, "certificate", "grasps", "behavior")
+CHECKS = (
+    "files",
+    "solids",
+    "tree",
+    "colliders",
+    *DEFAULT_FORMATS,
+    "certificate",
+    "grasps",
+    "room",
+    "behavior",
+)
 """Names of the checks, in the order in which they run."""
 
 _MODULES = {"certificate": "files", "grasps": "hands"}  # of other names than the check
@@ -59,8 +70,11 @@ class Examination:
     @property
     def checks(self) -> tuple[str, ...]:
         """Names of the checks that apply to the export, in order."""
-        formats = self._exported.formats
-        return tuple(name for name in CHECKS if name not in DEFAULT_FORMATS or name in formats)
+        asset, formats = self._exported.asset, self._exported.formats
+        left_out = {*DEFAULT_FORMATS} - {*formats}
+        if asset is None or not is_room(asset):
+            left_out.add("room")
+        return tuple(name for name in CHECKS if name not in left_out)
 
     def report(self, checks: Collection[str] | None = None) -> Report:
         """Run the named checks, by default all, in the order of `CHECKS`."""

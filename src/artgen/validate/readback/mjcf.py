@@ -13,6 +13,7 @@ from artgen.asset import Asset
 from artgen.asset.report import AGAIN, Finding
 from artgen.colliders import Convex
 from artgen.colliders.convex import Kind
+from artgen.export.frames import quaternion
 from artgen.export.mjcf import OFF
 from artgen.validate.behavior.model import check_loadable, collected_warnings
 from artgen.validate.readback.reading import (
@@ -96,7 +97,7 @@ def _model_findings(model: Any, asset: Asset, file: str) -> Iterator[Finding]:
         first = model.body_jntadr[body]
         for joint in range(first, first + model.body_jntnum[body]):
             kind = int(model.jnt_type[joint])
-            if kind == _BALL or (kind == _FREE and body not in supports):
+            if kind == _BALL or (kind == _FREE and body not in supports and name not in asset.loose):
                 yield _foreign(
                     f"the body {name!r} moves {'as a ball' if kind == _BALL else 'freely'} in {file}"
                 )
@@ -188,13 +189,25 @@ def read(asset: Asset, path: Path) -> Reading:
     free = {int(body) for body in model.jnt_bodyid[model.jnt_type == _FREE]}
     joints = [number for number in range(model.njnt) if model.jnt_type[number] in _KINDS]
 
-    def frames(positions: Mapping[str, float]) -> dict[str, Array]:
+    def placed(positions: Mapping[str, float]) -> dict[str, Array]:
         for number in joints:
             name = model.joint(number).name
             if name in positions:
                 data.qpos[model.jnt_qposadr[number]] = positions[name]
         mujoco.mj_kinematics(model, data)
         return {name: _pose(data.body(name).xpos, data.body(name).xquat) for name in links}
+
+    closed = placed(asset.positions()) if asset.loose else {}
+    held = [joint for joint in asset.joints if joint.child in asset.loose and joint.child in closed]
+
+    def frames(positions: Mapping[str, float]) -> dict[str, Array]:
+        found = placed(positions)
+        for joint in held:  # free bodies stand on what carries them, and move along with it
+            if joint.parent in found:
+                pose = found[joint.parent] @ np.linalg.inv(closed[joint.parent]) @ closed[joint.child]
+                at = model.jnt_qposadr[model.body(joint.child).jntadr[0]]
+                data.qpos[at : at + 7] = [*pose[:3, 3], *quaternion(pose)]
+        return placed(positions) if held else found
 
     bodies = {name: model.body(name).id for name in links}
     return Reading(

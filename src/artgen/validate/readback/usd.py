@@ -44,6 +44,9 @@ _BODY = re.compile(
     r"|physxRigidBody:angularDamping|(physxArticulation|newton):\w*[sS]elfCollision\w*"
     r"|physxArticulation:solverPositionIterationCount"
 )
+_ROOT = re.compile(
+    r"newton:selfCollisionEnabled|physxArticulation:(enabledSelfCollisions|solver\w+IterationCount)"
+)
 _JOINT = re.compile(
     r"physics:(axis|local(Pos|Rot)[01]|(lower|upper)Limit|jointEnabled|excludeFromArticulation)"
     r"|drive:(angular|linear):physics:(damping|maxForce|stiffness|targetPosition|type)"
@@ -81,8 +84,9 @@ def _stage_findings(stage: Any, asset: Asset) -> Iterator[Finding]:
     joints = [prim for prim in prims if prim.IsA(UsdPhysics.Joint)]
     yield from _layer_findings(stage)
     roots = sum(prim.HasAPI(UsdPhysics.ArticulationRootAPI) for prim in prims)
-    if roots != 1:
-        message = f"it has {roots} articulation roots; simulators need exactly one"
+    wanted = 1 + sum(any(joint.parent == name for joint in asset.joints) for name in asset.loose)
+    if roots != wanted:
+        message = f"it has {roots} articulation roots; simulators need exactly {wanted}"
         yield _fault(message, asset.links[0].name, value=float(roots))
     for kind, text, named in (("link", "rigid bodies", bodies), ("joint", "joints", joints)):
         for name, count in Counter(prim.GetName() for prim in named).items():
@@ -152,7 +156,8 @@ def _attribute_findings(prim: Any, off: Collection[tuple[str, str]]) -> Iterator
                 continue  # a spare collider of a padded asset
             if value == fault and message:
                 yield _fault(message.format(where), **place)
-            if _PHYSICS.match(name) and not known.fullmatch(name):
+            of_root = prim.HasAPI(UsdPhysics.ArticulationRootAPI) and _ROOT.fullmatch(name)
+            if _PHYSICS.match(name) and not known.fullmatch(name) and not of_root:
                 message = f"{where} has {name} = {attribute.Get()}, which does not belong to an asset"
                 yield _fault(message, **place)
 
@@ -412,6 +417,16 @@ def read(asset: Asset, path: Path) -> Reading:
     below = {name: list(_below(body)) for name, body in bodies.items()}
     fixed = any({base, ""} == {arm.parent, arm.child} and not arm.kind for arm in arms)
 
+    # free bodies stand on what carries them, and move along with it
+    held = {
+        joint.child: (
+            joint.parent,
+            np.linalg.inv(_placed(bodies[joint.parent])) @ _placed(bodies[joint.child]),
+        )
+        for joint in asset.joints
+        if joint.child in asset.loose and {joint.parent, joint.child} <= bodies.keys()
+    }
+
     def frames(positions: Mapping[str, float]) -> dict[str, Array]:
         found, remaining = {base: start}, [arm for arm in arms if arm.parent and arm.child]
         while ready := [arm for arm in remaining if arm.parent in found]:
@@ -419,6 +434,9 @@ def read(asset: Asset, path: Path) -> Reading:
                 motion = arm.before @ arm.motion(positions.get(arm.name, 0.0)) @ np.linalg.inv(arm.after)
                 found[arm.child] = found[arm.parent] @ motion
             remaining = [arm for arm in remaining if arm not in ready]
+            for name, (carrier, at_rest) in held.items():
+                if carrier in found and name not in found:
+                    found[name] = found[carrier] @ at_rest
         return {name: found[name] for name in links if name in found}
 
     return Reading(
