@@ -22,8 +22,8 @@ def bathroom(
 ) -> Asset:
     """Return a bathroom, proven free of collisions in all states of all its joints.
 
-    It has a vanity with a sink and a faucet, drawers, a mirror, wall units, a bathtub, a washing machine or a
-    dryer, a soap dispenser, a bottle, a waste bin, a window and a door.
+    It has a vanity with a sink and a faucet, drawers, a mirror, wall units, a bathtub, a toilet or a washing
+    machine or a dryer, a soap dispenser, a bottle, a waste bin, a window and a door.
 
     Args:
         seed: Seed of the room and of all assets.
@@ -43,8 +43,8 @@ def office(
 ) -> Asset:
     """Return an office, proven free of collisions in all states of all its joints.
 
-    It has a desk on drawers, a lamp, a tall cabinet, a sideboard, boxes, a waste bin, a window and a door.
-    The arguments and errors are those of `bathroom`.
+    It has a desk on drawers, a lamp, a laptop, a tall cabinet, a sideboard, boxes, a waste bin, a window and
+    a door. The arguments and errors are those of `bathroom`.
     """
     return _room("office", _office, ((2.9, 3.8), (2.6, 3.3)), seed, (width, depth), detail)
 
@@ -96,8 +96,9 @@ def _room(
 
 def _bathroom(here: Furnisher) -> None:
     room, width, depth = here.room, here.width, here.depth
-    machine: dict[str, Any] = {"kind": here.choice("front", "front", "dryer"), "size": "full", "swing": 1.7}
-    wide = width_of(room.draw("washing_machine", name="washing_machine", **machine))
+    washing: dict[str, Any] = {"kind": here.choice("front", "front", "dryer"), "size": "full", "swing": 1.7}
+    corner, values = here.choice(("toilet", {}), ("washing_machine", washing))
+    wide = width_of(room.draw(corner, name=corner, **values))
     flip = here.choice(True, False)  # whether the bathtub is on the left
     sides: tuple[Wall, Wall] = ("left", "right") if flip else ("right", "left")
     at = depth - 1.63 if flip else 0.01
@@ -123,9 +124,10 @@ def _bathroom(here: Furnisher) -> None:
     mirror = (middle - 0.28, middle + 0.28)
     here.board("mirror", "back", mirror, (-0.022, -0.002), (1.3, 2.0), material("chrome"))
     here.hang("back", beside, units)
-    corner = width - 0.1 - wide if flip else 0.1
-    room.against("back", "washing_machine", at=corner, name="washing_machine", **machine)
-    here.hang("back", corner, wide)
+    place = width - 0.1 - wide if flip else 0.1
+    room.against("back", corner, at=place, name=corner, **values)
+    if corner == "washing_machine":
+        here.hang("back", place, wide)
     room.on(top, "soap_dispenser", at=0.95 if flip else 0.05, deep=0.25, free=True, style="bottle")
     room.on(top, "bottle", at=0.75 if flip else 0.25, deep=0.25, free=True, style="pump")
     here.door(sides[1], 0.0 if sides[1] == "left" else depth - DOORWAY)
@@ -159,7 +161,8 @@ def _office(here: Furnisher) -> None:
     near, far = (0.95, 0.1) if flip else (0.05, 0.9)
     room.on(top, "lamp", at=near, deep=0.1, free=True, style=here.choice("mushroom", "table"))
     _box_on(here, top, far, 0.25)
-    room.on(top, "bottle", at=0.6 if flip else 0.4, deep=0.3, free=True, style=here.choice("screw", "flip"))
+    room.on(top, "laptop", at=0.5, deep=0.8, free=True)
+    room.on(top, "bottle", at=0.75 if flip else 0.2, deep=0.3, free=True, style=here.choice("screw", "flip"))
     here.window("back", start + desk / 2.0, z=1.2, width=1.2, height=1.0)
     tall = {
         "kind": "tall", "doors": 1, "width": 0.55, "depth": 0.42, "height": 1.9, "stand": "plinth",
