@@ -144,6 +144,7 @@ class _Kitchen(Furnisher):
         self.units = 0  # number of base units so far
         self.objects: list[tuple[str, dict[str, Any]]] = [
             ("microwave", {"depth": 0.42}),
+            ("kettle", {}),
             ("pepper_grinder", {}),
         ]
 

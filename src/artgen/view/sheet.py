@@ -30,6 +30,7 @@ _BYTES = 250_000  # largest size of a sheet in the documentation [bytes]
 _HEIGHTS, _ABOVE = (0.25, 2.0), (0.42, 0.2)
 # height relative to the longer side of flat assets, and their elevation
 _FLAT, _OVER = (0.08, 0.4), (0.85, 0.42)
+_INTO = 0.5  # elevation of the camera that looks into a room, which is open at its front [rad]
 _UPRIGHT = 0.7  # vertical part of an axis above which a hinge belongs to a door
 _EVEN, _MIDDLE = (
     0.3,
@@ -101,7 +102,10 @@ def shots(asset: Asset) -> tuple[tuple[Mapping[str, float], View], ...]:
     flat = np.interp(size[2] / max(size[:2]), _FLAT, _OVER, right=0.0)
     above = float(max(np.interp(size[2], _HEIGHTS, _ABOVE), flat))
     q = opened(asset)
-    front = View(_side(asset, q) * ASIDE, above, margin=_MARGIN)
+    aside = _side(asset, q) * ASIDE
+    if asset.links[0].name == "room":  # its walls would hide what stands at them
+        aside, above = 0.2 * aside, _INTO
+    front = View(aside, above, margin=_MARGIN)
     return ({}, front), (q, front), ({}, replace(front, azimuth=front.azimuth + math.pi))
 
 
