@@ -138,6 +138,31 @@ PRODUCTS: Mapping[str, tuple[Product, ...]] = {
         Product("soap bottle", (0.055, 0.095), (0.045, 0.11), (0.13, 0.215), (0.2, 0.9)),
         Product("soap dispenser on a wall tile", (0.09, 0.145), (0.07, 0.13), (0.19, 0.215), (0.6, 1.6)),
     ),
+    # EN 997 and shops: 0.65-0.72 m from the wall with a cistern of 5-6 l, which is full; one that hangs has a
+    # piece of its tiled wall of 0.6 x 0.13 x 1.16 m
+    "toilet": (
+        Product("toilet with a cistern", (0.345, 0.45), (0.62, 0.78), (0.70, 0.92), (30.0, 60.0)),
+        Product("toilet on a wall", (0.595, 0.605), (0.57, 0.72), (1.15, 1.17), (70.0, 100.0)),
+    ),
+    # 12-16 inches; tabs and hinges stand out by up to 0.02 m
+    "laptop": (
+        Product("thin laptop", (0.30, 0.38), (0.20, 0.29), (0.017, 0.024), (0.8, 1.8)),
+        Product("laptop with a tray", (0.30, 0.38), (0.20, 0.28), (0.026, 0.036), (1.6, 2.8)),
+    ),
+    # 1.0-1.7 l electric and 1.5-2.5 l for a stove, half full; spouts and handles stand out
+    "kettle": (
+        Product("electric kettle", (0.15, 0.19), (0.22, 0.34), (0.17, 0.28), (1.1, 2.4)),
+        Product("stove kettle", (0.175, 0.235), (0.22, 0.30), (0.16, 0.25), (1.3, 2.8)),
+    ),
+    # EN 527-1 and shops; leaves hang at the sides, handles stand out by 0.04 m
+    "table": (
+        Product("desk", (1.0, 1.55), (0.54, 0.75), (0.71, 0.77), (22.0, 65.0)),
+        Product("side table", (0.38, 0.62), (0.34, 0.50), (0.44, 0.64), (6.0, 26.0)),
+        Product("drop-leaf table", (0.50, 0.82), (0.71, 0.92), (0.71, 0.77), (16.0, 45.0)),
+        Product("standing desk", (1.14, 1.62), (0.61, 0.80), (0.64, 0.74), (24.0, 60.0)),
+    ),
+    # sample boards of a shop, 0.16-0.18 m wide on a foot of 0.13 m; an emergency stop stands out by 0.07 m
+    "switch": (Product("switch on a board", (0.15, 0.19), (0.12, 0.17), (0.22, 0.28), (0.4, 1.5)),),
     # 0.13-0.25 m long and 0.1-0.45 kg; closed handles are 0.04-0.09 m wide, grips up to 0.022 m thick
     "plier": (Product("pliers", (0.035, 0.095), (0.125, 0.256), (0.006, 0.024), (0.08, 0.46)),),
 }
