@@ -6,7 +6,6 @@ engines.
 """
 
 import dataclasses
-import itertools
 from collections.abc import Hashable, Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, get_args
@@ -14,10 +13,9 @@ from typing import TYPE_CHECKING, Any, Literal, get_args
 import numpy as np
 from numpy.typing import NDArray
 
-from artgen._arrays import cached_property
 from artgen._names import ByName
 from artgen.asset import Asset
-from artgen.asset.link import Collider, DerivedLink, Surface
+from artgen.asset.link import BareLink
 from artgen.catalog import generate
 from artgen.errors import ExportError, ParameterError
 from artgen.export.frames import coupling
@@ -207,29 +205,12 @@ def _generated(category: str | Generator, seeds: Iterable[int], options: dict[st
     return assets
 
 
-@dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class _BareLink(DerivedLink):
-    """A link without visual surfaces, and with colliders that some asset of the batch needs."""
-
-    needed: tuple[bool, ...] = dataclasses.field(kw_only=True)  # for each collider
-
-    @cached_property
-    def colliders(self) -> tuple[Collider, ...]:
-        """The needed ones."""
-        return tuple(itertools.compress(self.source.colliders, self.needed))
-
-    @cached_property
-    def surfaces(self) -> tuple[Surface, ...]:
-        """None."""
-        return ()
-
-
 def _spec(
     asset: Asset, couplings: Sequence[tuple[str, str]], needed: Sequence[tuple[bool, ...]]
 ) -> "mujoco.MjSpec":
     """Return the model of an asset with the couplings of all assets, those of others not active."""
     links = [
-        _BareLink.of(link, grasps=(), pushes=(), needed=each)
+        BareLink.of(link, grasps=(), pushes=(), needed=each)
         for link, each in zip(asset.links, needed, strict=True)
     ]
     spec = dataclasses.replace(asset, links=ByName(links)).to_mjspec(textures=0)

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
+from itertools import compress, repeat
 from operator import attrgetter
 from typing import Any, ClassVar, Self
 
@@ -329,6 +330,23 @@ class DerivedLink(Link):
     details = cached_property(attrgetter("source.details"))
     changes = cached_property(attrgetter("source.changes"))
     absent = property(attrgetter("source.absent"))
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class BareLink(DerivedLink):
+    """A link without visual surfaces, and with the needed colliders of its source."""
+
+    needed: tuple[bool, ...] | None = field(default=None, kw_only=True)  # for each collider; None: all
+
+    @cached_property
+    def colliders(self) -> tuple[Collider, ...]:
+        """The needed ones."""
+        return tuple(compress(self.source.colliders, self.needed or repeat(True)))
+
+    @cached_property
+    def surfaces(self) -> tuple[Surface, ...]:
+        """None."""
+        return ()
 
 
 @dataclass(frozen=True, eq=False, repr=False)
