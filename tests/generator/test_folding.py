@@ -28,7 +28,7 @@ NUMBERS = st.floats(-1e6, 1e6) | st.sampled_from([0.0, -0.0, 1.0, 0.5])
 
 
 @pytest.mark.parametrize("category", categories())
-@pytest.mark.parametrize("seed", [3, 4])
+@pytest.mark.parametrize("seed", [3])
 def test_folding_changes_no_byte_of_an_asset(category, seed):
     evaluate = partial(find(category).evaluate, seed)
     folded, symbolic = (evaluate(cache=Cache(), keep_graph=keep)[0] for keep in (False, True))

@@ -418,7 +418,14 @@ def test_the_command_writes_a_page_and_opens_it(
             ("plier", "--out", "no/x.html"),
             "error: cannot write no/x.html: give a file in a directory that exists\n",
         ),
-        (("plierr",), "error: there is no category 'plierr'. Did you mean 'plier'?\n"),
+        (
+            ("plierr",),
+            (
+                "error: there is no category 'plierr' and no folder of that name; give a folder that artgen "
+                "exported, the Python file of a category, such as stapler.py, or a category that "
+                "`artgen list` shows. Did you mean 'plier'?\n"
+            ),
+        ),
         (
             ("plier", "--texture-size", "3"),
             "error: textures have 256, 512, 1024, 2048 texels on a side, not 3\n",

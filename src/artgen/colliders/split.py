@@ -14,6 +14,7 @@ from artgen.colliders.polytope import SLIVER, SNAP, Polytope
 THIN = 0.0005
 """Width below which contacts with a piece are unreliable in simulators [m]."""
 
+_CUTS = 32  # parts behind so many cuts stay thin: finely faceted cutters leave hundreds of them
 _MANY = 128  # pieces with more vertices are enclosed in simpler ones before a cut
 _FEW = 64  # vertices of these simpler pieces
 _SAME = 1e-7  # faces nearer than this are one face seen from both sides [m]
@@ -140,10 +141,11 @@ def _without(piece: Faceted, cutter: Polytope) -> list[Faceted] | None:
 
 
 def _thicker(part: Faceted, plane: Array, before: Sequence[Faceted]) -> Faceted:
-    """Return a part outside a plane; a thin one is cut from what was left before earlier cuts."""
-    if part.shape.width >= THIN:
+    """Return a part outside a plane; a thin one is cut from what was left 1, 2, 4 and more cuts before."""
+    if part.shape.width >= THIN or len(before) > _CUTS:
         return part
-    larger = (_split(rest, plane)[1] for rest in reversed(before[:-1]))
+    steps = [*(1 << power for power in range(1, (len(before) - 1).bit_length())), len(before)]
+    larger = (_split(before[-step], plane)[1] for step in steps)
     return next((each for each in larger if each is not None and each.shape.width >= THIN), part)
 
 
