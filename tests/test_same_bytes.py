@@ -26,7 +26,7 @@ def test_seeds_give_what_they_gave_to_other_processes(category: str) -> None:
         [sys.executable, HASHES, category],
         check=False, env=environment, capture_output=True, text=True, timeout=600,
     )  # fmt: skip
-    assert done.stdout == "3 assets: the same bytes as before\n", done.stderr
+    assert done.stdout == "2 assets: the same bytes as before\n", done.stderr
 
 
 def test_other_bytes_are_named(tmp_path: Path) -> None:
@@ -53,10 +53,11 @@ def test_what_was_cached_does_not_show(category: str, tmp_path: Path) -> None:
     cold = find(category).generate(SEED, cache=Cache())
     warm = Cache()
     for seed in (1, 2, 3):
-        find(category).generate(seed, cache=warm)
+        find(category).generate(seed, cache=warm, certify=False)
     # the same parameters but one: most of the graph is cached, and what is not comes later than it would
     number = next(name for name, value in cold.parameters.items() if isinstance(value, float))
-    find(category).generate(SEED, cache=warm, **{number: 0.999 * cold.parameters[number]})
+    changed = {number: 0.999 * cold.parameters[number]}
+    find(category).generate(SEED, cache=warm, certify=False, **changed)
     first = cold.export(tmp_path / "cold")
     second = find(category).generate(SEED, cache=warm).export(tmp_path / "warm")
     assert digests(first) == digests(second)

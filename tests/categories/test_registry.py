@@ -20,13 +20,9 @@ from support.agreement import check_formats_agree
 from support.geometry import check_collider_pieces, check_colliders_cover, check_mass, check_solids
 from support.joint_outline import joints_of
 
-SEEDS = range(int(os.environ.get("ARTGEN_TEST_SEEDS", "2")))
+SEEDS = range(int(os.environ.get("ARTGEN_TEST_SEEDS", "1")))
 cases = pytest.mark.parametrize(
     ("category", "seed"), [(category, seed) for category in categories() for seed in SEEDS]
-)
-# for the longest checks, half of the seeds
-every_other = pytest.mark.parametrize(
-    ("category", "seed"), [(category, seed) for category in categories() for seed in SEEDS[::2]]
 )
 
 
@@ -47,7 +43,7 @@ def test_colliders_are_convex_and_within_budget(category: str, seed: int) -> Non
         check_collider_pieces(link)
 
 
-@every_other
+@cases
 def test_colliders_contain_the_solids_and_leave_cavities_open(category: str, seed: int) -> None:
     for link in asset_of(category, seed).links:
         check_colliders_cover(link)
@@ -59,7 +55,7 @@ def test_mass_properties_match_an_independent_integration(category: str, seed: i
         check_mass(link)
 
 
-@every_other
+@cases
 def test_every_reader_finds_the_same_asset_in_every_format(category: str, seed: int, tmp_path: Path) -> None:
     asset = asset_of(category, seed)
     check_formats_agree(asset, asset.export(tmp_path / asset.name))
@@ -117,7 +113,7 @@ def test_every_declared_label_is_the_same_for_every_seed(category: str, seed: in
     assert {label for link in asset.links for label in link.labels} <= set(asset.labels)
 
 
-@every_other
+@cases
 def test_every_check_passes_on_the_files(category: str, seed: int) -> None:
     report = asset_of(category, seed).validate()
     assert [result.check for result in report.results if result.skipped] == []

@@ -122,7 +122,7 @@ def _layer_findings(stage: Any) -> Iterator[Finding]:
     named += [each.resolvedPath or each.path for each in values if isinstance(each, Sdf.AssetPath)]
     for name in dict.fromkeys(named):
         if not Path(os.path.realpath(os.path.join(folder, name))).is_relative_to(folder):  # noqa: PTH118
-            yield _fault(f"it reads {name!r:.80}, which is outside its folder")
+            yield _fault(f"it reads {name[-80:]!r}, which is outside its folder")
 
 
 def _is_finite(value: Any) -> bool:
