@@ -145,5 +145,5 @@ def test_the_second_evaluation_runs_no_kernel(category: str) -> None:
 
 @pytest.mark.parametrize("category", categories())
 def test_a_hand_can_take_hold_of_something(category: str) -> None:
-    grasped = [bool(link.grasps) for seed in SEEDS for link in asset_of(category, seed).links[1:]]
+    grasped = [bool(link.grasps) for seed in range(2) for link in asset_of(category, seed).links[1:]]
     assert any(grasped)
