@@ -263,6 +263,11 @@ class Asset:
         """The valid joint states as arrays, as every export carries them."""
         return ValidStates(self.states_data()["joints"])
 
+    @property
+    def is_room(self) -> bool:
+        """Whether it is a scene: its base is a room."""
+        return bool(self.links) and self.links[0].name == "room"
+
     def states_data(self) -> dict[str, Any]:
         """Return limits, couplings, dependencies and detents of joints as JSON data, for `ValidStates`."""
         fields = ("name", "limits", "follows", "needs", "detents")

@@ -15,7 +15,6 @@ from artgen.asset.report import CheckResult, Finding, Report
 from artgen.errors import ArtgenError, ParameterError, nearest
 from artgen.export.layouts import DEFAULT_FORMATS
 from artgen.validate.files import Exported, read_export
-from artgen.validate.room import is_room
 
 if TYPE_CHECKING:
     from artgen.validate.readback.compare import Expected
@@ -72,7 +71,7 @@ class Examination:
         """Names of the checks that apply to the export, in order."""
         asset, formats = self._exported.asset, self._exported.formats
         left_out = {*DEFAULT_FORMATS} - {*formats}
-        if asset is None or not is_room(asset):
+        if asset is None or not asset.is_room:
             left_out.add("room")
         return tuple(name for name in CHECKS if name not in left_out)
 

@@ -32,11 +32,6 @@ _STATES = 200  # random states
 _STEPS = 50  # steps between two looks at the simulation
 
 
-def is_room(asset: Asset) -> bool:
-    """Tell whether the base of an asset is a room, as that of a scene is."""
-    return bool(asset.links) and asset.links[0].name == "room"
-
-
 def check_room(asset: Asset) -> CheckResult:
     """Check a room: no solids overlap in 200 random states, it stays at rest, and hands can open its joints.
 

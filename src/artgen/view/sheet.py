@@ -103,15 +103,10 @@ def shots(asset: Asset) -> tuple[tuple[Mapping[str, float], View], ...]:
     above = float(max(np.interp(size[2], _HEIGHTS, _ABOVE), flat))
     q = opened(asset)
     aside = _side(asset, q) * ASIDE
-    if _is_room(asset):  # its walls would hide what stands at them
+    if asset.is_room:  # its walls would hide what stands at them
         aside, above = 0.2 * aside, _INTO
     front = View(aside, above, margin=_MARGIN)
     return ({}, front), (q, front), ({}, replace(front, azimuth=front.azimuth + math.pi))
-
-
-def _is_room(asset: Asset) -> bool:
-    """Tell whether an asset is a scene; its parameters are the seeds of what stands in it."""
-    return asset.links[0].name == "room"
 
 
 def _side(asset: Asset, q: Mapping[str, float]) -> float:
@@ -152,7 +147,7 @@ def features(asset: Asset) -> str:
     found = [
         _SHADE.sub("", value)
         for name, value in asset.parameters.items()
-        if isinstance(value, str) and value and value != "none" and "." not in name and not _is_room(asset)
+        if isinstance(value, str) and value and value != "none" and "." not in name and not asset.is_room
     ]
     low, high = asset.bounds()
     size = " x ".join(f"{100.0 * length:.0f}" for length in high - low)

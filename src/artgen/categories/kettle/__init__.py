@@ -47,7 +47,7 @@ _GRIPS = ag.choice("black_abs", "walnut", "beech", ag.colored("abs", "white"), a
 
 
 @ag.category(
-    labels="base foot cord jug rim lid knob handle spout switch gauge bail whistle hinge print", joints=(3, 4)
+    labels="base foot cord jug rim lid knob handle spout switch bail whistle hinge print", joints=(3, 4)
 )
 def kettle(
     *,
@@ -92,7 +92,7 @@ def kettle(
     low = _BASE + FIT.running
     lift = ag.Prismatic("jug_lift", axis=ag.Z, limits=(0, 0.15), friction=0.2, damping=2.0, effort=80.0)
     turn = ag.Revolute("jug_turn", axis=ag.Z, friction=0.02, damping=0.01, effort=5.0)
-    return _base(radius, grip, metal).attach(jug, lift, turn, at=(0, 0, low))
+    return _base(radius, metal).attach(jug, lift, turn, at=(0, 0, low))
 
 
 def _jug(
@@ -183,7 +183,7 @@ def _switch(grip: ag.Material) -> Fitting:
     return Fitting.moving(lever.at(z=-0.002), turn, fixed=bracket)
 
 
-def _base(radius: ag.Scalar, grip: ag.Material, metal: ag.Material) -> ag.Body:
+def _base(radius: ag.Scalar, metal: ag.Material) -> ag.Body:
     """Make the base of an electric kettle with its cord."""
     plate = ag.cylinder(radius + 0.007, _BASE - 0.002, bevel=0.004).at(z=_BASE / 2 + 0.001)
     feet = ag.cylinder(radius - 0.008, 0.003, bevel=0.0005).at(z=0.0015)
@@ -266,7 +266,7 @@ def _stove(
 
 def _whistle(metal: ag.Material) -> Fitting:
     """Make the cap of a spout, hinged above its tip at the origin."""
-    slant, around = 0.775, (0, 0, 0)  # of the spout from upright [rad]
+    slant = 0.775  # of the spout from upright [rad]
     cap = ag.cylinder(0.0145, 0.010, bevel=0.002).at(z=FIT.running + 0.005)
     barrel = ag.cylinder(0.004, 0.010, axis=ag.X, bevel=0.0004).at(0, 0.0195, 0.005)
     tongue = ag.Region((-0.005, 0.005), (0.008, 0.0195), (0.002, 0.008)).box()
@@ -280,4 +280,4 @@ def _whistle(metal: ag.Material) -> Fitting:
     turn = ag.Revolute(
         "whistle_hinge", axis=-ag.X, pivot=(0, 0.0195, 0.005), limits=(0, 1.3), feel=feel.PIVOT, friction=0.01
     )
-    return Fitting.moving(made, turn, fixed=ag.part(ears, "hinge", metal)).rotate(ag.X, slant, about=around)
+    return Fitting.moving(made, turn, fixed=ag.part(ears, "hinge", metal)).rotate(ag.X, slant)

@@ -111,8 +111,7 @@ class _Plan:
 
 
 @ag.category(
-    labels="base foot port key trackpad screen bezel display hinge tray button print rating_plate",
-    joints=(3, 4),
+    labels="base foot port key trackpad screen bezel display hinge tray print rating_plate", joints=(3, 4)
 )
 def laptop(
     *,
@@ -176,35 +175,27 @@ def laptop(
     if style == "plain":
         body = body.install(_tray(case), at=(width / 2, -0.25 * depth + 0.04, _FEET + 0.0092))
     ears, half = width / 2 - 0.062, width / 2 - 0.030
+    ear = _barrel((ears + FIT.running, half), axle, middle, front=_AXLE + 0.003)
     if style != "convertible":
-        fixed = [_barrel((-ears, ears), axle, middle, toward=(0, -0.5 * _LID - _GAP - 0.001))]
-        moving = [_barrel((ears + FIT.running, half), axle, middle, toward=(-_AXLE - 0.003, 0))]
+        fixed = _barrel((-ears, ears), axle, middle, bottom=0.5 * _LID + _GAP + 0.001)
         body = ag.weld(body, ag.part(fixed, "hinge", _STEEL))
-        return body.attach(_hung(screen, moving, case), lift)
+        return body.attach(_hung(screen, ear, case), lift)
     link = ag.hull(*(ag.cylinder(_LID / 2, 2 * ears, axis=ag.X).at(0, axle, z) for z in (low, middle)))
-    below = [_barrel((ears + FIT.running, half), axle, low, toward=(-_AXLE - 0.003, 0))]
-    above = [_barrel((ears + FIT.running, half), axle, middle, toward=(-_AXLE - 0.003, 0))]
-    body = _hung(body, below, case)
-    return body.attach(ag.part(link, "hinge", _STEEL).attach(_hung(screen, above, case), lift), roll)
+    body = _hung(body, _barrel((ears + FIT.running, half), axle, low, front=_AXLE + 0.003), case)
+    return body.attach(ag.part(link, "hinge", _STEEL).attach(_hung(screen, ear, case), lift), roll)
 
 
-def _barrel(
-    x: tuple[ag.Scalar, ag.Scalar], y: ag.Scalar, z: ag.Scalar, *, toward: tuple[ag.Scalar, ag.Scalar]
-) -> ag.Solid:
-    """Make a barrel of a hinge along x, with the tongue that holds it: up to a step in y or in z."""
-    around = ag.Region(x, (y, y), (z, z))
-    span, middle = x[1] - x[0], (x[0] + x[1]) / 2
+def _barrel(x: tuple[ag.Scalar, ag.Scalar], y: ag.Scalar, z: ag.Scalar, **reach: ag.Scalar) -> ag.Solid:
+    """Make a barrel of a hinge along x, with a tongue that reaches to its front or its bottom."""
+    span, middle, half = x[1] - x[0], (x[0] + x[1]) / 2, 0.0026
     barrel = ag.cylinder(_LID / 2, span, axis=ag.X, bevel=0.0006).at(middle, y, z)
-    if isinstance(toward[0], int):
-        tongue = around.grow(front=0.0026, back=0.0026, bottom=-toward[1]).box()
-    else:
-        tongue = around.grow(top=0.0026, bottom=0.0026, front=-toward[0]).box()
-    return barrel | tongue
+    thick = {"front": half, "back": half} if "bottom" in reach else {"top": half, "bottom": half}
+    return barrel | ag.Region(x, (y, y), (z, z)).grow(**thick, **reach).box()
 
 
-def _hung(body: ag.Body, ears: list[ag.Solid], case: ag.Material) -> ag.Body:
-    """Add the barrels at the right and their mirror images at the left."""
-    return ag.weld(body, ag.part([*ears, *(each.mirror(ag.X) for each in ears)], "hinge", case))
+def _hung(body: ag.Body, ear: ag.Solid, case: ag.Material) -> ag.Body:
+    """Add the barrel at the right and its mirror image at the left."""
+    return ag.weld(body, ag.part([ear, ear.mirror(ag.X)], "hinge", case))
 
 
 def _base(plan: _Plan, style: Style, thick: ag.Scalar, case: ag.Material, maker: str) -> ag.Body:

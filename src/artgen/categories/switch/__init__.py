@@ -54,7 +54,7 @@ _YELLOW = ag.colored("abs", "mustard").with_(name="signal_yellow", base_color=(0
 _RED = ag.colored("abs", "red").with_(name="signal_red", base_color=(0.62, 0.02, 0.02))
 
 
-@ag.category(labels="board foot plate screw rocker toggle knob dial box stop collar print led", joints=(1, 3))
+@ag.category(labels="board foot plate screw rocker toggle dial box stop collar print led", joints=(1, 3))
 def switch(
     *,
     style: Style = ag.choice(_SHARES),
@@ -165,7 +165,7 @@ def _rockers(
         )
         moving = Fitting.moving(rocker, tilt).suffixed(f"_{gang}").at((gang - (gangs - 1) / 2) * pitch)
         cover = cover.install(Fitting(moving.body, window.box() if gang == 0 else None))
-    return Fitting(cover, window.grow(front=-0.0).box())
+    return Fitting(cover, window.box())
 
 
 def _toggle(plate: Plate, force: ag.Scalar, face: ag.Material, key: ag.Material) -> Fitting:
@@ -253,9 +253,8 @@ def _stop(force: ag.Scalar, face: ag.Material, key: ag.Material) -> Fitting:
     )
     heads = [
         details.screw(0.0026, (x, -deep, z), material=finish.recess(face))
-        for x in (-0.029, 0.029)
-        for z in (-0.029, 0.029)
+        for x, z in ((-0.029, 0.029), (0.029, -0.029))
     ]
     cut = ag.Region.centered(0.0198, 0.0, 0.0198).grow(back=0.03).box().at(y=-deep)
-    fixed = ag.weld(box, ag.detail(ring, "collar", ag.material("black_abs")), words, *heads[1:3])
+    fixed = ag.weld(box, ag.detail(ring, "collar", ag.material("black_abs")), words, *heads)
     return Fitting(fixed.install(Fitting.moving(pressed, slide, cut=cut)))

@@ -36,8 +36,7 @@ _STEEL = ag.shades(
 
 
 @ag.category(
-    labels="body back top leg drawer front runner handle frame hinge leaf support column foot button case "
-    "print",
+    labels="body back top leg drawer front handle frame hinge leaf support column foot button case print",
     joints=(1, 4),
 )
 def table(
