@@ -306,3 +306,35 @@ def test_a_screw_without_pitch_or_limits_is_an_error():
         asset(block("jar").attach(block("lid"), screwed(pitch=Float.parameter("pitch"))), pitch=0.0)
     with pytest.raises(TypeError, match="limits"):
         Screw("cap", pitch=0.02, axis=Z)
+
+
+def test_gears_mesh_in_opposite_senses_and_racks_slide_by_the_pitch_radius():
+    shaft = Revolute("shaft", axis=Z, limits=(0, 1))
+    outer, inner = value(shaft.gear(12 / 36)), value(shaft.gear(Float.parameter("a"), reverse=False), a=2.0)
+    assert (outer.leader, outer.ratio, inner.ratio) == ("shaft", -12 / 36, 2.0)
+    # teeth of a module of 1 mm pass the point of contact at one speed
+    assert 0.036 / 2 * outer.ratio == pytest.approx(-0.012 / 2)
+    body = block("case").attach(block("pinion"), shaft)
+    made = asset(body.attach(block("bar"), Prismatic("bar", axis=X, follows=shaft.rack(radius=0.006))))
+    assert made.joint("bar").limits == pytest.approx((0.0, 0.006))
+
+
+@pytest.mark.parametrize("ratio", [0.0, -2.0])
+def test_a_gear_needs_teeth(ratio):
+    shaft = Revolute("shaft", axis=Z)
+    with pytest.raises(EvaluationError, match=r"driven by 'shaft' has ratio .* must be positive"):
+        value(shaft.gear(ratio))
+    with pytest.raises(EvaluationError, match="driven by 'shaft' has radius 0"):
+        value(shaft.rack(0.0))
+
+
+def test_a_gear_drives_another_joint_that_turns_and_a_rack_one_that_slides():
+    shaft, slide = Revolute("shaft", axis=Z), Prismatic("slide", axis=X)
+    with pytest.raises(BuildError, match="'slide' slides, but a gear is driven by a joint that turns"):
+        slide.gear(2.0)
+    with pytest.raises(BuildError, match="joint 'bar' follows the wrong kind of law: a gear turns"):
+        Prismatic("bar", axis=X, follows=shaft.gear(2.0))
+    with pytest.raises(BuildError, match="a rack slides: use Prismatic"):
+        Revolute("wheel", axis=X, follows=shaft.rack(0.01))
+    with pytest.raises(AssetError, match="joint 'shaft' follows itself"):
+        asset(block("base").attach(block("one"), Revolute("shaft", axis=Z, follows=shaft.gear(2.0))))

@@ -260,6 +260,90 @@ class Joint(_Leader):
 
     __ge__, __le__ = __gt__, __lt__
 
+    def gear(self, ratio: Scalar, *, reverse: bool = True) -> Coupling:
+        """Make the law of a gear that meshes with one on this revolute joint, for `follows=`.
+
+        Args:
+            ratio: Teeth of this gear, divided by those of the other one; positive.
+            reverse: Whether parallel axes turn in opposite senses, as those of outer gears do; False for a
+                ring gear, a belt or a chain.
+
+        Raises:
+            BuildError: This joint slides, or the ratio is not positive.
+
+        Examples:
+            >>> case = part(box(0.2, 0.1, 0.01), "case", material("walnut"))
+            >>> large = part(cylinder(0.04, 0.01).at(-0.04, 0, 0.012), "large", material("brass"))
+            >>> small = part(cylinder(0.02, 0.01).at(0.0225, 0, 0.012), "small", material("steel"))
+            >>> turn = Revolute("turn", axis=Z, pivot=(-0.04, 0, 0), limits=(0, 1))
+            >>> spin = Revolute("spin", axis=Z, pivot=(0.0225, 0, 0), follows=turn.gear(36 / 18))
+            >>> case.attach(large, turn).attach(small, spin)
+        """
+        return Gear.record("gear", leader=self._turning("gear"), ratio=ratio, reverse=reverse)
+
+    def rack(self, radius: Scalar) -> Coupling:
+        """Make the law of a rack that meshes with a pinion on this revolute joint, for `follows=`.
+
+        Args:
+            radius: Pitch radius of the pinion, half of its teeth times the module; negative for a rack that
+                slides against its axis [m].
+
+        Raises:
+            BuildError: This joint slides, or the radius is 0.
+
+        Examples:
+            >>> bed = part(box(0.2, 0.1, 0.01), "bed", material("walnut"))
+            >>> pinion = part(cylinder(0.012, 0.01).at(z=0.012), "pinion", material("brass"))
+            >>> bar = part(box(0.1, 0.01, 0.01).at(0, -0.02, 0.012), "rack", material("steel"))
+            >>> turn = Revolute("turn", axis=Z, limits=(0, 2))
+            >>> slide = Prismatic("slide", axis=X, follows=turn.rack(radius=0.0125))
+            >>> bed.attach(pinion, turn).attach(bar, slide)
+        """
+        return Rack.record("rack", leader=self._turning("rack"), radius=radius)
+
+    def _turning(self, mechanism: str) -> str:
+        """Return the name of this joint, which has to turn."""
+        if self.node.inputs.get("kind") != "revolute":
+            raise BuildError(
+                f"{self.name!r} slides, but a {mechanism} is driven by a joint that turns\n"
+                f"  at {authors_line()}\n  Take a Revolute joint, or a ratio: follows=2.0 * {self.name}"
+            )
+        return self.name
+
+
+class Gear(Coupling):
+    """Law of a revolute joint whose gear meshes with that of its leader, from `Joint.gear`."""
+
+    __slots__ = ()
+
+
+class Rack(Coupling):
+    """Law of a prismatic joint whose rack meshes with the pinion of its leader, from `Joint.rack`."""
+
+    __slots__ = ()
+
+
+_KINDS: dict[type, Kind] = {Gear: "revolute", Rack: "prismatic"}  # of the joints that such laws move
+
+
+@kernel
+def _gear(leader: str, ratio: float, reverse: bool) -> AssetCoupling:
+    if not ratio > 0.0:
+        raise ValueError(
+            f"the gear driven by {leader!r} has ratio {ratio:.6g}: teeth of the leader / teeth of the "
+            "follower must be positive; reverse=False turns it in the sense of the leader"
+        )
+    return AssetCoupling(leader, -ratio if reverse else ratio)
+
+
+@kernel
+def _rack(leader: str, radius: float) -> AssetCoupling:
+    if radius == 0.0:
+        raise ValueError(
+            f"the rack driven by {leader!r} has radius 0: give the pitch radius of its pinion [m]"
+        )
+    return AssetCoupling(leader, radius)
+
 
 @kernel
 def _coupling(leader: str, ratio: float, offset: float) -> AssetCoupling:
@@ -466,6 +550,11 @@ class _Axial(Joint):
             for key, value in locals().items()
             if key not in ("self", "__class__", "spring", "feel")
         }
+        if _KINDS.get(type(follows), self._kind) != self._kind:
+            meshes = (
+                "a gear turns: use Revolute" if isinstance(follows, Gear) else "a rack slides: use Prismatic"
+            )
+            raise BuildError(f"joint {name!r} follows the wrong kind of law: {meshes}\n  at {authors_line()}")
         if spring is not None:
             inputs["stiffness"], inputs["rest"] = spring.inputs(limits)
         for field in fields(feel):
