@@ -163,6 +163,15 @@ PRODUCTS: Mapping[str, tuple[Product, ...]] = {
     ),
     # sample boards of a shop, 0.16-0.18 m wide on a foot of 0.13 m; an emergency stop stands out by 0.07 m
     "switch": (Product("switch on a board", (0.15, 0.19), (0.12, 0.17), (0.22, 0.28), (0.4, 1.5)),),
+    # hotel safes 0.40-0.43 x 0.20-0.25 x 0.35-0.40 m, 10-17 kg; home safes 8-20 kg; fire safes (UL 72) with
+    # walls of 0.045-0.055 m, 26-80 kg; gun cabinets (EN 14450) 1.3-1.5 m high, 45-110 kg; handles stand out
+    # by 0.03-0.05 m
+    "safe": (
+        Product("hotel safe", (0.40, 0.43), (0.375, 0.45), (0.195, 0.25), (10.0, 17.0)),
+        Product("home safe", (0.31, 0.38), (0.24, 0.36), (0.23, 0.30), (8.0, 20.0)),
+        Product("fire safe", (0.41, 0.46), (0.43, 0.54), (0.42, 0.62), (26.0, 80.0)),
+        Product("gun cabinet", (0.30, 0.45), (0.30, 0.46), (1.30, 1.50), (45.0, 110.0)),
+    ),
     # 0.13-0.25 m long and 0.1-0.45 kg; closed handles are 0.04-0.09 m wide, grips up to 0.022 m thick
     "plier": (Product("pliers", (0.035, 0.095), (0.125, 0.256), (0.006, 0.024), (0.08, 0.46)),),
 }

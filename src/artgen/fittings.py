@@ -547,12 +547,9 @@ def cam_lock(
         >>> door.install(fittings.cam_lock())
     """
     radius, back = 0.0085, thickness + 0.005
-    barrel = ag.cylinder(radius, back + 0.0010, axis=ag.Y, bevel=0.0004).at(y=(back - 0.0010) / 2)
     cam = ag.box(0.014, 0.0025, 0.040, bevel=0.0006).at(0.0, back + 0.0010, -0.012)
-    blade = ag.box(0.0022, 0.016, 0.0075).at(y=-0.008)
-    bow = ag.cylinder(0.0115, 0.0026, axis=ag.X, bevel=0.0008).at(y=-0.024)
-    hold = ag.grasp_on(bow, approach=ag.Y, closing=ag.X, depth=0.012)
-    key = ag.part([bow, blade, barrel, cam], "lock", finish, name=name, grasp=hold)
+    solids, hold = locks.inserted_key(back, radius=radius)
+    key = ag.part([*solids, cam], "lock", finish, name=name, grasp=hold)
     turn = ag.Revolute(f"{name}_turn", axis=ag.Y, limits=(0.0, math.pi / 2), feel=feel.DETENT)
     collar = ag.extrude(ag.ring(0.0115, radius + 0.0004), 0.0018, axis=ag.Y, bevel=0.0005).at(y=-0.0006)
     cut = ag.bore(radius + FIT.sliding, 2 * thickness + 0.02, axis=ag.Y).at(y=thickness / 2)

@@ -164,6 +164,15 @@ CHECKLIST: dict[str, dict[str, Moving]] = {
         "button on a wall": slides("button_slide", (0, 1)),
         "lever on a wall": turns("lever_hinge", (0, 1)),
     },
+    "safe": {
+        "door": turns("door_hinge", (1,)),
+        "bolts": slides("bolts_slide", (1,)),
+        "bolt of the lock": slides("tongue_slide", (1,)),
+        "handle": turns("handle_turn", (1,)),
+        "key": turns("key_turn", (0, 1)),
+        "dial": turns("dial_turn", (0, 1)),
+        "key of a keypad": slides("button_slide", (0, 12)),
+    },
     "switch": {
         "rocker": turns("rocker_tilt", (0, 1, 2, 3)),
         "toggle": turns("toggle_tilt", (0, 1)),

@@ -99,7 +99,7 @@ def button_cap(
         cap = ag.extrude(button_outline(shape, width, high), length, axis=ag.Y, bevel=bevel)
     cap = cap.at(y=(deep - proud) / 2)
     body = ag.part(cap, "button", finish, name=name, push=ag.push_on(cap, direction=ag.Y))
-    if ink is None or icon == "":
+    if ink is None or (isinstance(icon, str) and not icon):
         return body
     sign = details.icon(icon, 0.62 * ag.min_(width, high)) if isinstance(icon, str) else icon
     return ag.weld(body, details.printed(sign, (0, -proud, 0), material=ink))

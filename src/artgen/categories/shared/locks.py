@@ -395,3 +395,11 @@ def _turn_button(
     else:
         hold = ag.grasp_on(wing, approach=(0.0, -side, 0.0), closing=ag.X, depth=0.005)
     return ag.part(ag.union(disc, wing, stem), "lock", finish, grasp=hold)
+
+
+def inserted_key(back: ag.Scalar, *, radius: ag.Scalar) -> tuple[list[ag.Solid], ag.Frame]:
+    """Make a key in its cylinder, which ends at y = back behind the face y = 0, and the grasp of its bow."""
+    barrel = ag.cylinder(radius, back + 0.0010, axis=ag.Y, bevel=0.0004).at(y=(back - 0.0010) / 2)
+    blade = ag.box(0.0022, 0.016, 0.0075).at(y=-0.008)
+    bow = ag.cylinder(0.0115, 0.0026, axis=ag.X, bevel=0.0008).at(y=-0.024)
+    return [bow, blade, barrel], ag.grasp_on(bow, approach=ag.Y, closing=ag.X, depth=0.012)
