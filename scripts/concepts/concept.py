@@ -3,7 +3,9 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-FORMAT_TITLES: Mapping[str, str] = {"urdf": "URDF", "mjcf": "MJCF", "usd": "USD", "glb": "GLB"}
+FORMAT_TITLES: Mapping[str, str] = {
+    "urdf": "URDF", "mjcf": "MJCF", "usd": "USD", "glb": "GLB", "sdf": "SDFormat",
+}  # fmt: skip
 """Title of the column of each format."""
 
 

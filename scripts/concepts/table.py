@@ -17,6 +17,7 @@ CONCEPTS: tuple[Concept, ...] = (
         mjcf='`angle="radian"`',
         usd='`metersPerUnit = 1`, `kilogramsPerUnit = 1`, `upAxis = "Z"`; angles in degrees',
         glb='metres, y up: the root node has a `"rotation"`',
+        sdf="the same, fixed by the format",
     ),
     row(
         "name",
@@ -26,6 +27,7 @@ CONCEPTS: tuple[Concept, ...] = (
         mjcf="`<mujoco model=`",
         usd="`defaultPrim`",
         glb="root node",
+        sdf="`<model name=`; of a room also a world",
     ),
     row(
         "category, seed, version",
@@ -36,6 +38,7 @@ CONCEPTS: tuple[Concept, ...] = (
         usd="`customData` and `semantics:labels:category` of the default prim, with Wikidata's code in "
         "`semantics:labels:wikidata_qcode`",
         glb='`"extras"` of the root node',
+        sdf=_IN_JSON,
     ),
     row(
         "parameters",
@@ -45,6 +48,7 @@ CONCEPTS: tuple[Concept, ...] = (
         mjcf=_IN_JSON,
         usd="`dictionary parameters` in `customData`",
         glb=_IN_JSON,
+        sdf=_IN_JSON,
     ),
     row(
         "base: fixed or free",
@@ -54,6 +58,7 @@ CONCEPTS: tuple[Concept, ...] = (
         mjcf="no joint, or a `freejoint`",
         usd="`root_joint` from the world, or none",
         glb='`"base"` in `"extras"`',
+        sdf="a `fixed` joint from the `world`, or none",
     ),
     row(
         "link",
@@ -63,6 +68,7 @@ CONCEPTS: tuple[Concept, ...] = (
         mjcf="`<body name=`",
         usd="`Xform` with `PhysicsRigidBodyAPI`",
         glb='`"nodes"`',
+        sdf="`<link name=`",
     ),
     row(
         "mass",
@@ -72,6 +78,7 @@ CONCEPTS: tuple[Concept, ...] = (
         mjcf="`mass=` of `<inertial`",
         usd="`physics:mass`",
         glb=(_IN_JSON, "mass and inertia"),
+        sdf="`<mass>`",
     ),
     row(
         "center of mass",
@@ -81,6 +88,7 @@ CONCEPTS: tuple[Concept, ...] = (
         mjcf="`pos=` of `<inertial`",
         usd="`physics:centerOfMass`",
         glb=(_IN_JSON, "mass and inertia"),
+        sdf="`<pose>` of the `<inertial>`",
     ),
     row(
         "inertia about it",
@@ -90,6 +98,7 @@ CONCEPTS: tuple[Concept, ...] = (
         mjcf="`fullinertia=`",
         usd="`physics:diagonalInertia`, `physics:principalAxes`",
         glb=(_IN_JSON, "mass and inertia"),
+        sdf="`<ixx>` to `<izz>`",
     ),
     row(
         "visible surface",
@@ -99,6 +108,7 @@ CONCEPTS: tuple[Concept, ...] = (
         mjcf='`class="cabinet_7_visual"` with an OBJ file',
         usd="a `Mesh` in `visuals`",
         glb='one of the `"primitives"` of the mesh of its node',
+        sdf="`<visual name=` with an OBJ file",
     ),
     row(
         "collider",
@@ -108,6 +118,7 @@ CONCEPTS: tuple[Concept, ...] = (
         mjcf='`class="cabinet_7_collision"`',
         usd="`collisions` with `PhysicsCollisionAPI`; hulls are meshes with `convexHull`",
         glb=(_IN_JSON, "colliders"),
+        sdf="`<collision name=`; a hull is an OBJ file with `convex_hull`",
     ),
     row(
         "friction of contacts",
@@ -117,6 +128,7 @@ CONCEPTS: tuple[Concept, ...] = (
         mjcf="`friction=` of each collider",
         usd="`physics:dynamicFriction`, `physics:staticFriction`",
         glb=(_IN_JSON, "colliders"),
+        sdf="`<mu>` and `<mu2>` of each collision",
     ),
     row(
         "contact by design",
@@ -126,6 +138,7 @@ CONCEPTS: tuple[Concept, ...] = (
         mjcf=("not said: MuJoCo pushes the parts apart", "contact by design"),
         usd=("not said: simulators push the parts apart", "contact by design"),
         glb=_IN_JSON,
+        sdf=("not said: simulators push the parts apart", "contact by design"),
     ),
     row(
         "joint that turns",
@@ -135,6 +148,7 @@ CONCEPTS: tuple[Concept, ...] = (
         mjcf='`type="hinge"`',
         usd="`PhysicsRevoluteJoint`, degrees",
         glb=('`"joints"` in `"extras"`, `"animations"`', "joints", "animation"),
+        sdf='`type="revolute"`, or `type="continuous"` without limits',
     ),
     row(
         "joint that slides",
@@ -144,6 +158,7 @@ CONCEPTS: tuple[Concept, ...] = (
         mjcf='`type="slide"`',
         usd="`PhysicsPrismaticJoint`",
         glb=('`"joints"` in `"extras"`, `"animations"`', "joints", "animation"),
+        sdf='`type="prismatic"`',
     ),
     row(
         "locked joint",
@@ -153,6 +168,7 @@ CONCEPTS: tuple[Concept, ...] = (
         mjcf=("no joint: the body stands where it is locked", "locked joint"),
         usd="`PhysicsFixedJoint`",
         glb='`"type":"fixed"`',
+        sdf='`type="fixed"`',
     ),
     row(
         "axis",
@@ -162,6 +178,7 @@ CONCEPTS: tuple[Concept, ...] = (
         mjcf="`axis=`",
         usd="x of `physics:localRot0` and `physics:localRot1`",
         glb='`"axis"`',
+        sdf="`<xyz>`",
     ),
     row(
         "pivot",
@@ -171,6 +188,7 @@ CONCEPTS: tuple[Concept, ...] = (
         mjcf="the body's `pos=`, or the joint's",
         usd="`physics:localPos0`; `physics:localPos1` is 0",
         glb='`"origin"`',
+        sdf="`<pose relative_to=` of the child link",
     ),
     row(
         "limits",
@@ -180,6 +198,7 @@ CONCEPTS: tuple[Concept, ...] = (
         mjcf="`range=`",
         usd=("`physics:lowerLimit`, `physics:upperLimit`, degrees or m", "coupling without limits"),
         glb='`"lower"`, `"upper"`',
+        sdf="`<lower>`, `<upper>`",
     ),
     row(
         "where it stands",
@@ -189,6 +208,7 @@ CONCEPTS: tuple[Concept, ...] = (
         mjcf="`ref=` where it is not 0",
         usd=("bodies placed so, and `state:linear:physics:position`", "joint that does not stand at 0"),
         glb='`"position"`',
+        sdf="not said: clients begin at 0, or at the limit next to it",
     ),
     row(
         "spring and its rest",
@@ -198,6 +218,7 @@ CONCEPTS: tuple[Concept, ...] = (
         mjcf="`stiffness=`, `springref=`",
         usd="`drive:angular:physics:stiffness` per degree, `drive:angular:physics:targetPosition`",
         glb=(_IN_JSON, "joint dynamics"),
+        sdf="`<spring_stiffness>`, `<spring_reference>`",
     ),
     row(
         "damping",
@@ -207,6 +228,7 @@ CONCEPTS: tuple[Concept, ...] = (
         mjcf="`damping=`",
         usd="`drive:angular:physics:damping` per degree",
         glb=(_IN_JSON, "joint dynamics"),
+        sdf="`<damping>`",
     ),
     row(
         "dry friction",
@@ -219,6 +241,7 @@ CONCEPTS: tuple[Concept, ...] = (
             "joint friction",
         ),
         glb=(_IN_JSON, "joint dynamics"),
+        sdf="`<friction>`",
     ),
     row(
         "armature",
@@ -228,6 +251,7 @@ CONCEPTS: tuple[Concept, ...] = (
         mjcf="`armature=`",
         usd=("`physxJointAxis:angular:armature`, `newton:armature`, `mjc:armature`", "joint armature"),
         glb=(_IN_JSON, "joint dynamics"),
+        sdf=("not said", "joint armature"),
     ),
     row(
         "largest effort",
@@ -240,6 +264,7 @@ CONCEPTS: tuple[Concept, ...] = (
             "joint effort",
         ),
         glb=_IN_JSON,
+        sdf="`<effort>`",
     ),
     row(
         "largest speed",
@@ -252,6 +277,7 @@ CONCEPTS: tuple[Concept, ...] = (
             "joint velocity limit",
         ),
         glb=_IN_JSON,
+        sdf="`<velocity>`",
     ),
     row(
         "numbers of one simulator",
@@ -262,6 +288,7 @@ CONCEPTS: tuple[Concept, ...] = (
         usd="`mjc:solref` and the like, as in MJCF; `physxArticulation:solverPositionIterationCount`, "
         "`physxRigidBody:angularDamping`; `newton:selfCollisionEnabled`",
         glb="none",
+        sdf="`drake:mimic`",
     ),
     row(
         "coupling",
@@ -277,6 +304,7 @@ CONCEPTS: tuple[Concept, ...] = (
             "joint coupling",
         ),
         glb='`"mimic"`',
+        sdf="`<mimic joint=`, and the same for Drake",
     ),
     row(
         "dependency",
@@ -286,6 +314,7 @@ CONCEPTS: tuple[Concept, ...] = (
         mjcf=("not said: contact has to hold the part", "joint dependency"),
         usd=("not said: contact has to hold the part", "joint dependency"),
         glb='`"needs"`; what it needs moves first in animations',
+        sdf=("not said: contact has to hold the part", "joint dependency"),
     ),
     row(
         "several joints between two links",
@@ -295,6 +324,7 @@ CONCEPTS: tuple[Concept, ...] = (
         mjcf="several joints of one body",
         usd=("a body of 1e-6 kg after each but the last", "several joints between two links"),
         glb="a node after each but the last",
+        sdf=("a link of 1e-6 kg after each but the last", "several joints between two links"),
     ),
     row(
         "grasp: frame",
@@ -304,6 +334,7 @@ CONCEPTS: tuple[Concept, ...] = (
         mjcf="`<site name=`",
         usd='an `Xform` in `grasps` with `kind = "grasp"`, and a line `grasp_identifier_lid_edge`',
         glb=(_IN_JSON, "grasp frame"),
+        sdf=("`<frame name=` of the model, `grasp_lid_edge`", "grasp frame"),
     ),
     row(
         "push: frame",
@@ -313,6 +344,7 @@ CONCEPTS: tuple[Concept, ...] = (
         mjcf="`<site name=`",
         usd='an `Xform` in `grasps` with `kind = "push"`',
         glb=(_IN_JSON, "push frame"),
+        sdf=("`<frame name=` of the model, `push_knob_face`", "push frame"),
     ),
     row(
         "width and joints of a grasp",
@@ -322,6 +354,7 @@ CONCEPTS: tuple[Concept, ...] = (
         mjcf="`<tuple name=` in `<custom>`",
         usd="`customData` of its prim",
         glb=(_IN_JSON, "grasp frame", "push frame"),
+        sdf=("not said", "grasp frame", "push frame"),
     ),
     row(
         "semantic labels",
@@ -331,6 +364,7 @@ CONCEPTS: tuple[Concept, ...] = (
         mjcf='`<text name="body_labels"`',
         usd="`semantics:labels:part`",
         glb='`"labels"` in `"extras"` of its node',
+        sdf=("not said", "semantic labels"),
     ),
     row(
         "base color",
@@ -340,6 +374,7 @@ CONCEPTS: tuple[Concept, ...] = (
         mjcf="`rgba=` in sRGB",
         usd="`inputs:diffuseColor`, linear",
         glb='`"baseColorFactor"`, linear',
+        sdf="`<diffuse>` in sRGB",
     ),
     row(
         "roughness, metalness",
@@ -349,6 +384,7 @@ CONCEPTS: tuple[Concept, ...] = (
         mjcf="`roughness=`, `metallic=`",
         usd="`inputs:roughness`, `inputs:metallic`",
         glb='`"roughnessFactor"`, `"metallicFactor"`',
+        sdf="`<roughness_map>` or a number, `<metalness>`",
     ),
     row(
         "coat",
@@ -358,6 +394,7 @@ CONCEPTS: tuple[Concept, ...] = (
         mjcf=("the highlight of the coat", "coat"),
         usd="`inputs:clearcoat`, `inputs:clearcoatRoughness`",
         glb='`"KHR_materials_clearcoat"`',
+        sdf=("not said", "coat"),
     ),
     row(
         "opacity, transmission",
@@ -367,6 +404,7 @@ CONCEPTS: tuple[Concept, ...] = (
         mjcf=("alpha of `rgba=`", "transmission"),
         usd=("`inputs:opacity`", "transmission"),
         glb=('`"alphaMode":"BLEND"`', "transmission"),
+        sdf=("alpha of `<diffuse>`", "transmission"),
     ),
     row(
         "texture",
@@ -376,6 +414,7 @@ CONCEPTS: tuple[Concept, ...] = (
         mjcf=("`<texture`, `<layer role=`", "texture"),
         usd=("`UsdUVTexture`, `primvars:st` in repeats", "texture"),
         glb=('`"baseColorTexture"`, `"TEXCOORD_0"` in repeats', "texture"),
+        sdf=("`<albedo_map>`, `<normal_map>` and the like, and the MTL file", "texture"),
     ),
     row(
         "proof that nothing collides",
@@ -385,6 +424,7 @@ CONCEPTS: tuple[Concept, ...] = (
         mjcf="not said; certificate.json has it",
         usd="not said; certificate.json has it",
         glb="not said; certificate.json has it",
+        sdf="not said; certificate.json has it",
     ),
 )
 """Every concept, in the order of the page."""

@@ -20,7 +20,7 @@ from artgen.nodes.joint import Prismatic, Revolute
 from artgen.nodes.primitive import box
 from artgen.nodes.vector import X, Y, Z
 
-FORMATS = {"urdf": "urdf", "mjcf": "xml", "usd": "usda", "glb": "glb"}
+FORMATS = {"urdf": "urdf", "mjcf": "xml", "usd": "usda", "glb": "glb", "sdf": "sdf"}
 OAK = material("oak")
 CATEGORIES = artgen.catalog.categories()
 

@@ -44,7 +44,7 @@ def text_of(path: str, content: bytes) -> str:
     if path.endswith(".glb"):
         length = struct.unpack("<I", content[12:16])[0]
         return content[20 : 20 + length].decode()
-    return content.decode() if path.endswith((".urdf", ".xml", ".usda", ".mtl")) else ""
+    return content.decode() if path.endswith((".urdf", ".xml", ".usda", ".mtl", ".sdf")) else ""
 
 
 @pytest.fixture(scope="module")

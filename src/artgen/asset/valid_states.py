@@ -1,6 +1,6 @@
 """Valid joint states of an asset that artgen exported. This file needs numpy alone; copy it where you like.
 
-    states = ValidStates.read("door_7.xml")    # or .urdf, .usda, .glb, asset.json
+    states = ValidStates.read("door_7.xml")    # or .urdf, .usda, .glb, .sdf, asset.json
     q = states.sample(1000, seed=0)            # shape (1000, dof), all valid
     states.blocked(q)                          # shape (1000, joints): joints at a forbidden position
     q = states.project(q)                      # the same states, blocked joints at an allowed position
@@ -22,6 +22,7 @@ KEY = "artgen_states"
 _PLACES = {  # where the text formats have the states
     ".xml": f'{KEY}" data="([^"]*)"',
     ".urdf": f"<!-- {KEY} (.*) -->",
+    ".sdf": f"<!-- {KEY} (.*) -->",
     ".usda": f"string {KEY} = '(.*)'",
 }
 Array = NDArray[np.float64]
@@ -58,7 +59,9 @@ class ValidStates:
         """Read an exported file; ValueError if it has no states."""
         found = _data(Path(path))
         if not found:
-            raise ValueError(f"{path} has no {KEY}: export the asset with artgen to URDF, MJCF, USD or GLB")
+            raise ValueError(
+                f"{path} has no {KEY}: export the asset with artgen to URDF, MJCF, USD, GLB or SDFormat"
+            )
         return cls((json.loads(found) if isinstance(found, str) else found)["joints"])
 
     def positions(self, q: ArrayLike) -> Array:

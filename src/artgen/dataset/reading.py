@@ -82,7 +82,7 @@ class Dataset(Sequence[Asset]):
         return [self._path(record) for record in self.records]
 
     def files(self, file_format: str) -> list[Path]:
-        """Return the main file of each asset in a format: `urdf`, `mjcf`, `usd` or `glb`.
+        """Return the main file of each asset in a format: `urdf`, `mjcf`, `usd`, `glb` or `sdf`.
 
         Raises:
             ExportError: The assets were not written in that format.

@@ -100,8 +100,8 @@ def export(
     Args:
         asset: The asset.
         directory: Target directory: new, empty, or with an earlier export.
-        formats: Any of `urdf`, `mjcf`, `usd` and `glb`; by default those of the layout, which for `flat` are
-            all but `glb`.
+        formats: Any of `urdf`, `mjcf`, `usd`, `glb` and `sdf`; by default those of the layout, which for
+            `flat` are the first three.
         collision: Kind of colliders: `exact` keeps the asset's; `coacd` and `hull` make new ones from the
             solids, see `artgen.asset.collision.with_colliders`, without a certificate, because it does not
             hold for them. `asset.json` records the kind.

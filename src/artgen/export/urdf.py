@@ -178,10 +178,10 @@ def add_geometry(parent: ET.Element, shape: str | Convex) -> None:
 
 def add_origin(parent: ET.Element, pose: Array) -> None:
     """Add a pose in the parent's frame, shape (4, 4) [m]."""
-    add(parent, "origin", xyz=lengths(pose[:3, 3]), rpy=lengths(_roll_pitch_yaw(pose)))
+    add(parent, "origin", xyz=lengths(pose[:3, 3]), rpy=lengths(roll_pitch_yaw(pose)))
 
 
-def _roll_pitch_yaw(pose: Array) -> tuple[float, float, float]:
+def roll_pitch_yaw(pose: Array) -> tuple[float, float, float]:
     """Return the angles about the fixed axes x, y and z, in that order, of a rotation [rad]."""
     (xx, _, _), (yx, yy, yz), (zx, zy, zz) = pose[:3, :3].tolist()
     level = math.hypot(xx, yx)

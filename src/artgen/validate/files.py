@@ -22,7 +22,7 @@ from artgen.export.layouts import DEFAULT_FORMATS, LAYOUTS
 Formats = Mapping[str, tuple[str, ...]]
 """Files of each format."""
 
-_TEXTS = {".urdf", ".xml", ".usda", ".obj", ".mtl", ".json", ".txt"}
+_TEXTS = {".urdf", ".sdf", ".xml", ".usda", ".obj", ".mtl", ".json", ".txt"}
 _LOOKS = {".png", ".jpg", ".mtl"}
 _GLB_CHUNKS = [b"JSON", b"BIN\0"]
 _LISTED = 3  # most files in one message

@@ -10,6 +10,7 @@ from artgen.export.layouts.partnet import PARTNET_MOBILITY
 from artgen.export.layouts.robocasa import ROBOCASA
 from artgen.export.losses import Layout, Written
 from artgen.export.mjcf import write_mjcf
+from artgen.export.sdf import write_sdf
 from artgen.export.urdf import write_urdf
 
 Writer = Callable[[Asset, int], Written]
@@ -32,17 +33,17 @@ def _write_simready(asset: Asset, name: str, textures: int) -> Written:
 
 
 FORMATS: Mapping[str, Writer] = {
-    "urdf": write_urdf, "mjcf": write_mjcf, "usd": write_usd, "glb": write_glb,
+    "urdf": write_urdf, "mjcf": write_mjcf, "usd": write_usd, "glb": write_glb, "sdf": write_sdf,
 }  # fmt: skip
 """Writers by format; each takes an asset and the number of texels per side of its maps."""
 
 DEFAULT_FORMATS = ("urdf", "mjcf", "usd")
-"""Formats for simulators; GLB is for viewers."""
+"""Formats that are written unless others are named; GLB is for viewers, SDFormat for Gazebo and Drake."""
 
 TEXTURES = 512
 """Default number of texels per side of maps."""
 
-_SUFFIXES = {"urdf": ".urdf", "mjcf": ".xml", "usd": ".usda", "glb": ".glb"}
+_SUFFIXES = {"urdf": ".urdf", "mjcf": ".xml", "usd": ".usda", "glb": ".glb", "sdf": ".sdf"}
 
 
 def _write_flat(asset: Asset, name: str, textures: int) -> Written:

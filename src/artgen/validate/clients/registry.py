@@ -31,7 +31,7 @@ REQUIREMENTS: Mapping[str, tuple[str, ...]] = {
 """Packages in each environment. `artgen[test]` installs those of `light` into artgen's own environment."""
 
 
-Format = Literal["urdf", "mjcf", "usd", "glb"]
+Format = Literal["urdf", "mjcf", "usd", "glb", "sdf"]
 
 
 @dataclass(frozen=True)
@@ -87,6 +87,7 @@ _TABLE: tuple[tuple[str, Format, str, str, str, tuple[str, ...], tuple[str, ...]
     ("pybullet", "urdf", "pybullet", "bullet", "bullet", _PARTNET, _MOVED_FRICTION),
     ("drake_urdf", "urdf", "drake", "drake", "drake", _PARTNET, _MOVED_DAMPING),
     ("drake_mjcf", "mjcf", "drake", "drake", "drake", _FLAT, _MOVED_DAMPING),
+    ("drake_sdf", "sdf", "drake", "drake", "drake", _FLAT, _MOVED_DAMPING),
     ("sapien", "urdf", "sapien", "sapien", "sapien_model", _PARTNET, _MOVED_DAMPING),
     ("mani_skill", "urdf", "mani_skill", "mani_skill", "mani_skill_model", _PARTNET, _MOVED_DAMPING),
     ("robosuite", "mjcf", "robosuite", "robosuite", "robosuite_model", ("robocasa",), (*_STEPPED, "moved")),
@@ -167,6 +168,11 @@ _UNAVOIDABLE: Mapping[str, dict[str, str]] = {
         rf"{_DRAKE}The tag 'tendon' found as a child of 'mujoco' is currently unsupported and will be "
         r"ignored\.": "Drake's MJCF reader supports no tendons, which are the detents of joints",
         rf"{_DRAKE}The texture element is not supported, .*": "Drake's MJCF reader supports no textures",
+    },
+    "drake_sdf": {
+        rf"{_DRAKE}Ignoring unsupported SDFormat element in (model: self_collide|material: pbr)": (
+            "Drake lets all links collide, and its looks have a color and a map of it"
+        )
     },
     "robosuite": {
         r"\[robosuite WARNING\] (No private macro file found!|It is recommended to use a private macro file|"

@@ -1,4 +1,4 @@
-"""Drake driver: reads a URDF or MJCF and moves its joints."""
+"""Drake driver: reads a URDF, MJCF or SDFormat and moves its joints."""
 
 import xml.etree.ElementTree as ET
 from typing import Any
@@ -39,7 +39,8 @@ def _read(request: dict[str, Any]) -> dict[str, Any]:
     following = sum(joint["follows"] is not None for joint in request["joints"])
     said = []
     # its MJCF reader skips couplings with a message; not every layout of URDF has all of them
-    if (request["format"], request["layout"]) == ("urdf", "flat") and plant.num_constraints() != following:
+    complete = request["format"] in ("urdf", "sdf") and request["layout"] == "flat"
+    if complete and plant.num_constraints() != following:
         said.append(f"it has {plant.num_constraints()} of {following} couplings")
     return {
         "links": {name: _link(body) for name, body in bodies.items()},
@@ -59,8 +60,11 @@ def _plant(request: dict[str, Any], driven: tuple[dict[str, Any], ...] = ()) -> 
         base = plant.GetBodyByName(_root(request["file"]), instance)
         plant.WeldFrames(plant.world_frame(), base.body_frame())
     for joint in driven:
-        found = plant.GetJointByName(joint["name"], instance)
-        motor = plant.AddJointActuator(f"{joint['name']}_motor", found, joint["effort"])
+        if request["format"] == "sdf":  # its reader makes a motor for each joint
+            motor = plant.GetJointActuatorByName(joint["name"], instance)
+        else:
+            found = plant.GetJointByName(joint["name"], instance)
+            motor = plant.AddJointActuator(f"{joint['name']}_motor", found, joint["effort"])
         # the force stays within the effort, so only the speed of the response matters
         motor.set_controller_gains(PdControllerGains(p=50.0 * joint["effort"], d=5.0 * joint["effort"]))
     plant.Finalize()
@@ -104,15 +108,18 @@ def _simulate(request: dict[str, Any]) -> dict[str, Any]:
     found = {joint["name"]: plant.GetJointByName(joint["name"], instance) for joint in request["joints"]}
     _set_positions(plant, context, {joint: start[name] for name, joint in found.items()})
     port = plant.get_desired_state_input_port(instance)
-    targets = np.array([start[joint["name"]] for joint in joints])
+    motors = [plant.get_joint_actuator(index) for index in plant.GetJointActuatorIndices(instance)]
+    order = [motor.joint().name() for motor in motors]
+    targets = np.array([start[name] for name in order])
     moved = {}
     time, finite = 0.0, True
-    for number, joint in enumerate(joints):
+    for joint in joints:
+        number = order.index(joint["name"])
         seen, begin, (low, high) = [], targets[number], ends(joint)
         for before, after in ((begin, high), (high, low), (low, begin)):
             for target in np.linspace(before, after, _PARTS + 1)[1:]:
                 targets[number] = target
-                port.FixValue(context, np.concatenate([targets, np.zeros(len(joints))]))
+                port.FixValue(context, np.concatenate([targets, np.zeros(len(order))]))
                 time += _TURN / _PARTS
                 simulator.AdvanceTo(time)
                 q = plant.GetPositions(context)
