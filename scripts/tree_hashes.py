@@ -57,7 +57,7 @@ def hashes(category: str) -> dict[str, dict[str, str]]:
         parts = [encode(asset, ("urdf", "mjcf", "usd"), textures=256), encode(asset, ("glb",), textures=0)]
         found = {name: each for files in parts for name, each in _of_formats(files).items()}
         for layout in LAYOUTS:
-            if layout != "flat":
+            if layout not in ("flat", "parts"):  # which has the files of flat
                 found[layout] = _hash(
                     json.loads(encode(asset, textures=256, layout=layout)["asset.json"])["digests"]
                 )

@@ -1,5 +1,6 @@
 """Scenes: assets at places that follow from relations, and a proof over the joints of all of them."""
 
+import json
 import math
 import xml.etree.ElementTree as ET
 from collections.abc import Callable
@@ -11,9 +12,12 @@ import mujoco
 import numpy as np
 import pytest
 from pxr import Usd, UsdPhysics
+from scipy.spatial.transform import Rotation
 
+import artgen
 from artgen._names import ByName
 from artgen.asset import Asset
+from artgen.asset.placed import certificate_digest
 from artgen.errors import AssetError, ParameterError
 from artgen.export.frames import translation
 from artgen.materials import colored
@@ -22,6 +26,7 @@ from artgen.scene import ROOMS, Scene, kitchen
 from artgen.scene.room import GAP, STANDING
 from artgen.validate import Examination
 from artgen.validate.room import motions_at_rest, overlaps
+from artgen.view.camera import camera_of
 
 SMALL = {"kind": "bedside", "rows": 1, "width": 0.45, "depth": 0.42}
 ONE_DOOR = {"kind": "base", "doors": 1, "width": 0.5, "depth": 0.5}
@@ -249,6 +254,64 @@ def test_free_bodies_are_stored_and_are_bodies_of_their_own_in_usd(loose: Asset,
     assert not stage.GetPrimAtPath("/loose").HasAPI(UsdPhysics.ArticulationRootAPI)
     root = ET.parse(directory / "loose.urdf").getroot()
     assert root.find("joint[@name='plier_place']").get("type") == "fixed"  # type: ignore[union-attr]
+
+
+def test_each_asset_of_a_room_is_written_alone_with_its_place(loose: Asset, tmp_path: Path) -> None:
+    directory = loose.export(tmp_path / "loose", layout="parts", textures=0)
+    table = json.loads((directory / "layout.json").read_text())
+    shell, chest, mill, pliers = table["assets"]
+    assert [each["category"] for each in table["assets"]] == ["room", "drawer", "pepper_grinder", "plier"]
+    assert (pliers["carrier"], pliers["free"], mill["carrier"]) == ("drawer_drawer_0", True, "drawer_body")
+    alone = artgen.generate("drawer", chest["seed"], detail="low", **SMALL)
+    assert certificate_digest(alone.certificate) == chest["certificate"]
+    (slide,) = chest["joints"]
+    assert slide["in_room"] == f"drawer_{slide['name']}"
+    assert slide["limits"] == pytest.approx(loose.joint(slide["in_room"]).limits)
+    mass = 0.0
+    for row in (shell, chest, mill, pliers):
+        robot = ET.parse(directory / row["folder"] / f"{row['name']}.urdf").getroot()
+        bodies = {str(each.get("name")): each for each in robot.iterfind("link/inertial/..")}
+        mass += sum(float(each.find("inertial/mass").get("value")) for each in bodies.values())  # type: ignore[union-attr, arg-type]
+        # the center of mass of its first link, at its place in the room
+        name = loose.links[0].name if row is shell else f"{row['name']}_{next(iter(bodies))}"
+        center = np.array(next(iter(bodies.values())).find("inertial/origin").get("xyz").split(), float)  # type: ignore[union-attr]
+        turn = Rotation.from_quat(row["quaternion"], scalar_first=True).as_matrix()
+        found = turn @ center + row["position"]
+        assert np.allclose(found, loose.link(name).mass_properties.center, atol=1e-9)
+    assert math.isclose(mass, loose.mass, rel_tol=1e-6)
+    report = Examination(directory).report()
+    assert report.passed, str(report)
+
+
+def test_a_room_is_seen_over_its_open_side(loose: Asset) -> None:
+    points = {link.name: link.bounds() for link in loose.links}
+    front = camera_of(None, loose, points, 1.0)
+    assert abs(front.azimuth()) < 0.2
+    left = camera_of("three_quarter", loose, points, 1.0)
+    assert left.azimuth() < -0.5  # behind the left wall
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (("kitchen", "--set", "layout=round"), "must be one of one_wall, galley, l, u, island"),
+        (
+            ("office", "--set", "layout=l"),
+            "the room 'office' has no parameter 'layout'; choose from width, depth",
+        ),
+        (("hall", "--set", "width=wide"), "--set width=wide must be a number [m]"),
+        (("hall", "--width", "2", "--set", "width=2"), "width is set twice"),
+        (("hall", "--layout", "round"), "there is no layout 'round'. Allowed: flat"),
+        (("sauna",), "there is no room 'sauna'; choose from bathroom, hall, kitchen, office, workshop"),
+    ],
+)
+def test_wrong_options_of_a_scene_are_one_line(
+    artgen_command: Any, arguments: tuple[str, ...], message: str
+) -> None:
+    done = artgen_command("scene", *arguments)
+    assert done.code != 0
+    assert message in done.err
+    assert len(done.err.strip().splitlines()) == 1
 
 
 def test_what_would_tip_over_or_does_not_fit_is_refused() -> None:

@@ -7,8 +7,8 @@ _HEAD = """# What each format says
 
 How artgen's concepts are written in URDF, MJCF, USD, GLB and SDFormat, with their units, and what is lost
 where. The words in backticks stand in the files, here of an asset named `cabinet_7`. *Lost* names the entry
-under `formats` in the export's `asset.json` that tells, for each asset, which joints or links it concerns and what
-was written instead. `scripts/concept_mapping.py` writes this page from `concepts.table`, and the
+under `formats` in the export's `asset.json` that tells, for each asset, which joints or links it concerns and
+what was written instead. `scripts/concept_mapping.py` writes this page from `concepts.table`, and the
 tests hold both against the writers.
 """
 

@@ -24,6 +24,7 @@ from artgen.asset.joint import (
 )
 from artgen.asset.link import Link, RoundedLink
 from artgen.asset.mass import MassProperties, total
+from artgen.asset.placed import PlacedAsset
 from artgen.asset.record import json_text, plain, rounded
 from artgen.asset.tree import Tree, check_contact
 from artgen.asset.valid_states import ValidStates
@@ -128,6 +129,7 @@ class Asset:
         detail: Level of detail of its solids.
         loose: Names of links that are free bodies in simulation, with all that hangs on them: a locked joint
             holds them at rest, and the proof is for that place.
+        placed: Of a room, the assets in it with their places.
     """
 
     name: str
@@ -145,6 +147,7 @@ class Asset:
     originals: Mapping[str, str] = field(default_factory=dict)
     detail: DetailName = "full"
     loose: tuple[str, ...] = ()
+    placed: tuple[PlacedAsset, ...] = ()
 
     def __post_init__(self) -> None:
         """Let links and joints be read by name."""
@@ -467,6 +470,7 @@ class Asset:
             "contacts": plain(asset.contacts),
             **({"originals": dict(self.originals)} if self.originals else {}),
             **({"loose": list(self.loose)} if self.loose else {}),
+            **({"placed": rounded(plain(self.placed))} if self.placed else {}),
             "certificate": None if certificate is None else rounded(certificate.to_data()),
         }
 

@@ -20,6 +20,7 @@ from artgen.asset.certificate import Certificate
 from artgen.asset.joint import AllowedContact, AssetJoint
 from artgen.asset.link import Collider, Link, Surface
 from artgen.asset.mass import MassProperties
+from artgen.asset.placed import PlacedAsset
 from artgen.asset.record import read, refused
 from artgen.asset.shape import Mesh
 from artgen.asset.surface import metric_coordinates
@@ -112,6 +113,7 @@ class _Asset(TypedDict):
     contacts: NotRequired[tuple[AllowedContact, ...]]
     originals: NotRequired[Mapping[str, str]]
     loose: NotRequired[tuple[str, ...]]
+    placed: NotRequired[tuple[PlacedAsset, ...]]
     certificate: NotRequired[Certificate | None]
     layout: NotRequired[str]
     formats: NotRequired[Mapping[str, _Files]]
@@ -300,6 +302,7 @@ def _asset(form: _Asset, data: Mapping[str, Any], directory: Path) -> Asset:
         contacts=contacts,
         originals=form.get("originals", {}),
         loose=form.get("loose", ()),
+        placed=form.get("placed", ()),
         **{name: data[name] for name in (*PLAIN, "detail") if name in data},
     )
     # preset the cached property: otherwise it would be derived from the surfaces

@@ -1,5 +1,7 @@
 """Commands that write assets: `artgen generate`, one or a dataset, and `artgen export`, one of them again."""
 
+from collections.abc import Mapping, Sequence
+from inspect import signature
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
@@ -10,6 +12,7 @@ from artgen.asset import Asset
 from artgen.asset.asset import DetailName, Limits
 from artgen.asset.collision import Collision
 from artgen.asset.files import main_files
+from artgen.asset.joint import is_number
 from artgen.catalog import find
 from artgen.colliders.openings import BALL
 from artgen.commands.console import make_dataset, progress
@@ -174,7 +177,12 @@ def scene(
     seed: Seed = 0,
     width: Annotated[float | None, Option(metavar="METRES", help="Inner width; drawn by default.")] = None,
     depth: Annotated[float | None, Option(metavar="METRES", help="Inner depth; drawn by default.")] = None,
+    overrides: Annotated[
+        list[str] | None,
+        Option("--set", metavar="NAME=VALUE", help="A parameter of the room: layout=island. Repeatable."),
+    ] = None,
     formats: _Formats = None,
+    layout: Layout = "flat",
     texture_size: TextureSize = TEXTURES,
     detail: Annotated[
         DetailName, Option(help="Level of detail: medium has coarser curves, low few triangles.")
@@ -186,12 +194,32 @@ def scene(
     """Generate a room of assets in which nothing collides in any state, and print the paths of its files."""
     from artgen.scene import ROOMS  # other commands start without it
 
-    chosen = _chosen_formats("flat", formats)
+    chosen = _chosen_formats(layout, formats)
     if room not in ROOMS:
         raise typer.BadParameter(f"there is no room {room!r}; choose from {', '.join(ROOMS)}")
+    values = _room_values(room, {"width": width, "depth": depth}, overrides or [])
     with progress(f"furnish {room} {seed}"):
-        asset = ROOMS[room](seed, width=width, depth=depth, detail=detail)
-    _write(asset, out, collision="exact", formats=chosen, textures=texture_size)
+        asset = ROOMS[room](seed, detail=detail, **values)
+    _write(asset, out, collision="exact", formats=chosen, textures=texture_size, layout=layout)
+
+
+def _room_values(room: str, lengths: Mapping[str, float | None], overrides: Sequence[str]) -> dict[str, Any]:
+    """Return the parameters of a room that are given by `--width`, `--depth` and `--set`."""
+    from artgen.scene import ROOMS
+
+    values: dict[str, Any] = {name: value for name, value in lengths.items() if value is not None}
+    allowed = [name for name in signature(ROOMS[room]).parameters if name not in ("seed", "detail")]
+    for name, value in parse_overrides(overrides).items():
+        if name not in allowed:
+            raise typer.BadParameter(
+                f"the room {room!r} has no parameter {name!r}; choose from {', '.join(allowed)}"
+            )
+        if name in values:
+            raise typer.BadParameter(f"{name} is set twice; leave one of --{name} and --set out")
+        if name in lengths and not is_number(value):
+            raise typer.BadParameter(f"--set {name}={value} must be a number [m]")
+        values[name] = value
+    return values
 
 
 def _write(asset: Asset, out: str | None, *, collision: Collision, **options: Any) -> None:

@@ -34,8 +34,9 @@ def render(
         float, Option("--open", metavar="0..1", help="Share of the ranges; --joint overrides it.")
     ] = 0.0,
     view: Annotated[
-        str, Option(help="front, three_quarter, back, side, top, ... or close-up:LINK.")
-    ] = "three_quarter",
+        str | None,
+        Option(help="front, back, side, top, ... or close-up:LINK; three_quarter, or of a room room."),
+    ] = None,
     size: Annotated[str, Option(metavar="PIXELS", help="Width and height: 768, or 1280x720.")] = "768",
     studio: Annotated[Literal["studio", "room", "none"], Option(help="Surroundings.")] = "studio",
     show: Annotated[

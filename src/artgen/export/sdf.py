@@ -200,8 +200,7 @@ def _add_moving_joint(
         _add_text(mimic, "offset", digits(follows.offset))
         _add_text(mimic, "reference", "0")
         # Drake 1.51 passes over the element of SDFormat
-        law = {"joint": leader, "multiplier": follows.ratio, "offset": follows.offset}
-        add(element, "drake:mimic", law)
+        add(element, "drake:mimic", joint=leader, multiplier=follows.ratio, offset=follows.offset)
 
 
 def _add_joint(model: ET.Element, name: str, kind: str, parent: str, child: str) -> ET.Element:

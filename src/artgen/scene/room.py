@@ -23,6 +23,7 @@ from artgen.asset.collision import link_parts
 from artgen.asset.joint import rotation
 from artgen.asset.link import Collider, DerivedLink, Piece, Surface
 from artgen.asset.manifolds import box_of
+from artgen.asset.placed import PlacedAsset, certificate_digest, place_of
 from artgen.asset.shape import Mesh
 from artgen.catalog import find
 from artgen.colliders import Convex
@@ -79,6 +80,11 @@ class Placement(FrozenArrays):
     def bounds(self) -> Array:
         """Corners of the bounding box in the room, with all joints at rest, shape (2, 3) [m]."""
         return _moved_box(self.asset, self.pose)
+
+    def record(self) -> PlacedAsset:
+        """Return what the room keeps of the placement."""
+        digest = certificate_digest(self.asset.certificate)
+        return PlacedAsset.of(self.asset, self.name, self.pose, self.carrier, free=self.free, digest=digest)
 
 
 class Scene:
@@ -630,7 +636,7 @@ def _joined(name: str, category: str, room: Asset, placed: Collection[Placement]
             for link in each.asset.links
         ]
         up, root = np.array([0.0, 0.0, 1.0]), of_links[each.asset.links[0].name]
-        place = AssetJoint(f"{prefix}place", "prismatic", up, each.pose[:3, 3], (0.0, 0.0), child=root)
+        place = AssetJoint(place_of(each.name), "prismatic", up, each.pose[:3, 3], (0.0, 0.0), child=root)
         joints.append(replace(place, parent=each.carrier or base))
         for joint in each.asset.joints:
             moved = joint.moved(each.pose).renamed(of_joints)
@@ -649,4 +655,5 @@ def _joined(name: str, category: str, room: Asset, placed: Collection[Placement]
         labels=tuple(sorted(labels)),
         contacts=tuple(contacts),
         loose=tuple(_base_of(each) for each in placed if each.free),
+        placed=tuple(each.record() for each in placed),
     )

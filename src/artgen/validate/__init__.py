@@ -104,6 +104,8 @@ class Examination:
             return f"{self._special} is a device, a pipe or a socket"
         if check in DEFAULT_FORMATS and check not in formats:
             return f"the export has no {check}"
+        if check in (*DEFAULT_FORMATS, "room", "behavior") and self._exported.layout == "parts":
+            return "the layout parts has files of single assets"
         if check in _MESH_CHECKS and not self._exported.meshes:
             return "the export has no meshes to read back: those of urdf and mjcf in the layout flat have"
         if check in _MESH_CHECKS and (precision := mesh_precision(*self._exported.asset.links)):

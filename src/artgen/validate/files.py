@@ -107,6 +107,7 @@ class Exported:
     result: CheckResult  # result of the check `files`
     asset: Asset | None = None  # None if it cannot be read
     formats: Formats = field(default_factory=dict)  # files of each format
+    layout: str = "flat"
 
     @property
     def meshes(self) -> bool:
@@ -155,7 +156,8 @@ def read_export(directory: str | Path) -> Exported:
             findings.append(_changed(path, compared=path in compared))
     findings += _stray(directory, users)
     detail = f"{len(users) + 1 + certified} files: {', '.join(formats) or 'no format'}"
-    return Exported(CheckResult("files", tuple(findings), detail), asset, formats)
+    layout = str(data.get("layout", "flat"))
+    return Exported(CheckResult("files", tuple(findings), detail), asset, formats, layout)
 
 
 def _unreadable(file: str, error: Exception, hint: str = AGAIN) -> Finding:

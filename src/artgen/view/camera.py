@@ -170,6 +170,7 @@ VIEWS: Mapping[str, View] = {
     "back": View(math.pi, 0.12),
     "three_quarter_back": View(math.pi + 0.6, 0.28),
     "top": View(0.0, math.pi / 2),
+    "room": View(0.1, 0.5),  # over the side that has no wall
 }
 """Named views."""
 
@@ -177,20 +178,22 @@ VIEWS: Mapping[str, View] = {
 def camera_of(
     camera: Camera | View | str | None, asset: Asset, points: Mapping[str, Array], aspect: float
 ) -> Camera:
-    """Return the requested camera."""
+    """Return the requested camera; by default it is the one for an asset or for a room."""
     if isinstance(camera, Camera):
         return camera
-    view = camera if isinstance(camera, View) else _named("three_quarter" if camera is None else camera)
+    usual = VIEWS["room" if asset.is_room else "three_quarter"]
+    view = usual if camera is None else camera if isinstance(camera, View) else _named(camera, usual)
     if view.link:
         return view.camera(points[asset.link(view.link).name], aspect)
     return view.camera(np.concatenate(list(points.values())), aspect)
 
 
-def _named(name: str) -> View:
+def _named(name: str, usual: View) -> View:
+    """Return the view of a name; a link is seen from the side from which the asset usually is."""
     if not isinstance(name, str):
         raise ParameterError(f"camera {name!r} must be a Camera, a View, or the name of a view")
     if name.startswith(CLOSE_UP):
-        return replace(VIEWS["three_quarter"], margin=0.25, link=name.removeprefix(CLOSE_UP))
+        return replace(usual, margin=0.25, link=name.removeprefix(CLOSE_UP))
     if name not in VIEWS:
         raise ParameterError(f"there is no view {name!r}.{nearest(name, [*VIEWS, CLOSE_UP + '<link>'])}")
     return VIEWS[name]

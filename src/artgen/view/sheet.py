@@ -12,7 +12,7 @@ import numpy as np
 
 from artgen.asset import Asset
 from artgen.errors import ExportError, ParameterError
-from artgen.view.camera import View, box_corners
+from artgen.view.camera import VIEWS, View, box_corners
 from artgen.view.opening import opened
 from artgen.view.picture import Pixels, check_suffix, jpeg, save_image
 from artgen.view.rendering import render
@@ -30,7 +30,6 @@ _BYTES = 250_000  # largest size of a sheet in the documentation [bytes]
 _HEIGHTS, _ABOVE = (0.25, 2.0), (0.42, 0.2)
 # height relative to the longer side of flat assets, and their elevation
 _FLAT, _OVER = (0.08, 0.4), (0.85, 0.42)
-_INTO = 0.5  # elevation of the camera that looks into a room, which is open at its front [rad]
 _UPRIGHT = 0.7  # vertical part of an axis above which a hinge belongs to a door
 _EVEN, _MIDDLE = (
     0.3,
@@ -104,7 +103,7 @@ def shots(asset: Asset) -> tuple[tuple[Mapping[str, float], View], ...]:
     q = opened(asset)
     aside = _side(asset, q) * ASIDE
     if asset.is_room:  # its walls would hide what stands at them
-        aside, above = 0.2 * aside, _INTO
+        aside, above = 0.2 * aside, VIEWS["room"].elevation
     front = View(aside, above, margin=_MARGIN)
     return ({}, front), (q, front), ({}, replace(front, azimuth=front.azimuth + math.pi))
 

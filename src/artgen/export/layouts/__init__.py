@@ -7,6 +7,7 @@ from artgen._arrays import OPENUSD
 from artgen.asset import Asset
 from artgen.export.glb import write_glb
 from artgen.export.layouts.partnet import PARTNET_MOBILITY
+from artgen.export.layouts.parts import write_parts
 from artgen.export.layouts.robocasa import ROBOCASA
 from artgen.export.losses import Layout, Written
 from artgen.export.mjcf import write_mjcf
@@ -58,6 +59,19 @@ FLAT = Layout(
     _write_flat,
 )
 
+
+def _write_parts(asset: Asset, name: str, textures: int) -> Written:
+    return write_parts(asset, FORMATS[name], textures)
+
+
+PARTS = Layout(
+    "parts",
+    "each asset of a room in a folder of its own, and a table of their places",
+    tuple(FORMATS),
+    ("urdf",),
+    _write_parts,
+)
+
 SIMREADY = Layout(
     "simready",
     "USD for Isaac Sim and Omniverse, as NVIDIA's profile Robotics-Prop wants it",
@@ -67,6 +81,6 @@ SIMREADY = Layout(
 )
 
 LAYOUTS: Mapping[str, Layout] = {
-    layout.name: layout for layout in (FLAT, SIMREADY, PARTNET_MOBILITY, ROBOCASA)
+    layout.name: layout for layout in (FLAT, SIMREADY, PARTNET_MOBILITY, ROBOCASA, PARTS)
 }
 """All layouts by name."""
