@@ -1,5 +1,6 @@
 """What robosuite and RoboCasa read in the layout `robocasa`, by the rules of their code, and how it moves."""
 
+import json
 import xml.etree.ElementTree as ET
 from collections.abc import Callable
 from pathlib import Path
@@ -268,3 +269,88 @@ def test_same_asset_gives_same_bytes(make_asset: Callable[[str], Asset]) -> None
         make_asset("cabinet"), "mjcf", 0
     )
     assert write_robocasa(fridge(), "mjcf", 0).files == write_robocasa(fridge(), "mjcf", 0).files
+
+
+def paths(root: ET.Element, steps: str) -> set[str]:
+    """Return the names at a path below the body that robosuite takes."""
+    return {each.get("name", "") for each in root.iterfind(f"worldbody/body/body/{steps}")}
+
+
+def joints(root: ET.Element) -> set[str]:
+    return {each.get("name", "") for each in root.iterfind("worldbody//joint")}
+
+
+def seen(category: str, seed: int) -> ET.Element:
+    asset = artgen.generate(category, seed=seed, certify=False, detail="low")
+    return ET.fromstring(write_robocasa(asset, "mjcf", 0).files["model.xml"])
+
+
+@pytest.mark.parametrize(
+    ("category", "seed", "named", "boxes"),
+    [
+        ("refrigerator", 2, {"fridge_door0_joint", "freezer_door0_joint"}, {"fridge0", "freezer0"}),
+        ("dishwasher", 2, {"door_joint", "rack0_joint", "rack1_joint"}, {"rack0", "rack1"}),
+        ("oven", 2, {"door_joint", "rack0_joint", "knob_temp_joint", "knob_time_joint"}, {"rack0"}),
+        ("microwave", 2, {"microjoint"}, {"tray"}),
+        ("toaster", 2, {"lever0_joint", "knob_doneness0_joint"}, {"slotL", "slotR"}),
+        ("kettle", 3, {"switch_joint"}, set()),
+        ("faucet", 1, {"handle_joint", "handle_temp_joint", "spout_joint"}, set()),
+        ("cabinet", 1, {"doorhinge"}, set()),
+    ],
+)
+def test_fixtures_have_the_joints_and_regions_of_their_classes(
+    category: str, seed: int, named: set[str], boxes: set[str]
+) -> None:
+    root = seen(category, seed)
+    assert named <= joints(root)
+    assert boxes <= set(regions(root))
+
+
+def test_racks_are_bodies_and_regions_above_their_floors() -> None:
+    asset = artgen.generate("oven", seed=2, certify=False, detail="low")
+    root = ET.fromstring(write_robocasa(asset, "mjcf", 0).files["model.xml"])
+    assert "rack0" in paths(root, "body")
+    low, high = regions(root)["rack0"]
+    rack, cavity = asset.link("rack_0").bounds(), asset.bounds()
+    assert rack[0, 2] <= low[2] <= rack[1, 2] < high[2] < cavity[1, 2]
+    assert (rack[0, :2] < low[:2]).all()
+    assert (high[:2] < rack[1, :2]).all()
+
+
+def test_dials_and_burners_of_a_stove_are_named_by_place() -> None:
+    """RoboCasa looks for dials one step below the object, and for burners in the object itself."""
+    root = seen("cooktop", 2)
+    places = {f"{row}_{side}" for row in ("front", "rear") for side in ("left", "right")}
+    assert {f"knob_{place}_joint" for place in places} <= paths(root, "body/joint")
+    sites = {each.get("name", ""): numbers(each) for each in root.iterfind("worldbody/body/body/site")}
+    assert {f"burner_on_{place}" for place in places} <= set(sites)
+    assert sites["burner_on_front_left"][0] < 0.0 < sites["burner_on_rear_right"][0]
+    assert sites["burner_on_front_left"][1] < sites["burner_on_rear_left"][1]
+
+
+def test_start_and_stop_of_a_microwave_are_geoms_on_two_keys() -> None:
+    asset = artgen.generate("microwave", seed=2, certify=False, detail="low")
+    root = ET.fromstring(write_robocasa(asset, "mjcf", 0).files["model.xml"])
+    owners = {
+        geom.get("name"): body.get("name") for body in root.iter("body") for geom in body.iterfind("geom")
+    }
+    keys = [link.name for link in asset.links if link.name.startswith("key_")]
+    assert owners["start_button"] == keys[-1]
+    assert owners["stop_button"] in keys[:-1]
+
+
+def test_water_falls_from_the_spout_into_the_basin() -> None:
+    root = seen("faucet", 1)
+    water = root.find("worldbody/body/body/body/site[@name='water']")
+    assert water is not None
+    assert numbers(water, "size")[1] > 0.05
+
+
+def test_names_of_the_asset_are_beside_the_file(tmp_path: Path) -> None:
+    asset = artgen.generate("oven", seed=2, certify=False, detail="low")
+    directory = asset.export(tmp_path / "oven", layout="robocasa", textures=0)
+    names = json.loads((directory / "artgen_names.json").read_text())
+    model = mujoco.MjModel.from_xml_path(str(directory / "model.xml"))
+    assert names["joints"]["rack0_joint"] == {"name": "rack_slide_0", "sign": 1}
+    assert names["links"]["rack0"] == "rack_0"
+    assert {model.joint(number).name for number in range(model.njnt)} <= set(names["joints"])

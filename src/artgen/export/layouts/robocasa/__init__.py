@@ -3,20 +3,25 @@
 Both parse the XML themselves and take the file apart. They support only default classes that are not nested,
 files relative to the model, colliders in group 0 and visuals in group 1. The links are below a body `object`
 with three sites that give the size; RoboCasa reads geoms whose names begin with `reg_`, and its first version
-sites such as `ext_p0`.
+sites such as `ext_p0`. Its classes of fixtures look for joints, bodies and sites by fixed names, see
+`fixtures`; `artgen_names.json` gives the asset's own names for them.
 
 Do not name an object after one of its links: robosuite puts `<name>_` before all names, except those that
 begin with it already.
 """
 
 import xml.etree.ElementTree as ET
+from typing import Any
 
 import numpy as np
 
 from artgen._arrays import Array
 from artgen.asset import Asset
+from artgen.asset.record import json_text
 from artgen.errors import ExportError
 from artgen.export.frames import seen_box
+from artgen.export.layouts.partnet.names import NAMES_FILE
+from artgen.export.layouts.robocasa.fixtures import Fixture, fixture
 from artgen.export.layouts.robocasa.regions import interiors
 from artgen.export.losses import Layout, Written, losses
 from artgen.export.meshes import mesh_files
@@ -56,7 +61,8 @@ def write_robocasa(asset: Asset, name: str, textures: int) -> Written:
     meshes = mesh_files(asset, textures)
     root = mjcf_tree(asset, meshes)
     _spell_defaults(root)
-    _wrap(root, asset)
+    named = _wrap(root, asset)
+    _rename(root, named)
     coupled = [joint.name for joint in asset.joints if joint.follows is not None and not joint.locked]
     clicking = [joint.name for joint in asset.joints if joint.detents is not None]
     left = "that robosuite leaves behind: append each element of the object's `{0}` to that of the task"
@@ -64,7 +70,10 @@ def write_robocasa(asset: Asset, name: str, textures: int) -> Written:
         ("joint coupling in robosuite", coupled, "an equality " + left.format("equality")),
         ("joint detents in robosuite", clicking, "tendons " + left.format("tendon")),
     )
-    return Written({FILE: document(root), **meshes.files}, (*mjcf_losses(asset, textures), *own), FILE)
+    files = {FILE: document(root), **meshes.files}
+    if named.joints or named.links:
+        files[NAMES_FILE] = json_text(_names(asset, named)).encode()
+    return Written(files, (*mjcf_losses(asset, textures), *own), FILE)
 
 
 def _spell_defaults(root: ET.Element) -> None:
@@ -90,8 +99,8 @@ def _spell_defaults(root: ET.Element) -> None:
             element.attrib.setdefault(key, value)
 
 
-def _wrap(root: ET.Element, asset: Asset) -> None:
-    """Put the links into the body that the readers expect, with its sites and regions."""
+def _wrap(root: ET.Element, asset: Asset) -> Fixture:
+    """Put the links into the body that the readers expect, with its sites and regions; return the fixture."""
     world = _found(root, "worldbody")
     base = _found(world, "body")
     world.remove(base)
@@ -101,16 +110,21 @@ def _wrap(root: ET.Element, asset: Asset) -> None:
         outer.append(joint)  # the readers drop it and give the object their own joint
     inner = add(outer, "body", name=_OBJECT)
     inner.append(base)
+    bodies = {body.get("name", ""): body for body in base.iter("body")}
+    for child in base.findall("body"):
+        base.remove(child)
+        inner.append(child)  # RoboCasa looks for moving parts right below the object
     box, rooms = seen_box(asset), interiors(asset)
+    named = fixture(asset, rooms)
     regions = {"main": box, "bbox": box}
     regions |= {f"int_{number}" if number else "int": room for number, room in enumerate(rooms)}
+    regions |= named.regions
     for name, region in regions.items():
         add(inner, "geom", {"name": f"reg_{name}", "class": "region", **_box(region)})
     for prefix, name in (("ext", "main"), ("int", "int")):
         for corner, where in _CORNERS.items() if name in regions else ():
             position = np.where(where, regions[name][1], regions[name][0])
             add(inner, "site", name=f"{prefix}_{corner}", pos=position, **_UNSEEN)
-    bodies = {body.get("name"): body for body in base.iter("body")}
     for link in asset.links:
         box_of_link = _box(link.bounds() - asset.origin(link.name))
         site = {"name": f"reg_{link.name}", **box_of_link, "type": "box", "group": "4", "rgba": "0 1 0 0"}
@@ -120,6 +134,41 @@ def _wrap(root: ET.Element, asset: Asset) -> None:
     sizes = {"bottom": (0.0, 0.0, low), "top": (0.0, 0.0, high)}
     for name, place in (sizes | {"horizontal_radius": (*radii, (low + high) / 2.0)}).items():
         add(outer, "site", name=f"{name}_site", pos=place, **_UNSEEN)
+    bodies[asset.links[0].name] = inner
+    for site in named.sites:
+        holder = bodies[site.link] if site.link else add(inner, "body", name=f"{site.name}_outlet")
+        place = site.place - (asset.origin(site.link) if site.link else 0.0)
+        add(
+            holder,
+            "site",
+            name=site.name,
+            type="cylinder",
+            size=site.size,
+            pos=place.round(7),
+            rgba=f"{site.rgb} 0",
+        )
+    return named
+
+
+def _rename(root: ET.Element, named: Fixture) -> None:
+    """Give joints, bodies and geoms the names that RoboCasa looks for."""
+    for element in root.iter():
+        new = {"joint": named.joints, "body": named.links, "geom": named.geoms}.get(element.tag)
+        for key in ("name", "joint1", "joint2"):
+            if new and element.get(key) in new:
+                element.set(key, new[element.attrib[key]])
+        if element.get("objtype") == "joint" and element.get("objname") in named.joints:
+            element.set("objname", named.joints[element.attrib["objname"]])
+
+
+def _names(asset: Asset, named: Fixture) -> dict[str, Any]:
+    """Return the asset's names for those of the file, as in the layout of PartNet-Mobility."""
+    joints = {named.joints.get(joint.name, joint.name): joint.name for joint in asset.joints}
+    return {
+        "links": {named.links.get(link.name, link.name): link.name for link in asset.links},
+        "joints": {name: {"name": own, "sign": 1} for name, own in joints.items()},
+        "axes": np.eye(3, dtype=int).tolist(),
+    }
 
 
 def _box(corners: Array) -> dict[str, Array]:

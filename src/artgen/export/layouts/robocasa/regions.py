@@ -5,7 +5,7 @@ sides, except above, while every joint is closed. It is usable if some of it is 
 the end of its range.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from itertools import product
 
 import numpy as np
@@ -28,7 +28,7 @@ _DECIMALS = 6
 
 def interiors(asset: Asset) -> list[Array]:
     """Return boxes of free space inside a closed asset, the largest first, each of shape (2, 3) [m]."""
-    grid = _Grid(seen_box(asset))
+    grid = Grid(seen_box(asset))
     occupied = grid.occupied(asset, {})
     free = ~occupied & _surrounded(occupied)
     if not free.any():
@@ -51,7 +51,7 @@ def interiors(asset: Asset) -> list[Array]:
     return sorted(found, key=lambda box: -round(float(np.prod(box[1] - box[0])), _DECIMALS))
 
 
-class _Grid:
+class Grid:
     """Cubic cells around a box."""
 
     def __init__(self, box: Array) -> None:
@@ -60,10 +60,12 @@ class _Grid:
         self.origin = box[0] - _OFFSET * self.step
         self.shape = tuple(int(count) for count in np.ceil((box[1] - self.origin) / self.step) + 1)
 
-    def occupied(self, asset: Asset, q: Mapping[str, float]) -> Cells:
-        """Return the cells that a collider may reach at positions of free joints."""
+    def occupied(self, asset: Asset, q: Mapping[str, float], links: Sequence[str] | None = None) -> Cells:
+        """Return the cells that a collider of some or all links may reach at positions of free joints."""
         result = np.zeros(self.shape, dtype=bool)
-        for link, matrix in asset.pose(q).items():
+        pose = asset.pose(q)
+        for link in asset.links.names if links is None else links:
+            matrix = pose[link]
             for collider in asset.link(link).colliders:
                 polytope = collider.convex.faces
                 normals = polytope.planes[:, :3] @ matrix[:3, :3].T

@@ -17,7 +17,7 @@ import numpy as np
 Read = Callable[[dict[str, Any]], dict[str, Any]]
 
 _MISSING = 3  # exit code of a driver whose client is not installed
-_NAMES = "artgen_names.json"  # names of numbered links and joints, signs of reversed joints, and the axes
+_NAMES = "artgen_names.json"  # names of links and joints in the file, signs of reversed joints, and the axes
 _UNLIMITED = 1e5  # limits from this number on count as none
 
 
@@ -37,7 +37,8 @@ def serve(read: Read) -> None:
     paths = [Path(argument) for argument in sys.argv[1:]]
     for source, target in zip(paths[::2], paths[1::2], strict=True):
         request = json.loads(source.read_text(encoding="utf-8"))
-        answer = _read_numbered(read, request) if request["layout"] == "partnet-mobility" else read(request)
+        renamed = (Path(request["directory"]) / _NAMES).exists()
+        answer = _read_renamed(read, request) if renamed else read(request)
         if request["distribution"]:
             answer["version"] = importlib.metadata.version(request["distribution"])
         sys.stdout.flush()
@@ -50,8 +51,8 @@ def _plain(value: Any) -> Any:
     return np.asarray(value, float).tolist()
 
 
-def _read_numbered(read: Read, request: dict[str, Any]) -> dict[str, Any]:
-    """Return a response with names from a driver that reads numbered links and joints."""
+def _read_renamed(read: Read, request: dict[str, Any]) -> dict[str, Any]:
+    """Return a response in the asset's names from a driver that reads links and joints of other names."""
     names = json.loads((Path(request["directory"]) / _NAMES).read_text(encoding="utf-8"))
     links, joints = names["links"], names["joints"]
     numbers = {name: number for number, name in links.items()}
@@ -95,8 +96,12 @@ def _read_numbered(read: Read, request: dict[str, Any]) -> dict[str, Any]:
         "moved": lambda found: {
             joints[number]["name"]: reverse(number, span) for number, span in found.items()
         },
+        "couplings": lambda found: {
+            joints[number]["name"]: [joints[leader]["name"], *law] for number, (leader, *law) in found.items()
+        },
     }
-    response.pop("couplings", None)  # the URDF of this layout does not have all of them
+    if request["layout"] == "partnet-mobility":
+        response.pop("couplings", None)  # the URDF of this layout does not have all of them
     return {key: changes.get(key, lambda same: same)(value) for key, value in response.items()}
 
 
