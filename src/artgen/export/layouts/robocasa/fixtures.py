@@ -89,10 +89,7 @@ _PARTS: Mapping[str, Sequence[_Parts]] = {
     "dishwasher": (_DOOR, _RACKS),
     "drawer": (_Parts("drawer", {1: ("slidejoint",)}, "prismatic"),),
     "faucet": (_Parts("spout", {1: ("spout_joint",)}),),
-    "kettle": (
-        _Parts("lid", {1: ("lid_joint",)}),
-        _Parts("switch", {1: ("switch_joint",)}),
-    ),
+    "kettle": (_Parts("lid", {1: ("lid_joint",)}), _Parts("switch", {1: ("switch_joint",)})),
     "microwave": (_Parts("door", {1: ("microjoint",)}),),
     "oven": (_DOOR, _RACKS),
     "refrigerator": (
