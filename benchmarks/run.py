@@ -27,6 +27,7 @@ BENCHMARKS = {
     "cost": "bench_cost",
     "scaling": "bench_scaling",
     "thousand": "bench_thousand",
+    "training": "bench_training",
     "stages": "bench_stages",
     "textures": "bench_textures",
 }

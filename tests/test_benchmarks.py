@@ -41,6 +41,7 @@ def benchmark(*arguments):
         ("cost", ("all / joint [ms]", "r²", "to the median of its seed")),
         ("scaling", ("assets/s", "largest worker [MiB]", "ratio to the first")),
         ("thousand", ("core-seconds an asset", "50 %", "asset.json")),
+        ("training", ("MuJoCo, steps/s", "triangles, low", "frames/s, low")),
         ("stages", ("seed to asset", "certificate", "all / fixed workload")),
         ("textures", ("bake / transform", "warm png")),
     ],
