@@ -248,7 +248,15 @@ class Plan(BasePlan):
         )
 
     def finish(self, place: Place, records: Sequence[Mapping[str, Any]]) -> None:
-        """Write a Parquet table for each category, if pyarrow is installed: `pip install artgen[data]`."""
+        """Write the indices of the layout, and a Parquet table for each category if pyarrow is installed.
+
+        The tables need `pip install artgen[data]`.
+        """
+        layout = find_layout(self.layout)
+        done = [record["path"] for record in records if record["state"] == "done"]
+        found = place.contents(f"{path}/{name}" for path in done for name in layout.indices)
+        for name, content in layout.library(found).items():
+            place.write(name, content)
         if find_spec("pyarrow") is None:
             return
         import pyarrow as pa

@@ -108,7 +108,7 @@ def export(
         textures: Texels per side of the material maps: 256, 512, 1024 or 2048; 0 for colors only, as for all
             assets of low detail.
         layout: Layout of the files, see `artgen.export.layouts`: `flat`, `simready`, `partnet-mobility`,
-            `robocasa` or `parts`.
+            `robocasa`, `molmospaces` or `parts`.
         mesh_precision: Largest distance of visible meshes from the exact surface [m], to write fewer
             triangles, and texture coordinates only for maps: 0.0005 halves the meshes and is invisible from
             one metre; 0 writes all.

@@ -103,6 +103,8 @@ class Layout:
         default_formats: The formats that are written by default.
         write: Function that writes one format of an asset with a number of texels per side of its maps; paths
             of files are relative to the directory of the export.
+        indices: Files of an asset that a dataset has for all of its assets together.
+        library: Function that makes these files of a dataset from those of its assets, by path.
     """
 
     name: str
@@ -110,3 +112,5 @@ class Layout:
     formats: tuple[str, ...]
     default_formats: tuple[str, ...]
     write: Callable[[Asset, str, int], Written]
+    indices: tuple[str, ...] = ()
+    library: Callable[[Mapping[str, bytes]], Mapping[str, bytes]] = dict

@@ -6,6 +6,7 @@ from dataclasses import replace
 from artgen._arrays import OPENUSD
 from artgen.asset import Asset
 from artgen.export.glb import write_glb
+from artgen.export.layouts.molmospaces import MOLMOSPACES
 from artgen.export.layouts.partnet import PARTNET_MOBILITY
 from artgen.export.layouts.parts import write_parts
 from artgen.export.layouts.robocasa import ROBOCASA
@@ -81,6 +82,6 @@ SIMREADY = Layout(
 )
 
 LAYOUTS: Mapping[str, Layout] = {
-    layout.name: layout for layout in (FLAT, SIMREADY, PARTNET_MOBILITY, ROBOCASA, PARTS)
+    layout.name: layout for layout in (FLAT, SIMREADY, PARTNET_MOBILITY, ROBOCASA, MOLMOSPACES, PARTS)
 }
 """All layouts by name."""
