@@ -148,3 +148,41 @@ def test_a_spawner_of_isaac_lab_gives_the_files_in_turn(tmp_path, monkeypatch) -
     found = batch.isaaclab("cabinet", [1, 0], tmp_path, textures=0, certify=False)
     assert found.usd_path == [str(tmp_path / name / f"{name}.usda") for name in ("cabinet_1", "cabinet_0")]
     assert found.random_choice is False
+
+
+@pytest.fixture
+def engine(monkeypatch):
+    """A stand-in for Genesis, whose morphs keep their options."""
+    made = types.ModuleType("genesis")
+    made.morphs = types.SimpleNamespace(MJCF=types.SimpleNamespace)  # type: ignore[attr-defined]
+    monkeypatch.setitem(sys.modules, "genesis", made)
+
+
+@pytest.mark.usefixtures("engine")
+def test_morphs_of_genesis_share_links_and_joints_and_have_no_spare_colliders(tmp_path) -> None:
+    morphs = batch.genesis("drawer", [0, 1], tmp_path, textures=0, certify=False)
+    assert [each.default_armature for each in morphs] == [0.0, 0.0]
+    models = [mujoco.MjModel.from_xml_path(each.file) for each in morphs]
+    names = [[model.joint(number).name for number in range(model.njnt)] for model in models]
+    assert names[0] == names[1]
+    assert [model.nbody for model in models] == [models[0].nbody] * 2
+    for seed, model in enumerate(models):
+        plain = ag.generate("drawer", seed, certify=False)
+        collides = model.geom_contype != 0
+        assert collides.sum() == sum(len(link.colliders) for link in plain.links)
+        assert model.geom_margin.max() == model.geom_margin.min() == 0.0
+
+
+@pytest.mark.usefixtures("engine")
+def test_genesis_refuses_what_it_would_simulate_wrongly(tmp_path) -> None:
+    with pytest.raises(ParameterError, match="do not have the same links and joints"):
+        batch.genesis("drawer", [0, 1], tmp_path, topology="own", certify=False)
+    with pytest.raises(ParameterError, match=r"joint '\w+' follows another law in 'door_1' than in 'door_0'"):
+        batch.genesis("door", [0, 1], tmp_path, certify=False)
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_batch_of_genesis_needs_genesis(tmp_path, monkeypatch) -> None:
+    monkeypatch.setitem(sys.modules, "genesis", None)
+    with pytest.raises(ExportError, match=r"cannot be loaded .*: pip install genesis-world torch"):
+        batch.genesis("drawer", [0], tmp_path)

@@ -1,8 +1,8 @@
 """Batches: many different assets in the worlds of one simulation.
 
 The worlds of a batch share links, joints and colliders; `topology="fixed"` makes assets so. `groups` tells
-which assets an engine can put into one batch; `mjlab`, `mujoco_warp` and `isaaclab` hand assets over to these
-engines.
+which assets an engine can put into one batch; `mjlab`, `mujoco_warp`, `isaaclab` and `genesis` hand assets
+over to these engines.
 """
 
 import dataclasses
@@ -13,9 +13,10 @@ from typing import TYPE_CHECKING, Any, Literal, get_args
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen._arrays import cached_property
 from artgen._names import ByName
 from artgen.asset import Asset
-from artgen.asset.link import BareLink
+from artgen.asset.link import BareLink, Collider, DerivedLink
 from artgen.catalog import generate
 from artgen.errors import ExportError, ParameterError
 from artgen.export.frames import coupling
@@ -196,6 +197,86 @@ def isaaclab(
         ) from error
     paths = usd(category, seeds, folder, textures=textures, **options)
     return MultiUsdFileCfg(usd_path=[str(each.resolve()) for each in paths], random_choice=False)
+
+
+def genesis(
+    category: str | Generator,
+    seeds: Iterable[int],
+    folder: str | Path,
+    *,
+    textures: int = 512,
+    **options: Any,
+) -> list[Any]:
+    """Return morphs of Genesis with one kinematic tree, one for each seed, for one heterogeneous entity.
+
+    `scene.add_entity(genesis(...))` gives contiguous blocks of worlds the assets in turn. They are
+    `morphs.MJCF` of files that are written first. Genesis asks only for equal links and joints, so the files
+    have no spare colliders. It takes the couplings of the first asset for all of them.
+
+    Args:
+        category: Name of a category, or a generator.
+        seeds: Seeds of the assets.
+        folder: Folder for a folder of each asset.
+        textures: Width of material maps in pixels; 0 writes none.
+        **options: Options of `generate`; `topology` is "fixed" by default.
+
+    Raises:
+        AssetError: A seed does not fit the topology.
+        ExportError: Genesis cannot be loaded.
+        ParameterError: There are no seeds, an option is not allowed, the assets do not share links and
+            joints, their couplings differ, or one has loose links.
+    """
+    try:
+        import genesis as engine
+    except ImportError as error:
+        raise ExportError(
+            f"a batch of Genesis needs genesis-world, which cannot be loaded ({error}): pip install "
+            "genesis-world torch"
+        ) from error
+    assets = [_without_spares(each) for each in _generated(category, seeds, options)]
+    _check_kinematics(assets)
+    paths = [
+        each.export(Path(folder) / each.name, formats=("mjcf",), textures=textures) / f"{each.name}.xml"
+        for each in assets
+    ]
+    # by default, Genesis adds armature and moves the frames of links
+    return [engine.morphs.MJCF(file=str(each.resolve()), default_armature=0.0, align=False) for each in paths]
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class _OwnLink(DerivedLink):
+    """A link without its spare colliders."""
+
+    @cached_property
+    def colliders(self) -> tuple[Collider, ...]:
+        """Those that cover its solids."""
+        return tuple(each for each in self.source.colliders if not each.spare)
+
+
+def _without_spares(asset: Asset) -> Asset:
+    return dataclasses.replace(asset, links=ByName(_OwnLink.of(link) for link in asset.links))
+
+
+def _check_kinematics(assets: Sequence[Asset]) -> None:
+    """Check that assets can be one heterogeneous entity of Genesis."""
+    joints = [[(each.name, each.kind, each.parent, each.child) for each in one.joints] for one in assets]
+    if any(each != joints[0] for each in joints):
+        raise ParameterError(
+            "the assets do not have the same links and joints; generate them with topology='fixed', or pad "
+            "them with Topology.of(assets).pad"
+        )
+    for asset in assets:
+        if asset.loose:
+            raise ParameterError(
+                f"asset {asset.name!r} has the loose links {', '.join(asset.loose)}, and Genesis takes only "
+                "entities of one base into a batch; leave this category or style out"
+            )
+        for joint, first in zip(asset.joints, assets[0].joints, strict=True):
+            if coupling(asset, joint) != coupling(assets[0], first):
+                raise ParameterError(
+                    f"joint {joint.name!r} follows another law in {asset.name!r} than in {assets[0].name!r}, "
+                    "and Genesis takes the couplings of the first asset for all; batch such seeds apart"
+                )
 
 
 def _generated(category: str | Generator, seeds: Iterable[int], options: dict[str, Any]) -> list[Asset]:
