@@ -62,8 +62,10 @@ def measure(*, quick: bool) -> Section:
 def _steps(name: str, budgets: Sequence[int], warp: Peer | None, *, quick: bool) -> Steps:
     """Return the colliders and the speed of an asset with its own colliders and with budgets."""
     asset = artgen.generate(name, seed=0)
-    made: dict[str, Asset] = {_EXACT: asset}
-    made |= {str(most): fewer_colliders(asset, most)[0] for most in budgets}
+    made, missed = {_EXACT: asset}, ""
+    for most in sorted(budgets, reverse=True):  # below the fewest that are found, they stay the same
+        before = made[next(reversed(made))]
+        made[str(most)], missed = (before, missed) if missed else fewer_colliders(asset, most)
     counts = {budget: sum(len(link.colliders) for link in each.links) for budget, each in made.items()}
     different = {count: made[budget] for budget, count in counts.items()}  # equal numbers are equal assets
     with tempfile.TemporaryDirectory() as directory:
