@@ -255,8 +255,8 @@ class Plan(BasePlan):
         layout = find_layout(self.layout)
         done = [record["path"] for record in records if record["state"] == "done"]
         found = place.contents(f"{path}/{name}" for path in done for name in layout.indices)
-        for name, content in layout.library(found).items():
-            place.write(name, content)
+        for name, index in layout.library(found).items():
+            place.write(name, index)
         if find_spec("pyarrow") is None:
             return
         import pyarrow as pa
