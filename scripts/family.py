@@ -70,6 +70,7 @@ KITCHEN = (
     Placed("soap_dispenser", 7, 0.0, z=_TOP, gap=0.25, turn=0.3),
     Placed("cooktop", 3, 0.42, z=_TOP, gap=0.03),
     Placed("kettle", 4, 0.30, z=_TOP + 0.045, gap=0.12, share=0.0, turn=0.9),
+    Placed("coffee_machine", 6, -0.47, z=_TOP, gap=0.14, turn=0.35),
     Placed("bottle", 3, -0.66, z=_TOP, gap=0.10, share=0.0),
     Placed("bottle", 5, -0.80, z=_TOP, gap=0.16, share=0.0),
     Placed("pepper_grinder", 3, 0.86, z=_TOP, gap=0.3),

@@ -154,6 +154,12 @@ PRODUCTS: Mapping[str, tuple[Product, ...]] = {
         Product("electric kettle", (0.15, 0.19), (0.22, 0.34), (0.17, 0.28), (1.1, 2.4)),
         Product("stove kettle", (0.175, 0.235), (0.22, 0.30), (0.16, 0.25), (1.3, 2.8)),
     ),
+    # 8-12 cups; the handle of the jug stands out by 0.04 m; it is half full
+    "coffee_machine": (
+        Product("filter machine", (0.16, 0.205), (0.27, 0.38), (0.31, 0.40), (2.2, 4.9)),
+        Product("capsule machine", (0.10, 0.14), (0.31, 0.42), (0.23, 0.28), (2.6, 4.8)),
+        Product("espresso machine", (0.20, 0.27), (0.38, 0.50), (0.33, 0.41), (4.5, 9.5)),
+    ),
     # EN 527-1 and shops; leaves hang at the sides, handles stand out by 0.04 m
     "table": (
         Product("desk", (1.0, 1.55), (0.54, 0.75), (0.71, 0.77), (22.0, 65.0)),
