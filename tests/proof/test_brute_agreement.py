@@ -31,7 +31,7 @@ from support.proof_assets import (
     trash_can,
 )
 
-SEEDS = range(int(os.environ.get("ARTGEN_TEST_SEEDS", "2")))
+SEEDS = range(int(os.environ.get("ARTGEN_TEST_SEEDS", "1")))
 POSES = int(os.environ.get("ARTGEN_TEST_POSES", "150"))
 PLAIN = 1e-8
 """Volume of an overlap that no proof may leave undecided [m^3]: a cube of 2 mm."""
