@@ -346,6 +346,17 @@ def test_water_falls_from_the_spout_into_the_basin() -> None:
     assert numbers(water, "size")[1] > 0.05
 
 
+@pytest.mark.parametrize("seed", [0, 1, 6])
+def test_a_cup_stands_below_the_coffee(seed: int) -> None:
+    root = seen("coffee_machine", seed)
+    sites = {each.get("name", ""): each for each in root.iterfind("worldbody/body/body/site")}
+    cup, stream = numbers(sites["receptacle_place_site"]), sites["coffee_liquid"]
+    assert numbers(stream)[:2] == pytest.approx(cup[:2])
+    assert numbers(stream)[2] - numbers(stream, "size")[1] == pytest.approx(cup[2], abs=1e-6)
+    assert 0.0 < cup[2] < 0.2
+    assert root.find("worldbody//geom[@name='start_button']") is not None
+
+
 def test_names_of_the_asset_are_beside_the_file(tmp_path: Path) -> None:
     asset = artgen.generate("oven", seed=2, certify=False, detail="low")
     directory = asset.export(tmp_path / "oven", layout="robocasa", textures=0)

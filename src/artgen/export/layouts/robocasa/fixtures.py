@@ -23,7 +23,8 @@ _LEAST, _ROUND = 0.045, 1.5  # least size of a burner [m], and its greatest leng
 _COLUMN = 0.03  # burners of a column differ by less from left to right [m]
 _SHARE = 0.8  # share of the width of a link that the region above it has
 _FLAME = (0.06, 0.001)  # radius and half height of the site of a burner that is on [m]
-_STREAM = 0.006  # radius of a stream of water [m]
+_STREAM = 0.004  # radius of a stream of water or coffee [m]
+_CUP = 0.08  # least length of a stream of coffee [m]
 _ROWS = ("front", "rear")
 _SIDES = {1: ("center",), 2: ("left", "right"), 3: ("left", "center", "right")}
 _BURNERS = ("burner", "zone", "coil")  # labels of what heats pans
@@ -277,6 +278,25 @@ def _tap(asset: Asset, rooms: Sequence[Array], found: Fixture) -> None:
             return
 
 
+def _coffee(asset: Asset, rooms: Sequence[Array], found: Fixture) -> None:
+    """Name the first button, and add the place of the cup and the stream of coffee."""
+    for link in called(asset, "button")[:1]:
+        found.geoms[f"{link.name}_collider_0"] = "start_button"
+    base = asset.links[0]
+    marks = [_box(each.convex) for each in base.colliders if each.label in ("spout", "group", "plate")]
+    trays = called(asset, "drip_tray")
+    if not marks:
+        return
+    x, y, _ = np.mean([box.mean(axis=0) for box in marks], axis=0)
+    holders = trays[0].colliders if trays else [each for each in base.colliders if each.label == "plate"]
+    spans = [span for each in holders if (span := _span(each.convex, x, y))]
+    floor = max((span[1] for span in spans), default=float(_box(holders[0].convex)[1, 2]))
+    found.sites.append(Site("receptacle_place_site", base.name, np.array([x, y, floor]), _FLAME, "0 1 0"))
+    half = max((min(box[0, 2] for box in marks) - floor) / 2.0, _CUP / 2.0)
+    place = np.array([x, y, floor + half])
+    found.sites.append(Site("coffee_liquid", base.name, place, (_STREAM, half), "0.25 0.13 0.05"))
+
+
 def _dials(asset: Asset) -> list[Link]:
     """Return the dials in the order of their author: first those of the burners."""
     return [link for link in asset.links[1:] if re.fullmatch(r"(burner_)?dial_\d+", link.name)]
@@ -355,6 +375,7 @@ _SLOTS = {2: ("slotL", "slotR"), 4: ("sideL_slotL", "sideL_slotR", "sideR_slotL"
 _Adder = Callable[[Asset, Sequence[Array], Fixture], None]
 
 _MORE: Mapping[str, Sequence[_Adder]] = {
+    "coffee_machine": (_coffee,),
     "cooktop": (_cooktop,),
     "dishwasher": (_racks,),
     "faucet": (_tap,),
