@@ -87,6 +87,7 @@ KITCHEN = (
     Placed("trashcan", 0, 1.25, gap=0.75, share=0.7),
     Placed("safe", 5, 2.85, gap=0.85, share=0.6, turn=-0.3),
     Placed("box", 4, 2.2, gap=1.0, share=0.7, turn=-0.35),
+    Placed("scissors", 4, 2.24, z=0.83, gap=0.3, share=0.4, turn=-0.6),
     Placed("plier", 3, 2.56, z=0.83, gap=0.26, share=0.5, turn=0.9),
 )
 

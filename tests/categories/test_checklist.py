@@ -176,6 +176,11 @@ CHECKLIST: dict[str, dict[str, Moving]] = {
         "inner drawer": slides("inner_drawer_slide", (0, 1, 2, 3)),
         "outer drawer": slides("outer_drawer_slide", (0, 1, 2)),
     },
+    "scissors": {
+        "blade": turns("blade_hinge", (0, 1)),
+        "arm of tongs": turns("arm_hinge", (0, 1)),
+        "ring of tongs": slides("ring_slide", (0, 1)),
+    },
     "soap_dispenser": {
         "nozzle that slides": slides("nozzle_slide", (0, 1)),
         "nozzle that turns": turns("nozzle_turn", (0, 1), unlimited=True),

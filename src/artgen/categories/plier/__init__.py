@@ -19,6 +19,7 @@ from artgen import details
 from artgen.categories.plier import fittings
 from artgen.categories.plier.fittings import PASSES, Grip
 from artgen.categories.plier.halves import Forging, Style
+from artgen.categories.shared import pivots
 
 _STEEL = ag.material("steel")
 _STEELS = (
@@ -94,7 +95,7 @@ def plier(
     soft = ag.colored("rubber", "graphite") if sum(sleeve.base_color) / 3 > _BRIGHT else accent
     forged = ag.union(forging.jaw_solid(), *forging.shoulders(), bar)
     lower = forged | forging.plate(fittings.bolt_slot(forging) if slip else None)
-    upper = forged | forging.plate(None if slip else fittings.rivet_hole(forging))
+    upper = forged | forging.plate(None if slip else pivots.rivet_hole(fittings.RIVET * forging.lap))
 
     def half(label: str, solid: ag.Solid, *, over: bool) -> ag.Body:
         """Make a half in its drawn pose, with its jaw at the right, without its pivot."""
@@ -107,22 +108,20 @@ def plier(
             bodies.append(sleeved.parts(sleeve, inlay, over=over, grasp=hold))
         bodies += fittings.jaw_parts(forging, teeth_count if jagged else 0, steel, phase=-1 if over else 1)
         if sprung:
-            bodies.append(fittings.leaf_spring(forging, width=handle_width))
+            bodies.append(fittings.spring(forging, width=handle_width))
         return ag.weld(*bodies)
 
     body, jaw = half("body", lower, over=False), half("jaw", upper, over=True)
     if slip:
         jaw = ag.weld(jaw, fittings.bolt(forging, steel))
     else:
-        body = ag.weld(body, fittings.rivet(forging, steel))
+        body = ag.weld(body, pivots.rivet(fittings.RIVET * forging.lap, forging.thick / 2, steel))
     lever = forging.rear / 0.15  # scales the torque with the handles, for the same force at the hand
-    stiffness = lever * (squeeze - preload) / opening
     hinge = ag.Revolute(
         "jaw_hinge",
         axis=ag.Z,
         limits=(0, opening),
-        stiffness=stiffness if sprung else 0.0,
-        rest=lever * squeeze / stiffness if sprung else 0.0,
+        spring=pivots.opened_by_spring(lever * squeeze, lever * preload, opening) if sprung else None,
         friction=0.25 * friction if sprung else friction,
         damping=0.010 if sprung else 0.004,  # friction between the leaves of a spring
         armature=0.00002,

@@ -6,6 +6,7 @@ from typing import Literal, NamedTuple
 
 import artgen as ag
 from artgen.categories.plier.halves import RECESSED, Forging
+from artgen.categories.shared.pivots import leaf_spring
 
 _PROUD = 0.0006  # height of the soft part above the sleeve [m]
 _MESH = 0.00012  # distance from the middle line of the teeth to each row [m]
@@ -25,7 +26,8 @@ WAY = 0.0290
 
 _BOLT = 0.0200  # radius of the bolt, as a share of the length
 _FLATS = 0.0120  # half of the distance between the flats of the bolt, as a share of the length
-_RIVET = 0.36  # radius of a rivet, in radii of the lap
+RIVET = 0.36
+"""Radius of a rivet, in radii of the lap."""
 
 
 def jaw_parts(forging: Forging, count: int, steel: ag.Material, *, phase: int) -> list[ag.Body]:
@@ -69,24 +71,6 @@ def _pipe_lining(forging: Forging, steel: ag.Material) -> ag.Body:
         outer.append((1.1 * deep * across, y + 1.04 * long * along))
     strip = ag.extrude(ag.polygon([*inner, *reversed(outer)]), 0.9 * forging.height(middle), axis=ag.Z)
     return ag.detail(strip, "teeth", steel)
-
-
-def rivet_hole(forging: Forging) -> ag.Profile:
-    """Make the outline of the hole for a rivet, 0.3 mm wider; four sides, hidden by the heads."""
-    return ag.regular_polygon(4, (_RIVET * forging.lap + 0.0003) / math.cos(math.pi / 4))
-
-
-def rivet(forging: Forging, finish: ag.Material) -> ag.Body:
-    """Make a rivet: it is fixed in the lower plate, passes the upper plate, and has a head above it."""
-    top, radius = forging.thick / 2, _RIVET * forging.lap
-
-    def turned(start: ag.Scalar, end: float, share: float, bevel: float = 0.0) -> ag.Solid:
-        ends = (0.0, 0.0, start), (0.0, 0.0, top + end)
-        return ag.cylinder_between(*ends, share * radius, bevel=bevel)
-
-    solid = turned(0.0004 - top, 0.0008, 1.0) | turned(top + 0.0002, 0.0012, 1.55, 0.0004)
-    ground = turned(top + 0.0008, 0.00125, 1.05, 0.0002)
-    return ag.weld(ag.part(solid, "pivot", finish), ag.detail(ground, "pivot", ag.material("stainless")))
 
 
 def bolt_slot(forging: Forging) -> ag.Profile:
@@ -191,15 +175,7 @@ class Sleeve:
         return ag.weld(body, ag.detail(soft.at(z=-_PROUD if over else _PROUD), "grip", inlay))
 
 
-def leaf_spring(forging: Forging, *, width: ag.Scalar) -> ag.Body:
-    """Make the visible leaf spring of a handle; both springs touch in the middle."""
+def spring(forging: Forging, *, width: ag.Scalar) -> ag.Body:
+    """Make the visible leaf spring of a handle."""
     y, x = forging.course[3]
-    inside, end = x + 0.42 * width, -forging.clear_below - 0.55 * forging.lap
-    bends = (
-        (inside, y - 0.006),
-        (inside + 0.0008, y + 0.002),
-        (-0.0022, (y + end) / 2 + 0.002),
-        (-0.0010, end),
-    )
-    course = ag.polyline([(*bend, 0.0) for bend in bends], fillet=0.006)
-    return ag.detail(ag.sweep(ag.rectangle(0.0009, 0.0045), course), "spring", ag.material("stainless"))
+    return leaf_spring((x + 0.42 * width, y), -forging.clear_below - 0.55 * forging.lap)
