@@ -132,20 +132,20 @@ def scissors(
     bars = style == "snips"
     coat = ag.material("powder_coat_black").with_(name="forged_handle", density=7850.0) if forged else handle
     rear = length - reach  # distance from the pivot to the end of the handles [m]
-    bodies = []
+    bodies, solids = [], []
     for side, label in enumerate(("body", "blade")):
-        flat = _flat(
+        flat, blade_solid = _flat(
             style, tip, reach, radius, plate, steel, bend if side == 0 else -bend, label, drilled=side
         )
         up, name = (ag.Z, "upper_handle") if side else (-ag.Z, "lower_handle")
         if bars:
-            grip = _bar(radius, rear, tall, coat, accent if soft else None, up=up, name=name)
+            grip, solid = _bar(radius, rear, tall, coat, accent if soft else None, up=up, name=name)
             foot = (-_APART - 0.25 * rear, -radius - 0.50 * rear)
             grip = ag.weld(grip, pivots.leaf_spring(foot, -radius - 0.012))
         else:
             long = bows == "offset" and side == 0
             hole = _HOLES[style][long] if bows == "offset" else _HOLES[style][style == "kitchen"]
-            grip = _bow(
+            grip, solid = _bow(
                 hole,
                 radius,
                 rear,
@@ -159,6 +159,7 @@ def scissors(
             if style == "kitchen":
                 grip = ag.weld(grip, _cracker(radius, tall))
         bodies.append(ag.weld(flat, grip))
+        solids += [blade_solid, solid]
     body, blade = bodies
     half = plate + _LAP
     body = ag.weld(body, pivots.rivet(0.32 * radius, half, steel))
@@ -182,7 +183,10 @@ def scissors(
         armature=0.00002,
         effort=6.0,
     )
-    return body.attach(blade, hinge).at(0, (rear - reach) / 2, tall / 2)
+    # the middle of the lower half
+    left, right = solids[1].anchor(x=-1).x, ag.max_(solids[0].anchor(x=1).x, solids[1].anchor(x=1).x)
+    left = ag.min_(left, solids[0].anchor(x=-1).x)
+    return body.attach(blade, hinge).at(-(left + right) / 2, (rear - reach) / 2, tall / 2)
 
 
 def _flat(
@@ -196,7 +200,7 @@ def _flat(
     label: str,
     *,
     drilled: int,
-) -> ag.Body:
+) -> tuple[ag.Body, ag.Solid]:
     """Make the blade with its lap and tang: its edge is at the left, its back at the right."""
     end = {"pointed": 0.0014, "blunt": 0.0042, "round": 0.0060}[tip]
     lap = 0.30 * radius  # of the edges over each other at the root
@@ -236,7 +240,7 @@ def _flat(
             bright.at(z=low), "edge", ag.material("chrome").with_(name="ground_edge", specular_roughness=0.2)
         ),
     ]
-    return ag.weld(*bodies)
+    return ag.weld(*bodies), made
 
 
 def _bow(
@@ -250,7 +254,7 @@ def _bow(
     name: str,
     up: ag.Vector,
     wall: float,
-) -> ag.Body:
+) -> tuple[ag.Body, ag.Solid]:
     """Make the left handle: a shank beside the middle plane that ends in a bow around a hole."""
     long = ag.min_(hole[1], (rear - radius - 0.016) / 2 - wall)  # half of the hole, below a shank [m]
     wide, deep = hole[0] + wall, long + wall
@@ -273,9 +277,9 @@ def _bow(
     hold = ag.grasp_on(outer, approach=up, closing=ag.X, depth=0.8 * tall)
     body = ag.part(solid, "handle", finish, name=name, grasp=hold, grasp_width=wall + 0.0105)
     if inlay is None:
-        return body
+        return body, solid
     lining = ag.extrude(inside.offset(0.0004) - inside.offset(-0.0007), 0.7 * tall, bevel=0.0003)
-    return ag.weld(body, ag.detail(lining, "grip", inlay))
+    return ag.weld(body, ag.detail(lining, "grip", inlay)), solid
 
 
 def _cracker(radius: ag.Scalar, tall: float) -> ag.Body:
@@ -296,7 +300,7 @@ def _bar(
     *,
     name: str,
     up: ag.Vector,
-) -> ag.Body:
+) -> tuple[ag.Body, ag.Solid]:
     """Make the left handle of snips: a bar that swings out from the lap."""
     top = -radius - 0.0015
     line = [
@@ -316,7 +320,7 @@ def _bar(
     hold = ag.grasp_on(solid, approach=up, closing=ag.X, at=(x, y, 0.0), depth=0.8 * tall)
     body = ag.part(solid, "handle", finish, name=name, grasp=hold)
     if inlay is None:
-        return body
+        return body, solid
     soft = ag.loft(
         [
             ag.rectangle(0.62 * wide, tall + 0.0008, radius=0.0024).at(x)
@@ -325,7 +329,7 @@ def _bar(
         [y + (0.006 if i == 0 else 0.0) for i, (_, y) in enumerate(reversed(line[1:]))],
         axis=ag.Y,
     )
-    return ag.weld(body, ag.detail(soft, "grip", inlay))
+    return ag.weld(body, ag.detail(soft, "grip", inlay)), solid
 
 
 def _tongs(
@@ -417,4 +421,5 @@ def _tongs(
         needs=(hinge < 0.0150).beyond(met - 0.0004),  # the play of the arm in the ring
     )
     body = body.attach(right, hinge).attach(ag.part(loop, "ring", cover, grasp=hold), slide)
-    return body.at(0, rear - length / 2, high + 0.003)
+    left, right = out + 0.0045, flank + 0.0022
+    return body.at((left - right) / 2, rear - length / 2, 0.018)  # on the edges of its tips

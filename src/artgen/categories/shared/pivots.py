@@ -1,4 +1,4 @@
-"""Joints of hand tools that cross, pliers and scissors: rivets in a lap, and leaf springs between handles.
+"""Joints of hand tools that cross, pliers and scissors: rivets in a lap, and leaf springs of handles.
 
 The axis of the pivot is z through the origin. In the lap each half is a plate: the lower plate carries the
 rivet, the upper plate has its hole. Jaws or blades point to +y, handles to -y.
