@@ -177,6 +177,7 @@ PRODUCTS: Mapping[str, tuple[Product, ...]] = {
         Product("home safe", (0.31, 0.38), (0.24, 0.36), (0.23, 0.30), (8.0, 20.0)),
         Product("fire safe", (0.41, 0.46), (0.43, 0.54), (0.42, 0.62), (26.0, 80.0)),
         Product("gun cabinet", (0.30, 0.45), (0.30, 0.46), (1.30, 1.50), (45.0, 110.0)),
+    ),
     # 0.125-0.26 m long with bows of 0.06-0.09 m; forged tailor's shears weigh up to 0.4 kg
     "scissors": (
         Product("scissors", (0.055, 0.095), (0.122, 0.262), (0.008, 0.015), (0.02, 0.40)),
