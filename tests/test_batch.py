@@ -71,6 +71,20 @@ def test_colliders_that_are_spare_in_all_assets_are_left_out(doors) -> None:
     assert used.all()
 
 
+def test_pairs_that_cannot_touch_in_any_asset_may_be_excluded(doors) -> None:
+    padded = list(map(Topology.of(doors).pad, doors))
+    plain, fewer = ([each.compile() for each in batch.specs(padded, touching=on)] for on in (False, True))
+    assert [model.nexclude for model in plain] == [0, 0]
+    assert fewer[0].nexclude > 0
+    assert (fewer[0].exclude_signature == fewer[1].exclude_signature).all()
+    pairs = {
+        frozenset(fewer[0].body(int(number)).name for number in divmod(int(each), 1 << 16))
+        for each in fewer[0].exclude_signature
+    }
+    assert frozenset(("door", "frame")) in pairs
+    assert frozenset(("latch", "frame")) not in pairs  # their contact holds the door
+
+
 def test_couplings_in_a_batch_are_those_of_the_plain_asset(doors) -> None:
     specs = batch.specs(list(map(Topology.of(doors).pad, doors)))
     for door, model in zip(doors, (spec.compile() for spec in specs), strict=True):

@@ -19,7 +19,7 @@ from artgen.asset import Asset
 from artgen.asset.link import BareLink, Collider, DerivedLink
 from artgen.catalog import generate
 from artgen.errors import ExportError, ParameterError
-from artgen.export.frames import coupling
+from artgen.export.frames import apart, coupling
 from artgen.export.mjcf import OFF
 from artgen.generator import Generator
 
@@ -81,7 +81,9 @@ def _structure(asset: Asset) -> Hashable:
     return tuple(joints), tuple(colliders)
 
 
-def mjlab(category: str | Generator, seeds: Iterable[int], **options: Any) -> "list[mujoco.MjSpec]":
+def mjlab(
+    category: str | Generator, seeds: Iterable[int], *, touching: bool = False, **options: Any
+) -> "list[mujoco.MjSpec]":
     """Return editable models of MuJoCo with one structure, for the variants of an entity of mjlab.
 
     They have the colliders of the assets, without visual surfaces, grasps, keyframes, and colliders that are
@@ -91,6 +93,8 @@ def mjlab(category: str | Generator, seeds: Iterable[int], **options: Any) -> "l
     Args:
         category: Name of a category, or a generator.
         seeds: Seeds of the assets.
+        touching: Whether contacts are left only to those links of an asset that can touch each other; see
+            `specs`.
         **options: Options of `generate`; `topology` is "fixed" by default.
 
     Raises:
@@ -98,11 +102,17 @@ def mjlab(category: str | Generator, seeds: Iterable[int], **options: Any) -> "l
         ExportError: MuJoCo is not installed.
         ParameterError: There are no seeds, or an option is not allowed.
     """
-    return specs(_generated(category, seeds, options))
+    return specs(_generated(category, seeds, options), touching=touching)
 
 
-def specs(assets: Sequence[Asset]) -> "list[mujoco.MjSpec]":
+def specs(assets: Sequence[Asset], *, touching: bool = False) -> "list[mujoco.MjSpec]":
     """Return the models of `mjlab` for assets of one topology.
+
+    Args:
+        assets: The assets.
+        touching: Whether pairs of links are excluded from contacts that cannot touch each other in any of the
+            assets, as long as dependencies of joints hold. Their contact pairs are most of the work of the
+            broad phase. Contacts with other things are not affected.
 
     Raises:
         ParameterError: The assets do not share a structure.
@@ -121,7 +131,13 @@ def specs(assets: Sequence[Asset]) -> "list[mujoco.MjSpec]":
         )
         for links in zip(*(asset.links for asset in assets), strict=True)
     ]
-    return [_spec(asset, list(couplings), needed) for asset in assets]
+    found = [_spec(asset, list(couplings), needed) for asset in assets]
+    if touching:
+        pairs = [apart(asset) for asset in assets]
+        for first, second in (each for each in pairs[0] if all(each in other for other in pairs[1:])):
+            for spec in found:
+                spec.add_exclude(bodyname1=first, bodyname2=second)
+    return found
 
 
 def _check_shared(assets: Sequence[Asset], rule: Rule) -> None:
@@ -341,7 +357,12 @@ class Worlds:
 
 
 def mujoco_warp(
-    category: str | Generator, seeds: Iterable[int], worlds: int | None = None, **options: Any
+    category: str | Generator,
+    seeds: Iterable[int],
+    worlds: int | None = None,
+    *,
+    touching: bool = False,
+    **options: Any,
 ) -> Worlds:
     """Return a model of MuJoCo Warp whose worlds have different assets of one category.
 
@@ -351,6 +372,8 @@ def mujoco_warp(
         category: Name of a category, or a generator.
         seeds: Seeds of the assets.
         worlds: Number of worlds; by default one for each asset.
+        touching: Whether contacts are left only to those links of an asset that can touch each other; see
+            `specs`.
         **options: Options of `generate`; `topology` is "fixed" by default. `nconmax` and `njmax` set the room
             for contacts and constraints of each world, as in `mujoco_warp.make_data`.
 
@@ -365,7 +388,7 @@ def mujoco_warp(
     if count < 1:
         raise ParameterError(f"worlds = {worlds!r} is not allowed: it must be a whole number from 1 on")
     warp = _warp()
-    compiled = [spec.compile() for spec in specs(assets)]
+    compiled = [spec.compile() for spec in specs(assets, touching=touching)]
     of = np.arange(count) % len(assets)
     model = joined(compiled[0], [warp.put_model(each) for each in compiled], of.tolist())
     data = warp.make_data(compiled[0], nworld=count, **room)

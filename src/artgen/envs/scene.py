@@ -3,7 +3,6 @@
 import warnings
 import xml.etree.ElementTree as ET
 from collections.abc import Sequence
-from itertools import combinations
 from typing import Any
 
 import numpy as np
@@ -11,10 +10,9 @@ from numpy.typing import NDArray
 
 from artgen._arrays import Array
 from artgen.asset import Asset
-from artgen.asset.affordance import head
 from artgen.envs.motion import Target
 from artgen.envs.robot import ASSET_BIT, HAND, LIMITS, OPENING, PREFIX, ROBOT_BIT, Control, panda, simulator
-from artgen.export.frames import quaternion
+from artgen.export.frames import apart, quaternion
 from artgen.export.meshes import mesh_files
 from artgen.export.mjcf import mjcf_tree
 from artgen.export.text import document
@@ -204,32 +202,6 @@ def compiled(asset: Asset, *, visual: bool = False, textures: int = 0) -> Any:
         warnings.filterwarnings("ignore", message="Attaching a child without asset dict")
         spec.attach(panda(visual=visual), frame=spec.worldbody.add_frame(), prefix=PREFIX)
     return spec.compile()
-
-
-def apart(asset: Asset) -> list[tuple[str, str]]:
-    """Return the pairs of links of an asset that cannot collide.
-
-    Links never collide as long as the dependencies of the asset hold, which contacts enforce, such as that of
-    a bolt. So only pairs can collide that are separated by a joint and by another joint on which it depends,
-    and pairs with allowed contacts. The other pairs would take most of the simulation time.
-    """
-    chains: dict[str, frozenset[str]] = {asset.links[0].name: frozenset()}
-    for parent, child, joints in asset.pairs():
-        chains[child] = chains[parent] | {joint.name for joint in joints if not joint.locked}
-    leaders = {joint.name: head(joint, asset).name for joint in asset.joints}
-    blocks = []
-    for joint in asset.joints:
-        if joint.needs is not None:
-            others = {leaders[name] for name in joint.needs.condition.joints()}
-            blocks.append((leaders[joint.name], others))
-    by_design = {frozenset(contact.links) for contact in asset.contacts}
-    result = []
-    for first, second in combinations(chains, 2):
-        between = {leaders[name] for name in chains[first] ^ chains[second]}
-        held = any(name in between and others & between for name, others in blocks)
-        if between and not held and frozenset((first, second)) not in by_design:
-            result.append((first, second))
-    return result
 
 
 def _strip(root: ET.Element) -> None:

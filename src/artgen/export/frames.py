@@ -8,7 +8,7 @@ between two bodies get an intermediate body after each joint but the last of a p
 import math
 from collections.abc import Collection, Iterable
 from dataclasses import dataclass
-from itertools import product
+from itertools import combinations, product
 
 import numpy as np
 
@@ -216,6 +216,32 @@ def leader_of(asset: Asset, joint: AssetJoint) -> tuple[str, float, float]:
     """Return the leading free joint of a joint, with ratio and offset."""
     law = coupling(asset, joint)
     return (joint.name, 1.0, 0.0) if law is None else (law.leader, law.ratio, law.offset)
+
+
+def apart(asset: Asset) -> list[tuple[str, str]]:
+    """Return the pairs of links of an asset that cannot collide.
+
+    Links never collide as long as the dependencies of the asset hold, which contacts enforce, such as that of
+    a bolt. So only pairs can collide that are separated by a joint and by another joint on which it depends,
+    and pairs with allowed contacts. The other pairs would take most of the simulation time.
+    """
+    chains: dict[str, frozenset[str]] = {asset.links[0].name: frozenset()}
+    for parent, child, joints in asset.pairs():
+        chains[child] = chains[parent] | {joint.name for joint in joints if not joint.locked}
+    leaders = {joint.name: leader_of(asset, joint)[0] for joint in asset.joints}
+    blocks = []
+    for joint in asset.joints:
+        if joint.needs is not None:
+            others = {leaders[name] for name in joint.needs.condition.joints()}
+            blocks.append((leaders[joint.name], others))
+    by_design = {frozenset(contact.links) for contact in asset.contacts}
+    result = []
+    for first, second in combinations(chains, 2):
+        between = {leaders[name] for name in chains[first] ^ chains[second]}
+        held = any(name in between and others & between for name, others in blocks)
+        if between and not held and frozenset((first, second)) not in by_design:
+            result.append((first, second))
+    return result
 
 
 def regions(asset: Asset, condition: AssetCondition) -> list[Region]:
