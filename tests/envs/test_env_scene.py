@@ -7,7 +7,8 @@ import pytest
 from artgen.asset.affordance import Affordance
 from artgen.envs.motion import Stage, Target
 from artgen.envs.robot import HOME, LIMITS
-from artgen.envs.scene import STEPS, TIME_STEP, TaskScene, apart, compiled
+from artgen.envs.scene import STEPS, TIME_STEP, TaskScene, compiled
+from artgen.export.frames import apart
 from support.manipulation import PULL
 from support.proof_assets import bearing_door
 
