@@ -19,7 +19,7 @@ from artgen.asset import Asset
 from artgen.asset.link import BareLink, Collider, DerivedLink
 from artgen.catalog import generate
 from artgen.errors import ExportError, ParameterError
-from artgen.export.frames import apart, coupling
+from artgen.export.frames import apart, linear_coupling
 from artgen.export.mjcf import OFF
 from artgen.generator import Generator
 
@@ -122,7 +122,7 @@ def specs(assets: Sequence[Asset], *, touching: bool = False) -> "list[mujoco.Mj
         (joint.name, law.leader)
         for asset in assets
         for joint in asset.joints
-        if not joint.locked and (law := coupling(asset, joint)) is not None
+        if not joint.locked and (law := linear_coupling(asset, joint)) is not None
     )
     needed = [
         tuple(
@@ -318,7 +318,8 @@ def _spec(
     for joint in spec.joints:
         if joint.type != mujoco.mjtJoint.mjJNT_FREE and not asset.joint(joint.name).limits:
             joint.limited, joint.range = mujoco.mjtLimited.mjLIMITED_TRUE, (-_UNLIMITED, _UNLIMITED)
-    own = {(each.name1, each.name2): each for each in spec.equalities}
+    joints = [each for each in spec.equalities if each.type == mujoco.mjtEq.mjEQ_JOINT]
+    own = {(each.name1, each.name2): each for each in joints}
     laws = [(pair, own[pair].data[:5].tolist() if pair in own else [0.0] * 5) for pair in couplings]
     settings = [(each.solref.tolist(), each.solimp.tolist()) for each in own.values()][:1]
     for each in own.values():

@@ -55,6 +55,7 @@ METHODS = {
     "joint_above": joints.Joint.__gt__,
     "joint_below": joints.Joint.__lt__,
     "less": Float.__lt__,
+    "loop": Body.loop,
     "mass": Body.mass,
     "mirror": Solid.mirror,
     "mirror_body": Body.mirror,

@@ -12,6 +12,7 @@ from itertools import combinations, product
 import numpy as np
 from manifold3d import Manifold, Mesh64, OpType
 from numpy.typing import NDArray
+from scipy.interpolate import CubicHermiteSpline
 
 from artgen.asset import AllowedContact, Asset, Link
 from artgen.asset import AssetCondition as Condition
@@ -196,7 +197,8 @@ def _motions(asset: Asset, poses: Sequence[Pose]) -> dict[str, Array]:
     for joint in asset.joints:
         leader, ratio, offset = _leader(asset, joint.name)
         closed = asset.joint(leader).closed
-        position[joint.name] = ratio * np.array([q.get(leader, closed) for q in poses], float) + offset
+        of_leader = np.array([q.get(leader, closed) for q in poses], float)
+        position[joint.name] = ratio * _bent(asset, joint, of_leader) + offset
     result = {asset.links[0].name: np.broadcast_to(np.eye(4), (len(poses), 4, 4))}
     for parent, child, joints in asset.pairs():
         motion = result[parent]
@@ -204,6 +206,17 @@ def _motions(asset: Asset, poses: Sequence[Pose]) -> dict[str, Array]:
             motion = motion @ _displacement(joint, position[joint.name])
         result[child] = motion
     return result
+
+
+def _bent(asset: Asset, joint: Joint, leader: Array) -> Array:
+    """Return what takes the place of the positions of a leader: those of a closed chain, or these."""
+    while joint.follows is not None and joint.follows.curve is None:
+        joint = asset.joint(joint.follows.leader)
+    if joint.follows is None:
+        return leader
+    curve = joint.follows.curve
+    inputs = curve.start + curve.step * np.arange(len(curve.positions))
+    return CubicHermiteSpline(inputs, curve.positions, curve.slopes)(leader)
 
 
 def _displacement(joint: Joint, position: Array) -> Array:

@@ -20,6 +20,7 @@ from artgen.nodes.path import line, spline
 from artgen.nodes.primitive import box
 from artgen.nodes.profile import circle, rectangle
 from artgen.nodes.vector import Z, row
+from support.linkages import open_chain
 
 for _module in pkgutil.walk_packages(artgen.nodes.__path__, "artgen.nodes."):
     importlib.import_module(_module.name)
@@ -113,6 +114,14 @@ OVERRIDES: dict[str, dict[str, Any]] = {
     "joint": {"rest": -0.25, "limits": None, "follows": None},
     "joint_above": {"joint": "leader"},
     "joint_below": {"joint": "leader"},
+    "loop": {
+        "body": open_chain(),
+        "a": "rod",
+        "b": "rocker",
+        "at": (0.1, 0.0, 0.07),
+        "axis": (0.0, 1.0, 0.0),
+        "driver": "crank_turn",
+    },
     "line": {"end": (1.0, 2.0, SIZE)},
     "loft": {"profiles": (circle(SIZE), circle(0.2)), "heights": (0.0, 1.0)},
     "offset": {"distance": 0.01},

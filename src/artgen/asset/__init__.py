@@ -2,10 +2,10 @@
 
 from artgen.asset.affordance import Grasp, Push
 from artgen.asset.asset import Asset
+from artgen.asset.coupling import AssetCoupling, AssetCurve, AssetLoop
 from artgen.asset.joint import (
     AllowedContact,
     AssetCondition,
-    AssetCoupling,
     AssetDependency,
     AssetDetents,
     AssetJoint,
@@ -20,9 +20,11 @@ __all__ = [
     "Asset",
     "AssetCondition",
     "AssetCoupling",
+    "AssetCurve",
     "AssetDependency",
     "AssetDetents",
     "AssetJoint",
+    "AssetLoop",
     "Branch",
     "Collider",
     "Curve",

@@ -14,6 +14,7 @@ from artgen._names import ByName
 from artgen.asset import summary
 from artgen.asset.affordance import Affordance, affordance_data, affordances
 from artgen.asset.certificate import Certificate
+from artgen.asset.coupling import AssetCoupling, AssetLoop
 from artgen.asset.joint import (
     AllowedContact,
     AssetJoint,
@@ -64,12 +65,16 @@ def _check_holds(link: Link, joints: Mapping[str, AssetJoint]) -> None:
 
 
 def check_references(
-    links: Sequence[Link], joints: Sequence[AssetJoint], contacts: Sequence[AllowedContact]
+    links: Sequence[Link],
+    joints: Sequence[AssetJoint],
+    contacts: Sequence[AllowedContact],
+    loops: Sequence[AssetLoop] = (),
 ) -> None:
-    """Check that couplings, dependencies, holds and contacts name links and joints of an asset.
+    """Check that couplings, dependencies, holds, contacts and loops name links and joints of an asset.
 
     Raises:
-        AssetError: They do not, couplings form a circle, or the joint of a contact does not move its links.
+        AssetError: They do not, couplings form a circle, the joint of a contact does not move its links, or a
+            condition or dependency is on a joint of a closed chain.
     """
     named = {joint.name: joint for joint in joints}
     for joint in joints:
@@ -80,6 +85,54 @@ def check_references(
     positions_of_followers(named, free)  # refuses couplings that form a circle
     for contact in contacts:
         check_contact(contact, [link.name for link in links], named)
+    for loop in loops:
+        unknown = [name for name in loop.links if name not in {link.name for link in links}]
+        unknown += [loop.joint] * (loop.joint not in named)
+        if unknown:
+            raise AssetError(f"a closed chain names {unknown[0]!r}, which this asset does not have")
+    curved = {joint.name: joint for joint in joints if joint.follows and joint.follows.curve}
+    if curved:
+        _check_curved(curved, links, joints, contacts)
+
+
+def _check_curved(
+    curved: Mapping[str, AssetJoint],
+    links: Sequence[Link],
+    joints: Sequence[AssetJoint],
+    contacts: Sequence[AllowedContact],
+) -> None:
+    """Check that curves cover the ranges of free joints, and that no condition is on a joint with a curve."""
+    named = {joint.name: joint for joint in joints}
+    for name, joint in curved.items():
+        assert joint.follows is not None
+        leader, curve = named[joint.follows.leader], joint.follows.curve
+        assert curve is not None
+        low, high = leader.limits or (-np.inf, np.inf)
+        covered = curve.turns or (curve.start - _CURVE_SLACK <= low and high <= curve.end + _CURVE_SLACK)
+        if leader.follows is not None or not covered or not len(curve.positions) == len(curve.slopes) > 1:
+            raise AssetError(
+                f"the curve of joint {name!r} does not cover the range of {leader.name!r}; declare the loop "
+                f"after the limits of {leader.name!r} are set",
+                joint=name,
+            )
+    whens = [(f"joint {each.name!r}", each.needs.condition) for each in joints if each.needs is not None]
+    holds = [hold for link in links for hold in (*link.grasps, *link.pushes)]
+    whens += [(f"{hold.name!r}", hold.when) for hold in holds if hold.when is not None]
+    whens += [(f"the contact of {each.links}", each.when) for each in contacts if each.when is not None]
+    names = [(user, name) for user, condition in whens for name in condition.joints()]
+    names += [(f"joint {each.name!r}", each.name) for each in joints if each.needs is not None]
+    for user, name in names:
+        head = name
+        while head not in curved and (law := named[head].follows) is not None:
+            head = law.leader
+        if head in curved:
+            law = curved[head].follows
+            assert law is not None
+            raise AssetError(
+                f"{user} has a condition with joint {name!r}, which moves with a closed chain; "
+                f"put the condition on its input {law.leader!r}",
+                joint=name,
+            )
 
 
 def with_followed_limits(joint: AssetJoint, joints: Mapping[str, AssetJoint]) -> AssetJoint:
@@ -87,10 +140,16 @@ def with_followed_limits(joint: AssetJoint, joints: Mapping[str, AssetJoint]) ->
     if joint.follows is None:
         return joint
     leader = with_followed_limits(joints[joint.follows.leader], joints)
-    if leader.limits is None:
-        return replace(joint, limits=None)
-    low, high = sorted(map(joint.follows.at, leader.limits))
-    return replace(joint, limits=(low, high))
+    return replace(joint, limits=followed_limits(joint.follows, leader))
+
+
+def followed_limits(law: AssetCoupling, leader: AssetJoint) -> tuple[float, float] | None:
+    """Return the limits of a joint that follow from its law and the limits of its leader."""
+    if leader.limits is not None:
+        return law.span(*leader.limits)
+    if law.curve is not None and abs(law.gain) < _CURVE_SLACK:  # it swings while its input turns
+        return law.span(law.curve.start, law.curve.end)
+    return None
 
 
 Base = Literal["fixed", "free"]
@@ -103,6 +162,7 @@ DetailName = Literal["full", "medium", "low"]
 _CERTIFICATE = "_certificate"  # attribute in which an asset keeps its certificate
 _LATER = "_later"  # attribute in which an asset keeps how to make its certificate
 _LIMIT_SLACK = 1e-9  # tolerance of joint limits [rad or m]
+_CURVE_SLACK = 1e-9  # tolerance of the ends of the curves of closed chains [rad or m]
 
 
 @dataclass(frozen=True, eq=False)
@@ -130,6 +190,7 @@ class Asset:
         loose: Names of links that are free bodies in simulation, with all that hangs on them: a locked joint
             holds them at rest, and the proof is for that place.
         placed: Of a room, the assets in it with their places.
+        loops: Closed chains of links, whose joints follow one input.
     """
 
     name: str
@@ -148,6 +209,7 @@ class Asset:
     detail: DetailName = "full"
     loose: tuple[str, ...] = ()
     placed: tuple[PlacedAsset, ...] = ()
+    loops: tuple[AssetLoop, ...] = ()
 
     def __post_init__(self) -> None:
         """Let links and joints be read by name."""
@@ -172,10 +234,10 @@ class Asset:
                     link=link.name,
                 )
         joints = {joint.name: joint for joint in tree.joints()}
-        contacts = tuple(tree.all_contacts())
-        check_references(links, tuple(joints.values()), contacts)
+        contacts, loops = tuple(tree.all_contacts()), tuple(tree.all_loops())
+        check_references(links, tuple(joints.values()), contacts, loops)
         ranged = tuple(with_followed_limits(joint, joints) for joint in joints.values())
-        return Asset(name, category, ByName(links), ByName(ranged), contacts=contacts, **fields)
+        return Asset(name, category, ByName(links), ByName(ranged), contacts=contacts, loops=loops, **fields)
 
     def __copy__(self) -> "Asset":
         return self  # it never changes
@@ -276,7 +338,8 @@ class Asset:
         fields = ("name", "limits", "follows", "needs", "detents")
         data = plain(tuple(map(rounded, self.joints)))
         rows = [{name: row[name] for name in fields if name in row} for row in data]
-        return {"format": "artgen-states-1", "joints": rows}
+        loops = {"loops": plain(rounded(self.loops))} if self.loops else {}
+        return {"format": "artgen-states-1", "joints": rows, **loops}
 
     @property
     def dof_names(self) -> tuple[str, ...]:
@@ -449,6 +512,7 @@ class Asset:
             return self
         joints, contacts = ByName(map(rounded, self.joints)), rounded(self.contacts)
         result = replace(self, joints=joints, parameters=rounded(self.parameters), contacts=contacts)
+        result = replace(result, loops=rounded(self.loops)) if self.loops else result
         links = [RoundedLink.at(link, result.origin(link.name)) for link in self.links]
         return remember(replace(result, links=ByName(links)), self.certificate)
 
@@ -471,6 +535,7 @@ class Asset:
             **({"originals": dict(self.originals)} if self.originals else {}),
             **({"loose": list(self.loose)} if self.loose else {}),
             **({"placed": rounded(plain(self.placed))} if self.placed else {}),
+            **({"loops": plain(asset.loops)} if self.loops else {}),
             "certificate": None if certificate is None else rounded(certificate.to_data()),
         }
 

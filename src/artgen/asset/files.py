@@ -17,6 +17,7 @@ from artgen._names import ByName, check_names, checked_path
 from artgen.asset.affordance import Grasp, Push
 from artgen.asset.asset import FORMAT, PLAIN, Asset, Base, DetailName, Limits, check_references, remember
 from artgen.asset.certificate import Certificate
+from artgen.asset.coupling import AssetLoop
 from artgen.asset.joint import AllowedContact, AssetJoint
 from artgen.asset.link import Collider, Link, Surface
 from artgen.asset.mass import MassProperties
@@ -114,6 +115,7 @@ class _Asset(TypedDict):
     originals: NotRequired[Mapping[str, str]]
     loose: NotRequired[tuple[str, ...]]
     placed: NotRequired[tuple[PlacedAsset, ...]]
+    loops: NotRequired[tuple[AssetLoop, ...]]
     certificate: NotRequired[Certificate | None]
     layout: NotRequired[str]
     formats: NotRequired[Mapping[str, _Files]]
@@ -293,7 +295,7 @@ def _asset(form: _Asset, data: Mapping[str, Any], directory: Path) -> Asset:
     for number, name in enumerate(form.get("loose", ())):
         if name not in links.by_name:
             raise refused(name, f"loose[{number}]", "the name of one of the links")
-    check_references(links, form["joints"], contacts)
+    check_references(links, form["joints"], contacts, form.get("loops", ()))
     asset = Asset(
         links=links,
         joints=ByName(form["joints"]),
@@ -303,6 +305,7 @@ def _asset(form: _Asset, data: Mapping[str, Any], directory: Path) -> Asset:
         originals=form.get("originals", {}),
         loose=form.get("loose", ()),
         placed=form.get("placed", ()),
+        loops=form.get("loops", ()),
         **{name: data[name] for name in (*PLAIN, "detail") if name in data},
     )
     # preset the cached property: otherwise it would be derived from the surfaces

@@ -11,23 +11,11 @@ from numpy.typing import ArrayLike
 
 from artgen import _portable
 from artgen._arrays import Array, FrozenArrays, Triple
+from artgen.asset.coupling import AssetCoupling
 from artgen.asset.record import Record
 from artgen.errors import AssetError
 
 JointKind = Literal["revolute", "prismatic"]
-
-
-@dataclass(frozen=True)
-class AssetCoupling(Record):
-    """A joint that follows another: position = ratio * leader + offset."""
-
-    leader: str  # name of the joint that leads
-    ratio: float  # transmission ratio [rad/rad, m/rad, rad/m or m/m]
-    offset: float = 0.0  # position while the leader is at 0 [rad or m]
-
-    def at(self, position: float) -> float:
-        """Return the position of the joint while the leader is at a position [rad or m]."""
-        return self.ratio * position + self.offset
 
 
 @dataclass(frozen=True)

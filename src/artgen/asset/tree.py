@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from artgen._arrays import Array
+from artgen.asset.coupling import AssetLoop
 from artgen.asset.joint import AllowedContact, AssetJoint, joints_above
 from artgen.asset.link import Link, Piece
 from artgen.colliders.triangles import cross
@@ -35,6 +36,7 @@ class Tree:
     branches: tuple[Branch, ...] = ()  # the children with their joints
     # allowed contacts declared on this tree; contacts declared on a branch stay there
     contacts: tuple[AllowedContact, ...] = ()
+    loops: tuple[AssetLoop, ...] = ()  # closed chains declared on this tree
 
     def links(self) -> Iterator[Link]:
         """Yield every link, parents before their children."""
@@ -54,6 +56,19 @@ class Tree:
         yield from self.contacts
         for branch in self.branches:
             yield from branch.tree.all_contacts()
+
+    def all_loops(self) -> Iterator[AssetLoop]:
+        """Yield the closed chains of the whole tree, parents before their children."""
+        yield from self.loops
+        for branch in self.branches:
+            yield from branch.tree.all_loops()
+
+    def with_joints(self, joints: Mapping[str, AssetJoint]) -> "Tree":
+        """Return the tree with other joints in place of those of the same names."""
+        branches = self._branches(
+            lambda joint: joints.get(joint.name, joint), lambda tree: tree.with_joints(joints)
+        )
+        return replace(self, branches=branches)
 
     def reduced(self, most: float) -> tuple["Tree", int]:
         """Return the tree with fewer visual details, and the least number of triangles that it can have.
@@ -91,19 +106,22 @@ class Tree:
     def moved(self, matrix: Array) -> "Tree":
         """Return the tree after a rigid motion or a reflection, shape (4, 4)."""
         branches = self._branches(lambda joint: joint.moved(matrix), lambda tree: tree.moved(matrix))
-        return Tree(self.link.moved(matrix), branches, self.contacts)
+        loops = tuple(loop.moved(matrix) for loop in self.loops)
+        return Tree(self.link.moved(matrix), branches, self.contacts, loops)
 
     def suffixed(self, suffix: str) -> "Tree":
         """Return the tree with a suffix on the names of all its links, joints, grasps and pushes."""
         return self._renamed({joint.name: joint.name + suffix for joint in self.joints()}, suffix)
 
     def _renamed(self, names: dict[str, str], suffix: str) -> "Tree":
-        link_names = {name: name + suffix for contact in self.contacts for name in contact.links}
+        pairs = [contact.links for contact in self.contacts] + [loop.links for loop in self.loops]
+        link_names = {name: name + suffix for pair in pairs for name in pair}
         branches = self._branches(
             lambda joint: joint.renamed(names), lambda tree: tree._renamed(names, suffix)
         )
         contacts = tuple(contact.renamed(link_names, names) for contact in self.contacts)
-        return Tree(self.link.renamed(lambda name: name + suffix, names), branches, contacts)
+        loops = tuple(loop.renamed(link_names, names) for loop in self.loops)
+        return Tree(self.link.renamed(lambda name: name + suffix, names), branches, contacts, loops)
 
     def _branches(
         self, of_joint: Callable[[AssetJoint], AssetJoint], of_tree: Callable[["Tree"], "Tree"]

@@ -43,12 +43,19 @@ class ValidStates:
         self.lower, self.upper = ranges.T
         self._needs = {name: joint["needs"] for name, joint in rows.items() if joint.get("needs")}
         self._laws = {}  # of each joint: degree of freedom (-1: none), ratio and offset
+        self._curves: dict[str, dict[str, Any]] = {}  # of joints of closed chains, in place of the position
         for name in rows:
             leader, ratio, offset = name, 1.0, 0.0
             while law := rows[leader]["follows"]:
                 leader, ratio, offset = law["leader"], ratio * law["ratio"], offset + ratio * law["offset"]
+                if law.get("curve"):  # it leads to a degree of freedom
+                    arrays = {key: np.array(law["curve"][key], float) for key in ("positions", "slopes")}
+                    self._curves[name] = {**law["curve"], **arrays}
             free = leader in self.dofs
-            fixed = offset if free else offset + ratio * limits[leader][0]
+            fixed = offset
+            if not free:
+                held = limits[leader][0]
+                fixed += ratio * float(curve_at(self._curves[name], held) if name in self._curves else held)
             self._laws[name] = (self.dofs.index(leader) if free else -1, ratio, fixed)
         self._order: list[str] = []  # joints with dependencies, those first that others depend on
         for name in self._needs:
@@ -105,8 +112,16 @@ class ValidStates:
             self._order.append(name)
 
     def _found(self, columns: Array, names: tuple[str, ...]) -> dict[str, Array]:
-        laws = ((name, *self._laws[name]) for name in names)
-        return {n: ratio * columns[at] + rest if at >= 0 else np.array(rest) for n, at, ratio, rest in laws}
+        found: dict[str, Array] = {}
+        for name in names:
+            at, ratio, rest = self._laws[name]
+            if at < 0:
+                found[name] = np.array(rest)
+            elif name in self._curves:
+                found[name] = ratio * curve_at(self._curves[name], columns[at]) + rest
+            else:
+                found[name] = ratio * columns[at] + rest
+        return found
 
     def _forbidden(self, columns: Array, name: str) -> Any:
         needs = self._needs[name]
@@ -126,6 +141,23 @@ class ValidStates:
             inside = (low <= (far - offset) / ratio) & ((far - offset) / ratio <= high)
             target = np.where(inside & (abs(far - position) < abs(target - position)), far, target)
         columns[at] = np.where(shut, np.clip((target - offset) / ratio, low, high), columns[at])
+
+
+def curve_at(curve: dict[str, Any], position: ArrayLike, *, slope: bool = False) -> Any:
+    """Return the position of a joint of a closed chain, or its slope, at positions of its input."""
+    start, step, found = curve["start"], curve["step"], np.asarray(curve["positions"], float)
+    slopes = np.asarray(curve["slopes"], float) * step
+    place = np.asarray(position, float) - start
+    turns = np.floor(place / (2.0 * np.pi)) if curve["turns"] else 0.0
+    place = (place - turns * 2.0 * np.pi) / step
+    number = np.clip(np.floor(place).astype(int), 0, len(found) - 2)
+    share, rise = place - number, found[number + 1] - found[number]
+    second = 3.0 * rise - 2.0 * slopes[number] - slopes[number + 1]
+    third = slopes[number] + slopes[number + 1] - 2.0 * rise
+    if slope:
+        return (slopes[number] + share * (2.0 * second + share * 3.0 * third)) / step
+    inside = found[number] + share * (slopes[number] + share * (second + share * third))
+    return inside + turns * (found[-1] - found[0])
 
 
 def _holds(found: dict[str, Array], condition: dict[str, Any]) -> Any:

@@ -175,8 +175,24 @@ def coupling(asset: Asset, joint: AssetJoint) -> AssetCoupling | None:
     above = coupling(asset, leader)
     if above is None:
         return joint.follows
-    ratio, offset = joint.follows.ratio, joint.follows.offset
-    return AssetCoupling(above.leader, ratio * above.ratio, ratio * above.offset + offset)
+    return above.then(joint.follows.ratio, joint.follows.offset)
+
+
+def linear_coupling(asset: Asset, joint: AssetJoint) -> AssetCoupling | None:
+    """Return the coupling as formats without curves write it.
+
+    It leads to the free joint at the head of the chain of leaders, or to a joint of a closed chain before it;
+    joints of closed chains themselves have none.
+    """
+    if joint.follows is None or joint.follows.curve is not None:
+        return None
+    above = linear_coupling(asset, asset.joint(joint.follows.leader))
+    return joint.follows if above is None else above.then(joint.follows.ratio, joint.follows.offset)
+
+
+def chained(asset: Asset) -> list[str]:
+    """Return the names of the joints that follow the input of a closed chain by a curve."""
+    return [joint.name for joint in asset.joints if joint.follows is not None and joint.follows.curve]
 
 
 def mass_in_frame(asset: Asset, link: Link) -> tuple[float, Array, Array]:

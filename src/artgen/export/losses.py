@@ -72,6 +72,12 @@ def detent_rows(asset: Asset) -> Iterator[Row]:
     )
 
 
+def loop_rows(asset: Asset, instead: str) -> Iterator[Row]:
+    """Yield the loss of formats that are trees, of the joints of closed chains."""
+    found = [joint.name for joint in asset.joints if joint.follows is not None and joint.follows.curve]
+    yield "closed chain", found, instead
+
+
 def affordance_rows(asset: Asset, grasp: str, push: str) -> Iterator[Row]:
     """Yield the losses of grasps and pushes with their replacements."""
     for kind, instead in (("grasp", grasp), ("push", push)):

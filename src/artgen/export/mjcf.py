@@ -242,14 +242,19 @@ def _add_joint(body: ET.Element, placed: frames.BodyJoint) -> None:
 
 
 def _add_couplings(root: ET.Element, asset: Asset) -> None:
-    found = [(joint.name, frames.coupling(asset, joint)) for joint in asset.joints if not joint.locked]
+    found = [(joint.name, frames.linear_coupling(asset, joint)) for joint in asset.joints if not joint.locked]
     follows = [(name, law) for name, law in found if law is not None]
-    equality = add(root, "equality") if follows else root
+    equality = add(root, "equality") if follows or asset.loops else root
     for name, law in follows:
         # the polynomial relates displacements from the initial state, in which the coupling holds
         polynomial = [0.0, law.ratio, 0.0, 0.0, 0.0]
         joints = {"joint1": name, "joint2": law.leader}
         add(equality, "joint", joints, polycoef=polynomial, solref=_STIFF, solimp=_COUPLING_IMPEDANCE)
+    for loop in asset.loops:
+        first, second = loop.links
+        anchor = np.round(loop.point - asset.origin(first), 12) + 0.0
+        pinned = {"body1": first, "body2": second}
+        add(equality, "connect", pinned, anchor=anchor, solref=_STIFF, solimp=_COUPLING_IMPEDANCE)
 
 
 def _add_detents(root: ET.Element, asset: Asset, elements: Mapping[str, ET.Element]) -> None:

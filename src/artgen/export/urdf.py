@@ -22,6 +22,7 @@ from artgen.export.losses import (
     affordance_rows,
     detent_rows,
     look_rows,
+    loop_rows,
     losses,
     mechanism_rows,
 )
@@ -134,7 +135,7 @@ def _add_joint(robot: ET.Element, asset: Asset, segment: frames.Segment) -> None
     lower, upper = (None, None) if kind == "continuous" else joint.limits or (-frames.FAR, frames.FAR)
     add(element, "limit", effort=joint.effort, velocity=joint.velocity, lower=lower, upper=upper)
     add(element, "dynamics", damping=joint.damping, friction=joint.friction)
-    follows = frames.coupling(asset, joint)
+    follows = frames.linear_coupling(asset, joint)
     if follows is not None:
         add(element, "mimic", joint=follows.leader, multiplier=follows.ratio, offset=follows.offset)
 
@@ -261,6 +262,7 @@ def motion_rows(asset: Asset, inserted: Iterable[str]) -> Iterator[Row]:
     yield "unlimited slide", endless, f"limits of -{frames.FAR:g} m and {frames.FAR:g} m"
     yield from mechanism_rows(asset)
     yield from detent_rows(asset)
+    yield from loop_rows(asset, "joints without mimic; artgen_states has their laws and the pins")
     instead = f"a link of {frames.INTERMEDIATE_MASS:g} kg after each joint but the last"
     yield "several joints between two links", inserted, instead
 

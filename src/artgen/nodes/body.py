@@ -191,7 +191,8 @@ def _weld(bodies: tuple[Tree, ...]) -> Tree:
     contacts = tuple(
         contact.renamed({body.link.name: first.name}, {}) for body in bodies for contact in body.contacts
     )
-    return Tree(link, tuple(branch for body in bodies for branch in body.branches), contacts).checked()
+    loops = tuple(loop.renamed({body.link.name: first.name}, {}) for body in bodies for loop in body.loops)
+    return Tree(link, tuple(branch for body in bodies for branch in body.branches), contacts, loops).checked()
 
 
 @records(_weld)

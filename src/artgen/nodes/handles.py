@@ -384,6 +384,35 @@ class Body(Handle):
             )
         return Body.record("allow_contact", body=self, a=a, b=b, depth=depth, reason=reason, when=when)
 
+    def loop(self, a: str, b: str, *, at: VectorLike, axis: VectorLike, driver: Any) -> Body:
+        """Pin two links together, which closes a planar chain with one input, such as a four-bar linkage.
+
+        The pin determines two joints of the chain beside the input: they have no limits of their own, and
+        follow the input, solved to 1e-9. The joints turn about axes parallel to the pin, or slide across it.
+        Where the chain would not close, an error names the input and its position. A chain on top of another
+        one, with the same input, is declared after it.
+
+        Args:
+            a: Name of a link.
+            b: Name of the link that is pinned to it.
+            at: A point on the pin in asset coordinates at rest [m].
+            axis: Direction of the pin.
+            driver: The input: a joint that is attached, has limits or turns endlessly, and follows no other.
+
+        Examples:
+            >>> def bar(name, start, end, y):
+            ...     disc = cylinder(0.008, 0.005, axis=Y)
+            ...     return part(hull(disc.at(*start).at(y=y), disc.at(*end).at(y=y)), name, material("steel"))
+            >>> o, a, b, c = (0, 0, 0), (0, 0, 0.03), (0.1, 0, 0.07), (0.12, 0, 0)
+            >>> turn = Revolute("crank_turn", axis=Y, pivot=o)
+            >>> rod = bar("rod", a, b, -0.012)
+            >>> crank = bar("crank", o, a, -0.006).attach(rod, Revolute("rod_turn", axis=Y, pivot=a))
+            >>> base = bar("base", o, c, 0).attach(crank, turn)
+            >>> base = base.attach(bar("rocker", c, b, -0.006), Revolute("rocker_turn", axis=Y, pivot=c))
+            >>> base.loop("rod", "rocker", at=b, axis=Y, driver=turn)
+        """
+        return Body.record("loop", body=self, a=a, b=b, at=at, axis=axis, driver=driver.name)
+
     def at(self, x: Scalar | VectorLike = 0.0, y: Scalar = 0.0, z: Scalar = 0.0) -> Body:
         """Move by a vector, or by x, y and z [m]."""
         return Body.record("translate_body", body=self, offset=offset_of(x, y, z))

@@ -8,6 +8,7 @@ import numpy as np
 
 from artgen import _portable
 from artgen._arrays import Array, Indices, Mask
+from artgen.asset.coupling import AssetCoupling
 from artgen.asset.joint import JointKind
 from artgen.colliders.triangles import cross
 from artgen.proof.bounds import Motion
@@ -62,6 +63,7 @@ class JointTable:
     variable: Indices  # number of the variable, shape (paths, m); -1 for a joint that never moves
     ratio: Array  # ratio of position to variable, shape (paths, m)
     offset: Array  # position while the variable is 0, shape (paths, m) [rad or m]
+    curved: tuple[tuple[int, int, AssetCoupling], ...]  # path, step and law of each joint of a closed chain
 
     @staticmethod
     def of(joint_paths: Sequence[JointPath]) -> "JointTable":
@@ -79,6 +81,12 @@ class JointTable:
             np.array(numbers),
             np.array([[each.ratio for each in path.followers] for path in joint_paths]),
             np.array([[each.offset for each in path.followers] for path in joint_paths]),
+            tuple(
+                (number, step, law)
+                for number, path in enumerate(joint_paths)
+                for step, law in enumerate(path.followers)
+                if law.curve is not None
+            ),
         )
 
     def motions(self, joint_paths: Indices, low: Array, high: Array) -> list[Motion]:
@@ -90,6 +98,10 @@ class JointTable:
             variable, ratio = self.variable[joint_paths, step], self.ratio[joint_paths, step]
             center = ratio * middle[rows, variable] + self.offset[joint_paths, step]
             width = np.abs(ratio) * half[rows, variable]
+            for path, _, law in (each for each in self.curved if each[1] == step):
+                led = np.flatnonzero(joint_paths == path)
+                ends = (side[led, variable[led]] for side in (low, high))
+                center[led], width[led] = law.interval(*ends)
             axis = self.axis[joint_paths, step]
             result.append(Motion(kind, self.origin[joint_paths, step], axis, center, width))
         return result
@@ -176,7 +188,7 @@ def starting_cells(joint_path: JointPath) -> list[tuple[int, Array]]:
             for joint, follower in zip(joint_path.steps, joint_path.followers, strict=True):
                 if joint.kind == "revolute" and follower.leader:
                     number = joint_path.variables.index(follower.leader)
-                    width = abs(follower.ratio) * (box[number, 1] - box[number, 0])
+                    width = 2.0 * float(follower.interval(*box[number])[1])
                     parts[number] = max(parts[number], int(np.ceil(width / _WIDEST_START)))
         while np.prod(parts.astype(float)) > _MOST_STARTS:  # wider cells are enclosed too, but less tightly
             parts[np.argmax(parts)] -= 1

@@ -15,7 +15,8 @@ import numpy as np
 
 from artgen._arrays import Array, cached, cached_property
 from artgen.asset import Asset, AssetJoint
-from artgen.asset.joint import AllowedContact, AssetCondition, AssetCoupling, joints_above
+from artgen.asset.coupling import AssetCoupling
+from artgen.asset.joint import AllowedContact, AssetCondition, joints_above
 from artgen.errors import AssetError
 
 Interval = tuple[float, float]
@@ -159,21 +160,23 @@ class Space:
 
     def _resolve(self, joint: AssetJoint) -> None:
         """Find the variable of a joint's position."""
-        ratio, offset, leader = 1.0, 0.0, joint
+        ratio, offset, leader, curve = 1.0, 0.0, joint, None
         while leader.follows is not None:
             offset += ratio * leader.follows.offset
             ratio *= leader.follows.ratio
+            curve = leader.follows.curve  # the leader of a closed chain is free
             leader = self.asset.joint(leader.follows.leader)
+        law = AssetCoupling(leader.name, ratio, offset, curve)
         if leader.locked:
             assert leader.limits is not None
-            self.followers[joint.name] = AssetCoupling("", 0.0, ratio * leader.limits[0] + offset)
+            self.followers[joint.name] = AssetCoupling("", 0.0, law.at(leader.limits[0]))
             return
-        turns = leader.kind == joint.kind == "revolute" and ratio == round(ratio)
+        turns = leader.kind == "revolute" and law.comes_round(joint.kind)
         if leader.limits is None and joint is not leader and not turns:
             # over several turns of the leader, the follower may be anywhere
-            leader, ratio, offset = joint, 1.0, 0.0
+            leader, law = joint, AssetCoupling(joint.name, 1.0)
         full = FULL_TURN if leader.kind == "revolute" else FULL_SLIDE
-        self.followers[joint.name] = AssetCoupling(leader.name, ratio, offset)
+        self.followers[joint.name] = law
         self.ranges[leader.name] = full if leader.limits is None else leader.limits
 
     def _clauses(self, joint: AssetJoint, variables: Sequence[str]) -> list[Box] | None:

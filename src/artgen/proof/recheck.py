@@ -167,10 +167,9 @@ def _gap(joint_path: JointPath, covers: Sequence[Cover], row: Array, *, boxes: b
     path = []
     for joint, sign, follower in zip(joint_path.steps, joint_path.signs, joint_path.followers, strict=True):
         number = joint_path.variables.index(follower.leader) if follower.leader else 0
-        center = follower.at((low[number] + high[number]) / 2.0)
-        half = abs(follower.ratio) * (high[number] - low[number]) / 2.0
+        center, half = follower.interval(low[number : number + 1], high[number : number + 1])
         axis = (sign * joint.axis)[None]
-        path.append(Motion(joint.kind, joint.pivot[None], axis, np.array([center]), np.array([half])))
+        path.append(Motion(joint.kind, joint.pivot[None], axis, center, half))
     if frame == AXIS_FRAME:
         return _axis_gap(joint_path, first, second, path)
     length = _portable.norm(normal)

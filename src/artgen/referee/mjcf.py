@@ -11,7 +11,8 @@ import numpy as np
 
 from artgen._arrays import Array, Indices
 from artgen.asset import AssetJoint
-from artgen.asset.joint import AssetCoupling, JointKind
+from artgen.asset.coupling import AssetCoupling
+from artgen.asset.joint import JointKind
 from artgen.colliders import Convex
 from artgen.errors import AssetError
 from artgen.referee.files import MOST_LENGTH, parse_xml, read_apart, safe_path, shown

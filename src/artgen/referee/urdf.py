@@ -289,8 +289,10 @@ class _Reader:
             current = self.joints[leader]
         if (mimic := joint.find("mimic")) is None:
             return None
-        ratio = self._numbers(mimic, "multiplier", 1, "1")
-        return AssetCoupling(mimic.get("joint", ""), *ratio, *self._numbers(mimic, "offset", 1, "0"))
+        (ratio,), (offset,) = (
+            self._numbers(mimic, name, 1, default) for name, default in (("multiplier", "1"), ("offset", "0"))
+        )
+        return AssetCoupling(mimic.get("joint", ""), ratio, offset)
 
     def _note(self, one: str, many: str, what: str, name: str) -> None:
         """Add a name to those of which a note says the same."""

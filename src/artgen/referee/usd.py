@@ -14,7 +14,8 @@ from pxr import Ar, Sdf, Tf, Usd, UsdGeom, UsdPhysics, UsdUtils
 
 from artgen._arrays import Array
 from artgen.asset import AssetJoint
-from artgen.asset.joint import AssetCoupling, JointKind
+from artgen.asset.coupling import AssetCoupling
+from artgen.asset.joint import JointKind
 from artgen.errors import AssetError, ExportError, nearest
 from artgen.referee.files import MOST_LENGTH, check_file, read_apart, safe_path, shown
 from artgen.referee.meshes import Hulls

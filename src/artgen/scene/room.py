@@ -625,6 +625,7 @@ def _distinct(placed: Placement, known: dict[str, Material]) -> dict[Material, M
 def _joined(name: str, category: str, room: Asset, placed: Collection[Placement]) -> Asset:
     """Return one asset of a room and the assets in it, each fixed to what carries it by a locked joint."""
     links, joints, contacts = list(room.links), list(room.joints), list(room.contacts)
+    loops = list(room.loops)
     base, materials = links[0].name, {each.name: each for each in room.materials}
     for each in placed:
         prefix = f"{each.name}_"
@@ -642,6 +643,7 @@ def _joined(name: str, category: str, room: Asset, placed: Collection[Placement]
             moved = joint.moved(each.pose).renamed(of_joints)
             joints.append(replace(moved, parent=of_links[joint.parent], child=of_links[joint.child]))
         contacts += [contact.renamed(of_links, of_joints) for contact in each.asset.contacts]
+        loops += [loop.moved(each.pose).renamed(of_links, of_joints) for loop in each.asset.loops]
     labels = {label for each in placed for label in each.asset.labels}
     labels |= {label for link in links for label in link.labels}
     parameters = {each.name: each.asset.name for each in placed}
@@ -654,6 +656,7 @@ def _joined(name: str, category: str, room: Asset, placed: Collection[Placement]
         version=room.version,
         labels=tuple(sorted(labels)),
         contacts=tuple(contacts),
+        loops=tuple(loops),
         loose=tuple(_base_of(each) for each in placed if each.free),
         placed=tuple(each.record() for each in placed),
     )

@@ -9,6 +9,7 @@ import numpy as np
 
 from artgen._names import is_identifier
 from artgen.asset import Asset, AssetJoint, Grasp, Link
+from artgen.asset.asset import followed_limits
 from artgen.asset.collision import mesh_precision
 from artgen.asset.joint import DYNAMICS
 from artgen.asset.report import CheckResult, Finding
@@ -293,9 +294,7 @@ def _coupling_findings(joint: AssetJoint, joints: Mapping[str, AssetJoint]) -> I
     if joint.follows is None:
         return
     leader = joints[joint.follows.leader]
-    expected = leader.limits and sorted(
-        joint.follows.ratio * end + joint.follows.offset for end in leader.limits
-    )
+    expected = followed_limits(joint.follows, leader)
     found, wanted = (limits or (-math.inf, math.inf) for limits in (joint.limits, expected))
     if not np.allclose(found, wanted, rtol=0.0, atol=_EXACT):
         span = f"{expected[0]:.6g} to {expected[1]:.6g}" if expected else "none"

@@ -81,7 +81,7 @@ def _root(asset: Asset, segments: Sequence[frames.Segment], taken: Collection[st
 
 def _joint(asset: Asset, segment: frames.Segment) -> Json:
     """Return the data of a joint for a viewer with sliders."""
-    joint, follows = segment.joint, frames.coupling(asset, segment.joint)
+    joint, follows = segment.joint, frames.linear_coupling(asset, segment.joint)
     lower, upper = joint.limits or (None, None)
     mimic = None
     if follows is not None:

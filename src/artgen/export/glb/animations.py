@@ -9,7 +9,7 @@ import numpy as np
 
 from artgen import _portable
 from artgen._arrays import Array
-from artgen.asset import Asset, AssetJoint
+from artgen.asset import Asset, AssetCoupling, AssetJoint
 from artgen.export.frames import BORDER, Region, Segment, coupling, leader_of, regions
 from artgen.export.glb.buffer import Buffer, Json
 
@@ -44,7 +44,11 @@ def animations(
     Returns:
         The animations as JSON data, and the joints that dependencies keep at rest.
     """
-    laws = [(each, *leader_of(asset, each.joint)) for each in segments if not each.joint.locked]
+    laws = [
+        (each, coupling(asset, each.joint) or AssetCoupling(each.joint.name, 1.0))
+        for each in segments
+        if not each.joint.locked
+    ]
     result: list[Json] = []
     held = []
     for joint in asset.free_joints:
@@ -53,17 +57,17 @@ def animations(
             held.append(joint.name)
             continue
         moved = {name for name in stops[0] if len({stop[name] for stop in stops}) > 1}
-        moving = [law for law in laws if law[1] in moved]
+        moving = [each for each in laws if each[1].leader in moved]
         turns: dict[str, float] = {}  # largest rotation of any joint per motion of each free joint
-        for segment, leader, ratio, _ in moving:
+        for segment, law in moving:
             if segment.joint.kind == "revolute":
-                turns[leader] = max(turns.get(leader, 0.0), abs(ratio))
+                turns[law.leader] = max(turns.get(law.leader, 0.0), law.steepest)
         keys, positions = _keys(joint.name, stops, turns)
         times = buffer.array("times", keys)
         channels: list[Json] = []
         samplers: list[Json] = []
-        for segment, leader, ratio, offset in moving:
-            moves, rotations = local_motion(segment, ratio * positions[leader] + offset)
+        for segment, law in moving:
+            moves, rotations = local_motion(segment, law.positions(positions[law.leader]))
             slides = segment.joint.kind == "prismatic"
             output = buffer.array("moves", moves) if slides else buffer.array("rotations", rotations)
             target = {"node": nodes[segment.child.name], "path": "translation" if slides else "rotation"}
@@ -141,9 +145,11 @@ def _ends(joint: AssetJoint) -> list[float]:
 def _comes_round(asset: Asset, joint: AssetJoint) -> bool:
     """Tell whether everything that a joint moves returns after a full turn."""
     laws = [(each, coupling(asset, each)) for each in asset.joints]
-    moved = [(each, law.ratio) for each, law in laws if law is not None and law.leader == joint.name]
-    return joint.limits is None and all(
-        each.kind == "revolute" and ratio.is_integer() for each, ratio in [(joint, 1.0), *moved]
+    moved = [(each, law) for each, law in laws if law is not None and law.leader == joint.name]
+    return (
+        joint.limits is None
+        and joint.kind == "revolute"
+        and all(law.comes_round(each.kind) for each, law in moved)
     )
 
 

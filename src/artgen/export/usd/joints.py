@@ -15,7 +15,7 @@ from pxr import Sdf
 from artgen._arrays import Array
 from artgen.asset import Asset, AssetJoint
 from artgen.export.frames import INTERMEDIATE_MASS, Segment, unused
-from artgen.export.losses import Row, detent_rows, mechanism_rows
+from artgen.export.losses import Row, detent_rows, loop_rows, mechanism_rows
 from artgen.export.usd.layer import Layers, RuntimeRow, define
 
 # as in the MJCF, which gives the reasons
@@ -75,9 +75,25 @@ def write_joints(
         schemas = [f"PhysicsDriveAPI:{_instance(joint)}"] if _driven(joint) else []
         prim = define(scope, joint.name, _TYPE_NAMES[joint.kind], values, schemas=schemas)
         layers.add_runtime(prim, _runtime_rows(joint, positions[joint.name], apart=layers.apart))
-        if joint.follows is not None:
+        if joint.follows is not None and joint.follows.curve is None:
             leader = asset.joint(joint.follows.leader)
             layers.add_runtime(prim, _coupling_rows(prim.path, joint, leader, apart=layers.apart))
+    taken = {joint.name for joint in asset.joints}
+    for loop in asset.loops:
+        first, second = loop.links
+        turn, name = _turn_from_x(loop.axis), unused(f"{first}_{second}_pin", taken)
+        taken.add(name)
+        values = {
+            "physics:body0": root.path.AppendChild(first),
+            "physics:body1": root.path.AppendChild(second),
+            "physics:localPos0": loop.point - asset.origin(first),
+            "physics:localPos1": loop.point - asset.origin(second),
+            "physics:localRot0": turn,
+            "physics:localRot1": turn,
+            "physics:axis": "X",
+            "physics:excludeFromArticulation": True,
+        }
+        define(scope, name, "PhysicsRevoluteJoint", values)
     return anchor
 
 
@@ -109,7 +125,11 @@ def joint_rows(asset: Asset, segments: Sequence[Segment], *, apart: bool = False
     instead = "PhysxMimicJointAPI and NewtonMimicAPI, or MjcEqualityJointAPI between a rotation and a slide"
     if apart:
         instead = own + "PhysxMimicJointAPI, NewtonMimicAPI and MjcEqualityJointAPI"
-    yield "joint coupling", [joint.name for joint in movable if joint.follows is not None], instead
+    linear = [joint for joint in movable if joint.follows is not None and joint.follows.curve is None]
+    yield "joint coupling", [joint.name for joint in linear], instead
+    yield from loop_rows(
+        asset, "a joint outside the articulation, which closes the chain; its joints are free"
+    )
     endless = [joint.name for joint in movable if joint.limits is None and limits[joint.name] is not None]
     instead = "limits a hundred thousand turns away, since PhysX couples joints with limits only"
     yield "coupling without limits", endless, instead
@@ -232,8 +252,8 @@ def _coupling_rows(
 
 def _written_limits(asset: Asset) -> dict[str, tuple[float, float] | None]:
     """Return the limits to write, wide ones for coupled joints without limits."""
-    coupled = {joint.name for joint in asset.joints if joint.follows is not None}
-    coupled |= {joint.follows.leader for joint in asset.joints if joint.follows is not None}
+    laws = {joint.name: joint.follows for joint in asset.joints if joint.follows and not joint.follows.curve}
+    coupled = {*laws, *(law.leader for law in laws.values())}
     return {
         joint.name: _wide(asset, joint) if joint.limits is None and joint.name in coupled else joint.limits
         for joint in asset.joints
@@ -241,7 +261,7 @@ def _written_limits(asset: Asset) -> dict[str, tuple[float, float] | None]:
 
 
 def _wide(asset: Asset, joint: AssetJoint) -> tuple[float, float]:
-    if joint.follows is None:
+    if joint.follows is None or joint.follows.curve is not None:
         return -_FAR, _FAR
     ends = _wide(asset, asset.joint(joint.follows.leader))
     low, high = sorted(joint.follows.ratio * end + joint.follows.offset for end in ends)

@@ -232,7 +232,8 @@ def _return_findings(
     """Yield the reason why a joint still swings, or has not returned to the target of its spring."""
     joint, here = motion.joint, simulation.position(motion)
     spring = motion.stiffness * (motion.rest - here)
-    weight = -float(motion.ratios @ simulation.data.qfrc_bias[motion.speeds])  # the joint is nearly at rest
+    ratios = motion.ratios_at(here)
+    weight = -float(ratios @ simulation.data.qfrc_bias[motion.speeds])  # the joint is nearly at rest
     sense = math.copysign(1.0, spring)
     if not swing and abs(spring + weight) <= motion.friction and -weight * sense > 0.5 * abs(spring):
         return  # the spring balances the weight, like that of a door that stays in place

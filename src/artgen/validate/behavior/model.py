@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from artgen._arrays import Array, Indices, cached_property
-from artgen.asset import Asset, AssetCondition, AssetJoint
+from artgen.asset import Asset, AssetCondition, AssetCoupling, AssetJoint
 from artgen.asset.report import Finding, Severity
 from artgen.errors import AssetError
 from artgen.export.frames import coupling
@@ -125,8 +125,9 @@ class JointMotion:
 
     joint: AssetJoint  # the free joint
     members: tuple[AssetJoint, ...]  # the joint itself and those that follow it
-    ratios: Array  # motion of each member per motion of the joint, shape (n,)
-    offsets: Array  # position of each member while the joint is at 0, shape (n,)
+    laws: tuple[AssetCoupling, ...]  # law of each member
+    ratios: Array  # motion of each member per motion of the joint, at its closed position, shape (n,)
+    offsets: Array  # position of each member while the joint is at 0, on the tangent there, shape (n,)
     positions: Indices  # indices of the members in MuJoCo's positions, shape (n,)
     speeds: Indices  # indices of the members in MuJoCo's velocities and forces, shape (n,)
     bodies: frozenset[int]  # MuJoCo's bodies that move with the joint
@@ -144,6 +145,15 @@ class JointMotion:
         return self.joint.name
 
     @cached_property
+    def bent(self) -> bool:
+        """Whether a member belongs to a closed chain, so that its ratio changes."""
+        return any(law.curve is not None for law in self.laws)
+
+    def ratios_at(self, position: float) -> Array:
+        """Return the motion of each member per motion of the joint at its position, shape (n,)."""
+        return np.array([law.slope(position) for law in self.laws]) if self.bent else self.ratios
+
+    @cached_property
     def range(self) -> float:
         """Length of the examined range [rad or m]."""
         return self.limits[1] - self.limits[0]
@@ -158,8 +168,10 @@ def motions_of(asset: Asset, model: Any) -> dict[str, JointMotion]:
         laws = [(other, coupling(asset, other)) for other in asset.joints]
         led = [(other, law) for other, law in laws if law is not None and law.leader == joint.name]
         members = (joint, *(other for other, _ in led))
-        ratios = np.array([1.0, *(law.ratio for _, law in led)])
-        offsets = np.array([0.0, *(law.offset for _, law in led)])
+        own = (AssetCoupling(joint.name, 1.0), *(law for _, law in led))
+        ratios = np.array([law.slope(joint.closed) for law in own])
+        offsets = np.array([law.offset if law.curve is None else law.at(joint.closed) for law in own])
+        offsets -= [0.0 if law.curve is None else law.slope(joint.closed) * joint.closed for law in own]
         friction, damping, springs, rests = np.array(
             [(each.friction, each.damping, each.stiffness, each.rest) for each in members]
         ).T
@@ -172,6 +184,7 @@ def motions_of(asset: Asset, model: Any) -> dict[str, JointMotion]:
         result[joint.name] = JointMotion(
             joint,
             members,
+            own,
             ratios,
             offsets,
             positions=np.array([each.qposadr[0] for each in found]),
@@ -264,7 +277,7 @@ class Simulation:
         followers = self._followers
         if followers.joints and self._watching:
             qpos = self._qpos
-            off = np.abs(qpos[followers.at] - followers.ratios * qpos[followers.leaders] - followers.offsets)
+            off = np.abs(qpos[followers.at] - followers.wanted(qpos))
             beyond = off > followers.allowed
             if not beyond.any():
                 followers.lasting[:] = 0.0
@@ -297,7 +310,8 @@ class Simulation:
         """Return the force of gravity, springs and damping at a free joint, without friction [N m or N]."""
         if len(motion.members) == 1:
             return float(self._passive[motion.dof] - self._bias[motion.dof])
-        return float(motion.ratios @ (self._passive - self._bias)[motion.speeds])
+        ratios = motion.ratios_at(self.position(motion))
+        return float(ratios @ (self._passive - self._bias)[motion.speeds])
 
     def pull(self, motion: JointMotion) -> float:
         """Return `load` and what the accelerations of other joints add to it [N m or N]."""
@@ -305,7 +319,7 @@ class Simulation:
         others[motion.speeds] = 0.0
         result = np.zeros(self.model.nv)
         self._mujoco.mj_mulM(self.model, self.data, result, others)
-        return self.load(motion) - float(motion.ratios @ result[motion.speeds])
+        return self.load(motion) - float(motion.ratios_at(self.position(motion)) @ result[motion.speeds])
 
     def inertia(self, motion: JointMotion) -> float:
         """Return the inertia of a free joint while all others are free [kg m^2 or kg]."""
@@ -315,14 +329,14 @@ class Simulation:
         alone = np.eye(columns.shape[1])[index]
         return 1.0 / float(np.linalg.solve(columns.T @ full @ columns, alone)[index])
 
-    @cached_property
+    @property
     def _columns(self) -> Array:
         """Motion by each free joint, and by each other degree of freedom, shape (nv, n)."""
         moved = {int(dof) for motion in self.motions.values() for dof in motion.speeds}
         columns = []
         for motion in self.motions.values():
             columns.append(np.zeros(self.model.nv))
-            columns[-1][motion.speeds] = motion.ratios
+            columns[-1][motion.speeds] = motion.ratios_at(self.position(motion))
         fixed = [dof for dof in range(self.model.nv) if dof not in moved]
         return np.column_stack([*columns, *np.eye(self.model.nv)[fixed]])
 
@@ -400,7 +414,19 @@ class _Followers:
         self.ratios = np.array([motion.ratios[number] for motion, number in rows])
         self.offsets = np.array([motion.offsets[number] for motion, number in rows])
         self.allowed = _COUPLING_SHARE * np.abs(self.ratios) * [motion.range for motion, _ in rows]
+        laws = ((row, motion, motion.laws[number]) for row, (motion, number) in enumerate(rows))
+        self._curved = [(row, law) for row, _, law in laws if law.curve is not None]
+        for row, law in self._curved:
+            low, high = law.span(*rows[row][0].limits)
+            self.allowed[row] = _COUPLING_SHARE * (high - low)
         self.worst, self.lasting = np.zeros(len(rows)), np.zeros(len(rows))
+
+    def wanted(self, qpos: Array) -> Array:
+        """Return the positions of the coupled joints that follow from those of their leaders."""
+        result = self.ratios * qpos[self.leaders] + self.offsets
+        for row, law in self._curved:
+            result[row] = law.at(float(qpos[self.leaders[row]]))
+        return np.asarray(result)
 
 
 def piece(link: str, label: str) -> str:

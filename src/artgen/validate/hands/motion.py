@@ -12,7 +12,7 @@ import numpy as np
 from manifold3d import Manifold
 
 from artgen._arrays import Array
-from artgen.asset import Asset, AssetCondition, AssetJoint
+from artgen.asset import Asset, AssetCondition, AssetCoupling, AssetJoint
 from artgen.asset.affordance import GRIPPER, Affordance, block, clipped, moved_joints
 from artgen.asset.collision import SolidPart, link_parts
 from artgen.export.frames import coupling, leader_of
@@ -315,21 +315,19 @@ def _places(asset: Asset, joint: AssetJoint) -> Sequence[_Place]:
     """Return positions along the range of a joint; other joints stand where it may move."""
     held = positions_to_move(asset, joint.name, {}) or {}
     low, high = _range(joint)
-    members = [(joint, 1.0, 0.0)]  # the joint and its followers, with ratio and offset of each
+    members = [(joint, AssetCoupling(joint.name, 1.0))]  # the joint and its followers, with the law of each
     for each in asset.joints:
         law = coupling(asset, each)
         if law is not None and law.leader == joint.name:
-            members.append((each, law.ratio, law.offset))
-    friction = sum(abs(ratio) * each.friction for each, ratio, _ in members)
-    friction += joint.detents.torque if joint.detents else 0.0
+            members.append((each, law))
+    clicks = joint.detents.torque if joint.detents else 0.0
     step = min(_FORCE_STEP, 0.25 * (high - low))
     places = []
     for at in np.linspace(low + step, high - step, _STEPS + 1).tolist():
         before, behind = (asset.pose({**held, joint.name: at + side * step}) for side in (-1.0, 1.0))
         rise = (_potential(asset, behind) - _potential(asset, before)) / (2.0 * step)
-        springs = sum(
-            ratio * each.stiffness * (each.rest - ratio * at - offset) for each, ratio, offset in members
-        )
+        springs = sum(law.slope(at) * each.stiffness * (each.rest - law.at(at)) for each, law in members)
+        friction = clicks + sum(abs(law.slope(at)) * each.friction for each, law in members)
         places.append(_Place(springs - rise, friction, before, behind, 2.0 * step))
     return places
 

@@ -338,7 +338,11 @@ class Comparison:
 
     def _couplings(self) -> Iterator[Finding]:
         asset, reading = self.expected.asset, self.reading
-        following = {joint.name for joint in asset.joints if joint.follows is not None and not joint.locked}
+        following = {
+            joint.name
+            for joint in asset.joints
+            if joint.follows is not None and joint.follows.curve is None and not joint.locked
+        }
         read = {reading.file: reading.couplings}
         read |= {f"{reading.file} (for {name})": laws for name, laws in reading.more_couplings.items()}
         for file, laws in read.items():
@@ -437,7 +441,9 @@ def _law_to(asset: Asset, name: str, leader: str) -> tuple[float, float] | None:
     if name == leader:
         return 1.0, 0.0
     follows = asset.joint(name).follows
-    above = None if follows is None else _law_to(asset, follows.leader, leader)
-    if follows is None or above is None:
+    if follows is None or follows.curve is not None:
+        return None
+    above = _law_to(asset, follows.leader, leader)
+    if above is None:
         return None
     return follows.ratio * above[0], follows.ratio * above[1] + follows.offset

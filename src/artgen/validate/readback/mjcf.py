@@ -72,9 +72,9 @@ def element_findings(path: Path) -> Iterator[Finding]:
         if root.find(f".//{tag}") is not None:
             yield _foreign(f"{file} has <{tag}>, which does not belong to an asset")
     for equality in root.iterfind("equality/*"):
-        if equality.tag != "joint":
+        if equality.tag not in ("joint", "connect"):  # the model tells which links these connect
             yield _foreign(f"{file} has the equality <{equality.tag}>, which holds links together")
-        elif not equality.get("joint2"):
+        elif equality.tag == "joint" and not equality.get("joint2"):
             yield _foreign(f"an equality of {file} holds it in place", joint=equality.get("joint1", ""))
 
 
@@ -108,6 +108,19 @@ def _model_findings(model: Any, asset: Asset, file: str) -> Iterator[Finding]:
         if np.abs(model.eq_data[number, 2:5]).max() > 0.0:
             follower = model.joint(int(model.eq_obj1id[number])).name
             yield _fault(f"its coupling has terms of higher order in {file}", joint=follower)
+    pins = sorted(
+        (*loop.links, *np.round(loop.point - asset.origin(loop.links[0]), 6)) for loop in asset.loops
+    )
+    read = sorted(
+        (
+            *(model.body(int(body)).name for body in (model.eq_obj1id[number], model.eq_obj2id[number])),
+            *np.round(model.eq_data[number, :3], 6),
+        )
+        for number in np.flatnonzero(model.eq_type == mujoco.mjtEq.mjEQ_CONNECT)
+        if model.eq_objtype[number] == mujoco.mjtObj.mjOBJ_BODY
+    )
+    if read != pins:
+        yield _foreign(f"{file} connects links otherwise than the {len(pins)} closed chains of the asset")
 
 
 def _detent_findings(model: Any, data: Any, asset: Asset, file: str) -> Iterator[Finding]:

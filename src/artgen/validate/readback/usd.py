@@ -3,7 +3,7 @@
 import os
 import re
 from collections import Counter
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -62,7 +62,6 @@ _SWITCHES = {
     "physics:rigidBodyEnabled": (False, "its rigid body is disabled"),
     "physics:kinematicEnabled": (True, "its rigid body is kinematic, so nothing moves it"),
     "physics:jointEnabled": (False, "it is disabled"),
-    "physics:excludeFromArticulation": (True, "it is excluded from the articulation"),
     "physics:collisionEnabled": (False, "its collider {} is disabled"),
 }
 _UNREACHABLE = 1e5  # larger limits count as none; some simulators want limits on coupled joints [rad or m]
@@ -83,6 +82,7 @@ def _stage_findings(stage: Any, asset: Asset) -> Iterator[Finding]:
     bodies = [prim for prim in prims if prim.HasAPI(UsdPhysics.RigidBodyAPI)]
     joints = [prim for prim in prims if prim.IsA(UsdPhysics.Joint)]
     yield from _layer_findings(stage)
+    yield from _pin_findings([joint for joint in joints if _is_pin(joint)], asset)
     roots = sum(prim.HasAPI(UsdPhysics.ArticulationRootAPI) for prim in prims)
     wanted = 1 + sum(any(joint.parent == name for joint in asset.joints) for name in asset.loose)
     if roots != wanted:
@@ -107,6 +107,38 @@ def _stage_findings(stage: Any, asset: Asset) -> Iterator[Finding]:
     for prim in prims:
         yield from _contact_findings(prim)
         yield from _attribute_findings(prim, off)
+
+
+def _is_pin(joint: Any) -> bool:
+    """Tell whether a joint is outside the articulation, as pins of closed chains are."""
+    return bool(_get(joint, "physics:excludeFromArticulation", False))
+
+
+def _pin_findings(pins: Sequence[Any], asset: Asset) -> Iterator[Finding]:
+    """Yield joints outside the articulation that close no chain, and chains that none closes."""
+    wanted = list(asset.loops)
+    for pin in pins:
+        links = tuple(
+            next((path.name for path in pin.GetRelationship(f"physics:body{end}").GetTargets()), "")
+            for end in (0, 1)
+        )
+        places = [np.array(_get(pin, f"physics:localPos{end}", np.nan)) for end in (0, 1)]
+        closed = [
+            loop
+            for loop in wanted
+            if loop.links == links
+            and pin.IsA(UsdPhysics.RevoluteJoint)
+            and all(
+                np.allclose(place, loop.point - asset.origin(name), rtol=0.0, atol=_RIGID)
+                for place, name in zip(places, links, strict=True)
+            )
+        ]
+        if not closed:
+            yield _fault("it is excluded from the articulation", joint=pin.GetName())
+        for loop in closed[:1]:
+            wanted.remove(loop)
+    for loop in wanted:
+        yield _fault("no pin closes their chain", ", ".join(loop.links))
 
 
 def _layer_findings(stage: Any) -> Iterator[Finding]:
@@ -246,10 +278,12 @@ class _Arm:
         return result
 
 
-def _arms(stage: Any) -> Iterator[_Arm]:
-    """Yield the enabled joints of a stage."""
+def _arms(stage: Any, asset: Asset) -> Iterator[_Arm]:
+    """Yield the enabled joints of a stage, without the pins of closed chains."""
     for prim in stage.Traverse():
         if not prim.IsA(UsdPhysics.Joint) or _get(prim, "physics:jointEnabled") is False:
+            continue
+        if _is_pin(prim) and prim.GetName() not in asset.joints.by_name:
             continue
         parent, child = (
             next((path.name for path in prim.GetRelationship(f"physics:{name}").GetTargets()), "")
@@ -404,13 +438,13 @@ def read(asset: Asset, path: Path) -> Reading:
             # OpenUSD from PyPI is built without MaterialX
             messages.extend(text for text in found if not _MATERIAL_X.match(text))
             laws |= _laws(stage, asset, variant)
-            for arm in _arms(stage):
+            for arm in _arms(stage, asset):
                 if arm.kind:
                     dynamics.setdefault(arm.name, {}).update(dict.fromkeys(_dynamics(arm)))
         messages.extend(item.commentary for item in diagnostics.TakeUncoalescedDiagnostics())
         del diagnostics  # OpenUSD prints again
     bodies = {prim.GetName(): prim for prim in stage.Traverse() if prim.HasAPI(UsdPhysics.RigidBodyAPI)}
-    arms = list(_arms(stage))
+    arms = list(_arms(stage, asset))
     links = [link.name for link in asset.links if link.name in bodies]
     base, holds = asset.links[0].name, {hold.name for hold in asset.affordances}
     start = _placed(bodies[base]) if base in bodies else np.eye(4)

@@ -19,6 +19,20 @@ function allows(needs, position, positions) {
   return near || far || holds(needs.condition, positions);
 }
 
+/** Returns the position of a joint of a closed chain at a position of its input; without a curve, the same. */
+function bent(curve, position) {
+  if (!curve) return position;
+  const { start, step, positions, slopes } = curve;
+  const turns = curve.turns ? Math.floor((position - start) / (2 * Math.PI)) : 0;
+  const place = (position - start - turns * 2 * Math.PI) / step;
+  const number = Math.min(Math.max(Math.floor(place), 0), positions.length - 2);
+  const share = place - number;
+  const rise = positions[number + 1] - positions[number];
+  const [first, last] = [slopes[number] * step, slopes[number + 1] * step];
+  const inside = first + share * (3 * rise - 2 * first - last + share * (first + last - 2 * rise));
+  return positions[number] + share * inside + turns * (positions.at(-1) - positions[0]);
+}
+
 class Kinematics {
   /** Stores the joints of an asset. */
   constructor(data) {
@@ -39,7 +53,7 @@ class Kinematics {
       if (joint.name in result) return result[joint.name];
       const { follows } = joint;
       const position = follows
-        ? follows.ratio * place(this.joints.get(follows.leader)) + follows.offset
+        ? follows.ratio * bent(follows.curve, place(this.joints.get(follows.leader))) + follows.offset
         : (q[joint.name] ?? joint.closed);
       result[joint.name] = position;
       return position;

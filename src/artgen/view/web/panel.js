@@ -155,7 +155,8 @@ class Panel {
 }
 
 /** Returns the coupling of a joint as text. */
-function followed({ leader, ratio, offset }) {
+function followed({ leader, ratio, offset, curve }) {
+  if (curve) return `moves in a closed chain with ${leader}`;
   const added = offset ? ` ${offset < 0 ? "−" : "+"} ${number(Math.abs(offset))}` : "";
   return `follows ${number(ratio)} × ${leader}${added}`;
 }

@@ -13,7 +13,7 @@ import numpy as np
 from artgen import _portable
 from artgen._arrays import Array
 from artgen.asset import Asset, AssetJoint, Link, Mesh
-from artgen.export.frames import Segment, chain, coupling
+from artgen.export.frames import Segment, chain, linear_coupling
 
 ROOT = "base"
 """Name of the body without geometry that carries the asset's base, turned upright."""
@@ -197,7 +197,7 @@ def _couplings(asset: Asset, steps: Sequence[Step]) -> tuple[Coupled, ...]:
     by_name = {step.segment.joint.name: step for step in steps}
     result = []
     for name, step in by_name.items():
-        follows = coupling(asset, asset.joint(name))
+        follows = linear_coupling(asset, asset.joint(name))
         if follows is not None and not step.segment.joint.locked:
             leader = by_name[follows.leader]
             ratio, offset = step.sign * leader.sign * follows.ratio, step.sign * follows.offset
