@@ -12,7 +12,6 @@ from itertools import combinations, product
 import numpy as np
 from manifold3d import Manifold, Mesh64, OpType
 from numpy.typing import NDArray
-from scipy.interpolate import CubicHermiteSpline
 
 from artgen.asset import AllowedContact, Asset, Link
 from artgen.asset import AssetCondition as Condition
@@ -214,9 +213,9 @@ def _bent(asset: Asset, joint: Joint, leader: Array) -> Array:
         joint = asset.joint(joint.follows.leader)
     if joint.follows is None:
         return leader
-    curve = joint.follows.curve
-    inputs = curve.start + curve.step * np.arange(len(curve.positions))
-    return CubicHermiteSpline(inputs, curve.positions, curve.slopes)(leader)
+    (low, high), terms = joint.follows.curve.range, joint.follows.curve.terms
+    angle = np.arccos(np.clip((2.0 * leader - low - high) / (high - low), -1.0, 1.0))
+    return sum(term * np.cos(number * angle) for number, term in enumerate(terms))
 
 
 def _displacement(joint: Joint, position: Array) -> Array:

@@ -108,8 +108,9 @@ def _check_curved(
         leader, curve = named[joint.follows.leader], joint.follows.curve
         assert curve is not None
         low, high = leader.limits or (-np.inf, np.inf)
-        covered = curve.turns or (curve.start - _CURVE_SLACK <= low and high <= curve.end + _CURVE_SLACK)
-        if leader.follows is not None or not covered or not len(curve.positions) == len(curve.slopes) > 1:
+        start, end = curve.range
+        covered = curve.turns or (start - _CURVE_SLACK <= low and high <= end + _CURVE_SLACK)
+        if leader.follows is not None or not (covered and start < end and curve.terms):
             raise AssetError(
                 f"the curve of joint {name!r} does not cover the range of {leader.name!r}; declare the loop "
                 f"after the limits of {leader.name!r} are set",
@@ -148,7 +149,7 @@ def followed_limits(law: AssetCoupling, leader: AssetJoint) -> tuple[float, floa
     if leader.limits is not None:
         return law.span(*leader.limits)
     if law.curve is not None and abs(law.gain) < _CURVE_SLACK:  # it swings while its input turns
-        return law.span(law.curve.start, law.curve.end)
+        return law.span(*law.curve.range)
     return None
 
 

@@ -5,61 +5,67 @@ from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
 import numpy as np
+from numpy.polynomial import chebyshev
 from numpy.typing import ArrayLike
 
-from artgen._arrays import Array, FrozenArrays, Indices, Triple, cached_property
+from artgen._arrays import Array, FrozenArrays, Triple, cached_property
 from artgen.asset.record import Record
 from artgen.asset.valid_states import curve_at
+
+_STEPS = 1024  # of the range of a curve, for bounds of its speed
+_WIDER = 1e-6  # share of a step by which intervals are widened, for rounding
+_BISECTIONS = 50
 
 
 @dataclass(frozen=True)
 class AssetCurve(Record):
-    """Positions of a joint of a closed chain at equal steps of the input, with a cubic between two of them.
+    """Position of a joint of a closed chain as a Chebyshev series in the position of the input.
 
     Attributes:
-        start: Position of the input at the first sample [rad or m].
-        step: Distance of two samples [rad or m].
-        positions: Position of the joint at each sample [rad or m].
-        slopes: Its speed there, per speed of the input.
-        turns: Whether the input turns without limits; the samples then cover one turn.
+        range: Positions of the input between which the series holds [rad or m].
+        terms: Coefficients of the series [rad or m].
+        turns: Whether the input turns without limits; the range is then one turn.
     """
 
-    start: float
-    step: float
-    positions: tuple[float, ...]
-    slopes: tuple[float, ...]
+    range: tuple[float, float]
+    terms: tuple[float, ...]
     turns: bool = False
 
     @property
-    def end(self) -> float:
-        """Position of the input at the last sample [rad or m]."""
-        return self.start + self.step * (len(self.positions) - 1)
-
-    @property
     def gain(self) -> float:
-        """Difference of the last and the first position [rad or m]."""
-        return self.positions[-1] - self.positions[0]
+        """Motion of the joint from one end of the range to the other [rad or m]."""
+        return 2.0 * sum(self.terms[1::2])
 
     @cached_property
-    def _data(self) -> dict[str, Any]:
-        arrays = {"positions": np.array(self.positions), "slopes": np.array(self.slopes)}
-        return {"start": self.start, "step": self.step, "turns": self.turns, **arrays}
+    def _series(self) -> tuple[dict[str, Any], ...]:
+        """The series and its first and second derivative, as data."""
+        series, (low, high) = [np.array(self.terms)], self.range
+        for _ in range(2):
+            series.append(chebyshev.chebder(series[-1]) * (2.0 / (high - low)))
+        return tuple({"range": self.range, "terms": each, "turns": self.turns} for each in series)
 
-    def at(self, position: ArrayLike, *, slope: bool = False) -> Array:
-        """Return the positions of the joint, or its slopes, at positions of the input, of the same shape."""
-        return np.asarray(curve_at(self._data, position, slope=slope))
+    def at(self, position: ArrayLike) -> Array:
+        """Return the positions of the joint at positions of the input, of the same shape."""
+        return np.asarray(curve_at(self._series[0], np.asarray(position, float)))
+
+    def slope(self, position: ArrayLike) -> Array:
+        """Return the speeds of the joint per speed of the input at positions of it, of the same shape."""
+        return np.asarray(curve_at(self._series[1], np.asarray(position, float)))
+
+    @cached_property
+    def _edges(self) -> Array:
+        return np.linspace(*self.range, _STEPS + 1)
 
     @cached_property
     def _steepest(self) -> list[Array]:
         """Bounds of the speed: row k has the largest of the 2^k steps from each step on."""
-        rise = np.diff(self.positions) / self.step
-        first, last = np.array(self.slopes[:-1]), np.array(self.slopes[1:])
-        # the slope of a cubic lies between the control points of its slope
-        bound = np.max(np.abs([first, 3.0 * rise - first - last, last]), axis=0)
-        rows = [bound]
-        while (width := 1 << len(rows)) <= len(bound):
-            half = rows[-1]
-            rows.append(np.maximum(half[: len(bound) - width + 1], half[width // 2 : len(half)]))
+        half = (self.range[1] - self.range[0]) / (2.0 * _STEPS)
+        # no Chebyshev polynomial exceeds 1, which bounds the second derivative
+        bend = float(np.abs(self._series[2]["terms"]).sum())
+        rows = [np.abs(self.slope(self._edges[:-1] + half)) + half * bend]
+        while (width := 1 << len(rows)) <= _STEPS:
+            before = rows[-1]
+            rows.append(np.maximum(before[: _STEPS - width + 1], before[width // 2 : len(before)]))
         return rows
 
     @property
@@ -69,32 +75,30 @@ class AssetCurve(Record):
 
     def steepest(self, low: Array, high: Array) -> Array:
         """Return a bound of the speed per speed of the input in intervals of the input, of the same shape."""
-        first, last = (self._step(end) for end in (low, high))
+        step = (self.range[1] - self.range[0]) / _STEPS
+        first, last = (
+            np.clip(np.floor((end - self.range[0]) / step).astype(np.int64), 0, _STEPS - 1)
+            for end in (low - _WIDER * step, high + _WIDER * step)
+        )
         widths = 1 << np.arange(len(self._steepest))
         level = np.searchsorted(widths, last - first + 1, side="right") - 1
         result = np.zeros(np.shape(level))
         for number, row in enumerate(self._steepest):
-            ends = np.stack([row[np.clip(end, 0, len(row) - 1)] for end in (first, last + 1 - (1 << number))])
+            starts = (first, last + 1 - (1 << number))
+            ends = np.stack([row[np.clip(end, 0, len(row) - 1)] for end in starts])
             result = np.where(level == number, ends.max(axis=0), result)
         return result
 
-    def _step(self, position: Array) -> Indices:
-        place = np.floor((position - self.start) / self.step).astype(np.int64)
-        return np.clip(place, 0, len(self.positions) - 2)
-
     def turning_points(self) -> list[float]:
         """Return the positions of the input, in rising order, at which the joint turns back."""
-        found = []
-        for number, (first, last) in enumerate(zip(self.slopes, self.slopes[1:], strict=False)):
-            rise = (self.positions[number + 1] - self.positions[number]) / self.step
-            a, b = first + last - 2.0 * rise, 3.0 * rise - 2.0 * first - last
-            # roots of first + 2 b t + 3 a t^2
-            root = b * b - 3.0 * a * first
-            if root < 0.0:
-                continue
-            q = -(b + math.copysign(math.sqrt(root), b))
-            shares = [top / bottom for top, bottom in ((q, 3.0 * a), (first, q)) if bottom]
-            found += [self.start + (number + t) * self.step for t in sorted(shares) if 0.0 <= t <= 1.0]
+        slopes, found = self.slope(self._edges), []
+        for number in np.flatnonzero(slopes[:-1] * slopes[1:] <= 0.0).tolist():
+            low, high = self._edges[number : number + 2].tolist()
+            for _ in range(_BISECTIONS):
+                middle = (low + high) / 2.0
+                rises = float(self.slope(middle)) * float(slopes[number]) > 0.0
+                low, high = (middle, high) if rises else (low, middle)
+            found.append(low)
         return found
 
 
@@ -124,7 +128,7 @@ class AssetCoupling(Record):
 
     def slope(self, position: float) -> float:
         """Return the speed of the joint per speed of the leader, which is at a position [rad or m]."""
-        return self.ratio * (1.0 if self.curve is None else float(self.curve.at(position, slope=True)))
+        return self.ratio * (1.0 if self.curve is None else float(self.curve.slope(position)))
 
     @property
     def steepest(self) -> float:

@@ -5,9 +5,8 @@
     states.blocked(q)                          # shape (1000, joints): joints at a forbidden position
     q = states.project(q)                      # the same states, blocked joints at an allowed position
 
-A state has the position of every degree of freedom, in the order of `states.dofs` [rad or m]: of the joints
-that neither follow another joint nor are locked. A joint with a dependency may leave its closed position, 0,
-only while a condition on other joints holds; it is free up to `beyond` and farther open than `until`.
+A state has the positions of `states.dofs` [rad or m], the joints that neither follow another nor are locked.
+A joint may need a condition on others to leave 0; it is free up to `beyond` and farther open than `until`.
 """
 
 import json
@@ -19,12 +18,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 KEY = "artgen_states"
-_PLACES = {  # where the text formats have the states
-    ".xml": f'{KEY}" data="([^"]*)"',
-    ".urdf": f"<!-- {KEY} (.*) -->",
-    ".sdf": f"<!-- {KEY} (.*) -->",
-    ".usda": f"string {KEY} = '(.*)'",
-}
+_TEXT = f"""{KEY}" data="([^"]*)"|<!-- {KEY} (.*) -->|string {KEY} = '(.*)'"""  # in the text formats
 Array = NDArray[np.float64]
 
 
@@ -33,30 +27,22 @@ class ValidStates:
 
     def __init__(self, joints: list[dict[str, Any]]) -> None:
         """Take the joints of the files: dictionaries with name, limits, follows and needs."""
-        rows = {str(joint["name"]): joint for joint in joints}
-        self.joints = tuple(rows)
-        leaders = [joint for joint in joints if not joint["follows"]]
-        limits = {joint["name"]: joint["limits"] or (-np.inf, np.inf) for joint in leaders}
+        self.joints = tuple(rows := {str(joint["name"]): joint for joint in joints})
+        limits = {each["name"]: each["limits"] or (-np.inf, np.inf) for each in joints if not each["follows"]}
         self.dofs = tuple(name for name, (low, high) in limits.items() if low != high)
         ranges = np.array([limits[name] for name in self.dofs], float).reshape(-1, 2)
         ranges.setflags(write=False)
         self.lower, self.upper = ranges.T
-        self._needs = {name: joint["needs"] for name, joint in rows.items() if joint.get("needs")}
-        self._laws = {}  # of each joint: degree of freedom (-1: none), ratio and offset
-        self._curves: dict[str, dict[str, Any]] = {}  # of joints of closed chains, in place of the position
+        self._needs = {name: row["needs"] for name, row in rows.items() if row.get("needs")}
+        self._laws = {}  # of each joint: degree of freedom (-1: none), ratio, offset and curve
         for name in rows:
-            leader, ratio, offset = name, 1.0, 0.0
+            leader, ratio, offset, curve = name, 1.0, 0.0, None
             while law := rows[leader]["follows"]:
                 leader, ratio, offset = law["leader"], ratio * law["ratio"], offset + ratio * law["offset"]
-                if law.get("curve"):  # it leads to a degree of freedom
-                    arrays = {key: np.array(law["curve"][key], float) for key in ("positions", "slopes")}
-                    self._curves[name] = {**law["curve"], **arrays}
+                curve = law.get("curve")  # only before a joint that follows none
             free = leader in self.dofs
-            fixed = offset
-            if not free:
-                held = limits[leader][0]
-                fixed += ratio * float(curve_at(self._curves[name], held) if name in self._curves else held)
-            self._laws[name] = (self.dofs.index(leader) if free else -1, ratio, fixed)
+            fixed = offset if free else offset + ratio * curve_at(curve, limits[leader][0])
+            self._laws[name] = (self.dofs.index(leader) if free else -1, ratio, fixed, curve)
         self._order: list[str] = []  # joints with dependencies, those first that others depend on
         for name in self._needs:
             self._enter(name, ())
@@ -64,11 +50,8 @@ class ValidStates:
     @classmethod
     def read(cls, path: str | Path) -> "ValidStates":
         """Read an exported file; ValueError if it has no states."""
-        found = _data(Path(path))
-        if not found:
-            raise ValueError(
-                f"{path} has no {KEY}: export the asset with artgen to URDF, MJCF, USD, GLB or SDFormat"
-            )
+        if not (found := _data(Path(path))):
+            raise ValueError(f"{path} has no {KEY}: artgen exports it to URDF, MJCF, USD, GLB and SDF")
         return cls((json.loads(found) if isinstance(found, str) else found)["joints"])
 
     def positions(self, q: ArrayLike) -> Array:
@@ -79,10 +62,9 @@ class ValidStates:
     def blocked(self, q: ArrayLike) -> NDArray[np.bool_]:
         """Tell which joints are at a position that their dependency forbids, shape (..., joints)."""
         columns = np.moveaxis(np.asarray(q, float), -1, 0)
-        result = np.zeros((*columns.shape[1:], len(self.joints)), bool)
-        for name in self._needs:
-            result[..., self.joints.index(name)] = self._forbidden(columns, name)
-        return result
+        no = np.zeros(columns.shape[1:], bool)
+        rows = [no | self._forbidden(columns, name) if name in self._needs else no for name in self.joints]
+        return np.moveaxis(np.array([no, *rows])[1:], 0, -1)
 
     def project(self, q: ArrayLike) -> Array:
         """Return valid states: clipped to the limits, blocked joints at their nearest allowed position."""
@@ -96,32 +78,25 @@ class ValidStates:
         random = np.random.default_rng(seed).random((len(self.dofs), count))
         low, high = np.maximum(self.lower, -np.pi)[:, None], np.minimum(self.upper, np.pi)[:, None]
         q = low + random * (high - low)
-        for name in self._order:
-            if name in self.dofs:  # a blocked joint is drawn again, from its positions near 0
-                at, near = self.dofs.index(name), self._needs[name].get("beyond") or 0.0
-                start, end = np.clip((-near, near), low[at], high[at])
-                q[at] = np.where(self._forbidden(q, name), start + random[at] * (end - start), q[at])
+        for name in (each for each in self._order if each in self.dofs):  # drawn again near 0 if blocked
+            at, near = self.dofs.index(name), self._needs[name].get("beyond") or 0.0
+            start, end = np.clip((-near, near), low[at], high[at])
+            q[at] = np.where(self._forbidden(q, name), start + random[at] * (end - start), q[at])
         return self.project(q.T)
 
     def _enter(self, name: str, above: tuple[str, ...]) -> None:
         if name in self._needs and name not in (*self._order, *above):
-            for other in _named(self._needs[name]["condition"]):
-                at = self._laws[other][0]
-                for joint in (other, self.dofs[at]) if at >= 0 else ():
-                    self._enter(joint, (*above, name))
+            needed = [(each, self._laws[each][0]) for each in _named(self._needs[name]["condition"])]
+            for joint in (each for other, at in needed if at >= 0 for each in (other, self.dofs[at])):
+                self._enter(joint, (*above, name))
             self._order.append(name)
 
     def _found(self, columns: Array, names: tuple[str, ...]) -> dict[str, Array]:
-        found: dict[str, Array] = {}
-        for name in names:
-            at, ratio, rest = self._laws[name]
-            if at < 0:
-                found[name] = np.array(rest)
-            elif name in self._curves:
-                found[name] = ratio * curve_at(self._curves[name], columns[at]) + rest
-            else:
-                found[name] = ratio * columns[at] + rest
-        return found
+        laws = ((name, self._laws[name]) for name in names)
+        return {
+            name: ratio * curve_at(curve, columns[at]) + rest if at >= 0 else np.array(rest)
+            for name, (at, ratio, rest, curve) in laws
+        }
 
     def _forbidden(self, columns: Array, name: str) -> Any:
         needs = self._needs[name]
@@ -131,55 +106,45 @@ class ValidStates:
         return ~(free if until is None else free | (distance >= until))
 
     def _free(self, columns: Array, name: str) -> None:
-        needs, (at, ratio, offset), shut = self._needs[name], self._laws[name], self._forbidden(columns, name)
+        needs, shut = self._needs[name], self._forbidden(columns, name)
+        at, ratio, rest, _ = self._laws[name]
         if at < 0 or not np.any(shut):
             return
-        position, near = ratio * columns[at] + offset, (needs.get("beyond") or 0.0) * (1 - 1e-9)
+        position, near = ratio * columns[at] + rest, (needs.get("beyond") or 0.0) * (1 - 1e-9)
         target, low, high = np.clip(position, -near, near), self.lower[at], self.upper[at]
         if needs.get("until") is not None:
             far = np.copysign(needs["until"] * (1 + 1e-9), position)
-            inside = (low <= (far - offset) / ratio) & ((far - offset) / ratio <= high)
+            inside = (low <= (far - rest) / ratio) & ((far - rest) / ratio <= high)
             target = np.where(inside & (abs(far - position) < abs(target - position)), far, target)
-        columns[at] = np.where(shut, np.clip((target - offset) / ratio, low, high), columns[at])
+        columns[at] = np.where(shut, np.clip((target - rest) / ratio, low, high), columns[at])
 
 
-def curve_at(curve: dict[str, Any], position: ArrayLike, *, slope: bool = False) -> Any:
-    """Return the position of a joint of a closed chain, or its slope, at positions of its input."""
-    start, step, found = curve["start"], curve["step"], np.asarray(curve["positions"], float)
-    slopes = np.asarray(curve["slopes"], float) * step
-    place = np.asarray(position, float) - start
-    turns = np.floor(place / (2.0 * np.pi)) if curve["turns"] else 0.0
-    place = (place - turns * 2.0 * np.pi) / step
-    number = np.clip(np.floor(place).astype(int), 0, len(found) - 2)
-    share, rise = place - number, found[number + 1] - found[number]
-    second = 3.0 * rise - 2.0 * slopes[number] - slopes[number + 1]
-    third = slopes[number] + slopes[number + 1] - 2.0 * rise
-    if slope:
-        return (slopes[number] + share * (2.0 * second + share * 3.0 * third)) / step
-    inside = found[number] + share * (slopes[number] + share * (second + share * third))
-    return inside + turns * (found[-1] - found[0])
+def curve_at(curve: dict[str, Any] | None, position: Any) -> Any:
+    """Return positions of a joint of a closed chain at those of its input; without a curve, the same."""
+    if curve is None:
+        return position
+    (low, high), terms = curve["range"], np.asarray(curve["terms"])  # a Chebyshev series in the range
+    turns = np.floor((position - low) / (2.0 * np.pi)) if curve["turns"] else 0.0
+    place = (2.0 * (position - 2.0 * np.pi * turns) - low - high) / (high - low)
+    return np.polynomial.chebyshev.chebval(place, terms) + 2.0 * turns * np.sum(terms[1::2])
 
 
 def _holds(found: dict[str, Array], condition: dict[str, Any]) -> Any:
-    if condition["kind"] == "above":
-        return found[condition["joint"]] > condition["value"]
-    if condition["kind"] == "below":
-        return found[condition["joint"]] < condition["value"]
+    if condition["kind"] in ("above", "below"):
+        compare = np.greater if condition["kind"] == "above" else np.less
+        return compare(found[condition["joint"]], condition["value"])
     combine = np.logical_and if condition["kind"] == "all" else np.logical_or
     return combine.reduce([_holds(found, term) for term in condition["terms"]])
 
 
 def _named(condition: dict[str, Any]) -> list[str]:
-    terms = condition.get("terms")
-    return [name for term in terms for name in _named(term)] if terms else [condition["joint"]]
+    return [name for term in condition.get("terms") or () for name in _named(term)] or [condition["joint"]]
 
 
 def _data(path: Path) -> Any:
-    raw = path.read_bytes()
-    if path.suffix == ".glb":
-        scene = json.loads(raw[20 : 20 + int.from_bytes(raw[12:16], "little")])
-        return scene["asset"].get("extras", {}).get(KEY)
-    if path.suffix == ".json":
-        return json.loads(raw)
-    match = re.search(_PLACES.get(path.suffix, "(?!)"), raw.decode())
-    return match and match[1].replace("&quot;", '"')
+    text = path.read_bytes()
+    if path.suffix in (".glb", ".json"):
+        text = text[20 : 20 + int.from_bytes(text[12:16], "little")] if path.suffix == ".glb" else text
+        found = json.loads(text)
+        return found["asset"].get("extras", {}).get(KEY) if path.suffix == ".glb" else found
+    return (match := re.search(_TEXT, text.decode())) and match[match.lastindex or 0].replace("&quot;", '"')

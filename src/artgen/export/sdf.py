@@ -21,6 +21,7 @@ from artgen.export.losses import (
     affordance_rows,
     detent_rows,
     look_rows,
+    loop_rows,
     losses,
     mechanism_rows,
     seen_materials,
@@ -192,7 +193,7 @@ def _add_moving_joint(
         words |= {"spring_reference": joint.rest, "spring_stiffness": joint.stiffness}
     for word, value in words.items():
         _add_text(dynamics, word, digits(value))
-    follows = frames.coupling(asset, joint)
+    follows = frames.linear_coupling(asset, joint)
     if follows is not None:
         leader = names[follows.leader]
         mimic = add(axis, "mimic", joint=leader)
@@ -229,6 +230,7 @@ def _losses(asset: Asset, inserted: Sequence[str], textures: int) -> tuple[Loss,
         ("joint armature", [joint.name for joint in moving if joint.armature > 0.0], "nothing"),
         *mechanism_rows(asset),
         *detent_rows(asset),
+        *loop_rows(asset, "joints without mimic; artgen_states has their laws and the pins"),
         ("several joints between two links", inserted, small),
         *affordance_rows(asset, moved.format("grasp", "the width and "), moved.format("push", "")),
         *look_rows(asset, textures),

@@ -14,6 +14,7 @@ from itertools import pairwise
 
 import numpy as np
 
+from artgen import _portable
 from artgen._arrays import Array
 from artgen.asset import AssetCoupling, AssetCurve, AssetJoint, AssetLoop, Tree
 from artgen.asset.joint import joints_above, positions_of_followers
@@ -31,7 +32,8 @@ _CLOSED = 1e-12  # largest gap of a closed chain, as a share of its size
 _ITERATIONS = 30
 _BISECTIONS = 40
 _EXACT = 2.5e-10  # largest error of a curve between its samples [rad or m]
-_MOST = 4096  # most steps of a curve
+_FEWEST, _MOST = 16, 512  # terms of a series
+_LEAST_TERM = 1e-13  # smaller terms at the end of a series are left out [rad or m]
 _DIGITS = 12  # of the numbers of a curve
 _STILL = 1e-9  # motion below which a joint counts as locked, and curvature below which a law is straight
 
@@ -214,40 +216,39 @@ class _Solver:
 
     def laws(self, low: float, high: float) -> list[AssetCoupling]:
         """Return the laws of both dependent joints, exact to `_EXACT`."""
-        steps = 64
+        low, high = (significant(end, _DIGITS) for end in (low, high))
+        count = _FEWEST
         while True:
-            step = significant((high - low) / steps, _DIGITS)
-            samples = [self.near(low + number * step) for number in range(steps + 1)]
-            places = [number + share for number in range(steps) for share in (0.3, 0.5)]
-            between = [self.near(low + place * step) for place in places]
-            laws = [self._law(number, low, step, samples) for number in (0, 1)]
-            at, found = np.array([each.at for each in between]), np.array([each.found for each in between]).T
+            angles = math.pi * (np.arange(2 * count + 1) / 2.0) / count  # extremes and, between them, nodes
+            states = [self.near((low + high + (high - low) * each) / 2.0) for each in _portable.cos(angles)]
+            laws = [self._law(number, (low, high), states[1::2]) for number in (0, 1)]
+            at, found = np.array([each.at for each in states]), np.array([each.found for each in states]).T
             errors = [np.abs(law.positions(at) - each).max() for law, each in zip(laws, found, strict=True)]
             if max(errors) <= _EXACT:
                 return laws
-            steps *= 2
-            if steps > _MOST:
+            count *= 2
+            if count > _MOST:
                 raise ValueError(
                     f"the loop comes too near to a dead point between {self.driver.name} = {low:.4g} and "
                     f"{high:.4g}; narrow the limits of {self.driver.name!r}"
                 )
 
-    def _law(self, number: int, low: float, step: float, samples: Sequence[_State]) -> AssetCoupling:
-        name, ratio = self.unknown[number], samples[0].slopes[number]
-        found = [state.found[number] for state in samples]
-        straight = [ratio * state.at - position for state, position in zip(samples, found, strict=True)]
+    def _law(self, number: int, ends: tuple[float, float], nodes: Sequence[_State]) -> AssetCoupling:
+        """Return the law of a dependent joint from states at the nodes of a Chebyshev series."""
+        name, ratio = self.unknown[number], nodes[0].slopes[number]
+        found = [state.found[number] for state in nodes]
+        straight = [ratio * state.at - position for state, position in zip(nodes, found, strict=True)]
         if max(found) - min(found) < _STILL:
             raise ValueError(f"joint {name!r} does not move in the loop; leave it out")
-        if max(map(abs, straight)) < _STILL and max(abs(s.slopes[number] - ratio) for s in samples) < _STILL:
+        if max(map(abs, straight)) < _STILL and max(abs(s.slopes[number] - ratio) for s in nodes) < _STILL:
             return AssetCoupling(self.driver.name, significant(ratio, _DIGITS))
-        curve = AssetCurve(
-            significant(low, _DIGITS),
-            step,
-            tuple(significant(position, _DIGITS) for position in found),
-            tuple(significant(state.slopes[number], _DIGITS) for state in samples),
-            self.driver.limits is None,
-        )
-        return AssetCoupling(self.driver.name, 1.0, 0.0, curve)
+        angles = math.pi * (np.arange(len(nodes)) + 0.5) / len(nodes)
+        waves = _portable.cos(np.arange(len(nodes))[:, None] * angles)
+        terms = (2.0 / len(nodes)) * _portable.product(waves, np.array(found))
+        terms[0] /= 2.0
+        last = int(np.flatnonzero(np.abs(terms) > _LEAST_TERM)[-1])
+        kept = tuple(significant(round(term, 15), _DIGITS) for term in terms[: last + 1].tolist())
+        return AssetCoupling(self.driver.name, 1.0, 0.0, AssetCurve(ends, kept, self.driver.limits is None))
 
 
 def _cross(a: complex, b: complex) -> float:

@@ -22,15 +22,15 @@ function allows(needs, position, positions) {
 /** Returns the position of a joint of a closed chain at a position of its input; without a curve, the same. */
 function bent(curve, position) {
   if (!curve) return position;
-  const { start, step, positions, slopes } = curve;
-  const turns = curve.turns ? Math.floor((position - start) / (2 * Math.PI)) : 0;
-  const place = (position - start - turns * 2 * Math.PI) / step;
-  const number = Math.min(Math.max(Math.floor(place), 0), positions.length - 2);
-  const share = place - number;
-  const rise = positions[number + 1] - positions[number];
-  const [first, last] = [slopes[number] * step, slopes[number + 1] * step];
-  const inside = first + share * (3 * rise - 2 * first - last + share * (first + last - 2 * rise));
-  return positions[number] + share * inside + turns * (positions.at(-1) - positions[0]);
+  const [low, high] = curve.range;
+  const turns = curve.turns ? Math.floor((position - low) / (2 * Math.PI)) : 0;
+  const place = (2 * (position - 2 * Math.PI * turns) - low - high) / (high - low);
+  let [value, before, gain] = [0, 0, 0]; // Clenshaw's recurrence
+  for (let number = curve.terms.length - 1; number > 0; number -= 1) {
+    [value, before] = [2 * place * value - before + curve.terms[number], value];
+    gain += number % 2 ? 2 * curve.terms[number] : 0;
+  }
+  return place * value - before + curve.terms[0] + turns * gain;
 }
 
 class Kinematics {
