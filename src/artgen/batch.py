@@ -19,7 +19,7 @@ from artgen.asset import Asset
 from artgen.asset.link import BareLink, Collider, DerivedLink
 from artgen.catalog import generate
 from artgen.errors import ExportError, ParameterError
-from artgen.export.frames import apart, linear_coupling
+from artgen.export.frames import apart, coupling, linear_coupling
 from artgen.export.mjcf import OFF
 from artgen.generator import Generator
 
