@@ -135,17 +135,17 @@ def _wrap(root: ET.Element, asset: Asset) -> Fixture:
     for name, place in (sizes | {"horizontal_radius": (*radii, (low + high) / 2.0)}).items():
         add(outer, "site", name=f"{name}_site", pos=place, **_UNSEEN)
     bodies[asset.links[0].name] = inner
-    for site in named.sites:
-        holder = bodies[site.link] if site.link else add(inner, "body", name=f"{site.name}_outlet")
-        place = site.place - (asset.origin(site.link) if site.link else 0.0)
+    for each in named.sites:
+        holder = bodies[each.link] if each.link else add(inner, "body", name=f"{each.name}_outlet")
+        place = each.place - (asset.origin(each.link) if each.link else 0.0)
         add(
             holder,
             "site",
-            name=site.name,
+            name=each.name,
             type="cylinder",
-            size=site.size,
+            size=each.size,
             pos=place.round(7),
-            rgba=f"{site.rgb} 0",
+            rgba=f"{each.rgb} 0",
         )
     return named
 

@@ -317,7 +317,7 @@ def room_above(asset: Asset, link: Link) -> Array:
     box[1, 2] = asset.bounds()[1, 2]
     others = [each.name for each in asset.links if each.name != link.name]
     grid = Grid(box)
-    taken = grid.occupied(asset, {}, others).any(axis=(0, 1))
+    taken = np.array(grid.occupied(asset, {}, others).any(axis=(0, 1)))
     levels = grid.origin[2] + grid.step * np.arange(len(taken))
     above = levels[taken & (levels > high[2])]
     box[1, 2] = max(float(high[2]), float(above.min()) if len(above) else 0.0)
@@ -325,7 +325,7 @@ def room_above(asset: Asset, link: Link) -> Array:
 
 
 def _points(box: Array) -> list[tuple[float, float]]:
-    x, y = (np.linspace(*box[:, axis], _POINTS) for axis in (0, 1))
+    x, y = (np.linspace(box[0, axis], box[1, axis], _POINTS) for axis in (0, 1))
     return [(float(a), float(b)) for a in x for b in y]
 
 
