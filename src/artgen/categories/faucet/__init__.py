@@ -18,8 +18,9 @@ import functools
 from typing import Literal
 
 import artgen as ag
-from artgen.categories.faucet import drain, handles, spouts, stands
+from artgen.categories.shared import taps
 from artgen.categories.shared.finish import casting
+from artgen.categories.shared.taps import drain, handles, spouts, stands
 
 Style = Literal["widespread", "single_hole", "bridge", "wall", "vessel", "gooseneck", "pull_down"]
 
@@ -30,7 +31,6 @@ _DECKS: dict[ag.Material | str, float] = {_SHEET: 0.6, "green_marble": 0.5, "mar
     "black_granite": 1.2, "granite": 1.0, "walnut": 1.0}  # fmt: skip
 _STYLES = {"vessel": 0.15, "bridge": 0.11, "single_hole": 0.10, "wall": 0.12, "widespread": 0.16,
            "gooseneck": 0.16, "pull_down": 0.20}  # fmt: skip
-_PAST = 0.045  # distance from the end of a lever to the middle of a spray head [m]
 _METAL_WEIGHTS, _DECK_WEIGHTS = tuple(_METALS.values()), tuple(_DECKS.values())
 
 
@@ -158,7 +158,7 @@ def faucet(
     # slabs on a wall are thinner than worktops
     thick = ag.min_(deck_thickness, 0.024) if style == "wall" else deck_thickness
     board = stands.Board(deck_margin, thick, surface, reach if rod else None)
-    ring = 2 * girth + 0.010  # height of the ring of a straight spout
+    ring = taps.ring_of(girth)
     mixer = functools.partial(handles.mixer, lever, lever_length, finish, lift, handle_friction)
     match style:
         case "widespread":
@@ -172,26 +172,18 @@ def faucet(
         case _:
             stand = stands.sided_column(board, body_radius, mixer(stands.SIDE), side, finish)
 
-    rise = height - stand.over - girth  # height of the middle of the tube above the foot of a spout
-    tube = spouts.Spout(reach, girth, finish)
-    straight = rise - 0.5 * reach  # height of the start of the arc of a gooseneck
-    if spout == "beam":
-        turned = tube.straight(hub=body_radius, tall=ring, square=square)
-    elif spout == "low":
-        turned = tube.hanging()
-    elif style == "pull_down":
-        fall = straight - head_travel - 0.017  # length of the straight leg for the hose
-        turned = tube.pull_down(height=rise, fall=fall, travel=head_travel, force=head_force)
-        turned = turned.require(
-            reach > lever_length + _PAST,
-            f"the spray head swings past the lever: reach must exceed lever_length by {_PAST:g} m",
-        )
-    else:
-        fall = {"gooseneck": straight - 0.032, "arc": 0.6 * rise}.get(spout, rise - 0.032)
-        turned = tube.rising(spout, height=rise, fall=ag.max_(stand.least, fall))
-    turns, friction = (-swivel_limit, swivel_limit), swivel_friction
-    swivel = ag.Revolute("spout_swivel", axis=ag.Z, limits=turns, feel=spouts.SEALS, friction=friction)
-    body = stand.body.attach(turned, swivel, at=stand.foot)
+    body = taps.attach_spout(
+        stand,
+        spouts.Spout(reach, girth, finish),
+        "pull_down" if style == "pull_down" else spout,
+        height,
+        hub=body_radius,
+        square=square,
+        head=(head_travel, head_force),
+        lever=lever_length,
+        turn=swivel_limit,
+        friction=swivel_friction,
+    )
     if stand.valves:
         button = finish if accent == "same" else ag.material("ceramic")
         pair = (stand.valves, handle, handle_length, finish, button, handle_friction)

@@ -11,16 +11,13 @@ seat of urea weigh 1-2 kg each; dampers let them fall in 3-8 s. Keys of a cister
 plates on a wall are 246 by 164 mm (catalogs of concealed cisterns).
 """
 
-import functools
 import math
-import operator
-from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Literal
 
 import artgen as ag
 from artgen import details, feel
-from artgen.categories.shared import controls
+from artgen.categories.shared import controls, sanitary
 from artgen.categories.shared.finish import casting
 from artgen.nodes.fitting import FIT, Fitting
 
@@ -40,31 +37,9 @@ _EDGE = ((0.98, 1.0), (0.98, 1.0), (0.95, 0.975))  # shares of width and length 
 _TRAVEL = 0.006  # travel of a key [m]
 _DENSITY = {"coupled": 480.0, "one_piece": 330.0, "hung": 480.0}
 """Density of a hollow bowl, by style [kg/m3]."""
-_CHINA = ag.material("ceramic").with_(name="china", base_color=(0.86, 0.86, 0.84), specular_roughness=0.08)
-_GLAZES = ag.choice(
-    {
-        _CHINA: 0.86,
-        _CHINA.with_(name="china_cream", base_color=(0.83, 0.77, 0.65)): 0.08,
-        _CHINA.with_(name="china_black", base_color=(0.03, 0.03, 0.03)): 0.06,
-    }
-)
 _UREA = ag.material("glossy_plastic_white").with_(name="seat_plastic", density=1500.0)
 _WATER = ag.material("glass").with_(name="bowl_water", base_color=(0.72, 0.80, 0.82), opacity=0.45)
 _METALS = ag.shades("chrome", "satin_nickel", "satin_brass", "powder_coat_black", weights=(5, 2, 1, 1))
-_TILE = ag.material("ceramic").with_(specular_roughness=0.25, density=700.0)
-_TILES = ag.choice(
-    *(
-        _TILE.with_(name=f"tile_{name}", base_color=color)
-        for name, color in {
-            "white": (0.78, 0.78, 0.76),
-            "sand": (0.62, 0.55, 0.45),
-            "slate": (0.20, 0.22, 0.24),
-            "sage": (0.42, 0.50, 0.42),
-            "sea": (0.25, 0.38, 0.45),
-        }.items()
-    )
-)
-_GROUT = ag.material("ceramic").with_(name="grout", base_color=(0.52, 0.51, 0.49), specular_roughness=0.9)
 
 
 @dataclass(frozen=True)
@@ -82,21 +57,11 @@ class _Plan:
     glaze: ag.Material
     metal: ag.Material
 
-    def _round(
-        self, half: ag.Scalar, deep: ag.Scalar, angles: Iterable[float]
-    ) -> list[tuple[ag.Scalar, ag.Scalar]]:
-        """Return points of a round outline about the origin, from the right to the front."""
-
-        def bent(value: float) -> float:
-            return math.copysign(abs(value) ** self.power, value)
-
-        return [(half * bent(math.cos(a)), -deep * bent(math.sin(a))) for a in angles]
-
     def outline(
         self, wide: ag.Scalar, tip: ag.Scalar, length: ag.Scalar, back: ag.Scalar, rear: float = 0.86
     ) -> ag.Profile:
         """Make an outline from above: a round front, and sides that narrow to the back."""
-        front = self._round(wide, tip, (math.pi * step / 18 for step in range(19)))
+        front = sanitary.rounded(wide, tip, self.power, (math.pi * step / 18 for step in range(19)))
         ends = [(0.03, 0.0), (0.009, 0.009), (0.0, 0.03)]
         right = [(rear * wide - x, back - y) for x, y in ends]
         sides = [(x, tip - length + y) for x, y in front]
@@ -111,7 +76,7 @@ class _Plan:
         """Make the outline of an opening that leaves a brim at the sides and at the front."""
         long = (length - _HOLE - brim) / 2
         angles = (math.tau * (step + 0.5) / steps for step in range(steps))
-        points = self._round(share * (self.half - brim), share * long, angles)
+        points = sanitary.rounded(share * (self.half - brim), share * long, self.power, angles)
         return ag.polygon([(x, y - _HOLE - long) for x, y in points])
 
 
@@ -143,10 +108,10 @@ def toilet(
         0.07, 0.13, "rad", within=(0.04, 0.16), doc="angle of an open lid past upright"
     ),
     slow: bool = ag.choice({True: 0.65, False: 0.35}, doc="dampers let lid and seat close slowly"),
-    glaze: ag.Material = _GLAZES,
+    glaze: ag.Material = sanitary.GLAZES,
     seat: ag.Material = ag.choice({_UREA: 0.72, "oak": 0.12, "walnut": 0.08, "glossy_plastic_black": 0.08}),
     metal: ag.Material = _METALS,
-    tiles: ag.Material = ag.by("style", hung=_TILES, otherwise=_TILE),
+    tiles: ag.Material = ag.by("style", hung=sanitary.TILES, otherwise=sanitary.TILE),
     tile: ag.Float = ag.uniform(0.14, 0.32, "m", within=(0.1, 0.4), doc="height of the tiles of a wall"),
     maker: str = ag.choice(*details.BRANDS),
 ) -> ag.Body:
@@ -156,7 +121,10 @@ def toilet(
     plan = _Plan(style, power, width / 2, blunt * length, length, rim, wall, deep, glaze, metal)
     body = ag.weld(_bowl(plan), _posts(plan))
     if style == "hung":
-        body = ag.weld(body, _tiled(wall, tile, tiles)).install(_plate(metal), at=(0, wall, 1.0))
+        keys = ag.rectangle(0.24, 0.16).at(0, 1.0)
+        body = ag.weld(body, sanitary.tiled(wall, tile, tiles, hole=keys)).install(
+            _plate(metal), at=(0, wall, 1.0)
+        )
     else:
         body = _cistern(body, plan, flush, broad * width / 2, cistern, maker)
     damping, opened, place = 6.0 if slow else 0.15, math.pi / 2 + lean, (0, 0, rim + _HINGE_Z)
@@ -311,18 +279,3 @@ def _plate(metal: ag.Material) -> Fitting:
         hole = controls.button_hole(wide, 0.110)
         fixed = fixed.install(Fitting(_key(cap, metal).body, hole).suffixed(suffix).at(x))
     return Fitting(fixed, ag.Region.centered(0.20, 0.0, 0.13).grow(back=deep + _TRAVEL + 0.004).box())
-
-
-def _tiled(wall: ag.Scalar, tile: ag.Scalar, tiles: ag.Material) -> ag.Body:
-    """Make the tiled wall before a concealed cistern, with a ledge."""
-    room = ag.Region((-0.30, 0.30), (wall, wall + 0.13), (0, 1.14))
-    ledge = room.with_(z=(1.14, 1.16)).grow(front=0.012).box(bevel=0.003)
-    lines = [ag.rectangle(0.60, 0.0025).at(0, 1.14 - tile * row) for row in range(1, 12)]
-    for row in range(12):
-        places = (-0.15, 0.15) if row % 2 else (0.0,)
-        lines += [ag.rectangle(0.0025, tile).at(x, 1.14 - tile * (row + 0.5)) for x in places]
-    grid = functools.reduce(operator.or_, lines) & ag.rectangle(0.60, 1.14).at(0, 0.57)
-    grid -= ag.rectangle(0.24, 0.16).at(0, 1.0)  # behind the plate of the keys
-    joints = details.printed(grid, (0, wall, 0), material=_GROUT, label="tile")
-    board = ag.part(ledge, "wall", ag.material("oak"))
-    return ag.weld(ag.part(room.box(bevel=0.001), "wall", tiles), board, joints)

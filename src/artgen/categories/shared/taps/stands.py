@@ -9,10 +9,10 @@ from typing import Literal
 
 import artgen as ag
 from artgen import details
-from artgen.categories.faucet import drain
-from artgen.categories.faucet.spouts import CORE
 from artgen.categories.shared.finish import casting
 from artgen.categories.shared.fixings import corner_feet
+from artgen.categories.shared.taps import drain
+from artgen.categories.shared.taps.spouts import CORE
 
 ROD_AT = 0.053
 """Distance of the rod of a drain behind the axis of the spout [m]."""
@@ -104,6 +104,18 @@ class Board:
         )
 
 
+@dataclass(frozen=True)
+class Ledge:
+    """A flat place of a body, which carries a faucet about the origin of x and y instead of a board."""
+
+    body: ag.Body
+    top: ag.Scalar  # height of the place [m]
+
+    def deck(self, half: ag.Scalar, deep: ag.Scalar) -> ag.Body:
+        """Return the body; it has room for parts of any half width and half depth."""
+        return self.body
+
+
 def post(
     shaft: ag.Solid, flange: tuple[ag.Scalar, ag.Scalar, float], metal: ag.Material, label: str = "body"
 ) -> ag.Body:
@@ -140,7 +152,7 @@ def _arms(arm: ag.Solid, finish: ag.Material) -> ag.Body:
     return ag.part(ag.array(arm, at=_BOTH), "body", casting(finish, 0.35), separate="the bar joins them")
 
 
-def widespread(board: Board, girth: ag.Scalar, finish: ag.Material) -> Stand:
+def widespread(board: Board | Ledge, girth: ag.Scalar, finish: ag.Material) -> Stand:
     """Make a deck with a pedestal for a spout, and positions of valves at its sides."""
     shaft = ag.frustum(girth + 0.0085, girth + 0.0065, _PEDESTAL, bevel=0.0008)
     shaft = shaft.align((0.0, 0.0, _PEDESTAL), z=1)
@@ -176,7 +188,12 @@ def before_wall(board: Board, finish: ag.Material, *, hangs: bool) -> Stand:
 
 
 def topped_column(
-    board: Board, radius: ag.Scalar, height: ag.Scalar, ring: ag.Scalar, mixer: ag.Body, finish: ag.Material
+    board: Board | Ledge,
+    radius: ag.Scalar,
+    height: ag.Scalar,
+    ring: ag.Scalar,
+    mixer: ag.Body,
+    finish: ag.Material,
 ) -> Stand:
     """Make a column with a core for the ring of a straight spout, and the mixer on top of it."""
     foot = ag.vector(0.0, 0.0, board.top + height)
@@ -191,7 +208,11 @@ def topped_column(
 
 
 def sided_column(
-    board: Board, radius: ag.Scalar, mixer: ag.Body, side: Literal["left", "right"], finish: ag.Material
+    board: Board | Ledge,
+    radius: ag.Scalar,
+    mixer: ag.Body,
+    side: Literal["left", "right"],
+    finish: ag.Material,
 ) -> Stand:
     """Make a column for a tall spout with a mixer at its side, its lever upright."""
     out = radius + 0.012

@@ -9,8 +9,8 @@ from typing import Literal
 
 import artgen as ag
 from artgen import details, feel
-from artgen.categories.faucet.stands import post
 from artgen.categories.shared.finish import casting
+from artgen.categories.shared.taps.stands import post
 
 HandleStyle = Literal["lever", "blade", "cross", "knob"]
 """A round lever, a flat lever, a cross with balls, or a fluted knob."""

@@ -34,22 +34,55 @@ _TILT = 0.5 * _TRAVEL / _ARM  # tilt of the pivot rod at each end of its range [
 
 
 def install(
-    body: ag.Body, at: ag.Vector, rod: ag.Scalar, thick: ag.Scalar, finish: ag.Material, friction: ag.Scalar
+    body: ag.Body,
+    at: ag.Vector,
+    rod: ag.Scalar,
+    thick: ag.Scalar,
+    finish: ag.Material,
+    friction: ag.Scalar,
+    *,
+    above: ag.Scalar = 0.0,
 ) -> ag.Body:
     """Install a drain with its plug and rods in a slab.
 
-    The lift rod is at y = `rod` from the middle of the drain; `friction` is that of the ball and the collar,
-    measured at the lift rod [N].
+    The lift rod is at y = `rod` from the middle of the drain, and its collar at the height `above` over it;
+    `friction` is that of the ball and the collar, measured at the lift rod [N].
     """
     metal = casting(finish, 0.9)
     pull = feel.Feel(damping=3.0, friction=friction, armature=0.02, effort=30.0)
     lift = ag.Prismatic("lift_rod_slide", axis=ag.Z, limits=(0.0, _TRAVEL), feel=pull)
     turn = ag.Revolute("pivot_rod_turn", axis=ag.X, follows=(1 / _ARM) * lift, damping=0.002, armature=5e-5)
     fall = ag.Prismatic("plug_slide", axis=-ag.Z, follows=(_BALL / _ARM) * lift, damping=1.0, armature=0.01)
-    body = ag.weld(body, _guide(finish, metal).at(at + ag.Y * rod), _pipe(finish, metal, thick).at(at))
-    body = body.attach(_lift_rod(metal, rod, thick).at(at), lift)
+    body = ag.weld(
+        body,
+        _guide(finish, metal).at(at + ag.vector(0.0, rod, above)),
+        _pipe(finish, metal, thick, pivot=True).at(at),
+    )
+    body = body.attach(_lift_rod(metal, rod, thick, above).at(at), lift)
     body = body.attach(_pivot_rod(), turn, at=at + ag.vector(0.0, _BALL, -_DOWN))
     return body.attach(_plug(finish, metal).at(at), fall)
+
+
+def stopped(body: ag.Body, at: ag.Vector, thick: ag.Scalar, finish: ag.Material) -> ag.Body:
+    """Install a drain with a stopper, which lifts off by its knob, in a slab."""
+    metal = casting(finish, 0.9)
+    body = ag.weld(body, _pipe(finish, metal, thick, pivot=False).at(at))
+    low = _SHUT + 0.0008
+    knob = ag.cylinder(0.0075, 0.012, bevel=0.003).at(z=low + 0.019)
+    neck = ag.cylinder_between((0.0, 0.0, low + 0.002), (0.0, 0.0, low + 0.014), 0.0032)
+    under = ag.cylinder_between((0.0, 0.0, -0.010), (0.0, 0.0, low + 0.001), 0.0105)
+    cap = ag.cylinder(_PLUG, 0.0034, bevel=0.001).at(z=low + 0.0017)
+    hold = ag.grasp_on(knob, approach=-ag.Z, closing=ag.X, depth=0.010)
+    plug = ag.weld(
+        ag.part(ag.union(knob, neck, cap), "plug", finish, grasp=hold),
+        ag.part(under, "plug", ag.material("rubber")),
+    )
+    return body.attach(plug, lifted("plug_lift"), at=at)
+
+
+def lifted(name: str) -> ag.Joint:
+    """Make the joint of a plug or a basket that a hand lifts off."""
+    return ag.Prismatic(name, axis=ag.Z, limits=(0.0, 0.12), friction=0.2, damping=2.0, effort=20.0)
 
 
 def _frame(width: ag.Scalar, hole: ag.Scalar, height: ag.Scalar) -> ag.Solid:
@@ -65,25 +98,29 @@ def _guide(finish: ag.Material, metal: ag.Material) -> ag.Body:
     return ag.weld(ag.part(ring, "guide", metal), ag.detail(skin, "guide", finish))
 
 
-def _pipe(finish: ag.Material, metal: ag.Material, thick: ag.Scalar) -> ag.Body:
-    """Make the flange with its seat, the pipe with the opening for the pivot rod, and its nut."""
+def _pipe(finish: ag.Material, metal: ag.Material, thick: ag.Scalar, *, pivot: bool) -> ag.Body:
+    """Make the flange with its seat, the pipe, and the opening for a pivot rod with its nut."""
     inner, outer = _PIPE
     rim = [(inner, -0.0004), (FLANGE, -0.0004), (FLANGE - 0.0006, 0.0014), (0.0262, 0.0030),
            (0.0232, 0.0026), (0.0222, 0.0008), (inner, 0.0004)]  # fmt: skip
     flange, flat = ag.revolve(ag.polygon(rim)), _frame(0.0430, 0.0240, 0.0007)
+    pipe = _frame(0.0260, 0.0236, HANGS).at(z=-HANGS / 2)
+    skin = ag.tube(outer, inner - 0.0006, HANGS).at(z=-HANGS / 2)
+    collar = ag.tube(outer + 0.0055, outer - 0.0004, 0.012, bevel=0.001).at(z=-thick - 0.008)
+    nut = ag.detail(collar, "drain", ag.material("black_abs"))
+    if not pivot:
+        return ag.weld(ag.part([flat, pipe], "drain", metal), ag.detail([flange, skin], "drain", finish), nut)
     ball = ag.Region((0.0, 0.0), (0.010, 0.030), (-_DOWN, -_DOWN))
     window = ball.grow(x=0.0055, z=0.0055).box()
-    pipe = _frame(0.0260, 0.0236, HANGS).at(z=-HANGS / 2) - window
-    skin = ag.tube(outer, inner - 0.0006, HANGS).at(z=-HANGS / 2) - window
-    collar = ag.tube(outer + 0.0055, outer - 0.0004, 0.012, bevel=0.001).at(z=-thick - 0.008)
     near, far = outer - 0.0004, ball.y.high
     frame = ball.shrink(front=0.0025, x=-0.0080, z=-0.0080).box()
     frame = frame - ball.grow(x=0.0052, z=0.0052, back=0.01).box()
-    nut = ag.tube(0.0118, 0.0055, far - near + 0.0004, axis=ag.Y, bevel=0.001)
+    neck = ag.tube(0.0118, 0.0055, far - near + 0.0004, axis=ag.Y, bevel=0.001)
+    neck = neck.at(0.0, (near + far) / 2, -_DOWN)
     return ag.weld(
-        ag.part([flat, pipe, frame], "drain", metal),
-        ag.detail([flange, skin, nut.at(0.0, (near + far) / 2, -_DOWN)], "drain", finish),
-        ag.detail(collar, "drain", ag.material("black_abs")),
+        ag.part([flat, pipe - window, frame], "drain", metal),
+        ag.detail([flange, skin - window, neck], "drain", finish),
+        nut,
     )
 
 
@@ -112,9 +149,9 @@ def _pivot_rod() -> ag.Body:
     return ag.weld(body, ag.detail(ag.sphere(0.0046), "pivot_rod", ag.material("abs")))
 
 
-def _lift_rod(metal: ag.Material, at: ag.Scalar, thick: ag.Scalar) -> ag.Body:
+def _lift_rod(metal: ag.Material, at: ag.Scalar, thick: ag.Scalar, above: ag.Scalar) -> ag.Body:
     """Make the rod with its knob, and the bent strap that a thumbscrew clamps to its lower end."""
-    high = _GUIDE + _STANDS
+    high = above + _GUIDE + _STANDS
     under = -thick - _TRAVEL - 0.006  # height of the upper end of the strap
     rod = ag.cylinder_between((0.0, at, under - 0.020), (0.0, at, high), _ROD)
     knob: ag.Solid = ag.sphere(0.0068).at(0.0, at, high)

@@ -1,0 +1,60 @@
+"""What is special to a sink: baskets and plugs that lift off, a knob that lifts one, sizes and masses."""
+
+from functools import lru_cache
+from typing import Any
+
+import pytest
+
+from artgen.asset import Asset
+from artgen.catalog import find
+
+
+@lru_cache(maxsize=8)
+def made(seed: int, **given: Any) -> Asset:
+    return find("sink").generate(seed, on_collision="fail", **given)
+
+
+def bowl_floor(asset: Asset) -> float:
+    """Return the height of the floor of the first bowl [m]."""
+    return float(asset.parameters["rim"] - asset.parameters["hollow"])
+
+
+def test_a_basket_rests_in_its_drain_and_lifts_off() -> None:
+    asset = made(1, style="inset", plug="basket", bowls="single", stand="none")
+    low = asset.link("strainer").bounds()[0, 2]
+    assert low == pytest.approx(bowl_floor(asset) + 0.0025 - 0.0375, abs=1e-3)
+    assert asset.joint("strainer_lift").limits == pytest.approx((0.0, 0.12))
+    assert not asset.blocked({"strainer_lift": 0.12})
+
+
+def test_a_quarter_turn_of_the_knob_lifts_the_basket() -> None:
+    asset = made(2, style="apron", plug="knob", bowls="double")
+    follower = asset.joint("strainer_slide").follows
+    assert follower is not None
+    assert follower.leader == "knob_turn"
+    _, high = asset.joint("knob_turn").limits or (0.0, 0.0)
+    assert follower.ratio * high == pytest.approx(0.012, abs=1e-6)
+    assert asset.joint("strainer_lift_right").follows is None, "a hand lifts the second basket out"
+
+
+def test_a_lifted_rod_lowers_the_plug_of_a_washbasin() -> None:
+    asset = made(3, style="pedestal", plug="rod")
+    q = asset.pose({"lift_rod_slide": 0.028})["plug"][2, 3] - asset.pose({})["plug"][2, 3]
+    assert q == pytest.approx(-0.0065, abs=3e-4)
+    assert asset.clearance({"lift_rod_slide": 0.028})["sink", "plug"] > 0.0001
+
+
+@pytest.mark.parametrize(("style", "width", "depth", "mass"), [
+    ("undermount", (0.5, 1.1), (0.5, 0.65), (35.0, 110.0)),
+    ("hung", (0.79, 0.81), (0.5, 0.7), (75.0, 125.0)),
+    ("vessel", (0.55, 0.9), (0.45, 0.65), (20.0, 110.0)),
+])  # fmt: skip
+def test_sizes_and_masses_are_those_of_shops(
+    style: str, width: tuple[float, float], depth: tuple[float, float], mass: tuple[float, float]
+) -> None:
+    asset = made(4, style=style)
+    low, high = asset.bounds()
+    assert low[2] == pytest.approx(0.0, abs=1e-6)
+    assert width[0] < high[0] - low[0] < width[1]
+    assert depth[0] < high[1] - low[1] < depth[1]
+    assert mass[0] < asset.mass < mass[1]
