@@ -144,7 +144,7 @@ PRODUCTS: Mapping[str, tuple[Product, ...]] = {
         Product("toilet with a cistern", (0.345, 0.45), (0.62, 0.78), (0.70, 0.92), (30.0, 60.0)),
         Product("toilet on a wall", (0.595, 0.605), (0.57, 0.72), (1.15, 1.17), (70.0, 100.0)),
     ),
-    # EN 13310, EN 14688 and shops, with a tap of 0.1-0.45 m; a washbasin has a piece of its wall or its pedestal
+    # EN 13310, EN 14688 and shops, with a tap of 0.1-0.45 m; a washbasin has its wall or pedestal
     "sink": (
         Product("kitchen sink in a worktop", (0.55, 1.50), (0.50, 0.64), (1.15, 1.40), (22.0, 150.0)),
         Product("bowl on a vanity", (0.55, 0.90), (0.48, 0.62), (0.95, 1.15), (20.0, 130.0)),
