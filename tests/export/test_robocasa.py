@@ -296,6 +296,8 @@ def seen(category: str, seed: int) -> ET.Element:
         ("kettle", 3, {"switch_joint"}, set()),
         ("faucet", 1, {"handle_joint", "handle_temp_joint", "spout_joint"}, set()),
         ("cabinet", 1, {"doorhinge"}, set()),
+        ("sink", 0, {"handle_joint", "handle_temp_joint", "spout_joint"}, {"basin_left", "basin_right"}),
+        ("sink", 4, {"spout_joint"}, {"basin"}),
     ],
 )
 def test_fixtures_have_the_joints_and_regions_of_their_classes(

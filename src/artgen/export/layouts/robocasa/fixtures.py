@@ -24,6 +24,7 @@ _COLUMN = 0.03  # burners of a column differ by less from left to right [m]
 _SHARE = 0.8  # share of the width of a link that the region above it has
 _FLAME = (0.06, 0.001)  # radius and half height of the site of a burner that is on [m]
 _STREAM = 0.004  # radius of a stream of water or coffee [m]
+_WALL = 0.04  # least width of the wall between two basins [m]
 _CUP = 0.08  # least length of a stream of coffee [m]
 _ROWS = ("front", "rear")
 _SIDES = {1: ("center",), 2: ("left", "right"), 3: ("left", "center", "right")}
@@ -97,6 +98,7 @@ _PARTS: Mapping[str, Sequence[_Parts]] = {
         _Parts("door", {0: ("fridge_door{}_joint",)}),
         _Parts("freezer_door", {0: ("freezer_door{}_joint",)}),
     ),
+    "sink": (_Parts("spout", {1: ("spout_joint",)}),),
     "toaster": (
         _Parts("lever", {0: ("lever{}_joint",)}, "prismatic"),
         _Parts("knob", {0: ("knob_doneness{}_joint",)}),
@@ -278,6 +280,18 @@ def _tap(asset: Asset, rooms: Sequence[Array], found: Fixture) -> None:
             return
 
 
+def _basins(asset: Asset, rooms: Sequence[Array], found: Fixture) -> None:
+    """Add the basins; rooms to the left and right of a spout are one basin."""
+    basins: list[Array] = []
+    for room in sorted(rooms, key=lambda room: float(room[0, 0])):
+        if basins and room[0, 0] - basins[-1][1, 0] < _WALL:
+            basins[-1] = np.array([np.minimum(basins[-1][0], room[0]), np.maximum(basins[-1][1], room[1])])
+        else:
+            basins.append(room)
+    names = {1: ("basin",), 2: ("basin_left", "basin_right")}.get(len(basins), ())
+    found.regions.update(zip(names, basins, strict=False))
+
+
 def _coffee(asset: Asset, rooms: Sequence[Array], found: Fixture) -> None:
     """Name the first button, and add the place of the cup and the stream of coffee."""
     for link in called(asset, "button")[:1]:
@@ -382,6 +396,7 @@ _MORE: Mapping[str, Sequence[_Adder]] = {
     "microwave": (_microwave,),
     "oven": (_oven, _racks),
     "refrigerator": (_fridge,),
+    "sink": (_tap, _basins),
     "toaster": (_toaster,),
 }
 """What goes beyond names of joints, by category."""
