@@ -28,6 +28,7 @@ COMMANDS = {
     "graph": "view.graph",
     "images": "datasets.images",
     "new": "new.new",
+    "reach": "checks.reach",
     "render": "pictures.render",
     "scene": "generate.scene",
     "sheet": "pictures.sheet",

@@ -1,4 +1,4 @@
-"""Commands that check: `artgen check`, `artgen certify`, `artgen validate` and `artgen colliders`."""
+"""Commands that check: `artgen check`, `certify`, `validate`, `colliders` and `reach`."""
 
 import json
 from collections.abc import Mapping, Sequence
@@ -22,7 +22,7 @@ from artgen.commands.console import FAULT, NOT_PROVEN, console, progress, table
 from artgen.commands.options import JsonOutput, Overrides, Seed, Source, Tolerance
 from artgen.commands.view import asset_from
 from artgen.errors import ExportError
-from artgen.export.files import REPORT_FILE, replaced
+from artgen.export.files import REACH_FILE, REPORT_FILE, replaced
 from artgen.generator.overrides import parse_overrides
 from artgen.proof.certify import certify as prove
 from artgen.range_proof import Failure, prove_range
@@ -242,6 +242,32 @@ def _write_json(path: Path | None, data: object) -> None:
 
 def _json(data: object) -> str:
     return json.dumps(data, indent=1, ensure_ascii=False, allow_nan=False)
+
+
+def reach(
+    directory: Annotated[Path, Argument(help="An exported room, or another asset that stands on the floor.")],
+    *,
+    seed: Seed = 0,
+) -> None:
+    """Find a place of a Panda on a mobile base for each joint that a hand moves, and write reach.json.
+
+    From a place the hand follows the whole way of the joint, or half of it; the footprint is free.
+    """
+    from artgen.envs.reach import hand_joints, stands, write_stands
+
+    asset = Asset.load(directory)
+    count = len(hand_joints(asset))
+    with progress(f"reach {asset.name}", count) as update:
+        found = []
+        for each in stands(asset, seed):
+            found.append(each)
+            update(advance=1)
+    for each in found:
+        if each.reason:
+            typer.echo(f"{each.joint}: {each.reason}")
+    typer.echo(write_stands(asset, found, directory / REACH_FILE))
+    whole, half = (sum(each.way == way for each in found) for way in (1.0, 0.5))
+    typer.echo(f"{whole} of {count} joints are followed all the way, {half} half of it")
 
 
 def colliders(

@@ -15,11 +15,11 @@ except ImportError as error:
 
 from artgen.envs.env import ManipulationEnv
 from artgen.envs.motion import Stage, Target
-from artgen.envs.task import TASKS, Task, one_joint
+from artgen.envs.task import KITCHEN_TASKS, TASKS, Task, one_joint
 
-__all__ = ["TASKS", "ManipulationEnv", "Stage", "Target", "Task", "one_joint"]
+__all__ = ["KITCHEN_TASKS", "TASKS", "ManipulationEnv", "Stage", "Target", "Task", "one_joint"]
 
-for _name in TASKS:
+for _name in (*TASKS, *KITCHEN_TASKS):
     gymnasium.register(
         id=f"artgen/{_name}-v0", entry_point="artgen.envs.env:ManipulationEnv", kwargs={"task": _name}
     )

@@ -52,7 +52,14 @@ class Obstacles:
         self.asset, self.raised = asset, raised  # raised: it stands on a table of its own size
         low, high = asset.bounds()
         self.floor = float(low[2]) - (_TABLE if raised else 0.0)  # height of the floor [m]
-        pieces = [(number, each.convex) for number, link in enumerate(asset.links) for each in link.colliders]
+        solid = [(number, each) for number, link in enumerate(asset.links) for each in link.colliders]
+        self.ground = np.array([[-np.inf] * 3, [np.inf] * 3])  # box in which a robot stands, shape (2, 3) [m]
+        if asset.is_room:  # it stands on the floor, which is no obstacle
+            floors = [each.convex.bounds() for each in asset.links[0].colliders if each.label == "floor"]
+            self.ground[:, :2] = np.min(floors, axis=0)[0, :2], np.max(floors, axis=0)[1, :2]
+            self.floor = float(np.max(floors, axis=0)[1, 2])
+            solid = [(number, each) for number, each in solid if number or each.label != "floor"]
+        pieces = [(number, each.convex) for number, each in solid]
         if raised:
             table = np.eye(4)
             table[:3, 3] = [*(low + high)[:2] / 2.0, self.floor + _TABLE / 2.0 - _GRAZE]
@@ -122,32 +129,38 @@ class _Path:
 
 
 def place(
-    asset: Asset, stages: Sequence[Stage], rng: np.random.Generator, *, raised: bool = False
+    asset: Asset,
+    stages: Sequence[Stage],
+    rng: np.random.Generator,
+    *,
+    raised: bool = False,
+    start: Mapping[str, float] | None = None,
+    obstacles: Obstacles | None = None,
 ) -> Target | None:
     """Return a target with a place for the robot; None if there is no place.
 
     The hand is rotated about its approach, and tilted if it would collide; bases are tried around the contact
     at several distances and heights. The result is the base farthest from singular postures, among those from
     which the arm follows the whole path within its limits and without collision. A raised asset stands on a
-    table, and the robot stands next to it.
+    table, and the robot stands next to it. Joints begin at the positions `start`, or closed.
     """
-    obstacles = Obstacles(asset, raised=raised)
+    obstacles, begin = obstacles or Obstacles(asset, raised=raised), dict(start or {})
     options = [
-        list(_variants(obstacles, move, stages)) if move.contact else [move]
+        list(_variants(obstacles, move, stages, begin)) if move.contact else [move]
         for stage in stages
         for move in stage.moves
     ]
     numbers = product(*(range(len(each)) for each in options))
     preferred = sorted(islice(numbers, _MOST_COMBINED), key=sum)[:_COMBINED]
     combined = [tuple(each[index] for each, index in zip(options, some, strict=True)) for some in preferred]
-    paths = [_path(obstacles, moves, rng) for moves in combined]
+    paths = [_path(obstacles, moves, rng, begin) for moves in combined]
     best, most = None, 0.0
     for path, bases in _trials(obstacles, paths, rng):
         for score, base, arm in _followed(obstacles, path, bases, rng):
             if score > most:
                 moves, most = iter(path.moves), score
                 moved = (replace(stage, moves=tuple(next(moves) for _ in stage.moves)) for stage in stages)
-                best = Target(tuple(moved), {}, base, arm, base @ frames(arm[None])[0, 7])
+                best = Target(tuple(moved), begin, base, arm, base @ frames(arm[None])[0, 7])
         if most > _GOOD:
             break
     return best
@@ -163,14 +176,16 @@ def _trials(
             yield from ((path, bases[begin : begin + _BASES]) for path, bases in some if len(bases) > begin)
 
 
-def _variants(obstacles: Obstacles, move: Move, stages: Sequence[Stage]) -> Iterator[Move]:
+def _variants(
+    obstacles: Obstacles, move: Move, stages: Sequence[Stage], start: Mapping[str, float]
+) -> Iterator[Move]:
     """Yield variants of a move with the hand turned and without collision, the least tilted first."""
     contact = move.contact
     assert contact is not None
     rolls = [0.0, np.pi] if contact.kind == "grasp" else [0.0, np.pi / 2, np.pi, -np.pi / 2]
     axes = (0,) if contact.kind == "grasp" else (0, 1)
     moves = [each for stage in stages for each in stage.moves]
-    before = {each.joint: each.until for each in moves[: moves.index(move)]}
+    before = {**start, **{each.joint: each.until for each in moves[: moves.index(move)]}}
     for tilt in _TILTS:
         for axis in axes if tilt else (0,):
             for roll in rolls:
@@ -193,7 +208,9 @@ def _free(obstacles: Obstacles, contact: Contact, q: dict[str, float], move: Mov
     return True
 
 
-def _path(obstacles: Obstacles, moves: tuple[Move, ...], rng: np.random.Generator) -> _Path:
+def _path(
+    obstacles: Obstacles, moves: tuple[Move, ...], rng: np.random.Generator, start: Mapping[str, float]
+) -> _Path:
     """Return the path of the hand through all moves."""
     asset = obstacles.asset
     tips: list[Array] = []
@@ -204,7 +221,7 @@ def _path(obstacles: Obstacles, moves: tuple[Move, ...], rng: np.random.Generato
         tips.extend(path)
         poses.extend([pose] * len(path))
 
-    q: dict[str, float] = {}
+    q = dict(start)
     contact: Contact | None = None
     for move in moves:
         pose = asset.pose(q)
@@ -244,7 +261,9 @@ def _bases(obstacles: Obstacles, path: _Path, rng: np.random.Generator) -> Array
         away = distance * np.array([np.cos(angle), np.sin(angle)])
         place = np.array([*(middle[:2] + away), height])
         low, high = place - (_FOOT, _FOOT, 10.0), place + (_FOOT, _FOOT, 0.35)
-        if not ((spans[:, 0] < high) & (spans[:, 1] > low)).all(axis=1).any():
+        foot = np.array([low, high])[:, :2]
+        inside = (foot[0] >= obstacles.ground[0, :2]).all() and (foot[1] <= obstacles.ground[1, :2]).all()
+        if inside and not ((spans[:, 0] < high) & (spans[:, 1] > low)).all(axis=1).any():
             base = np.eye(4)
             sine, cosine = np.sin(angle + np.pi), np.cos(angle + np.pi)
             base[:2, :2] = [[cosine, -sine], [sine, cosine]]

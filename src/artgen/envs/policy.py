@@ -72,7 +72,7 @@ class ScriptedPolicy:
                     yield from self._take(contact)
                 assert contact is not None, "the first move has a contact"
                 yield from self._follow(move, contact)
-                stage = next(each for each in self._env.target.stages if each.joint == move.joint)
+                stage = next(each for each in self._env.target.stages if move in each.moves)
                 end = move.until if move is not stage.moves[-1] else stage.goal
                 if (self._env.q(move.joint) - end) * np.sign(stage.goal - stage.start) >= -1e-3:
                     break

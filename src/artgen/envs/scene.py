@@ -143,7 +143,8 @@ class TaskScene:
         body = self.model.body(f"{PREFIX}base")
         floor = float(base[2, 3]) if base[2, 3] < -_DEEP else 0.0
         body.pos[:], body.quat[:] = base[:3, 3], quaternion(base)
-        self.model.geom(_FLOOR).pos[2] = floor
+        # a room has a floor of its own
+        self.model.geom(_FLOOR).pos[2] = float(self._bounds[0, 2]) if self.asset.is_room else floor
         height = max(float(base[2, 3]) - floor, _DEEP)
         pedestal = self.model.geom(f"{PREFIX}pedestal")
         center = np.array([pedestal.pos[0], 0.0, -0.5 * height])
@@ -206,12 +207,13 @@ def compiled(asset: Asset, *, visual: bool = False, textures: int = 0) -> Any:
 
 def _strip(root: ET.Element) -> None:
     """Remove visual surfaces, grasps and pushes from the MJCF of an asset."""
+    held = {site.get("site") for site in root.iterfind("tendon/spatial/site")}  # of detents
     for parent in root.iter("body"):
-        for geom in parent.findall("geom"):
-            if geom.get("class", "").endswith("_visual"):
-                parent.remove(geom)
-        for site in parent.findall("site"):
-            parent.remove(site)
+        for each in [*parent.findall("geom"), *parent.findall("site")]:
+            if each.get("class", "").endswith("_visual") or (
+                each.tag == "site" and each.get("name") not in held
+            ):
+                parent.remove(each)
     for parent in root.iter("custom"):
         for element in parent.findall("tuple"):  # of grasps and pushes
             parent.remove(element)

@@ -1,6 +1,7 @@
 """The manipulation tasks: category, joints to move, contacts and time limit of each; and their assets."""
 
 import copy
+import re
 from collections import OrderedDict
 from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -19,12 +20,14 @@ from artgen.envs.placing import place
 from artgen.envs.scene import TaskScene, compiled
 from artgen.errors import EnvError, ParameterError, nearest
 from artgen.sampling import choice
+from artgen.scene import ROOMS
 
 Choice = tuple[Stage, ...]  # possible stages of a task on an asset
 Chooser = Callable[[Asset, np.random.Generator], Iterator[Choice]]  # all choices, in random order
 
 _AJAR = 0.40  # opening of a dishwasher by its handle [rad]
 _STEEP = 1.0  # least total opening of a dishwasher [rad]
+_SHUT = 0.02  # opening of a door that counts as shut [rad]
 _PAST = 0.08  # distance of the scripted policy beyond a goal, relative to the distance to the goal
 
 
@@ -34,7 +37,7 @@ class Task:
 
     Attributes:
         name: Name, such as `PushDoor`; its environment is registered as `artgen/PushDoor-v0`.
-        category: Name of the category.
+        category: Name of the category, or of a room, such as `kitchen`.
         seconds: Time limit [s].
         doc: Description, in one sentence.
         choose: Yields the possible stages of the task on an asset.
@@ -51,7 +54,9 @@ class Task:
     raised: bool = False
 
     def generate(self, seed: int) -> Asset:
-        """Generate an asset that is suitable for the task, without a certificate."""
+        """Generate an asset that is suitable for the task, without a certificate; a room of light assets."""
+        if self.category in ROOMS:
+            return ROOMS[self.category](seed, detail="low", **self.overrides)
         return generate(self.category, seed, certify=False, **self.overrides)
 
     def target(self, asset: Asset, rng: np.random.Generator) -> Target:
@@ -253,11 +258,58 @@ TASKS = {
 }
 
 
+def third_drawer(asset: Asset, rng: np.random.Generator) -> Iterator[Choice]:
+    """Yield the pull of the third drawer from above of each base unit with drawers."""
+    names = [f"{each.name}_drawer_2" for each in asset.placed if each.category == "drawer"]
+    for grasp in _shuffled(_free_grasps(asset, names, "third drawer"), rng):
+        yield (stage(asset, grasp, 0.5),)
+
+
+def open_and_close(asset: Asset, rng: np.random.Generator) -> Iterator[Choice]:
+    """Yield the pull of a door of a refrigerator, and the push with the same grasp until it is shut."""
+    names = [link.name for link in asset.links if re.fullmatch(r"refrigerator_\w*door\w*", link.name)]
+    for grasp in _shuffled(_free_grasps(asset, names, "door of a refrigerator"), rng):
+        opening = stage(asset, grasp, 0.0, _AJAR)
+        joint, shut = asset.joint(opening.joint), opening.start + _SHUT
+        closing = Move(joint.name, joint.closed, None)
+        yield opening, Stage(joint.name, opening.goal, shut, grasp, (closing,), holds=True)
+
+
+def _free_grasps(asset: Asset, links: Sequence[str], what: str) -> list[Affordance]:
+    """Return the grasps on links whose nearest joint moves while all others are closed; at least one."""
+    rest = asset.positions()
+    result = []
+    for each in asset.affordances:
+        if each.kind == "grasp" and each.link in links and each.joints:
+            joint = asset.joint(each.joints[0])
+            if joint.limits is not None and (joint.needs is None or joint.needs.condition.holds(rest)):
+                result.append(each)
+    if not result:
+        raise EnvError(f"asset {asset.name!r} has no {what} that a hand can grasp; take another seed")
+    return result
+
+
+_KITCHEN_ROWS: dict[str, tuple[float, str, Chooser]] = {  # time limit [s], description, stages
+    "OpenKitchenDrawer": (15.0, "Pull the third drawer of a base unit open by half its way.", third_drawer),
+    "OpenAndCloseFridge": (
+        25.0,
+        f"Open a door of the refrigerator by {_AJAR:g} rad, then shut it.",
+        open_and_close,
+    ),
+}
+KITCHEN_TASKS = {
+    name: Task(name, "kitchen", seconds, doc, choose)
+    for name, (seconds, doc, choose) in _KITCHEN_ROWS.items()
+}
+"""Tasks in a kitchen, which is drawn for each episode."""
+
+
 def find_task(name: str) -> Task:
     """Return the task of a name."""
-    if name not in TASKS:
-        raise ParameterError(f"there is no task {name!r}.{nearest(str(name), TASKS)}")
-    return TASKS[name]
+    known = {**TASKS, **KITCHEN_TASKS}
+    if name not in known:
+        raise ParameterError(f"there is no task {name!r}.{nearest(str(name), known)}")
+    return known[name]
 
 
 Source = str | Path | Dataset | Sequence[Asset] | range | None

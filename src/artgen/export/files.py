@@ -37,7 +37,10 @@ STATES_FILE, READER_FILE = "states.npz", "valid_states.py"
 REPORT_FILE = "report.json"
 """Report of `artgen validate` in an export directory; a new export removes it."""
 
-_OWN_FILES = (ASSET_FILE, CERTIFICATE_FILE, REPORT_FILE, STATES_FILE, READER_FILE)
+REACH_FILE = "reach.json"
+"""Places of a robot for the joints of an exported room, from `artgen reach`; a new export removes it."""
+
+_OWN_FILES = (ASSET_FILE, CERTIFICATE_FILE, REPORT_FILE, REACH_FILE, STATES_FILE, READER_FILE)
 _NAME = 24  # characters of a digest in the name of a stored file
 _PNG = b"\x89PNG\r\n\x1a\n"
 

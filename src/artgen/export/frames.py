@@ -242,7 +242,9 @@ def apart(asset: Asset) -> list[tuple[str, str]]:
     and pairs with allowed contacts. The other pairs would take most of the simulation time.
     """
     chains: dict[str, frozenset[str]] = {asset.links[0].name: frozenset()}
+    bodies = {asset.links[0].name: ""}
     for parent, child, joints in asset.pairs():
+        bodies[child] = child if child in asset.loose else bodies[parent]
         chains[child] = chains[parent] | {joint.name for joint in joints if not joint.locked}
     leaders = {joint.name: leader_of(asset, joint)[0] for joint in asset.joints}
     blocks = []
@@ -253,6 +255,8 @@ def apart(asset: Asset) -> list[tuple[str, str]]:
     by_design = {frozenset(contact.links) for contact in asset.contacts}
     result = []
     for first, second in combinations(chains, 2):
+        if bodies[first] != bodies[second]:
+            continue  # a free body of a room may be put anywhere
         between = {leaders[name] for name in chains[first] ^ chains[second]}
         held = any(name in between and others & between for name, others in blocks)
         if between and not held and frozenset((first, second)) not in by_design:

@@ -16,7 +16,7 @@ from artgen.asset.collision import mesh_precision
 from artgen.asset.files import ASSET_FILE, CERTIFICATE_FILE, MESH_DIRECTORY, file_content
 from artgen.asset.report import AGAIN, CheckResult, Finding
 from artgen.errors import ExportError, nearest
-from artgen.export.files import REPORT_FILE, digest
+from artgen.export.files import REACH_FILE, REPORT_FILE, digest
 from artgen.export.layouts import DEFAULT_FORMATS, LAYOUTS
 
 Formats = Mapping[str, tuple[str, ...]]
@@ -219,7 +219,7 @@ def _digest_findings(
 
 def _stray(directory: Path, listed: Collection[str]) -> Iterator[Finding]:
     """Yield files that artgen did not write: faults next to its meshes and if they may never end."""
-    known = {*listed, ASSET_FILE, CERTIFICATE_FILE, REPORT_FILE}
+    known = {*listed, ASSET_FILE, CERTIFICATE_FILE, REPORT_FILE, REACH_FILE}
     folders = {PurePosixPath(path).parent.as_posix() for path in listed} - {"."}
     for path in sorted(directory.rglob("*")):
         place = path.relative_to(directory)

@@ -1,0 +1,88 @@
+"""Tasks in a kitchen: the robot stands in the room, and the scripted policy does what they ask for."""
+
+import numpy as np
+import pytest
+
+from artgen.asset import Asset
+from artgen.envs import KITCHEN_TASKS, ManipulationEnv
+from artgen.envs.placing import Obstacles
+from artgen.envs.policy import ScriptedPolicy
+from artgen.envs.reach import hand_joints, stands
+from artgen.errors import EnvError
+from artgen.export.frames import apart
+from artgen.scene import Scene
+
+DRAWERS = {"kind": "kitchen", "rows": 4, "columns": 1, "height": 0.86, "grip": "bar", "width": 0.5}
+
+
+@pytest.fixture(scope="module")
+def kitchen() -> Asset:
+    """A refrigerator, a base unit with drawers, and a mill on the unit."""
+    room = Scene("small", seed=3, width=2.6, depth=2.2, detail="low")
+    cold = {"layout": "single", "width": 0.6, "crispers": 0, "ice_box": False, "swing": 1.6, "hand": "left"}
+    _, unit = room.run("back", ("refrigerator", cold), ("drawer", DRAWERS), at=0.5, gap=0.05)
+    room.on(unit, "pepper_grinder", deep=0.3, free=True)
+    return room.build(category="kitchen")
+
+
+@pytest.mark.parametrize(
+    ("name", "joints"),
+    [
+        ("OpenKitchenDrawer", ["drawer_drawer_slide_2"]),
+        ("OpenAndCloseFridge", ["refrigerator_door_hinge", "refrigerator_door_hinge"]),
+    ],
+)
+def test_the_scripted_policy_does_it_from_a_place_in_the_room(
+    kitchen: Asset, name: str, joints: list[str]
+) -> None:
+    env = ManipulationEnv(name, [kitchen])
+    env.reset(seed=0)
+    assert [stage.joint for stage in env.target.stages] == joints
+    x, y, z = env.target.base[:3, 3]
+    assert abs(x) < 1.3
+    assert -2.2 < y < 0.0
+    assert z >= 0.0
+    policy, ended = ScriptedPolicy(env), False
+    while not ended:
+        _, _, success, ended, info = env.step(policy.action())
+        ended |= success
+    assert info["success"], info
+    if name == "OpenAndCloseFridge":
+        assert env.q("refrigerator_door_hinge") < 0.03
+    env.close()
+
+
+def test_free_bodies_of_a_room_can_touch_all(kitchen: Asset) -> None:
+    pairs = apart(kitchen)
+    assert pairs
+    mill = [[name.startswith("pepper_grinder") for name in pair] for pair in pairs]
+    assert not any(first != second for first, second in mill)
+
+
+def test_the_floor_of_a_room_is_no_obstacle_and_its_walls_are(kitchen: Asset) -> None:
+    obstacles = Obstacles(kitchen)
+    assert obstacles.floor == pytest.approx(0.0, abs=1e-6)
+    in_floor, in_wall = obstacles.depth(np.array([[0.9, -1.5, -0.04], [1.36, -1.0, 1.0]]), kitchen.pose())
+    assert in_floor < 0.0 < in_wall
+
+
+def test_every_joint_that_a_hand_moves_has_a_stand_or_a_reason(kitchen: Asset) -> None:
+    names = [joint.name for joint in hand_joints(kitchen)]
+    found = list(stands(kitchen))
+    assert [each.joint for each in found] == names
+    assert all((each.base is None) == bool(each.reason) for each in found)
+    for each in found:
+        data = each.to_data()
+        assert ("reason" in data) != ("position" in data)
+    assert sum(each.base is not None for each in found) >= len(found) / 2
+    slide = next(each for each in found if each.joint == "drawer_drawer_slide_2")
+    assert slide.way == 1.0
+
+
+def test_a_room_without_the_part_is_refused() -> None:
+    room = Scene("bare", seed=1, width=1.6, depth=1.4, detail="low")
+    room.against("back", "drawer", at=0.5, kind="bedside", rows=1, width=0.45, depth=0.42)
+    bare = room.build(category="kitchen")
+    for task in KITCHEN_TASKS.values():
+        with pytest.raises(EnvError, match="that a hand can grasp; take another seed"):
+            next(iter(task.choose(bare, np.random.default_rng(0))))
