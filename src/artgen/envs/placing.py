@@ -166,6 +166,11 @@ def place(
     return best
 
 
+def hand_fits(obstacles: Obstacles, stage: Stage, start: Mapping[str, float]) -> bool:
+    """Tell whether the hand touches nothing in the first move of a stage, turned and tilted as it may be."""
+    return any(True for _ in _variants(obstacles, stage.moves[0], (stage,), start))
+
+
 def _trials(
     obstacles: Obstacles, paths: Sequence[_Path], rng: np.random.Generator
 ) -> Iterator[tuple[_Path, Array]]:

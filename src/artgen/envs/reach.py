@@ -16,7 +16,7 @@ from artgen._arrays import Array, FrozenArrays
 from artgen.asset import Asset, AssetJoint
 from artgen.asset.record import json_text
 from artgen.envs.motion import Move, Stage, contact_of
-from artgen.envs.placing import Obstacles, place
+from artgen.envs.placing import Obstacles, hand_fits, place
 from artgen.export.files import replaced
 from artgen.export.frames import quaternion
 
@@ -105,6 +105,7 @@ def _stand(obstacles: Obstacles, joint: AssetJoint, rng: np.random.Generator) ->
     far = high if high - joint.closed >= joint.closed - low else low
     holds = [each for each in asset.affordances if joint.name in each.joints]
     holds.sort(key=lambda each: each.joints.index(joint.name))
+    fits = False
     for way in WAYS:
         goal = joint.closed + way * (far - joint.closed)
         for each in holds:
@@ -113,7 +114,9 @@ def _stand(obstacles: Obstacles, joint: AssetJoint, rng: np.random.Generator) ->
             found = place(asset, (stage,), rng, start=start, obstacles=obstacles)
             if found is not None:
                 return Stand(joint.name, each.name, way, found.base, found.arm, start)
-    return Stand(joint.name, reason="no place was found from which the hand follows half of its way")
+            fits = fits or hand_fits(obstacles, stage, start)
+    why = "from no place that was tried, the arm follows half of its way"
+    return Stand(joint.name, reason=why if fits else "the hand would touch what is around the part")
 
 
 def _start(asset: Asset, joint: AssetJoint) -> dict[str, float] | None:

@@ -255,6 +255,7 @@ class _Kitchen(Furnisher):
         # drawers behind its doors need doors that open by 120 degrees, into what stands beside it
         values: dict[str, Any] = {
             "build": "tall", "crispers": 0, "freezer_drawers": 0, "ice_box": False, "swing": 1.6,
+            "grip": "bar",  # walls and neighbors would be in the way of a hand in the edge of a door
         }  # fmt: skip
         if self.width < 3.4 or self.layout in ("l", "u", "galley"):
             values |= {"layout": self.choice("single", "bottom_freezer", "top_freezer"), "width": 0.6}
