@@ -236,12 +236,12 @@ def _path(
             contact = move.contact
             for through in contact.through:
                 add(through, pose)
-            start = lifted(pose[contact.link] @ contact.frame, -contact.back)
+            before = lifted(pose[contact.link] @ contact.frame, -contact.back)
             if not tips:
-                away = lifted(start, -rng.uniform(*_FARTHER))
+                away = lifted(before, -rng.uniform(*_FARTHER))
                 away[:3, 3] += rng.uniform(-_JITTER, _JITTER, 3)
                 add(away, pose)
-            add(start, pose)
+            add(before, pose)
         assert contact is not None, "the first move has a contact"
         begin = q.get(move.joint, asset.joint(move.joint).closed)
         for share in np.linspace(0.0, 1.0, _STEPS):
