@@ -75,6 +75,7 @@ KITCHEN = (
     Placed("bottle", 5, -0.80, z=_TOP, gap=0.16, share=0.0),
     Placed("pepper_grinder", 3, 0.86, z=_TOP, gap=0.3),
     Placed("toaster", 3, 1.14, z=_TOP, gap=0.12, turn=0.5),
+    Placed("toaster_oven", 1, 1.16, z=_TOP, gap=0.36, turn=-0.2),
     Placed("window", 1, 0.25, z=1.22),
     Placed("cabinet", 3, 1.4, z=1.38, share=0.8),
     Placed("drawer", 3, 2.24, share=1.0),

@@ -161,6 +161,11 @@ PRODUCTS: Mapping[str, tuple[Product, ...]] = {
         Product("electric kettle", (0.15, 0.19), (0.22, 0.34), (0.17, 0.28), (1.1, 2.4)),
         Product("stove kettle", (0.175, 0.235), (0.22, 0.30), (0.16, 0.25), (1.3, 2.8)),
     ),
+    # 4-6 slices, and 3.8-6.2 l; handles stand out by 0.04-0.1 m
+    "toaster_oven": (
+        Product("toaster oven", (0.39, 0.49), (0.32, 0.41), (0.23, 0.30), (5.0, 10.5)),
+        Product("air fryer", (0.24, 0.31), (0.36, 0.46), (0.28, 0.345), (4.0, 7.0)),
+    ),
     # 8-12 cups; the handle of the jug stands out by 0.04 m; it is half full
     "coffee_machine": (
         Product("filter machine", (0.16, 0.205), (0.27, 0.38), (0.31, 0.40), (2.2, 4.9)),

@@ -228,6 +228,14 @@ CHECKLIST: dict[str, dict[str, Moving]] = {
         "knob": turns(f"knob_turn{SIDED}", (0, 1, 2)),
         "crumb tray": slides("crumb_tray_slide", (1,)),
     },
+    "toaster_oven": {
+        "door": turns("door_hinge", (0, 1)),
+        "rack": slides("rack_slide", (0, 1)),
+        "crumb tray": slides("crumb_tray_slide", (0, 1)),
+        "drawer": slides("drawer_slide", (0, 1)),
+        "basket that lifts out": slides("basket_lift", (0, 1)),
+        "dial": turns("dial_turn", (2, 3, 4)),
+    },
     "toilet": {
         "lid": turns("lid_hinge", (1,)),
         "seat": turns("seat_hinge", (1,)),

@@ -1,0 +1,52 @@
+"""What is special to a toaster oven: a door that stays, a rack over it, a basket that lifts out, clicks."""
+
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+import pytest
+
+from artgen.asset import Asset
+from artgen.catalog import find
+
+
+@lru_cache(maxsize=2)
+def made(seed: int, **given: Any) -> Asset:
+    return find("toaster_oven").generate(seed, certify=False, **given)
+
+
+def test_a_rack_slides_out_over_the_open_door_only() -> None:
+    asset = made(0, style="oven")
+    _, far = asset.joint("rack_slide").limits or (0.0, 0.0)
+    assert far > 0.1
+    assert asset.blocked({"rack_slide": far})
+    out = {"rack_slide": far, "door_hinge": 1.46}
+    assert not asset.blocked(out)
+    assert asset.clearance(out)["door", "rack"] > 0.02
+
+
+def test_a_spring_and_friction_hold_the_door_at_any_angle() -> None:
+    asset = made(0, style="oven")
+    hinge, door = asset.joint("door_hinge"), asset.links["door"].mass_properties
+    _, y, z = door.center - hinge.pivot
+    assert z > 0.05
+    for angle in np.linspace(0.0, (hinge.limits or (0.0, 0.0))[1], 8):
+        weight = 9.81 * door.mass * (z * np.sin(angle) - y * np.cos(angle))
+        assert abs(weight - hinge.stiffness * (angle - hinge.rest)) < hinge.friction
+
+
+def test_a_basket_lifts_out_of_a_drawer_that_is_out() -> None:
+    asset = made(1, style="fryer")
+    _, far = asset.joint("drawer_slide").limits or (0.0, 0.0)
+    _, up = asset.joint("basket_lift").limits or (0.0, 0.0)
+    assert asset.blocked({"drawer_slide": 0.1, "basket_lift": up})
+    assert not asset.blocked({"drawer_slide": far, "basket_lift": up})
+    assert asset.clearance({"drawer_slide": far, "basket_lift": up})["body", "basket"] > 0.01
+
+
+@pytest.mark.parametrize(("style", "seed"), [("oven", 0), ("fryer", 1)])
+def test_dials_click_at_off_and_at_each_position(style: str, seed: int) -> None:
+    joint = made(seed, style=style).joint("dial_turn_0")
+    assert joint.detents is not None
+    assert joint.detents.positions[0] == 0.0
+    assert 0.02 <= joint.detents.torque <= 0.05
