@@ -86,6 +86,7 @@ KITCHEN = (
     Placed("laptop", 8, 3.46, z=0.535, gap=0.14, share=0.9, turn=-0.15),
     Placed("switch", 5, -1.02, z=_TOP, gap=0.02, share=0.0),
     Placed("trashcan", 0, 1.25, gap=0.75, share=0.7),
+    Placed("fan", 1, 4.3, gap=0.2, turn=0.3),
     Placed("safe", 5, 2.85, gap=0.85, share=0.6, turn=-0.3),
     Placed("box", 4, 2.2, gap=1.0, share=0.7, turn=-0.35),
     Placed("scissors", 4, 2.24, z=0.83, gap=0.3, share=0.4, turn=-0.6),

@@ -181,6 +181,14 @@ PRODUCTS: Mapping[str, tuple[Product, ...]] = {
     ),
     # sample boards of a shop, 0.16-0.18 m wide on a foot of 0.13 m; an emergency stop stands out by 0.07 m
     "switch": (Product("switch on a board", (0.15, 0.19), (0.12, 0.17), (0.22, 0.28), (0.4, 1.5)),),
+    # desk fans 0.30-0.41 m across, 1.8-4 kg; pedestal fans 0.42-0.47 m across, 1.0-1.35 m high, 3.5-7.5 kg;
+    # box fans of 20 in on feet, 0.52-0.56 m wide, 3-5.5 kg; clip fans 0.16-0.21 m across, 0.5-1.2 kg
+    "fan": (
+        Product("desk fan", (0.30, 0.41), (0.23, 0.32), (0.38, 0.56), (1.8, 4.0)),
+        Product("pedestal fan", (0.42, 0.47), (0.37, 0.47), (1.00, 1.35), (3.5, 7.5)),
+        Product("box fan", (0.52, 0.56), (0.11, 0.18), (0.58, 0.64), (3.0, 5.5)),
+        Product("clip fan", (0.16, 0.21), (0.17, 0.22), (0.26, 0.34), (0.5, 1.2)),
+    ),
     # hotel safes 0.40-0.43 x 0.20-0.25 x 0.35-0.40 m, 10-17 kg; home safes 8-20 kg; fire safes (UL 72) with
     # walls of 0.045-0.055 m, 26-80 kg; gun cabinets (EN 14450) 1.3-1.5 m high, 45-110 kg; handles stand out
     # by 0.03-0.05 m

@@ -200,6 +200,16 @@ CHECKLIST: dict[str, dict[str, Moving]] = {
         "button on a wall": slides("button_slide", (0, 1)),
         "lever on a wall": turns("lever_hinge", (0, 1)),
     },
+    "fan": {
+        "blades": turns("blades_spin", (1,), unlimited=True),
+        "swing of the head": turns("head_swing", (0, 1)),
+        "tilt of the head": turns("head_tilt", (0, 1)),
+        "pole": slides("pole_slide", (0, 1)),
+        "jaw of a clip": turns("jaw_turn", (0, 1)),
+        "clutch of the swing": slides("knob_pull", (0, 1)),
+        "key": slides("button_slide", (0, 4)),
+        "dial": turns("dial_turn", (0, 1)),
+    },
     "safe": {
         "door": turns("door_hinge", (1,)),
         "bolts": slides("bolts_slide", (1,)),
