@@ -144,6 +144,14 @@ PRODUCTS: Mapping[str, tuple[Product, ...]] = {
         Product("toilet with a cistern", (0.345, 0.45), (0.62, 0.78), (0.70, 0.92), (30.0, 60.0)),
         Product("toilet on a wall", (0.595, 0.605), (0.57, 0.72), (1.15, 1.17), (70.0, 100.0)),
     ),
+    # EN 1335-1 and shops; backs and arms stand above seats of 0.42-0.66 m
+    "chair": (
+        Product("office chair", (0.60, 0.74), (0.60, 0.74), (0.98, 1.34), (10.0, 20.0)),
+        Product("bar stool", (0.38, 0.46), (0.38, 0.52), (0.55, 1.10), (7.0, 22.0)),
+        Product("rolling stool", (0.52, 0.62), (0.52, 0.62), (0.42, 0.52), (8.0, 20.0)),
+        Product("folding chair", (0.42, 0.46), (0.55, 0.65), (0.78, 0.84), (2.5, 7.0)),
+        Product("recliner", (0.80, 0.96), (0.80, 0.92), (1.00, 1.30), (30.0, 60.0)),
+    ),
     # EN 13310, EN 14688 and shops, with a tap of 0.1-0.45 m; a washbasin has its wall or pedestal
     "sink": (
         Product("kitchen sink in a worktop", (0.55, 1.50), (0.50, 0.64), (1.15, 1.40), (22.0, 150.0)),

@@ -83,6 +83,17 @@ CHECKLIST: dict[str, dict[str, Moving]] = {
         "dial": turns("steam_turn", (0, 1)),
         "button": slides("button_slide", (1, 2, 3)),
     },
+    "chair": {
+        "lift of the seat": slides("seat_lift", (0, 1)),
+        "swivel of the seat": turns("seat_swivel", (0, 1), unlimited=True),
+        "lever of the lift": turns("lever_pull", (0, 1)),
+        "back": turns("back_tilt", (0, 1)),
+        "footrest": turns("footrest_turn", (0, 1)),
+        "seat that turns up": turns("seat_fold", (0, 1)),
+        "rear legs": turns("legs_fold", (0, 1)),
+        "fork of a caster": turns("caster_swivel", (0, 5), unlimited=True),
+        "wheel of a caster": turns("caster_roll", (0, 5), unlimited=True),
+    },
     "cooktop": {
         "burner dial": turns("burner_dial_turn", range(2, 7)),
         "push of a gas dial": slides("burner_dial_push", (0, 2, 3, 4, 5, 6)),

@@ -342,11 +342,12 @@ def _kitchen(
     """Make bowls in a worktop on their stand; return them with the drains and the height under the tap."""
     half, small = plan.width / 2, 0.45 * plan.width / 2
     aside = _BETWEEN / 2
-    row = {
+    rows: dict[Bowls, list[tuple[ag.Scalar, ag.Scalar]]] = {
         "single": [(0.0, half)],
         "half": [(-half - aside, half), (small + aside, small)],
         "double": [(-half - aside, half), (half + aside, half)],
-    }[bowls]
+    }
+    row = rows[bowls]
     thick, near = 0.038, -_NEAR - plan.deep
     ends = (row[0][0] - row[0][1], row[-1][0] + row[-1][1])
     low: ag.Scalar = 0.0

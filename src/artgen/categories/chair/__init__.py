@@ -1,0 +1,430 @@
+"""A chair that moves: an office chair, a bar stool, a rolling stool, a folding chair or a recliner.
+
+Links: `base`; `seat`; `back`, `lever`, and `caster_fork_0`, `caster_wheel_0`, ... of an office chair; `legs`
+of a folding chair; `footrest` of a recliner. Joints: `seat_lift` and `seat_swivel`, both between base and
+seat; `back_tilt`; `lever_pull`; `caster_swivel_0` and `caster_roll_0`, ...; `seat_fold`, and `legs_fold`,
+which follows it; `footrest_turn`, which follows `back_tilt`.
+
+A gas spring lifts the seat while the lever below it is pulled; friction stands for its valve otherwise. The
+seat of a folding chair is turned up, and its rear legs swing to the front ones.
+
+Sizes are those of EN 1335-1 and of shops: seats of office chairs 400-520 mm high with a lift of 80-120 mm,
+bases with five arms of 300-340 mm, 12-18 kg; bar stools 600-800 mm high with a base of 380-420 mm, 6-10 kg;
+rolling stools 440-570 mm high; folding chairs with seats at 440-460 mm, 3-6 kg; recliners 750-900 mm wide,
+30-50 kg. Backs of office chairs tilt by 20 degrees against 15-40 N m, those of recliners by 35-45 degrees.
+"""
+
+import math
+from typing import Literal
+
+import artgen as ag
+from artgen import feel
+from artgen.categories.shared import casters
+from artgen.categories.shared.finish import casting
+from artgen.categories.shared.furniture import WOODS
+
+Style = Literal["office", "bar", "rolling", "folding", "recliner"]
+"""A chair on casters, a stool on a disc or on casters, a folding chair, or a recliner."""
+
+_WHEEL = 0.025  # radius of a caster [m]
+_ON = 2 * _WHEEL + 0.0155  # height of the arms on their casters [m]
+_GRIP = 0.0145  # radius of the piston of a gas spring [m]
+_TUBE = 0.011  # radius of the tubes of a folding chair [m]
+_ASIDE = 0.205  # distance of its front legs from the middle [m]
+
+_COVERS = {
+    "office": ag.choice(*(ag.colored("fabric", c) for c in ("graphite", "navy", "light_grey", "red", "teal")),
+                        "black_leather", "mesh"),
+    "folding": ag.choice(*WOODS[:5], *(ag.colored("abs", c) for c in ("white", "graphite", "red"))),
+    "stool": ag.choice("black_leather", "cream_leather", "leather",
+                       *(ag.colored("abs", c) for c in ("white", "black", "red"))),
+    "recliner": ag.choice("leather", "black_leather", "cream_leather", "velvet", "linen",
+                          *(ag.colored("fabric", c) for c in ("graphite", "sage", "sand"))),
+}  # fmt: skip
+
+
+_BASES = ag.choice("black_abs", "aluminium", ag.colored("abs", "white"))
+
+
+@ag.category(
+    labels="base column foot caster wheel screw seat back frame arm lever footrest slat leg", joints=(2, 14)
+)
+def chair(
+    *,
+    style: Style = ag.choice(
+        {"office": 0.32, "bar": 0.22, "rolling": 0.12, "folding": 0.18, "recliner": 0.16}
+    ),
+    height: ag.Float = ag.by(
+        "style",
+        office=ag.uniform(0.42, 0.47),
+        bar=ag.uniform(0.58, 0.66),
+        rolling=ag.uniform(0.44, 0.50),
+        folding=ag.uniform(0.44, 0.46),
+        recliner=ag.uniform(0.43, 0.47),
+        unit="m",
+        within=(0.38, 0.75),
+        doc="height of the seat",
+    ),
+    width: ag.Float = ag.by(
+        "style",
+        office=ag.uniform(0.46, 0.52),
+        bar=ag.uniform(0.36, 0.42),
+        rolling=ag.uniform(0.34, 0.40),
+        folding=ag.uniform(0.34, 0.36),
+        recliner=ag.uniform(0.50, 0.60),
+        unit="m",
+        within=(0.32, 0.65),
+        doc="width of the seat",
+    ),
+    tall: ag.Float = ag.by(
+        "style",
+        office=ag.uniform(0.45, 0.65),
+        bar=ag.uniform(0.12, 0.28),
+        recliner=ag.uniform(0.58, 0.70),
+        otherwise=0.3,
+        unit="m",
+        within=(0.1, 0.8),
+        doc="height of the back",
+    ),
+    travel: ag.Float = ag.uniform(0.08, 0.12, "m", within=(0.05, 0.13), doc="lift of the seat"),
+    tilt: ag.Float = ag.by(
+        "style",
+        office=ag.uniform(0.28, 0.38),
+        otherwise=ag.uniform(0.6, 0.78),
+        unit="rad",
+        within=(0.2, 0.85),
+        doc="tilt of the back",
+    ),
+    torque: ag.Float = ag.uniform(18.0, 35.0, "N m", doc="that holds the back of an office chair"),
+    arms: bool = ag.by("style", office=ag.choice({True: 0.65, False: 0.35}), otherwise=False),
+    backed: bool = ag.by(
+        "style", bar=ag.choice(True, False), otherwise=False, doc="whether a stool has a back"
+    ),
+    cover: ag.Material = ag.by(
+        "style",
+        office=_COVERS["office"],
+        folding=_COVERS["folding"],
+        recliner=_COVERS["recliner"],
+        otherwise=_COVERS["stool"],
+    ),
+    metal: ag.Material = ag.by(
+        "style",
+        folding=ag.shades("chrome", "powder_coat_black", "powder_coat_white", "powder_coat_graphite"),
+        office=_BASES,
+        otherwise=ag.shades("chrome", "stainless", "powder_coat_black", weights=(3, 2, 2)),
+    ),
+) -> ag.Body:
+    """Make a chair that faces the front, its seat down and its back upright."""
+    match style:
+        case "folding":
+            return _folding(height, cover, metal)
+        case "recliner":
+            return _recliner(height, width, tall, tilt, cover)
+        case "office":
+            seat = _office_seat(height, width, cover, arms=arms)
+        case _:
+            seat = _round_seat(height, width, tall if backed else None, cover, metal)
+    base = _disc(height, metal) if style == "bar" else _star(0.32 if style == "office" else 0.27, metal)
+    top = height - (0.085 if style == "office" else 0.075)  # underside of the plate below the seat
+    low = 0.028 if style == "bar" else _ON + 0.030
+    column = ag.Region.centered(0.046, 0.046, 0.0).with_(z=(low, top - 0.016))
+    hollow = column.shrink(x=0.0075, y=0.0075).with_(z=(low + 0.02, top))
+    skin = ag.tube(0.034, 0.0305, column.z.size - 0.012, bevel=0.001).at(z=column.z.mid + 0.006)
+    dark = ag.material("black_steel") if style == "office" else metal
+    base = ag.weld(
+        base,
+        ag.part(column.box() - hollow.box(), "column", dark.with_(name="column_steel", density=5000.0)),
+        ag.detail(skin, "column", dark),
+    )
+    piston = ag.cylinder_between((0, 0, low + 0.025), (0, 0, top + 0.004), _GRIP)
+    seat = ag.weld(
+        seat, ag.part(piston, "column", ag.material("chrome").with_(name="piston", density=4000.0))
+    )
+    if style == "office":
+        seat = _tilting(seat, height, width, tall, tilt, torque, cover)
+    seat = _levered(seat, width, top)
+    lift = ag.Prismatic(
+        "seat_lift",
+        axis=ag.Z,
+        limits=(0, travel),
+        damping=400.0,
+        friction=1.5 * seat.mass() * 9.81,
+        effort=900.0,
+        velocity=0.2,
+        driven="a gas spring, while the lever is pulled",
+    )
+    swivel = ag.Revolute("seat_swivel", axis=ag.Z, damping=0.4, friction=0.6, effort=60.0)
+    return base.attach(seat, lift, swivel)
+
+
+def _star(reach: float, metal: ag.Material) -> ag.Body:
+    """Make a base with five arms on casters."""
+    arm = ag.hull(
+        ag.box(0.050, 0.02, 0.038, bevel=0.004).at(0, -0.03, _ON + 0.021),
+        ag.box(0.054, 0.054, 0.020, bevel=0.004).at(0, -reach, _ON + 0.010),
+    )
+    turns = [math.tau * step / 5 for step in range(5)]
+    hub = ag.cylinder(0.046, 0.044, bevel=0.004).at(z=_ON + 0.024)
+    base = ag.part(ag.union(hub, *(arm.rotate(ag.Z, turn) for turn in turns)), "base", casting(metal, 0.6))
+    for number, turn in enumerate(turns):
+        caster = casters.caster(radius=_WHEEL, width=0.025, finish=ag.material("black_abs"))
+        at = (reach * math.sin(turn), -reach * math.cos(turn), _ON)
+        base = base.install(caster.rotate(ag.X, math.pi / 2).suffixed(f"_{number}"), at=at)
+    return base
+
+
+def _disc(height: ag.Scalar, metal: ag.Material) -> ag.Body:
+    """Make a heavy disc with a ring for the feet."""
+    line = [(0.200, 0.0, 0.002), (0.200, 0.0, 0.008), (0.10, 0.0, 0.022), (0.036, 0.0, 0.040)]
+    disc = ag.cylinder(0.196, 0.012, bevel=0.003).at(z=0.008)
+    cone = ag.revolve(ag.half_section(ag.polyline(line)), sides=48)
+    pad = ag.cylinder(0.19, 0.003).at(z=0.0015)
+    level = 0.42 * height
+    turns = [math.pi / 2 + 0.35 + (math.tau - 0.7) * step / 12 for step in range(13)]
+    bends = [(0.125 * math.cos(turn), 0.125 * math.sin(turn) - 0.09, level) for turn in turns]
+    course = ag.arc((0, -0.09, level), 0.125, start=math.pi / 2 + 0.35, sweep=math.tau - 0.7)
+    ring = ag.sweep(ag.regular_polygon(6, 0.0105), ag.polyline(bends))
+    look = ag.sweep(ag.circle(0.011), course)
+    clamp = ag.box(0.096, 0.096, 0.022, bevel=0.003) - ag.box(0.045, 0.045, 0.1)
+    heavy = metal.with_(name=f"{metal.name}_disc", density=3000.0)
+    return ag.weld(
+        ag.part(disc, "base", heavy),
+        ag.part(pad, "foot", ag.material("rubber")),
+        ag.detail(cone, "base", metal),
+        ag.part([clamp.at(z=level), ring], "footrest", casting(metal, 0.4)),
+        ag.detail(look, "footrest", metal),
+    )
+
+
+def _plate(top: ag.Scalar) -> ag.Body:
+    """Make the plate below a seat, above the column."""
+    plate = ag.Region((-0.085, 0.085), (-0.105, 0.105), (top, top + 0.026)).box(bevel=0.004)
+    return ag.part(plate, "frame", ag.material("black_steel").with_(name="plate_steel", density=2500.0))
+
+
+def _front(cushion: ag.Solid) -> ag.Frame:
+    """Return the grasp at the front edge of a seat, from which a hand turns it."""
+    return ag.grasp_on(cushion, approach=ag.Y, closing=ag.Z, depth=0.020)
+
+
+def _office_seat(height: ag.Scalar, width: ag.Scalar, cover: ag.Material, *, arms: bool) -> ag.Body:
+    """Make the seat of an office chair with its arms."""
+    soft = cover.with_(name=f"{cover.name}_cushion", density=140.0)
+    shell = ag.Region.centered(width - 0.09, 0.38, 0.0).with_(z=(height - 0.060, height - 0.044))
+    cushion = ag.box(width, 0.47, 0.050, bevel=0.018, crown=0.010).at(z=height - 0.025)
+    seat = ag.weld(
+        ag.part(cushion, "seat", soft, name="seat", grasp=_front(cushion)),
+        ag.part(shell.box(bevel=0.006), "seat", ag.material("black_abs")),
+        _plate(height - 0.085),
+    )
+    if not arms:
+        return seat
+    x = width / 2 + 0.035
+    foot = ag.Region((width / 2 - 0.06, x + 0.016), (-0.03, 0.03), (height - 0.060, height - 0.046))
+    post = ag.Region((x - 0.016, x + 0.016), (-0.03, 0.03), (height - 0.059, height + 0.200))
+    pad = ag.Region((x - 0.042, x + 0.042), (-0.13, 0.12), (height + 0.196, height + 0.222))
+    held = foot.box(bevel=0.003) | post.box(bevel=0.006)
+    rest = pad.box(bevel=0.010)
+    black = ag.material("black_abs")
+    return ag.weld(
+        seat,
+        ag.part([held, held.mirror(ag.X)], "arm", black),
+        ag.part([rest, rest.mirror(ag.X)], "arm", black),
+    )
+
+
+def _round_seat(
+    height: ag.Scalar, width: ag.Scalar, back: ag.Scalar | None, cover: ag.Material, metal: ag.Material
+) -> ag.Body:
+    """Make the seat of a stool, with a low back or without one."""
+    hard = cover.name.startswith("abs")
+    soft = cover.with_(name=f"{cover.name}_stool", density=500.0 if hard else 180.0)
+    if back is None:
+        thick = 0.030 if hard else 0.052
+        cushion = ag.cylinder(width / 2, thick, bevel=0.45 * thick).at(z=height - thick / 2)
+        board = ag.cylinder(width / 2 - 0.03, 0.061 - thick).at(z=height - (0.061 + thick) / 2 + 0.002)
+        seat = ag.part(cushion, "seat", soft, name="seat", grasp=_front(cushion))
+    else:
+        thick = 0.045
+        cushion = ag.box(width, width - 0.02, thick, bevel=0.016, crown=0.006).at(z=height - thick / 2)
+        board = ag.box(width - 0.06, width - 0.08, 0.018, bevel=0.004).at(z=height - thick - 0.007)
+        rest = ag.box(width - 0.02, 0.035, back, bevel=0.015)
+        rest = rest.rotate(ag.X, -0.12).at(y=width / 2 + 0.03, z=height + 0.10 + back / 2)
+        post = ag.hull(
+            ag.box(0.032, 0.02, 0.010).at(0, 0.3 * width, height - thick - 0.008),
+            ag.box(0.032, 0.010, 0.010).at(0, width / 2 + 0.022, height - thick - 0.006),
+        )
+        rise = ag.hull(
+            ag.box(0.032, 0.010, 0.010).at(0, width / 2 + 0.022, height - thick - 0.006),
+            ag.box(0.032, 0.010, 0.010).at(0, width / 2 + 0.030, height + 0.14),
+        )
+        seat = ag.weld(
+            ag.part([cushion, rest], "seat", soft, name="seat", grasp=_front(cushion)),
+            ag.part([post, rise], "frame", casting(metal, 0.5)),
+        )
+    return ag.weld(seat, ag.part(board, "seat", ag.material("plywood")), _plate(height - 0.075))
+
+
+def _tilting(
+    seat: ag.Body,
+    height: ag.Scalar,
+    width: ag.Scalar,
+    tall: ag.Scalar,
+    tilt: ag.Scalar,
+    torque: ag.Scalar,
+    cover: ag.Material,
+) -> ag.Body:
+    """Join a back to a seat that tilts about an axis under its rear, against a spring."""
+    low, y = height - 0.105, 0.15  # of the axis
+    black = ag.material("black_abs")
+    bar = ag.Region((-0.030, 0.030), (y - 0.012, 0.300), (low - 0.011, low + 0.011))
+    post = ag.hull(
+        ag.box(0.060, 0.022, 0.022, bevel=0.004).at(0, 0.288, low),
+        ag.box(0.050, 0.018, 0.022, bevel=0.004).at(0, 0.302, height + 0.16 + 0.45 * tall),
+    )
+    ears = [
+        ag.Region((x - 0.006, x + 0.006), (y - 0.06, y + 0.014), (low - 0.012, height - 0.072)).box(
+            bevel=0.002
+        )
+        for x in (-0.042, 0.042)
+    ]
+    bridge = ag.Region((-0.06, 0.06), (0.09, y - 0.030), (height - 0.082, height - 0.059)).box(bevel=0.002)
+    seat = ag.weld(seat, ag.part([*ears, bridge], "frame", black))
+    mesh = cover.with_(name=f"{cover.name}_back", density=110.0)
+    rest = ag.box(width - 0.05, 0.044, tall, bevel=0.018, crown=0.008)
+    rest = rest.rotate(ag.X, -0.06).at(y=0.278, z=height + 0.16 + tall / 2)
+    hold = ag.grasp_on(rest, approach=-ag.Z, closing=ag.Y, depth=0.030)
+    back = ag.weld(
+        ag.part(rest, "back", mesh, grasp=hold, name="back"),
+        ag.part([bar.box(bevel=0.004), post], "frame", casting(black, 1.2)),
+    )
+    spring = ag.Spring(preload=0.4 * torque, force=torque)
+    turn = ag.Revolute(
+        "back_tilt",
+        axis=-ag.X,
+        pivot=(0, y, low),
+        limits=(0, tilt),
+        spring=spring,
+        damping=3.0,
+        friction=0.5,
+        effort=120.0,
+    )
+    return seat.attach(back, turn)
+
+
+def _levered(seat: ag.Body, width: ag.Scalar, top: ag.Scalar) -> ag.Body:
+    """Join the lever of the gas spring to a seat; its end is pulled up."""
+    root, end, level = 0.0866, width / 2 - 0.005, top - 0.001
+    rod = ag.cylinder_between((root, -0.03, level), (end, -0.03, level), 0.005)
+    paddle = ag.Region((end - 0.055, end + 0.004), (-0.048, -0.012), (level - 0.006, level + 0.006))
+    blade = paddle.box(bevel=0.004)
+    pull = ag.push_on(blade, direction=ag.Z)
+    lever = ag.part(rod | blade, "lever", ag.material("black_abs"), push=pull)
+    turn = ag.Revolute(
+        "lever_pull",
+        axis=-ag.Y,
+        pivot=(root, -0.03, level),
+        limits=(0, 0.06),
+        spring=ag.Spring(preload=0.25, force=0.9),
+        feel=feel.LEVER,
+        friction=0.03,
+        effort=4.0,
+    )
+    return seat.attach(lever, turn)
+
+
+def _folding(height: ag.Scalar, cover: ag.Material, metal: ag.Material) -> ag.Body:
+    """Make a folding chair: front legs with the back, a seat that turns up, and rear legs that follow it."""
+    slope, top = 1.05, 0.80
+    way = ag.vector(0, math.cos(slope), math.sin(slope))
+    across = ag.vector(0, math.sin(slope), -math.cos(slope))  # to the rear
+    foot = ag.vector(0, -0.24, 0.012)
+
+    def on(z: ag.Scalar, behind: float = 0.0) -> ag.Vector:
+        return foot + way * ((z - 0.012) / math.sin(slope)) + across * behind
+
+    steel, wood = casting(metal, 0.3), cover.with_(name=f"{cover.name}_board", density=600.0)
+
+    def sides(low: ag.Vector, high: ag.Vector, x: float) -> list[ag.Solid]:
+        return [ag.cylinder_between(low + ag.X * s, high + ag.X * s, _TUBE) for s in (-x, x)]
+
+    legs = sides(foot, on(top), _ASIDE)
+    bar = ag.cylinder_between(on(0.16, -0.022) - ag.X * _ASIDE, on(0.16, -0.022) + ag.X * _ASIDE, 0.008)
+    stubs = [
+        ag.cylinder_between(on(0.16, -0.022) + ag.X * s, on(0.16) + ag.X * s, 0.007)
+        for s in (-_ASIDE, _ASIDE)
+    ]
+    caps = [ag.sphere(0.0135).at(foot + ag.X * s) for s in (-_ASIDE, _ASIDE)]
+    slats = [
+        ag.box(2 * _ASIDE + 0.01, 0.012, 0.062, bevel=0.004)
+        .rotate(ag.X, slope - math.pi / 2)
+        .at(on(z, 0.0165))
+        for z in (0.68, 0.765)
+    ]
+    front = ag.weld(
+        ag.part([*legs, ag.union(bar, *stubs)], "frame", steel, name="base"),
+        ag.part(caps, "foot", ag.material("rubber")),
+        ag.part(slats, "slat", wood),
+    )
+    inner = _ASIDE - 2 * _TUBE - 0.004
+    pivot, seat_at = on(height - 0.055), on(height - 0.009)
+    rear = ag.vector(0, 0.235, 0.012)
+    rung = rear + (pivot - rear) * 0.25
+    back_legs = ag.weld(
+        ag.part(sides(rear, pivot, inner), "leg", steel, name="legs"),
+        ag.part(ag.cylinder_between(rung - ag.X * inner, rung + ag.X * inner, 0.008), "leg", steel),
+        ag.part(
+            [ag.sphere(0.0135).at(rear + ag.X * s) for s in (-inner, inner)], "foot", ag.material("rubber")
+        ),
+    )
+    wide, deep = 2 * (inner - _TUBE) - 0.008, 0.37
+    board = ag.Region((-wide / 2, wide / 2), (-deep, 0.012), (-0.009, 0.009)).box(bevel=0.005)
+    grip = ag.grasp_on(board, approach=ag.Y, closing=ag.Z, depth=0.03)
+    seat = ag.part(board, "seat", wood, grasp=grip, name="seat")
+    turned = math.pi - slope
+    fold = ag.Revolute("seat_fold", axis=-ag.X, limits=(0, turned), damping=0.3, friction=0.6, effort=30.0)
+    swing = 1.05
+    follow = ag.Revolute("legs_fold", axis=-ag.X, pivot=pivot, follows=(swing / turned) * fold, damping=0.3)
+    return front.attach(back_legs, follow).attach(seat, fold, at=seat_at)
+
+
+def _recliner(
+    height: ag.Scalar, width: ag.Scalar, tall: ag.Scalar, tilt: ag.Scalar, cover: ag.Material
+) -> ag.Body:
+    """Make a recliner, whose footrest rises as its back tilts."""
+    soft = cover.with_(name=f"{cover.name}_cushion", density=130.0)
+    half = width / 2
+    arm = ag.Region((half + 0.004, half + 0.150), (-0.43, 0.36), (0.055, height + 0.16))
+    pad = arm.with_(z=(height + 0.15, height + 0.20)).grow(x=0.006, front=0.012)
+    box = ag.Region((-half - 0.01, half + 0.01), (-0.36, 0.30), (0.10, height - 0.16))
+    cushion = ag.box(width, 0.60, 0.15, bevel=0.045, crown=0.02).at(0, -0.12, height - 0.085)
+    arms = [arm.box(bevel=0.03), pad.box(bevel=0.022)]
+    feet = ag.array(
+        ag.cylinder(0.024, 0.06, bevel=0.003).at(z=0.03),
+        at=[(x, y, 0) for x in (-half - 0.08, half + 0.08) for y in (-0.37, 0.30)],
+    )
+    base = ag.weld(
+        ag.part([*arms, *(each.mirror(ag.X) for each in arms)], "arm", soft, name="base"),
+        ag.part(
+            box.box(bevel=0.004), "frame", ag.material("plywood").with_(name="frame_wood", density=160.0)
+        ),
+        ag.part(cushion, "seat", soft),
+        ag.part(feet, "foot", ag.material("walnut"), separate="four feet"),
+    )
+    y, low = 0.275, height - 0.05
+    rest = ag.box(width - 0.012, 0.15, tall + 0.08, bevel=0.045, crown=0.012)
+    rest = rest.align((0, y + 0.075 - 0.055, low - 0.03), z=-1)
+    knob = ag.Region((-0.10, 0.10), (y, y + 0.04), (low + tall + 0.03, low + tall + 0.10))
+    tab = knob.box(bevel=0.012)
+    hold = ag.grasp_on(tab, approach=-ag.Z, closing=ag.Y, depth=0.03)
+    back = ag.part(rest | tab, "back", soft, grasp=hold, name="back")
+    recline = ag.Revolute(
+        "back_tilt", axis=-ag.X, pivot=(0, y, low), limits=(0, tilt), damping=8.0, friction=14.0, effort=120.0
+    )
+    board = ag.Region((-half + 0.02, half - 0.02), (-0.475, -0.442), (0.12, height - 0.045))
+    panel = board.box(bevel=0.014)
+    footrest = ag.part(panel, "footrest", soft, name="footrest")
+    rise = ag.Revolute(
+        "footrest_turn", axis=-ag.X, pivot=(0, -0.444, height - 0.050), follows=1.8 * recline, damping=2.0
+    )
+    return base.attach(back, recline).attach(footrest, rise)
