@@ -296,6 +296,8 @@ def seen(category: str, seed: int) -> ET.Element:
         ("kettle", 3, {"switch_joint"}, set()),
         ("faucet", 1, {"handle_joint", "handle_temp_joint", "spout_joint"}, set()),
         ("cabinet", 1, {"doorhinge"}, set()),
+        ("toaster_oven", 0, {"door_joint", "rack0_joint", "knob_function_joint"}, {"rack0"}),
+        ("toaster_oven", 1, {"knob_temp_joint", "knob_time_joint"}, set()),
         ("sink", 0, {"handle_joint", "handle_temp_joint", "spout_joint"}, {"basin_left", "basin_right"}),
         ("sink", 4, {"spout_joint"}, {"basin"}),
     ],

@@ -99,6 +99,7 @@ _PARTS: Mapping[str, Sequence[_Parts]] = {
         _Parts("freezer_door", {0: ("freezer_door{}_joint",)}),
     ),
     "sink": (_Parts("spout", {1: ("spout_joint",)}),),
+    "toaster_oven": (_DOOR, _RACKS),
     "toaster": (
         _Parts("lever", {0: ("lever{}_joint",)}, "prismatic"),
         _Parts("knob", {0: ("knob_doneness{}_joint",)}),
@@ -151,6 +152,12 @@ def _oven(asset: Asset, rooms: Sequence[Array], found: Fixture) -> None:
     dials = _dials(asset)
     burners = _stove(asset, rooms, found, dials)
     for name, link in zip(("temp", "time"), dials[burners:], strict=False):
+        _name_turn(asset, link, f"knob_{name}_joint", found)
+
+
+def _knobs(asset: Asset, rooms: Sequence[Array], found: Fixture) -> None:
+    dials = _dials(asset)
+    for name, link in zip(_KNOBS.get(len(dials), ()), dials, strict=False):
         _name_turn(asset, link, f"knob_{name}_joint", found)
 
 
@@ -386,6 +393,9 @@ _SLOT = np.array([0.02, 0.02, 0.0])
 _SLOTS = {2: ("slotL", "slotR"), 4: ("sideL_slotL", "sideL_slotR", "sideR_slotL", "sideR_slotR")}
 """Names of the slots of a toaster by their number; RoboCasa knows no others."""
 
+_KNOBS = {2: ("temp", "time"), 3: ("temp", "function", "time"), 4: ("temp", "function", "doneness", "time")}
+"""What the dials of a toaster oven set, by their number."""
+
 _Adder = Callable[[Asset, Sequence[Array], Fixture], None]
 
 _MORE: Mapping[str, Sequence[_Adder]] = {
@@ -398,5 +408,6 @@ _MORE: Mapping[str, Sequence[_Adder]] = {
     "refrigerator": (_fridge,),
     "sink": (_tap, _basins),
     "toaster": (_toaster,),
+    "toaster_oven": (_racks, _knobs),
 }
 """What goes beyond names of joints, by category."""
