@@ -10,7 +10,7 @@ import pytest
 from artgen import catalog
 from artgen.testing import check_category
 
-FILES = {"README.md", "pyproject.toml", "src/stapler.py", "tests/test_stapler.py"}
+FILES = {"README.md", "pyproject.toml", "src/hamper.py", "tests/test_hamper.py"}
 
 
 def files_below(folder: Path) -> set[str]:
@@ -32,22 +32,22 @@ def run(*arguments: str, folder: Path, path: Path) -> str:
 
 
 def test_the_package_works_as_it_is(artgen_command, tmp_path: Path) -> None:
-    made = artgen_command("new", "stapler")
+    made = artgen_command("new", "hamper")
     assert (made.code, made.err) == (0, "")
-    package = tmp_path / "stapler"
+    package = tmp_path / "hamper"
     assert files_below(package) == FILES
     assert not [name for name in FILES if "my_category" in (package / name).read_text()]
-    assert "artgen view stapler/src/stapler.py" in made.out
+    assert "artgen view hamper/src/hamper.py" in made.out
     # by its file, before anything is installed
-    assert catalog.load_file(package / "src/stapler.py").labels == ("box", "lid", "handle")
-    assert artgen_command("certify", "stapler/src/stapler.py", "--samples", "2", "--no-corners").code == 0
+    assert catalog.load_file(package / "src/hamper.py").labels == ("box", "lid", "handle")
+    assert artgen_command("certify", "hamper/src/hamper.py", "--samples", "2", "--no-corners").code == 0
     assert "2 passed" in run("pytest", "-q", "-p", "no:cacheprovider", folder=package, path=tmp_path)
     # installed, in a folder of its own instead of this environment
     site = tmp_path / "site"
     options = ("--quiet", "--no-deps", "--no-index", "--no-build-isolation", "--target", str(site))
     run("pip", "install", *options, str(package), folder=tmp_path, path=tmp_path)
     shown = run("artgen", "list", folder=tmp_path, path=site)
-    line = next(line for line in shown.splitlines() if line.startswith("stapler"))
+    line = next(line for line in shown.splitlines() if line.startswith("hamper"))
     assert "Make a closed wooden box with a lid that is hinged at the back." in line
     assert " 1 " in line  # joint
 
@@ -81,19 +81,19 @@ def test_a_bad_name_is_refused(artgen_command, tmp_path: Path, name: str, messag
 
 
 def test_an_existing_folder_is_left_alone(artgen_command, tmp_path: Path) -> None:
-    (tmp_path / "stapler").mkdir()
-    (tmp_path / "stapler" / "notes").write_text("mine")
-    result = artgen_command("new", "stapler")
+    (tmp_path / "hamper").mkdir()
+    (tmp_path / "hamper" / "notes").write_text("mine")
+    result = artgen_command("new", "hamper")
     assert result.code == 2
-    assert result.err == "error: stapler exists; choose another name, or another place with --dir\n"
-    assert files_below(tmp_path) == {"stapler/notes"}
+    assert result.err == "error: hamper exists; choose another name, or another place with --dir\n"
+    assert files_below(tmp_path) == {"hamper/notes"}
 
 
 def test_a_disk_that_refuses_leaves_nothing(artgen_command, tmp_path: Path) -> None:
     (tmp_path / "file").write_text("")
-    result = artgen_command("new", "stapler", "--dir", "file")
+    result = artgen_command("new", "hamper", "--dir", "file")
     assert (result.code, files_below(tmp_path)) == (2, {"file"})
-    assert result.err.startswith("error: cannot write file/stapler: ")
+    assert result.err.startswith("error: cannot write file/hamper: ")
     assert result.err.endswith("; nothing was written\n")
 
 

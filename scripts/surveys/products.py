@@ -211,6 +211,13 @@ PRODUCTS: Mapping[str, tuple[Product, ...]] = {
         Product("scissors", (0.055, 0.095), (0.122, 0.262), (0.008, 0.015), (0.02, 0.40)),
         Product("tongs", (0.04, 0.055), (0.23, 0.315), (0.03, 0.04), (0.09, 0.19)),
     ),
+    # desk staplers of 20-30 sheets with the arm up; heavy ones with their lever; pliers lie on their side
+    "stapler": (
+        Product("desk stapler", (0.040, 0.050), (0.110, 0.200), (0.05, 0.085), (0.17, 0.50)),
+        Product("heavy stapler", (0.064, 0.082), (0.28, 0.33), (0.17, 0.22), (1.3, 2.7)),
+        Product("plier stapler", (0.07, 0.085), (0.155, 0.19), (0.017, 0.025), (0.2, 0.45)),
+        Product("hole punch", (0.115, 0.16), (0.10, 0.135), (0.08, 0.115), (0.3, 0.55)),
+    ),
     # 0.13-0.25 m long and 0.1-0.45 kg; closed handles are 0.04-0.09 m wide, grips up to 0.022 m thick
     "plier": (Product("pliers", (0.035, 0.095), (0.125, 0.256), (0.006, 0.024), (0.08, 0.46)),),
 }

@@ -230,6 +230,14 @@ CHECKLIST: dict[str, dict[str, Moving]] = {
         "dial": turns("dial_turn", (0, 1)),
         "key of a keypad": slides("button_slide", (0, 12)),
     },
+    "stapler": {
+        "arm": turns("arm_hinge", (0, 1)),
+        "lever of a plier": turns("lever_hinge", (0, 1)),
+        "anvil": turns("anvil_turn", (0, 1)),
+        "magazine": slides("magazine_slide", (0, 1)),
+        "pin of a punch": slides("pin_slide", (0, 2)),
+        "guide of a punch": slides("guide_slide", (0, 1)),
+    },
     "switch": {
         "rocker": turns("rocker_tilt", (0, 1, 2, 3)),
         "toggle": turns("toggle_tilt", (0, 1)),
