@@ -266,8 +266,9 @@ def _handle(
         (0, front, rise),
     ]
     bar = ag.sweep(ag.rectangle(0.022, 0.010), ag.polyline(line, fillet=0.02))
-    sleeve = ag.Region((-0.015, 0.015), (front - 0.012, front + 0.098), (rise - 0.0095, rise + 0.0095))
-    sleeve = sleeve.box(bevel=0.004)
+    sleeve = ag.Region((-0.015, 0.015), (front - 0.012, front + 0.098), (rise - 0.0095, rise + 0.0095)).box(
+        bevel=0.004
+    )
     hold = ag.grasp_on(sleeve, approach=-ag.Z, closing=ag.X, depth=0.015)
     press = ag.push_on(sleeve, direction=-ag.Z)
     return ag.weld(
@@ -283,8 +284,7 @@ def _magazine(channel: ag.Region, front: ag.Scalar) -> ag.Body:
     bar = channel.shrink(0.0006, front=0).with_(y=(front + 0.0010, channel.y.high - 0.0006)).box()
     tongue = ag.Region(
         (-0.0075, 0.0075), (front - 0.014, front + 0.002), (channel.z.low + 0.002, channel.z.high - 0.0015)
-    )
-    tongue = tongue.box(bevel=0.0015)
+    ).box(bevel=0.0015)
     hold = ag.grasp_on(tongue, closing=ag.X, depth=0.010)
     steel = _STEEL.with_(name="magazine_sheet", density=3200.0)
     rails = channel.shrink(0.0006, front=0).with_(
