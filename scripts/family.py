@@ -84,6 +84,7 @@ KITCHEN = (
     Placed("lamp", 2, 2.72, z=0.83, gap=0.03),
     Placed("table", 1, 3.46, gap=0.12, share=0.4),
     Placed("laptop", 8, 3.46, z=0.535, gap=0.14, share=0.9, turn=-0.15),
+    Placed("chair", 4, 3.46, gap=0.80, turn=2.7),
     Placed("switch", 5, -1.02, z=_TOP, gap=0.02, share=0.0),
     Placed("trashcan", 0, 1.25, gap=0.75, share=0.7),
     Placed("fan", 1, 4.3, gap=0.2, turn=0.3),
