@@ -6,15 +6,15 @@ import numpy as np
 import pytest
 
 from artgen._names import ByName
-from artgen.asset import AssetCoupling
 from artgen.materials import material
 from artgen.nodes.body import part, weld
-from artgen.nodes.primitive import box
+from artgen.nodes.primitive import box, cylinder
+from artgen.nodes.vector import Y
 from artgen.proof.certify import certify
 from artgen.proof.paths import Space
 from artgen.proof.recheck import recheck
 from support.brute import overlaps
-from support.linkages import four_bar, gap, made, slider_crank
+from support.linkages import PLACES, four_bar, gap, made, slider_crank
 
 
 def poses(asset, count=240):
@@ -85,5 +85,27 @@ def test_paths_have_the_laws_of_closed_chains():
     linkage = made(four_bar(limits=(-0.5, 0.5)))
     path = next(path for path in Space(linkage).joint_paths() if path.links == ("rod", "rocker"))
     assert path.variables == ("crank_turn",)
-    assert [law.curve is None for law in path.followers] == [False, True, False]
-    assert isinstance(path.followers[0], AssetCoupling)
+    (step,), (law,) = path.steps, path.followers  # through the pin
+    np.testing.assert_allclose(step.pivot, linkage.loops[0].point)
+    for at in (-0.4, 0.0, 0.3):
+        poses = linkage.pose({"crank_turn": at})
+        relative = np.linalg.inv(poses["rod"]) @ poses["rocker"]
+        np.testing.assert_allclose(step.motion(law.at(at)), relative, atol=1e-9)
+    path = next(path for path in Space(linkage).joint_paths() if path.links == ("crank", "rocker"))
+    assert [law.curve is None for law in path.followers] == [True, False]
+
+
+def pinned(clearance):
+    """Return a four-bar whose rod carries a pin in a hole of the rocker, with a clearance [m]."""
+    x, z = PLACES[2]
+    pin = part(cylinder(0.003, 0.012, axis=Y).at(x, -0.009, z), "pin", material("brass"))
+    hole = cylinder(0.003 + clearance, 0.02, axis=Y).at(x, 0, z)
+    return made(four_bar(limits=(-1.0, 1.0), pin=pin, hole=hole))
+
+
+def test_a_pin_turns_in_its_hole_and_collides_in_a_tight_one():
+    loose, tight = pinned(0.0003), pinned(-0.0001)
+    certificate = certify(loose)
+    assert certificate.proven
+    assert recheck(loose, certificate) == []
+    assert {pair.links for pair in certify(tight).failures} == {("rod", "rocker")}

@@ -7,9 +7,9 @@ import numpy as np
 from artgen.asset import Asset
 from artgen.graph import evaluate
 from artgen.materials import material
-from artgen.nodes.body import part
+from artgen.nodes.body import part, weld
 from artgen.nodes.csg import hull
-from artgen.nodes.handles import Body, Scalar
+from artgen.nodes.handles import Body, Scalar, Solid
 from artgen.nodes.joint import Prismatic, Revolute
 from artgen.nodes.primitive import box, cylinder
 from artgen.nodes.vector import X, Y
@@ -36,15 +36,19 @@ def open_chain(
     places: Sequence[Place] = PLACES,
     limits: tuple[Scalar, Scalar] | None = None,
     layers: Mapping[str, int] | None = None,
+    pin: Body | None = None,
+    hole: Solid | None = None,
     **options: object,
 ) -> Body:
-    """Return a ground, a crank, a rod and a rocker, without the pin; `options` are of the crank's joint."""
+    """Return ground, crank, rod (with a pin) and rocker (with a hole); `options` are of the crank's joint."""
     layer = {"ground": 0, "crank": 1, "rod": 2, "rocker": 1} | dict(layers or {})
     o, a, b, c = places
     crank_turn = turn("crank_turn", o, limits=limits, **options)
-    crank = bar("crank", o, a, layer["crank"]).attach(bar("rod", a, b, layer["rod"]), turn("rod_turn", a))
+    rod, rocker = bar("rod", a, b, layer["rod"]), bar("rocker", c, b, layer["rocker"])
+    rod, rocker = rod if pin is None else weld(rod, pin), rocker if hole is None else rocker.cut(hole)
+    crank = bar("crank", o, a, layer["crank"]).attach(rod, turn("rod_turn", a))
     body = bar("ground", o, c, layer["ground"]).attach(crank, crank_turn)
-    return body.attach(bar("rocker", c, b, layer["rocker"]), turn("rocker_turn", c))
+    return body.attach(rocker, turn("rocker_turn", c))
 
 
 def four_bar(places: Sequence[Place] = PLACES, **options: object) -> Body:

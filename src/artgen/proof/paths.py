@@ -8,14 +8,14 @@ enlarge the space.
 import itertools
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
 
 from artgen._arrays import Array, cached, cached_property
 from artgen.asset import Asset, AssetJoint
-from artgen.asset.coupling import AssetCoupling
+from artgen.asset.coupling import AssetCoupling, AssetLoop
 from artgen.asset.joint import AllowedContact, AssetCondition, joints_above
 from artgen.errors import AssetError
 
@@ -28,6 +28,8 @@ FULL_TURN = (-math.pi, math.pi)  # range in which an unlimited rotation is prove
 FULL_SLIDE = (-1000.0, 1000.0)  # the same for an unlimited slide, as its limits in URDF [m]
 _CLOSED = 1e-9  # tolerance of a closed position [rad or m]
 _MOST_BOXES = 128  # dependencies that would cut a space into more boxes are left out
+_GAPING = 2e-9  # gap at the pin of a closed chain that the margin of the proof, 10 nm, contains [m]
+_GAPS = 257  # positions at which it is measured
 _ROUNDING = 1e-12  # tolerance of a box that was cut at a threshold [rad or m]
 
 
@@ -117,11 +119,55 @@ class Space:
         """Return the joint path from one link to another."""
         up, down = self._chains[a], self._chains[b]
         shared = sum(one is other for one, other in zip(up, down, strict=False))
+        pins = (loop for loop in self.asset.loops if {*loop.links} == {a, b})
+        for pin in pins:
+            if (law := self._law_at(pin, up[shared:], down[shared:])) is not None:
+                last = (*up[shared:], *down[shared:])[-1]  # a joint of the chain, moved to the pin
+                step = replace(last, kind="revolute", axis=pin.axis, pivot=pin.point)
+                cut = partial(self._parts, a, b, (pin.joint,))
+                return JointPath((a, b), (step,), (1,), (law,), (pin.joint,), cut)
         steps = (*reversed(up[shared:]), *down[shared:])
         signs = (-1,) * (len(up) - shared) + (1,) * (len(down) - shared)
         followers = tuple(self.followers[joint.name] for joint in steps)
         variables = tuple(dict.fromkeys(each.leader for each in followers if each.leader))
         return JointPath((a, b), steps, signs, followers, variables, partial(self._parts, a, b, variables))
+
+    def _law_at(
+        self, pin: AssetLoop, up: Sequence[AssetJoint], down: Sequence[AssetJoint]
+    ) -> AssetCoupling | None:
+        """Return the angle of the second link to the first at a pin; None where the pin gapes."""
+        turns = [(-1.0, each) for each in up] + [(1.0, each) for each in down]
+        laws = [
+            (side * float(np.sign((joint.axis * pin.axis).sum())), self.followers[joint.name])
+            for side, joint in turns
+            if joint.kind == "revolute"
+        ]
+        curves = [law.curve for _, law in laws if law.curve is not None]
+        if not curves or any(law.leader not in ("", pin.joint) for _, law in laws):
+            return None
+        low, high = curves[0].range
+        if any(curve.range != (low, high) for curve in curves) or self._widest_gap(pin) > _GAPING:
+            return None
+        terms = np.zeros(max(2, *(len(curve.terms) for curve in curves)))
+        for sense, law in laws:
+            own = ((low + high) / 2.0, (high - low) / 2.0) if law.curve is None else law.curve.terms
+            terms[: len(own)] += sense * law.ratio * np.array(own)
+            terms[0] += sense * law.offset
+        curve = replace(curves[0], terms=tuple(terms.tolist()))
+        return AssetCoupling(pin.joint, 1.0, 0.0, curve)
+
+    def _widest_gap(self, pin: AssetLoop) -> float:
+        """Return the widest gap at a pin in many positions of its input [m]."""
+        asset, dofs = self.asset, list(self.asset.valid_states.dofs)
+        states = np.tile([asset.joint(name).closed for name in dofs], (_GAPS, 1))
+        states[:, dofs.index(pin.joint)] = np.linspace(*self.ranges[pin.joint], _GAPS)
+        poses, names = asset.fk(states), list(asset.links.by_name)
+        ends = [
+            poses[:, names.index(name), :3, 3]
+            + np.einsum("nij,j->ni", poses[:, names.index(name), :3, :3], pin.point - asset.origin(name))
+            for name in pin.links
+        ]
+        return float(np.abs(ends[0] - ends[1]).max())
 
     def _parts(self, a: str, b: str, variables: Sequence[str]) -> Iterator[_Part]:
         """Yield the boxes of the joint space of two links, and the contacts that are allowed in each."""
