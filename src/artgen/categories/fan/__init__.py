@@ -212,7 +212,7 @@ def _grille(
         for share in (0.33, 0.66, 0.96)
     ]
     return [
-        ag.part(covered, "guard", casting(wire, 0.4)).at(y=y),
+        ag.part(covered, "guard", casting(wire, 0.4), separate="thin wires join it to the rim").at(y=y),
         ag.detail([*wires, *rings], "guard", wire).at(y=y),
     ]
 
