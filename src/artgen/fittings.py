@@ -17,7 +17,7 @@ from typing import Literal
 
 import artgen as ag
 from artgen import details, feel
-from artgen.categories.shared import casters, controls, door_handles, fixings, locks, pulls
+from artgen.categories.shared import controls, door_handles, fixings, locks, pulls
 from artgen.categories.shared.furniture import ZINC
 from artgen.categories.shared.shelves import open_box
 from artgen.nodes.details.dials import SWEEP
@@ -660,7 +660,7 @@ def caster(
         >>> board = part(box(0.09, 0.018, 0.09).at(y=0.009), "cart", material("plywood"))
         >>> board.install(fittings.caster())
     """
-    return casters.caster(radius=radius, width=width, swivel=swivel, finish=finish, tread=tread, name=name)
+    return fixings.caster(radius=radius, width=width, swivel=swivel, finish=finish, tread=tread, name=name)
 
 
 def drawer_runners(

@@ -19,7 +19,7 @@ from typing import Literal
 
 import artgen as ag
 from artgen import feel
-from artgen.categories.shared import casters
+from artgen.categories.shared import fixings
 from artgen.categories.shared.finish import casting
 from artgen.categories.shared.furniture import WOODS
 
@@ -167,7 +167,7 @@ def _star(reach: float, metal: ag.Material) -> ag.Body:
     hub = ag.cylinder(0.046, 0.044, bevel=0.004).at(z=_ON + 0.024)
     base = ag.part(ag.union(hub, *(arm.rotate(ag.Z, turn) for turn in turns)), "base", casting(metal, 0.6))
     for number, turn in enumerate(turns):
-        caster = casters.caster(radius=_WHEEL, width=0.025, finish=ag.material("black_abs"))
+        caster = fixings.caster(radius=_WHEEL, width=0.025, finish=ag.material("black_abs"))
         at = (reach * math.sin(turn), -reach * math.cos(turn), _ON)
         base = base.install(caster.rotate(ag.X, math.pi / 2).suffixed(f"_{number}"), at=at)
     return base
@@ -354,7 +354,7 @@ def _folding(height: ag.Scalar, cover: ag.Material, metal: ag.Material) -> ag.Bo
         ag.cylinder_between(on(0.16, -0.022) + ag.X * s, on(0.16) + ag.X * s, 0.007)
         for s in (-_ASIDE, _ASIDE)
     ]
-    caps = [ag.sphere(0.0135).at(foot + ag.X * s) for s in (-_ASIDE, _ASIDE)]
+    caps = [ag.sphere(0.012).at(foot + ag.X * s) for s in (-_ASIDE, _ASIDE)]
     slats = [
         ag.box(2 * _ASIDE + 0.01, 0.012, 0.062, bevel=0.004)
         .rotate(ag.X, slope - math.pi / 2)
@@ -374,7 +374,7 @@ def _folding(height: ag.Scalar, cover: ag.Material, metal: ag.Material) -> ag.Bo
         ag.part(sides(rear, pivot, inner), "leg", steel, name="legs"),
         ag.part(ag.cylinder_between(rung - ag.X * inner, rung + ag.X * inner, 0.008), "leg", steel),
         ag.part(
-            [ag.sphere(0.0135).at(rear + ag.X * s) for s in (-inner, inner)], "foot", ag.material("rubber")
+            [ag.sphere(0.012).at(rear + ag.X * s) for s in (-inner, inner)], "foot", ag.material("rubber")
         ),
     )
     wide, deep = 2 * (inner - _TUBE) - 0.008, 0.37
