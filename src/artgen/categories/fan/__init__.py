@@ -4,14 +4,14 @@ Links: `base` of all; `pole`, which is drawn out; `jaw` of a clip; `neck`, `head
 so on, or `dial`; `knob`, the clutch of the swing. Joints: `blades_spin`; `head_swing` and `head_tilt`;
 `pole_slide`; `jaw_turn`; `button_slide_0` and so on, or `dial_turn`; `knob_pull`.
 
-The motor turns the blades, and its gear swings the head while the knob is down; a hand may turn the head as
-well, since the gear slips. Friction holds tilt and height; a dial clicks from speed to speed.
+The motor turns the blades. The head swings by hand against the friction of its gear, which is not modeled:
+nothing couples the swing to the blades. Friction holds tilt and height; a dial clicks from speed to speed.
 
 Sizes are those of shops: desk fans of 300-400 mm across the blades weigh 2-4 kg; pedestal fans of 400-450 mm
 are 1.0-1.35 m high and weigh 3.5-7 kg; box fans of 20 in are 520-550 mm wide, 110-130 mm deep and weigh
-3-5.5 kg; clip fans of 150-200 mm weigh 0.5-1.2 kg. Guards keep fingers off: gaps of wires below 12 mm
-(IEC 60335-2-80). Blades turn with 700-1400/min, heads swing by 80-90 degrees. Heads are held with 1.4 times
-their weight, keys take 2-4 N, detents of speed switches 0.04-0.06 N m (catalogs of rotary switches).
+3-5.5 kg; clip fans of 150-200 mm weigh 0.5-1.2 kg. Blades turn with 700-1400/min, heads swing by
+80-90 degrees. Friction holds heads with 1.2 times their weight; keys take 2-4 N, detents of speed
+switches 0.04-0.06 N m (catalogs of rotary switches).
 """
 
 import math
@@ -96,8 +96,7 @@ class _Head:
 
 
 @ag.category(
-    labels="base foot pole collar jaw neck head motor guard badge blade hub knob button dial panel "
-    "handle print",
+    labels="base foot pole collar jaw neck motor guard badge blade hub knob button dial panel handle print",
     joints=(2, 9),
 )
 def fan(
