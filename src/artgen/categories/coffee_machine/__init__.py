@@ -241,6 +241,7 @@ def _drip_tray(room: ag.Region, travel: ag.Scalar, finish: ag.Material, trim: ag
     plate = room.shrink(x=0.001, front=0.004, back=0.002).with_(
         z=(room.z.high - 0.0030, room.z.high - 0.0008)
     )
+    sole = plate.shrink(0.0004, top=0.0012, bottom=0)  # below the slots of the sheet, which is only seen
     outline = ag.rectangle(plate.x.size, plate.y.size, radius=0.003)
     slots = details.vent_slots(wide - 0.024, deep - 0.026, 11, slot=0.0040)
     sheet = ag.extrude(outline - slots, 0.0022).at(plate.anchor())
@@ -248,7 +249,8 @@ def _drip_tray(room: ag.Region, travel: ag.Scalar, finish: ag.Material, trim: ag
     tray = ag.weld(
         ag.part(lip, "drip_tray", finish, grasp=hold, name="drip_tray"),
         ag.part(boards, "drip_tray", finish),
-        ag.part(ag.bounding_collider(sheet, plate.box()), "grid", trim),
+        ag.part(sole.box(), "grid", DARK.with_(name="grid_sole", density=2000.0)),
+        ag.detail(sheet, "grid", trim),
     )
     slide = ag.Prismatic(
         "drip_tray_slide", axis=-ag.Y, limits=(0, travel), friction=0.6, damping=3.0, effort=30.0
@@ -425,8 +427,7 @@ def _cup(radius: ag.Scalar, end: ag.Scalar, low: ag.Scalar, high: ag.Scalar, fin
 
 def _swinging(radius: ag.Scalar, place: ag.Region, look: _Look, swing: ag.Scalar) -> Fitting:
     """Make a basket under the head that swings out to the front about its left side."""
-    low, high = place.z.low + 0.002, place.z.high - 0.0018
-    middle = place.y.low
+    low, high, middle = place.z.low + 0.002, place.z.high - 0.0018, place.y.low
     finish = casting(look.shell, 0.7)
     cup = _cup(radius, place.z.low - _OUTLET, low, high, finish).at(0, middle, 0)
     tab = ag.box(0.013, 0.018, 0.034, bevel=0.003).at(0, middle - radius - 0.0075, (low + high) / 2)
@@ -612,11 +613,10 @@ def _gauge(trim: ag.Material) -> ag.Body:
     disc = ag.cylinder(0.0155, 0.002, axis=ag.Y).at(y=-0.0003)
     scale = details.dial_scale(0.0085, 13, major_every=3, length=0.0014, major_length=0.0024)
     hand = details.pointer(-0.003, 0.0095, 0.0011).rotate(1.7)
-    ink = controls.DARK_INK
     return ag.weld(
         ag.detail(ring, "gauge", trim),
         ag.detail(disc, "gauge", face),
-        details.printed(scale, (0, -0.0013, 0), material=ink),
+        details.printed(scale, (0, -0.0013, 0), material=controls.DARK_INK),
         details.printed(hand, (0, -0.0015, 0), material=ag.material("led_red"), label="gauge"),
     )
 

@@ -106,7 +106,7 @@ def toaster_oven(
     ),
     height: ag.Float = ag.by(
         "style",
-        oven=ag.by("dials", {3: ag.uniform(0.240, 0.275), 4: ag.uniform(0.268, 0.292)}, otherwise=0.27),
+        oven=ag.by("dials", {3: ag.uniform(0.240, 0.275), 4: ag.uniform(0.268, 0.292)}),
         fryer=ag.uniform(0.290, 0.335),
         unit="m",
         within=(0.23, 0.35),
