@@ -181,6 +181,14 @@ CHECKLIST: dict[str, dict[str, Moving]] = {
         "knob of the crank": turns("knob_spin", (0, 1), unlimited=True),
     },
     "plier": {"jaw": turns("jaw_hinge", (1,)), "slip joint": slides("pivot_slide", (0, 1))},
+    "pot": {
+        "lid that lifts off": slides("lid_lift", (0, 1)),
+        "lid that turns": turns("lid_turn", (0, 1), unlimited=None),
+        "lid with a hinge": turns("lid_hinge", (0, 1)),
+        "side handle": turns("handle_swing(_right|_left)", (0, 2)),
+        "lock": slides("lock_slide", (0, 1)),
+        "valve": slides("valve_lift", (0, 1)),
+    },
     "refrigerator": {
         "door": turns(f"door_hinge{SIDED}", (1, 2)),
         "freezer door": turns("freezer_door_hinge", (0, 1)),
