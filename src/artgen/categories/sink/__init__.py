@@ -474,7 +474,7 @@ def _washbasin(
 
     shares = ((0.58, 0.82), (0.84, 0.95), (0.985, 0.99), (1.0, 1.0), (0.985, 0.99))
     low = -plan.hollow - wall
-    shell = ag.loft([outline(*share) for share in shares], [low, 0.55 * low, -0.045, -0.008, 0.0])
+    shell = ag.hull(ag.loft([outline(*share) for share in shares], [low, 0.55 * low, -0.045, -0.008, 0.0]))
     wide, deep = half - 0.042, (front - _NEAR - 0.034) / 2
     y = -_NEAR - deep
     levels = ((0.46, 1.0), (0.78, 0.60), (0.94, 0.25), (1.0, 0.03), (1.0, -0.2))
@@ -529,7 +529,7 @@ def _pedestal(plan: _Plan, low: ag.Scalar, y: ag.Scalar) -> ag.Body:
     sizes = ((0.118, 0.128), (0.111, 0.121), (0.107, 0.117), (0.098, 0.110))
     tall = plan.rim + low + 0.03
     levels = [share * tall - plan.rim for share in (0.0, 0.06, 0.25, 1.0)]
-    skin = ag.loft([ag.polygon(corners(size, 0.0, 24)) for size in sizes], levels)
+    skin = ag.hull(ag.loft([ag.polygon(corners(size, 0.0, 24)) for size in sizes], levels))
     inside = [
         ag.polygon([(x, 1.2 * z if z > 0 else z) for x, z in corners(size, 0.016, 24)]) for size in sizes
     ]
