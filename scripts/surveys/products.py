@@ -225,6 +225,14 @@ PRODUCTS: Mapping[str, tuple[Product, ...]] = {
         Product("plier stapler", (0.07, 0.085), (0.155, 0.19), (0.017, 0.025), (0.2, 0.45)),
         Product("hole punch", (0.115, 0.16), (0.10, 0.135), (0.08, 0.115), (0.3, 0.55)),
     ),
+    # DN 15-50 of brass, DN 15-100 of iron with flanges (EN 558, EN 1092-1); closed levers point to the front
+    "valve": (
+        Product("ball valve", (0.050, 0.112), (0.055, 0.20), (0.055, 0.105), (0.12, 1.6)),
+        Product("gate valve", (0.148, 0.255), (0.16, 0.26), (0.35, 0.49), (9.0, 26.0)),
+        Product("globe valve", (0.118, 0.235), (0.09, 0.19), (0.17, 0.28), (2.5, 13.0)),
+        Product("butterfly valve", (0.098, 0.102), (0.23, 0.34), (0.18, 0.27), (2.8, 7.5)),
+        Product("needle valves", (0.09, 0.22), (0.095, 0.11), (0.135, 0.145), (0.35, 1.5)),
+    ),
     # 0.13-0.25 m long and 0.1-0.45 kg; closed handles are 0.04-0.09 m wide, grips up to 0.022 m thick
     "plier": (Product("pliers", (0.035, 0.095), (0.125, 0.256), (0.006, 0.024), (0.08, 0.46)),),
 }

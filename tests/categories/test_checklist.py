@@ -285,6 +285,14 @@ CHECKLIST: dict[str, dict[str, Moving]] = {
         "bucket": slides("bucket_slide", (0, 1)),
         "button": slides("button_slide", (0, 1)),
     },
+    "valve": {
+        "lever": turns("lever_turn", (0, 1)),
+        "hand wheel": turns("wheel_turn", (0, 1)),
+        "stem of a gate valve": slides("stem_rise", (0, 1)),
+        "rise of a globe valve": slides("wheel_turn_rise", (0, 1)),
+        "knob of a needle valve": turns("knob_turn", (0, 1, 2, 3)),
+        "rise of a knob": slides("knob_turn_\\d_rise", (0, 1, 2, 3)),
+    },
     "washing_machine": {
         "door": turns("door_hinge", (0, 1)),
         "lid": turns("lid_hinge", (0, 1)),
