@@ -190,7 +190,7 @@ def _ball(
         ag.part(belly | neck | shelf, "body", heavy),
         ag.part(ends, "body", heavy, separate="ends of the body"),
         ag.part([each.box(bevel=0.0005) for each in stops], "plate", heavy, separate="stops on the body"),
-        _round_words(dn, 25, 0.428 * wide, middle, metal),
+        _round_words((f"DN{dn} PN25",), 0.428 * wide, middle, metal),
     )
     if grip == "tee":
         half = 0.30 * reach + 0.006
@@ -237,10 +237,10 @@ def _ball(
     return body.attach(lever, turn)
 
 
-def _round_words(dn: int, pressure: int, radius: float, middle: float, metal: ag.Material) -> ag.Body:
-    """Print size and pressure on the round front of a body."""
-    wall, words = ag.line((radius, 0, -0.1), (radius, 0, 0.1)), f"DN{dn} PN{pressure}"
-    lines = details.lettering((words,), 0.09 * radius + 0.001).rotate(math.pi / 2)
+def _round_words(words: tuple[str, ...], radius: float, middle: float, metal: ag.Material) -> ag.Body:
+    """Print lines with size and pressure on the round front of a body."""
+    wall = ag.line((radius, 0, -0.1), (radius, 0, 0.1))
+    lines = details.lettering(words, 0.09 * radius + 0.001).rotate(math.pi / 2)
     mark = details.wrapped(lines, wall, 0.0, material=controls.ink_on(metal))
     return mark.rotate(ag.Y, math.pi / 2).at(z=middle)
 
@@ -335,7 +335,7 @@ def _globe(
         body,
         ag.part(ball | collar, "body", _cast(paint, 0.5)),
         _neck(dn, top, high, paint),
-        _round_words(dn, 16, radius, middle, paint),
+        _round_words((f"DN{dn} PN16",), radius, middle, paint),
         details.printed(
             details.logo(maker, 0.005 + 0.03 * size),
             (0, -0.4 * (size + 0.062), top + 0.0065),
@@ -392,7 +392,7 @@ def _butterfly(dn: int, torque: ag.Scalar, paint: ag.Material, color: ag.Materia
         ag.detail(holes, "bolt", finish.recess(paint)),
         ag.part(plate - shaft_way, "plate", _STEEL),
         ag.detail(teeth, "plate", ag.material("black_abs")),
-        _round_words(dn, 16, outer, middle, paint),
+        _round_words((f"DN{dn}", "PN16"), outer, middle, paint),
         _words((maker.upper(),), 0.0036, (0, -0.0169 - 0.05 * size, (top + middle + outer) / 2), paint),
     )
     disc = ag.cylinder(size / 2 - 0.0022, 0.006, axis=ag.X, bevel=0.0015).at(z=middle)
