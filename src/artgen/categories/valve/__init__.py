@@ -393,7 +393,7 @@ def _butterfly(dn: int, torque: ag.Scalar, paint: ag.Material, color: ag.Materia
         ag.part(plate - shaft_way, "plate", _STEEL),
         ag.detail(teeth, "plate", ag.material("black_abs")),
         _round_words((f"DN{dn}", "PN16"), outer, middle, paint),
-        _words((maker.upper(),), 0.0036, (0, -0.0169 - 0.05 * size, (top + middle + outer) / 2), paint),
+        _round_words((maker.upper(),), 0.017 + 0.05 * size, (top + middle + outer) / 2, paint),
     )
     disc = ag.cylinder(size / 2 - 0.0022, 0.006, axis=ag.X, bevel=0.0015).at(z=middle)
     low = top + 0.0062
