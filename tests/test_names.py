@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import artgen
-from artgen._names import inside, is_identifier, is_plain_path
+from artgen._names import check_names, inside, is_identifier, is_plain_path
 from artgen.asset import Asset
 from artgen.asset.files import main_files
 from artgen.dataset.places import Disk
@@ -158,6 +158,14 @@ def test_a_manifest_cannot_name_other_folders(tmp_path: Path) -> None:
     manifest.write_text(json.dumps(record | {"path": "../../victim"}) + "\n")
     with pytest.raises(ExportError, match=r"line 1 is damaged \(cannot use '../../victim' below"):
         artgen.Dataset(tmp_path / "set")
+
+
+def test_parameters_may_have_the_names_of_fields(tmp_path: Path) -> None:
+    """Of an asset, and of an asset in a room."""
+    placed = [{"name": "box", "parameters": {"label": True, "name": "a b"}}]
+    check_names({"name": "room", "parameters": {"label": 0.5}, "placed": placed}, tmp_path)
+    with pytest.raises(AssetError, match=r"placed\[0\]\.name 'a b' is no identifier"):
+        check_names({"name": "room", "placed": [{"name": "a b"}]}, tmp_path)
 
 
 def test_a_link_name_can_be_too_long() -> None:

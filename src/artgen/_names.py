@@ -106,7 +106,7 @@ def check_names(data: Mapping[str, Any], source: Path) -> None:
     Raises:
         AssetError: A name is not an identifier, or a path leaves the folder of the asset.
     """
-    named = {**data, "parameters": {}, "formats": {}, "digests": {}, "certificate": {}}
+    named = {**data, "formats": {}, "digests": {}, "certificate": {}}
     for place, name in _names(named, "", ""):
         if not is_identifier(name):
             raise AssetError(f"{source}: {place} {name!r:.60} is no identifier; use {NAME_RULE}")
@@ -122,6 +122,8 @@ def _names(data: Any, key: str, place: str) -> Iterator[tuple[str, Any]]:
     """Yield each name with its place."""
     if isinstance(data, Mapping):
         for inner, value in data.items():
+            if inner == "parameters":  # of the asset, or of one in a room: an author may call one `label`
+                continue
             yield from _names(value, inner, f"{place}.{inner}" if place else inner)
     elif isinstance(data, list):
         for number, value in enumerate(data):

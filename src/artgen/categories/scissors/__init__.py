@@ -421,5 +421,5 @@ def _tongs(
         needs=(hinge < 0.0150).beyond(met - 0.0004),  # the play of the arm in the ring
     )
     body = body.attach(right, hinge).attach(ag.part(loop, "ring", cover, grasp=hold), slide)
-    left, right = out + 0.0045, flank + 0.0022
-    return body.at((left - right) / 2, rear - length / 2, 0.018)  # on the edges of its tips
+    before, behind = out + 0.0045, flank + 0.0022
+    return body.at((before - behind) / 2, rear - length / 2, 0.018)  # on the edges of its tips
