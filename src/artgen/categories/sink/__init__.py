@@ -218,15 +218,16 @@ def sink(
     ag.require((style in _KITCHEN) == (plug in ("basket", "knob")), "kitchens have strainers")
     ag.require(style not in ("vessel", "hung") or plug != "rod", "a lift rod is for style=pedestal")
     ag.require(stand != "none" or style == "inset", "stand=none is for style=inset, which has a rim")
+    middle: ag.Scalar = 0.0
     plan = _Plan(style, stand, _POWERS[shape], width, deep, hollow, rim, margin, shell, metal, top)
     if style in _KITCHEN:
-        body, places, ledge = _kitchen(plan, bowls, drainer, finish)
+        body, places, ledge, middle = _kitchen(plan, bowls, drainer, finish)
     elif style == "vessel":
         body, places, ledge = _vessel(plan, finish)
     else:
         body, places, ledge = _washbasin(plan, maker, tiles, tile)
     body = _tapped(body, plan, ledge, tap, height, reach, spout, grip, lever, square=square)
-    return _drained(body, plan, places, plug)
+    return _drained(body, plan, places, plug, middle)
 
 
 @dataclass(frozen=True)
@@ -338,8 +339,8 @@ def _around(room: ag.Region, row: list[tuple[ag.Scalar, ag.Scalar]], near: ag.Sc
 
 def _kitchen(
     plan: _Plan, bowls: Bowls, drainer: str, finish: ag.Material
-) -> tuple[ag.Body, list[ag.Vector], ag.Scalar]:
-    """Make bowls in a worktop on their stand; return them with the drains and the height under the tap."""
+) -> tuple[ag.Body, list[ag.Vector], ag.Scalar, ag.Scalar]:
+    """Make bowls in a worktop; return them with the drains, the height under the tap, and the middle in x."""
     half, small = plan.width / 2, 0.45 * plan.width / 2
     aside = _BETWEEN / 2
     rows: dict[Bowls, list[tuple[ag.Scalar, ag.Scalar]]] = {
@@ -382,7 +383,7 @@ def _kitchen(
     if plan.style == "inset" and drainer != "none":
         body = ag.weld(body, _ribs(room, drainer, ends, plan.shell))
     if plan.stand == "none":
-        return body, places, level
+        return body, places, level, room.x.mid
     board = room.with_(z=(-thick, 0.0), y=(near - 0.075, _BACK))
     board = board.grow(x=plan.margin + (0.02 if plan.style == "apron" else 0.0))
     slab = board.box(bevel=0.002)
@@ -393,7 +394,7 @@ def _kitchen(
     else:
         top = ag.part(slab - hole.with_(z=(-0.1, 0.1)).box(), "worktop", plan.top)
     front = plan.hollow + 0.05 if plan.style != "apron" else None
-    return ag.weld(body, top, _stood(plan, board, front, finish)), places, level
+    return ag.weld(body, top, _stood(plan, board, front, finish)), places, level, room.x.mid
 
 
 def _ribs(room: ag.Region, drainer: str, ends: ag.Span, finish: ag.Material) -> ag.Body:
@@ -604,12 +605,14 @@ def _tapped(
     )
     if stand.valves:
         pair = (stand.valves, grip, 0.062, plan.metal, plan.metal, disc)
-        body = handles.install_pair(body, *pair, flange=True, from_tip=False)
+        body = handles.install_pair(
+            body, *pair, flange=True, from_tip=False, lean=0.4 if plan.stand == "wall" else 0.0
+        )
     return body
 
 
-def _drained(body: ag.Body, plan: _Plan, places: list[ag.Vector], plug: str) -> ag.Body:
-    """Put drains with their plugs into the bowls, and a trap under them; stand all of it on the floor."""
+def _drained(body: ag.Body, plan: _Plan, places: list[ag.Vector], plug: str, middle: ag.Scalar) -> ag.Body:
+    """Put drains with plugs and traps under the bowls; stand all of it with its middle on the floor."""
     if plug == "rod":
         at, thick = places[0], plan.wall
         body = drain.install(
@@ -631,7 +634,7 @@ def _drained(body: ag.Body, plan: _Plan, places: list[ag.Vector], plug: str) -> 
             body = _strained(body, at, suffix, turn if number == 0 else None)
     for at in places:
         body = ag.weld(body, _trap(plan, at))
-    return body.at(z=plan.rim)
+    return body.at(x=-middle, z=plan.rim)
 
 
 def _strained(body: ag.Body, at: ag.Vector, suffix: str, knob: ag.Joint | None) -> ag.Body:
@@ -661,7 +664,7 @@ def _strained(body: ag.Body, at: ag.Vector, suffix: str, knob: ag.Joint | None) 
         label="basket",
         proud=0.0001,
     )
-    hold = ag.grasp_on(knot, approach=-ag.Z, closing=ag.X, depth=0.0095)
+    hold = ag.grasp_on(knot, approach=-ag.Z, closing=ag.Y, depth=0.0095)  # half a bowl is narrow
     basket = ag.weld(
         ag.part(ag.union(disc, neck, knot), "basket", steel, name="strainer", grasp=hold),
         ag.detail(ag.revolve(ag.polygon(side)), "basket", steel),

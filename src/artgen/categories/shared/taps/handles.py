@@ -39,15 +39,17 @@ def install_pair(
     *,
     flange: bool,
     from_tip: bool,
+    lean: float = 0.0,
 ) -> ag.Body:
     """Install valves for hot and cold with closed handles, which a hand turns from the tip or from above.
 
-    Positive angles open them and move levers to the front.
+    Positive angles open them and move levers to the front. `lean` is the slope, to the front, of a hand from
+    above, which clears a wall behind the valves.
     """
     for name, hot, at in zip(("left", "right"), (True, False), valves, strict=True):
         axis, limits = ag.Z if hot else -ag.Z, (0.0, _QUARTER)
         turn = ag.Revolute(f"handle_turn_{name}", axis=axis, limits=limits, feel=_DISC, friction=friction)
-        one = _handle(style, length, finish, accent, hot=hot, from_tip=from_tip)
+        one = _handle(style, length, finish, accent, hot=hot, from_tip=from_tip, lean=lean)
         body = ag.weld(body, _bonnet(finish, flange=flange).at(at)).attach(one, turn, at=at)
     return body
 
@@ -79,10 +81,11 @@ def _handle(
     *,
     hot: bool,
     from_tip: bool,
+    lean: float,
 ) -> ag.Body:
     """Make a closed handle for one valve: a lever points to -x on the hot side, to x on the cold side."""
     low, side = _BONNET + _GAP, -1 if hot else 1
-    foot, approach, closing = (0.0, 0.0, low), -ag.Z, ag.Y
+    foot, approach, closing = (0.0, 0.0, low), lean * ag.Y - ag.Z, ag.Y
     at: ag.VectorLike | None = None
     depth: float | None = None
     if style in ("lever", "blade"):
