@@ -75,6 +75,7 @@ KITCHEN = (
     Placed("bottle", 5, -0.80, z=_TOP, gap=0.16, share=0.0),
     Placed("pot", 1, 0.56, z=_TOP + 0.045, gap=0.34, share=0.0, turn=0.5),
     Placed("pepper_grinder", 3, 0.86, z=_TOP, gap=0.3),
+    Placed("blender", 1, 0.98, z=_TOP, gap=0.14, share=0.0, turn=0.3),
     Placed("toaster", 3, 1.14, z=_TOP, gap=0.12, turn=0.5),
     Placed("toaster_oven", 1, 1.16, z=_TOP, gap=0.36, turn=-0.2),
     Placed("window", 1, 0.25, z=1.22),

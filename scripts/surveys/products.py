@@ -180,6 +180,11 @@ PRODUCTS: Mapping[str, tuple[Product, ...]] = {
         Product("capsule machine", (0.10, 0.14), (0.31, 0.42), (0.23, 0.28), (2.6, 4.8)),
         Product("espresso machine", (0.20, 0.27), (0.38, 0.50), (0.33, 0.41), (4.5, 9.5)),
     ),
+    # 1.5-2 l, empty; handles and cords stand out by 0.04-0.09 m
+    "blender": (
+        Product("blender", (0.175, 0.24), (0.24, 0.32), (0.40, 0.48), (2.6, 6.2)),
+        Product("personal blender", (0.11, 0.165), (0.18, 0.23), (0.29, 0.39), (1.0, 1.9)),
+    ),
     # 14-30 cm wide at the rim, chafing dishes to 39 cm; handles stand out by 0.03-0.06 m, long ones by 0.19 m
     "pot": (
         Product("saucepan or frying pan", (0.32, 0.49), (0.14, 0.31), (0.09, 0.20), (0.7, 2.8)),

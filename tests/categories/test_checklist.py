@@ -57,6 +57,15 @@ CHECKLIST: dict[str, dict[str, Moving]] = {
         "drawer": slides("drawer_slide", (0, 1)),
         "bottle": slides("bottle_lift", (0, 2, 3, 6, 12)),
     },
+    "blender": {
+        "jug on its bayonet": turns("jug_turn", (1,)),
+        "jug that lifts off": slides("jug_lift", (1,)),
+        "lid that lifts off": slides("lid_lift", (0, 1)),
+        "filler cap": slides("cap_lift", (0, 1)),
+        "blade": turns("blade_spin", (0, 1), unlimited=True),
+        "dial": turns("dial_turn", (0, 1)),
+        "button": slides("button_slide", (0, 1, 2, 3, 4)),
+    },
     "bottle": {
         "cap on a thread": turns("cap_turn", (0, 1)),
         "lid on a thread": turns("lid_turn", (0, 1)),

@@ -19,7 +19,7 @@ from typing import Literal
 
 import artgen as ag
 from artgen import details, feel
-from artgen.categories.shared import controls
+from artgen.categories.shared import controls, vessels
 from artgen.categories.shared.finish import casting
 from artgen.nodes.fitting import FIT
 
@@ -328,7 +328,7 @@ def _pressure(
 ) -> ag.Body:
     """Add the handles, and the lid on its bayonet with its lock and its valve."""
     edge = radius + 0.0125
-    lugs, hooks = (each.mirror(ag.Z).at(z=high) for each in _bayonet(radius))
+    lugs, hooks = (each.mirror(ag.Z).at(z=high) for each in vessels.bayonet(radius))
     short = ag.box(0.050, 0.034, 0.018, bevel=0.006).at(-radius - 0.022, 0, high - 0.026)
     held = ag.grasp_on(short, approach=ag.X, closing=ag.Z, depth=0.02)
     body = ag.weld(
@@ -381,16 +381,6 @@ def _pressure(
         needs=(turn > _TWIST - 0.04).beyond(0.0008),
     )  # fmt: skip
     return body.attach(lid.attach(lock, free).attach(valve, blow), lift, turn)
-
-
-def _bayonet(radius: ag.Scalar) -> tuple[ag.Solid, ag.Solid]:
-    """Make three lugs around a neck on z = 0, and the hooks over them, which a turn of 0.48 rad frees."""
-    lug = ag.Region((-0.018, 0.018), (radius - 0.0040, radius + 0.0060), (0.0012, 0.0045)).box()
-    hook = ag.Region((-0.018, 0.018), (radius + 0.0020, radius + 0.0113), (0.0056, 0.0100)).box()
-    hook |= ag.Region((-0.018, 0.018), (radius + 0.0076, radius + 0.0119), (-0.0030, 0.0090)).box()
-    turns = [math.pi / 6 + third * math.tau / 3 for third in range(3)]
-    lugs, hooks = (ag.union(*(each.rotate(ag.Z, turn) for turn in turns)) for each in (lug, hook))
-    return lugs, hooks
 
 
 def _hinged(body: ag.Body, lid: ag.Body, radius: ag.Scalar, high: ag.Scalar, finish: ag.Material) -> ag.Body:
