@@ -59,6 +59,7 @@ _SIDES = 32  # facets of the solid inside a wall
 _EDGE = 0.004  # radius of the lower edge of a pot [m]
 _LOCK = 0.010  # travel of the lock of a pressure cooker [m]
 _TWIST = 0.52  # turn of its bayonet [rad]
+_AHEAD = -math.pi / 2  # turn of a long handle from the right to the front [rad]
 
 
 @ag.category(labels="pot rim base rivet lid knob handle lock valve hinge print", joints=(1, 4))
@@ -143,13 +144,14 @@ def pot(
             section = ag.rectangle(0.016, 0.010, radius=0.004)
             body = ag.weld(body, *_loops(radius, 0.86 * high, 0.030, section, finish))
         case "pressure":
-            return _pressure(body, radius, high, finish, grip)
+            return _pressure(body, radius, high, finish, grip).rotate(ag.Z, _AHEAD)
         case "chafer":
             body = ag.weld(body, *_loops(radius, 0.72 * high, 0.040, ag.regular_polygon(8, 0.0050), grip))
     lid = _lid(style, radius, 0.55 * arch * width, cover, knob, finish, grip)
     if style == "chafer":
         return _hinged(body, lid, radius, high, finish)
-    return body.attach(lid, *_off(), at=(0, 0, high + FIT.running))
+    body = body.attach(lid, *_off(), at=(0, 0, high + FIT.running))
+    return body.rotate(ag.Z, _AHEAD) if style in ("saucepan", "pan") else body
 
 
 def _off() -> tuple[ag.Joint, ag.Joint]:
