@@ -92,6 +92,7 @@ KITCHEN = (
     Placed("fan", 1, 4.3, gap=0.2, turn=0.3),
     Placed("safe", 5, 2.85, gap=0.85, share=0.6, turn=-0.3),
     Placed("box", 4, 2.2, gap=1.0, share=0.7, turn=-0.35),
+    Placed("suitcase", 1, 4.75, gap=0.7, share=0.0, turn=-0.3),
     Placed("stapler", 5, 3.30, z=0.735, gap=0.5, share=0.0, turn=0.7),
     Placed("valve", 0, 2.05, z=0.83, gap=0.3, share=0.0, turn=-0.4),
     Placed("scissors", 4, 2.24, z=0.83, gap=0.3, share=0.4, turn=-0.6),

@@ -159,6 +159,12 @@ PRODUCTS: Mapping[str, tuple[Product, ...]] = {
         Product("washbasin on a wall", (0.79, 0.81), (0.50, 0.72), (1.15, 1.17), (70.0, 130.0)),
         Product("washbasin on a pedestal", (0.50, 0.64), (0.42, 0.52), (0.90, 1.10), (15.0, 45.0)),
     ),
+    # cabin and large trolleys, tool cases of 0.34-0.48 m; handles and latches stand out by 0.01-0.02 m
+    "suitcase": (
+        Product("trolley case", (0.34, 0.60), (0.20, 0.32), (0.58, 0.82), (2.2, 6.5)),
+        Product("tool case", (0.32, 0.50), (0.26, 0.43), (0.13, 0.20), (1.2, 4.5)),
+        Product("attaché case", (0.41, 0.48), (0.30, 0.38), (0.10, 0.14), (1.8, 4.5)),
+    ),
     # 12-16 inches; tabs and hinges stand out by up to 0.02 m
     "laptop": (
         Product("thin laptop", (0.30, 0.38), (0.20, 0.29), (0.017, 0.024), (0.8, 1.8)),

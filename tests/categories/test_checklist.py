@@ -255,6 +255,15 @@ CHECKLIST: dict[str, dict[str, Moving]] = {
         "pin of a punch": slides("pin_slide", (0, 2)),
         "guide of a punch": slides("guide_slide", (0, 1)),
     },
+    "suitcase": {
+        "lid": turns("lid_hinge", (1,)),
+        "latch": turns(r"latch_turn_(left|right)", (2,)),
+        "handle": turns("handle_turn", (1,)),
+        "telescopic handle": slides("pull_slide", (0, 1)),
+        "button of the handle": slides("button_press", (0, 1)),
+        "caster": turns("caster_swivel", (0, 4), unlimited=True),
+        "wheel": turns("caster_roll", (0, 2, 4), unlimited=True),
+    },
     "switch": {
         "rocker": turns("rocker_tilt", (0, 1, 2, 3)),
         "toggle": turns("toggle_tilt", (0, 1)),

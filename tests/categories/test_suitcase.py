@@ -1,0 +1,53 @@
+"""What is special to a suitcase: latches that hold the lid, a pull that locks, sizes and masses."""
+
+from functools import lru_cache
+from typing import Any
+
+import pytest
+
+from artgen.asset import Asset
+from artgen.catalog import find
+
+STYLES = ("trolley", "tool_case", "attache")
+
+
+@lru_cache(maxsize=12)
+def made(seed: int, **given: Any) -> Asset:
+    return find("suitcase").generate(seed, certify=False, **given)
+
+
+@pytest.mark.parametrize("style", STYLES)
+def test_two_latches_hold_the_lid(style: str) -> None:
+    asset = made(1, style=style)
+    closed = {"lid_hinge": 0.02}
+    assert asset.blocked(closed)
+    assert asset.blocked({**closed, "latch_turn_left": 1.9})
+    assert not asset.blocked({**closed, "latch_turn_left": 1.9, "latch_turn_right": 1.9})
+
+
+@pytest.mark.parametrize("style", STYLES)
+def test_a_hook_lies_over_its_keeper(style: str) -> None:
+    asset = made(1, style=style)
+    gaps = asset.clearance({"lid_hinge": 0.02})
+    for side in ("left", "right"):
+        assert gaps[f"latch_{side}", "lid"] == pytest.approx(0.0, abs=1e-9), "the lid meets the hook"
+
+
+def test_a_pull_is_locked_at_both_ends_of_its_slide() -> None:
+    asset = made(1, style="trolley")
+    low, high = asset.joint("pull_slide").limits
+    assert low == 0.0
+    assert asset.blocked({"pull_slide": high / 2})
+    assert not asset.blocked({"pull_slide": high / 2, "button_press": 0.003})
+    assert not asset.blocked({"pull_slide": high})
+    grip = asset.pose({"pull_slide": high})["pull"][:3, 3] - asset.pose({})["pull"][:3, 3]
+    assert grip == pytest.approx([0, 0, high], abs=1e-9), "it is drawn upward"
+
+
+@pytest.mark.parametrize("style", STYLES)
+def test_sizes_and_masses_are_those_of_shops(style: str) -> None:
+    asset = made(4, style=style)
+    low, high = asset.bounds()
+    assert low[2] == pytest.approx(0.0, abs=1e-6), "it stands on the floor"
+    assert 0.1 < high[2] - low[2] < 0.85
+    assert 1.2 < asset.mass < 6.0
