@@ -30,7 +30,7 @@ Style = Literal["trolley", "tool_case", "attache"]
 """A trolley case that stands on wheels, a case with draw latches, or a flat case for papers."""
 
 _GAP = FIT.running  # between the rims of base and lid [m]
-_OPEN = 1.0  # angle of a latch that frees the lid [rad]
+_OPEN = 0.8  # angle of a latch that frees the lid [rad]
 _WHEEL = 0.021  # radius of a caster [m]
 _STAND = 2 * _WHEEL + 0.0155  # height of the shell above the floor [m]
 _TUBES = 0.042  # from the back of a trolley to the tubes of its pull [m]
@@ -210,7 +210,7 @@ def _halves(plan: _Plan, ribs: int, maker: str) -> tuple[ag.Body, ag.Body]:
     if style == "trolley":
         at, up, tall = (0.42 * plan.wide, 0, high), ag.X, 0.010
     else:
-        at, up, tall = (0, 0 if style == "tool_case" else -0.36 * plan.deep, high), ag.Y, 0.012
+        at, up, tall = (0, -0.3 * plan.deep, high), ag.Y, 0.012
     mark = details.logo(maker, tall if style != "attache" else 0.006)
     ink = controls.ink_on(plan.shell) if style == "tool_case" else plan.metal
     lid = ag.weld(lid, details.printed(mark, at, facing=ag.Z, up=up, material=ink))
@@ -234,8 +234,8 @@ def _ribs(plan: _Plan, count: int) -> ag.Solid:
         rib = ag.box(0.72 * plan.wide, 0.5 * pitch, 0.005, bevel=0.0016)
         return ag.array(rib, at=[(-0.02 * plan.wide, y, 0) for y in controls.places(count, pitch)])
     pitch = plan.wide / (count + 1)
-    rib = ag.box(0.16 * pitch, 0.86 * plan.deep, 0.007, bevel=0.0022)
-    return ag.array(rib, at=[(x, 0, 0) for x in controls.places(count, pitch)])
+    rib = ag.box(0.20 * pitch, 0.56 * plan.deep, 0.007, bevel=0.0022)
+    return ag.array(rib, at=[(x, 0.12 * plan.deep, 0) for x in controls.places(count, pitch)])
 
 
 def _insert(plan: _Plan, inner: ag.Region) -> ag.Body:
