@@ -202,7 +202,7 @@ def _halves(plan: _Plan, ribs: int, maker: str) -> tuple[ag.Body, ag.Body]:
             ag.detail(ag.extrude(sheet, 0.002).at(z=floor), "lining", cloth),
             _knuckles(plan, upper=upper),
         )
-        if ribs:
+        if ribs and (upper or style == "trolley"):
             strip = _ribs(plan, ribs).at(z=high if upper else 0)
             body = ag.weld(body, ag.detail(strip, "rib", plan.shell))
         made.append(body)
