@@ -56,6 +56,7 @@ _GRIPS = ag.choice("black_abs", "stainless_blasted", "walnut", "beech", ag.color
 _LIDS = {"casserole": 2300.0, "pan": 700.0}  # density of the solid dome of a lid, otherwise 700 [kg/m3]
 _GLASS = ag.material("glass").with_(name="lid_glass", opacity=0.16, density=900.0)
 _SIDES = 32  # facets of the solid inside a wall
+_SLOPES = 22  # the same of a sloping wall, which is thicker and takes longer to simulate
 _EDGE = 0.004  # radius of the lower edge of a pot [m]
 _LOCK = 0.010  # travel of the lock of a pressure cooker [m]
 _TWIST = 0.52  # turn of its bayonet [rad]
@@ -173,14 +174,15 @@ def _vessel(
     path = ag.polyline([(0.002, 0, 0), (foot, 0, 0), (radius, 0, high - low - lean)], fillet=_EDGE)
     skin = ag.detail(ag.revolve(ag.half_section(path, wall=wall)), "pot", finish).at(z=low)
     floor = ag.cylinder(foot - 0.0014, 0.0034).at(z=0.0019)
-    body = ag.weld(ag.part([_ring(foot, radius, high - low, wall), floor], "pot", stuff).at(z=low), skin)
+    ring = _ring(foot, radius, high - low, wall, _SLOPES if style == "pan" else _SIDES)
+    body = ag.weld(ag.part([ring, floor], "pot", stuff).at(z=low), skin)
     brim = ag.tube(radius + 0.0012, radius - wall - 0.0004, 0.003, bevel=0.001).at(z=high - 0.0015)
     edge = ag.material("stainless") if style == "pan" else finish
     body = ag.weld(body, ag.detail(brim, "rim", edge))
     if style == "chafer":
-        ring = ag.cylinder(0.86 * radius, low + 0.001, bevel=0.003).at(z=(low + 0.001) / 2)
+        stand = ag.cylinder(0.86 * radius, low + 0.001, bevel=0.003).at(z=(low + 0.001) / 2)
         return ag.weld(
-            body, ag.part(ring, "base", ag.material("black_abs").with_(name="stand", density=700.0))
+            body, ag.part(stand, "base", ag.material("black_abs").with_(name="stand", density=700.0))
         )
     plate = ag.cylinder(foot - _EDGE, low + 0.001, bevel=0.0012).at(z=(low + 0.001) / 2)
     under = ag.material("stainless").with_(name="sandwich_base", density=4200.0)
@@ -191,12 +193,12 @@ def _vessel(
     return body if style == "pan" else ag.weld(body, mark)
 
 
-def _ring(foot: ag.Scalar, rim: ag.Scalar, tall: ag.Scalar, wall: float) -> ag.Solid:
+def _ring(foot: ag.Scalar, rim: ag.Scalar, tall: ag.Scalar, wall: float, count: int) -> ag.Solid:
     """Make the faceted wall inside the skin of a pot, which collides."""
-    sides, low, thick = ag.regular_polygon(_SIDES, 1.0), 0.0022, 0.0003
+    sides, low, thick = ag.regular_polygon(count, 1.0), 0.0022, 0.0003
     ends = [foot + (rim - foot) * low / tall, rim]
     out = [sides.scale(each - thick) for each in ends]
-    inside = [sides.scale((each - wall + thick) / math.cos(math.pi / _SIDES)) for each in ends]
+    inside = [sides.scale((each - wall + thick) / math.cos(math.pi / count)) for each in ends]
     return ag.loft(out, [low, tall - 0.0002]) - ag.loft(inside, [low - 0.0001, tall])
 
 
