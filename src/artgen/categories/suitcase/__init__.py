@@ -172,6 +172,11 @@ def suitcase(
         feel=feel.HINGE,
         needs=((latches[0] > _OPEN) & (latches[1] > _OPEN)).beyond(0.001),
     )
+    front = -plan.deep / 2
+    tab = ag.Region((-0.028, 0.028), (front - 0.0115, front + 0.003), (plan.low + 0.003, plan.low + 0.008))
+    lip = tab.box(bevel=0.0012)
+    hold = ag.grasp_on(lip, approach=ag.Y, closing=ag.Z, depth=0.0095)
+    lid = ag.weld(lid, ag.part(lip, "keeper", metal, name="lid_tab", grasp=hold))
     base = base.install(_handle(plan), at=(0, -plan.deep / 2, plan.low - 0.020))
     if style == "trolley":
         base, lid = _wheeled(base, lid, plan, rolling)
