@@ -193,9 +193,9 @@ PRODUCTS: Mapping[str, tuple[Product, ...]] = {
     ),
     # 14-30 cm wide at the rim, chafing dishes to 39 cm; handles stand out by 0.03-0.06 m, long ones by 0.19 m
     "pot": (
-        Product("saucepan or frying pan", (0.32, 0.49), (0.14, 0.31), (0.09, 0.20), (0.7, 2.8)),
+        Product("saucepan or frying pan", (0.14, 0.31), (0.32, 0.49), (0.09, 0.20), (0.7, 2.8)),
         Product("stockpot or casserole", (0.24, 0.38), (0.21, 0.30), (0.13, 0.34), (2.0, 7.5)),
-        Product("pressure cooker", (0.46, 0.52), (0.23, 0.27), (0.17, 0.26), (2.3, 4.0)),
+        Product("pressure cooker", (0.23, 0.27), (0.46, 0.52), (0.17, 0.26), (2.3, 4.0)),
         Product("chafing dish", (0.40, 0.50), (0.37, 0.46), (0.09, 0.17), (3.5, 7.5)),
     ),
     # EN 527-1 and shops; leaves hang at the sides, handles stand out by 0.04 m
