@@ -78,6 +78,7 @@ KITCHEN = (
     Placed("blender", 1, 0.98, z=_TOP, gap=0.14, share=0.0, turn=0.3),
     Placed("toaster", 3, 1.14, z=_TOP, gap=0.12, turn=0.5),
     Placed("toaster_oven", 1, 1.16, z=_TOP, gap=0.36, turn=-0.2),
+    Placed("stand_mixer", 1, 1.30, z=0.83, gap=0.2, turn=-0.4),
     Placed("window", 1, 0.25, z=1.22),
     Placed("cabinet", 3, 1.4, z=1.38, share=0.8),
     Placed("drawer", 3, 2.24, share=1.0),

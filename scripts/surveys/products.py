@@ -215,6 +215,12 @@ PRODUCTS: Mapping[str, tuple[Product, ...]] = {
         Product("box fan", (0.52, 0.56), (0.11, 0.18), (0.58, 0.64), (3.0, 5.5)),
         Product("clip fan", (0.16, 0.21), (0.17, 0.22), (0.26, 0.34), (0.5, 1.2)),
     ),
+    # KitchenAid 5KSM125 and 5KSM175 8.5-12 kg with a tilting head, 5KSM55 and 5KSM7580 11-14 kg with a crank;
+    # the depth counts a stub of the cord
+    "stand_mixer": (
+        Product("tilting head", (0.24, 0.275), (0.44, 0.50), (0.33, 0.37), (8.5, 12.0)),
+        Product("bowl lift", (0.26, 0.31), (0.48, 0.54), (0.38, 0.45), (11.0, 14.0)),
+    ),
     # hotel safes 0.40-0.43 x 0.20-0.25 x 0.35-0.40 m, 10-17 kg; home safes 8-20 kg; fire safes (UL 72) with
     # walls of 0.045-0.055 m, 26-80 kg; gun cabinets (EN 14450) 1.3-1.5 m high, 45-110 kg; handles stand out
     # by 0.03-0.05 m

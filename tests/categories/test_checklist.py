@@ -238,6 +238,16 @@ CHECKLIST: dict[str, dict[str, Moving]] = {
         "key": slides("button_slide", (0, 4)),
         "dial": turns("dial_turn", (0, 1)),
     },
+    "stand_mixer": {
+        "head": turns("head_tilt", (0, 1)),
+        "lock of the head": slides("button_slide", (0, 1)),
+        "crank": turns("crank_turn", (0, 1)),
+        "arms": slides("carriage_slide", (0, 1)),
+        "bowl out of its seat": turns("bowl_turn", (0, 1)),
+        "bowl that lifts off": slides("bowl_lift", (1,)),
+        "beater": turns("beater_spin", (1,), unlimited=True),
+        "speed": turns("knob_turn", (1,)),
+    },
     "safe": {
         "door": turns("door_hinge", (1,)),
         "bolts": slides("bolts_slide", (1,)),

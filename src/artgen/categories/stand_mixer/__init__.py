@@ -303,7 +303,7 @@ def _lock(back: ag.Scalar, top: ag.Scalar, wide: float) -> tuple[ag.Body, ag.Joi
         "button_slide", axis=ag.Y, limits=(0, _SLIDE), friction=0.5, damping=2.0, armature=0.02, effort=25.0,
         detents=feel.detents((-0.1 * _SLIDE, 1.1 * _SLIDE), 6.0),
     )  # fmt: skip
-    return ag.part([bar, cap], "button", _BLACK, name="button", grasp=hold), slide
+    return ag.part([bar, cap], "button", _BLACK, name="button", grasp=hold, grasp_width=0.025), slide
 
 
 def _tool(kind: Tool, radius: ag.Scalar, height: ag.Scalar) -> ag.Body:
@@ -339,7 +339,7 @@ def _tool(kind: Tool, radius: ag.Scalar, height: ag.Scalar) -> ag.Body:
         look = ag.union(plate, *bars, web)
         finish = casting(ag.material("brushed_aluminium"), 0.8)
     elif kind == "whisk":
-        line = [(x, 0.0, z) for x, z in right]
+        line = [(0.95 * x, 0.0, z) for x, z in right]
         loop = ag.spline([(-0.006, 0, low + 0.86 * span), *((-x, y, z) for x, y, z in reversed(line[1:4])),
                           (0, 0, low), *line[1:4], (0.006, 0, low + 0.86 * span)])  # fmt: skip
         wire = ag.sweep(ag.regular_polygon(6, 0.0013), loop)
@@ -350,8 +350,8 @@ def _tool(kind: Tool, radius: ag.Scalar, height: ag.Scalar) -> ag.Body:
         finish = _STEEL
     else:
         way = ag.spline([
-            (0, 0, low + 0.86 * span), (0.55 * wide, 0.1 * wide, low + 0.70 * span),
-            (0.85 * wide, -0.25 * wide, low + 0.46 * span), (0.30 * wide, -0.62 * wide, low + 0.24 * span),
+            (0, 0, low + 0.86 * span), (0.42 * wide, 0.1 * wide, low + 0.70 * span),
+            (0.68 * wide, -0.25 * wide, low + 0.46 * span), (0.30 * wide, -0.62 * wide, low + 0.24 * span),
             (-0.35 * wide, -0.2 * wide, low + 0.10 * span),
         ])  # fmt: skip
         look = ag.sweep(ag.regular_polygon(10, 0.0075), way)
