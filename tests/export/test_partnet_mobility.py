@@ -484,3 +484,10 @@ def test_bases_are_called_what_the_dataset_calls_them(
 def test_the_dataset_has_categories_of_its_own(nested: Asset, category: str, name: str) -> None:
     files = encode(replace(nested, category=category), layout=LAYOUT, textures=0)
     assert json.loads(files["meta.json"])["model_cat"] == name
+
+
+@pytest.mark.parametrize(("style", "name"), [("folding", "FoldingChair"), ("office", "Chair")])
+def test_a_style_may_be_a_category_of_the_dataset(nested: Asset, style: str, name: str) -> None:
+    chair = replace(nested, category="chair", parameters={"style": style})
+    files = encode(chair, layout=LAYOUT, textures=0)
+    assert json.loads(files["meta.json"])["model_cat"] == name

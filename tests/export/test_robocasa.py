@@ -298,6 +298,7 @@ def seen(category: str, seed: int) -> ET.Element:
         ("cabinet", 1, {"doorhinge"}, set()),
         ("toaster_oven", 0, {"door_joint", "rack0_joint", "knob_function_joint"}, {"rack0"}),
         ("toaster_oven", 1, {"knob_temp_joint", "knob_time_joint"}, set()),
+        ("stand_mixer", 0, {"knob_speed_joint"}, {"bowl"}),
         ("sink", 0, {"handle_joint", "handle_temp_joint", "spout_joint"}, {"basin_left", "basin_right"}),
         ("sink", 4, {"spout_joint"}, {"basin"}),
     ],

@@ -13,10 +13,11 @@ from artgen.export.layouts.partnet.names import NAMES_FILE, UPRIGHT, Naming, kin
 from artgen.export.meshes import mesh_name
 
 CATEGORIES: Mapping[str, str] = {
-    "cabinet": "StorageFurniture", "drawer": "StorageFurniture", "plier": "Pliers",
+    "cabinet": "StorageFurniture", "chair folding": "FoldingChair", "drawer": "StorageFurniture",
+    "plier": "Pliers", "pot": "KitchenPot",
     "soap_dispenser": "Dispenser", "trash": "TrashCan", "trash_can": "TrashCan", "trashcan": "TrashCan",
 }  # fmt: skip
-"""Categories of the dataset whose names differ from artgen's in camel case."""
+"""Names of categories in the dataset, by category or its style, that are not artgen's in camel case."""
 
 # rotation from asset to `base`: the front towards -x
 _FRONT = np.array([[0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
@@ -33,7 +34,8 @@ def tables(asset: Asset, named: Naming, surfaces: Mapping[str, Sequence[str]]) -
     base, *moving = asset.links
     links = (*moving, base)
     camel = "".join(word.capitalize() for word in asset.category.split("_"))
-    category = CATEGORIES.get(asset.category, camel)
+    styled = f"{asset.category} {asset.parameters.get('style', '')}"
+    category = CATEGORIES.get(styled) or CATEGORIES.get(asset.category, camel)
     semantics = [_semantics(asset, named, link) for link in links]
     data = {
         "meta.json": {

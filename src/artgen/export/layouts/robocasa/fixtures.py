@@ -99,6 +99,12 @@ _PARTS: Mapping[str, Sequence[_Parts]] = {
         _Parts("freezer_door", {0: ("freezer_door{}_joint",)}),
     ),
     "sink": (_Parts("spout", {1: ("spout_joint",)}),),
+    "stand_mixer": (
+        _Parts("head", {1: ("head_joint",)}),
+        _Parts("bowl", {1: ("bowl_joint",)}),
+        _Parts("knob", {1: ("knob_speed_joint",)}),
+        _Parts("button", {1: ("button_head_lock_joint",)}, "prismatic"),
+    ),
     "toaster_oven": (_DOOR, _RACKS),
     "toaster": (
         _Parts("lever", {0: ("lever{}_joint",)}, "prismatic"),
@@ -159,6 +165,11 @@ def _knobs(asset: Asset, rooms: Sequence[Array], found: Fixture) -> None:
     dials = _dials(asset)
     for name, link in zip(_KNOBS.get(len(dials), ()), dials, strict=False):
         _name_turn(asset, link, f"knob_{name}_joint", found)
+
+
+def _bowl(asset: Asset, rooms: Sequence[Array], found: Fixture) -> None:
+    for link in called(asset, "bowl"):
+        found.regions["bowl"] = room_above(asset, link)
 
 
 def _microwave(asset: Asset, rooms: Sequence[Array], found: Fixture) -> None:
@@ -407,6 +418,7 @@ _MORE: Mapping[str, Sequence[_Adder]] = {
     "oven": (_oven, _racks),
     "refrigerator": (_fridge,),
     "sink": (_tap, _basins),
+    "stand_mixer": (_bowl,),
     "toaster": (_toaster,),
     "toaster_oven": (_racks, _knobs),
 }
