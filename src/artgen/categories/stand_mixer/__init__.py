@@ -181,13 +181,13 @@ def _stand(radius: ag.Scalar, back: ag.Scalar, top: ag.Scalar, shell: ag.Materia
     column = ag.bounding_collider(column, *covers)
     heavy = shell.with_(name=f"{shell.name}_base", density=1500.0)
     around = [(-0.055, back + 0.045), (0.055, back + 0.045), (-0.045, -0.3 * radius), (0.045, -0.3 * radius)]
-    feet = [ag.cylinder(0.011, 0.006, bevel=0.001).at(x, y, 0.003) for x, y in around]
+    feet = [ag.box(0.020, 0.020, 0.006).at(x, y, 0.003) for x, y in around]
     rear_ = back + _DEEP / 2
     line = [
         (0, rear_ - 0.002, 0.012),
         (0, rear_ + 0.035, 0.010),
-        (0.03, rear_ + 0.07, 0.0045),
-        (0.09, rear_ + 0.085, 0.0045),
+        (0.03, rear_ + 0.07, 0.0048),
+        (0.09, rear_ + 0.085, 0.0048),
     ]
     cord = ag.sweep(ag.regular_polygon(8, 0.0036), ag.spline(line))
     body = ag.weld(
@@ -246,12 +246,9 @@ def _head(
         ag.extrude(ag.regular_polygon(12, 1.037).scale(slim * w, half * h), 0.0004, axis=ag.Y).at(
             0, y, middle
         )
-        for y, w, h in (
-            (rear + 0.0002, 0.62, 0.68), (rear - 0.12 * long, 0.88, 0.93), (rear - 0.45 * long, 1.0, 1.0),
-            (rear - 0.80 * long, 0.95, 0.94), (rear - long - 0.0002, 0.77, 0.78),
-        )
-    ]  # fmt: skip
-    case = ag.bounding_collider(barrel(0.0), ag.hull(*ends))
+        for y, w, h in [(rear - share * long, w, h) for share, w, h in _SHAPE]
+    ]
+    case = ag.bounding_collider(barrel(0.0), ag.hull(*ends[:4]), ag.hull(*ends[3:]))
     foot = ag.Region(
         (-0.005, 0.005), (back + _BAR - 0.0115, back + _BAR + 0.0035), (top - 0.0290, top - 0.0254)
     )
@@ -368,7 +365,7 @@ def _vessel(radius: ag.Scalar, height: ag.Scalar, finish: ag.Material) -> ag.Bod
     tall = height - _FOOT
     points = [(0.46 * radius, 0.0), (0.87 * radius, 0.29 * tall), (radius, tall)]
     path = ag.polyline([(r, 0, z) for r, z in points], fillet=0.030)
-    shell = ag.revolve(ag.half_section(path, wall=_WALL), sides=48)
+    shell = ag.revolve(ag.half_section(path, wall=_WALL), sides=30)
     panels = []
     for (r, z), (r_, z_) in pairwise(points):
         ends = []
