@@ -17,7 +17,6 @@ MUM5) 5-7 kg. Mixers that lift a bowl of 5-6.9 l (KitchenAid 5KSM55, 5KSM7580) a
 """
 
 import math
-from itertools import pairwise
 from typing import Literal
 
 import artgen as ag
@@ -38,7 +37,7 @@ _FOOT = 0.012  # height of the foot of a bowl [m]
 _DEEP = 0.108  # depth of the column [m]
 _WALL = 0.0016  # of a bowl [m]
 _NEAR = 0.0032  # distance of a tool from the floor of the bowl [m]
-_PANELS = 16  # colliders around a bowl
+_SIDES = 20  # facets around a bowl, each with a collider for each bend of the wall
 _WIDE = (0.092, 0.108)  # width of the column below a head that tilts, and of one that carries a bowl [m]
 _BAR = -0.020  # place of the bar of the lock behind the middle of the column [m]
 _SLIDE = 0.011  # travel of the lock [m]
@@ -305,22 +304,13 @@ def _lock(back: ag.Scalar, top: ag.Scalar, wide: float) -> tuple[ag.Body, ag.Joi
 
 def _tool(kind: Tool, radius: ag.Scalar, height: ag.Scalar) -> ag.Body:
     """Make the hub with its tool, whose axis is beside z; the plate below the bowl is the origin."""
-    aside, low, top = 0.12 * radius, _FOOT + 0.0035 + _NEAR + 0.004, height + 0.012
+    aside, low, top = 0.12 * radius, _FOOT + 0.0035 + _NEAR, height + 0.012
     span = top - low
     hub = ag.cylinder(0.040, 0.009, bevel=0.002).at(z=top + 0.0045)
     shaft = ag.cylinder_between((0, 0, low + 0.80 * span), (0, 0, top + 0.002), 0.0065)
     wide = 0.46 * radius
     widths = ((0.0, 0.30), (0.22, 0.86), (0.42, 1.0), (0.66, 0.72), (0.84, 0.16))
     right = [(share * wide, low + z * span) for z, share in widths]
-    around = ((-0.004 / span, 0.62), (0.20, 1.0), (0.44, 1.06), (0.68, 0.86), (0.98, 0.26))
-    cover = ag.hull(
-        *(
-            ag.extrude(ag.regular_polygon(12, share * wide / math.cos(math.pi / 12)), 0.002).at(
-                z=low + z * span
-            )
-            for z, share in around
-        )
-    )
     if kind == "beater":
         outer = ag.polygon([*right, *((-x, z) for x, z in reversed(right))])
         inner = ag.polygon(
@@ -336,13 +326,16 @@ def _tool(kind: Tool, radius: ag.Scalar, height: ag.Scalar) -> ag.Body:
         look = ag.union(plate, *bars, web)
         finish = casting(ag.material("brushed_aluminium"), 0.8)
     elif kind == "whisk":
-        line = [(0.95 * x, 0.0, z) for x, z in right]
-        loop = ag.spline([(-0.006, 0, low + 0.86 * span), *((-x, y, z) for x, y, z in reversed(line[1:4])),
-                          (0, 0, low), *line[1:4], (0.006, 0, low + 0.86 * span)])  # fmt: skip
-        wire = ag.sweep(ag.regular_polygon(6, 0.0013), loop)
+        shares = ((0.36, 0.0), (0.95, 0.26), (0.74, 0.64))
+        side = [(x * wide, 0.0, low + z * span) for x, z in shares]
+        end = (0.006, 0.0, low + 0.86 * span)
+        loop = ag.polyline(
+            [*((-x, y, z) for x, y, z in (end, *reversed(side))), *((x, y, z) for x, y, z in (*side, end))]
+        )
+        wire = ag.sweep(ag.regular_polygon(4, 0.0015), loop)
         look = ag.union(
             ag.cylinder(0.012, 0.030, bevel=0.003).at(z=low + 0.86 * span),
-            *(wire.rotate(ag.Z, math.pi * step / 6).at(z=0.0007 * step) for step in range(6)),
+            *(wire.rotate(ag.Z, math.pi * step / 5).at(z=0.0035 * step) for step in range(5)),
         )
         finish = _STEEL
     else:
@@ -351,38 +344,26 @@ def _tool(kind: Tool, radius: ag.Scalar, height: ag.Scalar) -> ag.Body:
             (0.68 * wide, -0.25 * wide, low + 0.46 * span), (0.30 * wide, -0.62 * wide, low + 0.24 * span),
             (-0.35 * wide, -0.2 * wide, low + 0.10 * span),
         ])  # fmt: skip
-        look = ag.sweep(ag.regular_polygon(10, 0.0075), way)
+        look = ag.sweep(ag.regular_polygon(8, 0.0075), way)
         finish = casting(ag.material("brushed_aluminium"), 0.9)
-    solid = ag.bounding_collider(look, cover)
     return ag.weld(
         ag.part(hub, "hub", casting(_STEEL, 0.5), name="beater"),
-        ag.part([solid.at(aside), shaft.at(aside)], "beater", finish),
+        ag.part([look.at(aside), shaft.at(aside)], "beater", finish),
     )
 
 
 def _vessel(radius: ag.Scalar, height: ag.Scalar, finish: ag.Material) -> ag.Body:
     """Make a bowl on its foot, at the origin, without handles: the link `bowl`."""
     tall = height - _FOOT
-    points = [(0.46 * radius, 0.0), (0.87 * radius, 0.29 * tall), (radius, tall)]
-    path = ag.polyline([(r, 0, z) for r, z in points], fillet=0.030)
-    shell = ag.revolve(ag.half_section(path, wall=_WALL), sides=30)
-    panels = []
-    for (r, z), (r_, z_) in pairwise(points):
-        ends = []
-        for out, up in ((r, z), (r_, z_)):
-            deep = (1 - math.cos(math.pi / _PANELS)) * out + 0.0055
-            wide = 2 * (out + 0.001) * math.tan(math.pi / _PANELS)
-            ends.append(ag.box(wide, deep, 0.0032).at(0, out + 0.001 - deep / 2, up))
-        side = ag.hull(*ends)
-        panels += [side.rotate(ag.Z, math.tau * step / _PANELS) for step in range(_PANELS)]
-    floor = ag.cylinder(0.46 * radius, 0.0035).at(z=0.00175)
+    path = ag.polyline([(0.46 * radius, 0, 0), (0.87 * radius, 0, 0.29 * tall), (radius, 0, tall)])
+    shell = ag.revolve(ag.half_section(path, wall=_WALL), sides=_SIDES)
+    floor = ag.cylinder(0.452 * radius, 0.0035).at(z=0.00175)
     steel = finish.with_(name=f"{finish.name}_bowl", density=6500.0)
-    cup = ag.bounding_collider(shell | floor, *panels, floor)
-    made = ag.part(cup, "bowl", steel).at(z=_FOOT)
+    made = ag.part(shell | floor, "bowl", steel).at(z=_FOOT)
     foot = ag.cylinder(0.50 * radius, _FOOT + 0.002, bevel=0.001).at(z=_FOOT / 2 + 0.001)
     lugs = [ag.box(0.016, 0.020, 0.0045).at(side * (0.50 * radius - 0.0025), 0, 0.0038) for side in (-1, 1)]
     brim = ag.detail(
-        ag.tube(radius + 0.0022, radius - 0.0012, 0.004, bevel=0.001).at(z=height - 0.002), "bowl", finish
+        ag.tube(radius + 0.0022, radius - 0.0030, 0.004, bevel=0.001).at(z=height - 0.002), "bowl", finish
     )
     return ag.weld(ag.part([foot, *lugs], "bowl", casting(finish, 0.2), name="bowl"), made, brim)
 
@@ -426,8 +407,8 @@ def _crane(
     cup = _vessel(radius, height, finish).at(0, 0, _FLOOR + drop)
     lows = []
     for side in (-1, 1):
-        ear = ag.Region((-0.014, 0.014), (-0.014, 0.014), (-0.003, 0.003)).box(bevel=0.001) - ag.bore(
-            0.0045, 0.02
+        ear = ag.Region((-0.014, 0.014), (-0.014, 0.014), (-0.003, 0.003)).box(bevel=0.001) - ag.box(
+            0.009, 0.009, 0.02
         )
         root = ag.box(0.022, 0.024, 0.012, bevel=0.002).at(side * (radius + 0.002), 0, level + 0.0145)
         plate = ear.at(side * reach, 0, level + 0.0070 + FIT.running + 0.003)
@@ -463,5 +444,5 @@ def _crane(
         "bowl_lift", axis=ag.Z, limits=(0, drop), friction=0.3, damping=2.0, effort=80.0,
         needs=(crank > turns - 0.05).beyond(_NEAR - 0.0020),
     )  # fmt: skip
-    body = body.attach(handle, crank, at=(-_WIDE[1] / 2, back + 0.015, 0.62 * level))
+    body = body.attach(handle, crank, at=(-_WIDE[1] / 2, back + 0.015, 0.70 * level))
     return body.attach(carriage.attach(cup, lift), slide)
