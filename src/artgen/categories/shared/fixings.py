@@ -241,6 +241,7 @@ def caster(
     )
     roll = ag.Revolute(f"{name}_roll", axis=ag.X, feel=feel.CASTER)
     if not swivel:
-        return Fitting(ag.weld(fixed, fork).attach(rolling, roll, at=axle))
+        hub = ag.cylinder(0.013, 0.003, axis=ag.Y).at(y=-0.0090)  # joins the crown to the race
+        return Fitting(ag.weld(fixed, fork, ag.detail(hub, "caster", finish)).attach(rolling, roll, at=axle))
     turn = ag.Revolute(f"{name}_swivel", axis=ag.Y, feel=feel.CASTER)
     return Fitting.moving(fork.attach(rolling, roll, at=axle), turn, fixed=fixed)

@@ -3,11 +3,13 @@
 Links: `base`, the half at the back or below; `lid`; `latch_left`, `latch_right`; `handle`, which folds down.
 A trolley has a `pull`, the telescopic handle, with its `button`, and `caster_fork_0`, `caster_wheel_0`, ....
 Joints: `lid_hinge`, `latch_turn_left`, `latch_turn_right`, `handle_turn`; `pull_slide`, `button_press`,
-`caster_swivel_0`, `caster_roll_0`, .... A trolley on two wheels has casters that do not swivel.
+`caster_swivel_0`, `caster_roll_0`, .... A trolley on two wheels has only `caster_wheel_0`, `caster_wheel_1`
+and their `caster_roll_0`, `caster_roll_1` below its base, and two fixed feet below its lid.
 
-The lid opens while both latches are open, which hook over keepers on it. The pull is locked where it is
-stowed and where it is drawn; between both it slides while its button is pressed. A trolley stands upright,
-with the lid before its base, hinged at the left; half of its casters stand below the lid and roll with it.
+The lid opens while both latches are open, which hook over keepers on it. Friction of 25 N holds the pull
+where a hand leaves it, at any length; the button in its grip springs back and locks nothing. A trolley stands
+upright, with the lid before its base, hinged at the left; half of its four casters stand below the lid and
+roll with it.
 
 Sizes are those of shops: cabin trolleys are 350-400 mm wide, 200-250 mm deep and 530-560 mm high with
 wheels of 40-50 mm, 2.3-3.6 kg, and large ones 450-520 mm wide, 270-310 mm deep, 660-770 mm high, 3.5-5.5 kg;
@@ -68,18 +70,29 @@ class _Plan:
     shell: ag.Material
     metal: ag.Material
 
+    @property
+    def soft(self) -> float:
+        """Radius of the edges around both large faces [m]."""
+        return {"trolley": 0.022, "tool_case": 0.009, "attache": 0.006}[self.style]
+
     def half(self, *, upper: bool) -> ag.Solid:
-        """Make the hollow shell of the lid or of the base."""
-        soft = {"trolley": 0.026, "tool_case": 0.009, "attache": 0.006}[self.style]
-        outline = ag.rectangle(self.wide, self.deep, radius=self.radius)
-        whole = ag.extrude(outline, self.high, bevel=soft).at(z=self.high / 2)
+        """Make the hollow shell of the lid or of the base, with one collider per wall, edge and corner."""
+        wide, deep, wall = self.wide, self.deep, self.wall
+        outer = ag.extrude(ag.rectangle(wide, deep, radius=self.radius), self.high, bevel=self.soft)
+        room = ag.rectangle(wide - 2 * wall, deep - 2 * wall, radius=self.radius - wall)
+        inner = ag.extrude(room, self.high - 2 * wall, bevel=self.soft - wall)
         level = self.low + (_GAP / 2 if upper else -_GAP / 2)
-        outer = whole.split(point=(0, 0, level), normal=ag.Z if upper else -ag.Z)
-        span = (level - 0.01, self.high - self.wall) if upper else (self.wall, level + 0.01)
-        inner = ag.Region.centered(self.wide, self.deep, 0.0).shrink(x=self.wall, y=self.wall).with_(z=span)
-        return outer - ag.extrude(inner.plan(radius=self.radius - self.wall), span[1] - span[0]).at(
-            z=(span[0] + span[1]) / 2
-        )
+        side = ag.Z if upper else -ag.Z
+        shell = (outer - inner).at(z=self.high / 2).split(point=(0, 0, level), normal=side)
+        turn = self.high - self.soft if upper else self.soft
+        walls, face = ((level, turn), (turn, self.high)) if upper else ((turn, level), (0, turn))
+        cells = ag.Region.centered(wide, deep, 0.0).across(self.radius, None, self.radius)
+        covers = []
+        for column, strip in enumerate(cells):
+            for row, cell in enumerate(strip.deep(self.radius, None, self.radius)):
+                spans = (face,) if column == row == 1 else (walls, face)
+                covers += [ag.hull(shell & cell.with_(z=span).box()) for span in spans]
+        return ag.bounding_collider(shell, *covers)
 
     def band(self, low: ag.Scalar, high: ag.Scalar, proud: float) -> ag.Solid:
         """Make a band around the case between two heights."""
@@ -152,7 +165,7 @@ def suitcase(
 ) -> ag.Body:
     """Make a closed and latched case: a trolley stands on its wheels, the others lie on their base."""
     share = {"trolley": 0.5, "tool_case": 0.64, "attache": 0.62}[style]
-    radius = {"trolley": 0.05, "tool_case": 0.022, "attache": 0.012}[style]
+    radius = {"trolley": 0.042, "tool_case": 0.022, "attache": 0.012}[style]
     wall = {"trolley": 0.004, "tool_case": 0.006, "attache": 0.005}[style]
     plan = _Plan(style, wide, aspect * wide, share * high, high, radius, wall, shell, metal)
     base, lid = _halves(plan, ribs, maker)
@@ -195,7 +208,8 @@ def _halves(plan: _Plan, ribs: int, maker: str) -> tuple[ag.Body, ag.Body]:
     shell = plan.shell.with_(name=f"{plan.shell.name}_shell", density=density)
     trim, proud = (plan.shell, 0.0035) if style == "tool_case" else (plan.metal, 0.0009)
     inner = ag.Region.centered(plan.wide, plan.deep, 0.0).shrink(x=plan.wall, y=plan.wall)
-    sheet = inner.plan(radius=plan.radius - plan.wall)
+    sunk = ag.max_(plan.soft - plan.wall - 0.004, 0.0)  # the edges of the lining lie in the rounded edges
+    sheet = inner.shrink(x=sunk, y=sunk).plan(radius=plan.radius - plan.wall - sunk)
     cloth = _FOAM if style == "tool_case" else _LINING
     made = []
     for name, upper in (("base", False), ("lid", True)):
@@ -267,7 +281,8 @@ def _knuckles(plan: _Plan, *, upper: bool) -> ag.Body:
             lip = (low + 0.0006, low + 0.0036) if upper else (low - 0.0036, low - 0.0006)
             web = ag.Region(x, (back, back + _PIVOT), lip).box()
             pin = ag.cylinder(0.0042, end - start, axis=ag.X, bevel=0.0004)
-            made.append(leaf | web | pin.at((x[0] + x[1]) / 2, back + _PIVOT, low))
+            arm = web | pin.at((x[0] + x[1]) / 2, back + _PIVOT, low)
+            made.append(ag.bounding_collider(leaf | arm, leaf, ag.hull(arm)))
     return ag.part(made, "hinge", plan.metal)
 
 
@@ -336,7 +351,7 @@ def _pull(plan: _Plan) -> Fitting:
     tube = ag.box(long + 0.016, *outline, bevel=0.002).at(0.008 - long / 2)
     holes = ag.array(ag.box(0.06, *(size + 2 * FIT.sliding for size in outline)), at=spots)
     plate = ag.box(0.0035, 0.190, 0.032, bevel=0.001).at(0.0015)
-    bezel = ag.part(plate - holes, "tube", _BLACK)
+    bezel = ag.detail(plate - holes, "tube", _BLACK)
     room = ag.Region((0.008, 0.033), (-0.090, 0.090), (-0.0135, 0.0135))
     cap = ag.Region((0.027, 0.037), (-0.017, 0.017), (-0.0065, 0.0065))
     grip = room.box(bevel=0.006) - cap.grow(FIT.sliding, left=0.005, right=0.02).box()
@@ -355,13 +370,7 @@ def _pull(plan: _Plan) -> Fitting:
         feel=feel.SWITCH,
     )
     slide = ag.Prismatic(
-        "pull_slide",
-        axis=ag.X,
-        limits=(0, travel),
-        friction=12.0,
-        damping=20.0,
-        effort=150.0,
-        needs=(press > 0.002).beyond(0.003).until(travel - 0.003),
+        "pull_slide", axis=ag.X, limits=(0, travel), friction=25.0, damping=20.0, effort=150.0
     )
     return Fitting.moving(body.attach(button, press), slide, fixed=bezel, cut=holes)
 
