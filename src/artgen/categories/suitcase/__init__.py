@@ -226,6 +226,7 @@ def _halves(plan: _Plan, ribs: int, maker: str) -> tuple[ag.Body, ag.Body]:
             body = ag.weld(body, ag.detail(strip, "rib", plan.shell))
         made.append(body)
     base, lid = made
+    at: tuple[ag.Scalar, ag.Scalar, ag.Scalar]
     if style == "trolley":
         at, up, tall = (0.42 * plan.wide, 0, high), ag.X, 0.010
     else:
