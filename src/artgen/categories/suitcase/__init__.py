@@ -206,7 +206,7 @@ def _halves(plan: _Plan, ribs: int, maker: str) -> tuple[ag.Body, ag.Body]:
     if plan.shell.base_metalness > 0.5:
         density *= 1.4
     shell = plan.shell.with_(name=f"{plan.shell.name}_shell", density=density)
-    trim, proud = (plan.shell, 0.0035) if style == "tool_case" else (plan.metal, 0.0009)
+    trim, proud = (plan.shell, 0.0016) if style == "tool_case" else (plan.metal, 0.0009)
     inner = ag.Region.centered(plan.wide, plan.deep, 0.0).shrink(x=plan.wall, y=plan.wall)
     sunk = ag.max_(plan.soft - plan.wall - 0.004, 0.0)  # the edges of the lining lie in the rounded edges
     sheet = inner.shrink(x=sunk, y=sunk).plan(radius=plan.radius - plan.wall - sunk)
