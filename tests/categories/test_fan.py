@@ -20,7 +20,7 @@ def made(seed: int, **given: Any) -> Asset:
 def test_blades_spin_freely_in_their_guard(style: str) -> None:
     asset = made(1, style=style)
     assert asset.joint("blades_spin").limits is None
-    assert len(asset.link("blades").colliders) == 1
+    assert 3 < len(asset.link("blades").colliders) <= 12
     model = asset.to_mjspec().compile()
     data = mujoco.MjData(model)
     for _ in range(300):

@@ -26,7 +26,7 @@ _FILES = {
 
 
 def new(
-    name: Annotated[str, Argument(metavar="NAME", help="Name of the category and its package: stapler.")],
+    name: Annotated[str, Argument(metavar="NAME", help="Name of the category and its package: hamper.")],
     *,
     folder: Annotated[Path, Option("--dir", help="Parent of the folder of the package.")] = Path(),
 ) -> None:
@@ -57,7 +57,7 @@ def _check_name(name: str) -> None:
     import artgen
 
     if not is_identifier(name) or keyword.iskeyword(name) or name != name.lower():
-        raise ParameterError(f"{name!r} cannot name a category; use small {NAME_RULE}: stapler")
+        raise ParameterError(f"{name!r} cannot name a category; use small {NAME_RULE}: hamper")
     if name in categories():
         raise ParameterError(f"there is a category {name!r}; choose another name")
     if name in artgen.__all__:

@@ -185,8 +185,8 @@ def _base(
         ag.cylinder(0.010, 0.008, bevel=0.001), at=ag.ring_points((0, 0, 0.004), 0.72 * radius, count=4)
     )
     line = [
-        (0, radius - 0.004, 0.012), (0, radius + 0.035, 0.010), (0.03, radius + 0.07, 0.0047),
-        (0.09, radius + 0.085, 0.0047),
+        (0, radius - 0.004, 0.012), (0, radius + 0.035, 0.010), (0.015, radius + 0.07, 0.0047),
+        (0.05, radius + 0.085, 0.0047),
     ]  # fmt: skip
     cord = ag.sweep(ag.regular_polygon(8, 0.0036), ag.spline(line))
     body = ag.weld(
@@ -302,10 +302,10 @@ def _cup(neck: float, tall: ag.Scalar, clear: ag.Material, trim: ag.Material) ->
     """Make a cup upside down on its collar with the blades."""
     low, top = 0.022, 0.0335
     end = low + tall
-    path = ag.polyline([(neck - 0.002, 0, low - 0.002), (top, 0, end), (0.004, 0, end)], fillet=0.012)
-    shell = ag.revolve(ag.half_section(path, wall=0.0026), sides=42)
+    wall = 0.0026
+    path = ag.polyline([(0.004, 0, 0), (top, 0, 0), (neck - 0.002, 0, tall + 0.002)], fillet=wall + 0.0010)
+    upright = vessels.blown(path, "jug", clear, foot=top, wall=wall, level=1.4 * wall + 0.0006)
     cover = ag.hull(ag.cylinder(neck - 0.001, 0.006).at(z=low), ag.cylinder(top + 0.001, 0.002).at(z=end))
-    cup = ag.bounding_collider(shell, cover)
     hold = ag.grasp_on(cover, approach=-ag.Z, closing=ag.X, depth=0.030)
     wing = ag.hull(
         ag.box(0.004, 0.012, 0.002).at(0.004, 0, low + 0.012),
@@ -314,6 +314,6 @@ def _cup(neck: float, tall: ag.Scalar, clear: ag.Material, trim: ag.Material) ->
     wings = [wing.rotate(ag.Z, turn * math.pi / 2) for turn in range(4)]
     return ag.weld(
         _collar(neck, low, trim),
-        ag.part(cup, "jug", clear, grasp=hold),
-        ag.part([ag.cylinder(0.009, 0.016).at(z=low + 0.007), *wings], "blade", _STEEL),
+        upright.rotate(ag.X, math.pi).at(z=end),
+        ag.part([ag.cylinder(0.009, 0.016).at(z=low + 0.007), *wings], "blade", _STEEL, grasp=hold),
     )

@@ -163,7 +163,7 @@ _RAISED = 0.034  # height of the axis of the tilt above the foot of the neck [m]
 
 
 def _blades(radius: ag.Scalar, deep: ag.Scalar, rotor: _Rotor) -> ag.Body:
-    """Make the blades with their hub about the y axis; one cylinder is their collider."""
+    """Make the blades with their hub about the y axis."""
     count, pitch, broad, finish = rotor
     hub = 0.016 + 0.10 * radius
     boss = ag.cylinder(hub, 1.2 * deep, axis=ag.Y, bevel=0.003).at(y=-0.1 * deep)
@@ -181,11 +181,9 @@ def _blades(radius: ag.Scalar, deep: ag.Scalar, rotor: _Rotor) -> ag.Body:
     # the profile of a section is x, y at the height z; its y runs against the air, along -y
     blade = ag.loft(sections, heights)
     made = [blade.rotate(ag.Y, math.tau * index / count) for index in range(count)]
-    cover = ag.cylinder(radius + 0.004, 2.6 * deep, axis=ag.Y).at(y=-0.1 * deep)
-    solid = ag.bounding_collider(ag.union(boss, *made), cover)
     light = finish if finish.density < 2000.0 else casting(finish, 0.4)
     return ag.weld(
-        ag.part(solid, "blade", light, name="blades", separate="the hub carries the blades"),
+        ag.part([boss, *made], "blade", light, name="blades", separate="the hub carries the blades"),
         ag.detail(cone, "hub", finish),
     )
 
@@ -451,7 +449,7 @@ def _box(wide: ag.Scalar, rotor: _Rotor, shell: ag.Material, maker: str) -> ag.B
     room = frame.shrink(x=band, z=band).shrink(top=0.028, y=0.0)
     hollow = room.grow(y=0.01)
     light = shell.with_(name=f"{shell.name}_frame", density=420.0)
-    body = ag.part(frame.box(bevel=0.010) - hollow.box(), "base", light, name="base")
+    body = ag.part(frame.box(bevel=0.006) - hollow.box(), "base", light, name="base")
     feet = [
         ag.Region((x - 0.018, x + 0.018), (-0.085, 0.085), (0.0, low + 0.004)).box(bevel=0.004)
         for x in (-0.38 * wide, 0.38 * wide)
@@ -488,7 +486,7 @@ def _box(wide: ag.Scalar, rotor: _Rotor, shell: ag.Material, maker: str) -> ag.B
         details.logo(maker, 0.011), (0, 0.0024 - deep / 2, room.z.mid), material=controls.ink_on(shell)
     )
     motor = ag.part(
-        ag.cylinder(0.046, 0.040, axis=ag.Y, bevel=0.004).at(0, deep / 2 - 0.0265, room.z.mid),
+        ag.cylinder(0.046, 0.040, axis=ag.Y, bevel=0.002).at(0, deep / 2 - 0.0265, room.z.mid),
         "motor",
         _BLACK.with_(name="motor_black", density=3200.0),
     )
