@@ -108,5 +108,5 @@ def test_impossible_plans_are_errors(options: dict[str, object], message: str) -
 
 
 def test_an_unknown_format_is_refused() -> None:
-    with pytest.raises(ExportError, match=r"there is no format 'obj'\. Allowed: glb, mjcf, urdf, usd"):
+    with pytest.raises(ExportError, match=r"there is no format 'obj'\. Allowed: glb, mjcf, sdf, urdf, usd"):
         Plan(("door",), 1, formats=("obj",))
