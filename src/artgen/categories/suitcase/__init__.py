@@ -73,7 +73,7 @@ class _Plan:
     @property
     def soft(self) -> float:
         """Radius of the edges around both large faces [m]."""
-        return {"trolley": 0.022, "tool_case": 0.009, "attache": 0.006}[self.style]
+        return {"trolley": 0.022, "tool_case": 0.007, "attache": 0.006}[self.style]
 
     def half(self, *, upper: bool) -> ag.Solid:
         """Make the hollow shell of the lid or of the base, with one collider per wall, edge and corner."""
