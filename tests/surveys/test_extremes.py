@@ -77,7 +77,7 @@ def test_overrides_are_used_as_drawn(name: str) -> None:
     """Only parameters in use are drawn, so that each has an effect, and each is at an end."""
     category = find(name)
     shares = []
-    for number in range(NAMES.index(name), 12 * len(NAMES), len(NAMES)):
+    for number in range(NAMES.index(name), 24 * len(NAMES), len(NAMES)):
         extreme = draw_extreme(1, number)
         values = category.sample(extreme.seed, overrides=extreme.overrides)
         given = {each: getattr(values[each], "name", values[each]) for each in extreme.overrides}
@@ -102,7 +102,7 @@ def test_ends_beyond_the_distributions_are_sampled() -> None:
 @pytest.mark.parametrize("name", NAMES)
 def test_commands_give_the_same_overrides(name: str) -> None:
     """For every kind of parameter: text that looks like a number, empty text, names, whole numbers."""
-    for number in range(NAMES.index(name), 12 * len(NAMES), len(NAMES)):
+    for number in range(NAMES.index(name), 24 * len(NAMES), len(NAMES)):
         extreme = draw_extreme(2, number)
         found = options(extreme.command(Path("out/it's here"), on_collision="fail"))
         read = parse_overrides(found.get("--set", []))
