@@ -314,7 +314,7 @@ def test_fixtures_have_the_joints_and_regions_of_their_classes(
 def test_racks_are_bodies_and_regions_above_their_floors() -> None:
     asset = artgen.generate("oven", seed=2, certify=False, detail="low")
     root = ET.fromstring(write_robocasa(asset, "mjcf", 0).files["model.xml"])
-    assert "rack0" in paths(root, "body")
+    assert "rack0" in paths(root, "/body")
     low, high = regions(root)["rack0"]
     rack, cavity = asset.link("rack_0").bounds(), asset.bounds()
     assert rack[0, 2] <= low[2] <= rack[1, 2] < high[2] < cavity[1, 2]

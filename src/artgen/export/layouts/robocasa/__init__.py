@@ -111,11 +111,11 @@ def _wrap(root: ET.Element, asset: Asset) -> Fixture:
     inner = add(outer, "body", name=_OBJECT)
     inner.append(base)
     bodies = {body.get("name", ""): body for body in base.iter("body")}
-    for child in base.findall("body"):
-        base.remove(child)
-        inner.append(child)  # RoboCasa looks for moving parts right below the object
     box, rooms = seen_box(asset), interiors(asset)
     named = fixture(asset, rooms)
+    for child in base.findall("body") if named.sites else ():
+        base.remove(child)
+        inner.append(child)  # RoboCasa looks for dials and spouts right below the object
     regions = {"main": box, "bbox": box}
     regions |= {f"int_{number}" if number else "int": room for number, room in enumerate(rooms)}
     regions |= named.regions
