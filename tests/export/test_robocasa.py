@@ -19,6 +19,7 @@ from artgen.export import export
 from artgen.export.frames import seen_box
 from artgen.export.layouts.robocasa import write_robocasa
 from artgen.export.layouts.robocasa.regions import interiors
+from artgen.validate import validate
 from support.proof_fridges import evaluated, french_fridge, fridge
 from support.readers import silence
 from support.textured import recipes, textured
@@ -370,3 +371,13 @@ def test_names_of_the_asset_are_beside_the_file(tmp_path: Path) -> None:
     assert names["joints"]["rack0_joint"] == {"name": "rack_slide_0", "sign": 1}
     assert names["links"]["rack0"] == "rack_0"
     assert {model.joint(number).name for number in range(model.njnt)} <= set(names["joints"])
+
+
+@pytest.mark.parametrize(("category", "seed"), [("oven", 1), ("faucet", 1), ("dishwasher", 2)])
+def test_files_with_names_of_fixtures_are_read_back_in_those_of_the_asset(
+    category: str, seed: int, tmp_path: Path
+) -> None:
+    asset = artgen.generate(category, seed=seed, certify=False, detail="low")
+    directory = asset.export(tmp_path / category, layout="robocasa", textures=0)
+    report = validate(directory, checks=["files", "mjcf"])
+    assert not [str(finding) for result in report.results for finding in result.findings]

@@ -15,6 +15,7 @@ from artgen.asset import Asset, AssetCondition, AssetCoupling, AssetJoint
 from artgen.asset.report import Finding, Severity
 from artgen.errors import AssetError
 from artgen.export.frames import coupling
+from artgen.export.names import read_names
 from artgen.validate.joints import length, unit
 
 
@@ -60,11 +61,27 @@ def check_loadable(path: Path) -> None:
                 raise AssetError(f"its <{element.tag}> names {value!r:.80}, which is outside its folder")
 
 
-def _spec(path: Path) -> Any:
+def load_spec(path: Path) -> Any:
+    """Return the MjSpec of a file, with the asset's names if the layout has others."""
     import mujoco
 
     check_loadable(path)
-    spec = mujoco.MjSpec.from_file(str(path))
+    spec, names = mujoco.MjSpec.from_file(str(path)), read_names(path.parent)
+    joints = {name: own for name, (own, _) in names.joints.items() if name != own}
+    for body in spec.bodies:
+        body.name = names.links.get(body.name, body.name)
+    for joint in spec.joints:
+        joint.name = joints.get(joint.name, joint.name)
+    for equality in spec.equalities if joints else ():
+        equality.name1 = joints.get(equality.name1, equality.name1)
+        equality.name2 = joints.get(equality.name2, equality.name2)
+    for each in list(spec.tuples) if joints else ():
+        spec.delete(each)  # they name joints, and nothing is read from them
+    return spec
+
+
+def _spec(path: Path) -> Any:
+    spec = load_spec(path)
     spec.option.timestep = _STEP
     return spec
 

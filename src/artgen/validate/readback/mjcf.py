@@ -14,8 +14,10 @@ from artgen.asset.report import AGAIN, Finding
 from artgen.colliders import Convex
 from artgen.colliders.convex import Kind
 from artgen.export.frames import quaternion
+from artgen.export.layouts.robocasa import OBJECT
 from artgen.export.mjcf import OFF
-from artgen.validate.behavior.model import check_loadable, collected_warnings
+from artgen.export.names import read_names
+from artgen.validate.behavior.model import check_loadable, collected_warnings, load_spec
 from artgen.validate.readback.reading import (
     UNLIMITED,
     Faces,
@@ -187,10 +189,11 @@ def read(asset: Asset, path: Path) -> Reading:
     import mujoco
 
     check_loadable(path)
+    renamed = bool(read_names(path.parent).links)
     # MuJoCo caches meshes and does not notice a file that changed within the same second
     mujoco.mj_clearCache(mujoco.mj_getCache())
     with collected_messages() as messages, collected_warnings() as warned:
-        model = mujoco.MjModel.from_xml_path(str(path))
+        model = load_spec(path).compile() if renamed else mujoco.MjModel.from_xml_path(str(path))
         tried = mujoco.MjData(model)
         for _ in range(2):
             mujoco.mj_step(model, tried)
@@ -229,7 +232,10 @@ def read(asset: Asset, path: Path) -> Reading:
         inertials={name: _inertial(model.body(name)) for name in links},
         mass=float(model.body_mass.sum()),
         base="fixed" if free.isdisjoint(_supports(model, asset.links[0].name)) else "free",
-        joints={model.joint(number).name: _joint(model, number) for number in joints},
+        joints={
+            model.joint(number).name: _joint(model, number, asset.links[0].name if renamed else "")
+            for number in joints
+        },
         couplings=dict(_couplings(model)),
         colliders={name: tuple(_colliders(model, body)) for name, body in bodies.items()},
         faces={
@@ -263,8 +269,10 @@ def _inertial(body: Any) -> Inertial:
     return Inertial(float(body.mass[0]), pose[:3, 3], turn @ np.diag(body.inertia) @ turn.T)
 
 
-def _joint(model: Any, number: int) -> ReadJoint:
+def _joint(model: Any, number: int, base: str) -> ReadJoint:
+    """Read a joint; in a layout with other names, moving parts may hang on the body around the base."""
     body = model.jnt_bodyid[number]
+    parent = model.body(model.body_parentid[body]).name
     low, high = model.jnt_range[number] if model.jnt_limited[number] else UNLIMITED
     index = {"joint": number, "position": model.jnt_qposadr[number], "freedom": model.jnt_dofadr[number]}
     least, most = model.jnt_actfrcrange[number]
@@ -276,7 +284,7 @@ def _joint(model: Any, number: int) -> ReadJoint:
     last = number == model.body_jntadr[body] + model.body_jntnum[body] - 1
     return ReadJoint(
         _KINDS[model.jnt_type[number]],
-        (model.body(model.body_parentid[body]).name, model.body(body).name),
+        (base if base and parent == OBJECT else parent, model.body(body).name),
         (float(low), float(high)),
         np.array(model.jnt_axis[number]) if last else None,
         (*dynamics, Stated("effort", effort, "actuatorfrcrange")),

@@ -1,10 +1,8 @@
 """Reading an exported URDF with yourdfpy, and faults that URDF readers accept silently."""
 
-import json
 from collections import Counter
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
-from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -16,7 +14,7 @@ from artgen.asset import Asset
 from artgen.asset.report import AGAIN, Finding
 from artgen.colliders import Convex
 from artgen.errors import AssetError, nearest
-from artgen.export.layouts.partnet.names import NAMES_FILE
+from artgen.export.names import Names, read_names
 from artgen.validate.readback.reading import (
     UNLIMITED,
     Faces,
@@ -118,38 +116,6 @@ def _joint_findings(joint: Any, names: Mapping[str, list[str]]) -> Iterator[Find
         yield fault(message, value=high - low)
 
 
-@dataclass(frozen=True, eq=False)
-class _Names:
-    """Names of a layout that differ from those of the asset."""
-
-    links: Mapping[str, str] = field(default_factory=dict)  # link of the asset, by name of the body
-    # joint of the asset by name in the file, with -1 for a reversed joint, else 1
-    joints: Mapping[str, tuple[str, int]] = field(default_factory=dict)
-    couplings: Mapping[str, Law] = field(default_factory=dict)  # laws in the names of the file
-    # rotation from the asset's axes to those of the bodies, by right angles, shape (4, 4)
-    turn: Array = field(default_factory=lambda: np.eye(4))
-
-    def joint(self, name: str) -> tuple[str, int]:
-        """Return the joint of the asset for a name in the file, and its sign."""
-        return self.joints.get(name, (name, 1))
-
-
-def _read_names(path: Path) -> _Names:
-    """Read the names of a layout."""
-    table = path.parent / NAMES_FILE
-    if not table.exists():
-        return _Names()
-    data = json.loads(table.read_text(encoding="utf-8"))
-    turn = np.eye(4)
-    turn[:3, :3] = data["axes"]
-    return _Names(
-        data["links"],
-        {name: (each["name"], each["sign"]) for name, each in data["joints"].items()},
-        {name: tuple(law) for name, law in data["couplings"].items()},
-        turn,
-    )
-
-
 def read(asset: Asset, path: Path) -> Reading:
     """Read a file and its meshes, in the names, axes and positions of the asset."""
     import yourdfpy
@@ -158,9 +124,10 @@ def read(asset: Asset, path: Path) -> Reading:
     count = sum(1 for _ in etree.parse(path).getroot().iterfind("link"))
     if count > len(asset.links) + _MOST_MORE:  # yourdfpy would take minutes
         raise AssetError(f"it has {count} links, where the asset has {len(asset.links)}")
-    names = _read_names(path)
+    names, turn = read_names(path.parent), np.eye(4)
+    turn[:3, :3] = names.axes
     bodies = {link: body for body, link in names.links.items()}
-    base, back = asset.links[0].name, names.turn.T
+    base, back = asset.links[0].name, turn.T
     with collected_messages() as messages:
         robot = yourdfpy.URDF.load(str(path))
         if not robot.validate():
@@ -180,7 +147,7 @@ def read(asset: Asset, path: Path) -> Reading:
         found = {}
         for name in links:
             with suppress(ValueError):  # no joints lead to it from the root
-                found[name] = np.asarray(robot.get_transform(own[name])) @ names.turn
+                found[name] = np.asarray(robot.get_transform(own[name])) @ turn
         if names.links and base in found and np.abs(found[base][:, 2] - _UP).max() <= _UPRIGHT:
             # the layout may turn the asset about the vertical
             away = np.linalg.inv(found[base])
@@ -221,7 +188,7 @@ def _inertial(link: Any, back: Array) -> Inertial:
     return Inertial(float(inertial.mass), origin[:3, 3], turn @ np.asarray(inertial.inertia) @ turn.T)
 
 
-def _joint(joint: Any, spring: Mapping[str, float], names: _Names) -> ReadJoint:
+def _joint(joint: Any, spring: Mapping[str, float], names: Names) -> ReadJoint:
     sign = names.joint(joint.name)[1]
     limits = UNLIMITED if joint.type == "continuous" else (joint.limit.lower, joint.limit.upper)
     low, high = (sign * limit for limit in limits[::sign])
@@ -236,12 +203,12 @@ def _joint(joint: Any, spring: Mapping[str, float], names: _Names) -> ReadJoint:
         "prismatic" if joint.type == "prismatic" else "revolute",
         (names.links.get(joint.parent, joint.parent), names.links.get(joint.child, joint.child)),
         (low, high),
-        sign * (names.turn[:3, :3].T @ np.array(joint.axis, float)),
+        sign * (names.axes.T @ np.array(joint.axis, float)),
         tuple(dynamics),
     )
 
 
-def _couplings(moving: Mapping[str, Any], names: _Names) -> Iterator[tuple[str, Law]]:
+def _couplings(moving: Mapping[str, Any], names: Names) -> Iterator[tuple[str, Law]]:
     """Yield the law of each joint that follows; a layout's table has those between joints of one parent."""
     laws = {
         follower: law

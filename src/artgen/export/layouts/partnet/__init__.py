@@ -11,11 +11,12 @@ direction, which blocks both, so those are only in the table of names.
 from collections.abc import Iterator
 
 from artgen.asset import Asset, AssetJoint
-from artgen.export.layouts.partnet.names import NAMES_FILE, ROOT, UPRIGHT, Naming, naming
+from artgen.export.layouts.partnet.names import ROOT, UPRIGHT, Naming, naming
 from artgen.export.layouts.partnet.tables import tables
 from artgen.export.layouts.partnet.urdf import urdf_text
 from artgen.export.losses import Layout, Row, Written, affordance_rows, look_rows, losses
 from artgen.export.meshes import arranged_files
+from artgen.export.names import NAMES_FILE
 from artgen.export.urdf import MARKER_MASS, material_rows, motion_rows
 
 MAIN = "mobility.urdf"

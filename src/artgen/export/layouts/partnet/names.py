@@ -14,12 +14,10 @@ from artgen import _portable
 from artgen._arrays import Array
 from artgen.asset import Asset, AssetJoint, Link, Mesh
 from artgen.export.frames import Segment, chain, linear_coupling
+from artgen.export.names import Names
 
 ROOT = "base"
 """Name of the body without geometry that carries the asset's base, turned upright."""
-
-NAMES_FILE = "artgen_names.json"
-"""File with artgen's link and joint names for each number."""
 
 UPRIGHT = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]])
 """From asset coordinates (z up, front -y) to those of the dataset's bodies and meshes (y up, front z)."""
@@ -122,16 +120,12 @@ class Naming:
 
     def to_data(self) -> dict[str, Any]:
         """Return the meaning of each number as JSON data."""
-        return {
-            "links": {self.body(name): name for name in self.links},
-            "joints": {
-                step.name: {"name": step.segment.joint.name, "sign": step.sign} for step in self.steps
-            },
-            "couplings": {
-                item.follower.name: [item.leader.name, item.ratio, item.offset] for item in self.couplings
-            },
-            "axes": UPRIGHT.astype(int).tolist(),
-        }
+        return Names(
+            {self.body(name): name for name in self.links},
+            {step.name: (step.segment.joint.name, step.sign) for step in self.steps},
+            {item.follower.name: (item.leader.name, item.ratio, item.offset) for item in self.couplings},
+            UPRIGHT,
+        ).to_data()
 
 
 def naming(asset: Asset) -> Naming:

@@ -9,8 +9,9 @@ import numpy as np
 from artgen._arrays import Array
 from artgen.asset import Asset, AssetJoint, Link
 from artgen.asset.record import json_text, rounded
-from artgen.export.layouts.partnet.names import NAMES_FILE, UPRIGHT, Naming, kind_of, semantic
+from artgen.export.layouts.partnet.names import UPRIGHT, Naming, kind_of, semantic
 from artgen.export.meshes import mesh_name
+from artgen.export.names import NAMES_FILE
 
 CATEGORIES: Mapping[str, str] = {
     "cabinet": "StorageFurniture", "chair folding": "FoldingChair", "drawer": "StorageFurniture",

@@ -11,7 +11,6 @@ begin with it already.
 """
 
 import xml.etree.ElementTree as ET
-from typing import Any
 
 import numpy as np
 
@@ -20,19 +19,21 @@ from artgen.asset import Asset
 from artgen.asset.record import json_text
 from artgen.errors import ExportError
 from artgen.export.frames import seen_box
-from artgen.export.layouts.partnet.names import NAMES_FILE
 from artgen.export.layouts.robocasa.fixtures import Fixture, fixture
 from artgen.export.layouts.robocasa.regions import interiors
 from artgen.export.losses import Layout, Written, losses
 from artgen.export.meshes import mesh_files
 from artgen.export.mjcf import mjcf_losses, mjcf_tree
+from artgen.export.names import NAMES_FILE, Names
 from artgen.export.text import add, document
 
 FILE = "model.xml"
 """File that RoboCasa opens in the directory of an object."""
 
-_OBJECT = "object"
-_RESERVED = (_OBJECT, "main")  # robosuite renames the first to the second
+OBJECT = "object"
+"""Body of the whole object, in which robosuite looks for it."""
+
+_RESERVED = (OBJECT, "main")  # robosuite renames the first to the second
 _CLASSES = {
     "visual": {"type": "mesh", "group": "1", "contype": "0", "conaffinity": "0", "mass": "0"},
     "collision": {"group": "0", "rgba": "0.5 0 0 0.5"},
@@ -72,7 +73,7 @@ def write_robocasa(asset: Asset, name: str, textures: int) -> Written:
     )
     files = {FILE: document(root), **meshes.files}
     if named.joints or named.links:
-        files[NAMES_FILE] = json_text(_names(asset, named)).encode()
+        files[NAMES_FILE] = json_text(_names(asset, named).to_data()).encode()
     return Written(files, (*mjcf_losses(asset, textures), *own), FILE)
 
 
@@ -108,7 +109,7 @@ def _wrap(root: ET.Element, asset: Asset) -> Fixture:
     for joint in base.findall("freejoint"):
         base.remove(joint)
         outer.append(joint)  # the readers drop it and give the object their own joint
-    inner = add(outer, "body", name=_OBJECT)
+    inner = add(outer, "body", name=OBJECT)
     inner.append(base)
     bodies = {body.get("name", ""): body for body in base.iter("body")}
     box, rooms = seen_box(asset), interiors(asset)
@@ -161,14 +162,12 @@ def _rename(root: ET.Element, named: Fixture) -> None:
             element.set("objname", named.joints[element.attrib["objname"]])
 
 
-def _names(asset: Asset, named: Fixture) -> dict[str, Any]:
-    """Return the asset's names for those of the file, as in the layout of PartNet-Mobility."""
-    joints = {named.joints.get(joint.name, joint.name): joint.name for joint in asset.joints}
-    return {
-        "links": {named.links.get(link.name, link.name): link.name for link in asset.links},
-        "joints": {name: {"name": own, "sign": 1} for name, own in joints.items()},
-        "axes": np.eye(3, dtype=int).tolist(),
-    }
+def _names(asset: Asset, named: Fixture) -> Names:
+    """Return the asset's names for those of the file."""
+    return Names(
+        {named.links.get(link.name, link.name): link.name for link in asset.links},
+        {named.joints.get(joint.name, joint.name): (joint.name, 1) for joint in asset.joints},
+    )
 
 
 def _box(corners: Array) -> dict[str, Array]:

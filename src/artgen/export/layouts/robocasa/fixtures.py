@@ -49,6 +49,7 @@ class Site(FrozenArrays):
 class Fixture:
     """What RoboCasa looks for in one asset: new names by those of the asset, sites and regions."""
 
+    rooms: Sequence[Array]  # boxes of its interior, each of shape (2, 3) [m]
     joints: dict[str, str] = field(default_factory=dict)
     links: dict[str, str] = field(default_factory=dict)
     geoms: dict[str, str] = field(default_factory=dict)
@@ -116,11 +117,11 @@ _PARTS: Mapping[str, Sequence[_Parts]] = {
 
 def fixture(asset: Asset, rooms: Sequence[Array]) -> Fixture:
     """Return what RoboCasa looks for in an asset with boxes of its interior, each of shape (2, 3) [m]."""
-    found = Fixture()
+    found = Fixture(rooms)
     for parts in _PARTS.get(asset.category, ()):
         found.name_parts(asset, parts)
     for add in _MORE.get(asset.category, ()):
-        add(asset, rooms, found)
+        add(asset, found)
     return found
 
 
@@ -131,11 +132,11 @@ def called(asset: Asset, name: str, *, upwards: bool = False) -> list[Link]:
     return sorted(links, key=lambda link: [round(float(link.bounds()[:, axis].mean()), 4) for axis in order])
 
 
-def _fridge(asset: Asset, rooms: Sequence[Array], found: Fixture) -> None:
+def _fridge(asset: Asset, found: Fixture) -> None:
     """Add the interior behind each door: RoboCasa tells cold and frozen regions by their names."""
     doors = [("fridge", link) for link in called(asset, "door")]
     doors += [("freezer", link) for link in called(asset, "freezer_door")]
-    for room in rooms:
+    for room in found.rooms:
         seen = [(_overlap(room, link.bounds()), name) for name, link in doors]
         most, name = max(seen, default=(0.0, ""))
         if most > 0.0:
@@ -149,30 +150,30 @@ def _overlap(first: Array, second: Array) -> float:
     return float(max(sides[0], 0.0) * max(sides[2], 0.0))
 
 
-def _racks(asset: Asset, rooms: Sequence[Array], found: Fixture) -> None:
+def _racks(asset: Asset, found: Fixture) -> None:
     for link, name in found.links.items():
         found.regions[name] = room_above(asset, asset.link(link))
 
 
-def _oven(asset: Asset, rooms: Sequence[Array], found: Fixture) -> None:
+def _oven(asset: Asset, found: Fixture) -> None:
     dials = _dials(asset)
-    burners = _stove(asset, rooms, found, dials)
+    burners = _stove(asset, found, dials)
     for name, link in zip(("temp", "time"), dials[burners:], strict=False):
         _name_turn(asset, link, f"knob_{name}_joint", found)
 
 
-def _knobs(asset: Asset, rooms: Sequence[Array], found: Fixture) -> None:
+def _knobs(asset: Asset, found: Fixture) -> None:
     dials = _dials(asset)
     for name, link in zip(_KNOBS.get(len(dials), ()), dials, strict=False):
         _name_turn(asset, link, f"knob_{name}_joint", found)
 
 
-def _bowl(asset: Asset, rooms: Sequence[Array], found: Fixture) -> None:
+def _bowl(asset: Asset, found: Fixture) -> None:
     for link in called(asset, "bowl"):
         found.regions["bowl"] = room_above(asset, link)
 
 
-def _microwave(asset: Asset, rooms: Sequence[Array], found: Fixture) -> None:
+def _microwave(asset: Asset, found: Fixture) -> None:
     """Add the room on the plate, and the keys: the last one starts, the one on its left or below 7 stops."""
     for link in called(asset, "plate"):
         found.regions["tray"] = room_above(asset, link)
@@ -183,11 +184,11 @@ def _microwave(asset: Asset, rooms: Sequence[Array], found: Fixture) -> None:
         found.geoms[f"{stop.name}_collider_0"] = "stop_button"
 
 
-def _cooktop(asset: Asset, rooms: Sequence[Array], found: Fixture) -> None:
-    _stove(asset, rooms, found, _dials(asset))
+def _cooktop(asset: Asset, found: Fixture) -> None:
+    _stove(asset, found, _dials(asset))
 
 
-def _stove(asset: Asset, rooms: Sequence[Array], found: Fixture, dials: Sequence[Link]) -> int:
+def _stove(asset: Asset, found: Fixture, dials: Sequence[Link]) -> int:
     """Add the sites of the burners and name their dials; return the number of burners."""
     places = _burner_places(asset, len(dials))
     columns = [list(column) for column in _split(places, _COLUMN)]
@@ -253,12 +254,12 @@ def _split(places: Sequence[tuple[float, float]], apart: float) -> list[list[tup
     return columns
 
 
-def _toaster(asset: Asset, rooms: Sequence[Array], found: Fixture) -> None:
+def _toaster(asset: Asset, found: Fixture) -> None:
     """Name the floors of the slots, and add the room above each."""
     floors = []
     for link in asset.links[1:]:
         boxes = [
-            (f"{link.name}_collider_{number}", _box(collider.convex))
+            (f"{link.name}_collider_{number}", collider.convex.bounds())
             for number, collider in enumerate(link.colliders)
             if collider.label == "carriage"
         ]
@@ -276,7 +277,7 @@ def _toaster(asset: Asset, rooms: Sequence[Array], found: Fixture) -> None:
         found.regions[slot] = np.round(room, 6)
 
 
-def _tap(asset: Asset, rooms: Sequence[Array], found: Fixture) -> None:
+def _tap(asset: Asset, found: Fixture) -> None:
     """Name the joints of the first handle, and add the water below the outlet."""
     handles = called(asset, "handle")
     for joint in asset.joints:
@@ -298,10 +299,10 @@ def _tap(asset: Asset, rooms: Sequence[Array], found: Fixture) -> None:
             return
 
 
-def _basins(asset: Asset, rooms: Sequence[Array], found: Fixture) -> None:
+def _basins(asset: Asset, found: Fixture) -> None:
     """Add the basins; rooms to the left and right of a spout are one basin."""
     basins: list[Array] = []
-    for room in sorted(rooms, key=lambda room: float(room[0, 0])):
+    for room in sorted(found.rooms, key=lambda room: float(room[0, 0])):
         if basins and room[0, 0] - basins[-1][1, 0] < _WALL:
             basins[-1] = np.array([np.minimum(basins[-1][0], room[0]), np.maximum(basins[-1][1], room[1])])
         else:
@@ -310,19 +311,19 @@ def _basins(asset: Asset, rooms: Sequence[Array], found: Fixture) -> None:
     found.regions.update(zip(names, basins, strict=False))
 
 
-def _coffee(asset: Asset, rooms: Sequence[Array], found: Fixture) -> None:
+def _coffee(asset: Asset, found: Fixture) -> None:
     """Name the first button, and add the place of the cup and the stream of coffee."""
     for link in called(asset, "button")[:1]:
         found.geoms[f"{link.name}_collider_0"] = "start_button"
     base = asset.links[0]
-    marks = [_box(each.convex) for each in base.colliders if each.label in ("spout", "group", "plate")]
+    marks = [each.convex.bounds() for each in base.colliders if each.label in ("spout", "group", "plate")]
     trays = called(asset, "drip_tray")
     if not marks:
         return
     x, y, _ = np.mean([box.mean(axis=0) for box in marks], axis=0)
     holders = trays[0].colliders if trays else [each for each in base.colliders if each.label == "plate"]
     spans = [span for each in holders if (span := _span(each.convex, x, y))]
-    floor = max((span[1] for span in spans), default=float(_box(holders[0].convex)[1, 2]))
+    floor = max((span[1] for span in spans), default=float(holders[0].convex.bounds()[1, 2]))
     found.sites.append(Site("receptacle_place_site", base.name, np.array([x, y, floor]), _FLAME, "0 1 0"))
     half = max((min(box[0, 2] for box in marks) - floor) / 2.0, _CUP / 2.0)
     place = np.array([x, y, floor + half])
@@ -393,11 +394,6 @@ def _span(convex: Convex, x: float, y: float) -> tuple[float, float] | None:
     return (low, high) if low < high else None
 
 
-def _box(convex: Convex) -> Array:
-    points = convex.faces.points
-    return np.array([points.min(axis=0), points.max(axis=0)])
-
-
 _SLOT = np.array([0.02, 0.02, 0.0])
 """Least size of the region of a slot [m]."""
 
@@ -407,7 +403,7 @@ _SLOTS = {2: ("slotL", "slotR"), 4: ("sideL_slotL", "sideL_slotR", "sideR_slotL"
 _KNOBS = {2: ("temp", "time"), 3: ("temp", "function", "time"), 4: ("temp", "function", "doneness", "time")}
 """What the dials of a toaster oven set, by their number."""
 
-_Adder = Callable[[Asset, Sequence[Array], Fixture], None]
+_Adder = Callable[[Asset, Fixture], None]
 
 _MORE: Mapping[str, Sequence[_Adder]] = {
     "coffee_machine": (_coffee,),
