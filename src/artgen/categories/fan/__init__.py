@@ -233,7 +233,7 @@ def _head(
     lug = ag.cylinder(_HINGE, 0.020, axis=ag.X, bevel=0.001).at(0, y, z)
     stem = ag.box(0.020, 1.6 * _HINGE, -z).at(0, y, z / 2)
     hold = ag.grasp_on(grip, approach=-ag.Y, closing=ag.X, depth=0.020)
-    heavy = shell.with_(name=f"{shell.name}_motor", density=720.0)
+    heavy = shell.with_(name=f"{shell.name}_motor", density=660.0)
     head = ag.weld(
         ag.part(ag.union(housing, tail, grip, lug, stem), "motor", heavy, name="head", grasp=hold),
         ag.part(band, "guard", casting(wire, 0.4)),
@@ -395,7 +395,7 @@ def _pedestal(
     pole = pole.attach(neck, turn, at=(0, 0, top + FIT.running))
     weight = _G * pole.mass()
     lift = ag.Prismatic(
-        "pole_slide", axis=ag.Z, limits=(0, rise), friction=1.1 * weight, damping=20.0, effort=3.0 * weight
+        "pole_slide", axis=ag.Z, limits=(0, rise), friction=1.07 * weight, damping=20.0, effort=3.0 * weight
     )
     return body.attach(pole, lift)
 

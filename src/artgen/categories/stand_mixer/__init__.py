@@ -342,7 +342,7 @@ def _tool(kind: Tool, radius: ag.Scalar, height: ag.Scalar) -> ag.Body:
         way = ag.spline([
             (0, 0, low + 0.86 * span), (0.42 * wide, 0.1 * wide, low + 0.70 * span),
             (0.68 * wide, -0.25 * wide, low + 0.46 * span), (0.30 * wide, -0.62 * wide, low + 0.24 * span),
-            (-0.35 * wide, -0.2 * wide, low + 0.10 * span),
+            (-0.35 * wide, -0.2 * wide, low + 0.0068),
         ])  # fmt: skip
         look = ag.sweep(ag.regular_polygon(8, 0.0075), way)
         finish = casting(ag.material("brushed_aluminium"), 0.9)
@@ -426,15 +426,15 @@ def _crane(
     )
     turns = 1.45
     hub = ag.cylinder(0.013, 0.014, axis=ag.X, bevel=0.002).at(-0.007 - FIT.running, 0, 0)
-    rod = ag.box(0.007, 0.014, 0.062, bevel=0.002).at(-0.0105, 0, 0.031)
-    ball = ag.cylinder(0.0095, 0.036, axis=ag.X, bevel=0.004).at(-0.030, 0, 0.060)
+    rod = ag.box(0.007, 0.014, 0.082, bevel=0.002).at(-0.0105, 0, 0.041)
+    ball = ag.cylinder(0.0095, 0.036, axis=ag.X, bevel=0.004).at(-0.030, 0, 0.080)
     turned = ag.grasp_on(ball, approach=ag.X, closing=ag.Y, depth=0.014)
     handle = ag.weld(
         ag.part(ball, "crank", _BLACK, name="crank", grasp=turned), ag.part(hub | rod, "crank", steel)
     )
     weight = _G * (cup.mass() + carriage.mass())
     crank = ag.Revolute(
-        "crank_turn", axis=-ag.X, limits=(0, turns), friction=1.3 * weight * drop / turns + 0.1, damping=0.05,
+        "crank_turn", axis=-ag.X, limits=(0, turns), friction=(1.3 * weight + 55.0) * drop / turns + 0.1, damping=0.05,
         armature=0.002, effort=8.0,
     )  # fmt: skip
     slide = ag.Prismatic(
