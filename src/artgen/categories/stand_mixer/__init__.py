@@ -433,10 +433,16 @@ def _crane(
         ag.part(ball, "crank", _BLACK, name="crank", grasp=turned), ag.part(hub | rod, "crank", steel)
     )
     weight = _G * (cup.mass() + carriage.mass())
+    friction = (1.3 * weight + 55.0) * drop / turns + 0.1
     crank = ag.Revolute(
-        "crank_turn", axis=-ag.X, limits=(0, turns), friction=(1.3 * weight + 55.0) * drop / turns + 0.1, damping=0.05,
-        armature=0.002, effort=8.0,
-    )  # fmt: skip
+        "crank_turn",
+        axis=-ag.X,
+        limits=(0, turns),
+        friction=friction,
+        damping=0.05,
+        armature=0.002,
+        effort=8.0,
+    )
     slide = ag.Prismatic(
         "carriage_slide", axis=-ag.Z, follows=(drop / turns) * crank, damping=2.0, effort=200.0
     )
