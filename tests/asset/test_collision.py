@@ -6,11 +6,14 @@ import numpy as np
 import pytest
 from manifold3d import Manifold, OpType
 
+from artgen import Region, part
 from artgen.asset import Asset, collision
-from artgen.asset.collision import SolidPart, made_colliders, with_colliders
+from artgen.asset.collision import SolidPart, link_parts, made_colliders, with_colliders
+from artgen.asset.shells import skins
 from artgen.errors import AssetError, ExportError
 from artgen.export import export
 from artgen.export.files import encode
+from artgen.generator import generator
 from support.trays import RUBBER, STEEL, comb, tray
 
 pytestmark = pytest.mark.usefixtures("coacd_cache")
@@ -167,3 +170,54 @@ def test_wrong_use_is_refused(asset, tmp_path):
         loaded.export(tmp_path / "other", collision="hull")
     assert caught.value.link == "tray"
     assert not (tmp_path / "other").exists()
+
+
+CUBE = ((0.0, 0.1), (0.0, 0.1), (0.0, 0.1))
+
+
+def blocks_in_files(folder, *blocks):
+    @generator
+    def blocks_of_one_label():
+        return part([Region(*block).box() for block in blocks], "block", STEEL)
+
+    return blocks_of_one_label.generate(certify=False).export(folder, formats=("urdf",))
+
+
+@pytest.mark.parametrize(
+    ("second", "volume"),
+    [
+        (((0.1, 0.2), (0.1, 0.2), (0.0, 0.1)), 1e-3),  # share an edge
+        (((0.1, 0.2), (0.0, 0.1), (0.05, 0.1)), 5e-4),  # share an edge, with tops in one plane
+        (((0.1, 0.2), (0.0, 0.1), (0.0, 0.1)), 1e-3),  # share a face
+        (((0.1, 0.2), (0.1, 0.2), (0.1, 0.2)), 1e-3),  # share a corner
+        (((0.0, 0.2), (0.0, 0.1), (0.0, 0.1)), 2e-3),  # overlap, and share a face of one winding
+    ],
+)
+def test_solids_that_touch_are_read_from_files_one_by_one(tmp_path, second, volume):
+    link = Asset.load(blocks_in_files(tmp_path / "blocks", CUBE, second)).links[0]
+    volumes = [each.solid.volume() for each in link_parts(link)]
+    assert volumes == pytest.approx(sorted([1e-3, volume]), rel=1e-9)
+
+
+def test_four_blocks_around_a_corner_are_read_one_by_one(tmp_path):
+    near, far = (0.0, 0.1), (0.1, 0.2)
+    blocks = ((near, near, near), (far, far, near), (near, far, far), (far, near, far))
+    link = Asset.load(blocks_in_files(tmp_path / "blocks", *blocks)).links[0]
+    assert [each.solid.volume() for each in link_parts(link)] == pytest.approx([1e-3] * 4, rel=1e-9)
+    (skin,) = skins(link)
+    assert skin.closed
+    assert [shell.volume for shell in skin.shells] == pytest.approx([1e-3] * 4, rel=1e-9)
+
+
+def test_each_triangle_that_is_missing_at_a_shared_edge_is_found(tmp_path):
+    directory = blocks_in_files(tmp_path / "blocks", CUBE, ((0.1, 0.2), (0.1, 0.2), (0.0, 0.1)))
+    (mesh,) = directory.glob("meshes/*.obj")
+    lines = mesh.read_text().splitlines()
+    faces = [number for number, line in enumerate(lines) if line.startswith("f ")]
+    assert len(faces) == 24
+    for face in faces:
+        mesh.write_text("\n".join(line for number, line in enumerate(lines) if number != face) + "\n")
+        link = Asset.load(directory).links[0]
+        assert not skins(link)[0].closed
+        with pytest.raises(AssetError, match=r"label 'block' do not close to a solid \(NotManifold\)"):
+            link_parts(link)

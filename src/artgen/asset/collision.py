@@ -1,6 +1,6 @@
 """Solids of links, also of links that were read from files, and colliders that are made of them."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, Literal, get_args
 
@@ -12,12 +12,12 @@ from artgen._names import ByName
 from artgen.asset import Asset, Collider, Link, Mesh, Surface
 from artgen.asset.link import MOST_COLLIDERS, DerivedLink, boxes_overlap
 from artgen.asset.manifolds import box_of
+from artgen.asset.shells import file_shells
 from artgen.colliders import Convex
 from artgen.colliders.coacd import coacd_pieces, fewest, single_hull
 from artgen.errors import AssetError, ExportError, nearest
 from artgen.materials import Material
 
-_ONE_POINT = 3e-7  # vertices of a file nearer than this are one; files have seven decimals [m]
 _ONE_BOX = 1e-6  # tolerance of bounding boxes in files [m]
 _DUST = 1e-15  # smaller parts are rounding crumbs of booleans: a cube of 0.01 mm [m^3]
 
@@ -38,11 +38,16 @@ def closed_mesh(solid: Manifold) -> tuple[Array, Indices]:
 
 def connected_parts(solid: Manifold) -> list[Manifold]:
     """Return the connected parts of a solid with their hollows, the smallest first, without crumbs."""
+    return _with_hollows(solid.decompose())
+
+
+def _with_hollows(shells: Iterable[Manifold]) -> list[Manifold]:
+    """Return solids without the hollows among shells, the smallest first, without crumbs."""
 
     def rank(shell: Manifold) -> tuple[float, ...]:
         return (round(shell.volume(), 15), *(round(number, 9) for number in shell.bounding_box()))
 
-    shells = sorted(solid.decompose(), key=rank)
+    shells = sorted(shells, key=rank)
     parts = [shell for shell in shells if shell.volume() > _DUST]
     for wall in (shell for shell in shells if shell.volume() < -_DUST):  # hollows: turned inside out
         around = next((number for number, part in enumerate(parts) if _inside(wall, part)), None)
@@ -123,19 +128,17 @@ def link_parts(link: Link) -> tuple[SolidPart, ...]:
 
 def _closed(link: Link, label: str, surfaces: list[Surface]) -> list[Manifold]:
     """Return the closed parts of the surfaces of one label, with their hollows."""
-    joined = Mesh.concatenated([surface.mesh for surface in surfaces])
-    mesh = Mesh64(np.array(joined.vertices), joined.triangles.astype(np.uint64), tolerance=_ONE_POINT)
-    mesh.merge()
-    whole = Manifold(mesh)
-    fault = "are empty" if whole.is_empty() else ""
-    if whole.status() != Error.NoError:
-        fault = f"do not close to a solid ({whole.status().name})"
+    shells = file_shells(Mesh.concatenated([surface.mesh for surface in surfaces]), label)
+    solids = [shell.manifold for shell in shells]
+    fault = "" if solids else "are empty"
+    if wrong := [solid.status().name for solid in solids if solid.status() != Error.NoError]:
+        fault = f"do not close to a solid ({wrong[0]})"
     if fault:
         raise AssetError(
             f"the meshes of link {link.name!r} with label {label!r} {fault}; export the asset again",
             link=link.name,
         )
-    return connected_parts(whole)
+    return _with_hollows(solids)
 
 
 Collision = Literal["exact", "coacd", "hull"]

@@ -1,5 +1,6 @@
 """Surfaces of triangles: connected shells with their faults, distances, and points spread over them."""
 
+import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from typing import TypeVar
@@ -56,7 +57,7 @@ _WELD_FILES = 4e-7  # the same for mesh files, which have 7 decimals [m]
 
 @dataclass(frozen=True, eq=False)
 class Shell(FrozenArrays):
-    """A connected part of a surface; solids that share an edge are one."""
+    """A connected part of a surface; solids that share an edge are two."""
 
     label: str  # label of its piece or surface
     piece: int  # number of its piece on the link; 0 for all shells that were read from files
@@ -189,16 +190,13 @@ def _skin(mesh: Mesh, labels: Sequence[str], reach: float, label: str = "", piec
     doubled = len(chosen) - len(first)
     chosen = chosen[np.sort(first)]
     faces = faces[chosen]
-    unpaired, twisted, neighbors = _edges(faces)
+    unpaired, twisted, neighbors = _edges(points, faces)
     faulty = np.concatenate([unpaired, twisted])
     places = [*points[faulty[:1, 0]], *corners[against[:1], 0], np.zeros(3)]
     shells = []
-    group = _groups(len(faces), neighbors)
-    parts = np.split(np.argsort(group, kind="stable"), np.cumsum(np.bincount(group))[:-1])
-    for of_shell in parts if len(faces) else ():
-        used, triangles = np.unique(faces[of_shell], return_inverse=True)
+    for of_shell in _parts(len(faces), neighbors):
         name = labels[chosen[of_shell[0]]] if len(labels) > 1 else labels[0]
-        shells.append(Shell(name, piece, points[used], triangles.reshape(-1, 3)))
+        shells.append(_shell(points, faces[of_shell], name, piece))
     return LinkShells(
         label,
         tuple(shells),
@@ -210,6 +208,30 @@ def _skin(mesh: Mesh, labels: Sequence[str], reach: float, label: str = "", piec
         place=places[0],
         triangles=len(mesh.triangles),
     )
+
+
+def file_shells(mesh: Mesh, label: str) -> list[Shell]:
+    """Return the connected parts of a mesh that was read from a file; they are open where it is open.
+
+    Solids that share an edge are shells of their own, and so is each of two equal solids.
+    """
+    points, number = _welded(mesh.vertices, _WELD_FILES)
+    faces = number[mesh.triangles]
+    faces = faces[(faces != np.roll(faces, 1, axis=1)).all(axis=1)]
+    return [_shell(points, faces[part], label, 0) for part in _parts(len(faces), _edges(points, faces)[2])]
+
+
+def _shell(points: Array, faces: Indices, label: str, piece: int) -> Shell:
+    used, triangles = np.unique(faces, return_inverse=True)
+    return Shell(label, piece, points[used], triangles.reshape(-1, 3))
+
+
+def _parts(count: int, neighbors: Indices) -> list[Indices]:
+    """Return the faces of each connected part, ascending; `neighbors` has pairs of faces, shape (k, 2)."""
+    if not count:
+        return []
+    group = _groups(count, neighbors)
+    return np.split(np.argsort(group, kind="stable"), np.cumsum(np.bincount(group))[:-1])
 
 
 def point_text(point: Iterable[float]) -> str:
@@ -233,10 +255,11 @@ def _groups(count: int, pairs: Indices) -> Indices:
     return np.asarray(connected_components(graph, directed=False)[1], np.int64)
 
 
-def _edges(faces: Indices) -> tuple[Indices, Indices, Indices]:
+def _edges(points: Array, faces: Indices) -> tuple[Indices, Indices, Indices]:
     """Return edges with one face, edges of two faces wound against each other, and faces that share an edge.
 
-    Each row has the two ends of an edge or the two faces, shape (k, 2).
+    Each row has the two ends of an edge or the two faces, shape (k, 2). At an edge of several solids, each
+    has a face on either side.
     """
     directed = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
     forward = np.where(directed[:, 0] < directed[:, 1], 1, -1)
@@ -244,10 +267,58 @@ def _edges(faces: Indices) -> tuple[Indices, Indices, Indices]:
     count = np.bincount(edge, minlength=len(ends))
     unbalanced = np.bincount(edge, forward, minlength=len(ends)) != 0.0
     order = np.argsort(edge, kind="stable")
-    face = np.tile(np.arange(len(faces)), 3)[order]
-    same = np.flatnonzero(edge[order][1:] == edge[order][:-1])
+    face = np.tile(np.arange(len(faces)), 3)
+    same = order[np.flatnonzero(edge[order][1:] == edge[order][:-1])[:, None] + (0, 1)]
     single = unbalanced & (count % 2 == 1)
-    return ends[single], ends[unbalanced & ~single], np.column_stack([face[same], face[same + 1]])
+    shared = ~unbalanced & (count > 2)
+    neighbors = face[same[~shared[edge[same[:, 0]]]]]
+    if shared.any():
+        part = _groups(len(faces), neighbors)
+        starts = np.append(0, np.cumsum(count))
+        pairs = [neighbors]
+        for number in np.flatnonzero(shared):
+            found = order[starts[number] : starts[number + 1]]
+            ahead, behind = (face[found[forward[found] == way]] for way in (1, -1))
+            pairs.append(_around(points, faces, ends[number], ahead, behind, part))
+        neighbors = np.concatenate(pairs)
+    return ends[single], ends[unbalanced & ~single], neighbors
+
+
+_CLOSE = 2e-3  # faces at a smaller angle have nothing between them [rad]
+
+
+def _around(
+    points: Array, faces: Indices, ends: Indices, ahead: Indices, behind: Indices, part: Indices
+) -> Indices:
+    """Return the pairs of faces between which a solid lies at an edge, shape (k, 2).
+
+    Faces of one part belong together, then those with the least angle of the solid between them. Of faces
+    that lie on each other, those of the first part do.
+
+    Args:
+        points: Positions, shape (n, 3) [m].
+        faces: Triangles, shape (m, 3).
+        ends: The points of the edge, shape (2,).
+        ahead: Faces that run from its first to its second end, shape (k,).
+        behind: Faces that run the other way, shape (k,).
+        part: The number of the part that each face is known to belong to, shape (m,).
+    """
+    start, end = points[ends]
+    along = (end - start) / np.linalg.norm(end - start)
+    first = cross(along, np.eye(3)[np.argmin(abs(along))])
+    tips = points[faces[np.append(ahead, behind)]].sum(axis=1) - end - 2.0 * start
+    x, y = (np.einsum("ij,j->i", tips, axis) for axis in (first, cross(along, first)))
+    angles = np.split(_portable.arctan2(y, x), 2)
+    gaps = np.round(np.subtract.outer(*angles) % math.tau, 3)
+    gaps[gaps < _CLOSE] += math.tau
+    gaps[np.equal.outer(part[ahead], part[behind])] = -1.0
+    one, other = (each.ravel() for each in np.meshgrid(ahead, behind, indexing="ij"))
+    order = np.lexsort((part[other], part[one], gaps.ravel()))
+    pairs: dict[int, int] = {}
+    for face, opposite in zip(one[order].tolist(), other[order].tolist(), strict=True):
+        if face not in pairs and opposite not in pairs.values():
+            pairs[face] = opposite
+    return np.array(list(pairs.items()))
 
 
 _CHUNK = 128  # points compared with all triangles at once
