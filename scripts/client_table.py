@@ -1,8 +1,8 @@
 """Load many seeds of every category in every layout in every client, and write the table of docs/clients.md.
 
 Exports and answers stay in the work folder, so that an interrupted run continues; they are deleted when the
-source of artgen changes. `make clients` installs the clients, `make client-table`
-runs this.
+source of artgen changes. `--no-run` writes the page from the answers of an unfinished run. `make clients`
+installs the clients, `make client-table` runs this.
 """
 
 import hashlib
@@ -28,8 +28,8 @@ from artgen.validate.clients.run import run_client
 
 ROOT = Path(__file__).parents[1]
 SOURCE = ROOT / "src" / "artgen"
-FREE = 5  # every so manyth seed stands on a free base
-PLAIN = 4  # every so manyth seed has colors alone, no maps
+FREE = 5  # every so manyth export stands on a free base
+PLAIN = 4  # every so manyth export has colors alone, no maps
 
 SLOW = ("mjx", "mujoco_warp", "genesis_mjcf", "genesis_urdf")
 """Clients that compile for each asset, for a minute or more: they read fewer seeds."""
@@ -127,16 +127,13 @@ def main(
         1, (os.cpu_count() or 2) // 2
     ),
     out: Annotated[Path, typer.Option(help="The page to write.")] = ROOT / "docs" / "clients.md",
+    *,
+    run: Annotated[bool, typer.Option(help="Run clients; otherwise, use the answers that there are.")] = True,
 ) -> None:
     """Write the table; exit code 1 if a client found a fault."""
     chosen, _ = chosen_clients(clients)
     named = [name.strip() for name in only.split(",") if name.strip()] or list(categories())
     folder = _fresh(work.absolute())
-    exports = {
-        (category, layout): list(_exports(folder, category, layout, seeds))
-        for category in named
-        for layout in LAYOUTS
-    }
     tasks = [
         Task(client, category, layout)
         for client in chosen
@@ -144,12 +141,18 @@ def main(
         if layout in client.layouts and client.format in LAYOUTS[layout].formats
         for category in named
     ]
-    read = {
-        task: exports[task.category, task.layout][: slow_seeds if task.client.name in SLOW else None]
-        for task in tasks
-    }
-    results = _results(folder, read, jobs)
-    out.write_text("\n".join(_page(results, named, seeds)) + "\n", encoding="utf-8")
+    if run:
+        layouts = list(dict.fromkeys(task.layout for task in tasks))
+        exports = {category: _exports(folder, category, layouts, seeds) for category in named}
+        read = {
+            task: exports[task.category][task.layout][: slow_seeds if task.client.name in SLOW else None]
+            for task in tasks
+        }
+        results = _results(folder, read, jobs)
+    else:
+        saved = {task: _saved(folder / "answers" / task.file) for task in tasks}
+        results = {task: answers for task, answers in saved.items() if answers}
+    out.write_text("\n".join(_page(results, named)) + "\n", encoding="utf-8")
     typer.echo(out)
     states = Counter(outcome["state"] for found in results.values() for outcome in found)
     typer.echo(", ".join(f"{count} {state}" for state, count in sorted(states.items())))
@@ -172,17 +175,22 @@ def _fresh(work: Path) -> Path:
     return work
 
 
-def _exports(work: Path, category: str, layout: str, seeds: int) -> Iterator[Path]:
-    """Yield the exports of a category in a layout; missing ones are made."""
+def _exports(work: Path, category: str, layouts: Sequence[str], seeds: int) -> dict[str, list[Path]]:
+    """Return the exports of a category by layout; missing ones are made."""
+    result: dict[str, list[Path]] = {layout: [] for layout in layouts}
     for seed in range(seeds):
-        target = work / "exports" / layout / f"{category}_{seed}"
-        if not (target / "asset.json").is_file():
-            asset = generate(category, seed=seed, certify=False)
-            asset = asset.with_base("free" if seed % FREE == FREE - 1 else "fixed")
-            textures = 0 if seed % PLAIN == PLAIN - 1 else 512
-            asset.export(target, formats=LAYOUTS[layout].formats, layout=layout, textures=textures)
-            typer.echo(f"exported {target.name} {layout}", err=True)
-        yield target
+        number, asset = list(categories()).index(category) + seed, None
+        for layout, made in result.items():
+            made.append(work / "exports" / layout / f"{category}_{seed}")
+            if (made[-1] / "asset.json").is_file():
+                continue
+            if asset is None:
+                asset = generate(category, seed=seed, certify=False)
+                asset = asset.with_base("free" if number % FREE == FREE - 1 else "fixed")
+            textures = 0 if number % PLAIN == PLAIN - 1 else 512
+            asset.export(made[-1], formats=LAYOUTS[layout].formats, layout=layout, textures=textures)
+            typer.echo(f"exported {made[-1].name} {layout}", err=True)
+    return result
 
 
 def _results(work: Path, read: Mapping[Task, Sequence[Path]], jobs: int) -> dict[Task, list[dict[str, Any]]]:
@@ -218,24 +226,30 @@ def _results(work: Path, read: Mapping[Task, Sequence[Path]], jobs: int) -> dict
 
 def _earlier_answers(path: Path, directories: Sequence[Path]) -> list[dict[str, Any]] | None:
     """Return the answers of an earlier run; None if there are none, or a client reported a fault."""
-    try:
-        earlier = json.loads(path.read_text(encoding="utf-8"))
-    except (OSError, ValueError):
-        return None
+    earlier = _saved(path)
     same = [each["asset"] for each in earlier] == [directory.name for directory in directories]
     return earlier if same and all(each["state"] == "passed" for each in earlier) else None
 
 
-def _page(results: dict[Task, list[dict[str, Any]]], named: Sequence[str], seeds: int) -> Iterator[str]:
+def _saved(path: Path) -> list[dict[str, Any]]:
+    """Return the answers of an earlier run; empty if there are none."""
+    try:
+        answers: list[dict[str, Any]] = json.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return []
+    return answers
+
+
+def _page(results: dict[Task, list[dict[str, Any]]], named: Sequence[str]) -> Iterator[str]:
     """Yield the lines of the page."""
     yield "# Clients"
     yield ""
     yield (
-        f"What simulators, validators and converters make of the exports of artgen {__version__}: seeds 0 to "
-        f"{seeds - 1} of every category in every layout, every fifth on a free base, every fourth without "
-        f"maps; {', '.join(SLOW)}, which compile for each asset, read the first few of them. Written by "
-        "`make client-table`; do not edit it."
+        f"What simulators, validators and converters make of the exports of artgen {__version__}, every "
+        "fifth on a free base, every fourth without maps. Written by `make client-table`; do not edit it."
     )
+    yield ""
+    yield f"All {len(named)} categories are: {', '.join(named)}."
     yield ""
     yield (
         "A client passes an export if it reads it without a message that could be avoided, ends of itself, "
@@ -253,27 +267,31 @@ def _page(results: dict[Task, list[dict[str, Any]]], named: Sequence[str], seeds
 
 
 def _table(layout: str, results: dict[Task, list[dict[str, Any]]], named: Sequence[str]) -> Iterator[str]:
-    """Yield the table of a layout: a row for each client, a column for each category."""
+    """Yield the table of a layout, a row for each client; nothing for a layout that no client has read."""
     of_layout = {task: found for task, found in results.items() if task.layout == layout}
+    if not of_layout:
+        return
     yield from ("", f"## Layout `{layout}`", "")
-    yield f"| client | version | reads | {' | '.join(named)} |"
-    yield f"| --- | --- | --- | {' | '.join('---' for _ in named)} |"
+    yield "| client | version | reads | categories | seeds | passed |"
+    yield "| --- | --- | --- | --- | --- | --- |"
     for client in dict.fromkeys(task.client for task in of_layout):
-        row = {task.category: found for task, found in of_layout.items() if task.client is client}
-        version = next((each["version"] for found in row.values() for each in found if each["version"]), "")
-        cells = " | ".join(_cell(row[category]) for category in named)
-        yield f"| {client.name} | {version} | {client.format} | {cells} |"
+        rows = {task.category: found for task, found in of_layout.items() if task.client is client}
+        found = [each for row in rows.values() for each in row]
+        version = next((each["version"] for each in found if each["version"]), "")
+        read = "all" if set(rows) == set(named) else f"{len(rows)}: {', '.join(rows)}"
+        counts = sorted({len(row) for row in rows.values()})
+        seeds = " or ".join(f"0 to {count - 1}" if count > 1 else "0" for count in counts)
+        yield f"| {client.name} | {version} | {client.format} | {read} | {seeds} | {_cell(found)} |"
 
 
 def _cell(found: Sequence[dict[str, Any]]) -> str:
+    """Return how many exports a client passes, and the first finding in each other one."""
     states = Counter(each["state"] for each in found)
     if states["absent"]:
         return "absent"
-    text = f"{states['passed']} of {len(found)}"
-    worst = next((each for each in found if each["state"] != "passed"), None)
-    return (
-        text if worst is None else f"{text}; {worst['asset']} {worst['state']}: {escaped(worst['message'])}"
-    )
+    others = (each for each in found if each["state"] != "passed")
+    texts = [f"{each['asset']} {each['state']}: {escaped(each['message'])}" for each in others]
+    return "; ".join([f"{states['passed']} of {len(found)}", *texts])
 
 
 def _tolerances(results: dict[Task, list[dict[str, Any]]]) -> Iterator[str]:
@@ -319,7 +337,7 @@ def _not_run(results: dict[Task, list[dict[str, Any]]]) -> Iterator[str]:
         yield f"- {client.name}: {escaped(message)}"
     for client in CLIENTS.values():
         if client not in absent and not any(task.client is client for task in results):
-            yield f"- {client.name}: it was not requested"
+            yield f"- {client.name}: it was not run"
     for name, reason in ELSEWHERE:
         yield f"- {name}: {reason}"
 
