@@ -122,6 +122,7 @@ def main(
     ] = 5,
     clients: Annotated[str, typer.Option(help="Names separated by commas.")] = "all",
     only: Annotated[str, typer.Option(help="Categories separated by commas; all by default.")] = "",
+    layouts: Annotated[str, typer.Option(help="Layouts separated by commas.")] = ",".join(LAYOUTS),
     work: Annotated[Path, typer.Option(help="Folder for exports and answers.")] = Path("out/client_table"),
     jobs: Annotated[int, typer.Option(help="Number of clients that run at a time.")] = max(
         1, (os.cpu_count() or 2) // 2
@@ -137,13 +138,13 @@ def main(
     tasks = [
         Task(client, category, layout)
         for client in chosen
-        for layout in LAYOUTS
+        for layout in layouts.split(",")
         if layout in client.layouts and client.format in LAYOUTS[layout].formats
         for category in named
     ]
     if run:
-        layouts = list(dict.fromkeys(task.layout for task in tasks))
-        exports = {category: _exports(folder, category, layouts, seeds) for category in named}
+        wanted = list(dict.fromkeys(task.layout for task in tasks))
+        exports = {category: _exports(folder, category, wanted, seeds) for category in named}
         read = {
             task: exports[task.category][task.layout][: slow_seeds if task.client.name in SLOW else None]
             for task in tasks

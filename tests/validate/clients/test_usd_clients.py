@@ -113,6 +113,16 @@ def test_a_joint_that_stays_blocked_is_not_said_to_be_driven(driver):
     assert driver("driver_motion").drive_all(slide, request)["moved"] == {}
 
 
+def test_a_coupled_joint_that_leaves_its_leader_is_told(driver):
+    poses = [{"turn": turn, "rise": 0.1 * turn - 0.2} for turn in (0.0, 1.0, 3.0)]
+    joints = [{"name": "turn", "follows": None}, {"name": "rise", "follows": "turn"}]
+    turn = np.linspace(0.0, 3.0, 7)
+    lags = driver("driver_motion").lags
+    assert lags({"joints": joints, "poses": poses}, {"turn": turn, "rise": 0.1 * turn - 0.2}) == []
+    (message,) = lags({"joints": joints, "poses": poses}, {"turn": turn, "rise": 0.08 * turn - 0.2})
+    assert message.startswith("rise does not follow turn")
+
+
 def test_a_follower_is_told_by_the_head_of_its_chain(driver):
     found = driver("driver_protocol").couplings_to_heads({"b": ["a", 2.0, 0.1], "c": ["b", 3.0, 0.2]})
     assert found == {"b": ["a", 2.0, 0.1], "c": ["a", 6.0, pytest.approx(0.5)]}

@@ -4,6 +4,7 @@ import xml.etree.ElementTree as ET
 from typing import Any
 
 import numpy as np
+from driver_motion import lags
 from driver_protocol import ends, finite_limits, free, mass_properties, require, serve
 
 require("pydrake")
@@ -37,17 +38,19 @@ def _read(request: dict[str, Any]) -> dict[str, Any]:
         found = {name: body.body_frame().CalcPose(inner, base) for name, body in bodies.items()}
         poses.append({name: pose.GetAsMatrix4() for name, pose in found.items()})
     following = sum(joint["follows"] is not None for joint in request["joints"])
+    motion, track = _simulate(request)
     said = []
     # its MJCF reader skips couplings with a message; not every layout of URDF has all of them
-    complete = request["format"] in ("urdf", "sdf") and request["layout"] == "flat"
-    if complete and plant.num_constraints() != following:
-        said.append(f"it has {plant.num_constraints()} of {following} couplings")
+    if request["format"] in ("urdf", "sdf") and request["layout"] == "flat":
+        said += lags(request, track)  # it does not report their laws
+        if plant.num_constraints() != following:
+            said.append(f"it has {plant.num_constraints()} of {following} couplings")
     return {
         "links": {name: _link(body) for name, body in bodies.items()},
         "joints": {name: _joint(joint) for name, joint in joints.items()},
         "poses": poses,
         "said": said,
-        **_simulate(request),
+        **motion,
     }
 
 
@@ -99,8 +102,8 @@ def _joint(joint: Any) -> dict[str, Any]:
     }
 
 
-def _simulate(request: dict[str, Any]) -> dict[str, Any]:
-    """Drive each free joint to both ends by a motor with its effort."""
+def _simulate(request: dict[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
+    """Drive each free joint to both ends by a motor with its effort; return the motion and all positions."""
     joints, start = tuple(free(request)), request["poses"][0]
     diagram, plant, instance = _plant(request, joints)
     simulator = Simulator(diagram)
@@ -111,7 +114,7 @@ def _simulate(request: dict[str, Any]) -> dict[str, Any]:
     motors = [plant.get_joint_actuator(index) for index in plant.GetJointActuatorIndices(instance)]
     order = [motor.joint().name() for motor in motors]
     targets = np.array([start[name] for name in order])
-    moved = {}
+    moved, passed = {}, [plant.GetPositions(context)]
     time, finite = 0.0, True
     for joint in joints:
         number = order.index(joint["name"])
@@ -123,13 +126,15 @@ def _simulate(request: dict[str, Any]) -> dict[str, Any]:
                 time += _TURN / _PARTS
                 simulator.AdvanceTo(time)
                 q = plant.GetPositions(context)
+                passed.append(q)
                 seen.append(q[found[joint["name"]].position_start()])
                 finite = finite and bool(np.isfinite(q).all())
         moved[joint["name"]] = [min(seen), max(seen)]
     if not joints:
         simulator.AdvanceTo(0.2)
         time, finite = 0.2, bool(np.isfinite(plant.GetPositions(context)).all())
-    return {"moved": moved, "steps": round(time / _STEP), "finite": finite}
+    track = {name: np.array(passed)[:, joint.position_start()] for name, joint in found.items()}
+    return {"moved": moved, "steps": round(time / _STEP), "finite": finite}, track
 
 
 if __name__ == "__main__":

@@ -18,6 +18,7 @@ _FREED = 0.5  # share of the range beyond which a joint is not blocked any more
 # most combinations of ends of other joints for a joint that they block: all ends of four joints
 _COMBINATIONS = 16
 _SETTLE = 1.0  # time before anything is driven [s]
+_FOLLOWED = 0.01  # largest lag of a coupled joint, as a share of the range
 
 
 class Simulation:
@@ -130,3 +131,19 @@ def _drive(
     simulation.push({})
     hold = min(1.0, _FIRM * most) * joint["effort"]
     return min(seen), max(seen), [-hold, hold]
+
+
+def lags(request: dict[str, Any], track: dict[str, Any]) -> list[str]:
+    """Return messages about coupled joints that left their leaders; `track` has the positions of joints."""
+    said = []
+    for joint in request["joints"]:
+        name, leader = joint["name"], joint["follows"]
+        if leader not in track or name not in track:
+            continue
+        poses = request["poses"]
+        ratio, offset = np.polyfit([q[leader] for q in poses], [q[name] for q in poses], 1)
+        error = float(np.abs(track[name] - ratio * track[leader] - offset).max())
+        span = max(1e-9, float(np.ptp([q[name] for q in poses])))
+        if not error <= _FOLLOWED * span:
+            said.append(f"{name} does not follow {leader}: it is off by {error:.4g}")
+    return said

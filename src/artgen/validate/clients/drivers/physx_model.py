@@ -5,7 +5,7 @@ from functools import cache
 from typing import Any
 
 import numpy as np
-from driver_motion import Simulation, drive_all
+from driver_motion import Simulation, drive_all, lags
 from driver_protocol import enabled, finite_limits, frame_of, mass_properties, require, serve
 
 require("ovphysx", "physx_usd_schemas", "newton_usd_schemas")
@@ -17,7 +17,6 @@ from ovphysx.types import TensorType
 _RETURN = 2.0  # time in which a spring has to return its joint [s]
 _LOOK = 0.02  # interval between two checks during that time [s]
 _RETURNED = 0.05  # tolerance of a spring's rest position, as a share of the range
-_FOLLOWED = 0.01  # largest lag of a driven coupled joint, as a share of the range
 _UNLIMITED = 1e5  # larger efforts and speeds count as none
 
 
@@ -70,7 +69,9 @@ class _Simulation(Simulation):
         if self._request["base"] == "free":  # while driven it would fall, beyond single precision
             self._make_weightless()
         motion = drive_all(self, self._request)
-        said = [*self._lags(), *self._unreturned(start)]
+        track = np.array(self._track)  # PhysX does not report its couplings
+        said = lags(self._request, {name: track[:, number] for name, number in self.degrees.items()})
+        said += self._unreturned(start)
         for binding in self._bindings.values():
             binding.destroy()
         return {**answer, **motion, "steps": self.steps, "finite": self.finite, "said": said}
@@ -145,23 +146,6 @@ class _Simulation(Simulation):
         if not np.isfinite(self._read("LINK_POSE")).all():
             self.finite = False
         self._track.append(self.positions())
-
-    def _lags(self) -> list[str]:
-        """Return coupled joints that left their leaders: PhysX does not report its couplings."""
-        track = np.array(self._track)
-        said = []
-        for joint in self._request["joints"]:
-            name, leader = joint["name"], joint["follows"]
-            if leader not in self.degrees or name not in self.degrees:
-                continue
-            poses = self._request["poses"]
-            ratio, offset = np.polyfit([q[leader] for q in poses], [q[name] for q in poses], 1)
-            expected = ratio * track[:, self.degrees[leader]] + offset
-            error = float(np.abs(track[:, self.degrees[name]] - expected).max())
-            span = max(1e-9, float(np.ptp([q[name] for q in poses])))
-            if not error <= _FOLLOWED * span:
-                said.append(f"{name} does not follow {leader}: it is off by {error:.4g}")
-        return said
 
     def _make_weightless(self) -> None:
         weightless = self._binding("BODY_DISABLE_GRAVITY")
