@@ -35,7 +35,8 @@ _WIRE = 0.0011  # radius of the other wires [m]
 _CHEEK = 0.0065  # thickness of the cheeks of the neck [m]
 _HINGE = 0.0115  # radius of the hinge of the tilt [m]
 _COLUMN = 0.0125  # radius of the column below the neck [m]
-_RIM = 20  # colliders of the rim of a guard
+_ROD = 0.0032  # thickness of the rods of a guard [m]
+_RODS = 12  # at each side
 _SIGNS = ("0", "1", "2", "3")
 _MOTOR = feel.Feel(damping=2e-4, friction=0.01, armature=2e-4, effort=0.5, velocity=140.0)
 
@@ -195,21 +196,25 @@ def _spin() -> ag.Joint:
 def _grille(
     radius: ag.Scalar, inner: ag.Scalar, y: ag.Scalar, wire: ag.Material, count: int, brim: ag.Scalar
 ) -> list[ag.Body]:
-    """Make one side of the guard: wires from a disc in the middle to the rim; a disc is their collider."""
-    plate = ag.cylinder(inner, 0.005, axis=ag.Y, bevel=0.0012)
-    rod = ag.box(0.0042, 0.0042, radius - 0.010 - 0.7 * inner).at(z=(radius - 0.010 + 0.7 * inner) / 2)
-    rods = [rod.rotate(ag.Y, math.tau * (step + 0.5) / 6) for step in range(6)]
-    carrier = ag.union(plate, *rods)
-    covered = ag.bounding_collider(carrier, ag.cylinder(radius - 0.007, 0.0062, axis=ag.Y))
-    way = ag.polyline([(0, 0, 0.8 * inner), (0, 0, radius - 0.014), (0, brim, radius - 0.0015)], fillet=0.008)
+    """Make one side of the guard: rods from a plate to the rim; panes between them are its colliders."""
+    plate = ag.cylinder(inner, 0.0024, axis=ag.Y, bevel=0.0006)
+    knot, thinner = ag.box(_ROD, _ROD, _ROD), ag.box(0.0026, 0.0026, 0.0026)
+    bend, end = knot.at(z=radius - 0.012), knot.at(0, brim, radius - 0.003)
+    face, side = ag.hull(thinner.at(z=0.7 * inner), thinner.at(z=radius - 0.012)), ag.hull(bend, end)
+    pane = ag.hull(side, side.rotate(ag.Y, math.tau / _RODS))
+    faces, sides, panes = (
+        [each.rotate(ag.Y, math.tau * step / _RODS) for step in range(_RODS)] for each in (face, side, pane)
+    )
+    covered = ag.bounding_collider(ag.union(plate, *faces, *sides), ag.hull(*faces), *panes)
+    way = ag.polyline([(0, 0, 0.8 * inner), (0, 0, radius - 0.012), (0, brim, radius - 0.003)], fillet=0.008)
     thin = ag.sweep(ag.regular_polygon(4, _WIRE), way)
     wires = [thin.rotate(ag.Y, math.tau * step / count) for step in range(count)]
     rings = [
         ag.revolve(ag.rectangle(0.002, 0.002).at(inner + share * (radius - inner)), axis=ag.Y, sides=32)
-        for share in (0.33, 0.66, 0.96)
+        for share in (0.33, 0.66, 0.94)
     ]
     return [
-        ag.part(covered, "guard", casting(wire, 0.4), separate="thin wires join it to the rim").at(y=y),
+        ag.part(covered, "guard", casting(wire, 0.4)).at(y=y),
         ag.detail([*wires, *rings], "guard", wire).at(y=y),
     ]
 
@@ -219,16 +224,15 @@ def _head(
 ) -> ag.Body:
     """Make the motor with its guard and its blades, the axis of its tilt through the origin."""
     radius, rear = plan.radius, plan.rear
-    ring = ag.tube(radius, radius - 0.004, 0.012, axis=ag.Y, bevel=0.001)
-    near, wide = (radius - 0.0048) * math.cos(math.pi / _RIM), 2.02 * radius * math.tan(math.pi / _RIM)
-    side = ag.box(wide, 0.0122, radius - near + 0.0004).at(z=(radius + near) / 2 + 0.0002)
-    band = ag.bounding_collider(ring, *(side.rotate(ag.Y, math.tau * step / _RIM) for step in range(_RIM)))
+    ring = ag.revolve(ag.rectangle(0.004, 0.012).at(radius - 0.002), axis=ag.Y, sides=2 * _RODS)
     inner = 0.24 * radius
-    front = _grille(radius, inner, -plan.front, wire, wires, plan.front)
-    back = _grille(radius, plan.motor + 0.004, rear, wire, wires, -rear)
-    housing = ag.cylinder(plan.motor, plan.long, axis=ag.Y, bevel=0.006).at(y=rear + plan.long / 2)
-    tail = ag.frustum(0.75 * plan.motor, 0.017, 0.030, axis=ag.Y, bevel=0.004).at(y=rear + plan.long + 0.0145)
-    grip = ag.cylinder(0.0165, 0.028, axis=ag.Y, bevel=0.004).at(y=rear + plan.long + 0.042)
+    front = _grille(radius, inner, -plan.front, wire, wires, plan.front - 0.004)
+    back = _grille(radius, plan.motor + 0.004, rear, wire, wires, 0.004 - rear)
+    housing = ag.cylinder(plan.motor, plan.long, axis=ag.Y, bevel=0.0012).at(y=rear + plan.long / 2)
+    tail = ag.frustum(0.75 * plan.motor, 0.017, 0.030, axis=ag.Y, bevel=0.0016).at(
+        y=rear + plan.long + 0.0145
+    )
+    grip = ag.cylinder(0.0165, 0.028, axis=ag.Y, bevel=0.0016).at(y=rear + plan.long + 0.042)
     _, y, z = plan.pivot
     lug = ag.cylinder(_HINGE, 0.020, axis=ag.X, bevel=0.001).at(0, y, z)
     stem = ag.box(0.020, 1.6 * _HINGE, -z).at(0, y, z / 2)
@@ -236,7 +240,7 @@ def _head(
     heavy = shell.with_(name=f"{shell.name}_motor", density=660.0)
     head = ag.weld(
         ag.part(ag.union(housing, tail, grip, lug, stem), "motor", heavy, name="head", grasp=hold),
-        ag.part(band, "guard", casting(wire, 0.4)),
+        ag.part(ring, "guard", casting(wire, 0.4)),
         *front,
         *back,
         ag.detail(
@@ -427,7 +431,9 @@ def _clip(plan: _Head, neck: ag.Body, turn: ag.Joint, shell: ag.Material) -> ag.
     room = ag.Region((-half, half), (-0.026, 0.022), (plate.z.high - 0.002, plate.z.high + 0.050))
     jaw = ag.weld(jaw, ag.part(column, "pole", shell), ag.part(room.box(bevel=0.006), "panel", shell))
     jaw = jaw.attach(neck, turn, at=(0, -0.004, top + FIT.running))
-    jaw = jaw.install(_dial(shell, 0.0125), at=(0, room.y.low, room.z.mid - 0.002))
+    jaw = jaw.install(
+        _dial(shell, 0.0125).rotate(ag.Z, math.pi / 2), at=(half, room.y.mid, room.z.mid - 0.002)
+    )
     squeeze = ag.Revolute(
         "jaw_turn",
         axis=-ag.X,

@@ -76,23 +76,27 @@ class _Plan:
         return {"trolley": 0.022, "tool_case": 0.007, "attache": 0.006}[self.style]
 
     def half(self, *, upper: bool) -> ag.Solid:
-        """Make the hollow shell of the lid or of the base, with one collider per wall, edge and corner."""
-        wide, deep, wall = self.wide, self.deep, self.wall
-        outer = ag.extrude(ag.rectangle(wide, deep, radius=self.radius), self.high, bevel=self.soft)
-        room = ag.rectangle(wide - 2 * wall, deep - 2 * wall, radius=self.radius - wall)
-        inner = ag.extrude(room, self.high - 2 * wall, bevel=self.soft - wall)
+        """Make the hollow shell of the lid or of the base: its room has flat sides, each with a collider."""
+        outer = ag.extrude(ag.rectangle(self.wide, self.deep, radius=self.radius), self.high, bevel=self.soft)
+        room = ag.hull(
+            ag.extrude(self._outline(self.radius - self.wall), self.high - 2 * self.soft),
+            ag.extrude(self._outline(self.radius - self.soft), self.high - 2 * self.wall),
+        )
         level = self.low + (_GAP / 2 if upper else -_GAP / 2)
-        side = ag.Z if upper else -ag.Z
-        shell = (outer - inner).at(z=self.high / 2).split(point=(0, 0, level), normal=side)
-        turn = self.high - self.soft if upper else self.soft
-        walls, face = ((level, turn), (turn, self.high)) if upper else ((turn, level), (0, turn))
-        cells = ag.Region.centered(wide, deep, 0.0).across(self.radius, None, self.radius)
-        covers = []
-        for column, strip in enumerate(cells):
-            for row, cell in enumerate(strip.deep(self.radius, None, self.radius)):
-                spans = (face,) if column == row == 1 else (walls, face)
-                covers += [ag.hull(shell & cell.with_(z=span).box()) for span in spans]
-        return ag.bounding_collider(shell, *covers)
+        shell = (ag.bounding_collider(outer) - room).at(z=self.high / 2)
+        return shell.split(point=(0, 0, level), normal=ag.Z if upper else -ag.Z)
+
+    def _outline(self, radius: float) -> ag.Profile:
+        """Make a rectangle of the size of the case, less its corners, with corners of two chords."""
+        turns = [(side + chord / 2) * math.pi / 2 for side in range(4) for chord in range(3)]
+        signs = [(x, y) for x, y in ((1, 1), (-1, 1), (-1, -1), (1, -1)) for _ in range(3)]
+        x, y = self.wide / 2 - self.radius, self.deep / 2 - self.radius
+        return ag.polygon(
+            [
+                (a * x + radius * math.cos(turn), b * y + radius * math.sin(turn))
+                for (a, b), turn in zip(signs, turns, strict=True)
+            ]
+        )
 
     def band(self, low: ag.Scalar, high: ag.Scalar, proud: float) -> ag.Solid:
         """Make a band around the case between two heights."""
