@@ -7,7 +7,7 @@ import numpy as np
 from manifold3d import CrossSection, FillRule
 
 from artgen import _portable
-from artgen._arrays import Array, Indices, predecessors, successors
+from artgen._arrays import Array, Indices, cached_property, frozen, predecessors, successors
 from artgen.asset.shape import Contour, Outline
 from artgen.graph import FULL, detail_level
 from artgen.nodes.surfaces import arc_steps, sides_of
@@ -31,20 +31,42 @@ def faceted(points: Array) -> Contour:
     return Contour(points, predecessors(normals), normals)
 
 
+class _EstimatedContour(Contour):
+    """A contour whose normals are estimated on first access: many outlines only serve to cut others."""
+
+    def __init__(self, points: Array) -> None:
+        vars(self).update(points=frozen(points))
+
+    @cached_property
+    def _normals(self) -> tuple[Array, Array]:
+        """The normals of the sides that arrive at and leave each vertex, both shape (n, 2)."""
+        leaving = side_normals(self.points)
+        arriving = predecessors(leaving)
+        sides = successors(self.points) - self.points
+        length = np.hypot(sides[:, 0], sides[:, 1])[:, None]
+        mean = leaving * length + arriving * predecessors(length)
+        mean /= np.maximum(np.linalg.norm(mean, axis=1, keepdims=True), 1e-300)
+        curved = (np.einsum("ij,ij->i", leaving, arriving) > math.cos(CREASE))[:, None]
+        return np.where(curved, mean, arriving), np.where(curved, mean, leaving)
+
+    @property
+    def normals_in(self) -> Array:
+        """Outward unit normal at the end of the side that arrives at each vertex, shape (n, 2)."""
+        return self._normals[0]
+
+    @property
+    def normals_out(self) -> Array:
+        """Outward unit normal at the start of the side that leaves each vertex, shape (n, 2)."""
+        return self._normals[1]
+
+
 def estimated(points: Array) -> Contour:
     """Return a contour of points, shape (n, 2): turns below `CREASE` are smooth, larger turns are corners.
 
     A smooth vertex has the mean normal of its sides, weighted by length, so that a long straight side next to
     an arc stays flat.
     """
-    leaving = side_normals(points)
-    arriving = predecessors(leaving)
-    sides = successors(points) - points
-    length = np.hypot(sides[:, 0], sides[:, 1])[:, None]
-    mean = leaving * length + arriving * predecessors(length)
-    mean /= np.maximum(np.linalg.norm(mean, axis=1, keepdims=True), 1e-300)
-    curved = (np.einsum("ij,ij->i", leaving, arriving) > math.cos(CREASE))[:, None]
-    return Contour(points, np.where(curved, mean, arriving), np.where(curved, mean, leaving))
+    return _EstimatedContour(points)
 
 
 def reversed_contour(contour: Contour) -> Contour:
@@ -208,11 +230,9 @@ def is_disjoint(rings: Sequence[Array]) -> bool:
 
 def outline_of(region: CrossSection, what: str) -> Outline:
     """Return the outline of a region, with estimated normals."""
-    polygons = region.simplify(_SAME).to_polygons()
+    polygons = (np.asarray(each, float) for each in region.simplify(_SAME).to_polygons())
     contours = tuple(
-        estimated(np.asarray(polygon, float))
-        for polygon in polygons
-        if len(polygon) >= 3 and abs(signed_area(np.asarray(polygon, float))) > 1e-12
+        estimated(each) for each in polygons if len(each) >= 3 and abs(signed_area(each)) > 1e-12
     )
     if not contours:
         raise ValueError(f"{what} is empty")
