@@ -9,9 +9,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
-from artgen._arrays import cached_per_object
+from artgen._arrays import cached_per_object, distinct_rows
 from artgen.asset.link import Link
-from artgen.asset.shells import distinct_rows
 
 few = st.integers(-2, 2)
 tables = st.tuples(st.integers(0, 12), st.integers(1, 4))

@@ -5,7 +5,7 @@ from manifold3d import Manifold, Mesh64
 from numpy.typing import ArrayLike
 
 from artgen import _portable
-from artgen._arrays import Array, Indices, cached
+from artgen._arrays import Array, Indices, cached, distinct_rows
 from artgen.colliders.triangles import cross
 
 PROPERTIES = 6  # vertex property channels of every manifold: nx ny nz u v paint
@@ -79,8 +79,8 @@ def mended(table: Array, triangles: Indices) -> Array:
 def coincident(vertices: Array) -> Indices:
     """Return for each vertex the first vertex at the same position."""
     quantised = np.rint(vertices / _COINCIDENT).astype(np.int64)
-    _, first, group = np.unique(quantised, axis=0, return_index=True, return_inverse=True)
-    return first[group.ravel()]
+    _, first, group = distinct_rows(quantised)
+    return first[group]
 
 
 def is_closed(faces: Indices) -> bool:

@@ -3,35 +3,20 @@
 import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
-from typing import TypeVar
 
 import numpy as np
 from manifold3d import Manifold, Mesh64
-from numpy.typing import NDArray
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
 from trimesh.triangles import closest_point
 
 from artgen import _portable
-from artgen._arrays import Array, FrozenArrays, Indices, cached_per_object, cached_property
+from artgen._arrays import Array, FrozenArrays, Indices, cached_per_object, cached_property, distinct_rows
 from artgen.asset import Link, Mesh
 from artgen.asset.manifolds import mesh_of
 from artgen.asset.mass import Moments, polyhedron_moments
 from artgen.colliders.triangles import across, cross
-
-Number = TypeVar("Number", np.float64, np.int64)
-
-
-def distinct_rows(rows: NDArray[Number]) -> tuple[NDArray[Number], Indices, Indices]:
-    """Return the distinct rows in order, like `numpy.unique` but five times as fast."""
-    order = np.lexsort(rows.T[::-1])
-    ordered = rows[order]
-    new = np.ones(len(rows), bool)
-    new[1:] = (ordered[1:] != ordered[:-1]).any(axis=1)
-    number = np.empty(len(rows), np.int64)
-    number[order] = np.cumsum(new) - 1
-    return ordered[new], order[new], number
 
 
 def winding_number(corners: Array, point: Array) -> float:

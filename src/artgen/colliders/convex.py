@@ -74,12 +74,10 @@ class Convex(FrozenArrays):
         Raises:
             ValueError: The points are fewer than four, not finite, or lie in one plane.
         """
-        points = np.asarray(points, np.float64)
-        if len(points) > _MANY:
-            vertices, _, center = hull_triangles(points)
-            if len(vertices) > _MANY:
-                return cls("hull", _IDENTITY, (), vertices + center)
-        return cls.of(Polytope.hull(points))
+        vertices, triangles, center = hull_triangles(np.asarray(points, np.float64))
+        if len(vertices) > _MANY:
+            return cls("hull", _IDENTITY, (), vertices + center)
+        return cls.of(Polytope.of_triangles(vertices, triangles, center))
 
     @classmethod
     def of(cls, polytope: Polytope) -> "Convex":

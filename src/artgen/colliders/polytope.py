@@ -87,7 +87,15 @@ class Polytope(FrozenArrays):
         Raises:
             ValueError: The points are fewer than four, not finite, or lie in one plane.
         """
-        vertices, triangles, center = hull_triangles(points)
+        return cls.of_triangles(*hull_triangles(points))
+
+    @classmethod
+    def of_triangles(cls, vertices: Array, triangles: Indices, center: Array) -> Self:
+        """Make the polytope of a result of `hull_triangles`.
+
+        Raises:
+            ValueError: The vertices lie in one plane.
+        """
         planes, contact = _faces(vertices, triangles)
         while True:
             corner = np.add.reduce(contact, axis=1, dtype=np.int64) >= 3
@@ -97,7 +105,7 @@ class Polytope(FrozenArrays):
             contact = contact[corner][:, face]
             vertices, planes = vertices[corner], planes[face]
         if len(vertices) < 4 or len(planes) < 4:
-            raise ValueError(f"the {len(points)} points lie in one plane to 1e-8 m; a hull needs a volume")
+            raise ValueError(f"the {len(vertices)} points lie in one plane to 1e-8 m; a hull needs a volume")
         planes[:, 3] += _portable.product(planes[:, :3], center)
         return cls(vertices + center, planes, contact)
 

@@ -275,8 +275,8 @@ def _cut(body: Tree, tool: Shape) -> Tree:
         least, most = piece.shape.bounds()
         if not (np.all(least < high) and np.all(most > low)):
             pieces.append(piece)
-        elif not (piece.shape.manifold - tool.manifold).is_empty():
-            pieces.append(replace(piece, shape=subtracted(piece.shape, tool)))
+        elif (rest := subtracted(piece.shape, tool)) is not None:
+            pieces.append(replace(piece, shape=rest))
     if not pieces:
         raise ValueError(
             f"nothing is left of {body.link.name!r}: the cut contains all its pieces; make the cut smaller"

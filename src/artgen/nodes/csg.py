@@ -12,10 +12,10 @@ import numpy as np
 from manifold3d import Manifold, OpType
 
 from artgen import _portable, colliders
-from artgen._arrays import Array
+from artgen._arrays import Array, distinct_rows
 from artgen.asset import rotation
 from artgen.asset.manifolds import box_of, manifold_of
-from artgen.asset.shape import ComposedShape, Shape, UnitedShape
+from artgen.asset.shape import ComposedShape, DeferredShape, Shape, UnitedShape
 from artgen.asset.surface import corner_normals
 from artgen.colliders import Convex, Exact, Pieces
 from artgen.colliders.convex import TOLERANCE
@@ -88,13 +88,9 @@ def faceted_shape(solid: Manifold, pieces: Pieces) -> Shape:
     vertices = corners.reshape(-1, 3)
     uvs, side = boxed_uvs(vertices, np.repeat(flat, 3, axis=0), np.ptp(places, axis=0))
     table = np.column_stack([vertices, normals, uvs])
-    _, first, group = np.unique(
-        np.column_stack([triangles.ravel(), side, np.rint(normals * 1e6).astype(np.int64)]),
-        axis=0,
-        return_index=True,
-        return_inverse=True,
+    _, first, group = distinct_rows(
+        np.column_stack([triangles.ravel(), side, np.rint(normals * 1e6).astype(np.int64)])
     )
-    group = group.ravel()
     kept = table[first]
     origin = triangles.ravel()[first]
     target = np.full(len(places), -1)
@@ -107,6 +103,7 @@ def faceted_shape(solid: Manifold, pieces: Pieces) -> Shape:
 _PAINT = 8  # column of the paint number in the vertex table
 _PLANE_DECIMALS = 9  # decimals of normals and distances [m]
 _FULL = 0.999  # least share of its hull that a convex solid fills
+_ROUNDING = 1e-9  # tolerance of vertices on the faces of a cover [m]
 _FILM = 1e-6  # thickness below which the part of a solid outside its covers is due to rounding [m]
 
 
@@ -150,19 +147,20 @@ def union(*solids: Solid) -> Solid:
     """
 
 
-def subtracted(a: Shape, b: Shape) -> Shape:
-    """Return a shape without another."""
-    return _combined(
-        a.manifold - b.manifold,
-        colliders.difference(a.pieces, b.pieces),
-        (a, b),
-        "the difference is empty: the second solid contains the first",
-    )
+def subtracted(a: Shape, b: Shape) -> Shape | None:
+    """Return a shape without another; None if nothing is left."""
+    rest = a.manifold - b.manifold
+    if rest.is_empty():
+        return None
+    return Shape(rest, colliders.difference(a.pieces, b.pieces), _paints((a, b))).checked()
 
 
 @kernel(spelling="({a} - {b})")
 def _difference(a: Shape, b: Shape) -> Shape:
-    return subtracted(a, b)
+    rest = subtracted(a, b)
+    if rest is None:
+        raise ValueError("the difference is empty: the second solid contains the first")
+    return rest
 
 
 @kernel(spelling="({a} & {b})")
@@ -183,7 +181,10 @@ def _hull(solids: tuple[Shape, ...]) -> Shape:
     if not solids:
         raise ValueError("a hull needs at least one solid, got none")
     vertices = _corners(solids)
-    return faceted_shape(hull_of(vertices), around_hull(lambda: vertices))
+    solid, pieces = hull_of(vertices), around_hull(lambda: vertices)
+    if solid.is_empty():
+        raise ValueError("the result is empty")
+    return DeferredShape(lambda: faceted_shape(solid, pieces), pieces)  # many hulls are only colliders
 
 
 @records(_hull)
@@ -329,8 +330,16 @@ def _bounding_collider(solid: Shape, covers: tuple[Shape, ...] = ()) -> Shape:
         return Shape(solid.manifold, Pieces(around.outer, solid.pieces.inner), solid.paints)
     outer = colliders.union(*(cover.pieces for cover in covers)).outer
     declared = outer(TOLERANCE)
-    _check_contained(solid.manifold, declared)
+    if not all(any(_encloses(cover, member) for cover in declared) for member in solid.members):
+        _check_contained(solid.manifold, declared)
     return Shape(solid.manifold, Pieces(outer, solid.pieces.inner, lambda: declared), solid.paints)
+
+
+def _encloses(cover: Convex, solid: Shape) -> bool:
+    """Tell whether a cover contains the bounding box and all vertices of a solid, and so the solid."""
+    (low, high), (least, most) = cover.bounds(), solid.bounds()
+    inside = (least >= low - _ROUNDING).all() and (most <= high + _ROUNDING).all()
+    return bool(inside) and cover.outer_polytope(_FILM).contains(solid.vertices, _ROUNDING)
 
 
 def _check_contained(solid: Manifold, covers: Sequence[Convex]) -> None:

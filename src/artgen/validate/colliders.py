@@ -10,7 +10,7 @@ import numpy as np
 from manifold3d import Manifold, OpType
 from scipy.spatial import ConvexHull, QhullError
 
-from artgen._arrays import Array
+from artgen._arrays import Array, distinct_rows
 from artgen.asset import Asset, Link
 from artgen.asset.collision import (
     COLLISIONS,
@@ -23,7 +23,7 @@ from artgen.asset.collision import (
 from artgen.asset.link import MOST_COLLIDERS
 from artgen.asset.record import significant
 from artgen.asset.report import CheckResult, Finding
-from artgen.asset.shells import TriangleSet, distinct_rows, point_text, skins
+from artgen.asset.shells import TriangleSet, point_text, skins
 from artgen.colliders import Convex
 from artgen.colliders.openings import BALL
 from artgen.colliders.polytope import Polytope
