@@ -10,7 +10,7 @@ from manifold3d import Error, Manifold, Mesh64, OpType
 from artgen._arrays import Array, Indices, cached_per_object, cached_property
 from artgen._names import ByName
 from artgen.asset import Asset, Collider, Link, Mesh, Surface
-from artgen.asset.link import MOST_COLLIDERS, DerivedLink, boxes_overlap
+from artgen.asset.link import MOST_COLLIDERS, DerivedLink
 from artgen.asset.manifolds import box_of
 from artgen.asset.shells import file_shells
 from artgen.colliders import Convex
@@ -213,8 +213,13 @@ def _unions(parts: Sequence[SolidPart]) -> list[Manifold]:
     return [Manifold.batch_boolean(group, OpType.Add) for group in groups]
 
 
+def _boxes_overlap(a: Array, b: Array) -> bool:
+    """Tell whether the interiors of two boxes, shape (2, 3), overlap."""
+    return bool((a[0] < b[1]).all() and (b[0] < a[1]).all())
+
+
 def _overlapping(first: Manifold, second: Manifold) -> bool:
-    if not boxes_overlap(box_of(first), box_of(second)):
+    if not _boxes_overlap(box_of(first), box_of(second)):
         return False
     common = first ^ second
     return bool(2.0 * common.volume() > _TOUCHING * common.surface_area())  # the thickness of a film

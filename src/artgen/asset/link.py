@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
+from functools import cache
 from itertools import compress, repeat
 from operator import attrgetter
 from typing import Any, ClassVar, Self
@@ -119,17 +120,21 @@ class Link(FrozenArrays):
     @cached_property
     def mass_properties(self) -> MassProperties:
         """Mass, center and inertia of the solids; a volume in several solids counts for the first one."""
-        moments: list[Moments] = []
-        done: list[tuple[Manifold, Array]] = []
-        for piece in self._solid_pieces():
+        pieces = self._solid_pieces()
+        low, high = np.array([piece.shape.bounds() for piece in pieces]).reshape(-1, 2, 3).swapaxes(0, 1)
+
+        @cache
+        def bare(number: int) -> Manifold:
             # normals and paint only take time
-            solid = piece.shape.manifold.set_properties(0, lambda *_: None)
-            bounds = piece.shape.bounds()
-            near = [other for other, box in done if boxes_overlap(box, bounds)]
-            done.append((solid, bounds))
+            return pieces[number].shape.manifold.set_properties(0, lambda *_: None)
+
+        moments: list[Moments] = []
+        for number, piece in enumerate(pieces):
             vertices, triangles = piece.shape.mesh.vertices, piece.shape.mesh.triangles
-            if near:
-                rest = Manifold.batch_boolean([solid, *near], OpType.Subtract)
+            meets = (low[:number] < high[number]).all(axis=1) & (low[number] < high[:number]).all(axis=1)
+            if meets.any():
+                near = map(bare, np.flatnonzero(meets).tolist())
+                rest = Manifold.batch_boolean([bare(number), *near], OpType.Subtract)
                 if rest.is_empty():
                     continue
                 vertices, triangles = mesh_of(rest)
@@ -285,11 +290,6 @@ def _convex_data(convex: Convex) -> dict[str, Any]:
     """Return a convex piece as JSON data."""
     points = convex.points.tolist() if convex.kind == "hull" else []
     return {"kind": convex.kind, "pose": convex.pose.tolist(), "size": list(convex.size), "points": points}
-
-
-def boxes_overlap(a: Array, b: Array) -> bool:
-    """Tell whether the interiors of two boxes, shape (2, 3), overlap."""
-    return bool((a[0] < b[1]).all() and (b[0] < a[1]).all())
 
 
 class MovedPieces(Sequence[Piece]):
