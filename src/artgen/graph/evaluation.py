@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from artgen.errors import EvaluationError, InfeasibleError
-from artgen.graph.handle import Handle, handle_of, handle_type, resolve
+from artgen.graph.handle import Handle, handle_of, handle_type, resolved
 from artgen.graph.kernel import _LEVEL, FULL, Detail, Operation, operation
 from artgen.graph.node import PARAMETER, Node, nodes_in, topological
 
@@ -205,9 +205,9 @@ def _needed(node: Node, known: Operation, values: Mapping[str, Any]) -> Sequence
 
 
 def _run(node: Node, known: Operation, values: Mapping[str, Any], level: Detail) -> Any:
-    inputs = [
-        resolve(node.inputs[name], hint, values, lazy=known.lazy) for name, hint in known.inputs.items()
-    ]
+    if known.lazy:  # a branch that is not chosen has no value
+        values = {child.key: values.get(child.key) for child in node.children}
+    inputs = resolved(known, node.inputs, values)
     before = _LEVEL.set(level)
     try:
         value = known.kernel(*inputs)

@@ -274,8 +274,7 @@ def _folded(kind: type[Handle], known: Operation, inputs: Mapping[str, Any]) -> 
     if not kind.folds or not all(map(_is_literal, inputs.values())):
         return NotImplemented
     try:
-        values = [resolve(inputs[name], hint, {}) for name, hint in known.inputs.items()]
-        return _encoded(known.kernel(*values))
+        return _encoded(known.kernel(*resolved(known, inputs, {})))
     except Exception:  # noqa: BLE001 - the evaluation reports it, if it needs the result
         return NotImplemented
 
@@ -326,14 +325,7 @@ def lift_all(known: Operation, inputs: Mapping[str, Any]) -> dict[str, Any]:
     for name, hint, lifters in _lifters_of(known):
         if name not in inputs:
             _refuse_inputs(known, inputs)
-        value = inputs[name]
-        for lifter in lifters:
-            found = lifter(value, name)
-            if found is not NotImplemented:
-                lifted[name] = found
-                break
-        else:
-            _refuse_value(value, hint, f"{known.name}(..., {name}=...)")
+        lifted[name] = _lifted(inputs[name], lifters, hint, known.name, name)
     if len(lifted) != len(inputs):
         _refuse_inputs(known, inputs)
     return lifted
@@ -341,11 +333,7 @@ def lift_all(known: Operation, inputs: Mapping[str, Any]) -> dict[str, Any]:
 
 def lift(value: Any, hint: Any, what: str) -> Any:
     """Convert an author's value to a node or literal of the type that a kernel expects."""
-    for option in alternatives(hint):
-        lifted = _lifter(option)(value, what)
-        if lifted is not NotImplemented:
-            return lifted
-    return _refuse_value(value, hint, what)
+    return _lifted(value, _lifters(hint), hint, "", what)
 
 
 _LONGEST = 100  # characters of a value in a message
@@ -353,17 +341,26 @@ _LONGEST = 100  # characters of a value in a message
 Lifter = Callable[[Any, str], Any]
 
 
+def _lifted(value: Any, lifters: tuple[Lifter, ...], hint: Any, operation: str, what: str) -> Any:
+    for lifter in lifters:
+        found = lifter(value, what)
+        if found is not NotImplemented:
+            return found
+    return _refuse_value(value, hint, f"{operation}(..., {what}=...)" if operation else what)
+
+
 @cache
 def _lifters_of(known: Operation) -> tuple[tuple[str, Any, tuple[Lifter, ...]], ...]:
     """Return name, type and lifters of the inputs of an operation, in order."""
-    return tuple(
-        (name, hint, tuple(_lifter(option, known.name) for option in alternatives(hint)))
-        for name, hint in known.inputs.items()
-    )
+    return tuple((name, hint, _lifters(hint, known.name)) for name, hint in known.inputs.items())
 
 
 @cache
-def _lifter(hint: Any, operation: str = "") -> Lifter:
+def _lifters(hint: Any, operation: str = "") -> tuple[Lifter, ...]:
+    return tuple(_lifter(option, operation) for option in alternatives(hint))
+
+
+def _lifter(hint: Any, operation: str) -> Lifter:
     """Return a function that converts an author's value to a node or literal of a type, or to NotImplemented.
 
     Its arguments are the value and the name of the input. Errors about members of tuples name the input of
@@ -374,12 +371,14 @@ def _lifter(hint: Any, operation: str = "") -> Lifter:
     if hint in Handle.HANDLES:
         lifted = Handle.HANDLES[hint].lift
         return lambda value, what: lifted(value)
-    origin = typing.get_origin(hint)
+    origin, members = typing.get_origin(hint), typing.get_args(hint)
     if origin is tuple:
-        members = typing.get_args(hint)
-        return lambda value, what: _lift_tuple(
-            value, members, f"{operation}(..., {what}=...)" if operation else what
-        )
+        several = len(members) == 2 and members[1] is Ellipsis
+        members = members[:1] if several else members
+        each = [(_lifters(member, operation), member, operation) for member in members]
+        return lambda value, what: _lift_tuple(value, each, what, several=several)
+    if origin is typing.Literal:
+        return lambda value, what: _option(value, members)
     return lambda value, what: _lift_literal(value, hint)
 
 
@@ -415,11 +414,12 @@ def _remedy(value: Any, hint: Any, expected: str) -> str:
     return ""
 
 
+def _option(value: Any, options: tuple[Any, ...]) -> Any:
+    matching = (item for item in options if type(item) is type(value) and item == value)
+    return next(matching, NotImplemented)
+
+
 def _lift_literal(value: Any, hint: Any) -> Any:
-    if typing.get_origin(hint) is typing.Literal:
-        options = typing.get_args(hint)
-        matching = (item for item in options if type(item) is type(value) and item == value)
-        return next(matching, NotImplemented)
     if isinstance(value, Handle):
         return NotImplemented
     if hint in LITERAL_TYPES and isinstance(value, hint):
@@ -439,17 +439,18 @@ def is_sequence(value: Any) -> bool:
     return isinstance(value, (Sequence, np.ndarray)) and not isinstance(value, (Handle, str))
 
 
-def _lift_tuple(value: Any, members: tuple[Any, ...], what: str) -> Any:
-    several = len(members) == 2 and members[1] is Ellipsis
+def _lift_tuple(
+    value: Any, members: list[tuple[tuple[Lifter, ...], Any, str]], what: str, *, several: bool
+) -> Any:
     if several and isinstance(value, Handle):
         value = (value,)
     if not is_sequence(value):
         return NotImplemented
     if several:
-        return tuple(lift(item, members[0], what) for item in value)
+        return tuple([_lifted(item, *members[0], what) for item in value])
     if len(value) != len(members):
         return NotImplemented
-    return tuple(lift(item, member, what) for item, member in zip(value, members, strict=True))
+    return tuple([_lifted(item, *member, what) for item, member in zip(value, members, strict=True)])
 
 
 def _name(hint: Any) -> str:
@@ -469,37 +470,61 @@ def _name(hint: Any) -> str:
     return f"an {hint.__name__}" if hint is int else f"a {hint.__name__}"
 
 
-def resolve(value: Any, hint: Any, values: Mapping[str, Any], *, lazy: bool = False) -> Any:
-    """Replace nodes by their values, and decode literals."""
-    kind = type(value)
-    if kind is Node:
-        return values.get(value.key) if lazy else values[value.key]
-    if kind is float and hint is float:
-        return value  # literals of numbers are their own values
-    if kind is tuple:
-        for option in alternatives(hint):
-            if typing.get_origin(option) is tuple:
-                members = typing.get_args(option)
-                if members[-1] is Ellipsis:
-                    return tuple(resolve(item, members[0], values) for item in value)
-                return tuple(
-                    resolve(item, member, values) for item, member in zip(value, members, strict=True)
-                )
-    return decode(value, hint)
+Resolver = Callable[[Any, Mapping[str, Any]], Any]
+
+
+def resolved(known: Operation, inputs: Mapping[str, Any], values: Mapping[str, Any]) -> list[Any]:
+    """Return the inputs of an operation with values in place of nodes, and with decoded literals."""
+    return [resolver(inputs[name], values) for name, resolver in _resolvers_of(known)]
+
+
+@cache
+def _resolvers_of(known: Operation) -> tuple[tuple[str, Resolver], ...]:
+    return tuple((name, _resolver(hint)) for name, hint in known.inputs.items())
+
+
+@cache
+def _resolver(hint: Any) -> Resolver:
+    """Return a function that replaces nodes in a value of a type by their values, and decodes literals."""
+    tuples = [typing.get_args(each) for each in alternatives(hint) if typing.get_origin(each) is tuple]
+    members = [_resolver(member) for member in (tuples[0] if tuples else ()) if member is not Ellipsis]
+    several = bool(tuples) and tuples[0][-1] is Ellipsis
+    decoders = _decoders(hint)
+
+    def resolve(value: Any, values: Mapping[str, Any]) -> Any:
+        kind = type(value)
+        if kind is Node:
+            return values[value.key]
+        if kind is float and hint is float:
+            return value  # literals of numbers are their own values
+        if kind is tuple and tuples:
+            if several:
+                return tuple([members[0](item, values) for item in value])
+            return tuple([member(item, values) for member, item in zip(members, value, strict=True)])
+        return _decoded(value, decoders)
+
+    return resolve
+
+
+Decoders = tuple[tuple[Callable[[Any], bool], Callable[[Any], Any]], ...]
 
 
 def decode(value: Any, hint: Any) -> Any:
     """Convert the literal of a node's input to the value for its kernel."""
+    return _decoded(value, _decoders(hint))
+
+
+def _decoded(value: Any, decoders: Decoders) -> Any:
     if type(value) is Data:
         return value.value
-    for applies, decoded in _decoders(hint):
+    for applies, decoded in decoders:
         if applies(value):
             return decoded(value)
     return value
 
 
 @cache
-def _decoders(hint: Any) -> tuple[tuple[Callable[[Any], bool], Callable[[Any], Any]], ...]:
+def _decoders(hint: Any) -> Decoders:
     """Return for a type the predicates of literals that need decoding, with their decoders."""
     found: list[tuple[Callable[[Any], bool], Callable[[Any], Any]]] = []
     for option in alternatives(hint):

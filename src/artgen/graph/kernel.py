@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 from functools import cache
 from typing import Any, TypeVar, overload
 
+from artgen._arrays import cached_property
 from artgen.errors import GraphError, nearest
 
 F = TypeVar("F", bound=Callable[..., Any])
@@ -81,7 +82,7 @@ class Operation:
     constructor: str = ""
     bare: Callable[[Mapping[str, Any]], Any] | None = None
 
-    @property
+    @cached_property
     def measures(self) -> bool:
         """Whether the result is a number, a truth value or an array, which is measured at full detail."""
         return self.result in (bool, int, float, str) or typing.get_origin(self.result) is typing.Annotated

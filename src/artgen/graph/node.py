@@ -33,37 +33,25 @@ class Node:
     key: str = field(init=False)
     varies: bool = field(init=False)
     children: tuple["Node", ...] = field(init=False)
-    _spelling: str = field(init=False)  # with %s in place of the keys of its children
+    _text: tuple["str | Node", ...] = field(init=False)  # the text that is hashed, with nodes for their keys
 
     def __post_init__(self) -> None:
         """Compute the key from the inputs' keys."""
-        frozen = dict(self.inputs)
-        spelling: list[str | Node] = [self.op]
-        for name, value in frozen.items():
-            spelling.append(name)
-            kind = type(value)
-            if kind is Node:  # fast path: there are thousands of nodes and numbers
-                spelling.append(value)
-            elif kind is float:
-                spelling.append(repr(value))
-            else:
-                frozen[name] = _frozen(value)
-                _spell(frozen[name], spelling)
+        text: list[str | Node] = [self.op]
+        frozen = {}
+        for name, value in self.inputs.items():
+            text.append(name)
+            frozen[name] = _spell(value, text)
         own = vars(self)
         own["inputs"] = MappingProxyType(frozen)
-        own["children"] = children = tuple([part for part in spelling if type(part) is Node])
+        own["children"] = children = tuple([part for part in text if type(part) is Node])
         own["varies"] = self.op == PARAMETER or any(node.varies for node in children)
-        own["_spelling"] = "\0".join(
-            [part.replace("%", "%%") if isinstance(part, str) else "$%s" for part in spelling]
-        )
-        own["key"] = self._digest(tuple([node.key for node in children]))
+        own["_text"] = tuple(text)
+        own["key"] = _hashed([f"${part.key}" if type(part) is Node else part for part in text])
 
     def digest(self, keys: Mapping[str, str]) -> str:
         """Hash the operation, its literals, and `keys` as the keys of its children."""
-        return self._digest(tuple([keys[child.key] for child in self.children]))
-
-    def _digest(self, keys: tuple[str, ...]) -> str:
-        return hashlib.blake2b((self._spelling % keys).encode(), digest_size=12).hexdigest()
+        return _hashed([f"${keys[part.key]}" if type(part) is Node else part for part in self._text])
 
     def __repr__(self) -> str:
         """Return the operation and its place, without the possibly thousands of nodes below."""
@@ -89,8 +77,8 @@ class Data(dict[str, Any]):
         return Data, (dict(self), self.value)
 
 
-def _frozen(value: Any) -> Any:
-    return tuple([_frozen(item) for item in value]) if isinstance(value, (list, tuple)) else value
+def _hashed(text: list[str]) -> str:
+    return hashlib.blake2b("\0".join(text).encode(), digest_size=12).hexdigest()
 
 
 def nodes_in(value: Any) -> Iterator[Node]:
@@ -102,17 +90,18 @@ def nodes_in(value: Any) -> Iterator[Node]:
             yield from nodes_in(item)
 
 
-def _spell(value: Any, text: list[str | Node]) -> None:
-    """Append the value of one input to a list of text and nodes."""
+def _spell(value: Any, text: list[str | Node]) -> Any:
+    """Append the value of one input to a list of text and nodes, and return it with tuples for lists."""
     kind = type(value)
     if kind is Node:
         text.append(value)
+    elif kind is float:  # the most frequent ones first
+        text.append(repr(value))
     elif kind is Data:
         text.extend(value.spelling)
-    elif kind is tuple or kind is list:  # lists occur only in JSON data
+    elif isinstance(value, (tuple, list)):
         text.append("[")
-        for item in value:
-            _spell(item, text)
+        value = tuple([_spell(item, text) for item in value])
         text.append("]")
     elif isinstance(value, dict):
         text.append("{")
@@ -122,6 +111,7 @@ def _spell(value: Any, text: list[str | Node]) -> None:
         text.append("}")
     else:
         text.append(repr(value))
+    return value
 
 
 def topological(root: Node) -> list[Node]:
