@@ -137,7 +137,7 @@ class Draw:
     def sample(self, own: Mapping[str, Parameter], short: str = "", full: str = "") -> None:
         """Draw the parameters of a generator and of the generators that it chooses."""
         parameters = {
-            name: Parameter(full + name, parameter.kind, parameter.distribution)
+            name: Parameter(full + name, parameter.kind, parameter.distribution) if full else parameter
             for name, parameter in own.items()
         }
         distributions = {
@@ -157,10 +157,10 @@ class Draw:
 
 def drawing_order(distributions: Mapping[str, Distribution], owner: str) -> list[str]:
     """Return the names in an order in which parameters follow those they depend on."""
-    remaining = dict(distributions)
+    remaining = {name: made.needs() for name, made in distributions.items()}
     order: list[str] = []
     while remaining:
-        ready = [name for name, made in remaining.items() if not set(made.needs()) & set(remaining)]
+        ready = [name for name, needs in remaining.items() if not any(each in remaining for each in needs)]
         if not ready:
             raise ParameterError(f"{owner}: the parameters {', '.join(remaining)} depend on each other")
         order += ready

@@ -70,7 +70,7 @@ class Parameter:
     @cached_property
     def variants(self) -> tuple[Variant, ...]:
         """Generators among its values."""
-        return variants_in(self.distribution)
+        return variants_in(self.distribution) if is_variant(self.kind) else ()
 
     @property
     def options(self) -> tuple[Any, ...]:

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
+from artgen._arrays import cached_property
 from artgen.errors import ParameterError, nearest
 from artgen.sampling.distributions import Distribution, Fixed, Within, as_number, limited, shown
 
@@ -21,8 +23,14 @@ class Choice(Distribution):
 
     def draw(self, generator: np.random.Generator, given: Mapping[str, Any]) -> Any:
         """Draw an option."""
+        return self.options[bisect_right(self._edges, generator.random())]
+
+    @cached_property
+    def _edges(self) -> list[float]:
+        """The probability of an option or one before it, for each option."""
         edges = np.cumsum(np.ones(len(self.options)) if self.weights is None else self.weights)
-        return self.options[int(np.searchsorted(edges / edges[-1], generator.random(), "right"))]
+        listed: list[float] = (edges / edges[-1]).tolist()
+        return listed
 
     def support(self) -> tuple[Any, ...]:
         """Return the options."""
@@ -151,6 +159,10 @@ class By(Distribution):
 
     def needs(self) -> tuple[str, ...]:
         """Return the names of the parameters that the draw depends on."""
+        return self._needs
+
+    @cached_property
+    def _needs(self) -> tuple[str, ...]:
         return (self.parameter, *dict.fromkeys(name for _, case in self.cases for name in case.needs()))
 
     def __repr__(self) -> str:

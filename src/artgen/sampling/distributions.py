@@ -24,7 +24,14 @@ def stream(seed: int, path: str, attempt: int = 0) -> np.random.Generator:
         attempt: Number of infeasible draws before this one.
     """
     name = int.from_bytes(hashlib.blake2b(path.encode(), digest_size=8).digest(), "little")
-    return np.random.Generator(np.random.PCG64(np.random.SeedSequence([seed, attempt, name])))
+    # the words of [seed, attempt, name]: numpy takes many times as long to make them
+    words = np.array([word for number in (seed, attempt, name) for word in _words(number)], np.uint32)
+    return np.random.Generator(np.random.PCG64(np.random.SeedSequence(words)))
+
+
+def _words(number: int) -> list[int]:
+    """Return the words of 32 bits of a whole number that is not negative, the lowest first."""
+    return [number & 0xFFFFFFFF, *(_words(number >> 32) if number >> 32 else ())]
 
 
 Within = tuple[float, float] | None
