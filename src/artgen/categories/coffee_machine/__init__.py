@@ -112,7 +112,7 @@ def coffee_machine(
         "style",
         filter=ag.uniform(0.236, 0.264),
         capsule=ag.uniform(0.290, 0.335),
-        espresso=ag.uniform(0.262, 0.312),
+        espresso=ag.uniform(0.280, 0.325),
         unit="m",
         doc="depth of the body",
         within=(0.23, 0.34),

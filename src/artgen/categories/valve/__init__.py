@@ -12,8 +12,9 @@ height and draws the stem through itself.
 Sizes are those of standards. Lengths from face to face: EN 558 series 14 (gate), 1 (globe), 20 (butterfly);
 flanges PN 16 of EN 1092-1; threads of ISO 228 on brass bodies of 50 to 110 mm (DN 15 to 50, catalogs of
 Giacomini and Bugatti). Hand wheels of KSB, ARI and AVK catalogs: 120-180 mm up to DN 50, 180-250 mm above.
-Brass ball valves turn with about 0.1 N m for each mm of DN, butterflies with 0.07 N m without pressure. EN
-1074-2 allows a gate valve as many N m as its DN in mm; the wheel of a new one runs at a fifteenth of that.
+Brass ball valves turn with about 0.1 N m for each mm of DN, with half of that for a tee that fingers turn,
+and butterflies with 0.07 N m without pressure. EN 1074-2 allows a gate valve as many N m as its DN in mm; the
+wheel of a new one runs at a fifteenth of that.
 Hands pull a rim with up to 360 N for a moment (MSS SP-91); half of that is the effort here.
 """
 
@@ -225,14 +226,15 @@ def _ball(
         z=low + (0.032 if grip == "tee" else thick + 0.002)
     )
     lever = ag.weld(lever, ag.detail(nut, "nut", _STEEL))
+    run = torque * (0.05 if grip == "tee" else 0.10) * dn
     turn = ag.Revolute(
         "lever_turn",
         axis=ag.Z,
         limits=(0, math.pi / 2),
-        friction=torque * 0.10 * dn,
+        friction=run,
         damping=0.15,
         armature=0.002,
-        effort=torque * 0.10 * dn + 0.5 * _RIM * reach,
+        effort=run + 0.5 * _RIM * reach,
     )
     return body.attach(lever, turn)
 
@@ -249,11 +251,11 @@ def _neck(dn: int, top: float, high: float, paint: ag.Material) -> ag.Body:
     """Make the bolted bonnet above a body, with a hole for the stem."""
     wide, hole, play = dn / 1000 + 0.062, 2 * (_stem(dn) + FIT.running), 0.0003
     plan = ag.Region.centered(wide, 0.8 * wide, 1.0)
-    lower = plan.with_(z=(top, top + 0.013 - play)).box(bevel=0.002)
+    lower = plan.with_(z=(top, top + 0.013 - play)).box(bevel=0.0012)
     tower = ag.frustum(0.40 * wide, 0.020 + 0.05 * dn / 1000, high - 0.024).at(
         z=top + 0.024 + (high - 0.024) / 2
     )
-    made = ag.union(tower, plan.with_(z=(top + 0.013, top + 0.026)).box(bevel=0.002))
+    made = ag.union(tower, plan.with_(z=(top + 0.013, top + 0.026)).box(bevel=0.0012))
     made -= ag.box(hole, hole, high + 0.1).at(z=top + 0.008 + high / 2 + 0.05)
     heads = [
         ag.extrude(ag.regular_polygon(6, 0.0095), 0.008).at(x, y, top + 0.030)
@@ -280,7 +282,7 @@ def _gate(
     size, pitch = dn / 1000, 0.005
     top = middle + 0.5 * size + 0.028
     room = ag.Region.centered(0.9 * size + 0.036, 0.5 * size + 0.034, 1.0)
-    belly = room.with_(z=(middle - 0.5 * size - 0.014, top + 0.001)).box(bevel=0.010)
+    belly = room.with_(z=(middle - 0.5 * size - 0.014, top + 0.001)).box(bevel=0.006)
     high = size + 0.055  # of the bonnet
     crown = top + high + 0.075  # height of the yoke
     posts = []
@@ -288,7 +290,7 @@ def _gate(
         foot, head = (side * 0.030, 0.0, top + high - 0.020), (side * 0.024, 0.0, crown - 0.006)
         posts.append(ag.cylinder_between(foot, head, 0.0075))
     hole = 2 * (_stem(dn) + FIT.running)
-    bridge = ag.box(0.066, 0.034, 0.016, bevel=0.002).at(z=crown - 0.008) - ag.box(hole, hole, 0.2).at(
+    bridge = ag.box(0.066, 0.034, 0.016, bevel=0.0012).at(z=crown - 0.008) - ag.box(hole, hole, 0.2).at(
         z=crown
     )
     gland = ag.cylinder(0.034, 0.010, bevel=0.001).at(z=top + high - 0.020)
