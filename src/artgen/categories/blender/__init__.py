@@ -18,6 +18,7 @@ from typing import Literal
 import artgen as ag
 from artgen import details
 from artgen.categories.shared import controls, vessels
+from artgen.categories.shared.finish import colors
 from artgen.nodes.fitting import FIT, Fitting
 
 Style = Literal["jug", "retro", "personal"]
@@ -32,12 +33,10 @@ _SMOKE = ag.material("polycarbonate").with_(name="jug_smoke", base_color=(0.16, 
 _PLASTICS = ag.shades(
     "black_abs",
     "glossy_plastic_black",
-    *(ag.colored("glossy_plastic", name) for name in ("white", "graphite", "red", "cream", "navy", "silver")),
+    *colors("glossy_plastic", "white graphite red cream navy silver"),
     color=0.04,
 )
-_METALS = ag.choice(
-    *(ag.colored("enamel", name) for name in ("cream", "red", "sky", "mint", "black", "pink")), "chrome"
-)
+_METALS = ag.choice(*colors("enamel", "cream red sky mint black pink"), "chrome")
 _STEEL = ag.material("stainless")
 _CHROME = ag.material("chrome")
 _INK = ag.colored("abs", "white").with_(name="scale_ink", texture="", tile=None)

@@ -22,6 +22,7 @@ from typing import Literal
 import artgen as ag
 from artgen import details, feel
 from artgen.categories.shared import vessels
+from artgen.categories.shared.finish import colors
 from artgen.nodes.fitting import FIT, Fitting
 
 Style = Literal["screw", "jar", "flip", "pump", "stopper", "trigger"]
@@ -36,13 +37,11 @@ _SHOULDER = ((1, 0), (0.97, 0.35), (0.84, 0.68), (0.60, 0.90), (0, 1))
 """Shares of the step from the neck to the wall, and of the height of a shoulder."""
 
 _CAPS = ag.shades(
-    *(ag.colored("polypropylene", name) for name in ("white", "blue", "red", "teal", "black", "light_grey")),
+    *colors("polypropylene", "white blue red teal black light_grey"),
     color=0.04,
     doc="material of a cap of plastic",
 )
-_LIDS = ag.shades(
-    "satin_brass", "powder_coat_black", *(ag.colored("enamel", name) for name in ("white", "red", "sage"))
-)
+_LIDS = ag.shades("satin_brass", "powder_coat_black", *colors("enamel", "white red sage"))
 _PAPER = ag.material("cardboard").with_(name="bottle_paper", base_color=(0.84, 0.82, 0.77), texture="")
 _CORK = ag.material("oak").with_(name="cork", base_color=(0.62, 0.45, 0.28), density=240.0, texture="")
 
@@ -61,10 +60,7 @@ _CONTENTS = {
     "stopper": (_liquid("whisky", (0.52, 0.22, 0.04), 0.4), _liquid("gin", (0.80, 0.85, 0.86), 0.8),
                 _liquid("wine", (0.06, 0.08, 0.03)), _liquid("rum", (0.20, 0.07, 0.03))),
 }  # fmt: skip
-_PLASTICS = ag.shades(
-    *(ag.colored("glossy_plastic", name) for name in ("white", "cream", "sky", "mint", "blush", "graphite")),
-    color=0.04,
-)
+_PLASTICS = ag.shades(*colors("glossy_plastic", "white cream sky mint blush graphite"), color=0.04)
 _GLASS = ag.material("glass").with_(name="bottle_glass", opacity=0.22)
 _FULL = {"screw": 985.0, "jar": 1330.0, "flip": 985.0, "pump": 985.0, "stopper": 1290.0, "trigger": 985.0}
 """Density of a full bottle with its walls, by style [kg/m3]."""

@@ -20,7 +20,7 @@ from typing import Literal
 import artgen as ag
 from artgen import feel
 from artgen.categories.shared import fixings
-from artgen.categories.shared.finish import casting
+from artgen.categories.shared.finish import casting, colors
 from artgen.categories.shared.furniture import WOODS
 
 Style = Literal["office", "bar", "rolling", "folding", "recliner"]
@@ -32,18 +32,14 @@ _GRIP = 0.0145  # radius of the piston of a gas spring [m]
 _TUBE = 0.011  # radius of the tubes of a folding chair [m]
 _ASIDE = 0.205  # distance of its front legs from the middle [m]
 
-_COVERS = {
-    "office": ag.choice(*(ag.colored("fabric", c) for c in ("graphite", "navy", "light_grey", "red", "teal")),
-                        "black_leather", "mesh"),
-    "folding": ag.choice(*WOODS[:5], *(ag.colored("abs", c) for c in ("white", "graphite", "red"))),
-    "stool": ag.choice("black_leather", "cream_leather", "leather",
-                       *(ag.colored("abs", c) for c in ("white", "black", "red"))),
-    "recliner": ag.choice("leather", "black_leather", "cream_leather", "velvet", "linen",
-                          *(ag.colored("fabric", c) for c in ("graphite", "sage", "sand"))),
-}  # fmt: skip
 
-
-_BASES = ag.choice("black_abs", "aluminium", ag.colored("abs", "white"))
+_OFFICE = ag.choice(*colors("fabric", "graphite navy light_grey red teal"), "black_leather", "mesh")
+_BOARDS = ag.choice(*WOODS[:5], *colors("abs", "white graphite red"))
+_SOFT = ag.choice(
+    "leather", "black_leather", "cream_leather", "velvet", "linen", *colors("fabric", "graphite sage sand")
+)
+_STOOLS = ag.choice("black_leather", "cream_leather", "leather", *colors("abs", "white black red"))
+_BASES = ag.choice("black_abs", "aluminium", *colors("abs", "white"))
 
 
 @ag.category(
@@ -100,13 +96,7 @@ def chair(
     backed: bool = ag.by(
         "style", bar=ag.choice(True, False), otherwise=False, doc="whether a stool has a back"
     ),
-    cover: ag.Material = ag.by(
-        "style",
-        office=_COVERS["office"],
-        folding=_COVERS["folding"],
-        recliner=_COVERS["recliner"],
-        otherwise=_COVERS["stool"],
-    ),
+    cover: ag.Material = ag.by("style", office=_OFFICE, folding=_BOARDS, recliner=_SOFT, otherwise=_STOOLS),
     metal: ag.Material = ag.by(
         "style",
         folding=ag.shades("chrome", "powder_coat_black", "powder_coat_white", "powder_coat_graphite"),
@@ -144,15 +134,9 @@ def chair(
         seat = _tilting(seat, height, width, tall, tilt, torque, cover)
     seat = _levered(seat, width, top)
     lift = ag.Prismatic(
-        "seat_lift",
-        axis=ag.Z,
-        limits=(0, travel),
-        damping=400.0,
-        friction=1.5 * seat.mass() * 9.81,
-        effort=900.0,
-        velocity=0.2,
-        driven="a gas spring, while the lever is pulled",
-    )
+        "seat_lift", axis=ag.Z, limits=(0, travel), damping=400.0, friction=1.5 * seat.mass() * 9.81,
+        effort=900.0, velocity=0.2, driven="a gas spring, while the lever is pulled",
+    )  # fmt: skip
     swivel = ag.Revolute("seat_swivel", axis=ag.Z, damping=0.4, friction=0.6, effort=60.0)
     return base.attach(seat, lift, swivel)
 
@@ -223,14 +207,9 @@ def _office_seat(height: ag.Scalar, width: ag.Scalar, cover: ag.Material, *, arm
     foot = ag.Region((width / 2 - 0.06, x + 0.016), (-0.03, 0.03), (height - 0.060, height - 0.046))
     post = ag.Region((x - 0.016, x + 0.016), (-0.03, 0.03), (height - 0.059, height + 0.200))
     pad = ag.Region((x - 0.042, x + 0.042), (-0.13, 0.12), (height + 0.196, height + 0.222))
-    held = foot.box(bevel=0.003) | post.box(bevel=0.006)
-    rest = pad.box(bevel=0.010)
-    black = ag.material("black_abs")
-    return ag.weld(
-        seat,
-        ag.part([held, held.mirror(ag.X)], "arm", black),
-        ag.part([rest, rest.mirror(ag.X)], "arm", black),
-    )
+    held, rest = foot.box(bevel=0.003) | post.box(bevel=0.006), pad.box(bevel=0.010)
+    sides = [[each, each.mirror(ag.X)] for each in (held, rest)]
+    return ag.weld(seat, *(ag.part(each, "arm", ag.material("black_abs")) for each in sides))
 
 
 def _round_seat(
@@ -300,15 +279,9 @@ def _tilting(
     )
     spring = ag.Spring(preload=0.4 * torque, force=torque)
     turn = ag.Revolute(
-        "back_tilt",
-        axis=-ag.X,
-        pivot=(0, y, low),
-        limits=(0, tilt),
-        spring=spring,
-        damping=3.0,
-        friction=0.5,
-        effort=120.0,
-    )
+        "back_tilt", axis=-ag.X, pivot=(0, y, low), limits=(0, tilt), spring=spring, damping=3.0,
+        friction=0.5, effort=120.0,
+    )  # fmt: skip
     return seat.attach(back, turn)
 
 
@@ -321,15 +294,9 @@ def _levered(seat: ag.Body, width: ag.Scalar, top: ag.Scalar) -> ag.Body:
     pull = ag.push_on(blade, direction=ag.Z)
     lever = ag.part(rod | blade, "lever", ag.material("black_abs"), push=pull)
     turn = ag.Revolute(
-        "lever_pull",
-        axis=-ag.Y,
-        pivot=(root, -0.03, level),
-        limits=(0, 0.06),
-        spring=ag.Spring(preload=0.25, force=0.9),
-        feel=feel.LEVER,
-        friction=0.03,
-        effort=4.0,
-    )
+        "lever_pull", axis=-ag.Y, pivot=(root, -0.03, level), limits=(0, 0.06),
+        spring=ag.Spring(preload=0.25, force=0.9), feel=feel.LEVER, friction=0.03, effort=4.0,
+    )  # fmt: skip
     return seat.attach(lever, turn)
 
 

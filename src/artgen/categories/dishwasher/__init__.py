@@ -24,6 +24,7 @@ from artgen.categories.dishwasher.racks import Racks, Size
 from artgen.categories.shared.appliances import Look, cabinet_finish, fronts, grip_metals
 from artgen.categories.shared.baskets import Grip, rack_slide
 from artgen.categories.shared.controls import ButtonShape
+from artgen.categories.shared.finish import colors
 from artgen.categories.shared.pulls import BarStyle, bar_handle
 from artgen.nodes.details.displays import Color
 
@@ -37,8 +38,8 @@ _TUBS = {
     "plastic": ag.colored("polypropylene", "light_grey").with_(name="tub_plastic"),
 }
 _BALLASTS = {"steel": 520.0, "concrete": 640.0}  # density of the base with pump and motor [kg/m3]
-_WIRES = [ag.colored("powder_coat", color) for color in ("light_grey", "slate", "white", "sky")]
-_PLASTICS = [ag.colored("abs", color) for color in ("light_grey", "slate", "grey", "navy")]
+_WIRES = colors("powder_coat", "light_grey slate white sky")
+_PLASTICS = colors("abs", "light_grey slate grey navy")
 _WORKTOPS = {"stainless": "light_grey", "dark_steel": "graphite", "white": "white", "black": "anthracite"}
 _CONSOLES = {  # plastic consoles match the tone of the front; other consoles have its finish
     "stainless": ag.colored("abs", "silver"),

@@ -21,7 +21,7 @@ from typing import Literal
 import artgen as ag
 from artgen import details, feel
 from artgen.categories.shared import controls
-from artgen.categories.shared.finish import casting
+from artgen.categories.shared.finish import casting, colors
 from artgen.nodes.fitting import FIT, Fitting
 
 Style = Literal["desk", "pedestal", "box", "clip"]
@@ -41,13 +41,10 @@ _SIGNS = ("0", "1", "2", "3")
 _MOTOR = feel.Feel(damping=2e-4, friction=0.01, armature=2e-4, effort=0.5, velocity=140.0)
 
 _SHELLS = ag.choice(
-    *(ag.colored("abs", name) for name in ("white", "black", "light_grey", "mint", "sky", "cream", "red")),
-    weights=(4, 3, 1.5, 1, 1, 1, 1),
+    *colors("abs", "white black light_grey mint sky cream red"), weights=(4, 3, 1.5, 1, 1, 1, 1)
 )
 _BLADES = ag.choice(
-    *(ag.colored("polypropylene", name) for name in ("white", "black", "sky", "grey")),
-    "brushed_aluminium",
-    weights=(3, 2, 1.5, 1.5, 1.5),
+    *colors("polypropylene", "white black sky grey"), "brushed_aluminium", weights=(3, 2, 1.5, 1.5, 1.5)
 )
 _WIRES = ag.choice("chrome", ag.colored("powder_coat", "white"), "powder_coat_black", weights=(2, 2, 2))
 _BLACK = ag.material("black_abs")

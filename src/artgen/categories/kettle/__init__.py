@@ -18,6 +18,7 @@ from typing import Literal
 import artgen as ag
 from artgen import details, feel
 from artgen.categories.shared import controls, vessels
+from artgen.categories.shared.finish import colors
 from artgen.nodes.fitting import FIT, Fitting
 
 Style = Literal["spout", "gooseneck", "stove"]
@@ -38,10 +39,7 @@ _FORMS = {
 """Shares of the radius and of the height, from the floor to the rim."""
 
 _SHELLS = ag.choice(
-    "stainless",
-    "stainless_blasted",
-    "copper",
-    *(ag.colored("enamel", name) for name in ("white", "cream", "red", "sage", "black", "sky")),
+    "stainless", "stainless_blasted", "copper", *colors("enamel", "white cream red sage black sky")
 )
 _GRIPS = ag.choice("black_abs", "walnut", "beech", ag.colored("abs", "white"), ag.colored("abs", "graphite"))
 

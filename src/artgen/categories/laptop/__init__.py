@@ -23,6 +23,7 @@ from typing import Literal
 import artgen as ag
 from artgen import details, feel
 from artgen.categories.shared import controls
+from artgen.categories.shared.finish import colors
 from artgen.nodes.fitting import FIT, Fitting
 
 Style = Literal["thin", "plain", "convertible"]
@@ -65,10 +66,8 @@ _METALS = ag.choice(
         }.items()
     )
 )
-_PLASTICS = ag.shades(
-    *(ag.colored("abs", name) for name in ("black", "graphite", "white", "navy", "red")), color=0.03
-)
-_CAPS = ag.choice("black_abs", *(ag.colored("abs", name) for name in ("graphite", "light_grey", "white")))
+_PLASTICS = ag.shades(*colors("abs", "black graphite white navy red"), color=0.03)
+_CAPS = ag.choice("black_abs", *colors("abs", "graphite light_grey white"))
 _PICTURES = {
     "dusk": ((0.09, 0.08, 0.26), (0.55, 0.24, 0.26)),
     "sea": ((0.03, 0.14, 0.28), (0.16, 0.42, 0.50)),

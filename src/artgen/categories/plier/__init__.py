@@ -20,6 +20,7 @@ from artgen.categories.plier import fittings
 from artgen.categories.plier.fittings import PASSES, Grip
 from artgen.categories.plier.halves import Forging, Style
 from artgen.categories.shared import pivots
+from artgen.categories.shared.finish import colors
 
 _STEEL = ag.material("steel")
 _STEELS = (
@@ -30,10 +31,10 @@ _STEELS = (
     _STEEL.with_(name="forged_steel", base_color=(0.30, 0.295, 0.29), specular_roughness=0.48),
 )
 _SLEEVES = (
-    *(ag.colored("rubber", color) for color in ("red", "blue", "black", "yellow", "orange", "forest")),
-    *(ag.colored("abs", color) for color in ("red", "navy", "graphite", "teal")),
+    *colors("rubber", "red blue black yellow orange forest"),
+    *colors("abs", "red navy graphite teal"),
 )
-_ACCENTS = tuple(ag.colored("rubber", color) for color in ("red", "yellow", "orange", "light_grey", "blue"))
+_ACCENTS = colors("rubber", "red yellow orange light_grey blue")
 _BRIGHT = 0.10  # mean color value of a sleeve with a dark soft part
 
 

@@ -20,7 +20,7 @@ from typing import Literal
 import artgen as ag
 from artgen import details, feel
 from artgen.categories.shared import controls, vessels
-from artgen.categories.shared.finish import casting
+from artgen.categories.shared.finish import casting, colors
 from artgen.nodes.fitting import FIT
 
 Style = Literal["saucepan", "stockpot", "casserole", "pan", "pressure", "chafer"]
@@ -40,12 +40,7 @@ _STEELS = ag.shades(
     "chrome",
     weights=(3, 2, 1),
 )
-_ENAMELS = ag.choice(
-    *(
-        ag.colored("enamel", name)
-        for name in ("red", "orange", "sage", "teal", "navy", "cream", "burgundy", "black")
-    )
-)
+_ENAMELS = ag.choice(*colors("enamel", "red orange sage teal navy cream burgundy black"))
 _COATS = ag.choice(
     *(
         ag.colored("powder_coat", name).with_(name=f"coat_{name}", density=2700.0)
@@ -151,16 +146,10 @@ def pot(
     lid = _lid(style, radius, 0.55 * arch * width, cover, knob, finish, grip)
     if style == "chafer":
         return _hinged(body, lid, radius, high, finish)
-    body = body.attach(lid, *_off(), at=(0, 0, high + FIT.running))
+    lift = ag.Prismatic("lid_lift", axis=ag.Z, limits=(0, 0.15), effort=80.0, friction=0.1, damping=2.0)
+    turn = ag.Revolute("lid_turn", axis=ag.Z, friction=0.02, damping=0.01, effort=5.0)
+    body = body.attach(lid, lift, turn, at=(0, 0, high + FIT.running))
     return body.rotate(ag.Z, _AHEAD) if style in ("saucepan", "pan") else body
-
-
-def _off() -> tuple[ag.Joint, ag.Joint]:
-    """Make the joints of a lid that lifts off and turns."""
-    return (
-        ag.Prismatic("lid_lift", axis=ag.Z, limits=(0, 0.15), effort=80.0, friction=0.1, damping=2.0),
-        ag.Revolute("lid_turn", axis=ag.Z, friction=0.02, damping=0.01, effort=5.0),
-    )
 
 
 def _vessel(
@@ -258,14 +247,9 @@ def _swinging(
     hold = ag.grasp_on(bar, approach=-ag.X, closing=ag.Z, at=(axle, 0, z - 0.048), depth=0.008)
     ring = ag.part(ag.union(bar, *ends), "handle", finish, name="handle", grasp=hold)
     swing = ag.Revolute(
-        "handle_swing",
-        axis=-ag.Y,
-        pivot=(axle, 0, z),
-        limits=(0, 1.5),
-        friction=friction,
-        damping=0.005,
+        "handle_swing", axis=-ag.Y, pivot=(axle, 0, z), limits=(0, 1.5), friction=friction, damping=0.005,
         effort=8.0,
-    )
+    )  # fmt: skip
     fixed = ag.part(eyes, "hinge", finish)
     return ag.weld(body, fixed, fixed.mirror(ag.X)).attach_pair(ring, swing)
 
@@ -404,12 +388,7 @@ def _hinged(body: ag.Body, lid: ag.Body, radius: ag.Scalar, high: ag.Scalar, fin
     ]
     hold = 1.3 * 9.81 * lid.mass() * radius
     hinge = ag.Revolute(
-        "lid_hinge",
-        axis=-ag.X,
-        pivot=(0, axle, up),
-        limits=(0, 1.45),
-        friction=hold,
-        damping=0.3,
+        "lid_hinge", axis=-ag.X, pivot=(0, axle, up), limits=(0, 1.45), friction=hold, damping=0.3,
         effort=80.0,
-    )
+    )  # fmt: skip
     return ag.weld(body, ag.part([block, *ears], "hinge", finish)).attach(lid, hinge, at=(0, 0, low))

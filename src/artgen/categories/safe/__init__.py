@@ -24,7 +24,7 @@ from typing import Literal
 import artgen as ag
 from artgen import details, feel
 from artgen.categories.shared import controls, locks
-from artgen.categories.shared.finish import casting
+from artgen.categories.shared.finish import casting, colors
 from artgen.nodes.fitting import FIT, Fitting
 
 Style = Literal["hotel", "home", "fire", "gun"]
@@ -50,10 +50,7 @@ _CAP = 0.0140  # width of a key [m]
 
 _STEEL = ag.material("black_steel")
 _SHEETS = ag.shades(
-    *(
-        ag.colored("powder_coat", name)
-        for name in ("black", "graphite", "light_grey", "white", "sand", "navy", "forest", "burgundy")
-    ),
+    *colors("powder_coat", "black graphite light_grey white sand navy forest burgundy"),
     "hammered_bronze",
     weights=(3, 2, 2, 1.5, 1, 1, 1, 0.7, 1),
     color=0.04,

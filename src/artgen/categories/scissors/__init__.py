@@ -20,21 +20,20 @@ from typing import Literal
 import artgen as ag
 from artgen import details
 from artgen.categories.shared import pivots
+from artgen.categories.shared.finish import colors
 
 Style = Literal["household", "tailor", "kitchen", "craft", "snips", "tongs"]
 """Scissors by their use; snips have bars as handles and a spring, tongs have arms hinged at their end."""
 
-_BLADE = {"household": 0.57, "tailor": 0.56, "kitchen": 0.48, "craft": 0.53, "snips": 0.34}
-"""Distance from the pivot to the tip, as a share of the length."""
-
-_WIDE = {"household": 0.058, "tailor": 0.068, "kitchen": 0.066, "craft": 0.075, "snips": 0.062}
-"""Radius of the lap, as a share of the length."""
-
-_PLATE = {"household": 0.0020, "tailor": 0.0032, "kitchen": 0.0024, "craft": 0.0014, "snips": 0.0024}
-"""Thickness of a blade [m]."""
-
-_TALL = {"household": 0.0095, "tailor": 0.0105, "kitchen": 0.0120, "craft": 0.0085, "snips": 0.0130}
-"""Thickness of the handles [m]."""
+# distance from the pivot to the tip and radius of the lap, as shares of the length; thickness of a blade and
+# of the handles [m]
+_SIZES = {
+    "household": (0.57, 0.058, 0.0020, 0.0095),
+    "tailor": (0.56, 0.068, 0.0032, 0.0105),
+    "kitchen": (0.48, 0.066, 0.0024, 0.0120),
+    "craft": (0.53, 0.075, 0.0014, 0.0085),
+    "snips": (0.34, 0.062, 0.0024, 0.0130),
+}
 
 # half width and half length of the hole of a bow, for the thumb and for fingers [m]
 _HOLES = {
@@ -45,12 +44,9 @@ _HOLES = {
 }
 _LAP = 0.00015  # half of the gap between the blades [m]
 _APART = 0.0009  # distance of a handle from the middle plane [m]
-_PLASTICS = tuple(
-    ag.colored("abs", name)
-    for name in ("red", "orange", "teal", "navy", "black", "forest", "graphite", "sky")
-)
-_BRIGHT = tuple(ag.colored("abs", name) for name in ("red", "sky", "mint", "blush", "mustard", "orange"))
-_SOFT = tuple(ag.colored("rubber", name) for name in ("light_grey", "black", "red", "mint"))
+_PLASTICS = colors("abs", "red orange teal navy black forest graphite sky")
+_BRIGHT = colors("abs", "red sky mint blush mustard orange")
+_SOFT = colors("rubber", "light_grey black red mint")
 
 
 @ag.category(labels="body blade edge pivot handle grip teeth spring print arm tip ring", joints=(1, 2))
@@ -127,35 +123,23 @@ def scissors(
     """Make closed scissors or tongs that lie on a table."""
     if style == "tongs":
         return _tongs(length, opening, squeeze, steel, handle if soft else None, accent)
-    reach, radius = _BLADE[style] * length, _WIDE[style] * length
-    plate, tall = _PLATE[style], _TALL[style]
-    bars = style == "snips"
+    share, wide, plate, tall = _SIZES[style]
+    reach, radius = share * length, wide * length
+    bars, inlay = style == "snips", accent if soft else None
     coat = ag.material("powder_coat_black").with_(name="forged_handle", density=7850.0) if forged else handle
     rear = length - reach  # distance from the pivot to the end of the handles [m]
     bodies, solids = [], []
-    for side, label in enumerate(("body", "blade")):
-        flat, blade_solid = _flat(
-            style, tip, reach, radius, plate, steel, bend if side == 0 else -bend, label, drilled=side
-        )
+    for side, turn in enumerate((bend, -bend)):
+        flat, blade_solid = _flat(style, tip, reach, radius, plate, steel, turn, drilled=side == 1)
         up, name = (ag.Z, "upper_handle") if side else (-ag.Z, "lower_handle")
         if bars:
-            grip, solid = _bar(radius, rear, tall, coat, accent if soft else None, up=up, name=name)
+            grip, solid = _bar(radius, rear, tall, coat, inlay, up=up, name=name)
             foot = (-_APART - 0.25 * rear, -radius - 0.50 * rear)
             grip = ag.weld(grip, pivots.leaf_spring(foot, -radius - 0.012))
         else:
             long = bows == "offset" and side == 0
             hole = _HOLES[style][long] if bows == "offset" else _HOLES[style][style == "kitchen"]
-            grip, solid = _bow(
-                hole,
-                radius,
-                rear,
-                tall,
-                coat,
-                accent if soft else None,
-                up=up,
-                name=name,
-                wall=0.19 * tall + 0.0034,
-            )
+            grip, solid = _bow(hole, radius, rear, tall, coat, inlay, up=up, name=name)
             if style == "kitchen":
                 grip = ag.weld(grip, _cracker(radius, tall))
         bodies.append(ag.weld(flat, grip))
@@ -174,15 +158,11 @@ def scissors(
     blade = ag.weld(blade, mark)
     lever = 0.55 * rear if bars else rear
     hinge = ag.Revolute(
-        "blade_hinge",
-        axis=ag.Z,
-        limits=(0, opening),
+        "blade_hinge", axis=ag.Z, limits=(0, opening),
         spring=pivots.opened_by_spring(squeeze * lever, 0.4 * squeeze * lever, opening) if bars else None,
-        friction=0.2 * friction if bars else friction,
-        damping=0.008 if bars else 0.002,
-        armature=0.00002,
+        friction=0.2 * friction if bars else friction, damping=0.008 if bars else 0.002, armature=0.00002,
         effort=6.0,
-    )
+    )  # fmt: skip
     # the middle of the lower half
     left, right = solids[1].anchor(x=-1).x, ag.max_(solids[0].anchor(x=1).x, solids[1].anchor(x=1).x)
     left = ag.min_(left, solids[0].anchor(x=-1).x)
@@ -197,9 +177,8 @@ def _flat(
     plate: float,
     steel: ag.Material,
     bend: ag.Scalar,
-    label: str,
     *,
-    drilled: int,
+    drilled: bool,
 ) -> tuple[ag.Body, ag.Solid]:
     """Make the blade with its lap and tang: its edge is at the left, its back at the right."""
     end = {"pointed": 0.0014, "blunt": 0.0042, "round": 0.0060}[tip]
@@ -235,7 +214,7 @@ def _flat(
     ground = ag.polygon([start, stop, (stop[0] + 0.9 * end, stop[1] - 2.5 * end), (0.12 * radius, start[1])])
     bright = ag.extrude(ground, 0.0002).at(z=-plate / 2).rotate(ag.Z, bend)
     bodies = [
-        ag.part(made.at(z=low), label, steel),
+        ag.part(made.at(z=low), "blade" if drilled else "body", steel),
         ag.detail(
             bright.at(z=low), "edge", ag.material("chrome").with_(name="ground_edge", specular_roughness=0.2)
         ),
@@ -253,9 +232,9 @@ def _bow(
     *,
     name: str,
     up: ag.Vector,
-    wall: float,
 ) -> tuple[ag.Body, ag.Solid]:
     """Make the left handle: a shank beside the middle plane that ends in a bow around a hole."""
+    wall = 0.19 * tall + 0.0034
     long = ag.min_(hole[1], (rear - radius - 0.016) / 2 - wall)  # half of the hole, below a shank [m]
     wide, deep = hole[0] + wall, long + wall
     x, y, top = -_APART - wide, deep - rear, -radius - 0.0015
@@ -401,15 +380,10 @@ def _tongs(
     # position of the ring where it meets the open arm [m]
     met = (flank + 0.0010 - flank * cosine) / sine * cosine - flank * sine - (front - travel)
     hinge = ag.Revolute(
-        "arm_hinge",
-        axis=-ag.Z,
-        limits=(0, opening),
-        spring=pivots.opened_by_spring(squeeze * middle, 0.4 * squeeze * middle, opening),
-        friction=0.01,
-        damping=0.01,
-        armature=0.00005,
-        effort=6.0,
-    )
+        "arm_hinge", axis=-ag.Z, limits=(0, opening),
+        spring=pivots.opened_by_spring(squeeze * middle, 0.4 * squeeze * middle, opening), friction=0.01,
+        damping=0.01, armature=0.00005, effort=6.0,
+    )  # fmt: skip
     slide = ag.Prismatic(
         "ring_slide",
         axis=ag.Y,

@@ -15,6 +15,7 @@ from collections.abc import Sequence
 from typing import Any, Literal, get_args
 
 import artgen as ag
+from artgen.categories.shared.finish import colors
 from artgen.materials import COLORS
 
 Look = Literal["stainless", "dark_steel", "white", "black", "pastel", "glass", "panel"]
@@ -41,10 +42,7 @@ _BLACK = (
     ag.material("powder_coat_black"),
     ag.colored("powder_coat", "anthracite"),
 )
-_PASTEL = tuple(
-    ag.colored("enamel", color)
-    for color in ("cream", "mint", "sky", "blush", "red", "navy", "black", "sage", "mustard", "orange")
-)
+_PASTEL = colors("enamel", "cream mint sky blush red navy black sage mustard orange")
 _GLASS = (
     ag.material("black_glass"),
     ag.material("black_glass").with_(name="white_glass", base_color=COLORS["cool_white"]),
@@ -54,7 +52,7 @@ _PANEL = (
     ag.material("oak"),
     ag.material("walnut"),
     ag.material("ash"),
-    *(ag.colored("lacquered_mdf", color) for color in ("white", "sage", "navy", "graphite", "taupe")),
+    *colors("lacquered_mdf", "white sage navy graphite taupe"),
 )
 
 FRONTS: dict[Look, tuple[tuple[ag.Material, ...], tuple[float, ...]]] = {

@@ -10,6 +10,11 @@ def known(*names: str) -> tuple[ag.Material, ...]:
     return tuple(ag.MATERIALS[name] for name in names if name in ag.MATERIALS)
 
 
+def colors(base: str, names: str) -> tuple[ag.Material, ...]:
+    """Return a library material in several colors of products, for example `colors("abs", "red sky")`."""
+    return tuple(ag.colored(base, name) for name in names.split())
+
+
 _HARDWARE = {
     "satin_nickel": 2.0, "stainless": 2.0, "chrome": 1.2, "brass": 1.0,
     "satin_brass": 1.2, "aged_bronze": 0.9, "powder_coat_black": 0.8, "black_steel": 0.8,

@@ -22,7 +22,7 @@ from typing import Literal
 import artgen as ag
 from artgen import details, feel
 from artgen.categories.shared import controls
-from artgen.categories.shared.finish import casting
+from artgen.categories.shared.finish import casting, colors
 from artgen.nodes.fitting import FIT, Fitting
 
 Style = Literal["tilt", "lift"]
@@ -52,10 +52,7 @@ _SHAPE = (
 """Sections of a head: share of its length, of its half width and of its half height."""
 
 _PAINTS = ag.choice(
-    *(
-        ag.colored("enamel", name)
-        for name in ("red", "cream", "black", "white", "sky", "mint", "pink", "navy", "sage", "anthracite")
-    ),
+    *colors("enamel", "red cream black white sky mint pink navy sage anthracite"),
     weights=(3, 2, 2, 2, 1, 1.5, 1, 1, 1, 1),
 )
 _BOWLS = ag.shades("chrome", "stainless_blasted", weights=(3, 2), color=0.02)

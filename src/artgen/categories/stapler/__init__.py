@@ -22,6 +22,7 @@ from typing import Literal
 import artgen as ag
 from artgen import details, feel
 from artgen.categories.shared import controls, pivots
+from artgen.categories.shared.finish import colors
 from artgen.nodes.fitting import FIT
 
 Style = Literal["full", "half", "heavy", "plier", "punch"]
@@ -36,13 +37,7 @@ _EAR = 0.0028  # thickness of the ears beside the arm [m]
 _STRIP = {"full": 0.112, "half": 0.062, "heavy": 0.112}
 """Travel of a magazine, for the staples that it holds [m]."""
 
-_BODIES = ag.shades(
-    *(
-        ag.colored("abs", name)
-        for name in ("black", "graphite", "red", "navy", "teal", "white", "mustard", "sky")
-    ),
-    color=0.04,
-)
+_BODIES = ag.shades(*colors("abs", "black graphite red navy teal white mustard sky"), color=0.04)
 _METALS = ag.shades("chrome", "powder_coat_black", "powder_coat_graphite", "satin_nickel", color=0.03)
 _SOFT = ag.choice("rubber", ag.colored("rubber", "light_grey"), ag.colored("rubber", "red"))
 _STEEL = ag.material("stainless")

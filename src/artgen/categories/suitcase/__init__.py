@@ -25,7 +25,7 @@ from typing import Literal
 import artgen as ag
 from artgen import details, feel
 from artgen.categories.shared import controls, fixings
-from artgen.categories.shared.finish import casting
+from artgen.categories.shared.finish import casting, colors
 from artgen.nodes.fitting import FIT, Fitting
 
 Style = Literal["trolley", "tool_case", "attache"]
@@ -43,14 +43,10 @@ _LINING = ag.material("fabric").with_(name="case_lining", base_color=(0.10, 0.10
 _FOAM = ag.material("foam").with_(name="case_foam", base_color=(0.05, 0.05, 0.055))
 
 _SHELLS = ag.shades(
-    *(ag.colored("abs", name) for name in ("black", "graphite", "navy", "red", "teal", "white", "sage")),
-    "brushed_aluminium",
-    color=0.04,
+    *colors("abs", "black graphite navy red teal white sage"), "brushed_aluminium", color=0.04
 )
 _TOUGH = ag.shades(
-    *(ag.colored("leather_grain_abs", name) for name in ("black", "graphite", "orange", "yellow", "sage")),
-    weights=(3, 2, 1, 1.5, 1),
-    color=0.03,
+    *colors("leather_grain_abs", "black graphite orange yellow sage"), weights=(3, 2, 1, 1.5, 1), color=0.03
 )
 _PLASTICS = ag.choice("black_abs", "satin_nickel", ag.colored("abs", "graphite"))
 _FLAT = ag.shades("black_leather", "leather", "brushed_aluminium", "black_anodised", color=0.05)

@@ -18,6 +18,7 @@ import numpy as np
 import artgen as ag
 from artgen import details, feel
 from artgen.categories.shared import controls, finish
+from artgen.categories.shared.finish import colors
 from artgen.nodes.fitting import FIT, Fitting
 from artgen.nodes.joint import Detents
 
@@ -37,7 +38,7 @@ _SWING = 0.36  # of a toggle to both sides [rad]
 _PUSH = 0.005  # travel of an emergency stop [m]
 _SHARES = {"rocker": 0.4, "toggle": 0.18, "dimmer": 0.16, "timer": 0.1, "stop": 0.16}
 _PLATES = ag.choice(
-    *(ag.colored("abs", name) for name in ("white", "cream", "anthracite", "black")),
+    *colors("abs", "white cream anthracite black"),
     "brushed_aluminium",
     "satin_brass",
     "stainless",
@@ -46,7 +47,7 @@ _PLATES = ag.choice(
 _BOARDS = ag.choice(
     "oak",
     "walnut",
-    *(ag.colored("lacquered_mdf", name) for name in ("sage", "sky", "blush", "taupe", "ivory", "navy")),
+    *colors("lacquered_mdf", "sage sky blush taupe ivory navy"),
     weights=(1.5, 1, 1, 1, 1, 1, 1, 1),
 )
 _KEYS = ag.choice(ag.colored("abs", "white"), "black_abs", ag.colored("abs", "cream"), weights=(4, 2, 1))

@@ -17,6 +17,7 @@ from typing import Literal
 
 import artgen as ag
 from artgen.categories.shared import controls, furniture, require_suited
+from artgen.categories.shared.finish import colors
 from artgen.categories.shared.pulls import bar_pull, cup_pull, knob_pull
 from artgen.nodes.fitting import FIT, Fitting
 
@@ -30,9 +31,7 @@ _EASE = furniture.EASE
 _BAY = 0.115  # height of the case of drawers [m]
 _APRON = 0.105  # height of the frame under a drop-leaf top [m]
 _REST = 0.0012  # distance of a raised leaf from its supports [m]
-_STEEL = ag.shades(
-    *(ag.colored("powder_coat", name) for name in ("black", "white", "light_grey", "graphite")), color=0.03
-)
+_STEEL = ag.shades(*colors("powder_coat", "black white light_grey graphite"), color=0.03)
 
 
 @ag.category(

@@ -23,7 +23,7 @@ from artgen import details
 from artgen.categories.shared import controls
 from artgen.categories.shared.appliances import DARK, cord_stub, filled, grip_metals
 from artgen.categories.shared.baskets import rack_slide
-from artgen.categories.shared.finish import casting
+from artgen.categories.shared.finish import casting, colors
 from artgen.categories.shared.fixings import corner_feet
 from artgen.categories.shared.pulls import BarStyle, bar_handle
 from artgen.categories.shared.shelves import open_box
@@ -61,10 +61,7 @@ _FINISH = ag.by(
     ),
     white=ag.shades("glossy_plastic_white", ag.colored("abs", "cool_white"), color=0.03),
     black=ag.shades("black_abs", "glossy_plastic_black", ag.colored("abs", "graphite"), color=0.03),
-    pastel=ag.shades(
-        *(ag.colored("glossy_plastic", name) for name in ("cream", "mint", "red", "sage", "sky", "navy")),
-        color=0.04,
-    ),
+    pastel=ag.shades(*colors("glossy_plastic", "cream mint red sage sky navy"), color=0.04),
 )
 
 

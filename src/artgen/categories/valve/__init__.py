@@ -24,6 +24,7 @@ from typing import Literal
 import artgen as ag
 from artgen import details, feel
 from artgen.categories.shared import controls, finish
+from artgen.categories.shared.finish import colors
 from artgen.nodes.fitting import FIT
 
 Style = Literal["ball", "gate", "globe", "butterfly", "needle"]
@@ -47,11 +48,9 @@ _WHEEL = {15: 0.120, 20: 0.120, 25: 0.140, 32: 0.140, 40: 0.160, 50: 0.180, 65: 
 
 _GRIPS = ag.choice({"lever": 0.6, "tee": 0.4})
 _RIM = 180.0  # greatest force of a hand at a rim or a lever [N]
-_LEVERS = ag.choice(*(ag.colored("rubber", name) for name in ("red", "blue", "yellow", "forest", "black")))
-_PAINTS = ag.choice(
-    *(ag.colored("powder_coat", name) for name in ("blue", "navy", "graphite", "forest", "red"))
-)
-_WHEELS = ag.choice(*(ag.colored("powder_coat", name) for name in ("red", "black", "blue", "graphite")))
+_LEVERS = ag.choice(*colors("rubber", "red blue yellow forest black"))
+_PAINTS = ag.choice(*colors("powder_coat", "blue navy graphite forest red"))
+_WHEELS = ag.choice(*colors("powder_coat", "red black blue graphite"))
 _IRON = ag.material("cast_iron")
 _STEEL = ag.material("stainless")
 
