@@ -49,23 +49,25 @@ def test_other_bytes_are_named(tmp_path: Path) -> None:
     )
 
 
-@pytest.mark.parametrize("category", categories()[::2])
+@pytest.mark.parametrize("category", categories()[::4])
 def test_what_was_cached_does_not_show(category: str, tmp_path: Path) -> None:
     """A part of a graph that another sample computed before is built in another order, to the same bytes."""
     cold = find(category).generate(SEED, cache=Cache())
     warm = Cache()
-    for seed in (1, 2, 3):
+    for seed in (1, 2):
         find(category).generate(seed, cache=warm, certify=False)
     # the same parameters but one: most of the graph is cached, and what is not comes later than it would
     number = next(name for name, value in cold.parameters.items() if isinstance(value, float))
     changed = {number: 0.999 * cold.parameters[number]}
     find(category).generate(SEED, cache=warm, certify=False, **changed)
-    first = cold.export(tmp_path / "cold")
-    second = find(category).generate(SEED, cache=warm).export(tmp_path / "warm")
+    again = find(category).generate(SEED, cache=warm)
+    first, second = (
+        each.export(tmp_path / name, textures=256) for name, each in (("cold", cold), ("warm", again))
+    )
     assert digests(first) == digests(second)
 
 
-@pytest.mark.parametrize("category", categories()[1::2])
+@pytest.mark.parametrize("category", categories()[1::4])
 def test_an_asset_that_was_read_back_is_written_the_same(category: str, tmp_path: Path) -> None:
     formats = ("urdf", "mjcf", "usd", "glb")
     asset = find(category).generate(SEED, certify=False)

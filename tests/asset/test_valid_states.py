@@ -22,7 +22,7 @@ from artgen.nodes.vector import X, Y, Z
 
 FORMATS = {"urdf": "urdf", "mjcf": "xml", "usd": "usda", "glb": "glb", "sdf": "sdf"}
 OAK = material("oak")
-CATEGORIES = artgen.catalog.categories()
+CATEGORIES = artgen.catalog.categories()[::4]
 
 
 def block(name):

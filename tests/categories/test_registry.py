@@ -24,6 +24,10 @@ SEEDS = range(int(os.environ.get("ARTGEN_TEST_SEEDS", "1")))
 cases = pytest.mark.parametrize(
     ("category", "seed"), [(category, seed) for category in categories() for seed in SEEDS]
 )
+# of what depends on common code more than on a category
+some_cases = pytest.mark.parametrize(
+    ("category", "seed"), [(category, seed) for category in categories()[::3] for seed in SEEDS]
+)
 
 
 @lru_cache(maxsize=128)  # each test comes by every asset again
@@ -49,13 +53,13 @@ def test_colliders_contain_the_solids_and_leave_cavities_open(category: str, see
         check_colliders_cover(link)
 
 
-@cases
+@some_cases
 def test_mass_properties_match_an_independent_integration(category: str, seed: int) -> None:
     for link in asset_of(category, seed).links:
         check_mass(link)
 
 
-@cases
+@some_cases
 def test_every_reader_finds_the_same_asset_in_every_format(category: str, seed: int, tmp_path: Path) -> None:
     asset = asset_of(category, seed)
     check_formats_agree(asset, asset.export(tmp_path / asset.name))
@@ -74,7 +78,7 @@ def test_size_and_mass_are_those_of_a_product(category: str, seed: int) -> None:
     assert misfits(asset_of(category, seed)) == []
 
 
-@cases
+@some_cases
 def test_an_asset_read_back_is_the_asset(category: str, seed: int, tmp_path: Path) -> None:
     asset = asset_of(category, seed)
     read = Asset.load(asset.export(tmp_path / asset.name, formats=("urdf",)))
@@ -83,7 +87,7 @@ def test_an_asset_read_back_is_the_asset(category: str, seed: int, tmp_path: Pat
         np.testing.assert_allclose(read.pose()[name], pose, atol=1e-11)
 
 
-@cases
+@some_cases
 def test_a_graph_round_trips_through_json_and_source(category: str, seed: int) -> None:
     graph = find(category).graph(seed)
     assert Graph.from_json(graph.to_json()).key == graph.key
@@ -131,11 +135,12 @@ def test_the_proof_leaves_no_pair_out(category: str, seed: int) -> None:
 
 
 @pytest.mark.parametrize("category", categories())
-def test_five_hundred_draws_have_every_option_and_fill_every_range(category: str) -> None:
-    assert coverage(find(category), 500).faults == ()
+def test_draws_have_every_option_and_fill_every_range(category: str) -> None:
+    faults = coverage(find(category), 200).faults  # that is mostly enough
+    assert faults == () or coverage(find(category), 500).faults == ()
 
 
-@pytest.mark.parametrize("category", categories())
+@pytest.mark.parametrize("category", categories()[1::3])
 def test_the_second_evaluation_runs_no_kernel(category: str) -> None:
     cache = Cache()
     find(category).evaluate(3, cache=cache)
@@ -145,5 +150,4 @@ def test_the_second_evaluation_runs_no_kernel(category: str) -> None:
 
 @pytest.mark.parametrize("category", categories())
 def test_a_hand_can_take_hold_of_something(category: str) -> None:
-    grasped = [bool(link.grasps) for seed in range(2) for link in asset_of(category, seed).links[1:]]
-    assert any(grasped)
+    assert any(link.grasps for seed in range(2) for link in asset_of(category, seed).links[1:])
