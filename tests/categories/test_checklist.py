@@ -11,9 +11,10 @@ from artgen.catalog import categories, find
 from artgen.errors import InfeasibleError
 from artgen.graph import Graph
 from artgen.graph.handle import folding
+from artgen.materials import Material
 from support.joint_outline import PlannedJoint, joints_of
 
-FEWEST, MOST = 60, 300
+FEWEST, MOST = 40, 300
 """Seeds of a category that are drawn: at least, and at most until every number has occurred."""
 
 
@@ -349,12 +350,20 @@ def drawn(category: str) -> tuple[tuple[PlannedJoint, ...], ...]:
     found: list[tuple[PlannedJoint, ...]] = []
     missing = {label: set(moving.counts) for label, moving in CHECKLIST[category].items()}
     extremes = set(find(category).joints)
+    texts = {name for name, each in find(category).own.items() if each.kind is str}
+    known: set[str] = set()
     for seed in range(MOST):
         if seed >= FEWEST and not any(missing.values()) and not extremes:
             break
+        values = find(category).sample(seed)
+        kept = values.keys() - texts - {name for name in values if isinstance(values[name], float | Material)}
+        outline = repr([(name, values[name]) for name in sorted(kept)])
+        if outline in known:
+            continue  # joints depend on neither lengths nor materials nor texts
+        known.add(outline)
         try:
             with folding():  # a graph without nodes for known numbers is built in half the time
-                found.append(joints_of(Graph(find(category).build(find(category).sample(seed)))))
+                found.append(joints_of(Graph(find(category).build(values))))
         except InfeasibleError:
             continue
         extremes.discard(len(found[-1]))

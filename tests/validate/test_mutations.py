@@ -23,7 +23,7 @@ COUNT = int(os.environ.get("ARTGEN_TEST_MUTANTS", "4"))  # of each asset
 POSES = int(os.environ.get("ARTGEN_TEST_POSES", "300"))
 UNDECIDED = 0.01  # share of mutants
 
-NAMES = (*PROOF_ASSETS, *categories()[::3])
+NAMES = (*PROOF_ASSETS, *categories()[::5])
 
 
 @cache

@@ -12,7 +12,6 @@ from artgen._names import ByName
 from artgen.asset import Asset, Collider, Link, Mesh, Surface
 from artgen.asset.link import MOST_COLLIDERS, DerivedLink
 from artgen.asset.manifolds import box_of
-from artgen.asset.shells import file_shells
 from artgen.colliders import Convex
 from artgen.colliders.coacd import coacd_pieces, fewest, single_hull
 from artgen.errors import AssetError, ExportError, nearest
@@ -128,6 +127,8 @@ def link_parts(link: Link) -> tuple[SolidPart, ...]:
 
 def _closed(link: Link, label: str, surfaces: list[Surface]) -> list[Manifold]:
     """Return the closed parts of the surfaces of one label, with their hollows."""
+    from artgen.asset.shells import file_shells
+
     shells = file_shells(Mesh.concatenated([surface.mesh for surface in surfaces]), label)
     solids = [shell.manifold for shell in shells]
     fault = "" if solids else "are empty"

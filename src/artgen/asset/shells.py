@@ -278,18 +278,11 @@ def _around(
     """Return the pairs of faces between which a solid lies at an edge, shape (k, 2).
 
     Faces of one part belong together, then those with the least angle of the solid between them. Of faces
-    that lie on each other, those of the first part do.
-
-    Args:
-        points: Positions, shape (n, 3) [m].
-        faces: Triangles, shape (m, 3).
-        ends: The points of the edge, shape (2,).
-        ahead: Faces that run from its first to its second end, shape (k,).
-        behind: Faces that run the other way, shape (k,).
-        part: The number of the part that each face is known to belong to, shape (m,).
+    that lie on each other, those of the first part do. `ends` are the points of the edge; the faces `ahead`
+    run from its first to its second one, those `behind` the other way.
     """
     start, end = points[ends]
-    along = (end - start) / np.linalg.norm(end - start)
+    along = (end - start) / _portable.norm(end - start)
     first = cross(along, np.eye(3)[np.argmin(abs(along))])
     tips = points[faces[np.append(ahead, behind)]].sum(axis=1) - end - 2.0 * start
     x, y = (np.einsum("ij,j->i", tips, axis) for axis in (first, cross(along, first)))
