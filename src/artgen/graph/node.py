@@ -47,11 +47,11 @@ class Node:
         own["children"] = children = tuple([part for part in text if type(part) is Node])
         own["varies"] = self.op == PARAMETER or any(node.varies for node in children)
         own["_text"] = tuple(text)
-        own["key"] = _hashed([f"${part.key}" if type(part) is Node else part for part in text])
+        own["key"] = _hashed([f"${part.key}" if isinstance(part, Node) else part for part in text])
 
     def digest(self, keys: Mapping[str, str]) -> str:
         """Hash the operation, its literals, and `keys` as the keys of its children."""
-        return _hashed([f"${keys[part.key]}" if type(part) is Node else part for part in self._text])
+        return _hashed([f"${keys[part.key]}" if isinstance(part, Node) else part for part in self._text])
 
     def __repr__(self) -> str:
         """Return the operation and its place, without the possibly thousands of nodes below."""
