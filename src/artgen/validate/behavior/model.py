@@ -252,6 +252,14 @@ class Simulation:
         self._passive, self._bias = self.data.qfrc_passive, self.data.qfrc_bias
         self.applied = self.data.qfrc_applied
         self._warned = self.data.warning.number
+        self._qacc = self.data.qacc
+        # inertia of all degrees of freedom when it was last needed, shape (nv, nv)
+        self._inertias = np.zeros((model.nv, model.nv))
+        # motion of each degree of freedom per motion of each free joint, and whether it belongs to the joint
+        self._ratios = np.zeros((len(self.motions), model.nv))
+        self._own = np.zeros(self._ratios.shape, bool)
+        for row, motion in enumerate(self.motions.values()):
+            self._ratios[row, motion.speeds], self._own[row, motion.speeds] = motion.ratios, True
         self._places = {
             joint.name: int(model.joint(joint.name).qposadr[0]) for joint in asset.joints if not joint.locked
         }
@@ -289,14 +297,14 @@ class Simulation:
             UnstableError: The state is no longer finite.
         """
         self._step(self.model, self.data)
-        if len(self.warnings) > self._noticed or self._warned.any():
+        if len(self.warnings) > self._noticed or np.count_nonzero(self._warned):
             self._notice_warnings()
         followers = self._followers
         if followers.joints and self._watching:
             qpos = self._qpos
             off = np.abs(qpos[followers.at] - followers.wanted(qpos))
             beyond = off > followers.allowed
-            if not beyond.any():
+            if not np.count_nonzero(beyond):
                 followers.lasting[:] = 0.0
                 return
             followers.lasting = np.where(beyond, followers.lasting + self.step_time, 0.0)
@@ -330,21 +338,22 @@ class Simulation:
         ratios = motion.ratios_at(self.position(motion))
         return float(ratios @ (self._passive - self._bias)[motion.speeds])
 
-    def pull(self, motion: JointMotion) -> float:
-        """Return `load` and what the accelerations of other joints add to it [N m or N]."""
-        others = self.data.qacc.copy()
-        others[motion.speeds] = 0.0
-        result = np.zeros(self.model.nv)
-        self._mujoco.mj_mulM(self.model, self.data, result, others)
-        return self.load(motion) - float(motion.ratios_at(self.position(motion)) @ result[motion.speeds])
+    def pulls(self) -> Array:
+        """Return `load` of each free joint and what accelerations of others add, shape (n,) [N m or N]."""
+        for row, motion in enumerate(self.motions.values()):
+            if motion.bent:
+                self._ratios[row, motion.speeds] = motion.ratios_at(self.position(motion))
+        self._mujoco.mj_fullM(self.model, self.data, self._inertias)
+        felt = np.where(self._own, 0.0, self._ratios @ self._inertias)
+        return np.asarray(self._ratios @ (self._passive - self._bias) - felt @ self._qacc)
 
     def inertia(self, motion: JointMotion) -> float:
         """Return the inertia of a free joint while all others are free [kg m^2 or kg]."""
-        full, columns = np.zeros((self.model.nv, self.model.nv)), self._columns
-        self._mujoco.mj_fullM(self.model, self.data, full)
+        columns = self._columns
+        self._mujoco.mj_fullM(self.model, self.data, self._inertias)
         index = list(self.motions).index(motion.name)
         alone = np.eye(columns.shape[1])[index]
-        return 1.0 / float(np.linalg.solve(columns.T @ full @ columns, alone)[index])
+        return 1.0 / float(np.linalg.solve(columns.T @ self._inertias @ columns, alone)[index])
 
     @property
     def _columns(self) -> Array:

@@ -128,6 +128,8 @@ class Settled:
         simulation.begin(q, "it settles")
         self.deep = {}
         drifts = [self._drift(motion) for motion in simulation.motions.values()]
+        places = np.array([drift.motion.at for drift in drifts], int)
+        starts = np.array([drift.start for drift in drifts])
         self._report_contacts()
         quiet = 0.0
         for _ in range(round(SETTLE_TIME / simulation.step_time)):
@@ -135,9 +137,7 @@ class Settled:
             self._report_contacts()
             if self.stands:
                 self._report_tilt()
-            moved = any(drift.causes for drift in drifts)
-            for drift in drifts:
-                self._follow_drift(drift, drifts, carried=moved)
+            self._follow_drifts(drifts, (simulation.data.qpos[places] - starts).tolist())
             speeds = simulation.data.qvel
             still = np.abs(speeds).max(initial=0.0) < REST_SPEED
             quiet = quiet + simulation.step_time if still else 0.0
@@ -170,19 +170,28 @@ class Settled:
         way = 0.5 * excess / self.simulation.inertia(motion) * SETTLE_TIME**2
         return {int(math.copysign(1, load))} if way > _DRIFTS[motion.joint.kind] else set()
 
-    def _follow_drift(self, drift: _Drift, drifts: list[_Drift], *, carried: bool) -> None:
-        """Record whether a joint moves without a cause."""
+    def _follow_drifts(self, drifts: list[_Drift], ways: list[float]) -> None:
+        """Record which joints move without a cause; `ways` are their motions so far [rad or m]."""
+        carried = any(drift.causes for drift in drifts)
+        pulls: list[float] = []
+        for number, (drift, way) in enumerate(zip(drifts, ways, strict=True)):
+            motion = drift.motion
+            if abs(way) > abs(drift.furthest):
+                drift.furthest = way
+            if drift.since is not None:
+                continue
+            if carried and len(drift.causes) < 2 and (not drift.causes or motion.friction):
+                # other motion changes gravity on this joint, or carries it along
+                pulls = pulls or self.simulation.pulls().tolist()
+                pull = pulls[number]
+                if abs(pull) > motion.friction and int(math.copysign(1, pull)) not in drift.causes:
+                    drift.causes |= self._directions(motion, pull)
+            if drift.pushed or abs(way) > _BEGUN * _DRIFTS[motion.joint.kind]:
+                self._follow_drift(drift, drifts, way)
+
+    def _follow_drift(self, drift: _Drift, drifts: list[_Drift], way: float) -> None:
         simulation, motion = self.simulation, drift.motion
-        way, allowed = simulation.position(motion) - drift.start, _DRIFTS[motion.joint.kind]
-        if abs(way) > abs(drift.furthest):
-            drift.furthest = way
-        if drift.since is not None:
-            return
-        if carried and len(drift.causes) < 2 and (not drift.causes or motion.friction):
-            # other motion changes gravity on this joint, or carries it along
-            pull = simulation.pull(motion)
-            if abs(pull) > motion.friction and int(math.copysign(1, pull)) not in drift.causes:
-                drift.causes |= self._directions(motion, pull)
+        allowed = _DRIFTS[motion.joint.kind]
         if drift.pushed and abs(simulation.speed(motion)) < _STILL:
             drift.pushed = []  # later motion has another cause
         if abs(way) > _BEGUN * allowed and not drift.pushed and simulation.data.ncon:
