@@ -164,14 +164,18 @@ def _farthest(points: Array, solids: Manifold) -> tuple[float, Array]:
     bound, _ = cKDTree(np.asarray(raw.vert_properties)[:, :3]).query(points)
     if bound.max() <= EXCESS_SURFACE:
         return float(bound.max()), points[int(np.argmax(bound))]
-    points, bound = points[bound > EXCESS_SURFACE], bound[bound > EXCESS_SURFACE]
+    order = np.argsort(-bound)
+    points, bound = points[order], bound[order]
     low, high = corners.min(axis=1), corners.max(axis=1)
-    best = np.zeros(len(points))
-    for index, point in enumerate(points):
+    worst, place = 0.0, points[0]
+    for point, most in zip(points, bound, strict=True):
+        if most <= worst:  # so are those that follow
+            break
         # only triangles whose boxes are nearer than the nearest vertex can be nearer than it
         box = np.linalg.norm(np.maximum(np.maximum(low - point, point - high), 0.0), axis=1)
-        near = corners[box <= bound[index] + 1e-9]
+        near = corners[box <= most + 1e-9]
         closest = trimesh.triangles.closest_point(near, np.broadcast_to(point, (len(near), 3)))
-        best[index] = np.linalg.norm(closest - point, axis=1).min()
-    worst = int(np.argmax(best))
-    return float(best[worst]), points[worst]
+        distance = float(np.linalg.norm(closest - point, axis=1).min())
+        if distance > worst:
+            worst, place = distance, point
+    return worst, place

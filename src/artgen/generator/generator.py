@@ -823,7 +823,7 @@ def _is_dropped(node: Node) -> bool:
     return int(line or 0) in _calls("".join(linecache.getlines(file)))
 
 
-@functools.lru_cache(maxsize=16)
+@functools.lru_cache(maxsize=64)
 def _calls(text: str) -> frozenset[int]:
     """Return the lines of statements that only call an operation or a method of a handle."""
     try:
@@ -832,7 +832,11 @@ def _calls(text: str) -> frozenset[int]:
         return frozenset()
     methods = {*OPERATIONS, *(name for kind in Handle.HANDLES.values() for name in dir(kind))}
     lines: set[int] = set()
-    for each in ast.walk(parsed):
+    blocks: list[ast.AST] = [parsed]
+    while blocks:  # statements without their expressions, which are many
+        each = blocks.pop()
+        for name in ("body", "orelse", "finalbody", "handlers", "cases"):
+            blocks += getattr(each, name, ())
         if isinstance(each, ast.Expr) and isinstance(each.value, ast.Call):
             called = each.value.func
             if getattr(called, "attr", getattr(called, "id", "")) in methods:  # `body.attach`, or `part`
