@@ -15,6 +15,8 @@ from artgen.colliders.split import Faceted, hull_within, subtract
 COARSEST = 0.001  # largest tolerance for solids that need too many pieces [m]
 _COARSER = (0.0005, COARSEST)  # tolerances for solids that need too many pieces [m]
 _MARGIN = 0.001  # largest distance of joined pieces from the solid [m]
+_INWARD = (0.1, 0.5, 1.0)  # shares of the way from the faces of a hull to its middle
+_SURE = 1e-5  # distance beyond which a point is certainly outside a piece [m]
 _LITTLE = 1.05  # volume of a primitive around joined pieces, in volumes of their hull, at most
 _GROWN = 1e-9  # distance by which a primitive exceeds the pieces, for rounding [m]
 _MOST_FRAMES = 4  # most frames in which primitives are tried
@@ -110,14 +112,24 @@ class _Condenser:
 
     def _covered(self, group: int, hull: Polytope) -> bool:
         """Tell whether a hull is within the margin of the group's solid."""
-        left = [Faceted(polytope=hull)]
+        near = []
         for index, shape in enumerate(self._solid[group]):
-            if not _overlap(shape.bounds, hull.bounds):
-                continue
-            key = (group, index)
-            if key not in self._inflated:
-                self._inflated[key] = shape.inflated(_MARGIN)
-            left = subtract(left, [Faceted(polytope=self._inflated[key])])
+            if _overlap(shape.bounds, hull.bounds):
+                key = (group, index)
+                if key not in self._inflated:
+                    self._inflated[key] = shape.inflated(_MARGIN)
+                near.append(self._inflated[key])
+        # points inside the hull: most hulls that close a cavity have one outside all pieces
+        faces, middle = hull.face_means, hull.points.mean(axis=0)
+        points = np.concatenate([faces + share * (middle - faces) for share in _INWARD])
+        for shape in near:
+            outside = (shape.planes[:, :3] @ points.T - shape.planes[:, 3:]).max(axis=0, initial=-np.inf)
+            points = points[outside > _SURE]
+        if len(points):
+            return False
+        left = [Faceted(polytope=hull)]
+        for shape in near:
+            left = subtract(left, [Faceted(polytope=shape)])
             if not left:
                 return True
         return False
