@@ -30,6 +30,7 @@ ROOT = Path(__file__).parents[1]
 SOURCE = ROOT / "src" / "artgen"
 FREE = 5  # every so manyth export stands on a free base
 PLAIN = 4  # every so manyth export has colors alone, no maps
+PART = 5  # most categories that one process of a client reads
 
 SLOW = ("mjx", "mujoco_warp", "genesis_mjcf", "genesis_urdf")
 """Clients that compile for each asset, for a minute or more: they read fewer seeds."""
@@ -197,31 +198,34 @@ def _exports(work: Path, category: str, layouts: Sequence[str], seeds: int) -> d
 def _results(work: Path, read: Mapping[Task, Sequence[Path]], jobs: int) -> dict[Task, list[dict[str, Any]]]:
     """Return the answer of each client to each export; answers of earlier runs are reused."""
 
-    def run(task: Task) -> list[dict[str, Any]]:
-        directories = read[task]
-        outcomes = run_client(task.client, [read_exported(directory) for directory in directories])
-        return [
-            {**outcome.to_data(), "asset": directory.name, "message": outcome.message}
-            for outcome, directory in zip(outcomes, directories, strict=True)
-        ]
+    def run(tasks: Sequence[Task]) -> dict[Task, list[dict[str, Any]]]:
+        pairs = [(task, directory) for task in tasks for directory in read[task]]
+        outcomes = run_client(tasks[0].client, [read_exported(directory) for _, directory in pairs])
+        found: dict[Task, list[dict[str, Any]]] = {task: [] for task in tasks}
+        for outcome, (task, directory) in zip(outcomes, pairs, strict=True):
+            found[task].append({**outcome.to_data(), "asset": directory.name, "message": outcome.message})
+        return found
 
     results: dict[Task, list[dict[str, Any]]] = {}
+    missing: dict[tuple[str, str], list[Task]] = {}
+    for task, directories in read.items():
+        earlier = _earlier_answers(work / "answers" / task.file, directories)
+        if earlier is not None:
+            results[task] = earlier
+        else:
+            missing.setdefault((task.client.name, task.layout), []).append(task)
     with ThreadPoolExecutor(jobs) as pool:
-        running = {}
-        for task, directories in read.items():
-            earlier = _earlier_answers(work / "answers" / task.file, directories)
-            if earlier is not None:
-                results[task] = earlier
-            else:
-                running[pool.submit(run, task)] = task
-        for future in as_completed(running):
-            task = running[future]
-            results[task] = future.result()
-            states = Counter(each["state"] for each in results[task])
-            if not states["absent"]:  # it may be there next time
-                (work / "answers" / task.file).write_text(json.dumps(results[task]), encoding="utf-8")
-            counts = ", ".join(f"{count} {state}" for state, count in sorted(states.items()))
-            typer.echo(f"{task.client.name} {task.category} {task.layout}: {counts}", err=True)
+        parts = [
+            tasks[start : start + PART] for tasks in missing.values() for start in range(0, len(tasks), PART)
+        ]
+        for future in as_completed([pool.submit(run, part) for part in parts]):
+            for task, found in future.result().items():
+                results[task] = found
+                states = Counter(each["state"] for each in found)
+                if not states["absent"]:  # it may be there next time
+                    (work / "answers" / task.file).write_text(json.dumps(found), encoding="utf-8")
+                counts = ", ".join(f"{count} {state}" for state, count in sorted(states.items()))
+                typer.echo(f"{task.client.name} {task.category} {task.layout}: {counts}", err=True)
     return {task: results[task] for task in read}
 
 
