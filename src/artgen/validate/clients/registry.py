@@ -140,7 +140,10 @@ _DRAKE = r"WARNING:drake:.*: (warning|error): "
 MACHINE = {
     r"Warp CUDA warning: Could not find or load the NVIDIA CUDA driver\..*": (
         "Warp prints this on every machine without a GPU"
-    )
+    ),
+    r".*: UserWarning: Failed to find system libvulkan\. Fallback to SAPIEN builtin libvulkan\.\s+warn\(.*": (
+        "SAPIEN prints this on every machine without Vulkan, which its physics does not need"
+    ),
 }
 """Messages of any client about the machine instead of the asset: patterns, and reasons."""
 

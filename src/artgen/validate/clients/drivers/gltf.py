@@ -4,6 +4,8 @@ import json
 import os
 import shutil
 import subprocess
+from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -41,18 +43,24 @@ def _read(request: dict[str, Any]) -> dict[str, Any]:
     }
 
 
+@cache
 def _modules() -> Path | None:
     """Return the folder of npm packages with the validator, if there is one."""
+    return next((place for place in _places() if (place / _PACKAGE).is_dir()), None)
+
+
+def _places() -> Iterator[Path]:
+    """Yield folders of npm packages: the named one, that of artgen's sources, and npm's global one."""
     named = os.environ.get("ARTGEN_NODE_MODULES")
-    # in the sources of artgen, where `npm ci` installs it, and in npm's global folder
-    places = [Path(named)] if named else []
-    places += [parent / "scripts" / "gltf_check" / "node_modules" for parent in Path(__file__).parents]
+    if named:
+        yield Path(named)
+    for parent in Path(__file__).parents:
+        yield parent / "scripts" / "gltf_check" / "node_modules"
     npm = shutil.which("npm")
     if npm is not None:
         command = [npm, "root", "--global"]
         found = subprocess.run(command, capture_output=True, text=True, check=False).stdout  # noqa: S603
-        places.append(Path(found.strip()))
-    return next((place for place in places if (place / _PACKAGE).is_dir()), None)
+        yield Path(found.strip())
 
 
 if __name__ == "__main__":
