@@ -82,8 +82,9 @@ class Slide:
                 self._speed = 0.0
 
 
-def joint(name, limits, *, blocked=False, effort=100.0):
-    return {"name": name, "limits": limits, "follows": None, "blocked": blocked, "effort": effort}
+def joint(name, limits, *, blocked=False, effort=100.0, freed=()):
+    state = {"follows": None, "blocked": blocked, "freed": dict(freed)}
+    return {"name": name, "limits": limits, "effort": effort, **state}
 
 
 @pytest.mark.parametrize("mass", [0.05, 2.0, 60.0])
@@ -100,7 +101,8 @@ def test_a_joint_is_driven_to_both_ends(driver, mass, limits):
 
 def test_a_blocked_joint_is_driven_once_the_others_free_it(driver):
     limits = (0.0, 0.3)
-    request = {"joints": [joint("slide", limits, blocked=True), joint("bolt", (0.0, 0.02))]}
+    slide = joint("slide", limits, blocked=True, freed={"bolt": 0})
+    request = {"joints": [slide, joint("bolt", (0.0, 0.02))]}
     moved = driver("driver_motion").drive_all(Slide(limits, bolted=True), request)["moved"]
     assert moved["slide"][1] > 0.29
     assert moved["bolt"][1] >= 0.0196

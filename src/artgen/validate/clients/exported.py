@@ -1,5 +1,6 @@
 """Requests to clients about an export, and the comparison of an answer with the asset."""
 
+import itertools
 import json
 import os
 from collections import Counter
@@ -73,7 +74,21 @@ class ClientExport:
             "limits": None if joint.limits is None else list(joint.limits),
             "follows": None if joint.follows is None else head(joint, self.asset).name,
             "blocked": self.is_blocked(joint),
+            "freed": self._freed(joint),
         }
+
+    def _freed(self, joint: AssetJoint) -> dict[str, int]:
+        """Return the limits, 0 or 1, of other joints that free a blocked joint; empty if none do."""
+        if joint.needs is None:
+            return {}
+        condition, asset = joint.needs.condition, self.asset
+        heads = dict.fromkeys(head(asset.joint(name), asset).name for name in condition.joints())
+        limits = {name: ends for name in heads if (ends := asset.joint(name).limits)}
+        for sides in itertools.product((1, 0), repeat=len(limits)):
+            places = {name: ends[side] for side, (name, ends) in zip(sides, limits.items(), strict=True)}
+            if condition.holds(asset.positions(places)):
+                return dict(zip(limits, sides, strict=True))
+        return {}
 
 
 def read_exported(directory: str | Path) -> ClientExport:

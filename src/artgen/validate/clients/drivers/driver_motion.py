@@ -1,6 +1,5 @@
 """Posing of joints, and driving of joints in a simulation by torques and forces."""
 
-import itertools
 from collections.abc import Callable
 from typing import Any
 
@@ -15,8 +14,6 @@ _SLOW, _FAST = 0.5, 2.5  # speeds between which a force is unchanged [ranges/s]
 _NEAR = 0.02  # tolerance at the end, as a share of the range
 _FIRM = 2.0  # factor of the force that holds a joint at its end
 _FREED = 0.5  # share of the range beyond which a joint is not blocked any more
-# most combinations of ends of other joints for a joint that they block: all ends of four joints
-_COMBINATIONS = 16
 _SETTLE = 1.0  # time before anything is driven [s]
 _FOLLOWED = 0.01  # largest lag of a coupled joint, as a share of the range
 
@@ -82,28 +79,14 @@ def drive_all(simulation: Simulation, request: dict[str, Any]) -> dict[str, Any]
             held[joint["name"]] = forces
     for joint in joints:
         if joint["blocked"]:
-            low, high = _drive_blocked(simulation, joint, held)
+            others = {name: held[name][side] for name, side in joint["freed"].items() if name in held}
+            simulation.push(others)
+            simulation.advance(_SETTLE)
+            low, high, forces = _drive(simulation, joint, others)
+            held[joint["name"]] = forces
             if high - low > _FREED * (ends(joint)[1] - ends(joint)[0]):
                 moved[joint["name"]] = [low, high]
     return {"moved": moved, "steps": simulation.steps, "finite": simulation.finite}
-
-
-def _drive_blocked(
-    simulation: Simulation, joint: dict[str, Any], held: dict[str, list[float]]
-) -> list[float]:
-    """Drive a joint while the others are held at their ends, in one combination after another."""
-    lower, upper = ends(joint)
-    reached = [simulation.position(joint["name"])] * 2
-    combinations = itertools.product(*(reversed(each) for each in held.values()))
-    for forces in itertools.islice(combinations, _COMBINATIONS):  # the first one opens everything
-        others = dict(zip(held, forces, strict=True))
-        simulation.push(others)
-        simulation.advance(_SETTLE)
-        low, high, _ = _drive(simulation, joint, others)
-        reached = [min(reached[0], low), max(reached[1], high)]
-        if reached[1] - reached[0] > _FREED * (upper - lower) or not simulation.finite:
-            break
-    return reached
 
 
 def _drive(

@@ -62,7 +62,10 @@ def _read_renamed(read: Read, request: dict[str, Any]) -> dict[str, Any]:
     def numbered(joint: dict[str, Any]) -> dict[str, Any]:
         number, follows = joint_numbers[joint["name"]], joint_numbers.get(joint["follows"])
         limits, rest = reverse(number, joint["limits"]), signs[number] * joint["rest"]
-        return {**joint, "name": number, "follows": follows, "limits": limits, "rest": rest}
+        freed = {joint_numbers[name]: side for name, side in joint["freed"].items()}
+        freed = {name: side if signs[name] > 0 else 1 - side for name, side in freed.items()}
+        changes = {"name": number, "follows": follows, "limits": limits, "rest": rest, "freed": freed}
+        return {**joint, **changes}
 
     def reverse(number: str, limits: Any) -> Any:
         return limits if limits is None or signs[number] > 0 else [-limits[1], -limits[0]]

@@ -12,7 +12,7 @@ require("ovphysx", "physx_usd_schemas", "newton_usd_schemas")
 import ovphysx
 import ovstage
 from ovphysx.samples.python_samples.schema_support import physx_schema_paths
-from ovphysx.types import TensorType
+from ovphysx.types import GlobalConfigKey, TensorType
 
 _RETURN = 2.0  # time in which a spring has to return its joint [s]
 _LOOK = 0.02  # interval between two checks during that time [s]
@@ -40,6 +40,7 @@ def _read(request: dict[str, Any]) -> dict[str, Any]:
 def _physics() -> Any:
     """Return the only instance of the process."""
     ovphysx.PhysX.set_cpu_mode(True)
+    ovphysx.set_global_config(GlobalConfigKey.NUM_THREADS, 0)  # one asset is too small for several threads
     schemas = [*physx_schema_paths(), ovphysx.newton_schema_root()]
     ovstage.population.register_usd_schemas([str(path) for path in schemas])
     return ovphysx.PhysX()
