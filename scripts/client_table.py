@@ -73,7 +73,9 @@ KNOWN = (
         "SAPIEN, ManiSkill",
         (
             "their loader inverts `<mimic>` between joints of one body, so that a lever sticks; the layout "
-            "`partnet-mobility` leaves such couplings out; in place of a file's friction each joint has one "
+            "`partnet-mobility` leaves such couplings out; it divides the force on a leader by the ratio, so "
+            "that the screw of a jar's lid sticks, and passes over leaders further from the base than their "
+            "followers, as in laptops with two hinges; in place of a file's friction each joint has one "
             "of 0.05 times the load on it"
         ),
     ),

@@ -118,6 +118,8 @@ class _Simulation(Simulation):
             found[name] |= {key: each[number] for key, each in values.items() if each[number] < _UNLIMITED}
             if found[name]["stiffness"]:
                 found[name]["rest"] = target[number]
+            elif not found[name]["damping"]:
+                found[name].pop("effort", None)  # without a drive, it is 0
         return found
 
     def _put(self, positions: Any) -> None:

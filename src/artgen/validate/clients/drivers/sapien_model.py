@@ -100,15 +100,20 @@ def read_articulation(step: Any, articulation: Any, mimics: Any, request: dict[s
 
 
 def _couple(articulation: Any, joints: dict[str, Any], mimics: Any) -> None:
-    """Correct couplings to the meaning of URDF: SAPIEN 3.0 reverses those between joints of one body."""
+    """Correct couplings to the meaning of URDF.
+
+    SAPIEN 3.0 reverses those between joints of one body, and divides the force on the leader by the ratio, so
+    that a screw sticks. It has none of a joint to a leader further from the base.
+    """
     for item in mimics:
         follower, leader = joints[item.joint], joints[item.mimic]
-        siblings = follower.parent_link == leader.parent_link
-        root = leader.parent_link if siblings else follower.parent_link.parent
+        if follower.parent_link not in (leader.parent_link, leader.child_link):
+            continue
+        terms = [0.0, -item.multiplier, 1.0]
         articulation.create_fixed_tendon(
-            [root, leader.child_link, follower.child_link],
-            [0.0, -item.multiplier, 1.0],
-            [0.0, -1.0 / item.multiplier, 1.0],
+            [leader.parent_link, leader.child_link, follower.child_link],
+            terms,
+            terms,
             rest_length=item.offset,
             stiffness=1e5,
         )
