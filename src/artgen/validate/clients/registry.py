@@ -236,7 +236,10 @@ _UNAVOIDABLE: Mapping[str, dict[str, str]] = {
         r"\[Warning\] \[mujoco_usd_converter\._impl\.material\.convert_material\] Unsupported texture layers "
         r"for material '.*'": (
             "the material has maps, but none of color, and the converter supports maps of color only"
-        )
+        ),
+        r"\[Warning\] \[mujoco_usd_converter\._impl\.convert\.warn\] keys are not supported": (
+            "the converter supports no keyframes, which are valid states"
+        ),
     },
 }
 
