@@ -14,7 +14,7 @@ flanges PN 16 of EN 1092-1; threads of ISO 228 on brass bodies of 50 to 110 mm (
 Giacomini and Bugatti). Hand wheels of KSB, ARI and AVK catalogs: 120-180 mm up to DN 50, 180-250 mm above.
 Brass ball valves turn with about 0.1 N m for each mm of DN, with half of that for a tee that fingers turn,
 and butterflies with 0.07 N m without pressure. EN 1074-2 allows a gate valve as many N m as its DN in mm; the
-wheel of a new one runs at a fifteenth of that.
+wheel of a new one runs at a twentieth of that.
 Hands pull a rim with up to 360 N for a moment (MSS SP-91); half of that is the effort here.
 """
 
@@ -308,7 +308,7 @@ def _gate(
         "wheel_turn",
         axis=ag.Z,
         limits=(0, math.tau * size / pitch),
-        friction=torque * dn / 15,
+        friction=torque * dn / 20,
         damping=0.1,
         armature=0.01,
         effort=0.5 * _RIM * diameter,
@@ -353,7 +353,7 @@ def _globe(
         pitch=pitch,
         axis=ag.Z,
         limits=(0, math.tau * lift / pitch),
-        friction=torque * dn / 15,
+        friction=torque * dn / 20,
         damping=0.1,
         armature=0.01,
         effort=0.5 * _RIM * diameter,
