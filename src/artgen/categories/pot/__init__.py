@@ -67,7 +67,7 @@ def pot(
     width: ag.Float = ag.by(
         "style",
         saucepan=ag.uniform(0.145, 0.205),
-        stockpot=ag.uniform(0.22, 0.285),
+        stockpot=ag.uniform(0.242, 0.285),
         casserole=ag.uniform(0.22, 0.28),
         pan=ag.uniform(0.24, 0.30),
         pressure=ag.uniform(0.215, 0.235),
