@@ -156,3 +156,51 @@ def test_colliders_need_not_follow_solids_of_low_detail_closely() -> None:
     report = validate(asset, checks=("colliders", "grasps"))
     assert not report.faults
     assert "full detail" in {each.check: each.skipped for each in report.results}["grasps"]
+
+
+@ag.generator
+def linked() -> Body:
+    """Two blocks that a chain of two rods joins, a thin plate on the second rod, and many small knobs."""
+    steel = ag.material("steel")
+    blocks = ag.part([ag.box(0.02, 0.02, 0.02), ag.box(0.02, 0.02, 0.02).at(x=0.1)], "block", steel)
+    rods = [ag.cylinder_between((x, 0, 0), (x + 0.05, 0, 0), 0.002) for x in (0.005, 0.045)]
+    badge = ag.box(0.01, 0.004, 0.0008).at(0.07, 0, 0.002)
+    ball = ag.sphere(0.003)
+    knobs = [ball.at(x - 0.007 + 0.002 * step, 0, 0.01) for x in (0.0, 0.1) for step in range(8)]
+    return ag.weld(
+        blocks,
+        *(ag.detail(each, label, steel) for each, label in zip(rods, ("near", "far"), strict=True)),
+        ag.detail(badge, "badge", steel),
+        *(ag.detail(each, "knob", steel) for each in knobs),
+    )
+
+
+def test_details_by_which_solids_hang_together_stay() -> None:
+    tree = Graph(linked.build({})).evaluate(detail=DETAILS["low"]).value
+    full = {piece.label for piece in tree.link.pieces}
+    assert full == {"block", "near", "far", "badge", "knob"}
+    bare, least = tree.reduced(0.0, 0.001)
+    kept = [piece.label for piece in bare.link.pieces]
+    assert kept == ["block", "block", "near", "far"]
+    assert least == sum(len(piece.shape.mesh.triangles) for piece in bare.link.pieces if piece.label) + sum(
+        len(piece.shape.mesh.triangles) for piece in tree.link.pieces if piece.label == "knob"
+    )
+    some, _ = tree.reduced(least, 0.0)
+    assert "badge" not in {piece.label for piece in some.link.pieces}
+
+
+def test_a_detail_leaves_after_those_that_hang_on_it() -> None:
+    steel = ag.material("steel")
+    arm = ag.cylinder_between((0, 0, 0.005), (0, 0, 0.06), 0.001)
+    sign = ag.box(0.03, 0.03, 0.01).at(z=0.064)
+    body = ag.weld(
+        ag.part(ag.box(0.02, 0.02, 0.02), "block", steel),
+        ag.detail(arm, "arm", steel),
+        ag.detail(sign, "sign", steel),
+    )
+    tree = Graph(body).evaluate(detail=DETAILS["low"]).value
+    counts = {piece.label: len(piece.shape.mesh.triangles) for piece in tree.link.pieces}
+    total = sum(counts.values())
+    for most, kept in ((total, 3), (total - 1, 2), (total - counts["sign"], 2), (counts["block"], 1)):
+        labels = [piece.label for piece in tree.reduced(most)[0].link.pieces]
+        assert labels == ["block", "arm", "sign"][:kept]

@@ -1,5 +1,7 @@
 """Watertight surfaces in manifold3d: construction from triangles, repair and motion."""
 
+from collections.abc import Sequence
+
 import numpy as np
 from manifold3d import Manifold, Mesh64
 from numpy.typing import ArrayLike
@@ -116,6 +118,46 @@ def part_boxes(points: Array, faces: Indices) -> tuple[Array, Indices]:
     starts = np.flatnonzero(np.diff(part[ordered], prepend=-1))
     corners = [each.reduceat(points[ordered], starts) for each in (np.minimum, np.maximum)]
     return np.stack(corners, axis=1), ordered[starts]
+
+
+JOINED = 0.5e-3
+"""Largest gap between connected solids of a link [m]."""
+
+
+def box_gaps(first: Array, second: Array) -> Array:
+    """Return the distances between boxes, shapes (n, 2, 3) and (m, 2, 3), as an array of shape (n, m) [m]."""
+    apart = np.maximum(first[:, None, 0] - second[None, :, 1], second[None, :, 0] - first[:, None, 1])
+    return np.asarray(np.linalg.norm(np.maximum(apart, 0.0), axis=2))
+
+
+def touching(solids: Sequence[Manifold], boxes: Array, ranks: Array | None = None) -> list[tuple[int, int]]:
+    """Return pairs of solids at most `JOINED` apart that connect all solids that hang together.
+
+    They form a forest: without a pair, its solids do not hang together any more.
+
+    Args:
+        solids: The solids.
+        boxes: Their bounding boxes, shape (n, 2, 3) [m].
+        ranks: Rank of each solid, shape (n,): pairs of low ranks come first, by default those of near boxes.
+    """
+    from scipy.cluster.hierarchy import DisjointSet
+
+    apart = box_gaps(boxes, boxes)
+    first, second = np.nonzero(np.triu(apart <= JOINED, 1))
+    # most boxes that overlap belong to solids that do, and pairs that are already connected cost nothing
+    keys = [apart[first, second]]
+    if ranks is not None:
+        pair = np.sort(np.column_stack([ranks[first], ranks[second]]), axis=1)
+        keys += [pair[:, 0], pair[:, 1]]
+    groups = DisjointSet(range(len(solids)))
+    found = []
+    for a, b in np.column_stack([first, second])[np.lexsort(keys)].tolist():
+        if groups.connected(a, b):
+            continue
+        if solids[a].min_gap(solids[b], 2.0 * JOINED) <= JOINED:
+            groups.merge(a, b)
+            found.append((a, b))
+    return found
 
 
 def connected(triangles: Indices, targets: Indices) -> tuple[Indices, Indices, Indices]:

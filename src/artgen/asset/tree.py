@@ -1,8 +1,10 @@
 """Value of a body: a link and the links joined to it, before the asset has a name and a seed."""
 
+import math
 from collections import Counter
-from collections.abc import Callable, Collection, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from heapq import heapify, heappop, heappush
 
 import numpy as np
 
@@ -10,6 +12,7 @@ from artgen._arrays import Array
 from artgen.asset.coupling import AssetLoop
 from artgen.asset.joint import AllowedContact, AssetJoint, joints_above
 from artgen.asset.link import Link, Piece
+from artgen.asset.manifolds import touching
 from artgen.colliders.triangles import cross
 from artgen.errors import AssetError, nearest
 
@@ -70,33 +73,39 @@ class Tree:
         )
         return replace(self, branches=branches)
 
-    def reduced(self, most: float) -> tuple["Tree", int]:
+    def reduced(self, most: float, thin: float = 0.0) -> tuple["Tree", int]:
         """Return the tree with fewer visual details, and the least number of triangles that it can have.
 
-        With more than `most` triangles, details within the bounds of a link's solids are left out, those with
-        the smallest triangles first, then those that stand out and show in the outline. The least number
-        keeps these and the solids.
+        Details that are not thicker than `thin` [m] are left out. With more than `most` triangles, others
+        are as well, those with the smallest triangles first, then those that stand out of the bounds of a
+        link's solids and show in the outline. The least number keeps these and the solids. A detail stays
+        as long as solids, or details that stay, hang together by it.
         """
-        pieces = [piece for link in self.links() for piece in link.pieces]
-        total = sum(map(_triangles, pieces))
-        if total <= most:
-            return self, total
-        solids = [[each.shape.bounds() for each in link.pieces if not each.visual] for link in self.links()]
+        links = list(self.links())
+        pieces = [piece for link in links for piece in link.pieces]
+        kept = least = sum(map(_triangles, pieces))
+        solids = [[each.shape.bounds() for each in link.pieces if not each.visual] for link in links]
         bounds = [(np.min(boxes, axis=0)[0], np.max(boxes, axis=0)[1]) for boxes in solids if boxes]
 
-        def stands_out(piece: Piece) -> bool:
+        def rank(piece: Piece) -> _Rank:
             low, high = piece.shape.bounds()
-            beyond = min(max((least - low).max(), (high - greatest).max()) for least, greatest in bounds)
-            return bool(beyond > _PROUD)
+            beyond = min(max((start - low).max(), (high - end).max()) for start, end in bounds)
+            return bool((high - low).min() > thin), bool(beyond > _PROUD), _mean_area(piece)
 
-        ranks = {id(each): (stands_out(each), _mean_area(each)) for each in pieces if each.visual}
-        least = sum(_triangles(each) for each in pieces if ranks.get(id(each), (True, 0.0))[0])
-        details, excess = [each for each in pieces if each.visual], total - most
+        ranks = {id(each): rank(each) for each in pieces if each.visual}
+        if kept <= most and all(thick for thick, _, _ in ranks.values()):
+            return self, kept
         left_out: set[int] = set()
-        for piece in sorted(details, key=lambda each: ranks[id(each)]):
-            if excess > 0:
+        leaving, shows = True, False  # whether all details so far were left out, and whether one shows
+        for piece in _from_ends(links, ranks):
+            thick, proud, _ = ranks[id(piece)]
+            leaving = leaving and (not thick or kept > most)
+            if leaving:
                 left_out.add(id(piece))
-                excess -= _triangles(piece)
+                kept -= _triangles(piece)
+            shows = shows or (thick and proud)
+            if not shows:
+                least -= _triangles(piece)
         return self._with_links(lambda link: link.without(left_out)), least
 
     def _with_links(self, of_link: Callable[[Link], Link]) -> "Tree":
@@ -156,6 +165,40 @@ class Tree:
 
 
 _PROUD = 0.001  # distance beyond the solids at which a detail shows in the outline [m]
+
+
+_Rank = tuple[bool, bool, float]
+"""Of details, the first to leave out first: whether one is thick, stands out, and its mean triangle [m^2]."""
+
+
+def _from_ends(links: Sequence[Link], ranks: Mapping[int, _Rank]) -> Iterator[Piece]:
+    """Yield visual details by rank, each after the details that hang on it; those between solids stay."""
+    neighbors: dict[int, set[int]] = {}  # what hangs together with each piece, by `id`
+    details = {id(piece): piece for link in links for piece in link.pieces if piece.visual}
+    number = {key: index for index, key in enumerate(details)}
+    for link in links:
+        pieces = sorted(link.pieces, key=lambda each: ranks.get(id(each), _SOLID), reverse=True)
+        if not ranks.keys() & set(map(id, pieces)):
+            continue
+        solid = sum(not each.visual for each in pieces)
+        order = np.maximum(np.arange(len(pieces)) - solid + 1, 0)
+        boxes = np.array([each.shape.bounds() for each in pieces])
+        for pair in touching([each.shape.manifold for each in pieces], boxes, order):
+            one, other = (id(pieces[index]) for index in pair)
+            neighbors.setdefault(one, set()).add(other)
+            neighbors.setdefault(other, set()).add(one)
+    ends = [(ranks[key], number[key], key) for key in details if len(neighbors.get(key, ())) < 2]
+    heapify(ends)
+    while ends:
+        _, _, key = heappop(ends)
+        yield details[key]
+        for other in neighbors.get(key, ()):
+            neighbors[other].remove(key)
+            if other in details and len(neighbors[other]) < 2:
+                heappush(ends, (ranks[other], number[other], other))
+
+
+_SOLID: _Rank = (True, True, math.inf)  # solids come before all details
 
 
 def _triangles(piece: Piece) -> int:

@@ -745,7 +745,7 @@ def _evaluations(
                 raise
         else:
             if most < math.inf and isinstance(body, Body):
-                evaluation.value, least = evaluation.value.reduced(most)
+                evaluation.value, least = evaluation.value.reduced(most, level.thin)
                 if least > most and level.chord < coarsest:
                     level = level.scaled(next(by for times, by in _COARSER if least <= times * most))
                     continue

@@ -28,7 +28,7 @@ from artgen.asset.affordance import GRIPPER, held
 from artgen.asset.link import MovedLink, PrintDirection
 from artgen.asset.mass import total
 from artgen.errors import nearest
-from artgen.graph import detail_level, kernel, records
+from artgen.graph import kernel, records
 from artgen.materials import Material
 from artgen.nodes.csg import poses, subtracted
 from artgen.nodes.grasp_frames import Array4x4, Frame
@@ -135,12 +135,7 @@ def _detail(
             corners = np.concatenate([each.bounds() for each in solids])
             about = 0.5 * (corners.min(axis=0) + corners.max(axis=0))
         reading = PrintDirection(about, unit(reads))
-    thin = detail_level().thin
-    pieces = tuple(
-        Piece(label, material, each, visual=True, reading=reading)
-        for each in solids
-        if not thin or np.ptp(each.bounds(), axis=0).min() > thin
-    )
+    pieces = tuple(Piece(label, material, each, visual=True, reading=reading) for each in solids)
     return Tree(Link(label, label, pieces))
 
 

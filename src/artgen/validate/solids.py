@@ -13,14 +13,12 @@ from scipy.spatial import cKDTree
 from artgen._arrays import Array
 from artgen.asset import Asset, Link
 from artgen.asset.collision import link_parts
+from artgen.asset.manifolds import box_gaps, touching
 from artgen.asset.report import AGAIN, CheckResult, Finding, Severity
 from artgen.asset.shells import LinkShells, Shell, point_text, skins, winding_number
 from artgen.errors import ArtgenError
 
 CHECK = "solids"
-
-JOINED = 0.5e-3
-"""Largest gap between connected solids of a link [m]."""
 
 THINNEST = 0.05e-3
 """Mean thickness below which a solid is a sliver [m]."""
@@ -195,29 +193,19 @@ def floating_findings(link: Link) -> Iterator[Finding]:
 
 def _groups(shells: Sequence[Shell]) -> list[list[Shell]]:
     """Return the groups of connected solids."""
-    apart = _box_gaps(shells, shells)
-    first, second = np.nonzero(np.triu(apart <= JOINED, 1))
     groups = DisjointSet(range(len(shells)))
-    # nearest boxes first: most overlap, and pairs that are already connected cost nothing
-    for index in np.argsort(apart[first, second], kind="stable"):
-        a, b = int(first[index]), int(second[index])
-        if not groups.connected(a, b):
-            gap = shells[a].manifold.min_gap(shells[b].manifold, 2.0 * JOINED)
-            if gap <= JOINED:
-                groups.merge(a, b)
+    for a, b in touching([shell.manifold for shell in shells], _boxes(shells)):
+        groups.merge(a, b)
     return [[shells[number] for number in sorted(group)] for group in groups.subsets()]
 
 
-def _box_gaps(a: Sequence[Shell], b: Sequence[Shell]) -> Array:
-    """Return the distances between bounding boxes, shape (n, m) [m]."""
-    first, second = (np.array([shell.bounds for shell in shells]).reshape(-1, 2, 3) for shells in (a, b))
-    apart = np.maximum(first[:, None, 0] - second[None, :, 1], second[None, :, 0] - first[:, None, 1])
-    return np.asarray(np.linalg.norm(np.maximum(apart, 0.0), axis=2))
+def _boxes(shells: Sequence[Shell]) -> Array:
+    return np.array([shell.bounds for shell in shells]).reshape(-1, 2, 3)
 
 
 def _nearest(group: Sequence[Shell], others: Sequence[Shell]) -> tuple[float, Shell, Shell]:
     """Return the smallest gap between two groups of solids, and the two solids."""
-    apart = _box_gaps(group, others)
+    apart = box_gaps(_boxes(group), _boxes(others))
     best = (_FAR, group[0], others[0])
     for index in np.argsort(apart, axis=None, kind="stable"):
         first, second = (int(number) for number in np.unravel_index(index, apart.shape))
