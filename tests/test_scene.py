@@ -177,6 +177,18 @@ def test_a_kitchen_is_proven() -> None:
     assert {"refrigerator_body", "oven_body", "dishwasher_body", "window_frame", "door_frame"} <= {
         link.name for link in room.links
     }
+    # the rim of the sink is on the worktop, and its bowls are in the unit below
+    sink, unit = (
+        next(each for each in room.placed if each.name == name).pose[:2, 3] for name in ("sink", "cabinet")
+    )
+    bowls = np.array(
+        [each.convex.bounds() for each in room.link("sink_sink").colliders if each.label == "bowl"]
+    )
+    top = room.link("worktop_worktop").bounds()[1, 2]
+    assert top < bowls[:, 1, 2].max() < top + 0.004
+    assert bowls[:, 0, 2].min() < top - 0.15
+    assert room.joints["sink_spout_swivel"].limits is not None
+    assert np.linalg.norm(sink - unit) < 0.5
 
 
 @pytest.mark.parametrize(

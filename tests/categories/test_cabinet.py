@@ -140,3 +140,18 @@ def test_any_seed_can_be_built_with_its_door_as_wide_as_its_carcass(seed: int) -
     assert sum(len(link.colliders) for link in asset.links) < 100
     doors = [link.name for link in asset.links[1:]]
     assert len(doors) == asset.parameters["doors"]
+
+
+@pytest.mark.parametrize("hinge", ["concealed", "butt"])
+def test_a_unit_with_rails_is_open_above_and_behind(hinge: str) -> None:
+    size = {"width": 0.6, "depth": 0.56, "height": 0.86}
+    values = {"kind": "base", "stand": "plinth", "top": "rails", "shelves": 0, "hinge": hinge, "grip": "bar"}
+    asset = cabinet.generate(3, doors=2, **size, **values, cache=Cache())
+    assert asset.certificate is not None
+    assert asset.certificate.proven
+    body = solid(asset, "body")
+    sink = Manifold.cube((0.5, 0.46, 0.5), True).translate((0.0, -0.01, 0.70))
+    pipe = Manifold.cube((0.05, 0.3, 0.05), True).translate((0.0, 0.2, 0.45))
+    assert (body ^ (sink + pipe)).volume() == pytest.approx(0.0, abs=1e-12)
+    low, high = asset.link("body").bounds()
+    assert high[2] - low[2] == pytest.approx(0.86, abs=1e-6)

@@ -11,8 +11,7 @@ from artgen.asset.asset import DetailName
 from artgen.errors import AssetError
 from artgen.export.frames import translation
 from artgen.materials import Material, material
-from artgen.nodes.region import Region
-from artgen.scene.room import GAP, STANDING, Line, Placement, Scene, Wall
+from artgen.scene.room import GAP, Line, Placement, Scene, Wall
 
 THICK = 0.035  # of worktops [m]
 UNDER = 0.86  # height of base units, below their worktop [m]
@@ -25,7 +24,6 @@ PLINTH = {"stand_height": KICK, "setback": SETBACK}
 SWING = 1.45  # of doors: wider, their handles would be before the drawers beside them [rad]
 DOORWAY = 1.08  # of a wall that a door takes [m]
 ATTEMPTS = 8  # draws before a room counts as infeasible
-_SINK_DEEP = 0.2  # depth of a sink [m]
 _WORKTOPS = ("granite", "black_granite", "marble", "oak", "walnut", "beech")
 _GRIPS = ("bar", "bar", "knob", "cup")  # handles that doors and drawers have
 _FLOORS = ("oak", "oak_flat_sawn", "ash", "granite", "walnut")
@@ -142,9 +140,9 @@ class Furnisher:
         return self.room.fixture("worktop", lambda: worktop(outline, low, high, self.top, holes), wall=wall)
 
     def unit(
-        self, wall: Wall | Line, at: float, width: float, *, doors: bool, high: float = UNDER
+        self, wall: Wall | Line, at: float, width: float, *, doors: bool, high: float = UNDER, **values: Any
     ) -> Placement:
-        """Place a base unit with drawers or doors."""
+        """Place a base unit with drawers or doors; `values` are other parameters of it."""
         size: dict[str, Any] = {"width": width, "height": high, "depth": DEEP, "top": "flush"}
         if doors:
             kind: dict[str, Any] = {
@@ -153,48 +151,17 @@ class Furnisher:
                 "doors": 2 if width > 0.6 else 1,
                 "swing": SWING,
             }
-            return self.room.against(wall, "cabinet", at=at, **size | PLINTH | self.base | kind)
+            return self.room.against(wall, "cabinet", at=at, **size | PLINTH | self.base | kind | values)
         kind = {"kind": "kitchen", "columns": 1}
         if self.base["style"] not in ("flat", "shaker", "ramped"):
             kind["style"] = "flat"  # of drawers
-        return self.room.against(wall, "drawer", at=at, **size | PLINTH | self.base | kind)
+        return self.room.against(wall, "drawer", at=at, **size | PLINTH | self.base | kind | values)
 
     def hang(self, wall: Wall | Line, at: float, width: float) -> Placement:
         """Hang a wall unit."""
         size: dict[str, Any] = {"kind": "wall", "width": width, "height": 0.72, "depth": 0.33, "top": "flush"}
         doors = {"swing": SWING, "doors": 2 if width > 0.6 else 1}
         return self.room.against(wall, "cabinet", at=at, z=1.45, **self.fronts | size | doors)
-
-    def sink(self, wall: Wall | Line, at: float, width: float, holes: list[Hole]) -> None:
-        """Place a base unit with doors that is lower than others, and a sink over it with its faucet.
-
-        The holes that the worktop needs are added to `holes`.
-        """
-        bottom = OVER - _SINK_DEEP - 0.004
-        self.unit(wall, at, width, high=bottom - 0.002, doors=True)
-        faucet: dict[str, Any] = {
-            "style": self.choice("gooseneck", "gooseneck", "pull_down"), "deck_margin": 0.035,
-            "deck_thickness": THICK, "surface": self.top,
-        }  # fmt: skip
-        low, high = self.room.draw("faucet", name="faucet", **faucet).links[0].bounds()
-        middle, strip = at + width / 2.0, high[1] - low[1] + 0.05
-        x = (at + 0.002, at + width - 0.002) if self.apron else (middle - 0.26, middle + 0.26)
-        y = (-FRONT, -strip) if self.apron else (0.06 - FACE, -strip - 0.01)
-        finish = material("ceramic" if self.apron else "stainless")
-        region = Region(x, y, (bottom, OVER if self.apron else OVER + STANDING))
-        wide, rim = (0.016, 0.0) if self.apron else (0.003, 0.012)
-        self.room.fixture("sink", lambda: basin(region, wall=wide, finish=finish, rim=rim), wall=wall)
-        # an apron ends the worktop at the front
-        holes.append((x[0] - 0.001, x[1] + 0.001, y[0] - (0.05 if self.apron else 0.001), y[1] + 0.001))
-        if not self.apron:
-            top = (bottom + 0.001, UNDER)
-            self.board("panel", wall, (at, at + width), (-FACE + 0.001, -FACE + 0.02), top)
-            for end in (at, at + width - 0.016):
-                self.board("panel", wall, (end, end + 0.016), (-GAP - DEEP, -GAP), top)
-        deck, side = high - low, middle - (high[0] - low[0]) / 2.0
-        slack, back = 0.0004, -0.02
-        holes.append((side - slack, side + deck[0] + slack, back - deck[1] - slack, back + slack))
-        self.let_in(wall, "faucet", (side - low[0], back - high[1], UNDER + GAP), faucet)
 
     def let_in(
         self, wall: Wall | Line, category: str, place: tuple[float, float, float], values: dict[str, Any]
@@ -226,20 +193,6 @@ def worktop(
     for x0, x1, y0, y1 in holes:
         slab = slab - ag.Region((x0, x1), (y0, y1), (low - 0.01, high + 0.01)).box()
     return ag.part(slab, "worktop", finish)
-
-
-def basin(region: ag.Region, *, wall: float, finish: Material, rim: float = 0.0) -> ag.Body:
-    """Make a sink that fills a region, with a drain in its floor; `rim` is the width of a flange on top."""
-    cavity = region.shrink(x=wall, y=wall).with_(z=(region.z.low + 1.5 * wall, region.z.high + 0.01))
-    shell = region.box(bevel=min(0.006, wall / 3)) - cavity.box(bevel=0.02)
-    drain = ag.cylinder(0.035, 4 * wall).at(region.x.mid, region.y.mid, region.z.low + wall)
-    parts = [ag.part(shell - drain, "basin", finish)]
-    strainer = ag.cylinder(0.0345, 0.004, bevel=0.001).at(region.x.mid, region.y.mid, region.z.low + 0.002)
-    parts.append(ag.part(strainer, "drain", ag.material("stainless")))
-    if rim:
-        over = region.grow(x=rim, y=rim).with_(z=(region.z.high, region.z.high + 0.002))
-        parts.append(ag.part(over.box(bevel=0.0008) - cavity.grow(z=0.05).box(), "rim", finish))
-    return ag.weld(*parts)
 
 
 def hood(region: ag.Region, ceiling: float) -> ag.Body:

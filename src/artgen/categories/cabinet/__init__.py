@@ -112,10 +112,11 @@ def cabinet(
     moulding: Literal["square", "ovolo", "ogee"] = ag.choice({"square": 0.6, "ovolo": 0.22, "ogee": 0.18}),
     panes: int = ag.choice({1: 0.55, 2: 0.25, 3: 0.2}, doc="panes in a column of a glazed door"),
     leg: furniture.LegStyle = ag.choice("tapered", "splayed", "square", "turned", "metal"),
-    top: Literal["worktop", "flush"] = ag.by(
+    top: Literal["worktop", "flush", "rails"] = ag.by(
         "kind",
         base=ag.by("stand", plinth={"worktop": 0.85, "flush": 0.15}, otherwise=ag.choice("worktop", "flush")),
         otherwise="flush",
+        doc="top; with rails, a unit without a back holds the sink of a room",
     ),
     top_thickness: ag.Float = ag.uniform(0.018, 0.038, "m", doc="thickness of a worktop"),
     overhang: ag.Float = ag.uniform(0.004, 0.018, "m", doc="overhang of a worktop beyond the doors"),
@@ -177,7 +178,8 @@ def cabinet(
     shares = _shares(hinges, shelves)
     hanging = Hanging(case, hinge, doors, door_thickness, shares, above=above, below=below, metal=metal)
     door = hanging.region
-    bodies = [*case.bodies(), *case.standing(stand, setback=setback, leg=leg, finish=leg_finish)]
+    bodies = case.bodies(for_sink=top == "rails")
+    bodies += case.standing(stand, setback=setback, leg=leg, finish=leg_finish)
     if top == "worktop":
         # space for fingers between an edge pull and the worktop
         before = case.front - door.y.low + (0.0 if above else overhang)

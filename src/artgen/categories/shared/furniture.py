@@ -159,6 +159,7 @@ EASE = 0.0008
 
 _BITE = 0.0003  # overlap of the ends of boards with the faces that they abut [m]
 _SEAM = 0.0004  # distance from the end of a board to the edge of its neighbor [m]
+_RAIL = 0.030  # width of the rails of a unit under a sink [m]
 _BACK_INSET = 0.010  # distance from the rear of the sides to the back panel [m]
 _PITCH = 0.032  # pitch of rows of holes: the 32 mm system [m]
 
@@ -204,18 +205,24 @@ class Carcass:
         """Extent along y of boards that end at the back panel [m]."""
         return (self.front + _SEAM, self.behind + _BITE)
 
-    def bodies(self) -> list[ag.Body]:
-        """Make sides, bottom, top and back; the first body starts the link `body`."""
+    def bodies(self, *, for_sink: bool = False) -> list[ag.Body]:
+        """Make sides, bottom, top and back; the first body starts the link `body`.
+
+        For a sink there are two rails instead of the top, and no back.
+        """
         foot, inner = self.low if self.foot is None else self.foot, self.right + _BITE
         x, shy = (-inner, inner), (self.front + _SEAM, self.rear - _SEAM)
         half, y = self.width / 2, (self.front, self.rear)
         right = ag.Region((half - self.thick, half), y, (foot, self.high))
         bottom = ag.Region(x, shy, (self.low + _SEAM, self.floor)).box(bevel=EASE)
-        top = ag.Region(x, shy, (self.ceiling, self.high - _SEAM)).box(bevel=EASE)
+        top = ag.Region(x, shy, (self.ceiling, self.high - _SEAM))
         sides = [each.box(bevel=EASE) for each in (right.mirror(), right)]
+        if for_sink:
+            rails = [each.box(bevel=EASE) for each in top.deep(_RAIL, None, _RAIL)[::2]]
+            return [ag.part([*sides, bottom, *rails], self.label, self.finish, name="body")]
         groove = ag.Region(x, (self.behind, self.behind + BACK), (self.floor, self.ceiling)).grow(0.004, y=0)
         return [
-            ag.part([*sides, bottom, top], self.label, self.finish, name="body"),
+            ag.part([*sides, bottom, top.box(bevel=EASE)], self.label, self.finish, name="body"),
             ag.part(groove.box(), "back", self.inside),
         ]
 
