@@ -9,7 +9,8 @@ from manifold3d import Manifold, OpType
 from artgen import Region, part
 from artgen.asset import Asset, collision
 from artgen.asset.collision import SolidPart, link_parts, made_colliders, with_colliders
-from artgen.asset.shells import skins
+from artgen.asset.shape import Mesh
+from artgen.asset.shells import file_shells, skins
 from artgen.errors import AssetError, ExportError
 from artgen.export import export
 from artgen.export.files import encode
@@ -221,3 +222,18 @@ def test_each_triangle_that_is_missing_at_a_shared_edge_is_found(tmp_path):
         assert not skins(link)[0].closed
         with pytest.raises(AssetError, match=r"label 'block' do not close to a solid \(NotManifold\)"):
             link_parts(link)
+
+
+def test_a_fold_on_an_edge_is_no_part():
+    cube = Manifold.cube((0.1, 0.1, 0.1)).to_mesh64()
+    corners = np.array(cube.vert_properties)[:, :3]
+    (start, end, _), *_ = faces = np.array(cube.tri_verts).astype(np.int64)
+    points = np.append(corners, [[0.2, 0.3, 0.4]], axis=0)
+    fold = [[start, end, len(corners)], [end, start, len(corners)]]
+    nothing = np.zeros((len(points), 3))
+    mesh = Mesh(
+        points, nothing, nothing[:, :2], np.zeros(len(points), np.int64), np.append(faces, fold, axis=0)
+    )
+    (shell,) = file_shells(mesh, "block")
+    assert len(shell.triangles) == 12
+    assert shell.volume == pytest.approx(1e-3)

@@ -179,7 +179,7 @@ def _skin(mesh: Mesh, labels: Sequence[str], reach: float, label: str = "", piec
     faulty = np.concatenate([unpaired, twisted])
     places = [*points[faulty[:1, 0]], *corners[against[:1], 0], np.zeros(3)]
     shells = []
-    for of_shell in _parts(len(faces), neighbors):
+    for of_shell in _parts(faces, neighbors):
         name = labels[chosen[of_shell[0]]] if len(labels) > 1 else labels[0]
         shells.append(_shell(points, faces[of_shell], name, piece))
     return LinkShells(
@@ -203,7 +203,7 @@ def file_shells(mesh: Mesh, label: str) -> list[Shell]:
     points, number = _welded(mesh.vertices, _WELD_FILES)
     faces = number[mesh.triangles]
     faces = faces[(faces != np.roll(faces, 1, axis=1)).all(axis=1)]
-    return [_shell(points, faces[part], label, 0) for part in _parts(len(faces), _edges(points, faces)[2])]
+    return [_shell(points, faces[part], label, 0) for part in _parts(faces, _edges(points, faces)[2])]
 
 
 def _shell(points: Array, faces: Indices, label: str, piece: int) -> Shell:
@@ -211,12 +211,18 @@ def _shell(points: Array, faces: Indices, label: str, piece: int) -> Shell:
     return Shell(label, piece, points[used], triangles.reshape(-1, 3))
 
 
-def _parts(count: int, neighbors: Indices) -> list[Indices]:
-    """Return the faces of each connected part, ascending; `neighbors` has pairs of faces, shape (k, 2)."""
-    if not count:
+def _parts(faces: Indices, neighbors: Indices) -> list[Indices]:
+    """Return the faces of each connected part, ascending; `neighbors` has pairs of faces, shape (k, 2).
+
+    Folds, of which each triangle lies on another one of the opposite winding, enclose nothing: they are no
+    parts.
+    """
+    if not len(faces):
         return []
-    group = _groups(count, neighbors)
-    return np.split(np.argsort(group, kind="stable"), np.cumsum(np.bincount(group))[:-1])
+    group = _groups(len(faces), neighbors)
+    parts = np.split(np.argsort(group, kind="stable"), np.cumsum(np.bincount(group))[:-1])
+    corners = np.sort(faces, axis=1)
+    return [part for part in parts if 2 * len(distinct_rows(corners[part])[0]) > len(part)]
 
 
 def point_text(point: Iterable[float]) -> str:

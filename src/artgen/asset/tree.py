@@ -79,7 +79,8 @@ class Tree:
         Details that are not thicker than `thin` [m] are left out. With more than `most` triangles, others
         are as well, those with the smallest triangles first, then those that stand out of the bounds of a
         link's solids and show in the outline. The least number keeps these and the solids. A detail stays
-        as long as solids, or details that stay, hang together by it.
+        as long as solids, or details that stay, hang together by it; a link may be of separate solids. One
+        that coarse solids do not reach any more is left out.
         """
         links = list(self.links())
         pieces = [piece for link in links for piece in link.pieces]
@@ -93,11 +94,14 @@ class Tree:
             return bool((high - low).min() > thin), bool(beyond > _PROUD), _mean_area(piece)
 
         ranks = {id(each): rank(each) for each in pieces if each.visual}
+        neighbors = _hanging(links, ranks)
+        for key in _floating(links, neighbors):
+            ranks[key] = (False, *ranks[key][1:])
         if kept <= most and all(thick for thick, _, _ in ranks.values()):
             return self, kept
         left_out: set[int] = set()
         leaving, shows = True, False  # whether all details so far were left out, and whether one shows
-        for piece in _from_ends(links, ranks):
+        for piece in _from_ends(pieces, ranks, neighbors):
             thick, proud, _ = ranks[id(piece)]
             leaving = leaving and (not thick or kept > most)
             if leaving:
@@ -171,22 +175,42 @@ _Rank = tuple[bool, bool, float]
 """Of details, the first to leave out first: whether one is thick, stands out, and its mean triangle [m^2]."""
 
 
-def _from_ends(links: Sequence[Link], ranks: Mapping[int, _Rank]) -> Iterator[Piece]:
-    """Yield visual details by rank, each after the details that hang on it; those between solids stay."""
-    neighbors: dict[int, set[int]] = {}  # what hangs together with each piece, by `id`
-    details = {id(piece): piece for link in links for piece in link.pieces if piece.visual}
-    number = {key: index for index, key in enumerate(details)}
+def _hanging(links: Sequence[Link], ranks: Mapping[int, _Rank]) -> dict[int, set[int]]:
+    """Return the pieces that hang together with each piece, by `id`: a forest for each link."""
+    neighbors: dict[int, set[int]] = {}
     for link in links:
-        pieces = sorted(link.pieces, key=lambda each: ranks.get(id(each), _SOLID), reverse=True)
-        if not ranks.keys() & set(map(id, pieces)):
+        if link.separate or not any(piece.visual for piece in link.pieces):
             continue
+        pieces = sorted(link.pieces, key=lambda each: ranks.get(id(each), _SOLID), reverse=True)
         solid = sum(not each.visual for each in pieces)
         order = np.maximum(np.arange(len(pieces)) - solid + 1, 0)
         boxes = np.array([each.shape.bounds() for each in pieces])
+        neighbors |= {id(each): set() for each in pieces}
         for pair in touching([each.shape.manifold for each in pieces], boxes, order):
             one, other = (id(pieces[index]) for index in pair)
-            neighbors.setdefault(one, set()).add(other)
-            neighbors.setdefault(other, set()).add(one)
+            neighbors[one].add(other)
+            neighbors[other].add(one)
+    return neighbors
+
+
+def _floating(links: Sequence[Link], neighbors: Mapping[int, set[int]]) -> set[int]:
+    """Return the visual details that hang on no solid, by `id`."""
+    ends = [id(piece) for link in links for piece in link.pieces if not piece.visual]
+    reached: set[int] = set()
+    while ends:
+        key = ends.pop()
+        if key not in reached:
+            reached.add(key)
+            ends += neighbors.get(key, ())
+    return set(neighbors) - reached
+
+
+def _from_ends(
+    pieces: Sequence[Piece], ranks: Mapping[int, _Rank], neighbors: Mapping[int, set[int]]
+) -> Iterator[Piece]:
+    """Yield visual details by rank, each after the details that hang on it; those between solids stay."""
+    details = {id(piece): piece for piece in pieces if piece.visual}
+    number = {key: index for index, key in enumerate(details)}
     ends = [(ranks[key], number[key], key) for key in details if len(neighbors.get(key, ())) < 2]
     heapify(ends)
     while ends:
@@ -194,7 +218,7 @@ def _from_ends(links: Sequence[Link], ranks: Mapping[int, _Rank]) -> Iterator[Pi
         yield details[key]
         for other in neighbors.get(key, ()):
             neighbors[other].remove(key)
-            if other in details and len(neighbors[other]) < 2:
+            if other in details and len(neighbors[other]) == 1:
                 heappush(ends, (ranks[other], number[other], other))
 
 

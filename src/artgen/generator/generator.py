@@ -724,7 +724,7 @@ class Generator(Variant):
         return f"<generator {self.name} at {self.where}>"
 
 
-_COARSEST = 0.003  # distance of facets from a round surface at which no coarser solids are tried [m]
+_COARSEST = 0.006  # distance of facets from a round surface at which no coarser solids are tried [m]
 # up to a multiple of the triangles that a level aims at: the factor by which its solids become coarser
 _COARSER = ((1.25, 1.5), (1.8, 2.0), (math.inf, 4.0))
 
