@@ -2,12 +2,13 @@
 
 import math
 from collections.abc import Sequence
+from itertools import compress
 
 import numpy as np
 from manifold3d import CrossSection, FillRule
 
 from artgen import _portable
-from artgen._arrays import Array, Indices, cached_property, frozen, predecessors, successors
+from artgen._arrays import Array, Indices, cached_property, predecessors, successors
 from artgen.asset.shape import Contour, Outline
 from artgen.graph import FULL, detail_level
 from artgen.nodes.surfaces import arc_steps, sides_of
@@ -35,7 +36,8 @@ class _EstimatedContour(Contour):
     """A contour whose normals are estimated on first access: many outlines only serve to cut others."""
 
     def __init__(self, points: Array) -> None:
-        vars(self).update(points=frozen(points))
+        points.setflags(write=False)
+        vars(self)["points"] = points
 
     @cached_property
     def _normals(self) -> tuple[Array, Array]:
@@ -206,6 +208,17 @@ def signed_area(points: Array) -> float:
     return float(0.5 * (points[:, 0] * following[:, 1] - points[:, 1] * following[:, 0]).sum())
 
 
+def _signed_areas(rings: Sequence[Array]) -> Array:
+    """Return the areas of polygons [m^2]; one call for all, because there may be hundreds."""
+    if not rings:
+        return np.zeros(0)
+    points, counts = np.concatenate(rings), np.array([len(ring) for ring in rings])
+    starts, following = np.cumsum(counts) - counts, np.arange(1, len(points) + 1)
+    following[starts + counts - 1] = starts
+    (x, y), (after_x, after_y) = points.T, points[following].T
+    return np.asarray(0.5 * np.add.reduceat(x * after_y - after_x * y, starts))
+
+
 def outline_area(contours: Sequence[Contour]) -> float:
     """Return the area of a region [m^2]."""
     return sum(signed_area(contour.points) for contour in contours)
@@ -230,10 +243,8 @@ def is_disjoint(rings: Sequence[Array]) -> bool:
 
 def outline_of(region: CrossSection, what: str) -> Outline:
     """Return the outline of a region, with estimated normals."""
-    polygons = (np.asarray(each, float) for each in region.simplify(_SAME).to_polygons())
-    contours = tuple(
-        estimated(each) for each in polygons if len(each) >= 3 and abs(signed_area(each)) > 1e-12
-    )
+    polygons = [np.asarray(each, float) for each in region.simplify(_SAME).to_polygons() if len(each) >= 3]
+    contours = tuple(map(estimated, compress(polygons, np.abs(_signed_areas(polygons)) > 1e-12)))
     if not contours:
         raise ValueError(f"{what} is empty")
     return Outline(contours)

@@ -268,9 +268,9 @@ def _offset(profile: Outline, distance: float, join: Literal["round", "miter"]) 
 
 
 def _is_far_from(a: Outline, b: Outline) -> bool:
-    lows = [np.min([contour.points.min(axis=0) for contour in each.contours], axis=0) for each in (a, b)]
-    highs = [np.max([contour.points.max(axis=0) for contour in each.contours], axis=0) for each in (a, b)]
-    return bool((lows[0] > highs[1]).any() or (lows[1] > highs[0]).any())
+    first, second = (np.concatenate([contour.points for contour in each.contours]) for each in (a, b))
+    apart = first.min(axis=0) > second.max(axis=0), second.min(axis=0) > first.max(axis=0)
+    return bool(np.any(apart))
 
 
 @kernel(spelling="({a} | {b})")
