@@ -268,7 +268,7 @@ def _page(results: dict[Task, list[dict[str, Any]]], named: Sequence[str]) -> It
     yield "The clients have read these categories:"
     yield ""
     for letter, names in zip(ascii_uppercase, _sets(results), strict=False):
-        yield f"- {letter}: {'all ' * (set(names) == set(named))}{len(names)}: {', '.join(names)}"
+        yield f"- {letter}, {len(names)} of {len(named)}: {', '.join(names)}"
     yield from ("", EARLIER, "")
     yield (
         "A client passes an export if it reads it without a message that could be avoided, ends of itself, "
