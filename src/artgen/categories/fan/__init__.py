@@ -207,8 +207,10 @@ def _grille(
     thin = ag.sweep(ag.regular_polygon(4, _WIRE), way)
     wires = [thin.rotate(ag.Y, math.tau * step / count) for step in range(count)]
     rings = [
-        ag.revolve(ag.rectangle(0.002, 0.002).at(inner + share * (radius - inner)), axis=ag.Y, sides=32)
-        for share in (0.33, 0.66, 0.94)
+        ag.revolve(
+            ag.rectangle(0.002, 0.002).at(inner + share * (radius - 0.0125 - inner)), axis=ag.Y, sides=32
+        )
+        for share in (0.34, 0.68, 1.0)
     ]
     return [
         ag.part(covered, "guard", casting(wire, 0.4)).at(y=y),
