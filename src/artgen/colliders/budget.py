@@ -128,11 +128,16 @@ class _Condenser:
         if len(points):
             return False
         left = [Faceted(polytope=hull)]
-        for shape in near:
+        for shape in sorted(near, key=lambda shape: -_common(shape.bounds, hull.bounds)):
             left = subtract(left, [Faceted(polytope=shape)])
             if not left:
                 return True
         return False
+
+
+def _common(first: Array, second: Array) -> float:
+    """Return the volume that two bounding boxes share [m^3]; large shares leave few parts to examine."""
+    return float(np.prod(np.minimum(first[1], second[1]) - np.maximum(first[0], second[0]), initial=1.0))
 
 
 def _overlap(first: Array, second: Array) -> bool:
