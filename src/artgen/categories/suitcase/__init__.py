@@ -115,7 +115,7 @@ def suitcase(
     ),
     wide: ag.Float = ag.by(
         "style",
-        trolley=ag.by("size", cabin=ag.uniform(0.48, 0.51), large=ag.uniform(0.60, 0.70)),
+        trolley=ag.by("size", cabin=ag.uniform(0.487, 0.512), large=ag.uniform(0.60, 0.70)),
         tool_case=ag.uniform(0.34, 0.48),
         attache=ag.uniform(0.42, 0.46),
         unit="m",
