@@ -68,8 +68,10 @@ def _plant(request: dict[str, Any], driven: tuple[dict[str, Any], ...] = ()) -> 
         else:
             found = plant.GetJointByName(joint["name"], instance)
             motor = plant.AddJointActuator(f"{joint['name']}_motor", found, joint["effort"])
-        # the force stays within the effort, so only the speed of the response matters
-        motor.set_controller_gains(PdControllerGains(p=50.0 * joint["effort"], d=5.0 * joint["effort"]))
+        # the force stays within the effort, and exceeds a spring within a small part of a short range
+        low, high = ends(joint)
+        gain = joint["effort"] / min(1.0, high - low)
+        motor.set_controller_gains(PdControllerGains(p=50.0 * gain, d=5.0 * gain))
     plant.Finalize()
     return builder.Build(), plant, instance
 
