@@ -28,7 +28,7 @@ _RUNS = {
 
 def measure(*, quick: bool) -> Section:
     """Run the benchmark."""
-    count = 6 if quick else 1000
+    count = 4 if quick else 1000
     runs: dict[str, dict[str, Any]] = {}
     for name, (formats, precision) in _RUNS.items():
         before = baseline()

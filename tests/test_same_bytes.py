@@ -15,7 +15,7 @@ from artgen.graph import Cache
 from support.digests import digests
 
 SEED = 5
-GROUPS = 8  # of categories, each of one process
+GROUPS = 4  # of categories, each of one process
 HASHES = Path(__file__).parents[1] / "scripts" / "tree_hashes.py"
 
 
@@ -49,7 +49,7 @@ def test_other_bytes_are_named(tmp_path: Path) -> None:
     )
 
 
-@pytest.mark.parametrize("category", categories()[::4])
+@pytest.mark.parametrize("category", categories()[::8])
 def test_what_was_cached_does_not_show(category: str, tmp_path: Path) -> None:
     """A part of a graph that another sample computed before is built in another order, to the same bytes."""
     cold = find(category).generate(SEED, cache=Cache())

@@ -14,7 +14,7 @@ from artgen.graph.handle import folding
 from artgen.materials import Material
 from support.joint_outline import PlannedJoint, joints_of
 
-FEWEST, MOST = 40, 300
+FEWEST, MOST = 25, 300
 """Seeds of a category that are drawn: at least, and at most until every number has occurred."""
 
 

@@ -32,7 +32,7 @@ from support.proof_assets import (
 )
 
 SEEDS = range(int(os.environ.get("ARTGEN_TEST_SEEDS", "1")))
-POSES = int(os.environ.get("ARTGEN_TEST_POSES", "150"))
+POSES = int(os.environ.get("ARTGEN_TEST_POSES", "100"))
 PLAIN = 1e-8
 """Volume of an overlap that no proof may leave undecided [m^3]: a cube of 2 mm."""
 

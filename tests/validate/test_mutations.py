@@ -19,8 +19,8 @@ from support.brute import draw_poses, overlaps
 from support.mutations import Mutant, Outcome, judged, mutants
 from support.proof_assets import PROOF_ASSETS
 
-COUNT = int(os.environ.get("ARTGEN_TEST_MUTANTS", "4"))  # of each asset
-POSES = int(os.environ.get("ARTGEN_TEST_POSES", "300"))
+COUNT = int(os.environ.get("ARTGEN_TEST_MUTANTS", "3"))  # of each asset
+POSES = int(os.environ.get("ARTGEN_TEST_POSES", "200"))
 UNDECIDED = 0.01  # share of mutants
 
 NAMES = (*PROOF_ASSETS, *categories()[::5])
