@@ -12,7 +12,7 @@ height and draws the stem through itself.
 Sizes are those of standards. Lengths from face to face: EN 558 series 14 (gate), 1 (globe), 20 (butterfly);
 flanges PN 16 of EN 1092-1; threads of ISO 228 on brass bodies of 50 to 110 mm (DN 15 to 50, catalogs of
 Giacomini and Bugatti). Hand wheels of KSB, ARI and AVK catalogs: 120-180 mm up to DN 50, 180-250 mm above.
-Brass ball valves turn with about 0.1 N m for each mm of DN, with half of that for a tee that fingers turn,
+Brass ball valves turn with about 0.1 N m for each mm of DN, with 0.6 N m at a tee that fingers turn,
 and butterflies with 0.07 N m without pressure. EN 1074-2 allows a gate valve as many N m as its DN in mm; the
 wheel of a new one runs at a twentieth of that.
 Hands pull a rim with up to 360 N for a moment (MSS SP-91); half of that is the effort here.
@@ -225,7 +225,7 @@ def _ball(
         z=low + (0.032 if grip == "tee" else thick + 0.002)
     )
     lever = ag.weld(lever, ag.detail(nut, "nut", _STEEL))
-    run = torque * (0.05 if grip == "tee" else 0.10) * dn
+    run = torque * (0.6 if grip == "tee" else 0.10 * dn)
     turn = ag.Revolute(
         "lever_turn",
         axis=ag.Z,
