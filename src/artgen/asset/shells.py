@@ -214,8 +214,7 @@ def _shell(points: Array, faces: Indices, label: str, piece: int) -> Shell:
 def _parts(faces: Indices, neighbors: Indices) -> list[Indices]:
     """Return the faces of each connected part, ascending; `neighbors` has pairs of faces, shape (k, 2).
 
-    Folds, of which each triangle lies on another one of the opposite winding, enclose nothing: they are no
-    parts.
+    Folds enclose nothing and are no parts: each of their triangles lies on one with the opposite winding.
     """
     if not len(faces):
         return []
