@@ -172,7 +172,7 @@ _PROUD = 0.001  # distance beyond the solids at which a detail shows in the outl
 
 
 _Rank = tuple[bool, bool, float]
-"""Of details, the first to leave out first: whether one is thick, stands out, and its mean triangle [m^2]."""
+"""Order in which details are left out: whether one is thick, whether it stands out, mean triangle [m^2]."""
 
 
 def _hanging(links: Sequence[Link], ranks: Mapping[int, _Rank]) -> dict[int, set[int]]:

@@ -46,16 +46,14 @@ _POST = 0.015  # on both sides of a corner unit, so that its door clears those b
 _NARROW, _UNIT, _WIDE = 0.4, 0.58, 0.9  # least, usual and greatest width of a unit [m]
 _SINK = 0.6  # least width of a sink unit [m]
 _TAP = 0.088  # from the wall to the axis of the tap of a sink [m]
-_BOWL = (
-    0.37  # of the bowls of a sink, from front to back: before and behind them are the rails of the unit [m]
-)
+_BOWL = 0.37  # depth of the bowls of a sink from front to back, between the rails of the unit [m]
 _HUNG_IN = 0.116  # by which the inside of the bowls is narrower than their unit [m]
 _BOWLS = {
     "single": (0.0, 1.0, 0.40, 0.52),
     "half": (0.026, 1.45, 0.34, 0.42),
     "double": (0.026, 2.0, 0.33, 0.42),
 }
-"""Of bowls by their kind: the wall between two, their width over that of the first, and its range [m]."""
+"""By kind of bowls: wall between two, total width over the width of the first, range of this width [m]."""
 
 _ABOVE, _HUNG = 1.45, 0.72  # bottom and height of the wall units [m]
 _SASHES = 0.61  # least width of a window with two sashes [m]

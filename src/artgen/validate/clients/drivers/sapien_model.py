@@ -103,7 +103,7 @@ def _couple(articulation: Any, joints: dict[str, Any], mimics: Any) -> None:
     """Correct couplings to the meaning of URDF.
 
     SAPIEN 3.0 reverses those between joints of one body, and divides the force on the leader by the ratio, so
-    that a screw sticks. It has none of a joint to a leader further from the base.
+    that a screw sticks. It couples no joint to a leader further from the base.
     """
     for item in mimics:
         follower, leader = joints[item.joint], joints[item.mimic]
