@@ -1,7 +1,8 @@
 # artgen: everything a machine with Python 3.11 or newer and make needs.
 #
 #   make demo    generate a door and a handle, check them with other people's readers, open the door
-#   make test    format, lint, types, layers, tests
+#   make test    format, lint, types, layers, tests: within twenty minutes on two cores
+#   make test-long  every test, the long ones and all categories of each: about an hour
 #   make same-bytes  let the other Pythons of this machine make what is in tests/tree_hashes.json
 #   make hashes  record there what seeds give now
 #   make clients make an environment for each simulator, validator and converter, in .clients; gigabytes
@@ -20,7 +21,11 @@
 VENV := .venv
 BIN := $(VENV)/bin
 STAMP := $(VENV)/.installed
+# Modules are compiled once, at their first import: most of three gigabytes never are.
+unexport PYTHONDONTWRITEBYTECODE
+INSTALL := pip install --quiet --disable-pip-version-check --no-compile --editable
 PYTEST_FLAGS ?= -n auto
+MARKS := not long
 SURVEY_FLAGS ?= --jobs 2
 MINUTES ?= 30
 SOAK_FLAGS ?= --jobs 2
@@ -31,7 +36,7 @@ PYTHON ?= $(shell for name in python3.13 python3.12 python3.11 python3 python; d
 	done)
 
 .DEFAULT_GOAL := help
-.PHONY: help install demo test lint types layers pytest same-bytes hashes clients test-clients client-table survey soak coverage-table sheets docs docs-serve bench field format clean
+.PHONY: help install demo test test-long lint types layers pytest same-bytes hashes clients test-clients client-table survey soak coverage-table sheets docs docs-serve bench field format clean
 
 help:
 	@sed -n 's/^#   //p' Makefile
@@ -41,7 +46,7 @@ $(STAMP): pyproject.toml
 		echo "error: artgen needs Python 3.11 or newer, found $(or $(PYTHON),none);" \
 		"install one or run: make PYTHON=/path/to/python3.11" >&2; exit 1; }
 	$(PYTHON) -m venv --clear $(VENV)
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[test]'
+	$(BIN)/python -m $(INSTALL) '.[test]'
 	@touch $@
 
 install: $(STAMP)
@@ -50,8 +55,8 @@ demo: $(STAMP)
 	$(BIN)/python scripts/demo.py
 
 test: $(STAMP)
-	$(MAKE) --jobs=3 --output-sync lint types layers
-	$(MAKE) pytest
+	$(MAKE) lint
+	$(MAKE) --jobs=3 --output-sync=line types layers pytest
 
 lint: $(STAMP)
 	$(BIN)/ruff format --check
@@ -64,7 +69,10 @@ layers: $(STAMP)
 	$(BIN)/lint-imports
 
 pytest: $(STAMP)
-	$(BIN)/python -m pytest $(PYTEST_FLAGS)
+	$(BIN)/python -m pytest -m "$(MARKS)" $(PYTEST_FLAGS)
+
+test-long:
+	$(MAKE) test MARKS=
 
 # Of each version the first that really starts; the one of $(VENV) has done it among the tests.
 same-bytes: $(STAMP)
@@ -76,7 +84,7 @@ same-bytes-%: $(STAMP)
 	for python in python$* $${PYENV_ROOT:-$$HOME/.pyenv}/versions/$*.*/bin/python; do \
 		$$python -c "$$is" >/dev/null 2>&1 || continue; \
 		$$python -m venv --clear $(VENV)-$* && \
-		$(VENV)-$*/bin/python -m pip install --quiet --disable-pip-version-check --editable . && \
+		$(VENV)-$*/bin/python -m $(INSTALL) . && \
 		echo "Python $*, kernels without AVX-512:" && \
 		OPENBLAS_CORETYPE=Haswell NPY_DISABLE_CPU_FEATURES="X86_V4 AVX512_ICL AVX512_SPR" \
 			$(VENV)-$*/bin/python scripts/tree_hashes.py; \

@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 from artgen.validate.clients.install import python_of
+from support.cases import some
 
 FOLDER = Path(__file__).parent.parent / "benchmarks"
 
@@ -35,16 +36,20 @@ def benchmark(*arguments):
 
 @pytest.mark.parametrize(
     ("name", "columns"),
-    [
-        ("colliders", ("CoACD [ms]", "open, exact [%]", "steps/s, exact")),
-        ("certificate", ("ratio, p = 0.001", "verdict of the certificate", "of target")),
-        ("cost", ("all / joint [ms]", "r²", "to the median of its seed")),
-        ("scaling", ("assets/s", "largest worker [MiB]", "ratio to the first")),
-        ("thousand", ("core-seconds an asset", "50 %", "asset.json")),
-        ("training", ("MuJoCo, steps/s", "triangles, low", "frames/s, low")),
-        ("stages", ("seed to asset", "certificate", "all / fixed workload")),
-        ("textures", ("bake / transform", "warm png")),
-    ],
+    some(
+        [
+            ("colliders", ("CoACD [ms]", "open, exact [%]", "steps/s, exact")),
+            ("certificate", ("ratio, p = 0.001", "verdict of the certificate", "of target")),
+            ("cost", ("all / joint [ms]", "r²", "to the median of its seed")),
+            ("scaling", ("assets/s", "largest worker [MiB]", "ratio to the first")),
+            ("thousand", ("core-seconds an asset", "50 %", "asset.json")),
+            ("training", ("MuJoCo, steps/s", "triangles, low", "frames/s, low")),
+            ("stages", ("seed to asset", "certificate", "all / fixed workload")),
+            ("textures", ("bake / transform", "warm png")),
+        ],
+        4,
+        3,
+    ),
 )
 def test_a_benchmark_runs_and_writes_its_section(name, columns, tmp_path):
     page = tmp_path / "benchmarks.md"
@@ -279,6 +284,7 @@ def field_records(folder):
     }
 
 
+@pytest.mark.long
 def test_the_field_judges_files_once_and_writes_its_page(field_folder, tmp_path):
     page, out = tmp_path / "field.md", tmp_path / "out"
     command = [sys.executable, str(FOLDER / "field.py"), "--local", field_folder, "--folder", out]

@@ -18,6 +18,7 @@ from artgen.asset import Asset
 from artgen.catalog import categories
 from artgen.export.files import encode
 from artgen.generator.generator import SHARED
+from support.cases import some
 
 STACKS_AFTER = 60  # time without work that is a deadlock; the process ends and shows its stacks [s]
 
@@ -46,7 +47,7 @@ def arrays(value: Any, path: str, seen: set[int]) -> Iterator[tuple[str, np.ndar
             yield from arrays(getattr(value, name), f"{path}.{name}", seen)
 
 
-@pytest.mark.parametrize("category", categories()[1::5])
+@pytest.mark.parametrize("category", some(categories(), 5, 1))
 def test_arrays_of_an_asset_are_read_only(category: str) -> None:
     asset = artgen.generate(category, 0, certify=False)
     encode(asset, ("urdf", "mjcf", "usd"), textures=0)  # makes what exports ask for
@@ -206,6 +207,7 @@ def together(folder: Path, threads: int) -> dict[str, list[str]]:
     return found
 
 
+@pytest.mark.long
 def test_threads_make_prove_and_export_at_once(tmp_path: Path) -> None:
     found = together(tmp_path, 8)
     assert all(len(digests) == 1 for digests in found.values()), found

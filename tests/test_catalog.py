@@ -104,6 +104,7 @@ def test_a_broken_package_shows_its_line(tmp_path: Path, text: str, told: str) -
     assert done.stderr.endswith(told.format(file=tmp_path / "shop_stools.py") + "\n")
 
 
+@pytest.mark.long
 def test_a_package_cannot_take_the_name_of_a_category_of_artgen(tmp_path: Path) -> None:
     install_plugin(tmp_path, "shop_stools")
     (tmp_path / "shop_stools.py").write_text(PLUGIN.replace("def stool", "def door"))
@@ -202,6 +203,7 @@ def test_a_fault_in_a_categorys_body_has_its_line(category_file: Path, artgen_co
     assert not Path("stool_0").exists()
 
 
+@pytest.mark.long
 def test_commands_take_files(category_file: Path, artgen_command) -> None:
     assert "height" in artgen_command("info", "stools.py").out
     assert artgen_command("generate", "stools.py", "--format", "urdf").out == "stool_0/stool_0.urdf\n"

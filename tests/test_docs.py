@@ -35,7 +35,14 @@ COMMANDS = sorted(
 )
 
 
-@pytest.mark.parametrize("name", [name for name, blocks in PYTHON.items() if blocks])
+@pytest.mark.parametrize(
+    "name",
+    [
+        pytest.param(name, marks=pytest.mark.long if name == "scenes.md" else ())  # which makes kitchens
+        for name, blocks in PYTHON.items()
+        if blocks
+    ],
+)
 def test_python_of_a_page_runs_block_after_block(
     name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -166,6 +173,7 @@ def test_joints_are_counted_and_their_numbers_left_out() -> None:
     assert drawers["drawer_slide_<n>"].most == len(artgen.generate("drawer", certify=False).joints)
 
 
+@pytest.mark.long
 def test_the_site_builds_without_a_warning(tmp_path: Path) -> None:
     """Links, anchors, navigation and docstrings; `quick` leaves pictures and viewers out."""
     done = subprocess.run(

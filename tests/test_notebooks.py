@@ -7,6 +7,8 @@ import nbformat
 import pytest
 from nbclient import NotebookClient
 
+from support.cases import some
+
 FOLDER = Path(__file__).parent.parent / "examples" / "notebooks"
 NOTEBOOKS = sorted(FOLDER.glob("*.ipynb"))
 
@@ -38,7 +40,7 @@ def test_notebooks_are_numbered_and_come_without_outputs() -> None:
         assert cells[0].cell_type == "markdown"
 
 
-@pytest.mark.parametrize("path", NOTEBOOKS, ids=[path.stem for path in NOTEBOOKS])
+@pytest.mark.parametrize("path", some(NOTEBOOKS, 4), ids=[path.stem for path in NOTEBOOKS])
 @pytest.mark.filterwarnings(
     "ignore::DeprecationWarning:nbclient", "ignore::DeprecationWarning:jupyter_client"
 )

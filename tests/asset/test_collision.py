@@ -75,6 +75,7 @@ def test_a_joined_hull_is_named_like_the_largest_of_its_parts(monkeypatch):
     assert (collider.label, collider.material) == ("large", RUBBER)
 
 
+@pytest.mark.long
 def test_coacd_keeps_the_hollow_open_and_names_its_pieces(asset):
     pytest.importorskip("coacd")
     base = with_colliders(asset, "coacd").link("tray")

@@ -53,6 +53,7 @@ def test_every_construction_has_its_joints_and_is_certified(style: str) -> None:
 
 @settings(max_examples=12, deadline=None)
 @given(seed=st.integers(0, 10**6), style=st.sampled_from(sorted(STYLES)))
+@pytest.mark.long
 def test_any_seed_of_any_construction_can_be_built(seed: int, style: str) -> None:
     asset = made(seed, style=style)
     assert {joint.name for joint in asset.joints} >= STYLES[style]

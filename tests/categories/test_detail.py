@@ -17,6 +17,7 @@ from artgen.export.files import encode
 from artgen.graph import DETAILS, Cache, Graph
 from artgen.validate import validate
 from artgen.validate.colliders import fidelity
+from support.cases import some
 
 MOST = 2800
 """Triangles of any asset of low detail; only those of `LARGE` may have more than 2,000."""
@@ -28,7 +29,7 @@ def triangles(asset: Asset) -> int:
     return sum(len(surface.mesh.triangles) for link in asset.links for surface in link.surfaces)
 
 
-@pytest.mark.parametrize("category", categories()[::2])
+@pytest.mark.parametrize("category", some(categories(), 3))
 def test_low_detail_changes_the_solids_alone(category: str) -> None:
     cache = Cache(100_000)
     low, _ = find(category).evaluate(0, detail="low", cache=cache)

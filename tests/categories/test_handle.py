@@ -80,6 +80,7 @@ def test_the_rim_of_a_small_flat_knob_is_rounded_less(lock: str) -> None:
 
 @settings(max_examples=12, deadline=None)
 @given(seed=st.integers(0, 10_000))
+@pytest.mark.long
 def test_seeds_give_plausible_handles(seed: int) -> None:
     asset = handle.generate(seed)
     assert_no_overlap(asset)

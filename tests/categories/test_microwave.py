@@ -35,6 +35,7 @@ def test_the_door_opens_only_while_the_button_is_pressed(seed: int) -> None:
     assert asset.blocked({"door_hinge": 1.0}) == (), "open, it is free of the button"
 
 
+@pytest.mark.long
 def test_the_pawls_stand_in_the_way_of_the_hooks_until_they_are_lifted() -> None:
     asset = made(3, handle="none")
     pressed = asset.joint("button_slide").limits[1]  # type: ignore[index]

@@ -59,6 +59,7 @@ def test_a_crank_turns_the_burr_and_its_knob_spins_on_its_own_pin() -> None:
 
 
 @pytest.mark.parametrize("style", get_args(BodyForm))
+@pytest.mark.long
 def test_every_body_carries_every_head_with_a_hair_of_room(style: str) -> None:
     for top in get_args(Top):
         asset = drawn(3, style=style, build="wood", top=top)

@@ -143,6 +143,7 @@ def test_the_other_hand_is_the_mirror_image() -> None:
 
 @settings(max_examples=8, deadline=None)
 @given(seed=st.integers(0, 10_000))
+@pytest.mark.long
 def test_seeds_give_what_a_shop_could_sell(seed: int) -> None:
     asset = refrigerator.generate(seed, certify=False)
     low, high = asset.link("body").bounds()

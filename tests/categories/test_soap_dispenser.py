@@ -98,6 +98,7 @@ def test_what_hangs_on_a_wall_comes_with_its_tile() -> None:
 
 
 @pytest.mark.parametrize(("shape", "width"), [("round", 0.058), ("apothecary", 0.087), ("cone", 0.095)])
+@pytest.mark.long
 def test_colliders_follow_the_glass_of_narrow_and_wide_bottles(shape: str, width: float) -> None:
     asset = drawn(3, style="bottle", shape=shape, build="clear", width=width, height=0.13, fill=0.45)
     assert check_colliders(asset).faults == ()

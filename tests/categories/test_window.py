@@ -162,6 +162,7 @@ def test_a_pull_in_a_low_window_ends_below_the_strip_at_the_head(slides: str) ->
             window(**low, bar=0.18)
 
 
+@pytest.mark.long
 def test_a_sash_has_room_for_what_holds_it_and_for_its_lever() -> None:
     cross = {"style": "casement", "layout": "cross", "opens": "outwards", "kind": "pvc", "upper": 0.26}
     for height in (0.45, 1.05):

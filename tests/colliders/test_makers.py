@@ -218,6 +218,7 @@ def test_turned_ring_leaves_its_bore_open() -> None:
     st.sampled_from([0.00025, 0.0005, 0.001]),
 )
 @settings(max_examples=20, deadline=None)
+@pytest.mark.long
 def test_thin_turned_wall_keeps_its_hollow(
     wall: float, neck: float, high: float, swell: float, steps: int, tolerance: float
 ) -> None:

@@ -157,6 +157,7 @@ def test_workers_write_to_a_url(run: Any, bucket: Path, tmp_path: Path) -> None:
     assert digests(bucket / "set") == expected
 
 
+@pytest.mark.long
 def test_a_cluster_is_joined_and_left(run: Any, tmp_path: Path) -> None:
     """In a separate process, because the process of the tests has started the cluster."""
     address = ray.get_runtime_context().gcs_address

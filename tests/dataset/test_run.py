@@ -83,6 +83,7 @@ def test_more_processes_write_the_same(undisturbed: Path, tmp_path: Path) -> Non
     assert digests(tmp_path / "more") == digests(undisturbed)
 
 
+@pytest.mark.long
 def test_a_longer_plan_adds_to_a_shorter_one(undisturbed: Path, tmp_path: Path) -> None:
     folder = tmp_path / "grown"
     assert generate_many(Plan(CATEGORIES, 2, formats=("mjcf",), texture_size=256), folder, jobs=1).made == 2
@@ -92,6 +93,7 @@ def test_a_longer_plan_adds_to_a_shorter_one(undisturbed: Path, tmp_path: Path) 
     assert generate_many(PLAN, folder).made == 0
 
 
+@pytest.mark.long
 def test_a_killed_worker_is_replaced(undisturbed: Path, tmp_path: Path) -> None:
     killed: list[int] = []
 
@@ -252,6 +254,7 @@ def test_a_missing_manifest_is_made_again_and_a_damaged_one_is_an_error(
         generate_many(PLAN, folder)
 
 
+@pytest.mark.long
 def test_the_clock_does_not_matter(
     undisturbed: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -278,6 +281,7 @@ def mounted(script: str, folder: Path) -> subprocess.CompletedProcess[str]:
     return subprocess.run([*inside, script], capture_output=True, text=True, check=False)
 
 
+@pytest.mark.long
 def test_a_run_ends_at_a_full_disk_and_continues_later(undisturbed: Path, tmp_path: Path) -> None:
     disk, copy = tmp_path / "disk", tmp_path / "copy"
     disk.mkdir()

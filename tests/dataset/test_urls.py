@@ -53,6 +53,7 @@ def test_the_same_bytes_as_in_a_folder(undisturbed: dict[str, str], filled: Path
     assert generate_many(PLAN, f"bucket://{filled}").existing == 4
 
 
+@pytest.mark.long
 def test_a_killed_run_continues(undisturbed: dict[str, str], bucket: Path) -> None:
     folder = bucket / "killed"
     run = subprocess.Popen(
@@ -102,6 +103,7 @@ def test_a_damaged_record_is_named(filled: Path, bucket: Path) -> None:
     assert not (folder / LOCK_FILE).exists()
 
 
+@pytest.mark.long
 def test_folders_are_created_in_stores_with_folders(undisturbed: dict[str, str], tmp_path: Path) -> None:
     generate_many(PLAN, f"local://{tmp_path}/set", jobs=1)
     assert digests(tmp_path / "set") == undisturbed

@@ -20,6 +20,7 @@ def double(number: int) -> int:
     return 2 * number
 
 
+@pytest.mark.long
 def test_every_item_has_an_ending() -> None:
     start = time.monotonic()
     endings = {each.item: each for each in run_tasks(double, range(8), jobs=2, limit=3.0)}

@@ -67,6 +67,7 @@ def test_noise_disturbs_the_applied_actions_which_can_be_replayed():
     env.close()
 
 
+@pytest.mark.long
 def test_the_file_depends_on_the_seeds_and_not_on_the_processes(tmp_path):
     results = []
     done = make_demos("OpenDrawer", 2, tmp_path / "demos", jobs=2, progress=results.append)
@@ -83,6 +84,7 @@ def test_the_file_depends_on_the_seeds_and_not_on_the_processes(tmp_path):
             np.testing.assert_array_equal(data[name]["states"][:], again.states)
 
 
+@pytest.mark.long
 def test_an_interrupted_run_continues_and_writes_the_same_bytes(tmp_path):
     whole = make_demos("OpenDrawer", 3, tmp_path / "whole", jobs=2).file
 

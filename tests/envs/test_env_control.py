@@ -86,6 +86,7 @@ def theirs(model, data):
     return result
 
 
+@pytest.mark.long
 def test_the_torques_are_those_of_robosuite(arm, monkeypatch):
     if ALONE not in os.environ:  # what robosuite imports, and how, depends on what is there already
         itself = f"{__file__}::test_the_torques_are_those_of_robosuite"

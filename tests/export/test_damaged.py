@@ -64,6 +64,7 @@ def use(asset: Asset) -> None:
     asset.fk(asset.project(asset.sample_states(2)))
 
 
+@pytest.mark.long
 def test_every_wrong_value_is_one_error_with_its_place(folder: Path) -> None:
     text = (folder / "asset.json").read_text()
     whole = json.loads(text)

@@ -174,6 +174,7 @@ def test_where_no_number_varies_there_are_none():
     assert corners(rigid, 0, {}) == []
 
 
+@pytest.mark.long
 def test_each_corner_is_a_sample_that_a_user_can_ask_for():
     for name in catalog.categories():
         category = catalog.find(name)

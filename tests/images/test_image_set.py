@@ -62,6 +62,7 @@ def parts_of(part: Any, image: dict[str, Any]) -> list[tuple[dict[str, Any], str
     return [(each, part.cats[each["category_id"]]["name"], part.annToMask(each) > 0) for each in found]
 
 
+@pytest.mark.long
 def test_every_picture_is_listed_once_and_exists(coco, image_set: Path, image_plan: ImagePlan) -> None:
     listed = [image for _, image in images(coco)]
     assert len({image["id"] for image in listed}) == len({image["file_name"] for image in listed}) == 10
@@ -151,6 +152,7 @@ def test_normals_face_the_camera(coco, image_set: Path) -> None:
         assert (away < 0.1).mean() > 0.98  # smooth normals turn away a little at outlines
 
 
+@pytest.mark.long
 def test_an_interrupted_set_gets_the_same_pictures(
     image_set: Path, image_plan: ImagePlan, tmp_path: Path
 ) -> None:

@@ -171,6 +171,7 @@ def test_memory_forgets_what_was_used_least_lately():
     assert made[-1] == "a"
 
 
+@pytest.mark.long
 def test_ten_processes_at_once_corrupt_nothing(place, tmp_path):
     program = """
 import hashlib, pathlib, sys, time

@@ -139,6 +139,7 @@ def test_a_shell_has_walls_of_its_thickness(bevel, open_side):
     "solid",
     [primitive._cylinder(0.05, 0.1, Z, 0.003), primitive._sphere(0.05), primitive._dome(0.05, None, Z)],
 )
+@pytest.mark.long
 def test_round_things_have_shells(solid):
     shape = csg._shell(solid, 0.003, None)
     check_shape(shape)

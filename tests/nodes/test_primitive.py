@@ -143,6 +143,7 @@ def test_a_sphere_is_inscribed(radius):
 
 @few
 @given(st.floats(0.01, 0.1), st.floats(0.01, 0.1), st.floats(0.01, 0.1))
+@pytest.mark.long
 def test_an_ellipsoid_fills_its_axes(x, y, z):
     shape = primitive._ellipsoid(x, y, z)
     check_shape(shape, least_agreement=0.5)
@@ -174,6 +175,7 @@ def test_a_capsule_has_its_overall_length(radius, share, axis):
 
 @settings(max_examples=4)
 @given(st.floats(0.01, 0.5), st.floats(0.1, 0.9), AXES)
+@pytest.mark.long
 def test_a_torus_has_a_hole(major, share, axis):
     shape = primitive._torus(major, share * major, axis)
     check_shape(shape)

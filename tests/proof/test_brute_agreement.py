@@ -16,6 +16,7 @@ from artgen.asset import Asset
 from artgen.asset.certificate import Certificate, PairResult
 from artgen.catalog import categories, find
 from support.brute import draw_poses, moving_pairs, overlaps
+from support.cases import some
 from support.geometry import polytope
 from support.proof_assets import (
     PROOF_ASSETS,
@@ -140,14 +141,14 @@ def collider_volume(asset: Asset, pair: PairResult, q: dict[str, float]) -> floa
 
 
 @pytest.mark.parametrize("seed", SEEDS)
-@pytest.mark.parametrize("category", categories()[2::3])
+@pytest.mark.parametrize("category", some(categories(), 5, 2))
 def test_what_is_proven_of_a_category_is_so(category: str, seed: int) -> None:
     asset, certificate = certified(category, seed)
     assert certificate.proven, str(certificate)
     check_agreement(asset, certificate, POSES)
 
 
-@pytest.mark.parametrize("name", PROOF_ASSETS)
+@pytest.mark.parametrize("name", some(PROOF_ASSETS, 2))
 def test_assets_without_a_fault_are_proven(name: str) -> None:
     asset = PROOF_ASSETS[name]()
     certificate = asset.certify(measure=True)
@@ -190,7 +191,7 @@ FAULTS: dict[str, Callable[[], Asset]] = {
 }
 
 
-@pytest.mark.parametrize("fault", FAULTS)
+@pytest.mark.parametrize("fault", some(FAULTS, 2))
 def test_every_fault_is_found_in_the_pairs_that_overlap_and_every_witness_is_true(fault: str) -> None:
     asset = FAULTS[fault]()
     certificate = asset.certify()

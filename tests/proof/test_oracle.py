@@ -82,6 +82,7 @@ def test_a_contact_is_allowed_to_its_depth_where_it_was_declared() -> None:
     assert found[3] == pytest.approx(0.001 * ring, rel=1e-6)
 
 
+@pytest.mark.long
 def test_every_asset_is_free_of_overlaps_and_its_solids_are_solids() -> None:
     for make in PROOF_ASSETS.values():
         asset = make()

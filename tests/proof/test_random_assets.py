@@ -27,7 +27,7 @@ from support.brute import moving_pairs, overlaps
 from support.proof_fridges import evaluated
 
 FIRST = int(os.environ.get("ARTGEN_TEST_RANDOM_FROM", "20"))
-COUNT = int(os.environ.get("ARTGEN_TEST_RANDOM", "24"))
+COUNT = int(os.environ.get("ARTGEN_TEST_RANDOM", "12"))
 POSES = 120
 STEEL = material("stainless")
 X, Y, Z = np.eye(3)

@@ -213,6 +213,7 @@ def test_a_fixed_tendon_restricts_its_own_joints_only(tmp_path: Path) -> None:
     assert read(tmp_path, arms, tendon + equality).restricted == {"k": "tendon or other equality"}
 
 
+@pytest.mark.long
 def test_damaged_and_hostile_files_give_one_line(tmp_path: Path) -> None:
     def fault(text: str) -> str:
         path = tmp_path / "inner" / "bad.xml"

@@ -616,6 +616,7 @@ def test_too_many_bodies_and_prims_are_refused(tmp_path: Path, monkeypatch: pyte
     refused(tmp_path / "a.usda", "with its instances, it has more than 100 prims")
 
 
+@pytest.mark.long
 def test_a_process_of_its_own_survives_hostile_files(tmp_path: Path) -> None:
     model = read_usd(cabinet("usd", tmp_path), root=tmp_path)
     assert [each.name for each in model.bodies] == ["case", "door", "drawer"]

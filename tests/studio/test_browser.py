@@ -163,6 +163,7 @@ def test_a_parameter_rebuilds_it_and_what_cannot_be_is_told(browser: Browser, st
         assert not [problem for problem in tab.problems if problem.startswith("error")], tab.problems
 
 
+@pytest.mark.long
 def test_the_worst_pose_is_one_click_away_and_a_closed_browser_harms_nothing(
     browser: Browser, studio: Studio
 ) -> None:

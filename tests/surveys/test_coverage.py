@@ -122,6 +122,7 @@ def test_the_page_has_a_row_for_each_varying_parameter() -> None:
     assert "`gap`" not in page
 
 
+@pytest.mark.long
 def test_the_script_writes_the_page(tmp_path) -> None:
     out = tmp_path / "coverage.md"
     done = subprocess.run(

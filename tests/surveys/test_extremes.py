@@ -17,6 +17,7 @@ from artgen.generator.overrides import parse_overrides
 from artgen.materials import Material
 from artgen.nodes.handles import Bool, Float
 from artgen.sampling import by, choice, count, fixed, uniform
+from support.cases import some
 
 NAMES = categories()
 
@@ -72,7 +73,7 @@ def test_a_number_has_the_ends_of_the_option_that_was_chosen() -> None:
     assert ends(Parameter("swing", Float, swing), case) == [1.5, 1.75, 0.5, 2.0]
 
 
-@pytest.mark.parametrize("name", NAMES[::2])
+@pytest.mark.parametrize("name", some(NAMES, 3))
 def test_overrides_are_used_as_drawn(name: str) -> None:
     """Only parameters in use are drawn, so that each has an effect, and each is at an end."""
     category = find(name)
@@ -99,7 +100,7 @@ def test_ends_beyond_the_distributions_are_sampled() -> None:
     assert {0.12, 0.26} <= lengths
 
 
-@pytest.mark.parametrize("name", NAMES[::2])
+@pytest.mark.parametrize("name", some(NAMES, 3))
 def test_commands_give_the_same_overrides(name: str) -> None:
     """For every kind of parameter: text that looks like a number, empty text, names, whole numbers."""
     for number in range(NAMES.index(name), 24 * len(NAMES), len(NAMES)):
@@ -115,7 +116,7 @@ def test_commands_give_the_same_overrides(name: str) -> None:
         assert found["--on-collision"] == ["fail"]
 
 
-@pytest.mark.parametrize("name", NAMES[::2])
+@pytest.mark.parametrize("name", some(NAMES, 3))
 def test_every_end_of_every_parameter_can_be_given_by_a_command(name: str) -> None:
     for parameter in find(name).parameters().values():
         for leaf in parameter.distribution.leaves():

@@ -91,6 +91,7 @@ def slide(**options: Any) -> Body:
     return base.attach(block, Prismatic("slide", **{"axis": -Z, "limits": (0.0, 7.8)} | options))
 
 
+@pytest.mark.long
 def test_a_run_ends_in_time_and_continues_later(tmp_path: Path) -> None:
     path = tmp_path / "soak.jsonl"
     soak(path, run=0, names=NAMES, seconds=0.0, task=counted)
@@ -112,6 +113,7 @@ def test_a_run_ends_in_time_and_continues_later(tmp_path: Path) -> None:
     assert soaked(path, 1) == []
 
 
+@pytest.mark.long
 def test_a_run_of_some_categories_has_the_same_samples(tmp_path: Path) -> None:
     path = tmp_path / "soak.jsonl"
     run_of(path, 3, names=("drawer",))
@@ -119,6 +121,7 @@ def test_a_run_of_some_categories_has_the_same_samples(tmp_path: Path) -> None:
     assert [each["sample"] for each in soaked(path, 0)] == [at, at + len(NAMES), at + 2 * len(NAMES)]
 
 
+@pytest.mark.long
 def test_samples_are_begun_until_the_time_is_over(tmp_path: Path) -> None:
     path = tmp_path / "soak.jsonl"
     start = time.monotonic()
@@ -140,6 +143,7 @@ def test_a_sample_that_hangs_is_an_anomaly_and_leaves_no_files(tmp_path: Path, m
     assert {each.name for each in tmp_path.iterdir()} == {path.name, f".{path.name}.lock"}
 
 
+@pytest.mark.long
 def test_a_killed_worker_is_replaced_and_its_sample_listed(tmp_path: Path) -> None:
     path = tmp_path / "soak.jsonl"
     done: list[Any] = []
@@ -163,6 +167,7 @@ def test_a_killed_worker_is_replaced_and_its_sample_listed(tmp_path: Path) -> No
     assert killed not in {each.get("process") for each in done[3:]}
 
 
+@pytest.mark.long
 def test_a_killed_run_continues_without_loss(tmp_path: Path) -> None:
     path = tmp_path / "soak.jsonl"
     program = (
@@ -200,6 +205,7 @@ def _lives(process: int) -> bool:
     return True
 
 
+@pytest.mark.long
 def test_two_runs_do_not_write_to_one_file(tmp_path: Path) -> None:
     path = tmp_path / "soak.jsonl"
     run_of(path, 1, task=brief)
@@ -382,6 +388,7 @@ def script(*arguments: str) -> list[str]:
     return [sys.executable, "-c", program, *arguments]
 
 
+@pytest.mark.long
 def test_ctrl_c_shows_the_results(tmp_path: Path) -> None:
     out = tmp_path / "deep" / "soak.jsonl"
     run = subprocess.Popen(

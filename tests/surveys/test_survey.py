@@ -96,6 +96,7 @@ def test_a_check_that_raises_is_a_fault() -> None:
     assert "no mesh" in found["solids"]["faults"][0]
 
 
+@pytest.mark.long
 def test_an_interrupted_run_continues(tmp_path) -> None:
     path = tmp_path / "thing.jsonl"
     first = survey("thing", range(5), path, task=counted, limit=30.0)
@@ -111,6 +112,7 @@ def test_an_interrupted_run_continues(tmp_path) -> None:
     assert len(read_records(path)) == 8
 
 
+@pytest.mark.long
 def test_a_fast_line_is_measured_again_for_a_full_survey(tmp_path) -> None:
     path = tmp_path / "thing.jsonl"
     survey("thing", [0], path, fast=True, task=counted)
@@ -120,6 +122,7 @@ def test_a_fast_line_is_measured_again_for_a_full_survey(tmp_path) -> None:
     assert len(read_records(path)) == 2
 
 
+@pytest.mark.long
 def test_a_line_that_was_cut_off_is_measured_again(tmp_path) -> None:
     path = tmp_path / "thing.jsonl"
     survey("thing", range(2), path, task=counted)

@@ -36,6 +36,7 @@ def test_a_sound_generator_passes():
 
 
 @pytest.mark.parametrize("name", ["handle"])
+@pytest.mark.long
 def test_a_category_is_found_by_its_name(name):
     check_category(name, seeds=[3], checks=["files", "tree", "certificate"])
 

@@ -49,6 +49,7 @@ def messages(asset):
 
 
 @pytest.mark.parametrize(("category", "seed"), [("door", 0), ("door", 3), ("handle", 3)])
+@pytest.mark.long
 def test_colliders_of_categories_are_valid_and_faithful(category, seed):
     result = check_colliders(artgen.generate(category, seed, certify=False))
     assert not result.findings

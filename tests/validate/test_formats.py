@@ -75,6 +75,7 @@ def test_formats_say_what_the_asset_is(exported, capfd):
 
 
 @pytest.mark.parametrize(("category", "seed"), [("door", 3), ("handle", 5)])
+@pytest.mark.long
 def test_categories_agree(category, seed, tmp_path):
     directory = artgen.generate(category, seed, certify=False).export(tmp_path / "out")
     assert not [finding for result in results(directory).values() for finding in result.findings]

@@ -83,6 +83,7 @@ def test_an_asset_in_memory_is_judged_by_its_files(made, monkeypatch):
 
 
 @pytest.mark.parametrize("name", ["door", "handle"])
+@pytest.mark.long
 def test_the_categories_of_artgen_pass(name):
     from artgen import catalog
 

@@ -37,6 +37,7 @@ def messages(asset):
 
 
 @pytest.mark.parametrize(("category", "seed"), [("door", 0), ("door", 2), ("handle", 5)])
+@pytest.mark.long
 def test_solids_of_categories_are_sound_in_memory_and_read_back(category, seed, tmp_path):
     asset = artgen.generate(category, seed, certify=False)
     result = check_solids(asset)

@@ -248,6 +248,7 @@ def test_types_are_hidden_and_shown(tab) -> None:
     assert tab.problems == []
 
 
+@pytest.mark.long
 def test_a_box_is_dragged_nowhere_but_the_paper_is(tab) -> None:
     page = tab.page
     page.click("#fit")

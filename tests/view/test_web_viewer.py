@@ -234,6 +234,7 @@ def test_signs_stand_where_the_asset_stands(tab: Tab, asset: Asset) -> None:
         tab.page.uncheck(f"[data-symbol={symbol}]")
 
 
+@pytest.mark.long
 def test_the_exploded_view_moves_links_apart_and_back(tab: Tab, asset: Asset) -> None:
     slider = tab.page.locator("#apart")
     slider.press("End")

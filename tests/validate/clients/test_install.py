@@ -120,6 +120,7 @@ def test_a_disk_that_refuses_is_one_error(tmp_path):
         install("drake", tmp_path / "file")
 
 
+@pytest.mark.long
 def test_a_package_is_really_installed(tmp_path, monkeypatch):
     wheel = tmp_path / "quux-1.5-py3-none-any.whl"
     with zipfile.ZipFile(wheel, "w") as archive:

@@ -234,6 +234,7 @@ def test_a_fault_is_noticed(fault, name, message, packages, tmp_path):
     assert re.search(message, "\n".join(map(str, outcome.findings))), outcome.findings
 
 
+@pytest.mark.long
 def test_simready_tells_which_optional_requirements_are_unmet(packages):
     (outcome,) = run_client(CLIENTS["simready_validate"], [read_exported(packages["simready"])])
     if outcome.state == "absent":
