@@ -8,7 +8,8 @@ from trimesh.triangles import closest_point
 import artgen
 from artgen.asset.shells import TriangleSet, winding_number
 from artgen.colliders import Convex
-from artgen.validate.colliders import fidelity
+from artgen.graph.kernel import DETAILS
+from artgen.validate.colliders import FACETS, fidelity
 
 
 def placed(*center):
@@ -75,6 +76,23 @@ def test_round_pieces_are_compared_as_round():
     assert found.surface_error < 3e-5
     bumped = fidelity(solid, [Convex.cylinder(radius + 0.001, length)])
     assert bumped.surface_error == pytest.approx(0.001, rel=0.05)
+
+
+def test_facets_are_those_of_the_levels_of_detail():
+    assert {name: level.chord for name, level in DETAILS.items()} == FACETS
+
+
+def test_what_is_empty_between_facets_and_a_round_surface_is_no_hollow():
+    # a disc with a lip beside it, at low detail: nearly all that the hull adds is before its facets
+    radius, height = 0.016, 0.008
+    disc = Manifold.cylinder(height, radius, circular_segments=12, center=True)
+    lip = Manifold.cube((0.008, 0.012, 0.004), center=True).translate((radius, 0, 0))
+    pieces = [Convex.cylinder(radius, height), Convex.box((0.008, 0.012, 0.004), placed(radius, 0, 0))]
+    assert fidelity(disc + lip, pieces).interior_kept < 0.8
+    assert fidelity(disc + lip, pieces, facets=0.0008).interior_kept > 0.99
+    # a slot in it that a collider fills is one still
+    slot = Manifold.cube((0.02, 0.003, 0.02), center=True)
+    assert fidelity((disc - slot) + lip, pieces, facets=0.0008).interior_kept < 0.8
 
 
 def test_films_between_pieces_that_touch_are_nothing():

@@ -52,6 +52,9 @@ ADDED = 0.03
 KEPT = 0.8
 """Share of the empty volume inside a link's convex hull that colliders must keep empty."""
 
+FACETS = {"full": 0.2e-3, "medium": 0.5e-3, "low": 0.8e-3}
+"""Largest distance of facets from round surfaces at each level of detail [m]."""
+
 _FINE = 2.0e-5  # tolerance of the facets of round pieces [m]
 _SPREAD = 300  # points on the surfaces of a difference, in addition to its corners
 _DOUBTED = 1.0e-5  # tolerance of points of a difference on the solids [m]
@@ -108,7 +111,8 @@ def check_colliders(asset: Asset) -> CheckResult:
             message = f"its colliders cannot be compared: {error}"
             findings.append(_fault(message, link.name, severity="note"))
             continue
-        result = fidelity(solid, [collider.convex for collider in link.colliders], link.covers)
+        convexes = [collider.convex for collider in link.colliders]
+        result = fidelity(solid, convexes, link.covers, FACETS[asset.detail])
         measured.append((solid.volume(), result))
         findings += _fidelity_findings(link, result, closely=asset.detail != "low")
     return CheckResult(CHECK, tuple(findings), _detail(asset, measured))
@@ -225,8 +229,18 @@ def _detail(asset: Asset, measured: Sequence[tuple[float, Fidelity]]) -> str:
     return f"{text}, coarse covers on {coarse} links" if coarse else text
 
 
-def fidelity(solid: Manifold, convexes: Sequence[Convex], covers: Sequence[Convex] = ()) -> Fidelity:
-    """Compare convex pieces with their solid; covers are places where they may stand off from it."""
+def fidelity(
+    solid: Manifold, convexes: Sequence[Convex], covers: Sequence[Convex] = (), facets: float = FACETS["full"]
+) -> Fidelity:
+    """Compare convex pieces with their solid.
+
+    Args:
+        solid: The solid.
+        convexes: The pieces.
+        covers: Places where they may stand off from it.
+        facets: Largest distance of the facets of the solid from round surfaces; what is empty between both is
+            no hollow [m].
+    """
     polytopes = [convex.outer_polytope(_FINE) for convex in convexes]
     cover = Manifold.batch_boolean([hull_of(polytope.points) for polytope in polytopes], OpType.Add)
     missing, faces = solid - cover, TriangleSet.of(solid)
@@ -245,6 +259,8 @@ def fidelity(solid: Manifold, convexes: Sequence[Convex], covers: Sequence[Conve
             error, surface_place = apart, at
     empty = hull.volume() - volume
     kept = (hull - cover).volume() - missing.volume()
+    if _EMPTY * hull.volume() < empty and kept < KEPT * empty:
+        kept += _between_facets(excess ^ hull, faces, facets)
     return Fidelity(
         volume_error=(excess.volume() + missing.volume()) / volume,
         surface_error=error,
@@ -256,6 +272,13 @@ def fidelity(solid: Manifold, convexes: Sequence[Convex], covers: Sequence[Conve
         place=tuple(place.tolist()),
         surface_place=tuple(surface_place.tolist()),
     )
+
+
+def _between_facets(excess: Manifold, faces: TriangleSet, facets: float) -> float:
+    """Return the volume of the thin parts of an excess that stay within the facets of a solid."""
+    thin = (part for part in excess.decompose() if 2.0 * part.volume() <= facets * part.surface_area())
+    spread = ((part.volume(), TriangleSet.of(part).spread(_SPREAD)) for part in thin)
+    return sum(volume for volume, points in spread if faces.farthest(points, outside=True)[0] <= facets)
 
 
 def _sticking_out(
