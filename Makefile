@@ -21,6 +21,7 @@
 VENV := .venv
 BIN := $(VENV)/bin
 STAMP := $(VENV)/.installed
+OTHERS := $(foreach version,3.11 3.12 3.13,$(VENV)-$(version)/.installed)
 # Modules are compiled once, at their first import: most of three gigabytes never are.
 unexport PYTHONDONTWRITEBYTECODE
 INSTALL := pip install --quiet --disable-pip-version-check --no-compile --editable
@@ -36,7 +37,7 @@ PYTHON ?= $(shell for name in python3.13 python3.12 python3.11 python3 python; d
 	done)
 
 .DEFAULT_GOAL := help
-.PHONY: help install demo test test-long lint types layers pytest same-bytes hashes clients test-clients client-table survey soak coverage-table sheets docs docs-serve bench field format clean
+.PHONY: help install install-others demo test test-long lint types layers pytest same-bytes hashes clients test-clients client-table survey soak coverage-table sheets docs docs-serve bench field format clean
 
 help:
 	@sed -n 's/^#   //p' Makefile
@@ -50,6 +51,8 @@ $(STAMP): pyproject.toml
 	@touch $@
 
 install: $(STAMP)
+
+install-others: $(OTHERS)
 
 demo: $(STAMP)
 	$(BIN)/python scripts/demo.py
@@ -74,23 +77,25 @@ pytest: $(STAMP)
 test-long:
 	$(MAKE) test MARKS=
 
-# Of each version the first that really starts; the one of $(VENV) has done it among the tests.
-same-bytes: $(STAMP)
-	$(MAKE) --jobs=2 --output-sync same-bytes-3.11 same-bytes-3.12 same-bytes-3.13
+# The one of $(VENV) has done it among the tests.
+same-bytes: $(OTHERS)
+	$(MAKE) --jobs=2 --output-sync $(OTHERS:$(VENV)-%/.installed=same-bytes-%)
 
-same-bytes-%: $(STAMP)
-	@is='import sys; sys.exit("%d.%d" % sys.version_info[:2] != "$*")'; \
-	if $(BIN)/python -c "$$is"; then exit 0; fi; \
-	for python in python$* $${PYENV_ROOT:-$$HOME/.pyenv}/versions/$*.*/bin/python; do \
-		$$python -c "$$is" >/dev/null 2>&1 || continue; \
-		$$python -m venv --clear $(VENV)-$* && \
-		$(VENV)-$*/bin/python -m $(INSTALL) . && \
-		echo "Python $*, kernels without AVX-512:" && \
-		OPENBLAS_CORETYPE=Haswell NPY_DISABLE_CPU_FEATURES="X86_V4 AVX512_ICL AVX512_SPR" \
-			$(VENV)-$*/bin/python scripts/tree_hashes.py; \
-		exit; \
+same-bytes-%: $(VENV)-%/.installed
+	@[ -x $(<D)/bin/python ] || { echo "note: there is no other Python $*: what it makes is not compared"; exit; }; \
+	echo "Python $*, kernels without AVX-512:"; \
+	OPENBLAS_CORETYPE=Haswell NPY_DISABLE_CPU_FEATURES="X86_V4 AVX512_ICL AVX512_SPR" \
+		$(<D)/bin/python scripts/tree_hashes.py
+
+# Of each version the first that really starts, unless it is that of $(VENV).
+$(VENV)-%/.installed: pyproject.toml
+	@for python in python$* $${PYENV_ROOT:-$$HOME/.pyenv}/versions/$*.*/bin/python; do \
+		$$python -c 'import sys; sys.exit("%d.%d" % sys.version_info[:2] != "$*")' >/dev/null 2>&1 || continue; \
+		$(PYTHON) -c 'import sys; sys.exit("%d.%d" % sys.version_info[:2] == "$*")' || continue; \
+		$$python -m venv --clear $(@D) && $(@D)/bin/python -m $(INSTALL) . || exit 1; \
+		break; \
 	done; \
-	echo "note: there is no Python $*: what it makes is not compared"
+	mkdir -p $(@D) && touch $@
 
 hashes: $(STAMP)
 	$(BIN)/python scripts/tree_hashes.py --write

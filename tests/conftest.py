@@ -11,7 +11,7 @@ from hypothesis import settings
 from artgen.cli import main
 from artgen.generator import CATEGORIES
 
-settings.register_profile("artgen", deadline=None, derandomize=True, print_blob=True)
+settings.register_profile("artgen", deadline=None, derandomize=True, max_examples=50, print_blob=True)
 settings.load_profile("artgen")
 
 

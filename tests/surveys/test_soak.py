@@ -411,6 +411,7 @@ def test_ctrl_c_shows_the_results(tmp_path: Path) -> None:
     assert run.returncode == (1 if found else 130)
 
 
+@pytest.mark.long
 def test_a_sample_is_shown_again(tmp_path: Path) -> None:
     number = NAMES.index("plier")
     done = subprocess.run(

@@ -208,6 +208,7 @@ class TestCriteria:
         assert states["solids: no faults"] is True
 
 
+@pytest.mark.long
 def test_the_script_measures_and_judges(tmp_path) -> None:
     out = tmp_path / "handle.jsonl"
     page = tmp_path / "soak.md"
