@@ -25,6 +25,8 @@ from artgen.proof.certify import certify
 from artgen.scene import ROOMS, Scene, kitchen
 from artgen.scene.room import GAP, STANDING
 from artgen.validate import Examination
+from artgen.validate.behavior import check_behavior, neighborhoods
+from artgen.validate.behavior.model import room_model
 from artgen.validate.room import motions_at_rest, overlaps
 from artgen.view.camera import camera_of
 from support.cases import some
@@ -251,6 +253,54 @@ def test_a_free_body_stands_still_and_moves_with_its_drawer(loose: Asset) -> Non
     moved = place("plier_body") - before["plier_body"]
     assert moved[1] < -0.08, "the pliers stay behind when the drawer opens"
     assert abs(moved[2]) < 0.01
+
+
+def test_joints_of_a_room_are_driven_with_what_they_carry(loose: Asset, tmp_path: Path) -> None:
+    directory = loose.export(tmp_path / "loose", formats=("mjcf",), textures=0)
+    model = room_model(directory / "loose.xml", loose)
+    assert model.body("plier_body").parentid == model.body("drawer_drawer_0").id
+    data = mujoco.MjData(model)
+    mujoco.mj_forward(model, data)
+    assert np.allclose(data.body("plier_body").xpos, loose.fk(np.zeros(model.nq))[-2, :3, 3], atol=1e-9)
+    result = check_behavior(loose, directory)
+    assert not result.findings, [str(each) for each in result.findings]
+    # the drawer is stopped by what stands in its way, though it is another asset
+    post = loose.links["pepper_grinder_body"]
+    reach = loose.links["drawer_body"].bounds()[0, 1] - 0.05 - post.bounds()[0, 1]
+    before = post.moved(translation(np.array([0.0, reach, -0.25])))
+    links = ByName({**loose.links.by_name, before.name: before}.values())
+    blocked = check_behavior(replace(loose, links=links))
+    assert any(
+        "contact holds it" in each.message and "pepper_grinder" in each.message for each in blocked.findings
+    )
+
+
+def test_an_asset_of_a_room_is_simulated_with_all_that_it_may_touch() -> None:
+    room = Scene("three", seed=3, width=3.0, depth=1.6, detail="low")
+    door = ("cabinet", {**ONE_DOOR, "hand": "right"})
+    room.run("back", ("drawer", SMALL), door, at=0.1)
+    room.against("back", "drawer", at=2.4, **SMALL)
+    whole = room.build()
+    parts = [({*names}, part) for names, part in neighborhoods(whole)]
+    assert set[str]().union(*(names for names, _ in parts)) == {each.name for each in whole.free_joints}
+    links = [{*part.links.by_name} for _, part in parts]
+    assert [len({"drawer_body", "cabinet_body", "drawer_1_body"} & each) for each in links] == [2, 2, 1]
+    # what is left out never comes near, in random states
+    poses = dict(zip(whole.links.by_name, np.moveaxis(whole.fk(whole.sample_states(50)), 1, 0), strict=True))
+    rest = dict(zip(whole.links.by_name, whole.fk(np.zeros(len(whole.dof_names))), strict=True))
+
+    def spans(name: str) -> tuple[np.ndarray, np.ndarray]:
+        moved = poses[name] @ np.linalg.inv(rest[name])
+        corners = np.array(np.meshgrid(*whole.link(name).bounds().T)).reshape(3, -1)
+        points = moved[:, :3, :3] @ corners + moved[:, :3, 3:]
+        return points.min(axis=2), points.max(axis=2)
+
+    for names, part in parts:
+        for own in {whole.joint(name).child for name in names}:
+            low, high = spans(own)
+            for other in {*whole.links.by_name} - {*part.links.by_name}:
+                least, most = spans(other)
+                assert not ((low < most) & (high > least)).all(axis=1).any(), (own, other)
 
 
 def test_free_bodies_are_stored_and_are_bodies_of_their_own_in_usd(loose: Asset, tmp_path: Path) -> None:

@@ -2,7 +2,7 @@
 
 import math
 import os
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
@@ -10,11 +10,11 @@ from typing import Any
 
 import numpy as np
 
-from artgen._arrays import Array, Indices, cached_property
+from artgen._arrays import Array, Indices, Mask, cached_property
 from artgen.asset import Asset, AssetCondition, AssetCoupling, AssetJoint
 from artgen.asset.report import Finding, Severity
 from artgen.errors import AssetError
-from artgen.export.frames import coupling
+from artgen.export.frames import coupling, quaternion
 from artgen.export.names import read_names
 from artgen.validate.joints import length, unit
 
@@ -35,6 +35,7 @@ def collected_warnings() -> Iterator[list[str]]:
 
 _STEP = 0.002  # time step; with that of the file, a check may take for ever [s]
 _MOST_ELEMENTS = 50_000
+_NAMING = ("joint", "joint1", "joint2", "body1", "body2", "site", "site1", "site2")
 _MAKING = ("include", "replicate", "composite", "flexcomp", "hfield", "model", "attach", "plugin")
 
 
@@ -97,6 +98,64 @@ def fixed_model(path: Path) -> Any:
                 spec.delete(key)
             spec.delete(joint)
     return spec.compile()
+
+
+def room_model(path: Path, asset: Asset) -> Any:
+    """Load the file of a room with each free body fixed to what carries it, which may be a drawer that moves.
+
+    Of a room that is a part of that in the file, only the links of the part are loaded.
+    """
+    import mujoco
+    from lxml import etree
+
+    check_loadable(path)
+    root = etree.parse(path).getroot()
+    bodies = {str(each.get("name")): each for each in root.iter("body")}
+    poses = dict(zip(asset.links.by_name, asset.fk(np.array(_closed(asset))), strict=True))
+    for joint in asset.joints:
+        if joint.child in asset.loose:
+            body, placed = bodies[joint.child], np.eye(4)
+            for free in body.findall("freejoint"):
+                body.remove(free)
+            turn = np.zeros(9)
+            mujoco.mju_quat2Mat(turn, np.array(_numbers(body, "quat", (1.0, 0.0, 0.0, 0.0))))
+            placed[:3, :3], placed[:3, 3] = turn.reshape(3, 3), _numbers(body, "pos", (0.0, 0.0, 0.0))
+            placed = np.linalg.inv(poses[joint.parent]) @ placed
+            body.set("pos", " ".join(map(repr, placed[:3, 3].tolist())))
+            body.set("quat", " ".join(map(repr, quaternion(placed).tolist())))
+            bodies[joint.parent].append(body)
+    _prune(root, [body for name, body in bodies.items() if name not in asset.links.by_name])
+    spec = mujoco.MjSpec.from_string(etree.tostring(root, encoding="unicode"))
+    spec.modelfiledir, spec.option.timestep = str(path.parent), _STEP
+    return spec.compile()
+
+
+def _closed(asset: Asset) -> list[float]:
+    return [asset.joint(name).closed for name in asset.dof_names]
+
+
+def _numbers(element: Any, name: str, default: Sequence[float]) -> list[float]:
+    return [float(each) for each in element.get(name, "").split()] or list(default)
+
+
+def _prune(root: Any, bodies: Iterable[Any]) -> None:
+    """Remove bodies from an MJCF file, with all that names them, and the keyframes, which have all joints."""
+    for body in bodies:
+        if body.getparent() is not None:
+            body.getparent().remove(body)
+    world = root.find("worldbody")
+    names, meshes = {each.get("name") for each in world.iter()}, {each.get("mesh") for each in world.iter()}
+    for mesh in list(root.iterfind("asset/mesh")):
+        if mesh.get("name") not in meshes:
+            mesh.getparent().remove(mesh)
+    for section in root:
+        if section.tag in ("keyframe", "custom"):
+            section.clear()
+        elif section.tag in ("equality", "tendon", "contact"):
+            for each in list(section):
+                named = (part.get(key) for part in each.iter() for key in _NAMING)
+                if any(name is not None and name not in names for name in named):
+                    section.remove(each)
 
 
 def standing_model(path: Path) -> Any:
@@ -260,6 +319,11 @@ class Simulation:
         self._own = np.zeros(self._ratios.shape, bool)
         for row, motion in enumerate(self.motions.values()):
             self._ratios[row, motion.speeds], self._own[row, motion.speeds] = motion.ratios, True
+        # bodies that move with each free joint, and the row of each joint
+        self._moved = np.zeros((len(self.motions), model.nbody), bool)
+        self._rows = {name: row for row, name in enumerate(self.motions)}
+        for row, motion in enumerate(self.motions.values()):
+            self._moved[row, list(motion.bodies)] = True
         self._places = {
             joint.name: int(model.joint(joint.name).qposadr[0]) for joint in asset.joints if not joint.locked
         }
@@ -377,19 +441,24 @@ class Simulation:
             return _FLOOR, ""
         return self.model.body(body).name, self._labels.get(self.model.geom(geom).name, "")
 
-    def touching(self, motion: JointMotion, others: frozenset[int] | None = None) -> list[str]:
+    def moving(self, motions: Iterable[JointMotion]) -> Mask:
+        """Return the bodies that move with some of the joints, shape (nbody,)."""
+        return self._moved[[self._rows[motion.name] for motion in motions]].any(axis=0)
+
+    def touching(self, motion: JointMotion, others: Mask | None = None) -> list[str]:
         """Return the pieces that press on the links of a joint, the strongest contact first.
 
-        With `others`, only contacts with these bodies count.
+        With `others`, shape (nbody,), only contacts with these bodies count.
         """
+        if not self.data.ncon:
+            return []
+        bodies = self.model.geom_bodyid[self.data.contact.geom]
+        inside = self._moved[self._rows[motion.name]][bodies]
+        pressing = inside[:, 0] != inside[:, 1]
+        if others is not None:
+            pressing &= (others[bodies] & ~inside).any(axis=1)
         forces: dict[str, float] = {}
-        for number in range(self.data.ncon):
-            bodies = [int(self.model.geom_bodyid[geom]) for geom in self.data.contact[number].geom]
-            inside = [body in motion.bodies for body in bodies]
-            if inside[0] == inside[1]:
-                continue
-            if others is not None and bodies[inside.index(False)] not in others:
-                continue
+        for number in np.flatnonzero(pressing).tolist():
             wrench = np.zeros(6)
             self._mujoco.mj_contactForce(self.model, self.data, number, wrench)
             if wrench[0] > 0.0:

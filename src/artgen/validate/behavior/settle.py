@@ -195,8 +195,8 @@ class Settled:
         if drift.pushed and abs(simulation.speed(motion)) < _STILL:
             drift.pushed = []  # later motion has another cause
         if abs(way) > _BEGUN * allowed and not drift.pushed and simulation.data.ncon:
-            moving = frozenset[int]().union(*(other.motion.bodies for other in drifts if other.causes))
-            drift.pushed = simulation.touching(motion, moving - motion.bodies)
+            moving = simulation.moving(other.motion for other in drifts if other.causes)
+            drift.pushed = simulation.touching(motion, moving)
         if abs(way) > allowed and int(math.copysign(1, way)) not in drift.causes:
             drift.since = float(simulation.data.time)
             drift.touching = simulation.touching(motion)
