@@ -275,6 +275,7 @@ new door ~ there is a category 'door'; choose another name
 paint ~ there is no command 'paint'.
 valdate ~ there is no command 'valdate'. Did you mean 'validate'?
 export door ~ there is no directory door; `artgen generate CATEGORY --out door` makes one
+generate door --handle-height 1 ~ a parameter is given as --set handle_height=VALUE
 --versio ~ No such option: --versio (Possible options: --version)
 """
 """Commands, with words that their messages hold; the folder of the files has FILES."""

@@ -77,6 +77,9 @@ def main(arguments: Sequence[str] | None = None) -> NoReturn:
         code = app(args=arguments, prog_name="artgen", standalone_mode=False)
     except (ArtgenError, typer.TyperException) as error:
         message = error.format_message() if isinstance(error, typer.TyperException) else str(error)
+        context, option = getattr(error, "ctx", None), getattr(error, "option_name", "")
+        if option and context and any("--set" in each.opts for each in context.command.params):
+            message += f"; a parameter is given as --set {option.lstrip('-').replace('-', '_')}=VALUE"
         typer.echo(f"error: {' '.join(message.split())}", err=True)
         sys.exit(FAULT if isinstance(error, CheckError) else _WRONG_INPUT)
     except InterruptedRunError as error:
