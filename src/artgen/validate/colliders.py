@@ -1,5 +1,6 @@
 """Check of colliders: simulators accept them, and they represent the solids closely; comparison of kinds."""
 
+import math
 import time
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -278,7 +279,7 @@ def _between_facets(excess: Manifold, faces: TriangleSet, facets: float) -> floa
     """Return the volume of the thin parts of an excess that stay within the facets of a solid."""
     thin = (part for part in excess.decompose() if 2.0 * part.volume() <= facets * part.surface_area())
     spread = ((part.volume(), TriangleSet.of(part).spread(_SPREAD)) for part in thin)
-    return sum(volume for volume, points in spread if faces.farthest(points, outside=True)[0] <= facets)
+    return math.fsum(volume for volume, points in spread if faces.farthest(points, outside=True)[0] <= facets)
 
 
 def _sticking_out(

@@ -142,7 +142,7 @@ def neighborhoods(asset: Asset) -> Iterator[tuple[list[str], Asset]]:
         yield names, _part(asset, {link for link, of in owners.items() if of in found})
 
 
-def _part(asset: Asset, links: Collection[str]) -> Asset:
+def _part(asset: Asset, links: set[str]) -> Asset:
     """Return the part of an asset that consists of some of its links."""
     return replace(
         asset,

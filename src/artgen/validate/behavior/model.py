@@ -443,7 +443,8 @@ class Simulation:
 
     def moving(self, motions: Iterable[JointMotion]) -> Mask:
         """Return the bodies that move with some of the joints, shape (nbody,)."""
-        return self._moved[[self._rows[motion.name] for motion in motions]].any(axis=0)
+        found: Mask = np.any(self._moved[[self._rows[motion.name] for motion in motions]], axis=0)
+        return found
 
     def touching(self, motion: JointMotion, others: Mask | None = None) -> list[str]:
         """Return the pieces that press on the links of a joint, the strongest contact first.
