@@ -2,6 +2,7 @@
 
 import json
 import math
+import re
 import xml.etree.ElementTree as ET
 from collections.abc import Callable
 from dataclasses import replace
@@ -273,6 +274,20 @@ def test_joints_of_a_room_are_driven_with_what_they_carry(loose: Asset, tmp_path
     assert any(
         "contact holds it" in each.message and "pepper_grinder" in each.message for each in blocked.findings
     )
+
+
+def test_doors_of_two_assets_that_meet_stop_each_other(corner: Asset, tmp_path: Path) -> None:
+    directory = corner.export(tmp_path / "corner", formats=("mjcf",), textures=0)
+    result = check_behavior(corner, directory)
+    assert not [each for each in result.findings if each.severity == "fault"], result.findings
+    assert "1 pushed while blocked" in result.detail
+    path = directory / "corner.xml"
+    text = path.read_text()
+    (hard,) = set(re.findall(r'_collision">\s*<geom [^>]*solref="([^"]+)"', text))
+    path.write_text(text.replace(f'solref="{hard}"', 'solref="0.5 1"'))
+    doors = {"cabinet_door_hinge", "cabinet_1_door_hinge"}
+    soft = [each for each in check_behavior(corner, directory).findings if each.joint in doors]
+    assert any("though it needs" in each.message and each.severity == "fault" for each in soft)
 
 
 def test_an_asset_of_a_room_is_simulated_with_all_that_it_may_touch() -> None:

@@ -22,6 +22,7 @@ from artgen.validate.behavior.model import (
     collected_warnings,
     fixed_model,
     joint_finding,
+    owners_of,
     room_model,
     standing_model,
 )
@@ -123,12 +124,7 @@ def neighborhoods(asset: Asset) -> Iterator[tuple[list[str], Asset]]:
     if not asset.is_room:
         yield [joint.name for joint in asset.free_joints], asset
         return
-    base, place = asset.links[0].name, {joint.child: joint for joint in asset.joints}
-    owners = {base: base}
-    for link in asset.links[1:]:  # parents come before their children
-        joint = place[link.name]
-        fixed = joint.parent == base and joint.locked
-        owners[link.name] = link.name if fixed else owners[joint.parent]
+    owners, base = owners_of(asset), asset.links[0].name
     free: dict[str, list[str]] = {}
     for joint in asset.free_joints:
         free.setdefault(owners[joint.child], []).append(joint.name)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from artgen.asset import AssetCondition, AssetDependency, AssetJoint
 from artgen.asset.report import Finding
 from artgen.validate.behavior.drive import servos
-from artgen.validate.behavior.model import JointMotion, Simulation, UnstableError, joint_finding
+from artgen.validate.behavior.model import DEPTH, JointMotion, Simulation, UnstableError, joint_finding
 from artgen.validate.joints import force, isolated, length, place, state_for
 
 _PUSHES = {"revolute": 20.0, "prismatic": 50.0}  # pushing force [N m or N]
@@ -86,8 +86,8 @@ class _Push:
             if self._breaks(other) and not self._returns(other, positions[name])
         }
         try:
-            furthest = self._pushed(sign, {})
-            if furthest <= allowed:
+            furthest, depth = self._pushed(sign, {})
+            if furthest <= allowed or (self._elsewhere and depth <= DEPTH):
                 return None
             moves = self._moves(furthest)
             touching = simulation.touching(self.motion)
@@ -96,7 +96,7 @@ class _Push:
             hint = "no file format knows dependencies: a part, such as a latch, has to stand in its way"
             fault = joint_finding(self.joint, message, hint, furthest, simulation.pose())
             along = [name for name, start in loose.items() if self._has_moved(motions[name], start)]
-            if not along or self._pushed(sign, loose) > allowed:
+            if not along or self._pushed(sign, loose)[0] > allowed:
                 return fault
         except UnstableError:
             return None
@@ -104,6 +104,17 @@ class _Push:
         message = f"is blocked only while a hand holds {others}: {moves}, and takes {others} along"
         hint = f"where they move together, {self.needs} does not hold and nothing is proven"
         return joint_finding(self.joint, message, hint, furthest, positions, "note")
+
+    @property
+    def _elsewhere(self) -> bool:
+        """Whether the responsible joints belong to another asset of the room.
+
+        Their condition is a box around the states in which the two assets meet, so that the joint may move
+        in a part of them; it may not move into the other asset.
+        """
+        owners, asset = self.simulation.owners, self.simulation.asset
+        own = owners[self.joint.child]
+        return all(owners[asset.joint(name).child] != own for name in self.broken)
 
     def _returns(self, motion: JointMotion, position: float) -> bool:
         """Tell whether a spring returns a joint from its whole range; one that balances a weight does not."""
@@ -128,15 +139,15 @@ class _Push:
         distance = abs(self.simulation.position(motion) - start)
         return distance > min(_PLAYS[motion.joint.kind], 0.01 * motion.range)
 
-    def _pushed(self, sign: int, loose: Mapping[str, float]) -> float:
-        """Return the largest motion of the joint [rad or m]."""
+    def _pushed(self, sign: int, loose: Mapping[str, float]) -> tuple[float, float]:
+        """Return the largest motion of the joint [rad or m], and its depth in other assets [m]."""
         simulation, motions = self.simulation, self.simulation.motions
         begun = {**self.state, **self._end_of_slack(sign)}
         simulation.begin(begun, f"{self.joint.name} is pushed", jammed=True)
         fixed = {name: at for name, at in self.state.items() if not self._breaks(motions[name])}
         held = servos(simulation, {**fixed, **loose})
         at = simulation.model.joint(self.joint.name).qposadr[0]
-        start, furthest = float(simulation.data.qpos[at]), 0.0
+        start, furthest, depth = float(simulation.data.qpos[at]), 0.0, 0.0
         # at the end of its slack, a joint may first fall back while the force grows
         sense = math.copysign(1.0, sign * float(self.motion.ratios[self.motion.members.index(self.joint)]))
         low, high = self.joint.limits or (-math.inf, math.inf)
@@ -148,7 +159,8 @@ class _Push:
             simulation.step()
             position = min(max(float(simulation.data.qpos[at]), low), high)
             furthest = max(furthest, sense * (position - start))
-        return furthest
+            depth = max(depth, simulation.depth(self.motion))
+        return furthest, depth
 
     def _end_of_slack(self, sign: int) -> dict[str, float]:
         """Return the start of the push: the end of the free joint's slack, if it has some [rad or m]."""

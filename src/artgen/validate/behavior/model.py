@@ -178,6 +178,9 @@ Pieces = tuple[tuple[str, str], tuple[str, str]]
 _COUPLING_SHARE = 0.01  # tolerance of a follower, as a share of its range
 _BRIEF = 0.05  # duration of impacts, during which the tolerance is larger [s]
 _BLOW = 5.0  # factor of the tolerance during impacts
+DEPTH = 0.0005
+"""Depth of contacts beyond what the asset allows [m]."""
+
 _FLOOR = "the floor"
 _TRAVEL = 1.0  # examined length of a slide without limits [m]
 
@@ -235,6 +238,16 @@ class JointMotion:
         return self.limits[1] - self.limits[0]
 
 
+def owners_of(asset: Asset) -> dict[str, str]:
+    """Return for each link of a room the base of the asset that it belongs to, with all that it carries."""
+    base, place = asset.links[0].name, {joint.child: joint for joint in asset.joints}
+    owners = {base: base}
+    for link in asset.links[1:]:  # parents come before their children
+        joint = place[link.name]
+        owners[link.name] = link.name if joint.locked and joint.parent == base else owners[joint.parent]
+    return owners
+
+
 def motions_of(asset: Asset, model: Any) -> dict[str, JointMotion]:
     """Return the free joints of an asset by name, with their indices in MuJoCo's model."""
     for link in asset.links:
@@ -289,6 +302,7 @@ class Simulation:
         model: MuJoCo's model.
         data: MuJoCo's state.
         motions: The free joints by name.
+        owners: The base of the asset in a room that each link belongs to; empty in an asset that is no room.
         doing: Description of the current test, for messages.
         step_time: Length of a time step [s].
         applied: Forces that act in the next time step, shape (nv,) [N m or N].
@@ -324,6 +338,12 @@ class Simulation:
         self._rows = {name: row for row, name in enumerate(self.motions)}
         for row, motion in enumerate(self.motions.values()):
             self._moved[row, list(motion.bodies)] = True
+        # number of the asset of a room that each body belongs to
+        self.owners = owners_of(asset) if asset.is_room else dict.fromkeys(asset.links.by_name, "")
+        bases = list(dict.fromkeys(self.owners.values()))
+        self._owners = np.zeros(model.nbody, int)
+        for link, owner in self.owners.items():
+            self._owners[model.body(link).id] = bases.index(owner)
         self._places = {
             joint.name: int(model.joint(joint.name).qposadr[0]) for joint in asset.joints if not joint.locked
         }
@@ -466,6 +486,15 @@ class Simulation:
                 text = " and ".join(piece(*each) for each in self.contact(number))
                 forces[text] = forces.get(text, 0.0) + float(wrench[0])
         return sorted(forces, key=lambda text: -forces[text])[:3]
+
+    def depth(self, motion: JointMotion) -> float:
+        """Return how deep the links of a joint press into other assets of a room [m]."""
+        if not self.data.ncon:
+            return 0.0
+        bodies = self.model.geom_bodyid[self.data.contact.geom]
+        own = self._moved[self._rows[motion.name]][bodies].any(axis=1)
+        others = own & (self._owners[bodies[:, 0]] != self._owners[bodies[:, 1]])
+        return -float(self.data.contact.dist[others].min(initial=0.0))
 
     def _notice_warnings(self) -> None:
         new, self._noticed = self.warnings[self._noticed :], len(self.warnings)

@@ -11,6 +11,7 @@ from artgen.asset import Asset, AssetCondition
 from artgen.asset.report import Finding, Severity
 from artgen.validate.behavior.model import (
     CHECK,
+    DEPTH,
     JointMotion,
     Pieces,
     Simulation,
@@ -32,7 +33,6 @@ REST_TIME = 0.25
 _BEGUN = 0.05  # share of a drift that exceeds the compliance of contacts
 _STILL = 1e-3  # speed below which an impact is over [rad/s or m/s]
 _DRIFTS = {"revolute": math.radians(0.5), "prismatic": 0.0005}  # drift that needs a cause [rad or m]
-_DEPTH = 0.0005  # depth of contacts beyond what the asset allows [m]
 _IMPACT_TIME = 0.05  # shorter deep contacts are impacts of falling parts [s]
 _TILT = math.radians(2.0)  # drift of a base on the floor [m]
 
@@ -222,13 +222,13 @@ class Settled:
         """Keep the deepest contacts that are too deep from the start or for longer than an impact."""
         simulation = self.simulation
         depths = -np.asarray(simulation.data.contact.dist) if simulation.data.ncon else np.zeros(0)
-        if not self.deep and not (depths > _DEPTH).any():
+        if not self.deep and not (depths > DEPTH).any():
             return
         now = float(simulation.data.time)
         deep: dict[Pieces, float] = {}
-        for number in np.flatnonzero(depths > _DEPTH):
+        for number in np.flatnonzero(depths > DEPTH):
             pieces, depth = simulation.contact(int(number)), float(depths[number])
-            if depth <= self._allowed(pieces) + _DEPTH:
+            if depth <= self._allowed(pieces) + DEPTH:
                 continue
             since = deep[pieces] = self.deep.get(pieces, now)
             if since > 0.0 and now - since < _IMPACT_TIME:
