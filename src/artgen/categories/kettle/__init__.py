@@ -86,7 +86,7 @@ def kettle(
     jug = ag.weld(jug, _handle(radius, rim, height, grip))
     jug = ag.weld(jug, _beak(rim, height, shell) if style == "spout" else _gooseneck(radius, height, shell))
     jug = jug.install(_lid(rim, opens, grip, metal), at=(0, 0, height))
-    jug = jug.install(_switch(grip), at=(0, rim + 0.045, 0.030))
+    jug = jug.install(_switch(grip), at=(0, rim + 0.045, ag.min_(0.030, 0.30 * height - 0.0105)))
     low = _BASE + FIT.running
     lift = ag.Prismatic("jug_lift", axis=ag.Z, limits=(0, 0.15), friction=0.2, damping=2.0, effort=80.0)
     turn = ag.Revolute("jug_turn", axis=ag.Z, friction=0.02, damping=0.01, effort=5.0)
@@ -189,8 +189,8 @@ def _base(radius: ag.Scalar, metal: ag.Material) -> ag.Body:
     line = [
         (0, radius, 0.006),
         (0, radius + 0.035, 0.006),
-        (0.03, radius + 0.07, 0.0038),
-        (0.09, radius + 0.085, 0.0038),
+        (0.02, radius + 0.07, 0.0038),
+        (0.06, radius + 0.085, 0.0038),
     ]
     cord = ag.sweep(ag.regular_polygon(8, 0.0034), ag.spline(line))
     black = ag.material("black_abs")

@@ -44,6 +44,7 @@ _HOLES = {
 }
 _LAP = 0.00015  # half of the gap between the blades [m]
 _APART = 0.0009  # distance of a handle from the middle plane [m]
+_PROUD = 0.0004  # height of a soft part above the bar around it [m]
 _PLASTICS = colors("abs", "red orange teal navy black forest graphite sky")
 _BRIGHT = colors("abs", "red sky mint blush mustard orange")
 _SOFT = colors("rubber", "light_grey black red mint")
@@ -166,7 +167,8 @@ def scissors(
     # the middle of the lower half
     left, right = solids[1].anchor(x=-1).x, ag.max_(solids[0].anchor(x=1).x, solids[1].anchor(x=1).x)
     left = ag.min_(left, solids[0].anchor(x=-1).x)
-    return body.attach(blade, hinge).at(-(left + right) / 2, (rear - reach) / 2, tall / 2)
+    under = _PROUD if bars and soft else 0.0
+    return body.attach(blade, hinge).at(-(left + right) / 2, (rear - reach) / 2, tall / 2 + under)
 
 
 def _flat(
@@ -302,7 +304,7 @@ def _bar(
         return body, solid
     soft = ag.loft(
         [
-            ag.rectangle(0.62 * wide, tall + 0.0008, radius=0.0024).at(x)
+            ag.rectangle(0.62 * wide, tall + 2 * _PROUD, radius=0.0024).at(x)
             for (x, _), wide in zip(reversed(line[1:]), reversed(widths[1:]), strict=True)
         ],
         [y + (0.006 if i == 0 else 0.0) for i, (_, y) in enumerate(reversed(line[1:]))],

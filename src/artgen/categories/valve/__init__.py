@@ -365,7 +365,7 @@ def _butterfly(dn: int, torque: ag.Scalar, paint: ag.Material, color: ag.Materia
     """Make a butterfly valve between flanges: its lever stands in ten notches of a plate."""
     size, long = dn / 1000, _BUTTERFLY[dn]
     outer = _FLANGE[dn][1] / 2 - 0.012
-    middle = max(outer, 0.3536 * _FLANGE[dn][1] + 0.015)  # it stands on its lugs
+    middle = max(outer, 0.25 * math.sqrt(2.0) * _FLANGE[dn][1] + 0.015)  # it stands on its lugs
     ring = ag.tube(outer, size / 2, long, axis=ag.X, bevel=0.002).at(z=middle)
     lining = ag.tube(size / 2 + 0.006, size / 2, 0.0012, axis=ag.X)
     seals = [lining.at(side * (long / 2 + 0.0003), 0, middle) for side in (-1, 1)]
