@@ -159,9 +159,10 @@ PRODUCTS: Mapping[str, tuple[Product, ...]] = {
         Product("washbasin on a wall", (0.79, 0.81), (0.50, 0.72), (1.15, 1.17), (70.0, 130.0)),
         Product("washbasin on a pedestal", (0.50, 0.64), (0.42, 0.52), (0.90, 1.10), (15.0, 45.0)),
     ),
-    # cabin and large trolleys, tool cases of 0.34-0.48 m; handles and latches stand out by 0.01-0.02 m
+    # cabin and large trolleys, those of aluminium up to 7.3 kg; tool cases of 0.34-0.48 m; handles and
+    # latches stand out by 0.01-0.02 m
     "suitcase": (
-        Product("trolley case", (0.34, 0.60), (0.20, 0.32), (0.58, 0.82), (2.2, 6.5)),
+        Product("trolley case", (0.34, 0.60), (0.20, 0.32), (0.58, 0.82), (2.2, 7.3)),
         Product("tool case", (0.32, 0.50), (0.26, 0.43), (0.13, 0.20), (1.2, 4.5)),
         Product("attaché case", (0.41, 0.48), (0.30, 0.38), (0.10, 0.14), (1.8, 4.5)),
     ),
@@ -178,17 +179,17 @@ PRODUCTS: Mapping[str, tuple[Product, ...]] = {
     # 4-6 slices, and 3.8-6.2 l; handles stand out by 0.04-0.1 m
     "toaster_oven": (
         Product("toaster oven", (0.39, 0.49), (0.32, 0.41), (0.23, 0.30), (5.0, 10.5)),
-        Product("air fryer", (0.24, 0.31), (0.36, 0.46), (0.28, 0.345), (4.0, 7.0)),
+        Product("air fryer", (0.24, 0.31), (0.36, 0.46), (0.28, 0.345), (4.0, 7.5)),
     ),
     # 8-12 cups; the handle of the jug stands out by 0.04 m; it is half full
     "coffee_machine": (
         Product("filter machine", (0.16, 0.205), (0.27, 0.38), (0.31, 0.40), (2.2, 4.9)),
-        Product("capsule machine", (0.10, 0.14), (0.31, 0.42), (0.23, 0.28), (2.6, 4.8)),
+        Product("capsule machine", (0.10, 0.14), (0.31, 0.42), (0.23, 0.28), (2.3, 4.8)),
         Product("espresso machine", (0.20, 0.27), (0.38, 0.50), (0.33, 0.41), (4.5, 9.5)),
     ),
     # 1.5-2 l, empty; handles and cords stand out by 0.04-0.09 m
     "blender": (
-        Product("blender", (0.175, 0.24), (0.24, 0.32), (0.40, 0.48), (2.6, 6.2)),
+        Product("blender", (0.175, 0.24), (0.24, 0.32), (0.40, 0.49), (2.6, 6.2)),
         Product("personal blender", (0.11, 0.165), (0.18, 0.23), (0.29, 0.39), (1.0, 1.9)),
     ),
     # 14-30 cm wide at the rim, chafing dishes to 39 cm; handles stand out by 0.03-0.06 m, long ones by 0.19 m

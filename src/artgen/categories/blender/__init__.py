@@ -168,7 +168,7 @@ def _base(
 ) -> tuple[ag.Body, ag.Scalar, ag.Scalar]:
     """Make the base with its feet, cord and hooks; return it with the y and z of its controls."""
     radius, top = width / 2, neck + (0.014 if style == "personal" else 0.016)
-    shell = finish.with_(name=f"{finish.name}_motor", density=1050.0 if style == "retro" else 700.0)
+    shell = finish.with_(name=f"{finish.name}_motor", density=1050.0 if style == "retro" else 620.0)
     shoulder = waist * high
     if style == "jug":
         lower = ag.Region((-radius, radius), (-radius, radius), (0.006, shoulder)).box(bevel=0.012)

@@ -24,8 +24,8 @@ SIDES = 20
 """Facets of a core: 0.4 mm off a circle of 30 mm; three rings of them are one collider."""
 
 _SMOOTH = 48  # number of facets of a skin: less than 0.07 mm off a circle of 30 mm
-_GLASS_SIDES = 42  # number of facets of a blown vessel: two of them are one collider, with 0.7 mm to spare
-_GLASS_OFF = 0.0007  # distance of these facets from the surface [m]
+_GLASS_SIDES = 42  # number of facets of a blown vessel, each in a collider of its own
+_GLASS_OFF = 0.00067  # distance of these colliders from the surface: two facets would be farther away [m]
 
 _SPARE = 0.0005  # gap between a hole and the colliders around it [m]
 _WITHIN = 0.0005  # depth of the straight runs of a core below the outline [m]
