@@ -1,9 +1,12 @@
-"""Draw rooms of several seeds at low detail, validate each, and write what was found as a table.
+"""Draw rooms of several seeds at low detail, examine each, and write what was found as a table.
 
-python scripts/scene_survey.py --seeds 12 --validated 2 --out out/scenes.jsonl
+python scripts/scene_survey.py --seeds 12 --states 100 --validated 2 --out out/scenes.jsonl
 
-A validation takes longer than a draw, so that only the first seeds are validated. Records stay in the file,
-so that an interrupted survey continues. The table is Markdown, for docs/scenes.md.
+Each room is read back from its files. Its exact solids are intersected in random valid states; it is
+simulated for 1 s and watched for 3 s, in which no body may move by more than 50 mm and no joint by more than
+a tenth of its range; and the forces at the handles of its joints are compared with 20 N: the bounds of
+MolmoSpaces. A whole validation takes longer than a draw, so that only the first seeds are validated. Records
+stay in the file, so that an interrupted survey continues. The table is Markdown, for docs/scenes.md.
 """
 
 import json
@@ -17,13 +20,16 @@ from typing import Annotated, Any
 import numpy as np
 import typer
 
+from artgen.asset import Asset
 from artgen.errors import ArtgenError
 from artgen.scene import ROOMS
 from artgen.validate import validate
+from artgen.validate.hands.motion import hand_forces
+from artgen.validate.room import LIGHT_FORCE, motions_at_rest, overlaps
 
 _COLUMNS = (
     "room", "seeds", "first draw", "later draw", "refused", "s", "joints", "m2", "triangles",
-    "validated", "faults", "s",
+    "states", "overlaps", "moved", "over 20 N", "validated", "faults", "s",
 )  # fmt: skip
 
 
@@ -32,6 +38,7 @@ def main(
     *,
     seeds: Annotated[int, typer.Option(min=1, help="Number of seeds of each kind.")] = 12,
     first_seed: Annotated[int, typer.Option(min=0, help="The first seed.")] = 0,
+    states: Annotated[int, typer.Option(min=0, help="Random states in which solids are intersected.")] = 100,
     validated: Annotated[int, typer.Option(min=0, help="Number of seeds that are also validated.")] = 2,
     out: Annotated[Path, typer.Option(help="File of records.")] = Path("out/scenes.jsonl"),
 ) -> None:
@@ -42,7 +49,7 @@ def main(
     for seed in range(first_seed, first_seed + seeds):
         for kind in kinds or ROOMS:
             if (kind, seed) not in known:
-                records.append(measured(kind, seed, checked=seed < first_seed + validated))
+                records.append(measured(kind, seed, states, checked=seed < first_seed + validated))
                 with out.open("a", encoding="utf-8") as file:
                     file.write(json.dumps(records[-1]) + "\n")
     typer.echo(table(records))
@@ -51,8 +58,8 @@ def main(
             typer.echo(f"{each['kind']} {each['seed']}: {fault}", err=True)
 
 
-def measured(kind: str, seed: int, *, checked: bool) -> dict[str, Any]:
-    """Return the measurements of one room as JSON data, with its faults if it is checked."""
+def measured(kind: str, seed: int, states: int, *, checked: bool) -> dict[str, Any]:
+    """Return the measurements of one room as JSON data, with all its faults if it is checked."""
     result: dict[str, Any] = {"kind": kind, "seed": seed}
     start = time.process_time()
     try:
@@ -67,13 +74,24 @@ def measured(kind: str, seed: int, *, checked: bool) -> dict[str, Any]:
         "area": float(width * depth),
         "triangles": sum(len(each.mesh.triangles) for link in room.links for each in link.surfaces),
     }
-    if not checked:
-        return result
-    start = time.process_time()
-    with tempfile.TemporaryDirectory() as folder:
-        report = validate(room.export(Path(folder) / room.name, textures=0))
-    faults = [f"{check.check}: {each}" for check in report.results for each in check.faults]
-    return result | {"validate": time.process_time() - start, "faults": faults}
+    with tempfile.TemporaryDirectory() as name:
+        folder = room.export(Path(name) / room.name, textures=0)
+        loaded = Asset.load(folder)
+        overlap, moved = list(overlaps(loaded, states)), list(motions_at_rest(loaded))
+        forces = hand_forces(loaded)
+        result |= {
+            "states": states,
+            "overlaps": len(overlap),
+            "moved": len(moved),
+            "heavy": {joint: force for joint, force in forces.items() if force > LIGHT_FORCE},
+            "faults": [f"{each.check}: {each}" for each in (*overlap, *moved)],
+        }
+        if checked:
+            start = time.process_time()
+            report = validate(folder)
+            result["validate"] = time.process_time() - start
+            result["faults"] = [f"{check.check}: {each}" for check in report.results for each in check.faults]
+    return result
 
 
 def table(records: Sequence[dict[str, Any]]) -> str:
@@ -88,7 +106,9 @@ def table(records: Sequence[dict[str, Any]]) -> str:
         for name in ("joints", "area", "triangles"):
             found = [each[name] for each in made]
             cells.append(f"{min(found):.0f} to {max(found):.0f}" if found else "")
-        checked = [each for each in made if "faults" in each]
+        cells += [str(sum(each[name] for each in made)) for name in ("states", "overlaps", "moved")]
+        cells.append(str(sum(len(each["heavy"]) for each in made)))
+        checked = [each for each in made if "validate" in each]
         cells += [str(len(checked)), str(sum(len(each["faults"]) for each in checked))]
         cells.append(_median(checked, "validate"))
         lines.append(f"| {' | '.join(cells)} |")

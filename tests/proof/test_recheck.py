@@ -12,10 +12,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+import artgen as ag
 import artgen.proof.recheck
 from artgen.asset import Asset
 from artgen.asset.certificate import Certificate
 from artgen.catalog import find
+from artgen.graph import evaluate
 from artgen.proof.recheck import recheck, uncovered
 from support.proof_assets import PROOF_ASSETS
 
@@ -62,6 +64,19 @@ def test_the_verification_uses_neither_fcl_nor_the_search() -> None:
     assert "fcl" not in source.replace("FCL", "")
     for module in ("search", "separation", "kinematics", "hierarchy", "certify"):
         assert f"artgen.proof.{module} " not in source
+
+
+def test_normals_are_rounded_which_counts_by_the_distance() -> None:
+    post = ag.part(ag.box(0.05, 0.05, 0.9).at(0.0, 0.0, 0.45), "post", ag.material("oak"))
+    far = ag.part(ag.box(0.05, 0.05, 0.9).at(2.8, 0.0, 0.45), "far", ag.material("oak"))
+    made = evaluate(post.attach(far, ag.Prismatic("slide", axis=ag.Z, limits=(0.0, 0.1)))).value
+    asset = Asset.from_tree(made, "toy", "test")
+    certificate = asset.certify()
+    (pair,) = certificate.pairs
+    assert pair.guaranteed is not None
+    for more, faults in ((0.0, 0), (2.5e-9, 0), (1e-8, 1)):
+        claimed = replace(pair, guaranteed=pair.guaranteed + more)
+        assert len(recheck(asset, replace(certificate, pairs=(claimed,)))) == faults
 
 
 def test_a_missing_leaf_leaves_space_uncovered(door: Asset) -> None:

@@ -125,7 +125,9 @@ def _recheck_pair(
     least = tolerance
     if solids and pair.guaranteed is not None:
         least = max(tolerance, pair.guaranteed)
-    wanted = least + sum(cover.excess or 0.0 for cover in covers) - _ROUNDING
+    # normals are rounded as lengths are, which counts by the distance of what they separate
+    rounding = _ROUNDING * (1.0 + max(least, 0.0))
+    wanted = least + sum(cover.excess or 0.0 for cover in covers) - rounding
     table = np.array(stored["leaves"], float).reshape(-1, 8 + 2 * len(joint_path.variables))
     for row in table:
         limit = _limit(joint_path, covers, row, wanted)
