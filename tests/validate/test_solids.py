@@ -7,6 +7,8 @@ import pytest
 import artgen
 from artgen import box, part
 from artgen.asset import Asset
+from artgen.asset.shape import Mesh
+from artgen.asset.shells import _skin
 from artgen.validate.solids import check_solids
 from support.blocks import STEEL, block, with_shapes
 
@@ -177,3 +179,18 @@ def test_a_missing_mesh_is_a_fault_and_no_meshes_are_not(copy):
     result = check_solids(Asset.load(copy))
     assert not result.findings
     assert result.skipped == "no mesh files; export it with urdf or mjcf among the formats"
+
+
+def test_a_coarse_sphere_does_not_lean_away_from_its_normals():
+    # eight facets between the axes of an ellipsoid; two normals of each stand more than 60 degrees from it
+    points = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)])
+    flat = (points[:, :, None] * np.eye(3)).reshape(-1, 3)
+    order = np.arange(24).reshape(8, 3)
+    faces = np.where(points.prod(axis=1, keepdims=True) > 0, order, order[:, ::-1])
+    sizes = np.array([0.0052, 0.0054, 0.0088])
+    none = np.zeros((24, 2)), np.zeros(24, int)
+    assert _skin(Mesh(flat * sizes, flat, *none, faces), ("egg",), 1e-7).against == 0
+    turned = flat * np.where(flat[:, 2:] > 0.0, -1.0, 1.0)
+    assert _skin(Mesh(flat * sizes, turned, *none, faces), ("egg",), 1e-7).against == 4
+    leaning = np.where(flat[:, :1] > 0.0, [[0.0, 0.0, -1.0]], flat)
+    assert _skin(Mesh(flat * sizes, leaning, *none, faces), ("egg",), 1e-7).against >= 2

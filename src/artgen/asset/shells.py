@@ -105,7 +105,8 @@ class LinkShells(FrozenArrays):
     turned_edges: int = 0  # edges whose faces are wound against each other
     doubled: int = 0  # triangles that lie on another one of the same winding
     flat: int = 0  # triangles of less height than `_FLAT`
-    against: int = 0  # triangles that lean away from a normal at their corners by more than 60 degrees
+    # triangles that lean away from the mean of their normals by more than 60 degrees, or from one by 90
+    against: int = 0
     place: Array = field(default_factory=lambda: np.zeros(3))  # a point of the first fault, shape (3,) [m]
     triangles: int = 0  # number of triangles
 
@@ -136,7 +137,7 @@ class LinkShells(FrozenArrays):
 
 _FLAT = 1e-8  # height below which a triangle is flat [m]
 _JUDGED = 2e-5  # least height of a triangle with a meaningful normal in mesh files [m]
-_AGAINST = 0.5  # least cosine between a face and a normal at its corners: 60 degrees
+_AGAINST = 0.5  # least cosine between a face and the mean of the normals at its corners: 60 degrees
 
 
 @cached_per_object
@@ -167,8 +168,12 @@ def _skin(mesh: Mesh, labels: Sequence[str], reach: float, label: str = "", piec
     products, size = across(corners)
     sides = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2)
     height = size / np.maximum(sides.max(axis=1), 1e-300)  # the least of each triangle
-    cosine = np.einsum("ij,ikj->ik", products, mesh.normals[mesh.triangles]).min(axis=1)
-    against = np.flatnonzero((cosine < _AGAINST * np.maximum(size, 1e-300)) & (height > _JUDGED))
+    normals = mesh.normals[mesh.triangles]
+    # normals at the corners of a coarse facet lean away from each other, their mean does not lean from it
+    mean = np.einsum("ij,ij->i", products, normals.sum(axis=1))
+    leans = mean < _AGAINST * np.maximum(size * np.linalg.norm(normals.sum(axis=1), axis=1), 1e-300)
+    leans |= np.einsum("ij,ikj->ik", products, normals).min(axis=1) < 0.0
+    against = np.flatnonzero(leans & (height > _JUDGED))
     chosen = np.flatnonzero(proper)
     turned = np.argmin(faces[chosen], axis=1)[:, None] + np.arange(3)
     _, first, _ = distinct_rows(np.take_along_axis(faces[chosen], turned % 3, axis=1))

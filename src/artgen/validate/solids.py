@@ -45,7 +45,7 @@ _FLAWS = {
     ),
     "against": (
         "has {} triangles that lean away from their normals, {at}",
-        "a corner was moved or a winding turned; normals stand within 60 degrees of their faces",
+        "a corner was moved or a winding turned; a face stands within 60 degrees of the mean of its normals",
     ),
     "doubled": (
         "has {} triangles that lie on others of the same winding",
