@@ -229,7 +229,7 @@ class Asset:
         """
         links = tuple(tree.links())
         for link in links:
-            if all(piece.visual for piece in link.pieces):
+            if link.visual:
                 raise AssetError(
                     f"link {link.name!r} consists of details only, which have no mass; weld them to a part",
                     link=link.name,

@@ -118,6 +118,11 @@ class Link(FrozenArrays):
         return tuple(dict.fromkeys((self.label, *(piece.label for piece in self.pieces))))
 
     @cached_property
+    def visual(self) -> bool:
+        """Whether the link consists of visual details only."""
+        return all(piece.visual for piece in self.pieces)
+
+    @cached_property
     def mass_properties(self) -> MassProperties:
         """Mass, center and inertia of the solids; a volume in several solids counts for the first one."""
         pieces = self._solid_pieces()
@@ -357,6 +362,7 @@ class MovedLink(Link):
     matrix: Array = field(kw_only=True)  # rigid motion or reflection, shape (4, 4)
 
     labels = cached_property(attrgetter("source.labels"))
+    visual = cached_property(attrgetter("source.visual"))
 
     @cached_property
     def mass_properties(self) -> MassProperties:

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from manifold3d import Error, Manifold, OpType
 
-from artgen._arrays import Array, FrozenArrays, Indices, cached_property, frozen
+from artgen._arrays import Array, FrozenArrays, Indices, boxes_of, cached_property, frozen
 from artgen.asset import manifolds
 from artgen.asset.manifolds import PROPERTIES, TURNED_OVER, box_of, mesh_of
 from artgen.colliders import Pieces, union
@@ -35,6 +35,11 @@ class Outline(FrozenArrays):
     # convex polygons (counter-clockwise, each shape (k, 2)) whose union is the region; None if they are not
     # known, and have to be found by a decomposition
     convex: tuple[Array, ...] | None = None
+
+    @cached_property
+    def boxes(self) -> tuple[Array, Array]:
+        """The lowest and the highest coordinates of each contour, both shape (n, 2) [m]."""
+        return boxes_of([contour.points for contour in self.contours])
 
 
 @dataclass(frozen=True, eq=False)
@@ -375,6 +380,15 @@ class UnitedShape(_LazyShape):
         whole = solids[0] + solids[1] if len(solids) == 2 else Manifold.batch_boolean(solids, OpType.Add)
         # checked at once: manifold3d would join nested unions, with other triangles
         return Shape(whole, self.pieces).checked().manifold
+
+    def bounds(self) -> Array:
+        """Return the corners of the bounding box, shape (2, 3) [m]."""
+        return self._bounds
+
+    @cached_property
+    def _bounds(self) -> Array:
+        corners = np.concatenate([shape.bounds() for shape in self.shapes])
+        return np.array([corners.min(axis=0), corners.max(axis=0)])
 
 
 def joined_faces(shapes: Sequence[Shape]) -> Indices:

@@ -174,7 +174,8 @@ def _intersection(a: Shape, b: Shape) -> Shape:
 
 
 def _corners(shapes: Sequence[Shape]) -> Array:
-    return np.concatenate([shape.mesh.vertices for shape in shapes])
+    # those of united solids, whose union takes longer and has the same hull
+    return np.concatenate([member.vertices for shape in shapes for member in shape.members])
 
 
 def _hull(solids: tuple[Shape, ...]) -> Shape:

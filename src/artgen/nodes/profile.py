@@ -7,13 +7,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from itertools import compress
 from typing import Literal
 
 import numpy as np
 from manifold3d import CrossSection, JoinType
 
 from artgen import _portable
-from artgen._arrays import successors
+from artgen._arrays import Mask, successors
 from artgen.asset.shape import Contour, Curve, Outline
 from artgen.graph import kernel, records
 from artgen.nodes import validators as check
@@ -267,18 +268,28 @@ def _offset(profile: Outline, distance: float, join: Literal["round", "miter"]) 
     return outline_of(region, f"the profile after an offset of {distance * 1e3:g} mm")
 
 
+def _near(a: Outline, b: Outline) -> tuple[Mask, Mask]:
+    """Tell which contours of each outline have a bounding box that meets one of the other outline."""
+    (low, high), (least, most) = a.boxes, b.boxes
+    apart = (low[:, None] > most).any(axis=2) | (least > high[:, None]).any(axis=2)
+    return ~apart.all(axis=1), ~apart.all(axis=0)
+
+
 def _is_far_from(a: Outline, b: Outline) -> bool:
-    first, second = (np.concatenate([contour.points for contour in each.contours]) for each in (a, b))
-    apart = first.min(axis=0) > second.max(axis=0), second.min(axis=0) > first.max(axis=0)
-    return bool(np.any(apart))
+    return not _near(a, b)[0].any()
 
 
 @kernel(spelling="({a} | {b})")
 def _profile_union(a: Outline, b: Outline) -> Outline:
-    if _is_far_from(a, b):
+    first, second = _near(a, b)
+    if not first.any():
         convex = a.convex + b.convex if a.convex is not None and b.convex is not None else None
         return Outline(a.contours + b.contours, convex)
-    return outline_of(section(a.contours) + section(b.contours), "the union of the profiles")
+    # print is united letter by letter: contours away from the others stay as they are
+    one, two = (list(compress(each.contours, near)) for each, near in ((a, first), (b, second)))
+    joined = outline_of(section(one) + section(two), "the union of the profiles")
+    rest = (*compress(a.contours, ~first), *compress(b.contours, ~second))
+    return Outline((*joined.contours, *rest))
 
 
 @kernel(spelling="({a} - {b})")
