@@ -42,8 +42,9 @@ def check_room(asset: Asset) -> CheckResult:
         joint that needs more than 60 N; a note for a joint that needs more than 20 N. The part about rest is
         left out if MuJoCo is not installed.
     """
-    findings = [*overlaps(asset, _STATES), *_forces(asset)]
-    parts = [f"exact solids in {_STATES} states", f"{len(hand_forces(asset))} joints opened by hands"]
+    forces = hand_forces(asset)
+    findings = [*overlaps(asset, _STATES), *_forces(asset, forces)]
+    parts = [f"exact solids in {_STATES} states", f"{len(forces)} joints opened by hands"]
     try:
         import mujoco  # noqa: F401 - only whether it is there
     except ImportError:
@@ -140,8 +141,8 @@ def _moved(asset: Asset, most: Mapping[str, float]) -> Iterator[Finding]:
             yield Finding(CHECK, message, joint.child, joint.name, most[joint.name])
 
 
-def _forces(asset: Asset) -> Iterator[Finding]:
-    for name, most in hand_forces(asset).items():
+def _forces(asset: Asset, forces: Mapping[str, float]) -> Iterator[Finding]:
+    for name, most in forces.items():
         if most > LIGHT_FORCE:
             joint = asset.joint(name)
             message = f"needs {most:.3g} N at its handle, against {force(joint, joint.friction)} of friction"
