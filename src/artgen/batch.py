@@ -87,8 +87,8 @@ def mjlab(
     """Return editable models of MuJoCo with one structure, for the variants of an entity of mjlab.
 
     They have the colliders of the assets, without visual surfaces, grasps, keyframes, and colliders that are
-    spare in all of the assets. A joint without limits has a range of 1e6 to either side, and couplings of
-    other assets are there but not active.
+    spare in all of the assets. A joint without limits has a range of 1e6 to either side, and couplings and
+    pins of other assets are there but not active.
 
     Args:
         category: Name of a category, or a generator.
@@ -131,7 +131,8 @@ def specs(assets: Sequence[Asset], *, touching: bool = False) -> "list[mujoco.Mj
         )
         for links in zip(*(asset.links for asset in assets), strict=True)
     ]
-    found = [_spec(asset, list(couplings), needed) for asset in assets]
+    pins = dict.fromkeys(loop.links for asset in assets for loop in asset.loops)
+    found = [_spec(asset, list(couplings), list(pins), needed) for asset in assets]
     if touching:
         pairs = [apart(asset) for asset in assets]
         for first, second in (each for each in pairs[0] if all(each in other for other in pairs[1:])):
@@ -287,12 +288,24 @@ def _check_kinematics(assets: Sequence[Asset]) -> None:
                 f"asset {asset.name!r} has the loose links {', '.join(asset.loose)}, and Genesis takes only "
                 "entities of one base into a batch; leave this category or style out"
             )
+        if _pins(asset) != _pins(assets[0]):
+            raise ParameterError(
+                f"closed chains differ in {asset.name!r} and {assets[0].name!r}, and Genesis takes the pins "
+                "of the first asset for all; batch such seeds apart"
+            )
         for joint, first in zip(asset.joints, assets[0].joints, strict=True):
             if coupling(asset, joint) != coupling(assets[0], first):
                 raise ParameterError(
                     f"joint {joint.name!r} follows another law in {asset.name!r} than in {assets[0].name!r}, "
                     "and Genesis takes the couplings of the first asset for all; batch such seeds apart"
                 )
+
+
+def _pins(asset: Asset) -> list[tuple[tuple[str, str], list[float]]]:
+    """Return the links of each pin, and its place in the frame of the first."""
+    return [
+        (loop.links, np.round(loop.point - asset.origin(loop.links[0]), 9).tolist()) for loop in asset.loops
+    ]
 
 
 def _generated(category: str | Generator, seeds: Iterable[int], options: dict[str, Any]) -> list[Asset]:
@@ -303,9 +316,12 @@ def _generated(category: str | Generator, seeds: Iterable[int], options: dict[st
 
 
 def _spec(
-    asset: Asset, couplings: Sequence[tuple[str, str]], needed: Sequence[tuple[bool, ...]]
+    asset: Asset,
+    couplings: Sequence[tuple[str, str]],
+    pins: Sequence[tuple[str, str]],
+    needed: Sequence[tuple[bool, ...]],
 ) -> "mujoco.MjSpec":
-    """Return the model of an asset with the couplings of all assets, those of others not active."""
+    """Return the model of an asset with the couplings and pins of all assets, those of others not active."""
     links = [
         BareLink.of(link, grasps=(), pushes=(), needed=each)
         for link, each in zip(asset.links, needed, strict=True)
@@ -318,23 +334,21 @@ def _spec(
     for joint in spec.joints:
         if joint.type != mujoco.mjtJoint.mjJNT_FREE and not asset.joint(joint.name).limits:
             joint.limited, joint.range = mujoco.mjtLimited.mjLIMITED_TRUE, (-_UNLIMITED, _UNLIMITED)
-    joints = [each for each in spec.equalities if each.type == mujoco.mjtEq.mjEQ_JOINT]
-    own = {(each.name1, each.name2): each for each in joints}
-    laws = [(pair, own[pair].data[:5].tolist() if pair in own else [0.0] * 5) for pair in couplings]
-    settings = [(each.solref.tolist(), each.solimp.tolist()) for each in own.values()][:1]
-    for each in own.values():
+    own = {(each.name1, each.name2): (each.data.tolist(), each) for each in spec.equalities}
+    settings = [(each.solref.tolist(), each.solimp.tolist()) for _, each in own.values()][:1]
+    for _, each in own.values():
         spec.delete(each)
-    for (follower, leader), law in laws:  # in the same order in all models
-        added = spec.add_equality(
-            type=mujoco.mjtEq.mjEQ_JOINT,
-            objtype=mujoco.mjtObj.mjOBJ_JOINT,
-            name1=follower,
-            name2=leader,
-            active=(follower, leader) in own,
-        )
-        added.data[:5] = law
-        for solref, solimp in settings:
-            added.solref[:], added.solimp[:] = solref, solimp
+    kinds = ((mujoco.mjtEq.mjEQ_JOINT, mujoco.mjtObj.mjOBJ_JOINT, couplings),
+             (mujoco.mjtEq.mjEQ_CONNECT, mujoco.mjtObj.mjOBJ_BODY, pins))  # fmt: skip
+    for kind, objects, pairs in kinds:  # in the same order in all models
+        for pair in pairs:
+            first, second = pair
+            added = spec.add_equality(
+                type=kind, objtype=objects, name1=first, name2=second, active=pair in own
+            )
+            added.data[:] = own[pair][0] if pair in own else np.zeros_like(added.data)
+            for solref, solimp in settings:
+                added.solref[:], added.solimp[:] = solref, solimp
     return spec
 
 

@@ -12,7 +12,6 @@ from artgen.graph import Graph
 from artgen.nodes.handles import Float
 from artgen.nodes.joint import Prismatic, Revolute
 from artgen.nodes.vector import X, Y, Z
-from artgen.topology import Topology
 from support.linkages import PLACES, bar, four_bar, gap, made, slider_crank, turn
 
 PARALLEL = ((0.0, 0.0), (0.0, 0.05), (0.12, 0.05), (0.12, 0.0))
@@ -177,8 +176,3 @@ def test_conditions_are_on_the_input():
     flap = Revolute("flap_turn", axis=Y, limits=(0, 1), needs=needs)
     with pytest.raises(AssetError, match="put the condition on its input 'crank_turn'"):
         made(body.attach(bar("flap", (0, -0.1), (0.1, -0.1), 0), flap))
-
-
-def test_topologies_refuse_closed_chains():
-    with pytest.raises(AssetError, match=r"has a closed chain \(rod and rocker\), which no topology holds"):
-        Topology.of([made(four_bar(limits=(0.0, 0.5)))])

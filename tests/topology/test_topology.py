@@ -10,11 +10,14 @@ import numpy as np
 import pytest
 
 import artgen as ag
+from artgen import batch
 from artgen.asset.link import DerivedLink
 from artgen.errors import AssetError, ParameterError
 from artgen.proof.recheck import recheck
 from artgen.topology import Topology
+from support.linkages import bar, four_bar, made
 
+HINGE = ag.Revolute("flap_turn", axis=ag.Y, limits=(0, 1), damping=0.001)
 CASES = {"drawer": (0, 1, 2), "door": (0, 1), "box": (0, 1)}
 
 
@@ -269,3 +272,27 @@ def test_a_category_without_a_recorded_topology_says_how_to_make_one() -> None:
 def test_derived_links_of_an_empty_slot_stay_absent() -> None:
     link = next(link for link in padded("drawer")[0].links if link.absent)
     assert DerivedLink.of(link).absent
+
+
+def test_padded_chains_keep_their_pin_and_move_as_before() -> None:
+    linkage = made(four_bar(limits=(-1.2, 1.2), friction=0.002, damping=0.001, effort=0.3))
+    hinged = made(bar("ground", (0, 0), (0.1, 0), 0).attach(bar("flap", (0, 0), (0, 0.03), 1), HINGE))
+    topology = Topology.of([linkage, hinged])
+    chain, alone = map(topology.pad, (linkage, hinged))
+    assert structure(chain) == structure(alone)
+    assert alone.loops == ()
+    names = {own: name for name, own in chain.originals.items()}
+    assert [loop.links for loop in chain.loops] == [(names["rod"], names["rocker"])]
+    assert chain.certify()
+    certificate = chain.certify()
+    assert certificate.proven
+    assert not recheck(chain, certificate)
+    before, after = both_speeds(linkage, chain, 0.02, contacts=False)
+    assert np.abs(before).max() > 1.0
+    np.testing.assert_allclose(before, after, atol=1e-6)
+    models = [spec.compile() for spec in batch.specs([chain, alone])]
+    kinds = [[mujoco.mjtEq(kind) for kind in found.eq_type] for found in models]
+    assert kinds[0] == kinds[1] == [mujoco.mjtEq.mjEQ_CONNECT]
+    assert [found.eq_active0.tolist() for found in models] == [[1], [0]]
+    plain = linkage.to_mjspec(textures=0).compile()
+    np.testing.assert_allclose(models[0].eq_data, plain.eq_data, atol=1e-12)

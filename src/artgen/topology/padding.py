@@ -225,6 +225,7 @@ def pad(asset: Asset, slots: "Sequence[Slot]", places: Mapping[str, str]) -> Ass
         joints=ByName(joints),
         labels=tuple(dict.fromkeys((*asset.labels, *(link.label for link in result)))),
         contacts=tuple(each.renamed(places, names) for each in asset.contacts),
+        loops=tuple(each.renamed(places, names) for each in asset.loops),
         originals=originals,
     )
 

@@ -192,12 +192,6 @@ def _outline(asset: Asset | Topology) -> Topology:
         return asset
     if asset.originals:
         raise AssetError(f"asset {asset.name!r} is padded already; take the asset before `pad`")
-    if asset.loops:
-        chains = ", ".join(" and ".join(loop.links) for loop in asset.loops)
-        raise AssetError(
-            f"asset {asset.name!r} has a closed chain ({chains}), which no topology holds: its slots are a "
-            "tree; generate it without topology"
-        )
     slots = [_slot(asset, asset.links[0].name, "", ())]
     for parent, child, joints in asset.pairs():
         kinds = tuple(
