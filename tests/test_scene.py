@@ -200,7 +200,7 @@ def test_a_kitchen_is_proven() -> None:
     ("kind", "furniture"),
     some(
         [
-            ("bathroom", {"bathtub_basin", "faucet_spout", "washing_machine_body", "soap_dispenser_body"}),
+            ("bathroom", {"bathtub_basin", "sink_spout", "washing_machine_body", "soap_dispenser_body"}),
             ("office", {"drawer_body", "lamp_base", "sideboard_body", "window_frame"}),
             ("workshop", {"drawer_body", "cabinet_body", "trashcan_body", "box_lid"}),
             ("hall", {"door_frame", "door_1_frame", "door_2_frame", "drawer_body", "mirror_mirror"}),

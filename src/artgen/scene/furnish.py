@@ -11,7 +11,7 @@ from artgen.asset.asset import DetailName
 from artgen.errors import AssetError
 from artgen.export.frames import translation
 from artgen.materials import Material, material
-from artgen.scene.room import GAP, Line, Placement, Scene, Wall
+from artgen.scene.room import GAP, STANDING, Line, Placement, Scene, Wall
 
 THICK = 0.035  # of worktops [m]
 UNDER = 0.86  # height of base units, below their worktop [m]
@@ -23,6 +23,16 @@ KICK, SETBACK = 0.10, 0.05  # height and setback of plinths [m]
 PLINTH = {"stand_height": KICK, "setback": SETBACK}
 SWING = 1.45  # of doors: wider, their handles would be before the drawers beside them [rad]
 DOORWAY = 1.08  # of a wall that a door takes [m]
+_TAP = 0.088  # from the wall to the axis of the tap of a sink [m]
+_BOWL = 0.37  # depth of the bowls of a sink from front to back, between the rails of the unit [m]
+_HUNG_IN = 0.116  # by which the inside of the bowls is narrower than their unit [m]
+_BOWLS = {
+    "single": (0.0, 1.0, 0.40, 0.52),
+    "half": (0.026, 1.45, 0.34, 0.42),
+    "double": (0.026, 2.0, 0.33, 0.42),
+}
+"""By kind of bowls: wall between two, total width over the width of the first, range of this width [m]."""
+
 ATTEMPTS = 8  # draws before a room counts as infeasible
 _WORKTOPS = ("granite", "black_granite", "marble", "oak", "walnut", "beech")
 _GRIPS = ("bar", "bar", "knob", "cup")  # handles that doors and drawers have
@@ -89,7 +99,7 @@ class Furnisher:
         self.fronts, self.finish = _style(self.room, self.choice(*_GRIPS))
         # only wall units are glazed
         self.base = self.fronts | ({"style": "shaker"} if self.fronts["style"] == "glazed" else {})
-        self.apron = bool(self.draw.random() < 0.4)  # whether the front of a sink is seen
+        self.sharp = bool(self.draw.random() < 0.4)  # whether a washbasin has sharp corners
 
     def choice(self, *values: Any) -> Any:
         """Return one of the values."""
@@ -156,6 +166,33 @@ class Furnisher:
         if self.base["style"] not in ("flat", "shaker", "ramped"):
             kind["style"] = "flat"  # of drawers
         return self.room.against(wall, "drawer", at=at, **size | PLINTH | self.base | kind | values)
+
+    def sink(
+        self, wall: Wall | Line, at: float, width: float, holes: list[Hole], drains: list[str], **values: Any
+    ) -> None:
+        """Place a base unit and a sink that hangs in the worktop over it, and add the hole of the sink.
+
+        A drainer may be at the sides `drains`; `values` are other parameters of the sink.
+        """
+        self.unit(wall, at, width, doors=True, top="rails", shelves=0)
+        fit = {
+            bowls: min((width - _HUNG_IN - between) / times, most)
+            for bowls, (between, times, least, most) in _BOWLS.items()
+            if (width - _HUNG_IN - between) / times >= least and values.get("bowls", bowls) == bowls
+        }
+        bowls = self.choice(*fit)
+        sink: dict[str, Any] = {
+            "style": "inset", "stand": "none", "bowls": bowls, "width": fit[bowls], "deep": _BOWL,
+            "drainer": self.choice("none", *drains), **values,
+        }  # fmt: skip
+        made = self.room.draw("sink", name="sink", **sink)
+        top = made.parameters["rim"]
+        below = [each.convex.bounds() for each in made.links[0].colliders if each.label == "bowl"]
+        below = [each for each in below if each[0, 2] < top - 0.01]
+        (x0, y0, _), (x1, y1, _) = np.min(below, axis=0)[0], np.max(below, axis=0)[1]
+        x = at + 0.5 * (width - x0 - x1)
+        holes.append((x + x0 - 0.002, x + x1 + 0.002, y0 - _TAP - 0.002, y1 - _TAP + 0.002))
+        self.let_in(wall, "sink", (x, -_TAP, OVER + STANDING - top), sink)
 
     def hang(self, wall: Wall | Line, at: float, width: float) -> Placement:
         """Hang a wall unit."""

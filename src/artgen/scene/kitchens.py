@@ -45,16 +45,6 @@ _WALL_CORNER = 0.62  # of each wall that a wall unit in a corner takes [m]
 _POST = 0.015  # on both sides of a corner unit, so that its door clears those beside it [m]
 _NARROW, _UNIT, _WIDE = 0.4, 0.58, 0.9  # least, usual and greatest width of a unit [m]
 _SINK = 0.6  # least width of a sink unit [m]
-_TAP = 0.088  # from the wall to the axis of the tap of a sink [m]
-_BOWL = 0.37  # depth of the bowls of a sink from front to back, between the rails of the unit [m]
-_HUNG_IN = 0.116  # by which the inside of the bowls is narrower than their unit [m]
-_BOWLS = {
-    "single": (0.0, 1.0, 0.40, 0.52),
-    "half": (0.026, 1.45, 0.34, 0.42),
-    "double": (0.026, 2.0, 0.33, 0.42),
-}
-"""By kind of bowls: wall between two, total width over the width of the first, range of this width [m]."""
-
 _ABOVE, _HUNG = 1.45, 0.72  # bottom and height of the wall units [m]
 _SASHES = 0.61  # least width of a window with two sashes [m]
 _SILL = 0.06  # by which the sill of a window is wider at each end [m]
@@ -305,7 +295,7 @@ class _Kitchen(Furnisher):
                     for side, other in (("left", number - 1), ("right", number + 1))
                     if 0 <= other < len(items) and items[other].kind == "dishwasher"
                 ]
-                self._sink(row.wall, at, item.width, holes, sides)
+                self.sink(row.wall, at, item.width, holes, sides)
             else:
                 self._place(row, item, at, holes, doors=beside <= {"unit", "sink", "hob"})
             at += item.width + GAP
@@ -358,28 +348,6 @@ class _Kitchen(Furnisher):
             self.room.against(row.wall, "refrigerator", at=at, name="refrigerator", **item.values, hand=hand)
         else:
             self.room.against(row.wall, item.kind, at=at, name=item.kind, **item.values)
-
-    def _sink(self, wall: Wall | Line, at: float, width: float, holes: list[Hole], drains: list[str]) -> None:
-        """Place a base unit, and a sink that hangs in the worktop over it; a drainer may be at some sides."""
-        self.unit(wall, at, width, doors=True, top="rails", shelves=0)
-        fit = {
-            bowls: min((width - _HUNG_IN - between) / times, most)
-            for bowls, (between, times, least, most) in _BOWLS.items()
-            if (width - _HUNG_IN - between) / times >= least
-        }
-        bowls = self.choice(*fit)
-        sink: dict[str, Any] = {
-            "style": "inset", "stand": "none", "bowls": bowls, "width": fit[bowls], "deep": _BOWL,
-            "drainer": self.choice("none", *drains),
-        }  # fmt: skip
-        made = self.room.draw("sink", name="sink", **sink)
-        top = made.parameters["rim"]
-        below = [each.convex.bounds() for each in made.links[0].colliders if each.label == "bowl"]
-        below = [each for each in below if each[0, 2] < top - 0.01]
-        (x0, y0, _), (x1, y1, _) = np.min(below, axis=0)[0], np.max(below, axis=0)[1]
-        x = at + 0.5 * (width - x0 - x1)
-        holes.append((x + x0 - 0.002, x + x1 + 0.002, y0 - _TAP - 0.002, y1 - _TAP + 0.002))
-        self.let_in(wall, "sink", (x, -_TAP, OVER + STANDING - top), sink)
 
     def _oven_unit(self, wall: Wall | Line, at: float, item: _Item, holes: list[Hole]) -> None:
         """Place an oven in a housing of boards, and a cooktop over it."""

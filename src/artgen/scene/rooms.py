@@ -10,26 +10,11 @@ from artgen.asset.asset import DetailName
 from artgen.errors import ParameterError
 from artgen.materials import Material, material
 from artgen.nodes.region import Region
-from artgen.scene.furnish import (
-    DEEP,
-    DOORWAY,
-    FACE,
-    FRONT,
-    OVER,
-    PLINTH,
-    THICK,
-    UNDER,
-    Furnisher,
-    Hole,
-    Span,
-    drawn,
-    width_of,
-)
+from artgen.scene.furnish import DOORWAY, FRONT, PLINTH, Furnisher, Hole, Span, drawn, width_of
 from artgen.scene.room import GAP, STANDING, Placement, Wall
 
 _DESK = 0.70  # height of what stands under a desk [m]
 _GIFT: dict[str, Any] = {"style": "gift", "closure": "lift", "size": "small"}
-_SINK_DEEP = 0.2  # depth of a sink [m]
 _WOODS = ("oak", "walnut", "beech", "ash", "maple")
 
 
@@ -38,7 +23,7 @@ def bathroom(
 ) -> Asset:
     """Return a bathroom, proven free of collisions in all states of all its joints.
 
-    It has a vanity with a sink and a faucet, drawers, a mirror, wall units, a bathtub, a toilet or a washing
+    It has a vanity with a sink and its tap, drawers, a mirror, wall units, a bathtub, a toilet or a washing
     machine or a dryer, a soap dispenser, a bottle, a waste bin, a window and a door.
 
     Args:
@@ -121,7 +106,7 @@ def _bathroom(here: Furnisher) -> None:
     white = material("ceramic")
     room.fixture(
         "bathtub",
-        lambda: _basin(Region((at, at + 1.62), (-0.72, -0.001), (STANDING, 0.56)), wall=0.06, finish=white),
+        lambda: _tub(Region((at, at + 1.62), (-0.72, -0.001), (STANDING, 0.56)), white),
         wall=sides[0],
     )
     here.window(sides[0], at + 0.8, width=0.9, height=0.6, z=1.3)
@@ -132,7 +117,10 @@ def _bathroom(here: Furnisher) -> None:
     holes: list[Hole] = []
     first = start if flip else start + units + GAP
     beside = start + (sink + GAP if flip else 0.0)
-    _sink(here, "back", first, sink, holes)
+    shape = "sharp" if here.sharp else "square"
+    basin: dict[str, Any] = {"shell": white, "shape": shape, "tap": "gooseneck", "reach": 0.18}
+    basin["height"] = here.uniform(0.26, 0.32)
+    here.sink("back", first, sink, holes, [], bowls="single", **basin)
     here.unit("back", beside, units, doors=False)
     ends = (start, start + vanity)
     top = here.lay([(ends[0], -FRONT), (ends[1], -FRONT), (ends[1], 0.0), (ends[0], 0.0)], holes, "back")
@@ -149,35 +137,6 @@ def _bathroom(here: Furnisher) -> None:
     here.door(sides[1], 0.0 if sides[1] == "left" else depth - DOORWAY)
     before = here.before(sides[0], 0.15)  # a lid needs space behind it
     room.against(before, "trashcan", at=0.1 if flip else depth - 0.4, style="pedal", size="small")
-
-
-def _sink(here: Furnisher, wall: Wall, at: float, width: float, holes: list[Hole]) -> None:
-    """Place a base unit that is lower than others, and a sink over it with its faucet; add their holes."""
-    bottom = OVER - _SINK_DEEP - 0.004
-    here.unit(wall, at, width, high=bottom - 0.002, doors=True)
-    faucet: dict[str, Any] = {
-        "style": here.choice("gooseneck", "gooseneck", "pull_down"), "deck_margin": 0.035,
-        "deck_thickness": THICK, "surface": here.top,
-    }  # fmt: skip
-    low, high = here.room.draw("faucet", name="faucet", **faucet).links[0].bounds()
-    middle, strip = at + width / 2.0, high[1] - low[1] + 0.05
-    x = (at + 0.002, at + width - 0.002) if here.apron else (middle - 0.26, middle + 0.26)
-    y = (-FRONT, -strip) if here.apron else (0.06 - FACE, -strip - 0.01)
-    finish = material("ceramic" if here.apron else "stainless")
-    region = Region(x, y, (bottom, OVER if here.apron else OVER + STANDING))
-    wide, rim = (0.016, 0.0) if here.apron else (0.003, 0.012)
-    here.room.fixture("sink", lambda: _basin(region, wall=wide, finish=finish, rim=rim), wall=wall)
-    # an apron ends the worktop at the front
-    holes.append((x[0] - 0.001, x[1] + 0.001, y[0] - (0.05 if here.apron else 0.001), y[1] + 0.001))
-    if not here.apron:
-        top = (bottom + 0.001, UNDER)
-        here.board("panel", wall, (at, at + width), (-FACE + 0.001, -FACE + 0.02), top)
-        for end in (at, at + width - 0.016):
-            here.board("panel", wall, (end, end + 0.016), (-GAP - DEEP, -GAP), top)
-    deck, side = high - low, middle - (high[0] - low[0]) / 2.0
-    slack, back = 0.0004, -0.02
-    holes.append((side - slack, side + deck[0] + slack, back - deck[1] - slack, back + slack))
-    here.let_in(wall, "faucet", (side - low[0], back - high[1], UNDER + GAP), faucet)
 
 
 def _office(here: Furnisher) -> None:
@@ -286,15 +245,13 @@ def _box_on(here: Furnisher, below: Placement, at: float, deep: float) -> None:
     here.room.on(below, "box", at=at, deep=deep, free=True, **_GIFT)
 
 
-def _basin(region: Region, *, wall: float, finish: Material, rim: float = 0.0) -> ag.Body:
-    """Make a sink that fills a region, with a drain in its floor; `rim` is the width of a flange on top."""
+def _tub(region: Region, finish: Material) -> ag.Body:
+    """Make a bathtub that fills a region, with a drain in its floor."""
+    wall = 0.06
     cavity = region.shrink(x=wall, y=wall).with_(z=(region.z.low + 1.5 * wall, region.z.high + 0.01))
-    shell = region.box(bevel=min(0.006, wall / 3)) - cavity.box(bevel=0.02)
+    shell = region.box(bevel=0.006) - cavity.box(bevel=0.02)
     drain = ag.cylinder(0.035, 4 * wall).at(region.x.mid, region.y.mid, region.z.low + wall)
-    parts = [ag.part(shell - drain, "basin", finish)]
     strainer = ag.cylinder(0.0345, 0.004, bevel=0.001).at(region.x.mid, region.y.mid, region.z.low + 0.002)
-    parts.append(ag.part(strainer, "drain", ag.material("stainless")))
-    if rim:
-        over = region.grow(x=rim, y=rim).with_(z=(region.z.high, region.z.high + 0.002))
-        parts.append(ag.part(over.box(bevel=0.0008) - cavity.grow(z=0.05).box(), "rim", finish))
-    return ag.weld(*parts)
+    return ag.weld(
+        ag.part(shell - drain, "basin", finish), ag.part(strainer, "drain", ag.material("stainless"))
+    )
