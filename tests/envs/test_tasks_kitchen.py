@@ -1,13 +1,18 @@
 """Tasks in a kitchen: the robot stands in the room, and the scripted policy does what they ask for."""
 
+from itertools import islice
+
+import fcl
 import numpy as np
 import pytest
 
 from artgen.asset import Asset
+from artgen.asset.manifolds import mesh_of
 from artgen.envs import KITCHEN_TASKS, ManipulationEnv
 from artgen.envs.placing import Obstacles
 from artgen.envs.policy import ScriptedPolicy
 from artgen.envs.reach import hand_joints, stands
+from artgen.envs.robot import BALL_JOINTS, BALL_PLACES, BALL_RADII, frames
 from artgen.errors import EnvError
 from artgen.export.frames import apart
 from artgen.scene import Scene
@@ -86,3 +91,37 @@ def test_a_room_without_the_part_is_refused() -> None:
     for task in KITCHEN_TASKS.values():
         with pytest.raises(EnvError, match="that a hand can grasp; take another seed"):
             next(iter(task.choose(bare, np.random.default_rng(0))))
+
+
+def test_the_arm_of_a_stand_strikes_nothing_and_follows_the_part(kitchen: Asset) -> None:
+    """Distances by FCL, and poses of the tip by the kinematics, at the stored angles."""
+    index = next(n for n, joint in enumerate(hand_joints(kitchen)) if joint.name == "refrigerator_door_hinge")
+    first = next(islice(stands(kitchen), index, None))
+    assert first.way == 1.0
+    for each in (first, *first.then):
+        assert each.base is not None
+        assert each.at is not None
+        assert each.path is not None
+        assert each.tip is not None
+        assert len(each.at) == len(each.path)
+        for number, (at, angles) in enumerate(zip(each.at, each.path, strict=True)):
+            pose = kitchen.pose({**(each.start or {}), each.joint: at})
+            arm = each.base @ frames(angles[None])[0]
+            if number > 1:  # after the approach
+                assert np.allclose(arm[7], pose[each.link] @ each.tip, atol=5e-3)
+            balls = [
+                fcl.CollisionObject(
+                    fcl.Sphere(radius), fcl.Transform(arm[joint, :3, :3] @ place + arm[joint, :3, 3])
+                )
+                for joint, place, radius in zip(BALL_JOINTS, BALL_PLACES, BALL_RADII, strict=True)
+            ]
+            for link in kitchen.links:
+                for collider in link.colliders:
+                    if collider.label == "floor":
+                        continue
+                    points, triangles = mesh_of(collider.convex.transformed(pose[link.name]).manifold())
+                    faces = np.insert(triangles, 0, 3, axis=1).ravel()
+                    solid = fcl.CollisionObject(
+                        fcl.Convex(np.ascontiguousarray(points), len(triangles), faces)
+                    )
+                    assert not any(fcl.collide(ball, solid) for ball in balls), collider.label

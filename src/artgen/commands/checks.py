@@ -251,7 +251,8 @@ def reach(
 ) -> None:
     """Find a place of a Panda on a mobile base for each joint that a hand moves, and write reach.json.
 
-    From a place the hand follows the whole way of the joint, or half of it; the footprint is free.
+    From a place the hand follows the way of the joint, or a part of it and the rest from further places;
+    the footprints are free.
     """
     from artgen.envs.reach import hand_joints, stands, write_stands
 
@@ -266,8 +267,13 @@ def reach(
         if each.reason:
             typer.echo(f"{each.joint}: {each.reason}")
     typer.echo(write_stands(asset, found, directory / REACH_FILE))
-    whole, half = (sum(each.way == way for each in found) for way in (1.0, 0.5))
-    typer.echo(f"{whole} of {count} joints are followed all the way, {half} half of it")
+    whole = [each for each in found if each.way == 1.0]
+    parts = sum(0.0 < each.way < 1.0 for each in found)
+    several = sum(bool(each.then) for each in whole)
+    typer.echo(
+        f"{len(whole)} of {count} joints are followed all the way, {several} of them from several places; "
+        f"{parts} a part of it"
+    )
 
 
 def colliders(

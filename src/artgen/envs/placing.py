@@ -28,11 +28,11 @@ _ANGLES = np.radians([0.0, 20.0, -20.0, 40.0, -40.0, 60.0, -60.0, 85.0, -85.0])
 _ABOVE = (0.15, 0.30, 0.45, 0.60)  # height of the hand over the base [m]
 _STEP = 0.05  # least height of a table above the base next to it [m]
 _FOOT = 0.16  # half the width of the pedestal [m]
-_MISS = 2e-3  # largest error of the tip [m]
+MISS = 2e-3  # largest error of the tip [m]
 _MOST_COMBINED, _COMBINED = 5000, 24  # combinations that are sorted, and that are tried
 _APART = (0.15, 0.4)  # largest step between poses of the tip [m], [rad]
-_JUMP = 1.0  # largest change of an angle between poses [rad]
-_TILTS = np.radians([0.0, 25.0, -25.0, 45.0, -45.0, 60.0, -60.0])
+JUMP = 1.0  # largest change of an angle between poses [rad]
+TILTS = np.radians([0.0, 25.0, -25.0, 45.0, -45.0, 60.0, -60.0])
 _JITTER = 0.02  # distances of the hand at reset [m]
 _ROOM = 0.004  # clearance of the hand [m]
 _FARTHER = (0.03, 0.08)  # distance of the reset pose beyond the start of the approach [m]
@@ -41,8 +41,8 @@ _GRAZE = 0.001  # gap between the table and the asset [m]
 _UNIT = np.stack(np.meshgrid(*[[-1.0, 1.0]] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
 
 # corners of the box behind the fingers, in the frame of the tip, shape (2, 3) [m]
-_HAND = np.array([[-0.5, -0.5, -1.0], [0.5, 0.5, 0.0]]) * GRIPPER.hand
-_HAND[:, 2] += GRIPPER.tip - GRIPPER.long
+HAND_BOX = np.array([[-0.5, -0.5, -1.0], [0.5, 0.5, 0.0]]) * GRIPPER.hand
+HAND_BOX[:, 2] += GRIPPER.tip - GRIPPER.long
 
 
 class Obstacles:
@@ -191,7 +191,7 @@ def _variants(
     axes = (0,) if contact.kind == "grasp" else (0, 1)
     moves = [each for stage in stages for each in stage.moves]
     before = {**start, **{each.joint: each.until for each in moves[: moves.index(move)]}}
-    for tilt in _TILTS:
+    for tilt in TILTS:
         for axis in axes if tilt else (0,):
             for roll in rolls:
                 frame = turned(turned(contact.frame, 2, roll), axis, tilt)
@@ -202,7 +202,7 @@ def _variants(
 
 def _free(obstacles: Obstacles, contact: Contact, q: dict[str, float], move: Move) -> bool:
     """Tell whether the hand collides neither in its approach nor in the motion of the joint."""
-    asset, hand = obstacles.asset, _HAND + np.array([[-_ROOM], [_ROOM]])
+    asset, hand = obstacles.asset, HAND_BOX + np.array([[-_ROOM], [_ROOM]])
     start = q.get(move.joint, asset.joint(move.joint).closed)
     for share, back in ((0.0, contact.back), (0.0, 0.0), (0.5, 0.0), (1.0, 0.0)):
         pose = asset.pose({**q, move.joint: start + share * (move.until - start)})
@@ -282,15 +282,15 @@ def _followed(
 ) -> list[tuple[float, Array, Array]]:
     """Return score, base and initial angles for each base from which the arm follows a path."""
     inverse = np.linalg.inv(bases)
-    starts = _postures(rng)
+    starts = postures(rng)
     local = inverse @ path.tips[0]
     which = np.repeat(np.arange(len(bases)), len(starts))
     angles = np.tile(starts, (len(bases), 1))
     angles[:, 0] += np.arctan2(local[:, 1, 3], local[:, 0, 3])[which]
-    for steps, allowed in ((12, 0.1), (20, _MISS)):
+    for steps, allowed in ((12, 0.1), (20, MISS)):
         angles, miss = reach(angles, local[which], steps)
         angles, which = angles[miss < allowed], which[miss < allowed]
-    score = _ease(angles)
+    score = ease(angles)
     order = np.argsort(-score, kind="stable")  # the `_POSTURES` best postures of each base
     chosen = [index for base in np.unique(which) for index in order[which[order] == base][:_POSTURES]]
     begin = angles = angles[chosen]
@@ -299,14 +299,14 @@ def _followed(
         if not len(which):
             return []
         moved, miss = reach(angles, inverse[which] @ tip, 8 if index else 2)
-        good = (miss < _MISS) & (np.abs(moved - angles).max(axis=1) < _JUMP)
+        good = (miss < MISS) & (np.abs(moved - angles).max(axis=1) < JUMP)
         good[good] &= _clear(obstacles, path, index, bases[which[good]], moved[good])
-        score = np.minimum(score, _ease(moved))
+        score = np.minimum(score, ease(moved))
         angles, begin, which, score = (each[good] for each in (moved, begin, which, score))
     return [(float(score[index]), bases[which[index]], begin[index]) for index in range(len(which))]
 
 
-def _postures(rng: np.random.Generator) -> Array:
+def postures(rng: np.random.Generator) -> Array:
     """Return initial postures of inverse kinematics, shape (n, 7) [rad]."""
     down = np.array([0.0, -0.3, 0.0, -2.2, 0.0, 1.9, np.pi / 4])
     ahead = np.array([0.0, -0.3, 0.0, -2.0, 0.0, 3.2, np.pi / 4])
@@ -319,7 +319,7 @@ def _postures(rng: np.random.Generator) -> Array:
     return np.array([HOME, down, ahead, left, right, rolled, *drawn])
 
 
-def _ease(angles: Array) -> Array:
+def ease(angles: Array) -> Array:
     """Return the distance of postures from singular ones and from the limits of the joints, shape (n,)."""
     poses = frames(angles)
     axes, places = poses[:, :7, :3, 2], poses[:, :7, :3, 3]

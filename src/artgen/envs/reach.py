@@ -1,32 +1,76 @@
-"""Stands of a mobile Panda in a room: for each joint a place from which its hand follows the whole way.
+"""Stands of a mobile Panda in a room: for each joint, places from which its hand follows the whole way.
 
 The base of the arm is level and has any height above the floor of the room; its footprint is free of all
-assets and walls, also along the way. The other joints are closed, or where the joint needs them.
+assets and walls, also along the way. A joint that stays where the hand leaves it may be followed from several
+stands, one after another. The other joints are closed, or open where the joint or the hand needs them.
 """
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from artgen._arrays import Array, FrozenArrays
-from artgen.asset import Asset, AssetJoint
+from artgen.asset import Asset, AssetCondition, AssetCoupling, AssetJoint
+from artgen.asset.affordance import GRIPPER, Affordance
 from artgen.asset.record import json_text
-from artgen.envs.motion import Move, Stage, contact_of
-from artgen.envs.placing import Obstacles, hand_fits, place
+from artgen.envs.motion import BACK, contact_of, lifted, rotation_vector, turned
+from artgen.envs.placing import HAND_BOX, JUMP, MISS, TILTS, ease, postures
+from artgen.envs.robot import BALL_JOINTS, BALL_PLACES, BALL_RADII, frames, reach
 from artgen.export.files import replaced
-from artgen.export.frames import quaternion
+from artgen.export.frames import coupling, quaternion
+from artgen.validate.hands.motion import openable, positions_to_move
 
-FORMAT = "artgen-reach-1"
+FORMAT = "artgen-reach-2"
 """Format of the file of stands."""
 
-WAYS = (1.0, 0.5)
-"""Shares of the range of a joint, of which the first one is followed that can be."""
+Flags = NDArray[np.bool_]
 
 _DIGITS = 6  # decimals of stored numbers: inverse kinematics differs between machines
+_STANDS = 4  # most stands for one joint
+_GAIN = 0.1  # least share of the way that a further stand adds
+_STEP = (0.06, 0.25)  # largest step of a hand along the way [m], [rad]
+_MOST_STEPS = 24
+_PATHS = 16  # orientations of hands that are tried
+_PUSHES, _BETWEEN = 6, 0.06  # points at which a finger pushes a part, and the distance between two [m]
+_FACE = 0.003  # least half width of a face that a finger pushes [m]
+_EDGE = 0.75  # share of the way from its middle to its corners
+_FACING = 0.8  # least cosine between a push on a face and its motion
+_OUT = 0.003  # distance before a face at which the part ends [m]
+_EASE = 0.05  # least distance from singular postures and from limits
+_ALONG = 0.5  # least cosine between a push and the motion of its point
+_BATCH, _ROUNDS = 20, 4  # bases that are tried at once, and how often for one orientation of the hand
+_ROOM = 0.004  # clearance of the hand behind the fingers [m]
+_SLACK = 0.001  # by which a finger may overlap another part [m]
+_BACKS = (1.0, 0.5)  # shares of the approach at which the hand has to be free
+
+_DIRECTIONS = np.radians(np.arange(0.0, 360.0, 20.0))  # of the base from the hand [rad]
+_DISTANCES = (0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9)  # from the hand to the axis of the base [m]
+_ABOVE = (-0.25, -0.1, 0.05, 0.2, 0.35, 0.5, 0.65)  # height of the hand above the base [m]
+_FOOT = np.array([[-0.16, -0.12], [0.08, 0.12]])  # of pedestal and first link, in the frame of the base [m]
+_SHOULDER = 0.35  # height of what stands on the foot [m]
+_WRIST = (0.25, 0.80)  # from the shoulder to the axis of the hand at the wrist [m]
+_TIP = 0.2035  # from the wrist to the tip [m]
+_AROUND = 1.0  # distance from the hand within which an arm strikes something [m]
+_NEAR = 0.35  # the same of a hand [m]
+_COLUMN = 0.09  # radius of the pedestal and of the first links, which the hand must not strike [m]
+_GRAVITY = 9.81  # [m/s^2]
+_FRICTION = 0.01  # of a joint that stays, at least [N m or N]
+
+# balls of the arm in the frames of its joints: those from the elbow on, and two in the upper arm
+_JOINTS = np.array([*BALL_JOINTS, 2, 2])
+_PLACES = np.array([*BALL_PLACES, (0.0, 0.0, -0.13), (0.0, 0.0, -0.20)])
+_RADII = np.array([*BALL_RADII, 0.06, 0.06])
+# balls that must not strike the foot: those of the forearm and of the hand, the last frame is that of the tip
+_FOREARM = BALL_JOINTS >= 4
+_OWN_JOINTS = np.array([*BALL_JOINTS[_FOREARM], 7, 7, 7])
+_OWN_PLACES = np.array([*BALL_PLACES[_FOREARM], *((x, 0.0, -0.09) for x in (-0.07, 0.0, 0.07))])
+_OWN_RADII = np.array([*BALL_RADII[_FOREARM], 0.035, 0.035, 0.035])
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,35 +79,53 @@ class Stand(FrozenArrays):
 
     Attributes:
         joint: Name of the joint.
-        hold: Name of the grasp or push by which the hand moves it; empty if there is no place.
-        way: Share of the range of the joint that the hand follows, 0-1.
+        hold: Name of the grasp or push by which the hand moves it, or of its link with `_push` where a finger
+            pushes a face of the part at `tip`; empty if there is no place.
+        link: Name of the link that the hand touches.
+        way: Share of the way of the joint that the hand has followed at the end of this stand and of those in
+            `then`, 0-1.
         base: Pose of the base of the arm in the room, shape (4, 4) [m].
-        arm: Angles of the arm at the start, shape (7,) [rad].
-        start: Positions of other joints that the joint needs [rad or m].
+        arm: Angles of the arm at the start of its approach, shape (7,) [rad].
+        start: Positions of other joints that the joint or the hand needs [rad or m].
         reason: Why there is no place; empty if there is one.
+        at: Positions of the joint along the way, the first of them twice: approach and contact, shape (n,)
+            [rad or m].
+        path: Angles of the arm at these positions, shape (n, 7) [rad].
+        tip: Pose of the tip of the hand for the link at rest, shape (4, 4) [m].
+        then: Further stands, from which the hand goes on.
     """
 
     joint: str
     hold: str = ""
+    link: str = ""
     way: float = 0.0
     base: Array | None = None
     arm: Array | None = None
     start: Mapping[str, float] | None = None
     reason: str = ""
+    at: Array | None = None
+    path: Array | None = None
+    tip: Array | None = None
+    then: tuple["Stand", ...] = ()
 
     def to_data(self) -> dict[str, Any]:
         """Return the stand as JSON data."""
-        if self.base is None or self.arm is None:
+        if self.base is None or self.arm is None or self.at is None or self.path is None:
             return {"joint": self.joint, "reason": self.reason}
-        return {
+        data = {
             "joint": self.joint,
             "hold": self.hold,
-            "way": self.way,
+            "link": self.link,
+            "way": round(self.way, _DIGITS),
             "position": np.round(self.base[:3, 3], _DIGITS).tolist(),
             "quaternion": np.round(quaternion(self.base), _DIGITS).tolist(),  # w, x, y, z
             "arm": np.round(self.arm, _DIGITS).tolist(),
             "start": dict(self.start or {}),
+            "at": np.round(self.at, _DIGITS).tolist(),
+            "path": np.round(self.path, _DIGITS).tolist(),
+            "tip": None if self.tip is None else np.round(self.tip, _DIGITS).tolist(),
         }
+        return data | ({"then": [each.to_data() for each in self.then]} if self.then else {})
 
 
 def hand_joints(asset: Asset) -> list[AssetJoint]:
@@ -79,9 +141,9 @@ def stands(asset: Asset, seed: int = 0) -> Iterator[Stand]:
         asset: A room, or another asset on the floor.
         seed: Seed of the search; the result depends on it and on the asset.
     """
-    obstacles = Obstacles(asset)
+    space = Space(asset)
     for number, joint in enumerate(hand_joints(asset)):
-        yield _stand(obstacles, joint, np.random.default_rng((seed, number)))
+        yield _Search(space, joint, np.random.default_rng((seed, number))).stand()
 
 
 def write_stands(asset: Asset, found: Sequence[Stand], path: Path) -> Path:
@@ -97,37 +159,471 @@ def write_stands(asset: Asset, found: Sequence[Stand], path: Path) -> Path:
     return path
 
 
-def _stand(obstacles: Obstacles, joint: AssetJoint, rng: np.random.Generator) -> Stand:
-    asset, start = obstacles.asset, _start(obstacles.asset, joint)
-    if start is None:
-        return Stand(joint.name, reason=f"other joints have to move before it: {joint.needs}")
-    low, high = joint.limits or (-math.pi, math.pi)
-    far = high if high - joint.closed >= joint.closed - low else low
-    holds = [each for each in asset.affordances if joint.name in each.joints]
-    holds.sort(key=lambda each: each.joints.index(joint.name))
-    fits = False
-    for way in WAYS:
-        goal = joint.closed + way * (far - joint.closed)
-        for each in holds:
-            move = Move(joint.name, goal, contact_of(each))
-            stage = Stage(joint.name, joint.closed, goal, each, (move,))
-            found = place(asset, (stage,), rng, start=start, obstacles=obstacles)
-            if found is not None:
-                return Stand(joint.name, each.name, way, found.base, found.arm, start)
-            fits = fits or hand_fits(obstacles, stage, start)
-    why = "from no place that was tried, the arm follows half of its way"
-    return Stand(joint.name, reason=why if fits else "the hand would touch what is around the part")
+class Space:
+    """The colliders of an asset as convex obstacles."""
+
+    def __init__(self, asset: Asset) -> None:
+        self.asset = asset
+        self.floor = float(asset.bounds()[0, 2])  # height of the floor [m]
+        self.ground = np.array(
+            [[-np.inf] * 2, [np.inf] * 2]
+        )  # area in which a robot stands, shape (2, 2) [m]
+        solid = [(number, each) for number, link in enumerate(asset.links) for each in link.colliders]
+        if asset.is_room:  # a robot stands on its floor, which is no obstacle of the arm
+            floors = [each.convex.bounds() for each in asset.links[0].colliders if each.label == "floor"]
+            self.ground = np.array([np.min(floors, axis=0)[0, :2], np.max(floors, axis=0)[1, :2]])
+            self.floor = float(np.max(floors, axis=0)[1, 2])
+            solid = [(number, each) for number, each in solid if number or each.label != "floor"]
+        faces = [each.convex.faces for _, each in solid]
+        self.links = np.array([number for number, _ in solid])  # link of each piece
+        self.corners = np.concatenate([each.points for each in faces])
+        self.planes = np.concatenate([each.planes for each in faces])
+        self.corner_counts = np.array([len(each.points) for each in faces])
+        self.plane_counts = np.array([len(each.planes) for each in faces])
+
+    def at(self, q: Mapping[str, float]) -> "_State":
+        """Return the obstacles at positions of the joints."""
+        return _State(self, self.asset.pose(q))
 
 
-def _start(asset: Asset, joint: AssetJoint) -> dict[str, float] | None:
-    """Return positions of other joints at which a joint is free to move; None if they are not found."""
-    rest = asset.positions()
-    if joint.needs is None or joint.needs.condition.holds(rest):
-        return {}
-    result: dict[str, float] = {}
-    for term in joint.needs.condition.comparisons():
-        other = asset.joint(term.joint)
-        if other.follows is None and other.limits is not None:
-            result[other.name] = other.limits[1] if term.kind == "above" else other.limits[0]
-    free = joint.needs.condition.holds(asset.positions(result)) and not asset.blocked(result)
-    return result if free else None
+class _Pieces:
+    """Convex pieces at one state of all joints, in asset coordinates."""
+
+    def __init__(self, links: Array, corners: Array, planes: Array, counts: tuple[Array, Array]) -> None:
+        self.links, self.corners, self.planes, self.counts = links, corners, planes, counts
+        self._corner, self._plane = (np.cumsum(each) - each for each in counts)
+        if len(links):
+            self.low = np.minimum.reduceat(corners, self._corner)
+            self.high = np.maximum.reduceat(corners, self._corner)
+        else:
+            self.low = self.high = np.zeros((0, 3))
+
+    def within(self, low: Array, high: Array) -> "_Pieces":
+        """Return the pieces whose bounding boxes overlap a box."""
+        return self.chosen(((self.low <= high) & (self.high >= low)).all(axis=1))
+
+    def chosen(self, kept: Flags) -> "_Pieces":
+        """Return some of the pieces."""
+        corners, planes = (np.repeat(kept, each) for each in self.counts)
+        counts = (self.counts[0][kept], self.counts[1][kept])
+        return _Pieces(self.links[kept], self.corners[corners], self.planes[planes], counts)
+
+    def struck(self, box: Array, poses: Array) -> Flags:
+        """Tell which pieces overlap a box with opposite corners, shape (2, 3), at poses, shape (n, 4, 4).
+
+        The answer, shape (n, pieces), is exact but for edges that cross each other: these count as striking.
+        """
+        if not len(self.links):
+            return np.zeros((len(poses), 0), bool)
+        half, turns = (box[1] - box[0]) / 2.0, poses[:, :3, :3]
+        middle = turns @ box.mean(axis=0) + poses[:, :3, 3]
+        local = (self.corners - middle[:, None]) @ turns
+        low = np.minimum.reduceat(local, self._corner, axis=1)
+        high = np.maximum.reduceat(local, self._corner, axis=1)
+        near = ((low < half) & (high > -half)).all(axis=2)
+        normals = self.planes[:, :3]
+        apart = middle @ normals.T - self.planes[:, 3]
+        apart -= np.abs(normals @ turns) @ half
+        return np.asarray(near & (np.maximum.reduceat(apart, self._plane, axis=1) < 0.0))
+
+    def clear(self, points: Array, radii: Array) -> Flags:
+        """Tell which balls with centers of shape (n, 3) and radii of shape (n,) strike nothing."""
+        free = np.ones(len(points), bool)
+        near = np.ones((len(self.links), len(points)), bool)
+        for axis in range(3):
+            near &= points[:, axis] + radii > self.low[:, axis, None]
+            near &= points[:, axis] - radii < self.high[:, axis, None]
+        for piece in np.flatnonzero(near.any(axis=1)):
+            some = np.flatnonzero(near[piece])
+            first = self._plane[piece]
+            planes = self.planes[first : first + self.counts[1][piece]]
+            away = (points[some] @ planes[:, :3].T - planes[:, 3]).max(axis=1)
+            free[some] &= away > radii[some]
+        return free
+
+
+class _State(_Pieces):
+    """All obstacles at one state of the joints, with the displacements of the links."""
+
+    def __init__(self, space: Space, pose: Mapping[str, Array]) -> None:
+        self.pose = pose
+        matrices = np.array([pose[link.name] for link in space.asset.links])[space.links]
+        at_corners, at_planes = (
+            np.repeat(matrices, counts, axis=0) for counts in (space.corner_counts, space.plane_counts)
+        )
+        corners = np.einsum("nij,nj->ni", at_corners[:, :3, :3], space.corners) + at_corners[:, :3, 3]
+        planes = space.planes.copy()
+        planes[:, :3] = np.einsum("nij,nj->ni", at_planes[:, :3, :3], space.planes[:, :3])
+        planes[:, 3] += (planes[:, :3] * at_planes[:, :3, 3]).sum(axis=1)
+        super().__init__(space.links, corners, planes, (space.corner_counts, space.plane_counts))
+
+
+@dataclass(frozen=True, eq=False)
+class _Hold:
+    """A grasp or push of the joint, in states of the joint along its way."""
+
+    affordance: Affordance
+    start: dict[str, float]  # positions of other joints [rad or m]
+    states: list[_State]
+    tips: Array  # poses of the tip for the link at rest, turned and tilted, shape (variants, 4, 4) [m]
+    free: Flags  # whether the hand strikes nothing while it holds, shape (variants, states)
+    ready: Flags  # the same for its approach
+
+    def tip(self, variant: int, index: int) -> Array:
+        """Return the pose of the tip in a state, shape (4, 4) [m]."""
+        return np.asarray(self.states[index].pose[self.affordance.link] @ self.tips[variant])
+
+
+@dataclass(frozen=True, eq=False)
+class _Path:
+    """A part of the way with one orientation of the hand."""
+
+    hold: _Hold
+    variant: int
+    first: int  # states at its ends
+    last: int
+    bases: Array  # to try, shape (n, 4, 4) [m]
+
+    def tips(self) -> list[tuple[int, Array]]:
+        """Return the poses of the tip with their states: the approach, the contact and the way."""
+        contact = self.hold.tip(self.variant, self.first)
+        before = [(self.first, lifted(contact, -share * BACK)) for share in _BACKS]
+        return [*before, *((at, self.hold.tip(self.variant, at)) for at in range(self.first, self.last + 1))]
+
+
+class _Search:
+    """The search of the stands for one joint."""
+
+    def __init__(self, space: Space, joint: AssetJoint, rng: np.random.Generator) -> None:
+        self.space, self.asset, self.joint, self.rng = space, space.asset, joint, rng
+        low, high = joint.limits or (-math.pi, math.pi)
+        self.far = high if high - joint.closed >= joint.closed - low else low
+        named = [each for each in self.asset.affordances if joint.name in each.joints]
+        self.hands = sorted(named, key=lambda each: each.joints.index(joint.name))
+        self.at = np.linspace(joint.closed, self.far, self._steps() + 1)  # positions along the way [rad or m]
+        self.states: dict[tuple[tuple[str, float], ...], list[_State]] = {}
+        self.struck = ""  # link that a hand strikes
+        self.footing = False  # whether a robot can stand near it
+
+    def stand(self) -> Stand:
+        """Return the first stand with those that follow it, or the reason why there is none."""
+        holds = [each for each in map(self._hold, filter(self._moves, self.hands)) if each is not None]
+        found: list[Stand] = []
+        done, last = 0, len(self.at) - 1
+        while done < last and len(found) < _STANDS:
+            best = self._farthest(holds, done)
+            if best is None or best[0] < last:  # fingers push where no hand holds the part
+                best = max(
+                    best, self._farthest(self._pushes(done), done), key=lambda each: each[0] if each else 0
+                )
+            if best is None or (best[0] < last and best[0] - done < _GAIN * last):
+                break
+            done = best[0]
+            found.append(replace(best[1], way=done / last))
+            if not self._stays(best[1].start or {}, done):
+                break
+        if found:
+            return replace(found[0], way=found[-1].way, then=tuple(found[1:]))
+        if not holds and self.struck:
+            return Stand(self.joint.name, reason=f"the hand would touch {self.struck}")
+        if not holds:
+            return Stand(self.joint.name, reason="no hand acts along its way where other joints let it move")
+        why = "from no place that was tried, the arm follows its way"
+        return Stand(
+            self.joint.name, reason=why if self.footing else "a robot cannot stand near enough to it"
+        )
+
+    def _steps(self) -> int:
+        """Return the number of steps in which hands follow the joint."""
+        most = 2.0
+        for hand in self.hands:
+            tips = [
+                self.asset.pose({self.joint.name: at})[hand.link] @ hand.frame
+                for at in np.linspace(self.joint.closed, self.far, 5)
+            ]
+            shift = sum(float(np.linalg.norm(b[:3, 3] - a[:3, 3])) for a, b in pairwise(tips))
+            turn = sum(
+                float(np.linalg.norm(rotation_vector(b[:3, :3] @ a[:3, :3].T))) for a, b in pairwise(tips)
+            )
+            most = max(most, shift / _STEP[0], turn / _STEP[1])
+        return min(math.ceil(most), _MOST_STEPS)
+
+    def _moves(self, hand: Affordance) -> bool:
+        """Tell whether a hand moves the joint along its way; a push does so in one direction."""
+        if hand.kind == "grasp":
+            return True
+        ends = (self.joint.closed, self.joint.closed + 1e-3 * (self.far - self.joint.closed))
+        before, behind = ((self.asset.pose({self.joint.name: at})[hand.link] @ hand.frame) for at in ends)
+        moved = (behind - before)[:3, 3]
+        length = float(np.linalg.norm(moved))
+        return length > 0.0 and float(moved @ before[:3, 2]) > _ALONG * length
+
+    def _stays(self, start: Mapping[str, float], index: int) -> bool:
+        """Tell whether friction holds the joint in a state against springs and weight."""
+        ends = self.at[[max(index - 1, 0), min(index + 1, len(self.at) - 1)]].tolist()
+        poses = [self.asset.pose({**start, self.joint.name: at}) for at in ends]
+        rise = 0.0
+        for link in self.asset.links:
+            height = (poses[1][link.name] - poses[0][link.name])[2] @ [*link.mass_properties.center, 1.0]
+            rise += _GRAVITY * link.mass_properties.mass * float(height) if abs(height) > 1e-9 else 0.0
+        load, friction = -rise / (ends[1] - ends[0]), _FRICTION
+        for each in self.asset.joints:
+            law = coupling(self.asset, each) or AssetCoupling(each.name, 1.0)
+            if law.leader == self.joint.name:
+                slope, at = law.slope(float(self.at[index])), law.at(float(self.at[index]))
+                load += slope * each.stiffness * (each.rest - at)
+                friction += abs(slope) * each.friction
+        return abs(load) <= friction
+
+    def _pushes(self, first: int) -> list[_Hold]:
+        """Return pushes with a finger on faces of the part that move along the push in a state."""
+        start = positions_to_move(self.asset, self.joint.name, {})
+        if start is None:
+            return []
+        states, names = self._states(start), [each.name for each in self.asset.links]
+        found: list[tuple[float, Array, Affordance]] = []
+        for name in dict.fromkeys(each.link for each in self.hands):
+            before, behind = (states[index].pose[name] for index in (first, first + 1))
+            pieces = [each.convex.faces for each in self.asset.links[names.index(name)].colliders]
+            for piece in pieces:
+                for normal, inside in zip(piece.planes[:, :3], piece.contact.T, strict=True):
+                    corners = piece.points[inside]
+                    middle = corners.mean(axis=0)
+                    spread = np.linalg.svd(corners - middle, compute_uv=False)
+                    if len(corners) < 3 or spread[1] < _FACE * math.sqrt(len(corners)):
+                        continue
+                    points = np.concatenate([[middle], middle + _EDGE * (corners - middle)])
+                    moved = (points @ (behind - before)[:3, :3].T) + (behind - before)[:3, 3]
+                    along = -moved @ (before[:3, :3] @ normal)
+                    good = along > _FACING * np.linalg.norm(moved, axis=1)
+                    for point, share in zip(points[good], along[good], strict=True):
+                        out = point + _OUT * normal
+                        if not any(
+                            (other.planes[:, :3] @ out < other.planes[:, 3]).all() for other in pieces
+                        ):
+                            frame = _facing(point, -normal)
+                            push = Affordance(f"{name}_push", "push", name, frame, 0.0, (self.joint.name,))
+                            found.append((float(share), point, push))
+        found.sort(key=lambda each: -each[0])
+        chosen: list[tuple[float, Array, Affordance]] = []
+        for each in found:
+            if len(chosen) < _PUSHES and all(
+                np.linalg.norm(each[1] - other[1]) > _BETWEEN for other in chosen
+            ):
+                chosen.append(each)
+        holds = (self._oriented(push, start, first) for *_, push in chosen)
+        return [hold for hold, struck in holds if not struck]
+
+    def _hold(self, hand: Affordance) -> _Hold | None:
+        """Return a hold with other joints open where it needs them; None if its hand strikes something."""
+        opened: dict[str, AssetCondition] = {} if hand.when is None else {"": hand.when}
+        while (start := positions_to_move(self.asset, self.joint.name, opened)) is not None:
+            hold, struck = self._oriented(hand, start)
+            if not struck:
+                return hold
+            self.struck = self.struck or struck
+            new = (each for each in openable(self.asset, hand, struck) if each[0] not in opened)
+            name, where = next(new, ("", None))
+            if where is None:
+                return None
+            opened[name] = where
+        return None
+
+    def _oriented(self, hand: Affordance, start: dict[str, float], begin: int = 0) -> tuple[_Hold, str]:
+        """Return a hold in all orientations of its hand, and a link that is always in its way, if any."""
+        contact, grasp = contact_of(hand), hand.kind == "grasp"
+        rolls = (0.0, np.pi) if grasp else (0.0, np.pi / 2, np.pi, -np.pi / 2)
+        tips = np.array(
+            [
+                turned(turned(contact.frame, 2, roll), axis, tilt)
+                for tilt in TILTS
+                for axis in ((0,) if grasp or not tilt else (0, 1))
+                for roll in rolls
+            ]
+        )
+        states = self._states(start)
+        link = [each.name for each in self.asset.links].index(hand.link)
+        free, ready = np.ones((2, len(tips), len(states)), bool)
+        first = ""
+        for index, state in list(enumerate(states))[begin:]:
+            poses = state.pose[hand.link] @ tips
+            near = state.within(poses[:, :3, 3].min(axis=0) - _NEAR, poses[:, :3, 3].max(axis=0) + _NEAR)
+            held = max(hand.width - 2.0 * GRIPPER.clearance, 0.0)
+            free[:, index], struck = self._unhindered(near, poses, held, link)
+            first = first or struck
+            for share in _BACKS:
+                back = poses.copy()
+                back[:, :3, 3] -= share * BACK * poses[:, :3, 2]
+                fits, struck = self._unhindered(near, back, hand.width, link)
+                ready[:, index] &= fits
+                first = first or struck
+            if not (free & ready)[:, begin].any():
+                break  # a hand cannot begin
+        hold = _Hold(hand, start, states, tips, free, ready)
+        return hold, "" if (free & ready)[:, begin].any() else first
+
+    def _unhindered(self, near: _Pieces, poses: Array, width: float, link: int) -> tuple[Flags, str]:
+        """Tell for each pose whether the hand strikes nothing, and return a link that it strikes first.
+
+        The fingers, at a distance of `width`, may touch their own link.
+        """
+        bounds = HAND_BOX + np.array([[-_ROOM], [_ROOM]])
+        hits = near.struck(bounds, poses)
+        corners = np.stack(np.meshgrid(*bounds.T, indexing="ij"), axis=-1).reshape(-1, 3)
+        lowest = (poses[:, None, 2, :3] * corners).sum(axis=2).min(axis=1) + poses[:, 2, 3]
+        for name, box in GRIPPER.blocks(-width / 2.0, width / 2.0).items():
+            if name != "hand":
+                shrunk = box + np.array([[_SLACK], [-_SLACK]])
+                hits |= near.struck(shrunk, poses) & (near.links != link)
+        free = ~hits.any(axis=1) & (lowest > self.space.floor)
+        names = [self.asset.links[int(near.links[piece])].name for piece in np.flatnonzero(hits[0])]
+        return free, names[0] if names else ("" if lowest[0] > self.space.floor else "the floor")
+
+    def _states(self, start: Mapping[str, float]) -> list[_State]:
+        """Return the states along the way with other joints at positions."""
+        key = tuple(sorted(start.items()))
+        if key not in self.states:
+            self.states[key] = [self.space.at({**start, self.joint.name: float(at)}) for at in self.at]
+        return self.states[key]
+
+    def _farthest(self, holds: Sequence[_Hold], first: int) -> tuple[int, Stand] | None:
+        """Return the last state to which an arm follows from a state, and its stand."""
+        paths = []
+        for hold in holds:
+            variants = np.flatnonzero((hold.ready & hold.free)[:, first])
+            bases = self._bases(hold, first) if len(variants) else np.zeros((0, 4, 4))
+            for variant in variants:
+                ends = np.flatnonzero(~hold.free[variant, first:])
+                last = first + int(ends[0]) - 1 if len(ends) else len(self.at) - 1
+                if last == len(self.at) - 1 or last - first >= _GAIN * (len(self.at) - 1):
+                    path = _Path(hold, int(variant), first, last, bases)
+                    paths.append(replace(path, bases=_within_reach(path)))
+        self.footing = self.footing or any(len(path.bases) for path in paths)
+        paths.sort(key=lambda each: (-each.last, each.variant))
+        best: tuple[int, Stand] | None = None
+        for turn in range(_ROUNDS):
+            for path in paths[:_PATHS]:
+                bases = path.bases[turn * _BATCH : (turn + 1) * _BATCH]
+                if len(bases) and (best is None or path.last > best[0]):
+                    found = self._followed(path, bases)
+                    if found is not None and (best is None or found[0] > best[0]):
+                        best = found
+        return best
+
+    def _bases(self, hold: _Hold, first: int) -> Array:
+        """Return free places of the base around the way of a hold in random order, shape (n, 4, 4)."""
+        places = np.array([hold.tip(0, index)[:3, 3] for index in range(first, len(self.at))])
+        middle = (places.min(axis=0) + places.max(axis=0)) / 2.0
+        heights = sorted({max(self.space.floor, float(middle[2]) - above) for above in _ABOVE})
+        plan = np.array(np.meshgrid(_DIRECTIONS, _DISTANCES, heights, indexing="ij")).reshape(3, -1).T
+        plan = plan[self.rng.permutation(len(plan))]
+        bases = np.tile(np.eye(4), (len(plan), 1, 1))
+        cosines, sines = np.cos(plan[:, 0]), np.sin(plan[:, 0])
+        bases[:, 0, 0] = bases[:, 1, 1] = -cosines
+        bases[:, 0, 1], bases[:, 1, 0] = sines, -sines
+        bases[:, 0, 3], bases[:, 1, 3] = middle[0] + plan[:, 1] * cosines, middle[1] + plan[:, 1] * sines
+        bases[:, 2, 3] = plan[:, 2]
+        feet = np.concatenate([_FOOT, [[-10.0], [_SHOULDER]]], axis=1)
+        corners = np.array([[x, y, 0.0, 1.0] for x in _FOOT[:, 0] for y in _FOOT[:, 1]])
+        edges = np.einsum("nij,kj->nki", bases, corners)[:, :, :2]
+        low, high = edges.min(axis=1), edges.max(axis=1)
+        free = ((low >= self.space.ground[0]) & (high <= self.space.ground[1])).all(axis=1)
+        low = np.concatenate([low, np.full((len(low), 1), self.space.floor)], axis=1)
+        high = np.concatenate([high, bases[:, 2:3, 3] + _SHOULDER], axis=1)
+        states = hold.states[first:]
+        names = [each.name for each in self.asset.links]
+        moved = [not np.array_equal(states[0].pose[name], states[-1].pose[name]) for name in names]
+        for number, state in enumerate(states):
+            pieces = state.within(low.min(axis=0), high.max(axis=0))
+            if number:
+                pieces = pieces.chosen(np.array(moved)[pieces.links])
+            near = ((pieces.low < high[:, None]) & (pieces.high > low[:, None])).all(axis=2)
+            for index in np.flatnonzero(near.any(axis=1) & free):
+                free[index] = not pieces.chosen(near[index]).struck(feet, bases[index : index + 1]).any()
+        return bases[free]
+
+    def _followed(self, path: _Path, bases: Array) -> tuple[int, Stand] | None:
+        """Return the last state to which an arm follows a path from one of several bases, and its stand."""
+        inverse, tips = np.linalg.inv(bases), path.tips()
+        local = inverse @ tips[0][1]
+        initial = postures(self.rng)
+        which = np.repeat(np.arange(len(bases)), len(initial))
+        angles = np.tile(initial, (len(bases), 1))
+        angles[:, 0] += np.arctan2(local[:, 1, 3], local[:, 0, 3])[which]
+        for steps, allowed in ((10, 0.15), (20, MISS)):
+            angles, miss = reach(angles, local[which], steps)
+            angles, which = angles[miss < allowed], which[miss < allowed]
+        followed = angles[:, None]
+        score = ease(angles)
+        best, state = None, None
+        for number, (index, tip) in enumerate(tips):
+            if path.hold.states[index] is not state:
+                state = path.hold.states[index]
+                near = state.within(tip[:3, 3] - _AROUND, tip[:3, 3] + _AROUND)
+            moved, miss = reach(angles, inverse[which] @ tip, 8 if number else 2)
+            good = (miss < MISS) & (np.abs(moved - angles).max(axis=1) < JUMP)
+            good[good] &= self._clear(near, bases[which[good]], moved[good])
+            score = np.minimum(score, ease(moved))
+            good &= score > _EASE
+            if not good.any():
+                break
+            angles, which, score = moved[good], which[good], score[good]
+            followed = np.concatenate([followed[good], angles[:, None]], axis=1)
+            if number >= len(_BACKS) + 1:
+                most = int(score.argmax())
+                best = index, bases[which[most]], followed[most, 1:]
+        if best is None:
+            return None
+        at = [self.at[index] for index, _ in tips[: len(best[2])]]
+        hand, start = path.hold.affordance, path.hold.start
+        stand = Stand(
+            self.joint.name, hand.name, hand.link, 0.0, best[1], best[2][0], start, at=np.array(at),
+            path=best[2], tip=path.hold.tips[path.variant],
+        )  # fmt: skip
+        return best[0], stand
+
+    def _clear(self, near: _Pieces, bases: Array, angles: Array) -> Flags:
+        """Tell for each posture whether the arm strikes no obstacle, nor the floor, nor its own foot."""
+        poses = frames(angles)
+        points, own = _balls(poses, _JOINTS, _PLACES), _balls(poses, _OWN_JOINTS, _OWN_PLACES)
+        beside = np.sqrt((own[..., :2] ** 2).sum(axis=2)) > _COLUMN + _OWN_RADII
+        good = (beside | (own[..., 2] > _SHOULDER + _OWN_RADII)).all(axis=1)
+        points = np.einsum("nij,nkj->nki", bases[:, :3, :3], points) + bases[:, None, :3, 3]
+        good &= (points[..., 2] > self.space.floor + _RADII).all(axis=1)
+        some = np.flatnonzero(good)
+        balls = points[some].reshape(-1, 3)
+        if len(balls):
+            near = near.within(balls.min(axis=0) - _RADII.max(), balls.max(axis=0) + _RADII.max())
+        free = near.clear(balls, np.tile(_RADII, len(some)))
+        good[some] = free.reshape(len(some), len(_RADII)).all(axis=1)
+        return np.asarray(good)
+
+
+def _facing(point: Array, along: Array) -> Array:
+    """Return a frame at a point with its z axis along a unit vector, shape (4, 4)."""
+    side = np.cross((0.0, 0.0, 1.0), along)
+    if np.linalg.norm(side) < 0.1:
+        side = np.cross((0.0, 1.0, 0.0), along)
+    side = side / np.linalg.norm(side)
+    frame = np.eye(4)
+    frame[:3, 0], frame[:3, 1], frame[:3, 2], frame[:3, 3] = side, np.cross(along, side), along, point
+    return frame
+
+
+def _balls(poses: Array, joints: Array, places: Array) -> Array:
+    """Return the centers of balls at poses of joints, shape (n, balls, 3) [m]."""
+    chosen = poses[:, joints]
+    return np.asarray(np.einsum("nkij,kj->nki", chosen[..., :3, :3], places) + chosen[..., :3, 3])
+
+
+def _within_reach(path: _Path) -> Array:
+    """Return the bases of a path from which the wrist is near enough to the shoulder all the way."""
+    tips = np.array([tip for _, tip in path.tips()])
+    wrists = tips[:, :3, 3] - _TIP * tips[:, :3, 2]
+    shoulders = path.bases[:, :3, 3] + (0.0, 0.0, _SHOULDER)
+    away = np.linalg.norm(shoulders[:, None] - wrists, axis=2)
+    ends = away[:, : len(_BACKS) + 1 + max(1, (path.last - path.first) // 4)]  # a part of the way counts too
+    near = ((ends > _WRIST[0]) & (ends < _WRIST[1])).all(axis=1)
+    # bases from which most of the way is near come first
+    share = ((away[near] > _WRIST[0]) & (away[near] < _WRIST[1])).mean(axis=1)
+    return np.asarray(path.bases[near][np.argsort(-share, kind="stable")])
