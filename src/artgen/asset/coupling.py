@@ -1,6 +1,7 @@
 """Laws of joints that follow others: a ratio and an offset, or the curve of a closed chain."""
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
@@ -192,7 +193,7 @@ class AssetLoop(FrozenArrays, Record):
         turn = matrix[:3, :3]
         return replace(self, point=turn @ self.point + matrix[:3, 3], axis=turn @ self.axis)
 
-    def renamed(self, links: dict[str, str], joints: dict[str, str]) -> "AssetLoop":
+    def renamed(self, links: Mapping[str, str], joints: Mapping[str, str]) -> "AssetLoop":
         """Return the loop with renamed links and joints; names not in the mappings stay."""
         first, second = (links.get(name, name) for name in self.links)
         return replace(self, links=(first, second), joint=joints.get(self.joint, self.joint))

@@ -13,9 +13,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from artgen._arrays import Array, FrozenArrays
+from artgen._arrays import Array, FrozenArrays, Indices, Mask
 from artgen.asset import Asset, AssetCondition, AssetCoupling, AssetJoint
 from artgen.asset.affordance import GRIPPER, Affordance
 from artgen.asset.record import json_text
@@ -28,8 +27,6 @@ from artgen.validate.hands.motion import openable, positions_to_move
 
 FORMAT = "artgen-reach-2"
 """Format of the file of stands."""
-
-Flags = NDArray[np.bool_]
 
 _DIGITS = 6  # decimals of stored numbers: inverse kinematics differs between machines
 _STANDS = 4  # most stands for one joint
@@ -189,7 +186,9 @@ class Space:
 class _Pieces:
     """Convex pieces at one state of all joints, in asset coordinates."""
 
-    def __init__(self, links: Array, corners: Array, planes: Array, counts: tuple[Array, Array]) -> None:
+    def __init__(
+        self, links: Indices, corners: Array, planes: Array, counts: tuple[Indices, Indices]
+    ) -> None:
         self.links, self.corners, self.planes, self.counts = links, corners, planes, counts
         self._corner, self._plane = (np.cumsum(each) - each for each in counts)
         if len(links):
@@ -200,15 +199,15 @@ class _Pieces:
 
     def within(self, low: Array, high: Array) -> "_Pieces":
         """Return the pieces whose bounding boxes overlap a box."""
-        return self.chosen(((self.low <= high) & (self.high >= low)).all(axis=1))
+        return self.chosen(np.asarray(((self.low <= high) & (self.high >= low)).all(axis=1)))
 
-    def chosen(self, kept: Flags) -> "_Pieces":
+    def chosen(self, kept: Mask) -> "_Pieces":
         """Return some of the pieces."""
         corners, planes = (np.repeat(kept, each) for each in self.counts)
         counts = (self.counts[0][kept], self.counts[1][kept])
         return _Pieces(self.links[kept], self.corners[corners], self.planes[planes], counts)
 
-    def struck(self, box: Array, poses: Array) -> Flags:
+    def struck(self, box: Array, poses: Array) -> Mask:
         """Tell which pieces overlap a box with opposite corners, shape (2, 3), at poses, shape (n, 4, 4).
 
         The answer, shape (n, pieces), is exact but for edges that cross each other: these count as striking.
@@ -226,7 +225,7 @@ class _Pieces:
         apart -= np.abs(normals @ turns) @ half
         return np.asarray(near & (np.maximum.reduceat(apart, self._plane, axis=1) < 0.0))
 
-    def clear(self, points: Array, radii: Array) -> Flags:
+    def clear(self, points: Array, radii: Array) -> Mask:
         """Tell which balls with centers of shape (n, 3) and radii of shape (n,) strike nothing."""
         free = np.ones(len(points), bool)
         near = np.ones((len(self.links), len(points)), bool)
@@ -266,8 +265,8 @@ class _Hold:
     start: dict[str, float]  # positions of other joints [rad or m]
     states: list[_State]
     tips: Array  # poses of the tip for the link at rest, turned and tilted, shape (variants, 4, 4) [m]
-    free: Flags  # whether the hand strikes nothing while it holds, shape (variants, states)
-    ready: Flags  # the same for its approach
+    free: Mask  # whether the hand strikes nothing while it holds, shape (variants, states)
+    ready: Mask  # the same for its approach
 
     def tip(self, variant: int, index: int) -> Array:
         """Return the pose of the tip in a state, shape (4, 4) [m]."""
@@ -373,7 +372,7 @@ class _Search:
                 slope, at = law.slope(float(self.at[index])), law.at(float(self.at[index]))
                 load += slope * each.stiffness * (each.rest - at)
                 friction += abs(slope) * each.friction
-        return abs(load) <= friction
+        return bool(abs(load) <= friction)
 
     def _pushes(self, first: int) -> list[_Hold]:
         """Return pushes with a finger on faces of the part that move along the push in a state."""
@@ -462,7 +461,7 @@ class _Search:
         hold = _Hold(hand, start, states, tips, free, ready)
         return hold, "" if (free & ready)[:, begin].any() else first
 
-    def _unhindered(self, near: _Pieces, poses: Array, width: float, link: int) -> tuple[Flags, str]:
+    def _unhindered(self, near: _Pieces, poses: Array, width: float, link: int) -> tuple[Mask, str]:
         """Tell for each pose whether the hand strikes nothing, and return a link that it strikes first.
 
         The fingers, at a distance of `width`, may touch their own link.
@@ -537,10 +536,11 @@ class _Search:
             pieces = state.within(low.min(axis=0), high.max(axis=0))
             if number:
                 pieces = pieces.chosen(np.array(moved)[pieces.links])
-            near = ((pieces.low < high[:, None]) & (pieces.high > low[:, None])).all(axis=2)
+            near: Mask = np.all((pieces.low < high[:, None]) & (pieces.high > low[:, None]), axis=2)
             for index in np.flatnonzero(near.any(axis=1) & free):
                 free[index] = not pieces.chosen(near[index]).struck(feet, bases[index : index + 1]).any()
-        return bases[free]
+        kept: Array = bases[free]
+        return kept
 
     def _followed(self, path: _Path, bases: Array) -> tuple[int, Stand] | None:
         """Return the last state to which an arm follows a path from one of several bases, and its stand."""
@@ -582,7 +582,7 @@ class _Search:
         )  # fmt: skip
         return best[0], stand
 
-    def _clear(self, near: _Pieces, bases: Array, angles: Array) -> Flags:
+    def _clear(self, near: _Pieces, bases: Array, angles: Array) -> Mask:
         """Tell for each posture whether the arm strikes no obstacle, nor the floor, nor its own foot."""
         poses = frames(angles)
         points, own = _balls(poses, _JOINTS, _PLACES), _balls(poses, _OWN_JOINTS, _OWN_PLACES)

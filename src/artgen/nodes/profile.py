@@ -271,8 +271,8 @@ def _offset(profile: Outline, distance: float, join: Literal["round", "miter"]) 
 def _near(a: Outline, b: Outline) -> tuple[Mask, Mask]:
     """Tell which contours of each outline have a bounding box that meets one of the other outline."""
     (low, high), (least, most) = a.boxes, b.boxes
-    apart = (low[:, None] > most).any(axis=2) | (least > high[:, None]).any(axis=2)
-    return ~apart.all(axis=1), ~apart.all(axis=0)
+    near = np.all((low[:, None] <= most) & (least <= high[:, None]), axis=2)
+    return np.asarray(near.any(axis=1)), np.asarray(near.any(axis=0))
 
 
 def _is_far_from(a: Outline, b: Outline) -> bool:
