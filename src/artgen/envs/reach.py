@@ -138,7 +138,7 @@ def stands(asset: Asset, seed: int = 0) -> Iterator[Stand]:
         asset: A room, or another asset on the floor.
         seed: Seed of the search; the result depends on it and on the asset.
     """
-    space = Space(asset)
+    space = Surroundings(asset)
     for number, joint in enumerate(hand_joints(asset)):
         yield _Search(space, joint, np.random.default_rng((seed, number))).stand()
 
@@ -156,8 +156,8 @@ def write_stands(asset: Asset, found: Sequence[Stand], path: Path) -> Path:
     return path
 
 
-class Space:
-    """The colliders of an asset as convex obstacles."""
+class Surroundings:
+    """The colliders of an asset as obstacles of an arm."""
 
     def __init__(self, asset: Asset) -> None:
         self.asset = asset
@@ -244,7 +244,7 @@ class _Pieces:
 class _State(_Pieces):
     """All obstacles at one state of the joints, with the displacements of the links."""
 
-    def __init__(self, space: Space, pose: Mapping[str, Array]) -> None:
+    def __init__(self, space: Surroundings, pose: Mapping[str, Array]) -> None:
         self.pose = pose
         matrices = np.array([pose[link.name] for link in space.asset.links])[space.links]
         at_corners, at_planes = (
@@ -293,7 +293,7 @@ class _Path:
 class _Search:
     """The search of the stands for one joint."""
 
-    def __init__(self, space: Space, joint: AssetJoint, rng: np.random.Generator) -> None:
+    def __init__(self, space: Surroundings, joint: AssetJoint, rng: np.random.Generator) -> None:
         self.space, self.asset, self.joint, self.rng = space, space.asset, joint, rng
         low, high = joint.limits or (-math.pi, math.pi)
         self.far = high if high - joint.closed >= joint.closed - low else low
