@@ -11,6 +11,7 @@ with openings of 10 by 24 mm or 33 by 67 mm (NEMA WD 6), emergency stops of 40 m
 20-50 N over 4-6 mm (IEC 60947-5-5). Rockers turn over with 2-5 N at their edge, toggles with 3-8 N.
 """
 
+import math
 from typing import Literal
 
 import numpy as np
@@ -62,7 +63,12 @@ def switch(
     plate: Plate = ag.by(
         "style", rocker={"square": 0.6, "tall": 0.4}, toggle="tall", otherwise={"square": 0.8, "tall": 0.2}
     ),
-    gangs: int = ag.by("style", rocker={1: 0.45, 2: 0.35, 3: 0.2}, otherwise=1, doc="switches side by side"),
+    gangs: int = ag.by(
+        "style",
+        rocker=ag.by("plate", square={1: 0.4, 2: 0.35, 3: 0.25}, tall=1),
+        otherwise=1,
+        doc="switches side by side, as wide as a finger",
+    ),
     shape: Literal["flat", "angled"] = ag.choice("flat", "angled", weights=(1, 2)),
     force: ag.Float = ag.by(
         "style",
@@ -140,7 +146,9 @@ def _rockers(
         paddle = ag.extrude(outline, pitch - 2 * FIT.running, axis=ag.X, bevel=0.0008)
         pivot = (0, -0.002, 0)
         off = paddle.rotate(ag.X, _TILT, about=pivot)
-        touch = ag.push_on(off, direction=ag.Y, at=(0, 0, high / 2 - 0.011))
+        # along the normal of what is pushed: the upper half of an angled one is upright while it is off
+        into = ag.Y if shape == "angled" else ag.vector(0, math.cos(_TILT), math.sin(_TILT))
+        touch = ag.push_on(off, direction=into, at=(0, 0, high / 2 - 0.011))
         rocker = ag.part(off, "rocker", key, name="rocker", push=touch)
         if marks != "none":
             sign = details.icon("light", 0.010) if marks == "icon" else ag.circle(0.0016)
