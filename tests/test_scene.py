@@ -205,7 +205,7 @@ def test_a_kitchen_is_proven() -> None:
             ("workshop", {"drawer_body", "cabinet_body", "trashcan_body", "box_lid"}),
             ("hall", {"door_frame", "door_1_frame", "door_2_frame", "drawer_body", "mirror_mirror"}),
         ],
-        2,
+        4,
         1,
     ),
 )

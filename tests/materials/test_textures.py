@@ -114,6 +114,7 @@ def test_a_recipe_has_the_maps_that_it_declares(name):
         *((name, 512, 0.9) for name in ("oak", "pine_flat_sawn", "brushed", "granite", "coarse_grain")),
     ],
 )
+@pytest.mark.long
 def test_more_texels_show_the_same_pattern_with_more_detail(name, size, least):
     coarse, fine = (one_channel(maps(plain(name), each)) for each in (size, 2 * size))
     assert np.corrcoef(coarse.ravel(), halved(fine).ravel())[0, 1] > least

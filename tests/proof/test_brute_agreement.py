@@ -191,7 +191,7 @@ FAULTS: dict[str, Callable[[], Asset]] = {
 }
 
 
-@pytest.mark.parametrize("fault", some(FAULTS, 2))
+@pytest.mark.parametrize("fault", some(FAULTS, 4))
 def test_every_fault_is_found_in_the_pairs_that_overlap_and_every_witness_is_true(fault: str) -> None:
     asset = FAULTS[fault]()
     certificate = asset.certify()

@@ -173,7 +173,7 @@ def test_the_ring_of_a_lid_keeps_its_pieces():
     assert len(same.links["lid"].colliders) == len(jar.links["lid"].colliders) == 21
 
 
-@pytest.mark.parametrize("category", some((name for name in categories() if name != "bottle"), 4))
+@pytest.mark.parametrize("category", some([name for name in categories() if name != "bottle"][::3], 2))
 def test_two_pieces_less_of_a_link_are_proven_and_contain_the_solids(category):
     asset = artgen.generate(category, seed=2, certify=False)
     link = max(asset.links, key=lambda link: len(link.colliders))

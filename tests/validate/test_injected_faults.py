@@ -13,7 +13,7 @@ import artgen
 from artgen.asset import Asset
 from artgen.validate import validate
 from support import injections_files, injections_mjcf, injections_urdf, injections_usd
-from support.cases import some
+from support.cases import long
 from support.exports import edit_json
 from support.injections import FAULTS, Absent, Export, Fault, place
 
@@ -51,7 +51,8 @@ def cases() -> Iterator[Any]:
     """Yield each fault with one of the assets: in turn, the door seldom, since it takes longest."""
     names = ("handle", "cabinet", "free_cabinet", "handle", "cabinet", "handle", "door")
     for number, fault in enumerate(FAULTS.values()):
-        yield pytest.param(names[number % len(names)], fault, id=fault.name)
+        marks = long if number % 2 else ()
+        yield pytest.param(names[number % len(names)], fault, marks=marks, id=fault.name)
 
 
 def injected(source: Path, directory: Path, fault: Fault) -> tuple[str, str]:
@@ -63,7 +64,7 @@ def injected(source: Path, directory: Path, fault: Fault) -> tuple[str, str]:
     return where
 
 
-@pytest.mark.parametrize(("name", "fault"), some(cases(), 2))
+@pytest.mark.parametrize(("name", "fault"), list(cases()))
 def test_fault_is_found(
     name: str, fault: Fault, exports: Callable[[str], Path], tmp_path: Path, capfd: pytest.CaptureFixture[str]
 ) -> None:
