@@ -85,7 +85,7 @@ same-bytes-%: $(VENV)-%/.installed
 	@[ -x $(<D)/bin/python ] || { echo "note: there is no other Python $*: what it makes is not compared"; exit; }; \
 	echo "Python $*, kernels without AVX-512:"; \
 	OPENBLAS_CORETYPE=Haswell NPY_DISABLE_CPU_FEATURES="X86_V4 AVX512_ICL AVX512_SPR" \
-		$(<D)/bin/python scripts/tree_hashes.py
+		$(<D)/bin/python scripts/tree_hashes.py $(SHARE_$*)
 
 # Of each version the first that really starts, unless it is that of $(VENV).
 $(VENV)-%/.installed: pyproject.toml

@@ -25,11 +25,13 @@ DIGITS = 16
 def main(
     names: Annotated[list[str] | None, typer.Argument(metavar="[CATEGORY]...")] = None,
     *,
+    share: Annotated[str, typer.Option(help="The share of the categories that is made.")] = "1/1",
     write: Annotated[bool, typer.Option(help="Record the hashes instead of comparing them.")] = False,
 ) -> None:
     """Generate, certify and write assets, and say which of their files differ from the record."""
+    number, shares = map(int, share.split("/"))
     known = json.loads(RECORD.read_text(encoding="utf-8")) if RECORD.exists() else {}
-    found = dict(hashes(category) for category in names or categories())
+    found = dict(hashes(category) for category in (names or categories())[number - 1 :: shares])
     if write:
         record = dict(sorted((known | found).items()))
         RECORD.write_text(json.dumps(record, indent=1) + "\n", encoding="utf-8")

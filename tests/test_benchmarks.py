@@ -14,6 +14,8 @@ import pytest
 from artgen.validate.clients.install import python_of
 from support.cases import some
 
+pytestmark = pytest.mark.long  # scripts of maintainers
+
 FOLDER = Path(__file__).parent.parent / "benchmarks"
 
 
@@ -284,7 +286,6 @@ def field_records(folder):
     }
 
 
-@pytest.mark.long
 def test_the_field_judges_files_once_and_writes_its_page(field_folder, tmp_path):
     page, out = tmp_path / "field.md", tmp_path / "out"
     command = [sys.executable, str(FOLDER / "field.py"), "--local", field_folder, "--folder", out]

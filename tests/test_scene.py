@@ -164,6 +164,7 @@ def test_a_drawer_without_space_is_refused() -> None:
         room.build()
 
 
+@pytest.mark.long
 def test_the_same_seed_gives_the_same_scene() -> None:
     def mill(seed: int) -> Asset:
         room = Scene("mill", seed=seed, width=2.0, depth=1.6)

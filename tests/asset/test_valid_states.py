@@ -23,7 +23,7 @@ from support.cases import some
 
 FORMATS = {"urdf": "urdf", "mjcf": "xml", "usd": "usda", "glb": "glb", "sdf": "sdf"}
 OAK = material("oak")
-CATEGORIES = some(artgen.catalog.categories(), 6)
+CATEGORIES = some(artgen.catalog.categories(), 10)
 
 
 def block(name):

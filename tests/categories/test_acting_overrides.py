@@ -9,6 +9,7 @@ import artgen
 from artgen import ArtgenError, catalog
 from artgen.generator.parameter import Variant
 from artgen.graph.handle import folding
+from support.cases import some
 
 CASES = 2  # parameters of each category
 
@@ -22,7 +23,7 @@ def graph(category: Any, overrides: dict[str, Any]) -> str:
         return ""
 
 
-@pytest.mark.parametrize("name", catalog.categories())
+@pytest.mark.parametrize("name", some(catalog.categories(), 2))
 def test_an_override_acts_or_is_refused_or_absent(name: str) -> None:
     category = catalog.find(name)
     for parameter in np.random.default_rng(len(name)).permutation(sorted(category.own))[:CASES]:

@@ -29,7 +29,7 @@ def triangles(asset: Asset) -> int:
     return sum(len(surface.mesh.triangles) for link in asset.links for surface in link.surfaces)
 
 
-@pytest.mark.parametrize("category", some(categories(), 3))
+@pytest.mark.parametrize("category", some(categories(), 6))
 def test_low_detail_changes_the_solids_alone(category: str) -> None:
     cache = Cache(100_000)
     low, _ = find(category).evaluate(0, detail="low", cache=cache)

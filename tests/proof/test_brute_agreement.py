@@ -141,14 +141,14 @@ def collider_volume(asset: Asset, pair: PairResult, q: dict[str, float]) -> floa
 
 
 @pytest.mark.parametrize("seed", SEEDS)
-@pytest.mark.parametrize("category", some(categories(), 5, 2))
+@pytest.mark.parametrize("category", some(categories(), 10, 2))
 def test_what_is_proven_of_a_category_is_so(category: str, seed: int) -> None:
     asset, certificate = certified(category, seed)
     assert certificate.proven, str(certificate)
     check_agreement(asset, certificate, POSES)
 
 
-@pytest.mark.parametrize("name", some(PROOF_ASSETS, 2))
+@pytest.mark.parametrize("name", some(PROOF_ASSETS, 3))
 def test_assets_without_a_fault_are_proven(name: str) -> None:
     asset = PROOF_ASSETS[name]()
     certificate = asset.certify(measure=True)

@@ -28,6 +28,8 @@ from artgen.errors import ExportError
 from artgen.graph import evaluate
 from surveys import extreme_sample, rest
 
+pytestmark = pytest.mark.long  # scripts of maintainers
+
 ROOT = Path(__file__).parents[2]
 NAMES = categories()
 OAK, STEEL = material("oak"), material("steel")
@@ -91,7 +93,6 @@ def slide(**options: Any) -> Body:
     return base.attach(block, Prismatic("slide", **{"axis": -Z, "limits": (0.0, 7.8)} | options))
 
 
-@pytest.mark.long
 def test_a_run_ends_in_time_and_continues_later(tmp_path: Path) -> None:
     path = tmp_path / "soak.jsonl"
     soak(path, run=0, names=NAMES, seconds=0.0, task=counted)
@@ -113,7 +114,6 @@ def test_a_run_ends_in_time_and_continues_later(tmp_path: Path) -> None:
     assert soaked(path, 1) == []
 
 
-@pytest.mark.long
 def test_a_run_of_some_categories_has_the_same_samples(tmp_path: Path) -> None:
     path = tmp_path / "soak.jsonl"
     run_of(path, 3, names=("drawer",))
@@ -121,7 +121,6 @@ def test_a_run_of_some_categories_has_the_same_samples(tmp_path: Path) -> None:
     assert [each["sample"] for each in soaked(path, 0)] == [at, at + len(NAMES), at + 2 * len(NAMES)]
 
 
-@pytest.mark.long
 def test_samples_are_begun_until_the_time_is_over(tmp_path: Path) -> None:
     path = tmp_path / "soak.jsonl"
     start = time.monotonic()
@@ -143,7 +142,6 @@ def test_a_sample_that_hangs_is_an_anomaly_and_leaves_no_files(tmp_path: Path, m
     assert {each.name for each in tmp_path.iterdir()} == {path.name, f".{path.name}.lock"}
 
 
-@pytest.mark.long
 def test_a_killed_worker_is_replaced_and_its_sample_listed(tmp_path: Path) -> None:
     path = tmp_path / "soak.jsonl"
     done: list[Any] = []
@@ -167,7 +165,6 @@ def test_a_killed_worker_is_replaced_and_its_sample_listed(tmp_path: Path) -> No
     assert killed not in {each.get("process") for each in done[3:]}
 
 
-@pytest.mark.long
 def test_a_killed_run_continues_without_loss(tmp_path: Path) -> None:
     path = tmp_path / "soak.jsonl"
     program = (
@@ -205,7 +202,6 @@ def _lives(process: int) -> bool:
     return True
 
 
-@pytest.mark.long
 def test_two_runs_do_not_write_to_one_file(tmp_path: Path) -> None:
     path = tmp_path / "soak.jsonl"
     run_of(path, 1, task=brief)
@@ -388,7 +384,6 @@ def script(*arguments: str) -> list[str]:
     return [sys.executable, "-c", program, *arguments]
 
 
-@pytest.mark.long
 def test_ctrl_c_shows_the_results(tmp_path: Path) -> None:
     out = tmp_path / "deep" / "soak.jsonl"
     run = subprocess.Popen(
@@ -411,7 +406,6 @@ def test_ctrl_c_shows_the_results(tmp_path: Path) -> None:
     assert run.returncode == (1 if found else 130)
 
 
-@pytest.mark.long
 def test_a_sample_is_shown_again(tmp_path: Path) -> None:
     number = NAMES.index("plier")
     done = subprocess.run(

@@ -23,6 +23,8 @@ from artgen.catalog import categories, find
 from artgen.errors import ExportError
 from surveys import sample
 
+pytestmark = pytest.mark.long  # scripts of maintainers
+
 ROOT = Path(__file__).parents[2]
 
 
@@ -96,7 +98,6 @@ def test_a_check_that_raises_is_a_fault() -> None:
     assert "no mesh" in found["solids"]["faults"][0]
 
 
-@pytest.mark.long
 def test_an_interrupted_run_continues(tmp_path) -> None:
     path = tmp_path / "thing.jsonl"
     first = survey("thing", range(5), path, task=counted, limit=30.0)
@@ -112,7 +113,6 @@ def test_an_interrupted_run_continues(tmp_path) -> None:
     assert len(read_records(path)) == 8
 
 
-@pytest.mark.long
 def test_a_fast_line_is_measured_again_for_a_full_survey(tmp_path) -> None:
     path = tmp_path / "thing.jsonl"
     survey("thing", [0], path, fast=True, task=counted)
@@ -122,7 +122,6 @@ def test_a_fast_line_is_measured_again_for_a_full_survey(tmp_path) -> None:
     assert len(read_records(path)) == 2
 
 
-@pytest.mark.long
 def test_a_line_that_was_cut_off_is_measured_again(tmp_path) -> None:
     path = tmp_path / "thing.jsonl"
     survey("thing", range(2), path, task=counted)
@@ -208,7 +207,6 @@ class TestCriteria:
         assert states["solids: no faults"] is True
 
 
-@pytest.mark.long
 def test_the_script_measures_and_judges(tmp_path) -> None:
     out = tmp_path / "handle.jsonl"
     page = tmp_path / "soak.md"

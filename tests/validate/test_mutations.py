@@ -24,7 +24,7 @@ COUNT = int(os.environ.get("ARTGEN_TEST_MUTANTS", "3"))  # of each asset
 POSES = int(os.environ.get("ARTGEN_TEST_POSES", "200"))
 UNDECIDED = 0.01  # share of mutants
 
-NAMES = some((*PROOF_ASSETS, *categories()), 5)
+NAMES = some((*PROOF_ASSETS, *categories()), 10)
 
 
 @cache
