@@ -1,8 +1,8 @@
 # artgen: everything a machine with Python 3.11 or newer and make needs.
 #
 #   make demo    generate a door and a handle, check them with other people's readers, open the door
-#   make test    format, lint, types, layers, tests: within twenty minutes on two cores
-#   make test-long  every test, the long ones and all categories of each: about an hour
+#   make test    format, lint, types, layers, tests but the long ones
+#   make test-long  every test, the long ones and all categories of each
 #   make same-bytes  let the other Pythons of this machine make what is in tests/tree_hashes.json
 #   make hashes  record there what seeds give now
 #   make clients make an environment for each simulator, validator and converter, in .clients; gigabytes

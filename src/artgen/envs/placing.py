@@ -7,7 +7,7 @@ from itertools import islice, product
 import numpy as np
 from numpy.typing import NDArray
 
-from artgen._arrays import Array
+from artgen._arrays import Array, Indices
 from artgen.asset import Asset
 from artgen.asset.affordance import GRIPPER
 from artgen.colliders import Convex
@@ -32,7 +32,7 @@ MISS = 2e-3  # largest error of the tip [m]
 _MOST_COMBINED, _COMBINED = 5000, 24  # combinations that are sorted, and that are tried
 _APART = (0.15, 0.4)  # largest step between poses of the tip [m], [rad]
 JUMP = 1.0  # largest change of an angle between poses [rad]
-TILTS = np.radians([0.0, 25.0, -25.0, 45.0, -45.0, 60.0, -60.0])
+_TILTS = np.radians([0.0, 25.0, -25.0, 45.0, -45.0, 60.0, -60.0])
 _JITTER = 0.02  # distances of the hand at reset [m]
 _ROOM = 0.004  # clearance of the hand [m]
 _FARTHER = (0.03, 0.08)  # distance of the reset pose beyond the start of the approach [m]
@@ -129,46 +129,35 @@ class _Path:
 
 
 def place(
-    asset: Asset,
-    stages: Sequence[Stage],
-    rng: np.random.Generator,
-    *,
-    raised: bool = False,
-    start: Mapping[str, float] | None = None,
-    obstacles: Obstacles | None = None,
+    asset: Asset, stages: Sequence[Stage], rng: np.random.Generator, *, raised: bool = False
 ) -> Target | None:
     """Return a target with a place for the robot; None if there is no place.
 
     The hand is rotated about its approach, and tilted if it would collide; bases are tried around the contact
     at several distances and heights. The result is the base farthest from singular postures, among those from
     which the arm follows the whole path within its limits and without collision. A raised asset stands on a
-    table, and the robot stands next to it. Joints begin at the positions `start`, or closed.
+    table, and the robot stands next to it. Joints begin closed.
     """
-    obstacles, begin = obstacles or Obstacles(asset, raised=raised), dict(start or {})
+    obstacles = Obstacles(asset, raised=raised)
     options = [
-        list(_variants(obstacles, move, stages, begin)) if move.contact else [move]
+        list(_variants(obstacles, move, stages)) if move.contact else [move]
         for stage in stages
         for move in stage.moves
     ]
     numbers = product(*(range(len(each)) for each in options))
     preferred = sorted(islice(numbers, _MOST_COMBINED), key=sum)[:_COMBINED]
     combined = [tuple(each[index] for each, index in zip(options, some, strict=True)) for some in preferred]
-    paths = [_path(obstacles, moves, rng, begin) for moves in combined]
+    paths = [_path(obstacles, moves, rng) for moves in combined]
     best, most = None, 0.0
     for path, bases in _trials(obstacles, paths, rng):
         for score, base, arm in _followed(obstacles, path, bases, rng):
             if score > most:
                 moves, most = iter(path.moves), score
                 moved = (replace(stage, moves=tuple(next(moves) for _ in stage.moves)) for stage in stages)
-                best = Target(tuple(moved), begin, base, arm, base @ frames(arm[None])[0, 7])
+                best = Target(tuple(moved), {}, base, arm, base @ frames(arm[None])[0, 7])
         if most > _GOOD:
             break
     return best
-
-
-def hand_fits(obstacles: Obstacles, stage: Stage, start: Mapping[str, float]) -> bool:
-    """Tell whether the hand touches nothing in the first move of a stage, turned and tilted as it may be."""
-    return any(True for _ in _variants(obstacles, stage.moves[0], (stage,), start))
 
 
 def _trials(
@@ -181,23 +170,25 @@ def _trials(
             yield from ((path, bases[begin : begin + _BASES]) for path, bases in some if len(bases) > begin)
 
 
-def _variants(
-    obstacles: Obstacles, move: Move, stages: Sequence[Stage], start: Mapping[str, float]
-) -> Iterator[Move]:
-    """Yield variants of a move with the hand turned and without collision, the least tilted first."""
-    contact = move.contact
-    assert contact is not None
-    rolls = [0.0, np.pi] if contact.kind == "grasp" else [0.0, np.pi / 2, np.pi, -np.pi / 2]
-    axes = (0,) if contact.kind == "grasp" else (0, 1)
-    moves = [each for stage in stages for each in stage.moves]
-    before = {**start, **{each.joint: each.until for each in moves[: moves.index(move)]}}
-    for tilt in TILTS:
-        for axis in axes if tilt else (0,):
+def orientations(contact: Contact) -> Iterator[Array]:
+    """Yield frames of a contact, rotated about its approach and tilted, the least tilted first."""
+    grasp = contact.kind == "grasp"
+    rolls = (0.0, np.pi) if grasp else (0.0, np.pi / 2, np.pi, -np.pi / 2)
+    for tilt in _TILTS:
+        for axis in (0,) if grasp or not tilt else (0, 1):
             for roll in rolls:
-                frame = turned(turned(contact.frame, 2, roll), axis, tilt)
-                turn = replace(contact, frame=frame)
-                if _free(obstacles, turn, before, move):
-                    yield replace(move, contact=turn)
+                yield turned(turned(contact.frame, 2, roll), axis, tilt)
+
+
+def _variants(obstacles: Obstacles, move: Move, stages: Sequence[Stage]) -> Iterator[Move]:
+    """Yield variants of a move with the hand turned and without collision, the least tilted first."""
+    assert move.contact is not None
+    moves = [each for stage in stages for each in stage.moves]
+    before = {each.joint: each.until for each in moves[: moves.index(move)]}
+    for frame in orientations(move.contact):
+        turn = replace(move.contact, frame=frame)
+        if _free(obstacles, turn, before, move):
+            yield replace(move, contact=turn)
 
 
 def _free(obstacles: Obstacles, contact: Contact, q: dict[str, float], move: Move) -> bool:
@@ -213,9 +204,7 @@ def _free(obstacles: Obstacles, contact: Contact, q: dict[str, float], move: Mov
     return True
 
 
-def _path(
-    obstacles: Obstacles, moves: tuple[Move, ...], rng: np.random.Generator, start: Mapping[str, float]
-) -> _Path:
+def _path(obstacles: Obstacles, moves: tuple[Move, ...], rng: np.random.Generator) -> _Path:
     """Return the path of the hand through all moves."""
     asset = obstacles.asset
     tips: list[Array] = []
@@ -226,7 +215,7 @@ def _path(
         tips.extend(path)
         poses.extend([pose] * len(path))
 
-    q = dict(start)
+    q: dict[str, float] = {}
     contact: Contact | None = None
     for move in moves:
         pose = asset.pose(q)
@@ -282,14 +271,7 @@ def _followed(
 ) -> list[tuple[float, Array, Array]]:
     """Return score, base and initial angles for each base from which the arm follows a path."""
     inverse = np.linalg.inv(bases)
-    starts = postures(rng)
-    local = inverse @ path.tips[0]
-    which = np.repeat(np.arange(len(bases)), len(starts))
-    angles = np.tile(starts, (len(bases), 1))
-    angles[:, 0] += np.arctan2(local[:, 1, 3], local[:, 0, 3])[which]
-    for steps, allowed in ((12, 0.1), (20, MISS)):
-        angles, miss = reach(angles, local[which], steps)
-        angles, which = angles[miss < allowed], which[miss < allowed]
+    angles, which = starts(inverse @ path.tips[0], rng, (12, 0.1))
     score = ease(angles)
     order = np.argsort(-score, kind="stable")  # the `_POSTURES` best postures of each base
     chosen = [index for base in np.unique(which) for index in order[which[order] == base][:_POSTURES]]
@@ -306,7 +288,25 @@ def _followed(
     return [(float(score[index]), bases[which[index]], begin[index]) for index in range(len(which))]
 
 
-def postures(rng: np.random.Generator) -> Array:
+def starts(tips: Array, rng: np.random.Generator, coarse: tuple[int, float]) -> tuple[Array, Indices]:
+    """Return angles of the arm that reach poses of the tip, and the number of the pose of each.
+
+    Args:
+        tips: A pose of the tip in the frame of each base, shape (n, 4, 4) [m].
+        rng: Draws initial postures.
+        coarse: Steps after which postures that miss by more than a distance are given up [m].
+    """
+    initial = _postures(rng)
+    which = np.repeat(np.arange(len(tips)), len(initial))
+    angles = np.tile(initial, (len(tips), 1))
+    angles[:, 0] += np.arctan2(tips[:, 1, 3], tips[:, 0, 3])[which]
+    for steps, allowed in (coarse, (20, MISS)):
+        angles, miss = reach(angles, tips[which], steps)
+        angles, which = angles[miss < allowed], which[miss < allowed]
+    return angles, which
+
+
+def _postures(rng: np.random.Generator) -> Array:
     """Return initial postures of inverse kinematics, shape (n, 7) [rad]."""
     down = np.array([0.0, -0.3, 0.0, -2.2, 0.0, 1.9, np.pi / 4])
     ahead = np.array([0.0, -0.3, 0.0, -2.0, 0.0, 3.2, np.pi / 4])

@@ -18,8 +18,8 @@ from artgen._arrays import Array, FrozenArrays, Indices, Mask
 from artgen.asset import Asset, AssetCondition, AssetCoupling, AssetJoint
 from artgen.asset.affordance import GRIPPER, Affordance
 from artgen.asset.record import json_text
-from artgen.envs.motion import BACK, contact_of, lifted, rotation_vector, turned
-from artgen.envs.placing import HAND_BOX, JUMP, MISS, TILTS, ease, postures
+from artgen.envs.motion import BACK, contact_of, lifted, rotation_vector
+from artgen.envs.placing import HAND_BOX, JUMP, MISS, ease, orientations, starts
 from artgen.envs.robot import BALL_JOINTS, BALL_PLACES, BALL_RADII, frames, reach
 from artgen.export.files import replaced
 from artgen.export.frames import coupling, quaternion
@@ -430,16 +430,7 @@ class _Search:
 
     def _oriented(self, hand: Affordance, start: dict[str, float], begin: int = 0) -> tuple[_Hold, str]:
         """Return a hold in all orientations of its hand, and a link that is always in its way, if any."""
-        contact, grasp = contact_of(hand), hand.kind == "grasp"
-        rolls = (0.0, np.pi) if grasp else (0.0, np.pi / 2, np.pi, -np.pi / 2)
-        tips = np.array(
-            [
-                turned(turned(contact.frame, 2, roll), axis, tilt)
-                for tilt in TILTS
-                for axis in ((0,) if grasp or not tilt else (0, 1))
-                for roll in rolls
-            ]
-        )
+        tips = np.array(list(orientations(contact_of(hand))))
         states = self._states(start)
         link = [each.name for each in self.asset.links].index(hand.link)
         free, ready = np.ones((2, len(tips), len(states)), bool)
@@ -545,14 +536,7 @@ class _Search:
     def _followed(self, path: _Path, bases: Array) -> tuple[int, Stand] | None:
         """Return the last state to which an arm follows a path from one of several bases, and its stand."""
         inverse, tips = np.linalg.inv(bases), path.tips()
-        local = inverse @ tips[0][1]
-        initial = postures(self.rng)
-        which = np.repeat(np.arange(len(bases)), len(initial))
-        angles = np.tile(initial, (len(bases), 1))
-        angles[:, 0] += np.arctan2(local[:, 1, 3], local[:, 0, 3])[which]
-        for steps, allowed in ((10, 0.15), (20, MISS)):
-            angles, miss = reach(angles, local[which], steps)
-            angles, which = angles[miss < allowed], which[miss < allowed]
+        angles, which = starts(inverse @ tips[0][1], self.rng, (10, 0.15))
         followed = angles[:, None]
         score = ease(angles)
         best, state = None, None
