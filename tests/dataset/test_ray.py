@@ -18,6 +18,7 @@ import pytest
 from artgen.dataset import Plan, generate_many, workers
 from artgen.dataset.places import LOCK_FILE
 from artgen.errors import ExportError, ParameterError
+from support.cases import long
 from support.digests import digests
 
 ray = pytest.importorskip("ray")
@@ -97,6 +98,7 @@ def behave(number: int) -> int:
     return 2 * number
 
 
+@long
 def test_every_item_has_an_ending(run: Any) -> None:
     endings = {each.item: each for each in run(behave, range(6), limit=2.0)}
     assert {item: each.state for item, each in endings.items()} == {

@@ -16,7 +16,7 @@ import pytest
 from artgen.asset import Asset
 from artgen.catalog import categories, find
 from support.brute import draw_poses, overlaps
-from support.cases import some
+from support.cases import long, some
 from support.mutations import Mutant, Outcome, judged, mutants
 from support.proof_assets import PROOF_ASSETS
 
@@ -58,6 +58,7 @@ def test_no_mutant_that_collides_is_proven_and_few_are_undecided(name: str) -> N
     assert len(undecided) <= UNDECIDED * len(found), "\n".join(undecided)
 
 
+@long
 def test_many_mutants_collide() -> None:
     found = [outcome for name in PROOF_ASSETS for outcome in outcomes(name)]
     assert sum(outcome.overlap is not None for outcome in found) > 0.1 * len(found)
