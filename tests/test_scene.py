@@ -24,10 +24,12 @@ from artgen.export.frames import translation
 from artgen.materials import colored
 from artgen.proof.certify import certify
 from artgen.scene import ROOMS, Scene, kitchen
+from artgen.scene.furnish import Furnisher
 from artgen.scene.room import GAP, STANDING
 from artgen.validate import Examination
 from artgen.validate.behavior import check_behavior, neighborhoods
 from artgen.validate.behavior.model import room_model
+from artgen.validate.hands import check_grasps
 from artgen.validate.room import motions_at_rest, overlaps
 from artgen.view.camera import camera_of
 from support.cases import some
@@ -257,6 +259,14 @@ def test_a_free_body_stands_still_and_moves_with_its_drawer(loose: Asset) -> Non
     assert abs(moved[2]) < 0.01
 
 
+def test_a_hand_reaches_a_free_body_in_its_open_drawer(loose: Asset) -> None:
+    moved = {each.link: each.joints for each in loose.affordances if each.link.startswith("plier")}
+    assert moved == {"plier_body": (), "plier_jaw": ("plier_jaw_hinge",)}
+    found = [each for each in check_grasps(loose).findings if each.link in moved]
+    assert {each.link for each in found} == set(moved)
+    assert all("reaches it only where drawer_drawer_slide_0 > " in each.message for each in found)
+
+
 def test_joints_of_a_room_are_driven_with_what_they_carry(loose: Asset, tmp_path: Path) -> None:
     directory = loose.export(tmp_path / "loose", formats=("mjcf",), textures=0)
     model = room_model(directory / "loose.xml", loose)
@@ -338,6 +348,13 @@ def test_free_bodies_are_stored_and_are_bodies_of_their_own_in_usd(loose: Asset,
     assert not stage.GetPrimAtPath("/loose").HasAPI(UsdPhysics.ArticulationRootAPI)
     root = ET.parse(directory / "loose.urdf").getroot()
     assert root.find("joint[@name='plier_place']").get("type") == "fixed"  # type: ignore[union-attr]
+
+
+def test_a_single_door_in_a_corner_has_its_hinges_there() -> None:
+    size = (3.0, 2.4)
+    here = Furnisher("kitchen", 1, 0, size, ((3.0, 4.0), (2.0, 3.0)), "low")
+    for wall, at, hand in (("back", 0.05, "left"), ("back", 2.5, "right"), ("left", 1.9, "right")):
+        assert here.hang(wall, at, 0.45).asset.parameters["hand"] == hand
 
 
 def test_each_asset_of_a_room_is_written_alone_with_its_place(loose: Asset, tmp_path: Path) -> None:

@@ -10,6 +10,7 @@ import pytest
 from artgen.asset import Asset
 from artgen.catalog import find
 from artgen.errors import ParameterError
+from artgen.validate.colliders import check_colliders
 
 GRAVITY = 9.81
 
@@ -165,3 +166,7 @@ def test_styles_go_together_however_they_are_set(given: dict[str, Any]) -> None:
 def test_a_wrong_style_is_refused_with_the_allowed_ones() -> None:
     with pytest.raises(ParameterError, match=r"bar.*pocket.*recessed"):
         made(0, handle="knob")
+
+
+def test_colliders_of_racks_are_close_at_medium_detail() -> None:
+    assert not check_colliders(made(0, detail="medium")).findings

@@ -89,7 +89,7 @@ def affordances(asset: "Asset") -> tuple[Affordance, ...]:
     """Return the affordances of an asset, in the order of its links."""
     result = []
     for link in asset.links:
-        joints = moved_joints(asset, link.name)
+        joints = moved_joints(asset, link.name, in_hand=True)
         for hold in (*link.grasps, *link.pushes):
             kind: Literal["grasp", "push"] = "grasp" if isinstance(hold, Grasp) else "push"
             width = hold.width if isinstance(hold, Grasp) else 0.0
@@ -97,9 +97,14 @@ def affordances(asset: "Asset") -> tuple[Affordance, ...]:
     return tuple(result)
 
 
-def moved_joints(asset: "Asset", link: str) -> tuple[str, ...]:
-    """Return the free joints that move a link, the nearest first; coupled joints count as their leaders."""
-    above = (joint for joint in joints_above(asset.joints, link) if not joint.locked)
+def moved_joints(asset: "Asset", link: str, *, in_hand: bool = False) -> tuple[str, ...]:
+    """Return the free joints that move a link, the nearest first; coupled joints count as their leaders.
+
+    A hand takes a free body away: `in_hand` leaves out the joints that carry it, such as that of a drawer.
+    """
+    path = joints_above(asset.joints, link)
+    ends = [number for number, joint in enumerate(path) if joint.child in asset.loose]
+    above = (joint for joint in path[: min(ends) if in_hand and ends else None] if not joint.locked)
     found = dict.fromkeys(head(joint, asset).name for joint in above)
     free = {joint.name for joint in asset.free_joints}
     return tuple(name for name in found if name in free)

@@ -23,8 +23,9 @@ KICK, SETBACK = 0.10, 0.05  # height and setback of plinths [m]
 PLINTH = {"stand_height": KICK, "setback": SETBACK}
 SWING = 1.45  # of doors: wider, their handles would be before the drawers beside them [rad]
 DOORWAY = 1.08  # of a wall that a door takes [m]
-_TAP = 0.088  # from the wall to the axis of the tap of a sink [m]
-_BOWL = 0.37  # depth of the bowls of a sink from front to back, between the rails of the unit [m]
+_CORNER = 0.15  # distance from a wall within which a hand does not fit beside a handle [m]
+_TAP = 0.109  # from the wall to the axis of the tap of a sink: a hand turns beside the wall [m]
+_BOWL = 0.349  # depth of the bowls of a sink from front to back, between the rails of the unit [m]
 _HUNG_IN = 0.116  # by which the inside of the bowls is narrower than their unit [m]
 _BOWLS = {
     "single": (0.0, 1.0, 0.40, 0.52),
@@ -160,6 +161,7 @@ class Furnisher:
                 "stand": "plinth",
                 "doors": 2 if width > 0.6 else 1,
                 "swing": SWING,
+                **self._hinges(wall, at, width),
             }
             return self.room.against(wall, "cabinet", at=at, **size | PLINTH | self.base | kind | values)
         kind = {"kind": "kitchen", "columns": 1}
@@ -198,7 +200,15 @@ class Furnisher:
         """Hang a wall unit."""
         size: dict[str, Any] = {"kind": "wall", "width": width, "height": 0.72, "depth": 0.33, "top": "flush"}
         doors = {"swing": SWING, "doors": 2 if width > 0.6 else 1}
+        doors |= self._hinges(wall, at, width)
         return self.room.against(wall, "cabinet", at=at, z=1.45, **self.fronts | size | doors)
+
+    def _hinges(self, wall: Wall | Line, at: float, width: float) -> dict[str, str]:
+        """Return the hinge side of a single door in a corner: its handle is away from the other wall."""
+        ends = {"left": at, "right": self.room.frame(wall)[1] - at - width}
+        corners = [side for side in ends if isinstance(wall, str) and side != wall]  # no front wall
+        near = next((side for side in corners if ends[side] < _CORNER), None)
+        return {} if near is None else {"hand": near}
 
     def let_in(
         self, wall: Wall | Line, category: str, place: tuple[float, float, float], values: dict[str, Any]

@@ -142,10 +142,11 @@ class _Kitchen(Furnisher):
         self.layout: Layout = layout or (fits[chosen] if fits else "one_wall")
         super().__init__("kitchen", seed, attempt, size, _SPANS[self.layout], detail)
         self.units = 0  # number of base units so far
-        self.objects: list[tuple[str, dict[str, Any]]] = [
-            ("microwave", {"depth": 0.42}),
-            ("kettle", {}),
-            ("pepper_grinder", {}),
+        # places of free objects: `deep` leaves a hand over them clear of the sill of a window
+        self.objects: list[tuple[str, dict[str, Any], dict[str, Any]]] = [
+            ("microwave", {"depth": 0.42}, {"deep": 0.15}),
+            ("kettle", {}, {"deep": 0.3, "turn": math.pi}),  # its handle is behind its spout
+            ("pepper_grinder", {}, {"deep": 0.3}),
         ]
 
     def furnish(self) -> Asset:
@@ -263,7 +264,8 @@ class _Kitchen(Furnisher):
 
     def _dishwasher(self) -> _Item:
         size = "slim" if self.width < 3.4 else self.choice("full", "slim")
-        return self._appliance("dishwasher", build="built_in", height=UNDER, size=size)
+        # a third rack under the ceiling has its grip behind the edge of the worktop
+        return self._appliance("dishwasher", build="built_in", height=UNDER, size=size, racks=2)
 
     def _hob(self) -> _Item:
         """Return a range, or a built-in oven under a cooktop."""
@@ -410,7 +412,7 @@ class _Kitchen(Furnisher):
         tops = [each for each in self.room.placed if each.asset.category == "worktop"]
         for item, at in placed:
             middle = at + item.width / 2.0
-            for category, values in self.objects if item.kind == "unit" else []:
+            for category, values, place in self.objects if item.kind == "unit" else []:
                 width = width_of(self.room.draw(category, name=category, **values))
                 if width > item.width:
                     continue  # it would stand over the sink or the burners beside the unit
@@ -421,8 +423,8 @@ class _Kitchen(Furnisher):
                 )
                 low, high = top.asset.bounds()[:, 0]
                 share = min(max((middle - width / 2.0 - low) / (high - low - width), 0.03), 0.97)
-                self.room.on(top, category, at=share, deep=0.15, free=True, name=category, **values)
-                self.objects.remove((category, values))
+                self.room.on(top, category, at=share, free=True, name=category, **place, **values)
+                self.objects.remove((category, values, place))
                 break
 
     def _filler(self, wall: Wall | Line, low: float, high: float) -> None:

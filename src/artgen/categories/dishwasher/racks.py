@@ -105,7 +105,7 @@ class Racks:
         basket = self._basket(_UPPER_RIM, _UPPER_RIM + 0.02, 12)
         count, apart = 12 if self.full else 9, 0.24 * self.width
         pitch = 0.8 * self.depth / (count - 1)
-        hanger = ag.cylinder(0.020, _HANGS - 0.0008, bevel=0.002).at(z=0.0012 - _HANGS / 2)
+        hanger = ag.cylinder(0.020, _HANGS - 0.0008, bevel=0.0012).at(z=0.0012 - _HANGS / 2)
         pipe = ag.Region((-0.012, 0.012), (0, 0.49 * self.depth), (-0.0085, 0.0006)).box(bevel=0.003)
         return ag.weld(
             basket.wires(name),

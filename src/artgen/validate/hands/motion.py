@@ -182,12 +182,12 @@ def positions_to_move(asset: Asset, joint: str, opened: Opened) -> dict[str, flo
 def openable(asset: Asset, affordance: Affordance, struck: str) -> Iterator[tuple[str, AssetCondition]]:
     """Yield joints whose opening may clear the path of a hand from a link, with the regions of open joints.
 
-    These are the joints that move the obstacle, and the joints behind the joint itself, such as the door of a
-    flap in its inner side. Joints that depend on the joint of the hand are excluded: they can be opened only
-    afterwards.
+    These are the joints that move the obstacle, and the other joints that move the link of the hand, such as
+    the door of a flap in its inner side or the drawer below a free object. Joints that depend on the joint of
+    the hand are excluded: they can be opened only afterwards.
     """
-    own, *others = affordance.joints or ("",)
-    for name in dict.fromkeys((*moved_joints(asset, struck), *others)):
+    own = next(iter(affordance.joints), "")
+    for name in dict.fromkeys((*moved_joints(asset, struck), *moved_joints(asset, affordance.link))):
         joint = asset.joint(name)
         if name == own or joint.limits is None or own in _awaited(asset, name):
             continue
