@@ -2,8 +2,11 @@
 
 import math
 from functools import lru_cache
+from pathlib import Path
 from typing import Any
 
+import mujoco
+import numpy as np
 import pytest
 
 from artgen.asset import Asset
@@ -29,7 +32,7 @@ def test_rear_legs_follow_the_seat_until_they_lie_beside_the_front_ones() -> Non
     follower = asset.joint("legs_fold").follows
     assert follower is not None
     assert follower.leader == "seat_fold"
-    assert follower.ratio * high == pytest.approx(1.05, abs=1e-6)
+    assert follower.at(high) == pytest.approx(1.13, abs=1e-3)
     depths = []
     for turn in (0.0, high):
         pose = asset.pose({"seat_fold": turn})["legs"]
@@ -37,6 +40,53 @@ def test_rear_legs_follow_the_seat_until_they_lie_beside_the_front_ones() -> Non
         depths.append(foot[1])
     assert depths[0] > 0.2, "behind the seat"
     assert depths[1] < -0.15, "between the front legs"
+
+
+def test_seat_struts_and_legs_of_a_folding_chair_are_a_four_bar() -> None:
+    asset = made(2, style="folding")
+    (pin,) = asset.loops
+    assert (*pin.links, pin.joint) == ("strut", "seat", "seat_fold")
+    _, high = asset.joint("seat_fold").limits or (0.0, 0.0)
+    sides, sines = [], []
+    for turn in np.linspace(0.0, high, 9).tolist():
+        pose = asset.pose({"seat_fold": turn})
+        at = {name: pose[name][:3, :3] @ pin.point + pose[name][:3, 3] for name in pin.links}
+        np.testing.assert_allclose(at["strut"], at["seat"], atol=1e-9)
+        pivots = [asset.joint(name).pivot for name in ("legs_fold", "strut_turn")]
+        low, end = (pose["legs"][:3, :3] @ pivot + pose["legs"][:3, 3] for pivot in pivots)
+        sides.append(np.linalg.norm(at["strut"] - end))
+        crank, rod = end - low, at["strut"] - end
+        sines.append(np.linalg.norm(np.cross(crank, rod)) / np.linalg.norm(crank) / np.linalg.norm(rod))
+    np.testing.assert_allclose(sides, sides[0], atol=1e-9)
+    assert min(sines) > 0.35, "the seat moves the legs everywhere: no dead point is near"
+    positions = [asset.positions({"seat_fold": turn})["legs_fold"] for turn in np.linspace(0, high, 33)]
+    assert (np.diff(positions) > 0).all(), "the legs never swing back"
+
+
+def test_a_hand_at_the_seat_folds_the_rear_legs_in_mujoco(tmp_path: Path) -> None:
+    asset = made(2, style="folding").rounded()
+    folder = asset.export(tmp_path / asset.name, formats=("mjcf",), textures=0)
+    model = mujoco.MjModel.from_xml_path(str(folder / f"{asset.name}.xml"))
+    data = mujoco.MjData(model)
+    _, high = asset.joint("seat_fold").limits or (0.0, 0.0)
+    hinge = model.joint("seat_fold")
+    reached, worst = [], dict.fromkeys(("seat", "strut", "legs"), 0.0)
+    for step in range(4000):  # the hand leads the seat up and down again
+        wanted = high * math.sin(math.pi * (step + 1) / 4000) ** 2
+        at, speed = data.qpos[hinge.qposadr[0]], data.qvel[hinge.dofadr[0]]
+        data.qfrc_applied[hinge.dofadr[0]] = np.clip(400.0 * (wanted - at) - 10.0 * speed, -30.0, 30.0)
+        mujoco.mj_step(model, data)
+        reached.append(float(data.qpos[hinge.qposadr[0]]))
+        if step % 50 == 0:
+            mujoco.mj_kinematics(model, data)
+            pose = asset.pose({"seat_fold": min(max(reached[-1], 0.0), high)})  # limits are soft
+            for name in worst:
+                place = pose[name][:3, :3] @ asset.origin(name) + pose[name][:3, 3]
+                worst[name] = max(worst[name], float(np.abs(data.body(name).xpos - place).max()))
+    assert max(reached) > 0.95 * high
+    assert reached[-1] < 0.1
+    assert max(worst.values()) < 0.001, worst
+    assert all(warning.number == 0 for warning in data.warning)
 
 
 def test_a_footrest_rises_with_the_reclined_back() -> None:

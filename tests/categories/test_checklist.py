@@ -102,6 +102,7 @@ CHECKLIST: dict[str, dict[str, Moving]] = {
         "footrest": turns("footrest_turn", (0, 1)),
         "seat that turns up": turns("seat_fold", (0, 1)),
         "rear legs": turns("legs_fold", (0, 1)),
+        "struts of the rear legs": turns("strut_turn", (0, 1)),
         "fork of a caster": turns("caster_swivel", (0, 5), unlimited=True),
         "wheel of a caster": turns("caster_roll", (0, 5), unlimited=True),
     },

@@ -58,6 +58,8 @@ def _joints(node: Node, found: Mapping[str, tuple[PlannedJoint, ...]]) -> tuple[
     joints = tuple(below.values())
     if node.op == "suffix":
         return _suffixed(joints, node.inputs["suffix"])
+    if node.op == "loop":
+        return tuple(_led(joint, node.inputs["driver"]) for joint in joints)
     return joints
 
 
@@ -71,6 +73,12 @@ def _planned(joint: Node) -> PlannedJoint:
         follows=follows,
         needs=given["needs"] is not None,
     )
+
+
+def _led(joint: PlannedJoint, driver: str) -> PlannedJoint:
+    """Return a joint of a body that a pin closes: all but the input follow it if they have no limits."""
+    free = joint.unlimited and joint.name != driver
+    return replace(joint, unlimited=False, follows=driver) if free else joint
 
 
 def _leader(coupling: Node | None) -> str:

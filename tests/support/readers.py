@@ -192,6 +192,8 @@ def read_mujoco(asset: Asset, directory: Path, suffix: str) -> Reading:
             axes[joint.name] = np.array(joint.axis)
     couplings = {}
     for index in range(model.neq):
+        if model.eq_type[index] == mujoco.mjtEq.mjEQ_CONNECT:
+            continue  # the pin of a closed chain
         follower, leader = model.eq_obj1id[index], model.eq_obj2id[index]
         coefficients = model.eq_data[index, :5]
         assert not coefficients[2:].any()
@@ -219,8 +221,8 @@ def read_usd(asset: Asset, directory: Path) -> Reading:
     for prim in stage.Traverse():
         if prim.HasAPI(UsdPhysics.RigidBodyAPI):
             bodies[prim.GetName()] = prim
-        elif prim.IsA(UsdPhysics.Joint):
-            joints.append(prim)
+        elif prim.IsA(UsdPhysics.Joint) and not UsdPhysics.Joint(prim).GetExcludeFromArticulationAttr().Get():
+            joints.append(prim)  # a pin of a closed chain is outside the articulation
     masses, centers, inertias = {}, {}, {}
     for link in asset.links:
         api = UsdPhysics.MassAPI(bodies[link.name])

@@ -1,12 +1,13 @@
 """A chair that moves: an office chair, a bar stool, a rolling stool, a folding chair or a recliner.
 
 Links: `base`; `seat`; `back`, `lever`, and `caster_fork_0`, `caster_wheel_0`, ... of an office chair; `legs`
-of a folding chair; `footrest` of a recliner. Joints: `seat_lift` and `seat_swivel`, both between base and
-seat; `back_tilt`; `lever_pull`; `caster_swivel_0` and `caster_roll_0`, ...; `seat_fold`, and `legs_fold`,
-which follows it; `footrest_turn`, which follows `back_tilt`.
+and `strut` of a folding chair; `footrest` of a recliner. Joints: `seat_lift` and `seat_swivel`, both between
+base and seat; `back_tilt`; `lever_pull`; `caster_swivel_0` and `caster_roll_0`, ...; `seat_fold`, and
+`legs_fold` and `strut_turn`, which follow it; `footrest_turn`, which follows `back_tilt`.
 
 A gas spring lifts the seat while the lever below it is pulled; friction stands for its valve otherwise. The
-seat of a folding chair is turned up, and its rear legs swing to the front ones.
+seat of a folding chair is turned up, and its rear legs swing to the front ones: a four-bar of front legs,
+seat, struts and rear legs.
 
 Sizes are those of EN 1335-1 and of shops: seats of office chairs 400-520 mm high with a lift of 80-120 mm,
 bases with five arms of 300-340 mm, 12-18 kg; bar stools 600-800 mm high with a base of 380-420 mm, 6-10 kg;
@@ -31,6 +32,7 @@ _ON = 2 * _WHEEL + 0.0155  # height of the arms on their casters [m]
 _GRIP = 0.0145  # radius of the piston of a gas spring [m]
 _TUBE = 0.011  # radius of the tubes of a folding chair [m]
 _ASIDE = 0.205  # distance of its front legs from the middle [m]
+_INNER = 0.1805  # distance of its rear legs from the middle [m]
 
 
 _OFFICE = ag.choice(*colors("fabric", "graphite navy light_grey red teal"), "black_leather", "mesh")
@@ -301,7 +303,7 @@ def _levered(seat: ag.Body, width: ag.Scalar, top: ag.Scalar) -> ag.Body:
 
 
 def _folding(height: ag.Scalar, cover: ag.Material, metal: ag.Material) -> ag.Body:
-    """Make a folding chair: front legs with the back, a seat that turns up, and rear legs that follow it."""
+    """Make a folding chair: seat and rear legs turn on the front legs, and struts join them."""
     slope, top = 1.05, 0.80
     way = ag.vector(0, math.cos(slope), math.sin(slope))
     across = ag.vector(0, math.sin(slope), -math.cos(slope))  # to the rear
@@ -310,18 +312,25 @@ def _folding(height: ag.Scalar, cover: ag.Material, metal: ag.Material) -> ag.Bo
     def on(z: ag.Scalar, behind: float = 0.0) -> ag.Vector:
         return foot + way * ((z - 0.012) / math.sin(slope)) + across * behind
 
+    def both(low: ag.Vector, high: ag.Vector, radius: float, x: float, end: float = 0.0) -> list[ag.Solid]:
+        """Return bars on both sides; a pin runs from x to its end across the chair."""
+        ends = [(-x, -(end or x)), (x, end or x)]
+        return [ag.cylinder_between(low + ag.X * s, high + ag.X * e, radius) for s, e in ends]
+
+    def plates(one: ag.Vector, other: ag.Vector, radius: float, low: float, high: float) -> list[ag.Solid]:
+        disc = ag.cylinder(radius, high - low, axis=ag.X, bevel=0.0008)
+        places = [ag.X * (s * (low + high) / 2) for s in (-1, 1)]
+        return [ag.hull(disc.at(one + place), disc.at(other + place)) for place in places]
+
     steel, wood = casting(metal, 0.3), cover.with_(name=f"{cover.name}_board", density=600.0)
+    rubber = ag.material("rubber")
+    seat_at = on(height - 0.009)
+    legs_at, back = seat_at - way * 0.096, ag.vector(0, 0.032, 0.004)
+    seat_pin, legs_pin = seat_at + back, legs_at + ag.vector(0, 0.0476, -0.0131)
+    rear = ag.vector(0, 0.235, 0.012)
 
-    def sides(low: ag.Vector, high: ag.Vector, x: float) -> list[ag.Solid]:
-        return [ag.cylinder_between(low + ag.X * s, high + ag.X * s, _TUBE) for s in (-x, x)]
-
-    legs = sides(foot, on(top), _ASIDE)
-    bar = ag.cylinder_between(on(0.16, -0.022) - ag.X * _ASIDE, on(0.16, -0.022) + ag.X * _ASIDE, 0.008)
-    stubs = [
-        ag.cylinder_between(on(0.16, -0.022) + ag.X * s, on(0.16) + ag.X * s, 0.007)
-        for s in (-_ASIDE, _ASIDE)
-    ]
-    caps = [ag.sphere(0.012).at(foot + ag.X * s) for s in (-_ASIDE, _ASIDE)]
+    bar, stubs = on(0.16, -0.022), both(on(0.16, -0.022), on(0.16), 0.007, _ASIDE)
+    rung = ag.cylinder_between(bar - ag.X * _ASIDE, bar + ag.X * _ASIDE, 0.008)
     slats = [
         ag.box(2 * _ASIDE + 0.01, 0.012, 0.062, bevel=0.004)
         .rotate(ag.X, slope - math.pi / 2)
@@ -329,30 +338,42 @@ def _folding(height: ag.Scalar, cover: ag.Material, metal: ag.Material) -> ag.Bo
         for z in (0.68, 0.765)
     ]
     front = ag.weld(
-        ag.part([*legs, ag.union(bar, *stubs)], "frame", steel, name="base"),
-        ag.part(caps, "foot", ag.material("rubber")),
+        ag.part([*both(foot, on(top), _TUBE, _ASIDE), ag.union(rung, *stubs)], "frame", steel, name="base"),
+        ag.part([ag.sphere(0.012).at(foot + ag.X * s) for s in (-_ASIDE, _ASIDE)], "foot", rubber),
         ag.part(slats, "slat", wood),
     )
-    inner = _ASIDE - 2 * _TUBE - 0.004
-    pivot, seat_at = on(height - 0.055), on(height - 0.009)
-    rear = ag.vector(0, 0.235, 0.012)
-    rung = rear + (pivot - rear) * 0.25
-    back_legs = ag.weld(
-        ag.part(sides(rear, pivot, inner), "leg", steel, name="legs"),
-        ag.part(ag.cylinder_between(rung - ag.X * inner, rung + ag.X * inner, 0.008), "leg", steel),
-        ag.part(
-            [ag.sphere(0.012).at(rear + ag.X * s) for s in (-inner, inner)], "foot", ag.material("rubber")
-        ),
+    low = rear + (legs_at - rear) * 0.25
+    beside = legs_at + (rear - legs_at) * 0.09
+    legs = ag.weld(
+        ag.part(both(rear, legs_at, 0.010, _INNER), "leg", steel, name="legs"),
+        ag.part(ag.cylinder_between(low - ag.X * _INNER, low + ag.X * _INNER, 0.008), "leg", steel),
+        ag.part(plates(beside, legs_pin, 0.008, _INNER - 0.003, _INNER + 0.003), "leg", steel),
+        ag.part(both(legs_at, legs_at, 0.007, _INNER, 0.1935), "leg", steel),
+        ag.part(both(legs_pin, legs_pin, 0.005, _INNER, 0.1690), "leg", steel),
+        ag.part([ag.sphere(0.012).at(rear + ag.X * s) for s in (-_INNER, _INNER)], "foot", rubber),
     )
-    wide, deep = 2 * (inner - _TUBE) - 0.008, 0.37
-    board = ag.Region((-wide / 2, wide / 2), (-deep, 0.012), (-0.009, 0.009)).box(bevel=0.005)
+    rivets = [
+        *both(legs_pin, legs_pin, 0.0055, 0.1612, 0.1626),
+        *both(seat_pin, seat_pin, 0.0055, 0.1684, 0.1699),
+    ]
+    bars = plates(legs_pin, seat_pin, 0.008, 0.1625, 0.1685)
+    strut = ag.weld(
+        ag.part(bars, "leg", steel, name="strut", separate="a strut on either side"),
+        ag.detail(rivets, "leg", steel),
+    )
+    half = 0.160
+    board = ag.Region((-half, half), (-0.345, 0.044), (-0.009, 0.009)).box(bevel=0.005)
     grip = ag.grasp_on(board, approach=ag.Y, closing=ag.Z, depth=0.03)
-    seat = ag.part(board, "seat", wood, grasp=grip, name="seat")
-    turned = math.pi - slope
-    fold = ag.Revolute("seat_fold", axis=-ag.X, limits=(0, turned), damping=0.3, friction=0.6, effort=30.0)
-    swing = 1.05
-    follow = ag.Revolute("legs_fold", axis=-ag.X, pivot=pivot, follows=(swing / turned) * fold, damping=0.3)
-    return front.attach(back_legs, follow).attach(seat, fold, at=seat_at)
+    center = ag.vector(0, 0, 0)
+    pins = [*both(center, center, 0.006, half - 0.02, 0.1935), *both(back, back, 0.005, half - 0.02, 0.1620)]
+    seat = ag.weld(ag.part(board, "seat", wood, grasp=grip, name="seat"), ag.part(pins, "seat", steel))
+    fold = ag.Revolute(
+        "seat_fold", axis=-ag.X, limits=(0, math.pi - slope - 0.12), damping=0.3, friction=0.6, effort=30.0
+    )
+    swing = ag.Revolute("legs_fold", axis=-ag.X, pivot=legs_at, damping=0.3)
+    turn = ag.Revolute("strut_turn", axis=-ag.X, pivot=legs_pin, damping=0.01)
+    body = front.attach(legs.attach(strut, turn), swing).attach(seat, fold, at=seat_at)
+    return body.loop("strut", "seat", at=seat_pin, axis=ag.X, driver=fold)
 
 
 def _recliner(
