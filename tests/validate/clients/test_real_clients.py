@@ -46,6 +46,25 @@ def test_it_reads_what_is_exported_without_a_word(name, exports):
         assert outcome.version
 
 
+@pytest.mark.parametrize("name", ["mujoco", "newton_mjcf", "newton_urdf"])
+def test_it_reads_the_turn_and_the_rise_of_a_screw(name, tmp_path):
+    post = artgen.part(artgen.box(0.02, 0.02, 0.2), "post", artgen.material("oak"))
+    nut = artgen.part(artgen.box(0.05, 0.05, 0.01).at(z=0.107), "nut", artgen.material("brass"))
+    feel = {"friction": 0.1, "armature": 1e-4, "effort": 3}
+    turn = artgen.Screw("nut_turn", pitch=0.004, axis=artgen.Z, limits=(0, 9), **feel)
+
+    @artgen.generator
+    def vise():
+        return post.attach(nut, turn)
+
+    asset = vise.generate(0, certify=False)
+    exported = read_exported(asset.export(tmp_path / "vise", formats=("urdf", "mjcf"), textures=0))
+    (outcome,) = run_client(CLIENTS[name], [exported])
+    if outcome.state == "absent":
+        pytest.skip(f"{name}: {outcome.message}")
+    assert outcome.state == "passed", outcome.message
+
+
 MASS = (r'<mass value="(?!1e-)[^"]*"', '<mass value="3"', "its mass is 3 kg")
 LIMIT = (r' upper="[^"]*"', ' upper="0.01"', "its limits are")
 AXIS = (r'<axis xyz="0 -1 0"', '<axis xyz="0 1 0"', "its frame is off by")

@@ -200,7 +200,10 @@ _UNAVOIDABLE: Mapping[str, dict[str, str]] = {
         r"NewtonWarning: (Roughness|Metallic) texture inputs are not yet supported; using scalar "
         r"fallback\.": (
             "Newton draws roughness and metalness as one number each, and the asset has maps of them"
-        )
+        ),
+        r"NewtonWarning: \d+ joint equalities omit joint2 or target a multi-DoF joint, .*": (
+            "Newton makes one joint of the turn and the rise of a screw; its solver of MuJoCo couples them"
+        ),
     },
     "genesis_model": {
         r"\[W .*\] \[frontend_ir\.cpp:.*\] qd\.loop_config\(serialize=True\) does not have effect .*": (

@@ -137,19 +137,23 @@ def _joint(model: Any, degree: _Degree, form: str) -> dict[str, Any]:
 
 
 def _couplings(model: Any, degrees: dict[str, _Degree]) -> dict[str, Any]:
-    """Return couplings: those of joints, or equalities of MuJoCo, which Newton stores separately."""
-    names = [_last(label) for label in model.joint_label]
+    """Return couplings: those of joints, or equalities of MuJoCo, which Newton stores separately.
+
+    An equality names a joint and one of its degrees of freedom, which a joint of several names has.
+    """
+    names = {degree.speed: name for name, degree in degrees.items()}
+    starts = model.joint_qd_start.numpy()
     mimics = zip(model.joint_mimic_joint.numpy(), model.joint_mimic_coeffs.numpy(), strict=True)
-    laws = [(number, leader, terms) for number, (leader, terms) in enumerate(mimics)]
-    equalities = (
+    laws = [((number, 0), (leader, 0), terms) for number, (leader, terms) in enumerate(mimics)]
+    first, first_dof, second, second_dof, terms = (
         getattr(model.mujoco, f"equality_constraint_{name}").numpy()
-        for name in ("joint1", "joint2", "polycoef")
+        for name in ("joint1", "joint1_dof", "joint2", "joint2_dof", "polycoef")
     )
-    laws += zip(*equalities, strict=True)
+    laws += zip(zip(first, first_dof, strict=True), zip(second, second_dof, strict=True), terms, strict=True)
     found: dict[str, list[Any]] = {}
     for follower, leader, (offset, ratio, *_) in laws:
-        if follower >= 0 and leader >= 0:
-            name, head = names[int(follower)], names[int(leader)]
+        if follower[0] >= 0 and leader[0] >= 0:
+            name, head = (names[int(starts[joint] + degree)] for joint, degree in (follower, leader))
             shift = degrees[name].start - float(ratio) * degrees[head].start
             found[name] = [head, float(ratio), float(offset) + shift]
     return couplings_to_heads(found)
