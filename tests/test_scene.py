@@ -29,6 +29,8 @@ from artgen.scene.room import GAP, STANDING
 from artgen.validate import Examination
 from artgen.validate.behavior import check_behavior, neighborhoods
 from artgen.validate.behavior.model import room_model
+from artgen.validate.clients.registry import CLIENTS
+from artgen.validate.clients.run import run_clients
 from artgen.validate.hands import check_grasps
 from artgen.validate.room import motions_at_rest, overlaps
 from artgen.view.camera import camera_of
@@ -355,6 +357,12 @@ def test_a_single_door_in_a_corner_has_its_hinges_there() -> None:
     here = Furnisher("kitchen", 1, 0, size, ((3.0, 4.0), (2.0, 3.0)), "low")
     for wall, at, hand in (("back", 0.05, "left"), ("back", 2.5, "right"), ("left", 1.9, "right")):
         assert here.hang(wall, at, 0.45).asset.parameters["hand"] == hand
+
+
+def test_a_client_reads_a_room_with_its_free_bodies(loose: Asset, tmp_path: Path) -> None:
+    folder = loose.export(tmp_path / "room", formats=("mjcf",), textures=0)
+    (outcome,) = run_clients(folder, [CLIENTS["mujoco"]], by_name=True)
+    assert (outcome.state, outcome.findings) == ("passed", ())
 
 
 def test_each_asset_of_a_room_is_written_alone_with_its_place(loose: Asset, tmp_path: Path) -> None:

@@ -115,6 +115,28 @@ def test_a_joint_that_stays_blocked_is_not_said_to_be_driven(driver):
     assert driver("driver_motion").drive_all(slide, request)["moved"] == {}
 
 
+@pytest.mark.parametrize(("drift", "told"), [(0.0, []), (0.1, ["mill", "slide"])])
+def test_a_room_is_watched_at_rest(driver, drift, told):
+    motion = driver("driver_motion")
+
+    class Room(motion.Simulation):
+        def step(self, count):
+            self.now = getattr(self, "now", 0.0) + count * self.time_step
+
+        def positions(self):
+            return np.array([drift * self.now])
+
+        def frames(self):
+            frame = np.eye(4)
+            frame[0, 3] = drift * self.now
+            return {"mill": frame}
+
+    request = {"joints": [joint("slide", (0.0, 0.3))], "free_links": ["mill"], "rest": [1.0, 3.0, 0.05, 0.1]}
+    answer = motion.drive_all(Room({"slide": 0}, {"slide": 0}), request)
+    assert [each.partition(" ")[0] for each in answer["said"]] == told
+    assert answer["steps"] == 2000
+
+
 def test_a_coupled_joint_that_leaves_its_leader_is_told(driver):
     poses = [{"turn": turn, "rise": 0.1 * turn - 0.2} for turn in (0.0, 1.0, 3.0)]
     joints = [{"name": "turn", "follows": None}, {"name": "rise", "follows": "turn"}]

@@ -15,12 +15,13 @@ from artgen._arrays import Array, cached_property
 from artgen.asset import Asset, AssetJoint
 from artgen.asset.affordance import head
 from artgen.asset.files import ASSET_FILE, main_files
-from artgen.asset.joint import DYNAMICS
+from artgen.asset.joint import DYNAMICS, joints_above
 from artgen.asset.report import Finding
 from artgen.errors import ExportError
 from artgen.validate.clients.registry import Client
 from artgen.validate.readback.compare import Comparison, Expected
 from artgen.validate.readback.reading import UNLIMITED, Inertial, Reading, ReadJoint, Stated
+from artgen.validate.room import MOST_SHARE, MOST_WAY, SETTLE_TIME, WATCH_TIME
 
 _POSES = 4  # number of random poses, in addition to the rest pose
 
@@ -66,7 +67,21 @@ class ClientExport:
             "links": [link.name for link in self.asset.links],
             "joints": [self._joint(joint) for joint in self.asset.joints if not joint.locked],
             "poses": self.poses(),
+            "free_links": self.free_links(client),
+            "rest": [SETTLE_TIME, WATCH_TIME, MOST_WAY, MOST_SHARE] if self.asset.placed else [],
         }
+
+    def free_links(self, client: Client) -> list[str]:
+        """Return the links of free bodies, which stay in their place while joints of the room are posed.
+
+        A URDF has none: it fixes them.
+        """
+        asset = self.asset
+        return [
+            link.name
+            for link in (asset.links if client.format != "urdf" else ())
+            if any(joint.child in asset.loose for joint in joints_above(asset.joints, link.name))
+        ]
 
     def _joint(self, joint: AssetJoint) -> dict[str, Any]:
         return {
@@ -148,7 +163,7 @@ def _missing(client: Client, exported: ClientExport, answer: Mapping[str, Any]) 
             if lost:
                 where = {part.removesuffix("s"): name}
                 yield Finding(client.name, f"its answer lacks {', '.join(lost)}", **where)
-    if "moved" in client.reports and "moved" in answer:
+    if "moved" in client.reports and "moved" in answer and not exported.asset.placed:  # rooms are at rest
         for joint in exported.asset.free_joints:
             if joint.name not in answer["moved"] and not exported.is_blocked(joint):
                 yield Finding(client.name, "it was not driven in simulation", joint=joint.name)
@@ -170,7 +185,8 @@ def _reading(
         lambda _: {name: _array(frame, 4, 4) for name, frame in next(poses).items()},
         parts=parts,
         partial=True,
-        misplaced=moved_by_several(asset) if client.misplaces else frozenset(),
+        misplaced=(moved_by_several(asset) if client.misplaces else frozenset())
+        | frozenset(exported.free_links(client)),
         inertials={
             name: Inertial(
                 float(read["mass"]),

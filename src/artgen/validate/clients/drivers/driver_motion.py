@@ -15,6 +15,7 @@ _NEAR = 0.02  # tolerance at the end, as a share of the range
 _FIRM = 2.0  # factor of the force that holds a joint at its end
 _FREED = 0.5  # share of the range beyond which a joint is not blocked any more
 _SETTLE = 1.0  # time before anything is driven [s]
+_LOOK = 0.1  # interval between two looks at a room at rest [s]
 _FOLLOWED = 0.01  # largest lag of a coupled joint, as a share of the range
 
 
@@ -58,6 +59,33 @@ class Simulation:
             found.append(in_base(self.frames(), request["links"]))
         return found
 
+    def unrest(self, request: dict[str, Any]) -> list[str]:
+        """Return messages about free bodies and joints that move by themselves after a room settled."""
+        settle, watch, way, share = request["rest"]
+        self.advance(settle)
+        start, places = self.positions(), self._free_places(request)
+        moved, gone = 0.0 * np.asarray(start), 0.0 * places
+        for _ in range(round(watch / _LOOK)):
+            self.advance(_LOOK)
+            moved = np.maximum(moved, np.abs(self.positions() - start))
+            gone = np.maximum(gone, np.abs(self._free_places(request) - places))
+        said = [
+            f"{name} moves by {1e3 * most:.3g} mm by itself"
+            for name, most in zip(request["free_links"], gone.max(axis=1), strict=True)
+            if not most <= way
+        ]
+        for joint in request["joints"]:
+            low, high = joint["limits"] or (-np.pi, np.pi)
+            name = joint["name"]
+            if name in self.places and not (most := moved[self.places[name]]) <= share * (high - low):
+                said.append(f"{name} moves by {most:.4g} by itself")
+        return said
+
+    def _free_places(self, request: dict[str, Any]) -> Any:
+        """Return the positions of the links of free bodies, shape (n, 3) [m]."""
+        frames = self.frames()
+        return np.array([frames[name][:3, 3] for name in request["free_links"]]).reshape(-1, 3)
+
 
 def pose_and_drive(simulation: Simulation, request: dict[str, Any]) -> dict[str, Any]:
     """Return the poses and the motion for a response; the motion starts at the first pose."""
@@ -67,7 +95,13 @@ def pose_and_drive(simulation: Simulation, request: dict[str, Any]) -> dict[str,
 
 
 def drive_all(simulation: Simulation, request: dict[str, Any]) -> dict[str, Any]:
-    """Drive each free joint to both ends, blocked joints last, and return the motion for a response."""
+    """Drive each free joint to both ends, blocked joints last, and return the motion for a response.
+
+    A room is watched at rest instead: each of its assets is driven alone.
+    """
+    if request.get("rest"):
+        said = simulation.unrest(request)
+        return {"moved": {}, "steps": simulation.steps, "finite": simulation.finite, "said": said}
     simulation.advance(_SETTLE)
     joints = [joint for joint in request["joints"] if joint["follows"] is None]
     moved: dict[str, list[float]] = {}

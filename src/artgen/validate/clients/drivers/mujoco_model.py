@@ -101,7 +101,7 @@ class Model:
         """Return poses, motion and warnings for a response."""
         simulation = _Simulation(self)
         motion = pose_and_drive(simulation, request)
-        return {**motion, "said": warnings_of(simulation.data)}
+        return {**motion, "said": [*motion.get("said", ()), *warnings_of(simulation.data)]}
 
 
 class _Simulation(Simulation):

@@ -47,20 +47,32 @@ def _physics() -> Any:
 
 
 class _Simulation(Simulation):
-    """The articulation of one asset, posed and simulated."""
+    """The articulation of one asset, posed and simulated; in a room also those of its free bodies."""
 
     def __init__(self, physics: Any, request: dict[str, Any]) -> None:
         self._physics, self._request = physics, request
-        self._bindings: dict[str, Any] = {}
+        self._bindings: dict[str, list[Any]] = {}
         self._track: list[Any] = []
-        position = self._binding("DOF_POSITION")
-        if position.count != 1:
-            raise RuntimeError(f"PhysX finds {position.count} articulations in the file, not one")
-        if position.is_fixed_base != (request["base"] == "fixed"):
-            raise RuntimeError(f"PhysX reads the base as {'fixed' if position.is_fixed_base else 'free'}")
-        degrees = {name: number for number, name in enumerate(position.dof_names)}  # breadth first
+        free = set(request["free_links"])
+        everything = self._bound("/**", "ARTICULATION_DOF_POSITION")
+        # bodies come breadth first; those of the asset itself are the first ones
+        self._paths = sorted(everything.prim_paths, key=lambda path: path.rpartition("/")[2] in free)
+        everything.destroy()
+        found = self._binding("DOF_POSITION")
+        count = sum(not free.intersection(each.body_names) for each in found)
+        if count != 1:
+            raise RuntimeError(f"PhysX finds {count} articulations in the file, not one")
+        fixed = [each.is_fixed_base for each in found]
+        if fixed[0] != (request["base"] == "fixed") or any(fixed[1:]):
+            raise RuntimeError(f"PhysX reads the bases as {['fixed' if each else 'free' for each in fixed]}")
+        degrees = {name: number for number, name in enumerate(n for each in found for n in each.dof_names)}
         super().__init__(degrees, degrees)
-        self._bodies = {name: number for number, name in enumerate(position.body_names)}
+        self._bodies = {
+            name: number for number, name in enumerate(n for each in found for n in each.body_names)
+        }
+        self._single = {
+            name: self._bound(f"/**/{name}", "RIGID_BODY_POSE") for name in free - set(self._bodies)
+        }
 
     def answer(self) -> dict[str, Any]:
         """Read everything, pose it, then simulate it."""
@@ -70,34 +82,46 @@ class _Simulation(Simulation):
         if self._request["base"] == "free":  # while driven it would fall, beyond single precision
             self._make_weightless()
         motion = drive_all(self, self._request)
+        said = motion.pop("said", [])
         track = np.array(self._track)  # PhysX does not report its couplings
-        said = lags(self._request, {name: track[:, number] for name, number in self.degrees.items()})
-        said += self._unreturned(start)
-        for binding in self._bindings.values():
+        said += lags(self._request, {name: track[:, number] for name, number in self.degrees.items()})
+        said += [] if self._request["rest"] else self._unreturned(start)
+        for binding in [*(each for row in self._bindings.values() for each in row), *self._single.values()]:
             binding.destroy()
         return {**answer, **motion, "steps": self.steps, "finite": self.finite, "said": said}
 
-    def _binding(self, quantity: str) -> Any:
+    def _bound(self, pattern: str, quantity: str) -> Any:
+        return self._physics.create_tensor_binding(pattern=pattern, tensor_type=TensorType[quantity])
+
+    def _binding(self, quantity: str) -> list[Any]:
+        """Return the bindings of a quantity, one for each articulation."""
         if quantity not in self._bindings:
-            self._bindings[quantity] = self._physics.create_tensor_binding(
-                pattern="/**", tensor_type=TensorType[f"ARTICULATION_{quantity}"]
-            )
+            self._bindings[quantity] = [self._bound(path, f"ARTICULATION_{quantity}") for path in self._paths]
         return self._bindings[quantity]
 
     def _read(self, quantity: str) -> Any:
-        binding = self._binding(quantity)
-        values = np.zeros(binding.shape, np.float32)
-        binding.read(values)
-        return values[0].astype(float)
+        return np.concatenate([_values(binding)[0] for binding in self._binding(quantity)])
 
     def _write(self, quantity: str, values: Any) -> None:
-        self._binding(quantity).write(np.ascontiguousarray(values[None], np.float32))
+        at = 0
+        for binding in self._binding(quantity):
+            some = values[at : at + binding.shape[1]]
+            binding.write(np.ascontiguousarray(some[None], np.float32))
+            at += binding.shape[1]
 
     def _links(self) -> dict[str, Any]:
         values = (self._read(f"BODY_{name}") for name in ("MASS", "COM_POSE", "INERTIA"))
+        found = list(zip(self._bodies, *values, strict=True))
+        for name in self._single:
+            single = [
+                self._bound(f"/**/{name}", f"RIGID_BODY_{each}") for each in ("MASS", "COM_POSE", "INERTIA")
+            ]
+            found.append((name, *(_values(binding)[0] for binding in single)))
+            for binding in single:
+                binding.destroy()
         return {
             name: mass_properties(mass, pose[:3], inertia.reshape(3, 3))
-            for name, mass, pose, inertia in zip(self._bodies, *values, strict=True)
+            for name, mass, pose, inertia in found
             if name in self._request["links"]
         }
 
@@ -132,7 +156,9 @@ class _Simulation(Simulation):
 
     def frames(self) -> dict[str, Any]:
         poses = self._read("LINK_POSE")
-        return {name: frame_of(poses[number]) for name, number in self._bodies.items()}
+        singles = {name: _values(binding)[0] for name, binding in self._single.items()}
+        bodies = {name: poses[number] for name, number in self._bodies.items()}
+        return {name: frame_of(pose) for name, pose in (bodies | singles).items()}
 
     def positions(self) -> Any:
         return self._read("DOF_POSITION")
@@ -151,8 +177,8 @@ class _Simulation(Simulation):
         self._track.append(self.positions())
 
     def _make_weightless(self) -> None:
-        weightless = self._binding("BODY_DISABLE_GRAVITY")
-        weightless.write(np.ones(weightless.shape, np.uint8))
+        for weightless in self._binding("BODY_DISABLE_GRAVITY"):
+            weightless.write(np.ones(weightless.shape, np.uint8))
 
     def _unreturned(self, start: Any) -> list[str]:
         """Return springs that do not return their joints although they exceed friction."""
@@ -179,6 +205,13 @@ class _Simulation(Simulation):
             if pull > 2.0 * joint["friction"] and not away <= _RETURNED * span:
                 said.append(f"the spring of {name} leaves it {away:.4g} away from its rest position")
         return said
+
+
+def _values(binding: Any) -> Any:
+    """Return the values of a binding; the first axis is that of its prims."""
+    values = np.zeros(binding.shape, np.float32)
+    binding.read(values)
+    return values.astype(float)
 
 
 if __name__ == "__main__":
