@@ -107,6 +107,19 @@ def test_an_opening_is_cut_to_the_size_of_its_window() -> None:
     assert asset.joints["window_place"].locked
 
 
+@pytest.mark.parametrize(("turn", "inside"), [(0.0, False), (math.pi, True)])
+def test_a_window_is_turned_with_its_handles_into_the_room(turn: float, *, inside: bool) -> None:
+    room = Scene("view", seed=2, width=2.4, depth=2.0, detail="low")
+    sliding = {"style": "sliding", "layout": "pair", "shutters": "none", "width": 0.9, "height": 0.85}
+    window = room.inset("back", "window", at=0.5, z=0.9, turn=turn, **sliding)
+    left, right = window.bounds[:, 0]
+    assert left == pytest.approx(-0.7, abs=1e-6)
+    assert right - left == pytest.approx(np.ptp(window.asset.bounds()[:, 0]), abs=1e-6)
+    ways = [(window.pose @ each.frame)[1, 2] for each in window.asset.affordances if each.kind == "grasp"]
+    assert max(np.abs(ways)) > 0.9  # hands come along the depth of the wall
+    assert all(way > -1e-6 if inside else way < 1e-6 for way in ways)
+
+
 def test_solids_that_overlap_in_a_state_are_found(corner: Asset) -> None:
     assert not list(overlaps(corner, 50))
     free = replace(corner, joints=ByName(replace(joint, needs=None) for joint in corner.joints))

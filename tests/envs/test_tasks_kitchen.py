@@ -7,11 +7,13 @@ import numpy as np
 import pytest
 
 from artgen.asset import Asset
+from artgen.asset.affordance import GRIPPER
 from artgen.asset.manifolds import mesh_of
+from artgen.colliders.polytope import Polytope
 from artgen.envs import KITCHEN_TASKS, ManipulationEnv
 from artgen.envs.placing import Obstacles
 from artgen.envs.policy import ScriptedPolicy
-from artgen.envs.reach import hand_joints, stands
+from artgen.envs.reach import _across, _leaning, hand_joints, stands
 from artgen.envs.robot import BALL_JOINTS, BALL_PLACES, BALL_RADII, frames
 from artgen.errors import EnvError
 from artgen.export.frames import apart
@@ -82,6 +84,23 @@ def test_every_joint_that_a_hand_moves_has_a_stand_or_a_reason(kitchen: Asset) -
     assert sum(each.base is not None for each in found) >= len(found) / 2
     slide = next(each for each in found if each.joint == "drawer_drawer_slide_2")
     assert slide.way == 1.0
+
+
+def test_grasps_across_a_plate_close_on_its_thickness_from_its_edges() -> None:
+    half = np.array([0.1, 0.08, 0.005])
+    poses, openings = _across([Polytope.box(-half, half)])
+    assert len(poses) >= 4
+    assert openings == pytest.approx(GRIPPER.opening(0.01))
+    assert np.abs(poses[:, 2, 0]) == pytest.approx(1.0)
+    assert (np.abs(poses[:, :3, 3]) < half).all()
+    assert ((poses[:, :3, 2] * poses[:, :3, 3]).sum(axis=1) < 0.0).all()
+
+
+def test_a_leaning_finger_keeps_its_end() -> None:
+    tips = _leaning(np.eye(4))
+    ends = tips[:, :3, 3] + GRIPPER.tip * tips[:, :3, 2]
+    assert ends == pytest.approx(np.tile([0.0, 0.0, GRIPPER.tip], (len(tips), 1)))
+    assert tips[:, 2, 2].min() == pytest.approx(0.5)
 
 
 def test_a_room_without_the_part_is_refused() -> None:

@@ -16,9 +16,10 @@ import numpy as np
 
 from artgen._arrays import Array, FrozenArrays, Indices, Mask
 from artgen.asset import Asset, AssetCondition, AssetCoupling, AssetJoint
-from artgen.asset.affordance import GRIPPER, Affordance
+from artgen.asset.affordance import GRIPPER, Affordance, held
 from artgen.asset.record import json_text
-from artgen.envs.motion import BACK, contact_of, lifted, rotation_vector
+from artgen.colliders.polytope import Polytope
+from artgen.envs.motion import BACK, contact_of, lifted, rotation_vector, turned
 from artgen.envs.placing import HAND_BOX, JUMP, MISS, ease, orientations, starts
 from artgen.envs.robot import BALL_JOINTS, BALL_PLACES, BALL_RADII, frames, reach
 from artgen.export.files import replaced
@@ -37,6 +38,15 @@ _PATHS = 16  # orientations of hands that are tried
 _PUSHES, _BETWEEN = 6, 0.06  # points at which a finger pushes a part, and the distance between two [m]
 _FACE = 0.003  # least half width of a face that a finger pushes [m]
 _EDGE = 0.75  # share of the way from its middle to its corners
+_CANDIDATES = 120  # places of grasps that are looked at
+_ROLLS = np.radians([30.0, 60.0, 90.0, 120.0, 150.0])  # of a hand about its approach, for round parts [rad]
+_GRASPS, _BESIDE = 8, 0.03  # grasps across two faces that are tried, and the distance between two [m]
+_INSIDE = 0.010  # from an edge of a face to the middle of the pads [m]
+_CELL, _COARSE = 0.02, 0.6  # grasps nearer than this count as one: [m], and of unit vectors
+_OPPOSITE = 0.9  # least cosine between a face and the reverse of the one across
+_THIN = 0.0015  # least thickness between the fingers [m]
+_LEANS = np.radians([20.0, 40.0, 60.0])  # of a pushing finger [rad]
+_TURNS = np.radians(np.arange(0.0, 360.0, 30.0))  # of its lean and of the hand about it [rad]
 _FACING = 0.8  # least cosine between a push on a face and its motion
 _OUT = 0.003  # distance before a face at which the part ends [m]
 _EASE = 0.05  # least distance from singular postures and from limits
@@ -77,7 +87,8 @@ class Stand(FrozenArrays):
     Attributes:
         joint: Name of the joint.
         hold: Name of the grasp or push by which the hand moves it, or of its link with `_push` where a finger
-            pushes a face of the part at `tip`; empty if there is no place.
+            pushes a face of the part at `tip`, or with `_hold` where the hand grasps it across two faces at
+            `tip`; empty if there is no place.
         link: Name of the link that the hand touches.
         way: Share of the way of the joint that the hand has followed at the end of this stand and of those in
             `then`, 0-1.
@@ -312,9 +323,11 @@ class _Search:
         while done < last and len(found) < _STANDS:
             best = self._farthest(holds, done)
             if best is None or best[0] < last:  # fingers push where no hand holds the part
-                best = max(
-                    best, self._farthest(self._pushes(done), done), key=lambda each: each[0] if each else 0
-                )
+                pushed = self._farthest(self._pushes(done), done)
+                best = max(best, pushed, key=lambda each: each[0] if each else 0)
+            if best is None or (best[0] < last and not self._stays(best[1].start or {}, best[0])):
+                grasped = self._farthest(self._grasps(done), done)
+                best = max(best, grasped, key=lambda each: each[0] if each else 0)
             if best is None or (best[0] < last and best[0] - done < _GAIN * last):
                 break
             done = best[0]
@@ -413,6 +426,51 @@ class _Search:
         holds = (self._oriented(push, start, first) for *_, push in chosen)
         return [hold for hold, struck in holds if not struck]
 
+    def _grasps(self, first: int) -> list[_Hold]:
+        """Return grasps across two opposite faces of the part that the hand can reach in a state."""
+        start = positions_to_move(self.asset, self.joint.name, {})
+        if start is None:
+            return []
+        state, names = self._states(start)[first], [each.name for each in self.asset.links]
+        found: list[tuple[int, Affordance]] = []
+        for name in dict.fromkeys(each.link for each in self.hands):
+            number = names.index(name)
+            pieces = [each.convex.faces for each in self.asset.links[number].colliders]
+            frames_of, widths = _across(pieces)
+            some = np.sort(self.rng.permutation(len(frames_of))[:_CANDIDATES])
+            frames_of, widths = frames_of[some], widths[some]
+            given = [each for each in self.hands if each.kind == "grasp" and each.link == name]
+            rolled = [turned(each.frame, 2, angle) for each in given for angle in _ROLLS]
+            frames_of = np.array([*rolled, *frames_of]).reshape(-1, 4, 4)
+            widths = np.array([*(each.width for each in given for _ in _ROLLS), *widths])
+            if not len(frames_of):
+                continue
+            solids = [each.convex.manifold() for each in self.asset.links[number].colliders]
+            poses = state.pose[name] @ frames_of
+            near = state.within(poses[:, :3, 3].min(axis=0) - _NEAR, poses[:, :3, 3].max(axis=0) + _NEAR)
+            for frame, width, pose in zip(frames_of, widths, poses, strict=True):
+                around = near.within(pose[:3, 3] - _NEAR, pose[:3, 3] + _NEAR)
+                between = held(solids, frame)
+                if between is None or between[1] - between[0] < _THIN:
+                    continue
+                hand = Affordance(f"{name}_hold", "grasp", name, frame, float(width), (self.joint.name,))
+                tips = state.pose[name] @ np.array(list(orientations(contact_of(hand))))
+                fits = self._unhindered(around, tips, float(width), -1)[0]
+                if fits.any():
+                    found.append((int(fits.sum()), hand))
+        found.sort(key=lambda each: -each[0])
+        chosen: list[Affordance] = []
+        for _, hand in found:
+            if len(chosen) < _GRASPS and all(
+                np.linalg.norm(hand.frame[:3, 3] - other.frame[:3, 3]) > _BESIDE
+                or abs(hand.frame[:3, 0] @ other.frame[:3, 0]) < _ALONG
+                or hand.frame[:3, 2] @ other.frame[:3, 2] < 0.0
+                for other in chosen
+            ):
+                chosen.append(hand)
+        holds = (self._oriented(hand, start, first, own=True) for hand in chosen)
+        return [hold for hold, struck in holds if not struck]
+
     def _hold(self, hand: Affordance) -> _Hold | None:
         """Return a hold with other joints open where it needs them; None if its hand strikes something."""
         opened: dict[str, AssetCondition] = {} if hand.when is None else {"": hand.when}
@@ -428,9 +486,36 @@ class _Search:
             opened[name] = where
         return None
 
-    def _oriented(self, hand: Affordance, start: dict[str, float], begin: int = 0) -> tuple[_Hold, str]:
-        """Return a hold in all orientations of its hand, and a link that is always in its way, if any."""
-        tips = np.array(list(orientations(contact_of(hand))))
+    def _oriented(
+        self, hand: Affordance, start: dict[str, float], begin: int = 0, *, own: bool = False
+    ) -> tuple[_Hold, str]:
+        """Return a hold in all orientations of its hand, and a link that is always in its way, if any.
+
+        `own` tells whether the open fingers must not touch their own link.
+        """
+        contact = contact_of(hand)
+        tips = np.array(list(orientations(contact)))
+        hold, struck = self._tried(hand, start, tips, begin, own=own, few=own)
+        if struck and hand.kind == "push":
+            hold, _ = self._tried(hand, start, _leaning(contact.frame), begin, few=True)
+            if (hold.free & hold.ready)[:, begin].any():
+                return hold, ""
+        return hold, struck
+
+    def _tried(
+        self,
+        hand: Affordance,
+        start: dict[str, float],
+        tips: Array,
+        begin: int,
+        *,
+        own: bool = False,
+        few: bool = False,
+    ) -> tuple[_Hold, str]:
+        """Return a hold with poses of the tip, and a link that is always in its way, if any.
+
+        `few` tells whether only poses with which a hand can begin are kept.
+        """
         states = self._states(start)
         link = [each.name for each in self.asset.links].index(hand.link)
         free, ready = np.ones((2, len(tips), len(states)), bool)
@@ -438,17 +523,23 @@ class _Search:
         for index, state in list(enumerate(states))[begin:]:
             poses = state.pose[hand.link] @ tips
             near = state.within(poses[:, :3, 3].min(axis=0) - _NEAR, poses[:, :3, 3].max(axis=0) + _NEAR)
-            held = max(hand.width - 2.0 * GRIPPER.clearance, 0.0)
-            free[:, index], struck = self._unhindered(near, poses, held, link)
+            closed = max(hand.width - 2.0 * GRIPPER.clearance, 0.0)
+            free[:, index], struck = self._unhindered(near, poses, closed, link)
             first = first or struck
+            if own and index == begin:
+                ready[:, begin] &= self._unhindered(near, poses, hand.width, -1)[0]
             for share in _BACKS:
                 back = poses.copy()
                 back[:, :3, 3] -= share * BACK * poses[:, :3, 2]
-                fits, struck = self._unhindered(near, back, hand.width, link)
+                fits, struck = self._unhindered(near, back, hand.width, -1 if own else link)
                 ready[:, index] &= fits
                 first = first or struck
-            if not (free & ready)[:, begin].any():
-                break  # a hand cannot begin
+            if index == begin:
+                fits = (free & ready)[:, begin]
+                if not fits.any():
+                    break  # a hand cannot begin
+                if few:
+                    tips, free, ready = tips[fits], free[fits], ready[fits]
         hold = _Hold(hand, start, states, tips, free, ready)
         return hold, "" if (free & ready)[:, begin].any() else first
 
@@ -581,6 +672,67 @@ class _Search:
         free = near.clear(balls, np.tile(_RADII, len(some)))
         good[some] = free.reshape(len(some), len(_RADII)).all(axis=1)
         return np.asarray(good)
+
+
+def _across(pieces: Sequence[Polytope]) -> tuple[Array, Array]:
+    """Return frames of grasps across two faces of pieces, shape (n, 4, 4), and openings, shape (n,) [m]."""
+    result, openings = [], []
+    for piece in pieces:
+        normals = piece.planes[:, :3]
+        pairs = np.argwhere(np.triu(normals @ normals.T < -_OPPOSITE))
+        for one, other in pairs:
+            normal = normals[one] - normals[other]
+            normal /= np.linalg.norm(normal)
+            along = piece.points @ normal
+            thick = float(along.max() - along.min())
+            width = GRIPPER.opening(thick)
+            corners = piece.points[piece.contact[:, one]]
+            if thick <= _THIN or width > GRIPPER.stroke or len(corners) < 3:
+                continue
+            corners = corners + (along.max() - corners @ normal)[:, None] * normal
+            middle = corners.mean(axis=0)
+            side = corners[np.linalg.norm(corners - middle, axis=1).argmax()] - middle
+            side /= max(float(np.linalg.norm(side)), 1e-9)
+            across = np.cross(normal, side)
+            flat = corners - middle
+            corners = corners[np.argsort(np.arctan2(flat @ across, flat @ side), kind="stable")]
+            for begin, end in zip(corners, np.roll(corners, -1, axis=0), strict=True):
+                out = np.cross(end - begin, normal)
+                length = float(np.linalg.norm(out))
+                if length < _THIN:
+                    continue
+                out /= length
+                deep = min(_INSIDE, float((begin - middle) @ out))
+                end_share = 2.0 * _INSIDE / length
+                for share in (0.5, end_share, 1.0 - end_share)[: 3 if end_share < 0.5 else 1]:
+                    frame = np.eye(4)
+                    frame[:3, 0], frame[:3, 1], frame[:3, 2] = normal, np.cross(-out, normal), -out
+                    point = begin + share * (end - begin) - deep * out - 0.5 * thick * normal
+                    frame[:3, 3] = point
+                    result.append(frame)
+                    openings.append(width)
+    if not result:
+        return np.zeros((0, 4, 4)), np.zeros(0)
+    frames_of = np.array(result)
+    rough = np.concatenate(
+        [frames_of[:, :3, 3] / _CELL, frames_of[:, :3, 2] / _COARSE, frames_of[:, :3, 0] / _COARSE], axis=1
+    )
+    rough[:, 6:] = np.abs(rough[:, 6:])
+    some = np.sort(np.unique(rough.round(), axis=0, return_index=True)[1])
+    return frames_of[some], np.array(openings)[some]
+
+
+def _leaning(tip: Array) -> Array:
+    """Return poses of the tip of a finger that leans to all sides about its end, shape (n, 4, 4) [m]."""
+    end = np.eye(4)
+    end[2, 3] = GRIPPER.tip
+    result = []
+    for lean in (0.0, *_LEANS):
+        for side in _TURNS if lean else _TURNS[:1]:
+            axis = turned(np.eye(4), 2, side) @ turned(np.eye(4), 0, lean) @ turned(np.eye(4), 2, -side)
+            rolls = (turned(np.eye(4), 2, roll) for roll in _TURNS[: len(_TURNS) // 2])
+            result += [tip @ end @ axis @ roll @ np.linalg.inv(end) for roll in rolls]
+    return np.array(result)
 
 
 def _facing(point: Array, along: Array) -> Array:

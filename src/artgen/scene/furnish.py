@@ -1,5 +1,6 @@
 """What all rooms draw: size, floor, style of fronts, a door, units under a worktop with a sink, a hood."""
 
+import math
 from collections.abc import Callable
 from typing import Any
 
@@ -123,13 +124,13 @@ class Furnisher:
         return self.room.inset(wall, "door", at=at + 0.02, **usual | values)
 
     def window(self, wall: Wall, middle: float, *, z: float = 1.32, **values: Any) -> Placement:
-        """Set a window into a wall, its middle at a distance from the left end."""
+        """Set a window into a wall with its handles inside, its middle at a distance from the left end."""
         usual: dict[str, Any] = {
             "width": 0.9, "height": 0.85, "style": "sliding", "layout": "pair", "shutters": "none",
         }  # fmt: skip
         values = usual | values
         width = width_of(self.room.draw("window", **values))
-        return self.room.inset(wall, "window", at=middle - 0.5 * width, z=z, **values)
+        return self.room.inset(wall, "window", at=middle - 0.5 * width, z=z, turn=math.pi, **values)
 
     def board(
         self, label: str, wall: Wall | Line, x: Span, y: Span, z: Span, finish: Material | None = None

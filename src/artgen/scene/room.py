@@ -162,11 +162,13 @@ class Scene:
         overrides: dict[str, Any],
         *,
         inset: bool = False,
+        turn: float = 0.0,
     ) -> Placement:
         """Place an asset before a wall, or with the middle of its depth in the middle of the wall."""
         frame, length = self.frame(wall)
         name, asset = self._drawn(category, name, overrides)
-        low, high = asset.bounds()
+        spin = _turned(turn)
+        low, high = _moved_box(asset, spin)
         if (missing := at + high[0] - low[0] - length) > _SLACK:
             called = f"the {wall} wall" if isinstance(wall, str) else "a line"
             raise ParameterError(
@@ -175,7 +177,7 @@ class Scene:
             )
         out = (WALL - high[1] - low[1]) / 2.0 if inset else -GAP - high[1]
         pose = frame @ translation(np.array([at - low[0], out, max(z, STANDING) - low[2]]))
-        return self._keep(Placement(name, asset, pose))
+        return self._keep(Placement(name, asset, pose @ spin))
 
     def frame(self, wall: Wall | Line) -> tuple[Array, float]:
         """Return the frame of a wall or line, and its length [m].
@@ -323,13 +325,32 @@ class Scene:
         return self._keep(Placement(name, asset, pose))
 
     def inset(
-        self, wall: Wall, category: str, *, at: float, z: float = 0.0, name: str = "", **overrides: Any
+        self,
+        wall: Wall,
+        category: str,
+        *,
+        at: float,
+        z: float = 0.0,
+        turn: float = 0.0,
+        name: str = "",
+        **overrides: Any,
     ) -> Placement:
         """Place an asset in an opening of a wall that is cut to its size: a door or a window.
 
-        Its front, on the outside of a door or window, faces the room. The arguments are those of `against`.
+        Args:
+            wall: The wall.
+            category: Category of the asset.
+            at: Distance of its left side from the left end of the wall, seen from the room [m].
+            z: Height of its bottom above the floor [m].
+            turn: Angle about its vertical axis: by 0 its front, on the outside of a door or window, faces the
+                room; by pi its back with the handles of a window [rad].
+            name: Name in the scene; by default the category and a number.
+            overrides: Parameters of the asset.
+
+        Raises:
+            ParameterError: The asset does not fit; the message has the length that is missing.
         """
-        placed = self._placed(wall, category, at, z, name, overrides, inset=True)
+        placed = self._placed(wall, category, at, z, name, overrides, inset=True, turn=turn)
         self._holes[wall] += _openings(placed)
         return placed
 

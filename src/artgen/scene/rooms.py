@@ -165,7 +165,7 @@ def _office(here: Furnisher) -> None:
     near, far = (0.95, 0.1) if flip else (0.05, 0.9)
     room.on(top, "lamp", at=near, deep=0.1, free=True, style=here.choice("mushroom", "table"))
     _box_on(here, top, far, 0.25)
-    room.on(top, "laptop", at=0.5, deep=0.8, free=True)
+    room.on(top, "laptop", at=0.5, deep=0.97, free=True)  # a hand opens it before the edge
     room.on(top, "bottle", at=0.75 if flip else 0.2, deep=0.3, free=True, style=here.choice("screw", "flip"))
     here.window("back", start + desk / 2.0, z=1.2, width=1.2, height=1.0)
     tall = {
