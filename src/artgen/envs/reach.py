@@ -676,7 +676,8 @@ class _Search:
 
 def _across(pieces: Sequence[Polytope]) -> tuple[Array, Array]:
     """Return frames of grasps across two faces of pieces, shape (n, 4, 4), and openings, shape (n,) [m]."""
-    result, openings = [], []
+    result: list[Array] = []
+    openings: list[float] = []
     for piece in pieces:
         normals = piece.planes[:, :3]
         pairs = np.argwhere(np.triu(normals @ normals.T < -_OPPOSITE))
@@ -726,7 +727,7 @@ def _leaning(tip: Array) -> Array:
     """Return poses of the tip of a finger that leans to all sides about its end, shape (n, 4, 4) [m]."""
     end = np.eye(4)
     end[2, 3] = GRIPPER.tip
-    result = []
+    result: list[Array] = []
     for lean in (0.0, *_LEANS):
         for side in _TURNS if lean else _TURNS[:1]:
             axis = turned(np.eye(4), 2, side) @ turned(np.eye(4), 0, lean) @ turned(np.eye(4), 2, -side)
