@@ -27,6 +27,7 @@ from artgen import (
     uniform,
 )
 from artgen.asset import Asset
+from artgen.scene import Scene
 from artgen.view import page, page_of
 from artgen.view.viewer import exploded, viewer_data
 from support.browser import Browser, Tab, started
@@ -293,6 +294,32 @@ def test_dragging_turns_the_camera_and_reset_brings_it_back(tab: Tab) -> None:
     assert tab.page.is_hidden("#tip")
     tab.page.click("#home")
     assert changed(before, stage(tab)) < 0.0001
+
+
+def test_keys_walk_through_a_room_at_eye_height(browser: Browser, tmp_path: Path) -> None:
+    room = Scene("room", seed=1, width=3.0, depth=2.4, detail="low")
+    room.run("back", "drawer", at=0.4)
+    path = room.build().show(textures=0).save(tmp_path / "room.html")
+    with browser.tab(640, 420, offline=True) as tab:
+        page = ready(tab.open(path)).page
+        eye = "[...artgen.studio.camera.position.toArray(), artgen.studio.camera.fov]"
+        outside = np.array(page.evaluate(eye))
+        way = []
+        for key in ("ArrowRight", "w", "a", "s", "d"):
+            page.keyboard.press(key)
+            way.append(page.evaluate(eye))
+        steps = np.diff(way, axis=0)
+        assert np.allclose(np.linalg.norm(steps, axis=1), 0.12, atol=1e-6)
+        assert np.allclose(steps[:2] + steps[2:], 0.0, atol=1e-6)  # back by the same way
+        assert abs(steps[0] @ steps[1]) < 1e-6
+        floor = page.evaluate("artgen.orbit.box.min.y")
+        assert np.allclose(np.array(way)[:, 1], floor + 1.6, atol=1e-6)
+        for _ in range(40):
+            page.keyboard.press("w")
+        assert page.evaluate("artgen.orbit.box.containsPoint(artgen.orbit.target)")
+        page.click("#home")
+        assert np.allclose(page.evaluate(eye), outside, atol=1e-6)
+        assert tab.problems == []
 
 
 def test_the_panel_tells_of_parameters_and_masses(tab: Tab, asset: Asset) -> None:

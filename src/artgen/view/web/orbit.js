@@ -1,6 +1,17 @@
 // The camera: dragging turns it about the asset, the right button or Shift pans it, the wheel changes its distance.
+// In a room, W A S D and the arrow keys walk at eye height; dragging looks around then.
 
 const STEEPEST = 1.55; // largest elevation above or below the horizon [rad]
+const EYES = 1.6; // height of the camera above the floor while walking [m]
+const PACE = 0.12; // way per press or repetition of a key [m]
+const LOOK = 0.08; // angle per press or repetition of a key [rad]
+const ROOM = 1.9; // smallest width, depth and height of a room [m]
+const [OUTSIDE_FOV, WALKING_FOV] = [28, 60]; // field of view from outside, and while walking [degrees]
+// by key: steps forward, steps to the right, turns to the right
+const STEPS = {
+  KeyW: [1, 0, 0], KeyS: [-1, 0, 0], KeyA: [0, -1, 0], KeyD: [0, 1, 0],
+  ArrowUp: [1, 0, 0], ArrowDown: [-1, 0, 0], ArrowLeft: [0, 0, -1], ArrowRight: [0, 0, 1],
+};
 
 class Orbit {
   /** Sets the first view of a studio: azimuth and elevation [rad], and the corners of the visible box. */
@@ -15,14 +26,20 @@ class Orbit {
     }
     canvas.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
     canvas.addEventListener("contextmenu", (event) => event.preventDefault());
+    this.box = new THREE.Box3().setFromPoints(corners);
+    if (Math.min(...this.box.getSize(new THREE.Vector3()).toArray()) > ROOM) {
+      canvas.title = "W A S D and arrow keys: walk";
+      window.addEventListener("keydown", (event) => this.walk(event));
+    }
     this.reset();
   }
 
   /** Returns to the first view, at the smallest distance that shows the whole box. */
   reset() {
     const { azimuth, elevation, corners } = this.home;
-    Object.assign(this, { azimuth, elevation });
-    this.target = new THREE.Box3().setFromPoints(corners).getCenter(new THREE.Vector3());
+    Object.assign(this, { azimuth, elevation, walking: false });
+    this.see(OUTSIDE_FOV);
+    this.target = this.box.getCenter(new THREE.Vector3());
     const { right, up, back } = this.axes();
     const tall = Math.tan(THREE.MathUtils.degToRad(this.studio.camera.fov / 2));
     const wide = tall * this.studio.camera.aspect;
@@ -31,6 +48,29 @@ class Orbit {
       return offset.dot(back) + Math.max(Math.abs(offset.dot(right)) / wide, Math.abs(offset.dot(up)) / tall);
     });
     this.distance = Math.max(...needed) * 1.08;
+    this.apply();
+  }
+
+  see(fov) {
+    this.studio.camera.fov = fov;
+    this.studio.camera.updateProjectionMatrix();
+  }
+
+  /** Walks by a key; the first key puts the camera into the middle of the room, at eye height. */
+  walk(event) {
+    const step = STEPS[event.code];
+    if (!step || event.ctrlKey || event.metaKey || event.altKey || event.target.closest?.("input, select, textarea")) return;
+    event.preventDefault();
+    if (!this.walking) {
+      Object.assign(this, { walking: true, elevation: 0, distance: 0.01 });
+      this.target = this.box.getCenter(new THREE.Vector3()).setY(this.box.min.y + EYES);
+      this.see(WALKING_FOV);
+    }
+    const [forward, right, turn] = step;
+    this.azimuth -= turn * LOOK;
+    this.target.x += PACE * (right * Math.cos(this.azimuth) - forward * Math.sin(this.azimuth));
+    this.target.z -= PACE * (right * Math.sin(this.azimuth) + forward * Math.cos(this.azimuth));
+    this.box.clampPoint(this.target, this.target);
     this.apply();
   }
 
