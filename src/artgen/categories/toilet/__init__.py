@@ -12,6 +12,7 @@ plates on a wall are 246 by 164 mm (catalogs of concealed cisterns).
 """
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -33,6 +34,7 @@ Flush = Literal["lever", "button", "keys"]
 _HINGE_Z = 0.019  # height of the hinges above the rim [m]
 _OVERHANG = 0.024  # reach of the lid before the bowl, so that fingers come below it [m]
 _HOLE = 0.06  # distance of the openings of bowl and seat from the hinges [m]
+_BRIM = 0.055  # height of the upright part of the bowl below its rim [m]
 _EDGE = ((0.98, 1.0), (0.98, 1.0), (0.95, 0.975))  # shares of width and length of the rounded rim
 _TRAVEL = 0.006  # travel of a key [m]
 _DENSITY = {"coupled": 480.0, "one_piece": 330.0, "hung": 480.0}
@@ -71,6 +73,19 @@ class _Plan:
         """Make an outline of the bowl by its shares of the width and of the length."""
         tip, front = self.tip - _OVERHANG, self.length - _OVERHANG
         return self.outline(wide * self.half, wide * tip, long * front, back, rear)
+
+    def pan(
+        self,
+        shares: Sequence[tuple[float, float]],
+        heights: Sequence[ag.Scalar],
+        back: ag.Scalar,
+        rear: float,
+    ) -> ag.Solid:
+        """Make the outside of the bowl from its sections below the rounded rim, which is one convex piece."""
+        edge = [self.ring(*share, back, rear) for share in _EDGE]
+        brim = ag.hull(ag.loft(edge, [self.rim - _BRIM, self.rim - 0.011, self.rim]))
+        below = [*(self.ring(*share, back, rear) for share in shares), edge[0]]
+        return ag.loft(below, [*heights, self.rim - _BRIM]) | brim
 
     def hole(self, share: float, length: ag.Scalar, brim: float, steps: int) -> ag.Profile:
         """Make the outline of an opening that leaves a brim at the sides and at the front."""
@@ -143,9 +158,7 @@ def _bowl(plan: _Plan) -> ag.Body:
     match plan.style:
         case "coupled":
             end = plan.wall + plan.deep - 0.02
-            belly = [(0.58, 0.70), (0.88, 0.92), *_EDGE]
-            heights = [rim - 0.23, rim - 0.12, rim - 0.05, rim - 0.011, rim]
-            pan = ag.loft([plan.ring(*shares, 0.035, 0.86) for shares in belly], heights)
+            pan = plan.pan([(0.58, 0.70), (0.88, 0.92)], [rim - 0.23, rim - 0.12], 0.035, 0.86)
             foot = [
                 plan.ring(*shares, end - 0.05, 0.9) for shares in ((0.70, 0.68), (0.55, 0.58), (0.50, 0.55))
             ]
@@ -155,14 +168,13 @@ def _bowl(plan: _Plan) -> ag.Body:
             rest = [stem, ag.hull(shelf.box(bevel=0.012), under)]
         case "one_piece":
             end = plan.wall + plan.deep - 0.02
-            sides = [plan.ring(*shares, end, 0.95) for shares in ((0.86, 0.84), *_EDGE)]
-            pan, rest = ag.loft(sides, [0, rim - 0.06, rim - 0.011, rim]), []
+            pan, rest = plan.pan([(0.86, 0.84)], [0.0], end, 0.95), []
         case "hung":
-            sides = [plan.ring(*shares, end, 0.93) for shares in ((0.66, 0.70), (0.92, 0.95), *_EDGE)]
-            pan, rest = ag.loft(sides, [rim - 0.33, rim - 0.18, rim - 0.06, rim - 0.011, rim]), []
+            shares = [(0.66, 0.70), (0.92, 0.95)]
+            pan, rest = plan.pan(shares, [rim - 0.33, rim - 0.2], end, 0.93), []
     length = plan.length - _OVERHANG
-    bends = [plan.hole(share, length, 0.047, 16) for share in (0.42, 0.80, 1.0, 1.0)]
-    hollow = ag.loft(bends, [rim - 0.19, rim - 0.13, rim - 0.05, rim + 0.01])
+    bends = [plan.hole(share, length, 0.047, 16) for share in (0.42, 0.86, 1.0, 1.0)]
+    hollow = ag.loft(bends, [rim - 0.19, rim - 0.12, rim - _BRIM, rim + 0.01])
     pool = [plan.hole(share, length, 0.047, 24) for share in (0.42, 0.60)]
     china = plan.glaze.with_(name=f"{plan.glaze.name}_bowl", density=_DENSITY[plan.style])
     return ag.weld(
@@ -174,7 +186,8 @@ def _bowl(plan: _Plan) -> ag.Body:
 def _posts(plan: _Plan) -> ag.Body:
     """Make the two posts between the barrels of seat and lid."""
     barrel = ag.cylinder(0.009, 0.018, axis=ag.X, bevel=0.0008).at(0.0775, 0, plan.rim + _HINGE_Z)
-    post = barrel | ag.box(0.018, 0.016, _HINGE_Z + 0.001).align((0.0775, 0, plan.rim), z=-1)
+    foot = ag.box(0.018, 0.016, 0.006).align((0.0775, 0, plan.rim), z=-1)
+    post = ag.hull(barrel, foot)
     return ag.part([post, post.mirror(ag.X)], "hinge", plan.metal)
 
 
