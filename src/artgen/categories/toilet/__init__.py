@@ -291,4 +291,5 @@ def _plate(metal: ag.Material) -> Fitting:
         )
         hole = controls.button_hole(wide, 0.110)
         fixed = fixed.install(Fitting(_key(cap, metal).body, hole).suffixed(suffix).at(x))
-    return Fitting(fixed, ag.Region.centered(0.20, 0.0, 0.13).grow(back=deep + _TRAVEL + 0.004).box())
+    niche = ag.Region.centered(0.20, 0.0, 0.13).grow(front=0.001, back=deep + _TRAVEL + 0.004)
+    return Fitting(fixed, niche.box())
