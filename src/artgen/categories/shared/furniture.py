@@ -347,7 +347,7 @@ def _leg(style: LegStyle, tall: ag.Scalar) -> tuple[list[ag.Solid], list[ag.Soli
             bead = ag.cylinder(0.027, 0.010, bevel=0.004).at(z=tall - 0.017)
             return [ag.cylinder(0.021, tall).at(z=tall / 2)], [bun, bead]
         case "splayed":
-            lean = 0.18 * tall
+            lean = ag.min_(0.18 * tall, 0.050)  # tall ones stand out no farther than a top
             sole = ag.cylinder(0.011, 0.002, bevel=0.0008).at(-lean, -0.6 * lean, 0.001)
             return [ag.hull(sole, ag.cylinder(0.019, 0.002).at(z=tall - 0.001))], plate
         case _:
