@@ -200,11 +200,11 @@ class Furnisher:
     def hang(self, wall: Wall | Line, at: float, width: float) -> Placement:
         """Hang a wall unit."""
         size: dict[str, Any] = {"kind": "wall", "width": width, "height": 0.72, "depth": 0.33, "top": "flush"}
-        doors = {"swing": SWING, "doors": 2 if width > 0.6 else 1}
+        doors: dict[str, Any] = {"swing": SWING, "doors": 2 if width > 0.6 else 1}
         doors |= self._hinges(wall, at, width)
         return self.room.against(wall, "cabinet", at=at, z=1.45, **self.fronts | size | doors)
 
-    def _hinges(self, wall: Wall | Line, at: float, width: float) -> dict[str, str]:
+    def _hinges(self, wall: Wall | Line, at: float, width: float) -> dict[str, Any]:
         """Return the hinge side of a single door in a corner: its handle is away from the other wall."""
         ends = {"left": at, "right": self.room.frame(wall)[1] - at - width}
         corners = [side for side in ends if isinstance(wall, str) and side != wall]  # no front wall
