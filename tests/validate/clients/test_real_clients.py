@@ -47,15 +47,20 @@ def test_it_reads_what_is_exported_without_a_word(name, exports):
 
 
 @pytest.mark.parametrize("name", ["mujoco", "newton_mjcf", "newton_urdf"])
-def test_it_reads_the_turn_and_the_rise_of_a_screw(name, tmp_path):
+def test_it_reads_a_screw_and_a_dial_that_follows_it(name, tmp_path):
     post = artgen.part(artgen.box(0.02, 0.02, 0.2), "post", artgen.material("oak"))
     nut = artgen.part(artgen.box(0.05, 0.05, 0.01).at(z=0.107), "nut", artgen.material("brass"))
     feel = {"friction": 0.1, "armature": 1e-4, "effort": 3}
     turn = artgen.Screw("nut_turn", pitch=0.004, axis=artgen.Z, limits=(0, 9), **feel)
 
+    dial = artgen.part(
+        artgen.cylinder(0.008, 0.004, axis=artgen.Y).at(y=-0.0125), "dial", artgen.material("brass")
+    )
+    spin = artgen.Revolute("dial_turn", axis=artgen.Y, follows=0.5 * turn)
+
     @artgen.generator
     def vise():
-        return post.attach(nut, turn)
+        return post.attach(nut, turn).attach(dial, spin)
 
     asset = vise.generate(0, certify=False)
     exported = read_exported(asset.export(tmp_path / "vise", formats=("urdf", "mjcf"), textures=0))

@@ -139,12 +139,12 @@ def _joint(model: Any, degree: _Degree, form: str) -> dict[str, Any]:
 def _couplings(model: Any, degrees: dict[str, _Degree]) -> dict[str, Any]:
     """Return couplings: those of joints, or equalities of MuJoCo, which Newton stores separately.
 
-    An equality names a joint and one of its degrees of freedom, which a joint of several names has.
+    An equality names a joint, and the degree of freedom in the model if the joint has several.
     """
     names = {degree.speed: name for name, degree in degrees.items()}
     starts = model.joint_qd_start.numpy()
     mimics = zip(model.joint_mimic_joint.numpy(), model.joint_mimic_coeffs.numpy(), strict=True)
-    laws = [((number, 0), (leader, 0), terms) for number, (leader, terms) in enumerate(mimics)]
+    laws = [((number, -1), (leader, -1), terms) for number, (leader, terms) in enumerate(mimics)]
     first, first_dof, second, second_dof, terms = (
         getattr(model.mujoco, f"equality_constraint_{name}").numpy()
         for name in ("joint1", "joint1_dof", "joint2", "joint2_dof", "polycoef")
@@ -153,7 +153,9 @@ def _couplings(model: Any, degrees: dict[str, _Degree]) -> dict[str, Any]:
     found: dict[str, list[Any]] = {}
     for follower, leader, (offset, ratio, *_) in laws:
         if follower[0] >= 0 and leader[0] >= 0:
-            name, head = (names[int(starts[joint] + degree)] for joint, degree in (follower, leader))
+            name, head = (
+                names[int(starts[joint] if degree < 0 else degree)] for joint, degree in (follower, leader)
+            )
             shift = degrees[name].start - float(ratio) * degrees[head].start
             found[name] = [head, float(ratio), float(offset) + shift]
     return couplings_to_heads(found)
