@@ -8,7 +8,7 @@ const LOOK = 0.08; // angle per press or repetition of a key [rad]
 const ROOM = 1.9; // smallest width, depth and height of a room [m]
 const [OUTSIDE_FOV, WALKING_FOV] = [28, 60]; // field of view from outside, and while walking [degrees]
 // by key: steps forward, steps to the right, turns to the right
-const STEPS = {
+const KEYS = {
   KeyW: [1, 0, 0], KeyS: [-1, 0, 0], KeyA: [0, -1, 0], KeyD: [0, 1, 0],
   ArrowUp: [1, 0, 0], ArrowDown: [-1, 0, 0], ArrowLeft: [0, 0, -1], ArrowRight: [0, 0, 1],
 };
@@ -58,7 +58,7 @@ class Orbit {
 
   /** Walks by a key; the first key puts the camera into the middle of the room, at eye height. */
   walk(event) {
-    const step = STEPS[event.code];
+    const step = KEYS[event.code];
     if (!step || event.ctrlKey || event.metaKey || event.altKey || event.target.closest?.("input, select, textarea")) return;
     event.preventDefault();
     if (!this.walking) {
