@@ -39,7 +39,7 @@ class Orbit {
     const { azimuth, elevation, corners } = this.home;
     Object.assign(this, { azimuth, elevation, walking: false });
     this.see(OUTSIDE_FOV);
-    this.target = this.box.getCenter(new THREE.Vector3());
+    this.target = this.box.setFromPoints(corners).getCenter(new THREE.Vector3());
     const { right, up, back } = this.axes();
     const tall = Math.tan(THREE.MathUtils.degToRad(this.studio.camera.fov / 2));
     const wide = tall * this.studio.camera.aspect;
