@@ -6,7 +6,7 @@
 A keyword of the joint replaces the value of the preset: `feel=feel.RUNNER, friction=3.0`.
 """
 
-from artgen.nodes.joint import Feel, detents
+from artgen.nodes.joint import Feel, detents, soft_closing
 
 __all__ = [
     "CASTER",
@@ -21,6 +21,7 @@ __all__ = [
     "SWITCH",
     "Feel",
     "detents",
+    "soft_closing",
 ]
 
 SWITCH = Feel(damping=6.0, friction=0.1, armature=0.03, effort=12.0)

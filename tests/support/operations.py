@@ -15,7 +15,7 @@ from artgen.materials import Material, material
 from artgen.nodes.body import Array4x4, part
 from artgen.nodes.grasp_frames import frame
 from artgen.nodes.handles import Array3, ArrayN3, Float
-from artgen.nodes.joint import Revolute, detents
+from artgen.nodes.joint import Revolute, detents, soft_closing
 from artgen.nodes.path import line, spline
 from artgen.nodes.primitive import box
 from artgen.nodes.profile import circle, rectangle
@@ -50,6 +50,7 @@ BY_TYPE: dict[Any, Any] = {
     values.AssetCondition: LEADER > SIZE,
     values.AssetDependency: (LEADER > SIZE).until(0.25),
     values.AssetDetents: detents((0.0, SIZE), 0.25),
+    values.AssetSoftClosing: soft_closing(-0.25, preload=1.0, force=2.0, damping=SIZE),
 }
 """What an input of each type is given, unless `OVERRIDES` says otherwise."""
 
@@ -111,7 +112,7 @@ OVERRIDES: dict[str, dict[str, Any]] = {
     "cylinder_between": {"start": (0.0, 0.1, 0.0), "end": (SIZE, 0.4, 0.5), "radius": 0.2, "bevel": 0.01},
     "box_between": {"low": (0.0, 0.0, 0.0), "high": (SIZE, 0.4, 0.5), "bevel": 0.01},
     "cylinder": {"bevel": 0.01},
-    "joint": {"rest": -0.25, "limits": None, "follows": None},
+    "joint": {"rest": -0.25, "limits": None, "follows": None, "closing": None},
     "joint_above": {"joint": "leader"},
     "joint_below": {"joint": "leader"},
     "loop": {
@@ -140,6 +141,7 @@ OVERRIDES: dict[str, dict[str, Any]] = {
     "ring": {"outer": 0.4},
     "shell": {"thickness": 0.01},
     "slot": {"length": 0.5},
+    "soft_closing": {"preload": 0.1},
     "split": {"point": (0.0, 0.0, 0.0)},
     "spline": {"points": ((0.0, 0.0, 0.0), (SIZE, 0.0, 1.0), (1.0, 0.0, 0.0)), "closed": False},
     "suffix": {"suffix": "_left"},

@@ -9,6 +9,7 @@ from artgen.asset.joint import (
     AssetDependency,
     AssetDetents,
     AssetJoint,
+    AssetSoftClosing,
     rotation,
 )
 from artgen.asset.link import Collider, Link, Piece, Surface
@@ -25,6 +26,7 @@ __all__ = [
     "AssetDetents",
     "AssetJoint",
     "AssetLoop",
+    "AssetSoftClosing",
     "Branch",
     "Collider",
     "Curve",

@@ -335,8 +335,8 @@ class Asset:
         return bool(self.links) and self.links[0].name == "room"
 
     def states_data(self) -> dict[str, Any]:
-        """Return limits, couplings, dependencies and detents of joints as JSON data, for `ValidStates`."""
-        fields = ("name", "limits", "follows", "needs", "detents")
+        """Return limits, couplings, dependencies and tendons of joints as JSON data, for `ValidStates`."""
+        fields = ("name", "limits", "follows", "needs", "detents", "closing")
         data = plain(tuple(map(rounded, self.joints)))
         rows = [{name: row[name] for name in fields if name in row} for row in data]
         loops = {"loops": plain(rounded(self.loops))} if self.loops else {}

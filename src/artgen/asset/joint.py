@@ -121,6 +121,23 @@ class AssetDetents(Record):
     torque: float
 
 
+@dataclass(frozen=True)
+class AssetSoftClosing(Record):
+    """A damper and a spring that act on a joint near its closed position, and nowhere else.
+
+    Attributes:
+        reach: Position at which they begin to act [rad or m].
+        preload: Force of the spring at the closed position, towards it [N m or N].
+        force: Force of the spring at `reach`; it grows linearly between both [N m or N].
+        damping: Viscous damping up to `reach`, additional to that of the joint [N m s/rad or N s/m].
+    """
+
+    reach: float
+    preload: float
+    force: float
+    damping: float
+
+
 @dataclass(frozen=True, eq=False)
 class AssetJoint(FrozenArrays, Record):
     """One degree of freedom between two links.
@@ -146,9 +163,10 @@ class AssetJoint(FrozenArrays, Record):
         child: Name of the child link; empty until the joint is part of an asset.
         driven: Actuator that moves the joint, such as `a motor`; empty if a hand moves it.
         detents: Positions at which the joint clicks into place, if any.
+        closing: Damper and spring that close the joint softly, if any.
     """
 
-    OPTIONAL: ClassVar = frozenset({"driven", "detents"})
+    OPTIONAL: ClassVar = frozenset({"driven", "detents", "closing"})
     FIRST: ClassVar = ("name", "kind", "parent", "child")
 
     name: str
@@ -169,6 +187,7 @@ class AssetJoint(FrozenArrays, Record):
     child: str = ""
     driven: str = ""
     detents: AssetDetents | None = None
+    closing: AssetSoftClosing | None = None
 
     @property
     def locked(self) -> bool:
@@ -212,11 +231,29 @@ class AssetJoint(FrozenArrays, Record):
             result += np.where(abs(away) < gap / 2.0, self.detents.torque * size * np.sign(away), 0.0)
         return result
 
+    def closing_force(self, q: ArrayLike, speed: ArrayLike = 0.0) -> Array:
+        """Return the torque [N m] or force [N] of the soft closing, of the shape of both arrays.
+
+        At the share s of the way from the closed position to `reach` it is `preload + (force - preload) * s`
+        towards the closed position, and `damping * speed` against the motion; beyond `reach` it is 0. The
+        MJCF has a tendon with this law.
+
+        Args:
+            q: Positions [rad or m].
+            speed: Speeds [rad/s or m/s].
+        """
+        positions, speeds = np.broadcast_arrays(np.asarray(q, float), np.asarray(speed, float))
+        if self.closing is None:
+            return np.zeros(positions.shape)
+        share = (positions - self.closed) / (self.closing.reach - self.closed)
+        spring = self.closing.preload + (self.closing.force - self.closing.preload) * share
+        way = math.copysign(1.0, self.closing.reach - self.closed)
+        return np.where(share < 1.0, -way * spring - self.closing.damping * speeds, 0.0)
+
     def to_data(self) -> dict[str, Any]:
-        """Return the joint as JSON data; `detents` are left out if there are none."""
-        return {
-            name: value for name, value in super().to_data().items() if (name, value) != ("detents", None)
-        }
+        """Return the joint as JSON data; `detents` and `closing` are left out if there are none."""
+        unused = {name for name in ("detents", "closing") if getattr(self, name) is None}
+        return {name: value for name, value in super().to_data().items() if name not in unused}
 
     def motion(self, position: float) -> Array:
         """Return the displacement of the child at a position, shape (4, 4), in asset coordinates at rest."""

@@ -145,16 +145,17 @@ class Tree:
         """Return the tree if its names are unique.
 
         Raises:
-            ValueError: Two links, joints, or grasps and pushes share a name, or a joint with detents has
-                another one beside it.
+            ValueError: Two links, joints, or grasps and pushes share a name, or a joint with detents or a
+                soft closing has another one beside it.
         """
         for branch in self.branches:
-            clicks = [joint.name for joint in branch.joints if joint.detents is not None]
-            if clicks and len(branch.joints) > 1:
-                raise ValueError(
-                    f"joint {clicks[0]!r} has detents and shares its links with another joint; detents need "
-                    "a pair of links with one joint: put a part between them"
-                )
+            for joint in branch.joints if len(branch.joints) > 1 else ():
+                has = "detents" if joint.detents is not None else "a soft closing"
+                if joint.detents is not None or joint.closing is not None:
+                    raise ValueError(
+                        f"joint {joint.name!r} has {has} and shares its links with another joint; give it a "
+                        "pair of links with one joint: put a part between them"
+                    )
         links = list(self.links())
         kinds = {
             "link": [link.name for link in links],

@@ -207,12 +207,11 @@ def compiled(asset: Asset, *, visual: bool = False, textures: int = 0) -> Any:
 
 def _strip(root: ET.Element) -> None:
     """Remove visual surfaces, grasps and pushes from the MJCF of an asset."""
-    held = {site.get("site") for site in root.iterfind("tendon/spatial/site")}  # of detents
+    held = {each.get(each.tag) for each in root.iterfind("tendon/spatial/*")}  # of detents and soft closings
     for parent in root.iter("body"):
         for each in [*parent.findall("geom"), *parent.findall("site")]:
-            if each.get("class", "").endswith("_visual") or (
-                each.tag == "site" and each.get("name") not in held
-            ):
+            seen = each.tag == "site" or each.get("class", "").endswith("_visual")
+            if seen and each.get("name") not in held:
                 parent.remove(each)
     for parent in root.iter("custom"):
         for element in parent.findall("tuple"):  # of grasps and pushes

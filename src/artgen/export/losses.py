@@ -62,14 +62,16 @@ def mechanism_rows(asset: Asset) -> Iterator[Row]:
         yield "contact by design", contact.links, instead
 
 
-def detent_rows(asset: Asset) -> Iterator[Row]:
-    """Yield the loss of formats without detents of joints."""
+def tendon_rows(asset: Asset) -> Iterator[Row]:
+    """Yield the losses of formats without detents and soft closing of joints."""
     found = [joint.name for joint in asset.joints if joint.detents is not None]
     yield (
         "joint detents",
         found,
         "positions and torque in artgen_states; `AssetJoint.detent_torque` has the law",
     )
+    found = [joint.name for joint in asset.joints if joint.closing is not None]
+    yield "soft closing", found, "numbers in artgen_states; `AssetJoint.closing_force` has the law"
 
 
 def loop_rows(asset: Asset, instead: str) -> Iterator[Row]:

@@ -4,7 +4,8 @@ So the file has no floor, light, camera or solver option, and the names of its d
 textures begin with its own name; links, joints and meshes have the same names as in other formats.
 `<exclude>` is never used: parts that collide by mistake are a fault of the asset.
 
-Detents of a joint are spatial tendons that act as short springs between sites (`_add_detents`).
+Detents of a joint are spatial tendons that act as short springs between sites (`_detents`). A soft closing is
+one that gets longer near the closed position, and nowhere else (`_closing`).
 
 Features without an MJCF element are in `<custom>`: a text `<link>_labels` holds the semantic labels of a
 link; a tuple with the name of a grasp or push holds its site, with the opening of the fingers as the number,
@@ -12,15 +13,16 @@ and the joints that the hand moves, the nearest first; the text `<asset>_artgen_
 couplings and dependencies of the joints, which `artgen.asset.valid_states` reads. Keyframes are valid states.
 """
 
+import math
 import xml.etree.ElementTree as ET
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
 import numpy as np
 
 from artgen import _portable
 from artgen._arrays import Array
-from artgen.asset import Asset, Link
+from artgen.asset import Asset, AssetJoint, Link
 from artgen.asset.affordance import Grasp
 from artgen.asset.valid_states import KEY
 from artgen.colliders import Convex
@@ -39,6 +41,9 @@ _STIFF = "0.005 1"
 OFF = -1000.0  # margin of a spare collider: MuJoCo adds the margins of two geoms, so that it touches nothing
 _KEYFRAMES = 4  # number of drawn states
 _DETENT_ARM = 0.01  # distance of the springs of detents from their axis [m]
+_DRUM = 0.01  # radius of the drum of a soft closing, around which its cord lies [m]
+_BESIDE = 0.03  # angle between the end of such a cord and its contact with the drum [rad]
+_SLACK = 0.05  # distance of the other end of a cord from the joint's limit [rad or m]
 _ENDLESS = 1000.0  # length from which such a spring would pull [m]
 _COUPLING_IMPEDANCE = "0.99 0.9999 0.0001"
 _CONTACT_IMPEDANCE = "0.95 0.99 0.0005"
@@ -97,7 +102,7 @@ def mjcf_tree(asset: Asset, meshes: MeshFiles) -> ET.Element:
             frame = replace(each, parent="", placement=rest[name])
         elements[name] = _add_body(elements[frame.parent] if frame.parent else world, asset, frame, meshes)
     _add_couplings(root, asset)
-    _add_detents(root, asset, elements)
+    _add_tendons(root, asset, elements)
     _add_custom(root, asset)
     return root
 
@@ -257,29 +262,82 @@ def _add_couplings(root: ET.Element, asset: Asset) -> None:
         add(equality, "connect", pinned, anchor=anchor, solref=_STIFF, solimp=_COUPLING_IMPEDANCE)
 
 
-def _add_detents(root: ET.Element, asset: Asset, elements: Mapping[str, ET.Element]) -> None:
+def _add_tendons(root: ET.Element, asset: Asset, elements: Mapping[str, ET.Element]) -> None:
+    """Add the detents and the soft closing of joints."""
+    acting = [joint for joint in asset.joints if joint.detents is not None or joint.closing is not None]
+    tendons = add(root, "tendon") if acting else root
+    for joint in acting:
+        for link, name, place in (*_detents(tendons, joint), *_closing(tendons, joint)):
+            where = frames.local(asset, link, place)
+            add(elements[link], "site", name=name, pos=np.round(where[:3, 3], 12))
+        if joint.closing is not None and joint.kind == "revolute":
+            across, turned = _across(joint), frames.translation(joint.pivot)
+            turned[:3, :3] = np.column_stack([across, np.cross(joint.axis, across), joint.axis])
+            drum: dict[str, Attribute] = {"name": f"{joint.name}_drum", "class": f"{asset.name}_visual"}
+            drum |= {"type": "cylinder", "group": "4", "rgba": "0 0 0 0", "size": (_DRUM, _DRUM / 2)}
+            add(elements[joint.parent], "geom", drum, **_placed(frames.local(asset, joint.parent, turned)))
+
+
+def _across(joint: AssetJoint) -> Array:
+    """Return a unit vector across the axis of a joint."""
+    across = np.cross(joint.axis, np.eye(3)[int(np.argmin(np.abs(np.round(joint.axis, 6))))])
+    return np.asarray(across / _portable.norm(across))
+
+
+_Site = tuple[str, str, Array]
+"""A link, the name of a site on it, and its place in asset coordinates at rest."""
+
+
+def _detents(tendons: ET.Element, joint: AssetJoint) -> Iterator[_Site]:
     """Add detents: a short spring between a site of the child and a site of the parent at each ridge."""
-    clicking = [(joint, joint.detents.torque) for joint in asset.joints if joint.detents is not None]
-    tendons = add(root, "tendon") if clicking else root
-    for joint, torque in clicking:
-        beside = np.cross(joint.axis, np.eye(3)[int(np.argmin(np.abs(np.round(joint.axis, 6))))])
-        start = frames.translation(joint.pivot + (_DETENT_ARM / _portable.norm(beside)) * beside)
-        site = f"{joint.name}_detent"
-        places = [(joint.child, site, start)]
-        for number, (ridge, gap) in enumerate(joint.ridges):
-            name = f"{joint.name}_ridge_{number}"
-            places.append((joint.parent, name, _portable.product(joint.motion(ridge), start)))
-            reach, arm = gap / 2.0, 1.0  # distance at which the spring begins, and its arm on the ridge [m]
-            if joint.kind == "revolute":
-                reach, arm = 2.0 * _DETENT_ARM * _portable.sin(gap / 4.0), _DETENT_ARM
-            lengths = [reach, _ENDLESS]
-            spring = add(
-                tendons, "spatial", name=name, stiffness=torque / (reach * arm), springlength=lengths
-            )
-            add(spring, "site", site=site)
-            add(spring, "site", site=name)
-        for link, name, place in places:
-            add(elements[link], "site", name=name, pos=np.round(frames.local(asset, link, place)[:3, 3], 12))
+    if joint.detents is None:
+        return
+    start = frames.translation(joint.pivot + _DETENT_ARM * _across(joint))
+    site, torque = f"{joint.name}_detent", joint.detents.torque
+    yield joint.child, site, start
+    for number, (ridge, gap) in enumerate(joint.ridges):
+        name = f"{joint.name}_ridge_{number}"
+        yield joint.parent, name, _portable.product(joint.motion(ridge), start)
+        reach, arm = gap / 2.0, 1.0  # distance at which the spring begins, and its arm on the ridge [m]
+        if joint.kind == "revolute":
+            reach, arm = 2.0 * _DETENT_ARM * _portable.sin(gap / 4.0), _DETENT_ARM
+        stiffness, lengths = torque / (reach * arm), [reach, _ENDLESS]
+        spring = add(tendons, "spatial", name=name, stiffness=stiffness, springlength=lengths)
+        add(spring, "site", site=site)
+        add(spring, "site", site=name)
+
+
+def _closing(tendons: ET.Element, joint: AssetJoint) -> Iterator[_Site]:
+    """Add a soft closing: a cord from the reach over a site of the child to beyond the open limit.
+
+    While the child is between both ends, the cord is as long wherever it is: no spring or damper of the cord
+    acts. On the way home it gets longer by twice the way, which its spring, too short, pushes. On a turn it
+    lies around a drum, so that its length grows with the angle.
+    """
+    closing, name = joint.closing, f"{joint.name}_closing"
+    if closing is None or joint.limits is None:
+        return
+    way = math.copysign(1.0, closing.reach - joint.closed)
+    end = (joint.limits[1] if way > 0.0 else joint.limits[0]) + way * _SLACK
+    start, arm, length = frames.translation(joint.pivot), 1.0, abs(end - closing.reach)
+    if joint.kind == "revolute":
+        start, arm = frames.translation(joint.pivot + _DRUM / _portable.cos(_BESIDE) * _across(joint)), _DRUM
+        tangent = _portable.sin(_BESIDE) / _portable.cos(_BESIDE)
+        length = _DRUM * (length + 4.0 * (tangent - _BESIDE))
+    slope = 2.0 * arm  # growth of the cord with the joint's position [m/rad or 1]
+    spring: dict[str, Attribute] = {"name": name, "damping": closing.damping / (slope * slope)}
+    if closing.force:
+        stiffness = (closing.force - closing.preload) / (slope * slope * abs(closing.reach - joint.closed))
+        relaxed = length + closing.force / (slope * stiffness)
+        spring |= {"stiffness": stiffness, "springlength": [relaxed, relaxed]}
+    cord = add(tendons, "spatial", spring)
+    for number, site in enumerate((f"{name}_reach", name, f"{name}_end")):
+        if number and joint.kind == "revolute":
+            add(cord, "geom", geom=f"{joint.name}_drum")
+        add(cord, "site", site=site)
+    yield joint.child, name, start
+    for site, position in ((f"{name}_reach", closing.reach), (f"{name}_end", end)):
+        yield joint.parent, site, _portable.product(joint.motion(position), start)
 
 
 def _add_custom(root: ET.Element, asset: Asset) -> None:

@@ -19,12 +19,12 @@ from artgen.export.losses import (
     Loss,
     Written,
     affordance_rows,
-    detent_rows,
     look_rows,
     loop_rows,
     losses,
     mechanism_rows,
     seen_materials,
+    tendon_rows,
 )
 from artgen.export.maps import TEXTURE_DIRECTORY, MapFiles, specular_color
 from artgen.export.meshes import MeshFiles, display_color, mesh_files, mesh_name
@@ -229,7 +229,7 @@ def _losses(asset: Asset, inserted: Sequence[str], textures: int) -> tuple[Loss,
     return losses(
         ("joint armature", [joint.name for joint in moving if joint.armature > 0.0], "nothing"),
         *mechanism_rows(asset),
-        *detent_rows(asset),
+        *tendon_rows(asset),
         *loop_rows(asset, "joints without mimic; artgen_states has their laws and the pins"),
         ("several joints between two links", inserted, small),
         *affordance_rows(asset, moved.format("grasp", "the width and "), moved.format("push", "")),

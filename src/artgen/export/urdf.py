@@ -20,11 +20,11 @@ from artgen.export.losses import (
     Row,
     Written,
     affordance_rows,
-    detent_rows,
     look_rows,
     loop_rows,
     losses,
     mechanism_rows,
+    tendon_rows,
 )
 from artgen.export.meshes import MeshFiles, display_color, mesh_files, mesh_name
 from artgen.export.text import add, digits, document, states_text
@@ -261,7 +261,7 @@ def motion_rows(asset: Asset, inserted: Iterable[str]) -> Iterator[Row]:
     endless = [joint.name for joint in moving if joint.kind == "prismatic" and joint.limits is None]
     yield "unlimited slide", endless, f"limits of -{frames.FAR:g} m and {frames.FAR:g} m"
     yield from mechanism_rows(asset)
-    yield from detent_rows(asset)
+    yield from tendon_rows(asset)
     yield from loop_rows(asset, "joints without mimic; artgen_states has their laws and the pins")
     instead = f"a link of {frames.INTERMEDIATE_MASS:g} kg after each joint but the last"
     yield "several joints between two links", inserted, instead

@@ -13,6 +13,7 @@ from artgen.categories.shared.furniture import CREAM_STEEL, ZINC, Carcass
 from artgen.categories.shared.locks import plug
 from artgen.categories.shared.pulls import GROOVE
 from artgen.categories.shared.shelves import open_box
+from artgen.nodes.joint import SoftClosing
 
 RunnerStyle = Literal["roller", "ball"]  # coated angles with rollers, or telescopic runners on balls
 Mounting = Literal["overlay", "inset"]  # position of fronts: on the edges of the carcass or between them
@@ -178,7 +179,14 @@ class Bays:
         )
 
     def slide(
-        self, row: int, column: int, *, share: ag.Scalar, friction: ag.Scalar, damping: ag.Scalar
+        self,
+        row: int,
+        column: int,
+        *,
+        share: ag.Scalar,
+        friction: ag.Scalar,
+        damping: ag.Scalar,
+        closing: SoftClosing | None = None,
     ) -> ag.Joint:
         """Make the slide of a drawer, whose box comes out by a share of its depth."""
         return ag.Prismatic(
@@ -189,6 +197,7 @@ class Bays:
             friction=friction,
             damping=damping,
             effort=_HAND,
+            closing=closing,
         )
 
 

@@ -7,7 +7,8 @@ the slides or the turn of the flush. The seat rises only under an open lid, whic
 Sizes are those of EN 997 and of shops: bowls 350-380 mm wide, rims 390-430 mm high, 650-720 mm from the wall
 to the front with a cistern and 480-560 mm on a wall, seats 360-380 mm wide and 430-470 mm long with hinges
 155 mm apart. A bowl of vitreous china weighs 14-20 kg, a cistern 9-13 kg, with 4.5-6 l of water. A lid and a
-seat of urea weigh 1-2 kg each; dampers let them fall in 3-8 s. Keys of a cistern go 6-12 mm at 8-20 N, and
+seat of urea weigh 1-2 kg each; dampers let them fall in 3-8 s, and brake most below 70 degrees, from which
+they are tested (TOK TD129: 3-4 N m). Keys of a cistern go 6-12 mm at 8-20 N, and
 plates on a wall are 246 by 164 mm (catalogs of concealed cisterns).
 """
 
@@ -36,6 +37,7 @@ _OVERHANG = 0.024  # reach of the lid before the bowl, so that fingers come belo
 _HOLE = 0.06  # distance of the openings of bowl and seat from the hinges [m]
 _BRIM = 0.055  # height of the upright part of the bowl below its rim [m]
 _EDGE = ((0.98, 1.0), (0.98, 1.0), (0.95, 0.975))  # shares of width and length of the rounded rim
+_DAMPED = 1.22  # angle below which dampers brake fully [rad]
 _TRAVEL = 0.006  # travel of a key [m]
 _DENSITY = {"coupled": 480.0, "one_piece": 330.0, "hung": 480.0}
 """Density of a hollow bowl, by style [kg/m3]."""
@@ -142,13 +144,14 @@ def toilet(
         )
     else:
         body = _cistern(body, plan, flush, broad * width / 2, cistern, maker)
-    damping, opened, place = 6.0 if slow else 0.15, math.pi / 2 + lean, (0, 0, rim + _HINGE_Z)
+    opened, place = math.pi / 2 + lean, (0, 0, rim + _HINGE_Z)
     leaf = glaze.with_(name="seat_plastic", density=1500.0) if seat.name == _UREA.name else seat
-    damper = feel.Feel(damping=damping, friction=0.05, effort=15.0)
-    lift = ag.Revolute("lid_hinge", axis=-ag.X, limits=(0, opened), feel=damper)
+    hinge = feel.Feel(damping=2.0 if slow else 0.15, friction=0.05, effort=15.0)
+    soft = feel.soft_closing(_DAMPED, damping=6.5) if slow else None
+    lift = ag.Revolute("lid_hinge", axis=-ag.X, limits=(0, opened), feel=hinge, closing=soft)
     body = body.attach(_lid(plan, leaf), lift, at=place)
     top = opened - 0.03
-    rise = ag.Revolute("seat_hinge", axis=-ag.X, limits=(0, top), feel=damper, needs=lift > top)
+    rise = ag.Revolute("seat_hinge", axis=-ag.X, limits=(0, top), feel=hinge, needs=lift > top, closing=soft)
     return body.attach(_seat(plan, leaf), rise, at=place)
 
 

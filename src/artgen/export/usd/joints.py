@@ -15,7 +15,7 @@ from pxr import Sdf
 from artgen._arrays import Array
 from artgen.asset import Asset, AssetJoint
 from artgen.export.frames import INTERMEDIATE_MASS, Segment, unused
-from artgen.export.losses import Row, detent_rows, loop_rows, mechanism_rows
+from artgen.export.losses import Row, loop_rows, mechanism_rows, tendon_rows
 from artgen.export.usd.layer import Layers, RuntimeRow, define
 
 # as in the MJCF, which gives the reasons
@@ -134,7 +134,7 @@ def joint_rows(asset: Asset, segments: Sequence[Segment], *, apart: bool = False
     instead = "limits a hundred thousand turns away, since PhysX couples joints with limits only"
     yield "coupling without limits", endless, instead
     yield from mechanism_rows(asset)
-    yield from detent_rows(asset)
+    yield from tendon_rows(asset)
 
 
 def units_of(joint: AssetJoint) -> float:

@@ -38,9 +38,10 @@ def check_behavior(asset: Asset, directory: str | Path | None = None) -> CheckRe
 
     The asset is released when it is closed, halfway open and open. Each free joint is driven from end to end
     by its own effort, in a room together with all assets that it may touch. Joints with springs are released
-    at both ends. Joints with dependencies are pushed while their condition does not hold. A free base stands
-    on a floor while it settles, and is fixed while joints move; free bodies in a room are fixed to what
-    carries them. Without the directory of an export, the asset is exported to a temporary directory.
+    at both ends, joints that close softly within the reach of their damper and behind it. Joints with
+    dependencies are pushed while their condition does not hold. A free base stands on a floor while it
+    settles, and is fixed while joints move; free bodies in a room are fixed to what carries them. Without the
+    directory of an export, the asset is exported to a temporary directory.
 
     Returns:
         The findings; skipped if MuJoCo is not installed or the directory has no MJCF.
@@ -104,6 +105,7 @@ def _simulate(simulation: Simulation, standing: Simulation | None, path: Path) -
     motions = list(simulation.motions.values())
     counts = {
         "sprung back": sum(motion.stiffness > 0.0 for motion in motions),
+        "closed softly": sum(motion.joint.closing is not None for motion in motions),
         "pushed while blocked": sum(any(each.needs for each in motion.members) for motion in motions),
         "couplings watched": sum(len(motion.members) - 1 for motion in motions),
     }

@@ -22,6 +22,11 @@ _FIRM, _QUICK = 0.1, 0.6  # gains of the servo on the speed error and its deriva
 _REFRESH = 50  # steps between two computations of the inertia
 _STIFF = 1.0  # largest product of time step and frequency with which simulators integrate a spring well
 _BEYOND = {"revolute": math.radians(0.5), "prismatic": 0.0005}  # tolerance of a soft limit [rad or m]
+_CLOSED = 0.03  # distance from the closed position at which a soft closing has ended, as a share of its reach
+_INSIDE, _OUTSIDE = 0.9, 0.1  # places of the release, as shares of the reach and of the way behind it
+_CLOSES = (0.5, 8.0)  # shortest and longest time of a soft closing [s]
+_ARRIVES = {"revolute": 0.8, "prismatic": 0.1}  # greatest speed at its end [rad/s or m/s]
+_STANDS = 1.0  # time in which a part that is farther open stays [s]
 _MOST_BEYOND = 0.2  # the same, as a share of the range
 
 
@@ -124,6 +129,8 @@ def _driven(simulation: Simulation, motion: JointMotion) -> Iterator[Finding]:
             yield found
     if motion.stiffness > 0.0:
         yield from _release(simulation, motion, state)
+    if motion.joint.closing is not None:
+        yield from _soft_closing(simulation, motion, state, motion.joint.closing.reach)
 
 
 def _too_light(simulation: Simulation, motion: JointMotion) -> str:
@@ -186,6 +193,45 @@ def _travel_fault(simulation: Simulation, motion: JointMotion, begun: float, end
         )
         hint = "give the joint more effort, or weaken its spring, friction or damping"
     return joint_finding(joint, message, hint, here, simulation.pose())
+
+
+def _soft_closing(
+    simulation: Simulation, motion: JointMotion, state: Mapping[str, float], reach: float
+) -> Iterator[Finding]:
+    """Release a joint within the reach of its soft closing and behind it: it closes slowly, or stays."""
+    joint, way = motion.joint, reach - motion.joint.closed
+    far = max(motion.limits, key=lambda end: abs(end - joint.closed))
+    for start in (joint.closed + _INSIDE * way, reach + _OUTSIDE * (far - reach)):
+        simulation.begin({**state, motion.name: start}, f"{motion.name} closes softly")
+        held, load = servos(simulation, state), simulation.load(motion)
+        falls = abs(load) > motion.friction
+        inside = abs(start - joint.closed) < abs(way)
+        time, speed = math.inf, 0.0
+        try:
+            for _ in range(round((_CLOSES[1] if inside or falls else _STANDS) / simulation.step_time)):
+                for other in held:
+                    other.hold()
+                simulation.step()
+                speed = abs(simulation.speed(motion))
+                if abs(simulation.position(motion) - joint.closed) <= _CLOSED * abs(way):
+                    time = float(simulation.data.time)
+                    break
+        except UnstableError:
+            continue
+        here, hint = simulation.position(motion), ""
+        message = f"released at {place(joint, start)}, "
+        if inside and not _CLOSES[0] <= time <= _CLOSES[1]:
+            message += "it is still open" if math.isinf(time) else f"it is closed after {time:.2g} s"
+            message += f": a soft closing takes {_CLOSES[0]:g} to {_CLOSES[1]:g} s"
+            hint = "its preload has to be more than friction; change its force or damping"
+        elif speed > _ARRIVES[joint.kind] and math.isfinite(time):
+            message += f"it closes with {speed:.2g} {'rad/s' if joint.kind == 'revolute' else 'm/s'}"
+            hint = "give its soft closing more damping"
+        elif not inside and not falls and abs(here - start) > _BEYOND[joint.kind]:
+            message += f"behind the reach of its soft closing, it moves to {place(joint, here)}"
+            hint = "export it again"
+        if hint:
+            yield joint_finding(joint, message, hint, here, simulation.pose())
 
 
 def _release(simulation: Simulation, motion: JointMotion, state: Mapping[str, float]) -> Iterator[Finding]:

@@ -327,6 +327,7 @@ def _places(asset: Asset, joint: AssetJoint) -> Sequence[_Place]:
         before, behind = (asset.pose({**held, joint.name: at + side * step}) for side in (-1.0, 1.0))
         rise = (_potential(asset, behind) - _potential(asset, before)) / (2.0 * step)
         springs = sum(law.slope(at) * each.stiffness * (each.rest - law.at(at)) for each, law in members)
+        springs += float(joint.closing_force(at))
         friction = clicks + sum(abs(law.slope(at)) * each.friction for each, law in members)
         places.append(_Place(springs - rise, friction, before, behind, 2.0 * step))
     return places

@@ -9,7 +9,7 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from artgen._arrays import Array, Indices
-from artgen.asset import Asset
+from artgen.asset import Asset, AssetJoint
 from artgen.asset.report import AGAIN, Finding
 from artgen.colliders import Convex
 from artgen.colliders.convex import Kind
@@ -39,7 +39,8 @@ _SETTINGS = ("gravity", "density", "wind", "timestep", "iterations")
 _PLAIN = {"contype": 1.0, "conaffinity": 1.0, "condim": 3.0, "margin": 0.0, "gap": 0.0}
 _SOFTEST, _LEAST_IMPEDANCE = 0.02, 0.9  # default time constant [s] and impedance of MuJoCo
 _SHARES = (-0.5, -0.3, -0.01, 0.01, 0.25, 0.45)  # compared positions around a ridge, in gaps of detents
-_DETENT = 0.001  # allowed difference of the torque of detents, over the greatest one
+_NEAR, _AWAY = (0.02, 0.3, 0.6, 0.98), (0.02, 0.3, 0.98)  # the same before and behind a soft closing's reach
+_TENDON = 0.001  # allowed difference of the force of detents or a soft closing, over the greatest one
 _SHOWN = 2  # most findings about the colliders of one link
 # for each field of a joint's dynamics: the name in the file, the array of MuJoCo's model and its index
 _DYNAMICS = (
@@ -125,31 +126,49 @@ def _model_findings(model: Any, asset: Asset, file: str) -> Iterator[Finding]:
         yield _foreign(f"{file} connects links otherwise than the {len(pins)} closed chains of the asset")
 
 
-def _detent_findings(model: Any, data: Any, asset: Asset, file: str) -> Iterator[Finding]:
-    """Yield tendons that are no detents, and joints whose springs and detents have other forces."""
-    import mujoco
-
-    ridges = [f"{joint.name}_ridge_{number}" for joint in asset.joints for number in range(len(joint.ridges))]
-    if sorted(ridges) != sorted(model.tendon(number).name for number in range(model.ntendon)):
-        listed = "other <tendon> than the detents of the asset" if ridges else "<tendon>"
+def _tendon_findings(model: Any, data: Any, asset: Asset, file: str) -> Iterator[Finding]:
+    """Yield tendons that the asset does not have, and joints whose springs and tendons have other forces."""
+    names = [f"{joint.name}_ridge_{number}" for joint in asset.joints for number in range(len(joint.ridges))]
+    names += [f"{joint.name}_closing" for joint in asset.joints if joint.closing is not None]
+    if sorted(names) != sorted(model.tendon(number).name for number in range(model.ntendon)):
+        listed = "other <tendon> than the detents and soft closings of the asset" if names else "<tendon>"
         yield _foreign(f"{file} has {listed}, which does not belong to an asset")
         return
     for joint in asset.joints:
-        if joint.detents is None:
-            continue
-        samples = np.array([ridge + share * gap for ridge, gap in joint.ridges for share in _SHARES])
-        worst = 0.0
-        wanted = joint.detent_torque(samples) - joint.stiffness * (samples - joint.rest)
-        at, freedom = model.joint(joint.name).qposadr[0], model.joint(joint.name).dofadr[0]
-        start = float(data.qpos[at])
-        for position, torque in zip(samples, wanted, strict=True):
-            data.qpos[at] = position
-            mujoco.mj_forward(model, data)
-            worst = max(worst, abs(float(data.qfrc_spring[freedom]) - float(torque)))
-        data.qpos[at] = start
-        if worst > _DETENT * joint.detents.torque:
-            message = f"its detents in {file} differ by {worst:.3g} N m or N from {joint.detents.torque:.3g}"
-            yield _fault(message, joint=joint.name, value=worst)
+        for feature, samples, most in _tendon_samples(joint):
+            worst = _tendon_error(model, data, joint, samples)
+            if worst > _TENDON * most:
+                message = f"its {feature} in {file} differs by {worst:.3g} N m or N from {most:.3g}"
+                yield _fault(message, joint=joint.name, value=worst)
+
+
+def _tendon_samples(joint: AssetJoint) -> Iterator[tuple[str, Array, float]]:
+    """Yield features of a joint with positions to compare, and the greatest force."""
+    if joint.detents is not None:
+        places = [ridge + share * gap for ridge, gap in joint.ridges for share in _SHARES]
+        yield "detents", np.array(places), joint.detents.torque
+    if joint.closing is not None and joint.limits is not None:
+        reach, far = joint.closing.reach, max(joint.limits, key=lambda limit: abs(limit - joint.closed))
+        near = [joint.closed + share * (reach - joint.closed) for share in _NEAR]
+        away = [reach + share * (far - reach) for share in _AWAY]
+        yield "soft closing", np.array([*near, *away]), max(joint.closing.force, joint.closing.damping)
+
+
+def _tendon_error(model: Any, data: Any, joint: AssetJoint, positions: Array) -> float:
+    """Return the greatest difference of springs and dampers at a speed of 1 from those of a joint."""
+    import mujoco
+
+    tendons = joint.detent_torque(positions) + joint.closing_force(positions, 1.0)
+    springs = joint.stiffness * (positions - joint.rest) + joint.damping
+    at, freedom = model.joint(joint.name).qposadr[0], model.joint(joint.name).dofadr[0]
+    start, worst = float(data.qpos[at]), 0.0
+    data.qvel[freedom] = 1.0
+    for position, wanted in zip(positions, tendons - springs, strict=True):
+        data.qpos[at] = position
+        mujoco.mj_forward(model, data)
+        worst = max(worst, abs(float(data.qfrc_spring[freedom] + data.qfrc_damper[freedom]) - float(wanted)))
+    data.qpos[at], data.qvel[freedom] = start, 0.0
+    return worst
 
 
 def _geom_findings(model: Any, body: int, link: str, file: str, off: Collection[str]) -> Iterator[Finding]:
@@ -249,7 +268,7 @@ def read(asset: Asset, path: Path) -> Reading:
         holds=_holds(asset, model),
         findings=(
             *_model_findings(model, asset, path.name),
-            *_detent_findings(model, data, asset, path.name),
+            *_tendon_findings(model, data, asset, path.name),
         ),
         complaints=tuple(messages),
     )

@@ -66,10 +66,12 @@ def write_robocasa(asset: Asset, name: str, textures: int) -> Written:
     _rename(root, named)
     coupled = [joint.name for joint in asset.joints if joint.follows is not None and not joint.locked]
     clicking = [joint.name for joint in asset.joints if joint.detents is not None]
+    soft = [joint.name for joint in asset.joints if joint.closing is not None]
     left = "that robosuite leaves behind: append each element of the object's `{0}` to that of the task"
     own = losses(
         ("joint coupling in robosuite", coupled, "an equality " + left.format("equality")),
         ("joint detents in robosuite", clicking, "tendons " + left.format("tendon")),
+        ("soft closing in robosuite", soft, "a tendon " + left.format("tendon")),
     )
     files = {FILE: document(root), **meshes.files}
     if named.joints or named.links:
