@@ -201,6 +201,11 @@ class AssetJoint(FrozenArrays, Record):
         return min(max(0.0, low), high)
 
     @property
+    def opened(self) -> float:
+        """The limit farthest from `closed`; `closed` itself if there are no limits."""
+        return max(self.limits or (self.closed,), key=lambda end: abs(end - self.closed))
+
+    @property
     def ridges(self) -> tuple[tuple[float, float], ...]:
         """Position of each ridge between two detents, and the distance of these detents [rad or m]."""
         if self.detents is None:

@@ -6,7 +6,7 @@ stands, one after another. The other joints are closed, or open where the joint 
 """
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from pathlib import Path
@@ -41,6 +41,7 @@ _EDGE = 0.75  # share of the way from its middle to its corners
 _CANDIDATES = 120  # places of grasps that are looked at
 _ROLLS = np.radians([30.0, 60.0, 90.0, 120.0, 150.0])  # of a hand about its approach, for round parts [rad]
 _GRASPS, _BESIDE = 8, 0.03  # grasps across two faces that are tried, and the distance between two [m]
+_ALIKE = 0.5  # least cosine between the fingers of two grasps that are alike
 _INSIDE = 0.010  # from an edge of a face to the middle of the pads [m]
 _CELL, _COARSE = 0.02, 0.6  # grasps nearer than this count as one: [m], and of unit vectors
 _OPPOSITE = 0.9  # least cosine between a face and the reverse of the one across
@@ -393,7 +394,7 @@ class _Search:
         if start is None:
             return []
         states, names = self._states(start), [each.name for each in self.asset.links]
-        found: list[tuple[float, Array, Affordance]] = []
+        found: list[tuple[float, Affordance]] = []
         for name in dict.fromkeys(each.link for each in self.hands):
             before, behind = (states[index].pose[name] for index in (first, first + 1))
             pieces = [each.convex.faces for each in self.asset.links[names.index(name)].colliders]
@@ -415,15 +416,9 @@ class _Search:
                         ):
                             frame = _facing(point, -normal)
                             push = Affordance(f"{name}_push", "push", name, frame, 0.0, (self.joint.name,))
-                            found.append((float(share), point, push))
-        found.sort(key=lambda each: -each[0])
-        chosen: list[tuple[float, Array, Affordance]] = []
-        for each in found:
-            if len(chosen) < _PUSHES and all(
-                np.linalg.norm(each[1] - other[1]) > _BETWEEN for other in chosen
-            ):
-                chosen.append(each)
-        holds = (self._oriented(push, start, first) for *_, push in chosen)
+                            found.append((float(share), push))
+        chosen = _distinct(found, _PUSHES, lambda one, other: _apart(one, other) <= _BETWEEN)
+        holds = (self._oriented(push, start, first) for push in chosen)
         return [hold for hold, struck in holds if not struck]
 
     def _grasps(self, first: int) -> list[_Hold]:
@@ -458,16 +453,7 @@ class _Search:
                 fits = self._unhindered(around, tips, float(width), -1)[0]
                 if fits.any():
                     found.append((int(fits.sum()), hand))
-        found.sort(key=lambda each: -each[0])
-        chosen: list[Affordance] = []
-        for _, hand in found:
-            if len(chosen) < _GRASPS and all(
-                np.linalg.norm(hand.frame[:3, 3] - other.frame[:3, 3]) > _BESIDE
-                or abs(hand.frame[:3, 0] @ other.frame[:3, 0]) < _ALONG
-                or hand.frame[:3, 2] @ other.frame[:3, 2] < 0.0
-                for other in chosen
-            ):
-                chosen.append(hand)
+        chosen = _distinct(found, _GRASPS, _same_grasp)
         holds = (self._oriented(hand, start, first, own=True) for hand in chosen)
         return [hold for hold, struck in holds if not struck]
 
@@ -672,6 +658,28 @@ class _Search:
         free = near.clear(balls, np.tile(_RADII, len(some)))
         good[some] = free.reshape(len(some), len(_RADII)).all(axis=1)
         return np.asarray(good)
+
+
+def _distinct(
+    found: Iterable[tuple[float, Affordance]], most: int, alike: Callable[[Affordance, Affordance], bool]
+) -> list[Affordance]:
+    """Return those of the highest scores that are not alike, at most a number."""
+    chosen: list[Affordance] = []
+    for _, hand in sorted(found, key=lambda each: -each[0]):
+        if len(chosen) < most and not any(alike(hand, other) for other in chosen):
+            chosen.append(hand)
+    return chosen
+
+
+def _apart(one: Affordance, other: Affordance) -> float:
+    """Return the distance of two hands on the same link [m]."""
+    return float(np.linalg.norm(one.frame[:3, 3] - other.frame[:3, 3]))
+
+
+def _same_grasp(one: Affordance, other: Affordance) -> bool:
+    """Tell whether two grasps of a link are near each other, with fingers and approach alike."""
+    closing, approach = one.frame[:3, 0] @ other.frame[:3, 0], one.frame[:3, 2] @ other.frame[:3, 2]
+    return bool(_apart(one, other) <= _BESIDE and abs(closing) >= _ALIKE and approach >= 0.0)
 
 
 def _across(pieces: Sequence[Polytope]) -> tuple[Array, Array]:

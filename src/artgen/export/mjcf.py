@@ -315,10 +315,10 @@ def _closing(tendons: ET.Element, joint: AssetJoint) -> Iterator[_Site]:
     lies around a drum, so that its length grows with the angle.
     """
     closing, name = joint.closing, f"{joint.name}_closing"
-    if closing is None or joint.limits is None:
+    if closing is None:
         return
     way = math.copysign(1.0, closing.reach - joint.closed)
-    end = (joint.limits[1] if way > 0.0 else joint.limits[0]) + way * _SLACK
+    end = joint.opened + way * _SLACK
     start, arm, length = frames.translation(joint.pivot), 1.0, abs(end - closing.reach)
     if joint.kind == "revolute":
         start, arm = frames.translation(joint.pivot + _DRUM / _portable.cos(_BESIDE) * _across(joint)), _DRUM

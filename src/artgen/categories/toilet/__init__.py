@@ -8,8 +8,8 @@ Sizes are those of EN 997 and of shops: bowls 350-380 mm wide, rims 390-430 mm h
 to the front with a cistern and 480-560 mm on a wall, seats 360-380 mm wide and 430-470 mm long with hinges
 155 mm apart. A bowl of vitreous china weighs 14-20 kg, a cistern 9-13 kg, with 4.5-6 l of water. A lid and a
 seat of urea weigh 1-2 kg each; dampers let them fall in 3-8 s, and brake most below 70 degrees, from which
-they are tested (TOK TD129: 3-4 N m). Keys of a cistern go 6-12 mm at 8-20 N, and
-plates on a wall are 246 by 164 mm (catalogs of concealed cisterns).
+they are tested (TOK TD129: 3-4 N m). Keys of a cistern go 6-12 mm at 8-20 N, and plates on a wall are 246 by
+164 mm (catalogs of concealed cisterns).
 """
 
 import math

@@ -200,8 +200,7 @@ def _soft_closing(
 ) -> Iterator[Finding]:
     """Release a joint within the reach of its soft closing and behind it: it closes slowly, or stays."""
     joint, way = motion.joint, reach - motion.joint.closed
-    far = max(motion.limits, key=lambda end: abs(end - joint.closed))
-    for start in (joint.closed + _INSIDE * way, reach + _OUTSIDE * (far - reach)):
+    for start in (joint.closed + _INSIDE * way, reach + _OUTSIDE * (joint.opened - reach)):
         simulation.begin({**state, motion.name: start}, f"{motion.name} closes softly")
         held, load = servos(simulation, state), simulation.load(motion)
         falls = abs(load) > motion.friction

@@ -147,10 +147,10 @@ def _tendon_samples(joint: AssetJoint) -> Iterator[tuple[str, Array, float]]:
     if joint.detents is not None:
         places = [ridge + share * gap for ridge, gap in joint.ridges for share in _SHARES]
         yield "detents", np.array(places), joint.detents.torque
-    if joint.closing is not None and joint.limits is not None:
-        reach, far = joint.closing.reach, max(joint.limits, key=lambda limit: abs(limit - joint.closed))
+    if joint.closing is not None:
+        reach = joint.closing.reach
         near = [joint.closed + share * (reach - joint.closed) for share in _NEAR]
-        away = [reach + share * (far - reach) for share in _AWAY]
+        away = [reach + share * (joint.opened - reach) for share in _AWAY]
         yield "soft closing", np.array([*near, *away]), max(joint.closing.force, joint.closing.damping)
 
 

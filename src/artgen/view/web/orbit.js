@@ -6,7 +6,7 @@ const EYES = 1.6; // height of the camera above the floor while walking [m]
 const PACE = 0.12; // way per press or repetition of a key [m]
 const LOOK = 0.08; // angle per press or repetition of a key [rad]
 const ROOM = 1.9; // smallest width, depth and height of a room [m]
-const [OUTSIDE_FOV, WALKING_FOV] = [28, 60]; // field of view from outside, and while walking [degrees]
+const WALKING_FOV = 60; // field of view while walking [degrees]
 // by key: steps forward, steps to the right, turns to the right
 const KEYS = {
   KeyW: [1, 0, 0], KeyS: [-1, 0, 0], KeyA: [0, -1, 0], KeyD: [0, 1, 0],
@@ -16,7 +16,7 @@ const KEYS = {
 class Orbit {
   /** Sets the first view of a studio: azimuth and elevation [rad], and the corners of the visible box. */
   constructor(studio, canvas, { azimuth, elevation, corners }) {
-    Object.assign(this, { studio, canvas, home: { azimuth, elevation, corners } });
+    Object.assign(this, { studio, canvas, home: { azimuth, elevation, corners, fov: studio.camera.fov } });
     this.fingers = new Map();
     this.moved = false; // whether the pointer moved since the last press
     canvas.addEventListener("pointerdown", (event) => this.press(event));
@@ -26,19 +26,19 @@ class Orbit {
     }
     canvas.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
     canvas.addEventListener("contextmenu", (event) => event.preventDefault());
-    this.box = new THREE.Box3().setFromPoints(corners);
+    this.box = new THREE.Box3();
+    this.reset();
     if (Math.min(...this.box.getSize(new THREE.Vector3()).toArray()) > ROOM) {
       canvas.title = "W A S D and arrow keys: walk";
       window.addEventListener("keydown", (event) => this.walk(event));
     }
-    this.reset();
   }
 
   /** Returns to the first view, at the smallest distance that shows the whole box. */
   reset() {
-    const { azimuth, elevation, corners } = this.home;
+    const { azimuth, elevation, corners, fov } = this.home;
     Object.assign(this, { azimuth, elevation, walking: false });
-    this.see(OUTSIDE_FOV);
+    this.see(fov);
     this.target = this.box.setFromPoints(corners).getCenter(new THREE.Vector3());
     const { right, up, back } = this.axes();
     const tall = Math.tan(THREE.MathUtils.degToRad(this.studio.camera.fov / 2));
@@ -51,6 +51,7 @@ class Orbit {
     this.apply();
   }
 
+  /** Sets the field of view [degrees]. */
   see(fov) {
     this.studio.camera.fov = fov;
     this.studio.camera.updateProjectionMatrix();

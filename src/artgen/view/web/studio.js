@@ -54,7 +54,7 @@ class Studio {
     this.renderer.shadowMap.autoUpdate = false;
     this.scene = new THREE.Scene();
     this.scene.environment = surroundings(this.renderer);
-    this.camera = new THREE.PerspectiveCamera(OUTSIDE_FOV, 1, size / 200, size * 40);
+    this.camera = new THREE.PerspectiveCamera(28, 1, size / 200, size * 40);
     this.key = keyLight(size, middle);
     this.ground = ground(size, middle);
     this.soft = new SoftShadow(this.renderer, this.scene, size, middle);

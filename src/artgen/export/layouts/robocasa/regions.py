@@ -33,10 +33,7 @@ def interiors(asset: Asset) -> list[Array]:
     free = ~occupied & _surrounded(occupied)
     if not free.any():
         return []
-    opened = {
-        joint.name: max(joint.limits or (joint.closed,), key=lambda end: abs(end - joint.closed))
-        for joint in asset.free_joints
-    }
+    opened = {joint.name: joint.opened for joint in asset.free_joints}
     open_to_air = ~_surrounded(grid.occupied(asset, opened), top=True)
     found: list[Array] = []
     for _ in range(_MOST):
