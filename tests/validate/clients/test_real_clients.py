@@ -70,6 +70,16 @@ def test_it_reads_a_screw_and_a_dial_that_follows_it(name, tmp_path):
     assert outcome.state == "passed", outcome.message
 
 
+@pytest.mark.parametrize("name", ["mujoco", "drake_urdf", "newton_mjcf", "newton_usd", "ovphysx"])
+def test_it_reads_a_closed_chain(name, tmp_path):
+    chair = artgen.generate("chair", seed=11, style="folding", certify=False)
+    exported = read_exported(chair.export(tmp_path / "chair", textures=0))
+    (outcome,) = run_client(CLIENTS[name], [exported])
+    if outcome.state == "absent":
+        pytest.skip(f"{name}: {outcome.message}")
+    assert outcome.state == "passed", outcome.message
+
+
 MASS = (r'<mass value="(?!1e-)[^"]*"', '<mass value="3"', "its mass is 3 kg")
 LIMIT = (r' upper="[^"]*"', ' upper="0.01"', "its limits are")
 AXIS = (r'<axis xyz="0 -1 0"', '<axis xyz="0 1 0"', "its frame is off by")

@@ -83,7 +83,7 @@ class Slide:
 
 
 def joint(name, limits, *, blocked=False, effort=100.0, freed=()):
-    state = {"follows": None, "blocked": blocked, "freed": dict(freed)}
+    state = {"follows": None, "curve": None, "blocked": blocked, "freed": dict(freed)}
     return {"name": name, "limits": limits, "effort": effort, **state}
 
 
@@ -139,12 +139,23 @@ def test_a_room_is_watched_at_rest(driver, drift, told):
 
 def test_a_coupled_joint_that_leaves_its_leader_is_told(driver):
     poses = [{"turn": turn, "rise": 0.1 * turn - 0.2} for turn in (0.0, 1.0, 3.0)]
-    joints = [{"name": "turn", "follows": None}, {"name": "rise", "follows": "turn"}]
+    joints = [{"name": "turn", "follows": None}, {"name": "rise", "follows": "turn", "curve": None}]
     turn = np.linspace(0.0, 3.0, 7)
     lags = driver("driver_motion").lags
     assert lags({"joints": joints, "poses": poses}, {"turn": turn, "rise": 0.1 * turn - 0.2}) == []
     (message,) = lags({"joints": joints, "poses": poses}, {"turn": turn, "rise": 0.08 * turn - 0.2})
     assert message.startswith("rise does not follow turn")
+
+
+def test_a_joint_of_a_closed_chain_is_compared_with_its_law_where_pins_hold_it(driver):
+    turn = np.linspace(0.0, 1.0, 65)
+    rocker = {"name": "rocker", "follows": "turn", "curve": [turn.tolist(), (turn**2).tolist()]}
+    request = {"joints": [rocker], "poses": [{"turn": each, "rocker": each**2} for each in (0.0, 0.4, 1.0)]}
+    lags = driver("driver_motion").lags
+    assert lags(request, {"turn": turn, "rocker": turn**2}) == []
+    (message,) = lags(request, {"turn": turn, "rocker": turn**2 + 0.02 * turn})
+    assert message == "rocker does not follow turn: it is off by 0.02"
+    assert lags(request | {"joints": [rocker | {"curve": []}]}, {"turn": turn, "rocker": turn}) == []
 
 
 def test_a_follower_is_told_by_the_head_of_its_chain(driver):

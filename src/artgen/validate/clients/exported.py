@@ -23,6 +23,8 @@ from artgen.validate.readback.compare import Comparison, Expected
 from artgen.validate.readback.reading import UNLIMITED, Inertial, Reading, ReadJoint, Stated
 from artgen.validate.room import MOST_SHARE, MOST_WAY, SETTLE_TIME, WATCH_TIME
 
+_PINNED = ("mjcf", "usd")  # formats with the pins of closed chains
+_SAMPLES = 65  # of the law of a joint of a closed chain
 _POSES = 4  # number of random poses, in addition to the rest pose
 
 
@@ -65,7 +67,7 @@ class ClientExport:
             "asset": self.asset.name,
             "base": self.asset.base,
             "links": [link.name for link in self.asset.links],
-            "joints": [self._joint(joint) for joint in self.asset.joints if not joint.locked],
+            "joints": [self._joint(joint, client.format) for joint in self.asset.joints if not joint.locked],
             "poses": self.poses(),
             "free_links": self.free_links(client),
             "rest": [SETTLE_TIME, WATCH_TIME, MOST_WAY, MOST_SHARE] if self.asset.placed else [],
@@ -83,14 +85,25 @@ class ClientExport:
             if any(joint.child in asset.loose for joint in joints_above(asset.joints, link.name))
         ]
 
-    def _joint(self, joint: AssetJoint) -> dict[str, Any]:
+    def _joint(self, joint: AssetJoint, form: str) -> dict[str, Any]:
         return {
             **{key: getattr(joint, key) for key in ("name", "kind", *DYNAMICS)},
             "limits": None if joint.limits is None else list(joint.limits),
             "follows": None if joint.follows is None else head(joint, self.asset).name,
+            "curve": self._curve(joint, form),
             "blocked": self.is_blocked(joint),
             "freed": self._freed(joint),
         }
+
+    def _curve(self, joint: AssetJoint, form: str) -> list[list[float]] | None:
+        """Return positions of the leader and a joint of a closed chain; empty if the format has no pins."""
+        if joint.follows is None or joint.follows.curve is None:
+            return None
+        leader = head(joint, self.asset)
+        if form not in _PINNED or leader.limits is None:
+            return []
+        places = np.linspace(*leader.limits, _SAMPLES).tolist()
+        return [places, [self.asset.positions({leader.name: place})[joint.name] for place in places]]
 
     def _freed(self, joint: AssetJoint) -> dict[str, int]:
         """Return the limits, 0 or 1, of other joints that free a blocked joint; empty if none do."""

@@ -37,7 +37,7 @@ def _read(request: dict[str, Any]) -> dict[str, Any]:
         _set_positions(plant, inner, {joint: q[name] for name, joint in joints.items()})
         found = {name: body.body_frame().CalcPose(inner, base) for name, body in bodies.items()}
         poses.append({name: pose.GetAsMatrix4() for name, pose in found.items()})
-    following = sum(joint["follows"] is not None for joint in request["joints"])
+    following = sum(joint["follows"] is not None and joint["curve"] is None for joint in request["joints"])
     motion, track = _simulate(request)
     said = []
     # its MJCF reader skips couplings with a message; not every layout of URDF has all of them

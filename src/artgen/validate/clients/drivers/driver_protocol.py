@@ -65,6 +65,9 @@ def _read_renamed(read: Read, request: dict[str, Any]) -> dict[str, Any]:
         freed = {joint_numbers[name]: side for name, side in joint["freed"].items()}
         freed = {name: side if signs[name] > 0 else 1 - side for name, side in freed.items()}
         changes = {"name": number, "follows": follows, "limits": limits, "rest": rest, "freed": freed}
+        if curve := joint["curve"]:
+            turned = (signs[each] * np.array(row) for each, row in zip((follows, number), curve, strict=True))
+            changes["curve"] = np.array(sorted(zip(*turned, strict=True))).T.tolist()
         return {**joint, **changes}
 
     def reverse(number: str, limits: Any) -> Any:

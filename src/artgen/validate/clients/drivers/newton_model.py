@@ -75,11 +75,12 @@ def _degrees(model: Any, request: dict[str, Any]) -> dict[str, _Degree]:
         values.numpy() for values in (model.joint_q_start, model.joint_qd_start, model.joint_type)
     )
     known = {int(newton.JointType.REVOLUTE), int(newton.JointType.PRISMATIC), int(newton.JointType.D6)}
+    in_tree = model.joint_articulation.numpy() >= 0  # the pin of a closed chain is not
     starts = model.mujoco.dof_ref.numpy() if hasattr(model.mujoco, "dof_ref") else None
     found = {}
     for number, label in enumerate(model.joint_label):
         slides, count = int(dimensions[number][0]), int(dimensions[number].sum())
-        if int(types[number]) not in known or not count:
+        if int(types[number]) not in known or not count or not in_tree[number]:
             continue
         names = [_last(label)] if count == 1 else _split_names(_last(label), list(kinds))
         # the sort is stable: each kind keeps its order
