@@ -250,9 +250,9 @@ def _stop(force: ag.Scalar, face: ag.Material, key: ag.Material) -> Fitting:
         limits=(0, _PUSH),
         detents=_snap(_PUSH, force),
         friction=1.0,
-        damping=5.0,
-        armature=0.02,
-        effort=80.0,
+        damping=60.0,
+        armature=0.05,
+        effort=60.0,
     )
     ring = ag.tube(0.0165, 0.0099, 0.003, axis=ag.Y, bevel=0.0008).at(y=-deep - 0.0013)
     words = details.printed(

@@ -355,7 +355,7 @@ def _globe(
         limits=(0, math.tau * lift / pitch),
         friction=torque * dn / 20,
         damping=0.1,
-        armature=0.01,
+        armature=0.02,
         effort=0.5 * _RIM * diameter,
     )
     return body.attach(ag.weld(wheel, ag.detail(nut, "nut", _STEEL)), turn)
