@@ -150,6 +150,7 @@ def test_a_killed_worker_loses_nothing(run: Any, tmp_path: Path) -> None:
     assert ray.is_initialized()  # whoever started the cluster ends it
 
 
+@long
 def test_workers_write_to_a_url(run: Any, bucket: Path, tmp_path: Path) -> None:
     plan = replace(PLAN, count=2)
     generate_many(plan, f"bucket://{bucket}/set", engine="ray")
@@ -159,7 +160,7 @@ def test_workers_write_to_a_url(run: Any, bucket: Path, tmp_path: Path) -> None:
     assert digests(bucket / "set") == expected
 
 
-@pytest.mark.long
+@long
 def test_a_cluster_is_joined_and_left(run: Any, tmp_path: Path) -> None:
     """In a separate process, because the process of the tests has started the cluster."""
     address = ray.get_runtime_context().gcs_address
