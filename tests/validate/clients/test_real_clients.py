@@ -70,14 +70,25 @@ def test_it_reads_a_screw_and_a_dial_that_follows_it(name, tmp_path):
     assert outcome.state == "passed", outcome.message
 
 
+@pytest.mark.parametrize("style", ["rocker", "toggle"])
+def test_what_snaps_over_stops_at_its_end(style, tmp_path):
+    switch = artgen.generate("switch", seed=1, style=style, plate="tall", certify=False)
+    exported = read_exported(switch.export(tmp_path / "switch", formats=("mjcf",), textures=0))
+    (outcome,) = run_client(CLIENTS["mujoco"], [exported])
+    assert outcome.state == "passed", outcome.message
+
+
 @pytest.mark.parametrize("name", ["mujoco", "drake_urdf", "newton_mjcf", "newton_usd", "ovphysx"])
 def test_it_reads_a_closed_chain(name, tmp_path):
     chair = artgen.generate("chair", seed=11, style="folding", certify=False)
-    exported = read_exported(chair.export(tmp_path / "chair", textures=0))
-    (outcome,) = run_client(CLIENTS[name], [exported])
-    if outcome.state == "absent":
-        pytest.skip(f"{name}: {outcome.message}")
-    assert outcome.state == "passed", outcome.message
+    exports = [
+        read_exported(chair.with_base(base).export(tmp_path / base, textures=0)) for base in ("fixed", "free")
+    ]
+    outcomes = run_client(CLIENTS[name], exports)
+    for base, outcome in zip(("fixed", "free"), outcomes, strict=True):
+        if outcome.state == "absent":
+            pytest.skip(f"{name}: {outcome.message}")
+        assert outcome.state == "passed", f"{base}: {outcome.message}"
 
 
 MASS = (r'<mass value="(?!1e-)[^"]*"', '<mass value="3"', "its mass is 3 kg")

@@ -168,7 +168,7 @@ def _rockers(
             limits=(0, 2 * _TILT),
             detents=_snap(2 * _TILT, force * high / 2),
             friction=0.004,
-            damping=0.002,
+            damping=0.02,
             armature=1e-5,
             effort=1.2,
         )
@@ -196,7 +196,7 @@ def _toggle(plate: Plate, force: ag.Scalar, face: ag.Material, key: ag.Material)
         limits=(0, 2 * _SWING),
         detents=_snap(2 * _SWING, force * (reach + 0.004)),
         friction=0.004,
-        damping=0.002,
+        damping=0.01,
         armature=1e-5,
         effort=1.0,
     )

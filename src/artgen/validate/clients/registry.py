@@ -62,6 +62,7 @@ ALL = "all"
 """Name that selects all clients."""
 
 _FLAT, _PARTNET, _SIMREADY = ("flat",), ("flat", "partnet-mobility"), ("flat", "simready")
+_MUJOCO = ("flat", "robocasa", "molmospaces")
 
 _READ = ("links", "joints", "poses")
 _FRICTION = ("joints.damping", "joints.friction")
@@ -78,7 +79,7 @@ _STEPPED = (*_READ, "couplings", "steps", *_GAINS)
 
 # name, format, distribution, environment, driver, layouts, reports
 _TABLE: tuple[tuple[str, Format, str, str, str, tuple[str, ...], tuple[str, ...]], ...] = (
-    ("mujoco", "mjcf", "mujoco", "light", "mujoco_model", ("flat", "robocasa"), _MOVED_GAINS),
+    ("mujoco", "mjcf", "mujoco", "light", "mujoco_model", _MUJOCO, _MOVED_GAINS),
     ("mujoco_urdf", "urdf", "mujoco", "light", "mujoco_model", _FLAT, _MOVED_FRICTION),
     ("pinocchio", "urdf", "pin", "light", "pinocchio_model", _PARTNET, _READ_FRICTION),
     ("yourdfpy", "urdf", "yourdfpy", "light", "urdf_readers", _PARTNET, _READ_FRICTION),

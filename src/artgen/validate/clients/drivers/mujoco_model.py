@@ -63,7 +63,7 @@ class Model:
     def _couplings(self) -> dict[str, list[Any]]:
         """Return leader, ratio and offset by follower."""
         names, found = {number: name for name, number in self.joints.items()}, {}
-        for number in range(self.model.neq):
+        for number in np.flatnonzero(self.model.eq_type == mujoco.mjtEq.mjEQ_JOINT):
             pair = [int(self.model.eq_obj1id[number]), int(self.model.eq_obj2id[number])]
             if pair[0] in names:
                 # MuJoCo couples displacements from the reference positions
