@@ -199,55 +199,66 @@ class _Pieces:
     """Convex pieces at one state of all joints, in asset coordinates."""
 
     def __init__(
-        self, links: Indices, corners: Array, planes: Array, counts: tuple[Indices, Indices]
+        self,
+        links: Indices,
+        corners: Array,
+        planes: Array,
+        firsts: tuple[Indices, Indices],
+        counts: tuple[Indices, Indices],
+        bounds: Array,
     ) -> None:
-        self.links, self.corners, self.planes, self.counts = links, corners, planes, counts
-        self._corner, self._plane = (np.cumsum(each) - each for each in counts)
-        if len(links):
-            self.low = np.minimum.reduceat(corners, self._corner)
-            self.high = np.maximum.reduceat(corners, self._corner)
-        else:
-            self.low = self.high = np.zeros((0, 3))
+        self.links, self.bounds = links, bounds  # of each piece; bounding boxes, shape (pieces, 2, 3) [m]
+        self._corners, self._planes = corners, planes  # of these pieces, and of others
+        self._firsts, self._counts = firsts, counts  # of corners and planes of each piece
 
     def within(self, low: Array, high: Array) -> "_Pieces":
         """Return the pieces whose bounding boxes overlap a box."""
-        return self.chosen(np.asarray(((self.low <= high) & (self.high >= low)).all(axis=1)))
+        return self.chosen(((self.bounds[:, 0] <= high) & (self.bounds[:, 1] >= low)).all(axis=1))
 
     def chosen(self, kept: Mask) -> "_Pieces":
         """Return some of the pieces."""
-        corners, planes = (np.repeat(kept, each) for each in self.counts)
-        counts = (self.counts[0][kept], self.counts[1][kept])
-        return _Pieces(self.links[kept], self.corners[corners], self.planes[planes], counts)
+        firsts, counts = ((one[kept], other[kept]) for one, other in (self._firsts, self._counts))
+        return _Pieces(self.links[kept], self._corners, self._planes, firsts, counts, self.bounds[kept])
 
     def struck(self, box: Array, poses: Array) -> Mask:
         """Tell which pieces overlap a box with opposite corners, shape (2, 3), at poses, shape (n, 4, 4).
 
         The answer, shape (n, pieces), is exact but for edges that cross each other: these count as striking.
         """
-        if not len(self.links):
-            return np.zeros((len(poses), 0), bool)
         half, turns = (box[1] - box[0]) / 2.0, poses[:, :3, :3]
         middle = turns @ box.mean(axis=0) + poses[:, :3, 3]
-        local = (self.corners - middle[:, None]) @ turns
-        low = np.minimum.reduceat(local, self._corner, axis=1)
-        high = np.maximum.reduceat(local, self._corner, axis=1)
-        near = ((low < half) & (high > -half)).all(axis=2)
-        normals = self.planes[:, :3]
-        apart = middle @ normals.T - self.planes[:, 3]
-        apart -= np.abs(normals @ turns) @ half
-        return np.asarray(near & (np.maximum.reduceat(apart, self._plane, axis=1) < 0.0))
+        around = np.abs(turns) @ half
+        near = np.ones((len(poses), len(self.links)), bool)
+        for axis in range(3):
+            near &= self.bounds[:, 0, axis] < (middle + around)[:, axis, None]
+            near &= self.bounds[:, 1, axis] > (middle - around)[:, axis, None]
+        pose, piece = np.nonzero(near)
+        if len(pose):
+            which, number, first = _spread(self._firsts[0][piece], self._counts[0][piece])
+            local = _turned_back(self._corners[number] - middle[pose][which], turns[pose][which])
+            low, high = np.minimum.reduceat(local, first), np.maximum.reduceat(local, first)
+            overlaps = ((low < half) & (high > -half)).all(axis=1)
+            pose, piece = pose[overlaps], piece[overlaps]
+            near[:] = False
+        if len(pose):
+            which, number, first = _spread(self._firsts[1][piece], self._counts[1][piece])
+            normals = self._planes[number, :3]
+            apart = (normals * middle[pose][which]).sum(axis=1) - self._planes[number, 3]
+            apart -= np.abs(_turned_back(normals, turns[pose][which])) @ half
+            near[pose, piece] = np.maximum.reduceat(apart, first) < 0.0
+        return near
 
     def clear(self, points: Array, radii: Array) -> Mask:
         """Tell which balls with centers of shape (n, 3) and radii of shape (n,) strike nothing."""
         free = np.ones(len(points), bool)
         near = np.ones((len(self.links), len(points)), bool)
         for axis in range(3):
-            near &= points[:, axis] + radii > self.low[:, axis, None]
-            near &= points[:, axis] - radii < self.high[:, axis, None]
+            near &= points[:, axis] + radii > self.bounds[:, 0, axis, None]
+            near &= points[:, axis] - radii < self.bounds[:, 1, axis, None]
         for piece in np.flatnonzero(near.any(axis=1)):
             some = np.flatnonzero(near[piece])
-            first = self._plane[piece]
-            planes = self.planes[first : first + self.counts[1][piece]]
+            first = self._firsts[1][piece]
+            planes = self._planes[first : first + self._counts[1][piece]]
             away = (points[some] @ planes[:, :3].T - planes[:, 3]).max(axis=1)
             free[some] &= away > radii[some]
         return free
@@ -266,7 +277,10 @@ class _State(_Pieces):
         planes = space.planes.copy()
         planes[:, :3] = np.einsum("nij,nj->ni", at_planes[:, :3, :3], space.planes[:, :3])
         planes[:, 3] += (planes[:, :3] * at_planes[:, :3, 3]).sum(axis=1)
-        super().__init__(space.links, corners, planes, (space.corner_counts, space.plane_counts))
+        counts = (space.corner_counts, space.plane_counts)
+        firsts = tuple(np.cumsum(each) - each for each in counts)
+        ends = [np.minimum.reduceat(corners, firsts[0]), np.maximum.reduceat(corners, firsts[0])]
+        super().__init__(space.links, corners, planes, firsts, counts, np.stack(ends, axis=1))
 
 
 @dataclass(frozen=True, eq=False)
@@ -593,22 +607,15 @@ class _Search:
         feet = np.concatenate([_FOOT, [[-10.0], [_SHOULDER]]], axis=1)
         corners = np.array([[x, y, 0.0, 1.0] for x in _FOOT[:, 0] for y in _FOOT[:, 1]])
         edges = np.einsum("nij,kj->nki", bases, corners)[:, :, :2]
-        low, high = edges.min(axis=1), edges.max(axis=1)
-        free = ((low >= self.space.ground[0]) & (high <= self.space.ground[1])).all(axis=1)
-        low = np.concatenate([low, np.full((len(low), 1), self.space.floor)], axis=1)
-        high = np.concatenate([high, bases[:, 2:3, 3] + _SHOULDER], axis=1)
+        inside = (edges >= self.space.ground[0]) & (edges <= self.space.ground[1])
+        bases = bases[inside.all(axis=(1, 2))]
         states = hold.states[first:]
         names = [each.name for each in self.asset.links]
         moved = [not np.array_equal(states[0].pose[name], states[-1].pose[name]) for name in names]
         for number, state in enumerate(states):
-            pieces = state.within(low.min(axis=0), high.max(axis=0))
-            if number:
-                pieces = pieces.chosen(np.array(moved)[pieces.links])
-            near: Mask = np.all((pieces.low < high[:, None]) & (pieces.high > low[:, None]), axis=2)
-            for index in np.flatnonzero(near.any(axis=1) & free):
-                free[index] = not pieces.chosen(near[index]).struck(feet, bases[index : index + 1]).any()
-        kept: Array = bases[free]
-        return kept
+            pieces = state.chosen(np.array(moved)[state.links]) if number else state
+            bases = bases[~pieces.struck(feet, bases).any(axis=1)]
+        return bases
 
     def _followed(self, path: _Path, bases: Array) -> tuple[int, Stand] | None:
         """Return the last state to which an arm follows a path from one of several bases, and its stand."""
@@ -658,6 +665,18 @@ class _Search:
         free = near.clear(balls, np.tile(_RADII, len(some)))
         good[some] = free.reshape(len(some), len(_RADII)).all(axis=1)
         return np.asarray(good)
+
+
+def _spread(firsts: Indices, counts: Indices) -> tuple[Indices, Indices, Indices]:
+    """Return for all members of ranges the range and the member, and the first entry of each range."""
+    ends = np.cumsum(counts)
+    which = np.repeat(np.arange(len(counts)), counts)
+    return which, np.arange(ends[-1]) + (firsts - ends + counts)[which], ends - counts
+
+
+def _turned_back(vectors: Array, turns: Array) -> Array:
+    """Return vectors, shape (n, 3), in the axes of poses with rotations of shape (n, 3, 3)."""
+    return np.asarray(np.einsum("nj,njk->nk", vectors, turns))
 
 
 def _distinct(

@@ -41,8 +41,8 @@ _INSTALL = "pip install 'artgen[envs]'"
 _SQUEEZE = 40.0  # largest force of a finger [N]; with robosuite's 20 N, heavy doors slip
 _FINGER_STIFFNESS = 4000.0  # [N/m]
 
-# from each joint to the next at angle 0, as in robosuite's model: a rotation about x and a translation
-_TURNS = (0.0, -0.5, 0.5, 0.5, -0.5, 0.5, 0.5)  # [pi]
+# from each joint to the next at angle 0, as in robosuite's model: a translation and quarter turns about x
+_QUARTERS = (0, -1, 1, 1, -1, 1, 1)
 _SHIFTS = np.array(
     [
         [0.0, 0.0, 0.333],
@@ -147,18 +147,23 @@ def simulator() -> Any:
     return mujoco
 
 
-def _link(axis: int, turn: float, shift: Array) -> Array:
-    """Return the pose of a translation and a rotation about one of its axes, shape (4, 4) [m, rad]."""
-    result, first = np.eye(4), (axis + 1) % 3
-    sine, cosine = np.sin(turn), np.cos(turn)
-    result[first : first + 2, first : first + 2] = [[cosine, -sine], [sine, cosine]]  # axis 0 or 2
-    result[:3, 3] = shift
+def _chain(angles: Array) -> Array:
+    """Return the columns x, y, z and the places of joints and tip, shape (8, 4, 3, n)."""
+    sines, cosines = np.sin(angles.T), np.cos(angles.T)
+    result = np.empty((8, 4, 3, len(angles)))
+    x, y, z = np.repeat(np.eye(3)[:, :, None], len(angles), axis=2)
+    place = np.zeros_like(x)
+    for index, (quarter, shift) in enumerate(zip(_QUARTERS, _SHIFTS, strict=True)):
+        for column, along in zip((x, y, z), shift, strict=True):
+            if along:
+                place = place + along * column
+        if quarter:
+            y, z = quarter * z, -quarter * y
+        x, y = cosines[index] * x + sines[index] * y, cosines[index] * y - sines[index] * x
+        result[index] = x, y, z, place
+    sine, cosine = np.sin(_TIP_TURN), np.cos(_TIP_TURN)
+    result[7] = cosine * x + sine * y, cosine * y - sine * x, z, place + _TIP * z
     return result
-
-
-_FIXED = np.array([_link(0, np.pi * turn, shift) for turn, shift in zip(_TURNS, _SHIFTS, strict=True)])
-_FIXED[:, :3, :3] = _FIXED[:, :3, :3].round()  # right angles
-_LAST = _link(2, _TIP_TURN, np.array([0.0, 0.0, _TIP]))
 
 
 def frames(angles: Array) -> Array:
@@ -166,16 +171,9 @@ def frames(angles: Array) -> Array:
 
     They are in the frame of the base, for postures of shape (n, 7) [rad].
     """
-    result = np.empty((len(angles), 8, 4, 4))
-    pose = np.tile(np.eye(4), (len(angles), 1, 1))
-    sines, cosines = np.sin(angles), np.cos(angles)
-    for index in range(7):
-        pose = pose @ _FIXED[index]
-        sine, cosine = sines[:, index, None], cosines[:, index, None]
-        x, y = pose[:, :, 0].copy(), pose[:, :, 1].copy()
-        pose[:, :, 0], pose[:, :, 1] = cosine * x + sine * y, cosine * y - sine * x
-        result[:, index] = pose
-    result[:, 7] = pose @ _LAST
+    result = np.zeros((len(angles), 8, 4, 4))
+    result[:, :, :3] = _chain(angles).transpose(3, 0, 2, 1)
+    result[:, :, 3, 3] = 1.0
     return result
 
 
@@ -185,37 +183,61 @@ def reach(angles: Array, tips: Array, steps: int) -> tuple[Array, Array]:
     From initial postures, shape (n, 7) [rad], to poses of the tips in the frame of the base, shape (n, 4, 4).
     Returns the postures and the errors of the tips: meters plus a tenth of the radians, shape (n,).
     """
-    low, high = LIMITS[:, 0] + _MARGIN, LIMITS[:, 1] - _MARGIN
-    angles = np.clip(angles, low, high)
+    low, high = LIMITS[:, :1] + _MARGIN, LIMITS[:, 1:] - _MARGIN
+    wanted = np.ascontiguousarray(tips[:, :3].transpose(2, 1, 0))  # columns first, as in a chain
+    angles = np.clip(angles.T, low, high)
+    jacobian = np.empty((6, 7, angles.shape[1]))
     for _ in range(steps):
-        poses = frames(angles)
-        error = _error(poses[:, 7], tips)
-        axes, places = poses[:, :7, :3, 2], poses[:, :7, :3, 3]
-        lever = np.cross(axes, poses[:, None, 7, :3, 3] - places)
-        jacobian = np.concatenate([lever, axes], axis=2)  # (n, 7, 6)
-        square = np.einsum("nji,njk->nik", jacobian, jacobian) + _DAMPING**2 * np.eye(6)
+        chain = _chain(angles.T)
+        error = _error(chain[7], wanted)
+        jacobian[3:] = axes = chain[:7, 2].transpose(1, 0, 2)
+        jacobian[:3] = _cross(axes, (chain[7, 3] - chain[:7, 3]).transpose(1, 0, 2))
+        square = np.einsum("ijn,kjn->ikn", jacobian, jacobian)
+        square[range(6), range(6)] += _DAMPING**2
         # a pull towards the centers of the ranges that does not move the tip
-        pull = 0.02 * (_MIDDLE - angles)
-        wanted = error - np.einsum("nji,nj->ni", jacobian, pull)
-        step = pull + np.einsum("nij,nj->ni", jacobian, np.linalg.solve(square, wanted[..., None])[..., 0])
-        longest = np.abs(step).max(axis=1, keepdims=True)
+        pull = 0.02 * (_MIDDLE[:, None] - angles)
+        solved = _solved(square, error - np.einsum("ijn,jn->in", jacobian, pull))
+        step = pull + np.einsum("ijn,in->jn", jacobian, solved)
+        longest = np.abs(step).max(axis=0)
         angles = np.clip(angles + step * np.minimum(1.0, _LONGEST / np.maximum(longest, 1e-9)), low, high)
-    error = _error(frames(angles)[:, 7], tips)
-    return angles, np.linalg.norm(error[:, :3], axis=1) + 0.1 * np.linalg.norm(error[:, 3:], axis=1)
+    error = _error(_chain(angles.T)[7], wanted)
+    miss = np.sqrt((error[:3] ** 2).sum(axis=0)) + 0.1 * np.sqrt((error[3:] ** 2).sum(axis=0))
+    return np.ascontiguousarray(angles.T), miss
+
+
+def _cross(one: Array, other: Array) -> Array:
+    """Return the products of vectors along the first axis."""
+    (a, b, c), (d, e, f) = one, other
+    return np.array([b * f - c * e, c * d - a * f, a * e - b * d])
+
+
+def _solved(square: Array, right: Array) -> Array:
+    """Solve positive definite systems, shape (6, 6, n), for right sides, shape (6, n), by Cholesky."""
+    count = len(right)
+    lower, result = square.copy(), right.copy()
+    for column in range(count):
+        lower[column:, column] /= np.sqrt(lower[column, column])
+        result[column] /= lower[column, column]
+        for row in range(column + 1, count):
+            lower[row:, row] -= lower[row:, column] * lower[row, column]
+            result[row] -= lower[row, column] * result[column]
+    for column in reversed(range(count)):
+        result[column] /= lower[column, column]
+        result[:column] -= lower[column, :column] * result[column]
+    return result
 
 
 def _error(poses: Array, tips: Array) -> Array:
-    """Return the translations and rotations from poses to desired tips, shape (n, 6) [m, rad]."""
-    result = np.empty((len(poses), 6))
-    result[:, :3] = tips[:, :3, 3] - poses[:, :3, 3]
-    turn = tips[:, :3, :3] @ poses[:, :3, :3].transpose(0, 2, 1)
-    vector = np.stack(
-        [turn[:, 2, 1] - turn[:, 1, 2], turn[:, 0, 2] - turn[:, 2, 0], turn[:, 1, 0] - turn[:, 0, 1]], axis=1
-    )
-    sine = np.linalg.norm(vector, axis=1)  # twice the sine
-    angle = np.arctan2(sine, np.trace(turn, axis1=1, axis2=2) - 1.0)
-    result[:, 3:] = vector * (angle / np.maximum(sine, 1e-9))[:, None]
-    return result
+    """Return the translations and rotations from poses to desired tips, shape (6, n) [m, rad].
+
+    Both are columns and places, shape (4, 3, n).
+    """
+    # the turn is the sum of products of the columns
+    vector = sum(_cross(one, other) for one, other in zip(poses[:3], tips[:3], strict=True))
+    trace = (poses[:3] * tips[:3]).sum(axis=(0, 1))
+    sine = np.sqrt((vector**2).sum(axis=0))  # twice the sine
+    angle = np.arctan2(sine, trace - 1.0)
+    return np.concatenate([tips[3] - poses[3], vector * (angle / np.maximum(sine, 1e-9))])
 
 
 class Control:
