@@ -48,7 +48,7 @@ _COATS = ag.choice(
     )
 )
 _GRIPS = ag.choice("black_abs", "stainless_blasted", "walnut", "beech", ag.colored("abs", "graphite"))
-_LIDS = {"casserole": 2300.0, "pan": 700.0}  # density of the solid dome of a lid, otherwise 700 [kg/m3]
+_LIDS = {"casserole": 1800.0, "pan": 700.0}  # density of the solid dome of a lid, otherwise 700 [kg/m3]
 _GLASS = ag.material("glass").with_(name="lid_glass", opacity=0.16, density=900.0)
 _SIDES = 32  # facets of the solid inside a wall
 _SLOPES = 22  # the same of a sloping wall, which is thicker and takes longer to simulate
@@ -66,11 +66,11 @@ def pot(
     ),
     width: ag.Float = ag.by(
         "style",
-        saucepan=ag.uniform(0.145, 0.205),
+        saucepan=ag.uniform(0.147, 0.205),
         stockpot=ag.uniform(0.242, 0.285),
         casserole=ag.uniform(0.22, 0.28),
         pan=ag.uniform(0.24, 0.30),
-        pressure=ag.uniform(0.215, 0.235),
+        pressure=ag.uniform(0.217, 0.235),
         chafer=ag.uniform(0.34, 0.39),
         unit="m",
         within=(0.14, 0.40),
@@ -268,7 +268,8 @@ def _lid(
     glass = cover == "glass"
     shell = _GLASS if glass else finish.with_(name=f"{finish.name}_lid", density=_LIDS.get(style, 700.0))
     disc = ag.cylinder(edge, 0.0034, bevel=0.0012).at(z=0.0017)
-    dome = ag.dome(edge - 0.0015, height=rise).at(z=0.0022)
+    # only the flat rim, which is round, strikes the wall: sides of a dome's pieces would turn a lid that falls
+    dome = ag.dome(radius - _WALLS.get(style, 0.002) - 0.0012, height=rise).at(z=0.0022)
     lid = ag.weld(_knob(knob, radius, rise + 0.0022, grip), ag.part(disc | dome, "lid", shell))
     if glass:
         ring = ag.tube(edge + 0.0004, edge - 0.007, 0.0040, bevel=0.0014).at(z=0.0020)

@@ -393,7 +393,7 @@ def _tongs(
         friction=1.2,
         damping=4.0,
         armature=0.05,
-        effort=12.0,
+        effort=8.0,
         needs=(hinge < 0.0150).beyond(met - 0.0004),  # the play of the arm in the ring
     )
     body = body.attach(right, hinge).attach(ag.part(loop, "ring", cover, grasp=hold), slide)
