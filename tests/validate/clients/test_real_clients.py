@@ -78,7 +78,9 @@ def test_what_snaps_over_stops_at_its_end(style, tmp_path):
     assert outcome.state == "passed", outcome.message
 
 
-@pytest.mark.parametrize("name", ["mujoco", "drake_urdf", "newton_mjcf", "newton_usd", "ovphysx"])
+@pytest.mark.parametrize(
+    "name", ["mujoco", "drake_urdf", "newton_mjcf", "newton_usd", "ovphysx", "mujoco_usd_converter"]
+)
 def test_it_reads_a_closed_chain(name, tmp_path):
     chair = artgen.generate("chair", seed=11, style="folding", certify=False)
     exports = [
