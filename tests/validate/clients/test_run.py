@@ -3,6 +3,7 @@
 import json
 import sys
 import time
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -10,7 +11,8 @@ import pytest
 import artgen
 from artgen.validate.clients import install as place
 from artgen.validate.clients import run
-from artgen.validate.clients.exported import moved_by_several
+from artgen.validate.clients.exported import differences, moved_by_several, read_exported
+from artgen.validate.clients.registry import CLIENTS
 from artgen.validate.clients.run import joined_lines, run_all, run_client, sorted_messages
 from artgen.validate.readback.compare import expected_frames
 
@@ -126,7 +128,7 @@ def test_what_differs_is_told(answer, truth, path, value, message):
     assert message in "\n".join(str(finding) for finding in outcome.findings)
 
 
-def test_links_of_several_joints_and_what_hangs_on_them_are_known():
+def test_links_of_several_joints_and_what_hangs_on_them_are_known(tmp_path):
     metal = artgen.material("stainless")
 
     @artgen.generator
@@ -141,6 +143,12 @@ def test_links_of_several_joints_and_what_hangs_on_them_are_known():
     asset = stack.generate(0, certify=False)
     assert moved_by_several(asset) == {"head", "knob"}
     assert moved_by_several(artgen.generate("toaster", 0, certify=False)) == frozenset()
+
+    exported = read_exported(asset.export(tmp_path, formats=("mjcf",), textures=0))
+    client, still = replace(CLIENTS["drake_mjcf"], reports=()), {"moved": {"head_turn": [0.0, 0.0]}}
+    assert not list(differences(client, exported, still))
+    assert list(differences(replace(client, misplaces=False), exported, still))
+    assert list(differences(client, exported, {"moved": {"head_turn": [0.0, 2.0]}}))
 
 
 def test_an_answer_without_what_the_client_has_to_tell_fails(answer, truth):

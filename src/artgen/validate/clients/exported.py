@@ -155,8 +155,10 @@ def differences(client: Client, exported: ClientExport, answer: Mapping[str, Any
     ).differences()
     if not answer.get("finite", True):
         yield Finding(client.name, "positions become infinite or NaN in simulation")
+    misplaced = _misplaced(client, exported)
     for name, span in answer.get("moved", {}).items():
-        yield from _motion(client, exported.asset.joint(name), span)
+        joint = exported.asset.joint(name)
+        yield from _motion(client, joint, span, stuck=joint.child in misplaced)
 
 
 def _missing(client: Client, exported: ClientExport, answer: Mapping[str, Any]) -> Iterator[Finding]:
@@ -198,8 +200,7 @@ def _reading(
         lambda _: {name: _array(frame, 4, 4) for name, frame in next(poses).items()},
         parts=parts,
         partial=True,
-        misplaced=(moved_by_several(asset) if client.misplaces else frozenset())
-        | frozenset(exported.free_links(client)),
+        misplaced=_misplaced(client, exported) | frozenset(exported.free_links(client)),
         inertials={
             name: Inertial(
                 float(read["mass"]),
@@ -226,6 +227,11 @@ def _reading(
     )
 
 
+def _misplaced(client: Client, exported: ClientExport) -> frozenset[str]:
+    """Return the links that a client puts elsewhere, where they may touch others."""
+    return moved_by_several(exported.asset) if client.misplaces else frozenset()
+
+
 def moved_by_several(asset: Asset) -> frozenset[str]:
     """Return the links with several joints, and their descendants."""
     joints = [joint for joint in asset.joints if not joint.locked]
@@ -236,10 +242,11 @@ def moved_by_several(asset: Asset) -> frozenset[str]:
     return frozenset(found)
 
 
-def _motion(client: Client, joint: AssetJoint, span: Any) -> Iterator[Finding]:
+def _motion(client: Client, joint: AssetJoint, span: Any, *, stuck: bool) -> Iterator[Finding]:
+    """Yield the faults in the motion of a joint, which may be stuck."""
     least, most = (float(end) for end in span)
     low, high = joint.limits or (-_UNLIMITED, _UNLIMITED)
-    if not most - least >= _LEAST_MOTION * (high - low):
+    if not stuck and not most - least >= _LEAST_MOTION * (high - low):
         force = f"{joint.effort:g} {'N m' if joint.kind == 'revolute' else 'N'}"
         message = f"driven by {force} it moves only from {least:.4g} to {most:.4g}"
         yield Finding(client.name, message, joint=joint.name, value=most - least)
