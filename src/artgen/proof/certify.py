@@ -3,7 +3,8 @@
 import math
 import time
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -53,6 +54,7 @@ def certify(
     only: Callable[[JointPath], bool] | None = None,
     seconds: float = math.inf,
     overlap: float = 0.0,
+    known: "Known | None" = None,
 ) -> Certificate:
     """Prove for all pairs of links that they stay apart at every joint position.
 
@@ -70,6 +72,7 @@ def certify(
         seconds: Time after which the pairs that are left are not proven [s].
         overlap: Overlap that is permitted everywhere, up to 0.01 mm; the tolerance of the certificate is less
             by it, so that `recheck` has to be told of it [m].
+        known: Searches that are used again for pairs whose joint space is the same; new ones are added.
 
     Raises:
         AssetError: The asset has no links, a joint has no usable range, or a joint can never move.
@@ -97,12 +100,13 @@ def certify(
     begin, limit = time.monotonic(), seconds
     finer_follows = all(link.pieces for link in asset.links if not link.absent)
     first = seconds / 2.0 if finer_follows else seconds  # a hard pair leaves time for the pairs that follow
-    on_colliders = _searched(asset, collider_cover, joint_paths, tolerance, measure=measure, seconds=first)
+    searched = partial(_searched, asset, tolerance=tolerance, measure=measure, known=known)
+    on_colliders = searched(collider_cover, joint_paths, seconds=first)
     doubtful = [each.joint_path for each in on_colliders if not each.settled]
     on_solids = {each.joint_path.links: each for each in on_colliders}
     if finer_follows:
         seconds = max(seconds + begin - time.monotonic(), 0.0)
-        finer = _searched(asset, fine_cover, doubtful, tolerance, measure=measure, seconds=seconds)
+        finer = searched(fine_cover, doubtful, seconds=seconds)
         on_solids |= {each.joint_path.links: each for each in finer}
     pairs = [_pair_result(asset, each, on_solids[each.joint_path.links], limit) for each in on_colliders]
     proven = [on_solids[pair.links] for pair in pairs if pair.verdict == "proven"]
@@ -110,21 +114,36 @@ def certify(
     return Certificate(tolerance, tuple(pairs), asset.contacts, _proof_data(proven), hosts)
 
 
-def doubtful_colliders(
-    asset: Asset, tolerance: float, only: Callable[[JointPath], bool]
-) -> list[list[tuple[str, int]]]:
+def doubtful_colliders(asset: Asset, only: Callable[[JointPath], bool]) -> list[list[tuple[str, int]]]:
     """Return groups of colliders that are not proven apart, each as the name of its link and its number.
 
-    The arguments are those of `certify`.
+    `only` selects the pairs of links.
     """
-    joint_paths = space_of(asset).joint_paths(only)
     result = []
-    for each in _searched(asset, collider_cover, joint_paths, tolerance, measure=False, seconds=math.inf):
+    for each in _searched(asset, collider_cover, space_of(asset).joint_paths(only)):
         hits = [hit[:2] for hit in (each.outcome.hit, each.outcome.collider_hit) if hit is not None]
         for pair in dict.fromkeys(hits or [cell[2:4] for cell in each.outcome.open]):
             named = zip(each.joint_path.links, pair, strict=True)
             result.append([(link, number) for link, node in named for number in each.nodes.pieces(node)])
     return result
+
+
+def are_apart(asset: Asset, only: Callable[[JointPath], bool]) -> bool:
+    """Tell whether the colliders of the selected pairs of links are proven apart."""
+    searches = _searched(asset, collider_cover, space_of(asset).joint_paths(only), brief=True)
+    return all(each.outcome.proven for each in searches)
+
+
+def doubtful_pairs(asset: Asset, only: Callable[[JointPath], bool], known: "Known") -> set[tuple[str, str]]:
+    """Return the selected pairs of links whose solids or colliders `certify` does not prove apart.
+
+    The arguments are those of `certify`.
+    """
+    on_colliders = _searched(asset, collider_cover, space_of(asset).joint_paths(only), known=known)
+    failed = {each.joint_path.links for each in on_colliders if not each.outcome.proven}
+    doubtful = [each.joint_path for each in on_colliders if each.outcome.proven and not each.contained]
+    finer = _searched(asset, fine_cover, doubtful, known=known)
+    return failed | {each.joint_path.links for each in finer if not (each.outcome.proven and each.contained)}
 
 
 def _check_ranges(asset: Asset) -> None:
@@ -160,6 +179,20 @@ class _PairSearch:
         """Whether the result decides about the solids: they are proven apart, or they overlap."""
         return (self.outcome.proven and self.contained) or self.outcome.hit is not None
 
+    def is_of(self, joint_path: JointPath, covers: Mapping[str, Cover]) -> bool:
+        """Tell whether a search of a joint path on the pieces of its links would find the same."""
+        same = all(self.covers[name] is covers[name] for name in joint_path.links)
+        return same and self.joint_path.key == joint_path.key
+
+    def among(self, nodes: Hierarchy, covers: Mapping[str, Cover]) -> "_PairSearch":
+        """Return the search with the numbers that its nodes have among those of other links."""
+        first, second = (
+            int(nodes.roots[[*covers].index(name)] - self.nodes.roots[[*self.covers].index(name)])
+            for name in self.joint_path.links
+        )
+        cells = replace(self.closed, first=self.closed.first + first, second=self.closed.second + second)
+        return replace(self, nodes=nodes, covers=covers, closed=cells)
+
     def labels(self, first: int, second: int) -> tuple[str, str]:
         """Return the labels of two pieces; of boxes, the labels of their first pieces."""
         return _labels(self.joint_path, self.covers, self.nodes, first, second)
@@ -172,21 +205,37 @@ def _labels(
     return a[nodes.first_piece[first]], b[nodes.first_piece[second]]
 
 
+Known = dict[tuple[Any, ...], _PairSearch]
+"""Searches of pairs by the names of the links, the kind of pieces and the requirements."""
+
+
 def _searched(
     asset: Asset,
     cover: Callable[..., Cover],
     joint_paths: Sequence[JointPath],
-    tolerance: float,
+    tolerance: float = 0.0,
     *,
-    measure: bool,
-    seconds: float,
+    measure: bool = False,
+    seconds: float = math.inf,
+    brief: bool = False,
+    known: Known | None = None,
 ) -> list[_PairSearch]:
-    """Search several joint paths on one kind of pieces."""
+    """Search several joint paths on one kind of pieces; `brief` ends at the first pair that is in doubt."""
     if not joint_paths:
         return []
     names = list(dict.fromkeys(name for joint_path in joint_paths for name in joint_path.links))
     covers = {name: cover(asset.link(name)) for name in names}
     nodes = Hierarchy([covers[name].points for name in names])
+    requirements = (cover, tolerance, measure)
+    result = {
+        joint_path.links: same.among(nodes, covers)
+        for joint_path in joint_paths
+        if (same := (known or {}).get((joint_path.links, *requirements))) is not None
+        and same.outcome.proven
+        and same.is_of(joint_path, covers)
+    }
+    order = [each.links for each in joint_paths]
+    joint_paths = [each for each in joint_paths if each.links not in result]
 
     def confirm(number: int, first: int, second: int, positions: Array, depth: float) -> str:
         joint_path = joint_paths[number]
@@ -208,12 +257,15 @@ def _searched(
     least = np.array([sum(covers[name].excess or 0.0 for name in links) for links in pairs])
     trees = [(names.index(a), names.index(b)) for a, b in pairs]
     tolerances = least + tolerance
-    search = Search(nodes, joint_paths, trees, confirm, allowed_depth, tolerances, least, measure, seconds)
-    closed = search.run()
-    return [
-        _PairSearch(joint_path, outcome, nodes, covers, cells)
-        for joint_path, outcome, cells in zip(joint_paths, search.outcomes, closed, strict=True)
-    ]
+    if joint_paths:
+        search = Search(
+            nodes, joint_paths, trees, confirm, allowed_depth, tolerances, least, measure, seconds, brief
+        )
+        for joint_path, outcome, cells in zip(joint_paths, search.outcomes, search.run(), strict=True):
+            result[joint_path.links] = _PairSearch(joint_path, outcome, nodes, covers, cells)
+    if known is not None:
+        known.update({(links, *requirements): found for links, found in result.items()})
+    return [result[links] for links in order]
 
 
 def _pair_result(asset: Asset, on_colliders: _PairSearch, on_solids: _PairSearch, limit: float) -> PairResult:

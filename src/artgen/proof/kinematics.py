@@ -193,6 +193,9 @@ def starting_cells(joint_path: JointPath) -> list[tuple[int, Array]]:
         while np.prod(parts.astype(float)) > _MOST_STARTS:  # wider cells are enclosed too, but less tightly
             parts[np.argmax(parts)] -= 1
         grown = box + (-BEYOND, BEYOND)
+        if (parts == 1).all():
+            result.append((index, grown))
+            continue
         edges = [np.linspace(low, high, part + 1) for (low, high), part in zip(grown, parts, strict=True)]
         cells = itertools.product(*(itertools.pairwise(edge) for edge in edges))
         result += [(index, np.array(cell)) for cell in cells]

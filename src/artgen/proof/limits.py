@@ -19,7 +19,7 @@ from artgen.asset.collision import link_parts
 from artgen.asset.joint import joints_above
 from artgen.asset.manifolds import box_of
 from artgen.errors import AssetError, nearest
-from artgen.proof.certify import certify, doubtful_colliders
+from artgen.proof.certify import Known, are_apart, certify, doubtful_colliders, doubtful_pairs
 from artgen.proof.overlap import link_overlap
 from artgen.proof.paths import JointPath, Space
 
@@ -106,7 +106,7 @@ def narrowed_limits(
     return found
 
 
-def separated(asset: Asset, counts: Callable[[JointPath], bool]) -> Asset:
+def separated(asset: Asset, counts: Callable[[JointPath], bool], known: Known) -> Asset:
     """Return an asset in whose valid states no counted pair collides, by narrower limits and dependencies.
 
     A joint that collides while the others are all but closed is narrowed. Of two joints that collide with
@@ -116,11 +116,12 @@ def separated(asset: Asset, counts: Callable[[JointPath], bool]) -> Asset:
     Args:
         asset: The asset; the other pairs are not examined.
         counts: Selects the pairs that may not collide, such as those of links of two assets in a scene.
+        known: Takes the searches of pairs, so that a proof of the returned asset does not repeat all.
 
     Raises:
         AssetError: The joints of a pair have dependencies already, or the pair collides at rest.
     """
-    failed = {each.links for each in certify(asset, only=counts).failures}
+    failed = doubtful_pairs(asset, counts, known)
     names = {name for links in failed for name in links}
     parts = replace(asset, links=ByName(link for link in asset.links if link.name in names))
     paths = Space(parts).joint_paths(lambda path: path.links in failed)
@@ -133,7 +134,7 @@ def separated(asset: Asset, counts: Callable[[JointPath], bool]) -> Asset:
         if found != asset.joint(name).limits:
             limits[name] = found
     asset, parts = _narrowed(asset, limits), _narrowed(parts, limits)
-    doubtful = doubtful_colliders(parts, 0.0, lambda path: path.links in failed)
+    doubtful = doubtful_colliders(parts, lambda path: path.links in failed)
     still = [{link for link, _ in group} for group in doubtful]
     paths = [path for path in paths if {*path.links} in still]
     needs: dict[str, AssetDependency] = {}
@@ -195,13 +196,8 @@ def _both(one: AssetDependency, other: AssetDependency) -> AssetDependency:
 
 def _free(asset: Asset, joint: str, pairs: set[tuple[str, str]]) -> Range:
     """Return the range of a joint around its closed position in which given pairs are apart."""
-    safe = partial(_is_safe, asset, joint, counts=lambda path: path.links in pairs, proven=_are_apart)
+    safe = partial(_is_safe, asset, joint, counts=lambda path: path.links in pairs, proven=are_apart)
     return _largest(safe, asset.joint(joint).closed, Space(asset).ranges[joint])
-
-
-def _are_apart(asset: Asset, only: Selection) -> bool:
-    """Tell whether the colliders of selected pairs of links are proven apart."""
-    return not doubtful_colliders(asset, 0.0, only)
 
 
 def _largest(safe: Callable[[Range], bool], rest: float, limits: Range) -> Range:

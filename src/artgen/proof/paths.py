@@ -10,6 +10,7 @@ import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
+from typing import Any
 
 import numpy as np
 
@@ -59,6 +60,13 @@ class JointPath:
     def allowed(self) -> tuple[tuple[AllowedContact, ...], ...]:
         """The contacts that are allowed everywhere in each box."""
         return tuple(contacts for _, contacts in self._parts)
+
+    @cached_property
+    def key(self) -> tuple[Any, ...]:
+        """All that a proof depends on but the pieces: equal for paths with the same motions and contacts."""
+        motions = [(each.kind, each.axis.tobytes(), each.pivot.tobytes()) for each in self.steps]
+        boxes = [box.tobytes() for box in self.boxes]
+        return (self.links, motions, self.signs, self.followers, self.variables, boxes, self.allowed)
 
 
 class Space:
@@ -191,14 +199,17 @@ class Space:
     def _cut(self, variables: Sequence[str]) -> list[Box]:
         needed = list(variables)
         for variable in needed:  # grows: the variables that joints depend on are appended
-            for joint in self.asset.joints:
-                if joint.needs is not None and self.followers[joint.name].leader == variable:
+            for joint, _ in self._alternatives:
+                assert joint.needs is not None
+                if self.followers[joint.name].leader == variable:
                     needs = (self.followers[name].leader for name in joint.needs.condition.joints())
                     needed += [name for name in dict.fromkeys(needs) if name and name not in needed]
         boxes: list[Box] = [{name: self.ranges[name] for name in needed}]
-        for joint in self.asset.joints:
-            clauses = self._clauses(joint, needed)
-            if clauses is None or len(boxes) * len(clauses) > _MOST_BOXES:
+        for _, alternatives in self._alternatives:
+            clauses = [
+                {name: ends for name, ends in clause.items() if name in needed} for clause in alternatives
+            ]
+            if not all(clauses) or len(boxes) * len(clauses) > _MOST_BOXES:
                 continue
             cut = [_common(box, clause) for box in boxes for clause in clauses]
             boxes = _largest([box for box in cut if box is not None])
@@ -225,22 +236,20 @@ class Space:
         self.followers[joint.name] = law
         self.ranges[leader.name] = full if leader.limits is None else leader.limits
 
-    def _clauses(self, joint: AssetJoint, variables: Sequence[str]) -> list[Box] | None:
-        """Return boxes one of which the dependency of a joint requires; None if it requires nothing."""
-        if joint.needs is None:
-            return None
-        free = joint.needs.beyond or _CLOSED
-        ranges = [(-free, free)]
-        if joint.needs.until is not None:
-            ranges += [(joint.needs.until, math.inf), (-math.inf, -joint.needs.until)]
-        alternatives = [self._where(joint.name, *each) for each in ranges]
-        alternatives += self._terms(joint.needs.condition)
-        clauses: list[Box] = [
-            {name: ends for name, ends in clause.items() if name in variables}
-            for clause in alternatives
-            if clause is not None
-        ]
-        return clauses if all(clauses) else None
+    @cached_property
+    def _alternatives(self) -> tuple[tuple[AssetJoint, list[Box]], ...]:
+        """The joints with a dependency, each with boxes one of which it requires."""
+        result = []
+        for joint in self.asset.joints:
+            if joint.needs is not None:
+                free = joint.needs.beyond or _CLOSED
+                ranges = [(-free, free)]
+                if joint.needs.until is not None:
+                    ranges += [(joint.needs.until, math.inf), (-math.inf, -joint.needs.until)]
+                alternatives = [self._where(joint.name, *each) for each in ranges]
+                alternatives += self._terms(joint.needs.condition)
+                result.append((joint, [each for each in alternatives if each is not None]))
+        return tuple(result)
 
     def _where(self, joint: str, low: float, high: float) -> Box | None:
         """Return the positions of a joint within an interval; None if there are none."""

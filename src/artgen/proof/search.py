@@ -59,6 +59,7 @@ class Search:
     least: Array
     measure: bool  # whether to bracket the clearance up to `_CAP`
     seconds: float = np.inf  # time after which the rest stays open [s]
+    brief: bool = False  # whether to end at the first joint path that is not proven
 
     def __post_init__(self) -> None:
         count = len(self.joint_paths)
@@ -114,6 +115,8 @@ class Search:
                 self._used += (time.monotonic() - begin) / len(some) * self._counts(some)
             cells = ProofCells.join(parts)
             cells = cells[~self._done[cells.joint_path]]
+            if self.brief and not all(outcome.proven for outcome in self.outcomes):
+                break
         for number, outcome in enumerate(self.outcomes):
             outcome.guaranteed, outcome.found = float(self._guaranteed[number]), float(self._found[number])
         closed = ProofCells.join(self._closed)

@@ -34,7 +34,7 @@ from artgen.materials import Material, colored, material
 from artgen.nodes.body import part, weld
 from artgen.nodes.handles import Body
 from artgen.nodes.region import Region
-from artgen.proof.certify import certify
+from artgen.proof.certify import Known, certify
 from artgen.proof.limits import separated
 from artgen.proof.paths import JointPath
 from artgen.view.camera import box_corners
@@ -419,8 +419,9 @@ class Scene:
             first, second = map(owners.get, joint_path.links)
             return first != second
 
-        whole = _check_ranges(separated(whole, apart), whole)
-        certificate = certify(whole)
+        known: Known = {}
+        whole = _check_ranges(separated(whole, apart, known), whole)
+        certificate = certify(whole, known=known)
         if not certificate.proven:
             raise AssetError(f"scene {self.name!r}: {certificate}")
         return remember(whole, certificate)
