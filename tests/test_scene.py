@@ -22,7 +22,7 @@ from artgen.asset.placed import certificate_digest
 from artgen.errors import AssetError, ParameterError
 from artgen.export.frames import translation
 from artgen.materials import colored
-from artgen.proof.certify import certify
+from artgen.proof.certify import Known, certify
 from artgen.scene import ROOMS, Scene, kitchen
 from artgen.scene.furnish import Furnisher
 from artgen.scene.room import GAP, STANDING
@@ -85,6 +85,24 @@ def test_of_two_doors_that_meet_one_depends_on_the_other(corner: Asset) -> None:
     assert dependent.needs.allows(wide_open[dependent.name], free)
     without = (replace(joint, needs=None) for joint in corner.joints)
     assert not certify(replace(corner, joints=ByName(without))).proven
+
+
+def test_searches_of_the_separation_change_nothing_in_the_proof(corner: Asset) -> None:
+    again = certify(corner)
+    assert corner.certificate is not None
+    assert again == corner.certificate
+    assert again.leaves == corner.certificate.leaves
+
+
+def test_a_search_is_not_used_for_other_limits_of_a_joint(corner: Asset) -> None:
+    known = Known()
+    narrow = [
+        each if each.locked or each.limits is None else replace(each, limits=(0.0, 0.01), needs=None)
+        for each in corner.joints
+    ]
+    assert certify(replace(corner, joints=ByName(narrow)), known=known).proven
+    wide = ByName(replace(joint, needs=None) for joint in corner.joints)
+    assert not certify(replace(corner, joints=wide), known=known).proven
 
 
 def test_a_scene_rests_in_simulation(corner: Asset) -> None:

@@ -286,27 +286,27 @@ class Generator(Variant):
             cache: Values from earlier evaluations.
         """
         draw = self._drawn(seed, attempt, overrides)
-        return self._inert_numbers(draw, cache) | self._inert_structure(draw)
+        return self._inert_numbers(draw, cache) | self._inert_structure(draw, self._folded(draw.values))
 
-    def _acting(self, draw: Draw, cache: Cache | None, *, keep_graph: bool) -> dict[str, Any]:
-        """Return the values of a draw without overrides that do not act."""
+    def _acting(self, draw: Draw, cache: Cache | None, folded: Handle | None) -> dict[str, Any]:
+        """Return the values of a draw without overrides that do not act; numbers only without a graph."""
         inert = self._inert_numbers(draw, cache)
-        if not keep_graph:  # it would build a graph for each option
-            inert |= self._inert_structure(draw)
+        if folded is not None:
+            inert |= self._inert_structure(draw, folded)
         return {key: value for key, value in draw.values.items() if key not in inert}
 
     def _inert_numbers(self, draw: Draw, cache: Cache | None) -> set[str]:
         numbers = {name for name, parameter in draw.overridden.items() if not parameter.structural}
         return numbers - reached(self._built.of(draw.values), draw.values, cache) if numbers else set()
 
-    def _inert_structure(self, draw: Draw) -> set[str]:
+    def _inert_structure(self, draw: Draw, folded: Handle) -> set[str]:
         inert = set()
         options = {
             name: [option for option in parameter.options if option != draw.values[name]][:_MOST_OPTIONS]
             for name, parameter in draw.overridden.items()
             if parameter.structural and not is_variant(parameter.kind)
         }
-        drawn = self._folded(draw.values).node.key if options else ""
+        drawn = folded.node.key
         for name, others in options.items():
             keys = filter(None, (self._with_option(draw, draw.overridden[name], each) for each in others))
             if next(keys, "") == drawn and all(key == drawn for key in keys):
@@ -625,7 +625,8 @@ class Generator(Variant):
         body = self._built.of(draw.values) if keep_graph else self._folded(draw.values)
         shown: dict[str, Any] = {}
         for level, evaluation in _evaluations(body, draw.values, cache, DETAILS[detail]):
-            shown = shown or self._acting(draw, cache, keep_graph=keep_graph)
+            # a graph that is kept is not that of the sample alone, and a graph for each option takes long
+            shown = shown or self._acting(draw, cache, None if keep_graph else body)
             try:
                 origin: dict[str, Any] = {"seed": draw.seed, "attempt": draw.attempt, "detail": detail}
                 asset = padded(self._asset(body, evaluation, shown, name, base, **origin))

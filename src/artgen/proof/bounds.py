@@ -58,14 +58,17 @@ def enclosing_points(motion: Motion, points: Array) -> Array:
     """Return points whose convex hull contains points, shape (N, V, 3) [m], throughout the motion.
 
     Their shape is (N, 2 V, 3) for a slide and (N, 3 V, 3) for a rotation; (N, 8 V, 3) for a half interval
-    above `WIDEST`, whose tangents do not cross on the outside.
+    above `WIDEST`, whose tangents do not cross on the outside; and (N, V, 3) if no item moves, as in a room,
+    where locked joints hold the assets.
     """
-    half = motion.half[:, None, None]
+    half, still = motion.half[:, None, None], not motion.half.any()
     if motion.kind == "prismatic":
         middle = points + (motion.center[:, None] * motion.axis)[:, None, :]
         step = half * motion.axis[:, None, :]
-        return np.concatenate((middle - step, middle + step), axis=1)
+        return middle if still else np.concatenate((middle - step, middle + step), axis=1)
     feet, arm, across = _about(motion, points)
+    if still:
+        return feet + arm
     wide = half > WIDEST
     cosine, sine = np.where(wide, 1.0, _portable.cos(half)), _portable.sin(half)
     near, far = feet + cosine * arm, sine * across

@@ -72,7 +72,7 @@ def certify(
         seconds: Time after which the pairs that are left are not proven [s].
         overlap: Overlap that is permitted everywhere, up to 0.01 mm; the tolerance of the certificate is less
             by it, so that `recheck` has to be told of it [m].
-        known: Searches that are used again for pairs whose joint space is the same; new ones are added.
+        known: Searches for pairs whose joint space is the same are taken from it; new ones are added.
 
     Raises:
         AssetError: The asset has no links, a joint has no usable range, or a joint can never move.
@@ -110,17 +110,20 @@ def certify(
         on_solids |= {each.joint_path.links: each for each in finer}
     pairs = [_pair_result(asset, each, on_solids[each.joint_path.links], limit) for each in on_colliders]
     proven = [on_solids[pair.links] for pair in pairs if pair.verdict == "proven"]
-    proven += [each for each in on_colliders if each.outcome.proven and each not in proven]
+    stored = {id(each) for each in proven}
+    proven += [each for each in on_colliders if each.outcome.proven and id(each) not in stored]
     return Certificate(tolerance, tuple(pairs), asset.contacts, _proof_data(proven), hosts)
 
 
-def doubtful_colliders(asset: Asset, only: Callable[[JointPath], bool]) -> list[list[tuple[str, int]]]:
+def doubtful_colliders(
+    asset: Asset, tolerance: float, only: Callable[[JointPath], bool]
+) -> list[list[tuple[str, int]]]:
     """Return groups of colliders that are not proven apart, each as the name of its link and its number.
 
-    `only` selects the pairs of links.
+    The arguments are those of `certify`.
     """
     result = []
-    for each in _searched(asset, collider_cover, space_of(asset).joint_paths(only)):
+    for each in _searched(asset, collider_cover, space_of(asset).joint_paths(only), tolerance):
         hits = [hit[:2] for hit in (each.outcome.hit, each.outcome.collider_hit) if hit is not None]
         for pair in dict.fromkeys(hits or [cell[2:4] for cell in each.outcome.open]):
             named = zip(each.joint_path.links, pair, strict=True)
@@ -128,9 +131,9 @@ def doubtful_colliders(asset: Asset, only: Callable[[JointPath], bool]) -> list[
     return result
 
 
-def are_apart(asset: Asset, only: Callable[[JointPath], bool]) -> bool:
+def are_apart(asset: Asset, only: Callable[[JointPath], bool], known: "Known | None" = None) -> bool:
     """Tell whether the colliders of the selected pairs of links are proven apart."""
-    searches = _searched(asset, collider_cover, space_of(asset).joint_paths(only), brief=True)
+    searches = _searched(asset, collider_cover, space_of(asset).joint_paths(only), brief=True, known=known)
     return all(each.outcome.proven for each in searches)
 
 
@@ -205,8 +208,20 @@ def _labels(
     return a[nodes.first_piece[first]], b[nodes.first_piece[second]]
 
 
-Known = dict[tuple[Any, ...], _PairSearch]
-"""Searches of pairs by the names of the links, the kind of pieces and the requirements."""
+class Known:
+    """What several proofs of one design use again: searches of pairs of links, and the trees of pieces."""
+
+    def __init__(self) -> None:
+        # by the names of the links, the kind of pieces and the requirements
+        self.searches: dict[tuple[Any, ...], _PairSearch] = {}
+        self._nodes: dict[tuple[Cover, ...], Hierarchy] = {}
+
+    def hierarchy(self, covers: Sequence[Cover]) -> Hierarchy:
+        """Return the trees of the pieces of several links."""
+        key = tuple(covers)
+        if key not in self._nodes:
+            self._nodes[key] = Hierarchy([each.points for each in covers])
+        return self._nodes[key]
 
 
 def _searched(
@@ -225,12 +240,12 @@ def _searched(
         return []
     names = list(dict.fromkeys(name for joint_path in joint_paths for name in joint_path.links))
     covers = {name: cover(asset.link(name)) for name in names}
-    nodes = Hierarchy([covers[name].points for name in names])
-    requirements = (cover, tolerance, measure)
+    known = Known() if known is None else known
+    nodes, requirements = known.hierarchy([*covers.values()]), (cover, tolerance, measure)
     result = {
         joint_path.links: same.among(nodes, covers)
         for joint_path in joint_paths
-        if (same := (known or {}).get((joint_path.links, *requirements))) is not None
+        if (same := known.searches.get((joint_path.links, *requirements))) is not None
         and same.outcome.proven
         and same.is_of(joint_path, covers)
     }
@@ -263,8 +278,8 @@ def _searched(
         )
         for joint_path, outcome, cells in zip(joint_paths, search.outcomes, search.run(), strict=True):
             result[joint_path.links] = _PairSearch(joint_path, outcome, nodes, covers, cells)
-    if known is not None:
-        known.update({(links, *requirements): found for links, found in result.items()})
+    if not brief:
+        known.searches |= {(links, *requirements): found for links, found in result.items()}
     return [result[links] for links in order]
 
 

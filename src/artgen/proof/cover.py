@@ -181,6 +181,7 @@ class Cover(FrozenArrays):
     colliders: bool = True  # whether the pieces are the colliders of the link
 
 
+@cached_per_object
 def collider_cover(link: Link) -> Cover:
     """Return the colliders of a link as polytopes that contain them."""
     convexes = [collider.convex for collider in link.colliders]
@@ -206,6 +207,7 @@ def _collider_excess(link: Link) -> float | None:
     return _excess(link, pieces, [(each.label, *each.joined) for each in link.colliders])
 
 
+@cached_per_object
 def fine_cover(link: Link) -> Cover:
     """Return many pieces that follow the solids closely, for proofs rather than simulators."""
     pieces = [

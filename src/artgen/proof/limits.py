@@ -116,7 +116,7 @@ def separated(asset: Asset, counts: Callable[[JointPath], bool], known: Known) -
     Args:
         asset: The asset; the other pairs are not examined.
         counts: Selects the pairs that may not collide, such as those of links of two assets in a scene.
-        known: Takes the searches of pairs, so that a proof of the returned asset does not repeat all.
+        known: Takes the searches of pairs, for a proof of the returned asset.
 
     Raises:
         AssetError: The joints of a pair have dependencies already, or the pair collides at rest.
@@ -128,18 +128,17 @@ def separated(asset: Asset, counts: Callable[[JointPath], bool], known: Known) -
     limits: dict[str, Range] = {}
     for name in dict.fromkeys(name for path in paths for name in path.variables):
         others = {each.name: _ajar(each) for each in asset.free_joints if each.name != name}
-        found = _free(
-            _narrowed(parts, others), name, {path.links for path in paths if name in path.variables}
-        )
+        pairs = {path.links for path in paths if name in path.variables}
+        found = _free(_narrowed(parts, others), name, pairs, known)
         if found != asset.joint(name).limits:
             limits[name] = found
     asset, parts = _narrowed(asset, limits), _narrowed(parts, limits)
-    doubtful = doubtful_colliders(parts, lambda path: path.links in failed)
+    doubtful = doubtful_colliders(parts, 0.0, lambda path: path.links in failed)
     still = [{link for link, _ in group} for group in doubtful]
     paths = [path for path in paths if {*path.links} in still]
     needs: dict[str, AssetDependency] = {}
     while paths:
-        mended, name, dependency = _dependency(parts, paths)
+        mended, name, dependency = _dependency(parts, paths, known)
         needs[name] = _both(needs[name], dependency) if name in needs else dependency
         paths = [path for path in paths if path.links not in mended]
     joints = [replace(each, needs=needs.get(each.name, each.needs)) for each in asset.joints]
@@ -154,7 +153,7 @@ def _ajar(joint: AssetJoint) -> Range:
 
 
 def _dependency(
-    asset: Asset, paths: Sequence[JointPath]
+    asset: Asset, paths: Sequence[JointPath], known: Known
 ) -> tuple[set[tuple[str, str]], str, AssetDependency]:
     """Return the pairs that a dependency keeps apart, with the first one, its joint, and the dependency."""
 
@@ -165,7 +164,7 @@ def _dependency(
     for first, second in sorted(itertools.permutations(variables, 2), key=heavier):
         if asset.joint(first).needs is None:
             pairs = {path.links for path in paths if {first, second} <= {*path.variables}}
-            near, room = _free(asset, first, pairs), _free(asset, second, pairs)
+            near, room = (_free(asset, name, pairs, known) for name in (first, second))
             if near[0] < near[1] and room[0] < room[1]:
                 return pairs, first, _needs(asset, first, near, second, room)
     raise AssetError(
@@ -194,9 +193,10 @@ def _both(one: AssetDependency, other: AssetDependency) -> AssetDependency:
     return AssetDependency(AssetCondition("all", terms=(one.condition, other.condition)), beyond=beyond)
 
 
-def _free(asset: Asset, joint: str, pairs: set[tuple[str, str]]) -> Range:
+def _free(asset: Asset, joint: str, pairs: set[tuple[str, str]], known: Known) -> Range:
     """Return the range of a joint around its closed position in which given pairs are apart."""
-    safe = partial(_is_safe, asset, joint, counts=lambda path: path.links in pairs, proven=are_apart)
+    proven = partial(are_apart, known=known)
+    safe = partial(_is_safe, asset, joint, counts=lambda path: path.links in pairs, proven=proven)
     return _largest(safe, asset.joint(joint).closed, Space(asset).ranges[joint])
 
 

@@ -7,7 +7,7 @@ import numpy as np
 from manifold3d import Manifold
 
 from artgen import _portable
-from artgen._arrays import Array, cached_per_object
+from artgen._arrays import Array, Mask, cached_per_object
 from artgen.asset import Asset, Link
 from artgen.asset.collision import link_parts
 from artgen.asset.joint import AllowedContact
@@ -37,14 +37,13 @@ def link_overlap(asset: Asset, joint_path: JointPath, positions: Array) -> Overl
     a, b = (asset.link(name) for name in joint_path.links)
     matrix = displacement(joint_path, positions)
     allowed = allowed_at(joint_path, positions)
-    low, high = _boxes(a).swapaxes(0, 1)
     first, volume, largest, result = link_parts(a), 0.0, 0.0, None
-    for part, box in zip(link_parts(b), _boxes(b), strict=True):
-        center, half = box.mean(axis=0), (box[1] - box[0]) / 2.0
-        middle, reach = matrix[:3, :3] @ center + matrix[:3, 3], np.abs(matrix[:3, :3]) @ half
-        near = np.flatnonzero((low < middle + reach).all(axis=1) & (high > middle - reach).all(axis=1))
+    inverse = _portable.inverse(matrix)
+    near = _meeting(_boxes(a), _boxes(b), matrix) & _meeting(_boxes(b), _boxes(a), inverse).T
+    for column in np.flatnonzero(near.any(axis=0)).tolist():
+        part = link_parts(b)[column]
         moved = part.solid.transform(matrix[:3])  # manifold3d computes it on first access
-        for index in near:
+        for index in np.flatnonzero(near[:, column]).tolist():
             labels = first[index].label, part.label
             common = first[index].solid ^ moved
             size = common.volume()
@@ -62,6 +61,15 @@ def link_overlap(asset: Asset, joint_path: JointPath, positions: Array) -> Overl
                 largest = size
                 result = Overlap(volume, box_of(common).mean(axis=0), labels)
     return None if result is None else replace(result, volume=volume)
+
+
+def _meeting(boxes: Array, others: Array, matrix: Array) -> Mask:
+    """Tell which boxes meet the boxes around which others, moved by a transform, shape (n, m)."""
+    half = (others[:, 1] - others[:, 0]) / 2.0
+    middle = np.einsum("ij,nj->ni", matrix[:3, :3], others[:, 0] + half) + matrix[:3, 3]
+    reach = np.einsum("ij,nj->ni", np.abs(matrix[:3, :3]), half)
+    below = (boxes[:, None, 0] < middle + reach).all(axis=2)
+    return np.asarray(below & (boxes[:, None, 1] > middle - reach).all(axis=2))
 
 
 @cached_per_object

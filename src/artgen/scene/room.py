@@ -419,7 +419,7 @@ class Scene:
             first, second = map(owners.get, joint_path.links)
             return first != second
 
-        known: Known = {}
+        known = Known()
         whole = _check_ranges(separated(whole, apart, known), whole)
         certificate = certify(whole, known=known)
         if not certificate.proven:
