@@ -64,20 +64,27 @@ def hull_of(points: Array) -> Manifold:
     """Return the convex hull of points, shape (n, 3) [m]; empty if they lie in one plane."""
     points = np.ascontiguousarray(points, np.float64)
     solid = Manifold.hull_points(points)
-    if _has_all(solid, points):
+    if _is_around(solid, points):
         return solid
     for zoom in _ZOOMS:
         again = Manifold.hull_points(points * zoom).scale((1.0 / zoom,) * 3)
-        if _has_all(again, points):
+        if _is_around(again, points):
             return again
     return solid
 
 
-def _has_all(solid: Manifold, points: Array) -> bool:
-    if solid.num_vert() == len(points) or solid.num_tri() * len(points) > _MANY_HEIGHTS:
+def _is_around(solid: Manifold, points: Array) -> bool:
+    """Tell whether no point is outside a triangle, as points that were lost, or dents, would be."""
+    if solid.num_tri() * len(points) > _MANY_HEIGHTS:
         return True
     mesh = solid.to_mesh64()
-    corners = np.asarray(mesh.vert_properties)[:, :3][triangles_of(mesh)]
-    planes = planes_of(corners, *across(corners))
+    vertices, triangles = np.asarray(mesh.vert_properties)[:, :3], triangles_of(mesh)
+    corner, one, other = vertices[triangles.T]
+    one, other = one - corner, other - corner
+    normals = cross(one, other)
+    squares = (np.einsum("ij,ij->i", each, each) for each in (normals, one, other))
+    area, first, second = map(np.sqrt, squares)
+    sound = area > _NEEDLE * np.maximum(first, second)  # degenerate triangles have no valid normal
     # BLAS is three times as fast, and the last digits decide nothing here
-    return bool(((planes[:, :3] @ points.T).max(axis=1) <= planes[:, 3] + _LOST).all())
+    heights = (normals @ points.T).max(axis=1) - np.einsum("ij,ij->i", normals, corner)
+    return bool((heights <= _LOST * area)[sound].all())
