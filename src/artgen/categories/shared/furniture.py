@@ -139,9 +139,9 @@ def hardware() -> Any:
 
 def leg_finishes() -> Any:
     """Draw the material of legs by the parameter `leg`: wood, or the metal of a tube."""
-    metals, black = ("powder_coat_black", "satin_brass", "stainless"), known("powder_coat_black")
+    metals, black = ("powder_coat_black", "satin_brass", "stainless"), ag.colored("painted_wood", "black")
     metal = ag.shades(*metals, weights=(3.0, 1.0, 1.0), color=0.03)
-    wood = ag.shades(*WOODS[:4], *black, weights=(2.0, 1.0, 2.0, 1.0, 1.0), color=0.05)
+    wood = ag.shades(*WOODS[:4], black, weights=(2.0, 1.0, 2.0, 1.0, 1.0), color=0.05)
     return ag.by("leg", metal=metal, otherwise=wood, doc="material of legs")
 
 

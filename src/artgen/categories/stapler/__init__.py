@@ -85,6 +85,7 @@ def stapler(
     swing: ag.Float = ag.by(
         "style",
         punch=ag.uniform(0.30, 0.40),
+        full=ag.uniform(0.15, 0.22),
         plier=ag.uniform(0.16, 0.22),
         otherwise=ag.uniform(0.15, 0.24),
         unit="rad",
