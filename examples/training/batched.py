@@ -3,12 +3,12 @@
     pip install "artgen[train]" mujoco-warp
     python examples/training/batched.py PushToasterLever --assets 4 --worlds 64 --steps 200
 
-tells how many actions a second it does, and how many `ManipulationEnv` does. With `--learn 1000000` PPO
-learns the task in these worlds, with the settings of `ppo.py`. Each world keeps its asset. Worlds whose
-assets share structure are stepped together, the others one group after the other. The assets have the fixed
-topology of their category, which makes all drawers one group; couplings and joints without limits may still
-tell others apart. On a processor alone this is slower than `ManipulationEnv`: it is meant for graphics cards
-and many worlds, on which it has not been run yet.
+prints the number of actions per second, beside that of `ManipulationEnv`. `--learn 1000000` trains PPO in
+these worlds, with the settings of `ppo.py`. Each world keeps its asset. Worlds whose assets share structure
+are stepped together, the others one group after the other. The assets have the fixed topology of their
+category, which makes all drawers one group; couplings and joints without limits may still separate others.
+On a processor this is slower than `ManipulationEnv`. It is meant for graphics cards, where the steps between
+two changes of the torques are one CUDA graph; it was not run on one yet.
 """
 
 import argparse
@@ -37,22 +37,22 @@ from artgen.errors import EnvError, ParameterError
 
 
 class BatchedTask(VecEnv):
-    """Many worlds of a task with one stage, with the actions, observations and rewards of `ManipulationEnv`.
+    """Many worlds of a task, with the actions, observations and rewards of `ManipulationEnv`.
 
     Args:
         task: Name of a task, or a task.
-        assets: As `ManipulationEnv` takes them; the first ones that fit are shared out to the worlds in turn.
-        worlds: How many there are.
-        seed: Decides where the arms begin.
+        assets: As for `ManipulationEnv`; the worlds get the first suitable ones in turn.
+        worlds: Number of worlds.
+        seed: Seed of the first postures of the arms.
 
     Raises:
-        EnvError: No asset fits the task.
-        ParameterError: The task has several stages, or there are no worlds.
+        EnvError: No asset is suitable for the task.
+        ParameterError: There are no worlds.
 
     Attributes:
         task: The task.
-        steps: How many actions an episode has.
-        groups: The worlds that are stepped together, each with the numbers that they have among all.
+        steps: Number of actions of an episode.
+        groups: The worlds that are stepped together, each with their numbers among all.
         names: Name of the asset in each world.
     """
 
@@ -60,7 +60,7 @@ class BatchedTask(VecEnv):
         self, task: str | Task, assets: Source = None, worlds: int = 64, *, seed: int | None = None
     ) -> None:
         if worlds < 1:
-            raise ParameterError(f"worlds is a whole number from 1 on, not {worlds!r}")
+            raise ParameterError(f"worlds = {worlds!r} is not allowed: it must be at least 1")
         self.task = TASKS[task] if isinstance(task, str) else task
         self.steps = round(self.task.seconds * RATE)
         scenes, targets = _fit(self.task, assets, worlds)
@@ -71,13 +71,12 @@ class BatchedTask(VecEnv):
         super().__init__(worlds, box, spaces.Box(-1.0, 1.0, (7,), np.float32))
         self._actions = np.zeros((worlds, 7))
         self._ages = np.zeros(worlds, int)
-        self._done = np.zeros(worlds, bool)
         self._rngs = [
             np.random.default_rng(None if seed is None else [seed, number]) for number in range(worlds)
         ]
 
     def reset(self) -> NDArray[np.float32]:
-        """Begin an episode in every world; returns the observations, shape (worlds, 47)."""
+        """Begin an episode in every world; return the observations, shape (worlds, 47)."""
         for number, seed in enumerate(self._seeds):
             if seed is not None:
                 self._rngs[number] = np.random.default_rng(seed)
@@ -86,7 +85,7 @@ class BatchedTask(VecEnv):
         everywhere = np.ones(self.num_envs, bool)
         for worlds, numbers in self.groups:
             self.begin(worlds, numbers, everywhere)
-            result[numbers] = self._note(worlds, numbers)[0]
+            result[numbers] = worlds.goals.observe(worlds.seen())[0].cpu().numpy()
         return result
 
     def begin(
@@ -97,8 +96,8 @@ class BatchedTask(VecEnv):
         Args:
             worlds: The group.
             numbers: Numbers of its worlds.
-            ended: Of all worlds, whether they ended.
-            arms: Angles of the joints of these worlds' arms, shape (n, 7) [rad]; None for random ones.
+            ended: Whether each world of all ended.
+            arms: Angles of the arms of the worlds that ended, shape (n, 7) [rad]; None for random ones.
         """
         within = np.flatnonzero(ended[numbers])
         if arms is None:
@@ -108,10 +107,9 @@ class BatchedTask(VecEnv):
             torch.as_tensor(within).to(worlds.goals.worlds), torch.as_tensor(arms).to(worlds.goals.arm)
         )
         self._ages[numbers[within]] = 0
-        self._done[numbers[within]] = False
 
     def step_async(self, actions: NDArray[np.float32]) -> None:
-        """Take the actions to do, shape (worlds, 7)."""
+        """Set the next actions, shape (worlds, 7)."""
         if np.shape(actions) != (self.num_envs, 7) or not np.isfinite(actions).all():
             raise ParameterError(f"actions of {self.num_envs} worlds are finite, shape ({self.num_envs}, 7)")
         self._actions = np.clip(np.asarray(actions, float), -1.0, 1.0)
@@ -119,58 +117,54 @@ class BatchedTask(VecEnv):
     def step_wait(
         self,
     ) -> tuple[NDArray[np.float32], NDArray[np.float32], NDArray[np.bool_], list[dict[str, Any]]]:
-        """Do the actions; returns observations, rewards, which worlds ended and what is known of each.
+        """Simulate the actions; return observations, rewards, whether each world ended, and infos.
 
-        A world that ended has begun anew: its last observation is its info's `terminal_observation`.
+        A world that ended has begun again: its last observation is the `terminal_observation` of its info.
         """
         observations = np.zeros((self.num_envs, STATE), np.float32)
-        gained, progress = np.zeros(self.num_envs, np.float32), np.zeros(self.num_envs)
+        gained, success = np.zeros(self.num_envs, np.float32), np.zeros(self.num_envs, bool)
+        infos: list[dict[str, Any]] = [{"asset": name} for name in self.names]
         self._ages += 1
         for worlds, numbers in self.groups:
-            actions = torch.as_tensor(self._actions[numbers]).to(worlds.goals.arm)
+            goals = worlds.goals
+            actions = torch.as_tensor(self._actions[numbers]).to(goals.arm)
             worlds.act(actions)
-            observations[numbers], far, apart = self._note(worlds, numbers)
-            done = torch.as_tensor(self._done[numbers]).to(far.device)
-            gained[numbers] = rewarded(far, apart, actions, self.steps, done=done).cpu()
-            progress[numbers] = far.cpu()
-        success = self._done.copy()
+            observed, progress, distance = goals.observe(worlds.seen())
+            observations[numbers] = observed.cpu().numpy()
+            stage, done = goals.stage, goals.done.all(dim=1)
+            current = progress[goals.worlds, stage]
+            gained[numbers] = rewarded(
+                stage, goals.count, current, distance, actions, self.steps, done=done
+            ).cpu()
+            success[numbers] = done.cpu()
+            for number, of_stages, count in zip(
+                numbers, progress.tolist(), goals.count.tolist(), strict=True
+            ):
+                infos[number]["progress"] = of_stages[:count]
         gained[success] += BONUS
-        broken = ~np.isfinite(observations).all(axis=1)  # a simulation that left the rails
+        broken = ~np.isfinite(observations).all(axis=1)  # unstable simulations
         observations[broken] = gained[broken] = 0.0
         late = self._ages >= self.steps
         ended = success | late | broken
-        infos: list[dict[str, Any]] = [
-            {
-                "success": bool(success[number]),
-                "progress": float(progress[number]),
-                "asset": self.names[number],
-            }
-            for number in range(self.num_envs)
-        ]
-        for number in np.flatnonzero(ended):
-            infos[number]["terminal_observation"] = observations[number].copy()
-            infos[number]["TimeLimit.truncated"] = bool(late[number] and not success[number])
+        for number, info in enumerate(infos):
+            info["success"] = bool(success[number])
+            if ended[number]:
+                info["terminal_observation"] = observations[number].copy()
+                info["TimeLimit.truncated"] = bool(late[number] and not success[number])
         for worlds, numbers in self.groups:
             if ended[numbers].any():
                 self.begin(worlds, numbers, ended)
                 fresh = ended[numbers]
-                observations[numbers[fresh]] = self._note(worlds, numbers)[0][fresh]
+                begun = worlds.goals.observe(worlds.seen())[0].cpu().numpy()
+                observations[numbers[fresh]] = begun[fresh]
         return observations, gained, ended, infos
-
-    def _note(
-        self, worlds: Worlds, numbers: NDArray[np.int64]
-    ) -> tuple[NDArray[np.float32], torch.Tensor, torch.Tensor]:
-        """Note which worlds of a group are done; returns observations, progress and ways to the handles."""
-        observed, position, apart = worlds.goals.observe(worlds.seen())
-        self._done[numbers] = worlds.goals.reached(position).cpu().numpy()
-        return observed.cpu().numpy(), worlds.goals.progress(position), apart
 
     def close(self) -> None:
         """Free the models."""
         self.groups = []
 
     def get_attr(self, attr_name: str, indices: Any = None) -> list[Any]:
-        """Return an attribute for worlds: it is the same for all."""
+        """Return an attribute for worlds; all have the same."""
         return [getattr(self, attr_name)] * len(list(self._get_indices(indices)))
 
     def set_attr(self, attr_name: str, value: Any, indices: Any = None) -> None:
@@ -187,7 +181,7 @@ class BatchedTask(VecEnv):
 
 
 def _fit(task: Task, source: Source, most: int) -> tuple[list[TaskScene], list[Target]]:
-    """Return scenes of the first assets that a task can be done on, placed, and what it means there."""
+    """Return placed scenes of the first suitable assets, and the stages of the task in them."""
     assets = Assets(task, source)
     scenes: list[TaskScene] = []
     targets: list[Target] = []
@@ -199,11 +193,6 @@ def _fit(task: Task, source: Source, most: int) -> tuple[list[TaskScene], list[T
         except EnvError as error:
             reason = str(error)
             continue
-        if len(target.stages) > 1:
-            raise ParameterError(
-                f"{task.name} has {len(target.stages)} stages; worlds stepped together know tasks of "
-                f"one stage, as PushToasterLever or OpenDrawer: take ppo.py for it"
-            )
         scene = found.scene()
         scene.place(target, target.arm)
         scenes.append(scene)
@@ -211,7 +200,7 @@ def _fit(task: Task, source: Source, most: int) -> tuple[list[TaskScene], list[T
         if len(scenes) == most:
             break
     if not scenes:
-        raise EnvError(f"{task.name} found no fit asset; the last one: {reason}")
+        raise EnvError(f"{task.name} found no suitable asset; the last one: {reason}")
     return scenes, targets
 
 
@@ -239,7 +228,7 @@ def _groups(
 
 
 def learn(batch: BatchedTask, steps: int, seed: int, out: Path) -> None:
-    """Learn with PPO, and keep the policy and what the observations are divided by."""
+    """Train with PPO; write the policy and the normalization of observations."""
     training = VecNormalize(VecMonitor(batch, info_keywords=("success",)), gamma=0.99)
     model = PPO(
         "MlpPolicy", training, n_steps=max(4096 // batch.num_envs, 16), **SETTINGS, seed=seed, device="cpu"
@@ -251,23 +240,23 @@ def learn(batch: BatchedTask, steps: int, seed: int, out: Path) -> None:
 
 
 def speeds(batch: BatchedTask, seeds: range, steps: int) -> tuple[float, float]:
-    """Return how many actions a second the worlds do together, and `ManipulationEnv` alone, all at random.
+    """Return the random actions per second of all worlds together, and of one `ManipulationEnv`.
 
     Args:
         batch: The worlds.
-        seeds: Of the assets of `ManipulationEnv`.
-        steps: How many actions each world does; `ManipulationEnv` does as many.
+        seeds: Seeds of the assets of `ManipulationEnv`.
+        steps: Number of actions of each world, and of `ManipulationEnv`.
     """
     rng = np.random.default_rng(0)
     batch.reset()
-    batch.step(rng.uniform(-1.0, 1.0, (batch.num_envs, 7)))  # what is compiled is compiled now
+    batch.step(rng.uniform(-1.0, 1.0, (batch.num_envs, 7)))  # compiles the kernels
     start = time.perf_counter()
     for _ in range(steps):
         batch.step(rng.uniform(-1.0, 1.0, (batch.num_envs, 7)))
     together = batch.num_envs * steps / (time.perf_counter() - start)
     env = ManipulationEnv(batch.task, seeds, shuffle=False)
     for _ in seeds:
-        env.reset()  # the models are made now
+        env.reset()  # makes the models
     start = time.perf_counter()
     for _ in range(steps):
         _, _, terminated, truncated, _ = env.step(rng.uniform(-1.0, 1.0, 7))
@@ -277,15 +266,13 @@ def speeds(batch: BatchedTask, seeds: range, steps: int) -> tuple[float, float]:
 
 
 def main() -> None:
-    """Measure, and learn if asked to."""
+    """Measure, and train on request."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("task", choices=sorted(TASKS))
     parser.add_argument("--assets", type=int, default=4, help="number of assets, of seeds from 0 on")
     parser.add_argument("--worlds", type=int, default=64)
-    parser.add_argument(
-        "--steps", type=int, default=200, help="actions of each world that are timed; 0 for none"
-    )
-    parser.add_argument("--learn", type=int, default=0, help="steps of all worlds together to learn for")
+    parser.add_argument("--steps", type=int, default=200, help="timed actions of each world; 0 for none")
+    parser.add_argument("--learn", type=int, default=0, help="steps of the training, of all worlds together")
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--out", type=Path, default=Path("batched"))
     options = parser.parse_args()

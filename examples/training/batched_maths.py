@@ -1,38 +1,38 @@
-"""The arm's control, the observation and the reward of `artgen.envs` for many worlds at once, in PyTorch."""
+"""Control of the arm, observation and reward of `artgen.envs` for many worlds at once, in PyTorch."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
 import torch
 
 from artgen.envs.env import ACTION, ALONG, DENSE, NEAR, STEEPNESS
-from artgen.envs.motion import Target, tip_of
+from artgen.envs.motion import Stage, Target, tip_of
 from artgen.envs.robot import DAMPING, OPENING, POSTURE, POSTURE_DAMPING, STIFFNESS
 from artgen.envs.scene import TaskScene
 
 
 def rotations(vectors: torch.Tensor) -> torch.Tensor:
-    """Return the matrices of turns about vectors by their lengths, shape (n, 3, 3) [rad]."""
+    """Return the matrices of rotations by rotation vectors, shape (n, 3, 3) [rad]."""
     return torch.matrix_exp(torch.linalg.cross(vectors[:, None], torch.eye(3).to(vectors)[None]).mT)
 
 
 def jacobians(axes: torch.Tensor, anchors: torch.Tensor, tips: torch.Tensor) -> torch.Tensor:
-    """Return how tips move and turn with the joints of their arms, shape (n, 6, 7)."""
+    """Return the Jacobians of the tips of arms, shape (n, 6, 7)."""
     return torch.cat([torch.linalg.cross(axes, tips[:, None] - anchors), axes], dim=2).mT
 
 
 def torques(
     state: dict[str, torch.Tensor], goal: torch.Tensor, goal_turn: torch.Tensor, posture: torch.Tensor
 ) -> torch.Tensor:
-    """Return the torques of arms that bring their tips to their goals, as `Control` does, shape (n, 7).
+    """Return the torques of `Control`, which bring tips to their goals, shape (n, 7).
 
     Args:
         state: `jacobian` (n, 6, 7), `inertia` (n, 7, 7), `angles`, `speeds` and `bias` (n, 7), and the tip's
             `place` (n, 3) and `turn` (n, 3, 3).
-        goal: Where the tips should be, shape (n, 3) [m].
-        goal_turn: How they should be turned, shape (n, 3, 3).
-        posture: Angles that the arms keep as far as the tips leave them free, shape (n, 7) [rad].
+        goal: Goals of the tips, shape (n, 3) [m].
+        goal_turn: Orientations of the goals, shape (n, 3, 3).
+        posture: Angles of the arms for the null space of the tips, shape (n, 7) [rad].
     """
     jacobian, inertia, speeds = state["jacobian"], state["inertia"], state["speeds"][..., None]
     turn = goal_turn @ state["turn"].mT
@@ -50,34 +50,45 @@ def torques(
 
 
 def rewarded(
-    progress: torch.Tensor, distance: torch.Tensor, action: torch.Tensor, steps: int, *, done: torch.Tensor
+    stage: torch.Tensor,
+    count: torch.Tensor,
+    progress: torch.Tensor,
+    distance: torch.Tensor,
+    action: torch.Tensor,
+    steps: int,
+    *,
+    done: torch.Tensor,
 ) -> torch.Tensor:
-    """Return the rewards of steps of a task with one stage, without the bonus for success, shape (n,).
+    """Return the rewards of steps without the bonus for success, shape (n,).
 
     Args:
-        progress: Share of the way to the goal, 0-1, shape (n,).
-        distance: From tip to handle, shape (n,) [m].
-        action: What was done, within -1 and 1, shape (n, 7).
-        steps: How many steps an episode has.
-        done: Whether the goal is reached, shape (n,).
+        stage: Number of the current stage, shape (n,).
+        count: Number of stages, shape (n,).
+        progress: Progress of the joint of the current stage, 0-1, shape (n,).
+        distance: Distance from the tip to the handle, shape (n,) [m].
+        action: Actions within -1 and 1, shape (n, 7).
+        steps: Number of steps of an episode.
+        done: Whether all stages are done, shape (n,).
     """
     near = NEAR * (1.0 - torch.tanh(STEEPNESS * distance)) + ALONG * progress
-    worth = torch.where(done, torch.ones_like(near), near)
-    return DENSE / steps * (worth - ACTION * (action**2).mean(dim=1))
+    value = torch.where(done, torch.ones_like(near), (stage + near) / count)
+    return DENSE / steps * (value - ACTION * (action**2).mean(dim=1))
 
 
 def _solve(matrix: torch.Tensor, right: torch.Tensor) -> torch.Tensor:
-    """Solve systems; one without a solution, in a world that left the rails, stops no other."""
+    """Solve systems; one without a solution, in an unstable world, does not stop the others."""
     return torch.linalg.solve_ex(matrix, right)[0]
 
 
 class Goals:
-    """What tasks of one stage mean in each world, as tensors whose first dimension is the world.
+    """The stages of a task in each world, as tensors of shape (worlds, stages, ...).
+
+    Worlds with fewer stages repeat their last one.
 
     Args:
         scenes: The scene of each asset, placed.
-        targets: What has to be done in it.
-        of: Which of them each world has.
+        targets: The stages of the task in each scene.
+        of: Number of the scene of each world.
         device: PyTorch's device.
     """
 
@@ -87,58 +98,74 @@ class Goals:
         def tensor(values: Sequence[Any], kind: torch.dtype = torch.float64) -> torch.Tensor:
             return torch.as_tensor(np.array([values[number] for number in of]), dtype=kind, device=device)
 
-        stages = [target.stages[0] for target in targets]
-        joints = [scene.model.joint(stage.joint) for scene, stage in zip(scenes, stages, strict=True)]
-        links = [stage.affordance.link for stage in stages]
-        both = list(zip(scenes, links, strict=True))
+        most = max(len(target.stages) for target in targets)
+
+        def staged(
+            number: Callable[[TaskScene, Stage], Any], kind: torch.dtype = torch.float64
+        ) -> torch.Tensor:
+            values = [
+                [number(scene, stage) for stage in target.stages]
+                for scene, target in zip(scenes, targets, strict=True)
+            ]
+            return tensor([each + each[-1:] * (most - len(each)) for each in values], kind)
+
         whole = torch.int64
-        self.joint = tensor([int(joint.id) for joint in joints], whole)
-        self.at = tensor([int(joint.qposadr[0]) for joint in joints], whole)
-        self.dof = tensor([int(joint.dofadr[0]) for joint in joints], whole)
-        self.body = tensor([int(scene.model.body(link).id) for scene, link in both], whole)
-        self.slides = tensor(
-            [
-                scene.asset.joint(stage.joint).kind == "prismatic"
-                for scene, stage in zip(scenes, stages, strict=True)
-            ],
-            torch.bool,
+        self.joint = staged(lambda scene, stage: scene.model.joint(stage.joint).id, whole)
+        self.at = staged(lambda scene, stage: int(scene.model.joint(stage.joint).qposadr[0]), whole)
+        self.dof = staged(lambda scene, stage: int(scene.model.joint(stage.joint).dofadr[0]), whole)
+        self.body = staged(lambda scene, stage: scene.model.body(stage.affordance.link).id, whole)
+        self.slides = staged(
+            lambda scene, stage: scene.asset.joint(stage.joint).kind == "prismatic", torch.bool
         )
-        self.rest = tensor([scene.asset.origin(link) for scene, link in both])
-        self.frame = tensor([tip_of(stage.affordance) for stage in stages])
-        self.start = tensor([stage.start for stage in stages])
-        self.goal = tensor([stage.goal for stage in stages])
-        self.grasp = tensor([stage.affordance.kind == "grasp" for stage in stages])
-        self.holds = tensor([stage.holds for stage in stages], torch.bool)
+        self.origin = staged(lambda scene, stage: scene.asset.origin(stage.affordance.link))
+        self.frame = staged(lambda _, stage: tip_of(stage.affordance))
+        self.start = staged(lambda _, stage: stage.start)
+        self.goal = staged(lambda _, stage: stage.goal)
+        self.grasp = staged(lambda _, stage: stage.affordance.kind == "grasp")
+        self.holds = staged(lambda _, stage: stage.holds, torch.bool)
         self.base = tensor([target.base[:3, 3] for target in targets])
         self.arm = tensor([target.arm for target in targets])
+        self.count = tensor([len(target.stages) for target in targets], whole)
         self.toward = torch.sign(self.goal - self.start)
         self.worlds = torch.arange(len(of), device=device)
+        self.done = torch.zeros_like(self.holds)
 
-    def progress(self, position: torch.Tensor) -> torch.Tensor:
-        """Return the share of the way to the goal, 0-1, shape (n,)."""
+    def begin(self, worlds: torch.Tensor) -> None:
+        """Begin the first stage again in worlds of these numbers, shape (n,)."""
+        self.done[worlds] = False
+
+    def update(self, qpos: torch.Tensor) -> torch.Tensor:
+        """Note the stages that are done at positions of all joints; return the progress of each, 0-1."""
+        position = qpos[self.worlds[:, None], self.at]
+        now = (self.toward * (position - self.goal) >= 0.0) | (self.done & ~self.holds)
+        self.done = now.cumprod(dim=1).bool()  # a stage can be done only after the earlier ones
         return ((position - self.start) / (self.goal - self.start)).clamp(0.0, 1.0)
 
-    def reached(self, position: torch.Tensor) -> torch.Tensor:
-        """Tell whether positions are the goal or beyond it, shape (n,)."""
-        return self.toward * (position - self.goal) >= 0.0
+    @property
+    def stage(self) -> torch.Tensor:
+        """Number of the current stage, or of the last one if all are done, shape (n,)."""
+        return torch.minimum(self.done.sum(dim=1), self.count - 1)
 
     def observe(self, seen: dict[str, torch.Tensor]) -> tuple[torch.Tensor, torch.Tensor, torch.Tensor]:
-        """Return the observation (n, 47), the joint's position (n,) and the way from tip to handle (n,) [m].
+        """Update the stages; return observations, progress of the stages, and distances to the handles.
+
+        Their shapes are (n, 47), (n, stages) and (n,) [m].
 
         Args:
-            seen: What `Worlds.seen` returns.
+            seen: The result of `Worlds.seen`.
         """
-        worlds = self.worlds
-        position, speed = seen["qpos"][worlds, self.at], seen["qvel"][worlds, self.dof]
-        turn = seen["xmat"][worlds, self.body]
-        local = self.frame[:, :3, 3] - self.rest  # a link is displaced from rest about its frame's origin
-        place = seen["xpos"][worlds, self.body] + (turn @ local[..., None])[..., 0]
-        axes = turn @ self.frame[:, :3, :3]
+        progress = self.update(seen["qpos"])
+        now = self.worlds, self.stage
+        position, speed = seen["qpos"][self.worlds, self.at[now]], seen["qvel"][self.worlds, self.dof[now]]
+        turn, frame, toward = seen["xmat"][self.worlds, self.body[now]], self.frame[now], self.toward[now]
+        local = frame[:, :3, 3] - self.origin[now]  # in the frame of the link
+        place = seen["xpos"][self.worlds, self.body[now]] + (turn @ local[..., None])[..., 0]
+        axes = turn @ frame[:, :3, :3]
         tip, tip_turn = seen["place"], seen["turn"]
-        axis = seen["xaxis"][worlds, self.joint]
-        about = torch.linalg.cross(axis, place - seen["xanchor"][worlds, self.joint])
-        way = self.toward[:, None] * torch.where(self.slides[:, None], axis, about)
-        apart = torch.linalg.norm(place - tip, dim=1)
+        axis = seen["xaxis"][self.worlds, self.joint[now]]
+        about = torch.linalg.cross(axis, place - seen["xanchor"][self.worlds, self.joint[now]])
+        way = toward[:, None] * torch.where(self.slides[now][:, None], axis, about)
+        distance = torch.linalg.norm(place - tip, dim=1)
         numbers = [
             seen["angles"],
             0.5 * seen["speeds"],
@@ -151,10 +178,10 @@ class Goals:
             axes[:, :, 0],
             axes[:, :, 2],
             way / torch.linalg.norm(way, dim=1, keepdim=True).clamp(min=1e-9),
-            self.progress(position)[:, None],
-            (self.toward * (self.goal - position))[:, None],
-            (self.toward * speed)[:, None],
-            self.grasp[:, None],
-            torch.zeros_like(position)[:, None],
+            progress[now][:, None],
+            (toward * (self.goal[now] - position))[:, None],
+            (toward * speed)[:, None],
+            self.grasp[now][:, None],
+            (self.stage / self.count)[:, None],
         ]
-        return torch.cat(numbers, dim=1).float(), position, apart
+        return torch.cat(numbers, dim=1).float(), progress, distance

@@ -1,11 +1,11 @@
 """Many worlds of assets in one model of MuJoCo Warp.
 
-Assets whose models share their structure (the tree, joints, kinds of shapes and what may touch what) go into
-one model: where a shape, body or joint lies, how large or heavy it is and which mesh it has may differ from
-world to world.
+Assets whose models share their structure (tree, joints, kinds of shapes and contact pairs) share one model.
+Places, sizes, masses and meshes differ from world to world.
 """
 
 from collections.abc import Hashable, Sequence
+from contextlib import nullcontext
 from typing import Any
 
 import numpy as np
@@ -17,11 +17,11 @@ from artgen.envs.motion import Target
 from artgen.envs.robot import LIMITS, OPENING, POSITION, ROTATION
 from artgen.envs.scene import SHUT, STEPS, STEPS_OF_TORQUES, TaskScene
 
-_CONTACTS, _CONSTRAINTS = 96, 384  # room in each world; MuJoCo Warp says so if it is not enough
-# of a world's state: what is set, and what is looked at
+_CONTACTS, _CONSTRAINTS = 96, 384  # room in each world; MuJoCo Warp warns if there are more
+# arrays of the state: those that are set, and those that are only read
 _STATE = ("qpos", "qvel", "ctrl", "qacc_warmstart")
 _FOUND = ("xpos", "xmat", "xaxis", "xanchor", "site_xpos", "site_xmat", "qfrc_bias", "M")
-# where things are
+# places of bodies, shapes and sites
 _PLACES = ("xpos", "xquat", "xmat", "xipos", "ximat", "geom_xpos", "geom_xmat", "site_xpos", "site_xmat")
 
 
@@ -30,12 +30,12 @@ class Worlds:
 
     Args:
         scenes: A scene of each asset, placed at the beginning of the task.
-        models: What `structured` returned for each.
-        targets: What has to be done in each.
-        of: Which of them each world has.
+        models: The models that `structured` returned for them.
+        targets: The stages of the task in each scene.
+        of: Number of the scene of each world.
 
     Attributes:
-        goals: What the task means in each world.
+        goals: The stages of the task in each world.
     """
 
     def __init__(
@@ -44,10 +44,10 @@ class Worlds:
         import mujoco_warp
         import warp
 
-        self._warp, first = mujoco_warp, scenes[0]
+        self._engine, self._warp, first = mujoco_warp, warp, scenes[0]
         self._model = joined(first.model, models, of)
         self._data = mujoco_warp.make_data(first.model, nworld=len(of), nconmax=_CONTACTS, njmax=_CONSTRAINTS)
-        self._synchronize = warp.synchronize
+        self._graph: Any = None  # of CUDA, recorded at the first action
         device = "cuda" if self._data.qpos.device.is_cuda else "cpu"
         self.goals = Goals(scenes, targets, of, device)
         hand = first.control
@@ -58,7 +58,7 @@ class Worlds:
         self._finger_at, self._fingers = first.finger_at.tolist(), first.fingers.tolist()
         self._of_arm = _block(first.model, hand.dofs)
         self._views = {name: warp.to_torch(getattr(self._data, name)) for name in (*_STATE, *_FOUND)}
-        # what does not move is placed once and for all
+        # MuJoCo Warp does not place the parts that do not move
         for name in _PLACES:
             array = getattr(self._data, name)
             values = np.stack([getattr(scenes[number].data, name) for number in of])
@@ -86,15 +86,15 @@ class Worlds:
         self._views["qacc_warmstart"][worlds] = 0.0
         arms = arms.clamp(self._limits[:, 0], self._limits[:, 1])
         self._views["qpos"][worlds, self._arm] = arms.float()
+        self.goals.begin(worlds)
         self._settle()
-        self._warp.step1(self._model, self._data)
+        self._engine.step1(self._model, self._data)
         self._posture[worlds] = arms
         seen = self.seen()
         self._goal[worlds], self._goal_turn[worlds] = seen["place"][worlds], seen["turn"][worlds]
 
     def act(self, actions: torch.Tensor) -> None:
-        """Let each robot do one action, as `TaskScene.act` does, shape (n, 7)."""
-        warp, model, data = self._warp, self._model, self._data
+        """Simulate one action of each robot, as `TaskScene.act` does, shape (n, 7)."""
         seen = self.seen()
         self._goal = seen["place"] + POSITION * actions[:, :3]
         self._goal_turn = rotations(ROTATION * actions[:, 3:6]) @ seen["turn"]
@@ -106,19 +106,32 @@ class Worlds:
             found = torques(seen, self._goal, self._goal_turn, self._posture)
             self._views["ctrl"][:, self._motors] = found.float()
             self._settle()
-            warp.step2(model, data)
+            self._step()
+
+    def _step(self) -> None:
+        """Make the steps between two changes of the torques; one launch of a graph on a graphics card."""
+        if self._graph is not None:
+            self._warp.capture_launch(self._graph)
+            return
+        engine, model, data = self._engine, self._model, self._data
+        recording = self._warp.ScopedCapture() if self._limits.is_cuda else nullcontext()
+        with recording:
+            engine.step2(model, data)
             for _ in range(STEPS_OF_TORQUES - 1):
-                warp.step(model, data)
-            warp.step1(model, data)
+                engine.step(model, data)
+            engine.step1(model, data)
+        if self._limits.is_cuda:  # recorded, not made
+            self._graph = recording.graph
+            self._warp.capture_launch(self._graph)
 
     def _settle(self) -> None:
-        """Wait until what PyTorch sets is set."""
+        """Wait until PyTorch has written its values."""
         if self._limits.is_cuda:
             torch.cuda.synchronize()
 
     def seen(self) -> dict[str, torch.Tensor]:
-        """Return what control and observation are made of, in double precision."""
-        self._synchronize()  # PyTorch and Warp have queues of their own on a graphics card
+        """Return the input of control and observation, in double precision."""
+        self._warp.synchronize()  # PyTorch and Warp have queues of their own on a graphics card
         views = {name: view.double() for name, view in self._views.items()}
         tip, turn = views["site_xpos"][:, self._tip], views["site_xmat"][:, self._tip]
         axes, anchors = views["xaxis"][:, self._joints], views["xanchor"][:, self._joints]
@@ -136,11 +149,11 @@ class Worlds:
 
 
 def structured(scene: TaskScene) -> tuple[Hashable, Any]:
-    """Return what models of worlds that are stepped together must have in common, and this scene's model."""
+    """Return the structure of a scene, which worlds that are stepped together share, and its model."""
     import mujoco_warp
 
     model = mujoco_warp.put_model(scene.model)
-    # where things of the robot are, which is the same in all worlds
+    # addresses of the robot, equal in all worlds
     hand = scene.control
     places = (
         hand.at.start,
@@ -154,7 +167,7 @@ def structured(scene: TaskScene) -> tuple[Hashable, Any]:
 
 
 def _block(model: Any, dofs: slice) -> list[list[int]]:
-    """Return where the inertia of the arm's joints is in the sparse matrix, shape (7, 7)."""
+    """Return the addresses of the inertia of the arm in the sparse matrix, shape (7, 7)."""
     numbers = range(dofs.start, dofs.stop)
     where = {}
     for row in numbers:

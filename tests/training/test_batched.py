@@ -1,6 +1,7 @@
-"""Worlds that are stepped together do what the environment does, one by one."""
+"""Worlds that are stepped together move as the environment does, one by one."""
 
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -13,7 +14,7 @@ sys.path.insert(0, str(Path(__file__).parents[2] / "examples" / "training"))
 import batched_maths  # noqa: E402
 
 import artgen  # noqa: E402
-from artgen.envs import ManipulationEnv  # noqa: E402
+from artgen.envs import TASKS, ManipulationEnv  # noqa: E402
 from artgen.envs.env import dense, reward  # noqa: E402
 from artgen.envs.policy import ScriptedPolicy  # noqa: E402
 from artgen.errors import ParameterError  # noqa: E402
@@ -38,7 +39,7 @@ def batched():
 def drawers():
     """Two of one structure and of other sizes, and one of another structure."""
     first = artgen.generate("drawer", 0, certify=False)
-    width = 1.1 * first.parameters["width"]
+    width = 1.2 * first.parameters["width"]
     return [
         first,
         artgen.generate("drawer", 0, certify=False, width=width),
@@ -49,6 +50,19 @@ def drawers():
 @pytest.fixture(scope="module")
 def pair(batched, drawers):
     return batched.BatchedTask("OpenDrawer", drawers[:2], 2, seed=0)
+
+
+@pytest.fixture(scope="module")
+def twice(batched, drawers):
+    """Worlds of a task with two stages: a drawer is opened half way, then all the way."""
+    task = TASKS["OpenDrawer"]
+
+    def halves(asset, rng):
+        for (whole,) in task.choose(asset, rng):
+            yield replace(whole, goal=0.5 * (whole.start + whole.goal), moves=()), whole
+
+    both = replace(task, name="OpenDrawerTwice", choose=halves)
+    return batched.BatchedTask(both, drawers[:2], 2, seed=0)
 
 
 def state_of(control):
@@ -94,13 +108,36 @@ def test_turns_are_by_the_length_of_their_vector():
     np.testing.assert_allclose(found, Rotation.from_rotvec(vectors).as_matrix(), atol=1e-12)
 
 
-@pytest.mark.parametrize("done", [False, True])
+@pytest.mark.parametrize("done", [(False,), (True,), (False, False), (True, False), (True, True)])
 def test_rewards_are_those_of_the_environment(done):
-    action = np.linspace(-1.0, 1.0, 7)
-    wanted = reward(dense([0.4], [done], 0.13), action, 160, success=False)
-    numbers = (torch.as_tensor(np.array([each])) for each in (0.4, 0.13, action))
-    found = batched_maths.rewarded(*numbers, 160, done=torch.tensor([done]))
+    action, stage = np.linspace(-1.0, 1.0, 7), min(sum(done), len(done) - 1)
+    wanted = reward(dense([0.4, 0.2][: len(done)], done, 0.13), action, 160, success=False)
+    numbers = (stage, len(done), [0.4, 0.2][stage], 0.13, action)
+    tensors = (torch.as_tensor(np.array([each])) for each in numbers)
+    found = batched_maths.rewarded(*tensors, 160, done=torch.tensor([all(done)]))
     assert found.item() == pytest.approx(wanted, abs=1e-12)
+
+
+@needs_warp
+def test_a_stage_counts_after_the_earlier_ones_and_need_not_stay(twice):
+    """The second stage alone is not done; the first one stays done when the drawer goes back."""
+    goals = twice.groups[0][0].goals
+    goals.begin(goals.worlds)
+    half, whole = goals.goal[0].tolist()
+    qpos = torch.zeros((2, int(goals.at.max()) + 1), dtype=torch.float64)
+
+    def at(position):
+        qpos[:, goals.at[0, 0]] = position
+        progress = goals.update(qpos)
+        return progress[0].tolist(), goals.done[0].tolist(), int(goals.stage[0])
+
+    assert at(0.0) == ([0.0, 0.0], [False, False], 0)
+    assert at(half) == ([1.0, pytest.approx(0.5)], [True, False], 1)
+    assert at(0.0) == ([0.0, 0.0], [True, False], 1)
+    assert at(whole) == ([1.0, 1.0], [True, True], 1)
+    goals.holds[:] = True
+    assert at(0.0) == ([0.0, 0.0], [False, False], 0)
+    goals.holds[:] = False
 
 
 @needs_warp
@@ -112,10 +149,11 @@ def test_sizes_share_a_model_and_structures_do_not(batched, drawers, pair):
 
 
 @needs_warp
-@pytest.mark.parametrize("number", [0, 1])
-def test_an_episode_goes_as_in_the_environment(drawers, pair, number):
+@pytest.mark.parametrize(("name", "number"), [("pair", 0), ("pair", 1), ("twice", 1)])
+def test_an_episode_goes_as_in_the_environment(request, drawers, name, number):
     """The script opens the drawer in the environment; the same actions do the same in the world."""
-    env = ManipulationEnv("OpenDrawer", drawers[:2])
+    pair = request.getfixturevalue(name)
+    env = ManipulationEnv(pair.task, drawers[:2])
     observation, _ = env.reset(seed=0, options={"asset": number})
     policy = ScriptedPolicy(env)
     (worlds, numbers), both = pair.groups[0], np.ones(2, bool)
@@ -129,14 +167,14 @@ def test_an_episode_goes_as_in_the_environment(drawers, pair, number):
         seen = mine.get("terminal_observation", observations[number])
         np.testing.assert_allclose(seen[14:17], observation[14:17], atol=TIP)
         np.testing.assert_allclose(seen, observation, atol=SEEN)
-        assert mine["progress"] == pytest.approx(info["progress"][0], abs=JOINT)
+        assert mine["progress"] == pytest.approx(info["progress"], abs=JOINT)
         assert rewards[number] == pytest.approx(gained, abs=REWARD)
         assert (ends[number], mine["success"]) == (ended, info["success"])
         if ended:
             break
     assert ended
     assert not mine["TimeLimit.truncated"]
-    # it begins anew: the drawer is shut, the tip where it began but for the jitter
+    # it begins again: the drawer is shut, the tip where it began but for the jitter
     assert observations[number][42] == pytest.approx(0.0, abs=1e-4)
     assert np.abs(observations[number][:7] - env.target.arm).max() < 0.0201
 
@@ -167,10 +205,8 @@ def test_seeds_repeat(pair):
 
 
 @needs_warp
-def test_what_cannot_be_done_is_said(batched, pair):
-    with pytest.raises(ParameterError, match="OpenDishwasher has 2 stages"):
-        batched.BatchedTask("OpenDishwasher", range(5), 1)
-    with pytest.raises(ParameterError, match="worlds is a whole number"):
+def test_wrong_arguments_are_errors(batched, pair):
+    with pytest.raises(ParameterError, match="worlds = 0 is not allowed: it must be at least 1"):
         batched.BatchedTask("OpenDrawer", range(1), 0)
     with pytest.raises(ParameterError, match="actions of 2 worlds"):
         pair.step(np.zeros((3, 7)))
