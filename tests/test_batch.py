@@ -1,5 +1,6 @@
 """Batches: assets of one topology share one model, and engines get what they ask for."""
 
+import importlib
 import importlib.util
 import sys
 import types
@@ -11,7 +12,7 @@ from pxr import Usd
 
 import artgen as ag
 from artgen import batch
-from artgen.errors import ExportError, ParameterError
+from artgen.errors import EnvError, ExportError, ParameterError
 from artgen.topology import Topology
 
 
@@ -200,3 +201,13 @@ def test_a_batch_of_genesis_needs_genesis(tmp_path, monkeypatch) -> None:
     monkeypatch.setitem(sys.modules, "genesis", None)
     with pytest.raises(ExportError, match=r"cannot be loaded .*: pip install genesis-world torch"):
         batch.genesis("drawer", [0], tmp_path)
+
+
+def test_missing_mjx_and_playground_are_errors(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "jax", None)
+    drawers = [ag.generate("drawer", seed, topology="fixed", certify=False) for seed in range(1)]
+    with pytest.raises(ExportError, match=r"cannot be loaded .*: pip install mujoco-mjx"):
+        batch.mjx_worlds(drawers)
+    monkeypatch.delitem(sys.modules, "artgen.envs.playground", raising=False)
+    with pytest.raises(EnvError, match=r"MuJoCo Playground cannot be loaded .*: pip install playground"):
+        importlib.import_module("artgen.envs.playground")

@@ -1,8 +1,8 @@
 """Batches: many different assets in the worlds of one simulation.
 
 The worlds of a batch share links, joints and colliders; `topology="fixed"` makes assets so. `groups` tells
-which assets an engine can put into one batch; `mjlab`, `mujoco_warp`, `isaaclab` and `genesis` hand assets
-over to these engines.
+which assets an engine can put into one batch; `mjlab`, `mujoco_warp`, `mjx`, `isaaclab` and `genesis` hand
+assets over to these engines.
 """
 
 import dataclasses
@@ -29,6 +29,10 @@ if TYPE_CHECKING:
 Rule = Literal["isaaclab", "mjlab", "mujoco_warp"]
 """Engines by the structure that the worlds of one batch must share."""
 
+ASSET_SITE = "artgen_asset"
+"""Site of a model for MJX whose x is the number of the asset in the world."""
+
+_LEAST_FRICTION = 1e-9  # dry friction of a joint that has none, where another asset has some [N or N m]
 _UNLIMITED = 1e6  # range of a joint without limits: worlds share whether a joint has limits [rad or m]
 # where things are: MuJoCo Warp places those that do not move only once
 _PLACES = ("xpos", "xquat", "xmat", "xipos", "ximat", "geom_xpos", "geom_xmat")
@@ -422,6 +426,94 @@ def _state(model: "mujoco.MjModel") -> "mujoco.MjData":
     data = mujoco.MjData(model)
     mujoco.mj_forward(model, data)
     return data
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class MjxWorlds:
+    """Different assets for the worlds of one model of MJX.
+
+    Attributes:
+        assets: The assets.
+        model: MuJoCo's model of the first asset, for `mjx.put_model`.
+        active: Whether each equality constraint is active, shape (assets, constraints).
+        fields: Arrays of the model that differ between assets, by name, shape (assets, ...).
+    """
+
+    assets: tuple[Asset, ...]
+    model: "mujoco.MjModel"
+    active: NDArray[np.bool_]
+    fields: dict[str, NDArray[Any]]
+
+    def randomize(self, model: Any, rng: Any) -> tuple[Any, Any]:
+        """Return MJX's model of worlds that get the assets in turn, and its axes for `jax.vmap`.
+
+        This is a domain randomization function of MuJoCo Playground.
+
+        Args:
+            model: MJX's model of one world.
+            rng: One key for each world; only their number counts.
+        """
+        import jax
+
+        of = np.arange(len(rng)) % len(self.assets)
+        axes = jax.tree_util.tree_map(lambda _: None, model).tree_replace(dict.fromkeys(self.fields, 0))
+        values = {name: jax.numpy.asarray(each[of]) for name, each in self.fields.items()}
+        return model.tree_replace(values), axes
+
+
+def mjx(category: str | Generator, seeds: Iterable[int], **options: Any) -> MjxWorlds:
+    """Return models for MJX whose worlds have different assets of one category.
+
+    MJX takes only numbers from world to world, so all worlds have the meshes of the first asset. Therefore
+    colliders are there, but do not touch: links of proven assets cannot touch each other, except latches,
+    detents and the like. The model has a site `artgen_asset` whose x is the number of the asset.
+
+    Args:
+        category: Name of a category, or a generator.
+        seeds: Seeds of the assets.
+        **options: Options of `generate`; `topology` is "fixed" by default.
+
+    Raises:
+        AssetError: A seed does not fit the topology.
+        ExportError: MuJoCo or MJX is not installed.
+        ParameterError: There are no seeds, or an option is not allowed.
+    """
+    return mjx_worlds(_generated(category, seeds, options))
+
+
+def mjx_worlds(assets: Sequence[Asset]) -> MjxWorlds:
+    """Return the models of `mjx` for assets of one topology.
+
+    Raises:
+        ExportError: MuJoCo or MJX is not installed.
+        ParameterError: The assets do not share a structure.
+    """
+    try:
+        import jax
+        from mujoco import mjx as engine
+    except ImportError as error:
+        raise ExportError(
+            f"a batch of MJX needs mujoco-mjx, which cannot be loaded ({error}): pip install mujoco-mjx"
+        ) from error
+    models = []
+    for number, spec in enumerate(specs(assets)):
+        spec.worldbody.add_site(name=ASSET_SITE, pos=(number, 0.0, 0.0))
+        for geom in spec.geoms:
+            geom.contype = geom.conaffinity = 0
+        models.append(spec.compile())
+    first = models[0]
+    # MJX leaves out the dry friction of joints where the first model has none
+    rough = np.max([model.dof_frictionloss for model in models], axis=0) > 0.0
+    first.dof_frictionloss[rough] = np.maximum(first.dof_frictionloss[rough], _LEAST_FRICTION)
+    put = engine.put_model(first)
+    fields = {}
+    for field in dataclasses.fields(put):
+        if isinstance(getattr(put, field.name), jax.Array) and not field.name.startswith(("_", *_SEEN)):
+            values = np.stack([getattr(model, field.name) for model in models])
+            if (values != values[0]).any():
+                fields[field.name] = values
+    active = np.stack([model.eq_active0 for model in models]).astype(bool)
+    return MjxWorlds(tuple(assets), first, active, fields)
 
 
 def _warp() -> Any:

@@ -166,14 +166,14 @@ def push_door(asset: Asset, rng: np.random.Generator) -> Iterator[Choice]:
         before, motion = grasp.frame[:3, 3], hinge.motion(0.1)
         if (motion[:3, :3] @ before + motion[:3, 3] - before) @ grasp.frame[:3, 2] <= 0.0:
             continue  # the hand would pull
-        freed = _frees(asset, hinge.name, lever.name)
+        freed = frees(asset, hinge.name, lever.name)
         goal = max(0.3, freed + 0.02 * (lever.limits[1] - freed))
         turn = Move(lever.name, 0.5 * (goal + lever.limits[1]), contact_of(grasp, FAR_BACK))
         push = Move(hinge.name, 0.34, None)
         yield Stage(lever.name, 0.0, goal, grasp, (turn,)), Stage(hinge.name, 0.0, 0.3, grasp, (push,))
 
 
-def _frees(asset: Asset, blocked: str, lever: str) -> float:
+def frees(asset: Asset, blocked: str, lever: str) -> float:
     """Return the least position of a lever at which a joint is free [rad]."""
     needs, limits = asset.joint(blocked).needs, asset.joint(lever).limits
     assert limits is not None
@@ -199,7 +199,7 @@ def open_dishwasher(asset: Asset, rng: np.random.Generator) -> Iterator[Choice]:
     racks = [each for each in asset.affordances if each.link.startswith("rack") and each.kind == "grasp"]
     if not racks:
         raise EnvError(f"asset {asset.name!r} has no rack that a hand can grasp; take one with a rack")
-    freed = {each.name: _frees(asset, each.joints[0], door.name) for each in racks}
+    freed = {each.name: frees(asset, each.joints[0], door.name) for each in racks}
     assert door.limits is not None
     for rack in sorted(_shuffled(racks, rng), key=lambda each: freed[each.name] > _STEEP):
         goal = min(max(_STEEP, freed[rack.name] + 0.1), 0.97 * door.limits[1])
