@@ -3,6 +3,7 @@
 from functools import lru_cache
 from typing import Any
 
+import numpy as np
 import pytest
 
 from artgen.asset import Asset
@@ -58,3 +59,15 @@ def test_sizes_and_masses_are_those_of_shops(
     assert width[0] < high[0] - low[0] < width[1]
     assert depth[0] < high[1] - low[1] < depth[1]
     assert mass[0] < asset.mass < mass[1]
+
+
+def test_nothing_is_open_between_a_bowl_and_its_rim_at_low_detail() -> None:
+    given: dict[str, Any] = {"style": "inset", "bowls": "single", "stand": "none", "drainer": "none"}
+    asset = made(1, **given, detail="low")
+    solids = [each for each in asset.links[0].colliders if each.label == "bowl"]
+    rim = max(each.convex.bounds()[1, 2] for each in solids) - 0.0008
+    half, deep = asset.parameters["width"] / 2, asset.parameters["deep"] / 2
+    for x, y in ((1, 1), (-1, 1), (-1, -1), (1, -1)):
+        corner = np.array([0.98 * x * half, -0.045 - deep + 0.98 * y * deep, rim])
+        planes = [each.convex.faces.planes for each in solids]
+        assert any((each[:, :3] @ corner <= each[:, 3]).all() for each in planes)

@@ -310,18 +310,29 @@ def _shell(levels: list[tuple[Points, Points, ag.Scalar]], hole: float, thick: f
     return pieces
 
 
-def _box_walls(plan: _Plan, half: ag.Scalar, deep: ag.Scalar, top: ag.Scalar) -> list[ag.Solid]:
-    """Make the pieces of a steep bowl with eight walls, within its visible surface."""
+def _box_walls(
+    plan: _Plan, half: ag.Scalar, deep: ag.Scalar, top: ag.Scalar, rim: ag.Scalar
+) -> list[ag.Solid]:
+    """Make the pieces of a steep bowl with eight walls, within its visible surface.
+
+    Plates at the height `rim` fill the corners of the frame around it.
+    """
     angles = [math.tau * (step + 0.5) / 8 for step in range(8)]
 
     def corners(more: float) -> Points:
         return sanitary.rounded((half + more) / 0.987, (deep + more) / 0.987, 0.16, angles)
 
+    bends = corners(0.0025)
+    ends = [(x * (half + 0.0025), y * (deep + 0.0025)) for x, y in ((1, -1), (-1, -1), (-1, 1), (1, 1))]
+    plates = [
+        ag.extrude(ag.polygon([bends[2 * side], end, bends[2 * side + 1]]), 0.0015).at(z=rim)
+        for side, end in enumerate(ends)
+    ]
     levels = [
         (corners(less), corners(less + 0.005), z)
         for less, z in ((-0.018, top - plan.hollow - 0.0008), (0.0012, top - 0.0012))
     ]
-    return _shell(levels, _HOLE + 0.0015, 0.005)
+    return _shell(levels, _HOLE + 0.0015, 0.005) + plates
 
 
 def _around(room: ag.Region, row: list[tuple[ag.Scalar, ag.Scalar]], near: ag.Scalar) -> list[ag.Solid]:
@@ -375,7 +386,8 @@ def _kitchen(
     skin = ag.union(room.box(bevel=soft), *(each for each, _ in tubs)) - cavity - drains
     core = _around(room.shrink(0.0006), row, near)
     for x, wide in row:
-        core += [each.at(x, y) for each in _box_walls(plan, wide, plan.deep / 2, low)]
+        rim = room.z.high - 0.00135
+        core += [each.at(x, y) for each in _box_walls(plan, wide, plan.deep / 2, low, rim)]
     share = {"inset": 1.0, "undermount": 1.0}.get(plan.style, 0.3 if "steel" in plan.shell.name else 0.75)
     body = ag.weld(
         ag.part(core, "bowl", casting(plan.shell, share), name="sink"), ag.detail(skin, "bowl", plan.shell)
