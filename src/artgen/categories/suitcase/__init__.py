@@ -204,7 +204,7 @@ def _halves(plan: _Plan, ribs: int, maker: str) -> tuple[ag.Body, ag.Body]:
     style, low, high = plan.style, plan.low, plan.high
     density = {"trolley": 820.0, "tool_case": 850.0, "attache": 850.0}[style]
     if plan.shell.base_metalness > 0.5:
-        density *= 1.4
+        density *= 1.35
     shell = plan.shell.with_(name=f"{plan.shell.name}_shell", density=density)
     trim, proud = (plan.shell, 0.0016) if style == "tool_case" else (plan.metal, 0.0009)
     inner = ag.Region.centered(plan.wide, plan.deep, 0.0).shrink(x=plan.wall, y=plan.wall)
@@ -380,7 +380,8 @@ def _wheeled(base: ag.Body, lid: ag.Body, plan: _Plan, rolling: str) -> tuple[ag
     """Put casters below both halves, or wheels below the base and feet below the lid."""
     casters = rolling == "casters"
     under, aside = -plan.wide / 2, plan.deep / 2 - 0.055
-    levels = (plan.low / 2, plan.low + (plan.high - plan.low) / 2)
+    apart = 0.008 if casters else 0.0  # from the middles: casters of both halves stay apart however they turn
+    levels = (plan.low / 2 - apart, (plan.low + plan.high) / 2 + apart)
     wheel = fixings.caster(radius=_WHEEL, width=0.018, finish=_BLACK, swivel=casters).rotate(
         ag.Z, -math.pi / 2
     )
