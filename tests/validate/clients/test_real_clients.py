@@ -78,6 +78,13 @@ def test_what_snaps_over_stops_at_its_end(style, tmp_path):
     assert outcome.state == "passed", outcome.message
 
 
+def test_a_lid_that_falls_turns_on_its_pot(tmp_path):
+    pot = artgen.generate("pot", seed=0, certify=False)
+    exported = read_exported(pot.export(tmp_path / "pot", formats=("urdf",), textures=0))
+    (outcome,) = run_client(CLIENTS["mujoco_urdf"], [exported])
+    assert outcome.state == "passed", outcome.message
+
+
 @pytest.mark.parametrize(
     "name", ["mujoco", "drake_urdf", "newton_mjcf", "newton_usd", "ovphysx", "mujoco_usd_converter"]
 )

@@ -268,8 +268,8 @@ def _lid(
     glass = cover == "glass"
     shell = _GLASS if glass else finish.with_(name=f"{finish.name}_lid", density=_LIDS.get(style, 700.0))
     disc = ag.cylinder(edge, 0.0034, bevel=0.0012).at(z=0.0017)
-    # the dome stays inside the wall: sides of its pieces would turn a lid that falls
-    dome = ag.dome(radius - _WALLS.get(style, 0.002) - 0.0012, height=rise).at(z=0.0022)
+    # the dome stays inside the wall and above the disc: sides of its pieces would turn a lid that falls
+    dome = ag.dome(radius - _WALLS.get(style, 0.002) - 0.0012, height=rise - 0.0012).at(z=0.0034)
     lid = ag.weld(_knob(knob, radius, rise + 0.0022, grip), ag.part(disc | dome, "lid", shell))
     if glass:
         ring = ag.tube(edge + 0.0004, edge - 0.007, 0.0040, bevel=0.0014).at(z=0.0020)
