@@ -122,6 +122,36 @@ def test_solids_that_are_too_coarse_for_the_proof_become_finer() -> None:
     )
 
 
+def test_visual_details_wait_until_they_are_looked_at() -> None:
+    plate = ag.part(ag.box(0.06, 0.004, 0.04), "plate", ag.material("abs"))
+    stripe = ag.box(0.03, 0.001, 0.01).at(y=-0.0025)
+    body = ag.weld(plate, ag.detail(stripe, "stripe", ag.material("copper")))
+    full, low = (Graph(body).evaluate(detail=DETAILS[name]) for name in ("full", "low"))
+    assert (full.runs["box"], low.runs["box"]) == (2, 1)
+    link = low.value.link
+    assert np.allclose(link.pieces[1].shape.bounds(), [[-0.015, -0.003, -0.005], [0.015, -0.002, 0.005]])
+    assert low.runs["box"] == 2
+
+
+def test_a_detail_that_fails_when_it_is_coarse_is_made_finer() -> None:
+    plate = ag.part(ag.box(0.06, 0.004, 0.04), "plate", ag.material("abs"))
+    ring = ag.cylinder(0.02, 0.01) - ag.cylinder(0.0199, 0.02)
+    body = ag.weld(
+        plate, ag.detail(ring - ag.box(0.0392, 0.0392, 0.1, bevel=0.0), "ring", ag.material("steel"))
+    )
+    tree = Graph(body).evaluate(detail=DETAILS["low"]).value
+    assert tree.link.pieces[1].shape.manifold.volume() > 0.0
+
+
+def test_a_requirement_of_a_detail_does_not_wait() -> None:
+    plate = ag.part(ag.box(0.06, 0.004, 0.04), "plate", ag.material("abs"))
+    size = ag.box(0.01, 0.01, 0.01).volume()
+    stripe = ag.box(ag.require(size, size > 1.0, "too small"), 0.001, 0.01)
+    body = ag.weld(plate, ag.detail(stripe, "stripe", ag.material("copper")))
+    with pytest.raises(ag.errors.InfeasibleError, match="too small"):
+        Graph(body).evaluate(detail=DETAILS["low"])
+
+
 def test_an_unknown_level_is_refused() -> None:
     with pytest.raises(ParameterError, match=r"detail = 'tiny' is not allowed.*'full', 'medium', 'low'"):
         block.generate(1, detail="tiny")  # type: ignore[arg-type]
@@ -180,14 +210,16 @@ def test_details_by_which_solids_hang_together_stay() -> None:
     tree = Graph(linked.build({})).evaluate(detail=DETAILS["low"]).value
     full = {piece.label for piece in tree.link.pieces}
     assert full == {"block", "near", "far", "badge", "knob"}
-    bare, least = tree.reduced(0.0, 0.001)
+    counts = {piece.label: len(piece.shape.mesh.triangles) for piece in tree.link.pieces}
+    assert tree.solid_triangles() == 2 * counts["block"]
+    bare = tree.reduced(0.0, 0.001)
     kept = [piece.label for piece in bare.link.pieces]
     assert kept == ["block", "block", "near", "far"]
-    assert least == sum(len(piece.shape.mesh.triangles) for piece in bare.link.pieces if piece.label) + sum(
-        len(piece.shape.mesh.triangles) for piece in tree.link.pieces if piece.label == "knob"
-    )
-    some, _ = tree.reduced(least, 0.0)
+    assert [piece.label for piece in bare.link.solids] == ["block", "block"]
+    most = sum(counts[label] for label in kept) + 16 * counts["knob"]
+    some = tree.reduced(most, 0.0)
     assert "badge" not in {piece.label for piece in some.link.pieces}
+    assert [piece.label for piece in some.link.pieces].count("knob") == 16
 
 
 def test_a_detail_leaves_after_those_that_hang_on_it() -> None:
@@ -203,5 +235,5 @@ def test_a_detail_leaves_after_those_that_hang_on_it() -> None:
     counts = {piece.label: len(piece.shape.mesh.triangles) for piece in tree.link.pieces}
     total = sum(counts.values())
     for most, kept in ((total, 3), (total - 1, 2), (total - counts["sign"], 2), (counts["block"], 1)):
-        labels = [piece.label for piece in tree.reduced(most)[0].link.pieces]
+        labels = [piece.label for piece in tree.reduced(most).link.pieces]
         assert labels == ["block", "arm", "sign"][:kept]

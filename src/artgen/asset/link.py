@@ -123,6 +123,11 @@ class Link(FrozenArrays):
         return all(piece.visual for piece in self.pieces)
 
     @cached_property
+    def solids(self) -> tuple[Piece, ...]:
+        """Its pieces without visual details."""
+        return tuple(piece for piece in self.pieces if not piece.visual)
+
+    @cached_property
     def mass_properties(self) -> MassProperties:
         """Mass, center and inertia of the solids; a volume in several solids counts for the first one."""
         pieces = self._solid_pieces()
@@ -170,8 +175,7 @@ class Link(FrozenArrays):
     @property
     def covers(self) -> tuple[Convex, ...]:
         """Convex pieces within which its author lets the colliders stand off from the solids."""
-        solid = [piece for piece in self.pieces if not piece.visual]
-        return tuple(cover for piece in solid for cover in piece.shape.pieces.declared())
+        return tuple(cover for piece in self.solids for cover in piece.shape.pieces.declared())
 
     @cached_property
     def surfaces(self) -> tuple[Surface, ...]:
@@ -205,12 +209,9 @@ class Link(FrozenArrays):
         points = np.concatenate(parts or [each.convex.bounds() for each in self.colliders])
         return np.array([points.min(axis=0), points.max(axis=0)])
 
-    def without(self, left_out: Collection[int]) -> "Link":
-        """Return the link without some of its pieces, by their `id`."""
-        pieces = tuple(piece for piece in self.pieces if id(piece) not in left_out)
-        if len(pieces) == len(self.pieces):
-            return self
-        return Link(self.name, self.label, pieces, self.grasps, self.separate, self.pushes)
+    def without(self, left_out: Callable[[], Collection[int]]) -> "ReducedLink":
+        """Return the link without some visual details, whose `id` the function gives on first access."""
+        return ReducedLink.of(self, pieces=_KeptPieces(self.pieces, left_out))
 
     def moved(self, matrix: Array) -> "Link":
         """Return the link carried along by a rigid motion or a reflection, shape (4, 4)."""
@@ -283,12 +284,12 @@ class Link(FrozenArrays):
         """How colliders and surfaces were replaced, as JSON data; empty if they were not."""
         return {}
 
-    def _solid_pieces(self) -> list[Piece]:
+    def _solid_pieces(self) -> Sequence[Piece]:
         if not self.pieces:
             raise AssetError(
                 f"link {self.name!r} was read from files and has no exact solids; generate the asset again"
             )
-        return [piece for piece in self.pieces if not piece.visual]
+        return self.solids
 
 
 def _convex_data(convex: Convex) -> dict[str, Any]:
@@ -315,6 +316,28 @@ class MovedPieces(Sequence[Piece]):
         return self._moved[index]
 
 
+class _KeptPieces(Sequence[Piece]):
+    """The pieces of a link without some, which are chosen on first access."""
+
+    def __init__(self, pieces: Sequence[Piece], left_out: Callable[[], Collection[int]]) -> None:
+        self._source = pieces
+        self._left_out = left_out
+
+    @cached_property
+    def _kept(self) -> tuple[Piece, ...]:
+        left_out = self._left_out()
+        return tuple(piece for piece in self._source if id(piece) not in left_out)
+
+    def __bool__(self) -> bool:
+        return bool(self._source)  # its solids stay
+
+    def __len__(self) -> int:
+        return len(self._kept)
+
+    def __getitem__(self, index: Any) -> Any:
+        return self._kept[index]
+
+
 @dataclass(frozen=True, eq=False, repr=False)
 class DerivedLink(Link):
     """A link with the values of another link; subclasses change some of them."""
@@ -335,6 +358,29 @@ class DerivedLink(Link):
     details = cached_property(attrgetter("source.details"))
     changes = cached_property(attrgetter("source.changes"))
     absent = property(attrgetter("source.absent"))
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class ReducedLink(DerivedLink):
+    """A link without some visual details of its source; its solids are those of the source."""
+
+    solids = cached_property(attrgetter("source.solids"))
+    visual = cached_property(attrgetter("source.visual"))
+    labels = cached_property(attrgetter("_whole.labels"))
+    surfaces = cached_property(attrgetter("_whole.surfaces"))
+    listed_surfaces = cached_property(attrgetter("_whole.listed_surfaces"))
+    details = cached_property(attrgetter("_whole.details"))
+
+    def surfaces_of(self, mesh_of: Callable[[Piece], Mesh]) -> tuple[Surface, ...]:
+        """Return one surface for each label and material; `mesh_of` returns the mesh of a piece."""
+        return self._whole.surfaces_of(mesh_of)
+
+    @cached_property
+    def _whole(self) -> Link:
+        """A link of the pieces that are kept; the source if all are."""
+        if len(self.pieces) == len(self.source.pieces):
+            return self.source
+        return Link(self.name, self.label, tuple(self.pieces), self.grasps, self.separate, self.pushes)
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -237,6 +237,28 @@ class DeferredShape(_LazyShape):
         return self.made.faces
 
 
+class LateShape(DeferredShape):
+    """A shape that is made as a whole on first access."""
+
+    def __init__(self, make: Callable[[], Shape]) -> None:
+        vars(self).update(_make=make)
+
+    @property
+    def pieces(self) -> Pieces:
+        """The convex pieces of the shape."""
+        return self.made.pieces
+
+    @property
+    def paints(self) -> Mapping[int, Material]:
+        """The materials of painted faces by paint number."""
+        return self.made.paints
+
+    @property
+    def united(self) -> tuple[Shape, ...]:
+        """The shapes that were united to this one."""
+        return self.made.united
+
+
 class MovedShape(_LazyShape):
     """A shape after a rigid motion or a reflection."""
 
@@ -246,7 +268,13 @@ class MovedShape(_LazyShape):
     def __init__(self, source: Shape, matrix: Array) -> None:
         if isinstance(source, MovedShape):
             matrix, source = matrix @ source.matrix, source.source
-        super().__init__(source.paints, source=source, matrix=matrix)
+        vars(self).update(source=source, matrix=matrix)
+        frozen(vars(self))
+
+    @cached_property
+    def paints(self) -> Mapping[int, Material]:
+        """The materials of painted faces of the source."""
+        return self.source.paints
 
     @cached_property
     def pieces(self) -> Pieces:

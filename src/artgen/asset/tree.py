@@ -8,11 +8,12 @@ from heapq import heapify, heappop, heappush
 
 import numpy as np
 
-from artgen._arrays import Array
+from artgen._arrays import Array, cached_property
 from artgen.asset.coupling import AssetLoop
 from artgen.asset.joint import AllowedContact, AssetJoint, joints_above
 from artgen.asset.link import Link, Piece
 from artgen.asset.manifolds import touching
+from artgen.asset.shape import MovedShape
 from artgen.colliders.triangles import cross
 from artgen.errors import AssetError, nearest
 
@@ -73,44 +74,20 @@ class Tree:
         )
         return replace(self, branches=branches)
 
-    def reduced(self, most: float, thin: float = 0.0) -> tuple["Tree", int]:
-        """Return the tree with fewer visual details, and the least number of triangles that it can have.
+    def solid_triangles(self) -> int:
+        """Return the number of triangles of the solids, without visual details."""
+        return sum(_triangles(piece) for link in self.links() for piece in link.solids)
+
+    def reduced(self, most: float, thin: float = 0.0) -> "Tree":
+        """Return the tree with fewer visual details, which are chosen when they are looked at.
 
         Details that are not thicker than `thin` [m] are left out. With more than `most` triangles, others
         are as well, those with the smallest triangles first, then those that stand out of the bounds of a
-        link's solids and show in the outline. The least number keeps these and the solids. A detail stays
-        as long as solids, or details that stay, hang together by it; a link may be of separate solids. One
-        that coarse solids do not reach any more is left out.
+        link's solids and show in the outline. A detail stays as long as solids, or details that stay, hang
+        together by it; a link may be of separate solids. One that coarse solids do not reach any more is
+        left out.
         """
-        links = list(self.links())
-        pieces = [piece for link in links for piece in link.pieces]
-        kept = least = sum(map(_triangles, pieces))
-        solids = [[each.shape.bounds() for each in link.pieces if not each.visual] for link in links]
-        bounds = [(np.min(boxes, axis=0)[0], np.max(boxes, axis=0)[1]) for boxes in solids if boxes]
-
-        def rank(piece: Piece) -> _Rank:
-            low, high = piece.shape.bounds()
-            beyond = min(max((start - low).max(), (high - end).max()) for start, end in bounds)
-            return bool((high - low).min() > thin), bool(beyond > _PROUD), _mean_area(piece)
-
-        ranks = {id(each): rank(each) for each in pieces if each.visual}
-        neighbors = _hanging(links, ranks)
-        for key in _floating(links, neighbors):
-            ranks[key] = (False, *ranks[key][1:])
-        if kept <= most and all(thick for thick, _, _ in ranks.values()):
-            return self, kept
-        left_out: set[int] = set()
-        leaving, shows = True, False  # whether all details so far were left out, and whether one shows
-        for piece in _from_ends(pieces, ranks, neighbors):
-            thick, proud, _ = ranks[id(piece)]
-            leaving = leaving and (not thick or kept > most)
-            if leaving:
-                left_out.add(id(piece))
-                kept -= _triangles(piece)
-            shows = shows or (thick and proud)
-            if not shows:
-                least -= _triangles(piece)
-        return self._with_links(lambda link: link.without(left_out)), least
+        return Reduction(self, most, thin).result
 
     def _with_links(self, of_link: Callable[[Link], Link]) -> "Tree":
         branches = self._branches(lambda joint: joint, lambda tree: tree._with_links(of_link))
@@ -167,6 +144,57 @@ class Tree:
             if twice:
                 raise ValueError(f"the {kind} name {twice[0]!r} is used twice; {_REMEDIES[kind]}")
         return self
+
+
+@dataclass(frozen=True, eq=False)
+class Reduction:
+    """The choice of visual details that are left out of a tree, see `Tree.reduced`; made on first access."""
+
+    tree: Tree
+    most: float
+    thin: float
+
+    @cached_property
+    def result(self) -> Tree:
+        """The tree without these details."""
+        return self.tree._with_links(lambda link: link.without(lambda: self._chosen[0]))
+
+    @property
+    def least(self) -> int:
+        """Least number of triangles with all details that show in the outline, or hold others."""
+        return self._chosen[1]
+
+    @cached_property
+    def _chosen(self) -> tuple[frozenset[int], int]:
+        links = list(self.tree.links())
+        pieces = [piece for link in links for piece in link.pieces]
+        kept = least = sum(map(_triangles, pieces))
+        solids = [[each.shape.bounds() for each in link.solids] for link in links]
+        bounds = [(np.min(boxes, axis=0)[0], np.max(boxes, axis=0)[1]) for boxes in solids if boxes]
+
+        def rank(piece: Piece) -> _Rank:
+            low, high = piece.shape.bounds()
+            beyond = min(max((start - low).max(), (high - end).max()) for start, end in bounds)
+            return bool((high - low).min() > self.thin), bool(beyond > _PROUD), _mean_area(piece)
+
+        ranks = {id(each): rank(each) for each in pieces if each.visual}
+        neighbors = _hanging(links, ranks)
+        for key in _floating(links, neighbors):
+            ranks[key] = (False, *ranks[key][1:])
+        if kept <= self.most and all(thick for thick, _, _ in ranks.values()):
+            return frozenset(), kept
+        left_out: set[int] = set()
+        leaving, shows = True, False  # whether all details so far were left out, and whether one shows
+        for piece in _from_ends(pieces, ranks, neighbors):
+            thick, proud, _ = ranks[id(piece)]
+            leaving = leaving and (not thick or kept > self.most)
+            if leaving:
+                left_out.add(id(piece))
+                kept -= _triangles(piece)
+            shows = shows or (thick and proud)
+            if not shows:
+                least -= _triangles(piece)
+        return frozenset(left_out), least
 
 
 _PROUD = 0.001  # distance beyond the solids at which a detail shows in the outline [m]
@@ -227,7 +255,10 @@ _SOLID: _Rank = (True, True, math.inf)  # solids come before all details
 
 
 def _triangles(piece: Piece) -> int:
-    return len(piece.shape.mesh.triangles)
+    shape = piece.shape
+    while isinstance(shape, MovedShape):  # its own mesh has moved vertices
+        shape = shape.source
+    return len(shape.mesh.triangles)
 
 
 def _mean_area(piece: Piece) -> float:

@@ -25,6 +25,7 @@ from artgen.asset import Asset, AssetJoint, Tree
 from artgen.asset.asset import Base, DetailName, Limits, certify_later
 from artgen.asset.certificate import MOST_TOLERANCE, Certificate
 from artgen.asset.report import CheckResult, Finding
+from artgen.asset.tree import Reduction
 from artgen.errors import (
     ArtgenError,
     AssetError,
@@ -52,7 +53,7 @@ from artgen.graph import (
 )
 from artgen.graph.handle import folding, recording
 from artgen.graph.node import Node, line_in, topological
-from artgen.nodes.handles import Body
+from artgen.nodes.handles import Body, Solid
 from artgen.sampling import Fixed, Given
 from artgen.sampling.distributions import is_number
 from artgen.topology import Topology
@@ -624,12 +625,12 @@ class Generator(Variant):
         """Build and evaluate the graph of a draw, and prove the asset."""
         body = self._built.of(draw.values) if keep_graph else self._folded(draw.values)
         shown: dict[str, Any] = {}
-        for level, evaluation in _evaluations(body, draw.values, cache, DETAILS[detail]):
+        for level, evaluation, tree in _evaluations(body, draw.values, cache, DETAILS[detail]):
             # a graph that is kept is not that of the sample alone, and a graph for each option takes long
             shown = shown or self._acting(draw, cache, None if keep_graph else body)
             try:
                 origin: dict[str, Any] = {"seed": draw.seed, "attempt": draw.attempt, "detail": detail}
-                asset = padded(self._asset(body, evaluation, shown, name, base, **origin))
+                asset = padded(self._asset(body, evaluation, tree, shown, name, base, **origin))
                 prove(asset)
             except AssetError as error:
                 message = f"{error}\n  at {_place(body, error) or self.where}"
@@ -683,6 +684,7 @@ class Generator(Variant):
         self,
         body: Handle,
         evaluation: Evaluation,
+        tree: Tree,
         values: Mapping[str, Any],
         name: str,
         base: Base,
@@ -693,8 +695,9 @@ class Generator(Variant):
                 f"{self.name} returns a {type(body).__name__}; an asset needs a Body\n  at {self.where}"
             )
         parameters = {key: getattr(value, "name", value) for key, value in values.items()}
-        asset = Asset.from_tree(
-            evaluation.value,
+        self._check_labels(evaluation.value)  # those of all details
+        return Asset.from_tree(
+            tree,
             name,
             self.name,
             base=base,
@@ -703,13 +706,11 @@ class Generator(Variant):
             labels=self.labels,
             **origin,
         )
-        self._check_labels(asset)
-        return asset
 
-    def _check_labels(self, asset: Asset) -> None:
+    def _check_labels(self, tree: Tree) -> None:
         if not self.labels:
             return
-        carried = [(label, link.name) for link in asset.links for label in link.labels]
+        carried = [(label, link.name) for link in tree.links() for label in link.labels]
         missing = {label: link for label, link in reversed(carried) if label not in self.labels}
         if not missing:
             return
@@ -725,19 +726,23 @@ class Generator(Variant):
         return f"<generator {self.name} at {self.where}>"
 
 
-_COARSEST = 0.006  # distance of facets from a round surface at which no coarser solids are tried [m]
+_COARSEST = 0.0024  # distance of facets from a round surface at which no coarser solids are tried [m]
+_FILLED = 0.8  # share of the triangles that a level aims at, above which solids leave little for details
+_LIKELY = 18  # triangles of each operation that makes a solid, above which solids are coarser from the start
 # up to a multiple of the triangles that a level aims at: the factor by which its solids become coarser
-_COARSER = ((1.25, 1.5), (1.8, 2.0), (math.inf, 4.0))
+_COARSER = ((1.1, 1.25), (1.3, 1.5), (1.8, 2.0), (math.inf, 4.0))
 
 
 def _evaluations(
     body: Handle, values: Mapping[str, Any], cache: Cache, level: Detail
-) -> Iterator[tuple[Detail, Evaluation]]:
-    """Yield the evaluation of a graph at a level of detail, and finer ones in case it is not proven.
+) -> Iterator[tuple[Detail, Evaluation, Tree]]:
+    """Yield a level of detail, the evaluation of a graph and its tree; finer ones in case it is not proven.
 
-    Too many triangles make the solids coarser, unless coarser solids failed.
+    Too many triangles of solids make them coarser, unless coarser solids failed.
     """
-    most, coarsest = level.most, _COARSEST
+    most, coarsest, steps = level.most, _COARSEST, _COARSER
+    if most < math.inf and _LIKELY * _solids(body) > most:
+        level = level.scaled(2.0)
     while True:
         try:
             evaluation = Graph(body).evaluate(values, cache, level)
@@ -745,14 +750,35 @@ def _evaluations(
             if level is FULL:
                 raise
         else:
+            tree = evaluation.value
             if most < math.inf and isinstance(body, Body):
-                evaluation.value, least = evaluation.value.reduced(most, level.thin)
-                if least > most and level.chord < coarsest:
-                    level = level.scaled(next(by for times, by in _COARSER if least <= times * most))
-                    continue
-            yield level, evaluation
+                reduction = Reduction(tree, most, level.thin)
+                if level.chord < coarsest:
+                    least = tree.solid_triangles()
+                    if _FILLED * most < least <= most and level.chord < 0.5 * coarsest:
+                        # little is left for details
+                        least = reduction.least
+                    if least > most:
+                        level = level.scaled(next(by for times, by in steps if least <= times * most))
+                        steps = _COARSER[1:]
+                        continue
+                tree = reduction.result
+            yield level, evaluation, tree
         coarsest = 0.0
-        level = level.scaled(0.5) if level.chord > 2.0 * FULL.chord else FULL
+        level = level.finer
+
+
+def _solids(body: Handle) -> int:
+    """Return the number of operations that make solids, without those of visual details only."""
+    count, seen, stack = 0, {body.node.key}, [body.node]
+    while stack:
+        node = stack.pop()
+        count += Handle.HANDLES[operation(node.op).result] is Solid
+        for child in node.children if node.op != "detail" else ():
+            if child.key not in seen:
+                seen.add(child.key)
+                stack.append(child)
+    return count
 
 
 @dataclass(frozen=True, eq=False)

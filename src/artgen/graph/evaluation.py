@@ -5,6 +5,7 @@ import math
 from collections import Counter, OrderedDict
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import partial
 from threading import Lock
 from time import perf_counter
 from typing import Any
@@ -100,41 +101,92 @@ def evaluate(
             message names the operation, the reason, and the author's line.
         InfeasibleError: A requirement is violated.
     """
-    cache = Cache() if cache is None else cache
-    result = Evaluation()
+    order = topological(handle.node)
     given: dict[str, Any] = {}
-    result.keys = _content_keys(topological(handle.node), parameters or {}, given)
-    values = {level: dict(given) for level in (FULL, detail)}
-    stack = [(handle.node, detail)]
-    while stack:
-        node, level = stack[-1]
-        if node.key in values[level]:
-            stack.pop()
-            continue
-        known = operation(node.op)
-        within = FULL if known.measures else level  # the level of its inputs
-        content = result.keys[node.key] + ("" if within is FULL else f" {level.name} {level.chord}")
-        value = cache.get(content, _ABSENT)
-        if value is not _ABSENT:
-            result.hits += 1
-        else:
-            value = known.bare(node.inputs) if level.thin and known.bare else NotImplemented
-            if value is NotImplemented:
-                needed = _needed(node, known, values[within])
-                missing = [child for child in needed if child.key not in values[within]]
-                if missing:
-                    stack.extend((each, within) for each in reversed(missing))
-                    continue
-                start = perf_counter()
-                value = _run(node, known, values[within], within)
-                result.node_seconds[node.key] = elapsed = perf_counter() - start
-                result.seconds[node.op] = result.seconds.get(node.op, 0.0) + elapsed
-                result.runs[node.op] += 1
-            cache.put(content, value)
-        for each in values if known.measures else (level,):
-            values[each][node.key] = value
-    result.value = values[detail][handle.node.key]
+    result = Evaluation(keys=_content_keys(order, parameters or {}, given))
+    run = _Run(
+        Cache() if cache is None else cache, given, result, set() if detail is FULL else _checked(order)
+    )
+    result.value = run.value(handle.node, detail)
     return result
+
+
+def _checked(order: list[Node]) -> set[str]:
+    """Return the keys of the nodes that may violate a requirement."""
+    found: set[str] = set()
+    for node in order:
+        if node.op == "require" or any(child.key in found for child in node.children):
+            found.add(node.key)
+    return found
+
+
+class _Run:
+    """Computes values of the nodes of a graph, those that can wait on first use."""
+
+    def __init__(self, cache: Cache, given: Mapping[str, Any], result: Evaluation, checked: set[str]) -> None:
+        self._cache, self._given, self._result = cache, given, result
+        self._checked = checked  # keys of the nodes that cannot wait
+        self._values: dict[Detail, dict[str, Any]] = {FULL: dict(given)}
+
+    def value(self, root: Node, detail: Detail) -> Any:
+        """Return the value of a node at a level of detail."""
+        values = self._values
+        values.setdefault(detail, dict(self._given))
+        stack = [(root, detail)]
+        while stack:
+            node, level = stack[-1]
+            if node.key in values[level]:
+                stack.pop()
+                continue
+            known = operation(node.op)
+            within = FULL if known.measures else level  # the level of its inputs
+            content = self._result.keys[node.key] + ("" if within is FULL else f" {level.name} {level.chord}")
+            value = self._cache.get(content, _ABSENT)
+            if value is not _ABSENT:
+                self._result.hits += 1
+            else:
+                value = known.bare(node.inputs) if level.thin and known.bare else NotImplemented
+                if value is NotImplemented:
+                    waiting = self._waiting(node, known, within)
+                    inputs = values[within] | waiting if waiting else values[within]
+                    missing = [child for child in _needed(node, known, inputs) if child.key not in inputs]
+                    if missing:
+                        stack.extend((each, within) for each in reversed(missing))
+                        continue
+                    value = self._run(node, known, inputs, within)
+                self._cache.put(content, value)
+            for each in list(values) if known.measures else (level,):
+                values[each][node.key] = value
+        return values[detail][root.key]
+
+    def _run(self, node: Node, known: Operation, inputs: Mapping[str, Any], level: Detail) -> Any:
+        result, start = self._result, perf_counter()
+        value = _run(node, known, inputs, level)
+        result.node_seconds[node.key] = elapsed = perf_counter() - start
+        result.seconds[node.op] = result.seconds.get(node.op, 0.0) + elapsed
+        result.runs[node.op] += 1
+        return value
+
+    def _waiting(self, node: Node, known: Operation, level: Detail) -> dict[str, Any]:
+        """Return values in place of the inputs that can wait, by their keys."""
+        if level is FULL:
+            return {}
+        return {
+            child.key: make(partial(self._late, child, level))
+            for name, make in known.later.items()
+            for child in nodes_in(node.inputs[name])
+            if child.key not in self._values[level] and child.key not in self._checked
+        }
+
+    def _late(self, node: Node, level: Detail) -> Any:
+        """Return the value of a node that waited; if it fails, at the next level that does not."""
+        while True:
+            try:
+                return self.value(node, level)
+            except EvaluationError:
+                if level is FULL:
+                    raise
+                level = level.finer
 
 
 def reached(handle: Handle, parameters: Mapping[str, Any], cache: Cache | None = None) -> set[str]:

@@ -218,6 +218,7 @@ def records(
     *,
     spelling: str = "",
     bare: Callable[[Mapping[str, Any]], Any] | None = None,
+    later: Mapping[str, Callable[[Callable[[], Any]], Any]] | None = None,
 ) -> Callable[[C], C]:
     """Make a function without a body the constructor of an operation: a call of it records the operation.
 
@@ -229,6 +230,7 @@ def records(
         of: The type of all inputs and of the result, for a kernel without annotations such as `math.sin`.
         spelling: Python source of the operation, e.g. `({a} & {b})`; by default a call of the function.
         bare: Its value at levels of detail without print; see `Operation`.
+        later: Inputs that are computed on first use at levels of detail other than `FULL`; see `Operation`.
     """
 
     def decorate(constructor: C) -> C:
@@ -236,7 +238,9 @@ def records(
         name = constructor.__name__
         inputs, result = types_of(kernel, name) if of is None else (dict.fromkeys(parameters, of), of)
         module = constructor.__module__
-        known = Operation(name, kernel, inputs, result, module, spelling, constructor=name, bare=bare)
+        known = Operation(
+            name, kernel, inputs, result, module, spelling, constructor=name, bare=bare, later=later or {}
+        )
         register(known)
         kind = Handle.HANDLES[result]
         defaults = {key: item.default for key, item in parameters.items() if item.default is not item.empty}

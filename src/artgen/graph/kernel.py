@@ -7,7 +7,7 @@ import types
 import typing
 from collections.abc import Callable, Mapping
 from contextvars import ContextVar
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cache
 from typing import Any, TypeVar, overload
 
@@ -28,6 +28,11 @@ class Detail:
     thin: float = 0.0  # print, and visual details that are not thicker, are left out; 0 keeps all [m]
     most: float = math.inf  # triangles of an asset that are aimed at
 
+    @property
+    def finer(self) -> "Detail":
+        """The level to try after this one failed."""
+        return self.scaled(0.5) if self.chord > 2.0 * FULL.chord else FULL
+
     def scaled(self, factor: float) -> "Detail":
         """Return the level with its tolerances multiplied by a factor."""
         tolerances = {name: factor * getattr(self, name) for name in ("chord", "sharp", "thin")}
@@ -42,7 +47,7 @@ DETAILS: Mapping[str, Detail] = {
     for each in (
         FULL,
         Detail("medium", 0.0005, (6, 8), 0.0008, most=10000),
-        Detail("low", 0.0008, (4, 4), 0.0013, 0.001, 2000),
+        Detail("low", 0.0008, (4, 4), 0.0015, 0.001, 2000),
     )
 }
 """The levels of detail by name."""
@@ -70,6 +75,8 @@ class Operation:
         constructor: Name of the function in the module that records the operation, if there is one.
         bare: Function that returns the value without print from the inputs of a node, before any is computed;
             NotImplemented for a node that is computed as usual.
+        later: Inputs that are computed on first use at levels of detail other than `FULL`, each with the
+            function that makes its value of the function that computes it.
     """
 
     name: str
@@ -81,6 +88,7 @@ class Operation:
     lazy: bool = False
     constructor: str = ""
     bare: Callable[[Mapping[str, Any]], Any] | None = None
+    later: Mapping[str, Callable[[Callable[[], Any]], Any]] = field(default_factory=dict)
 
     @cached_property
     def measures(self) -> bool:

@@ -27,6 +27,7 @@ from artgen.asset import (
 from artgen.asset.affordance import GRIPPER, held
 from artgen.asset.link import MovedLink, PrintDirection
 from artgen.asset.mass import total
+from artgen.asset.shape import LateShape
 from artgen.errors import nearest
 from artgen.graph import kernel, records
 from artgen.materials import Material
@@ -145,7 +146,7 @@ def _without_print(inputs: Mapping[str, Any]) -> Any:
     return NotImplemented if inputs["reads"] is None else Tree(Link(label, label))
 
 
-@records(_detail, bare=_without_print)
+@records(_detail, bare=_without_print, later={"solid": LateShape})
 def detail(
     solid: Solid | Sequence[Solid],
     label: str,

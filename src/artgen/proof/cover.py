@@ -11,7 +11,7 @@ from artgen import _portable
 from artgen._arrays import Array, FrozenArrays, Indices, Mask, boxes_of, cached_per_object
 from artgen.asset import Asset, Link
 from artgen.asset.collision import link_parts
-from artgen.asset.link import MovedLink
+from artgen.asset.link import MovedLink, ReducedLink
 from artgen.asset.shape import Shape
 from artgen.colliders import TOLERANCE, Convex, Exact
 from artgen.colliders.polytope import Polytope
@@ -50,9 +50,8 @@ def _parts(link: Link) -> Iterator[tuple[str, Shape]]:
     """Yield label and shape of solids whose union is the link, the smallest known parts."""
     if not link.pieces:
         yield from ((part.label, Shape(part.solid, Exact(()))) for part in link_parts(link))
-    for piece in link.pieces:
-        if not piece.visual:
-            yield from ((piece.label, member) for member in piece.shape.members)
+    for piece in link.solids:
+        yield from ((piece.label, member) for member in piece.shape.members)
 
 
 @dataclass(frozen=True, eq=False)
@@ -187,7 +186,7 @@ def collider_cover(link: Link) -> Cover:
     convexes = [collider.convex for collider in link.colliders]
     points = tuple(each.points if each.kind == "hull" else _around(each).points for each in convexes)
     source: Link = link
-    while isinstance(source, MovedLink):
+    while isinstance(source, MovedLink | ReducedLink):
         source = source.source
     # no contact names the labels of several solids: their common piece may touch nothing
     labels = tuple("+".join((collider.label, *collider.joined)) for collider in link.colliders)
@@ -212,8 +211,7 @@ def fine_cover(link: Link) -> Cover:
     """Return many pieces that follow the solids closely, for proofs rather than simulators."""
     pieces = [
         (convex.outer_polytope(FINE), piece.label)
-        for piece in link.pieces
-        if not piece.visual
+        for piece in link.solids
         for convex in piece.shape.pieces.outer(FINE)
     ]
     return _of_pieces(link, [polytope for polytope, _ in pieces], [label for _, label in pieces])
