@@ -115,7 +115,7 @@ def _checked(order: list[Node]) -> set[str]:
     """Return the keys of the nodes that may violate a requirement."""
     found: set[str] = set()
     for node in order:
-        if node.op == "require" or any(child.key in found for child in node.children):
+        if node.op.startswith("require") or any(child.key in found for child in node.children):
             found.add(node.key)
     return found
 
