@@ -246,6 +246,16 @@ def _round_words(words: tuple[str, ...], radius: float, middle: float, metal: ag
     return mark.rotate(ag.Y, math.pi / 2).at(z=middle)
 
 
+def _upright_words(
+    words: str, radius: float, tall: float, z: float, paint: ag.Material, *, ball: bool
+) -> ag.Body:
+    """Print a line at a height of the front of a ball or a neck about z."""
+    neck = ag.line((radius, 0, -0.1), (radius, 0, 0.1))
+    outline = ag.arc((0, 0, 0), radius, start=-1.0, sweep=2.0, axis=-ag.Y) if ball else neck
+    lines = details.lettering((words,), tall)
+    return details.wrapped(lines, outline, 0.0, material=controls.ink_on(paint)).at(z=z)
+
+
 def _neck(dn: int, top: float, high: float, paint: ag.Material) -> ag.Body:
     """Make the bolted bonnet above a body, with a hole for the stem."""
     wide, hole, play = dn / 1000 + 0.062, 2 * (_stem(dn) + FIT.running), 0.0003
@@ -336,7 +346,7 @@ def _globe(
         body,
         ag.part(ball | collar, "body", _cast(paint, 0.5)),
         _neck(dn, top, high, paint),
-        _round_words((f"DN{dn} PN16",), radius, middle, paint),
+        _upright_words(f"DN{dn} PN16", radius, 0.09 * radius + 0.001, middle, paint, ball=True),
         details.printed(
             details.logo(maker, 0.005 + 0.03 * size),
             (0, -0.4 * (size + 0.062), top + 0.0065),
@@ -375,9 +385,8 @@ def _butterfly(dn: int, torque: ag.Scalar, paint: ag.Material, color: ag.Materia
         holes.append(ag.cylinder(0.009, 0.8 * long + 0.0004, axis=ag.X).at(0, x, middle + z))
     top = middle + outer + 0.055 + 0.2 * size  # face of the plate
     hole = 2 * (_stem(dn) + FIT.running)
-    neck = ag.cylinder(0.017 + 0.05 * size, top - middle - outer + 0.010).at(
-        z=(top + middle + outer - 0.010) / 2
-    )
+    neck_radius = 0.017 + 0.05 * size
+    neck = ag.cylinder(neck_radius, top - middle - outer + 0.010).at(z=(top + middle + outer - 0.010) / 2)
     shaft_way = ag.box(hole, hole, 0.5).at(z=middle + size / 2 + 0.25 - 0.006)
     reach = 0.130 + 1.15 * size
     plate = ag.cylinder(0.050, 0.005, bevel=0.0006).at(z=top + 0.0020)
@@ -394,7 +403,14 @@ def _butterfly(dn: int, torque: ag.Scalar, paint: ag.Material, color: ag.Materia
         ag.part(plate - shaft_way, "plate", _STEEL),
         ag.detail(teeth, "plate", ag.material("black_abs")),
         _round_words((f"DN{dn}", "PN16"), outer, middle, paint),
-        _round_words((maker.upper(),), 0.017 + 0.05 * size, (top + middle + outer) / 2, paint),
+        _upright_words(
+            maker.upper(),
+            neck_radius,
+            0.09 * neck_radius + 0.001,
+            (top + middle + outer) / 2,
+            paint,
+            ball=False,
+        ),
     )
     disc = ag.cylinder(size / 2 - 0.0022, 0.006, axis=ag.X, bevel=0.0015).at(z=middle)
     low = top + 0.0062
