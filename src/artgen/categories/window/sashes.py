@@ -25,6 +25,7 @@ _HOLDS = 1.15  # ratio of the friction of a stay to the load of a sash
 _LIFTS = 52.0  # largest force of a hand that lifts an awning [N]
 _HINGED = 0.288  # least side length of a sash with two hinges [m]
 _LOCKED = 0.228  # least side length of a sash with two keeps and visual-only hinges [m]
+_LIP_LONG, _HAND = 0.09, 0.034  # length of the lip of an outer sash, and half a hand over it [m]
 _TRACK = 0.004  # gap between the edges of sliding sashes and the frame [m]
 _BALANCE = 8.0  # stiffness of the springs of a hung sash [N/m]
 _LET_IN = 0.0005  # depth of fitted parts in the face [m]
@@ -278,10 +279,17 @@ def _passing(
     rail = face - outer.z.size / 2 - frame.under(section.eased) - 0.00005
     finger = (beside * (outer.x.size - 2 * face), section.slide / 2 - inset, rail)
     press = ag.frame(finger, approach=-ag.Z, closing=ag.X)
-    outside = ag.weld(_plain_sash(draft, outer, press).suffixed(f"_{names[1]}"), keeper)
+    # inside, a finger over a lip on its far rail takes it along, until the hand meets the inner sash
+    lip = ag.Region.centered(_LIP_LONG, 0.0, 0.005).with_(y=(-0.0005, 0.0125)).box(bevel=0.0008)
+    lip = ag.part(lip, "handle", draft.metal)
+    lip = lip.at(finger[0], section.outer + section.slide / 2, place.z.high - face + 0.004)
+    outside = ag.weld(_plain_sash(draft, outer, press).suffixed(f"_{names[1]}"), keeper, lip)
     body, way = frame.tracked_frame(draft), place.z.size / 2 - face / 2 - 0.004
     # the lock stays within the frame
-    for sash, name, up, travel in ((inside, names[0], 1, way - _LOCK), (outside, names[1], -1, way)):
+    for sash, name, up, travel in (
+        (inside, names[0], 1, way - _LOCK),
+        (outside, names[1], -1, way - face - _HAND),
+    ):
         rest = up * _GRAVITY * sash.mass() / _BALANCE + travel / 2  # balance at half the travel
         slide = ag.Prismatic(
             f"pane_slide_{name}",
