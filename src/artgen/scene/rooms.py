@@ -109,7 +109,8 @@ def _bathroom(here: Furnisher) -> None:
         lambda: _tub(Region((at, at + 1.62), (-0.72, -0.001), (STANDING, 0.56)), white),
         wall=sides[0],
     )
-    here.window(sides[0], at + 0.8, width=0.9, height=0.6, z=1.3)
+    # over the end that is away from the corner, where a hand is near its lock
+    here.window(sides[0], at + (0.57 if flip else 1.05), width=0.9, height=0.6, z=1.3)
     spare = width - 0.85 - wide - 0.2
     vanity = min(here.uniform(1.02, 1.3), spare)
     start = 0.85 if flip else width - 0.85 - vanity
@@ -160,7 +161,8 @@ def _office(here: Furnisher) -> None:
         side = ends[1] if flip else ends[1] + 0.39
         here.board("side", "back", (side, side + 0.03), (-0.6, -GAP), (STANDING, _DESK))
     edges = (start - 0.02, start + desk + 0.02)
-    outline = [(edges[0], -0.75), (edges[1], -0.75), (edges[1], 0.0), (edges[0], 0.0)]
+    deep = 0.70  # so that a hand is near the lock of the window
+    outline = [(edges[0], -deep), (edges[1], -deep), (edges[1], 0.0), (edges[0], 0.0)]
     top = here.lay(outline, [], "back", _DESK)
     near, far = (0.95, 0.1) if flip else (0.05, 0.9)
     room.on(top, "lamp", at=near, deep=0.1, free=True, style=here.choice("mushroom", "table"))
