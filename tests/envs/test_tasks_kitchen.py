@@ -13,7 +13,7 @@ from artgen.colliders.polytope import Polytope
 from artgen.envs import KITCHEN_TASKS, ManipulationEnv
 from artgen.envs.placing import Obstacles
 from artgen.envs.policy import ScriptedPolicy
-from artgen.envs.reach import _across, _leaning, hand_joints, stands
+from artgen.envs.reach import _across, _before, _beside, _leaning, _spun, hand_joints, stands
 from artgen.envs.robot import BALL_JOINTS, BALL_PLACES, BALL_RADII, frames
 from artgen.errors import EnvError
 from artgen.export.frames import apart
@@ -101,6 +101,31 @@ def test_a_leaning_finger_keeps_its_end() -> None:
     ends = tips[:, :3, 3] + GRIPPER.tip * tips[:, :3, 2]
     assert ends == pytest.approx(np.tile([0.0, 0.0, GRIPPER.tip], (len(tips), 1)))
     assert tips[:, 2, 2].min() == pytest.approx(0.5)
+
+
+def test_no_corner_of_a_leaning_finger_is_past_the_face_that_it_pushes() -> None:
+    tips = _before(_leaning(np.eye(4)), np.array([0.0, 0.0, 1.0]))
+    corners = [[x * GRIPPER.thick, y * GRIPPER.wide / 2.0, GRIPPER.tip] for x in (-1, 1) for y in (-1, 1)]
+    ends = np.einsum("nij,kj->nki", tips[:, :3, :3], corners) + tips[:, None, :3, 3]
+    assert ends[..., 2].max(axis=1) == pytest.approx(GRIPPER.tip)
+
+
+def test_the_side_of_a_finger_touches_the_edge_that_it_hooks() -> None:
+    local = np.linalg.inv(_beside(np.eye(4)))[:, :3, 3]  # the edge, seen from each tip
+    aside = np.abs(local[:, :2]) / (GRIPPER.thick, GRIPPER.wide / 2.0)
+    assert aside.max(axis=1) == pytest.approx(1.0)
+    assert aside.min(axis=1) == pytest.approx(0.0)
+    assert (local[:, 2] < GRIPPER.tip).all()
+
+
+def test_a_hand_that_turns_on_a_part_keeps_its_contact() -> None:
+    about, turns = np.array([0.1, 0.2, 0.3]), np.array([[0.0, 0.0, 0.0], [0.0, 0.7, 0.0]])
+    tips = _leaning(np.eye(4))
+    spun = _spun(tips, about, turns)
+    assert spun[:, 0] == pytest.approx(tips)
+    seen = [np.linalg.inv(poses) @ [*about, 1.0] for poses in (spun[:, 0], spun[:, 1])]
+    assert seen[1] == pytest.approx(seen[0])
+    assert (spun[:, 1, :3, :3] @ np.swapaxes(tips[:, :3, :3], 1, 2))[:, 0, 0] == pytest.approx(np.cos(0.7))
 
 
 def test_a_room_without_the_part_is_refused() -> None:

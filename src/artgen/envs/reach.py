@@ -8,11 +8,12 @@ stands, one after another. The other joints are closed, or open where the joint 
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from itertools import pairwise
+from itertools import islice, pairwise
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+from scipy.spatial.transform import Rotation
 
 from artgen._arrays import Array, FrozenArrays, Indices, Mask
 from artgen.asset import Asset, AssetCondition, AssetCoupling, AssetJoint
@@ -32,10 +33,12 @@ FORMAT = "artgen-reach-2"
 _DIGITS = 6  # decimals of stored numbers: inverse kinematics differs between machines
 _STANDS = 4  # most stands for one joint
 _GAIN = 0.1  # least share of the way that a further stand adds
+_HALF = 0.5  # share of the rest of the way after which other hands are not tried
 _STEP = (0.06, 0.25)  # largest step of a hand along the way [m], [rad]
 _MOST_STEPS = 24
 _PATHS = 16  # orientations of hands that are tried
 _PUSHES, _BETWEEN = 6, 0.06  # points at which a finger pushes a part, and the distance between two [m]
+_POINTS = 24  # points that are looked at
 _FACE = 0.003  # least half width of a face that a finger pushes [m]
 _EDGE = 0.75  # share of the way from its middle to its corners
 _CANDIDATES = 120  # places of grasps that are looked at
@@ -56,10 +59,20 @@ _BATCH, _ROUNDS = 20, 4  # bases that are tried at once, and how often for one o
 _ROOM = 0.004  # clearance of the hand behind the fingers [m]
 _SLACK = 0.001  # by which a finger may overlap another part [m]
 _BACKS = (1.0, 0.5)  # shares of the approach at which the hand has to be free
+_SHORT = 0.03  # of an approach where there is no room for a long one [m]
+_SHARES = (0.5, 1.0)  # of the turn of a part by which a hand turns on it
+_PARALLEL, _CENTERED = 0.95, 0.005  # least cosine to an axis, and most distance from it [m]
+_STILL = 1e-9  # largest change of a pose that does not turn
+_MOST_LEAN = math.radians(75.0)  # of a finger that turns on a part [rad]
+_LEAST = math.cos(_MOST_LEAN) - 0.01  # least cosine between a finger that turns and its push
+_PAST = 0.006  # from an edge to the end of a finger on a face [m]
+_QUARTERS = np.radians([0.0, 90.0, 180.0, 270.0])  # of a finger beside a face [rad]
 
 _DIRECTIONS = np.radians(np.arange(0.0, 360.0, 20.0))  # of the base from the hand [rad]
-_DISTANCES = (0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9)  # from the hand to the axis of the base [m]
+_DISTANCES = (0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0)  # from the hand to the axis of the base [m]
 _ABOVE = (-0.25, -0.1, 0.05, 0.2, 0.35, 0.5, 0.65)  # height of the hand above the base [m]
+_FEW = 60  # free places of the base, below which more are tried
+_FINE_DIRECTIONS, _FINE_DISTANCES = np.radians(np.arange(0.0, 360.0, 6.0)), np.arange(0.3, 1.01, 0.05)
 _FOOT = np.array([[-0.16, -0.12], [0.08, 0.12]])  # of pedestal and first link, in the frame of the base [m]
 _SHOULDER = 0.35  # height of what stands on the foot [m]
 _WRIST = (0.25, 0.80)  # from the shoulder to the axis of the hand at the wrist [m]
@@ -97,10 +110,11 @@ class Stand(FrozenArrays):
         arm: Angles of the arm at the start of its approach, shape (7,) [rad].
         start: Positions of other joints that the joint or the hand needs [rad or m].
         reason: Why there is no place; empty if there is one.
-        at: Positions of the joint along the way, the first of them twice: approach and contact, shape (n,)
-            [rad or m].
+        at: Positions of the joint along the way, the first of them three times: two places of the approach
+            and the contact, shape (n,) [rad or m].
         path: Angles of the arm at these positions, shape (n, 7) [rad].
-        tip: Pose of the tip of the hand for the link at rest, shape (4, 4) [m].
+        tip: Pose of the tip of the hand at the contact, for the link at rest, shape (4, 4) [m].
+        turns: Whether the hand turns on the part along the way: about a round bar, on its pads, or on a tip.
         then: Further stands, from which the hand goes on.
     """
 
@@ -115,6 +129,7 @@ class Stand(FrozenArrays):
     at: Array | None = None
     path: Array | None = None
     tip: Array | None = None
+    turns: bool = False
     then: tuple["Stand", ...] = ()
 
     def to_data(self) -> dict[str, Any]:
@@ -134,6 +149,7 @@ class Stand(FrozenArrays):
             "path": np.round(self.path, _DIGITS).tolist(),
             "tip": None if self.tip is None else np.round(self.tip, _DIGITS).tolist(),
         }
+        data |= {"turns": True} if self.turns else {}
         return data | ({"then": [each.to_data() for each in self.then]} if self.then else {})
 
 
@@ -183,6 +199,7 @@ class Surroundings:
             self.ground = np.array([np.min(floors, axis=0)[0, :2], np.max(floors, axis=0)[1, :2]])
             self.floor = float(np.max(floors, axis=0)[1, 2])
             solid = [(number, each) for number, each in solid if number or each.label != "floor"]
+        self._faces: dict[str, _Faces] = {}
         faces = [each.convex.faces for _, each in solid]
         self.links = np.array([number for number, _ in solid])  # link of each piece
         self.corners = np.concatenate([each.points for each in faces])
@@ -190,9 +207,43 @@ class Surroundings:
         self.corner_counts = np.array([len(each.points) for each in faces])
         self.plane_counts = np.array([len(each.planes) for each in faces])
 
+    def faces(self, link: str) -> "_Faces":
+        """Return points on the faces of a link."""
+        if link not in self._faces:
+            self._faces[link] = _Faces([each.convex.faces for each in self.asset.link(link).colliders])
+        return self._faces[link]
+
     def at(self, q: Mapping[str, float]) -> "_State":
         """Return the obstacles at positions of the joints."""
         return _State(self, self.asset.pose(q))
+
+
+class _Faces:
+    """Points on the faces of a link at rest: their middles, points off them, and points beside edges."""
+
+    def __init__(self, pieces: Sequence[Polytope]) -> None:
+        found: list[tuple[Array, Array, Array]] = []
+        for piece in pieces:
+            for normal, inside in zip(piece.planes[:, :3], piece.contact.T, strict=True):
+                corners = piece.points[inside]
+                middle = corners.mean(axis=0)
+                if len(corners) < 3:
+                    continue
+                spread = np.linalg.svd(corners - middle, compute_uv=False)
+                if spread[1] >= _FACE * math.sqrt(len(corners)):
+                    found += [
+                        (middle + _EDGE * way, normal, np.zeros(3)) for way in (0.0, *(corners - middle))
+                    ]
+                    found += [(point, normal, out) for point, out in _beside_edges(corners, normal)]
+        # points, normals, and vectors to edges that are zero for points off edges, shape (n, 3) each
+        self.points, self.normals, self.outs = np.array(found).reshape(-1, 3, 3).transpose(1, 0, 2)
+        self._planes = np.concatenate([np.zeros((0, 4)), *(each.planes for each in pieces)])
+        self._first = np.cumsum([0, *(len(each.planes) for each in pieces[:-1])])[: len(pieces)]
+
+    def exposed(self, points: Array) -> Mask:
+        """Tell which points are in no piece."""
+        apart = np.einsum("ni,mi->nm", points, self._planes[:, :3]) - self._planes[:, 3]
+        return np.asarray((np.maximum.reduceat(apart, self._first, axis=1) >= 0.0).all(axis=1))
 
 
 class _Pieces:
@@ -217,7 +268,8 @@ class _Pieces:
 
     def chosen(self, kept: Mask) -> "_Pieces":
         """Return some of the pieces."""
-        firsts, counts = ((one[kept], other[kept]) for one, other in (self._firsts, self._counts))
+        firsts = (self._firsts[0][kept], self._firsts[1][kept])
+        counts = (self._counts[0][kept], self._counts[1][kept])
         return _Pieces(self.links[kept], self._corners, self._planes, firsts, counts, self.bounds[kept])
 
     def struck(self, box: Array, poses: Array) -> Mask:
@@ -278,7 +330,7 @@ class _State(_Pieces):
         planes[:, :3] = np.einsum("nij,nj->ni", at_planes[:, :3, :3], space.planes[:, :3])
         planes[:, 3] += (planes[:, :3] * at_planes[:, :3, 3]).sum(axis=1)
         counts = (space.corner_counts, space.plane_counts)
-        firsts = tuple(np.cumsum(each) - each for each in counts)
+        firsts = (np.cumsum(counts[0]) - counts[0], np.cumsum(counts[1]) - counts[1])
         ends = [np.minimum.reduceat(corners, firsts[0]), np.maximum.reduceat(corners, firsts[0])]
         super().__init__(space.links, corners, planes, firsts, counts, np.stack(ends, axis=1))
 
@@ -290,13 +342,14 @@ class _Hold:
     affordance: Affordance
     start: dict[str, float]  # positions of other joints [rad or m]
     states: list[_State]
-    tips: Array  # poses of the tip for the link at rest, turned and tilted, shape (variants, 4, 4) [m]
+    # poses of the tip for the link at rest, turned and tilted, shape (variants, states, 4, 4) [m]
+    tips: Array
     free: Mask  # whether the hand strikes nothing while it holds, shape (variants, states)
-    ready: Mask  # the same for its approach
+    back: float  # distance at which the approach begins [m]
 
     def tip(self, variant: int, index: int) -> Array:
         """Return the pose of the tip in a state, shape (4, 4) [m]."""
-        return np.asarray(self.states[index].pose[self.affordance.link] @ self.tips[variant])
+        return np.asarray(self.states[index].pose[self.affordance.link] @ self.tips[variant, index])
 
 
 @dataclass(frozen=True, eq=False)
@@ -312,7 +365,7 @@ class _Path:
     def tips(self) -> list[tuple[int, Array]]:
         """Return the poses of the tip with their states: the approach, the contact and the way."""
         contact = self.hold.tip(self.variant, self.first)
-        before = [(self.first, lifted(contact, -share * BACK)) for share in _BACKS]
+        before = [(self.first, lifted(contact, -share * self.hold.back)) for share in _BACKS]
         return [*before, *((at, self.hold.tip(self.variant, at)) for at in range(self.first, self.last + 1))]
 
 
@@ -328,21 +381,26 @@ class _Search:
         self.at = np.linspace(joint.closed, self.far, self._steps() + 1)  # positions along the way [rad or m]
         self.states: dict[tuple[tuple[str, float], ...], list[_State]] = {}
         self.struck = ""  # link that a hand strikes
+        self.held = False  # whether a hand can hold it
         self.footing = False  # whether a robot can stand near it
 
     def stand(self) -> Stand:
         """Return the first stand with those that follow it, or the reason why there is none."""
-        holds = [each for each in map(self._hold, filter(self._moves, self.hands)) if each is not None]
         found: list[Stand] = []
         done, last = 0, len(self.at) - 1
         while done < last and len(found) < _STANDS:
-            best = self._farthest(holds, done)
-            if best is None or best[0] < last:  # fingers push where no hand holds the part
-                pushed = self._farthest(self._pushes(done), done)
-                best = max(best, pushed, key=lambda each: each[0] if each else 0)
-            if best is None or (best[0] < last and not self._stays(best[1].start or {}, best[0])):
-                grasped = self._farthest(self._grasps(done), done)
-                best = max(best, grasped, key=lambda each: each[0] if each else 0)
+            best: tuple[int, Stand] | None = None
+            for hands in (
+                self._given, self._turning, self._pushes, self._hooks, self._rolling, self._grasps
+            ):  # fmt: skip
+                # a further stand goes on where the part stays
+                least = _GAIN * last if hands == self._grasps else _HALF * (last - done)
+                if best is not None and (
+                    best[0] == last or (best[0] - done >= least and self._stays(best[1].start or {}, best[0]))
+                ):
+                    break
+                holds = hands(done)
+                best = max(best, self._farthest(holds, done), key=lambda each: each[0] if each else 0)
             if best is None or (best[0] < last and best[0] - done < _GAIN * last):
                 break
             done = best[0]
@@ -351,14 +409,15 @@ class _Search:
                 break
         if found:
             return replace(found[0], way=found[-1].way, then=tuple(found[1:]))
-        if not holds and self.struck:
-            return Stand(self.joint.name, reason=f"the hand would touch {self.struck}")
-        if not holds:
-            return Stand(self.joint.name, reason="no hand acts along its way where other joints let it move")
-        why = "from no place that was tried, the arm follows its way"
-        return Stand(
-            self.joint.name, reason=why if self.footing else "a robot cannot stand near enough to it"
-        )
+        if self.footing:
+            why = "from no place that was tried, the arm follows its way"
+        elif self.held:
+            why = "a robot cannot stand near enough to it"
+        elif self.struck:
+            why = f"the hand would touch {self.struck}"
+        else:
+            why = "no hand acts along its way where other joints let it move"
+        return Stand(self.joint.name, reason=why)
 
     def _steps(self) -> int:
         """Return the number of steps in which hands follow the joint."""
@@ -375,12 +434,14 @@ class _Search:
             most = max(most, shift / _STEP[0], turn / _STEP[1])
         return min(math.ceil(most), _MOST_STEPS)
 
-    def _moves(self, hand: Affordance) -> bool:
+    def _moves(self, hand: Affordance, first: int) -> bool:
         """Tell whether a hand moves the joint along its way; a push does so in one direction."""
         if hand.kind == "grasp":
             return True
-        ends = (self.joint.closed, self.joint.closed + 1e-3 * (self.far - self.joint.closed))
-        before, behind = ((self.asset.pose({self.joint.name: at})[hand.link] @ hand.frame) for at in ends)
+        ends = self.at[first] + np.array([0.0, 1e-3]) * (self.far - self.joint.closed)
+        before, behind = (
+            (self.asset.pose({self.joint.name: float(at)})[hand.link] @ hand.frame) for at in ends
+        )
         moved = (behind - before)[:3, 3]
         length = float(np.linalg.norm(moved))
         return length > 0.0 and float(moved @ before[:3, 2]) > _ALONG * length
@@ -402,38 +463,112 @@ class _Search:
                 friction += abs(slope) * each.friction
         return bool(abs(load) <= friction)
 
+    def _given(self, first: int) -> list[_Hold]:
+        """Return the grasps and pushes that the asset has for the joint, in all orientations of the hand."""
+        found = (self._hold(hand, first) for hand in self.hands if self._moves(hand, first))
+        return [each for each in found if each is not None]
+
+    def _turning(self, first: int) -> list[_Hold]:
+        """Return the same with hands that turn on the part: about a round bar, on their pads, or on a tip."""
+        given = {hold.affordance.name: hold for hold in self._given(first)}
+        return [each for hold in given.values() for each in self._turned(hold.affordance, hold.start, first)]
+
+    def _turned(self, hand: Affordance, start: dict[str, float], first: int) -> list[_Hold]:
+        """Return a hand in all orientations as it turns on a part that turns."""
+        axis = self._turns(hand, start, first)[-1]
+        angle = float(np.linalg.norm(axis))
+        if angle < _STEP[1]:
+            return []
+        frame = contact_of(hand).frame
+        x, y = frame[:3, 0] @ axis / angle, frame[:3, 1] @ axis / angle
+        if hand.kind == "push":
+            side = math.atan2(y, x)
+            tips = _leaning(frame, (side, side + math.pi), (*_LEANS, _MOST_LEAN))
+        elif abs(x) > _PARALLEL or (abs(y) > _PARALLEL and self._round(hand)):
+            tips = np.array(list(orientations(contact_of(hand))))
+        else:
+            return []
+        hold, struck = self._tried(hand, start, tips, first, turns=_SHARES)
+        return [] if struck else [hold]
+
+    def _turns(self, hand: Affordance, start: dict[str, float], first: int) -> Array:
+        """Return the turns that keep a hand parallel to itself after a state, shape (states, 3) [rad]."""
+        turns = [state.pose[hand.link][:3, :3] for state in self._states(start)]
+        steps = [rotation_vector(behind.T @ before) for before, behind in pairwise(turns)]
+        summed = np.cumsum([np.zeros(3), *steps], axis=0)
+        return np.asarray(summed - summed[first])
+
+    def _round(self, hand: Affordance) -> bool:
+        """Tell whether a grasp is around a bar that is round about the y axis of its frame."""
+        place, along = hand.frame[:3, 3], hand.frame[:3, 1]
+        for each in self.asset.link(hand.link).colliders:
+            pose, apart = each.convex.pose, place - each.convex.pose[:3, 3]
+            if each.convex.kind in ("cylinder", "capsule") and abs(pose[:3, 2] @ along) > _PARALLEL:
+                away = apart - apart @ pose[:3, 2] * pose[:3, 2]
+                long = abs(apart @ pose[:3, 2]) < 0.5 * each.convex.size[1]
+                if long and np.linalg.norm(away) < _CENTERED:
+                    return True
+        return False
+
     def _pushes(self, first: int) -> list[_Hold]:
         """Return pushes with a finger on faces of the part that move along the push in a state."""
-        start = positions_to_move(self.asset, self.joint.name, {})
-        if start is None:
-            return []
-        states, names = self._states(start), [each.name for each in self.asset.links]
-        found: list[tuple[float, Affordance]] = []
-        for name in dict.fromkeys(each.link for each in self.hands):
-            before, behind = (states[index].pose[name] for index in (first, first + 1))
-            pieces = [each.convex.faces for each in self.asset.links[names.index(name)].colliders]
-            for piece in pieces:
-                for normal, inside in zip(piece.planes[:, :3], piece.contact.T, strict=True):
-                    corners = piece.points[inside]
-                    middle = corners.mean(axis=0)
-                    spread = np.linalg.svd(corners - middle, compute_uv=False)
-                    if len(corners) < 3 or spread[1] < _FACE * math.sqrt(len(corners)):
-                        continue
-                    points = np.concatenate([[middle], middle + _EDGE * (corners - middle)])
-                    moved = (points @ (behind - before)[:3, :3].T) + (behind - before)[:3, 3]
-                    along = -moved @ (before[:3, :3] @ normal)
-                    good = along > _FACING * np.linalg.norm(moved, axis=1)
-                    for point, share in zip(points[good], along[good], strict=True):
-                        out = point + _OUT * normal
-                        if not any(
-                            (other.planes[:, :3] @ out < other.planes[:, 3]).all() for other in pieces
-                        ):
-                            frame = _facing(point, -normal)
-                            push = Affordance(f"{name}_push", "push", name, frame, 0.0, (self.joint.name,))
-                            found.append((float(share), push))
-        chosen = _distinct(found, _PUSHES, lambda one, other: _apart(one, other) <= _BETWEEN)
+        start, found = self._pushed(first)
+        chosen = _distinct(found, _POINTS, lambda one, other: _apart(one, other) <= _BETWEEN)
         holds = (self._oriented(push, start, first) for push in chosen)
-        return [hold for hold, struck in holds if not struck]
+        return list(islice((hold for hold, struck in holds if not struck), _PUSHES))
+
+    def _rolling(self, first: int) -> list[_Hold]:
+        """Return pushes with a finger that leans less or more as the part turns."""
+        if self.joint.kind != "revolute":
+            return []
+        start, inner = self._pushed(first)
+        found = inner + self._pushed(first, edges=True)[1]
+        chosen = _distinct(found, _POINTS, lambda one, other: _apart(one, other) <= _BETWEEN)
+        holds = (each for push in chosen for each in self._turned(push, start, first))
+        return list(islice(holds, _PUSHES))
+
+    def _hooks(self, first: int) -> list[_Hold]:
+        """Return pushes with the side of a finger that lies on a face of the part at its edge."""
+        start, found = self._pushed(first, edges=True, beside=True)
+        chosen = _distinct(found, _POINTS, _same_side)
+        holds = (self._tried(hand, start, _beside(hand.frame), first, own=True) for hand in chosen)
+        return list(islice((hold for hold, struck in holds if not struck), _PUSHES))
+
+    def _pushed(
+        self, first: int, *, edges: bool = False, beside: bool = False
+    ) -> tuple[dict[str, float], list[tuple[float, Affordance]]]:
+        """Return positions of other joints, and pushes on faces, each with the motion of its point [m].
+
+        `edges` tells whether the points are beside edges, and `beside` whether the finger lies on the face.
+        """
+        start = positions_to_move(self.asset, self.joint.name, {})
+        found: list[tuple[float, Affordance]] = []
+        if start is None:
+            return {}, found
+        states = self._states(start)
+        for name in dict.fromkeys(each.link for each in self.hands):
+            faces, before, behind = self.space.faces(name), *(each.pose[name] for each in states[first:][:2])
+            some = faces.outs.any(axis=1) == edges
+            if beside:
+                some &= np.sqrt((faces.outs**2).sum(axis=1)) > _PAST
+            points, normals, outs = faces.points[some], faces.normals[some], faces.outs[some]
+            shift = np.linalg.inv(before) @ behind - np.eye(4)
+            moved = np.einsum("ij,nj->ni", shift[:3, :3], points) + shift[:3, 3]
+            along = -(moved * normals).sum(axis=1)
+            some = (along > _FACING * np.sqrt((moved**2).sum(axis=1))) & (along > 0.0)
+            points, normals, outs, along = points[some], normals[some], outs[some], along[some]
+            some = faces.exposed(points + _OUT * normals)
+            for point, normal, out, share in zip(
+                points[some], normals[some], outs[some], along[some].tolist(), strict=True
+            ):
+                frame = _facing(point + 0.5 * out, -normal)
+                if beside:
+                    ahead = -out / max(float(np.linalg.norm(out)), 1e-9)
+                    frame[:3, :3] = np.column_stack([normal, np.cross(ahead, normal), ahead])
+                    frame[:3, 3] = point + out
+                push = Affordance(f"{name}_push", "push", name, frame, 0.0, (self.joint.name,))
+                found.append((share, push))
+        return start, found
 
     def _grasps(self, first: int) -> list[_Hold]:
         """Return grasps across two opposite faces of the part that the hand can reach in a state."""
@@ -471,11 +606,11 @@ class _Search:
         holds = (self._oriented(hand, start, first, own=True) for hand in chosen)
         return [hold for hold, struck in holds if not struck]
 
-    def _hold(self, hand: Affordance) -> _Hold | None:
+    def _hold(self, hand: Affordance, begin: int) -> _Hold | None:
         """Return a hold with other joints open where it needs them; None if its hand strikes something."""
         opened: dict[str, AssetCondition] = {} if hand.when is None else {"": hand.when}
         while (start := positions_to_move(self.asset, self.joint.name, opened)) is not None:
-            hold, struck = self._oriented(hand, start)
+            hold, struck = self._oriented(hand, start, begin)
             if not struck:
                 return hold
             self.struck = self.struck or struck
@@ -487,19 +622,18 @@ class _Search:
         return None
 
     def _oriented(
-        self, hand: Affordance, start: dict[str, float], begin: int = 0, *, own: bool = False
+        self, hand: Affordance, start: dict[str, float], begin: int, *, own: bool = False
     ) -> tuple[_Hold, str]:
         """Return a hold in all orientations of its hand, and a link that is always in its way, if any.
 
         `own` tells whether the open fingers must not touch their own link.
         """
         contact = contact_of(hand)
-        tips = np.array(list(orientations(contact)))
-        hold, struck = self._tried(hand, start, tips, begin, own=own, few=own)
+        hold, struck = self._tried(hand, start, np.array(list(orientations(contact))), begin, own=own)
         if struck and hand.kind == "push":
-            hold, _ = self._tried(hand, start, _leaning(contact.frame), begin, few=True)
-            if (hold.free & hold.ready)[:, begin].any():
-                return hold, ""
+            leaning, still = self._tried(hand, start, _leaning(contact.frame), begin)
+            if not still:
+                return leaning, ""
         return hold, struck
 
     def _tried(
@@ -510,38 +644,44 @@ class _Search:
         begin: int,
         *,
         own: bool = False,
-        few: bool = False,
+        turns: Sequence[float] = (0.0,),
     ) -> tuple[_Hold, str]:
         """Return a hold with poses of the tip, and a link that is always in its way, if any.
 
-        `few` tells whether only poses with which a hand can begin are kept.
+        The poses are those with which a hand can begin, after a short approach where none can after a long
+        one. `turns` are shares of the turn that would keep the hand parallel to itself.
         """
-        states = self._states(start)
+        states, vectors = self._states(start), self._turns(hand, start, begin)
         link = [each.name for each in self.asset.links].index(hand.link)
-        free, ready = np.ones((2, len(tips), len(states)), bool)
-        first = ""
-        for index, state in list(enumerate(states))[begin:]:
-            poses = state.pose[hand.link] @ tips
-            near = state.within(poses[:, :3, 3].min(axis=0) - _NEAR, poses[:, :3, 3].max(axis=0) + _NEAR)
-            closed = max(hand.width - 2.0 * GRIPPER.clearance, 0.0)
-            free[:, index], struck = self._unhindered(near, poses, closed, link)
-            first = first or struck
-            if own and index == begin:
-                ready[:, begin] &= self._unhindered(near, poses, hand.width, -1)[0]
+        state, closed = states[begin], max(hand.width - 2.0 * GRIPPER.clearance, 0.0)
+        push = None if hand.kind == "grasp" or own else hand.frame[:3, 2]
+        poses = state.pose[hand.link] @ _before(tips, push)
+        near = state.within(poses[:, :3, 3].min(axis=0) - _NEAR, poses[:, :3, 3].max(axis=0) + _NEAR)
+        fits, struck = self._unhindered(near, poses, closed, link)
+        if own:
+            fits &= self._unhindered(near, poses, hand.width, -1)[0]
+        first, back = struck, 0.0
+        for back in (BACK, _SHORT):
+            ready = fits.copy()
             for share in _BACKS:
-                back = poses.copy()
-                back[:, :3, 3] -= share * BACK * poses[:, :3, 2]
-                fits, struck = self._unhindered(near, back, hand.width, -1 if own else link)
-                ready[:, index] &= fits
+                before = poses.copy()
+                before[:, :3, 3] -= share * back * poses[:, :3, 2]
+                good, struck = self._unhindered(near, before, hand.width, -1 if own else link)
+                ready &= good
                 first = first or struck
-            if index == begin:
-                fits = (free & ready)[:, begin]
-                if not fits.any():
-                    break  # a hand cannot begin
-                if few:
-                    tips, free, ready = tips[fits], free[fits], ready[fits]
-        hold = _Hold(hand, start, states, tips, free, ready)
-        return hold, "" if (free & ready)[:, begin].any() else first
+            if ready.any():
+                break
+        spun = np.concatenate([_spun(tips[ready], hand.frame[:3, 3], share * vectors) for share in turns])
+        spun, free = _before(spun, push), np.ones(spun.shape[:2], bool)
+        if any(turns) and push is not None:
+            free &= spun[..., :3, 2] @ push > _LEAST
+        if len(spun):
+            for index in range(begin + 1, len(states)):
+                state = states[index]
+                poses = state.pose[hand.link] @ spun[:, index]
+                near = state.within(poses[:, :3, 3].min(axis=0) - _NEAR, poses[:, :3, 3].max(axis=0) + _NEAR)
+                free[:, index] &= self._unhindered(near, poses, closed, link)[0]
+        return _Hold(hand, start, states, spun, free, back), "" if len(spun) else first or hand.link
 
     def _unhindered(self, near: _Pieces, poses: Array, width: float, link: int) -> tuple[Mask, str]:
         """Tell for each pose whether the hand strikes nothing, and return a link that it strikes first.
@@ -570,20 +710,24 @@ class _Search:
     def _farthest(self, holds: Sequence[_Hold], first: int) -> tuple[int, Stand] | None:
         """Return the last state to which an arm follows from a state, and its stand."""
         paths = []
+        self.held = self.held or bool(holds)
         for hold in holds:
-            variants = np.flatnonzero((hold.ready & hold.free)[:, first])
-            bases = self._bases(hold, first) if len(variants) else np.zeros((0, 4, 4))
-            for variant in variants:
+            bases = self._bases(hold, first)
+            for variant in range(len(hold.tips)):
                 ends = np.flatnonzero(~hold.free[variant, first:])
                 last = first + int(ends[0]) - 1 if len(ends) else len(self.at) - 1
                 if last == len(self.at) - 1 or last - first >= _GAIN * (len(self.at) - 1):
-                    path = _Path(hold, int(variant), first, last, bases)
-                    paths.append(replace(path, bases=_within_reach(path)))
-        self.footing = self.footing or any(len(path.bases) for path in paths)
-        paths.sort(key=lambda each: (-each.last, each.variant))
+                    path = _Path(hold, variant, first, last, bases)
+                    near, whole = _within_reach(path)
+                    paths.append((replace(path, bases=near), min(whole, _BATCH)))
+        self.footing = self.footing or any(len(path.bases) for path, _ in paths)
+        # those that go farthest come first, of these those for which most bases are near
+        order = self.rng.permutation(len(paths))
+        ranked = sorted((paths[index] for index in order), key=lambda each: (-each[0].last, -each[1]))
+        chosen = [path for path, _ in ranked[:_PATHS]]
         best: tuple[int, Stand] | None = None
         for turn in range(_ROUNDS):
-            for path in paths[:_PATHS]:
+            for path in chosen:
                 bases = path.bases[turn * _BATCH : (turn + 1) * _BATCH]
                 if len(bases) and (best is None or path.last > best[0]):
                     found = self._followed(path, bases)
@@ -596,7 +740,15 @@ class _Search:
         places = np.array([hold.tip(0, index)[:3, 3] for index in range(first, len(self.at))])
         middle = (places.min(axis=0) + places.max(axis=0)) / 2.0
         heights = sorted({max(self.space.floor, float(middle[2]) - above) for above in _ABOVE})
-        plan = np.array(np.meshgrid(_DIRECTIONS, _DISTANCES, heights, indexing="ij")).reshape(3, -1).T
+        bases = np.zeros((0, 4, 4))
+        for directions, distances in ((_DIRECTIONS, _DISTANCES), (_FINE_DIRECTIONS, _FINE_DISTANCES)):
+            if len(bases) < _FEW:
+                plan = np.array(np.meshgrid(directions, distances, heights, indexing="ij"))
+                bases = self._standing(middle, plan.reshape(3, -1).T, hold.states[first:])
+        return bases
+
+    def _standing(self, middle: Array, plan: Array, states: Sequence[_State]) -> Array:
+        """Return free places of the base around a point, at directions, distances and heights in a plan."""
         plan = plan[self.rng.permutation(len(plan))]
         bases = np.tile(np.eye(4), (len(plan), 1, 1))
         cosines, sines = np.cos(plan[:, 0]), np.sin(plan[:, 0])
@@ -609,7 +761,6 @@ class _Search:
         edges = np.einsum("nij,kj->nki", bases, corners)[:, :, :2]
         inside = (edges >= self.space.ground[0]) & (edges <= self.space.ground[1])
         bases = bases[inside.all(axis=(1, 2))]
-        states = hold.states[first:]
         names = [each.name for each in self.asset.links]
         moved = [not np.array_equal(states[0].pose[name], states[-1].pose[name]) for name in names]
         for number, state in enumerate(states):
@@ -628,7 +779,7 @@ class _Search:
             if path.hold.states[index] is not state:
                 state = path.hold.states[index]
                 near = state.within(tip[:3, 3] - _AROUND, tip[:3, 3] + _AROUND)
-            moved, miss = reach(angles, inverse[which] @ tip, 8 if number else 2)
+            moved, miss = reach(angles, inverse[which] @ tip, 5 if number else 2)
             good = (miss < MISS) & (np.abs(moved - angles).max(axis=1) < JUMP)
             good[good] &= self._clear(near, bases[which[good]], moved[good])
             score = np.minimum(score, ease(moved))
@@ -643,10 +794,10 @@ class _Search:
         if best is None:
             return None
         at = [self.at[index] for index, _ in tips[: len(best[2])]]
-        hand, start = path.hold.affordance, path.hold.start
+        hand, start, tips_of = path.hold.affordance, path.hold.start, path.hold.tips[path.variant]
         stand = Stand(
             self.joint.name, hand.name, hand.link, 0.0, best[1], best[2][0], start, at=np.array(at),
-            path=best[2], tip=path.hold.tips[path.variant],
+            path=best[2], tip=tips_of[path.first], turns=bool(np.ptp(tips_of, axis=0).max() > _STILL),
         )  # fmt: skip
         return best[0], stand
 
@@ -701,6 +852,11 @@ def _same_grasp(one: Affordance, other: Affordance) -> bool:
     return bool(_apart(one, other) <= _BESIDE and abs(closing) >= _ALIKE and approach >= 0.0)
 
 
+def _same_side(one: Affordance, other: Affordance) -> bool:
+    """Tell whether two fingers lie on a link near each other, and point the same way."""
+    return _apart(one, other) <= _BETWEEN and float(one.frame[:3, 2] @ other.frame[:3, 2]) >= _ALIKE
+
+
 def _across(pieces: Sequence[Polytope]) -> tuple[Array, Array]:
     """Return frames of grasps across two faces of pieces, shape (n, 4, 4), and openings, shape (n,) [m]."""
     result: list[Array] = []
@@ -718,27 +874,12 @@ def _across(pieces: Sequence[Polytope]) -> tuple[Array, Array]:
             if thick <= _THIN or width > GRIPPER.stroke or len(corners) < 3:
                 continue
             corners = corners + (along.max() - corners @ normal)[:, None] * normal
-            middle = corners.mean(axis=0)
-            side = corners[np.linalg.norm(corners - middle, axis=1).argmax()] - middle
-            side /= max(float(np.linalg.norm(side)), 1e-9)
-            across = np.cross(normal, side)
-            flat = corners - middle
-            corners = corners[np.argsort(np.arctan2(flat @ across, flat @ side), kind="stable")]
-            for begin, end in zip(corners, np.roll(corners, -1, axis=0), strict=True):
-                out = np.cross(end - begin, normal)
-                length = float(np.linalg.norm(out))
-                if length < _THIN:
-                    continue
-                out /= length
-                deep = min(_INSIDE, float((begin - middle) @ out))
-                end_share = 2.0 * _INSIDE / length
-                for share in (0.5, end_share, 1.0 - end_share)[: 3 if end_share < 0.5 else 1]:
-                    frame = np.eye(4)
-                    frame[:3, 0], frame[:3, 1], frame[:3, 2] = normal, np.cross(-out, normal), -out
-                    point = begin + share * (end - begin) - deep * out - 0.5 * thick * normal
-                    frame[:3, 3] = point
-                    result.append(frame)
-                    openings.append(width)
+            for point, out in _beside_edges(corners, normal):
+                ahead, frame = -out / np.linalg.norm(out), np.eye(4)
+                frame[:3, 0], frame[:3, 1], frame[:3, 2] = normal, np.cross(ahead, normal), ahead
+                frame[:3, 3] = point - 0.5 * thick * normal
+                result.append(frame)
+                openings.append(width)
     if not result:
         return np.zeros((0, 4, 4)), np.zeros(0)
     frames_of = np.array(result)
@@ -750,13 +891,70 @@ def _across(pieces: Sequence[Polytope]) -> tuple[Array, Array]:
     return frames_of[some], np.array(openings)[some]
 
 
-def _leaning(tip: Array) -> Array:
-    """Return poses of the tip of a finger that leans to all sides about its end, shape (n, 4, 4) [m]."""
+def _beside_edges(corners: Array, normal: Array) -> Iterator[tuple[Array, Array]]:
+    """Yield points of a convex face beside its edges, and vectors to the edges, shape (3,) each [m]."""
+    middle = corners.mean(axis=0)
+    flat = corners - middle
+    side = flat[np.linalg.norm(flat, axis=1).argmax()]
+    side = side / max(float(np.linalg.norm(side)), 1e-9)
+    turn = np.arctan2(flat @ np.cross(normal, side), flat @ side)
+    corners = corners[np.argsort(turn, kind="stable")]
+    for begin, end in zip(corners, np.roll(corners, -1, axis=0), strict=True):
+        out = np.cross(end - begin, normal)
+        length = float(np.linalg.norm(out))
+        if length < _THIN:
+            continue
+        out /= length
+        deep = min(_INSIDE, float((begin - middle) @ out))
+        end_share = 2.0 * _INSIDE / length
+        for share in (0.5, end_share, 1.0 - end_share)[: 3 if end_share < 0.5 else 1]:
+            yield begin + share * (end - begin) - deep * out, deep * out
+
+
+def _beside(frame: Array) -> Array:
+    """Return poses of a tip whose finger is beside the plane x = 0, past the edge z = 0, shape (n, 4, 4) [m].
+
+    The finger lies on the plane, or only on the edge.
+    """
+    result = []
+    for lean in (0.0, *_LEANS[:2]):
+        for roll in _QUARTERS:
+            out = turned(frame, 1, lean)
+            aside = GRIPPER.wide / 2.0 if roll % math.pi else GRIPPER.thick
+            out[:3, 3] += aside * out[:3, 0] + _PAST * out[:3, 2]
+            result.append(lifted(turned(out, 2, roll), -GRIPPER.tip))
+    return np.array(result)
+
+
+def _before(tips: Array, push: Array | None) -> Array:
+    """Return poses of a tip, shape (..., 4, 4) [m], moved back until no corner of its end is past it."""
+    if push is None:
+        return tips
+    result = tips.copy()
+    corner = np.array([GRIPPER.thick, GRIPPER.wide / 2.0])
+    past = (np.abs((tips[..., :3, :2] * push[:, None]).sum(axis=-2)) * corner).sum(axis=-1)
+    result[..., :3, 3] -= past[..., None] * push
+    return result
+
+
+def _spun(tips: Array, about: Array, vectors: Array) -> Array:
+    """Return poses, shape (n, 4, 4), turned about a point by m vectors, shape (n, m, 4, 4) [m]."""
+    turns = Rotation.from_rotvec(vectors).as_matrix()
+    result = np.tile(tips[:, None], (1, len(vectors), 1, 1))
+    result[..., :3, :3] = turns @ tips[:, None, :3, :3]
+    result[..., :3, 3] = np.einsum("mij,nj->nmi", turns, tips[:, :3, 3] - about) + about
+    return result
+
+
+def _leaning(
+    tip: Array, sides: Sequence[float] = tuple(_TURNS), leans: Sequence[float] = tuple(_LEANS)
+) -> Array:
+    """Return poses of the tip of a finger that leans to sides about its end, shape (n, 4, 4) [m]."""
     end = np.eye(4)
     end[2, 3] = GRIPPER.tip
     result: list[Array] = []
-    for lean in (0.0, *_LEANS):
-        for side in _TURNS if lean else _TURNS[:1]:
+    for lean in (0.0, *leans):
+        for side in sides if lean else sides[:1]:
             axis = turned(np.eye(4), 2, side) @ turned(np.eye(4), 0, lean) @ turned(np.eye(4), 2, -side)
             rolls = (turned(np.eye(4), 2, roll) for roll in _TURNS[: len(_TURNS) // 2])
             result += [tip @ end @ axis @ roll @ np.linalg.inv(end) for roll in rolls]
@@ -780,14 +978,16 @@ def _balls(poses: Array, joints: Array, places: Array) -> Array:
     return np.asarray(np.einsum("nkij,kj->nki", chosen[..., :3, :3], places) + chosen[..., :3, 3])
 
 
-def _within_reach(path: _Path) -> Array:
-    """Return the bases of a path from which the wrist is near enough to the shoulder all the way."""
+def _within_reach(path: _Path) -> tuple[Array, int]:
+    """Return the bases of a path whose wrist is near at first, and the number of those near all the way.
+
+    Bases from which most of the way is near come first.
+    """
     tips = np.array([tip for _, tip in path.tips()])
     wrists = tips[:, :3, 3] - _TIP * tips[:, :3, 2]
     shoulders = path.bases[:, :3, 3] + (0.0, 0.0, _SHOULDER)
     away = np.linalg.norm(shoulders[:, None] - wrists, axis=2)
     ends = away[:, : len(_BACKS) + 1 + max(1, (path.last - path.first) // 4)]  # a part of the way counts too
     near = ((ends > _WRIST[0]) & (ends < _WRIST[1])).all(axis=1)
-    # bases from which most of the way is near come first
     share = ((away[near] > _WRIST[0]) & (away[near] < _WRIST[1])).mean(axis=1)
-    return np.asarray(path.bases[near][np.argsort(-share, kind="stable")])
+    return path.bases[near][np.argsort(-share, kind="stable")], int((share == 1.0).sum())

@@ -233,7 +233,7 @@ def _error(poses: Array, tips: Array) -> Array:
     Both are columns and places, shape (4, 3, n).
     """
     # the turn is the sum of products of the columns
-    vector = sum(_cross(one, other) for one, other in zip(poses[:3], tips[:3], strict=True))
+    vector = np.sum([_cross(one, other) for one, other in zip(poses[:3], tips[:3], strict=True)], axis=0)
     trace = (poses[:3] * tips[:3]).sum(axis=(0, 1))
     sine = np.sqrt((vector**2).sum(axis=0))  # twice the sine
     angle = np.arctan2(sine, trace - 1.0)
