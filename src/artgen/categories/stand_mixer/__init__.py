@@ -194,9 +194,9 @@ def _stand(radius: ag.Scalar, back: ag.Scalar, top: ag.Scalar, shell: ag.Materia
     )
     if lifts:
         return body
-    ring = ag.tube(0.66 * radius, 0.58 * radius, 0.010, bevel=0.001).at(z=_FLOOR + 0.004)
+    ring = ag.tube(0.66 * radius, 0.58 * radius, 0.0125, bevel=0.001).at(z=_FLOOR + 0.00275)
     posts = [
-        ag.box(0.07 * radius, 0.020, 0.010).at(side * 0.62 * radius, 0, _FLOOR + 0.0045) for side in (-1, 1)
+        ag.box(0.07 * radius, 0.020, 0.013).at(side * 0.62 * radius, 0, _FLOOR + 0.0030) for side in (-1, 1)
     ]
     hooks = [
         ag.box(0.10 * radius, 0.020, 0.0034).at(side * 0.575 * radius, 0, _FLOOR + 0.0107) for side in (-1, 1)
@@ -249,7 +249,8 @@ def _head(
         (-0.005, 0.005), (back + _BAR - 0.0115, back + _BAR + 0.0035), (top - 0.0290, top - 0.0254)
     )
     peg = foot.with_(y=(back + _BAR - 0.0115, back + _BAR - 0.0036), z=(foot.z.low, top + 0.01))
-    saddle = ag.Region((-0.045, 0.045), (back - 0.052, back + 0.028), (top + 0.0015, middle)).box(bevel=0.006)
+    low = top + (-0.0010 if lifts else 0.0015)  # a head that tilts has play above its column
+    saddle = ag.Region((-0.045, 0.045), (back - 0.052, back + 0.028), (low, middle)).box(bevel=0.006)
     knuckle = ag.cylinder(_AXLE[1], 0.052, axis=ag.X, bevel=0.001).at(0, back + 0.042, top + _AXLE[0])
     tongue = ag.Region((-0.0255, 0.0255), (back + 0.034, back + 0.050), (top + _AXLE[0], middle)).box()
     skirt = ag.frustum(0.044, 0.048, middle - rim - 0.024, bevel=0.002).at(z=(middle + rim + 0.024) / 2)
