@@ -264,7 +264,8 @@ class _Pieces:
 
     def within(self, low: Array, high: Array) -> "_Pieces":
         """Return the pieces whose bounding boxes overlap a box."""
-        return self.chosen(((self.bounds[:, 0] <= high) & (self.bounds[:, 1] >= low)).all(axis=1))
+        overlap: Mask = np.all((self.bounds[:, 0] <= high) & (self.bounds[:, 1] >= low), axis=1)
+        return self.chosen(overlap)
 
     def chosen(self, kept: Mask) -> "_Pieces":
         """Return some of the pieces."""
@@ -750,7 +751,7 @@ class _Search:
     def _standing(self, middle: Array, plan: Array, states: Sequence[_State]) -> Array:
         """Return free places of the base around a point, at directions, distances and heights in a plan."""
         plan = plan[self.rng.permutation(len(plan))]
-        bases = np.tile(np.eye(4), (len(plan), 1, 1))
+        bases: Array = np.tile(np.eye(4), (len(plan), 1, 1))
         cosines, sines = np.cos(plan[:, 0]), np.sin(plan[:, 0])
         bases[:, 0, 0] = bases[:, 1, 1] = -cosines
         bases[:, 0, 1], bases[:, 1, 0] = sines, -sines

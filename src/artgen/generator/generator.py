@@ -730,7 +730,7 @@ _COARSEST = 0.0024  # distance of facets from a round surface at which no coarse
 _FILLED = 0.85  # share of the triangles that a level aims at, above which solids leave little for details
 _LIKELY = 18  # triangles of each operation that makes a solid, above which solids are coarser from the start
 # up to a multiple of the triangles that a level aims at: the factor by which its solids become coarser
-_COARSER = ((1.1, 1.25), (1.3, 1.5), (1.6, 2.0), (math.inf, 3.0))
+_COARSER: tuple[tuple[float, float], ...] = ((1.1, 1.25), (1.3, 1.5), (1.6, 2.0), (math.inf, 3.0))
 
 
 def _evaluations(

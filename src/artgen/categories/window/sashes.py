@@ -280,8 +280,8 @@ def _passing(
     finger = (beside * (outer.x.size - 2 * face), section.slide / 2 - inset, rail)
     press = ag.frame(finger, approach=-ag.Z, closing=ag.X)
     # inside, a finger over a lip on its far rail takes it along, until the hand meets the inner sash
-    lip = ag.Region.centered(_LIP_LONG, 0.0, 0.005).with_(y=(-0.0005, 0.0125)).box(bevel=0.0008)
-    lip = ag.part(lip, "handle", draft.metal)
+    strip = ag.Region.centered(_LIP_LONG, 0.0, 0.005).with_(y=(-0.0005, 0.0125)).box(bevel=0.0008)
+    lip = ag.part(strip, "handle", draft.metal)
     lip = lip.at(finger[0], section.outer + section.slide / 2, place.z.high - face + 0.004)
     outside = ag.weld(_plain_sash(draft, outer, press).suffixed(f"_{names[1]}"), keeper, lip)
     body, way = frame.tracked_frame(draft), place.z.size / 2 - face / 2 - 0.004
