@@ -86,7 +86,7 @@ def test_whatever_goes_wrong_is_told_and_the_server_lives(studio: Studio) -> Non
 
     studio.requests.add("odd", fail)
     until(lambda: "ZeroDivisionError: of no one's" in studio.session.error, "it is told")
-    assert f"{__file__}:" in html.unescape(studio.panel.error.content)
+    until(lambda: f"{__file__}:" in html.unescape(studio.panel.error.content), "the panel shows it")
     studio.requests.add("unknown", lambda: studio.session.set("depth", 1.0))
     until(lambda: "has no parameter 'depth'" in html.unescape(studio.panel.error.content), "it is told")
     studio.requests.add("set width", lambda: studio.session.set("width", 0.7))
