@@ -16,7 +16,7 @@ from support.cases import some
 from support.digests import digests
 
 SEED = 5
-GROUPS = 4  # of categories, each of one process
+GROUPS = 8  # of categories, each of one process
 HASHES = Path(__file__).parents[1] / "scripts" / "tree_hashes.py"
 
 

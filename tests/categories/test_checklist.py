@@ -379,7 +379,7 @@ def matching(joints: Iterable[PlannedJoint], moving: Moving) -> list[PlannedJoin
     return [joint for joint in joints if pattern.fullmatch(joint.name)]
 
 
-@pytest.mark.parametrize("category", some(categories(), 3))
+@pytest.mark.parametrize("category", some(categories(), 5))
 def test_every_moving_part_of_the_checklist_is_there_in_every_number(category: str) -> None:
     for label, moving in CHECKLIST[category].items():
         found = [matching(joints, moving) for joints in drawn(category)]

@@ -10,6 +10,7 @@ from scipy.spatial import cKDTree
 import artgen as ag
 from artgen import Body, Float, uniform
 from artgen.asset import Asset
+from artgen.asset.tree import Reduction
 from artgen.catalog import categories, find
 from artgen.dataset.run import record_of
 from artgen.errors import ParameterError
@@ -212,12 +213,12 @@ def test_details_by_which_solids_hang_together_stay() -> None:
     assert full == {"block", "near", "far", "badge", "knob"}
     counts = {piece.label: len(piece.shape.mesh.triangles) for piece in tree.link.pieces}
     assert tree.solid_triangles() == 2 * counts["block"]
-    bare = tree.reduced(0.0, 0.001)
+    bare = Reduction(tree, 0.0, 0.001).result
     kept = [piece.label for piece in bare.link.pieces]
     assert kept == ["block", "block", "near", "far"]
     assert [piece.label for piece in bare.link.solids] == ["block", "block"]
     most = sum(counts[label] for label in kept) + 16 * counts["knob"]
-    some = tree.reduced(most, 0.0)
+    some = Reduction(tree, most).result
     assert "badge" not in {piece.label for piece in some.link.pieces}
     assert [piece.label for piece in some.link.pieces].count("knob") == 16
 
@@ -235,5 +236,5 @@ def test_a_detail_leaves_after_those_that_hang_on_it() -> None:
     counts = {piece.label: len(piece.shape.mesh.triangles) for piece in tree.link.pieces}
     total = sum(counts.values())
     for most, kept in ((total, 3), (total - 1, 2), (total - counts["sign"], 2), (counts["block"], 1)):
-        labels = [piece.label for piece in tree.reduced(most).link.pieces]
+        labels = [piece.label for piece in Reduction(tree, most).result.link.pieces]
         assert labels == ["block", "arm", "sign"][:kept]

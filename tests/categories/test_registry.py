@@ -29,11 +29,11 @@ cases = pytest.mark.parametrize(
 some_cases = pytest.mark.parametrize(
     ("category", "seed"), some(((category, seed) for category in categories() for seed in SEEDS), 5)
 )
-# what takes longest: one third of the categories each
-first_third, second_third = (
+# what takes longest: one fifth of the categories each
+first_fifth, second_fifth = (
     pytest.mark.parametrize(
         ("category", "seed"),
-        some(((category, seed) for category in categories() for seed in SEEDS), 3, start),
+        some(((category, seed) for category in categories() for seed in SEEDS), 5, start),
     )
     for start in range(2)
 )
@@ -44,13 +44,13 @@ def asset_of(category: str, seed: int) -> Asset:
     return find(category).generate(seed)
 
 
-@second_third
+@second_fifth
 def test_solids_are_watertight_and_turned_outwards(category: str, seed: int) -> None:
     for link in asset_of(category, seed).links:
         check_solids(link)
 
 
-@cases
+@some_cases
 def test_colliders_are_convex_and_within_budget(category: str, seed: int) -> None:
     for link in asset_of(category, seed).links:
         check_collider_pieces(link)
@@ -126,7 +126,7 @@ def test_every_declared_label_is_the_same_for_every_seed(category: str, seed: in
     assert {label for link in asset.links for label in link.labels} <= set(asset.labels)
 
 
-@first_third
+@first_fifth
 def test_every_check_passes_on_the_files(category: str, seed: int) -> None:
     report = asset_of(category, seed).validate()
     assert [result.check for result in report.results if result.skipped] == []

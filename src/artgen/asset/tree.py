@@ -78,17 +78,6 @@ class Tree:
         """Return the number of triangles of the solids, without visual details."""
         return sum(_triangles(piece) for link in self.links() for piece in link.solids)
 
-    def reduced(self, most: float, thin: float = 0.0) -> "Tree":
-        """Return the tree with fewer visual details, which are chosen when they are looked at.
-
-        Details that are not thicker than `thin` [m] are left out. With more than `most` triangles, others
-        are as well, those with the smallest triangles first, then those that stand out of the bounds of a
-        link's solids and show in the outline. A detail stays as long as solids, or details that stay, hang
-        together by it; a link may be of separate solids. One that coarse solids do not reach any more is
-        left out.
-        """
-        return Reduction(self, most, thin).result
-
     def _with_links(self, of_link: Callable[[Link], Link]) -> "Tree":
         branches = self._branches(lambda joint: joint, lambda tree: tree._with_links(of_link))
         return replace(self, link=of_link(self.link), branches=branches)
@@ -148,11 +137,17 @@ class Tree:
 
 @dataclass(frozen=True, eq=False)
 class Reduction:
-    """The choice of visual details that are left out of a tree, see `Tree.reduced`; made on first access."""
+    """A choice of the visual details that are left out of a tree; made on first access to its details.
+
+    Details that are not thicker than `thin` [m] are left out. With more than `most` triangles, others are as
+    well, those with the smallest triangles first, then those that stand out of the bounds of a link's solids
+    and show in the outline. A detail stays as long as solids, or details that stay, hang together by it; a
+    link may be of separate solids. One that coarse solids do not reach any more is left out.
+    """
 
     tree: Tree
     most: float
-    thin: float
+    thin: float = 0.0
 
     @cached_property
     def result(self) -> Tree:

@@ -74,7 +74,7 @@ def hull_of(points: Array) -> Manifold:
 
 
 def _is_around(solid: Manifold, points: Array) -> bool:
-    """Tell whether no point is outside a triangle, as points that were lost, or dents, would be."""
+    """Tell whether no point is outside the plane of a triangle; lost points and corners of dents are."""
     if solid.num_tri() * len(points) > _MANY_HEIGHTS:
         return True
     mesh = solid.to_mesh64()

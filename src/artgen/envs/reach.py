@@ -381,6 +381,7 @@ class _Search:
         self.hands = sorted(named, key=lambda each: each.joints.index(joint.name))
         self.at = np.linspace(joint.closed, self.far, self._steps() + 1)  # positions along the way [rad or m]
         self.states: dict[tuple[tuple[str, float], ...], list[_State]] = {}
+        self.given: dict[int, list[_Hold]] = {}  # holds of the asset's own hands, by the first state
         self.struck = ""  # link that a hand strikes
         self.held = False  # whether a hand can hold it
         self.footing = False  # whether a robot can stand near it
@@ -466,8 +467,10 @@ class _Search:
 
     def _given(self, first: int) -> list[_Hold]:
         """Return the grasps and pushes that the asset has for the joint, in all orientations of the hand."""
-        found = (self._hold(hand, first) for hand in self.hands if self._moves(hand, first))
-        return [each for each in found if each is not None]
+        if first not in self.given:
+            found = (self._hold(hand, first) for hand in self.hands if self._moves(hand, first))
+            self.given[first] = [each for each in found if each is not None]
+        return self.given[first]
 
     def _turning(self, first: int) -> list[_Hold]:
         """Return the same with hands that turn on the part: about a round bar, on their pads, or on a tip."""

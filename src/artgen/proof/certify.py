@@ -209,7 +209,7 @@ def _labels(
 
 
 class Known:
-    """What several proofs of one design use again: searches of pairs of links, and the trees of pieces."""
+    """Searches of pairs of links, and trees of their pieces, shared by several proofs of one design."""
 
     def __init__(self) -> None:
         # by the names of the links, the kind of pieces and the requirements

@@ -64,7 +64,7 @@ def link_overlap(asset: Asset, joint_path: JointPath, positions: Array) -> Overl
 
 
 def _meeting(boxes: Array, others: Array, matrix: Array) -> Mask:
-    """Tell which boxes meet the boxes around which others, moved by a transform, shape (n, m)."""
+    """Tell which boxes meet the bounding boxes of others after a transform, shape (n, m)."""
     half = (others[:, 1] - others[:, 0]) / 2.0
     middle = np.einsum("ij,nj->ni", matrix[:3, :3], others[:, 0] + half) + matrix[:3, 3]
     reach = np.einsum("ij,nj->ni", np.abs(matrix[:3, :3]), half)

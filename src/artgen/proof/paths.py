@@ -63,7 +63,7 @@ class JointPath:
 
     @cached_property
     def key(self) -> tuple[Any, ...]:
-        """All that a proof depends on but the pieces: equal for paths with the same motions and contacts."""
+        """The input of a proof without the pieces: equal for paths with the same motions and contacts."""
         motions = [(each.kind, each.axis.tobytes(), each.pivot.tobytes()) for each in self.steps]
         boxes = [box.tobytes() for box in self.boxes]
         return (self.links, motions, self.signs, self.followers, self.variables, boxes, self.allowed)
