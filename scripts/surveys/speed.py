@@ -25,7 +25,7 @@ def speed(asset: Asset, path: Path, q: Mapping[str, float]) -> float:
     import mujoco
 
     with collected_warnings():
-        model = fixed_model(path)
+        model = fixed_model(path, looks=True)
         model.opt.timestep = STEP
         data = mujoco.MjData(model)
         best = [math.inf] * _WINDOWS

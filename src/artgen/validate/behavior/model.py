@@ -81,17 +81,18 @@ def load_spec(path: Path) -> Any:
     return spec
 
 
-def _spec(path: Path) -> Any:
+def _spec(path: Path, *, looks: bool = False) -> Any:
     spec = load_spec(path)
     spec.option.timestep = _STEP
+    spec.compiler.discardvisual = not looks
     return spec
 
 
-def fixed_model(path: Path) -> Any:
-    """Load a file with the base fixed to the world."""
+def fixed_model(path: Path, *, looks: bool = False) -> Any:
+    """Load a file with the base fixed to the world; `looks` for the visual meshes as well."""
     import mujoco
 
-    spec = _spec(path)
+    spec = _spec(path, looks=looks)
     for joint in list(spec.joints):
         if joint.type == mujoco.mjtJoint.mjJNT_FREE:
             for key in list(spec.keys):  # their positions include those of the joint
@@ -127,6 +128,7 @@ def room_model(path: Path, asset: Asset) -> Any:
     _prune(root, [body for name, body in bodies.items() if name not in asset.links.by_name])
     spec = mujoco.MjSpec.from_string(etree.tostring(root, encoding="unicode"))
     spec.modelfiledir, spec.option.timestep = str(path.parent), _STEP
+    spec.compiler.discardvisual = True
     return spec.compile()
 
 
