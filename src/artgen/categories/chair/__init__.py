@@ -34,7 +34,6 @@ _TUBE = 0.011  # radius of the tubes of a folding chair [m]
 _ASIDE = 0.205  # distance of its front legs from the middle [m]
 _INNER = 0.1805  # distance of its rear legs from the middle [m]
 
-
 _OFFICE = ag.choice(*colors("fabric", "graphite navy light_grey red teal"), "black_leather", "mesh")
 _BOARDS = ag.choice(*WOODS[:5], *colors("abs", "white graphite red"))
 _SOFT = ag.choice(
@@ -263,12 +262,8 @@ def _tilting(
         ag.box(0.060, 0.022, 0.022, bevel=0.004).at(0, 0.288, low),
         ag.box(0.050, 0.018, 0.022, bevel=0.004).at(0, 0.302, height + 0.16 + 0.45 * tall),
     )
-    ears = [
-        ag.Region((x - 0.006, x + 0.006), (y - 0.06, y + 0.014), (low - 0.012, height - 0.072)).box(
-            bevel=0.002
-        )
-        for x in (-0.042, 0.042)
-    ]
+    side = (y - 0.06, y + 0.014), (low - 0.012, height - 0.072)
+    ears = [ag.Region((x - 0.006, x + 0.006), *side).box(bevel=0.002) for x in (-0.042, 0.042)]
     bridge = ag.Region((-0.06, 0.06), (0.09, y - 0.030), (height - 0.082, height - 0.059)).box(bevel=0.002)
     seat = ag.weld(seat, ag.part([*ears, bridge], "frame", black))
     mesh = cover.with_(name=f"{cover.name}_back", density=110.0)
@@ -331,12 +326,8 @@ def _folding(height: ag.Scalar, cover: ag.Material, metal: ag.Material) -> ag.Bo
 
     bar, stubs = on(0.16, -0.022), both(on(0.16, -0.022), on(0.16), 0.007, _ASIDE)
     rung = ag.cylinder_between(bar - ag.X * _ASIDE, bar + ag.X * _ASIDE, 0.008)
-    slats = [
-        ag.box(2 * _ASIDE + 0.01, 0.012, 0.062, bevel=0.004)
-        .rotate(ag.X, slope - math.pi / 2)
-        .at(on(z, 0.0165))
-        for z in (0.68, 0.765)
-    ]
+    slat = ag.box(2 * _ASIDE + 0.01, 0.012, 0.062, bevel=0.004).rotate(ag.X, slope - math.pi / 2)
+    slats = [slat.at(on(z, 0.0165)) for z in (0.68, 0.765)]
     front = ag.weld(
         ag.part([*both(foot, on(top), _TUBE, _ASIDE), ag.union(rung, *stubs)], "frame", steel, name="base"),
         ag.part([ag.sphere(0.012).at(foot + ag.X * s) for s in (-_ASIDE, _ASIDE)], "foot", rubber),
@@ -352,10 +343,8 @@ def _folding(height: ag.Scalar, cover: ag.Material, metal: ag.Material) -> ag.Bo
         ag.part(both(legs_pin, legs_pin, 0.005, _INNER, 0.1690), "leg", steel),
         ag.part([ag.sphere(0.012).at(rear + ag.X * s) for s in (-_INNER, _INNER)], "foot", rubber),
     )
-    rivets = [
-        *both(legs_pin, legs_pin, 0.0055, 0.1612, 0.1626),
-        *both(seat_pin, seat_pin, 0.0055, 0.1684, 0.1699),
-    ]
+    pairs = ((legs_pin, 0.1612, 0.1626), (seat_pin, 0.1684, 0.1699))
+    rivets = [end for pin, low, high in pairs for end in both(pin, pin, 0.0055, low, high)]
     bars = plates(legs_pin, seat_pin, 0.008, 0.1625, 0.1685)
     strut = ag.weld(
         ag.part(bars, "leg", steel, name="strut", separate="a strut on either side"),
@@ -381,6 +370,7 @@ def _recliner(
 ) -> ag.Body:
     """Make a recliner, whose footrest rises as its back tilts."""
     soft = cover.with_(name=f"{cover.name}_cushion", density=130.0)
+    wood = ag.material("plywood").with_(name="frame_wood", density=160.0)
     half = width / 2
     arm = ag.Region((half + 0.004, half + 0.150), (-0.43, 0.36), (0.055, height + 0.16))
     pad = arm.with_(z=(height + 0.15, height + 0.20)).grow(x=0.006, front=0.012)
@@ -393,17 +383,14 @@ def _recliner(
     )
     base = ag.weld(
         ag.part([*arms, *(each.mirror(ag.X) for each in arms)], "arm", soft, name="base"),
-        ag.part(
-            box.box(bevel=0.004), "frame", ag.material("plywood").with_(name="frame_wood", density=160.0)
-        ),
+        ag.part(box.box(bevel=0.004), "frame", wood),
         ag.part(cushion, "seat", soft),
         ag.part(feet, "foot", ag.material("walnut"), separate="four feet"),
     )
     y, low = 0.275, height - 0.05
     rest = ag.box(width - 0.012, 0.15, tall + 0.08, bevel=0.045, crown=0.012)
     rest = rest.align((0, y + 0.075 - 0.055, low - 0.03), z=-1)
-    knob = ag.Region((-0.10, 0.10), (y, y + 0.04), (low + tall + 0.03, low + tall + 0.10))
-    tab = knob.box(bevel=0.012)
+    tab = ag.Region((-0.10, 0.10), (y, y + 0.04), (low + tall + 0.03, low + tall + 0.10)).box(bevel=0.012)
     hold = ag.grasp_on(tab, approach=-ag.Z, closing=ag.Y, depth=0.03)
     back = ag.part(rest | tab, "back", soft, grasp=hold, name="back")
     recline = ag.Revolute(

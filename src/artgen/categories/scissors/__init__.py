@@ -190,27 +190,20 @@ def _flat(
     point = [(0.25 * end, reach), (0.8 * end, reach - 0.25 * end), (1.1 * end, reach - 1.2 * end)]
     back = [(0.62 * radius, 0.70 * reach) if style != "snips" else (0.5 * radius, 0.6 * reach)]
     back += [(0.93 * radius, 0.30 * reach), (0.95 * radius, 0.25 * radius)]
-    outline = ag.polygon([(-0.6 * radius, 0.5 * radius), *edge, *point, *back, (0.0, -0.3 * radius)])
+    root, end_of_back = (-0.6 * radius, 0.5 * radius), (0.0, -0.3 * radius)
     lapped = ag.extrude(ag.regular_polygon(20, radius), plate)
     if drilled:
         lapped -= ag.extrude(pivots.rivet_hole(0.32 * radius), 0.02)
         # the blade begins beside the hole
-        outline = ag.polygon(
-            [(-0.6 * radius, 0.55 * radius), *edge, *point, *back, (0.6 * radius, 0.5 * radius)]
-        )
+        root, end_of_back = (-0.6 * radius, 0.55 * radius), (0.6 * radius, 0.5 * radius)
+    outline = ag.polygon([root, *edge, *point, *back, end_of_back])
     wing = radius + 0.0015
-    tang = ag.polygon(
-        [
-            (-0.90 * radius, -0.30 * radius),
-            (-_APART - 0.0075, -wing),
-            (-_APART - 0.0065, -wing - 0.014),
-            (-_APART - 0.0010, -wing - 0.014),
-            (-_APART - 0.0004, -wing),
-            (0.10 * radius, -0.70 * radius),
-            (-0.2 * radius, -0.5 * radius),
-        ]
+    tang = [(-0.90 * radius, -0.30 * radius), (-_APART - 0.0075, -wing), (-_APART - 0.0065, -wing - 0.014)]
+    tang += [(-_APART - 0.0010, -wing - 0.014), (-_APART - 0.0004, -wing), (0.10 * radius, -0.70 * radius)]
+    tang.append((-0.2 * radius, -0.5 * radius))
+    made = ag.union(
+        lapped, ag.extrude(outline, plate).rotate(ag.Z, bend), ag.extrude(ag.polygon(tang), 0.94 * plate)
     )
-    made = ag.union(lapped, ag.extrude(outline, plate).rotate(ag.Z, bend), ag.extrude(tang, 0.94 * plate))
     # the ground face along the edge, on the outer side
     start, stop = edge
     ground = ag.polygon([start, stop, (stop[0] + 0.9 * end, stop[1] - 2.5 * end), (0.12 * radius, start[1])])

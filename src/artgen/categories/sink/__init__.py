@@ -278,6 +278,12 @@ def _past(start: Point, end: Point) -> Point:
     return (1.004 * end[0] - 0.004 * start[0], 1.004 * end[1] - 0.004 * start[1])
 
 
+def _between(inner: Points, outer: Points, first: int, last: int) -> ag.Profile:
+    """Make the section of a wall between two corners of its inside and of its outside."""
+    ends = [_past(inner[first], inner[last]), _past(outer[first], outer[last])]
+    return ag.polygon([inner[first], *ends, outer[first]])
+
+
 def _shell(levels: list[tuple[Points, Points, ag.Scalar]], hole: float, thick: float) -> list[ag.Solid]:
     """Make the convex pieces of a bowl from its inside, its outside and its height, from the floor up.
 
@@ -287,12 +293,7 @@ def _shell(levels: list[tuple[Points, Points, ag.Scalar]], hole: float, thick: f
     for (inner, outer, low), (within, without, high) in itertools.pairwise(levels):
         for first in range(len(inner)):
             last = (first + 1) % len(inner)
-            rims = [
-                ag.polygon(
-                    [ins[first], _past(ins[first], ins[last]), _past(out[first], out[last]), out[first]]
-                )
-                for ins, out in ((inner, outer), (within, without))
-            ]
+            rims = [_between(*level, first, last) for level in ((inner, outer), (within, without))]
             pieces.append(ag.hull(ag.loft(rims, [low - 0.0004, high])))
     inner, outer, floor = levels[0]
     quarter, diagonal = len(inner) // 4, hole * math.sqrt(2)
@@ -304,9 +305,8 @@ def _shell(levels: list[tuple[Points, Points, ag.Scalar]], hole: float, thick: f
             for turn in (math.pi * (0.5 * side + 0.75), math.pi * (0.5 * side + 0.25))
         )
         around[-1] = _past(around[-2], around[-1])
-        pieces.append(
-            ag.extrude(ag.polygon([*around, _past(right, left), right]), thick).at(z=floor - thick / 2)
-        )
+        plate = ag.polygon([*around, _past(right, left), right])
+        pieces.append(ag.extrude(plate, thick).at(z=floor - thick / 2))
     return pieces
 
 
@@ -339,11 +339,8 @@ def _around(room: ag.Region, row: list[tuple[ag.Scalar, ag.Scalar]], near: ag.Sc
     """Make the boards of a frame around bowls: before, behind, beside and between them."""
     y = (near, -_NEAR)
     cells = [room.with_(y=(room.y.low, y[0] - 0.001)), room.with_(y=(y[1] + 0.001, room.y.high))]
-    edges = [
-        room.x.low,
-        *(end for x, half in row for end in (x - half - 0.001, x + half + 0.001)),
-        room.x.high,
-    ]
+    sides = [end for x, half in row for end in (x - half - 0.001, x + half + 0.001)]
+    edges = [room.x.low, *sides, room.x.high]
     cells += [room.with_(x=pair, y=y).grow(y=0.0015) for pair in zip(edges[::2], edges[1::2], strict=True)]
     return [cell.box() for cell in cells]
 
@@ -553,17 +550,7 @@ def _pedestal(plan: _Plan, low: ag.Scalar, y: ag.Scalar) -> ag.Body:
     ]
     panels = []
     for first, last in itertools.pairwise(range(len(rings[0][0]))):
-        ends = [
-            ag.polygon(
-                [
-                    inner[first],
-                    _past(inner[first], inner[last]),
-                    _past(outer[first], outer[last]),
-                    outer[first],
-                ]
-            )
-            for inner, outer in rings
-        ]
+        ends = [_between(*ring, first, last) for ring in rings]
         panels.append(ag.hull(ag.loft(ends, [levels[0] + 0.0005, levels[-1] - 0.0005])).at(0, y))
     return ag.weld(
         ag.part(panels, "pedestal", casting(plan.shell, 0.8)),
