@@ -15,14 +15,7 @@ from artgen.asset import summary
 from artgen.asset.affordance import Affordance, affordance_data, affordances
 from artgen.asset.certificate import Certificate
 from artgen.asset.coupling import AssetCoupling, AssetLoop
-from artgen.asset.joint import (
-    AllowedContact,
-    AssetJoint,
-    is_number,
-    joints_above,
-    positions_of_followers,
-    rotation_terms,
-)
+from artgen.asset.joint import AllowedContact, AssetJoint, is_number, joints_above, positions_of_followers
 from artgen.asset.link import Link, RoundedLink
 from artgen.asset.mass import MassProperties, total
 from artgen.asset.placed import PlacedAsset
@@ -397,10 +390,8 @@ class Asset:
             if joint.kind == "prismatic":
                 moved[joint.child] = (turn, shift + position * (turn @ joint.axis[:, None]))
                 continue
-            terms, factors = (
-                rotation_terms(joint.axis),
-                (1.0, _portable.sin(position), 1.0 - _portable.cos(position)),
-            )
+            terms = joint.rotation_terms
+            factors = (1.0, _portable.sin(position), 1.0 - _portable.cos(position))
             pivot = joint.pivot[:, None]
             turned = sum(factor * (turn @ term) for factor, term in zip(factors, terms, strict=True))
             swung = sum(factor * (turn @ (term @ pivot)) for factor, term in zip(factors, terms, strict=True))

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from artgen import _portable
-from artgen._arrays import Array, FrozenArrays, Triple
+from artgen._arrays import Array, FrozenArrays, Triple, cached_property
 from artgen.asset.coupling import AssetCoupling
 from artgen.asset.record import Record
 from artgen.errors import AssetError
@@ -263,12 +263,19 @@ class AssetJoint(FrozenArrays, Record):
     def motion(self, position: float) -> Array:
         """Return the displacement of the child at a position, shape (4, 4), in asset coordinates at rest."""
         result = np.eye(4)
+        if not position:
+            return result
         if self.kind == "prismatic":
             result[:3, 3] = self.axis * position
             return result
-        result[:3, :3] = rotation(self.axis, position)
+        result[:3, :3] = _turned(self.rotation_terms, position)
         result[:3, 3] = self.pivot - result[:3, :3] @ self.pivot
         return result
+
+    @cached_property
+    def rotation_terms(self) -> tuple[Array, Array, Array]:
+        """Terms a, b and c of its rotation a + sin(angle) b + (1 - cos(angle)) c, shape (3, 3) each."""
+        return _rotation_terms(self.axis)
 
     def moved(self, matrix: Array) -> "AssetJoint":
         """Return the joint carried along by a rigid motion or a reflection, shape (4, 4)."""
@@ -298,12 +305,16 @@ def is_number(value: object) -> bool:
 
 def rotation(axis: Array, angle: float) -> Array:
     """Return the rotation about a unit axis, shape (3, 3) (Rodrigues' formula)."""
-    one, cross, square = rotation_terms(axis)
+    return _turned(_rotation_terms(axis), angle)
+
+
+def _turned(terms: tuple[Array, Array, Array], angle: float) -> Array:
+    one, cross, square = terms
     return np.asarray(one + _portable.sin(angle) * cross + (1.0 - _portable.cos(angle)) * square)
 
 
-def rotation_terms(axis: Array) -> tuple[Array, Array, Array]:
-    """Return a, b and c of the rotation about a unit axis: a + sin(angle) b + (1 - cos(angle)) c."""
+def _rotation_terms(axis: Array) -> tuple[Array, Array, Array]:
+    """Return the terms of the rotation about a unit axis, see `AssetJoint.rotation_terms`."""
     x, y, z = axis
     cross = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
     return np.eye(3), cross, cross @ cross
