@@ -147,8 +147,8 @@ PRODUCTS: Mapping[str, tuple[Product, ...]] = {
     # EN 1335-1 and shops; backs and arms stand above seats of 0.42-0.66 m
     "chair": (
         Product("office chair", (0.60, 0.74), (0.60, 0.74), (0.98, 1.34), (10.0, 20.0)),
-        Product("bar stool", (0.38, 0.46), (0.38, 0.52), (0.55, 1.10), (7.0, 22.0)),
-        Product("rolling stool", (0.52, 0.62), (0.52, 0.62), (0.42, 0.52), (8.0, 20.0)),
+        Product("bar stool", (0.38, 0.46), (0.38, 0.52), (0.55, 1.10), (7.0, 16.0)),
+        Product("rolling stool", (0.52, 0.62), (0.52, 0.62), (0.42, 0.52), (5.0, 12.0)),
         Product("folding chair", (0.42, 0.46), (0.55, 0.65), (0.78, 0.84), (2.5, 7.0)),
         Product("recliner", (0.80, 0.96), (0.80, 0.92), (1.00, 1.30), (30.0, 60.0)),
     ),

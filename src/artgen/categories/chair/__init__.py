@@ -10,9 +10,10 @@ seat of a folding chair is turned up, and its rear legs swing to the front ones:
 seat, struts and rear legs.
 
 Sizes are those of EN 1335-1 and of shops: seats of office chairs 400-520 mm high with a lift of 80-120 mm,
-bases with five arms of 300-340 mm, 12-18 kg; bar stools 600-800 mm high with a base of 380-420 mm, 6-10 kg;
-rolling stools 440-570 mm high; folding chairs with seats at 440-460 mm, 3-6 kg; recliners 750-900 mm wide,
-30-50 kg. Backs of office chairs tilt by 20 degrees against 15-40 N m, those of recliners by 35-45 degrees.
+bases with five arms of 300-340 mm, 10-18 kg; bar stools 600-800 mm high with a base of 380-420 mm, 7-14 kg;
+rolling stools 440-570 mm high, 5-10 kg; folding chairs with seats at 440-460 mm, 3-6 kg; recliners 750-900 mm
+wide, 30-50 kg. Backs of office chairs tilt by 20 degrees against 15-40 N m, those of recliners by 35-45
+degrees.
 """
 
 import math
@@ -33,6 +34,11 @@ _GRIP = 0.0145  # radius of the piston of a gas spring [m]
 _TUBE = 0.011  # radius of the tubes of a folding chair [m]
 _ASIDE = 0.205  # distance of its front legs from the middle [m]
 _INNER = 0.1805  # distance of its rear legs from the middle [m]
+_PRESSED = 0.2  # share of steel in arms of 52 x 29 mm with walls of 2 mm
+# steel of a tube of 50 x 1.5 mm and of its cover of 61 x 1.2 mm, over the section of the column [kg/m3]
+_COLUMN = 3000.0
+# steel of a gas cylinder of 28 x 1.5 mm and of its rod of 10 mm, over the section of the piston [kg/m3]
+_PISTON = 2500.0
 
 _OFFICE = ag.choice(*colors("fabric", "graphite navy light_grey red teal"), "black_leather", "mesh")
 _BOARDS = ag.choice(*WOODS[:5], *colors("abs", "white graphite red"))
@@ -115,7 +121,7 @@ def chair(
             seat = _office_seat(height, width, cover, arms=arms)
         case _:
             seat = _round_seat(height, width, tall if backed else None, cover, metal)
-    base = _disc(height, metal) if style == "bar" else _star(0.32 if style == "office" else 0.27, metal)
+    base = _disc(height, metal) if style == "bar" else _star(style, metal)
     top = height - (0.085 if style == "office" else 0.075)  # underside of the plate below the seat
     low = 0.028 if style == "bar" else _ON + 0.030
     column = ag.Region.centered(0.046, 0.046, 0.0).with_(z=(low, top - 0.016))
@@ -124,12 +130,12 @@ def chair(
     dark = ag.material("black_steel") if style == "office" else metal
     base = ag.weld(
         base,
-        ag.part(column.box() - hollow.box(), "column", dark.with_(name="column_steel", density=5000.0)),
+        ag.part(column.box() - hollow.box(), "column", dark.with_(name="column_steel", density=_COLUMN)),
         ag.detail(skin, "column", dark),
     )
     piston = ag.cylinder_between((0, 0, low + 0.025), (0, 0, top + 0.004), _GRIP)
     seat = ag.weld(
-        seat, ag.part(piston, "column", ag.material("chrome").with_(name="piston", density=4000.0))
+        seat, ag.part(piston, "column", ag.material("chrome").with_(name="piston", density=_PISTON))
     )
     if style == "office":
         seat = _tilting(seat, height, width, tall, tilt, torque, cover)
@@ -142,15 +148,16 @@ def chair(
     return base.attach(seat, lift, swivel)
 
 
-def _star(reach: float, metal: ag.Material) -> ag.Body:
-    """Make a base with five arms on casters."""
+def _star(style: Style, metal: ag.Material) -> ag.Body:
+    """Make a base with five arms on casters: molded or cast for an office chair, or of pressed steel."""
+    reach, share = (0.32, 0.6) if style == "office" else (0.27, _PRESSED)
     arm = ag.hull(
         ag.box(0.050, 0.02, 0.038, bevel=0.004).at(0, -0.03, _ON + 0.021),
         ag.box(0.054, 0.054, 0.020, bevel=0.004).at(0, -reach, _ON + 0.010),
     )
     turns = [math.tau * step / 5 for step in range(5)]
     hub = ag.cylinder(0.046, 0.044, bevel=0.004).at(z=_ON + 0.024)
-    base = ag.part(ag.union(hub, *(arm.rotate(ag.Z, turn) for turn in turns)), "base", casting(metal, 0.6))
+    base = ag.part(ag.union(hub, *(arm.rotate(ag.Z, turn) for turn in turns)), "base", casting(metal, share))
     for number, turn in enumerate(turns):
         caster = fixings.caster(radius=_WHEEL, width=0.025, finish=ag.material("black_abs"))
         at = (reach * math.sin(turn), -reach * math.cos(turn), _ON)
@@ -218,7 +225,8 @@ def _round_seat(
 ) -> ag.Body:
     """Make the seat of a stool, with a low back or without one."""
     hard = cover.name.startswith("abs")
-    soft = cover.with_(name=f"{cover.name}_stool", density=500.0 if hard else 180.0)
+    # hard ones are shells of two walls of 4 mm, soft ones foam [kg/m3]
+    soft = cover.with_(name=f"{cover.name}_stool", density=300.0 if hard else 180.0)
     if back is None:
         thick = 0.030 if hard else 0.052
         cushion = ag.cylinder(width / 2, thick, bevel=0.45 * thick).at(z=height - thick / 2)

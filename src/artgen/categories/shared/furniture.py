@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from typing import Any, Literal
 
 import artgen as ag
-from artgen.categories.shared.finish import known, weighing
+from artgen.categories.shared.finish import casting, known, weighing
 from artgen.categories.shared.fixings import corner_feet
 
 BoardLook = Literal["wood", "lacquer", "melamine", "decor"]
@@ -162,6 +162,7 @@ _SEAM = 0.0004  # distance from the end of a board to the edge of its neighbor [
 _RAIL = 0.030  # width of the rails of a unit under a sink [m]
 _BACK_INSET = 0.010  # distance from the rear of the sides to the back panel [m]
 _PITCH = 0.032  # pitch of rows of holes: the 32 mm system [m]
+_TUBE = 0.25  # share of steel in a square tube of 22 mm with walls of 1.5 mm
 
 
 @dataclass(frozen=True)
@@ -311,6 +312,7 @@ class Carcass:
         """Make four legs under the corners of the bottom board."""
         low = ag.require(self.low, self.low > 0.05, "stand_height of legs must be > 0.05 m")
         core, skin = _leg(style, low + 0.0008)
+        finish = casting(finish, _TUBE) if style == "metal" else finish
         x, y = self.width / 2 - 0.045, (self.front + 0.045, self.rear - 0.045)
 
         def everywhere(solids: list[ag.Solid]) -> list[ag.Solid]:
