@@ -1,8 +1,10 @@
 """What is special to a blender: a jug behind its bayonet, a lid in its seal, clicks, masses."""
 
+import math
 from functools import lru_cache
 from typing import Any
 
+import numpy as np
 import pytest
 
 from artgen.asset import Asset
@@ -45,3 +47,16 @@ def test_a_dial_clicks_at_each_of_its_speeds() -> None:
     assert len(dial.detents.positions) == asset.parameters["speeds"]
     assert dial.limits is not None
     assert (dial.detents.positions[0], dial.detents.positions[-1]) == pytest.approx(dial.limits)
+
+
+@pytest.mark.parametrize("style", MASSES)
+def test_one_collider_of_the_base_carries_the_jug(style: str) -> None:
+    asset = made(1, style=style)
+    rim = [0.03 * np.array([math.cos(turn), math.sin(turn)]) for turn in np.linspace(0.0, math.tau, 12)]
+    points = np.array([(*each, asset.parameters["high"] - 0.001) for each in rim])
+    under = [
+        each.convex.outer_polytope(1e-5).planes for each in asset.links[0].colliders if each.label == "base"
+    ]
+    inside = np.array([(points @ each[:, :3].T < each[:, 3]).all(axis=1) for each in under])
+    assert inside.all(axis=1).sum() == 1
+    assert inside.any(axis=1).sum() == 1
