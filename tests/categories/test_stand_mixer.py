@@ -8,6 +8,7 @@ import pytest
 
 from artgen.asset import Asset
 from artgen.catalog import find
+from artgen.validate.hands import check_grasps
 
 
 @lru_cache(maxsize=4)
@@ -56,6 +57,10 @@ def test_a_crank_carries_the_bowl_and_stays() -> None:
     asset = made(1, style="lift")
     data = settled(asset, {"crank_turn": 0.7, "carriage_slide": 0.7 * asset.parameters["drop"] / 1.45}, 0.5)
     assert data.joint("crank_turn").qpos[0] == pytest.approx(0.7, abs=0.03)
+
+
+def test_a_hand_takes_the_crank_beside_the_arms_of_the_widest_bowl() -> None:
+    assert check_grasps(made(1, style="lift", radius=0.118)).faults == ()
 
 
 @pytest.mark.parametrize(("style", "masses"), [("tilt", (8.5, 12.0)), ("lift", (11.0, 14.0))])

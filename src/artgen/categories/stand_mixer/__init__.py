@@ -141,7 +141,13 @@ def _stand(radius: ag.Scalar, back: ag.Scalar, top: ag.Scalar, shell: ag.Materia
     """Make the foot and the column; the axis of the bowl is z."""
     front = ag.cylinder(0.80 * radius, _FLOOR - 0.006, bevel=0.006).at(z=_FLOOR / 2)
     rear = ag.box(0.150, 0.030, _FLOOR - 0.006, bevel=0.006).at(0, back + 0.052, _FLOOR / 2)
-    plate = ag.hull(front, rear)
+    # one collider: no seam is under the bowl
+    around = ag.regular_polygon(32, 0.80 * radius / math.cos(math.pi / 32))
+    cover = ag.hull(
+        ag.extrude(around, _FLOOR - 0.006).at(z=_FLOOR / 2),
+        ag.box(0.150, 0.030, _FLOOR - 0.006).at(0, back + 0.052, _FLOOR / 2),
+    )
+    plate = ag.bounding_collider(ag.hull(front, rear), cover)
     wide, floor = _WIDE[lifts], _FLOOR - 0.010
     sizes = ((wide + 0.036, _DEEP + 0.020, 0.040), (wide, _DEEP - 0.008, 0.030), (wide, _DEEP, 0.030))
     levels = (floor, _FLOOR + 0.055, top)
