@@ -141,10 +141,10 @@ def _stand(radius: ag.Scalar, back: ag.Scalar, top: ag.Scalar, shell: ag.Materia
     """Make the foot and the column; the axis of the bowl is z."""
     front = ag.cylinder(0.80 * radius, _FLOOR - 0.006, bevel=0.006).at(z=_FLOOR / 2)
     rear = ag.box(0.150, 0.030, _FLOOR - 0.006, bevel=0.006).at(0, back + 0.052, _FLOOR / 2)
-    # one collider: no seam is under the bowl
-    around = ag.regular_polygon(32, 0.80 * radius / math.cos(math.pi / 32))
+    # the plate has one collider: no seam is under the bowl
+    outline = ag.regular_polygon(32, 0.80 * radius / math.cos(math.pi / 32))
     cover = ag.hull(
-        ag.extrude(around, _FLOOR - 0.006).at(z=_FLOOR / 2),
+        ag.extrude(outline, _FLOOR - 0.006).at(z=_FLOOR / 2),
         ag.box(0.150, 0.030, _FLOOR - 0.006).at(0, back + 0.052, _FLOOR / 2),
     )
     plate = ag.bounding_collider(ag.hull(front, rear), cover)
@@ -431,7 +431,7 @@ def _crane(
     turns = 1.45
     hub = ag.cylinder(0.013, 0.014, axis=ag.X, bevel=0.002).at(-0.007 - FIT.running, 0, 0)
     rod = ag.box(0.007, 0.014, 0.082, bevel=0.002).at(-0.0105, 0, 0.041)
-    ball = ag.cylinder(0.0095, 0.036, axis=ag.X, bevel=0.004).at(-0.030, 0, 0.080)
+    ball = ag.cylinder(0.0095, 0.044, axis=ag.X, bevel=0.004).at(-0.034, 0, 0.080)
     turned = ag.grasp_on(ball, approach=ag.X, closing=ag.Y, depth=0.014)
     handle = ag.weld(
         ag.part(ball, "crank", _BLACK, name="crank", grasp=turned), ag.part(hub | rod, "crank", steel)
