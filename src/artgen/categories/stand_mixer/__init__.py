@@ -143,10 +143,8 @@ def _stand(radius: ag.Scalar, back: ag.Scalar, top: ag.Scalar, shell: ag.Materia
     rear = ag.box(0.150, 0.030, _FLOOR - 0.006, bevel=0.006).at(0, back + 0.052, _FLOOR / 2)
     # the plate has one collider: no seam is under the bowl
     outline = ag.regular_polygon(32, 0.80 * radius / math.cos(math.pi / 32))
-    cover = ag.hull(
-        ag.extrude(outline, _FLOOR - 0.006).at(z=_FLOOR / 2),
-        ag.box(0.150, 0.030, _FLOOR - 0.006).at(0, back + 0.052, _FLOOR / 2),
-    )
+    heel = _slab(0.150, 0.030, 0.58 * 0.006, 0.0, _FLOOR - 0.006).at(0, back + 0.052)
+    cover = ag.hull(ag.extrude(outline, _FLOOR - 0.006), heel).at(z=_FLOOR / 2)
     plate = ag.bounding_collider(ag.hull(front, rear), cover)
     wide, floor = _WIDE[lifts], _FLOOR - 0.010
     sizes = ((wide + 0.036, _DEEP + 0.020, 0.040), (wide, _DEEP - 0.008, 0.030), (wide, _DEEP, 0.030))
@@ -221,12 +219,12 @@ def _stand(radius: ag.Scalar, back: ag.Scalar, top: ag.Scalar, shell: ag.Materia
     )
 
 
-def _slab(x: ag.Scalar, y: ag.Scalar, chamfer: float, z: ag.Scalar) -> ag.Solid:
-    """Make a thin plate with chamfered corners."""
+def _slab(x: ag.Scalar, y: ag.Scalar, chamfer: float, z: ag.Scalar, thick: float = 0.0002) -> ag.Solid:
+    """Make a plate with chamfered corners about a height."""
     a, b, c = x / 2, y / 2, chamfer
     quarter = [(a, b - c), (a - c, b)]
     right = [(a, c - b), *quarter, (c - a, b), (-a, b - c), (-a, c - b), (c - a, -b), (a - c, -b)]
-    return ag.extrude(ag.polygon(right), 0.0002).at(z=z)
+    return ag.extrude(ag.polygon(right), thick).at(z=z)
 
 
 def _head(
