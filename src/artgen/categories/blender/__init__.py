@@ -27,7 +27,6 @@ Style = Literal["jug", "retro", "personal"]
 _TURN = 0.52  # of the bayonet [rad]
 _SWEEP = 4.2  # of a dial [rad]
 _DIAL = 0.019  # its radius [m]
-_SIDES = 32  # of the collider around the base: 0.4 mm off a circle of 90 mm
 _CLEAR = ag.material("polycarbonate").with_(name="jug_clear", opacity=0.28)
 _GLASS = ag.material("glass").with_(name="jug_glass", opacity=0.22)
 _SMOKE = ag.material("polycarbonate").with_(name="jug_smoke", base_color=(0.16, 0.16, 0.17), opacity=0.55)
@@ -158,11 +157,6 @@ def _seat(body: ag.Body, jug: ag.Body, high: ag.Scalar) -> ag.Body:
     return body.attach(jug, lift, turn, at=(0, 0, high))
 
 
-def _around(radius: ag.Scalar) -> ag.Profile:
-    """Make the polygon around a circle: the base has one collider under the jug, with no seam to push it."""
-    return ag.regular_polygon(_SIDES, radius / math.cos(math.pi / _SIDES))
-
-
 def _base(
     style: Style,
     width: ag.Scalar,
@@ -179,17 +173,20 @@ def _base(
     if style == "jug":
         lower = ag.Region((-radius, radius), (-radius, radius), (0.006, shoulder)).box(bevel=0.012)
         wide, cut = radius - 0.003, 0.012 * (2 - math.sqrt(2))
+        # one collider is below the jug: no seam pushes it aside
         taper = ag.hull(
             ag.box(2 * wide, 2 * wide, 0.030, bevel=0.012).at(z=shoulder - 0.010),
             ag.cylinder(top, 0.012, bevel=0.003).at(z=high - 0.006),
         )
         side = [(wide, cut - wide), (wide, wide - cut), (wide - cut, wide), (cut - wide, wide)]
         foot = ag.extrude(ag.polygon([*side, *((-x, -y) for x, y in side)]), 0.030).at(z=shoulder - 0.010)
-        deck = ag.extrude(_around(top), 0.001).at(z=high - 0.0005)
+        deck = ag.extrude(vessels.around(top), 0.001).at(z=high - 0.0005)
         solids = [lower, ag.bounding_collider(taper, ag.hull(foot, deck))]
     else:
         cone = ag.frustum(radius, top, high - 0.006, bevel=0.005).at(z=0.003 + high / 2)
-        solids = [ag.bounding_collider(cone, ag.loft([_around(radius), _around(top)], (0.006, high)))]
+        solids = [
+            ag.bounding_collider(cone, ag.loft([vessels.around(radius), vessels.around(top)], (0.006, high)))
+        ]
     _, hooks = vessels.bayonet(neck, half=0.010)
     feet = ag.array(
         ag.cylinder(0.010, 0.008, bevel=0.001), at=ag.ring_points((0, 0, 0.004), 0.72 * radius, count=4)

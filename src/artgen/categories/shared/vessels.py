@@ -26,6 +26,7 @@ SIDES = 20
 _SMOOTH = 48  # number of facets of a skin: less than 0.07 mm off a circle of 30 mm
 _GLASS_SIDES = 42  # number of facets of a blown vessel, each in a collider of its own
 _GLASS_OFF = 0.00067  # distance of these colliders from the surface: two facets would be farther away [m]
+_AROUND = 32  # sides of a collider with 64 corners: 0.4 mm off a circle of 90 mm
 
 _SPARE = 0.0005  # gap between a hole and the colliders around it [m]
 _WITHIN = 0.0005  # depth of the straight runs of a core below the outline [m]
@@ -96,6 +97,11 @@ def filled(path: Path, *, wall: ag.Scalar, level: ag.Scalar) -> ag.Solid:
     inside = ag.revolve(ag.half_section(path, inset=wall + 0.0002))
     kept = inside.split(point=(0.0, 0.0, level), normal=-ag.Z)
     return kept.split(point=(0.0, 0.0, 1.4 * wall + 0.0002), normal=ag.Z)
+
+
+def around(radius: ag.Scalar) -> ag.Profile:
+    """Return the polygon around a circle [m] whose prism or frustum is one collider, without seams."""
+    return ag.regular_polygon(_AROUND, radius / math.cos(math.pi / _AROUND))
 
 
 def bayonet(radius: ag.Scalar, *, half: float = 0.018) -> tuple[ag.Solid, ag.Solid]:

@@ -21,7 +21,7 @@ from typing import Literal
 
 import artgen as ag
 from artgen import details, feel
-from artgen.categories.shared import controls
+from artgen.categories.shared import controls, vessels
 from artgen.categories.shared.finish import casting, colors
 from artgen.nodes.fitting import FIT, Fitting
 
@@ -142,9 +142,8 @@ def _stand(radius: ag.Scalar, back: ag.Scalar, top: ag.Scalar, shell: ag.Materia
     front = ag.cylinder(0.80 * radius, _FLOOR - 0.006, bevel=0.006).at(z=_FLOOR / 2)
     rear = ag.box(0.150, 0.030, _FLOOR - 0.006, bevel=0.006).at(0, back + 0.052, _FLOOR / 2)
     # the plate has one collider: no seam is under the bowl
-    outline = ag.regular_polygon(32, 0.80 * radius / math.cos(math.pi / 32))
     heel = _slab(0.150, 0.030, 0.58 * 0.006, 0.0, _FLOOR - 0.006).at(0, back + 0.052)
-    cover = ag.hull(ag.extrude(outline, _FLOOR - 0.006), heel).at(z=_FLOOR / 2)
+    cover = ag.hull(ag.extrude(vessels.around(0.80 * radius), _FLOOR - 0.006), heel).at(z=_FLOOR / 2)
     plate = ag.bounding_collider(ag.hull(front, rear), cover)
     wide, floor = _WIDE[lifts], _FLOOR - 0.010
     sizes = ((wide + 0.036, _DEEP + 0.020, 0.040), (wide, _DEEP - 0.008, 0.030), (wide, _DEEP, 0.030))

@@ -1,11 +1,12 @@
 """What moves in a washing machine: porthole door with its handle, drum, lid, basket and agitator."""
 
 import math
+from itertools import pairwise
 from typing import Literal
 
 import artgen as ag
 from artgen import details, feel
-from artgen.categories.shared import controls
+from artgen.categories.shared import controls, vessels
 from artgen.categories.shared.appliances import filled
 from artgen.categories.washing_machine.case import GREY, LAP, SKIN, ZINC
 from artgen.nodes.fitting import Fitting
@@ -38,6 +39,8 @@ _SECTIONS: dict[Rim, list[tuple[float, float]]] = {
     "glass": [(0, 0), (1, 0), (1, 0.80), (0.985, 0.88), (0, 0.88)],
     "solid": [(0, 0), (1, 0), (1, 0.60), (0.97, 0.80), (0.90, 0.94), (0.78, 1), (0, 1)],
 }
+# the colliders of a closed cover: shares of its thickness from the back, and of its radius
+_COVER = [(0.0, 1.0), (0.6, 1.0), (0.94, 0.95), (1.0, 0.78)]
 # the bellows from its lip in front of the panel: distance from the opening [m], depth over the whole depth
 _WAVES = [(0.003, 0.004), (0.005, 0.004), (0.005, 0.017), (-0.003, 0.031), (-0.006, 0), (-0.007, -0.09),
           (-0.004, -0.3), (-0.008, -0.42), (-0.003, -0.52), (-0.003, -0.72), (-0.010, -0.84), (-0.010, -1),
@@ -74,14 +77,14 @@ class Porthole:
         """Make the front panel around the opening, the bellows and the fixed half of the hinge."""
         x, half = self.axle.x, SKIN / 2
         # the bellows hides the edges of the hole
-        outline = place.front(radius=0.002) - ag.regular_polygon(24, self.hole + 0.001)
+        outline = place.front(radius=0.002) - ag.regular_polygon(12, self.hole + 0.002)
         plate = details.relief(outline, (0, half, 0), proud=half, sunk=half, bevel=0.0014)
         if self.lever:
             plate = plate - ag.box(0.0272, 0.1, 0.022).at(self.pivot.x + 0.0184)
         shade = GREY.with_(name="collar", base_color=(0.33, 0.33, 0.33)) if self.rim == "solid" else _RUBBER
         bellows = ag.revolve(ag.polygon([(self.hole + out, y * _BELLOWS) for out, y in _WAVES]), axis=-ag.Y)
         # under the smooth bellows is a band of few sides
-        band = ag.regular_polygon(16, self.hole + 0.0042) - ag.regular_polygon(16, self.hole + 0.0024)
+        band = ag.regular_polygon(12, self.hole + 0.0060) - ag.regular_polygon(12, self.hole + 0.0042)
         sleeve = ag.extrude(band, _BELLOWS - 0.004, axis=ag.Y).at(y=_BELLOWS / 2)
         foot = ag.Region((x - 0.010, x + 0.008), (self.axle.y, LAP), (-0.031, 0.031))
         mount = ag.box(0.022, 0.0021, 0.096, bevel=0.0006).at(x, -0.00055)
@@ -103,14 +106,18 @@ class Porthole:
             wide, thick = self.radius - less - start, _THICK - 2 * less
             outline = [(start + r * wide, less / 2 + thick * y) for r, y in _SECTIONS[self.rim]]
             made = ag.revolve(ag.polygon(outline), axis=-ag.Y, sides=sides).at(y=-_GAP)
-            made = ag.bounding_collider(made) if solid else made
+            made = ag.bounding_collider(made, *covers) if solid else made
             return made - slot if self.lever else made
 
+        turns = [(vessels.around(wide * self.radius), _GAP + share * _THICK) for share, wide in _COVER]
+        covers = [ag.loft(*zip(*ends, strict=True), axis=-ag.Y) for ends in pairwise(turns)]
         # a core with few facets, which has colliders, is inside the smooth ring
         core = turned(0.0 if solid else inner + 0.004, 0.001, 20)
         rear = self.hole - 0.050
         shape = [(0, 0.005), (self.hole - 0.023, 0.005), (rear, -bowl), (0, -bowl)]
-        inside = ag.bounding_collider(ag.revolve(ag.polygon(shape), axis=-ag.Y))
+        ends = [vessels.around(rear), vessels.around(self.hole - 0.023)]
+        cover = ag.loft(ends, [-bowl, 0.005], axis=-ag.Y)
+        inside = ag.bounding_collider(ag.revolve(ag.polygon(shape), axis=-ag.Y), cover)
         lining = GREY.with_(name="door_lining", density=180.0)
         bodies = [
             ag.part(core, "door", filled(self.ring, 300.0 if solid else 620.0, "ring"), name="door"),
@@ -166,7 +173,7 @@ class Porthole:
         """Make the drum, open at the front, with paddles: its shaft is along y."""
         low = _BELLOWS + 0.004
         deep, half, tall = rear - low, 0.038, 0.24 * radius
-        lip = ag.regular_polygon(_SIDES, radius) - ag.regular_polygon(_SIDES, self.hole - 0.004)
+        lip = ag.regular_polygon(_SIDES, radius) - ag.regular_polygon(12, self.hole)
         stuff = _DRUM.with_(name="dryer_steel", base_color=(0.66, 0.66, 0.65)) if dryer else _DRUM
         outline = [(-half, 0.004), (half, 0.004), (0.36 * half, tall), (-0.36 * half, tall)]
         fin = ag.extrude(ag.polygon(outline, radius=0.008).at(0, -radius), deep - 0.03, axis=ag.Y)
