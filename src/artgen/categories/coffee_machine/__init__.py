@@ -412,7 +412,7 @@ def _cup(radius: ag.Scalar, end: ag.Scalar, low: ag.Scalar, high: ag.Scalar, fin
     """Make a round basket about z between two heights, with paper in it and an outlet to its end below."""
     outline: vessels.Run = [(radius - 0.003, low), (radius, low + 0.003)]
     runs: list[vessels.Run] = [outline, [(radius, low + 0.003), (radius, high)]]
-    well = ag.extrude(ag.regular_polygon(14, 0.90 * radius), high).at(z=low + 0.006 + high / 2)
+    well = ag.extrude(ag.regular_polygon(10, 0.94 * radius), high).at(z=low + 0.006 + high / 2)
     skin = ag.tube(radius, radius - 0.0024, high - low - 0.0034).at(z=(low + high) / 2 + 0.0015)
     paper = ag.frustum(0.40 * radius, 0.89 * radius, high - low - 0.016) - ag.frustum(
         0.38 * radius, 0.88 * radius, high - low - 0.014
@@ -468,7 +468,7 @@ def _lifting(
         effort=4.5,  # the stiff lid holds the basket down
         needs=(hinge > 1.1).beyond(0.0004),
     )
-    well = ag.extrude(ag.regular_polygon(20, radius + 0.003), 0.3).at(z=low + 0.1475)
+    well = ag.extrude(ag.regular_polygon(12, radius + 0.0045), 0.3).at(z=low + 0.1475)
     well |= ag.box(0.024, 0.024, 0.04).at(z=low - 0.01)
     return body.install(lid).install(Fitting.moving(cup, lift, cut=well), at=(0, middle, 0))
 
@@ -652,7 +652,7 @@ def _portafilter(look: _Look, lock: ag.Scalar, torque: ag.Scalar) -> Fitting:
     """Make the group below the head with two ledges, and the portafilter with its ears over them."""
     inner, outer = _SKIRT
     low = -0.022
-    ring = ag.regular_polygon(20, outer) - ag.regular_polygon(20, inner)
+    ring = ag.regular_polygon(12, outer) - ag.regular_polygon(12, inner + 0.0006)
     skirt = ag.extrude(ring, 0.023).at(z=low + 0.0115)
     skin = ag.tube(outer + 0.0004, inner - 0.0006, 0.0225, bevel=0.001).at(z=low + 0.0115)
     ledge = ag.Region((0.0305, 0.0365), (-0.010, 0.010), (low + 0.001, low + 0.0052))
