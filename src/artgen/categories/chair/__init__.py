@@ -28,6 +28,12 @@ from artgen.categories.shared.furniture import WOODS
 Style = Literal["office", "bar", "rolling", "folding", "recliner"]
 """A chair on casters, a stool on a disc or on casters, a folding chair, or a recliner."""
 
+Arms = Literal["none", "posts", "loops"]
+"""Arms of an office chair: none, pads on posts, or closed loops."""
+
+Form = Literal["padded", "tapered", "framed"]
+"""Back of an office chair: a cushion, one that is narrow at its top, or a sheet in a frame."""
+
 _WHEEL = 0.025  # radius of a caster [m]
 _ON = 2 * _WHEEL + 0.0155  # height of the arms on their casters [m]
 _GRIP = 0.0145  # radius of the piston of a gas spring [m]
@@ -45,8 +51,21 @@ _BOARDS = ag.choice(*WOODS[:5], *colors("abs", "white graphite red"))
 _SOFT = ag.choice(
     "leather", "black_leather", "cream_leather", "velvet", "linen", *colors("fabric", "graphite sage sand")
 )
-_STOOLS = ag.choice("black_leather", "cream_leather", "leather", *colors("abs", "white black red"))
+_STOOLS = ag.choice("black_leather", "cream_leather", "leather", *colors("abs", "white sage red"))
 _BASES = ag.choice("black_abs", "aluminium", *colors("abs", "white"))
+
+
+_RANGES = {  # height and width of the seat and height of the back [m], and tilt [rad]
+    "office": ((0.42, 0.47), (0.46, 0.52), (0.45, 0.65), (0.28, 0.38)),
+    "bar": ((0.58, 0.66), (0.36, 0.42), (0.12, 0.28)),
+    "rolling": ((0.44, 0.50), (0.34, 0.40)),
+    "folding": ((0.44, 0.46), (0.34, 0.36)),
+    "recliner": ((0.43, 0.47), (0.50, 0.60), (0.58, 0.70), (0.60, 0.78)),
+}
+_HEIGHTS, _WIDTHS, _BACKS, _TILTS = (
+    {style: ag.uniform(*row[column]) for style, row in _RANGES.items() if column < len(row)}
+    for column in range(4)
+)
 
 
 @ag.category(
@@ -57,52 +76,18 @@ def chair(
     style: Style = ag.choice(
         {"office": 0.32, "bar": 0.22, "rolling": 0.12, "folding": 0.18, "recliner": 0.16}
     ),
-    height: ag.Float = ag.by(
-        "style",
-        office=ag.uniform(0.42, 0.47),
-        bar=ag.uniform(0.58, 0.66),
-        rolling=ag.uniform(0.44, 0.50),
-        folding=ag.uniform(0.44, 0.46),
-        recliner=ag.uniform(0.43, 0.47),
-        unit="m",
-        within=(0.38, 0.75),
-        doc="height of the seat",
-    ),
-    width: ag.Float = ag.by(
-        "style",
-        office=ag.uniform(0.46, 0.52),
-        bar=ag.uniform(0.36, 0.42),
-        rolling=ag.uniform(0.34, 0.40),
-        folding=ag.uniform(0.34, 0.36),
-        recliner=ag.uniform(0.50, 0.60),
-        unit="m",
-        within=(0.32, 0.65),
-        doc="width of the seat",
-    ),
+    height: ag.Float = ag.by("style", _HEIGHTS, unit="m", within=(0.38, 0.75), doc="height of the seat"),
+    width: ag.Float = ag.by("style", _WIDTHS, unit="m", within=(0.32, 0.65), doc="width of the seat"),
     tall: ag.Float = ag.by(
-        "style",
-        office=ag.uniform(0.45, 0.65),
-        bar=ag.uniform(0.12, 0.28),
-        recliner=ag.uniform(0.58, 0.70),
-        otherwise=0.3,
-        unit="m",
-        within=(0.1, 0.8),
-        doc="height of the back",
+        "style", _BACKS, otherwise=0.3, unit="m", within=(0.1, 0.8), doc="height of the back"
     ),
     travel: ag.Float = ag.uniform(0.08, 0.12, "m", within=(0.05, 0.13), doc="lift of the seat"),
-    tilt: ag.Float = ag.by(
-        "style",
-        office=ag.uniform(0.28, 0.38),
-        otherwise=ag.uniform(0.6, 0.78),
-        unit="rad",
-        within=(0.2, 0.85),
-        doc="tilt of the back",
-    ),
+    tilt: ag.Float = ag.by("style", _TILTS, otherwise=0.3, unit="rad", within=(0.2, 0.85), doc="of the back"),
     torque: ag.Float = ag.uniform(18.0, 35.0, "N m", doc="that holds the back of an office chair"),
-    arms: bool = ag.by("style", office=ag.choice({True: 0.65, False: 0.35}), otherwise=False),
-    backed: bool = ag.by(
-        "style", bar=ag.choice(True, False), otherwise=False, doc="whether a stool has a back"
-    ),
+    arms: Arms = ag.by("style", office={"posts": 0.4, "loops": 0.3, "none": 0.3}, otherwise="none"),
+    form: Form = ag.by("style", office=ag.choice("padded", "tapered", "framed"), otherwise="padded"),
+    headrest: bool = ag.by("style", office=ag.choice({True: 0.3, False: 0.7}), otherwise=False),
+    backed: bool = ag.by("style", bar=ag.choice(True, False), otherwise=False, doc="back of a stool"),
     cover: ag.Material = ag.by("style", office=_OFFICE, folding=_BOARDS, recliner=_SOFT, otherwise=_STOOLS),
     metal: ag.Material = ag.by(
         "style",
@@ -118,7 +103,7 @@ def chair(
         case "recliner":
             return _recliner(height, width, tall, tilt, cover)
         case "office":
-            seat = _office_seat(height, width, cover, arms=arms)
+            seat = _office_seat(height, width, cover, arms)
         case _:
             seat = _round_seat(height, width, tall if backed else None, cover, metal)
     base = _disc(height, metal) if style == "bar" else _star(style, metal)
@@ -134,11 +119,15 @@ def chair(
         ag.detail(skin, "column", dark),
     )
     piston = ag.cylinder_between((0, 0, low + 0.025), (0, 0, top + 0.004), _GRIP)
+    plate = ag.Region((-0.085, 0.085), (-0.105, 0.105), (top, top + 0.026)).box(bevel=0.004)
     seat = ag.weld(
-        seat, ag.part(piston, "column", ag.material("chrome").with_(name="piston", density=_PISTON))
+        seat,
+        ag.part(plate, "frame", ag.material("black_steel").with_(name="plate_steel", density=2500.0)),
+        ag.part(piston, "column", ag.material("chrome").with_(name="piston", density=_PISTON)),
     )
     if style == "office":
-        seat = _tilting(seat, height, width, tall, tilt, torque, cover)
+        back = _back(form, width - 0.05, tall, cover, headrest=headrest)
+        seat = _tilting(seat, back, height, tall, tilt, torque)
     seat = _levered(seat, width, top)
     lift = ag.Prismatic(
         "seat_lift", axis=ag.Z, limits=(0, travel), damping=400.0, friction=1.5 * seat.mass() * 9.81,
@@ -188,35 +177,27 @@ def _disc(height: ag.Scalar, metal: ag.Material) -> ag.Body:
     )
 
 
-def _plate(top: ag.Scalar) -> ag.Body:
-    """Make the plate below a seat, above the column."""
-    plate = ag.Region((-0.085, 0.085), (-0.105, 0.105), (top, top + 0.026)).box(bevel=0.004)
-    return ag.part(plate, "frame", ag.material("black_steel").with_(name="plate_steel", density=2500.0))
-
-
-def _front(cushion: ag.Solid) -> ag.Frame:
-    """Return the grasp at the front edge of a seat, from which a hand turns it."""
-    return ag.grasp_on(cushion, approach=ag.Y, closing=ag.Z, depth=0.020)
-
-
-def _office_seat(height: ag.Scalar, width: ag.Scalar, cover: ag.Material, *, arms: bool) -> ag.Body:
+def _office_seat(height: ag.Scalar, width: ag.Scalar, cover: ag.Material, arms: Arms) -> ag.Body:
     """Make the seat of an office chair with its arms."""
     soft = cover.with_(name=f"{cover.name}_cushion", density=140.0)
     shell = ag.Region.centered(width - 0.09, 0.38, 0.0).with_(z=(height - 0.060, height - 0.044))
     cushion = ag.box(width, 0.47, 0.050, bevel=0.018, crown=0.010).at(z=height - 0.025)
-    seat = ag.weld(
-        ag.part(cushion, "seat", soft, name="seat", grasp=_front(cushion)),
-        ag.part(shell.box(bevel=0.006), "seat", ag.material("black_abs")),
-        _plate(height - 0.085),
-    )
-    if not arms:
+    hold = ag.grasp_on(cushion, approach=ag.Y, closing=ag.Z, depth=0.020)  # at its front edge, to turn it
+    seat = ag.part(cushion, "seat", soft, name="seat", grasp=hold)
+    seat = ag.weld(seat, ag.part(shell.box(bevel=0.006), "seat", ag.material("black_abs")))
+    if arms == "none":
         return seat
     x = width / 2 + 0.035
     foot = ag.Region((width / 2 - 0.06, x + 0.016), (-0.03, 0.03), (height - 0.060, height - 0.046))
     post = ag.Region((x - 0.016, x + 0.016), (-0.03, 0.03), (height - 0.059, height + 0.200))
-    pad = ag.Region((x - 0.042, x + 0.042), (-0.13, 0.12), (height + 0.196, height + 0.222))
-    held, rest = foot.box(bevel=0.003) | post.box(bevel=0.006), pad.box(bevel=0.010)
-    sides = [[each, each.mirror(ag.X)] for each in (held, rest)]
+    if arms == "posts":
+        pad = ag.Region((x - 0.042, x + 0.042), (-0.13, 0.12), (height + 0.196, height + 0.222))
+        made = [foot.box(bevel=0.003) | post.box(bevel=0.006), pad.box(bevel=0.010)]
+    else:
+        loop = post.grow(y=0.10).with_(z=(height - 0.060, height + 0.215))
+        hole = loop.shrink(y=0.028, z=0.028).grow(x=0.1)
+        made = [foot.box(bevel=0.003), loop.box(bevel=0.006) - hole.box()]
+    sides = [[each, each.mirror(ag.X)] for each in made]
     return ag.weld(seat, *(ag.part(each, "arm", ag.material("black_abs")) for each in sides))
 
 
@@ -227,40 +208,58 @@ def _round_seat(
     hard = cover.name.startswith("abs")
     # hard ones are shells of two walls of 4 mm, soft ones foam [kg/m3]
     soft = cover.with_(name=f"{cover.name}_stool", density=300.0 if hard else 180.0)
+    pads, frame = [], []
     if back is None:
         thick = 0.030 if hard else 0.052
         cushion = ag.cylinder(width / 2, thick, bevel=0.45 * thick).at(z=height - thick / 2)
         board = ag.cylinder(width / 2 - 0.03, 0.061 - thick).at(z=height - (0.061 + thick) / 2 + 0.002)
-        seat = ag.part(cushion, "seat", soft, name="seat", grasp=_front(cushion))
     else:
         thick = 0.045
         cushion = ag.box(width, width - 0.02, thick, bevel=0.016, crown=0.006).at(z=height - thick / 2)
         board = ag.box(width - 0.06, width - 0.08, 0.018, bevel=0.004).at(z=height - thick - 0.007)
         rest = ag.box(width - 0.02, 0.035, back, bevel=0.015)
-        rest = rest.rotate(ag.X, -0.12).at(y=width / 2 + 0.03, z=height + 0.10 + back / 2)
-        post = ag.hull(
-            ag.box(0.032, 0.02, 0.010).at(0, 0.3 * width, height - thick - 0.008),
-            ag.box(0.032, 0.010, 0.010).at(0, width / 2 + 0.022, height - thick - 0.006),
-        )
-        rise = ag.hull(
-            ag.box(0.032, 0.010, 0.010).at(0, width / 2 + 0.022, height - thick - 0.006),
-            ag.box(0.032, 0.010, 0.010).at(0, width / 2 + 0.030, height + 0.14),
-        )
-        seat = ag.weld(
-            ag.part([cushion, rest], "seat", soft, name="seat", grasp=_front(cushion)),
-            ag.part([post, rise], "frame", casting(metal, 0.5)),
-        )
-    return ag.weld(seat, ag.part(board, "seat", ag.material("plywood")), _plate(height - 0.075))
+        pads = [rest.rotate(ag.X, -0.12).at(y=width / 2 + 0.03, z=height + 0.10 + back / 2)]
+        knot = ag.box(0.032, 0.010, 0.010)
+        knee = knot.at(0, width / 2 + 0.022, height - thick - 0.006)
+        post = ag.hull(ag.box(0.032, 0.02, 0.010).at(0, 0.3 * width, height - thick - 0.008), knee)
+        rise = ag.hull(knee, knot.at(0, width / 2 + 0.030, height + 0.14))
+        frame = [ag.part([post, rise], "frame", casting(metal, 0.5))]
+    hold = ag.grasp_on(cushion, approach=ag.Y, closing=ag.Z, depth=0.020)
+    seat = ag.part([cushion, *pads], "seat", soft, name="seat", grasp=hold)
+    return ag.weld(seat, ag.part(board, "seat", ag.material("plywood")), *frame)
+
+
+def _back(form: Form, wide: ag.Scalar, tall: ag.Scalar, cover: ag.Material, *, headrest: bool) -> ag.Body:
+    """Make the back of an office chair about its middle, with its headrest."""
+    soft, black = (
+        cover.with_(name=f"{cover.name}_back", density=110.0),
+        casting(ag.material("black_abs"), 1.2),
+    )
+    long, at = (tall - 0.14, -0.07) if headrest else (tall, 0.0)
+    thick, bevel, crown = (0.026, 0.010, 0.0) if form == "framed" else (0.044, 0.018, 0.008)
+    pad = ag.box(wide, thick, long, bevel=bevel, crown=crown).at(z=at)
+    if form == "tapered":
+        low = ag.box(wide, thick, 0.5 * long, bevel=0.016).at(z=at - 0.25 * long)
+        pad = ag.hull(low, ag.box(0.72 * wide, 0.036, 0.09, bevel=0.016).at(z=at + long / 2 - 0.045))
+    head = ag.box(0.27, 0.050, 0.11, bevel=0.018).at(z=tall / 2 - 0.055)
+    hold = ag.grasp_on(head if headrest else pad, approach=-ag.Z, closing=ag.Y, depth=0.030)
+    own = () if headrest else (hold,)
+    if form == "framed":
+        spine = ag.box(0.048, 0.018, long - 0.10, bevel=0.004).at(y=0.010, z=at)
+        sheet = ag.box(wide - 0.066, 0.008, long - 0.066).at(z=at)
+        ring = pad - ag.box(wide - 0.07, 0.1, long - 0.07).at(z=at)
+        back = ag.part([ring, spine], "frame", black, name="back", grasp=own)
+        back = ag.weld(back, ag.part(sheet, "back", soft))
+    else:
+        back = ag.part(pad, "back", soft, name="back", grasp=own)
+    if headrest:
+        stem = ag.box(0.050, 0.014, 0.10, bevel=0.003).at(y=0.004, z=tall / 2 - 0.12)
+        back = ag.weld(back, ag.part(head, "back", soft, grasp=hold), ag.part(stem, "frame", black))
+    return back
 
 
 def _tilting(
-    seat: ag.Body,
-    height: ag.Scalar,
-    width: ag.Scalar,
-    tall: ag.Scalar,
-    tilt: ag.Scalar,
-    torque: ag.Scalar,
-    cover: ag.Material,
+    seat: ag.Body, back: ag.Body, height: ag.Scalar, tall: ag.Scalar, tilt: ag.Scalar, torque: ag.Scalar
 ) -> ag.Body:
     """Join a back to a seat that tilts about an axis under its rear, against a spring."""
     low, y = height - 0.105, 0.15  # of the axis
@@ -274,18 +273,11 @@ def _tilting(
     ears = [ag.Region((x - 0.006, x + 0.006), *side).box(bevel=0.002) for x in (-0.042, 0.042)]
     bridge = ag.Region((-0.06, 0.06), (0.09, y - 0.030), (height - 0.082, height - 0.059)).box(bevel=0.002)
     seat = ag.weld(seat, ag.part([*ears, bridge], "frame", black))
-    mesh = cover.with_(name=f"{cover.name}_back", density=110.0)
-    rest = ag.box(width - 0.05, 0.044, tall, bevel=0.018, crown=0.008)
-    rest = rest.rotate(ag.X, -0.06).at(y=0.278, z=height + 0.16 + tall / 2)
-    hold = ag.grasp_on(rest, approach=-ag.Z, closing=ag.Y, depth=0.030)
-    back = ag.weld(
-        ag.part(rest, "back", mesh, grasp=hold, name="back"),
-        ag.part([bar.box(bevel=0.004), post], "frame", casting(black, 1.2)),
-    )
-    spring = ag.Spring(preload=0.4 * torque, force=torque)
+    support = ag.part([bar.box(bevel=0.004), post], "frame", casting(black, 1.2))
+    back = ag.weld(back.rotate(ag.X, -0.06).at(y=0.278, z=height + 0.16 + tall / 2), support)
     turn = ag.Revolute(
-        "back_tilt", axis=-ag.X, pivot=(0, y, low), limits=(0, tilt), spring=spring, damping=3.0,
-        friction=0.5, effort=120.0,
+        "back_tilt", axis=-ag.X, pivot=(0, y, low), limits=(0, tilt), damping=3.0, friction=0.5, effort=120.0,
+        spring=ag.Spring(preload=0.4 * torque, force=torque),
     )  # fmt: skip
     return seat.attach(back, turn)
 
@@ -343,12 +335,12 @@ def _folding(height: ag.Scalar, cover: ag.Material, metal: ag.Material) -> ag.Bo
     )
     low = rear + (legs_at - rear) * 0.25
     beside = legs_at + (rear - legs_at) * 0.09
+    bars = [*both(rear, legs_at, 0.010, _INNER), *both(legs_at, legs_at, 0.007, _INNER, 0.1935)]
+    bars += [ag.cylinder_between(low - ag.X * _INNER, low + ag.X * _INNER, 0.008)]
+    bars += both(legs_pin, legs_pin, 0.005, _INNER, 0.1690)
+    bars += plates(beside, legs_pin, 0.008, _INNER - 0.003, _INNER + 0.003)
     legs = ag.weld(
-        ag.part(both(rear, legs_at, 0.010, _INNER), "leg", steel, name="legs"),
-        ag.part(ag.cylinder_between(low - ag.X * _INNER, low + ag.X * _INNER, 0.008), "leg", steel),
-        ag.part(plates(beside, legs_pin, 0.008, _INNER - 0.003, _INNER + 0.003), "leg", steel),
-        ag.part(both(legs_at, legs_at, 0.007, _INNER, 0.1935), "leg", steel),
-        ag.part(both(legs_pin, legs_pin, 0.005, _INNER, 0.1690), "leg", steel),
+        ag.part(bars, "leg", steel, name="legs"),
         ag.part([ag.sphere(0.012).at(rear + ag.X * s) for s in (-_INNER, _INNER)], "foot", rubber),
     )
     pairs = ((legs_pin, 0.1612, 0.1626), (seat_pin, 0.1684, 0.1699))
@@ -385,10 +377,8 @@ def _recliner(
     box = ag.Region((-half - 0.01, half + 0.01), (-0.36, 0.30), (0.10, height - 0.16))
     cushion = ag.box(width, 0.60, 0.15, bevel=0.045, crown=0.02).at(0, -0.12, height - 0.085)
     arms = [arm.box(bevel=0.03), pad.box(bevel=0.022)]
-    feet = ag.array(
-        ag.cylinder(0.024, 0.06, bevel=0.003).at(z=0.03),
-        at=[(x, y, 0) for x in (-half - 0.08, half + 0.08) for y in (-0.37, 0.30)],
-    )
+    places = [(x, y, 0) for x in (-half - 0.08, half + 0.08) for y in (-0.37, 0.30)]
+    feet = ag.array(ag.cylinder(0.024, 0.06, bevel=0.003).at(z=0.03), at=places)
     base = ag.weld(
         ag.part([*arms, *(each.mirror(ag.X) for each in arms)], "arm", soft, name="base"),
         ag.part(box.box(bevel=0.004), "frame", wood),
@@ -405,8 +395,7 @@ def _recliner(
         "back_tilt", axis=-ag.X, pivot=(0, y, low), limits=(0, tilt), damping=8.0, friction=14.0, effort=120.0
     )
     board = ag.Region((-half + 0.02, half - 0.02), (-0.475, -0.442), (0.12, height - 0.045))
-    panel = board.box(bevel=0.014)
-    footrest = ag.part(panel, "footrest", soft, name="footrest")
+    footrest = ag.part(board.box(bevel=0.014), "footrest", soft, name="footrest")
     rise = ag.Revolute(
         "footrest_turn", axis=-ag.X, pivot=(0, -0.444, height - 0.050), follows=1.8 * recline, damping=2.0
     )
