@@ -84,7 +84,7 @@ class Porthole:
         shade = GREY.with_(name="collar", base_color=(0.33, 0.33, 0.33)) if self.rim == "solid" else _RUBBER
         bellows = ag.revolve(ag.polygon([(self.hole + out, y * _BELLOWS) for out, y in _WAVES]), axis=-ag.Y)
         # under the smooth bellows is a band of few sides
-        band = ag.regular_polygon(12, self.hole + 0.0060) - ag.regular_polygon(12, self.hole + 0.0042)
+        band = ag.regular_polygon(12, self.hole + 0.0052) - ag.regular_polygon(12, self.hole + 0.0034)
         sleeve = ag.extrude(band, _BELLOWS - 0.004, axis=ag.Y).at(y=_BELLOWS / 2)
         foot = ag.Region((x - 0.010, x + 0.008), (self.axle.y, LAP), (-0.031, 0.031))
         mount = ag.box(0.022, 0.0021, 0.096, bevel=0.0006).at(x, -0.00055)
