@@ -147,12 +147,18 @@ def toilet(
     opened, place = math.pi / 2 + lean, (0, 0, rim + _HINGE_Z)
     leaf = glaze.with_(name="seat_plastic", density=1500.0) if seat.name == _UREA.name else seat
     hinge = feel.Feel(damping=2.0 if slow else 0.15, friction=0.05, effort=15.0)
-    soft = feel.soft_closing(_DAMPED, damping=6.5) if slow else None
-    lift = ag.Revolute("lid_hinge", axis=-ag.X, limits=(0, opened), feel=hinge, closing=soft)
-    body = body.attach(_lid(plan, leaf), lift, at=place)
+    lid, ring = _lid(plan, leaf), _seat(plan, leaf)
+    # a damper for the weight: both close in four to seven seconds, of wood as of heavier resin
+    brakes = [
+        feel.soft_closing(_DAMPED, damping=1.3 * each.mass() * 9.81 * length) if slow else None
+        for each in (lid, ring)
+    ]
+    lift = ag.Revolute("lid_hinge", axis=-ag.X, limits=(0, opened), feel=hinge, closing=brakes[0])
     top = opened - 0.03
-    rise = ag.Revolute("seat_hinge", axis=-ag.X, limits=(0, top), feel=hinge, needs=lift > top, closing=soft)
-    return body.attach(_seat(plan, leaf), rise, at=place)
+    rise = ag.Revolute(
+        "seat_hinge", axis=-ag.X, limits=(0, top), feel=hinge, needs=lift > top, closing=brakes[1]
+    )
+    return body.attach(lid, lift, at=place).attach(ring, rise, at=place)
 
 
 def _bowl(plan: _Plan) -> ag.Body:
@@ -162,10 +168,9 @@ def _bowl(plan: _Plan) -> ag.Body:
         case "coupled":
             end = plan.wall + plan.deep - 0.02
             pan = plan.pan([(0.58, 0.70), (0.88, 0.92)], [rim - 0.23, rim - 0.12], 0.035, 0.86)
-            foot = [
-                plan.ring(*shares, end - 0.05, 0.9) for shares in ((0.70, 0.68), (0.55, 0.58), (0.50, 0.55))
-            ]
-            stem = ag.loft(foot[:2], [0, 0.08]) | ag.loft(foot[1:], [0.08, rim - 0.20])
+            shares = ((0.70, 0.68), (0.625, 0.63), (0.55, 0.58), (0.50, 0.55))
+            foot = [plan.ring(*share, end - 0.05, 0.9) for share in shares]
+            stem = ag.loft(foot[:3], [0, 0.04, 0.08]) | ag.loft(foot[2:], [0.08, rim - 0.20])
             under = ag.box(0.9 * half, end - 0.06, 0.02, bevel=0.009).align((0, 0, rim - 0.21), y=-1)
             shelf = ag.Region((-0.72 * half, 0.72 * half), (-0.02, end), (rim - 0.06, rim - 0.003))
             rest = [stem, ag.hull(shelf.box(bevel=0.012), under)]
@@ -173,8 +178,7 @@ def _bowl(plan: _Plan) -> ag.Body:
             end = plan.wall + plan.deep - 0.02
             pan, rest = plan.pan([(0.86, 0.84)], [0.0], end, 0.95), []
         case "hung":
-            shares = [(0.66, 0.70), (0.92, 0.95)]
-            pan, rest = plan.pan(shares, [rim - 0.33, rim - 0.2], end, 0.93), []
+            pan, rest = plan.pan([(0.66, 0.70), (0.92, 0.95)], [rim - 0.33, rim - 0.2], end, 0.93), []
     length = plan.length - _OVERHANG
     bends = [plan.hole(share, length, 0.047, 16) for share in (0.42, 0.86, 1.0, 1.0)]
     hollow = ag.loft(bends, [rim - 0.19, rim - 0.12, rim - _BRIM, rim + 0.01])
