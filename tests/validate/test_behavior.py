@@ -112,6 +112,12 @@ def bolted(*, blocks: bool = True, needs: Callable[..., Any] | None = None, **op
 # what behaves
 
 
+def test_a_heavy_drum_without_stops_is_driven_both_ways() -> None:
+    drum = part(cylinder(0.25, 0.1, axis=Y).at(0.0, -0.2, 0.45), "drum", STEEL)
+    spin = Revolute("spin", axis=Y, pivot=(0.0, 0.0, 0.45), friction=0.2, damping=0.02, effort=40.0)
+    assert checked(part(post(), "post", OAK).attach(drum, spin)).findings == ()
+
+
 def test_a_drawer_that_runs_gives_no_finding():
     result = checked(shell().attach(part(drawer(), "drawer", OAK), slide()))
     assert result == CheckResult("behavior", (), "released in 3 poses; 1 joints driven")

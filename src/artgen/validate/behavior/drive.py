@@ -116,10 +116,10 @@ def _driven(simulation: Simulation, motion: JointMotion) -> Iterator[Finding]:
         yield joint_finding(motion.joint, message, hint)
         return
     closed = motion.joint.closed
-    begin = True
+    begin, start = True, state
     for end in sorted(motion.limits, key=lambda end: -abs(end - closed)):
         if begin:
-            simulation.begin(state, f"{motion.name} is driven")
+            simulation.begin(start, f"{motion.name} is driven")
         try:
             found = _travel(simulation, motion, servos(simulation, state), end)
         except UnstableError:
@@ -127,6 +127,8 @@ def _driven(simulation: Simulation, motion: JointMotion) -> Iterator[Finding]:
         begin = found is not None
         if found is not None:
             yield found
+        elif motion.joint.limits is None:  # no stop catches it, so that it comes back from rest
+            begin, start = True, {**state, motion.name: end}
     if motion.stiffness > 0.0:
         yield from _release(simulation, motion, state)
     if motion.joint.closing is not None:
