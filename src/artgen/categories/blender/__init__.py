@@ -157,6 +157,12 @@ def _seat(body: ag.Body, jug: ag.Body, high: ag.Scalar) -> ag.Body:
     return body.attach(jug, lift, turn, at=(0, 0, high))
 
 
+def _chamfered(half: ag.Scalar, cut: float) -> ag.Profile:
+    """Make a square with chamfered corners."""
+    side = [(half, cut - half), (half, half - cut), (half - cut, half), (cut - half, half)]
+    return ag.polygon([*side, *((-x, -y) for x, y in side)])
+
+
 def _base(
     style: Style,
     width: ag.Scalar,
@@ -178,10 +184,10 @@ def _base(
             ag.box(2 * wide, 2 * wide, 0.030, bevel=0.012).at(z=shoulder - 0.010),
             ag.cylinder(top, 0.012, bevel=0.003).at(z=high - 0.006),
         )
-        side = [(wide, cut - wide), (wide, wide - cut), (wide - cut, wide), (cut - wide, wide)]
-        foot = ag.extrude(ag.polygon([*side, *((-x, -y) for x, y in side)]), 0.030).at(z=shoulder - 0.010)
+        foot = ag.extrude(_chamfered(wide, cut), 0.030 - cut).at(z=shoulder - 0.010 - cut / 2)
+        edge = ag.extrude(_chamfered(wide - cut, (math.sqrt(2) - 1) * cut), 0.001).at(z=shoulder + 0.0045)
         deck = ag.extrude(vessels.around(top), 0.001).at(z=high - 0.0005)
-        solids = [lower, ag.bounding_collider(taper, ag.hull(foot, deck))]
+        solids = [lower, ag.bounding_collider(taper, ag.hull(foot, edge, deck))]
     else:
         cone = ag.frustum(radius, top, high - 0.006, bevel=0.005).at(z=0.003 + high / 2)
         solids = [

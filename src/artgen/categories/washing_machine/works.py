@@ -39,8 +39,6 @@ _SECTIONS: dict[Rim, list[tuple[float, float]]] = {
     "glass": [(0, 0), (1, 0), (1, 0.80), (0.985, 0.88), (0, 0.88)],
     "solid": [(0, 0), (1, 0), (1, 0.60), (0.97, 0.80), (0.90, 0.94), (0.78, 1), (0, 1)],
 }
-# the colliders of a closed cover: shares of its thickness from the back, and of its radius
-_COVER = [(0.0, 1.0), (0.6, 1.0), (0.94, 0.95), (1.0, 0.78)]
 # the bellows from its lip in front of the panel: distance from the opening [m], depth over the whole depth
 _WAVES = [(0.003, 0.004), (0.005, 0.004), (0.005, 0.017), (-0.003, 0.031), (-0.006, 0), (-0.007, -0.09),
           (-0.004, -0.3), (-0.008, -0.42), (-0.003, -0.52), (-0.003, -0.72), (-0.010, -0.84), (-0.010, -1),
@@ -106,11 +104,12 @@ class Porthole:
             wide, thick = self.radius - less - start, _THICK - 2 * less
             outline = [(start + r * wide, less / 2 + thick * y) for r, y in _SECTIONS[self.rim]]
             made = ag.revolve(ag.polygon(outline), axis=-ag.Y, sides=sides).at(y=-_GAP)
-            made = ag.bounding_collider(made, *covers) if solid else made
+            if solid:  # one collider for each step of its section
+                rings = [(vessels.around(r), _GAP + y) for r, y in outline[1:-1]]
+                steps = (ag.loft(*zip(*ends, strict=True), axis=-ag.Y) for ends in pairwise(rings))
+                made = ag.bounding_collider(made, *steps)
             return made - slot if self.lever else made
 
-        turns = [(vessels.around(wide * self.radius), _GAP + share * _THICK) for share, wide in _COVER]
-        covers = [ag.loft(*zip(*ends, strict=True), axis=-ag.Y) for ends in pairwise(turns)]
         # a core with few facets, which has colliders, is inside the smooth ring
         core = turned(0.0 if solid else inner + 0.004, 0.001, 20)
         rear = self.hole - 0.050
