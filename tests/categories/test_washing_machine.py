@@ -9,6 +9,7 @@ from manifold3d import Manifold
 
 from artgen.asset import Asset
 from artgen.catalog import find
+from artgen.errors import InfeasibleError
 
 
 @lru_cache(maxsize=8)
@@ -73,3 +74,10 @@ def test_an_agitator_turns_in_its_basket() -> None:
     assert turn.limits is None
     assert spin.limits is None
     assert np.allclose(turn.axis, spin.axis)
+
+
+def test_a_console_refuses_buttons_beyond_its_end() -> None:
+    given: dict[str, Any] = {"kind": "dryer", "size": "full", "drawer": True, "dials": 2, "show": "2:10"}
+    with pytest.raises(InfeasibleError, match="need a wider console"):
+        made(1, buttons=6, **given)
+    assert sum(link.name.startswith("button") for link in made(1, buttons=2, **given).links) == 2

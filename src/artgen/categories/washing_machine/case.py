@@ -23,6 +23,7 @@ _FOOT = 0.014  # height of the feet [m]
 _REVEAL = 0.0016  # joint between front, console, drawer and kick plate [m]
 _BEHIND = 0.030  # depth of the recess for hoses at the back [m]
 _PITCH = 0.0215  # distance between buttons: a finger 18 mm wide does not touch the neighbors [m]
+_CROWDED = "dials, display and buttons need a wider console: fewer dials or buttons, or show=''"
 _ICONS = ("power", "thermometer", "spin", "rinse", "timer", "child_lock", "leaf", "start_pause")
 _BLACK = ag.material("black_abs")
 _TRAY = GREY.with_(name="tray_plastic")
@@ -100,7 +101,10 @@ def console(
     (show, color), (count, shape, cap, force) = screen, keys
     zones = place.shrink(x=0.014).across(0.096 * len(dials), 0.092 if show else 0.0, None, gap=0.006)
     left, middle, right = (each.x for each in zones)
-    row, ink = controls.ButtonRow(count, shape, _PITCH, right.mid), controls.ink_on(pane or finish)
+    # at most 12 mm of a row stand out at either end of its zone, before they reach the display or the side
+    fits = right.size + 0.024 > (count - 1) * _PITCH + 0.0155
+    row = controls.ButtonRow(count, shape, _PITCH, ag.require(right.mid, fits, _CROWDED))
+    ink = controls.ink_on(pane or finish)
     channel, high, over = row.channel(place), row.size[1], -controls.PANE
     behind = channel.grow(LAP).with_(y=(controls.CAP_DEEP + 0.0042, place.y.high))
     boards = [each.box() for each in (*place.around(channel, lap=LAP), behind)]
