@@ -7,6 +7,7 @@ import pytest
 
 from artgen.asset import Asset
 from artgen.catalog import find
+from artgen.validate.hands import check_grasps
 
 GIVEN = {"filter": {"basket": "lift"}}
 
@@ -55,3 +56,8 @@ def test_a_tank_lifts_off_with_its_lid() -> None:
 def test_masses_are_those_of_shops_with_water_and_coffee(style: str, mass: tuple[float, float]) -> None:
     asset = made({"filter": 2, "capsule": 4, "espresso": 3}[style], style=style, **GIVEN.get(style, {}))
     assert mass[0] < asset.mass < mass[1]
+
+
+def test_a_hand_takes_the_basket_of_the_shallowest_machine_under_its_lid() -> None:
+    asset = made(28, style="filter", basket="lift", opens=1.36, depth=0.236)
+    assert check_grasps(asset).faults == ()

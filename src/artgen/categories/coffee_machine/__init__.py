@@ -137,7 +137,7 @@ def coffee_machine(
     belly: ag.Float = ag.uniform(0.30, 0.55, doc="height of the widest place of a jug, as a share"),
     narrow: ag.Float = ag.uniform(0.74, 0.88, doc="radius of the rim of a jug, as a share of the largest"),
     swing: ag.Float = ag.uniform(1.35, 1.7, "rad", doc="angle of a lever or of a basket that swings"),
-    opens: ag.Float = ag.uniform(1.25, 1.45, "rad", doc="angle of the open lid of the tank"),
+    opens: ag.Float = ag.uniform(1.36, 1.50, "rad", doc="angle of the open lid of the tank"),
     lock: ag.Float = ag.uniform(0.80, 1.0, "rad", doc="turn of a portafilter"),
     torque: ag.Float = ag.by(
         "style",
