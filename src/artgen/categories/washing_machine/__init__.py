@@ -109,16 +109,12 @@ def washing_machine(
     ),
     porthole: ag.Float = ag.uniform(0.30, 0.345, doc="radius of a door over the width", within=(0.28, 0.36)),
     bowl: ag.Float = ag.uniform(0.060, 0.085, "m", doc="depth of the glass bowl", within=(0.04, 0.10)),
-    lever: bool = ag.by(
-        "kind", dryer=_odds(0.25), otherwise=_odds(0.7), doc="hook that only the handle frees"
-    ),
+    lever: bool = ag.by("kind", dryer=_odds(0.25), otherwise=_odds(0.7), doc="the handle frees a hook"),
     swing: ag.Float = ag.uniform(1.95, 2.80, "rad", doc="range of a door", within=(1.4, 2.85)),
     lid_swing: ag.Float = ag.uniform(1.62, 1.72, "rad", doc="range of a lid", within=(1.3, 1.75)),
     pull: ag.Float = ag.uniform(4.0, 9.0, "N", doc="force at the edge that moves a door"),
     glazed: bool = ag.choice(_odds(0.6), doc="window in a lid"),
-    agitator: bool = ag.by(
-        "size", wide=_odds(0.7), otherwise=_odds(0.15), doc="agitator in a basket, or else a low impeller"
-    ),
+    agitator: bool = ag.by("size", wide=_odds(0.7), otherwise=_odds(0.15), doc="or a low impeller"),
     backsplash: ag.Float = ag.by(
         "size",
         wide=ag.uniform(0.15, 0.18),

@@ -119,8 +119,7 @@ class Porthole:
         core = turned(0.0 if solid else inner + 0.004, 0.001, 20)
         rear = self.hole - 0.050
         shape = [(0, 0.005), (self.hole - 0.023, 0.005), (rear, -bowl), (0, -bowl)]
-        ends = [vessels.around(rear), vessels.around(self.hole - 0.023)]
-        cover = ag.loft(ends, [-bowl, 0.005], axis=-ag.Y)
+        cover = ag.loft([vessels.around(rear), vessels.around(self.hole - 0.023)], [-bowl, 0.005], axis=-ag.Y)
         inside = ag.bounding_collider(ag.revolve(ag.polygon(shape), axis=-ag.Y), cover)
         lining = GREY.with_(name="door_lining", density=180.0)
         bodies = [
@@ -261,21 +260,17 @@ class TopLoader:
         balance = ag.detail(ring.at(z=deep - 0.027), "drum", GREY.with_(name="balance_ring"))
         basket = ag.weld(_drum(radius, deep, _DRUM, _HOLES), balance)
         tall, skirt, vanes = (0.80 * deep, 0.60 * radius, 4) if agitator else (0.055, 0.74 * radius, 6)
-        color = ag.colored("polypropylene", "white" if agitator else "silver")
-        color = color.with_(name="agitator_plastic")
+        color = ag.colored("polypropylene", "white" if agitator else "silver").with_(name="agitator_plastic")
         rise = 0.30 * deep if agitator else 0.022
         vane = ag.hull(
             ag.box(0.62 * skirt, 0.012, 0.01, bevel=0.003).at(0.62 * skirt, 0, 0.009 + 0.030),
             ag.box(0.25 * skirt, 0.010, 0.01, bevel=0.003).at(0.40 * skirt, 0, 0.009 + 0.030 + rise),
         )
-        solids = [
-            ag.frustum(skirt, 0.6 * skirt, 0.034, bevel=0.006).at(z=0.009 + 0.017),
-            *(vane.rotate(ag.Z, math.tau * turn / vanes) for turn in range(vanes)),
-        ]
+        solids = [ag.frustum(skirt, 0.6 * skirt, 0.034, bevel=0.006).at(z=0.009 + 0.017)]
+        solids += [vane.rotate(ag.Z, math.tau * turn / vanes) for turn in range(vanes)]
         seen = []
         if agitator:
-            post = ag.frustum(0.075, 0.052, tall - 0.02, bevel=0.010)
-            solids.append(post.at(z=0.009 + tall / 2 + 0.01))
+            solids.append(ag.frustum(0.075, 0.052, tall - 0.02, bevel=0.010).at(z=0.009 + tall / 2 + 0.01))
             flight = ag.sweep(ag.circle(0.010), ag.helix(0.062, 0.16, 1.6)).at(z=0.009 + 0.62 * tall)
             cap = ag.cylinder(0.050, 0.012, bevel=0.005).at(z=0.009 + tall + 0.004)
             seen = [ag.detail([flight, cap], "agitator", color)]
