@@ -190,13 +190,13 @@ def _flat(
     point = [(0.25 * end, reach), (0.8 * end, reach - 0.25 * end), (1.1 * end, reach - 1.2 * end)]
     back = [(0.62 * radius, 0.70 * reach) if style != "snips" else (0.5 * radius, 0.6 * reach)]
     back += [(0.93 * radius, 0.30 * reach), (0.95 * radius, 0.25 * radius)]
-    root, end_of_back = (-0.6 * radius, 0.5 * radius), (0.0, -0.3 * radius)
+    root: list[tuple[ag.Scalar, ag.Scalar]] = [(-0.6 * radius, 0.5 * radius), (0.0, -0.3 * radius)]
     lapped = ag.extrude(ag.regular_polygon(20, radius), plate)
     if drilled:
         lapped -= ag.extrude(pivots.rivet_hole(0.32 * radius), 0.02)
         # the blade begins beside the hole
-        root, end_of_back = (-0.6 * radius, 0.55 * radius), (0.6 * radius, 0.5 * radius)
-    outline = ag.polygon([root, *edge, *point, *back, end_of_back])
+        root = [(-0.6 * radius, 0.55 * radius), (0.6 * radius, 0.5 * radius)]
+    outline = ag.polygon([root[0], *edge, *point, *back, root[1]])
     wing = radius + 0.0015
     tang = [(-0.90 * radius, -0.30 * radius), (-_APART - 0.0075, -wing), (-_APART - 0.0065, -wing - 0.014)]
     tang += [(-_APART - 0.0010, -wing - 0.014), (-_APART - 0.0004, -wing), (0.10 * radius, -0.70 * radius)]

@@ -19,6 +19,7 @@ import functools
 import itertools
 import math
 import operator
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -278,7 +279,7 @@ def _past(start: Point, end: Point) -> Point:
     return (1.004 * end[0] - 0.004 * start[0], 1.004 * end[1] - 0.004 * start[1])
 
 
-def _between(inner: Points, outer: Points, first: int, last: int) -> ag.Profile:
+def _between(inner: Sequence[Point], outer: Sequence[Point], first: int, last: int) -> ag.Profile:
     """Make the section of a wall between two corners of its inside and of its outside."""
     ends = [_past(inner[first], inner[last]), _past(outer[first], outer[last])]
     return ag.polygon([inner[first], *ends, outer[first]])
@@ -293,7 +294,7 @@ def _shell(levels: list[tuple[Points, Points, ag.Scalar]], hole: float, thick: f
     for (inner, outer, low), (within, without, high) in itertools.pairwise(levels):
         for first in range(len(inner)):
             last = (first + 1) % len(inner)
-            rims = [_between(*level, first, last) for level in ((inner, outer), (within, without))]
+            rims = [_between(*each, first, last) for each in ((inner, outer), (within, without))]
             pieces.append(ag.hull(ag.loft(rims, [low - 0.0004, high])))
     inner, outer, floor = levels[0]
     quarter, diagonal = len(inner) // 4, hole * math.sqrt(2)
@@ -550,7 +551,7 @@ def _pedestal(plan: _Plan, low: ag.Scalar, y: ag.Scalar) -> ag.Body:
     ]
     panels = []
     for first, last in itertools.pairwise(range(len(rings[0][0]))):
-        ends = [_between(*ring, first, last) for ring in rings]
+        ends = [_between(inner, outer, first, last) for inner, outer in rings]
         panels.append(ag.hull(ag.loft(ends, [levels[0] + 0.0005, levels[-1] - 0.0005])).at(0, y))
     return ag.weld(
         ag.part(panels, "pedestal", casting(plan.shell, 0.8)),

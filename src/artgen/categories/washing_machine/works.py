@@ -111,7 +111,7 @@ class Porthole:
             made = ag.revolve(ag.polygon(outline), axis=-ag.Y, sides=sides).at(y=-_GAP)
             if solid:  # one collider for each step of its section
                 rings = [(vessels.around(r), _GAP + y) for r, y in outline[1:-1]]
-                steps = (ag.loft(*zip(*ends, strict=True), axis=-ag.Y) for ends in pairwise(rings))
+                steps = (ag.loft([a, b], [low, high], axis=-ag.Y) for (a, low), (b, high) in pairwise(rings))
                 made = ag.bounding_collider(made, *steps)
             return made - slot if self.lever else made
 
