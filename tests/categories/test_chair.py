@@ -11,6 +11,7 @@ import pytest
 
 from artgen.asset import Asset
 from artgen.catalog import find
+from artgen.validate.hands import check_grasps
 
 
 @lru_cache(maxsize=8)
@@ -104,3 +105,14 @@ def test_casters_of_an_office_chair_stand_on_the_floor() -> None:
     for wheel in wheels:
         assert wheel.bounds()[0, 2] == pytest.approx(0.0, abs=1e-4)
     assert 10.0 < asset.mass < 20.0
+
+
+@pytest.mark.parametrize("form", ["padded", "tapered", "framed"])
+@pytest.mark.parametrize(("headrest", "arms"), [(True, "loops"), (False, "posts")])
+def test_a_hand_tilts_every_back_at_its_top(form: str, arms: str, *, headrest: bool) -> None:
+    asset = made(4, style="office", form=form, headrest=headrest, arms=arms, tall=0.6)
+    assert check_grasps(asset).faults == ()
+    (hold,) = asset.link("back").grasps
+    top = asset.link("back").bounds()[1, 2]
+    assert top - 0.04 < hold.frame[2, 3] < top
+    assert top == pytest.approx(asset.parameters["height"] + 0.16 + 0.6, abs=0.02)
