@@ -9,6 +9,8 @@ import pytest
 
 from artgen.asset import Asset
 from artgen.catalog import find
+from artgen.validate.behavior import check_behavior
+from artgen.validate.colliders import check_colliders
 
 STYLES = ("coupled", "one_piece", "hung")
 
@@ -67,3 +69,13 @@ def test_sizes_and_masses_are_those_of_shops(style: str) -> None:
     bowl = asset.link("bowl").mass_properties.mass
     assert 28.0 <= bowl <= (90.0 if style == "hung" else 50.0)
     assert math.isclose(low[2], 0.0, abs_tol=1e-6)
+
+
+def test_a_wooden_seat_closes_as_softly_as_a_heavy_one_and_in_time() -> None:
+    asset = made(96, seat="oak", slow=True)
+    assert asset.link("seat").mass_properties.mass < 1.0, "it is light"
+    assert check_behavior(asset).faults == ()
+
+
+def test_colliders_follow_the_foot_of_a_coupled_bowl() -> None:
+    assert check_colliders(made(140, style="coupled")).faults == ()
