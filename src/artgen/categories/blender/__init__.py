@@ -157,12 +157,6 @@ def _seat(body: ag.Body, jug: ag.Body, high: ag.Scalar) -> ag.Body:
     return body.attach(jug, lift, turn, at=(0, 0, high))
 
 
-def _chamfered(half: ag.Scalar, cut: float) -> ag.Profile:
-    """Make a square with chamfered corners."""
-    side = [(half, cut - half), (half, half - cut), (half - cut, half), (cut - half, half)]
-    return ag.polygon([*side, *((-x, -y) for x, y in side)])
-
-
 def _base(
     style: Style,
     width: ag.Scalar,
@@ -184,8 +178,11 @@ def _base(
             ag.box(2 * wide, 2 * wide, 0.030, bevel=0.012).at(z=shoulder - 0.010),
             ag.cylinder(top, 0.012, bevel=0.003).at(z=high - 0.006),
         )
-        foot = ag.extrude(_chamfered(wide, cut), 0.030 - cut).at(z=shoulder - 0.010 - cut / 2)
-        edge = ag.extrude(_chamfered(wide - cut, (math.sqrt(2) - 1) * cut), 0.001).at(z=shoulder + 0.0045)
+        foot = ag.extrude(vessels.chamfered(2 * wide, 2 * wide, cut), 0.030 - cut).at(
+            z=shoulder - 0.010 - cut / 2
+        )
+        inner, less = 2 * (wide - cut), (math.sqrt(2) - 1) * cut
+        edge = ag.extrude(vessels.chamfered(inner, inner, less), 0.001).at(z=shoulder + 0.0045)
         deck = ag.extrude(vessels.around(top), 0.001).at(z=high - 0.0005)
         solids = [lower, ag.bounding_collider(taper, ag.hull(foot, edge, deck))]
     else:
@@ -271,13 +268,10 @@ def _lid(rim: ag.Scalar, tall: ag.Scalar, seal: ag.Scalar, trim: ag.Material, cl
     """Make the lid in the rim of a jug, with a tab in front, and the cap in its hole."""
     hole, low = 0.022, 0.034 + tall + FIT.running
     inner = rim - 0.0085  # of the plug in a jug with a wall of 4 mm
-    mouth, wide = (ag.regular_polygon(8, (hole + gap) / math.cos(math.pi / 8)) for gap in (0.0004, 0.0009))
+    mouth, wide = (vessels.around(hole + gap, 8) for gap in (0.0004, 0.0009))
     plate = ag.extrude(ag.circle(rim + 0.003) - mouth, 0.012, bevel=0.002).at(z=low + 0.006)
     plug = ag.extrude(ag.circle(inner) - wide, 0.016).at(z=low - 0.006)
-    around = [
-        ag.regular_polygon(16, each / math.cos(math.pi / 16)) - cut
-        for each, cut in ((rim + 0.003, mouth), (inner, wide))
-    ]
+    around = [vessels.around(each, 16) - cut for each, cut in ((rim + 0.003, mouth), (inner, wide))]
     plate = ag.bounding_collider(plate, ag.extrude(around[0], 0.012).at(z=low + 0.006))
     plug = ag.bounding_collider(plug, ag.extrude(around[1], 0.016).at(z=low - 0.006))
     tab = ag.Region((-0.014, 0.014), (-rim - 0.017, -rim + 0.004), (low + 0.003, low + 0.010)).box(

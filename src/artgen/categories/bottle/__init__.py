@@ -218,7 +218,7 @@ def _label(radius: ag.Scalar, high: ag.Scalar, maker: str, word: str) -> list[ag
 def _hollow(outer: ag.Scalar, inner: ag.Scalar, high: float, low: float) -> list[ag.Solid]:
     """Make a cap of few sides about z from a height up: its wall and its top."""
     sides = 20
-    ring = ag.regular_polygon(sides, outer) - ag.regular_polygon(sides, inner / math.cos(math.pi / sides))
+    ring = ag.regular_polygon(sides, outer) - vessels.around(inner, sides)
     top = ag.extrude(ag.regular_polygon(sides, outer - 0.0003), 0.0014)
     return [ag.extrude(ring, high).at(z=low + high / 2), top.at(z=low + high - 0.0007)]
 

@@ -54,7 +54,6 @@ _SOFT = ag.choice(
 _STOOLS = ag.choice("black_leather", "cream_leather", "leather", *colors("abs", "white sage red"))
 _BASES = ag.choice("black_abs", "aluminium", *colors("abs", "white"))
 
-
 _RANGES = {  # height and width of the seat and height of the back [m], and tilt [rad]
     "office": ((0.42, 0.47), (0.46, 0.52), (0.45, 0.65), (0.28, 0.38)),
     "bar": ((0.58, 0.66), (0.36, 0.42), (0.12, 0.28)),
@@ -82,7 +81,9 @@ def chair(
         "style", _BACKS, otherwise=0.3, unit="m", within=(0.1, 0.8), doc="height of the back"
     ),
     travel: ag.Float = ag.uniform(0.08, 0.12, "m", within=(0.05, 0.13), doc="lift of the seat"),
-    tilt: ag.Float = ag.by("style", _TILTS, otherwise=0.3, unit="rad", within=(0.2, 0.85), doc="of the back"),
+    tilt: ag.Float = ag.by(
+        "style", _TILTS, otherwise=0.3, unit="rad", within=(0.2, 0.85), doc="tilt of the back"
+    ),
     torque: ag.Float = ag.uniform(18.0, 35.0, "N m", doc="that holds the back of an office chair"),
     arms: Arms = ag.by("style", office={"posts": 0.4, "loops": 0.3, "none": 0.3}, otherwise="none"),
     form: Form = ag.by("style", office=ag.choice("padded", "tapered", "framed"), otherwise="padded"),
@@ -231,10 +232,8 @@ def _round_seat(
 
 def _back(form: Form, wide: ag.Scalar, tall: ag.Scalar, cover: ag.Material, *, headrest: bool) -> ag.Body:
     """Make the back of an office chair about its middle, with its headrest."""
-    soft, black = (
-        cover.with_(name=f"{cover.name}_back", density=110.0),
-        casting(ag.material("black_abs"), 1.2),
-    )
+    soft = cover.with_(name=f"{cover.name}_back", density=110.0)
+    black = casting(ag.material("black_abs"), 1.2)
     long, at = (tall - 0.14, -0.07) if headrest else (tall, 0.0)
     thick, bevel, crown = (0.026, 0.010, 0.0) if form == "framed" else (0.044, 0.018, 0.008)
     pad = ag.box(wide, thick, long, bevel=bevel, crown=crown).at(z=at)

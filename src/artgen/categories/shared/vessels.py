@@ -99,9 +99,16 @@ def filled(path: Path, *, wall: ag.Scalar, level: ag.Scalar) -> ag.Solid:
     return kept.split(point=(0.0, 0.0, 1.4 * wall + 0.0002), normal=ag.Z)
 
 
-def around(radius: ag.Scalar) -> ag.Profile:
-    """Return the polygon around a circle [m] whose prism or frustum is one collider, without seams."""
-    return ag.regular_polygon(_AROUND, radius / math.cos(math.pi / _AROUND))
+def around(radius: ag.Scalar, sides: int = _AROUND) -> ag.Profile:
+    """Return the polygon around a circle [m]; a prism or frustum of 32 sides or fewer is one collider."""
+    return ag.regular_polygon(sides, radius / math.cos(math.pi / sides))
+
+
+def chamfered(width: ag.Scalar, depth: ag.Scalar, cut: ag.Scalar) -> ag.Profile:
+    """Return a rectangle with chamfered corners, the plan of a collider under a vessel; all lengths in m."""
+    x, y = width / 2, depth / 2
+    right = [(x, cut - y), (x, y - cut), (x - cut, y), (cut - x, y)]
+    return ag.polygon([*right, *((-a, -b) for a, b in right)])
 
 
 def bayonet(radius: ag.Scalar, *, half: float = 0.018) -> tuple[ag.Solid, ag.Solid]:

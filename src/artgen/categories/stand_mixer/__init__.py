@@ -142,7 +142,7 @@ def _stand(radius: ag.Scalar, back: ag.Scalar, top: ag.Scalar, shell: ag.Materia
     front = ag.cylinder(0.80 * radius, _FLOOR - 0.006, bevel=0.006).at(z=_FLOOR / 2)
     rear = ag.box(0.150, 0.030, _FLOOR - 0.006, bevel=0.006).at(0, back + 0.052, _FLOOR / 2)
     # the plate has one collider: no seam is under the bowl
-    heel = _slab(0.150, 0.030, 0.58 * 0.006, 0.0, _FLOOR - 0.006).at(0, back + 0.052)
+    heel = ag.extrude(vessels.chamfered(0.150, 0.030, 0.58 * 0.006), _FLOOR - 0.006).at(0, back + 0.052)
     cover = ag.hull(ag.extrude(vessels.around(0.80 * radius), _FLOOR - 0.006), heel).at(z=_FLOOR / 2)
     plate = ag.bounding_collider(ag.hull(front, rear), cover)
     wide, floor = _WIDE[lifts], _FLOOR - 0.010
@@ -150,7 +150,7 @@ def _stand(radius: ag.Scalar, back: ag.Scalar, top: ag.Scalar, shell: ag.Materia
     levels = (floor, _FLOOR + 0.055, top)
     column = ag.loft([ag.rectangle(x, y, radius=r) for x, y, r in sizes], levels).at(0, back, 0)
     slabs = [
-        _slab(x + 0.0004, y + 0.0004, 0.58 * r, z).at(0, back)
+        ag.extrude(vessels.chamfered(x + 0.0004, y + 0.0004, 0.58 * r), 0.0002).at(0, back, z)
         for (x, y, r), z in zip(sizes, levels, strict=True)
     ]
     covers = [ag.hull(*slabs[:2]), ag.hull(*slabs[1:])]
@@ -216,14 +216,6 @@ def _stand(radius: ag.Scalar, back: ag.Scalar, top: ag.Scalar, shell: ag.Materia
         ag.detail(ring, "collar", _STEEL),
         ag.part(ears, "hinge", shell),
     )
-
-
-def _slab(x: ag.Scalar, y: ag.Scalar, chamfer: float, z: ag.Scalar, thick: float = 0.0002) -> ag.Solid:
-    """Make a plate with chamfered corners about a height."""
-    a, b, c = x / 2, y / 2, chamfer
-    quarter = [(a, b - c), (a - c, b)]
-    right = [(a, c - b), *quarter, (c - a, b), (-a, b - c), (-a, c - b), (c - a, -b), (a - c, -b)]
-    return ag.extrude(ag.polygon(right), thick).at(z=z)
 
 
 def _head(

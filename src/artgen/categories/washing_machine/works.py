@@ -59,11 +59,6 @@ def _spin(name: str, axis: ag.Vector, friction: ag.Scalar) -> ag.Joint:
     return ag.Revolute(name, axis=axis, friction=friction, feel=_MOTOR, driven="a motor")
 
 
-def _octagon(near: ag.Scalar) -> ag.Profile:
-    """Make an octagon whose sides are at a distance from the origin."""
-    return ag.regular_polygon(8, near / math.cos(math.pi / 8))
-
-
 class Porthole:
     """A door with its handle, and the opening behind it, about its middle in the face y = 0."""
 
@@ -87,7 +82,7 @@ class Porthole:
         shade = GREY.with_(name="collar", base_color=(0.33, 0.33, 0.33)) if self.rim == "solid" else _RUBBER
         bellows = ag.revolve(ag.polygon([(self.hole + out, y * _BELLOWS) for out, y in _WAVES]), axis=-ag.Y)
         # behind the smooth bellows is a band of few sides
-        band = _octagon(self.hole - 0.0007) - _octagon(self.hole - 0.0025)
+        band = vessels.around(self.hole - 0.0007, 8) - vessels.around(self.hole - 0.0025, 8)
         sleeve = ag.extrude(band, _BELLOWS - 0.004, axis=ag.Y).at(y=_BELLOWS / 2)
         foot = ag.Region((x - 0.010, x + 0.008), (self.axle.y, LAP), (-0.031, 0.031))
         mount = ag.box(0.022, 0.0021, 0.096, bevel=0.0006).at(x, -0.00055)
@@ -176,7 +171,7 @@ class Porthole:
         """Make the drum, open at the front, with paddles: its shaft is along y."""
         low = _BELLOWS + 0.004
         deep, half, tall = rear - low, 0.038, 0.24 * radius
-        lip = ag.regular_polygon(_SIDES, radius) - _octagon(self.hole - 0.0090)
+        lip = ag.regular_polygon(_SIDES, radius) - vessels.around(self.hole - 0.0090, 8)
         stuff = _DRUM.with_(name="dryer_steel", base_color=(0.66, 0.66, 0.65)) if dryer else _DRUM
         outline = [(-half, 0.004), (half, 0.004), (0.36 * half, tall), (-0.36 * half, tall)]
         fin = ag.extrude(ag.polygon(outline, radius=0.008).at(0, -radius), deep - 0.03, axis=ag.Y)
