@@ -6,6 +6,7 @@ stands, one after another. The other joints are closed, or open where the joint 
 """
 
 import math
+from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import islice, pairwise
@@ -58,6 +59,7 @@ _ALONG = 0.5  # least cosine between a push and the motion of its point
 _BATCH, _ROUNDS = 20, 4  # bases that are tried at once, and how often for one orientation of the hand
 _ROOM = 0.004  # clearance of the hand behind the fingers [m]
 _SLACK = 0.001  # by which a finger may overlap another part [m]
+_OPENED, _POSTURES = 3, 5  # other joints that are opened, and postures that tell what an arm strikes
 _BACKS = (1.0, 0.5)  # shares of the approach at which the hand has to be free
 _SHORT = 0.03  # of an approach where there is no room for a long one [m]
 _SHARES = (0.5, 1.0)  # of the turn of a part by which a hand turns on it
@@ -65,6 +67,7 @@ _PARALLEL, _CENTERED = 0.95, 0.005  # least cosine to an axis, and most distance
 _STILL = 1e-9  # largest change of a pose that does not turn
 _MOST_LEAN = math.radians(75.0)  # of a finger that turns on a part [rad]
 _LEAST = math.cos(_MOST_LEAN) - 0.01  # least cosine between a finger that turns and its push
+_TILTED = 0.05  # sine of the angle from which a finger pushes with an edge of its end
 _PAST = 0.006  # from an edge to the end of a finger on a face [m]
 _QUARTERS = np.radians([0.0, 90.0, 180.0, 270.0])  # of a finger beside a face [rad]
 
@@ -316,6 +319,11 @@ class _Pieces:
             free[some] &= away > radii[some]
         return free
 
+    def met(self, points: Array, radii: Array) -> set[int]:
+        """Return the links that some balls meet."""
+        links = set(self.links.tolist())
+        return {each for each in links if not self.chosen(self.links == each).clear(points, radii).all()}
+
 
 class _State(_Pieces):
     """All obstacles at one state of the joints, with the displacements of the links."""
@@ -383,6 +391,7 @@ class _Search:
         self.states: dict[tuple[tuple[str, float], ...], list[_State]] = {}
         self.given: dict[int, list[_Hold]] = {}  # holds of the asset's own hands, by the first state
         self.struck = ""  # link that a hand strikes
+        self.blocking: Counter[str] = Counter()  # links that an arm strikes where each one does, with numbers
         self.held = False  # whether a hand can hold it
         self.footing = False  # whether a robot can stand near it
 
@@ -393,7 +402,8 @@ class _Search:
         while done < last and len(found) < _STANDS:
             best: tuple[int, Stand] | None = None
             for hands in (
-                self._given, self._turning, self._pushes, self._hooks, self._rolling, self._grasps
+                self._given, self._opened, self._turning, self._pushes, self._hooks, self._rolling,
+                self._grasps,
             ):  # fmt: skip
                 # a further stand goes on where the part stays
                 least = _GAIN * last if hands == self._grasps else _HALF * (last - done)
@@ -471,6 +481,20 @@ class _Search:
             found = (self._hold(hand, first) for hand in self.hands if self._moves(hand, first))
             self.given[first] = [each for each in found if each is not None]
         return self.given[first]
+
+    def _opened(self, first: int) -> list[_Hold]:
+        """Return the given hands with one more joint open: of a drawer around the part, or of an obstacle."""
+        result = []
+        for hand in (each for each in self.hands if self._moves(each, first)):
+            links = [hand.link, *(name for name, _ in self.blocking.most_common())]
+            opened = {name: where for link in links for name, where in openable(self.asset, hand, link)}
+            also = {} if hand.when is None else {"": hand.when}
+            for name, where in islice(opened.items(), _OPENED):
+                start = positions_to_move(self.asset, self.joint.name, also | {name: where})
+                if start is not None:
+                    hold, struck = self._oriented(hand, start, first)
+                    result += [] if struck else [hold]
+        return result
 
     def _turning(self, first: int) -> list[_Hold]:
         """Return the same with hands that turn on the part: about a round bar, on their pads, or on a tip."""
@@ -723,8 +747,9 @@ class _Search:
                 if last == len(self.at) - 1 or last - first >= _GAIN * (len(self.at) - 1):
                     path = _Path(hold, variant, first, last, bases)
                     near, whole = _within_reach(path)
-                    paths.append((replace(path, bases=near), min(whole, _BATCH)))
-        self.footing = self.footing or any(len(path.bases) for path, _ in paths)
+                    if len(near):
+                        paths.append((replace(path, bases=near), min(whole, _BATCH)))
+        self.footing = self.footing or bool(paths)
         # those that go farthest come first, of these those for which most bases are near
         order = self.rng.permutation(len(paths))
         ranked = sorted((paths[index] for index in order), key=lambda each: (-each[0].last, -each[1]))
@@ -789,6 +814,7 @@ class _Search:
             score = np.minimum(score, ease(moved))
             good &= score > _EASE
             if not good.any():
+                self._note_blocking(near, bases[which], moved)
                 break
             angles, which, score = moved[good], which[good], score[good]
             followed = np.concatenate([followed[good], angles[:, None]], axis=1)
@@ -820,6 +846,13 @@ class _Search:
         free = near.clear(balls, np.tile(_RADII, len(some)))
         good[some] = free.reshape(len(some), len(_RADII)).all(axis=1)
         return np.asarray(good)
+
+    def _note_blocking(self, near: _Pieces, bases: Array, angles: Array) -> None:
+        """Count the links that an arm strikes in some postures."""
+        points = _balls(frames(angles[:_POSTURES]), _JOINTS, _PLACES)
+        for balls, base in zip(points, bases, strict=False):
+            met = near.met(balls @ base[:3, :3].T + base[:3, 3], _RADII)
+            self.blocking.update(self.asset.links[number].name for number in sorted(met))
 
 
 def _spread(firsts: Indices, counts: Indices) -> tuple[Indices, Indices, Indices]:
@@ -931,13 +964,15 @@ def _beside(frame: Array) -> Array:
 
 
 def _before(tips: Array, push: Array | None) -> Array:
-    """Return poses of a tip, shape (..., 4, 4) [m], moved back until no corner of its end is past it."""
+    """Return poses of a tip, shape (..., 4, 4) [m], moved until the foremost edge or corner is at the end."""
     if push is None:
         return tips
     result = tips.copy()
     corner = np.array([GRIPPER.thick, GRIPPER.wide / 2.0])
-    past = (np.abs((tips[..., :3, :2] * push[:, None]).sum(axis=-2)) * corner).sum(axis=-1)
-    result[..., :3, 3] -= past[..., None] * push
+    past = (tips[..., :3, :2] * push[:, None]).sum(axis=-2)
+    ends = corner * np.where(np.abs(past) > _TILTED, np.sign(past), 0.0)
+    result[..., :3, 3] -= (tips[..., :3, :2] * ends[..., None, :]).sum(axis=-1)
+    result[..., :3, 3] -= ((np.abs(past) * corner - past * ends).sum(axis=-1))[..., None] * push
     return result
 
 
