@@ -119,7 +119,8 @@ class Furnisher:
         """Set a door with a straight head into a wall."""
         usual: dict[str, Any] = {
             "layout": "single", "use": "interior", "opens": "away", "stock": "standard", "height": 2.03,
-            "opener": "lever", "frame": self.choice("jambs", "full", "full"),
+            "opener": "lever", "frame": self.choice("jambs", "full", "full"), "bolted": False,
+            "swing": self.uniform(1.4, 1.57),
         }  # fmt: skip
         return self.room.inset(wall, "door", at=at + 0.02, **usual | values)
 
@@ -197,11 +198,11 @@ class Furnisher:
         holes.append((x + x0 - 0.002, x + x1 + 0.002, y0 - _TAP - 0.002, y1 - _TAP + 0.002))
         self.let_in(wall, "sink", (x, -_TAP, OVER + STANDING - top), sink)
 
-    def hang(self, wall: Wall | Line, at: float, width: float) -> Placement:
-        """Hang a wall unit."""
+    def hang(self, wall: Wall | Line, at: float, width: float, hinges: str = "") -> Placement:
+        """Hang a wall unit; a single door has its hinges at a side, or else where it meets a corner."""
         size: dict[str, Any] = {"kind": "wall", "width": width, "height": 0.72, "depth": 0.33, "top": "flush"}
         doors: dict[str, Any] = {"swing": SWING, "doors": 2 if width > 0.6 else 1}
-        doors |= self._hinges(wall, at, width)
+        doors |= {"hand": hinges} if hinges else self._hinges(wall, at, width)
         return self.room.against(wall, "cabinet", at=at, z=1.45, **self.fronts | size | doors)
 
     def _hinges(self, wall: Wall | Line, at: float, width: float) -> dict[str, Any]:

@@ -1,6 +1,7 @@
 """Kitchens: rows of base units under worktops with appliances, a sink and a hood, and wall units above."""
 
 import math
+from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from typing import Any, Literal, get_args
@@ -122,6 +123,12 @@ class _Row:
         return sum(each.width + GAP for each in self.items if isinstance(each, _Item))
 
 
+def _beside(items: Sequence[_Item], number: int, kind: str) -> list[str]:
+    """Return the sides of an item of a row at which the next one is of a kind."""
+    ends = (("left", number - 1), ("right", number + 1))
+    return [side for side, other in ends if 0 <= other < len(items) and items[other].kind == kind]
+
+
 class _Kitchen(Furnisher):
     """A draw of a kitchen."""
 
@@ -144,7 +151,7 @@ class _Kitchen(Furnisher):
         self.units = 0  # number of base units so far
         # places of free objects: `deep` leaves a hand over them clear of the sill of a window
         self.objects: list[tuple[str, dict[str, Any], dict[str, Any]]] = [
-            ("microwave", {"depth": 0.42}, {"deep": 0.15}),
+            ("microwave", {"depth": 0.42}, {"deep": 0.9}),  # a hand has room before its lowest keys
             ("kettle", {}, {"deep": 0.3, "turn": math.pi}),  # its handle is behind its spout
             ("pepper_grinder", {}, {"deep": 0.3}),
         ]
@@ -264,8 +271,9 @@ class _Kitchen(Furnisher):
 
     def _dishwasher(self) -> _Item:
         size = "slim" if self.width < 3.4 else self.choice("full", "slim")
-        # a third rack under the ceiling has its grip behind the edge of the worktop
-        return self._appliance("dishwasher", build="built_in", height=UNDER, size=size, racks=2)
+        # a third rack has its grip behind the edge of the worktop, and a pocket in the door is under it
+        values = {"size": size, "racks": 2, "handle": self.choice("bar", "bar", "recessed")}
+        return self._appliance("dishwasher", build="built_in", height=UNDER, **values)
 
     def _hob(self) -> _Item:
         """Return a range, or a built-in oven under a cooktop."""
@@ -292,12 +300,7 @@ class _Kitchen(Furnisher):
             # doors would meet the front of a range or the door of a dishwasher beside them
             beside = {each.kind for each in items[max(number - 1, 0) : number + 2]}
             if item.kind == "sink":
-                sides = [
-                    side
-                    for side, other in (("left", number - 1), ("right", number + 1))
-                    if 0 <= other < len(items) and items[other].kind == "dishwasher"
-                ]
-                self.sink(row.wall, at, item.width, holes, sides)
+                self.sink(row.wall, at, item.width, holes, _beside(items, number, "dishwasher"))
             else:
                 self._place(row, item, at, holes, doors=beside <= {"unit", "sink", "hob"})
             at += item.width + GAP
@@ -453,10 +456,12 @@ class _Kitchen(Furnisher):
                 if width >= _SASHES:
                     self.window(row.wall, middle, width=width)
         sink = [at + item.width / 2.0 for item, at in placed if item.kind == "sink"]
-        for item, at in placed:
+        for number, (item, at) in enumerate(placed):
             beside = all(at > middle + 0.52 or at + item.width < middle - 0.52 for middle in sink)
             if item.kind in ("unit", "dishwasher") and beside and not row.island:
-                self.hang(row.wall, at, item.width)
+                # a hand has no room beside a refrigerator, which is deeper
+                tall = _beside([each for each, _ in placed], number, "refrigerator")
+                self.hang(row.wall, at, item.width, *tall[:1])
 
     def _hood(self, wall: Wall | Line, low: float, high: float) -> None:
         region = Region((low, high), (-0.5, -0.001), (1.62, 1.70))

@@ -165,10 +165,12 @@ def _office(here: Furnisher) -> None:
     outline = [(edges[0], -deep), (edges[1], -deep), (edges[1], 0.0), (edges[0], 0.0)]
     top = here.lay(outline, [], "back", _DESK)
     near, far = (0.95, 0.1) if flip else (0.05, 0.9)
-    room.on(top, "lamp", at=near, deep=0.1, free=True, style=here.choice("mushroom", "table"))
+    turn = 0.8 if flip else -0.8  # with the switch on its cord beside it, not behind it
+    style, switch = here.choice(("mushroom", "button"), ("mushroom", "rocker"), ("table", "pull_chain"))
+    room.on(top, "lamp", at=near, deep=0.1, turn=turn, free=True, style=style, switch=switch)
     _box_on(here, top, far, 0.25)
     room.on(top, "laptop", at=0.5, deep=0.97, free=True)  # a hand opens it before the edge
-    room.on(top, "bottle", at=0.75 if flip else 0.2, deep=0.3, free=True, style=here.choice("screw", "flip"))
+    room.on(top, "bottle", at=0.28 if flip else 0.72, deep=0.2, free=True, style=here.choice("screw", "flip"))
     here.window("back", start + desk / 2.0, z=1.2, width=1.2, height=1.0)
     tall = {
         "kind": "tall", "doors": 1, "width": 0.55, "depth": 0.42, "height": 1.9, "stand": "plinth",
@@ -222,7 +224,8 @@ def _workshop(here: Furnisher) -> None:
 
 def _hall(here: Furnisher) -> None:
     room, width, depth = here.room, here.width, here.depth
-    here.door("back", (width - DOORWAY) / 2.0, use="exterior", opener=here.choice("lever", "knob"))
+    opener, bolted = here.choice("lever", "knob"), here.choice(True, False)
+    here.door("back", (width - DOORWAY) / 2.0, use="exterior", opens="towards", opener=opener, bolted=bolted)
     here.door("left", depth - DOORWAY - 0.3)
     if depth > 3.1 and here.choice(True, False):
         here.door("left", depth - 2.0 * DOORWAY - 0.6)

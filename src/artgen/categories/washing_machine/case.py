@@ -128,11 +128,12 @@ def console(
 
 
 def _gripped(name: str, front: ag.Region, ridge: ag.Region, finish: ag.Material, depth: float) -> ag.Body:
-    """Make the front of a drawer or a flap with a ridge as its grip."""
+    """Make the front of a drawer with a level ridge as its grip, or of a flap with an upright one."""
+    upright = name == "filter_flap"  # beside it, a hand is clear of the floor
     grip = ag.bounding_collider(ridge.box(bevel=0.0025), ridge.box())
-    hold = ag.grasp_on(grip, approach=ag.Y, closing=ag.Z, depth=depth)
-    boards = [front.box(bevel=0.0015), grip]
-    return ag.part(boards, name, finish, grasp=hold, grasp_width=ridge.z.size + 0.010, name=name)
+    hold = ag.grasp_on(grip, approach=ag.Y, closing=ag.X if upright else ag.Z, depth=depth)
+    boards, width = [front.box(bevel=0.0015), grip], (ridge.x if upright else ridge.z).size + 0.010
+    return ag.part(boards, name, finish, grasp=hold, grasp_width=width, name=name)
 
 
 def drawer(plan: Plan, finish: ag.Material, *, tank: bool, friction: ag.Scalar) -> ag.Body:
@@ -183,7 +184,7 @@ def kick_plate(plan: Plan, finish: ag.Material, flap: str) -> ag.Body:
     x = (plate.x.high - 0.105) * (1 if flap == "right" else -1)
     hole = plate.shrink(z=0.010).with_(x=(x - 0.070, x + 0.070))
     leaf = hole.shrink(x=0.0015, z=0.0022).deep(0.006, None)[0]
-    ridge = ag.Region.centered(0.045, 0.013, 0.007).at(x, leaf.y.low - 0.0055, leaf.z.high - 0.011)
+    ridge = ag.Region.centered(0.008, 0.013, 0.034).at(x, leaf.y.low - 0.0055, leaf.z.high - 0.024)
     niche = hole.grow(LAP).with_(y=(plate.y.high - 0.001, plate.y.high + 0.002))
     y, z = plate.y.high, hole.z.mid
     cap = ag.cylinder(0.026, 0.006, axis=ag.Y, bevel=0.002).at(x + 0.012, y - 0.0005, z)
