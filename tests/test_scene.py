@@ -25,6 +25,7 @@ from artgen.materials import colored
 from artgen.proof.certify import Known, certify
 from artgen.scene import ROOMS, Scene, kitchen
 from artgen.scene.furnish import Furnisher
+from artgen.scene.kitchens import _beside, _Item
 from artgen.scene.room import GAP, STANDING
 from artgen.validate import Examination
 from artgen.validate.behavior import check_behavior, neighborhoods
@@ -388,6 +389,27 @@ def test_a_single_door_in_a_corner_has_its_hinges_there() -> None:
     here = Furnisher("kitchen", 1, 0, size, ((3.0, 4.0), (2.0, 3.0)), "low")
     for wall, at, hand in (("back", 0.05, "left"), ("back", 2.5, "right"), ("left", 1.9, "right")):
         assert here.hang(wall, at, 0.45).asset.parameters["hand"] == hand
+    assert here.hang("back", 1.2, 0.45, "right").asset.parameters["hand"] == "right"
+
+
+def test_neighbors_of_a_kind_are_found_beside_an_item_of_a_row() -> None:
+    row = [_Item(kind, 0.6) for kind in ("refrigerator", "unit", "refrigerator", "sink")]
+    found = [_beside(row, number, "refrigerator") for number in range(len(row))]
+    assert found == [[], ["left", "right"], [], ["left"]]
+
+
+def test_the_entrance_opens_into_the_hall_and_is_locked_from_there() -> None:
+    room = next(
+        each
+        for each in (ROOMS["hall"](seed, detail="low") for seed in range(2, 9))
+        if "door_lock" in each.links.by_name
+    )
+    (turn,) = room.link("door_lock").grasps
+    assert turn.frame[1, 3] < room.link("door_door").bounds()[:, 1].mean()
+    open_door = room.pose({"door_door_hinge": 1.0})["door_door"]
+    corners = np.array([*room.link("door_door").bounds(), [0, 0, 0]])
+    assert (open_door[:3, :3] @ corners.T)[1].min() + open_door[1, 3] < -0.3
+    assert not [name for name in room.links.by_name if name.endswith("_lock") and name != "door_lock"]
 
 
 def test_a_client_reads_a_room_with_its_free_bodies(loose: Asset, tmp_path: Path) -> None:

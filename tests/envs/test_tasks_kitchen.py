@@ -29,6 +29,7 @@ def kitchen() -> Asset:
     cold = {"layout": "single", "width": 0.6, "crispers": 0, "ice_box": False, "swing": 1.6, "hand": "left"}
     _, unit = room.run("back", ("refrigerator", cold), ("drawer", DRAWERS), at=0.5, gap=0.05)
     room.on(unit, "pepper_grinder", deep=0.3, free=True)
+    room.inside(unit, "drawer_0", "plier", at=0.3, turn=0.2)
     return room.build(category="kitchen")
 
 
@@ -84,6 +85,11 @@ def test_every_joint_that_a_hand_moves_has_a_stand_or_a_reason(kitchen: Asset) -
     assert sum(each.base is not None for each in found) >= len(found) / 2
     slide = next(each for each in found if each.joint == "drawer_drawer_slide_2")
     assert slide.way == 1.0
+    # an arm reaches a thing in a drawer after it has opened the drawer
+    jaw = next(each for each in found if each.joint == "plier_jaw_hinge")
+    assert jaw.way == 1.0, jaw.reason
+    assert jaw.start is not None
+    assert jaw.start["drawer_drawer_slide_0"] > 0.1
 
 
 def test_grasps_across_a_plate_close_on_its_thickness_from_its_edges() -> None:
@@ -108,6 +114,10 @@ def test_no_corner_of_a_leaning_finger_is_past_the_face_that_it_pushes() -> None
     corners = [[x * GRIPPER.thick, y * GRIPPER.wide / 2.0, GRIPPER.tip] for x in (-1, 1) for y in (-1, 1)]
     ends = np.einsum("nij,kj->nki", tips[:, :3, :3], corners) + tips[:, None, :3, 3]
     assert ends[..., 2].max(axis=1) == pytest.approx(GRIPPER.tip)
+    # the middle of the foremost edge, or the foremost corner, is at the end of an upright finger
+    foremost = ends[..., 2:] > GRIPPER.tip - 1e-9
+    middles = (ends * foremost).sum(axis=1) / foremost.sum(axis=1)
+    assert middles[:, :2] == pytest.approx(0.0, abs=1e-9)
 
 
 def test_the_side_of_a_finger_touches_the_edge_that_it_hooks() -> None:

@@ -460,8 +460,8 @@ class _Kitchen(Furnisher):
             beside = all(at > middle + 0.52 or at + item.width < middle - 0.52 for middle in sink)
             if item.kind in ("unit", "dishwasher") and beside and not row.island:
                 # a hand has no room beside a refrigerator, which is deeper
-                tall = _beside([each for each, _ in placed], number, "refrigerator")
-                self.hang(row.wall, at, item.width, *tall[:1])
+                sides = _beside([each for each, _ in placed], number, "refrigerator")
+                self.hang(row.wall, at, item.width, *sides[:1])
 
     def _hood(self, wall: Wall | Line, low: float, high: float) -> None:
         region = Region((low, high), (-0.5, -0.001), (1.62, 1.70))
