@@ -1,6 +1,7 @@
 """What is special to a safe: the lock holds the handle, the bolts hold the door, sizes and masses."""
 
 from functools import lru_cache
+from pathlib import Path
 from typing import Any
 
 import mujoco
@@ -8,6 +9,7 @@ import pytest
 
 from artgen.asset import Asset
 from artgen.catalog import find
+from artgen.validate.behavior import check_behavior
 
 LOCKS = {"key": "key_turn", "dial": "dial_turn", "keypad": "tongue_slide"}
 
@@ -66,3 +68,10 @@ def test_bolts_go_in_by_their_throw() -> None:
 )
 def test_masses_are_those_of_shops(style: str, masses: tuple[float, float]) -> None:
     assert masses[0] < made(4, style=style).mass < masses[1]
+
+
+@pytest.mark.parametrize("seed", [233, 490])
+def test_the_tongue_holds_the_handle_against_a_hand(seed: int, tmp_path: Path) -> None:
+    asset = find("safe").generate(seed, certify=False)
+    found = check_behavior(asset, asset.export(tmp_path / asset.name, formats=("mjcf",), textures=0))
+    assert not found.faults, found.faults

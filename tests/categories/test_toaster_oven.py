@@ -8,6 +8,7 @@ import pytest
 
 from artgen.asset import Asset
 from artgen.catalog import find
+from artgen.validate.hands import check_grasps
 
 
 @lru_cache(maxsize=2)
@@ -50,3 +51,10 @@ def test_dials_click_at_off_and_at_each_position(style: str, seed: int) -> None:
     assert joint.detents is not None
     assert joint.detents.positions[0] == 0.0
     assert 0.02 <= joint.detents.torque <= 0.05
+
+
+def test_a_hand_turns_the_dial_beside_the_handle_of_the_door() -> None:
+    asset = find("toaster_oven").generate(248, certify=False)
+    found = check_grasps(asset)
+    assert asset.parameters["dials"] == 4  # the first one is as high as the handle
+    assert not found.faults, found.faults

@@ -6,7 +6,9 @@ from manifold3d import Manifold, OpType
 from trimesh.triangles import closest_point
 
 import artgen
+from artgen.asset.collision import link_parts
 from artgen.asset.shells import TriangleSet, winding_number
+from artgen.catalog import find
 from artgen.colliders import Convex
 from artgen.graph.kernel import DETAILS
 from artgen.validate.colliders import FACETS, fidelity
@@ -52,6 +54,13 @@ def test_a_filled_hollow_without_an_opening_is_seen():
     wall = Manifold.cube((0.1, 0.1, 0.1), center=True) - Manifold.cube((0.08, 0.08, 0.08), center=True)
     found = fidelity(wall, [Convex.box((0.1, 0.1, 0.1))])
     assert found.interior_kept == pytest.approx(0.0, abs=1e-9)
+
+
+def test_no_part_of_a_hollow_is_lost_where_pieces_meet_the_hull():
+    link = find("fan").generate(248, certify=False).link("blades")
+    solid = Manifold.compose([part.solid for part in link_parts(link)])
+    found = fidelity(solid, [each.convex for each in link.colliders])
+    assert found.interior_kept > 0.99
 
 
 def test_a_missing_piece_is_measured_where_it_is():

@@ -259,7 +259,7 @@ def fidelity(
         if apart > error:
             error, surface_place = apart, at
     empty = hull.volume() - volume
-    kept = (hull - cover).volume() - missing.volume()
+    kept = hull.volume() - (hull ^ cover).volume() - missing.volume()  # `hull - cover` may lose a part
     if _EMPTY * hull.volume() < empty and kept < KEPT * empty:
         kept += _between_facets(excess ^ hull, faces, facets)
     return Fidelity(

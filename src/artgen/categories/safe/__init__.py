@@ -227,7 +227,7 @@ def safe(
         limits=(0, turn),
         friction=torque,
         damping=0.03,
-        armature=2e-3,
+        armature=3e-3,
         effort=1.5,
         needs=free.beyond(0.85 * _PLAY * turn / plan.throw),
     )

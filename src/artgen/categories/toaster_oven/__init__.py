@@ -328,7 +328,7 @@ def _door(
     pane = view.grow(x=0.003, z=0.003).with_(y=(leaf.y.high - 0.0045, leaf.y.high - 0.001))
     glass = ag.material("tinted_glass").with_(name="oven_glass", base_color=(0.09, 0.09, 0.095), opacity=0.5)
     grip: ag.Body = bar_handle(
-        length=0.72 * leaf.x.size, finish=metal, style=bar, level=True, projection=0.034, girth=0.0062
+        length=0.72 * leaf.x.size, finish=metal, style=bar, level=True, projection=0.032, girth=0.0062
     )
     door = ag.weld(
         ag.part(frame, "door", filled(finish, 900.0, "door"), name="door"),
