@@ -214,12 +214,11 @@ _UNAVOIDABLE: Mapping[str, dict[str, str]] = {
         r"geometry \[.*\]\.": (
             "Genesis compares principal moments, as MuJoCo sorts them, with those about the link's axes"
         ),
-    },
-    "genesis_urdf": {
         r"\[Genesis\] \[.*\] \[WARNING\] Filtered out geometry pairs causing self-collision for the neutral "
         r"configuration \(qpos0\): .*\. Consider tuning Morph option .*\.": (
-            "Genesis searches for overlapping parts with voxels wider than the gap between the jaws of pliers"
-        )
+            "Genesis searches for overlapping parts with voxels wider than small gaps, as between the jaws "
+            "of pliers or around the stem of a valve"
+        ),
     },
     "usd_validation": {
         r"MissingShaderIdInRegistry: shaderId 'ND_\w+' .*": (
