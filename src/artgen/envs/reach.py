@@ -391,7 +391,7 @@ class _Search:
         self.states: dict[tuple[tuple[str, float], ...], list[_State]] = {}
         self.given: dict[int, list[_Hold]] = {}  # holds of the asset's own hands, by the first state
         self.struck = ""  # link that a hand strikes
-        self.blocking: Counter[str] = Counter()  # links that an arm strikes where each one does, with numbers
+        self.blocking: Counter[str] = Counter()  # numbers of postures in which an arm strikes a link
         self.held = False  # whether a hand can hold it
         self.footing = False  # whether a robot can stand near it
 
@@ -483,7 +483,7 @@ class _Search:
         return self.given[first]
 
     def _opened(self, first: int) -> list[_Hold]:
-        """Return the given hands with one more joint open: of a drawer around the part, or of an obstacle."""
+        """Return the given hands with one more joint open, which moves their link or an obstacle."""
         result = []
         for hand in (each for each in self.hands if self._moves(each, first)):
             links = [hand.link, *(name for name, _ in self.blocking.most_common())]

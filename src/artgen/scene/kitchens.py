@@ -456,11 +456,12 @@ class _Kitchen(Furnisher):
                 if width >= _SASHES:
                     self.window(row.wall, middle, width=width)
         sink = [at + item.width / 2.0 for item, at in placed if item.kind == "sink"]
+        items = [item for item, _ in placed]
         for number, (item, at) in enumerate(placed):
             beside = all(at > middle + 0.52 or at + item.width < middle - 0.52 for middle in sink)
             if item.kind in ("unit", "dishwasher") and beside and not row.island:
                 # a hand has no room beside a refrigerator, which is deeper
-                sides = _beside([each for each, _ in placed], number, "refrigerator")
+                sides = _beside(items, number, "refrigerator")
                 self.hang(row.wall, at, item.width, *sides[:1])
 
     def _hood(self, wall: Wall | Line, low: float, high: float) -> None:

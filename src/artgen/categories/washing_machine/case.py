@@ -127,9 +127,10 @@ def console(
     return body
 
 
-def _gripped(name: str, front: ag.Region, ridge: ag.Region, finish: ag.Material, depth: float) -> ag.Body:
-    """Make the front of a drawer with a level ridge as its grip, or of a flap with an upright one."""
-    upright = name == "filter_flap"  # beside it, a hand is clear of the floor
+def _gripped(
+    name: str, front: ag.Region, ridge: ag.Region, finish: ag.Material, depth: float, *, upright: bool = False
+) -> ag.Body:
+    """Make the front of a drawer or a flap with a ridge as its grip, level or upright."""
     grip = ag.bounding_collider(ridge.box(bevel=0.0025), ridge.box())
     hold = ag.grasp_on(grip, approach=ag.Y, closing=ag.X if upright else ag.Z, depth=depth)
     boards, width = [front.box(bevel=0.0015), grip], (ridge.x if upright else ridge.z).size + 0.010
@@ -198,4 +199,5 @@ def kick_plate(plan: Plan, finish: ag.Material, flap: str) -> ag.Body:
     )
     at = (x, leaf.y.mid, leaf.z.low + 0.004)
     hinge = ag.Revolute("flap_hinge", axis=ag.X, pivot=at, limits=(0, 1.35), feel=_FLAP)
-    return body.attach(_gripped("filter_flap", leaf, ridge, stuff, 0.0115), hinge)
+    # a hand at an upright grip is clear of the floor
+    return body.attach(_gripped("filter_flap", leaf, ridge, stuff, 0.0115, upright=True), hinge)
