@@ -43,6 +43,13 @@ def test_rear_legs_follow_the_seat_until_they_lie_beside_the_front_ones() -> Non
     assert depths[1] < -0.15, "between the front legs"
 
 
+@pytest.mark.parametrize("joint", ["legs_fold", "strut_turn"])
+def test_a_joint_of_the_four_bar_rests_exactly_at_an_end_of_its_range(joint: str) -> None:
+    limits = made(0, style="folding").joint(joint).limits
+    assert limits is not None, f"{joint} has limits"
+    assert 0.0 in limits, "simulators warn of a rest position that is 1e-13 rad outside of a range"
+
+
 def test_seat_struts_and_legs_of_a_folding_chair_are_a_four_bar() -> None:
     asset = made(2, style="folding")
     (pin,) = asset.loops

@@ -66,3 +66,14 @@ def test_sizes_and_masses_are_those_of_furniture(style: str) -> None:
     assert low[2] == pytest.approx(0.0, abs=1e-6)
     least, most = {"side": (6.0, 30.0), "leaf": (14.0, 40.0)}.get(style, (25.0, 75.0))
     assert least < asset.mass < most
+
+
+@pytest.mark.parametrize("leg", ["tapered", "splayed"])
+def test_a_round_leg_collides_as_a_piece_whose_ends_have_16_corners(leg: str) -> None:
+    asset = made(1, style="desk", leg=leg, columns=1)
+    hulls = [each.convex for each in asset.link("body").colliders if each.label == "leg"]
+    assert len(hulls) == 4, "one for each leg"
+    for hull in hulls:
+        assert hull.faces.contact.sum(axis=0).max() == 16, (
+            "MJX leaves out every second corner of a face with more than 20"
+        )

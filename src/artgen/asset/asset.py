@@ -139,11 +139,14 @@ def with_followed_limits(joint: AssetJoint, joints: Mapping[str, AssetJoint]) ->
 
 def followed_limits(law: AssetCoupling, leader: AssetJoint) -> tuple[float, float] | None:
     """Return the limits of a joint that follow from its law and the limits of its leader."""
-    if leader.limits is not None:
-        return law.span(*leader.limits)
-    if law.curve is not None and abs(law.gain) < _CURVE_SLACK:  # it swings while its input turns
-        return law.span(*law.curve.range)
-    return None
+    curve = law.curve
+    if curve is None:
+        return law.span(*leader.limits) if leader.limits is not None else None
+    if leader.limits is None and abs(law.gain) >= _CURVE_SLACK:  # else it swings while its input turns
+        return None
+    # a series is less exact than this; a limit at the rest position is 0, so that 0 is never outside
+    low, high = (round(end, _CURVE_DIGITS) + 0.0 for end in law.span(*(leader.limits or curve.range)))
+    return low, high
 
 
 Base = Literal["fixed", "free"]
@@ -157,6 +160,7 @@ _CERTIFICATE = "_certificate"  # attribute in which an asset keeps its certifica
 _LATER = "_later"  # attribute in which an asset keeps how to make its certificate
 _LIMIT_SLACK = 1e-9  # tolerance of joint limits [rad or m]
 _CURVE_SLACK = 1e-9  # tolerance of the ends of the curves of closed chains [rad or m]
+_CURVE_DIGITS = 9  # decimals of the limits of joints in closed chains
 
 
 @dataclass(frozen=True, eq=False)

@@ -16,6 +16,7 @@ from typing import Any, Literal
 import artgen as ag
 from artgen.categories.shared.finish import casting, known, weighing
 from artgen.categories.shared.fixings import corner_feet
+from artgen.categories.shared.vessels import around
 
 BoardLook = Literal["wood", "lacquer", "melamine", "decor"]
 """Veneered or solid wood; sprayed MDF; board with a plain foil, or with a printed wood grain."""
@@ -163,6 +164,7 @@ _RAIL = 0.030  # width of the rails of a unit under a sink [m]
 _BACK_INSET = 0.010  # distance from the rear of the sides to the back panel [m]
 _PITCH = 0.032  # pitch of rows of holes: the 32 mm system [m]
 _TUBE = 0.25  # share of steel in a square tube of 22 mm with walls of 1.5 mm
+_SIDES = 16  # sides of the collider of a round leg: MJX reads faces of at most 20 corners
 
 
 @dataclass(frozen=True)
@@ -350,7 +352,12 @@ def _leg(style: LegStyle, tall: ag.Scalar) -> tuple[list[ag.Solid], list[ag.Soli
             return [ag.cylinder(0.021, tall).at(z=tall / 2)], [bun, bead]
         case "splayed":
             lean = ag.min_(0.18 * tall, 0.050)  # tall ones stand out no farther than a top
-            sole = ag.cylinder(0.011, 0.002, bevel=0.0008).at(-lean, -0.6 * lean, 0.001)
-            return [ag.hull(sole, ag.cylinder(0.019, 0.002).at(z=tall - 0.001))], plate
+            foot = (-lean, -0.6 * lean, 0.001)
+            sole = ag.cylinder(0.011, 0.002, bevel=0.0008).at(*foot)
+            solid = ag.hull(sole, ag.cylinder(0.019, 0.002).at(z=tall - 0.001))
+            ends = [ag.extrude(around(radius, _SIDES), 0.002) for radius in (0.011, 0.019)]
+            cover = ag.hull(ends[0].at(*foot), ends[1].at(z=tall - 0.001))
         case _:
-            return [ag.frustum(0.013, 0.021, tall, bevel=0.001).at(z=tall / 2)], plate
+            solid = ag.frustum(0.013, 0.021, tall, bevel=0.001).at(z=tall / 2)
+            cover = ag.loft([around(radius, _SIDES) for radius in (0.013, 0.021)], (0, tall))
+    return [ag.bounding_collider(solid, cover)], plate
