@@ -48,6 +48,8 @@ def test_a_joint_of_the_four_bar_rests_exactly_at_an_end_of_its_range(joint: str
     limits = made(0, style="folding").joint(joint).limits
     assert limits is not None, f"{joint} has limits"
     assert 0.0 in limits, "simulators warn of a rest position that is 1e-13 rad outside of a range"
+    model = made(0, style="folding").to_mjspec().compile()
+    assert model.qpos0[model.joint(joint).qposadr[0]] == 0.0, f"MuJoCo has {joint} at 0 at rest"
 
 
 def test_seat_struts_and_legs_of_a_folding_chair_are_a_four_bar() -> None:

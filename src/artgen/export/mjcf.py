@@ -40,6 +40,7 @@ from artgen.materials.textures import Kind
 _STIFF = "0.005 1"
 OFF = -1000.0  # margin of a spare collider: MuJoCo adds the margins of two geoms, so that it touches nothing
 _KEYFRAMES = 4  # number of drawn states
+_AT_ZERO = 1e-9  # a smaller rest position is 0: curves of closed chains are less exact [rad or m]
 _DETENT_ARM = 0.01  # distance of the springs of detents from their axis [m]
 _DRUM = 0.01  # radius of the drum of a soft closing, around which its cord lies [m]
 _BESIDE = 0.03  # angle between the end of such a cord and its contact with the drum [rad]
@@ -236,7 +237,7 @@ def _add_joint(body: ET.Element, placed: frames.BodyJoint) -> None:
         pos=np.round(placed.pivot, 12) if turns and np.abs(placed.pivot).max() > 1e-12 else None,
         limited="false" if joint.limits is None else None,
         range=joint.limits,
-        ref=placed.position or None,
+        ref=placed.position if abs(placed.position) > _AT_ZERO else None,
         stiffness=joint.stiffness or None,
         springref=joint.rest if joint.stiffness else None,
         damping=joint.damping or None,
