@@ -6,9 +6,9 @@
 prints the number of actions per second, beside that of `ManipulationEnv`. `--learn 1000000` trains PPO in
 these worlds, with the settings of `ppo.py`. Each world keeps its asset. Worlds whose assets share structure
 are stepped together, the others one group after the other. The assets have the fixed topology of their
-category, which makes all drawers one group; couplings and joints without limits may still separate others.
-On a processor this is slower than `ManipulationEnv`. It is meant for graphics cards, where the steps between
-two changes of the torques are one CUDA graph; it was not run on one yet.
+category, which makes them one group. On a processor this is slower than `ManipulationEnv`. It is meant for
+graphics cards, where the steps between two changes of the torques are one CUDA graph; it was not run on one
+yet.
 """
 
 import argparse
@@ -27,11 +27,12 @@ from ppo import SETTINGS, Progress
 from stable_baselines3 import PPO
 from stable_baselines3.common.vec_env import VecEnv, VecMonitor, VecNormalize
 
-from artgen import generate
+from artgen import Asset, generate
+from artgen.batch import Common, groups
 from artgen.envs import TASKS, ManipulationEnv, Task
 from artgen.envs.env import BONUS, JITTER, RATE, STATE
 from artgen.envs.motion import Target
-from artgen.envs.scene import TaskScene
+from artgen.envs.scene import TaskScene, compiled
 from artgen.envs.task import Assets, Source, compiled_asset
 from artgen.errors import EnvError, ParameterError
 
@@ -183,24 +184,24 @@ class BatchedTask(VecEnv):
 def _fit(task: Task, source: Source, most: int) -> tuple[list[TaskScene], list[Target]]:
     """Return placed scenes of the first suitable assets, and the stages of the task in them."""
     assets = Assets(task, source)
-    scenes: list[TaskScene] = []
-    targets: list[Target] = []
+    found: list[tuple[Asset, Target]] = []
     reason = ""
     for key in assets.keys[: 10 * most]:
-        found = compiled_asset(assets, key, visual=False, textures=0, most=most)
+        asset = compiled_asset(assets, key, visual=False, textures=0, most=most)
         try:
-            target = found.target(0)
+            found.append((asset.asset, asset.target(0)))
         except EnvError as error:
             reason = str(error)
-            continue
-        scene = found.scene()
-        scene.place(target, target.arm)
-        scenes.append(scene)
-        targets.append(target)
-        if len(scenes) == most:
+        if len(found) == most:
             break
-    if not scenes:
+    if not found:
         raise EnvError(f"{task.name} found no suitable asset; the last one: {reason}")
+    alike = groups([asset for asset, _ in found], "mjlab")
+    common = {id(asset): each for each, of in zip(map(Common.of, alike), alike, strict=True) for asset in of}
+    scenes = [TaskScene(asset, compiled(asset, common=common[id(asset)])) for asset, _ in found]
+    targets = [target for _, target in found]
+    for scene, target in zip(scenes, targets, strict=True):
+        scene.place(target, target.arm)
     return scenes, targets
 
 

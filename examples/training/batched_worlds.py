@@ -58,11 +58,11 @@ class Worlds:
         self._finger_at, self._fingers = first.finger_at.tolist(), first.fingers.tolist()
         self._of_arm = _block(first.model, hand.dofs)
         self._views = {name: warp.to_torch(getattr(self._data, name)) for name in (*_STATE, *_FOUND)}
-        # MuJoCo Warp does not place the parts that do not move
-        for name in _PLACES:
+        # MuJoCo Warp does not place the parts that do not move, and takes active constraints from one model
+        for name in (*_PLACES, "eq_active"):
             array = getattr(self._data, name)
             values = np.stack([getattr(scenes[number].data, name) for number in of])
-            array.assign(values.reshape(array.numpy().shape).astype(np.float32))
+            array.assign(values.reshape(array.numpy().shape).astype(array.numpy().dtype))
         self._begin = {
             name: torch.as_tensor(
                 np.stack([getattr(scenes[number].data, name) for number in of]), device=device

@@ -37,6 +37,8 @@ _UNLIMITED = 1e6  # range of a joint without limits: worlds share whether a join
 # where things are: MuJoCo Warp places those that do not move only once
 _PLACES = ("xpos", "xquat", "xmat", "xipos", "ximat", "geom_xpos", "geom_xmat")
 _SIMPLE = "body_simple"  # whether a body allows a shortcut, which no world takes unless all can
+# fields that may differ: also weights of speeds for sleep, which batches do not use, and a part of the state
+_OWN = (_SIMPLE, "dof_length", "eq_active0")
 _SEEN = ("mat_", "nmat", "cam_", "light_", "tex_", "flex_rgba")  # fields of the model that only cameras need
 # addresses in the arrays of meshes, and the array whose length they grow by
 _ADDRESSES = {
@@ -122,12 +124,7 @@ def specs(assets: Sequence[Asset], *, touching: bool = False) -> "list[mujoco.Mj
         ParameterError: The assets do not share a structure.
     """
     _check_shared(assets, "mujoco_warp")
-    couplings = dict.fromkeys(
-        (joint.name, law.leader)
-        for asset in assets
-        for joint in asset.joints
-        if not joint.locked and (law := linear_coupling(asset, joint)) is not None
-    )
+    common = Common.of(assets)
     needed = [
         tuple(
             any(not each.spare for each in same)
@@ -135,14 +132,67 @@ def specs(assets: Sequence[Asset], *, touching: bool = False) -> "list[mujoco.Mj
         )
         for links in zip(*(asset.links for asset in assets), strict=True)
     ]
-    pins = dict.fromkeys(loop.links for asset in assets for loop in asset.loops)
-    found = [_spec(asset, list(couplings), list(pins), needed) for asset in assets]
-    if touching:
+    return [_spec(asset, common, needed, touching=touching) for asset in assets]
+
+
+@dataclasses.dataclass(frozen=True)
+class Common:
+    """What MuJoCo's models of assets of one structure have in common beside it, for worlds of one batch.
+
+    Attributes:
+        couplings: The following and the leading joint of each coupling.
+        pins: The links of each pin of a closed chain.
+        apart: Pairs of links that cannot touch each other in any of the assets.
+    """
+
+    couplings: tuple[tuple[str, str], ...]
+    pins: tuple[tuple[str, str], ...]
+    apart: tuple[tuple[str, str], ...]
+
+    @classmethod
+    def of(cls, assets: Sequence[Asset]) -> "Common":
+        """Collect them from all assets, whose links and joints have the same names."""
+        couplings = dict.fromkeys(
+            (joint.name, law.leader)
+            for asset in assets
+            for joint in asset.joints
+            if not joint.locked and (law := linear_coupling(asset, joint)) is not None
+        )
+        pins = dict.fromkeys(loop.links for asset in assets for loop in asset.loops)
         pairs = [apart(asset) for asset in assets]
-        for first, second in (each for each in pairs[0] if all(each in other for other in pairs[1:])):
-            for spec in found:
-                spec.add_exclude(bodyname1=first, bodyname2=second)
-    return found
+        never = tuple(each for each in pairs[0] if all(each in other for other in pairs[1:]))
+        return cls(tuple(couplings), tuple(pins), never)
+
+    def align(self, asset: Asset, spec: "mujoco.MjSpec", *, touching: bool) -> None:
+        """Give a model of one of the assets the couplings and pins of all; those of others are not active.
+
+        Args:
+            asset: The asset.
+            spec: Its model, which is changed.
+            touching: Whether pairs of `apart` are excluded from contacts.
+        """
+        import mujoco
+
+        for joint in spec.joints:
+            if joint.type != mujoco.mjtJoint.mjJNT_FREE and not asset.joint(joint.name).limits:
+                joint.limited, joint.range = mujoco.mjtLimited.mjLIMITED_TRUE, (-_UNLIMITED, _UNLIMITED)
+        own = {(each.name1, each.name2): (each.data.tolist(), each) for each in spec.equalities}
+        settings = [(each.solref.tolist(), each.solimp.tolist()) for _, each in own.values()][:1]
+        for _, each in own.values():
+            spec.delete(each)
+        kinds = ((mujoco.mjtEq.mjEQ_JOINT, mujoco.mjtObj.mjOBJ_JOINT, self.couplings),
+                 (mujoco.mjtEq.mjEQ_CONNECT, mujoco.mjtObj.mjOBJ_BODY, self.pins))  # fmt: skip
+        for kind, objects, pairs in kinds:  # in the same order in all models
+            for pair in pairs:
+                first, second = pair
+                added = spec.add_equality(
+                    type=kind, objtype=objects, name1=first, name2=second, active=pair in own
+                )
+                added.data[:] = own[pair][0] if pair in own else np.zeros_like(added.data)
+                for solref, solimp in settings:
+                    added.solref[:], added.solimp[:] = solref, solimp
+        for first, second in self.apart if touching else ():
+            spec.add_exclude(bodyname1=first, bodyname2=second)
 
 
 def _check_shared(assets: Sequence[Asset], rule: Rule) -> None:
@@ -320,39 +370,17 @@ def _generated(category: str | Generator, seeds: Iterable[int], options: dict[st
 
 
 def _spec(
-    asset: Asset,
-    couplings: Sequence[tuple[str, str]],
-    pins: Sequence[tuple[str, str]],
-    needed: Sequence[tuple[bool, ...]],
+    asset: Asset, common: Common, needed: Sequence[tuple[bool, ...]], *, touching: bool
 ) -> "mujoco.MjSpec":
-    """Return the model of an asset with the couplings and pins of all assets, those of others not active."""
+    """Return the model of an asset, with what it has in common with others."""
     links = [
         BareLink.of(link, grasps=(), pushes=(), needed=each)
         for link, each in zip(asset.links, needed, strict=True)
     ]
     spec = dataclasses.replace(asset, links=ByName(links)).to_mjspec(textures=0)
-    import mujoco
-
     for each in (*spec.keys, *spec.texts, *spec.materials, *spec.textures):
         spec.delete(each)
-    for joint in spec.joints:
-        if joint.type != mujoco.mjtJoint.mjJNT_FREE and not asset.joint(joint.name).limits:
-            joint.limited, joint.range = mujoco.mjtLimited.mjLIMITED_TRUE, (-_UNLIMITED, _UNLIMITED)
-    own = {(each.name1, each.name2): (each.data.tolist(), each) for each in spec.equalities}
-    settings = [(each.solref.tolist(), each.solimp.tolist()) for _, each in own.values()][:1]
-    for _, each in own.values():
-        spec.delete(each)
-    kinds = ((mujoco.mjtEq.mjEQ_JOINT, mujoco.mjtObj.mjOBJ_JOINT, couplings),
-             (mujoco.mjtEq.mjEQ_CONNECT, mujoco.mjtObj.mjOBJ_BODY, pins))  # fmt: skip
-    for kind, objects, pairs in kinds:  # in the same order in all models
-        for pair in pairs:
-            first, second = pair
-            added = spec.add_equality(
-                type=kind, objtype=objects, name1=first, name2=second, active=pair in own
-            )
-            added.data[:] = own[pair][0] if pair in own else np.zeros_like(added.data)
-            for solref, solimp in settings:
-                added.solref[:], added.solimp[:] = solref, solimp
+    common.align(asset, spec, touching=touching)
     return spec
 
 
@@ -534,7 +562,7 @@ def structure(model: Any) -> Hashable:
     common: list[Hashable] = []
     for field in dataclasses.fields(model):
         name, value = field.name, getattr(model, field.name)
-        if name in (*_batched(model), _SIMPLE) or name.startswith(("mesh_", "nmesh", "npolygonmax", *_SEEN)):
+        if name in (*_batched(model), *_OWN) or name.startswith(("mesh_", "nmesh", "npolygonmax", *_SEEN)):
             continue
         if isinstance(value, warp.array):
             common.append((name, value.shape, value.numpy().tobytes()))

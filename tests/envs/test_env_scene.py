@@ -4,7 +4,9 @@ import mujoco
 import numpy as np
 import pytest
 
+from artgen import generate
 from artgen.asset.affordance import Affordance
+from artgen.batch import Common
 from artgen.envs.motion import Stage, Target
 from artgen.envs.robot import HOME, LIMITS
 from artgen.envs.scene import STEPS, TIME_STEP, TaskScene, compiled
@@ -127,6 +129,19 @@ def test_only_links_that_hold_a_dependency_can_touch(door):
     assert frozenset(("frame", "bolt")) not in free, "the bolt holds the leaf"
     assert {frozenset(("frame", "leaf")), frozenset(("leaf", "handle")), frozenset(("leaf", "bolt"))} <= free
     assert len(apart(bearing_door(rule=False))) == 6, "without a dependency, all links are excluded"
+
+
+def test_models_of_one_topology_have_the_same_constraints_and_exclusions():
+    """Doors with and without a latch differ in couplings, and in the links that can touch each other."""
+    doors = [generate("door", seed, topology="fixed", certify=False) for seed in (0, 1)]
+    apart_from_each_other = [compiled(each) for each in doors]
+    together = [compiled(each, common=Common.of(doors)) for each in doors]
+    for name in ("exclude_signature", "eq_type", "eq_obj1id", "eq_obj2id", "jnt_limited"):
+        first, second = (getattr(model, name) for model in together)
+        np.testing.assert_array_equal(first, second, err_msg=name)
+    assert apart_from_each_other[0].neq != apart_from_each_other[1].neq, "the plain models differ"
+    active = [model.eq_active0.sum() for model in together]
+    assert active == [model.neq for model in apart_from_each_other], "each keeps its own couplings alone"
 
 
 @pytest.mark.parametrize(("lever", "opens"), [(0.0, False), (0.3, False), (0.8, True)])

@@ -53,6 +53,17 @@ def pair(batched, drawers):
 
 
 @pytest.fixture(scope="module")
+def padded():
+    """Two of different structure, padded to the fixed topology of drawers."""
+    return [artgen.generate("drawer", seed, certify=False, topology="fixed") for seed in (0, 1)]
+
+
+@pytest.fixture(scope="module")
+def different(batched, padded):
+    return batched.BatchedTask("OpenDrawer", padded, 2, seed=0)
+
+
+@pytest.fixture(scope="module")
 def twice(batched, drawers):
     """Worlds of a task with two stages: a drawer is opened half way, then all the way."""
     task = TASKS["OpenDrawer"]
@@ -149,11 +160,25 @@ def test_sizes_share_a_model_and_structures_do_not(batched, drawers, pair):
 
 
 @needs_warp
-@pytest.mark.parametrize(("name", "number"), [("pair", 0), ("pair", 1), ("twice", 1)])
-def test_an_episode_goes_as_in_the_environment(request, drawers, name, number):
+@pytest.mark.parametrize("task", ["PushDoor", "PushToasterLever", "OpenFridge"])
+def test_assets_of_the_fixed_topology_share_a_model(batched, task):
+    category = TASKS[task].category
+    assets = [artgen.generate(category, seed, topology="fixed", certify=False) for seed in range(8)]
+    scenes, _ = batched._fit(TASKS[task], assets, 3)
+    assert len({scene.asset.name for scene in scenes}) == 3
+    assert len({batched.structured(scene)[0] for scene in scenes}) == 1
+
+
+@needs_warp
+@pytest.mark.parametrize(
+    ("name", "number"), [("pair", 0), ("pair", 1), ("twice", 1), ("different", 0), ("different", 1)]
+)
+def test_an_episode_goes_as_in_the_environment(request, name, number):
     """The script opens the drawer in the environment; the same actions do the same in the world."""
     pair = request.getfixturevalue(name)
-    env = ManipulationEnv(pair.task, drawers[:2])
+    assert len(pair.groups) == 1
+    assets = request.getfixturevalue("padded" if name == "different" else "drawers")
+    env = ManipulationEnv(pair.task, assets[:2])
     observation, _ = env.reset(seed=0, options={"asset": number})
     policy = ScriptedPolicy(env)
     (worlds, numbers), both = pair.groups[0], np.ones(2, bool)

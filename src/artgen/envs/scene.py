@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from artgen._arrays import Array
 from artgen.asset import Asset
+from artgen.batch import Common
 from artgen.envs.motion import Target
 from artgen.envs.robot import ASSET_BIT, HAND, LIMITS, OPENING, PREFIX, ROBOT_BIT, Control, panda, simulator
 from artgen.export.frames import apart, quaternion
@@ -185,8 +186,11 @@ class TaskScene:
         camera.pos[:], camera.quat[:] = eye, quaternion(pose)
 
 
-def compiled(asset: Asset, *, visual: bool = False, textures: int = 0) -> Any:
-    """Return the MuJoCo model of an asset and a Panda, with or without visual surfaces and texture maps."""
+def compiled(asset: Asset, *, visual: bool = False, textures: int = 0, common: Common | None = None) -> Any:
+    """Return the MuJoCo model of an asset and a Panda, with or without visual surfaces and texture maps.
+
+    With what it has in common with other assets, it can share a batch with their models.
+    """
     mujoco = simulator()
     meshes = mesh_files(asset, textures if visual else 0)
     root = mjcf_tree(asset, meshes)
@@ -197,7 +201,9 @@ def compiled(asset: Asset, *, visual: bool = False, textures: int = 0) -> Any:
     scene = _SCENE.format(floor_bits=ASSET_BIT if asset.base == "free" else 0)
     root.extend(ET.fromstring(scene))  # noqa: S314 - the text of this file
     spec = mujoco.MjSpec.from_string(document(root).decode(), assets=files)
-    for first, second in apart(asset):
+    if common is not None:
+        common.align(asset, spec, touching=True)
+    for first, second in apart(asset) if common is None else ():
         spec.add_exclude(bodyname1=first, bodyname2=second)
     with warnings.catch_warnings():  # the robot's files are on disk, those of the asset in memory
         warnings.filterwarnings("ignore", message="Attaching a child without asset dict")
