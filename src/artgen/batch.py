@@ -137,7 +137,9 @@ def specs(assets: Sequence[Asset], *, touching: bool = False) -> "list[mujoco.Mj
 
 @dataclasses.dataclass(frozen=True)
 class Common:
-    """What MuJoCo's models of assets of one structure have in common beside it, for worlds of one batch.
+    """The couplings, the pins and the pairs of links without contact of all assets of a batch.
+
+    Models of MuJoCo share a batch if these are the same, beside links, joints and colliders.
 
     Attributes:
         couplings: The following and the leading joint of each coupling.
@@ -372,7 +374,7 @@ def _generated(category: str | Generator, seeds: Iterable[int], options: dict[st
 def _spec(
     asset: Asset, common: Common, needed: Sequence[tuple[bool, ...]], *, touching: bool
 ) -> "mujoco.MjSpec":
-    """Return the model of an asset, with what it has in common with others."""
+    """Return the model of an asset for a batch."""
     links = [
         BareLink.of(link, grasps=(), pushes=(), needed=each)
         for link, each in zip(asset.links, needed, strict=True)

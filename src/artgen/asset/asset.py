@@ -144,7 +144,7 @@ def followed_limits(law: AssetCoupling, leader: AssetJoint) -> tuple[float, floa
         return law.span(*leader.limits) if leader.limits is not None else None
     if leader.limits is None and abs(law.gain) >= _CURVE_SLACK:  # else it swings while its input turns
         return None
-    # a series is less exact than this; a limit at the rest position is 0, so that 0 is never outside
+    # a series is less exact than this, and simulators warn if 0 is 1e-13 outside
     low, high = (round(end, _CURVE_DIGITS) + 0.0 for end in law.span(*(leader.limits or curve.range)))
     return low, high
 

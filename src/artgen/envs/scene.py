@@ -189,7 +189,7 @@ class TaskScene:
 def compiled(asset: Asset, *, visual: bool = False, textures: int = 0, common: Common | None = None) -> Any:
     """Return the MuJoCo model of an asset and a Panda, with or without visual surfaces and texture maps.
 
-    With what it has in common with other assets, it can share a batch with their models.
+    `common` makes it a model for a batch with other assets.
     """
     mujoco = simulator()
     meshes = mesh_files(asset, textures if visual else 0)
