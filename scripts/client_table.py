@@ -110,8 +110,8 @@ EARLIER = (
     "A run of 25 November 2026 read seeds 0 to 4 of dishwasher, door, handle, lamp, refrigerator, toaster "
     "and trashcan in all layouts, or seed 0 by the clients that compile for each asset: each client but "
     "drake_sdf, which was not there yet, passed all of them. "
-    "Results of mjx, Newton, Genesis and drake_urdf are of exports of 28 November 2026, "
-    "the others of 27 November."
+    "Results of mjx, MuJoCo Warp, Newton, Genesis and drake_urdf, and all of chair and table, are of exports "
+    "of 28 November 2026, the others of 27 November."
 )
 """Results that this run does not repeat."""
 
