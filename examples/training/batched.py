@@ -45,6 +45,8 @@ class BatchedTask(VecEnv):
         assets: As for `ManipulationEnv`; the worlds get the first suitable ones in turn.
         worlds: Number of worlds.
         seed: Seed of the first postures of the arms.
+        spread: Whether the first episodes end one after another: else the short rollouts of learning are all
+            of the same part of an episode.
 
     Raises:
         EnvError: No asset is suitable for the task.
@@ -58,7 +60,13 @@ class BatchedTask(VecEnv):
     """
 
     def __init__(
-        self, task: str | Task, assets: Source = None, worlds: int = 64, *, seed: int | None = None
+        self,
+        task: str | Task,
+        assets: Source = None,
+        worlds: int = 64,
+        *,
+        seed: int | None = None,
+        spread: bool = False,
     ) -> None:
         if worlds < 1:
             raise ParameterError(f"worlds = {worlds!r} is not allowed: it must be at least 1")
@@ -72,6 +80,7 @@ class BatchedTask(VecEnv):
         super().__init__(worlds, box, spaces.Box(-1.0, 1.0, (7,), np.float32))
         self._actions = np.zeros((worlds, 7))
         self._ages = np.zeros(worlds, int)
+        self._first_ages = np.arange(worlds) * self.steps // worlds * spread
         self._rngs = [
             np.random.default_rng(None if seed is None else [seed, number]) for number in range(worlds)
         ]
@@ -87,6 +96,7 @@ class BatchedTask(VecEnv):
         for worlds, numbers in self.groups:
             self.begin(worlds, numbers, everywhere)
             result[numbers] = worlds.goals.observe(worlds.seen())[0].cpu().numpy()
+        self._ages[:] = self._first_ages
         return result
 
     def begin(
@@ -279,7 +289,7 @@ def main() -> None:
     options = parser.parse_args()
     seeds, category = range(options.assets), TASKS[options.task].category
     assets = [generate(category, seed, topology="fixed", certify="later") for seed in seeds]
-    batch = BatchedTask(options.task, assets, options.worlds, seed=options.seed)
+    batch = BatchedTask(options.task, assets, options.worlds, seed=options.seed, spread=options.learn > 0)
     print(
         f"{options.worlds} worlds of {len(set(batch.names))} assets in {len(batch.groups)} groups", flush=True
     )

@@ -217,6 +217,22 @@ def test_an_episode_ends_with_its_time(pair):
 
 
 @needs_warp
+def test_first_episodes_can_end_one_after_another(batched, drawers, pair):
+    pair.reset()
+    assert pair._ages.tolist() == [0, 0]
+    spread = batched.BatchedTask("OpenDrawer", drawers[:2], 2, seed=0, spread=True)
+    spread.reset()
+    assert spread._ages.tolist() == [0, spread.steps // 2]
+    spread.step(np.zeros((2, 7)))
+    assert spread._ages.tolist() == [1, spread.steps // 2 + 1]
+    spread._ages[1] = spread.steps - 1
+    _, _, ends, infos = spread.step(np.zeros((2, 7)))
+    assert ends.tolist() == [False, True]
+    assert infos[1]["TimeLimit.truncated"]
+    assert spread._ages.tolist() == [2, 0], "later episodes are whole"
+
+
+@needs_warp
 def test_seeds_repeat(pair):
     actions = np.random.default_rng(3).uniform(-1.0, 1.0, (2, 2, 7))
 
