@@ -287,8 +287,10 @@ def main() -> None:
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--out", type=Path, default=Path("batched"))
     options = parser.parse_args()
-    seeds, category = range(options.assets), TASKS[options.task].category
-    assets = [generate(category, seed, topology="fixed", certify="later") for seed in seeds]
+    seeds, task = range(options.assets), TASKS[options.task]
+    assets = [
+        generate(task.category, seed, topology="fixed", certify="later", **task.overrides) for seed in seeds
+    ]
     batch = BatchedTask(options.task, assets, options.worlds, seed=options.seed, spread=options.learn > 0)
     print(
         f"{options.worlds} worlds of {len(set(batch.names))} assets in {len(batch.groups)} groups", flush=True

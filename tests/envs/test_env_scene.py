@@ -132,7 +132,7 @@ def test_only_links_that_hold_a_dependency_can_touch(door):
 
 
 def test_models_of_one_topology_have_the_same_constraints_and_exclusions():
-    """Doors with and without a latch differ in couplings, and in the links that can touch each other."""
+    """Plain models of two doors differ in couplings, and in the links that can touch each other."""
     doors = [generate("door", seed, topology="fixed", certify=False) for seed in (0, 1)]
     apart_from_each_other = [compiled(each) for each in doors]
     together = [compiled(each, common=Common.of(doors)) for each in doors]
