@@ -206,8 +206,9 @@ def _fit(task: Task, source: Source, most: int) -> tuple[list[TaskScene], list[T
             break
     if not found:
         raise EnvError(f"{task.name} found no suitable asset; the last one: {reason}")
-    alike = groups([asset for asset, _ in found], "mjlab")
-    common = {id(asset): each for each, of in zip(map(Common.of, alike), alike, strict=True) for asset in of}
+    common: dict[int, Common] = {}
+    for alike in groups([asset for asset, _ in found], "mjlab"):
+        common |= dict.fromkeys(map(id, alike), Common.of(alike))
     scenes = [TaskScene(asset, compiled(asset, common=common[id(asset)])) for asset, _ in found]
     targets = [target for _, target in found]
     for scene, target in zip(scenes, targets, strict=True):

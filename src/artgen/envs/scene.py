@@ -203,8 +203,9 @@ def compiled(asset: Asset, *, visual: bool = False, textures: int = 0, common: C
     spec = mujoco.MjSpec.from_string(document(root).decode(), assets=files)
     if common is not None:
         common.align(asset, spec, touching=True)
-    for first, second in apart(asset) if common is None else ():
-        spec.add_exclude(bodyname1=first, bodyname2=second)
+    else:
+        for first, second in apart(asset):
+            spec.add_exclude(bodyname1=first, bodyname2=second)
     with warnings.catch_warnings():  # the robot's files are on disk, those of the asset in memory
         warnings.filterwarnings("ignore", message="Attaching a child without asset dict")
         spec.attach(panda(visual=visual), frame=spec.worldbody.add_frame(), prefix=PREFIX)
