@@ -111,8 +111,9 @@ def test_worlds_of_mujoco_warp_step_like_mujoco() -> None:
         return
     import mujoco_warp
 
-    worlds = batch.mujoco_warp("drawer", [0, 1], 3, certify=False, nconmax=32, njmax=128)
+    worlds = batch.mujoco_warp("drawer", [0, 203], 3, certify=False, nconmax=32, njmax=128)
     assert worlds.of.tolist() == [0, 1, 0]
+    assert [bool(each.tendon_stiffness.any()) for each in worlds.compiled] == [False, True]
     pairs = worlds.model.nxn_geom_pair_filtered.numpy()
     own = np.stack([each.geom_margin == 0.0 for each in worlds.compiled])
     assert own[:, pairs].all(axis=2).any(axis=0).all(), "a pair that touches in no world is tested"

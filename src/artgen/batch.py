@@ -20,7 +20,8 @@ from artgen.asset.link import BareLink, Collider, DerivedLink
 from artgen.catalog import generate
 from artgen.errors import ExportError, ParameterError
 from artgen.export.frames import apart, coupling, linear_coupling
-from artgen.export.mjcf import OFF
+from artgen.export.mjcf import OFF, Tendons, tendons_of
+from artgen.export.objects import mjspec
 from artgen.generator import Generator
 
 if TYPE_CHECKING:
@@ -37,8 +38,9 @@ _UNLIMITED = 1e6  # range of a joint without limits: worlds share whether a join
 # where things are: MuJoCo Warp places those that do not move only once
 _PLACES = ("xpos", "xquat", "xmat", "xipos", "ximat", "geom_xpos", "geom_xmat")
 _SIMPLE = "body_simple"  # whether a body allows a shortcut, which no world takes unless all can
+_ACTING = ("has_tendon_stiffness", "has_tendon_damping")  # whether MuJoCo Warp computes them in any world
 # fields that may differ: also weights of speeds for sleep, which batches do not use, and a part of the state
-_OWN = (_SIMPLE, "dof_length", "eq_active0")
+_OWN = (_SIMPLE, "dof_length", "eq_active0", *_ACTING)
 _SEEN = ("mat_", "nmat", "cam_", "light_", "tex_", "flex_rgba")  # fields of the model that only cameras need
 # addresses in the arrays of meshes, and the array whose length they grow by
 _ADDRESSES = {
@@ -79,10 +81,7 @@ def groups(assets: Iterable[Asset], rule: Rule) -> list[list[Asset]]:
 def _structure(asset: Asset) -> Hashable:
     """Return the tree, the kinds of joints, and the kinds of colliders, which name them in USD."""
     numbers = {link.name: number for number, link in enumerate(asset.links)}
-    joints = [
-        (numbers[each.parent], numbers[each.child], each.kind, each.locked, len(each.ridges))
-        for each in asset.joints
-    ]
+    joints = [(numbers[each.parent], numbers[each.child], each.kind, each.locked) for each in asset.joints]
     colliders = [tuple(each.convex.kind for each in link.colliders) for link in asset.links]
     return tuple(joints), tuple(colliders)
 
@@ -137,18 +136,20 @@ def specs(assets: Sequence[Asset], *, touching: bool = False) -> "list[mujoco.Mj
 
 @dataclasses.dataclass(frozen=True)
 class Common:
-    """The couplings, the pins and the pairs of links without contact of all assets of a batch.
+    """The couplings, pins, tendons and pairs of links without contact of all assets of a batch.
 
     Models of MuJoCo share a batch if these are the same, beside links, joints and colliders.
 
     Attributes:
         couplings: The following and the leading joint of each coupling.
         pins: The links of each pin of a closed chain.
+        tendons: Largest number of ridges of each joint, and whether it closes softly, for the writer of MJCF.
         apart: Pairs of links that cannot touch each other in any of the assets.
     """
 
     couplings: tuple[tuple[str, str], ...]
     pins: tuple[tuple[str, str], ...]
+    tendons: Tendons
     apart: tuple[tuple[str, str], ...]
 
     @classmethod
@@ -161,9 +162,13 @@ class Common:
             if not joint.locked and (law := linear_coupling(asset, joint)) is not None
         )
         pins = dict.fromkeys(loop.links for asset in assets for loop in asset.loops)
+        own = [tendons_of(asset) for asset in assets]
+        tendons = {
+            name: (max(each[name][0] for each in own), any(each[name][1] for each in own)) for name in own[0]
+        }
         pairs = [apart(asset) for asset in assets]
         never = tuple(each for each in pairs[0] if all(each in other for other in pairs[1:]))
-        return cls(tuple(couplings), tuple(pins), never)
+        return cls(tuple(couplings), tuple(pins), tendons, never)
 
     def align(self, asset: Asset, spec: "mujoco.MjSpec", *, touching: bool) -> None:
         """Give a model of one of the assets the couplings and pins of all; those of others are not active.
@@ -379,7 +384,7 @@ def _spec(
         BareLink.of(link, grasps=(), pushes=(), needed=each)
         for link, each in zip(asset.links, needed, strict=True)
     ]
-    spec = dataclasses.replace(asset, links=ByName(links)).to_mjspec(textures=0)
+    spec = mjspec(dataclasses.replace(asset, links=ByName(links)), 0, common.tendons)
     for each in (*spec.keys, *spec.texts, *spec.materials, *spec.textures):
         spec.delete(each)
     common.align(asset, spec, touching=touching)
@@ -616,10 +621,10 @@ def joined(mujoco_model: Any, models: Sequence[Any], of: Sequence[int]) -> Any:
         setattr(result, name, warp.array(old.numpy()[used], dtype=old.dtype, device=old.device))
     simple = np.min([getattr(model, _SIMPLE).numpy() for model in models], axis=0)
     getattr(result, _SIMPLE).assign(simple)
-    for field in dataclasses.fields(result):
-        if field.name.startswith("nmesh") or field.name == "npolygonmax":
-            combine = max if field.name.endswith("max") else sum
-            setattr(result, field.name, combine(getattr(model, field.name) for model in models))
+    for name in (field.name for field in dataclasses.fields(result)):
+        if name.startswith("nmesh") or name in ("npolygonmax", *_ACTING):
+            combine = any if name in _ACTING else max if name.endswith("max") else sum
+            setattr(result, name, combine(getattr(model, name) for model in models))
     return result
 
 

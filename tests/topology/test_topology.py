@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import artgen as ag
-from artgen import batch
+from artgen import batch, feel
 from artgen.asset.link import DerivedLink
 from artgen.errors import AssetError, ParameterError
 from artgen.proof.recheck import recheck
@@ -297,3 +297,38 @@ def test_padded_chains_keep_their_pin_and_move_as_before() -> None:
     assert [found.eq_active0.tolist() for found in models] == [[1], [0]]
     plain = linkage.to_mjspec(textures=0).compile()
     np.testing.assert_allclose(models[0].eq_data, plain.eq_data, atol=1e-12)
+
+
+def test_worlds_of_a_batch_keep_the_detents_and_soft_closings_of_their_asset() -> None:
+    def knob(**options) -> ag.Asset:
+        case = ag.part(ag.box(0.3, 0.3, 0.1), "case", ag.material("oak"))
+        grip = ag.part(ag.box(0.2, 0.02, 0.05).at(0.0, 0.0, 0.1), "grip", ag.material("oak"))
+        return made(case.attach(grip, ag.Revolute("turn", axis=ag.Z, damping=0.002, **options)))
+
+    soft = feel.soft_closing(0.5, preload=0.1, force=0.2, damping=0.1)
+    plain = [
+        knob(detents=feel.detents(5, torque=0.1)),
+        knob(detents=feel.detents(9, torque=0.1)),
+        knob(limits=(0.0, 1.5), closing=soft),
+        knob(limits=(0.0, 1.5)),
+    ]
+    models = [spec.compile() for spec in batch.specs(list(map(Topology.of(plain).pad, plain)))]
+    assert {(found.ntendon, tuple(found.wrap_type), tuple(found.wrap_objid)) for found in models} == {
+        (10, tuple(models[0].wrap_type), tuple(models[0].wrap_objid))
+    }
+    acting = [int(np.sum((found.tendon_stiffness > 0) | (found.tendon_damping > 0))) for found in models]
+    assert acting == [5, 9, 1, 0]
+    speeds = []
+    for asset, found in zip(plain, models, strict=True):
+        runs = []
+        for each in (model(asset), found):
+            data = mujoco.MjData(each)
+            data.qpos[0], data.qvel[0] = 0.4, -1.0
+            runs.append([])
+            for _ in range(300):
+                mujoco.mj_step(each, data)
+                runs[-1].append(data.qvel[0])
+        np.testing.assert_allclose(*runs, atol=1e-9)
+        speeds.append(runs[0])
+    for one, other in ((0, 3), (1, 3), (2, 3), (0, 1)):
+        assert np.abs(np.subtract(speeds[one], speeds[other])).max() > 0.1, "tendons act"

@@ -193,7 +193,7 @@ def compiled(asset: Asset, *, visual: bool = False, textures: int = 0, common: C
     """
     mujoco = simulator()
     meshes = mesh_files(asset, textures if visual else 0)
-    root = mjcf_tree(asset, meshes)
+    root = mjcf_tree(asset, meshes, common.tendons if common else None)
     if not visual:
         _strip(root)
     named = {element.get("file") for element in root.iter()}

@@ -5,7 +5,8 @@ textures begin with its own name; links, joints and meshes have the same names a
 `<exclude>` is never used: parts that collide by mistake are a fault of the asset.
 
 Detents of a joint are spatial tendons that act as short springs between sites (`_detents`). A soft closing is
-one that gets longer near the closed position, and nowhere else (`_closing`).
+one that gets longer near the closed position, and nowhere else (`_closing`). Models of a batch have the same
+tendons: those that an asset lacks have no stiffness and no damping (`Tendons`).
 
 Features without an MJCF element are in `<custom>`: a text `<link>_labels` holds the semantic labels of a
 link; a tuple with the name of a grasp or push holds its site, with the opening of the fingers as the number,
@@ -22,7 +23,7 @@ import numpy as np
 
 from artgen import _portable
 from artgen._arrays import Array
-from artgen.asset import Asset, AssetJoint, Link
+from artgen.asset import Asset, AssetJoint, AssetSoftClosing, Link
 from artgen.asset.affordance import Grasp
 from artgen.asset.valid_states import KEY
 from artgen.colliders import Convex
@@ -46,12 +47,22 @@ _DRUM = 0.01  # radius of the drum of a soft closing, around which its cord lies
 _BESIDE = 0.03  # angle between the end of such a cord and its contact with the drum [rad]
 _SLACK = 0.05  # distance of the other end of a cord from the joint's limit [rad or m]
 _ENDLESS = 1000.0  # length from which such a spring would pull [m]
+_NO_CLOSING = AssetSoftClosing(reach=0.0, preload=0.0, force=0.0, damping=0.0)
 _COUPLING_IMPEDANCE = "0.99 0.9999 0.0001"
 _CONTACT_IMPEDANCE = "0.95 0.99 0.0005"
 _FRICTION_IMPEDANCE = "0.9999 0.9999 0.001"  # with the default, a rod that friction holds creeps 16 mm in 5 s
 
 
-def write_mjcf(asset: Asset, textures: int = 0) -> Written:
+Tendons = Mapping[str, tuple[int, bool]]
+"""Number of ridges of each joint, and whether it has a soft closing."""
+
+
+def tendons_of(asset: Asset) -> Tendons:
+    """Return the tendons of an asset by the name of the joint."""
+    return {joint.name: (len(joint.ridges), joint.closing is not None) for joint in asset.joints}
+
+
+def write_mjcf(asset: Asset, textures: int = 0, tendons: Tendons | None = None) -> Written:
     """Write an asset as MJCF, with its meshes.
 
     The initial state of the model is `asset.positions()`, with every joint as near to 0 as its limits allow.
@@ -59,12 +70,13 @@ def write_mjcf(asset: Asset, textures: int = 0) -> Written:
     Args:
         asset: The asset.
         textures: Texels per side of the material maps; 0 for colors only.
+        tendons: Those of the model, at least those of the asset; by default these.
 
     Returns:
         The MJCF, mesh and map files, and the losses of MJCF.
     """
     meshes = mesh_files(asset, textures)
-    root = mjcf_tree(asset, meshes)
+    root = mjcf_tree(asset, meshes, tendons)
     custom = root.find("custom")
     assert custom is not None
     add(custom, "text", name=f"{asset.name}_{KEY}", data=states_text(asset))
@@ -87,8 +99,8 @@ def mjcf_losses(asset: Asset, textures: int) -> tuple[Loss, ...]:
     )
 
 
-def mjcf_tree(asset: Asset, meshes: MeshFiles) -> ET.Element:
-    """Return an asset as elements of an MJCF file next to the directory of its meshes."""
+def mjcf_tree(asset: Asset, meshes: MeshFiles, tendons: Tendons | None = None) -> ET.Element:
+    """Return an asset as elements of an MJCF file next to the directory of its meshes; see `write_mjcf`."""
     root = ET.Element("mujoco", model=asset.name)
     # no directories here: a scene that includes the file would not find its files
     add(root, "compiler", angle="radian", autolimits="true")
@@ -103,7 +115,7 @@ def mjcf_tree(asset: Asset, meshes: MeshFiles) -> ET.Element:
             frame = replace(each, parent="", placement=rest[name])
         elements[name] = _add_body(elements[frame.parent] if frame.parent else world, asset, frame, meshes)
     _add_couplings(root, asset)
-    _add_tendons(root, asset, elements)
+    _add_tendons(root, asset, elements, tendons or tendons_of(asset))
     _add_custom(root, asset)
     return root
 
@@ -263,15 +275,20 @@ def _add_couplings(root: ET.Element, asset: Asset) -> None:
         add(equality, "connect", pinned, anchor=anchor, solref=_STIFF, solimp=_COUPLING_IMPEDANCE)
 
 
-def _add_tendons(root: ET.Element, asset: Asset, elements: Mapping[str, ET.Element]) -> None:
+def _add_tendons(
+    root: ET.Element, asset: Asset, elements: Mapping[str, ET.Element], tendons: Tendons
+) -> None:
     """Add the detents and the soft closing of joints."""
-    acting = [joint for joint in asset.joints if joint.detents is not None or joint.closing is not None]
-    tendons = add(root, "tendon") if acting else root
+    acting = [joint for joint in asset.joints if any(tendons[joint.name])]
+    parent = add(root, "tendon") if acting else root
     for joint in acting:
-        for link, name, place in (*_detents(tendons, joint), *_closing(tendons, joint)):
+        ridges, closes = tendons[joint.name]
+        closing = joint.closing or replace(_NO_CLOSING, reach=joint.opened)
+        sites = [*_detents(parent, joint, ridges), *(_closing(parent, joint, closing) if closes else ())]
+        for link, name, place in sites:
             where = frames.local(asset, link, place)
             add(elements[link], "site", name=name, pos=np.round(where[:3, 3], 12))
-        if joint.closing is not None and joint.kind == "revolute":
+        if closes and joint.kind == "revolute":
             across, turned = _across(joint), frames.translation(joint.pivot)
             turned[:3, :3] = np.column_stack([across, np.cross(joint.axis, across), joint.axis])
             drum: dict[str, Attribute] = {"name": f"{joint.name}_drum", "class": f"{asset.name}_visual"}
@@ -289,16 +306,22 @@ _Site = tuple[str, str, Array]
 """A link, the name of a site on it, and its place in asset coordinates at rest."""
 
 
-def _detents(tendons: ET.Element, joint: AssetJoint) -> Iterator[_Site]:
-    """Add detents: a short spring between a site of the child and a site of the parent at each ridge."""
-    if joint.detents is None:
+def _detents(tendons: ET.Element, joint: AssetJoint, count: int) -> Iterator[_Site]:
+    """Add detents: a short spring between a site of the child and a site of the parent at each ridge.
+
+    There are `count` of them; those without a ridge have no stiffness.
+    """
+    if not count:
         return
     start = frames.translation(joint.pivot + _DETENT_ARM * _across(joint))
-    site, torque = f"{joint.name}_detent", joint.detents.torque
+    site, torque = f"{joint.name}_detent", joint.detents.torque if joint.detents else 0.0
     yield joint.child, site, start
-    for number, (ridge, gap) in enumerate(joint.ridges):
-        name = f"{joint.name}_ridge_{number}"
-        yield joint.parent, name, _portable.product(joint.motion(ridge), start)
+    spare = [(joint.closed, _DETENT_ARM)] * (count - len(joint.ridges))
+    for number, (ridge, gap) in enumerate((*joint.ridges, *spare)):
+        name, place = f"{joint.name}_ridge_{number}", start
+        if number >= len(joint.ridges):
+            torque, place = 0.0, frames.translation(joint.pivot)  # beside the other site
+        yield joint.parent, name, _portable.product(joint.motion(ridge), place)
         reach, arm = gap / 2.0, 1.0  # distance at which the spring begins, and its arm on the ridge [m]
         if joint.kind == "revolute":
             reach, arm = 2.0 * _DETENT_ARM * _portable.sin(gap / 4.0), _DETENT_ARM
@@ -308,16 +331,14 @@ def _detents(tendons: ET.Element, joint: AssetJoint) -> Iterator[_Site]:
         add(spring, "site", site=name)
 
 
-def _closing(tendons: ET.Element, joint: AssetJoint) -> Iterator[_Site]:
+def _closing(tendons: ET.Element, joint: AssetJoint, closing: AssetSoftClosing) -> Iterator[_Site]:
     """Add a soft closing: a cord from the reach over a site of the child to beyond the open limit.
 
     While the child is between both ends, the cord is as long wherever it is: no spring or damper of the cord
     acts. On the way home it gets longer by twice the way, which its spring, too short, pushes. On a turn it
     lies around a drum, so that its length grows with the angle.
     """
-    closing, name = joint.closing, f"{joint.name}_closing"
-    if closing is None:
-        return
+    name = f"{joint.name}_closing"
     way = math.copysign(1.0, closing.reach - joint.closed)
     end = joint.opened + way * _SLACK
     start, arm, length = frames.translation(joint.pivot), 1.0, abs(end - closing.reach)

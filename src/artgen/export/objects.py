@@ -18,7 +18,7 @@ from artgen.errors import ExportError
 from artgen.export.files import write_files
 from artgen.export.glb import write_glb
 from artgen.export.maps import TEXTURE_DIRECTORY
-from artgen.export.mjcf import write_mjcf
+from artgen.export.mjcf import Tendons, write_mjcf
 from artgen.materials.textures import check_size
 
 if TYPE_CHECKING:
@@ -29,12 +29,13 @@ if TYPE_CHECKING:
 _SCENE = "world"  # frame of a trimesh scene: the coordinates of the asset
 
 
-def mjspec(asset: Asset, textures: int) -> "mujoco.MjSpec":
+def mjspec(asset: Asset, textures: int, tendons: Tendons | None = None) -> "mujoco.MjSpec":
     """Return an asset as an editable model of MuJoCo, with meshes and maps as its assets.
 
     Args:
         asset: The asset.
         textures: Texels per side of the material maps; 0 for colors only.
+        tendons: Those of the model; see `write_mjcf`.
 
     Raises:
         ExportError: MuJoCo is not installed.
@@ -46,7 +47,7 @@ def mjspec(asset: Asset, textures: int) -> "mujoco.MjSpec":
         raise ExportError(
             f'an MjSpec needs MuJoCo, which cannot be loaded ({error}): pip install "artgen[sim]"'
         ) from error
-    files = dict(write_mjcf(_stored(asset, textures), textures).files)
+    files = dict(write_mjcf(_stored(asset, textures), textures, tendons).files)
     return mujoco.MjSpec.from_string(files.pop(f"{asset.name}.xml").decode(), assets=files)
 
 

@@ -206,7 +206,7 @@ def pad(asset: Asset, slots: "Sequence[Slot]", places: Mapping[str, str]) -> Ass
             inside = tuple(small[name] for name, (host, *_) in hosts.items() if host.link == link.name)
             result.append(_renamed(link, slot, names, taken, inside))
             joints += [
-                replace(each.renamed(names), parent=slot.parent, child=slot.name, detents=None, closing=None)
+                replace(each.renamed(names), parent=slot.parent, child=slot.name)
                 for each in above.get(link.name, ())
             ]
             continue
