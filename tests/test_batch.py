@@ -74,7 +74,8 @@ def test_colliders_that_are_spare_in_all_assets_are_left_out(doors) -> None:
 
 def test_pairs_that_cannot_touch_in_any_asset_may_be_excluded(doors) -> None:
     padded = list(map(Topology.of(doors).pad, doors))
-    plain, fewer = ([each.compile() for each in batch.specs(padded, touching=on)] for on in (False, True))
+    plain = [each.compile() for each in batch.specs(padded, touching=False)]
+    fewer = [each.compile() for each in batch.specs(padded)]
     assert [model.nexclude for model in plain] == [0, 0]
     assert fewer[0].nexclude > 0
     assert (fewer[0].exclude_signature == fewer[1].exclude_signature).all()
@@ -111,7 +112,7 @@ def test_worlds_of_mujoco_warp_step_like_mujoco() -> None:
         return
     import mujoco_warp
 
-    worlds = batch.mujoco_warp("drawer", [0, 203], 3, certify=False, nconmax=32, njmax=128)
+    worlds = batch.mujoco_warp("drawer", [0, 203], 3, touching=False, certify=False, nconmax=32, njmax=128)
     assert worlds.of.tolist() == [0, 1, 0]
     assert [bool(each.tendon_stiffness.any()) for each in worlds.compiled] == [False, True]
     pairs = worlds.model.nxn_geom_pair_filtered.numpy()

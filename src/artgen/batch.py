@@ -87,7 +87,7 @@ def _structure(asset: Asset) -> Hashable:
 
 
 def mjlab(
-    category: str | Generator, seeds: Iterable[int], *, touching: bool = False, **options: Any
+    category: str | Generator, seeds: Iterable[int], *, touching: bool = True, **options: Any
 ) -> "list[mujoco.MjSpec]":
     """Return editable models of MuJoCo with one structure, for the variants of an entity of mjlab.
 
@@ -110,7 +110,7 @@ def mjlab(
     return specs(_generated(category, seeds, options), touching=touching)
 
 
-def specs(assets: Sequence[Asset], *, touching: bool = False) -> "list[mujoco.MjSpec]":
+def specs(assets: Sequence[Asset], *, touching: bool = True) -> "list[mujoco.MjSpec]":
     """Return the models of `mjlab` for assets of one topology.
 
     Args:
@@ -415,7 +415,7 @@ def mujoco_warp(
     seeds: Iterable[int],
     worlds: int | None = None,
     *,
-    touching: bool = False,
+    touching: bool = True,
     **options: Any,
 ) -> Worlds:
     """Return a model of MuJoCo Warp whose worlds have different assets of one category.
