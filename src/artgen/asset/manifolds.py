@@ -102,18 +102,16 @@ def part_boxes(points: Array, faces: Indices) -> tuple[Array, Indices]:
     Returns:
         Boxes, shape (k, 2, 3) [m], and numbers of points, shape (k,).
     """
-    from scipy.sparse import csr_array
-    from scipy.sparse.csgraph import connected_components
-
-    # each corner leads to the next one: a CSR matrix without sorting
-    order = np.argsort(faces.ravel(), kind="stable")
-    ends = np.cumsum(np.bincount(faces.ravel(), minlength=len(points)))
-    following = faces[:, [1, 2, 0]].ravel()[order]
-    columns = np.ones(len(order), np.int8), following, np.append(0, ends)
-    sides = csr_array(columns, shape=(len(points), len(points)), copy=False)
-    # the corners of a triangle form a loop: strong parts are all parts, and are found faster
-    _, part = connected_components(sides, connection="strong")
-    used = np.flatnonzero(np.diff(ends, prepend=0))
+    part = np.arange(len(points))  # the lowest known point that each one is connected to
+    while True:
+        of = part[faces]
+        least = of.min(axis=1)
+        if (of == least[:, None]).all():
+            break
+        np.minimum.at(part, of.ravel(), np.repeat(least, 3))
+        while (part != part[part]).any():
+            part = part[part]
+    used = np.unique(faces)
     ordered = used[np.argsort(part[used], kind="stable")]
     starts = np.flatnonzero(np.diff(part[ordered], prepend=-1))
     corners = [each.reduceat(points[ordered], starts) for each in (np.minimum, np.maximum)]
@@ -140,8 +138,6 @@ def touching(solids: Sequence[Manifold], boxes: Array, ranks: Array | None = Non
         boxes: Their bounding boxes, shape (n, 2, 3) [m].
         ranks: Rank of each solid, shape (n,): pairs of low ranks come first, by default those of near boxes.
     """
-    from scipy.cluster.hierarchy import DisjointSet
-
     apart = box_gaps(boxes, boxes)
     first, second = np.nonzero(np.triu(apart <= JOINED, 1))
     # most boxes that overlap belong to solids that do, and pairs that are already connected cost nothing
@@ -149,13 +145,11 @@ def touching(solids: Sequence[Manifold], boxes: Array, ranks: Array | None = Non
     if ranks is not None:
         pair = np.sort(np.column_stack([ranks[first], ranks[second]]), axis=1)
         keys += [pair[:, 0], pair[:, 1]]
-    groups = DisjointSet(range(len(solids)))
+    group = np.arange(len(solids))  # number of the group of each solid
     found = []
     for a, b in np.column_stack([first, second])[np.lexsort(keys)].tolist():
-        if groups.connected(a, b):
-            continue
-        if solids[a].min_gap(solids[b], 2.0 * JOINED) <= JOINED:
-            groups.merge(a, b)
+        if group[a] != group[b] and solids[a].min_gap(solids[b], 2.0 * JOINED) <= JOINED:
+            group[group == group[b]] = group[a]
             found.append((a, b))
     return found
 
