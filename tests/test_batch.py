@@ -58,6 +58,52 @@ def test_models_for_mjlab_have_one_structure(doors) -> None:
     assert first.neq > min(followers)  # couplings of the other door are there, but hold nothing
 
 
+def test_models_for_mjlab_with_a_free_base_share_all_names() -> None:
+    specs = batch.mjlab("drawer", [202, 203], base="free", certify=False)
+    for kind in ("bodies", "joints", "tendons", "equalities", "sites"):
+        first, second = ([each.name for each in getattr(spec, kind)] for spec in specs)
+        assert first == second, kind
+    assert specs[0].joints[0].type == mujoco.mjtJoint.mjJNT_FREE
+    assert specs[0].tendons, "one of them has a soft closing"
+
+
+def test_worlds_of_mjlab_step_like_mujoco_after_the_event() -> None:
+    """By itself, mjlab takes the places and limits of joints and the tendons from the first variant."""
+    variants = pytest.importorskip("mjlab.entity.variants", reason="pip install mjlab")
+    import torch
+    from mjlab.scene import Scene, SceneCfg
+    from mjlab.sim import Simulation, SimulationCfg
+
+    specs = batch.mjlab("drawer", [202, 203], base="free", certify=False)
+    made = {str(number): spec.copy for number, spec in enumerate(specs)}
+    scene = Scene(SceneCfg(num_envs=2, entities={"drawer": variants.VariantEntityCfg(variants=made)}), "cpu")
+    options = {"spec": scene.spec, "variant_info": scene.collect_variant_info(), "device": "cpu"}
+    simulation = Simulation(2, SimulationCfg(njmax=300, nconmax=100), **options)
+    scene.initialize(simulation.mj_model, simulation.model, simulation.data)
+    event = batch.mjlab_event(specs, "drawer")
+    worst = []
+    for with_event in (False, True, True):
+        simulation.reset()
+        if with_event:
+            event(types.SimpleNamespace(sim=simulation), None)
+        models = [spec.copy() for spec in specs]
+        for each in models:
+            each.option.timestep = simulation.mj_model.opt.timestep
+        compiled = [each.compile() for each in models]
+        data = [mujoco.MjData(each) for each in compiled]
+        start = np.stack([each.qpos for each in data])
+        simulation.data.qpos[:] = torch.as_tensor(start, dtype=torch.float32)
+        simulation.data.qvel[:] = 0.0
+        for _ in range(40):
+            simulation.step()
+            for each, state in zip(compiled, data, strict=True):
+                mujoco.mj_step(each, state)
+        wanted = np.stack([each.ten_length for each in data])
+        worst.append(np.abs(simulation.data.ten_length[:].numpy() - wanted).max())
+    assert worst[0] > 0.1
+    assert max(worst[1:]) < 1e-5
+
+
 def test_colliders_that_are_spare_in_all_assets_are_left_out(doors) -> None:
     topology = Topology.of(doors)
     models = [

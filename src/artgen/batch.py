@@ -6,7 +6,7 @@ assets over to these engines.
 """
 
 import dataclasses
-from collections.abc import Hashable, Iterable, Sequence
+from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, get_args
 
@@ -41,6 +41,7 @@ _SIMPLE = "body_simple"  # whether a body allows a shortcut, which no world take
 _ACTING = ("has_tendon_stiffness", "has_tendon_damping")  # whether MuJoCo Warp computes them in any world
 # fields that may differ: also weights of speeds for sleep, which batches do not use, and a part of the state
 _OWN = (_SIMPLE, "dof_length", "eq_active0", *_ACTING)
+_OF_MJLAB = ("geom_dataid", "geom_matid", "body_subtreemass")  # which mjlab gives each world itself
 _SEEN = ("mat_", "nmat", "cam_", "light_", "tex_", "flex_rgba")  # fields of the model that only cameras need
 # addresses in the arrays of meshes, and the array whose length they grow by
 _ADDRESSES = {
@@ -91,9 +92,13 @@ def mjlab(
 ) -> "list[mujoco.MjSpec]":
     """Return editable models of MuJoCo with one structure, for the variants of an entity of mjlab.
 
-    They have the colliders of the assets, without visual surfaces, grasps, keyframes, and colliders that are
-    spare in all of the assets. A joint without limits has a range of 1e6 to either side, and couplings and
-    pins of other assets are there but not active.
+    mjlab 1.6 takes variants with a free base only: give `base="free"`. It varies meshes, masses and inertias
+    from world to world, and takes all other numbers from the first variant; `mjlab_event` gives them to the
+    worlds.
+
+    The models have the colliders of the assets, without visual surfaces, grasps, keyframes, and colliders
+    that are spare in all of the assets. A joint without limits has a range of 1e6 to either side. Couplings
+    and pins of other assets are there, but not active.
 
     Args:
         category: Name of a category, or a generator.
@@ -107,7 +112,92 @@ def mjlab(
         ExportError: MuJoCo is not installed.
         ParameterError: There are no seeds, or an option is not allowed.
     """
-    return specs(_generated(category, seeds, options), touching=touching)
+    result = specs(_generated(category, seeds, options), touching=touching)
+    for geom in (geom for spec in result for geom in spec.geoms if geom.margin == OFF):
+        geom.margin, geom.userdata = 0.0, [1.0]  # mjlab takes no margins in its first model
+    return result
+
+
+def mjlab_event(specs: "Sequence[mujoco.MjSpec]", entity: str) -> Callable[[Any, Any], None]:
+    """Return an event of mjlab that gives every world the numbers of its variant.
+
+    From world to world, a `VariantEntityCfg` varies meshes, masses and inertias; places, limits and springs
+    of joints, primitive colliders, couplings and tendons are those of the first variant in all worlds. Use
+    the event in two terms: with mode "startup", and with mode "reset", as a reset activates the couplings of
+    the first variant.
+
+    Args:
+        specs: The models of the variants in their order, from `mjlab`.
+        entity: Name of the entity in the scene.
+
+    Returns:
+        A function of an environment and the numbers of worlds, which it ignores: it sets all worlds.
+    """
+    models = [spec.copy().compile() for spec in specs]
+    active = np.stack([model.eq_active0 for model in models]).astype(bool)
+    done: list[Any] = []
+
+    def event(env: Any, _: Any) -> None:
+        of = env.sim.world_to_variant[entity].cpu().numpy()
+        blocks = _blocks(models[0], env.sim.mj_model, entity)
+        if env.sim not in done:
+            _give_numbers(env.sim, models, of, blocks)
+            done.append(env.sim)
+        if "eq" in blocks:
+            _put(env.sim.data.eq_active, blocks["eq"], active[of])
+
+    return event
+
+
+def _blocks(model: "mujoco.MjModel", scene: "mujoco.MjModel", entity: str) -> dict[str, slice]:
+    """Return the places of a model's objects in a scene by kind, the first part of the names of fields."""
+    root = scene.body(f"{entity}/{model.body(1).name}").id
+    joint = scene.joint(f"{entity}/{model.joint(0).name}").id
+    start = {"body": root, "jnt": joint, "dof": scene.jnt_dofadr[joint], "qpos": scene.jnt_qposadr[joint]}
+    counts = {"body": model.nbody - 1, "jnt": model.njnt, "dof": model.nv, "qpos": model.nq}
+    if model.ngeom:  # mjlab renames meshes
+        start["geom"] = scene.body_geomadr[root + model.geom_bodyid[0] - 1]
+    for kind, known in (("site", "site"), ("tendon", "tendon"), ("eq", "equality")):
+        counts[kind] = getattr(model, f"n{kind}")
+        if counts[kind]:
+            start[kind] = getattr(scene, known)(f"{entity}/{getattr(model, known)(0).name}").id
+    counts["geom"] = model.ngeom
+    return {kind: slice(first, first + counts[kind]) for kind, first in start.items()}
+
+
+def _give_numbers(
+    simulation: Any, models: "Sequence[mujoco.MjModel]", of: NDArray[np.int64], blocks: Mapping[str, slice]
+) -> None:
+    """Give the worlds of a simulation of mjlab those numbers of their models that it takes from the first."""
+    found = {}
+    for name in _batched(simulation.wp_model):
+        kind = "qpos" if name.startswith("qpos") else name.split("_")[0]
+        if kind in blocks and name not in _OF_MJLAB:
+            values = np.stack([getattr(model, name) for model in models])
+            found[name] = kind, values[:, 1:] if kind == "body" else values
+    spare = np.stack([model.geom_user.any(axis=1) for model in models])
+    found["geom_margin"] = "geom", np.where(spare, OFF, 0.0)
+    found["geom_rbound"] = "geom", np.where(spare, -OFF, found["geom_rbound"][1])  # as in `joined`
+    differ = {name: each for name, each in found.items() if (each[1] != each[1][0]).any()}
+    simulation.expand_model_fields(tuple(differ))
+    for name, (kind, values) in differ.items():
+        _put(getattr(simulation.model, name), blocks[kind], values[of])
+    warp_model = simulation.wp_model
+    simple = getattr(warp_model, _SIMPLE).numpy()
+    simple[blocks["body"]] = np.min([model.body_simple for model in models], axis=0)[1:]
+    getattr(warp_model, _SIMPLE).assign(simple)
+    for name in _ACTING:
+        acts = any(getattr(model, name.removeprefix("has_")).any() for model in models)
+        if hasattr(warp_model, name):
+            setattr(warp_model, name, getattr(warp_model, name) or acts)
+    simulation.create_graph()  # of the new arrays
+
+
+def _put(target: Any, block: slice, values: NDArray[Any]) -> None:
+    """Write values, shape (worlds, objects, ...), into a block of an array of mjlab."""
+    import torch
+
+    target[:, block] = torch.as_tensor(values).to(target.device, target.dtype).reshape(target[:, block].shape)
 
 
 def specs(assets: Sequence[Asset], *, touching: bool = True) -> "list[mujoco.MjSpec]":
@@ -193,7 +283,12 @@ class Common:
             for pair in pairs:
                 first, second = pair
                 added = spec.add_equality(
-                    type=kind, objtype=objects, name1=first, name2=second, active=pair in own
+                    name="_".join(pair),
+                    type=kind,
+                    objtype=objects,
+                    name1=first,
+                    name2=second,
+                    active=pair in own,
                 )
                 added.data[:] = own[pair][0] if pair in own else np.zeros_like(added.data)
                 for solref, solimp in settings:
@@ -387,6 +482,9 @@ def _spec(
     spec = mjspec(dataclasses.replace(asset, links=ByName(links)), 0, common.tendons)
     for each in (*spec.keys, *spec.texts, *spec.materials, *spec.textures):
         spec.delete(each)
+    for joint in spec.joints:
+        if joint.name == f"{asset.name}_free":
+            joint.name = f"{asset.links[0].name}_free"  # the same in all models
     common.align(asset, spec, touching=touching)
     return spec
 
