@@ -7,6 +7,7 @@ assets over to these engines.
 
 import dataclasses
 from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
+from io import BytesIO
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, get_args
 
@@ -112,9 +113,17 @@ def mjlab(
         ExportError: MuJoCo is not installed.
         ParameterError: There are no seeds, or an option is not allowed.
     """
+    import trimesh
+
     result = specs(_generated(category, seeds, options), touching=touching)
-    for geom in (geom for spec in result for geom in spec.geoms if geom.margin == OFF):
-        geom.margin, geom.userdata = 0.0, [1.0]  # mjlab takes no margins in its first model
+    for spec in result:
+        for geom in (geom for geom in spec.geoms if geom.margin == OFF):
+            geom.margin, geom.userdata = 0.0, [1.0]  # mjlab takes no margins in its first model
+        for mesh in spec.meshes:  # mjlab copies neither files nor how meshes are centered
+            shape = trimesh.load_mesh(BytesIO(spec.assets[mesh.file]), "obj", process=False)
+            mesh.uservert, mesh.userface = shape.vertices.ravel(), shape.faces.ravel()
+            mesh.file, mesh.inertia = "", type(mesh.inertia).mjMESH_INERTIA_LEGACY
+        spec.assets = {}
     return result
 
 
