@@ -183,6 +183,19 @@ def test_worlds_of_mujoco_warp_step_like_mujoco() -> None:
     assert np.abs(wanted[:, 0]).min() > 1e-3
 
 
+def test_reset_worlds_have_their_own_couplings() -> None:
+    engine = pytest.importorskip("mujoco_warp", reason="pip install mujoco-warp")
+    worlds = batch.mujoco_warp("door", [0, 1], certify=False)
+    active = np.stack([each.eq_active0 for each in worlds.compiled])
+    assert (active[0] != active[1]).any()
+    worlds.data.qvel.assign(np.ones_like(worlds.data.qvel.numpy()))
+    engine.reset_data(worlds.model, worlds.data)
+    assert (worlds.data.eq_active.numpy() == active[0]).all(), "those of the first door"
+    worlds.reset()
+    np.testing.assert_array_equal(worlds.data.eq_active.numpy(), active)
+    assert not worlds.data.qvel.numpy().any()
+
+
 def test_usd_files_of_a_batch_have_equal_bodies_joints_and_colliders(tmp_path) -> None:
     prims = []
     for path in batch.usd("drawer", [0, 1], tmp_path, textures=0, certify=False):

@@ -516,6 +516,18 @@ class Worlds:
     model: Any
     data: Any
 
+    def reset(self) -> None:
+        """Put all worlds into the states in which a simulation begins.
+
+        `mujoco_warp.reset_data` alone activates the couplings and pins of the first asset in all worlds.
+        """
+        _warp().reset_data(self.model, self.data)
+        states = [_state(each) for each in self.compiled]
+        for name in ("qpos", "eq_active", *_PLACES):
+            values = np.stack([getattr(states[number], name) for number in self.of])
+            array = getattr(self.data, name)
+            array.assign(values.astype(array.numpy().dtype).reshape(array.numpy().shape))
+
 
 def mujoco_warp(
     category: str | Generator,
@@ -553,12 +565,9 @@ def mujoco_warp(
     of = np.arange(count) % len(assets)
     model = joined(compiled[0], [warp.put_model(each) for each in compiled], of.tolist())
     data = warp.make_data(compiled[0], nworld=count, **room)
-    states = [_state(each) for each in compiled]
-    for name in ("qpos", "eq_active", *_PLACES):
-        values = np.stack([getattr(states[number], name) for number in of])
-        array = getattr(data, name)
-        array.assign(values.astype(array.numpy().dtype).reshape(array.numpy().shape))
-    return Worlds(tuple(assets), of, tuple(compiled), model, data)
+    result = Worlds(tuple(assets), of, tuple(compiled), model, data)
+    result.reset()
+    return result
 
 
 def _state(model: "mujoco.MjModel") -> "mujoco.MjData":
