@@ -59,7 +59,7 @@ def test_models_for_mjlab_have_one_structure(doors) -> None:
 
 
 def test_models_for_mjlab_with_a_free_base_share_all_names() -> None:
-    specs = batch.mjlab("drawer", [202, 203], base="free", certify=False)
+    specs = batch.mjlab("drawer", [202, 203], certify=False)
     for kind in ("bodies", "joints", "tendons", "equalities", "sites"):
         first, second = ([each.name for each in getattr(spec, kind)] for spec in specs)
         assert first == second, kind
@@ -76,7 +76,7 @@ def test_worlds_of_mjlab_step_like_mujoco_after_the_event(category, seeds) -> No
     from mjlab.scene import Scene, SceneCfg
     from mjlab.sim import Simulation, SimulationCfg
 
-    specs = batch.mjlab(category, seeds, base="free", certify=False)
+    specs = batch.mjlab(category, seeds, certify=False)
     made = {str(number): spec.copy for number, spec in enumerate(specs)}
     scene = Scene(SceneCfg(num_envs=2, entities={"it": variants.VariantEntityCfg(variants=made)}), "cpu")
     options = {"spec": scene.spec, "variant_info": scene.collect_variant_info(), "device": "cpu"}
@@ -152,7 +152,8 @@ def test_assets_of_several_structures_share_no_batch(doors) -> None:
     with pytest.raises(ParameterError, match="a batch needs at least one seed"):
         batch.mjlab("door", [])
     specs = batch.mjlab("drawer", [3], certify=False)
-    assert specs[0].compile().njnt == len(ag.generate("drawer", 4, topology="fixed", certify=False).joints)
+    joints = ag.generate("drawer", 4, topology="fixed", certify=False).joints
+    assert specs[0].compile().njnt == 1 + len(joints), "the free joint of the base, too"
 
 
 def test_worlds_of_mujoco_warp_step_like_mujoco() -> None:

@@ -93,9 +93,8 @@ def mjlab(
 ) -> "list[mujoco.MjSpec]":
     """Return editable models of MuJoCo with one structure, for the variants of an entity of mjlab.
 
-    mjlab 1.6 takes variants with a free base only: give `base="free"`. It varies meshes, masses and inertias
-    from world to world, and takes all other numbers from the first variant; `mjlab_event` gives them to the
-    worlds.
+    mjlab 1.6 takes variants with a free base only. It varies meshes, masses and inertias from world to world,
+    and takes all other numbers from the first variant; `mjlab_event` gives them to the worlds.
 
     The models have the colliders of the assets, without visual surfaces, grasps, keyframes, and colliders
     that are spare in all of the assets. A joint without limits has a range of 1e6 to either side. Couplings
@@ -106,7 +105,7 @@ def mjlab(
         seeds: Seeds of the assets.
         touching: Whether contacts are left only to those links of an asset that can touch each other; see
             `specs`.
-        **options: Options of `generate`; `topology` is "fixed" by default.
+        **options: Options of `generate`; `topology` is "fixed" and `base` is "free" by default.
 
     Raises:
         AssetError: A seed does not fit the topology.
@@ -115,7 +114,7 @@ def mjlab(
     """
     import trimesh
 
-    result = specs(_generated(category, seeds, options), touching=touching)
+    result = specs(_generated(category, seeds, {"base": "free"} | options), touching=touching)
     for spec in result:
         for geom in (geom for geom in spec.geoms if geom.margin == OFF):
             geom.margin, geom.userdata = 0.0, [1.0]  # mjlab takes no margins in its first model
