@@ -71,11 +71,28 @@ def test_command_is_one_that_artgen_understands(command: str) -> None:
     known.commands[name].make_context(name, arguments)  # reads the arguments, and runs nothing
 
 
+def anchors(text: str) -> set[str]:
+    """Return the anchors of the headings of a page."""
+    headings = re.findall(r"^#+ (.*)$", re.sub(r"```.*?```", "", text, flags=re.DOTALL), re.MULTILINE)
+    return {re.sub(r"[-\s]+", "-", re.sub(r"[^\w\s-]", "", each).strip().lower()) for each in headings}
+
+
 def dead_links(page: Path, text: str) -> list[str]:
-    """Return the links of a page to files that a clone does not have."""
+    """Return the links of a page to files that a clone does not have, or to headings that a page does not."""
     prose = re.sub(r"```.*?```|`[^`\n]*`", "", text, flags=re.DOTALL)
-    targets = re.findall(r"\]\(([^)#\s]+)", prose) + re.findall(r"(?:src|href)=\"([^\"#]+)", prose)
-    return [each for each in targets if "://" not in each and not (page.parent / each).exists()]
+    targets = re.findall(r"\]\(([^)\s]+)", prose) + re.findall(r"(?:src|href)=\"([^\"]+)", prose)
+    dead = []
+    for target in targets:
+        path, _, anchor = target.partition("#")
+        file = page.parent / path if path else page
+        if "://" in target or not (path or anchor):
+            continue
+        if not file.exists():
+            dead.append(path)
+        elif anchor and file.suffix == ".md":
+            known = text if file == page else file.read_text(encoding="utf-8")
+            dead += [target] * (anchor not in anchors(known))
+    return dead
 
 
 @pytest.mark.parametrize("page", ["README.md", *(f"docs/{name}" for name in PAGES)])
@@ -86,6 +103,8 @@ def test_links_lead_to_files_of_a_clone(page: str) -> None:
 def test_a_dead_link_is_found() -> None:
     text = "[a](nodes/index.md#box) ![b](door.jpg) [c](https://a.b/c) `[d](e)`\n```\n[f](g)\n```\n"
     assert dead_links(ROOT / "docs" / "index.md", text) == ["nodes/index.md"]
+    text = "## A *new* part, 2\n[a](#a-new-part-2) [b](#part) [c](batches.md#mjlab) [d](batches.md#none)"
+    assert dead_links(ROOT / "docs" / "index.md", text) == ["#part", "batches.md#none"]
 
 
 def test_the_cheat_sheet_is_that_of_the_code() -> None:
