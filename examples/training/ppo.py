@@ -100,9 +100,13 @@ def learn(task: str, seeds: range, options: argparse.Namespace, out: Path) -> di
     return {"steps": model.num_timesteps, "minutes": (time.perf_counter() - start) / 60.0}
 
 
-def tried(task: str, out: Path, episodes: int, processes: int) -> float:
-    """Return the share of successes of a policy on assets that it has not met, one episode each."""
+def tried(task: str, out: Path, episodes: int, processes: int, *, sampled: bool = False) -> float:
+    """Return the share of successes of a policy on assets that it has not met, one episode each.
+
+    Actions are the means of the policy, or sampled from it, as while it learned.
+    """
     model = PPO.load(out / "policy", device="cpu")
+    model.set_random_seed(0)
     seeds = range(HELD_OUT, HELD_OUT + episodes)
     shares = [seeds[number::processes] for number in range(processes)]
     vector = SubprocVecEnv([made(task, share, shuffle=False) for share in shares], start_method="spawn")
@@ -112,7 +116,7 @@ def tried(task: str, out: Path, episodes: int, processes: int) -> float:
         observation = trial.reset()
         successes: list[list[bool]] = [[] for _ in shares]
         while any(len(mine) < len(share) for mine, share in zip(successes, shares, strict=True)):
-            action, _ = model.predict(observation, deterministic=True)
+            action, _ = model.predict(observation, deterministic=not sampled)
             observation, _, dones, infos = trial.step(action)
             for number in np.flatnonzero(dones):
                 successes[number].append(bool(infos[number]["success"]))
@@ -143,12 +147,15 @@ def main() -> None:
         out = options.out / f"{options.task}_{count}"
         out.mkdir(parents=True, exist_ok=True)
         row = {"assets": count, **learn(options.task, range(count), options, out)}
-        row["success"] = tried(options.task, out, options.episodes, options.processes)
+        for name, sampled in (("mean", False), ("sampled", True)):
+            row[name] = tried(options.task, out, options.episodes, options.processes, sampled=sampled)
         rows.append(row)
         (options.out / f"{options.task}.json").write_text(json.dumps(rows, indent=1) + "\n")
-    print("\ntraining assets | steps | minutes | success on held-out assets")
+    print("\nsuccess on held-out assets, with mean and with sampled actions")
+    print("training assets |     steps | minutes | mean | sampled")
     for row in rows:
-        print(f"{row['assets']:15} | {row['steps']:9,} | {row['minutes']:7.1f} | {row['success']:.2f}")
+        numbers = f"{row['assets']:15} | {row['steps']:9,} | {row['minutes']:7.1f}"
+        print(f"{numbers} | {row['mean']:.2f} | {row['sampled']:7.2f}")
 
 
 if __name__ == "__main__":
