@@ -196,8 +196,7 @@ def _give_numbers(
     getattr(warp_model, _SIMPLE).assign(simple)
     for name in _ACTING:
         acts = any(getattr(model, name.removeprefix("has_")).any() for model in models)
-        if hasattr(warp_model, name):
-            setattr(warp_model, name, getattr(warp_model, name) or acts)
+        setattr(warp_model, name, acts or getattr(warp_model, name, False))
     simulation.create_graph()  # of the new arrays
 
 
@@ -736,10 +735,12 @@ def joined(mujoco_model: Any, models: Sequence[Any], of: Sequence[int]) -> Any:
         setattr(result, name, warp.array(old.numpy()[used], dtype=old.dtype, device=old.device))
     simple = np.min([getattr(model, _SIMPLE).numpy() for model in models], axis=0)
     getattr(result, _SIMPLE).assign(simple)
-    for name in (field.name for field in dataclasses.fields(result)):
-        if name.startswith("nmesh") or name in ("npolygonmax", *_ACTING):
-            combine = any if name in _ACTING else max if name.endswith("max") else sum
-            setattr(result, name, combine(getattr(model, name) for model in models))
+    for field in dataclasses.fields(result):
+        if field.name.startswith("nmesh") or field.name == "npolygonmax":
+            combine = max if field.name.endswith("max") else sum
+            setattr(result, field.name, combine(getattr(model, field.name) for model in models))
+    for name in _ACTING:
+        setattr(result, name, any(getattr(model, name, False) for model in models))
     return result
 
 
