@@ -10,6 +10,7 @@ from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
 from io import BytesIO
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, get_args
+from weakref import WeakKeyDictionary
 
 import numpy as np
 from numpy.typing import NDArray
@@ -115,13 +116,15 @@ def mjlab(
     import trimesh
 
     result = specs(_generated(category, seeds, {"base": "free"} | options), touching=touching)
+    import mujoco  # `specs` has told if it is not installed
+
     for spec in result:
         for geom in (geom for geom in spec.geoms if geom.margin == OFF):
             geom.margin, geom.userdata = 0.0, [1.0]  # mjlab takes no margins in its first model
         for mesh in spec.meshes:  # mjlab copies neither files nor how meshes are centered
             shape = trimesh.load_mesh(BytesIO(spec.assets[mesh.file]), "obj", process=False)
             mesh.uservert, mesh.userface = shape.vertices.ravel(), shape.faces.ravel()
-            mesh.file, mesh.inertia = "", type(mesh.inertia).mjMESH_INERTIA_LEGACY
+            mesh.file, mesh.inertia = "", mujoco.mjtMeshInertia.mjMESH_INERTIA_LEGACY
         spec.assets = {}
     return result
 
@@ -142,23 +145,22 @@ def mjlab_event(specs: "Sequence[mujoco.MjSpec]", entity: str) -> Callable[[Any,
         A function of an environment and the numbers of worlds, which it ignores: it sets all worlds.
     """
     models = [spec.copy().compile() for spec in specs]
-    active = np.stack([model.eq_active0 for model in models]).astype(bool)
-    done: list[Any] = []
+    couplings: WeakKeyDictionary[Any, tuple[slice, NDArray[np.bool_]]] = WeakKeyDictionary()  # by simulation
 
     def event(env: Any, _: Any) -> None:
-        of = env.sim.world_to_variant[entity].cpu().numpy()
-        blocks = _blocks(models[0], env.sim.mj_model, entity)
-        if env.sim not in done:
+        if env.sim not in couplings:
+            of = env.sim.world_to_variant[entity].cpu().numpy()
+            blocks = _blocks(models[0], env.sim.mj_model, entity)
             _give_numbers(env.sim, models, of, blocks)
-            done.append(env.sim)
-        if "eq" in blocks:
-            _put(env.sim.data.eq_active, blocks["eq"], active[of])
+            active = np.stack([model.eq_active0 for model in models]).astype(bool)
+            couplings[env.sim] = blocks.get("eq", slice(0)), active[of]
+        _put(env.sim.data.eq_active, *couplings[env.sim])
 
     return event
 
 
 def _blocks(model: "mujoco.MjModel", scene: "mujoco.MjModel", entity: str) -> dict[str, slice]:
-    """Return the places of a model's objects in a scene by kind, the first part of the names of fields."""
+    """Return the indices of a model's objects in a scene, by the prefix of the names of their fields."""
     root = scene.body(f"{entity}/{model.body(1).name}").id
     joint = scene.joint(f"{entity}/{model.joint(0).name}").id
     start = {"body": root, "jnt": joint, "dof": scene.jnt_dofadr[joint], "qpos": scene.jnt_qposadr[joint]}
@@ -176,7 +178,7 @@ def _blocks(model: "mujoco.MjModel", scene: "mujoco.MjModel", entity: str) -> di
 def _give_numbers(
     simulation: Any, models: "Sequence[mujoco.MjModel]", of: NDArray[np.int64], blocks: Mapping[str, slice]
 ) -> None:
-    """Give the worlds of a simulation of mjlab those numbers of their models that it takes from the first."""
+    """Write the fields that mjlab takes from the first variant, with the numbers of each world's variant."""
     found = {}
     for name in _batched(simulation.wp_model):
         kind = "qpos" if name.startswith("qpos") else name.split("_")[0]
@@ -515,7 +517,7 @@ class Worlds:
     data: Any
 
     def reset(self) -> None:
-        """Put all worlds into the states in which a simulation begins.
+        """Reset all worlds to the initial states of their assets.
 
         `mujoco_warp.reset_data` alone activates the couplings and pins of the first asset in all worlds.
         """

@@ -54,7 +54,7 @@ _FRICTION_IMPEDANCE = "0.9999 0.9999 0.001"  # with the default, a rod that fric
 
 
 Tendons = Mapping[str, tuple[int, bool]]
-"""Number of ridges of each joint, and whether it has a soft closing."""
+"""Number of ridges of each joint, and whether it has a soft closing, by the name of the joint."""
 
 
 def tendons_of(asset: Asset) -> Tendons:
@@ -70,7 +70,7 @@ def write_mjcf(asset: Asset, textures: int = 0, tendons: Tendons | None = None) 
     Args:
         asset: The asset.
         textures: Texels per side of the material maps; 0 for colors only.
-        tendons: Those of the model, at least those of the asset; by default these.
+        tendons: Tendons of the model, at least those of the asset, which are the default.
 
     Returns:
         The MJCF, mesh and map files, and the losses of MJCF.
@@ -283,9 +283,7 @@ def _add_tendons(
     parent = add(root, "tendon") if acting else root
     for joint in acting:
         ridges, closes = tendons[joint.name]
-        closing = joint.closing or replace(_NO_CLOSING, reach=joint.opened)
-        sites = [*_detents(parent, joint, ridges), *(_closing(parent, joint, closing) if closes else ())]
-        for link, name, place in sites:
+        for link, name, place in (*_detents(parent, joint, ridges), *_closing(parent, joint, closes=closes)):
             where = frames.local(asset, link, place)
             add(elements[link], "site", name=name, pos=np.round(where[:3, 3], 12))
         if closes and joint.kind == "revolute":
@@ -309,18 +307,18 @@ _Site = tuple[str, str, Array]
 def _detents(tendons: ET.Element, joint: AssetJoint, count: int) -> Iterator[_Site]:
     """Add detents: a short spring between a site of the child and a site of the parent at each ridge.
 
-    There are `count` of them; those without a ridge have no stiffness.
+    There are `count` springs; those without a ridge have no stiffness.
     """
     if not count:
         return
     start = frames.translation(joint.pivot + _DETENT_ARM * _across(joint))
     site, torque = f"{joint.name}_detent", joint.detents.torque if joint.detents else 0.0
     yield joint.child, site, start
-    spare = [(joint.closed, _DETENT_ARM)] * (count - len(joint.ridges))
-    for number, (ridge, gap) in enumerate((*joint.ridges, *spare)):
-        name, place = f"{joint.name}_ridge_{number}", start
-        if number >= len(joint.ridges):
-            torque, place = 0.0, frames.translation(joint.pivot)  # beside the other site
+    springs = [(start, torque, ridge, gap) for ridge, gap in joint.ridges]
+    beside = frames.translation(joint.pivot)  # no spring has length 0
+    springs += [(beside, 0.0, joint.closed, _DETENT_ARM)] * (count - len(springs))
+    for number, (place, torque, ridge, gap) in enumerate(springs):
+        name = f"{joint.name}_ridge_{number}"
         yield joint.parent, name, _portable.product(joint.motion(ridge), place)
         reach, arm = gap / 2.0, 1.0  # distance at which the spring begins, and its arm on the ridge [m]
         if joint.kind == "revolute":
@@ -331,14 +329,17 @@ def _detents(tendons: ET.Element, joint: AssetJoint, count: int) -> Iterator[_Si
         add(spring, "site", site=name)
 
 
-def _closing(tendons: ET.Element, joint: AssetJoint, closing: AssetSoftClosing) -> Iterator[_Site]:
+def _closing(tendons: ET.Element, joint: AssetJoint, *, closes: bool) -> Iterator[_Site]:
     """Add a soft closing: a cord from the reach over a site of the child to beyond the open limit.
 
     While the child is between both ends, the cord is as long wherever it is: no spring or damper of the cord
     acts. On the way home it gets longer by twice the way, which its spring, too short, pushes. On a turn it
-    lies around a drum, so that its length grows with the angle.
+    lies around a drum, so that its length grows with the angle. A joint without a soft closing has such a
+    cord without spring and damper if `closes` asks for it.
     """
-    name = f"{joint.name}_closing"
+    if not closes:
+        return
+    closing, name = joint.closing or replace(_NO_CLOSING, reach=joint.opened), f"{joint.name}_closing"
     way = math.copysign(1.0, closing.reach - joint.closed)
     end = joint.opened + way * _SLACK
     start, arm, length = frames.translation(joint.pivot), 1.0, abs(end - closing.reach)
