@@ -284,7 +284,7 @@ def _followed(
         good = (miss < MISS) & (np.abs(moved - angles).max(axis=1) < JUMP)
         good[good] &= _clear(obstacles, path, index, bases[which[good]], moved[good])
         score = np.minimum(score, ease(moved))
-        angles, begin, which, score = (each[good] for each in (moved, begin, which, score))
+        angles, begin, which, score = moved[good], begin[good], which[good], score[good]
     return [(float(score[index]), bases[which[index]], begin[index]) for index in range(len(which))]
 
 
