@@ -44,6 +44,12 @@ def test_a_thin_plate_across_an_opening_closes_it():
     assert closed(channel(0.06), block((-0.2, -0.03, 0.05), (0.2, 0.03, 0.051)))
 
 
+@pytest.mark.parametrize("height", [0.40, 0.407, 0.413, 0.42])
+def test_a_thin_plate_closes_an_opening_of_a_large_link_wherever_it_is(height):
+    sides = [block((side * 0.4 - 0.01, -0.4, 0.0), (side * 0.4 + 0.01, 0.4, 1.5)) for side in (-1, 1)]
+    assert closed(sides, block((-0.39, -0.4, height), (0.39, 0.4, height + 0.001)))
+
+
 def test_walls_of_wide_openings_may_grow_a_little():
     assert not closed(channel(0.3, 0.2), block((-0.2, -0.15, 0.0), (0.2, 0.15, 0.002)))
     assert closed(channel(0.3, 0.2), block((-0.2, -0.15, 0.0), (0.2, 0.15, 0.02)))

@@ -173,11 +173,52 @@ def test_the_ring_of_a_lid_keeps_its_pieces():
     assert len(same.links["lid"].colliders) == len(jar.links["lid"].colliders) == 21
 
 
+def gaps(pieces, points):
+    """The heights of points above the nearest of convex pieces, at most their distances; negative inside."""
+    heights = [(points @ each.planes[:, :3].T - each.planes[:, 3]).max(axis=-1) for each in pieces]
+    return np.min(heights, axis=0)
+
+
+def reached(exact, joined, radius=0.012):
+    """Places inside a joined piece that the center of a ball reaches from outside, along a straight way."""
+    corners = np.array([piece.bounds for piece in exact])
+    far = np.linalg.norm(corners.max(axis=(0, 1)) - corners.min(axis=(0, 1)))
+    turns = np.array([turn for turn in np.ndindex(3, 3, 3) if turn != (1, 1, 1)]) - 1.0
+    ways = (
+        np.arange(0.0, far, radius)[:, None] * (turns / np.linalg.norm(turns, axis=1, keepdims=True))[:, None]
+    )
+    low, high = joined.bounds
+    points = low + (high - low) * np.random.default_rng(0).random((4000, 3))
+    points = points[gaps([joined], points) < 0.0]
+    points = points[gaps(exact, points) >= radius][:40]
+    return [place for place in points if (gaps(exact, place + ways).min(axis=1) >= 0.98 * radius).any()]
+
+
+@pytest.mark.parametrize("category", some(["refrigerator", *categories()], 20))
+def test_joined_pieces_leave_places_free_that_a_ball_reaches(category):
+    asset = artgen.generate(category, seed=2, certify=False)
+    joined, _ = fewer.fewer_colliders(asset, 1)
+    for link in asset.links:
+        exact = [each.convex.faces for each in link.colliders]
+        after = [each.convex.faces for each in joined.links[link.name].colliders]
+        found = [place for each in after if each not in exact for place in reached(exact, each)]
+        assert not found, link.name
+
+
+def test_a_wider_ball_is_used_only_where_a_narrower_one_does_not_suffice():
+    asset = artgen.generate("door", seed=1, certify=False)
+    fewest = [sum(counts(fewer.fewer_colliders(asset, 1, ball)[0]).values()) for ball in (0.024, 0.048, 0.1)]
+    assert fewest == sorted(fewest, reverse=True)
+    assert fewest[0] > fewest[-1]
+    same = (asset.with_colliders(fewest[0], openings) for openings in (0.024, 0.1))
+    assert len({each.to_json() for each in same}) == 1
+
+
 @pytest.mark.parametrize("category", some([name for name in categories() if name != "bottle"][::3], 2))
 def test_two_pieces_less_of_a_link_are_proven_and_contain_the_solids(category):
     asset = artgen.generate(category, seed=2, certify=False)
     link = max(asset.links, key=lambda link: len(link.colliders))
-    joined, missed = fewer.fewer_colliders(asset, {link.name: len(link.colliders) - 2})
+    joined, missed = fewer.fewer_colliders(asset, {link.name: len(link.colliders) - 2}, openings=0.1)
     assert not missed
     assert joined.certificate.proven
     assert joined.mass == asset.mass

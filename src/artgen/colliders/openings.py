@@ -12,11 +12,12 @@ BALL = 0.024
 """Default diameter of the balls that measure openings [m]."""
 
 _CORE = 0.55  # share of the radius of a ball around whose center all places stay free
-_DISTANCE = 0.15  # share of the radius that pieces keep from such places; thin pieces would pass between
-_MOST_DISTANCE = 0.4  # the same in a coarse grid, where it is half the distance of the points
+_DISTANCE = 0.15  # share of the radius that pieces keep from such places
 _FINEST = 0.004  # least distance of points in the grid [m]
-_MOST_POINTS = 200_000  # number of points in the grid, about
-_FEW = 16  # one of so many points is examined first
+_COARSE = 0.7  # largest distance of points in the grid, as a share of the radius
+_POINTS = 200_000  # number of points in the grid, about, if that is not too coarse
+_MOST_POINTS = 8_000_000  # number of points in the grid, at most; a coarser grid refuses more pieces
+_FEW = 4  # one of so many points along each axis is examined first
 
 
 class Openings:
@@ -36,7 +37,8 @@ class Openings:
 
         bounds, far = np.array([piece.bounds for piece in pieces]), 0.6 * ball
         low, high = bounds[:, 0].min(axis=0) - far, bounds[:, 1].max(axis=0) + far
-        step = max(_FINEST, float(np.prod(high - low) / _MOST_POINTS) ** (1.0 / 3.0))
+        few, most = (float(np.prod(high - low) / count) ** (1.0 / 3.0) for count in (_POINTS, _MOST_POINTS))
+        step = max(_FINEST, most, min(few, _COARSE * ball / 2.0))
         self._axes = [np.arange(start, end + step, step) for start, end in zip(low, high, strict=True)]
         distance = np.full([len(axis) for axis in self._axes], far)
         for piece in pieces:
@@ -50,17 +52,15 @@ class Openings:
         parts, _ = ndimage.label(distance >= radius)
         centers = parts == parts[0, 0, 0]  # a ball gets there from outside
         self._kept = ndimage.distance_transform_edt(~centers, sampling=step) <= _CORE * radius
-        self._margin = min(max(_DISTANCE * radius, step / 2.0), _MOST_DISTANCE * radius)
+        self._margin = max(_DISTANCE * radius, step / 2.0)  # no thin piece passes between the points
 
     def closed_by(self, piece: Polytope) -> bool:
         """Tell whether a piece takes a place that has to stay free."""
         near = self._near(piece.bounds, self._margin)
-        places = np.nonzero(self._kept[near])
-        points = np.column_stack(
-            [axis[part][at] for axis, part, at in zip(self._axes, near, places, strict=True)]
-        )
-        for few in (points[::_FEW], points):
-            inside = few
+        axes = [axis[part] for axis, part in zip(self._axes, near, strict=True)]
+        for step in (_FEW, 1):
+            places = np.nonzero(self._kept[near][::step, ::step, ::step])
+            inside = np.column_stack([axis[::step][at] for axis, at in zip(axes, places, strict=True)])
             for plane in piece.planes:
                 inside = inside[_portable.product(inside, plane[:3]) < plane[3] + self._margin]
             if len(inside):

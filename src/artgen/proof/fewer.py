@@ -52,7 +52,8 @@ def with_colliders(asset: Asset, most: Budget, openings: float = BALL) -> Asset:
 
     - touch another link in a joint state,
     - stand in the way of a hand to a grasp or a push,
-    - or close an opening, where a ball fits that comes from outside; see `artgen.colliders.openings`.
+    - or close an opening, where a ball fits that comes from outside; see `artgen.colliders.openings`. Balls
+      of 24 mm come first, and wider ones only if the number is not reached with narrower ones.
 
     Looks, masses and joints stay the same. The certificate is that of the new colliders; the asset has one
     also if it had none before.
@@ -60,7 +61,7 @@ def with_colliders(asset: Asset, most: Budget, openings: float = BALL) -> Asset:
     Args:
         asset: An asset with its solids.
         most: Largest number of colliders of the asset, or of single links by name; other links keep theirs.
-        openings: Diameter of the ball whose ways from outside stay open [m].
+        openings: Diameter of the widest ball whose ways from outside stay open [m].
 
     Raises:
         ParameterError: A number is not allowed.
@@ -86,18 +87,31 @@ def fewer_colliders(asset: Asset, most: Budget, openings: float = BALL) -> tuple
     for name in most if isinstance(most, Mapping) else ():
         if name not in names:
             raise AssetError(f"asset {asset.name!r} has no link {name!r}.{nearest(name, names)}")
-    joining = _Joining(asset, openings)
-    joining.join(most)
+    joining = _Joining(asset)
     tolerance = 0.0 if asset.certificate is None else max(asset.certificate.tolerance, 0.0)
-    changed = joining.changed
-    while changed:
-        doubtful = doubtful_colliders(joining.asset(most), tolerance, partial(_moves_one, changed))
-        changed = joining.undo(doubtful)
-        if changed:
-            joining.join(most)
-            changed |= joining.changed
+    for ball in _balls(openings):
+        joining.leave_open(ball)
+        joining.join(most)
+        changed = joining.changed
+        while changed:
+            doubtful = doubtful_colliders(joining.asset(most), tolerance, partial(_moves_one, changed))
+            changed = joining.undo(doubtful)
+            if changed:
+                joining.join(most)
+                changed |= joining.changed
+        if not joining.missed(most):
+            break
     result = joining.asset(most)
     return remember(result, certify(result, tolerance)), joining.missed(most)
+
+
+def _balls(widest: float) -> Iterator[float]:
+    """Yield the diameters of balls whose ways are left open in turn, each twice as wide as the last [m]."""
+    ball = BALL
+    while ball < widest:
+        yield ball
+        ball *= 2.0
+    yield widest
 
 
 def check_budget(most: Budget, openings: float, collision: str = "exact") -> None:
@@ -176,12 +190,10 @@ def _gaps(faces: Polytope, points: Array) -> Array:
 class _Surroundings:
     """The space around the links of an asset that joined pieces have to leave free."""
 
-    def __init__(self, asset: Asset, colliders: Mapping[str, Sequence[Collider]], openings: float) -> None:
-        self._ball = openings
+    def __init__(self, asset: Asset, colliders: Mapping[str, Sequence[Collider]]) -> None:
         self._exact = {
             name: [_Body(each.convex.faces) for each in found] for name, found in colliders.items()
         }
-        self._openings: dict[str, Openings] = {}
         self._hands = [(each.link, _hand(each)) for each in asset.affordances]
         self._blocked: dict[tuple[int, str], set[tuple[int, int]]] = {}
         names = [link.name for link in asset.links]
@@ -196,6 +208,10 @@ class _Surroundings:
                     np.round(relative, _DECIMALS).reshape(-1, 16), axis=0, return_index=True
                 )
                 self._motions[first, second] = relative[np.sort(chosen)]
+
+    def leave_open(self, ball: float) -> None:
+        """Leave open the ways of balls of a diameter [m]."""
+        self._ball, self._openings = ball, dict[str, Openings]()
 
     def allow(self, link: str, convex: Convex, bodies: Mapping[str, Sequence[_Body]]) -> bool:
         """Tell whether a piece of a link may be there, beside the pieces of the other links."""
@@ -274,19 +290,30 @@ class _Joining:
     """Pieces of the links of an asset that are joined step by step, smallest added volume first."""
 
     source: Asset  # the asset before
-    openings: float = BALL  # diameter of the ball that measures openings [m]
+    openings: float = BALL  # diameter of the balls whose ways stay open [m]
     changed: set[str] = field(default_factory=set)  # links whose pieces the last `join` changed
 
     def __post_init__(self) -> None:
         self._colliders = {link.name: link.colliders for link in self.source.links}
-        self._around = _Surroundings(self.source, self._colliders, self.openings)
-        self._groups: dict[str, list[_Group]] = {name: [] for name in self._colliders}
+        self._around = _Surroundings(self.source, self._colliders)
+        self._groups = {
+            name: [_Group(name, frozenset((number,)), each.convex) for number, each in enumerate(found)]
+            for name, found in self._colliders.items()
+        }
         self._queue: list[tuple[float, int, _Group, _Group]] = []
         self._refused: set[tuple[str, frozenset[int]]] = set()
+        self._shapes: dict[tuple[str, frozenset[int]], list[Convex]] = {}  # around pieces of a link
         self._count = 0
-        for name, found in self._colliders.items():
-            for number, collider in enumerate(found):
-                self._add(_Group(name, frozenset((number,)), collider.convex))
+
+    def leave_open(self, ball: float) -> None:
+        """Leave open the ways of balls of a diameter [m], and queue all pairs."""
+        self.openings = ball
+        self._around.leave_open(ball)
+        self._queue.clear()
+        for name, groups in self._groups.items():
+            self._groups[name] = []
+            for group in groups:
+                self._add(group)
 
     def join(self, most: Budget) -> None:
         """Join pairs until the budget is met or no pair is left."""
@@ -370,11 +397,13 @@ class _Joining:
     def _joined(self, first: _Group, second: _Group) -> _Group | None:
         """Return two groups of a link joined, with all that lie inside, if that is allowed."""
         link, colliders = first.link, self._colliders[first.link]
-        joined = sorted(first.numbers | second.numbers)
-        if self._is_refused(link, frozenset(joined)):
+        joined = first.numbers | second.numbers
+        if self._is_refused(link, joined):
             return None
         others = {name: [each.body for each in groups] for name, groups in self._groups.items()}
-        found = around([colliders[number].convex for number in joined])
+        if (link, joined) not in self._shapes:
+            self._shapes[link, joined] = around([colliders[number].convex for number in sorted(joined)])
+        found = self._shapes[link, joined]
         for index, convex in enumerate(found):
             inside = tuple(
                 each
