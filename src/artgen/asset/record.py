@@ -21,7 +21,7 @@ from typing import (
 
 import numpy as np
 
-from artgen._arrays import cached
+from artgen._arrays import Array, cached
 from artgen.errors import ArtgenError, AssetError
 
 DECIMALS = 12  # decimals of coordinates of colliders [m]; other numbers have as many significant digits
@@ -117,7 +117,7 @@ def _sequence(inner: tuple[Any, ...]) -> Reader:
 _GENERIC: Mapping[Any, Callable[[tuple[Any, ...]], Reader]] = {
     NotRequired: lambda inner: _reader(inner[0]),
     Annotated: lambda inner: partial(_array, inner[1]),  # with a shape
-    np.ndarray: lambda _: partial(_array, None),
+    get_origin(Array): lambda _: partial(_array, None),  # NDArray itself from NumPy 2.5 on
     Literal: lambda inner: partial(_choice, inner),
     Union: _optional,
     types.UnionType: _optional,
