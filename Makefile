@@ -3,6 +3,7 @@
 #   make demo    generate a door and a handle, check them with other people's readers, open the door
 #   make test    format, lint, types, layers, tests but the long ones
 #   make test-long  every test, the long ones and all categories of each
+#   make test-others  run the tests of assets and graphs with the other Pythons of this machine, and their NumPy
 #   make same-bytes  let the other Pythons of this machine make what is in tests/tree_hashes.json
 #   make hashes  record there what seeds give now
 #   make clients make an environment for each simulator, validator and converter, in .clients; gigabytes
@@ -25,6 +26,7 @@ OTHERS := $(foreach version,3.11 3.12 3.13,$(VENV)-$(version)/.installed)
 # Modules are compiled once, at their first import: most of three gigabytes never are.
 unexport PYTHONDONTWRITEBYTECODE
 INSTALL := pip install --quiet --disable-pip-version-check --no-compile --editable
+TESTERS := hypothesis pytest pytest-xdist
 PYTEST_FLAGS ?= -n auto
 MARKS := not long
 SURVEY_FLAGS ?= --jobs 2
@@ -37,7 +39,7 @@ PYTHON ?= $(shell for name in python3.13 python3.12 python3.11 python3 python; d
 	done)
 
 .DEFAULT_GOAL := help
-.PHONY: help install install-others demo test test-long lint types layers pytest same-bytes hashes clients test-clients client-table survey soak coverage-table sheets docs docs-serve bench field format clean
+.PHONY: help install install-others demo test test-long lint types layers pytest test-others same-bytes hashes clients test-clients client-table survey soak coverage-table sheets docs docs-serve bench field format clean
 
 help:
 	@sed -n 's/^#   //p' Makefile
@@ -78,6 +80,11 @@ test-long:
 	$(MAKE) test MARKS=
 
 # The one of $(VENV) has done it among the tests.
+test-others: $(OTHERS)
+	for python in $(wildcard $(OTHERS:/.installed=/bin/python)); do \
+		$$python -m pytest -m "$(MARKS)" $(PYTEST_FLAGS) tests/asset tests/graph || exit 1; \
+	done
+
 same-bytes: $(OTHERS)
 	$(MAKE) --jobs=2 --output-sync $(OTHERS:$(VENV)-%/.installed=same-bytes-%)
 
@@ -92,7 +99,7 @@ $(VENV)-%/.installed: pyproject.toml
 	@for python in python$* $${PYENV_ROOT:-$$HOME/.pyenv}/versions/$*.*/bin/python; do \
 		$$python -c 'import sys; sys.exit("%d.%d" % sys.version_info[:2] != "$*")' >/dev/null 2>&1 || continue; \
 		$(PYTHON) -c 'import sys; sys.exit("%d.%d" % sys.version_info[:2] == "$*")' || continue; \
-		$$python -m venv --clear $(@D) && $(@D)/bin/python -m $(INSTALL) . || exit 1; \
+		$$python -m venv --clear $(@D) && $(@D)/bin/python -m $(INSTALL) . $(TESTERS) || exit 1; \
 		break; \
 	done; \
 	mkdir -p $(@D) && touch $@
