@@ -302,7 +302,6 @@ class _Joining:
         }
         self._queue: list[tuple[float, int, _Group, _Group]] = []
         self._refused: set[tuple[str, frozenset[int]]] = set()
-        self._shapes: dict[tuple[str, frozenset[int]], list[Convex]] = {}  # around pieces of a link
         self._count = 0
 
     def leave_open(self, ball: float) -> None:
@@ -401,9 +400,11 @@ class _Joining:
         if self._is_refused(link, joined):
             return None
         others = {name: [each.body for each in groups] for name, groups in self._groups.items()}
-        if (link, joined) not in self._shapes:
-            self._shapes[link, joined] = around([colliders[number].convex for number in sorted(joined)])
-        found = self._shapes[link, joined]
+        pieces = [colliders[number].convex for number in sorted(joined)]
+        least = Convex.hull(np.concatenate([each.outer_points() for each in pieces]))
+        if not self._around.allow(link, least, others):
+            return None  # a polytope with fewer vertices, or a primitive, is larger
+        found = around(pieces)
         for index, convex in enumerate(found):
             inside = tuple(
                 each
