@@ -122,6 +122,18 @@ def test_colliders_that_are_spare_in_all_assets_are_left_out(doors) -> None:
     assert used.all()
 
 
+def test_a_batch_of_assets_with_fewer_colliders_has_their_topology() -> None:
+    seeds, options = range(2), {"colliders": 50, "openings": 0.1}
+    fewer = [ag.generate("drawer", seed, **options) for seed in seeds]
+    specs = batch.mjlab("drawer", seeds, **options)
+    topology = Topology.of(fewer)
+    assert [spec.compile().ngeom for spec in specs] == [topology.size[1]] * 2
+    assert max(sum(len(link.colliders) for link in asset.links) for asset in fewer) <= 50
+    padded = ag.generate("drawer", 1, topology=topology, **options)
+    assert padded.certificate.proven
+    assert sum(len(link.colliders) for link in padded.links) == topology.size[1]
+
+
 def test_pairs_that_cannot_touch_in_any_asset_may_be_excluded(doors) -> None:
     padded = list(map(Topology.of(doors).pad, doors))
     plain = [each.compile() for each in batch.specs(padded, touching=False)]

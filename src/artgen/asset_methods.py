@@ -78,7 +78,7 @@ def with_colliders(self: Asset, most: int | Mapping[str, int], openings: float =
 
     Args:
         most: Largest number of colliders of the asset, or of single links by name.
-        openings: Diameter of the ball whose ways from outside stay open [m].
+        openings: Diameter of the widest ball whose ways from outside stay open [m].
 
     Raises:
         ParameterError: A number is not allowed.

@@ -25,6 +25,7 @@ from artgen.export.frames import apart, coupling, linear_coupling
 from artgen.export.mjcf import OFF, Tendons, tendons_of
 from artgen.export.objects import mjspec
 from artgen.generator import Generator
+from artgen.topology import Topology
 
 if TYPE_CHECKING:
     import mujoco
@@ -106,7 +107,8 @@ def mjlab(
         seeds: Seeds of the assets.
         touching: Whether contacts are left only to those links of an asset that can touch each other; see
             `specs`.
-        **options: Options of `generate`; `topology` is "fixed" and `base` is "free" by default.
+        **options: Options of `generate`; `base` is "free" by default, `topology` is "fixed", and with
+            `colliders` that of these assets.
 
     Raises:
         AssetError: A seed does not fit the topology.
@@ -332,7 +334,8 @@ def usd(
         seeds: Seeds of the assets.
         folder: Folder for a folder of each asset.
         textures: Width of material maps in pixels; 0 writes none.
-        **options: Options of `generate`; `topology` is "fixed" by default.
+        **options: Options of `generate`; `topology` is "fixed" by default, and with `colliders` that of these
+            assets.
 
     Raises:
         AssetError: A seed does not fit the topology.
@@ -362,7 +365,8 @@ def isaaclab(
         seeds: Seeds of the assets.
         folder: Folder for a folder of each asset.
         textures: Width of material maps in pixels; 0 writes none.
-        **options: Options of `generate`; `topology` is "fixed" by default.
+        **options: Options of `generate`; `topology` is "fixed" by default, and with `colliders` that of these
+            assets.
 
     Raises:
         AssetError: A seed does not fit the topology.
@@ -400,7 +404,8 @@ def genesis(
         seeds: Seeds of the assets.
         folder: Folder for a folder of each asset.
         textures: Width of material maps in pixels; 0 writes none.
-        **options: Options of `generate`; `topology` is "fixed" by default.
+        **options: Options of `generate`; `topology` is "fixed" by default, and with `colliders` that of these
+            assets.
 
     Raises:
         AssetError: A seed does not fit the topology.
@@ -474,9 +479,18 @@ def _pins(asset: Asset) -> list[tuple[tuple[str, str], list[float]]]:
 
 
 def _generated(category: str | Generator, seeds: Iterable[int], options: dict[str, Any]) -> list[Asset]:
-    assets = [generate(category, seed=seed, **{"topology": "fixed"} | options) for seed in seeds]
+    """Return assets of one topology: the recorded one, or with `colliders` that of these assets."""
+    own = options.get("colliders") is not None and "topology" not in options
+    assets = [
+        generate(category, seed=seed, **{"topology": "own" if own else "fixed"} | options) for seed in seeds
+    ]
     if not assets:
         raise ParameterError("a batch needs at least one seed; give some")
+    if own:
+        topology = Topology.of(assets)
+        assets = [topology.pad(asset) for asset in assets]
+        for asset in assets if options.get("certify", True) else ():
+            asset.certify(options.get("tolerance", 0.0))
     return assets
 
 
@@ -547,8 +561,9 @@ def mujoco_warp(
         worlds: Number of worlds; by default one for each asset.
         touching: Whether contacts are left only to those links of an asset that can touch each other; see
             `specs`.
-        **options: Options of `generate`; `topology` is "fixed" by default. `nconmax` and `njmax` set the room
-            for contacts and constraints of each world, as in `mujoco_warp.make_data`.
+        **options: Options of `generate`; `topology` is "fixed" by default, and with `colliders` that of these
+            assets. `nconmax` and `njmax` set the room for contacts and constraints of each world, as in
+            `mujoco_warp.make_data`.
 
     Raises:
         AssetError: A seed does not fit the topology.
@@ -622,7 +637,8 @@ def mjx(category: str | Generator, seeds: Iterable[int], **options: Any) -> MjxW
     Args:
         category: Name of a category, or a generator.
         seeds: Seeds of the assets.
-        **options: Options of `generate`; `topology` is "fixed" by default.
+        **options: Options of `generate`; `topology` is "fixed" by default, and with `colliders` that of these
+            assets.
 
     Raises:
         AssetError: A seed does not fit the topology.

@@ -229,8 +229,9 @@ def generate(category: str | Path | Generator, /, seed: int = 0, **overrides: An
         seed: Seed of all draws: the same seed gives the same asset, byte for byte.
         **overrides: Options of `Generator.generate`: `name`, `base` ("fixed" or "free"), `certify=False` to
             skip the proof that no two links collide or `certify="later"` to make it when it is needed, its
-            `tolerance` [m] and `on_collision` ("redraw", "fail" or "keep"), `limits` and `colliders`; and a
-            value or a distribution by parameter name. Write `handle__length` for `handle.length`.
+            `tolerance` [m] and `on_collision` ("redraw", "fail" or "keep"), `limits`, `topology`, `detail`,
+            `colliders` and `openings`; and a value or a distribution by parameter name. Write
+            `handle__length` for `handle.length`.
 
     Raises:
         ParameterError: The category, the seed, an option or an override is unknown or not allowed.

@@ -28,6 +28,11 @@ def test_distributions_are_drawn_from() -> None:
     assert all(1.2 <= float(str(asset.parameters["width"])) <= 1.3 for asset in islice(wide, 2))
 
 
+def test_options_of_generate_are_no_overrides() -> None:
+    stream = artgen.stream("switch", certify=False, topology="fixed")
+    assert all(asset.originals for asset in islice(stream, 2))
+
+
 def test_workers_of_a_loader_share_the_seeds(monkeypatch: pytest.MonkeyPatch) -> None:
     """As in each worker of PyTorch, which the tests do not need."""
     torch = {name: ModuleType(name) for name in ("torch", "torch.utils", "torch.utils.data")}

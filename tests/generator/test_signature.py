@@ -8,6 +8,7 @@ import pytest
 
 from artgen.errors import BuildError, ParameterError
 from artgen.generator import CATEGORIES, Generator, category, generator, one_of
+from artgen.generator.signature import RESERVED
 from artgen.graph import evaluate
 from artgen.materials import MATERIALS, Material, material
 from artgen.nodes.body import part
@@ -114,6 +115,11 @@ MISMATCHED = {
     ),
     "variadic": (body, r"body\(inputs: ...\) cannot be given by keyword; name every parameter"),
 }
+
+
+def test_all_options_of_generate_are_reserved():
+    _, *options, overrides = inspect.signature(Generator.generate).parameters
+    assert {*options, overrides} == set(RESERVED)
 
 
 @pytest.mark.parametrize("name", MISMATCHED)

@@ -137,6 +137,8 @@ def test_a_padded_asset_is_not_joined():
     padded = Topology.of([asset]).pad(asset)
     with pytest.raises(AssetError, match="join colliders first, and pad the result"):
         padded.with_colliders(8)
+    with pytest.raises(AssetError, match="'switch_0' is padded to a topology, which sets its colliders"):
+        artgen.generate("switch", topology="fixed", certify=False).with_colliders(1)
 
 
 @pytest.mark.parametrize(

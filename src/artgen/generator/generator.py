@@ -26,6 +26,7 @@ from artgen.asset.asset import Base, DetailName, Limits, certify_later
 from artgen.asset.certificate import MOST_TOLERANCE, Certificate
 from artgen.asset.report import CheckResult, Finding
 from artgen.asset.tree import Reduction
+from artgen.colliders.openings import BALL
 from artgen.errors import (
     ArtgenError,
     AssetError,
@@ -489,6 +490,7 @@ class Generator(Variant):
         topology: Topology | Literal["own", "fixed"] = "own",
         detail: DetailName = "full",
         colliders: int | Mapping[str, int] | None = None,
+        openings: float = BALL,
         **overrides: Any,
     ) -> Asset:
         """Draw the parameters, build and evaluate the graph, certify the asset and return it.
@@ -516,7 +518,8 @@ class Generator(Variant):
                 those of `full`.
             colliders: Largest number of colliders of the asset, or of single links by name, see
                 `artgen.proof.fewer.with_colliders`; they are proven in any case. By default as many as the
-                solids need.
+                solids need. A topology has to hold them, as one of such assets does.
+            openings: Diameter of the widest ball whose ways from outside fewer colliders leave open [m].
             **overrides: A value or a distribution by parameter name; write `handle__length` for
                 `handle.length`.
 
@@ -542,9 +545,12 @@ class Generator(Variant):
             on_collision=on_collision,
             detail=detail,
             overrides=overrides,
-            topology=topology,
+            topology=topology if colliders is None else "own",
         )
-        asset = asset if colliders is None else asset.with_colliders(colliders)
+        if colliders is not None:
+            asset = self._padding(topology)(asset.with_colliders(colliders, openings))
+            if certify and asset.certificate is None:  # a padded asset
+                certify_sample(asset, tolerance, on_collision)
         return asset if limits == "full" else asset.with_limits(limits)
 
     @without_collector()

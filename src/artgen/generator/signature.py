@@ -15,7 +15,7 @@ from artgen.sampling.choices import By, case_key
 
 RESERVED = (
     *("seed", "name", "base", "cache", "attempts", "certify", "tolerance", "on_collision", "limits"),
-    *("colliders", "detail", "overrides"),
+    *("topology", "detail", "colliders", "openings", "overrides"),
 )
 """Names that parameters cannot have: options of `generate`."""
 

@@ -77,12 +77,12 @@ def with_colliders(asset: Asset, most: Budget, openings: float = BALL) -> Asset:
 def fewer_colliders(asset: Asset, most: Budget, openings: float = BALL) -> tuple[Asset, str]:
     """Return the asset of `with_colliders` or, where it fails, of the fewest colliders, and the reason."""
     check_budget(most, openings)
-    need_solids(asset, "its colliders cannot be joined", "fewer colliders when it is generated")
     if asset.originals:
         raise AssetError(
             f"asset {asset.name!r} is padded to a topology, which sets its colliders; join colliders first, "
             "and pad the result to a topology of such assets: topology.pad(asset.with_colliders(...))"
         )
+    need_solids(asset, "its colliders cannot be joined", "fewer colliders when it is generated")
     names = [link.name for link in asset.links]
     for name in most if isinstance(most, Mapping) else ():
         if name not in names:
