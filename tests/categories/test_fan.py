@@ -9,6 +9,7 @@ import pytest
 
 from artgen.asset import Asset
 from artgen.catalog import find
+from artgen.errors import InfeasibleError
 
 
 @lru_cache(maxsize=12)
@@ -66,3 +67,10 @@ def test_masses_are_those_of_shops(style: str, masses: tuple[float, float]) -> N
     assert masses[0] < made(1, style=style).mass < masses[1]
     least = np.ptp(np.array(made(1, style=style).link("blades").bounds()), axis=0)
     assert least[0] < made(1, style=style).parameters["size"]
+
+
+@pytest.mark.parametrize(("style", "least"), [("desk", 0.2), ("pedestal", 0.26)])
+def test_a_fan_that_is_too_small_for_its_panel_is_refused(style: str, least: float) -> None:
+    assert made(1, style=style, size=least, pitch=0.7).certificate
+    with pytest.raises(InfeasibleError, match=f"size of a {style} fan must be >= {least:g} m"):
+        made(1, style=style, size=least - 0.01)

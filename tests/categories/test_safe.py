@@ -9,6 +9,7 @@ import pytest
 
 from artgen.asset import Asset
 from artgen.catalog import find
+from artgen.errors import InfeasibleError
 from artgen.validate.behavior import check_behavior
 
 LOCKS = {"key": "key_turn", "dial": "dial_turn", "keypad": "tongue_slide"}
@@ -75,3 +76,10 @@ def test_the_tongue_holds_the_handle_against_a_hand(seed: int, tmp_path: Path) -
     asset = find("safe").generate(seed, certify=False)
     found = check_behavior(asset, asset.export(tmp_path / asset.name, formats=("mjcf",), textures=0))
     assert not found.faults, found.faults
+
+
+@pytest.mark.parametrize(("style", "least"), [("fire", 0.42), ("gun", 0.6)])
+def test_a_safe_that_is_too_low_for_its_lock_is_refused(style: str, least: float) -> None:
+    assert made(1, style=style, height=least).certificate
+    with pytest.raises(InfeasibleError, match=f"height of a {style} safe must be >= {least:g} m"):
+        made(1, style=style, height=least - 0.01)

@@ -73,3 +73,8 @@ def test_the_ring_holds_closed_tongs() -> None:
 )
 def test_masses_are_those_of_catalogs(style: str, least: float, most: float) -> None:
     assert least < made(5, style=style).mass < most
+
+
+def test_short_shears_have_round_bows() -> None:
+    short = made(8861, style="tailor", bows="offset", length=0.12, opening=0.75)
+    assert short.parameters["length"] == 0.12

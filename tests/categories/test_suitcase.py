@@ -7,6 +7,7 @@ import pytest
 
 from artgen.asset import Asset
 from artgen.catalog import find
+from artgen.errors import InfeasibleError
 
 STYLES = ("trolley", "tool_case", "attache")
 
@@ -50,3 +51,10 @@ def test_sizes_and_masses_are_those_of_shops(style: str) -> None:
     assert low[2] == pytest.approx(0.0, abs=1e-6), "it stands on the floor"
     assert 0.1 < high[2] - low[2] < 0.85
     assert 1.2 < asset.mass < 6.0
+
+
+def test_a_trolley_that_is_too_thin_for_its_wheels_is_refused() -> None:
+    flat = find("suitcase").generate(1088, style="trolley", rolling="wheels", high=0.11, opens=3.0)
+    assert flat.certificate.proven
+    with pytest.raises(InfeasibleError, match=r"high of a trolley must be >= 0\.11 m"):
+        made(1, style="trolley", high=0.1)

@@ -108,7 +108,7 @@ def fan(
         box=ag.uniform(0.52, 0.55),
         clip=ag.uniform(0.165, 0.205),
         unit="m",
-        within=(0.15, 0.56),
+        within=(0.16, 0.56),
         doc="width of the guard",
     ),
     blades: int = ag.choice({3: 0.4, 4: 0.25, 5: 0.35}),
@@ -130,6 +130,8 @@ def fan(
     rotor = (blades, pitch, broad, blade)
     if style == "box":
         return _box(size, rotor, shell, maker)
+    least = {"desk": 0.2, "pedestal": 0.26, "clip": 0.16}[style]
+    size = ag.require(size, size >= least, f"size of a {style} fan must be >= {least:g} m")
     plan = _Head(size / 2)
     head = _head(plan, rotor, wires, shell, wire, maker, swings=style != "clip")
     neck = _neck(plan, shell)

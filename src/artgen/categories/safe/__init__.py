@@ -209,7 +209,8 @@ def safe(
     maker: str = ag.choice(*details.BRANDS),
 ) -> ag.Body:
     """Make a locked safe."""
-    thick = style == "fire"
+    thick, least = style == "fire", {"fire": 0.42, "gun": 0.6}.get(style, 0.2)
+    height = ag.require(height, height >= least, f"height of a {style} safe must be >= {least:g} m")
     plan = _Plan(
         ag.Region((-width / 2, width / 2), (-depth / 2, depth / 2), (0, height)),
         wall,
