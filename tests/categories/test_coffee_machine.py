@@ -7,6 +7,7 @@ import pytest
 
 from artgen.asset import Asset
 from artgen.catalog import find
+from artgen.errors import InfeasibleError
 from artgen.validate.hands import check_grasps
 
 GIVEN = {"filter": {"basket": "lift"}}
@@ -61,3 +62,10 @@ def test_masses_are_those_of_shops_with_water_and_coffee(style: str, mass: tuple
 def test_a_hand_takes_the_basket_of_the_shallowest_machine_under_its_lid() -> None:
     asset = made(28, style="filter", basket="lift", opens=1.36, depth=0.236)
     assert check_grasps(asset).faults == ()
+
+
+@pytest.mark.parametrize(("style", "least"), [("filter", 0.28), ("espresso", 0.32)])
+def test_a_machine_that_is_too_low_is_refused(style: str, least: float) -> None:
+    assert find("coffee_machine").generate(1, style=style, height=least).certificate.proven
+    with pytest.raises(InfeasibleError, match=f"height of a machine for {style} must be >= {least:g} m"):
+        find("coffee_machine").generate(1, style=style, height=least - 0.01)

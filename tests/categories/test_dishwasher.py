@@ -9,7 +9,7 @@ import pytest
 
 from artgen.asset import Asset
 from artgen.catalog import find
-from artgen.errors import ParameterError
+from artgen.errors import InfeasibleError, ParameterError
 from artgen.validate.colliders import check_colliders
 
 GRAVITY = 9.81
@@ -170,3 +170,9 @@ def test_a_wrong_style_is_refused_with_the_allowed_ones() -> None:
 
 def test_colliders_of_racks_are_close_at_medium_detail() -> None:
     assert not check_colliders(made(0, detail="medium")).findings
+
+
+def test_a_dishwasher_with_a_bar_needs_depth() -> None:
+    assert find("dishwasher").generate(1, handle="bar", depth=0.58, travel=0.92).certificate.proven
+    with pytest.raises(InfeasibleError, match=r"a bar stands out: depth must be >= 0\.58 m"):
+        find("dishwasher").generate(1, handle="bar", depth=0.57)

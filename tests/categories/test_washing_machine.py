@@ -81,3 +81,10 @@ def test_a_console_refuses_buttons_beyond_its_end() -> None:
     with pytest.raises(InfeasibleError, match="need a wider console"):
         made(1, buttons=6, **given)
     assert sum(link.name.startswith("button") for link in made(1, buttons=2, **given).links) == 2
+
+
+def test_a_high_backsplash_of_a_compact_machine_is_refused() -> None:
+    options = {"kind": "top", "size": "compact"}
+    assert find("washing_machine").generate(1, backsplash=0.15, **options).certificate.proven
+    with pytest.raises(InfeasibleError, match=r"backsplash of a compact machine must be <= 0\.15 m"):
+        find("washing_machine").generate(1, backsplash=0.16, **options)

@@ -159,6 +159,8 @@ def coffee_machine(
     maker: str = ag.choice(*details.BRANDS),
 ) -> ag.Body:
     """Make a coffee machine, ready: jug, capsule lever or portafilter in place."""
+    least = {"filter": 0.28, "capsule": 0.21, "espresso": 0.32}[style]
+    height = ag.require(height, height >= least, f"height of a machine for {style} must be >= {least:g} m")
     room = ag.Region.centered(width, depth, 0).with_(z=(_FOOT, height))
     look = _Look(shell, trim, grip, maker)
     match style:
@@ -201,12 +203,8 @@ def _frame(room: ag.Region, soft: ag.Scalar, niche: ag.Region, look: _Look, dens
     lines = (look.maker.upper(), "220-240 V~ 50/60 Hz", "1050-1260 W")
     plate = details.rating_plate(0.052, 0.020, lines, at=(0, room.y.high - 0.06, _FOOT), facing=-ag.Z)
     cord = cord_stub(height=0.024).at(-0.3 * room.x.size, room.y.high, 0.024)
-    return ag.weld(
-        ag.part(solid, "body", filled(look.shell, density, "case")),
-        ag.part(feet, "foot", _RUBBER, separate="feet"),
-        plate,
-        cord,
-    )
+    body = ag.part(solid, "body", filled(look.shell, density, "case"))
+    return ag.weld(body, ag.part(feet, "foot", _RUBBER, separate="feet"), plate, cord)
 
 
 def _signed(room: ag.Region, look: _Look, x: ag.Scalar, z: ag.Scalar) -> ag.Body:

@@ -174,6 +174,8 @@ def dishwasher(
     if handle == "recessed":
         deep = "a recessed handle needs depth: door_thickness must be > 0.051 m"
         door_thickness = ag.require(door_thickness, door_thickness > 0.051, deep)
+    if handle == "bar":
+        depth = ag.require(depth, depth >= 0.58, "a bar stands out: depth must be >= 0.58 m")
     slim, upper, built_in = size == "slim", controls == "top", build == "built_in"
     worktop = not built_in and not upper and handle != "pocket"
     projection, girth = 0.040, 0.0080  # of a bar [m]

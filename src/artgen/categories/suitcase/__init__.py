@@ -168,7 +168,7 @@ def suitcase(
     radius = {"trolley": 0.042, "tool_case": 0.022, "attache": 0.012}[style]
     wall = {"trolley": 0.004, "tool_case": 0.006, "attache": 0.005}[style]
     if style == "trolley":
-        high = ag.require(high, high >= 0.11, "wheels and rods need room: high of a trolley must be >= 0.11 m")
+        high = ag.require(high, high >= 0.11, "wheels need room: high of a trolley must be >= 0.11 m")
     plan = _Plan(style, wide, aspect * wide, share * high, high, radius, wall, shell, metal)
     base, lid = _halves(plan, ribs, maker)
     latches = []

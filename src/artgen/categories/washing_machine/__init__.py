@@ -162,6 +162,9 @@ def washing_machine(
     plan = parts.Plan(outside, console=console, top=0.004 if wide else 0.030, drawer=0.19 if drawer else 0.0)
     space, dial_size, name = plan.console, dial_radius, maker
     if kind == "top":
+        if not wide:  # it leans back by more
+            most = f"backsplash of a {size} machine must be <= 0.15 m"
+            backsplash = ag.require(backsplash, backsplash <= 0.15, most)
         space = ag.Region(outside.shrink(x=0.002).x, (0, 0.022), (height, height + backsplash))
         dial_size, name = ag.min_(dial_radius, 0.26 * backsplash), ""
     caps = ag.material("black_abs") if dark else ag.colored("abs", "silver")
