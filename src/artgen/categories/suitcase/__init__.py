@@ -241,9 +241,8 @@ def _halves(plan: _Plan, ribs: int, maker: str) -> tuple[ag.Body, ag.Body]:
             (x * (plan.wide / 2 - 0.04), y * (plan.deep / 2 - 0.04), 0) for x in (-1, 1) for y in (-1, 1)
         ]
         foot = ag.cylinder(0.011, 0.004, bevel=0.0008).at(z=-0.001)
-        base = ag.weld(
-            base, ag.part(ag.array(foot, at=spots), "foot", ag.material("rubber"), separate="four feet")
-        )
+        feet = ag.array(foot, at=spots)
+        base = ag.weld(base, ag.part(feet, "foot", ag.material("rubber"), separate="four feet"))
     if style == "tool_case":
         base = ag.weld(base, _insert(plan, inner))
     return base, lid
