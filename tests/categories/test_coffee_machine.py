@@ -69,3 +69,9 @@ def test_a_machine_that_is_too_low_is_refused(style: str, least: float) -> None:
     assert find("coffee_machine").generate(1, style=style, height=least).certificate.proven
     with pytest.raises(InfeasibleError, match=f"height of a machine for {style} must be >= {least:g} m"):
         find("coffee_machine").generate(1, style=style, height=least - 0.01)
+
+
+def test_a_narrow_machine_for_espresso_is_refused() -> None:
+    assert find("coffee_machine").generate(1, style="espresso", width=0.18).certificate.proven
+    with pytest.raises(InfeasibleError, match=r"width of a machine for espresso must be >= 0\.18 m"):
+        find("coffee_machine").generate(1, style="espresso", width=0.17)

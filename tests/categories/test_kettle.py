@@ -39,3 +39,8 @@ def test_sizes_and_masses_are_those_of_half_full_kettles(style: str) -> None:
     low, high = asset.bounds()
     assert 0.15 < high[2] - low[2] < 0.30
     assert 1.0 < asset.mass < 2.6
+
+
+@pytest.mark.parametrize("seed", [3, 2737])
+def test_the_handle_of_a_dome_bends_as_far_as_there_is_room(seed: int) -> None:
+    assert find("kettle").generate(seed, form="dome").certificate.proven

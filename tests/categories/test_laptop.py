@@ -10,6 +10,7 @@ import pytest
 
 from artgen.asset import Asset
 from artgen.catalog import find
+from artgen.errors import InfeasibleError
 
 STYLES = ("thin", "plain", "convertible")
 
@@ -58,3 +59,9 @@ def test_sizes_and_masses_are_those_of_shops(style: str) -> None:
     assert 0.20 < high[1] - low[1] < 0.30
     assert 0.9 < asset.mass < 2.6
     assert 0.25 < asset.link("screen").mass_properties.mass < 0.7
+
+
+def test_a_thin_laptop_with_a_disc_tray_is_refused() -> None:
+    assert find("laptop").generate(1, style="plain", thick=0.016).certificate.proven
+    with pytest.raises(InfeasibleError, match=r"a disc tray needs room: thick must be >= 0\.016 m"):
+        find("laptop").generate(1, style="plain", thick=0.015)

@@ -83,3 +83,9 @@ def test_a_safe_that_is_too_low_for_its_lock_is_refused(style: str, least: float
     assert made(1, style=style, height=least).certificate
     with pytest.raises(InfeasibleError, match=f"height of a {style} safe must be >= {least:g} m"):
         made(1, style=style, height=least - 0.01)
+
+
+def test_thick_walls_are_for_fire_safes() -> None:
+    assert made(1, style="home", wall=0.01).certificate
+    with pytest.raises(InfeasibleError, match=r"only fire safes have thick walls: wall must be <= 0\.01 m"):
+        made(1, style="home", wall=0.02)

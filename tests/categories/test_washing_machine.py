@@ -83,6 +83,12 @@ def test_a_console_refuses_buttons_beyond_its_end() -> None:
     assert sum(link.name.startswith("button") for link in made(1, buttons=2, **given).links) == 2
 
 
+def test_a_flat_top_loader_is_refused() -> None:
+    assert find("washing_machine").generate(1, kind="top", depth=0.45).certificate.proven
+    with pytest.raises(InfeasibleError, match=r"depth of a top loader must be >= 0\.45 m"):
+        find("washing_machine").generate(1, kind="top", depth=0.44)
+
+
 def test_a_high_backsplash_of_a_compact_machine_is_refused() -> None:
     options = {"kind": "top", "size": "compact"}
     assert find("washing_machine").generate(1, backsplash=0.15, **options).certificate.proven

@@ -161,6 +161,8 @@ def coffee_machine(
     """Make a coffee machine, ready: jug, capsule lever or portafilter in place."""
     least = {"filter": 0.28, "capsule": 0.21, "espresso": 0.32}[style]
     height = ag.require(height, height >= least, f"height of a machine for {style} must be >= {least:g} m")
+    if style == "espresso":
+        width = ag.require(width, width >= 0.18, "width of a machine for espresso must be >= 0.18 m")
     room = ag.Region.centered(width, depth, 0).with_(z=(_FOOT, height))
     look = _Look(shell, trim, grip, maker)
     match style:

@@ -118,7 +118,8 @@ def _handle(radius: ag.Scalar, rim: ag.Scalar, height: ag.Scalar, grip: ag.Mater
     """Make the handle behind a jug, with the block for the hinge of the lid on it."""
     top, low = height - 0.012, 0.30 * height
     line = [(0, rim - 0.008, top), (0, rim + 0.056, top), (0, rim + 0.052, low), (0, 0.93 * radius, low)]
-    bar = ag.sweep(ag.rectangle(0.022, 0.015, radius=0.005), ag.polyline(line, fillet=0.018))
+    bend = ag.min_(0.018, rim + 0.051 - 0.93 * radius)
+    bar = ag.sweep(ag.rectangle(0.022, 0.015, radius=0.005), ag.polyline(line, fillet=bend))
     hold = ag.grasp_on(bar, approach=-ag.Y, closing=ag.X, at=(0, rim + 0.054, (top + low) / 2), depth=0.012)
     block = ag.Region((-0.017, 0.017), (rim - 0.004, rim + 0.016), (top - 0.002, height)).box(bevel=0.002)
     return ag.part(bar | block, "handle", grip.with_(name=f"{grip.name}_handle", density=900.0), grasp=hold)

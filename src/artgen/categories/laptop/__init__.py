@@ -145,6 +145,8 @@ def laptop(
 ) -> ag.Body:
     """Make a closed laptop on its feet; `keys="all"` lets all keys but those of functions move."""
     depth = ratio * width
+    if style == "plain":
+        thick = ag.require(thick, thick >= 0.016, "a disc tray needs room: thick must be >= 0.016 m")
     rear = depth / 2 - (0.0 if style == "convertible" else 0.012)
     plan = _Plan(width, depth, _FEET + thick, rear)
     middle = plan.top + _GAP + _LID / 2  # height of the middle of the screen [m]

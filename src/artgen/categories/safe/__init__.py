@@ -211,6 +211,8 @@ def safe(
     """Make a locked safe."""
     thick, least = style == "fire", {"fire": 0.42, "gun": 0.6}.get(style, 0.2)
     height = ag.require(height, height >= least, f"height of a {style} safe must be >= {least:g} m")
+    if not thick:
+        wall = ag.require(wall, wall <= 0.01, "only fire safes have thick walls: wall must be <= 0.01 m")
     plan = _Plan(
         ag.Region((-width / 2, width / 2), (-depth / 2, depth / 2), (0, height)),
         wall,

@@ -154,6 +154,8 @@ def washing_machine(
     maker: str = ag.choice(*details.BRANDS),
 ) -> ag.Body:
     """Make a washing machine or a dryer, closed: drum, door or lid, drawer, flap, dials, buttons."""
+    if kind == "top":
+        depth = ag.require(depth, depth >= 0.45, "depth of a top loader must be >= 0.45 m")
     outside = ag.Region((-width / 2, width / 2), (-depth / 2, depth / 2), (0, height))
     sides, dryer, wide = cabinet_finish(look, finish), kind == "dryer", size == "wide"
     dark, pale = look in ("black", "dark_steel"), look in ("white", "pastel")
