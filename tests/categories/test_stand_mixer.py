@@ -8,6 +8,7 @@ import pytest
 
 from artgen.asset import Asset
 from artgen.catalog import find
+from artgen.errors import InfeasibleError
 from artgen.validate.hands import check_grasps
 
 
@@ -66,3 +67,10 @@ def test_a_hand_takes_the_crank_beside_the_arms_of_the_widest_bowl() -> None:
 @pytest.mark.parametrize(("style", "masses"), [("tilt", (8.5, 12.0)), ("lift", (11.0, 14.0))])
 def test_masses_are_those_of_shops(style: str, masses: tuple[float, float]) -> None:
     assert masses[0] < made(1, style=style).mass < masses[1]
+
+
+def test_a_low_bowl_that_lifts_is_refused() -> None:
+    options = {"style": "lift", "radius": 0.108, "slim": 0.05}
+    assert find("stand_mixer").generate(1, height=0.15, **options).certificate.proven
+    with pytest.raises(InfeasibleError, match=r"height of a bowl that lifts must be >= 0\.15 m"):
+        find("stand_mixer").generate(1, height=0.145, **options)

@@ -98,6 +98,8 @@ def stand_mixer(
 ) -> ag.Body:
     """Make a mixer with its head down and its bowl in its place."""
     lifts = style == "lift"
+    if lifts:
+        height = ag.require(height, height >= 0.15, "height of a bowl that lifts must be >= 0.15 m")
     seat = _FLOOR + (drop if lifts else 0.0)  # foot of the bowl
     rim = seat + height
     back = radius + (0.036 if lifts else 0.012) + _DEEP / 2  # the middle of the column
