@@ -534,6 +534,7 @@ class Generator(Variant):
             AssetError: The parts do not form an asset; for example, a joint refers to an unknown joint. Or
                 the asset does not fit the topology, or none is recorded.
         """
+        pad = self._padding(topology)
         asset, _ = self.evaluate(
             seed,
             name=name,
@@ -548,7 +549,7 @@ class Generator(Variant):
             topology=topology if colliders is None else "own",
         )
         if colliders is not None:
-            asset = self._padding(topology)(asset.with_colliders(colliders, openings))
+            asset = pad(asset.with_colliders(colliders, openings))
             if certify and asset.certificate is None:  # a padded asset
                 certify_sample(asset, tolerance, on_collision)
         return asset if limits == "full" else asset.with_limits(limits)
