@@ -9,6 +9,8 @@ import pytest
 
 from artgen.asset import Asset
 from artgen.catalog import find
+from artgen.errors import InfeasibleError
+from artgen.validate.hands import check_grasps
 
 
 @lru_cache(maxsize=12)
@@ -75,6 +77,10 @@ def test_masses_are_those_of_catalogs(style: str, least: float, most: float) -> 
     assert least < made(5, style=style).mass < most
 
 
-def test_short_shears_have_round_bows() -> None:
-    short = made(8861, style="tailor", bows="offset", length=0.12, opening=0.75)
-    assert short.parameters["length"] == 0.12
+@pytest.mark.parametrize(("style", "least"), [("household", 0.14), ("tailor", 0.15)])
+def test_scissors_that_are_too_short_for_a_hand_are_refused(style: str, least: float) -> None:
+    short = find("scissors").generate(8861, style=style, bows="offset", length=least)
+    assert short.certificate.proven
+    assert not check_grasps(short).faults
+    with pytest.raises(InfeasibleError, match=f"length of {style} scissors must be >= {least:g} m"):
+        made(8861, style=style, bows="offset", length=least - 0.01)

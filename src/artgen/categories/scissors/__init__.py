@@ -124,6 +124,8 @@ def scissors(
     """Make closed scissors or tongs that lie on a table."""
     if style == "tongs":
         return _tongs(length, opening, squeeze, steel, handle if soft else None, accent)
+    least = {"household": 0.14, "tailor": 0.15}.get(style, 0.12)
+    length = ag.require(length, length >= least, f"length of {style} scissors must be >= {least:g} m")
     share, wide, plate, tall = _SIZES[style]
     reach, radius = share * length, wide * length
     bars, inlay = style == "snips", accent if soft else None
@@ -243,9 +245,8 @@ def _bow(
             (-_APART, y + 0.1 * deep),
         ]
     )
-    corner = ag.min_(0.72 * hole[0], long)
-    inside = ag.rectangle(2 * hole[0], 2 * long, radius=corner).at(x, y)
-    ring = ag.rectangle(2 * wide, 2 * deep, radius=corner + wall).at(x, y) - inside
+    inside = ag.rectangle(2 * hole[0], 2 * long, radius=0.72 * hole[0]).at(x, y)
+    ring = ag.rectangle(2 * wide, 2 * deep, radius=0.72 * hole[0] + wall).at(x, y) - inside
     neck = ag.extrude(shank, tall - 0.0006, bevel=0.0012) - ag.extrude(inside.offset(0.0003), 2 * tall)
     solid = ag.extrude(ring, tall, bevel=0.0014) | neck
     outer = ag.box(wall, 0.020, tall).at(x - hole[0] - wall / 2, y)
