@@ -79,7 +79,7 @@ pytest: $(STAMP)
 test-long:
 	$(MAKE) test MARKS=
 
-# The one of $(VENV) has done it among the tests.
+# Among the tests, the one of $(VENV) has done what follows.
 test-others: $(OTHERS)
 	for python in $(wildcard $(OTHERS:/.installed=/bin/python)); do \
 		$$python -m pytest -m "$(MARKS)" $(PYTEST_FLAGS) tests/asset tests/graph || exit 1; \

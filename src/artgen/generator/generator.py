@@ -534,7 +534,8 @@ class Generator(Variant):
             AssetError: The parts do not form an asset; for example, a joint refers to an unknown joint. Or
                 the asset does not fit the topology, or none is recorded.
         """
-        pad = self._padding(topology)
+        joins = colliders is not None
+        pad = self._padding(topology if joins else "own")  # after the colliders are joined
         asset, _ = self.evaluate(
             seed,
             name=name,
@@ -546,7 +547,7 @@ class Generator(Variant):
             on_collision=on_collision,
             detail=detail,
             overrides=overrides,
-            topology=topology if colliders is None else "own",
+            topology="own" if joins else topology,
         )
         if colliders is not None:
             asset = pad(asset.with_colliders(colliders, openings))

@@ -290,7 +290,7 @@ class _Joining:
     """Pieces of the links of an asset that are joined step by step, smallest added volume first."""
 
     source: Asset  # the asset before
-    openings: float = BALL  # diameter of the balls whose ways stay open [m]
+    openings: float = field(default=BALL, init=False)  # diameter of the balls whose ways stay open [m]
     changed: set[str] = field(default_factory=set)  # links whose pieces the last `join` changed
 
     def __post_init__(self) -> None:
