@@ -143,6 +143,18 @@ def test_the_proof_leaves_no_pair_out(category: str, seed: int) -> None:
     assert {frozenset(pair.links) for pair in certificate.pairs} == moving  # no link is locked to another
 
 
+@pytest.mark.parametrize("category", categories())
+def test_every_option_can_be_demanded_of_every_seed(category: str) -> None:
+    generator = find(category)
+    for seed, (name, parameter) in enumerate(generator.parameters().items()):
+        short = ".".join(name.split(".")[::2])
+        if parameter.structural and short in generator.sample(seed):
+            for option in parameter.options:
+                values = generator.sample(seed, overrides={short: option})
+                # without the name, a generator without this parameter was chosen instead
+                assert values.get(short, option) == option, (seed, short)
+
+
 @pytest.mark.parametrize("category", some(categories(), 3, 2))
 def test_draws_have_every_option_and_fill_every_range(category: str) -> None:
     faults = coverage(find(category), 200).faults  # that is mostly enough

@@ -335,9 +335,47 @@ def test_a_short_name_need_suit_only_the_generator_that_is_drawn():
 
     assert tool.sample(0, overrides={"grip": "long", "grip.length": 0.8})["grip.length"] == 0.8
     assert tool.sample(0, overrides={"grip": "short", "grip.length": 0.25})["grip.length"] == 0.25
-    drawn = {tool.sample(seed)["grip"].name: seed for seed in range(20)}
-    assert tool.sample(drawn["long"], overrides={"grip.length": 0.8})["grip.length"] == 0.8
-    with pytest.raises(ParameterError, match=r"grip\.length = 0\.8 is out of range: 0\.05 to 0\.3 m"):
-        tool.sample(drawn["short"], overrides={"grip.length": 0.8})
-    with pytest.raises(ParameterError, match=r"grip\.length = 0\.4 is out of range"):
-        tool.sample(drawn["long"], overrides={"grip.length": 0.4})
+    for seed in range(20):  # a shorter grip is drawn again
+        values = tool.sample(seed, overrides={"grip.length": 0.8})
+        assert (values["grip"], values["grip.length"]) == (long, 0.8)
+    refused = {"grip": choice("short", "long"), "grip.length": 0.4}
+    for overrides in ({"grip": "short", "grip.length": 0.8}, refused):
+        with pytest.raises(
+            ParameterError, match=r"grip\.length = 0\.[48] is out of range: 0\.\d+ to \d\.\d m"
+        ):
+            tool.sample(0, overrides=overrides)
+
+
+def test_options_with_which_an_override_cannot_be_are_drawn_again():
+    @generator
+    def chest(
+        *,
+        style: str = choice("low", "high", "file"),
+        rows: int = by("style", low=2, high={4: 1, 5: 1}, file={2: 1, 4: 1}),
+        height: Float = by(
+            "style",
+            low=uniform(0.6, 0.7),
+            high=by("rows", {4: uniform(0.9, 1.0), 5: uniform(1.1, 1.2)}),
+            file=by("rows", {2: uniform(0.7, 0.8), 4: uniform(1.3, 1.4)}),
+        ),
+        depth: Float = uniform(0.4, 0.5),
+    ) -> Body:
+        return part(box(depth, 1.0, height), "body", OAK)
+
+    redrawn = set()
+    for seed in range(60):
+        free, values = chest.sample(seed), chest.sample(seed, overrides={"rows": 5})
+        assert values["rows"] == 5
+        assert values["depth"] == free["depth"]
+        assert chest.sample(seed, overrides={"rows": 5}) == values
+        if free["style"] == "file":
+            redrawn.add(values["style"])
+        else:
+            assert values["style"] == free["style"]
+        assert chest.sample(seed, overrides={"rows": choice(4, 5)})["rows"] in (4, 5)
+    assert redrawn == {"low", "high"}  # any number is possible in a low one
+    excluding = (
+        r"style = 'file' and rows = 5 cannot be drawn: for height, by\('rows', ...\) has no case for 5"
+    )
+    with pytest.raises(ParameterError, match=excluding):
+        chest.sample(0, overrides={"style": "file", "rows": 5})

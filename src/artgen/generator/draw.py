@@ -2,7 +2,7 @@
 
 import difflib
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from copy import copy
 from dataclasses import dataclass, field
 from typing import Any, Self
@@ -13,6 +13,7 @@ from artgen.sampling import Distribution, Fixed, stream
 from artgen.sampling.choices import By, case_key
 
 _LIKE = 0.8  # likeness of names from which a description is not searched
+_REDRAWS = 100  # most draws of options that exclude overrides
 
 
 class Overrides:
@@ -58,6 +59,10 @@ class Overrides:
 
     def __contains__(self, parameter: Parameter) -> bool:
         return parameter.name in self._values
+
+    def fix(self, parameter: Parameter) -> bool:
+        """Tell whether a parameter is overridden by a value, not by a distribution."""
+        return parameter in self and not isinstance(self._values[parameter.name], Distribution)
 
     def replaced(self, parameter: Parameter, value: Any) -> "Overrides":
         """Return the overrides with another value of an overridden parameter."""
@@ -122,6 +127,15 @@ def _parts_mean(dotted: list[str], full: list[str]) -> bool:
     return through_generator or _parts_mean(dotted[1:], full[2:])
 
 
+class _ExcludedError(Exception):
+    """Overrides exclude a draw."""
+
+    def __init__(self, error: ParameterError, options: Iterable[Parameter], overrides: Overrides) -> None:
+        super().__init__()
+        self.error = error
+        self.again = [each.name for each in options if not overrides.fix(each)]  # options to draw again
+
+
 @dataclass
 class Draw:
     """One draw of all parameters."""
@@ -133,26 +147,74 @@ class Draw:
     # drawn values by names without generators, such as `handle.length`
     values: dict[str, Any] = field(default_factory=dict)
     overridden: dict[str, Parameter] = field(default_factory=dict)  # those of `values` with an override
+    turns: dict[str, int] = field(default_factory=dict)  # how often an option was drawn again, by full name
 
-    def sample(self, own: Mapping[str, Parameter], short: str = "", full: str = "") -> None:
-        """Draw the parameters of a generator and of the generators that it chooses."""
+    def sample(self, own: Mapping[str, Parameter], *, again: bool = True) -> None:
+        """Draw the parameters of a generator and of the generators that it chooses.
+
+        Args:
+            own: The generator's parameters by name.
+            again: Whether to draw options again with which the overrides cannot be; all else stays as drawn.
+
+        Raises:
+            ParameterError: A value is not allowed, or overrides exclude each other.
+        """
+        for left in range(_REDRAWS if again else 0, -1, -1):
+            self.values, self.overridden = {}, {}
+            try:
+                self._sample(own)
+            except _ExcludedError as excluded:
+                if not left or not excluded.again:
+                    raise excluded.error from None
+                self.turns |= {name: self.turns.get(name, 0) + 1 for name in excluded.again}
+            else:
+                return
+
+    def _sample(
+        self, own: Mapping[str, Parameter], short: str = "", full: str = "", chosen: Iterable[Parameter] = ()
+    ) -> None:
+        """Draw the parameters of one generator, and of those that it chooses; `chosen` led to it."""
         parameters = {
             name: Parameter(full + name, parameter.kind, parameter.distribution) if full else parameter
             for name, parameter in own.items()
         }
-        distributions = {
-            name: self.overrides.distribution(parameter) for name, parameter in parameters.items()
-        }
+        try:
+            distributions = {
+                name: self.overrides.distribution(parameter) for name, parameter in parameters.items()
+            }
+        except ParameterError as error:
+            raise _ExcludedError(error, chosen, self.overrides) from None
         drawn: dict[str, Any] = {}
         for name in drawing_order(distributions, full or self.category):
             parameter = parameters[name]
-            generator = stream(self.seed, f"{self.category}/{parameter.name}", self.attempt)
-            value = parameter.accept(distributions[name].draw(generator, drawn))
+            options = _leading(distributions, name)
+            turn = self.turns.get(parameter.name, 0)
+            path = f"{self.category}/{parameter.name}" + (f"#{turn}" if turn else "")
+            try:
+                value = parameter.accept(
+                    distributions[name].draw(stream(self.seed, path, self.attempt), drawn)
+                )
+            except ParameterError as error:
+                given = [each for each in options if parameters[each] in self.overrides]
+                if parameter in self.overrides or not given:
+                    raise
+                shown = " and ".join(f"{short}{each} = {case_key(drawn[each])!r}" for each in given)
+                why = ParameterError(f"{shown} cannot be drawn: for {short}{name}, {error}")
+                raise _ExcludedError(why, [parameters[each] for each in options], self.overrides) from None
             drawn[name] = self.values[short + name] = value
             if parameter in self.overrides:
                 self.overridden[short + name] = parameter
             if isinstance(value, Variant):
-                self.sample(value.own, f"{short}{name}.", f"{parameter.name}.{value.name}.")
+                led = [*chosen, *(parameters[each] for each in (*options, name))]
+                self._sample(value.own, f"{short}{name}.", f"{parameter.name}.{value.name}.", led)
+
+
+def _leading(distributions: Mapping[str, Distribution], name: str) -> list[str]:
+    """Return the names of the options that a draw depends on, also through others."""
+    found = list(distributions[name].needs())
+    for each in found:  # grows
+        found += [other for other in distributions[each].needs() if other not in found]
+    return found
 
 
 def drawing_order(distributions: Mapping[str, Distribution], owner: str) -> list[str]:

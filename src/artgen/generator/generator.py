@@ -13,7 +13,7 @@ import sys
 from collections import OrderedDict
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 from typing import Any, Literal, get_args
@@ -317,9 +317,9 @@ class Generator(Variant):
 
     def _with_option(self, draw: Draw, parameter: Parameter, option: Any) -> str:
         """Return the key of the graph of a sample with another option; empty if it is not allowed."""
-        other = Draw(draw.category, draw.seed, draw.attempt, draw.overrides.replaced(parameter, option))
+        other = replace(draw, overrides=draw.overrides.replaced(parameter, option))
         try:
-            other.sample(self.own)
+            other.sample(self.own, again=False)
             return str(self._folded(other.values).node.key)
         except ArtgenError:
             return ""
