@@ -101,6 +101,8 @@ def blender(
     maker: str = ag.choice(*details.BRANDS),
 ) -> ag.Body:
     """Make a blender with its jug on the base."""
+    least = {"jug": 0.15, "retro": 0.125, "personal": 0.1}[style]
+    width = ag.require(width, width >= least, f"width of a {style} blender must be >= {least:g} m")
     neck = 0.043 if style == "personal" else 0.056  # radius of the collar of the jug
     body, face, low = _base(style, width, high, waist, neck, finish, maker)
     if style == "personal":
@@ -108,6 +110,7 @@ def blender(
             key = _button("round", "power", button_force)
             body = body.install(key, at=(0, face, low))
         return _seat(body, _cup(neck, jug_height, clear, trim), high)
+    jug_height = ag.require(jug_height, jug_height >= 0.14, "height of a jug must be >= 0.14 m")
     jug = _jug(neck, mouth, jug_height, clear, trim)
     jug = jug.install(_lid(mouth, jug_height, seal, trim, clear))
     jug = jug.install(_blade())

@@ -100,10 +100,11 @@ def chair(
     """Make a chair that faces the front, its seat down and its back upright."""
     match style:
         case "folding":
-            return _folding(height, cover, metal)
+            return _folding(ag.require(height, height <= 0.47, "height must be <= 0.47 m"), cover, metal)
         case "recliner":
             return _recliner(height, width, tall, tilt, cover)
         case "office":
+            tall = ag.require(tall, tall >= 0.32, "tall must be >= 0.32 m")
             seat = _office_seat(height, width, cover, arms)
         case _:
             seat = _round_seat(height, width, tall if backed else None, cover, metal)
@@ -129,7 +130,7 @@ def chair(
     if style == "office":
         back = _back(form, width - 0.05, tall, cover, headrest=headrest)
         seat = _tilting(seat, back, height, tall, tilt, torque)
-    seat = _levered(seat, width, top)
+    seat = _levered(seat, ag.min_(width, 0.58 if style == "office" else 0.46), top)
     lift = ag.Prismatic(
         "seat_lift", axis=ag.Z, limits=(0, travel), damping=400.0, friction=1.5 * seat.mass() * 9.81,
         effort=900.0, velocity=0.2, driven="a gas spring, while the lever is pulled",
@@ -349,10 +350,9 @@ def _folding(height: ag.Scalar, cover: ag.Material, metal: ag.Material) -> ag.Bo
         ag.part(bars, "leg", steel, name="strut", separate="a strut on either side"),
         ag.detail(rivets, "leg", steel),
     )
-    half = 0.160
+    half, center = 0.160, ag.vector(0, 0, 0)
     board = ag.Region((-half, half), (-0.345, 0.044), (-0.009, 0.009)).box(bevel=0.005)
     grip = ag.grasp_on(board, approach=ag.Y, closing=ag.Z, depth=0.03)
-    center = ag.vector(0, 0, 0)
     pins = [*both(center, center, 0.006, half - 0.02, 0.1935), *both(back, back, 0.005, half - 0.02, 0.1620)]
     seat = ag.weld(ag.part(board, "seat", wood, grasp=grip, name="seat"), ag.part(pins, "seat", steel))
     fold = ag.Revolute(

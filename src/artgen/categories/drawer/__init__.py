@@ -148,7 +148,7 @@ def drawer(
         kitchen=ag.uniform(0.82, 0.92),
         unit="m",
         doc="overall height",
-        within=(0.38, 1.4),
+        within=(0.41, 1.4),
     ),
     stand_height: ag.Float = ag.by(
         "stand",

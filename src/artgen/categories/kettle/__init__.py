@@ -81,7 +81,10 @@ def kettle(
     """Make a closed kettle, on its base or on its own feet."""
     radius = width / 2
     if style == "stove":
+        height = ag.require(height, height >= 0.117, "height of a stove kettle must be >= 0.117 m")
         return _stove(radius, height, friction, shell, grip, metal, maker)
+    if form == "dome":
+        radius = ag.require(radius, width <= 0.14, "width of a dome with a base must be <= 0.14 m")
     jug, rim = _jug(form, radius, height, shell, maker)
     jug = ag.weld(jug, _handle(radius, rim, height, grip))
     jug = ag.weld(jug, _beak(rim, height, shell) if style == "spout" else _gooseneck(radius, height, shell))

@@ -161,6 +161,7 @@ def laptop(
         roll = ag.Revolute("base_hinge", axis=-ag.X, pivot=(0, axle, low), follows=1.0 * lift, feel=hold)
         opened = lift > 0.8
     else:
+        turn = ag.require(turn, turn <= 3.2, "only a convertible turns over: turn must be <= 3.2 rad")
         axle = rear + _AXLE
         lift = ag.Revolute("screen_hinge", axis=-ag.X, pivot=(0, axle, middle), limits=(0, turn), feel=hold)
         opened = lift > 1.6

@@ -125,6 +125,8 @@ def pot(
     maker: str = ag.choice(*details.BRANDS),
 ) -> ag.Body:
     """Make a pot that stands closed."""
+    least = {"pan": 0.235, "pressure": 0.195}.get(style, 0.14)
+    width = ag.require(width, width >= least, f"width of a {style} must be >= {least:g} m")
     radius, high = width / 2, tall * width
     wall = _WALLS.get(style, 0.002)
     body = _vessel(style, radius, high, wall, finish, maker)

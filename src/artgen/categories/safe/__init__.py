@@ -211,7 +211,13 @@ def safe(
     """Make a locked safe."""
     thick, least = style == "fire", {"fire": 0.42, "gun": 0.6}.get(style, 0.2)
     height = ag.require(height, height >= least, f"height of a {style} safe must be >= {least:g} m")
-    if not thick:
+    room = {("home", "spokes"): 0.42, ("fire", "spokes"): 0.35, ("hotel", "lever"): 0.37}.get(
+        (style, handle), 0.3
+    )
+    width = ag.require(width, width >= room, f"{handle} of a {style} safe: width must be >= {room:g} m")
+    if thick:
+        wall = ag.require(wall, wall >= 0.02, "wall of a fire safe must be >= 0.02 m")
+    else:
         wall = ag.require(wall, wall <= 0.01, "only fire safes have thick walls: wall must be <= 0.01 m")
     plan = _Plan(
         ag.Region((-width / 2, width / 2), (-depth / 2, depth / 2), (0, height)),

@@ -87,7 +87,7 @@ def stand_mixer(
     ),
     slim: ag.Float = ag.uniform(0.050, 0.060, "m", within=(0.048, 0.062), doc="half width of the head"),
     tilt: ag.Float = ag.uniform(0.82, 0.92, "rad", within=(0.80, 0.95), doc="angle of an open head"),
-    drop: ag.Float = ag.uniform(0.045, 0.055, "m", within=(0.03, 0.06), doc="travel of a bowl on a crank"),
+    drop: ag.Float = ag.uniform(0.045, 0.055, "m", within=(0.04, 0.06), doc="travel of a bowl on a crank"),
     speeds: int = ag.choice(5, 7, 11, doc="clicks of the dial"),
     torque: ag.Float = ag.uniform(0.04, 0.09, "N m", doc="greatest torque of the clicks"),
     dial: controls.DialStyle = ag.choice("round", "fluted", "skirted", "capped", "bar"),

@@ -99,6 +99,8 @@ def stapler(
     maker: str = ag.choice(*details.BRANDS),
 ) -> ag.Body:
     """Make a stapler or a punch that is released."""
+    least = {"heavy": 0.145, "plier": 0.13}.get(style, 0.1)
+    length = ag.require(length, length >= least, f"length of a {style} stapler must be >= {least:g} m")
     match style:
         case "plier":
             return _plier(length, width, swing, lift, housing, accent, maker)

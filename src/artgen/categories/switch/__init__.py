@@ -100,6 +100,7 @@ def switch(
         case "rocker":
             body = body.install(_rockers(plate, gangs, shape, force, marks, face, key), at=(0, 0, _MIDDLE))
         case "toggle":
+            force = ag.require(force, force <= 20.0, "force of a toggle must be <= 20 N")
             body = body.install(_toggle(plate, force, face, key), at=(0, 0, _MIDDLE))
         case "stop":
             body = body.install(_stop(force, face, key), at=(0, 0, _MIDDLE))

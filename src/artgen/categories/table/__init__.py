@@ -204,7 +204,7 @@ def _drop_leaf(
         slide = ag.Prismatic(
             f"support_slide_{name}",
             axis=way * ag.X,
-            limits=(0, 0.62 * bar.x.size),
+            limits=(0, ag.min_(0.62 * bar.x.size, 0.30)),
             friction=3.0,
             damping=5.0,
             effort=60.0,

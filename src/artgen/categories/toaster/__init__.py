@@ -158,6 +158,8 @@ def toaster(
     ag.require(levers == 1 or not is_side, "two levers need the narrow end: controls must be end")
     ag.require(form.is_flat or not is_side, "the sides of this style are not flat: controls must be end")
     ag.require(style != "retro" or tray == "back", "style=retro has round sides: tray must be back")
+    if layout == "below":
+        height = ag.require(height, height >= 0.19, "dials below levers: height must be >= 0.19 m")
     length = ag.require(length, length - slot_length >= 0.05, "length must exceed slot_length by 0.05 m")
     area = ag.Region.centered(slots * slot_width + (slots - 1) * bridge, slot_length, 0)
     space = ag.Region.centered(area.x.size + 2 * shoulder, length, 0).with_(z=(foot, height))

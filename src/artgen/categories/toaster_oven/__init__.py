@@ -383,7 +383,7 @@ def _fryer(
     front, low, half = room.y.low, room.z.low, room.x.high
     top = room.z.at(0.60)  # of the drawer
     outline = ag.rectangle(room.x.size, room.y.size, radius=soft)
-    case = ag.extrude(outline, room.z.size, bevel=0.008).at(room.anchor())
+    case = ag.extrude(outline, room.z.size, bevel=ag.min_(0.008, 0.9 * soft)).at(room.anchor())
     side = half - soft - 0.003
     bay = ag.Region((-side, side), (front, room.y.high - 0.045), (low + 0.014, top))
     case -= bay.grow(front=0.02).box().paint(DARK)

@@ -156,6 +156,8 @@ def washing_machine(
     """Make a washing machine or a dryer, closed: drum, door or lid, drawer, flap, dials, buttons."""
     if kind == "top":
         depth = ag.require(depth, depth >= 0.45, "depth of a top loader must be >= 0.45 m")
+    else:
+        height = ag.require(height, height - width >= 0.05, "height must exceed width by 0.05 m")
     outside = ag.Region((-width / 2, width / 2), (-depth / 2, depth / 2), (0, height))
     sides, dryer, wide = cabinet_finish(look, finish), kind == "dryer", size == "wide"
     dark, pale = look in ("black", "dark_steel"), look in ("white", "pastel")
@@ -165,8 +167,9 @@ def washing_machine(
     space, dial_size, name = plan.console, dial_radius, maker
     if kind == "top":
         if not wide:  # it leans back by more
-            most = f"backsplash of a {size} machine must be <= 0.15 m"
-            backsplash = ag.require(backsplash, backsplash <= 0.15, most)
+            backsplash = ag.require(
+                backsplash, backsplash <= 0.15, f"backsplash of a {size} machine must be <= 0.15 m"
+            )
         space = ag.Region(outside.shrink(x=0.002).x, (0, 0.022), (height, height + backsplash))
         dial_size, name = ag.min_(dial_radius, 0.26 * backsplash), ""
     caps = ag.material("black_abs") if dark else ag.colored("abs", "silver")

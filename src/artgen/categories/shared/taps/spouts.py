@@ -70,7 +70,7 @@ class Spout:
     def _gooseneck(self, height: ag.Scalar, fall: ag.Scalar) -> Path:
         """Return the center line of a gooseneck."""
         low = "height of a gooseneck must exceed half of its reach: raise height, or lower reach"
-        height = ag.require(height, height - 0.004 > 0.5 * self.reach, low)
+        height = ag.require(height, height - ag.max_(fall, 0.004) > 0.5 * self.reach, low)
         return self._course(height, fall, 0.4985 * self.reach)
 
     def rising(self, style: SpoutStyle, *, height: ag.Scalar, fall: ag.Scalar) -> ag.Body:
@@ -79,6 +79,9 @@ class Spout:
         if style == "gooseneck":
             course = self._gooseneck(height, fall)
         elif style == "arc":
+            tight = "the arc bends too tightly for its tube: raise height, or lower girth"
+            least = 0.05 * self.reach + 4.0 * self.radius + 0.061
+            height = ag.require(height, height >= least, tight)
             drop = height - fall
             line = ((0.0, 0.004), (0.0, 0.50 * height), (0.16, 0.86 * height), (0.52, height),
                     (0.88, height - 0.30 * drop), (1.0, fall + 0.35 * drop), (1.0, fall))  # fmt: skip
