@@ -5,7 +5,7 @@
 
 import os
 from functools import lru_cache
-from itertools import combinations
+from itertools import combinations, product
 from pathlib import Path
 
 import numpy as np
@@ -15,7 +15,9 @@ from surveys.products import misfits
 
 from artgen.asset import Asset
 from artgen.catalog import categories, find
+from artgen.errors import EvaluationError, InfeasibleError
 from artgen.graph import Cache, Graph
+from artgen.sampling.choices import By
 from support.agreement import check_formats_agree
 from support.cases import some
 from support.geometry import check_collider_pieces, check_colliders_cover, check_mass, check_solids
@@ -153,6 +155,30 @@ def test_every_option_can_be_demanded_of_every_seed(category: str) -> None:
                 values = generator.sample(seed, overrides={short: option})
                 # without the name, a generator without this parameter was chosen instead
                 assert values.get(short, option) == option, (seed, short)
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("category", categories())
+def test_the_limits_of_every_number_are_made_or_refused(category: str) -> None:
+    generator, faults = find(category), []
+    for name, parameter in generator.own.items():
+        made = parameter.distribution
+        if parameter.structural or made.within is None:
+            continue
+        key = made.parameter if isinstance(made, By) else "style"
+        options = [{key: each} for each in generator.own[key].options] if key in generator.own else [{}]
+        for option, limit, seed in product(options, made.within, range(2)):
+            given = {name: limit, **option}
+            try:
+                asset = generator.generate(seed, on_collision="keep", **given)
+            except InfeasibleError:
+                continue
+            except EvaluationError as error:
+                faults.append(f"seed {seed}, {given}: {error}")
+                continue
+            if not asset.certificate.proven:
+                faults.append(f"seed {seed}, {given}: {asset.certificate.failures[0]}")
+    assert not faults, "\n".join(faults)
 
 
 @pytest.mark.parametrize("category", some(categories(), 3, 2))

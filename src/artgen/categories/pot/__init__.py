@@ -125,13 +125,15 @@ def pot(
     maker: str = ag.choice(*details.BRANDS),
 ) -> ag.Body:
     """Make a pot that stands closed."""
-    least = {"pan": 0.235, "pressure": 0.195}.get(style, 0.14)
-    width = ag.require(width, width >= least, f"width of a {style} must be >= {least:g} m")
+    if style == "pressure":
+        width = ag.require(width, width >= 0.195, "width of a pressure cooker must be >= 0.195 m")
     radius, high = width / 2, tall * width
     wall = _WALLS.get(style, 0.002)
     body = _vessel(style, radius, high, wall, finish, maker)
     match style:
         case "saucepan" | "pan":
+            low = "the lid meets the handle of a low pot: raise tall or width"
+            high = ag.require(high, high >= 0.0455, low)
             side = (0.94 if style == "pan" else 1.0) * radius
             body = ag.weld(body, _long_handle(side, 0.72 * high, 0.165, 0.030, grip))
         case "stockpot" if swings:

@@ -219,11 +219,18 @@ def sink(
     ag.require((style in _KITCHEN) == (plug in ("basket", "knob")), "kitchens have strainers")
     ag.require(style not in ("vessel", "hung") or plug != "rod", "a lift rod is for style=pedestal")
     ag.require(stand != "none" or style == "inset", "stand=none is for style=inset, which has a rim")
+    if tap == "pair":
+        height = ag.require(height, height >= 0.13, "the spout of a pair must have a height >= 0.13 m")
+    if shape == "round" and style in ("hung", "pedestal"):
+        most = "width of a round washbasin must be <= 0.65 m and at most 0.23 m more than deep"
+        width = ag.require(width, ag.max_(width - 0.65, width - deep - 0.23) <= 0.0, most)
     middle: ag.Scalar = 0.0
     plan = _Plan(style, stand, _POWERS[shape], width, deep, hollow, rim, margin, shell, metal, top)
     if style in _KITCHEN:
         body, places, ledge, middle = _kitchen(plan, bowls, drainer, finish)
     elif style == "vessel":
+        over = "the tap of a vessel must be 0.034 m higher: raise height, or lower hollow"
+        height = ag.require(height, height - hollow >= 0.034, over)
         body, places, ledge = _vessel(plan, finish)
     else:
         body, places, ledge = _washbasin(plan, maker, tiles, tile)

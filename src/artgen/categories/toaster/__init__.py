@@ -129,7 +129,7 @@ def toaster(
         below=ag.uniform(0.060, 0.068),
         beside=ag.uniform(0.062, 0.090),
         unit="m",
-        within=(0.05, 0.092),
+        within=(0.05, 0.09),
     ),
     lever_force: ag.Float = ag.uniform(12.0, 24.0, "N", doc="spring force at the bottom", within=(8.0, 40.0)),
     lever_damping: ag.Float = ag.uniform(10.0, 16.0, "N s/m"),
