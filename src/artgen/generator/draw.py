@@ -187,7 +187,6 @@ class Draw:
         drawn: dict[str, Any] = {}
         for name in drawing_order(distributions, full or self.category):
             parameter = parameters[name]
-            options = _leading(distributions, name)
             turn = self.turns.get(parameter.name, 0)
             path = f"{self.category}/{parameter.name}" + (f"#{turn}" if turn else "")
             try:
@@ -195,6 +194,7 @@ class Draw:
                     distributions[name].draw(stream(self.seed, path, self.attempt), drawn)
                 )
             except ParameterError as error:
+                options = _leading(distributions, name)
                 given = [each for each in options if parameters[each] in self.overrides]
                 if parameter in self.overrides or not given:
                     raise
@@ -205,7 +205,7 @@ class Draw:
             if parameter in self.overrides:
                 self.overridden[short + name] = parameter
             if isinstance(value, Variant):
-                led = [*chosen, *(parameters[each] for each in (*options, name))]
+                led = [*chosen, *(parameters[each] for each in (*_leading(distributions, name), name))]
                 self._sample(value.own, f"{short}{name}.", f"{parameter.name}.{value.name}.", led)
 
 
