@@ -101,6 +101,7 @@ def blender(
     maker: str = ag.choice(*details.BRANDS),
 ) -> ag.Body:
     """Make a blender with its jug on the base."""
+    ag.require(style != "retro" or control == "dial", "style=retro has a dial: control must be dial")
     least = {"jug": 0.15, "retro": 0.125, "personal": 0.1}[style]
     width = ag.require(width, width >= least, f"width of a {style} blender must be >= {least:g} m")
     neck = 0.043 if style == "personal" else 0.056  # radius of the collar of the jug
