@@ -153,6 +153,7 @@ def cooktop(
     ),
 ) -> ag.Body:
     """Make a gas, coil, radiant or induction cooktop, turned off: dials that push and turn, grates."""
+    ag.require(burner != "coil" or burners <= 5, "at most 5 coils have room: burners must be <= 5")
     ag.require(0 <= dials - burners <= 2, "dials must be from the number of burners to two more")
     gas = burner == "gas"
     plan = Plan(burners, rows, dials, dials_at, width, depth, dial_radius, dial_pitch, mirrored)

@@ -304,7 +304,7 @@ def drawer(
     slab = 0.0 if top == "flush" else top_thickness
     height = ag.require(
         height,
-        height - stand_height - slab > _LEAST * rows,
+        (height - stand_height - slab) * (0.58 if niche else 1.0) > _LEAST * rows,
         f"each drawer must be >= {_LEAST:g} m high: raise height, or lower rows or stand_height",
     )
     case = furniture.Carcass(

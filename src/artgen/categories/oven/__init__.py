@@ -194,6 +194,7 @@ def oven(
     """Make an oven or a range, closed: door, racks, drawer, dials."""
     ranged = build == "range"
     ag.require(not drawer or ranged, "only build=range has a drawer below the door: drawer must be False")
+    ag.require(burners > 0 or not ranged, "a range has burners: burners must be 4 or 5")
     if ranged:
         room = "the drawer below the door needs room: hinge_height must be > 0.18 m"
         hinge_height = ag.require(hinge_height, hinge_height > 0.18, room)

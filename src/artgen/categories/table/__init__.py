@@ -87,6 +87,7 @@ def table(
     """Make a table with its drawers shut, its leaves down, or its top lowered."""
     require_suited(handle, "grip", grip, _HANDLES)
     if style == "lift":
+        width = ag.require(width, width >= 0.6, "width of a standing desk must be >= 0.6 m")
         return _standing(width, depth, height, thick, travel, finish, steel)
     if style == "leaf":
         return _drop_leaf(width, depth, height, thick, leaf, finish)

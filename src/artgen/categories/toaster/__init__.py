@@ -156,6 +156,7 @@ def toaster(
     """Make a toaster with its levers up: carriages, buttons, knobs, crumb tray."""
     form, is_side = FORMS[style], controls == "side"
     ag.require(levers == 1 or not is_side, "two levers need the narrow end: controls must be end")
+    ag.require(levers == 1 or layout == "below", "two levers have their dials below: layout must be below")
     ag.require(form.is_flat or not is_side, "the sides of this style are not flat: controls must be end")
     ag.require(style != "retro" or tray == "back", "style=retro has round sides: tray must be back")
     if layout == "below":
