@@ -104,7 +104,7 @@ def chair(
         case "recliner":
             return _recliner(height, width, tall, tilt, cover)
         case "office":
-            tall = ag.require(tall, tall >= 0.32, "tall must be >= 0.32 m")
+            tall = ag.require(tall, tall >= 0.32, "tall of an office chair must be >= 0.32 m")
             seat = _office_seat(height, width, cover, arms)
         case _:
             seat = _round_seat(height, width, tall if backed else None, cover, metal)
