@@ -13,7 +13,7 @@ from artgen.sampling import Distribution, Fixed, stream
 from artgen.sampling.choices import By, case_key
 
 _LIKE = 0.8  # likeness of names from which a description is not searched
-_REDRAWS = 100  # most draws of options that exclude overrides
+_REDRAWS = 100  # most redraws of options that conflict with overrides
 
 
 class Overrides:
@@ -60,7 +60,7 @@ class Overrides:
     def __contains__(self, parameter: Parameter) -> bool:
         return parameter.name in self._values
 
-    def fix(self, parameter: Parameter) -> bool:
+    def fixes(self, parameter: Parameter) -> bool:
         """Tell whether a parameter is overridden by a value, not by a distribution."""
         return parameter in self and not isinstance(self._values[parameter.name], Distribution)
 
@@ -127,13 +127,13 @@ def _parts_mean(dotted: list[str], full: list[str]) -> bool:
     return through_generator or _parts_mean(dotted[1:], full[2:])
 
 
-class _ExcludedError(Exception):
-    """Overrides exclude a draw."""
+class _ConflictError(Exception):
+    """Overrides conflict with drawn options."""
 
     def __init__(self, error: ParameterError, options: Iterable[Parameter], overrides: Overrides) -> None:
         super().__init__()
         self.error = error
-        self.again = [each.name for each in options if not overrides.fix(each)]  # options to draw again
+        self.again = [each.name for each in options if not overrides.fixes(each)]  # options to draw again
 
 
 @dataclass
@@ -154,19 +154,19 @@ class Draw:
 
         Args:
             own: The generator's parameters by name.
-            again: Whether to draw options again with which the overrides cannot be; all else stays as drawn.
+            again: Whether to draw options again that conflict with overrides; all else stays as drawn.
 
         Raises:
-            ParameterError: A value is not allowed, or overrides exclude each other.
+            ParameterError: A value is not allowed, or overrides conflict with each other.
         """
         for left in range(_REDRAWS if again else 0, -1, -1):
             self.values, self.overridden = {}, {}
             try:
                 self._sample(own)
-            except _ExcludedError as excluded:
-                if not left or not excluded.again:
-                    raise excluded.error from None
-                self.turns |= {name: self.turns.get(name, 0) + 1 for name in excluded.again}
+            except _ConflictError as conflict:
+                if not left or not conflict.again:
+                    raise conflict.error from None
+                self.turns |= {name: self.turns.get(name, 0) + 1 for name in conflict.again}
             else:
                 return
 
@@ -183,7 +183,7 @@ class Draw:
                 name: self.overrides.distribution(parameter) for name, parameter in parameters.items()
             }
         except ParameterError as error:
-            raise _ExcludedError(error, chosen, self.overrides) from None
+            raise _ConflictError(error, chosen, self.overrides) from None
         drawn: dict[str, Any] = {}
         for name in drawing_order(distributions, full or self.category):
             parameter = parameters[name]
@@ -194,24 +194,24 @@ class Draw:
                     distributions[name].draw(stream(self.seed, path, self.attempt), drawn)
                 )
             except ParameterError as error:
-                options = _leading(distributions, name)
+                _, *options = _with_leading(distributions, [name])
                 given = [each for each in options if parameters[each] in self.overrides]
                 if parameter in self.overrides or not given:
                     raise
                 shown = " and ".join(f"{short}{each} = {case_key(drawn[each])!r}" for each in given)
                 why = ParameterError(f"{shown} cannot be drawn: for {short}{name}, {error}")
-                raise _ExcludedError(why, [parameters[each] for each in options], self.overrides) from None
+                raise _ConflictError(why, [parameters[each] for each in options], self.overrides) from None
             drawn[name] = self.values[short + name] = value
             if parameter in self.overrides:
                 self.overridden[short + name] = parameter
             if isinstance(value, Variant):
-                led = [*chosen, *(parameters[each] for each in (*_leading(distributions, name), name))]
+                led = [*chosen, *(parameters[each] for each in _with_leading(distributions, [name]))]
                 self._sample(value.own, f"{short}{name}.", f"{parameter.name}.{value.name}.", led)
 
 
-def _leading(distributions: Mapping[str, Distribution], name: str) -> list[str]:
-    """Return the names of the options that a draw depends on, also through others."""
-    found = list(distributions[name].needs())
+def _with_leading(distributions: Mapping[str, Distribution], names: Iterable[str]) -> list[str]:
+    """Return the names, then those of the options that their draws depend on."""
+    found = list(names)
     for each in found:  # grows
         found += [other for other in distributions[each].needs() if other not in found]
     return found
@@ -261,9 +261,7 @@ def probability(own: Mapping[str, Parameter], wanted: Mapping[str, Any]) -> Prob
         ParameterError: A number is wanted exactly that is drawn from a range.
         NotImplementedError: A distribution does not know its probabilities.
     """
-    needed = list(wanted)
-    for name in needed:  # grows: also the parameters that their draws depend on
-        needed += [other for other in own[name].distribution.needs() if other not in needed]
+    needed = _with_leading({name: each.distribution for name, each in own.items()}, wanted)
     order = drawing_order({name: own[name].distribution for name in needed}, "")
     leading = {other for name in needed for other in own[name].distribution.needs()}
 
