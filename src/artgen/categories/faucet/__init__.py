@@ -155,8 +155,6 @@ def faucet(
     )
     ag.require(spout != "low" or style == "wall", f"spout=low is for style=wall, not for style={style}")
     ag.require(not rod or style != "wall", "style=wall has no lift rod: rod must be False")
-    least = {"bridge": 0.2}.get(style, 0.13 if spout == "angular" else 0.05)
-    height = ag.require(height, height >= least, f"height must be >= {least:g} m with {style} and {spout}")
     if style == "wall":
         clear = "the spout meets the wall: swivel_limit must be <= 1.75 rad"
         swivel_limit = ag.require(swivel_limit, swivel_limit <= 1.75, clear)

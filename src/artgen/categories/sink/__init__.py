@@ -219,8 +219,6 @@ def sink(
     ag.require((style in _KITCHEN) == (plug in ("basket", "knob")), "kitchens have strainers")
     ag.require(style not in ("vessel", "hung") or plug != "rod", "a lift rod is for style=pedestal")
     ag.require(stand != "none" or style == "inset", "stand=none is for style=inset, which has a rim")
-    if tap == "pair":
-        height = ag.require(height, height >= 0.13, "the spout of a pair must have a height >= 0.13 m")
     if shape == "round" and style in ("hung", "pedestal"):
         most = "width of a round washbasin must be <= 0.65 m and at most 0.23 m more than deep"
         width = ag.require(width, ag.max_(width - 0.65, width - deep - 0.23) <= 0.0, most)

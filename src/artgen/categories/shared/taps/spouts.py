@@ -28,6 +28,7 @@ _BORE = 0.0084  # radius of the bore for a hose [m]
 _LEAST = 0.0104  # least radius of a spout with that bore [m]
 _HOSE = 0.0056  # radius of the hose [m]
 _DOCK = 0.010  # length of the hose inside the spout while the head is out [m]
+_DROP = 0.0205  # least height of the angle of a square tube above its end [m]
 _SIDES = 12  # number of facets of hollow colliders under a smooth surface
 _MESH = ag.material("black_abs").with_(name="aerator_mesh", base_color=(0.10, 0.10, 0.10))
 _SIEVE = ag.material("stainless").with_(name="sieve_steel", specular_roughness=0.5)
@@ -88,6 +89,8 @@ class Spout:
             course = ag.spline([(0.0, -share * self.reach, z) for share, z in line])
         else:
             section = ag.rectangle(1.8 * self.radius, 1.8 * self.radius, radius=0.3 * self.radius)
+            low = "an angular spout is too low to clear the handles: raise height"
+            height = ag.require(height, height - fall >= _DROP, low)
             course = self._course(height, fall, 0.020)
         end = ag.vector(0.0, -self.reach, fall)
         pipe = self._pipe(ag.sweep(section, course), end, above=0.004)
