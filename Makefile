@@ -85,13 +85,17 @@ test-others: $(OTHERS)
 		$$python -m pytest -m "$(MARKS)" $(PYTEST_FLAGS) tests/asset tests/graph || exit 1; \
 	done
 
+# Kernels without AVX-512, of one Python even without FMA.
+CORE_3.12 := Prescott
+OFF_3.12 := X86_V3
+
 same-bytes: $(OTHERS)
 	$(MAKE) --jobs=2 --output-sync $(OTHERS:$(VENV)-%/.installed=same-bytes-%)
 
 same-bytes-%: $(VENV)-%/.installed
 	@[ -x $(<D)/bin/python ] || { echo "note: there is no other Python $*: what it makes is not compared"; exit; }; \
-	echo "Python $*, kernels without AVX-512:"; \
-	OPENBLAS_CORETYPE=Haswell NPY_DISABLE_CPU_FEATURES="X86_V4 AVX512_ICL AVX512_SPR" \
+	echo "Python $*, kernels of $(or $(CORE_$*),Haswell):"; \
+	OPENBLAS_CORETYPE=$(or $(CORE_$*),Haswell) NPY_DISABLE_CPU_FEATURES="$(OFF_$*) X86_V4 AVX512_ICL AVX512_SPR" \
 		$(<D)/bin/python scripts/tree_hashes.py $(SHARE_$*)
 
 # Of each version the first that really starts, unless it is that of $(VENV).

@@ -43,15 +43,10 @@ class Motion:
         return Motion(self.kind, self.origin, -self.axis, self.center, self.half)
 
 
-def _about(motion: Motion, points: Array) -> tuple[Array, Array, Array]:
-    """Split points into feet on the axis, arms, and directions across, at the center of the interval."""
-    axis, origin = motion.axis[:, None, :], motion.origin[:, None, :]
-    relative = points - origin
-    feet = origin + np.matmul(relative, motion.axis[:, :, None]) * axis
-    arm = points - feet
-    across = cross(axis, arm)
-    cosine, sine = _portable.cos_sin(motion.center[:, None, None])
-    return feet, cosine * arm + sine * across, cosine * across - sine * arm
+def _across(axis: Array, vectors: Array) -> tuple[Array, Array, Array]:
+    """Split vectors into parts along and across a unit axis; return the axis times them, too."""
+    along = np.matmul(vectors, axis[:, :, None]) * axis[:, None, :]
+    return along, vectors - along, cross(axis[:, None, :], vectors)
 
 
 def enclosing_points(motion: Motion, points: Array) -> Array:
@@ -66,24 +61,28 @@ def enclosing_points(motion: Motion, points: Array) -> Array:
         middle = points + (motion.center[:, None] * motion.axis)[:, None, :]
         step = half * motion.axis[:, None, :]
         return middle if still else np.concatenate((middle - step, middle + step), axis=1)
-    feet, arm, across = _about(motion, points)
-    if still:
-        return feet + arm
-    wide = half > WIDEST
-    cosine, sine = np.where(wide, 1.0, _portable.cos(half)), _portable.sin(half)
-    near, far = feet + cosine * arm, sine * across
-    crossing = feet + arm / cosine
-    if not wide.any():
-        return np.concatenate((near - far, near + far, crossing), axis=1)
-    radius = 1.0 / _portable.cos(np.pi / _OCTAGON)
-    turns = np.arange(_OCTAGON) * (2.0 * np.pi / _OCTAGON)
-    corners = [
-        feet + (radius * _portable.cos(turn)) * arm + (radius * _portable.sin(turn)) * across
-        for turn in turns
+    center, half = motion.center[:, None], motion.half[:, None]
+    angles, scales = center, np.ones_like(center)
+    if not still:
+        # the ends of the arc, and the crossing of its tangents
+        wide = half > WIDEST
+        angles = np.concatenate((center - half, center + half, center), axis=1)
+        crossing = 1.0 / np.where(wide, 1.0, _portable.cos(half))
+        scales = np.concatenate((scales, scales, crossing), axis=1)
+        if wide.any():  # each item separately
+            turns = np.arange(_OCTAGON) * (2.0 * np.pi / _OCTAGON)
+            rest = np.minimum(np.arange(_OCTAGON), 2)
+            angles = np.where(wide, center + turns, angles[:, rest])
+            scales = np.where(wide, 1.0 / _portable.cos(np.pi / _OCTAGON), scales[:, rest])
+    cosine, sine = _portable.cos_sin(angles)
+    along, plane, skew = _across(motion.axis, np.broadcast_to(np.eye(3), (len(half), 3, 3)))
+    turned = (scales * cosine)[..., None, None] * plane[:, None] + (scales * sine)[..., None, None] * skew[
+        :, None
     ]
-    ends = [near - far, near + far, *[crossing] * (_OCTAGON - 2)]
-    chosen = [np.where(wide, *each) for each in zip(corners, ends, strict=True)]  # each item separately
-    return np.concatenate(chosen, axis=1)
+    rows = np.moveaxis(along[:, None] + turned, 1, 2).reshape(len(half), 3, -1)
+    origin = motion.origin[:, None, :]
+    moved = np.matmul(points - origin, rows).reshape(len(points), -1, 3)
+    return moved + origin
 
 
 def growth(motion: Motion) -> int:
@@ -102,15 +101,21 @@ def support(motion: Motion, points: Array, normals: Array) -> Array:
         along = np.matmul(normals, motion.axis[:, :, None])[:, :, 0]
         moved = along * motion.center[:, None] + np.abs(along) * motion.half[:, None]
         return np.asarray(np.matmul(normals, points.transpose(0, 2, 1)).max(axis=2) + moved)
-    feet, arm, across = _about(motion, points)
-    level, towards, sideways = (np.matmul(normals, part.transpose(0, 2, 1)) for part in (feet, arm, across))
+    cosine, sine = _portable.cos_sin(motion.center[:, None, None])
+    along, arm, across = _across(motion.axis, normals)
+    # the normals turn against the motion; of the last part, only the size counts
+    turned = along, cosine * arm - sine * across, cosine * across + sine * arm
+    relative = points - motion.origin[:, None, :]
+    reached = np.matmul(np.concatenate(turned, axis=1), relative.transpose(0, 2, 1))
+    level, towards, sideways = np.split(reached, 3, axis=1)
+    level += np.matmul(normals, motion.origin[:, :, None])
     np.abs(sideways, out=sideways)
     half = motion.half[:, None, None]
     cosine, sine = _portable.cos_sin(half)
     # the circle `towards cos t + sideways sin t` has its maximum at an end of the interval or within it
-    swing = towards * cosine + sideways * sine
-    within = (towards * sine > sideways * cosine) | (half >= np.pi)
-    swing[within] = np.sqrt(towards[within] ** 2 + sideways[within] ** 2)
+    end, slope = towards * cosine + sideways * sine, sideways * cosine - towards * sine
+    within = (slope < 0.0) | (half >= np.pi)
+    swing = np.where(within, np.sqrt(end * end + slope * slope), end)
     return np.asarray((level + swing).max(axis=2))
 
 

@@ -38,6 +38,7 @@ _AT_ONCE = 400_000  # most vertices of cells between two looks at the clock
 _LONG = 4  # joints above which the points that enclose arcs limit the cells at once
 _MOST_POINTS = 1 << 19  # most such points at once
 _DECIMALS = 9  # decimals of normals
+_POSE_DECIMALS = 12  # decimals of poses that FCL is given
 _TIE = 1e-9  # a clearance is smaller only by more; rounding does not decide between equal ones [m]
 _MANY = 24  # vertices above which a node is searched separately from smaller nodes
 _FARTHEST = 3  # most joints between the frame of a plane and either link
@@ -281,7 +282,7 @@ class Search:
             before = np.where((cells.frame == frame)[:, None], cells.normal, axes[:, 0])
             candidates = [before[:, None], axes]
             if last <= _FARTHEST:
-                candidates.append(np.round(towards, _DECIMALS)[:, None])
+                candidates.append(_grained(towards)[:, None])
             planes.attempt(np.arange(len(cells)), np.concatenate(candidates, axis=1), frame)
 
     def _try_axis(self, cells: ProofCells, rows: Indices, path: list[Motion], threshold: Array) -> Indices:
@@ -310,7 +311,7 @@ class Search:
             chosen = np.flatnonzero(separated & (planes.best[rows] <= threshold[rows]))
             if not len(chosen):
                 break
-            normal = np.round(pose.directions(direction[chosen], frame, rows[chosen]), _DECIMALS)
+            normal = _grained(pose.directions(direction[chosen], frame, rows[chosen]))
             reached = planes.attempt(rows[chosen], normal[:, None, :], frame)
             better = np.round(reached * GRAIN) > np.round(best[chosen] * GRAIN)
             chosen, normal = chosen[better], normal[better]
@@ -321,11 +322,14 @@ class Search:
         """Return FCL's distance of each pair of nodes and the direction between their nearest points."""
         distances, directions = np.full(len(rows), -1.0), np.zeros((len(rows), 3))
         leaf = self.nodes.leaf
+        # FCL's steps depend on the last digits
+        rotations, offsets = (
+            np.round(each[rows], _POSE_DECIMALS) for each in (pose.rotations[-1], pose.offset)
+        )
         for index, row in enumerate(rows.tolist()):
             number, _, first, second = cells.numbers(row)
-            distances[index], directions[index] = self.nodes.distance(
-                first, second, pose.rotations[-1][row], pose.offset[row]
-            )
+            found = self.nodes.distance(first, second, rotations[index], offsets[index])
+            distances[index], directions[index] = found
             if leaf[first] and leaf[second] and 0.0 < distances[index] < self._found[number] - _TIE:
                 if self._contacts[number] and not np.isnan(self._depth(cells, row)):
                     continue
@@ -410,6 +414,11 @@ class Search:
             rows, second = nodes.expanded(chosen.second, sizes[1, divide][rows] >= limit[rows])
             result.append(replace(chosen[rows], second=second))
         return result
+
+
+def _grained(directions: Array) -> Array:
+    """Return rounded directions without negative zeros, the same on all machines."""
+    return np.round(directions, _DECIMALS) + 0.0
 
 
 def _halved(cells: ProofCells, variable: Indices) -> list[ProofCells]:

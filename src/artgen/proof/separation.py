@@ -138,7 +138,7 @@ class Planes:
         choice = np.round(gaps * GRAIN).argmax(axis=1)
         line = np.arange(len(rows))
         reached: Array = gaps[line, choice]
-        better = reached > self.best[rows]
+        better = np.round(reached * GRAIN) > np.round(self.best[rows] * GRAIN)
         chosen = rows[better]
         self.best[chosen] = reached[better]
         self.normal[chosen] = normals[line, choice][better]
