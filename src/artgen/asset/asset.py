@@ -158,6 +158,7 @@ DetailName = Literal["full", "medium", "low"]
 
 _CERTIFICATE = "_certificate"  # attribute in which an asset keeps its certificate
 _LATER = "_later"  # attribute in which an asset keeps how to make its certificate
+_FIND = "_find_parameters"  # attribute in which an asset keeps how to find its parameters
 _LIMIT_SLACK = 1e-9  # tolerance of joint limits [rad or m]
 _CURVE_SLACK = 1e-9  # tolerance of the ends of the curves of closed chains [rad or m]
 _CURVE_DIGITS = 9  # decimals of the limits of joints in closed chains
@@ -236,6 +237,20 @@ class Asset:
         check_references(links, tuple(joints.values()), contacts, loops)
         ranged = tuple(with_followed_limits(joint, joints) for joint in joints.values())
         return Asset(name, category, ByName(links), ByName(ranged), contacts=contacts, loops=loops, **fields)
+
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> Any:
+            """Find the parameters when they are first read, see `find_parameters_later`."""
+            own = vars(self)
+            find = own.get(_FIND)
+            if name != "parameters" or (find is None and name not in own):
+                message = f"{type(self).__name__!r} object has no attribute {name!r}"
+                raise AttributeError(message, name=name, obj=self)
+            if name not in own:  # another thread may have found them
+                own.setdefault(name, find())
+                own.pop(_FIND, None)
+            return own[name]
 
     def __copy__(self) -> "Asset":
         return self  # it never changes
@@ -551,6 +566,12 @@ def remember(asset: Asset, certificate: Certificate | None) -> Asset:
         vars(asset)[_CERTIFICATE] = certificate
         vars(asset).pop(_LATER, None)
     return asset
+
+
+def find_parameters_later(asset: Asset, find: Callable[[], Mapping[str, Any]]) -> None:
+    """Let the first access to the parameters of an asset find them; it may take a graph for each option."""
+    vars(asset)[_FIND] = find
+    del vars(asset)["parameters"]
 
 
 class _Later:

@@ -22,7 +22,7 @@ from artgen._arrays import without_collector
 from artgen._names import NAME_RULE, is_identifier
 from artgen._progress import progress
 from artgen.asset import Asset, AssetJoint, Tree
-from artgen.asset.asset import Base, DetailName, Limits, certify_later
+from artgen.asset.asset import Base, DetailName, Limits, certify_later, find_parameters_later
 from artgen.asset.certificate import MOST_TOLERANCE, Certificate
 from artgen.asset.report import CheckResult, Finding
 from artgen.asset.tree import Reduction
@@ -288,27 +288,33 @@ class Generator(Variant):
             cache: Values from earlier evaluations.
         """
         draw = self._drawn(seed, attempt, overrides)
-        return self._inert_numbers(draw, cache) | self._inert_structure(draw, self._folded(draw.values))
+        return self._inert_numbers(draw, cache) | self._inert_structure(
+            draw, self._folded(draw.values).node.key
+        )
 
-    def _acting(self, draw: Draw, cache: Cache | None, folded: Handle | None) -> dict[str, Any]:
-        """Return the values of a draw without overrides that do not act; numbers only without a graph."""
+    def _acting(self, draw: Draw, cache: Cache | None, drawn: str | None) -> dict[str, Any]:
+        """Return the values of a draw without overrides that do not act, as an asset records them.
+
+        Without the key of the drawn graph, only numbers may not act.
+        """
         inert = self._inert_numbers(draw, cache)
-        if folded is not None:
-            inert |= self._inert_structure(draw, folded)
-        return {key: value for key, value in draw.values.items() if key not in inert}
+        if drawn is not None:
+            inert |= self._inert_structure(draw, drawn)
+        acting = {key: value for key, value in draw.values.items() if key not in inert}
+        named = {key: getattr(value, "name", value) for key, value in acting.items()}
+        return {key: list(value) if isinstance(value, tuple) else value for key, value in named.items()}
 
     def _inert_numbers(self, draw: Draw, cache: Cache | None) -> set[str]:
         numbers = {name for name, parameter in draw.overridden.items() if not parameter.structural}
         return numbers - reached(self._built.of(draw.values), draw.values, cache) if numbers else set()
 
-    def _inert_structure(self, draw: Draw, folded: Handle) -> set[str]:
+    def _inert_structure(self, draw: Draw, drawn: str) -> set[str]:
         inert = set()
         options = {
             name: [option for option in parameter.options if option != draw.values[name]][:_MOST_OPTIONS]
             for name, parameter in draw.overridden.items()
             if parameter.structural and not is_variant(parameter.kind)
         }
-        drawn = folded.node.key
         for name, others in options.items():
             keys = filter(None, (self._with_option(draw, draw.overridden[name], each) for each in others))
             if next(keys, "") == drawn and all(key == drawn for key in keys):
@@ -632,13 +638,13 @@ class Generator(Variant):
     ) -> tuple[Asset, Evaluation]:
         """Build and evaluate the graph of a draw, and prove the asset."""
         body = self._built.of(draw.values) if keep_graph else self._folded(draw.values)
-        shown: dict[str, Any] = {}
+        # a graph that is kept is not that of the sample alone, and a graph for each option takes long
+        acting = partial(self._acting, draw, cache, None if keep_graph else body.node.key)
         for level, evaluation, tree in _evaluations(body, draw.values, cache, DETAILS[detail]):
-            # a graph that is kept is not that of the sample alone, and a graph for each option takes long
-            shown = shown or self._acting(draw, cache, None if keep_graph else body)
             try:
                 origin: dict[str, Any] = {"seed": draw.seed, "attempt": draw.attempt, "detail": detail}
-                asset = padded(self._asset(body, evaluation, tree, shown, name, base, **origin))
+                asset = padded(self._asset(body, evaluation, tree, name, base, **origin))
+                find_parameters_later(asset, acting)
                 prove(asset)
             except AssetError as error:
                 message = f"{error}\n  at {_place(body, error) or self.where}"
@@ -689,30 +695,15 @@ class Generator(Variant):
         return body if isinstance(body.node, Node) else self.build(values)
 
     def _asset(
-        self,
-        body: Handle,
-        evaluation: Evaluation,
-        tree: Tree,
-        values: Mapping[str, Any],
-        name: str,
-        base: Base,
-        **origin: Any,
+        self, body: Handle, evaluation: Evaluation, tree: Tree, name: str, base: Base, **origin: Any
     ) -> Asset:
         if not isinstance(body, Body):
             raise BuildError(
                 f"{self.name} returns a {type(body).__name__}; an asset needs a Body\n  at {self.where}"
             )
-        parameters = {key: getattr(value, "name", value) for key, value in values.items()}
         self._check_labels(evaluation.value)  # those of all details
         return Asset.from_tree(
-            tree,
-            name,
-            self.name,
-            base=base,
-            version=__version__,
-            parameters={key: list(v) if isinstance(v, tuple) else v for key, v in parameters.items()},
-            labels=self.labels,
-            **origin,
+            tree, name, self.name, base=base, version=__version__, labels=self.labels, **origin
         )
 
     def _check_labels(self, tree: Tree) -> None:

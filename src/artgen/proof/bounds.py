@@ -74,15 +74,11 @@ def enclosing_points(motion: Motion, points: Array) -> Array:
             rest = np.minimum(np.arange(_OCTAGON), 2)
             angles = np.where(wide, center + turns, angles[:, rest])
             scales = np.where(wide, 1.0 / _portable.cos(np.pi / _OCTAGON), scales[:, rest])
-    cosine, sine = _portable.cos_sin(angles)
-    along, plane, skew = _across(motion.axis, np.broadcast_to(np.eye(3), (len(half), 3, 3)))
-    turned = (scales * cosine)[..., None, None] * plane[:, None] + (scales * sine)[..., None, None] * skew[
-        :, None
-    ]
-    rows = np.moveaxis(along[:, None] + turned, 1, 2).reshape(len(half), 3, -1)
-    origin = motion.origin[:, None, :]
-    moved = np.matmul(points - origin, rows).reshape(len(points), -1, 3)
-    return moved + origin
+    cosine, sine = (scales[..., None, None] * each[..., None, None] for each in _portable.cos_sin(angles))
+    along, arm, across = _across(motion.axis, np.broadcast_to(np.eye(3), (len(half), 3, 3)))
+    turned = along[:, None] + cosine * arm[:, None] + sine * across[:, None]
+    rows, origin = np.moveaxis(turned, 1, 2).reshape(len(half), 3, -1), motion.origin[:, None, :]
+    return np.asarray(np.matmul(points - origin, rows).reshape(len(points), -1, 3) + origin)
 
 
 def growth(motion: Motion) -> int:
