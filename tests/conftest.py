@@ -1,5 +1,6 @@
 """Settings of all tests: the same examples every time, no deadline on a busy machine; shared fixtures."""
 
+import gc
 import os
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -21,6 +22,12 @@ _LONGEST = ("test_readme.py", "test_checklist.py", "test_same_bytes.py")
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Begin with what takes longest: at the end, the other processes would wait for it."""
     items.sort(key=lambda item: item.path.name not in _LONGEST)
+
+
+def pytest_collection_finish() -> None:
+    """Let the collector leave out the modules and the tests, which stay until the end."""
+    gc.collect()
+    gc.freeze()
 
 
 @pytest.fixture(scope="session", autouse=True)

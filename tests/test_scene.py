@@ -401,7 +401,7 @@ def test_neighbors_of_a_kind_are_found_beside_an_item_of_a_row() -> None:
 def test_the_entrance_opens_into_the_hall_and_is_locked_from_there() -> None:
     room = next(
         each
-        for each in (ROOMS["hall"](seed, detail="low") for seed in range(2, 9))
+        for each in (ROOMS["hall"](seed, detail="low") for seed in range(5, 9))
         if "door_lock" in each.links.by_name
     )
     (turn,) = room.link("door_lock").grasps
@@ -489,12 +489,20 @@ def test_what_would_tip_over_or_does_not_fit_is_refused() -> None:
 
 @pytest.mark.parametrize(
     ("layout", "size", "message"),
-    [
-        ("galley", {"width": 2.0}, "is too narrow for layout=galley: between its rows, 0."),
-        ("island", {"depth": 2.6}, "is too shallow for an island: 0."),
-        ("l", {"depth": 2.0}, "is too small for layout=l: beside "),
-        ("round", {}, "layout = 'round' is not allowed: it must be one of one_wall, galley, l, u, island"),
-    ],
+    some(
+        [
+            ("galley", {"width": 2.0}, "is too narrow for layout=galley: between its rows, 0."),
+            ("island", {"depth": 2.6}, "is too shallow for an island: 0."),
+            ("l", {"depth": 2.0}, "is too small for layout=l: beside "),
+            (
+                "round",
+                {},
+                "layout = 'round' is not allowed: it must be one of one_wall, galley, l, u, island",
+            ),
+        ],
+        2,
+        start=1,
+    ),
 )
 def test_a_layout_that_does_not_fit_says_what_is_missing(
     layout: Any, size: dict[str, float], message: str

@@ -83,8 +83,8 @@ def test_unknown_engines_are_errors(tmp_path: Path) -> None:
 
 @pytest.fixture(scope="module")
 def run(bucket: Path) -> Iterator[Any]:
-    """A cluster of three processes, started once: it takes seconds."""
-    with workers.cluster("local", 3) as started:
+    """A cluster of two processes, started once: it takes seconds."""
+    with workers.cluster("local", 2) as started:
         yield started
 
 
@@ -177,4 +177,4 @@ def test_a_cluster_is_joined_and_left(run: Any, tmp_path: Path) -> None:
     )
     assert done.returncode == 0, done.stderr
     assert done.stdout.startswith("made 1 assets in ")
-    assert ray.cluster_resources()["CPU"] == 3.0
+    assert ray.cluster_resources()["CPU"] == 2.0
