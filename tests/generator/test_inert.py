@@ -1,5 +1,6 @@
 """Overrides that do not act are not among the parameters of an asset."""
 
+from dataclasses import replace
 from typing import Any, Literal
 
 import pytest
@@ -52,3 +53,18 @@ def test_without_overrides_every_draw_is_recorded() -> None:
 
 def test_a_value_beside_the_only_one_of_a_style_acts() -> None:
     assert inert_block.generate(0, style="plain", size=0.25).parameters["size"] == 0.25
+
+
+def test_graphs_of_other_options_are_made_when_the_parameters_are_first_read(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    graphs: list[Any] = []
+    fold = inert_block._folded
+    monkeypatch.setattr(inert_block, "_folded", lambda values: graphs.append(fold(values)) or graphs[-1])
+    asset = inert_block.generate(0, style="tall", unused="b", certify="later")
+    assert len(graphs) == 1
+    assert "parameters" in dir(asset)
+    assert replace(asset, name="other").parameters == asset.parameters
+    assert len(graphs) == 3  # one for the other value of each override
+    assert "unused" not in asset.parameters
+    assert len(graphs) == 3

@@ -238,20 +238,6 @@ class Asset:
         ranged = tuple(with_followed_limits(joint, joints) for joint in joints.values())
         return Asset(name, category, ByName(links), ByName(ranged), contacts=contacts, loops=loops, **fields)
 
-    if not TYPE_CHECKING:
-
-        def __getattr__(self, name: str) -> Any:
-            """Find the parameters when they are first read, see `find_parameters_later`."""
-            own = vars(self)
-            find = own.get(_FIND)
-            if name != "parameters" or (find is None and name not in own):
-                message = f"{type(self).__name__!r} object has no attribute {name!r}"
-                raise AttributeError(message, name=name, obj=self)
-            if name not in own:  # another thread may have found them
-                own.setdefault(name, find())
-                own.pop(_FIND, None)
-            return own[name]
-
     def __copy__(self) -> "Asset":
         return self  # it never changes
 
@@ -572,6 +558,11 @@ def find_parameters_later(asset: Asset, find: Callable[[], Mapping[str, Any]]) -
     """Let the first access to the parameters of an asset find them; it may take a graph for each option."""
     vars(asset)[_FIND] = find
     del vars(asset)["parameters"]
+
+
+_found: cached_property[Mapping[str, Any]] = cached_property(lambda asset: vars(asset)[_FIND]())
+_found.__set_name__(Asset, "parameters")
+setattr(Asset, "parameters", _found)  # noqa: B010 - the field of an instance hides it until it is deleted
 
 
 class _Later:
