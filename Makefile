@@ -80,10 +80,11 @@ test-long:
 	$(MAKE) test MARKS=
 
 # Among the tests, the one of $(VENV) has done what follows.
-test-others: $(OTHERS)
-	for python in $(wildcard $(OTHERS:/.installed=/bin/python)); do \
-		$$python -m pytest -m "$(MARKS)" $(PYTEST_FLAGS) tests/asset tests/graph || exit 1; \
-	done
+test-others: $(OTHERS:$(VENV)-%/.installed=test-others-%)
+
+test-others-%: $(VENV)-%/.installed
+	[ ! -x $(<D)/bin/python ] || \
+		$(<D)/bin/python -m pytest -m "$(MARKS)" $(PYTEST_FLAGS) $(or $(TESTS_$*),tests/asset tests/graph)
 
 # Kernels without AVX-512, of one Python even without FMA.
 CORE_3.12 := Prescott
