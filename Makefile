@@ -26,6 +26,8 @@ OTHERS := $(foreach version,3.11 3.12 3.13,$(VENV)-$(version)/.installed)
 # Modules are compiled once, at their first import: most of three gigabytes never are.
 unexport PYTHONDONTWRITEBYTECODE
 INSTALL := pip install --quiet --disable-pip-version-check --no-compile --editable
+# The pip of an older Python takes three times as long to choose versions; it does as well.
+NEWER_PIP := pip install --quiet --disable-pip-version-check --upgrade pip
 TESTERS := hypothesis pytest pytest-xdist
 PYTEST_FLAGS ?= -n auto
 MARKS := not long
@@ -49,6 +51,7 @@ $(STAMP): pyproject.toml
 		echo "error: artgen needs Python 3.11 or newer, found $(or $(PYTHON),none);" \
 		"install one or run: make PYTHON=/path/to/python3.11" >&2; exit 1; }
 	$(PYTHON) -m venv --clear $(VENV)
+	-$(BIN)/python -m $(NEWER_PIP)
 	$(BIN)/python -m $(INSTALL) '.[test]'
 	@touch $@
 
@@ -104,7 +107,9 @@ $(VENV)-%/.installed: pyproject.toml
 	@for python in python$* $${PYENV_ROOT:-$$HOME/.pyenv}/versions/$*.*/bin/python; do \
 		$$python -c 'import sys; sys.exit("%d.%d" % sys.version_info[:2] != "$*")' >/dev/null 2>&1 || continue; \
 		$(PYTHON) -c 'import sys; sys.exit("%d.%d" % sys.version_info[:2] == "$*")' || continue; \
-		$$python -m venv --clear $(@D) && $(@D)/bin/python -m $(INSTALL) . $(TESTERS) || exit 1; \
+		$$python -m venv --clear $(@D) || exit 1; \
+		$(@D)/bin/python -m $(NEWER_PIP); \
+		$(@D)/bin/python -m $(INSTALL) . $(TESTERS) || exit 1; \
 		break; \
 	done; \
 	mkdir -p $(@D) && touch $@
