@@ -26,7 +26,7 @@ OTHERS := $(foreach version,3.11 3.12 3.13,$(VENV)-$(version)/.installed)
 # Modules are compiled once, at their first import: most of three gigabytes never are.
 unexport PYTHONDONTWRITEBYTECODE
 INSTALL := pip install --quiet --disable-pip-version-check --no-compile --editable
-# The pip of an older Python takes three times as long to choose versions; it does as well.
+# The pip of an older Python takes three times as long to choose versions, but works as well.
 NEWER_PIP := pip install --quiet --disable-pip-version-check --upgrade pip
 TESTERS := hypothesis pytest pytest-xdist
 PYTEST_FLAGS ?= -n auto

@@ -44,7 +44,7 @@ class Motion:
 
 
 def _across(axis: Array, vectors: Array) -> tuple[Array, Array, Array]:
-    """Split vectors into parts along and across a unit axis; return the axis times them, too."""
+    """Return the parts of vectors along and across a unit axis, and their cross products with the axis."""
     along = np.matmul(vectors, axis[:, :, None]) * axis[:, None, :]
     return along, vectors - along, cross(axis[:, None, :], vectors)
 
