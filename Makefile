@@ -29,7 +29,8 @@ INSTALL := pip install --quiet --disable-pip-version-check --no-compile --editab
 # The pip of an older Python takes three times as long to choose versions, but works as well.
 NEWER_PIP := pip install --quiet --disable-pip-version-check --upgrade pip
 TESTERS := hypothesis pytest pytest-xdist
-PYTEST_FLAGS ?= -n auto
+# A process has all tests of a file, so that what these share is made once.
+PYTEST_FLAGS ?= -n auto --dist loadfile --no-loadscope-reorder
 MARKS := not long
 SURVEY_FLAGS ?= --jobs 2
 MINUTES ?= 30

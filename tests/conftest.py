@@ -16,11 +16,14 @@ settings.register_profile("artgen", deadline=None, derandomize=True, max_example
 settings.load_profile("artgen")
 
 
-_LONGEST = ("test_readme.py", "test_checklist.py", "test_same_bytes.py")
+_LONGEST = (
+    *("test_ray.py", "test_web_viewer.py", "test_readme.py", "test_scene.py", "test_registry.py"),
+    *("test_real_clients.py", "test_same_bytes.py", "test_docs.py", "test_examples.py", "test_fewer.py"),
+)
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Begin with what takes longest: at the end, the other processes would wait for it."""
+    """Begin with the files that take longest: at the end, the other processes would wait for them."""
     items.sort(key=lambda item: item.path.name not in _LONGEST)
 
 

@@ -186,7 +186,7 @@ def until(what: Any, why: str, patience: float = 30.0) -> Any:
 
 
 def button(studio: Studio, label: str) -> Any:
-    handles = studio._server.gui._gui_input_handle_from_uuid.values()
+    handles = list(studio._server.gui._gui_input_handle_from_uuid.values())  # other threads add some
     return next(handle for handle in handles if getattr(handle, "label", "") == label)
 
 

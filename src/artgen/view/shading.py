@@ -641,9 +641,8 @@ def _widened(marks: NDArray[np.bool_], reach: int) -> NDArray[np.bool_]:
 
 def _together(a: Sequence[Floats] | Floats, b: Sequence[Floats] | Floats, near: Floats) -> Floats:
     """Return how far points, given with their normals, lie in one plane, 0..1."""
-    facing = a[3] * b[3] + a[4] * b[4] + a[5] * b[5]
-    x, y, z = b[0] - a[0], b[1] - a[1], b[2] - a[2]
-    apart = np.abs(x * a[3] + y * a[4] + z * a[5]) + np.abs(x * b[3] + y * b[4] + z * b[5])
+    way = [b[axis] - a[axis] for axis in range(3)]
+    facing, apart = dot(a[3:], b[3:]), np.abs(dot(way, a[3:])) + np.abs(dot(way, b[3:]))
     return np.asarray(np.clip(8.0 * facing - 7.0, 0.0, 1.0) * np.clip(1.5 - apart * near * 2.0, 0.0, 1.0))
 
 

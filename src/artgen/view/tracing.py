@@ -80,8 +80,8 @@ def cast(meshes: Sequence[Mesh], origin: Array, directions: Array) -> Hits:
     return Hits(surfaces, distance, smooth, np.where(hit, triangle, -1).astype(np.int64), share)
 
 
-def dot(a: Floats, b: Floats) -> Floats:
-    """Return the dot products of vectors, shape (n,)."""
+def dot(a: Sequence[Floats] | Floats, b: Sequence[Floats] | Floats) -> Floats:
+    """Return the dot products of vectors, given as rows of x, y and z; shape (n,)."""
     return np.asarray(a[0] * b[0] + a[1] * b[1] + a[2] * b[2])
 
 
