@@ -1,4 +1,5 @@
 import math
+from itertools import product
 
 import numpy as np
 import pytest
@@ -11,6 +12,7 @@ from artgen.materials import material
 from artgen.nodes import csg, extrude, primitive, profile, solid_methods
 from artgen.nodes.handles import Solid
 from artgen.nodes.primitive import box, cylinder
+from support.cases import some
 from support.shapes import X, Y, Z, check_metric, check_shape, relative_volume, same_bytes
 
 BLOCK = primitive._box(0.1, 0.1, 0.1, 0.005)
@@ -119,8 +121,7 @@ def test_halves_make_the_whole(shift, across, down):
     assert sum(map(volume, halves)) == pytest.approx(volume(whole), rel=1e-9)
 
 
-@pytest.mark.parametrize("bevel", [0.0, 0.002, 0.016])
-@pytest.mark.parametrize("open_side", [None, Z, -Y])
+@pytest.mark.parametrize(("bevel", "open_side"), some(product([0.0, 0.002, 0.016], [None, Z, -Y]), 2))
 def test_a_shell_has_walls_of_its_thickness(bevel, open_side):
     outer = primitive._box(0.1, 0.2, 0.3, bevel)
     shape = csg._shell(outer, 0.01, open_side)
