@@ -51,6 +51,12 @@ def test_three_dials_more_than_burners_are_refused() -> None:
         made(0, burners=4, dials=7)
 
 
+@pytest.mark.parametrize(("burners", "rows"), [(2, 2), (5, 1), (6, 1)])
+def test_burners_in_other_rows_are_refused(burners: int, rows: int) -> None:
+    with pytest.raises(InfeasibleError, match="3 or 4 one or two, 5 or 6 two: set rows or burners"):
+        made(0, burners=burners, rows=rows)
+
+
 def test_a_gas_dial_turns_only_while_it_is_pushed_in() -> None:
     asset = made(2, burner="gas", burners=4, rows=2)
     push, turn = asset.joint("burner_dial_push_1"), asset.joint("burner_dial_turn_1")

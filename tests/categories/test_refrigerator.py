@@ -184,6 +184,11 @@ def test_doors_side_by_side_have_room_for_light_and_bins() -> None:
     assert refrigerator.generate(3, **narrow, width=0.62, freezer_share=0.45, bin_depth=0.05)
 
 
+def test_french_doors_without_drawers_are_refused():
+    with pytest.raises(InfeasibleError, match="layout=french has drawers: outer_drawers must be 1 or 2"):
+        refrigerator.generate(0, layout="french", outer_drawers=0)
+
+
 def test_the_name_on_a_front_that_swells_far_reaches_back_to_it() -> None:
     wide = {}
     for bow in (0.018, 0.03):

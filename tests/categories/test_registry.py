@@ -4,6 +4,7 @@
 """
 
 import os
+from contextlib import suppress
 from functools import lru_cache
 from itertools import combinations, product
 from pathlib import Path
@@ -156,6 +157,20 @@ def test_every_option_can_be_demanded_of_every_seed(category: str) -> None:
                 values = generator.sample(seed, overrides={short: option})
                 # without the name, a generator without this parameter was chosen instead
                 assert values.get(short, option) == option, (seed, short)
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("category", categories())
+def test_every_option_is_built_or_refused(category: str) -> None:
+    generator = find(category)
+    for name, parameter in generator.parameters().items():
+        if not parameter.structural:
+            continue
+        short = ".".join(name.split(".")[::2])
+        options = parameter.options[:: 1 + len(parameter.options) // 50]
+        for seed, option in product(range(12), options):
+            with suppress(InfeasibleError):  # another error names no remedy
+                generator.graph(seed, **{short: option})
 
 
 @pytest.mark.long

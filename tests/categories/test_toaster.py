@@ -144,3 +144,10 @@ def test_controls_on_a_bulging_side_are_refused() -> None:
         made(0, style="retro", controls="side", levers=1)
     with pytest.raises(InfeasibleError, match="two levers need the narrow end: controls must be end"):
         made(0, style="steel", slots=4, controls="side", levers=2)
+
+
+def test_more_levers_than_slots_and_more_knobs_than_levers_are_refused() -> None:
+    with pytest.raises(InfeasibleError, match="one slot has one lever: levers must be 1"):
+        made(0, slots=1, levers=2)
+    with pytest.raises(InfeasibleError, match="one lever has one knob: knobs must be 0 or 1"):
+        made(0, slots=2, levers=1, knobs=2)

@@ -9,6 +9,7 @@ import pytest
 
 from artgen.asset import Asset
 from artgen.catalog import find
+from artgen.errors import InfeasibleError
 
 
 @lru_cache(maxsize=12)
@@ -32,6 +33,12 @@ def test_a_lever_turns_a_quarter_between_its_stops_and_stays() -> None:
     for end in (0.0, math.pi / 2):
         assert min(asset.clearance({"lever_turn": end}).values()) < 0.001, "a stop is beside the lever"
     assert released(asset, "lever_turn", 0.7) == pytest.approx(0.7, abs=0.01)
+
+
+@pytest.mark.parametrize(("style", "dn"), [("needle", 15), ("gate", 15), ("globe", 65), ("ball", 8)])
+def test_a_style_has_the_sizes_of_its_table(style: str, dn: int) -> None:
+    with pytest.raises(InfeasibleError, match=rf"style={style} is made for dn=\d+ or .*: set dn or style"):
+        find("valve").generate(0, style=style, dn=dn)
 
 
 def test_a_wheel_draws_the_stem_of_a_gate_by_its_size() -> None:

@@ -233,3 +233,17 @@ def test_an_input_with_a_default_is_no_parameter():
     assert np.ptp(evaluate(larger, {"height": 0.1}).value.link.bounds(), axis=0)[0] == pytest.approx(0.3)
     with pytest.raises(ParameterError, match=r"height = 0\.6 is out of range: 0\.05 to 0\.5 m"):
         block.generate(0, height=0.6)
+
+
+def test_an_error_names_the_whole_numbers_that_are_never_drawn():
+    @generator
+    def stairs(steps: int = choice(3, 2), rails: int = count(1, 12)) -> Body:
+        return part(box(0.2, 0.2, {2: 0.3, 3: 0.5}[steps] + 0.6 / rails), "block", material("oak"))
+
+    assert stairs.generate(0, rails=13, certify=False).parameters["rails"] == 13
+    for given_values, told in (
+        ({"steps": 4}, r"KeyError: 4; steps = 4 is not one of its options: 2, 3\n  at .*test_signature"),
+        ({"rails": 0}, r"zero; rails = 0 is not one of its options: 1, 2, 3, 4, 5, 6, 7, 8 to 12\n"),
+    ):
+        with pytest.raises(BuildError, match=told):
+            stairs.generate(0, **given_values)

@@ -183,7 +183,9 @@ def _structural(
             yield from _structural(value.own, values, f"{prefix}{name}.")
 
 
-def call_author(name: str, function: Callable[..., Any], arguments: Mapping[str, Any]) -> Any:
+def call_author(
+    name: str, function: Callable[..., Any], arguments: Mapping[str, Any], own: Mapping[str, Parameter]
+) -> Any:
     """Call the function of a generator and return its result."""
     file = function.__code__.co_filename
     try:
@@ -193,8 +195,19 @@ def call_author(name: str, function: Callable[..., Any], arguments: Mapping[str,
             error.args = (f"{error}\n  at {line_in(file, error)}",)
         raise
     except (Exception, SystemExit) as error:
-        reason = f"{type(error).__name__}: {error}{_correction(error)}"
+        reason = f"{type(error).__name__}: {error}{_correction(error)}{_never_drawn(arguments, own)}"
         raise BuildError(f"{name} cannot be built: {reason}\n  at {line_in(file, error)}") from error
+
+
+def _never_drawn(arguments: Mapping[str, Any], own: Mapping[str, Parameter]) -> str:
+    """Return the whole numbers that are never drawn, the likely cause of an error, with their options."""
+    found = [
+        f"; {name} = {arguments[name]} is not one of its options: {', '.join(map(str, options[:8]))}"
+        + (f" to {options[-1]}" if len(options) > 8 else "")
+        for name, parameter in own.items()
+        if parameter.kind is int and arguments[name] not in (options := sorted(parameter.options))
+    ]
+    return "".join(found)
 
 
 def _correction(error: BaseException) -> str:
@@ -464,7 +477,7 @@ class Generator(Variant):
                 raise BuildError(f"{self.name} needs the input {name!r}\n  defined at {self.where}")
             elif isinstance(declared.default, Given):
                 arguments[name] = declared.default.value
-        result = call_author(self.name, self.function, arguments)
+        result = call_author(self.name, self.function, arguments, self.own)
         if not isinstance(result, Handle):
             raise BuildError(
                 f"{self.name} returned {result!r}; it must return a handle such as a Body\n  at {self.where}"

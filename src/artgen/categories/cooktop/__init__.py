@@ -54,7 +54,7 @@ def cooktop(
         "burners",
         {2: 1, 3: {1: 0.4, 2: 0.6}, 4: {1: 0.15, 2: 0.85}},
         otherwise=2,
-        doc="number of burners; the fifth, between two rows, is a wok burner",
+        doc="number of rows of burners; the fifth burner, between two rows, is a wok burner",
     ),
     dials_at: DialSide = ag.by(
         "burners",
@@ -154,6 +154,8 @@ def cooktop(
 ) -> ag.Body:
     """Make a gas, coil, radiant or induction cooktop, turned off: dials that push and turn, grates."""
     ag.require(burner != "coil" or burners <= 5, "at most 5 coils have room: burners must be <= 5")
+    is_arranged = (burners, rows) in cooktops.COLUMNS
+    ag.require(is_arranged, "2 burners have one row, 3 or 4 one or two, 5 or 6 two: set rows or burners")
     ag.require(0 <= dials - burners <= 2, "dials must be from the number of burners to two more")
     gas = burner == "gas"
     plan = Plan(burners, rows, dials, dials_at, width, depth, dial_radius, dial_pitch, mirrored)

@@ -252,6 +252,9 @@ def refrigerator(
 ) -> ag.Body:
     """Make a refrigerator: doors, freezer doors, drawers, shelves and bins inside."""
     ag.require(
+        layout != "french" or outer_drawers > 0, "layout=french has drawers: outer_drawers must be 1 or 2"
+    )
+    ag.require(
         shelf_kind == "glass" or shelves + freezer_shelves <= _WIRE_SHELVES,
         f"wire shelves have many colliders: shelves + freezer_shelves must be <= {_WIRE_SHELVES}",
     )

@@ -37,6 +37,13 @@ _BALL = {15: (0.052, 0.030, 0.092), 20: (0.060, 0.037, 0.092), 25: (0.072, 0.046
 _GATE = {50: 0.150, 65: 0.170, 80: 0.180, 100: 0.190}
 _GLOBE = {15: 0.130, 20: 0.150, 25: 0.160, 32: 0.180, 40: 0.200, 50: 0.230}
 _BUTTERFLY = {50: 0.043, 65: 0.046, 80: 0.046, 100: 0.052}
+_SIZES = {
+    "ball": [*_BALL],
+    "gate": [*_GATE],
+    "globe": [*_GLOBE],
+    "butterfly": [*_BUTTERFLY],
+    "needle": [6, 8],
+}
 # EN 1092-1, PN 16: outer diameter, diameter of the bolt circle, thickness [m], number and diameter of holes
 _FLANGE = {15: (0.095, 0.065, 0.016, 4, 0.014), 20: (0.105, 0.075, 0.018, 4, 0.014),
            25: (0.115, 0.085, 0.018, 4, 0.014), 32: (0.140, 0.100, 0.018, 4, 0.018),
@@ -62,13 +69,7 @@ def valve(
     *,
     style: Style = ag.choice({"ball": 0.28, "gate": 0.2, "globe": 0.18, "butterfly": 0.18, "needle": 0.16}),
     dn: int = ag.by(
-        "style",
-        ball=ag.choice(*_BALL),
-        gate=ag.choice(*_GATE),
-        globe=ag.choice(*_GLOBE),
-        butterfly=ag.choice(*_BUTTERFLY),
-        needle=ag.choice(6, 8),
-        doc="nominal size DN [mm]",
+        "style", {style: ag.choice(*sizes) for style, sizes in _SIZES.items()}, doc="nominal size DN [mm]"
     ),
     grip: Literal["lever", "tee"] = ag.by(
         "dn", {15: _GRIPS, 20: _GRIPS}, otherwise="lever", doc="handle of a ball valve"
@@ -87,6 +88,8 @@ def valve(
     maker: str = ag.choice(*details.BRANDS),
 ) -> ag.Body:
     """Make a closed valve."""
+    sizes = _SIZES[style]
+    ag.require(dn in sizes, f"style={style} is made for dn={' or '.join(map(str, sizes))}: set dn or style")
     match style:
         case "ball":
             return _ball(dn, grip, torque, metal, color, maker)
