@@ -28,10 +28,9 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 
 
 def pytest_collection_finish() -> None:
-    """Let the collector leave out the modules and the tests, which stay, and assets as they are made."""
+    """Let the collector leave out the modules and the tests, which stay until the end."""
     gc.collect()
     gc.freeze()
-    gc.set_threshold(100_000, 20)
 
 
 @pytest.fixture(scope="session", autouse=True)
