@@ -205,7 +205,8 @@ def _never_drawn(arguments: Mapping[str, Any], own: Mapping[str, Parameter]) -> 
         f"; {name} = {arguments[name]} is not one of its options: {', '.join(map(str, options[:8]))}"
         + (f" to {options[-1]}" if len(options) > 8 else "")
         for name, parameter in own.items()
-        if parameter.kind is int and arguments[name] not in (options := sorted(parameter.options))
+        if parameter.kind is int and isinstance(arguments[name], int)
+        if arguments[name] not in (options := sorted(parameter.options)) and len(options) > 1
     ]
     return "".join(found)
 

@@ -44,6 +44,7 @@ _SIZES = {
     "butterfly": [*_BUTTERFLY],
     "needle": [6, 8],
 }
+"""Nominal sizes by style [mm]."""
 # EN 1092-1, PN 16: outer diameter, diameter of the bolt circle, thickness [m], number and diameter of holes
 _FLANGE = {15: (0.095, 0.065, 0.016, 4, 0.014), 20: (0.105, 0.075, 0.018, 4, 0.014),
            25: (0.115, 0.085, 0.018, 4, 0.014), 32: (0.140, 0.100, 0.018, 4, 0.018),
