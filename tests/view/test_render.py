@@ -153,6 +153,19 @@ def test_a_bevel_narrower_than_a_pixel_has_no_dots() -> None:
     assert np.abs(np.diff(peaks)).max() < 30.0
 
 
+def test_ledges_narrower_than_a_pixel_have_no_dots_in_the_shade() -> None:
+    @generator
+    def panel() -> Body:
+        leaf = box(0.9, 0.04, 1.2) - box(0.6, 0.02, 0.9).at(0, -0.015, 0)
+        jambs = box(0.05, 0.24, 1.2).at(-0.47, -0.1, 0) | box(0.05, 0.24, 1.2).at(0.47, -0.1, 0)
+        return part(leaf | jambs, "panel", material("painted_wood").with_(texture=""))
+
+    asset, view = panel.generate(), View(-0.6, 0.2)
+    few, many = (picture(asset, camera=view, size=192, samples=samples) for samples in (8, 128))
+    off = np.abs(few.color.astype(int) - many.color).mean(axis=2)[few.labels.mask("panel")]
+    assert np.percentile(off, 99.9) < 8.5, "dots differ from the picture with more rays"
+
+
 def test_the_floor_has_a_soft_shadow_without_speckles(red_cabinet) -> None:
     shown = picture(red_cabinet, size=256, camera=View(-0.5, 0.5, margin=0.3))
     seen = ndimage.binary_dilation(shown.links.ids > 0, iterations=4)

@@ -404,12 +404,24 @@ class _Painter:
         some = np.flatnonzero(alone)
         smooth[:3, some] = self._light(points.take(some), order[some])
         smooth[3:, some] = mirror[:, some]
+        for stride in _STRIDES:  # thin faces share it with what continues them in pixels around
+            guide[6] = 0.0
+            guide[:7, pixel[some]] = [*points.at[:, some], *points.normal[:, some], np.ones(len(some))]
+            values[:, pixel[some]] = smooth[:, some]
+            shared, weights = self._borrowed(points.take(some), pixel[some], shape, guide, values, stride)
+            smooth[:, some] = (smooth[:, some] + weights * shared) / (1.0 + weights)
         blur = _blurred(points.rough)
         mirrored_light = np.where(own, mirror + blur * (smooth[3:] - mirror), smooth[3:])
         return self._shaded(points, smooth[:3], mirrored_light)
 
     def _borrowed(
-        self, points: _Points, pixel: NDArray[Any], shape: tuple[int, int], guide: Floats, values: Floats
+        self,
+        points: _Points,
+        pixel: NDArray[Any],
+        shape: tuple[int, int],
+        guide: Floats,
+        values: Floats,
+        stride: int = 1,
     ) -> tuple[Floats, Floats]:
         """Return the average of values of pixels beside points, and the weights of all."""
         row, column = pixel // shape[1], pixel % shape[1]
@@ -417,8 +429,8 @@ class _Painter:
         weights = np.zeros(len(pixel), np.float32)
         near = self._near(points)
         for down, right in _BESIDE:
-            beside = np.clip(row + down, 0, shape[0] - 1) * shape[1] + np.clip(
-                column + right, 0, shape[1] - 1
+            beside = np.clip(row + stride * down, 0, shape[0] - 1) * shape[1] + np.clip(
+                column + stride * right, 0, shape[1] - 1
             )
             other = guide[:, beside]
             weight = _together([*points.at, *points.normal], other, near) * other[6]
