@@ -149,6 +149,16 @@ def test_a_directory_of_assets_is_checked_one_by_one(run, assets, judged):
     assert done.output.rstrip().endswith("2 of 2 assets failed: stand_0, stand_0")
 
 
+def test_assets_of_a_data_set_are_found_below_its_categories(run, assets, judged):
+    (assets / "door").mkdir()
+    (assets / "b").rename(assets / "door/b")
+    (assets / ".trash/c").mkdir(parents=True)
+    (assets / ".trash/c/asset.json").write_text("{}")
+    done = run(assets, "--json")
+    found = [Path(report["directory"]).relative_to(assets).as_posix() for report in json.loads(done.output)]
+    assert found == ["a", "door/b"]
+
+
 def test_each_asset_is_checked_once(run, assets, judged):
     done = run(assets / "b", assets, assets / "b/../a", "--json")
     assert [Path(report["directory"]).name for report in json.loads(done.output)] == ["b", "a"]
@@ -185,7 +195,7 @@ def test_the_real_checks_run_and_a_report_replaces_the_last(run, assets):
     ("name", "message"),
     [
         ("nowhere", "there is no directory '.*nowhere'; give one that holds an exported asset"),
-        ("notes", "'.*notes' holds no exported asset: no asset.json in it or in a directory in it"),
+        ("notes", "'.*notes' holds no exported asset; `artgen generate CATEGORY -n 10 --out .*` makes"),
         ("readme.txt", "there is no directory '.*readme.txt'"),
     ],
 )

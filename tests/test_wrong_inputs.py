@@ -246,7 +246,7 @@ certify nowhere.urdf ~ there is no file nowhere.urdf
 certify door --samples -1 ~ samples must be a whole number that is not negative, got -1
 certify door --json nowhere/x ~ cannot write nowhere/x: give a file in a directory that exists
 validate nowhere ~ there is no directory 'nowhere'; give one that holds an exported asset
-validate folder ~ 'folder' holds no exported asset: no asset.json in it or in a directory in it
+validate folder ~ 'folder' holds no exported asset; `artgen generate CATEGORY -n 10 --out folder` makes some
 render stand --joint slide=1 ~ joint 'slide' cannot be at 1; its limits are 0 to 0.2
 render stand --joint slide ~ --joint 'slide' must be JOINT=NUMBER, such as door_hinge=0.8
 render stand --open 2 ~ open 2.0 must be in 0..1

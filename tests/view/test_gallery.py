@@ -12,9 +12,10 @@ import pytest
 from PIL import Image
 
 import artgen
+from artgen.asset.files import exports_in
 from artgen.errors import RenderError
 from artgen.view import gallery as gallery_module
-from artgen.view.gallery import find_assets, write_gallery
+from artgen.view.gallery import write_gallery
 from support.browser import Browser, Tab, started
 
 
@@ -30,7 +31,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="module")
 def written(folder: Path) -> Path:
-    path, failed = write_gallery(find_assets(folder), folder, folder.with_name("made"), textures=0)
+    path, failed = write_gallery(exports_in([folder]), folder, folder.with_name("made"), textures=0)
     assert failed == []
     return path
 
@@ -79,7 +80,8 @@ def test_filters_leave_what_is_like_that(tab: Tab) -> None:
 
 def test_parameters_are_filtered_by_range_or_by_value(tab: Tab, folder: Path) -> None:
     parameters = {
-        path.name: json.loads((path / "asset.json").read_text())["parameters"] for path in find_assets(folder)
+        path.name: json.loads((path / "asset.json").read_text())["parameters"]
+        for path in exports_in([folder])
     }
     widths = {name: each["width"] for name, each in parameters.items() if name.startswith("cabinet")}
     narrow, wide = sorted(widths, key=widths.get)
@@ -159,7 +161,7 @@ def test_wrong_arguments_give_one_clear_error(artgen_command: Any, folder: Path,
     (tmp_path / "mine").mkdir()
     (tmp_path / "mine" / "letter.txt").write_text("dear")
     nothing = error("mine")
-    assert nothing.startswith(f"error: {tmp_path / 'mine'} holds no exported asset; `artgen generate ")
+    assert nothing.startswith(f"error: '{tmp_path / 'mine'}' holds no exported asset; `artgen generate ")
     assert error(str(folder), "--out", "mine") == (
         "error: mine holds files other than a gallery; choose another --out\n"
     )

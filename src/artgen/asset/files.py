@@ -180,7 +180,7 @@ def _advice(path: Path, error: Exception) -> str:
 
 
 def exports_in(directories: Iterable[Path]) -> list[Path]:
-    """Return the directories of exported assets: given ones, and those directly inside given directories.
+    """Return the sorted directories of exported assets: given ones, and all below given directories.
 
     Raises:
         ExportError: A directory does not exist or holds no asset.
@@ -191,13 +191,19 @@ def exports_in(directories: Iterable[Path]) -> list[Path]:
             raise ExportError(
                 f"there is no directory {str(directory)!r}; give one that holds an exported asset"
             )
-        inside = sorted(path.parent for path in directory.glob(f"*/{ASSET_FILE}"))
-        inside = [path for path in inside if not path.name.startswith(".")]  # unfinished and replaced exports
+        files = {*directory.glob(f"*/{ASSET_FILE}"), *directory.rglob(ASSET_FILE)}  # links at the first level
+        inside = [
+            path.parent
+            for path in sorted(files)
+            # not unfinished and replaced exports
+            if not any(part.startswith(".") for part in path.relative_to(directory).parts)
+        ]
         if (directory / ASSET_FILE).is_file():
             inside = [directory]
         if not inside:
             raise ExportError(
-                f"{str(directory)!r} holds no exported asset: no {ASSET_FILE} in it or in a directory in it"
+                f"{str(directory)!r} holds no exported asset; "
+                f"`artgen generate CATEGORY -n 10 --out {directory}` makes some"
             )
         for each in inside:
             found.setdefault(os.path.realpath(each), each)

@@ -10,7 +10,7 @@ import typer
 from typer import Argument, Option
 
 from artgen.asset import Asset
-from artgen.asset.files import ASSET_FILE
+from artgen.asset.files import ASSET_FILE, exports_in
 from artgen.catalog import categories, find, is_file, is_pipe, script_of
 from artgen.commands.console import progress
 from artgen.commands.options import Category, OpenBrowser, Overrides, Page, Seed, Source, TextureSize
@@ -92,10 +92,10 @@ def gallery(
 
     Each picture links to the viewer of its asset. With artgen[sim], they show it closed and open.
     """
-    from artgen.view.gallery import find_assets, write_gallery
+    from artgen.view.gallery import write_gallery
 
     source = directory.resolve()
-    found = find_assets(source)
+    found = exports_in([source])
     target = out or source.with_name(f"{source.name}_gallery")
     with progress(source.name, len(found)) as update:
         path, failed = write_gallery(

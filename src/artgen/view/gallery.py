@@ -5,7 +5,6 @@ from pathlib import Path
 from typing import Any
 
 from artgen.asset import Asset
-from artgen.asset.files import ASSET_FILE
 from artgen.asset.record import plain
 from artgen.errors import ArtgenError, AssetError, ExportError, RenderError
 from artgen.export.thumbnail import thumbnail
@@ -23,25 +22,6 @@ _SCRIPTS = ("view/web/elements.js", "view/web/gallery.js")
 _PICTURE = 288  # pixels per side
 _SAMPLES = 8  # rays for each pixel
 _QUALITY = 84  # quality of JPEG files
-
-
-def find_assets(directory: Path) -> list[Path]:
-    """Return the sorted directories of all exported assets in a folder, which may be one itself.
-
-    Raises:
-        ExportError: There is no exported asset.
-    """
-    found = sorted(
-        path.parent
-        for path in directory.rglob(ASSET_FILE)
-        if not any(part.startswith(".") for part in path.relative_to(directory).parts)
-    )
-    if not found:
-        raise ExportError(
-            f"{directory} holds no exported asset; "
-            f"`artgen generate CATEGORY -n 10 --out {directory}` makes some"
-        )
-    return found
 
 
 def write_gallery(
