@@ -171,8 +171,9 @@ def _advice(path: Path, error: Exception) -> str:
         return "export the asset again"
     if not directory.exists() and not directory.suffix:
         return f"there is no directory {directory}; `artgen generate CATEGORY --out {directory}` makes one"
-    inside = next(
-        (path.parent for pattern in ("*", "*/*") for path in directory.glob(f"{pattern}/{ASSET_FILE}")), None
+    inside = min(
+        (path.parent for pattern in ("*", "*/*") for path in directory.glob(f"{pattern}/{ASSET_FILE}")),
+        default=None,
     )
     if inside is not None:
         return f"{directory} holds several assets; give one, such as {inside}"
