@@ -140,12 +140,16 @@ def test_a_wire_thinner_than_a_pixel_is_an_even_line() -> None:
     assert line.std() < 0.25 * line.mean(), "the line has dots"
 
 
-def test_a_bevel_narrower_than_a_pixel_has_no_dots() -> None:
+@pytest.mark.parametrize(
+    ("bevel", "metal", "view"),
+    [(0.0004, "steel", View(-0.6, 0.4)), (0.001, "brass", View(-0.6, 0.4)), (0.001, "brass", View(0.4, 0.3))],
+)
+def test_a_bevel_narrower_than_a_pixel_has_no_dots(bevel: float, metal: str, view: View) -> None:
     @generator
     def block() -> Body:
-        return part(box(0.2, 0.2, 0.1, bevel=0.0004), "block", material("steel").with_(texture=""))
+        return part(box(0.2, 0.2, 0.1, bevel=bevel), "block", material(metal).with_(texture=""))
 
-    shown = picture(block.generate(), camera=View(-0.6, 0.4), size=192)
+    shown = picture(block.generate(), camera=view, size=192)
     edge = np.array([(x, -0.1, 0.05) for x in np.linspace(-0.09, 0.09, 400)])
     columns, rows = np.floor(shown.camera.pixels(edge, (192, 192))).astype(int).T
     light = shown.color.mean(axis=2)

@@ -289,8 +289,10 @@ class _Painter:
             same[mixed] = close & (world.material[a] == world.material[b])
         return same
 
-    def _normals(self, hits: _Found, some: NDArray[Any], number: NDArray[Any], view: Floats) -> Floats:
-        """Return the normals at hits, averaged where these stand for a bent face."""
+    def _normals(
+        self, hits: _Found, some: NDArray[Any], number: NDArray[Any], view: Floats
+    ) -> tuple[Floats, Floats]:
+        """Return the normals at hits, averaged where these stand for bent faces, and how far they differ."""
         world = self.world
 
         def facing(these: NDArray[Any]) -> Floats:
@@ -304,8 +306,12 @@ class _Painter:
         bent[number[world.curvature[hits.triangle] * far * self.pixel > _BENT]] = True
         members = np.flatnonzero(bent[number])
         total = [np.bincount(number[members], each, len(some))[bent] for each in facing(members)]
-        normals[:, bent] = unit(np.array(total, np.float32))
-        return normals
+        mean = np.array(total, np.float32)
+        normals[:, bent] = unit(mean)
+        turn = np.zeros(len(some), np.float32)
+        share = np.linalg.norm(mean, axis=0) / np.bincount(number)[bent]
+        turn[bent] = np.sqrt(6.0 * np.maximum(1.0 - share, 0.0))
+        return normals, turn
 
     def _points(
         self,
@@ -318,7 +324,7 @@ class _Painter:
     ) -> _Points:
         """Return the surface at the hits `some`, with maps averaged over widths [pixels]."""
         world = self.world
-        normal = self._normals(hits, some, number, view)
+        normal, turn = self._normals(hits, some, number, view)
         at, view, triangle, u, v = (
             hits.at[:, some], view[:, hits.ray[some]], hits.triangle[some], hits.u[some], hits.v[some],
         )  # fmt: skip
@@ -337,7 +343,7 @@ class _Painter:
                 facing = np.maximum(np.abs(dot(normal[:, here], view[:, here])), np.float32(0.2))
                 self._textured(points, each, here, wide[here] / facing)
         # a point stands for all normals within its width
-        turn = np.minimum(world.curvature[triangle] * wide, _MOST_TURN)
+        turn = np.minimum(np.maximum(world.curvature[triangle] * wide, turn), _MOST_TURN)
         alpha = points.rough * points.rough
         points.rough[:] = np.sqrt(np.sqrt(alpha * alpha + np.float32(_BROADER) * turn * turn))
         return points
