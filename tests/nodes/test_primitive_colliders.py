@@ -8,7 +8,7 @@ from manifold3d import Manifold, OpType
 
 from artgen.asset import Asset
 from artgen.colliders import TOLERANCE
-from artgen.graph import evaluate
+from artgen.graph import DETAILS, evaluate
 from artgen.materials import material
 from artgen.nodes import primitive
 from artgen.nodes.body import part
@@ -82,13 +82,16 @@ def test_a_box_shows_its_edges_where_they_matter(size, bevel, kind):
     assert piece.kind == kind
 
 
+@pytest.mark.parametrize("detail", DETAILS)
 @settings(max_examples=8, deadline=None)
 @given(st.floats(0.01, 0.5), st.floats(0.01, 0.5), st.floats(0.01, 0.5), st.floats(0.0, 1.0))
 @example(0.45, 0.15, 0.06, 2 * 0.026 / 0.06)
 @example(0.4, 0.4, 0.034, 2 * 0.006 / 0.034)
 @example(0.1, 0.1, 0.1, 0.9)
-def test_a_rounded_box_passes_the_check_of_colliders(x, y, z, share):
+@example(0.022, 0.019, 0.025, 2 * 0.006 / 0.019)
+def test_a_rounded_box_passes_the_check_of_colliders(detail, x, y, z, share):
     body = part(primitive.box(x, y, z, bevel=share * min(x, y, z) / 2.0), "block", material("oak"))
-    asset = Asset.from_tree(evaluate(body).value, "block", "block")
+    tree = evaluate(body, detail=DETAILS[detail]).value
+    asset = Asset.from_tree(tree, "block", "block", detail=detail)
     assert not check_colliders(asset).findings
     assert max(len(collider.convex.points) for collider in asset.links[0].colliders) <= 64

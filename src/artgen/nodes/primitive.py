@@ -86,7 +86,7 @@ def _box(x: float, y: float, z: float, bevel: float, crown: float = 0.0) -> Shap
         return DeferredSkin(lambda: rounded_box(size, 0.0, 0)).shape(Exact((Convex.box(size),)))
     if detail_level() is not FULL and bevel <= _CHAMFERED:
         skin = DeferredSkin(lambda: chamfered_box(size, bevel))
-        return skin.shape(around_rounded_box(size, bevel, skin.vertices))
+        return skin.shape(around_rounded_box(size, bevel, skin.vertices, chamfered=True))
     steps = max(1, bevel_steps(bevel) // 2)
     skin = DeferredSkin(lambda: rounded_box(size, bevel, steps))
     return skin.shape(around_rounded_box(size, bevel, skin.vertices))

@@ -30,8 +30,13 @@ def moved(pieces: Pieces, matrix: Array) -> Pieces:
     return pieces if np.array_equal(matrix, np.eye(4)) else pieces.transformed(matrix)
 
 
-def around_rounded_box(size: Array, bevel: float, vertices: Callable[[], Array]) -> Pieces:
-    """Return the pieces of a box about the origin with edges rounded by `bevel`, and its vertices [m]."""
+def around_rounded_box(
+    size: Array, bevel: float, vertices: Callable[[], Array], *, chamfered: bool = False
+) -> Pieces:
+    """Return the pieces of a box about the origin with edges rounded by `bevel`, and its vertices [m].
+
+    A box with single chamfers, which touch these edges from outside, is a piece itself.
+    """
     added = (4.0 - math.pi) * bevel**2 * float(size.sum() / size.prod())
     reach = bevel * (math.sqrt(3.0) - 1.0)
 
@@ -39,7 +44,7 @@ def around_rounded_box(size: Array, bevel: float, vertices: Callable[[], Array])
         if bevel <= _SOFT_EDGE and (reach <= _FAR or (added <= _LITTLE and reach <= _FARTHEST)):
             return (Convex.box(size),)
         single = _chamfered(size, bevel * math.tan(math.pi / 8.0), bevel)
-        if _follows(single.faces, size, bevel):
+        if chamfered or _follows(single.faces, size, bevel):
             return (single,)
         closer = _banded(size, bevel)
         return (Convex.of(closer),) if _follows(closer, size, bevel) else _octants(vertices())

@@ -41,16 +41,17 @@ MOST_VERTICES = 64
 STICKS_OUT = 0.05e-3
 """Largest distance of a solid outside its colliders [m]."""
 
-STANDS_OFF = 4.0e-3
-"""Largest distance between colliders and solid, as over a rounded edge, not across a hollow [m]."""
+STANDS_OFF = {"full": 4.0e-3, "medium": 5.0e-3, "low": math.inf}
+"""Largest distance between colliders and solid at each level of detail, as over a rounded edge, not across a
+hollow [m]. Facets of low detail leave out more of a round solid than a collider may add."""
 
-STANDS_OFF_MUCH = 1.0e-3
+STANDS_OFF_MUCH = {"full": 1.0e-3, "medium": 3.0e-3, "low": math.inf}
 """The same for colliders that add more volume than `ADDED` [m]."""
 
 ADDED = 0.03
 """Added volume, as a share of the solid, above which colliders must follow it more closely."""
 
-KEPT = 0.8
+KEPT = {"full": 0.8, "medium": 0.8, "low": 0.7}
 """Share of the empty volume inside a link's convex hull that colliders must keep empty."""
 
 FACETS = {"full": 0.2e-3, "medium": 0.5e-3, "low": 0.8e-3}
@@ -115,7 +116,7 @@ def check_colliders(asset: Asset) -> CheckResult:
         convexes = [collider.convex for collider in link.colliders]
         result = fidelity(solid, convexes, link.covers, FACETS[asset.detail])
         measured.append((solid.volume(), result))
-        findings += _fidelity_findings(link, result, closely=asset.detail != "low")
+        findings += _fidelity_findings(link, result, asset.detail)
     return CheckResult(CHECK, tuple(findings), _detail(asset, measured))
 
 
@@ -190,8 +191,7 @@ def _hull_fault(name: str, points: Array) -> tuple[str, float | None]:
     return "", None
 
 
-def _fidelity_findings(link: Link, found: Fidelity, *, closely: bool) -> Iterator[Finding]:
-    # facets of low detail leave out more of a round solid than a collider may add
+def _fidelity_findings(link: Link, found: Fidelity, detail: str) -> Iterator[Finding]:
     # known only for a link in memory, or in the data of a file
     kind = getattr(link, "collision", None) or ("exact" if link.pieces else link.to_data().get("collision"))
     fault = partial(_fault, link=link.name, hint="by choice of colliders", severity="note")
@@ -201,16 +201,16 @@ def _fidelity_findings(link: Link, found: Fidelity, *, closely: bool) -> Iterato
         place = point_text(found.place)
         message = f"its solid sticks out of its colliders by {1e3 * found.sticks_out:.3g} mm at {place}"
         yield fault(message, value=found.sticks_out, unit="m")
-    allowed = STANDS_OFF if found.added <= ADDED else STANDS_OFF_MUCH
+    allowed = (STANDS_OFF if found.added <= ADDED else STANDS_OFF_MUCH)[detail]
     much = "" if found.added <= ADDED else f" where more than {100.0 * ADDED:.3g} % of volume is added"
-    if found.surface_error > max(allowed, found.sticks_out) and closely:
+    if found.surface_error > max(allowed, found.sticks_out):
         message = (
             f"its colliders add {100.0 * found.added:.3g} % of volume and stand off the surface by "
             f"{1e3 * found.surface_error:.3g} mm at {point_text(found.surface_place)}; "
             f"at most {1e3 * allowed:.3g} mm is allowed{much}"
         )
         yield fault(message, value=found.surface_error, unit="m")
-    if found.interior_kept < KEPT:
+    if found.interior_kept < KEPT[detail]:
         share = f"{100.0 * found.interior_kept:.3g} %"
         message = f"its colliders leave only {share} of the space in its hollows empty"
         yield fault(message, value=found.interior_kept)
@@ -260,7 +260,7 @@ def fidelity(
             error, surface_place = apart, at
     empty = hull.volume() - volume
     kept = hull.volume() - (hull ^ cover).volume() - missing.volume()  # `hull - cover` may lose a part
-    if _EMPTY * hull.volume() < empty and kept < KEPT * empty:
+    if _EMPTY * hull.volume() < empty and kept < KEPT["full"] * empty:
         kept += _between_facets(excess ^ hull, faces, facets)
     return Fidelity(
         volume_error=(excess.volume() + missing.volume()) / volume,
