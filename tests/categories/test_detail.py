@@ -1,6 +1,7 @@
 """Levels of detail: every category at low detail, and the rules of the levels on small parts."""
 
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -17,7 +18,7 @@ from artgen.errors import ParameterError
 from artgen.export.files import encode
 from artgen.graph import DETAILS, Cache, Graph
 from artgen.validate import validate
-from artgen.validate.colliders import fidelity
+from artgen.validate.colliders import check_colliders, fidelity
 from support.cases import some
 
 MOST = 2800
@@ -71,6 +72,12 @@ def outline(asset: Asset, right: np.ndarray, up: np.ndarray) -> np.ndarray:
             steps = max(1, int(np.ceil(np.linalg.norm(end - start) / 2e-4)))
             points.append(start + (end - start) * np.linspace(0.0, 1.0, steps, endpoint=False)[:, None])
     return np.concatenate(points)
+
+
+@pytest.mark.parametrize("detail", ["medium", "low"])
+@pytest.mark.parametrize("category", some(categories(), 4))
+def test_colliders_contain_and_follow_the_solids_of_a_level(category: str, detail: Any) -> None:
+    assert not check_colliders(find(category).generate(1, detail=detail, certify=False)).faults
 
 
 def test_the_outline_of_low_detail_is_within_a_millimetre() -> None:

@@ -95,3 +95,11 @@ def test_a_rounded_box_passes_the_check_of_colliders(detail, x, y, z, share):
     asset = Asset.from_tree(tree, "block", "block", detail=detail)
     assert not check_colliders(asset).findings
     assert max(len(collider.convex.points) for collider in asset.links[0].colliders) <= 64
+
+
+@pytest.mark.parametrize("detail", DETAILS)
+def test_a_wide_rim_shows_though_it_adds_little_volume(detail):
+    body = part(primitive.cylinder(0.11, 0.07, bevel=0.014), "disc", material("oak"))
+    tree = evaluate(body, detail=DETAILS[detail]).value
+    asset = Asset.from_tree(tree, "disc", "disc", detail=detail)
+    assert not check_colliders(asset).findings

@@ -105,9 +105,10 @@ def around_cylinder(radius: float, length: float, sides: int, matrix: Array, bev
     shorter = colliders.cylinder_pieces(radius, length - 2.0 * bevel, matrix, sides)
     thinner = colliders.cylinder_pieces(radius - bevel, length, matrix, sides)
     added = (4.0 - math.pi) * bevel**2 / (radius * length)
+    reach = bevel * (math.sqrt(2.0) - 1.0)
 
     def outer(tolerance: float) -> tuple[Convex, ...]:
-        if bevel * (math.sqrt(2.0) - 1.0) <= _FAR or added <= _LITTLE:
+        if reach <= _FAR or (added <= _LITTLE and reach <= _FARTHEST):
             return whole.outer(tolerance)
         return tuple(_rims(radius, length, matrix, bevel))
 

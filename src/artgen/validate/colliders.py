@@ -51,7 +51,7 @@ STANDS_OFF_MUCH = {"full": 1.0e-3, "medium": 3.0e-3, "low": math.inf}
 ADDED = 0.03
 """Added volume, as a share of the solid, above which colliders must follow it more closely."""
 
-KEPT = {"full": 0.8, "medium": 0.8, "low": 0.7}
+KEPT = {"full": 0.8, "medium": 0.75, "low": 0.7}
 """Share of the empty volume inside a link's convex hull that colliders must keep empty."""
 
 FACETS = {"full": 0.2e-3, "medium": 0.5e-3, "low": 0.8e-3}
