@@ -21,17 +21,20 @@ from artgen.asset import Asset
 from artgen.asset.placed import certificate_digest
 from artgen.errors import AssetError, ParameterError
 from artgen.export.frames import translation
+from artgen.graph import evaluate
 from artgen.materials import colored
 from artgen.proof.certify import Known, certify
 from artgen.scene import ROOMS, Scene, kitchen
 from artgen.scene.furnish import Furnisher
 from artgen.scene.kitchens import _beside, _Item
 from artgen.scene.room import GAP, STANDING
+from artgen.scene.rooms import _tub
 from artgen.validate import Examination
 from artgen.validate.behavior import check_behavior, neighborhoods
 from artgen.validate.behavior.model import room_model
 from artgen.validate.clients.registry import CLIENTS
 from artgen.validate.clients.run import run_clients
+from artgen.validate.colliders import check_colliders
 from artgen.validate.hands import check_grasps
 from artgen.validate.room import motions_at_rest, overlaps
 from artgen.view.camera import camera_of
@@ -255,6 +258,11 @@ def test_each_room_is_proven(kind: str, furniture: set[str]) -> None:
     assert room.loose
     with pytest.raises(ParameterError, match=rf"{kind} 3: it is at least \S+ m wide; \S+ m are missing"):
         ROOMS[kind](3, width=1.85)
+
+
+def test_colliders_follow_a_bathtub() -> None:
+    tub = _tub(artgen.Region((0.0, 1.6), (0.0, 0.7), (0.0, 0.56)), colored("abs", "white"))
+    assert not check_colliders(Asset.from_tree(evaluate(tub).value, "tub", "tub")).faults
 
 
 @pytest.fixture(scope="module")

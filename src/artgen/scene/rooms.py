@@ -254,7 +254,7 @@ def _tub(region: Region, finish: Material) -> ag.Body:
     """Make a bathtub that fills a region, with a drain in its floor."""
     wall = 0.06
     cavity = region.shrink(x=wall, y=wall).with_(z=(region.z.low + 1.5 * wall, region.z.high + 0.01))
-    shell = region.box(bevel=0.006) - cavity.box(bevel=0.02)
+    shell = region.box(bevel=0.006) - cavity.box(bevel=0.01)
     drain = ag.cylinder(0.035, 4 * wall).at(region.x.mid, region.y.mid, region.z.low + wall)
     strainer = ag.cylinder(0.0345, 0.004, bevel=0.001).at(region.x.mid, region.y.mid, region.z.low + 0.002)
     return ag.weld(
