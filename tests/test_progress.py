@@ -67,10 +67,13 @@ def in_terminal(folder, *arguments, until, environment=None):
     (folder / "slow.py").write_text(SLOW)
     leader, follower = pty.openpty()
     variables = {**os.environ, "TERM": "xterm", "COLUMNS": "160", **(environment or {})}
+    # a shell makes programs in its background ignore it
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
     command = subprocess.Popen(
         [sys.executable, "-m", "artgen", *arguments], cwd=folder, stderr=follower, stdout=subprocess.DEVNULL,
         env=variables,
     )  # fmt: skip
+    signal.signal(signal.SIGINT, before)
     os.close(follower)
     shown, end, sent = "", time.monotonic() + 60.0, False
     try:

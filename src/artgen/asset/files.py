@@ -181,7 +181,7 @@ def _advice(path: Path, error: Exception) -> str:
 
 
 def exports_in(directories: Iterable[Path]) -> list[Path]:
-    """Return the sorted directories of exported assets: given ones, and all below given directories.
+    """Return the directories of exported assets: given ones, and all below given directories, sorted.
 
     Raises:
         ExportError: A directory does not exist or holds no asset.
