@@ -62,6 +62,10 @@ KNOWN = (
     ),
     ("Newton", "a drive's target beyond a joint's limits becomes the middle of its range"),
     (
+        "Newton, from a URDF",
+        "limits are soft: a heavy sash, whose springs a URDF does not know, falls up to 0.13 m beyond them",
+    ),
+    (
         "PhysX",
         (
             "on a GPU, pieces a hundred times as long as thin collide on the processor, where rings may jam "
