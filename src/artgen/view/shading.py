@@ -310,7 +310,8 @@ class _Painter:
         normals[:, bent] = unit(mean)
         turn = np.zeros(len(some), np.float32)
         share = np.linalg.norm(mean, axis=0) / np.bincount(number)[bent]
-        turn[bent] = np.sqrt(6.0 * np.maximum(1.0 - share, 0.0))
+        # what adds the variance of the normals to the square of a lobe's width
+        turn[bent] = np.sqrt(np.maximum(1.0 - share, 0.0) / _BROADER)
         return normals, turn
 
     def _points(
