@@ -59,8 +59,10 @@ def _outside(solids: list[Manifold], around: list[Manifold]) -> float:
     home = tuple(-0.5 * (lows.min(axis=1) + highs.max(axis=1)))
     volumes = []
     for turn in _FRAMES:
-        inside, outside = (united([each.translate(home).rotate(turn) for each in of]) for of in (solids, around))
-        volumes.append((inside - outside).volume())
+        inside, cover = (
+            united([each.translate(home).rotate(turn) for each in group]) for group in (solids, around)
+        )
+        volumes.append((inside - cover).volume())
     return min(volumes)
 
 
