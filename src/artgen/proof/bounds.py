@@ -147,41 +147,45 @@ def around_axis(points: Array, origin: Array, axis: Array) -> Array:
     """Return heights and distances of convex pieces about an axis, which rotation about it does not change.
 
     The vertices have shape (N, V, 3); the axis is a unit vector through `origin`. The columns of the result,
-    shape (N, 4), are the lowest and highest coordinate along the axis, a lower bound of the distance from
-    the axis and the largest distance [m].
+    shape (N, 4), are the lowest and highest coordinate along the axis, the smallest distance from the axis
+    (never above it, below it only by rounding) and the largest one [m].
     """
     axis = np.broadcast_to(axis, (len(points), 3))
     relative = points - origin
     height = np.matmul(relative, axis[:, :, None])[:, :, 0]
     arm = relative - height[:, :, None] * axis[:, None, :]
     radius = np.sqrt(np.sum(arm * arm, axis=2))
-    return np.column_stack((height.min(axis=1), height.max(axis=1), _nearest(arm, axis), radius.max(axis=1)))
+    return np.column_stack((height.min(axis=1), height.max(axis=1), _nearest(arm), radius.max(axis=1)))
 
 
-def _nearest(arm: Array, axis: Array) -> Array:
-    """Return a lower bound of the distance of convex pieces from an axis, the best over several directions.
+def _nearest(arm: Array) -> Array:
+    """Return the distance of convex pieces from an axis, less at most rounding.
 
-    Any direction across the axis gives a bound: the smallest projection of the vertices. The tried directions
-    point to the center, and across the sides at the vertex with the smallest projection so far.
+    The smallest projection of the vertices on any direction across the axis is a lower bound. The directions
+    point to the nearest point of a segment between two vertices (Gilbert, Johnson and Keerthi 1988): the
+    vertex with the smallest projection replaces an end of the segment for as long as that comes nearer.
     """
     rows = np.arange(len(arm))
-    directions = (arm.min(axis=1) + arm.max(axis=1)) / 2.0
-    directions -= np.sum(directions * axis, axis=1, keepdims=True) * axis
-    best, foot = np.full(len(arm), -np.inf), np.zeros(len(arm), np.int64)
-    candidates = directions[:, None, :]
-    for _ in range(4):
-        length = np.sqrt(np.sum(candidates * candidates, axis=2, keepdims=True))
-        candidates = candidates / np.where(length > 1e-12, length, np.inf)
-        projected = np.matmul(arm, candidates.transpose(0, 2, 1))  # (N, V, C)
-        lowest = projected.min(axis=1)
-        choice = lowest.argmax(axis=1)
-        improved = lowest[rows, choice] > best
-        foot = np.where(improved, projected[rows, :, choice].argmin(axis=1), foot)
-        best = np.maximum(best, lowest[rows, choice])
-        at = arm[rows, foot][:, None, :]
-        sides = cross(np.broadcast_to(axis[:, None, :], arm.shape), arm - at)
-        candidates = np.concatenate((at, sides, -sides), axis=1)
-    return np.asarray(np.maximum(best, 0.0))
+    point = arm[rows, np.sum(arm * arm, axis=2).argmin(axis=1)]
+    ends = np.stack((point, point), axis=1)  # (N, 2, 3)
+    best, distance, nearer = np.zeros(len(arm)), np.full(len(arm), np.inf), np.ones(len(arm), np.bool_)
+    while nearer.any():
+        length = np.sqrt(np.sum(point * point, axis=1))
+        nearer = length < distance
+        distance = np.minimum(distance, length)
+        direction = point / np.where(length > 1e-12, length, np.inf)[:, None]
+        projected = np.matmul(arm, direction[:, :, None])[:, :, 0]
+        foot = projected.argmin(axis=1)
+        best = np.maximum(best, projected[rows, foot])
+        corner = arm[rows, foot][:, None]
+        side = ends - corner
+        square = np.sum(side * side, axis=2, keepdims=True)
+        share = -np.sum(side * corner, axis=2, keepdims=True) / np.where(square > 0.0, square, 1.0)
+        points = corner + np.clip(share, 0.0, 1.0) * side
+        chosen = np.sum(points * points, axis=2).argmin(axis=1)
+        point = points[rows, chosen]
+        ends = np.stack((corner[:, 0], ends[rows, chosen]), axis=1)
+    return best
 
 
 def axis_gap(first: Array, second: Array, shift: Array, half: Array) -> Array:
