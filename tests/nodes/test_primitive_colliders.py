@@ -2,18 +2,22 @@
 
 import numpy as np
 import pytest
-from hypothesis import example, given, settings
+from hypothesis import example, given, reject, settings
 from hypothesis import strategies as st
 from manifold3d import Manifold, OpType
 
 from artgen.asset import Asset
 from artgen.colliders import TOLERANCE
+from artgen.errors import EvaluationError
 from artgen.graph import DETAILS, evaluate
 from artgen.materials import material
 from artgen.nodes import primitive
 from artgen.nodes.body import part
+from artgen.nodes.extrude import extrude
+from artgen.nodes.loft import loft
+from artgen.nodes.profile import circle, rectangle
 from artgen.validate.colliders import check_colliders
-from support.shapes import Y, Z
+from support.shapes import Y, Z, check_shape
 
 
 def covered(shape):
@@ -61,11 +65,14 @@ def test_a_rounded_box_is_followed(x, y, z, share):
     assert covered(shape) < 0.047 or farthest(shape, core) - bevel < max(0.0012, 0.2 * bevel)
 
 
-@pytest.mark.parametrize(("bevel", "kinds"), [(0.001, ["cylinder"]), (0.006, ["cylinder", "hull", "hull"])])
-def test_a_knob_shows_its_rims_where_they_matter(bevel, kinds):
-    shape = primitive._cylinder(0.028, 0.025, Y, bevel)
+@pytest.mark.parametrize(
+    ("radius", "bevel", "kinds"),
+    [(0.028, 0.001, ["cylinder"]), (0.028, 0.006, ["cylinder", "hull", "hull"]), (0.015, 0.004, ["hull"])],
+)
+def test_a_knob_shows_its_rims_where_they_matter(radius, bevel, kinds):
+    shape = primitive._cylinder(radius, 0.025, Y, bevel)
     assert [piece.kind for piece in shape.pieces.outer(TOLERANCE)] == kinds
-    assert covered(shape) < 0.03
+    assert covered(shape) < (0.05 if kinds == ["hull"] else 0.03)
 
 
 @pytest.mark.parametrize(
@@ -89,6 +96,8 @@ def test_a_box_shows_its_edges_where_they_matter(size, bevel, kind):
 @example(0.4, 0.4, 0.034, 2 * 0.006 / 0.034)
 @example(0.1, 0.1, 0.1, 0.9)
 @example(0.022, 0.019, 0.025, 2 * 0.006 / 0.019)
+@example(0.25, 0.0625, 0.078, 0.625)
+@example(0.3445, 0.011, 0.0104, 0.327)
 def test_a_rounded_box_passes_the_check_of_colliders(detail, x, y, z, share):
     body = part(primitive.box(x, y, z, bevel=share * min(x, y, z) / 2.0), "block", material("oak"))
     tree = evaluate(body, detail=DETAILS[detail]).value
@@ -98,8 +107,55 @@ def test_a_rounded_box_passes_the_check_of_colliders(detail, x, y, z, share):
 
 
 @pytest.mark.parametrize("detail", DETAILS)
+@settings(max_examples=12, deadline=None)
+@given(st.floats(0.003, 0.3), st.floats(0.005, 0.6), st.floats(0.0, 0.99))
+@example(0.015, 0.025, 0.24)
+@example(0.0047, 0.038, 0.49)
+@example(0.285, 0.5, 0.99)
+def test_a_rounded_cylinder_passes_the_check_of_colliders(detail, radius, length, share):
+    body = part(
+        primitive.cylinder(radius, length, bevel=share * min(radius, length / 2.0)), "disc", material("oak")
+    )
+    tree = evaluate(body, detail=DETAILS[detail]).value
+    asset = Asset.from_tree(tree, "disc", "disc", detail=detail)
+    assert not check_colliders(asset).findings
+    assert max(len(collider.convex.points) for collider in asset.links[0].colliders) <= 64
+
+
+@pytest.mark.parametrize("detail", DETAILS)
+@settings(max_examples=12, deadline=None)
+@given(
+    st.floats(0.02, 0.3), st.floats(0.02, 0.3), st.floats(0.01, 0.3), st.floats(0.2, 1.0), st.floats(0.0, 0.9)
+)
+@example(0.028, 0.06, 0.015, 0.98, 0.36)
+@example(0.165, 0.09, 0.194, 0.92, 0.71)
+@example(0.25, 0.1, 0.25, 0.875, 0.875)
+def test_a_rounded_slab_passes_the_check_of_colliders(detail, x, y, z, corner, share):
+    radius = corner * min(x, y) / 2.0
+    slab = extrude(rectangle(x, y, radius=radius), z, bevel=0.99 * share * min(radius, z / 2.0))
+    try:
+        tree = evaluate(part(slab, "slab", material("oak")), detail=DETAILS[detail]).value
+    except EvaluationError as error:
+        assert "is too large for the profile" in str(error)  # noqa: PT017 fewer sides allow smaller bevels
+        reject()
+    asset = Asset.from_tree(tree, "slab", "slab", detail=detail)
+    assert not check_colliders(asset).findings
+
+
+@pytest.mark.parametrize("detail", DETAILS)
 def test_a_wide_rim_shows_though_it_adds_little_volume(detail):
     body = part(primitive.cylinder(0.11, 0.07, bevel=0.014), "disc", material("oak"))
     tree = evaluate(body, detail=DETAILS[detail]).value
     asset = Asset.from_tree(tree, "disc", "disc", detail=detail)
     assert not check_colliders(asset).findings
+
+
+@settings(max_examples=12, deadline=None)
+@given(st.floats(0.02, 0.2), st.floats(0.02, 0.2), st.floats(0.3, 1.0), st.floats(0.02, 0.4))
+@example(0.2, 0.2, 0.8, 0.1)
+@example(0.047, 0.016, 0.58, 0.22)
+def test_the_hollow_sides_of_a_loft_are_followed(x, y, share, height):
+    solid = loft([rectangle(x, y), circle(share * min(x, y) / 2.0)], [0.0, height])
+    check_shape(evaluate(solid).value, least_agreement=0.0)
+    tree = evaluate(part(solid, "spout", material("oak"))).value
+    assert not check_colliders(Asset.from_tree(tree, "spout", "spout")).findings

@@ -9,7 +9,7 @@ from artgen.graph import evaluate
 from artgen.nodes import csg, primitive, solid_methods
 from artgen.nodes.handles import Solid
 from artgen.nodes.primitive import box
-from support.shapes import X, Y, Z, check_metric, check_shape
+from support.shapes import X, Y, Z, agreement, check_metric, check_shape
 
 PART = csg._difference(primitive._box(0.1, 0.2, 0.3, 0.004), primitive._cylinder(0.02, 1.0, Y, 0.0))
 VECTORS = st.tuples(*[st.floats(-2, 2)] * 3).map(np.array)
@@ -43,7 +43,10 @@ def test_a_turn_is_right_handed():
 @given(st.tuples(*[st.floats(0.5, 2)] * 3).map(np.array))
 def test_scaling_keeps_normals_true(factors):
     shape = solid_methods._scale(PART, factors)
-    check_shape(shape)
+    # normals stretch by the inverse factors: most grows the angle that the direction of the least halves
+    apart = math.acos(agreement(PART))
+    apart = 2.0 * math.atan(factors.max() / factors.min() * math.tan(0.5 * apart))
+    check_shape(shape, least_agreement=math.cos(apart) - 1e-9)
     assert shape.manifold.volume() == pytest.approx(PART.manifold.volume() * np.prod(factors))
     np.testing.assert_allclose(shape.bounds(), PART.bounds() * factors, atol=1e-12)
 

@@ -14,19 +14,20 @@ from numpy.typing import NDArray
 from artgen import _portable, colliders
 from artgen._arrays import Array, predecessors, successors
 from artgen.asset.shape import Contour, Outline, Shape
-from artgen.colliders import Pieces
+from artgen.colliders import Pieces, union
 from artgen.graph import FULL, detail_level, kernel, records
 from artgen.nodes import validators as check
-from artgen.nodes.contours import CREASE, chords, estimated, faceted, moved_outline
+from artgen.nodes.contours import CREASE, chords, estimated, faceted, moved_outline, signed_area
 from artgen.nodes.csg import united
 from artgen.nodes.handles import Array3, Profile, Scalar, Solid, VectorLike
-from artgen.nodes.primitive_colliders import around_chain, around_hull
+from artgen.nodes.primitive_colliders import FAR, FARTHEST, LITTLE, around_chain, around_hull
 from artgen.nodes.surfaces import Sheets, Skin, triangulated
 from artgen.nodes.unwrap import Rail, cap_uvs, lies_flat, runs_across, tapered_around, wall_uvs
 
 _SHARE = 1e-7  # share of a border's length within which positions are equal
 _STEPS = 9  # rings of a fillet; each third one bounds a collider
 _TURN = math.radians(12.0)  # largest turn between points of a fillet around a corner
+_SLICES = (1, 5, 8, 12)  # numbers of colliders between two profiles; fewer than 5 fill hollow sides
 _LEDGE = 2e-5  # width of a fillet at its top, where its points would be one [m]
 _STRAIGHT = 0.02  # largest change of a section over the height of a fillet, as a share of its area
 
@@ -51,7 +52,10 @@ def _loft(profiles: tuple[Outline, ...], heights: tuple[float, ...], axis: Array
         ]
     )
     contours, rings = _coarse(contours, rings)
-    return _skin(contours, rings).turned(turn).shape(around_chain([ring @ turn.T for ring in rings]))
+    contours, chains = _sliced(contours, rings)
+    rings = np.stack([chains[0][0], *(ring for chain in chains for ring in chain[1:])])
+    pieces = (around_chain([ring @ turn.T for ring in chain]) for chain in chains)
+    return _skin(contours, rings).turned(turn).shape(union(*pieces))
 
 
 @records(_loft)
@@ -125,6 +129,48 @@ def _corners(contour: Contour) -> tuple[Array, Array]:
             points.append(point)
             ways.append(way / _portable.norm(way))
     return np.array(points), np.array(ways)
+
+
+def _sliced(contours: Sequence[Contour], rings: Array) -> tuple[list[Contour], list[list[Array]]]:
+    """Return borders and chains of rings whose hulls, of each two, follow the sides between them.
+
+    Straight sides between profiles of different shapes are hollow, and no planes: these have further borders.
+    """
+    borders, chains = [contours[0]], [[rings[0]]]
+    for (first, last), (low, high) in zip(pairwise(contours), pairwise(rings), strict=True):
+        for count in _SLICES:
+            cut = low + np.linspace(0.0, 1.0, count + 1)[:, None, None] * (high - low)
+            if all(_follows(*pair) for pair in pairwise(cut)):
+                break
+        borders += [*(_between(first, last, at / count) for at in range(1, count)), last]
+        if count == 1:
+            chains[-1].append(high)
+        else:
+            chains += [*map(list, pairwise(cut)), [high]]
+    return borders, [chain for chain in chains if len(chain) > 1]
+
+
+def _between(first: Contour, last: Contour, share: float) -> Contour:
+    parts = [
+        (1.0 - share) * getattr(first, name) + share * getattr(last, name)
+        for name in ("points", "normals_in", "normals_out")
+    ]
+    return Contour(parts[0], *(part / np.linalg.norm(part, axis=1, keepdims=True) for part in parts[1:]))
+
+
+def _follows(low: Array, high: Array) -> bool:
+    """Tell whether the hull of two rings is near the straight sides between their points."""
+    first, last = low[:, :2], high[:, :2]
+    sides = [(successors(ring) - ring) @ ((0.0, -1.0), (1.0, 0.0)) for ring in (first, last)]  # outward
+    lengths = [np.sqrt(np.sum(side * side, axis=1)) for side in sides]
+    normals = np.concatenate(sides) / np.maximum(np.concatenate(lengths), 1e-30)[:, None]
+    reach = [(ring @ normals.T).max(axis=0) for ring in (first, last)]
+    far = float((0.5 * (reach[0] + reach[1]) - (0.5 * (first + last) @ normals.T).max(axis=0)).max())
+    bottom, top, middle = (signed_area(ring) for ring in (first, last, 0.5 * (first + last)))
+    mixed = 0.5 * float(lengths[1] @ reach[0][len(first) :])  # area of both: the hull has more in the middle
+    added = 4.0 * (0.5 * mixed + 0.25 * (bottom + top) - middle) / (bottom + 4.0 * middle + top)
+    # triangles of hollow sides are as far below them as the hull is above
+    return 2.0 * far <= FAR or (2.0 * far <= FARTHEST and 2.0 * added <= LITTLE)
 
 
 def _coarse(contours: list[Contour], rings: Array) -> tuple[list[Contour], Array]:

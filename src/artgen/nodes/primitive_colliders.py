@@ -12,17 +12,35 @@ from artgen._arrays import Array
 from artgen.asset.shape import Contour, Outline
 from artgen.colliders import Convex, Pieces
 from artgen.colliders.polytope import Polytope
-from artgen.nodes.surfaces import lathe_steps, mitres
+from artgen.graph import DETAILS, FULL, Detail
+from artgen.nodes.contours import signed_area
+from artgen.nodes.surfaces import arc_steps, bevel_steps, lathe_steps, mitres, sides_of
 
 _SOFT_EDGE = 0.012  # larger bevels show in the collider of a box; with smaller bevels it is a plain box [m]
-_FAR = 0.001  # largest distance of a collider from a rounded edge, unless it adds little volume [m]
-_LITTLE = 0.025  # share of a solid's volume that colliders of rounded edges may add within _FARTHEST
-_FARTHEST = 0.0039  # largest distance of a collider from a rounded edge [m]
-_SIDES = 24  # sides of the chamfers around the rounded rims of a cylinder
-_FACETS = 0.02  # distance between a rounded edge and the facets of the solid, as a share of the bevel
+_MOST_VERTICES = 64  # of a hull
+_ROUND = 5e-5  # what the facets of a round collider add in comparisons [m]
 
-_CHAMFERED = 0.0007
-"""Largest distance of a single chamfer from a rounded rim; beyond, there are two chamfers [m]."""
+FAR, LITTLE, FARTHEST = 0.001, 0.025, 0.0039
+_LIMITS = ((FULL, FAR, LITTLE, FARTHEST), (DETAILS["medium"], 0.0029, 0.029, 0.0049))
+"""Levels at which colliders are near a solid; all levels have the same ones, so that they share topologies.
+
+With each, the largest distance from a rounded edge [m] unless the colliders add little volume, the largest
+share of the solid's volume that is little, and the largest distance then [m].
+"""
+
+_CHAMFERS = ((1, 16), (1, 24), (2, 24), (3, 24), (3, 32), (5, 32))
+"""Numbers of chamfers around the rounded rims of a cylinder, and of their sides; the first makes one hull."""
+
+_THIN = 0.03  # radius of cylinders that may be one hull [m]
+
+
+def _near(measured: Callable[[Detail], tuple[float, float]]) -> bool:
+    """Tell whether colliders are near, from the largest distance and the share of volume added at a level."""
+    for level, far, little, farthest in _LIMITS:
+        distance, added = measured(level)
+        if distance > far and (distance > farthest or added > little):
+            return False
+    return True
 
 
 def moved(pieces: Pieces, matrix: Array) -> Pieces:
@@ -37,12 +55,11 @@ def around_rounded_box(
 
     A box with single chamfers, which touch these edges from outside, is a piece itself.
     """
-    added = (4.0 - math.pi) * bevel**2 * float(size.sum() / size.prod())
-    reach = bevel * (math.sqrt(3.0) - 1.0)
 
     def outer(tolerance: float) -> tuple[Convex, ...]:
-        if bevel <= _SOFT_EDGE and (reach <= _FAR or (added <= _LITTLE and reach <= _FARTHEST)):
-            return (Convex.box(size),)
+        whole = Convex.box(size)
+        if bevel <= _SOFT_EDGE and _follows(whole.faces, size, bevel, whole=True):
+            return (whole,)
         single = _chamfered(size, bevel * math.tan(math.pi / 8.0), bevel)
         if chamfered or _follows(single.faces, size, bevel):
             return (single,)
@@ -58,15 +75,22 @@ def around_rounded_box(
     return Pieces(outer, inner)
 
 
-def _follows(cover: Polytope, size: Array, bevel: float) -> bool:
-    """Tell whether a polytope follows a rounded box closely: near, and nearer if it adds much volume."""
+def _follows(cover: Polytope, size: Array, bevel: float, *, whole: bool = False) -> bool:
+    """Tell whether a polytope, or the whole box, follows a rounded box closely."""
     core = size / 2.0 - bevel
-    beyond = np.linalg.norm(np.maximum(np.abs(cover.points) - core, 0.0), axis=1).max()
-    far = float(beyond) - bevel + _FACETS * bevel
+    beyond = float(np.linalg.norm(np.maximum(np.abs(cover.points) - core, 0.0), axis=1).max())
     a, b, c = 2.0 * core
     faces, edges = 2.0 * (a * b + b * c + c * a), a + b + c
-    volume = a * b * c + faces * bevel + math.pi * edges * bevel**2 + 4.0 / 3.0 * math.pi * bevel**3
-    return far <= _FAR or (far <= _FARTHEST and cover.volume <= (1.0 + _LITTLE) * volume)
+
+    def measured(level: Detail) -> tuple[float, float]:
+        steps = max(1, bevel_steps(bevel, level) // 2)  # facets on each eighth of a circle
+        flat = 1.0 if whole else math.cos(math.pi / (8.0 * steps))  # vertices are below the corners of a box
+        circle = 4.0 * steps * math.sin(math.pi / (4.0 * steps))  # area of the inscribed polygon
+        corners = 4.0 / 3.0 * circle**2 / math.pi
+        volume = a * b * c + faces * bevel + circle * edges * bevel**2 + corners * bevel**3
+        return beyond - bevel * flat**2, cover.volume / volume - 1.0  # corners have chords both ways
+
+    return _near(measured)
 
 
 def _banded(size: Array, bevel: float) -> Polytope:
@@ -104,38 +128,94 @@ def around_cylinder(radius: float, length: float, sides: int, matrix: Array, bev
         return whole
     shorter = colliders.cylinder_pieces(radius, length - 2.0 * bevel, matrix, sides)
     thinner = colliders.cylinder_pieces(radius - bevel, length, matrix, sides)
-    added = (4.0 - math.pi) * bevel**2 / (radius * length)
-    reach = bevel * (math.sqrt(2.0) - 1.0)
+    half = length / 2.0
+
+    def follows(chamfers: Array, around: int) -> bool:
+        circle = math.pi / around
+        insets, _ = _levels(bevel, half, chamfers).T
+        across = float(((radius - insets) * chamfers[:, 0]).max()) / math.hypot(*chamfers[0])
+
+        def measured(level: Detail) -> tuple[float, float]:
+            facets, angle = _facets(arc_steps(bevel, 0.5 * math.pi, level)), math.pi / sides_of(radius, level)
+            far = _beyond(bevel, chamfers, facets) + across * (1.0 / math.cos(circle) - math.cos(angle))
+            cover = (
+                around
+                * math.tan(circle)
+                * _stacked(bevel, half, chamfers, lambda inset: (radius - inset) ** 2)
+            )
+            section = math.pi / angle * math.sin(angle) * math.cos(angle)
+            solid = section * _stacked(bevel, half, facets, lambda inset: (radius - inset) ** 2)
+            return far + _ROUND, cover / solid - 1.0
+
+        return _near(measured)
 
     def outer(tolerance: float) -> tuple[Convex, ...]:
-        if reach <= _FAR or (added <= _LITTLE and reach <= _FARTHEST):
+        if follows(_chamfers(0), 1_000):  # a cylinder, whose sides do not count
             return whole.outer(tolerance)
-        return tuple(_rims(radius, length, matrix, bevel))
+        for count, around in _CHAMFERS[radius > _THIN :]:
+            if follows(_chamfers(count), around):
+                break
+        return _rims(radius, _levels(bevel, half, _chamfers(count)), around, matrix)
 
     return Pieces(outer, lambda tolerance: shorter.inner(tolerance) + thinner.inner(tolerance))
 
 
-def _rims(radius: float, length: float, matrix: Array, bevel: float) -> list[Convex]:
-    """Return the ends of a chamfered cylinder along local z around rounded ends, and the part between.
+def _chamfers(count: int) -> Array:
+    """Return the corners of chamfers that touch a quarter of a circle of radius 1, shape (count + 1, 2).
 
-    The chamfers touch the quarter of a circle at angles that divide it evenly.
+    They touch it at angles that divide it evenly. Without any, the corner is that of a square.
     """
-    count = 1 if bevel * (1.0 / math.cos(math.pi / 8.0) - 1.0) <= _CHAMFERED else 2
     half = math.pi / 4.0 / (count + 1)
-    corner = half * (2.0 * np.arange(count + 1) + 1.0)
-    radii = radius - bevel + bevel * _portable.cos(corner) / math.cos(half)
-    heights = length / 2.0 - bevel + bevel * _portable.sin(corner) / math.cos(half)
-    angle = np.arange(_SIDES) * (math.tau / _SIDES)
-    circle = np.column_stack((_portable.cos(angle), _portable.sin(angle))) / math.cos(math.pi / _SIDES)
-    pieces = [Convex.cylinder(radius, 2.0 * float(heights[0]), matrix)]
-    for side in (-1.0, 1.0):
-        rings = [
-            np.column_stack((circle * ring, np.full(_SIDES, side * height)))
-            for ring, height in zip(radii, heights, strict=True)
-        ]
-        placed = [ring @ matrix[:3, :3].T + matrix[:3, 3] for ring in rings]
-        pieces += [Convex.hull(np.concatenate(pair)) for pair in pairwise(placed)]
-    return pieces
+    angle = half * (2.0 * np.arange(count + 1) + 1.0)
+    return np.column_stack((_portable.cos(angle), _portable.sin(angle))) / math.cos(half)
+
+
+def _facets(steps: int) -> Array:
+    """Return the corners of chords in a quarter of a circle of radius 1, shape (steps + 1, 2)."""
+    angle = math.pi / 2.0 / steps * np.arange(steps + 1)
+    return np.column_stack((_portable.cos(angle), _portable.sin(angle)))
+
+
+def _beyond(bevel: float, chamfers: Array, facets: Array, mitre: float = 1.0) -> float:
+    """Return how far chamfers are from facets at most, where mitres make the inset longer [m]."""
+    share = np.linspace(0.0, len(facets) - 1.0, 8 * len(facets) - 7)
+    points = np.column_stack([np.interp(share, np.arange(len(facets)), across) for across in facets.T])
+    apart = (chamfers[:, None] - points) * (mitre, 1.0)
+    return bevel * float(np.sqrt(np.sum(apart * apart, axis=2)).min(axis=1).max())
+
+
+def _levels(bevel: float, half: float, corners: Array) -> Array:
+    """Return inset and height above the middle of the corners of a rounded end [m]."""
+    return np.column_stack((bevel * (1.0 - corners[:, 0]), half - bevel + bevel * corners[:, 1]))
+
+
+def _stacked(bevel: float, half: float, corners: Array, area: Callable[[float], float]) -> float:
+    """Return the volume of half a solid with rounded ends, whose section has an area for an inset."""
+    insets, heights = _levels(bevel, half, corners).T
+    sections = [(area(low), area((low + high) / 2.0), area(high)) for low, high in pairwise(insets.tolist())]
+    layers = np.array(sections).reshape(-1, 3) @ (1.0, 4.0, 1.0) / 6.0  # exact: areas are quadratic
+    return area(float(insets[0])) * float(heights[0]) + float(layers @ np.diff(heights))
+
+
+def _rims(radius: float, levels: Array, sides: int, matrix: Array) -> tuple[Convex, ...]:
+    """Return the pieces of a cylinder along local z with chamfered ends; between them, it is a cylinder."""
+    angle = np.arange(sides) * (math.tau / sides)
+    circle = np.column_stack((_portable.cos(angle), _portable.sin(angle))) / math.cos(math.pi / sides)
+    hulls = _hulls([(radius - inset) * circle for inset in levels[:, 0]], levels[:, 1])
+    pieces = [hull.transformed(matrix) for hull in hulls]
+    if len(pieces) == 1:
+        return tuple(pieces)
+    del pieces[len(pieces) // 2]
+    return (Convex.cylinder(radius, 2.0 * float(levels[0, 1]), matrix), *pieces)
+
+
+def _hulls(rings: Sequence[Array], heights: Array) -> tuple[Convex, ...]:
+    """Return the hull of convex rings above and below z = 0, shape (k, 2); with many corners, of each two."""
+    upper = [np.insert(ring, 2, height, axis=1) for ring, height in zip(rings, heights, strict=True)]
+    placed = [ring * (1.0, 1.0, -1.0) for ring in upper[::-1]] + upper
+    if sum(map(len, placed)) <= _MOST_VERTICES:
+        return (Convex.hull(np.concatenate(placed)),)
+    return tuple(Convex.hull(np.concatenate(pair)) for pair in pairwise(placed))
 
 
 def lazily(make: Callable[[], Pieces]) -> Pieces:
@@ -174,7 +254,13 @@ def around_extrusion(
         inset = [contour.points - bevel * mitres(contour) for contour in profile.contours]
         shorter = colliders.prism_pieces(borders, bevel - half, half - bevel, convex=profile.convex)
         thinner = colliders.prism_pieces(inset, -half, half)
-        return Pieces(whole.outer, lambda tolerance: shorter.inner(tolerance) + thinner.inner(tolerance))
+        simple = len(borders) == 1 and profile.convex is not None and len(profile.convex) == 1
+
+        def outer(tolerance: float) -> tuple[Convex, ...]:
+            closer = _around_bevelled(profile.contours[0], half, bevel) if simple else ()
+            return closer or whole.outer(tolerance)
+
+        return Pieces(outer, lambda tolerance: shorter.inner(tolerance) + thinner.inner(tolerance))
 
     def rings(low: float, high: float) -> Callable[[Array], list[Array]]:
         def place(polygon: Array) -> list[Array]:
@@ -194,6 +280,30 @@ def around_extrusion(
         return whole
     shorter = around_sweep(profile, rings(bevel - half, half - bevel), closed=False)
     return Pieces(whole.outer, shorter.inner)
+
+
+def _around_bevelled(contour: Contour, half: float, bevel: float) -> tuple[Convex, ...]:
+    """Return the pieces around a convex prism along z with rounded ends; small bevels need none."""
+    outward = mitres(contour)
+    mitre = math.sqrt(float(np.sum(outward * outward, axis=1).max()))
+    simpler = FAR if 2 * len(outward) > _MOST_VERTICES else 0.0  # fewer sides are farther away
+
+    def ring(inset: float) -> Array:
+        return np.asarray(contour.points - inset * outward)
+
+    def volume(corners: Array) -> float:
+        return _stacked(bevel, half, corners, lambda inset: signed_area(ring(inset)))
+
+    def measured(level: Detail) -> tuple[float, float]:
+        facets = _facets(bevel_steps(bevel, level))
+        return _beyond(bevel, chamfers, facets, mitre) + simpler, volume(chamfers) / volume(facets) - 1.0
+
+    for count in range(5):
+        chamfers = _chamfers(count)
+        if _near(measured):
+            break
+    levels = _levels(bevel, half, chamfers)
+    return _hulls([ring(inset) for inset in levels[:, 0]], levels[:, 1]) if count > 0 else ()
 
 
 def around_sweep(profile: Outline, place: Callable[[Array], list[Array]], closed: bool) -> Pieces:

@@ -19,7 +19,7 @@ from artgen._arrays import Array, FrozenArrays, Indices, cached, predecessors, s
 from artgen.asset.shape import GRAIN, Contour, DeferredShape, Shape
 from artgen.colliders import Pieces
 from artgen.colliders.triangles import cross
-from artgen.graph import FULL, detail_level
+from artgen.graph import FULL, Detail, detail_level
 from artgen.nodes import validators as check
 from artgen.nodes.unwrap import (
     Rail,
@@ -35,9 +35,9 @@ from artgen.nodes.unwrap import (
 )
 
 
-def sides_of(radius: float) -> int:
+def sides_of(radius: float, level: Detail | None = None) -> int:
     """Return the number of facets of a circle with a radius [m]: a multiple of 4, 12 to 64 at full detail."""
-    level = detail_level()
+    level = level or detail_level()
     if radius <= level.chord:
         return level.sides[0]
     needed = math.pi / math.acos(1.0 - level.chord / radius)
@@ -57,17 +57,18 @@ def hole_radius(inner: float, outer: float, sides: int) -> tuple[float, int]:
     return min(inner / math.cos(math.pi / sides), 0.5 * (inner + outer)), sides
 
 
-def arc_steps(radius: float, sweep: float) -> int:
+def arc_steps(radius: float, sweep: float, level: Detail | None = None) -> int:
     """Return the number of chords of an arc with a radius [m] and a sweep [rad]."""
-    return max(1, math.ceil(sides_of(radius) * abs(sweep) / math.tau - 1e-9))
+    return max(1, math.ceil(sides_of(radius, level) * abs(sweep) / math.tau - 1e-9))
 
 
-def bevel_steps(bevel: float) -> int:
+def bevel_steps(bevel: float, level: Detail | None = None) -> int:
     """Return the number of chords of the quarter circle of a bevelled edge."""
+    level = level or detail_level()
     if bevel <= 0.0:
         return 0
-    if detail_level() is not FULL:
-        return arc_steps(bevel, 0.5 * math.pi)
+    if level is not FULL:
+        return arc_steps(bevel, 0.5 * math.pi, level)
     return 2 if bevel < 0.002 else 4 if bevel <= 0.01 else 6
 
 

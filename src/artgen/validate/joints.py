@@ -109,7 +109,7 @@ def _choose(joint: AssetJoint, interval: tuple[float, float], *, extreme: bool) 
         return joint.closed
     low, high = joint.limits or (-math.inf, math.inf)
     low, high = max(low, interval[0]), min(high, interval[1])
-    if high - low <= 2.0 * BORDER:
+    if high - low <= 100.0 * BORDER:  # a point and its borders, also those of followers
         return None
     if not math.isfinite(low) or not math.isfinite(high):
         return low + _OPEN_TRAVEL if math.isfinite(low) else high - _OPEN_TRAVEL

@@ -199,7 +199,7 @@ def _within(joint: AssetJoint, low: float, high: float) -> float:
         if low < end < high and math.isfinite(end):
             return end
     low, high = max(low, ends[0]), min(high, ends[1])
-    if high - low <= 2.0 * BORDER:
+    if high - low <= 100.0 * BORDER:  # a point and its borders, also those of followers
         raise _NoWayError
     if math.isfinite(low) and math.isfinite(high):
         return (low + high) / 2.0
