@@ -130,21 +130,18 @@ def around_cylinder(radius: float, length: float, sides: int, matrix: Array, bev
     thinner = colliders.cylinder_pieces(radius - bevel, length, matrix, sides)
     half = length / 2.0
 
+    def stacked(corners: Array) -> float:
+        return _stacked(bevel, half, corners, lambda inset: (radius - inset) ** 2)
+
     def follows(chamfers: Array, around: int) -> bool:
-        circle = math.pi / around
-        insets, _ = _levels(bevel, half, chamfers).T
+        circle, insets = math.pi / around, _levels(bevel, half, chamfers)[:, 0]
         across = float(((radius - insets) * chamfers[:, 0]).max()) / math.hypot(*chamfers[0])
+        cover = around * math.tan(circle) * stacked(chamfers)
 
         def measured(level: Detail) -> tuple[float, float]:
             facets, angle = _facets(arc_steps(bevel, 0.5 * math.pi, level)), math.pi / sides_of(radius, level)
             far = _beyond(bevel, chamfers, facets) + across * (1.0 / math.cos(circle) - math.cos(angle))
-            cover = (
-                around
-                * math.tan(circle)
-                * _stacked(bevel, half, chamfers, lambda inset: (radius - inset) ** 2)
-            )
-            section = math.pi / angle * math.sin(angle) * math.cos(angle)
-            solid = section * _stacked(bevel, half, facets, lambda inset: (radius - inset) ** 2)
+            solid = math.pi / angle * math.sin(angle) * math.cos(angle) * stacked(facets)
             return far + _ROUND, cover / solid - 1.0
 
         return _near(measured)
