@@ -158,3 +158,20 @@ def test_faces_of_a_hull_have_all_their_vertices() -> None:
     ring = np.column_stack((np.cos(angles), np.sin(angles)))
     hull = Polytope.hull(np.concatenate([np.insert(ring, 2, height, axis=1) for height in (0.0, 1.0)]))
     assert sorted(hull.contact.sum(axis=0).tolist()) == [4] * 60 + [60] * 2
+
+
+def test_cuts_through_two_faces_in_one_plane_do_not_multiply_vertices() -> None:
+    angle = np.linspace(0.0, 2.0 * np.pi, 250, endpoint=False)
+    disc = Polytope.prism(0.1 * np.column_stack((np.cos(angle), np.sin(angle))), 0.0, 0.02)
+    top = int(np.argmax(disc.planes[:, 2]))
+    twice = Polytope(
+        disc.points,
+        np.vstack((disc.planes, disc.planes[top])),
+        np.column_stack((disc.contact, disc.contact[:, top])),
+    )
+    for turn in (0.1, 1.1, 2.3, 3.1):
+        plane = np.array([np.cos(turn), np.sin(turn), 0.3, 0.03])
+        plane[:3] /= np.linalg.norm(plane[:3])
+        (disc, _), (twice, _) = disc.split(plane), twice.split(plane)
+        assert len(twice.points) <= 2 * len(disc.points)
+        assert twice.volume == pytest.approx(disc.volume, rel=1e-9)

@@ -25,6 +25,7 @@ SLIVER = 1e-6
 
 _COPLANAR = 1e-8  # hull points nearer to a face than this lie on it [m]
 
+_MOST_EDGES = 100  # edges that a plane cuts before they are examined
 _RIGID = 1e-12  # tolerance of lengths in a rigid motion
 _BOX_SIGNS = np.array([[x, y, z] for x in (-0.5, 0.5) for y in (-0.5, 0.5) for z in (-0.5, 0.5)])
 _BOX_NORMALS = np.array(
@@ -186,6 +187,9 @@ class Polytope(FrozenArrays):
         start = self.points[lower]
         fresh = start + share[:, None] * (self.points[upper] - start)
         fresh_contact = self.contact[lower] & self.contact[upper]
+        if len(fresh) > _MOST_EDGES:
+            kept = _ends(fresh, fresh_contact)
+            fresh, fresh_contact = fresh[kept], fresh_contact[kept]
         return (
             self._part(height <= SNAP, on, fresh, fresh_contact, plane),
             self._part(height >= -SNAP, on, fresh, fresh_contact, -plane),
@@ -258,6 +262,20 @@ def hull_triangles(points: Array) -> tuple[Array, Indices, Array]:
         raise ValueError(f"the {len(points)} points lie in one plane; a hull needs a volume")
     mesh = solid.to_mesh64()
     return np.array(mesh.vert_properties)[:, :3], triangles_of(mesh), center
+
+
+def _ends(points: Array, contact: Mask) -> Indices:
+    """Return the ends of the lines on which points with the same faces lie.
+
+    On two faces in almost one plane, each two vertices seem to share an edge: cut after cut, their points in
+    the plane of the cut would multiply.
+    """
+    _, line = np.unique(np.packbits(contact, axis=1), axis=0, return_inverse=True)
+    kept = []
+    for members in (np.flatnonzero(line == number) for number in range(int(line.max()) + 1)):
+        along = points[members, np.ptp(points[members], axis=0).argmax()]
+        kept += {int(members[along.argmin()]), int(members[along.argmax()])}
+    return np.sort(np.array(kept))
 
 
 def is_rigid(linear: Array) -> bool:
