@@ -271,7 +271,7 @@ def _ends(points: Array, contact: Mask) -> Indices:
     the plane of the cut would multiply.
     """
     _, line = np.unique(np.packbits(contact, axis=1), axis=0, return_inverse=True)
-    kept = []
+    kept: list[int] = []
     for members in (np.flatnonzero(line == number) for number in range(int(line.max()) + 1)):
         along = points[members, np.ptp(points[members], axis=0).argmax()]
         kept += {int(members[along.argmin()]), int(members[along.argmax()])}
