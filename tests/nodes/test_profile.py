@@ -38,6 +38,7 @@ def test_a_rectangle_has_its_area(width, height, share):
     check(outline)
     points = outline.contours[0].points
     np.testing.assert_allclose(points.max(axis=0), [width / 2, height / 2], rtol=1e-9)
+    assert outline_area(outline.contours) <= (width * height - (4.0 - math.pi) * radius**2) * (1 + 1e-9)
     sides = surfaces.sides_of(radius)
     circle = 0.5 * sides * math.sin(math.tau / sides) * radius**2  # inscribed, a quarter in each corner
     assert outline_area(outline.contours) == pytest.approx(width * height - 4.0 * radius**2 + circle)

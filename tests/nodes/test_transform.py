@@ -43,7 +43,7 @@ def test_a_turn_is_right_handed():
 @given(st.tuples(*[st.floats(0.5, 2)] * 3).map(np.array))
 def test_scaling_keeps_normals_true(factors):
     shape = solid_methods._scale(PART, factors)
-    # normals stretch by the inverse factors: most grows the angle that the direction of the least halves
+    # normals stretch by the inverse factors; an angle grows most about the direction that stretches least
     apart = math.acos(agreement(PART))
     apart = 2.0 * math.atan(factors.max() / factors.min() * math.tan(0.5 * apart))
     check_shape(shape, least_agreement=math.cos(apart) - 1e-9)

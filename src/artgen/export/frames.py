@@ -224,6 +224,9 @@ def seen_box(asset: Asset) -> Array:
 BORDER = 1e-9
 """Regions are open; positions this far beyond a border lie on it [rad or m]."""
 
+POINT = 1e-7
+"""Intervals up to this width are points with their borders, also those of followers [rad or m]."""
+
 Region = dict[str, tuple[float, float]]
 """A box of joint space: open intervals of free joints; other joints may stand anywhere."""
 

@@ -20,7 +20,7 @@ from artgen.nodes import validators as check
 from artgen.nodes.contours import CREASE, chords, estimated, faceted, moved_outline, signed_area
 from artgen.nodes.csg import united
 from artgen.nodes.handles import Array3, Profile, Scalar, Solid, VectorLike
-from artgen.nodes.primitive_colliders import FAR, FARTHEST, LITTLE, around_chain, around_hull
+from artgen.nodes.primitive_colliders import around_chain, around_hull, near
 from artgen.nodes.surfaces import Sheets, Skin, triangulated
 from artgen.nodes.unwrap import Rail, cap_uvs, lies_flat, runs_across, tapered_around, wall_uvs
 
@@ -132,9 +132,9 @@ def _corners(contour: Contour) -> tuple[Array, Array]:
 
 
 def _sliced(contours: Sequence[Contour], rings: Array) -> tuple[list[Contour], list[list[Array]]]:
-    """Return borders and chains of rings whose hulls, of each two, follow the sides between them.
+    """Return borders, and chains of rings: the hull of two neighbors follows the sides between them.
 
-    Straight sides between profiles of different shapes are hollow, and no planes: these have further borders.
+    Sides between profiles of different shapes are hollow: further borders divide them.
     """
     borders, chains = [contours[0]], [[rings[0]]]
     for (first, last), (low, high) in zip(pairwise(contours), pairwise(rings), strict=True):
@@ -170,7 +170,7 @@ def _follows(low: Array, high: Array) -> bool:
     mixed = 0.5 * float(lengths[1] @ reach[0][len(first) :])  # area of both: the hull has more in the middle
     added = 4.0 * (0.5 * mixed + 0.25 * (bottom + top) - middle) / (bottom + 4.0 * middle + top)
     # triangles of hollow sides are as far below them as the hull is above
-    return 2.0 * far <= FAR or (2.0 * far <= FARTHEST and 2.0 * added <= LITTLE)
+    return near(lambda level: (2.0 * far, 2.0 * added))
 
 
 def _coarse(contours: list[Contour], rings: Array) -> tuple[list[Contour], Array]:

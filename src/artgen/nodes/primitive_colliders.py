@@ -13,19 +13,19 @@ from artgen.asset.shape import Contour, Outline
 from artgen.colliders import Convex, Pieces
 from artgen.colliders.polytope import Polytope
 from artgen.graph import DETAILS, FULL, Detail
-from artgen.nodes.contours import signed_area
+from artgen.nodes.contours import arc_points, signed_area
 from artgen.nodes.surfaces import arc_steps, bevel_steps, lathe_steps, mitres, sides_of
 
 _SOFT_EDGE = 0.012  # larger bevels show in the collider of a box; with smaller bevels it is a plain box [m]
 _MOST_VERTICES = 64  # of a hull
+_SIMPLER = 0.001  # how far a hull reaches beyond one with too many vertices, at most [m]
 _ROUND = 5e-5  # what the facets of a round collider add in comparisons [m]
 
-FAR, LITTLE, FARTHEST = 0.001, 0.025, 0.0039
-_LIMITS = ((FULL, FAR, LITTLE, FARTHEST), (DETAILS["medium"], 0.0029, 0.029, 0.0049))
-"""Levels at which colliders are near a solid; all levels have the same ones, so that they share topologies.
+_LIMITS = ((FULL, 0.001, 0.025, 0.0039), (DETAILS["medium"], 0.0029, 0.029, 0.0049))
+"""Limits of colliders at two levels of detail; they hold for both at once, so that levels share topologies.
 
-With each, the largest distance from a rounded edge [m] unless the colliders add little volume, the largest
-share of the solid's volume that is little, and the largest distance then [m].
+Each has the largest distance from the solid [m], and for colliders that add little volume, the largest share
+of the solid's volume that is added and the largest distance [m].
 """
 
 _CHAMFERS = ((1, 16), (1, 24), (2, 24), (3, 24), (3, 32), (5, 32))
@@ -34,7 +34,7 @@ _CHAMFERS = ((1, 16), (1, 24), (2, 24), (3, 24), (3, 32), (5, 32))
 _THIN = 0.03  # radius of cylinders that may be one hull [m]
 
 
-def _near(measured: Callable[[Detail], tuple[float, float]]) -> bool:
+def near(measured: Callable[[Detail], tuple[float, float]]) -> bool:
     """Tell whether colliders are near, from the largest distance and the share of volume added at a level."""
     for level, far, little, farthest in _LIMITS:
         distance, added = measured(level)
@@ -90,7 +90,7 @@ def _follows(cover: Polytope, size: Array, bevel: float, *, whole: bool = False)
         volume = a * b * c + faces * bevel + circle * edges * bevel**2 + corners * bevel**3
         return beyond - bevel * flat**2, cover.volume / volume - 1.0  # corners have chords both ways
 
-    return _near(measured)
+    return near(measured)
 
 
 def _banded(size: Array, bevel: float) -> Polytope:
@@ -144,7 +144,7 @@ def around_cylinder(radius: float, length: float, sides: int, matrix: Array, bev
             solid = math.pi / angle * math.sin(angle) * math.cos(angle) * stacked(facets)
             return far + _ROUND, cover / solid - 1.0
 
-        return _near(measured)
+        return near(measured)
 
     def outer(tolerance: float) -> tuple[Convex, ...]:
         if follows(_chamfers(0), 1_000):  # a cylinder, whose sides do not count
@@ -169,8 +169,7 @@ def _chamfers(count: int) -> Array:
 
 def _facets(steps: int) -> Array:
     """Return the corners of chords in a quarter of a circle of radius 1, shape (steps + 1, 2)."""
-    angle = math.pi / 2.0 / steps * np.arange(steps + 1)
-    return np.column_stack((_portable.cos(angle), _portable.sin(angle)))
+    return arc_points(np.zeros(2), 1.0, 0.0, 0.5 * math.pi, steps)[1]
 
 
 def _beyond(bevel: float, chamfers: Array, facets: Array, mitre: float = 1.0) -> float:
@@ -187,7 +186,7 @@ def _levels(bevel: float, half: float, corners: Array) -> Array:
 
 
 def _stacked(bevel: float, half: float, corners: Array, area: Callable[[float], float]) -> float:
-    """Return the volume of half a solid with rounded ends, whose section has an area for an inset."""
+    """Return the volume of half a solid with rounded ends, from the area of its section at an inset [m^3]."""
     insets, heights = _levels(bevel, half, corners).T
     sections = [(area(low), area((low + high) / 2.0), area(high)) for low, high in pairwise(insets.tolist())]
     layers = np.array(sections).reshape(-1, 3) @ (1.0, 4.0, 1.0) / 6.0  # exact: areas are quadratic
@@ -251,7 +250,7 @@ def around_extrusion(
         inset = [contour.points - bevel * mitres(contour) for contour in profile.contours]
         shorter = colliders.prism_pieces(borders, bevel - half, half - bevel, convex=profile.convex)
         thinner = colliders.prism_pieces(inset, -half, half)
-        simple = len(borders) == 1 and profile.convex is not None and len(profile.convex) == 1
+        simple = _is_simple(profile)
 
         def outer(tolerance: float) -> tuple[Convex, ...]:
             closer = _around_bevelled(profile.contours[0], half, bevel) if simple else ()
@@ -279,11 +278,16 @@ def around_extrusion(
     return Pieces(whole.outer, shorter.inner)
 
 
+def _is_simple(profile: Outline) -> bool:
+    """Tell whether a profile is one convex polygon."""
+    return len(profile.contours) == 1 and profile.convex is not None and len(profile.convex) == 1
+
+
 def _around_bevelled(contour: Contour, half: float, bevel: float) -> tuple[Convex, ...]:
     """Return the pieces around a convex prism along z with rounded ends; small bevels need none."""
     outward = mitres(contour)
     mitre = math.sqrt(float(np.sum(outward * outward, axis=1).max()))
-    simpler = FAR if 2 * len(outward) > _MOST_VERTICES else 0.0  # fewer sides are farther away
+    simpler = _SIMPLER if 2 * len(outward) > _MOST_VERTICES else 0.0
 
     def ring(inset: float) -> Array:
         return np.asarray(contour.points - inset * outward)
@@ -293,11 +297,12 @@ def _around_bevelled(contour: Contour, half: float, bevel: float) -> tuple[Conve
 
     def measured(level: Detail) -> tuple[float, float]:
         facets = _facets(bevel_steps(bevel, level))
-        return _beyond(bevel, chamfers, facets, mitre) + simpler, volume(chamfers) / volume(facets) - 1.0
+        return _beyond(bevel, chamfers, facets, mitre) + simpler, cover / volume(facets) - 1.0
 
     for count in range(5):
         chamfers = _chamfers(count)
-        if _near(measured):
+        cover = volume(chamfers)
+        if near(measured):
             break
     levels = _levels(bevel, half, chamfers)
     return _hulls([ring(inset) for inset in levels[:, 0]], levels[:, 1]) if count > 0 else ()
@@ -306,7 +311,7 @@ def _around_bevelled(contour: Contour, half: float, bevel: float) -> tuple[Conve
 def around_sweep(profile: Outline, place: Callable[[Array], list[Array]], closed: bool) -> Pieces:
     """Return the pieces of a profile drawn through stations."""
     borders = [contour.points for contour in profile.contours]
-    simple = len(borders) == 1 and profile.convex is not None and len(profile.convex) == 1
+    simple = _is_simple(profile)
 
     def chains(parts: Sequence[Array]) -> list[Pieces]:
         return [around_chain(place(part), closed) for part in parts]

@@ -6,7 +6,7 @@ from itertools import product
 from typing import Literal
 
 from artgen.asset import Asset, AssetCondition, AssetJoint
-from artgen.export.frames import BORDER, intersection, leader_of, regions
+from artgen.export.frames import BORDER, POINT, intersection, leader_of, regions
 
 _OPEN_TRAVEL = 0.5  # distance of a chosen position from the border of an unbounded region [rad or m]
 
@@ -109,7 +109,7 @@ def _choose(joint: AssetJoint, interval: tuple[float, float], *, extreme: bool) 
         return joint.closed
     low, high = joint.limits or (-math.inf, math.inf)
     low, high = max(low, interval[0]), min(high, interval[1])
-    if high - low <= 100.0 * BORDER:  # a point and its borders, also those of followers
+    if high - low <= POINT:
         return None
     if not math.isfinite(low) or not math.isfinite(high):
         return low + _OPEN_TRAVEL if math.isfinite(low) else high - _OPEN_TRAVEL

@@ -10,7 +10,7 @@ import numpy as np
 from artgen import _portable
 from artgen._arrays import Array
 from artgen.asset import Asset, AssetCoupling, AssetJoint
-from artgen.export.frames import BORDER, Region, Segment, coupling, leader_of, regions
+from artgen.export.frames import BORDER, POINT, Region, Segment, coupling, leader_of, regions
 from artgen.export.glb.buffer import Buffer, Json
 
 Stop = Mapping[str, float]
@@ -199,7 +199,7 @@ def _within(joint: AssetJoint, low: float, high: float) -> float:
         if low < end < high and math.isfinite(end):
             return end
     low, high = max(low, ends[0]), min(high, ends[1])
-    if high - low <= 100.0 * BORDER:  # a point and its borders, also those of followers
+    if high - low <= POINT:
         raise _NoWayError
     if math.isfinite(low) and math.isfinite(high):
         return (low + high) / 2.0
