@@ -151,3 +151,32 @@ def test_the_hollow_sides_of_a_loft_are_followed(x, y, share, height):
     solid = loft([rectangle(x, y), circle(share * min(x, y) / 2.0)], [0.0, height])
     check_shape(evaluate(solid).value, least_agreement=0.0)
     check_passed(solid, "full")
+
+
+@pytest.mark.parametrize("detail", DETAILS)
+@settings(max_examples=12, deadline=None)
+@given(st.floats(0.015, 0.12), st.floats(0.03, 0.4), st.floats(0.0015, 0.006), st.floats(0.0, 1.0))
+@example(0.032, 0.35, 0.0056, 1.0)
+@example(0.11, 0.323, 0.0025, 1.0)
+def test_the_rounded_rims_of_a_cup_are_followed(detail, radius, height, wall, share):
+    cup = primitive.cylinder(radius, height, bevel=share * wall)
+    check_passed(cup - primitive.bore(radius - wall, height).at(0, 0, wall), detail)
+
+
+@pytest.mark.parametrize("detail", ["full", "low"])
+@settings(max_examples=12, deadline=None)
+@given(st.floats(0.04, 0.5), st.floats(0.3, 1.0), st.floats(0.2, 1.0), st.floats(0.01, 0.1), st.floats(0.0, 1.0))
+@example(0.069, 0.8, 0.6, 0.06, 1.0)
+def test_the_rounded_edges_of_a_bin_are_followed(detail, x, y, z, wall, share):
+    size, wall = np.array((x, y * x, z * x)), wall * x * min(y, z)
+    solid = primitive.box(*size, bevel=share * wall)
+    check_passed(solid - primitive.box(*(size - (2.0 * wall, 2.0 * wall, 0.0))).at(0, 0, wall), detail)
+
+
+@settings(max_examples=12, deadline=None)
+@given(st.floats(0.04, 0.5), st.floats(0.3, 1.0), st.floats(0.05, 0.4), st.floats(0.0, 0.5))
+@example(0.094, 0.5, 0.25, 0.2)
+def test_the_rounded_edges_of_a_part_of_a_box_are_followed(x, y, share, cut):
+    bevel = share * x * y / 2.0
+    solid = primitive.box(x, x * y, x * y, bevel=bevel)
+    check_passed(solid.split(point=(0, 0, x * y / 2.0 - (1.0 + cut) * bevel), normal=Z), "full")

@@ -14,6 +14,8 @@ from artgen.colliders.split import Faceted, intersect, joined, subtract
 Cover = tuple[Convex, ...]
 
 _MANY = 10**9  # more than the vertices of any piece
+_LITTLE = 0.97  # share of the cover of a round solid below which a cut keeps the closer one
+_ADDED = 1.015  # volume of a cover, in volumes of a closer one, above which a cut keeps the closer one
 
 
 class Pieces:
@@ -23,6 +25,7 @@ class Pieces:
         outer: Function of the tolerance for the pieces that contain the solid.
         inner: Function of the tolerance for the pieces inside the solid.
         declared: Function that returns the pieces within which the outer ones may stand off from the solid.
+        closer: Pieces with finer shapes for cuts that leave little of the solid, such as the walls of a cup.
     """
 
     def __init__(
@@ -30,8 +33,9 @@ class Pieces:
         outer: Callable[[float], Cover],
         inner: Callable[[float], Cover],
         declared: Callable[[], Cover] = tuple,
+        closer: "Pieces | None" = None,
     ) -> None:
-        self._outer, self._inner, self.declared = outer, inner, declared
+        self._outer, self._inner, self.declared, self.closer = outer, inner, declared, closer
         self._known: dict[tuple[str, float, int], Cover] = {}
 
     def outer(self, tolerance: float) -> Cover:
@@ -111,7 +115,10 @@ class _Transformed(Pieces):
             fine = tolerance / scale
             return tuple(piece.transformed(matrix, fine, inner=True) for piece in base.inner(fine))
 
-        super().__init__(outer, inner, lambda: tuple(piece.transformed(matrix) for piece in base.declared()))
+        closer = base.closer and base.closer.transformed(matrix)
+        super().__init__(
+            outer, inner, lambda: tuple(piece.transformed(matrix) for piece in base.declared()), closer
+        )
 
     def transformed(self, matrix: Array) -> Pieces:
         return self._base.transformed(matrix @ self._matrix)
@@ -125,15 +132,20 @@ def union(*pieces: Pieces) -> Pieces:
         lambda tolerance: tuple(piece for part in pieces for piece in part.outer(tolerance)),
         lambda tolerance: tuple(piece for part in pieces for piece in part.inner(tolerance)),
         lambda: tuple(piece for part in pieces for piece in part.declared()),
+        union(*(part.closer or part for part in pieces)) if any(part.closer for part in pieces) else None,
     )
 
 
 def difference(solid: Pieces, cutter: Pieces) -> Pieces:
     """Return the cover of a solid without a cutter; exact if the cutter's pieces are."""
+    closer = difference(solid.closer, cutter) if solid.closer else None
     return Pieces(
-        lambda tolerance: _cut(_outside(solid, tolerance), _inside(cutter, tolerance)),
+        lambda tolerance: _closer(
+            _cut(_outside(solid, tolerance), _inside(cutter, tolerance)), closer, solid, tolerance
+        ),
         lambda tolerance: _cut(_inside(solid, tolerance), _outside(cutter, tolerance)),
         solid.declared,
+        closer,
     )
 
 
@@ -143,11 +155,30 @@ def intersection(first: Pieces, second: Pieces) -> Pieces:
     def common(one: list[Faceted], two: list[Faceted]) -> Cover:
         return tuple(part.convex() for part in intersect(one, two))
 
+    close = [each.closer or each for each in (first, second)]
+    closer = intersection(*close) if first.closer or second.closer else None
     return Pieces(
-        lambda tolerance: common(_outside(first, tolerance), _outside(second, tolerance)),
+        lambda tolerance: _closer(
+            common(_outside(first, tolerance), _outside(second, tolerance)), closer, first, tolerance
+        ),
         lambda tolerance: common(_inside(first, tolerance), _inside(second, tolerance)),
         lambda: first.declared() + second.declared(),
+        closer,
     )
+
+
+def _closer(cover: Cover, closer: Pieces | None, solid: Pieces, tolerance: float) -> Cover:
+    """Return the cover of a cut solid, or a closer one if it leaves out much or facets add much."""
+    if closer is None:
+        return cover
+    other, whole = closer.outer(tolerance), solid.outer(tolerance)
+    faceted = any(piece.kind not in ("box", "hull") for piece in whole)
+    thin = faceted and _volume(cover) < _LITTLE * _volume(whole)
+    return other if thin or _volume(cover) > _ADDED * _volume(other) else cover
+
+
+def _volume(pieces: Cover) -> float:
+    return sum(piece.volume for piece in pieces)
 
 
 def _outside(pieces: Pieces, tolerance: float) -> list[Faceted]:

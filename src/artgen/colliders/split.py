@@ -15,7 +15,7 @@ THIN = 0.0005
 """Width below which contacts with a piece are unreliable in simulators [m]."""
 
 _CUTS = 32  # parts behind so many cuts stay thin: finely faceted cutters leave hundreds of them
-_MANY = 128  # pieces with more vertices are enclosed in simpler ones before a cut
+_MANY = 300  # pieces with more vertices are enclosed in simpler ones before a cut
 _FEW = 64  # vertices of these simpler pieces
 _SAME = 1e-7  # faces nearer than this are one face seen from both sides [m]
 _DIRECTION = np.array([0.5364, 0.6312, 0.5603])  # a direction that no construction prefers

@@ -19,6 +19,7 @@ from artgen.nodes.surfaces import arc_steps, bevel_steps, lathe_steps, mitres, s
 _SOFT_EDGE = 0.012  # larger bevels show in the collider of a box; with smaller bevels it is a plain box [m]
 _MOST_VERTICES = 64  # of a hull
 _SIMPLER = 0.001  # how far a hull reaches beyond one with too many vertices, at most [m]
+_SHARP = _SIMPLER / (math.sqrt(3.0) - 1.0)  # bevels whose corner is no farther from them [m]
 _ROUND = 5e-5  # what the facets of a round collider add in comparisons [m]
 
 _LIMITS = ((FULL, 0.001, 0.025, 0.0039), (DETAILS["medium"], 0.0029, 0.029, 0.0049))
@@ -34,11 +35,14 @@ _CHAMFERS = ((1, 16), (1, 24), (2, 24), (3, 24), (3, 32), (5, 32))
 _THIN = 0.03  # radius of cylinders that may be one hull [m]
 
 
-def near(measured: Callable[[Detail], tuple[float, float]]) -> bool:
-    """Tell whether colliders are near, from the largest distance and the share of volume added at a level."""
+def near(measured: Callable[[Detail], tuple[float, float]], *, thick: bool = True) -> bool:
+    """Tell whether colliders are near, from the largest distance and the share of volume added at a level.
+
+    For a solid that is not `thick`, only the distance counts: most of its volume may be cut away.
+    """
     for level, far, little, farthest in _LIMITS:
         distance, added = measured(level)
-        if distance > far and (distance > farthest or added > little):
+        if distance > far and (not thick or distance > farthest or added > little):
             return False
     return True
 
@@ -63,8 +67,16 @@ def around_rounded_box(
         single = _chamfered(size, bevel * math.tan(math.pi / 8.0), bevel)
         if chamfered or _follows(single.faces, size, bevel):
             return (single,)
-        closer = _banded(size, bevel)
-        return (Convex.of(closer),) if _follows(closer, size, bevel) else _octants(vertices())
+        banded = _banded(size, bevel)
+        return (Convex.of(banded),) if _follows(banded, size, bevel) else _octants(vertices())
+
+    def close(tolerance: float) -> tuple[Convex, ...]:
+        found = _chamfered(size, bevel * math.tan(math.pi / 8.0), bevel).faces
+        for bands in (1, 2):
+            if _follows(found, size, bevel, thick=False):
+                break
+            found = _banded(size, bevel, bands)
+        return (Convex.of(found),)
 
     def inner(tolerance: float) -> tuple[Convex, ...]:
         inset = bevel * (1.0 - 1.0 / math.sqrt(3.0))
@@ -72,10 +84,11 @@ def around_rounded_box(
             return (Convex.box(size - 2.0 * inset),)
         return (_chamfered(size, 0.0, bevel),)
 
-    return Pieces(outer, inner)
+    closer = Pieces(close, inner) if not chamfered and bevel > _SHARP else None
+    return Pieces(outer, inner, closer=closer)
 
 
-def _follows(cover: Polytope, size: Array, bevel: float, *, whole: bool = False) -> bool:
+def _follows(cover: Polytope, size: Array, bevel: float, *, whole: bool = False, thick: bool = True) -> bool:
     """Tell whether a polytope, or the whole box, follows a rounded box closely."""
     core = size / 2.0 - bevel
     beyond = float(np.linalg.norm(np.maximum(np.abs(cover.points) - core, 0.0), axis=1).max())
@@ -90,13 +103,14 @@ def _follows(cover: Polytope, size: Array, bevel: float, *, whole: bool = False)
         volume = a * b * c + faces * bevel + circle * edges * bevel**2 + corners * bevel**3
         return beyond - bevel * flat**2, cover.volume / volume - 1.0  # corners have chords both ways
 
-    return near(measured)
+    return near(measured, thick=thick)
 
 
-def _banded(size: Array, bevel: float) -> Polytope:
-    """Return the planes around a rounded box that touch its faces, edges and corners in the middle."""
-    signs = np.stack(np.meshgrid(*[(-1.0, 0.0, 1.0)] * 3), axis=-1).reshape(-1, 3)
-    normals = signs[np.any(signs != 0.0, axis=1)]
+def _banded(size: Array, bevel: float, bands: int = 1) -> Polytope:
+    """Return the planes around a rounded box that touch its faces, and edges and corners in several bands."""
+    across = _portable.tan(np.linspace(-math.pi / 4.0, math.pi / 4.0, 2 * bands + 1))
+    signs = np.stack(np.meshgrid(across, across, across), axis=-1).reshape(-1, 3)
+    normals = signs[np.abs(signs).max(axis=1) > 1.0 - 1e-9]
     normals /= np.linalg.norm(normals, axis=1, keepdims=True)
     supports = _portable.product(np.abs(normals), size / 2.0 - bevel) + bevel
     cover = Polytope.box(-size / 2.0, size / 2.0).clipped(np.column_stack((normals, supports)))
@@ -154,7 +168,18 @@ def around_cylinder(radius: float, length: float, sides: int, matrix: Array, bev
                 break
         return _rims(radius, _levels(bevel, half, _chamfers(count)), around, matrix)
 
-    return Pieces(outer, lambda tolerance: shorter.inner(tolerance) + thinner.inner(tolerance))
+    def inner(tolerance: float) -> tuple[Convex, ...]:
+        return shorter.inner(tolerance) + thinner.inner(tolerance)
+
+    closer = Pieces(lambda _: (_cuttable(radius, length, bevel, matrix),), inner) if bevel > _SHARP else None
+    return Pieces(outer, inner, closer=closer)
+
+
+def _cuttable(radius: float, length: float, bevel: float, matrix: Array) -> Convex:
+    """Return one hull around a cylinder along local z with rounded ends."""
+    levels = _levels(bevel, length / 2.0, _chamfers(1))
+    around = len(Convex.cylinder(radius, length).faces.planes) - 2
+    return Convex.hull(np.concatenate(_rings(radius, levels, around))).transformed(matrix)
 
 
 def _chamfers(count: int) -> Array:
@@ -195,23 +220,31 @@ def _stacked(bevel: float, half: float, corners: Array, area: Callable[[float], 
 
 def _rims(radius: float, levels: Array, sides: int, matrix: Array) -> tuple[Convex, ...]:
     """Return the pieces of a cylinder along local z with chamfered ends; between them, it is a cylinder."""
-    angle = np.arange(sides) * (math.tau / sides)
-    circle = np.column_stack((_portable.cos(angle), _portable.sin(angle))) / math.cos(math.pi / sides)
-    hulls = _hulls([(radius - inset) * circle for inset in levels[:, 0]], levels[:, 1])
-    pieces = [hull.transformed(matrix) for hull in hulls]
+    pieces = [hull.transformed(matrix) for hull in _hulls(_rings(radius, levels, sides))]
     if len(pieces) == 1:
         return tuple(pieces)
     del pieces[len(pieces) // 2]
     return (Convex.cylinder(radius, 2.0 * float(levels[0, 1]), matrix), *pieces)
 
 
-def _hulls(rings: Sequence[Array], heights: Array) -> tuple[Convex, ...]:
-    """Return the hull of convex rings above and below z = 0, shape (k, 2); with many corners, of each two."""
+def _rings(radius: float, levels: Array, sides: int) -> list[Array]:
+    """Return rings around a cylinder along z with rounded ends, shape (sides, 3) [m]."""
+    angle = np.arange(sides) * (math.tau / sides)
+    circle = np.column_stack((_portable.cos(angle), _portable.sin(angle))) / math.cos(math.pi / sides)
+    return _mirrored([(radius - inset) * circle for inset in levels[:, 0]], levels[:, 1])
+
+
+def _mirrored(rings: Sequence[Array], heights: Array) -> list[Array]:
+    """Return rings of shape (k, 2) at heights below z = 0 and above it, from below, shape (k, 3) [m]."""
     upper = [np.insert(ring, 2, height, axis=1) for ring, height in zip(rings, heights, strict=True)]
-    placed = [ring * (1.0, 1.0, -1.0) for ring in upper[::-1]] + upper
-    if sum(map(len, placed)) <= _MOST_VERTICES:
-        return (Convex.hull(np.concatenate(placed)),)
-    return tuple(Convex.hull(np.concatenate(pair)) for pair in pairwise(placed))
+    return [ring * (1.0, 1.0, -1.0) for ring in upper[::-1]] + upper
+
+
+def _hulls(rings: Sequence[Array]) -> tuple[Convex, ...]:
+    """Return the hull of convex rings one above the other, shape (k, 3); with many corners, of each two."""
+    if sum(map(len, rings)) <= _MOST_VERTICES:
+        return (Convex.hull(np.concatenate(rings)),)
+    return tuple(Convex.hull(np.concatenate(pair)) for pair in pairwise(rings))
 
 
 def lazily(make: Callable[[], Pieces]) -> Pieces:
@@ -253,10 +286,16 @@ def around_extrusion(
         simple = _is_simple(profile)
 
         def outer(tolerance: float) -> tuple[Convex, ...]:
-            closer = _around_bevelled(profile.contours[0], half, bevel) if simple else ()
-            return closer or whole.outer(tolerance)
+            rings = _bevelled(profile.contours[0], half, bevel) if simple else ()
+            return _hulls(rings) if len(rings) > 2 else whole.outer(tolerance)
 
-        return Pieces(outer, lambda tolerance: shorter.inner(tolerance) + thinner.inner(tolerance))
+        def close(tolerance: float) -> tuple[Convex, ...]:
+            return (Convex.hull(np.concatenate(_bevelled(profile.contours[0], half, bevel, thick=False))),)
+
+        def inner(tolerance: float) -> tuple[Convex, ...]:
+            return shorter.inner(tolerance) + thinner.inner(tolerance)
+
+        return Pieces(outer, inner, closer=Pieces(close, inner) if simple and bevel > _SHARP else None)
 
     def rings(low: float, high: float) -> Callable[[Array], list[Array]]:
         def place(polygon: Array) -> list[Array]:
@@ -283,8 +322,8 @@ def _is_simple(profile: Outline) -> bool:
     return len(profile.contours) == 1 and profile.convex is not None and len(profile.convex) == 1
 
 
-def _around_bevelled(contour: Contour, half: float, bevel: float) -> tuple[Convex, ...]:
-    """Return the pieces around a convex prism along z with rounded ends; small bevels need none."""
+def _bevelled(contour: Contour, half: float, bevel: float, *, thick: bool = True) -> list[Array]:
+    """Return rings around a convex prism along z with rounded ends: two for a small bevel, shape (k, 3)."""
     outward = mitres(contour)
     mitre = math.sqrt(float(np.sum(outward * outward, axis=1).max()))
     simpler = _SIMPLER if 2 * len(outward) > _MOST_VERTICES else 0.0
@@ -302,10 +341,10 @@ def _around_bevelled(contour: Contour, half: float, bevel: float) -> tuple[Conve
     for count in range(5):
         chamfers = _chamfers(count)
         cover = volume(chamfers)
-        if near(measured):
+        if near(measured, thick=thick):
             break
     levels = _levels(bevel, half, chamfers)
-    return _hulls([ring(inset) for inset in levels[:, 0]], levels[:, 1]) if count > 0 else ()
+    return _mirrored([ring(inset) for inset in levels[:, 0]], levels[:, 1])
 
 
 def around_sweep(profile: Outline, place: Callable[[Array], list[Array]], closed: bool) -> Pieces:
