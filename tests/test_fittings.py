@@ -1,5 +1,6 @@
 """All public fittings: each is installed with its defaults, moves in its range, and is proven."""
 
+import inspect
 from dataclasses import replace
 from functools import cache
 
@@ -118,6 +119,20 @@ def test_copies_have_their_own_names_and_images_are_proven(name: str) -> None:
         both = host(name).install(fitting.suffixed("_0"), at=(-0.15, 0.0, 0.0))
         pair = asset_of(both.install(fitting.suffixed("_1"), at=(0.15, 0.0, 0.0)))
         assert len(pair.joints) == 2 * len(JOINTS.get(name, ()))
+
+
+NAMED = [name for name in NAMES if "name" in inspect.signature(getattr(fittings, name)).parameters]
+
+
+@pytest.mark.parametrize("name", NAMED)
+def test_a_name_of_its_own_names_all_that_a_fitting_adds(name: str) -> None:
+    one, two = (asset_of(host(name).install(getattr(fittings, name)(name=each))) for each in ("one", "two"))
+
+    def names(asset: Asset) -> set[str]:
+        hands = {hold.name for link in asset.links for hold in (*link.grasps, *link.pushes)}
+        return hands | {joint.name for joint in asset.joints} | {link.name for link in asset.links[1:]}
+
+    assert not names(one) & names(two)
 
 
 @pytest.mark.parametrize("name", NAMES)

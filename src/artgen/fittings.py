@@ -484,7 +484,7 @@ def latch(
         preload: Force of the spring at rest [N].
         force: Force that presses the bolt home [N].
         finish: Material.
-        name: First part of the name of its joint, `{name}_slide`; the link is `latch`.
+        name: Name of the link, and first part of the name of its joint, `{name}_slide`.
 
     Examples:
         >>> edge = part(box(0.04, 0.08, 0.12).at(y=0.04), "door", material("oak"))
@@ -498,7 +498,7 @@ def latch(
         feel=feel.LATCH,
     )
     press = ag.frame((throw, -0.0045, 0.0), approach=-ag.X, closing=ag.Z)  # on its blunt nose
-    bolt = locks.latch_bolt(backset=0.0, throw=throw, finish=finish, push=[press])
+    bolt = locks.latch_bolt(backset=0.0, throw=throw, finish=finish, push=[press], name=name)
     plate = locks.faceplate(backset=0.0, finish=finish)
     pocket = locks.latch_pocket(backset=0.0, throw=throw)
     return Fitting.moving(bolt, slide, fixed=plate, cut=pocket).rotate(ag.Z, -math.pi / 2)
@@ -574,7 +574,7 @@ def hinge(
     `feel.HINGE`.
 
     Args:
-        leaf: The leaf at its closed place; by default the moving plates alone, as the link `hinge`.
+        leaf: The leaf at its closed place; by default the moving plates alone, as the link `hinge_{name}`.
         levels: Heights of the middles of the hinges [m].
         height: Length of a hinge along z [m].
         radius: Radius of the knuckles [m].
@@ -599,8 +599,7 @@ def hinge(
     slot = ag.Region.centered(2 * radius, 0.0, height).grow(x=0.0006, z=0.0006, front=0.002)
     slot = slot.grow(back=radius - out + 0.0006)
     cut = ag.array(slot.box(), at=[(0.0, 0.0, level) for level in levels])
-    if leaf is not None:
-        moving = ag.weld(leaf.cut(cut), moving)
+    moving = moving.suffixed(f"_{name}") if leaf is None else ag.weld(leaf.cut(cut), moving)
     swing = ag.Revolute(
         f"{name}_hinge", axis=-ag.Z, pivot=(0.0, -out, 0.0), limits=(0.0, limit), feel=feel.HINGE
     )
@@ -700,7 +699,8 @@ def drawer_runners(
         face = hole.shrink(x=FIT.reveal, z=FIT.reveal, y=0).grow(back=front).box(bevel=0.001)
         tray = open_box(width - 2 * space, length, height - 0.03, wall=0.012, front=0.012)
         tray = [board.at(0.0, front - _SUNK, 0.012 - height / 2) for board in tray]
-        drawer = ag.part([face, *tray], "drawer", wood, name=name).install(knob())
+        handle = knob(name=f"{name}_handle")
+        drawer = ag.part([face, *tray], "drawer", wood, name=name).install(handle)
     run = hole.with_(y=(front + 0.004, front + length)).with_(z=(-0.0225, 0.0225))
     side = run.with_(x=(width / 2 - 0.0062, width / 2 + _SUNK)).box(bevel=0.0008)
     rail = run.with_(x=(width / 2 - space - _SUNK, width / 2 - 0.0068)).shrink(z=0.006).box(bevel=0.0008)

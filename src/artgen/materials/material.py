@@ -159,7 +159,8 @@ def material(name: str) -> Material:
         ParameterError: The table has no such material; the message suggests the nearest name.
     """
     if name not in MATERIALS:
-        raise ParameterError(f"there is no material {name!r}.{nearest(name, MATERIALS)}")
+        known = f"{nearest(name, MATERIALS)} artgen.MATERIALS has all {len(MATERIALS)}."
+        raise ParameterError(f"there is no material {name!r}.{known}")
     return MATERIALS[name]
 
 

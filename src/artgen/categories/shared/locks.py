@@ -166,7 +166,12 @@ _PROUD = 0.0003  # height of plates above the wood, so that they are visible [m]
 
 
 def latch_bolt(
-    *, backset: ag.Scalar, throw: ag.Scalar, finish: ag.Material, push: Sequence[ag.Frame] = ()
+    *,
+    backset: ag.Scalar,
+    throw: ag.Scalar,
+    finish: ag.Material,
+    push: Sequence[ag.Frame] = (),
+    name: str = "latch",
 ) -> ag.Body:
     """Make a sprung bolt: flat towards -y, to hold the door, slanted towards +y, for closing."""
     half = LATCH.width / 2
@@ -174,7 +179,8 @@ def latch_bolt(
     section = ag.polygon(
         [(tail, -half), (nose, -half), (nose, -half + 0.003), (backset + 0.0015, half), (tail, half)]
     )
-    return ag.part(ag.extrude(section, LATCH.height, axis=ag.Z, bevel=0.0006), "latch", finish, push=push)
+    bolt = ag.extrude(section, LATCH.height, axis=ag.Z, bevel=0.0006)
+    return ag.part(bolt, "latch", finish, push=push, name=name)
 
 
 def latch_slide(leader: ag.Joint, *, throw: ag.Scalar, release: ag.Scalar) -> ag.Joint:
