@@ -284,9 +284,12 @@ class Common:
         for joint in spec.joints:
             if joint.type != mujoco.mjtJoint.mjJNT_FREE and not asset.joint(joint.name).limits:
                 joint.limited, joint.range = mujoco.mjtLimited.mjLIMITED_TRUE, (-_UNLIMITED, _UNLIMITED)
-        own = {(each.name1, each.name2): (each.data.tolist(), each) for each in spec.equalities}
-        settings = [(each.solref.tolist(), each.solimp.tolist()) for _, each in own.values()][:1]
-        for _, each in own.values():
+        own = {
+            (each.name1, each.name2): tuple(map(np.copy, (each.data, each.solref, each.solimp)))
+            for each in spec.equalities
+        }
+        others = next(((np.zeros_like(data), *numbers) for data, *numbers in own.values()), None)
+        for each in list(spec.equalities):
             spec.delete(each)
         kinds = ((mujoco.mjtEq.mjEQ_JOINT, mujoco.mjtObj.mjOBJ_JOINT, self.couplings),
                  (mujoco.mjtEq.mjEQ_CONNECT, mujoco.mjtObj.mjOBJ_BODY, self.pins))  # fmt: skip
@@ -301,9 +304,9 @@ class Common:
                     name2=second,
                     active=pair in own,
                 )
-                added.data[:] = own[pair][0] if pair in own else np.zeros_like(added.data)
-                for solref, solimp in settings:
-                    added.solref[:], added.solimp[:] = solref, solimp
+                numbers = own.get(pair, others)
+                if numbers is not None:
+                    added.data[:], added.solref[:], added.solimp[:] = numbers
         for first, second in self.apart if touching else ():
             spec.add_exclude(bodyname1=first, bodyname2=second)
 

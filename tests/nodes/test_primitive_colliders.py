@@ -165,7 +165,9 @@ def test_the_rounded_rims_of_a_cup_are_followed(detail, radius, height, wall, sh
 
 @pytest.mark.parametrize("detail", ["full", "low"])
 @settings(max_examples=12, deadline=None)
-@given(st.floats(0.04, 0.5), st.floats(0.3, 1.0), st.floats(0.2, 1.0), st.floats(0.01, 0.1), st.floats(0.0, 1.0))
+@given(
+    st.floats(0.04, 0.5), st.floats(0.3, 1.0), st.floats(0.2, 1.0), st.floats(0.01, 0.1), st.floats(0.0, 1.0)
+)
 @example(0.069, 0.8, 0.6, 0.06, 1.0)
 def test_the_rounded_edges_of_a_bin_are_followed(detail, x, y, z, wall, share):
     size, wall = np.array((x, y * x, z * x)), wall * x * min(y, z)

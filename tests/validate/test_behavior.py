@@ -420,6 +420,14 @@ def test_a_screw_raises_a_weight_by_its_law_in_mujoco():
     assert "1 joints driven; 1 couplings watched" in result.detail
 
 
+def test_a_light_lid_keeps_to_its_thread_without_an_armature():
+    cup = part(box(0.07, 0.07, 0.1).at(z=0.05), "cup", STEEL)
+    lid = part(box(0.07, 0.07, 0.003).at(z=0.102), "lid", STEEL)  # 0.12 kg, a rise of 6 mm
+    result = checked(cup.attach(lid, Screw("turn", pitch=0.008, axis=Z, limits=(0.0, 4.7))))
+    assert not result.findings
+    assert "1 couplings watched" in result.detail
+
+
 # dependencies
 
 

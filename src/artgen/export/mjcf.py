@@ -49,6 +49,7 @@ _SLACK = 0.05  # distance of the other end of a cord from the joint's limit [rad
 _ENDLESS = 1000.0  # length from which such a spring would pull [m]
 _NO_CLOSING = AssetSoftClosing(reach=0.0, preload=0.0, force=0.0, damping=0.0)
 _COUPLING_IMPEDANCE = "0.99 0.9999 0.0001"
+_SCREW_IMPEDANCE = "0.9999 0.9999 0.0001"  # a rise of millimetres gives way by a tenth of that with the other
 _CONTACT_IMPEDANCE = "0.95 0.99 0.0005"
 _FRICTION_IMPEDANCE = "0.9999 0.9999 0.001"  # with the default, a rod that friction holds creeps 16 mm in 5 s
 
@@ -267,7 +268,9 @@ def _add_couplings(root: ET.Element, asset: Asset) -> None:
         # the polynomial relates displacements from the initial state, in which the coupling holds
         polynomial = [0.0, law.ratio, 0.0, 0.0, 0.0]
         joints = {"joint1": name, "joint2": law.leader}
-        add(equality, "joint", joints, polycoef=polynomial, solref=_STIFF, solimp=_COUPLING_IMPEDANCE)
+        screw = asset.joint(name).child == asset.joint(law.leader).child
+        impedance = _SCREW_IMPEDANCE if screw else _COUPLING_IMPEDANCE
+        add(equality, "joint", joints, polycoef=polynomial, solref=_STIFF, solimp=impedance)
     for loop in asset.loops:
         first, second = loop.links
         anchor = np.round(loop.point - asset.origin(first), 12) + 0.0
