@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from artgen import (
@@ -581,6 +581,7 @@ def test_states_satisfy_their_condition_and_are_found_where_there_are_any(condit
 
 @settings(max_examples=60)
 @given(_trees())
+@example(Condition("all", terms=(Condition("above", "turn", 1e-4), Condition("below", "slip", 0.0041))))
 def test_a_comparison_that_alone_breaks_a_condition_does(condition: Condition):
     for comparison, region in isolated(condition):
         state = state_for(FREE, [region], extreme=(comparison.joint,))

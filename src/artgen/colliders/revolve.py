@@ -1,13 +1,13 @@
 """Convex pieces of revolved solids."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from itertools import pairwise
 
 import numpy as np
 
 from artgen import _portable
 from artgen._arrays import Array, successors
-from artgen.colliders.convex import Convex
+from artgen.colliders.convex import TOLERANCE, Convex
 from artgen.colliders.pieces import Cover, Pieces
 from artgen.colliders.polygon import convex_hull, signed_area
 from artgen.colliders.polytope import SLIVER, SNAP
@@ -70,14 +70,20 @@ class _Lathe:
         self._pose = np.asarray(pose, np.float64)
 
     def outer(self, tolerance: float) -> Cover:
-        """Return pieces that contain the mesh."""
-        parts = _profile_parts(self._slabs, tolerance)
-        return tuple(piece for part in parts for piece in self._turned(part, tolerance))
+        """Return pieces that contain the mesh; profile and chords share a coarse tolerance."""
+        if tolerance <= TOLERANCE:
+            return self._outer(tolerance, lambda bulge: tolerance)
+        shares = (TOLERANCE, tolerance / 2.0, tolerance - TOLERANCE)
+        return min((self._outer(share, lambda bulge: tolerance - bulge) for share in shares), key=len)
+
+    def _outer(self, across: float, around: Callable[[float], float]) -> Cover:
+        parts = _profile_parts(self._slabs, across)
+        return tuple(piece for part, bulge in parts for piece in self._turned(part, around(bulge)))
 
     def inner(self, tolerance: float) -> Cover:
         """Return pieces inside the mesh."""
         pieces: list[Convex] = []
-        for part in _profile_parts(self._slabs, _EXACT):
+        for part, _ in _profile_parts(self._slabs, _EXACT):
             if self._full and _is_solid(part):
                 step = self._step(float(part[:, 0].max()), tolerance)
                 pieces.append(self._hull(part, self._angles[:-1:step]))
@@ -175,23 +181,23 @@ def _slabs(loops: Sequence[Array]) -> list[list[Slab]]:
     return slabs
 
 
-def _profile_parts(slabs: Sequence[Sequence[Slab]], tolerance: float) -> list[Array]:
-    """Join stacked trapezoids while their hull exceeds them by at most the tolerance."""
+def _profile_parts(slabs: Sequence[Sequence[Slab]], tolerance: float) -> list[tuple[Array, float]]:
+    """Join stacked trapezoids while their hull exceeds them by at most the tolerance; return both [m]."""
     stacks: list[list[Slab]] = []
     growing: list[list[Slab]] = []
     for slab in slabs:
         fresh: list[list[Slab]] = []
         for trapezoid in slab:
             below = next((stack for stack in growing if _continues(stack[-1], trapezoid)), None)
-            if below is not None and _nearly_convex([*below, trapezoid], tolerance):
+            if below is not None and _bulge([*below, trapezoid]) <= tolerance:
                 below.append(trapezoid)
             else:
                 below = [trapezoid]
                 stacks.append(below)
             fresh.append(below)
         growing = fresh
-    parts = [convex_hull(_corners(stack)) for stack in stacks]
-    return [part for part in parts if len(part) >= 3 and np.ptp(part, axis=0).min() > SLIVER]
+    parts = [(convex_hull(_corners(stack)), _bulge(stack)) for stack in stacks]
+    return [each for each in parts if len(each[0]) >= 3 and np.ptp(each[0], axis=0).min() > SLIVER]
 
 
 def _continues(below: Slab, above: Slab) -> bool:
@@ -203,8 +209,8 @@ def _continues(below: Slab, above: Slab) -> bool:
     )
 
 
-def _nearly_convex(stack: Sequence[Slab], tolerance: float) -> bool:
-    """Tell whether the hull of stacked trapezoids exceeds each of their sides by at most the tolerance.
+def _bulge(stack: Sequence[Slab]) -> float:
+    """Return how far the hull of stacked trapezoids exceeds each of their sides [m].
 
     The side towards the axis and the outer side are compared with the hull's sides in the same direction: a
     thin wall is near to all sides of the hull, even across a hollow.
@@ -215,9 +221,9 @@ def _nearly_convex(stack: Sequence[Slab], tolerance: float) -> bool:
     outer = corners[1::2]
     if not hollow:
         outer = outer[outer[:, 0] > SNAP]
-        return not len(outer) or _stands_off(hull, outer, 1.0) <= tolerance
+        return _stands_off(hull, outer, 1.0) if len(outer) else 0.0
     inner = corners[0::2]
-    return max(_stands_off(hull, inner, -1.0), _stands_off(hull, outer, 1.0)) <= tolerance
+    return max(_stands_off(hull, inner, -1.0), _stands_off(hull, outer, 1.0))
 
 
 def _stands_off(hull: Array, chain: Array, facing: float) -> float:

@@ -116,7 +116,7 @@ def _choose(joint: AssetJoint, interval: tuple[float, float], *, extreme: bool) 
     if not extreme:
         return (low + high) / 2.0
     end, inside = (high, -1.0) if low >= joint.closed else (low, 1.0)
-    return end + inside * 2.0 * BORDER if end in interval else end
+    return end + inside * POINT if end in interval else end  # beyond the border of a follower too
 
 
 def isolated(condition: AssetCondition) -> Iterator[tuple[AssetCondition, AssetCondition]]:
