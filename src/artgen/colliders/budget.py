@@ -12,8 +12,8 @@ from artgen.colliders.pieces import Cover, Pieces
 from artgen.colliders.polytope import Polytope
 from artgen.colliders.split import Faceted, hull_within, subtract
 
-COARSEST = 0.001  # largest tolerance for solids that need too many pieces [m]
-_COARSER = (0.0005, 0.00075, COARSEST)  # tolerances for solids that need too many pieces [m]
+COARSEST = 0.001  # largest tolerance of solids that ask for fewer pieces [m]
+_COARSER = (0.0005, 0.00075, COARSEST, 0.0015)  # tolerances for solids that need too many pieces [m]
 _MARGIN = 0.001  # largest distance of joined pieces from the solid [m]
 _INWARD = (0.1, 0.5, 1.0)  # shares of the way from the faces of a hull to its middle
 _SURE = 1e-5  # distance beyond which a point is certainly outside a piece [m]
@@ -26,8 +26,8 @@ def budgeted(solids: Sequence[Pieces], *, most_pieces: int = 64, most_vertices: 
     """Return convex pieces around each of several solids, within the common budget of a simulator.
 
     Round pieces are faceted to 0.25 mm. Over the budget, the solids with the most pieces are faceted to
-    0.5 mm, then 1 mm. Then pieces are joined as long as their hull stays within about 1 mm of the solid.
-    Cavities are never closed.
+    0.5 mm, 0.75 mm, 1 mm, then 1.5 mm. Then pieces are joined as long as their hull stays within about 1 mm
+    of the solid. Cavities are never closed.
 
     Args:
         solids: The solids.

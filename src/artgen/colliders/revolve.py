@@ -1,6 +1,6 @@
 """Convex pieces of revolved solids."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from itertools import pairwise
 
 import numpy as np
@@ -14,6 +14,7 @@ from artgen.colliders.polytope import SLIVER, SNAP
 
 _IDENTITY = np.eye(4)
 _EXACT = 1e-9  # tolerance of parts that must lie inside the solid [m]
+_FAR = 0.001  # least limit of the distance of pieces towards the axis [m]
 _LEVEL = 1e-9  # slope above which a side of a profile faces the axis, or away from it
 _WIDEST = np.pi / 2.0  # largest angle of a hollow sector [rad]
 
@@ -70,20 +71,21 @@ class _Lathe:
         self._pose = np.asarray(pose, np.float64)
 
     def outer(self, tolerance: float) -> Cover:
-        """Return pieces that contain the mesh; profile and chords share a coarse tolerance."""
-        if tolerance <= TOLERANCE:
-            return self._outer(tolerance, lambda bulge: tolerance)
-        shares = (TOLERANCE, tolerance / 2.0, tolerance - TOLERANCE)
-        return min((self._outer(share, lambda bulge: tolerance - bulge) for share in shares), key=len)
+        """Return pieces that contain the mesh; profile and chords share 1 mm, or a larger tolerance."""
+        shares = (tolerance, tolerance / 2.0, TOLERANCE) if 2.0 * tolerance > _FAR else (tolerance,)
+        return min((self._outer(share, tolerance) for share in shares), key=len)
 
-    def _outer(self, across: float, around: Callable[[float], float]) -> Cover:
-        parts = _profile_parts(self._slabs, across)
-        return tuple(piece for part, bulge in parts for piece in self._turned(part, around(bulge)))
+    def _outer(self, inward: float, tolerance: float) -> Cover:
+        return tuple(
+            piece
+            for part, bulge in _profile_parts(self._slabs, inward, tolerance)
+            for piece in self._turned(part, min(tolerance, max(tolerance, _FAR) - bulge))
+        )
 
     def inner(self, tolerance: float) -> Cover:
         """Return pieces inside the mesh."""
         pieces: list[Convex] = []
-        for part, _ in _profile_parts(self._slabs, _EXACT):
+        for part, _ in _profile_parts(self._slabs, _EXACT, _EXACT):
             if self._full and _is_solid(part):
                 step = self._step(float(part[:, 0].max()), tolerance)
                 pieces.append(self._hull(part, self._angles[:-1:step]))
@@ -181,22 +183,24 @@ def _slabs(loops: Sequence[Array]) -> list[list[Slab]]:
     return slabs
 
 
-def _profile_parts(slabs: Sequence[Sequence[Slab]], tolerance: float) -> list[tuple[Array, float]]:
-    """Join stacked trapezoids while their hull exceeds them by at most the tolerance; return both [m]."""
+def _profile_parts(
+    slabs: Sequence[Sequence[Slab]], inward: float, outward: float
+) -> list[tuple[Array, float]]:
+    """Join stacked trapezoids while their hull exceeds them by little; return how far it does inward [m]."""
     stacks: list[list[Slab]] = []
     growing: list[list[Slab]] = []
     for slab in slabs:
         fresh: list[list[Slab]] = []
         for trapezoid in slab:
             below = next((stack for stack in growing if _continues(stack[-1], trapezoid)), None)
-            if below is not None and _bulge([*below, trapezoid]) <= tolerance:
+            if below is not None and (_bulges([*below, trapezoid]) <= (inward, outward)).all():
                 below.append(trapezoid)
             else:
                 below = [trapezoid]
                 stacks.append(below)
             fresh.append(below)
         growing = fresh
-    parts = [(convex_hull(_corners(stack)), _bulge(stack)) for stack in stacks]
+    parts = [(convex_hull(_corners(stack)), float(_bulges(stack)[0])) for stack in stacks]
     return [each for each in parts if len(each[0]) >= 3 and np.ptp(each[0], axis=0).min() > SLIVER]
 
 
@@ -209,8 +213,8 @@ def _continues(below: Slab, above: Slab) -> bool:
     )
 
 
-def _bulge(stack: Sequence[Slab]) -> float:
-    """Return how far the hull of stacked trapezoids exceeds each of their sides [m].
+def _bulges(stack: Sequence[Slab]) -> Array:
+    """Return how far the hull of stacked trapezoids exceeds them inward and outward, shape (2,) [m].
 
     The side towards the axis and the outer side are compared with the hull's sides in the same direction: a
     thin wall is near to all sides of the hull, even across a hollow.
@@ -221,9 +225,9 @@ def _bulge(stack: Sequence[Slab]) -> float:
     outer = corners[1::2]
     if not hollow:
         outer = outer[outer[:, 0] > SNAP]
-        return _stands_off(hull, outer, 1.0) if len(outer) else 0.0
+        return np.array((0.0, _stands_off(hull, outer, 1.0) if len(outer) else 0.0))
     inner = corners[0::2]
-    return max(_stands_off(hull, inner, -1.0), _stands_off(hull, outer, 1.0))
+    return np.array((_stands_off(hull, inner, -1.0), _stands_off(hull, outer, 1.0)))
 
 
 def _stands_off(hull: Array, chain: Array, facing: float) -> float:
