@@ -13,9 +13,9 @@ from artgen.graph import DETAILS, evaluate
 from artgen.materials import material
 from artgen.nodes import primitive
 from artgen.nodes.body import part
-from artgen.nodes.extrude import extrude
+from artgen.nodes.extrude import extrude, revolve
 from artgen.nodes.loft import loft
-from artgen.nodes.profile import circle, rectangle
+from artgen.nodes.profile import circle, polygon, rectangle
 from artgen.validate.colliders import check_colliders
 from support.shapes import Y, Z, check_shape
 
@@ -182,3 +182,10 @@ def test_the_rounded_edges_of_a_part_of_a_box_are_followed(x, y, share, cut):
     bevel = share * x * y / 2.0
     solid = primitive.box(x, x * y, x * y, bevel=bevel)
     check_passed(solid.split(point=(0, 0, x * y / 2.0 - (1.0 + cut) * bevel), normal=Z), "full")
+
+
+@pytest.mark.parametrize(("radius", "height", "wall"), [(0.0742, 0.3991, 0.00163), (0.11, 0.323, 0.0025)])
+def test_the_walls_of_a_turned_vessel_are_followed(radius, height, wall):
+    foot = 0.7 * radius
+    line = [(0, 0), (foot, 0), (radius, height), (radius - wall, height), (foot - wall, wall), (0, wall)]
+    check_passed(revolve(polygon(line, radius=0.4 * wall)), "full")
