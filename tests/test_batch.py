@@ -12,7 +12,9 @@ from pxr import Usd
 
 import artgen as ag
 from artgen import batch
+from artgen.asset import Asset
 from artgen.errors import EnvError, ExportError, ParameterError
+from artgen.graph import evaluate
 from artgen.topology import Topology
 
 
@@ -156,6 +158,19 @@ def test_couplings_in_a_batch_are_those_of_the_plain_asset(doors) -> None:
         active = np.flatnonzero(model.eq_active0)
         for name in ("eq_data", "eq_solref", "eq_solimp"):
             assert (getattr(model, name)[active] == getattr(plain, name)).all(), name
+
+
+def test_each_coupling_of_a_batch_keeps_its_impedance() -> None:
+    steel, cube = ag.material("steel"), ag.box(0.1, 0.1, 0.1)
+    turn = ag.Screw("turn", pitch=0.01, axis=ag.Z, limits=(0.0, 3.0))
+    follower = ag.Revolute("follower", axis=ag.Z, follows=2.0 * turn)
+    links = [ag.part(cube.at(x=0.2 * number), f"cube_{number}", steel) for number in range(3)]
+    tree = evaluate(links[0].attach(links[1], turn).attach(links[2], follower)).value
+    asset = Asset.from_tree(tree, "made", "made")
+    (spec,) = batch.specs([Topology.of([asset]).pad(asset)])
+    plain = asset.to_mjspec(textures=0).compile()
+    assert len({tuple(each) for each in plain.eq_solimp}) == 2
+    assert (spec.compile().eq_solimp == plain.eq_solimp).all()
 
 
 def test_assets_of_several_structures_share_no_batch(doors) -> None:
