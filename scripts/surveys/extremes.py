@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any, Literal
 
 from artgen.catalog import categories, find
+from artgen.errors import ParameterError
 from artgen.generator import Generator, Parameter
 from artgen.generator.corners import in_use
 from artgen.generator.draw import Overrides
@@ -69,7 +70,18 @@ def draw_extreme(run: int, number: int) -> Extreme:
             own = stream(run, f"extremes/{category.name}/{parameter.name}", number)
             values = ends(parameter, distribution)
             if own.random() < share and len(values) > 1:
-                overrides[name] = values[own.integers(len(values))]
+                more = {**overrides, name: values[own.integers(len(values))]}
+                if not parameter.structural or _can_be_drawn(category, seed, more):
+                    overrides = more
+
+
+def _can_be_drawn(category: Generator, seed: int, overrides: Mapping[str, Any]) -> bool:
+    """Tell whether a category has samples with these values: some options exclude others."""
+    try:
+        category.sample(seed, overrides=overrides)
+    except ParameterError:
+        return False
+    return True
 
 
 def _next_in_use(

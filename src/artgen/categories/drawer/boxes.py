@@ -116,6 +116,7 @@ class Bays:
         floor, over = self.taken[row]
         base = floor + _UNDER
         tall = ag.min_(self.fronts[row][0].z.size - base - over - _OVER, self.boxes.tallest)
+        tall = ag.require(tall, tall >= 0.012, "drawers are too low: have fewer rows or a greater height")
         return base, tall, base + (0.017 if self.boxes.runner == "roller" else 0.42 * tall)
 
     def box(self, row: int) -> ag.Body:

@@ -266,6 +266,7 @@ def two_arms(arms: Arms) -> Carried:
     # largest angle of the upper arm, with the lower arm at its limit
     folded = _steepest((arms.head.reach + _HANG + _OVER - lower * math.cos(high)) / upper)
     straight, bent, between = 0.45, folded - high, arms.rise + lean  # angles between the arms
+    bent = ag.require(bent, bent - between > 0.1, "the upper arm " + _NO_RANGE.format("downward"))
     ends = (low + straight, ag.max_(high + bent, 1.6))
     above, below = Load(), Load().lever(own, lower / 2, low, high).lever(beyond + weight, lower, low, high)
     for load in (above, below):
@@ -277,7 +278,6 @@ def two_arms(arms: Arms) -> Carried:
     second = _headed(second.rotate(ag.Y, arms.rise), arms, _tip(upper, arms.rise), arms.rise)
     chain = first.rotate(ag.Y, -lean).attach(second, bend, at=_tip(lower, -lean))
     body = _turret(arms.finish, outer=False).attach(chain, swing, at=(0, 0, _POST))
-    body = body.require(bent - between > 0.1, "the upper arm " + _NO_RANGE.format("downward"))
     far = lower * math.sin(high)
     moment = (own * far / 2 + beyond * (far + upper / 2) + weight * (far + upper + heavy)) / GRAVITY
     return Carried(body, moment, (arms.turn(),))

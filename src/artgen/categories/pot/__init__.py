@@ -181,7 +181,8 @@ def _vessel(
     under = ag.material("stainless").with_(name="sandwich_base", density=4200.0)
     side = ag.line((foot + 0.0002, 0, low), (radius + 0.0002, 0, high))
     size = 0.0075 if style == "stockpot" else 0.0055
-    mark = details.wrapped(details.logo(maker, size), side, 0.30 * high, material=controls.ink_on(finish))
+    level = ag.max_(0.30 * high, low + size)
+    mark = details.wrapped(details.logo(maker, size), side, level, material=controls.ink_on(finish))
     body = ag.weld(body, ag.part(plate, "base", finish if style == "casserole" else under))
     return body if style == "pan" else ag.weld(body, mark)
 
