@@ -12,8 +12,8 @@ from artgen.colliders.pieces import Cover, Pieces
 from artgen.colliders.polytope import Polytope
 from artgen.colliders.split import Faceted, hull_within, subtract
 
-COARSEST = 0.001  # largest tolerance of solids that ask for fewer pieces [m]
-_COARSER = (0.0005, 0.00075, COARSEST, 0.0015)  # tolerances for solids that need too many pieces [m]
+COARSEST = 0.0015  # largest tolerance for solids that need too many pieces [m]
+_COARSER = (0.0005, 0.00075, 0.001, COARSEST)  # tolerances for solids that need too many pieces [m]
 _MARGIN = 0.001  # largest distance of joined pieces from the solid [m]
 _INWARD = (0.1, 0.5, 1.0)  # shares of the way from the faces of a hull to its middle
 _SURE = 1e-5  # distance beyond which a point is certainly outside a piece [m]

@@ -168,7 +168,7 @@ def intersection(first: Pieces, second: Pieces) -> Pieces:
 
 
 def _closer(cover: Cover, closer: Pieces | None, solid: Pieces, tolerance: float) -> Cover:
-    """Return the cover of a cut solid, or a closer one if it leaves out much or facets add much."""
+    """Return the cover of a cut solid, or a closer one with less volume; round solids get it at once."""
     if closer is None:
         return cover
     other, whole = closer.outer(tolerance), solid.outer(tolerance)

@@ -49,7 +49,7 @@ _SLACK = 0.05  # distance of the other end of a cord from the joint's limit [rad
 _ENDLESS = 1000.0  # length from which such a spring would pull [m]
 _NO_CLOSING = AssetSoftClosing(reach=0.0, preload=0.0, force=0.0, damping=0.0)
 _COUPLING_IMPEDANCE = "0.99 0.9999 0.0001"
-_SCREW_IMPEDANCE = "0.9999 0.9999 0.0001"  # a rise of millimetres gives way by a tenth of that with the other
+_SCREW_IMPEDANCE = "0.9999 0.9999 0.0001"  # with the other, a light lid sinks by 0.1 mm
 _CONTACT_IMPEDANCE = "0.95 0.99 0.0005"
 _FRICTION_IMPEDANCE = "0.9999 0.9999 0.001"  # with the default, a rod that friction holds creeps 16 mm in 5 s
 

@@ -19,7 +19,6 @@ from artgen.nodes.surfaces import arc_steps, bevel_steps, lathe_steps, mitres, s
 _SOFT_EDGE = 0.012  # larger bevels show in the collider of a box; with smaller bevels it is a plain box [m]
 _MOST_VERTICES = 64  # of a hull
 _SIMPLER = 0.001  # how far a hull reaches beyond one with too many vertices, at most [m]
-_SHARP = _SIMPLER / (math.sqrt(3.0) - 1.0)  # bevels whose corner is no farther from them [m]
 _ROUND = 5e-5  # what the facets of a round collider add in comparisons [m]
 
 _LIMITS = ((FULL, 0.001, 0.025, 0.0039), (DETAILS["medium"], 0.0029, 0.029, 0.0049))
@@ -28,6 +27,8 @@ _LIMITS = ((FULL, 0.001, 0.025, 0.0039), (DETAILS["medium"], 0.0029, 0.029, 0.00
 Each has the largest distance from the solid [m], and for colliders that add little volume, the largest share
 of the solid's volume that is added and the largest distance [m].
 """
+
+_SHARP = _LIMITS[0][1] / (math.sqrt(3.0) - 1.0)  # bevels up to this are near the corner of a box [m]
 
 _CHAMFERS = ((1, 16), (1, 24), (2, 24), (3, 24), (3, 32), (5, 32))
 """Numbers of chamfers around the rounded rims of a cylinder, and of their sides; the first makes one hull."""
@@ -168,9 +169,7 @@ def around_cylinder(radius: float, length: float, sides: int, matrix: Array, bev
                 break
         return _rims(radius, _levels(bevel, half, _chamfers(count)), around, matrix)
 
-    def inner(tolerance: float) -> tuple[Convex, ...]:
-        return shorter.inner(tolerance) + thinner.inner(tolerance)
-
+    inner = colliders.union(shorter, thinner).inner
     closer = Pieces(lambda _: (_cuttable(radius, length, bevel, matrix),), inner) if bevel > _SHARP else None
     return Pieces(outer, inner, closer=closer)
 
@@ -292,9 +291,7 @@ def around_extrusion(
         def close(tolerance: float) -> tuple[Convex, ...]:
             return (Convex.hull(np.concatenate(_bevelled(profile.contours[0], half, bevel, thick=False))),)
 
-        def inner(tolerance: float) -> tuple[Convex, ...]:
-            return shorter.inner(tolerance) + thinner.inner(tolerance)
-
+        inner = colliders.union(shorter, thinner).inner
         return Pieces(outer, inner, closer=Pieces(close, inner) if simple and bevel > _SHARP else None)
 
     def rings(low: float, high: float) -> Callable[[Array], list[Array]]:
