@@ -5,6 +5,7 @@ import math
 import numpy as np
 import pytest
 
+from artgen.catalog import find
 from artgen.errors import AssetError, ParameterError
 from artgen.view import VIEWS, Camera, View
 from artgen.view.camera import camera_of
@@ -22,9 +23,11 @@ def test_a_view_frames_points_tightly(seed) -> None:
     )
     size = (300, 200) if seed % 2 else (200, 300)
     camera = view.camera(points, size[0] / size[1])
-    share = np.abs(camera.pixels(points, size) / size * 2.0 - 1.0)
+    places = camera.pixels(points, size) / size * 2.0 - 1.0
+    share = np.abs(places)
     # the picture minus its margin is filled in one direction, and nothing sticks out
     assert share.max() == pytest.approx(1.0 - view.margin, abs=1e-6)
+    np.testing.assert_allclose(places.max(axis=0), -places.min(axis=0), atol=1e-6)  # centered in the other
     assert (camera.axes()[2] @ (points - camera.position).T > 0.0).all()
 
 
@@ -55,6 +58,16 @@ def test_a_close_up_frames_one_link(red_cabinet) -> None:
     near = camera_of("close-up:door", red_cabinet, points, 1.0)
     far = camera_of(None, red_cabinet, points, 1.0)
     assert math.dist(near.position, near.target) < 0.2 * math.dist(far.position, far.target)
+
+
+def test_a_flat_asset_is_seen_from_higher(red_cabinet) -> None:
+    laptop = find("laptop").generate(1, certify=False)
+    points = {link.name: link.bounds() for link in laptop.links}
+    x, y, z = np.negative(camera_of(None, laptop, points, 1.0).axes()[2])
+    assert math.atan2(z, math.hypot(x, y)) > 0.7
+    points = {link.name: link.bounds() for link in red_cabinet.links}
+    x, y, z = np.negative(camera_of(None, red_cabinet, points, 1.0).axes()[2])
+    assert math.atan2(z, math.hypot(x, y)) < 0.45
 
 
 def test_unknown_views_and_links_are_named(red_cabinet) -> None:

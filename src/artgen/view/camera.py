@@ -12,6 +12,12 @@ from artgen._arrays import Array
 from artgen.asset import Asset
 from artgen.errors import ParameterError, nearest
 
+_HALVINGS = 40  # of the interval in which a camera is centered
+# heights of assets, and the elevations of their cameras [m, rad]
+_HEIGHTS, _ABOVE = (0.25, 2.0), (0.42, 0.2)
+# height relative to the longer side of flat assets, and their elevation
+_FLAT, _OVER = (0.08, 0.4), (0.85, 0.42)
+
 CLOSE_UP = "close-up:"
 """Prefix of a link's name in the name of a view of this link."""
 
@@ -156,10 +162,20 @@ class View:
         above, below = (y - vertical * depth).max(), (-y - vertical * depth).max()
         distance = max((right + left) / (2.0 * horizontal), (above + below) / (2.0 * vertical))
         least = 1e-3 - depth.min()  # all points have to be in front of the camera, even a single one
-        center = axes.T @ np.array([(right - left) / 2.0, (above - below) / 2.0, -max(distance, least)])
-        middle = (depth.min() + depth.max()) / 2.0
-        target = center + axes[2] * (middle + max(distance, least))
+        distance = max(distance, least)
+        center = axes.T @ np.array([*(_middle(each, depth + distance) for each in (x, y)), -distance])
+        target = center + axes[2] * ((depth.min() + depth.max()) / 2.0 + distance)
         return Camera(tuple(center), tuple(target), self.field_of_view)
+
+
+def _middle(offsets: Array, depths: Array) -> float:
+    """Return the place of a camera from which points are equally far from both edges of its picture."""
+    low, high = float(offsets.min()), float(offsets.max())
+    for _ in range(_HALVINGS):
+        middle = (low + high) / 2.0
+        slopes = (offsets - middle) / depths
+        low, high = (middle, high) if slopes.max() + slopes.min() > 0.0 else (low, middle)
+    return (low + high) / 2.0
 
 
 VIEWS: Mapping[str, View] = {
@@ -181,11 +197,21 @@ def camera_of(
     """Return the requested camera; by default it is the one for an asset or for a room."""
     if isinstance(camera, Camera):
         return camera
-    usual = VIEWS["room" if asset.is_room else "three_quarter"]
+    usual = replace(VIEWS["room" if asset.is_room else "three_quarter"], elevation=elevation_of(asset))
     view = usual if camera is None else camera if isinstance(camera, View) else _named(camera, usual)
     if view.link:
         return view.camera(points[asset.link(view.link).name], aspect)
     return view.camera(np.concatenate(list(points.values())), aspect)
+
+
+def elevation_of(asset: Asset) -> float:
+    """Return the elevation of a camera for an asset: higher for small and flat ones, and for rooms [rad]."""
+    if asset.is_room:  # its walls would hide what stands at them
+        return VIEWS["room"].elevation
+    low, high = asset.bounds()
+    x, y, z = high - low
+    flat = np.interp(z / max(x, y), _FLAT, _OVER, right=0.0)
+    return float(max(np.interp(z, _HEIGHTS, _ABOVE), flat))
 
 
 def _named(name: str, usual: View) -> View:

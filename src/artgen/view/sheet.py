@@ -12,7 +12,7 @@ import numpy as np
 
 from artgen.asset import Asset
 from artgen.errors import ExportError, ParameterError
-from artgen.view.camera import VIEWS, View, box_corners
+from artgen.view.camera import View, box_corners, elevation_of
 from artgen.view.opening import opened
 from artgen.view.picture import Pixels, check_suffix, jpeg, save_image
 from artgen.view.rendering import render
@@ -26,10 +26,6 @@ _LINES = 2  # lines of a caption
 _INK, _GREY = (30, 30, 32), (110, 110, 114)
 _PAGE = 1.5  # width of a page relative to its height
 _BYTES = 250_000  # largest size of a sheet in the documentation [bytes]
-# heights of assets, and the elevations of their cameras [m, rad]
-_HEIGHTS, _ABOVE = (0.25, 2.0), (0.42, 0.2)
-# height relative to the longer side of flat assets, and their elevation
-_FLAT, _OVER = (0.08, 0.4), (0.85, 0.42)
 _UPRIGHT = 0.7  # vertical part of an axis above which a hinge belongs to a door
 _EVEN, _MIDDLE = (
     0.3,
@@ -96,15 +92,9 @@ def shots(asset: Asset) -> tuple[tuple[Mapping[str, float], View], ...]:
 
     The pictures are closed, open, and closed from behind.
     """
-    low, high = asset.bounds()
-    size = high - low
-    flat = np.interp(size[2] / max(size[:2]), _FLAT, _OVER, right=0.0)
-    above = float(max(np.interp(size[2], _HEIGHTS, _ABOVE), flat))
     q = opened(asset)
-    aside = _side(asset, q) * ASIDE
-    if asset.is_room:  # its walls would hide what stands at them
-        aside, above = 0.2 * aside, VIEWS["room"].elevation
-    front = View(aside, above, margin=_MARGIN)
+    aside = _side(asset, q) * (0.2 * ASIDE if asset.is_room else ASIDE)
+    front = View(aside, elevation_of(asset), margin=_MARGIN)
     return ({}, front), (q, front), ({}, replace(front, azimuth=front.azimuth + math.pi))
 
 

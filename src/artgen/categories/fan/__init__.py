@@ -209,9 +209,7 @@ def _grille(
     thin = ag.sweep(ag.regular_polygon(4, _WIRE), way)
     wires = [thin.rotate(ag.Y, math.tau * step / count) for step in range(count)]
     rings = [
-        ag.revolve(
-            ag.rectangle(0.002, 0.002).at(inner + share * (radius - 0.0125 - inner)), axis=ag.Y, sides=32
-        )
+        ag.revolve(ag.rectangle(0.002, 0.002).at(inner + share * (radius - 0.0125 - inner)), axis=ag.Y)
         for share in (0.34, 0.68, 1.0)
     ]
     return [
@@ -225,7 +223,8 @@ def _head(
 ) -> ag.Body:
     """Make the motor with its guard and its blades, the axis of its tilt through the origin."""
     radius, rear = plan.radius, plan.rear
-    ring = ag.revolve(ag.rectangle(0.004, 0.012).at(radius - 0.002), axis=ag.Y, sides=2 * _RODS)
+    band = ag.rectangle(0.004, 0.012).at(radius - 0.002)
+    ring = ag.revolve(band, axis=ag.Y, sides=2 * _RODS)
     inner = 0.24 * radius
     front = _grille(radius, inner, -plan.front, wire, wires, plan.front - 0.004)
     back = _grille(radius, plan.motor + 0.004, rear, wire, wires, 0.004 - rear)
@@ -242,6 +241,7 @@ def _head(
     head = ag.weld(
         ag.part(ag.union(housing, tail, grip, lug, stem), "motor", heavy, name="head", grasp=hold),
         ag.part(ring, "guard", casting(wire, 0.4)),
+        ag.detail(ag.revolve(band.offset(0.0004), axis=ag.Y), "guard", wire),
         *front,
         *back,
         ag.detail(
@@ -490,7 +490,7 @@ def _box(wide: ag.Scalar, rotor: _Rotor, shell: ag.Material, maker: str) -> ag.B
     disc = ag.cylinder(0.055, 0.004, axis=ag.Y, bevel=0.001)
     badge = ag.detail(disc.at(0, 0.0045 - deep / 2, room.z.mid), "badge", shell)
     name = details.printed(
-        details.logo(maker, 0.011), (0, 0.0024 - deep / 2, room.z.mid), material=controls.ink_on(shell)
+        details.logo(maker, 0.0085), (0, 0.0024 - deep / 2, room.z.mid), material=controls.ink_on(shell)
     )
     motor = ag.part(
         ag.cylinder(0.046, 0.040, axis=ag.Y, bevel=0.002).at(0, deep / 2 - 0.0265, room.z.mid),

@@ -140,15 +140,30 @@ def _gooseneck(radius: ag.Scalar, height: ag.Scalar, shell: ag.Material) -> ag.B
     """Make a thin bent spout from the foot of the jug to above its rim."""
     start, top = 0.90 * radius, height + 0.012
     points = [
-        (0, -start, 0.020), (0, -start - 0.030, 0.030), (0, -start - 0.040, 0.45 * top),
+        (0, -start, 0.022), (0, -start - 0.026, 0.036), (0, -start - 0.039, 0.45 * top),
         (0, -start - 0.044, 0.80 * top), (0, -start - 0.062, top), (0, -start - 0.088, 0.93 * top),
     ]  # fmt: skip
     way = ag.spline(points)
     pipe = ag.sweep(ag.regular_polygon(8, 0.0058), way)
-    root = ag.hull(ag.sphere(0.011).at(0, -start, 0.022), ag.sphere(0.006).at(0, -start - 0.034, 0.032))
+    root = ag.hull(ag.sphere(0.013).at(0, -start, 0.026), ag.sphere(0.0064).at(0, -start - 0.028, 0.042))
     look = ag.sweep(ag.circle(0.0061), way)
     hollow = shell.with_(name=f"{shell.name}_spout", density=1500.0)
-    return ag.weld(ag.part(pipe | root, "spout", hollow), ag.detail(look, "spout", shell))
+    end = (ag.vector(*points[-1]) - ag.vector(*points[-2])).normalized()
+    tip = ag.vector(*points[-1]) + end * 0.001
+    lip = ag.cylinder_between(tip - end * 0.005, tip, 0.0068, bevel=0.001)
+    return ag.weld(
+        ag.part(pipe | root, "spout", hollow),
+        ag.detail(look, "spout", shell),
+        ag.detail(lip, "spout", shell),
+        _mouth(tip, end, 0.0050),
+    )
+
+
+def _mouth(tip: ag.Vector, way: ag.Vector, radius: ag.Scalar) -> ag.Body:
+    """Make the dark opening at the tip of a spout."""
+    return details.printed(
+        ag.circle(radius), tip, material=ag.material("black_abs"), facing=way, up=ag.X, label="spout"
+    )
 
 
 def _lid(rim: ag.Scalar, opens: ag.Scalar, grip: ag.Material, metal: ag.Material) -> Fitting:
@@ -221,7 +236,8 @@ def _stove(
     way = ag.vector(0, -0.70, 0.714)
     tip = start + way * 0.085
     spout = ag.hull(ag.sphere(0.024).at(start), ag.cylinder_between(tip - way * 0.004, tip, 0.0125))
-    jug = ag.weld(jug, ag.part(spout, "spout", shell.with_(name=f"{shell.name}_spout", density=900.0)))
+    tin = shell.with_(name=f"{shell.name}_spout", density=900.0)
+    jug = ag.weld(jug, ag.part(spout, "spout", tin), _mouth(tip, way, 0.0105))
     knob = ag.cylinder(0.0125, 0.018, bevel=0.004).at(z=height + 0.023)
     disc = ag.cylinder(neck + 0.003, 0.005, bevel=0.0015).at(z=height + FIT.running + 0.0025)
     dome = ag.dome(0.94 * neck, height=0.012).at(z=height + 0.005)

@@ -118,20 +118,25 @@ def _print(
     return details.printed(mark, at, material=controls.ink_on(face), facing=facing, up=up)
 
 
-def _tray(plan: ag.Region, finish: ag.Material) -> ag.Body:
-    """Make a base that is open below, with walls all around and a pad of rubber in front and behind."""
+def _tray(plan: ag.Region, finish: ag.Material, shape: Shape) -> ag.Body:
+    """Make a base that is open below, with walls behind, two feet in front and pads of rubber under them."""
     wall = 0.003
-    top = plan.with_(z=(_BASE - _ROOF, _BASE)).box(bevel=0.0012)
-    low = plan.shrink(0.0003, z=0).with_(z=(0.0012, _BASE - 0.0015))
-    rear = low.with_(y=(low.y.low + 0.042, low.y.high))  # fingers reach the anvil between walls and posts
+
+    def plate(room: ag.Region, margin: float, bevel: float = 0.0) -> ag.Solid:
+        """Make the part of a box within the outline of the base."""
+        outline = plan.shrink(margin, z=0).plan(radius=0.012 if shape == "round" else 0.006)
+        return ag.extrude(outline & room.plan(), room.z.size, bevel=bevel).at(z=room.z.mid)
+
+    top = plate(plan.with_(z=(_BASE - _ROOF, _BASE)), 0.0, 0.0012)
+    low = plan.with_(z=(0.0012, _BASE - 0.0015))
+    rear = low.deep(0.042, None)[1]  # fingers reach the anvil between walls and feet
     left, inner, right = rear.across(wall, None, wall)
-    walls = [left.box(), right.box(), inner.grow(x=0.0005).deep(None, 0.010)[1].box()]
-    posts = [low.across(0.005, None, 0.005)[side].deep(0.005, None)[0] for side in (0, 2)]
-    walls += [post.box() for post in posts]
-    stands = [*posts, low.deep(None, 0.009)[1]]
-    pads = [each.shrink(0.0006, z=0).with_(z=(0, 0.0022)).box(bevel=0.0004) for each in stands]
+    feet = [low.across(0.009, None, 0.009)[side].deep(0.007, None)[0] for side in (0, 2)]
+    walls = [left, right, inner.grow(x=0.0005).deep(None, 0.010)[1], *feet]
+    pads = [plate(each.with_(z=(0, 0.0022)), 0.0012) for each in (*feet, low.deep(None, 0.009)[1])]
     return ag.weld(
-        ag.part(ag.union(top, *walls), "base", finish), ag.part(pads, "foot", ag.material("rubber"))
+        ag.part(ag.union(top, *(plate(each, 0.0003) for each in walls)), "base", finish),
+        ag.part(pads, "foot", ag.material("rubber")),
     )
 
 
@@ -152,7 +157,16 @@ def _side(room: ag.Region, shape: Shape) -> ag.Solid:
     if shape == "round":
         nose = ag.cylinder(x.size / 2, z.size, bevel=0.0022).at(0, y.low + x.size / 2, z.mid)
         return ag.hull(nose, room.layers(2)[1].box(bevel=0.0022))
-    return room.box(bevel=0.0030)
+    # flat for the hand in front, and lower and lower behind the middle
+    back = [(y.mid + share * y.size / 2, z.high - 0.3 * share**2 * z.size) for share in (0, 0.25, 0.5, 0.75, 1)]
+    side = [(y.low, z.low), (y.low, z.high - 0.004), (y.low + 0.008, z.high), *back, (y.high, z.low)]
+    return ag.extrude(ag.polygon(side), x.size, axis=ag.X, bevel=0.0030)
+
+
+def _pad(room: ag.Region, shape: Shape, window: ag.Region, accent: ag.Material) -> ag.Body:
+    """Make a pad that follows the top of an arm."""
+    layer = _side(room.shrink(0.004, z=0, back=0).grow(top=0.0012), shape)
+    return ag.detail(layer & window.box(bevel=0.001), "grip", accent)
 
 
 def _desk(
@@ -176,7 +190,7 @@ def _desk(
     room = plan.shrink(x=_EAR + FIT.running, front=0.014 if heavy else 0.010, back=0.010)
     room = room.with_(z=(low, low + tall))
     pivot = ag.vector(0, plan.y.high - 0.017, low + 0.35 * tall)
-    base = _tray(plan, housing)
+    base = _tray(plan, housing, shape)
     back = plan.with_(
         y=(plan.y.high - 0.028, plan.y.high - 0.004), z=(_BASE - 0.001, low + 0.35 * tall + 0.009)
     )
@@ -194,19 +208,15 @@ def _desk(
     outside = _side(room, shape)
     hollow = outside - ag.bore(0.0029, 0.2, axis=ag.X).at(pivot) - channel.grow(front=0.02).box()
     # the lower back edge turns past the base
-    arm_finish = housing.with_(name=f"{housing.name}_arm", density=1500.0 if heavy else 1250.0)
+    arm_finish = housing.with_(name=f"{housing.name}_arm", density=1320.0 if style == "full" else 1500.0)
     press = ag.push_on(outside, direction=-ag.Z, at=(0, room.y.low + 0.022, 0))
     arm = ag.part(hollow, "arm", arm_finish, push=() if heavy else press)
     top = low + tall
     if heavy:
         arm = ag.weld(arm, _handle(plan, room, top, housing, accent))
     elif shape != "wedge":
-        pad = ag.Region(
-            (-0.35 * width, 0.35 * width),
-            (room.y.low + 0.012, room.y.low + 0.05),
-            (top - 0.001, top + 0.0012),
-        )
-        arm = ag.weld(arm, ag.detail(pad.box(bevel=0.001), "grip", accent))
+        window = room.shrink(x=0.003, front=0.007).deep(0.042, None)[0].with_(z=(top - 0.012, top + 0.01))
+        arm = ag.weld(arm, _pad(room, shape, window, accent))
     side = room.x.high
     arm = ag.weld(
         arm,
@@ -258,7 +268,7 @@ def _handle(
     """Make the long lever of a heavy stapler over its arm, with a sleeve for the hand."""
     front, rise = plan.y.low - 0.020, top + 0.055
     line = [
-        (0, room.y.high - 0.035, top - 0.004),
+        (0, room.y.high - 0.035, top - 0.014),
         (0, room.y.high - 0.050, top + 0.020),
         (0, room.y.mid + 0.02, rise),
         (0, front, rise),
@@ -299,9 +309,9 @@ def _magazine(channel: ag.Region, front: ag.Scalar) -> ag.Body:
 def _anvil(base: ag.Body, plan: ag.Region, y: ag.Scalar, click: ag.Scalar) -> ag.Body:
     """Make the plate with two grooves in the top of the base; its knob is reached from below."""
     disc, play = 0.0085, FIT.sliding
-    hole = ag.Region(
-        (-disc - play, disc + play), (y - disc - play, y + disc + play), (0.004, _BASE + 0.01)
-    ).box()
+    # around the disc, with a third of the colliders of a round hole
+    outline = ag.regular_polygon(8, (disc + play) / math.cos(math.pi / 8))
+    hole = ag.extrude(outline, 0.02).at(0, y, _BASE)
     plate = ag.cylinder(disc, _ROOF - 0.0008).at(z=_BASE - _ROOF / 2 + 0.0004)
     knob = ag.box(0.0050, 0.0060, 0.0062, bevel=0.0008).at(z=_BASE - _ROOF - 0.0028)
     grooves = ag.rectangle(0.0110, 0.0020).at(0, 0.0035) | ag.rectangle(0.0150, 0.0016).at(0, -0.0035)
@@ -482,12 +492,9 @@ def _punch(
     press = ag.push_on(outside, direction=-ag.Z, at=(0, room.y.low + 0.016, 0))
     arm = ag.part(hollow, "arm", housing.with_(name=f"{housing.name}_shell", density=700.0), push=press)
     if shape != "wedge":
-        pad = ag.Region(
-            (-0.34 * width, 0.34 * width),
-            (room.y.low + 0.006, room.y.low + 0.034),
-            (room.z.high - 0.001, room.z.high + 0.001),
-        )
-        arm = ag.weld(arm, ag.detail(pad.box(bevel=0.0009), "grip", accent))
+        window = room.shrink(x=0.016, front=0.006).deep(0.028, None)[0]
+        window = window.with_(z=(room.z.mid, room.z.high + 0.01))
+        arm = ag.weld(arm, _pad(room, shape, window, accent))
     hinge = ag.Revolute(
         "arm_hinge",
         axis=ag.X,
