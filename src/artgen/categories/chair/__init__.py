@@ -369,7 +369,7 @@ def _recliner(
 ) -> ag.Body:
     """Make a recliner, whose footrest rises as its back tilts."""
     soft = cover.with_(name=f"{cover.name}_cushion", density=130.0)
-    wood = ag.material("plywood").with_(name="frame_wood", density=160.0)
+    frame = cover.with_(name=f"{cover.name}_frame", density=160.0)
     half = width / 2
     arm = ag.Region((half + 0.004, half + 0.150), (-0.43, 0.36), (0.055, height + 0.16))
     pad = arm.with_(z=(height + 0.15, height + 0.20)).grow(x=0.006, front=0.012)
@@ -380,7 +380,7 @@ def _recliner(
     feet = ag.array(ag.cylinder(0.024, 0.06, bevel=0.003).at(z=0.03), at=places)
     base = ag.weld(
         ag.part([*arms, *(each.mirror(ag.X) for each in arms)], "arm", soft, name="base"),
-        ag.part(box.box(bevel=0.004), "frame", wood),
+        ag.part(box.box(bevel=0.012), "frame", frame),
         ag.part(cushion, "seat", soft),
         ag.part(feet, "foot", ag.material("walnut"), separate="four feet"),
     )

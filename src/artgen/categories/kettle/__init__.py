@@ -129,11 +129,17 @@ def _handle(radius: ag.Scalar, rim: ag.Scalar, height: ag.Scalar, grip: ag.Mater
 
 
 def _beak(rim: ag.Scalar, height: ag.Scalar, shell: ag.Material) -> ag.Body:
-    """Make a short spout at the rim."""
-    tip = ag.box(0.010, 0.004, 0.006, bevel=0.0015).at(0, -rim - 0.026, height - 0.0032)
-    root = ag.box(0.050, 0.004, 0.030, bevel=0.0015).at(0, -rim + 0.008, height - 0.0155)
-    foot = ag.box(0.012, 0.004, 0.006, bevel=0.0015).at(0, -rim + 0.003, height - 0.058)
-    return ag.part(ag.hull(tip, root, foot), "spout", shell.with_(name=f"{shell.name}_spout", density=900.0))
+    """Make a short spout at the rim, open above."""
+    tip = ag.cylinder(0.0055, 0.006, bevel=0.0015).at(0, -rim - 0.024, height - 0.0035)
+    side = ag.cylinder(0.007, 0.008, bevel=0.0015)
+    roots = [side.at(x, -rim + 0.003, height - 0.0045) for x in (-0.019, 0.019)]
+    foot = ag.sphere(0.006).at(0, -rim + 0.006, height - 0.055)
+    mouth = ag.polygon([(-0.018, 0.0), (-0.003, -0.022), (0.003, -0.022), (0.018, 0.0)], radius=0.002)
+    tin = shell.with_(name=f"{shell.name}_spout", density=900.0)
+    return ag.weld(
+        ag.part(ag.hull(tip, *roots, foot), "spout", tin),
+        _mouth(mouth, ag.vector(0, -rim, height - 0.0005), ag.Z, ag.Y),
+    )
 
 
 def _gooseneck(radius: ag.Scalar, height: ag.Scalar, shell: ag.Material) -> ag.Body:
@@ -155,15 +161,13 @@ def _gooseneck(radius: ag.Scalar, height: ag.Scalar, shell: ag.Material) -> ag.B
         ag.part(pipe | root, "spout", hollow),
         ag.detail(look, "spout", shell),
         ag.detail(lip, "spout", shell),
-        _mouth(tip, end, 0.0050),
+        _mouth(ag.circle(0.0050), tip, end, ag.X),
     )
 
 
-def _mouth(tip: ag.Vector, way: ag.Vector, radius: ag.Scalar) -> ag.Body:
-    """Make the dark opening at the tip of a spout."""
-    return details.printed(
-        ag.circle(radius), tip, material=ag.material("black_abs"), facing=way, up=ag.X, label="spout"
-    )
+def _mouth(outline: ag.Profile, at: ag.Vector, way: ag.Vector, up: ag.Vector) -> ag.Body:
+    """Make the dark opening of a spout."""
+    return details.printed(outline, at, material=ag.material("black_abs"), facing=way, up=up, label="spout")
 
 
 def _lid(rim: ag.Scalar, opens: ag.Scalar, grip: ag.Material, metal: ag.Material) -> Fitting:
@@ -237,7 +241,7 @@ def _stove(
     tip = start + way * 0.085
     spout = ag.hull(ag.sphere(0.024).at(start), ag.cylinder_between(tip - way * 0.004, tip, 0.0125))
     tin = shell.with_(name=f"{shell.name}_spout", density=900.0)
-    jug = ag.weld(jug, ag.part(spout, "spout", tin), _mouth(tip, way, 0.0105))
+    jug = ag.weld(jug, ag.part(spout, "spout", tin), _mouth(ag.circle(0.0105), tip, way, ag.X))
     knob = ag.cylinder(0.0125, 0.018, bevel=0.004).at(z=height + 0.023)
     disc = ag.cylinder(neck + 0.003, 0.005, bevel=0.0015).at(z=height + FIT.running + 0.0025)
     dome = ag.dome(0.94 * neck, height=0.012).at(z=height + 0.005)

@@ -121,9 +121,9 @@ def _pile(tile: Tile) -> Pattern:
     nap = tile.cloud(0.09, 2.4, 0.6)
     tufts = tile.band(0.0016, 0.5)
     strands = tile.streaks(0.0009, 0.003)
-    light = 1.0 + 0.16 * np.tanh(1.2 * nap) + 0.10 * strands + 0.06 * tufts
+    light = 1.0 + 0.06 * np.tanh(nap) + 0.10 * strands + 0.06 * tufts
     albedo = np.clip(light, 0.5, 1.8)[..., None] ** np.array([1.1, 1.0, 1.0])
-    return Pattern(albedo, 0.02 * nap - 0.02 * strands, height=45e-6 * tufts + 35e-6 * strands + 120e-6 * nap)
+    return Pattern(albedo, 0.02 * nap - 0.02 * strands, height=45e-6 * tufts + 35e-6 * strands + 60e-6 * nap)
 
 
 @dataclass(frozen=True)
