@@ -3,6 +3,7 @@
 import subprocess
 import sys
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -68,6 +69,23 @@ def test_a_joint_is_blocked_between_beyond_and_until():
     assert blocked(state(door=0.04)) == {"door"}
     assert blocked(state(door=0.04, turn=0.6)) == set()
     assert blocked(state(door=0.05)) == set()
+
+
+@pytest.mark.parametrize(
+    ("q", "got"),
+    [
+        ([0.1, 0.2], r"the shape \(2,\) with 0 NaN"),
+        (np.full((5, 4), np.nan), r"the shape \(5, 4\) with 20 NaN"),
+        ({"door": 0.3}, r"\{'door': 0.3\}"),
+        ("open", "'open'"),
+        (None, "None"),
+    ],
+)
+def test_what_is_no_state_is_named(q: Any, got: str) -> None:
+    message = rf"shape \(..., 4\), positions of {', '.join(MACHINE.dof_names)}; got {got}"
+    for function in (MACHINE.project, MACHINE.fk):
+        with pytest.raises(AssetError, match=message):
+            function(q)
 
 
 def test_projection_takes_the_nearest_allowed_position_and_clips():

@@ -375,8 +375,11 @@ class Asset:
 
         Returns:
             Valid positions, shape (..., dof).
+
+        Raises:
+            AssetError: The states have another shape, or are no numbers.
         """
-        return self.valid_states.project(q)
+        return self.valid_states.project(_states(self, q))
 
     def fk(self, q: ArrayLike) -> Array:
         """Return the poses of all links for many states: forward kinematics.
@@ -387,8 +390,12 @@ class Asset:
         Returns:
             Transforms from the frames of the links, in the order of `links`, to asset coordinates,
             shape (..., links, 4, 4) [m]. The frame of a link is that of the exported files, see `origin`.
+
+        Raises:
+            AssetError: The states have another shape, or are no numbers.
         """
-        positions = np.moveaxis(self.valid_states.positions(q), -1, 0)[..., None, None]
+        found = self.valid_states.positions(_states(self, q))
+        positions = np.moveaxis(found, -1, 0)[..., None, None]
         moved: dict[str, tuple[Array, Array]] = {self.links[0].name: (np.eye(3), np.zeros((3, 1)))}
         for joint, position in zip(self.joints, positions, strict=True):
             turn, shift = moved.get(joint.child, moved[joint.parent])
@@ -544,6 +551,22 @@ class Asset:
 # fields that files store as they are
 PLAIN = ("name", "category", "seed", "attempt", "version", "base", "limits")
 FORMAT = "artgen-asset-1"  # format of `asset.json` that this version reads and writes
+
+
+def _states(asset: Asset, q: ArrayLike) -> Array:
+    """Return states as an array, shape (..., dof); AssetError for what is no state."""
+    try:
+        states = np.asarray(q, float)
+    except (TypeError, ValueError):
+        states = np.array(np.nan)
+    count = len(asset.dof_names)
+    if not states.ndim or states.shape[-1] != count or np.isnan(states).any():
+        found = f"the shape {states.shape} with {np.isnan(states).sum()} NaN" if states.ndim else repr(q)
+        names = ", ".join(asset.dof_names) or "no joint"
+        raise AssetError(
+            f"states must be an array of shape (..., {count}), positions of {names}; got {found}"
+        )
+    return states
 
 
 def remember(asset: Asset, certificate: Certificate | None) -> Asset:

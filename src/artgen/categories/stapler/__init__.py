@@ -158,7 +158,9 @@ def _side(room: ag.Region, shape: Shape) -> ag.Solid:
         nose = ag.cylinder(x.size / 2, z.size, bevel=0.0022).at(0, y.low + x.size / 2, z.mid)
         return ag.hull(nose, room.layers(2)[1].box(bevel=0.0022))
     # flat for the hand in front, and lower and lower behind the middle
-    back = [(y.mid + share * y.size / 2, z.high - 0.3 * share**2 * z.size) for share in (0, 0.25, 0.5, 0.75, 1)]
+    back = [
+        (y.mid + share * y.size / 2, z.high - 0.3 * share**2 * z.size) for share in (0, 0.25, 0.5, 0.75, 1)
+    ]
     side = [(y.low, z.low), (y.low, z.high - 0.004), (y.low + 0.008, z.high), *back, (y.high, z.low)]
     return ag.extrude(ag.polygon(side), x.size, axis=ag.X, bevel=0.0030)
 
