@@ -270,6 +270,8 @@ def test_a_wrong_number_of_states_is_named(count: object) -> None:
     asset = artgen.generate("drawer", 0, certify=False)
     with pytest.raises(AssetError, match="the number of states must be a whole number of at least 0, got"):
         asset.sample_states(count)  # type: ignore[arg-type]
+    with pytest.raises(AssetError, match="the seed must be a whole number of at least 0, got"):
+        asset.sample_states(2, seed=count)  # type: ignore[arg-type]
 
 
 def test_projected_states_are_free_by_the_unrounded_dependencies() -> None:

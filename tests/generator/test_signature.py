@@ -220,6 +220,14 @@ def test_two_modules_cannot_define_one_category(catalog):
     assert catalog["bench"] is again
 
 
+@pytest.mark.parametrize("value", [None, "handle", lever])
+def test_a_generator_is_made_of_a_function(value: object) -> None:
+    with pytest.raises(
+        BuildError, match=r"made of a function, not of .*: write @generator before it\n  at .*"
+    ):
+        generator(value)  # type: ignore[arg-type]
+
+
 def test_an_input_with_a_default_is_no_parameter():
     @generator
     def block(size: Float = given(0.2), height: Float = fixed(0.1, "m", within=(0.05, 0.5))) -> Body:

@@ -194,6 +194,8 @@ def test_hard_limits_hold_for_overrides_but_the_support_does_not():
         (choice, "choice needs at least one option"),
         (lambda: choice("a", "b", weights=(1,)), "2 options need as many weights"),
         (lambda: choice("a", "b", weights=(1, -1)), "none negative"),
+        (lambda: choice("a", "b", weights=3), "2 options need as many weights"),
+        (lambda: by("style", ["a", "b"]), r"by\('style'\): the cases must be a mapping from its values, got"),
         (lambda: choice("a", "b", weights=(0, 0)), "not all 0"),
         (lambda: choice("a", "b", weights=(1, math.nan)), "a weight must be a finite number, got nan"),
         (lambda: choice(uniform(0, 1), 2), r"the option uniform\(0, 1\) is a distribution; .* by\(...\)"),

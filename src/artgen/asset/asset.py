@@ -359,11 +359,12 @@ class Asset:
             Positions by `dof_names`, shape (count, dof) [rad or m]; unlimited joints within half a turn.
 
         Raises:
-            AssetError: The count is no whole number of at least 0.
+            AssetError: The count or the seed is no whole number of at least 0.
         """
-        if not is_number(count) or not float(count).is_integer() or count < 0:
-            raise AssetError(f"the number of states must be a whole number of at least 0, got {count!r}")
-        return self.valid_states.sample(int(count), seed)
+        for name, value in (("number of states", count), ("seed", seed)):
+            if not is_number(value) or not float(value).is_integer() or value < 0:
+                raise AssetError(f"the {name} must be a whole number of at least 0, got {value!r}")
+        return self.valid_states.sample(int(count), int(seed))
 
     def project(self, q: ArrayLike) -> Array:
         """Return the valid states near given ones: clipped to limits, and blocked joints moved.

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 import typing
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -42,8 +43,13 @@ def generator(function: Callable[..., Any]) -> Generator:
     """Make a generator of a function; its signature declares the parameters.
 
     Raises:
-        BuildError: A parameter has no annotation, or its default does not fit its annotation.
+        BuildError: It is not a function, a parameter has no annotation, or a default does not fit it.
     """
+    if not inspect.isfunction(function):
+        raise BuildError(
+            f"a generator is made of a function, not of {function!r}: write @generator before it\n"
+            f"  at {authors_line()}"
+        )
     return Generator(function)
 
 

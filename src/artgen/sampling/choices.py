@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -84,11 +84,13 @@ def choice(
             )
     made = Choice(unit, doc, None, options)
     if weights is not None:
-        numbers = tuple(as_number(weight, f"{made!r}: a weight") for weight in weights)
+        listed: Any = weights
+        listed = tuple(listed) if isinstance(listed, Iterable) else (listed,)
+        numbers = tuple(as_number(weight, f"{made!r}: a weight") for weight in listed)
         if len(numbers) != len(options) or min(numbers) < 0.0 or sum(numbers) <= 0.0:
             raise ParameterError(
                 f"{made!r}: {len(options)} options need as many weights, none negative and not all 0; "
-                f"got {tuple(weights)}"
+                f"got {listed}"
             )
         made = replace(made, weights=numbers)
     return limited(made, within)
@@ -198,6 +200,8 @@ def by(
     Raises:
         ParameterError: There are no cases, or a case has its own hard limits.
     """
+    if not isinstance(cases, Mapping | None):
+        raise ParameterError(f"by({parameter!r}): the cases must be a mapping from its values, got {cases!r}")
     together = {case_key(key): case for key, case in {**(cases or {}), **named}.items()}
     if not together:
         raise ParameterError(f"by({parameter!r}) needs a distribution for each value of {parameter!r}")
