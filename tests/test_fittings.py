@@ -1,15 +1,17 @@
 """All public fittings: each is installed with its defaults, moves in its range, and is proven."""
 
 import inspect
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 from functools import cache
+from typing import Any, Literal, get_args, get_origin, get_type_hints
 
 import numpy as np
 import pytest
 
-from artgen import Body, Region, X, fittings, material, part
+from artgen import Body, Region, X, details, fittings, material, part
 from artgen.asset import Asset
-from artgen.errors import AssetError
+from artgen.errors import AssetError, BuildError
 from artgen.generator import Generator
 from artgen.graph import evaluate
 from support.lines import place_of
@@ -81,6 +83,25 @@ def asset_of(body: Body) -> Asset:
 @cache
 def installed(name: str) -> Asset:
     return asset_of(host(name).install(getattr(fittings, name)()))
+
+
+def options(module: Any, names: Iterable[str]) -> Iterator[tuple[Callable[..., Any], str]]:
+    """Yield each function with the name of each of its parameters whose type has literals."""
+    for name in names:
+        function = getattr(module, name)
+        for parameter, hint in get_type_hints(function).items() if inspect.isfunction(function) else ():
+            if any(get_origin(each) is Literal for each in (hint, *get_args(hint))):
+                yield function, parameter
+
+
+OPTIONS = [*options(fittings, NAMES), (details.foot, "style"), (details.pointer, "style")]
+
+
+@pytest.mark.parametrize(("function", "parameter"), OPTIONS)
+def test_an_option_that_does_not_exist_is_named(function: Callable[..., Any], parameter: str) -> None:
+    needed = [each for each in inspect.signature(function).parameters.values() if each.default is each.empty]
+    with pytest.raises(BuildError, match=r"(needs one of|cannot shine in) .*'elaborate'.*\n  at .*test_f"):
+        function(*(0.02 for _ in needed), **{parameter: "elaborate"})
 
 
 @pytest.mark.parametrize("name", NAMES)

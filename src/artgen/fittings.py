@@ -20,6 +20,7 @@ from artgen import details, feel
 from artgen.categories.shared import controls, door_handles, fixings, locks, pulls
 from artgen.categories.shared.furniture import ZINC
 from artgen.categories.shared.shelves import open_box
+from artgen.graph.handle import check_options
 from artgen.nodes.details.dials import SWEEP
 from artgen.nodes.details.displays import Color
 from artgen.nodes.fitting import FIT, Fitting
@@ -99,6 +100,7 @@ def push_button(
         >>> panel = panel.install(fittings.push_button().suffixed("_0"), at=(-0.012, 0, 0))
         >>> panel.install(fittings.push_button(shape="square", icon="fan").suffixed("_1"), at=(0.012, 0, 0))
     """
+    check_options(push_button, locals())
     high = width if shape == "round" or height is None else height
     ink = ink or controls.ink_on(finish)
     cap = controls.button_cap(
@@ -166,6 +168,7 @@ def dial(
         >>> heat = fittings.dial(style="bar", scale="band", limits=(0, 4.7), name="heat")
         >>> panel.install(fittings.dial(), at=(-0.035, 0, 0)).install(heat, at=(0.035, 0, 0))
     """
+    check_options(dial, locals())
     low, high = limits or (-SWEEP / 2, SWEEP / 2)
     turn = controls.dial_turn(
         f"{name}_turn",
@@ -212,6 +215,7 @@ def bar_handle(
         >>> door = door.install(fittings.bar_handle(), at=(-0.08, 0, 0))
         >>> door.install(fittings.bar_handle(style="bow").suffixed("_1"), at=(0.08, 0, 0))
     """
+    check_options(bar_handle, locals())
     made: ag.Body = pulls.bar_handle(
         length=length,
         finish=finish,
@@ -308,6 +312,7 @@ def knob(
         >>> front = front.install(fittings.knob(), at=(-0.06, 0, 0))
         >>> front.install(fittings.knob(style="square").suffixed("_1"), at=(0.06, 0, 0))
     """
+    check_options(knob, locals())
     made: ag.Body = pulls.knob_pull(
         finish=finish, name=name, style=style, radius=radius, projection=projection
     )
@@ -396,6 +401,7 @@ def lever_set(
         >>> leaf = part(box(0.26, 0.04, 0.3).at(y=0.02), "door", material("oak"))
         >>> leaf.install(fittings.lever_set(), at=(0.07, 0, 0))
     """
+    check_options(lever_set, locals())
     handle: ag.Body = door_handles.lever_handle(
         thickness=thickness,
         rose_depth=_ROSE,
@@ -439,6 +445,7 @@ def knob_set(
         >>> leaf = part(box(0.18, 0.04, 0.2).at(y=0.02), "door", material("oak"))
         >>> leaf.install(fittings.knob_set(lock="turn"))
     """
+    check_options(knob_set, locals())
     handle: ag.Body = door_handles.knob_handle(
         thickness=thickness,
         rose_depth=_ROSE,
@@ -628,6 +635,7 @@ def foot(
         >>> pad = fittings.foot(style="pad", radius=0.012, height=0.008)
         >>> board.install(fittings.foot(), at=(-0.03, 0, 0)).install(pad, at=(0.03, 0, 0))
     """
+    check_options(foot, locals())
     body = fixings.feet([(0.0, 0.0)], radius=radius, height=height, style=style, finish=finish)
     return Fitting(body.at(z=-height).rotate(ag.X, -math.pi / 2))
 
@@ -750,6 +758,7 @@ def logo(
         >>> panel = part(box(0.16, 0.012, 0.05).at(y=0.006), "panel", material("enamel_white"))
         >>> panel.install(fittings.logo("Norvik"))
     """
+    check_options(logo, locals())
     word = details.logo(brand, height)
     if style == "printed":
         ink = controls.DARK_INK if finish == ag.MATERIALS["chrome"] else finish

@@ -52,7 +52,7 @@ from artgen.graph import (
     operation,
     reached,
 )
-from artgen.graph.handle import folding, recording
+from artgen.graph.handle import check_options, folding, recording
 from artgen.graph.node import Node, line_in, topological
 from artgen.nodes.handles import Body, Solid
 from artgen.sampling import Fixed, Given
@@ -468,6 +468,7 @@ class Generator(Variant):
                 raise BuildError(
                     f"{self.name} has no input {name!r}.{nearest(name, self.signature.parameters)}"
                 )
+        check_options(self.function, inputs)
         arguments = dict(inputs)
         for name, declared in self.signature.parameters.items():
             if name in inputs:

@@ -340,6 +340,28 @@ def lift(value: Any, hint: Any, what: str) -> Any:
     return _lifted(value, _lifters(hint), hint, "", what)
 
 
+def check_options(function: Callable[..., Any], arguments: Mapping[str, Any]) -> None:
+    """Check the arguments of a function whose types are literals, as operations do.
+
+    Raises:
+        BuildError: An argument is not one of the literals.
+    """
+    for name, hint in _options(function).items():
+        if name in arguments:
+            lift(arguments[name], hint, f"{function.__name__}(..., {name}=...)")
+
+
+@cache
+def _options(function: Callable[..., Any]) -> dict[str, Any]:
+    """Return the types of the parameters that take literals."""
+    hints = typing.get_type_hints(function)
+    return {
+        name: hint
+        for name, hint in hints.items()
+        if any(typing.get_origin(option) is typing.Literal for option in alternatives(hint))
+    }
+
+
 _LONGEST = 100  # characters of a value in a message
 
 Lifter = Callable[[Any, str], Any]

@@ -12,6 +12,7 @@ from artgen import _portable
 from artgen._arrays import Array, cached
 from artgen.asset.shape import Contour, Outline
 from artgen.graph import records
+from artgen.graph.handle import check_options
 from artgen.nodes import text
 from artgen.nodes import validators as inputs
 from artgen.nodes.contours import arc_points, faceted, moved_outline
@@ -244,6 +245,7 @@ def pointer(
     Examples:
         >>> circle(0.02) - details.pointer(0.008, 0.018, 0.004, style="triangle")
     """
+    check_options(pointer, locals())
     if style == "dot":
         return circle(width / 2).at(0.0, outer - width / 2)
     if style == "triangle":

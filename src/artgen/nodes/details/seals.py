@@ -7,6 +7,7 @@ from typing import Literal
 
 from artgen.asset.shape import Outline
 from artgen.graph import records
+from artgen.graph.handle import check_options
 from artgen.nodes import validators as inputs
 from artgen.nodes.details.icons import drawing
 from artgen.nodes.handles import Profile, Scalar, Solid
@@ -61,6 +62,7 @@ def foot(radius: Scalar, height: Scalar, *, style: Literal["pad", "round", "leve
     Examples:
         >>> details.foot(0.015, 0.02, style="levelling")
     """
+    check_options(foot, locals())
     if style == "levelling":
         pad = cylinder(radius, 0.28 * height, bevel=0.09 * height).at(0.0, 0.0, 0.14 * height)
         return pad | cylinder(0.36 * radius, 0.8 * height).at(0.0, 0.0, 0.6 * height)
