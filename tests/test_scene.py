@@ -16,15 +16,16 @@ from pxr import Usd, UsdPhysics
 from scipy.spatial.transform import Rotation
 
 import artgen
+from artgen import Body, Region, union
 from artgen._names import ByName
 from artgen.asset import Asset
 from artgen.asset.placed import certificate_digest
 from artgen.errors import AssetError, ParameterError
 from artgen.export.frames import translation
 from artgen.graph import evaluate
-from artgen.materials import colored
+from artgen.materials import colored, material
 from artgen.proof.certify import Known, certify
-from artgen.scene import ROOMS, Scene, kitchen
+from artgen.scene import ROOMS, Scene, hall, kitchen
 from artgen.scene.furnish import Furnisher
 from artgen.scene.kitchens import _beside, _Item
 from artgen.scene.room import GAP, STANDING
@@ -179,6 +180,26 @@ def test_what_moves_by_itself_in_a_room_is_found(loose: Asset) -> None:
         (lambda room: [room.against("back", "lamp", at=0.1, name="a") for _ in "ab"], "give another name"),
         (lambda room: room.against("back", "lampp", at=0.1), "lamp"),
         (lambda room: Scene("hall", width=90.0, depth=2.0), "the width of a room is 0.5 to 30 m, not 90.0"),
+        (lambda room: Scene("hall", width="3", depth=2.0), "the width of a room is 0.5 to 30 m, not '3'"),
+        (lambda room: Scene("my hall", width=3.0, depth=2.0), "name = 'my hall' is no identifier"),
+        (
+            lambda room: Scene("hall", seed=-1, width=3.0, depth=2.0),
+            "seed must be a whole number that is not",
+        ),
+        (lambda room: hall(seed=1.5), "seed must be a whole number that is not negative, got 1.5"),
+        (lambda room: kitchen(0, width=math.nan), "width is at least 0 m, not nan"),
+        (lambda room: room.against("back", "lamp", at=0.1, name="a/b"), "name = 'a/b' is no identifier"),
+        (lambda room: room.against("back", "lamp", at=-0.1), "from the left end, is at least 0 m, not -0.1"),
+        (lambda room: room.against("back", "lamp", at=0.1, z=-1), "above the floor, is at least 0 m, not -1"),
+        (
+            lambda room: room.against(((0, 0), (0, 0)), "lamp", at=0),
+            "the length of the line ((0, 0), (0, 0))",
+        ),
+        (lambda room: room.inset("back", "door", at=0.1, z=1.5), "high: "),
+        (
+            lambda room: room.on(room.against("back", "drawer", at=0.1, **SMALL), "bottle", at=1.2),
+            "at must be a share of 0 to 1, got 1.2",
+        ),
         (
             lambda room: kitchen(0, width=2.2),
             "is too narrow: with a refrigerator, a dishwasher and an oven, ",
@@ -191,6 +212,39 @@ def test_what_does_not_fit_is_refused_with_what_is_missing(
     with pytest.raises(ParameterError) as error:
         wrong(Scene("room", width=2.0, depth=1.6))
     assert message in str(error.value)
+
+
+def test_what_stands_on_another_asset_is_on_a_surface() -> None:
+    room = Scene("room", width=2.0, depth=1.6, detail="low")
+    low = room.fixture(
+        "board",
+        lambda: artgen.part(Region.between((-0.3, -0.3, 0), (0.3, 0, 0.4)).box(), "b", material("oak")),
+    )
+    assert room.on(low, "bottle").bounds[0, 2] == pytest.approx(0.4 + STANDING, abs=1e-6)
+
+    def frame() -> Body:
+        boards = [((-0.9, -1, 0), (-0.5, -0.6, 0.4)), ((-0.9, -1, 0), (-0.86, -0.6, 0.8))]
+        return artgen.part(
+            union(*(Region.between(*corners).box() for corners in boards)), "b", material("oak")
+        )
+
+    step = room.fixture("step", frame)
+    assert room.on(step, "bottle", at=1.0, name="beside").bounds[0, 2] == pytest.approx(
+        0.4 + STANDING, abs=1e-6
+    )
+    with pytest.raises(ParameterError, match="'half' would stand on nothing: 'step' has no level surface"):
+        room.on(step, "bottle", at=0.06, name="half")
+
+
+def test_a_category_from_a_file_has_the_name_of_its_function(tmp_path: Path) -> None:
+    file = tmp_path / "tins.py"
+    file.write_text(
+        "import artgen as ag\n@ag.category(labels='tin')\n"
+        "def tin(*, size: ag.Float = ag.uniform(0.1, 0.2, 'm')) -> ag.Body:\n"
+        "    return ag.part(ag.box(size, size, size), 'tin', ag.material('steel'))\n"
+    )
+    room = Scene("room", width=2.0, depth=1.6)
+    assert [room.against("back", str(file), at=at).name for at in (0.1, 0.5)] == ["tin", "tin_1"]
 
 
 def test_a_drawer_without_space_is_refused() -> None:

@@ -44,6 +44,31 @@ def test_a_planted_fault_is_found(form: str, fault: str, tmp_path: Path) -> None
     assert "collide at" in str(pair)
 
 
+@pytest.mark.parametrize(("own", "verdict"), [(1.5, "collision"), (1.2, "collision"), (0.2, "not proven")])
+def test_a_collision_beyond_the_limits_of_a_coupled_joint_is_not_proven(
+    own: float, verdict: str, tmp_path: Path
+) -> None:
+    def link(name: str, z: float, size: str) -> str:
+        shape = f'<origin xyz="0 0 {z}"/><geometry><box size="{size}"/></geometry>'
+        return f'<link name="{name}"><collision>{shape}</collision></link>'
+
+    def joint(name: str, child: str, place: str, most: float, more: str = "") -> str:
+        ends = f'<parent link="base"/><child link="{child}"/><origin xyz="{place}"/><axis xyz="0 1 0"/>'
+        limit = f'<limit lower="-{most}" upper="{most}" effort="1" velocity="1"/>'
+        return f'<joint name="{name}" type="revolute">{ends}{limit}{more}</joint>'
+
+    links = [link("base", 0, ".2 .2 .2"), link("arm", 0.12, ".08 .08 .2"), link("dial", 0, ".02 .02 .02")]
+    joints = [
+        joint("h", "arm", ".15 0 .12", 1.5),  # the arm touches the base at -1.11
+        joint("k", "dial", "0 0 .5", own, '<mimic joint="h"/>'),
+    ]
+    file = tmp_path / "arm.urdf"
+    file.write_text(f'<robot name="arm">{"".join((*links, *joints))}</robot>')
+    judgment = certify(file)
+    assert judgment.verdict == verdict
+    assert ("for the limits of 'k' may forbid this pose" in str(judgment)) == (verdict == "not proven")
+
+
 @pytest.mark.parametrize("form", FORMATS)
 @pytest.mark.parametrize("fault", ["hinge_low", "drawer_low", "hinge_axis"])
 def test_a_repaired_copy_is_proven(form: str, fault: str, tmp_path: Path) -> None:

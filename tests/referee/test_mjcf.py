@@ -213,6 +213,16 @@ def test_a_fixed_tendon_restricts_its_own_joints_only(tmp_path: Path) -> None:
     assert read(tmp_path, arms, tendon + equality).restricted == {"k": "tendon or other equality"}
 
 
+def test_a_limited_tendon_restricts_the_joints_that_it_pulls(tmp_path: Path) -> None:
+    arms = two('<joint name="j" range="0 90"/>').replace("</worldbody>", "")
+    arms += '<site name="here"/><site name="there" pos="0 0 1"/>'
+    fixed = '<tendon><fixed {}><joint joint="j" coef="1"/></fixed></tendon>'
+    assert read(tmp_path, arms, fixed.format("")).restricted == {}
+    assert read(tmp_path, arms, fixed.format('range="-.1 .1"')).restricted == {"j": "range of a tendon"}
+    spatial = '<spatial limited="true" range="0 1"><site site="here"/><site site="there"/></spatial>'
+    assert read(tmp_path, arms, f"<tendon>{spatial}</tendon>").restricted == {"j": "range of a tendon"}
+
+
 @pytest.mark.long
 def test_damaged_and_hostile_files_give_one_line(tmp_path: Path) -> None:
     def fault(text: str) -> str:

@@ -1,7 +1,8 @@
 """The judgment of a file: each pair of its links is proven apart, refuted, or open."""
 
+import math
 import time
-from collections.abc import Callable, Collection, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
@@ -44,6 +45,7 @@ _PAINTS = tuple(
     for name, color in (("first", (0.85, 0.25, 0.1)), ("second", (0.1, 0.3, 0.85)))
 )
 _REPAIR_SECONDS = 10.0  # time limit for each step of a repair [s]
+_OWN_SLACK = 1e-6  # by which a coupled joint may exceed its own limits [rad or m]
 _FEW_JOINTS = 3  # most joints between two links of pairs that are proven together
 _SHOWN = 20  # most pairs in the text
 
@@ -438,4 +440,20 @@ def _restriction(pair: PairResult, asset: Asset, model: ForeignModel) -> str:
     """Return the constraint that restricts a joint between two links, or an empty text."""
     led = {joint.name for joint in asset.joints if joint.follows and joint.follows.leader in pair.joints}
     moving = [name for name in model.restricted if name in pair.joints or name in led]
-    return model.restricted[moving[0]] if moving else ""
+    if moving or pair.witness is None:
+        return model.restricted[moving[0]] if moving else ""
+    poses = (pair.witness.pose, pair.witness.first_contact)
+    beyond = [_beyond_own(asset, model, led, pose) for pose in poses]
+    return f"limits of {beyond[0]!r}" if all(beyond) else ""
+
+
+def _beyond_own(asset: Asset, model: ForeignModel, led: Collection[str], pose: Mapping[str, float]) -> str:
+    """Return the coupled joint whose own limits in the file forbid a pose, or an empty text."""
+    own = {joint.name: joint.limits for body in model.bodies for joint in body.joints}
+    free = {name: place for name, place in pose.items() if asset.joint(name).follows is None}
+    positions = asset.positions(free)
+    for name in sorted(led):
+        low, high = own.get(name) or (-math.inf, math.inf)
+        if not low - _OWN_SLACK <= positions[name] <= high + _OWN_SLACK:
+            return name
+    return ""

@@ -37,6 +37,7 @@ _FIELDS = (
     *("mesh_vertadr", "mesh_vertnum", "mesh_vert", "mesh_faceadr", "mesh_facenum", "mesh_face"),
     *("eq_type", "eq_obj1id", "eq_obj2id", "eq_objtype", "eq_data", "eq_active0", "exclude_signature"),
     *("pair_geom1", "pair_geom2", "tendon_adr", "tendon_num", "wrap_type", "wrap_objid"),
+    "tendon_limited",
 )
 _MEASURES = (  # kind of element, array of MuJoCo, and its name in messages
     ("geom", "geom_xpos", "position"),
@@ -168,7 +169,7 @@ def _colliders_only(path: str) -> Any:
     paired = {name for pair in pairs if pair <= named for name in pair}
     unwanted = [*spec.sensors, *spec.actuators, *spec.keys, *spec.skins, *spec.textures, *spec.materials]
     if not any(equality.type == mujoco.mjtEq.mjEQ_TENDON for equality in spec.equalities):
-        unwanted += spec.tendons
+        unwanted += [each for each in spec.tendons if each.limited == mujoco.mjtLimited.mjLIMITED_FALSE]
     unwanted += [each for each, names in zip(spec.pairs, pairs, strict=True) if not names <= named]
     for each in (*spec.geoms, *spec.sites):
         each.material = ""
@@ -310,6 +311,8 @@ class _Reading:
                 continue
             leaders[first] = second
             result[first] = AssetCoupling(names[second], ratio, at[0] + start - ratio * at[1])
+        for tendon in np.flatnonzero(self.tendon_limited).tolist():
+            self.restricted |= {names[each]: "range of a tendon" for each in sorted(self._pulled(tendon))}
         return result
 
     def _restrict(self, number: int, kind: int, first: int, second: int) -> None:
@@ -327,17 +330,18 @@ class _Reading:
             return
         loop = chains[0] ^ chains[1] if of_bodies else set(range(len(self.jnt_type)))
         if kind == _TENDON:
-            wraps = [
-                each
-                for tendon in (first, second)
-                if tendon >= 0
-                for each in range(self.tendon_adr[tendon], self.tendon_adr[tendon] + self.tendon_num[tendon])
-            ]
-            if all(self.wrap_type[each] == _WRAP_JOINT for each in wraps):  # linear in some joints
-                loop = {int(self.wrap_objid[each]) for each in wraps}
+            loop = self._pulled(first) | self._pulled(second)
         self.restricted |= {
             self.names["joint"][each]: f"{label} equality" for each in sorted(loop) if each >= 0
         }
+
+    def _pulled(self, tendon: int) -> set[int]:
+        """Return the joints in whose positions a tendon is linear; all joints if it is not linear."""
+        start, count = (self.tendon_adr[tendon], self.tendon_num[tendon]) if tendon >= 0 else (0, 0)
+        wraps = range(start, start + count)
+        if all(self.wrap_type[each] == _WRAP_JOINT for each in wraps):
+            return {int(self.wrap_objid[each]) for each in wraps}
+        return set(range(len(self.jnt_type)))
 
     def _is_carried(self, number: int, first: int, second: int) -> bool:
         """Tell whether one of two bodies is free, and only this equality holds it: it follows the other."""

@@ -11,8 +11,9 @@ from artgen.asset import Asset
 from artgen.asset.asset import DetailName
 from artgen.errors import AssetError
 from artgen.export.frames import translation
+from artgen.generator.generator import checked_count
 from artgen.materials import Material, material
-from artgen.scene.room import GAP, STANDING, Line, Placement, Scene, Wall
+from artgen.scene.room import GAP, STANDING, Line, Placement, Scene, Wall, check_length
 
 THICK = 0.035  # of worktops [m]
 UNDER = 0.86  # height of base units, below their worktop [m]
@@ -55,6 +56,14 @@ def drawn(name: str, draw: Callable[[int], Asset]) -> Asset:
             error = found
     assert error is not None
     raise AssetError(f"{name}: {ATTEMPTS} draws failed; the last: {error}") from error
+
+
+def check_room(seed: Any, size: tuple[Any, Any]) -> None:
+    """Check the arguments that all rooms have."""
+    checked_count("seed", seed)
+    for name, length in zip(("width", "depth"), size, strict=True):
+        if length is not None:
+            check_length(name, length, 0.0)
 
 
 def width_of(asset: Asset) -> float:

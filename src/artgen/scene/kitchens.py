@@ -26,6 +26,7 @@ from artgen.scene.furnish import (
     Furnisher,
     Hole,
     Span,
+    check_room,
     drawn,
     hood,
     width_of,
@@ -92,6 +93,7 @@ def kitchen(
     """
     if layout is not None and layout not in get_args(Layout):
         raise ParameterError(f"layout = {layout!r} is not allowed: it must be one of {', '.join(_SPANS)}")
+    check_room(seed, (width, depth))
     return drawn(
         f"kitchen {seed}", lambda attempt: _Kitchen(seed, attempt, (width, depth), detail, layout).furnish()
     )

@@ -16,11 +16,11 @@ import numpy as np
 from scipy.spatial import ConvexHull
 
 from artgen._arrays import Array, FrozenArrays, cached_property
-from artgen._names import ByName
+from artgen._names import NAME_RULE, ByName, is_identifier
 from artgen.asset import Asset, AssetJoint
 from artgen.asset.asset import DetailName, remember
 from artgen.asset.collision import link_parts
-from artgen.asset.joint import rotation
+from artgen.asset.joint import is_number, rotation
 from artgen.asset.link import Collider, DerivedLink, Piece, Surface
 from artgen.asset.manifolds import box_of
 from artgen.asset.placed import PlacedAsset, certificate_digest, place_of
@@ -30,6 +30,7 @@ from artgen.colliders import Convex
 from artgen.errors import AssetError, ParameterError
 from artgen.export.frames import translation
 from artgen.generator import generator
+from artgen.generator.generator import checked_count
 from artgen.materials import Material, colored, material
 from artgen.nodes.body import part, weld
 from artgen.nodes.handles import Body
@@ -53,6 +54,7 @@ _SLACK = 1e-9  # by which an asset may be longer than its wall [m]
 _SOLE = 0.0015  # height above its lowest point up to which an asset may touch the ground [m]
 _TILT = 0.08  # slope on which a free asset stands at least, as a tangent
 _CELL = 0.01  # grid in which a place in a drawer is searched [m]
+_FINE = 0.004  # grid in which a surface below an asset is searched [m]
 _LEVEL = 2e-4  # difference of heights up to which two surfaces are level [m]
 _CLEAR = 0.008  # space around what is placed in it [m]
 _LEAST = 0.4  # share of its range that a joint keeps at least where an asset beside it is in the way
@@ -123,8 +125,9 @@ class Scene:
         detail: DetailName = "full",
     ) -> None:
         for what, length in (("width", width), ("depth", depth), ("height", height)):
-            if not 0.5 <= length <= 30.0:
-                raise ParameterError(f"the {what} of a room is 0.5 to 30 m, not {length!r}")
+            check_length(f"the {what} of a room", length, 0.5, 30.0)
+        _check_name(name)
+        checked_count("seed", seed)
         self.name, self.seed, self.detail = name, seed, detail
         self.size = (width, depth, height)
         self.placed: list[Placement] = []
@@ -166,9 +169,16 @@ class Scene:
     ) -> Placement:
         """Place an asset before a wall, or with the middle of its depth in the middle of the wall."""
         frame, length = self.frame(wall)
+        check_length("at, the distance from the left end,", at, 0.0)
+        check_length("z, the height above the floor,", z, 0.0)
         name, asset = self._drawn(category, name, overrides)
         spin = _turned(turn)
         low, high = _moved_box(asset, spin)
+        if inset and (missing := z + high[2] - low[2] - self.size[2]) > _SLACK:
+            raise ParameterError(
+                f"{name!r} does not fit {z:.3f} m above the floor into a wall that is "
+                f"{self.size[2]:.3f} m high: {missing:.3f} m are missing"
+            )
         if (missing := at + high[0] - low[0] - length) > _SLACK:
             called = f"the {wall} wall" if isinstance(wall, str) else "a line"
             raise ParameterError(
@@ -186,7 +196,7 @@ class Scene:
             A pose of shape (4, 4), at the left end, x along the wall, y out of the room; and the length.
 
         Raises:
-            ParameterError: The room has no such wall.
+            ParameterError: The room has no such wall, or the line has no length.
         """
         width, depth, _ = self.size
         left, right = -width / 2.0, width / 2.0
@@ -200,6 +210,7 @@ class Scene:
         start, end = lines[wall] if isinstance(wall, str) else wall
         x, y = end[0] - start[0], end[1] - start[1]
         length = math.sqrt(x * x + y * y)
+        check_length(f"the length of the line {wall}", length, _CELL)
         pose = np.eye(4)
         pose[:2, :2] = np.array([[x, -y], [y, x]]) / length
         pose[:2, 3] = start
@@ -252,8 +263,10 @@ class Scene:
             overrides: Parameters of the asset.
 
         Raises:
-            ParameterError: The asset is wider or deeper than the one below it, or would tip over.
+            ParameterError: The asset is wider or deeper than the one below it, its center of mass is over no
+                level surface, or it would tip over.
         """
+        _check_shares(at, deep)
         name, asset = self._drawn(category, name, overrides)
         spin = _turned(turn)
         low, high = _moved_box(asset, spin)
@@ -264,8 +277,19 @@ class Scene:
             raise ParameterError(
                 f"{name!r} does not fit on {below.name!r}: {-min(room):.3f} m of {side} are missing"
             )
-        corner = (under_low[0] + at * room[0], under_high[1] - deep * room[1], under_high[2] + STANDING)
-        shift = translation(np.array([corner[0] - low[0], corner[1] - high[1], corner[2] - low[2]]))
+        corner = np.array(
+            [under_low[0] + at * room[0] - low[0], under_high[1] - deep * room[1] - high[1], 0.0]
+        )
+        middle = (spin @ [*asset.mass_properties().center, 1.0])[:2] + corner[:2]
+        level = _level_under(below.asset, (np.array([low, high]) + corner)[:, :2], middle)
+        if level is None:
+            raise ParameterError(
+                f"{name!r} would stand on nothing: {below.name!r} has no level surface around its center of "
+                "mass there; choose another place by at and deep"
+            )
+        # the rounding of a level from planes does not move what stands on the highest surface
+        top = under_high[2] if abs(level - under_high[2]) < _LEVEL else level
+        shift = translation(corner + (0.0, 0.0, top + STANDING - low[2]))
         carrier = _base_of(below)
         if free:
             _check_standing(name, asset)
@@ -302,6 +326,7 @@ class Scene:
         Raises:
             ParameterError: There is no such space, or the asset would tip over.
         """
+        _check_shares(at, deep)
         name, asset = self._drawn(category, name, overrides)
         spin = _turned(turn)
         low, high = _moved_box(asset, spin)
@@ -446,8 +471,10 @@ class Scene:
     def _unused(self, name: str, category: str) -> str:
         """Return a name that the scene does not have yet; by default the category and a number."""
         if not name:
+            category = category if category.isidentifier() else find(category).name  # of a file
             number = sum(each.asset.category == category for each in self.placed)
             name = f"{category}_{number}" if number else category
+        _check_name(name)
         if name in {each.name for each in self.placed}:
             raise ParameterError(f"the scene {self.name!r} has an asset {name!r} already; give another name")
         return name
@@ -482,6 +509,24 @@ class Scene:
             return weld(part(ground.box(), "floor", self._floor, name="room"), around)
 
         return room.generate(certify=False)
+
+
+def check_length(what: str, value: Any, least: float, most: float = math.inf) -> None:
+    """Check that a value is a finite length in a range [m]."""
+    if not (is_number(value) and math.isfinite(value) and least <= value <= most):
+        limits = f"{least:g} to {most:g} m" if most < math.inf else f"at least {least:g} m"
+        raise ParameterError(f"{what} is {limits}, not {value!r}")
+
+
+def _check_shares(at: Any, deep: Any) -> None:
+    for name, value in (("at", at), ("deep", deep)):
+        if not (is_number(value) and 0.0 <= value <= 1.0):
+            raise ParameterError(f"{name} must be a share of 0 to 1, got {value!r}")
+
+
+def _check_name(name: Any) -> None:
+    if not is_identifier(name):
+        raise ParameterError(f"name = {name!r} is no identifier; use {NAME_RULE}")
 
 
 def _turned(angle: float) -> Array:
@@ -540,6 +585,21 @@ def _place_in(asset: Asset, link: str, size: Array, shares: tuple[float, float])
             i, j = places[abs(places - wish).sum(axis=1).argmin()]
             return np.array([x[i] + (need[0] - 1) * _CELL / 2.0, y[j] + (need[1] - 1) * _CELL / 2.0, level])
     return None
+
+
+def _level_under(asset: Asset, box: Array, middle: Array) -> float | None:
+    """Return the height of the highest surface under a box, shape (2, 2), around a point [m].
+
+    None if the surface is not on all sides of the point, shape (2,).
+    """
+    x, y = (np.linspace(start, end, math.ceil((end - start) / _FINE) + 1) for start, end in box.T)
+    columns = np.stack(np.meshgrid(x, y, indexing="ij"), axis=-1).reshape(-1, 2)
+    pieces = [each.convex for link in asset.links for each in link.colliders]
+    tops = np.max([_heights(convex, columns)[1] for convex in pieces], axis=0)
+    level = float(tops.max())
+    held = columns[tops > level - _LEVEL] - middle
+    around = [held[:, 0] <= 0.0, held[:, 0] >= 0.0, held[:, 1] <= 0.0, held[:, 1] >= 0.0]
+    return level if math.isfinite(level) and all(each.any() for each in around) else None
 
 
 def _heights(convex: Convex, columns: Array) -> tuple[Array, Array]:

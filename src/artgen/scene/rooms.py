@@ -10,7 +10,7 @@ from artgen.asset.asset import DetailName
 from artgen.errors import ParameterError
 from artgen.materials import Material, material
 from artgen.nodes.region import Region
-from artgen.scene.furnish import DOORWAY, FRONT, PLINTH, Furnisher, Hole, Span, drawn, width_of
+from artgen.scene.furnish import DOORWAY, FRONT, PLINTH, Furnisher, Hole, Span, check_room, drawn, width_of
 from artgen.scene.room import GAP, STANDING, Placement, Wall
 
 _DESK = 0.70  # height of what stands under a desk [m]
@@ -81,6 +81,7 @@ def _room(
     detail: DetailName,
 ) -> Asset:
     """Return a room whose width and depth are not less than those that are drawn."""
+    check_room(seed, size)
     for side, given, (least, _) in zip(("wide", "deep"), size, spans, strict=True):
         if given is not None and given < least:
             raise ParameterError(
