@@ -267,7 +267,7 @@ images door --out x --labels handle,grip=handle ~ the label 'handle' of door is 
 images door --out x --random flor ~ no part of a picture is called 'flor'. Did you mean 'floor'?
 images door --out x --size 8 ~ size 8 must be one or two whole numbers in 16..4096
 images door --out x --split 0.8,0.1,0.2 ~ must be the shares of train, val, test with the sum 1
-images door --out x --elevation 60,30 ~ must be within 0..1.5708, the lower number first
+images door --out x --elevation 60,30 ~ within 0..1.5708 rad (60, 30 of 0 to 90 degrees), the lower
 images door --out x --margin a,b ~ --margin 'a,b' must be 2 numbers with commas between them
 images door --out x --assets 0 ~ Input should be greater than or equal to 1
 studio door --port 99999 ~ --port 99999 is not allowed: it must be in 0..65535; 0 selects a free port

@@ -103,6 +103,8 @@ def test_shares_must_have_the_sum_one(folder: Path) -> None:
         ParameterError, match=r"the sum of the shares is 0\.9; it must be 1, and no share negative"
     ):
         Dataset(folder).split(train=0.8, test=0.1)
+    with pytest.raises(ParameterError, match=r"each share must be a number, got \{'train': 'all'\}"):
+        Dataset(folder).split(train="all")  # type: ignore[arg-type]
 
 
 def test_tables(folder: Path) -> None:

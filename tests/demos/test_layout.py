@@ -59,13 +59,15 @@ def test_the_same_demonstrations_give_the_same_bytes(tmp_path):
 
 
 def test_only_files_with_demonstrations_are_replaceable(tmp_path):
-    assert is_replaceable(written(tmp_path / "ours.hdf5", [demo(1)]))
+    ours = written(tmp_path / "ours.hdf5", [demo(1)])
+    assert is_replaceable(ours, "artgen/OpenDrawer-v0")
+    assert not is_replaceable(ours, "artgen/TurnFaucet-v0")
     (tmp_path / "text.hdf5").write_text("notes")
     with h5py.File(tmp_path / "other.hdf5", "w") as file:
         file.create_group("data")
-    assert not is_replaceable(tmp_path / "text.hdf5")
-    assert not is_replaceable(tmp_path / "other.hdf5")
-    assert is_replaceable(tmp_path / "none.hdf5")
+    assert not is_replaceable(tmp_path / "text.hdf5", "artgen/OpenDrawer-v0")
+    assert not is_replaceable(tmp_path / "other.hdf5", "artgen/OpenDrawer-v0")
+    assert is_replaceable(tmp_path / "none.hdf5", "artgen/OpenDrawer-v0")
 
 
 def half(place):

@@ -66,9 +66,10 @@ def test_only_folders_with_demonstrations_are_replaced(tmp_path):
     ours = written(tmp_path / "ours", [demo(1, 3)])
     (tmp_path / "notes").mkdir()
     (tmp_path / "notes" / "diary.txt").write_text("dear diary")
-    assert is_lerobot(ours)
-    assert is_lerobot(tmp_path / "new")
-    assert not is_lerobot(tmp_path / "notes")
+    assert is_lerobot(ours, "artgen/OpenDrawer-v0")
+    assert not is_lerobot(ours, "artgen/TurnFaucet-v0")
+    assert is_lerobot(tmp_path / "new", "artgen/OpenDrawer-v0")
+    assert not is_lerobot(tmp_path / "notes", "artgen/OpenDrawer-v0")
     with replaced(ours) as partial:
         written(partial, [demo(2, 4)])
     assert json.loads((ours / "meta/info.json").read_text())["total_frames"] == 4
@@ -82,7 +83,7 @@ def test_a_foreign_folder_and_an_unknown_layout_are_refused(tmp_path):
     pytest.importorskip("robosuite", reason="pip install 'artgen[envs]'")
     (tmp_path / "lerobot").mkdir()
     (tmp_path / "lerobot" / "diary.txt").write_text("dear diary")
-    with pytest.raises(ExportError, match="holds no demonstrations of artgen"):
+    with pytest.raises(ExportError, match="holds no demonstrations of artgen/OpenDrawer-v0"):
         make_demos("OpenDrawer", 1, tmp_path, layout="lerobot")
     assert (tmp_path / "lerobot" / "diary.txt").exists()
     with pytest.raises(ParameterError, match=r"no layout 'lerobo'.*lerobot"):

@@ -14,7 +14,7 @@ from artgen.dataset.places import locked
 from artgen.dataset.workers import Ending
 from artgen.demos import Demo, make_demos, record
 from artgen.demos.run import Attempts
-from artgen.errors import CheckError, ExportError
+from artgen.errors import CheckError, ExportError, ParameterError
 
 h5py = pytest.importorskip("h5py", reason="pip install 'artgen[demos]'")
 gymnasium = pytest.importorskip("gymnasium", reason="pip install 'artgen[demos]'")
@@ -147,9 +147,16 @@ def test_two_runs_do_not_write_to_one_folder(tmp_path):
     assert [path.name for path in tmp_path.iterdir()] == [".lock"]
 
 
+def test_pictures_have_the_sizes_that_environments_allow(tmp_path):
+    with pytest.raises(
+        ParameterError, match="image, if it is not 0, is a whole number from 16 to 4096, not 15"
+    ):
+        make_demos("OpenDrawer", 1, tmp_path, image=15)
+
+
 def test_a_file_of_another_program_stays(tmp_path):
     (tmp_path / "demo.hdf5").write_text("mine")
-    with pytest.raises(ExportError, match="holds no demonstrations of artgen; choose another directory"):
+    with pytest.raises(ExportError, match="holds no demonstrations of artgen/OpenDrawer-v0; choose another"):
         make_demos("OpenDrawer", 1, tmp_path)
     assert (tmp_path / "demo.hdf5").read_text() == "mine"
 

@@ -176,6 +176,10 @@ def test_wrong_arguments_give_one_line(tmp_path: Path) -> None:
         certify(path, meshes="box")  # type: ignore[arg-type]
     with pytest.raises(ParameterError, match="seconds must be a positive number"):
         certify(path, seconds=0.0)
+    with pytest.raises(ParameterError, match=r"total must be a positive number \[s\], got 'a'"):
+        certify(path, total="a")  # type: ignore[arg-type]
+    with pytest.raises(ParameterError, match="path = None is not allowed"):
+        certify(None)  # type: ignore[arg-type]
 
 
 def test_the_first_collision_decides_and_the_other_pairs_stay_open(tmp_path: Path) -> None:

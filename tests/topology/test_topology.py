@@ -207,6 +207,12 @@ def test_room_for_colliders_of_later_seeds() -> None:
         assert all(after.colliders[kind] >= 1.2 * count for kind, count in before.colliders.items())
 
 
+@pytest.mark.parametrize("share", [-1, np.nan, "half"])
+def test_a_wrong_share_of_room_is_named(share: float) -> None:
+    with pytest.raises(ParameterError, match="share must be a finite number of at least 0, got"):
+        Topology.of(plain("drawer")[:1]).with_room(share)
+
+
 def test_generate_pads_with_the_recorded_topology() -> None:
     first = ag.generate("drawer", seed=0, topology="fixed")
     second = ag.generate("drawer", seed=1, topology="fixed", certify=False)

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, overload
 
 from artgen.asset import Asset
+from artgen.asset.joint import is_number
 from artgen.dataset.places import is_url, place_of
 from artgen.dataset.plan import row_of
 from artgen.dataset.run import MANIFEST_FILE, read_manifest, stored_plan
@@ -149,9 +150,11 @@ class Dataset(Sequence[Asset]):
             **shares: Share of each part by name; their sum is 1.
 
         Raises:
-            ParameterError: Their sum is not 1.
+            ParameterError: A share is no number, or their sum is not 1.
         """
         chosen = shares or _SHARES
+        if not all(map(is_number, chosen.values())):
+            raise ParameterError(f"each share must be a number, got {chosen}")
         if any(share < 0.0 for share in chosen.values()) or abs(sum(chosen.values()) - 1.0) > 1e-9:
             raise ParameterError(
                 f"the sum of the shares is {sum(chosen.values()):g}; it must be 1, and no share negative"

@@ -114,13 +114,13 @@ def write_lerobot(folder: Path, demos: Iterable[Any], environment: str, task: st
     return total
 
 
-def is_lerobot(folder: Path) -> bool:
-    """Tell whether there is no such folder, or one with demonstrations by artgen."""
+def is_lerobot(folder: Path, environment: str) -> bool:
+    """Tell whether there is no such folder, or one with demonstrations in an environment."""
     _tables()
     if not folder.exists():
         return True
     try:
-        return str(json.loads((folder / INFO_FILE).read_bytes())["environment"]).startswith("artgen/")
+        return bool(json.loads((folder / INFO_FILE).read_bytes())["environment"] == environment)
     except (OSError, KeyError, ValueError, TypeError):
         return False
 

@@ -201,8 +201,8 @@ def make_demos(
         task: Name of the task, such as `OpenDrawer`.
         count: Number of demonstrations.
         out: Folder for `demo.hdf5`, or for the folder `lerobot`, which is complete or absent and replaces
-            that of an earlier run. An interrupted run continues from its attempts, which are in the folder
-            `.attempts` until the end.
+            that of an earlier run of the task. An interrupted run continues from its attempts, which are in
+            the folder `.attempts` until the end.
         seed: Seed of the first asset; the others follow.
         image: Pixels per side of the pictures in the observations; 0 for none.
         noise: Standard deviation of a disturbance of the arm's actions, so that demonstrations include
@@ -216,17 +216,19 @@ def make_demos(
         ParameterError: There is no such task or layout, the folder is no path, or a number is out of its
             range.
         EnvError: A package of the environments is not installed.
-        ExportError: A package of the layout is not installed, the file exists and was not written by artgen,
-            or the disk reports an error.
+        ExportError: A package of the layout is not installed, the file exists and holds no demonstrations of
+            the task, or the disk reports an error.
         CheckError: The policy fails too often; nothing is written.
     """
     _check_task(task)
     count = check_whole("count", count, 1, 10_000_000)
     seed, image = check_whole("seed", seed, 0, 2**62), check_whole("image", image, 0, 4096)
+    if image:
+        check_whole("image, if it is not 0,", image, 16, 4096)
     jobs = check_whole("jobs", cores() if jobs is None else jobs, 1, 10**6)
     if not is_number(noise) or not 0.0 <= noise <= 1.0:
         raise ParameterError(f"noise is a number from 0 to 1, not {noise!r}")
-    file = _target(out, layout)
+    file = _target(out, layout, task)
     start = time.monotonic()
     succeeded: list[int] = []
     failed: dict[int, str] = {}
@@ -270,13 +272,16 @@ def make_demos(
     return DemoSummary(file, count, steps, failed, time.monotonic() - start)
 
 
-def _target(out: str | Path, layout: str) -> Path:
-    """Return the file or folder of a layout, which may be replaced."""
+def _target(out: str | Path, layout: str, task: str) -> Path:
+    """Return the file or folder of a layout, which demonstrations of the task may replace."""
     if layout not in get_args(DemoLayout):
         raise ParameterError(f"there is no layout {layout!r}.{nearest(str(layout), get_args(DemoLayout))}")
     file = checked_path(out, "out") / (DEMO_FILE if layout == "robomimic" else LEROBOT_DIRECTORY)
-    if not (is_replaceable(file) if layout == "robomimic" else is_lerobot(file)):
-        raise ExportError(f"{file} exists and holds no demonstrations of artgen; choose another directory")
+    environment = f"artgen/{task}-v0"
+    if not (is_replaceable if layout == "robomimic" else is_lerobot)(file, environment):
+        raise ExportError(
+            f"{file} exists and holds no demonstrations of {environment}; choose another directory"
+        )
     return file
 
 
@@ -410,13 +415,13 @@ def _hdf5() -> Any:
     return h5py
 
 
-def is_replaceable(path: Path) -> bool:
-    """Tell whether there is no such file, or one with demonstrations by artgen."""
+def is_replaceable(path: Path, environment: str) -> bool:
+    """Tell whether there is no such file, or one with demonstrations in an environment."""
     h5py = _hdf5()
     if not path.exists():
         return True
     try:
         with h5py.File(path, "r") as file:
-            return str(json.loads(file["data"].attrs["env_args"])["env_name"]).startswith("artgen/")
+            return bool(json.loads(file["data"].attrs["env_args"])["env_name"] == environment)
     except (OSError, KeyError, ValueError, TypeError):
         return False

@@ -145,7 +145,10 @@ class ManipulationEnv(gymnasium.Env[Any, NDArray[np.float32]]):
     def step(self, action: Any) -> tuple[Any, float, bool, bool, dict[str, Any]]:
         """Apply an action; return observation, reward, terminated, truncated and info."""
         scene = self.scene
-        taken = np.clip(np.asarray(action, float), -1.0, 1.0)
+        try:
+            taken = np.clip(np.asarray(action, float), -1.0, 1.0)
+        except (TypeError, ValueError):
+            taken = np.empty(0)
         if taken.shape != (7,) or not np.isfinite(taken).all():
             raise ParameterError(f"an action of {self.task.name} is 7 finite numbers, got {action!r}")
         scene.act(taken)

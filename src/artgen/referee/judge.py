@@ -10,9 +10,10 @@ from typing import Any, Literal, get_args
 
 import numpy as np
 
-from artgen._names import ByName
+from artgen._names import ByName, checked_path
 from artgen.asset import Asset, AssetJoint
 from artgen.asset.certificate import PairResult
+from artgen.asset.joint import is_number
 from artgen.asset.record import plain
 from artgen.asset.report import Finding
 from artgen.errors import AssetError, ExportError, ParameterError
@@ -279,7 +280,7 @@ def certify(
         ParameterError: An argument is not allowed.
     """
     start = time.monotonic()
-    path = Path(path)
+    path = checked_path(path, "path")
     _check(path, meshes, seconds=seconds, total=total)
     folder = path.absolute().parent
     allowed = [folder, *folder.parents][: _LEVELS_UP + 1][-1] if root is None else Path(root).absolute()
@@ -311,7 +312,7 @@ def _check(path: Path, meshes: str, **limits: float) -> None:
     if meshes not in get_args(Meshes):
         raise ParameterError(f"meshes must be {' or '.join(get_args(Meshes))}, got {meshes!r}")
     for name, limit in limits.items():
-        if not 0.0 < limit < np.inf:
+        if not is_number(limit) or not 0.0 < limit < np.inf:
             raise ParameterError(f"{name} must be a positive number [s], got {limit!r}")
 
 

@@ -15,8 +15,9 @@ from typing import Literal
 import numpy as np
 
 from artgen.asset import Asset
+from artgen.asset.joint import is_number
 from artgen.asset.record import Record, json_text
-from artgen.errors import AssetError
+from artgen.errors import AssetError, ParameterError
 
 _FORMAT = "artgen-topology-1"
 # costs of a pair of a link and a slot
@@ -93,7 +94,13 @@ class Topology(Record):
         return result
 
     def with_room(self, share: float) -> "Topology":
-        """Return the topology with a share more colliders of each kind in each slot, rounded up."""
+        """Return the topology with a share more colliders of each kind in each slot, rounded up.
+
+        Raises:
+            ParameterError: The share is no finite number of at least 0.
+        """
+        if not is_number(share) or not 0.0 <= share < math.inf:
+            raise ParameterError(f"share must be a finite number of at least 0, got {share!r}")
 
         def more(slot: Slot) -> Slot:
             grown = {kind: n + math.ceil(share * n) for kind, n in slot.colliders.items()}
