@@ -243,6 +243,9 @@ check stand --set width=9 ~ width = 9 is out of range: 0.2 to 0.5 m is allowed; 
 check stand --seconds -1 ~ '--seconds'
 check broken.py ~ SyntaxError: invalid syntax at
 certify nowhere.urdf ~ there is no file nowhere.urdf
+certify door --total 5 ~ --total does nothing for a category; leave it out
+certify robot.urdf --samples 5 ~ --samples does nothing for a file; leave it out
+certify robot.urdf --set w=3 ~ --set does nothing for a file; leave it out
 certify door --samples -1 ~ samples must be a whole number that is not negative, got -1
 certify door --json nowhere/x ~ cannot write nowhere/x: give a file in a directory that exists
 validate nowhere ~ there is no directory 'nowhere'; give one that holds an exported asset

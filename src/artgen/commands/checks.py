@@ -21,7 +21,7 @@ from artgen.colliders.openings import BALL
 from artgen.commands.console import FAULT, NOT_PROVEN, console, progress, table
 from artgen.commands.options import JsonOutput, Overrides, Seed, Source, Tolerance
 from artgen.commands.view import asset_from
-from artgen.errors import ExportError
+from artgen.errors import ExportError, ParameterError
 from artgen.export.files import REACH_FILE, REPORT_FILE, replaced
 from artgen.generator.overrides import parse_overrides
 from artgen.proof.certify import certify as prove
@@ -31,6 +31,8 @@ from artgen.validate.clients.registry import ALL, chosen_clients
 from artgen.validate.clients.run import ClientReport, run_clients
 
 _FOREIGN: dict[str, Any] = {"rich_help_panel": "Files of other tools"}
+_OF_CATEGORIES = ("samples", "corners", "fail_fast", "overrides", "seed", "tolerance")
+_OF_FILES = ("meshes", "root", "total", "first", "picture", "repair")
 _PIXELS = 320  # side of a picture of `check`
 _CORNERS = 20  # least number of samples with which corners are certified unless asked otherwise
 _STYLES = {
@@ -108,6 +110,7 @@ def _picture(asset: Asset, certificate: Certificate, out: Path) -> str:
 
 
 def certify(
+    context: typer.Context,
     category: Annotated[
         str,
         Argument(
@@ -160,7 +163,9 @@ def certify(
     for file in (json_file, picture):
         if file is not None and (file.is_dir() or not file.absolute().parent.is_dir()):
             raise ExportError(f"cannot write {file}: give a file in a directory that exists")
-    if _is_foreign(Path(category)):
+    foreign = _is_foreign(Path(category))
+    _check_given(context, _OF_CATEGORIES if foreign else _OF_FILES, "a file" if foreign else "a category")
+    if foreign:
         _certify_file(
             Path(category),
             json_file,
@@ -199,6 +204,15 @@ def certify(
     _write_json(json_file, proof.to_data())
     if not proof.sound:
         raise typer.Exit(FAULT)
+
+
+def _check_given(context: typer.Context, refused: Sequence[str], what: str) -> None:
+    """Check that no option was given that does nothing for a file of another tool, or for a category."""
+    for name in refused:
+        source = context.get_parameter_source(name)
+        if source is not None and source.name == "COMMANDLINE":
+            option = next(each.opts[0] for each in context.command.params if each.name == name)
+            raise ParameterError(f"{option} does nothing for {what}; leave it out")
 
 
 def _is_foreign(path: Path) -> bool:
