@@ -178,6 +178,14 @@ DRAFTS: list[tuple[Callable[[], object], str]] = [
     (lambda: ag.Revolute("turn", ag.Z), "give the others by name, as in axis=Z"),  # type: ignore[misc]
     (lambda: ag.part(ag.box(1, 1, 1), "a", "oak"), "needs a Material, got 'oak'; write material('oak')"),
     (lambda: ag.part(ag.box(1, 1, 1), OAK, "a"), "part(..., label=...) needs a str, got a Material"),
+    (lambda: hinged(spring=3), "joint(..., spring=...) needs a Spring, got 3"),
+    (lambda: hinged(feel="heavy"), "joint(..., feel=...) needs a Feel, got 'heavy'"),
+    (lambda: cube().install(3), "install(...) needs a Fitting or a Body, got 3"),
+    (lambda: cube().repeat("knob", at=[(0, 0, 0)]), "repeat(...) needs a Fitting or a Body, got 'knob'"),
+    (
+        lambda: ag.Region(1, (0, 1), (0, 1)),  # type: ignore[arg-type]
+        "Region(..., x=...) needs the lowest and the highest coordinate, got 1",
+    ),
     (lambda: hinged(axis=(0, 0, 0)), "a vector of length zero has no direction"),
     (lambda: hinged(effort=0), "joint 'turn': effort 0 must be positive"),
 ]

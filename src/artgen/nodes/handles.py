@@ -324,6 +324,7 @@ class Body(Handle):
             >>> stop = part(cylinder(0.008, 0.01, axis=Y).at(y=-0.0048), "stop", material("rubber"))
             >>> panel.install(stop, at=(0.03, 0, 0)).install(stop, at=(-0.03, 0, 0))
         """
+        _check_fitting("install", fitting)
         placed = fitting.at(at)
         if isinstance(placed, Body):
             return Body.record("weld", bodies=(self, placed))
@@ -349,6 +350,7 @@ class Body(Handle):
         if isinstance(child, Body):
             steps = steps_of(joints)
             return Body.record("repeat", parent=self, child=child, joints=steps, at=at, around=around)
+        _check_fitting("repeat", child)
         if joints:
             raise BuildError(f"repeat: a fitting has its own joints; leave joints out\n  at {authors_line()}")
         copies = Body.record("copies", body=child.body, at=at, around=around)
@@ -433,6 +435,11 @@ class Body(Handle):
 def steps_of(joints: Sequence[Any]) -> tuple[Any, ...]:
     """Return joints of one degree of freedom each in place of joints: a screw is two."""
     return tuple(step for joint in joints for step in getattr(joint, "steps", (joint,)))
+
+
+def _check_fitting(method: str, value: Any) -> None:
+    if not isinstance(getattr(value, "body", value), Body):
+        raise BuildError(f"{method}(...) needs a Fitting or a Body, got {value!r}\n  at {authors_line()}")
 
 
 def offset_of(x: Any, y: Scalar, z: Scalar) -> VectorLike:

@@ -630,6 +630,11 @@ class _Axial(Joint):
             for key, value in locals().items()
             if key not in ("self", "__class__", "spring", "feel")
         }
+        for what, value, kind in (("spring", spring, Spring), ("feel", feel, Feel)):
+            if value is not None and not isinstance(value, kind):
+                raise BuildError(
+                    f"joint(..., {what}=...) needs a {kind.__name__}, got {value!r}\n  at {authors_line()}"
+                )
         if _KINDS.get(type(follows), self._kind) != self._kind:
             meshes = (
                 "a gear turns: use Revolute" if isinstance(follows, Gear) else "a rack slides: use Prismatic"

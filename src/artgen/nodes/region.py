@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from artgen.errors import BuildError
+from artgen.graph.node import authors_line
 from artgen.nodes.handles import Profile, Scalar, Solid, Span, Vector, VectorLike
 from artgen.nodes.profile import rectangle
 
@@ -47,6 +49,17 @@ class Extent(NamedTuple):
         return [Extent(start, start + length) for start in starts]
 
 
+def _extent(axis: str, span: Span) -> Extent:
+    try:
+        low, high = span
+    except (TypeError, ValueError):
+        raise BuildError(
+            f"Region(..., {axis}=...) needs the lowest and the highest coordinate, got {span!r}\n"
+            f"  at {authors_line()}"
+        ) from None
+    return Extent(low, high)
+
+
 class Region:
     """A box of planned space: it has no surface and no mass, and it gives parts their sizes and places.
 
@@ -74,7 +87,7 @@ class Region:
     __slots__ = ("x", "y", "z")
 
     def __init__(self, x: Span, y: Span, z: Span) -> None:
-        self.x, self.y, self.z = Extent(*x), Extent(*y), Extent(*z)
+        self.x, self.y, self.z = _extent("x", x), _extent("y", y), _extent("z", z)
 
     @classmethod
     def centered(cls, x: Scalar, y: Scalar, z: Scalar) -> Region:
