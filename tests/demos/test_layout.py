@@ -17,7 +17,7 @@ def demo(seed, steps=4, image=0):
     rng = np.random.default_rng(seed)
     seen = {"state": rng.random((steps + 1, 5), np.float32)}
     if image:
-        seen["image"] = rng.integers(0, 255, (steps + 1, image, image, 3), np.uint8)
+        seen["rgb"] = rng.integers(0, 255, (steps + 1, image, image, 3), np.uint8)
     actions = rng.uniform(-1, 1, (steps, 7)).astype(np.float32)
     dones = np.eye(steps, dtype=np.int64)[-1]
     states = rng.random((steps, 9))

@@ -17,7 +17,7 @@ pytest.importorskip("pandas", reason="pip install 'artgen[data]'")
 def demo(seed, steps, image=0):
     rng = np.random.default_rng(seed)
     seen = {"state": rng.random((steps + 1, 5), np.float32)}
-    for name in ("image", "hand_image") if image else ():
+    for name in ("rgb", "hand_rgb") if image else ():
         seen[name] = rng.integers(0, 255, (steps + 1, image, image, 3), np.uint8)
     actions, applied = rng.uniform(-1, 1, (2, steps, 7)).astype(np.float32)
     dones = np.eye(steps, dtype=np.int64)[-1]
@@ -36,7 +36,7 @@ def test_the_statistics_are_those_of_all_frames(tmp_path):
     folder = written(tmp_path / "lerobot", demos)
     stats = json.loads((folder / "meta/stats.json").read_text())
     states = np.concatenate([each.observations["state"][:-1] for each in demos])
-    pictures = np.concatenate([each.observations["hand_image"][:-1] for each in demos]) / 255.0
+    pictures = np.concatenate([each.observations["hand_rgb"][:-1] for each in demos]) / 255.0
     for kind in ("min", "max", "mean", "std"):
         got = stats["observation.state"][kind]
         np.testing.assert_allclose(got, getattr(states, kind)(axis=0), rtol=1e-6, err_msg=kind)
@@ -107,7 +107,7 @@ def test_lerobot_reads_the_frames_of_each_episode(tmp_path):
             np.testing.assert_array_equal(item["observation.state"], each.observations["state"][step])
             np.testing.assert_array_equal(item["action"], each.actions[step])
             np.testing.assert_array_equal(item["applied"], each.applied[step])
-            for name, feature in (("image", "front"), ("hand_image", "hand")):
+            for name, feature in (("rgb", "front"), ("hand_rgb", "hand")):
                 picture = np.moveaxis(item[f"observation.images.{feature}"].numpy(), 0, 2) * 255
                 np.testing.assert_allclose(picture, each.observations[name][step], atol=1e-3)
             assert bool(item["next.done"]) == (step == len(each) - 1)

@@ -147,6 +147,23 @@ def test_two_runs_do_not_write_to_one_folder(tmp_path):
     assert [path.name for path in tmp_path.iterdir()] == [".lock"]
 
 
+def test_pictures_are_those_of_the_environment_that_the_file_names(tmp_path):
+    file = make_demos("OpenDrawer", 1, tmp_path, image=16, jobs=1).file
+    with h5py.File(file) as opened:
+        data = opened["data"]
+        made = json.loads(data.attrs["env_args"])
+        demo = data["demo_0"]
+        env = gymnasium.make(made["env_name"], terminate_on_success=False, **made["env_kwargs"])
+        seed = int(demo.attrs["seed"])
+        first, _ = env.reset(seed=seed, options={"asset": seed})
+        second, *_ = env.step(demo["applied"][0])
+        assert {*first} == {*demo["obs"]} - {"state"} == {"rgb", "hand_rgb", "robot"}
+        for key in first:
+            np.testing.assert_array_equal(demo["obs"][key][0], first[key])
+            np.testing.assert_array_equal(demo["next_obs"][key][0], second[key])
+        env.close()
+
+
 def test_pictures_have_the_sizes_that_environments_allow(tmp_path):
     with pytest.raises(
         ParameterError, match="image, if it is not 0, is a whole number from 16 to 4096, not 15"

@@ -24,7 +24,7 @@ INFO_FILE = "meta/info.json"
 
 _DATA = "data/chunk-{chunk_index:03d}/file-{file_index:03d}.parquet"
 _EPISODES = "meta/episodes/chunk-000/file-000.parquet"
-_PICTURES = {"image": "observation.images.front", "hand_image": "observation.images.hand"}
+_PICTURES = {"rgb": "observation.images.front", "hand_rgb": "observation.images.hand"}
 _COUNTERS = ("frame_index", "episode_index", "index", "task_index")  # columns of whole numbers
 _QUANTILES = {"q01": 0.01, "q10": 0.1, "q50": 0.5, "q90": 0.9, "q99": 0.99}
 _FILE_SIZE = 100  # of a table of frames [MB]

@@ -5,7 +5,7 @@ demonstration, and lists for training and validation.
 
 data              attributes: total, env_args (JSON)
   demo_0          attributes: num_samples, asset, seed
-    obs/state     before each step, shape (n, ...); obs/image with pictures
+    obs/state     before each step, shape (n, ...); with pictures the observations `rgb` as well
     next_obs/...  after each step
     actions       shape (n, 7), in [-1, 1]
     rewards, dones, states
@@ -117,22 +117,25 @@ def record(task: str, seed: int, *, image: int = 0, noise: float = 0.0) -> Demo:
 
     from artgen.envs.policy import ScriptedPolicy
 
-    mode = "rgb_array" if image else None
-    env = gymnasium.make(f"artgen/{task}-v0", terminate_on_success=False, render_mode=mode)
+    env = gymnasium.make(f"artgen/{task}-v0", terminate_on_success=False, **_arguments(image))
     scene: Any = env.unwrapped
+
+    def with_state(observation: Any) -> dict[str, Array]:
+        return {"state": scene.state(), **(observation if image else {})}
+
     try:
-        env.reset(seed=seed, options={"asset": seed})
+        begin, _ = env.reset(seed=seed, options={"asset": seed})
         policy, rng = ScriptedPolicy(scene), np.random.default_rng((seed, 1))
-        states, seen = [_state(scene)], [_observations(scene, image)]
+        states, seen = [_state(scene)], [with_state(begin)]
         actions, applied, rewards = [], [], []
         success, over, left = False, False, _AFTERWARDS
         while not over and left > 0 and not (success and policy.done):
             action = np.clip(policy.action(), -1.0, 1.0).astype(np.float32)
             disturbed = action.copy()  # no noise on the fingers
             disturbed[:6] = np.clip(disturbed[:6] + noise * rng.standard_normal(6), -1.0, 1.0)
-            _, reward, ended, truncated, info = env.step(disturbed)
+            after, reward, ended, truncated, info = env.step(disturbed)
             states.append(_state(scene))
-            seen.append(_observations(scene, image))
+            seen.append(with_state(after))
             actions.append(action)
             applied.append(disturbed)
             rewards.append(float(reward))
@@ -153,13 +156,9 @@ def _state(scene: Any) -> Array:
     return np.concatenate(([scene.data.time], scene.data.qpos, scene.data.qvel))
 
 
-def _observations(scene: Any, image: int) -> dict[str, Array]:
-    """Return the observations of the current state."""
-    found: dict[str, Array] = {"state": scene.state()}
-    if image:
-        found["image"] = scene.picture(image, camera="front")
-        found["hand_image"] = scene.picture(image, camera="hand")
-    return found
+def _arguments(image: int) -> dict[str, Any]:
+    """Return the arguments of an environment whose observations are recorded."""
+    return {"obs": "rgb", "size": image} if image else {"obs": "state"}
 
 
 @dataclass(frozen=True)
@@ -260,7 +259,7 @@ def make_demos(
             shown_progress(task, None if callable(progress) else count, shown=progress is True) as update,
         ):
             demos = successes(endings, update)
-            steps = _write(partial_file, demos, task, layout)
+            steps = _write(partial_file, demos, task, layout, image)
         if len(succeeded) < count:
             attempts.remove()
             raise CheckError(
@@ -285,14 +284,14 @@ def _target(out: str | Path, layout: str, task: str) -> Path:
     return file
 
 
-def _write(path: Path, demos: Iterable[Demo], task: str, layout: str) -> int:
+def _write(path: Path, demos: Iterable[Demo], task: str, layout: str, image: int) -> int:
     """Write demonstrations in a layout, and return the number of their steps."""
     from artgen.envs.env import RATE
     from artgen.envs.task import find_task
 
     environment = f"artgen/{task}-v0"
     if layout == "robomimic":
-        return write_demos(path, demos, environment, {"obs": "state"})
+        return write_demos(path, demos, environment, _arguments(image))
     return write_lerobot(path, demos, environment, find_task(task).doc, RATE)
 
 
