@@ -49,7 +49,7 @@ def render_mitsuba(
     Args:
         asset: What to draw.
         q: Positions by joint name; those not given stand nearest to 0 [rad or m].
-        camera: A camera, a view, or the name of one of `artgen.view.camera.VIEWS`; None is "three_quarter".
+        camera: A camera, a view, or the name of one of `artgen.view.camera.VIEWS`; None as in `render`.
         size: Width and height [pixels], or one number for both.
         samples: Paths per pixel.
         studio: What is around it.

@@ -35,7 +35,7 @@ def render(
     ] = 0.0,
     view: Annotated[
         str | None,
-        Option(help="front, back, side, top, ... or close-up:LINK; three_quarter, or of a room room."),
+        Option(help="front, back, side, top, ... or close-up:LINK; by default from the left and above."),
     ] = None,
     size: Annotated[str, Option(metavar="PIXELS", help="Width and height: 768, or 1280x720.")] = "768",
     studio: Annotated[Literal["studio", "room", "none"], Option(help="Surroundings.")] = "studio",

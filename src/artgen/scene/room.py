@@ -471,7 +471,7 @@ class Scene:
     def _unused(self, name: str, category: str) -> str:
         """Return a name that the scene does not have yet; by default the category and a number."""
         if not name:
-            category = category if category.isidentifier() else find(category).name  # of a file
+            category = category if is_identifier(category) else find(category).name  # of a file
             number = sum(each.asset.category == category for each in self.placed)
             name = f"{category}_{number}" if number else category
         _check_name(name)

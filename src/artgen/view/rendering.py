@@ -35,8 +35,8 @@ def render(
         asset: The asset, generated or loaded.
         q: Joint positions by name, completed as in `Asset.positions` [rad or m].
         camera: A camera, a view, or the name of a view: one of `artgen.view.VIEWS`, or `close-up:` and the
-            name of a link. By default from the front, slightly left and above; into a room, over the side
-            without a wall.
+            name of a link. By default from the front, slightly left and above, higher for small and flat
+            assets; into a room, over the side without a wall.
         size: Width and height of the picture, or one number for both [pixels].
         studio: Surroundings: a seamless backdrop, a wall and a wooden floor, or none.
         textures: Texels per side of the material maps; 0 for plain colors.

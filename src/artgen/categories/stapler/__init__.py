@@ -311,7 +311,7 @@ def _magazine(channel: ag.Region, front: ag.Scalar) -> ag.Body:
 def _anvil(base: ag.Body, plan: ag.Region, y: ag.Scalar, click: ag.Scalar) -> ag.Body:
     """Make the plate with two grooves in the top of the base; its knob is reached from below."""
     disc, play = 0.0085, FIT.sliding
-    # around the disc, with a third of the colliders of a round hole
+    # around the disc, with half of the colliders of a round hole
     outline = ag.regular_polygon(8, (disc + play) / math.cos(math.pi / 8))
     hole = ag.extrude(outline, 0.02).at(0, y, _BASE)
     plate = ag.cylinder(disc, _ROOF - 0.0008).at(z=_BASE - _ROOF / 2 + 0.0004)
