@@ -214,6 +214,11 @@ def test_what_does_not_fit_is_refused_with_what_is_missing(
     assert message in str(error.value)
 
 
+def test_a_rounded_zero_is_a_place() -> None:
+    room = Scene("room", width=2.0, depth=1.6)
+    assert room.against("back", "lamp", at=-1e-16).bounds[0, 0] == pytest.approx(-1.0)
+
+
 def test_what_stands_on_another_asset_is_on_a_surface() -> None:
     room = Scene("room", width=2.0, depth=1.6, detail="low")
     low = room.fixture(

@@ -169,8 +169,12 @@ class Scene:
     ) -> Placement:
         """Place an asset before a wall, or with the middle of its depth in the middle of the wall."""
         frame, length = self.frame(wall)
-        check_length("at, the distance from the left end,", at, 0.0)
-        check_length("z, the height above the floor,", z, 0.0)
+        for what, given in (
+            ("at, the distance from the left end,", at),
+            ("z, the height above the floor,", z),
+        ):
+            if not (is_number(given) and -_SLACK < given < 0.0):  # a rounded 0
+                check_length(what, given, 0.0)
         name, asset = self._drawn(category, name, overrides)
         spin = _turned(turn)
         low, high = _moved_box(asset, spin)
