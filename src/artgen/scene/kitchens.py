@@ -44,7 +44,7 @@ _SWINGS = 0.12  # space between a refrigerator and a wall, for its open door and
 _NEAR = 0.08  # distance from a wall within which a row ends with a filler [m]
 _CORNER = 0.95  # of each wall that a corner unit takes [m]
 _WALL_CORNER = 0.62  # of each wall that a wall unit in a corner takes [m]
-_POST = 0.015  # on both sides of a corner unit, so that its door clears those beside it [m]
+_POST = 0.045  # on both sides of a corner unit, so that its door clears those beside it [m]
 _NARROW, _UNIT, _WIDE = 0.4, 0.58, 0.9  # least, usual and greatest width of a unit [m]
 _SINK = 0.6  # least width of a sink unit [m]
 _ABOVE, _HUNG = 1.45, 0.72  # bottom and height of the wall units [m]
@@ -63,7 +63,7 @@ _SPANS: dict[Layout, tuple[Span, Span]] = {
 _LEAST: dict[Layout, tuple[float, float]] = {
     "one_wall": (3.0, 1.8), "galley": (2.5, 2.6), "island": (3.4, 3.2),
 }  # fmt: skip
-"""Least width and depth of rooms in which a layout is drawn [m]; doors in corners are too often not free."""
+"""Least width and depth of rooms in which a layout is drawn [m]; those with corners are made on request."""
 
 
 def kitchen(
@@ -84,8 +84,8 @@ def kitchen(
         width: Length of the back wall [m]; drawn by default.
         depth: Depth of the room [m]; drawn by default.
         detail: Level of detail of the assets.
-        layout: Rows of units: `one_wall`, `galley` or `island`, one of these by default; `l` and `u`
-            have corner units and need many draws.
+        layout: Rows of units: `one_wall`, `galley` or `island`, one of these by default; or `l` and `u`,
+            which have corner units.
 
     Raises:
         ParameterError: The room is too small; the message has the length that is missing.
