@@ -577,3 +577,15 @@ def test_a_layout_that_does_not_fit_says_what_is_missing(
     with pytest.raises(ParameterError) as error:
         kitchen(0, layout=layout, detail="low", **size)
     assert message in str(error.value)
+
+
+def test_a_kitchen_with_a_corner_is_free_at_the_first_draw() -> None:
+    made = kitchen(1, layout="l", detail="low")
+    assert made.certificate is not None
+    assert made.certificate.proven
+    assert made.attempt == 0
+    (name,) = (
+        each for each in made.joints.by_name if each.startswith("corner_unit") and "door_hinge" in each
+    )
+    low, high = made.joint(name).limits or (0.0, 0.0)
+    assert high - low == pytest.approx(1.35, abs=0.01)
