@@ -84,6 +84,16 @@ def is_identifier(name: object) -> bool:
     return isinstance(name, str) and name.isascii() and name.isidentifier() and len(name) <= _LONGEST
 
 
+def check_name(name: object) -> None:
+    """Check the argument `name` of an author.
+
+    Raises:
+        ParameterError: It is no identifier.
+    """
+    if not is_identifier(name):
+        raise ParameterError(f"name = {name!r} is no identifier; use {NAME_RULE}")
+
+
 def is_plain_path(path: object) -> bool:
     """Tell whether a path is relative, with slashes, and cannot leave its folder."""
     return isinstance(path, str) and all(_PART.fullmatch(part) for part in path.split("/"))

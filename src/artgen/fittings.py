@@ -215,7 +215,6 @@ def bar_handle(
         >>> door = door.install(fittings.bar_handle(), at=(-0.08, 0, 0))
         >>> door.install(fittings.bar_handle(style="bow").suffixed("_1"), at=(0.08, 0, 0))
     """
-    check_options(bar_handle, locals())
     made: ag.Body = pulls.bar_handle(
         length=length,
         finish=finish,

@@ -555,7 +555,7 @@ FORMAT = "artgen-asset-1"  # format of `asset.json` that this version reads and 
 
 
 def _states(asset: Asset, q: ArrayLike) -> Array:
-    """Return states as an array, shape (..., dof); AssetError for what is no state."""
+    """Return states as an array, shape (..., dof); AssetError if they are none."""
     try:
         states = np.asarray(q, float)
     except (TypeError, ValueError):

@@ -19,7 +19,7 @@ from pathlib import Path
 from typing import Any, Literal, get_args
 
 from artgen._arrays import without_collector
-from artgen._names import NAME_RULE, is_identifier
+from artgen._names import check_name
 from artgen._progress import progress
 from artgen.asset import Asset, AssetJoint, Tree
 from artgen.asset.asset import Base, DetailName, Limits, certify_later, find_parameters_later
@@ -839,8 +839,7 @@ def checked_count(name: str, value: Any) -> int:
 
 
 def _check_options(name: str, base: Any, attempts: int | None, detail: Any) -> None:
-    if not is_identifier(name):
-        raise ParameterError(f"name = {name!r} is no identifier; use {NAME_RULE}")
+    check_name(name)
     if base not in ("fixed", "free"):
         raise ParameterError(f"base = {base!r} is not allowed: it must be 'fixed' or 'free'")
     if detail not in DETAILS:

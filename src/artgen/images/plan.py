@@ -169,9 +169,9 @@ class ImagePlan(BasePlan):
 def _check_range(name: str, value: Any, least: float, most: float) -> None:
     fine = isinstance(value, tuple) and len(value) == 2 and all(isinstance(each, Real) for each in value)
     if not fine or not least <= value[0] <= value[1] <= most:
-        shown = value[1] if name == "azimuth" and fine else value
-        limits = f"{least:g}..{most:g}"
+        one = fine and name == "azimuth"  # its lower end is fixed
+        shown, limits = value[1] if one else value, f"{least:g}..{most:g}"
         if fine and name != "margin":
-            given = ", ".join(f"{math.degrees(each):.4g}" for each in value[name == "azimuth" :])
+            given = ", ".join(f"{math.degrees(each):.4g}" for each in (value[1:] if one else value))
             limits += f" rad ({given} of {math.degrees(least):.4g} to {math.degrees(most):.4g} degrees)"
         raise ParameterError(f"{name} {shown!r} must be within {limits}, the lower number first")

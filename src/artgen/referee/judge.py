@@ -441,8 +441,10 @@ def _restriction(pair: PairResult, asset: Asset, model: ForeignModel) -> str:
     """Return the constraint that restricts a joint between two links, or an empty text."""
     led = {joint.name for joint in asset.joints if joint.follows and joint.follows.leader in pair.joints}
     moving = [name for name in model.restricted if name in pair.joints or name in led]
-    if moving or pair.witness is None:
-        return model.restricted[moving[0]] if moving else ""
+    if moving:
+        return model.restricted[moving[0]]
+    if pair.witness is None:
+        return ""
     poses = (pair.witness.pose, pair.witness.first_contact)
     beyond = [_beyond_own(asset, model, led, pose) for pose in poses]
     return f"limits of {beyond[0]!r}" if all(beyond) else ""

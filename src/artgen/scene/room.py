@@ -16,7 +16,7 @@ import numpy as np
 from scipy.spatial import ConvexHull
 
 from artgen._arrays import Array, FrozenArrays, cached_property
-from artgen._names import NAME_RULE, ByName, is_identifier
+from artgen._names import ByName, check_name, is_identifier
 from artgen.asset import Asset, AssetJoint
 from artgen.asset.asset import DetailName, remember
 from artgen.asset.collision import link_parts
@@ -50,7 +50,7 @@ STANDING = 0.0005  # below an asset that stands on a floor or on another asset [
 WALL = 0.12  # thickness of walls [m]
 _FLOOR = 0.08  # thickness of the floor [m]
 _OVERLAP = 1e-9  # common volume of two fixed assets above which they count as overlapping [m3]
-_SLACK = 1e-9  # by which an asset may be longer than its wall [m]
+_SLACK = 1e-9  # by which a rounded length may be too short, or an asset longer than its wall [m]
 _SOLE = 0.0015  # height above its lowest point up to which an asset may touch the ground [m]
 _TILT = 0.08  # slope on which a free asset stands at least, as a tangent
 _CELL = 0.01  # grid in which a place in a drawer is searched [m]
@@ -126,7 +126,7 @@ class Scene:
     ) -> None:
         for what, length in (("width", width), ("depth", depth), ("height", height)):
             check_length(f"the {what} of a room", length, 0.5, 30.0)
-        _check_name(name)
+        check_name(name)
         checked_count("seed", seed)
         self.name, self.seed, self.detail = name, seed, detail
         self.size = (width, depth, height)
@@ -169,12 +169,8 @@ class Scene:
     ) -> Placement:
         """Place an asset before a wall, or with the middle of its depth in the middle of the wall."""
         frame, length = self.frame(wall)
-        for what, given in (
-            ("at, the distance from the left end,", at),
-            ("z, the height above the floor,", z),
-        ):
-            if not (is_number(given) and -_SLACK < given < 0.0):  # a rounded 0
-                check_length(what, given, 0.0)
+        check_length("at, the distance from the left end,", at, 0.0)
+        check_length("z, the height above the floor,", z, 0.0)
         name, asset = self._drawn(category, name, overrides)
         spin = _turned(turn)
         low, high = _moved_box(asset, spin)
@@ -478,7 +474,7 @@ class Scene:
             category = category if is_identifier(category) else find(category).name  # of a file
             number = sum(each.asset.category == category for each in self.placed)
             name = f"{category}_{number}" if number else category
-        _check_name(name)
+        check_name(name)
         if name in {each.name for each in self.placed}:
             raise ParameterError(f"the scene {self.name!r} has an asset {name!r} already; give another name")
         return name
@@ -517,7 +513,7 @@ class Scene:
 
 def check_length(what: str, value: Any, least: float, most: float = math.inf) -> None:
     """Check that a value is a finite length in a range [m]."""
-    if not (is_number(value) and math.isfinite(value) and least <= value <= most):
+    if not (is_number(value) and math.isfinite(value) and least - _SLACK <= value <= most):
         limits = f"{least:g} to {most:g} m" if most < math.inf else f"at least {least:g} m"
         raise ParameterError(f"{what} is {limits}, not {value!r}")
 
@@ -526,11 +522,6 @@ def _check_shares(at: Any, deep: Any) -> None:
     for name, value in (("at", at), ("deep", deep)):
         if not (is_number(value) and 0.0 <= value <= 1.0):
             raise ParameterError(f"{name} must be a share of 0 to 1, got {value!r}")
-
-
-def _check_name(name: Any) -> None:
-    if not is_identifier(name):
-        raise ParameterError(f"name = {name!r} is no identifier; use {NAME_RULE}")
 
 
 def _turned(angle: float) -> Array:

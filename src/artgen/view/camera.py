@@ -197,8 +197,7 @@ def camera_of(
     """Return the requested camera; by default it is the one for an asset or for a room."""
     if isinstance(camera, Camera):
         return camera
-    usual = replace(VIEWS["room" if asset.is_room else "three_quarter"], elevation=elevation_of(asset))
-    view = usual if camera is None else camera if isinstance(camera, View) else _named(camera, usual)
+    view = camera if isinstance(camera, View) else _named(camera, asset)
     if view.link:
         return view.camera(points[asset.link(view.link).name], aspect)
     return view.camera(np.concatenate(list(points.values())), aspect)
@@ -214,8 +213,11 @@ def elevation_of(asset: Asset) -> float:
     return float(max(np.interp(z, _HEIGHTS, _ABOVE), flat))
 
 
-def _named(name: str, usual: View) -> View:
-    """Return the view of a name; a link is seen from the side from which the asset usually is."""
+def _named(name: str | None, asset: Asset) -> View:
+    """Return the view of a name; without one, and for a link, the view that the asset usually has."""
+    usual = replace(VIEWS["room" if asset.is_room else "three_quarter"], elevation=elevation_of(asset))
+    if name is None:
+        return usual
     if not isinstance(name, str):
         raise ParameterError(f"camera {name!r} must be a Camera, a View, or the name of a view")
     if name.startswith(CLOSE_UP):
