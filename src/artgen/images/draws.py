@@ -24,8 +24,10 @@ Color = tuple[float, float, float]  # red, green and blue, 0-1
 Surroundings = Mapping[str, tuple[str, ...]]  # materials of the floors and walls for the pictures of an asset
 
 # materials of random floors and walls
-FLOORS = ("oak", "walnut_flat_sawn", "pine", "marble", "granite", "black_granite", "linen", "canvas", "mdf")
-WALLS = ("linen", "marble", "plywood", "cardboard", "fabric", "beech", "mdf", "granite")
+FLOORS = (
+    "oak_boards", "walnut_boards", "pine", "marble", "floor_tiles", "black_granite", "linen", "canvas", "mdf",
+)  # fmt: skip
+WALLS = ("linen", "marble", "plywood", "cardboard", "fabric", "beech", "mdf", "wall_tiles")
 
 _PLAIN_SKY = (0.80, 0.80, 0.80)
 

@@ -70,7 +70,7 @@ _WORDS: dict[str, Substance] = {
     ),
     "silicone": Substance("silicone", "Q146439", "rubber"),
     "rubber": _RUBBER,
-    "ceramic": Substance("ceramic", "Q45621", "ceramic_glass"),
+    **dict.fromkeys(("ceramic", "tiles"), Substance("ceramic", "Q45621", "ceramic_glass")),
     "marble": Substance("marble", "Q40861", "marble"),
     "granite": _STONE,
     **dict.fromkeys(("fabric", "linen", "canvas", "velvet", "knitted_mesh"), _TEXTILE),

@@ -1,6 +1,6 @@
 """Procedural textures: tileable maps in metric scale, baked once per recipe and cached on disk."""
 
-from artgen.materials.textures import finishes, stone, wood, woven  # noqa: F401 - they register recipes
+from artgen.materials.textures import finishes, floors, stone, wood, woven  # noqa: F401 - they register recipes
 from artgen.materials.textures.bake import Maps, as_bytes, displayed
 from artgen.materials.textures.fields import RECIPES, Pattern, Recipe
 from artgen.materials.textures.maps import (

@@ -60,7 +60,7 @@ def _covered(
     return texels.ravel(), (share_along[:, :, None] * share_across[:, None, :]).ravel()
 
 
-_Cut = Callable[[Tile, "Species"], tuple[Array, int, float]]
+Cut = Callable[[Tile, "Species"], tuple[Array, int, float]]
 
 _TILE = (0.256, 1.024)  # tile size: features are long along the grain, and a door has few repeats [m]
 
@@ -148,7 +148,7 @@ def _along_rings(table: Array, count: int, rings: Array) -> Array:
     return np.asarray(table[np.floor(rings * steps).astype(np.int64) % len(table)])
 
 
-def _straight(tile: Tile, species: Species) -> tuple[Array, int, float]:
+def straight(tile: Tile, species: Species) -> tuple[Array, int, float]:
     """Return the ring at each texel, the number of rings, and the rings per texel."""
     share = tile.u / tile.extent[0]
     spacing = tile.streaks(0.06, 50.0)  # wider and narrower years, constant along a board
@@ -174,7 +174,7 @@ def _flat_sawn(tile: Tile, species: Species) -> tuple[Array, int, float]:
     return rings, arches, 0.4 * species.rings / tile.size
 
 
-def _wood(species: Species, cut: _Cut, tile: Tile) -> Pattern:
+def wood(species: Species, cut: Cut, tile: Tile) -> Pattern:
     """Draw a board."""
     rings, count, width = cut(tile, species)
     late = _along_rings(_profile(_strengths(tile, count, 0.17), species.sharpness, width), count, rings)
@@ -217,10 +217,8 @@ def _scaled(color: Color, mean: Color) -> Color:
 
 
 for _name, _species in SPECIES.items():
-    for _suffix, _cut in (("", _straight), ("_flat_sawn", _flat_sawn)):
-        recipe(_name + _suffix, _TILE, _species.mean, variants=4, varying=SEEN)(
-            partial(_wood, _species, _cut)
-        )
+    for _suffix, _cut in (("", straight), ("_flat_sawn", _flat_sawn)):
+        recipe(_name + _suffix, _TILE, _species.mean, variants=4, varying=SEEN)(partial(wood, _species, _cut))
 
 
 _PLYWOOD: Color = (0.62, 0.45, 0.28)
