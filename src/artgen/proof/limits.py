@@ -244,8 +244,11 @@ def _is_safe(
 
 
 def _narrowed(asset: Asset, limits: Mapping[str, tuple[float, float]]) -> Asset:
-    joints = [replace(joint, limits=limits.get(joint.name, joint.limits)) for joint in asset.joints]
-    return replace(asset, joints=ByName(joints))
+    """Return an asset with limits of some joints, and of those that follow them."""
+    joints = {
+        joint.name: replace(joint, limits=limits.get(joint.name, joint.limits)) for joint in asset.joints
+    }
+    return replace(asset, joints=ByName(with_followed_limits(joint, joints) for joint in joints.values()))
 
 
 _MOST = 0.8  # share of its range at which a joint gives way to its dependency in any case
@@ -285,12 +288,8 @@ def with_limits(asset: Asset, limits: Limits, keep: Sequence[str] = ()) -> Asset
     for joint in asset.joints:
         if joint.needs is not None:
             _resolve(asset, joint, joint.needs, kept, ranges)
-    joints = {
-        joint.name: replace(joint, needs=None, limits=ranges.get(joint.name, joint.limits))
-        for joint in asset.joints
-    }
-    followed = ByName(with_followed_limits(joint, joints) for joint in joints.values())
-    narrowed = replace(asset, joints=followed, limits=limits)
+    free = ByName(replace(joint, needs=None) for joint in asset.joints)
+    narrowed = replace(_narrowed(replace(asset, joints=free), ranges), limits=limits)
     if asset.certificate is not None:
         remember(narrowed, certify(narrowed, asset.certificate.tolerance))
     return narrowed
