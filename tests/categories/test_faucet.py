@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 
 from artgen import Asset
 from artgen.categories.faucet import faucet
+from artgen.errors import ArtgenError
 from artgen.graph import Cache
 
 _MIXER = {"spout_swivel", "handle_turn", "handle_lift"}
@@ -40,6 +41,18 @@ def test_every_style_has_its_joints_and_is_certified(style: str) -> None:
     assert {joint.name for joint in asset.joints} == STYLES[style]
     assert asset.certificate is not None
     assert asset.certificate.proven
+
+
+@pytest.mark.parametrize("spout", ["low", "gooseneck"])
+def test_on_the_wall_of_a_room_it_has_no_board(spout: str) -> None:
+    given = {"style": "wall", "spout": spout}
+    shown, hung = (faucet.generate(5, cache=Cache(), stand=stand, **given) for stand in ("board", "none"))
+    assert [each.name for each in hung.links] == [each.name for each in shown.links]
+    assert hung.certificate is not None
+    assert hung.certificate.proven
+    assert hung.bounds()[1, 1] < 0.001 < shown.bounds()[1, 1]
+    with pytest.raises(ArtgenError, match="stand=none is for style=wall, in a room"):
+        made(1, style="bridge", stand="none")
 
 
 def _rodless(style: str) -> dict[str, object]:

@@ -8,7 +8,7 @@ Links: `deck`, with the body; `spout`; `handle` of a mixer, or `handle_left` (ho
 A single lever turns to both sides for hot and cold and is lifted to open. A pair of handles is shut at 0 and
 turns by a quarter; levers then point to the front. The weight on its hose draws a spray head back. A lift rod
 comes with its drain, in a piece of a vanity top on a stand: lifted, the rod turns the pivot rod under the
-slab, which lowers the plug.
+slab, which lowers the plug. With `style="wall"` and `stand="none"` it hangs on the wall of a room.
 
 Sizes are those of shops: valves 0.2 m apart (8 inches, ASME A112.18.1), spouts with a reach of 0.10-0.25 m
 and an outlet 0.08-0.30 m above the deck, aerators M22 and M24, ceramic discs with 0.3-0.8 N m of friction.
@@ -29,6 +29,9 @@ _METALS = {"satin_brass": 1.2, "brass": 0.8, "satin_nickel": 2.0, "powder_coat_b
 _SHEET = casting(ag.material("stainless_blasted"), 0.14)  # density for a sheet around a board
 _DECKS: dict[ag.Material | str, float] = {_SHEET: 0.6, "green_marble": 0.5, "marble": 1.2, "oak": 1.0,
     "black_granite": 1.2, "granite": 1.0, "walnut": 1.0}  # fmt: skip
+Stand = Literal["board", "none"]
+"""A sample deck or board, or the wall of a room."""
+
 _STYLES = {"vessel": 0.15, "bridge": 0.11, "single_hole": 0.10, "wall": 0.12, "widespread": 0.16,
            "gooseneck": 0.16, "pull_down": 0.20}  # fmt: skip
 _METAL_WEIGHTS, _DECK_WEIGHTS = tuple(_METALS.values()), tuple(_DECKS.values())
@@ -146,6 +149,7 @@ def faucet(
     head_travel: ag.Float = ag.uniform(0.050, 0.075, "m", doc="travel of a spray head", within=(0.03, 0.09)),
     head_force: ag.Float = ag.uniform(9.0, 14.0, "N", doc="return force of the head", within=(5.0, 30.0)),
     rod_friction: ag.Float = ag.uniform(5.0, 9.0, "N"),
+    stand: Stand = "board",
 ) -> ag.Body:
     """Make a faucet, shut: spout, one or two handles, spray head, lift rod."""
     ag.require(
@@ -155,6 +159,7 @@ def faucet(
     )
     ag.require(spout != "low" or style == "wall", f"spout=low is for style=wall, not for style={style}")
     ag.require(not rod or style != "wall", "style=wall has no lift rod: rod must be False")
+    ag.require(stand == "board" or style == "wall", "stand=none is for style=wall, in a room")
     if style == "wall":
         clear = "the spout meets the wall: swivel_limit must be <= 1.75 rad"
         swivel_limit = ag.require(swivel_limit, swivel_limit <= 1.75, clear)
@@ -165,18 +170,18 @@ def faucet(
     mixer = functools.partial(handles.mixer, lever, lever_length, finish, lift, handle_friction)
     match style:
         case "widespread":
-            stand = stands.widespread(board, girth, finish)
+            mount = stands.widespread(board, girth, finish)
         case "bridge":
-            stand = stands.bridge(board, finish)
+            mount = stands.bridge(board, finish)
         case "wall":
-            stand = stands.before_wall(board, finish, hangs=spout == "low")
+            mount = stands.before_wall(board if stand == "board" else None, finish, hangs=spout == "low")
         case "single_hole" | "vessel":
-            stand = stands.topped_column(board, body_radius, height, ring, mixer(body_radius), finish)
+            mount = stands.topped_column(board, body_radius, height, ring, mixer(body_radius), finish)
         case _:
-            stand = stands.sided_column(board, body_radius, mixer(stands.SIDE), side, finish)
+            mount = stands.sided_column(board, body_radius, mixer(stands.SIDE), side, finish)
 
     body = taps.attach_spout(
-        stand,
+        mount,
         spouts.Spout(reach, girth, finish),
         "pull_down" if style == "pull_down" else spout,
         height,
@@ -187,10 +192,10 @@ def faucet(
         turn=swivel_limit,
         friction=swivel_friction,
     )
-    if stand.valves:
+    if mount.valves:
         button = finish if accent == "same" else ag.material("ceramic")
-        pair = (stand.valves, handle, handle_length, finish, button, handle_friction)
-        body = handles.install_pair(body, *pair, flange=stand.flanges, from_tip=style == "wall")
+        pair = (mount.valves, handle, handle_length, finish, button, handle_friction)
+        body = handles.install_pair(body, *pair, flange=mount.flanges, from_tip=style == "wall")
     if rod:
         middle = ag.vector(0.0, -reach, board.top)
         body = drain.install(body, middle, stands.ROD_AT + reach, deck_thickness, finish, rod_friction)

@@ -149,7 +149,8 @@ def _valves(y: float, z: ag.Scalar) -> tuple[ag.Vector, ag.Vector]:
 
 def _arms(arm: ag.Solid, finish: ag.Material) -> ag.Body:
     """Make the two arms or columns that carry a bar."""
-    return ag.part(ag.array(arm, at=_BOTH), "body", casting(finish, 0.35), separate="the bar joins them")
+    metal, arms = casting(finish, 0.35), ag.array(arm, at=_BOTH)
+    return ag.part(arms, "body", metal, name="deck", separate="the bar joins them")
 
 
 def widespread(board: Board | Ledge, girth: ag.Scalar, finish: ag.Material) -> Stand:
@@ -174,15 +175,16 @@ def bridge(board: Board, finish: ag.Material) -> Stand:
     return Stand(body, foot, _RISERS + _RAISED, valves, least=0.092)
 
 
-def before_wall(board: Board, finish: ag.Material, *, hangs: bool) -> Stand:
-    """Make a wall board with a bar in front of it, from which a spout rises or hangs."""
+def before_wall(board: Board | None, finish: ag.Material, *, hangs: bool) -> Stand:
+    """Make a bar in front of a board, or of the wall of a room, from which a spout rises or hangs."""
     level, raised = (0.20, -_RAISED) if hangs else (0.15, _RAISED)
     arm = ag.cylinder_between((0.0, 0.0005, 0.0), (0.0, -_BEHIND, 0.0), _BAR)
     rose = ag.frustum(0.030, 0.025, 0.011, axis=-ag.Y, bevel=0.0018).at(0.0, -0.0053)
     nut = ag.cylinder_between((0.0, -0.014, 0.0), (0.0, -0.026, 0.0), 0.0165, bevel=0.0015)
     elbows, bar = _arms(ag.union(arm, rose, nut), finish), _bar(finish, below=hangs)
-    wall = board.wall(level + 0.025 + board.margin)
-    body = ag.weld(wall, elbows.at(z=level), bar.at(0.0, -_BEHIND, level))
+    body = ag.weld(elbows.at(z=level), bar.at(0.0, -_BEHIND, level))
+    if board is not None:
+        body = ag.weld(board.wall(level + 0.025 + board.margin), body)
     foot, valves = ag.vector(0.0, -_BEHIND, level + raised), _valves(-_BEHIND, level + _SOCKET)
     return Stand(body, foot, raised, valves, least=0.092)
 
