@@ -79,6 +79,18 @@ def test_a_scene_is_an_asset_whose_joints_are_those_of_all(corner: Asset) -> Non
     assert math.isclose(sum(model.body_mass), corner.mass, rel_tol=1e-3)
 
 
+def test_a_joint_that_follows_a_narrower_one_is_narrowed() -> None:
+    room = Scene("desk", seed=3, width=1.6, depth=1.4, detail="low")
+    chest = room.against("back", "drawer", at=0.5, **SMALL | {"depth": 0.6})
+    room.on(chest, "laptop", deep=0.9, style="convertible")
+    asset = room.build()
+    lid, base = (asset.joint(f"laptop_{name}_hinge") for name in ("screen", "base"))
+    assert base.follows is not None
+    assert lid.limits is not None
+    assert lid.limits[1] < 2.0  # it would turn by half a turn without the chest below it
+    assert base.limits == lid.limits
+
+
 def test_of_two_doors_that_meet_one_depends_on_the_other(corner: Asset) -> None:
     doors = {"cabinet_door_hinge", "cabinet_1_door_hinge"}
     (dependent,) = [joint for joint in corner.joints if joint.name in doors and joint.needs is not None]
@@ -182,6 +194,7 @@ def test_what_moves_by_itself_in_a_room_is_found(loose: Asset) -> None:
         (lambda room: Scene("hall", width=90.0, depth=2.0), "the width of a room is 0.5 to 30 m, not 90.0"),
         (lambda room: Scene("hall", width="3", depth=2.0), "the width of a room is 0.5 to 30 m, not '3'"),
         (lambda room: Scene("my hall", width=3.0, depth=2.0), "name = 'my hall' is no identifier"),
+        (lambda room: Scene("world", width=3.0, depth=2.0), "name = 'world' has a meaning of its own"),
         (
             lambda room: Scene("hall", seed=-1, width=3.0, depth=2.0),
             "seed must be a whole number that is not",

@@ -12,7 +12,7 @@ from artgen.asset.asset import DetailName
 from artgen.errors import AssetError
 from artgen.export.frames import translation
 from artgen.generator.generator import checked_count
-from artgen.materials import Material, material
+from artgen.materials import Material, colored, material
 from artgen.scene.room import GAP, STANDING, Line, Placement, Scene, Wall, check_length
 
 THICK = 0.035  # of worktops [m]
@@ -39,7 +39,13 @@ _BOWLS = {
 ATTEMPTS = 8  # draws before a room counts as infeasible
 _WORKTOPS = ("granite", "black_granite", "marble", "oak", "walnut", "beech")
 _GRIPS = ("bar", "bar", "knob", "cup")  # handles that doors and drawers have
-_FLOORS = ("oak", "oak_flat_sawn", "ash", "granite", "walnut")
+_BOARDS = tuple(material(f"{wood}_boards") for wood in ("oak", "ash", "walnut"))
+_TILES = (material("floor_tiles"), *(colored("floor_tiles", color) for color in ("sand", "slate")))
+_FLOORS = {"office": _BOARDS, "bathroom": _TILES, "workshop": _TILES}
+_WALLS = {
+    "bathroom": (material("wall_tiles"), *(colored("wall_tiles", color) for color in ("cool_white", "sage")))
+}
+_PAINTED = (colored("painted_wood", "white"),)
 
 Span = tuple[float, float]
 Hole = tuple[float, float, float, float]
@@ -97,7 +103,8 @@ class Furnisher:
         self.draw = np.random.default_rng((seed, attempt, len(kind)))
         (wide, deep), high = spans, self.uniform(2.4, 2.7)
         self.width, self.depth = size[0] or self.uniform(*wide), size[1] or self.uniform(*deep)
-        floor, self.top = (material(self.choice(*names)) for names in (_FLOORS, _WORKTOPS))
+        floor = self.choice(*_FLOORS.get(kind, _BOARDS + _TILES))
+        self.top = material(self.choice(*_WORKTOPS))
         self.room = Scene(
             f"{kind}_{seed}",
             seed=seed * ATTEMPTS + attempt,
@@ -105,6 +112,7 @@ class Furnisher:
             depth=self.depth,
             height=high,
             floor=floor,
+            paint=self.choice(*_WALLS.get(kind, _PAINTED)),
             detail=detail,
         )
         self.fronts, self.finish = _style(self.room, self.choice(*_GRIPS))

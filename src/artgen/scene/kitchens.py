@@ -12,6 +12,7 @@ from artgen.asset import Asset
 from artgen.asset.asset import DetailName
 from artgen.categories.cooktop.case import THICK as PLATES
 from artgen.errors import ParameterError
+from artgen.export.frames import translation
 from artgen.nodes.region import Region
 from artgen.scene.furnish import (
     DEEP,
@@ -31,13 +32,14 @@ from artgen.scene.furnish import (
     hood,
     width_of,
 )
-from artgen.scene.room import GAP, STANDING, Line, Wall
+from artgen.scene.room import GAP, STANDING, Line, Wall, turned
 
 Layout = Literal["one_wall", "galley", "l", "u", "island"]
 """Rows of units: along the back wall, along both side walls, round one or two corners, or with an island."""
 
 _BOARD = 0.018  # thickness of the boards of a housing [m]
 _BAR = 0.25  # of the worktop of an island over its back [m]
+_STOOLS = 0.5  # before the bar of an island, for stools [m]
 _SHALLOW = 0.33  # of the carcass of wall units [m]
 _MARGIN = 0.05  # filler between a row and a wall, which lets doors open [m]
 _SWINGS = 0.12  # space between a refrigerator and a wall, for its open door and its handle [m]
@@ -156,6 +158,8 @@ class _Kitchen(Furnisher):
             ("microwave", {"depth": 0.42}, {"deep": 0.9}),  # a hand has room before its lowest keys
             ("kettle", {}, {"deep": 0.3, "turn": math.pi}),  # its handle is behind its spout
             ("pepper_grinder", {}, {"deep": 0.3}),
+            ("toaster", {}, {"deep": 0.4}),
+            ("bottle", {"style": "screw"}, {"deep": 0.2}),
         ]
 
     def furnish(self) -> Asset:
@@ -228,6 +232,14 @@ class _Kitchen(Furnisher):
         ends: Line = ((-length / 2.0, y), (length / 2.0, y))
         line = (ends[1], ends[0]) if away else ends
         self.board("panel", line, (0.0, length), (0.0, 0.02), (0.0, UNDER))
+        if away and self.depth + y - _BAR > _STOOLS:
+            # a back would meet the bar
+            alike = {"style": "bar", "backed": False, "height": 0.64, "width": 0.36}
+            alike |= {"cover": self.choice("oak", "walnut", "black_leather"), "metal": "chrome"}
+            for number, share in enumerate((-0.25, 0.25)):
+                place = np.array([share * length, y - _BAR - 0.25, STANDING])
+                pose = translation(place) @ turned(math.pi + self.uniform(-0.5, 0.5))
+                self.room.add("chair", pose, free=True, name=f"stool_{number}", **alike)
         return _Row(line, 0.0, length, [0, *items, 1] if items else [0], island=True)
 
     def _corner(self, side: Wall) -> None:

@@ -172,7 +172,7 @@ class Scene:
         check_length("at, the distance from the left end,", at, 0.0)
         check_length("z, the height above the floor,", z, 0.0)
         name, asset = self._drawn(category, name, overrides)
-        spin = _turned(turn)
+        spin = turned(turn)
         low, high = _moved_box(asset, spin)
         if inset and (missing := z + high[2] - low[2] - self.size[2]) > _SLACK:
             raise ParameterError(
@@ -268,7 +268,7 @@ class Scene:
         """
         _check_shares(at, deep)
         name, asset = self._drawn(category, name, overrides)
-        spin = _turned(turn)
+        spin = turned(turn)
         low, high = _moved_box(asset, spin)
         under_low, under_high = below.asset.bounds()
         room = (under_high - under_low - (high - low))[:2]
@@ -328,7 +328,7 @@ class Scene:
         """
         _check_shares(at, deep)
         name, asset = self._drawn(category, name, overrides)
-        spin = _turned(turn)
+        spin = turned(turn)
         low, high = _moved_box(asset, spin)
         place = _place_in(container.asset, link, high - low, (at, deep))
         if place is None:
@@ -341,13 +341,17 @@ class Scene:
             Placement(name, asset, container.pose @ shift @ spin, f"{container.name}_{link}", free)
         )
 
-    def add(self, category: str, pose: Array, *, name: str = "", **overrides: Any) -> Placement:
+    def add(
+        self, category: str, pose: Array, *, free: bool = False, name: str = "", **overrides: Any
+    ) -> Placement:
         """Place an asset at a pose, shape (4, 4), such as a cooktop in a hole of a worktop.
 
-        The other arguments are those of `against`.
+        A free body in simulation stands on the floor there. The other arguments are those of `against`.
         """
         name, asset = self._drawn(category, name, overrides)
-        return self._keep(Placement(name, asset, pose))
+        if free:
+            _check_standing(name, asset)
+        return self._keep(Placement(name, asset, pose, free=free))
 
     def inset(
         self,
@@ -524,7 +528,7 @@ def _check_shares(at: Any, deep: Any) -> None:
             raise ParameterError(f"{name} must be a share of 0 to 1, got {value!r}")
 
 
-def _turned(angle: float) -> Array:
+def turned(angle: float) -> Array:
     """Return a turn about the vertical axis, shape (4, 4)."""
     pose = np.eye(4)
     pose[:3, :3] = rotation(np.array([0.0, 0.0, 1.0]), angle)

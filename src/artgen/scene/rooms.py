@@ -1,21 +1,25 @@
 """Bathrooms, offices, corners of workshops, and halls, each drawn from a seed."""
 
+import math
 from collections.abc import Callable
 from contextlib import suppress
 from typing import Any
+
+import numpy as np
 
 import artgen as ag
 from artgen.asset import Asset
 from artgen.asset.asset import DetailName
 from artgen.errors import ParameterError
+from artgen.export.frames import translation
 from artgen.materials import Material, material
 from artgen.nodes.region import Region
 from artgen.scene.furnish import DOORWAY, FRONT, PLINTH, Furnisher, Hole, Span, check_room, drawn, width_of
-from artgen.scene.room import GAP, STANDING, Placement, Wall
+from artgen.scene.room import GAP, STANDING, Placement, Wall, turned
 
 _DESK = 0.70  # height of what stands under a desk [m]
 _GIFT: dict[str, Any] = {"style": "gift", "closure": "lift", "size": "small"}
-_WOODS = ("oak", "walnut", "beech", "ash", "maple")
+_ROUND = 0.14  # radius of the corners of a bathtub [m]
 
 
 def bathroom(
@@ -23,8 +27,8 @@ def bathroom(
 ) -> Asset:
     """Return a bathroom, proven free of collisions in all states of all its joints.
 
-    It has a vanity with a sink and its tap, drawers, a mirror, wall units, a bathtub, a toilet or a washing
-    machine or a dryer, a soap dispenser, a bottle, a waste bin, a window and a door.
+    It has a vanity with a sink and its tap, drawers, a mirror, wall units, a bathtub with a tap, a toilet or
+    a washing machine or a dryer, a soap dispenser, a bottle, a waste bin, a window and a door.
 
     Args:
         seed: Seed of the room and of all assets.
@@ -44,8 +48,8 @@ def office(
 ) -> Asset:
     """Return an office, proven free of collisions in all states of all its joints.
 
-    It has a desk on drawers, a lamp, a laptop, a tall cabinet, a sideboard, boxes, a waste bin, a window and
-    a door. The arguments and errors are those of `bathroom`.
+    It has a desk on drawers, a chair, a lamp, a laptop, a tall cabinet, a sideboard, boxes, a waste bin,
+    a window and a door. The arguments and errors are those of `bathroom`.
     """
     return _room("office", _office, ((2.9, 3.8), (2.6, 3.3)), seed, (width, depth), detail)
 
@@ -110,6 +114,8 @@ def _bathroom(here: Furnisher) -> None:
         lambda: _tub(Region((at, at + 1.62), (-0.72, -0.001), (STANDING, 0.56)), white),
         wall=sides[0],
     )
+    tap: dict[str, Any] = {"style": "wall", "spout": "low", "stand": "none", "reach": 0.2}
+    room.against(sides[0], "faucet", at=at + 0.65, z=0.66, **tap)
     # over the end that is away from the corner, where a hand is near its lock
     here.window(sides[0], at + (0.57 if flip else 1.05), width=0.9, height=0.6, z=1.3)
     spare = width - 0.85 - wide - 0.2
@@ -156,7 +162,7 @@ def _office(here: Furnisher) -> None:
     finish = {each.name: each for each in first.materials}.get(first.parameters["finish"])
     if finish is not None:
         files["finish"] = finish  # both of one color
-    if here.choice(True, False):
+    if two := here.choice(True, False):
         room.against("back", "drawer", at=ends[1], **files)
     else:
         side = ends[1] if flip else ends[1] + 0.39
@@ -194,6 +200,11 @@ def _office(here: Furnisher) -> None:
     )
     _box_on(here, board, 0.2, 0.5)
     room.against(sides[1], "trashcan", at=0.85 if flip else depth - 1.17, style="open", size="medium")
+    # a chair faces the desk; it turns, with its back tilted, clear of the desk and of open drawers
+    knees = start + 0.5 * desk + (0.0 if two else -0.21 if flip else 0.21)
+    facing = turned(math.pi + here.uniform(-0.6, 0.6))
+    pose = translation(np.array([knees - 0.5 * width, -1.85 if two else -1.3, STANDING])) @ facing
+    room.add("chair", pose, free=True, name="chair", style="office")
 
 
 def _workshop(here: Furnisher) -> None:
@@ -252,12 +263,29 @@ def _box_on(here: Furnisher, below: Placement, at: float, deep: float) -> None:
 
 
 def _tub(region: Region, finish: Material) -> ag.Body:
-    """Make a bathtub that fills a region, with a drain in its floor."""
-    wall = 0.06
-    cavity = region.shrink(x=wall, y=wall).with_(z=(region.z.low + 1.5 * wall, region.z.high + 0.01))
-    shell = region.box(bevel=0.006) - cavity.box(bevel=0.01)
-    drain = ag.cylinder(0.035, 4 * wall).at(region.x.mid, region.y.mid, region.z.low + wall)
-    strainer = ag.cylinder(0.0345, 0.004, bevel=0.001).at(region.x.mid, region.y.mid, region.z.low + 0.002)
+    """Make a bathtub that fills a region, with round corners, sloping sides and a drain in its floor.
+
+    Its colliders are within its visible surface and have plane corners.
+    """
+    wall, x, y = 0.06, region.x.size / 2.0 - 0.06, region.y.size / 2.0 - 0.06
+    floor, rim = region.z.low + 1.5 * wall, region.z.high
+    levels = [(0.17, floor), (0.15, floor + 0.03), (0.01, rim - 0.03), (0.0, rim - 0.01), (0.0, rim + 0.01)]
+    rings = [ag.rectangle(2.0 * (x - less), 2.0 * (y - 0.6 * less), radius=_ROUND) for less, _ in levels]
+    ends = (floor - 0.002, rim + 0.01)
+    octagons = [_octagon(x - less, y - 0.6 * less) for less in (0.165, -0.004)]
+    middle = (region.x.mid, region.y.mid)
+    skin = region.box(bevel=0.012) - ag.loft(rings, [z for _, z in levels]).at(*middle)
+    core = region.shrink(x=0.001, y=0.001, z=0.001).box() - ag.hull(ag.loft(octagons, ends)).at(*middle)
+    drain = ag.cylinder(0.033, 0.004, bevel=0.001).at(middle[0] - 0.4, middle[1], floor + 0.001)
     return ag.weld(
-        ag.part(shell - drain, "basin", finish), ag.part(strainer, "drain", ag.material("stainless"))
+        ag.part(core, "basin", finish),
+        ag.detail(skin, "basin", finish),
+        ag.part(drain, "drain", ag.material("stainless")),
     )
+
+
+def _octagon(x: ag.Scalar, y: ag.Scalar) -> ag.Profile:
+    """Return a rectangle of half a width and half a depth without its corners."""
+    cut = 0.58 * _ROUND
+    right = [(x - cut, -y), (x, cut - y), (x, y - cut), (x - cut, y)]
+    return ag.polygon([*right, *((-x, -y) for x, y in right)])
