@@ -350,6 +350,20 @@ def test_friction_may_keep_a_spring_from_its_rest_by_its_width():
     assert not checked(door(stiffness=4.0, rest=0.5, friction=1.0, damping=0.5)).findings
 
 
+def test_friction_that_holds_against_a_spring_everywhere_is_told():
+    faults = checked(door(stiffness=0.5, rest=0.5, friction=1.0, damping=0.5)).faults
+    missed = "5 s after its spring should have taken it to 0.5 rad: "
+    assert [missed in fault.message for fault in faults] == [True, True]
+    assert "0.25 N m of the spring against 1 N m of friction" in faults[0].message
+    assert {fault.hint for fault in faults} == {"make the spring stiffer, or lower friction or damping"}
+
+
+def test_a_range_that_takes_minutes_is_told_at_once():
+    faults = checked(door(velocity=0.01)).faults
+    assert [fault.message for fault in faults] == ["takes 100 s over its range at its velocity limit of 0.01"]
+    assert faults[0].hint == "give it a velocity= that takes 60 s at most"
+
+
 def key(**options: Any) -> Body:
     """Return a key of 0.5 g with a preloaded spring."""
     press = Prismatic("press", axis=-Z, limits=(0.0, 0.0012), stiffness=400.0, effort=3.0, **options)

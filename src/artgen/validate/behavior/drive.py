@@ -10,6 +10,7 @@ from artgen.validate.behavior.settle import REST_SPEED, REST_TIME, SETTLE_TIME
 from artgen.validate.joints import force, length, needed_conditions, place, state_for
 
 _TRAVEL_TIME = 1.5  # time for the whole range [s]
+_SLOWEST = 60.0  # longest time for the whole range at the velocity limit of a joint [s]
 _STUCK_TIME = 0.4  # time without progress at full force before giving up [s]
 _MOST_TIME = 12.0  # time for the whole range of strongly damped joints [s]
 _RAMP_TIME = 0.4  # time in which the force on a stuck joint doubles [s]
@@ -114,6 +115,11 @@ def _driven(simulation: Simulation, motion: JointMotion) -> Iterator[Finding]:
         message = f"can never move: no position of the other joints satisfies {needs}"
         hint = "keep the condition within the limits of the joints that it names"
         yield joint_finding(motion.joint, message, hint)
+        return
+    slowest = motion.range / motion.joint.velocity
+    if slowest > _SLOWEST:
+        message = f"takes {slowest:.3g} s over its range at its velocity limit of {motion.joint.velocity:.3g}"
+        yield joint_finding(motion.joint, message, f"give it a velocity= that takes {_SLOWEST:g} s at most")
         return
     closed = motion.joint.closed
     begin, start = True, state
@@ -240,10 +246,12 @@ def _release(simulation: Simulation, motion: JointMotion, state: Mapping[str, fl
     quarter = math.pi / 2.0
     low, high = motion.joint.limits or (motion.rest - quarter, motion.rest + quarter)
     target = min(max(motion.rest, low), high)
-    width = max(_RETURNED * (high - low), motion.friction / motion.stiffness)
+    near, sticks = _RETURNED * (high - low), motion.friction / motion.stiffness
     for end in (low, high):
-        if abs(end - target) <= width:
+        if abs(end - target) <= near:
             continue
+        # friction holds the joint near the rest of its spring, but not at the end from which it is released
+        width = max(near, sticks) if abs(end - motion.rest) > sticks else near
         simulation.begin({**state, motion.name: end}, f"{motion.name} springs back")
         try:
             swing = _swing(simulation, motion, servos(simulation, state))
