@@ -12,6 +12,9 @@ from artgen.errors import AssetError, ExportError, ParameterError, nearest
 NAME_RULE = "letters, digits and _, at most 100"
 """Rule of names for messages; the length leaves room for files named after a link and a part."""
 
+WORLD = "world"
+"""Name of the fixed frame in MJCF and URDF, which no link may have."""
+
 _LONGEST = 100  # most characters of a name
 _NAMED = frozenset(  # keys of asset.json with names
     [
@@ -88,10 +91,12 @@ def check_name(name: object) -> None:
     """Check the argument `name` of an author.
 
     Raises:
-        ParameterError: It is no identifier.
+        ParameterError: It is no identifier, or formats have a meaning for it.
     """
     if not is_identifier(name):
         raise ParameterError(f"name = {name!r} is no identifier; use {NAME_RULE}")
+    if name in ("main", WORLD):
+        raise ParameterError(f"name = {name!r} has a meaning of its own in MJCF and URDF; use another name")
 
 
 def is_plain_path(path: object) -> bool:

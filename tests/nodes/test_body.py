@@ -47,6 +47,7 @@ def test_a_part_is_one_link_with_mass():
         (lambda: block("my leaf"), "label 'my leaf' is no identifier; use letters, digits and _"),
         (lambda: block(""), "label '' is no identifier"),
         (lambda: block("leaf", name="1st"), "link name '1st' is no identifier"),
+        (lambda: block(name="world"), "link name 'world' is the fixed frame in MJCF and URDF; use another"),
         (lambda: block("leaf", grasp_width=0.0), "grasp_width must be positive, got 0 m"),
         (lambda: detail(box(1.0, 1.0, 1.0), "a b", OAK), "label 'a b' is no identifier"),
         (lambda: block().suffixed("-1"), "suffix 'x-1' is no identifier"),

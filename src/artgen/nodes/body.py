@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from artgen._arrays import Array
-from artgen._names import NAME_RULE, is_identifier
+from artgen._names import NAME_RULE, WORLD, is_identifier
 from artgen.asset import (
     AllowedContact,
     AssetCondition,
@@ -42,6 +42,8 @@ from artgen.nodes.vector import unit
 def _check_name(name: str, what: str) -> None:
     if not is_identifier(name):
         raise ValueError(f"{what} {name!r} is no identifier; use {NAME_RULE}")
+    if name == WORLD:
+        raise ValueError(f"{what} {name!r} is the fixed frame in MJCF and URDF; use another name")
 
 
 def _part(
