@@ -177,6 +177,7 @@ def test_of_several_categories_one_is_picked(category_file: Path) -> None:
         ("import no_such\n", BuildError, r"^ModuleNotFoundError: .*'no_such'\n  at .*stools\.py:1$"),
         ("raise SystemExit(3)\n", BuildError, r"^SystemExit: 3\n  at .*stools\.py:1$"),
         ("import artgen\nartgen.uniform(2, 1)\n", BuildError, r"low exceeds high; .*\n  at .*stools\.py:2$"),
+        (PLUGIN + PLUGIN, BuildError, r"the category 'stool' is defined twice, at .*stools\.py:\d+ and"),
         ("x = '\xff'\n", BuildError, r"stools\.py"),
     ],
 )

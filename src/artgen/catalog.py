@@ -9,29 +9,21 @@ import re
 import sys
 from collections.abc import Mapping
 from importlib import import_module
-from importlib.util import decode_source, find_spec
+from importlib.util import decode_source
 from pathlib import Path
-from pkgutil import iter_modules
 from traceback import walk_tb
 from types import MappingProxyType, ModuleType
 from typing import Any
 
 from artgen.asset import Asset
 from artgen.errors import ArtgenError, BuildError, ParameterError, nearest
-from artgen.generator import CATEGORIES, Generator, collected
+from artgen.generator import CATEGORIES, Generator, collected, own_categories
 from artgen.graph.node import line_in
 
 ENTRY_POINTS = "artgen.categories"
 """Group of entry points for categories of other packages; each names a module that defines categories."""
 
 _FILE = re.compile(r"(?P<path>.+\.py)(?::(?P<name>[^:/\\]*))?", re.DOTALL)
-
-
-@functools.cache
-def _own() -> frozenset[str]:
-    """Return the names of artgen's categories, which are the names of their packages."""
-    folders = find_spec("artgen.categories").submodule_search_locations  # type: ignore[union-attr]
-    return frozenset(found.name for found in iter_modules(folders)) - {"shared"}
 
 
 @functools.cache
@@ -44,7 +36,6 @@ def broken() -> Mapping[str, str]:
         package = f" of the package {point.dist.name}" if point.dist else ""
         try:
             point.load()
-            _refuse_own_names()
         except (Exception, SystemExit) as error:  # noqa: BLE001 - whatever a package raises, others go on
             reason = _describe(_culprit(error), error)
             messages[point.name] = f"the categories in {point.value!r}{package} cannot be imported: {reason}"
@@ -61,18 +52,10 @@ def _culprit(error: BaseException) -> str:
     return next((file for file in reversed(files) if Path(file).is_relative_to(Path(files[0]).parent)), "")
 
 
-def _refuse_own_names() -> None:
-    """Remove foreign categories with names of artgen's categories from the catalog."""
-    for name in sorted(_own() & set(CATEGORIES)):
-        if CATEGORIES[name].function.__module__ != f"artgen.categories.{name}":
-            other = CATEGORIES.pop(name)
-            raise BuildError(f"{name!r} is a category of artgen; rename the category\n  at {other.where}")
-
-
 def categories() -> tuple[str, ...]:
     """Return the names of all categories, sorted; `broken` returns packages that cannot be imported."""
     broken()
-    return tuple(sorted({*_own(), *CATEGORIES}))
+    return tuple(sorted({*own_categories(), *CATEGORIES}))
 
 
 def find(name: str | Path) -> Generator:
@@ -89,7 +72,7 @@ def find(name: str | Path) -> Generator:
     name = str(name)
     if is_file(name):
         return load_file(name)
-    if name not in CATEGORIES and name in _own():
+    if name not in CATEGORIES and name in own_categories():
         import_module(f"artgen.categories.{name}")
     if name not in CATEGORIES:  # the caller's own categories need no catalog
         broken()

@@ -220,6 +220,17 @@ def test_two_modules_cannot_define_one_category(catalog):
     assert catalog["bench"] is again
 
 
+def test_the_names_of_artgens_categories_are_taken_before_they_are_imported(catalog):
+    def drawer() -> Body:
+        return block()
+
+    with pytest.raises(
+        BuildError, match=r"'drawer' is a category of artgen; rename the category\n  at .*test_signature"
+    ):
+        category(labels="block")(drawer)
+    assert not catalog.get("drawer") or catalog["drawer"].function is not drawer
+
+
 @pytest.mark.parametrize("value", [None, "handle", lever])
 def test_a_generator_is_made_of_a_function(value: object) -> None:
     with pytest.raises(

@@ -1,6 +1,6 @@
 """Generators: typed functions; the signature declares the parameters and their distributions."""
 
-from artgen.generator.declare import CATEGORIES, category, collected, generator, one_of
+from artgen.generator.declare import CATEGORIES, category, collected, generator, one_of, own_categories
 from artgen.generator.generator import Generator, OnCollision
 from artgen.generator.parameter import Parameter, accept
 from artgen.generator.shades import shades
@@ -17,5 +17,6 @@ __all__ = [
     "collected",
     "generator",
     "one_of",
+    "own_categories",
     "shades",
 ]

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import functools
 import inspect
 import typing
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
+from importlib.util import find_spec
+from pkgutil import iter_modules
 from typing import Any, Never
 
 from artgen.errors import BuildError, ParameterError
@@ -19,7 +22,16 @@ from artgen.sampling import choice
 CATEGORIES: dict[str, Generator] = {}
 """Categories by name, filled when the modules that define them are imported."""
 
+_OWN = "artgen.categories"  # package of artgen's categories
+
 _COLLECTED: ContextVar[tuple[str, dict[str, Generator]]] = ContextVar("collected", default=("", {}))
+
+
+@functools.cache
+def own_categories() -> frozenset[str]:
+    """Return the names of artgen's categories, which are the names of their packages."""
+    folders = find_spec(_OWN).submodule_search_locations  # type: ignore[union-attr]
+    return frozenset(found.name for found in iter_modules(folders)) - {"shared"}
 
 
 @contextmanager
@@ -60,20 +72,20 @@ def category(
 
     Args:
         labels: All semantic labels of its parts, as names or as one text with spaces between them.
-        joints: Minimum and maximum joint count, shown by `artgen list`.
+        joints: Minimum and maximum joint count, shown by `artgen list` and checked by `check_category`.
 
     Raises:
-        BuildError: Another category has that name, a parameter has no distribution or value, the function
-            does not return a Body, there are no labels, or `joints` is not a range.
+        BuildError: Another category, such as one of artgen, has that name, a parameter has no distribution or
+            value, the function does not return a Body, there are no labels, or `joints` is not a range.
     """
     if function or labels is None:
         raise BuildError(
             'a category declares its labels: write @category(labels="base arm") before its function'
             f"\n  at {authors_line()}"
         )
-    if joints is not None and not 0 <= joints[0] <= joints[1]:
+    if joints is not None and not _is_range(joints):
         raise BuildError(
-            f"joints={joints} is not allowed: give the least and the largest joint count, in this order\n"
+            f"joints={joints!r} is not allowed: give the least and the largest joint count, in this order\n"
             f"  at {authors_line()}"
         )
 
@@ -93,19 +105,25 @@ def category(
                 f"{made.name} returns {spelled(returned)}; a category returns a Body\n  at {made.where}"
             )
         collector, found = _COLLECTED.get()
-        if function.__module__ == collector:
-            found[made.name] = made
-            return made
-        other = CATEGORIES.get(made.name)
+        module, collects = function.__module__, function.__module__ == collector
+        if not collects and made.name in own_categories() and module != f"{_OWN}.{made.name}":
+            raise BuildError(f"{made.name!r} is a category of artgen; rename the category\n  at {made.where}")
+        known = found if collects else CATEGORIES
+        other = known.get(made.name)
         # a module or notebook cell that runs again replaces its own categories
-        if other is not None and other.function.__module__ != function.__module__:
+        if other is not None and (collects or other.function.__module__ != module):
             raise BuildError(
                 f"the category {made.name!r} is defined twice, at {other.where} and {made.where}"
             )
-        CATEGORIES[made.name] = made
+        known[made.name] = made
         return made
 
     return register
+
+
+def _is_range(joints: Any) -> bool:
+    counts = isinstance(joints, tuple) and len(joints) == 2 and all(type(each) is int for each in joints)
+    return counts and bool(0 <= joints[0] <= joints[1])
 
 
 def one_of(*generators: Generator, weights: tuple[float, ...] | None = None, doc: str = "") -> Any:

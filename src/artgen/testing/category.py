@@ -1,6 +1,7 @@
 """Check of a category: it generates sound assets and keeps the promises of every category."""
 
 import json
+import math
 from collections.abc import Collection, Iterable, Mapping
 from functools import partial
 from typing import Any, Literal
@@ -97,6 +98,9 @@ def _faults(
         parameters = {} if infeasible else generator.sample(seed, overrides=overrides)
         return parameters, [f"generate: {error}"]
     faults = _round_trip(generator, asset, overrides)
+    least, most = generator.joints or (0, math.inf)
+    if not least <= (count := len(asset.joints)) <= most:
+        faults.append(f"joints: it has {count}, and @category(joints=({least}, {most})) is declared")
     source = generator.check_source(generator, seed, attempt=asset.attempt, overrides=overrides)
     faults += [f"source: {fault}" for fault in source.faults]
     again = json.loads(generated(cache=Cache(), keep_graph=True)[0].to_json())
@@ -116,7 +120,9 @@ def _faults(
     except ArtgenError as error:
         faults.append(f"export: {error}")
     else:
-        faults += [f"{fault.check}: {fault}" for fault in report.faults]
+        findings = [each for result in report.results for each in result.findings]
+        # notes may explain a fault
+        faults += [f"{each.check}: {each}" for each in findings if faults or not report.passed]
     return asset.parameters, faults
 
 
