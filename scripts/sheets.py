@@ -1,6 +1,10 @@
-"""Draw the contact sheets of the documentation: docs/CATEGORY.jpg and kitchens.jpg; `make sheets` runs it."""
+"""Draw the contact sheets of the documentation: docs/CATEGORY.jpg, kitchens.jpg and rooms.jpg.
+
+`make sheets` runs it.
+"""
 
 from functools import partial
+from itertools import cycle
 from pathlib import Path
 from typing import Annotated
 
@@ -8,15 +12,16 @@ import typer
 
 from artgen.catalog import categories
 from artgen.commands.pictures import sheet
-from artgen.scene import kitchen
+from artgen.scene import ROOMS, kitchen
 from artgen.view import sheet as page
 
+_OTHERS = [room for name, room in ROOMS.items() if name != "kitchen"]
 DOCS = Path(__file__).parents[1] / "docs"
 
 
 def main(
     names: Annotated[
-        list[str] | None, typer.Argument(help="Categories, or kitchens; all by default.")
+        list[str] | None, typer.Argument(help="Categories, kitchens or rooms; all by default.")
     ] = None,
     *,
     seeds: Annotated[int, typer.Option(min=1, help="Number of samples.")] = 12,
@@ -24,12 +29,18 @@ def main(
     out: Annotated[Path, typer.Option(help="Directory.")] = DOCS,
 ) -> None:
     """Draw a sheet of each category with the best installed renderer."""
-    for name in names or [*categories(), "kitchens"]:
-        if name == "kitchens":
-            rooms = [
-                partial(kitchen, seed, detail="medium") for seed in range(first_seed, first_seed + seeds)
-            ]
-            typer.echo(page.save_sheet(page.sheet(rooms, views=1, size=300), out / "kitchens.jpg"))
+    numbers = range(first_seed, first_seed + seeds)
+    scenes = {
+        "kitchens": [partial(kitchen, seed, detail="medium") for seed in numbers],
+        "rooms": [
+            partial(room, first_seed + number // len(_OTHERS), detail="medium")
+            for number, room in zip(range(seeds), cycle(_OTHERS), strict=False)
+        ],
+    }
+    for name in names or [*categories(), *scenes]:
+        if name in scenes:
+            drawn = page.sheet(scenes[name], views=1, size=300)
+            typer.echo(page.save_sheet(drawn, out / f"{name}.jpg"))
             continue
         sheet(name, seeds=seeds, first_seed=first_seed, out=out / f"{name}.jpg")
 

@@ -80,6 +80,8 @@ CALLS = [
     (lambda: made("door", width=nan), "width = nan is not allowed: it must be a number"),
     (lambda: made("door", width=ag.uniform(0.92, 0.85)), "low exceeds high; swap them"),
     (lambda: made("door", width=ag.uniform(0.1, 5)), "width = uniform(0.1, 5) is out of range"),
+    (lambda: ag.uniform(100, 300, "mm"), "lengths are in m, angles in rad and masses in kg; 1 mm is 0.001 m"),
+    (lambda: ag.count(1, 3, unit=5), "unit = 5 is not allowed: it is text, such as 'm' or 'rad'"),
     (lambda: made("door", attempts=0), "attempts must be at least 1, got 0"),
     (lambda: ag.generate("door", tolerance=1.0), "a number of metres (not mm) that is not negative and at"),
     (lambda: made("door", limits="fulll"), "limits = 'fulll' is not allowed: it must be 'full' or 'indep"),
@@ -405,6 +407,27 @@ def test_bodies_that_are_made_for_a_choice_may_be_left_out():
     notes = category.check_source(category, 0, overrides={"kind": "plain"}).findings
     assert [note.severity for note in notes] == ["note"]
     assert re.fullmatch(r"the body of attach at \S+ is not in the asset; return, .*", str(notes[0]))
+
+
+def test_a_parameter_that_is_never_used_is_told():
+    def tray(
+        *,
+        kind: str = ag.choice("flat", "deep"),
+        wide: ag.Float = ag.by("kind", flat=0.2, deep=0.1),
+        walls: int = ag.count(2, 4),
+        lip: ag.Float = 0.01,
+        spare: ag.Float = ag.uniform(0.1, 0.2),
+    ) -> ag.Body:
+        def wall(number: int) -> ag.Solid:
+            return ag.box(wide, 0.1, lip).at(z=0.1 * number)
+
+        return ag.part([wall(number) for number in range(walls)], "tray", OAK)
+
+    notes = ag.generator(tray).check_source(ag.generator(tray), 0).findings
+    assert [note.severity for note in notes] == ["note"]
+    assert re.fullmatch(
+        r"the parameter 'spare' at \S+ is never used; use it in the function, or remove it", str(notes[0])
+    )
 
 
 def test_a_folder_of_assets_is_no_asset(asset, tmp_path):

@@ -97,6 +97,14 @@ MISMATCHED = {
         declared(Float, by("k", a=1.0), k=(Literal["a", "b"], choice("a"))),
         r"by\('k', ...\) has no case for 'b'; give one for each value, or otherwise=... Cases: a",
     ),
+    "by with a case that is no option": (
+        declared(Float, by("k", a=1.0, bb=2.0, otherwise=3.0), k=(Literal["a", "b"], choice("a"))),
+        r"by\('k', bb=...\) never applies: k is Literal\['a', 'b'\]\. Did you mean 'b'\?",
+    ),
+    "by with a case that is no truth value": (
+        declared(Float, by("k", yes=1.0, otherwise=3.0), k=(bool, choice(True, False))),
+        r"by\('k', yes=...\) never applies: k is bool",
+    ),
     "by of a generator with a case missing": (
         declared(Float, by("k", lever=1.0), k=(Generator, one_of(lever, knob))),
         "has no case for 'knob'",

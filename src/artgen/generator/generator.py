@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import atexit
+import dis
 import functools
 import inspect
 import linecache
@@ -409,7 +410,7 @@ class Generator(Variant):
 
         Returns:
             The check `source`: a fault with the author's line if the two graphs differ, and a note for each
-            body or joint that is not in the asset.
+            body or joint that is not in the asset and for each parameter that is never used.
         """
         values = self.sample(seed, attempt=attempt, overrides=overrides)
         with recording() as made:
@@ -426,9 +427,28 @@ class Generator(Variant):
             )
             for node in unused
         ]
+        findings += [
+            Finding(
+                "source",
+                f"the parameter {name!r} at {self.where} is never used",
+                hint="use it in the function, or remove it",
+                severity="note",
+            )
+            for name in self._unread()
+        ]
         if first.node.key != second.node.key:
             findings.append(_differing(first.node, second.node))
         return CheckResult("source", tuple(findings), f"built twice, {len(made)} operations")
+
+    def _unread(self) -> list[str]:
+        """Return the parameters that neither the function nor a distribution reads."""
+        code = self.function.__code__
+        read = {name for each in self.own.values() for name in each.distribution.needs()}
+        read.update(code.co_cellvars)
+        for step in dis.get_instructions(code):
+            if "LOAD" in step.opname:  # one step may load two variables
+                read.update(step.argval if isinstance(step.argval, tuple) else (step.argval,))
+        return [name for name in self.own if name not in read]
 
     def _built_with(self, values: Mapping[str, Any], prefix: str, inputs: Mapping[str, Any]) -> Any:
         """Call the function with the caller's inputs and with drawn values."""

@@ -6,12 +6,12 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 from typing import Any
 
-from artgen.errors import BuildError, ParameterError
+from artgen.errors import BuildError, ParameterError, nearest
 from artgen.generator.draw import drawing_order
 from artgen.generator.parameter import Parameter, is_optional, is_socket, spelled, supported
 from artgen.graph import Handle
 from artgen.sampling import Distribution, Fixed, Given
-from artgen.sampling.choices import By, case_key
+from artgen.sampling.choices import OTHERWISE, By, case_key
 
 RESERVED = (
     *("seed", "name", "base", "cache", "attempts", "certify", "tolerance", "on_collision", "limits"),
@@ -109,8 +109,15 @@ def _check_needs(parameter: Parameter, parameters: Mapping[str, Parameter], plac
 
 
 def _check_cases(distribution: By, other: Parameter, place: str, where: str) -> None:
-    """Check that each value of the structural parameter has a case."""
-    values = list(typing.get_args(other.kind)) if typing.get_origin(other.kind) is typing.Literal else []
+    """Check that each value of the structural parameter has a case, and each case a value."""
+    allowed = other.options if other.kind is bool or typing.get_origin(other.kind) is typing.Literal else ()
+    for key, _ in distribution.cases:
+        if allowed and key not in (OTHERWISE, *map(case_key, allowed)):
+            raise BuildError(
+                f"{place}: by({other.name!r}, {key}=...) never applies: {other.name} is "
+                f"{spelled(other.kind)}.{nearest(str(key), list(map(str, allowed)))}\n  at {where}"
+            )
+    values = list(allowed) if other.kind is not bool else []
     values += [value for leaf in other.distribution.leaves() for value in leaf.support()]
     for value in values:
         if distribution.case(value) is None:

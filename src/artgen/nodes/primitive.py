@@ -218,9 +218,10 @@ def _bore(radius: float, length: float, axis: Array3) -> Shape:
 
 @records(_bore)
 def bore(radius: Scalar, length: Scalar, *, axis: VectorLike = UP) -> Solid:
-    """Make a tool that drills a hole, centered on the origin: a shaft of `radius` fits into the hole.
+    """Make a tool that drills a hole, centered on the origin: a smaller shaft turns in the hole.
 
-    It is a cylinder with facets outside the radius, in contrast to `cylinder`.
+    It is a cylinder with facets outside the radius, in contrast to `cylinder`. A shaft that turns or slides
+    in the hole needs clearance: 0.05 mm on its radius is enough.
 
     Args:
         radius: Radius of the hole [m].

@@ -51,6 +51,17 @@ class Distribution(ABC):
     doc: str = ""
     within: Within = None
 
+    def __post_init__(self) -> None:
+        """Check the unit."""
+        if not isinstance(self.unit, str):
+            raise ParameterError(f"unit = {self.unit!r} is not allowed: it is text, such as 'm' or 'rad'")
+        for base, units in UNITS.items():
+            if self.unit != base and self.unit in units:
+                raise ParameterError(
+                    f"unit = {self.unit!r} is not allowed: lengths are in m, angles in rad and masses in kg; "
+                    f"1 {self.unit} is {units[self.unit]:.4g} {base}"
+                )
+
     @abstractmethod
     def draw(self, generator: np.random.Generator, given: Mapping[str, Any]) -> Any:
         """Draw a value; `given` has the parameters drawn before."""

@@ -15,7 +15,6 @@ mm and 0.10-0.20 kg, diagonal cutters 130-180 mm and 0.12-0.26 kg, slip-joint 16
 import math
 
 import artgen as ag
-from artgen import details
 from artgen.categories.plier import fittings
 from artgen.categories.plier.fittings import PASSES, Grip
 from artgen.categories.plier.halves import Forging, Style
@@ -77,7 +76,6 @@ def plier(
     friction: ag.Float = ag.uniform(0.06, 0.16, "N m", doc="friction of the joint; low if new and oiled"),
     preload: ag.Float = ag.uniform(0.22, 0.32, "N m", doc="spring torque with open jaws, handle 0.15 m"),
     squeeze: ag.Float = ag.uniform(0.45, 0.75, "N m", doc="spring torque with closed jaws, handle 0.15 m"),
-    maker: str = ag.choice(*details.BRANDS),
 ) -> ag.Body:
     """Make combination, needle-nose, slip-joint or cutting pliers, closed."""
     slip = style == "slip_joint"
