@@ -109,9 +109,13 @@ def _jug(
     inside = ag.extrude(ag.regular_polygon(14, 0.86 * rim), height).at(z=0.16 * height + height / 2)
     core = vessels.core(runs, sides=_SIDES) - inside
     skin = ag.revolve(ag.half_section(vessels.path_of(points), wall=_WALL), sides=48)
-    brim = ag.tube(rim + 0.0008, 0.86 * rim, 0.003, bevel=0.001).at(z=height - 0.0015)
+    brim = ag.tube(rim + 0.0008, 0.84 * rim, 0.003, bevel=0.001).at(z=height - 0.0015)
+    round_ = 0.838 * rim  # within the plane walls of the core
+    liner = ag.tube(round_, round_ - 0.0008, 0.84 * height - 0.001).align((0.0, 0.0, height - 0.001), z=1)
     wet = shell.with_(name=f"{shell.name}_jug", density=620.0)
-    jug = ag.weld(ag.part(core, "jug", wet), ag.detail(skin, "jug", shell), ag.detail(brim, "rim", shell))
+    jug = ag.weld(
+        ag.part(core, "jug", wet), ag.detail([skin, liner], "jug", shell), ag.detail(brim, "rim", shell)
+    )
     wall = ag.spline([(r, 0.0, z) for r, z in points])
     mark = details.wrapped(details.logo(maker, 0.006), wall, 0.30 * height, material=controls.ink_on(shell))
     return ag.weld(jug, mark.rotate(ag.Z, -math.pi / 2)), rim
