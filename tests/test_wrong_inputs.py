@@ -111,6 +111,7 @@ OF_ASSET = [
         "formats = 3 is not allowed: it must be a tuple of",
     ),
     (lambda asset, to: asset.export(to / "x", layout=None), "there is no layout None. Allowed: flat"),
+    (lambda asset, to: asset.export(to / "x", layout=[]), "there is no layout []. Allowed: flat"),
     (lambda asset, to: asset.export(to / "x", layout="simredy"), "Did you mean 'simready'?"),
     (
         lambda asset, to: asset.export(to / "x", textures="512"),
