@@ -160,6 +160,14 @@ def test_the_force_of_a_spring_grows(preload, force):
         Spring(preload=preload, force=force)
 
 
+def test_a_spring_whose_drawn_force_does_not_grow_is_refused():
+    spring = Spring(preload=3.0, force=Float.parameter("force"))
+    joint = Prismatic("slide", axis=Y, limits=(0, 0.1), spring=spring)
+    words = "stiffness -20 must not be negative; the force of a Spring must be above its preload"
+    with pytest.raises(EvaluationError, match=words):
+        evaluate(joint, {"force": 1.0})
+
+
 def test_a_joint_without_limits_has_no_forces_at_them():
     with pytest.raises(BuildError, match="a joint without limits has no forces at its limits"):
         Revolute("turn", axis=Z, spring=Spring(preload=1.0, force=2.0))

@@ -487,7 +487,8 @@ def _joint(
     _check_closing(made)
     for field in ("stiffness", "damping", "friction", "armature"):
         if getattr(made, field) < 0.0:
-            raise ValueError(f"joint {name!r}: {field} {getattr(made, field):.6g} must not be negative")
+            hint = "; the force of a Spring must be above its preload" if field == "stiffness" else ""
+            raise ValueError(f"joint {name!r}: {field} {getattr(made, field):.6g} must not be negative{hint}")
     for field in ("effort", "velocity"):
         if getattr(made, field) <= 0.0:
             raise ValueError(f"joint {name!r}: {field} {getattr(made, field):.6g} must be positive")
