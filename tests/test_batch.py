@@ -38,6 +38,17 @@ def test_only_rules_with_names_tell_other_names_apart(doors) -> None:
         batch.groups(doors, "newton")  # type: ignore[arg-type]
 
 
+def test_assets_and_seeds_of_a_batch_are_several() -> None:
+    with pytest.raises(ParameterError, match=r"groups takes several assets, not 'switch'; write a list"):
+        batch.groups("switch", "mjlab")  # type: ignore[arg-type]
+    with pytest.raises(ParameterError, match=r"groups takes assets, not 'switch'; generate one, such as"):
+        batch.groups(["switch"], "mjlab")  # type: ignore[list-item]
+    with pytest.raises(
+        ParameterError, match=r"seeds = 3 is not allowed: give several seeds, such as range\(4\)"
+    ):
+        batch.mjlab("switch", 3)  # type: ignore[arg-type]
+
+
 def test_models_for_mjlab_have_one_structure(doors) -> None:
     specs = batch.specs(list(map(Topology.of(doors).pad, doors)))
     first, second = models = [spec.compile() for spec in specs]

@@ -67,7 +67,7 @@ def test_the_starter_is_sound_at_its_corners(artgen_command, tmp_path: Path) -> 
         ("my-stapler", "'my-stapler' cannot name a category; use small letters, digits and _, at most 100"),
         ("Stapler", "'Stapler' cannot name a category"),
         ("s" * 300, f"{'s' * 300!r} cannot name a category; use small"),
-        ("class", "'class' cannot name a category"),
+        ("class", "'class' cannot name a category: it is a keyword of Python; choose another name"),
         ("uniform", "'uniform' is a name of artgen that categories import"),
         ("json", "there is a Python module 'json'; choose another name"),
         ("../stapler", "'../stapler' cannot name a category"),

@@ -113,6 +113,7 @@ OF_ASSET = [
         "formats = 3 is not allowed: it must be a tuple of",
     ),
     (lambda asset, to: asset.export(to / "x", layout=None), "there is no layout None. Allowed: flat"),
+    (lambda asset, to: asset.export(to / "x", layout=[]), "there is no layout []. Allowed: flat"),
     (lambda asset, to: asset.export(to / "x", layout="simredy"), "Did you mean 'simready'?"),
     (
         lambda asset, to: asset.export(to / "x", textures="512"),
@@ -240,6 +241,10 @@ generate door --name a/b ~ name = 'a/b' is no identifier
 generate door --tolerance -0.001 ~ tolerance = -0.001 is not allowed: it is the clearance
 generate door --tolerance 1mm ~ '--tolerance'
 generate door --on-collision ignore ~ '--on-collision'
+generate door --no-certify --on-collision fail ~ --on-collision does nothing for assets without a proof (--no
+generate door --no-certify --tolerance 0.001 ~ --tolerance does nothing for assets without a proof
+generate door --openings 0.1 ~ --openings does nothing for assets without --colliders; leave it out
+generate door --jobs 2 ~ --jobs does nothing for one asset; leave it out
 generate door --sed 1 ~ --sed
 generate ~ Missing argument
 generate door -n 2 ~ -n makes a dataset: give its folder with --out DIRECTORY
@@ -257,6 +262,7 @@ certify door --total 5 ~ --total does nothing for a category; leave it out
 certify robot.urdf --samples 5 ~ --samples does nothing for a file; leave it out
 certify robot.urdf --set w=3 ~ --set does nothing for a file; leave it out
 certify door --samples -1 ~ samples must be a whole number that is not negative, got -1
+certify broken.py --json broken.py ~ --json broken.py is not allowed: the name of the file must end in .json
 certify door --json nowhere/x ~ cannot write nowhere/x: give a file in a directory that exists
 validate nowhere ~ there is no directory 'nowhere'; give one that holds an exported asset
 validate folder ~ 'folder' holds no exported asset; `artgen generate CATEGORY -n 10 --out folder` makes some
@@ -264,6 +270,8 @@ render stand --joint slide=1 ~ joint 'slide' cannot be at 1; its limits are 0 to
 render stand --joint slide ~ --joint 'slide' must be JOINT=NUMBER, such as door_hinge=0.8
 render stand --open 2 ~ open 2.0 must be in 0..1
 render stand --out nowhere/x.png ~ cannot write nowhere/x.png: give a file in a directory that exists
+render stand --samples 3 ~ --samples 3 must be an even number from 2 on, such as 8
+render stand --samples 0 ~ --samples 0 must be an even number from 2 on, such as 8
 render stand --out x.txt ~ a picture's name ends in .png, .jpg, .jpeg
 render {long} ~ it is too long
 view folder ~ cannot read folder/asset.json: No such file or directory; is this a directory that artgen

@@ -26,6 +26,7 @@ from artgen.export.mjcf import OFF, Tendons, tendons_of
 from artgen.export.objects import mjspec
 from artgen.generator import Generator
 from artgen.topology import Topology
+from artgen.topology.template import checked_assets
 
 if TYPE_CHECKING:
     import mujoco
@@ -68,13 +69,13 @@ def groups(assets: Iterable[Asset], rule: Rule) -> list[list[Asset]]:
             colliders.
 
     Raises:
-        ParameterError: The rule is unknown.
+        ParameterError: The rule is unknown, or something else than assets is given.
     """
     if rule not in get_args(Rule):
         allowed = ", ".join(map(repr, get_args(Rule)))
         raise ParameterError(f"rule = {rule!r} is not allowed: it must be one of {allowed}")
     found: dict[Hashable, list[Asset]] = {}
-    for asset in assets:
+    for asset in checked_assets("groups", assets, Asset):
         structure: list[Hashable] = [_structure(asset)]
         if rule != "mujoco_warp":
             structure += [asset.links.names, asset.joints.names]
@@ -483,6 +484,8 @@ def _pins(asset: Asset) -> list[tuple[tuple[str, str], list[float]]]:
 
 def _generated(category: str | Generator, seeds: Iterable[int], options: dict[str, Any]) -> list[Asset]:
     """Return assets of one topology: the recorded one, or with `colliders` that of these assets."""
+    if not isinstance(seeds, Iterable):
+        raise ParameterError(f"seeds = {seeds!r} is not allowed: give several seeds, such as range(4)")
     own = options.get("colliders") is not None and "topology" not in options
     assets = [
         generate(category, seed=seed, **{"topology": "own" if own else "fixed"} | options) for seed in seeds

@@ -83,7 +83,8 @@ def test_a_joint_is_blocked_between_beyond_and_until():
 )
 def test_what_is_no_state_is_named(q: Any, got: str) -> None:
     message = rf"shape \(..., 4\), positions of {', '.join(MACHINE.dof_names)}; got {got}"
-    for function in (MACHINE.project, MACHINE.fk):
+    states = MACHINE.valid_states
+    for function in (MACHINE.project, MACHINE.fk, states.blocked, states.positions, states.project):
         with pytest.raises(AssetError, match=message):
             function(q)
 

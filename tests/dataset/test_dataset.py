@@ -1,6 +1,7 @@
 """Reading datasets: lengths, slices, filters, splits and tables, of folders written by hand."""
 
 import json
+import math
 from pathlib import Path
 from typing import Any
 
@@ -71,6 +72,7 @@ def test_filters(folder: Path) -> None:
         ({"category": "bocks"}, r"no asset here has the category 'bocks'\. Did you mean 'box'\?"),
         ({"joint": "ball"}, r"no asset here has the kind of joint 'ball'\. Allowed: prismatic, revolute"),
         ({"widht": 1.0}, r"no asset here has the parameter 'widht'\. Did you mean 'width'\?"),
+        ({"where": "mass>1"}, r"where = 'mass>1' is not allowed: it must be a function of a manifest line"),
     ],
 )
 def test_a_filter_with_an_unknown_name_is_an_error(
@@ -103,6 +105,8 @@ def test_shares_must_have_the_sum_one(folder: Path) -> None:
         ParameterError, match=r"the sum of the shares is 0\.9; it must be 1, and no share negative"
     ):
         Dataset(folder).split(train=0.8, test=0.1)
+    with pytest.raises(ParameterError, match="the sum of the shares is nan; it must be 1"):
+        Dataset(folder).split(a=math.nan)
     with pytest.raises(ParameterError, match=r"each share must be a number, got \{'train': 'all'\}"):
         Dataset(folder).split(train="all")  # type: ignore[arg-type]
 
@@ -112,6 +116,13 @@ def test_tables(folder: Path) -> None:
     table = Dataset(folder).to_pandas()
     assert list(table["name"][:3]) == ["box_0", "drawer_0", "box_1"]
     assert table["parameter.width"].max() == pytest.approx(0.19)
+
+
+def test_an_asset_is_found_by_number(folder: Path) -> None:
+    with pytest.raises(
+        ParameterError, match=r"by its number, such as 0, or a slice, not by 'box_0'; `records`"
+    ):
+        Dataset(folder)["box_0"]  # type: ignore[call-overload]
 
 
 def test_what_is_no_dataset_is_refused(tmp_path: Path) -> None:

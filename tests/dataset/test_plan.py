@@ -94,6 +94,15 @@ def test_overrides_for_one_category_replace_those_for_all() -> None:
         ({"count": 0}, "count is a whole number from 1 to 1000000000, not 0"),
         ({"texture_size": 300}, "textures have 256, 512, 1024, 2048 texels on a side, not 300"),
         ({"textures": "jpg"}, "textures are shared, embedded or none, not 'jpg'"),
+        ({"base": "x"}, "base is fixed or free, not 'x'"),
+        ({"tolerance": -1.0}, r"tolerance = -1\.0 is not allowed: it is the clearance to prove"),
+        ({"on_collision": "x"}, "on_collision = 'x' is not allowed: it must be one of 'redraw'"),
+        (
+            {"overrides": {"width": 1}},
+            r"overrides = \{'width': 1\} is not allowed: give a tuple of texts, such as \('width=0\.4',\)",
+        ),
+        ({"overrides": "width=0.4"}, r"overrides = 'width=0\.4' is not allowed: give a tuple of texts"),
+        ({"overrides": 3}, "overrides = 3 is not allowed"),
         ({"overrides": ("widht=0.9",)}, r"no parameter 'widht'\. Did you mean 'width'\?"),
         ({"overrides": ("width=3",)}, r"width = 3 is out of range: 0\.6 to 1\.25 m is allowed"),
         (

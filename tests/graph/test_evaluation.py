@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from artgen.errors import BuildError, EvaluationError, GraphError, InfeasibleError
+from artgen.errors import EvaluationError, GraphError, InfeasibleError
 from artgen.graph import OPERATIONS, Cache, Graph, evaluate, kernel
 from artgen.nodes.handles import Float, Points, Vector
 from artgen.nodes.primitive import box
@@ -133,7 +133,7 @@ def test_a_parameter_of_the_wrong_type_is_refused(handle, value):
 
 
 def test_a_parameter_that_is_not_finite_is_refused():
-    with pytest.raises(BuildError, match="nan is not a finite number"):
+    with pytest.raises(EvaluationError, match="parameter 'a' needs the value of a Float, got nan"):
         evaluate(Float.parameter("a"), {"a": float("nan")})
 
 

@@ -149,8 +149,22 @@ def test_numpy_points_equal_written_ones():
         (lambda: box(True, 1.0, 1.0), r"needs a Float, got True"),
         (lambda: box(Z, 1.0, 1.0), r"needs a Float, got a Vector handle"),
         (lambda: box(1.0, 1.0, 1.0).at((1.0, 2.0)), r"translate\(\.\.\., offset=\.\.\.\) needs a Vector"),
-        (lambda: box(math.nan, 1.0, 1.0), r"nan is not a finite number"),
-        (lambda: box(math.inf, 1.0, 1.0), r"inf is not a finite number"),
+        (lambda: box(math.nan, 1.0, 1.0), r"box\(\.\.\., x=\.\.\.\): nan is not a finite number; give a"),
+        (lambda: box(1.0, math.inf, 1.0), r"box\(\.\.\., y=\.\.\.\): inf is not a finite number"),
+        (lambda: box(1.0, 1.0, 1.0).at(y=math.nan), r"translate\(\.\.\., offset=\.\.\.\): nan is not a"),
+        (
+            lambda: row((0, 0, 0), np.array([0, math.inf, 0]), 3),
+            r"row\(\.\.\., \w+=\.\.\.\): inf is not a finite number",
+        ),
+        (
+            lambda: Float.parameter("a") * math.nan,
+            r"multiply\(\.\.\., b=\.\.\.\): nan is not a finite number",
+        ),
+        (
+            lambda: Revolute("a", axis=Z, limits=(0.0, math.nan)),
+            r"joint\(\.\.\., limits=\.\.\.\): nan is not a finite number",
+        ),
+        (lambda: Revolute("a", axis=Z, effort=math.inf), r"joint\(\.\.\., effort=\.\.\.\): inf is not a"),
         (
             lambda: box(1.0, 1.0, 1.0) - circle(1.0),
             r"difference\(\.\.\., b=\.\.\.\) needs a Solid, got a Profile",

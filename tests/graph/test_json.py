@@ -84,6 +84,7 @@ def node(op, **inputs):
 
 
 MALFORMED = {
+    "nothing": (None, r"this is not a graph file: give the text that to_json\(\) returns, not None"),
     "not JSON": ("import os", "this is not a graph file: Expecting value"),
     "cut off": ('{"artgen_graph": 1, "nodes": [', "this is not a graph file"),
     "not an object": ("[1, 2]", "it has no list of nodes"),

@@ -41,6 +41,13 @@ def test_a_part_is_one_link_with_mass():
     assert link.mass_properties.mass == pytest.approx(0.05 * OAK.density)
 
 
+@pytest.mark.parametrize("suffix", ["-1", " x"])
+def test_a_suffix_that_cannot_end_a_name_is_refused(suffix):
+    words = f"suffix {suffix!r} cannot end a name; use letters, digits and _, at most 100, such as '_left'"
+    with pytest.raises(BuildError, match=words):
+        block().suffixed(suffix)
+
+
 @pytest.mark.parametrize(
     ("make", "message"),
     [
@@ -50,7 +57,6 @@ def test_a_part_is_one_link_with_mass():
         (lambda: block(name="world"), "link name 'world' is the fixed frame in MJCF and URDF; use another"),
         (lambda: block("leaf", grasp_width=0.0), "grasp_width must be positive, got 0 m"),
         (lambda: detail(box(1.0, 1.0, 1.0), "a b", OAK), "label 'a b' is no identifier"),
-        (lambda: block().suffixed("-1"), "suffix 'x-1' is no identifier"),
         (weld, "weld needs at least one body"),
         (lambda: block("a").attach(block("b")), "attach needs at least one joint; weld joins bodies rigidly"),
         (lambda: block("a").repeat(block("b"), at=[(0, 0, 0)]), "repeat needs at least one joint"),

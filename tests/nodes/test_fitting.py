@@ -136,10 +136,36 @@ def test_a_spring_takes_values_that_are_not_known_yet():
     assert (made.stiffness, made.rest) == (40.0, -0.01)
 
 
-@pytest.mark.parametrize("given", [{}, {"preload": 1.0}, {"preload": 1.0, "force": 2.0, "stiffness": 3.0}])
-def test_a_spring_is_given_in_one_way(given):
-    with pytest.raises(BuildError, match="forces at both limits or a stiffness"):
+@pytest.mark.parametrize(
+    ("given", "got"),
+    [
+        ({}, "neither"),
+        ({"preload": 1.0}, "preload"),
+        ({"preload": 1, "stiffness": 3}, "preload and stiffness"),
+        ({"preload": 1.0, "force": 2.0, "stiffness": 3.0}, "preload and force and stiffness"),
+    ],
+)
+def test_a_spring_is_given_in_one_way(given, got):
+    words = f"forces at both limits or a stiffness, got {got}; preload and force exclude stiffness and rest"
+    with pytest.raises(BuildError, match=words):
         Spring(**given)
+
+
+@pytest.mark.parametrize(("preload", "force"), [(3, 1), (2.0, 2.0), (Float(3.0), 1)])
+def test_the_force_of_a_spring_grows(preload, force):
+    words = (
+        r"Spring\(preload=\d, force=\d\) has no stiffness: force, at the upper limit, must be above preload"
+    )
+    with pytest.raises(BuildError, match=words):
+        Spring(preload=preload, force=force)
+
+
+def test_a_spring_whose_drawn_force_does_not_grow_is_refused():
+    spring = Spring(preload=3.0, force=Float.parameter("force"))
+    joint = Prismatic("slide", axis=Y, limits=(0, 0.1), spring=spring)
+    words = "stiffness -20 must not be negative; the force of a Spring must be above its preload"
+    with pytest.raises(EvaluationError, match=words):
+        evaluate(joint, {"force": 1.0})
 
 
 def test_a_joint_without_limits_has_no_forces_at_them():

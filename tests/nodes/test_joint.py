@@ -1,6 +1,7 @@
 """Joints, couplings and dependencies."""
 
 import math
+import operator
 
 import numpy as np
 import pytest
@@ -175,6 +176,21 @@ def test_a_joint_may_need_a_condition_only_beyond_a_position():
     orders = [(door > 1.2).beyond(0.03).until(0.3), (door > 1.2).until(0.3).beyond(0.03)]
     first, second = (value(Prismatic("drawer", axis=X, needs=needs)).needs for needs in orders)
     assert first == second == Dependency(slack.condition, until=0.3, beyond=0.03)
+
+
+def test_the_opposite_of_a_condition_is_written_as_one():
+    with pytest.raises(
+        BuildError, match=r"write the opposite comparison, such as \(turn < 0.5\) for ~\(turn > 0"
+    ):
+        operator.invert(KNOB > 0.5)
+
+
+@pytest.mark.parametrize("kind", [Revolute, Prismatic])
+def test_a_joint_without_an_axis_names_its_class(kind):
+    with pytest.raises(
+        TypeError, match=rf"{kind.__name__}\b.*\(\) missing 1 required keyword-only argument: 'axis'"
+    ):
+        kind("a")
 
 
 def test_what_a_joint_depends_on_is_checked_while_building():

@@ -1,11 +1,14 @@
 """Regions: extents, division, anchors and the box of planned space."""
 
+import math
+import re
+
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from artgen.errors import EvaluationError
+from artgen.errors import BuildError, EvaluationError
 from artgen.graph import evaluate
 from artgen.nodes.handles import Float
 from artgen.nodes.region import Region
@@ -103,3 +106,47 @@ def test_a_region_of_handles_is_computed_at_evaluation():
 def test_the_box_of_an_inverted_region_is_refused():
     with pytest.raises(EvaluationError, match=r"-0\.1 m long along y: the lowest coordinate comes first"):
         evaluate(Region((0, 1), (0.1, 0), (0, 1)).box())
+
+
+@pytest.mark.parametrize(
+    ("make", "words"),
+    [
+        (
+            lambda: CASE.across(None, None),
+            "one length of a region may be None and takes the rest, got 2 None",
+        ),
+        (lambda: CASE.deep(None, 0.1, None), "got 2 None in (None, 0.1, None); give the others as numbers"),
+        (lambda: CASE.stack(None, None), "one length of a region may be None"),
+        (
+            lambda: CASE.across(2, None, gap=0.1),
+            "the lengths (2, None) with gaps of 0.1 m are 1.7 m longer than the region, 0.4 m; make them",
+        ),
+        (lambda: CASE.deep(0.2, 0.2), "are 0.1 m longer than the region, 0.3 m; make them shorter"),
+        (lambda: CASE.across("0.1", None), "a length of a region needs a Float, got '0.1'"),
+        (lambda: CASE.across(0.1, None, gap="a"), "gap needs a Float, got 'a'"),
+        (lambda: CASE.columns(0), "divided into a whole number of parts from 1 on, got 0"),
+        (lambda: CASE.grid(0, 2), "divided into a whole number of parts from 1 on, got 0"),
+        (lambda: CASE.rows(-1), "divided into a whole number of parts from 1 on, got -1"),
+        (lambda: CASE.columns("2"), "divided into a whole number of parts from 1 on, got '2'"),
+        (lambda: CASE.layers(2.5), "divided into a whole number of parts from 1 on, got 2.5"),
+        (lambda: CASE.columns(Float.parameter("n")), "a handle used as a plain number"),
+        (lambda: CASE.shrink("a"), "a distance of shrink needs a Float, got 'a'"),
+        (lambda: CASE.shrink(left=math.nan), "a distance of shrink: nan is not a finite number"),
+        (lambda: CASE.grow(top="a"), "grow(..., top=...) needs a Float, got 'a'"),
+        (lambda: CASE.at("a"), "at(...) of a region needs a Float, got 'a'"),
+        (lambda: CASE.with_(x=(0, "a")), "Region(..., x=...) needs a Float, got 'a'"),
+        (lambda: CASE.around(3), "around(...) needs the Region of a hole, got 3"),
+        (lambda: CASE.anchor(x=2), "anchor(x=2, y=0.0, z=0.0) is not in the region: each share is from -1"),
+        (lambda: CASE.anchor(z="top"), "a share of anchor needs a Float, got 'top'"),
+    ],
+)
+def test_a_division_that_is_impossible_is_refused(make, words):
+    with pytest.raises(BuildError, match=re.escape(words)) as caught:
+        make()
+    assert "test_region.py:" in str(caught.value)
+
+
+def test_lengths_that_vary_are_divided_and_sums_are_rounded():
+    width = Float.parameter("width")
+    assert len(CASE.across(width, None)) == 2
+    assert len(Region((0, 0.3), (0, 1), (0, 1)).across(0.1, 0.1, 0.1)) == 3

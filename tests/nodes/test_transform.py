@@ -71,6 +71,14 @@ def test_an_anchor_comes_to_its_point(to, x, y, z):
     np.testing.assert_allclose(solid_methods._anchor(shape, x, y, z), to, atol=1e-9)
 
 
+@pytest.mark.parametrize("place", [(2.0, 0.0, 0.0), (0.0, 0.0, -3.0)])
+def test_an_anchor_outside_the_bounding_box_is_refused(place):
+    with pytest.raises(
+        ValueError, match=r"the anchor \(.*\) is not in the bounding box: each share is from -1"
+    ):
+        solid_methods._align(PART, np.zeros(3), *place)
+
+
 def test_methods_record_the_operations():
     solid = box(0.1, 0.2, 0.3)
     turn = {"axis": (0, 0, 1), "angle": 0.5, "about": (0, 0, 0)}

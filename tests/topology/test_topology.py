@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 from dataclasses import replace
 from functools import cache
 
@@ -12,7 +13,7 @@ import pytest
 import artgen as ag
 from artgen import batch, feel
 from artgen.asset.link import DerivedLink
-from artgen.errors import AssetError, ParameterError
+from artgen.errors import ArtgenError, AssetError, ParameterError
 from artgen.proof.recheck import recheck
 from artgen.topology import Topology
 from support.cases import some
@@ -199,6 +200,27 @@ def test_an_asset_that_does_not_fit_is_refused_with_what_exceeds(tmp_path) -> No
         Topology.load(tmp_path / "topology.json")
     with pytest.raises(AssetError, match="at least one asset"):
         Topology.of([])
+
+
+def test_what_is_no_asset_or_no_file_is_named(tmp_path, monkeypatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    asset = plain("drawer")[0]
+    topology = Topology.of([asset])
+    calls = [
+        (lambda: Topology.of(asset), "Topology.of takes several assets, not "),
+        (lambda: Topology.of(["switch"]), "Topology.of takes assets, not 'switch'; generate one, such as"),
+        (lambda: topology.pad(None), "pad takes assets, not None; generate one"),
+        (lambda: topology.save(3), "path = 3 is not allowed: give a path"),
+        (lambda: topology.save("."), "cannot write .: give a file in a directory that exists"),
+        (
+            lambda: topology.save("no/x.json"),
+            "cannot write no/x.json: give a file in a directory that exists",
+        ),
+    ]
+    for call, words in calls:
+        with pytest.raises(ArtgenError, match=re.escape(words)):
+            call()
+    assert not list(tmp_path.iterdir())
 
 
 def test_room_for_colliders_of_later_seeds() -> None:

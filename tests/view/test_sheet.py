@@ -317,3 +317,20 @@ def test_parameters_are_for_categories(artgen_command, exported) -> None:
     done = artgen_command("render", str(exported), "--set", "width=1")
     assert (done.code, done.err.count("\n")) == (2, 1)
     assert "--set is for categories" in done.err
+
+
+@pytest.mark.parametrize(
+    ("command", "option"),
+    [
+        ("render", "--seed 5"),
+        ("view", "--seed 5"),
+        ("view", "--no-certify"),
+        ("check", "--seed 5"),
+        ("colliders", "--budgets 3"),
+        ("colliders", "--seed 4"),
+    ],
+)
+def test_options_of_categories_do_nothing_for_an_export(artgen_command, exported, command, option) -> None:
+    done = artgen_command(command, str(exported), *option.split())
+    words = f"error: {option.split()[0]} does nothing for an exported asset; leave it out\n"
+    assert (done.code, done.out, done.err) == (2, "", words)

@@ -457,7 +457,7 @@ def test_the_command_writes_a_page_and_opens_it(
         ),
         (
             ("plier", "--texture-size", "3"),
-            "error: textures have 256, 512, 1024, 2048 texels on a side, not 3\n",
+            "error: textures have 256, 512, 1024, 2048 texels on a side, not 3; 0 gives plain colors\n",
         ),
         (
             (".", "--set", "length=1"),

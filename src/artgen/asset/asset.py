@@ -6,7 +6,7 @@ from threading import Lock
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from artgen import _portable
 from artgen._arrays import Array, cached_property
@@ -325,7 +325,7 @@ class Asset:
     @cached_property
     def valid_states(self) -> ValidStates:
         """The valid joint states as arrays, as every export carries them."""
-        return ValidStates(self.states_data()["joints"])
+        return _CheckedStates(self.states_data()["joints"])
 
     @property
     def is_room(self) -> bool:
@@ -380,7 +380,7 @@ class Asset:
         Raises:
             AssetError: The states have another shape, or are no numbers.
         """
-        return self.valid_states.project(_states(self, q))
+        return self.valid_states.project(q)
 
     def fk(self, q: ArrayLike) -> Array:
         """Return the poses of all links for many states: forward kinematics.
@@ -395,7 +395,7 @@ class Asset:
         Raises:
             AssetError: The states have another shape, or are no numbers.
         """
-        found = self.valid_states.positions(_states(self, q))
+        found = self.valid_states.positions(q)
         positions = np.moveaxis(found, -1, 0)[..., None, None]
         moved: dict[str, tuple[Array, Array]] = {self.links[0].name: (np.eye(3), np.zeros((3, 1)))}
         for joint, position in zip(self.joints, positions, strict=True):
@@ -554,16 +554,32 @@ PLAIN = ("name", "category", "seed", "attempt", "version", "base", "limits")
 FORMAT = "artgen-asset-1"  # format of `asset.json` that this version reads and writes
 
 
-def _states(asset: Asset, q: ArrayLike) -> Array:
+class _CheckedStates(ValidStates):
+    """Valid states that refuse arrays of another shape; the file of `ValidStates` stands alone."""
+
+    def positions(self, q: ArrayLike) -> Array:
+        """Return the positions of all joints."""
+        return super().positions(_states(self.dofs, q))
+
+    def blocked(self, q: ArrayLike) -> NDArray[np.bool_]:
+        """Tell which joints are blocked."""
+        return super().blocked(_states(self.dofs, q))
+
+    def project(self, q: ArrayLike) -> Array:
+        """Return valid states."""
+        return super().project(_states(self.dofs, q))
+
+
+def _states(dofs: tuple[str, ...], q: ArrayLike) -> Array:
     """Return states as an array, shape (..., dof); AssetError if they are none."""
     try:
         states = np.asarray(q, float)
     except (TypeError, ValueError):
         states = np.array(np.nan)
-    count = len(asset.dof_names)
+    count = len(dofs)
     if not states.ndim or states.shape[-1] != count or np.isnan(states).any():
         found = f"the shape {states.shape} with {np.isnan(states).sum()} NaN" if states.ndim else repr(q)
-        names = ", ".join(asset.dof_names) or "no joint"
+        names = ", ".join(dofs) or "no joint"
         raise AssetError(
             f"states must be an array of shape (..., {count}), positions of {names}; got {found}"
         )

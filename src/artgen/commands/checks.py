@@ -19,7 +19,7 @@ from artgen.asset.report import CheckResult, Finding, Report, grouped
 from artgen.catalog import find
 from artgen.colliders.openings import BALL
 from artgen.commands.console import FAULT, NOT_PROVEN, console, progress, table
-from artgen.commands.options import JsonOutput, Overrides, Seed, Source, Tolerance
+from artgen.commands.options import JsonOutput, Overrides, Seed, Source, Tolerance, check_given
 from artgen.commands.view import asset_from
 from artgen.errors import ExportError, ParameterError
 from artgen.export.files import REACH_FILE, REPORT_FILE, replaced
@@ -48,6 +48,7 @@ _STYLES = {
 
 
 def check(
+    context: typer.Context,
     source: Annotated[
         str, Argument(metavar="FILE|CATEGORY", help="A file that defines a category, or its name.")
     ],
@@ -66,7 +67,7 @@ def check(
         raise ExportError(f"cannot write to {out}: give a directory that exists")
     terminal = console()
     with progress(f"check {source}") as update:
-        asset = asset_from(source, seed, list(overrides or ()))
+        asset = asset_from(context, source, seed, list(overrides or ()))
         update(text=f"check {asset.name}")
         results = _source_results(source, asset, parse_overrides(overrides or ()))
         certificate = prove(asset, seconds=seconds)
@@ -163,8 +164,10 @@ def certify(
     for file in (json_file, picture):
         if file is not None and (file.is_dir() or not file.absolute().parent.is_dir()):
             raise ExportError(f"cannot write {file}: give a file in a directory that exists")
+    if json_file is not None and json_file.suffix.lower() != ".json":
+        raise ParameterError(f"--json {json_file} is not allowed: the name of the file must end in .json")
     foreign = _is_foreign(Path(category))
-    _check_given(context, _OF_CATEGORIES if foreign else _OF_FILES, "a file" if foreign else "a category")
+    check_given(context, _OF_CATEGORIES if foreign else _OF_FILES, "a file" if foreign else "a category")
     if foreign:
         _certify_file(
             Path(category),
@@ -206,15 +209,6 @@ def certify(
         raise typer.Exit(FAULT)
 
 
-def _check_given(context: typer.Context, refused: Sequence[str], what: str) -> None:
-    """Check that no option was given that does nothing for a file of another tool, or for a category."""
-    for name in refused:
-        source = context.get_parameter_source(name)
-        if source is not None and source.name == "COMMANDLINE":
-            option = next(each.opts[0] for each in context.command.params if each.name == name)
-            raise ParameterError(f"{option} does nothing for {what}; leave it out")
-
-
 def _is_foreign(path: Path) -> bool:
     """Tell whether a name is that of a file that the referee reads."""
     if path.suffix in ("", ".py"):  # a category
@@ -248,10 +242,8 @@ def _certify_file(
 def _write_json(path: Path | None, data: object) -> None:
     if path is None:
         return
-    try:
-        path.write_text(_json(data) + "\n", encoding="utf-8")
-    except OSError as error:
-        raise ExportError(f"cannot write {path}: {error.strerror}") from error
+    with replaced(path) as partial:
+        partial.write_text(_json(data) + "\n", encoding="utf-8")
 
 
 def _json(data: object) -> str:
@@ -291,6 +283,7 @@ def reach(
 
 
 def colliders(
+    context: typer.Context,
     source: Source,
     *,
     seed: Seed = 0,
@@ -310,7 +303,7 @@ def colliders(
     numbers = [number.strip() for number in budgets.split(",")]
     if not all(number.isdecimal() for number in numbers):
         raise typer.BadParameter(f"--budgets {budgets!r} are not whole numbers with commas, such as 48,16")
-    asset = asset_from(source, seed, overrides or [], certify=True)
+    asset = asset_from(context, source, seed, overrides or [], certify=True)
     fewer = [int(number) for number in numbers] if asset.links[0].pieces else []
     with progress(f"compare the colliders of {asset.name}"):
         rows = compare_colliders(asset, fewer, openings, speed=speed)

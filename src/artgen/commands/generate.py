@@ -26,6 +26,7 @@ from artgen.commands.options import (
     Seed,
     TextureSize,
     Tolerance,
+    check_given,
 )
 from artgen.dataset import Plan, TextureMode
 from artgen.dataset.places import is_url
@@ -48,6 +49,7 @@ _Formats = Annotated[
 
 
 def generate(
+    context: typer.Context,
     categories: Categories,
     *,
     count: Annotated[
@@ -118,8 +120,12 @@ def generate(
     """Generate an asset and print the paths of its files; with -n, a dataset of many assets."""
     chosen = _chosen_formats(layout, formats)
     check_precision(mesh_precision)
-    if colliders is not None:
+    if colliders is None:
+        check_given(context, ("openings",), "assets without --colliders")
+    else:
         check_budget(colliders, openings, collision)
+    if not certify:
+        check_given(context, ("tolerance", "on_collision"), "assets without a proof (--no-certify)")
     drawn: dict[str, Any] = {
         "base": base,
         "certify": certify,
@@ -137,6 +143,7 @@ def generate(
         "states": states,
     }
     if count is None:
+        check_given(context, ("jobs", "engine", "address"), "one asset")
         if out is not None and is_url(out):
             raise typer.BadParameter(
                 f"one asset is written to a directory, not to {out}; give a number of assets with -n"

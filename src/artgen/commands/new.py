@@ -56,7 +56,11 @@ def _check_name(name: str) -> None:
     """Check that a name is possible for a category and its module."""
     import artgen
 
-    if not is_identifier(name) or keyword.iskeyword(name) or name != name.lower():
+    if keyword.iskeyword(name):
+        raise ParameterError(
+            f"{name!r} cannot name a category: it is a keyword of Python; choose another name"
+        )
+    if not is_identifier(name) or name != name.lower():
         raise ParameterError(f"{name!r} cannot name a category; use small {NAME_RULE}: hamper")
     if name in categories():
         raise ParameterError(f"there is a category {name!r}; choose another name")

@@ -1,11 +1,14 @@
 """Arguments and options that several commands share."""
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Annotated
 
+import typer
 from typer import Argument, Option
 
-from artgen.export import LAYOUTS
+from artgen.errors import ParameterError
+from artgen.export import LAYOUTS, TEXTURES
 from artgen.generator import OnCollision
 from artgen.materials.textures import check_size
 
@@ -40,8 +43,10 @@ Layout = Annotated[str, Option(metavar="NAME", help=f"Layout of the files: {', '
 
 
 def _texture_size(size: int) -> int:
-    if size != 0:
-        check_size(size)
+    try:
+        check_size(size or TEXTURES)
+    except ParameterError as error:
+        raise ParameterError(f"{error}; 0 gives plain colors") from None
     return size
 
 
@@ -66,3 +71,13 @@ Page = Annotated[
     Path | None,
     Option(metavar="FILE", callback=_page, help="HTML file; by default ./<name of the asset>.html."),
 ]
+
+
+def check_given(context: typer.Context, refused: Sequence[str], what: str) -> None:
+    """Check that no option was given that does nothing for what is asked."""
+    for name in refused:
+        source = context.get_parameter_source(name)
+        if source is not None and source.name == "COMMANDLINE":
+            given = next(each for each in context.command.params if each.name == name)
+            off = given.secondary_opts if context.params[name] is False else []
+            raise ParameterError(f"{(off or given.opts)[0]} does nothing for {what}; leave it out")

@@ -22,6 +22,7 @@ _File = Annotated[Path | None, Option(metavar="FILE", help="PNG or JPEG; by defa
 
 
 def render(
+    context: typer.Context,
     source: Source,
     *,
     seed: Seed = 0,
@@ -52,9 +53,11 @@ def render(
 
     if out is not None:
         _check_file(out)
+    if samples < 1 or samples % 2:
+        raise ParameterError(f"--samples {samples} must be an even number from 2 on, such as 8")
     pixels = _size(size)
     with progress("render"):
-        asset = asset_from(source, seed, overrides or [])
+        asset = asset_from(context, source, seed, overrides or [])
         q = opened(asset, opening) | _positions(positions or [])
         picture = asset.render(
             q, camera=view, size=pixels, studio=studio, textures=texture_size, samples=samples

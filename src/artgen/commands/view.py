@@ -13,18 +13,30 @@ from artgen.asset import Asset
 from artgen.asset.files import ASSET_FILE, exports_in
 from artgen.catalog import categories, find, is_file, is_pipe, script_of
 from artgen.commands.console import progress
-from artgen.commands.options import Category, OpenBrowser, Overrides, Page, Seed, Source, TextureSize
+from artgen.commands.options import (
+    Category,
+    OpenBrowser,
+    Overrides,
+    Page,
+    Seed,
+    Source,
+    TextureSize,
+    check_given,
+)
 from artgen.errors import ParameterError
 from artgen.generator.overrides import parse_overrides
 
+_OF_CATEGORIES = ("seed", "certify", "budgets", "openings")
 _TEXELS = 512  # default texels per side of maps
 
 
-def asset_from(source: str, seed: int, overrides: list[str], *, certify: bool = False) -> Asset:
+def asset_from(
+    context: typer.Context, source: str, seed: int, overrides: list[str], *, certify: bool = False
+) -> Asset:
     """Load an exported asset, or generate one of a category with a seed and overrides.
 
     Raises:
-        ParameterError: Overrides are given for an exported asset, or cannot be parsed.
+        ParameterError: Options of categories are given for an exported asset, or overrides cannot be parsed.
         ArtgenError: There is no such asset or category, or it cannot be generated.
     """
     directory = Path(source)
@@ -38,6 +50,7 @@ def asset_from(source: str, seed: int, overrides: list[str], *, certify: bool = 
             raise ParameterError(
                 f"--set is for categories, but {source} is an exported asset; leave --set out"
             )
+        check_given(context, _OF_CATEGORIES, "an exported asset")
         return Asset.load(directory)
     known = directory.exists() or is_file(source) or is_pipe(source) or source in categories()
     if not known and not script:
@@ -51,6 +64,7 @@ def asset_from(source: str, seed: int, overrides: list[str], *, certify: bool = 
 
 
 def view(
+    context: typer.Context,
     source: Source,
     *,
     seed: Seed = 0,
@@ -67,7 +81,7 @@ def view(
     from artgen.view.viewer import page_of
 
     with progress("view"):
-        asset = asset_from(source, seed, overrides or [], certify=certify)
+        asset = asset_from(context, source, seed, overrides or [], certify=certify)
         path = page_of(asset, textures=texture_size).save(out or Path(f"{asset.name}.html"))
     _show(path, opening)
 

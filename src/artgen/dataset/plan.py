@@ -22,7 +22,7 @@ from artgen.export.files import chosen_formats, encode, find_layout
 from artgen.export.layouts import TEXTURES
 from artgen.export.precision import check_precision
 from artgen.generator import Generator, OnCollision
-from artgen.generator.generator import checked_count
+from artgen.generator.generator import check_proof, checked_count
 from artgen.generator.overrides import parse_overrides
 from artgen.materials.textures import check_size
 from artgen.proof.fewer import check_budget
@@ -96,6 +96,10 @@ class BasePlan(ABC):
         vars(self)["count"] = check_whole("count", self.count, 1, 10**9)
         if self.detail not in get_args(DetailName):
             raise ParameterError(f"detail is full, medium or low, not {self.detail!r}")
+        if self.base not in get_args(Base):
+            raise ParameterError(f"base is fixed or free, not {self.base!r}")
+        check_proof(self.certify, self.tolerance, self.on_collision)
+        _check_texts(self.overrides)
         for name in self.categories:
             self.category(name).sample(self.seed, overrides=self.overrides_of(name))
 
@@ -284,6 +288,13 @@ class Plan(BasePlan):
                 "'none'"
             )
         return replace(self, textures=self.textures or ("shared" if place.links else "embedded"))
+
+
+def _check_texts(overrides: Any) -> None:
+    if not isinstance(overrides, tuple | list) or not all(isinstance(text, str) for text in overrides):
+        raise ParameterError(
+            f"overrides = {overrides!r} is not allowed: give a tuple of texts, such as ('width=0.4',)"
+        )
 
 
 def _source(category: Generator) -> Source:

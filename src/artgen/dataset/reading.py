@@ -61,10 +61,16 @@ class Dataset(Sequence[Asset]):
 
         Raises:
             IndexError: There is no asset of that number.
+            ParameterError: The index is no whole number.
             ExportError: Its files are missing or damaged.
         """
         if isinstance(index, slice):
             return self._of(self.records[index])
+        if not hasattr(index, "__index__"):
+            raise ParameterError(
+                f"an asset of a dataset is found by its number, such as 0, or a slice, not by {index!r}; "
+                "`records` has the names of the assets in order"
+            )
         if not -len(self) <= index < len(self):
             raise IndexError(f"{self!r} has no number {index}; the numbers are 0 to {len(self) - 1}")
         return Asset.load(self._path(self.records[index]))
@@ -113,8 +119,13 @@ class Dataset(Sequence[Asset]):
                 a tuple of its lowest and highest value. Assets without the parameter are excluded.
 
         Raises:
-            ParameterError: No asset here has such a category, joint or parameter.
+            ParameterError: No asset here has such a category, joint or parameter, or `where` is no function.
         """
+        if where is not None and not callable(where):
+            raise ParameterError(
+                f"where = {where!r} is not allowed: it must be a function of a manifest line, such as "
+                "lambda line: line['mass'] > 1"
+            )
         wanted = None if category is None else {category} if isinstance(category, str) else set(category)
         dotted = {name.replace("__", "."): value for name, value in parameters.items()}
         kinds = {kind for record in self.records for kind in record["joints"].values()}
@@ -155,7 +166,7 @@ class Dataset(Sequence[Asset]):
         chosen = shares or _SHARES
         if not all(map(is_number, chosen.values())):
             raise ParameterError(f"each share must be a number, got {chosen}")
-        if any(share < 0.0 for share in chosen.values()) or abs(sum(chosen.values()) - 1.0) > 1e-9:
+        if any(share < 0.0 for share in chosen.values()) or not abs(sum(chosen.values()) - 1.0) <= 1e-9:
             raise ParameterError(
                 f"the sum of the shares is {sum(chosen.values()):g}; it must be 1, and no share negative"
             )

@@ -289,9 +289,9 @@ def _share(content: bytes, path: Path, store: Path) -> None:
         path.write_bytes(content)
 
 
-def find_layout(name: str) -> Layout:
+def find_layout(name: Any) -> Layout:
     """Return the layout of that name."""
-    if name not in LAYOUTS:
+    if not isinstance(name, str) or name not in LAYOUTS:
         raise ExportError(f"there is no layout {name!r}.{nearest(name, LAYOUTS)}")
     return LAYOUTS[name]
 

@@ -419,12 +419,24 @@ def _refuse_inputs(known: Operation, inputs: Mapping[str, Any]) -> NoReturn:
 
 
 def _refuse_value(value: Any, hint: Any, what: str) -> NoReturn:
+    infinite = _not_finite(value)
+    if infinite is not None:
+        raise BuildError(
+            f"{what}: {infinite} is not a finite number; give a finite one\n  at {authors_line()}"
+        )
     expected = " or ".join(_name(option) for option in alternatives(hint))
     shown = f"a {type(value).__name__} handle" if isinstance(value, Handle) else repr(value)
     if len(shown) > _LONGEST:
         shown = f"a {type(value).__name__}"
     remedy = _remedy(value, hint, expected)
     raise BuildError(f"{what} needs {expected}, got {shown}{remedy}\n  at {authors_line()}")
+
+
+def _not_finite(value: Any) -> float | None:
+    """Return the first number in a value that is infinite or not a number."""
+    if is_sequence(value):
+        return next((found for item in value if (found := _not_finite(item)) is not None), None)
+    return float(value) if isinstance(value, float | np.floating) and not np.isfinite(value) else None
 
 
 def _remedy(value: Any, hint: Any, expected: str) -> str:

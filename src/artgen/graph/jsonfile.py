@@ -32,6 +32,9 @@ def to_json(handle: Handle) -> str:
 
 def from_json(text: str) -> Handle:
     """Read a graph that `to_json` wrote and return the handle of its last node."""
+    given: Any = text
+    if not isinstance(given, str | bytes):
+        raise GraphError(f"this is not a graph file: give the text that to_json() returns, not {given!r:.60}")
     try:
         return _read_graph(json.loads(text))
     except json.JSONDecodeError as error:

@@ -7,6 +7,7 @@ from typing import Any, ClassVar, Literal, NoReturn
 
 import numpy as np
 
+from artgen._names import NAME_RULE, is_identifier
 from artgen.asset import Curve, Outline, Shape, Tree
 from artgen.errors import BuildError
 from artgen.graph import LITERAL_TYPES, Handle, LiteralType
@@ -429,6 +430,11 @@ class Body(Handle):
 
     def suffixed(self, suffix: str) -> Body:
         """Add a suffix to the names of all its links, joints, grasps and pushes."""
+        if not is_identifier(f"x{suffix}"):
+            raise BuildError(
+                f"suffix {suffix!r} cannot end a name; use {NAME_RULE}, such as '_left'\n"
+                f"  at {authors_line()}"
+            )
         return Body.record("suffix", body=self, suffix=suffix)
 
 

@@ -7,7 +7,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, fields, replace
 from itertools import pairwise
-from typing import Any, ClassVar, Literal
+from typing import Any, ClassVar, Literal, NoReturn
 
 import numpy as np
 
@@ -43,6 +43,13 @@ class Condition(Handle):
     def __or__(self, other: Condition) -> Condition:
         """Unite two regions."""
         return Condition.record("condition_any", a=self, b=other)
+
+    def __invert__(self) -> NoReturn:
+        """Raise BuildError: the opposite of a condition is written as one."""
+        raise BuildError(
+            "~ on a condition of joints: write the opposite comparison, such as (turn < 0.5) for "
+            f"~(turn > 0.5)\n  at {authors_line()}"
+        )
 
     def until(self, position: Scalar) -> Dependency:
         """Limit the dependency to positions of the dependent joint below a value [rad or m]."""
@@ -480,7 +487,8 @@ def _joint(
     _check_closing(made)
     for field in ("stiffness", "damping", "friction", "armature"):
         if getattr(made, field) < 0.0:
-            raise ValueError(f"joint {name!r}: {field} {getattr(made, field):.6g} must not be negative")
+            hint = "; the force of a Spring must be above its preload" if field == "stiffness" else ""
+            raise ValueError(f"joint {name!r}: {field} {getattr(made, field):.6g} must not be negative{hint}")
     for field in ("effort", "velocity"):
         if getattr(made, field) <= 0.0:
             raise ValueError(f"joint {name!r}: {field} {getattr(made, field):.6g} must be positive")
@@ -554,11 +562,19 @@ class Spring:
 
     def __post_init__(self) -> None:
         """Check that the spring is given in one of both ways."""
-        given = (self.preload is not None, self.force is not None, self.stiffness is not None)
-        if given not in ((True, True, False), (False, False, True)):
+        given = [name for name in ("preload", "force", "stiffness") if getattr(self, name) is not None]
+        if given not in (["preload", "force"], ["stiffness"]):
             raise BuildError(
-                "Spring needs the forces at both limits or a stiffness: Spring(preload=0.6, force=3.0), or "
+                "Spring needs the forces at both limits or a stiffness, got "
+                f"{' and '.join(given) or 'neither'}; preload and force exclude stiffness and rest: write "
+                "Spring(preload=0.6, force=3.0), or "
                 f"Spring(stiffness=800.0, rest=-0.001)\n  at {authors_line()}"
+            )
+        preload, force = (getattr(each, "node", each) for each in (self.preload, self.force))
+        if isinstance(preload, float | int) and isinstance(force, float | int) and force <= preload:
+            raise BuildError(
+                f"Spring(preload={preload:.6g}, force={force:.6g}) has no stiffness: force, at the upper "
+                f"limit, must be above preload, at the lower limit\n  at {authors_line()}"
             )
 
     def inputs(self, limits: tuple[Scalar, Scalar] | None) -> tuple[Scalar, Scalar]:
@@ -648,6 +664,9 @@ class _Axial(Joint):
         if inputs["velocity"] is None:
             inputs["velocity"] = self._velocity
         super().__init__(Joint.record("joint", kind=self._kind, **inputs).node)
+
+
+_Axial.__init__.__qualname__ = "Revolute, Prismatic"  # Python names it where `axis` is missing
 
 
 class Revolute(_Axial):

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+import operator
+from typing import Any, NamedTuple
 
 from artgen.errors import BuildError
+from artgen.graph.handle import lift
 from artgen.graph.node import authors_line
 from artgen.nodes.handles import Profile, Scalar, Solid, Span, Vector, VectorLike
 from artgen.nodes.profile import rectangle
+
+_SLACK = 1e-9  # by which lengths may exceed a region: rounding of their sum [m]
 
 
 class Extent(NamedTuple):
@@ -32,9 +36,21 @@ class Extent(NamedTuple):
 
     def split(self, *lengths: Scalar | None, gap: Scalar = 0.0) -> list[Extent]:
         """Divide the extent from `low` on into lengths; one length may be None and takes the rest [m]."""
-        rest = self.size - gap * (len(lengths) - 1)
-        for length in lengths:
-            rest = rest if length is None else rest - length
+        given = [_number("a length of a region", each) for each in lengths if each is not None]
+        if len(given) < len(lengths) - 1:
+            raise BuildError(
+                "one length of a region may be None and takes the rest, got "
+                f"{len(lengths) - len(given)} None in {lengths}; give the others as numbers [m]\n"
+                f"  at {authors_line()}"
+            )
+        rest = self.size - _number("gap", gap) * (len(lengths) - 1)
+        for known in given:
+            rest = rest - known
+        if isinstance(rest, float | int) and rest < -_SLACK:  # a handle has no value yet
+            raise BuildError(
+                f"the lengths {lengths} with gaps of {gap:g} m are {-rest:.6g} m longer than the region, "
+                f"{self.size:.6g} m; make them shorter\n  at {authors_line()}"
+            )
         parts, start = [], self.low
         for length in lengths:
             end = start + (rest if length is None else length)
@@ -44,6 +60,16 @@ class Extent(NamedTuple):
 
     def parts(self, count: int, gap: Scalar = 0.0) -> list[Extent]:
         """Divide the extent into equal parts with gaps between them [m]."""
+        try:
+            whole = operator.index(count)
+        except TypeError:
+            whole = 0
+        if whole < 1:
+            raise BuildError(
+                f"a region is divided into a whole number of parts from 1 on, got {count!r}\n"
+                f"  at {authors_line()}"
+            )
+        _number("gap", gap)
         length = (self.size - gap * (count - 1)) / count
         starts = [self.low + index * (length + gap) for index in range(count)]
         return [Extent(start, start + length) for start in starts]
@@ -57,7 +83,13 @@ def _extent(axis: str, span: Span) -> Extent:
             f"Region(..., {axis}=...) needs the lowest and the highest coordinate, got {span!r}\n"
             f"  at {authors_line()}"
         ) from None
-    return Extent(low, high)
+    return Extent(_number(f"Region(..., {axis}=...)", low), _number(f"Region(..., {axis}=...)", high))
+
+
+def _number(what: str, value: Any) -> Scalar:
+    """Return a number or its handle as it is; BuildError for another value."""
+    lift(value, float, what)
+    return value  # type: ignore[no-any-return]
 
 
 class Region:
@@ -117,6 +149,11 @@ class Region:
         """Return the point at (x, y, z), each from -1 (low) to 1 (high); the front is y=-1 [m]."""
         ends: list[Scalar] = []
         for extent, share in zip((self.x, self.y, self.z), (x, y, z), strict=True):
+            if not -1.0 <= _number("a share of anchor", share) <= 1.0:
+                raise BuildError(
+                    f"anchor(x={x}, y={y}, z={z}) is not in the region: each share is from -1 (low) "
+                    f"to 1 (high); .at(...) moves a region [m]\n  at {authors_line()}"
+                )
             exact = {-1.0: extent.low, 1.0: extent.high}
             ends.append(exact[share] if share in exact else extent.mid + share / 2 * extent.size)
         return (ends[0], ends[1], ends[2])
@@ -128,7 +165,8 @@ class Region:
     def at(self, x: Scalar = 0.0, y: Scalar = 0.0, z: Scalar = 0.0) -> Region:
         """Move by x, y and z [m]."""
         pairs = zip((self.x, self.y, self.z), (x, y, z), strict=True)
-        return Region(*((extent.low + by, extent.high + by) for extent, by in pairs))
+        moved = ((extent, _number("at(...) of a region", by)) for extent, by in pairs)
+        return Region(*((extent.low + by, extent.high + by) for extent, by in moved))
 
     def mirror(self) -> Region:
         """Reflect in the plane x = 0."""
@@ -166,6 +204,8 @@ class Region:
         def shorter(extent: Extent, both: Scalar | None, low: Scalar | None, high: Scalar | None) -> Extent:
             each = all if both is None else both
             ends = (each if low is None else low, each if high is None else high)
+            for distance in ends:
+                _number("a distance of shrink", distance)
             return Extent(extent.low + ends[0], extent.high - ends[1])
 
         return Region(
@@ -174,7 +214,8 @@ class Region:
 
     def grow(self, all: Scalar = 0.0, **sides: Scalar) -> Region:
         """Move sides outward; the arguments are those of `shrink` [m]."""
-        return self.shrink(-all, **{name: -distance for name, distance in sides.items()})
+        inward = {name: -_number(f"grow(..., {name}=...)", by) for name, by in {"all": all, **sides}.items()}
+        return self.shrink(**inward)
 
     def columns(self, count: int, gap: Scalar = 0.0) -> list[Region]:
         """Divide into equal columns from left to right."""
@@ -212,6 +253,8 @@ class Region:
             lap: Length by which the regions below and above reach into those at the sides, and by which they
                 are thinner and lower, so that no two faces coincide [m].
         """
+        if not isinstance(hole, Region):
+            raise BuildError(f"around(...) needs the Region of a hole, got {hole!r}\n  at {authors_line()}")
         between = self.shrink(y=lap, z=lap).with_(x=(hole.x.low - lap, hole.x.high + lap))
         return [
             self.with_(x=(self.x.low, hole.x.low)),

@@ -25,13 +25,11 @@ _NUMBERS = (float, int, np.floating, np.integer)
 
 
 def _number(value: Any) -> Any:
-    """Return a finite Python float for a number, or NotImplemented."""
+    """Return a Python float for a finite number, or NotImplemented."""
     if type(value) is not float and not (isinstance(value, _NUMBERS) and not isinstance(value, _BOOLS)):
         return NotImplemented
     number = float(value)
-    if not math.isfinite(number):
-        raise BuildError(f"{number} is not a finite number\n  at {authors_line()}")
-    return number
+    return number if math.isfinite(number) else NotImplemented
 
 
 class Bool(Handle):

@@ -84,6 +84,11 @@ def _align(solid: Shape, to: Array3, x: float, y: float, z: float) -> Shape:
 @kernel(spelling="{solid}.anchor(x={x}, y={y}, z={z})")
 def _anchor(solid: Shape, x: float, y: float, z: float) -> Array3:
     where = check.vector("the anchor", (x, y, z))
+    if np.abs(where).max() > 1.0 + 1e-9:
+        raise ValueError(
+            f"the anchor ({x:.6g}, {y:.6g}, {z:.6g}) is not in the bounding box: each share is from -1 (low) "
+            "to 1 (high); add a length to the point [m]"
+        )
     low, high = solid.bounds()
     return np.asarray(0.5 * (low + high) + 0.5 * where * (high - low))
 

@@ -10,14 +10,15 @@ from collections import Counter
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 
+from artgen._names import checked_path
 from artgen.asset import Asset
 from artgen.asset.joint import is_number
 from artgen.asset.record import Record, json_text
-from artgen.errors import AssetError, ParameterError
+from artgen.errors import AssetError, ExportError, ParameterError
 
 _FORMAT = "artgen-topology-1"
 # costs of a pair of a link and a slot
@@ -83,8 +84,10 @@ class Topology(Record):
 
         Raises:
             AssetError: There are no assets, or one is padded.
+            ParameterError: Something else than assets is given.
         """
-        found = {each.to_text(): each for each in map(_outline, assets)}
+        given = checked_assets("Topology.of", assets, Asset, Topology)
+        found = {each.to_text(): each for each in map(_outline, given)}
         if not found:
             raise AssetError("a topology needs at least one asset; give some")
         first, *others = sorted(found, key=lambda text: (found[text].size, text), reverse=True)
@@ -141,7 +144,7 @@ class Topology(Record):
         Raises:
             AssetError: The asset does not fit the topology, or is padded.
         """
-        outline = _outline(asset)
+        outline = _outline(*checked_assets("pad", [asset], Asset))
         found = _Match(outline, self, _EXCESS).places()
         slots = {slot.name: slot for slot in self.slots}
         lacking = []
@@ -163,8 +166,21 @@ class Topology(Record):
         return {name: place for name, place in found.items() if place is not None}
 
     def save(self, path: str | Path) -> None:
-        """Write the topology to a JSON file."""
-        Path(path).write_text(self.to_text(), encoding="utf-8")
+        """Write the topology to a JSON file, as a whole or not at all.
+
+        Raises:
+            ExportError: The file cannot be written.
+        """
+        target = checked_path(path, "path").absolute()
+        if target.is_dir() or not target.parent.is_dir():
+            raise ExportError(f"cannot write {path}: give a file in a directory that exists")
+        partial = target.with_name(f".{target.name}.partial")
+        try:
+            partial.write_text(self.to_text(), encoding="utf-8")
+            partial.replace(target)
+        except OSError as error:
+            partial.unlink(missing_ok=True)
+            raise ExportError(f"cannot write {path}: {error.strerror}; nothing was changed") from error
 
     @classmethod
     def load(cls, path: str | Path) -> "Topology":
@@ -191,6 +207,19 @@ class Topology(Record):
         joints = Counter(joint.kind for slot in self.slots for joint in slot.joints)
         counted = ", ".join(f"{n} {kind} joint{'s' if n > 1 else ''}" for kind, n in sorted(joints.items()))
         return f"{links} links, {counted or 'no joints'}, {colliders} colliders"
+
+
+def checked_assets(call: str, assets: Any, *kinds: type) -> list[Any]:
+    """Return the assets of an argument as a list; ParameterError for what is none."""
+    if isinstance(assets, str) or not isinstance(assets, Iterable):
+        raise ParameterError(f"{call} takes several assets, not {assets!r}; write a list, such as [asset]")
+    found = list(assets)
+    for each in found:
+        if not isinstance(each, kinds):
+            raise ParameterError(
+                f"{call} takes assets, not {each!r}; generate one, such as artgen.generate('door', seed=0)"
+            )
+    return found
 
 
 def _outline(asset: Asset | Topology) -> Topology:
