@@ -6,6 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+import artgen
 from artgen.errors import ParameterError
 from artgen.materials import COLORS, MATERIALS, Material, colored, material
 
@@ -155,6 +156,15 @@ def test_colors_are_those_of_paints_and_give_materials_their_names(name):
     assert made.texture == material("powder_coat").texture
     if made.name in MATERIALS:
         assert made == MATERIALS[made.name]
+
+
+def test_a_material_in_a_color_is_found_by_its_name() -> None:
+    assert material("abs_light_grey") == colored("abs", "light_grey")
+    assert material("powder_coat_black") is MATERIALS["powder_coat_black"]
+    chair = artgen.generate("chair", 3, certify=False, style="bar", cover="abs_red")
+    assert chair.parameters["cover"] == "abs_red"
+    with pytest.raises(ParameterError, match="there is no material 'oakk_sage'"):
+        material("oakk_sage")
 
 
 def test_an_unknown_color_gives_the_nearest():

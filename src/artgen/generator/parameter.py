@@ -13,7 +13,7 @@ import numpy as np
 from artgen._arrays import cached_property
 from artgen.errors import ParameterError, nearest
 from artgen.graph import Handle
-from artgen.materials import MATERIALS, Material
+from artgen.materials import MATERIALS, Material, named
 from artgen.nodes.handles import Bool, Float, Vector
 from artgen.sampling import Distribution
 from artgen.sampling.distributions import UNITS, is_number
@@ -237,7 +237,8 @@ def _str(value: Any) -> Any:
 
 def _material(value: Any) -> Any:
     if isinstance(value, str):
-        return MATERIALS.get(value, NotImplemented)
+        found = named(value)
+        return NotImplemented if found is None else found
     return value if isinstance(value, Material) else NotImplemented
 
 

@@ -1,5 +1,5 @@
 """Materials: appearance, density and friction."""
 
-from artgen.materials.material import COLORS, MATERIALS, Material, colored, material
+from artgen.materials.material import COLORS, MATERIALS, Material, colored, material, named
 
-__all__ = ["COLORS", "MATERIALS", "Material", "colored", "material"]
+__all__ = ["COLORS", "MATERIALS", "Material", "colored", "material", "named"]

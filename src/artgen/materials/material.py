@@ -153,15 +153,24 @@ MATERIALS: dict[str, Material] = {
 
 
 def material(name: str) -> Material:
-    """Return a material of the table by name.
+    """Return a material of the table by name, or one of them in a color of products: see `colored`.
 
     Raises:
-        ParameterError: The table has no such material; the message suggests the nearest name.
+        ParameterError: There is no such material; the message suggests the nearest name.
     """
-    if name not in MATERIALS:
+    found = named(name)
+    if found is None:
         known = f"{nearest(name, MATERIALS)} artgen.MATERIALS has all {len(MATERIALS)}."
         raise ParameterError(f"there is no material {name!r}.{known}")
-    return MATERIALS[name]
+    return found
+
+
+def named(name: str) -> Material | None:
+    """Return the material that `material` returns, or None."""
+    if name in MATERIALS:
+        return MATERIALS[name]
+    bases = {color: str(name).removesuffix(f"_{color}") for color in COLORS}
+    return next((colored(base, color) for color, base in bases.items() if base in MATERIALS), None)
 
 
 def colored(name: str, color: str) -> Material:
