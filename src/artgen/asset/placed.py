@@ -1,11 +1,11 @@
 """The record of an asset at its place in a room."""
 
 import hashlib
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from artgen._arrays import Array, FrozenArrays, Pose
+from artgen._arrays import Array, FrozenArrays, Pose, cached_property
 from artgen.asset.certificate import Certificate
 from artgen.asset.record import Record, json_text, plain, rounded
 
@@ -46,10 +46,36 @@ class PlacedAsset(FrozenArrays, Record):
         asset: "Asset", name: str, pose: Array, carrier: str = "", *, free: bool = False, digest: str = ""
     ) -> "PlacedAsset":
         """Return the record of an asset at a pose, shape (4, 4), with the digest of its certificate."""
-        parameters = rounded(plain(asset.parameters))
+        parameters = _Parameters(asset)
         return PlacedAsset(
             name, asset.category, asset.seed, asset.attempt, parameters, pose, carrier, free, digest
         )
+
+
+class _Parameters(Mapping[str, Any]):
+    """The rounded parameters of an asset, found on the first access: they may take a graph per option."""
+
+    def __init__(self, asset: "Asset") -> None:
+        self._asset = asset
+
+    @cached_property
+    def _found(self) -> dict[str, Any]:
+        return dict(rounded(plain(self._asset.parameters)))
+
+    def __getitem__(self, name: str) -> Any:
+        return self._found[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._found)
+
+    def __len__(self) -> int:
+        return len(self._found)
+
+    def __repr__(self) -> str:
+        return repr(self._found)
+
+    def __reduce__(self) -> tuple[type, tuple[dict[str, Any]]]:
+        return dict, (self._found,)
 
 
 def place_of(name: str) -> str:
