@@ -58,6 +58,6 @@ GAS_SPRING = Feel(damping=40.0, friction=20.0, armature=0.2, effort=900.0, veloc
 """Slide of a gas spring: friction of 10-40 N, and 0.15-0.3 m/s by its oil (catalogs of 200-400 N
 springs)."""
 
-CASTER = Feel(damping=0.001, friction=0.002, armature=1e-5, effort=20.0, velocity=60.0)
+CASTER = Feel(damping=0.001, friction=0.005, armature=1e-5, effort=20.0, velocity=60.0)
 """Axle or swivel of a furniture caster: EN 12529 asks for a rolling resistance of at most a fiftieth of
 its load."""
