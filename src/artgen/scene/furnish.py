@@ -13,7 +13,7 @@ from artgen.errors import AssetError
 from artgen.export.frames import translation
 from artgen.generator.generator import checked_count
 from artgen.materials import Material, colored, material
-from artgen.scene.room import GAP, STANDING, Line, Placement, Scene, Wall, check_length
+from artgen.scene.room import GAP, STANDING, Line, Placement, Scene, Wall, check_length, turned
 
 THICK = 0.035  # of worktops [m]
 UNDER = 0.86  # height of base units, below their worktop [m]
@@ -161,6 +161,13 @@ class Furnisher:
         frame, length = self.room.frame(wall)
         left, right = ((frame @ (x, -distance, 0.0, 1.0))[:2].tolist() for x in (0.0, length))
         return (left[0], left[1]), (right[0], right[1])
+
+    def chair(self, name: str, x: float, y: float, **values: Any) -> None:
+        """Stand a chair at a place of the room as a free object, turned to the back wall or nearly so."""
+        facing = turned(math.pi + self.uniform(-0.6, 0.6))
+        self.room.add(
+            "chair", translation(np.array([x, y, STANDING])) @ facing, free=True, name=name, **values
+        )
 
     def lay(
         self, outline: list[Span], holes: list[Hole], wall: Wall | Line | None, under: float = UNDER

@@ -12,7 +12,6 @@ from artgen.asset import Asset
 from artgen.asset.asset import DetailName
 from artgen.categories.cooktop.case import THICK as PLATES
 from artgen.errors import ParameterError
-from artgen.export.frames import translation
 from artgen.nodes.region import Region
 from artgen.scene.furnish import (
     DEEP,
@@ -32,7 +31,7 @@ from artgen.scene.furnish import (
     hood,
     width_of,
 )
-from artgen.scene.room import GAP, STANDING, Line, Wall, turned
+from artgen.scene.room import GAP, STANDING, Line, Wall
 
 Layout = Literal["one_wall", "galley", "l", "u", "island"]
 """Rows of units: along the back wall, along both side walls, round one or two corners, or with an island."""
@@ -237,9 +236,7 @@ class _Kitchen(Furnisher):
             alike = {"style": "bar", "backed": False, "height": 0.64, "width": 0.36}
             alike |= {"cover": self.choice("oak", "walnut", "black_leather"), "metal": "chrome"}
             for number, share in enumerate((-0.25, 0.25)):
-                place = np.array([share * length, y - _BAR - 0.25, STANDING])
-                pose = translation(place) @ turned(math.pi + self.uniform(-0.5, 0.5))
-                self.room.add("chair", pose, free=True, name=f"stool_{number}", **alike)
+                self.chair(f"stool_{number}", share * length, y - _BAR - 0.25, **alike)
         return _Row(line, 0.0, length, [0, *items, 1] if items else [0], island=True)
 
     def _corner(self, side: Wall) -> None:

@@ -1,21 +1,17 @@
 """Bathrooms, offices, corners of workshops, and halls, each drawn from a seed."""
 
-import math
 from collections.abc import Callable
 from contextlib import suppress
 from typing import Any
-
-import numpy as np
 
 import artgen as ag
 from artgen.asset import Asset
 from artgen.asset.asset import DetailName
 from artgen.errors import ParameterError
-from artgen.export.frames import translation
 from artgen.materials import Material, material
 from artgen.nodes.region import Region
 from artgen.scene.furnish import DOORWAY, FRONT, PLINTH, Furnisher, Hole, Span, check_room, drawn, width_of
-from artgen.scene.room import GAP, STANDING, Placement, Wall, turned
+from artgen.scene.room import GAP, STANDING, Placement, Wall
 
 _DESK = 0.70  # height of what stands under a desk [m]
 _GIFT: dict[str, Any] = {"style": "gift", "closure": "lift", "size": "small"}
@@ -202,9 +198,7 @@ def _office(here: Furnisher) -> None:
     room.against(sides[1], "trashcan", at=0.85 if flip else depth - 1.17, style="open", size="medium")
     # a chair faces the desk; it turns, with its back tilted, clear of the desk and of open drawers
     knees = start + 0.5 * desk + (0.0 if two else -0.21 if flip else 0.21)
-    facing = turned(math.pi + here.uniform(-0.6, 0.6))
-    pose = translation(np.array([knees - 0.5 * width, -1.85 if two else -1.3, STANDING])) @ facing
-    room.add("chair", pose, free=True, name="chair", style="office")
+    here.chair("chair", knees - 0.5 * width, -1.85 if two else -1.3, style="office")
 
 
 def _workshop(here: Furnisher) -> None:
