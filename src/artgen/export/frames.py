@@ -190,11 +190,6 @@ def linear_coupling(asset: Asset, joint: AssetJoint) -> AssetCoupling | None:
     return joint.follows if above is None else above.then(joint.follows.ratio, joint.follows.offset)
 
 
-def chained(asset: Asset) -> list[str]:
-    """Return the names of the joints that follow the input of a closed chain by a curve."""
-    return [joint.name for joint in asset.joints if joint.follows is not None and joint.follows.curve]
-
-
 def mass_in_frame(asset: Asset, link: Link) -> tuple[float, Array, Array]:
     """Return a link's mass [kg], center of mass and inertia about it, both in the link's frame.
 

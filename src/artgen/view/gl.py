@@ -27,11 +27,6 @@ def claim_process() -> None:
         )
 
 
-def owns_process() -> bool:
-    """Tell whether this process may draw."""
-    return _process.get("id") == os.getpid()
-
-
 def available() -> str:
     """Return the OpenGL backend: `egl`, `osmesa` or, with a display, `window`.
 

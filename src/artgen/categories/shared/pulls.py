@@ -86,8 +86,6 @@ def _bend(
 BarStyle = Literal["round", "square", "bow", "strap", "pro", "arched"]
 """A rod on two posts; a square rod; a bent rod; a flat strap; a thick tube with end caps; a curved blade."""
 
-BAR_STYLES: tuple[BarStyle, ...] = ("round", "square", "bow", "strap", "pro", "arched")
-
 _SUNK = 0.0006  # depth of the feet in the front [m]
 _ARCS = 6  # number of lengths of the curved blade
 _BITE = 0.0003  # overlap of the boards of a lining with the walls of a cut [m]
