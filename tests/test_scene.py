@@ -443,6 +443,17 @@ def test_an_asset_of_a_room_is_simulated_with_all_that_it_may_touch() -> None:
                 assert not ((low < most) & (high > least)).all(axis=1).any(), (own, other)
 
 
+def test_the_file_of_a_room_has_lights_and_hides_its_tendons(loose: Asset, tmp_path: Path) -> None:
+    folder = loose.export(tmp_path / "loose", formats=("mjcf",), textures=0)
+    model = mujoco.MjModel.from_xml_path(str(folder / f"{loose.name}.xml"))
+    assert [model.light(number).name for number in range(model.nlight)] == [
+        f"loose_light_{number}" for number in range(3)
+    ]
+    fan = artgen.generate("fan", 0, certify=False).export(tmp_path / "fan", formats=("mjcf",), textures=0)
+    model = mujoco.MjModel.from_xml_path(str(fan / "fan_0.xml"))
+    assert (model.nlight, set(model.tendon_group.tolist())) == (0, {4})
+
+
 def test_free_bodies_are_stored_and_are_bodies_of_their_own_in_usd(loose: Asset, tmp_path: Path) -> None:
     directory = loose.export(tmp_path / "loose", formats=("mjcf", "usd", "urdf"), textures=0)
     report = Examination(directory).report(("solids", "tree", "mjcf", "usd", "urdf", "room"))

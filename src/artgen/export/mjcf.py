@@ -1,8 +1,8 @@
 """MJCF, the format of MuJoCo, for inclusion in or attachment to other models.
 
-So the file has no floor, light, camera or solver option, and the names of its default classes, materials and
-textures begin with its own name; links, joints and meshes have the same names as in other formats.
-`<exclude>` is never used: parts that collide by mistake are a fault of the asset.
+So the file has no floor, camera or solver option, and no light unless it is that of a room; the names of its
+default classes, materials and textures begin with its own name; links, joints and meshes have the same names
+as in other formats. `<exclude>` is never used: parts that collide by mistake are a fault of the asset.
 
 Detents of a joint are spatial tendons that act as short springs between sites (`_detents`). A soft closing is
 one that gets longer near the closed position, and nowhere else (`_closing`). Models of a batch have the same
@@ -63,6 +63,11 @@ def tendons_of(asset: Asset) -> Tendons:
     return {joint.name: (len(joint.ridges), joint.closing is not None) for joint in asset.joints}
 
 
+# directions and strengths of the lights of a room: the lamp that MuJoCo adds itself is dim
+_LIGHTS = (((0.3, 0.6, -1.0), 0.4), ((-1.0, 0.3, -0.6), 0.3), ((1.0, 0.3, -0.6), 0.25))
+_UNSEEN: dict[str, Attribute] = {"group": "4"}  # as the sites of tendons: viewers hide both by default
+
+
 def write_mjcf(asset: Asset, textures: int = 0, tendons: Tendons | None = None) -> Written:
     """Write an asset as MJCF, with its meshes.
 
@@ -78,8 +83,13 @@ def write_mjcf(asset: Asset, textures: int = 0, tendons: Tendons | None = None) 
     """
     meshes = mesh_files(asset, textures)
     root = mjcf_tree(asset, meshes, tendons)
-    custom = root.find("custom")
+    custom, world = root.find("custom"), root.find("worldbody")
     assert custom is not None
+    assert world is not None
+    for number, (way, strength) in enumerate(_LIGHTS if asset.is_room else ()):
+        light: dict[str, Attribute] = {"type": "directional", "dir": way, "diffuse": 3 * (strength,)}
+        light |= {"ambient": 3 * (0.15 * strength,), "castshadow": "false"}
+        add(world, "light", light, name=f"{asset.name}_light_{number}", pos=(0.0, 0.0, 3.0))
     add(custom, "text", name=f"{asset.name}_{KEY}", data=states_text(asset))
     _add_keyframes(root, asset)
     text = document(root)
@@ -327,7 +337,7 @@ def _detents(tendons: ET.Element, joint: AssetJoint, count: int) -> Iterator[_Si
         if joint.kind == "revolute":
             reach, arm = 2.0 * _DETENT_ARM * _portable.sin(gap / 4.0), _DETENT_ARM
         stiffness, lengths = torque / (reach * arm), [reach, _ENDLESS]
-        spring = add(tendons, "spatial", name=name, stiffness=stiffness, springlength=lengths)
+        spring = add(tendons, "spatial", _UNSEEN, name=name, stiffness=stiffness, springlength=lengths)
         add(spring, "site", site=site)
         add(spring, "site", site=name)
 
@@ -356,7 +366,7 @@ def _closing(tendons: ET.Element, joint: AssetJoint, *, closes: bool) -> Iterato
         stiffness = (closing.force - closing.preload) / (slope * slope * abs(closing.reach - joint.closed))
         relaxed = length + closing.force / (slope * stiffness)
         spring |= {"stiffness": stiffness, "springlength": [relaxed, relaxed]}
-    cord = add(tendons, "spatial", spring)
+    cord = add(tendons, "spatial", _UNSEEN | spring)
     for number, site in enumerate((f"{name}_reach", name, f"{name}_end")):
         if number and joint.kind == "revolute":
             add(cord, "geom", geom=f"{joint.name}_drum")
