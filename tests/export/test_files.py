@@ -4,8 +4,10 @@ import errno
 import json
 import os
 import shutil
+import stat
 import subprocess
 import sys
+import threading
 from collections.abc import Callable
 from pathlib import Path
 from typing import NoReturn
@@ -13,6 +15,7 @@ from typing import NoReturn
 import numpy as np
 import pytest
 
+import artgen
 from artgen.asset import Asset
 from artgen.asset.files import load
 from artgen.errors import AssetError, ExportError, ParameterError
@@ -324,3 +327,34 @@ def test_export_is_light_to_import() -> None:
     )
     path = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}
     subprocess.run([sys.executable, "-c", code], env=path, check=True)
+
+
+def test_threads_that_export_to_one_folder_wait_for_each_other(cabinet: Asset, tmp_path: Path) -> None:
+    other = artgen.generate("plier", 1, certify=False)
+    folder, errors = tmp_path / "new" / "it", []
+
+    def write(asset: Asset) -> None:
+        for _ in range(6):
+            try:
+                export(asset, folder, formats=("urdf",), textures=0)
+            except ExportError as error:
+                errors.append(error)
+
+    threads = [threading.Thread(target=write, args=(asset,)) for asset in (cabinet, other, cabinet)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert not errors
+    assert [path.name for path in folder.parent.iterdir()] == ["it"]
+    kept = artgen.load(folder)
+    assert {path.name for path in folder.glob("*.urdf")} == {f"{kept.name}.urdf"}
+
+
+@pytest.mark.skipif(os.name == "nt", reason="no groups and permissions of this kind")
+def test_a_folder_keeps_its_permissions(cabinet: Asset, tmp_path: Path) -> None:
+    (tmp_path / "it").mkdir()
+    (tmp_path / "it").chmod(0o2770)
+    for _ in range(2):
+        export(cabinet, tmp_path / "it", formats=("urdf",), textures=0)
+        assert stat.S_IMODE((tmp_path / "it").stat().st_mode) == 0o2770

@@ -5,6 +5,7 @@ import hashlib
 import json
 import os
 import shutil
+import stat
 import zlib
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import ExitStack, contextmanager, suppress
@@ -13,6 +14,11 @@ from io import BytesIO
 from itertools import islice
 from pathlib import Path
 from typing import Any
+
+try:
+    import fcntl
+except ImportError:  # Windows has no locks of this kind
+    fcntl = None  # type: ignore[assignment]
 
 import numpy as np
 
@@ -145,9 +151,8 @@ def export(
         states=states,
     )
     target = Path(os.path.realpath(directory))
-    kept = _foreign_files(target, files)
     try:
-        _replace(target, files, kept)
+        _replace(target, files)
     except ExportError:
         raise
     except OSError as error:
@@ -359,18 +364,19 @@ def _earlier_files(target: Path) -> set[str] | None:
         return None
 
 
-def _replace(target: Path, files: Mapping[str, bytes], kept: Sequence[str]) -> None:
-    """Replace the target by a directory with the files and the kept files."""
+def _replace(target: Path, files: Mapping[str, bytes]) -> None:
+    """Replace the target by a directory with the files and those that artgen did not write."""
     if target.exists() and (os.path.ismount(target) or target in (Path.cwd(), *Path.cwd().parents)):
         raise ExportError(
             f"cannot export to {target}: a working directory or mount cannot be replaced as a whole; choose "
             f"a directory in it, such as {target / 'asset'}"
         )
     partial, previous = target.parent / f".{target.name}.partial", previous_directory(target)
-    with _new_parents(target):
+    with _new_parents(target), _claimed(partial, target):
         try:
-            if partial.exists():
-                shutil.rmtree(partial)  # left by a killed process
+            kept = _foreign_files(target, files)
+            if target.exists():
+                _adopt(target, partial)
             write_files(files, partial)
             for path in kept:
                 (partial / path).parent.mkdir(parents=True, exist_ok=True)
@@ -382,7 +388,53 @@ def _replace(target: Path, files: Mapping[str, bytes], kept: Sequence[str]) -> N
             _recover(target)
             shutil.rmtree(partial, ignore_errors=True)
             raise
-    shutil.rmtree(previous, ignore_errors=True)
+        shutil.rmtree(previous, ignore_errors=True)
+
+
+@contextmanager
+def _claimed(partial: Path, target: Path) -> Iterator[None]:
+    """Make an empty temporary folder; other threads and processes that write to the target wait."""
+    claimed = False
+    while not claimed:
+        with suppress(FileExistsError):
+            partial.mkdir()
+        with _locked(partial) as handle:
+            try:
+                now = partial.stat()
+            except FileNotFoundError:
+                continue
+            claimed = handle is None or os.path.samestat(os.fstat(handle), now)
+            if not claimed:  # the one before has moved the folder to its place
+                continue
+            with _locked(target):  # the one before has it until all is done
+                pass
+            for path in partial.iterdir():  # left by a killed process
+                _remove(path)
+            yield
+
+
+@contextmanager
+def _locked(folder: Path) -> Iterator[int | None]:
+    """Lock a folder, as far as there is one and the system has locks; yield its handle."""
+    with ExitStack() as opened:
+        handle = None
+        if fcntl is not None:
+            with suppress(OSError):
+                handle = os.open(folder, os.O_RDONLY)
+                opened.callback(os.close, handle)
+                fcntl.flock(handle, fcntl.LOCK_EX)
+        yield handle
+
+
+def _adopt(target: Path, partial: Path) -> None:
+    """Give the temporary folder the group and the permissions of the folder that it replaces."""
+    if not os.access(target, os.W_OK):
+        raise ExportError(f"cannot export to {target}: it is read-only; make it writable or choose another")
+    found = target.stat()
+    if hasattr(os, "chown"):
+        with suppress(PermissionError):  # not a member of the group
+            os.chown(partial, -1, found.st_gid)
+    partial.chmod(stat.S_IMODE(found.st_mode) | stat.S_IRWXU)
 
 
 def _recover(target: Path) -> None:
