@@ -153,7 +153,7 @@ def test_pictures_are_those_of_the_environment_that_the_file_names(tmp_path):
         data = opened["data"]
         made = json.loads(data.attrs["env_args"])
         demo = data["demo_0"]
-        env = gymnasium.make(made["env_name"], terminate_on_success=False, **made["env_kwargs"])
+        env = gymnasium.make(made["env_name"], **made["env_kwargs"])
         seed = int(demo.attrs["seed"])
         first, _ = env.reset(seed=seed, options={"asset": seed})
         second, *_ = env.step(demo["applied"][0])

@@ -223,7 +223,7 @@ def test_bad_calls_are_one_clear_error():
     with pytest.raises(ParameterError, match="reset has no option 'assets'; its option is 'asset'"):
         env.reset(options={"assets": 1})
     env.reset(seed=0)
-    for action in (np.zeros(6), np.full(7, np.nan), "open", None):
+    for action in (np.zeros(6), np.full(7, np.nan), np.full(7, np.inf), "open", None):
         with pytest.raises(ParameterError, match="an action of Pull is 7 finite numbers"):
             env.step(action)
     with pytest.raises(EnvError, match="pictures need render_mode='rgb_array' or obs='rgb'"):

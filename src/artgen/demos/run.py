@@ -117,7 +117,7 @@ def record(task: str, seed: int, *, image: int = 0, noise: float = 0.0) -> Demo:
 
     from artgen.envs.policy import ScriptedPolicy
 
-    env = gymnasium.make(f"artgen/{task}-v0", terminate_on_success=False, **_arguments(image))
+    env = gymnasium.make(f"artgen/{task}-v0", **_arguments(image))
     scene: Any = env.unwrapped
 
     def with_state(observation: Any) -> dict[str, Array]:
@@ -158,7 +158,7 @@ def _state(scene: Any) -> Array:
 
 def _arguments(image: int) -> dict[str, Any]:
     """Return the arguments of an environment whose observations are recorded."""
-    return {"obs": "rgb", "size": image} if image else {"obs": "state"}
+    return {"terminate_on_success": False} | ({"obs": "rgb", "size": image} if image else {"obs": "state"})
 
 
 @dataclass(frozen=True)

@@ -146,12 +146,12 @@ class ManipulationEnv(gymnasium.Env[Any, NDArray[np.float32]]):
         """Apply an action; return observation, reward, terminated, truncated and info."""
         scene = self.scene
         try:
-            taken = np.clip(np.asarray(action, float), -1.0, 1.0)
+            taken = np.asarray(action, float)
         except (TypeError, ValueError):
             taken = np.empty(0)
         if taken.shape != (7,) or not np.isfinite(taken).all():
             raise ParameterError(f"an action of {self.task.name} is 7 finite numbers, got {action!r}")
-        scene.act(taken)
+        scene.act(np.clip(taken, -1.0, 1.0))
         self._step += 1
         self._update_progress()
         first = all(self._done) and not self._succeeded

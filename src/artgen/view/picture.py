@@ -142,7 +142,7 @@ def checked_size(size: Any) -> tuple[int, int]:
     Raises:
         ParameterError: The size is not allowed.
     """
-    both = (size, size) if isinstance(size, int) and not isinstance(size, bool) else size
+    both = (size, size) if isinstance(size, int | np.integer) and not isinstance(size, bool) else size
     try:
         width, height = both
         allowed = all(int(each) == each and _SIZES[0] <= each <= _SIZES[1] for each in both)

@@ -148,7 +148,7 @@ def drawer(
         kitchen=ag.uniform(0.82, 0.92),
         unit="m",
         doc="overall height",
-        within=(0.38, 1.4),
+        within=(0.41, 1.4),
     ),
     stand_height: ag.Float = ag.by(
         "stand",
@@ -307,7 +307,6 @@ def drawer(
         (height - stand_height - slab) * (0.58 if niche else 1.0) > _LEAST * rows,
         f"each drawer must be >= {_LEAST:g} m high: raise height, or lower rows or stand_height",
     )
-    height = ag.require(height, height >= 0.41, "height must be >= 0.41 m")
     case = furniture.Carcass(
         width=width,
         low=stand_height,

@@ -101,6 +101,8 @@ def stapler(
     """Make a stapler or a punch that is released."""
     least = {"heavy": 0.145, "plier": 0.13}.get(style, 0.1)
     length = ag.require(length, length >= least, f"length of a {style} stapler must be >= {least:g} m")
+    narrow = {"punch": 0.06, "plier": 0.016}.get(style, 0.03)
+    width = ag.require(width, width >= narrow, f"width of a {style} stapler must be >= {narrow:g} m")
     match style:
         case "plier":
             return _plier(length, width, swing, lift, housing, accent, maker)
