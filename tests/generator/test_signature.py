@@ -239,6 +239,16 @@ def test_the_names_of_artgens_categories_are_taken_before_they_are_imported(cata
     assert not catalog.get("drawer") or catalog["drawer"].function is not drawer
 
 
+def test_a_category_has_a_name_for_files(catalog):
+    def büchse() -> Body:
+        return block()
+
+    with pytest.raises(
+        BuildError, match=r"'büchse' cannot name a category; use ASCII letters.*\n  at .*test_signature"
+    ):
+        category(labels="block")(büchse)
+
+
 @pytest.mark.parametrize("value", [None, "handle", lever])
 def test_a_generator_is_made_of_a_function(value: object) -> None:
     with pytest.raises(

@@ -12,6 +12,7 @@ from importlib.util import find_spec
 from pkgutil import iter_modules
 from typing import Any, Never
 
+from artgen._names import NAME_RULE, is_identifier
 from artgen.errors import BuildError, ParameterError
 from artgen.generator.generator import Generator
 from artgen.generator.parameter import spelled
@@ -93,6 +94,10 @@ def category(
 
     def register(function: Callable[..., Any]) -> Generator:
         made = Generator(function, names, joints)
+        if not is_identifier(made.name):
+            raise BuildError(
+                f"{made.name!r} cannot name a category; use ASCII {NAME_RULE}\n  at {made.where}"
+            )
         for name in made.signature.parameters:
             if name not in made.own:
                 raise BuildError(
