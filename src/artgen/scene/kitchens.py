@@ -157,7 +157,7 @@ class _Kitchen(Furnisher):
             ("microwave", {"depth": 0.42}, {"deep": 0.9}),  # a hand has room before its lowest keys
             ("kettle", {}, {"deep": 0.3, "turn": math.pi}),  # its handle is behind its spout
             ("pepper_grinder", {}, {"deep": 0.3}),
-            ("toaster", {}, {"deep": 0.4}),
+            ("toaster", {}, {"deep": 0.8}),  # its tray slides out behind it
             ("bottle", {"style": "screw"}, {"deep": 0.2}),
         ]
 
