@@ -105,6 +105,7 @@ def export(
 
     All files are written to a temporary directory first, which then replaces the target: a failure leaves an
     earlier asset untouched and no partial one. Files in the target that artgen did not write are kept.
+    Threads and processes that write to one target wait for each other.
 
     Args:
         asset: The asset.

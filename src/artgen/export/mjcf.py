@@ -337,7 +337,7 @@ def _detents(tendons: ET.Element, joint: AssetJoint, count: int) -> Iterator[_Si
         if joint.kind == "revolute":
             reach, arm = 2.0 * _DETENT_ARM * _portable.sin(gap / 4.0), _DETENT_ARM
         stiffness, lengths = torque / (reach * arm), [reach, _ENDLESS]
-        spring = add(tendons, "spatial", _UNSEEN, name=name, stiffness=stiffness, springlength=lengths)
+        spring = add(tendons, "spatial", name=name, stiffness=stiffness, springlength=lengths, **_UNSEEN)
         add(spring, "site", site=site)
         add(spring, "site", site=name)
 
@@ -366,7 +366,7 @@ def _closing(tendons: ET.Element, joint: AssetJoint, *, closes: bool) -> Iterato
         stiffness = (closing.force - closing.preload) / (slope * slope * abs(closing.reach - joint.closed))
         relaxed = length + closing.force / (slope * stiffness)
         spring |= {"stiffness": stiffness, "springlength": [relaxed, relaxed]}
-    cord = add(tendons, "spatial", _UNSEEN | spring)
+    cord = add(tendons, "spatial", spring | _UNSEEN)
     for number, site in enumerate((f"{name}_reach", name, f"{name}_end")):
         if number and joint.kind == "revolute":
             add(cord, "geom", geom=f"{joint.name}_drum")
