@@ -8,7 +8,7 @@ import typer
 from typer import Argument, Option
 
 from artgen.errors import ParameterError
-from artgen.export import LAYOUTS, TEXTURES
+from artgen.export import LAYOUTS
 from artgen.generator import OnCollision
 from artgen.materials.textures import check_size
 
@@ -43,10 +43,7 @@ Layout = Annotated[str, Option(metavar="NAME", help=f"Layout of the files: {', '
 
 
 def _texture_size(size: int) -> int:
-    try:
-        check_size(size or TEXTURES)
-    except ParameterError as error:
-        raise ParameterError(f"{error}; 0 gives plain colors") from None
+    check_size(size, plain=True)
     return size
 
 

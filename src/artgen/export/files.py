@@ -185,8 +185,7 @@ def encode(
             requested.
         ParameterError: The size of maps or the precision is not allowed.
     """
-    if textures != 0:
-        check_size(textures)
+    check_size(textures, plain=True)
     if asset.detail == "low":
         textures = 0
     laid_out = find_layout(layout)

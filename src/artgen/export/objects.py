@@ -53,8 +53,7 @@ def mjspec(asset: Asset, textures: int, tendons: Tendons | None = None) -> "mujo
 
 def _stored(asset: Asset, textures: int) -> Asset:
     """Return an asset with as many digits as files keep, after a check of the size of its maps."""
-    if textures != 0:
-        check_size(textures)
+    check_size(textures, plain=True)
     return asset.rounded()
 
 

@@ -79,8 +79,7 @@ class ImagePlan(BasePlan):
         _check_range("elevation", self.elevation, 0.0, math.pi / 2)
         _check_range("azimuth", (0.0, self.azimuth), 0.0, math.pi)
         _check_range("margin", self.margin, 0.0, 0.9)
-        if self.texture_size != 0:
-            check_size(self.texture_size)
+        check_size(self.texture_size, plain=True)
         if self.picture not in get_args(PictureFormat):
             raise ParameterError(f"pictures are written as png or jpg, not {self.picture!r}")
         shares: Any = self.split

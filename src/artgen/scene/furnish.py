@@ -45,7 +45,6 @@ _FLOORS = {"office": _BOARDS, "bathroom": _TILES, "workshop": _TILES}
 _WALLS = {
     "bathroom": (material("wall_tiles"), *(colored("wall_tiles", color) for color in ("cool_white", "sage")))
 }
-_PAINTED = (colored("painted_wood", "white"),)
 
 Span = tuple[float, float]
 Hole = tuple[float, float, float, float]
@@ -112,7 +111,7 @@ class Furnisher:
             depth=self.depth,
             height=high,
             floor=floor,
-            paint=self.choice(*_WALLS.get(kind, _PAINTED)),
+            paint=self.choice(*_WALLS.get(kind, (None,))),
             detail=detail,
         )
         self.fronts, self.finish = _style(self.room, self.choice(*_GRIPS))

@@ -50,8 +50,7 @@ def render(
     pixels = checked_size(size)
     if studio not in get_args(Studio):
         raise ParameterError(f"there is no studio {studio!r}.{nearest(str(studio), get_args(Studio))}")
-    if textures != 0:
-        check_size(textures)
+    check_size(textures, plain=True)
     if type(samples) is not int or samples < 1:
         raise ParameterError(f"samples {samples!r} must be a whole number of at least 1")
     poses = asset.pose(q)

@@ -39,7 +39,7 @@ def page_of(asset: Asset, *, textures: int = 512, height: int = 600) -> Page:
         AssetError: The asset was read from files that have no surfaces.
     """
     if textures:
-        check_size(textures)
+        check_size(textures, plain=True)
     (model,) = write_glb(asset, textures).files.values()
     scripts = [f"view/web/{name}.js" for name in _SCRIPTS]
     data = viewer_data(asset)

@@ -23,15 +23,14 @@ from artgen.categories.shared.finish import casting
 from artgen.categories.shared.taps import drain, handles, spouts, stands
 
 Style = Literal["widespread", "single_hole", "bridge", "wall", "vessel", "gooseneck", "pull_down"]
+Stand = Literal["board", "none"]
+"""A sample deck or board, or the wall of a room."""
 
 _METALS = {"satin_brass": 1.2, "brass": 0.8, "satin_nickel": 2.0, "powder_coat_black": 1.8,
            "aged_bronze": 0.8, "chrome": 3.0, "stainless": 1.0}  # fmt: skip
 _SHEET = casting(ag.material("stainless_blasted"), 0.14)  # density for a sheet around a board
 _DECKS: dict[ag.Material | str, float] = {_SHEET: 0.6, "green_marble": 0.5, "marble": 1.2, "oak": 1.0,
     "black_granite": 1.2, "granite": 1.0, "walnut": 1.0}  # fmt: skip
-Stand = Literal["board", "none"]
-"""A sample deck or board, or the wall of a room."""
-
 _STYLES = {"vessel": 0.15, "bridge": 0.11, "single_hole": 0.10, "wall": 0.12, "widespread": 0.16,
            "gooseneck": 0.16, "pull_down": 0.20}  # fmt: skip
 _METAL_WEIGHTS, _DECK_WEIGHTS = tuple(_METALS.values()), tuple(_DECKS.values())

@@ -50,10 +50,15 @@ SIZES = (256, 512, 1024, 2048)
 _QUALITY: dict[Kind, int] = {"normal": 92}
 
 
-def check_size(size: int) -> None:
-    """Raise a ParameterError for a number of texels per side that is not allowed."""
+def check_size(size: int, *, plain: bool = False) -> None:
+    """Raise a ParameterError for a number of texels per side that is not allowed; with `plain`, 0 is."""
+    if plain and size == 0:
+        return
     if type(size) is not int or size not in SIZES:
-        raise ParameterError(f"textures have {', '.join(map(str, SIZES))} texels on a side, not {size!r}")
+        colors = "; 0 gives plain colors" if plain else ""
+        raise ParameterError(
+            f"textures have {', '.join(map(str, SIZES))} texels on a side, not {size!r}{colors}"
+        )
 
 
 def recipe_of(material: Material) -> Recipe:
