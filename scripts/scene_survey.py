@@ -63,7 +63,7 @@ def measured(kind: str, seed: int, states: int, *, checked: bool) -> dict[str, A
     result: dict[str, Any] = {"kind": kind, "seed": seed}
     start = time.process_time()
     try:
-        room = ROOMS[kind](seed, detail="low")
+        room = ROOMS[kind].generate(seed, detail="low")
     except ArtgenError as error:
         return result | {"seconds": time.process_time() - start, "error": str(error)}
     result["seconds"] = time.process_time() - start

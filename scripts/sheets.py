@@ -15,7 +15,7 @@ from artgen.commands.pictures import sheet
 from artgen.scene import ROOMS, kitchen
 from artgen.view import sheet as page
 
-_OTHERS = [room for name, room in ROOMS.items() if name != "kitchen"]
+_OTHERS = [room.generate for name, room in ROOMS.items() if name != "kitchen"]
 DOCS = Path(__file__).parents[1] / "docs"
 
 

@@ -20,6 +20,8 @@ from artgen import Body, Region, union
 from artgen._names import ByName
 from artgen.asset import Asset
 from artgen.asset.placed import certificate_digest
+from artgen.catalog import categories
+from artgen.dataset import Dataset, Plan, generate_many
 from artgen.errors import AssetError, ParameterError
 from artgen.export.frames import translation
 from artgen.graph import evaluate
@@ -287,7 +289,7 @@ def test_the_same_seed_gives_the_same_scene() -> None:
 
 
 def test_a_kitchen_is_proven() -> None:
-    room = ROOMS["kitchen"](2, width=3.0, depth=2.4, detail="low")
+    room = ROOMS["kitchen"].generate(2, width=3.0, depth=2.4, detail="low")
     assert room.certificate is not None
     assert room.certificate.proven
     assert (room.name, room.category, room.seed, room.detail) == ("kitchen_2", "kitchen", 2, "low")
@@ -322,14 +324,61 @@ def test_a_kitchen_is_proven() -> None:
     ),
 )
 def test_each_room_is_proven(kind: str, furniture: set[str]) -> None:
-    room = ROOMS[kind](3, detail="low")
+    room = ROOMS[kind].generate(3, detail="low")
     assert room.certificate is not None
     assert room.certificate.proven
     assert (room.name, room.category, room.attempt) == (f"{kind}_3", kind, 0)
+    assert {each.category for each in room.placed} & {*categories()} <= {*ROOMS[kind].contents}
+    assert {label for link in room.links for label in link.labels} <= {*ROOMS[kind].labels}
     assert furniture <= {link.name for link in room.links}
     assert room.loose
     with pytest.raises(ParameterError, match=rf"{kind} 3: it is at least \S+ m wide; \S+ m are missing"):
-        ROOMS[kind](3, width=1.85)
+        ROOMS[kind].generate(3, width=1.85)
+
+
+def test_rooms_are_made_by_name_like_categories(tmp_path: Path) -> None:
+    entrance = artgen.generate("hall", 5, name="entrance", detail="low", width=2.2)
+    assert (entrance.name, entrance.category, entrance.parameters["width"]) == ("entrance", "hall", 2.2)
+    assert entrance.certificate is not None
+    assert entrance.certificate.proven
+    narrow = artgen.uniform(2.0, 2.2)
+    first = next(iter(artgen.stream(("hall", "switch"), seed=5, detail="low")))
+    assert first.to_json() == hall(5, detail="low").to_json()
+    plan = Plan(("switch", "hall"), 4, 5, ("hall:width=uniform(2.0, 2.2)",), detail="low", formats=("mjcf",))
+    assert generate_many(plan, tmp_path / "set", jobs=1).failed == ()
+    rows = Dataset(tmp_path / "set").filter(category="hall")
+    widths = [row.parameters["width"] for row in rows]
+    assert widths == pytest.approx(
+        [ROOMS["hall"].sample(seed, overrides={"width": narrow})["width"] for seed in (5, 6)]
+    )
+    assert len(set(widths)) == 2
+    assert all(2.0 < width < 2.2 for width in widths)
+
+
+@pytest.mark.parametrize(
+    ("given", "message"),
+    [
+        ({"base": "free"}, "base = 'free' is not allowed: hall is a room, which is fixed to the world"),
+        ({"topology": "fixed"}, "topology = 'fixed' is not allowed: hall is a room"),
+        ({"height": 2.0}, r"hall has no parameter 'height'\. Allowed: depth, width"),
+        ({"width": "wide"}, "width = 'wide' is not allowed: it must be a number"),
+        ({"seed": -1}, "seed must be a whole number that is not negative, got -1"),
+    ],
+)
+def test_wrong_options_of_rooms_are_told(given: dict[str, Any], message: str) -> None:
+    with pytest.raises(ParameterError, match=message):
+        artgen.generate("hall", **given)
+
+
+def test_a_room_is_no_category() -> None:
+    with pytest.raises(
+        ParameterError, match=r"no category 'hall'\. hall is a room, which `artgen scene hall` and"
+    ):
+        artgen.catalog.find("hall")
+    with pytest.raises(ParameterError, match=r"Did you mean 'kitchen'\?"):
+        artgen.generate("kitchn")
+    with pytest.raises(ParameterError, match="hall is a room, which is fixed to the world and"):
+        Plan(("hall",), 1, tolerance=1e-3)
 
 
 def test_colliders_follow_a_bathtub() -> None:
@@ -492,7 +541,7 @@ def test_neighbors_of_a_kind_are_found_beside_an_item_of_a_row() -> None:
 def test_the_entrance_opens_into_the_hall_and_is_locked_from_there() -> None:
     room = next(
         each
-        for each in (ROOMS["hall"](seed, detail="low") for seed in range(5, 9))
+        for each in (ROOMS["hall"].generate(seed, detail="low") for seed in range(5, 9))
         if "door_lock" in each.links.by_name
     )
     (turn,) = room.link("door_lock").grasps
@@ -547,12 +596,9 @@ def test_a_room_is_seen_over_its_open_side(loose: Asset) -> None:
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (("kitchen", "--set", "layout=round"), "must be one of one_wall, galley, l, u, island"),
-        (
-            ("office", "--set", "layout=l"),
-            "the room 'office' has no parameter 'layout'; choose from width, depth",
-        ),
-        (("hall", "--set", "width=wide"), "--set width=wide must be a number [m]"),
+        (("kitchen", "--set", "layout=round"), "must be one of 'one_wall', 'galley', 'l', 'u', 'island'"),
+        (("office", "--set", "layout=l"), "office has no parameter 'layout'. Allowed: depth, width."),
+        (("hall", "--set", "width=2.4m"), "it must be a number. Write the number alone, in m: 2.4"),
         (("hall", "--width", "2", "--set", "width=2"), "width is set twice"),
         (("hall", "--layout", "round"), "there is no layout 'round'. Allowed: flat"),
         (("sauna",), "there is no room 'sauna'; choose from bathroom, hall, kitchen, office, workshop"),

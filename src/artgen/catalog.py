@@ -13,7 +13,7 @@ from importlib.util import decode_source
 from pathlib import Path
 from traceback import walk_tb
 from types import MappingProxyType, ModuleType
-from typing import Any
+from typing import Any, Protocol
 
 from artgen.asset import Asset
 from artgen.errors import ArtgenError, BuildError, ParameterError, nearest
@@ -24,6 +24,42 @@ ENTRY_POINTS = "artgen.categories"
 """Group of entry points for categories of other packages; each names a module that defines categories."""
 
 _FILE = re.compile(r"(?P<path>.+\.py)(?::(?P<name>[^:/\\]*))?", re.DOTALL)
+
+
+class Maker(Protocol):
+    """A source of assets for plans and streams: a category, or a kind of room."""
+
+    @property
+    def name(self) -> str:
+        """Its name, which is the category of its assets."""
+
+    @property
+    def labels(self) -> tuple[str, ...]:
+        """The labels of its assets."""
+
+    def sample(self, seed: int, *, overrides: Mapping[str, Any] | None = None) -> dict[str, Any]:
+        """Return the parameters of a seed; check them."""
+
+    def generate(self, /, seed: int = 0, **given: Any) -> Asset:
+        """Return the asset of a seed."""
+
+
+def rooms() -> Mapping[str, Maker]:
+    """Return the kinds of rooms by name; they stand on the catalog and are imported on request."""
+    found: Mapping[str, Maker] = import_module("artgen.scene").ROOMS
+    return found
+
+
+def maker(name: str | Path) -> Maker:
+    """Return the category with a name or in a file, or the kind of room with a name.
+
+    Raises:
+        ParameterError: There is none; the message suggests the nearest name.
+        BuildError: A file cannot be loaded, or a package cannot be imported.
+    """
+    if not isinstance(name, str) or is_file(name) or name in (*own_categories(), *CATEGORIES):
+        return find(name)
+    return rooms().get(name) or find(name)
 
 
 @functools.cache
@@ -99,7 +135,9 @@ def _remedy(name: str) -> str:
         return f" {name} is a page: open it in a browser."
     if os.path.exists(name):  # noqa: PTH110 - False for names that are too long
         return f" {name} is a file or folder: give the Python file of the category, such as stapler.py."
-    return nearest(name, categories())
+    if name in rooms():
+        return f" {name} is a room, which `artgen scene {name}` and artgen.generate({name!r}) make."
+    return nearest(name, (*categories(), *rooms()))
 
 
 def script_of(name: str) -> str:
@@ -208,7 +246,8 @@ def generate(category: str | Path | Generator, /, seed: int = 0, **overrides: An
     """Generate an asset.
 
     Args:
-        category: Name of a category, a file that defines one, or a category or generator.
+        category: Name of a category or of a kind of room, a file that defines a category, or a category or
+            generator.
         seed: Seed of all draws: the same seed gives the same asset, byte for byte.
         **overrides: Options of `Generator.generate`: `name`, `base` ("fixed" or "free"), `certify=False` to
             skip the proof that no two links collide or `certify="later"` to make it when it is needed, its
@@ -223,7 +262,8 @@ def generate(category: str | Path | Generator, /, seed: int = 0, **overrides: An
         InfeasibleError: No draw met the requirements of the category, or none is proven free of collisions.
         CheckError: The links are not proven apart, and `on_collision` is "fail".
     """
-    chosen = find(category) if isinstance(category, str | Path) else category
-    if not isinstance(chosen, Generator):
+    if isinstance(category, str | Path):
+        return maker(category).generate(seed, **overrides)
+    if not isinstance(category, Generator):
         raise ParameterError(f"generate takes the name of a category or a generator, got {category!r}")
-    return chosen.generate(seed, **overrides)
+    return category.generate(seed, **overrides)

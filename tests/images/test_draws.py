@@ -6,8 +6,11 @@ import numpy as np
 import pytest
 
 import artgen
+from artgen.asset.placed import owners_of
 from artgen.images import ImagePlan
 from artgen.images.draws import (
+    CLEAR,
+    camera_in,
     extrinsics,
     intrinsics,
     random_camera,
@@ -48,6 +51,45 @@ def test_followers_move_with_their_leaders() -> None:
         for joint in followers:
             law = joint.follows
             assert positions[joint.name] == pytest.approx(law.ratio * positions[law.leader] + law.offset)
+
+
+@pytest.fixture(scope="module")
+def room() -> artgen.Asset:
+    return artgen.generate("hall", 1, detail="low")
+
+
+def test_cameras_in_a_room_stand_free_and_look_at_its_assets(room: artgen.Asset) -> None:
+    plan, draw = ImagePlan(("hall",), 1), np.random.default_rng(8)
+    owners = owners_of(room)
+    assert set(owners.values()) == {"", *(each.name for each in room.placed)}
+    looked, inside = set(), 0
+    for _ in range(40):
+        poses = room.pose(random_positions(room, draw))
+        points = {
+            link.name: np.concatenate([surface.mesh.vertices for surface in link.surfaces])
+            @ poses[link.name][:3, :3].T
+            + poses[link.name][:3, 3]
+            for link in room.links
+        }
+        camera = camera_in(room, points, plan, draw)
+        at, low, high = np.array(camera.position), *room.links[0].bounds()
+        assert (low[[0, 2]] < at[[0, 2]]).all()
+        assert (at < high).all()
+        inside += int(at[1] > low[1])
+        for name, each in points.items():
+            if owners[name]:
+                assert ((at < each.min(axis=0) - CLEAR) | (at > each.max(axis=0) + CLEAR)).any(), name
+        # one asset is in the picture as a whole
+        whole = set()
+        for placed in room.placed:
+            own = np.concatenate([each for name, each in points.items() if owners[name] == placed.name])
+            ahead = (own - at) @ camera.axes()[2]
+            if ahead.min() > 0.0 and (abs(camera.pixels(own, (1, 1)) - 0.5) < 0.5).all():
+                whole.add(placed.name)
+        assert whole
+        looked |= whole
+    assert inside > 10
+    assert len(looked) > 3
 
 
 def test_cameras_are_above_the_horizon_and_see_all_points() -> None:

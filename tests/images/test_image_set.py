@@ -16,6 +16,7 @@ from PIL import Image
 from artgen.asset import Asset
 from artgen.asset.record import rounded
 from artgen.dataset import Dataset, generate_many
+from artgen.dataset.plan import Item
 from artgen.errors import ExportError
 from artgen.images import ImagePlan
 from support.digests import digests
@@ -172,3 +173,29 @@ def test_the_record_of_an_asset_is_next_to_its_pictures(image_set: Path, assets)
     for name, asset in assets.items():
         data = json.loads((image_set / asset.category / name / "asset.json").read_text())
         assert data["parameters"] == json.loads(json.dumps(rounded(asset.parameters)))
+
+
+def test_pictures_of_a_room_name_the_asset_of_each_part(tmp_path: Path, opengl: None) -> None:
+    plan = ImagePlan(("hall",), 1, 1, detail="low", images=2, size=128, samples=1, texture_size=0, depth=True)
+    assert generate_many(plan, tmp_path / "set", jobs=1).failed == ()
+    room = plan.draw(Item("hall", 1))
+    known = {each.name: each for each in room.placed}
+    data = json.loads((tmp_path / "set" / "train.json").read_text())
+    names = {each["id"]: each["name"] for each in data["categories"]}
+    assert len(data["annotations"]) > 6
+    for each in data["annotations"]:
+        assert names[each["category_id"]] in room.labels
+        if not each["placed"]:
+            assert (each["link"], each["joints"]) == ("room", [])
+            continue
+        own = each["link"].removeprefix(f"{each['placed']}_")
+        assert f"{each['placed']}_{own}" == each["link"]
+        assert each["placed"] in known
+        assert not any(joint["name"].endswith("_place") for joint in each["joints"])
+    moving = [each for each in data["annotations"] if each["joints"]]
+    assert moving
+    for image in data["images"]:
+        q = {joint.name: image["joints"][joint.name] for joint in room.free_joints}
+        assert not room.blocked(q)
+        depth = np.array(Image.open(tmp_path / "set" / image["depth_file"])) * image["depth_scale"]
+        assert depth[depth > 0].min() > 0.05

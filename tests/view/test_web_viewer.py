@@ -451,7 +451,7 @@ def test_the_command_writes_a_page_and_opens_it(
             ("plierr",),
             (
                 "error: there is no category 'plierr' and no folder of that name; give a folder that artgen "
-                "exported, the Python file of a category, such as stapler.py, or a category that "
+                "exported, the Python file of a category, such as stapler.py, or a category or room that "
                 "`artgen list` shows. Did you mean 'plier'?\n"
             ),
         ),

@@ -83,6 +83,15 @@ def place_of(name: str) -> str:
     return f"{name}_place"
 
 
+def owners_of(asset: "Asset") -> dict[str, str]:
+    """Return the name of the placed asset of every link of a room; empty for the room itself."""
+    owners = {asset.links[0].name: ""}
+    places = {place_of(each.name): each.name for each in asset.placed}
+    for joint in asset.joints:
+        owners[joint.child] = places.get(joint.name, owners[joint.parent])
+    return owners
+
+
 def certificate_digest(certificate: Certificate | None) -> str:
     """Return the SHA-256 of a certificate as `asset.json` has it, in hexadecimal; empty if there is none."""
     if certificate is None:

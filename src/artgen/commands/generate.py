@@ -1,7 +1,5 @@
 """Commands that write assets: `artgen generate`, one or a dataset, and `artgen export`, one of them again."""
 
-from collections.abc import Mapping, Sequence
-from inspect import signature
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
@@ -12,8 +10,7 @@ from artgen.asset import Asset
 from artgen.asset.asset import DetailName, Limits
 from artgen.asset.collision import Collision
 from artgen.asset.files import main_files
-from artgen.asset.joint import is_number
-from artgen.catalog import find
+from artgen.catalog import rooms
 from artgen.colliders.openings import BALL
 from artgen.commands.console import make_dataset, progress
 from artgen.commands.options import (
@@ -27,6 +24,7 @@ from artgen.commands.options import (
     TextureSize,
     Tolerance,
     check_given,
+    generated,
 )
 from artgen.dataset import Plan, TextureMode
 from artgen.dataset.places import is_url
@@ -154,7 +152,7 @@ def generate(
                 f"one asset is of one category, not {', '.join(categories)}; give a number of assets with -n"
             )
         with progress("generate"):
-            asset, _ = find(categories[0]).evaluate(seed, name=name, overrides=values, **drawn)
+            asset = generated(categories[0], seed, values, name=name, **drawn)
             if colliders is not None:
                 asset = asset.with_colliders(colliders, openings)
         _write(asset, out, textures=0 if textures == "none" else texture_size, **written)
@@ -199,34 +197,17 @@ def scene(
     ] = None,
 ) -> None:
     """Generate a room of assets in which nothing collides in any state, and print the paths of its files."""
-    from artgen.scene import ROOMS  # other commands start without it
-
     chosen = _chosen_formats(layout, formats)
-    if room not in ROOMS:
-        raise typer.BadParameter(f"there is no room {room!r}; choose from {', '.join(ROOMS)}")
-    values = _room_values(room, {"width": width, "depth": depth}, overrides or [])
-    with progress(f"furnish {room} {seed}"):
-        asset = ROOMS[room](seed, detail=detail, **values)
-    _write(asset, out, collision="exact", formats=chosen, textures=texture_size, layout=layout)
-
-
-def _room_values(room: str, lengths: Mapping[str, float | None], overrides: Sequence[str]) -> dict[str, Any]:
-    """Return the parameters of a room that are given by `--width`, `--depth` and `--set`."""
-    from artgen.scene import ROOMS
-
-    values: dict[str, Any] = {name: value for name, value in lengths.items() if value is not None}
-    allowed = [name for name in signature(ROOMS[room]).parameters if name not in ("seed", "detail")]
-    for name, value in parse_overrides(overrides).items():
-        if name not in allowed:
-            raise typer.BadParameter(
-                f"the room {room!r} has no parameter {name!r}; choose from {', '.join(allowed)}"
-            )
-        if name in values:
+    if room not in rooms():
+        raise typer.BadParameter(f"there is no room {room!r}; choose from {', '.join(rooms())}")
+    values = parse_overrides(overrides or [])
+    for name, value in (("width", width), ("depth", depth)):
+        if value is not None and name in values:
             raise typer.BadParameter(f"{name} is set twice; leave one of --{name} and --set out")
-        if name in lengths and not is_number(value):
-            raise typer.BadParameter(f"--set {name}={value} must be a number [m]")
-        values[name] = value
-    return values
+        values |= {} if value is None else {name: value}
+    with progress(f"furnish {room} {seed}"):
+        asset = generated(room, seed, values, detail=detail)
+    _write(asset, out, collision="exact", formats=chosen, textures=texture_size, layout=layout)
 
 
 def _write(asset: Asset, out: str | None, *, collision: Collision, **options: Any) -> None:

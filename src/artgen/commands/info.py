@@ -13,7 +13,7 @@ from rich.text import Text
 from typer import Argument, Option
 
 from artgen.asset.summary import facts
-from artgen.catalog import broken, categories, find
+from artgen.catalog import broken, categories, find, rooms
 from artgen.commands.console import console, table
 from artgen.commands.options import Category, Seed
 from artgen.errors import ParameterError, nearest
@@ -31,7 +31,7 @@ _SAMPLE = 3  # facts of the sample: size, links, joints
 
 
 def list_categories() -> None:
-    """List the categories."""
+    """List the categories, and the rooms that `artgen scene` furnishes."""
     for message in broken().values():
         typer.echo(f"warning: {' '.join(message.split())}", err=True)
     result = table("category", "what it is", "joints", "parameters", "labels")
@@ -42,6 +42,7 @@ def list_categories() -> None:
             name, _first_line(category), joints, str(len(category.parameters())), ", ".join(category.labels)
         )
     console().print(result)
+    typer.echo(f"rooms: {', '.join(rooms())}")
 
 
 def _first_line(category: Generator) -> str:

@@ -1,12 +1,14 @@
 """Arguments and options that several commands share."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 from typer import Argument, Option
 
+from artgen.asset import Asset
+from artgen.catalog import maker
 from artgen.errors import ParameterError
 from artgen.export import LAYOUTS
 from artgen.generator import OnCollision
@@ -17,10 +19,11 @@ Category = Annotated[
 ]
 Categories = Annotated[
     list[str],
-    Argument(metavar="CATEGORY...", help="Names of categories, which `artgen list` shows, or files."),
+    Argument(metavar="CATEGORY...", help="Names of categories or rooms, see `artgen list`, or files."),
 ]
 Source = Annotated[
-    str, Argument(metavar="DIRECTORY|CATEGORY", help="An exported asset, a category, or a file with one.")
+    str,
+    Argument(metavar="DIRECTORY|CATEGORY", help="An exported asset, a category or room, or a file with one."),
 ]
 Overrides = Annotated[
     list[str] | None,
@@ -78,3 +81,10 @@ def check_given(context: typer.Context, refused: Sequence[str], what: str) -> No
             given = next(each for each in context.command.params if each.name == name)
             off = given.secondary_opts if context.params[name] is False else []
             raise ParameterError(f"{(off or given.opts)[0]} does nothing for {what}; leave it out")
+
+
+def generated(category: str, /, seed: int, overrides: Mapping[str, Any], **options: Any) -> Asset:
+    """Return an asset of a category, file or room; overrides with names of options are refused."""
+    made = maker(category)
+    made.sample(seed, overrides=overrides)
+    return made.generate(seed, **options, **overrides)

@@ -8,9 +8,9 @@ import typer
 from typer import Option
 
 from artgen.asset import Asset
-from artgen.catalog import find
+from artgen.catalog import maker
 from artgen.commands.console import progress
-from artgen.commands.options import Category, Overrides, Seed, Source, TextureSize
+from artgen.commands.options import Category, Overrides, Seed, Source, TextureSize, generated
 from artgen.commands.view import asset_from
 from artgen.errors import ExportError, ParameterError
 from artgen.generator.overrides import parse_overrides
@@ -136,12 +136,12 @@ def sheet(
 
     if seeds < 1:
         raise ParameterError(f"--seeds {seeds} must be at least 1")
-    found, values = find(category), parse_overrides(overrides or [])
+    found, values = maker(category), parse_overrides(overrides or [])
     path = Path(f"{found.name}.jpg") if out is None else out
     _check_file(path)
 
     def sample(seed: int) -> Asset:
-        return found.evaluate(seed, certify=False, overrides=values)[0]
+        return generated(category, seed, values, certify=False)
 
     makers = [partial(sample, seed) for seed in range(first_seed, first_seed + seeds)]
     with progress(found.name, seeds) as update:

@@ -11,7 +11,7 @@ from typer import Argument, Option
 
 from artgen.asset import Asset
 from artgen.asset.files import ASSET_FILE, exports_in
-from artgen.catalog import categories, find, is_file, is_pipe, script_of
+from artgen.catalog import categories, find, is_file, is_pipe, rooms, script_of
 from artgen.commands.console import progress
 from artgen.commands.options import (
     Category,
@@ -22,6 +22,7 @@ from artgen.commands.options import (
     Source,
     TextureSize,
     check_given,
+    generated,
 )
 from artgen.errors import ParameterError
 from artgen.generator.overrides import parse_overrides
@@ -53,14 +54,14 @@ def asset_from(
         check_given(context, _OF_CATEGORIES, "an exported asset")
         return Asset.load(directory)
     known = directory.exists() or is_file(source) or is_pipe(source) or source in categories()
-    if not known and not script:
-        near = difflib.get_close_matches(source, categories(), 1, cutoff=0.7)
+    if not (known or script or source in rooms()):
+        near = difflib.get_close_matches(source, (*categories(), *rooms()), 1, cutoff=0.7)
         raise ParameterError(
             f"there is no category {source!r} and no folder of that name; give a folder that artgen "
-            "exported, the Python file of a category, such as stapler.py, or a category that `artgen list` "
-            "shows." + (f" Did you mean {near[0]!r}?" if near else "")
+            "exported, the Python file of a category, such as stapler.py, or a category or room that "
+            "`artgen list` shows." + (f" Did you mean {near[0]!r}?" if near else "")
         )
-    return find(source).evaluate(seed, certify=certify, overrides=parse_overrides(overrides))[0]
+    return generated(source, seed, parse_overrides(overrides), certify=certify)
 
 
 def view(

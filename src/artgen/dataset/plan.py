@@ -14,7 +14,7 @@ import numpy as np
 
 from artgen.asset.asset import Asset, Base, DetailName, Limits
 from artgen.asset.collision import Collision
-from artgen.catalog import find, is_file, load_file
+from artgen.catalog import Maker, is_file, load_file, maker
 from artgen.colliders.openings import BALL
 from artgen.dataset.places import Place
 from artgen.errors import ExportError, ParameterError
@@ -65,7 +65,7 @@ class BasePlan(ABC):
 
     FORMAT: ClassVar[str]  # format in the plan file of such folders
 
-    categories: tuple[str, ...]  # names of the categories, each once; files that define one become names
+    categories: tuple[str, ...]  # names, each once; files that define a category become its name
     count: int  # number of assets, divided evenly among the categories; the first ones get the remainder
     seed: int = 0  # first seed of each category
     overrides: tuple[str, ...] = ()  # `NAME=VALUE` for all categories, or `CATEGORY:NAME=VALUE` for one
@@ -101,11 +101,17 @@ class BasePlan(ABC):
         check_proof(self.certify, self.tolerance, self.on_collision)
         _check_texts(self.overrides)
         for name in self.categories:
-            self.category(name).sample(self.seed, overrides=self.overrides_of(name))
+            made = self.category(name)
+            made.sample(self.seed, overrides=self.overrides_of(name))
+            if not isinstance(made, Generator) and (self.base != "fixed" or self.tolerance > 0.0):
+                raise ParameterError(
+                    f"{name} is a room, which is fixed to the world and proven without a tolerance; leave "
+                    "the base and the tolerance out, or leave the room out"
+                )
 
-    def category(self, name: str) -> Generator:
-        """Return a category of the plan."""
-        return _loaded(self.sources[name]) if name in self.sources else find(name)
+    def category(self, name: str) -> Maker:
+        """Return a category or kind of room of the plan."""
+        return _loaded(self.sources[name]) if name in self.sources else maker(name)
 
     def items(self) -> Iterator[Item]:
         """Yield the assets, categories in turn: a longer plan begins with the assets of a shorter plan."""
@@ -115,16 +121,15 @@ class BasePlan(ABC):
 
     def draw(self, item: Item) -> Asset:
         """Make an asset."""
-        asset, _ = self.category(item.category).evaluate(
+        return self.category(item.category).generate(
             item.seed,
             base=self.base,
             certify=self.certify,
             tolerance=self.tolerance,
             on_collision=self.on_collision,
             detail=self.detail,
-            overrides=self.overrides_of(item.category),
+            **self.overrides_of(item.category),
         )
-        return asset
 
     def overrides_of(self, category: str) -> dict[str, Any]:
         """Return the overrides for a category; its own overrides replace those for all categories."""

@@ -9,7 +9,7 @@ from functools import cache
 from typing import Any
 
 from artgen.asset import Asset
-from artgen.catalog import find
+from artgen.catalog import maker
 from artgen.errors import EvaluationError, InfeasibleError, ParameterError
 from artgen.generator.generator import checked_count
 from artgen.generator.signature import RESERVED
@@ -47,7 +47,7 @@ class Stream(Iterable[Asset]):
             seed = self.seed + number // len(self.categories)
             number += step
             try:
-                yield find(category).generate(seed, **self.options)
+                yield maker(category).generate(seed, **self.options)
             except (InfeasibleError, EvaluationError) as error:
                 _log.warning("%s %d is left out: %s", category, seed, " ".join(str(error).split()))
 
@@ -62,7 +62,7 @@ def stream(categories: str | Iterable[str], *, seed: int = 0, **options: Any) ->
         loader = torch.utils.data.DataLoader(artgen.stream("door"), batch_size=None, num_workers=4)
 
     Args:
-        categories: Name of a category, or several names in turn.
+        categories: Name of a category or kind of room, or several names in turn.
         seed: The first seed.
         **options: Options of `artgen.generate`: values and distributions of parameters, `certify=False`, ...
 
@@ -75,7 +75,7 @@ def stream(categories: str | Iterable[str], *, seed: int = 0, **options: Any) ->
     first = checked_count("seed", seed)
     drawn = {name: value for name, value in options.items() if name not in RESERVED}
     for name in names:
-        find(name).sample(first, overrides=drawn)
+        maker(name).sample(first, overrides=drawn)
     return _stream_of(names, first, options)
 
 

@@ -56,7 +56,7 @@ class Task:
     def generate(self, seed: int) -> Asset:
         """Generate an asset that is suitable for the task, without a certificate; a room of light assets."""
         if self.category in ROOMS:
-            return ROOMS[self.category](seed, detail="low", **self.overrides)
+            return ROOMS[self.category].generate(seed, detail="low", **self.overrides)
         return generate(self.category, seed, certify=False, **self.overrides)
 
     def target(self, asset: Asset, rng: np.random.Generator) -> Target:

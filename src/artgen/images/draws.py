@@ -14,8 +14,9 @@ import numpy as np
 
 from artgen._arrays import Array
 from artgen.asset import Asset
+from artgen.asset.placed import owners_of
 from artgen.export.frames import Region, intersection, leader_of, regions
-from artgen.view.camera import Camera, View
+from artgen.view.camera import VIEWS, Camera, View
 
 if TYPE_CHECKING:
     from artgen.images.plan import ImagePlan
@@ -29,12 +30,18 @@ FLOORS = (
 )  # fmt: skip
 WALLS = ("linen", "marble", "plywood", "cardboard", "fabric", "beech", "mdf", "wall_tiles")
 
+CLEAR = 0.1  # between a camera in a room and all assets [m]
 _PLAIN_SKY = (0.80, 0.80, 0.80)
 
 _ASIDE = 0.7  # largest shift of the asset off the center, over the free width beside it
 _MOVED = 0.7  # share of the joints that are away from rest
 _FREED = 0.7  # probability that a blocking joint is moved instead of the blocked joint
 _ROUNDS = 8  # rounds of freeing blocked joints
+
+_VIEWS = 200  # tries of a camera that stands free in a room
+_AROUND = 1.2  # largest distance of other assets in a picture from the middle of that in its center [m]
+# from the corners of a room to its cameras, which also stand before its open side [m]
+_AIR = np.array([[0.3, -1.5, 0.3], [-0.3, -0.3, -0.1]])
 
 
 def random_positions(asset: Asset, draw: np.random.Generator) -> dict[str, float]:
@@ -47,7 +54,8 @@ def random_positions(asset: Asset, draw: np.random.Generator) -> dict[str, float
     limits = {joint.name: joint.limits or (-math.pi, math.pi) for joint in asset.free_joints}
     leaders = {joint.name: leader_of(asset, joint)[0] for joint in asset.joints}
     q = {name: float(draw.uniform(low, high)) for name, (low, high) in limits.items()}
-    q |= {name: closed[name] for name in closed if draw.random() > _MOVED}
+    moved = _MOVED * (float(draw.random()) if asset.placed else 1.0)  # few rooms have everything open
+    q |= {name: closed[name] for name in closed if draw.random() > moved}
     freed = {joint.name: draw.random() < _FREED for joint in asset.joints}
 
     def back(name: str) -> dict[str, float]:
@@ -98,6 +106,40 @@ def random_camera(points: Array, plan: "ImagePlan", draw: np.random.Generator) -
     return replace(
         camera, position=tuple(camera.position + move), target=tuple(np.array(camera.target) + move)
     )
+
+
+def camera_in(
+    asset: Asset, points: Mapping[str, Array], plan: "ImagePlan", draw: np.random.Generator
+) -> Camera:
+    """Return a random camera for an asset; `points` has the vertices of each link.
+
+    A room is seen from its inside or from before its open side. The camera looks at one asset and those
+    around it, and its angles are relative to the front of this asset.
+    """
+    everything = np.concatenate(list(points.values()))
+    if not asset.placed:
+        return random_camera(everything, plan, draw)
+    owners = owners_of(asset)
+    boxes = {name: np.array([each.min(axis=0), each.max(axis=0)]) for name, each in points.items()}
+    solid = np.array([box for name, box in boxes.items() if owners[name]])
+    low, high = asset.links[0].bounds() + _AIR
+    for _ in range(_VIEWS):
+        chosen = asset.placed[int(draw.integers(len(asset.placed)))]
+        own = np.concatenate([box for name, box in boxes.items() if owners[name] == chosen.name])
+        middle, reach = (own.min(axis=0) + own.max(axis=0)) / 2.0, _AROUND * float(draw.random())
+        near = [
+            points[name]
+            for name, box in boxes.items()
+            if owners[name] and np.linalg.norm(np.clip(middle, *box) - middle) < reach
+        ]
+        turn = np.eye(4)
+        turn[:3, :3] = chosen.pose[:3, :3]
+        camera = random_camera(np.concatenate([own, *near]) @ turn[:3, :3], plan, draw).moved(turn)
+        at = np.array(camera.position)
+        free = ((at < solid[:, 0] - CLEAR) | (at > solid[:, 1] + CLEAR)).any(axis=1)
+        if free.all() and (low < at).all() and (at < high).all():
+            return camera
+    return VIEWS["room"].camera(everything)
 
 
 def intrinsics(camera: Camera, size: int) -> Array:

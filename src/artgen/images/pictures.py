@@ -12,15 +12,17 @@ from numpy.typing import NDArray
 from artgen._arrays import Array
 from artgen.asset import Asset
 from artgen.asset.files import ASSET_FILE
+from artgen.asset.placed import owners_of, place_of
 from artgen.asset.record import json_text, rounded
 from artgen.dataset.places import Place
 from artgen.dataset.plan import Item
 from artgen.images.draws import (
+    CLEAR,
     Setting,
     Surroundings,
+    camera_in,
     extrinsics,
     intrinsics,
-    random_camera,
     random_positions,
     random_setting,
     random_surroundings,
@@ -45,6 +47,7 @@ _SKY_TEXELS = 32
 _WIDE = 40.0  # half the size of floors and walls, over the radius of the asset
 _NEARER = 0.15  # nearest depth with a floor, over that of the asset alone
 _SHADOW_TEXELS = {False: 1024, True: 2048}  # samples of small and of large pictures
+_ROOM_SHADOWS = 4096  # samples in pictures of rooms, whose shadows are as large as the room
 _LARGE = 640  # least size of large pictures [pixels]
 _TILES = 6  # faces of the sky: right, left, up, down, front, back
 _PNG_LEVEL = 1  # compression: higher levels take longer and save little
@@ -65,7 +68,7 @@ class ImageScene(RenderScene):
         spec = builder.spec
         sky = spec.texture(SKY)
         sky.width, sky.height = _SKY_TEXELS, _TILES * _SKY_TEXELS
-        spec.visual.quality.shadowsize = _SHADOW_TEXELS[self._large]
+        spec.visual.quality.shadowsize = _ROOM_SHADOWS if self.asset.placed else _SHADOW_TEXELS[self._large]
         wide = _WIDE * self.place.radius
         lying, standing = np.array([0.0, 0.0, 1.0]), np.array([0.0, -1.0, 0.0])
         level = ribbon(
@@ -84,7 +87,7 @@ class ImageScene(RenderScene):
     def depth_range(self, camera: Camera, poses: list[Array]) -> tuple[float, float]:
         """Return the nearest and farthest visible depth along the axis of a camera [m]."""
         near, far = super().depth_range(camera, poses)
-        return _NEARER * near, far
+        return max(_NEARER * near, 0.5 * CLEAR if self.asset.placed else 0.0), far
 
 
 class ImageRenderer(Renderer):
@@ -170,7 +173,8 @@ class ImageRenderer(Renderer):
             lamp.dir = -direction
             lamp.pos = focus + 4.0 * place.radius * direction
             lamp.diffuse = strength * dim
-            lamp.ambient = [0.55 * light.ambient * dim if number == 0 else 0.0] * 3
+            # a lamp that casts shadows has no ambient light in them
+            lamp.ambient = [0.55 * light.ambient * dim if number == 1 else 0.0] * 3
             lamp.castshadow = number == 0
             lamp.specular = [0.0] * 3
 
@@ -208,16 +212,16 @@ def pictures_of(item: Item, plan: "ImagePlan") -> dict[str, bytes]:
             draw = stream(item.seed, f"{item.category}/images/{number}")
             q = random_positions(asset, draw)
             poses = asset.pose(q)
-            points = np.concatenate(
-                [
-                    surface.mesh.vertices @ poses[link.name][:3, :3].T + poses[link.name][:3, 3]
-                    for link in asset.links
-                    for surface in link.surfaces
-                ]
-            )
-            camera = random_camera(points, plan, draw)
+            points = {
+                link.name: np.concatenate([surface.mesh.vertices for surface in link.surfaces])
+                @ poses[link.name][:3, :3].T
+                + poses[link.name][:3, 3]
+                for link in asset.links
+                if link.surfaces
+            }
+            camera = camera_in(asset, points, plan, draw)
             shot = Shot(f"{number:02d}", q, poses, camera, random_setting(around, plan.random, draw))
-            color, surfaces, depth = renderer.take(shot, points, plan.samples)
+            color, surfaces, depth = renderer.take(shot, np.concatenate(list(points.values())), plan.samples)
             written, data = _annotated(asset, item, plan, shot, surfaces, depth)
             files |= {f"{shot.name}.{plan.picture}": _encoded(color, plan.picture)} | written
             found.append(data)
@@ -267,7 +271,9 @@ def _annotated(
     ids = {each["name"]: each["id"] for each in plan.coco_categories() if each["supercategory"] == owner}
     moves = _joints_of_links(asset, shot.q, matrix)
     masks = _coded(surfaces, [(link, names.get(surface.label, "")) for link, surface in shown], ids)
-    return files, data | {"annotations": [each | {"joints": moves[each["link"]]} for each in masks]}
+    owners = {link: {"placed": owner} for link, owner in owners_of(asset).items()} if asset.placed else {}
+    found = [each | {"joints": moves[each["link"]]} | owners.get(each["link"], {}) for each in masks]
+    return files, data | {"annotations": found}
 
 
 def _coded(
@@ -302,13 +308,17 @@ def _coded(
 def _joints_of_links(
     asset: Asset, q: Mapping[str, float], extrinsics: Array
 ) -> dict[str, list[dict[str, Any]]]:
-    """Return the joints between each link and its parent, in camera coordinates; none for the base."""
+    """Return the joints between each link and its parent, in camera coordinates; none for bases."""
     positions, poses = asset.positions(q), asset.pose(q)
+    places = {place_of(each.name) for each in asset.placed}
     found: dict[str, list[dict[str, Any]]] = {asset.links[0].name: []}
     for parent, child, joints in asset.pairs():
         motion = extrinsics @ poses[parent]
         for joint in joints:
-            found.setdefault(child, []).append(
+            known = found.setdefault(child, [])
+            if joint.name in places:
+                continue
+            known.append(
                 {
                     "name": joint.name,
                     "type": joint.kind,

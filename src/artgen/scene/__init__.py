@@ -6,9 +6,6 @@ valid states, simulation. `Scene` places assets one after another; `kitchen` dra
 
 from artgen.scene.kitchens import kitchen
 from artgen.scene.room import Placement, Scene, Wall
-from artgen.scene.rooms import bathroom, hall, office, workshop
+from artgen.scene.rooms import ROOMS, Room, bathroom, hall, office, workshop
 
-__all__ = ["ROOMS", "Placement", "Scene", "Wall", "bathroom", "hall", "kitchen", "office", "workshop"]
-
-ROOMS = {"bathroom": bathroom, "hall": hall, "kitchen": kitchen, "office": office, "workshop": workshop}
-"""Rooms that are drawn from a seed, by name."""
+__all__ = ["ROOMS", "Placement", "Room", "Scene", "Wall", "bathroom", "hall", "kitchen", "office", "workshop"]

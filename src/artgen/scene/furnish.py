@@ -127,9 +127,12 @@ class Furnisher:
         """Return a length in a range, in whole millimetres [m]."""
         return round(float(self.draw.uniform(low, high)), 3)
 
-    def build(self) -> Asset:
-        """Return the room with what was placed in it."""
-        return self.room.build(category=self.kind, seed=self.seed, attempt=self.attempt)
+    def build(self, **parameters: Any) -> Asset:
+        """Return the room with what was placed in it; it records its size and further parameters."""
+        size = {"width": self.width, "depth": self.depth}
+        return self.room.build(
+            category=self.kind, seed=self.seed, attempt=self.attempt, parameters=size | parameters
+        )
 
     def door(self, wall: Wall, at: float, **values: Any) -> Placement:
         """Set a door with a straight head into a wall."""

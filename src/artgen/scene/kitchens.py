@@ -165,7 +165,7 @@ class _Kitchen(Furnisher):
         """Return the kitchen."""
         for row in self._rows():
             self._furnish(row)
-        return self.build()
+        return self.build(layout=self.layout)
 
     def _rows(self) -> list[_Row]:
         """Return the rows of the layout, and set corner units and the door."""

@@ -13,7 +13,6 @@ from operator import add, or_
 from typing import Any, Literal, get_args
 
 import numpy as np
-from scipy.spatial import ConvexHull
 
 from artgen._arrays import Array, FrozenArrays, cached_property
 from artgen._names import ByName, check_name, is_identifier
@@ -419,7 +418,14 @@ class Scene:
         pose = np.eye(4) if wall is None else self.frame(wall)[0]
         return self._keep(Placement(unique, made, pose))
 
-    def build(self, *, category: str = "scene", seed: int | None = None, attempt: int = 0) -> Asset:
+    def build(
+        self,
+        *,
+        category: str = "scene",
+        seed: int | None = None,
+        attempt: int = 0,
+        parameters: Mapping[str, Any] | None = None,
+    ) -> Asset:
         """Join all to one asset and prove that nothing collides in any state of all joints.
 
         A joint that meets another asset at rest is narrowed; of two joints that meet each other, one
@@ -429,6 +435,7 @@ class Scene:
             category: Category of the scene.
             seed: Seed of the scene, if it is not that of its assets.
             attempt: Number of draws before this one.
+            parameters: Parameters that the scene records; by default the names of its assets.
 
         Raises:
             AssetError: No limits and dependencies prevent a collision, a joint would keep too little of its
@@ -439,6 +446,7 @@ class Scene:
             seed=self.seed if seed is None else seed,
             attempt=attempt,
             detail=self.detail,
+            parameters=parameters or {each.name: each.asset.name for each in self.placed},
         )
         owners = {f"{each.name}_{link.name}": each.name for each in self.placed for link in each.asset.links}
         _check_rest(whole, owners)
@@ -547,6 +555,8 @@ def _base_of(placed: Placement) -> str:
 
 def _check_standing(name: str, asset: Asset) -> None:
     """Check that the center of mass of an asset lies over the area on which it stands, with a margin."""
+    from scipy.spatial import ConvexHull  # `artgen list` and wrong names import scenes and start without it
+
     points = np.concatenate([each.mesh.vertices for link in asset.links for each in link.surfaces])
     foot = np.unique(np.round(points[points[:, 2] < points[:, 2].min() + _SOLE][:, :2], 6), axis=0)
     middle = asset.mass_properties().center
@@ -727,13 +737,11 @@ def _joined(name: str, category: str, room: Asset, placed: Collection[Placement]
         loops += [loop.moved(each.pose).renamed(of_links, of_joints) for loop in each.asset.loops]
     labels = {label for each in placed for label in each.asset.labels}
     labels |= {label for link in links for label in link.labels}
-    parameters = {each.name: each.asset.name for each in placed}
     return Asset(
         name,
         category,
         ByName(links),
         ByName(joints),
-        parameters=parameters,
         version=room.version,
         labels=tuple(sorted(labels)),
         contacts=tuple(contacts),

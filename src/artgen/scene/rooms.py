@@ -1,16 +1,27 @@
-"""Bathrooms, offices, corners of workshops, and halls, each drawn from a seed."""
+"""Bathrooms, offices, corners of workshops, and halls, each drawn from a seed; and all rooms by name."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from contextlib import suppress
-from typing import Any
+from dataclasses import dataclass, replace
+from inspect import signature
+from typing import Any, get_args, get_type_hints
 
 import artgen as ag
+from artgen._arrays import cached_property
 from artgen.asset import Asset
-from artgen.asset.asset import DetailName
-from artgen.errors import ParameterError
+from artgen.asset.asset import DetailName, remember
+from artgen.catalog import find
+from artgen.errors import ParameterError, nearest
+from artgen.generator import Fixed, Parameter
+from artgen.generator.generator import checked_count
+from artgen.generator.signature import RESERVED
 from artgen.materials import Material, material
+from artgen.nodes.handles import Float
 from artgen.nodes.region import Region
+from artgen.sampling import Distribution
+from artgen.sampling.distributions import stream
 from artgen.scene.furnish import DOORWAY, FRONT, PLINTH, Furnisher, Hole, Span, check_room, drawn, width_of
+from artgen.scene.kitchens import kitchen
 from artgen.scene.room import GAP, STANDING, Placement, Wall
 
 _DESK = 0.70  # height of what stands under a desk [m]
@@ -283,3 +294,118 @@ def _octagon(x: ag.Scalar, y: ag.Scalar) -> ag.Profile:
     cut = 0.58 * _ROUND
     right = [(x - cut, -y), (x, cut - y), (x, y - cut), (x - cut, y)]
     return ag.polygon([*right, *((-x, -y) for x, y in right)])
+
+
+@dataclass(frozen=True)
+class Room:
+    """A kind of room by its name: `artgen.generate`, streams and plans take it like a category.
+
+    Attributes:
+        function: Draws the room from a seed.
+        contents: Categories of the assets that such rooms may have.
+        bodies: Labels of the bodies that belong to such rooms, other than floor and walls.
+    """
+
+    function: Callable[..., Asset]
+    contents: tuple[str, ...]
+    bodies: tuple[str, ...]
+
+    @property
+    def name(self) -> str:
+        """Its name, which is the category of its assets."""
+        return self.function.__name__
+
+    @cached_property
+    def labels(self) -> tuple[str, ...]:
+        """Labels of such rooms and of all assets in them, sorted."""
+        inside = {label for each in self.contents for label in find(each).labels}
+        return tuple(sorted({"floor", "wall", *self.bodies} | inside))
+
+    @cached_property
+    def parameters(self) -> dict[str, Parameter]:
+        """Its parameters by name; by default a room draws them itself."""
+        hints = get_type_hints(self.function)
+        kinds = {name: get_args(hints[name])[0] for name in hints if name not in (*RESERVED, "return")}
+        return {
+            name: Parameter(name, Float, Fixed("m")) if kind is float else Parameter(name, kind, Fixed())
+            for name, kind in kinds.items()
+        }
+
+    def sample(self, seed: int, *, overrides: Mapping[str, Any] | None = None) -> dict[str, Any]:
+        """Return the given parameters of a room; distributions are drawn.
+
+        Raises:
+            ParameterError: The seed is negative, or a parameter is unknown or has a value of another type.
+        """
+        checked_count("seed", seed)
+        values = {}
+        for name, value in (overrides or {}).items():
+            if name not in self.parameters:
+                raise ParameterError(
+                    f"{self.name} has no parameter {name!r}.{nearest(name, self.parameters)}"
+                )
+            self.parameters[name].check_override(value, name)
+            drawn = isinstance(value, Distribution)
+            values[name] = value.draw(stream(seed, f"{self.name}/{name}"), {}) if drawn else value
+        return values
+
+    def generate(
+        self,
+        /,
+        seed: int = 0,
+        *,
+        name: str = "",
+        certify: Any = True,
+        on_collision: str = "redraw",
+        detail: DetailName = "full",
+        **given: Any,
+    ) -> Asset:
+        """Return a room, which is drawn again until it is proven, whatever `certify` and `on_collision` are.
+
+        Args:
+            seed: Seed of the room and of all assets.
+            name: Name of the room; by default its kind and the seed.
+            certify: An option of categories, without effect.
+            on_collision: An option of categories, without effect.
+            detail: Level of detail of the assets.
+            **given: Values or distributions by parameter name.
+
+        Raises:
+            ParameterError: The room has no such parameter, or is too small, or an option is for categories.
+            AssetError: No draw is free of collisions.
+        """
+        usual = signature(ag.Generator.generate).parameters
+        options = {option: given.pop(option) for option in RESERVED if option in given}
+        for option, value in options.items():
+            if option not in usual or value != usual[option].default:
+                raise ParameterError(
+                    f"{option} = {value!r} is not allowed: {self.name} is a room, which is fixed to the "
+                    "world and proven with the joints and colliders of its assets; leave the option out"
+                )
+        room = self.function(seed, detail=detail, **self.sample(seed, overrides=given))
+        return remember(replace(room, name=name), room.certificate) if name else room
+
+
+_FRONTS = ("cabinet", "door", "drawer", "window")  # in most rooms
+ROOMS: Mapping[str, Room] = {
+    each.name: each
+    for each in (
+        Room(
+            bathroom,
+            (*_FRONTS, "bottle", "faucet", "sink", "soap_dispenser", "toilet", "trashcan", "washing_machine"),
+            ("basin", "mirror", "worktop"),
+        ),
+        Room(hall, ("bottle", "box", "door", "drawer"), ("mirror",)),
+        Room(
+            kitchen,
+            (
+                *(*_FRONTS, "bottle", "chair", "cooktop", "dishwasher", "kettle", "microwave", "oven"),
+                *("pepper_grinder", "plier", "refrigerator", "sink", "toaster"),
+            ),
+            ("chimney", "filler", "hood", "key", "panel", "plinth", "worktop"),
+        ),
+        Room(office, (*_FRONTS, "bottle", "box", "chair", "lamp", "laptop", "trashcan"), ("side", "worktop")),
+        Room(workshop, (*_FRONTS, "box", "plier", "trashcan"), ("worktop",)),
+    )
+}
+"""Kinds of rooms by name."""

@@ -18,7 +18,7 @@ import numpy as np
 from artgen import _portable
 from artgen._names import ByName
 from artgen.asset import Asset, AssetJoint
-from artgen.asset.placed import PlacedAsset, certificate_digest, place_of
+from artgen.asset.placed import PlacedAsset, certificate_digest, owners_of, place_of
 from artgen.asset.record import json_text, plain, rounded
 from artgen.export.frames import quaternion
 from artgen.export.losses import Loss, Written
@@ -83,11 +83,7 @@ def parts_of(asset: Asset) -> Iterator[tuple[PlacedAsset, Asset, tuple[AssetJoin
         digest = certificate_digest(asset.certificate)
         yield PlacedAsset.of(asset, asset.name, np.eye(4), digest=digest), asset, tuple(asset.joints)
         return
-    owners = {asset.links[0].name: ""}
-    places = {place_of(each.name): each for each in asset.placed}
-    for joint in asset.joints:
-        mine = places.get(joint.name)
-        owners[joint.child] = owners[joint.parent] if mine is None else mine.name
+    owners, places = owners_of(asset), {place_of(each.name) for each in asset.placed}
     shell = replace(
         asset, name="room", links=ByName(asset.links[:1]), joints=ByName(()), contacts=(), loose=(), placed=()
     )
