@@ -71,7 +71,7 @@ def test_cameras_in_a_room_stand_free_and_look_at_its_assets(room: artgen.Asset)
             + poses[link.name][:3, 3]
             for link in room.links
         }
-        camera = camera_in(room, points, plan, draw)
+        camera = camera_in(room, poses, points, plan, draw)
         at, low, high = np.array(camera.position), *room.links[0].bounds()
         assert (low[[0, 2]] < at[[0, 2]]).all()
         assert (at < high).all()

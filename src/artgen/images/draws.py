@@ -11,12 +11,13 @@ from dataclasses import asdict, dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from artgen._arrays import Array
 from artgen.asset import Asset
 from artgen.asset.placed import owners_of
 from artgen.export.frames import Region, intersection, leader_of, regions
-from artgen.view.camera import VIEWS, Camera, View
+from artgen.view.camera import VIEWS, Camera, View, box_corners
 
 if TYPE_CHECKING:
     from artgen.images.plan import ImagePlan
@@ -30,6 +31,8 @@ FLOORS = (
 )  # fmt: skip
 WALLS = ("linen", "marble", "plywood", "cardboard", "fabric", "beech", "mdf", "wall_tiles")
 
+_HIGH = 1.0  # least elevation of the lamp of a room: it shines over the walls [rad]
+_SCATTERED, _DIRECT = 1.3, 0.75  # factors of ambient light and of the lamp in a room
 CLEAR = 0.1  # between a camera in a room and all assets [m]
 _PLAIN_SKY = (0.80, 0.80, 0.80)
 
@@ -39,6 +42,7 @@ _FREED = 0.7  # probability that a blocking joint is moved instead of the blocke
 _ROUNDS = 8  # rounds of freeing blocked joints
 
 _VIEWS = 200  # tries of a camera that stands free in a room
+_LOOKED, _SEEN = 60, 0.6  # points of an asset that are looked at, and least share that is not hidden
 _AROUND = 1.2  # largest distance of other assets in a picture from the middle of that in its center [m]
 # from the corners of a room to its cameras, which also stand before its open side [m]
 _AIR = np.array([[0.3, -1.5, 0.3], [-0.3, -0.3, -0.1]])
@@ -109,23 +113,33 @@ def random_camera(points: Array, plan: "ImagePlan", draw: np.random.Generator) -
 
 
 def camera_in(
-    asset: Asset, points: Mapping[str, Array], plan: "ImagePlan", draw: np.random.Generator
+    asset: Asset,
+    poses: Mapping[str, Array],
+    points: Mapping[str, Array],
+    plan: "ImagePlan",
+    draw: np.random.Generator,
 ) -> Camera:
-    """Return a random camera for an asset; `points` has the vertices of each link.
+    """Return a random camera for an asset; `points` has the vertices of each link at its pose.
 
-    A room is seen from its inside or from before its open side. The camera looks at one asset and those
-    around it, and its angles are relative to the front of this asset.
+    A room is seen from its inside or from before its open side. The camera looks at one asset, which is not
+    hidden, and those around it; its angles are relative to the front of this asset.
     """
     everything = np.concatenate(list(points.values()))
     if not asset.placed:
         return random_camera(everything, plan, draw)
     owners = owners_of(asset)
-    boxes = {name: np.array([each.min(axis=0), each.max(axis=0)]) for name, each in points.items()}
-    solid = np.array([box for name, box in boxes.items() if owners[name]])
+    boxes = {name: (each.min(axis=0), each.max(axis=0)) for name, each in points.items()}
+    solids = [
+        (owners[link.name], box_corners(each.convex.bounds(), poses[link.name]))
+        for link in asset.links
+        for each in link.colliders
+    ]
+    corners, of_solids = np.array([each for _, each in solids]), np.array([owner for owner, _ in solids])
+    lows, highs = corners.min(axis=1), corners.max(axis=1)
     low, high = asset.links[0].bounds() + _AIR
     for _ in range(_VIEWS):
         chosen = asset.placed[int(draw.integers(len(asset.placed)))]
-        own = np.concatenate([box for name, box in boxes.items() if owners[name] == chosen.name])
+        own = np.concatenate([each for name, each in points.items() if owners[name] == chosen.name])
         middle, reach = (own.min(axis=0) + own.max(axis=0)) / 2.0, _AROUND * float(draw.random())
         near = [
             points[name]
@@ -135,11 +149,24 @@ def camera_in(
         turn = np.eye(4)
         turn[:3, :3] = chosen.pose[:3, :3]
         camera = random_camera(np.concatenate([own, *near]) @ turn[:3, :3], plan, draw).moved(turn)
-        at = np.array(camera.position)
-        free = ((at < solid[:, 0] - CLEAR) | (at > solid[:, 1] + CLEAR)).any(axis=1)
-        if free.all() and (low < at).all() and (at < high).all():
+        at, others = np.array(camera.position), of_solids != chosen.name
+        free = ((at < lows - CLEAR) | (at > highs + CLEAR)).any(axis=1)
+        if not (free.all() and (low < at).all() and (at < high).all()):
+            continue
+        seen = _unhidden(at, own[:: max(1, len(own) // _LOOKED)], lows[others], highs[others])
+        if seen.mean() > _SEEN:
             return camera
     return VIEWS["room"].camera(everything)
+
+
+def _unhidden(at: Array, points: Array, lows: Array, highs: Array) -> NDArray[np.bool_]:
+    """Tell which points are seen from a place, between boxes."""
+    way = points - at
+    way = np.where(abs(way) < 1e-9, 1e-9, way)[:, None]
+    ends = np.sort([(lows - at) / way, (highs - at) / way], axis=0)
+    enters, leaves = ends[0].max(axis=2), ends[1].min(axis=2)
+    hidden: NDArray[np.bool_] = ((enters < leaves) & (leaves > 0.0) & (enters < 0.99)).any(axis=1)
+    return ~hidden
 
 
 def intrinsics(camera: Camera, size: int) -> Array:
@@ -205,9 +232,14 @@ def random_surroundings(random: Collection[str], draw: np.random.Generator) -> S
     return {"floor": floors if "floor" in random else (), "wall": walls if "backdrop" in random else ()}
 
 
-def random_setting(around: Surroundings, random: Collection[str], draw: np.random.Generator) -> Setting:
+def random_setting(
+    around: Surroundings, random: Collection[str], draw: np.random.Generator, *, room: bool = False
+) -> Setting:
     """Return random light and surroundings of a picture; parts that do not vary are plain."""
     light = _random_light(draw) if "light" in random else Light()
+    if room:
+        elevation, direct = max(light.elevation, _HIGH), _DIRECT * light.directional
+        light = replace(light, elevation=elevation, directional=direct, ambient=_SCATTERED * light.ambient)
     plain = "backdrop" not in random
     horizon, zenith = (_PLAIN_SKY,) * 2 if plain else (_random_color(draw), _random_color(draw))
     floors, walls = len(around["floor"]), len(around["wall"])

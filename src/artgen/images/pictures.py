@@ -219,8 +219,9 @@ def pictures_of(item: Item, plan: "ImagePlan") -> dict[str, bytes]:
                 for link in asset.links
                 if link.surfaces
             }
-            camera = camera_in(asset, points, plan, draw)
-            shot = Shot(f"{number:02d}", q, poses, camera, random_setting(around, plan.random, draw))
+            camera = camera_in(asset, poses, points, plan, draw)
+            setting = random_setting(around, plan.random, draw, room=bool(asset.placed))
+            shot = Shot(f"{number:02d}", q, poses, camera, setting)
             color, surfaces, depth = renderer.take(shot, np.concatenate(list(points.values())), plan.samples)
             written, data = _annotated(asset, item, plan, shot, surfaces, depth)
             files |= {f"{shot.name}.{plan.picture}": _encoded(color, plan.picture)} | written
