@@ -166,6 +166,8 @@ def test_of_several_categories_one_is_picked(category_file: Path) -> None:
     assert catalog.find(f"{category_file}:bench").name == "bench"
     with pytest.raises(ParameterError, match=r"defines no category 'bensh'\. Did you mean 'bench'\?"):
         catalog.load_file(f"{category_file}:bensh")
+    named = category_file.rename(category_file.with_name("bench.py"))
+    assert catalog.load_file(named).name == "bench"  # that of the file's name
 
 
 @pytest.mark.parametrize(

@@ -43,3 +43,15 @@ def test_example_runs(path: Path, tmp_path: Path) -> None:
 def test_an_example_category_is_short_proven_and_sound(path: Path) -> None:
     assert len(path.read_text().splitlines()) < 200
     check_category(load_file(path), seeds=range(1))
+
+
+def test_example_categories_are_ordinary_modules() -> None:
+    run = "import runpy, sys; print([name for path in sys.argv[1:] for name in runpy.run_path(path)])"
+    done = subprocess.run(
+        [sys.executable, "-W", "error", "-c", run, *map(str, CATEGORIES)],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    assert all(repr(path.stem) in done.stdout for path in CATEGORIES)

@@ -168,7 +168,7 @@ def load_file(path: str | Path) -> Generator:
     script.
 
     Args:
-        path: The file; `file.py:name` selects one of several categories.
+        path: The file; `file.py:name` selects one of several categories, by default that of the file's name.
 
     Raises:
         ParameterError: The file does not exist or has no category of that name, or it has several and none is
@@ -195,6 +195,8 @@ def load_file(path: str | Path) -> Generator:
         if wanted not in found:
             raise ParameterError(f"{file} defines no category {wanted!r}.{nearest(wanted, found)}")
         return found[wanted]
+    if len(found) > 1 and file.stem in found:
+        return found[file.stem]
     if len(found) > 1:
         picks = " or ".join(f"{file.name}:{name}" for name in found)
         raise ParameterError(f"{file} defines {len(found)} categories; pick one: {picks}")

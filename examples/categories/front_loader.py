@@ -121,7 +121,7 @@ def drawer_of(slot: ag.Region, white: ag.Material) -> ag.Body:
     labels="body works gasket drum lifter door handle window drawer dial button display print foot",
     joints=(8, 9),
 )
-def washing_machine(
+def front_loader(
     *,
     width: ag.Float = ag.uniform(0.595, 0.600, "m", within=(0.58, 0.62)),
     depth: ag.Float = ag.uniform(0.53, 0.62, "m", doc="depth of the case", within=(0.50, 0.66)),
