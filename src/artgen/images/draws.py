@@ -43,7 +43,7 @@ _ROUNDS = 8  # rounds of freeing blocked joints
 
 _VIEWS = 200  # tries of a camera that stands free in a room
 _LOOKED, _SEEN = 60, 0.6  # points of an asset that are looked at, and least share that is not hidden
-_AROUND = 1.2  # largest distance of other assets in a picture from the middle of that in its center [m]
+_AROUND = 2.0  # largest distance of other assets in a picture from the middle of that in its center [m]
 # from the corners of a room to its cameras, which also stand before its open side [m]
 _AIR = np.array([[0.3, -1.5, 0.3], [-0.3, -0.3, -0.1]])
 
@@ -121,8 +121,8 @@ def camera_in(
 ) -> Camera:
     """Return a random camera for an asset; `points` has the vertices of each link at its pose.
 
-    A room is seen from its inside or from before its open side. The camera looks at one asset, which is not
-    hidden, and those around it; its angles are relative to the front of this asset.
+    A room is seen from its inside or from before its open side. The camera looks at an asset that nothing
+    hides, large ones more often, and at those around it; its angles are relative to the front of this asset.
     """
     everything = np.concatenate(list(points.values()))
     if not asset.placed:
@@ -137,9 +137,14 @@ def camera_in(
     corners, of_solids = np.array([each for _, each in solids]), np.array([owner for owner, _ in solids])
     lows, highs = corners.min(axis=1), corners.max(axis=1)
     low, high = asset.links[0].bounds() + _AIR
+    of_placed = [
+        np.concatenate([each for name, each in points.items() if owners[name] == placed.name])
+        for placed in asset.placed
+    ]
+    sizes = np.array([np.linalg.norm(np.ptp(each, axis=0)) for each in of_placed])
     for _ in range(_VIEWS):
-        chosen = asset.placed[int(draw.integers(len(asset.placed)))]
-        own = np.concatenate([each for name, each in points.items() if owners[name] == chosen.name])
+        number = int(draw.choice(len(sizes), p=sizes / sizes.sum()))
+        chosen, own = asset.placed[number], of_placed[number]
         middle, reach = (own.min(axis=0) + own.max(axis=0)) / 2.0, _AROUND * float(draw.random())
         near = [
             points[name]
