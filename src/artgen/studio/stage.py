@@ -128,7 +128,7 @@ class Viewport:
         """Light the scene: with reflections and shadows, or fast without a GPU."""
         self.rich_light = rich
         scene = self._server.scene
-        scene.configure_environment_map("studio" if rich else None, environment_intensity=0.6)
+        scene.configure_environment_map("studio" if rich else None, environment_intensity=0.35)
         scene.configure_default_lights(enabled=rich, cast_shadow=rich)
         scene.add_light_hemisphere("/lights/sky", intensity=1.6, visible=not rich)
         # from the front, above and to the left, like the first view
