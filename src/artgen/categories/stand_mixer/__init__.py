@@ -31,6 +31,9 @@ Style = Literal["tilt", "lift"]
 Tool = Literal["beater", "whisk", "hook"]
 """A flat beater, a whisk or a dough hook."""
 
+Form = Literal["bullet", "round", "square"]
+"""Heads that taper to the front, tubes with round ends, and flat ones with rounded edges."""
+
 _G = 9.81
 _FLOOR = 0.034  # height of the plate below the bowl [m]
 _FOOT = 0.012  # height of the foot of a bowl [m]
@@ -45,10 +48,20 @@ _TURN = 0.45  # of a bowl out of its seat [rad]
 _AXLE = (0.011, 0.0095)  # height of the hinge of the head above the column, and its radius [m]
 _SWEEP = 3.6  # of the dial [rad]
 _MOTOR = feel.Feel(damping=2e-3, friction=0.05, armature=2e-3, effort=4.0, velocity=30.0)
-_SHAPE = (
-    (0.0, 0.34, 0.36), (0.03, 0.62, 0.68), (0.12, 0.88, 0.93), (0.45, 1.0, 1.0), (0.80, 0.95, 0.94),
-    (0.95, 0.77, 0.78), (1.0, 0.56, 0.58),
-)  # fmt: skip
+_FORMS: dict[Form, tuple[tuple[float, float, float], ...]] = {
+    "bullet": (
+        (0.0, 0.34, 0.36), (0.03, 0.62, 0.68), (0.12, 0.88, 0.93), (0.45, 1.0, 1.0), (0.80, 0.95, 0.94),
+        (0.95, 0.77, 0.78), (1.0, 0.56, 0.58),
+    ),
+    "round": (
+        (0.0, 0.36, 0.36), (0.02, 0.64, 0.64), (0.07, 0.89, 0.89), (0.16, 1.0, 1.0), (0.84, 1.0, 1.0),
+        (0.95, 0.84, 0.84), (1.0, 0.58, 0.58),
+    ),
+    "square": (
+        (0.0, 0.70, 0.58), (0.015, 0.84, 0.74), (0.05, 0.96, 0.88), (0.14, 1.0, 0.95), (0.75, 1.0, 0.88),
+        (0.96, 0.95, 0.78), (1.0, 0.82, 0.66),
+    ),
+}  # fmt: skip
 """Sections of a head: share of its length, of its half width and of its half height."""
 
 _PAINTS = ag.choice(
@@ -68,6 +81,7 @@ _BLACK = ag.material("black_abs")
 def stand_mixer(
     *,
     style: Style = ag.choice({"tilt": 0.7, "lift": 0.3}),
+    form: Form = ag.choice({"bullet": 0.45, "round": 0.3, "square": 0.25}, doc="shape of the head"),
     tool: Tool = ag.choice({"beater": 0.45, "whisk": 0.35, "hook": 0.2}),
     radius: ag.Float = ag.by(
         "style",
@@ -105,7 +119,7 @@ def stand_mixer(
     back = radius + (0.036 if lifts else 0.012) + _DEEP / 2  # the middle of the column
     top = rim + 0.030
     body = _stand(radius, back, top, shell, lifts=lifts)
-    head, middle = _head(radius, back, top, rim, slim, shell, maker, lifts=lifts)
+    head, middle = _head(form, radius, back, top, rim, slim, shell, maker, lifts=lifts)
     spin = ag.Revolute("beater_spin", axis=ag.Z, feel=_MOTOR, driven="the motor")
     mix = _tool(tool, radius, height)
     switch = _speed(dial, knob, shell, speeds, torque).rotate(ag.Z, -math.pi / 2)
@@ -221,25 +235,36 @@ def _stand(radius: ag.Scalar, back: ag.Scalar, top: ag.Scalar, shell: ag.Materia
 
 
 def _head(
-    radius: ag.Scalar, back: ag.Scalar, top: ag.Scalar, rim: ag.Scalar, slim: ag.Scalar, shell: ag.Material,
-    maker: str, *, lifts: bool,
+    form: Form, radius: ag.Scalar, back: ag.Scalar, top: ag.Scalar, rim: ag.Scalar, slim: ag.Scalar,
+    shell: ag.Material, maker: str, *, lifts: bool,
 ) -> tuple[ag.Body, ag.Scalar]:  # fmt: skip
     """Make a head with its hub for attachments, and return it with the height of its middle."""
     half = 0.060
     middle, rear = top + 0.020 + half, back + 0.062
     long = rear + radius + 0.022
 
+    shape, edge = _FORMS[form], 0.4 * slim
+
+    def section(w: float, h: float, more: float) -> ag.Profile:
+        if form == "square":
+            return ag.rectangle(2 * (slim * w + more), 2 * (half * h + more), radius=edge * h)
+        return ag.ellipse(slim * w + more, half * h + more)
+
+    def outline(w: float, h: float) -> ag.Profile:
+        if form == "square":
+            return vessels.chamfered(2 * slim * w + 0.0004, 2 * half * h + 0.0004, 0.58 * edge * h)
+        return ag.regular_polygon(12, 1.037).scale(slim * w, half * h)
+
     def barrel(more: float) -> ag.Solid:
-        sections = [ag.ellipse(slim * w + more, half * h + more) for _, w, h in _SHAPE]
-        return ag.loft(sections, [share * long for share, _, _ in _SHAPE], axis=-ag.Y).at(0, rear, middle)
+        sections = [section(w, h, more) for _, w, h in shape]
+        return ag.loft(sections, [share * long for share, _, _ in shape], axis=-ag.Y).at(0, rear, middle)
 
     belt = ag.box(0.3, 1.2, 0.013).at(0, 0, middle - 0.014)
-    band = (barrel(0.0010) & belt) - ag.box(0.3, 0.06, 0.1).at(0, rear, middle)
+    free = [ag.box(0.3, y, 0.1).at(0, at, middle) for y, at in ((0.06, rear), (0.006, rear - long))]
+    band = (barrel(0.0010) & belt) - ag.union(*free)
     ends = [
-        ag.extrude(ag.regular_polygon(12, 1.037).scale(slim * w, half * h), 0.0004, axis=ag.Y).at(
-            0, y, middle
-        )
-        for y, w, h in [(rear - share * long, w, h) for share, w, h in _SHAPE]
+        ag.extrude(outline(w, h), 0.0004, axis=ag.Y).at(0, rear - share * long, middle)
+        for share, w, h in shape
     ]
     case = ag.bounding_collider(barrel(0.0), ag.hull(*ends[:4]), ag.hull(*ends[3:]))
     foot = ag.Region(
