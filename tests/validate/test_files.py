@@ -104,6 +104,19 @@ def test_mesh_that_was_changed_is_a_fault(directory: Path) -> None:
     assert finding.hint == "export the asset again; keep files of your own in another directory"
 
 
+def test_sets_of_states_belong_to_an_export(tmp_path: Path) -> None:
+    directory = export(textured(), tmp_path / "it", formats=("urdf",), textures=0, states=3)
+    assert not found(directory)
+    (directory / "states.npz").write_bytes(b"other states")
+    (message,) = found(directory)
+    assert message.startswith(
+        "states.npz was changed after the export: its digest is not the one in asset.json"
+    )
+    (directory / "states.npz").unlink()
+    (message,) = found(directory)
+    assert message.startswith("states.npz is missing, which the set of valid states needs")
+
+
 def test_export_without_digests_does_not_tell_what_was_changed(directory: Path) -> None:
     edit_json(directory / "asset.json", lambda data: data.pop("digests"))
     (message,) = found(directory)

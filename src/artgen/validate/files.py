@@ -16,7 +16,7 @@ from artgen.asset.collision import mesh_precision
 from artgen.asset.files import ASSET_FILE, CERTIFICATE_FILE, MESH_DIRECTORY, file_content
 from artgen.asset.report import AGAIN, CheckResult, Finding
 from artgen.errors import ExportError, nearest
-from artgen.export.files import REACH_FILE, REPORT_FILE, digest
+from artgen.export.files import REACH_FILE, READER_FILE, REPORT_FILE, STATES_FILE, digest
 from artgen.export.layouts import DEFAULT_FORMATS, LAYOUTS
 
 Formats = Mapping[str, tuple[str, ...]]
@@ -144,6 +144,7 @@ def read_export(directory: str | Path) -> Exported:
     for name, files in formats.items():
         for path in files:
             users.setdefault(path, []).append(name)
+    users |= {path: ["the set of valid states"] for path in (STATES_FILE, READER_FILE) if path in digests}
     read = {path: _read(directory, path) for path in users}
     sound = {path: content for path, (fault, content) in read.items() if not fault}
     findings[:0] = [*_layout_findings(data, formats), *_digest_findings(users, digests, sound)]
