@@ -116,9 +116,11 @@ class Disk:
         place.parent.mkdir(parents=True, exist_ok=True)
         try:
             made.rename(place)
-        except OSError:
-            if not (place / ASSET_FILE).is_file():
+        except OSError as error:
+            if not place.exists():
                 raise
+            if not (place / ASSET_FILE).is_file():
+                raise ExportError(f"it exists, but has no {ASSET_FILE}: remove it") from error
             shutil.rmtree(made, ignore_errors=True)
 
     def local(self, path: str) -> Path:

@@ -146,7 +146,8 @@ class Folder:
         if ending.state != "done":
             record = failure(ending.item, ending.reason, state="lost")
         elif record["state"] == "refused":
-            raise ExportError(f"an asset cannot be written: {record['error']}; {RESUME}")
+            path = f"{self.place}/{ending.item.path}"
+            raise ExportError(f"{path} cannot be written: {record['error']}; {RESUME}")
         self.records[ending.item.name] = record
         self.place.append(MANIFEST_FILE, _line(record))
         return record

@@ -280,8 +280,11 @@ def _new_parents(path: Path) -> Iterator[None]:
 
 
 def _share(content: bytes, path: Path, store: Path) -> None:
-    """Write a file as a hard link to equal content in a store, which gets new content."""
+    """Write a file as a hard link to equal content in a store, which gets missing or damaged content."""
     kept = store / f"{hashlib.sha256(content).hexdigest()[:_NAME]}{path.suffix}"
+    with suppress(OSError):  # there is none
+        if kept.is_symlink() or kept.read_bytes() != content:
+            kept.unlink()
     if not kept.exists():
         path.write_bytes(content)
         with suppress(OSError):  # another process was faster, or the file system has no links
