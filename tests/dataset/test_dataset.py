@@ -125,6 +125,44 @@ def test_an_asset_is_found_by_number(folder: Path) -> None:
         Dataset(folder)["box_0"]  # type: ignore[call-overload]
 
 
+def test_a_last_line_without_its_end_counts_and_the_last_of_equal_names(folder: Path) -> None:
+    file = folder / MANIFEST_FILE
+    text = file.read_text()
+    again = json.dumps(record("box", 0, mass=7.0))
+    file.write_text(text + again)
+    assert len(Dataset(folder)) == 40
+    assert Dataset(folder).records[0]["mass"] == 7.0
+    file.write_text(text + again[:-1])
+    assert Dataset(folder).records[0]["mass"] == 1.0
+
+
+@pytest.mark.parametrize(
+    ("change", "reason"),
+    [
+        ({"state": None}, "'state' is missing or has a wrong type"),
+        ({"name": None}, "'name' is missing or has a wrong type"),
+        ({"path": None}, "'path' is missing or has a wrong type"),
+        ({"parameters": None}, "'parameters' is missing or has a wrong type"),
+        ({"mass": "x"}, "'mass' is missing or has a wrong type"),
+        ({"mass": math.nan}, "NaN is no number"),
+    ],
+)
+def test_an_edited_line_is_named(folder: Path, change: dict[str, Any], reason: str) -> None:
+    line = {name: value for name, value in record("box", 0, **change).items() if value is not None}
+    (folder / MANIFEST_FILE).write_text(json.dumps(record("box", 1)) + "\n" + json.dumps(line) + "\n")
+    with pytest.raises(
+        ExportError, match=rf"manifest\.jsonl: line 2 is damaged \({reason}\); remove the"
+    ):
+        Dataset(folder)
+
+
+def test_a_folder_in_place_of_the_manifest_is_named(folder: Path) -> None:
+    (folder / MANIFEST_FILE).unlink()
+    (folder / MANIFEST_FILE).mkdir()
+    with pytest.raises(ExportError, match=r"cannot read .*manifest\.jsonl: "):
+        Dataset(folder)
+
+
 def test_what_is_no_dataset_is_refused(tmp_path: Path) -> None:
     with pytest.raises(ExportError, match=r"holds no dataset; `artgen generate CATEGORY -n 100` makes one"):
         Dataset(tmp_path)

@@ -238,12 +238,37 @@ def test_a_dataset_of_a_file_continues_until_the_file_changes(tmp_path: Path) ->
     assert digests(folder) == before
 
 
-def test_a_plan_file_of_something_else_is_an_error(undisturbed: Path, tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"plan": {"colour": "red"}}, "is no plan of such a dataset; choose another folder"),
+        ({"plan": {"count": 5, "sources": None}}, "is no plan of such a dataset; choose another folder"),
+        ({"plan": None}, r"dataset\.json has no version or no plan; choose another folder"),
+        ({"version": None}, r"dataset\.json has no version or no plan; choose another folder"),
+    ],
+)
+def test_a_plan_file_of_something_else_is_an_error(
+    undisturbed: Path, tmp_path: Path, change: dict[str, Any], message: str
+) -> None:
     folder = shutil.copytree(undisturbed, tmp_path / "copy")
     data = json.loads((folder / PLAN_FILE).read_text())
-    (folder / PLAN_FILE).write_text(json.dumps(data | {"plan": {"colour": "red"}}))
-    with pytest.raises(ExportError, match="is no plan of such a dataset; choose another folder"):
+    (folder / PLAN_FILE).write_text(json.dumps(data | change))
+    with pytest.raises(ExportError, match=message):
         generate_many(PLAN, folder)
+
+
+@pytest.mark.parametrize(
+    "change", [{"name": "drawer_0"}, {"category": "drawer"}, {"seed": 7}, {"path": "drawer/drawer_0"}]
+)
+def test_an_edited_line_is_made_again_from_its_asset(
+    undisturbed: Path, tmp_path: Path, change: dict[str, Any]
+) -> None:
+    folder = shutil.copytree(undisturbed, tmp_path / "copy")
+    first, *others = lines(folder)
+    text = "".join(json.dumps(each) + "\n" for each in (first | change, *others))
+    (folder / MANIFEST_FILE).write_text(text)
+    assert generate_many(PLAN, folder).made == 0
+    assert digests(folder) == digests(undisturbed)
 
 
 def test_a_dataset_does_not_shrink(undisturbed: Path) -> None:
@@ -284,9 +309,7 @@ def test_the_remains_of_an_asset_are_named(undisturbed: Path, tmp_path: Path, ki
     else:
         shutil.rmtree(remains)
         remains.write_text("")
-    message = (
-        f"{re.escape(str(remains))} cannot be written: it exists, but has no asset.json: remove it; "
-    )
+    message = f"{re.escape(str(remains))} cannot be written: it exists, but has no asset.json: remove it; "
     with pytest.raises(ExportError, match=message):
         generate_many(PLAN, folder, jobs=1)
 

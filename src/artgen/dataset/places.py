@@ -86,8 +86,12 @@ class Disk:
         """Return the contents of the existing files."""
         found = {}
         for path in paths:
-            with suppress(FileNotFoundError, NotADirectoryError):
+            try:
                 found[path] = (self.path / path).read_bytes()
+            except (FileNotFoundError, NotADirectoryError):
+                continue
+            except OSError as error:
+                raise ExportError(f"cannot read {self.path / path}: {error.strerror or error}") from error
         return found
 
     def complete(self, paths: Iterable[str]) -> set[str]:

@@ -42,8 +42,9 @@ class Dataset(Sequence[Asset]):
         self.directory = directory if is_url(directory) else Path(directory)
         if stored_plan(self._place) is None or self._place.read(MANIFEST_FILE) is None:
             raise ExportError(f"{directory} holds no dataset; `artgen generate CATEGORY -n 100` makes one")
+        records = {record["name"]: record for record in read_manifest(self._place)}  # the last line of each
         self.records: tuple[Mapping[str, Any], ...] = tuple(
-            record for record in read_manifest(self._place) if record["state"] == "done"
+            record for record in records.values() if record["state"] == "done"
         )
 
     def __len__(self) -> int:
