@@ -23,7 +23,7 @@ except ImportError:  # Windows has no locks of this kind
 import numpy as np
 
 from artgen._arrays import without_collector
-from artgen._names import all_inside, check_names, checked_path
+from artgen._names import all_inside, check_name, check_names, checked_path
 from artgen.asset import Asset, valid_states
 from artgen.asset.asset import FORMAT, Limits
 from artgen.asset.collision import Collision, collision_of, with_colliders
@@ -186,6 +186,7 @@ def encode(
         ParameterError: The size of maps or the precision is not allowed.
     """
     check_size(textures, plain=True)
+    check_name(asset.name)
     if asset.detail == "low":
         textures = 0
     laid_out = find_layout(layout)
