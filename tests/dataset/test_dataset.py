@@ -154,6 +154,7 @@ def test_a_last_line_without_its_end_counts_and_the_last_of_equal_names(folder: 
     ("change", "reason"),
     [
         ({"state": None}, "'state' is missing or has a wrong type"),
+        ({"state": "failed"}, "'error' is missing or has a wrong type"),
         ({"name": None}, "'name' is missing or has a wrong type"),
         ({"path": None}, "'path' is missing or has a wrong type"),
         ({"parameters": None}, "'parameters' is missing or has a wrong type"),

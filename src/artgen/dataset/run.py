@@ -330,7 +330,7 @@ def read_manifest(place: Place) -> Iterator[Record]:
 def _parsed(line: str) -> Record:
     """Return a line of a manifest after a check of its types."""
     record: Record = json.loads(line, parse_constant=_refuse_constant)
-    kinds = _KINDS | (_MADE_KINDS if record.get("state") == "done" else {})
+    kinds = _KINDS | (_MADE_KINDS if record.get("state") == "done" else {"error": str})
     wrong = [name for name, kind in kinds.items() if not isinstance(record.get(name), kind)]
     if wrong:
         raise ValueError(f"{wrong[0]!r} is missing or has a wrong type")

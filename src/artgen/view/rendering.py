@@ -43,7 +43,7 @@ def render(
         studio: Surroundings: a seamless backdrop, a wall and a wooden floor, or none.
         textures: Texels per side of the material maps; 0 for plain colors.
         samples: Number of rays to the lamps and around for each pixel in shade, an even
-            number up to 4096.
+            number up to 4096; an odd one counts as one beside it.
 
     Raises:
         AssetError: A joint or link is unknown, a position is beyond its limits, or nothing is visible.
