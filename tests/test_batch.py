@@ -47,10 +47,16 @@ def test_assets_and_seeds_of_a_batch_are_several() -> None:
         ParameterError, match=r"seeds = 3 is not allowed: give several seeds, such as range\(4\)"
     ):
         batch.mjlab("switch", 3)  # type: ignore[arg-type]
+    with pytest.raises(ParameterError, match=r"seed = 1 is not allowed: `seeds` has the seeds of a batch"):
+        batch.mjlab("switch", range(1), seed=1)
+    with pytest.raises(ParameterError, match=r"specs takes several assets, not 'switch'; write a list"):
+        batch.specs("switch")  # type: ignore[arg-type]
+    with pytest.raises(ParameterError, match=r"touching = 'no' is not allowed: it must be True or False"):
+        batch.specs([], touching="no")  # type: ignore[arg-type]
 
 
 def test_models_for_mjlab_have_one_structure(doors) -> None:
-    specs = batch.specs(list(map(Topology.of(doors).pad, doors)))
+    specs = batch.specs(map(Topology.of(doors).pad, doors))
     first, second = models = [spec.compile() for spec in specs]
     for name in ("nbody", "njnt", "ngeom", "nv", "neq", "nsite", "nkey"):
         assert getattr(first, name) == getattr(second, name), name

@@ -1,6 +1,7 @@
 """The command line: what it prints, what it writes, and what it refuses in one line."""
 
 import json
+import os
 import re
 import subprocess
 import sys
@@ -197,6 +198,17 @@ def test_as_a_process_without_a_warning(arguments: list[str], code: int, tmp_pat
     assert "Traceback" not in done.stderr
     assert done.stderr.count("\n") == (1 if code else 0)
     assert bool(done.stdout) == (code == 0)
+
+
+def test_a_terminal_without_a_character_gets_another_one() -> None:
+    done = subprocess.run(
+        [sys.executable, "-m", "artgen", "info", "door"],
+        capture_output=True,
+        check=False,
+        env={**os.environ, "PYTHONIOENCODING": "latin-1"},
+    )
+    assert (done.returncode, done.stderr) == (0, b"")
+    assert b"made_to_m?" in done.stdout
 
 
 def test_generate_as_a_process_without_a_warning(tmp_path: Path) -> None:

@@ -1,6 +1,7 @@
 """All public fittings: each is installed with its defaults, moves in its range, and is proven."""
 
 import inspect
+import re
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 from functools import cache
@@ -102,6 +103,34 @@ def test_an_option_that_does_not_exist_is_named(function: Callable[..., Any], pa
     needed = [each for each in inspect.signature(function).parameters.values() if each.default is each.empty]
     with pytest.raises(BuildError, match=r"(needs one of|cannot shine in) .*'elaborate'.*\n  at .*test_f"):
         function(*(0.02 for _ in needed), **{parameter: "elaborate"})
+
+
+@pytest.mark.parametrize(
+    ("name", "wrong", "message"),
+    [
+        ("display", {"text": 1230}, "display(..., text=...) needs a str, got 1230"),
+        ("logo", {"brand": 5}, "logo(..., brand=...) needs a str, got 5"),
+        ("push_button", {"finish": "abs"}, "finish=...) needs a Material, got 'abs'; write material('abs')"),
+        ("push_button", {"icon": 5}, "push_button(..., icon=...) needs a str or a Profile, got 5"),
+        ("push_button", {"travel": 0}, "push_button(..., travel=...) must be above 0, got 0"),
+        ("dial", {"limits": 2.4}, "needs 2 values of Float or None, got 2.4; write the lower and the upper"),
+        ("dial", {"icons": "fan"}, "dial(..., icons=...) needs a sequence of str, got 'fan'"),
+        ("dial", {"clicks": 1}, "dial(..., clicks=...) is 0 or at least 2, got 1"),
+        ("dial", {"clicks": -3}, "dial(..., clicks=...) is 0 or at least 2, got -3"),
+        ("hinge", {"levels": 1}, "hinge(..., levels=...) needs a sequence of Float, got 1"),
+        ("hinge", {"leaf": 5}, "hinge(..., leaf=...) needs a Body or None, got 5"),
+        ("latch", {"throw": 0.0}, "latch(..., throw=...) must be above 0, got 0.0"),
+        ("lever_set", {"limit": 0}, "lever_set(..., limit=...) must be above 0, got 0"),
+        ("knob_set", {"limit": -1}, "knob_set(..., limit=...) must be above 0, got -1"),
+        ("foot", {"height": 0}, "foot(..., height=...) must be above 0, got 0"),
+        ("caster", {"swivel": "no"}, "caster(..., swivel=...) needs a Bool, got 'no'"),
+    ],
+)
+def test_a_wrong_argument_is_named_at_the_line_of_the_author(
+    name: str, wrong: dict[str, Any], message: str
+) -> None:
+    with pytest.raises(BuildError, match=rf"{re.escape(message)}.*\n  at {re.escape(__file__)}:\d+$"):
+        getattr(fittings, name)(**wrong)
 
 
 @pytest.mark.parametrize("name", NAMES)

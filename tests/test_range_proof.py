@@ -277,6 +277,8 @@ def test_nearly_all_is_not_told_as_all():
         ({"tolerance": -1.0}, "tolerance = -1.0 is not allowed"),
         ({"overrides": {"gapp": 1.0}}, "chest has no parameter 'gapp'. Did you mean 'gap'?"),
         ({"category": "chset"}, "there is no category 'chset'"),
+        ({"corners": "no"}, "corners = 'no' is not allowed: it must be True or False"),
+        ({"fail_fast": 1}, "fail_fast = 1 is not allowed: it must be True or False"),
         ({"category": 3}, "prove_range takes the name of a category or a generator, got 3"),
     ],
 )

@@ -90,6 +90,7 @@ CALLS = [
 """Calls, with words that their messages hold."""
 
 OF_ASSET = [
+    (lambda asset, _: asset.show(textures=0).save(None), "path = None is not allowed: give a path"),
     (lambda asset, _: asset.pose({"slid": 0.1}), "has no joint 'slid'. Did you mean 'slide'?"),
     (lambda asset, _: asset.pose({"slide": 100}), "joint 'slide' cannot be at 100; its limits are 0 to 0.2"),
     (lambda asset, _: asset.pose({"slide": "open"}), "cannot be at 'open'; give a number [rad or m]"),

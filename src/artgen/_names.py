@@ -74,7 +74,10 @@ class ByName(tuple[Item_co, ...], Generic[Item_co]):  # noqa: SLOT001 - it cache
             AssetError: There is no such name; the message has the nearest name and the others.
         """
         if not isinstance(key, str):
-            return super().__getitem__(key)
+            try:
+                return super().__getitem__(key)
+            except TypeError as error:
+                raise AssetError(f"{self.missing} {key!r}.{nearest(key, self.names)}") from error
         if key not in self.by_name:
             near = nearest(key, self.names)
             others = f" It has: {', '.join(self.names[:12])}{', ...' * (len(self) > 12)}."

@@ -6,7 +6,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -55,7 +55,7 @@ def safe_limits(self: Asset) -> dict[str, tuple[float, float]]:
     return limits.safe_limits(self)
 
 
-def with_limits(self: Asset, limits: Limits, keep: Sequence[str] = ()) -> Asset:
+def with_limits(self: Asset, limits: Limits, keep: str | Iterable[str] = ()) -> Asset:
     """Return the asset with joint ranges in which every state is free; see `artgen.proof.limits.with_limits`.
 
     Args:

@@ -25,6 +25,7 @@ from artgen.export.frames import apart, coupling, linear_coupling
 from artgen.export.mjcf import OFF, Tendons, tendons_of
 from artgen.export.objects import mjspec
 from artgen.generator import Generator
+from artgen.generator.generator import check_flag
 from artgen.topology import Topology
 from artgen.topology.template import checked_assets
 
@@ -212,7 +213,7 @@ def _put(target: Any, block: slice, values: NDArray[Any]) -> None:
     target[:, block] = torch.as_tensor(values).to(target.device, target.dtype).reshape(target[:, block].shape)
 
 
-def specs(assets: Sequence[Asset], *, touching: bool = True) -> "list[mujoco.MjSpec]":
+def specs(assets: Iterable[Asset], *, touching: bool = True) -> "list[mujoco.MjSpec]":
     """Return the models of `mjlab` for assets of one topology.
 
     Args:
@@ -222,8 +223,10 @@ def specs(assets: Sequence[Asset], *, touching: bool = True) -> "list[mujoco.MjS
             broad phase. Contacts with other things are not affected.
 
     Raises:
-        ParameterError: The assets do not share a structure.
+        ParameterError: The assets do not share a structure, or something else than assets is given.
     """
+    assets = checked_assets("specs", assets, Asset)
+    check_flag("touching", touching)
     _check_shared(assets, "mujoco_warp")
     common = Common.of(assets)
     needed = [
@@ -486,6 +489,8 @@ def _generated(category: str | Generator, seeds: Iterable[int], options: dict[st
     """Return assets of one topology: the recorded one, or with `colliders` that of these assets."""
     if not isinstance(seeds, Iterable):
         raise ParameterError(f"seeds = {seeds!r} is not allowed: give several seeds, such as range(4)")
+    if "seed" in options:
+        raise ParameterError(f"seed = {options['seed']!r} is not allowed: `seeds` has the seeds of a batch")
     own = options.get("colliders") is not None and "topology" not in options
     assets = [
         generate(category, seed=seed, **{"topology": "own" if own else "fixed"} | options) for seed in seeds

@@ -12,15 +12,21 @@ gives copies names of their own. All lengths are in meters.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from typing import Literal
+from collections.abc import Callable, Sequence
+from functools import wraps
+from types import GenericAlias
+from typing import Any, Literal, TypeVar, Union, cast, get_args, get_origin, get_type_hints
 
 import artgen as ag
 from artgen import details, feel
+from artgen.asset.joint import is_number
 from artgen.categories.shared import controls, door_handles, fixings, locks, pulls
 from artgen.categories.shared.furniture import ZINC
 from artgen.categories.shared.shelves import open_box
-from artgen.graph.handle import check_options
+from artgen.errors import BuildError
+from artgen.graph.handle import Handle, lift
+from artgen.graph.kernel import alternatives
+from artgen.graph.node import authors_line
 from artgen.nodes.details.dials import SWEEP
 from artgen.nodes.details.displays import Color
 from artgen.nodes.fitting import FIT, Fitting
@@ -53,8 +59,44 @@ _STEEL = ag.material("stainless")
 _NICKEL = ag.material("satin_nickel")
 _SUNK = 0.0003  # overlap of fixed parts with the face [m]
 _ROSE = 0.009  # height of roses [m]
+_POSITIVE = frozenset(["height", "limit", "throw", "travel"])  # parameters that are above 0
+_Make = TypeVar("_Make", bound=Callable[..., Fitting])
 
 
+def _kernel_type(hint: Any) -> Any:
+    """Return the type that operations have for an annotation of authors."""
+    options, found = alternatives(hint), []
+    for option in options:
+        origin, members = get_origin(option), get_args(option)
+        if origin in (tuple, Sequence):
+            members = (*members, ...) if origin is Sequence else members
+            kinds = tuple(each if each is Ellipsis else _kernel_type(each) for each in members)
+            found.append(GenericAlias(tuple, kinds))
+        elif isinstance(option, type) and issubclass(option, Handle):
+            found.append(option.value_type)
+        elif option is not int or ag.Float not in options:
+            found.append(option)
+    return Union[tuple(found)]  # noqa: UP007 - of a computed tuple
+
+
+def _checked(function: _Make) -> _Make:
+    """Check the arguments of a fitting by its annotations before it is made."""
+    kinds = {name: _kernel_type(hint) for name, hint in get_type_hints(function).items()}
+
+    @wraps(function)
+    def made(*arguments: Any, **keywords: Any) -> Fitting:
+        for name, value in {**dict(zip(kinds, arguments, strict=False)), **keywords}.items():
+            what = f"{function.__name__}(..., {name}=...)"
+            if name in kinds:
+                lift(value, kinds[name], what)
+            if name in _POSITIVE and is_number(value) and not value > 0.0:
+                raise BuildError(f"{what} must be above 0, got {value!r}\n  at {authors_line()}")
+        return function(*arguments, **keywords)
+
+    return cast("_Make", made)
+
+
+@_checked
 def push_button(
     *,
     shape: controls.ButtonShape = "round",
@@ -100,7 +142,6 @@ def push_button(
         >>> panel = panel.install(fittings.push_button().suffixed("_0"), at=(-0.012, 0, 0))
         >>> panel.install(fittings.push_button(shape="square", icon="fan").suffixed("_1"), at=(0.012, 0, 0))
     """
-    check_options(push_button, locals())
     high = width if shape == "round" or height is None else height
     ink = ink or controls.ink_on(finish)
     cap = controls.button_cap(
@@ -124,6 +165,7 @@ def push_button(
     return Fitting.moving(cap, press, fixed=around, cut=hole)
 
 
+@_checked
 def dial(
     *,
     style: controls.DialStyle = "fluted",
@@ -168,7 +210,8 @@ def dial(
         >>> heat = fittings.dial(style="bar", scale="band", limits=(0, 4.7), name="heat")
         >>> panel.install(fittings.dial(), at=(-0.035, 0, 0)).install(heat, at=(0.035, 0, 0))
     """
-    check_options(dial, locals())
+    if clicks < 0 or clicks == 1:
+        raise BuildError(f"dial(..., clicks=...) is 0 or at least 2, got {clicks}\n  at {authors_line()}")
     low, high = limits or (-SWEEP / 2, SWEEP / 2)
     turn = controls.dial_turn(
         f"{name}_turn",
@@ -187,6 +230,7 @@ def dial(
     return controls.dial(turn, style, radius, finish, depth=depth, cap=cap, scale=around, name=name)
 
 
+@_checked
 def bar_handle(
     *,
     length: ag.Scalar = 0.30,
@@ -228,6 +272,7 @@ def bar_handle(
     return Fitting(made)
 
 
+@_checked
 def pocket_handle(
     *,
     length: ag.Scalar = 0.30,
@@ -257,6 +302,7 @@ def pocket_handle(
     return pulls.pocket_grip(length, finish=finish, lip=lip, gap=gap, deep=deep, name=name)
 
 
+@_checked
 def recessed_handle(
     *,
     length: ag.Scalar = 0.26,
@@ -289,6 +335,7 @@ def recessed_handle(
     )
 
 
+@_checked
 def knob(
     *,
     style: Literal["mushroom", "ball", "disc", "cone", "square"] = "mushroom",
@@ -311,13 +358,13 @@ def knob(
         >>> front = front.install(fittings.knob(), at=(-0.06, 0, 0))
         >>> front.install(fittings.knob(style="square").suffixed("_1"), at=(0.06, 0, 0))
     """
-    check_options(knob, locals())
     made: ag.Body = pulls.knob_pull(
         finish=finish, name=name, style=style, radius=radius, projection=projection
     )
     return Fitting(made)
 
 
+@_checked
 def cup_pull(
     *,
     width: ag.Scalar = 0.070,
@@ -345,6 +392,7 @@ def cup_pull(
     return Fitting(made)
 
 
+@_checked
 def edge_pull(
     *,
     length: ag.Scalar = 0.12,
@@ -370,6 +418,7 @@ def edge_pull(
     return Fitting(made)
 
 
+@_checked
 def lever_set(
     *,
     thickness: ag.Scalar = 0.040,
@@ -400,7 +449,6 @@ def lever_set(
         >>> leaf = part(box(0.26, 0.04, 0.3).at(y=0.02), "door", material("oak"))
         >>> leaf.install(fittings.lever_set(), at=(0.07, 0, 0))
     """
-    check_options(lever_set, locals())
     handle: ag.Body = door_handles.lever_handle(
         thickness=thickness,
         rose_depth=_ROSE,
@@ -414,6 +462,7 @@ def lever_set(
     return _on_spindle(handle, thickness, limit, torque, rose, finish)
 
 
+@_checked
 def knob_set(
     *,
     thickness: ag.Scalar = 0.040,
@@ -444,7 +493,6 @@ def knob_set(
         >>> leaf = part(box(0.18, 0.04, 0.2).at(y=0.02), "door", material("oak"))
         >>> leaf.install(fittings.knob_set(lock="turn"))
     """
-    check_options(knob_set, locals())
     handle: ag.Body = door_handles.knob_handle(
         thickness=thickness,
         rose_depth=_ROSE,
@@ -472,6 +520,7 @@ def _on_spindle(
     return fitting.at(0.0, thickness / 2)
 
 
+@_checked
 def latch(
     *,
     throw: ag.Scalar = 0.011,
@@ -510,6 +559,7 @@ def latch(
     return Fitting.moving(bolt, slide, fixed=plate, cut=pocket).rotate(ag.Z, -math.pi / 2)
 
 
+@_checked
 def deadbolt(
     *, thickness: ag.Scalar = 0.040, backset: ag.Scalar = 0.060, finish: ag.Material = _NICKEL
 ) -> Fitting:
@@ -536,6 +586,7 @@ def deadbolt(
     return Fitting(body, cut).at(0.0, thickness / 2)
 
 
+@_checked
 def cam_lock(
     *, thickness: ag.Scalar = 0.018, finish: ag.Material = ag.MATERIALS["chrome"], name: str = "lock"
 ) -> Fitting:
@@ -562,6 +613,7 @@ def cam_lock(
     return Fitting.moving(key, turn, fixed=ag.detail(collar, "cylinder", finish), cut=cut)
 
 
+@_checked
 def hinge(
     leaf: ag.Body | None = None,
     *,
@@ -612,6 +664,7 @@ def hinge(
     return Fitting(ag.weld(Fitting.moving(moving, swing).body, fixed), cut)
 
 
+@_checked
 def foot(
     *,
     style: fixings.FootStyle = "levelling",
@@ -634,11 +687,11 @@ def foot(
         >>> pad = fittings.foot(style="pad", radius=0.012, height=0.008)
         >>> board.install(fittings.foot(), at=(-0.03, 0, 0)).install(pad, at=(0.03, 0, 0))
     """
-    check_options(foot, locals())
     body = fixings.feet([(0.0, 0.0)], radius=radius, height=height, style=style, finish=finish)
     return Fitting(body.at(z=-height).rotate(ag.X, -math.pi / 2))
 
 
+@_checked
 def caster(
     *,
     radius: ag.Scalar = 0.025,
@@ -669,6 +722,7 @@ def caster(
     return fixings.caster(radius=radius, width=width, swivel=swivel, finish=finish, tread=tread, name=name)
 
 
+@_checked
 def drawer_runners(
     drawer: ag.Body | None = None,
     *,
@@ -718,6 +772,7 @@ def drawer_runners(
     return Fitting.moving(moving, slide, fixed=fixed, cut=cut)
 
 
+@_checked
 def display(
     text: str = "12:30", *, width: ag.Scalar = 0.060, height: ag.Scalar = 0.024, color: Color = "cyan"
 ) -> Fitting:
@@ -738,6 +793,7 @@ def display(
     return Fitting(details.display(text, width, height, color=color))
 
 
+@_checked
 def logo(
     brand: str = "Norvik",
     *,
@@ -757,7 +813,6 @@ def logo(
         >>> panel = part(box(0.16, 0.012, 0.05).at(y=0.006), "panel", material("enamel_white"))
         >>> panel.install(fittings.logo("Norvik"))
     """
-    check_options(logo, locals())
     word = details.logo(brand, height)
     if style == "printed":
         ink = controls.DARK_INK if finish == ag.MATERIALS["chrome"] else finish

@@ -15,7 +15,7 @@ from artgen.catalog import find
 from artgen.errors import AssetError, BuildError, EvaluationError, InfeasibleError, ParameterError
 from artgen.generator import Generator
 from artgen.generator.corners import corners as corners_of
-from artgen.generator.generator import SAME_PAIR, check_proof, checked_count
+from artgen.generator.generator import SAME_PAIR, check_flag, check_proof, checked_count
 from artgen.sampling.distributions import is_number, shown
 
 Outcome = Literal["proven", "collision", "not proven", "error", "infeasible"]
@@ -206,6 +206,8 @@ def prove_range(
     if not isinstance(generator, Generator):
         raise ParameterError(f"prove_range takes the name of a category or a generator, got {category!r}")
     check_proof(certify=True, tolerance=tolerance, on_collision="keep")
+    check_flag("corners", corners)
+    check_flag("fail_fast", fail_fast)
     wanted = checked_count("samples", samples)
     given = dict(overrides or {})
     generator.sample(seed, overrides=given)

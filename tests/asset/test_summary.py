@@ -78,6 +78,8 @@ def test_an_unknown_name_gives_the_nearest_and_the_others(microwave: artgen.Asse
     assert "\n" not in message
     with pytest.raises(AssetError, match=r"has no link 'lid'. Allowed: body, door"):
         microwave.links["lid"]
+    with pytest.raises(AssetError, match=r"has no joint None. Allowed: door"):
+        microwave.joint(None)
 
 
 def test_load_reads_what_export_wrote(microwave: artgen.Asset, tmp_path) -> None:

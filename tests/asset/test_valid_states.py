@@ -1,5 +1,6 @@
 """Valid joint states: draws, projection and forward kinematics, in Python and from exported files."""
 
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -13,7 +14,7 @@ from hypothesis import strategies as st
 import artgen
 from artgen.asset import Asset, valid_states
 from artgen.asset.valid_states import ValidStates
-from artgen.errors import AssetError
+from artgen.errors import AssetError, ParameterError
 from artgen.graph import evaluate
 from artgen.materials import material
 from artgen.nodes.body import part
@@ -246,6 +247,15 @@ def test_limits_are_narrowed_once_and_patterns_fit_a_joint():
         narrowed.with_limits("full")
     with pytest.raises(AssetError, match="keep='racks' fits no joint of 'machine'"):
         MACHINE.with_limits("independent", keep=["racks"])
+    with pytest.raises(AssetError, match="keep='racks' fits no joint of 'machine'"):
+        MACHINE.with_limits("independent", keep="racks")
+
+
+@pytest.mark.parametrize("keep", [5, [5], None])
+def test_what_keeps_its_limits_are_names(keep):
+    message = f"keep = {keep!r} is not allowed: give names of joints, such as ['rack_*']"
+    with pytest.raises(ParameterError, match=re.escape(message)):
+        MACHINE.with_limits("independent", keep=keep)
 
 
 @pytest.mark.parametrize("name", CATEGORIES)

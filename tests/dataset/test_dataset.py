@@ -2,9 +2,11 @@
 
 import json
 import math
+import re
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 from artgen.dataset import Dataset, Plan
@@ -72,6 +74,8 @@ def test_filters(folder: Path) -> None:
         ({"category": "bocks"}, r"no asset here has the category 'bocks'\. Did you mean 'box'\?"),
         ({"joint": "ball"}, r"no asset here has the kind of joint 'ball'\. Allowed: prismatic, revolute"),
         ({"widht": 1.0}, r"no asset here has the parameter 'widht'\. Did you mean 'width'\?"),
+        ({"category": 5}, r"no asset here has the category 5\. Allowed: box, drawer\."),
+        ({"joint": ["prismatic"]}, r"no asset here has the kind of joint \['prismatic'\]\. Allowed: pri"),
         ({"where": "mass>1"}, r"where = 'mass>1' is not allowed: it must be a function of a manifest line"),
     ],
 )
@@ -80,6 +84,16 @@ def test_a_filter_with_an_unknown_name_is_an_error(
 ) -> None:
     with pytest.raises(ParameterError, match=message):
         Dataset(folder).filter(**condition)
+
+
+@pytest.mark.parametrize(
+    "value",
+    [(1, 2, 3), (1,), (1, None), ("a", "b"), (2, 1), ("round", "square"), np.array([1, 2]), range(1, 3)],
+)
+def test_a_filter_with_a_value_of_another_kind_is_an_error(folder: Path, value: Any) -> None:
+    message = f"width = {value!r} is not allowed: give a value, several values in a list or set, or a range "
+    with pytest.raises(ParameterError, match=re.escape(message)):
+        Dataset(folder).filter(width=value)
 
 
 def test_no_seed_is_in_two_parts(folder: Path) -> None:
@@ -118,11 +132,48 @@ def test_tables(folder: Path) -> None:
     assert table["parameter.width"].max() == pytest.approx(0.19)
 
 
-def test_an_asset_is_found_by_number(folder: Path) -> None:
-    with pytest.raises(
-        ParameterError, match=r"by its number, such as 0, or a slice, not by 'box_0'; `records`"
-    ):
-        Dataset(folder)["box_0"]  # type: ignore[call-overload]
+@pytest.mark.parametrize("index", ["box_0", np.array([0]), np.array([0, 1])])
+def test_an_asset_is_found_by_number(folder: Path, index: Any) -> None:
+    message = f"by its number, such as 0, or a slice, not by {re.escape(repr(index))}; `records`"
+    with pytest.raises(ParameterError, match=message):
+        Dataset(folder)[index]
+
+
+def test_a_last_line_without_its_end_counts_and_the_last_of_equal_names(folder: Path) -> None:
+    file = folder / MANIFEST_FILE
+    text = file.read_text()
+    again = json.dumps(record("box", 0, mass=7.0))
+    file.write_text(text + again)
+    assert len(Dataset(folder)) == 40
+    assert Dataset(folder).records[0]["mass"] == 7.0
+    file.write_text(text + again[:-1])
+    assert Dataset(folder).records[0]["mass"] == 1.0
+
+
+@pytest.mark.parametrize(
+    ("change", "reason"),
+    [
+        ({"state": None}, "'state' is missing or has a wrong type"),
+        ({"state": "failed"}, "'error' is missing or has a wrong type"),
+        ({"name": None}, "'name' is missing or has a wrong type"),
+        ({"path": None}, "'path' is missing or has a wrong type"),
+        ({"parameters": None}, "'parameters' is missing or has a wrong type"),
+        ({"mass": "x"}, "'mass' is missing or has a wrong type"),
+        ({"mass": math.nan}, "NaN is no number"),
+    ],
+)
+def test_an_edited_line_is_named(folder: Path, change: dict[str, Any], reason: str) -> None:
+    line = {name: value for name, value in record("box", 0, **change).items() if value is not None}
+    (folder / MANIFEST_FILE).write_text(json.dumps(record("box", 1)) + "\n" + json.dumps(line) + "\n")
+    with pytest.raises(ExportError, match=rf"manifest\.jsonl: line 2 is damaged \({reason}\); remove the"):
+        Dataset(folder)
+
+
+def test_a_folder_in_place_of_the_manifest_is_named(folder: Path) -> None:
+    (folder / MANIFEST_FILE).unlink()
+    (folder / MANIFEST_FILE).mkdir()
+    with pytest.raises(ExportError, match=r"cannot read .*manifest\.jsonl: "):
+        Dataset(folder)
 
 
 def test_what_is_no_dataset_is_refused(tmp_path: Path) -> None:

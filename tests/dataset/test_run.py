@@ -3,6 +3,7 @@
 import json
 import multiprocessing
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -15,11 +16,13 @@ import pytest
 
 import artgen.dataset.plan as plans
 from artgen.asset import Asset
+from artgen.asset.files import ASSET_FILE
 from artgen.catalog import find
 from artgen.dataset import Dataset, Plan, generate_many
 from artgen.dataset.places import PLAN_FILE, Disk, locked
 from artgen.dataset.run import MANIFEST_FILE, make
 from artgen.errors import ArtgenError, ExportError
+from artgen.export.files import write_files
 from support.digests import digests
 
 CATEGORIES = ("cabinet", "drawer")
@@ -76,6 +79,24 @@ def test_maps_are_stored_once(undisturbed: Path) -> None:
     store = {path.stat().st_ino: path for path in (undisturbed / "textures").iterdir()}
     assert len(maps) > len(store) > 3
     assert all(path.stat().st_ino in store for path in maps)
+
+
+@pytest.mark.parametrize("damage", ["bytes", "link"])
+def test_a_damaged_shared_map_is_replaced(tmp_path: Path, damage: str) -> None:
+    store = tmp_path / "textures"
+    store.mkdir()
+    write_files({"map.png": b"pixels"}, tmp_path / "first", store)
+    (kept,) = store.iterdir()
+    if damage == "bytes":
+        kept.write_bytes(b"damage")
+    else:
+        kept.unlink()
+        kept.symlink_to("nowhere")
+    for name in ("second", "third"):
+        write_files({"map.png": b"pixels"}, tmp_path / name, store)
+        assert (tmp_path / name / "map.png").read_bytes() == kept.read_bytes() == b"pixels"
+        assert (tmp_path / name / "map.png").samefile(kept)
+    assert list(store.iterdir()) == [kept]
 
 
 def test_more_processes_write_the_same(undisturbed: Path, tmp_path: Path) -> None:
@@ -217,12 +238,37 @@ def test_a_dataset_of_a_file_continues_until_the_file_changes(tmp_path: Path) ->
     assert digests(folder) == before
 
 
-def test_a_plan_file_of_something_else_is_an_error(undisturbed: Path, tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"plan": {"colour": "red"}}, "is no plan of such a dataset; choose another folder"),
+        ({"plan": {"count": 5, "sources": None}}, "is no plan of such a dataset; choose another folder"),
+        ({"plan": None}, r"dataset\.json has no version or no plan; choose another folder"),
+        ({"version": None}, r"dataset\.json has no version or no plan; choose another folder"),
+    ],
+)
+def test_a_plan_file_of_something_else_is_an_error(
+    undisturbed: Path, tmp_path: Path, change: dict[str, Any], message: str
+) -> None:
     folder = shutil.copytree(undisturbed, tmp_path / "copy")
     data = json.loads((folder / PLAN_FILE).read_text())
-    (folder / PLAN_FILE).write_text(json.dumps(data | {"plan": {"colour": "red"}}))
-    with pytest.raises(ExportError, match="is no plan of such a dataset; choose another folder"):
+    (folder / PLAN_FILE).write_text(json.dumps(data | change))
+    with pytest.raises(ExportError, match=message):
         generate_many(PLAN, folder)
+
+
+@pytest.mark.parametrize(
+    "change", [{"name": "drawer_0"}, {"category": "drawer"}, {"seed": 7}, {"path": "drawer/drawer_0"}]
+)
+def test_an_edited_line_is_made_again_from_its_asset(
+    undisturbed: Path, tmp_path: Path, change: dict[str, Any]
+) -> None:
+    folder = shutil.copytree(undisturbed, tmp_path / "copy")
+    first, *others = lines(folder)
+    text = "".join(json.dumps(each) + "\n" for each in (first | change, *others))
+    (folder / MANIFEST_FILE).write_text(text)
+    assert generate_many(PLAN, folder).made == 0
+    assert digests(folder) == digests(undisturbed)
 
 
 def test_a_dataset_does_not_shrink(undisturbed: Path) -> None:
@@ -252,6 +298,20 @@ def test_a_missing_manifest_is_made_again_and_a_damaged_one_is_an_error(
         ExportError, match=r"line 1 is damaged .*; remove the file, and the next run makes it again"
     ):
         generate_many(PLAN, folder)
+
+
+@pytest.mark.parametrize("kind", ["folder", "file"])
+def test_the_remains_of_an_asset_are_named(undisturbed: Path, tmp_path: Path, kind: str) -> None:
+    folder = shutil.copytree(undisturbed, tmp_path / "copy")
+    remains = folder / "drawer/drawer_1"
+    if kind == "folder":
+        (remains / ASSET_FILE).unlink()
+    else:
+        shutil.rmtree(remains)
+        remains.write_text("")
+    message = f"{re.escape(str(remains))} cannot be written: it exists, but has no asset.json: remove it; "
+    with pytest.raises(ExportError, match=message):
+        generate_many(PLAN, folder, jobs=1)
 
 
 @pytest.mark.long

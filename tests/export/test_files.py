@@ -1,5 +1,6 @@
 """Exports appear whole or not at all, keep what is not artgen's, and can be read back."""
 
+import dataclasses
 import errno
 import json
 import os
@@ -123,6 +124,12 @@ def test_unknown_format_names_the_nearest(cabinet: Asset, tmp_path: Path) -> Non
 def test_maps_of_no_such_size_are_refused(cabinet: Asset, tmp_path: Path, textures: object) -> None:
     with pytest.raises(ParameterError, match=f"texels on a side, not {textures!r}"):
         export(cabinet, tmp_path / "cabinet", textures=textures)  # type: ignore[arg-type]
+    assert not (tmp_path / "cabinet").exists()
+
+
+def test_a_name_that_is_no_identifier_is_refused(cabinet: Asset, tmp_path: Path) -> None:
+    with pytest.raises(ParameterError, match=r"name = 'a b' is no identifier; use letters, digits and _"):
+        export(dataclasses.replace(cabinet, name="a b"), tmp_path / "cabinet")
     assert not (tmp_path / "cabinet").exists()
 
 

@@ -117,6 +117,12 @@ def test_it_works_without_a_cache(place, bakes, monkeypatch):
     assert not Path("off").exists()
 
 
+def test_a_folder_may_be_below_the_home_directory(monkeypatch, tmp_path):
+    monkeypatch.setenv("HOME", str(tmp_path))
+    monkeypatch.setenv("ARTGEN_CACHE", "~/my cache")
+    assert disk_cache.cache_directory() == tmp_path / "my cache"
+
+
 def test_a_folder_that_cannot_be_written_is_one_error_with_the_fix(place, tmp_path, monkeypatch):
     (tmp_path / "taken").write_text("mine")
     monkeypatch.setenv("ARTGEN_CACHE", str(tmp_path / "taken" / "deeper"))

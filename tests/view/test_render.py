@@ -253,7 +253,7 @@ def test_a_loaded_asset_looks_the_same(red_cabinet, tmp_path) -> None:
 
 
 def test_pictures_are_saved(red_cabinet, tmp_path) -> None:
-    shown = picture(red_cabinet, size=64)
+    shown = picture(red_cabinet, size=64, samples=np.int64(2))
     with Image.open(shown.save(tmp_path / "a.png")) as image:
         np.testing.assert_array_equal(np.asarray(image), shown.color)
     with Image.open(shown.save(tmp_path / "a.jpg")) as image:
@@ -262,6 +262,8 @@ def test_pictures_are_saved(red_cabinet, tmp_path) -> None:
         shown.save(tmp_path / "a.gif")
     with pytest.raises(ExportError, match=r"cannot write .*: No such file or directory"):
         shown.save(tmp_path / "none" / "a.png")
+    with pytest.raises(ParameterError, match=r"path = None is not allowed: give a path, such as 'out/door'"):
+        shown.save(None)
 
 
 @pytest.mark.parametrize(
@@ -273,6 +275,7 @@ def test_pictures_are_saved(red_cabinet, tmp_path) -> None:
         ({"size": True}, "must be one or two whole numbers"),
         ({"studio": "studo"}, "there is no studio 'studo'. Did you mean 'studio'?"),
         ({"samples": 0}, "samples 0 must be a whole number of at least 1"),
+        ({"samples": 4097}, "samples 4097 must be a whole number of at least 1 and at most 4096"),
         ({"textures": 100}, "textures have 256"),
         ({"textures": None}, "textures have 256.* not None"),
         ({"camera": 5}, "camera 5 must be a Camera, a View, or the name of a view"),

@@ -86,8 +86,12 @@ class Disk:
         """Return the contents of the existing files."""
         found = {}
         for path in paths:
-            with suppress(FileNotFoundError, NotADirectoryError):
+            try:
                 found[path] = (self.path / path).read_bytes()
+            except (FileNotFoundError, NotADirectoryError):
+                continue
+            except OSError as error:
+                raise ExportError(f"cannot read {self.path / path}: {error.strerror or error}") from error
         return found
 
     def complete(self, paths: Iterable[str]) -> set[str]:
@@ -116,9 +120,11 @@ class Disk:
         place.parent.mkdir(parents=True, exist_ok=True)
         try:
             made.rename(place)
-        except OSError:
-            if not (place / ASSET_FILE).is_file():
+        except OSError as error:
+            if not place.exists():
                 raise
+            if not (place / ASSET_FILE).is_file():
+                raise ExportError(f"it exists, but has no {ASSET_FILE}: remove it") from error
             shutil.rmtree(made, ignore_errors=True)
 
     def local(self, path: str) -> Path:

@@ -1,9 +1,12 @@
 """Reading of a dataset: assets are loaded on access."""
 
 import hashlib
+import operator
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, overload
+
+import numpy as np
 
 from artgen.asset import Asset
 from artgen.asset.joint import is_number
@@ -42,8 +45,9 @@ class Dataset(Sequence[Asset]):
         self.directory = directory if is_url(directory) else Path(directory)
         if stored_plan(self._place) is None or self._place.read(MANIFEST_FILE) is None:
             raise ExportError(f"{directory} holds no dataset; `artgen generate CATEGORY -n 100` makes one")
+        records = {record["name"]: record for record in read_manifest(self._place)}  # the last line of each
         self.records: tuple[Mapping[str, Any], ...] = tuple(
-            record for record in read_manifest(self._place) if record["state"] == "done"
+            record for record in records.values() if record["state"] == "done"
         )
 
     def __len__(self) -> int:
@@ -66,14 +70,16 @@ class Dataset(Sequence[Asset]):
         """
         if isinstance(index, slice):
             return self._of(self.records[index])
-        if not hasattr(index, "__index__"):
+        try:
+            number = operator.index(index)
+        except TypeError as error:
             raise ParameterError(
                 f"an asset of a dataset is found by its number, such as 0, or a slice, not by {index!r}; "
                 "`records` has the names of the assets in order"
-            )
-        if not -len(self) <= index < len(self):
-            raise IndexError(f"{self!r} has no number {index}; the numbers are 0 to {len(self) - 1}")
-        return Asset.load(self._path(self.records[index]))
+            ) from error
+        if not -len(self) <= number < len(self):
+            raise IndexError(f"{self!r} has no number {number}; the numbers are 0 to {len(self) - 1}")
+        return Asset.load(self._path(self.records[number]))
 
     def __iter__(self) -> Iterator[Asset]:
         """Load one asset after another."""
@@ -126,18 +132,21 @@ class Dataset(Sequence[Asset]):
                 f"where = {where!r} is not allowed: it must be a function of a manifest line, such as "
                 "lambda line: line['mass'] > 1"
             )
-        wanted = None if category is None else {category} if isinstance(category, str) else set(category)
+        several = isinstance(category, Iterable) and not isinstance(category, str)
+        wanted = None if category is None else list(category) if several else [category]
         dotted = {name.replace("__", "."): value for name, value in parameters.items()}
         kinds = {kind for record in self.records for kind in record["joints"].values()}
         drawn_names = {name for record in self.records for name in record["parameters"]}
         for noun, names, known in (
-            ("category", wanted or (), {record["category"] for record in self.records}),
-            ("kind of joint", () if joint is None else (joint,), kinds),
+            ("category", wanted or (), list({record["category"] for record in self.records})),
+            ("kind of joint", () if joint is None else (joint,), list(kinds)),
             ("parameter", dotted, drawn_names),
         ):
             for name in names:
                 if name not in known:
                     raise ParameterError(f"no asset here has the {noun} {name!r}.{nearest(name, known)}")
+        for name, value in parameters.items():
+            _check_wanted(name, value)
 
         def meets(record: Mapping[str, Any]) -> bool:
             drawn = record["parameters"]
@@ -195,6 +204,18 @@ class Dataset(Sequence[Asset]):
 
     def _path(self, record: Mapping[str, Any]) -> Path:
         return self._place.local(str(record["path"]))
+
+
+def _check_wanted(name: str, value: Any) -> None:
+    if isinstance(value, tuple):
+        allowed = len(value) == 2 and all(map(is_number, value)) and value[0] <= value[1]
+    else:
+        allowed = value is None or isinstance(value, (str, int, float, np.generic, list, set, frozenset))
+    if not allowed:
+        raise ParameterError(
+            f"{name} = {value!r} is not allowed: give a value, several values in a list or set, or a range "
+            "as a tuple of its lowest and highest number"
+        )
 
 
 def _matches(drawn: Any, wanted: Any) -> bool:

@@ -9,10 +9,11 @@ import hashlib
 import json
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
+from types import NoneType
 from typing import Any
 
 from artgen._names import inside
@@ -32,6 +33,19 @@ _BATCH = 256  # number of files that are read at once
 _DIGEST = 16  # characters of a digest
 
 Record = dict[str, Any]  # a line of the manifest
+_Kinds = dict[str, type | tuple[type, ...]]
+
+_KINDS: _Kinds = {"name": str, "category": str, "seed": int, "state": str}  # types in a line of the manifest
+_MADE_KINDS: _Kinds = {  # further ones of a finished asset
+    "path": str,
+    "files": dict,
+    "attempt": int,
+    "proven": (bool, NoneType),
+    "mass": (int, float),
+    "links": int,
+    "joints": dict,
+    "parameters": dict,
+}
 
 
 @dataclass(frozen=True)
@@ -146,7 +160,8 @@ class Folder:
         if ending.state != "done":
             record = failure(ending.item, ending.reason, state="lost")
         elif record["state"] == "refused":
-            raise ExportError(f"an asset cannot be written: {record['error']}; {RESUME}")
+            path = f"{self.place}/{ending.item.path}"
+            raise ExportError(f"{path} cannot be written: {record['error']}; {RESUME}")
         self.records[ending.item.name] = record
         self.place.append(MANIFEST_FILE, _line(record))
         return record
@@ -164,9 +179,11 @@ class Folder:
         if plan != before:
             data = {"format": self.plan.FORMAT, "version": __version__, "plan": plan}
             self.place.write(PLAN_FILE, json_text(data).encode())
-        known = {str(record["name"]): record for record in read_manifest(self.place)}
-        states = {name: record["state"] for name, record in known.items()}
         items = list(self.plan.items())
+        named = {item.name: item for item in items}
+        records = read_manifest(self.place)
+        known = {record["name"]: record for record in records if _is_of(record, named.get(record["name"]))}
+        states = {name: record["state"] for name, record in known.items()}
         made = self.place.complete(item.path for item in items) if before is not None else set()
         unlisted = [item.path for item in items if item.path in made and states.get(item.name) != "done"]
         listed = dict(_read_records(self.place, unlisted))
@@ -176,6 +193,14 @@ class Folder:
             elif states.get(item.name) == ("done" if item.path in made else "failed"):
                 self.records[item.name] = known[item.name]
         self.place.write(MANIFEST_FILE, "".join(map(_line, self.records.values())).encode())
+
+
+def _is_of(record: Record, item: Item | None) -> bool:
+    """Tell whether a line is of an item; somebody may have edited it."""
+    if item is None:
+        return False
+    found = record["category"], record["seed"], record.get("path", item.path)
+    return found == (item.category, item.seed, item.path)
 
 
 @contextmanager
@@ -243,6 +268,8 @@ def stored_plan(place: Place, form: str = Plan.FORMAT) -> dict[str, Any] | None:
     found = data.get("format") if isinstance(data, dict) else None
     if found != form:
         raise ExportError(f"{place}/{PLAN_FILE} has format {found!r}, not {form!r}; choose another folder")
+    if not isinstance(data.get("version"), str) or not isinstance(data.get("plan"), dict):
+        raise ExportError(f"{place}/{PLAN_FILE} has no version or no plan; choose another folder")
     return dict(data)
 
 
@@ -256,8 +283,9 @@ def _earlier_plan(place: Place, plan: BasePlan) -> dict[str, Any] | None:
             f"{place} holds assets of artgen {data['version']}, but {__version__} is installed, which may "
             "generate others from the same seeds; choose another folder"
         )
-    old, new = data["plan"], plan.to_data()
-    if not isinstance(old, dict) or not set(old) <= set(new) or not isinstance(old.get("count"), int):
+    old, new = dict(data["plan"]), plan.to_data()
+    typed = isinstance(old.get("count"), int) and isinstance(old.get("sources", {}), dict)
+    if not set(old) <= set(new) or not typed:
         raise ExportError(f"{place}/{PLAN_FILE} is no plan of such a dataset; choose another folder")
     if old["count"] > plan.count:
         raise ExportError(
@@ -285,17 +313,33 @@ def _format(value: Any) -> str:
 
 def read_manifest(place: Place) -> Iterator[Record]:
     """Yield the lines of a manifest; an incomplete last line of a killed run is skipped."""
-    *lines, _ = (place.read(MANIFEST_FILE) or b"").decode(errors="replace").split("\n")
+    *lines, last = (place.read(MANIFEST_FILE) or b"").decode(errors="replace").split("\n")
+    with suppress(ValueError):
+        json.loads(last)
+        lines.append(last)
     for number, line in enumerate(lines):
         try:
-            record = json.loads(line)
-            inside(Path(), record.get("path", "none"))
-            yield record
+            yield _parsed(line)
         except (AttributeError, ValueError, ExportError) as error:
             raise ExportError(
                 f"{place}/{MANIFEST_FILE}: line {number + 1} is damaged ({error}); remove the file, and the "
                 "next run makes it again from the assets"
             ) from error
+
+
+def _parsed(line: str) -> Record:
+    """Return a line of a manifest after a check of its types."""
+    record: Record = json.loads(line, parse_constant=_refuse_constant)
+    kinds = _KINDS | (_MADE_KINDS if record.get("state") == "done" else {"error": str})
+    wrong = [name for name, kind in kinds.items() if not isinstance(record.get(name), kind)]
+    if wrong:
+        raise ValueError(f"{wrong[0]!r} is missing or has a wrong type")
+    inside(Path(), record.get("path", "none"))
+    return record
+
+
+def _refuse_constant(text: str) -> None:
+    raise ValueError(f"{text} is no number")
 
 
 def _read_records(place: Place, paths: Sequence[str]) -> Iterator[tuple[str, Record]]:

@@ -23,7 +23,7 @@ except ImportError:  # Windows has no locks of this kind
 import numpy as np
 
 from artgen._arrays import without_collector
-from artgen._names import all_inside, check_names, checked_path
+from artgen._names import all_inside, check_name, check_names, checked_path
 from artgen.asset import Asset, valid_states
 from artgen.asset.asset import FORMAT, Limits
 from artgen.asset.collision import Collision, collision_of, with_colliders
@@ -186,6 +186,7 @@ def encode(
         ParameterError: The size of maps or the precision is not allowed.
     """
     check_size(textures, plain=True)
+    check_name(asset.name)
     if asset.detail == "low":
         textures = 0
     laid_out = find_layout(layout)
@@ -280,8 +281,11 @@ def _new_parents(path: Path) -> Iterator[None]:
 
 
 def _share(content: bytes, path: Path, store: Path) -> None:
-    """Write a file as a hard link to equal content in a store, which gets new content."""
+    """Write a file as a hard link to equal content in a store, which gets missing or damaged content."""
     kept = store / f"{hashlib.sha256(content).hexdigest()[:_NAME]}{path.suffix}"
+    with suppress(OSError):  # there is none
+        if kept.is_symlink() or kept.read_bytes() != content:
+            kept.unlink()
     if not kept.exists():
         path.write_bytes(content)
         with suppress(OSError):  # another process was faster, or the file system has no links

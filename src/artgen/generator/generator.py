@@ -93,6 +93,12 @@ def check_proof(certify: Any, tolerance: Any, on_collision: Any) -> None:
         raise ParameterError(f"on_collision = {on_collision!r} is not allowed: it must be one of {allowed}")
 
 
+def check_flag(name: str, value: Any) -> None:
+    """Check that an option is a boolean."""
+    if not isinstance(value, bool):
+        raise ParameterError(f"{name} = {value!r} is not allowed: it must be True or False")
+
+
 def certify_sample(asset: Asset, tolerance: float, on_collision: OnCollision) -> None:
     """Prove that the links of an asset never collide."""
     _check_proven(asset, asset.certify(tolerance), on_collision)

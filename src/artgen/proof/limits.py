@@ -1,11 +1,11 @@
 """Numbers for the repair of a design: safe joint limits, and clearances at one pose."""
 
 import itertools
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from fnmatch import filter as filter_names
 from functools import partial
-from typing import get_args
+from typing import Any, get_args
 
 import numpy as np
 
@@ -18,7 +18,7 @@ from artgen.asset.asset import Limits, remember, with_followed_limits
 from artgen.asset.collision import link_parts
 from artgen.asset.joint import joints_above
 from artgen.asset.manifolds import box_of
-from artgen.errors import AssetError, nearest
+from artgen.errors import AssetError, ParameterError, nearest
 from artgen.proof.certify import Known, are_apart, certify, doubtful_colliders, doubtful_pairs
 from artgen.proof.overlap import link_overlap
 from artgen.proof.paths import JointPath, Space
@@ -254,7 +254,7 @@ def _narrowed(asset: Asset, limits: Mapping[str, tuple[float, float]]) -> Asset:
 _MOST = 0.8  # share of its range at which a joint gives way to its dependency in any case
 
 
-def with_limits(asset: Asset, limits: Limits, keep: Sequence[str] = ()) -> Asset:
+def with_limits(asset: Asset, limits: Limits, keep: str | Iterable[str] = ()) -> Asset:
     """Return an asset with joint ranges in which every state is free, proven as such.
 
     For each dependency, either the dependent joint is narrowed to positions that are free without the
@@ -272,6 +272,7 @@ def with_limits(asset: Asset, limits: Limits, keep: Sequence[str] = ()) -> Asset
 
     Raises:
         AssetError: The ranges are narrowed already, a pattern fits no joint, or there are no such limits.
+        ParameterError: `keep` has something else than texts.
     """
     if limits not in get_args(Limits):
         raise AssetError(f"limits = {limits!r} is not allowed: it must be 'full' or 'independent'")
@@ -280,10 +281,14 @@ def with_limits(asset: Asset, limits: Limits, keep: Sequence[str] = ()) -> Asset
     if asset.limits != "full":
         raise AssetError(f"asset {asset.name!r} has {asset.limits} limits; narrow the original asset instead")
     names = [joint.name for joint in asset.joints]
-    for pattern in keep:
+    given: Any = keep
+    patterns = list(given) if isinstance(given, Iterable) and not isinstance(given, str) else [given]
+    for pattern in patterns:
+        if not isinstance(pattern, str):
+            raise ParameterError(f"keep = {keep!r} is not allowed: give names of joints, such as ['rack_*']")
         if not filter_names(names, pattern):
             raise AssetError(f"keep={pattern!r} fits no joint of {asset.name!r}.{nearest(pattern, names)}")
-    kept = {name for pattern in keep for name in filter_names(names, pattern)}
+    kept = {name for pattern in patterns for name in filter_names(names, pattern)}
     ranges: dict[str, Range] = {}  # of the narrowed joints
     for joint in asset.joints:
         if joint.needs is not None:

@@ -15,6 +15,7 @@ from io import BytesIO
 from pathlib import Path
 from typing import Any
 
+from artgen._names import checked_path
 from artgen.asset import Asset, summary
 from artgen.errors import AssetError, ExportError
 from artgen.export.thumbnail import thumbnail
@@ -55,8 +56,9 @@ class Page:
 
         Raises:
             ExportError: The name has another suffix than `.html`, or the file cannot be written.
+            ParameterError: The path is none.
         """
-        path = Path(path)
+        path = checked_path(path, "path")
         check_page(path)
         return write_file(path, self.html.encode())
 

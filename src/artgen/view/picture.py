@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from artgen._arrays import Array, cached_property
+from artgen._names import checked_path
 from artgen.errors import AssetError, ExportError, ParameterError, nearest
 from artgen.view.camera import Camera
 
@@ -100,6 +101,7 @@ class Picture:
 
         Raises:
             ExportError: The name has another suffix, or the file cannot be written.
+        ParameterError: The path is none.
         """
         return save_image(self.color, path)
 
@@ -118,10 +120,11 @@ def save_image(pixels: Pixels, path: str | Path) -> Path:
 
     Raises:
         ExportError: The name has another suffix, or the file cannot be written.
+        ParameterError: The path is none.
     """
     from PIL import Image
 
-    path = Path(path)
+    path = checked_path(path, "path")
     check_suffix(path)
     try:
         Image.fromarray(pixels).save(path, _SUFFIXES[path.suffix.lower()], quality=92)

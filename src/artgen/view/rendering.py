@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from functools import cache
-from typing import get_args
+from typing import Any, get_args
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +17,8 @@ from artgen.view.scene import Studio
 from artgen.view.shading import colors
 from artgen.view.studio import backdrop
 from artgen.view.tracing import Hits, World, cast
+
+_MOST_SAMPLES = 4096  # per pixel; more change no pixel visibly
 
 
 def render(
@@ -40,7 +42,8 @@ def render(
         size: Width and height of the picture, or one number for both [pixels].
         studio: Surroundings: a seamless backdrop, a wall and a wooden floor, or none.
         textures: Texels per side of the material maps; 0 for plain colors.
-        samples: Number of rays to the lamps and around for each pixel in shade, an even number.
+        samples: Number of rays to the lamps and around for each pixel in shade, an even
+            number up to 4096; an odd one counts as one beside it.
 
     Raises:
         AssetError: A joint or link is unknown, a position is beyond its limits, or nothing is visible.
@@ -51,8 +54,12 @@ def render(
     if studio not in get_args(Studio):
         raise ParameterError(f"there is no studio {studio!r}.{nearest(str(studio), get_args(Studio))}")
     check_size(textures, plain=True)
-    if type(samples) is not int or samples < 1:
-        raise ParameterError(f"samples {samples!r} must be a whole number of at least 1")
+    given: Any = samples
+    whole = isinstance(given, int | np.integer) and not isinstance(given, bool)
+    if not whole or not 1 <= given <= _MOST_SAMPLES:
+        raise ParameterError(
+            f"samples {samples!r} must be a whole number of at least 1 and at most {_MOST_SAMPLES}"
+        )
     poses = asset.pose(q)
     taken = camera_of(camera, asset, _points(asset, poses), pixels[0] / pixels[1])
     place = backdrop(asset, studio)

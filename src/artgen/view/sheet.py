@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from artgen._names import checked_path
 from artgen.asset import Asset
 from artgen.errors import ExportError, ParameterError
 from artgen.view.camera import View, box_corners, elevation_of
@@ -145,7 +146,7 @@ def features(asset: Asset) -> str:
 
 def save_sheet(pixels: Pixels, path: str | Path) -> Path:
     """Write a sheet to a PNG file, or to a JPEG file of at most 250 kB if a quality allows it."""
-    path = Path(path)
+    path = checked_path(path, "path")
     check_suffix(path)
     if path.suffix.lower() == ".png":
         return save_image(pixels, path)
