@@ -17,8 +17,11 @@ from surveys.products import misfits
 from artgen.asset import Asset
 from artgen.catalog import categories, find
 from artgen.errors import EvaluationError, InfeasibleError
+from artgen.export import LAYOUTS
 from artgen.graph import Cache, Graph
 from artgen.sampling.choices import By
+from artgen.validate.files import read_export
+from artgen.validate.readback import check_formats
 from support.agreement import check_formats_agree
 from support.cases import some
 from support.geometry import check_collider_pieces, check_colliders_cover, check_mass, check_solids
@@ -144,6 +147,18 @@ def test_the_proof_leaves_no_pair_out(category: str, seed: int) -> None:
     assert certificate.proven, str(certificate)
     moving = {frozenset((a.name, b.name)) for a, b in combinations(asset.links, 2)}
     assert {frozenset(pair.links) for pair in certificate.pairs} == moving  # no link is locked to another
+
+
+@cases
+def test_readers_find_the_asset_in_the_layouts_of_other_data_sets(
+    category: str, seed: int, tmp_path: Path
+) -> None:
+    for layout in LAYOUTS.keys() - {"flat", "parts"}:
+        folder = asset_of(category, seed).export(tmp_path / layout, layout=layout, textures=0, states=2)
+        exported = read_export(folder)
+        assert exported.asset is not None
+        results = (exported.result, *check_formats(exported.asset, folder))
+        assert [str(fault) for result in results for fault in result.faults] == [], layout
 
 
 @pytest.mark.parametrize("category", categories())

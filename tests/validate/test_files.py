@@ -8,8 +8,11 @@ from pathlib import Path
 import pytest
 from PIL import Image, ImageOps
 
+import artgen
+from artgen.asset import Asset
 from artgen.export import export
 from artgen.validate.files import read_export
+from artgen.validate.readback import check_formats
 from support.exports import edit_json
 from support.textured import recipes, textured
 
@@ -115,6 +118,15 @@ def test_sets_of_states_belong_to_an_export(tmp_path: Path) -> None:
     (directory / "states.npz").unlink()
     (message,) = found(directory)
     assert message.startswith("states.npz is missing, which the set of valid states needs")
+
+
+def test_a_file_without_links_for_grasps_says_so(tmp_path: Path) -> None:
+    plain = artgen.generate("switch", 0).export(tmp_path / "it", formats=("urdf",), textures=0, frames=False)
+    asset = Asset.load(plain)
+    assert [each.faults for each in check_formats(asset, plain)] == [()]
+    edit_json(plain / "asset.json", lambda data: data["formats"]["urdf"].update(losses=[]))
+    ((fault,),) = [each.faults for each in check_formats(asset, plain)]
+    assert fault.message == "switch_0.urdf has no frame of the grasp 'knob_grasp'"
 
 
 def test_export_without_digests_does_not_tell_what_was_changed(directory: Path) -> None:

@@ -40,6 +40,9 @@ MARKER_INERTIA = 2e-10
 _SPECK = 1e-4  # radius of the geometry of a link between two joints, in a URDF that requires one [m]
 _LEVEL = 1e-6  # cosine of the pitch below which roll and yaw share an axis
 
+UNMARKED = "nothing; they are in asset.json"
+"""Replacement of the frames of grasps and pushes in files without links for them."""
+
 
 def write_urdf(asset: Asset, textures: int = 0, *, hands: bool = True) -> Written:
     """Write an asset as URDF, with its meshes.
@@ -234,7 +237,7 @@ def _losses(
     moved = "the joints that it moves are in asset.json"
     marked = (f"a link named grasp_{mark} the width and {moved}", f"a link named push_{mark} {moved}")
     if not hands:
-        marked = ("nothing; they are in asset.json",) * 2
+        marked = (UNMARKED, UNMARKED)
     color = "the map in the MTL file; many clients darken or hide it where the URDF has a color"
     return losses(
         *motion_rows(asset, inserted),

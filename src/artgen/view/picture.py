@@ -101,7 +101,7 @@ class Picture:
 
         Raises:
             ExportError: The name has another suffix, or the file cannot be written.
-        ParameterError: The path is none.
+            ParameterError: The path is none.
         """
         return save_image(self.color, path)
 

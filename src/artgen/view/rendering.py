@@ -42,8 +42,8 @@ def render(
         size: Width and height of the picture, or one number for both [pixels].
         studio: Surroundings: a seamless backdrop, a wall and a wooden floor, or none.
         textures: Texels per side of the material maps; 0 for plain colors.
-        samples: Number of rays to the lamps and around for each pixel in shade, an even
-            number up to 4096; an odd one counts as one beside it.
+        samples: Number of rays to the lamps and around for each pixel in shade, 1 to 4096; odd numbers are
+            rounded to even ones.
 
     Raises:
         AssetError: A joint or link is unknown, a position is beyond its limits, or nothing is visible.

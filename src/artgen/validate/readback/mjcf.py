@@ -252,7 +252,7 @@ def read(asset: Asset, path: Path) -> Reading:
         mass=float(model.body_mass.sum()),
         base="fixed" if free.isdisjoint(_supports(model, asset.links[0].name)) else "free",
         joints={
-            model.joint(number).name: _joint(model, number, asset.links[0].name if renamed else "")
+            model.joint(number).name: _joint(model, number, "" if OBJECT in links else asset.links[0].name)
             for number in joints
         },
         couplings=dict(_couplings(model)),
@@ -289,7 +289,7 @@ def _inertial(body: Any) -> Inertial:
 
 
 def _joint(model: Any, number: int, base: str) -> ReadJoint:
-    """Read a joint; in a layout with other names, moving parts may hang on the body around the base."""
+    """Read a joint; in the layout robocasa, moving parts may hang on the body around the base."""
     body = model.jnt_bodyid[number]
     parent = model.body(model.body_parentid[body]).name
     low, high = model.jnt_range[number] if model.jnt_limited[number] else UNLIMITED

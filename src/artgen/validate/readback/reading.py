@@ -73,7 +73,7 @@ class ReadCollider:
 
     name: str  # name in the file
     bounds: Array  # corners of the bounding box, shape (2, 3) [m]
-    middle: Array  # mean of its vertices, or center of a primitive, shape (3,) [m]
+    middle: Array  # centroid of its volume, shape (3,) [m]; rounding adds and drops vertices of plane faces
     volume: float  # [m^3]
     friction: float | None = None  # coefficient of sliding friction; None if the file has none
     # vertices of a mesh, each once, shape (n, 3) [m]
@@ -95,8 +95,12 @@ class ReadCollider:
             vertices, numbers = np.unique(vertices, axis=0, return_inverse=True)
             triangles = numbers.reshape(-1)[triangles]
             open_edges = _open_edges(triangles)
-        a, b, c = (vertices - vertices.mean(axis=0))[triangles.T]
-        volume = float(np.einsum("ij,ij->i", a, np.cross(b, c)).sum() / 6.0)
+        middle = vertices.mean(axis=0)
+        a, b, c = (vertices - middle)[triangles.T]
+        volumes = np.einsum("ij,ij->i", a, np.cross(b, c)) / 6.0
+        volume = float(volumes.sum())
+        if volume > 0.0:
+            middle = middle + volumes @ (a + b + c) / (4.0 * volume)
         if not np.isfinite(vertices).all():
             flaw = flaw or "has coordinates that are not finite"
         elif open_edges:
@@ -106,7 +110,7 @@ class ReadCollider:
         elif len(vertices) > MOST_VERTICES:
             flaw = flaw or f"has {len(vertices)} vertices; GPU simulators take at most {MOST_VERTICES}"
         bounds = np.array([vertices.min(axis=0), vertices.max(axis=0)])
-        return ReadCollider(name, bounds, vertices.mean(axis=0), volume, friction, vertices, flaw)
+        return ReadCollider(name, bounds, middle, volume, friction, vertices, flaw)
 
     def concavity(self) -> float:
         """Return how far a vertex lies inside the hull of the others [m]."""

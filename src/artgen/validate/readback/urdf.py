@@ -1,5 +1,6 @@
 """Reading an exported URDF with yourdfpy, and faults that URDF readers accept silently."""
 
+import json
 from collections import Counter
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
@@ -11,10 +12,12 @@ import numpy as np
 
 from artgen._arrays import Array
 from artgen.asset import Asset
+from artgen.asset.files import ASSET_FILE, file_content
 from artgen.asset.report import AGAIN, Finding
 from artgen.colliders import Convex
 from artgen.errors import AssetError, nearest
 from artgen.export.names import Names, read_names
+from artgen.export.urdf import UNMARKED
 from artgen.validate.readback.reading import (
     UNLIMITED,
     Faces,
@@ -172,7 +175,7 @@ def read(asset: Asset, path: Path) -> Reading:
         couplings=dict(_couplings(moving, names)),
         colliders=colliders,
         faces=_faces(robot, links, back),
-        holds=None if names.links else _holds(asset, robot),
+        holds=None if names.links or not _marked(path) else _holds(asset, robot),
         complaints=tuple(messages),
     )
 
@@ -266,6 +269,14 @@ def _faces(robot: Any, links: Mapping[str, Any], back: Array) -> dict[str, tuple
         vertices = np.asarray(mesh.vertices) @ pose[:3, :3].T + pose[:3, 3]
         found[owners[owner]].append(Faces.of(str(node), vertices, mesh.faces))
     return {name: tuple(each) for name, each in found.items()}
+
+
+def _marked(path: Path) -> bool:
+    """Tell whether the export has links for grasps and pushes; an export without them lists the losses."""
+    with suppress(FileNotFoundError):
+        losses = json.loads(file_content(path.parent / ASSET_FILE))["formats"]["urdf"]["losses"]
+        return not any(loss["instead"] == UNMARKED and "frame" in loss["feature"] for loss in losses)
+    return True
 
 
 def _holds(asset: Asset, robot: Any) -> dict[str, tuple[str, Array]]:
