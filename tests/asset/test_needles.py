@@ -57,6 +57,17 @@ def test_needles_within_a_face_go(triangles) -> None:
     np.testing.assert_array_equal(mesh.normals, [UP] * 6)
 
 
+def test_needles_that_share_their_long_sides_leave_no_gap() -> None:
+    points = [*RIM[:4], (0.5, 1, 0), (0.5, -1, 0)]
+    needles = [[0, 3, 1], [0, 2, 3]]
+    mesh = joined(
+        [mesh_of(points, [*needles, [0, 1, 4], [1, 3, 4], [0, 5, 2], [2, 5, 3]], [UP] * len(points))]
+    )
+    assert areas(mesh).min() > 0.01
+    assert areas(mesh).sum() == pytest.approx(1.0)
+    assert open_edges(mesh) == 4
+
+
 def test_face_around_the_corner_gets_a_vertex_of_its_own() -> None:
     """The needle is one of the upper face, its long side the edge that it shares with the front."""
     top = mesh_of(RIM, [[0, 3, 1], [1, 3, 4], [1, 4, 5], [1, 5, 0]], [UP] * 6)

@@ -72,6 +72,7 @@ def without_needles(
         if beyond in gone:
             if beyond in waiting:
                 waiting.append(number)
+                _turn_shared_side(triangles, vertices, places, sides, number, beyond)
             continue
         facing = [places[corner] for corner in triangles[beyond]].index(places[end])
         one, other, apex = _from(triangles[beyond], facing)
@@ -84,6 +85,23 @@ def without_needles(
             sides[places[first], places[second]] = len(triangles) - 1
     left = [triangle for number, triangle in enumerate(triangles) if number not in gone]
     return np.array(vertices), np.ascontiguousarray(np.array(left, np.int64).reshape(-1, 3).T)
+
+
+def _turn_shared_side(
+    triangles: list[list[int]], vertices: list[Array], places: list[int], sides: dict[tuple[int, int], int],
+    number: int, beyond: int,
+) -> None:  # fmt: skip
+    """Join the middle corners of two needles that share their long sides, which neither can divide."""
+    middle, start, end = _from_middle(triangles[number], vertices)
+    other, first, last = _from_middle(triangles[beyond], vertices)
+    shared = (places[first], places[last]) == (places[end], places[start])
+    if not shared or places[middle] == places[other]:
+        return
+    triangles[number], triangles[beyond] = [middle, start, other], [middle, other, end]
+    del sides[places[start], places[end]], sides[places[end], places[start]]
+    for changed in (number, beyond):
+        a, b, c = (places[corner] for corner in triangles[changed])
+        sides[a, b] = sides[b, c] = sides[c, a] = changed
 
 
 def _from_middle(triangle: list[int], vertices: list[Array]) -> tuple[int, int, int]:
