@@ -14,6 +14,7 @@ from typing import Annotated, get_args
 import typer
 
 from artgen.asset import Asset
+from artgen.asset.asset import DetailName
 from artgen.batch import Rule, groups
 from artgen.catalog import categories, find
 from artgen.errors import AssetError
@@ -48,8 +49,12 @@ def main(
 
 
 def _assets(name: str, seeds: int) -> Iterator[Asset]:
-    cache = Cache()
-    return (find(name).generate(seed, cache=cache, certify=False) for seed in range(seeds))
+    """Yield the seeds of a category at full detail, and a tenth of them at the other levels."""
+    levels: dict[DetailName, int] = {"full": seeds, "medium": seeds // 10, "low": seeds // 10}
+    for detail, count in levels.items():
+        cache = Cache()
+        for seed in range(count):
+            yield find(name).generate(seed, cache=cache, certify=False, detail=detail)
 
 
 def _groups(name: str, seeds: int) -> tuple[list[str], dict[str, int]]:

@@ -16,6 +16,7 @@ from artgen.asset.link import DerivedLink
 from artgen.errors import ArtgenError, AssetError, ParameterError
 from artgen.proof.recheck import recheck
 from artgen.topology import Topology
+from artgen.validate.readback import check_formats
 from support.cases import some
 from support.linkages import bar, four_bar, made
 
@@ -250,8 +251,9 @@ def test_generate_pads_with_the_recorded_topology() -> None:
 @pytest.mark.parametrize("category", some(ag.catalog.categories(), 2))
 def test_every_category_has_a_recorded_topology_that_holds_its_first_seed(category) -> None:
     topology = Topology.load(ag.catalog.find(category).topology_file)
-    asset = ag.generate(category, seed=0, certify=False)
-    assert set(topology.places(asset)) == set(asset.links.names)
+    for detail in ("full", "low"):
+        asset = ag.generate(category, seed=0, certify=False, detail=detail)
+        assert set(topology.places(asset)) == set(asset.links.names)
     assert topology.slots[0].parent == ""
 
 
@@ -276,6 +278,31 @@ def test_assets_of_low_detail_share_the_recorded_topology(tmp_path) -> None:
     assert first.certify().proven
     first.export(tmp_path, formats=("mjcf",), textures=0)
     assert (ag.load(tmp_path).detail, ag.load(tmp_path).originals) == ("low", first.originals)
+
+
+def test_sharp_blocks_of_low_detail_take_the_places_of_hulls(tmp_path) -> None:
+    plain_one = ag.generate("washing_machine", seed=854347, detail="low", certify=False)
+    padded = ag.generate("washing_machine", seed=854347, detail="low", topology="fixed")
+    full = ag.generate("washing_machine", seed=0, topology="fixed", certify=False)
+    assert structure(padded) == structure(full)
+    assert padded.certificate.proven
+    slot = next(place for place, own in padded.originals.items() if own == "button_0")
+    before = [each.convex for each in plain_one.link("button_0").colliders if each.convex.kind == "box"]
+    after = [each.convex for each in padded.link(slot).colliders if not each.spare]
+    turned = [each for each in after if each.kind == "hull" and len(each.points) == 8]
+    assert turned
+    for each in turned:
+        assert any(
+            np.abs(each.bounds() - box.bounds()).max() < 1e-9
+            and each.manifold().volume() == pytest.approx(box.manifold().volume())
+            for box in before
+        )
+    folder = padded.export(tmp_path, textures=0)
+    assert not [fault for each in check_formats(ag.load(folder), folder) for fault in each.faults]
+    with pytest.raises(
+        AssetError, match="is padded to a topology and keeps no solids, so its surfaces cannot"
+    ):
+        padded.export(tmp_path / "coarse", mesh_precision=1e-4)
 
 
 def test_a_changed_topology_file_is_read_again(tmp_path, monkeypatch) -> None:

@@ -74,6 +74,20 @@ def test_formats_say_what_the_asset_is(exported, capfd):
     assert not any(capfd.readouterr())
 
 
+def test_specks_of_links_between_joints_are_no_faces(tmp_path):
+    directory = machine.generate(name="machine", certify=False).export(tmp_path / "machine", frames=False)
+    assert 'sphere radius="0.0001"' in (directory / "machine.urdf").read_text()
+    assert not [finding for result in results(directory).values() for finding in result.findings]
+
+
+def test_a_locked_joint_has_no_tendon_to_compare(tmp_path):
+    asset = artgen.generate("toilet", 737304, detail="medium", limits="independent")
+    assert asset.joint("seat_hinge").locked
+    assert asset.joint("seat_hinge").closing is not None
+    directory = asset.export(tmp_path / "out", formats=("mjcf",), textures=0)
+    assert not [finding for result in results(directory).values() for finding in result.findings]
+
+
 @pytest.mark.parametrize(("category", "seed"), [("door", 3), ("handle", 5)])
 @pytest.mark.long
 def test_categories_agree(category, seed, tmp_path):

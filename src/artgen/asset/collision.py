@@ -63,12 +63,14 @@ def _inside(inner: Manifold, outer: Manifold) -> bool:
 
 
 def need_solids(asset: Asset, refused: str, instead: str) -> None:
-    """Raise AssetError for an asset that was read from files and has no solids."""
+    """Raise AssetError for an asset without solids: one that was read from files, or is padded."""
+    made = "is padded to a topology and keeps" if asset.originals else "was read from files, which keep"
+    again = "asset without a topology" if asset.originals else "asset again"
     for link in asset.links:
         if not link.pieces:
             raise AssetError(
-                f"asset {asset.name!r} was read from files, which keep no solids, so {refused}; generate the "
-                f"asset again, or write it with {instead}",
+                f"asset {asset.name!r} {made} no solids, so {refused}; generate the {again}, or write it with "
+                f"{instead}",
                 link=link.name,
             )
 

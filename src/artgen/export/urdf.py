@@ -37,7 +37,9 @@ MARKER_MASS = 1e-9
 MARKER_INERTIA = 2e-10
 """Each principal moment of such a link [kg m^2]."""
 
-_SPECK = 1e-4  # radius of the geometry of a link between two joints, in a URDF that requires one [m]
+SPECK = 1e-4
+"""Radius of the geometry of a link between two joints, in a URDF that requires one [m]."""
+
 _LEVEL = 1e-6  # cosine of the pitch below which roll and yaw share an axis
 
 UNMARKED = "nothing; they are in asset.json"
@@ -70,7 +72,7 @@ def write_urdf(asset: Asset, textures: int = 0, *, hands: bool = True) -> Writte
         if frame.link is None:
             small = add_small_link(robot, frame.name, frames.INTERMEDIATE_MASS, frames.INTERMEDIATE_INERTIA)
             for kind in () if hands else ("visual", "collision"):
-                add(add(add(small, kind), "geometry"), "sphere", radius=f"{_SPECK:g}")
+                add(add(add(small, kind), "geometry"), "sphere", radius=f"{SPECK:g}")
         else:
             _add_link(robot, asset, frame.link, meshes, mapped)
     marks = _add_marks(robot, asset) if hands else []

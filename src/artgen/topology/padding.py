@@ -4,6 +4,7 @@ A spare collider lies inside another collider of the same body, so that it touch
 not touch. Writers switch spare colliders off where a format can.
 """
 
+import itertools
 from collections import Counter
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -109,6 +110,13 @@ def _octahedron(size: float, pose: Array) -> Convex:
     return Convex.hull(rounded_coordinates(np.concatenate((reach, -reach)) + pose[:3, 3]))
 
 
+def _hull_of(box: Convex) -> Convex:
+    """Return a box as a hull of its corners."""
+    signs = np.array(list(itertools.product((-0.5, 0.5), repeat=3)))
+    corners = signs * box.size @ box.pose[:3, :3].T + box.pose[:3, 3]
+    return Convex("hull", np.eye(4), points=rounded_coordinates(corners))
+
+
 _MAKERS: Mapping[Kind, Callable[[float, Array], Convex]] = {
     "box": lambda size, pose: Convex.box((size, size, size), pose),
     "cylinder": lambda size, pose: Convex.cylinder(size / 2, size, pose),
@@ -135,8 +143,11 @@ class PaddedLink(DerivedLink):
 
     @cached_property
     def colliders(self) -> tuple[Collider, ...]:
-        """The colliders of the source and spare ones, by kind."""
-        own = self.source.colliders
+        """The colliders of the source and spare ones, by kind; hulls replace boxes that are too many."""
+        own = list(self.source.colliders)
+        boxes = [number for number, each in enumerate(own) if each.convex.kind == "box"]
+        for number in boxes[self.counts.get("box", 0) :]:
+            own[number] = replace(own[number], convex=_hull_of(own[number].convex))
         have = Counter(each.convex.kind for each in own)
         lacking = [kind for kind in KINDS for _ in range(self.counts.get(kind, 0) - have[kind])]
         spare = Host.of(self.source).colliders(lacking) if lacking else ()

@@ -61,9 +61,11 @@ class Slot(Record):
         return tuple((each.kind, bool(each.leaders)) for each in self.joints)
 
     def lacking(self, colliders: Mapping[str, int]) -> dict[str, int]:
-        """Return how many colliders of each kind are too many for the slot."""
-        return {kind: n - self.colliders.get(kind, 0) for kind, n in colliders.items()
-                if n > self.colliders.get(kind, 0)}  # fmt: skip
+        """Return how many colliders of each kind the slot lacks; a box may take the place of a hull."""
+        more = {kind: n - self.colliders.get(kind, 0) for kind, n in colliders.items()}
+        free = max(0, -more.get("hull", -self.colliders.get("hull", 0)))
+        more["box"] = more.get("box", 0) - free
+        return {kind: n for kind, n in more.items() if n > 0}
 
 
 @dataclass(frozen=True)

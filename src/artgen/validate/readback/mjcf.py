@@ -135,7 +135,7 @@ def _tendon_findings(model: Any, data: Any, asset: Asset, file: str) -> Iterator
         yield _foreign(f"{file} has {listed}, which does not belong to an asset")
         return
     for joint in asset.joints:
-        for feature, samples, most in _tendon_samples(joint):
+        for feature, samples, most in () if joint.locked else _tendon_samples(joint):
             worst = _tendon_error(model, data, joint, samples)
             if worst > _TENDON * most:
                 message = f"its {feature} in {file} differs by {worst:.3g} N m or N from {most:.3g}"

@@ -17,7 +17,7 @@ from artgen.asset.report import AGAIN, Finding
 from artgen.colliders import Convex
 from artgen.errors import AssetError, nearest
 from artgen.export.names import Names, read_names
-from artgen.export.urdf import UNMARKED
+from artgen.export.urdf import SPECK, UNMARKED
 from artgen.validate.readback.reading import (
     UNLIMITED,
     Faces,
@@ -34,6 +34,7 @@ _UP = np.array([0.0, 0.0, 1.0, 0.0])
 _UPRIGHT = 1e-6  # tolerance of an axis
 _SPRING = {"springStiffness": "stiffness", "springReference": "rest"}  # elements of Gazebo
 
+_SMALLEST = 2.01  # width of a speck over its radius
 _MOST_MORE = 1000  # links without a counterpart in the asset: marks of grasps, bodies between joints
 _TEXTS = ("name", "type", "link", "joint", "reference", "filename")  # attributes without numbers
 
@@ -267,6 +268,8 @@ def _faces(robot: Any, links: Mapping[str, Any], back: Array) -> dict[str, tuple
         pose = back @ pose
         mesh = robot.scene.geometry[name]
         vertices = np.asarray(mesh.vertices) @ pose[:3, :3].T + pose[:3, 3]
+        if np.ptp(vertices, axis=0).max() <= _SMALLEST * SPECK:  # of a link between two joints
+            continue
         found[owners[owner]].append(Faces.of(str(node), vertices, mesh.faces))
     return {name: tuple(each) for name, each in found.items()}
 
