@@ -69,8 +69,8 @@ def need_solids(asset: Asset, refused: str, instead: str) -> None:
     for link in asset.links:
         if not link.pieces:
             raise AssetError(
-                f"asset {asset.name!r} {made} no solids, so {refused}; generate the {again}, or write it with "
-                f"{instead}",
+                f"asset {asset.name!r} {made} no solids, so {refused}; generate the {again}, or write it "
+                f"with {instead}",
                 link=link.name,
             )
 
