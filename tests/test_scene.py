@@ -362,6 +362,9 @@ def test_rooms_are_made_by_name_like_categories(tmp_path: Path) -> None:
         ({"topology": "fixed"}, "topology = 'fixed' is not allowed: hall is a room"),
         ({"height": 2.0}, r"hall has no parameter 'height'\. Allowed: depth, width"),
         ({"width": "wide"}, "width = 'wide' is not allowed: it must be a number"),
+        ({"name": "a b"}, "name = 'a b' is no identifier; use letters, digits and _"),
+        ({"detail": "high"}, "detail = 'high' is not allowed: it must be one of 'full', 'medium', 'low'"),
+        ({"certify": "no"}, "certify = 'no' is not allowed"),
         ({"seed": -1}, "seed must be a whole number that is not negative, got -1"),
     ],
 )

@@ -57,9 +57,9 @@ def maker(name: str | Path) -> Maker:
         ParameterError: There is none; the message suggests the nearest name.
         BuildError: A file cannot be loaded, or a package cannot be imported.
     """
-    if not isinstance(name, str) or is_file(name) or name in (*own_categories(), *CATEGORIES):
-        return find(name)
-    return rooms().get(name) or find(name)
+    known = not isinstance(name, str) or is_file(name) or name in (*own_categories(), *CATEGORIES)
+    # categories of other packages come before rooms of the same name
+    return find(name) if known or name not in rooms() or name in categories() else rooms()[str(name)]
 
 
 @functools.cache

@@ -299,9 +299,7 @@ def test_sharp_blocks_of_low_detail_take_the_places_of_hulls(tmp_path) -> None:
         )
     folder = padded.export(tmp_path, textures=0)
     assert not [fault for each in check_formats(ag.load(folder), folder) for fault in each.faults]
-    with pytest.raises(
-        AssetError, match="is padded to a topology and keeps no solids, so its surfaces"
-    ):
+    with pytest.raises(AssetError, match="is padded to a topology and keeps no solids, so its surfaces"):
         padded.export(tmp_path / "coarse", mesh_precision=1e-4)
 
 

@@ -8,12 +8,13 @@ from typing import Any, get_args, get_type_hints
 
 import artgen as ag
 from artgen._arrays import cached_property
+from artgen._names import check_name
 from artgen.asset import Asset
 from artgen.asset.asset import DetailName, remember
 from artgen.catalog import find
 from artgen.errors import ParameterError, nearest
 from artgen.generator import Fixed, Parameter
-from artgen.generator.generator import checked_count
+from artgen.generator.generator import check_proof, checked_count
 from artgen.generator.signature import RESERVED
 from artgen.materials import Material, material
 from artgen.nodes.handles import Float
@@ -382,6 +383,9 @@ class Room:
                     f"{option} = {value!r} is not allowed: {self.name} is a room, which is fixed to the "
                     "world and proven with the joints and colliders of its assets; leave the option out"
                 )
+        check_proof(certify, 0.0, on_collision)
+        if name:
+            check_name(name)
         room = self.function(seed, detail=detail, **self.sample(seed, overrides=given))
         return remember(replace(room, name=name), room.certificate) if name else room
 
