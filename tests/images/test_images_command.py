@@ -1,4 +1,4 @@
-"""`artgen images`: errors before anything is written."""
+"""`artgen images`: errors before anything is written, and options of the assets."""
 
 import json
 from pathlib import Path
@@ -31,6 +31,16 @@ def test_a_folder_with_other_files_stays_unchanged(artgen_command, opengl: None)
     assert done.err.startswith("error: cannot write a dataset to ")
     assert done.err.endswith("/set: it holds 'notes.txt' and no dataset; choose another folder\n")
     assert [each.name for each in Path("set").iterdir() if each.name != ".lock"] == ["notes.txt"]
+
+
+def test_assets_of_pictures_have_the_level_of_detail_that_is_given(artgen_command, opengl: None) -> None:
+    done = artgen_command(
+        *("images", "switch", "--assets", "1", "--images-per-asset", "1", "--size", "32", "--samples", "1"),
+        *("--texture-size", "0", "--detail", "low", "--jobs", "1", "--out", "set"),
+    )
+    assert done.code == 0, done.err
+    assert json.loads(Path("set/dataset.json").read_text())["plan"]["detail"] == "low"
+    assert json.loads(Path("set/switch/switch_0/asset.json").read_text())["detail"] == "low"
 
 
 def test_the_data_of_a_plan_are_those_of_their_json() -> None:

@@ -8,7 +8,16 @@ import typer
 from typer import Argument, Option
 
 from artgen.commands.console import counting, list_failures, make_dataset
-from artgen.commands.options import Categories, Certify, Collisions, Jobs, Overrides, Seed, TextureSize
+from artgen.commands.options import (
+    Categories,
+    Certify,
+    Collisions,
+    Detail,
+    Jobs,
+    Overrides,
+    Seed,
+    TextureSize,
+)
 from artgen.dataset import write_card
 from artgen.demos.run import DemoLayout
 from artgen.errors import ParameterError
@@ -53,6 +62,7 @@ def images(
     jobs: Jobs = None,
     certify: Certify = True,
     on_collision: Collisions = "redraw",
+    detail: Detail = "full",
 ) -> None:
     """Render pictures of many assets, with masks and joints in the layout of COCO; needs artgen[images].
 
@@ -66,6 +76,7 @@ def images(
         tuple(overrides or ()),
         certify=certify,
         on_collision=on_collision,
+        detail=detail,
         images=images_per_asset,
         size=size,
         labels=_names(labels),

@@ -7,7 +7,7 @@ import typer
 from typer import Argument, Option
 
 from artgen.asset import Asset
-from artgen.asset.asset import DetailName, Limits
+from artgen.asset.asset import Limits
 from artgen.asset.collision import Collision
 from artgen.asset.files import main_files
 from artgen.catalog import rooms
@@ -17,6 +17,7 @@ from artgen.commands.options import (
     Categories,
     Certify,
     Collisions,
+    Detail,
     Jobs,
     Layout,
     Overrides,
@@ -102,9 +103,7 @@ def generate(
             "free."
         ),
     ] = "full",
-    detail: Annotated[
-        DetailName, Option(help="Level of detail: medium has coarser curves, low about 2,000 triangles.")
-    ] = "full",
+    detail: Detail = "full",
     frames: Annotated[
         bool, Option("--frames/--no-frames", help="Links for grasps and pushes in the URDF.")
     ] = True,
@@ -189,9 +188,7 @@ def scene(
     formats: _Formats = None,
     layout: Layout = "flat",
     texture_size: TextureSize = TEXTURES,
-    detail: Annotated[
-        DetailName, Option(help="Level of detail: medium has coarser curves, low few triangles.")
-    ] = "full",
+    detail: Detail = "full",
     out: Annotated[
         str | None, Option(metavar="DIRECTORY", help="Target; ./<room>_<seed> by default.")
     ] = None,

@@ -8,6 +8,7 @@ import typer
 from typer import Argument, Option
 
 from artgen.asset import Asset
+from artgen.asset.asset import DetailName
 from artgen.catalog import maker
 from artgen.errors import ParameterError
 from artgen.export import LAYOUTS
@@ -41,6 +42,9 @@ Tolerance = Annotated[
 ]
 Collisions = Annotated[
     OnCollision, Option("--on-collision", help="After a failed proof: draw again, fail, or keep the asset.")
+]
+Detail = Annotated[
+    DetailName, Option(help="Level of detail: medium has coarser curves, low few triangles and plain colors.")
 ]
 Layout = Annotated[str, Option(metavar="NAME", help=f"Layout of the files: {', '.join(LAYOUTS)}.")]
 
