@@ -199,7 +199,7 @@ COMMANDS = """
 generate dor ~ there is no category 'dor'. Did you mean 'door'?
 generate DOOR ~ Did you mean 'door'?
 generate file ~ file is a file or folder: give the Python file of the category, such as stapler.py
-generate two ~ there is no category 'two'. Did you mean the file two.py?
+generate pair ~ there is no category 'pair'. Did you mean the file pair.py?
 check package ~ package is a folder without an exported asset; did you mean the file package/src/package.py?
 view page.html ~ page.html is a page: open it in a browser.
 view nowhere ~ there is no category 'nowhere'
@@ -214,8 +214,8 @@ generate broken.py ~ SyntaxError: invalid syntax at
 generate fails.py ~ ZeroDivisionError: division by zero at
 generate exits.py ~ SystemExit: 3 at
 generate nothing.py ~ defines no category; put @artgen.category(labels=(...)) before the function
-generate two.py ~ defines 2 categories; pick one: two.py:one or two.py:two
-generate two.py:three ~ two.py defines no category 'three'. Allowed: one, two.
+generate pair.py ~ defines 2 categories; pick one: pair.py:one or pair.py:two
+generate pair.py:three ~ pair.py defines no category 'three'. Allowed: one, two.
 generate quits.py ~ quits cannot be built: SystemExit: bye at
 generate door drawer ~ one asset is of one category, not door, drawer; give a number of assets with -n
 generate door --set widht=0.9 ~ door has no parameter 'widht'. Did you mean 'width'?
@@ -312,7 +312,7 @@ FILES = {
     "nothing.py": "x = 1\n",
     "page.html": "<html>",
     "package/src/package.py": "",
-    "two.py": "import artgen as ag\n" + CATEGORY.format("one", "...") + CATEGORY.format("two", "..."),
+    "pair.py": "import artgen as ag\n" + CATEGORY.format("one", "...") + CATEGORY.format("two", "..."),
     "quits.py": "import artgen as ag\n" + CATEGORY.format("quits", "raise SystemExit('bye')"),
 }
 

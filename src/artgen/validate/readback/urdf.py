@@ -259,19 +259,26 @@ def _faces(robot: Any, links: Mapping[str, Any], back: Array) -> dict[str, tuple
     owners = {link.name: name for name, link in links.items()}
     found: dict[str, list[Faces]] = {name: [] for name in links}
     for node in graph.nodes_geometry:
-        owner = node
-        while owner is not None and owner not in owners:
-            owner = graph.transforms.parents.get(owner)
+        owner = next((each for each in _ancestors(graph, node) if each in owners), None)
         if owner is None:
             continue
         pose, name = graph.get(node, frame_from=owner)
         pose = back @ pose
         mesh = robot.scene.geometry[name]
         vertices = np.asarray(mesh.vertices) @ pose[:3, :3].T + pose[:3, 3]
-        if np.ptp(vertices, axis=0).max() <= _SMALLEST * SPECK:  # of a link between two joints
-            continue
+        nearest = next(each for each in _ancestors(graph, node) if each in robot.link_map)
+        if nearest != owner and np.ptp(vertices, axis=0).max() <= _SMALLEST * SPECK:
+            continue  # of a link between two joints
         found[owners[owner]].append(Faces.of(str(node), vertices, mesh.faces))
     return {name: tuple(each) for name, each in found.items()}
+
+
+def _ancestors(graph: Any, node: str) -> Iterator[str]:
+    """Yield a node of a scene and the nodes above it."""
+    above: str | None = node
+    while above is not None:
+        yield above
+        above = graph.transforms.parents.get(above)
 
 
 def _marked(path: Path) -> bool:
