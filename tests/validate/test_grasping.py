@@ -194,6 +194,15 @@ def slider(
     return made.generate(certify=False)
 
 
+def test_hands_of_independent_limits_are_notes() -> None:
+    """The flaps of this box stand open, beyond the points at which they are pushed."""
+    closed = artgen.generate("box", 343425, detail="medium")
+    assert not check_grasps(closed).faults
+    findings = check_grasps(closed.with_limits("independent")).findings
+    assert any("pushes against the limit of the joint" in each.message for each in findings)
+    assert {each.severity for each in findings} == {"note"}
+
+
 def test_a_plain_handle_bar_passes() -> None:
     assert check_grasps(slider()) == CheckResult("grasps", (), "1 grasps, 0 pushes")
 

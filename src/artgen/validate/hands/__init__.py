@@ -1,6 +1,7 @@
 """Check of grasps and pushes: a hand can approach, grasp, and move the joints."""
 
 from collections.abc import Collection, Iterator, Mapping
+from dataclasses import replace
 from functools import partial
 
 import numpy as np
@@ -54,7 +55,7 @@ def check_grasps(asset: Asset) -> CheckResult:
         A fault for each impossible grasp, each ineffective push, and each free joint that no hand can move
         with at most `MOST_FORCE`. A note if each hand strikes something before the end of a range, and if
         something has to be opened first without a dependency. An asset without grasps and pushes has one
-        note.
+        note. With independent limits, all findings are notes.
     """
     free = [joint.name for joint in asset.free_joints if not joint.driven]
     found = asset.affordances
@@ -80,6 +81,8 @@ def check_grasps(asset: Asset) -> CheckResult:
     ]
     forces = hand_forces(asset)
     findings += _joint_findings(asset, best, forces, faulty)
+    if asset.limits != "full":  # hands are given for whole ranges: a part may stand open now, out of reach
+        findings = [replace(each, severity="note") for each in findings]
     grasps = sum(each.kind == "grasp" for each in found)
     detail = f"{grasps} grasps, {len(found) - grasps} pushes"
     most = max(forces.values(), default=0.0)
