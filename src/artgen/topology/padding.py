@@ -35,7 +35,7 @@ MASS = 1e-9
 RANGE = 1e-6
 """Such a link moves by at most this to either side; simulators require a range [rad or m]."""
 
-_INERTIA = 1e-12  # each principal moment of such a link [kg m^2]
+_INERTIA = 2e-10  # each principal moment of such a link [kg m^2]
 # its center lies beside its joints: MuJoCo takes shortcuts for centered bodies, and worlds share these
 _OFF_AXIS = np.full(3, 1e-4)  # [m]
 _LARGEST = 1e-3  # largest length of a spare collider [m]
