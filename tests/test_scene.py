@@ -22,12 +22,12 @@ from artgen.asset import Asset
 from artgen.asset.placed import certificate_digest
 from artgen.catalog import categories
 from artgen.dataset import Dataset, Plan, generate_many
-from artgen.errors import AssetError, ParameterError
+from artgen.errors import AssetError, InfeasibleError, ParameterError
 from artgen.export.frames import translation
 from artgen.graph import evaluate
 from artgen.materials import colored, material
 from artgen.proof.certify import Known, certify
-from artgen.scene import ROOMS, Scene, hall, kitchen
+from artgen.scene import ROOMS, Room, Scene, hall, kitchen
 from artgen.scene.furnish import Furnisher
 from artgen.scene.kitchens import _beside, _Item
 from artgen.scene.room import GAP, STANDING
@@ -353,6 +353,21 @@ def test_rooms_are_made_by_name_like_categories(tmp_path: Path) -> None:
     )
     assert len(set(widths)) == 2
     assert all(2.0 < width < 2.2 for width in widths)
+
+
+def test_a_stream_leaves_out_rooms_without_a_draw(caplog: pytest.LogCaptureFixture) -> None:
+    def cellar(seed: int = 0, *, detail: str = "full") -> Asset:
+        if not seed:
+            raise AssetError("cellar 0: 8 draws failed; the last: door and wall collide")
+        return hall(seed, detail="low")
+
+    room = Room(cellar, (), ())
+    with pytest.raises(InfeasibleError, match="cellar 0: 8 draws failed; the last: door and wall collide"):
+        room.generate(0)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("artgen.scene.ROOMS", {"cellar": room})
+        assert next(iter(artgen.stream("cellar"))).name == "hall_1"
+    assert "cellar 0 is left out: cellar 0: 8 draws failed" in caplog.text
 
 
 @pytest.mark.parametrize(

@@ -23,13 +23,12 @@ _CHECK = 12  # bytes of checksum and length
 
 def cache_directory() -> Path | None:
     """Return the folder of the cache, or None if the cache is off or the user has no home directory."""
-    chosen = os.environ.get("ARTGEN_CACHE")
-    shared = os.environ.get("XDG_CACHE_HOME", "")
-    if not chosen and Path(shared).is_absolute():  # the specification wants relative paths ignored
-        return Path(shared) / "artgen"
     try:
-        if chosen:
+        if chosen := os.environ.get("ARTGEN_CACHE"):
             return None if chosen == "off" else Path(chosen).expanduser()
+        shared = os.environ.get("XDG_CACHE_HOME", "")
+        if Path(shared).is_absolute():  # relative paths must be ignored according to the specification
+            return Path(shared) / "artgen"
         return Path.home() / ".cache" / "artgen"
     except RuntimeError:
         return None

@@ -38,14 +38,14 @@ class Maker(Protocol):
         """The labels of its assets."""
 
     def sample(self, seed: int, *, overrides: Mapping[str, Any] | None = None) -> dict[str, Any]:
-        """Return the parameters of a seed; check them."""
+        """Check the overrides, and return the parameters of a seed."""
 
     def generate(self, /, seed: int = 0, **given: Any) -> Asset:
         """Return the asset of a seed."""
 
 
 def rooms() -> Mapping[str, Maker]:
-    """Return the kinds of rooms by name; they stand on the catalog and are imported on request."""
+    """Return the kinds of rooms by name; their package uses this module, so it is imported on request."""
     found: Mapping[str, Maker] = import_module("artgen.scene").ROOMS
     return found
 

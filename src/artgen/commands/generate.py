@@ -10,7 +10,7 @@ from artgen.asset import Asset
 from artgen.asset.asset import Limits
 from artgen.asset.collision import Collision
 from artgen.asset.files import main_files
-from artgen.catalog import rooms
+from artgen.catalog import maker, rooms
 from artgen.colliders.openings import BALL
 from artgen.commands.console import make_dataset, progress
 from artgen.commands.options import (
@@ -151,7 +151,7 @@ def generate(
                 f"one asset is of one category, not {', '.join(categories)}; give a number of assets with -n"
             )
         with progress("generate"):
-            asset = generated(categories[0], seed, values, name=name, **drawn)
+            asset = generated(maker(categories[0]), seed, values, name=name, **drawn)
             if colliders is not None:
                 asset = asset.with_colliders(colliders, openings)
         _write(asset, out, textures=0 if textures == "none" else texture_size, **written)
@@ -203,7 +203,7 @@ def scene(
             raise typer.BadParameter(f"{name} is set twice; leave one of --{name} and --set out")
         values |= {} if value is None else {name: value}
     with progress(f"furnish {room} {seed}"):
-        asset = generated(room, seed, values, detail=detail)
+        asset = generated(rooms()[room], seed, values, detail=detail)
     _write(asset, out, collision="exact", formats=chosen, textures=texture_size, layout=layout)
 
 

@@ -9,7 +9,7 @@ from typer import Argument, Option
 
 from artgen.asset import Asset
 from artgen.asset.asset import DetailName
-from artgen.catalog import maker
+from artgen.catalog import Maker
 from artgen.errors import ParameterError
 from artgen.export import LAYOUTS
 from artgen.generator import OnCollision
@@ -87,8 +87,7 @@ def check_given(context: typer.Context, refused: Sequence[str], what: str) -> No
             raise ParameterError(f"{(off or given.opts)[0]} does nothing for {what}; leave it out")
 
 
-def generated(category: str, /, seed: int, overrides: Mapping[str, Any], **options: Any) -> Asset:
-    """Return an asset of a category, file or room; overrides with names of options are refused."""
-    made = maker(category)
+def generated(made: Maker, seed: int, overrides: Mapping[str, Any], **options: Any) -> Asset:
+    """Return an asset of a category or room; overrides with names of options are refused."""
     made.sample(seed, overrides=overrides)
     return made.generate(seed, **options, **overrides)

@@ -141,7 +141,7 @@ def sheet(
     _check_file(path)
 
     def sample(seed: int) -> Asset:
-        return generated(category, seed, values, certify=False)
+        return generated(found, seed, values, certify=False)
 
     makers = [partial(sample, seed) for seed in range(first_seed, first_seed + seeds)]
     with progress(found.name, seeds) as update:

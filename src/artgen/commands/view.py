@@ -11,7 +11,7 @@ from typer import Argument, Option
 
 from artgen.asset import Asset
 from artgen.asset.files import ASSET_FILE, exports_in
-from artgen.catalog import categories, find, is_file, is_pipe, rooms, script_of
+from artgen.catalog import categories, find, is_file, is_pipe, maker, rooms, script_of
 from artgen.commands.console import progress
 from artgen.commands.options import (
     Category,
@@ -61,7 +61,7 @@ def asset_from(
             "exported, the Python file of a category, such as stapler.py, or a category or room that "
             "`artgen list` shows." + (f" Did you mean {near[0]!r}?" if near else "")
         )
-    return generated(source, seed, parse_overrides(overrides), certify=certify)
+    return generated(maker(source), seed, parse_overrides(overrides), certify=certify)
 
 
 def view(

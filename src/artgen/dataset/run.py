@@ -196,7 +196,7 @@ class Folder:
 
 
 def _is_of(record: Record, item: Item | None) -> bool:
-    """Tell whether a line is of an item; somebody may have edited it."""
+    """Tell whether a line, which may have been edited, belongs to an item."""
     if item is None:
         return False
     found = record["category"], record["seed"], record.get("path", item.path)

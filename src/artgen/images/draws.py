@@ -165,7 +165,7 @@ def camera_in(
 
 
 def _unhidden(at: Array, points: Array, lows: Array, highs: Array) -> NDArray[np.bool_]:
-    """Tell which points are seen from a place, between boxes."""
+    """Tell for each point whether no box hides it from a place."""
     way = points - at
     way = np.where(abs(way) < 1e-9, 1e-9, way)[:, None]
     ends = np.sort([(lows - at) / way, (highs - at) / way], axis=0)

@@ -12,7 +12,7 @@ from artgen._names import check_name
 from artgen.asset import Asset
 from artgen.asset.asset import DetailName, remember
 from artgen.catalog import find
-from artgen.errors import ParameterError, nearest
+from artgen.errors import AssetError, InfeasibleError, ParameterError, nearest
 from artgen.generator import Fixed, Parameter
 from artgen.generator.generator import check_proof, checked_count
 from artgen.generator.signature import RESERVED
@@ -373,7 +373,7 @@ class Room:
 
         Raises:
             ParameterError: The room has no such parameter, or is too small, or an option is for categories.
-            AssetError: No draw is free of collisions.
+            InfeasibleError: No draw is free of collisions.
         """
         usual = signature(ag.Generator.generate).parameters
         options = {option: given.pop(option) for option in RESERVED if option in given}
@@ -386,7 +386,11 @@ class Room:
         check_proof(certify, 0.0, on_collision)
         if name:
             check_name(name)
-        room = self.function(seed, detail=detail, **self.sample(seed, overrides=given))
+        values = self.sample(seed, overrides=given)
+        try:
+            room = self.function(seed, detail=detail, **values)
+        except AssetError as error:
+            raise InfeasibleError(str(error)) from error
         return remember(replace(room, name=name), room.certificate) if name else room
 
 

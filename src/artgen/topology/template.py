@@ -63,8 +63,8 @@ class Slot(Record):
     def lacking(self, colliders: Mapping[str, int]) -> dict[str, int]:
         """Return how many colliders of each kind the slot lacks; a box may take the place of a hull."""
         more = {kind: n - self.colliders.get(kind, 0) for kind, n in colliders.items()}
-        free = max(0, -more.get("hull", -self.colliders.get("hull", 0)))
-        more["box"] = more.get("box", 0) - free
+        free = self.colliders.get("hull", 0) - colliders.get("hull", 0)
+        more["box"] = more.get("box", 0) - max(free, 0)
         return {kind: n for kind, n in more.items() if n > 0}
 
 
