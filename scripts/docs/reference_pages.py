@@ -59,6 +59,7 @@ PAGES: Mapping[str, tuple[str, tuple[str, ...]]] = {
             "envs.ManipulationEnv",
             "envs.Task",
             "envs.one_joint",
+            "envs.by_lever",
             "envs.Target",
             "envs.Stage",
             "demos.make_demos",

@@ -58,6 +58,18 @@ def test_the_lever_of_a_door_is_turned_until_the_latch_is_free(assets):
     assert hinge.moves[0].contact is None, "the hand keeps the lever while it pushes"
 
 
+def test_the_key_of_a_safe_frees_its_handle_which_frees_its_door(assets):
+    task, safe = TASKS["OpenSafe"], assets("OpenSafe")
+    key, handle, door = next(iter(task.choose(safe, np.random.default_rng(0))))
+    assert key.affordance is not handle.affordance is door.affordance
+    assert safe.blocked({handle.joint: handle.goal}) == (handle.joint,)
+    assert not safe.blocked({key.joint: key.goal, handle.joint: handle.goal})
+    assert safe.blocked({key.joint: key.goal, door.joint: 0.02}) == (door.joint,)
+    keypad = artgen.generate("safe", 0, certify=False, style="home", lock="keypad")
+    with pytest.raises(EnvError, match=r"'safe_0' of category 'safe' has nothing for OpenSafe: Turn the key"):
+        task.target(keypad, np.random.default_rng(0))
+
+
 @pytest.mark.parametrize("name", ["OpenDrawer", "OpenTrashcan", "OpenMicrowave"])
 def test_the_robot_begins_at_the_pose_of_its_hand_in_front_of_the_contact(name, assets):
     asset = assets(name)

@@ -31,6 +31,15 @@ def test_the_scripted_policy_succeeds_and_a_random_one_fails():
     env.close()
 
 
+@pytest.mark.parametrize("name", TASKS)
+def test_the_scripted_policy_does_every_task(name):
+    env = ManipulationEnv(name, range(SEED, SEED + 1))
+    env.reset(seed=0)
+    info = played(env, ScriptedPolicy(env).action)
+    assert info["success"], f"{info['asset']}: {info['progress']} of {env.target.stages}"
+    env.close()
+
+
 def test_the_policy_turns_a_lever_and_keeps_it_while_it_pushes_the_door():
     env = ManipulationEnv("PushDoor", range(SEED, SEED + 1))
     env.reset(seed=0)

@@ -15,9 +15,9 @@ except ImportError as error:
 
 from artgen.envs.env import ManipulationEnv
 from artgen.envs.motion import Stage, Target
-from artgen.envs.task import KITCHEN_TASKS, TASKS, Task, one_joint
+from artgen.envs.task import KITCHEN_TASKS, TASKS, Task, by_lever, one_joint
 
-__all__ = ["KITCHEN_TASKS", "TASKS", "ManipulationEnv", "Stage", "Target", "Task", "one_joint"]
+__all__ = ["KITCHEN_TASKS", "TASKS", "ManipulationEnv", "Stage", "Target", "Task", "by_lever", "one_joint"]
 
 for _name in (*TASKS, *KITCHEN_TASKS):
     gymnasium.register(

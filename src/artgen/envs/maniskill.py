@@ -7,7 +7,7 @@ env = gymnasium.make("ArtgenOpenDrawer-v1", assets=range(100))
 
 Each world has its own asset: ManiSkill asks for no common topology. It reads the URDF; drives of the joints
 are their springs. Dry friction of joints, latches, detents and conditions between joints are not simulated;
-so tasks of two stages are left out.
+so tasks of several stages are left out.
 """
 
 import tempfile

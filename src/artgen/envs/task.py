@@ -11,7 +11,7 @@ from typing import Any, Literal
 import numpy as np
 
 from artgen._arrays import Array, cached_property
-from artgen.asset import Asset
+from artgen.asset import Asset, AssetJoint
 from artgen.asset.affordance import Affordance
 from artgen.catalog import generate
 from artgen.dataset import Dataset
@@ -19,7 +19,7 @@ from artgen.envs.motion import BACK, FAR_BACK, Contact, Move, Stage, Target, con
 from artgen.envs.placing import place
 from artgen.envs.scene import TaskScene, compiled
 from artgen.errors import EnvError, ParameterError, nearest
-from artgen.sampling import choice
+from artgen.sampling import by, choice
 from artgen.scene import ROOMS
 
 Choice = tuple[Stage, ...]  # possible stages of a task on an asset
@@ -115,14 +115,17 @@ def one_joint(
     return choose
 
 
-def found(asset: Asset, part: str, kind: str, joint_kind: str) -> list[Affordance]:
-    """Return the affordances of a part whose nearest joint has a kind and no dependency; at least one."""
+def found(asset: Asset, part: str, kind: str, joint_kind: str, *, free: bool = True) -> list[Affordance]:
+    """Return the affordances, at least one, of a part whose nearest joint has a kind and limits.
+
+    The joint has no dependency, unless `free` is False.
+    """
     result = []
     for each in asset.affordances:
         if each.kind != kind or not each.joints or part not in each.link:
             continue
         joint = asset.joint(each.joints[0])
-        if joint.kind == joint_kind and joint.needs is None and joint.limits is not None:
+        if joint.kind == joint_kind and not (free and _needed(joint)) and joint.limits is not None:
             result.append(each)
     if not result:
         have = ", ".join(f"{each.name} ({each.link})" for each in asset.affordances) or "none"
@@ -156,21 +159,48 @@ def stage(
     return Stage(joint.name, start, goal, affordance, (move,))
 
 
-def push_door(asset: Asset, rng: np.random.Generator) -> Iterator[Choice]:
-    """Yield the rotation of a lever, which frees the latch, and the push of the leaf with the same grasp."""
-    for grasp in _shuffled(found(asset, "handle", "grasp", "revolute"), rng):
-        lever, *others = (asset.joint(name) for name in grasp.joints)
-        hinge = next((each for each in others if each.kind == "revolute" and each.needs is not None), None)
-        if hinge is None or lever.limits is None:
-            continue
-        before, motion = grasp.frame[:3, 3], hinge.motion(0.1)
-        if (motion[:3, :3] @ before + motion[:3, 3] - before) @ grasp.frame[:3, 2] <= 0.0:
-            continue  # the hand would pull
-        freed = frees(asset, hinge.name, lever.name)
-        goal = max(0.3, freed + 0.02 * (lever.limits[1] - freed))
-        turn = Move(lever.name, 0.5 * (goal + lever.limits[1]), contact_of(grasp, FAR_BACK))
-        push = Move(hinge.name, 0.34, None)
-        yield Stage(lever.name, 0.0, goal, grasp, (turn,)), Stage(hinge.name, 0.0, 0.3, grasp, (push,))
+def by_lever(part: str, goal: float, until: float, *, pushes: bool = False) -> Chooser:
+    """Return the `choose` of a task that turns a lever and moves the joint that it frees, with one grasp.
+
+    If the lever itself needs another joint, such as the key of a safe, that one is turned first.
+
+    Args:
+        part: Text in the name of the link of the lever.
+        goal: Goal of the freed joint [rad or m].
+        until: Position at which the scripted policy releases it [rad or m].
+        pushes: Whether grasps are left out with which the hand would pull.
+    """
+
+    def choose(asset: Asset, rng: np.random.Generator) -> Iterator[Choice]:
+        for grasp in _shuffled(found(asset, part, "grasp", "revolute", free=False), rng):
+            lever, *others = (asset.joint(name) for name in grasp.joints)
+            moved = next((each for each in others if lever.name in _needed(each)), None)
+            keys = [each for each in asset.affordances if set(each.joints[:1]) & _needed(lever)]
+            if moved is None or (_needed(lever) and not keys):
+                continue
+            before, motion = grasp.frame[:3, 3], moved.motion(0.1)
+            if pushes and (motion[:3, :3] @ before + motion[:3, 3] - before) @ grasp.frame[:3, 2] <= 0.0:
+                continue  # the hand would pull
+            first = [_turn(asset, key, lever.name) for key in keys[:1]]
+            move = Move(moved.name, until, None)
+            yield *first, _turn(asset, grasp, moved.name), Stage(moved.name, 0.0, goal, grasp, (move,))
+
+    return choose
+
+
+def _needed(joint: AssetJoint) -> set[str]:
+    """Return the names of the joints that a joint needs."""
+    return set() if joint.needs is None else set(joint.needs.condition.joints())
+
+
+def _turn(asset: Asset, grasp: Affordance, freed: str) -> Stage:
+    """Return the stage that turns the nearest joint of a grasp until it frees another joint."""
+    joint = asset.joint(grasp.joints[0])
+    assert joint.limits is not None
+    free = frees(asset, freed, joint.name)
+    goal = max(0.3, free + 0.02 * (joint.limits[1] - free))
+    turn = Move(joint.name, 0.5 * (goal + joint.limits[1]), contact_of(grasp, FAR_BACK))
+    return Stage(joint.name, 0.0, goal, grasp, (turn,))
 
 
 def frees(asset: Asset, blocked: str, lever: str) -> float:
@@ -236,21 +266,95 @@ _DOCS = {
     "OpenTrashcan": "Press the pedal that lifts the lid.",
     "OpenMicrowave": "Open the door of the microwave oven by 0.4 rad.",
     "OpenCabinet": "Open a door of the cabinet by 0.4 rad.",
+    "OpenOven": "Open the door of the oven by 0.5 rad.",
+    "OpenToasterOven": "Open the door of the toaster oven by 0.5 rad.",
+    "OpenLaptop": "Open the screen of the laptop by 1 rad.",
+    "OpenBox": "Open the lid of the mailer or pizza box by 0.8 rad.",
+    "OpenKettle": "Open the lid of the kettle by 0.8 rad.",
+    "OpenBottle": "Flip the cap of the bottle open by 0.8 rad.",
+    "OpenDesk": "Pull a drawer of the desk or bedside table open by half its way.",
+    "OpenDetergentDrawer": "Pull the detergent drawer of the washing machine out by half its way.",
+    "OpenWindow": "Turn the handle of a window, then open its sash by 0.3 rad.",
+    "OpenSafe": "Turn the key or the dial of the safe, then its handle, then open the door by 0.3 rad.",
+    "LiftToiletLid": "Lift the lid of the toilet by 0.8 rad.",
+    "LiftTrashcanLid": "Lift the lid of the bin by 0.8 rad.",
+    "LiftBlenderLid": "Lift the lid off the jug of the blender, by 0.06 m.",
+    "LiftBlenderJug": "Turn the jug of the blender out of its lock, then lift it by 0.05 m.",
+    "LiftCoffeeLever": "Lift the lever of the capsule machine by three fifths of its range.",
+    "TurnStoveKnob": "Turn a knob of the cooktop by 0.8 rad.",
+    "TurnMixerKnob": "Turn the speed knob of the stand mixer by 1 rad.",
+    "TurnValve": "Open the valve by four fifths of the range of its lever.",
+    "TurnSpout": "Turn the spout over the sink by two fifths of its range.",
+    "TurnHandle": "Turn a door handle by four fifths of its range.",
+    "TurnDimmer": "Turn the knob of the dimmer by 1 rad.",
+    "FlipSwitch": "Flip a rocker of the light switch.",
+    "FlushToilet": "Press a flush button of the toilet.",
+    "PressCoffeeButton": "Press a button of the coffee machine.",
+    "PressLampButton": "Press the button of the lamp.",
+    "PressStapler": "Press the arm of the stapler down.",
+    "PumpSoap": "Press the nozzle of the soap dispenser down.",
 }
-_press_key = one_joint("", "push", "prismatic", 0.8, back=FAR_BACK)
+push_door = by_lever("handle", 0.3, 0.34, pushes=True)
+_press = one_joint("", "push", "prismatic", 0.8, back=FAR_BACK)
+_tip = one_joint("", "push", "revolute", 0.8, back=FAR_BACK)
+_lever = one_joint("lever", "grasp", "revolute", 0.6)
+_off = one_joint("lid", "grasp", "prismatic", at_least=0.06)
+_pull = one_joint("drawer", "grasp", "prismatic", 0.5)
+_door, _lid = (
+    one_joint(part, "grasp", "revolute", at_least=by) for part, by in (("door", 0.5), ("lid", 0.8))
+)
+
+
+def _knob(part: str, share: float = 0.0, *, at_least: float = 0.0) -> Chooser:
+    return one_joint(part, "grasp", "revolute", share, at_least=at_least, back=FAR_BACK)
+
+
 _KEYS, _GRIPS = {"controls": choice("keypad", "mixed")}, {"handle": choice("bar", "pocket")}
+_FLAT = {"burner": choice("radiant", "coil", "induction")}
+_LOCKED = {
+    "style": choice("home", "fire"),
+    "lock": choice("key", "dial"),
+    "handle": by("style", home="knob", fire="spokes"),
+}
 _Row = tuple[str, float, Chooser, Mapping[str, Any], bool]
 _ROWS: dict[str, _Row] = {  # category, time limit [s], stages, overrides, raised
     "PushDoor": ("door", 10.0, push_door, {"opener": "lever", "layout": "single"}, False),
     "PushToasterLever": ("toaster", 8.0, one_joint("lever", "push", "prismatic", 0.9), {}, False),
     "OpenFridge": ("refrigerator", 10.0, one_joint("door", "grasp", "revolute", at_least=0.16), {}, False),
-    "OpenDrawer": ("drawer", 10.0, one_joint("drawer", "grasp", "prismatic", 0.5), {}, False),
+    "OpenDrawer": ("drawer", 10.0, _pull, {}, False),
     "OpenDishwasher": ("dishwasher", 30.0, open_dishwasher, {"racks": choice(2, 3)}, False),
-    "PressMicrowaveButton": ("microwave", 5.0, _press_key, _KEYS, True),
-    "TurnFaucet": ("faucet", 6.0, one_joint("handle", "grasp", "revolute", 0.8, back=FAR_BACK), {}, False),
+    "PressMicrowaveButton": ("microwave", 5.0, _press, _KEYS, True),
+    "TurnFaucet": ("faucet", 6.0, _knob("handle", 0.8), {}, False),
     "OpenTrashcan": ("trashcan", 8.0, one_joint("pedal", "push", "revolute", 0.8), {"style": "pedal"}, False),
     "OpenMicrowave": ("microwave", 10.0, one_joint("door", "grasp", "revolute", at_least=0.4), _GRIPS, True),
     "OpenCabinet": ("cabinet", 10.0, one_joint("door", "grasp", "revolute", at_least=0.4), {}, False),
+    "OpenOven": ("oven", 12.0, _door, {}, False),
+    "OpenToasterOven": ("toaster_oven", 10.0, _door, {"style": "oven"}, True),
+    "OpenLaptop": ("laptop", 10.0, one_joint("screen", "grasp", "revolute", at_least=1.0), {}, True),
+    "OpenBox": ("box", 10.0, _lid, {"style": choice("mailer", "pizza")}, True),
+    "OpenKettle": ("kettle", 8.0, _lid, {"style": "spout"}, True),
+    "OpenBottle": ("bottle", 8.0, _lid, {"style": "flip"}, True),
+    "OpenDesk": ("table", 10.0, _pull, {"style": choice("desk", "side")}, False),
+    "OpenDetergentDrawer": ("washing_machine", 10.0, _pull, {"kind": "front"}, False),
+    "OpenWindow": ("window", 12.0, by_lever("", 0.3, 0.34), {"style": choice("casement", "awning")}, False),
+    "OpenSafe": ("safe", 20.0, by_lever("", 0.3, 0.34), _LOCKED, False),
+    "LiftToiletLid": ("toilet", 12.0, _lid, {}, False),
+    "LiftTrashcanLid": ("trashcan", 10.0, _lid, {"style": "lift"}, False),
+    "LiftBlenderLid": ("blender", 8.0, _off, {"style": choice("jug", "retro")}, True),
+    "LiftBlenderJug": ("blender", 10.0, by_lever("", 0.05, 0.055), {}, True),
+    "LiftCoffeeLever": ("coffee_machine", 10.0, _lever, {"style": "capsule"}, True),
+    "TurnStoveKnob": ("cooktop", 8.0, _knob("dial", at_least=0.8), _FLAT, True),
+    "TurnMixerKnob": ("stand_mixer", 8.0, _knob("knob", at_least=1.0), {}, True),
+    "TurnValve": ("valve", 16.0, _knob("lever", 0.8), {"style": choice("ball", "butterfly")}, True),
+    "TurnSpout": ("sink", 8.0, one_joint("spout", "grasp", "revolute", 0.4), {}, False),
+    "TurnHandle": ("handle", 8.0, _knob("handle", 0.8), {}, True),
+    "TurnDimmer": ("switch", 8.0, _knob("knob", at_least=1.0), {"style": "dimmer"}, True),
+    "FlipSwitch": ("switch", 6.0, _tip, {"style": "rocker"}, True),
+    "FlushToilet": ("toilet", 6.0, _press, {"flush": choice("button", "keys")}, False),
+    "PressCoffeeButton": ("coffee_machine", 6.0, _press, {}, True),
+    "PressLampButton": ("lamp", 6.0, _press, {"switch": "button"}, True),
+    "PressStapler": ("stapler", 6.0, _tip, {"style": choice("full", "half")}, True),
+    "PumpSoap": ("soap_dispenser", 6.0, _press, {"style": choice("bottle", "holder")}, True),
 }
 TASKS = {
     name: Task(name, category, seconds, _DOCS[name], choose, overrides, raised)
