@@ -14,7 +14,22 @@ import numpy as np
 import pytest
 
 import artgen
-from artgen import Body, Prismatic, Revolute, X, Y, Z, box, cylinder, material, part, union, weld
+from artgen import (
+    Body,
+    Prismatic,
+    Revolute,
+    X,
+    Y,
+    Z,
+    box,
+    cylinder,
+    hull,
+    material,
+    part,
+    union,
+    vector,
+    weld,
+)
 from artgen.asset import Asset
 from artgen.asset.certificate import Certificate, PairResult
 from artgen.asset.collision import with_colliders
@@ -267,6 +282,26 @@ def test_a_shaft_in_its_bore_is_proven_with_all_of_its_play() -> None:
     assert pair.clear
     assert pair.guaranteed is not None
     assert 5e-5 <= pair.guaranteed <= 0.0002  # less the facets of colliders, which are outside the block
+
+
+@pytest.mark.parametrize("gap", [0.0005, 0.002, 0.003, 0.0043])
+def test_measuring_proves_what_is_proven_where_fcl_takes_other_points_for_the_nearest(gap: float) -> None:
+    """FCL finds 3 mm between two leaning bars that are closer: no plane is as far from both."""
+    base = part(box(0.02, 0.4, 0.01).at(0.02, 0, -0.01), "base", STEEL)
+    for sign, name in ((-1, "front"), (1, "back")):
+        disc, low = cylinder(0.006, 0.003, axis=X), vector(0, sign * (0.1 + gap / 2), 0)
+        leaning = hull(disc.at(low), disc.at(0, sign * (gap / 2 + 0.006), 0.112))
+        turn = Revolute(f"turn_{name}", axis=-sign * X, pivot=low, limits=(0, 1.0))
+        base = base.attach(part(leaning, "bar", STEEL, name=f"bar_{name}"), turn)
+    asset = evaluated(base, "bars")
+    pairs = {}
+    for measure in (False, True):
+        found = certify(asset, measure=measure).pairs
+        (pairs[measure],) = (each for each in found if set(each.links) == {"bar_front", "bar_back"})
+    assert pairs[False].clear
+    assert pairs[True].clear, pairs[True]
+    assert pairs[True].found == pytest.approx(gap, rel=1e-3)
+    assert 0.8 * gap - 1e-4 <= pairs[True].guaranteed <= gap
 
 
 def test_a_contact_by_design_holds_for_its_pieces_its_depth_and_its_range() -> None:

@@ -20,6 +20,7 @@ _SQUARE = np.eye(3)
 _NORMAL_DECIMALS = 9
 _PARALLEL = 0.999  # cosine above which directions count as parallel
 _REQUEST = fcl.DistanceRequest(enable_nearest_points=True, enable_signed_distance=False)
+_NEAREST = 0.99  # least extent of the gap along the line of the nearest points, as a share of their distance
 _TOUCHING = 1e-9  # nodes nearer than this have no direction between them [m]
 
 
@@ -155,6 +156,17 @@ class Hierarchy:
         a, b = answer.nearest_points
         between = b - a
         return distance, between / max(_portable.norm(between), 1e-12)
+
+    def checked(
+        self, first: int, second: int, rotation: Array, offset: Array, distance: float, direction: Array
+    ) -> float:
+        """Return FCL's distance of two pieces, or the exact one if FCL's points are not the nearest [m]."""
+        a, b = (self._nodes[node].vertices for node in (first, second))
+        between = (b @ (rotation.T @ direction)).min() + offset @ direction - (a @ direction).max()
+        if between > _NEAREST * distance:
+            return distance
+        moved = self.hull(second).transform(np.column_stack([rotation, offset]))
+        return float(self.hull(first).min_gap(moved, distance))
 
     def _object(self, node: int, known: dict[int, Any]) -> Any:
         """Return a node at rest as an FCL object, from known ones if possible."""

@@ -215,8 +215,9 @@ class Search:
                 break
             a, b = int(first[row]), int(second[column])
             if np.isnan(self.depths(number, box, a, b)):
-                distance, _ = nodes.distance(a, b, rotation, offset)
+                distance, towards = nodes.distance(a, b, rotation, offset)
                 if 0.0 < distance < self._found[number] - _TIE:
+                    distance = nodes.checked(a, b, rotation, offset, distance, towards)
                     self._found[number], self.outcomes[number].found_at = distance, corners[box]
 
     def _threshold(self, cells: ProofCells) -> Array:
@@ -262,7 +263,7 @@ class Search:
         opened, rows, distance = opened[left], rows[left], distance[left]
         path = [motion[rows] for motion in path]
         ahead = Ahead(planes.first[rows], planes.second[rows], path, towards[still][left], frame[still][left])
-        return self._split(opened, distance, threshold[rows], table, ahead)
+        return self._split(opened, distance, threshold[rows], planes.best[rows], table, ahead)
 
     def _try_known(self, planes: Planes, cells: ProofCells, pose: Frames) -> None:
         """Try the plane from before the split, the direction between the centers and the main faces."""
@@ -333,7 +334,9 @@ class Search:
             if leaf[first] and leaf[second] and 0.0 < distances[index] < self._found[number] - _TIE:
                 if self._contacts[number] and not np.isnan(self._depth(cells, row)):
                     continue
-                self._found[number] = distances[index]
+                self._found[number] = self.nodes.checked(
+                    first, second, rotations[index], offsets[index], distances[index], directions[index]
+                )
                 count = len(self.joint_paths[number].variables)
                 self.outcomes[number].found_at = ((cells.low[row] + cells.high[row]) / 2.0)[:count]
         return distances, directions
@@ -389,7 +392,13 @@ class Search:
             self.outcomes[number].open.append((low, high, first, second, value))
 
     def _split(
-        self, cells: ProofCells, distance: Array, threshold: Array, table: JointTable, ahead: Ahead
+        self,
+        cells: ProofCells,
+        distance: Array,
+        threshold: Array,
+        best: Array,
+        table: JointTable,
+        ahead: Ahead,
     ) -> list[ProofCells]:
         """Split the larger node of each cell, or the cell."""
         nodes, table_rows = self.nodes, self._row[cells.joint_path]
@@ -402,7 +411,11 @@ class Search:
         stuck = self._hopeless(cells, distance, threshold, total)
         if stuck.any():
             self._witnesses.in_corners(cells, np.flatnonzero(stuck & self._are_pieces(cells)))
-            self._give_up(cells[stuck], distance[stuck])
+            # proven as far as required, only not as far as measured
+            enough = stuck & (threshold > 0.0) & (best > self.tolerances[cells.joint_path] + MARGIN)
+            if enough.any():
+                self._close(cells[enough], best[enough])
+            self._give_up(cells[stuck & ~enough], distance[stuck & ~enough])
         result = []
         halve = np.flatnonzero(~divide & ~stuck)
         if len(halve):
