@@ -177,12 +177,12 @@ def _skin(mesh: Mesh, labels: Sequence[str], reach: float, label: str = "", piec
     chosen = np.flatnonzero(proper)
     turned = np.argmin(faces[chosen], axis=1)[:, None] + np.arange(3)
     _, first, _ = distinct_rows(np.take_along_axis(faces[chosen], turned % 3, axis=1))
-    doubled = len(chosen) - len(first)
+    second = np.delete(chosen, first)  # triangles that lie on others
     chosen = chosen[np.sort(first)]
     faces = faces[chosen]
     unpaired, twisted, neighbors = _edges(points, faces)
     faulty = np.concatenate([unpaired, twisted])
-    places = [*points[faulty[:1, 0]], *corners[against[:1], 0], np.zeros(3)]
+    places = [*corners[second[:1], 0], *points[faulty[:1, 0]], *corners[against[:1], 0], np.zeros(3)]
     shells = []
     for of_shell in _parts(faces, neighbors):
         name = labels[chosen[of_shell[0]]] if len(labels) > 1 else labels[0]
@@ -192,7 +192,7 @@ def _skin(mesh: Mesh, labels: Sequence[str], reach: float, label: str = "", piec
         tuple(shells),
         open_edges=len(unpaired),
         turned_edges=len(twisted),
-        doubled=doubled,
+        doubled=len(second),
         flat=int((height < _FLAT).sum()),
         against=len(against),
         place=places[0],

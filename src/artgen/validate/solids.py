@@ -35,6 +35,10 @@ _ROUNDING = 1e-3  # relative tolerance; meshes in files are rounded to 0.1 micro
 _FORMATS = "urdf or mjcf among the formats"
 # faults of a surface by the field that counts them: message and remedy
 _FLAWS = {
+    "doubled": (
+        "has {} triangles that lie on others of the same winding, {at}",
+        "remove a second copy of a solid; unite overlapping solids with | if they have faces in one plane",
+    ),
     "open_edges": (
         "is not closed: {} edges have a face on one side only, {at}",
         "close the surface, or export the asset again",
@@ -46,10 +50,6 @@ _FLAWS = {
     "against": (
         "has {} triangles that lean away from their normals, {at}",
         "a corner was moved or a winding turned; a face stands within 60 degrees of the mean of its normals",
-    ),
-    "doubled": (
-        "has {} triangles that lie on others of the same winding",
-        "remove the second copy of the solid",
     ),
     "flat": ("has {} triangles without area of {triangles}", "cut it with fewer coplanar faces"),
 }
@@ -119,6 +119,8 @@ def _surface_findings(link: Link, skin: LinkShells) -> Iterator[Finding]:
         if count > (_MANY_FLAT * skin.triangles if field == "flat" else 0):
             text = message.format(count, at=at, triangles=skin.triangles)
             yield _fault(f"{name} {text}", link.name, value=float(count), hint=hint)
+            if field == "doubled":
+                return  # edges are counted without the second triangles
 
 
 def _orientation_findings(link: Link, shells: Sequence[Shell]) -> Iterator[Finding]:
