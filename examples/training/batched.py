@@ -20,7 +20,7 @@ from typing import Any
 import numpy as np
 import torch
 from batched_maths import rewarded
-from batched_worlds import Worlds, structured
+from batched_worlds import Worlds, color, structured
 from gymnasium import spaces
 from numpy.typing import NDArray
 from ppo import SETTINGS, Progress
@@ -30,7 +30,7 @@ from stable_baselines3.common.vec_env import VecEnv, VecMonitor, VecNormalize
 from artgen import Asset, generate
 from artgen.batch import Common, groups
 from artgen.envs import TASKS, ManipulationEnv, Task
-from artgen.envs.env import BONUS, JITTER, RATE, STATE
+from artgen.envs.env import BONUS, JITTER, PROPRIOCEPTION, RATE, STATE
 from artgen.envs.motion import Target
 from artgen.envs.scene import TaskScene, compiled
 from artgen.envs.task import Assets, Source, compiled_asset
@@ -47,6 +47,8 @@ class BatchedTask(VecEnv):
         seed: Seed of the first postures of the arms.
         spread: Whether the first episodes end one after another: else the short rollouts of learning are all
             of the same part of an episode.
+        pictures: Pixels on a side of pictures; 0: observations are the state. With pictures, which show
+            colliders, observations have the keys of those of `ManipulationEnv` with `obs="rgb"`.
 
     Raises:
         EnvError: No asset is suitable for the task.
@@ -67,6 +69,7 @@ class BatchedTask(VecEnv):
         *,
         seed: int | None = None,
         spread: bool = False,
+        pictures: int = 0,
     ) -> None:
         if worlds < 1:
             raise ParameterError(f"worlds = {worlds!r} is not allowed: it must be at least 1")
@@ -75,9 +78,13 @@ class BatchedTask(VecEnv):
         scenes, targets = _fit(self.task, assets, worlds)
         self.groups = _groups(scenes, targets, worlds)
         self.names = [scenes[number % len(scenes)].asset.name for number in range(worlds)]
-        self.render_mode = None  # there are no pictures
-        box = spaces.Box(-np.inf, np.inf, (STATE,), np.float32)
-        super().__init__(worlds, box, spaces.Box(-1.0, 1.0, (7,), np.float32))
+        self.render_mode = None
+        self.pictures = pictures
+        seen: spaces.Space[Any] = _numbers(STATE)
+        if pictures:
+            picture = spaces.Box(0, 255, (pictures, pictures, 3), np.uint8)
+            seen = spaces.Dict({"rgb": picture, "hand_rgb": picture, "robot": _numbers(PROPRIOCEPTION)})
+        super().__init__(worlds, seen, spaces.Box(-1.0, 1.0, (7,), np.float32))
         self._actions = np.zeros((worlds, 7))
         self._ages = np.zeros(worlds, int)
         self._first_ages = np.arange(worlds) * self.steps // worlds * spread
@@ -85,8 +92,8 @@ class BatchedTask(VecEnv):
             np.random.default_rng(None if seed is None else [seed, number]) for number in range(worlds)
         ]
 
-    def reset(self) -> NDArray[np.float32]:
-        """Begin an episode in every world; return the observations, shape (worlds, 47)."""
+    def reset(self) -> Any:
+        """Begin an episode in every world; return the observations, shape (worlds, 47) without pictures."""
         for number, seed in enumerate(self._seeds):
             if seed is not None:
                 self._rngs[number] = np.random.default_rng(seed)
@@ -97,7 +104,7 @@ class BatchedTask(VecEnv):
             self.begin(worlds, numbers, everywhere)
             result[numbers] = worlds.goals.observe(worlds.seen())[0].cpu().numpy()
         self._ages[:] = self._first_ages
-        return result
+        return self._observations(result)
 
     def begin(
         self, worlds: Worlds, numbers: NDArray[np.int64], ended: NDArray[np.bool_], arms: Any = None
@@ -125,9 +132,7 @@ class BatchedTask(VecEnv):
             raise ParameterError(f"actions of {self.num_envs} worlds are finite, shape ({self.num_envs}, 7)")
         self._actions = np.clip(np.asarray(actions, float), -1.0, 1.0)
 
-    def step_wait(
-        self,
-    ) -> tuple[NDArray[np.float32], NDArray[np.float32], NDArray[np.bool_], list[dict[str, Any]]]:
+    def step_wait(self) -> tuple[Any, NDArray[np.float32], NDArray[np.bool_], list[dict[str, Any]]]:
         """Simulate the actions; return observations, rewards, whether each world ended, and infos.
 
         A world that ended has begun again: its last observation is the `terminal_observation` of its info.
@@ -157,10 +162,13 @@ class BatchedTask(VecEnv):
         observations[broken] = gained[broken] = 0.0
         late = self._ages >= self.steps
         ended = success | late | broken
+        last = self._observations(observations.copy()) if ended.any() else observations
         for number, info in enumerate(infos):
             info["success"] = bool(success[number])
             if ended[number]:
-                info["terminal_observation"] = observations[number].copy()
+                info["terminal_observation"] = (
+                    {name: each[number] for name, each in last.items()} if self.pictures else last[number]
+                )
                 info["TimeLimit.truncated"] = bool(late[number] and not success[number])
         for worlds, numbers in self.groups:
             if ended[numbers].any():
@@ -168,7 +176,20 @@ class BatchedTask(VecEnv):
                 fresh = ended[numbers]
                 begun = worlds.goals.observe(worlds.seen())[0].cpu().numpy()
                 observations[numbers[fresh]] = begun[fresh]
-        return observations, gained, ended, infos
+        return self._observations(observations), gained, ended, infos
+
+    def _observations(self, states: NDArray[np.float32]) -> Any:
+        """Return the observations of all worlds in a state, shape (worlds, 47)."""
+        if not self.pictures:
+            return states
+        shape = (self.num_envs, self.pictures, self.pictures, 3)
+        result: dict[str, Any] = {"robot": states[:, :PROPRIOCEPTION]}
+        result |= {key: np.zeros(shape, np.uint8) for key in ("rgb", "hand_rgb")}
+        for worlds, numbers in self.groups:
+            drawn = worlds.pictures(self.pictures)
+            for key, camera in (("rgb", "front"), ("hand_rgb", "hand")):
+                result[key][numbers] = (255.0 * drawn[camera].clamp(0.0, 1.0)).byte().cpu().numpy()
+        return result
 
     def close(self) -> None:
         """Free the models."""
@@ -189,6 +210,10 @@ class BatchedTask(VecEnv):
     def env_is_wrapped(self, wrapper_class: Any, indices: Any = None) -> list[bool]:
         """Tell that no world is wrapped."""
         return [False] * len(list(self._get_indices(indices)))
+
+
+def _numbers(count: int) -> spaces.Space[Any]:
+    return spaces.Box(-np.inf, np.inf, (count,), np.float32)
 
 
 def _fit(task: Task, source: Source, most: int) -> tuple[list[TaskScene], list[Target]]:
@@ -212,6 +237,7 @@ def _fit(task: Task, source: Source, most: int) -> tuple[list[TaskScene], list[T
     scenes = [TaskScene(asset, compiled(asset, common=common[id(asset)])) for asset, _ in found]
     targets = [target for _, target in found]
     for scene, target in zip(scenes, targets, strict=True):
+        color(scene)
         scene.place(target, target.arm)
     return scenes, targets
 
@@ -241,10 +267,13 @@ def _groups(
 
 def learn(batch: BatchedTask, steps: int, seed: int, out: Path) -> None:
     """Train with PPO; write the policy and the normalization of observations."""
-    training = VecNormalize(VecMonitor(batch, info_keywords=("success",)), gamma=0.99)
-    model = PPO(
-        "MlpPolicy", training, n_steps=max(4096 // batch.num_envs, 16), **SETTINGS, seed=seed, device="cpu"
+    numbers = ["robot"] if batch.pictures else None
+    training = VecNormalize(VecMonitor(batch, info_keywords=("success",)), gamma=0.99, norm_obs_keys=numbers)
+    policy, steps_of_each = (
+        "MultiInputPolicy" if batch.pictures else "MlpPolicy",
+        max(4096 // batch.num_envs, 16),
     )
+    model = PPO(policy, training, n_steps=steps_of_each, **SETTINGS, seed=seed, device="cpu")
     model.learn(steps, callback=Progress())
     out.mkdir(parents=True, exist_ok=True)
     model.save(out / "policy")
@@ -266,7 +295,8 @@ def speeds(batch: BatchedTask, seeds: range, steps: int) -> tuple[float, float]:
     for _ in range(steps):
         batch.step(rng.uniform(-1.0, 1.0, (batch.num_envs, 7)))
     together = batch.num_envs * steps / (time.perf_counter() - start)
-    env = ManipulationEnv(batch.task, seeds, shuffle=False)
+    sizes = {"obs": "rgb", "size": batch.pictures} if batch.pictures else {}
+    env = ManipulationEnv(batch.task, seeds, shuffle=False, **sizes)
     for _ in seeds:
         env.reset()  # makes the models
     start = time.perf_counter()
@@ -285,6 +315,7 @@ def main() -> None:
     parser.add_argument("--worlds", type=int, default=64)
     parser.add_argument("--steps", type=int, default=200, help="timed actions of each world; 0 for none")
     parser.add_argument("--learn", type=int, default=0, help="steps of the training, of all worlds together")
+    parser.add_argument("--pictures", type=int, default=0, help="pixels on a side of observed pictures")
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--out", type=Path, default=Path("batched"))
     options = parser.parse_args()
@@ -292,7 +323,14 @@ def main() -> None:
     assets = [
         generate(task.category, seed, topology="fixed", certify="later", **task.overrides) for seed in seeds
     ]
-    batch = BatchedTask(options.task, assets, options.worlds, seed=options.seed, spread=options.learn > 0)
+    batch = BatchedTask(
+        options.task,
+        assets,
+        options.worlds,
+        seed=options.seed,
+        spread=options.learn > 0,
+        pictures=options.pictures,
+    )
     print(
         f"{options.worlds} worlds of {len(set(batch.names))} assets in {len(batch.groups)} groups", flush=True
     )

@@ -6,6 +6,7 @@ Places, sizes, masses and meshes differ from world to world.
 
 from collections.abc import Hashable, Sequence
 from contextlib import nullcontext
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -14,15 +15,18 @@ from batched_maths import Goals, jacobians, rotations, torques
 
 from artgen.batch import joined, structure
 from artgen.envs.motion import Target
-from artgen.envs.robot import LIMITS, OPENING, POSITION, ROTATION
-from artgen.envs.scene import SHUT, STEPS, STEPS_OF_TORQUES, TaskScene
+from artgen.envs.robot import LIMITS, OPENING, POSITION, PREFIX, ROTATION
+from artgen.envs.scene import CAMERAS, SHUT, STEPS, STEPS_OF_TORQUES, TaskScene
+from artgen.export.meshes import display_color
 
 _CONTACTS, _CONSTRAINTS = 96, 384  # room in each world; MuJoCo Warp warns if there are more
 # arrays of the state: those that are set, and those that are only read
 _STATE = ("qpos", "qvel", "ctrl", "qacc_warmstart")
 _FOUND = ("xpos", "xmat", "xaxis", "xanchor", "site_xpos", "site_xmat", "qfrc_bias", "M")
-# places of bodies, shapes and sites
+_SEEN_GROUPS, _ROBOT_COLOR = [2, 3], (0.85, 0.85, 0.86)  # surroundings and colliders
+# places of bodies, shapes, sites, cameras and lights
 _PLACES = ("xpos", "xquat", "xmat", "xipos", "ximat", "geom_xpos", "geom_xmat", "site_xpos", "site_xmat")
+_PLACES += ("cam_xpos", "cam_xmat", "light_xpos", "light_xdir")
 
 
 class Worlds:
@@ -48,6 +52,7 @@ class Worlds:
         self._model = joined(first.model, models, of)
         self._data = mujoco_warp.make_data(first.model, nworld=len(of), nconmax=_CONTACTS, njmax=_CONSTRAINTS)
         self._graph: Any = None  # of CUDA, recorded at the first action
+        self._scenes, self._drawn = scenes, _Drawn()
         device = "cuda" if self._data.qpos.device.is_cuda else "cpu"
         self.goals = Goals(scenes, targets, of, device)
         hand = first.control
@@ -146,6 +151,76 @@ class Worlds:
             "bias": views["qfrc_bias"][:, self._dofs],
             "opening": first - second,
         }
+
+    def pictures(self, size: int) -> dict[str, torch.Tensor]:
+        """Return a picture of each world from each of the `CAMERAS`, shape (n, size, size, 3), 0-1.
+
+        They show colliders in the colors of their materials.
+        """
+        engine, model, data = self._engine, self._model, self._data
+        if self._drawn.size != size:
+            self._drawn = _Drawn.of(self._scenes, data.nworld, size)
+        self._settle()
+        engine.refit_bvh(model, data, self._drawn.context)
+        engine.render(model, data, self._drawn.context)
+        result = {}
+        for number, name in enumerate(CAMERAS):
+            colors = self._warp.zeros((data.nworld, size, size), dtype=self._warp.vec3)
+            engine.get_rgb(self._drawn.context, number, colors)
+            self._warp.synchronize()
+            result[name] = self._warp.to_torch(colors)
+        return result
+
+
+@dataclass
+class _Drawn:
+    """The renderer of worlds, and the renderers whose surfaces it uses."""
+
+    size: int = 0
+    context: Any = None
+    others: Sequence[Any] = ()
+
+    @classmethod
+    def of(cls, scenes: Sequence[TaskScene], worlds: int, size: int) -> "_Drawn":
+        """Return the renderer of worlds whose meshes are those of all scenes, as in the joined model."""
+        import mujoco_warp
+        import warp
+
+        contexts = [
+            mujoco_warp.create_render_context(
+                scene.model,
+                nworld=worlds if scene is scenes[0] else 1,
+                cam_res=(size, size),
+                cam_active=list(CAMERAS.values()),
+                render_rgb=True,
+                render_depth=False,
+                use_textures=False,
+                enabled_geom_groups=_SEEN_GROUPS,
+                enable_vertex_normals=False,
+                enable_specular=False,
+                background_color=(0.6, 0.6, 0.6, 1.0),
+            )
+            for scene in scenes
+        ]
+        first = contexts[0]
+        for name in ("mesh_bvh_id", "mesh_bounds_size"):
+            values = np.concatenate([getattr(each, name).numpy() for each in contexts])
+            old = getattr(first, name)
+            setattr(first, name, warp.array(values, dtype=old.dtype, device=old.device))
+        return cls(size, first, contexts[1:])
+
+
+def color(scene: TaskScene) -> None:
+    """Give the colliders of a scene the colors of their materials."""
+    model = scene.model
+    for body in range(model.nbody):
+        numbers = np.flatnonzero((model.geom_bodyid == body) & (model.geom_group == _SEEN_GROUPS[1]))
+        name = model.body(body).name
+        if name.startswith(PREFIX):
+            model.geom_rgba[numbers, :3] = _ROBOT_COLOR
+        elif len(numbers):
+            for number, each in zip(numbers, scene.asset.link(name).colliders, strict=True):
+                model.geom_rgba[number, :3] = display_color(each.material.base_color)
 
 
 def structured(scene: TaskScene) -> tuple[Hashable, Any]:

@@ -739,8 +739,9 @@ def joined(mujoco_model: Any, models: Sequence[Any], of: Sequence[int]) -> Any:
         return models[0]
     values: dict[str, list[Any]] = {}
     for name in _batched(models[0]):
-        if not name.startswith(_SEEN):
-            values[name] = [getattr(model, name).numpy()[0] for model in models]
+        each = [getattr(model, name).numpy()[0] for model in models]
+        if len({value.shape for value in each}) == 1:  # what cameras see may be in one model only
+            values[name] = each
     meshes = 0
     for number, model in enumerate(models):
         of_mesh = values["geom_dataid"][number]

@@ -2,6 +2,7 @@
 
 import sys
 from dataclasses import replace
+from itertools import product
 from pathlib import Path
 
 import numpy as np
@@ -17,6 +18,7 @@ import artgen  # noqa: E402
 from artgen.envs import TASKS, ManipulationEnv  # noqa: E402
 from artgen.envs.env import dense, reward  # noqa: E402
 from artgen.envs.policy import ScriptedPolicy  # noqa: E402
+from artgen.envs.scene import CAMERAS  # noqa: E402
 from artgen.errors import ParameterError  # noqa: E402
 
 TIP = 1e-5  # single precision after an episode [m]
@@ -251,3 +253,40 @@ def test_wrong_arguments_are_errors(batched, pair):
         batched.BatchedTask("OpenDrawer", range(1), 0)
     with pytest.raises(ParameterError, match="actions of 2 worlds"):
         pair.step(np.zeros((3, 7)))
+
+
+@needs_warp
+def test_pictures_show_the_asset_of_each_world(batched, padded):
+    """Rays of MuJoCo meet the colliders whose colors the pixels have; lights are white."""
+    mujoco, size = pytest.importorskip("mujoco"), 48
+    task = batched.BatchedTask("OpenDrawer", padded, 2, seed=0, pictures=size)
+    seen = task.reset()
+    scenes, _ = batched._fit(task.task, padded, 2)
+    assert seen["robot"].shape == (2, 30)
+    groups = np.array([0, 0, 1, 1, 0, 0], np.uint8)
+    for (number, scene), (key, camera) in product(
+        enumerate(scenes), (("rgb", "front"), ("hand_rgb", "hand"))
+    ):
+        model, data = scene.model, scene.data
+        data.qpos[:] = task.groups[0][0].seen()["qpos"][number]
+        mujoco.mj_forward(model, data)
+        eye = model.camera(CAMERAS[camera]).id
+        half, found = np.tan(np.radians(model.cam_fovy[eye]) / 2.0), []
+        for row, column in np.random.default_rng(0).integers(0, size, (300, 2)):
+            across = half * (2.0 * np.array([column + 0.5, size - row - 0.5]) / size - 1.0)
+            ray = data.cam_xmat[eye].reshape(3, 3) @ np.array([*across, -1.0])
+            met = np.zeros(1, np.int32)
+            mujoco.mj_ray(model, data, data.cam_xpos[eye], ray, groups, 1, -1, met)
+            pixel = seen[key][number, row, column].astype(float)
+            wanted = model.geom_rgba[met[0], :3] if met[0] >= 0 else np.full(3, 0.6)
+            shares = [each / max(each.sum(), 1e-9) for each in (pixel, wanted)]
+            found.append(np.abs(shares[0] - shares[1]).max() < 0.02 or pixel.sum() < 30)
+        assert np.mean(found) > 0.97, f"{key} of {scene.asset.name}: {np.mean(found):.2f} of the pixels"
+    still = np.zeros((2, 7))
+    while True:
+        after, _, ended, infos = task.step(still)
+        if ended.any():
+            break
+    last = infos[0]["terminal_observation"]
+    assert set(last) == set(after) == {"rgb", "hand_rgb", "robot"}
+    assert last["rgb"].shape == after["rgb"][0].shape == (size, size, 3)
