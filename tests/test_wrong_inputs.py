@@ -7,6 +7,7 @@ import sys
 from collections.abc import Callable
 from math import inf, nan
 from pathlib import Path
+from typing import Literal
 
 import numpy as np
 import pytest
@@ -413,7 +414,8 @@ def test_bodies_that_are_made_for_a_choice_may_be_left_out():
     category = ag.generator(chosen)
     links = {kind: len(category.generate(certify=False, kind=kind).links) for kind in ("plain", "lidded")}
     assert links == {"plain": 1, "lidded": 2}
-    notes = category.check_source(category, 0, overrides={"kind": "plain"}).findings
+    plain = category.generate(certify=False, kind="plain")
+    notes = category.check_source(category, plain, overrides={"kind": "plain"}).findings
     assert [note.severity for note in notes] == ["note"]
     assert re.fullmatch(r"the body of attach at \S+ is not in the asset; return, .*", str(notes[0]))
 
@@ -432,11 +434,73 @@ def test_a_parameter_that_is_never_used_is_told():
 
         return ag.part([wall(number) for number in range(walls)], "tray", OAK)
 
-    notes = ag.generator(tray).check_source(ag.generator(tray), 0).findings
+    category = ag.generator(tray)
+    notes = category.check_source(category, category.generate(certify=False)).findings
     assert [note.severity for note in notes] == ["note"]
     assert re.fullmatch(
         r"the parameter 'spare' at \S+ is never used; use it in the function, or remove it", str(notes[0])
     )
+
+
+COUNTED = [0]
+
+
+def test_likely_mistakes_of_a_function_are_told():
+    @ag.category(labels="base", joints=(1, 2))
+    def stand(*, style: Literal["round", "square"] = ag.choice("round", "square")) -> ag.Body:
+        """Make a base."""
+        COUNTED[0] += 1
+        solid = ag.cylinder(0.1, 0.1) if style == "rond" else ag.box(0.2, 0.2, 0.1 + 0.001 * COUNTED[0])
+        if style in ("square", "other"):
+            solid = solid.rotate(ag.Z, 90)
+        return ag.part(solid, "base", OAK)
+
+    asset = stand.generate(certify=False, style="square")
+    found = {
+        str(each): each.severity
+        for each in stand.check_source(stand, asset, overrides=asset.parameters).findings
+    }
+    assert list(found.values()) == ["note", "note", "note", "fault", "fault"]
+    here = re.escape(__file__)
+    patterns = (
+        rf"style is compared with 'rond' at {here}:\d+; it never has that value. Did you mean 'round'\?",
+        rf"style is compared with 'other' at {here}:\d+; it never has that value. Allowed: round, square\.",
+        rf"rotate at {here}:\d+ turns by 90 rad, 14.3 turns; angles are in radians: math.radians\(90\)",
+        rf"the asset has 0 joints, but @category\(joints=\(1, 2\)\) is declared; declare .* at {here}:\d+",
+        rf"the same seed gives another asset .*; box at {here}:\d+ differs: z was 0\.\d+, then 0\.\d+; .*",
+    )
+    for text, pattern in zip(found, patterns, strict=True):
+        assert re.fullmatch(pattern, text), text
+
+
+@pytest.mark.parametrize(
+    ("mistake", "message"),
+    [
+        (lambda a, b, w: ag.Revolute("h", axis=ag.X, limit=(0, 1)), r"'limit'\. Did you mean 'limits'\?"),
+        (lambda a, b, w: ag.box(w, w, w, bevl=0.1), r"'bevl'\. Did you mean 'bevel'\?"),
+        (lambda a, b, w: ag.box(w, w, w).translate(x=1), r"'translate'\. Did you mean 'at'\?"),
+        (lambda a, b, w: a.attach(a, HINGE), "a body cannot be attached to itself"),
+        (
+            lambda a, b, w: ag.Revolute("h", axis=ag.X, needs=w > 0.1),
+            "a comparison of a joint, as in hinge > 0.6",
+        ),
+        (lambda a, b, w: ag.Revolute("h", axis=(1, 0)), "write X, Y, Z or three numbers"),
+        (
+            lambda a, b, w: ag.Revolute("h", axis=ag.X, feel="HINGE"),
+            "write a preset, as feel=artgen.feel.HINGE",
+        ),
+        (lambda a, b, w: ag.Revolute("h", axis=ag.X, spring=5), r"write spring=artgen.Spring\(\.\.\.\)"),
+        (lambda a, b, w: f"{w:.2f}", r"a handle used as a plain number.*\s.*\s.*\s.*make the parameter"),
+    ],
+)
+def test_a_mistake_in_a_call_names_the_remedy_and_the_line(mistake, message):
+    def thing(*, wide: ag.Float = ag.uniform(0.1, 0.2)) -> ag.Body:
+        mistake(cube("a"), cube("b"), wide)
+        return cube()
+
+    with pytest.raises(ag.BuildError, match=message) as caught:
+        ag.generator(thing).generate(certify=False)
+    assert f"at {__file__}:" in str(caught.value)
 
 
 def test_a_folder_of_assets_is_no_asset(asset, tmp_path):

@@ -230,3 +230,23 @@ def test_a_tree_of_operations_is_the_same_twice():
         )
 
     assert same_bytes(value(make()), value(make()))
+
+
+def test_a_long_chain_of_unions_works_and_one_of_cuts_names_the_authors_line():
+    chain = start = box(0.2, 0.1, 0.1)
+    knobs = [box(0.01, 0.01, 0.02).at(x=0.0001 * number, z=0.05) for number in range(600)]
+    for knob in knobs:
+        chain = chain | knob
+    shape = value(chain)
+    assert shape.manifold.volume() == pytest.approx(value(csg.union(start, *knobs)).manifold.volume())
+    assert len(shape.pieces.outer(0.001)) == 601
+    for knob in knobs[:180]:
+        start = start - knob
+    assert len(value(start).pieces.outer(0.001)) > 0
+    for knob in knobs[:30]:
+        start = start - knob
+    message = (
+        r"difference failed: .* more than 200 operations, .* solid - union\(\*cutters\)\s+at .*test_csg.py"
+    )
+    with pytest.raises(EvaluationError, match=message):
+        value(start)

@@ -60,7 +60,7 @@ def test_a_sample_that_collides_fails_unless_it_may_be_drawn_again():
 def test_a_number_of_joints_that_is_not_declared_is_told():
     stool = Generator(stand.function, ("body", "drawer"), (2, 3))
     text = failure(stool, seeds=[1], checks=["tree"])
-    assert "joints: it has 1, and @category(joints=(2, 3)) is declared" in text
+    assert "the asset has 1 joints, but @category(joints=(2, 3)) is declared" in text
 
 
 def test_what_changes_from_run_to_run_is_told():

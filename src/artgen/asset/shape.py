@@ -53,6 +53,7 @@ class Curve(FrozenArrays):
 
 GRAIN = 1e12  # steps per metre to which coordinates are rounded: machines and versions of NumPy differ beyond
 _NEEDLE = 1e-9  # height below which a triangle is degenerate [m]
+_DEEP = 64  # unions in one another after which the surface is computed at once
 
 
 @dataclass(frozen=True, eq=False)
@@ -396,10 +397,14 @@ class UnitedShape(_LazyShape):
     """The union of solids, which is a solid; many unions are never looked at, as their parts collide."""
 
     shapes: tuple[Shape, ...]
+    depth: int  # number of unions in one another
 
     def __init__(self, shapes: Sequence[Shape], pieces: Pieces, paints: Mapping[int, Material]) -> None:
         members = tuple(member for shape in shapes for member in shape.members)
-        super().__init__(paints, members, shapes=tuple(shapes), pieces=pieces)
+        depth = 1 + max((each.depth for each in shapes if isinstance(each, UnitedShape)), default=0)
+        super().__init__(paints, members, shapes=tuple(shapes), pieces=pieces, depth=depth)
+        if depth % _DEEP == 0:  # so that a chain of unions is not computed by one nested call for each
+            _ = self.manifold, self._bounds
 
     @cached_property
     def manifold(self) -> Manifold:

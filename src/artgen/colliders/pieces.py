@@ -14,6 +14,7 @@ from artgen.colliders.split import Faceted, intersect, joined, subtract
 Cover = tuple[Convex, ...]
 
 _MANY = 10**9  # more than the vertices of any piece
+_DEEPEST = 200  # operations of a chain; each takes four of Python's thousand nested calls
 _LITTLE = 0.97  # share of the cover of a round solid below which a cut keeps the closer one
 _ADDED = 1.015  # volume of a cover, in volumes of a closer one, above which a cut keeps the closer one
 
@@ -26,6 +27,10 @@ class Pieces:
         inner: Function of the tolerance for the pieces inside the solid.
         declared: Function that returns the pieces within which the outer ones may stand off from the solid.
         closer: Pieces with finer shapes for cuts that leave little of the solid, such as the walls of a cup.
+        combined: The pieces that the functions ask.
+
+    Raises:
+        ValueError: The solid is the last of a long chain of operations.
     """
 
     def __init__(
@@ -34,8 +39,15 @@ class Pieces:
         inner: Callable[[float], Cover],
         declared: Callable[[], Cover] = tuple,
         closer: "Pieces | None" = None,
+        combined: Sequence["Pieces"] = (),
     ) -> None:
         self._outer, self._inner, self.declared, self.closer = outer, inner, declared, closer
+        self._depth: int = 1 + max((each._depth for each in combined), default=0)
+        if self._depth > _DEEPEST:
+            raise ValueError(
+                f"it ends a chain of more than {_DEEPEST} operations, each on the result of the one before: "
+                "take many solids at once, as in union(*solids) or solid - union(*cutters)"
+            )
         self._known: dict[tuple[str, float, int], Cover] = {}
 
     def outer(self, tolerance: float) -> Cover:
@@ -117,23 +129,37 @@ class _Transformed(Pieces):
 
         closer = base.closer and base.closer.transformed(matrix)
         super().__init__(
-            outer, inner, lambda: tuple(piece.transformed(matrix) for piece in base.declared()), closer
+            outer,
+            inner,
+            lambda: tuple(piece.transformed(matrix) for piece in base.declared()),
+            closer,
+            [base],
         )
 
     def transformed(self, matrix: Array) -> Pieces:
         return self._base.transformed(matrix @ self._matrix)
 
 
+class _United(Pieces):
+    """The cover of a union; unions of unions have one level, so that long chains do not recurse."""
+
+    def __init__(self, members: Sequence[Pieces]) -> None:
+        closer = [part.closer or part for part in members] if any(part.closer for part in members) else ()
+        super().__init__(
+            lambda tolerance: tuple(piece for part in members for piece in part.outer(tolerance)),
+            lambda tolerance: tuple(piece for part in members for piece in part.inner(tolerance)),
+            lambda: tuple(piece for part in members for piece in part.declared()),
+            union(*closer) if closer else None,
+            members,
+        )
+        self.members = tuple(members)
+
+
 def union(*pieces: Pieces) -> Pieces:
     """Return the cover of the union."""
     if len(pieces) == 1:
         return pieces[0]
-    return Pieces(
-        lambda tolerance: tuple(piece for part in pieces for piece in part.outer(tolerance)),
-        lambda tolerance: tuple(piece for part in pieces for piece in part.inner(tolerance)),
-        lambda: tuple(piece for part in pieces for piece in part.declared()),
-        union(*(part.closer or part for part in pieces)) if any(part.closer for part in pieces) else None,
-    )
+    return _United([each for part in pieces for each in getattr(part, "members", (part,))])
 
 
 def difference(solid: Pieces, cutter: Pieces) -> Pieces:
@@ -146,6 +172,7 @@ def difference(solid: Pieces, cutter: Pieces) -> Pieces:
         lambda tolerance: _cut(_inside(solid, tolerance), _outside(cutter, tolerance)),
         solid.declared,
         closer,
+        [solid, cutter],
     )
 
 
@@ -164,6 +191,7 @@ def intersection(first: Pieces, second: Pieces) -> Pieces:
         lambda tolerance: common(_inside(first, tolerance), _inside(second, tolerance)),
         lambda: first.declared() + second.declared(),
         closer,
+        [first, second],
     )
 
 

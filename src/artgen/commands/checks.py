@@ -90,7 +90,7 @@ def _source_results(source: str, asset: Asset, overrides: Mapping[str, Any]) -> 
     if Path(source).is_dir() or asset.seed is None:
         return []
     again, checked = find(source), find(source)  # a file is executed each time
-    return [checked.check_source(again, asset.seed, attempt=asset.attempt, overrides=overrides)]
+    return [checked.check_source(again, asset, overrides=overrides)]
 
 
 def _picture(asset: Asset, certificate: Certificate, out: Path) -> str:

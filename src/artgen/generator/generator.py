@@ -10,6 +10,7 @@ import inspect
 import linecache
 import math
 import operator
+import re
 import sys
 from collections import OrderedDict
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -17,7 +18,7 @@ from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
-from typing import Any, Literal, get_args
+from typing import Any, Literal, get_args, get_origin
 
 from artgen._arrays import without_collector
 from artgen._names import check_name
@@ -154,6 +155,10 @@ def _release() -> None:
                     value.cache_clear()
 
 
+# Python's message for an unknown keyword; both kinds of joints share a constructor
+_UNKNOWN = re.compile(r"(?:\w+, )*(?P<function>\w+)\(\) got an unexpected keyword argument '(?P<name>\w+)'")
+_ROTATIONS = ("rotate", "rotate_body", "profile_rotate")
+_MOVES = ("translate", "translated", "move", "moved", "position")  # other names of `at`
 _MOST = 4  # most bodies in the cache
 _MOST_OPTIONS = 8  # most options of a structural parameter that are tried for whether it acts
 _DRAWS = 500  # draws for an estimated probability
@@ -221,10 +226,17 @@ def _never_drawn(arguments: Mapping[str, Any], own: Mapping[str, Parameter]) -> 
 def _correction(error: BaseException) -> str:
     """Return the likeliest correction of an error in an author's function."""
     if isinstance(error, AttributeError) and error.obj is not None:
+        if error.name in _MOVES and hasattr(error.obj, "at"):
+            return ". Did you mean 'at'?"
         near = nearest(error.name or "", [name for name in dir(error.obj) if not name.startswith("_")])
         return f".{near}" if near.endswith("?") else ""
     if isinstance(error, TypeError) and "positional arguments but" in str(error):
         return "; give the others by name, as in axis=Z"
+    unknown = _UNKNOWN.match(str(error)) if isinstance(error, TypeError) else None
+    called = getattr(sys.modules["artgen"], unknown["function"], None) if unknown else None
+    if unknown and callable(called):
+        names = [name for name in inspect.signature(called).parameters if name not in ("self", "options")]
+        return f".{nearest(unknown['name'], names)}"
     return "; use artgen's sin, sqrt, min_, ... instead of numpy's" if "__array_ufunc__" in str(error) else ""
 
 
@@ -404,24 +416,25 @@ class Generator(Variant):
         return result
 
     def check_source(
-        self, again: Generator, seed: int, *, attempt: int = 0, overrides: Mapping[str, Any] | None = None
+        self, again: Generator, asset: Asset, *, overrides: Mapping[str, Any] | None = None
     ) -> CheckResult:
         """Check that the function builds the same graph again, and that the asset has all that it makes.
 
         Args:
             again: The same generator; one from a file is best loaded a second time.
-            seed: Seed of a sample.
-            attempt: Number of infeasible draws before the sample.
+            asset: An asset that it generated.
             overrides: Values or other distributions by name.
 
         Returns:
-            The check `source`: a fault with the author's line if the two graphs differ, and a note for each
-            body or joint that is not in the asset and for each parameter that is never used.
+            The check `source`: a fault with the author's line if the two graphs differ, or if the number of
+            joints is not the declared one, and a note for each likely mistake: a body or joint that is not in
+            the asset, a parameter that is never used or compared with a word that it never has, degrees.
         """
+        seed, attempt = asset.seed or 0, asset.attempt
         values = self.sample(seed, attempt=attempt, overrides=overrides)
         with recording() as made:
             first = self._built_with(values, "", {})
-        second = again.build(again.sample(seed, attempt=attempt, overrides=overrides))
+        others = (again.build(again.sample(seed, attempt=attempt, overrides=overrides)), self.build(values))
         kinds = {Tree: "body", AssetJoint: "joint"}
         unused = [node for node in _unused(first, made) if operation(node.op).result in kinds]
         findings = [
@@ -442,9 +455,14 @@ class Generator(Variant):
             )
             for name in self._unread()
         ]
-        if first.node.key != second.node.key:
-            findings.append(_differing(first.node, second.node))
-        return CheckResult("source", tuple(findings), f"built twice, {len(made)} operations")
+        findings += [*self._never_equal(), *_turned_by_degrees(made)]
+        least, most = self.joints or (0, math.inf)
+        if not least <= (count := len(asset.joints)) <= most:
+            message = f"the asset has {count} joints, but @category(joints=({least}, {most})) is declared"
+            findings.append(Finding("source", message, hint=f"declare what it makes at {self.where}"))
+        # of the same module, variables that the function changes differ; of another one, the order of sets
+        differing = [_differing(first.node, each.node) for each in others if first.node.key != each.node.key]
+        return CheckResult("source", (*findings, *differing[:1]), f"built twice, {len(made)} operations")
 
     def _unread(self) -> list[str]:
         """Return the parameters that neither the function nor a distribution reads."""
@@ -455,6 +473,25 @@ class Generator(Variant):
             if "LOAD" in step.opname:  # one step may load two variables
                 read.update(step.argval if isinstance(step.argval, tuple) else (step.argval,))
         return [name for name in self.own if name not in read]
+
+    def _never_equal(self) -> Iterator[Finding]:
+        """Yield a note for each comparison of a parameter with a word that it never has."""
+        code = self.function.__code__
+        file, first = code.co_filename, code.co_firstlineno
+        last = max((line or 0 for _, _, line in code.co_lines()), default=first)
+        words = {
+            name: each.options for name, each in self.own.items() if each.kind is str or _is_literal(each)
+        }
+        for node in _comparisons("".join(linecache.getlines(file))):
+            if not first <= node.lineno <= last or not isinstance(node.left, ast.Name):
+                continue
+            options = words.get(node.left.id, ())
+            for each in ast.walk(node.comparators[0]):
+                word = each.value if isinstance(each, ast.Constant) else None
+                if options and isinstance(word, str) and word not in options:
+                    message = f"{node.left.id} is compared with {word!r} at {file}:{node.lineno}"
+                    near = nearest(word, options).strip()
+                    yield Finding("source", message, hint=f"it never has that value. {near}", severity="note")
 
     def _built_with(self, values: Mapping[str, Any], prefix: str, inputs: Mapping[str, Any]) -> Any:
         """Call the function with the caller's inputs and with drawn values."""
@@ -880,6 +917,34 @@ def _unused(result: Handle, made: Sequence[Node]) -> list[Node]:
     used = {child.key for node in made for child in node.children}
     used.add(getattr(result.node, "key", ""))  # a number has no node
     return [node for node in made if node.key not in used and not operation(node.op).lazy]
+
+
+def _is_literal(parameter: Parameter) -> bool:
+    return get_origin(parameter.kind) is Literal
+
+
+@functools.lru_cache(maxsize=64)
+def _comparisons(text: str) -> tuple[ast.Compare, ...]:
+    """Return the comparisons of variables in a file."""
+    with suppress(SyntaxError):  # edited meanwhile
+        found = (node for node in ast.walk(ast.parse(text)) if isinstance(node, ast.Compare))
+        return tuple(sorted(found, key=lambda node: node.lineno))
+    return ()
+
+
+def _turned_by_degrees(made: Sequence[Node]) -> Iterator[Finding]:
+    """Yield a note for each rotation by a whole number of radians that is more than a turn."""
+    for node in made:
+        angle = node.inputs.get("angle")
+        if (
+            node.op in _ROTATIONS
+            and isinstance(angle, float)
+            and abs(angle) > math.tau
+            and angle % 1.0 == 0.0
+        ):
+            message = f"{node.op} at {node.where} turns by {angle:g} rad, {abs(angle) / math.tau:.1f} turns"
+            hint = f"angles are in radians: math.radians({angle:g})"
+            yield Finding("source", message, hint=hint, severity="note")
 
 
 def _is_dropped(node: Node) -> bool:

@@ -206,6 +206,10 @@ class Handle:
 
     __int__ = __index__ = __floor__ = __ceil__ = __float__
 
+    def __format__(self, specification: str) -> str:
+        """Raise BuildError for the format of a number, as in `f"{width:.2f}"`; else return the repr."""
+        return self.__float__() if specification else repr(self)
+
     def __repr__(self) -> str:
         """Return the type, the operation and its place."""
         shown = f"{self.node.op} at {self.node.where}" if type(self.node) is Node else self.node
@@ -363,6 +367,11 @@ def _options(function: Callable[..., Any]) -> dict[str, Any]:
 
 
 _LONGEST = 100  # characters of a value in a message
+_REMEDIES = {  # by the expected type
+    "a Vector": "; write X, Y, Z or three numbers",
+    "a Points": "; write at least one point of three numbers, as in [(0, 0, 0)]",
+    "a Dependency or None": "; write a comparison of a joint, as in hinge > 0.6",
+}
 
 Lifter = Callable[[Any, str], Any]
 
@@ -444,12 +453,12 @@ def _remedy(value: Any, hint: Any, expected: str) -> str:
     if isinstance(value, Handle):
         if hint in (int, str, bool):
             return "; it must be known while building: annotate the parameter int, str, bool or Literal"
-    elif isinstance(value, str):
-        texts = {"a Material": f"; write material({value!r})", "a Vector": "; write X, Y, Z or three numbers"}
-        return texts.get(expected, "")
-    elif expected.startswith("2 values") and isinstance(value, float | int):
+        return _REMEDIES.get(expected, "") if expected.startswith("a Dependency") else ""
+    if isinstance(value, str) and expected == "a Material":
+        return f"; write material({value!r})"
+    if expected.startswith("2 values") and isinstance(value, float | int):
         return f"; write the lower and the upper one: (0, {value})"
-    return ""
+    return _REMEDIES.get(expected, "")
 
 
 def _option(value: Any, options: tuple[Any, ...]) -> Any:

@@ -278,6 +278,8 @@ class Body(Handle):
             >>> dial = part(cylinder(0.02, 0.01, axis=Y).at(y=-0.0055), "dial", material("abs"))
             >>> case.attach(dial, Revolute("turn", axis=Y, limits=(0, 3)), at=(0.1, -0.1, 0))
         """
+        if child is self:
+            raise BuildError(f"attach: a body cannot be attached to itself\n  at {authors_line()}")
         return Body.record("attach", parent=self, child=child, joints=steps_of(joints), at=at)
 
     def attach_pair(
@@ -287,7 +289,7 @@ class Body(Handle):
         normal: VectorLike = (1.0, 0.0, 0.0),
         suffixes: tuple[str, str] = ("_right", "_left"),
     ) -> Body:
-        """Join a child, and its mirror image with mirrored joints, which move alike.
+        """Join a child, and its mirror image with mirrored joints, each of which moves by itself.
 
         Args:
             child: The child on the side to which `normal` points.

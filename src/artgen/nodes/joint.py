@@ -610,6 +610,10 @@ class Feel:
 
 
 _PLAIN = Feel()
+_WRITTEN: dict[type, str] = {
+    Feel: "write a preset, as feel=artgen.feel.HINGE",
+    Spring: "write spring=artgen.Spring(...), or stiffness= and rest=",
+}
 
 
 class _Axial(Joint):
@@ -649,7 +653,8 @@ class _Axial(Joint):
         for what, value, kind in (("spring", spring, Spring), ("feel", feel, Feel)):
             if value is not None and not isinstance(value, kind):
                 raise BuildError(
-                    f"joint(..., {what}=...) needs a {kind.__name__}, got {value!r}\n  at {authors_line()}"
+                    f"joint(..., {what}=...) needs a {kind.__name__}, got {value!r}; {_WRITTEN[kind]}\n"
+                    f"  at {authors_line()}"
                 )
         if _KINDS.get(type(follows), self._kind) != self._kind:
             meshes = (

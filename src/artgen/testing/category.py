@@ -1,7 +1,6 @@
 """Check of a category: it generates sound assets and keeps the promises of every category."""
 
 import json
-import math
 from collections.abc import Collection, Iterable, Mapping
 from functools import partial
 from typing import Any, Literal
@@ -98,10 +97,7 @@ def _faults(
         parameters = {} if infeasible else generator.sample(seed, overrides=overrides)
         return parameters, [f"generate: {error}"]
     faults = _round_trip(generator, asset, overrides)
-    least, most = generator.joints or (0, math.inf)
-    if not least <= (count := len(asset.joints)) <= most:
-        faults.append(f"joints: it has {count}, and @category(joints=({least}, {most})) is declared")
-    source = generator.check_source(generator, seed, attempt=asset.attempt, overrides=overrides)
+    source = generator.check_source(generator, asset, overrides=overrides)
     faults += [f"source: {fault}" for fault in source.faults]
     again = json.loads(generated(cache=Cache(), keep_graph=True)[0].to_json())
     # with a kept graph, overrides that do not act are recorded as well
