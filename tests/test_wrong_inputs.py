@@ -452,7 +452,7 @@ def test_likely_mistakes_of_a_function_are_told():
         COUNTED[0] += 1
         solid = ag.cylinder(0.1, 0.1) if style == "rond" else ag.box(0.2, 0.2, 0.1 + 0.001 * COUNTED[0])
         if style in ("square", "other"):
-            solid = solid.rotate(ag.Z, 90)
+            solid = solid.rotate(ag.Z, 90) - ag.box(0.1, 0.1, 0.1).at(z=5)
         return ag.part(solid, "base", OAK)
 
     asset = stand.generate(certify=False, style="square")
@@ -460,12 +460,13 @@ def test_likely_mistakes_of_a_function_are_told():
         str(each): each.severity
         for each in stand.check_source(stand, asset, overrides=asset.parameters).findings
     }
-    assert list(found.values()) == ["note", "note", "note", "fault", "fault"]
+    assert list(found.values()) == ["note"] * 4 + ["fault"] * 2
     here = re.escape(__file__)
     patterns = (
         rf"style is compared with 'rond' at {here}:\d+; it never has that value. Did you mean 'round'\?",
         rf"style is compared with 'other' at {here}:\d+; it never has that value. Allowed: round, square\.",
         rf"rotate at {here}:\d+ turns by 90 rad, 14.3 turns; angles are in radians: math.radians\(90\)",
+        rf"the cut at {here}:\d+ removes nothing; move the second solid into the first",
         rf"the asset has 0 joints, but @category\(joints=\(1, 2\)\) is declared; declare .* at {here}:\d+",
         rf"the same seed gives another asset .*; box at {here}:\d+ differs: z was 0\.\d+, then 0\.\d+; .*",
     )

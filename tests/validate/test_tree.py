@@ -137,6 +137,23 @@ def test_limits_that_look_like_degrees_are_a_note(asset):
     assert not check_tree(changed(asset, "hinge", limits=(0.0, 2.0 * np.pi))).findings
 
 
+@pytest.mark.parametrize(("height", "told"), [(0.3, False), (0.6, True)])
+def test_a_link_that_nothing_carries_is_a_note(height, told):
+    """A lid with a knob, far above its case; its hinge is at the case, and the knob goes with the lid."""
+
+    @artgen.generator
+    def chest() -> artgen.Body:
+        lid = part(box(0.3, 0.3, 0.01).at(z=height), "lid", STEEL)
+        knob = part(box(0.02, 0.02, 0.02).at(z=height + 0.016), "knob", STEEL)
+        lid = lid.attach(knob, Revolute("knob_turn", axis=Z, limits=(0, 1)))
+        hinge = Revolute("hinge", axis=-X, pivot=(0, 0.15, 0.25), limits=(0, 1.5))
+        return part(box(0.3, 0.3, 0.5), "case", STEEL).attach(lid, hinge)
+
+    found = [str(each) for each in check_tree(chest.generate(certify=False)).findings]
+    note = "joint hinge: nothing carries 'lid', which is 345 mm from all other links at rest"
+    assert [each.startswith(note) for each in found] == [True] * told, found
+
+
 def test_a_size_that_looks_like_millimetres_is_a_note():
     @artgen.generator
     def stool() -> artgen.Body:

@@ -157,6 +157,7 @@ def _release() -> None:
 
 # Python's message for an unknown keyword; both kinds of joints share a constructor
 _UNKNOWN = re.compile(r"(?:\w+, )*(?P<function>\w+)\(\) got an unexpected keyword argument '(?P<name>\w+)'")
+_REMOVED = 1e-9  # least share of a solid that a cut removes
 _ROTATIONS = ("rotate", "rotate_body", "profile_rotate")
 _MOVES = ("translate", "translated", "move", "moved", "position")  # other names of `at`
 _MOST = 4  # most bodies in the cache
@@ -428,7 +429,8 @@ class Generator(Variant):
         Returns:
             The check `source`: a fault with the author's line if the two graphs differ, or if the number of
             joints is not the declared one, and a note for each likely mistake: a body or joint that is not in
-            the asset, a parameter that is never used or compared with a word that it never has, degrees.
+            the asset, a parameter that is never used or compared with a word that it never has, a rotation
+            in degrees, a cut that removes nothing.
         """
         seed, attempt = asset.seed or 0, asset.attempt
         values = self.sample(seed, attempt=attempt, overrides=overrides)
@@ -455,7 +457,7 @@ class Generator(Variant):
             )
             for name in self._unread()
         ]
-        findings += [*self._never_equal(), *_turned_by_degrees(made)]
+        findings += [*self._never_equal(), *_turned_by_degrees(made), *_cut_by_nothing(made, values)]
         least, most = self.joints or (0, math.inf)
         if not least <= (count := len(asset.joints)) <= most:
             message = f"the asset has {count} joints, but @category(joints=({least}, {most})) is declared"
@@ -945,6 +947,21 @@ def _turned_by_degrees(made: Sequence[Node]) -> Iterator[Finding]:
             message = f"{node.op} at {node.where} turns by {angle:g} rad, {abs(angle) / math.tau:.1f} turns"
             hint = f"angles are in radians: math.radians({angle:g})"
             yield Finding("source", message, hint=hint, severity="note")
+
+
+def _cut_by_nothing(made: Sequence[Node], values: Mapping[str, Any]) -> Iterator[Finding]:
+    """Yield a note for each difference that removes nothing."""
+    for node in made:
+        if node.op != "difference":
+            continue
+        with suppress(ArtgenError):  # of an option that is not taken
+            whole, rest = (
+                Graph(Solid(each)).evaluate(values, SHARED).value.manifold.volume()
+                for each in (node.inputs["a"], node)
+            )
+            if whole - rest < _REMOVED * whole:
+                message = f"the cut at {node.where} removes nothing"
+                yield Finding("source", message, hint="move the second solid into the first", severity="note")
 
 
 def _is_dropped(node: Node) -> bool:

@@ -114,11 +114,10 @@ def extrude(
     taper: Scalar = 0.0,
     twist: Scalar = 0.0,
 ) -> Solid:
-    """Extrude a profile along an axis, centered on the origin.
+    """Extrude a profile, centered; along Z it lies in (X, Y), along Y in (X, Z), along X in (Y, Z).
 
-    The profile's x and y run along the two other asset axes, in the order X, Y, Z: along Z the profile lies
-    in (X, Y), along Y (or -Y, the front) in (X, Z), and along X in (Y, Z). Reversing the axis does not mirror
-    the profile; it swaps the ends, which matters for taper and twist.
+    The profile's x and y run along the two other asset axes, in the order X, Y, Z. Reversing the axis, as in
+    -Y for the front, does not mirror the profile; it swaps the ends, which matters for taper and twist.
 
     Args:
         length: Length along the axis [m].

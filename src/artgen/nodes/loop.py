@@ -137,8 +137,12 @@ class _Solver:
             )
         if len(self.unknown) != 2:
             free = " and ".join(map(repr, self.unknown)) or "none"
+            remedy = "close the others by pins that are declared before"
+            if len(self.unknown) < 2:
+                remedy = "without this pin, let the joint follow another one, as in follows=-1.0 * crank"
             raise ValueError(
-                f"a pin determines two joints of a closed chain beside its input; this one has {free}"
+                "a pin determines two joints of a closed chain beside its input; "
+                f"this one has {free}: {remedy}"
             )
         for name in self.unknown:
             if joints[name].limits is not None:

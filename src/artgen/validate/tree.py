@@ -3,10 +3,12 @@
 import math
 from collections import Counter
 from collections.abc import Collection, Iterator, Mapping
+from contextlib import suppress
 from functools import partial
 
 import numpy as np
 
+from artgen._arrays import Array
 from artgen._names import is_identifier
 from artgen.asset import Asset, AssetJoint, Grasp, Link
 from artgen.asset.asset import followed_limits
@@ -28,6 +30,7 @@ LIGHTEST, HEAVIEST = 5.0, 20000.0
 
 _ROUNDING = 1e-9  # relative tolerance of moments of inertia
 _EXACT = 1e-6  # tolerance of axes and coupled ranges
+_FREE = 0.05  # distance of a link from all that carry it that is told [m]
 _LEAST_RANGE = 1e-6  # smaller ranges count as locked joints that are not declared so [rad or m]
 
 Interval = tuple[float, float]
@@ -252,7 +255,7 @@ def _spring_findings(joint: AssetJoint) -> Iterator[Finding]:
 
 
 def _pivot_findings(asset: Asset, joint: AssetJoint) -> Iterator[Finding]:
-    """Yield axes farther from both links than the size of the links."""
+    """Yield axes farther from both links than the size of the links, and links that nothing carries."""
     if joint.kind != "revolute" or not np.isfinite(joint.pivot).all():
         return
     try:
@@ -268,6 +271,31 @@ def _pivot_findings(asset: Asset, joint: AssetJoint) -> Iterator[Finding]:
         message = f"its axis passes {joint.child!r} and {joint.parent!r} at a distance of {min(gaps):.4g} m"
         hint = "take the pivot from the geometry: solid.anchor(...)"
         yield _fault(message, joint=joint.name, value=min(gaps), unit="m", hint=hint)
+    elif _between(*boxes) > _FREE:
+        below = _below(asset, joint.child)
+        with suppress(ArtgenError):
+            boxes += [link.bounds() for link in asset.links if link.name not in below]
+        apart = min(_between(box, boxes[1]) for box in (boxes[0], *boxes[2:]))
+        if apart > _FREE:
+            message = (
+                f"nothing carries {joint.child!r}, which is {1e3 * apart:.4g} mm from all other links at rest"
+            )
+            hint = "move it to its place: solid.at(...)"
+            yield _fault(message, joint=joint.name, value=apart, unit="m", hint=hint, severity="note")
+
+
+def _between(first: Array, second: Array) -> float:
+    """Return the distance between two boxes, each as two corners, shape (2, 3) [m]."""
+    return float(np.linalg.norm(np.maximum(np.maximum(first[0] - second[1], second[0] - first[1]), 0.0)))
+
+
+def _below(asset: Asset, link: str) -> set[str]:
+    """Return the names of a link and of all links that it carries."""
+    found, count = {link}, 0
+    while len(found) > count:  # an edited file may have its joints in any order
+        count = len(found)
+        found |= {joint.child for joint in asset.joints if joint.parent in found}
+    return found
 
 
 def _leader_findings(joint: AssetJoint, joints: Mapping[str, AssetJoint]) -> Iterator[Finding]:
