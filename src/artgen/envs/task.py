@@ -182,8 +182,10 @@ def by_lever(part: str, goal: float, until: float, *, pushes: bool = False) -> C
             if pushes and (motion[:3, :3] @ before + motion[:3, 3] - before) @ grasp.frame[:3, 2] <= 0.0:
                 continue  # the hand would pull
             first = [_turn(asset, key, lever.name) for key in keys[:1]]
-            move = Move(moved.name, until, None)
-            yield *first, _turn(asset, grasp, moved.name), Stage(moved.name, 0.0, goal, grasp, (move,))
+            highest = np.inf if moved.limits is None else moved.limits[1]
+            move = Move(moved.name, min(until, highest), None)
+            last = Stage(moved.name, 0.0, min(goal, 0.98 * highest), grasp, (move,))
+            yield *first, _turn(asset, grasp, moved.name), last
 
     return choose
 
@@ -274,7 +276,7 @@ _DOCS = {
     "OpenBottle": "Flip the cap of the bottle open by 0.8 rad.",
     "OpenDesk": "Pull a drawer of the desk or bedside table open by half its way.",
     "OpenDetergentDrawer": "Pull the detergent drawer of the washing machine out by half its way.",
-    "OpenWindow": "Turn the handle of a window, then open its sash by 0.3 rad.",
+    "OpenWindow": "Turn the handle of a window, then open its sash by 0.2 rad.",
     "OpenSafe": "Turn the key or the dial of the safe, then its handle, then open the door by 0.3 rad.",
     "LiftToiletLid": "Lift the lid of the toilet by 0.8 rad.",
     "LiftTrashcanLid": "Lift the lid of the bin by 0.8 rad.",
@@ -336,7 +338,7 @@ _ROWS: dict[str, _Row] = {  # category, time limit [s], stages, overrides, raise
     "OpenBottle": ("bottle", 8.0, _lid, {"style": "flip"}, True),
     "OpenDesk": ("table", 10.0, _pull, {"style": choice("desk", "side")}, False),
     "OpenDetergentDrawer": ("washing_machine", 10.0, _pull, {"kind": "front"}, False),
-    "OpenWindow": ("window", 12.0, by_lever("", 0.3, 0.34), {"style": choice("casement", "awning")}, False),
+    "OpenWindow": ("window", 12.0, by_lever("", 0.2, 0.24), {"style": choice("casement", "awning")}, False),
     "OpenSafe": ("safe", 20.0, by_lever("", 0.3, 0.34), _LOCKED, False),
     "LiftToiletLid": ("toilet", 12.0, _lid, {}, False),
     "LiftTrashcanLid": ("trashcan", 10.0, _lid, {"style": "lift"}, False),

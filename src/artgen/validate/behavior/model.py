@@ -177,6 +177,7 @@ CHECK = "behavior"
 Pieces = tuple[tuple[str, str], tuple[str, str]]
 """Link and label of the two pieces of a contact."""
 
+_COUPLING_FLOOR = {"revolute": 2e-4, "prismatic": 2e-5}  # smaller deviations are allowed [rad or m]
 _COUPLING_SHARE = 0.01  # tolerance of a follower, as a share of its range
 _BRIEF = 0.05  # duration of impacts, during which the tolerance is larger [s]
 _BLOW = 5.0  # factor of the tolerance during impacts
@@ -517,7 +518,7 @@ class Simulation:
             joint = followers.joints[number]
             assert joint.follows is not None
             error = float(off[number])
-            share = 100.0 * _COUPLING_SHARE * error / float(followers.allowed[number])
+            share = 100.0 * error / float(followers.ranges[number])
             message = (
                 f"is {length(joint, error)} or {share:.2g} % of its range off the position that "
                 f"{joint.follows.leader} gives it, while {self.doing}"
@@ -540,12 +541,14 @@ class _Followers:
         self.leaders = np.array([motion.at for motion, _ in rows], int)
         self.ratios = np.array([motion.ratios[number] for motion, number in rows])
         self.offsets = np.array([motion.offsets[number] for motion, number in rows])
-        self.allowed = _COUPLING_SHARE * np.abs(self.ratios) * [motion.range for motion, _ in rows]
+        self.ranges = np.abs(self.ratios) * [motion.range for motion, _ in rows]
         laws = ((row, motion, motion.laws[number]) for row, (motion, number) in enumerate(rows))
         self._curved = [(row, law) for row, _, law in laws if law.curve is not None]
         for row, law in self._curved:
             low, high = law.span(*rows[row][0].limits)
-            self.allowed[row] = _COUPLING_SHARE * (high - low)
+            self.ranges[row] = high - low
+        least = [_COUPLING_FLOOR[joint.kind] for joint in self.joints]
+        self.allowed = np.maximum(_COUPLING_SHARE * self.ranges, least)
         self.worst, self.lasting = np.zeros(len(rows)), np.zeros(len(rows))
 
     def wanted(self, qpos: Array) -> Array:
