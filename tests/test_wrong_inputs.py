@@ -16,6 +16,7 @@ import artgen as ag
 from artgen import catalog
 from artgen.dataset import Plan, generate_many
 from artgen.errors import ArtgenError
+from artgen.generator.source import check_source
 from support.exports import stand
 
 OAK = ag.material("oak")
@@ -415,7 +416,7 @@ def test_bodies_that_are_made_for_a_choice_may_be_left_out():
     links = {kind: len(category.generate(certify=False, kind=kind).links) for kind in ("plain", "lidded")}
     assert links == {"plain": 1, "lidded": 2}
     plain = category.generate(certify=False, kind="plain")
-    notes = category.check_source(category, plain, overrides={"kind": "plain"}).findings
+    notes = check_source(category, category, plain, overrides={"kind": "plain"}).findings
     assert [note.severity for note in notes] == ["note"]
     assert re.fullmatch(r"the body of attach at \S+ is not in the asset; return, .*", str(notes[0]))
 
@@ -435,7 +436,7 @@ def test_a_parameter_that_is_never_used_is_told():
         return ag.part([wall(number) for number in range(walls)], "tray", OAK)
 
     category = ag.generator(tray)
-    notes = category.check_source(category, category.generate(certify=False)).findings
+    notes = check_source(category, category, category.generate(certify=False)).findings
     assert [note.severity for note in notes] == ["note"]
     assert re.fullmatch(
         r"the parameter 'spare' at \S+ is never used; use it in the function, or remove it", str(notes[0])
@@ -451,6 +452,8 @@ def test_likely_mistakes_of_a_function_are_told():
         """Make a base."""
         COUNTED[0] += 1
         solid = ag.cylinder(0.1, 0.1) if style == "rond" else ag.box(0.2, 0.2, 0.1 + 0.001 * COUNTED[0])
+        for height in {0.01, 0.02}:  # noqa: PLC0208 - the mistake
+            solid = solid | ag.box(0.01, 0.01, height).at(z=0.05)
         if style in ("square", "other"):
             solid = solid.rotate(ag.Z, 90) - ag.box(0.1, 0.1, 0.1).at(z=5)
         return ag.part(solid, "base", OAK)
@@ -458,12 +461,13 @@ def test_likely_mistakes_of_a_function_are_told():
     asset = stand.generate(certify=False, style="square")
     found = {
         str(each): each.severity
-        for each in stand.check_source(stand, asset, overrides=asset.parameters).findings
+        for each in check_source(stand, stand, asset, overrides=asset.parameters).findings
     }
-    assert list(found.values()) == ["note"] * 4 + ["fault"] * 2
+    assert list(found.values()) == ["note"] * 5 + ["fault"] * 2
     here = re.escape(__file__)
     patterns = (
         rf"style is compared with 'rond' at {here}:\d+; it never has that value. Did you mean 'round'\?",
+        rf"a loop takes its values from a set at {here}:\d+; its order differs from process to process: .*",
         rf"style is compared with 'other' at {here}:\d+; it never has that value. Allowed: round, square\.",
         rf"rotate at {here}:\d+ turns by 90 rad, 14.3 turns; angles are in radians: math.radians\(90\)",
         rf"the cut at {here}:\d+ removes nothing; move the second solid into the first",

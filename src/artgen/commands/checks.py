@@ -24,6 +24,7 @@ from artgen.commands.view import asset_from
 from artgen.errors import ExportError, ParameterError
 from artgen.export.files import REACH_FILE, REPORT_FILE, replaced
 from artgen.generator.overrides import parse_overrides
+from artgen.generator.source import check_source
 from artgen.proof.certify import certify as prove
 from artgen.range_proof import Failure, prove_range
 from artgen.validate import validate as run_checks
@@ -90,7 +91,7 @@ def _source_results(source: str, asset: Asset, overrides: Mapping[str, Any]) -> 
     if Path(source).is_dir() or asset.seed is None:
         return []
     again, checked = find(source), find(source)  # a file is executed each time
-    return [checked.check_source(again, asset, overrides=overrides)]
+    return [check_source(checked, again, asset, overrides=overrides)]
 
 
 def _picture(asset: Asset, certificate: Certificate, out: Path) -> str:

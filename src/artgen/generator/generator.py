@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-import ast
 import atexit
-import dis
 import functools
 import inspect
-import linecache
 import math
 import operator
 import re
@@ -18,15 +15,14 @@ from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
-from typing import Any, Literal, get_args, get_origin
+from typing import Any, Literal, get_args
 
 from artgen._arrays import without_collector
 from artgen._names import check_name
 from artgen._progress import progress
-from artgen.asset import Asset, AssetJoint, Tree
+from artgen.asset import Asset, Tree
 from artgen.asset.asset import Base, DetailName, Limits, certify_later, find_parameters_later
 from artgen.asset.certificate import MOST_TOLERANCE, Certificate
-from artgen.asset.report import CheckResult, Finding
 from artgen.asset.tree import Reduction
 from artgen.colliders.openings import BALL
 from artgen.errors import (
@@ -42,18 +38,8 @@ from artgen.errors import (
 from artgen.generator.draw import Draw, Overrides, Probability, meets, probability
 from artgen.generator.parameter import Parameter, Variant, is_variant
 from artgen.generator.signature import read_parameters
-from artgen.graph import (
-    DETAILS,
-    FULL,
-    OPERATIONS,
-    Cache,
-    Detail,
-    Evaluation,
-    Graph,
-    Handle,
-    operation,
-    reached,
-)
+from artgen.generator.source import is_dropped, unused
+from artgen.graph import DETAILS, FULL, Cache, Detail, Evaluation, Graph, Handle, operation, reached
 from artgen.graph.handle import check_options, folding, recording
 from artgen.graph.node import Node, line_in, topological
 from artgen.nodes.handles import Body, Solid
@@ -157,8 +143,6 @@ def _release() -> None:
 
 # Python's message for an unknown keyword; both kinds of joints share a constructor
 _UNKNOWN = re.compile(r"(?:\w+, )*(?P<function>\w+)\(\) got an unexpected keyword argument '(?P<name>\w+)'")
-_REMOVED = 1e-9  # least share of a solid that a cut removes
-_ROTATIONS = ("rotate", "rotate_body", "profile_rotate")
 _MOVES = ("translate", "translated", "move", "moved", "position")  # other names of `at`
 _MOST = 4  # most bodies in the cache
 _MOST_OPTIONS = 8  # most options of a structural parameter that are tried for whether it acts
@@ -405,10 +389,9 @@ class Generator(Variant):
         """
         if prefix:  # a sub-generator: its caller sees what is unused
             return self._built_with(values, prefix, inputs)
-        with recording() as made:
-            result = self._built_with(values, prefix, inputs)
-        for node in _unused(result, made):
-            if _is_dropped(node):
+        result, made = self.traced(values, inputs)
+        for node in unused(result, made):
+            if is_dropped(node):
                 raise BuildError(
                     f"{self.name}: the result of {node.op} is dropped; bodies and solids never change, their "
                     f"methods return others\n  at {node.where}\n"
@@ -416,84 +399,11 @@ class Generator(Variant):
                 )
         return result
 
-    def check_source(
-        self, again: Generator, asset: Asset, *, overrides: Mapping[str, Any] | None = None
-    ) -> CheckResult:
-        """Check that the function builds the same graph again, and that the asset has all that it makes.
-
-        Args:
-            again: The same generator; one from a file is best loaded a second time.
-            asset: An asset that it generated.
-            overrides: Values or other distributions by name.
-
-        Returns:
-            The check `source`: a fault with the author's line if the two graphs differ, or if the number of
-            joints is not the declared one, and a note for each likely mistake: a body or joint that is not in
-            the asset, a parameter that is never used or compared with a word that it never has, a rotation
-            in degrees, a cut that removes nothing.
-        """
-        seed, attempt = asset.seed or 0, asset.attempt
-        values = self.sample(seed, attempt=attempt, overrides=overrides)
+    def traced(self, values: Mapping[str, Any], inputs: Mapping[str, Any]) -> tuple[Any, list[Node]]:
+        """Call the function like `build`; return its result, and all nodes that it made."""
         with recording() as made:
-            first = self._built_with(values, "", {})
-        others = (again.build(again.sample(seed, attempt=attempt, overrides=overrides)), self.build(values))
-        kinds = {Tree: "body", AssetJoint: "joint"}
-        unused = [node for node in _unused(first, made) if operation(node.op).result in kinds]
-        findings = [
-            Finding(
-                "source",
-                f"the {kinds[operation(node.op).result]} of {node.op} at {node.where} is not in the asset",
-                hint="return, attach or weld it, or make it only where it is used",
-                severity="note",
-            )
-            for node in unused
-        ]
-        findings += [
-            Finding(
-                "source",
-                f"the parameter {name!r} at {self.where} is never used",
-                hint="use it in the function, or remove it",
-                severity="note",
-            )
-            for name in self._unread()
-        ]
-        findings += [*self._never_equal(), *_turned_by_degrees(made), *_cut_by_nothing(made, values)]
-        least, most = self.joints or (0, math.inf)
-        if not least <= (count := len(asset.joints)) <= most:
-            message = f"the asset has {count} joints, but @category(joints=({least}, {most})) is declared"
-            findings.append(Finding("source", message, hint=f"declare what it makes at {self.where}"))
-        # of the same module, variables that the function changes differ; of another one, the order of sets
-        differing = [_differing(first.node, each.node) for each in others if first.node.key != each.node.key]
-        return CheckResult("source", (*findings, *differing[:1]), f"built twice, {len(made)} operations")
-
-    def _unread(self) -> list[str]:
-        """Return the parameters that neither the function nor a distribution reads."""
-        code = self.function.__code__
-        read = {name for each in self.own.values() for name in each.distribution.needs()}
-        read.update(code.co_cellvars)
-        for step in dis.get_instructions(code):
-            if "LOAD" in step.opname:  # one step may load two variables
-                read.update(step.argval if isinstance(step.argval, tuple) else (step.argval,))
-        return [name for name in self.own if name not in read]
-
-    def _never_equal(self) -> Iterator[Finding]:
-        """Yield a note for each comparison of a parameter with a word that it never has."""
-        code = self.function.__code__
-        file, first = code.co_filename, code.co_firstlineno
-        last = max((line or 0 for _, _, line in code.co_lines()), default=first)
-        words = {
-            name: each.options for name, each in self.own.items() if each.kind is str or _is_literal(each)
-        }
-        for node in _comparisons("".join(linecache.getlines(file))):
-            if not first <= node.lineno <= last or not isinstance(node.left, ast.Name):
-                continue
-            options = words.get(node.left.id, ())
-            for each in ast.walk(node.comparators[0]):
-                word = each.value if isinstance(each, ast.Constant) else None
-                if options and isinstance(word, str) and word not in options:
-                    message = f"{node.left.id} is compared with {word!r} at {file}:{node.lineno}"
-                    near = nearest(word, options).strip()
-                    yield Finding("source", message, hint=f"it never has that value. {near}", severity="note")
+            result = self._built_with(values, "", inputs)
+        return result, made
 
     def _built_with(self, values: Mapping[str, Any], prefix: str, inputs: Mapping[str, Any]) -> Any:
         """Call the function with the caller's inputs and with drawn values."""
@@ -912,102 +822,6 @@ def _check_options(name: str, base: Any, attempts: int | None, detail: Any) -> N
         raise ParameterError(f"detail = {detail!r} is not allowed: it must be one of {allowed}")
     if attempts is not None and checked_count("attempts", attempts) < 1:
         raise ParameterError(f"attempts must be at least 1, got {attempts!r}")
-
-
-def _unused(result: Handle, made: Sequence[Node]) -> list[Node]:
-    """Return the nodes that neither the result nor another operation uses, except those of switches."""
-    used = {child.key for node in made for child in node.children}
-    used.add(getattr(result.node, "key", ""))  # a number has no node
-    return [node for node in made if node.key not in used and not operation(node.op).lazy]
-
-
-def _is_literal(parameter: Parameter) -> bool:
-    return get_origin(parameter.kind) is Literal
-
-
-@functools.lru_cache(maxsize=64)
-def _comparisons(text: str) -> tuple[ast.Compare, ...]:
-    """Return the comparisons of variables in a file."""
-    with suppress(SyntaxError):  # edited meanwhile
-        found = (node for node in ast.walk(ast.parse(text)) if isinstance(node, ast.Compare))
-        return tuple(sorted(found, key=lambda node: node.lineno))
-    return ()
-
-
-def _turned_by_degrees(made: Sequence[Node]) -> Iterator[Finding]:
-    """Yield a note for each rotation by a whole number of radians that is more than a turn."""
-    for node in made:
-        angle = node.inputs.get("angle")
-        if (
-            node.op in _ROTATIONS
-            and isinstance(angle, float)
-            and abs(angle) > math.tau
-            and angle % 1.0 == 0.0
-        ):
-            message = f"{node.op} at {node.where} turns by {angle:g} rad, {abs(angle) / math.tau:.1f} turns"
-            hint = f"angles are in radians: math.radians({angle:g})"
-            yield Finding("source", message, hint=hint, severity="note")
-
-
-def _cut_by_nothing(made: Sequence[Node], values: Mapping[str, Any]) -> Iterator[Finding]:
-    """Yield a note for each difference that removes nothing."""
-    for node in made:
-        if node.op != "difference":
-            continue
-        with suppress(ArtgenError):  # of an option that is not taken
-            whole, rest = (
-                Graph(Solid(each)).evaluate(values, SHARED).value.manifold.volume()
-                for each in (node.inputs["a"], node)
-            )
-            if whole - rest < _REMOVED * whole:
-                message = f"the cut at {node.where} removes nothing"
-                yield Finding("source", message, hint="move the second solid into the first", severity="note")
-
-
-def _is_dropped(node: Node) -> bool:
-    """Tell whether a node is of a statement that calls an operation or a method of a handle."""
-    file, _, line = node.where.rpartition(":")
-    linecache.checkcache(file)
-    return int(line or 0) in _calls("".join(linecache.getlines(file)))
-
-
-@functools.lru_cache(maxsize=64)
-def _calls(text: str) -> frozenset[int]:
-    """Return the lines of statements that only call an operation or a method of a handle."""
-    try:
-        parsed = ast.parse(text)
-    except SyntaxError:  # edited meanwhile
-        return frozenset()
-    methods = {*OPERATIONS, *(name for kind in Handle.HANDLES.values() for name in dir(kind))}
-    lines: set[int] = set()
-    blocks: list[ast.AST] = [parsed]
-    while blocks:  # statements without their expressions, which are many
-        each = blocks.pop()
-        for name in ("body", "orelse", "finalbody", "handlers", "cases"):
-            blocks += getattr(each, name, ())
-        if isinstance(each, ast.Expr) and isinstance(each.value, ast.Call):
-            called = each.value.func
-            if getattr(called, "attr", getattr(called, "id", "")) in methods:  # `body.attach`, or `part`
-                lines.update(range(each.lineno, (each.end_lineno or each.lineno) + 1))
-    return frozenset(lines)
-
-
-def _differing(first: Node, second: Node) -> Finding:
-    """Return the fault of a function that builds two graphs for the same values."""
-    pairs = zip(topological(first), topological(second), strict=False)
-    node, other = next((pair for pair in pairs if pair[0].key != pair[1].key), (first, second))
-    changed = ""
-    for name, value in node.inputs.items():
-        if name in other.inputs and isinstance(value, float | int | str) and value != other.inputs[name]:
-            changed = f": {name} was {value!r}, then {other.inputs[name]!r}"
-            break
-    return Finding(
-        "source",
-        "the same seed gives another asset when it is built again; "
-        f"{node.op} at {node.where} differs{changed}",
-        hint="draw numbers in the signature, such as width: Float = uniform(0.1, 0.2); use no random, time "
-        "or order of a set",
-    )
 
 
 def _place(body: Handle, error: AssetError) -> str:

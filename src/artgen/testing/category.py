@@ -9,6 +9,7 @@ from artgen.asset import Asset
 from artgen.catalog import find
 from artgen.errors import ArtgenError, BuildError, InfeasibleError, ParameterError
 from artgen.generator import Generator
+from artgen.generator.source import check_source
 from artgen.graph import Cache, Graph
 from artgen.validate import validate
 
@@ -97,7 +98,7 @@ def _faults(
         parameters = {} if infeasible else generator.sample(seed, overrides=overrides)
         return parameters, [f"generate: {error}"]
     faults = _round_trip(generator, asset, overrides)
-    source = generator.check_source(generator, asset, overrides=overrides)
+    source = check_source(generator, generator, asset, overrides=overrides)
     faults += [f"source: {fault}" for fault in source.faults]
     again = json.loads(generated(cache=Cache(), keep_graph=True)[0].to_json())
     # with a kept graph, overrides that do not act are recorded as well
