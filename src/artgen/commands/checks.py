@@ -34,7 +34,7 @@ from artgen.validate.clients.run import ClientReport, run_clients
 _FOREIGN: dict[str, Any] = {"rich_help_panel": "Files of other tools"}
 _OF_CATEGORIES = ("samples", "corners", "fail_fast", "overrides", "seed", "tolerance")
 _OF_FILES = ("meshes", "root", "total", "first", "picture", "repair")
-_PIXELS = 320  # side of a picture of `check`
+_PIXELS = 480  # side of a picture of `check`
 _CORNERS = 20  # least number of samples with which corners are certified unless asked otherwise
 _STYLES = {
     "passed": "green",

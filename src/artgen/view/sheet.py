@@ -33,6 +33,7 @@ _EVEN, _MIDDLE = (
     0.5,
 )  # tolerance for equally large doors at both sides, and the share of the angle for these
 _MARGIN = 0.05  # free share of a picture along its edges
+_ABOVE = 1.45  # elevation of the view of rooms from above, nearly upright [rad]
 _MEASURED = 12  # number of assets that determine the shape of all pictures
 _NARROW, _WIDE = 0.5, 2.0  # smallest and largest ratio of width to height of pictures
 _QUALITIES = (90, 85, 80, 75, 70, 62, 54, 46, 38, 30, 22)
@@ -91,12 +92,13 @@ def sheet(
 def shots(asset: Asset) -> tuple[tuple[Mapping[str, float], View], ...]:
     """Return joint positions and a view for each picture of an asset on a sheet.
 
-    The pictures are closed, open, and closed from behind.
+    The pictures are closed, open, and closed from behind; of rooms, the last one is from above.
     """
     q = opened(asset)
     aside = _side(asset, q) * (0.2 * ASIDE if asset.is_room else ASIDE)
     front = View(aside, elevation_of(asset), margin=_MARGIN)
-    return ({}, front), (q, front), ({}, replace(front, azimuth=front.azimuth + math.pi))
+    last = View(0.0, _ABOVE, margin=_MARGIN) if asset.is_room else replace(front, azimuth=aside + math.pi)
+    return ({}, front), (q, front), ({}, last)
 
 
 def _side(asset: Asset, q: Mapping[str, float]) -> float:
