@@ -33,7 +33,12 @@ try:
 except ImportError as error:
     raise EnvError(f"ManiSkill cannot be loaded ({error}): pip install mani_skill") from error
 
-NAMES = ("OpenDrawer", "OpenCabinet", "OpenFridge", "OpenMicrowave", "TurnFaucet", "PushToasterLever")
+# tasks of several stages need a latch; the pedal and the spring of handles stick in SAPIEN
+_LEFT_OUT = (
+    *("PushDoor", "OpenDishwasher", "OpenWindow", "OpenSafe", "LiftBlenderJug"),
+    *("OpenTrashcan", "TurnHandle"),
+)
+NAMES = tuple(name for name in TASKS if name not in _LEFT_OUT)
 """Tasks of `artgen.envs` that are registered, as `ArtgenNAME-v1`."""
 
 _OPEN = 0.04  # position of an open finger of the Panda [m]
