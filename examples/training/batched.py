@@ -267,13 +267,10 @@ def _groups(
 
 def learn(batch: BatchedTask, steps: int, seed: int, out: Path) -> None:
     """Train with PPO; write the policy and the normalization of observations."""
-    numbers = ["robot"] if batch.pictures else None
+    policy, numbers = ("MultiInputPolicy", ["robot"]) if batch.pictures else ("MlpPolicy", None)
     training = VecNormalize(VecMonitor(batch, info_keywords=("success",)), gamma=0.99, norm_obs_keys=numbers)
-    policy, steps_of_each = (
-        "MultiInputPolicy" if batch.pictures else "MlpPolicy",
-        max(4096 // batch.num_envs, 16),
-    )
-    model = PPO(policy, training, n_steps=steps_of_each, **SETTINGS, seed=seed, device="cpu")
+    n_steps = max(4096 // batch.num_envs, 16)
+    model = PPO(policy, training, n_steps=n_steps, **SETTINGS, seed=seed, device="cpu")
     model.learn(steps, callback=Progress())
     out.mkdir(parents=True, exist_ok=True)
     model.save(out / "policy")

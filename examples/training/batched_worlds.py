@@ -25,8 +25,10 @@ _STATE = ("qpos", "qvel", "ctrl", "qacc_warmstart")
 _FOUND = ("xpos", "xmat", "xaxis", "xanchor", "site_xpos", "site_xmat", "qfrc_bias", "M")
 _SEEN_GROUPS, _ROBOT_COLOR = [2, 3], (0.85, 0.85, 0.86)  # surroundings and colliders
 # places of bodies, shapes, sites, cameras and lights
-_PLACES = ("xpos", "xquat", "xmat", "xipos", "ximat", "geom_xpos", "geom_xmat", "site_xpos", "site_xmat")
-_PLACES += ("cam_xpos", "cam_xmat", "light_xpos", "light_xdir")
+_PLACES = (
+    *("xpos", "xquat", "xmat", "xipos", "ximat", "geom_xpos", "geom_xmat", "site_xpos", "site_xmat"),
+    *("cam_xpos", "cam_xmat", "light_xpos", "light_xdir"),
+)
 
 
 class Worlds:
