@@ -29,6 +29,7 @@ from stable_baselines3.common.vec_env import VecEnv, VecMonitor, VecNormalize
 
 from artgen import Asset, generate
 from artgen.batch import Common, groups
+from artgen.dataset.plan import check_whole
 from artgen.envs import TASKS, ManipulationEnv, Task
 from artgen.envs.env import BONUS, JITTER, PROPRIOCEPTION, RATE, STATE
 from artgen.envs.motion import Target
@@ -71,8 +72,9 @@ class BatchedTask(VecEnv):
         spread: bool = False,
         pictures: int = 0,
     ) -> None:
-        if worlds < 1:
-            raise ParameterError(f"worlds = {worlds!r} is not allowed: it must be at least 1")
+        check_whole("worlds", worlds, 1, 10**6)
+        if pictures:
+            check_whole("pictures", pictures, 16, 4096)
         self.task = TASKS[task] if isinstance(task, str) else task
         self.steps = round(self.task.seconds * RATE)
         scenes, targets = _fit(self.task, assets, worlds)
@@ -316,6 +318,7 @@ def main() -> None:
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--out", type=Path, default=Path("batched"))
     options = parser.parse_args()
+    check_whole("steps", options.steps, 0, 10**9)
     seeds, task = range(options.assets), TASKS[options.task]
     assets = [
         generate(task.category, seed, topology="fixed", certify="later", **task.overrides) for seed in seeds

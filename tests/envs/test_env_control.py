@@ -12,8 +12,9 @@ import numba
 import numpy as np
 import pytest
 
+import artgen
 from artgen.asset import rotation
-from artgen.envs import robot
+from artgen.envs import TASKS, ManipulationEnv, robot
 from artgen.envs.robot import HAND, HOME, OPENING, PREFIX, Control, panda
 from artgen.errors import EnvError
 
@@ -180,3 +181,28 @@ def test_missing_robosuite_is_one_clear_error(monkeypatch):
     monkeypatch.setattr(robot, "find_spec", lambda name: None)
     with pytest.raises(EnvError, match=r"comes with robosuite: pip install 'artgen\[envs\]'"):
         panda(visual=False)
+
+
+@pytest.mark.parametrize("name", ["OpenLaptop", "OpenDrawer"])
+def test_the_hand_stops_at_the_floor_below_a_table_and_without_one(name):
+    env = ManipulationEnv(name, range(4, 5))
+    env.reset(seed=0)
+    floor = float(env.model.geom("scene_floor").pos[2])
+    assert (floor < 0.0) == env.task.raised
+    for _ in range(120):
+        env.step(np.array([0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0]))
+    assert floor - 0.002 < env.tip()[2, 3] < floor + 0.03
+    env.close()
+
+
+@pytest.mark.parametrize("name", ["OpenDrawer", "OpenLaptop"])
+def test_a_free_asset_stands_on_the_floor_or_its_table(name):
+    task = TASKS[name]
+    asset = artgen.generate(task.category, 4, base="free", certify=False, **task.overrides)
+    env = ManipulationEnv(name, [asset])
+    env.reset(seed=0)
+    for _ in range(20):
+        env.step(np.zeros(7))
+    assert abs(env.scene.pose(asset.links[0].name)[2, 3]) < 0.002
+    assert not env.reached()[0]
+    env.close()

@@ -2,6 +2,7 @@
 
 import subprocess
 import sys
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -10,8 +11,8 @@ import artgen
 from artgen.asset.affordance import GRIPPER
 from artgen.envs.motion import Stage, lifted
 from artgen.envs.robot import LIMITS, frames
-from artgen.envs.task import TASKS, found, push_door
-from artgen.errors import EnvError
+from artgen.envs.task import TASKS, by_lever, found, one_joint, push_door
+from artgen.errors import EnvError, ParameterError
 
 SEED = 4
 
@@ -116,6 +117,58 @@ def test_a_lever_without_a_door_is_an_error():
         EnvError, match=r"has nothing for PushDoor: Turn the lever .* Take assets that the task"
     ):
         TASKS["PushDoor"].target(lever, np.random.default_rng(0))
+
+
+@pytest.mark.parametrize("name", ["TurnValve", "OpenBox", "LiftCoffeeLever", "OpenDesk", "OpenSafe"])
+def test_a_padded_asset_has_the_parts_of_the_plain_one(name, assets):
+    task, plain = TASKS[name], assets(name)
+    padded = artgen.generate(plain.category, plain.seed, certify=False, topology="fixed", **task.overrides)
+    found = [
+        [
+            [asset.originals.get(each.joint, each.joint) for each in stages]
+            for stages in task.choose(asset, rng)
+        ]
+        for asset, rng in ((each, np.random.default_rng(0)) for each in (plain, padded))
+    ]
+    assert sorted(found[0]) == sorted(found[1])
+
+
+@pytest.mark.parametrize(
+    ("made", "message"),
+    [
+        (
+            lambda: one_joint("lid", "grasp", "revolute"),
+            "needs one goal: .* got share = 0.0 and at_least = 0.0",
+        ),
+        (lambda: one_joint("lid", "grasp", "revolute", 0.5, at_least=0.1), "needs one goal"),
+        (lambda: one_joint("lid", "grasp", "revolute", 1.5), "share = 1.5 .* positive number of at most 1"),
+        (
+            lambda: one_joint("lid", "grap", "revolute", 0.5),
+            "kind = 'grap' is not allowed. Did you mean 'grasp'",
+        ),
+        (lambda: one_joint("lid", "grasp", "prism", 0.5), "Did you mean 'prismatic'"),
+        (lambda: by_lever("", goal=0.3, until=0.1), "goal = 0.3 .* at most 0.1"),
+        (lambda: by_lever("", goal=np.nan, until=0.1), "goal = nan is not allowed"),
+        (lambda: replace(TASKS["OpenBox"], seconds=0.0), "seconds = 0.0 .* must be a positive number"),
+        (
+            lambda: replace(TASKS["OpenBox"], choose=None),
+            "choose of OpenBox is a function, such as one_joint",
+        ),
+    ],
+)
+def test_impossible_tasks_are_refused_when_they_are_made(made, message):
+    with pytest.raises(ParameterError, match=message):
+        made()
+
+
+def test_a_choice_that_is_no_tuple_is_an_error(assets):
+    task = replace(
+        TASKS["OpenDrawer"], choose=lambda asset, rng: iter(next(TASKS["OpenDrawer"].choose(asset, rng)))
+    )
+    with pytest.raises(
+        EnvError, match=r"choose of OpenDrawer yields a Stage; .* tuples of stages: \(stage,\)"
+    ):
+        task.target(assets("OpenDrawer"), np.random.default_rng(0))
 
 
 def test_progress_and_goal_of_a_stage_towards_smaller_positions(assets):

@@ -28,6 +28,7 @@ SHUT = 0.001  # smaller openings of each finger mean that the hand squeezes [m]
 CAMERAS = {"front": "scene_front", "hand": f"{PREFIX}eye_in_hand"}  # next to the robot, and on its hand
 
 _FLOOR, _TABLE = "scene_floor", "scene_table"
+_ANYWHERE = (0.0, 0.0, 0.0, 1e3, 1e3, 1e3)  # bounds of what moves: center and half sizes [m]
 _DEEP = 0.02  # least height of the pedestal [m]
 _VISUAL_GROUP, _GROUPS = 2, 6  # geom group of visual surfaces, and number of groups
 
@@ -39,11 +40,15 @@ _SCENE = f"""<mujoco>
     <headlight ambient="0.28 0.28 0.28" diffuse="0.3 0.3 0.3"/>
     <quality shadowsize="4096"/>
   </visual>
+  <asset>
+    <texture name="scene_sky" type="skybox" builtin="gradient" rgb1="0.72 0.76 0.8" rgb2="0.6 0.61 0.62"
+      width="32" height="192"/>
+  </asset>
   <worldbody>
     <geom name="{_FLOOR}" type="plane" size="0 0 0.05" pos="0 0 -1" rgba="0.72 0.71 0.69 1" group="2"
       contype="{{floor_bits}}" conaffinity="{ROBOT_BIT}" castshadow="false"/>
     <geom name="{_TABLE}" type="box" size="0.1 0.1 0.1" pos="0 0 -1" rgba="0.62 0.52 0.42 1" group="2"
-      contype="0" conaffinity="{ROBOT_BIT}"/>
+      contype="{{floor_bits}}" conaffinity="{ROBOT_BIT}"/>
     <camera name="{CAMERAS["front"]}" fovy="45"/>
     <light name="scene_light" type="directional" dir="0.3 0.5 -1" pos="0 0 4" diffuse="0.5 0.5 0.5"/>
   </worldbody>
@@ -75,6 +80,10 @@ class TaskScene:
         self._tip_turn = self.data.site_xmat[self.control.tip].reshape(3, 3)
         self._rest = {link.name: asset.origin(link.name) for link in asset.links}
         self._bounds, self._qpos, self.speeds = asset.bounds(), self.data.qpos, self.data.qvel
+        # floor, table and pedestal move in the model, of which MuJoCo keeps bounds for each body
+        for body in (0, int(model.geom_bodyid[model.geom(f"{PREFIX}pedestal").id])):
+            first = int(model.body_bvhadr[body])
+            model.bvh_aabb[first : first + int(model.body_bvhnum[body])] = _ANYWHERE
 
     def place(self, target: Target, arm: Array) -> None:
         """Set up a task, with the arm at given angles, shape (7,) [rad], and everything at rest."""

@@ -20,6 +20,7 @@ from artgen.envs.placing import place
 from artgen.envs.scene import TaskScene, compiled
 from artgen.errors import EnvError, ParameterError, nearest
 from artgen.sampling import by, choice
+from artgen.sampling.distributions import is_number
 from artgen.scene import ROOMS
 
 Choice = tuple[Stage, ...]  # possible stages of a task on an asset
@@ -53,6 +54,13 @@ class Task:
     overrides: Mapping[str, Any] = field(default_factory=dict)
     raised: bool = False
 
+    def __post_init__(self) -> None:
+        _check_positive("seconds", self.seconds)
+        if not callable(self.choose):
+            raise ParameterError(
+                f"choose of {self.name} is a function, such as one_joint(...), got {self.choose!r}"
+            )
+
     def generate(self, seed: int) -> Asset:
         """Generate an asset that is suitable for the task, without a certificate; a room of light assets."""
         if self.category in ROOMS:
@@ -73,6 +81,10 @@ class Task:
         raised = self.raised or asset.parameters.get("kind") == "wall"  # a wall has room below the asset
         for stages in self.choose(asset, rng):
             tried += 1
+            if isinstance(stages, Stage):
+                raise EnvError(
+                    f"choose of {self.name} yields a Stage; it must yield tuples of stages: (stage,)"
+                )
             found = place(asset, stages, rng, raised=raised)
             if found is not None:
                 return found
@@ -103,16 +115,41 @@ def one_joint(
         kind: `grasp` or `push`.
         joint_kind: Kind of the joint nearest to the part. It has limits and no dependency.
         share: Goal as a share of the range of the joint.
-        at_least: Goal if `share` is 0 [rad or m].
+        at_least: Goal if `share` is 0, at most 0.98 of the range [rad or m].
         back: Distance at which the hand begins its approach; large for parts that random motion would move
             [m].
+
+    Raises:
+        ParameterError: An argument is impossible, or there is no goal, or two.
     """
+    _check_option("kind", kind, ("grasp", "push"))
+    _check_option("joint_kind", joint_kind, ("revolute", "prismatic"))
+    for name, value, most in (("share", share, 1.0), ("at_least", at_least, np.inf)):
+        if value:
+            _check_positive(name, value, most)
+    _check_positive("back", back)
+    if bool(share) == bool(at_least):
+        raise ParameterError(
+            "one_joint needs one goal: share=0.5 of the range of the joint, or at_least=0.3 rad or m; got "
+            f"share = {share!r} and at_least = {at_least!r}"
+        )
 
     def choose(asset: Asset, rng: np.random.Generator) -> Iterator[Choice]:
         for affordance in _shuffled(found(asset, part, kind, joint_kind), rng):
             yield (stage(asset, affordance, share, at_least, back=back),)
 
     return choose
+
+
+def _check_positive(name: str, value: Any, most: float = np.inf) -> None:
+    if not is_number(value) or not 0.0 < value <= most:
+        limit = f" of at most {most:g}" if most < np.inf else ""
+        raise ParameterError(f"{name} = {value!r} is not allowed: it must be a positive number{limit}")
+
+
+def _check_option(name: str, value: Any, options: Sequence[str]) -> None:
+    if value not in options:
+        raise ParameterError(f"{name} = {value!r} is not allowed.{nearest(value, options)}")
 
 
 def found(asset: Asset, part: str, kind: str, joint_kind: str, *, free: bool = True) -> list[Affordance]:
@@ -122,7 +159,7 @@ def found(asset: Asset, part: str, kind: str, joint_kind: str, *, free: bool = T
     """
     result = []
     for each in asset.affordances:
-        if each.kind != kind or not each.joints or part not in each.link:
+        if each.kind != kind or not each.joints or part not in asset.originals.get(each.link, each.link):
             continue
         joint = asset.joint(each.joints[0])
         if joint.kind == joint_kind and not (free and _needed(joint)) and joint.limits is not None:
@@ -130,9 +167,9 @@ def found(asset: Asset, part: str, kind: str, joint_kind: str, *, free: bool = T
     if not result:
         have = ", ".join(f"{each.name} ({each.link})" for each in asset.affordances) or "none"
         raise EnvError(
-            f"asset {asset.name!r} of category {asset.category!r} has no {part} that a hand can {kind} "
-            f"to move a {joint_kind} joint; it has these grasps and pushes: {have}. Draw it with the part, "
-            "as the task's own generate(seed) does"
+            f"asset {asset.name!r} of category {asset.category!r} has no {part or 'part'} that a hand can "
+            f"{kind} to move a {joint_kind} joint; it has these grasps and pushes: {have}. Draw it with the "
+            "part, as the task's own generate(seed) does"
         )
     return result
 
@@ -169,7 +206,12 @@ def by_lever(part: str, goal: float, until: float, *, pushes: bool = False) -> C
         goal: Goal of the freed joint [rad or m].
         until: Position at which the scripted policy releases it [rad or m].
         pushes: Whether grasps are left out with which the hand would pull.
+
+    Raises:
+        ParameterError: A number is impossible.
     """
+    _check_positive("until", until)
+    _check_positive("goal", goal, until)
 
     def choose(asset: Asset, rng: np.random.Generator) -> Iterator[Choice]:
         for grasp in _shuffled(found(asset, part, "grasp", "revolute", free=False), rng):
