@@ -471,7 +471,7 @@ def test_likely_mistakes_of_a_function_are_told():
         rf"style is compared with 'other' at {here}:\d+; it never has that value. Allowed: round, square\.",
         rf"rotate at {here}:\d+ turns by 90 rad, 14.3 turns; angles are in radians: math.radians\(90\)",
         rf"the cut at {here}:\d+ removes nothing; move the second solid into the first",
-        rf"the asset has 0 joints, but @category\(joints=\(1, 2\)\) is declared; declare .* at {here}:\d+",
+        rf"the asset has 0 joints, but @category\(joints=\(1, 2\)\) is declared; correct .* at {here}:\d+",
         rf"the same seed gives another asset .*; box at {here}:\d+ differs: z was 0\.\d+, then 0\.\d+; .*",
     )
     for text, pattern in zip(found, patterns, strict=True):

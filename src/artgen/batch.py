@@ -740,7 +740,7 @@ def joined(mujoco_model: Any, models: Sequence[Any], of: Sequence[int]) -> Any:
     values: dict[str, list[Any]] = {}
     for name in _batched(models[0]):
         each = [getattr(model, name).numpy()[0] for model in models]
-        if len({value.shape for value in each}) == 1:  # what cameras see may be in one model only
+        if len({value.shape for value in each}) == 1:  # fields of cameras may be in one model only
             values[name] = each
     meshes = 0
     for number, model in enumerate(models):

@@ -28,7 +28,7 @@ SHUT = 0.001  # smaller openings of each finger mean that the hand squeezes [m]
 CAMERAS = {"front": "scene_front", "hand": f"{PREFIX}eye_in_hand"}  # next to the robot, and on its hand
 
 _FLOOR, _TABLE = "scene_floor", "scene_table"
-_ANYWHERE = (0.0, 0.0, 0.0, 1e3, 1e3, 1e3)  # bounds of what moves: center and half sizes [m]
+_ANYWHERE = (0.0, 0.0, 0.0, 1e3, 1e3, 1e3)  # bounds of moved shapes: center and half sizes [m]
 _DEEP = 0.02  # least height of the pedestal [m]
 _VISUAL_GROUP, _GROUPS = 2, 6  # geom group of visual surfaces, and number of groups
 
@@ -80,7 +80,7 @@ class TaskScene:
         self._tip_turn = self.data.site_xmat[self.control.tip].reshape(3, 3)
         self._rest = {link.name: asset.origin(link.name) for link in asset.links}
         self._bounds, self._qpos, self.speeds = asset.bounds(), self.data.qpos, self.data.qvel
-        # floor, table and pedestal move in the model, of which MuJoCo keeps bounds for each body
+        # floor, table and pedestal move in the model; MuJoCo keeps their bounds of the compilation
         for body in (0, int(model.geom_bodyid[model.geom(f"{PREFIX}pedestal").id])):
             first = int(model.body_bvhadr[body])
             model.bvh_aabb[first : first + int(model.body_bvhnum[body])] = _ANYWHERE

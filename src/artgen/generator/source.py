@@ -71,7 +71,7 @@ def check_source(
     least, most = generator.joints or (0, math.inf)
     if not least <= (count := len(asset.joints)) <= most:
         message = f"the asset has {count} joints, but @category(joints=({least}, {most})) is declared"
-        findings.append(Finding("source", message, hint=f"declare what it makes at {generator.where}"))
+        findings.append(Finding("source", message, hint=f"correct the numbers at {generator.where}"))
     # a module that is loaded again has new variables; in the same one, those that the function changes differ
     differing = [_differing(first.node, each.node) for each in others if first.node.key != each.node.key]
     return CheckResult("source", (*findings, *differing[:1]), f"built twice, {len(made)} operations")

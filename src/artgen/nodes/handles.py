@@ -289,7 +289,7 @@ class Body(Handle):
         normal: VectorLike = (1.0, 0.0, 0.0),
         suffixes: tuple[str, str] = ("_right", "_left"),
     ) -> Body:
-        """Join a child, and its mirror image with mirrored joints, each of which moves by itself.
+        """Join a child, and its mirror image with mirrored joints, which move independently.
 
         Args:
             child: The child on the side to which `normal` points.
