@@ -39,6 +39,7 @@ _SCENE = f"""<mujoco>
   <visual>
     <headlight ambient="0.28 0.28 0.28" diffuse="0.3 0.3 0.3"/>
     <quality shadowsize="4096"/>
+    <map shadowclip="2"/>
   </visual>
   <asset>
     <texture name="scene_sky" type="skybox" builtin="gradient" rgb1="0.72 0.76 0.8" rgb2="0.6 0.61 0.62"
