@@ -21,7 +21,6 @@ import numpy as np
 import torch
 from batched_maths import rewarded
 from batched_worlds import Worlds, color, structured
-from gymnasium import spaces
 from numpy.typing import NDArray
 from ppo import SETTINGS, Progress
 from stable_baselines3 import PPO
@@ -73,20 +72,15 @@ class BatchedTask(VecEnv):
         pictures: int = 0,
     ) -> None:
         check_whole("worlds", worlds, 1, 10**6)
-        if pictures:
-            check_whole("pictures", pictures, 16, 4096)
         self.task = TASKS[task] if isinstance(task, str) else task
         self.steps = round(self.task.seconds * RATE)
+        one = ManipulationEnv(self.task, assets, **_pictured(pictures))
         scenes, targets = _fit(self.task, assets, worlds)
         self.groups = _groups(scenes, targets, worlds)
         self.names = [scenes[number % len(scenes)].asset.name for number in range(worlds)]
         self.render_mode = None
         self.pictures = pictures
-        seen: spaces.Space[Any] = _numbers(STATE)
-        if pictures:
-            picture = spaces.Box(0, 255, (pictures, pictures, 3), np.uint8)
-            seen = spaces.Dict({"rgb": picture, "hand_rgb": picture, "robot": _numbers(PROPRIOCEPTION)})
-        super().__init__(worlds, seen, spaces.Box(-1.0, 1.0, (7,), np.float32))
+        super().__init__(worlds, one.observation_space, one.action_space)
         self._actions = np.zeros((worlds, 7))
         self._ages = np.zeros(worlds, int)
         self._first_ages = np.arange(worlds) * self.steps // worlds * spread
@@ -214,8 +208,9 @@ class BatchedTask(VecEnv):
         return [False] * len(list(self._get_indices(indices)))
 
 
-def _numbers(count: int) -> spaces.Space[Any]:
-    return spaces.Box(-np.inf, np.inf, (count,), np.float32)
+def _pictured(pictures: int) -> dict[str, Any]:
+    """Return the options of `ManipulationEnv` with the same observations."""
+    return {"obs": "rgb", "size": pictures} if pictures else {}
 
 
 def _fit(task: Task, source: Source, most: int) -> tuple[list[TaskScene], list[Target]]:
@@ -294,8 +289,7 @@ def speeds(batch: BatchedTask, seeds: range, steps: int) -> tuple[float, float]:
     for _ in range(steps):
         batch.step(rng.uniform(-1.0, 1.0, (batch.num_envs, 7)))
     together = batch.num_envs * steps / (time.perf_counter() - start)
-    sizes = {"obs": "rgb", "size": batch.pictures} if batch.pictures else {}
-    env = ManipulationEnv(batch.task, seeds, shuffle=False, **sizes)
+    env = ManipulationEnv(batch.task, seeds, shuffle=False, **_pictured(batch.pictures))
     for _ in seeds:
         env.reset()  # makes the models
     start = time.perf_counter()

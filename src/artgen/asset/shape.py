@@ -53,7 +53,7 @@ class Curve(FrozenArrays):
 
 GRAIN = 1e12  # steps per metre to which coordinates are rounded: machines and versions of NumPy differ beyond
 _NEEDLE = 1e-9  # height below which a triangle is degenerate [m]
-_DEEP = 64  # unions in one another after which the surface is computed at once
+_DEEP = 64  # nested unions after which the surface is computed at once
 
 
 @dataclass(frozen=True, eq=False)
@@ -397,7 +397,7 @@ class UnitedShape(_LazyShape):
     """The union of solids, which is a solid; many unions are never looked at, as their parts collide."""
 
     shapes: tuple[Shape, ...]
-    depth: int  # number of unions in one another
+    depth: int  # number of nested unions
 
     def __init__(self, shapes: Sequence[Shape], pieces: Pieces, paints: Mapping[int, Material]) -> None:
         members = tuple(member for shape in shapes for member in shape.members)

@@ -27,7 +27,7 @@ class Pieces:
         inner: Function of the tolerance for the pieces inside the solid.
         declared: Function that returns the pieces within which the outer ones may stand off from the solid.
         closer: Pieces with finer shapes for cuts that leave little of the solid, such as the walls of a cup.
-        combined: The pieces that the functions ask.
+        combined: Pieces that the functions use.
 
     Raises:
         ValueError: The solid is the last of a long chain of operations.

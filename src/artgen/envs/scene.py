@@ -81,7 +81,7 @@ class TaskScene:
         self._tip_turn = self.data.site_xmat[self.control.tip].reshape(3, 3)
         self._rest = {link.name: asset.origin(link.name) for link in asset.links}
         self._bounds, self._qpos, self.speeds = asset.bounds(), self.data.qpos, self.data.qvel
-        # floor, table and pedestal move in the model; MuJoCo keeps their bounds of the compilation
+        # floor, table and pedestal are moved after the compilation, which fixed their bounds
         for body in (0, int(model.geom_bodyid[model.geom(f"{PREFIX}pedestal").id])):
             first = int(model.body_bvhadr[body])
             model.bvh_aabb[first : first + int(model.body_bvhnum[body])] = _ANYWHERE

@@ -344,9 +344,8 @@ _tip = one_joint("", "push", "revolute", 0.8, back=FAR_BACK)
 _lever = one_joint("lever", "grasp", "revolute", 0.6)
 _off = one_joint("lid", "grasp", "prismatic", at_least=0.06)
 _pull = one_joint("drawer", "grasp", "prismatic", 0.5)
-_door, _lid = (
-    one_joint(part, "grasp", "revolute", at_least=by) for part, by in (("door", 0.5), ("lid", 0.8))
-)
+_door = one_joint("door", "grasp", "revolute", at_least=0.5)
+_lid = one_joint("lid", "grasp", "revolute", at_least=0.8)
 
 
 def _knob(part: str, share: float = 0.0, *, at_least: float = 0.0) -> Chooser:

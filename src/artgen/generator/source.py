@@ -14,8 +14,7 @@ from typing import TYPE_CHECKING, Any, Literal, get_origin
 from artgen.asset import Asset, AssetJoint, Tree
 from artgen.asset.report import CheckResult, Finding
 from artgen.errors import ArtgenError, nearest
-from artgen.generator.parameter import Parameter
-from artgen.graph import OPERATIONS, Graph, Handle, operation
+from artgen.graph import OPERATIONS, Cache, Graph, Handle, operation
 from artgen.graph.node import Node, topological
 from artgen.nodes.handles import Solid
 
@@ -46,7 +45,9 @@ def check_source(
     seed, attempt = asset.seed or 0, asset.attempt
     values = generator.sample(seed, attempt=attempt, overrides=overrides)
     first, made = generator.traced(values, {})
-    others = (again.build(again.sample(seed, attempt=attempt, overrides=overrides)), generator.build(values))
+    # a module that is loaded again has new variables; in the same one, those that the function changes differ
+    both = (again, generator) if again is not generator else (generator,)
+    others = [each.build(each.sample(seed, attempt=attempt, overrides=overrides)) for each in both]
     kinds = {Tree: "body", AssetJoint: "joint"}
     left = [node for node in unused(first, made) if operation(node.op).result in kinds]
     findings = [
@@ -72,7 +73,6 @@ def check_source(
     if not least <= (count := len(asset.joints)) <= most:
         message = f"the asset has {count} joints, but @category(joints=({least}, {most})) is declared"
         findings.append(Finding("source", message, hint=f"correct the numbers at {generator.where}"))
-    # a module that is loaded again has new variables; in the same one, those that the function changes differ
     differing = [_differing(first.node, each.node) for each in others if first.node.key != each.node.key]
     return CheckResult("source", (*findings, *differing[:1]), f"built twice, {len(made)} operations")
 
@@ -93,9 +93,8 @@ def _misread(generator: Generator) -> Iterator[Finding]:
     code = generator.function.__code__
     file, first = code.co_filename, code.co_firstlineno
     last = max((line or 0 for _, _, line in code.co_lines()), default=first)
-    words = {
-        name: each.options for name, each in generator.own.items() if each.kind is str or _is_literal(each)
-    }
+    kinds = {name: get_origin(each.kind) or each.kind for name, each in generator.own.items()}
+    words = {name: generator.own[name].options for name, kind in kinds.items() if kind in (str, Literal)}
     for line, node in _expressions("".join(linecache.getlines(file))):
         if not first <= line <= last:
             continue
@@ -118,10 +117,6 @@ def unused(result: Handle, made: Sequence[Node]) -> list[Node]:
     used = {child.key for node in made for child in node.children}
     used.add(getattr(result.node, "key", ""))  # a number has no node
     return [node for node in made if node.key not in used and not operation(node.op).lazy]
-
-
-def _is_literal(parameter: Parameter) -> bool:
-    return get_origin(parameter.kind) is Literal
 
 
 @functools.lru_cache(maxsize=64)
@@ -159,12 +154,13 @@ def _turned_by_degrees(made: Sequence[Node]) -> Iterator[Finding]:
 
 def _cut_by_nothing(made: Sequence[Node], values: Mapping[str, Any]) -> Iterator[Finding]:
     """Yield a note for each difference that removes nothing."""
+    cache = Cache()
     for node in made:
         if node.op != "difference":
             continue
         with suppress(ArtgenError):  # of an option that is not taken
             whole, rest = (
-                Graph(Solid(each)).evaluate(values).value.manifold.volume()
+                Graph(Solid(each)).evaluate(values, cache).value.manifold.volume()
                 for each in (node.inputs["a"], node)
             )
             if whole - rest < _REMOVED * whole:

@@ -8,12 +8,12 @@ from functools import partial
 
 import numpy as np
 
-from artgen._arrays import Array
 from artgen._names import is_identifier
 from artgen.asset import Asset, AssetJoint, Grasp, Link
 from artgen.asset.asset import followed_limits
 from artgen.asset.collision import mesh_precision
 from artgen.asset.joint import DYNAMICS
+from artgen.asset.manifolds import box_gaps
 from artgen.asset.report import CheckResult, Finding
 from artgen.errors import ArtgenError, nearest
 from artgen.export.frames import leader_of
@@ -30,7 +30,7 @@ LIGHTEST, HEAVIEST = 5.0, 20000.0
 
 _ROUNDING = 1e-9  # relative tolerance of moments of inertia
 _EXACT = 1e-6  # tolerance of axes and coupled ranges
-_FREE = 0.05  # distance of a link from all that carry it that is told [m]
+_FREE = 0.05  # distance of a link from all others beyond which nothing carries it [m]
 _LEAST_RANGE = 1e-6  # smaller ranges count as locked joints that are not declared so [rad or m]
 
 Interval = tuple[float, float]
@@ -271,22 +271,17 @@ def _pivot_findings(asset: Asset, joint: AssetJoint) -> Iterator[Finding]:
         message = f"its axis passes {joint.child!r} and {joint.parent!r} at a distance of {min(gaps):.4g} m"
         hint = "take the pivot from the geometry: solid.anchor(...)"
         yield _fault(message, joint=joint.name, value=min(gaps), unit="m", hint=hint)
-    elif _between(*boxes) > _FREE:
-        below = _below(asset, joint.child)
+    elif box_gaps(np.array(boxes[:1]), np.array(boxes[1:])).min() > _FREE:
+        below, child = _below(asset, joint.child), boxes.pop()
         with suppress(ArtgenError):
             boxes += [link.bounds() for link in asset.links if link.name not in below]
-        apart = min(_between(box, boxes[1]) for box in (boxes[0], *boxes[2:]))
+        apart = float(box_gaps(np.array(boxes), child[None]).min())
         if apart > _FREE:
             message = (
                 f"nothing carries {joint.child!r}, which is {1e3 * apart:.4g} mm from all other links at rest"
             )
             hint = "move it to its place: solid.at(...)"
             yield _fault(message, joint=joint.name, value=apart, unit="m", hint=hint, severity="note")
-
-
-def _between(first: Array, second: Array) -> float:
-    """Return the distance between two boxes, each as two corners, shape (2, 3) [m]."""
-    return float(np.linalg.norm(np.maximum(np.maximum(first[0] - second[1], second[0] - first[1]), 0.0)))
 
 
 def _below(asset: Asset, link: str) -> set[str]:
