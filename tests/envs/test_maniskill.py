@@ -39,14 +39,16 @@ def asset_of(env: Any) -> Asset:
 
 
 def simulate(env: Any, force: float, steps: int) -> None:
-    """Step with a force on the task's joint towards its goal, 0 is none; the robot is put aside."""
+    """Step with a force on one joint of the task after the other, 0 is none; the robot is put aside."""
     task = env.unwrapped
     task.agent.robot.set_pose(Pose.create_from_pq([0.0, -5.0, 0.0]))
     forces = torch.zeros_like(task.asset.qpos)
-    forces[0, task._joint[0]] = force * torch.sign(task._goal - task._start)[0]
-    for _ in range(steps):
-        task.asset.set_qf(forces)
-        task.scene.step()
+    for joint, away in zip(task._joint[0], task._goal[0] - task._start[0], strict=True):
+        forces[0, joint] = force * torch.sign(away)
+        for _ in range(steps):
+            task.asset.set_qf(forces)
+            task.scene.step()
+        task.evaluate()
 
 
 @pytest.mark.filterwarnings("ignore:__array_wrap__:DeprecationWarning")  # ManiSkill with NumPy 2
@@ -98,6 +100,39 @@ def test_the_spring_returns_a_toaster_lever() -> None:
     assert env.unwrapped.evaluate()["success"].all()
     simulate(env, 0.0, 200)
     assert float(env.unwrapped.progress()) < 0.01
+    env.close()
+
+
+@pytest.mark.parametrize("name", ["PushDoor", "OpenWindow", "OpenSafe", "LiftBlenderJug"])
+def test_the_latch_holds_until_the_lever_turns(name: str) -> None:
+    env = make(name, assets=[3])
+    env.reset(seed=0)
+    task = env.unwrapped
+    levers = [each[0, :-1].clone() for each in (task._start, task._goal)]
+    task._goal[0, :-1] = levers[0]  # no force on the levers
+    simulate(env, 20.0, 200)
+    assert float(task._shares()[0, -1]) < 0.05
+    task._goal[0, :-1] = levers[1]
+    env.reset(seed=0)
+    simulate(env, 20.0, 200)
+    assert task.evaluate()["success"].all()
+    env.close()
+
+
+@pytest.mark.parametrize("name", ["OpenTrashcan", "TurnHandle"])
+def test_followers_keep_the_ratio_to_their_leaders(name: str) -> None:
+    env = make(name, assets=[3])
+    env.reset(seed=0)
+    simulate(env, 20.0, 200)
+    asset, task = asset_of(env), env.unwrapped
+    prefix = f"scene-0-{asset.name}-0_"
+    joints = [each.name.removeprefix(prefix) for each in task.asset._objs[0].active_joints]
+    positions = dict(zip(joints, task.asset.qpos[0].tolist(), strict=True))
+    followers = [each for each in asset.joints if each.follows]
+    assert followers
+    for each in followers:
+        leader = positions[each.follows.leader]
+        assert positions[each.name] == pytest.approx(each.follows.at(leader), rel=0.01, abs=1e-4)
     env.close()
 
 

@@ -6,8 +6,8 @@ import artgen.envs.maniskill
 env = gymnasium.make("ArtgenOpenDrawer-v1", assets=range(100))
 
 Each world has its own asset: ManiSkill asks for no common topology. It reads the URDF; drives of the joints
-are their springs. Dry friction of joints, latches, detents and conditions between joints are not simulated;
-so tasks of several stages are left out.
+are their springs, and followers are coupled to their leaders, so that a latch holds a door until its lever
+turns. Dry friction of joints and detents are not simulated.
 """
 
 import tempfile
@@ -33,16 +33,12 @@ try:
 except ImportError as error:
     raise EnvError(f"ManiSkill cannot be loaded ({error}): pip install mani_skill") from error
 
-# tasks of several stages need a latch; the pedal and the spring of handles stick in SAPIEN
-_LEFT_OUT = (
-    *("PushDoor", "OpenDishwasher", "OpenWindow", "OpenSafe", "LiftBlenderJug"),
-    *("OpenTrashcan", "TurnHandle"),
-)
-NAMES = tuple(name for name in TASKS if name not in _LEFT_OUT)
+NAMES = tuple(TASKS)
 """Tasks of `artgen.envs` that are registered, as `ArtgenNAME-v1`."""
 
 _OPEN = 0.04  # position of an open finger of the Panda [m]
 _STEPS = 200  # time limit [steps]
+_STIFFNESS = 1e5  # of the coupling of a follower to its leader, as in the loader of ManiSkill
 
 
 def build(
@@ -50,7 +46,8 @@ def build(
 ) -> Any:
     """Return ManiSkill's articulation of an asset, with a fixed base, at the origin.
 
-    Without a graphics device, it has colliders only. The drive of each joint is its spring.
+    Without a graphics device, it has colliders only. The drive of each joint is its spring. Followers whose
+    leader moves a link of the same parent are coupled here: ManiSkill's loader inverts their ratio.
 
     Args:
         scene: A scene of ManiSkill.
@@ -67,6 +64,10 @@ def build(
         asset.export(folder, formats=("urdf",), textures=textures)
         (builder,) = loader.parse(str(Path(folder) / f"{asset.name}.urdf"))["articulation_builders"]
         builder.initial_pose = sapien.Pose()
+        parents = {joint.name: joint.parent for joint in asset.joints}
+        records = builder.mimic_joint_records
+        siblings = [each for each in records if parents[each.joint] == parents[each.mimic]]
+        builder.mimic_joint_records = [each for each in records if each not in siblings]
         if worlds is not None:
             builder.set_scene_idxs(list(worlds))
         built = builder.build(name=name)
@@ -76,7 +77,21 @@ def build(
         for world in each._objs:  # ManiSkill's own setter needs a running simulation
             world.set_drive_target(joint.rest)
             world.set_armature([joint.armature])
+    joints = {each.name: each._objs for each in built.active_joints}
+    for each in siblings:
+        for follower, leader in zip(joints[each.joint], joints[each.mimic], strict=True):
+            _couple(follower, leader, each.multiplier, each.offset)
     return built
+
+
+def _couple(follower: Any, leader: Any, ratio: float, offset: float) -> None:
+    """Couple two joints of one parent: with these coefficients, forces do the same work on both."""
+    largest = max(1.0, abs(ratio))  # larger coefficients make PhysX stick
+    coefficients = [0.0, -ratio / largest, 1.0 / largest]
+    links = [leader.parent_link, leader.child_link, follower.child_link]
+    follower.child_link.articulation.create_fixed_tendon(
+        links, coefficients, coefficients, rest_length=offset / largest, stiffness=_STIFFNESS
+    )
 
 
 class ManiSkillTask(BaseEnv):  # type: ignore[misc]  # mani_skill has no types
@@ -120,18 +135,22 @@ class ManiSkillTask(BaseEnv):  # type: ignore[misc]  # mani_skill has no types
             self.remove_from_state_dict_registry(built[-1])
         self.asset = Articulation.merge(built, name="asset")
         self.add_to_state_dict_registry(self.asset)
-        stages = [target.stages[-1] for target in targets]
         names = [[joint.name for joint in each.active_joints] for each in built]
-        self._joint = self._tensor(
-            [each.index(stage.joint) for each, stage in zip(names, stages, strict=True)]
-        ).long()
         closed = np.zeros((len(built), max(map(len, names))))
         for row, target, asset, each in zip(closed, targets, self.asset_list, names, strict=True):
             positions = asset.positions(target.start)
             row[: len(each)] = [positions[name] for name in each]
         self._closed = self._tensor(closed)
-        self._start = self._tensor([stage.start for stage in stages])
-        self._goal = self._tensor([stage.goal for stage in stages])
+        most = max(len(target.stages) for target in targets)
+        stages = [[*each.stages, *(most - len(each.stages)) * each.stages[-1:]] for each in targets]
+        self._joint = self._tensor(
+            [[each.index(stage.joint) for stage in row] for each, row in zip(names, stages, strict=True)]
+        ).long()
+        self._start = self._tensor([[stage.start for stage in row] for row in stages])
+        self._goal = self._tensor([[stage.goal for stage in row] for row in stages])
+        holds = [[stage.holds or stage is row[-1] for stage in row] for row in stages]
+        self._holds = self._tensor(holds).bool()
+        self._done = torch.zeros_like(self._holds)
         self._base = self._tensor(np.array([target.base for target in targets]))
         self._arm = self._tensor([[*target.arm, _OPEN, _OPEN] for target in targets])
 
@@ -141,6 +160,7 @@ class ManiSkillTask(BaseEnv):  # type: ignore[misc]  # mani_skill has no types
     def _initialize_episode(self, env_idx: Any, options: Mapping[str, Any]) -> None:
         self.asset.set_qpos(self._closed[env_idx])
         self.asset.set_qvel(torch.zeros_like(self._closed[env_idx]))
+        self._done[env_idx] = False
         turn = torch.atan2(self._base[env_idx, 1, 0], self._base[env_idx, 0, 0]) / 2.0
         zero = torch.zeros_like(turn)
         quaternion = torch.stack([torch.cos(turn), zero, zero, torch.sin(turn)], dim=-1)
@@ -148,14 +168,18 @@ class ManiSkillTask(BaseEnv):  # type: ignore[misc]  # mani_skill has no types
         self.agent.reset(self._arm[env_idx])
 
     def progress(self) -> Any:
-        """Return the progress of the joint to its goal, 0-1, shape (num_envs,)."""
-        position = self.asset.qpos.gather(1, self._joint[:, None])[:, 0]
+        """Return the mean progress of the stages to their goals, 0-1, shape (num_envs,)."""
+        return torch.where(self._done, 1.0, self._shares()).mean(dim=1)
+
+    def _shares(self) -> Any:
+        position = self.asset.qpos.gather(1, self._joint)
         return ((position - self._start) / (self._goal - self._start)).clamp(0.0, 1.0)
 
     def evaluate(self) -> dict[str, Any]:
-        """Return the success of each world and the progress of its joint."""
-        progress = self.progress()
-        return {"success": progress >= 1.0, "progress": progress}
+        """Return success and progress of each world; a stage can be done only after the earlier ones."""
+        reached = (self._shares() >= 1.0) | (self._done & ~self._holds)
+        self._done = reached.int().cumprod(dim=1).bool()
+        return {"success": self._done.all(dim=1), "progress": self.progress()}
 
     def _get_obs_extra(self, info: Mapping[str, Any]) -> dict[str, Any]:
         return {"tip": self.agent.tcp.pose.raw_pose, "progress": info["progress"]}
