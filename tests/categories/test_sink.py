@@ -8,6 +8,7 @@ import pytest
 
 from artgen.asset import Asset
 from artgen.catalog import find
+from artgen.errors import InfeasibleError
 
 
 @lru_cache(maxsize=8)
@@ -43,6 +44,23 @@ def test_a_lifted_rod_lowers_the_plug_of_a_washbasin() -> None:
     q = asset.pose({"lift_rod_slide": 0.028})["plug"][2, 3] - asset.pose({})["plug"][2, 3]
     assert q == pytest.approx(-0.0065, abs=3e-4)
     assert asset.clearance({"lift_rod_slide": 0.028})["sink", "plug"] > 0.0001
+
+
+@pytest.mark.parametrize("style", ["inset", "undermount", "apron", "vessel"])
+def test_two_doors_close_the_cabinet_below_the_bowl(style: str) -> None:
+    asset = made(5, style=style, stand="cabinet", bowls="single", doors=2)
+    closed = asset.clearance({})
+    for side in ("left", "right"):
+        assert 0.001 < closed["sink", f"door_{side}"] < 0.004
+        hinge = asset.joint(f"door_hinge_{side}")
+        assert hinge.limits == pytest.approx((0.0, asset.parameters["swing"]))
+        tip = asset.pose({hinge.name: 1.5})[f"door_{side}"] @ np.append(
+            asset.link(f"door_{side}").bounds().mean(0), 1
+        )
+        assert tip[1] < asset.link("sink").bounds()[0, 1], "an open door stands in front of the cabinet"
+    assert made(5, style=style, stand="cabinet", bowls="single", doors=0).certificate.proven
+    with pytest.raises(InfeasibleError, match="doors are for stand=cabinet"):
+        made(5, style=style, stand="legs", doors=2)
 
 
 @pytest.mark.parametrize(("style", "width", "depth", "mass"), [

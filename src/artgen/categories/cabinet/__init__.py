@@ -16,11 +16,11 @@ door and up to 120 cm with two; base cabinets 56-60 cm deep and 80-92 cm high wi
 from typing import Any, Literal
 
 import artgen as ag
-from artgen.categories.cabinet.doors import Hanging, HingeStyle
 from artgen.categories.shared import furniture, require_suited
 from artgen.categories.shared.finish import known
 from artgen.categories.shared.fronts import FrontLook, FrontStyle
 from artgen.categories.shared.furniture import WHITE_BOARD, Carcass
+from artgen.categories.shared.hanging import Hanging, HingeStyle
 from artgen.categories.shared.pulls import bar_pull, cup_pull, edge_pull, knob_pull
 
 _HANDLES = {"knob": knob_pull, "bar": bar_pull, "cup": cup_pull, "edge": edge_pull}

@@ -81,7 +81,7 @@ class Spout:
             course = self._gooseneck(height, fall)
         elif style == "arc":
             tight = "the arc bends too tightly for its tube: raise height, or lower girth"
-            least = 0.05 * self.reach + 4.0 * self.radius + 0.061
+            least = 0.08 * self.reach + 4.0 * self.radius + 0.0576
             height = ag.require(height, height >= least, tight)
             drop = height - fall
             line = ((0.0, 0.004), (0.0, 0.50 * height), (0.16, 0.86 * height), (0.52, height),

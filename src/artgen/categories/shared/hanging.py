@@ -36,7 +36,7 @@ def _cups(levels: Sequence[ag.Scalar]) -> ag.Body:
     )
 
 
-def _arms(levels: Sequence[ag.Scalar]) -> ag.Body:
+def _arms(levels: Sequence[ag.Scalar], make: Callable[..., ag.Body]) -> ag.Body:
     """Make the mounting plates and arms on the inner face x = 0 of a side with its front at y = 0."""
     at = [(0.0, 0.0, level) for level in levels]
     plate = ag.Region((-0.0003, 0.0035), (0.024, 0.054), (-0.022, 0.022)).box(bevel=0.0008)
@@ -44,7 +44,7 @@ def _arms(levels: Sequence[ag.Scalar]) -> ag.Body:
     heads = [(0.0034, 0.039, level + end * 0.016) for level in levels for end in (-1, 1)]
     turns = [(0.0129, y, level) for level in levels for y in (0.030, 0.058)]
     return ag.weld(
-        ag.part([ag.array(plate, at=at), ag.array(arm, at=at)], "hinge", ZINC),
+        make([ag.array(plate, at=at), ag.array(arm, at=at)], "hinge", ZINC),
         *screws(heads, facing="+x", radius=0.0038, finish=ZINC),
         *screws(turns, facing="+x", radius=0.0030, finish=ZINC),
     )
@@ -120,11 +120,11 @@ class Hanging:
         bumpers = ag.detail(ag.array(drop, at=at), "bumper", CLEAR_RUBBER)
         return ag.weld(boards, _cups(self._levels).at(x.low, y.high), bumpers)
 
-    def on_side(self) -> ag.Body:
-        """Make the halves of the hinges at the left side of the carcass."""
+    def on_side(self, make: Callable[..., ag.Body] = ag.part) -> ag.Body:
+        """Make the halves of the hinges at the left side of the carcass, with `ag.detail` only to be seen."""
         if self.inset:
             return self._butt(hinge_frame)
-        return _arms(self._levels).at(-self._case.right, self._case.front)
+        return _arms(self._levels, make).at(-self._case.right, self._case.front)
 
     def _butt(self, make: Callable[..., ag.Body]) -> ag.Body:
         sizes = {"height": _TALL, "radius": _KNUCKLE, "knuckles": 3, "sheets": False}
