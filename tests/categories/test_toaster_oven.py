@@ -45,6 +45,24 @@ def test_a_basket_lifts_out_of_a_drawer_that_is_out() -> None:
     assert asset.clearance({"drawer_slide": far, "basket_lift": up})["body", "basket"] > 0.01
 
 
+def test_two_drawers_slide_past_each_other_and_each_has_a_basket() -> None:
+    asset = made(2, style="dual")
+    _, far = asset.joint("drawer_slide_left").limits or (0.0, 0.0)
+    for side, other in (("left", "right"), ("right", "left")):
+        assert asset.blocked({f"drawer_slide_{other}": far, f"basket_lift_{side}": 0.1})
+        assert not asset.blocked({f"drawer_slide_{side}": far, f"basket_lift_{side}": 0.1})
+    assert asset.clearance({"drawer_slide_left": far})["drawer_left", "drawer_right"] > 0.003
+
+
+def test_the_front_of_a_round_air_fryer_follows_its_case() -> None:
+    asset = made(3, style="fryer", form="round")
+    colliders = [each.convex for each in asset.links["drawer"].colliders if each.label == "drawer"]
+    front = np.vstack([each.points for each in colliders])
+    ends = front[np.abs(front[:, 0]) > np.abs(front[:, 0]).max() - 0.01]
+    assert ends[:, 1].min() > front[:, 1].min() + 0.02, "its ends bend back"
+    assert asset.clearance({})["body", "drawer"] == pytest.approx(0.0012, abs=0.0004)
+
+
 @pytest.mark.parametrize(("style", "seed"), [("oven", 0), ("fryer", 1)])
 def test_dials_click_at_off_and_at_each_position(style: str, seed: int) -> None:
     joint = made(seed, style=style).joint("dial_turn_0")

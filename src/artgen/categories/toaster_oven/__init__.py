@@ -1,8 +1,9 @@
-"""A toaster oven with a door that drops, or an air fryer with a drawer for its basket.
+"""A toaster oven with a door that drops, or an air fryer with a drawer for its basket, or with two.
 
 Links: `body`; `dial_0`, ... from top to bottom, or from left to right. A toaster oven has `door`, `rack` and
-`crumb_tray`, an air fryer has `drawer` and `basket`. Joints: `dial_turn_0`, ...; `door_hinge`, `rack_slide`,
-`crumb_tray_slide`; `drawer_slide`, `basket_lift`.
+`crumb_tray`, an air fryer has `drawer` and `basket`, one with two drawers has `_left` and `_right` behind
+these names. Joints: `dial_turn_0`, ...; `door_hinge`, `rack_slide`, `crumb_tray_slide`; `drawer_slide`,
+`basket_lift`, with the same suffixes.
 
 The door stays at any angle: a spring carries it, and friction holds it. The rack slides out over the open
 door; the crumb tray slides out below it. The basket lifts out of a drawer that is out. Dials click: the
@@ -12,10 +13,12 @@ a timer.
 Sizes are those of shops. Toaster ovens for 4-6 slices (Breville BOV650 and BOV800, Cuisinart TOB-60,
 Panasonic NB-G110) are 390-480 mm wide, 290-370 mm deep and 230-290 mm high and weigh 5-10 kg. Air fryers
 (Philips HD9252 and HD9270, Cosori L501, Ninja AF100) hold 3.8-6.2 l, are 240-310 mm wide, 300-400 mm deep
-with the handle and 280-340 mm high and weigh 4.2-6 kg. Rotary switches click at 0.02-0.06 N m (catalogs of
+with the handle and 280-340 mm high and weigh 4.2-6 kg; those with two drawers (Ninja AF300, Philips NA352)
+are 380-420 mm wide and weigh 7.5-9 kg. Rotary switches click at 0.02-0.06 N m (catalogs of
 appliance switches).
 """
 
+import math
 from typing import Literal, NamedTuple
 
 import artgen as ag
@@ -29,8 +32,8 @@ from artgen.categories.shared.pulls import BarStyle, bar_handle
 from artgen.categories.shared.shelves import open_box
 from artgen.nodes.fitting import FIT, Fitting
 
-Style = Literal["oven", "fryer"]
-"""A toaster oven with a door that drops, or an air fryer with a drawer."""
+Style = Literal["oven", "fryer", "dual"]
+"""A toaster oven with a door that drops, or an air fryer with one drawer or with two side by side."""
 
 Look = Literal["stainless", "dark_steel", "white", "black", "pastel"]
 """Families of finishes."""
@@ -43,6 +46,7 @@ _TRAY = (0.0075, 0.016)  # bottom of the crumb tray above that of the case, and 
 _AXLE = 0.040  # height of the axis of a door above the bottom of the case [m]
 _ROD = 0.0027  # radius of the rods of a rack [m]
 _SWEEP = 4.7  # turn of a dial [rad]
+_FLAT = 0.031  # half of the width of the flat front and back of a round air fryer [m]
 _FUNCTIONS = ("bread", "bagel", "grill", "hot_air", "heat_both", "pizza")
 _LINING = ag.material("steel").with_(
     name="oven_lining", base_color=(0.30, 0.30, 0.30), specular_roughness=0.5, texture=""
@@ -79,24 +83,30 @@ class _Dials(NamedTuple):
 @ag.category(
     labels="body cavity foot cord vent rating_plate panel print element rail door window handle rack "
     "crumb_tray dial drawer basket trim",
-    joints=(4, 7),
+    joints=(4, 8),
 )
 def toaster_oven(
     *,
-    style: Style = ag.choice({"oven": 0.58, "fryer": 0.42}),
+    style: Style = ag.choice({"oven": 0.52, "fryer": 0.34, "dual": 0.14}),
     look: Look = ag.by(
         "style",
         oven={"stainless": 2.5, "dark_steel": 1.0, "white": 0.8, "black": 1.2, "pastel": 0.9},
-        fryer={"white": 1.0, "black": 2.5, "pastel": 1.0, "dark_steel": 0.6},
+        otherwise={"white": 1.0, "black": 2.0, "pastel": 1.3, "dark_steel": 0.6},
     ),
-    dials: int = ag.by("style", oven={3: 0.6, 4: 0.4}, fryer=2),
+    form: Literal["block", "round"] = ag.by("style", fryer=ag.choice("block", "round"), otherwise="block"),
+    dials: int = ag.by("style", oven={3: 0.6, 4: 0.4}, fryer=2, dual=4),
     width: ag.Float = ag.by(
-        "style", oven=ag.uniform(0.405, 0.475), fryer=ag.uniform(0.250, 0.300), unit="m", within=(0.24, 0.50)
+        "style",
+        oven=ag.uniform(0.405, 0.475),
+        fryer=ag.uniform(0.250, 0.300),
+        dual=ag.uniform(0.380, 0.420),
+        unit="m",
+        within=(0.24, 0.50),
     ),
     depth: ag.Float = ag.by(
         "style",
         oven=ag.uniform(0.285, 0.335),
-        fryer=ag.uniform(0.285, 0.330),
+        otherwise=ag.uniform(0.285, 0.330),
         unit="m",
         doc="depth of the case",
         within=(0.27, 0.36),
@@ -104,16 +114,16 @@ def toaster_oven(
     height: ag.Float = ag.by(
         "style",
         oven=ag.by("dials", {3: ag.uniform(0.240, 0.275), 4: ag.uniform(0.268, 0.292)}),
-        fryer=ag.uniform(0.290, 0.335),
+        otherwise=ag.uniform(0.290, 0.335),
         unit="m",
         within=(0.23, 0.35),
     ),
     soft: ag.Float = ag.by(
         "style",
         oven=ag.uniform(0.006, 0.022),
-        fryer=ag.uniform(0.022, 0.040),
+        otherwise=ag.uniform(0.022, 0.040),
         unit="m",
-        doc="radius of the edges of the case",
+        doc="radius of the edges of the case, unless it is round",
         within=(0.004, 0.045),
     ),
     panel: ag.Float = ag.uniform(0.088, 0.102, "m", doc="width of the panel with the dials of an oven"),
@@ -127,7 +137,12 @@ def toaster_oven(
     finish: ag.Material = _FINISH,
     metal: ag.Material = _METAL,
     cap: ag.Material = _CAPS,
-    watts: int = ag.by("style", oven=ag.choice(1500, 1650, 1800), fryer=ag.choice(1400, 1500, 1700)),
+    watts: int = ag.by(
+        "style",
+        oven=ag.choice(1500, 1650, 1800),
+        fryer=ag.choice(1400, 1500, 1700),
+        dual=ag.choice(2400, 2700),
+    ),
     maker: str = ag.choice(*details.BRANDS),
 ) -> ag.Body:
     """Make a toaster oven or an air fryer, closed."""
@@ -136,20 +151,23 @@ def toaster_oven(
     lines = (f"{maker.upper()} {watts // 10}", f"220-240 V~ 50/60 Hz {watts} W")
     foot = 0.012
     room = ag.Region((-width / 2, width / 2), (-depth / 2, depth / 2), (foot, height))
-    if style == "fryer":
-        return _fryer(room, soft, finish, made, pull, lines, maker)
+    ag.require(style == "fryer" or form == "block", "form=round is for style=fryer")
+    if style != "oven":
+        return _fryer(
+            room, soft, finish, made, pull, lines, maker, dual=style == "dual", rounded=form == "round"
+        )
     return _oven(room, soft, finish, made, panel, dials, swing, travel, pull, bar, lines, maker)
 
 
-def _backed(room: ag.Region, lines: tuple[str, ...], side: int) -> ag.Body:
-    """Make feet, cord and rating plate."""
-    back = room.y.high
-    plate = details.rating_plate(0.058, 0.024, lines, at=(-0.06, back, room.z.low + 0.05), facing=ag.Y)
-    low = room.z.low + 0.028
+def _backed(room: ag.Region, lines: tuple[str, ...], side: int, *, rounded: bool = False) -> ag.Body:
+    """Make feet, cord and rating plate; on a round case above each other."""
+    back, low = room.y.high, room.z.low + 0.028
+    inset, x, up = (0.056, 0.0, 0.095) if rounded else (0.03, side * 0.3 * room.x.size, 0.05)
+    at = (0.0 if rounded else -0.06, back, room.z.low + up)
     return ag.weld(
-        corner_feet(room.x.size, room.y.size, inset=0.03, height=room.z.low).at(0, room.y.mid, 0),
-        cord_stub(height=low).at(side * 0.3 * room.x.size, back, low),
-        plate,
+        corner_feet(room.x.size, room.y.size, inset=inset, height=room.z.low).at(0, room.y.mid, 0),
+        cord_stub(height=low + (0.016 if rounded else 0.0)).at(x, back, low + (0.016 if rounded else 0.0)),
+        details.rating_plate(0.058, 0.024, lines, at=at, facing=ag.Y),
     )
 
 
@@ -378,59 +396,110 @@ def _fryer(
     pull: ag.Scalar,
     lines: tuple[str, ...],
     maker: str,
+    *,
+    dual: bool,
+    rounded: bool,
 ) -> ag.Body:
-    """Make an air fryer: a soft case, two dials above a drawer, a basket in it."""
+    """Make an air fryer: a soft case, dials above a drawer or two, a basket in each."""
     front, low, half = room.y.low, room.z.low, room.x.high
     top = room.z.at(0.60)  # of the drawer
+    soft, edge = (half - _FLAT, 0.026) if rounded else (soft, ag.min_(0.008, 0.9 * soft))
     outline = ag.rectangle(room.x.size, room.y.size, radius=soft)
-    case = ag.extrude(outline, room.z.size, bevel=ag.min_(0.008, 0.9 * soft)).at(room.anchor())
-    side = half - soft - 0.003
-    bay = ag.Region((-side, side), (front, room.y.high - 0.045), (low + 0.014, top))
-    case -= bay.grow(front=0.02).box().paint(DARK)
+    case = ag.extrude(outline, room.z.size, bevel=edge).at(room.anchor())
+    side = half - (0.034 if rounded else soft + 0.003)
+    bay = ag.Region((-side, side), (front, room.y.high - 0.045), (low + (0.030 if rounded else 0.014), top))
+    bays = bay.columns(2, gap=0.024) if dual else [bay]
+    for each in bays:
+        case -= each.grow(front=0.02).box().paint(DARK)
     body = ag.weld(
-        ag.part(case, "body", filled(finish, 270.0, "case")), _backed(room, lines, 1), _grille(room)
+        ag.part(case, "body", filled(finish, 270.0, "case")),
+        _backed(room, lines, 1, rounded=rounded),
+        _grille(room, 0.056 if rounded else 0.09),
     )
     high = room.z.at(0.80)
-    body = ag.weld(
-        body, details.printed(details.logo(maker, 0.0050), (0, front, room.z.high - 0.028), material=made.ink)
-    )
-    for number, (x, kind) in enumerate(((-0.047, "numbers"), (0.047, "ticks"))):
-        body = body.install(_dial(made, number, kind, count=8), at=(x, front, high))
-        sign = details.icon(("thermometer", "timer")[number], 0.0085).at(x, -made.radius - 0.0125)
-        body = ag.weld(body, details.printed(sign, (0, front, high), material=made.ink))
-    return body.install(_drawer(bay, finish, made, pull))
+    word = details.printed(details.logo(maker, 0.0050), (0, front, room.z.high - 0.032), material=made.ink)
+    body = ag.weld(body, word)
+    across = (-0.130, -0.056, 0.056, 0.130) if dual else (-0.047, 0.047)
+    places = [ag.vector(x, front, high) for x in across]
+    if rounded:  # the temperature on top, the time in front
+        places = [ag.vector(0.0, room.y.at(0.36), room.z.high), ag.vector(0.0, front, high - 0.006)]
+    for number, place in enumerate(places):
+        kind, sign = (("numbers", "thermometer"), ("ticks", "timer"))[number % 2]
+        mark = details.icon(sign, 0.0085).at(0.0, -made.radius - 0.0125)
+        dial, facing = _dial(made, number, kind, count=8), -ag.Y
+        if rounded and number == 0:
+            dial, facing = dial.rotate(ag.X, -math.pi / 2), ag.Z
+        body = body.install(dial, at=place)
+        body = ag.weld(body, details.printed(mark, place, facing=facing, material=made.ink))
+    for each, suffix in zip(bays, ("_left", "_right") if dual else ("",), strict=True):
+        drawer = _drawer(each, finish, made, pull, _Bow(front, soft) if rounded else None)
+        body = body.install(drawer.suffixed(suffix) if suffix else drawer)
+    return body
 
 
-def _grille(room: ag.Region) -> ag.Body:
+class _Bow(NamedTuple):
+    """The front of a round case, seen from above: flat in the middle, then around two corners."""
+
+    front: ag.Scalar  # position of the flat middle along y [m]
+    radius: ag.Scalar  # of the corners [m]
+
+    def angle(self, half: ag.Scalar, more: ag.Scalar) -> ag.Scalar:
+        """Return the angle at which a line before the front is half of a width away from the middle [rad]."""
+        sine = (half - _FLAT) / (self.radius + more)
+        return ag.atan2(sine, ag.sqrt(1.0 - sine * sine))
+
+    def line(self, end: ag.Scalar, more: ag.Scalar) -> list[tuple[ag.Scalar, ag.Scalar]]:
+        """Return the corners of a line before the front, from left to right [m]."""
+        turns, out = [end * step / 8 for step in range(9)], self.radius + more
+        right = [(_FLAT + out * ag.sin(a), self.front + self.radius - out * ag.cos(a)) for a in turns]
+        return [*((-x, y) for x, y in reversed(right)), *right]
+
+
+def _grille(room: ag.Region, width: float) -> ag.Body:
     """Print the outlet of air behind, which is only seen."""
-    slots = details.vent_slots(0.09, 0.05, 8, slot=0.005, direction="horizontal")
+    slots = details.vent_slots(width, 0.05, 8, slot=0.005, direction="horizontal")
     place = (0, room.y.high, room.z.at(0.72))
     return details.printed(slots, place, material=DARK, facing=ag.Y, label="vent")
 
 
-def _drawer(bay: ag.Region, finish: ag.Material, made: _Dials, pull: ag.Scalar) -> Fitting:
-    """Make the drawer: a pan behind a front with a handle, and the basket that lifts out of it."""
-    gap = 0.0024
+def _drawer(bay: ag.Region, finish: ag.Material, made: _Dials, pull: ag.Scalar, bow: _Bow | None) -> Fitting:
+    """Make the drawer: a pan behind a front with a handle, and the basket that lifts out of it.
+
+    The front is flat, or follows the round case.
+    """
+    gap, thick = 0.0024, 0.018 if bow is None else 0.009
     pan = bay.shrink(gap, front=-0.002)
     deep = pan.y.size
-    face = pan.with_(y=(bay.y.low - 0.018, bay.y.low - 0.0012)).grow(x=0.010, z=0.006)
-    front = ag.extrude(face.front(radius=0.012), face.y.size, axis=ag.Y, bevel=0.005).at(y=face.y.mid)
-    box = pan.with_(y=(face.y.high - 0.002, pan.y.high)).shrink(top=0.006)
+    face = pan.with_(y=(bay.y.low - thick, bay.y.low - 0.0012)).grow(x=0.010, z=0.006)
+    fronts: list[ag.Solid]
+    if bow is None:
+        fronts = [ag.extrude(face.front(radius=0.012), face.y.size, axis=ag.Y, bevel=0.005).at(y=face.y.mid)]
+        box = pan.with_(y=(face.y.high - 0.002, pan.y.high)).shrink(top=0.006)
+    else:
+        behind, half = bay.y.low + 0.040, pan.x.high  # the pan begins where the case bends away from it
+        end = bow.angle(face.x.high, thick)
+        shell = ag.polygon([*bow.line(end, thick), *reversed(bow.line(end, 0.0012))])
+        inner = bow.line(bow.angle(half, 0.0015), 0.0015)
+        block = ag.polygon([*inner, (half, behind), (-half, behind)])
+        fronts = [
+            ag.extrude(shell, face.z.size, bevel=0.0025).at(z=face.z.mid),
+            ag.extrude(block, pan.z.size).at(z=pan.z.mid),
+        ]
+        box = pan.with_(y=(behind - 0.002, pan.y.high)).shrink(top=0.006)
     walls = [each.at(box.anchor(y=-1, z=-1)) for each in open_box(*box.size, wall=0.0028, floor=0.0028)]
     # the handle: a beam out of the front with a soft end
     reach = 0.085
     z = face.z.at(0.60)
     beam = ag.Region((-0.015, 0.015), (face.y.low - reach, face.y.low + 0.002), (z - 0.013, z + 0.013))
+    beam = beam.at(x=face.x.mid)
     grip = ag.grasp_on(beam.box(bevel=0.007), approach=ag.Y, closing=ag.Z, depth=0.040)
-    strip = beam.with_(
-        x=(-0.006, 0.006), y=(beam.y.low + 0.010, beam.y.high), z=(beam.z.high - 0.001, beam.z.high + 0.0006)
-    )
+    strip = beam.shrink(x=0.009, front=0.010).with_(z=(beam.z.high - 0.001, beam.z.high + 0.0006))
     drawer = ag.weld(
         ag.part(
             beam.box(bevel=0.007), "handle", casting(ag.material("black_abs"), 0.8), grasp=grip, name="drawer"
         ),
         ag.detail(strip.box(), "trim", made.metal),
-        ag.part(front, "drawer", filled(finish, 800.0, "front")),
+        ag.part(fronts, "drawer", filled(finish, 800.0, "front")),
         ag.part(walls, "drawer", _NONSTICK),
     )
     travel = deep + 0.040

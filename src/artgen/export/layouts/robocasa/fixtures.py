@@ -16,7 +16,7 @@ from artgen._arrays import Array, FrozenArrays
 from artgen.asset import Asset, Link
 from artgen.asset.joint import JointKind
 from artgen.colliders import Convex
-from artgen.export.layouts.robocasa.regions import Grid
+from artgen.export.layouts.robocasa.regions import Grid, interiors
 
 _GAPS = (0.008, 0.012, 0.018, 0.027)  # between parts of the marks of one burner [m]
 _LEAST, _ROUND = 0.045, 1.5  # least size of a burner [m], and its greatest length over its width
@@ -300,9 +300,11 @@ def _tap(asset: Asset, found: Fixture) -> None:
 
 
 def _basins(asset: Asset, found: Fixture) -> None:
-    """Add the basins; rooms to the left and right of a spout are one basin."""
+    """Add the basins; rooms to the left and right of a spout are one basin, one below is a cabinet."""
     basins: list[Array] = []
-    for room in sorted(found.rooms, key=lambda room: float(room[0, 0])):
+    bowls = [each.convex.bounds()[0, 2] for each in asset.links[0].colliders if each.label == "bowl"]
+    rooms = interiors(asset, min(bowls)) if bowls else found.rooms
+    for room in sorted(rooms, key=lambda room: float(room[0, 0])):
         if basins and room[0, 0] - basins[-1][1, 0] < _WALL:
             basins[-1] = np.array([np.minimum(basins[-1][0], room[0]), np.maximum(basins[-1][1], room[1])])
         else:

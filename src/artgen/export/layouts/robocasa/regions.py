@@ -26,11 +26,13 @@ _OFFSET = 1.37  # margin of the grid around the asset, in cells: rounding would 
 _DECIMALS = 6
 
 
-def interiors(asset: Asset) -> list[Array]:
-    """Return boxes of free space inside a closed asset, the largest first, each of shape (2, 3) [m]."""
+def interiors(asset: Asset, above: float = -np.inf) -> list[Array]:
+    """Return boxes of free space in a closed asset above a height, largest first, shape (2, 3) each [m]."""
     grid = Grid(seen_box(asset))
     occupied = grid.occupied(asset, {})
     free = ~occupied & _surrounded(occupied)
+    heights = grid.origin[2] + grid.step * np.arange(grid.shape[2])
+    free[:, :, heights < above] = False
     if not free.any():
         return []
     opened = {joint.name: joint.opened for joint in asset.free_joints}
