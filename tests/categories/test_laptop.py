@@ -11,6 +11,7 @@ import pytest
 from artgen.asset import Asset
 from artgen.catalog import find
 from artgen.errors import InfeasibleError
+from artgen.view.opening import opened
 
 STYLES = ("thin", "plain", "convertible")
 
@@ -32,6 +33,12 @@ def test_friction_holds_the_screen_where_it_is_left(style: str) -> None:
             data.qpos[model.joint(name).qposadr[0]] = value
         mujoco.mj_step(model, data, nstep=round(2.0 / model.opt.timestep))
         assert data.qpos[hinge] == pytest.approx(angle, abs=0.03)
+
+
+def test_an_open_convertible_shows_its_screen() -> None:
+    asset = made(2, style="convertible")
+    turn = asset.pose(opened(asset))["screen"] @ np.linalg.inv(asset.pose({})["screen"])
+    assert math.acos((np.trace(turn[:3, :3]) - 1.0) / 2.0) == pytest.approx(0.6 * math.pi, abs=1e-6)
 
 
 def test_the_screen_of_a_convertible_turns_over_onto_the_underside() -> None:

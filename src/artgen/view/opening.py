@@ -13,6 +13,7 @@ _WIDE = 1.2  # wider swings show more from the front if they are not fully open 
 _SHARE = 0.45  # opened share of a wide swing about an upright axis; beyond, a door shows only its edge
 _UPRIGHT = 0.7  # vertical part of the axis above which a hinge belongs to a door, and a slide is a lift
 _LIFT = (0.1, 0.5)  # smallest large lift, and its opened share [m, share]
+_ROUND, _AJAR = 2.4, 0.3  # turn at each of two hinges that fold a lid behind its base, and its opened share
 _TURN = 0.8  # opening of a joint without limits [rad or m]
 # size of a part, relative to the parts that it unlocks, above which it is a door or lid instead of a lock
 _DOOR = 0.4
@@ -41,7 +42,7 @@ def opened(asset: Asset, share: float = 1.0) -> dict[str, float]:
     locks = _locks(asset)
     doors = {name for name, dependent in locks.items() if _is_door(asset, moved, name, dependent)}
     leaders = {name for name in free if name not in locks or name in doors} or set(free)
-    ends = {name: _end(joint) for name, joint in free.items()}
+    ends = {name: _end(asset, joint) for name, joint in free.items()}
     ends |= _wide_enough(asset, ends, doors)
     shares = _drawer_shares(asset, [joint for name, joint in free.items() if name in leaders])
     q = {
@@ -56,7 +57,7 @@ def opened(asset: Asset, share: float = 1.0) -> dict[str, float]:
     return {name: position for name, position in q.items() if position != free[name].closed}
 
 
-def _end(joint: AssetJoint) -> float:
+def _end(asset: Asset, joint: AssetJoint) -> float:
     """Return the open position of a joint, regardless of other joints."""
     if joint.limits is None:
         return _TURN
@@ -65,6 +66,14 @@ def _end(joint: AssetJoint) -> float:
     travel = end - joint.closed
     if joint.kind == "revolute" and abs(travel) > _WIDE and _upright(joint):
         travel *= _SHARE
+    if (
+        joint.kind == "revolute"
+        and abs(travel) > _ROUND
+        and any(
+            each.child == joint.parent and leader_of(asset, each)[0] == joint.name for each in asset.joints
+        )
+    ):
+        travel *= _AJAR
     if joint.kind == "prismatic" and travel * joint.axis[2] > _LIFT[0] * _UPRIGHT and _upright(joint):
         travel *= _LIFT[1]
     return joint.closed + travel
