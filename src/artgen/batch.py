@@ -365,20 +365,10 @@ def isaaclab(
     """Return a spawner of Isaac Lab that gives worlds the assets of seeds in turn, a `MultiUsdFileCfg`.
 
     It reads the files of `usd`, which are written first. Use it as `spawn` of an `ArticulationCfg`, in a
-    scene with `replicate_physics=False`.
-
-    Args:
-        category: Name of a category, or a generator.
-        seeds: Seeds of the assets.
-        folder: Folder for a folder of each asset.
-        textures: Width of material maps in pixels; 0 writes none.
-        **options: Options of `generate`; `topology` is "fixed" by default, and with `colliders` that of these
-            assets.
+    scene with `replicate_physics=False`. The arguments and other errors are those of `usd`.
 
     Raises:
-        AssetError: A seed does not fit the topology.
         ExportError: Isaac Lab cannot be loaded.
-        ParameterError: There are no seeds, an option is not allowed, or the assets do not share a structure.
     """
     try:
         from isaaclab.sim import MultiUsdFileCfg
@@ -404,21 +394,13 @@ def genesis(
 
     `scene.add_entity(genesis(...))` gives contiguous blocks of worlds the assets in turn. They are
     `morphs.MJCF` of files that are written first. Genesis asks only for equal links and joints, so the files
-    have no spare colliders. It takes the couplings of the first asset for all of them.
-
-    Args:
-        category: Name of a category, or a generator.
-        seeds: Seeds of the assets.
-        folder: Folder for a folder of each asset.
-        textures: Width of material maps in pixels; 0 writes none.
-        **options: Options of `generate`; `topology` is "fixed" by default, and with `colliders` that of these
-            assets.
+    have no spare colliders. It takes the couplings of the first asset for all of them. The arguments and
+    other errors are those of `usd`.
 
     Raises:
-        AssetError: A seed does not fit the topology.
         ExportError: Genesis cannot be loaded.
-        ParameterError: There are no seeds, an option is not allowed, the assets do not share links and
-            joints, their couplings differ, or one has loose links.
+        ParameterError: The assets do not share links and joints, their couplings differ, or one has loose
+            links.
     """
     try:
         import genesis as engine
@@ -564,22 +546,17 @@ def mujoco_warp(
 ) -> Worlds:
     """Return a model of MuJoCo Warp whose worlds have different assets of one category.
 
-    Worlds get the assets in turn. The structure of their models is that of `mjlab`.
+    Worlds get the assets in turn. The structure of their models, the other arguments and the other errors are
+    those of `mjlab`.
 
     Args:
-        category: Name of a category, or a generator.
-        seeds: Seeds of the assets.
         worlds: Number of worlds; by default one for each asset.
-        touching: Whether contacts are left only to those links of an asset that can touch each other; see
-            `specs`.
-        **options: Options of `generate`; `topology` is "fixed" by default, and with `colliders` that of these
-            assets. `nconmax` and `njmax` set the room for contacts and constraints of each world, as in
-            `mujoco_warp.make_data`.
+        **options: Those of `usd`. `nconmax` and `njmax` set the room for contacts and constraints of each
+            world, as in `mujoco_warp.make_data`.
 
     Raises:
-        AssetError: A seed does not fit the topology.
         ExportError: MuJoCo or MuJoCo Warp is not installed.
-        ParameterError: There are no seeds or no worlds, or an option is not allowed.
+        ParameterError: There are no worlds.
     """
     room = {name: options.pop(name) for name in ("nconmax", "njmax") if name in options}
     assets = _generated(category, seeds, options)
@@ -643,18 +620,11 @@ def mjx(category: str | Generator, seeds: Iterable[int], **options: Any) -> MjxW
 
     MJX takes only numbers from world to world, so all worlds have the meshes of the first asset. Therefore
     colliders are there, but do not touch: links of proven assets cannot touch each other, except latches,
-    detents and the like. The model has a site `artgen_asset` whose x is the number of the asset.
-
-    Args:
-        category: Name of a category, or a generator.
-        seeds: Seeds of the assets.
-        **options: Options of `generate`; `topology` is "fixed" by default, and with `colliders` that of these
-            assets.
+    detents and the like. The model has a site `artgen_asset` whose x is the number of the asset. The
+    arguments and other errors are those of `usd`.
 
     Raises:
-        AssetError: A seed does not fit the topology.
         ExportError: MuJoCo or MJX is not installed.
-        ParameterError: There are no seeds, or an option is not allowed.
     """
     return mjx_worlds(_generated(category, seeds, options))
 
