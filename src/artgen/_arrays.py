@@ -34,12 +34,8 @@ class _OpenUSD:
 
 
 def _import_openusd() -> None:
-    """Import OpenUSD while no other thread opens a library.
-
-    While the system opens OpenUSD's library and holds its own lock, the library gives up the lock of the
-    interpreter and takes it again. A thread that imports another library at that moment has the lock of the
-    interpreter and waits for that of the system: both would wait forever.
-    """
+    """Import OpenUSD while no other thread opens a library."""
+    # it gives up the interpreter's lock with the system's held: a thread that imports too would wait forever
     create, one_at_a_time = _imp.create_dynamic, RLock()
 
     def create_alone(*arguments: Any) -> Any:

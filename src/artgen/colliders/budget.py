@@ -65,11 +65,9 @@ def budgeted(solids: Sequence[Pieces], *, most_pieces: int = 64, most_vertices: 
 
 
 class _Condenser:
-    """Pieces of several groups that are joined step by step, smallest added volume first.
+    """Pieces of several groups that are joined step by step, smallest added volume first."""
 
-    A pair of one group is joined only if its hull is within about 1 mm of the group's pieces: wider cavities
-    stay open.
-    """
+    # joins a pair of one group only within about 1 mm of its pieces: wider cavities stay open
 
     def __init__(self, groups: Sequence[Sequence[Convex]], most_vertices: int) -> None:
         self._most_vertices = most_vertices

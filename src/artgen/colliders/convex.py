@@ -242,10 +242,8 @@ def _geodesic(frequency: int) -> tuple[Array, float]:
 
 
 def _sphere(radius: float, tolerance: float, *, inscribed: bool) -> Array:
-    """Return vertices of a polytope around (or inside) a sphere at the origin, shape (n, 3) [m].
-
-    The error stays below the tolerance [m], except where this would need more than a thousand faces.
-    """
+    """Return vertices of a polytope around (or inside) a sphere at the origin, shape (n, 3) [m]."""
+    # the error is below the tolerance [m], except where this would need more than a thousand faces
     for frequency in range(1, _MOST_FREQUENCY + 1):
         points, nearest = _geodesic(frequency)
         error = radius * ((1.0 - nearest) if inscribed else (1.0 / nearest - 1.0))

@@ -265,11 +265,8 @@ def hull_triangles(points: Array) -> tuple[Array, Indices, Array]:
 
 
 def _ends(points: Array, contact: Mask) -> Indices:
-    """Return the ends of the lines on which points with the same faces lie.
-
-    On two faces in almost one plane, each two vertices seem to share an edge: cut after cut, their points in
-    the plane of the cut would multiply.
-    """
+    """Return the ends of the lines on which points with the same faces lie."""
+    # on two faces in almost one plane, each two vertices seem to share an edge, and cuts would multiply them
     _, line = np.unique(np.packbits(contact, axis=1), axis=0, return_inverse=True)
     kept: list[int] = []
     for members in (np.flatnonzero(line == number) for number in range(int(line.max()) + 1)):

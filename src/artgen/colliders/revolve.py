@@ -214,11 +214,8 @@ def _continues(below: Slab, above: Slab) -> bool:
 
 
 def _bulges(stack: Sequence[Slab]) -> Array:
-    """Return how far the hull of stacked trapezoids exceeds them inward and outward, shape (2,) [m].
-
-    The side towards the axis and the outer side are compared with the hull's sides in the same direction: a
-    thin wall is near to all sides of the hull, even across a hollow.
-    """
+    """Return how far the hull of stacked trapezoids exceeds them inward and outward, shape (2,) [m]."""
+    # sides are compared in one direction: a thin wall is near to all sides of the hull, even across a hollow
     hollow = any(radius > SNAP for _, *ends in stack for radius, _ in ends)
     corners = _corners(stack)
     hull = convex_hull(corners if hollow else np.concatenate((corners, corners * (-1.0, 1.0))))

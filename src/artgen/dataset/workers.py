@@ -279,10 +279,8 @@ def _cannot_join(address: str, error: BaseException | str) -> str:
 def _run(
     task: Callable[[Any], Any], items: Iterable[Any], *, limit: float, most: int | None
 ) -> Iterator[Ending]:
-    """Run a task for each item on a Ray cluster, and yield the endings as they come.
-
-    The time limit of a task starts when it begins, because it may wait long for a core of a shared cluster.
-    """
+    """Run a task for each item on a Ray cluster, and yield the endings as they come."""
+    # the time limit of a task starts when it begins: it may wait long for a core of a shared cluster
     import ray
 
     work = ray.remote(

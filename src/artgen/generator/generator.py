@@ -128,11 +128,8 @@ SHARED = Cache()
 
 @atexit.register
 def _release() -> None:
-    """Release all solids before manifold3d is unloaded.
-
-    If torch is loaded, modules outlive the interpreter, and manifold3d would report a leak for each cached
-    solid.
-    """
+    """Release all solids before manifold3d is unloaded."""
+    # modules outlive the interpreter if torch is loaded, and manifold3d reports a leak for each cached solid
     SHARED.clear()
     for name, module in list(sys.modules.items()):
         if name.startswith("artgen."):
@@ -311,10 +308,8 @@ class Generator(Variant):
         )
 
     def _acting(self, draw: Draw, cache: Cache | None, drawn: str | None) -> dict[str, Any]:
-        """Return the values of a draw without overrides that do not act, as an asset records them.
-
-        Without the key of the drawn graph, only numbers may not act.
-        """
+        """Return the values of a draw without overrides that do not act, as an asset records them."""
+        # without the key of the drawn graph, only numbers may not act
         inert = self._inert_numbers(draw, cache)
         if drawn is not None:
             inert |= self._inert_structure(draw, drawn)
@@ -725,10 +720,8 @@ _COARSER: tuple[tuple[float, float], ...] = ((1.1, 1.25), (1.3, 1.5), (1.6, 2.0)
 def _evaluations(
     body: Handle, values: Mapping[str, Any], cache: Cache, level: Detail
 ) -> Iterator[tuple[Detail, Evaluation, Tree]]:
-    """Yield a level of detail, the evaluation of a graph and its tree; finer ones in case it is not proven.
-
-    Too many triangles of solids make them coarser, unless coarser solids failed.
-    """
+    """Yield a level of detail, the evaluation of a graph and its tree; finer ones if it is not proven."""
+    # too many triangles of solids make them coarser, unless coarser solids failed
     most, coarsest, steps = level.most, _COARSEST, _COARSER
     if most < math.inf and _LIKELY * _solids(body) > most:
         level = level.scaled(2.0)
@@ -825,10 +818,8 @@ def _check_options(name: str, base: Any, attempts: int | None, detail: Any) -> N
 
 
 def _place(body: Handle, error: AssetError) -> str:
-    """Return the author's line of the joint, part or contact of an error.
-
-    Names of copies begin with the name in the author's code.
-    """
+    """Return the author's line of the joint, part or contact of an error."""
+    # names of copies begin with the name in the author's code
     about, found, place = error.joint or error.link, "", ""
     for node in Graph(body).nodes:
         for name in _names_given(node, error):

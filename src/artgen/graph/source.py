@@ -124,10 +124,8 @@ class _Writer:
 
 
 def _is_infix(known: Operation, node: Node) -> bool:
-    """Tell whether the operation's spelling reproduces this node.
-
-    Python needs a handle among the operands, and evaluates `2 < a` with a handle `a` as `a > 2`.
-    """
+    """Tell whether the operation's spelling reproduces this node."""
+    # Python needs a handle among the operands, and evaluates `2 < a` with a handle `a` as `a > 2`
     values = list(node.inputs.values())
     if not known.spelling or not any(isinstance(value, Node) for value in values):
         return False

@@ -249,11 +249,8 @@ def _shell(solid: Shape, thickness: float, open: Array3 | None) -> Shape:
 
 
 def _inset(solid: Manifold, distance: float) -> Array:
-    """Return the corners of a convex solid with all faces moved inward, shape (n, 3) [m].
-
-    A face n.x <= d about an inner point becomes the point n / d; the hull of these points has one face for
-    each corner of the solid.
-    """
+    """Return the corners of a convex solid with all faces moved inward, shape (n, 3) [m]."""
+    # a face n.x <= d about an inner point becomes the point n / d; their hull has a face for each corner
     mesh = solid.to_mesh64()
     corners = np.array(mesh.vert_properties)[:, :3][triangles_of(mesh)]
     across = cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])

@@ -132,10 +132,8 @@ def _corners(contour: Contour) -> tuple[Array, Array]:
 
 
 def _sliced(contours: Sequence[Contour], rings: Array) -> tuple[list[Contour], list[list[Array]]]:
-    """Return borders, and chains of rings: the hull of two neighbors follows the sides between them.
-
-    Sides between profiles of different shapes are hollow: further borders divide them.
-    """
+    """Return borders, and chains of rings: the hull of two neighbors follows the sides between them."""
+    # sides between profiles of different shapes are hollow: further borders divide them
     borders, chains = [contours[0]], [[rings[0]]]
     for (first, last), (low, high) in zip(pairwise(contours), pairwise(rings), strict=True):
         for count in _SLICES:

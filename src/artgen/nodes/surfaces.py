@@ -325,11 +325,8 @@ def _turns(steps: int, angle: float) -> tuple[Array, Array]:
 
 @cached(16)
 def _unit_box(steps: int) -> tuple[Array, Array, Array, Indices, Indices]:
-    """Return directions, signs and arcs (n, 3) of a box with rounded edges, its triangles and its targets.
-
-    An arc is the distance of a vertex from the flat part of its face along the rounded edge, in radii of the
-    edge.
-    """
+    """Return directions, signs and arcs (n, 3) of a box with rounded edges, its triangles and its targets."""
+    # an arc is the distance from the flat part of a face along the rounded edge, in radii of the edge
     quarter = _portable.tan(np.linspace(0.0, np.pi / 4.0, steps + 1)) if steps else np.zeros(1)
     across = np.concatenate([-quarter[::-1], quarter])
     side = np.concatenate([-np.ones(steps + 1), np.ones(steps + 1)])
@@ -381,10 +378,7 @@ def rounded_box(size: Array, bevel: float, steps: int) -> Skin:
 
 @cached(1)
 def _unit_chamfers() -> tuple[Array, Indices, Array, Indices, Indices]:
-    """Return signs (n, 3), face axes (n,), normals (n, 3), triangles and targets of a box with chamfers.
-
-    A vertex lies on the face across its axis, beside the chamfers.
-    """
+    """Return signs (n, 3), face axes (n,), normals (n, 3), triangles and targets of a box with chamfers."""
     signs: list[Array] = []
     axes: list[Indices] = []
     normals: list[Array] = []

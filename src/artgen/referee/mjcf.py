@@ -79,11 +79,8 @@ def _check_numbers(path: Path, compiled: Mapping[str, Any]) -> None:
 
 
 def _check_files(path: Path, root: Path) -> None:
-    """Check the files that an MJCF file and its includes name, before the compiler opens one.
-
-    The compiler's directories may stand in any of them, so that each name is tried in every directory. What
-    is in none is left to the compiler.
-    """
+    """Check the files that an MJCF file and its includes name, before the compiler opens one."""
+    # the compiler's directories may stand in any of them: each name is tried in all, and the rest left to it
     trees = {path: parse_xml(path)}
     waiting, folders = [path], {""}
     while waiting:

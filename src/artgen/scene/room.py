@@ -597,10 +597,7 @@ def _place_in(asset: Asset, link: str, size: Array, shares: tuple[float, float])
 
 
 def _level_under(asset: Asset, box: Array, middle: Array) -> float | None:
-    """Return the height of the highest surface under a box, shape (2, 2), around a point [m].
-
-    None if the surface is not on all sides of the point, shape (2,).
-    """
+    """Return the height of the highest surface under a box on all sides of a point, or None [m]."""
     x, y = (np.linspace(start, end, math.ceil((end - start) / _FINE) + 1) for start, end in box.T)
     columns = np.stack(np.meshgrid(x, y, indexing="ij"), axis=-1).reshape(-1, 2)
     pieces = [each.convex for link in asset.links for each in link.colliders]

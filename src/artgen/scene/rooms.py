@@ -269,10 +269,8 @@ def _box_on(here: Furnisher, below: Placement, at: float, deep: float) -> None:
 
 
 def _tub(region: Region, finish: Material) -> ag.Body:
-    """Make a bathtub that fills a region, with round corners, sloping sides and a drain in its floor.
-
-    Its colliders are within its visible surface and have plane corners.
-    """
+    """Make a bathtub that fills a region, with round corners, sloping sides and a drain in its floor."""
+    # its colliders are within its visible surface and have plane corners
     wall, x, y = 0.06, region.x.size / 2.0 - 0.06, region.y.size / 2.0 - 0.06
     floor, rim = region.z.low + 1.5 * wall, region.z.high
     levels = [(0.17, floor), (0.15, floor + 0.03), (0.01, rim - 0.03), (0.0, rim - 0.01), (0.0, rim + 0.01)]

@@ -164,11 +164,8 @@ def _pair(asset: Asset, pair: PairResult) -> dict[str, Any]:
 
 
 def _allowed(asset: Asset, pose: Mapping[str, float]) -> dict[str, float]:
-    """Return a pose of several joints with positions of the other joints that satisfy the dependencies.
-
-    For a drawer behind two doors, the nearest pose to one door does not include the other door, which has to
-    be open.
-    """
+    """Return a pose of several joints with positions of the other joints that satisfy the dependencies."""
+    # behind two doors, the nearest pose to one does not include the other, which has to be open
     result = dict(pose)
     for name in asset.blocked(pose):
         needs = asset.joint(name).needs

@@ -114,10 +114,8 @@ def _head_skin(radius: float, drive: Drive, head: Head, turn: float) -> Skin:
 
 
 def _wall(sheets: Sheets, border: Contour, rows: Array, scale: float) -> Indices:
-    """Add a wall with rows of radius, height and elevation of the normal [rad]; return its vertices by row.
-
-    The radii are factors of the border. The scale [m] of the border gives the distance along it.
-    """
+    """Add a wall with rows of radius, height and elevation of the normal [rad]; return vertices by row."""
+    # the radii are factors of the border; its scale [m] gives the distance along it
     rail = Rail.along(border)
     vertices = np.empty((len(rows), len(rail.vertex), 3))
     vertices[..., :2] = rows[:, 0, None, None] * border.points[rail.vertex]

@@ -374,10 +374,7 @@ def _unit(prim: Any) -> float:
 
 
 def _variants(stage: Any) -> Iterator[str]:
-    """Enable the variants of a stage for single simulators one after the other, and yield their names.
-
-    A stage without such variants yields an empty name once. At the end, no variant is enabled.
-    """
+    """Enable the variants for single simulators in turn, and yield their names, or an empty one once."""
     root = stage.GetDefaultPrim()
     names = list(root.GetVariantSets().GetNames()) if root else []
     names = [name for name in names if _ENABLED in root.GetVariantSet(name).GetVariantNames()]

@@ -209,10 +209,8 @@ def _stove(asset: Asset, found: Fixture, dials: Sequence[Link]) -> int:
 
 
 def _burner_places(asset: Asset, dials: int) -> list[tuple[float, float]]:
-    """Return the middles of the burners from left to right, from what is seen of them [m].
-
-    Marks of a zone may be dashes: they are joined over longer and longer gaps until each burner has a dial.
-    """
+    """Return the middles of the burners from left to right, from what is seen of them [m]."""
+    # dashes of a zone are joined over longer and longer gaps until each burner has a dial
     found = [each.mesh.vertices[:, :2] for each in asset.links[0].surfaces if each.label in _BURNERS]
     for gap in _GAPS if found else ():
         boxes = _clusters(np.concatenate(found), gap)
