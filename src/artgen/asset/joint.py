@@ -99,10 +99,6 @@ class AssetDependency(Record):
         until = "" if self.until is None else f".until({self.until:.6g})"
         return f"({self.condition}){beyond}{until}"
 
-    def to_data(self) -> dict[str, Any]:
-        """Return the dependency as JSON data; `beyond` is left out if it is None."""
-        return {name: value for name, value in super().to_data().items() if (name, value) != ("beyond", None)}
-
 
 @dataclass(frozen=True)
 class AssetDetents(Record):
@@ -254,11 +250,6 @@ class AssetJoint(FrozenArrays, Record):
         spring = self.closing.preload + (self.closing.force - self.closing.preload) * share
         way = math.copysign(1.0, self.closing.reach - self.closed)
         return np.where(share < 1.0, -way * spring - self.closing.damping * speeds, 0.0)
-
-    def to_data(self) -> dict[str, Any]:
-        """Return the joint as JSON data; `detents` and `closing` are left out if there are none."""
-        unused = {name for name in ("detents", "closing") if getattr(self, name) is None}
-        return {name: value for name, value in super().to_data().items() if name not in unused}
 
     def motion(self, position: float) -> Array:
         """Return the displacement of the child at a position, shape (4, 4), in asset coordinates at rest."""
