@@ -172,6 +172,17 @@ Kind = TypeVar("Kind", bound=np.generic)
 Number = TypeVar("Number", np.float64, np.int64)
 
 
+_STILL = np.eye(4)  # a call of it takes as long as three copies
+
+
+def affine(linear: Array, origin: Any = (0.0, 0.0, 0.0)) -> Array:
+    """Return the affine matrix, shape (4, 4), of a linear part (3, 3) and an origin (3,)."""
+    matrix = _STILL.copy()
+    matrix[:3, :3] = linear
+    matrix[:3, 3] = origin
+    return matrix
+
+
 def boxes_of(groups: Sequence[Array]) -> tuple[Array, Array]:
     """Return the lowest and highest coordinates of each group of points, each shape (groups, d)."""
     starts = np.cumsum([0, *(len(points) for points in groups[:-1])])

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from artgen import _portable
-from artgen._arrays import Array, FrozenArrays, Triple, cached_property
+from artgen._arrays import Array, FrozenArrays, Triple, affine, cached_property
 from artgen.asset.coupling import AssetCoupling
 from artgen.asset.record import Record
 from artgen.errors import AssetError
@@ -253,15 +253,12 @@ class AssetJoint(FrozenArrays, Record):
 
     def motion(self, position: float) -> Array:
         """Return the displacement of the child at a position, shape (4, 4), in asset coordinates at rest."""
-        result = np.eye(4)
         if not position:
-            return result
+            return np.eye(4)
         if self.kind == "prismatic":
-            result[:3, 3] = self.axis * position
-            return result
-        result[:3, :3] = _turned(self.rotation_terms, position)
-        result[:3, 3] = self.pivot - result[:3, :3] @ self.pivot
-        return result
+            return affine(np.eye(3), self.axis * position)
+        turn = _turned(self.rotation_terms, position)
+        return affine(turn, self.pivot - turn @ self.pivot)
 
     @cached_property
     def rotation_terms(self) -> tuple[Array, Array, Array]:

@@ -16,6 +16,7 @@ from artgen._arrays import OPENUSD, Array, cached
 from artgen.asset import Asset
 from artgen.errors import ExportError
 from artgen.export.files import write_files
+from artgen.export.frames import translation
 from artgen.export.glb import write_glb
 from artgen.export.maps import TEXTURE_DIRECTORY
 from artgen.export.mjcf import Tendons, write_mjcf
@@ -107,12 +108,7 @@ def trimesh_scene(
 
 def _link_poses(asset: Asset, q: Mapping[str, float] | None) -> dict[str, Array]:
     """Return the pose of the frame of each link at a pose of the asset, shape (4, 4)."""
-    result = {}
-    for name, motion in asset.pose(q).items():
-        frame = np.eye(4)
-        frame[:3, 3] = asset.origin(name)
-        result[name] = motion @ frame
-    return result
+    return {name: motion @ translation(asset.origin(name)) for name, motion in asset.pose(q).items()}
 
 
 @cached(1)

@@ -12,7 +12,7 @@ import numpy as np
 from manifold3d import Manifold, OpType
 
 from artgen import _portable, colliders
-from artgen._arrays import Array, distinct_rows
+from artgen._arrays import Array, affine, distinct_rows
 from artgen.asset import rotation
 from artgen.asset.manifolds import box_of, manifold_of
 from artgen.asset.shape import ComposedShape, DeferredShape, Shape, UnitedShape
@@ -205,7 +205,7 @@ def half_space(shape: Shape, point: Array, normal: Array) -> Shape:
     turn = check.frame(normal)
     size = np.array([2.0 * reach, 2.0 * reach, reach])
     foot = middle - normal * _portable.dot(middle - point, normal)
-    matrix = check.pose(turn, foot - normal * (reach / 2.0))
+    matrix = affine(turn, foot - normal * (reach / 2.0))
     box = rounded_box(size, 0.0, 0).shape(Exact((Convex.box(size),)))
     return box.transformed(matrix)
 
@@ -380,7 +380,7 @@ def poses(at: ArrayN3, around: Array3 | None) -> list[Array]:
     """Return the pose of each copy: at a point, and turned about an axis through the middle of the points."""
     places = check.points("at", at, 3, 1)
     if around is None:
-        return [check.pose(np.eye(3), place) for place in places]
+        return [affine(np.eye(3), place) for place in places]
     axis = unit(around)
     spokes = places - places.mean(axis=0)
     spokes -= np.outer(_portable.product(spokes, axis), axis)
@@ -394,7 +394,7 @@ def poses(at: ArrayN3, around: Array3 | None) -> list[Array]:
         _portable.product(*each) for each in ((np.cross(spokes[0], spokes), axis), (spokes, spokes[0]))
     )
     turns = map(math.atan2, sines.tolist(), cosines.tolist())
-    return [check.pose(rotation(axis, turn), place) for turn, place in zip(turns, places, strict=True)]
+    return [affine(rotation(axis, turn), place) for turn, place in zip(turns, places, strict=True)]
 
 
 def _array(solid: Shape, at: ArrayN3, around: Array3 | None = None) -> Shape:

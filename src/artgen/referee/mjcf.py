@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from artgen._arrays import Array, Indices
+from artgen._arrays import Array, Indices, affine
 from artgen.asset import AssetJoint
 from artgen.asset.coupling import AssetCoupling
 from artgen.asset.joint import JointKind
@@ -260,8 +260,7 @@ class _Reading:
         return result
 
     def _convexes(self, number: int) -> list[Convex]:
-        pose = np.eye(4)
-        pose[:3, :3], pose[:3, 3] = self.geom_xmat[number].reshape(3, 3), self.geom_xpos[number]
+        pose = affine(self.geom_xmat[number].reshape(3, 3), self.geom_xpos[number])
         a, b, c = self.geom_size[number].tolist()
         primitives: dict[int, Callable[[], Convex]] = {
             _SPHERE: lambda: Convex.sphere(a, pose),

@@ -14,7 +14,7 @@ from typing import Any, Literal, get_args
 
 import numpy as np
 
-from artgen._arrays import Array, FrozenArrays, cached_property
+from artgen._arrays import Array, FrozenArrays, affine, cached_property
 from artgen._names import ByName, check_name, is_identifier
 from artgen.asset import Asset, AssetJoint
 from artgen.asset.asset import DetailName, remember
@@ -538,9 +538,7 @@ def _check_shares(at: Any, deep: Any) -> None:
 
 def turned(angle: float) -> Array:
     """Return a turn about the vertical axis, shape (4, 4)."""
-    pose = np.eye(4)
-    pose[:3, :3] = rotation(np.array([0.0, 0.0, 1.0]), angle)
-    return pose
+    return affine(rotation(np.array([0.0, 0.0, 1.0]), angle))
 
 
 def _moved_box(asset: Asset, pose: Array) -> Array:
