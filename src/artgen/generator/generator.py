@@ -86,34 +86,23 @@ def check_flag(name: str, value: Any) -> None:
         raise ParameterError(f"{name} = {value!r} is not allowed: it must be True or False")
 
 
-def certify_sample(asset: Asset, tolerance: float, on_collision: OnCollision) -> None:
-    """Prove that the links of an asset never collide."""
-    _check_proven(asset, asset.certify(tolerance), on_collision)
+def _prove(asset: Asset, certify: Certification, tolerance: float, on_collision: OnCollision) -> None:
+    """Prove that the links of an asset never collide: at once, on access to its certificate, or not."""
+    if certify == "later":
+        from artgen.proof import certify as proof
+
+        after: OnCollision = "keep" if on_collision == "keep" else "fail"
+        certify_later(asset, lambda: _checked(asset, proof.certify(asset, tolerance), after))
+    elif certify:
+        _checked(asset, asset.certify(tolerance), on_collision)
 
 
-def _check_proven(asset: Asset, certificate: Certificate, on_collision: OnCollision) -> None:
+def _checked(asset: Asset, certificate: Certificate, on_collision: OnCollision) -> Certificate:
     if certificate.proven or on_collision == "keep":
-        return
+        return certificate
     if on_collision == "redraw":
         raise InfeasibleError(f"{certificate}\n  {_REMEDY}", pair=certificate.failures[0].alike)
     raise CheckError(f"{asset.name}: {certificate}\n  {_REMEDY}")
-
-
-def _certified(asset: Asset, tolerance: float, on_collision: OnCollision) -> Certificate:
-    """Prove an asset when its certificate is needed."""
-    from artgen.proof.certify import certify
-
-    certificate = certify(asset, tolerance)
-    _check_proven(asset, certificate, "keep" if on_collision == "keep" else "fail")
-    return certificate
-
-
-def _leave_open(asset: Asset) -> None:
-    """Leave an asset without a certificate."""
-
-
-def _prove_later(asset: Asset, tolerance: float, on_collision: OnCollision) -> None:
-    certify_later(asset, partial(_certified, asset, tolerance, on_collision))
 
 
 def fail_alike(failures: Sequence[InfeasibleError]) -> bool:
@@ -543,7 +532,7 @@ class Generator(Variant):
         if colliders is not None:
             asset = pad(asset.with_colliders(colliders, openings))
             if certify and asset.certificate is None:  # a padded asset
-                certify_sample(asset, tolerance, on_collision)
+                _prove(asset, True, tolerance, on_collision)
         return asset if limits == "full" else asset.with_limits(limits)
 
     @without_collector()
@@ -578,8 +567,7 @@ class Generator(Variant):
             )
         padded = self._padding(topology)
         check_proof(certify, tolerance, on_collision)
-        proof = _prove_later if certify == "later" else certify_sample
-        prove = partial(proof, tolerance=tolerance, on_collision=on_collision) if certify else _leave_open
+        prove = partial(_prove, certify=certify, tolerance=tolerance, on_collision=on_collision)
         cache = SHARED if cache is None else cache
         most = attempts or _ATTEMPTS
         refused: list[Mapping[str, Any]] = []
