@@ -20,7 +20,7 @@ from artgen._names import ByName
 from artgen.asset import Asset
 from artgen.asset.link import BareLink, Collider, DerivedLink
 from artgen.catalog import generate
-from artgen.errors import ExportError, ParameterError
+from artgen.errors import ParameterError, needed
 from artgen.export.frames import apart, coupling, linear_coupling
 from artgen.export.mjcf import OFF, Tendons, tendons_of
 from artgen.export.objects import mjspec
@@ -370,14 +370,12 @@ def isaaclab(
     Raises:
         ExportError: Isaac Lab cannot be loaded.
     """
-    try:
+    with needed(
+        "a spawner of Isaac Lab needs isaaclab, which cannot be loaded ({error}): pip install 'isaaclab"
+        "[isaacsim]' --extra-index-url https://pypi.nvidia.com, and start its AppLauncher first; "
+        "`usd` writes the files without it"
+    ):
         from isaaclab.sim import MultiUsdFileCfg
-    except ImportError as error:
-        raise ExportError(
-            f"a spawner of Isaac Lab needs isaaclab, which cannot be loaded ({error}): pip install 'isaaclab"
-            "[isaacsim]' --extra-index-url https://pypi.nvidia.com, and start its AppLauncher first; "
-            "`usd` writes the files without it"
-        ) from error
     paths = usd(category, seeds, folder, textures=textures, **options)
     return MultiUsdFileCfg(usd_path=[str(each.resolve()) for each in paths], random_choice=False)
 
@@ -402,13 +400,9 @@ def genesis(
         ParameterError: The assets do not share links and joints, their couplings differ, or one has loose
             links.
     """
-    try:
+    text = "a batch of Genesis needs genesis-world, which cannot be loaded ({error}): pip install "
+    with needed(text + "genesis-world torch"):
         import genesis as engine
-    except ImportError as error:
-        raise ExportError(
-            f"a batch of Genesis needs genesis-world, which cannot be loaded ({error}): pip install "
-            "genesis-world torch"
-        ) from error
     assets = [_without_spares(each) for each in _generated(category, seeds, options)]
     _check_kinematics(assets)
     paths = [
@@ -636,13 +630,9 @@ def mjx_worlds(assets: Sequence[Asset]) -> MjxWorlds:
         ExportError: MuJoCo or MJX is not installed.
         ParameterError: The assets do not share a structure.
     """
-    try:
+    with needed("a batch of MJX needs mujoco-mjx, which cannot be loaded ({error}): pip install mujoco-mjx"):
         import jax
         from mujoco import mjx as engine
-    except ImportError as error:
-        raise ExportError(
-            f"a batch of MJX needs mujoco-mjx, which cannot be loaded ({error}): pip install mujoco-mjx"
-        ) from error
     models = []
     for number, spec in enumerate(specs(assets)):
         spec.worldbody.add_site(name=ASSET_SITE, pos=(number, 0.0, 0.0))
@@ -665,13 +655,9 @@ def mjx_worlds(assets: Sequence[Asset]) -> MjxWorlds:
 
 
 def _warp() -> Any:
-    try:
+    text = "a batch of MuJoCo Warp needs mujoco-warp, which cannot be loaded ({error}): pip install "
+    with needed(text + "mujoco-warp"):
         import mujoco_warp as warp
-    except ImportError as error:
-        raise ExportError(
-            f"a batch of MuJoCo Warp needs mujoco-warp, which cannot be loaded ({error}): pip install "
-            "mujoco-warp"
-        ) from error
     return warp
 
 

@@ -14,7 +14,7 @@ import numpy as np
 from artgen import _portable
 from artgen._arrays import OPENUSD, Array, cached
 from artgen.asset import Asset
-from artgen.errors import ExportError
+from artgen.errors import needed
 from artgen.export.files import write_files
 from artgen.export.frames import translation
 from artgen.export.glb import write_glb
@@ -42,12 +42,8 @@ def mjspec(asset: Asset, textures: int, tendons: Tendons | None = None) -> "mujo
         ExportError: MuJoCo is not installed.
         ParameterError: The size of maps is not allowed.
     """
-    try:
+    with needed('an MjSpec needs MuJoCo, which cannot be loaded ({error}): pip install "artgen[sim]"'):
         import mujoco
-    except ImportError as error:
-        raise ExportError(
-            f'an MjSpec needs MuJoCo, which cannot be loaded ({error}): pip install "artgen[sim]"'
-        ) from error
     files = dict(write_mjcf(_stored(asset, textures), textures, tendons).files)
     return mujoco.MjSpec.from_string(files.pop(f"{asset.name}.xml").decode(), assets=files)
 
