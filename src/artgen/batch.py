@@ -403,7 +403,10 @@ def genesis(
     text = "a batch of Genesis needs genesis-world, which cannot be loaded ({error}): pip install "
     with needed(text + "genesis-world torch"):
         import genesis as engine
-    assets = [_without_spares(each) for each in _generated(category, seeds, options)]
+    assets = [
+        dataclasses.replace(asset, links=ByName(map(_OwnLink.of, asset.links)))
+        for asset in _generated(category, seeds, options)
+    ]
     _check_kinematics(assets)
     paths = [
         each.export(Path(folder) / each.name, formats=("mjcf",), textures=textures) / f"{each.name}.xml"
@@ -421,10 +424,6 @@ class _OwnLink(DerivedLink):
     def colliders(self) -> tuple[Collider, ...]:
         """Those that cover its solids."""
         return tuple(each for each in self.source.colliders if not each.spare)
-
-
-def _without_spares(asset: Asset) -> Asset:
-    return dataclasses.replace(asset, links=ByName(_OwnLink.of(link) for link in asset.links))
 
 
 def _check_kinematics(assets: Sequence[Asset]) -> None:

@@ -319,7 +319,6 @@ def _turns(steps: int, angle: float) -> tuple[Array, Array]:
     cosine, sine = _portable.cos(turn), _portable.sin(turn)
     for values in (cosine, sine):
         values[np.abs(values) < 1e-15] = 0.0
-        values.flags.writeable = False
     return cosine, sine
 
 
@@ -357,8 +356,6 @@ def _unit_box(steps: int) -> tuple[Array, Array, Array, Indices, Indices]:
     where = flat_signs if steps == 0 else np.concatenate([flat_directions, flat_signs], axis=1)
     _, first, group = np.unique(np.rint(where * 1e6), axis=0, return_index=True, return_inverse=True)
     targets = first[group.ravel()]
-    for array in (flat_directions, flat_signs, flat_arcs, triangles, targets):
-        array.flags.writeable = False
     return flat_directions, flat_signs, flat_arcs, triangles, targets
 
 

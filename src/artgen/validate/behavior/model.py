@@ -112,7 +112,8 @@ def room_model(path: Path, asset: Asset) -> Any:
     check_loadable(path)
     root = etree.parse(path).getroot()
     bodies = {str(each.get("name")): each for each in root.iter("body")}
-    poses = dict(zip(asset.links.by_name, asset.fk(np.array(_closed(asset))), strict=True))
+    closed = [asset.joint(name).closed for name in asset.dof_names]
+    poses = dict(zip(asset.links.by_name, asset.fk(np.array(closed)), strict=True))
     for joint in asset.joints:
         if joint.child in asset.loose:
             body = bodies[joint.child]
@@ -130,10 +131,6 @@ def room_model(path: Path, asset: Asset) -> Any:
     spec.modelfiledir, spec.option.timestep = str(path.parent), _STEP
     spec.compiler.discardvisual = True
     return spec.compile()
-
-
-def _closed(asset: Asset) -> list[float]:
-    return [asset.joint(name).closed for name in asset.dof_names]
 
 
 def _numbers(element: Any, name: str, default: Sequence[float]) -> list[float]:
