@@ -215,13 +215,9 @@ def _unions(parts: Sequence[SolidPart]) -> list[Manifold]:
     return [Manifold.batch_boolean(group, OpType.Add) for group in groups]
 
 
-def _boxes_overlap(a: Array, b: Array) -> bool:
-    """Tell whether the interiors of two boxes, shape (2, 3), overlap."""
-    return bool((a[0] < b[1]).all() and (b[0] < a[1]).all())
-
-
 def _overlapping(first: Manifold, second: Manifold) -> bool:
-    if not _boxes_overlap(box_of(first), box_of(second)):
+    (low, high), (least, most) = box_of(first), box_of(second)
+    if (low >= most).any() or (least >= high).any():
         return False
     common = first ^ second
     return bool(2.0 * common.volume() > _TOUCHING * common.surface_area())  # the thickness of a film

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from artgen import _portable
-from artgen._arrays import OPENUSD, Array, cached
+from artgen._arrays import OPENUSD, cached
 from artgen.asset import Asset
 from artgen.errors import needed
 from artgen.export.files import write_files
@@ -71,7 +71,7 @@ def trimesh_scene(
     """
     import trimesh
 
-    poses = _link_poses(asset, q)
+    poses = {name: motion @ translation(asset.origin(name)) for name, motion in asset.pose(q).items()}
     scene = trimesh.Scene(base_frame=_SCENE)
     parents = {child: parent for parent, child, _ in asset.pairs()}
     for name, pose in poses.items():
@@ -100,11 +100,6 @@ def trimesh_scene(
         name = f"{link}/{next(surfaces[link]).name}"
         scene.add_geometry(made, node_name=name, geom_name=name, parent_node_name=link)
     return scene
-
-
-def _link_poses(asset: Asset, q: Mapping[str, float] | None) -> dict[str, Array]:
-    """Return the pose of the frame of each link at a pose of the asset, shape (4, 4)."""
-    return {name: motion @ translation(asset.origin(name)) for name, motion in asset.pose(q).items()}
 
 
 @cached(1)

@@ -173,15 +173,11 @@ def _intersection(a: Shape, b: Shape) -> Shape:
     )
 
 
-def _corners(shapes: Sequence[Shape]) -> Array:
-    # those of united solids, whose union takes longer and has the same hull
-    return np.concatenate([member.vertices for shape in shapes for member in shape.members])
-
-
 def _hull(solids: tuple[Shape, ...]) -> Shape:
     if not solids:
         raise ValueError("a hull needs at least one solid, got none")
-    vertices = _corners(solids)
+    # those of united solids, whose union takes longer and has the same hull
+    vertices = np.concatenate([member.vertices for shape in solids for member in shape.members])
     solid, pieces = hull_of(vertices), around_hull(lambda: vertices)
     if solid.is_empty():
         raise ValueError("the result is empty")

@@ -214,7 +214,8 @@ def _fidelity_findings(link: Link, found: Fidelity, detail: str) -> Iterator[Fin
 
 
 def _detail(asset: Asset, measured: Sequence[tuple[float, Fidelity]]) -> str:
-    text = f"{_count(asset)} colliders, {sum(found.vertices for _, found in measured)} vertices"
+    count = sum(len(link.colliders) for link in asset.links)
+    text = f"{count} colliders, {sum(found.vertices for _, found in measured)} vertices"
     total = sum(volume for volume, _ in measured)
     if not total:
         return text
@@ -374,10 +375,6 @@ def compare_colliders(
             }
         )
     return rows
-
-
-def _count(asset: Asset) -> int:
-    return sum(len(link.colliders) for link in asset.links)
 
 
 def _numbers(measured: Fidelity) -> dict[str, float]:
