@@ -264,7 +264,7 @@ def around_lathe(contours: Sequence[Contour], angle: float = math.tau, sides: in
     """Return the pieces of a lathe solid about z."""
     borders = [contour.points for contour in contours]
     steps, turn = lathe_steps(contours, angle, sides)
-    return lazily(lambda: colliders.revolve_pieces(borders, 0.0, turn, steps))
+    return lazily(lambda: colliders.revolve_pieces(borders, turn, steps))
 
 
 def around_extrusion(
