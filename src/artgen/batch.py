@@ -50,14 +50,10 @@ _OF_MJLAB = ("geom_dataid", "geom_matid", "body_subtreemass")  # which mjlab giv
 _SEEN = ("mat_", "nmat", "cam_", "light_", "tex_", "flex_rgba")  # fields of the model that only cameras need
 # addresses in the arrays of meshes, and the array whose length they grow by
 _ADDRESSES = {
-    "mesh_vertadr": "mesh_vert",
-    "mesh_normaladr": "mesh_normal",
-    "mesh_faceadr": "mesh_face",
-    "mesh_graphadr": "mesh_graph",
-    "mesh_polyadr": "mesh_polynormal",
-    "mesh_polyvertadr": "mesh_polyvert",
+    "mesh_vertadr": "mesh_vert", "mesh_normaladr": "mesh_normal", "mesh_faceadr": "mesh_face",
+    "mesh_graphadr": "mesh_graph", "mesh_polyadr": "mesh_polynormal", "mesh_polyvertadr": "mesh_polyvert",
     "mesh_polymapadr": "mesh_polymap",
-}
+}  # fmt: skip
 
 
 def groups(assets: Iterable[Asset], rule: Rule) -> list[list[Asset]]:

@@ -37,15 +37,9 @@ _OF_FILES = ("meshes", "root", "total", "first", "picture", "repair")
 _PIXELS = 480  # side of a picture of `check`
 _CORNERS = 20  # least number of samples with which corners are certified unless asked otherwise
 _STYLES = {
-    "passed": "green",
-    "failed": "bold red",
-    "skipped": "yellow",
-    "fault": "bold red",
-    "note": "yellow",
-    "timed out": "bold red",
-    "absent": "yellow",
-    "nothing to read": "yellow",
-}
+    "passed": "green", "failed": "bold red", "skipped": "yellow", "fault": "bold red", "note": "yellow",
+    "timed out": "bold red", "absent": "yellow", "nothing to read": "yellow",
+}  # fmt: skip
 
 
 def check(

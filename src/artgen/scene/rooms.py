@@ -195,14 +195,9 @@ def _office(here: Furnisher) -> None:
     sides: tuple[Wall, Wall] = ("left", "right") if flip else ("right", "left")
     here.door(sides[1], 0.0 if sides[1] == "left" else depth - DOORWAY)
     low = {
-        "kind": "base",
-        "doors": 2,
-        "width": 0.8,
-        "depth": 0.36,
-        "height": 0.8,
-        "top": "worktop",
+        "kind": "base", "doors": 2, "width": 0.8, "depth": 0.36, "height": 0.8, "top": "worktop",
         "swing": 1.5,
-    }
+    }  # fmt: skip
     board = room.against(
         sides[0], "cabinet", at=0.1 if flip else depth - 0.9, name="sideboard", **here.base | PLINTH | low
     )
