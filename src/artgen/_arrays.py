@@ -34,12 +34,8 @@ class _OpenUSD:
 
 
 def _import_openusd() -> None:
-    """Import OpenUSD while no other thread opens a library.
-
-    While the system opens OpenUSD's library and holds its own lock, the library gives up the lock of the
-    interpreter and takes it again. A thread that imports another library at that moment has the lock of the
-    interpreter and waits for that of the system: both would wait forever.
-    """
+    """Import OpenUSD while no other thread opens a library."""
+    # it gives up the interpreter's lock with the system's held: a thread that imports too would wait forever
     create, one_at_a_time = _imp.create_dynamic, RLock()
 
     def create_alone(*arguments: Any) -> Any:
@@ -174,6 +170,17 @@ Mask = NDArray[np.bool_]
 
 Kind = TypeVar("Kind", bound=np.generic)
 Number = TypeVar("Number", np.float64, np.int64)
+
+
+_STILL = np.eye(4)  # a call of it takes as long as three copies
+
+
+def affine(linear: Array, origin: Any = (0.0, 0.0, 0.0)) -> Array:
+    """Return the affine matrix, shape (4, 4), of a linear part (3, 3) and an origin (3,)."""
+    matrix = _STILL.copy()
+    matrix[:3, :3] = linear
+    matrix[:3, 3] = origin
+    return matrix
 
 
 def boxes_of(groups: Sequence[Array]) -> tuple[Array, Array]:

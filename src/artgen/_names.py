@@ -16,21 +16,9 @@ WORLD = "world"
 """Name of the fixed frame in MJCF and URDF, which no link may have."""
 
 _LONGEST = 100  # most characters of a name
-_NAMED = frozenset(  # keys of asset.json with names
-    [
-        "category",
-        "child",
-        "joint",
-        "joints",
-        "label",
-        "labels",
-        "leader",
-        "link",
-        "material",
-        "name",
-        "parent",
-    ]
-)
+_NAMED = frozenset([  # keys of asset.json with names
+    "category", "child", "joint", "joints", "label", "labels", "leader", "link", "material", "name", "parent",
+])  # fmt: skip
 _PART = re.compile(r"(?!\.+\Z)[A-Za-z0-9_.-]{1,200}")  # parts of a path: no parent and no drive
 
 

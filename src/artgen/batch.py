@@ -20,7 +20,7 @@ from artgen._names import ByName
 from artgen.asset import Asset
 from artgen.asset.link import BareLink, Collider, DerivedLink
 from artgen.catalog import generate
-from artgen.errors import ExportError, ParameterError
+from artgen.errors import ParameterError, needed
 from artgen.export.frames import apart, coupling, linear_coupling
 from artgen.export.mjcf import OFF, Tendons, tendons_of
 from artgen.export.objects import mjspec
@@ -50,14 +50,10 @@ _OF_MJLAB = ("geom_dataid", "geom_matid", "body_subtreemass")  # which mjlab giv
 _SEEN = ("mat_", "nmat", "cam_", "light_", "tex_", "flex_rgba")  # fields of the model that only cameras need
 # addresses in the arrays of meshes, and the array whose length they grow by
 _ADDRESSES = {
-    "mesh_vertadr": "mesh_vert",
-    "mesh_normaladr": "mesh_normal",
-    "mesh_faceadr": "mesh_face",
-    "mesh_graphadr": "mesh_graph",
-    "mesh_polyadr": "mesh_polynormal",
-    "mesh_polyvertadr": "mesh_polyvert",
+    "mesh_vertadr": "mesh_vert", "mesh_normaladr": "mesh_normal", "mesh_faceadr": "mesh_face",
+    "mesh_graphadr": "mesh_graph", "mesh_polyadr": "mesh_polynormal", "mesh_polyvertadr": "mesh_polyvert",
     "mesh_polymapadr": "mesh_polymap",
-}
+}  # fmt: skip
 
 
 def groups(assets: Iterable[Asset], rule: Rule) -> list[list[Asset]]:
@@ -365,29 +361,17 @@ def isaaclab(
     """Return a spawner of Isaac Lab that gives worlds the assets of seeds in turn, a `MultiUsdFileCfg`.
 
     It reads the files of `usd`, which are written first. Use it as `spawn` of an `ArticulationCfg`, in a
-    scene with `replicate_physics=False`.
-
-    Args:
-        category: Name of a category, or a generator.
-        seeds: Seeds of the assets.
-        folder: Folder for a folder of each asset.
-        textures: Width of material maps in pixels; 0 writes none.
-        **options: Options of `generate`; `topology` is "fixed" by default, and with `colliders` that of these
-            assets.
+    scene with `replicate_physics=False`. The arguments and other errors are those of `usd`.
 
     Raises:
-        AssetError: A seed does not fit the topology.
         ExportError: Isaac Lab cannot be loaded.
-        ParameterError: There are no seeds, an option is not allowed, or the assets do not share a structure.
     """
-    try:
+    with needed(
+        "a spawner of Isaac Lab needs isaaclab, which cannot be loaded ({error}): pip install 'isaaclab"
+        "[isaacsim]' --extra-index-url https://pypi.nvidia.com, and start its AppLauncher first; "
+        "`usd` writes the files without it"
+    ):
         from isaaclab.sim import MultiUsdFileCfg
-    except ImportError as error:
-        raise ExportError(
-            f"a spawner of Isaac Lab needs isaaclab, which cannot be loaded ({error}): pip install 'isaaclab"
-            "[isaacsim]' --extra-index-url https://pypi.nvidia.com, and start its AppLauncher first; "
-            "`usd` writes the files without it"
-        ) from error
     paths = usd(category, seeds, folder, textures=textures, **options)
     return MultiUsdFileCfg(usd_path=[str(each.resolve()) for each in paths], random_choice=False)
 
@@ -404,30 +388,21 @@ def genesis(
 
     `scene.add_entity(genesis(...))` gives contiguous blocks of worlds the assets in turn. They are
     `morphs.MJCF` of files that are written first. Genesis asks only for equal links and joints, so the files
-    have no spare colliders. It takes the couplings of the first asset for all of them.
-
-    Args:
-        category: Name of a category, or a generator.
-        seeds: Seeds of the assets.
-        folder: Folder for a folder of each asset.
-        textures: Width of material maps in pixels; 0 writes none.
-        **options: Options of `generate`; `topology` is "fixed" by default, and with `colliders` that of these
-            assets.
+    have no spare colliders. It takes the couplings of the first asset for all of them. The arguments and
+    other errors are those of `usd`.
 
     Raises:
-        AssetError: A seed does not fit the topology.
         ExportError: Genesis cannot be loaded.
-        ParameterError: There are no seeds, an option is not allowed, the assets do not share links and
-            joints, their couplings differ, or one has loose links.
+        ParameterError: The assets do not share links and joints, their couplings differ, or one has loose
+            links.
     """
-    try:
+    text = "a batch of Genesis needs genesis-world, which cannot be loaded ({error}): pip install "
+    with needed(text + "genesis-world torch"):
         import genesis as engine
-    except ImportError as error:
-        raise ExportError(
-            f"a batch of Genesis needs genesis-world, which cannot be loaded ({error}): pip install "
-            "genesis-world torch"
-        ) from error
-    assets = [_without_spares(each) for each in _generated(category, seeds, options)]
+    assets = [
+        dataclasses.replace(asset, links=ByName(map(_OwnLink.of, asset.links)))
+        for asset in _generated(category, seeds, options)
+    ]
     _check_kinematics(assets)
     paths = [
         each.export(Path(folder) / each.name, formats=("mjcf",), textures=textures) / f"{each.name}.xml"
@@ -445,10 +420,6 @@ class _OwnLink(DerivedLink):
     def colliders(self) -> tuple[Collider, ...]:
         """Those that cover its solids."""
         return tuple(each for each in self.source.colliders if not each.spare)
-
-
-def _without_spares(asset: Asset) -> Asset:
-    return dataclasses.replace(asset, links=ByName(_OwnLink.of(link) for link in asset.links))
 
 
 def _check_kinematics(assets: Sequence[Asset]) -> None:
@@ -564,22 +535,17 @@ def mujoco_warp(
 ) -> Worlds:
     """Return a model of MuJoCo Warp whose worlds have different assets of one category.
 
-    Worlds get the assets in turn. The structure of their models is that of `mjlab`.
+    Worlds get the assets in turn. The structure of their models, the other arguments and the other errors are
+    those of `mjlab`.
 
     Args:
-        category: Name of a category, or a generator.
-        seeds: Seeds of the assets.
         worlds: Number of worlds; by default one for each asset.
-        touching: Whether contacts are left only to those links of an asset that can touch each other; see
-            `specs`.
-        **options: Options of `generate`; `topology` is "fixed" by default, and with `colliders` that of these
-            assets. `nconmax` and `njmax` set the room for contacts and constraints of each world, as in
-            `mujoco_warp.make_data`.
+        **options: Those of `usd`. `nconmax` and `njmax` set the room for contacts and constraints of each
+            world, as in `mujoco_warp.make_data`.
 
     Raises:
-        AssetError: A seed does not fit the topology.
         ExportError: MuJoCo or MuJoCo Warp is not installed.
-        ParameterError: There are no seeds or no worlds, or an option is not allowed.
+        ParameterError: There are no worlds.
     """
     room = {name: options.pop(name) for name in ("nconmax", "njmax") if name in options}
     assets = _generated(category, seeds, options)
@@ -643,18 +609,11 @@ def mjx(category: str | Generator, seeds: Iterable[int], **options: Any) -> MjxW
 
     MJX takes only numbers from world to world, so all worlds have the meshes of the first asset. Therefore
     colliders are there, but do not touch: links of proven assets cannot touch each other, except latches,
-    detents and the like. The model has a site `artgen_asset` whose x is the number of the asset.
-
-    Args:
-        category: Name of a category, or a generator.
-        seeds: Seeds of the assets.
-        **options: Options of `generate`; `topology` is "fixed" by default, and with `colliders` that of these
-            assets.
+    detents and the like. The model has a site `artgen_asset` whose x is the number of the asset. The
+    arguments and other errors are those of `usd`.
 
     Raises:
-        AssetError: A seed does not fit the topology.
         ExportError: MuJoCo or MJX is not installed.
-        ParameterError: There are no seeds, or an option is not allowed.
     """
     return mjx_worlds(_generated(category, seeds, options))
 
@@ -666,13 +625,9 @@ def mjx_worlds(assets: Sequence[Asset]) -> MjxWorlds:
         ExportError: MuJoCo or MJX is not installed.
         ParameterError: The assets do not share a structure.
     """
-    try:
+    with needed("a batch of MJX needs mujoco-mjx, which cannot be loaded ({error}): pip install mujoco-mjx"):
         import jax
         from mujoco import mjx as engine
-    except ImportError as error:
-        raise ExportError(
-            f"a batch of MJX needs mujoco-mjx, which cannot be loaded ({error}): pip install mujoco-mjx"
-        ) from error
     models = []
     for number, spec in enumerate(specs(assets)):
         spec.worldbody.add_site(name=ASSET_SITE, pos=(number, 0.0, 0.0))
@@ -695,13 +650,9 @@ def mjx_worlds(assets: Sequence[Asset]) -> MjxWorlds:
 
 
 def _warp() -> Any:
-    try:
+    text = "a batch of MuJoCo Warp needs mujoco-warp, which cannot be loaded ({error}): pip install "
+    with needed(text + "mujoco-warp"):
         import mujoco_warp as warp
-    except ImportError as error:
-        raise ExportError(
-            f"a batch of MuJoCo Warp needs mujoco-warp, which cannot be loaded ({error}): pip install "
-            "mujoco-warp"
-        ) from error
     return warp
 
 

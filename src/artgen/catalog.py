@@ -204,10 +204,8 @@ def load_file(path: str | Path) -> Generator:
 
 
 def _run(file: Path) -> dict[str, Generator]:
-    """Execute a file as a separate module and return the categories that it defines.
-
-    The text is compiled here, because Python's cache misses edits within one second.
-    """
+    """Execute a file as a separate module and return the categories that it defines."""
+    # the text is compiled here, because Python's cache misses edits within one second
     path = str(file)
     name = f"category_file_{hashlib.blake2b(path.encode(), digest_size=6).hexdigest()}"
     before = sys.modules.get(name)

@@ -14,28 +14,13 @@ from artgen.errors import ArtgenError, CheckError, ParameterError, nearest
 from artgen.version import __version__
 
 COMMANDS = {
-    "list": "info.list_categories",
-    "info": "info.info",
-    "card": "datasets.card",
-    "check": "checks.check",
-    "certify": "checks.certify",
-    "validate": "checks.validate",
-    "clients": "clients.clients",
-    "colliders": "checks.colliders",
-    "demos": "datasets.demos",
-    "export": "generate.export",
-    "gallery": "view.gallery",
-    "generate": "generate.generate",
-    "graph": "view.graph",
-    "images": "datasets.images",
-    "new": "new.new",
-    "reach": "checks.reach",
-    "render": "pictures.render",
-    "scene": "generate.scene",
-    "sheet": "pictures.sheet",
-    "studio": "view.studio",
-    "view": "view.view",
-}
+    "list": "info.list_categories", "info": "info.info", "card": "datasets.card", "check": "checks.check",
+    "certify": "checks.certify", "validate": "checks.validate", "clients": "clients.clients",
+    "colliders": "checks.colliders", "demos": "datasets.demos", "export": "generate.export",
+    "gallery": "view.gallery", "generate": "generate.generate", "graph": "view.graph",
+    "images": "datasets.images", "new": "new.new", "reach": "checks.reach", "render": "pictures.render",
+    "scene": "generate.scene", "sheet": "pictures.sheet", "studio": "view.studio", "view": "view.view",
+}  # fmt: skip
 """Module and function of each command, in `artgen.commands`."""
 
 _WRONG_INPUT = 2  # exit code

@@ -18,7 +18,8 @@ Each also derives from a suitable builtin, so `except ValueError` works. A messa
 """
 
 import difflib
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 
 
 class ArtgenError(Exception):
@@ -114,3 +115,17 @@ def nearest(name: object, allowed: Iterable[str]) -> str:
         return f" Did you mean {words[best]!r}?"
     shown = ", ".join(options[:12]) + (", ..." if len(options) > 12 else "")
     return f" Allowed: {shown}." if options else ""
+
+
+@contextmanager
+def needed(text: str, kind: type[ArtgenError] = ExportError) -> Iterator[None]:
+    """Give imports of an optional package an error that says how to install it.
+
+    Args:
+        text: The message; `{error}` in it is the error of the import.
+        kind: Class of the error.
+    """
+    try:
+        yield
+    except ImportError as error:
+        raise kind(text.format(error=error)) from error

@@ -9,20 +9,9 @@ A keyword of the joint replaces the value of the preset: `feel=feel.RUNNER, fric
 from artgen.nodes.joint import Feel, detents, soft_closing
 
 __all__ = [
-    "CASTER",
-    "DETENT",
-    "DIAL",
-    "GAS_SPRING",
-    "HINGE",
-    "LATCH",
-    "LEVER",
-    "PIVOT",
-    "RUNNER",
-    "SWITCH",
-    "Feel",
-    "detents",
-    "soft_closing",
-]
+    "CASTER", "DETENT", "DIAL", "GAS_SPRING", "HINGE", "LATCH", "LEVER", "PIVOT", "RUNNER", "SWITCH", "Feel",
+    "detents", "soft_closing",
+]  # fmt: skip
 
 SWITCH = Feel(damping=6.0, friction=0.1, armature=0.03, effort=12.0)
 """Slide of a key of an appliance, with a spring of 2-4 N at a travel of 1-3 mm (catalogs of tactile

@@ -32,28 +32,10 @@ from artgen.nodes.details.displays import Color
 from artgen.nodes.fitting import FIT, Fitting
 
 __all__ = [
-    "FIT",
-    "Fitting",
-    "bar_handle",
-    "cam_lock",
-    "caster",
-    "cup_pull",
-    "deadbolt",
-    "dial",
-    "display",
-    "drawer_runners",
-    "edge_pull",
-    "foot",
-    "hinge",
-    "knob",
-    "knob_set",
-    "latch",
-    "lever_set",
-    "logo",
-    "pocket_handle",
-    "push_button",
-    "recessed_handle",
-]
+    "FIT", "Fitting", "bar_handle", "cam_lock", "caster", "cup_pull", "deadbolt", "dial", "display",
+    "drawer_runners", "edge_pull", "foot", "hinge", "knob", "knob_set", "latch", "lever_set", "logo",
+    "pocket_handle", "push_button", "recessed_handle",
+]  # fmt: skip
 
 _STEEL = ag.material("stainless")
 _NICKEL = ag.material("satin_nickel")

@@ -79,7 +79,9 @@ def test_a_record_is_read_back_from_its_data() -> None:
     assert isinstance(found.legs[0].tip, np.ndarray)
     assert (found.size, found.spans) == (stool.size, stool.spans)
     assert rounded(stool).first.tip[2] == 0.333333333333
-    del data["legs"][0]["note"]
+    assert "note" not in data["legs"][0]
+    assert found.legs[0].note is None
+    data["legs"][0]["note"] = None
     assert Stool.from_data(data).legs[0].note is None
     del data["legs"][0]["length"]
     with pytest.raises(AssetError, match=r"legs\[0\].length is missing"):

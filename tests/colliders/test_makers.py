@@ -198,7 +198,7 @@ def test_turned_solid_is_bracketed(name: str, degrees: float) -> None:
     ]
     count = len(np.unique(np.round(around, 6)))
     segments = count if degrees == 360.0 else count - 1
-    pieces = revolve_pieces([profile], 0.0, np.radians(degrees), segments, RIG)
+    pieces = revolve_pieces([profile], np.radians(degrees), segments, RIG)
     assert_bracketed(moved(solid, RIG), pieces, 0.0005)
 
 

@@ -7,8 +7,7 @@ from hypothesis import strategies as st
 
 from artgen.graph import evaluate
 from artgen.nodes import extrude, profile
-from artgen.nodes.contours import outline_area
-from support.shapes import X, Y, Z, check_metric, check_shape, relative_volume
+from support.shapes import X, Y, Z, check_metric, check_shape, outline_area, relative_volume
 
 AXES = [X, Y, Z, -X, -Y, -Z]
 CORNER = ((0.0, 0.0), (0.3, 0.0), (0.3, 0.2), (0.15, 0.2), (0.15, 0.1), (0.0, 0.1))

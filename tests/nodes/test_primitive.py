@@ -5,12 +5,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from artgen._arrays import affine
 from artgen.errors import EvaluationError
 from artgen.graph import evaluate
 from artgen.nodes import primitive
 from artgen.nodes.primitive import cylinder_between
 from artgen.nodes.region import Region
-from artgen.nodes.validators import pose
 from support.shapes import X, Y, Z, check_metric, check_shape, relative_volume, same_bytes
 
 LENGTHS = st.floats(0.002, 2.0)
@@ -66,7 +66,7 @@ def test_a_cylinder_between_two_points_is_one_along_their_line(length, axis, sha
     shape = primitive._cylinder_between(start, end, radius, bevel)
     check_shape(shape)
     same = primitive._cylinder(radius, length, end - start, bevel).transformed(
-        pose(np.eye(3), (start + end) / 2.0)
+        affine(np.eye(3), (start + end) / 2.0)
     )
     same_bytes(shape, same)
 

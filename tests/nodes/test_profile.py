@@ -8,9 +8,10 @@ from hypothesis import strategies as st
 from artgen.errors import BuildError, EvaluationError
 from artgen.graph import evaluate
 from artgen.nodes import profile, surfaces
-from artgen.nodes.contours import outline_area, signed_area
+from artgen.nodes.contours import signed_area
 from artgen.nodes.extrude import extrude
 from artgen.nodes.path import spline
+from support.shapes import outline_area
 
 LENGTHS = st.floats(0.002, 2.0)
 

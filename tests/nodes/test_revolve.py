@@ -6,9 +6,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from artgen.nodes import extrude, profile
-from artgen.nodes.contours import outline_area
 from support.cases import some
-from support.shapes import X, Y, Z, check_shape, relative_volume
+from support.shapes import X, Y, Z, check_shape, outline_area, relative_volume
 
 KNOB = profile._polygon(((0, 0), (0.02, 0), (0.02, 0.005), (0.01, 0.01), (0.012, 0.03), (0, 0.035)), 0.0)
 RIM = profile._profile_translate(profile._rectangle(0.02, 0.05, 0.004), 0.03, 0.0)

@@ -5,8 +5,7 @@ import pytest
 
 from artgen.asset import Curve
 from artgen.nodes import loft, path, profile, sweep
-from artgen.nodes.contours import outline_area
-from support.shapes import X, Y, Z, check_shape, relative_volume
+from support.shapes import X, Y, Z, check_shape, outline_area, relative_volume
 
 O = np.zeros(3)  # noqa: E741
 BENT = (O, 0.05 * Z, 0.05 * Z + 0.2 * X, np.array([0.2, 0.1, 0.0]))

@@ -1,11 +1,15 @@
 """Checks of evaluated solids: closed, with true normals and covered by their pieces."""
 
+from collections.abc import Sequence
+
 import numpy as np
 from manifold3d import Error, Manifold, OpType
 from numpy.typing import NDArray
 
 from artgen.asset import Shape
+from artgen.asset.shape import Contour
 from artgen.colliders import TOLERANCE, Convex
+from artgen.nodes.contours import signed_area
 
 Array = NDArray[np.float64]
 
@@ -98,3 +102,8 @@ def same_bytes(a: Shape, b: Shape) -> bool:
         np.array_equal(getattr(a.mesh, name), getattr(b.mesh, name))
         for name in ("vertices", "normals", "uvs", "paints", "triangles")
     )
+
+
+def outline_area(contours: Sequence[Contour]) -> float:
+    """Return the area of a region [m^2]."""
+    return sum(signed_area(contour.points) for contour in contours)

@@ -17,27 +17,7 @@ from artgen.asset.shape import Curve, Mesh, Outline, Shape
 from artgen.asset.tree import Branch, Tree
 
 __all__ = [
-    "AllowedContact",
-    "Asset",
-    "AssetCondition",
-    "AssetCoupling",
-    "AssetCurve",
-    "AssetDependency",
-    "AssetDetents",
-    "AssetJoint",
-    "AssetLoop",
-    "AssetSoftClosing",
-    "Branch",
-    "Collider",
-    "Curve",
-    "Grasp",
-    "Link",
-    "Mesh",
-    "Outline",
-    "Piece",
-    "Push",
-    "Shape",
-    "Surface",
-    "Tree",
-    "rotation",
-]
+    "AllowedContact", "Asset", "AssetCondition", "AssetCoupling", "AssetCurve", "AssetDependency",
+    "AssetDetents", "AssetJoint", "AssetLoop", "AssetSoftClosing", "Branch", "Collider", "Curve", "Grasp",
+    "Link", "Mesh", "Outline", "Piece", "Push", "Shape", "Surface", "Tree", "rotation",
+]  # fmt: skip

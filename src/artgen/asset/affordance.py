@@ -16,20 +16,11 @@ if TYPE_CHECKING:
     from artgen.asset.asset import Asset
 
 
-class _Reached(Record):
-    """Base of records whose condition `when` is left out of data if there is none."""
+@dataclass(frozen=True, eq=False)
+class Hold(FrozenArrays, Record):
+    """A frame at which a hand acts."""
 
     OPTIONAL: ClassVar = frozenset({"when"})
-
-    def to_data(self) -> dict[str, Any]:
-        """Return the fields as JSON data."""
-        data = super().to_data()
-        return data if data["when"] is not None else {name: data[name] for name in data if name != "when"}
-
-
-@dataclass(frozen=True, eq=False)
-class Hold(FrozenArrays, _Reached):
-    """A frame at which a hand acts."""
 
     name: str  # identifier, unique on the asset
     frame: Pose  # pose in asset coordinates at rest, z along the approach of the hand, shape (4, 4) [m]
@@ -62,7 +53,7 @@ class Push(Hold):
 
 
 @dataclass(frozen=True, eq=False)
-class Affordance(FrozenArrays, _Reached):
+class Affordance(FrozenArrays, Record):
     """One action of a hand on an asset.
 
     Attributes:
@@ -75,6 +66,8 @@ class Affordance(FrozenArrays, _Reached):
         joints: Names of the free joints that the action moves, the nearest to the link first.
         when: Region of joint space in which a hand reaches the frame; None: everywhere.
     """
+
+    OPTIONAL: ClassVar = frozenset({"when"})
 
     name: str
     kind: Literal["grasp", "push"]

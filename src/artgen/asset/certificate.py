@@ -82,11 +82,6 @@ class PairResult(Record):
     open_fraction: float = 0.0
     seconds: float | None = None
 
-    def to_data(self) -> dict[str, Any]:
-        """Return the fields as JSON data; the time limit only where it ended the proof."""
-        data = super().to_data()
-        return data if self.seconds is not None else {k: v for k, v in data.items() if k != "seconds"}
-
     @property
     def clear(self) -> bool:
         """Whether both the solids and the colliders are proven."""

@@ -148,7 +148,6 @@ Collision = Literal["exact", "coacd", "hull"]
 COLLISIONS: tuple[str, ...] = get_args(Collision)
 """Kinds of colliders; `exact` keeps the colliders of the asset."""
 
-_MOST_VERTICES = 64
 _TOUCHING = 2e-6  # solids that overlap by less only touch; files have seven decimals [m]
 _CONVEX = 1e-4  # largest share of its hull that a convex part may leave empty
 _RECORD = "collision"  # key in the data of a link with replaced colliders
@@ -203,7 +202,7 @@ def made_colliders(parts: Sequence[SolidPart], kind: str) -> tuple[Collider, ...
         convexes = [convex for solid in _unions(parts) for convex in _decomposed(solid)]
     except (ImportError, ValueError) as error:
         raise ExportError(f"cannot make colliders of kind 'coacd': {error}") from error
-    return tuple(_named(convex, parts) for convex, _ in fewest(convexes, MOST_COLLIDERS, _MOST_VERTICES))
+    return tuple(_named(convex, parts) for convex, _ in fewest(convexes, MOST_COLLIDERS))
 
 
 def _unions(parts: Sequence[SolidPart]) -> list[Manifold]:
@@ -216,13 +215,9 @@ def _unions(parts: Sequence[SolidPart]) -> list[Manifold]:
     return [Manifold.batch_boolean(group, OpType.Add) for group in groups]
 
 
-def _boxes_overlap(a: Array, b: Array) -> bool:
-    """Tell whether the interiors of two boxes, shape (2, 3), overlap."""
-    return bool((a[0] < b[1]).all() and (b[0] < a[1]).all())
-
-
 def _overlapping(first: Manifold, second: Manifold) -> bool:
-    if not _boxes_overlap(box_of(first), box_of(second)):
+    (low, high), (least, most) = box_of(first), box_of(second)
+    if (low >= most).any() or (least >= high).any():
         return False
     common = first ^ second
     return bool(2.0 * common.volume() > _TOUCHING * common.surface_area())  # the thickness of a film
@@ -231,18 +226,18 @@ def _overlapping(first: Manifold, second: Manifold) -> bool:
 def _decomposed(solid: Manifold) -> tuple[Convex, ...]:
     """Return CoACD's pieces of a connected solid, or its hull where it is convex."""
     vertices, triangles = closed_mesh(solid)
-    hull = single_hull(vertices, _MOST_VERTICES)
+    hull = single_hull(vertices)
     if hull.volume - solid.volume() <= _CONVEX * hull.volume:
         return (hull,)
-    return coacd_pieces(vertices, triangles, most_pieces=MOST_COLLIDERS, most_vertices=_MOST_VERTICES)
+    return coacd_pieces(vertices, triangles, most_pieces=MOST_COLLIDERS)
 
 
 def _hulls(parts: Sequence[SolidPart]) -> tuple[Collider, ...]:
     """Return one hull around each connected part of the solids."""
     found = [(part, solid) for part in parts for solid in connected_parts(part.solid)]
-    convexes = [single_hull(closed_mesh(solid)[0], _MOST_VERTICES) for _, solid in found]
+    convexes = [single_hull(closed_mesh(solid)[0]) for _, solid in found]
     result = []
-    for convex, group in fewest(convexes, MOST_COLLIDERS, _MOST_VERTICES):
+    for convex, group in fewest(convexes, MOST_COLLIDERS):
         owner, _ = max((found[number] for number in sorted(group)), key=lambda each: each[1].volume())
         result.append(Collider(convex, owner.label, owner.material))
     return tuple(result)

@@ -167,10 +167,6 @@ class AssetCoupling(Record):
             return kind == "revolute" and self.ratio == round(self.ratio)
         return self.curve.turns and abs(turns - (round(turns) if kind == "revolute" else 0)) < 1e-9
 
-    def to_data(self) -> dict[str, Any]:
-        """Return the coupling as JSON data; the curve is left out if there is none."""
-        return {name: value for name, value in super().to_data().items() if (name, value) != ("curve", None)}
-
 
 @dataclass(frozen=True, eq=False)
 class AssetLoop(FrozenArrays, Record):

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from artgen import _portable
-from artgen._arrays import Array, FrozenArrays, Triple, cached_property
+from artgen._arrays import Array, FrozenArrays, Triple, affine, cached_property
 from artgen.asset.coupling import AssetCoupling
 from artgen.asset.record import Record
 from artgen.errors import AssetError
@@ -98,10 +98,6 @@ class AssetDependency(Record):
         beyond = "" if self.beyond is None else f".beyond({self.beyond:.6g})"
         until = "" if self.until is None else f".until({self.until:.6g})"
         return f"({self.condition}){beyond}{until}"
-
-    def to_data(self) -> dict[str, Any]:
-        """Return the dependency as JSON data; `beyond` is left out if it is None."""
-        return {name: value for name, value in super().to_data().items() if (name, value) != ("beyond", None)}
 
 
 @dataclass(frozen=True)
@@ -255,22 +251,14 @@ class AssetJoint(FrozenArrays, Record):
         way = math.copysign(1.0, self.closing.reach - self.closed)
         return np.where(share < 1.0, -way * spring - self.closing.damping * speeds, 0.0)
 
-    def to_data(self) -> dict[str, Any]:
-        """Return the joint as JSON data; `detents` and `closing` are left out if there are none."""
-        unused = {name for name in ("detents", "closing") if getattr(self, name) is None}
-        return {name: value for name, value in super().to_data().items() if name not in unused}
-
     def motion(self, position: float) -> Array:
         """Return the displacement of the child at a position, shape (4, 4), in asset coordinates at rest."""
-        result = np.eye(4)
         if not position:
-            return result
+            return np.eye(4)
         if self.kind == "prismatic":
-            result[:3, 3] = self.axis * position
-            return result
-        result[:3, :3] = _turned(self.rotation_terms, position)
-        result[:3, 3] = self.pivot - result[:3, :3] @ self.pivot
-        return result
+            return affine(np.eye(3), self.axis * position)
+        turn = _turned(self.rotation_terms, position)
+        return affine(turn, self.pivot - turn @ self.pivot)
 
     @cached_property
     def rotation_terms(self) -> tuple[Array, Array, Array]:

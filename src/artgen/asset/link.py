@@ -10,7 +10,7 @@ from typing import Any, ClassVar, Self
 import numpy as np
 from manifold3d import Manifold, OpType
 
-from artgen._arrays import Array, FrozenArrays, cached, cached_property
+from artgen._arrays import Array, FrozenArrays, affine, cached, cached_property
 from artgen.asset.affordance import Grasp, Push
 from artgen.asset.manifolds import mesh_of, part_boxes
 from artgen.asset.mass import MassProperties, Moments, polyhedron_moments, total
@@ -40,10 +40,8 @@ class PrintDirection(FrozenArrays):
         """
         if np.linalg.det(matrix[:3, :3]) > 0.0:
             return matrix
-        turned = np.eye(4)
-        turned[:3, :3] -= 2.0 * np.outer(self.direction, self.direction)
-        turned[:3, 3] = self.about - turned[:3, :3] @ self.about
-        return np.asarray(matrix @ turned)
+        turn = np.eye(3) - 2.0 * np.outer(self.direction, self.direction)
+        return np.asarray(matrix @ affine(turn, self.about - turn @ self.about))
 
     def moved(self, motion: Array) -> "PrintDirection":
         """Return the reading direction after a motion of the print, shape (4, 4)."""

@@ -36,13 +36,14 @@ class Record:
     Fields are words, numbers, arrays, records, and tuples and mappings of these.
     """
 
-    OPTIONAL: ClassVar[frozenset[str]] = frozenset()  # fields that may be missing in data
+    OPTIONAL: ClassVar[frozenset[str]] = frozenset()  # fields that may be missing in data, and are if None
     FIRST: ClassVar[tuple[str, ...]] = ()  # fields that come first in data
 
     def to_data(self) -> dict[str, Any]:
         """Return the fields as JSON data."""
         names = dict.fromkeys((*self.FIRST, *(field.name for field in fields(self))))
-        return {name: plain(getattr(self, name)) for name in names}
+        values = {name: plain(getattr(self, name)) for name in names}
+        return {name: each for name, each in values.items() if each is not None or name not in self.OPTIONAL}
 
     @classmethod
     def from_data(cls, data: Mapping[str, Any]) -> Self:

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from operator import attrgetter
 from typing import Any
 
 import numpy as np
@@ -213,29 +214,14 @@ class DeferredShape(_LazyShape):
         """The shape with its surface."""
         return self._make()
 
-    @property
-    def manifold(self) -> Manifold:
-        """The watertight surface, with the channels of `PROPERTIES`."""
-        return self.made.manifold
+    manifold = property(attrgetter("made.manifold"))
+    vertices = property(attrgetter("made.vertices"))
+    mesh = property(attrgetter("made.mesh"))
+    faces = property(attrgetter("made.faces"))
 
     def bounds(self) -> Array:
         """Return the corners of the bounding box, shape (2, 3) [m]."""
         return self.made.bounds()
-
-    @property
-    def vertices(self) -> Array:
-        """The vertices of the surface, shape (n, 3) [m]."""
-        return self.made.vertices
-
-    @property
-    def mesh(self) -> Mesh:
-        """The triangles of the surface."""
-        return self.made.mesh
-
-    @property
-    def faces(self) -> Indices:
-        """The triangles, with the same vertex for all corners at one point of the surface, shape (m, 3)."""
-        return self.made.faces
 
 
 class LateShape(DeferredShape):
@@ -244,20 +230,9 @@ class LateShape(DeferredShape):
     def __init__(self, make: Callable[[], Shape]) -> None:
         vars(self).update(_make=make)
 
-    @property
-    def pieces(self) -> Pieces:
-        """The convex pieces of the shape."""
-        return self.made.pieces
-
-    @property
-    def paints(self) -> Mapping[int, Material]:
-        """The materials of painted faces by paint number."""
-        return self.made.paints
-
-    @property
-    def united(self) -> tuple[Shape, ...]:
-        """The shapes that were united to this one."""
-        return self.made.united
+    pieces = property(attrgetter("made.pieces"))
+    paints = property(attrgetter("made.paints"))
+    united = property(attrgetter("made.united"))
 
 
 class MovedShape(_LazyShape):
@@ -272,10 +247,8 @@ class MovedShape(_LazyShape):
         vars(self).update(source=source, matrix=matrix)
         frozen(vars(self))
 
-    @cached_property
-    def paints(self) -> Mapping[int, Material]:
-        """The materials of painted faces of the source."""
-        return self.source.paints
+    paints = cached_property(attrgetter("source.paints"))
+    faces = property(attrgetter("source.faces"))
 
     @cached_property
     def pieces(self) -> Pieces:
@@ -310,11 +283,6 @@ class MovedShape(_LazyShape):
     def mesh(self) -> Mesh:
         """The triangles of the source, moved."""
         return self.source.mesh.moved(self.matrix)
-
-    @property
-    def faces(self) -> Indices:
-        """The triangles of the source."""
-        return self.source.faces
 
 
 class _MeshShape(_LazyShape):

@@ -155,10 +155,8 @@ def skins(link: Link) -> tuple[LinkShells, ...]:
 
 
 def _skin(mesh: Mesh, labels: Sequence[str], reach: float, label: str = "", piece: int = 0) -> LinkShells:
-    """Weld coincident corners, count the faults and split the surface into shells.
-
-    `labels` has the label of each triangle, or one for all.
-    """
+    """Weld coincident corners, count the faults and split the surface into shells."""
+    # `labels` has the label of each triangle, or one for all
     if not np.isfinite(mesh.vertices).all():
         return LinkShells(label, finite=False, triangles=len(mesh.triangles))
     points, number = _welded(mesh.vertices, reach)
@@ -217,10 +215,8 @@ def _shell(points: Array, faces: Indices, label: str, piece: int) -> Shell:
 
 
 def _parts(faces: Indices, neighbors: Indices) -> list[Indices]:
-    """Return the faces of each connected part, ascending; `neighbors` has pairs of faces, shape (k, 2).
-
-    Folds enclose nothing and are no parts: each of their triangles lies on one with the opposite winding.
-    """
+    """Return the faces of each connected part, ascending; `neighbors` has pairs of faces, shape (k, 2)."""
+    # folds enclose nothing and are no parts: each of their triangles lies on one with the opposite winding
     if not len(faces):
         return []
     group = _groups(len(faces), neighbors)
@@ -251,11 +247,8 @@ def _groups(count: int, pairs: Indices) -> Indices:
 
 
 def _edges(points: Array, faces: Indices) -> tuple[Indices, Indices, Indices]:
-    """Return edges with one face, edges of two faces wound against each other, and faces that share an edge.
-
-    Each row has the two ends of an edge or the two faces, shape (k, 2). At an edge of several solids, each
-    has a face on either side.
-    """
+    """Return edges with one face, edges of two faces wound against each other, and faces that share edges."""
+    # each row has two ends or two faces, shape (k, 2); at an edge of solids, each has a face on either side
     directed = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
     forward = np.where(directed[:, 0] < directed[:, 1], 1, -1)
     ends, _, edge = distinct_rows(np.sort(directed, axis=1))
@@ -285,12 +278,8 @@ _CLOSE = 2e-3  # faces at a smaller angle have nothing between them [rad]
 def _around(
     points: Array, faces: Indices, ends: Indices, ahead: Indices, behind: Indices, part: Indices
 ) -> Indices:
-    """Return the pairs of faces between which a solid lies at an edge, shape (k, 2).
-
-    Faces of one part belong together, then those with the least angle of the solid between them. Of faces
-    that lie on each other, those of the first part do. `ends` are the points of the edge; the faces `ahead`
-    run from its first to its second one, those `behind` the other way.
-    """
+    """Return the pairs of faces between which a solid lies at an edge, shape (k, 2)."""
+    # of one part, at the least angle of the solid; `ahead` run from the first of the `ends` to the second
     start, end = points[ends]
     along = (end - start) / _portable.norm(end - start)
     first = cross(along, np.eye(3)[np.argmin(abs(along))])

@@ -311,11 +311,8 @@ def _stays_joined(mesh: Mesh) -> bool:
 
 
 def _in_order(mesh: Mesh, origin: Array, material: Material) -> Mesh:
-    """Return a mesh with its vertices in the order of a mesh file.
-
-    `joined` sorts them by position, normal and metric texture coordinates; on turned maps the order of the
-    written coordinates differs.
-    """
+    """Return a mesh with its vertices in the order of a mesh file."""
+    # `joined` sorts by metric texture coordinates; on turned maps the written ones have another order
     if not (material.texture and material.turned):
         return mesh
     coordinates = texture_coordinates(mesh, material)

@@ -12,20 +12,7 @@ from artgen.colliders.polygon import decompose_polygon
 from artgen.colliders.revolve import revolve_pieces
 
 __all__ = [
-    "TOLERANCE",
-    "Convex",
-    "Exact",
-    "Kind",
-    "Pieces",
-    "budgeted",
-    "chain_pieces",
-    "cylinder_pieces",
-    "decompose_polygon",
-    "difference",
-    "hull_pieces",
-    "intersection",
-    "prism_pieces",
-    "revolve_pieces",
-    "round_pieces",
-    "union",
-]
+    "TOLERANCE", "Convex", "Exact", "Kind", "Pieces", "budgeted", "chain_pieces", "cylinder_pieces",
+    "decompose_polygon", "difference", "hull_pieces", "intersection", "prism_pieces", "revolve_pieces",
+    "round_pieces", "union",
+]  # fmt: skip

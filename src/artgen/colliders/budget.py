@@ -5,7 +5,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from artgen._arrays import Array
+from artgen._arrays import Array, affine
 from artgen.colliders.coacd import single_hull
 from artgen.colliders.convex import TOLERANCE, Convex
 from artgen.colliders.pieces import Cover, Pieces
@@ -65,11 +65,9 @@ def budgeted(solids: Sequence[Pieces], *, most_pieces: int = 64, most_vertices: 
 
 
 class _Condenser:
-    """Pieces of several groups that are joined step by step, smallest added volume first.
+    """Pieces of several groups that are joined step by step, smallest added volume first."""
 
-    A pair of one group is joined only if its hull is within about 1 mm of the group's pieces: wider cavities
-    stay open.
-    """
+    # joins a pair of one group only within about 1 mm of its pieces: wider cavities stay open
 
     def __init__(self, groups: Sequence[Sequence[Convex]], most_vertices: int) -> None:
         self._most_vertices = most_vertices
@@ -170,22 +168,15 @@ def _primitives(points: Array, turn: Array) -> list[Convex]:
     local = points @ turn
     low, high = local.min(axis=0) - _GROWN, local.max(axis=0) + _GROWN
     middle, size = (low + high) / 2.0, high - low
-    result = [Convex.box(size, _pose(turn, middle))]
+    result = [Convex.box(size, affine(turn, turn @ middle))]
     for axis in range(3):
         order = [(axis + 1) % 3, (axis + 2) % 3, axis]
         x, y, z = (local - middle)[:, order].T
         away = np.hypot(x, y)
         radius = float(away.max()) + _GROWN
-        pose = _pose(turn[:, order], middle[order])
+        pose = affine(turn[:, order], turn[:, order] @ middle[order])
         result.append(Convex.cylinder(radius, float(size[axis]), pose))
         half = float((np.abs(z) - np.sqrt(radius**2 - away**2)).max()) + _GROWN
         if half > 0.0:
             result.append(Convex.capsule(radius, 2.0 * half, pose))
     return result
-
-
-def _pose(turn: Array, middle: Array) -> Array:
-    """Return the pose of a frame whose origin has given coordinates along its axes."""
-    pose = np.eye(4)
-    pose[:3, :3], pose[:3, 3] = turn, turn @ middle
-    return pose

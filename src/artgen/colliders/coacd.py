@@ -30,15 +30,12 @@ def single_hull(points: Array, most_vertices: int = 64) -> Convex:
     return Convex.hull(enclosing(Facets.hull(piece.points), most_vertices, TOLERANCE)[0])
 
 
-def fewest(
-    pieces: Sequence[Convex], most_pieces: int, most_vertices: int = 64
-) -> list[tuple[Convex, tuple[int, ...]]]:
+def fewest(pieces: Sequence[Convex], most_pieces: int) -> list[tuple[Convex, tuple[int, ...]]]:
     """Join pieces until they are few enough, starting with pairs whose common bounding box adds least volume.
 
     Args:
         pieces: The pieces, each with few enough vertices.
         most_pieces: Largest number of pieces, at least 1.
-        most_vertices: Largest number of vertices of a joined piece.
 
     Returns:
         Each piece with the numbers of the pieces that it replaces.
@@ -55,13 +52,13 @@ def fewest(
         groups[first] += groups.pop(second)
         boxes[first] = (lower[first, second], upper[first, second])
         boxes = np.delete(boxes, second, axis=0)
-    return [(_around([pieces[number] for number in group], most_vertices), group) for group in groups]
+    return [(_around([pieces[number] for number in group]), group) for group in groups]
 
 
-def _around(pieces: Sequence[Convex], most_vertices: int) -> Convex:
+def _around(pieces: Sequence[Convex]) -> Convex:
     if len(pieces) == 1:
         return pieces[0]
-    return single_hull(np.concatenate([piece.outer_points() for piece in pieces]), most_vertices)
+    return single_hull(np.concatenate([piece.outer_points() for piece in pieces]))
 
 
 _FORMAT = "artgen-pieces-1"  # of the files of the cache

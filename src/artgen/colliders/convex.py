@@ -8,7 +8,7 @@ import numpy as np
 from manifold3d import Manifold
 
 from artgen import _portable
-from artgen._arrays import Array, FrozenArrays, cached, cached_property
+from artgen._arrays import Array, FrozenArrays, affine, cached, cached_property
 from artgen.colliders.polytope import Polytope, hull_triangles, is_rigid
 
 Kind = Literal["box", "cylinder", "sphere", "capsule", "hull"]
@@ -181,11 +181,9 @@ class Convex(FrozenArrays):
         even = abs(scale[0] - scale[1]) <= _SQUARE * scale[0]
         same = even and abs(scale[0] - scale[2]) <= _SQUARE * scale[0]
         if square and (self.kind == "box" or (self.kind == "cylinder" and even) or same):
-            pose = np.eye(4)
-            pose[:3, :3] = columns / scale
+            pose = affine(columns / scale, linear @ self.pose[:3, 3] + matrix[:3, 3])
             if determinant < 0.0:
                 pose[:3, 0] *= -1.0  # all primitives equal their mirror image
-            pose[:3, 3] = linear @ self.pose[:3, 3] + matrix[:3, 3]
             factors = scale if self.kind == "box" else scale[[0, 2]]
             size = tuple(float(s * f) for s, f in zip(self.size, factors, strict=False))
             return Convex(self.kind, pose, size)
@@ -242,10 +240,8 @@ def _geodesic(frequency: int) -> tuple[Array, float]:
 
 
 def _sphere(radius: float, tolerance: float, *, inscribed: bool) -> Array:
-    """Return vertices of a polytope around (or inside) a sphere at the origin, shape (n, 3) [m].
-
-    The error stays below the tolerance [m], except where this would need more than a thousand faces.
-    """
+    """Return vertices of a polytope around (or inside) a sphere at the origin, shape (n, 3) [m]."""
+    # the error is below the tolerance [m], except where this would need more than a thousand faces
     for frequency in range(1, _MOST_FREQUENCY + 1):
         points, nearest = _geodesic(frequency)
         error = radius * ((1.0 - nearest) if inscribed else (1.0 / nearest - 1.0))
@@ -291,9 +287,7 @@ def _as_box(polytope: Polytope) -> Convex | None:
     normals = polytope.planes[:, :3]
     if (np.abs(normals).max(axis=1) >= 1.0).all():  # along the axes
         lower, upper = polytope.bounds
-        pose = np.eye(4)
-        pose[:3, 3] = (lower + upper) / 2.0
-        length = (upper - lower).tolist()
+        pose, length = affine(np.eye(3), (lower + upper) / 2.0), (upper - lower).tolist()
         return Convex("box", pose, (length[0], length[1], length[2]), polytope=polytope)
     cosine = _portable.product(normals, normals.T)
     opposite = np.argmin(cosine, axis=1)
@@ -316,8 +310,6 @@ def _as_box(polytope: Polytope) -> Convex | None:
         turn[:, 2] *= -1.0
     if np.abs(turn - np.eye(3)).max() <= 1e-12:
         turn = np.eye(3)
-    pose = np.eye(4)
-    pose[:3, :3] = turn
     lower, upper = polytope.points.min(axis=0), polytope.points.max(axis=0)
-    pose[:3, 3] = (lower + upper) / 2.0
+    pose = affine(turn, (lower + upper) / 2.0)
     return Convex("box", pose, (float(size[0]), float(size[1]), float(size[2])), polytope=polytope)

@@ -138,11 +138,8 @@ def _bounding_planes(points: Array) -> Array:
 
 
 def _corners(planes: Array, center: Array) -> Array:
-    """Return the corners of the polytope behind planes around an inner point, shape (n, 3) [m].
-
-    A face n.x <= d about the inner point becomes the point n / d; each face of the hull of these points is a
-    corner.
-    """
+    """Return the corners of the polytope behind planes around an inner point, shape (n, 3) [m]."""
+    # a face n.x <= d about the inner point becomes the point n / d; each face of their hull is a corner
     depth = planes[:, 3] - _portable.product(planes[:, :3], center)
     dual = hull_of(planes[:, :3] / depth[:, None]).to_mesh64()
     ends = np.array(dual.vert_properties)[:, :3][triangles_of(dual)]

@@ -45,10 +45,8 @@ def _thinned_hull(solid: Convex, tolerance: float) -> Cover:
 
 
 def _inscribed_points(points: Array, tolerance: float) -> Array:
-    """Return vertices of a convex mesh, shape (n, 3), whose hull is smaller by at most the tolerance [m].
-
-    Adds the vertices farthest outside, at most one per face and round, until all are near enough.
-    """
+    """Return vertices of a convex mesh, shape (n, 3), whose hull is smaller by at most the tolerance [m]."""
+    # adds the vertices farthest outside, at most one per face and round, until all are near enough
     extreme = np.concatenate((points.argmin(axis=0), points.argmax(axis=0)))
     chosen = sorted(set(extreme.tolist()))
     while len(chosen) < min(len(points), _MOST_INSCRIBED):
@@ -210,11 +208,8 @@ def _ring_planes(stack: Array) -> Array:
 
 
 def _link(rings: Array, first: Array, last: Array) -> Convex:
-    """Return the hull of consecutive rings.
-
-    If both end rings are flat and faces of the hull, all their points are corners; only tight bends violate
-    this.
-    """
+    """Return the hull of consecutive rings."""
+    # if both end rings are flat and faces of the hull, all points are corners; only tight bends violate this
     count = rings.shape[1]
     if len(rings) == 2 and 4 < count <= _MOST_PRISM_VERTICES // 2:
         ahead, behind = (
@@ -250,11 +245,8 @@ def _is_straight(rings: Array, tolerance: float) -> bool:
 
 
 def _inner_link(first: Array, last: Array) -> Polytope | None:
-    """Return a polytope inside the mesh between two rings.
-
-    Diagonals of sides that are not flat may lie below the hull: the polytope is smaller by this dip, except
-    at its ends, so that consecutive links have no walls between them.
-    """
+    """Return a polytope inside the mesh between two rings."""
+    # smaller by the dip of sides that are not flat, but not at its ends: no walls between consecutive links
     hull = Polytope.hull(np.concatenate((first, last)))
     near, far = successors(first), successors(last)
     across = np.cross(near - first, last - first)

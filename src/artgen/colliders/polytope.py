@@ -157,6 +157,16 @@ class Polytope(FrozenArrays):
         distances: Array = _portable.product(planes[:, :3], self.points.T) - planes[:, 3:]
         return distances
 
+    def spans(self, columns: Array) -> tuple[Array, Array]:
+        """Return the lowest and highest point on vertical lines, shape (n, 2) [m]; inf and -inf beside it."""
+        slope, rest = self.planes[:, 2], self.planes[:, 3] - columns @ self.planes[:, :2].T
+        with np.errstate(divide="ignore", invalid="ignore"):
+            ends = rest / slope
+        top = np.where(slope > 1e-9, ends, np.inf).min(axis=1)
+        bottom = np.where(slope < -1e-9, ends, -np.inf).max(axis=1)
+        missed = (top <= bottom) | ((abs(slope) <= 1e-9) & (rest < 0.0)).any(axis=1)
+        return np.where(missed, np.inf, bottom), np.where(missed, -np.inf, top)
+
     def transformed(self, matrix: Array) -> "Polytope":
         """Return the polytope moved by an invertible affine matrix, shape (4, 4)."""
         linear, shift = matrix[:3, :3], matrix[:3, 3]
@@ -265,11 +275,8 @@ def hull_triangles(points: Array) -> tuple[Array, Indices, Array]:
 
 
 def _ends(points: Array, contact: Mask) -> Indices:
-    """Return the ends of the lines on which points with the same faces lie.
-
-    On two faces in almost one plane, each two vertices seem to share an edge: cut after cut, their points in
-    the plane of the cut would multiply.
-    """
+    """Return the ends of the lines on which points with the same faces lie."""
+    # on two faces in almost one plane, each two vertices seem to share an edge, and cuts would multiply them
     _, line = np.unique(np.packbits(contact, axis=1), axis=0, return_inverse=True)
     kept: list[int] = []
     for members in (np.flatnonzero(line == number) for number in range(int(line.max()) + 1)):

@@ -23,20 +23,15 @@ Slab = tuple[Span, Span, Span]  # z, then r at the lower and at the upper end
 
 
 def revolve_pieces(
-    contours: Sequence[Array],
-    start: float = 0.0,
-    angle: float = 2.0 * np.pi,
-    mesh_segments: int = 32,
-    pose: Array = _IDENTITY,
+    contours: Sequence[Array], angle: float = 2.0 * np.pi, mesh_segments: int = 32, pose: Array = _IDENTITY
 ) -> Pieces:
     """Return the cover of a profile revolved about z.
 
-    The mesh has its vertices at `r (cos a, sin a)` for `mesh_segments` equal steps of a from `start`.
+    The mesh has its vertices at `r (cos a, sin a)` for `mesh_segments` equal steps of a from 0.
 
     Args:
         contours: Profile in (r, z), r >= 0: outer borders counter-clockwise, holes clockwise, each
             shape (n, 2) [m].
-        start: Angle at which the mesh begins [rad].
         angle: Angle of the revolution, 0 to 2 pi [rad].
         mesh_segments: Number of facets of the mesh around the axis.
         pose: Rigid transform, shape (4, 4).
@@ -55,19 +50,19 @@ def revolve_pieces(
             f"a turn needs an angle within 0 and 2 pi and at least 3 segments, "
             f"got {angle} rad and {mesh_segments} segments"
         )
-    lathe = _Lathe(loops, start, min(angle, 2.0 * np.pi), mesh_segments, pose)
+    lathe = _Lathe(loops, min(angle, 2.0 * np.pi), mesh_segments, pose)
     return Pieces(lathe.outer, lathe.inner)
 
 
 class _Lathe:
     """A revolved profile."""
 
-    def __init__(self, loops: list[Array], start: float, angle: float, segments: int, pose: Array) -> None:
+    def __init__(self, loops: list[Array], angle: float, segments: int, pose: Array) -> None:
         self._slabs = _slabs(loops)
         self._full = angle >= 2.0 * np.pi - 1e-9
         self._angle = angle
         self._segments = segments
-        self._angles: Array = np.linspace(start, start + angle, segments + 1)
+        self._angles: Array = np.linspace(0.0, angle, segments + 1)
         self._pose = np.asarray(pose, np.float64)
 
     def outer(self, tolerance: float) -> Cover:
@@ -214,11 +209,8 @@ def _continues(below: Slab, above: Slab) -> bool:
 
 
 def _bulges(stack: Sequence[Slab]) -> Array:
-    """Return how far the hull of stacked trapezoids exceeds them inward and outward, shape (2,) [m].
-
-    The side towards the axis and the outer side are compared with the hull's sides in the same direction: a
-    thin wall is near to all sides of the hull, even across a hollow.
-    """
+    """Return how far the hull of stacked trapezoids exceeds them inward and outward, shape (2,) [m]."""
+    # sides are compared in one direction: a thin wall is near to all sides of the hull, even across a hollow
     hollow = any(radius > SNAP for _, *ends in stack for radius, _ in ends)
     corners = _corners(stack)
     hull = convex_hull(corners if hollow else np.concatenate((corners, corners * (-1.0, 1.0))))

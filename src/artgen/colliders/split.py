@@ -112,11 +112,8 @@ def _near(pieces: Sequence[Faceted], bounds: Array) -> list[bool]:
 
 
 def _without(piece: Faceted, cutter: Polytope) -> list[Faceted] | None:
-    """Return the parts of a piece outside a cutter, or None if they have no common volume.
-
-    The plane with the largest remaining part cuts first: large parts are separated whole, and only the
-    neighborhood of the cutter is cut into small ones. A part that would be thin overlaps the parts before it.
-    """
+    """Return the parts of a piece outside a cutter, or None if they have no common volume."""
+    # the plane with the largest rest cuts first; a part that would be thin overlaps the parts before it
     if (cutter.heights(piece.shape.planes).min(axis=1) >= -SLIVER).any():
         return None
     parts: list[Faceted] = []
@@ -242,10 +239,8 @@ def _outermost(pieces: Sequence[Convex]) -> list[Convex]:
 
 
 def _meeting(pieces: Sequence[Convex], most_vertices: int) -> list[tuple[int, int]]:
-    """Return the pairs that join without added volume, those with the largest common face first.
-
-    Hulls without known faces have far more vertices than a joined piece may have.
-    """
+    """Return the pairs that join without added volume, those with the largest common face first."""
+    # hulls without known faces have far more vertices than a joined piece may have
     flat = [
         index
         for index, piece in enumerate(pieces)

@@ -22,7 +22,7 @@ from artgen.commands.console import FAULT, NOT_PROVEN, console, progress, table
 from artgen.commands.options import JsonOutput, Overrides, Seed, Source, Tolerance, check_given
 from artgen.commands.view import asset_from
 from artgen.errors import ExportError, ParameterError
-from artgen.export.files import REACH_FILE, REPORT_FILE, replaced
+from artgen.export.files import REACH_FILE, REPORT_FILE, write_file
 from artgen.generator.overrides import parse_overrides
 from artgen.generator.source import check_source
 from artgen.proof.certify import certify as prove
@@ -37,15 +37,9 @@ _OF_FILES = ("meshes", "root", "total", "first", "picture", "repair")
 _PIXELS = 480  # side of a picture of `check`
 _CORNERS = 20  # least number of samples with which corners are certified unless asked otherwise
 _STYLES = {
-    "passed": "green",
-    "failed": "bold red",
-    "skipped": "yellow",
-    "fault": "bold red",
-    "note": "yellow",
-    "timed out": "bold red",
-    "absent": "yellow",
-    "nothing to read": "yellow",
-}
+    "passed": "green", "failed": "bold red", "skipped": "yellow", "fault": "bold red", "note": "yellow",
+    "timed out": "bold red", "absent": "yellow", "nothing to read": "yellow",
+}  # fmt: skip
 
 
 def check(
@@ -241,10 +235,8 @@ def _certify_file(
 
 
 def _write_json(path: Path | None, data: object) -> None:
-    if path is None:
-        return
-    with replaced(path) as partial:
-        partial.write_text(_json(data) + "\n", encoding="utf-8")
+    if path is not None:
+        write_file(path, (_json(data) + "\n").encode())
 
 
 def _json(data: object) -> str:
@@ -375,10 +367,7 @@ def validate(
 
 def write_report(report: Report, directory: Path) -> Path:
     """Write a report as JSON into a directory, completely or not at all."""
-    target = directory / REPORT_FILE
-    with replaced(target) as file:
-        file.write_text(report.to_json(), encoding="utf-8", newline="\n")
-    return target
+    return write_file(directory / REPORT_FILE, report.to_json().encode())
 
 
 def _show(terminal: Console, title: str, report: Report) -> None:

@@ -7,13 +7,5 @@ from artgen.dataset.run import Summary, generate_many
 from artgen.dataset.streams import Stream, stream
 
 __all__ = [
-    "Dataset",
-    "Item",
-    "Plan",
-    "Stream",
-    "Summary",
-    "TextureMode",
-    "generate_many",
-    "stream",
-    "write_card",
-]
+    "Dataset", "Item", "Plan", "Stream", "Summary", "TextureMode", "generate_many", "stream", "write_card",
+]  # fmt: skip

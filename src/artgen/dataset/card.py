@@ -16,7 +16,7 @@ from artgen.dataset.places import locked
 from artgen.dataset.reading import Dataset
 from artgen.dataset.run import MANIFEST_FILE
 from artgen.errors import ExportError, ParameterError
-from artgen.export.files import replaced
+from artgen.export.files import write_file
 from artgen.version import __version__
 
 CARD_FILE, ROWS_FILE = "README.md", "assets.jsonl"
@@ -63,8 +63,7 @@ def write_card(directory: str | Path, licence: str, *, title: str = "") -> Path:
             (folder / ROWS_FILE, "".join(json.dumps(row) + "\n" for row in rows)),
             (card, text),
         ):
-            with replaced(path) as partial:
-                partial.write_text(content, encoding="utf-8")
+            write_file(path, content.encode())
     return card
 
 

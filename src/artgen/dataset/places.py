@@ -26,7 +26,7 @@ from artgen._arrays import cached_property
 from artgen._names import checked_path, inside
 from artgen.asset.files import ASSET_FILE
 from artgen.errors import ExportError
-from artgen.export.files import replaced, write_files
+from artgen.export.files import write_file, write_files
 
 PLAN_FILE = "dataset.json"
 LOCK_FILE = ".lock"
@@ -100,8 +100,7 @@ class Disk:
 
     def write(self, path: str, content: bytes) -> None:
         """Write a file, which is complete or absent."""
-        with replaced(inside(self.path, path)) as partial:
-            partial.write_bytes(content)
+        write_file(inside(self.path, path), content)
 
     def append(self, path: str, line: str) -> None:
         """Add a line to a file, on the disk at once."""

@@ -13,7 +13,7 @@ from artgen.asset.joint import is_number
 from artgen.dataset.places import is_url, place_of
 from artgen.dataset.plan import row_of
 from artgen.dataset.run import MANIFEST_FILE, read_manifest, stored_plan
-from artgen.errors import ExportError, ParameterError, nearest
+from artgen.errors import ExportError, ParameterError, nearest, needed
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -190,10 +190,8 @@ class Dataset(Sequence[Asset]):
         Raises:
             ExportError: pandas is not installed.
         """
-        try:
+        with needed("tables need pandas: pip install 'artgen[data]'"):
             import pandas as pd
-        except ImportError as error:
-            raise ExportError("tables need pandas: pip install 'artgen[data]'") from error
         rows = [{"category": record["category"], **row_of(record)} for record in self.records]
         return pd.DataFrame(rows)
 

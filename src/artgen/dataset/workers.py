@@ -20,7 +20,7 @@ from multiprocessing.process import BaseProcess
 from types import ModuleType
 from typing import Any, Literal, TypeVar, get_args
 
-from artgen.errors import ExportError, ParameterError
+from artgen.errors import ExportError, ParameterError, needed
 from artgen.version import __version__
 
 _ONE_THREAD = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"), "1")
@@ -223,10 +223,8 @@ def engine_of(name: EngineName, *, jobs: int | None, address: str | None) -> Abs
 @contextmanager
 def cluster(address: str | None, jobs: int | None) -> Iterator[Engine]:
     """Join a Ray cluster, or start one on this machine that ends with the run."""
-    try:
+    with needed("the engine ray needs Ray: pip install 'artgen[ray]'"):
         import ray
-    except ImportError as error:
-        raise ExportError("the engine ray needs Ray: pip install 'artgen[ray]'") from error
     if ray.is_initialized():  # by the caller
         yield partial(_run, most=jobs)
         return
@@ -279,10 +277,8 @@ def _cannot_join(address: str, error: BaseException | str) -> str:
 def _run(
     task: Callable[[Any], Any], items: Iterable[Any], *, limit: float, most: int | None
 ) -> Iterator[Ending]:
-    """Run a task for each item on a Ray cluster, and yield the endings as they come.
-
-    The time limit of a task starts when it begins, because it may wait long for a core of a shared cluster.
-    """
+    """Run a task for each item on a Ray cluster, and yield the endings as they come."""
+    # the time limit of a task starts when it begins: it may wait long for a core of a shared cluster
     import ray
 
     work = ray.remote(

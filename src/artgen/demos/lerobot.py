@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
-from artgen.errors import ExportError
+from artgen.errors import needed
 
 INFO_FILE = "meta/info.json"
 
@@ -218,12 +218,8 @@ def _together(stats: list[Stats]) -> Stats:
 
 
 def _tables() -> tuple[Any, Any, Any]:
-    try:
+    with needed("a LeRobotDataset needs pandas and pyarrow ({error}): pip install 'artgen[demos,data]'"):
         import pandas as pd
         import pyarrow as pa
         from pyarrow import parquet
-    except ImportError as error:
-        raise ExportError(
-            f"a LeRobotDataset needs pandas and pyarrow ({error}): pip install 'artgen[demos,data]'"
-        ) from error
     return pd, pa, parquet

@@ -35,7 +35,7 @@ from artgen.dataset.places import Disk, locked
 from artgen.dataset.plan import check_whole
 from artgen.dataset.workers import Ending, cores, run_job, run_tasks
 from artgen.demos.lerobot import is_lerobot, write_lerobot
-from artgen.errors import CheckError, EnvError, ExportError, ParameterError, nearest
+from artgen.errors import CheckError, EnvError, ExportError, ParameterError, nearest, needed
 from artgen.export.files import replaced
 from artgen.sampling.distributions import is_number
 from artgen.version import __version__
@@ -92,10 +92,8 @@ class Demo:
 
 def _check_task(task: str) -> None:
     """Check that a task exists and the environments are installed."""
-    try:
+    with needed("tasks need the package {error.name}: pip install 'artgen[envs]'", EnvError):
         from artgen.envs.task import find_task
-    except ImportError as error:
-        raise EnvError(f"tasks need the package {error.name}: pip install 'artgen[envs]'") from error
     find_task(task)
 
 
@@ -405,12 +403,8 @@ def _put(group: Any, key: str, series: Any) -> None:
 
 
 def _hdf5() -> Any:
-    try:
+    with needed("demonstrations are HDF5 files, which need h5py: pip install 'artgen[demos]'"):
         import h5py
-    except ImportError as error:
-        raise ExportError(
-            "demonstrations are HDF5 files, which need h5py: pip install 'artgen[demos]'"
-        ) from error
     return h5py
 
 

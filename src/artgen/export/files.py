@@ -255,6 +255,13 @@ def replaced(path: Path) -> Iterator[Path]:
         raise ExportError(f"cannot write {path}: {error.strerror or error}; nothing was changed") from error
 
 
+def write_file(path: Path, content: bytes) -> Path:
+    """Write a file completely or not at all."""
+    with replaced(path) as partial:
+        partial.write_bytes(content)
+    return path
+
+
 def _remove(path: Path) -> None:
     """Remove a file or a folder, if there is one."""
     if path.is_dir() and not path.is_symlink():

@@ -92,10 +92,8 @@ def hulls(asset: Asset, *, in_links: bool = True) -> Mapping[str, Mapping[int, H
 
 
 def _normals(surfaces: Sequence[Surface]) -> list[Array]:
-    """Return the normals of the triangles of many meshes; zero for triangles without area.
-
-    One call for all meshes, because there are many with few triangles.
-    """
+    """Return the normals of the triangles of many meshes; zero for triangles without area."""
+    # one call for all meshes, because there are many with few triangles
     if not surfaces:
         return []
     starts = np.cumsum([0, *(len(vertices) for vertices, _ in surfaces)])

@@ -318,10 +318,7 @@ _Site = tuple[str, str, Array]
 
 
 def _detents(tendons: ET.Element, joint: AssetJoint, count: int) -> Iterator[_Site]:
-    """Add detents: a short spring between a site of the child and a site of the parent at each ridge.
-
-    There are `count` springs; those without a ridge have no stiffness.
-    """
+    """Add `count` detents: a short spring between sites of child and parent; without a ridge, it is limp."""
     if not count:
         return
     start = frames.translation(joint.pivot + _DETENT_ARM * _across(joint))

@@ -12,10 +12,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from artgen import _portable
-from artgen._arrays import OPENUSD, Array, cached
+from artgen._arrays import OPENUSD, cached
 from artgen.asset import Asset
-from artgen.errors import ExportError
+from artgen.errors import needed
 from artgen.export.files import write_files
+from artgen.export.frames import translation
 from artgen.export.glb import write_glb
 from artgen.export.maps import TEXTURE_DIRECTORY
 from artgen.export.mjcf import Tendons, write_mjcf
@@ -41,12 +42,8 @@ def mjspec(asset: Asset, textures: int, tendons: Tendons | None = None) -> "mujo
         ExportError: MuJoCo is not installed.
         ParameterError: The size of maps is not allowed.
     """
-    try:
+    with needed('an MjSpec needs MuJoCo, which cannot be loaded ({error}): pip install "artgen[sim]"'):
         import mujoco
-    except ImportError as error:
-        raise ExportError(
-            f'an MjSpec needs MuJoCo, which cannot be loaded ({error}): pip install "artgen[sim]"'
-        ) from error
     files = dict(write_mjcf(_stored(asset, textures), textures, tendons).files)
     return mujoco.MjSpec.from_string(files.pop(f"{asset.name}.xml").decode(), assets=files)
 
@@ -74,7 +71,7 @@ def trimesh_scene(
     """
     import trimesh
 
-    poses = _link_poses(asset, q)
+    poses = {name: motion @ translation(asset.origin(name)) for name, motion in asset.pose(q).items()}
     scene = trimesh.Scene(base_frame=_SCENE)
     parents = {child: parent for parent, child, _ in asset.pairs()}
     for name, pose in poses.items():
@@ -103,16 +100,6 @@ def trimesh_scene(
         name = f"{link}/{next(surfaces[link]).name}"
         scene.add_geometry(made, node_name=name, geom_name=name, parent_node_name=link)
     return scene
-
-
-def _link_poses(asset: Asset, q: Mapping[str, float] | None) -> dict[str, Array]:
-    """Return the pose of the frame of each link at a pose of the asset, shape (4, 4)."""
-    result = {}
-    for name, motion in asset.pose(q).items():
-        frame = np.eye(4)
-        frame[:3, 3] = asset.origin(name)
-        result[name] = motion @ frame
-    return result
 
 
 @cached(1)

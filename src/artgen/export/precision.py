@@ -85,10 +85,8 @@ class CoarseLink(DerivedLink):
 
 
 def _rounded(surface: Surface, step: float, origin: NDArray[np.float64]) -> Surface:
-    """Return a surface with rounded numbers in the frame at `origin`.
-
-    Without maps it has no texture coordinates: vertices that are otherwise equal become one.
-    """
+    """Return a surface with rounded numbers in the frame at `origin`."""
+    # without maps it has no texture coordinates: vertices that are otherwise equal become one
     mesh, material = surface.mesh, surface.material
     decimals = min(math.ceil(-math.log10(step)), POSITION_DECIMALS)
     if not material.texture:

@@ -7,16 +7,6 @@ from artgen.generator.shades import shades
 from artgen.sampling import Fixed
 
 __all__ = [
-    "CATEGORIES",
-    "Fixed",
-    "Generator",
-    "OnCollision",
-    "Parameter",
-    "accept",
-    "category",
-    "collected",
-    "generator",
-    "one_of",
-    "own_categories",
-    "shades",
-]
+    "CATEGORIES", "Fixed", "Generator", "OnCollision", "Parameter", "accept", "category", "collected",
+    "generator", "one_of", "own_categories", "shades",
+]  # fmt: skip

@@ -86,34 +86,23 @@ def check_flag(name: str, value: Any) -> None:
         raise ParameterError(f"{name} = {value!r} is not allowed: it must be True or False")
 
 
-def certify_sample(asset: Asset, tolerance: float, on_collision: OnCollision) -> None:
-    """Prove that the links of an asset never collide."""
-    _check_proven(asset, asset.certify(tolerance), on_collision)
+def _prove(asset: Asset, certify: Certification, tolerance: float, on_collision: OnCollision) -> None:
+    """Prove that the links of an asset never collide: at once, on access to its certificate, or not."""
+    if certify == "later":
+        from artgen.proof import certify as proof
+
+        after: OnCollision = "keep" if on_collision == "keep" else "fail"
+        certify_later(asset, lambda: _checked(asset, proof.certify(asset, tolerance), after))
+    elif certify:
+        _checked(asset, asset.certify(tolerance), on_collision)
 
 
-def _check_proven(asset: Asset, certificate: Certificate, on_collision: OnCollision) -> None:
+def _checked(asset: Asset, certificate: Certificate, on_collision: OnCollision) -> Certificate:
     if certificate.proven or on_collision == "keep":
-        return
+        return certificate
     if on_collision == "redraw":
         raise InfeasibleError(f"{certificate}\n  {_REMEDY}", pair=certificate.failures[0].alike)
     raise CheckError(f"{asset.name}: {certificate}\n  {_REMEDY}")
-
-
-def _certified(asset: Asset, tolerance: float, on_collision: OnCollision) -> Certificate:
-    """Prove an asset when its certificate is needed."""
-    from artgen.proof.certify import certify
-
-    certificate = certify(asset, tolerance)
-    _check_proven(asset, certificate, "keep" if on_collision == "keep" else "fail")
-    return certificate
-
-
-def _leave_open(asset: Asset) -> None:
-    """Leave an asset without a certificate."""
-
-
-def _prove_later(asset: Asset, tolerance: float, on_collision: OnCollision) -> None:
-    certify_later(asset, partial(_certified, asset, tolerance, on_collision))
 
 
 def fail_alike(failures: Sequence[InfeasibleError]) -> bool:
@@ -128,11 +117,8 @@ SHARED = Cache()
 
 @atexit.register
 def _release() -> None:
-    """Release all solids before manifold3d is unloaded.
-
-    If torch is loaded, modules outlive the interpreter, and manifold3d would report a leak for each cached
-    solid.
-    """
+    """Release all solids before manifold3d is unloaded."""
+    # modules outlive the interpreter if torch is loaded, and manifold3d reports a leak for each cached solid
     SHARED.clear()
     for name, module in list(sys.modules.items()):
         if name.startswith("artgen."):
@@ -311,10 +297,8 @@ class Generator(Variant):
         )
 
     def _acting(self, draw: Draw, cache: Cache | None, drawn: str | None) -> dict[str, Any]:
-        """Return the values of a draw without overrides that do not act, as an asset records them.
-
-        Without the key of the drawn graph, only numbers may not act.
-        """
+        """Return the values of a draw without overrides that do not act, as an asset records them."""
+        # without the key of the drawn graph, only numbers may not act
         inert = self._inert_numbers(draw, cache)
         if drawn is not None:
             inert |= self._inert_structure(draw, drawn)
@@ -548,7 +532,7 @@ class Generator(Variant):
         if colliders is not None:
             asset = pad(asset.with_colliders(colliders, openings))
             if certify and asset.certificate is None:  # a padded asset
-                certify_sample(asset, tolerance, on_collision)
+                _prove(asset, True, tolerance, on_collision)
         return asset if limits == "full" else asset.with_limits(limits)
 
     @without_collector()
@@ -583,8 +567,7 @@ class Generator(Variant):
             )
         padded = self._padding(topology)
         check_proof(certify, tolerance, on_collision)
-        proof = _prove_later if certify == "later" else certify_sample
-        prove = partial(proof, tolerance=tolerance, on_collision=on_collision) if certify else _leave_open
+        prove = partial(_prove, certify=certify, tolerance=tolerance, on_collision=on_collision)
         cache = SHARED if cache is None else cache
         most = attempts or _ATTEMPTS
         refused: list[Mapping[str, Any]] = []
@@ -725,10 +708,8 @@ _COARSER: tuple[tuple[float, float], ...] = ((1.1, 1.25), (1.3, 1.5), (1.6, 2.0)
 def _evaluations(
     body: Handle, values: Mapping[str, Any], cache: Cache, level: Detail
 ) -> Iterator[tuple[Detail, Evaluation, Tree]]:
-    """Yield a level of detail, the evaluation of a graph and its tree; finer ones in case it is not proven.
-
-    Too many triangles of solids make them coarser, unless coarser solids failed.
-    """
+    """Yield a level of detail, the evaluation of a graph and its tree; finer ones if it is not proven."""
+    # too many triangles of solids make them coarser, unless coarser solids failed
     most, coarsest, steps = level.most, _COARSEST, _COARSER
     if most < math.inf and _LIKELY * _solids(body) > most:
         level = level.scaled(2.0)
@@ -825,10 +806,8 @@ def _check_options(name: str, base: Any, attempts: int | None, detail: Any) -> N
 
 
 def _place(body: Handle, error: AssetError) -> str:
-    """Return the author's line of the joint, part or contact of an error.
-
-    Names of copies begin with the name in the author's code.
-    """
+    """Return the author's line of the joint, part or contact of an error."""
+    # names of copies begin with the name in the author's code
     about, found, place = error.joint or error.link, "", ""
     for node in Graph(body).nodes:
         for name in _names_given(node, error):

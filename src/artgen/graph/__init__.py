@@ -81,25 +81,7 @@ class Graph:
 
 
 __all__ = [
-    "DETAILS",
-    "FULL",
-    "LITERAL_TYPES",
-    "OPERATIONS",
-    "Cache",
-    "Detail",
-    "Evaluation",
-    "Graph",
-    "Handle",
-    "LiteralType",
-    "Node",
-    "Operation",
-    "define",
-    "detail_level",
-    "evaluate",
-    "handle_of",
-    "kernel",
-    "operation",
-    "reached",
-    "records",
-    "topological",
-]
+    "DETAILS", "FULL", "LITERAL_TYPES", "OPERATIONS", "Cache", "Detail", "Evaluation", "Graph", "Handle",
+    "LiteralType", "Node", "Operation", "define", "detail_level", "evaluate", "handle_of", "kernel",
+    "operation", "reached", "records", "topological",
+]  # fmt: skip

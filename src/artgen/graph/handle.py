@@ -396,11 +396,8 @@ def _lifters(hint: Any, operation: str = "") -> tuple[Lifter, ...]:
 
 
 def _lifter(hint: Any, operation: str) -> Lifter:
-    """Return a function that converts an author's value to a node or literal of a type, or to NotImplemented.
-
-    Its arguments are the value and the name of the input. Errors about members of tuples name the input of
-    the operation.
-    """
+    """Return a function that lifts an author's value to a node or literal of a type, or to NotImplemented."""
+    # its arguments are the value and the name of the input; errors about members of tuples name that input
     if hint is NoneType:
         return lambda value, what: None if value is None else NotImplemented
     if hint in Handle.HANDLES:

@@ -79,7 +79,8 @@ class _Writer:
         if _is_infix(known, node):
             written = {name: self._value(value) for name, value in node.inputs.items()}
             if known.spelling.startswith("("):  # an operator
-                written = {name: _operand(text) for name, text in written.items()}
+                # a negative number stands in parentheses: `-2.0 ** a` means `-(2.0 ** a)`
+                written = {name: f"({text})" if text[:1] == "-" else text for name, text in written.items()}
             return known.spelling.format(**written)
         return self._call(known, node)
 
@@ -124,19 +125,12 @@ class _Writer:
 
 
 def _is_infix(known: Operation, node: Node) -> bool:
-    """Tell whether the operation's spelling reproduces this node.
-
-    Python needs a handle among the operands, and evaluates `2 < a` with a handle `a` as `a > 2`.
-    """
+    """Tell whether the operation's spelling reproduces this node."""
+    # Python needs a handle among the operands, and evaluates `2 < a` with a handle `a` as `a > 2`
     values = list(node.inputs.values())
     if not known.spelling or not any(isinstance(value, Node) for value in values):
         return False
     return isinstance(values[0], Node) or known.result is float
-
-
-def _operand(text: str) -> str:
-    """Put a negative number in parentheses: `-2.0 ** a` means `-(2.0 ** a)`."""
-    return f"({text})" if text.startswith("-") else text
 
 
 def _is_default(value: Any, default: Any, hint: Any) -> bool:

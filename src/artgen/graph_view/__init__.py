@@ -102,7 +102,6 @@ def graph_page(
     *,
     overrides: Mapping[str, Any] | None = None,
     change: Mapping[str, Any] | None = None,
-    height: int = 700,
 ) -> Page:
     """Make the page of the node graph of a category.
 
@@ -112,7 +111,6 @@ def graph_page(
         overrides: A value or a distribution by parameter name.
         change: Overrides of a second evaluation with the cache of the first: the page then shows which nodes
             were computed again.
-        height: Height of the notebook cell [pixels].
 
     Raises:
         ParameterError: The seed, an override or a change is unknown or not allowed.
@@ -123,7 +121,7 @@ def graph_page(
     data, meshes = graph_record(generator, seed, overrides or {}, change or {})
     title = f"Graph of {generator.name}, seed {seed}"
     text = page_html("graph_view/graph", title, _SCRIPTS, data, three=three_js(), dagre=layout, meshes=meshes)
-    return Page(f"{generator.name}_{seed}_graph", text, height)
+    return Page(f"{generator.name}_{seed}_graph", text, height=700)
 
 
 @lru_cache(maxsize=1)

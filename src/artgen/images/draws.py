@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from artgen._arrays import Array
+from artgen._arrays import Array, affine
 from artgen.asset import Asset
 from artgen.asset.placed import owners_of
 from artgen.export.frames import Region, intersection, leader_of, regions
@@ -151,8 +151,7 @@ def camera_in(
             for name, box in boxes.items()
             if owners[name] and np.linalg.norm(np.clip(middle, *box) - middle) < reach
         ]
-        turn = np.eye(4)
-        turn[:3, :3] = chosen.pose[:3, :3]
+        turn = affine(chosen.pose[:3, :3])
         camera = random_camera(np.concatenate([own, *near]) @ turn[:3, :3], plan, draw).moved(turn)
         at, others = np.array(camera.position), of_solids != chosen.name
         free = ((at < lows - CLEAR) | (at > highs + CLEAR)).any(axis=1)
@@ -183,10 +182,8 @@ def intrinsics(camera: Camera, size: int) -> Array:
 def extrinsics(camera: Camera) -> Array:
     """Return the transform from asset to camera coordinates, shape (4, 4) [m]."""
     right, up, forward = camera.axes()
-    result = np.eye(4)
-    result[:3, :3] = [right, -up, forward]
-    result[:3, 3] = -result[:3, :3] @ np.array(camera.position)
-    return result
+    turn = np.array([right, -up, forward])
+    return affine(turn, -turn @ np.array(camera.position))
 
 
 @dataclass(frozen=True)

@@ -28,6 +28,9 @@ _ALUMINIUM = Substance("aluminium", "Q663", "aluminum", metal=True)
 _RUBBER = Substance("rubber", "Q131877", "rubber")
 _STONE = Substance("granite", "Q41177", "stone")
 
+_WOODS = (
+    "oak", "walnut", "beech", "pine", "mahogany", "maple", "ash", "wood", "mdf", "hollow_core", "wicker",
+)  # fmt: skip
 # the first matching word of a material's name decides; words for derived parts and sheets come first
 _WORDS: dict[str, Substance] = {
     "lens": _PLASTIC,
@@ -52,22 +55,7 @@ _WORDS: dict[str, Substance] = {
     "rolled": _STEEL,
     "cardboard": Substance("cardboard", "Q389782", "cardboard"),
     "plywood": Substance("plywood", "Q219803", "wood"),
-    **dict.fromkeys(
-        (
-            "oak",
-            "walnut",
-            "beech",
-            "pine",
-            "mahogany",
-            "maple",
-            "ash",
-            "wood",
-            "mdf",
-            "hollow_core",
-            "wicker",
-        ),
-        _WOOD,
-    ),
+    **dict.fromkeys(_WOODS, _WOOD),
     "silicone": Substance("silicone", "Q146439", "rubber"),
     "rubber": _RUBBER,
     **dict.fromkeys(("ceramic", "tiles"), Substance("ceramic", "Q45621", "ceramic_glass")),

@@ -23,20 +23,6 @@ from artgen.nodes import (
 )
 
 __all__ = [
-    "body",
-    "csg",
-    "details",
-    "extrude",
-    "grasp_frames",
-    "joint",
-    "loft",
-    "loop",
-    "path",
-    "primitive",
-    "profile",
-    "scalar",
-    "solid_methods",
-    "sweep",
-    "text",
-    "vector",
-]
+    "body", "csg", "details", "extrude", "grasp_frames", "joint", "loft", "loop", "path", "primitive",
+    "profile", "scalar", "solid_methods", "sweep", "text", "vector",
+]  # fmt: skip

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from artgen._arrays import Array
+from artgen._arrays import Array, affine
 from artgen._names import NAME_RULE, WORLD, is_identifier
 from artgen.asset import (
     AllowedContact,
@@ -35,7 +35,7 @@ from artgen.nodes.csg import poses, subtracted
 from artgen.nodes.grasp_frames import Array4x4, Frame
 from artgen.nodes.handles import Array3, ArrayN3, Body, Scalar, Solid, VectorLike
 from artgen.nodes.joint import Condition
-from artgen.nodes.validators import finite, pose
+from artgen.nodes.validators import finite
 from artgen.nodes.vector import unit
 
 
@@ -218,7 +218,7 @@ def _placed(child: Tree, joints: tuple[AssetJoint, ...], matrix: Array, suffix: 
 def _attach(parent: Tree, child: Tree, joints: tuple[AssetJoint, ...], at: Array3) -> Tree:
     if not joints:
         raise ValueError("attach needs at least one joint; weld joins bodies rigidly")
-    branch = _placed(child, joints, pose(np.eye(3), at)) if at.any() else Branch(joints, child)
+    branch = _placed(child, joints, affine(np.eye(3), at)) if at.any() else Branch(joints, child)
     return replace(parent, branches=(*parent.branches, branch)).checked()
 
 
@@ -237,7 +237,7 @@ def _attach_pair(
 
 def _reflection(normal: Array3) -> Array:
     direction = unit(normal)
-    return pose(np.eye(3) - 2.0 * np.outer(direction, direction))
+    return affine(np.eye(3) - 2.0 * np.outer(direction, direction))
 
 
 @kernel(spelling="{parent}.repeat({child}, *{joints}, at={at}, around={around})")
@@ -284,13 +284,13 @@ def _cut(body: Tree, tool: Shape) -> Tree:
 
 @kernel(spelling="{body}.at({offset})")
 def _translate_body(body: Tree, offset: Array3) -> Tree:
-    return body.moved(pose(np.eye(3), offset))
+    return body.moved(affine(np.eye(3), offset))
 
 
 @kernel(spelling="{body}.rotate({axis}, {angle}, about={about})")
 def _rotate_body(body: Tree, axis: Array3, angle: float, about: Array3) -> Tree:
     turn = rotation(unit(axis), angle)
-    return body.moved(pose(turn, about - turn @ about))
+    return body.moved(affine(turn, about - turn @ about))
 
 
 @kernel(spelling="{body}.mirror({normal})")

@@ -219,11 +219,6 @@ def _signed_areas(rings: Sequence[Array]) -> Array:
     return np.asarray(0.5 * np.add.reduceat(x * after_y - after_x * y, starts))
 
 
-def outline_area(contours: Sequence[Contour]) -> float:
-    """Return the area of a region [m^2]."""
-    return sum(signed_area(contour.points) for contour in contours)
-
-
 def section(contours: Sequence[Contour]) -> CrossSection:
     """Return the region as a manifold3d cross-section, with overlaps resolved."""
     return CrossSection([contour.points for contour in contours], FillRule.Positive)

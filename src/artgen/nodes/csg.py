@@ -12,7 +12,7 @@ import numpy as np
 from manifold3d import Manifold, OpType
 
 from artgen import _portable, colliders
-from artgen._arrays import Array, distinct_rows
+from artgen._arrays import Array, affine, distinct_rows
 from artgen.asset import rotation
 from artgen.asset.manifolds import box_of, manifold_of
 from artgen.asset.shape import ComposedShape, DeferredShape, Shape, UnitedShape
@@ -173,15 +173,11 @@ def _intersection(a: Shape, b: Shape) -> Shape:
     )
 
 
-def _corners(shapes: Sequence[Shape]) -> Array:
-    # those of united solids, whose union takes longer and has the same hull
-    return np.concatenate([member.vertices for shape in shapes for member in shape.members])
-
-
 def _hull(solids: tuple[Shape, ...]) -> Shape:
     if not solids:
         raise ValueError("a hull needs at least one solid, got none")
-    vertices = _corners(solids)
+    # those of united solids, whose union takes longer and has the same hull
+    vertices = np.concatenate([member.vertices for shape in solids for member in shape.members])
     solid, pieces = hull_of(vertices), around_hull(lambda: vertices)
     if solid.is_empty():
         raise ValueError("the result is empty")
@@ -205,7 +201,7 @@ def half_space(shape: Shape, point: Array, normal: Array) -> Shape:
     turn = check.frame(normal)
     size = np.array([2.0 * reach, 2.0 * reach, reach])
     foot = middle - normal * _portable.dot(middle - point, normal)
-    matrix = check.pose(turn, foot - normal * (reach / 2.0))
+    matrix = affine(turn, foot - normal * (reach / 2.0))
     box = rounded_box(size, 0.0, 0).shape(Exact((Convex.box(size),)))
     return box.transformed(matrix)
 
@@ -249,11 +245,8 @@ def _shell(solid: Shape, thickness: float, open: Array3 | None) -> Shape:
 
 
 def _inset(solid: Manifold, distance: float) -> Array:
-    """Return the corners of a convex solid with all faces moved inward, shape (n, 3) [m].
-
-    A face n.x <= d about an inner point becomes the point n / d; the hull of these points has one face for
-    each corner of the solid.
-    """
+    """Return the corners of a convex solid with all faces moved inward, shape (n, 3) [m]."""
+    # a face n.x <= d about an inner point becomes the point n / d; their hull has a face for each corner
     mesh = solid.to_mesh64()
     corners = np.array(mesh.vert_properties)[:, :3][triangles_of(mesh)]
     across = cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
@@ -383,7 +376,7 @@ def poses(at: ArrayN3, around: Array3 | None) -> list[Array]:
     """Return the pose of each copy: at a point, and turned about an axis through the middle of the points."""
     places = check.points("at", at, 3, 1)
     if around is None:
-        return [check.pose(np.eye(3), place) for place in places]
+        return [affine(np.eye(3), place) for place in places]
     axis = unit(around)
     spokes = places - places.mean(axis=0)
     spokes -= np.outer(_portable.product(spokes, axis), axis)
@@ -397,7 +390,7 @@ def poses(at: ArrayN3, around: Array3 | None) -> list[Array]:
         _portable.product(*each) for each in ((np.cross(spokes[0], spokes), axis), (spokes, spokes[0]))
     )
     turns = map(math.atan2, sines.tolist(), cosines.tolist())
-    return [check.pose(rotation(axis, turn), place) for turn, place in zip(turns, places, strict=True)]
+    return [affine(rotation(axis, turn), place) for turn, place in zip(turns, places, strict=True)]
 
 
 def _array(solid: Shape, at: ArrayN3, around: Array3 | None = None) -> Shape:

@@ -8,7 +8,7 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from artgen import _portable
-from artgen._arrays import Array, successors
+from artgen._arrays import Array, affine, successors
 from artgen.asset.shape import Contour, Curve, Outline, Shape
 from artgen.graph import FULL, detail_level, records
 from artgen.nodes import validators as check
@@ -53,7 +53,7 @@ def _revolve(profile: Outline, angle: float, axis: Array3, sides: int = 0) -> Sh
     turn = check.frame(axis)
     pieces = around_lathe(contours, angle, sides or None)
     skin = DeferredSkin(lambda: lathe(contours, angle=angle, sides=sides or None).turned(turn))
-    return skin.shape(moved(pieces, check.pose(turn)))
+    return skin.shape(moved(pieces, affine(turn)))
 
 
 @records(_revolve)
@@ -101,7 +101,7 @@ def _extrude(
         )
     )
     pieces = around_extrusion(profile, length, bevel=bevel, taper=taper, twist=twist, stations=stations)
-    return skin.shape(moved(pieces, check.pose(turn)))
+    return skin.shape(moved(pieces, affine(turn)))
 
 
 @records(_extrude)

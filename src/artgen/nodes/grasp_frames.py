@@ -9,6 +9,7 @@ from manifold3d import Manifold
 from numpy.typing import NDArray
 
 from artgen import _portable
+from artgen._arrays import affine
 from artgen.asset import Shape
 from artgen.asset.affordance import GRIPPER, block, clipped
 from artgen.graph import Handle, records
@@ -34,10 +35,6 @@ class Frame(Handle):
 
 
 def _frame(at: Array3, approach: Array3, closing: Array3) -> Array4x4:
-    return _posed(at, approach, closing)
-
-
-def _posed(at: Array3, approach: Array3, closing: Array3) -> Array4x4:
     z = unit(approach)
     sideways = closing - z * _portable.dot(closing, z)
     if not _portable.norm(sideways) > _PARALLEL * _portable.norm(closing):
@@ -46,10 +43,7 @@ def _posed(at: Array3, approach: Array3, closing: Array3) -> Array4x4:
             "in the direction of the approach"
         )
     x = unit(sideways)
-    result = np.eye(4)
-    result[:3, :3] = np.stack([x, np.cross(z, x), z], axis=1)
-    result[:3, 3] = at
-    return result
+    return affine(np.stack([x, np.cross(z, x), z], axis=1), at)
 
 
 @records(_frame)
@@ -73,7 +67,7 @@ def _grasp_on(
     solid: Shape, approach: Array3, closing: Array3, at: Array3 | None, depth: float | None
 ) -> Array4x4:
     middle = solid.bounds().mean(axis=0) if at is None else at
-    result = _posed(middle, approach, closing)
+    result = _frame(middle, approach, closing)
     half = GRIPPER.stroke / 2.0
     column = np.array([[-half, -GRIPPER.wide / 2.0, -_FAR], [half, GRIPPER.wide / 2.0, _FAR]])
     points = clipped([solid.manifold], block(column, result), result)
@@ -139,7 +133,7 @@ def _push_on(solid: Shape, direction: Array3, at: Array3 | None) -> Array4x4:
     middle = solid.bounds().mean(axis=0) if at is None else at
     axis = unit(direction)
     sideways = np.eye(3)[int(np.argmin(np.abs(axis)))]
-    result = _posed(middle, axis, sideways)
+    result = _frame(middle, axis, sideways)
     column = np.array([[-_RAY, -_RAY, -_FAR], [_RAY, _RAY, _FAR]])
     points = clipped([solid.manifold], block(column, result), result)
     if not len(points):

@@ -28,23 +28,9 @@ from artgen.nodes.scalar_handles import (
 )
 
 __all__ = [
-    "Array3",
-    "ArrayN3",
-    "Body",
-    "Bool",
-    "Condition_",
-    "Float",
-    "Path",
-    "Points",
-    "PointsLike",
-    "Profile",
-    "Scalar",
-    "Solid",
-    "Span",
-    "Vector",
-    "VectorLike",
-    "offset_of",
-]
+    "Array3", "ArrayN3", "Body", "Bool", "Condition_", "Float", "Path", "Points", "PointsLike", "Profile",
+    "Scalar", "Solid", "Span", "Vector", "VectorLike", "offset_of",
+]  # fmt: skip
 
 LITERAL_TYPES[Material] = LiteralType("material", Material.to_data, Material.from_data)
 

@@ -12,7 +12,7 @@ from manifold3d import CrossSection
 from numpy.typing import NDArray
 
 from artgen import _portable, colliders
-from artgen._arrays import Array, predecessors, successors
+from artgen._arrays import Array, affine, predecessors, successors
 from artgen.asset.shape import Contour, Outline, Shape
 from artgen.colliders import Pieces, union
 from artgen.graph import FULL, detail_level, kernel, records
@@ -93,7 +93,7 @@ def _fillet(solid: Shape, point: Array3, normal: Array3, radius: float) -> Shape
             f"{1e3 * radius:.4g} mm; a fillet needs straight sides there: take a smaller radius or a loft"
         )
     flares = [_flare(each, radius) for each in section.decompose()]
-    return united([solid, *(flare.transformed(check.pose(turn, foot)) for flare in flares)])
+    return united([solid, *(flare.transformed(affine(turn, foot)) for flare in flares)])
 
 
 def _flare(section: CrossSection, radius: float) -> Shape:
@@ -132,10 +132,8 @@ def _corners(contour: Contour) -> tuple[Array, Array]:
 
 
 def _sliced(contours: Sequence[Contour], rings: Array) -> tuple[list[Contour], list[list[Array]]]:
-    """Return borders, and chains of rings: the hull of two neighbors follows the sides between them.
-
-    Sides between profiles of different shapes are hollow: further borders divide them.
-    """
+    """Return borders, and chains of rings: the hull of two neighbors follows the sides between them."""
+    # sides between profiles of different shapes are hollow: further borders divide them
     borders, chains = [contours[0]], [[rings[0]]]
     for (first, last), (low, high) in zip(pairwise(contours), pairwise(rings), strict=True):
         for count in _SLICES:

@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from artgen import _portable
-from artgen._arrays import Array
+from artgen._arrays import Array, affine
 from artgen.asset.shape import Contour, Shape
 from artgen.colliders import Convex, Exact
 from artgen.colliders.triangles import hull_of
@@ -153,7 +153,7 @@ def _box_between(low: Array3, high: Array3, bevel: float) -> Shape:
                 f"the region is {length:.6g} m long along {name}: the lowest coordinate comes first"
             )
     return _box(float(size[0]), float(size[1]), float(size[2]), bevel).transformed(
-        check.pose(np.eye(3), 0.5 * (low + high))
+        affine(np.eye(3), 0.5 * (low + high))
     )
 
 
@@ -163,7 +163,7 @@ def _cylinder(radius: float, length: float, axis: Array3, bevel: float) -> Shape
     bevel = check.rounding("bevel", bevel, min(radius, length / 2.0) * 0.999)
     turn = check.frame(axis)
     skin = DeferredSkin(lambda: lathe([axial(radius, length / 2.0, bevel)]).turned(turn))
-    pieces = around_cylinder(radius, length, sides_of(radius), check.pose(turn), bevel)
+    pieces = around_cylinder(radius, length, sides_of(radius), affine(turn), bevel)
     return skin.shape(pieces)
 
 
@@ -188,7 +188,7 @@ def _cylinder_between(start: Array3, end: Array3, radius: float, bevel: float) -
     if length <= 0.0:
         raise ValueError("start and end are the same point; a cylinder needs two different points")
     made = _cylinder(radius, length, along, bevel)
-    return made.transformed(check.pose(np.eye(3), 0.5 * (start + end)))
+    return made.transformed(affine(np.eye(3), 0.5 * (start + end)))
 
 
 @records(_cylinder_between)
@@ -213,7 +213,7 @@ def _bore(radius: float, length: float, axis: Array3) -> Shape:
     sides = sides_of(radius)
     outside = radius / math.cos(math.pi / sides)
     skin = DeferredSkin(lambda: lathe([axial(outside, length / 2.0, 0.0)], sides=sides).turned(turn))
-    return skin.shape(around_cylinder(outside, length, sides, check.pose(turn)))
+    return skin.shape(around_cylinder(outside, length, sides, affine(turn)))
 
 
 @records(_bore)
@@ -242,7 +242,7 @@ def _frustum(bottom_radius: float, top_radius: float, length: float, axis: Array
     turn = check.frame(axis)
     contour = axial(bottom_radius, length / 2.0, bevel, top_radius)
     skin = DeferredSkin(lambda: lathe([contour]).turned(turn))
-    return skin.shape(moved(around_lathe([contour]), check.pose(turn)))
+    return skin.shape(moved(around_lathe([contour]), affine(turn)))
 
 
 @records(_frustum)
@@ -341,7 +341,7 @@ def _capsule(radius: float, length: float, axis: Array3) -> Shape:
     high, high_out = arc_points(np.array([0.0, half]), radius, 0.0, 0.5 * math.pi, steps)
     contour = onto_axis(np.concatenate([low, high]), np.concatenate([low_out, high_out]))
     skin = DeferredSkin(lambda: lathe([contour]).turned(turn))
-    return skin.shape(around_round(Convex.capsule(radius, 2.0 * half, check.pose(turn)), skin.vertices))
+    return skin.shape(around_round(Convex.capsule(radius, 2.0 * half, affine(turn)), skin.vertices))
 
 
 @records(_capsule)
@@ -365,7 +365,7 @@ def _torus(major: float, minor: float, axis: Array3) -> Shape:
     circle = circle_contour(minor)
     contour = Contour(circle.points + np.array([major, 0.0]), circle.normals_in, circle.normals_out)
     skin = DeferredSkin(lambda: lathe([contour]).turned(turn))
-    return skin.shape(moved(around_lathe([contour]), check.pose(turn)))
+    return skin.shape(moved(around_lathe([contour]), affine(turn)))
 
 
 @records(_torus)
@@ -394,7 +394,7 @@ def _tube(outer: float, inner: float, length: float, axis: Array3, bevel: float)
     half = length / 2.0
     corners = np.array([[inner, -half], [outer, -half], [outer, half], [inner, half]])
     contour = rounded_polygon(corners, [bevel] * 4) if bevel > 0.0 else faceted(corners)
-    pieces = moved(around_lathe([contour], sides=sides), check.pose(turn))
+    pieces = moved(around_lathe([contour], sides=sides), affine(turn))
     return DeferredSkin(lambda: lathe([contour], sides=sides).turned(turn)).shape(pieces)
 
 

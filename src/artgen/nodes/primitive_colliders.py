@@ -182,10 +182,8 @@ def _cuttable(radius: float, length: float, bevel: float, matrix: Array) -> Conv
 
 
 def _chamfers(count: int) -> Array:
-    """Return the corners of chamfers that touch a quarter of a circle of radius 1, shape (count + 1, 2).
-
-    They touch it at angles that divide it evenly. Without any, the corner is that of a square.
-    """
+    """Return the corners of chamfers that touch a quarter of a circle of radius 1, shape (count + 1, 2)."""
+    # they touch it at angles that divide it evenly; without any, the corner is that of a square
     half = math.pi / 4.0 / (count + 1)
     angle = half * (2.0 * np.arange(count + 1) + 1.0)
     return np.column_stack((_portable.cos(angle), _portable.sin(angle))) / math.cos(half)
@@ -266,7 +264,7 @@ def around_lathe(contours: Sequence[Contour], angle: float = math.tau, sides: in
     """Return the pieces of a lathe solid about z."""
     borders = [contour.points for contour in contours]
     steps, turn = lathe_steps(contours, angle, sides)
-    return lazily(lambda: colliders.revolve_pieces(borders, 0.0, turn, steps))
+    return lazily(lambda: colliders.revolve_pieces(borders, turn, steps))
 
 
 def around_extrusion(

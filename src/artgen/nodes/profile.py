@@ -275,10 +275,6 @@ def _near(a: Outline, b: Outline) -> tuple[Mask, Mask]:
     return np.asarray(near.any(axis=1)), np.asarray(near.any(axis=0))
 
 
-def _is_far_from(a: Outline, b: Outline) -> bool:
-    return not _near(a, b)[0].any()
-
-
 @kernel(spelling="({a} | {b})")
 def _profile_union(a: Outline, b: Outline) -> Outline:
     first, second = _near(a, b)
@@ -294,7 +290,7 @@ def _profile_union(a: Outline, b: Outline) -> Outline:
 
 @kernel(spelling="({a} - {b})")
 def _profile_difference(a: Outline, b: Outline) -> Outline:
-    if _is_far_from(a, b):
+    if not _near(a, b)[0].any():
         return a
     kept = _pierced(a, b)
     if kept is not None:

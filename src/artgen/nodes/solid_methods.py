@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from artgen._arrays import Array
+from artgen._arrays import Array, affine
 from artgen.asset.shape import Shape
 from artgen.graph import define, kernel
 from artgen.nodes import validators as check
@@ -26,7 +26,7 @@ def rotation_about(axis: Array, angle: float) -> Array:
 
 def moved(shape: Shape, linear: Array, offset: Array) -> Shape:
     """Return the checked shape with each point p at linear @ p + offset."""
-    return shape.transformed(check.pose(linear, offset)).checked()
+    return shape.transformed(affine(linear, offset)).checked()
 
 
 @kernel(spelling="{solid}.at({offset})")

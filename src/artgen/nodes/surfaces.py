@@ -319,17 +319,13 @@ def _turns(steps: int, angle: float) -> tuple[Array, Array]:
     cosine, sine = _portable.cos(turn), _portable.sin(turn)
     for values in (cosine, sine):
         values[np.abs(values) < 1e-15] = 0.0
-        values.flags.writeable = False
     return cosine, sine
 
 
 @cached(16)
 def _unit_box(steps: int) -> tuple[Array, Array, Array, Indices, Indices]:
-    """Return directions, signs and arcs (n, 3) of a box with rounded edges, its triangles and its targets.
-
-    An arc is the distance of a vertex from the flat part of its face along the rounded edge, in radii of the
-    edge.
-    """
+    """Return directions, signs and arcs (n, 3) of a box with rounded edges, its triangles and its targets."""
+    # an arc is the distance from the flat part of a face along the rounded edge, in radii of the edge
     quarter = _portable.tan(np.linspace(0.0, np.pi / 4.0, steps + 1)) if steps else np.zeros(1)
     across = np.concatenate([-quarter[::-1], quarter])
     side = np.concatenate([-np.ones(steps + 1), np.ones(steps + 1)])
@@ -360,8 +356,6 @@ def _unit_box(steps: int) -> tuple[Array, Array, Array, Indices, Indices]:
     where = flat_signs if steps == 0 else np.concatenate([flat_directions, flat_signs], axis=1)
     _, first, group = np.unique(np.rint(where * 1e6), axis=0, return_index=True, return_inverse=True)
     targets = first[group.ravel()]
-    for array in (flat_directions, flat_signs, flat_arcs, triangles, targets):
-        array.flags.writeable = False
     return flat_directions, flat_signs, flat_arcs, triangles, targets
 
 
@@ -381,10 +375,7 @@ def rounded_box(size: Array, bevel: float, steps: int) -> Skin:
 
 @cached(1)
 def _unit_chamfers() -> tuple[Array, Indices, Array, Indices, Indices]:
-    """Return signs (n, 3), face axes (n,), normals (n, 3), triangles and targets of a box with chamfers.
-
-    A vertex lies on the face across its axis, beside the chamfers.
-    """
+    """Return signs (n, 3), face axes (n,), normals (n, 3), triangles and targets of a box with chamfers."""
     signs: list[Array] = []
     axes: list[Indices] = []
     normals: list[Array] = []

@@ -91,11 +91,8 @@ def _turns_between(source: Array, target: Array) -> Array:
 
 
 def _transported(tangents: Array, directions: Array, distance: Array, closed: bool) -> Array:
-    """Return frames that follow the tangents without rotation about the path, shape (n, 3, 3).
-
-    The profile's y starts as far upward as possible (along Y if the path starts vertically). Around a closed
-    path, the remaining rotation is spread over its length.
-    """
+    """Return frames that follow the tangents without rotation about the path, shape (n, 3, 3)."""
+    # y starts upward, or along Y on a vertical path; a closed path spreads the remaining rotation
     start = tangents[0]
     up = np.array([0.0, 0.0, 1.0]) if abs(start[2]) < 0.999 else np.array([0.0, 1.0, 0.0])
     first = up - start * _portable.dot(start, up)

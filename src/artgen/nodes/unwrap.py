@@ -121,11 +121,8 @@ def turned_uvs(
 
 
 def _even_runs(rail: Rail, radius: Array, *, joined: bool) -> tuple[Array, Array]:
-    """Return the radius at which columns of a revolved contour measure lengths around the axis.
-
-    Columns without a break between them share one radius: the median over the surface, for the least
-    distortion.
-    """
+    """Return the radius at which columns of a revolved contour measure lengths around the axis."""
+    # columns without a break between them share the median over the surface, for the least distortion
     distance = rail.distance
     run = np.concatenate([[0], np.cumsum(rail.vertex[1:] == rail.vertex[:-1])])
     if joined and run[-1] > 0:

@@ -10,8 +10,6 @@ from artgen._arrays import Array
 from artgen.colliders.triangles import cross
 from artgen.graph import detail_level
 
-_STILL = np.eye(4)  # a call of it takes as long as three copies
-
 
 def positive(name: str, value: float, unit: str = "m") -> float:
     """Return a value that is finite and above zero."""
@@ -96,11 +94,3 @@ def frame_is_mirrored(rotation: Array) -> bool:
     """Tell whether local y of a `frame` points against the last of the asset's two other axes."""
     near = int(np.argmax(np.abs(rotation[:, 2])))
     return bool(rotation[1 if near == 2 else 2, 1] < 0.0)
-
-
-def pose(rotation: Array, origin: Any = (0.0, 0.0, 0.0)) -> Array:
-    """Return the affine matrix, shape (4, 4), of a linear part (3, 3) and an origin (3,)."""
-    matrix = _STILL.copy()
-    matrix[:3, :3] = rotation
-    matrix[:3, 3] = origin
-    return matrix

@@ -159,12 +159,8 @@ def around_axis(points: Array, origin: Array, axis: Array) -> Array:
 
 
 def _nearest(arm: Array) -> Array:
-    """Return the distance of convex pieces from an axis, less at most rounding.
-
-    The smallest projection of the vertices on any direction across the axis is a lower bound. The directions
-    point to the nearest point of a segment between two vertices (Gilbert, Johnson and Keerthi 1988): the
-    vertex with the smallest projection replaces an end of the segment for as long as that comes nearer.
-    """
+    """Return the distance of convex pieces from an axis, less at most rounding."""
+    # Gilbert, Johnson and Keerthi 1988: the smallest projection on a direction is a lower bound
     rows = np.arange(len(arm))
     point = arm[rows, np.sum(arm * arm, axis=2).argmin(axis=1)]
     ends = np.stack((point, point), axis=1)  # (N, 2, 3)

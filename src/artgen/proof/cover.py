@@ -141,10 +141,8 @@ class _Grown:
 
 
 def _with_moved_faces(piece: Polytope, growth: float) -> tuple[Array, float]:
-    """Return the vertices of a piece with moved faces, shape (n, 3), and their longest displacement [m].
-
-    Each vertex moves to the new meeting point of its faces; with more than three faces, by least squares.
-    """
+    """Return the vertices of a piece with moved faces, shape (n, 3), and their longest displacement [m]."""
+    # each vertex moves to the new meeting point of its faces; with more than three, by least squares
     normals = piece.planes[:, :3]
     touching = piece.contact.astype(np.float64)
     products = (normals[:, :, None] * normals[:, None, :]).reshape(-1, 9)

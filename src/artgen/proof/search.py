@@ -373,10 +373,8 @@ class Search:
         return True
 
     def _hopeless(self, cells: ProofCells, distance: Array, threshold: Array, total: Array) -> Mask:
-        """Tell which cells to give up: pieces that hardly move, or that are too close in a small cell.
-
-        A large cell may hide a collision: it is split further as long as the number of cells stays small.
-        """
+        """Tell which cells to give up: pieces that hardly move, or that are too close in a small cell."""
+        # a large cell may hide a collision: it is split further while there are few cells
         pieces, joint_paths = self._are_pieces(cells), cells.joint_path
         close = pieces & (distance < self.tolerances[joint_paths] + _CLOSE) & (threshold > 0.0)
         large = close & (total > _SMALL)

@@ -205,7 +205,8 @@ class Judgment:
         pair = next((each for each in self.failures if each.result.witness is not None), None)
         if pair is None or pair.result.witness is None:
             raise AssetError(f"{self.path}: no pair collides; there is nothing to draw")
-        tree = next(each for each in self.trees if _has(each, pair))
+        both = set(pair.result.links)
+        tree = next(each for each in self.trees if both <= {link.name for link in each.asset.links})
         paints: dict[str, Material] = dict(zip(pair.result.links, _PAINTS, strict=True))
         links = ByName(
             ColliderLink.of(link.name, link.geoms, paints.get(link.name, MATERIAL))
@@ -431,10 +432,6 @@ def _excluded(tree: JudgedTree, joint_path: JointPath) -> bool:
 
 def _is_among(pairs: Collection[tuple[str, str]], joint_path: JointPath) -> bool:
     return joint_path.links in pairs
-
-
-def _has(tree: JudgedTree, pair: JudgedPair) -> bool:
-    return set(pair.result.links) <= {link.name for link in tree.asset.links}
 
 
 def _restriction(pair: PairResult, asset: Asset, model: ForeignModel) -> str:

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from artgen._arrays import Array, Indices
+from artgen._arrays import Array, Indices, affine
 from artgen.asset import AssetJoint
 from artgen.asset.coupling import AssetCoupling
 from artgen.asset.joint import JointKind
@@ -79,11 +79,8 @@ def _check_numbers(path: Path, compiled: Mapping[str, Any]) -> None:
 
 
 def _check_files(path: Path, root: Path) -> None:
-    """Check the files that an MJCF file and its includes name, before the compiler opens one.
-
-    The compiler's directories may stand in any of them, so that each name is tried in every directory. What
-    is in none is left to the compiler.
-    """
+    """Check the files that an MJCF file and its includes name, before the compiler opens one."""
+    # the compiler's directories may stand in any of them: each name is tried in all, and the rest left to it
     trees = {path: parse_xml(path)}
     waiting, folders = [path], {""}
     while waiting:
@@ -263,8 +260,7 @@ class _Reading:
         return result
 
     def _convexes(self, number: int) -> list[Convex]:
-        pose = np.eye(4)
-        pose[:3, :3], pose[:3, 3] = self.geom_xmat[number].reshape(3, 3), self.geom_xpos[number]
+        pose = affine(self.geom_xmat[number].reshape(3, 3), self.geom_xpos[number])
         a, b, c = self.geom_size[number].tolist()
         primitives: dict[int, Callable[[], Convex]] = {
             _SPHERE: lambda: Convex.sphere(a, pose),

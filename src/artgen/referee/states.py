@@ -237,10 +237,8 @@ def _near(
     state: _State,
     starts: Sequence[list[_Start]],
 ) -> Indices:
-    """Return rows of pairs of pieces that may overlap, deepest first, the deepest few of each joint path.
-
-    The nearest pieces of each joint path are added to its starts, of which the best few are kept.
-    """
+    """Return rows of pairs of pieces that may overlap, deepest first, the deepest few of each joint path."""
+    # the nearest pieces of each joint path are added to its starts, of which the best few are kept
     turned = np.matmul(state.rotations[nodes.tree], nodes.center[:, :, None])[:, :, 0]
     centers = turned + state.offsets[nodes.tree]
     between = centers[second] - centers[first]

@@ -11,6 +11,7 @@ from typing import Any, cast
 
 import numpy as np
 from pxr import Ar, Sdf, Tf, Usd, UsdGeom, UsdPhysics, UsdUtils
+from scipy.cluster.hierarchy import DisjointSet
 
 from artgen._arrays import Array
 from artgen.asset import AssetJoint
@@ -216,26 +217,21 @@ class _Reading:
 
     def _grow(self) -> None:
         """Choose the joints of the trees, and how each body moves from its authored pose to 0."""
-        group = {name: name for name in self.bodies.values()} | dict.fromkeys(self.fixed, WORLD)
-
-        def find(name: str) -> str:
-            while group[name] != name:
-                group[name] = group[group[name]]
-                name = group[name]
-            return name
-
-        self.at: dict[str, list[StageJoint]] = {name: [] for name in group}
+        names = dict.fromkeys((*self.bodies.values(), *self.fixed))
+        groups = DisjointSet(names)
+        for name in self.fixed:
+            groups.merge(WORLD, name)
+        self.at: dict[str, list[StageJoint]] = {name: [] for name in names}
         closing = []
         for joint in sorted(self.joints, key=_rank):
             ends = self._ends(joint)
-            root, other = sorted(map(find, ends), key=lambda name: name != WORLD)
-            if root == other or joint.motion == "distance":
+            if groups.connected(*ends) or joint.motion == "distance":
                 closing.append(joint)
                 continue
-            group[other] = root
+            groups.merge(*ends)
             for name in ends:
                 self.at[name].append(joint)
-        self.group = {name: find(name) for name in group}
+        self.group = {name: groups[name] for name in names}
         self.above: dict[str, tuple[str, StageJoint]] = {}  # parent and joint of each body
         self.moves = {name: np.eye(4) for name in self.fixed}
         self._span(self.fixed)

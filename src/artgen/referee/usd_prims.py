@@ -10,7 +10,7 @@ from manifold3d import triangulate
 from pxr import Gf, Usd, UsdPhysics
 
 from artgen import _portable
-from artgen._arrays import Array, Indices
+from artgen._arrays import Array, Indices, affine
 from artgen.colliders import Convex
 from artgen.colliders.triangles import cross
 from artgen.errors import AssetError
@@ -343,11 +343,9 @@ def joint_frame(prim: Any, end: int, matrix: Array) -> Array:
     if not (np.isfinite(at).all() and 1e-3 < turn.GetLength() < np.inf):
         found = f"localPos{end} is {tuple(at.tolist())} and its localRot{end} {turn}"
         raise fault(prim, f"its {found}; give finite numbers and a rotation other than 0")
-    result = np.eye(4)
-    result[:3, 3] = matrix[:3, :3] @ at + matrix[:3, 3]
     # Gf.Rotation would lose precision near 0: its angle is an arccosine
-    result[:3, :3] = _rotation(matrix) @ np.array(Gf.Matrix3d(turn.GetNormalized())).T
-    return result
+    rotation = _rotation(matrix) @ np.array(Gf.Matrix3d(turn.GetNormalized())).T
+    return affine(rotation, matrix[:3, :3] @ at + matrix[:3, 3])
 
 
 def _rotation(matrix: Array) -> Array:

@@ -14,16 +14,6 @@ from artgen.sampling.distributions import (
 )
 
 __all__ = [
-    "Distribution",
-    "Fixed",
-    "Given",
-    "by",
-    "choice",
-    "count",
-    "fixed",
-    "given",
-    "loguniform",
-    "stream",
-    "truncated_normal",
-    "uniform",
-]
+    "Distribution", "Fixed", "Given", "by", "choice", "count", "fixed", "given", "loguniform", "stream",
+    "truncated_normal", "uniform",
+]  # fmt: skip

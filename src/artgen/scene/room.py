@@ -14,7 +14,7 @@ from typing import Any, Literal, get_args
 
 import numpy as np
 
-from artgen._arrays import Array, FrozenArrays, cached_property
+from artgen._arrays import Array, FrozenArrays, affine, cached_property
 from artgen._names import ByName, check_name, is_identifier
 from artgen.asset import Asset, AssetJoint
 from artgen.asset.asset import DetailName, remember
@@ -25,7 +25,6 @@ from artgen.asset.manifolds import box_of
 from artgen.asset.placed import PlacedAsset, certificate_digest, place_of
 from artgen.asset.shape import Mesh
 from artgen.catalog import find
-from artgen.colliders import Convex
 from artgen.errors import AssetError, ParameterError
 from artgen.export.frames import translation
 from artgen.generator import generator
@@ -538,9 +537,7 @@ def _check_shares(at: Any, deep: Any) -> None:
 
 def turned(angle: float) -> Array:
     """Return a turn about the vertical axis, shape (4, 4)."""
-    pose = np.eye(4)
-    pose[:3, :3] = rotation(np.array([0.0, 0.0, 1.0]), angle)
-    return pose
+    return affine(rotation(np.array([0.0, 0.0, 1.0]), angle))
 
 
 def _moved_box(asset: Asset, pose: Array) -> Array:
@@ -580,7 +577,7 @@ def _place_in(asset: Asset, link: str, size: Array, shares: tuple[float, float])
         return None
     pieces = [(each is carrier, collider.convex) for each in asset.links for collider in each.colliders]
     own = np.array([of_carrier for of_carrier, _ in pieces])
-    bottoms, tops = np.array([_heights(convex, columns) for _, convex in pieces]).swapaxes(0, 1)
+    bottoms, tops = np.array([convex.faces.spans(columns) for _, convex in pieces]).swapaxes(0, 1)
     levels = np.unique(np.round(tops[own], 4))
     for level in levels[np.isfinite(levels)]:
         stands = (abs(tops[own] - level) < _LEVEL).any(axis=0)
@@ -597,32 +594,15 @@ def _place_in(asset: Asset, link: str, size: Array, shares: tuple[float, float])
 
 
 def _level_under(asset: Asset, box: Array, middle: Array) -> float | None:
-    """Return the height of the highest surface under a box, shape (2, 2), around a point [m].
-
-    None if the surface is not on all sides of the point, shape (2,).
-    """
+    """Return the height of the highest surface under a box on all sides of a point, or None [m]."""
     x, y = (np.linspace(start, end, math.ceil((end - start) / _FINE) + 1) for start, end in box.T)
     columns = np.stack(np.meshgrid(x, y, indexing="ij"), axis=-1).reshape(-1, 2)
     pieces = [each.convex for link in asset.links for each in link.colliders]
-    tops = np.max([_heights(convex, columns)[1] for convex in pieces], axis=0)
+    tops = np.max([convex.faces.spans(columns)[1] for convex in pieces], axis=0)
     level = float(tops.max())
     held = columns[tops > level - _LEVEL] - middle
     around = [held[:, 0] <= 0.0, held[:, 0] >= 0.0, held[:, 1] <= 0.0, held[:, 1] >= 0.0]
     return level if math.isfinite(level) and all(each.any() for each in around) else None
-
-
-def _heights(convex: Convex, columns: Array) -> tuple[Array, Array]:
-    """Return the lowest and highest point of a convex piece on vertical lines; inf and -inf beside it."""
-    planes = convex.faces.planes
-    normals, offsets = planes[:, :3], planes[:, 3]
-    rest = offsets - columns @ normals[:, :2].T
-    slope = normals[:, 2]
-    with np.errstate(divide="ignore", invalid="ignore"):
-        ends = rest / slope
-    top = np.where(slope > 1e-9, ends, np.inf).min(axis=1)
-    bottom = np.where(slope < -1e-9, ends, -np.inf).max(axis=1)
-    missed = (top <= bottom) | ((abs(slope) <= 1e-9) & (rest < 0.0)).any(axis=1)
-    return np.where(missed, np.inf, bottom), np.where(missed, -np.inf, top)
 
 
 def _openings(placed: Placement) -> list[Array]:

@@ -195,14 +195,9 @@ def _office(here: Furnisher) -> None:
     sides: tuple[Wall, Wall] = ("left", "right") if flip else ("right", "left")
     here.door(sides[1], 0.0 if sides[1] == "left" else depth - DOORWAY)
     low = {
-        "kind": "base",
-        "doors": 2,
-        "width": 0.8,
-        "depth": 0.36,
-        "height": 0.8,
-        "top": "worktop",
+        "kind": "base", "doors": 2, "width": 0.8, "depth": 0.36, "height": 0.8, "top": "worktop",
         "swing": 1.5,
-    }
+    }  # fmt: skip
     board = room.against(
         sides[0], "cabinet", at=0.1 if flip else depth - 0.9, name="sideboard", **here.base | PLINTH | low
     )
@@ -269,10 +264,8 @@ def _box_on(here: Furnisher, below: Placement, at: float, deep: float) -> None:
 
 
 def _tub(region: Region, finish: Material) -> ag.Body:
-    """Make a bathtub that fills a region, with round corners, sloping sides and a drain in its floor.
-
-    Its colliders are within its visible surface and have plane corners.
-    """
+    """Make a bathtub that fills a region, with round corners, sloping sides and a drain in its floor."""
+    # its colliders are within its visible surface and have plane corners
     wall, x, y = 0.06, region.x.size / 2.0 - 0.06, region.y.size / 2.0 - 0.06
     floor, rim = region.z.low + 1.5 * wall, region.z.high
     levels = [(0.17, floor), (0.15, floor + 0.03), (0.01, rim - 0.03), (0.0, rim - 0.01), (0.0, rim + 0.01)]

@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from artgen.dataset.workers import Ending, Worker
-from artgen.errors import ArtgenError, ParameterError, RenderError
+from artgen.errors import ArtgenError, ParameterError, RenderError, needed
 from artgen.studio.panel import Panel, Requests
 from artgen.studio.session import ProofTask, Session, message_of, prove
 from artgen.studio.stage import Viewport
@@ -179,14 +179,11 @@ class Studio:
 
 def _server(host: str, port: int) -> tuple[Any, str]:
     """Return a guarded viser server at exactly this port, and the token of its guard."""
-    try:
+    text = 'the studio needs viser, which cannot be loaded ({error}): pip install "artgen[studio]"'
+    with needed(text, RenderError):
         import viser
 
         from artgen.studio.guard import Guard
-    except ImportError as error:
-        raise RenderError(
-            f'the studio needs viser, which cannot be loaded ({error}): pip install "artgen[studio]"'
-        ) from error
     if not 0 <= port <= _PORTS:
         raise ParameterError(
             f"--port {port} is not allowed: it must be in 0..{_PORTS}; 0 selects a free port"

@@ -97,11 +97,7 @@ def assets(
 
 
 class _Drawing:
-    """One draw of overrides.
-
-    Parameters of unselected generators are drawn as well and discarded: all examples use equally many draws,
-    so that hypothesis shrinks to the first generator instead of the one with the fewest draws.
-    """
+    """One draw of overrides; those of unselected generators are discarded, so that examples shrink alike."""
 
     def __init__(self, draw: st.DrawFn, overrides: Overrides, *, structural: bool, hard_limits: bool) -> None:
         self._draw, self._overrides = draw, overrides

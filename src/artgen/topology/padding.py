@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, get_args
 import numpy as np
 
 from artgen import _portable
-from artgen._arrays import Array, cached_property
+from artgen._arrays import Array, affine, cached_property
 from artgen._names import ByName
 from artgen.asset import Asset
 from artgen.asset.joint import AssetJoint, JointKind
@@ -87,8 +87,7 @@ class Host:
         label, material = self.collider.label, self.collider.material
         result = []
         for index, kind in enumerate(kinds):
-            pose = np.eye(4)
-            pose[:3, 3] = self.place(number, count)
+            pose = affine(np.eye(3), self.place(number, count))
             pose[2, 3] = round(pose[2, 3] + 0.5 * size * ((index + 0.5) / len(kinds) - 0.5), 12)  # none alike
             result.append(Collider(_MAKERS[kind](size, pose), label, material, spare=True))
         return tuple(result)

@@ -121,11 +121,8 @@ def check_colliders(asset: Asset) -> CheckResult:
 
 
 def _solid_of(link: Link) -> Manifold:
-    """Return the union of a link's solids without visual details.
-
-    For a link that was read from files, the closed parts of its meshes, without those that the file records
-    as visual details or whose label no collider has.
-    """
+    """Return the union of a link's solids without visual details."""
+    # read from files: the closed parts of meshes that are no visual details and whose label has a collider
     if link.pieces:
         parts = [piece.shape.manifold for piece in link.pieces if not piece.visual]
     else:
@@ -217,7 +214,8 @@ def _fidelity_findings(link: Link, found: Fidelity, detail: str) -> Iterator[Fin
 
 
 def _detail(asset: Asset, measured: Sequence[tuple[float, Fidelity]]) -> str:
-    text = f"{_count(asset)} colliders, {sum(found.vertices for _, found in measured)} vertices"
+    count = sum(len(link.colliders) for link in asset.links)
+    text = f"{count} colliders, {sum(found.vertices for _, found in measured)} vertices"
     total = sum(volume for volume, _ in measured)
     if not total:
         return text
@@ -285,10 +283,8 @@ def _between_facets(excess: Manifold, faces: TriangleSet, facets: float) -> floa
 def _sticking_out(
     missing: Manifold, polytopes: Sequence[Polytope], faces: TriangleSet
 ) -> tuple[float, Array]:
-    """Return the largest distance of a solid outside its pieces, and its place.
-
-    Distances are measured along face normals; films between pieces with a common face do not count.
-    """
+    """Return the largest distance of a solid outside its pieces, and its place."""
+    # distances are along face normals; films between pieces with a common face do not count
     if missing.is_empty():
         return 0.0, np.zeros(3)
     points, _, _ = distinct_rows(np.round(TriangleSet.of(missing).spread(_SPREAD), 8))
@@ -313,11 +309,8 @@ def _outside(polytopes: Sequence[Polytope], points: Array) -> Array:
 
 
 def _least_height(polytope: Polytope, points: Array) -> Array:
-    """Return a lower bound of the height above faces for points outside a polytope, shape (n,) [m].
-
-    A ray from the center to a point leaves the polytope within the circumscribed ball, through a face that is
-    no nearer to the center than the inscribed ball. The bound is at most 0 for points inside.
-    """
+    """Return a lower bound of the height above faces for points outside a polytope, shape (n,) [m]."""
+    # a ray from the center leaves through a face no nearer than the inscribed ball; at most 0 inside
     middle = polytope.points.mean(axis=0)
     within = (polytope.planes[:, 3] - polytope.planes[:, :3] @ middle).min()
     around = np.linalg.norm(polytope.points - middle, axis=1).max()
@@ -382,10 +375,6 @@ def compare_colliders(
             }
         )
     return rows
-
-
-def _count(asset: Asset) -> int:
-    return sum(len(link.colliders) for link in asset.links)
 
 
 def _numbers(measured: Fidelity) -> dict[str, float]:

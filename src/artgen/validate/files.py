@@ -177,11 +177,8 @@ def _certificate_findings(directory: Path) -> Iterator[Finding]:
 
 
 def _changed(path: str, *, compared: bool) -> Finding:
-    """Return the finding for a changed file.
-
-    Textures may be replaced, and other checks compare main files: these changes are notes. Changes of meshes,
-    tables and layers are faults.
-    """
+    """Return the finding for a changed file."""
+    # textures may be replaced, and other checks compare main files: these are notes, the rest faults
     message = f"{path} was changed after the export: its digest is not the one in {ASSET_FILE}"
     if compared or PurePosixPath(path).suffix.lower() in _LOOKS:
         hint = "keep it if the change was intended; otherwise export the asset again"

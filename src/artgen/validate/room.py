@@ -55,13 +55,12 @@ def check_room(asset: Asset) -> CheckResult:
     return CheckResult(CHECK, tuple(findings), "; ".join(parts))
 
 
-def overlaps(asset: Asset, count: int, seed: int = 0) -> Iterator[Finding]:
+def overlaps(asset: Asset, count: int) -> Iterator[Finding]:
     """Yield the pairs of links whose exact solids overlap in one of several random valid states.
 
     Args:
         asset: The asset; the boxes around its links select the pairs, and no proof is used.
         count: Number of states.
-        seed: Seed of the states.
     """
     paths = space_of(asset).joint_paths()
     names = list(asset.links.by_name)
@@ -70,7 +69,7 @@ def overlaps(asset: Asset, count: int, seed: int = 0) -> Iterator[Finding]:
     corners = np.array([[[box[i, 0], box[j, 1], box[k, 2]] for i in (0, 1) for j in (0, 1) for k in (0, 1)]
                         for box in boxes])  # fmt: skip
     found: set[tuple[str, str]] = set()
-    for row in asset.sample_states(count, seed):
+    for row in asset.sample_states(count):
         q = dict(zip(asset.dof_names, row.tolist(), strict=True))
         positions, poses = asset.positions(q), asset.pose(q)
         low, high = _boxes_at(corners, np.array([poses[name] for name in names]))

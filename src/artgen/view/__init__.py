@@ -9,14 +9,6 @@ from artgen.view.rendering import render
 from artgen.view.viewer import page_of
 
 __all__ = [
-    "VIEWS",
-    "Camera",
-    "Page",
-    "Picture",
-    "RenderError",
-    "Segmentation",
-    "View",
-    "opened",
-    "page_of",
+    "VIEWS", "Camera", "Page", "Picture", "RenderError", "Segmentation", "View", "opened", "page_of",
     "render",
-]
+]  # fmt: skip

@@ -7,8 +7,9 @@ from typing import Any
 from artgen.asset import Asset
 from artgen.asset.record import plain
 from artgen.errors import ArtgenError, AssetError, ExportError, RenderError
+from artgen.export.files import write_file
 from artgen.export.thumbnail import thumbnail
-from artgen.view.page import page_html, write_file
+from artgen.view.page import page_html
 from artgen.view.picture import jpeg
 from artgen.view.rendering import render
 from artgen.view.sheet import features, shots

@@ -28,15 +28,9 @@ _ON_AXIS = 1e-6  # points nearer to an axis have no direction from it [m]
 # colors of Okabe and Ito, which people with any color vision can distinguish, with grey instead of black;
 # then darker, lighter and intermediate versions for categories with many labels
 _HUES: tuple[Rgb, ...] = (
-    (0.902, 0.624, 0.000),
-    (0.337, 0.706, 0.914),
-    (0.000, 0.620, 0.451),
-    (0.941, 0.894, 0.259),
-    (0.000, 0.447, 0.698),
-    (0.835, 0.369, 0.000),
-    (0.800, 0.475, 0.655),
-    (0.600, 0.600, 0.600),
-)
+    (0.902, 0.624, 0.000), (0.337, 0.706, 0.914), (0.000, 0.620, 0.451), (0.941, 0.894, 0.259),
+    (0.000, 0.447, 0.698), (0.835, 0.369, 0.000), (0.800, 0.475, 0.655), (0.600, 0.600, 0.600),
+)  # fmt: skip
 _SHADES = ((0.0, 1.0), (0.0, 0.55), (1.0, 0.45), (0.0, 0.78))  # grey, and the remaining share of the color
 PALETTE: tuple[Rgb, ...] = tuple(
     tuple(round(keep * part + (1.0 - keep) * grey, 4) for part in hue)

@@ -18,6 +18,7 @@ from typing import Any
 from artgen._names import checked_path
 from artgen.asset import Asset, summary
 from artgen.errors import AssetError, ExportError
+from artgen.export.files import write_file
 from artgen.export.thumbnail import thumbnail
 from artgen.view.picture import jpeg
 
@@ -136,16 +137,3 @@ def check_page(path: Path) -> None:
         raise ExportError(f"cannot write {path}: give a file whose name ends in .html")
     if not path.absolute().parent.is_dir():
         raise ExportError(f"cannot write {path}: give a file in a directory that exists")
-
-
-def write_file(path: Path, content: bytes) -> Path:
-    """Write a file completely or not at all."""
-    part = path.with_name(f".{path.name}.part")
-    try:
-        part.write_bytes(content)
-        part.replace(path)
-    except OSError as error:
-        with suppress(OSError):
-            part.unlink(missing_ok=True)
-        raise ExportError(f"cannot write {path}: {error.strerror}") from error
-    return path

@@ -451,10 +451,8 @@ class _Painter:
         return np.asarray(1.0 / (6.0 * self.pixel * np.sqrt(dot(offset, offset))))
 
     def _light(self, points: _Points, order: NDArray[Any], around: _Spread | None = None) -> Floats:
-        """Return the light that arrives at points: the radiance of white paper there, by color.
-
-        With a function that spreads a mark to neighbors, points with nothing in the way have one ray.
-        """
+        """Return the light that arrives at points: the radiance of white paper there, by color."""
+        # with a function that spreads a mark to neighbors, points with nothing in the way have one ray
         lost, shaded = self._lost(points, order, range(1))
         bright = (1.0 - points.metal) * points.color.max(axis=0) * points.shown > _FAINT
         few = np.flatnonzero(bright if around is None else around(shaded & bright))
@@ -584,10 +582,8 @@ class _Painter:
     def _smoothed(
         self, points: _Points, pixel: NDArray[Any], shape: tuple[int, int], light: Floats, mirror: Floats
     ) -> tuple[Floats, Floats]:
-        """Return the planes of pixels with one point each, and the light of each averaged over its plane.
-
-        The rows of a plane are a place, a normal, whether there is one with neighbors, and `_near`.
-        """
+        """Return the planes of pixels with one point each, and the light of each averaged over its plane."""
+        # the rows of a plane are a place, a normal, whether there is one with neighbors, and `_near`
         near = self._near(points)
         known = [*points.at, *points.normal, np.ones_like(near), near, *light, *mirror]
         grid = np.zeros((len(known), shape[0] * shape[1]), np.float32)
@@ -671,10 +667,8 @@ def _above(way: Floats, base: Floats) -> Floats:
 
 
 def _averaged(values: Floats, guide: Floats, axis: int, stride: int) -> tuple[Floats, Floats]:
-    """Average values over points of one plane along one axis; return these and the sums of weights.
-
-    With wide strides, the average is over similar values only.
-    """
+    """Average values over points of one plane along one axis; return these and the sums of weights."""
+    # with wide strides, the average is over similar values only
     total = values * guide[6]
     weights = guide[6].copy()
     length = values.shape[axis]
@@ -714,11 +708,8 @@ def _number(order: NDArray[Any], turn: int) -> NDArray[Any]:
 
 
 def _pyramids(material: Material, texels: int) -> tuple[list[Floats], Floats]:
-    """Return the maps of a material at full and smaller sizes, and the shorter sides of their texels [m].
-
-    Channels are roughness, two slopes of the relief, the color if it has a map, and the metalness if so.
-    Texels that are longer along the grain become square first.
-    """
+    """Return the maps of a material at full and smaller sizes, and the shorter sides of their texels [m]."""
+    # channels: roughness, two slopes, the color and metalness if there are maps; texels become square first
     found = maps(material, texels)
     rough = found.roughness.astype(np.float32)[..., None] / 255.0
     slopes = np.zeros((*rough.shape[:2], 2), np.float32)

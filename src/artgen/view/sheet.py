@@ -102,11 +102,8 @@ def shots(asset: Asset) -> tuple[tuple[Mapping[str, float], View], ...]:
 
 
 def _side(asset: Asset, q: Mapping[str, float]) -> float:
-    """Return the direction of the camera for an open asset, relative to `ASIDE`.
-
-    It is positive, from the right, if most doors have their hinges at the left; between doors at both sides
-    the camera is nearer to the center.
-    """
+    """Return the direction of the camera for an open asset, relative to `ASIDE`."""
+    # from the right (+) if most doors have their hinges left; nearer to the center with doors at both sides
     poses, right, doors = asset.pose(q), 0.0, 0.0
     for joint in map(asset.joint, q):
         low, high = asset.link(joint.child).bounds()

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from artgen._arrays import Array
+from artgen._arrays import Array, affine
 from artgen.asset import Asset
 from artgen.asset.shape import Mesh
 from artgen.materials import Material, material
@@ -44,13 +44,12 @@ class Backdrop:
         In the studio the asset is rotated for a picture instead of the camera; in a room its back or its
         front faces the wall.
         """
-        result = np.eye(4)
         angle = -camera.azimuth()
         if self.kind == "room":
             angle = 0.0 if math.cos(angle) > -1e-9 else math.pi
-        result[:2, :2] = [[math.cos(angle), -math.sin(angle)], [math.sin(angle), math.cos(angle)]]
-        result[:3, 3] = self.center - result[:3, :3] @ self.center
-        return result
+        turn = np.eye(3)
+        turn[:2, :2] = [[math.cos(angle), -math.sin(angle)], [math.sin(angle), math.cos(angle)]]
+        return affine(turn, self.center - turn @ self.center)
 
 
 def backdrop(asset: Asset, kind: str) -> Backdrop:

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from artgen._arrays import Array
 from artgen.asset.shape import Mesh
 from artgen.asset.surface import texture_coordinates
-from artgen.errors import RenderError
+from artgen.errors import RenderError, needed
 from artgen.materials import Material
 from artgen.view.studio import BOXES, POINTS, Backdrop, Floats, dome, lamp_points, light_of, spread
 
@@ -43,13 +43,10 @@ def embree_scene(corners: Floats) -> Any:
     Raises:
         RenderError: Embree is not installed.
     """
-    try:
+    text = 'pictures are drawn with Embree, which cannot be loaded ({error}): pip install "artgen[sim]"'
+    with needed(text, RenderError):
         from embreex.mesh_construction import TriangleMesh
         from embreex.rtcore_scene import EmbreeScene
-    except ImportError as error:
-        raise RenderError(
-            f'pictures are drawn with Embree, which cannot be loaded ({error}): pip install "artgen[sim]"'
-        ) from error
     scene = EmbreeScene()
     TriangleMesh(scene, np.ascontiguousarray(corners, np.float32))
     return scene

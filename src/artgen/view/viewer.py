@@ -1,5 +1,6 @@
 """The viewer of an asset as a page: joints, symbols, exploded view, parameters and proof."""
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
@@ -118,16 +119,14 @@ def _certificate(asset: Asset) -> dict[str, Any] | None:
     certificate = _measured(asset)
     if certificate is None:
         return None
-    order = [
-        *certificate.failures,
-        *sorted((pair for pair in certificate.pairs if pair.clear), key=_clearance),
-    ]
+    clear = [pair for pair in certificate.pairs if pair.clear]
+    clear.sort(key=lambda pair: (math.inf if pair.guaranteed is None else pair.guaranteed, pair.links))
     return {
         "proven": certificate.proven,
         "tolerance": certificate.tolerance,
         "text": str(certificate).partition("\n")[0],
         "contacts": [str(contact) for contact in certificate.contacts],
-        "pairs": [_pair(asset, pair) for pair in order],
+        "pairs": [_pair(asset, pair) for pair in (*certificate.failures, *clear)],
     }
 
 
@@ -138,10 +137,6 @@ def _measured(asset: Asset) -> Certificate | None:
         return certificate
     # a copy, so that the asset keeps its own certificate
     return replace(asset).certify(certificate.tolerance, measure=True)
-
-
-def _clearance(pair: PairResult) -> tuple[float, tuple[str, str]]:
-    return float("inf") if pair.guaranteed is None else pair.guaranteed, pair.links
 
 
 def _pair(asset: Asset, pair: PairResult) -> dict[str, Any]:
@@ -164,11 +159,8 @@ def _pair(asset: Asset, pair: PairResult) -> dict[str, Any]:
 
 
 def _allowed(asset: Asset, pose: Mapping[str, float]) -> dict[str, float]:
-    """Return a pose of several joints with positions of the other joints that satisfy the dependencies.
-
-    For a drawer behind two doors, the nearest pose to one door does not include the other door, which has to
-    be open.
-    """
+    """Return a pose of several joints with positions of the other joints that satisfy the dependencies."""
+    # behind two doors, the nearest pose to one does not include the other, which has to be open
     result = dict(pose)
     for name in asset.blocked(pose):
         needs = asset.joint(name).needs

@@ -5,10 +5,10 @@ import pytest
 
 from artgen.errors import BuildError
 from artgen.graph.evaluation import Cache, evaluate
-from artgen.nodes.contours import is_disjoint, outline_area
+from artgen.nodes.contours import is_disjoint
 from artgen.nodes.details import display, rating_plate
 from artgen.nodes.details.displays import FIGURES, figures
-from support.shapes import check_shape
+from support.shapes import check_shape, outline_area
 
 
 def value(handle):

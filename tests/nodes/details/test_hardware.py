@@ -10,7 +10,7 @@ from manifold3d import Manifold, OpType
 from artgen.errors import EvaluationError
 from artgen.graph.evaluation import Cache, evaluate
 from artgen.materials import material
-from artgen.nodes.contours import is_disjoint, outline_area, section
+from artgen.nodes.contours import is_disjoint, section
 from artgen.nodes.details import (
     drive_recess,
     foot,
@@ -25,7 +25,7 @@ from artgen.nodes.details import (
 )
 from artgen.nodes.details.seals import gasket_section
 from artgen.nodes.profile import circle, rectangle
-from support.shapes import check_cover, check_shape
+from support.shapes import check_cover, check_shape, outline_area
 
 DRIVES = ("slot", "phillips", "pozidriv", "hex", "torx")
 HEADS = ("pan", "countersunk", "cap")

@@ -9,7 +9,7 @@ import pytest
 from artgen.errors import BuildError, EvaluationError
 from artgen.graph.evaluation import Cache, evaluate
 from artgen.materials import material
-from artgen.nodes.contours import is_disjoint, outline_area, section
+from artgen.nodes.contours import is_disjoint, section
 from artgen.nodes.details import (
     BRANDS,
     ICONS,
@@ -34,7 +34,7 @@ from artgen.nodes.details.lettering import Emblem
 from artgen.nodes.path import line
 from artgen.nodes.profile import circle, polygon, rectangle
 from artgen.nodes.text import text
-from support.shapes import check_shape, same_bytes
+from support.shapes import check_shape, outline_area, same_bytes
 
 INK = material("black_abs")
 EMBLEMS = tuple(name for name in get_args(Emblem) if name != "none")

@@ -27,7 +27,6 @@ def write_usd(asset: Asset, textures: int) -> Written:
 
 
 def _write_simready(asset: Asset, name: str, textures: int) -> Written:
-    del name  # USD is its only format
     with OPENUSD:
         from artgen.export.layouts.simready import write_simready
 
@@ -48,21 +47,13 @@ TEXTURES = 512
 _SUFFIXES = {"urdf": ".urdf", "mjcf": ".xml", "usd": ".usda", "glb": ".glb", "sdf": ".sdf"}
 
 
-def _write_flat(asset: Asset, name: str, textures: int) -> Written:
-    return replace(FORMATS[name](asset, textures), main=asset.name + _SUFFIXES[name])
-
-
 FLAT = Layout(
     "flat",
     "one file for each format beside one folder of meshes",
     tuple(FORMATS),
     DEFAULT_FORMATS,
-    _write_flat,
+    lambda asset, name, textures: replace(FORMATS[name](asset, textures), main=asset.name + _SUFFIXES[name]),
 )
-
-
-def _write_parts(asset: Asset, name: str, textures: int) -> Written:
-    return write_parts(asset, FORMATS[name], textures)
 
 
 PARTS = Layout(
@@ -70,7 +61,7 @@ PARTS = Layout(
     "each asset of a room in a folder of its own, and a table of their places",
     tuple(FORMATS),
     ("urdf",),
-    _write_parts,
+    lambda asset, name, textures: write_parts(asset, FORMATS[name], textures),
 )
 
 SIMREADY = Layout(

@@ -74,11 +74,8 @@ def write_content(
 
 
 def _write_hold(scope: Sdf.PrimSpec, affordance: Affordance, pose: Array) -> None:
-    """Add a grasp or push, invisible to cameras.
-
-    It is a frame with z along the approach; x of a grasp is the closing direction. Its custom data have the
-    kind, the opening of the fingers [m] and the joints that a hand moves, the nearest first.
-    """
+    """Add a grasp or push, invisible to cameras."""
+    # z points along the approach, x of a grasp along closing; the joints that move are the nearest first
     prim = define(scope, affordance.name, "Xform", {"purpose": "guide"})
     data = {"joints": Vt.StringArray(affordance.joints), "kind": affordance.kind}
     place(prim, pose)

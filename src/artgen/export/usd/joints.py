@@ -177,11 +177,8 @@ def _drive(joint: AssetJoint) -> dict[str, Any]:
 
 
 def _runtime_rows(joint: AssetJoint, position: float, *, apart: bool) -> Iterator[RuntimeRow]:
-    """Yield friction, armature, largest speed and initial position of a joint.
-
-    MuJoCo does not read drives, so its variant has the spring and the damper as MuJoCo attributes, and none
-    in the drive. Newton adds both, so without variants they are in the drive only.
-    """
+    """Yield friction, armature, largest speed and initial position of a joint."""
+    # MuJoCo reads no drives: its variant has spring and damper alone; Newton adds both, so it has one
     instance, units = _instance(joint), units_of(joint)
     # a coupled joint has its leader's speed: its own limit would fight the coupling
     speed = joint.velocity * units if joint.follows is None else None
@@ -279,11 +276,8 @@ def _turn_from_x(axis: Array) -> Array:
 
 
 def _effort_holds(joint: AssetJoint) -> bool:
-    """Tell whether spring and damper always stay below the effort.
-
-    `maxForce` limits the drive, which is a passive spring and damper here, while the effort limits an
-    actuator: for a stronger spring, it would change the passive motion of the part.
-    """
+    """Tell whether spring and damper always stay below the effort."""
+    # `maxForce` limits the drive, here a passive spring and damper, while the effort limits an actuator
     strongest = joint.damping * joint.velocity
     if joint.stiffness > 0.0:
         if joint.limits is None:

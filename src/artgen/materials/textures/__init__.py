@@ -18,21 +18,6 @@ from artgen.materials.textures.maps import (
 )
 
 __all__ = [
-    "KINDS",
-    "RECIPES",
-    "SIZES",
-    "Form",
-    "Kind",
-    "Maps",
-    "Pattern",
-    "Recipe",
-    "as_bytes",
-    "check_size",
-    "displayed",
-    "encoded",
-    "kinds",
-    "map_name",
-    "maps",
-    "shifts_of",
-    "tile_of",
-]
+    "KINDS", "RECIPES", "SIZES", "Form", "Kind", "Maps", "Pattern", "Recipe", "as_bytes", "check_size",
+    "displayed", "encoded", "kinds", "map_name", "maps", "shifts_of", "tile_of",
+]  # fmt: skip

@@ -18,11 +18,8 @@ def _grained(
     smudges: tuple[float, float],
     height: float,
 ) -> None:
-    """Register a fine uniform grain on a square tile [m].
-
-    The grain has a wavelength [m] with its spread, a deviation of roughness and a height [m]; the smudges
-    have a deviation of roughness and a size [m].
-    """
+    """Register a fine uniform grain on a square tile [m]."""
+    # wavelength [m] with its spread, deviation of roughness, height [m]; smudges: deviation, size [m]
 
     @recipe(name, (side, side))
     def drawn(tile: Tile) -> Pattern:
@@ -47,11 +44,8 @@ def _brushed(
     smudge: float,
     height: float,
 ) -> None:
-    """Register metal brushed along v by a belt.
-
-    Strokes, and bundles of strokes that are visible from a distance, have a width and length [m]; the
-    deviations of roughness belong to strokes, bundles and smudges.
-    """
+    """Register metal brushed along v by a belt."""
+    # strokes and visible bundles of them: width, length [m]; roughness: of strokes, bundles and smudges
 
     @recipe(name, extent, variants=2)
     def drawn(tile: Tile) -> Pattern:

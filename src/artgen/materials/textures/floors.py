@@ -69,11 +69,7 @@ for _name in ("oak", "walnut", "ash"):
 def _tiles(
     name: str, mean: Color, side: float, count: int, grout: tuple[float, float], mottle: float
 ) -> None:
-    """Register square ceramic tiles with grout.
-
-    A tile has a side [m], and `count` are side by side in the pattern; the grout has a width [m] and a
-    lightness relative to the tiles; `mottle` is the variation of the glaze.
-    """
+    """Register square tiles of a side [m], `count` a row, and grout of a width [m] and relative lightness."""
 
     @recipe(name, (count * side, count * side), mean, varying=SEEN)
     def drawn(tile: Tile) -> Pattern:

@@ -10,11 +10,8 @@ from artgen.materials.textures.fields import Color, Pattern, Tile, blend, in_str
 def _granite(
     name: str, mean: Color, minerals: tuple[tuple[Color, float, float], ...], mica_color: Color, flecks: float
 ) -> None:
-    """Register polished granite: each place has the mineral with the largest noise, so that grains interlock.
-
-    The minerals have a color (linear RGB), a size of their grains [m] and a frequency. Mica lies where noise
-    is above `flecks` deviations: lower values give more dark flecks.
-    """
+    """Register polished granite: a place has the mineral with the largest noise, so that grains interlock."""
+    # a mineral has a color, a size of grains [m] and a frequency; mica lies above `flecks` deviations
 
     @recipe(name, (0.20, 0.20), mean, variants=2, varying=("albedo",))
     def drawn(tile: Tile) -> Pattern:
@@ -79,10 +76,8 @@ _granite(
 
 
 def _marble(name: str, mean: Color, colors: tuple[Color, Color, Color], variants: int) -> None:
-    """Register polished marble: clouds, and veins where a slope crosses levels, bent by noise.
-
-    The colors, linear RGB, are those of its body, its clouds and its veins.
-    """
+    """Register polished marble: clouds, and veins where a slope crosses levels, bent by noise."""
+    # the colors, linear RGB, are those of its body, its clouds and its veins
 
     @recipe(name, (0.90, 0.90), mean, variants=variants, varying=("albedo",))
     def drawn(tile: Tile) -> Pattern:

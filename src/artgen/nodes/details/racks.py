@@ -12,7 +12,7 @@ from typing import Literal
 import numpy as np
 
 from artgen import _portable, colliders
-from artgen._arrays import Array
+from artgen._arrays import Array, affine
 from artgen.asset.shape import ComposedShape, Contour, Curve, Outline, Shape
 from artgen.colliders.pieces import Pieces
 from artgen.graph import FULL, detail_level, records
@@ -32,7 +32,7 @@ _AXES = {"depth": np.array([0.0, 1.0, 0.0]), "width": np.array([1.0, 0.0, 0.0])}
 
 
 def _copies(shape: Shape, places: Array) -> list[Shape]:
-    return [shape.transformed(inputs.pose(np.eye(3), place)) for place in places]
+    return [shape.transformed(affine(np.eye(3), place)) for place in places]
 
 
 def _loop(width: float, depth: float, radius: float, corner: float) -> Shape:
@@ -148,7 +148,7 @@ def _copied(skin: Skin, places: Array) -> Skin:
 
 def _moved_pieces(profile: Outline, path: Curve, places: Array) -> list[Pieces]:
     pieces = _sweep(profile, path).pieces
-    return [pieces.transformed(inputs.pose(np.eye(3), place)) for place in places]
+    return [pieces.transformed(affine(np.eye(3), place)) for place in places]
 
 
 @records(_bent_wires)

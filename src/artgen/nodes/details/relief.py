@@ -8,7 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from artgen import _portable
-from artgen._arrays import Array, Indices, successors
+from artgen._arrays import Array, Indices, affine, successors
 from artgen.asset.shape import Contour, Curve, Outline, Shape
 from artgen.colliders import Pieces
 from artgen.colliders.triangles import cross
@@ -136,7 +136,7 @@ def _relief(
     pieces = lazily(
         lambda: around_extrusion(profile, length, bevel=bevel, taper=0.0, twist=0.0, stations=1)
     )  # most reliefs are visual details
-    return skin.shape(pieces).transformed(inputs.pose(turn, place + turn[:, 2] * (proud - sunk) / 2.0))
+    return skin.shape(pieces).transformed(affine(turn, place + turn[:, 2] * (proud - sunk) / 2.0))
 
 
 @records(_relief)

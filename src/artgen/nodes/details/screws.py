@@ -8,7 +8,7 @@ from typing import Literal
 import numpy as np
 
 from artgen import _portable
-from artgen._arrays import Array, Indices, cached
+from artgen._arrays import Array, Indices, affine, cached
 from artgen.asset.shape import Contour, Outline, Shape
 from artgen.graph import detail_level, records
 from artgen.materials import Material
@@ -114,10 +114,8 @@ def _head_skin(radius: float, drive: Drive, head: Head, turn: float) -> Skin:
 
 
 def _wall(sheets: Sheets, border: Contour, rows: Array, scale: float) -> Indices:
-    """Add a wall with rows of radius, height and elevation of the normal [rad]; return its vertices by row.
-
-    The radii are factors of the border. The scale [m] of the border gives the distance along it.
-    """
+    """Add a wall with rows of radius, height and elevation of the normal [rad]; return vertices by row."""
+    # the radii are factors of the border; its scale [m] gives the distance along it
     rail = Rail.along(border)
     vertices = np.empty((len(rows), len(rail.vertex), 3))
     vertices[..., :2] = rows[:, 0, None, None] * border.points[rail.vertex]
@@ -135,13 +133,13 @@ def _screw_head(radius: float, at: Array3, facing: Array3, drive: Drive, head: H
     if detail_level().thin:
         high = _HEADS[head][-1][1] * radius
         shape = _cylinder(radius, high, np.array(UP), 0.0).transformed(
-            inputs.pose(np.eye(3), (0.0, 0.0, high / 2.0))
+            affine(np.eye(3), (0.0, 0.0, high / 2.0))
         )
     else:
         inputs.finite("turn", turn, "rad")
         skin = DeferredSkin(lambda: _head_skin(radius, drive, head, turn))
         shape = skin.shape(around_hull(skin.vertices))
-    return shape.transformed(inputs.pose(facing_frame(facing, None), inputs.vector("at", at)))
+    return shape.transformed(affine(facing_frame(facing, None), inputs.vector("at", at)))
 
 
 @records(_screw_head)

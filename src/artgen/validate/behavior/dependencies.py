@@ -107,11 +107,8 @@ class _Push:
 
     @property
     def _elsewhere(self) -> bool:
-        """Whether the responsible joints belong to another asset of the room.
-
-        Their condition is a box around the states in which the two assets meet, so that the joint may move
-        in a part of them; it may not move into the other asset.
-        """
+        """Whether the responsible joints belong to another asset of the room."""
+        # their box is around the states of contact: the joint may move in a part, not into the other asset
         owners, asset = self.simulation.owners, self.simulation.asset
         own = owners[self.joint.child]
         return all(owners[asset.joint(name).child] != own for name in self.broken)

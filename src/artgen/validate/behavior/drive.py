@@ -69,11 +69,8 @@ class Servo:
         simulation.applied[motion.dof] = self.force
 
     def _growth(self, speed: float) -> float:
-        """Return the growth of the force in a time step without motion [N m or N].
-
-        The growth is proportional to the force: with constant growth, a small part would fly off once the
-        force overcomes its friction.
-        """
+        """Return the growth of the force in a time step without motion [N m or N]."""
+        # proportional to the force: else a small part would fly off once the force overcomes its friction
         motion, step = self.motion, self._simulation.step_time
         needed = motion.friction + self._inertia * abs(speed) / step
         least = max(needed, abs(self.force), _FAINT * self.bound)

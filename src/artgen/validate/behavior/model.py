@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from artgen._arrays import Array, Indices, Mask, cached_property
+from artgen._arrays import Array, Indices, Mask, affine, cached_property
 from artgen.asset import Asset, AssetCondition, AssetCoupling, AssetJoint
 from artgen.asset.report import Finding, Severity
 from artgen.errors import AssetError
@@ -112,15 +112,16 @@ def room_model(path: Path, asset: Asset) -> Any:
     check_loadable(path)
     root = etree.parse(path).getroot()
     bodies = {str(each.get("name")): each for each in root.iter("body")}
-    poses = dict(zip(asset.links.by_name, asset.fk(np.array(_closed(asset))), strict=True))
+    closed = [asset.joint(name).closed for name in asset.dof_names]
+    poses = dict(zip(asset.links.by_name, asset.fk(np.array(closed)), strict=True))
     for joint in asset.joints:
         if joint.child in asset.loose:
-            body, placed = bodies[joint.child], np.eye(4)
+            body = bodies[joint.child]
             for free in body.findall("freejoint"):
                 body.remove(free)
             turn = np.zeros(9)
             mujoco.mju_quat2Mat(turn, np.array(_numbers(body, "quat", (1.0, 0.0, 0.0, 0.0))))
-            placed[:3, :3], placed[:3, 3] = turn.reshape(3, 3), _numbers(body, "pos", (0.0, 0.0, 0.0))
+            placed = affine(turn.reshape(3, 3), _numbers(body, "pos", (0.0, 0.0, 0.0)))
             placed = np.linalg.inv(poses[joint.parent]) @ placed
             body.set("pos", " ".join(map(repr, placed[:3, 3].tolist())))
             body.set("quat", " ".join(map(repr, quaternion(placed).tolist())))
@@ -130,10 +131,6 @@ def room_model(path: Path, asset: Asset) -> Any:
     spec.modelfiledir, spec.option.timestep = str(path.parent), _STEP
     spec.compiler.discardvisual = True
     return spec.compile()
-
-
-def _closed(asset: Asset) -> list[float]:
-    return [asset.joint(name).closed for name in asset.dof_names]
 
 
 def _numbers(element: Any, name: str, default: Sequence[float]) -> list[float]:

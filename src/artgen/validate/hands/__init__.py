@@ -169,10 +169,8 @@ def _grasp_faults(space: HandSpace, grasp: Affordance, pose: Mapping[str, Array]
 
 
 def _floor_findings(space: HandSpace, grasp: Affordance, opened: Opened) -> Iterator[Finding]:
-    """Yield the depth of the hand below the ground, if the asset stands on the ground.
-
-    This is a note: the user decides whether there is a ground.
-    """
+    """Yield the depth of the hand below the ground, if the asset stands on the ground."""
+    # a note: the user decides whether there is a ground
     pose = _pose(space.asset, grasp, opened)
     if grasp.kind == "push" or pose is None:
         return
@@ -292,10 +290,8 @@ def _motion_findings(
 def _joint_findings(
     asset: Asset, best: Mapping[str, float], forces: Mapping[str, float], faulty: Collection[str]
 ) -> Iterator[Finding]:
-    """Yield the free joints that no hand moves, or moves with too much force.
-
-    Joints whose grasps and pushes have faults are left out.
-    """
+    """Yield the free joints that no hand moves, or moves with too much force."""
+    # joints whose grasps and pushes have faults are left out
     for name, share in best.items():
         joint, force = asset.joint(name), forces.get(name, 0.0)
         moving = [each.name for each in asset.affordances if name in each.joints]

@@ -341,11 +341,8 @@ def _potential(asset: Asset, pose: Mapping[str, Array]) -> float:
 
 
 def _force(hand: Affordance, place: _Place, way: float) -> float:
-    """Return the force that a hand needs; infinite if it cannot move the joint that way [N].
-
-    A finger pushes along its frame. A gripper pulls along the motion of its link, or turns it by opposite
-    forces of its pads.
-    """
+    """Return the force that a hand needs; infinite if it cannot move the joint that way [N]."""
+    # a finger pushes along its frame; a gripper pulls along the motion, or turns by opposite forces
     before, behind = (pose[hand.link] @ hand.frame for pose in (place.before, place.behind))
     moved = behind[:3, 3] - before[:3, 3]
     if hand.kind == "push":

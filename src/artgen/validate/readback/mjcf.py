@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from artgen._arrays import Array, Indices
+from artgen._arrays import Array, Indices, affine
 from artgen.asset import Asset, AssetJoint
 from artgen.asset.report import AGAIN, Finding
 from artgen.colliders import Convex
@@ -276,10 +276,7 @@ def read(asset: Asset, path: Path) -> Reading:
 
 def _pose(position: Array, quaternion: Array) -> Array:
     """Return a position and a quaternion (w, x, y, z) as a transform, shape (4, 4)."""
-    result = np.eye(4)
-    result[:3, :3] = Rotation.from_quat(quaternion, scalar_first=True).as_matrix()
-    result[:3, 3] = position
-    return result
+    return affine(Rotation.from_quat(quaternion, scalar_first=True).as_matrix(), position)
 
 
 def _inertial(body: Any) -> Inertial:

@@ -13,7 +13,7 @@ import numpy as np
 from pxr import Gf, Sdf, Usd, UsdGeom, UsdPhysics, UsdShade, UsdUtils, UsdValidation
 from scipy.spatial.transform import Rotation
 
-from artgen._arrays import Array, Indices
+from artgen._arrays import Array, Indices, affine
 from artgen.asset import Asset
 from artgen.asset.report import AGAIN, Finding
 from artgen.colliders import Convex
@@ -300,11 +300,8 @@ def _arms(stage: Any, asset: Asset) -> Iterator[_Arm]:
 
 def _pose(position: Any, rotation: Any) -> Array:
     """Return position and quaternion of OpenUSD as a transform, shape (4, 4)."""
-    result = np.eye(4)
     # Gf.Rotation would lose precision near 0: its angle is an arccosine
-    result[:3, :3] = np.array(Gf.Matrix3d(Gf.Quatd(rotation).GetNormalized())).T
-    result[:3, 3] = position
-    return result
+    return affine(np.array(Gf.Matrix3d(Gf.Quatd(rotation).GetNormalized())).T, position)
 
 
 def _dynamics(arm: _Arm) -> Iterator[Stated]:
@@ -374,10 +371,7 @@ def _unit(prim: Any) -> float:
 
 
 def _variants(stage: Any) -> Iterator[str]:
-    """Enable the variants of a stage for single simulators one after the other, and yield their names.
-
-    A stage without such variants yields an empty name once. At the end, no variant is enabled.
-    """
+    """Enable the variants for single simulators in turn, and yield their names, or an empty one once."""
     root = stage.GetDefaultPrim()
     names = list(root.GetVariantSets().GetNames()) if root else []
     names = [name for name in names if _ENABLED in root.GetVariantSet(name).GetVariantNames()]

@@ -214,11 +214,8 @@ def _parts(asset: Asset, links: Sequence[Link]) -> dict[str, tuple[Part, ...]]:
 
 
 def _held_label(asset: Asset, link: Link) -> str:
-    """Return the label whose name gets "handle", empty if none needs it.
-
-    It is the label nearest to the link's grasps. A link that moves by a handle with its own joint, such as a
-    door leaf with a lever, uses the rose or plate below the lever.
-    """
+    """Return the label whose name gets "handle", empty if none needs it."""
+    # the nearest to the grasps; a link moved by a handle with its own joint uses the rose below the lever
     labels = dict.fromkeys(surface.label for surface in link.surfaces)
     if any(_HANDLE in label for label in labels):
         return ""

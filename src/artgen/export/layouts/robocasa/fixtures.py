@@ -209,10 +209,8 @@ def _stove(asset: Asset, found: Fixture, dials: Sequence[Link]) -> int:
 
 
 def _burner_places(asset: Asset, dials: int) -> list[tuple[float, float]]:
-    """Return the middles of the burners from left to right, from what is seen of them [m].
-
-    Marks of a zone may be dashes: they are joined over longer and longer gaps until each burner has a dial.
-    """
+    """Return the middles of the burners from left to right, from what is seen of them [m]."""
+    # dashes of a zone are joined over longer and longer gaps until each burner has a dial
     found = [each.mesh.vertices[:, :2] for each in asset.links[0].surfaces if each.label in _BURNERS]
     for gap in _GAPS if found else ():
         boxes = _clusters(np.concatenate(found), gap)
@@ -385,14 +383,7 @@ def _top(asset: Asset, x: float, y: float) -> float:
 
 def _span(convex: Convex, x: float, y: float) -> tuple[float, float] | None:
     """Return the heights between which a vertical line is inside a convex piece, None if it misses it."""
-    planes = convex.faces.planes
-    rest, slopes = planes[:, 0] * x + planes[:, 1] * y - planes[:, 3], planes[:, 2]
-    steep = np.abs(slopes) < 1e-9
-    if (rest[steep] > 0.0).any():
-        return None
-    heights = -rest[~steep] / slopes[~steep]
-    up = slopes[~steep] > 0.0
-    low, high = float(heights[~up].max()), float(heights[up].min())
+    low, high = (float(end[0]) for end in convex.faces.spans(np.array([[x, y]])))
     return (low, high) if low < high else None
 
 

@@ -103,10 +103,7 @@ def _surrounded(occupied: Cells, *, top: bool = False) -> Cells:
 
 
 def _grown(free: Cells) -> NDArray[np.int64]:
-    """Return a maximal box of free cells as first and last + 1, shape (2, 3).
-
-    It grows evenly from the cell that is farthest from all occupied cells.
-    """
+    """Return a maximal box around the freest cell as first and last + 1, shape (2, 3)."""
     from scipy.ndimage import distance_transform_cdt
 
     seed = np.unravel_index(int(np.argmax(distance_transform_cdt(free, "chessboard"))), free.shape)

@@ -64,11 +64,8 @@ class _Degree:
 
 
 def _degrees(model: Any, request: dict[str, Any]) -> dict[str, _Degree]:
-    """Return the degrees of freedom by the names of their joints.
-
-    In an MJCF, Newton makes one joint of several between two bodies: it has all their names, and its slides
-    come before its rotations.
-    """
+    """Return the degrees of freedom by the names of their joints."""
+    # in an MJCF, several between two bodies are one joint with all names, slides before rotations
     kinds = {joint["name"]: joint["kind"] for joint in request["joints"]}
     dimensions = model.joint_dof_dim.numpy()
     places, speeds, types = (
@@ -138,10 +135,8 @@ def _joint(model: Any, degree: _Degree, form: str) -> dict[str, Any]:
 
 
 def _couplings(model: Any, degrees: dict[str, _Degree]) -> dict[str, Any]:
-    """Return couplings: those of joints, or equalities of MuJoCo, which Newton stores separately.
-
-    An equality names a joint, and the degree of freedom in the model if the joint has several.
-    """
+    """Return couplings: those of joints, or equalities of MuJoCo, which Newton stores separately."""
+    # an equality names a joint, and the degree of freedom if the joint has several
     names = {degree.speed: name for name, degree in degrees.items()}
     starts = model.joint_qd_start.numpy()
     mimics = zip(model.joint_mimic_joint.numpy(), model.joint_mimic_coeffs.numpy(), strict=True)

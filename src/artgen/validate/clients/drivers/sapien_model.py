@@ -100,11 +100,8 @@ def read_articulation(step: Any, articulation: Any, mimics: Any, request: dict[s
 
 
 def _couple(articulation: Any, joints: dict[str, Any], mimics: Any) -> None:
-    """Correct couplings to the meaning of URDF.
-
-    SAPIEN 3.0 reverses those between joints of one body, and divides the force on the leader by the ratio, so
-    that a screw sticks. It couples no joint to a leader further from the base.
-    """
+    """Correct couplings to the meaning of URDF."""
+    # SAPIEN 3.0 reverses those of one body, divides the force by the ratio and couples to no further leader
     for item in mimics:
         follower, leader = joints[item.joint], joints[item.mimic]
         if follower.parent_link not in (leader.parent_link, leader.child_link):
