@@ -151,6 +151,7 @@ PRODUCTS: Mapping[str, tuple[Product, ...]] = {
         Product("rolling stool", (0.52, 0.62), (0.52, 0.62), (0.42, 0.52), (5.0, 12.0)),
         Product("folding chair", (0.42, 0.46), (0.55, 0.65), (0.78, 0.84), (2.5, 7.0)),
         Product("recliner", (0.80, 0.96), (0.80, 0.92), (1.00, 1.30), (30.0, 60.0)),
+        Product("recliner with arms of wood", (0.62, 0.78), (0.80, 0.92), (1.00, 1.30), (24.0, 45.0)),
     ),
     # EN 13310, EN 14688 and shops, with a tap of 0.1-0.45 m; a washbasin has its wall or pedestal
     "sink": (

@@ -11,6 +11,7 @@ import pytest
 
 from artgen.asset import Asset
 from artgen.catalog import find
+from artgen.errors import InfeasibleError
 from artgen.validate.hands import check_grasps
 from support.cases import some
 
@@ -106,6 +107,24 @@ def test_a_footrest_rises_with_the_reclined_back() -> None:
     follower = asset.joint("footrest_turn").follows
     assert follower is not None
     assert math.radians(55) < follower.ratio * tilt < math.radians(85)
+
+
+@pytest.mark.parametrize("arms", ["block", "rolled", "wood"])
+def test_a_hand_tilts_the_back_of_every_recliner_between_its_arms(arms: str) -> None:
+    asset = made(3, style="recliner", arms=arms)
+    assert check_grasps(asset).faults == ()
+    back, base = asset.link("back").bounds(), asset.link("base").bounds()
+    assert base[0, 0] < back[0, 0] - 0.04
+    assert back[1, 0] + 0.04 < base[1, 0]
+    assert base[0, 2] == pytest.approx(0.0, abs=1e-6)
+    assert 28.0 < asset.mass < 52.0
+
+
+def test_arms_of_another_style_are_refused() -> None:
+    with pytest.raises(
+        InfeasibleError, match="arms=wood are not for style=office: arms must be none or posts"
+    ):
+        made(3, style="office", arms="wood")
 
 
 def test_casters_of_an_office_chair_stand_on_the_floor() -> None:

@@ -12,8 +12,8 @@ seat, struts and rear legs.
 Sizes are those of EN 1335-1 and of shops: seats of office chairs 400-520 mm high with a lift of 80-120 mm,
 bases with five arms of 300-340 mm, 10-18 kg; bar stools 600-800 mm high with a base of 380-420 mm, 7-14 kg;
 rolling stools 440-570 mm high, 5-10 kg; folding chairs with seats at 440-460 mm, 3-6 kg; recliners 750-900 mm
-wide, 30-50 kg. Backs of office chairs tilt by 20 degrees against 15-40 N m, those of recliners by 35-45
-degrees.
+wide, 30-50 kg, those with arms of wood 620-760 mm and 24-40 kg. Backs of office chairs tilt by 20 degrees
+against 15-40 N m, those of recliners by 35-45 degrees.
 """
 
 import math
@@ -28,12 +28,17 @@ from artgen.categories.shared.furniture import WOODS
 Style = Literal["office", "bar", "rolling", "folding", "recliner"]
 """A chair on casters, a stool on a disc or on casters, a folding chair, or a recliner."""
 
-Arms = Literal["none", "posts", "loops"]
-"""Arms of an office chair: none, pads on posts, or closed loops."""
+Arms = Literal["none", "posts", "loops", "block", "rolled", "wood"]
+"""Arms of an office chair: none, pads on posts, or closed loops; of a recliner: padded boxes with flat or
+with round tops, or an open frame of wood."""
 
 Form = Literal["padded", "tapered", "framed"]
 """Back of an office chair: a cushion, one that is narrow at its top, or a sheet in a frame."""
 
+_ARMS: dict[str, tuple[Arms, ...]] = {
+    "office": ("none", "posts", "loops"),
+    "recliner": ("block", "rolled", "wood"),
+}
 _WHEEL = 0.025  # radius of a caster [m]
 _ON = 2 * _WHEEL + 0.0155  # height of the arms on their casters [m]
 _GRIP = 0.0145  # radius of the piston of a gas spring [m]
@@ -85,11 +90,17 @@ def chair(
         "style", _TILTS, otherwise=0.3, unit="rad", within=(0.2, 0.85), doc="tilt of the back"
     ),
     torque: ag.Float = ag.uniform(18.0, 35.0, "N m", doc="that holds the back of an office chair"),
-    arms: Arms = ag.by("style", office={"posts": 0.4, "loops": 0.3, "none": 0.3}, otherwise="none"),
+    arms: Arms = ag.by(
+        "style",
+        office={"posts": 0.4, "loops": 0.3, "none": 0.3},
+        recliner={"block": 0.35, "rolled": 0.35, "wood": 0.3},
+        otherwise="none",
+    ),
     form: Form = ag.by("style", office=ag.choice("padded", "tapered", "framed"), otherwise="padded"),
     headrest: bool = ag.by("style", office=ag.choice({True: 0.3, False: 0.7}), otherwise=False),
     backed: bool = ag.by("style", bar=ag.choice(True, False), otherwise=False, doc="back of a stool"),
     cover: ag.Material = ag.by("style", office=_OFFICE, folding=_BOARDS, recliner=_SOFT, otherwise=_STOOLS),
+    wood: ag.Material = ag.choice(*WOODS[:4], doc="arms and feet of a recliner"),
     metal: ag.Material = ag.by(
         "style",
         folding=ag.shades("chrome", "powder_coat_black", "powder_coat_white", "powder_coat_graphite"),
@@ -98,11 +109,13 @@ def chair(
     ),
 ) -> ag.Body:
     """Make a chair that faces the front, its seat down and its back upright."""
+    own = _ARMS.get(style, ("none",))
+    ag.require(arms in own, f"arms={arms} are not for style={style}: arms must be {' or '.join(own)}")
     match style:
         case "folding":
             return _folding(ag.require(height, height <= 0.47, "height must be <= 0.47 m"), cover, metal)
         case "recliner":
-            return _recliner(height, width, tall, tilt, cover)
+            return _recliner(height, width, tall, tilt, cover, wood, arms)
         case "office":
             tall = ag.require(tall, tall >= 0.32, "tall of an office chair must be >= 0.32 m")
             seat = _office_seat(height, width, cover, arms)
@@ -365,31 +378,43 @@ def _folding(height: ag.Scalar, cover: ag.Material, metal: ag.Material) -> ag.Bo
 
 
 def _recliner(
-    height: ag.Scalar, width: ag.Scalar, tall: ag.Scalar, tilt: ag.Scalar, cover: ag.Material
+    height: ag.Scalar,
+    width: ag.Scalar,
+    tall: ag.Scalar,
+    tilt: ag.Scalar,
+    cover: ag.Material,
+    wood: ag.Material,
+    arms: Arms,
 ) -> ag.Body:
     """Make a recliner, whose footrest rises as its back tilts."""
     soft = cover.with_(name=f"{cover.name}_cushion", density=130.0)
     frame = cover.with_(name=f"{cover.name}_frame", density=160.0)
     half = width / 2
-    arm = ag.Region((half + 0.004, half + 0.150), (-0.43, 0.36), (0.055, height + 0.16))
-    pad = arm.with_(z=(height + 0.15, height + 0.20)).grow(x=0.006, front=0.012)
     box = ag.Region((-half - 0.01, half + 0.01), (-0.36, 0.30), (0.10, height - 0.16))
     cushion = ag.box(width, 0.60, 0.15, bevel=0.045, crown=0.02).at(0, -0.12, height - 0.085)
-    arms = [arm.box(bevel=0.03), pad.box(bevel=0.022)]
-    places = [(x, y, 0) for x in (-half - 0.08, half + 0.08) for y in (-0.37, 0.30)]
-    feet = ag.array(ag.cylinder(0.024, 0.06, bevel=0.003).at(z=0.03), at=places)
+    arm = _recliner_arm(arms, half, height, wood if arms == "wood" else soft)
     base = ag.weld(
-        ag.part([*arms, *(each.mirror(ag.X) for each in arms)], "arm", soft, name="base"),
-        ag.part(box.box(bevel=0.012), "frame", frame),
+        ag.part(box.box(bevel=0.012), "frame", frame, name="base"),
+        *(arm, arm.mirror(ag.X)),
         ag.part(cushion, "seat", soft),
-        ag.part(feet, "foot", ag.material("walnut"), separate="four feet"),
     )
+    if arms != "wood":  # the posts of its arms are its feet
+        places = [(x, y, 0) for x in (-half - 0.08, half + 0.08) for y in (-0.37, 0.30)]
+        feet = ag.array(ag.cylinder(0.024, 0.06, bevel=0.003).at(z=0.03), at=places)
+        base = ag.weld(base, ag.part(feet, "foot", wood, separate="four feet"))
+    # two cushions before a board, and a roll on top, which a hand takes
     y, low = 0.275, height - 0.05
-    rest = ag.box(width - 0.012, 0.15, tall + 0.08, bevel=0.045, crown=0.012)
-    rest = rest.align((0, y + 0.075 - 0.055, low - 0.03), z=-1)
-    tab = ag.Region((-0.10, 0.10), (y, y + 0.04), (low + tall + 0.03, low + tall + 0.10)).box(bevel=0.012)
-    hold = ag.grasp_on(tab, approach=-ag.Z, closing=ag.Y, depth=0.03)
-    back = ag.part(rest | tab, "back", soft, grasp=hold, name="back")
+    whole, bottom = tall + 0.08, low - 0.03
+    pillows = []
+    for high, z in ((0.44 * whole, 0.22 * whole), (0.56 * whole + 0.012, 0.714 * whole)):
+        pillow = ag.box(width - 0.012, high, 0.125, bevel=0.045, crown=0.022)
+        pillows.append(pillow.rotate(ag.X, math.pi / 2).at(0, y + 0.008, bottom + z))
+    shell = ag.box(width - 0.03, 0.05, whole - 0.03, bevel=0.02).at(0, y + 0.075, bottom + whole / 2)
+    roll = ag.box(0.82 * width, 0.066, 0.085, bevel=0.03).at(0, y + 0.022, bottom + whole + 0.022)
+    hold = ag.grasp_on(roll, approach=-ag.Z, closing=ag.Y, depth=0.03)
+    back = ag.weld(
+        ag.part([*pillows, roll], "back", soft, grasp=hold, name="back"), ag.part(shell, "back", frame)
+    )
     recline = ag.Revolute(
         "back_tilt", axis=-ag.X, pivot=(0, y, low), limits=(0, tilt), damping=8.0, friction=14.0, effort=120.0
     )
@@ -399,3 +424,24 @@ def _recliner(
         "footrest_turn", axis=-ag.X, pivot=(0, -0.444, height - 0.050), follows=1.8 * recline, damping=2.0
     )
     return base.attach(back, recline).attach(footrest, rise)
+
+
+def _recliner_arm(style: Arms, half: ag.Scalar, height: ag.Scalar, finish: ag.Material) -> ag.Body:
+    """Make the right arm of a recliner."""
+    wide = {"block": 0.146, "rolled": 0.120}.get(style, 0.045)
+    arm = ag.Region((half + 0.004, half + 0.004 + wide), (-0.43, 0.36), (0.055, height + 0.16))
+    match style:
+        case "block":
+            pad = arm.with_(z=(height + 0.15, height + 0.20)).grow(x=0.006, front=0.012).at(x=0.002)
+            solids = [arm.box(bevel=0.03), pad.box(bevel=0.022)]
+        case "rolled":
+            roll = ag.cylinder(0.080, arm.y.size + 0.012, axis=ag.Y, bevel=0.022)
+            solids = [arm.box(bevel=0.025), roll.at(half + 0.088, arm.y.mid - 0.006, height + 0.135)]
+        case _:
+            near, _, far = arm.with_(z=(0.0, height + 0.175)).deep(0.055, None, 0.055)
+            pad = arm.with_(z=(height + 0.172, height + 0.200)).grow(x=0.010, y=0.012).at(x=0.009)
+            rails = [arm.with_(z=(z, z + 0.085)) for z in (height - 0.26, height - 0.02)]
+            solids = [near.box(bevel=0.006), far.box(bevel=0.006)]
+            solids += [each.shrink(right=0.008, y=0.05).box(bevel=0.006) for each in rails]
+            solids.append(pad.box(bevel=0.012))
+    return ag.part(solids, "arm", finish)
