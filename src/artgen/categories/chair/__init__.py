@@ -100,12 +100,13 @@ def chair(
     headrest: bool = ag.by("style", office=ag.choice({True: 0.3, False: 0.7}), otherwise=False),
     backed: bool = ag.by("style", bar=ag.choice(True, False), otherwise=False, doc="back of a stool"),
     cover: ag.Material = ag.by("style", office=_OFFICE, folding=_BOARDS, recliner=_SOFT, otherwise=_STOOLS),
-    wood: ag.Material = ag.choice(*WOODS[:4], doc="arms and feet of a recliner"),
     metal: ag.Material = ag.by(
         "style",
         folding=ag.shades("chrome", "powder_coat_black", "powder_coat_white", "powder_coat_graphite"),
         office=_BASES,
+        recliner=ag.choice(*WOODS[:4]),
         otherwise=ag.shades("chrome", "stainless", "powder_coat_black", weights=(3, 2, 2)),
+        doc="of the base or frame; the wood of the feet and arms of a recliner",
     ),
 ) -> ag.Body:
     """Make a chair that faces the front, its seat down and its back upright."""
@@ -115,7 +116,7 @@ def chair(
         case "folding":
             return _folding(ag.require(height, height <= 0.47, "height must be <= 0.47 m"), cover, metal)
         case "recliner":
-            return _recliner(height, width, tall, tilt, cover, wood, arms)
+            return _recliner(height, width, tall, tilt, cover, metal, arms)
         case "office":
             tall = ag.require(tall, tall >= 0.32, "tall of an office chair must be >= 0.32 m")
             seat = _office_seat(height, width, cover, arms)
