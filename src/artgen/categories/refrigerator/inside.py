@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from typing import Literal, NamedTuple
 
 import artgen as ag
-from artgen import details
+from artgen import details, feel
 from artgen.categories.refrigerator.doors import Finish
 from artgen.categories.refrigerator.plan import CHEEK, HAND, HUMP_DEEP, HUMP_HIGH, LIGHT, Cell, Leaf
 from artgen.categories.shared.appliances import CLEAR, DARK, FROSTED, LINER, filled
@@ -173,14 +173,10 @@ def inner_drawer(
     finishes = {"finish": slot.finish, "front": slot.finish, "lip": trim}
     name = f"inner_drawer_{number}"
     made = drawer_box(wide, deep, high, label="inner_drawer", name=name, lip_at=slot.lip, **finishes)
+    free = needs.beyond(_SLACK - _NO_MORE)
+    drag = feel.Feel(friction=friction, damping=4, effort=HAND)
     slide = ag.Prismatic(
-        f"inner_drawer_slide_{number}",
-        axis=-ag.Y,
-        limits=(0, share * deep),
-        friction=friction,
-        damping=4,
-        effort=HAND,
-        needs=needs.beyond(_SLACK - _NO_MORE),
+        f"inner_drawer_slide_{number}", axis=-ag.Y, limits=(0, share * deep), feel=drag, needs=free
     )
     return Fitting.moving(made, slide).at(slot.space.anchor(y=-1, z=-1))
 
