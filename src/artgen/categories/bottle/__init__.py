@@ -267,13 +267,9 @@ def _flip(finish: ag.Material, swing: ag.Scalar) -> Fitting:
     lip = ag.box(0.010, 0.004, 0.003, bevel=0.0008).at(0, -radius - 0.0008, low + 0.002)
     hold = ag.grasp_on(disc, approach=-ag.Z, closing=ag.X, depth=0.8 * tall)
     lid = ag.part([disc, lip], "lid", finish, grasp=hold, name="lid")
+    pivot = (0, radius + 0.0004, low - 0.0002)
     hinge = ag.Revolute(
-        "lid_hinge",
-        axis=-ag.X,
-        pivot=(0, radius + 0.0004, low - 0.0002),
-        limits=(0, swing),
-        friction=0.02,
-        feel=feel.PIVOT,
+        "lid_hinge", axis=-ag.X, pivot=pivot, limits=(0, swing), friction=0.02, feel=feel.PIVOT
     )
     return Fitting.moving(lid, hinge, fixed=ag.weld(cap, orifice))
 

@@ -26,6 +26,7 @@ _ICE_HIGH = 0.170  # height of an ice box, from the underside of its floor to th
 _ICE_FLOOR = 0.024  # thickness of its floor [m]
 _FLAP = 0.016  # thickness of its flap [m]
 _FLAP_INSET = 0.062  # distance from the side of the cell to the hinge edge of the flap [m]
+_HINGE = feel.Feel(friction=1.2, damping=0.1, effort=20)
 
 
 class Slot(NamedTuple):
@@ -222,14 +223,9 @@ def flap(cell: Cell, front: ag.Scalar, opened: ag.Condition, *, far: ag.Scalar, 
         details.printed(details.icon("snowflake", 0.03), at, material=ink),
     )
     axis = board.x.low + _FLAP / 2
+    pivot = (axis, front + _FLAP / 2, cell.z.high - 0.05)
+    free = opened.beyond(0.7 * ag.atan2(_SLACK, far - axis))
     swing = ag.Revolute(
-        "freezer_door_hinge",
-        pivot=(axis, front + _FLAP / 2, cell.z.high - 0.05),
-        axis=-ag.Z,
-        limits=(0, limit),
-        friction=1.2,
-        damping=0.1,
-        effort=20,
-        needs=opened.beyond(0.7 * ag.atan2(_SLACK, far - axis)),
+        "freezer_door_hinge", pivot=pivot, axis=-ag.Z, limits=(0, limit), feel=_HINGE, needs=free
     )
     return Fitting.moving(body, swing)

@@ -181,14 +181,9 @@ def suitcase(
         keeper = ag.Region((-0.013, 0.013), (-0.0045, 0.0005), (0.008, 0.0122)).box(bevel=0.0006)
         lid = ag.weld(lid, ag.part(keeper, "keeper", metal).at(at))
         latches.append(turn)
-    hinge = ag.Revolute(
-        "lid_hinge",
-        axis=-ag.X,
-        pivot=(0, plan.deep / 2 + _PIVOT, plan.low),
-        limits=(0, opens),
-        feel=feel.HINGE,
-        needs=((latches[0] > _OPEN) & (latches[1] > _OPEN)).beyond(0.001),
-    )
+    pivot = (0, plan.deep / 2 + _PIVOT, plan.low)
+    free = ((latches[0] > _OPEN) & (latches[1] > _OPEN)).beyond(0.001)
+    hinge = ag.Revolute("lid_hinge", axis=-ag.X, pivot=pivot, limits=(0, opens), feel=feel.HINGE, needs=free)
     front = -plan.deep / 2
     tab = ag.Region((-0.028, 0.028), (front - 0.0115, front + 0.003), (plan.low + 0.003, plan.low + 0.008))
     lip = tab.box(bevel=0.0012)
@@ -350,13 +345,8 @@ def _pull(plan: _Plan) -> Fitting:
     )
     key = cap.box(bevel=0.0012)
     button = ag.part(key, "button", plan.metal, push=ag.push_on(key, direction=-ag.X))
-    press = ag.Prismatic(
-        "button_press",
-        axis=-ag.X,
-        limits=(0, 0.003),
-        spring=ag.Spring(preload=2.0, force=6.0),
-        feel=feel.SWITCH,
-    )
+    spring = ag.Spring(preload=2.0, force=6.0)
+    press = ag.Prismatic("button_press", axis=-ag.X, limits=(0, 0.003), spring=spring, feel=feel.SWITCH)
     slide = ag.Prismatic(
         "pull_slide", axis=ag.X, limits=(0, travel), friction=25.0, damping=20.0, effort=150.0
     )

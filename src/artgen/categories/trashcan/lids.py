@@ -244,13 +244,8 @@ def touch_bin(design: Design) -> ag.Body:
     wide, _, high = _CAP
     hole = ag.box(wide + 0.001, 0.04, high + 0.001).at(0, front, bar)
     body = ag.weld(stand(design, holes=hole), hinge.housing())
-    slide = ag.Prismatic(
-        "button_slide",
-        axis=ag.Y,
-        limits=(0.0, 0.0062),
-        spring=ag.Spring(preload=0.9, force=6.0),
-        feel=feel.SWITCH,
-    )
+    spring = ag.Spring(preload=0.9, force=6.0)
+    slide = ag.Prismatic("button_slide", axis=ag.Y, limits=(0.0, 0.0062), spring=spring, feel=feel.SWITCH)
     body = body.attach(_button(design), slide, at=(0, front, bar))
     y = front + _BACK
     blade = ag.Region.between(

@@ -233,14 +233,9 @@ def _sliding_pair(draft: Draft, long: ag.Scalar, start: float, bar: ag.Scalar, d
     place = ag.Region((start, middle + face / 2), (section.inner, section.inner), z).shrink(z=_TRACK)
     fixed = ag.Region((middle - face / 2, long), (section.outer, section.outer), z)
     sash = ag.weld(_plain_sash(draft, place), pull, case.at(at)).attach(slider.at(at), lift)
-    slide = ag.Prismatic(
-        "pane_slide",
-        axis=ag.X,
-        limits=(0, middle - face / 2 - _TRACK - 0.002),
-        friction=drag,
-        damping=8,
-        needs=(lift > hardware.LATCH_FREE).until(hardware.LATCH_PASSED),
-    )
+    limits = (0, middle - face / 2 - _TRACK - 0.002)
+    free = (lift > hardware.LATCH_FREE).until(hardware.LATCH_PASSED)
+    slide = ag.Prismatic("pane_slide", axis=ag.X, limits=limits, friction=drag, damping=8, needs=free)
     fixed = fixed.grow(right=_LET_IN, z=_LET_IN)
     return ag.weld(keep.at(at), _plain_sash(draft, fixed)).attach(sash, slide)
 
