@@ -150,10 +150,7 @@ def _button(shape: controls.ButtonShape, icon: str, force: ag.Scalar) -> Fitting
 
 def _seat(body: ag.Body, jug: ag.Body, high: ag.Scalar) -> ag.Body:
     """Set a jug on its bayonet: it turns, and then lifts off."""
-    turn = ag.Revolute(
-        "jug_turn", axis=ag.Z, limits=(0, _TURN),
-        friction=0.3, damping=0.05, effort=15.0,
-    )  # fmt: skip
+    turn = ag.Revolute("jug_turn", axis=ag.Z, limits=(0, _TURN), friction=0.3, damping=0.05, effort=15.0)
     lift = ag.Prismatic(
         "jug_lift", axis=ag.Z, limits=(0, 0.12), friction=0.3, damping=2.0, effort=80.0,
         needs=(turn > _TURN - 0.04).beyond(0.0008),

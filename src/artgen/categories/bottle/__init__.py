@@ -44,6 +44,8 @@ _CAPS = ag.shades(
 _LIDS = ag.shades("satin_brass", "powder_coat_black", *colors("enamel", "white red sage"))
 _PAPER = ag.material("cardboard").with_(name="bottle_paper", base_color=(0.84, 0.82, 0.77), texture="")
 _CORK = ag.material("oak").with_(name="cork", base_color=(0.62, 0.45, 0.28), density=240.0, texture="")
+_NOZZLE = feel.Feel(damping=8.0, friction=0.5, armature=0.03, effort=40.0)
+_TRIGGER = feel.Feel(damping=0.02, friction=0.01, armature=2e-4, effort=1.5)
 
 
 def _liquid(name: str, color: tuple[float, float, float], clear: float = 0.0) -> ag.Material:
@@ -250,16 +252,8 @@ def _screwed(
         made = ag.weld(made, ag.detail([rim, skin], name, finish))
     else:
         made = ag.weld(made, _ribs(outer, high, low, finish, name))
-    screw = ag.Screw(
-        f"{name}_turn",
-        pitch=pitch,
-        axis=ag.Z,
-        limits=(0, math.tau * turns),
-        friction=torque,
-        damping=0.01,
-        armature=3e-3 if jar else 2e-4,
-        effort=3.0,
-    )
+    drag = feel.Feel(friction=torque, damping=0.01, armature=3e-3 if jar else 2e-4, effort=3.0)
+    screw = ag.Screw(f"{name}_turn", pitch=pitch, axis=ag.Z, limits=(0, math.tau * turns), feel=drag)
     return Fitting.moving(made, screw)
 
 
@@ -273,13 +267,9 @@ def _flip(finish: ag.Material, swing: ag.Scalar) -> Fitting:
     lip = ag.box(0.010, 0.004, 0.003, bevel=0.0008).at(0, -radius - 0.0008, low + 0.002)
     hold = ag.grasp_on(disc, approach=-ag.Z, closing=ag.X, depth=0.8 * tall)
     lid = ag.part([disc, lip], "lid", finish, grasp=hold, name="lid")
+    pivot = (0, radius + 0.0004, low - 0.0002)
     hinge = ag.Revolute(
-        "lid_hinge",
-        axis=-ag.X,
-        pivot=(0, radius + 0.0004, low - 0.0002),
-        limits=(0, swing),
-        friction=0.02,
-        feel=feel.PIVOT,
+        "lid_hinge", axis=-ag.X, pivot=pivot, limits=(0, swing), friction=0.02, feel=feel.PIVOT
     )
     return Fitting.moving(lid, hinge, fixed=ag.weld(cap, orifice))
 
@@ -300,16 +290,8 @@ def _pump(finish: ag.Material, travel: ag.Scalar, force: ag.Scalar) -> Fitting:
         ag.part([head, spout], "nozzle", finish, grasp=hold, push=press, name="nozzle"),
         ag.part(pipe, "stem", ag.material("polypropylene")),
     )
-    slide = ag.Prismatic(
-        "nozzle_slide",
-        axis=-ag.Z,
-        limits=(0, travel),
-        spring=ag.Spring(preload=0.35 * force, force=force),
-        damping=8.0,
-        friction=0.5,
-        armature=0.03,
-        effort=40.0,
-    )
+    spring = ag.Spring(preload=0.35 * force, force=force)
+    slide = ag.Prismatic("nozzle_slide", axis=-ag.Z, limits=(0, travel), spring=spring, feel=_NOZZLE)
     return Fitting.moving(nozzle.at(z=low), slide, fixed=fixed)
 
 
@@ -348,15 +330,8 @@ def _trigger(finish: ag.Material, force: ag.Scalar) -> Fitting:
     press = ag.push_on(blade, direction=ag.Y, at=(0, -0.044, 0.014))
     trigger = ag.part(blade, "trigger", finish, push=press, name="trigger")
     arm = 0.030  # from the hinge to the finger [m]
+    spring = ag.Spring(preload=0.35 * force * arm, force=force * arm)
     pull = ag.Revolute(
-        "trigger_pull",
-        axis=ag.X,
-        pivot=(0, -0.041, 0.044),
-        limits=(0, 0.32),
-        spring=ag.Spring(preload=0.35 * force * arm, force=force * arm),
-        damping=0.02,
-        friction=0.01,
-        armature=2e-4,
-        effort=1.5,
+        "trigger_pull", axis=ag.X, pivot=(0, -0.041, 0.044), limits=(0, 0.32), spring=spring, feel=_TRIGGER
     )
     return Fitting.moving(trigger, pull, fixed=fixed)

@@ -79,6 +79,10 @@ _SHEETS = ag.shades(
     },
     color=0.03,
 )
+_JUG = feel.Feel(friction=0.2, damping=3.0, effort=60.0)
+_BASKET = feel.Feel(friction=0.3, damping=2.0, effort=4.5)  # the stiff lid holds the basket down
+_FILTER_TURN = feel.Feel(damping=0.05, effort=12.0, velocity=4.0)
+_LOWERING = feel.Feel(friction=0.5, damping=4.0, effort=30.0)
 
 
 class _Look(NamedTuple):
@@ -324,15 +328,7 @@ def _filter(
         "jug_slide", axis=-ag.Y, limits=(0, clear + 0.05), friction=1.2, damping=6.0, effort=60.0
     )
     out = slide > clear - 0.004
-    lift = ag.Prismatic(
-        "jug_lift",
-        axis=ag.Z,
-        limits=(0, 0.12),
-        friction=0.2,
-        damping=3.0,
-        effort=60.0,
-        needs=out.beyond(_SLACK),
-    )
+    lift = ag.Prismatic("jug_lift", axis=ag.Z, limits=(0, 0.12), feel=_JUG, needs=out.beyond(_SLACK))
     vessel = _jug(kind, radius, rim, belly, narrow, look, out)
     return body.attach(vessel, slide, lift, at=(0, middle, _BASE + 0.0026 + FIT.running))
 
@@ -460,13 +456,7 @@ def _lifting(
     cover = head.shrink(x=0.002, y=0.002).with_(z=(head.z.high + FIT.running, head.z.high + 0.012))
     lid, hinge = _tank_lid(cover, opens, casting(look.shell, 0.4), friction=0.8)
     lift = ag.Prismatic(
-        "basket_lift",
-        axis=ag.Z,
-        limits=(0, 0.11),
-        friction=0.3,
-        damping=2.0,
-        effort=4.5,  # the stiff lid holds the basket down
-        needs=(hinge > 1.1).beyond(0.0004),
+        "basket_lift", axis=ag.Z, limits=(0, 0.11), feel=_BASKET, needs=(hinge > 1.1).beyond(0.0004)
     )
     well = ag.extrude(ag.regular_polygon(12, radius + 0.0045), 0.3).at(z=low + 0.1475)
     well |= ag.box(0.024, 0.024, 0.04).at(z=low - 0.01)
@@ -509,14 +499,9 @@ def _capsule(
         ag.part(neck | barrel, "lever", casting(_BLACK, 0.8)),
     )
     ear = ag.Region((half - 0.0085, half), (axle - 0.009, axle + 0.010), (height - 0.003, height + 0.019))
+    drag = feel.Feel(friction=torque, damping=0.02, effort=8.0)
     raise_ = ag.Revolute(
-        "lever_turn",
-        axis=-ag.X,
-        pivot=(0, axle, height + 0.0105),
-        limits=(0, swing),
-        friction=torque,
-        damping=0.02,
-        effort=8.0,
+        "lever_turn", axis=-ag.X, pivot=(0, axle, height + 0.0105), limits=(0, swing), feel=drag
     )
     ears = ag.part(
         [ear.box(bevel=0.002), ear.mirror().box(bevel=0.002)], "hinge", look.shell, separate="ears"
@@ -679,22 +664,8 @@ def _portafilter(look: _Look, lock: ag.Scalar, torque: ag.Scalar) -> Fitting:
         ag.part([cup, ear.box(), ear.mirror().box(), neck, *pipes], "portafilter", heavy),
         ag.detail([shell, dish], "portafilter", look.trim),
     )
-    turn = ag.Revolute(
-        "portafilter_turn",
-        axis=-ag.Z,
-        limits=(0, lock),
-        friction=torque,
-        damping=0.05,
-        effort=12.0,
-        velocity=4.0,
-    )
+    turn = ag.Revolute("portafilter_turn", axis=-ag.Z, limits=(0, lock), friction=torque, feel=_FILTER_TURN)
     lower = ag.Prismatic(
-        "portafilter_lower",
-        axis=-ag.Z,
-        limits=(0, 0.05),
-        friction=0.5,
-        damping=4.0,
-        effort=30.0,
-        needs=(turn > 0.65).beyond(0.0004),
+        "portafilter_lower", axis=-ag.Z, limits=(0, 0.05), feel=_LOWERING, needs=(turn > 0.65).beyond(0.0004)
     )
     return Fitting.moving(filter_, turn, lower, fixed=group)

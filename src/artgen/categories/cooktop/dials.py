@@ -24,6 +24,9 @@ _DISC, _DISC_THICK = 0.0100, 0.003  # half the width of the disc under the plate
 _UNDER = 0.0005  # gap from the plate's underside to the disc [m]
 _CLEAR = 0.0002  # gap between pin and disc while a dial is pushed in [m]
 _PIN = 0.0060  # distance of the pin behind the axis [m]
+# damping of grease: with less, the disc strikes the plate on its way out, and turns; inertia of spindle and
+# spring: with less, solvers push the light part through its limit
+_PUSH = feel.Feel(damping=20, friction=0.4, armature=0.05, effort=30)
 
 
 @dataclass(frozen=True)
@@ -139,26 +142,12 @@ def tap_joints(travel: ag.Scalar, force: ag.Scalar, friction: ag.Scalar) -> tupl
     The spring force is that of real taps, 2.5 N at rest and 8-14 N pushed in [EN 1106: a tap opens at no more
     than 0.4 N m and 20 N].
     """
-    down = ag.Prismatic(
-        "burner_dial_push",
-        axis=-ag.Z,
-        limits=(0, travel),
-        spring=ag.Spring(preload=2.5, force=force),
-        damping=20,  # damping of grease: with less, the disc strikes the plate on its way out, and turns
-        friction=0.4,
-        # inertia of spindle and spring: with less, solvers push the light part through its limit
-        armature=0.05,
-        effort=30,
-    )
+    spring = ag.Spring(preload=2.5, force=force)
+    down = ag.Prismatic("burner_dial_push", axis=-ag.Z, limits=(0, travel), spring=spring, feel=_PUSH)
+    # friction of the greased cone
+    cone = feel.Feel(friction=friction, damping=0.004, armature=0.00002, effort=0.4)
     turn = ag.Revolute(
-        "burner_dial_turn",
-        axis=ag.Z,
-        limits=(0, SWEEP),
-        friction=friction,  # friction of the greased cone
-        damping=0.004,
-        armature=0.00002,
-        effort=0.4,
-        needs=down > travel - _CLEAR / 2,
+        "burner_dial_turn", axis=ag.Z, limits=(0, SWEEP), feel=cone, needs=down > travel - _CLEAR / 2
     )
     return down, turn
 

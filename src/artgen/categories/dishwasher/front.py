@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 import artgen as ag
-from artgen import details
+from artgen import details, feel
 from artgen._arrays import cached_property
 from artgen.categories.dishwasher.tub import FRONT_RIM, Plan
 from artgen.categories.shared import controls
@@ -140,16 +140,11 @@ class Front:
             moment = moment + stuff.density * solid.volume() * (solid.centroid().z - axle)
         for solid in console:
             moment = moment + _DENSITY * solid.volume() * (plan.door.z.high - axle - 0.03)
+        stiffness = _GRAVITY * moment * ag.sin(plan.swing) / plan.swing
+        # torque of 60 N at the handle
+        drag = feel.Feel(friction=pull * (self.grip - axle), damping=2, effort=40, velocity=4)
         return ag.Revolute(
-            "door_hinge",
-            axis=ag.X,
-            pivot=plan.hinge,
-            limits=(0, plan.swing),
-            stiffness=_GRAVITY * moment * ag.sin(plan.swing) / plan.swing,
-            friction=pull * (self.grip - axle),
-            damping=2,
-            effort=40,  # torque of 60 N at the handle
-            velocity=4,
+            "door_hinge", axis=ag.X, pivot=plan.hinge, limits=(0, plan.swing), stiffness=stiffness, feel=drag
         )
 
 

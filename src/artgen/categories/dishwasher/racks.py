@@ -3,7 +3,7 @@
 from typing import Literal
 
 import artgen as ag
-from artgen import details
+from artgen import details, feel
 from artgen.categories.dishwasher.tub import AXLES, FRONT_RIM, UNDER, Plan
 from artgen.categories.shared.baskets import GRIP_REACH, Basket, Grip, rollers
 
@@ -14,6 +14,8 @@ _ROLLERS = (0.0155, 0.0095)  # radii of the rollers of the lower rack, and of th
 _UPPER_RIM = 0.085  # height of the front of the upper rack [m]
 _BLADE = 0.011  # thickness of a spray arm [m]
 _HANGS = 0.014  # distance from the floor of the upper rack to the spray arm under it [m]
+# torque of jets at 0.3 bar at the ends of the arm
+_JETS = feel.Feel(friction=0.004, damping=0.002, effort=0.1)
 
 
 class Racks:
@@ -159,14 +161,7 @@ class Racks:
         lower, upper = plan.floors[0] - 0.009, plan.floors[1] - _HANGS - 0.0005
         half, turn, top = ((reach, 0.35, lower), (0.92 * reach, -0.5, upper))[number]
         arm = _spray_arm(f"spray_arm_{number}", half).rotate(ag.Z, turn).at(z=top)
-        spin = ag.Revolute(
-            f"spray_arm_spin_{number}",
-            axis=ag.Z,
-            friction=0.004,
-            damping=0.002,
-            effort=0.1,  # torque of jets at 0.3 bar at the ends of the arm
-            driven="water",
-        )
+        spin = ag.Revolute(f"spray_arm_spin_{number}", axis=ag.Z, feel=_JETS, driven="water")
         return body.attach(arm, spin, at=(0, plan.racks.y.mid, 0))
 
 

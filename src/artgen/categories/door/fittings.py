@@ -4,11 +4,13 @@ import math
 from typing import Literal
 
 import artgen as ag
-from artgen import details
+from artgen import details, feel
 from artgen.categories.shared.finish import casting, recess
 from artgen.categories.shared.fixings import Way, screws
 from artgen.categories.shared.locks import SIDES, Faces
 from artgen.categories.shared.pulls import bent_bar, rod
+
+_PUSH = feel.Feel(damping=40, friction=1, effort=200)
 
 
 @ag.generator
@@ -123,15 +125,8 @@ def _bar_span(length: ag.Scalar) -> tuple[ag.Scalar, ag.Scalar]:
 
 def push_slide(*, travel: ag.Scalar, side: int = 1) -> ag.Joint:
     """Make the joint of a push bar with its spring; positive moves it towards the leaf."""
-    return ag.Prismatic(
-        "handle_push",
-        axis=(0.0, -side, 0.0),
-        limits=(0, travel),
-        spring=ag.Spring(preload=15.0, force=45.0),
-        damping=40,
-        friction=1,
-        effort=200,
-    )
+    spring = ag.Spring(preload=15.0, force=45.0)
+    return ag.Prismatic("handle_push", axis=(0.0, -side, 0.0), limits=(0, travel), spring=spring, feel=_PUSH)
 
 
 @ag.generator

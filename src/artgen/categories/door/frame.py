@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 import artgen as ag
+from artgen import feel
 from artgen.categories.shared.fixings import hinge_offset
 from artgen.categories.shared.fronts import Arch, Blank
 
@@ -159,15 +160,10 @@ class Hanging:
     def joint(self, name: str, *, side: int = 1, needs: ag.Dependency | None = None) -> ag.Joint:
         """Make the joint about the pins, at the left or the right; positive opens the leaf towards -y."""
         x, y = self._axis
+        pivot = (side * x, y, 0.0)
+        drag = feel.Feel(friction=self.friction, damping=self.damping, velocity=6)
         return ag.Revolute(
-            name,
-            axis=(0.0, 0.0, -side),
-            pivot=(side * x, y, 0.0),
-            limits=(0, self.swing),
-            friction=self.friction,
-            damping=self.damping,
-            velocity=6,
-            needs=needs,
+            name, axis=(0.0, 0.0, -side), pivot=pivot, limits=(0, self.swing), feel=drag, needs=needs
         )
 
     def turns_within_gap(self) -> ag.Bool:

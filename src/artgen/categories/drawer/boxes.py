@@ -6,7 +6,7 @@ from functools import reduce
 from typing import Literal
 
 import artgen as ag
-from artgen import details
+from artgen import details, feel
 from artgen.categories.shared.fixings import screws
 from artgen.categories.shared.fronts import FrontLook, front
 from artgen.categories.shared.furniture import CREAM_STEEL, ZINC, Carcass
@@ -190,15 +190,11 @@ class Bays:
         closing: SoftClosing | None = None,
     ) -> ag.Joint:
         """Make the slide of a drawer, whose box comes out by a share of its depth."""
+        name = f"drawer_slide_{row * len(self.middles) + column}"
+        pivot = (0, self.face, self.fronts[row][column].z.size / 2)
+        drag = feel.Feel(friction=friction, damping=damping, effort=_HAND)
         return ag.Prismatic(
-            f"drawer_slide_{row * len(self.middles) + column}",
-            axis=-ag.Y,
-            pivot=(0, self.face, self.fronts[row][column].z.size / 2),
-            limits=(0.0, share * self.deep),
-            friction=friction,
-            damping=damping,
-            effort=_HAND,
-            closing=closing,
+            name, axis=-ag.Y, pivot=pivot, limits=(0.0, share * self.deep), feel=drag, closing=closing
         )
 
 

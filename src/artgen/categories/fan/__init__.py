@@ -39,6 +39,9 @@ _ROD = 0.0032  # thickness of the rods of a guard [m]
 _RODS = 12  # at each side
 _SIGNS = ("0", "1", "2", "3")
 _MOTOR = feel.Feel(damping=2e-4, friction=0.01, armature=2e-4, effort=0.5, velocity=140.0)
+_SWING = feel.Feel(friction=0.12, damping=0.05, armature=1e-3, effort=6.0)
+_KNOB = feel.Feel(friction=0.5, damping=2.0, armature=0.02, effort=25.0)
+_CLIP = feel.Feel(damping=0.02, friction=0.02, armature=5e-4, effort=6.0)
 
 _SHELLS = ag.choice(
     *colors("abs", "white black light_grey mint sky cream red"), weights=(4, 3, 1.5, 1, 1, 1, 1)
@@ -141,15 +144,7 @@ def fan(
         "head_tilt", axis=-ag.X, limits=(-tilt, tilt), friction=hold, damping=0.05, effort=2.5 * hold + 2.0
     )
     neck = neck.attach(head, lean, at=(0, 0, _RAISED))
-    turn = ag.Revolute(
-        "head_swing",
-        axis=ag.Z,
-        limits=(-swing, swing),
-        friction=0.12,
-        damping=0.05,
-        armature=1e-3,
-        effort=6.0,
-    )
+    turn = ag.Revolute("head_swing", axis=ag.Z, limits=(-swing, swing), feel=_SWING)
     match style:
         case "desk":
             return _desk(plan, panel, neck, turn, shell)
@@ -266,16 +261,8 @@ def _clutch() -> Fitting:
     cap = ag.cylinder(0.0095, 0.014, bevel=0.002).at(z=0.0195)
     hold = ag.grasp_on(cap, approach=-ag.Z, closing=ag.X, depth=0.011)
     knob = ag.part(stem | cap, "knob", _BLACK, grasp=hold)
-    pull = ag.Prismatic(
-        "knob_pull",
-        axis=ag.Z,
-        limits=(0, travel),
-        detents=feel.detents((-0.1 * travel, 1.1 * travel), 6.0),
-        friction=0.5,
-        damping=2.0,
-        armature=0.02,
-        effort=25.0,
-    )
+    ends = feel.detents((-0.1 * travel, 1.1 * travel), 6.0)
+    pull = ag.Prismatic("knob_pull", axis=ag.Z, limits=(0, travel), detents=ends, feel=_KNOB)
     return Fitting.moving(knob, pull, cut=ag.box(0.0095, 0.0095, 0.05))
 
 
@@ -329,13 +316,9 @@ def _console(
 def _dial(shell: ag.Material, radius: float = 0.0165) -> Fitting:
     """Make the dial of the speeds, which clicks at each of them."""
     clicks = (0.0, 0.7, 1.4, 2.1)
+    detents = feel.detents(clicks, 0.05)
     turn = ag.Revolute(
-        "dial_turn",
-        axis=ag.Y,
-        limits=(0, 2.1),
-        feel=feel.DIAL,
-        friction=0.012,
-        detents=feel.detents(clicks, 0.05),
+        "dial_turn", axis=ag.Y, limits=(0, 2.1), feel=feel.DIAL, friction=0.012, detents=detents
     )
     scale = details.dial_scale(
         radius + 0.002, 4, sweep=2.1, start=0.0, numbers=_SIGNS, number_height=0.0042, length=0.002
@@ -435,16 +418,9 @@ def _clip(plan: _Head, neck: ag.Body, turn: ag.Joint, shell: ag.Material) -> ag.
     jaw = jaw.install(
         _dial(shell, 0.0125).rotate(ag.Z, math.pi / 2), at=(half, room.y.mid, room.z.mid - 0.002)
     )
+    spring = ag.Spring(preload=1.2, force=2.4)
     squeeze = ag.Revolute(
-        "jaw_turn",
-        axis=-ag.X,
-        pivot=(0, 0.010, axle),
-        limits=(0, 0.22),
-        spring=ag.Spring(preload=1.2, force=2.4),
-        damping=0.02,
-        friction=0.02,
-        armature=5e-4,
-        effort=6.0,
+        "jaw_turn", axis=-ag.X, pivot=(0, 0.010, axle), limits=(0, 0.22), spring=spring, feel=_CLIP
     )
     return base.attach(jaw, squeeze)
 

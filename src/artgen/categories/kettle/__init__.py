@@ -42,6 +42,7 @@ _SHELLS = ag.choice(
     "stainless", "stainless_blasted", "copper", *colors("enamel", "white cream red sage black sky")
 )
 _GRIPS = ag.choice("black_abs", "walnut", "beech", ag.colored("abs", "white"), ag.colored("abs", "graphite"))
+_LID = feel.Feel(friction=0.1, damping=2.0, effort=4.0)
 
 
 @ag.category(
@@ -269,23 +270,10 @@ def _stove(
     bail = ag.weld(
         ag.part(wood, "bail", grip, name="bail", grasp=held), ag.part(ag.union(hoop, *eyes), "bail", metal)
     )
-    fold = ag.Revolute(
-        "bail_turn",
-        axis=ag.Y,
-        pivot=(0, 0, axle),
-        limits=(-1.1, 1.1),
-        friction=friction,
-        damping=0.01,
-        effort=8.0,
-    )
+    drag = feel.Feel(friction=friction, damping=0.01, effort=8.0)
+    fold = ag.Revolute("bail_turn", axis=ag.Y, pivot=(0, 0, axle), limits=(-1.1, 1.1), feel=drag)
     lift = ag.Prismatic(
-        "lid_lift",
-        axis=ag.Z,
-        limits=(0, 0.09),
-        friction=0.1,
-        damping=2.0,
-        effort=4.0,
-        needs=(fold > 0.95).beyond(0.0108),
+        "lid_lift", axis=ag.Z, limits=(0, 0.09), feel=_LID, needs=(fold > 0.95).beyond(0.0108)
     )
     return jug.attach(bail, fold).attach(lid, lift)
 

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 import artgen as ag
+from artgen import feel
 from artgen.categories.lamp.finish import hollow
 from artgen.categories.lamp.shades import Head
 
@@ -135,17 +136,8 @@ class Load:
             most = ag.max_(ag.max_(self.high, -self.low), 0.0)
             friction = ag.max_(_HOLDS * most, force * reach)
             effort = friction + most + 20 * reach
-        return ag.Revolute(
-            name,
-            axis=ag.Y,
-            limits=limits,
-            stiffness=stiffness,
-            rest=rest,
-            friction=friction,
-            damping=damping,
-            armature=0.0005,
-            effort=effort,
-        )
+        drag = feel.Feel(friction=friction, damping=damping, armature=0.0005, effort=effort)
+        return ag.Revolute(name, axis=ag.Y, limits=limits, stiffness=stiffness, rest=rest, feel=drag)
 
 
 def _pair(solid: ag.Solid, out: float = _OUTER) -> ag.Solid:
@@ -332,14 +324,9 @@ def reading_arm(arms: Arms) -> Carried:
     body = _clamp(arms.finish, out).attach(arm, hinge, at=(out, 0, 0))
     body = body.require(arms.lean - low > 0.15, "the arm " + _NO_RANGE.format("upward"))
     weight = GRAVITY * body.mass()
-    slide = ag.Prismatic(  # a hand slides it with less than 60 N
-        "height_slide",
-        axis=ag.Z,
-        limits=(0.0, arms.travel),
-        friction=_HOLDS * weight,
-        damping=8.0,
-        effort=(1 + _HOLDS) * weight + 15,
-    )
+    # a hand slides it with less than 60 N
+    drag = feel.Feel(friction=_HOLDS * weight, damping=8.0, effort=(1 + _HOLDS) * weight + 15)
+    slide = ag.Prismatic("height_slide", axis=ag.Z, limits=(0.0, arms.travel), feel=drag)
     moment = own * (out + length / 2) + mass * (out + length + heavy)
     return Carried(body, moment, (slide, arms.turn(0.03)), reach - length * math.cos(high))
 

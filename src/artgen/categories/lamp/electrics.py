@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 import artgen as ag
-from artgen import details
+from artgen import details, feel
 from artgen.categories.shared.appliances import CORD, strain_relief
 from artgen.categories.shared.controls import button_cap, button_hole, button_press, control_knob
 from artgen.nodes.fitting import FIT, Fitting
@@ -38,6 +38,10 @@ _PULLED_INTO = (
     "chain_travel, shade_radius, shade_height or body_radius"
 )
 BESIDE = _OUT - _KNOB[0]  # distance from the axis that a lamp may reach without being under its chain [m]
+# the contact spring snaps over the middle: about 2.5 N at the end
+_SNAP = feel.Feel(friction=0.02, damping=0.002, armature=0.00001, effort=0.15)
+# with the inertia of the ratchet of the switch
+_CHAIN = feel.Feel(damping=2.0, friction=0.2, armature=0.02, effort=20.0)
 
 
 def switch(kind: SwitchKind, finish: ag.Material, ink: ag.Material) -> Fitting:
@@ -81,15 +85,7 @@ def _rocker(finish: ag.Material, ink: ag.Material) -> Fitting:
         details.printed(on, (0, 0.0055, print_at), material=ink, facing=ag.Z),
         details.printed(off, (0, -0.0055, print_at), material=ink, facing=ag.Z),
     )
-    tilt = ag.Revolute(
-        "switch_rock",
-        axis=ag.X,
-        limits=(-_ROCK, _ROCK),
-        friction=0.02,  # the contact spring snaps over the middle: about 2.5 N at the end
-        damping=0.002,
-        armature=0.00001,
-        effort=0.15,
-    )
+    tilt = ag.Revolute("switch_rock", axis=ag.X, limits=(-_ROCK, _ROCK), feel=_SNAP)
     opening = (wide + 2 * FIT.running, long + 2 * FIT.running)
     sheet = ag.rectangle(wide + 0.007, long + 0.007, radius=0.002) - ag.rectangle(*opening)
     bezel = ag.extrude(sheet, 0.0016, bevel=0.0004).at(z=0.0002)
@@ -170,17 +166,9 @@ class Chain:
             ag.detail(bell.at(0, -_OUT, outlet), "switch", metal),
         )
         hang = ag.max_(outlet - rim + _BELOW, _OUTSIDE)
-        pull = ag.Prismatic(
-            "switch_pull",
-            axis=-ag.Z,
-            limits=(0.0, self.travel),
-            # preload for the weight of chain and knob, 0.1 N, and the friction
-            spring=ag.Spring(preload=0.35 * self.force, force=self.force),
-            damping=2.0,
-            friction=0.2,
-            armature=0.02,  # inertia of the ratchet of the switch
-            effort=20.0,
-        )
+        # preload for the weight of chain and knob, 0.1 N, and the friction
+        spring = ag.Spring(preload=0.35 * self.force, force=self.force)
+        pull = ag.Prismatic("switch_pull", axis=-ag.Z, limits=(0.0, self.travel), spring=spring, feel=_CHAIN)
         lowest = outlet - hang - _KNOB[1] / 2 - self.travel
         chain = (
             self._hanging(hang, metal).at(0, -_OUT, outlet).require(lowest > self.under + 0.001, _PULLED_INTO)

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from functools import partial
 
 import artgen as ag
-from artgen import details
+from artgen import details, feel
 from artgen.categories.shared.appliances import DARK, filled, mains_cord
 from artgen.categories.shared.fixings import feet, screws
 
@@ -35,6 +35,9 @@ _LATCHES = 0.046 + 0.045  # depth of the space for the latches, and of the board
 _WORKS = 0.18  # depth of the electronics in all but the smallest ovens [m]
 _BACK_SHEET = 0.0008  # distance from the face of the back to the rear edges of the case [m]
 _MICA = ag.colored("fabric", "sand").with_(name="mica", texture="", tile=None, specular_roughness=0.35)
+# torque of a hand at the rim; geared motors of 3 W give 0.5 before their clutch slips, and synchronous
+# motors turn at 5-6 rpm
+_MOTOR = feel.Feel(damping=0.002, effort=1.5, velocity=0.7)
 
 
 class Plan:
@@ -227,16 +230,7 @@ def turntable(radius: ag.Scalar, friction: ag.Scalar) -> ag.Body:
     track = _TRACK * radius
     groove = ag.tube(track + 0.012, track - 0.012, 0.0004).at(z=0.0001)
     pin = ag.cylinder(_SHAFT, 0.001).at(z=0.0003)
-    spin = ag.Revolute(
-        "plate_spin",
-        axis=ag.Z,
-        friction=friction,
-        damping=0.002,
-        # torque of a hand at the rim; geared motors of 3 W give 0.5 before their clutch slips
-        effort=1.5,
-        velocity=0.7,  # synchronous motors turn at 5-6 rpm
-        driven="a motor",
-    )
+    spin = ag.Revolute("plate_spin", axis=ag.Z, friction=friction, feel=_MOTOR, driven="a motor")
     # the wheels roll under the plate, and turn the ring at half speed; armature: inertia of the wheels
     roll = ag.Revolute("ring_spin", axis=ag.Z, damping=0.0005, armature=0.0001, follows=0.5 * spin)
     shaft = ag.weld(

@@ -5,7 +5,7 @@ from functools import partial
 from typing import Literal, NamedTuple
 
 import artgen as ag
-from artgen import details
+from artgen import details, feel
 from artgen.categories.microwave.case import BARB, HOOK, LAP, Plan, gaps_between
 from artgen.categories.shared.appliances import filled
 from artgen.categories.shared.controls import (
@@ -75,16 +75,8 @@ def hinge(plan: Plan, swing: ag.Scalar, force: ag.Scalar, button: ag.Joint | Non
     """
     arm, torque = plan.arm, force * plan.arm
     if button is None:
-        return ag.Revolute(
-            "door_hinge",
-            axis=-ag.Z,
-            pivot=plan.pivot,
-            limits=(0, swing),
-            friction=torque,
-            damping=0.25,
-            effort=50 * arm,
-            velocity=5,
-        )
+        drag = feel.Feel(friction=torque, damping=0.25, effort=50 * arm, velocity=5)
+        return ag.Revolute("door_hinge", axis=-ag.Z, pivot=plan.pivot, limits=(0, swing), feel=drag)
     passing = HOOK[2] - _BEHIND + 0.004  # travel of the barbs below the pawls [m]
     # friction is the spring force at 0.8 rad, so that it holds the door from 0.3 rad to the end
     rest, held = 1.15, 0.85

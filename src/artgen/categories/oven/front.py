@@ -3,7 +3,7 @@
 from typing import Literal
 
 import artgen as ag
-from artgen import details
+from artgen import details, feel
 from artgen.categories.oven.case import LAP, SLAB, UNDER, Plan
 from artgen.categories.shared import controls
 from artgen.categories.shared.appliances import DARK, filled
@@ -87,16 +87,10 @@ def door(
     moment: ag.Scalar = _HANDLE * lever
     for solid, _, stuff in pieces:
         moment = moment + stuff.density * solid.volume() * (solid.centroid().z - axle)
+    stiffness = _GRAVITY * moment * ag.sin(swing) / swing
+    drag = feel.Feel(friction=pull * lever, damping=2.5, effort=60 * lever, velocity=4)
     hinge = ag.Revolute(
-        "door_hinge",
-        axis=ag.X,
-        pivot=plan.hinge,
-        limits=(0, swing),
-        stiffness=_GRAVITY * moment * ag.sin(swing) / swing,
-        friction=pull * lever,
-        damping=2.5,
-        effort=60 * lever,
-        velocity=4,
+        "door_hinge", axis=ag.X, pivot=plan.hinge, limits=(0, swing), stiffness=stiffness, feel=drag
     )
     bodies = [ag.part(*piece) for piece in pieces]
     bodies.append(_face(leaf, face) if view is None else _window_rim(leaf, view, trimmed=trimmed))
@@ -222,15 +216,8 @@ class Drawer:
 
     def slide(self, friction: ag.Scalar) -> ag.Joint:
         """Make the joint of the drawer, which slides out to the front."""
-        return ag.Prismatic(
-            "drawer_slide",
-            axis=-ag.Y,
-            limits=(0, self.travel),
-            friction=friction,
-            damping=10,
-            effort=60,
-            velocity=1.5,
-        )
+        drag = feel.Feel(friction=friction, damping=10, effort=60, velocity=1.5)
+        return ag.Prismatic("drawer_slide", axis=-ag.Y, limits=(0, self.travel), feel=drag)
 
 
 def panel(

@@ -15,6 +15,7 @@ mm and 0.10-0.20 kg, diagonal cutters 130-180 mm and 0.12-0.26 kg, slip-joint 16
 import math
 
 import artgen as ag
+from artgen import feel
 from artgen.categories.plier import fittings
 from artgen.categories.plier.fittings import PASSES, Grip
 from artgen.categories.plier.halves import Forging, Style
@@ -35,6 +36,7 @@ _SLEEVES = (
 )
 _ACCENTS = colors("rubber", "red yellow orange light_grey blue")
 _BRIGHT = 0.10  # mean color value of a sleeve with a dark soft part
+_BOLT = feel.Feel(friction=4, damping=1, effort=60)  # of a tight bolt
 
 
 @ag.category(labels="body jaw teeth edge pivot grip spring print", joints=(1, 2))
@@ -129,13 +131,7 @@ def plier(
     joints: tuple[ag.Joint, ...] = (hinge,)
     if slip:
         slide = ag.Prismatic(
-            "pivot_slide",
-            axis=-ag.X,
-            limits=(0, way),
-            friction=4,  # of a tight bolt
-            damping=1,
-            effort=60,
-            needs=(hinge > PASSES).until(0.985 * way),
+            "pivot_slide", axis=-ag.X, limits=(0, way), feel=_BOLT, needs=(hinge > PASSES).until(0.985 * way)
         )
         joints = (slide, hinge)
     body = body.attach(jaw.rotate(ag.Y, math.pi), *joints)

@@ -251,10 +251,8 @@ def _swinging(
     ends = [ag.cylinder(0.0055, 0.0108, axis=ag.Y, bevel=0.001).at(axle, y, z) for y in (-half, half)]
     hold = ag.grasp_on(bar, approach=-ag.X, closing=ag.Z, at=(axle, 0, z - 0.048), depth=0.008)
     ring = ag.part(ag.union(bar, *ends), "handle", finish, name="handle", grasp=hold)
-    swing = ag.Revolute(
-        "handle_swing", axis=-ag.Y, pivot=(axle, 0, z), limits=(0, 1.5), friction=friction, damping=0.005,
-        effort=8.0,
-    )  # fmt: skip
+    drag = feel.Feel(friction=friction, damping=0.005, effort=8.0)
+    swing = ag.Revolute("handle_swing", axis=-ag.Y, pivot=(axle, 0, z), limits=(0, 1.5), feel=drag)
     fixed = ag.part(eyes, "hinge", finish)
     return ag.weld(body, fixed, fixed.mirror(ag.X)).attach_pair(ring, swing)
 
@@ -393,8 +391,6 @@ def _hinged(body: ag.Body, lid: ag.Body, radius: ag.Scalar, high: ag.Scalar, fin
         for x in (-0.0228, 0.0228)
     ]
     hold = 1.3 * 9.81 * lid.mass() * radius
-    hinge = ag.Revolute(
-        "lid_hinge", axis=-ag.X, pivot=(0, axle, up), limits=(0, 1.45), friction=hold, damping=0.3,
-        effort=80.0,
-    )  # fmt: skip
+    drag = feel.Feel(friction=hold, damping=0.3, effort=80.0)
+    hinge = ag.Revolute("lid_hinge", axis=-ag.X, pivot=(0, axle, up), limits=(0, 1.45), feel=drag)
     return ag.weld(body, ag.part([block, *ears], "hinge", finish)).attach(lid, hinge, at=(0, 0, low))

@@ -101,9 +101,7 @@ def _machinery(block: ag.Region) -> list[ag.Body]:
     foot = ag.cylinder(0.012, 0.012)
     stubs = ag.array(foot, at=[(x, y, 0.006) for x in (-0.06, 0.06) for y in (-0.035, 0.035)])
     steel = ag.material("powder_coat_black").with_(name="compressor", density=_COMPRESSOR)
-    corners = [
-        (0.05, 0, 0.07), (0.10, 0, 0.07), (0.10, 0.03, 0.10), (0.20, 0.03, 0.10), (0.20, 0.03, 0.02)
-    ]  # fmt: skip
+    corners = [(0.05, 0, 0.07), (0.10, 0, 0.07), (0.10, 0.03, 0.10), (0.20, 0.03, 0.10), (0.20, 0.03, 0.02)]
     pipe = ag.sweep(ag.circle(0.004), ag.polyline(corners, fillet=0.012))
     tray = ag.box(0.16, 0.12, 0.035, bevel=0.004).at(-at[0] - 0.02, at[1], at[2] + 0.020)
     return [

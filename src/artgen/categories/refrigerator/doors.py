@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 import artgen as ag
-from artgen import details
+from artgen import details, feel
 from artgen.categories.refrigerator import plan
 from artgen.categories.shared.appliances import CLEAR, DARK, FROSTED, filled
 from artgen.categories.shared.controls import control_panel
@@ -306,13 +306,9 @@ def outer_drawer(
         ag.part([each.at(cell.x.mid, behind, floor) for each in boards], "basket", FROSTED),
         ag.detail(rails, "rail", ag.material("zinc")),
     )
+    pivot = board.anchor(y=-1)
+    drag = feel.Feel(friction=pull, damping=12, effort=plan.HAND)
     slide = ag.Prismatic(
-        f"outer_drawer_slide_{number}",
-        axis=-ag.Y,
-        pivot=board.anchor(y=-1),
-        limits=(0, share * deep),
-        friction=pull,
-        damping=12,
-        effort=plan.HAND,
+        f"outer_drawer_slide_{number}", axis=-ag.Y, pivot=pivot, limits=(0, share * deep), feel=drag
     )
     return Fitting.moving(body, slide)

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from typing import Literal, NamedTuple
 
 import artgen as ag
-from artgen import details
+from artgen import details, feel
 from artgen.categories.refrigerator.doors import Finish
 from artgen.categories.refrigerator.plan import CHEEK, HAND, HUMP_DEEP, HUMP_HIGH, LIGHT, Cell, Leaf
 from artgen.categories.shared.appliances import CLEAR, DARK, FROSTED, LINER, filled
@@ -26,6 +26,7 @@ _ICE_HIGH = 0.170  # height of an ice box, from the underside of its floor to th
 _ICE_FLOOR = 0.024  # thickness of its floor [m]
 _FLAP = 0.016  # thickness of its flap [m]
 _FLAP_INSET = 0.062  # distance from the side of the cell to the hinge edge of the flap [m]
+_HINGE = feel.Feel(friction=1.2, damping=0.1, effort=20)
 
 
 class Slot(NamedTuple):
@@ -173,14 +174,10 @@ def inner_drawer(
     finishes = {"finish": slot.finish, "front": slot.finish, "lip": trim}
     name = f"inner_drawer_{number}"
     made = drawer_box(wide, deep, high, label="inner_drawer", name=name, lip_at=slot.lip, **finishes)
+    free = needs.beyond(_SLACK - _NO_MORE)
+    drag = feel.Feel(friction=friction, damping=4, effort=HAND)
     slide = ag.Prismatic(
-        f"inner_drawer_slide_{number}",
-        axis=-ag.Y,
-        limits=(0, share * deep),
-        friction=friction,
-        damping=4,
-        effort=HAND,
-        needs=needs.beyond(_SLACK - _NO_MORE),
+        f"inner_drawer_slide_{number}", axis=-ag.Y, limits=(0, share * deep), feel=drag, needs=free
     )
     return Fitting.moving(made, slide).at(slot.space.anchor(y=-1, z=-1))
 
@@ -226,14 +223,9 @@ def flap(cell: Cell, front: ag.Scalar, opened: ag.Condition, *, far: ag.Scalar, 
         details.printed(details.icon("snowflake", 0.03), at, material=ink),
     )
     axis = board.x.low + _FLAP / 2
+    pivot = (axis, front + _FLAP / 2, cell.z.high - 0.05)
+    free = opened.beyond(0.7 * ag.atan2(_SLACK, far - axis))
     swing = ag.Revolute(
-        "freezer_door_hinge",
-        pivot=(axis, front + _FLAP / 2, cell.z.high - 0.05),
-        axis=-ag.Z,
-        limits=(0, limit),
-        friction=1.2,
-        damping=0.1,
-        effort=20,
-        needs=opened.beyond(0.7 * ag.atan2(_SLACK, far - axis)),
+        "freezer_door_hinge", pivot=pivot, axis=-ag.Z, limits=(0, limit), feel=_HINGE, needs=free
     )
     return Fitting.moving(body, swing)

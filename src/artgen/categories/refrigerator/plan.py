@@ -8,6 +8,7 @@ from functools import partial, reduce
 from typing import Literal
 
 import artgen as ag
+from artgen import feel
 from artgen._arrays import cached_property
 
 Layout = Literal["single", "top_freezer", "bottom_freezer", "french", "side_by_side"]
@@ -149,16 +150,10 @@ class Leaf:
         """
         side = 1 if self.mirrored else -1
         arm = self.board.x.size - _PIN - 0.05  # distance from the axis to the handle [m]
-        return ag.Revolute(
-            f"{self.label}_hinge_{self.side}" if self.side else f"{self.label}_hinge",
-            pivot=(-side * self.axis, self.board.y.low + _PIN, self.board.z.mid),
-            axis=(0, 0, side),
-            limits=(0, limit),
-            friction=pull * arm,
-            damping=damping,
-            effort=HAND * arm,
-            velocity=4,
-        )
+        name = f"{self.label}_hinge_{self.side}" if self.side else f"{self.label}_hinge"
+        pivot = (-side * self.axis, self.board.y.low + _PIN, self.board.z.mid)
+        drag = feel.Feel(friction=pull * arm, damping=damping, effort=HAND * arm, velocity=4)
+        return ag.Revolute(name, pivot=pivot, axis=(0, 0, side), limits=(0, limit), feel=drag)
 
 
 class Plan:

@@ -62,6 +62,7 @@ _DENSITY = {"hotel": 5200.0, "home": 5200.0, "fire": 620.0, "gun": 6200.0}
 _FRONTS = {"black": ag.material("powder_coat_black"), "stainless": ag.material("stainless")}
 _BLACK = ag.material("black_abs")
 _CARPET = ag.material("fabric").with_(name="safe_carpet", base_color=(0.035, 0.037, 0.042))
+_SOLENOID = feel.Feel(friction=0.6, damping=2.0, armature=0.02, effort=6.0)
 
 
 @dataclass(frozen=True)
@@ -230,16 +231,9 @@ def safe(
     door, free = _locked(
         _door(plan, style, leaf, maker, bolts=bolts, stripe=stripe), plan, style, lock, metal, code
     )
-    pull = ag.Revolute(
-        "handle_turn",
-        axis=ag.Y,
-        limits=(0, turn),
-        friction=torque,
-        damping=0.03,
-        armature=3e-3,
-        effort=1.5,
-        needs=free.beyond(0.85 * _PLAY * turn / plan.throw),
-    )
+    played = free.beyond(0.85 * _PLAY * turn / plan.throw)
+    drag = feel.Feel(friction=torque, damping=0.03, armature=3e-3, effort=1.5)
+    pull = ag.Revolute("handle_turn", axis=ag.Y, limits=(0, turn), feel=drag, needs=played)
     draw = ag.Prismatic(
         "bolts_slide", axis=-ag.X, follows=(plan.throw / turn) * pull, damping=4.0, friction=0.5, armature=2.0
     )
@@ -371,14 +365,7 @@ def _locked(
     tongue = ag.part(block.box(bevel=0.0006), "tongue", ag.material("steel"))
     if lock == "keypad":
         slide = ag.Prismatic(
-            "tongue_slide",
-            axis=ag.Z,
-            limits=(0, _RISE),
-            friction=0.6,
-            damping=2.0,
-            armature=0.02,
-            effort=6.0,
-            driven="the solenoid of the keypad",
+            "tongue_slide", axis=ag.Z, limits=(0, _RISE), feel=_SOLENOID, driven="the solenoid of the keypad"
         )
         door = door.install(_keypad(code), at=at)
         return door.attach(tongue, slide), slide > 0.97 * _RISE

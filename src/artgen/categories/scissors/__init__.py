@@ -18,7 +18,7 @@ import math
 from typing import Literal
 
 import artgen as ag
-from artgen import details
+from artgen import details, feel
 from artgen.categories.shared import pivots
 from artgen.categories.shared.finish import colors
 
@@ -48,6 +48,7 @@ _PROUD = 0.0004  # height of a soft part above the bar around it [m]
 _PLASTICS = colors("abs", "red orange teal navy black forest graphite sky")
 _BRIGHT = colors("abs", "red sky mint blush mustard orange")
 _SOFT = colors("rubber", "light_grey black red mint")
+_RING = feel.Feel(friction=1.2, damping=4.0, armature=0.05, effort=8.0)
 
 
 @ag.category(labels="body blade edge pivot handle grip teeth spring print arm tip ring", joints=(1, 2))
@@ -381,15 +382,9 @@ def _tongs(
         spring=pivots.opened_by_spring(squeeze * middle, 0.4 * squeeze * middle, opening), friction=0.01,
         damping=0.01, armature=0.00005, effort=6.0,
     )  # fmt: skip
+    # 0.4 mm is the play of the arm in the ring
     slide = ag.Prismatic(
-        "ring_slide",
-        axis=ag.Y,
-        limits=(0, travel),
-        friction=1.2,
-        damping=4.0,
-        armature=0.05,
-        effort=8.0,
-        needs=(hinge < 0.0150).beyond(met - 0.0004),  # the play of the arm in the ring
+        "ring_slide", axis=ag.Y, limits=(0, travel), feel=_RING, needs=(hinge < 0.0150).beyond(met - 0.0004)
     )
     body = body.attach(right, hinge).attach(ag.part(loop, "ring", cover, grasp=hold), slide)
     before, behind = out + 0.0045, flank + 0.0022

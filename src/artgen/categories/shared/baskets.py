@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 import artgen as ag
-from artgen import details
+from artgen import details, feel
 from artgen._arrays import cached_property
 
 Grip = Literal["bar", "plate"]
@@ -206,13 +206,5 @@ def rack_slide(
     needs: ag.Condition | ag.Dependency,
 ) -> ag.Joint:
     """Make the slide of a rack; its effort is the force of a hand, too small to move the door."""
-    return ag.Prismatic(
-        name,
-        axis=-ag.Y,
-        limits=(0.0, travel),
-        friction=friction,
-        damping=damping,
-        effort=14.0,
-        velocity=1.5,
-        needs=needs,
-    )
+    drag = feel.Feel(friction=friction, damping=damping, effort=14.0, velocity=1.5)
+    return ag.Prismatic(name, axis=-ag.Y, limits=(0.0, travel), feel=drag, needs=needs)

@@ -4,6 +4,7 @@ import math
 from typing import Literal
 
 import artgen as ag
+from artgen import feel
 from artgen.categories.shared.finish import casting
 from artgen.categories.shared.locks import NECK_GAP, PIN, SIDES, Faces, spindle, with_button
 
@@ -24,17 +25,11 @@ def spring_turn(
     damping: ag.Scalar = 0.06,
 ) -> ag.Joint:
     """Make the joint of a lever or knob with a return spring; positive moves the free end down."""
-    return ag.Revolute(
-        name,
-        axis=-ag.Y,  # moves a lever that points to -x down
-        pivot=pivot,
-        limits=(0.0, limit),
-        spring=ag.Spring(preload=preload, force=torque),
-        damping=damping,
-        friction=0.02,
-        armature=0.0005,  # inertia of the follower and the springs in the lock case
-        effort=20.0,
-    )
+    spring = ag.Spring(preload=preload, force=torque)
+    # with the inertia of the follower and the springs in the lock case
+    case = feel.Feel(damping=damping, friction=0.02, armature=0.0005, effort=20.0)
+    # the axis moves a lever that points to -x down
+    return ag.Revolute(name, axis=-ag.Y, pivot=pivot, limits=(0.0, limit), spring=spring, feel=case)
 
 
 @ag.generator

@@ -7,6 +7,7 @@ from collections.abc import Callable, Sequence
 from typing import Literal
 
 import artgen as ag
+from artgen import feel
 from artgen.categories.shared.finish import recess
 from artgen.categories.shared.fixings import hinge_frame, hinge_leaf, hinge_offset, screws
 from artgen.categories.shared.fronts import FrontLook, front
@@ -136,13 +137,7 @@ class Hanging:
     ) -> ag.Joint:
         """Make the hinge of a door; positive opens it towards -y."""
         x, y = self._axis
+        drag = feel.Feel(friction=friction, damping=damping, effort=_HAND * self.region.x.size, velocity=6)
         return ag.Revolute(
-            name,
-            axis=(0.0, 0.0, -side),
-            pivot=(side * x, y, self.region.z.mid),
-            limits=(0, limit),
-            friction=friction,
-            damping=damping,
-            effort=_HAND * self.region.x.size,
-            velocity=6,
+            name, axis=(0.0, 0.0, -side), pivot=(side * x, y, self.region.z.mid), limits=(0, limit), feel=drag
         )

@@ -6,7 +6,7 @@ The front of the tile is the plane y = 0; parts on it protrude to -y.
 from typing import Literal
 
 import artgen as ag
-from artgen import details
+from artgen import details, feel
 from artgen.categories.soap_dispenser.finish import ink_on
 
 Press = Literal["button", "lever"]  # a panel that slides in, or a panel hinged at its upper edge
@@ -110,14 +110,7 @@ def lever_hinge(case: ag.Region, swing: ag.Scalar, force: ag.Scalar, damping: ag
     """Make the joint of a lever, about its upper edge; positive presses it in."""
     sheet = _sheet(case, "lever")
     torque = 0.050 * force  # a finger presses 50 mm below the edge
-    return ag.Revolute(
-        "lever_hinge",
-        axis=ag.X,
-        pivot=(0, sheet.y.mid, sheet.z.high - _PANEL / 2),
-        limits=(0.0, swing),
-        spring=ag.Spring(preload=0.35 * torque, force=torque),
-        damping=damping,
-        friction=0.02,
-        armature=0.0001,
-        effort=3.0,
-    )
+    pivot = (0, sheet.y.mid, sheet.z.high - _PANEL / 2)
+    spring = ag.Spring(preload=0.35 * torque, force=torque)
+    drag = feel.Feel(damping=damping, friction=0.02, armature=0.0001, effort=3.0)
+    return ag.Revolute("lever_hinge", axis=ag.X, pivot=pivot, limits=(0.0, swing), spring=spring, feel=drag)

@@ -7,7 +7,7 @@ points to the front.
 from typing import Literal
 
 import artgen as ag
-from artgen import details
+from artgen import details, feel
 from artgen.categories.shared import vessels
 from artgen.categories.soap_dispenser.bottles import fluted
 from artgen.categories.soap_dispenser.finish import ink_on
@@ -163,13 +163,7 @@ def slide(
     name: str, axis: ag.VectorLike, travel: ag.Scalar, force: ag.Scalar, damping: ag.Scalar
 ) -> ag.Joint:
     """Make the joint of the pressed part, against the spring of a pump."""
-    return ag.Prismatic(
-        name,
-        axis=axis,
-        limits=(0.0, travel),
-        spring=ag.Spring(preload=0.35 * force, force=force),  # that of a lotion pump starts at a third
-        damping=damping,
-        friction=0.5,  # friction of the piston's lips
-        armature=0.03,  # inertia of the soap in the pump
-        effort=40.0,
-    )
+    spring = ag.Spring(preload=0.35 * force, force=force)  # that of a lotion pump starts at a third
+    # friction of the piston's lips, and inertia of the soap in the pump
+    drag = feel.Feel(damping=damping, friction=0.5, armature=0.03, effort=40.0)
+    return ag.Prismatic(name, axis=axis, limits=(0.0, travel), spring=spring, feel=drag)

@@ -48,6 +48,7 @@ _TURN = 0.45  # of a bowl out of its seat [rad]
 _AXLE = (0.011, 0.0095)  # height of the hinge of the head above the column, and its radius [m]
 _SWEEP = 3.6  # of the dial [rad]
 _MOTOR = feel.Feel(damping=2e-3, friction=0.05, armature=2e-3, effort=4.0, velocity=30.0)
+_CRANK = feel.Feel(damping=0.05, armature=0.002, effort=8.0)
 _FORMS: dict[Form, tuple[tuple[float, float, float], ...]] = {
     "bullet": (
         (0.0, 0.34, 0.36), (0.03, 0.62, 0.68), (0.12, 0.88, 0.93), (0.45, 1.0, 1.0), (0.80, 0.95, 0.94),
@@ -454,15 +455,7 @@ def _crane(
     )
     weight = _G * (cup.mass() + carriage.mass())
     friction = (1.3 * weight + 55.0) * drop / turns + 0.1
-    crank = ag.Revolute(
-        "crank_turn",
-        axis=-ag.X,
-        limits=(0, turns),
-        friction=friction,
-        damping=0.05,
-        armature=0.002,
-        effort=8.0,
-    )
+    crank = ag.Revolute("crank_turn", axis=-ag.X, limits=(0, turns), friction=friction, feel=_CRANK)
     slide = ag.Prismatic(
         "carriage_slide", axis=-ag.Z, follows=(drop / turns) * crank, damping=2.0, effort=200.0
     )

@@ -41,6 +41,11 @@ _BODIES = ag.shades(*colors("abs", "black graphite red navy teal white mustard s
 _METALS = ag.shades("chrome", "powder_coat_black", "powder_coat_graphite", "satin_nickel", color=0.03)
 _SOFT = ag.choice("rubber", ag.colored("rubber", "light_grey"), ag.colored("rubber", "red"))
 _STEEL = ag.material("stainless")
+_MAGAZINE = feel.Feel(damping=2.0, armature=0.02, effort=20.0)
+_GUIDE = feel.Feel(friction=1.0, damping=1.0, armature=0.02, effort=15.0)
+_ARM = feel.Feel(friction=0.01, damping=0.02, armature=0.0003)
+_ANVIL = feel.Feel(friction=0.001, damping=0.002, armature=2e-5, effort=0.5)
+_LEVER = feel.Feel(friction=0.01, damping=0.006, armature=0.00005, effort=6.0)
 
 
 @ag.category(
@@ -234,26 +239,12 @@ def _desk(
         ),
     )
     travel = ag.min_(_STRIP[style], 0.85 * channel.y.size)
-    slide = ag.Prismatic(
-        "magazine_slide",
-        axis=-ag.Y,
-        limits=(0, travel),
-        friction=2.5,
-        damping=2.0,
-        armature=0.02,
-        effort=20.0,
-    )
+    slide = ag.Prismatic("magazine_slide", axis=-ag.Y, limits=(0, travel), friction=2.5, feel=_MAGAZINE)
     arm = arm.attach(_magazine(channel, room.y.low), slide)
+    spring = _sprung(arm, pivot, plan, lift)
+    effort = 100.0 * 0.9 * length if heavy else 60.0 * length
     hinge = ag.Revolute(
-        "arm_hinge",
-        axis=ag.X,
-        pivot=pivot,
-        limits=(0, swing),
-        spring=_sprung(arm, pivot, plan, lift),
-        friction=0.01,
-        damping=0.02,
-        armature=0.0003,
-        effort=100.0 * 0.9 * length if heavy else 60.0 * length,
+        "arm_hinge", axis=ag.X, pivot=pivot, limits=(0, swing), spring=spring, feel=_ARM, effort=effort
     )
     base = _anvil(base, plan, room.y.low + 0.009, click)
     return base.attach(arm.rotate(-ag.X, swing, about=pivot), hinge)
@@ -322,16 +313,8 @@ def _anvil(base: ag.Body, plan: ag.Region, y: ag.Scalar, click: ag.Scalar) -> ag
     marks = details.engraved(grooves, (0, 0, _BASE), material=_STEEL, facing=ag.Z, up=ag.Y, label="anvil")
     hold = ag.grasp_on(knob, approach=ag.Z, closing=ag.X, depth=0.0040)
     anvil = ag.weld(ag.part([knob, plate], "anvil", _STEEL, grasp=hold), marks)
-    turn = ag.Revolute(
-        "anvil_turn",
-        axis=ag.Z,
-        limits=(-0.02, math.pi + 0.02),
-        detents=feel.detents((0.0, math.pi), click),
-        friction=0.001,
-        damping=0.002,
-        armature=2e-5,
-        effort=0.5,
-    )
+    clicks = feel.detents((0.0, math.pi), click)
+    turn = ag.Revolute("anvil_turn", axis=ag.Z, limits=(-0.02, math.pi + 0.02), detents=clicks, feel=_ANVIL)
     return base.cut(hole).attach(anvil, turn, at=(0, y, 0))
 
 
@@ -400,15 +383,7 @@ def _plier(
         ag.part(tongue, "magazine", ag.material("black_abs"), grasp=hold),
         ag.part(bar, "magazine", _STEEL.with_(name="magazine_sheet", density=3200.0)),
     )
-    slide = ag.Prismatic(
-        "magazine_slide",
-        axis=ag.Y,
-        limits=(0, 0.6 * jaw),
-        friction=2.0,
-        damping=2.0,
-        armature=0.02,
-        effort=20.0,
-    )
+    slide = ag.Prismatic("magazine_slide", axis=ag.Y, limits=(0, 0.6 * jaw), friction=2.0, feel=_MAGAZINE)
     arm = ag.Region((-0.0095, -0.0014), (0.0275, jaw), (-half, half)).box(bevel=0.0010)
     core = ag.extrude(plate, 2 * middle) - ag.extrude(pivots.rivet_hole(0.0030), 0.1)
     anvil = ag.box(0.0006, 0.009, 0.012).at(-0.0013, jaw - 0.008)
@@ -418,16 +393,8 @@ def _plier(
         ag.detail(anvil, "anvil", _STEEL),
     )
     press = lift * 0.7 * rear
-    hinge = ag.Revolute(
-        "lever_hinge",
-        axis=-ag.Z,
-        limits=(0, swing),
-        spring=ag.Spring(preload=0.5 * press, force=press),
-        friction=0.01,
-        damping=0.006,
-        armature=0.00005,
-        effort=6.0,
-    )
+    spring = ag.Spring(preload=0.5 * press, force=press)
+    hinge = ag.Revolute("lever_hinge", axis=-ag.Z, limits=(0, swing), spring=spring, feel=_LEVER)
     body = body.attach(magazine, slide).attach(lever.rotate(ag.Z, swing), hinge)
     return body.at(0.0101, (rear - jaw) / 2, half + 0.0004)
 
@@ -499,16 +466,9 @@ def _punch(
         window = room.shrink(x=0.016, front=0.006).deep(0.028, None)[0]
         window = window.with_(z=(room.z.mid, room.z.high + 0.01))
         arm = ag.weld(arm, _pad(room, shape, window, accent))
+    spring = _sprung(arm, pivot, plan, lift)
     hinge = ag.Revolute(
-        "arm_hinge",
-        axis=ag.X,
-        pivot=pivot,
-        limits=(0, swing),
-        spring=_sprung(arm, pivot, plan, lift),
-        friction=0.01,
-        damping=0.02,
-        armature=0.0003,
-        effort=60.0 * length,
+        "arm_hinge", axis=ag.X, pivot=pivot, limits=(0, swing), spring=spring, feel=_ARM, effort=60.0 * length
     )
     base = base.attach(arm.rotate(-ag.X, swing, about=pivot), hinge)
     base = ag.weld(base, _print(maker, (0, plan.y.low, 0.45 * floor), 0.006, housing, -ag.Y, ag.Z))
@@ -525,13 +485,5 @@ def _punch(
     ).box(bevel=0.001)
     hold = ag.grasp_on(stop, approach=-ag.X, closing=ag.Y, depth=0.009)
     ruler = ag.part([stop, bar], "guide", ag.material("black_abs"), name="guide", grasp=hold)
-    slide = ag.Prismatic(
-        "guide_slide",
-        axis=ag.X,
-        limits=(0, 0.75 * width),
-        friction=1.0,
-        damping=1.0,
-        armature=0.02,
-        effort=15.0,
-    )
+    slide = ag.Prismatic("guide_slide", axis=ag.X, limits=(0, 0.75 * width), feel=_GUIDE)
     return base.attach(ruler, slide)

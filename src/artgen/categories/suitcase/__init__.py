@@ -50,6 +50,8 @@ _TOUGH = ag.shades(
 )
 _PLASTICS = ag.choice("black_abs", "satin_nickel", ag.colored("abs", "graphite"))
 _FLAT = ag.shades("black_leather", "leather", "brushed_aluminium", "black_anodised", color=0.05)
+_LATCH = feel.Feel(friction=0.12, damping=0.004, armature=2e-5, effort=5.0)
+_HANDLE = feel.Feel(friction=0.05, damping=0.005, armature=1e-4, effort=8.0)
 
 
 @dataclass(frozen=True)
@@ -179,14 +181,9 @@ def suitcase(
         keeper = ag.Region((-0.013, 0.013), (-0.0045, 0.0005), (0.008, 0.0122)).box(bevel=0.0006)
         lid = ag.weld(lid, ag.part(keeper, "keeper", metal).at(at))
         latches.append(turn)
-    hinge = ag.Revolute(
-        "lid_hinge",
-        axis=-ag.X,
-        pivot=(0, plan.deep / 2 + _PIVOT, plan.low),
-        limits=(0, opens),
-        feel=feel.HINGE,
-        needs=((latches[0] > _OPEN) & (latches[1] > _OPEN)).beyond(0.001),
-    )
+    pivot = (0, plan.deep / 2 + _PIVOT, plan.low)
+    free = ((latches[0] > _OPEN) & (latches[1] > _OPEN)).beyond(0.001)
+    hinge = ag.Revolute("lid_hinge", axis=-ag.X, pivot=pivot, limits=(0, opens), feel=feel.HINGE, needs=free)
     front = -plan.deep / 2
     tab = ag.Region((-0.028, 0.028), (front - 0.0115, front + 0.003), (plan.low + 0.003, plan.low + 0.008))
     lip = tab.box(bevel=0.0012)
@@ -304,16 +301,9 @@ def _latch(plan: _Plan, name: str) -> tuple[Fitting, ag.Joint]:
     tab = ag.Region((-0.6 * half, 0.6 * half), (-0.0140, -0.0085), (0.020, 0.032)).box(bevel=0.0016)
     hold = ag.grasp_on(plate, approach=ag.Y, closing=ag.X, at=(0, -0.0084, 0.002), depth=0.004)
     latch = ag.part(ag.union(plate, lip, barrel, tab), "latch", plan.metal, name=f"latch{name}", grasp=hold)
+    clicks = feel.detents((0.0, 1.9), 0.35)
     turn = ag.Revolute(
-        f"latch_turn{name}",
-        axis=ag.X,
-        pivot=axle,
-        limits=(0, 1.9),
-        detents=feel.detents((0.0, 1.9), 0.35),
-        friction=0.12,
-        damping=0.004,
-        armature=2e-5,
-        effort=5.0,
+        f"latch_turn{name}", axis=ag.X, pivot=axle, limits=(0, 1.9), detents=clicks, feel=_LATCH
     )
     return Fitting.moving(latch, turn, fixed=fixed), turn
 
@@ -331,16 +321,7 @@ def _handle(plan: _Plan) -> Fitting:
         bevel=0.0012
     )
     fixed = ag.part([ear, ear.mirror(ag.X)], "hinge", plan.metal)
-    turn = ag.Revolute(
-        "handle_turn",
-        axis=-ag.X,
-        pivot=(0, -0.0062, 0),
-        limits=(0, 1.5),
-        friction=0.05,
-        damping=0.005,
-        armature=1e-4,
-        effort=8.0,
-    )
+    turn = ag.Revolute("handle_turn", axis=-ag.X, pivot=(0, -0.0062, 0), limits=(0, 1.5), feel=_HANDLE)
     return Fitting.moving(handle, turn, fixed=fixed)
 
 
@@ -364,13 +345,8 @@ def _pull(plan: _Plan) -> Fitting:
     )
     key = cap.box(bevel=0.0012)
     button = ag.part(key, "button", plan.metal, push=ag.push_on(key, direction=-ag.X))
-    press = ag.Prismatic(
-        "button_press",
-        axis=-ag.X,
-        limits=(0, 0.003),
-        spring=ag.Spring(preload=2.0, force=6.0),
-        feel=feel.SWITCH,
-    )
+    spring = ag.Spring(preload=2.0, force=6.0)
+    press = ag.Prismatic("button_press", axis=-ag.X, limits=(0, 0.003), spring=spring, feel=feel.SWITCH)
     slide = ag.Prismatic(
         "pull_slide", axis=ag.X, limits=(0, travel), friction=25.0, damping=20.0, effort=150.0
     )

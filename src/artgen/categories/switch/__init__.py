@@ -54,6 +54,9 @@ _BOARDS = ag.choice(
 _KEYS = ag.choice(ag.colored("abs", "white"), "black_abs", ag.colored("abs", "cream"), weights=(4, 2, 1))
 _YELLOW = ag.colored("abs", "mustard").with_(name="signal_yellow", base_color=(0.85, 0.62, 0.03))
 _RED = ag.colored("abs", "red").with_(name="signal_red", base_color=(0.62, 0.02, 0.02))
+_TOGGLE = feel.Feel(friction=0.004, damping=0.01, armature=1e-5, effort=1.0)
+_ROCKER = feel.Feel(friction=0.004, damping=0.02, armature=1e-5, effort=1.2)
+_STOP = feel.Feel(friction=1.0, damping=60.0, armature=0.05, effort=60.0)
 
 
 @ag.category(labels="board foot plate screw rocker toggle dial box stop collar print led", joints=(1, 3))
@@ -162,16 +165,9 @@ def _rockers(
                 proud=0.0004,
             )
             rocker = ag.weld(rocker, film.rotate(ag.X, _TILT, about=pivot))
+        snap = _snap(2 * _TILT, force * high / 2)
         tilt = ag.Revolute(
-            "rocker_tilt",
-            axis=-ag.X,
-            pivot=pivot,
-            limits=(0, 2 * _TILT),
-            detents=_snap(2 * _TILT, force * high / 2),
-            friction=0.004,
-            damping=0.02,
-            armature=1e-5,
-            effort=1.2,
+            "rocker_tilt", axis=-ag.X, pivot=pivot, limits=(0, 2 * _TILT), detents=snap, feel=_ROCKER
         )
         moving = Fitting.moving(rocker, tilt).suffixed(f"_{gang}").at((gang - (gangs - 1) / 2) * pitch)
         cover = cover.install(Fitting(moving.body, window.box() if gang == 0 else None))
@@ -190,16 +186,9 @@ def _toggle(plate: Plate, force: ag.Scalar, face: ag.Material, key: ag.Material)
     reach = _FACE + length - 0.002
     hold = ag.grasp_on(off, approach=ag.Y, closing=ag.X, depth=0.012)
     lever = ag.part(off, "toggle", key, grasp=hold)
+    snap = _snap(2 * _SWING, force * (reach + 0.004))
     tilt = ag.Revolute(
-        "toggle_tilt",
-        axis=-ag.X,
-        pivot=pivot,
-        limits=(0, 2 * _SWING),
-        detents=_snap(2 * _SWING, force * (reach + 0.004)),
-        friction=0.004,
-        damping=0.01,
-        armature=1e-5,
-        effort=1.0,
+        "toggle_tilt", axis=-ag.X, pivot=pivot, limits=(0, 2 * _SWING), detents=snap, feel=_TOGGLE
     )
     words = [
         details.printed(details.lettering((word,), 0.0032), (0, -_FACE, z), material=controls.ink_on(face))
@@ -245,16 +234,7 @@ def _stop(force: ag.Scalar, face: ag.Material, key: ag.Material) -> Fitting:
     shaft = ag.cylinder(0.0095, out + 0.02, axis=ag.Y).at(y=-deep - out / 2 + 0.009)
     hold = ag.grasp_on(head, approach=ag.Y, closing=ag.X, depth=0.012)
     pressed = ag.part(head | shaft, "stop", key, grasp=hold, push=ag.push_on(head, direction=ag.Y))
-    slide = ag.Prismatic(
-        "stop_push",
-        axis=ag.Y,
-        limits=(0, _PUSH),
-        detents=_snap(_PUSH, force),
-        friction=1.0,
-        damping=60.0,
-        armature=0.05,
-        effort=60.0,
-    )
+    slide = ag.Prismatic("stop_push", axis=ag.Y, limits=(0, _PUSH), detents=_snap(_PUSH, force), feel=_STOP)
     ring = ag.tube(0.0165, 0.0099, 0.003, axis=ag.Y, bevel=0.0008).at(y=-deep - 0.0013)
     words = details.printed(
         details.lettering(("EMERGENCY STOP",), 0.0036, tracking=0.1),

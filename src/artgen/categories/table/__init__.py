@@ -16,6 +16,7 @@ import math
 from typing import Literal
 
 import artgen as ag
+from artgen import feel
 from artgen.categories.shared import controls, furniture, require_suited
 from artgen.categories.shared.finish import colors
 from artgen.categories.shared.pulls import bar_pull, cup_pull, knob_pull
@@ -32,6 +33,8 @@ _BAY = 0.115  # height of the case of drawers [m]
 _APRON = 0.105  # height of the frame under a drop-leaf top [m]
 _REST = 0.0012  # distance of a raised leaf from its supports [m]
 _STEEL = ag.shades(*colors("powder_coat", "black white light_grey graphite"), color=0.03)
+_LEAF = feel.Feel(damping=0.3, friction=0.2, effort=20.0)
+_SUPPORT = feel.Feel(friction=3.0, damping=5.0, effort=60.0)
 
 
 @ag.category(
@@ -115,14 +118,8 @@ def table(
         left, right = spread[column] + 0.016, spread[column + 1]
         bay = ag.Region((left, right), (case.front, case.behind), (case.floor, case.ceiling))
         pull = handle(finish=metal, name="drawer_handle", **({"room": right - left} if grip == "bar" else {}))
-        slide = ag.Prismatic(
-            "drawer_slide",
-            axis=-ag.Y,
-            limits=(0, share * bay.y.size),
-            friction=friction,
-            damping=8.0,
-            effort=80.0,
-        )
+        drag = feel.Feel(friction=friction, damping=8.0, effort=80.0)
+        slide = ag.Prismatic("drawer_slide", axis=-ag.Y, limits=(0, share * bay.y.size), feel=drag)
         body = body.install(Fitting.moving(_drawer(bay, finish, pull), slide).suffixed(f"_{column}"))
     return body
 
@@ -185,14 +182,9 @@ def _drop_leaf(
     for way, name in ((1, "right"), (-1, "left")):
         board, grip, inner = (each if way > 0 else each.mirror(ag.X) for each in (flap, knob, tongue))
         hold = ag.grasp_on(board, approach=ag.Z, closing=ag.X, depth=0.025)
+        pivot = (way * axle.x, 0, axle.z)
         turn = ag.Revolute(
-            f"leaf_hinge_{name}",
-            axis=-way * ag.Y,
-            pivot=(way * axle.x, 0, axle.z),
-            limits=(0, raised),
-            damping=0.3,
-            friction=0.2,
-            effort=20.0,
+            f"leaf_hinge_{name}", axis=-way * ag.Y, pivot=pivot, limits=(0, raised), feel=_LEAF
         )
         body = body.attach(ag.part(board, "leaf", finish, name=f"leaf_{name}", grasp=hold), turn)
         draw = ag.grasp_on(grip, approach=-way * ag.X, closing=ag.Y, depth=0.014)
@@ -202,14 +194,10 @@ def _drop_leaf(
             ),
             ag.part(inner, "support", ag.material("beech")),
         )
+        limits = (0, ag.min_(0.62 * bar.x.size, 0.30))
+        free = (turn > raised - 0.004).beyond(0.0155)
         slide = ag.Prismatic(
-            f"support_slide_{name}",
-            axis=way * ag.X,
-            limits=(0, ag.min_(0.62 * bar.x.size, 0.30)),
-            friction=3.0,
-            damping=5.0,
-            effort=60.0,
-            needs=(turn > raised - 0.004).beyond(0.0155),
+            f"support_slide_{name}", axis=way * ag.X, limits=limits, feel=_SUPPORT, needs=free
         )
         body = body.attach(support, slide)
     return body
@@ -293,14 +281,6 @@ def _standing(
             key.suffixed(f"_{name}"),
             at=(width / 2 - 0.20 + place, -depth / 2 + 0.004, height - thick - 0.013),
         )
-    lift = ag.Prismatic(
-        "top_lift",
-        axis=ag.Z,
-        limits=(0, travel),
-        damping=400.0,
-        friction=1.5 * top.mass() * 9.81,
-        effort=1200.0,
-        velocity=0.038,
-        driven="two motors",
-    )
+    drag = feel.Feel(damping=400.0, friction=1.5 * top.mass() * 9.81, effort=1200.0, velocity=0.038)
+    lift = ag.Prismatic("top_lift", axis=ag.Z, limits=(0, travel), feel=drag, driven="two motors")
     return base.attach(top, lift)

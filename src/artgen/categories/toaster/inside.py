@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from typing import Literal, NamedTuple
 
 import artgen as ag
+from artgen import feel
 from artgen.categories.toaster.plan import Plan
 from artgen.nodes.fitting import Fitting
 
@@ -133,16 +134,10 @@ def lever_slide(name: str, travel: ag.Scalar, force: ag.Scalar, damping: ag.Scal
 
     The spring of a toaster lifts the carriage with bread (about 0.15 kg), and needs 10-25 N at the bottom.
     """
-    return ag.Prismatic(
-        name,
-        axis=-ag.Z,
-        limits=(0.0, travel),
-        spring=ag.Spring(preload=0.42 * force, force=force),  # 4-10 N, more than the weight of 1-3 N
-        damping=damping,
-        friction=0.4,  # friction of the carriage on its guide rod
-        armature=0.02,  # inertia of the spring
-        effort=45.0,
-    )
+    spring = ag.Spring(preload=0.42 * force, force=force)  # 4-10 N, more than the weight of 1-3 N
+    # friction of the carriage on its guide rod, and inertia of the spring
+    drag = feel.Feel(damping=damping, friction=0.4, armature=0.02, effort=45.0)
+    return ag.Prismatic(name, axis=-ag.Z, limits=(0.0, travel), spring=spring, feel=drag)
 
 
 def carriage(
@@ -226,13 +221,7 @@ def crumb_tray(plan: Plan, way: TrayWay, finish: ag.Material, friction: ag.Scala
         ag.part(tab, "crumb_tray", finish, grasp=hold, name="crumb_tray"),
         ag.part(rib, "crumb_tray", finish),
     )
-    slide = ag.Prismatic(
-        "crumb_tray_slide",
-        axis=ag.Y,
-        limits=(0.0, 0.8 * tray.y.size),
-        friction=friction,
-        damping=2.0,
-        effort=20.0,
-    )
+    drag = feel.Feel(friction=friction, damping=2.0, effort=20.0)
+    slide = ag.Prismatic("crumb_tray_slide", axis=ag.Y, limits=(0.0, 0.8 * tray.y.size), feel=drag)
     fitting = Fitting.moving(body, slide, cut=hole.box())
     return fitting if way == "back" else fitting.rotate(ag.Z, -math.pi / 2)

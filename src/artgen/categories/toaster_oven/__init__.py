@@ -22,7 +22,7 @@ import math
 from typing import Literal, NamedTuple
 
 import artgen as ag
-from artgen import details
+from artgen import details, feel
 from artgen.categories.shared import controls
 from artgen.categories.shared.appliances import DARK, cord_stub, filled, grip_metals
 from artgen.categories.shared.baskets import rack_slide
@@ -67,6 +67,7 @@ _FINISH = ag.by(
     black=ag.shades("black_abs", "glossy_plastic_black", ag.colored("abs", "graphite"), color=0.03),
     pastel=ag.shades(*colors("glossy_plastic", "cream mint red sage sky navy"), color=0.04),
 )
+_BASKET = feel.Feel(friction=0.4, damping=3.0, effort=40.0)
 
 
 class _Dials(NamedTuple):
@@ -355,17 +356,10 @@ def _door(
     )
     arm = 0.55 * leaf.z.size
     moment = _GRAVITY * door.mass() * arm
+    at = (leaf.x.mid, leaf.y.high - 0.004, axle)
+    drag = feel.Feel(friction=0.45 * moment, damping=0.3, effort=9.0, velocity=4.0)
     hinge = ag.Revolute(
-        "door_hinge",
-        axis=ag.X,
-        pivot=(leaf.x.mid, leaf.y.high - 0.004, axle),
-        limits=(0, swing),
-        stiffness=0.75 * moment,
-        rest=-0.25,
-        friction=0.45 * moment,
-        damping=0.3,
-        effort=9.0,
-        velocity=4.0,
+        "door_hinge", axis=ag.X, pivot=at, limits=(0, swing), stiffness=0.75 * moment, rest=-0.25, feel=drag
     )
     return door, hinge
 
@@ -507,15 +501,8 @@ def _drawer(bay: ag.Region, finish: ag.Material, made: _Dials, pull: ag.Scalar, 
         "drawer_slide", axis=-ag.Y, limits=(0, travel), friction=pull, damping=8.0, effort=60.0
     )
     inside = box.shrink(x=0.006, front=0.007, back=0.006, bottom=0.012, top=-0.004)
-    lift = ag.Prismatic(
-        "basket_lift",
-        axis=ag.Z,
-        limits=(0, box.z.size + 0.02),
-        friction=0.4,
-        damping=3.0,
-        effort=40.0,
-        needs=(slide > deep + 0.024).beyond(0.002),
-    )
+    free = (slide > deep + 0.024).beyond(0.002)
+    lift = ag.Prismatic("basket_lift", axis=ag.Z, limits=(0, box.z.size + 0.02), feel=_BASKET, needs=free)
     return Fitting.moving(drawer.attach(_basket(inside), lift), slide)
 
 

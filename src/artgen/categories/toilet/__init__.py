@@ -44,6 +44,7 @@ _DENSITY = {"coupled": 480.0, "one_piece": 330.0, "hung": 480.0}
 _UREA = ag.material("glossy_plastic_white").with_(name="seat_plastic", density=1500.0)
 _WATER = ag.material("glass").with_(name="bowl_water", base_color=(0.72, 0.80, 0.82), opacity=0.45)
 _METALS = ag.shades("chrome", "satin_nickel", "satin_brass", "powder_coat_black", weights=(5, 2, 1, 1))
+_FLUSH = feel.Feel(damping=0.01, friction=0.03, armature=2e-4, effort=4.0)
 
 
 @dataclass(frozen=True)
@@ -253,14 +254,7 @@ def _lever(metal: ag.Material) -> Fitting:
     press = ag.push_on(blade, direction=-ag.Z, at=(0.066, -0.0155, 0.005))
     lever = ag.part(hub | blade, "lever", metal, push=press, name="flush")
     turn = ag.Revolute(
-        "flush_turn",
-        axis=ag.Y,
-        limits=(0, 0.45),
-        spring=ag.Spring(preload=0.25, force=0.7),
-        damping=0.01,
-        friction=0.03,
-        armature=2e-4,
-        effort=4.0,
+        "flush_turn", axis=ag.Y, limits=(0, 0.45), spring=ag.Spring(preload=0.25, force=0.7), feel=_FLUSH
     )
     return Fitting.moving(lever, turn, fixed=boss)
 

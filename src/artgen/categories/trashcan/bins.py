@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 import artgen as ag
-from artgen import details
+from artgen import details, feel
 from artgen.categories.shared import recycling
 from artgen.categories.shared.finish import casting
 from artgen.categories.shared.fixings import feet
@@ -293,16 +293,10 @@ def with_bucket(
         bucket = ag.weld(bucket, _loop(can, material))
     elif design.carry == "bail":
         bucket = _with_bail(bucket, can, needs)
-    slide = ag.Prismatic(
-        "bucket_slide",
-        axis=ag.Z,
-        limits=(0.0, travel),
-        friction=0.15,  # friction at the wall; a lid that leans on the bucket must not hold it up
-        damping=2.0,
-        # force of a hand that lifts the bucket but cannot force the lid open
-        effort=1.1 * GRAVITY * bucket.mass() + 1.0,
-        needs=needs,
-    )
+    # friction at the wall: a lid that leans on the bucket must not hold it up; force of a hand that lifts
+    # the bucket but cannot force the lid open
+    drag = feel.Feel(friction=0.15, damping=2.0, effort=1.1 * GRAVITY * bucket.mass() + 1.0)
+    slide = ag.Prismatic("bucket_slide", axis=ag.Z, limits=(0.0, travel), feel=drag, needs=needs)
     return body.attach(bucket, slide)
 
 
@@ -335,16 +329,10 @@ def _with_bail(bucket: ag.Body, can: Can, needs: ag.Condition | None) -> ag.Body
     eyes = pair(ag.cylinder(0.004, outer - inner, axis=ag.X), (inner + outer) / 2, z=z)
     weight = GRAVITY * bail.mass() * -bail.center_of_mass().y
     strikes = 0.9 * (GAP + LOWER) / -y  # just below the angle at which the bail strikes a part above the rim
-    hinge = ag.Revolute(
-        "handle_hinge",
-        axis=-ag.X,
-        pivot=(0, 0, z),
-        limits=(0.0, 1.5),
-        friction=1.2 * weight,  # the bail stays up: its bent ends grip the eyes
-        damping=0.01,
-        armature=0.0002,
-        effort=3.2 * weight + 0.01,  # torque that raises the bail but cannot force the lid open
-        velocity=8.0,
-        needs=None if needs is None else needs.beyond(strikes),
+    free = None if needs is None else needs.beyond(strikes)
+    # the bail stays up, as its bent ends grip the eyes; the effort raises it but cannot force the lid open
+    drag = feel.Feel(
+        friction=1.2 * weight, damping=0.01, armature=0.0002, effort=3.2 * weight + 0.01, velocity=8.0
     )
+    hinge = ag.Revolute("handle_hinge", axis=-ag.X, pivot=(0, 0, z), limits=(0.0, 1.5), feel=drag, needs=free)
     return ag.weld(bucket, ag.detail(eyes, "bucket", STEEL)).attach(bail, hinge)

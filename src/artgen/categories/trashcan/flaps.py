@@ -3,6 +3,7 @@
 from typing import Any
 
 import artgen as ag
+from artgen import feel
 from artgen.categories.trashcan.bins import FREE, LOWER, STEEL, UNDER, Design, pair, stand, with_bucket
 from artgen.categories.trashcan.pedals import PIN, Linkage
 
@@ -115,18 +116,12 @@ def butterfly_bin(design: Design, *, stepped_on: bool) -> ag.Body:
         body, pedal = flaps.linkage.stand(flaps.level, [flaps.crossbar(flaps.linkage)])
         motion = {"follows": pedal * flaps.linkage.ratio}
     body = ag.weld(body, flaps.frame())
+    drag = feel.Feel(
+        friction=design.friction, damping=design.damping, armature=0.0003, effort=5.0, velocity=8.0
+    )
     turns = []
     for side, name in ((-1, "left"), (1, "right")):
-        turn = ag.Revolute(
-            f"lid_hinge_{name}",
-            axis=side * ag.Y,
-            friction=design.friction,
-            damping=design.damping,
-            armature=0.0003,
-            effort=5.0,
-            velocity=8.0,
-            **motion,
-        )
+        turn = ag.Revolute(f"lid_hinge_{name}", axis=side * ag.Y, feel=drag, **motion)
         body = body.attach(flaps.flap(side), turn, at=(side * flaps.axis, 0, flaps.level))
         turns.append(turn)
     aside = 0.010 + flaps.reach / ag.tan(opening - _SPARE)  # distance from an axis to an open flap's tip [m]

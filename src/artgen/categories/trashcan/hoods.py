@@ -8,6 +8,7 @@ from dataclasses import replace
 from typing import Literal
 
 import artgen as ag
+from artgen import feel
 from artgen.categories.trashcan import finish
 from artgen.categories.trashcan.bins import GRAVITY, UNDER, Design, pair, stand, with_bucket
 
@@ -102,14 +103,9 @@ class _Hood:
 
     def lift(self, body: ag.Body, travel: ag.Scalar) -> ag.Joint:
         """Make the joint of a hood, which is lifted off."""
-        return ag.Prismatic(
-            f"{self.label}_lift",
-            axis=ag.Z,
-            limits=(0.0, travel),
-            friction=1.0,  # friction of the skirt on the rim
-            damping=4.0,
-            effort=1.4 * GRAVITY * body.mass() + 3.0,
-        )
+        # friction of the skirt on the rim
+        drag = feel.Feel(friction=1.0, damping=4.0, effort=1.4 * GRAVITY * body.mass() + 3.0)
+        return ag.Prismatic(f"{self.label}_lift", axis=ag.Z, limits=(0.0, travel), feel=drag)
 
     def lid(self, material: ag.Material) -> ag.Body:
         """Make the turning part of the hood, about its axis: the link `lid`."""
@@ -156,16 +152,9 @@ def hooded_bin(design: Design, kind: Turning) -> ag.Body:
     hood = _Hood(design, kind, design.lid)
     density, stiffness, damping, friction = _LIDS[kind]
     lid = hood.lid(finish.lid_of(design.lid, density))
-    turn = ag.Revolute(
-        "lid_hinge",
-        axis=ag.X,
-        limits=(-opening, opening),
-        stiffness=stiffness,
-        friction=1.5 * GRAVITY * lid.mass() * 0.45 * hood.across / 2 if kind == "ball" else friction,
-        damping=damping,
-        armature=0.0003,
-        effort=6.0,
-    )
+    holds = 1.5 * GRAVITY * lid.mass() * 0.45 * hood.across / 2 if kind == "ball" else friction
+    drag = feel.Feel(friction=holds, damping=damping, armature=0.0003, effort=6.0)
+    turn = ag.Revolute("lid_hinge", axis=ag.X, limits=(-opening, opening), stiffness=stiffness, feel=drag)
     top = hood.body().attach(lid, turn, at=(0, 0, hood.axis))
     body = stand(design, rim=False).attach(top, hood.lift(top, 0.4 * can.width))
     return body.require(

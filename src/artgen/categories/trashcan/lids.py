@@ -103,16 +103,9 @@ class Hinge:
 
     def turn(self, **options: Any) -> ag.Joint:
         """Make the joint of the lid; positive opens it."""
-        return ag.Revolute(
-            "lid_hinge",
-            axis=-ag.X,
-            pivot=(0, self.y, self.z),
-            damping=self.design.damping,
-            armature=0.001,  # inertia of the rotor of the geared damper
-            effort=12.0,
-            velocity=8.0,
-            **options,
-        )
+        # with the inertia of the rotor of the geared damper
+        drag = feel.Feel(damping=self.design.damping, armature=0.001, effort=12.0, velocity=8.0)
+        return ag.Revolute("lid_hinge", axis=-ag.X, pivot=(0, self.y, self.z), feel=drag, **options)
 
     def filled(self, body: ag.Body, turn: ag.Joint, floor: ag.Scalar, catch: float = 0.0) -> ag.Body:
         """Put a bucket into a bin; it lifts out as far as the open lid allows, with room for a catch [m]."""
@@ -251,13 +244,8 @@ def touch_bin(design: Design) -> ag.Body:
     wide, _, high = _CAP
     hole = ag.box(wide + 0.001, 0.04, high + 0.001).at(0, front, bar)
     body = ag.weld(stand(design, holes=hole), hinge.housing())
-    slide = ag.Prismatic(
-        "button_slide",
-        axis=ag.Y,
-        limits=(0.0, 0.0062),
-        spring=ag.Spring(preload=0.9, force=6.0),
-        feel=feel.SWITCH,
-    )
+    spring = ag.Spring(preload=0.9, force=6.0)
+    slide = ag.Prismatic("button_slide", axis=ag.Y, limits=(0.0, 0.0062), spring=spring, feel=feel.SWITCH)
     body = body.attach(_button(design), slide, at=(0, front, bar))
     y = front + _BACK
     blade = ag.Region.between(

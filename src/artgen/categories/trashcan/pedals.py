@@ -8,7 +8,7 @@ least, so that the rod follows both within a millimeter.
 from collections.abc import Sequence
 
 import artgen as ag
-from artgen import details
+from artgen import details, feel
 from artgen.categories.trashcan import finish
 from artgen.categories.trashcan.bins import STEEL, Design, pair, stand
 
@@ -21,6 +21,7 @@ _PLATE = 0.007  # thickness of the foot plate [m]
 _PLAY = 0.0008  # gap under the rod at rest [m]
 _SLACK = 0.0012  # gap above the rod: the pin of the crank lags behind by up to 0.4 mm [m]
 _FLOOR = 0.004  # gap under the pressed pedal [m]
+_ROD = feel.Feel(friction=0.2, damping=2.0, effort=200.0)
 
 
 class Linkage:
@@ -55,26 +56,12 @@ class Linkage:
         slot = ag.box(_SLOT, design.can.depth + 0.1, high + 0.02).at(
             z=(high - 0.02) / 2
         )  # in front and behind
-        hinge = ag.Revolute(
-            "pedal_hinge",
-            axis=ag.X,
-            limits=(0.0, self.angle),
-            spring=ag.Spring(preload=design.preload * self.front, force=design.force * self.front),
-            damping=0.15,
-            friction=0.04,
-            armature=0.002,
-            effort=90.0 * self.front,  # force of a firm step
-            velocity=6.0,
-        )
-        slide = ag.Prismatic(
-            "rod_slide",
-            axis=ag.Z,
-            pivot=(0, self.rod, 0),
-            follows=hinge * (self.lift / self.angle),
-            friction=0.2,
-            damping=2.0,
-            effort=200.0,
-        )
+        spring = ag.Spring(preload=design.preload * self.front, force=design.force * self.front)
+        # effort of a firm step
+        drag = feel.Feel(damping=0.15, friction=0.04, armature=0.002, effort=90.0 * self.front, velocity=6.0)
+        hinge = ag.Revolute("pedal_hinge", axis=ag.X, limits=(0.0, self.angle), spring=spring, feel=drag)
+        rise = hinge * (self.lift / self.angle)
+        slide = ag.Prismatic("rod_slide", axis=ag.Z, pivot=(0, self.rod, 0), follows=rise, feel=_ROD)
         body = ag.weld(stand(design, floor=self.head, holes=slot), self._bracket())
         body = body.attach(self._pedal(), hinge, at=(0, self.y, self.z))
         return body.attach(self._rod(level, more), slide), hinge

@@ -230,15 +230,8 @@ def _ball(
     )
     lever = ag.weld(lever, ag.detail(nut, "nut", _STEEL))
     run = torque * (0.6 if grip == "tee" else 0.10 * dn)
-    turn = ag.Revolute(
-        "lever_turn",
-        axis=ag.Z,
-        limits=(0, math.pi / 2),
-        friction=run,
-        damping=0.15,
-        armature=0.002,
-        effort=run + 0.5 * _RIM * reach,
-    )
+    drag = feel.Feel(friction=run, damping=0.15, armature=0.002, effort=run + 0.5 * _RIM * reach)
+    turn = ag.Revolute("lever_turn", axis=ag.Z, limits=(0, math.pi / 2), feel=drag)
     return body.attach(lever, turn)
 
 
@@ -318,15 +311,8 @@ def _gate(
     )
     diameter = _WHEEL[dn]
     wheel = _wheel(diameter, spokes, color, bore=_stem(dn) + 0.0014)
-    turn = ag.Revolute(
-        "wheel_turn",
-        axis=ag.Z,
-        limits=(0, math.tau * size / pitch),
-        friction=torque * dn / 20,
-        damping=0.1,
-        armature=0.01,
-        effort=0.5 * _RIM * diameter,
-    )
+    drag = feel.Feel(friction=torque * dn / 20, damping=0.1, armature=0.01, effort=0.5 * _RIM * diameter)
+    turn = ag.Revolute("wheel_turn", axis=ag.Z, limits=(0, math.tau * size / pitch), feel=drag)
     rise = ag.Prismatic("stem_rise", axis=ag.Z, follows=pitch / math.tau * turn, armature=1.0)
     start, end = top + 0.022, crown + 0.052
     stem = ag.cylinder_between((0, 0, start), (0, 0, end), _stem(dn))
@@ -362,16 +348,8 @@ def _globe(
     stem = ag.cylinder_between((0, 0, top + 0.020), (0, 0, level), _stem(dn))
     wheel = ag.weld(_wheel(diameter, spokes, color).at(z=level), ag.part(stem, "stem", _STEEL))
     nut = ag.extrude(ag.regular_polygon(6, 0.009), 0.007, bevel=0.0008).at(z=level + 0.0144)
-    turn = ag.Screw(
-        "wheel_turn",
-        pitch=pitch,
-        axis=ag.Z,
-        limits=(0, math.tau * lift / pitch),
-        friction=torque * dn / 20,
-        damping=0.1,
-        armature=0.02,
-        effort=0.5 * _RIM * diameter,
-    )
+    drag = feel.Feel(friction=torque * dn / 20, damping=0.1, armature=0.02, effort=0.5 * _RIM * diameter)
+    turn = ag.Screw("wheel_turn", pitch=pitch, axis=ag.Z, limits=(0, math.tau * lift / pitch), feel=drag)
     return body.attach(ag.weld(wheel, ag.detail(nut, "nut", _STEEL)), turn)
 
 
@@ -432,16 +410,9 @@ def _butterfly(dn: int, torque: ag.Scalar, paint: ag.Material, color: ag.Materia
         ag.part(shaft, "stem", _STEEL),
     )
     run = torque * 0.07 * dn
-    turn = ag.Revolute(
-        "lever_turn",
-        axis=ag.Z,
-        limits=(0, math.pi / 2),
-        detents=feel.detents(tuple(math.pi / 18 * at for at in range(10)), 0.4 * run),
-        friction=0.6 * run,
-        damping=0.2,
-        armature=0.005,
-        effort=run + 0.5 * _RIM * reach,
-    )
+    clicks = feel.detents(tuple(math.pi / 18 * at for at in range(10)), 0.4 * run)
+    drag = feel.Feel(friction=0.6 * run, damping=0.2, armature=0.005, effort=run + 0.5 * _RIM * reach)
+    turn = ag.Revolute("lever_turn", axis=ag.Z, limits=(0, math.pi / 2), detents=clicks, feel=drag)
     return body.attach(lever, turn)
 
 
@@ -490,16 +461,10 @@ def _panel(
             ag.part(shaft, "stem", _STEEL),
             ag.detail(flutes, "knob", color),
         )
+        pivot = (x, 0, level)
+        drag = feel.Feel(friction=0.08 * torque, damping=0.005, armature=2e-4, effort=1.5)
         turn = ag.Screw(
-            f"knob_turn_{at}",
-            pitch=0.0009,
-            axis=-ag.Y,
-            pivot=(x, 0, level),
-            limits=(0, math.tau * 4),
-            friction=0.08 * torque,
-            damping=0.005,
-            armature=2e-4,
-            effort=1.5,
+            f"knob_turn_{at}", pitch=0.0009, axis=-ag.Y, pivot=pivot, limits=(0, math.tau * 4), feel=drag
         )
         body = body.attach(knob, turn)
     mark = details.printed(details.logo(maker, 0.005), (0, 0, 0.028), material=controls.LIGHT_INK)

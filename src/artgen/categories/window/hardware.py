@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from typing import Literal
 
 import artgen as ag
-from artgen import details
+from artgen import details, feel
 from artgen.categories.shared.pulls import bar_pull
 
 BARREL = 0.0065
@@ -191,15 +191,8 @@ def sash_lock(*, friction: ag.Scalar, finish: ag.Material) -> tuple[ag.Body, ag.
     tongue = ag.hull(root.box(), tip.box())
     cam = ag.part(ag.union(hub, tongue, arm), "lock", finish, name="lock", grasp=hold)
     # moves the arm from the left, above the inside, to the right
-    turn = ag.Revolute(
-        "lock_turn",
-        axis=-ag.Z,
-        limits=(0, math.pi),
-        friction=friction,
-        damping=0.02,
-        armature=0.0002,
-        effort=5,
-    )
+    drag = feel.Feel(friction=friction, damping=0.02, armature=0.0002, effort=5)
+    turn = ag.Revolute("lock_turn", axis=-ag.Z, limits=(0, math.pi), feel=drag)
     return ag.weld(ag.part(base, "lock", finish), *screws), cam, turn
 
 

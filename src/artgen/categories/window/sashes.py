@@ -11,6 +11,7 @@ from itertools import pairwise
 from typing import Literal
 
 import artgen as ag
+from artgen import feel
 from artgen.categories.shared.fronts import Opening, panes_in
 from artgen.categories.window import frame, hardware
 from artgen.categories.window.frame import SEALED, STOP, STRIP, Draft, ring_of
@@ -52,6 +53,7 @@ _LOCK_MEETS = (
     "the lock of a narrow sash would strike its keeps as it opens: raise width, or height of an awning"
 )
 _PULL_MEETS = "the pull has no room between its latch and the strip at the head: lower bar or raise height"
+_HANDLE = feel.Feel(damping=0.05, armature=0.0008, effort=12)  # held by the detents of its gear
 
 
 def _panes(draft: Draft, width: ag.Scalar, height: ag.Scalar, thickness: ag.Scalar) -> list[ag.Body]:
@@ -170,13 +172,7 @@ def _hung(
         -1 if inward else 1, style=swing.lever, length=swing.length, finish=metal
     )
     turn = ag.Revolute(
-        "handle_turn",
-        axis=ag.Y,  # held by the detents of its gear
-        limits=(0, swing.turn),
-        friction=draft.friction,
-        damping=0.05,
-        armature=0.0008,
-        effort=12,
+        "handle_turn", axis=ag.Y, limits=(0, swing.turn), friction=draft.friction, feel=_HANDLE
     )
     slide = ag.Prismatic("bolt_slide", axis=ag.Z, follows=hardware.CAM_TRAVEL * turn, damping=2)
     reach = ag.min_(0.30, tall / 2 - 0.09)
@@ -184,16 +180,9 @@ def _hung(
     sash = ag.weld(_lipped_sash(draft, width, tall), on_sash, rose.at(at))
     sash = sash.attach(lever, turn, at=at).attach(rod, slide)
     limit, friction = _falling(sash, swing, width, x) if falls else (swing.limit, swing.friction)
-    hinge = ag.Revolute(
-        "pane_hinge",
-        axis=-ag.Z,
-        pivot=(x, y, 0.0),
-        limits=(0, limit),
-        friction=friction,
-        damping=swing.damping,
-        velocity=6,
-        needs=(turn > hardware.RELEASED).until(passed),
-    )
+    free = (turn > hardware.RELEASED).until(passed)
+    drag = feel.Feel(friction=friction, damping=swing.damping, velocity=6)
+    hinge = ag.Revolute("pane_hinge", axis=-ag.Z, pivot=(x, y, 0.0), limits=(0, limit), feel=drag, needs=free)
     body = ag.weld(on_frame, keeps).attach(sash, hinge)
     if not inward:
         stop = STOP if swing.solid else 0.0
@@ -244,14 +233,9 @@ def _sliding_pair(draft: Draft, long: ag.Scalar, start: float, bar: ag.Scalar, d
     place = ag.Region((start, middle + face / 2), (section.inner, section.inner), z).shrink(z=_TRACK)
     fixed = ag.Region((middle - face / 2, long), (section.outer, section.outer), z)
     sash = ag.weld(_plain_sash(draft, place), pull, case.at(at)).attach(slider.at(at), lift)
-    slide = ag.Prismatic(
-        "pane_slide",
-        axis=ag.X,
-        limits=(0, middle - face / 2 - _TRACK - 0.002),
-        friction=drag,
-        damping=8,
-        needs=(lift > hardware.LATCH_FREE).until(hardware.LATCH_PASSED),
-    )
+    limits = (0, middle - face / 2 - _TRACK - 0.002)
+    free = (lift > hardware.LATCH_FREE).until(hardware.LATCH_PASSED)
+    slide = ag.Prismatic("pane_slide", axis=ag.X, limits=limits, friction=drag, damping=8, needs=free)
     fixed = fixed.grow(right=_LET_IN, z=_LET_IN)
     return ag.weld(keep.at(at), _plain_sash(draft, fixed)).attach(sash, slide)
 

@@ -3,6 +3,7 @@
 from typing import Literal
 
 import artgen as ag
+from artgen import feel
 from artgen.categories.shared.fronts import Opening, slats_in
 from artgen.categories.window import hardware
 from artgen.categories.window.frame import SEAM
@@ -43,16 +44,8 @@ def hang_shutters(
     boards = (_louvred if style == "louvred" else _boarded)(leaf, slats, finish)
     pull = hardware.bow_pull(length=0.12, girth=0.0048, finish=metal)
     pull = pull.at(edge - _STILE / 2, leaf.y.low, leaf.z.mid)
-    hinge = ag.Revolute(
-        "shutter_hinge",
-        axis=-ag.Z,
-        pivot=(x, y, 0.0),
-        limits=(0, swing),
-        friction=friction,
-        damping=0.4,
-        effort=60,
-        velocity=6,
-    )
+    drag = feel.Feel(friction=friction, damping=0.4, effort=60, velocity=6)
+    hinge = ag.Revolute("shutter_hinge", axis=-ag.Z, pivot=(x, y, 0.0), limits=(0, swing), feel=drag)
     body = ag.weld(body, on_frame, on_frame.mirror(ag.X))
     return body.attach_pair(ag.weld(*boards, pull, on_leaf), hinge, suffixes=("_left", "_right"))
 
