@@ -316,10 +316,14 @@ def test_a_kitchen_is_proven() -> None:
         [
             ("bathroom", {"bathtub_basin", "sink_spout", "washing_machine_body", "soap_dispenser_body"}),
             ("office", {"drawer_body", "lamp_base", "sideboard_body", "window_frame"}),
+            (
+                "living_room",
+                {"recliner_0_back", "table_drawer", "cabinet_1_body", "fan_base", "screen_screen"},
+            ),
             ("workshop", {"drawer_body", "cabinet_body", "trashcan_body", "box_lid"}),
             ("hall", {"door_frame", "door_1_frame", "door_2_frame", "drawer_body", "mirror_mirror"}),
         ],
-        4,
+        5,
         1,
     ),
 )
@@ -619,7 +623,10 @@ def test_a_room_is_seen_over_its_open_side(loose: Asset) -> None:
         (("hall", "--set", "width=2.4m"), "it must be a number. Write the number alone, in m: 2.4"),
         (("hall", "--width", "2", "--set", "width=2"), "width is set twice"),
         (("hall", "--layout", "round"), "there is no layout 'round'. Allowed: flat"),
-        (("sauna",), "there is no room 'sauna'; choose from bathroom, hall, kitchen, office, workshop"),
+        (
+            ("sauna",),
+            "there is no room 'sauna'; choose from bathroom, hall, kitchen, living_room, office, workshop",
+        ),
     ],
 )
 def test_wrong_options_of_a_scene_are_one_line(

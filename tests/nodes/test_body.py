@@ -344,3 +344,16 @@ def test_repeat_takes_a_fitting_with_its_joints_and_holes() -> None:
 def test_copies_on_the_axis_of_the_turn_have_no_direction() -> None:
     with pytest.raises(EvaluationError, match=r"point 1 of at= lies on the axis around="):
         value(block("a").repeat(block("b"), turn("c"), at=[(1, 0, 0), (0, 0, 0), (-1, 0, 0)], around=Z))
+
+
+NAMED = [("drawer", "drawer"), ("drawer_2", "drawer"), ("tray", "handle")]
+
+
+@pytest.mark.parametrize(("name", "label"), NAMED)
+def test_a_link_has_the_label_of_its_name_if_one_of_its_solids_has_it(name: str, label: str) -> None:
+    steel = material("steel")
+    handle = part(box(0.1, 0.02, 0.02), "handle", steel, name=name)
+    made = asset(weld(handle, part(box(0.3, 0.3, 0.1).at(y=0.15), "drawer", steel)))
+    link = made.links[0]
+    assert (link.name, link.label) == (name, label)
+    assert link.labels == tuple(dict.fromkeys((label, "handle", "drawer")))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import partial
@@ -178,10 +179,13 @@ def _weld(bodies: tuple[Tree, ...]) -> Tree:
     if not bodies:
         raise ValueError("weld needs at least one body")
     first = bodies[0].link
+    pieces = tuple(piece for body in bodies for piece in body.link.pieces)
+    names = (first.name, re.sub(r"(_(\d+|left|right))+$", "", first.name), first.label)
+    labels = {piece.label for piece in pieces} | {first.label}
     link = Link(
         first.name,
-        first.label,
-        tuple(piece for body in bodies for piece in body.link.pieces),
+        next(name for name in names if name in labels),  # a handle may name the link of a drawer
+        pieces,
         tuple(grasp for body in bodies for grasp in body.link.grasps),
         "; ".join(dict.fromkeys(body.link.separate for body in bodies if body.link.separate)),
         tuple(push for body in bodies for push in body.link.pushes),

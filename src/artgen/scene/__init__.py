@@ -6,6 +6,9 @@ valid states, simulation. `Scene` places assets one after another; `kitchen` dra
 
 from artgen.scene.kitchens import kitchen
 from artgen.scene.room import Placement, Scene, Wall
-from artgen.scene.rooms import ROOMS, Room, bathroom, hall, office, workshop
+from artgen.scene.rooms import ROOMS, Room, bathroom, hall, living_room, office, workshop
 
-__all__ = ["ROOMS", "Placement", "Room", "Scene", "Wall", "bathroom", "hall", "kitchen", "office", "workshop"]
+__all__ = [
+    "ROOMS", "Placement", "Room", "Scene", "Wall", "bathroom", "hall", "kitchen", "living_room", "office",
+    "workshop",
+]  # fmt: skip

@@ -41,7 +41,7 @@ _WORKTOPS = ("granite", "black_granite", "marble", "oak", "walnut", "beech")
 _GRIPS = ("bar", "bar", "knob", "cup")  # handles that doors and drawers have
 _BOARDS = tuple(material(f"{wood}_boards") for wood in ("oak", "ash", "walnut"))
 _TILES = (material("floor_tiles"), *(colored("floor_tiles", color) for color in ("sand", "slate")))
-_FLOORS = {"office": _BOARDS, "bathroom": _TILES, "workshop": _TILES}
+_FLOORS = {"living_room": _BOARDS, "office": _BOARDS, "bathroom": _TILES, "workshop": _TILES}
 _WALLS = {
     "bathroom": (material("wall_tiles"), *(colored("wall_tiles", color) for color in ("cool_white", "sage")))
 }
@@ -164,12 +164,21 @@ class Furnisher:
         left, right = ((frame @ (x, -distance, 0.0, 1.0))[:2].tolist() for x in (0.0, length))
         return (left[0], left[1]), (right[0], right[1])
 
-    def chair(self, name: str, x: float, y: float, **values: Any) -> None:
-        """Stand a chair at a place of the room as a free object, turned to the back wall or nearly so."""
-        facing = turned(math.pi + self.uniform(-0.6, 0.6))
-        self.room.add(
-            "chair", translation(np.array([x, y, STANDING])) @ facing, free=True, name=name, **values
-        )
+    def stand(
+        self,
+        category: str,
+        name: str,
+        x: float,
+        y: float,
+        *,
+        sway: float = 0.0,
+        free: bool = True,
+        **values: Any,
+    ) -> Placement:
+        """Stand an asset at a place of the room, facing the back wall or aside by up to an angle [rad]."""
+        facing = turned(math.pi + (self.uniform(-sway, sway) if sway else 0.0))
+        pose = translation(np.array([x, y, STANDING])) @ facing
+        return self.room.add(category, pose, name=name, **{"free": True, **values})
 
     def lay(
         self, outline: list[Span], holes: list[Hole], wall: Wall | Line | None, under: float = UNDER

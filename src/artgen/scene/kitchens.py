@@ -233,10 +233,10 @@ class _Kitchen(Furnisher):
         self.board("panel", line, (0.0, length), (0.0, 0.02), (0.0, UNDER))
         if away and self.depth + y - _BAR > _STOOLS:
             # a back would meet the bar
-            alike = {"style": "bar", "backed": False, "height": 0.64, "width": 0.36}
+            alike: dict[str, Any] = {"style": "bar", "backed": False, "height": 0.64, "width": 0.36}
             alike |= {"cover": self.choice("oak", "walnut", "black_leather"), "metal": "chrome"}
             for number, share in enumerate((-0.25, 0.25)):
-                self.chair(f"stool_{number}", share * length, y - _BAR - 0.25, **alike)
+                self.stand("chair", f"stool_{number}", share * length, y - _BAR - 0.25, sway=0.6, **alike)
         return _Row(line, 0.0, length, [0, *items, 1] if items else [0], island=True)
 
     def _corner(self, side: Wall) -> None:

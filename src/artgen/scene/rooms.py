@@ -1,4 +1,4 @@
-"""Bathrooms, offices, corners of workshops, and halls, each drawn from a seed; and all rooms by name."""
+"""Bathrooms, offices, living rooms, workshops and halls, each drawn from a seed; and all rooms by name."""
 
 from collections.abc import Callable, Mapping
 from contextlib import suppress
@@ -60,6 +60,17 @@ def office(
     a window and a door. The arguments and errors are those of `bathroom`.
     """
     return _room("office", _office, ((2.9, 3.8), (2.6, 3.3)), seed, (width, depth), detail)
+
+
+def living_room(
+    seed: int = 0, *, width: float | None = None, depth: float | None = None, detail: DetailName = "full"
+) -> Asset:
+    """Return a living room, proven free of collisions in all states of all its joints.
+
+    It has one or two recliners with a side table before a screen, low units, a glass cabinet, a floor lamp, a
+    fan, boxes, a bottle, a window and a door. The arguments and errors are those of `bathroom`.
+    """
+    return _room("living_room", _living_room, ((3.5, 4.3), (3.3, 4.0)), seed, (width, depth), detail)
 
 
 def workshop(
@@ -205,7 +216,41 @@ def _office(here: Furnisher) -> None:
     room.against(sides[1], "trashcan", at=0.85 if flip else depth - 1.17, style="open", size="medium")
     # a chair faces the desk; it turns, with its back tilted, clear of the desk and of open drawers
     knees = start + 0.5 * desk + (0.0 if two else -0.21 if flip else 0.21)
-    here.chair("chair", knees - 0.5 * width, -1.85 if two else -1.3, style="office")
+    here.stand("chair", "chair", knees - 0.5 * width, -1.85 if two else -1.3, sway=0.6, style="office")
+
+
+def _living_room(here: Furnisher) -> None:
+    room, width, depth = here.room, here.width, here.depth
+    flip = here.choice(True, False)  # whether the door is on the left
+    sides: tuple[Wall, Wall] = ("left", "right") if flip else ("right", "left")
+    start, unit = 0.5 * width - 0.9, 0.9 - 0.5 * GAP
+    low: dict[str, Any] = {"high": 0.56, "depth": 0.40}
+    doors = here.unit("back", start, unit, doors=True, **low)
+    drawers = here.unit("back", start + unit + GAP, unit, doors=False, rows=2, **low)
+    room.on(doors, "bottle", at=0.05, deep=0.5, free=True, style="stopper")
+    _box_on(here, drawers, 0.95, 0.5)
+    screen = (0.5 * width - 0.56, 0.5 * width + 0.56)
+    here.board("screen", "back", screen, (-0.048, -0.012), (0.95, 1.58), material("black_glass"))
+    # recliners face the screen, with the table beside them
+    two = width > 3.8 and here.choice(True, True, False)
+    middle = here.uniform(-0.05, 0.05)
+    table = here.stand("table", "table", middle, -2.1, free=False, style="side", width=0.45, depth=0.45)
+    _box_on(here, table, 0.5, 0.6)
+    cover = here.choice("leather", "black_leather", "cream_leather", "velvet", "linen")
+    looks = {"style": "recliner", "cover": cover, "arms": here.choice("block", "rolled", "wood")}
+    for number, side in enumerate((-1, 1) if two else (1 if flip else -1,)):
+        here.stand("chair", f"recliner_{number}", middle + side * 0.8, -2.0, sway=0.12, **looks)
+    here.door(sides[0], 0.0 if sides[0] == "left" else depth - DOORWAY)
+    here.window(sides[1], 0.5 * depth, z=1.0, width=1.3, height=1.2)
+    tall = {
+        "kind": "tall", "doors": 2, "width": 0.8, "depth": 0.38, "height": 1.9, "stand": "plinth",
+        "style": "glazed", "swing": 1.5, "grip": "bar",
+    }  # fmt: skip
+    at = depth - 1.95 - DOORWAY if sides[0] == "right" else DOORWAY + 0.9
+    room.against(sides[0], "cabinet", at=at, **here.base | tall)
+    corner = (0.5 * width - 0.4) * (1 if sides[1] == "right" else -1)
+    here.stand("fan", "fan", corner, -0.9, style="pedestal")
+    here.stand("lamp", "lamp", -corner, -0.5, style="floor", switch="pull_chain")
 
 
 def _workshop(here: Furnisher) -> None:
@@ -405,6 +450,7 @@ ROOMS: Mapping[str, Room] = {
             ),
             ("chimney", "filler", "hood", "key", "panel", "plinth", "worktop"),
         ),
+        Room(living_room, (*_FRONTS, "bottle", "box", "chair", "fan", "lamp", "table"), ("screen",)),
         Room(office, (*_FRONTS, "bottle", "box", "chair", "lamp", "laptop", "trashcan"), ("side", "worktop")),
         Room(workshop, (*_FRONTS, "box", "plier", "trashcan"), ("worktop",)),
     )
