@@ -284,6 +284,7 @@ info dor ~ there is no category 'dor'. Did you mean 'door'?
 info {long}.py ~ there is no Python file
 info door zzz ~ door has no parameter with 'zzz' in its name or description. Allowed:
 info door width --picture a.png ~ leave the WORD out
+generate door --set lamp:width=1 ~ is for 'lamp', which is not in the plan; its categories are door
 images dor --out x ~ there is no category 'dor'. Did you mean 'door'?
 images door --out x --labels handel ~ door: there is no label 'handel'. Did you mean 'handle'?
 images door --out x --labels lamp:base ~ is for 'lamp', which is not in the plan; its categories are door

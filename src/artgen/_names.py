@@ -49,6 +49,10 @@ class ByName(tuple[Item_co, ...], Generic[Item_co]):  # noqa: SLOT001 - it cache
         """The items by name."""
         return {item.name: item for item in self}
 
+    def __contains__(self, key: object) -> bool:
+        """Tell whether there is an item, or an item of a name."""
+        return key in self.by_name if isinstance(key, str) else super().__contains__(key)
+
     @overload
     def __getitem__(self, key: str | SupportsIndex) -> Item_co: ...
 

@@ -16,7 +16,7 @@ from artgen.asset import AssetCoupling as Coupling
 from artgen.asset import AssetDependency as Dependency
 from artgen.asset import AssetJoint as Joint
 from artgen.catalog import find
-from artgen.errors import AssetError
+from artgen.errors import AssetError, ParameterError
 from artgen.materials import Material
 
 BoxLink = Callable[..., Link]
@@ -143,6 +143,14 @@ def test_data_is_plain_json_and_the_same_each_time(bin_: Asset) -> None:
 def test_base_can_be_freed(bin_: Asset) -> None:
     assert bin_.with_base("free").base == "free"
     assert bin_.base == "fixed"
+    with pytest.raises(ParameterError, match="base = 'Fixed' is not allowed: it must be 'fixed' or 'free'"):
+        bin_.with_base("Fixed")
+
+
+def test_joints_contain_their_names(bin_: Asset) -> None:
+    assert bin_.joints[0].name in bin_.joints
+    assert bin_.joints[0] in bin_.joints
+    assert "none" not in bin_.joints
 
 
 def pair(box_link: BoxLink, *joints: Joint) -> Tree:

@@ -77,6 +77,7 @@ def test_a_joint_is_blocked_between_beyond_and_until():
     [
         ([0.1, 0.2], r"the shape \(2,\) with 0 NaN"),
         (np.full((5, 4), np.nan), r"the shape \(5, 4\) with 20 NaN"),
+        ([0.0, 0.1, np.inf, -np.inf], r"the shape \(4,\) with 2 NaN or infinite"),
         ({"door": 0.3}, r"\{'door': 0.3\}"),
         ("open", "'open'"),
         (None, "None"),

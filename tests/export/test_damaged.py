@@ -104,6 +104,12 @@ def test_every_wrong_value_is_one_error_with_its_place(folder: Path) -> None:
         (("joints", 1, "name"), "lid_hinge", r"joints\[1\].name is 'lid_hinge', .* it is taken"),
         (("links", 1, "mass"), 0.0, r"links\[1\].mass is 0.0, but it must be positive"),
         (
+            ("links", 1, "inertia"),
+            [[0.1, 0, 0], [0, 0.1, 0], [0, 0, 0.3]],
+            r"links\[1\].inertia is .* a tensor of positive moments, each at most the sum of the others",
+        ),
+        (("joints", 0, "stiffness"), -5.0, r"joints\[0\].stiffness is -5.0, but it must be 0 or more"),
+        (
             ("links", 0, "colliders", 0, "kind"),
             "cone",
             r"colliders\[0\].kind is 'cone', .* 'box', 'cylinder'",

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from threading import Lock
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any, Literal, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -22,7 +22,7 @@ from artgen.asset.placed import PlacedAsset
 from artgen.asset.record import json_text, plain, rounded
 from artgen.asset.tree import Tree, check_contact
 from artgen.asset.valid_states import ValidStates
-from artgen.errors import AssetError, CheckError, nearest
+from artgen.errors import AssetError, CheckError, ParameterError, nearest
 from artgen.materials import Material
 
 if TYPE_CHECKING:
@@ -468,7 +468,15 @@ class Asset:
         return np.array([boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0)])
 
     def with_base(self, base: Base) -> "Asset":
-        """Return the asset with its base fixed to the world or free."""
+        """Return the asset with its base fixed to the world or free.
+
+        Raises:
+            ParameterError: The base is another word, or is to be free and the asset is a room.
+        """
+        if base not in get_args(Base):
+            raise ParameterError(f"base = {base!r} is not allowed: it must be 'fixed' or 'free'")
+        if base == "free" and self.placed:
+            raise ParameterError(f"base = 'free' is not allowed: {self.name} is a room, fixed to the world")
         return remember(replace(self, base=base), self.certificate)
 
     @property
@@ -577,8 +585,9 @@ def _states(dofs: tuple[str, ...], q: ArrayLike) -> Array:
     except (TypeError, ValueError):
         states = np.array(np.nan)
     count = len(dofs)
-    if not states.ndim or states.shape[-1] != count or np.isnan(states).any():
-        found = f"the shape {states.shape} with {np.isnan(states).sum()} NaN" if states.ndim else repr(q)
+    if not states.ndim or states.shape[-1] != count or not np.isfinite(states).all():
+        count_out = (~np.isfinite(states)).sum()
+        found = f"the shape {states.shape} with {count_out} NaN or infinite" if states.ndim else repr(q)
         names = ", ".join(dofs) or "no joint"
         raise AssetError(
             f"states must be an array of shape (..., {count}), positions of {names}; got {found}"

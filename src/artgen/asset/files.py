@@ -41,6 +41,7 @@ _LENGTHS = {
     "capsule": 2,
     "hull": 0,
 }  # numbers of the size of a collider
+_TRIANGLE = 1e-3  # by which rounded moments of flat parts may exceed the sum of the others
 _UNIT = 1e-6  # largest error of the length of an axis, and of the axes of a pose
 _FARTHEST = 1e6  # largest coordinate [m]
 _MOST_BYTES = 1 << 29  # largest file that is read
@@ -323,10 +324,18 @@ def _asset(form: _Asset, data: Mapping[str, Any], directory: Path) -> Asset:
     return remember(asset, replace(certificate, leaves=_leaves(directory / CERTIFICATE_FILE)))
 
 
-def _check_link(form: _Link, materials: Mapping[str, Material], place: str) -> None:
-    """Check what kinds of values leave open: weights, sizes of colliders, and names of materials."""
+def _check_weight(form: _Link, place: str) -> None:
     if not form["mass"] > 0.0:
         raise refused(form["mass"], f"{place}.mass", "positive [kg]")
+    low, middle, high = np.linalg.eigvalsh(form["inertia"])
+    if low <= 0.0 or high > (1.0 + _TRIANGLE) * (low + middle):
+        allowed = "a tensor of positive moments, each at most the sum of the others"
+        raise refused(form["inertia"].tolist(), f"{place}.inertia", allowed)
+
+
+def _check_link(form: _Link, materials: Mapping[str, Material], place: str) -> None:
+    """Check what kinds of values leave open: weights, sizes of colliders, and names of materials."""
+    _check_weight(form, place)
     lists = {"labels": form["labels"], "colliders": form["colliders"], "surfaces": form["surfaces"]}
     for name, items in lists.items():
         if not items and not form.get("absent", False):
@@ -392,6 +401,9 @@ def _check_joint(joint: AssetJoint, before: Sequence[AssetJoint], place: str) ->
         raise refused(joint.parent, f"{place}.parent", allowed)
     if abs(math.hypot(*joint.axis) - 1.0) > _UNIT:
         raise refused(joint.axis.tolist(), f"{place}.axis", "a vector of length 1")
+    for name in ("stiffness", "damping", "friction", "armature", "effort", "velocity"):
+        if (value := getattr(joint, name)) is not None and value < 0.0:
+            raise refused(value, f"{place}.{name}", "0 or more")
     if joint.limits is not None and joint.limits[0] > joint.limits[1]:
         raise refused(list(joint.limits), f"{place}.limits", "the lowest and the highest position")
 

@@ -34,7 +34,7 @@ from artgen.errors import ExportError
 from artgen.export import FORMATS, TEXTURES
 from artgen.export.files import chosen_formats, find_layout
 from artgen.export.precision import check_precision
-from artgen.generator.overrides import parse_overrides
+from artgen.generator.overrides import overrides_of, parse_overrides
 from artgen.proof.fewer import check_budget
 
 _Formats = Annotated[
@@ -145,7 +145,7 @@ def generate(
             raise typer.BadParameter(
                 f"one asset is written to a directory, not to {out}; give a number of assets with -n"
             )
-        values = parse_overrides(overrides or ())
+        values = overrides_of(categories[0], overrides or (), categories)
         if len(categories) > 1:
             raise typer.BadParameter(
                 f"one asset is of one category, not {', '.join(categories)}; give a number of assets with -n"

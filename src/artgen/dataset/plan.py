@@ -23,7 +23,7 @@ from artgen.export.layouts import TEXTURES
 from artgen.export.precision import check_precision
 from artgen.generator import Generator, OnCollision
 from artgen.generator.generator import check_proof, checked_count
-from artgen.generator.overrides import parse_overrides
+from artgen.generator.overrides import overrides_of
 from artgen.materials.textures import check_size
 from artgen.proof.fewer import check_budget
 
@@ -133,19 +133,7 @@ class BasePlan(ABC):
 
     def overrides_of(self, category: str) -> dict[str, Any]:
         """Return the overrides for a category; its own overrides replace those for all categories."""
-        common, own = [], []
-        for text in self.overrides:
-            before, colon, after = text.partition(":")
-            if not colon or "=" in before:
-                common.append(text)
-            elif before.strip() == category:
-                own.append(after)
-            elif before.strip() not in self.categories:
-                raise ParameterError(
-                    f"the override {text!r} is for {before.strip()!r}, which is not in the plan; its "
-                    f"categories are {', '.join(self.categories)}"
-                )
-        return parse_overrides(common) | parse_overrides(own)
+        return overrides_of(category, self.overrides, self.categories)
 
     @property
     def shares_maps(self) -> bool:

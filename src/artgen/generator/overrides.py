@@ -4,7 +4,7 @@ The text is data and is never executed.
 """
 
 import ast
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
 from artgen.errors import ParameterError, nearest
@@ -41,6 +41,23 @@ def parse_overrides(texts: Iterable[str]) -> dict[str, Any]:
             raise ParameterError(f"{name} is set twice; leave one of them out")
         result[name] = parse_value(value, name)
     return result
+
+
+def overrides_of(category: str, texts: Iterable[str], categories: Sequence[str]) -> dict[str, Any]:
+    """Parse the overrides for one of several categories: `NAME=VALUE`, or its own `CATEGORY:NAME=VALUE`."""
+    common, own = [], []
+    for text in texts:
+        before, colon, after = text.partition(":")
+        if not colon or "=" in before:
+            common.append(text)
+        elif before.strip() == category:
+            own.append(after)
+        elif before.strip() not in categories:
+            raise ParameterError(
+                f"the override {text!r} is for {before.strip()!r}, which is not in the plan; its "
+                f"categories are {', '.join(categories)}"
+            )
+    return parse_overrides(common) | parse_overrides(own)
 
 
 def parse_value(text: str, name: str = "value") -> Any:

@@ -283,8 +283,8 @@ def certify(
     start = time.monotonic()
     path = checked_path(path, "path")
     _check(path, meshes, seconds=seconds, total=total)
-    folder = path.absolute().parent
-    allowed = [folder, *folder.parents][: _LEVELS_UP + 1][-1] if root is None else Path(root).absolute()
+    folder = path.parent.resolve()
+    allowed = [folder, *folder.parents][: _LEVELS_UP + 1][-1] if root is None else Path(root).resolve()
     progress(f"reading {path.name}")
     form = SUFFIXES[path.suffix.lower()]
     if form == "mjcf" and parse_xml(path).tag == "robot":  # URDF under another name

@@ -9,7 +9,7 @@ import numpy as np
 import artgen as ag
 from artgen.asset import Asset
 from artgen.asset.asset import DetailName
-from artgen.errors import AssetError
+from artgen.errors import AssetError, ParameterError
 from artgen.export.frames import translation
 from artgen.generator.generator import checked_count
 from artgen.materials import Material, colored, material
@@ -68,7 +68,7 @@ def check_room(seed: Any, size: tuple[Any, Any]) -> None:
     checked_count("seed", seed)
     for name, length in zip(("width", "depth"), size, strict=True):
         if length is not None:
-            check_length(name, length, 0.0)
+            check_length(name, length, 0.5, 30.0)
 
 
 def width_of(asset: Asset) -> float:
@@ -100,8 +100,8 @@ class Furnisher:
     ) -> None:
         self.kind, self.seed, self.attempt = kind, seed, attempt
         self.draw = np.random.default_rng((seed, attempt, len(kind)))
-        (wide, deep), high = spans, self.uniform(2.4, 2.7)
-        self.width, self.depth = size[0] or self.uniform(*wide), size[1] or self.uniform(*deep)
+        high, pairs = self.uniform(2.4, 2.7), zip(size, spans, strict=True)
+        self.width, self.depth = (self.uniform(*span) if given is None else given for given, span in pairs)
         floor = self.choice(*_FLOORS.get(kind, _BOARDS + _TILES))
         self.top = material(self.choice(*_WORKTOPS))
         self.room = Scene(
@@ -136,6 +136,11 @@ class Furnisher:
 
     def door(self, wall: Wall, at: float, **values: Any) -> Placement:
         """Set a door with a straight head into a wall."""
+        if at < 0.0:
+            raise ParameterError(
+                f"{self.kind} {self.seed} of {self.width:g} x {self.depth:g} m: a door takes {DOORWAY:g} m "
+                f"of a wall; {-at:.3f} m are missing"
+            )
         usual: dict[str, Any] = {
             "layout": "single", "use": "interior", "opens": "away", "stock": "standard", "height": 2.03,
             "opener": "lever", "frame": self.choice("jambs", "full", "full"), "bolted": False,

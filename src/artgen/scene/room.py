@@ -265,6 +265,7 @@ class Scene:
                 level surface, or it would tip over.
         """
         _check_shares(at, deep)
+        self._check_here("below", below)
         name, asset = self._drawn(category, name, overrides)
         spin = turned(turn)
         low, high = _moved_box(asset, spin)
@@ -325,6 +326,7 @@ class Scene:
             ParameterError: There is no such space, or the asset would tip over.
         """
         _check_shares(at, deep)
+        self._check_here("container", container)
         name, asset = self._drawn(category, name, overrides)
         spin = turned(turn)
         low, high = _moved_box(asset, spin)
@@ -489,6 +491,15 @@ class Scene:
         if name in {each.name for each in self.placed}:
             raise ParameterError(f"the scene {self.name!r} has an asset {name!r} already; give another name")
         return name
+
+    def _check_here(self, what: str, placed: Any) -> None:
+        """Check that something was placed in this scene."""
+        if not any(each is placed for each in self.placed):
+            given = f"{placed.name!r} of another scene" if isinstance(placed, Placement) else repr(placed)
+            raise ParameterError(
+                f"{what} = {given} is not in scene {self.name!r}; give what `against` or another method of "
+                "this scene returned"
+            )
 
     def _keep(self, placed: Placement) -> Placement:
         self.placed.append(placed)
