@@ -246,8 +246,7 @@ def _living_room(here: Furnisher) -> None:
         "kind": "tall", "doors": 2, "width": 0.8, "depth": 0.38, "height": 1.9, "stand": "plinth",
         "style": "glazed", "swing": 1.5, "grip": "bar",
     }  # fmt: skip
-    at = depth - 1.95 - DOORWAY if sides[0] == "right" else DOORWAY + 0.9
-    room.against(sides[0], "cabinet", at=at, **here.base | tall)
+    room.against(sides[0], "cabinet", at=depth - 1.7 if flip else 0.9, **here.base | tall)
     corner = (0.5 * width - 0.4) * (1 if sides[1] == "right" else -1)
     here.stand("fan", "fan", corner, -0.9, style="pedestal")
     here.stand("lamp", "lamp", -corner, -0.5, style="floor", switch="pull_chain")
