@@ -2,6 +2,7 @@
 
 import functools
 import os
+import pickle
 import subprocess
 import sys
 from pathlib import Path
@@ -41,6 +42,17 @@ def test_an_asset_knows_what_it_was_made_of():
 def test_the_same_seed_gives_the_same_asset_with_any_cache():
     shared, fresh, small = door.generate(5), door.generate(5, cache=Cache()), door.generate(5, cache=Cache(3))
     assert shared.to_json() == fresh.to_json() == small.to_json()
+
+
+def test_a_generator_is_pickled_by_its_name():
+    assert pickle.loads(pickle.dumps(door)) is door  # noqa: S301 - its own bytes
+
+    @generator
+    def local() -> Body:
+        return block()
+
+    with pytest.raises((pickle.PicklingError, AttributeError)):
+        pickle.dumps(local)
 
 
 def test_a_second_asset_computes_only_what_changed():

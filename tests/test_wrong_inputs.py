@@ -262,6 +262,8 @@ check stand --seconds -1 ~ '--seconds'
 check broken.py ~ SyntaxError: invalid syntax at
 certify nowhere.urdf ~ there is no file nowhere.urdf
 certify door --total 5 ~ --total does nothing for a category; leave it out
+certify robot.sdf --total 40 ~ cannot certify robot.sdf: its name must end in .urdf, .xml
+certify robot.urdf --root nowhere ~ there is no directory nowhere; give the one with the files as --root
 certify robot.urdf --samples 5 ~ --samples does nothing for a file; leave it out
 certify robot.urdf --set w=3 ~ --set does nothing for a file; leave it out
 certify door --samples -1 ~ samples must be a whole number that is not negative, got -1

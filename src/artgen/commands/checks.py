@@ -159,6 +159,8 @@ def certify(
     for file in (json_file, picture):
         if file is not None and (file.is_dir() or not file.absolute().parent.is_dir()):
             raise ExportError(f"cannot write {file}: give a file in a directory that exists")
+    if root is not None and not root.is_dir():
+        raise ExportError(f"there is no directory {root}; give the one with the files as --root")
     if json_file is not None and json_file.suffix.lower() != ".json":
         raise ParameterError(f"--json {json_file} is not allowed: the name of the file must end in .json")
     foreign = _is_foreign(Path(category))
@@ -205,12 +207,8 @@ def certify(
 
 
 def _is_foreign(path: Path) -> bool:
-    """Tell whether a name is that of a file that the referee reads."""
-    if path.suffix in ("", ".py"):  # a category
-        return False
-    from artgen.referee.model import SUFFIXES  # it loads OpenUSD
-
-    return path.suffix.lower() in SUFFIXES
+    """Tell whether a name is that of a file for the referee, not of a category or its module."""
+    return path.suffix not in ("", ".py")
 
 
 def _certify_file(

@@ -243,6 +243,10 @@ class Generator(Variant):
         self.own = read_parameters(function, self.where)
         self._built = Built(self.own, self.build)
 
+    def __reduce__(self) -> str:
+        """Pickle it by name, as functions are: another process imports its module."""
+        return self.function.__qualname__
+
     def parameters(self, prefix: str = "") -> dict[str, Parameter]:
         """Return every parameter by its full dotted name, including those of all sub-generators."""
         result: dict[str, Parameter] = {}
