@@ -205,14 +205,14 @@ def test_what_moves_by_itself_in_a_room_is_found(loose: Asset) -> None:
         (lambda room: kitchen(0, width=math.nan), "width is 0.5 to 30 m, not nan"),
         (lambda room: kitchen(0, depth=0), "depth is 0.5 to 30 m, not 0"),
         (lambda room: kitchen(0, depth=0.6), "a door takes 1.08 m of a wall; 0.480 m are missing"),
-        (lambda room: room.on("drawer", "bottle"), "below = 'drawer' is not in scene 'room'; give what"),
+        (lambda room: room.on("drawer", "bottle"), "below = 'drawer' is not in scene 'room'; give a"),
         (
             lambda room: room.inside(
                 Scene("hall", width=2.0, depth=1.6).against("back", "drawer", at=0.1, **SMALL),
                 "body",
                 "bottle",
             ),
-            "container = 'drawer' of another scene is not in scene 'room'; give what `against` or another",
+            "container = 'drawer' of another scene is not in scene 'room'; give a placement that `against`",
         ),
         (lambda room: room.against("back", "lamp", at=0.1, name="a/b"), "name = 'a/b' is no identifier"),
         (lambda room: room.against("back", "lamp", at=-0.1), "from the left end, is at least 0 m, not -0.1"),

@@ -497,8 +497,8 @@ class Scene:
         if not any(each is placed for each in self.placed):
             given = f"{placed.name!r} of another scene" if isinstance(placed, Placement) else repr(placed)
             raise ParameterError(
-                f"{what} = {given} is not in scene {self.name!r}; give what `against` or another method of "
-                "this scene returned"
+                f"{what} = {given} is not in scene {self.name!r}; give a placement that `against` or another "
+                "method of this scene returned"
             )
 
     def _keep(self, placed: Placement) -> Placement:

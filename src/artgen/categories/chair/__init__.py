@@ -403,7 +403,7 @@ def _recliner(
         places = [(x, y, 0) for x in (-half - 0.08, half + 0.08) for y in (-0.37, 0.30)]
         feet = ag.array(ag.cylinder(0.024, 0.06, bevel=0.003).at(z=0.03), at=places)
         base = ag.weld(base, ag.part(feet, "foot", wood, separate="four feet"))
-    # two cushions before a board, and a roll on top, which a hand takes
+    # two cushions before a board, and a roll on top for the hand
     y, low = 0.275, height - 0.05
     whole, bottom = tall + 0.08, low - 0.03
     pillows = []

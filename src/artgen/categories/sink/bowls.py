@@ -1,4 +1,4 @@
-"""Bowls of sinks and what carries them: worktops on cabinets or legs, a wall, a pedestal."""
+"""Bowls of sinks and their supports: worktops on cabinets or legs, walls, pedestals."""
 
 import itertools
 import math
@@ -40,7 +40,7 @@ _HALF = 0.40  # half of the width of a wall [m]
 
 @dataclass(frozen=True)
 class Cabinet:
-    """What closes a cabinet under a worktop."""
+    """Doors and boards of a cabinet under a worktop."""
 
     look: FrontLook  # style and material of the doors; the boards have the same material
     doors: int  # 0 or 2
@@ -285,7 +285,7 @@ def _stood(
 def _pairs(
     whole: tuple[ag.Scalar, ag.Scalar], gap: tuple[ag.Scalar, ...] | None
 ) -> list[tuple[ag.Scalar, ag.Scalar]]:
-    """Return the spans of fixed panels: the whole, or what a gap leaves; none for None."""
+    """Return the spans of fixed panels: the whole, or both sides of a gap; no span for None."""
     ends = [whole[0], *(gap or ()), whole[1]]
     return [] if gap is None else list(zip(ends[::2], ends[1::2], strict=True))
 
