@@ -273,9 +273,12 @@ class TestCommands:
         assert (pixels[0, 0] == pixels[-1, -1]).all()
 
     def test_render_draws_a_category(self, artgen_command) -> None:
-        done = artgen_command("render", "handle", "--seed", "3", *FAST, "--out", "h.png")
+        command = ("render", "handle", "--seed", "3", *FAST, "--out")
+        done = artgen_command(*command, "h.png")
         assert (done.code, done.out) == (0, "h.png\n")
         assert Path("h.png").stat().st_size > 500
+        assert artgen_command(*command, "low.png", "--detail", "low").out == "low.png\n"
+        assert Path("low.png").read_bytes() != Path("h.png").read_bytes()
 
     def test_sheet_draws_samples(self, artgen_command) -> None:
         done = artgen_command("sheet", "handle", "--seeds", "2", "--first-seed", "5", "--size", "64")
@@ -325,6 +328,8 @@ def test_parameters_are_for_categories(artgen_command, exported) -> None:
         ("render", "--seed 5"),
         ("view", "--seed 5"),
         ("view", "--no-certify"),
+        ("view", "--detail low"),
+        ("render", "--detail low"),
         ("check", "--seed 5"),
         ("colliders", "--budgets 3"),
         ("colliders", "--seed 4"),

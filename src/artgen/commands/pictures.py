@@ -10,7 +10,7 @@ from typer import Option
 from artgen.asset import Asset
 from artgen.catalog import maker
 from artgen.commands.console import progress
-from artgen.commands.options import Category, Overrides, Seed, Source, TextureSize, generated
+from artgen.commands.options import Category, Detail, Overrides, Seed, Source, TextureSize, generated
 from artgen.commands.view import asset_from
 from artgen.errors import ExportError, ParameterError
 from artgen.generator.overrides import parse_overrides
@@ -27,6 +27,7 @@ def render(
     *,
     seed: Seed = 0,
     overrides: Overrides = None,
+    detail: Detail = "full",
     positions: Annotated[
         list[str] | None,
         Option("--joint", metavar="JOINT=VALUE", help="Position of a joint [rad or m]. Repeatable."),
@@ -57,7 +58,7 @@ def render(
         raise ParameterError(f"--samples {samples} must be an even number from 2 on, such as 8")
     pixels = _size(size)
     with progress("render"):
-        asset = asset_from(context, source, seed, overrides or [])
+        asset = asset_from(context, source, seed, overrides or [], detail=detail)
         q = opened(asset, opening) | _positions(positions or [])
         picture = asset.render(
             q, camera=view, size=pixels, studio=studio, textures=texture_size, samples=samples

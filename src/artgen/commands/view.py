@@ -10,11 +10,13 @@ import typer
 from typer import Argument, Option
 
 from artgen.asset import Asset
+from artgen.asset.asset import DetailName
 from artgen.asset.files import ASSET_FILE, exports_in
 from artgen.catalog import categories, find, is_file, is_pipe, maker, rooms, script_of
 from artgen.commands.console import progress
 from artgen.commands.options import (
     Category,
+    Detail,
     OpenBrowser,
     Overrides,
     Page,
@@ -27,12 +29,18 @@ from artgen.commands.options import (
 from artgen.errors import ParameterError
 from artgen.generator.overrides import parse_overrides
 
-_OF_CATEGORIES = ("seed", "certify", "budgets", "openings")
+_OF_CATEGORIES = ("seed", "certify", "detail", "budgets", "openings")
 _TEXELS = 512  # default texels per side of maps
 
 
 def asset_from(
-    context: typer.Context, source: str, seed: int, overrides: list[str], *, certify: bool = False
+    context: typer.Context,
+    source: str,
+    seed: int,
+    overrides: list[str],
+    *,
+    certify: bool = False,
+    detail: DetailName = "full",
 ) -> Asset:
     """Load an exported asset, or generate one of a category with a seed and overrides.
 
@@ -61,7 +69,7 @@ def asset_from(
             "exported, the Python file of a category, such as stapler.py, or a category or room that "
             "`artgen list` shows." + (f" Did you mean {near[0]!r}?" if near else "")
         )
-    return generated(maker(source), seed, parse_overrides(overrides), certify=certify)
+    return generated(maker(source), seed, parse_overrides(overrides), certify=certify, detail=detail)
 
 
 def view(
@@ -71,6 +79,7 @@ def view(
     seed: Seed = 0,
     overrides: Overrides = None,
     certify: Annotated[bool, Option(help="Prove an asset of a category, or draw again.")] = True,
+    detail: Detail = "full",
     texture_size: TextureSize = _TEXELS,
     out: Page = None,
     opening: OpenBrowser = True,
@@ -82,7 +91,7 @@ def view(
     from artgen.view.viewer import page_of
 
     with progress("view"):
-        asset = asset_from(context, source, seed, overrides or [], certify=certify)
+        asset = asset_from(context, source, seed, overrides or [], certify=certify, detail=detail)
         path = page_of(asset, textures=texture_size).save(out or Path(f"{asset.name}.html"))
     _show(path, opening)
 
