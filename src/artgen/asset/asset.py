@@ -473,8 +473,7 @@ class Asset:
         Raises:
             ParameterError: The base is another word, or is to be free and the asset is a room.
         """
-        if base not in get_args(Base):
-            raise ParameterError(f"base = {base!r} is not allowed: it must be 'fixed' or 'free'")
+        check_base(base)
         if base == "free" and self.placed:
             raise ParameterError(f"base = 'free' is not allowed: {self.name} is a room, fixed to the world")
         return remember(replace(self, base=base), self.certificate)
@@ -593,6 +592,12 @@ def _states(dofs: tuple[str, ...], q: ArrayLike) -> Array:
             f"states must be an array of shape (..., {count}), positions of {names}; got {found}"
         )
     return states
+
+
+def check_base(base: Any) -> None:
+    """Check a word for the base."""
+    if base not in get_args(Base):
+        raise ParameterError(f"base = {base!r} is not allowed: it must be 'fixed' or 'free'")
 
 
 def remember(asset: Asset, certificate: Certificate | None) -> Asset:

@@ -21,7 +21,7 @@ from artgen._arrays import without_collector
 from artgen._names import check_name
 from artgen._progress import progress
 from artgen.asset import Asset, Tree
-from artgen.asset.asset import Base, DetailName, Limits, certify_later, find_parameters_later
+from artgen.asset.asset import Base, DetailName, Limits, certify_later, check_base, find_parameters_later
 from artgen.asset.certificate import MOST_TOLERANCE, Certificate
 from artgen.asset.tree import Reduction
 from artgen.colliders.openings import BALL
@@ -800,8 +800,7 @@ def checked_count(name: str, value: Any) -> int:
 
 def _check_options(name: str, base: Any, attempts: int | None, detail: Any) -> None:
     check_name(name)
-    if base not in ("fixed", "free"):
-        raise ParameterError(f"base = {base!r} is not allowed: it must be 'fixed' or 'free'")
+    check_base(base)
     if detail not in DETAILS:
         allowed = ", ".join(map(repr, DETAILS))
         raise ParameterError(f"detail = {detail!r} is not allowed: it must be one of {allowed}")

@@ -13,7 +13,7 @@ from artgen.errors import AssetError, ParameterError
 from artgen.export.frames import translation
 from artgen.generator.generator import checked_count
 from artgen.materials import Material, colored, material
-from artgen.scene.room import GAP, STANDING, Line, Placement, Scene, Wall, check_length, turned
+from artgen.scene.room import GAP, SIZES, STANDING, Line, Placement, Scene, Wall, check_length, turned
 
 THICK = 0.035  # of worktops [m]
 UNDER = 0.86  # height of base units, below their worktop [m]
@@ -68,7 +68,7 @@ def check_room(seed: Any, size: tuple[Any, Any]) -> None:
     checked_count("seed", seed)
     for name, length in zip(("width", "depth"), size, strict=True):
         if length is not None:
-            check_length(name, length, 0.5, 30.0)
+            check_length(name, length, *SIZES)
 
 
 def width_of(asset: Asset) -> float:
@@ -170,20 +170,12 @@ class Furnisher:
         return (left[0], left[1]), (right[0], right[1])
 
     def stand(
-        self,
-        category: str,
-        name: str,
-        x: float,
-        y: float,
-        *,
-        sway: float = 0.0,
-        free: bool = True,
-        **values: Any,
+        self, category: str, name: str, x: float, y: float, *, sway: float = 0.0, **values: Any
     ) -> Placement:
-        """Stand an asset at a place of the room, facing the back wall or aside by up to an angle [rad]."""
+        """Stand a free object in the room, facing the back wall or aside by up to an angle [rad]."""
         facing = turned(math.pi + (self.uniform(-sway, sway) if sway else 0.0))
         pose = translation(np.array([x, y, STANDING])) @ facing
-        return self.room.add(category, pose, name=name, **{"free": True, **values})
+        return self.room.add(category, pose, free=True, name=name, **values)
 
     def lay(
         self, outline: list[Span], holes: list[Hole], wall: Wall | Line | None, under: float = UNDER

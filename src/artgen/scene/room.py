@@ -45,6 +45,7 @@ Line = tuple[Point, Point]
 
 GAP = 0.003  # between neighbors in a run, and between an asset and its wall [m]
 STANDING = 0.0005  # below an asset that stands on a floor or on another asset [m]
+SIZES = (0.5, 30.0)  # least and largest width, depth and height of a room [m]
 WALL = 0.12  # thickness of walls [m]
 _FLOOR = 0.08  # thickness of the floor [m]
 _OVERLAP = 1e-9  # common volume of two fixed assets above which they count as overlapping [m3]
@@ -123,7 +124,7 @@ class Scene:
         detail: DetailName = "full",
     ) -> None:
         for what, length in (("width", width), ("depth", depth), ("height", height)):
-            check_length(f"the {what} of a room", length, 0.5, 30.0)
+            check_length(f"the {what} of a room", length, *SIZES)
         check_name(name)
         checked_count("seed", seed)
         self.name, self.seed, self.detail = name, seed, detail

@@ -234,7 +234,7 @@ def _living_room(here: Furnisher) -> None:
     # recliners face the screen, with the table beside them
     two = width > 3.8 and here.choice(True, True, False)
     middle = here.uniform(-0.05, 0.05)
-    table = here.stand("table", "table", middle, -2.1, free=False, style="side", width=0.45, depth=0.45)
+    table = here.stand("table", "table", middle, -2.1, style="side", width=0.45, depth=0.45)
     _box_on(here, table, 0.5, 0.6)
     cover = here.choice("leather", "black_leather", "cream_leather", "velvet", "linen")
     looks = {"style": "recliner", "cover": cover, "arms": here.choice("block", "rolled", "wood")}

@@ -236,7 +236,11 @@ def _ribs(room: ag.Region, drainer: str, ends: ag.Span, finish: ag.Material) -> 
 def _stood(
     plan: Plan, board: ag.Region, above: ag.Scalar = 0.0, apron: tuple[ag.Scalar, ...] | None = None
 ) -> ag.Body:
-    """Make a cabinet or legs with a shelf below a board; `above` its doors are panels beside an apron."""
+    """Make a cabinet, or legs with a shelf, below a board.
+
+    There are fixed panels of the height `above` over the doors, beside the ends of an `apron`; without ends
+    there is one panel, and for None no panel.
+    """
     under = board.with_(z=(-plan.rim, board.z.low + 0.0003)).shrink(x=0.012, front=_INSET, back=0.004)
     if plan.stand == "legs":
         steel = ag.material("stainless").with_(name="leg_steel", density=1500.0)
@@ -253,13 +257,12 @@ def _stood(
     parts.append(wide.with_(z=(under.z.low, foot + 0.0004)).shrink(front=0.05).deep(_BOARD, None)[0].box())
     rear = wide.shrink(back=0.002).deep(None, 0.012)[1]
     parts.append(rear.with_(z=(foot, under.z.high - 0.0004)).box())
+    look, middle = plan.cabinet.look, under.x.mid
     if not plan.cabinet.doors:
         plate = wide.deep(_BOARD, None)[0].with_(z=(under.z.high - above, under.z.high)).at(y=-0.0002)
         parts += [plate.with_(x=x).box(bevel=0.001) for x in _pairs(wide.x, apron)]
-    look, middle = plan.cabinet.look, under.x.mid
+        return ag.part(ag.union(*parts), "cabinet", look.finish)
     boards = ag.part(ag.union(*parts), "cabinet", look.finish).at(x=-middle)
-    if not plan.cabinet.doors:
-        return boards.at(x=middle)
     case = Carcass(
         under.x.size, foot, under.z.high - above, *under.y, _BOARD, finish=look.finish, inside=look.finish
     )

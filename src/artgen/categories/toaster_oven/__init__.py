@@ -162,12 +162,12 @@ def toaster_oven(
 
 def _backed(room: ag.Region, lines: tuple[str, ...], side: int, *, rounded: bool = False) -> ag.Body:
     """Make feet, cord and rating plate; on a round case above each other."""
-    back, low = room.y.high, room.z.low + 0.028
+    back, low = room.y.high, room.z.low + (0.044 if rounded else 0.028)
     inset, x, up = (0.056, 0.0, 0.095) if rounded else (0.03, side * 0.3 * room.x.size, 0.05)
     at = (0.0 if rounded else -0.06, back, room.z.low + up)
     return ag.weld(
         corner_feet(room.x.size, room.y.size, inset=inset, height=room.z.low).at(0, room.y.mid, 0),
-        cord_stub(height=low + (0.016 if rounded else 0.0)).at(x, back, low + (0.016 if rounded else 0.0)),
+        cord_stub(height=low).at(x, back, low),
         details.rating_plate(0.058, 0.024, lines, at=at, facing=ag.Y),
     )
 
