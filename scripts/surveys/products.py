@@ -181,6 +181,7 @@ PRODUCTS: Mapping[str, tuple[Product, ...]] = {
     "toaster_oven": (
         Product("toaster oven", (0.39, 0.49), (0.32, 0.41), (0.23, 0.30), (5.0, 10.5)),
         Product("air fryer", (0.24, 0.31), (0.36, 0.46), (0.28, 0.345), (4.0, 7.5)),
+        Product("air fryer with two drawers", (0.37, 0.43), (0.38, 0.48), (0.28, 0.345), (7.0, 11.0)),
     ),
     # 8-12 cups; the handle of the jug stands out by 0.04 m; it is half full
     "coffee_machine": (

@@ -63,6 +63,12 @@ def test_the_front_of_a_round_air_fryer_follows_its_case() -> None:
     assert asset.clearance({})["body", "drawer"] == pytest.approx(0.0012, abs=0.0004)
 
 
+@pytest.mark.parametrize("given", [{"style": "fryer", "form": "round"}, {"style": "dual"}])
+def test_a_hand_turns_each_dial_and_draws_each_drawer(given: dict[str, str]) -> None:
+    found = check_grasps(made(4, **given))
+    assert not found.faults, found.faults
+
+
 @pytest.mark.parametrize(("style", "seed"), [("oven", 0), ("fryer", 1)])
 def test_dials_click_at_off_and_at_each_position(style: str, seed: int) -> None:
     joint = made(seed, style=style).joint("dial_turn_0")

@@ -115,7 +115,7 @@ def toaster_oven(
     height: ag.Float = ag.by(
         "style",
         oven=ag.by("dials", {3: ag.uniform(0.240, 0.275), 4: ag.uniform(0.268, 0.292)}),
-        otherwise=ag.uniform(0.290, 0.335),
+        otherwise=ag.by("form", block=ag.uniform(0.290, 0.335), round=ag.uniform(0.285, 0.320)),
         unit="m",
         within=(0.23, 0.35),
     ),
@@ -414,14 +414,12 @@ def _fryer(
     word = details.printed(details.logo(maker, 0.0050), (0, front, room.z.high - 0.032), material=made.ink)
     body = ag.weld(body, word)
     across = (-0.130, -0.056, 0.056, 0.130) if dual else (-0.047, 0.047)
-    places = [ag.vector(x, front, high) for x in across]
-    if rounded:  # the temperature on top, the time in front
-        places = [ag.vector(0.0, room.y.at(0.36), room.z.high), ag.vector(0.0, front, high - 0.006)]
-    for number, place in enumerate(places):
+    for number, x in enumerate(across):  # on top of a round case: in front, the hand would strike the handle
+        place = ag.vector(x, room.y.at(0.40), room.z.high) if rounded else ag.vector(x, front, high)
         kind, sign = (("numbers", "thermometer"), ("ticks", "timer"))[number % 2]
         mark = details.icon(sign, 0.0085).at(0.0, -made.radius - 0.0125)
         dial, facing = _dial(made, number, kind, count=8), -ag.Y
-        if rounded and number == 0:
+        if rounded:
             dial, facing = dial.rotate(ag.X, -math.pi / 2), ag.Z
         body = body.install(dial, at=place)
         body = ag.weld(body, details.printed(mark, place, facing=facing, material=made.ink))
