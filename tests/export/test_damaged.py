@@ -14,6 +14,7 @@ import pytest
 import artgen
 from artgen.asset import Asset
 from artgen.errors import ArtgenError, AssetError, ExportError
+from artgen.validate.files import check_certificate
 
 Place = tuple[str | int, ...]
 VALUES: tuple[Any, ...] = (
@@ -21,9 +22,19 @@ VALUES: tuple[Any, ...] = (
 )  # fmt: skip
 
 
+CONTACT = {
+    "links": ["body", "drawer_0"], "labels": ["box", "front"], "depth": 1.0, "when": None, "reason": "it may",
+}  # fmt: skip
+
+
 @pytest.fixture
 def folder(cabinet: Asset, tmp_path: Path) -> Path:
     return cabinet.export(tmp_path / "asset", formats=("urdf",), textures=0)
+
+
+@pytest.fixture(scope="module")
+def certified() -> Asset:
+    return artgen.generate("drawer", seed=3, detail="low")
 
 
 def places(data: Any, place: Place = ()) -> Iterator[Place]:
@@ -231,3 +242,31 @@ def test_a_file_that_never_ends_is_not_read(folder: Path, name: str, endless: Ca
         ExportError, match=rf"cannot read .*{file.name}: it (is a device, a pipe|has more than)"
     ):
         use(artgen.load(folder))
+
+
+@pytest.mark.parametrize(
+    ("place", "value", "changes"),
+    [
+        (("joints", 0, "limits"), [0.0, 0.3], "the motion"),
+        (("joints", 0, "pivot"), [0.0, 0.0, 0.5], "the motion"),
+        (("joints", 0, "kind"), "revolute", "the motion"),
+        (("links", 1, "colliders", 0, "pose", 0, 3), 0.4, "the motion"),
+        (("contacts",), [CONTACT], "the motion"),
+        (("joints", 0, "friction"), 0.2, "nothing"),
+        (("parameters", "width"), 9.0, "nothing"),
+    ],
+)
+def test_a_certificate_holds_only_for_what_it_was_made_for(
+    certified: Asset, tmp_path: Path, place: Place, value: Any, changes: str
+) -> None:
+    folder = certified.export(tmp_path / "asset", formats=("urdf",), textures=0)
+    data = next(changed((folder / "asset.json").read_text(), place, (value,)))
+    (folder / "asset.json").write_text(json.dumps(data))
+    asset = artgen.load(folder)
+    messages = [finding.message for finding in check_certificate(asset).findings]
+    assert (asset.certificate == certified.certificate) == (changes == "nothing")
+    if changes != "nothing":
+        assert asset.certificate is None
+        assert messages[0].startswith(
+            "asset.json has other colliders, joints or contacts than those that were"
+        )

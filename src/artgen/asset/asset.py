@@ -1,5 +1,6 @@
 """The asset: a tree of links and joints with its parameters."""
 
+import hashlib
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from threading import Lock
@@ -15,7 +16,14 @@ from artgen.asset import summary
 from artgen.asset.affordance import Affordance, affordance_data, affordances
 from artgen.asset.certificate import Certificate
 from artgen.asset.coupling import AssetCoupling, AssetLoop
-from artgen.asset.joint import AllowedContact, AssetJoint, is_number, joints_above, positions_of_followers
+from artgen.asset.joint import (
+    FEELS,
+    AllowedContact,
+    AssetJoint,
+    is_number,
+    joints_above,
+    positions_of_followers,
+)
 from artgen.asset.link import Link, RoundedLink
 from artgen.asset.mass import MassProperties, total
 from artgen.asset.placed import PlacedAsset
@@ -157,6 +165,7 @@ DetailName = Literal["full", "medium", "low"]
 """Level of detail of the solids."""
 
 _CERTIFICATE = "_certificate"  # attribute in which an asset keeps its certificate
+OUTDATED = "_outdated"  # attribute that tells that a file was changed after its certificate
 _LATER = "_later"  # attribute in which an asset keeps how to make its certificate
 _FIND = "_find_parameters"  # attribute in which an asset keeps how to find its parameters
 _LIMIT_SLACK = 1e-9  # tolerance of joint limits [rad or m]
@@ -549,6 +558,7 @@ class Asset:
             **({"placed": rounded(plain(self.placed))} if self.placed else {}),
             **({"loops": plain(asset.loops)} if self.loops else {}),
             "certificate": None if certificate is None else rounded(certificate.to_data()),
+            **({} if certificate is None else {"certified": subject(asset)}),
         }
 
     def to_json(self) -> str:
@@ -559,6 +569,20 @@ class Asset:
 # fields that files store as they are
 PLAIN = ("name", "category", "seed", "attempt", "version", "base", "limits")
 FORMAT = "artgen-asset-1"  # format of `asset.json` that this version reads and writes
+
+
+def subject(asset: Asset) -> str:
+    """Return the SHA-256 of everything that a certificate depends on: colliders, motions, contacts."""
+    pieces = {
+        link.name: [
+            (each.kind, each.pose, each.size, each.points)
+            for each in (*(collider.convex for collider in link.colliders), *link.covers)
+        ]
+        for link in asset.links
+    }
+    motions = [{**joint.to_data(), **dict.fromkeys(FEELS)} for joint in asset.joints]
+    data = plain([pieces, motions, asset.contacts, asset.loops, asset.loose])
+    return hashlib.sha256(json_text(data).encode()).hexdigest()
 
 
 class _CheckedStates(ValidStates):

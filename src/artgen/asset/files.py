@@ -15,7 +15,18 @@ import numpy as np
 from artgen._arrays import Array, Matrix, Pose, Triple, cached_property
 from artgen._names import ByName, check_names, checked_path
 from artgen.asset.affordance import Grasp, Push
-from artgen.asset.asset import FORMAT, PLAIN, Asset, Base, DetailName, Limits, check_references, remember
+from artgen.asset.asset import (
+    FORMAT,
+    OUTDATED,
+    PLAIN,
+    Asset,
+    Base,
+    DetailName,
+    Limits,
+    check_references,
+    remember,
+    subject,
+)
 from artgen.asset.certificate import Certificate
 from artgen.asset.coupling import AssetLoop
 from artgen.asset.joint import AllowedContact, AssetJoint
@@ -118,6 +129,7 @@ class _Asset(TypedDict):
     placed: NotRequired[tuple[PlacedAsset, ...]]
     loops: NotRequired[tuple[AssetLoop, ...]]
     certificate: NotRequired[Certificate | None]
+    certified: NotRequired[str]
     layout: NotRequired[str]
     formats: NotRequired[Mapping[str, _Files]]
     digests: NotRequired[Mapping[str, str]]
@@ -127,7 +139,8 @@ def load(directory: str | Path) -> Asset:
     """Read an asset that was exported to a directory.
 
     Numbers come from `asset.json`; visible faces are read from `meshes/` on first access. If an export was
-    killed before its directory was in place, the previous asset is read.
+    killed before its directory was in place, the previous asset is read. A certificate is
+    left out if colliders, motions of joints or contacts were changed in `asset.json` after the proof.
 
     Args:
         directory: The directory, or its `asset.json`.
@@ -319,7 +332,8 @@ def _asset(form: _Asset, data: Mapping[str, Any], directory: Path) -> Asset:
     # preset the cached property: otherwise it would be derived from the surfaces
     vars(asset)["materials"] = form["materials"]
     certificate = form.get("certificate")
-    if certificate is None:
+    if certificate is None or form.get("certified") not in (None, subject(asset)):
+        vars(asset)[OUTDATED] = certificate is not None
         return asset
     return remember(asset, replace(certificate, leaves=_leaves(directory / CERTIFICATE_FILE)))
 

@@ -284,6 +284,8 @@ class AssetJoint(FrozenArrays, Record):
 
 DYNAMICS = ("stiffness", "damping", "friction", "rest", "armature", "effort", "velocity")
 """Fields of a joint with one number each, in SI units."""
+FEELS = (*DYNAMICS, "driven", "detents", "closing")
+"""Fields of a joint that change its forces and not its motion."""
 
 
 def is_number(value: object) -> bool:

@@ -11,6 +11,7 @@ from pathlib import Path, PurePosixPath
 from typing import Any
 
 from artgen.asset import Asset
+from artgen.asset.asset import OUTDATED
 from artgen.asset.certificate import Certificate, PairResult, spelled_region
 from artgen.asset.collision import mesh_precision
 from artgen.asset.files import ASSET_FILE, CERTIFICATE_FILE, MESH_DIRECTORY, file_content
@@ -240,7 +241,10 @@ def check_certificate(asset: Asset, *, meshes: bool = True) -> CheckResult:
     """
     certificate = asset.certificate
     if certificate is None:
-        message = "there is no certificate: nothing is proven about collisions between its links"
+        reason = "there is no certificate"
+        if vars(asset).get(OUTDATED):
+            reason = f"{ASSET_FILE} has other colliders, joints or contacts than those that were certified"
+        message = f"{reason}: nothing is proven about collisions between its links"
         return CheckResult("certificate", (_unproven(message, hint=_CERTIFY),))
     findings = [_pair_finding(asset, pair) for pair in certificate.failures]
     for contact in certificate.contacts:
