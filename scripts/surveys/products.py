@@ -82,6 +82,15 @@ PRODUCTS: Mapping[str, tuple[Product, ...]] = {
         Product("wine box", (0.17, 0.40), (0.09, 0.30), (0.34, 0.37), (0.10, 16.5)),
         Product("gift box", (0.15, 0.31), (0.10, 0.33), (0.074, 0.18), (0.15, 1.2)),
     ),
+    # bails lie in front, by up to 0.05 m before the rim, and stand out at both sides
+    "bucket": (
+        Product("household bucket", (0.23, 0.34), (0.24, 0.37), (0.18, 0.29), (0.25, 0.8)),
+        Product("bucket of builders", (0.30, 0.39), (0.32, 0.43), (0.24, 0.34), (0.6, 1.4)),
+        Product("galvanized bucket", (0.27, 0.37), (0.29, 0.40), (0.22, 0.32), (1.1, 2.2)),
+        Product("wooden pail", (0.25, 0.34), (0.26, 0.36), (0.23, 0.33), (1.2, 3.0)),
+        Product("cooler or pail", (0.18, 0.27), (0.15, 0.24), (0.18, 0.32), (0.9, 2.5)),
+        Product("can of paint", (0.12, 0.29), (0.13, 0.31), (0.10, 0.27), (1.3, 15.0)),
+    ),
     # bodies of 0.45 or 0.60 x 0.57-0.62 x 0.82-0.88 m; handles and hoses stand out by up to 0.06 m
     "dishwasher": (
         Product("slim dishwasher", (0.44, 0.46), (0.56, 0.68), (0.81, 0.89), (30.0, 45.0)),

@@ -77,6 +77,12 @@ CHECKLIST: dict[str, dict[str, Moving]] = {
         "stopper that lifts off": slides("stopper_lift", (0, 1)),
         "trigger": turns("trigger_pull", (0, 1)),
     },
+    "bucket": {
+        "bail": turns("bail_swing", (0, 1)),
+        "hanging handle": turns("handle_swing_(left|right)", (0, 2)),
+        "lid that lifts off": slides("lid_lift", (0, 1)),
+        "lid that turns": turns("lid_turn", (0, 1), unlimited=True),
+    },
     "cabinet": {"door": turns(f"door_hinge{SIDED}", (1, 2))},
     "coffee_machine": {
         "lid of the tank": turns("tank_lid_hinge", (1,)),

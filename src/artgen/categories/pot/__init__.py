@@ -137,7 +137,7 @@ def pot(
             side = (0.94 if style == "pan" else 1.0) * radius
             body = ag.weld(body, _long_handle(side, 0.72 * high, 0.165, 0.030, grip))
         case "stockpot" if swings:
-            body = _swinging(body, radius, 0.80 * high, friction, grip)
+            body = vessels.swinging_handles(body, radius, 0.80 * high, friction, grip)
         case "stockpot":
             body = ag.weld(body, *_loops(radius, 0.80 * high, 0.036, ag.regular_polygon(8, 0.0046), grip))
         case "casserole":
@@ -167,7 +167,7 @@ def _vessel(
     path = ag.polyline([(0.002, 0, 0), (foot, 0, 0), (radius, 0, high - low - lean)], fillet=_EDGE)
     skin = ag.detail(ag.revolve(ag.half_section(path, wall=wall)), "pot", finish).at(z=low)
     floor = ag.cylinder(foot - 0.0014, 0.0034).at(z=0.0019)
-    ring = _ring(foot, radius, high - low, wall, _SLOPES if style == "pan" else _SIDES)
+    ring = vessels.ring_wall(foot, radius, high - low, wall, _SLOPES if style == "pan" else _SIDES)
     body = ag.weld(ag.part([ring, floor], "pot", stuff).at(z=low), skin)
     brim = ag.tube(radius + 0.0012, radius - wall - 0.0004, 0.003, bevel=0.001).at(z=high - 0.0015)
     edge = ag.material("stainless") if style == "pan" else finish
@@ -185,15 +185,6 @@ def _vessel(
     mark = details.wrapped(details.logo(maker, size), side, level, material=controls.ink_on(finish))
     body = ag.weld(body, ag.part(plate, "base", finish if style == "casserole" else under))
     return body if style == "pan" else ag.weld(body, mark)
-
-
-def _ring(foot: ag.Scalar, rim: ag.Scalar, tall: ag.Scalar, wall: float, count: int) -> ag.Solid:
-    """Make the faceted wall inside the skin of a pot, which collides."""
-    sides, low, thick = ag.regular_polygon(count, 1.0), 0.0022, 0.0003
-    ends = [foot + (rim - foot) * low / tall, rim]
-    out = [sides.scale(each - thick) for each in ends]
-    inside = [sides.scale((each - wall + thick) / math.cos(math.pi / count)) for each in ends]
-    return ag.loft(out, [low, tall - 0.0002]) - ag.loft(inside, [low - 0.0001, tall])
 
 
 def _long_handle(
@@ -233,28 +224,6 @@ def _loops(
         ag.part(bar, "handle", finish, name=f"handle_{side}", grasp=hold) for side in ("right", "left")
     )
     return [right, left.mirror(ag.X)]
-
-
-def _swinging(
-    body: ag.Body, radius: ag.Scalar, z: ag.Scalar, friction: ag.Scalar, finish: ag.Material
-) -> ag.Body:
-    """Add a hanging handle at each side, which swings up until it is level."""
-    axle, half = radius + 0.012, 0.044
-    eyes = [
-        ag.Region((radius - 0.006, axle + 0.006), (y - 0.006, y + 0.006), (z - 0.007, z + 0.007)).box(
-            bevel=0.002
-        )
-        for y in (-half + 0.0136, half - 0.0136)
-    ]
-    line = [(axle, -half, z), (axle, -half, z - 0.048), (axle, half, z - 0.048), (axle, half, z)]
-    bar = ag.sweep(ag.regular_polygon(8, 0.0042), ag.polyline(line, fillet=0.018))
-    ends = [ag.cylinder(0.0055, 0.0108, axis=ag.Y, bevel=0.001).at(axle, y, z) for y in (-half, half)]
-    hold = ag.grasp_on(bar, approach=-ag.X, closing=ag.Z, at=(axle, 0, z - 0.048), depth=0.008)
-    ring = ag.part(ag.union(bar, *ends), "handle", finish, name="handle", grasp=hold)
-    drag = feel.Feel(friction=friction, damping=0.005, effort=8.0)
-    swing = ag.Revolute("handle_swing", axis=-ag.Y, pivot=(axle, 0, z), limits=(0, 1.5), feel=drag)
-    fixed = ag.part(eyes, "hinge", finish)
-    return ag.weld(body, fixed, fixed.mirror(ag.X)).attach_pair(ring, swing)
 
 
 def _lid(

@@ -8,6 +8,7 @@ import math
 from collections.abc import Sequence
 
 import artgen as ag
+from artgen import feel
 from artgen.nodes.handles import Path
 
 Point = tuple[ag.Scalar, ag.Scalar]
@@ -126,3 +127,55 @@ def bayonet(radius: ag.Scalar, *, half: float = 0.018) -> tuple[ag.Solid, ag.Sol
     turns = [math.pi / 6 + third * math.tau / 3 for third in range(3)]
     lugs, hooks = (ag.union(*(each.rotate(ag.Z, turn) for turn in turns)) for each in (lug, hook))
     return lugs, hooks
+
+
+def ring_wall(foot: ag.Scalar, rim: ag.Scalar, tall: ag.Scalar, wall: float, count: int) -> ag.Solid:
+    """Make the faceted wall inside the skin of an open vessel, which collides; its foot is at z = 0."""
+    sides, low, thick = ag.regular_polygon(count, 1.0), 0.0022, 0.0003
+    ends = [foot + (rim - foot) * low / tall, rim]
+    out = [sides.scale(each - thick) for each in ends]
+    inside = [sides.scale((each - wall + thick) / math.cos(math.pi / count)) for each in ends]
+    return ag.loft(out, [low, tall - 0.0002]) - ag.loft(inside, [low - 0.0001, tall])
+
+
+def swinging_handles(
+    body: ag.Body,
+    radius: ag.Scalar,
+    z: ag.Scalar,
+    friction: ag.Scalar,
+    finish: ag.Material,
+    *,
+    half: float = 0.044,
+    drop: float = 0.048,
+    sunk: float = 0.006,
+) -> ag.Body:
+    """Add a hanging handle at each side of a vessel, which swings up until it is level.
+
+    Links are `handle_right` and `handle_left`, joints `handle_swing_right` and `handle_swing_left`.
+
+    Args:
+        body: The vessel.
+        radius: Outer radius of its wall at the handles [m].
+        z: Height of the pivots [m].
+        friction: Friction of a handle [N m].
+        finish: Material of the handles.
+        half: Half the width of a handle [m].
+        drop: Length of a handle below its pivots [m].
+        sunk: Depth of the eyes in the wall [m].
+    """
+    axle = radius + 0.012
+    eyes = [
+        ag.Region((radius - sunk, axle + 0.006), (y - 0.006, y + 0.006), (z - 0.007, z + 0.007)).box(
+            bevel=0.002
+        )
+        for y in (-half + 0.0136, half - 0.0136)
+    ]
+    line = [(axle, -half, z), (axle, -half, z - drop), (axle, half, z - drop), (axle, half, z)]
+    bar = ag.sweep(ag.regular_polygon(8, 0.0042), ag.polyline(line, fillet=0.018))
+    ends = [ag.cylinder(0.0055, 0.0108, axis=ag.Y, bevel=0.001).at(axle, y, z) for y in (-half, half)]
+    hold = ag.grasp_on(bar, approach=-ag.X, closing=ag.Z, at=(axle, 0, z - drop), depth=0.008)
+    ring = ag.part(ag.union(bar, *ends), "handle", finish, name="handle", grasp=hold)
+    drag = feel.Feel(friction=friction, damping=0.005, effort=8.0)
+    swing = ag.Revolute("handle_swing", axis=-ag.Y, pivot=(axle, 0, z), limits=(0, 1.5), feel=drag)
+    fixed = ag.part(eyes, "hinge", finish)
+    return ag.weld(body, fixed, fixed.mirror(ag.X)).attach_pair(ring, swing)
