@@ -5,8 +5,8 @@ from collections.abc import Collection, Iterable, Iterator, Mapping
 from itertools import product
 from typing import Literal
 
-from artgen.asset import Asset, AssetCondition, AssetJoint
-from artgen.export.frames import BORDER, POINT, intersection, leader_of, regions
+from artgen.asset import Asset, AssetCondition, AssetCoupling, AssetJoint
+from artgen.export.frames import BORDER, POINT, coupling, intersection, leader_of, regions
 
 _OPEN_TRAVEL = 0.5  # distance of a chosen position from the border of an unbounded region [rad or m]
 
@@ -45,6 +45,13 @@ def needed_conditions(asset: Asset, joint: str) -> list[AssetCondition]:
         for each in asset.joints
         if each.needs is not None and leader_of(asset, each)[0] == joint
     ]
+
+
+def led_by(asset: Asset, joint: AssetJoint) -> list[tuple[AssetJoint, AssetCoupling]]:
+    """Return a free joint and those that follow it, each with its law."""
+    laws = ((each, coupling(asset, each)) for each in asset.joints)
+    followers = ((each, law) for each, law in laws if law is not None and law.leader == joint.name)
+    return [(joint, AssetCoupling(joint.name, 1.0)), *followers]
 
 
 def is_possible(asset: Asset, condition: AssetCondition, ranges: Mapping[str, tuple[float, float]]) -> bool:

@@ -1,7 +1,7 @@
 """Check of driven joints: a bounded force moves each joint from end to end, and springs return it."""
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 
 from artgen.asset.report import Finding, Severity
@@ -93,6 +93,13 @@ def servos(simulation: Simulation, q: Mapping[str, float]) -> list[Servo]:
     return [Servo(simulation, simulation.motions[name], position) for name, position in q.items()]
 
 
+def step_held(simulation: Simulation, held: Iterable[Servo]) -> None:
+    """Make one time step in which servos hold their joints."""
+    for servo in held:
+        servo.hold()
+    simulation.step()
+
+
 def drive(simulation: Simulation, motion: JointMotion) -> Iterator[Finding]:
     """Drive a joint from its closed position to both ends by its own effort; release it if it has springs."""
     simulation.begin({}, f"{motion.name} is closed")
@@ -166,10 +173,8 @@ def _travel(simulation: Simulation, motion: JointMotion, held: list[Servo], end:
             stuck += simulation.step_time
         if stuck > _STUCK_TIME:
             break
-        for other in held:
-            other.hold()
         servo.move(speed)
-        simulation.step()
+        step_held(simulation, held)
     return _travel_fault(simulation, motion, begun, end)
 
 
@@ -213,9 +218,7 @@ def _soft_closing(
         time, speed = math.inf, 0.0
         try:
             for _ in range(round((_CLOSES[1] if inside or falls else _STANDS) / simulation.step_time)):
-                for other in held:
-                    other.hold()
-                simulation.step()
+                step_held(simulation, held)
                 speed = abs(simulation.speed(motion))
                 if abs(simulation.position(motion) - joint.closed) <= _CLOSED * abs(way):
                     time = float(simulation.data.time)
@@ -266,9 +269,7 @@ def _swing(simulation: Simulation, motion: JointMotion, held: list[Servo]) -> fl
     """Let a joint move until it is at rest; return its motion in the last half second [rad or m]."""
     quiet, low, high = 0.0, math.inf, -math.inf
     for _ in range(round(SETTLE_TIME / simulation.step_time)):
-        for other in held:
-            other.hold()
-        simulation.step()
+        step_held(simulation, held)
         if simulation.data.time > SETTLE_TIME - 0.5:
             here = simulation.position(motion)
             low, high = min(low, here), max(high, here)
