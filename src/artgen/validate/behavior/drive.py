@@ -7,7 +7,7 @@ from dataclasses import replace
 from artgen.asset.report import Finding, Severity
 from artgen.validate.behavior.model import JointMotion, Simulation, UnstableError, joint_finding
 from artgen.validate.behavior.settle import REST_SPEED, REST_TIME, SETTLE_TIME
-from artgen.validate.joints import force, length, needed_conditions, place, state_for
+from artgen.validate.joints import force, length, needed_conditions, place, state_for, unit
 
 _TRAVEL_TIME = 1.5  # time for the whole range [s]
 _SLOWEST = 60.0  # longest time for the whole range at the velocity limit of a joint [s]
@@ -152,8 +152,8 @@ def _too_light(simulation: Simulation, motion: JointMotion) -> str:
     if inertia >= needed:
         return ""
     armature = motion.joint.armature + needed - inertia
-    unit = "kg m^2" if motion.joint.kind == "revolute" else "kg"
-    return f"is too light for its spring at {1e3 * step:g} ms: armature >= {armature:.2g} {unit}"
+    least = f"{armature:.2g} {unit(motion.joint, 'armature')}"
+    return f"is too light for its spring at {1e3 * step:g} ms: armature >= {least}"
 
 
 def _travel(simulation: Simulation, motion: JointMotion, held: list[Servo], end: float) -> Finding | None:
@@ -232,7 +232,7 @@ def _soft_closing(
             message += f": a soft closing takes {_CLOSES[0]:g} to {_CLOSES[1]:g} s"
             hint = "its preload has to be more than friction; change its force or damping"
         elif speed > _ARRIVES[joint.kind] and math.isfinite(time):
-            message += f"it closes with {speed:.2g} {'rad/s' if joint.kind == 'revolute' else 'm/s'}"
+            message += f"it closes with {speed:.2g} {unit(joint, 'velocity')}"
             hint = "give its soft closing more damping"
         elif not inside and not falls and abs(here - start) > _BEYOND[joint.kind]:
             message += f"behind the reach of its soft closing, it moves to {place(joint, here)}"
