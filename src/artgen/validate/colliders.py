@@ -176,10 +176,8 @@ def _hull_fault(name: str, points: Array) -> tuple[str, float | None]:
     if depth is None:
         return f"{name} is flat: its vertices lie in one plane", 0.0
     if depth > _INSIDE:
-        return (
-            f"{name} is not convex: a vertex lies {1e3 * depth:.4g} mm inside the hull of the others",
-            depth,
-        )
+        inside = f"{1e3 * depth:.4g} mm inside the hull of the others"
+        return f"{name} is not convex: a vertex lies {inside}", depth
     return "", None
 
 

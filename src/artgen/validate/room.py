@@ -111,18 +111,11 @@ def motions_at_rest(asset: Asset) -> Iterator[Finding]:
         mujoco.mj_step(model, data, nstep=_STEPS)
         for name, value in (bodies | joints).items():
             most[name] = max(most[name], float(np.abs(value - start[name]).max()))
-    yield from _moved(asset, most)
-
-
-def _moved(asset: Asset, most: Mapping[str, float]) -> Iterator[Finding]:
-    """Yield a fault for each body or joint that moves too far; `most` has their motions [m or rad]."""
     for name in asset.loose:
         if not most[name] <= MOST_WAY:
             message = f"moves by {1e3 * most[name]:.3g} mm in {WATCH_TIME:g} s, though nothing pushes it"
             yield Finding(CHECK, message, name, value=most[name], unit="m", hint="give it a better place")
-    for joint in asset.joints:
-        if joint.locked:
-            continue
+    for joint in map(asset.joint, joints):
         low, high = joint.limits or (-math.pi, math.pi)
         if not most[joint.name] <= MOST_SHARE * (high - low):
             message = f"moves by {length(joint, most[joint.name])} in {WATCH_TIME:g} s by itself"

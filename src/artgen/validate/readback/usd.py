@@ -264,12 +264,10 @@ class _Arm:
 
     def motion(self, position: float) -> Array:
         """Return the motion at a position, shape (4, 4)."""
-        result = np.eye(4)
+        way = position * np.eye(3)[self.column]
         if self.kind == "revolute":
-            result[:3, :3] = Rotation.from_rotvec(position * np.eye(3)[self.column]).as_matrix()
-        elif self.kind:
-            result[self.column, 3] = position
-        return result
+            return affine(Rotation.from_rotvec(way).as_matrix())
+        return affine(np.eye(3), way if self.kind else 0.0)
 
 
 def _arms(stage: Any, asset: Asset) -> Iterator[_Arm]:

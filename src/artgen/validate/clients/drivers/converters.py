@@ -28,19 +28,15 @@ def _read_stage(stage: Any, request: dict[str, Any]) -> dict[str, Any]:
         for prim in prims
         if prim.IsA(UsdPhysics.RevoluteJoint) or prim.IsA(UsdPhysics.PrismaticJoint)
     }
-    tree = [prim for prim in prims if prim.IsA(UsdPhysics.Joint) and not _closes_chain(prim)]
-    arms = [_arm(prim) for prim in tree]
+    tree = [prim for prim in prims if prim.IsA(UsdPhysics.Joint)]
+    pins = [prim for prim in tree if UsdPhysics.Joint(prim).GetExcludeFromArticulationAttr().Get()]
+    arms = [_arm(prim) for prim in tree if prim not in pins]  # pins close chains, outside the tree of links
     return {
         "links": {name: _link(bodies[name]) for name in request["links"] if name in bodies},
         "joints": {name: _joint(prim) for name, prim in joints.items()},
         "couplings": dict(_coupling(prim) for prim in joints.values() if prim.HasAPI("NewtonMimicAPI")),
         "poses": [_pose(arms, pose, request["links"]) for pose in request["poses"]],
     }
-
-
-def _closes_chain(prim: Any) -> bool:
-    """Return whether a joint is the pin of a closed chain, which stays out of the tree of links."""
-    return bool(UsdPhysics.Joint(prim).GetExcludeFromArticulationAttr().Get())
 
 
 def _link(prim: Any) -> dict[str, Any]:
