@@ -236,14 +236,14 @@ def run_clients(directory: str | Path, clients: Sequence[Client], *, by_name: bo
     readers = [client for client in clients if exported.is_read_by(client)]
     outcomes = run_all(clients if by_name or not readers else readers, exported)
     none_read = all(outcome.state in _UNREAD for outcome in outcomes)
-    if not by_name and not none_read:
-        return outcomes
-    return [
-        replace(outcome, findings=tuple(replace(each, severity="fault") for each in outcome.findings))
-        if outcome.state in _UNREAD
-        else outcome
-        for outcome in outcomes
-    ]
+    return [_required(outcome) for outcome in outcomes] if by_name or none_read else outcomes
+
+
+def _required(outcome: Outcome) -> Outcome:
+    if outcome.state not in _UNREAD:
+        return outcome
+    findings = tuple(replace(finding, severity="fault") for finding in outcome.findings)
+    return replace(outcome, findings=findings)
 
 
 def _unread(client: Client, state: State, message: str, **options: Any) -> Outcome:
